@@ -1,0 +1,1 @@
+"""What the book's notebooks share: one table for each arm, and everything that follows from it."""

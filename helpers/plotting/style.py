@@ -1,0 +1,35 @@
+"""Colours and settings shared by all figures."""
+
+import matplotlib as mpl
+from matplotlib_inline.backend_inline import set_matplotlib_formats
+
+# Okabe and Ito's colours, told apart by colour-blind readers too.
+BLUE, ORANGE, GREEN, RED, PURPLE, SKY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9"
+GREY = "#8A8F98"
+AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
+
+_STYLE = {
+    "figure.figsize": (6.0, 3.8),
+    "figure.facecolor": "none",
+    "axes.facecolor": "none",
+    "savefig.transparent": True,
+    "svg.hashsalt": "helpers",
+    "font.size": 10,
+    "mathtext.fontset": "cm",
+    "axes.titlesize": 11,
+    "axes.titleweight": "normal",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#DDDDDD",
+    "grid.linewidth": 0.6,
+    "lines.linewidth": 1.8,
+    "legend.frameon": False,
+    "axes.prop_cycle": mpl.cycler(color=[BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000"]),
+}
+
+
+def use_book_style() -> None:
+    """Set the book's style for this notebook: sharp SVG figures with the same bytes on every run."""
+    mpl.rcParams.update(_STYLE)
+    set_matplotlib_formats("svg", bbox_inches="tight", metadata={"Date": None, "Creator": None})

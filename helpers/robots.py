@@ -1,0 +1,123 @@
+"""The arms of the homework: data only, with where each number comes from.
+
+The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off. `PANDA` and `UR10E`
+have the makers' lengths, `PANDA_HOMEWORK` and `UR10E_HOMEWORK` those of the assignment.
+"""
+
+from dataclasses import replace
+from math import pi
+
+from helpers.arm import Arm, ArmError, Body, prismatic, revolute
+
+PANDA = Arm(
+    name="Panda",
+    # The maker's limits in the signs of this table: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7).
+    rows=(
+        revolute(alpha="pi/2", d="d_1", limits=(-2.8973, 2.8973), speed=2.175, effort=87),
+        revolute(alpha="-pi/2", limits=(-1.7628, 1.7628), speed=2.175, effort=87),
+        revolute(a="a_3", alpha="-pi/2", d="d_3", limits=(-2.8973, 2.8973), speed=2.175, effort=87),
+        revolute(a="-a_3", alpha="pi/2", limits=(0.0698, 3.0718), speed=2.175, effort=87),
+        revolute(alpha="pi/2", d="d_5", limits=(-2.8973, 2.8973), speed=2.61, effort=12),
+        revolute(a="a_6", alpha="-pi/2", limits=(-0.0175, 3.7525), speed=2.61, effort=12),
+        revolute(d="-(d_7 + l_pen)", limits=(-2.8973, 2.8973), speed=2.61, effort=12),
+    ),
+    values=dict(d_1=0.333, d_3=0.316, a_3=0.0825, d_5=0.384, a_6=0.088, d_7=0.107, l_pen=0.1),
+    # Gaz et al. (2019), their centres of mass carried over into the frames of this table.
+    bodies=(
+        Body(4.970684, (0.003875, -0.04762, -0.002081)),
+        Body(0.646926, (-0.003141, 0.003495, 0.02872)),
+        Body(3.228604, ("0.027518 - a_3", 0.066502, 0.039252)),
+        Body(3.587895, ("a_3 - 0.05317", -0.027454, 0.104419)),
+        Body(1.225946, (-0.011953, -0.038437, -0.041065)),
+        Body(1.666555, ("0.060149 - a_6", 0.010517, -0.014117)),
+        Body(0.735522, (0.010517, 0.004252, "d_7 + l_pen - 0.061597")),
+    ),
+    home=(0, 0, 0, pi / 2, 0, pi, 0),
+    source="Franka Emika, Robot and interface specifications; masses: Gaz et al. (2019), hal-02265294",
+)
+
+PANDA_HOMEWORK = replace(
+    PANDA.with_values(a_3=0.088),
+    name="Panda (homework)",
+    source="The homework's table, which uses 88 mm for both a_3 and a_6; the rest as PANDA",
+)
+
+# The ranges, speeds and torques of the maker's UR10e serve both tables.
+_UR_RANGE = (-2 * pi, 2 * pi)
+_UR_BIG = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
+_UR_ELBOW = dict(limits=_UR_RANGE, speed=pi, effort=150)
+_UR_WRIST = dict(limits=_UR_RANGE, speed=pi, effort=56)
+
+UR10E = Arm(
+    name="UR10e",
+    rows=(
+        revolute(alpha="pi/2", d="d_1", **_UR_BIG),
+        revolute(a="-a_2", **_UR_BIG),
+        revolute(a="-a_3", **_UR_ELBOW),
+        revolute(alpha="pi/2", d="d_4", **_UR_WRIST),
+        revolute(alpha="-pi/2", d="d_5", **_UR_WRIST),
+        revolute(d="d_6 + l_pen", **_UR_WRIST),
+    ),
+    values=dict(d_1=0.1807, a_2=0.6127, a_3=0.57155, d_4=0.17415, d_5=0.11985, d_6=0.11655, l_pen=0.1),
+    bodies=(
+        Body(7.369, (0.021, 0, 0.027)),
+        Body(13.051, (0.38, 0, 0.158)),
+        Body(3.989, (0.24, 0, 0.068)),
+        Body(2.1, (0, 0.007, 0.018)),
+        Body(1.98, (0, 0.007, 0.018)),
+        Body(0.615, (0, 0, "-0.026 - l_pen")),
+    ),
+    home=(0, -pi / 2, 0, -pi / 2, 0, 0),
+    source="Universal Robots, DH parameters for calculations of kinematics and dynamics",
+)
+
+UR10E_HOMEWORK = Arm(
+    name="UR10e (homework)",
+    rows=(
+        revolute(alpha="-pi/2", d="d_1", **_UR_BIG),
+        revolute(a="a_2", alpha="pi", theta="-pi/2", **_UR_BIG),
+        revolute(a="a_3", alpha="pi", **_UR_ELBOW),
+        revolute(alpha="pi/2", d="d_4", theta="pi/2", **_UR_WRIST),
+        revolute(alpha="-pi/2", d="d_5", **_UR_WRIST),
+        revolute(d="d_6 + l_pen", **_UR_WRIST),
+    ),
+    values=dict(d_1=0.128, a_2=0.6127, a_3=0.5716, d_4=0.1639, d_5=0.1157, d_6=0.0922, l_pen=0.1),
+    source="The homework's table: d_1, d_4, d_5, d_6 of the maker's UR10 with a_2, a_3 of the UR10e",
+)
+
+STANFORD = Arm(
+    name="Stanford arm",
+    rows=(
+        revolute(alpha="-pi/2"),
+        revolute(alpha="pi/2", d="d_2"),
+        prismatic(limits=(0.1, 1.0)),
+        revolute(alpha="-pi/2"),
+        revolute(alpha="pi/2"),
+        revolute(d="d_6"),
+    ),
+    values=dict(d_2=0.154, d_6=0.263),
+    home=(0, 0, 0.5, 0, 0, 0),
+    source="Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, example 3.5; lengths: Scheinman's arm",
+)
+
+ELBOW = Arm(
+    name="Elbow arm",
+    rows=(
+        revolute(alpha="pi/2", d="d_1"),
+        revolute(a="a_2", d="-d"),
+        revolute(a="a_3"),
+    ),
+    values=dict(d_1=0.5, a_2=0.4, a_3=0.3, d=0.0),
+    home=(0, pi / 4, -pi / 2),
+    source="Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 5.3; the lengths are ours",
+)
+
+ARMS = (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
+
+
+def named(name: str) -> Arm:
+    """The arm of the catalogue with this name, letter case aside; ArmError lists the names there are."""
+    for arm in ARMS:
+        if arm.name.casefold() == str(name).casefold():
+            return arm
+    raise ArmError(f"no arm is called {name!r}; expected one of {', '.join(a.name for a in ARMS)}")
