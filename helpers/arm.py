@@ -37,9 +37,13 @@ class Joint:
         if self.kind not in _KINDS:
             raise ArmError(f"joint kind is {self.kind!r}; expected one of {', '.join(_KINDS)}")
         if not self.lower <= self.upper:
-            raise ArmError(f"joint limits are ({self.lower}, {self.upper}); expected lower <= upper")
+            raise ArmError(
+                f"joint limits are ({self.lower}, {self.upper}); expected lower <= upper"
+            )
         if not (self.speed > 0 and self.effort > 0):
-            raise ArmError(f"joint speed and effort are {self.speed}, {self.effort}; expected both > 0")
+            raise ArmError(
+                f"joint speed and effort are {self.speed}, {self.effort}; expected both > 0"
+            )
 
 
 @dataclass(frozen=True)
@@ -213,7 +217,9 @@ class Arm:
         """The same arm with one joint, counted from 1, held `at` a value (rad or m): one variable fewer."""
         if joint not in self.joints:
             free = ", ".join(map(str, self.joints))
-            raise ArmError(f"{self.name}: joint {joint!r} cannot be locked; its free joints are {free}")
+            raise ArmError(
+                f"{self.name}: joint {joint!r} cannot be locked; its free joints are {free}"
+            )
         row = self.rows[joint - 1]
         value = evaluate(entry(at, "the locked value"), dict(self.values))
         if not row.joint.lower <= value <= row.joint.upper:
@@ -268,9 +274,15 @@ class Arm:
     def _repr_markdown_(self) -> str:
         head = "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|:-:|:-:|:-:|:-:|:-:|\n"
         lines = [_markdown(i, row) for i, row in enumerate(self.rows, 1)]
-        used = {n for row in self.rows for e in (row.a, row.alpha, row.d, row.theta) for n in names(e)}
+        used = {
+            n for row in self.rows for e in (row.a, row.alpha, row.d, row.theta) for n in names(e)
+        }
         values = ", ".join(f"${latex(k)} = {v:g}$" for k, v in self.values if k in used)
-        return head + "\n".join(lines) + (f"\n\n{self.name}: {values} (m)" if values else f"\n\n{self.name}")
+        return (
+            head
+            + "\n".join(lines)
+            + (f"\n\n{self.name}: {values} (m)" if values else f"\n\n{self.name}")
+        )
 
 
 def cos_sin(angle: float) -> tuple[float, float]:

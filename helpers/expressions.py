@@ -28,7 +28,9 @@ class ArmError(ValueError):
 def entry(value: object, what: str) -> Entry:
     """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a formula."""
     if isinstance(value, bool) or value is None:
-        raise ArmError(f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'")
+        raise ArmError(
+            f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
+        )
     if isinstance(value, int | float):
         if not math.isfinite(value):
             raise ArmError(f"{what} is {value!r}; expected a finite number or a formula")
@@ -63,9 +65,7 @@ def latex(text: Entry) -> str:
 
 
 def _parse(text: str, what: str) -> ast.expr:
-    wrong = (
-        f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2' or 'd_6 + l_pen'"
-    )
+    wrong = f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2' or 'd_6 + l_pen'"
     try:
         tree = ast.parse(text, mode="eval").body
     except SyntaxError:

@@ -98,7 +98,9 @@ def _link_transform(arm: Arm, i: int) -> Matrix:
     theta += variable if row.joint.kind == "revolute" else 0
     d += variable if row.joint.kind == "prismatic" else 0
     c, s, ca, sa = sp.cos(theta), sp.sin(theta), sp.cos(alpha), sp.sin(alpha)
-    return Matrix([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+    return Matrix(
+        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+    )
 
 
 def _formula(arm: Arm, entry: Entry) -> sp.Expr:
@@ -141,7 +143,10 @@ def _turns(arm: Arm) -> list[_Turn]:
             held, formula, quarters = np.eye(3), sp.S.Zero, 0
         if numeric.kind == "revolute":
             sign, (rest, more) = round(held[2, 2]), _angle(arm, row.theta)
-            formula, quarters = formula + sign * (sp.Symbol(f"q_{i}") + rest), quarters + sign * more
+            formula, quarters = (
+                formula + sign * (sp.Symbol(f"q_{i}") + rest),
+                quarters + sign * more,
+            )
         else:
             held = held @ np.array(_rotation_z(numeric.cos_theta, numeric.sin_theta))
         held = held @ np.array(_rotation_x(numeric.cos_alpha, numeric.sin_alpha))
@@ -156,8 +161,12 @@ class _Ring:
         angles = {turn.angle[0] for turn in _turns(arm)}
         angles |= {_angle(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}
         angles = sorted(angles - {sp.S.Zero}, key=sp.default_sort_key)
-        letters = {s for row in arm.rows for e in (row.a, row.d) for s in _formula(arm, e).free_symbols}
-        letters |= {sp.Symbol(f"q_{i}") for i in arm.joints if arm.rows[i - 1].joint.kind == "prismatic"}
+        letters = {
+            s for row in arm.rows for e in (row.a, row.d) for s in _formula(arm, e).free_symbols
+        }
+        letters |= {
+            sp.Symbol(f"q_{i}") for i in arm.joints if arm.rows[i - 1].joint.kind == "prismatic"
+        }
         letters = sorted(letters, key=sp.default_sort_key)
         # Sines come first, so that sin² is the leading term of sin² + cos² - 1 and division removes it.
         self._symbols = [f(angle) for f in (sp.sin, sp.cos) for angle in angles] + letters
@@ -183,7 +192,9 @@ class _Ring:
         total = self.zero
         for term in sp.Add.make_args(sp.expand(formula)):
             number, factors = term.as_coeff_mul()
-            powers = [self._letters[base] ** int(n) for base, n in (f.as_base_exp() for f in factors)]
+            powers = [
+                self._letters[base] ** int(n) for base, n in (f.as_base_exp() for f in factors)
+            ]
             total += reduce(mul, powers, self.one * number)
         return total
 

@@ -21,7 +21,9 @@ def check(label: str, actual: ArrayLike, expected: ArrayLike, within: float = 0.
         agrees = difference <= within
     if not agrees:
         detail = (
-            f"got {actual}, expected {expected}" if exact else f"off by {difference:.3g}, allowed {within:g}"
+            f"got {actual}, expected {expected}"
+            if exact
+            else f"off by {difference:.3g}, allowed {within:g}"
         )
         raise AssertionError(f"{label}: {detail}")
     print(f"✔ {label}" if exact or not within else f"✔ {label} (within {within:g})")

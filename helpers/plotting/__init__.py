@@ -1,6 +1,18 @@
 """Matplotlib figures in one style. Every function draws on the axes it is given and returns None."""
 
 from helpers.plotting.arms import arm_3d
+from helpers.plotting.dh import dh_numbers
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
 
-__all__ = ["BLUE", "GREEN", "GREY", "ORANGE", "PURPLE", "RED", "SKY", "arm_3d", "use_book_style"]
+__all__ = [
+    "BLUE",
+    "GREEN",
+    "GREY",
+    "ORANGE",
+    "PURPLE",
+    "RED",
+    "SKY",
+    "arm_3d",
+    "dh_numbers",
+    "use_book_style",
+]

@@ -46,18 +46,27 @@ def _skeleton(arm: Arm, T: np.ndarray) -> np.ndarray:
     return np.array(points)
 
 
-def _links(ax: Axes3D, arm: Arm, T: np.ndarray, colour: str, alpha: float, label: str | None) -> None:
+def _links(
+    ax: Axes3D, arm: Arm, T: np.ndarray, colour: str, alpha: float, label: str | None
+) -> None:
     points = _skeleton(arm, T)
-    ax.plot(*points.T[:2], 0 * points[:, 0], color=GREY, alpha=0.25 * alpha, lw=3, solid_joinstyle="round")
+    ax.plot(
+        *points.T[:2],
+        0 * points[:, 0],
+        color=GREY,
+        alpha=0.25 * alpha,
+        lw=3,
+        solid_joinstyle="round",
+    )
     ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=6, solid_joinstyle="round", solid_capstyle="round",
             label=label)  # fmt: skip
     for i in arm.joints:
         sides = 16 if arm.rows[i - 1].joint.kind == "revolute" else 4
-        _barrel(ax, T[i - 1], 0.032 * _reach(arm), sides, alpha)
+        barrel(ax, T[i - 1], 0.032 * _reach(arm), sides, alpha)
     ax.plot(*points[-1:].T, "o", color="black", alpha=alpha, ms=4)
 
 
-def _barrel(ax: Axes3D, frame: np.ndarray, size: float, sides: int, alpha: float) -> None:
+def barrel(ax: Axes3D, frame: np.ndarray, size: float, sides: int, alpha: float) -> None:
     """A joint: a round barrel about z where it turns, a square one where it slides."""
     angle = 2 * np.pi * (np.arange(sides) + 0.5) / sides
     ring = 0.8 * size * np.stack([np.cos(angle), np.sin(angle), 0 * angle])
