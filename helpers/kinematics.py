@@ -4,6 +4,7 @@ One recursion over the links serves everything. It works on component-major arra
 transform being one contiguous vector over the batch, in chunks that stay in the processor's cache.
 """
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -41,7 +42,7 @@ def jacobian(arm: Arm, q: ArrayLike) -> Array:
 
 def _in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
     q = arm.joint_vector(q)
-    flat = q.reshape(-1, arm.dof)
+    flat = q.reshape(math.prod(q.shape[:-1]), arm.dof)
     out = np.zeros((len(flat), *shape))
     for start in range(0, len(flat), _CHUNK):
         part = slice(start, start + _CHUNK)
