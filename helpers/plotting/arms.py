@@ -35,7 +35,9 @@ def arm_3d(
 
 
 def _reach(arm: Arm) -> float:
-    return sum(abs(row.a) + abs(row.d) for row in arm.numeric)
+    """The length of the arm's links at home, which sets the size of its joints and frames."""
+    steps = np.diff(_skeleton(arm, link_frames(arm, arm.home)), axis=0)
+    return float(np.linalg.norm(steps, axis=1).sum())
 
 
 def _skeleton(arm: Arm, T: np.ndarray) -> np.ndarray:
@@ -61,7 +63,7 @@ def _links(
     ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=6, solid_joinstyle="round", solid_capstyle="round",
             label=label)  # fmt: skip
     for i in arm.joints:
-        sides = 16 if arm.rows[i - 1].joint.kind == "revolute" else 4
+        sides = 12 if arm.rows[i - 1].joint.kind == "revolute" else 4
         barrel(ax, T[i - 1], 0.032 * _reach(arm), sides, alpha)
     ax.plot(*points[-1:].T, "o", color="black", alpha=alpha, ms=4)
 
@@ -89,7 +91,7 @@ def _triads(ax: Axes3D, T: np.ndarray, length: float) -> None:
         if name != "y":
             tip = start + 1.25 * length * axis
             text = f"${name}_{{{','.join(map(str, indices))}}}$"
-            ax.text(*tip, text, color=AXIS_COLOURS[name], fontsize=9, ha="center", va="center")
+            ax.text(*tip, text, color=AXIS_COLOURS[name], fontsize=10, ha="center", va="center")
 
 
 def _fit(ax: Axes3D, points: np.ndarray, margin: float) -> None:
@@ -108,3 +110,4 @@ def _fit(ax: Axes3D, points: np.ndarray, margin: float) -> None:
     for axis in (ax.xaxis, ax.yaxis, ax.zaxis):
         axis.set_pane_color((0.5, 0.5, 0.5, 0.04))
         axis.set_major_locator(MaxNLocator(4))
+        axis.set_tick_params(labelsize=8, pad=1)
