@@ -1,0 +1,34 @@
+"""Execute notebooks in place and keep only what belongs to them: `python tools/refresh.py book/*.ipynb`."""
+
+import sys
+from pathlib import Path
+
+import nbformat
+from nbclient import NotebookClient
+
+KERNEL = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python"},
+}
+
+
+def refresh(path: Path) -> None:
+    """Run one notebook in its own folder and write it back, its metadata as in every other one."""
+    notebook = nbformat.read(path, as_version=4)
+    about = {key: notebook.metadata[key] for key in ("myst",) if key in notebook.metadata}
+    resources = {"metadata": {"path": path.parent}}
+    NotebookClient(notebook, timeout=300, kernel_name="python3", resources=resources).execute()
+    notebook.metadata = {**KERNEL, **about}
+    for number, cell in enumerate(notebook.cells):
+        cell["id"] = f"c{number:03d}"
+        cell.metadata.pop("execution", None)
+        for output in cell.get("outputs", []):
+            if "metadata" in output:
+                output["metadata"] = {}
+    nbformat.write(notebook, path)
+
+
+if __name__ == "__main__":
+    for name in sys.argv[1:]:
+        refresh(Path(name))
+        print(name)
