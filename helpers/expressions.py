@@ -55,11 +55,10 @@ def evaluate(text: Entry, values: Mapping[str, float]) -> float:
 
 
 def latex(text: Entry) -> str:
-    """An entry for a maths table: ``"-(d_7 + l_pen)"`` becomes ``-(d_{7} + l_{\\mathrm{pen}})``."""
+    """An entry for a maths table: ``"-(d_7 + l_pen)"`` becomes ``-(d_{7} + l_{pen})``."""
     if not isinstance(text, str):
         return f"{text:g}"
     text = re.sub(r"\bpi\b", r"\\pi", text)
-    text = re.sub(r"_([A-Za-z]\w+)", r"_{\\mathrm{\1}}", text)
     text = re.sub(r"_(\w+)", r"_{\1}", text)
     return text.replace("*", r"\,")
 

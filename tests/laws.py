@@ -1,0 +1,49 @@
+"""What the tests share: the arms, the batch shapes, and a second, slow definition of a link's matrix."""
+
+import numpy as np
+from hypothesis import strategies as st
+
+from helpers.arm import Arm, fixed, prismatic, revolute
+from helpers.robots import ARMS, PANDA
+
+ALL_ARMS = (*ARMS, PANDA.lock(3))
+SHAPES = ((), (1,), (3, 2), (0,))
+
+
+def ids(arm: Arm) -> str:
+    return f"{arm.name}, {arm.dof} joints"
+
+
+def joint_vectors(arm: Arm, shape: tuple[int, ...], seed: int = 0) -> np.ndarray:
+    return np.random.default_rng(seed).uniform(-1.5, 1.5, (*shape, arm.dof))
+
+
+def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
+    """T_00 .. T_0n as products of the four elementary motions, written out here and nowhere else."""
+    frames, rest = [np.eye(4)], list(q)
+    for row in arm.rows:
+        a, alpha, d, theta = (arm.number(e) for e in (row.a, row.alpha, row.d, row.theta))
+        if row.joint.kind == "revolute":
+            theta += rest.pop(0)
+        elif row.joint.kind == "prismatic":
+            d += rest.pop(0)
+        c, s = np.cos([theta, alpha]), np.sin([theta, alpha])
+        turn = np.array([[c[0], -s[0], 0, 0], [s[0], c[0], 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
+        tilt = np.array([[1, 0, 0, a], [0, c[1], -s[1], 0], [0, s[1], c[1], 0], [0, 0, 0, 1]])
+        frames.append(frames[-1] @ turn @ tilt)
+    return frames
+
+
+_LENGTH = st.one_of(st.just(0.0), st.floats(-1, 1).map(lambda x: round(x, 3)))
+_ANGLE = st.one_of(
+    st.sampled_from([0, "pi/2", "-pi/2", "pi"]), st.floats(-3, 3).map(lambda x: round(x, 3))
+)
+_ROW = st.builds(
+    lambda make, a, alpha, d, theta: make(a, alpha, d, theta),
+    st.sampled_from([revolute, revolute, prismatic, fixed]),
+    _LENGTH,
+    _ANGLE,
+    _LENGTH,
+    _ANGLE,
+)
+random_arms = st.lists(_ROW, min_size=1, max_size=6).map(lambda rows: Arm("random", rows))
