@@ -151,7 +151,8 @@ class Arm:
             raise ArmError(
                 f"{self.name}: {len(self.bodies)} bodies for {len(self.rows)} rows; expected one each"
             )
-        missing = sorted(self._symbols() - {name for name, _ in self.values})
+        needed = {name for formula in self._entries() for name in names(formula)}
+        missing = sorted(needed - {name for name, _ in self.values})
         if missing:
             raise ArmError(
                 f"{self.name}: no value for {', '.join(missing)}; give values={{{missing[0]!r}: ...}}"
@@ -159,12 +160,16 @@ class Arm:
         for name, value in self.values:
             if not math.isfinite(value):
                 raise ArmError(f"{self.name}: {name} is {value}; expected a finite number")
+        for formula in self._entries():
+            try:
+                self.number(formula)
+            except ZeroDivisionError:
+                raise ArmError(f"{self.name}: {formula} divides by zero; give it another value") from None
         self.joint_vector(self.home)
 
-    def _symbols(self) -> set[str]:
+    def _entries(self) -> list[Entry]:
         table = [e for row in self.rows for e in (row.a, row.alpha, row.d, row.theta)]
-        loads = [e for body in self.bodies for e in (body.mass, *body.com)]
-        return {name for e in table + loads for name in names(e)}
+        return table + [e for body in self.bodies for e in (body.mass, *body.com)]
 
     # What it is
 

@@ -1,0 +1,135 @@
+"""The arm as a value: its checks, its changes, and how it reads."""
+
+import pickle
+from dataclasses import FrozenInstanceError, replace
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers.arm import Arm, ArmError, Body, Joint, Row, fixed, prismatic, revolute
+from helpers.expressions import entry, evaluate, latex, names
+from helpers.kinematics import forward_kinematics
+from helpers.robots import ARMS, ELBOW, PANDA, STANFORD, named
+from tests.laws import ALL_ARMS, ids, joint_vectors
+
+
+def test_an_arm_is_a_value():
+    twin = replace(PANDA)
+    assert twin == PANDA
+    assert hash(twin) == hash(PANDA)
+    assert pickle.loads(pickle.dumps(PANDA)) == PANDA
+    assert PANDA.with_values(a_3=0.09) != PANDA
+    with pytest.raises(FrozenInstanceError):
+        PANDA.name = "mine"
+
+
+def test_variables_are_named_by_row():
+    assert PANDA.variables == ("q_1", "q_2", "q_3", "q_4", "q_5", "q_6", "q_7")
+    assert PANDA.lock(3).variables == ("q_1", "q_2", "q_4", "q_5", "q_6", "q_7")
+    assert PANDA.dof == 7
+    assert PANDA.lock(3).lock(7).dof == 5
+
+
+@pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+@pytest.mark.parametrize("at", [0.0, 0.2, "pi/8"])
+def test_a_locked_joint_is_a_joint_that_stays(arm, at):
+    value = evaluate(at, {})
+    for position, joint in enumerate(arm.joints):
+        lower, upper = (limit[position] for limit in arm.limits)
+        if not lower <= value <= upper:
+            continue
+        q = joint_vectors(arm, (5,))
+        q[:, position] = value
+        locked = forward_kinematics(arm.lock(joint, at), np.delete(q, position, axis=1))
+        np.testing.assert_allclose(locked, forward_kinematics(arm, q), atol=1e-14)
+
+
+def test_values_change_and_the_original_does_not():
+    longer = ELBOW.with_values(a_2=1.4)
+    assert dict(ELBOW.values)["a_2"] == 0.4
+    q = [0.0, 0.0, 0.0]
+    np.testing.assert_allclose(forward_kinematics(longer, q)[0, 3] - forward_kinematics(ELBOW, q)[0, 3], 1.0)
+
+
+def test_limits_follow_the_joints():
+    lower, upper = PANDA.lock(3).limits
+    assert lower.shape == upper.shape == (6,)
+    assert (lower[2], upper[2]) == (0.0698, 3.0718)
+    np.testing.assert_array_equal(PANDA.effort_limits, [87, 87, 87, 87, 12, 12, 12])
+    np.testing.assert_array_equal(STANFORD.speed_limits, np.full(6, np.inf))
+
+
+def test_the_table_reads_as_in_a_textbook():
+    text = PANDA._repr_markdown_()
+    assert "| 3 | $a_{3}$ | $-\\pi/2$ | $d_{3}$ | $q_{3}$ |" in text
+    assert "| 7 | $0$ | $0$ | $-(d_{7} + l_{pen})$ | $q_{7}$ |" in text
+    assert "$a_{3} = 0.0825$" in text
+    assert "$q_{3}$" not in PANDA.lock(3)._repr_markdown_()
+    assert "| 3 | $0$ | $0$ | $q_{3}$ | $0$ |" in STANFORD._repr_markdown_()
+    offsets = Arm("x", [revolute(theta="-pi/2"), revolute(theta="pi/2"), prismatic(d=0.2)])
+    for cell in ("$q_{1} - \\pi/2$", "$q_{2} + \\pi/2$", "$q_{3} + 0.2$"):
+        assert cell in offsets._repr_markdown_()
+    assert repr(STANFORD) == "<Arm Stanford arm: 6 rows, RRPRRR>"
+
+
+def test_entries_are_numbers_or_formulas():
+    assert evaluate("-(d_7 + l_pen) / 2", {"d_7": 0.1, "l_pen": 0.3}) == pytest.approx(-0.2)
+    assert evaluate("2*pi - +1", {}) == pytest.approx(2 * np.pi - 1)
+    assert names("a_3 + pi*b - 2") == {"a_3", "b"}
+    assert entry(-sp.pi / 2, "alpha") == "-pi/2"
+    assert entry(np.float64(0.25), "a") == 0.25
+    assert latex("2*pi/3") == "2\\,\\pi/3"
+
+
+def test_every_arm_of_the_catalogue_has_its_name_and_source():
+    for arm in ARMS:
+        assert named(arm.name.upper()) is arm
+        assert arm.source
+        lower, upper = arm.limits
+        assert ((lower <= arm.home) & (arm.home <= upper)).all()
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda: revolute(a=float("nan")), "a is nan; expected a finite number or a formula"),
+        (lambda: revolute(alpha=float("inf")), "alpha is inf; expected a finite number"),
+        (lambda: revolute(d=True), "d is True; expected a number or a formula"),
+        (lambda: revolute(theta=None), "theta is None; expected a number or a formula"),
+        (lambda: revolute(a="__import__('os').getcwd()"), "expected numbers, symbols, pi"),
+        (lambda: revolute(a="a_3 +"), "a is 'a_3 +'; expected numbers, symbols"),
+        (lambda: revolute(a="a**2"), "expected numbers, symbols, pi and"),
+        (lambda: revolute(a="1e999"), "expected numbers, symbols"),
+        (lambda: revolute(a=""), "a is ''; expected numbers"),
+        (lambda: Joint("helical"), "joint kind is 'helical'; expected one of revolute, prismatic, fixed"),
+        (lambda: revolute(limits=(1, -1)), "joint limits are (1, -1); expected lower <= upper"),
+        (lambda: revolute(speed=0), "expected both > 0"),
+        (lambda: Row(joint="revolute"), "joint is 'revolute'; expected a Joint"),
+        (lambda: Body(1, (0, 0)), "expected three coordinates"),
+        (lambda: Body("m + ", (0, 0, 0)), "mass is 'm +'"),
+        (lambda: Arm("mine", []), "mine: rows are (); expected one Row or more"),
+        (lambda: Arm("mine", [[0, 0, 0, 0]]), "mine: rows are ([0, 0, 0, 0],); expected one Row or more"),
+        (lambda: Arm("mine", [revolute("a_1")]), "mine: no value for a_1; give values={'a_1': ...}"),
+        (lambda: Arm("mine", [revolute("a")], {"a": np.nan}), "mine: a is nan; expected a finite number"),
+        (lambda: Arm("mine", [revolute("1 / a")], {"a": 0}), "mine: 1 / a divides by zero"),
+        (lambda: Arm("mine", [revolute()], bodies=[Body(1, (0, 0, 0))] * 2), "mine: 2 bodies for 1 rows"),
+        (lambda: Arm("mine", [revolute()], home=[0, 0]), "mine: q has shape (2,); expected (..., 1)"),
+        (lambda: PANDA.with_values(a_4=1), "Panda has no symbol a_4; it has d_1, d_3, a_3"),
+        (lambda: PANDA.with_values(a_3=float("nan")), "Panda: a_3 is nan; expected a finite number"),
+        (lambda: PANDA.lock(8), "Panda: joint 8 cannot be locked; its free joints are 1, 2, 3, 4, 5, 6, 7"),
+        (lambda: PANDA.lock(3).lock(3), "joint 3 cannot be locked; its free joints are 1, 2, 4"),
+        (lambda: PANDA.lock(4, at=0), "Panda: joint 4 locked at 0; its limits are 0.0698 to 3.0718"),
+        (lambda: PANDA.joint_vector([0] * 6), "Panda: q has shape (6,); expected (..., 7), one value for each of q_1"),
+        (lambda: PANDA.joint_vector(0.5), "Panda: q has shape (); expected (..., 7)"),
+        (lambda: PANDA.joint_vector([0] * 6 + [np.nan]), "Panda: q holds NaN or infinity; expected finite joint values"),
+        (lambda: PANDA.joint_vector("start"), "Panda: q is 'start'; expected 7 joint values"),
+        (lambda: PANDA.joint_vector([[0] * 7, [0]]), "expected 7 joint values"),
+        (lambda: named("Puma"), "no arm is called 'Puma'; expected one of Panda, Panda (homework), UR10e"),
+    ],
+)
+def test_bad_input_is_told_in_words(make, words):
+    with pytest.raises(ArmError) as told:
+        make()
+    assert words in str(told.value)
+    assert isinstance(told.value, ValueError)

@@ -1,0 +1,151 @@
+"""The numeric view: laws that hold for every arm and every batch shape."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helpers.kinematics import forward_kinematics, jacobian, link_frames
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
+from tests.laws import ALL_ARMS, SHAPES, ids, joint_vectors, random_arms, slow_frames
+
+every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+every_shape = pytest.mark.parametrize("shape", SHAPES, ids=str)
+
+
+@every_arm
+@every_shape
+def test_shapes_follow_the_batch(arm, shape):
+    q = joint_vectors(arm, shape)
+    assert forward_kinematics(arm, q).shape == (*shape, 4, 4)
+    assert link_frames(arm, q).shape == (*shape, len(arm.rows) + 1, 4, 4)
+    assert jacobian(arm, q).shape == (*shape, 6, arm.dof)
+
+
+@every_arm
+def test_a_batch_is_its_rows(arm):
+    q = joint_vectors(arm, (3, 2))
+    for function in (forward_kinematics, link_frames, jacobian):
+        together = function(arm, q)
+        for index in np.ndindex(3, 2):
+            np.testing.assert_allclose(together[index], function(arm, q[index]), atol=1e-15)
+
+
+@pytest.mark.parametrize("size", [8191, 8192, 8193])
+def test_chunks_join_without_a_seam(size):
+    q = joint_vectors(ELBOW, (size,))
+    T = forward_kinematics(ELBOW, q)
+    for i in (0, size // 2, size - 2, size - 1):
+        np.testing.assert_allclose(T[i], slow_frames(ELBOW, q[i])[-1], atol=1e-15)
+
+
+@every_arm
+def test_frames_are_the_product_of_elementary_motions(arm):
+    for q in joint_vectors(arm, (4,)):
+        np.testing.assert_allclose(link_frames(arm, q), slow_frames(arm, q), atol=1e-14)
+
+
+@settings(max_examples=150, deadline=None)
+@given(arm=random_arms, seed=st.integers(0, 99))
+def test_random_tables_too(arm, seed):
+    q = joint_vectors(arm, (), seed)
+    np.testing.assert_allclose(link_frames(arm, q), slow_frames(arm, q), atol=1e-13)
+
+
+@every_arm
+def test_frames_are_rigid_motions(arm):
+    T = link_frames(arm, joint_vectors(arm, (50,)))
+    R = T[..., :3, :3]
+    np.testing.assert_allclose(R @ np.swapaxes(R, -1, -2), np.broadcast_to(np.eye(3), R.shape), atol=1e-14)
+    np.testing.assert_allclose(np.linalg.det(R), 1, atol=1e-14)
+    np.testing.assert_array_equal(T[..., 3, :], np.broadcast_to([0, 0, 0, 1], T.shape[:-2] + (4,)))
+
+
+@every_arm
+def test_angles_may_be_large_and_right_angles_are_no_trouble(arm):
+    q = joint_vectors(arm, ()) * 0 + np.pi
+    np.testing.assert_allclose(forward_kinematics(arm, q), slow_frames(arm, q)[-1], atol=1e-14)
+    turns = np.where([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints], 200 * np.pi, 0)
+    q = joint_vectors(arm, ())
+    np.testing.assert_allclose(forward_kinematics(arm, q + turns), forward_kinematics(arm, q), atol=1e-11)
+
+
+def test_structural_zeros_are_zero():
+    """At home the UR10e's axes are exactly upright: quarter turns leave no 6e-17 behind."""
+    T = link_frames(UR10E_HOMEWORK, np.zeros(6))
+    np.testing.assert_array_equal(np.abs(T[:, :3, :3]), np.round(np.abs(T[:, :3, :3])))
+
+
+def test_the_homeworks_numbers():
+    tip = lambda arm: forward_kinematics(arm, arm.home)[:3, 3]  # noqa: E731
+    np.testing.assert_allclose(tip(PANDA_HOMEWORK), [0.679, 0, 0.825], atol=1e-12)
+    np.testing.assert_allclose(tip(PANDA), [0.6735, 0, 0.8195], atol=1e-12)
+    np.testing.assert_allclose(forward_kinematics(PANDA, PANDA.home)[:3, 2], [-1, 0, 0], atol=1e-12)
+    T = link_frames(UR10E_HOMEWORK, np.zeros(6))
+    heights = [0, 0.128, 0.7407, 1.3123, 1.3123, 1.428, 1.428]
+    np.testing.assert_allclose(T[:, 2, 3], heights, atol=1e-12)
+    np.testing.assert_allclose(T[:, 1, 3], [0, 0, 0, 0, 0.1639, 0.1639, 0.3561], atol=1e-12)
+    np.testing.assert_allclose(T[:, 0, 3], 0, atol=1e-12)
+    np.testing.assert_allclose(T[:, 1, 2], [0, 1, -1, 1, 0, 1, 1], atol=1e-12)
+    np.testing.assert_allclose(T[:, 2, 2], [1, 0, 0, 0, 1, 0, 0], atol=1e-12)
+
+
+def test_the_homeworks_jacobians():
+    J = jacobian(UR10E_HOMEWORK, np.zeros(6))
+    wanted = np.zeros((6, 6))
+    wanted[0] = [-0.3561, 1.3, -0.6873, 0.1157, -0.1922, 0]
+    wanted[4] = [0, 1, -1, 1, 0, 1]
+    wanted[5] = [1, 0, 0, 0, 1, 0]
+    np.testing.assert_allclose(J, wanted, atol=1e-12)
+    assert np.linalg.matrix_rank(J) == 3
+    J = jacobian(PANDA_HOMEWORK.lock(3), np.delete(PANDA_HOMEWORK.home, 2))
+    assert np.linalg.det(J) == pytest.approx(0.0099968, abs=5e-8)
+    assert np.linalg.svd(J, compute_uv=False)[-1] == pytest.approx(0.051424, abs=5e-7)
+
+
+def test_the_stanford_arm_by_hand():
+    q_1, q_2, q_3 = 0.3, -0.7, 0.6
+    T = link_frames(STANFORD, [q_1, q_2, q_3, 0, 0, 0])
+    c1, s1, c2, s2 = np.cos(q_1), np.sin(q_1), np.cos(q_2), np.sin(q_2)
+    d = 0.154
+    T_02 = [[c1 * c2, -s1, c1 * s2, -d * s1], [s1 * c2, c1, s1 * s2, d * c1], [-s2, 0, c2, 0], [0, 0, 0, 1]]
+    np.testing.assert_allclose(T[2], T_02, atol=1e-15)
+    np.testing.assert_allclose(T[3, :3, 3] - T[2, :3, 3], q_3 * T[2, :3, 2], atol=1e-15)
+
+
+def differences(arm, q, h=1e-6):
+    """The Jacobian by central differences: rates of the position, and of the rotation as a skew matrix."""
+    ahead, behind = (forward_kinematics(arm, q + step * np.eye(arm.dof)) for step in (h, -h))
+    rate = (ahead - behind) / (2 * h)
+    turning = rate[:, :3, :3] @ forward_kinematics(arm, q)[:3, :3].T
+    omega = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]], axis=1)
+    return np.concatenate([rate[:, :3, 3], omega], axis=1).T
+
+
+@every_arm
+def test_the_jacobian_is_the_derivative(arm):
+    q = joint_vectors(arm, (), 3)
+    np.testing.assert_allclose(jacobian(arm, q), differences(arm, q), atol=1e-8)
+
+
+@settings(max_examples=60, deadline=None)
+@given(arm=random_arms, seed=st.integers(0, 99))
+def test_the_jacobian_of_random_arms(arm, seed):
+    q = joint_vectors(arm, (), seed)
+    np.testing.assert_allclose(jacobian(arm, q), differences(arm, q), atol=1e-7)
+
+
+def test_input_is_not_changed():
+    q = joint_vectors(PANDA, (3,))
+    before = q.copy()
+    jacobian(PANDA, q)
+    np.testing.assert_array_equal(q, before)
+
+
+def test_importing_the_numeric_view_does_not_import_the_heavy_packages():
+    code = "import sys, helpers.kinematics, helpers.robots; print(sorted({'sympy', 'matplotlib', 'IPython'} & set(sys.modules)))"
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert told.stdout.strip() == "[]"

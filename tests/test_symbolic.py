@@ -1,0 +1,110 @@
+"""The symbolic view against the numeric one, and its formulas against those of the homework."""
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helpers import kinematics, symbolic
+from helpers.arm import Arm, ArmError, prismatic, revolute
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.laws import ALL_ARMS, ids, joint_vectors, random_arms, slow_frames
+
+every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+
+
+def in_numbers(arm, expression, q):
+    values = dict(zip(symbolic.joint_symbols(arm), map(float, q), strict=True))
+    return np.array(symbolic.with_numbers(arm, expression).xreplace(values).evalf(), dtype=float)
+
+
+@every_arm
+def test_frames_equal_the_numeric_ones(arm):
+    q = joint_vectors(arm, (), 5)
+    for T, number in zip(symbolic.link_frames(arm), slow_frames(arm, q), strict=True):
+        np.testing.assert_allclose(in_numbers(arm, T, q), number, atol=1e-13)
+
+
+@every_arm
+def test_the_chain_is_the_product_of_its_links(arm):
+    q, product = joint_vectors(arm, (), 6), np.eye(4)
+    for A in symbolic.link_transforms(arm):
+        product = product @ in_numbers(arm, A, q)
+    np.testing.assert_allclose(in_numbers(arm, symbolic.forward_kinematics(arm), q), product, atol=1e-13)
+
+
+@every_arm
+def test_both_jacobians_are_one_and_the_same_expression(arm):
+    """Not sampled: the polynomials' form is unique, so equal functions are identical expressions."""
+    assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
+
+
+@every_arm
+def test_the_jacobian_equals_the_numeric_one(arm):
+    q = joint_vectors(arm, (), 7)
+    np.testing.assert_allclose(
+        in_numbers(arm, symbolic.jacobian(arm), q), kinematics.jacobian(arm, q), atol=1e-13
+    )
+
+
+@settings(max_examples=25, deadline=None)
+@given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
+def test_random_tables_too(arm, seed):
+    q = joint_vectors(arm, (), seed)
+    T = in_numbers(arm, symbolic.forward_kinematics(arm), q)
+    np.testing.assert_allclose(T, slow_frames(arm, q)[-1], atol=1e-9)
+    J = symbolic.jacobian(arm)
+    np.testing.assert_allclose(in_numbers(arm, J, q), kinematics.jacobian(arm, q), atol=1e-9)
+
+
+def test_the_stanford_arms_second_transform_as_the_homework_has_it():
+    c1, s1, c2, s2, d2 = sp.symbols("c_1 s_1 c_2 s_2 d_2")
+    wanted = sp.Matrix([[c1 * c2, -s1, c1 * s2, -d2 * s1], [s1 * c2, c1, s1 * s2, d2 * c1], [-s2, 0, c2, 0], [0, 0, 0, 1]])
+    T_02, T_03 = symbolic.link_frames(STANFORD)[2:4]
+    assert symbolic.short(T_02) == wanted
+    q_3 = sp.Symbol("q_3")
+    assert symbolic.short(T_03[:3, 3]) == sp.Matrix([c1 * s2 * q_3 - d2 * s1, s1 * s2 * q_3 + d2 * c1, c2 * q_3])
+
+
+def test_parallel_axes_add_their_angles():
+    c1, c2, c23, s2, s23, a2, a3, d1 = sp.symbols("c_1 c_2 c_23 s_2 s_23 a_2 a_3 d_1")
+    position = symbolic.short(symbolic.forward_kinematics(ELBOW)[:3, 3])
+    assert position[0] == a2 * c1 * c2 + a3 * c1 * c23
+    assert position[2] == a2 * s2 + a3 * s23 + d1
+    assert sp.Symbol("c_{2-3+4}") in symbolic.short(symbolic.forward_kinematics(UR10E_HOMEWORK)).free_symbols
+    assert sp.Symbol("c_234") in symbolic.short(symbolic.forward_kinematics(UR10E)).free_symbols
+    assert sp.Symbol("c_{2-4}") in symbolic.short(symbolic.forward_kinematics(PANDA.lock(3))).free_symbols
+
+
+def test_a_symbol_that_is_zero_is_left_out():
+    d = sp.Symbol("d")
+    assert d not in symbolic.forward_kinematics(ELBOW).free_symbols
+    assert d in symbolic.forward_kinematics(ELBOW.with_values(d=0.1)).free_symbols
+
+
+def test_formulas_are_short():
+    """Shorter than what simplify makes of the product of the six matrices (3614 characters of LaTeX)."""
+    assert len(sp.latex(symbolic.short(symbolic.forward_kinematics(UR10E_HOMEWORK)))) < 1100
+
+
+def test_short_leaves_other_angles_alone():
+    x, q_1 = sp.symbols("x q_1")
+    assert symbolic.short(sp.cos(x) + sp.sin(q_1)) == sp.cos(x) + sp.Symbol("s_1")
+    assert symbolic.short(sp.cos(2 * q_1)) == sp.cos(2 * q_1)
+
+
+def test_odd_angles_stay_exact():
+    arm = Arm("tilted", [revolute(a="a", alpha="pi/3"), prismatic(theta="pi/5", alpha=0.3), revolute(a="a")], {"a": 1})
+    q = [0.4, 0.2, -0.6]
+    np.testing.assert_allclose(
+        in_numbers(arm, symbolic.forward_kinematics(arm), q), slow_frames(arm, q)[-1], atol=1e-14
+    )
+    assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
+
+
+def test_a_length_that_is_no_polynomial_is_refused():
+    with pytest.raises(ArmError, match="no polynomial"):
+        symbolic.forward_kinematics(Arm("x", [revolute(a="1 / b")], {"b": 2}))
+    with pytest.raises(ArmError, match="no polynomial"):
+        symbolic.forward_kinematics(Arm("x", [revolute(a="pi * b")], {"b": 2}))
