@@ -36,11 +36,11 @@ def arm_3d(
 
 def _reach(arm: Arm) -> float:
     """The length of the arm's links at home, which sets the size of its joints and frames."""
-    steps = np.diff(_skeleton(arm, link_frames(arm, arm.home)), axis=0)
+    steps = np.diff(skeleton(arm, link_frames(arm, arm.home)), axis=0)
     return float(np.linalg.norm(steps, axis=1).sum())
 
 
-def _skeleton(arm: Arm, T: np.ndarray) -> np.ndarray:
+def skeleton(arm: Arm, T: np.ndarray) -> np.ndarray:
     """The points o_0, o_0 + d z_0, o_1, o_1 + d z_1, ...: what the table's lengths draw."""
     points = [T[0, :3, 3]]
     for row, frame in zip(arm.numeric, T[1:], strict=True):
@@ -51,7 +51,7 @@ def _skeleton(arm: Arm, T: np.ndarray) -> np.ndarray:
 def _links(
     ax: Axes3D, arm: Arm, T: np.ndarray, colour: str, alpha: float, label: str | None
 ) -> None:
-    points = _skeleton(arm, T)
+    points = skeleton(arm, T)
     ax.plot(
         *points.T[:2],
         0 * points[:, 0],

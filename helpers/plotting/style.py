@@ -20,7 +20,7 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
 GREY = "#8A8F98"
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
 
-_STYLE = {
+STYLE = {
     "figure.figsize": (6.0, 3.8),
     "figure.facecolor": "none",
     "axes.facecolor": "none",
@@ -45,7 +45,7 @@ _STYLE = {
 
 def use_book_style() -> None:
     """Set the book's style for this notebook: sharp, small SVG figures with the same bytes on every run."""
-    mpl.rcParams.update(_STYLE)
+    mpl.rcParams.update(STYLE)
     set_matplotlib_formats("svg")
     if shell := get_ipython():
         shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, svg)

@@ -1,0 +1,35 @@
+"""The check line: it prints when right, and it cannot pass when wrong."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers.checks import check
+
+
+def test_what_agrees_prints_one_line(capsys):
+    check("the tip (m)", [1.0, 2.0], [1.0, 2.0 + 1e-13], within=1e-12)
+    check("rank", np.linalg.matrix_rank(np.eye(3)), 3)
+    check("formula", sp.Matrix([sp.Symbol("x")]), sp.Matrix([sp.Symbol("x")]))
+    check("no solutions", np.zeros((0, 3)), np.zeros((0, 3)))
+    lines = ["✔ the tip (m) (within 1e-12)", "✔ rank", "✔ formula", "✔ no solutions"]
+    assert capsys.readouterr().out.splitlines() == lines
+
+
+@pytest.mark.parametrize(
+    ("actual", "expected", "within", "words"),
+    [
+        (1.0, 1.1, 0.05, "the thing: off by 0.1, allowed 0.05"),
+        ([1, 2], [1, 3], 0, "off by 1, allowed 0"),
+        ([1, 2], [1, 2, 3], 1, r"shape \(2,\), expected \(3,\)"),
+        (np.nan, np.nan, 1, "off by nan"),
+        (1.0, np.nan, 1, "off by nan"),
+        (np.inf, 1.0, 1, "off by inf"),
+        (True, False, 0, "off by 1"),
+        ("left", "right", 0, "got left, expected right"),
+        (sp.Matrix([1, 2]), sp.Matrix([2, 1]), 0, "got Matrix"),
+    ],
+)
+def test_what_differs_raises(actual, expected, within, words):
+    with pytest.raises(AssertionError, match=words):
+        check("the thing", actual, expected, within)
