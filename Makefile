@@ -1,0 +1,56 @@
+# Every step that CI takes, by the name a person would use.
+VENV := .venv
+BIN := $(VENV)/bin
+PYTHON ?= python3
+NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
+BOOK := book/_build/html/index.html
+SOURCES := $(NOTEBOOKS) $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.*) $(shell find helpers -name '*.py')
+
+.PHONY: help book test notebooks lab refresh lint lock clean
+
+help: ## list the targets
+	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
+
+$(BIN)/.installed: requirements.txt requirements.lock pyproject.toml
+	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; say make PYTHON=python3.12, for instance")'
+	test -d $(VENV) || $(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt -c requirements.lock
+	touch $@
+
+$(BIN)/.installed-dev: $(BIN)/.installed requirements-dev.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt -c requirements.lock
+	touch $@
+
+$(BOOK): $(BIN)/.installed $(SOURCES)
+	$(BIN)/jupyter-book build book -W -n --keep-going --quiet
+	touch $@
+
+book: $(BOOK) ## build the book and say where it is
+	@echo "The book: $(CURDIR)/$(BOOK)"
+	@echo "file://$(CURDIR)/$(BOOK)"
+
+test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and the built book's
+	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+
+notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
+	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)
+
+lab: $(BIN)/.installed ## open the notebooks in JupyterLab
+	$(BIN)/jupyter lab book
+
+refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
+	$(BIN)/python tools/refresh.py $(NOTEBOOKS)
+
+lint: $(BIN)/.installed-dev ## check and format the code, notebooks too
+	$(BIN)/pre-commit run --all-files
+
+lock: ## pin every dependency anew
+	$(PYTHON) -m venv .venv-lock
+	.venv-lock/bin/pip install --quiet uv
+	printf '# Exact versions for every Python from 3.11 on, used as constraints: pip install -r requirements-dev.txt -c requirements.lock\n# Made by `make lock`.\n' > requirements.lock
+	.venv-lock/bin/uv pip compile --universal --python-version 3.11 --no-header --no-annotate --no-emit-index-url --quiet requirements-dev.txt | grep -v '^-e' >> requirements.lock
+	rm -r .venv-lock
+
+clean: ## remove what was built, the environment too
+	rm -rf $(VENV) .venv-lock book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
+	find . -name __pycache__ -type d -prune -exec rm -r {} +

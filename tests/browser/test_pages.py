@@ -1,0 +1,117 @@
+"""Every page as a reader meets it: from a file, with no network, wide and narrow, light and dark."""
+
+import re
+import threading
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+
+import pytest
+
+from tests.test_book import HTML, NAMES
+
+SIZES = {"wide": (1280, 900), "phone": (390, 844)}
+
+UNRENDERED = """() => {
+    const left = [...document.querySelectorAll("div.math, span.math")].filter(m => !m.querySelector("mjx-container"));
+    const wrong = [...document.querySelectorAll("mjx-merror, [data-mjx-error], .merror")];
+    const walker = document.createTreeWalker(document.querySelector("article"), NodeFilter.SHOW_TEXT);
+    const raw = [];
+    while (walker.nextNode()) {
+        const text = walker.currentNode;
+        if (/\\\\\\(|\\\\\\[|\\$\\$/.test(text.data) && !text.parentElement.closest("pre, code, script")) raw.push(text.data);
+    }
+    return [...left, ...wrong].map(e => e.outerHTML.slice(0, 200)).concat(raw);
+}"""
+BROKEN = "() => [...document.images].filter(i => !(i.complete && i.naturalWidth > 0)).map(i => i.src)"
+
+
+class Reader:
+    """One visit to a page, with everything that went wrong on it."""
+
+    def __init__(self, browser, theme, size, allowed):
+        self.context = browser.new_context(
+            viewport=dict(zip(("width", "height"), SIZES[size], strict=True)), offline=allowed == "file:"
+        )
+        self.page, self.troubles = self.context.new_page(), []
+        self.page.add_init_script(f"localStorage.mode = localStorage.theme = '{theme}'")
+        self.page.on("pageerror", lambda error: self.troubles.append(f"error: {error}"))
+        self.page.on("console", self._said)
+        self.page.on("request", lambda r: self._asked(r.url, allowed))
+        self.page.on("requestfailed", lambda r: self.troubles.append(f"failed: {r.url}"))
+
+    def _said(self, message):
+        if message.type in ("error", "warning"):
+            self.troubles.append(f"{message.type}: {message.text}")
+
+    def _asked(self, url, allowed):
+        if not url.startswith((allowed, "data:", "blob:")):
+            self.troubles.append(f"asked for {url}")
+
+    def open(self, url):
+        self.page.goto(url)
+        self.page.wait_for_function("!window.MathJax || MathJax.startup.promise.then(() => true)")
+        return self.page
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("name", NAMES)
+def test_the_page_is_whole(browser, name, theme, size):
+    reader = Reader(browser, theme, size, "file:")
+    page = reader.open((HTML / f"{name}.html").as_uri())
+    page.evaluate("document.querySelectorAll('details').forEach(d => d.open = true)")
+    page.wait_for_load_state("networkidle")
+    assert page.locator("html").get_attribute("data-theme") == theme
+    assert page.evaluate(UNRENDERED) == []
+    assert page.evaluate(BROKEN) == []
+    width = page.evaluate("document.documentElement.scrollWidth")
+    assert width <= SIZES[size][0], f"the page is {width} px wide"
+    assert reader.troubles == []
+    reader.context.close()
+
+
+def test_over_http_nothing_else_is_asked_for(browser):
+    handler = partial(SimpleHTTPRequestHandler, directory=HTML)
+    handler.log_message = lambda *_: None
+    SimpleHTTPRequestHandler.log_message = lambda *_: None
+    server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    address = f"http://127.0.0.1:{server.server_port}"
+    reader = Reader(browser, "light", "wide", address)
+    page = reader.open(f"{address}/01_dh_tables.html")
+    page.wait_for_load_state("networkidle")
+    assert page.evaluate(UNRENDERED) == []
+    assert reader.troubles == []
+    reader.context.close()
+    server.shutdown()
+
+
+def test_search_finds_a_word_without_a_network(browser):
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.open((HTML / "search.html").as_uri() + "?q=parallel")
+    page.wait_for_selector("#search-results li a")
+    titles = page.locator("#search-results li a").all_inner_texts()
+    assert any(re.search("table|arm", title, re.I) for title in titles)
+    assert reader.troubles == []
+    reader.context.close()
+
+
+def test_solutions_are_folded_and_open(browser):
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.open((HTML / "01_dh_tables.html").as_uri())
+    solution = page.locator(".solution.dropdown").first
+    answer = solution.locator(".cell_output").first
+    assert not answer.is_visible()
+    solution.locator("button, summary, .toggle-button").first.click()
+    answer.wait_for(state="visible")
+    reader.context.close()
+
+
+def test_the_theme_switch_turns_figures_too(browser):
+    reader = Reader(browser, "dark", "wide", "file:")
+    page = reader.open((HTML / "01_dh_tables.html").as_uri())
+    drawn = page.locator(".cell_output img").first
+    assert "invert" in drawn.evaluate("e => getComputedStyle(e).filter")
+    page.evaluate("document.documentElement.dataset.theme = 'light'")
+    assert "invert" not in drawn.evaluate("e => getComputedStyle(e).filter")
+    reader.context.close()

@@ -1,0 +1,116 @@
+"""The built pages: whole, linked, and needing nothing from elsewhere."""
+
+import re
+from functools import cache
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urldefrag
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+HTML = ROOT / "book" / "_build" / "html"
+NAMES = re.findall(r"(?:file|root): (\S+)", (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8"))
+
+every_page = pytest.mark.parametrize("name", NAMES)
+
+
+class Page(HTMLParser):
+    """What a test needs to know of a page: its ids, links, loaded files and pictures."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.ids, self.links, self.loads, self.pictures, self.meta = set(), [], [], [], {}
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        attrs = dict(attrs)
+        self.ids |= {attrs[key] for key in ("id", "name") if attrs.get(key)}
+        if tag == "a" and attrs.get("href"):
+            self.links.append(attrs["href"])
+        if tag == "link" and attrs.get("rel") != "canonical":
+            self.loads.append(attrs.get("href", ""))
+        if tag in ("script", "img", "iframe", "source") and attrs.get("src"):
+            self.loads.append(attrs["src"])
+        if tag == "img":
+            self.pictures.append(attrs)
+        if tag == "meta" and "name" in attrs:
+            self.meta[attrs["name"]] = attrs.get("content", "")
+
+
+@cache
+def page(path: Path) -> Page:
+    return Page(path.read_text(encoding="utf-8"))
+
+
+def local(url: str) -> str:
+    return unquote(urldefrag(url)[0].split("?")[0])
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _built():
+    assert (HTML / "index.html").exists(), "the book is not built: run `make book` first"
+
+
+@every_page
+def test_the_page_is_there_and_up_to_date(name):
+    assert (HTML / f"{name}.html").exists()
+    source = next(p for p in (ROOT / f"book/{name}.ipynb", ROOT / f"book/{name}.md") if p.exists())
+    assert (HTML / "index.html").stat().st_mtime >= source.stat().st_mtime, "run `make book`"
+
+
+@every_page
+def test_nothing_is_loaded_from_elsewhere(name):
+    for url in page(HTML / f"{name}.html").loads:
+        assert not re.match(r"(https?:)?//", url), url
+        assert url.startswith(("data:", "#")) or (HTML / local(url)).exists(), url
+
+
+@every_page
+def test_every_link_leads_somewhere(name):
+    here = HTML / f"{name}.html"
+    for url in page(here).links:
+        if re.match(r"(https?|mailto|javascript):", url):
+            continue
+        target = here if not local(url) else here.parent / local(url)
+        assert target.exists(), url
+        anchor = urldefrag(url)[1]
+        if anchor and target.suffix == ".html":
+            assert unquote(anchor) in page(target).ids, url
+
+
+@every_page
+def test_every_picture_has_words(name):
+    for picture in page(HTML / f"{name}.html").pictures:
+        alt = picture.get("alt", "")
+        assert alt.strip(), picture
+        assert not re.search(r"_images/|\.svg$|[0-9a-f]{20}", alt), picture
+
+
+@every_page
+def test_it_describes_itself(name):
+    assert len(page(HTML / f"{name}.html").meta.get("description", "")) > 40
+
+
+@every_page
+def test_no_markup_is_left_unrendered(name):
+    text = (HTML / f"{name}.html").read_text(encoding="utf-8")
+    body = re.sub(r"(?s)<(pre|script|style|code)\b.*?</\1>", "", text)
+    assert not re.search(r"\{(ref|eq|doc|numref|cite|footcite:p)\}`", body)
+    assert not re.search(r"```\{", body)
+
+
+def test_the_stylesheets_load_nothing_from_elsewhere():
+    for sheet in HTML.rglob("*.css"):
+        for url in re.findall(r"url\(['\"]?([^'\")]+)", sheet.read_text(encoding="utf-8")):
+            assert not re.match(r"(https?:)?//", url), f"{sheet.name}: {url}"
+
+
+def test_every_slip_is_in_the_errata():
+    rows = re.findall(r"^\| (\d+) \|", (ROOT / "book/errata.md").read_text(encoding="utf-8"), re.M)
+    assert rows == [str(k) for k in range(1, 21)]
+
+
+def test_every_notebook_can_be_downloaded():
+    for name in (n for n in NAMES if (ROOT / f"book/{n}.ipynb").exists()):
+        assert f"_sources/{name}.ipynb" in " ".join(page(HTML / f"{name}.html").links)

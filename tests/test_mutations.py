@@ -1,0 +1,70 @@
+"""The net holds: one thing made wrong in a copy of the project turns the suite red.
+
+Each case names a file, what to change in it, and the part of the suite that must notice. The unchanged copy must pass.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+NBVAL = ["--nbval", "--nbval-current-env", "-p", "no:xdist"]
+CHAPTER = "book/01_dh_tables.ipynb"
+
+MUTANTS = {
+    "a digit of a printed number": (CHAPTER, r"(operations in the tip's position: \d*)\d", r"\g<1>x", [*NBVAL, CHAPTER]),
+    "a sign in a stored formula": (CHAPTER, r"(\$\\\\displaystyle .*?)- ", r"\1+ ", [*NBVAL, CHAPTER]),
+    "a coordinate of a stored figure": (CHAPTER, r"(path d=\\\"M \d+)\.\d", r"\1.x", [*NBVAL, CHAPTER]),
+    "a word of a stored report": (CHAPTER, r"4\.5 mm too long", "4.5 mm too short", [*NBVAL, CHAPTER]),
+    "a cell's outputs emptied": (CHAPTER, r'("execution_count": )12,', r"\1null,", ["tests/test_notebooks.py"]),
+    "a figure's words removed": (CHAPTER, r'"alt": "[^"]*"', '"alt": ""', ["tests/test_notebooks.py"]),
+    "a sign in the recursion": ("helpers/kinematics.py", r"c \* x \+ s \* y", "c * x - s * y", ["tests/test_kinematics.py"]),
+    "an axis one too far": ("helpers/kinematics.py", r"frames\[i - 1\]\n", "frames[i]\n", ["tests/test_kinematics.py"]),
+    "a sign in the polynomials": ("helpers/symbolic.py", r"\[s, c, zero\]", "[-s, c, zero]", ["tests/test_symbolic.py"]),
+    "a digit of the Panda's table": ("helpers/robots.py", r"d_5=0\.384", "d_5=0.394", ["tests/test_kinematics.py"]),
+    "a twist of the UR10e's table": (
+        "helpers/robots.py", r'revolute\(alpha="-pi/2", d="d_1"', 'revolute(alpha="pi/2", d="d_1"', [*NBVAL, CHAPTER],
+    ),
+    "a checker that is always content": (
+        "helpers/checks/line.py", r"difference <= within", "True", ["tests/test_checks.py"],
+    ),
+    "a table checker that sees no lengths": (
+        "helpers/checks/tables.py", r"abs\(mine\.a - reference\.a\) > _WITHIN", "False", ["tests/test_tables.py"],
+    ),
+}  # fmt: skip
+
+
+def run(folder: Path, arguments: list[str]) -> int:
+    """pytest's exit code for part of the suite, in a copy of the project."""
+    environment = {**os.environ, "PYTHONPATH": str(folder), "HYPOTHESIS_STORAGE_DIRECTORY": str(folder / ".h")}
+    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *arguments]
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, check=False).returncode
+
+
+@pytest.fixture
+def copy(tmp_path):
+    for name in ("helpers", "tests", "book"):
+        shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("_build", "vendor", "__pycache__"))
+    shutil.copy(ROOT / "pyproject.toml", tmp_path)
+    return tmp_path
+
+
+def test_the_unchanged_copy_passes(copy):
+    assert run(copy, [*NBVAL, CHAPTER]) == 0
+    assert run(copy, ["tests/test_notebooks.py", "tests/test_checks.py"]) == 0
+
+
+@pytest.mark.parametrize("mutant", MUTANTS)
+def test_a_mutant_is_caught(copy, mutant):
+    name, pattern, replacement, arguments = MUTANTS[mutant]
+    text = (copy / name).read_text(encoding="utf-8")
+    changed, count = re.subn(pattern, replacement, text, count=1)
+    assert count == 1, "the mutation no longer fits the file"
+    assert changed != text
+    (copy / name).write_text(changed, encoding="utf-8")
+    assert run(copy, arguments) == 1, "the suite did not notice"

@@ -1,0 +1,116 @@
+"""What nbval does not see: notebooks never run, pictures without words, cells too long to read.
+
+nbval compares text, LaTeX, HTML, Markdown and SVG outputs byte for byte, but passes a notebook that was never run, and
+does not compare PNG pictures or anything about a tagged cell.
+"""
+
+import re
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import nbformat
+import pytest
+
+NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
+PICTURES = {"image/svg+xml", "image/png", "image/jpeg"}
+ALLOWED_TAGS = {"hide-input", "hide-output", "hide-cell", "remove-input"}
+
+every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+
+
+def read(path):
+    return nbformat.read(path, as_version=4)
+
+
+def code_cells(path):
+    return [cell for cell in read(path).cells if cell.cell_type == "code"]
+
+
+def outputs(path):
+    return [(cell, output) for cell in code_cells(path) for output in cell.outputs]
+
+
+def test_the_five_chapters_are_there():
+    assert [path.stem[:2] for path in NOTEBOOKS][:5] == ["01", "02", "03", "04", "05"]
+
+
+@every_notebook
+def test_it_was_run_from_top_to_bottom(path):
+    counts = [cell.execution_count for cell in code_cells(path)]
+    assert counts == list(range(1, len(counts) + 1))
+
+
+@every_notebook
+def test_it_has_one_title_and_it_comes_first(path):
+    cells = read(path).cells
+    titles = [i for i, cell in enumerate(cells) if cell.cell_type == "markdown" and re.search(r"^# ", cell.source, re.M)]
+    assert titles == [0]
+    assert cells[0].source.startswith("# ")
+
+
+@every_notebook
+def test_its_cells_are_short(path):
+    for cell in code_cells(path):
+        lines = cell.source.splitlines()
+        imports = all(re.match(r"(from|import|use_book_style|np\.set_print|\s*$)", line) for line in lines)
+        assert len(lines) <= (25 if imports else 15), cell.source
+        assert max(map(len, lines), default=0) <= 100, cell.source
+
+
+@every_notebook
+def test_no_cell_is_kept_from_being_checked(path):
+    for cell in code_cells(path):
+        assert set(cell.metadata.get("tags", [])) <= ALLOWED_TAGS
+
+
+@every_notebook
+def test_no_cell_failed(path):
+    assert not [output for _, output in outputs(path) if output.output_type == "error"]
+    assert not [output for _, output in outputs(path) if output.get("name") == "stderr"]
+
+
+@every_notebook
+def test_every_picture_is_an_svg_with_words(path):
+    for cell, output in outputs(path):
+        kinds = PICTURES & set(output.get("data", {}))
+        if not kinds:
+            continue
+        assert kinds == {"image/svg+xml"}, "SVG is compared, PNG is not"
+        assert ET.fromstring(output.data["image/svg+xml"]).tag.endswith("svg")
+        figure = cell.metadata["mystnb"]
+        assert len(figure["image"]["alt"]) > 30
+        assert len(figure["figure"]["caption"]) > 30
+        assert figure["figure"]["name"].startswith("fig-")
+
+
+@every_notebook
+def test_a_cell_that_asks_for_a_caption_draws(path):
+    for cell in code_cells(path):
+        if "mystnb" in cell.metadata:
+            assert any(PICTURES & set(output.get("data", {})) for output in cell.outputs)
+
+
+@every_notebook
+def test_its_results_are_checked_before_the_readers_eyes(path):
+    lines = [line for _, output in outputs(path) for line in output.get("text", "").splitlines()]
+    proofs = [line for line in lines if line.startswith("✔")]
+    calls = sum(len(re.findall(r"\bcheck\(", cell.source)) for cell in code_cells(path))
+    assert calls
+    assert len(proofs) >= calls
+
+
+@every_notebook
+def test_nothing_in_it_is_of_one_machine(path):
+    text = path.read_text(encoding="utf-8")
+    assert not re.search(r"/home/|/root/|/work/|/Users/|C:\\\\|\.venv|site-packages", text)
+    assert not re.search(r" at 0x[0-9a-f]{6,}", text)
+    notebook = read(path)
+    assert set(notebook.metadata) <= {"kernelspec", "language_info", "myst"}
+    assert notebook.metadata.kernelspec.name == "python3"
+    assert notebook.metadata.myst.html_meta.description
+    assert all(not output.get("metadata") for _, output in outputs(path))
+
+
+@every_notebook
+def test_it_is_small(path):
+    assert path.stat().st_size < 500_000
