@@ -164,7 +164,9 @@ class Arm:
             try:
                 self.number(formula)
             except ZeroDivisionError:
-                raise ArmError(f"{self.name}: {formula} divides by zero; give it another value") from None
+                raise ArmError(
+                    f"{self.name}: {formula} divides by zero; give it another value"
+                ) from None
         self.joint_vector(self.home)
 
     def _entries(self) -> list[Entry]:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from helpers.arm import Arm, ArmError, Body, Joint, Row, fixed, prismatic, revolute
+from helpers.arm import Arm, ArmError, Body, Joint, Row, prismatic, revolute
 from helpers.expressions import entry, evaluate, latex, names
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ARMS, ELBOW, PANDA, STANFORD, named
@@ -49,7 +49,9 @@ def test_values_change_and_the_original_does_not():
     longer = ELBOW.with_values(a_2=1.4)
     assert dict(ELBOW.values)["a_2"] == 0.4
     q = [0.0, 0.0, 0.0]
-    np.testing.assert_allclose(forward_kinematics(longer, q)[0, 3] - forward_kinematics(ELBOW, q)[0, 3], 1.0)
+    np.testing.assert_allclose(
+        forward_kinematics(longer, q)[0, 3] - forward_kinematics(ELBOW, q)[0, 3], 1.0
+    )
 
 
 def test_limits_follow_the_joints():
@@ -102,30 +104,66 @@ def test_every_arm_of_the_catalogue_has_its_name_and_source():
         (lambda: revolute(a="a**2"), "expected numbers, symbols, pi and"),
         (lambda: revolute(a="1e999"), "expected numbers, symbols"),
         (lambda: revolute(a=""), "a is ''; expected numbers"),
-        (lambda: Joint("helical"), "joint kind is 'helical'; expected one of revolute, prismatic, fixed"),
+        (
+            lambda: Joint("helical"),
+            "joint kind is 'helical'; expected one of revolute, prismatic, fixed",
+        ),
         (lambda: revolute(limits=(1, -1)), "joint limits are (1, -1); expected lower <= upper"),
         (lambda: revolute(speed=0), "expected both > 0"),
         (lambda: Row(joint="revolute"), "joint is 'revolute'; expected a Joint"),
         (lambda: Body(1, (0, 0)), "expected three coordinates"),
         (lambda: Body("m + ", (0, 0, 0)), "mass is 'm +'"),
         (lambda: Arm("mine", []), "mine: rows are (); expected one Row or more"),
-        (lambda: Arm("mine", [[0, 0, 0, 0]]), "mine: rows are ([0, 0, 0, 0],); expected one Row or more"),
-        (lambda: Arm("mine", [revolute("a_1")]), "mine: no value for a_1; give values={'a_1': ...}"),
-        (lambda: Arm("mine", [revolute("a")], {"a": np.nan}), "mine: a is nan; expected a finite number"),
+        (
+            lambda: Arm("mine", [[0, 0, 0, 0]]),
+            "mine: rows are ([0, 0, 0, 0],); expected one Row or more",
+        ),
+        (
+            lambda: Arm("mine", [revolute("a_1")]),
+            "mine: no value for a_1; give values={'a_1': ...}",
+        ),
+        (
+            lambda: Arm("mine", [revolute("a")], {"a": np.nan}),
+            "mine: a is nan; expected a finite number",
+        ),
         (lambda: Arm("mine", [revolute("1 / a")], {"a": 0}), "mine: 1 / a divides by zero"),
-        (lambda: Arm("mine", [revolute()], bodies=[Body(1, (0, 0, 0))] * 2), "mine: 2 bodies for 1 rows"),
-        (lambda: Arm("mine", [revolute()], home=[0, 0]), "mine: q has shape (2,); expected (..., 1)"),
+        (
+            lambda: Arm("mine", [revolute()], bodies=[Body(1, (0, 0, 0))] * 2),
+            "mine: 2 bodies for 1 rows",
+        ),
+        (
+            lambda: Arm("mine", [revolute()], home=[0, 0]),
+            "mine: q has shape (2,); expected (..., 1)",
+        ),
         (lambda: PANDA.with_values(a_4=1), "Panda has no symbol a_4; it has d_1, d_3, a_3"),
-        (lambda: PANDA.with_values(a_3=float("nan")), "Panda: a_3 is nan; expected a finite number"),
-        (lambda: PANDA.lock(8), "Panda: joint 8 cannot be locked; its free joints are 1, 2, 3, 4, 5, 6, 7"),
+        (
+            lambda: PANDA.with_values(a_3=float("nan")),
+            "Panda: a_3 is nan; expected a finite number",
+        ),
+        (
+            lambda: PANDA.lock(8),
+            "Panda: joint 8 cannot be locked; its free joints are 1, 2, 3, 4, 5, 6, 7",
+        ),
         (lambda: PANDA.lock(3).lock(3), "joint 3 cannot be locked; its free joints are 1, 2, 4"),
-        (lambda: PANDA.lock(4, at=0), "Panda: joint 4 locked at 0; its limits are 0.0698 to 3.0718"),
-        (lambda: PANDA.joint_vector([0] * 6), "Panda: q has shape (6,); expected (..., 7), one value for each of q_1"),
+        (
+            lambda: PANDA.lock(4, at=0),
+            "Panda: joint 4 locked at 0; its limits are 0.0698 to 3.0718",
+        ),
+        (
+            lambda: PANDA.joint_vector([0] * 6),
+            "Panda: q has shape (6,); expected (..., 7), one value for each of q_1",
+        ),
         (lambda: PANDA.joint_vector(0.5), "Panda: q has shape (); expected (..., 7)"),
-        (lambda: PANDA.joint_vector([0] * 6 + [np.nan]), "Panda: q holds NaN or infinity; expected finite joint values"),
+        (
+            lambda: PANDA.joint_vector([0] * 6 + [np.nan]),
+            "Panda: q holds NaN or infinity; expected finite joint values",
+        ),
         (lambda: PANDA.joint_vector("start"), "Panda: q is 'start'; expected 7 joint values"),
         (lambda: PANDA.joint_vector([[0] * 7, [0]]), "expected 7 joint values"),
-        (lambda: named("Puma"), "no arm is called 'Puma'; expected one of Panda, Panda (homework), UR10e"),
+        (
+            lambda: named("Puma"),
+            "no arm is called 'Puma'; expected one of Panda, Panda (homework), UR10e",
+        ),
     ],
 )
 def test_bad_input_is_told_in_words(make, words):

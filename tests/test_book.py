@@ -10,7 +10,9 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
-NAMES = re.findall(r"(?:file|root): (\S+)", (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8"))
+NAMES = re.findall(
+    r"(?:file|root): (\S+)", (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
+)
 
 every_page = pytest.mark.parametrize("name", NAMES)
 

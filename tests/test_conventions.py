@@ -31,7 +31,9 @@ def slow_modified(arm: Arm, rows, q) -> np.ndarray:
 def test_standard_from_modified_is_craigs_product(arm):
     q = joint_vectors(arm, ())
     converted = Arm("converted", standard_from_modified(arm.rows))
-    np.testing.assert_allclose(forward_kinematics(converted, q), slow_modified(arm, arm.rows, q), atol=1e-13)
+    np.testing.assert_allclose(
+        forward_kinematics(converted, q), slow_modified(arm, arm.rows, q), atol=1e-13
+    )
 
 
 @settings(max_examples=100, deadline=None)
@@ -39,7 +41,9 @@ def test_standard_from_modified_is_craigs_product(arm):
 def test_modified_from_standard_is_the_way_back(arm):
     q = joint_vectors(arm, ())
     modified = modified_from_standard(arm.rows)
-    np.testing.assert_allclose(slow_modified(arm, modified, q), forward_kinematics(arm, q), atol=1e-13)
+    np.testing.assert_allclose(
+        slow_modified(arm, modified, q), forward_kinematics(arm, q), atol=1e-13
+    )
 
 
 def test_rows_move_by_one():

@@ -59,9 +59,11 @@ def test_random_tables_too(arm, seed):
 def test_frames_are_rigid_motions(arm):
     T = link_frames(arm, joint_vectors(arm, (50,)))
     R = T[..., :3, :3]
-    np.testing.assert_allclose(R @ np.swapaxes(R, -1, -2), np.broadcast_to(np.eye(3), R.shape), atol=1e-14)
+    np.testing.assert_allclose(
+        R @ np.swapaxes(R, -1, -2), np.broadcast_to(np.eye(3), R.shape), atol=1e-14
+    )
     np.testing.assert_allclose(np.linalg.det(R), 1, atol=1e-14)
-    np.testing.assert_array_equal(T[..., 3, :], np.broadcast_to([0, 0, 0, 1], T.shape[:-2] + (4,)))
+    np.testing.assert_array_equal(T[..., 3, :], np.broadcast_to([0, 0, 0, 1], (*T.shape[:-2], 4)))
 
 
 @every_arm
@@ -70,7 +72,9 @@ def test_angles_may_be_large_and_right_angles_are_no_trouble(arm):
     np.testing.assert_allclose(forward_kinematics(arm, q), slow_frames(arm, q)[-1], atol=1e-14)
     turns = np.where([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints], 200 * np.pi, 0)
     q = joint_vectors(arm, ())
-    np.testing.assert_allclose(forward_kinematics(arm, q + turns), forward_kinematics(arm, q), atol=1e-11)
+    np.testing.assert_allclose(
+        forward_kinematics(arm, q + turns), forward_kinematics(arm, q), atol=1e-11
+    )
 
 
 def test_structural_zeros_are_zero():
@@ -111,7 +115,12 @@ def test_the_stanford_arm_by_hand():
     T = link_frames(STANFORD, [q_1, q_2, q_3, 0, 0, 0])
     c1, s1, c2, s2 = np.cos(q_1), np.sin(q_1), np.cos(q_2), np.sin(q_2)
     d = 0.154
-    T_02 = [[c1 * c2, -s1, c1 * s2, -d * s1], [s1 * c2, c1, s1 * s2, d * c1], [-s2, 0, c2, 0], [0, 0, 0, 1]]
+    T_02 = [
+        [c1 * c2, -s1, c1 * s2, -d * s1],
+        [s1 * c2, c1, s1 * s2, d * c1],
+        [-s2, 0, c2, 0],
+        [0, 0, 0, 1],
+    ]
     np.testing.assert_allclose(T[2], T_02, atol=1e-15)
     np.testing.assert_allclose(T[3, :3, 3] - T[2, :3, 3], q_3 * T[2, :3, 2], atol=1e-15)
 

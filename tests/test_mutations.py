@@ -41,15 +41,25 @@ MUTANTS = {
 
 def run(folder: Path, arguments: list[str]) -> int:
     """pytest's exit code for part of the suite, in a copy of the project."""
-    environment = {**os.environ, "PYTHONPATH": str(folder), "HYPOTHESIS_STORAGE_DIRECTORY": str(folder / ".h")}
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(folder),
+        "HYPOTHESIS_STORAGE_DIRECTORY": str(folder / ".h"),
+    }
     command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *arguments]
-    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, check=False).returncode
+    return subprocess.run(
+        command, cwd=folder, env=environment, capture_output=True, check=False
+    ).returncode
 
 
 @pytest.fixture
 def copy(tmp_path):
     for name in ("helpers", "tests", "book"):
-        shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("_build", "vendor", "__pycache__"))
+        shutil.copytree(
+            ROOT / name,
+            tmp_path / name,
+            ignore=shutil.ignore_patterns("_build", "vendor", "__pycache__"),
+        )
     shutil.copy(ROOT / "pyproject.toml", tmp_path)
     return tmp_path
 

@@ -43,7 +43,11 @@ def test_it_was_run_from_top_to_bottom(path):
 @every_notebook
 def test_it_has_one_title_and_it_comes_first(path):
     cells = read(path).cells
-    titles = [i for i, cell in enumerate(cells) if cell.cell_type == "markdown" and re.search(r"^# ", cell.source, re.M)]
+    titles = [
+        i
+        for i, cell in enumerate(cells)
+        if cell.cell_type == "markdown" and re.search(r"^# ", cell.source, re.M)
+    ]
     assert titles == [0]
     assert cells[0].source.startswith("# ")
 
@@ -52,7 +56,9 @@ def test_it_has_one_title_and_it_comes_first(path):
 def test_its_cells_are_short(path):
     for cell in code_cells(path):
         lines = cell.source.splitlines()
-        imports = all(re.match(r"(from|import|use_book_style|np\.set_print|\s*$)", line) for line in lines)
+        imports = all(
+            re.match(r"(from|import|use_book_style|np\.set_print|\s*$)", line) for line in lines
+        )
         assert len(lines) <= (25 if imports else 15), cell.source
         assert max(map(len, lines), default=0) <= 100, cell.source
 

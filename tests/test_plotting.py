@@ -37,7 +37,9 @@ def test_the_drawn_line_goes_through_every_origin_by_the_tables_steps(arm):
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     np.testing.assert_allclose(steps[1::2], np.abs([row.a for row in arm.numeric]), atol=1e-12)
     fixed_d = [k for k, row in enumerate(arm.numeric) if row.kind != "prismatic"]
-    np.testing.assert_allclose(steps[::2][fixed_d], np.abs([arm.numeric[k].d for k in fixed_d]), atol=1e-12)
+    np.testing.assert_allclose(
+        steps[::2][fixed_d], np.abs([arm.numeric[k].d for k in fixed_d]), atol=1e-12
+    )
 
 
 @every_arm

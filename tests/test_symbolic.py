@@ -31,7 +31,9 @@ def test_the_chain_is_the_product_of_its_links(arm):
     q, product = joint_vectors(arm, (), 6), np.eye(4)
     for A in symbolic.link_transforms(arm):
         product = product @ in_numbers(arm, A, q)
-    np.testing.assert_allclose(in_numbers(arm, symbolic.forward_kinematics(arm), q), product, atol=1e-13)
+    np.testing.assert_allclose(
+        in_numbers(arm, symbolic.forward_kinematics(arm), q), product, atol=1e-13
+    )
 
 
 @every_arm
@@ -60,11 +62,20 @@ def test_random_tables_too(arm, seed):
 
 def test_the_stanford_arms_second_transform_as_the_homework_has_it():
     c1, s1, c2, s2, d2 = sp.symbols("c_1 s_1 c_2 s_2 d_2")
-    wanted = sp.Matrix([[c1 * c2, -s1, c1 * s2, -d2 * s1], [s1 * c2, c1, s1 * s2, d2 * c1], [-s2, 0, c2, 0], [0, 0, 0, 1]])
+    wanted = sp.Matrix(
+        [
+            [c1 * c2, -s1, c1 * s2, -d2 * s1],
+            [s1 * c2, c1, s1 * s2, d2 * c1],
+            [-s2, 0, c2, 0],
+            [0, 0, 0, 1],
+        ]
+    )
     T_02, T_03 = symbolic.link_frames(STANFORD)[2:4]
     assert symbolic.short(T_02) == wanted
     q_3 = sp.Symbol("q_3")
-    assert symbolic.short(T_03[:3, 3]) == sp.Matrix([c1 * s2 * q_3 - d2 * s1, s1 * s2 * q_3 + d2 * c1, c2 * q_3])
+    assert symbolic.short(T_03[:3, 3]) == sp.Matrix(
+        [c1 * s2 * q_3 - d2 * s1, s1 * s2 * q_3 + d2 * c1, c2 * q_3]
+    )
 
 
 def test_parallel_axes_add_their_angles():
@@ -72,9 +83,15 @@ def test_parallel_axes_add_their_angles():
     position = symbolic.short(symbolic.forward_kinematics(ELBOW)[:3, 3])
     assert position[0] == a2 * c1 * c2 + a3 * c1 * c23
     assert position[2] == a2 * s2 + a3 * s23 + d1
-    assert sp.Symbol("c_{2-3+4}") in symbolic.short(symbolic.forward_kinematics(UR10E_HOMEWORK)).free_symbols
+    assert (
+        sp.Symbol("c_{2-3+4}")
+        in symbolic.short(symbolic.forward_kinematics(UR10E_HOMEWORK)).free_symbols
+    )
     assert sp.Symbol("c_234") in symbolic.short(symbolic.forward_kinematics(UR10E)).free_symbols
-    assert sp.Symbol("c_{2-4}") in symbolic.short(symbolic.forward_kinematics(PANDA.lock(3))).free_symbols
+    assert (
+        sp.Symbol("c_{2-4}")
+        in symbolic.short(symbolic.forward_kinematics(PANDA.lock(3))).free_symbols
+    )
 
 
 def test_a_symbol_that_is_zero_is_left_out():
@@ -95,7 +112,11 @@ def test_short_leaves_other_angles_alone():
 
 
 def test_odd_angles_stay_exact():
-    arm = Arm("tilted", [revolute(a="a", alpha="pi/3"), prismatic(theta="pi/5", alpha=0.3), revolute(a="a")], {"a": 1})
+    arm = Arm(
+        "tilted",
+        [revolute(a="a", alpha="pi/3"), prismatic(theta="pi/5", alpha=0.3), revolute(a="a")],
+        {"a": 1},
+    )
     q = [0.4, 0.2, -0.6]
     np.testing.assert_allclose(
         in_numbers(arm, symbolic.forward_kinematics(arm), q), slow_frames(arm, q)[-1], atol=1e-14

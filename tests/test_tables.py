@@ -13,11 +13,22 @@ from helpers.conventions import modified_from_standard
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
-SCARA = Arm("SCARA", [revolute(0.325, 0, 0.4), revolute(0.225, "pi"), prismatic(), revolute(d=0.05)])
-SKEW = Arm(
-    "skew", [revolute(0.3, 0.4, 0.1), revolute(0.2, 1.1, 0.3), revolute(0.1, -0.7, 0.2), revolute(0.4, 0, 0.25)]
+SCARA = Arm(
+    "SCARA", [revolute(0.325, 0, 0.4), revolute(0.225, "pi"), prismatic(), revolute(d=0.05)]
 )
-POLAR = Arm("polar", [revolute(0, "pi/2", 0.2), revolute(0, 1.0, 0.1), prismatic(0.2, 0.5), revolute(0.1, 0, 0.3)])
+SKEW = Arm(
+    "skew",
+    [
+        revolute(0.3, 0.4, 0.1),
+        revolute(0.2, 1.1, 0.3),
+        revolute(0.1, -0.7, 0.2),
+        revolute(0.4, 0, 0.25),
+    ],
+)
+POLAR = Arm(
+    "polar",
+    [revolute(0, "pi/2", 0.2), revolute(0, 1.0, 0.1), prismatic(0.2, 0.5), revolute(0.1, 0, 0.3)],
+)
 REFERENCES = (*ARMS, ELBOW.with_values(d=0.1), SCARA, SKEW, POLAR)
 
 
@@ -31,7 +42,10 @@ def flip_z(arm, i):
     rows = list(arm.rows)
     rows[i] = replace(row, alpha=_plus(row.alpha, "pi"))
     rows[i + 1] = replace(
-        following, alpha=_plus(following.alpha, "pi"), d=f"-({following.d})", theta=f"-({following.theta})"
+        following,
+        alpha=_plus(following.alpha, "pi"),
+        d=f"-({following.d})",
+        theta=f"-({following.theta})",
     )
     return replace(arm, rows=rows, bodies=()), i + 1
 
@@ -47,7 +61,11 @@ def flip_x(arm, i):
 def shift_zero(arm, i, by):
     row = arm.rows[i]
     moved = "d" if row.joint.kind == "prismatic" else "theta"
-    rows = [*arm.rows[:i], replace(row, **{moved: _plus(getattr(row, moved), by)}), *arm.rows[i + 1 :]]
+    rows = [
+        *arm.rows[:i],
+        replace(row, **{moved: _plus(getattr(row, moved), by)}),
+        *arm.rows[i + 1 :],
+    ]
     return replace(arm, rows=rows, bodies=())
 
 
@@ -57,7 +75,10 @@ def slide_normal(arm, i, by):
     assert arm.numeric[i].sin_alpha == 0
     back = -by * arm.numeric[i].cos_alpha
     rows = list(arm.rows)
-    rows[i], rows[i + 1] = replace(row, d=_plus(row.d, by)), replace(following, d=_plus(following.d, back))
+    rows[i], rows[i + 1] = (
+        replace(row, d=_plus(row.d, by)),
+        replace(following, d=_plus(following.d, back)),
+    )
     return replace(arm, rows=rows, bodies=())
 
 
@@ -72,7 +93,9 @@ def test_the_choices_in_these_tests_are_choices(arm):
         np.testing.assert_allclose(forward_kinematics(changed, backwards)[:3, 3], tip, atol=1e-12)
         np.testing.assert_allclose(forward_kinematics(flip_x(arm, i), q)[:3, 3], tip, atol=1e-12)
         if arm.numeric[i].sin_alpha == 0:
-            np.testing.assert_allclose(forward_kinematics(slide_normal(arm, i, 0.3), q)[:3, 3], tip, atol=1e-12)
+            np.testing.assert_allclose(
+                forward_kinematics(slide_normal(arm, i, 0.3), q)[:3, 3], tip, atol=1e-12
+            )
 
 
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
@@ -105,7 +128,9 @@ def test_every_wrong_length_and_twist_is_found(arm, size):
             mine = replace(arm, rows=[*arm.rows[:i], row, *arm.rows[i + 1 :]], bodies=())
             free = (
                 (name == "alpha" and i == len(arm.rows) - 1)  # the last frame's tilt
-                or (name == "d" and (arm.rows[i].joint.kind == "prismatic" or i == 0))  # a zero; the base
+                or (
+                    name == "d" and (arm.rows[i].joint.kind == "prismatic" or i == 0)
+                )  # a zero; the base
                 or (arm is SCARA and name == "d")  # all parallel to the slide
                 or (arm is STANFORD and (i, name) == (3, "d"))  # parallel to the slide as well
             )
@@ -116,7 +141,9 @@ def test_the_two_makers_tables_of_the_ur10e():
     same_lengths = UR10E.with_values(**dict(UR10E_HOMEWORK.values))
     assert compare_tables(UR10E_HOMEWORK, same_lengths).agrees
     report = compare_tables(UR10E_HOMEWORK, UR10E)
-    sizes = {(f.row, f.quantity): round(1000 * abs(f.mine - f.reference), 6) for f in report.findings}
+    sizes = {
+        (f.row, f.quantity): round(1000 * abs(f.mine - f.reference), 6) for f in report.findings
+    }
     assert sizes == {(3, "a"): 0.05, (4, "d"): 10.25, (5, "d"): 4.15, (6, "d"): 24.35}
     assert "24.35 mm too short" in str(report)
 
@@ -146,7 +173,10 @@ def test_the_sign_of_an_offset_matters_where_axes_are_skew():
 def test_kind_and_number_of_joints():
     rows = [*STANFORD.rows[:2], revolute(), *STANFORD.rows[3:]]
     (finding,) = compare_tables(replace(STANFORD, rows=rows), STANFORD).findings
-    assert str(finding) == "Row 3, joint: the joint is revolute in yours and prismatic in the reference."
+    assert (
+        str(finding)
+        == "Row 3, joint: the joint is revolute in yours and prismatic in the reference."
+    )
     assert "yours has 3 joints, the reference 6" in str(compare_tables(ELBOW, STANFORD))
 
 
@@ -166,9 +196,15 @@ def test_fixed_rows_belong_to_their_link():
 @pytest.mark.parametrize(
     ("mend", "words"),
     [
-        (lambda rows: [replace(r, alpha=r.theta, theta=r.alpha) for r in rows], "alpha and theta columns are exchanged"),
+        (
+            lambda rows: [replace(r, alpha=r.theta, theta=r.alpha) for r in rows],
+            "alpha and theta columns are exchanged",
+        ),
         (lambda rows: [replace(r, alpha=f"({r.alpha}) * 180 / pi") for r in rows], "in degrees"),
-        (lambda rows: [replace(r, a=f"({r.a}) * 1000", d=f"({r.d}) * 1000") for r in rows], "in millimetres"),
+        (
+            lambda rows: [replace(r, a=f"({r.a}) * 1000", d=f"({r.d}) * 1000") for r in rows],
+            "in millimetres",
+        ),
         (modified_from_standard, "modified (Craig) convention"),
     ],
 )
@@ -180,9 +216,17 @@ def test_the_usual_causes_are_named(mend, words):
 
 def test_the_report_reads_well():
     report = compare_tables(replace(PANDA_HOMEWORK, name="mine"), PANDA)
-    assert str(report).startswith("mine is another arm than Panda.\n- Row 3, a: the distance from axis 3 to axis 4 is")
-    assert report._repr_markdown_().startswith("✘ **mine is another arm than Panda.**\n\n- Row 3, a:")
-    assert compare_tables(PANDA, PANDA)._repr_markdown_().startswith("✔ **Panda describes the same arm")
+    assert str(report).startswith(
+        "mine is another arm than Panda.\n- Row 3, a: the distance from axis 3 to axis 4 is"
+    )
+    assert report._repr_markdown_().startswith(
+        "✘ **mine is another arm than Panda.**\n\n- Row 3, a:"
+    )
+    assert (
+        compare_tables(PANDA, PANDA)
+        ._repr_markdown_()
+        .startswith("✔ **Panda describes the same arm")
+    )
 
 
 def test_what_is_no_arm_is_refused():

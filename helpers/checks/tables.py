@@ -43,7 +43,9 @@ class TableReport:
     def __str__(self) -> str:
         verdict = "describes the same arm as" if self.agrees else "is another arm than"
         lines = [*map(str, self.findings), *(f"Note: {note}" for note in self.notes)]
-        return "\n".join([f"{self.mine} {verdict} {self.reference}.", *(f"- {line}" for line in lines)])
+        return "\n".join(
+            [f"{self.mine} {verdict} {self.reference}.", *(f"- {line}" for line in lines)]
+        )
 
     __repr__ = __str__
 
@@ -74,7 +76,11 @@ def compare_tables(mine: Arm, reference: Arm) -> TableReport:
 def _differences(mine: Arm, reference: Arm) -> tuple[Finding, ...]:
     if mine.dof != reference.dof:
         text = f"yours has {mine.dof} joints, the reference {reference.dof}"
-        return (Finding(min(mine.dof, reference.dof), "joints", str(mine.dof), str(reference.dof), text),)
+        return (
+            Finding(
+                min(mine.dof, reference.dof), "joints", str(mine.dof), str(reference.dof), text
+            ),
+        )
     wanted = canonical(reference)
     kinds = [_kind(m, r) for m, r in zip(canonical(mine), wanted, strict=True) if m.kind != r.kind]
     if kinds:
@@ -89,20 +95,38 @@ def _size(findings: tuple[Finding, ...]) -> tuple[int, float]:
 
 def _compare(mine: tuple[Step, ...], reference: tuple[Step, ...]) -> tuple[Finding, ...]:
     pairs = list(zip(mine, reference, strict=True))
-    return tuple(found for k, (m, r) in enumerate(pairs, 1) for found in _compare_step(k, m, r, k == len(pairs)))
+    return tuple(
+        found
+        for k, (m, r) in enumerate(pairs, 1)
+        for found in _compare_step(k, m, r, k == len(pairs))
+    )
 
 
 def _compare_step(k: int, mine: Step, reference: Step, last: bool):
     target = "the tip" if last else f"axis {k + 1}"
     if abs(mine.a - reference.a) > _WITHIN:
-        yield _length(reference.row, "a", f"the distance from axis {k} to {target}", mine.a, reference.a)
+        yield _length(
+            reference.row, "a", f"the distance from axis {k} to {target}", mine.a, reference.a
+        )
     if reference.alpha is not None and _turned(mine.alpha, reference.alpha) > _WITHIN:
-        yield _angle(reference.row, "alpha", f"the twist from axis {k} to {target}", mine.alpha, reference.alpha)
+        yield _angle(
+            reference.row,
+            "alpha",
+            f"the twist from axis {k} to {target}",
+            mine.alpha,
+            reference.alpha,
+        )
     if mine.d is not None and reference.d is not None and abs(mine.d - reference.d) > _WITHIN:
-        along = f"axis {k}" if len(reference.axes) == 1 else f"the parallel axes {reference.axes[0]} to {k}, added up,"
+        along = (
+            f"axis {k}"
+            if len(reference.axes) == 1
+            else f"the parallel axes {reference.axes[0]} to {k}, added up,"
+        )
         yield _length(reference.row, "d", f"the offset along {along}", mine.d, reference.d)
     if None not in (mine.theta, reference.theta) and _turned(mine.theta, reference.theta) > _WITHIN:
-        yield _angle(reference.row, "theta", "the constant angle of the slide", mine.theta, reference.theta)
+        yield _angle(
+            reference.row, "theta", "the constant angle of the slide", mine.theta, reference.theta
+        )
 
 
 def _turned(left: float, right: float) -> float:
@@ -119,7 +143,9 @@ def _length(row: int, quantity: str, what: str, mine: float, reference: float) -
 
 def _angle(row: int, quantity: str, what: str, mine: float, reference: float) -> Finding:
     off = math.degrees(_turned(mine, reference))
-    degrees = f"{math.degrees(mine):.6g}° in yours and {math.degrees(reference):.6g}° in the reference"
+    degrees = (
+        f"{math.degrees(mine):.6g}° in yours and {math.degrees(reference):.6g}° in the reference"
+    )
     return Finding(row, quantity, mine, reference, f"{what} is {degrees}: {off:.4g}° off.")
 
 
@@ -144,7 +170,8 @@ _CAUSES: dict[str, Callable[[tuple[Row, ...]], tuple[Row, ...]]] = {
         replace(row, alpha=row.theta, theta=row.alpha) for row in rows
     ),
     "the angles are in degrees; write radians": lambda rows: tuple(
-        replace(row, alpha=f"({row.alpha}) * pi / 180", theta=f"({row.theta}) * pi / 180") for row in rows
+        replace(row, alpha=f"({row.alpha}) * pi / 180", theta=f"({row.theta}) * pi / 180")
+        for row in rows
     ),
     "the lengths are in millimetres; write metres": lambda rows: tuple(
         replace(row, a=f"({row.a}) / 1000", d=f"({row.d}) / 1000") for row in rows

@@ -6,7 +6,7 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from helpers.arm import Arm, revolute
 from helpers.kinematics import link_frames
 from helpers.plotting.arms import barrel
-from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED
+from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED
 
 _COLOURS = {"theta": ORANGE, "d": BLUE, "a": RED, "alpha": PURPLE}
 
@@ -63,9 +63,7 @@ def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str, 
 
 
 def _arrows(ax: Axes3D, frame: np.ndarray, index: str, length: float) -> None:
-    for name, axis, colour in zip("xyz", frame[:3, :3].T, (RED, GREEN, BLUE), strict=True):
-        if name == "y":
-            continue
+    for name, axis in (("x", frame[:3, 0]), ("z", frame[:3, 2])):
         ax.quiver(*frame[:3, 3], *length * axis, color="black", lw=1.6, arrow_length_ratio=0.15)
         tip = frame[:3, 3] + 1.16 * length * axis
         ax.text(*tip, f"${name}_{{{index}}}$", fontsize=14, ha="right" if name == "z" else "center")

@@ -53,6 +53,8 @@ def use_book_style() -> None:
 
 def svg(figure: Figure) -> str:
     """A figure as SVG text, its coordinates rounded to 0.01 pt so that no machine's last digit shows."""
-    text = print_figure(figure, fmt="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None})
+    text = print_figure(
+        figure, fmt="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None}
+    )
     text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", lambda number: f"{float(number[0]):.2f}", text)
     return re.sub(r" *\n *([LCQMz])", r"\1", text)

@@ -22,7 +22,9 @@ UNRENDERED = """() => {
     }
     return [...left, ...wrong].map(e => e.outerHTML.slice(0, 200)).concat(raw);
 }"""
-BROKEN = "() => [...document.images].filter(i => !(i.complete && i.naturalWidth > 0)).map(i => i.src)"
+BROKEN = (
+    "() => [...document.images].filter(i => !(i.complete && i.naturalWidth > 0)).map(i => i.src)"
+)
 
 
 class Reader:
@@ -30,7 +32,8 @@ class Reader:
 
     def __init__(self, browser, theme, size, allowed):
         self.context = browser.new_context(
-            viewport=dict(zip(("width", "height"), SIZES[size], strict=True)), offline=allowed == "file:"
+            viewport=dict(zip(("width", "height"), SIZES[size], strict=True)),
+            offline=allowed == "file:",
         )
         self.page, self.troubles = self.context.new_page(), []
         self.page.add_init_script(f"localStorage.mode = localStorage.theme = '{theme}'")

@@ -69,8 +69,12 @@ def test_jacobian_to_1e_12(panda, poses):
 
 def test_limits_are_the_makers(panda):
     lower, upper = PANDA.limits
-    np.testing.assert_allclose(np.sort([SIGNS * lower, SIGNS * upper], axis=0)[0], panda.lowerPositionLimit)
-    np.testing.assert_allclose(np.sort([SIGNS * lower, SIGNS * upper], axis=0)[1], panda.upperPositionLimit)
+    np.testing.assert_allclose(
+        np.sort([SIGNS * lower, SIGNS * upper], axis=0)[0], panda.lowerPositionLimit
+    )
+    np.testing.assert_allclose(
+        np.sort([SIGNS * lower, SIGNS * upper], axis=0)[1], panda.upperPositionLimit
+    )
     np.testing.assert_allclose(PANDA.effort_limits, panda.effortLimit)
     np.testing.assert_allclose(PANDA.speed_limits, panda.velocityLimit)
 
