@@ -17,7 +17,9 @@ def refresh(path: Path) -> None:
     notebook = nbformat.read(path, as_version=4)
     about = {key: notebook.metadata[key] for key in ("myst",) if key in notebook.metadata}
     resources = {"metadata": {"path": path.parent}}
-    NotebookClient(notebook, timeout=300, kernel_name="python3", resources=resources).execute()
+    NotebookClient(
+        notebook, timeout=300, kernel_name="python3", resources=resources, coalesce_streams=True
+    ).execute()
     notebook.metadata = {**KERNEL, **about}
     for number, cell in enumerate(notebook.cells):
         cell["id"] = f"c{number:03d}"
