@@ -15,15 +15,15 @@ $(BIN)/.installed: requirements.txt requirements.lock pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; say make PYTHON=python3.12, for instance")'
 	test -d $(VENV) || $(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt -c requirements.lock
-	touch $@
+	@touch $@
 
 $(BIN)/.installed-dev: $(BIN)/.installed requirements-dev.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt -c requirements.lock
-	touch $@
+	@touch $@
 
 $(BOOK): $(BIN)/.installed $(SOURCES)
 	$(BIN)/jupyter-book build book -W -n --keep-going --quiet
-	touch $@
+	@touch $@
 
 book: $(BOOK) ## build the book and say where it is
 	@echo "The book: $(CURDIR)/$(BOOK)"
