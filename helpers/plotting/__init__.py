@@ -2,6 +2,7 @@
 
 from helpers.plotting.arms import arm_3d
 from helpers.plotting.dh import dh_numbers
+from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
 
 __all__ = [
@@ -14,5 +15,7 @@ __all__ = [
     "SKY",
     "arm_3d",
     "dh_numbers",
+    "ellipsoid_3d",
+    "map_2d",
     "use_book_style",
 ]
