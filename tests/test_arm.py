@@ -44,6 +44,15 @@ def test_a_locked_joint_is_a_joint_that_stays(arm, at):
         np.testing.assert_allclose(locked, forward_kinematics(arm, q), atol=1e-14)
 
 
+def test_a_locked_joint_leaves_the_others_at_home():
+    locked = STANFORD.lock(3, at=0.5)
+    assert locked.home == (0, 0, 0, 0, 0)
+    assert PANDA.lock(4, at="pi/2").home == (0, 0, 0, 0, np.pi, 0)
+    assert (locked.variables, locked.dof) == (("q_1", "q_2", "q_4", "q_5", "q_6"), 5)
+    assert locked.bodies == STANFORD.bodies
+    assert STANFORD.dof == 6
+
+
 def test_values_change_and_the_original_does_not():
     longer = ELBOW.with_values(a_2=1.4)
     assert dict(ELBOW.values)["a_2"] == 0.4
