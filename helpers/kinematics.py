@@ -76,7 +76,7 @@ def analytic_jacobian(arm: Arm, q: ArrayLike) -> Array:
 def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     """Yoshikawa's measure, shape (...): the product of the Jacobian's singular values, 0 at a singular pose.
 
-    `part` is "all", "linear" (rows v) or "angular" (rows omega). With as many rows as joints it is |det J|. With
+    `part` is "all", "linear" (rows v) or "angular" (rows omega). With as many rows as joints it is the size of det J. With
     fewer joints than rows it is the volume of what the joints can reach, sqrt(det J^T J). The unit of "all" mixes m
     and rad, so compare it only between poses of one arm. Source: Yoshikawa (1985).
     """

@@ -34,7 +34,6 @@ def ellipsoid_3d(
 def map_2d(ax: Axes, x: ArrayLike, y: ArrayLike, values: ArrayLike, label: str) -> None:
     """Draw `values`, shape (len(y), len(x)), as filled contours with a colour bar; darker is more."""
     filled = ax.contourf(x, y, values, levels=9, cmap="Blues")
-    ax.contour(x, y, values, levels=[0.0], colors="black", linewidths=1.2)
     bar = ax.figure.colorbar(filled, ax=ax)
     bar.set_label(label)
     bar.outline.set_visible(False)
