@@ -168,7 +168,9 @@ def test_the_sign_of_an_offset_matters_where_axes_are_skew():
     rows = [*SKEW.rows[:2], replace(SKEW.rows[2], d=-0.2), SKEW.rows[3]]
     report = compare_tables(Arm("mirrored", rows), SKEW)
     assert not report.agrees
-    assert "-0.2 m in yours and 0.2 m in the reference: it goes the other way" in str(report)
+    assert "-0.2 m in yours and 0.2 m in the reference: it goes the other way, so a sign" in str(
+        report
+    )
 
 
 def test_kind_and_number_of_joints():
@@ -322,6 +324,20 @@ def test_a_tilted_tool_frame_is_a_note():
     report = compare_tables(replace(UR10E, rows=rows, bodies=()), UR10E)
     assert report.agrees
     assert "at 90° to the last joint axis in yours and at 0° in the reference" in report.notes[0]
+
+
+def test_other_zeros_are_a_note():
+    """A shoulder offset of the other sign is the same arm, turned half round: but not at the same q."""
+    mirrored = replace(
+        UR10E, rows=[*UR10E.rows[:3], replace(UR10E.rows[3], d="-d_4"), *UR10E.rows[4:]]
+    )
+    for mine in (mirrored, shift_zero(UR10E, 2, 0.5), flip_z(UR10E, 2)[0]):
+        report = compare_tables(mine, UR10E)
+        assert report.agrees
+        assert report.notes == (
+            "the same q is another pose: some of your joints count from another zero, or the other way.",
+        )
+    assert compare_tables(slide_normal(UR10E, 1, 0.2), UR10E).notes == ()
 
 
 def test_the_height_of_the_base_is_told_beside_what_is_wrong():

@@ -5,10 +5,13 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain, pairwise, product
 
+import numpy as np
+
 from helpers.arm import Arm, ArmError, Row
 from helpers.checks.axes import NORMAL, Gap, gaps, tool_tilt
 from helpers.conventions import standard_from_modified
 from helpers.expressions import Entry
+from helpers.kinematics import forward_kinematics
 
 Signs = dict[
     int, int
@@ -67,7 +70,8 @@ def compare_tables(mine: Arm, reference: Arm) -> TableReport:
     neighbouring axes, the offset along each axis (along parallel axes only the sum), and where the tip is on the
     last link, lengths to within 1e-6 m and angles to within 1e-4 rad. Free are the directions of the axes, the
     places of common normals between parallel axes, the zeros of the joints, the place of a sliding axis and the
-    number of fixed rows. Another height of the base frame on axis 1 and another tilt of the tool's frame are notes.
+    number of fixed rows. Another height of the base frame on axis 1, another tilt of the tool's frame, and other
+    zeros or directions of the joints, are notes.
     Rows are counted in `mine`.
 
     Raises ArmError where an arm has no joint. Source: Siciliano et al., Robotics, section 2.8.2, on the free choices.
@@ -76,8 +80,8 @@ def compare_tables(mine: Arm, reference: Arm) -> TableReport:
         if not isinstance(arm, Arm) or not arm.dof:
             raise ArmError(f"cannot compare {arm!r}; expected an Arm with one joint or more")
     findings, notes = _compared(_squared(mine), _squared(reference))
-    hints = _hints(mine, reference) if findings else ()
-    return TableReport(mine.name, reference.name, findings, (hints or notes) + _rounded(mine))
+    more = _hints(mine, reference) or notes if findings else (*notes, *_zeros_note(mine, reference))
+    return TableReport(mine.name, reference.name, findings, (*more, *_rounded(mine)))
 
 
 def _squared(arm: Arm) -> Arm:
@@ -212,7 +216,7 @@ def _offset(arm: Arm, mine: Gap, reference: Gap, signs: Signs) -> Iterator[Findi
 
 def _length(row: int, quantity: str, what: str, mine: float, reference: float) -> Finding:
     if mine * reference < 0:
-        error = "it goes the other way"
+        error = "it goes the other way, so a sign is wrong here or in a row beside it"
     else:
         size = 1000 * abs(mine - reference)
         error = f"{size:.4g} mm too {'long' if abs(mine) > abs(reference) else 'short'}"
@@ -225,7 +229,7 @@ def _angle(row: int, quantity: str, what: str, mine: float, reference: float) ->
     if mine < 0:
         mine, reference = -mine, -reference
     mine_in, reference_in, off = (
-        f"{math.degrees(x):.6g}°" for x in (mine, reference, _turned(mine, reference))
+        f"{math.degrees(x) + 0.0:.6g}°" for x in (mine, reference, _turned(mine, reference))
     )
     text = f"{what} is {mine_in} in yours and {reference_in} in the reference: {off} off."
     return Finding(row, quantity, mine, reference, text)
@@ -239,6 +243,14 @@ def _tool_note(mine: float, reference: float, signs: tuple[int, ...]) -> Iterato
             f" and at {math.degrees(r):.4g}° in the reference. The tip's place does not depend on it,"
             " the tool's orientation does."
         )
+
+
+def _zeros_note(mine: Arm, reference: Arm) -> Iterator[str]:
+    """Says so if the same q means another pose: then the tips' distance changes from one q to the next."""
+    q = np.outer([0, 0.3, 0.7], np.arange(1, mine.dof + 1))
+    tips, wanted = (forward_kinematics(_squared(arm), q)[:, :3, 3] for arm in (mine, reference))
+    if np.ptp(tips - wanted, axis=0).max() > _WITHIN_LENGTH:
+        yield "the same q is another pose: some of your joints count from another zero, or the other way."
 
 
 def _base_note(
