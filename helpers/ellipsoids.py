@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 def velocity_ellipsoid(J: ArrayLike) -> Array:
-    """The semi-axes, as columns, of the velocities J q_dot that joint speeds with |q_dot| = 1 can give.
+    """The semi-axes, as columns, of the velocities J q_dot that joint speeds of norm 1 can give.
 
     J is one block of a Jacobian, shape (3, n); the result has shape (3, 3), its columns falling in length. A column of
     zeros is a direction in which the tip cannot move. Raises ArmError for another shape.
@@ -22,7 +22,7 @@ def velocity_ellipsoid(J: ArrayLike) -> Array:
 
 
 def force_ellipsoid(J: ArrayLike) -> Array:
-    """The semi-axes, as columns, of the forces that joint torques with |tau| = 1 can hold, shape (3, 3).
+    """The semi-axes, as columns, of the forces that joint torques of norm 1 can hold, shape (3, 3).
 
     The same directions as in `velocity_ellipsoid`, with inverse lengths: infinite where the arm cannot move, since there its
     structure carries the load.
