@@ -1,8 +1,9 @@
 """Is it right? Comparisons that say what is wrong, in words."""
 
+from helpers.checks.differences import Finding
 from helpers.checks.jacobian import JacobianReport, compare_jacobian
 from helpers.checks.line import check
-from helpers.checks.tables import Finding, TableReport, compare_tables
+from helpers.checks.tables import TableReport, compare_tables
 
 __all__ = [
     "Finding",

@@ -3,37 +3,18 @@
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from itertools import chain, pairwise, product
+from itertools import chain, product
 
 import numpy as np
 
 from helpers.arm import Arm, ArmError, Row
-from helpers.checks.axes import NORMAL, Gap, gaps, tool_tilt
+from helpers.checks.axes import Gap, gaps, tool_tilt
+from helpers.checks.differences import WITHIN_ANGLE, WITHIN_LENGTH, Finding, arc, by_signs, turned
 from helpers.conventions import standard_from_modified
 from helpers.expressions import Entry
 from helpers.kinematics import forward_kinematics
 
-Signs = dict[
-    int, int
-]  # by position of the joint: -1 where the reference's axis is to point the other way
-
-_WITHIN_LENGTH = 1e-6  # m
-_WITHIN_ANGLE = 1e-4  # rad: angles are often written with four decimals
 _RIGHT_ANGLES = {-2: "-pi", -1: "-pi/2", 0: "0", 1: "pi/2", 2: "pi"}
-
-
-@dataclass(frozen=True)
-class Finding:
-    """One thing that is wrong: the row and quantity it shows in, and what it is in both tables (m or rad)."""
-
-    row: int
-    quantity: str
-    mine: float | str
-    reference: float | str
-    text: str
-
-    def __str__(self) -> str:
-        return f"Row {self.row}, {self.quantity}: {self.text}"
 
 
 @dataclass(frozen=True)
@@ -70,9 +51,8 @@ def compare_tables(mine: Arm, reference: Arm) -> TableReport:
     neighbouring axes, the offset along each axis (along parallel axes only the sum), and where the tip is on the
     last link, lengths to within 1e-6 m and angles to within 1e-4 rad. Free are the directions of the axes, the
     places of common normals between parallel axes, the zeros of the joints, the place of a sliding axis and the
-    number of fixed rows. Another height of the base frame on axis 1, another tilt of the tool's frame, and other
-    zeros or directions of the joints, are notes.
-    Rows are counted in `mine`.
+    number of fixed rows. Other zeros or directions of the joints, another height of the base frame on axis 1 and
+    another tilt of the tool's frame are notes. Rows are counted in `mine`.
 
     Raises ArmError where an arm has no joint. Source: Siciliano et al., Robotics, section 2.8.2, on the free choices.
     """
@@ -92,7 +72,7 @@ def _squared(arm: Arm) -> Arm:
 
 def _square(arm: Arm, angle: Entry) -> Entry:
     turns = arm.number(angle) / (math.pi / 2)
-    near = abs(turns - round(turns)) * math.pi / 2 < _WITHIN_ANGLE
+    near = abs(turns - round(turns)) * math.pi / 2 < WITHIN_ANGLE
     return _RIGHT_ANGLES.get(round(turns), f"{round(turns)} * pi / 2") if near else angle
 
 
@@ -102,22 +82,20 @@ def _compared(mine: Arm, reference: Arm) -> tuple[tuple[Finding, ...], tuple[str
     if unlike:
         return unlike, ()
     ours, theirs, tilts = gaps(mine), gaps(reference), (tool_tilt(mine), tool_tilt(reference))
-    local = [_by_signs(mine, m, r) for m, r in zip(ours, theirs, strict=True)]
+    local = [by_signs(mine, m, r) for m, r in zip(ours, theirs, strict=True)]
     tries = (
         (
-            tuple(
-                chain(
-                    *(
-                        found[tuple(signs[k] for k in m.joints)]
-                        for m, found in zip(ours, local, strict=True)
-                    )
-                )
-            ),
+            _at(ours, local, signs),
             (*_tool_note(*tilts, signs), *_base_note(mine, ours, theirs, signs)),
         )
         for signs in product((1, -1), repeat=mine.dof)
     )
     return min(tries, key=_size)
+
+
+def _at(walk: list[Gap], local: list[dict], signs: tuple[int, ...]) -> tuple[Finding, ...]:
+    chosen = (tuple(signs[k] for k in gap.joints) for gap in walk)
+    return tuple(chain(*(found[signs] for found, signs in zip(local, chosen, strict=True))))
 
 
 def _size(found: tuple[tuple[Finding, ...], tuple[str, ...]]) -> tuple[int, float, int]:
@@ -138,106 +116,9 @@ def _unlike_joints(mine: Arm, reference: Arm) -> Iterator[Finding]:
             yield Finding(i, "joint", kind, wanted, text)
 
 
-def _by_signs(arm: Arm, mine: Gap, reference: Gap) -> dict[tuple[int, ...], tuple[Finding, ...]]:
-    """What differs in a gap, for each choice of the directions that its axes have in the reference."""
-    return {
-        signs: tuple(_differences(arm, mine, reference, dict(zip(mine.joints, signs, strict=True))))
-        for signs in product((1, -1), repeat=len(mine.joints))
-    }
-
-
-def _differences(arm: Arm, mine: Gap, reference: Gap, signs: Signs) -> Iterator[Finding]:
-    yield from _distance(arm, mine, reference)
-    yield from list(_twists(arm, mine, reference, signs)) or _slide(arm, mine, reference, signs)
-    yield from _offset(arm, mine, reference, signs)
-
-
-def _distance(arm: Arm, mine: Gap, reference: Gap) -> Iterator[Finding]:
-    if abs(mine.length - reference.length) > _WITHIN_LENGTH:
-        start = arm.joints[mine.joints[0]]
-        end = "the tip" if mine.to_tip else f"axis {arm.joints[mine.joints[-1]]}"
-        what = f"the distance from axis {start} to {end}"
-        yield _length(start, "a", what, mine.length, reference.length)
-
-
-def _twists(arm: Arm, mine: Gap, reference: Gap, signs: Signs) -> Iterator[Finding]:
-    for pair in pairwise(mine.joints):
-        sided = len(mine.joints) == 2 and (*pair, NORMAL) in mine.shape.keys() & reference.shape
-        m, r = _twist(mine, pair, sided, {}), _twist(reference, pair, sided, signs)
-        if _turned(m, r) > _WITHIN_ANGLE:
-            i, j = (arm.joints[k] for k in pair)
-            yield _angle(i, "alpha", f"the twist from axis {i} to axis {j}", m, r)
-
-
-def _twist(gap: Gap, pair: tuple[int, ...], sided: bool, signs: Signs) -> float:
-    """The angle between two axes: about their common normal if `sided`, else between 0 and pi."""
-    cosine = _product(gap, pair, signs)
-    if sided:
-        return math.atan2(_product(gap, (*pair, NORMAL), signs), cosine)
-    return _arc(cosine)
-
-
-def _product(gap: Gap, which: tuple[int, ...], signs: Signs) -> float:
-    """One of the gap's products, each joint's direction turned by its sign."""
-    return gap.shape[which] * math.prod(signs.get(k, 1) for k in which)
-
-
-def _arc(cosine: float) -> float:
-    return math.acos(max(-1.0, min(1.0, cosine)))
-
-
-def _turned(left: float, right: float) -> float:
-    return abs((left - right + math.pi) % (2 * math.pi) - math.pi)
-
-
-def _slide(arm: Arm, mine: Gap, reference: Gap, signs: Signs) -> Iterator[Finding]:
-    """A slide does not turn: what lies before and after it is held at an angle about it."""
-    rows = [arm.joints[k] for k in mine.joints]
-    slides = [i for i in rows if arm.rows[i - 1].joint.kind == "prismatic"]
-    both = sorted(mine.shape.keys() & reference.shape.keys()) if slides else []
-    products = [(mine.shape[which], _product(reference, which, signs)) for which in both]
-    m, r = max(products, key=lambda pair: abs(pair[0] - pair[1]), default=(0.0, 0.0))
-    if abs(m - r) > _WITHIN_ANGLE:
-        what = "the angle at which the slide holds the axes before and after it"
-        yield _angle(slides[0], "theta", what, _arc(m), _arc(r))
-
-
-def _offset(arm: Arm, mine: Gap, reference: Gap, signs: Signs) -> Iterator[Finding]:
-    if mine.from_base or None in (mine.offset, reference.offset) or mine.bunch != reference.bunch:
-        return
-    m, r = mine.offset, signs[mine.joints[0]] * reference.offset
-    if abs(m - r) > _WITHIN_LENGTH:
-        first, last = arm.joints[mine.bunch[0]], arm.joints[mine.bunch[-1]]
-        along = (
-            f"axis {last}" if first == last else f"the parallel axes {first} to {last}, added up,"
-        )
-        yield _length(last, "d", f"the offset along {along}", m, r)
-
-
-def _length(row: int, quantity: str, what: str, mine: float, reference: float) -> Finding:
-    if mine * reference < 0:
-        error = "it goes the other way, so a sign is wrong here or in a row beside it"
-    else:
-        size = 1000 * abs(mine - reference)
-        error = f"{size:.4g} mm too {'long' if abs(mine) > abs(reference) else 'short'}"
-        mine, reference = abs(mine), abs(reference)
-    text = f"{what} is {mine:.6g} m in yours and {reference:.6g} m in the reference: {error}."
-    return Finding(row, quantity, mine, reference, text)
-
-
-def _angle(row: int, quantity: str, what: str, mine: float, reference: float) -> Finding:
-    if mine < 0:
-        mine, reference = -mine, -reference
-    mine_in, reference_in, off = (
-        f"{math.degrees(x) + 0.0:.6g}°" for x in (mine, reference, _turned(mine, reference))
-    )
-    text = f"{what} is {mine_in} in yours and {reference_in} in the reference: {off} off."
-    return Finding(row, quantity, mine, reference, text)
-
-
 def _tool_note(mine: float, reference: float, signs: tuple[int, ...]) -> Iterator[str]:
-    m, r = _arc(mine), _arc(signs[-1] * reference)
-    if _turned(m, r) > _WITHIN_ANGLE:
+    m, r = arc(mine), arc(signs[-1] * reference)
+    if turned(m, r) > WITHIN_ANGLE:
         yield (
             f"the last frame's z axis stands at {math.degrees(m):.4g}° to the last joint axis in yours"
             f" and at {math.degrees(r):.4g}° in the reference. The tip's place does not depend on it,"
@@ -249,7 +130,7 @@ def _zeros_note(mine: Arm, reference: Arm) -> Iterator[str]:
     """Says so if the same q means another pose: then the tips' distance changes from one q to the next."""
     q = np.outer([0, 0.3, 0.7], np.arange(1, mine.dof + 1))
     tips, wanted = (forward_kinematics(_squared(arm), q)[:, :3, 3] for arm in (mine, reference))
-    if np.ptp(tips - wanted, axis=0).max() > _WITHIN_LENGTH:
+    if np.ptp(tips - wanted, axis=0).max() > WITHIN_LENGTH:
         yield "the same q is another pose: some of your joints count from another zero, or the other way."
 
 
@@ -260,7 +141,7 @@ def _base_note(
     if m is None or r is None or m.bunch != r.bunch:
         return
     higher = signs[m.bunch[-1]] * r.offset - m.offset
-    if abs(higher) > _WITHIN_LENGTH:
+    if abs(higher) > WITHIN_LENGTH:
         yield (
             f"your base frame stands {1000 * abs(higher):.4g} mm {'higher' if higher > 0 else 'lower'} on"
             f" axis 1 (d in row {arm.joints[m.bunch[-1]]}) than the reference's. That is a free choice, but"
@@ -276,7 +157,7 @@ def _rounded(arm: Arm) -> tuple[str, ...]:
     return tuple(
         f"{name} in row {i}, {arm.number(angle):g}, is taken as {_square(arm, angle)}; write it so."
         for i, name, angle in entries
-        if _turned(arm.number(angle), arm.number(_square(arm, angle))) > 1e-9
+        if turned(arm.number(angle), arm.number(_square(arm, angle))) > 1e-9
     )
 
 
