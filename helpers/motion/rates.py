@@ -64,7 +64,7 @@ def adaptive(damping: float, below: float) -> Rates:
 
 
 def levenberg(scale: float = 0.1) -> Rates:
-    """Damping that fades with what is left to do, damping^2 = scale |xi|: for method "exact", where xi is an error.
+    """Damping that fades with what is left to do, damping^2 = scale times the size of xi: for method "exact", where xi is an error.
 
     Far away it is careful, close by it is Newton's method. Source: Nocedal and Wright, Numerical Optimization, 10.3.
     """
