@@ -90,9 +90,9 @@ def towards(goal: ArrayLike, gain: float) -> Callable[[Array], Array]:
 def away_from_limits(arm: Arm, gain: float) -> Callable[[Array], Array]:
     """A wish to be in the middle of each joint's range, as strong as the range is narrow. Source: Siciliano, section 3.5."""
     lower, upper = arm.limits
-    middle, half = (lower + upper) / 2, (upper - lower) / 2
-    if not np.isfinite(half).all():
+    if not np.isfinite([lower, upper]).all():
         raise ArmError(f"{arm.name} has joints without limits; give a goal with towards() instead")
+    middle, half = (lower + upper) / 2, (upper - lower) / 2
     return lambda q: -gain * (q - middle) / half**2
 
 
