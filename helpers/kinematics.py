@@ -14,6 +14,7 @@ from helpers.arm import Arm, ArmError, NumericRow
 
 Array = NDArray[np.float64]
 
+_BASE = np.eye(3)
 _CHUNK = 8192  # so many configurations at a time keep the recursion inside a level-2 cache
 
 
@@ -23,12 +24,12 @@ def link_frames(arm: Arm, q: ArrayLike) -> Array:
     Raises ArmError for a q of another length, or with NaN or infinity in it.
     Source: Spong, Hutchinson and Vidyasagar, section 3.1.
     """
-    return _in_chunks(arm, q, (len(arm.rows) + 1, 4, 4), _fill_frames)
+    return in_chunks(arm, q, (len(arm.rows) + 1, 4, 4), _fill_frames)
 
 
 def forward_kinematics(arm: Arm, q: ArrayLike) -> Array:
     """The tip's pose ${}^0T_n$ in the base frame, shape (..., 4, 4), for q of shape (..., dof)."""
-    return _in_chunks(arm, q, (4, 4), _fill_tip)
+    return in_chunks(arm, q, (4, 4), _fill_tip)
 
 
 def jacobian(arm: Arm, q: ArrayLike) -> Array:
@@ -37,7 +38,7 @@ def jacobian(arm: Arm, q: ArrayLike) -> Array:
     A revolute joint i has the column z_{i-1} x (o_n - o_{i-1}) over z_{i-1}, a prismatic one z_{i-1} over 0.
     Source: Spong, Hutchinson and Vidyasagar, section 4.6.
     """
-    return _in_chunks(arm, q, (6, arm.dof), _fill_jacobian)
+    return in_chunks(arm, q, (6, arm.dof), _fill_jacobian)
 
 
 def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
@@ -86,7 +87,7 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     return np.linalg.svd(jacobian(arm, q)[..., rows[part], :], compute_uv=False).prod(axis=-1)
 
 
-def _in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
+def in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
     q = arm.joint_vector(q)
     flat = q.reshape(math.prod(q.shape[:-1]), arm.dof)
     out = np.zeros((len(flat), *shape))
@@ -97,12 +98,12 @@ def _in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
 
 
 def _fill_frames(arm: Arm, q: Array, out: Array) -> None:
-    for i, frame in enumerate(_recursion(arm, q)):
+    for i, frame in enumerate(frame_columns(arm, q)):
         _store(frame, out[:, i])
 
 
 def _fill_tip(arm: Arm, q: Array, out: Array) -> None:
-    *_, frame = _recursion(arm, q)
+    *_, frame = frame_columns(arm, q)
     _store(frame, out)
 
 
@@ -113,28 +114,34 @@ def _store(frame, out: Array) -> None:
 
 
 def _fill_jacobian(arm: Arm, q: Array, out: Array) -> None:
-    frames = list(_recursion(arm, q))
+    frames = list(frame_columns(arm, q))
     tip = frames[-1][3]
     for column, i in enumerate(arm.joints):
         _, _, z, origin = frames[i - 1]
         if arm.numeric[i - 1].kind == "revolute":
-            out[:, :3, column] = _cross(z, tip - origin).T
+            out[:, :3, column] = cross(z, tip - origin).T
             out[:, 3:, column] = z.T
         else:
             out[:, :3, column] = z.T
 
 
-def _cross(u: Array, v: Array) -> Array:
+def cross(u: Array, v: Array) -> Array:
     w = np.empty(np.broadcast_shapes(u.shape, v.shape))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         np.subtract(u[j] * v[k], u[k] * v[j], out=w[i])
     return w
 
 
-def _recursion(arm: Arm, q: Array) -> Iterator[tuple[Array, Array, Array, Array]]:
-    """The columns (x, y, z, origin) of each link frame in turn, each (3, batch) or, while constant, (3, 1)."""
-    x, y, z = np.eye(3)[:, :, None]
-    origin = np.zeros((3, 1))
+def frame_columns(
+    arm: Arm, q: Array, base: Array = _BASE
+) -> Iterator[tuple[Array, Array, Array, Array]]:
+    """The columns (x, y, z, origin) of each link frame in turn, each (3, batch) or, while constant, (3, 1).
+
+    They are told in axes given as the rows of `base`. Each row runs through the links by itself, so who needs only two
+    components asks for two.
+    """
+    x, y, z = base.T[:, :, None]
+    origin = np.zeros((len(base), 1))
     cosines, sines = _cos_sin(q)
     yield x, y, z, origin
     moving = 0

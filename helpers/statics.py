@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, ArmError, Body
-from helpers.kinematics import _in_chunks, _recursion, jacobian, link_frames
+from helpers.kinematics import frame_columns, in_chunks, jacobian, link_frames
 
 Array = NDArray[np.float64]
 
@@ -33,27 +33,29 @@ def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Arra
     """g(q) = dP/dq, the torques (N m; N where a joint slides) that hold the arm, shape (..., dof).
 
     Joint i carries the links beyond it: with their mass M and first moment S, g_i = -g . (z_{i-1} x (S - M o_{i-1})).
+    In axes whose third points up, two components of the vectors are enough for that.
     """
     masses, coms = _bodies(arm)
-    down = _vector(gravity)
+    size, upright = _upright(_vector(gravity))
+    if all(row.kind != "prismatic" for row in arm.numeric):
+        upright = upright[:2]  # the height is only asked for where a joint lifts
 
     def fill(arm: Arm, q: Array, out: Array) -> None:
-        frames = list(_recursion(arm, q))
-        mass, moment, column = 0.0, np.zeros((3, 1)), arm.dof
+        frames = list(frame_columns(arm, q, upright))
+        mass, moment, column = 0.0, np.zeros((len(upright), 1)), arm.dof
         for i in range(len(arm.rows), 0, -1):
-            x, y, z, origin = frames[i]
-            cx, cy, cz = coms[i - 1]
-            moment = moment + masses[i - 1] * (origin + cx * x + cy * y + cz * z)
+            moment = moment + masses[i - 1] * _point(frames[i], coms[i - 1])
             mass += masses[i - 1]
             _, _, axis, before = frames[i - 1]
             kind = arm.rows[i - 1].joint.kind
-            if kind == "fixed":
-                continue
-            column -= 1
-            push = np.cross(down, axis, axis=0) if kind == "revolute" else None
-            out[:, column] = -mass * (down @ axis) if push is None else -((moment - mass * before) * push).sum(axis=0)
+            column -= kind != "fixed"
+            if kind == "revolute":
+                lever = moment - mass * before
+                out[:, column] = size * (axis[0] * lever[1] - axis[1] * lever[0])
+            elif kind == "prismatic":
+                out[:, column] = size * mass * axis[2]
 
-    return _in_chunks(arm, q, (arm.dof,), fill)
+    return in_chunks(arm, q, (arm.dof,), fill)
 
 
 def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
@@ -63,7 +65,9 @@ def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike 
     """
     F = np.asarray(wrench, dtype=float)
     if F.shape[-1:] != (6,) or not np.isfinite(F).all():
-        raise ArmError(f"wrench is {wrench!r}; expected six finite numbers (fx, fy, fz, mx, my, mz)")
+        raise ArmError(
+            f"wrench is {wrench!r}; expected six finite numbers (fx, fy, fz, mx, my, mz)"
+        )
     return gravity_torque(arm, q, gravity) - np.einsum("...ij,...i->...j", jacobian(arm, q), F)
 
 
@@ -73,7 +77,9 @@ def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm
         raise ArmError(f"{arm.name} has no masses to add a payload to")
     added = np.asarray(com, dtype=float)
     if not (np.isfinite(mass) and mass >= 0) or added.shape != (3,) or not np.isfinite(added).all():
-        raise ArmError(f"payload is {mass!r} at {com!r}; expected a mass >= 0 and three coordinates")
+        raise ArmError(
+            f"payload is {mass!r} at {com!r}; expected a mass >= 0 and three coordinates"
+        )
     masses, coms = _bodies(arm)
     total = masses[-1] + mass
     centre = (masses[-1] * coms[-1] + mass * added) / total
@@ -87,14 +93,36 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
     """
     to, start, points = (np.asarray(a, dtype=float) for a in (frames_to, frames_from, centres))
     if to.shape != start.shape or to.shape[1:] != (4, 4) or points.shape != (len(to), 3):
-        raise ArmError(f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n, 4, 4) twice and (n, 3)")
+        raise ArmError(
+            f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n, 4, 4) twice and (n, 3)"
+        )
     world = np.einsum("nij,nj->ni", start[:, :3, :3], points) + start[:, :3, 3]
     return np.einsum("nji,nj->ni", to[:, :3, :3], world - to[:, :3, 3])
 
 
+def _upright(gravity: Array) -> tuple[float, Array]:
+    """The size of gravity, and axes as rows of which the third points against it."""
+    size = float(np.linalg.norm(gravity))
+    if not size:
+        return 0.0, np.eye(3)
+    up = -gravity / size
+    side = np.eye(3)[np.abs(up).argmin()]
+    first = np.cross(side, up)
+    first /= np.linalg.norm(first)
+    return size, np.stack([first, np.cross(up, first), up])
+
+
+def _point(frame: tuple[Array, Array, Array, Array], local: Array) -> Array:
+    """A point of a link in space, (components, batch), from its coordinates in the link's frame."""
+    x, y, z, origin = frame
+    return origin + local[0] * x + local[1] * y + local[2] * z
+
+
 def _bodies(arm: Arm) -> tuple[Array, Array]:
     if not arm.bodies:
-        raise ArmError(f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows")
+        raise ArmError(
+            f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows"
+        )
     masses = np.array([arm.number(body.mass) for body in arm.bodies])
     return masses, np.array([[arm.number(c) for c in body.com] for body in arm.bodies])
 
@@ -102,5 +130,7 @@ def _bodies(arm: Arm) -> tuple[Array, Array]:
 def _vector(gravity: ArrayLike) -> Array:
     down = np.asarray(gravity, dtype=float)
     if down.shape != (3,) or not np.isfinite(down).all():
-        raise ArmError(f"gravity is {gravity!r}; expected a vector of three finite numbers in m/s^2")
+        raise ArmError(
+            f"gravity is {gravity!r}; expected a vector of three finite numbers in m/s^2"
+        )
     return down
