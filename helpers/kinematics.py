@@ -14,7 +14,6 @@ from helpers.arm import Arm, ArmError, NumericRow
 
 Array = NDArray[np.float64]
 
-_BASE = np.eye(3)
 _CHUNK = 8192  # so many configurations at a time keep the recursion inside a level-2 cache
 
 
@@ -132,18 +131,23 @@ def cross(u: Array, v: Array) -> Array:
     return w
 
 
-def frame_columns(
-    arm: Arm, q: Array, base: Array = _BASE
-) -> Iterator[tuple[Array, Array, Array, Array]]:
-    """The columns (x, y, z, origin) of each link frame in turn, each (3, batch) or, while constant, (3, 1).
-
-    They are told in axes given as the rows of `base`. Each row runs through the links by itself, so who needs only two
-    components asks for two.
-    """
-    x, y, z = base.T[:, :, None]
-    origin = np.zeros((len(base), 1))
-    cosines, sines = _cos_sin(q)
+def frame_columns(arm: Arm, q: Array) -> Iterator[tuple[Array, Array, Array, Array]]:
+    """The columns (x, y, z, origin) of each link frame in turn, each (3, batch) or, while constant, (3, 1)."""
+    x, y, z = np.eye(3)[:, :, None]
+    origin = np.zeros((3, 1))
     yield x, y, z, origin
+    for row, c, s, d in row_motions(arm, q):
+        x, y = c * x + s * y, c * y - s * x
+        origin = _moved(origin, d, z, row.a, x)
+        y, z = tilted(row, y, z)
+        yield x, y, z, origin
+
+
+def row_motions(
+    arm: Arm, q: Array
+) -> Iterator[tuple[NumericRow, Array | float, Array | float, Array | float]]:
+    """Each row with the cosine and sine of its angle and its offset, its joint's motion put in."""
+    cosines, sines = _cos_sin(q)
     moving = 0
     for row in arm.numeric:
         c, s, d = row.cos_theta, row.sin_theta, row.d
@@ -152,10 +156,7 @@ def frame_columns(
         elif row.kind == "prismatic":
             d = d + q[moving]
         moving += row.kind != "fixed"
-        x, y = c * x + s * y, c * y - s * x
-        origin = _moved(origin, d, z, row.a, x)
-        y, z = _tilted(row, y, z)
-        yield x, y, z, origin
+        yield row, c, s, d
 
 
 def _cos_sin(q: Array) -> tuple[Array, Array]:
@@ -185,7 +186,8 @@ def _moved(origin: Array, d, z: Array, a: float, x: Array) -> Array:
     return origin + a * x if a else origin
 
 
-def _tilted(row: NumericRow, y: Array, z: Array) -> tuple[Array, Array]:
+def tilted(row: NumericRow, y: Array, z: Array) -> tuple[Array, Array]:
+    """Two components, or columns, seen after the row's turn about x."""
     c, s = row.cos_alpha, row.sin_alpha
     match (c, s):
         case (1.0, 0.0):

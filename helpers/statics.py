@@ -5,13 +5,14 @@ Gravity is a vector in base axes, so a wall- or ceiling-mounted arm is the same 
 Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, sections 4.10 and 6.2.
 """
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, ArmError, Body
-from helpers.kinematics import frame_columns, in_chunks, jacobian, link_frames
+from helpers.kinematics import in_chunks, jacobian, link_frames, row_motions, tilted
 
 Array = NDArray[np.float64]
 
@@ -32,28 +33,28 @@ def potential_energy(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Ar
 def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
     """g(q) = dP/dq, the torques (N m; N where a joint slides) that hold the arm, shape (..., dof).
 
-    Joint i carries the links beyond it: with their mass M and first moment S, g_i = -g . (z_{i-1} x (S - M o_{i-1})).
-    In axes whose third points up, two components of the vectors are enough for that.
+    From the tip inwards, each row carries the mass M and the first moment S of the links beyond it, in its own axes; a
+    turn about z_{i-1} lifts them at the rate -g . (z_{i-1} x S).
     """
     masses, coms = _bodies(arm)
-    size, upright = _upright(_vector(gravity))
-    if all(row.kind != "prismatic" for row in arm.numeric):
-        upright = upright[:2]  # the height is only asked for where a joint lifts
+    lift = -_vector(gravity)
 
     def fill(arm: Arm, q: Array, out: Array) -> None:
-        frames = list(frame_columns(arm, q, upright))
-        mass, moment, column = 0.0, np.zeros((len(upright), 1)), arm.dof
-        for i in range(len(arm.rows), 0, -1):
-            moment = moment + masses[i - 1] * _point(frames[i], coms[i - 1])
-            mass += masses[i - 1]
-            _, _, axis, before = frames[i - 1]
-            kind = arm.rows[i - 1].joint.kind
-            column -= kind != "fixed"
-            if kind == "revolute":
-                lever = moment - mass * before
-                out[:, column] = size * (axis[0] * lever[1] - axis[1] * lever[0])
-            elif kind == "prismatic":
-                out[:, column] = size * mass * axis[2]
+        steps = list(row_motions(arm, q))
+        lifts = list(_lifts(steps, lift))
+        mass, (x, y, z), column = 0.0, np.zeros(3), arm.dof
+        for (row, c, s, d), up, m, com in reversed(
+            list(zip(steps, lifts, masses, coms, strict=True))
+        ):
+            x, y, z, mass = x + m * com[0], y + m * com[1], z + m * com[2], mass + m
+            y, z = tilted(row._replace(sin_alpha=-row.sin_alpha), y, z)
+            x, z = x + mass * row.a, z + mass * d
+            column -= row.kind != "fixed"
+            if row.kind == "revolute":
+                out[:, column] = up[1] * x - up[0] * y
+            elif row.kind == "prismatic":
+                out[:, column] = mass * up[2]
+            x, y = c * x - s * y, s * x + c * y
 
     return in_chunks(arm, q, (arm.dof,), fill)
 
@@ -100,22 +101,13 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
     return np.einsum("nji,nj->ni", to[:, :3, :3], world - to[:, :3, 3])
 
 
-def _upright(gravity: Array) -> tuple[float, Array]:
-    """The size of gravity, and axes as rows of which the third points against it."""
-    size = float(np.linalg.norm(gravity))
-    if not size:
-        return 0.0, np.eye(3)
-    up = -gravity / size
-    side = np.eye(3)[np.abs(up).argmin()]
-    first = np.cross(side, up)
-    first /= np.linalg.norm(first)
-    return size, np.stack([first, np.cross(up, first), up])
-
-
-def _point(frame: tuple[Array, Array, Array, Array], local: Array) -> Array:
-    """A point of a link in space, (components, batch), from its coordinates in the link's frame."""
-    x, y, z, origin = frame
-    return origin + local[0] * x + local[1] * y + local[2] * z
+def _lifts(steps: list, lift: Array) -> Iterator[tuple[Array, Array, Array]]:
+    """What holds a mass of 1 kg up, -gravity, in the axes of each row after its turn about z and before that about x."""
+    x, y, z = lift
+    for row, c, s, _ in steps:
+        x, y = c * x + s * y, c * y - s * x
+        yield x, y, z
+        y, z = tilted(row, y, z)
 
 
 def _bodies(arm: Arm) -> tuple[Array, Array]:
