@@ -120,7 +120,17 @@ def test_a_direction_without_motion_carries_any_force():
     J = jacobian(UR10E_HOMEWORK, np.zeros(6))[:3]
     axes, forces = velocity_ellipsoid(J), force_ellipsoid(J)
     np.testing.assert_allclose(axes[:, 1:], 0, atol=1e-12)
-    assert np.isinf(forces[:, 1:]).any(axis=0).all()
+    np.testing.assert_array_equal(np.isinf(forces).sum(axis=1), [0, 1, 1])
+
+
+def test_a_lost_direction_is_infinite_along_itself_only():
+    q = np.array([0.7, 0.4, 0.0])
+    outwards = np.array([np.cos(0.7) * np.cos(0.4), np.sin(0.7) * np.cos(0.4), np.sin(0.4)])
+    forces = force_ellipsoid(jacobian(ELBOW, q)[:3])
+    assert np.isinf(forces[:, 2]).all()
+    sideways = np.array([-np.sin(0.7), np.cos(0.7), 0])
+    np.testing.assert_allclose(forces[:, :2].T @ outwards, 0, atol=1e-12)
+    assert np.abs(sideways @ forces[:, :2]).max() == pytest.approx(1 / (0.7 * np.cos(0.4)))
 
 
 def test_lost_directions_are_those_that_no_joint_gives():
