@@ -106,6 +106,18 @@ def test_the_determinants_factors_are_those_of_the_textbooks():
     )
 
 
+def test_the_locked_pandas_determinant_is_a_sine_of_the_shoulder_angle():
+    arm = PANDA.lock(3)
+    q = np.repeat(joint_vectors(arm, (20,), 5)[None], 3, axis=0)
+    q[0, :, 1], q[1, :, 1] = 0, np.pi / 2
+    A, B = np.linalg.det(jacobian(arm, q[:2]))
+    q[2, :, 1] = np.arctan2(-A, B)
+    np.testing.assert_allclose(np.linalg.det(jacobian(arm, q[2])), 0, atol=1e-15)
+    c, s = sp.cos(sp.Symbol("q_2")), sp.sin(sp.Symbol("q_2"))
+    formula = symbolic.determinant(arm)
+    assert sp.expand(formula - formula.coeff(c) * c - formula.coeff(s) * s) == 0
+
+
 @every_arm
 def test_ellipsoids_hold_what_unit_joint_speeds_and_torques_do(arm):
     J = jacobian(arm, joint_vectors(arm, ()))[:3]
