@@ -45,7 +45,7 @@ class Answer:
         return same and bool((np.abs(array - self.value) <= self.within).all())
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Variant:
     """One topic of the homework with numbers of its own: the arm, the question, and the key to it."""
 
@@ -71,6 +71,9 @@ class Variant:
         """The key as Markdown, one line for each answer."""
         lines = [f"- `{n}`, {a.what}: ${_matrix(a.value)}$" for n, a in self.key.items()]
         return "\n".join([f"**Key to {self.topic}, seed {self.seed}**", "", *lines])
+
+    def __repr__(self) -> str:
+        return f"<Variant {self.seed} of {self.topic}: {self.arm.name.rsplit(', ', 1)[0]}>"
 
     def _repr_markdown_(self) -> str:
         return self.question_text
@@ -121,9 +124,11 @@ def _pose(arm: Arm, rng: Rng) -> Array:
 
 
 def _smallest(arm: Arm, q: Array) -> float:
-    J = jacobian(arm, q)
-    rows = J if arm.dof >= 6 else J[:3]
-    return float(np.linalg.svd(rows, compute_uv=False)[-1])
+    """The smallest singular value of what the arm's joints can command, all six rows or the place alone."""
+    rows = slice(0, 6 if arm.dof >= 6 else 3)
+    somewhere = np.random.default_rng(0).uniform(0.3, 0.9, arm.dof)
+    rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[rows])  # 2 for an arm that is plane
+    return float(np.linalg.svd(jacobian(arm, q)[rows], compute_uv=False)[rank - 1])
 
 
 def _dh_tables(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
