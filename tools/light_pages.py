@@ -1,7 +1,8 @@
-"""A Sphinx extension: lighter pages. It takes out of the built HTML what the theme loads and the book does not use.
+"""A Sphinx extension: lighter pages. It takes out of what was built what the theme loads and the book does not use.
 
 The theme draws its few icons twice, by a font and by 1.5 MB of script; the font does. It loads the search index on every
-page for a search-as-you-type that is off. Its small scripts hold up the first paint. And pictures get their size, so that nothing moves when they arrive.
+page for a search-as-you-type that is off, and holds up the first paint with small scripts that can wait. And pictures get
+their size, so that nothing moves when they arrive.
 """
 
 import re
@@ -14,8 +15,10 @@ SEARCH = re.compile(
     r'\s*<script src="[^"]*(?:searchtools|language_data|searchindex)\.js"></script>'
 )
 WAITING = re.compile(
-    r'<script (src="[^"]*/(?:doctools|sphinx_highlight|clipboard\.min|copybutton|sphinx-book-theme|togglebutton)\.js)'
+    r'<script ((?:data-\S+ )?src="[^"]*/'
+    r"(?:doctools|sphinx_highlight|clipboard\.min|copybutton|sphinx-book-theme|togglebutton|design-tabs)\.js)"
 )
+ICON_RULE = re.compile(r'((?:\.fa-[\w-]+:before,?)+)\{content:"[^"]*"\}')
 PICTURE = re.compile(r'<img (?![^>]*\bheight=)([^>]*\bsrc="([^"]+\.svg)"[^>]*?)\s*/?>')
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 
@@ -44,14 +47,31 @@ def _size(path: Path) -> str:
     return f'width="{width}" height="{height}"'
 
 
+def without_icons(css: str, used: set[str]) -> str:
+    """A style sheet without the rules of two thousand icons that no page shows."""
+    return ICON_RULE.sub(lambda rule: rule[0] if used & set(_icons(rule[1])) else "", css)
+
+
+def _icons(text: str) -> list[str]:
+    return re.findall(r"fa-[\w-]+", text)
+
+
 def rewrite(app, error) -> None:
-    """Rewrite every page that was built."""
-    if error is None and app.builder.format == "html":
-        for path in Path(app.outdir).glob("*.html"):
-            old = path.read_text(encoding="utf-8")
-            new = lighter(old, path.parent, search=path.stem == "search")
-            if new != old:
-                path.write_text(new, encoding="utf-8")
+    """Rewrite the pages and the theme's style sheet, once all are built."""
+    if error is not None or app.builder.format != "html":
+        return
+    out = Path(app.outdir)
+    pages = {path: path.read_text(encoding="utf-8") for path in out.glob("*.html")}
+    for path, html in pages.items():
+        _write(path, lighter(html, out, search=path.stem == "search"))
+    used = {icon for html in pages.values() for icon in _icons(html)}
+    for path in out.glob("_static/styles/*.css"):
+        _write(path, without_icons(path.read_text(encoding="utf-8"), used))
+
+
+def _write(path: Path, text: str) -> None:
+    if text != path.read_text(encoding="utf-8"):
+        path.write_text(text, encoding="utf-8")
 
 
 def setup(app) -> dict[str, bool]:

@@ -18,13 +18,17 @@ function inGroups(formulas, characters) {
   return groups;
 }
 
+const pause = () => new Promise((done) => setTimeout(done));
+
 async function setFormulas() {
+  await new Promise((painted) => (document.hidden ? painted() : requestAnimationFrame(painted)));
+  await pause();
   const formulas = [...document.querySelectorAll("span.math, div.math")];
   const seen = formulas.filter(inView);
   const rest = formulas.filter((formula) => !seen.includes(formula));
-  for (const group of [seen, ...inGroups(rest, 400)]) {
+  for (const group of [seen, ...inGroups(rest, 300)]) {
     await MathJax.typesetPromise(group);
-    await new Promise((done) => setTimeout(done));
+    await pause();
   }
 }
 
