@@ -24,10 +24,13 @@ POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 
 
 def lighter(html: str, folder: Path, search: bool = False) -> str:
-    """A page without unused scripts, its SVG pictures with width and height; `folder` is where it stands."""
-    html = WAITING.sub(r"<script defer \1", ICONS.sub("", html))
+    """A page without unused scripts, its SVG pictures with width and height; `folder` is where it stands.
+
+    The page of the search results keeps its scripts and their order.
+    """
+    html = ICONS.sub("", html)
     if not search:
-        html = SEARCH.sub("", html)
+        html = WAITING.sub(r"<script defer \1", SEARCH.sub("", html))
     return PICTURE.sub(lambda found: _sized(*found.groups(), folder), html)
 
 

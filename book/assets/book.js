@@ -30,9 +30,21 @@ async function setFormulas() {
     await MathJax.typesetPromise(group);
     await pause();
   }
+  reachable();
 }
 
-window.MathJax = { ...window.MathJax, startup: { typeset: false, pageReady: setFormulas } };
+if (window.MathJax) window.MathJax.startup = { typeset: false, pageReady: setFormulas };
+
+// What is wider than its box can be scrolled from the keyboard too.
+function reachable() {
+  document.querySelectorAll("div.math, .pst-scrollable-table-container").forEach((box) => {
+    if (box.scrollWidth <= box.clientWidth) return;
+    box.tabIndex = 0;
+    box.setAttribute("role", "region");
+    box.setAttribute("aria-label", "Wide content, scroll sideways");
+  });
+}
+window.addEventListener("load", reachable);
 
 // What the theme leaves undone for readers who do not use a mouse or a screen.
 document.addEventListener("DOMContentLoaded", () => {
@@ -60,13 +72,4 @@ document.addEventListener("DOMContentLoaded", () => {
     const lines = texts.join("\n").split("\n");
     if (lines.every((line) => line.startsWith("✔"))) output.classList.add("proof");
   });
-
-  const reachable = () =>
-    each("div.math, .pst-scrollable-table-container", (box) => {
-      if (box.scrollWidth <= box.clientWidth) return;
-      box.tabIndex = 0;
-      box.setAttribute("role", "region");
-      box.setAttribute("aria-label", "Wide content, scroll sideways");
-    });
-  window.MathJax?.startup?.promise?.then(reachable) ?? window.addEventListener("load", reachable);
 });
