@@ -49,6 +49,9 @@ refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 lint: $(BIN)/.installed-dev ## check and format the code, notebooks too
 	$(BIN)/pre-commit run --all-files
 
+pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
+	$(BIN)/python tools/pdf.py
+
 bench: ## time the helpers against their peers, in an environment of its own
 	test -d .venv-bench || $(PYTHON) -m venv .venv-bench
 	.venv-bench/bin/python -m pip install --quiet --disable-pip-version-check -r benchmarks/requirements.txt -e .
