@@ -77,6 +77,13 @@ def _write(path: Path, text: str) -> None:
         path.write_text(text, encoding="utf-8")
 
 
+def without_repository(app, config) -> None:
+    """Offer nothing to launch where no repository's address is configured; the theme would fail."""
+    if not config.html_theme_options.get("repository_url"):
+        config.html_theme_options["launch_buttons"] = {}
+
+
 def setup(app) -> dict[str, bool]:
+    app.connect("config-inited", without_repository)
     app.connect("build-finished", rewrite)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
