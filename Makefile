@@ -6,7 +6,7 @@ NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
 SOURCES := $(NOTEBOOKS) $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.*) $(shell find helpers -name '*.py')
 
-.PHONY: help book test notebooks lab refresh lint lock clean
+.PHONY: help book test notebooks lab refresh lint lock bench clean
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -44,6 +44,11 @@ refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 lint: $(BIN)/.installed-dev ## check and format the code, notebooks too
 	$(BIN)/pre-commit run --all-files
 
+bench: ## time the helpers against their peers, in an environment of its own
+	test -d .venv-bench || $(PYTHON) -m venv .venv-bench
+	.venv-bench/bin/python -m pip install --quiet --disable-pip-version-check -r benchmarks/requirements.txt -e .
+	.venv-bench/bin/python benchmarks/bench.py
+
 lock: ## pin every dependency anew
 	$(PYTHON) -m venv .venv-lock
 	.venv-lock/bin/pip install --quiet uv
@@ -52,5 +57,5 @@ lock: ## pin every dependency anew
 	rm -r .venv-lock
 
 clean: ## remove what was built, the environment too
-	rm -rf $(VENV) .venv-lock book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
+	rm -rf $(VENV) .venv-lock .venv-bench book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -r {} +

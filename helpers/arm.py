@@ -36,13 +36,15 @@ class Joint:
     def __post_init__(self) -> None:
         if self.kind not in _KINDS:
             raise ArmError(f"joint kind is {self.kind!r}; expected one of {', '.join(_KINDS)}")
+        for name in ("lower", "upper", "speed", "effort"):
+            object.__setattr__(self, name, _number(getattr(self, name), f"joint {name}"))
         if not self.lower <= self.upper:
             raise ArmError(
-                f"joint limits are ({self.lower}, {self.upper}); expected lower <= upper"
+                f"joint limits are ({self.lower:g}, {self.upper:g}); expected lower <= upper"
             )
         if not (self.speed > 0 and self.effort > 0):
             raise ArmError(
-                f"joint speed and effort are {self.speed}, {self.effort}; expected both > 0"
+                f"joint speed and effort are {self.speed:g}, {self.effort:g}; expected both > 0"
             )
 
 
@@ -69,14 +71,20 @@ def revolute(
     a=0, alpha=0, d=0, theta=0, *, limits=(-math.inf, math.inf), speed=math.inf, effort=math.inf
 ) -> Row:
     """A row whose joint turns by q: the row's angle is q + `theta`. Limits in rad, rad/s, N m."""
-    return Row(a, alpha, d, theta, Joint("revolute", *limits, speed, effort))
+    return Row(a, alpha, d, theta, _joint("revolute", limits, speed, effort))
 
 
 def prismatic(
     a=0, alpha=0, d=0, theta=0, *, limits=(-math.inf, math.inf), speed=math.inf, effort=math.inf
 ) -> Row:
     """A row whose joint slides by q: the row's offset is q + `d`. Limits in m, m/s, N."""
-    return Row(a, alpha, d, theta, Joint("prismatic", *limits, speed, effort))
+    return Row(a, alpha, d, theta, _joint("prismatic", limits, speed, effort))
+
+
+def _joint(kind: Kind, limits: tuple[float, float], speed: float, effort: float) -> Joint:
+    if np.shape(limits) != (2,):
+        raise ArmError(f"joint limits are {limits!r}; expected two numbers, lower and upper")
+    return Joint(kind, *limits, speed, effort)
 
 
 def fixed(a=0, alpha=0, d=0, theta=0) -> Row:
@@ -138,8 +146,10 @@ class Arm:
         self._put(rows=tuple(self.rows), bodies=tuple(self.bodies))
         if not self.rows or not all(isinstance(row, Row) for row in self.rows):
             raise ArmError(f"{self.name}: rows are {self.rows!r}; expected one Row or more")
-        self._put(values=tuple((k, float(v)) for k, v in dict(self.values).items()))
-        self._put(home=tuple(float(x) for x in self.home) or (0.0,) * self.dof)
+        values = dict(self.values).items()
+        self._put(values=tuple((k, _number(v, f"{self.name}: {k}")) for k, v in values))
+        home = tuple(_number(x, f"{self.name}: home") for x in self.home)
+        self._put(home=home or (0.0,) * self.dof)
         self._check()
 
     def _put(self, **fields: object) -> None:
@@ -147,27 +157,45 @@ class Arm:
             object.__setattr__(self, name, value)
 
     def _check(self) -> None:
+        self._check_bodies()
+        self._check_symbols()
+        for formula in self._entries():
+            self._check_finite(formula)
+        self.joint_vector(self.home)
+
+    def _check_bodies(self) -> None:
+        if not all(isinstance(body, Body) for body in self.bodies):
+            raise ArmError(
+                f"{self.name}: bodies are {self.bodies!r}; expected one Body for each row"
+            )
         if self.bodies and len(self.bodies) != len(self.rows):
             raise ArmError(
                 f"{self.name}: {len(self.bodies)} bodies for {len(self.rows)} rows; expected one each"
             )
+
+    def _check_symbols(self) -> None:
         needed = {name for formula in self._entries() for name in names(formula)}
-        missing = sorted(needed - {name for name, _ in self.values})
-        if missing:
+        if taken := sorted(needed & set(self.variables)):
+            raise ArmError(
+                f"{self.name}: {taken[0]} is the variable of a joint; call the symbol something else"
+            )
+        if missing := sorted(needed - {name for name, _ in self.values}):
             raise ArmError(
                 f"{self.name}: no value for {', '.join(missing)}; give values={{{missing[0]!r}: ...}}"
             )
         for name, value in self.values:
             if not math.isfinite(value):
                 raise ArmError(f"{self.name}: {name} is {value}; expected a finite number")
-        for formula in self._entries():
-            try:
-                self.number(formula)
-            except ZeroDivisionError:
-                raise ArmError(
-                    f"{self.name}: {formula} divides by zero; give it another value"
-                ) from None
-        self.joint_vector(self.home)
+
+    def _check_finite(self, formula: Entry) -> None:
+        try:
+            finite = math.isfinite(self.number(formula))
+        except ArithmeticError:
+            finite = False
+        if not finite:
+            raise ArmError(
+                f"{self.name}: {formula} divides by zero or is too large; give it other values"
+            )
 
     def _entries(self) -> list[Entry]:
         table = [e for row in self.rows for e in (row.a, row.alpha, row.d, row.theta)]
@@ -222,7 +250,7 @@ class Arm:
 
     def lock(self, joint: int, at: Entry = 0) -> "Arm":
         """The same arm with one joint, counted from 1, held `at` a value (rad or m): one variable fewer."""
-        if joint not in self.joints:
+        if not isinstance(joint, int) or joint not in self.joints:
             free = ", ".join(map(str, self.joints))
             raise ArmError(
                 f"{self.name}: joint {joint!r} cannot be locked; its free joints are {free}"
@@ -290,6 +318,13 @@ class Arm:
             + "\n".join(lines)
             + (f"\n\n{self.name}: {values} (m)" if values else f"\n\n{self.name}")
         )
+
+
+def _number(value: object, what: str) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise ArmError(f"{what} is {value!r}; expected a number") from None
 
 
 def cos_sin(angle: float) -> tuple[float, float]:

@@ -20,6 +20,8 @@ _BINARY = {
 }
 _UNARY = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 
+_LONGEST = 200  # characters, so that no formula is nested deeper than Python can follow
+
 
 class ArmError(ValueError):
     """Something about an arm, or about what it was given, is wrong."""
@@ -32,7 +34,7 @@ def entry(value: object, what: str) -> Entry:
             f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
         )
     if isinstance(value, int | float):
-        if not math.isfinite(value):
+        if not abs(value) < math.inf:
             raise ArmError(f"{what} is {value!r}; expected a finite number or a formula")
         return value if isinstance(value, int) else float(value)
     text = str(value).strip()
@@ -64,6 +66,8 @@ def latex(text: Entry) -> str:
 
 
 def _parse(text: str, what: str) -> ast.expr:
+    if len(text) > _LONGEST:
+        raise ArmError(f"{what} has {len(text)} characters; expected at most {_LONGEST}")
     wrong = f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2' or 'd_6 + l_pen'"
     try:
         tree = ast.parse(text, mode="eval").body
@@ -86,8 +90,10 @@ def _evaluate(node: ast.expr, values: Mapping[str, float]) -> float:
     match node:
         case ast.Constant(value):
             return value
-        case ast.Name(name):
+        case ast.Name(name) if name in values:
             return values[name]
+        case ast.Name(name):
+            raise ArmError(f"no value for {name}; there are {', '.join(values)}")
         case ast.UnaryOp(op, operand):
             return _UNARY[type(op)](_evaluate(operand, values))
         case ast.BinOp(left, op, right):

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, NumericRow
+from helpers.arm import Arm, ArmError, NumericRow
 
 Array = NDArray[np.float64]
 
@@ -38,6 +38,52 @@ def jacobian(arm: Arm, q: ArrayLike) -> Array:
     Source: Spong, Hutchinson and Vidyasagar, section 4.6.
     """
     return _in_chunks(arm, q, (6, arm.dof), _fill_jacobian)
+
+
+def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
+    """The same Jacobian, shape (..., 6, dof), of the same tip, its rows in the axes of a link frame.
+
+    Frame 0 is the base, frame n the tool. Raises ArmError for a frame that does not exist.
+    """
+    if frame not in range(len(arm.rows) + 1):
+        raise ArmError(f"{arm.name}: frame {frame!r} does not exist; expected 0 to {len(arm.rows)}")
+    R = link_frames(arm, q)[..., frame, :3, :3]
+    J = jacobian(arm, q)
+    return np.concatenate(
+        [np.swapaxes(R, -1, -2) @ half for half in (J[..., :3, :], J[..., 3:, :])], axis=-2
+    )
+
+
+def analytic_jacobian(arm: Arm, q: ArrayLike) -> Array:
+    """Rates of the tip's position and of its ZYZ Euler angles (phi, theta, psi), shape (..., 6, dof).
+
+    Raises ArmError where theta is 0 or pi: there the angles' rates are not defined, whatever the arm can do.
+    Source: Spong, Hutchinson and Vidyasagar, section 4.8.
+    """
+    R, J = forward_kinematics(arm, q)[..., :3, :3], jacobian(arm, q)
+    sine = np.hypot(R[..., 0, 2], R[..., 1, 2])
+    if (sine < 1e-9).any():
+        raise ArmError(
+            f"{arm.name}: the ZYZ angles are singular here (theta is 0 or pi); use the geometric Jacobian"
+        )
+    c, s, cosine = R[..., 0, 2] / sine, R[..., 1, 2] / sine, R[..., 2, 2]
+    zero = np.zeros_like(sine)
+    rates = np.stack([zero, -s, c * sine, zero, c, s * sine, zero + 1, zero, cosine], axis=-1)
+    turning = np.linalg.solve(rates.reshape(*sine.shape, 3, 3), J[..., 3:, :])
+    return np.concatenate([J[..., :3, :], turning], axis=-2)
+
+
+def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
+    """Yoshikawa's measure, shape (...): the product of the Jacobian's singular values, 0 at a singular pose.
+
+    `part` is "all", "linear" (rows v) or "angular" (rows omega). With as many rows as joints it is the size of det J. With
+    fewer joints than rows it is the volume of what the joints can reach, sqrt(det J^T J). The unit of "all" mixes m
+    and rad, so compare it only between poses of one arm. Source: Yoshikawa (1985).
+    """
+    rows = {"all": slice(0, 6), "linear": slice(0, 3), "angular": slice(3, 6)}
+    if part not in rows:
+        raise ArmError(f"part is {part!r}; expected one of {', '.join(rows)}")
+    return np.linalg.svd(jacobian(arm, q)[..., rows[part], :], compute_uv=False).prod(axis=-1)
 
 
 def _in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:

@@ -70,7 +70,8 @@ UR10E = Arm(
         Body(0.615, (0, 0, "-0.026 - l_pen")),
     ),
     home=(0, -pi / 2, 0, -pi / 2, 0, 0),
-    source="Universal Robots, DH parameters for calculations of kinematics and dynamics",
+    source="Universal Robots, DH parameters for calculations of kinematics and dynamics (table, masses);"
+    " UR10e user manual (ranges, speeds); Max. joint torques (torques)",
 )
 
 UR10E_HOMEWORK = Arm(

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
+from sympy.polys.matrices import DomainMatrix
 from sympy.polys.rings import PolyElement, PolyRing
 
 from helpers.arm import Arm, ArmError, quarter_turns
@@ -75,6 +76,42 @@ def jacobian_by_differentiation(arm: Arm) -> Matrix:
     return ring.matrix(_transposed(columns))
 
 
+def determinant(arm: Arm) -> sp.Expr:
+    """The determinant of the Jacobian, factored; singular poses are where a factor is 0.
+
+    For an arm of six joints det J, for one of three the determinant of the linear rows. It does not depend on the
+    frame nor on the point that the Jacobian is taken in, so it is taken halfway up the arm, where entries are short.
+    Raises ArmError for another number of joints. Source: Spong, Hutchinson and Vidyasagar, section 4.9.
+    """
+    if arm.dof not in (3, 6):
+        raise ArmError(
+            f"{arm.name} has {arm.dof} joints; a determinant needs 3 (position only) or 6"
+        )
+    ring = _Ring(arm, joined=False)
+    frames = _frames(arm, ring)
+    middle = frames[len(frames) // 2 if arm.dof == 6 else -1]
+    columns = [_column_in(middle, arm, ring, frames[i - 1], i)[: arm.dof] for i in arm.joints]
+    matrix = DomainMatrix(_transposed(columns), (arm.dof, arm.dof), ring.zero.ring.to_domain())
+    content, factors = (
+        matrix.det().factor_list()
+    )  # before sin² is replaced: that would hide factors
+    joined = _Ring(arm)
+    choices = [
+        (ring.expression(f), joined.expression(joined.taken_over(f, ring)), n) for f, n in factors
+    ]
+    return sp.Mul(content, *(min(own, other, key=sp.count_ops) ** n for own, other, n in choices))
+
+
+def _column_in(
+    frame: "_Frame", arm: Arm, ring: "_Ring", before: "_Frame", i: int
+) -> list[PolyElement]:
+    """A Jacobian column for the point and the axes of a frame, reduced at once so that it stays short."""
+    lever = [t - o for t, o in zip(frame.origin, before.origin, strict=True)]
+    turns = arm.rows[i - 1].joint.kind == "revolute"
+    halves = (_cross(before.z, lever), before.z) if turns else (before.z, [ring.zero] * 3)
+    return [ring.reduced(sum(map(mul, axis, half))) for half in halves for axis in frame[:3]]
+
+
 def short(expression):
     """`expression` with cos(q_2 + q_3) written c_23 and sin(q_1) written s_1, as textbooks do."""
     functions = {f: _index(f.args[0]) for f in expression.atoms(sp.cos, sp.sin)}
@@ -135,10 +172,11 @@ class _Turn(NamedTuple):
     starts: bool
 
 
-def _turns(arm: Arm) -> list[_Turn]:
+def _turns(arm: Arm, joined: bool = True) -> list[_Turn]:
+    """How far each row has turned; unless `joined`, every joint starts a run of its own."""
     turns, held, formula, quarters = [], np.eye(3), sp.S.Zero, 0
     for i, (row, numeric) in enumerate(zip(arm.rows, arm.numeric, strict=True), 1):
-        starts = numeric.kind == "revolute" and abs(held[2, 2]) < 1 - 1e-12
+        starts = numeric.kind == "revolute" and not (joined and abs(held[2, 2]) > 1 - 1e-12)
         if starts:
             held, formula, quarters = np.eye(3), sp.S.Zero, 0
         if numeric.kind == "revolute":
@@ -157,8 +195,9 @@ def _turns(arm: Arm) -> list[_Turn]:
 class _Ring:
     """Polynomials in an arm's lengths and in the cosines and sines of its angles, in a unique form."""
 
-    def __init__(self, arm: Arm) -> None:
-        angles = {turn.angle[0] for turn in _turns(arm)}
+    def __init__(self, arm: Arm, joined: bool = True) -> None:
+        self.turns = _turns(arm, joined)
+        angles = {turn.angle[0] for turn in self.turns}
         angles |= {_angle(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}
         angles = sorted(angles - {sp.S.Zero}, key=sp.default_sort_key)
         letters = {
@@ -213,7 +252,36 @@ class _Ring:
 
     def expression(self, poly: PolyElement) -> sp.Expr:
         """A polynomial as a SymPy expression in its unique form."""
-        return (poly.rem(self._units) if self._units else poly).as_expr(*self._symbols)
+        return self.reduced(poly).as_expr(*self._symbols)
+
+    def reduced(self, poly: PolyElement) -> PolyElement:
+        """The unique form of a polynomial: no sine squared."""
+        return self._ring(poly).rem(self._units) if self._units else self._ring(poly)
+
+    def taken_over(self, poly: PolyElement, other: "_Ring") -> PolyElement:
+        """A polynomial of another ring of the same arm, in which every joint turned by itself."""
+        values = dict(zip(self._symbols, self._ring.gens, strict=True)) | self._single_joints()
+        powers = [values[symbol] for symbol in other._symbols]
+        terms = (
+            reduce(mul, (g**n for g, n in zip(powers, monomial, strict=True)), self.one * number)
+            for monomial, number in poly.terms()
+        )
+        return self.reduced(sum(terms, self.zero))
+
+    def _single_joints(self) -> dict[sp.Expr, PolyElement]:
+        """cos(q_i) and sin(q_i), where q_i is the difference of two angles of a run."""
+        found, before = {}, sp.S.Zero
+        for i, turn in enumerate(self.turns, 1):
+            formula, start = turn.angle[0], sp.S.Zero if turn.starts else before
+            if sign := int((formula - start).coeff(sp.Symbol(f"q_{i}"))):
+                (c, s), (c_0, s_0) = self.cos_sin((formula, 0)), self.cos_sin((start, 0))
+                angle = sp.expand(sign * (formula - start))
+                found[sp.cos(angle)], found[sp.sin(angle)] = (
+                    c * c_0 + s * s_0,
+                    sign * (s * c_0 - c * s_0),
+                )
+            before = formula
+        return found
 
 
 def _frames(arm: Arm, ring: _Ring) -> list[_Frame]:
@@ -225,7 +293,7 @@ def _frames(arm: Arm, ring: _Ring) -> list[_Frame]:
     unit = _rotation_z(ring.one, ring.zero)
     start, held, rotation, origin = unit, unit, unit, [ring.zero] * 3
     frames = [_Frame(*_transposed(unit), origin)]
-    for i, (row, turn) in enumerate(zip(arm.rows, _turns(arm), strict=True), 1):
+    for i, (row, turn) in enumerate(zip(arm.rows, ring.turns, strict=True), 1):
         before, d = _transposed(rotation)[2], ring.length(_formula(arm, row.d))
         if turn.starts:
             start, held = rotation, unit

@@ -11,8 +11,15 @@ def test_what_agrees_prints_one_line(capsys):
     check("the tip (m)", [1.0, 2.0], [1.0, 2.0 + 1e-13], within=1e-12)
     check("rank", np.linalg.matrix_rank(np.eye(3)), 3)
     check("formula", sp.Matrix([sp.Symbol("x")]), sp.Matrix([sp.Symbol("x")]))
+    check("lists of unequal lengths", [[1], [1, 2]], [[1], [1, 2]])
     check("no solutions", np.zeros((0, 3)), np.zeros((0, 3)))
-    lines = ["✔ the tip (m) (within 1e-12)", "✔ rank", "✔ formula", "✔ no solutions"]
+    lines = [
+        "✔ the tip (m) (within 1e-12)",
+        "✔ rank",
+        "✔ formula",
+        "✔ lists of unequal lengths",
+        "✔ no solutions",
+    ]
     assert capsys.readouterr().out.splitlines() == lines
 
 

@@ -125,28 +125,6 @@ def test_the_stanford_arm_by_hand():
     np.testing.assert_allclose(T[3, :3, 3] - T[2, :3, 3], q_3 * T[2, :3, 2], atol=1e-15)
 
 
-def differences(arm, q, h=1e-6):
-    """The Jacobian by central differences: rates of the position, and of the rotation as a skew matrix."""
-    ahead, behind = (forward_kinematics(arm, q + step * np.eye(arm.dof)) for step in (h, -h))
-    rate = (ahead - behind) / (2 * h)
-    turning = rate[:, :3, :3] @ forward_kinematics(arm, q)[:3, :3].T
-    omega = np.stack([turning[:, 2, 1], turning[:, 0, 2], turning[:, 1, 0]], axis=1)
-    return np.concatenate([rate[:, :3, 3], omega], axis=1).T
-
-
-@every_arm
-def test_the_jacobian_is_the_derivative(arm):
-    q = joint_vectors(arm, (), 3)
-    np.testing.assert_allclose(jacobian(arm, q), differences(arm, q), atol=1e-8)
-
-
-@settings(max_examples=60, deadline=None)
-@given(arm=random_arms, seed=st.integers(0, 99))
-def test_the_jacobian_of_random_arms(arm, seed):
-    q = joint_vectors(arm, (), seed)
-    np.testing.assert_allclose(jacobian(arm, q), differences(arm, q), atol=1e-7)
-
-
 def test_input_is_not_changed():
     q = joint_vectors(PANDA, (3,))
     before = q.copy()

@@ -34,7 +34,7 @@ MUTANTS = {
         "helpers/checks/line.py", r"difference <= within", "True", ["tests/test_checks.py"],
     ),
     "a table checker that sees no lengths": (
-        "helpers/checks/tables.py", r"abs\(mine\.a - reference\.a\) > _WITHIN", "False", ["tests/test_tables.py"],
+        "helpers/checks/differences.py", r"abs\(mine\.length - reference\.length\) > WITHIN_LENGTH", "False", ["tests/test_tables.py"],
     ),
 }  # fmt: skip
 

@@ -56,7 +56,7 @@ def test_it_has_one_title_and_it_comes_first(path):
 def test_its_cells_are_short(path):
     for cell in code_cells(path):
         lines = cell.source.splitlines()
-        assert len(lines) <= (30 if "use_book_style()" in lines else 15), cell.source
+        assert len(lines) <= (45 if "use_book_style()" in lines else 15), cell.source
         assert max(map(len, lines), default=0) <= 100, cell.source
 
 
@@ -84,6 +84,15 @@ def test_every_picture_is_an_svg_with_words(path):
         assert len(figure["image"]["alt"]) > 30
         assert len(figure["figure"]["caption"]) > 30
         assert figure["figure"]["name"].startswith("fig-")
+
+
+@every_notebook
+def test_a_cell_that_draws_shows_nothing_else(path):
+    """A cell must not end in what a drawing call returns: its text would stand above the figure."""
+    for cell in code_cells(path):
+        if any(PICTURES & set(output.get("data", {})) for output in cell.outputs):
+            (output,) = cell.outputs
+            assert output.data.get("text/plain", "").startswith("<Figure"), cell.source
 
 
 @every_notebook

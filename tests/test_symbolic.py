@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers import kinematics, symbolic
-from helpers.arm import Arm, ArmError, prismatic, revolute
+from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.laws import ALL_ARMS, ids, joint_vectors, random_arms, slow_frames
 
@@ -58,6 +58,25 @@ def test_random_tables_too(arm, seed):
     np.testing.assert_allclose(T, slow_frames(arm, q)[-1], atol=1e-9)
     J = symbolic.jacobian(arm)
     np.testing.assert_allclose(in_numbers(arm, J, q), kinematics.jacobian(arm, q), atol=1e-9)
+
+
+_PARALLEL_ROWS = st.builds(
+    lambda make, a, alpha, theta: make(a, alpha, 0.2, theta),
+    st.sampled_from([revolute, revolute, prismatic, fixed]),
+    st.sampled_from([0, 0.3]),
+    st.sampled_from([0, "pi"]),
+    st.sampled_from([0, "pi/2", "-pi/2", 0.4]),
+)
+
+
+@settings(max_examples=60, deadline=None)
+@given(rows=st.lists(_PARALLEL_ROWS, min_size=2, max_size=5))
+def test_runs_of_parallel_axes_that_point_both_ways(rows):
+    arm = Arm("run", [*rows, revolute(0.1, "pi/2"), revolute(0.1)])
+    q = joint_vectors(arm, ())
+    T = in_numbers(arm, symbolic.forward_kinematics(arm), q)
+    np.testing.assert_allclose(T, slow_frames(arm, q)[-1], atol=1e-12)
+    assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
 
 
 def test_the_stanford_arms_second_transform_as_the_homework_has_it():

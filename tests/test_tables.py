@@ -1,6 +1,6 @@
 """compare_tables accepts every valid choice of frames, and nothing else."""
 
-from dataclasses import replace
+from dataclasses import FrozenInstanceError, replace
 
 import numpy as np
 import pytest
@@ -12,6 +12,7 @@ from helpers.checks import compare_tables
 from helpers.conventions import modified_from_standard
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.machines import random_pair, same_machine
 
 SCARA = Arm(
     "SCARA", [revolute(0.325, 0, 0.4), revolute(0.225, "pi"), prismatic(), revolute(d=0.05)]
@@ -167,7 +168,9 @@ def test_the_sign_of_an_offset_matters_where_axes_are_skew():
     rows = [*SKEW.rows[:2], replace(SKEW.rows[2], d=-0.2), SKEW.rows[3]]
     report = compare_tables(Arm("mirrored", rows), SKEW)
     assert not report.agrees
-    assert "sign" in str(report)
+    assert "-0.2 m in yours and 0.2 m in the reference: it goes the other way, so a sign" in str(
+        report
+    )
 
 
 def test_kind_and_number_of_joints():
@@ -177,7 +180,7 @@ def test_kind_and_number_of_joints():
         str(finding)
         == "Row 3, joint: the joint is revolute in yours and prismatic in the reference."
     )
-    assert "yours has 3 joints, the reference 6" in str(compare_tables(ELBOW, STANFORD))
+    assert "number of joints: yours has 3, the reference 6." in str(compare_tables(ELBOW, STANFORD))
 
 
 def test_another_base_is_a_note_not_an_error():
@@ -234,3 +237,126 @@ def test_what_is_no_arm_is_refused():
         compare_tables([[0, 0, 0, 0]], PANDA)
     with pytest.raises(ArmError, match="one joint or more"):
         compare_tables(Arm("bracket", [fixed(a=1)]), PANDA)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_the_verdict_is_that_of_the_motion(seed):
+    """Half of these 60 pairs are the same machine and half are not (see the next test)."""
+    mine, reference = random_pair(seed)
+    report = compare_tables(mine, reference)
+    assert report.agrees == same_machine(mine, reference), (
+        f"{reference._repr_markdown_()}\n{report}"
+    )
+
+
+def test_the_pairs_above_are_of_both_sorts():
+    same = sum(compare_tables(*random_pair(seed)).agrees for seed in range(60))
+    assert 15 <= same <= 45
+
+
+@pytest.mark.parametrize(
+    ("mine", "reference"),
+    [
+        # Reversed slides, moved sliding axes, and slides before the first axis that turns.
+        (
+            [
+                revolute(0.5, -1.1, 0.3),
+                prismatic(-0.3, "pi/2", -0.2, "pi/2"),
+                revolute(0, -1.1, 0.5),
+            ],
+            [
+                revolute(0.5, -1.1, 0.3),
+                prismatic(0.3, "pi/2", -0.2, "pi/2"),
+                revolute(0, -1.1, 0.5),
+            ],
+        ),
+        (
+            [prismatic(0.3, "-pi/2", 0.3), revolute(0.3, "pi", 0.4), revolute(-0.2, -1.1, 0.1)],
+            [prismatic(0.3, "-pi/2", 0.3), revolute(0.3, "pi", 0.5), revolute(-0.2, -1.1, 0.2)],
+        ),
+        (
+            [
+                revolute(0.3, "-pi/2"),
+                prismatic(-0.2, "-pi/2", 0.8, "pi/2"),
+                prismatic(0.3, -1.1, -0.3),
+            ],
+            [
+                revolute(0.3, "-pi/2"),
+                prismatic(-0.2, "-pi/2", 0.5, "pi/2"),
+                prismatic(0.3, -1.1, 0.3),
+            ],
+        ),
+        (
+            [prismatic(0.7, "pi/2"), prismatic(0, "-pi/2", 1), prismatic()],
+            [prismatic(0, "pi/2"), prismatic(0, "pi/2"), prismatic(0.1)],
+        ),
+    ],
+)
+def test_slides_leave_lengths_free(mine, reference):
+    mine, reference = Arm("mine", mine), Arm("reference", reference)
+    assert same_machine(mine, reference)
+    assert compare_tables(mine, reference).agrees
+
+
+def test_what_a_slide_cannot_make_up_for_is_found():
+    square = [revolute(0, "pi/2"), prismatic(0, "pi/2"), revolute(0, "pi/2", 0.3), revolute(0.2)]
+    turned = [square[0], prismatic(0, "pi/2", 0, 0.5), *square[2:]]
+    (finding,) = compare_tables(Arm("turned", turned), Arm("square", square)).findings
+    assert (finding.row, finding.quantity) == (2, "theta")
+    assert "28.6479° off" in str(finding)
+    assert not same_machine(Arm("turned", turned), Arm("square", square))
+
+
+def test_angles_written_with_four_decimals_are_meant_as_right_angles():
+    """Taken literally, axes 2 and 3 of this table would meet 60 km away."""
+    rounded = {"pi": 3.1416, "pi/2": 1.5708, "-pi/2": -1.5708}
+    rows = [
+        replace(r, alpha=rounded.get(r.alpha, r.alpha), theta=rounded.get(r.theta, r.theta))
+        for r in UR10E_HOMEWORK.rows
+    ]
+    report = compare_tables(replace(UR10E_HOMEWORK, rows=rows), UR10E_HOMEWORK)
+    assert report.agrees
+    assert "alpha in row 2, 3.1416, is taken as pi; write it so" in str(report)
+
+
+def test_a_tilted_tool_frame_is_a_note():
+    rows = [*UR10E.rows[:5], replace(UR10E.rows[5], alpha="pi/2")]
+    report = compare_tables(replace(UR10E, rows=rows, bodies=()), UR10E)
+    assert report.agrees
+    assert "at 90° to the last joint axis in yours and at 0° in the reference" in report.notes[0]
+
+
+def test_other_zeros_are_a_note():
+    """A shoulder offset of the other sign is the same arm, turned half round: but not at the same q."""
+    mirrored = replace(
+        UR10E, rows=[*UR10E.rows[:3], replace(UR10E.rows[3], d="-d_4"), *UR10E.rows[4:]]
+    )
+    for mine in (mirrored, shift_zero(UR10E, 2, 0.5), flip_z(UR10E, 2)[0]):
+        report = compare_tables(mine, UR10E)
+        assert report.agrees
+        assert report.notes == (
+            "the same q is another pose: some of your joints count from another zero, or the other way.",
+        )
+    assert compare_tables(slide_normal(UR10E, 1, 0.2), UR10E).notes == ()
+
+
+def test_the_height_of_the_base_is_told_beside_what_is_wrong():
+    (note,) = compare_tables(UR10E_HOMEWORK, UR10E).notes
+    assert note.startswith("your base frame stands 52.7 mm higher on axis 1 (d in row 1)")
+
+
+def test_rows_are_counted_in_the_table_that_is_asked_about():
+    reference = PANDA.lock(3)
+    rows = [fixed(), *reference.rows]
+    rows[4] = replace(rows[4], a=-0.09)
+    (finding,) = compare_tables(Arm("mine", rows, dict(PANDA.values)), reference).findings
+    assert (finding.row, finding.quantity) == (5, "a")
+    assert "from axis 5 to axis 6" in str(finding)
+
+
+def test_a_report_is_a_value():
+    report = compare_tables(PANDA_HOMEWORK, PANDA)
+    assert report == compare_tables(PANDA_HOMEWORK, PANDA)
+    assert hash(report) == hash(compare_tables(PANDA_HOMEWORK, PANDA))
+    with pytest.raises(FrozenInstanceError):
+        report.findings = ()

@@ -1,6 +1,15 @@
 """Is it right? Comparisons that say what is wrong, in words."""
 
+from helpers.checks.differences import Finding
+from helpers.checks.jacobian import JacobianReport, compare_jacobian
 from helpers.checks.line import check
-from helpers.checks.tables import Finding, TableReport, compare_tables
+from helpers.checks.tables import TableReport, compare_tables
 
-__all__ = ["Finding", "TableReport", "check", "compare_tables"]
+__all__ = [
+    "Finding",
+    "JacobianReport",
+    "TableReport",
+    "check",
+    "compare_jacobian",
+    "compare_tables",
+]

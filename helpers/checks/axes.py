@@ -1,15 +1,14 @@
 """What all Denavit-Hartenberg tables of one arm have in common: the geometry of its joint axes.
 
-A table can be written in many ways. Each joint axis may point either way; the common normal of two parallel
-axes may stand anywhere; the x axis between two axes that meet may point either way; every joint may count
-from another zero; the axis of a sliding joint may be moved parallel to itself. `canonical` undoes all these
-choices but one: where two axes meet at a right angle, nothing ties the direction of the second to the first.
-Those directions are left as signs, to be tried out.
+The axes that turn are lines in space. From one to the next there is a distance, a twist, and on each an offset
+between the feet of the two common normals; along parallel axes only the sum of the offsets is fixed, for their
+common normals may stand anywhere. An axis that slides has a direction and no place. Sliding moves the lines after
+it, so lengths are taken where the slides make the sum of their squares least: all tables find the same place.
+What is left open is which way each axis points: a sign per joint, which the comparison tries out.
 """
 
-import math
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,116 +18,98 @@ from helpers.kinematics import link_frames
 
 Vector = NDArray[np.float64]
 
-_TINY = 1e-9  # m, rad: closer than this, axes meet or are parallel
+NORMAL = -1  # stands for the common normal where joints are listed by position
+_TINY = 1e-9  # m, or the sine of an angle: closer than this, axes meet or are parallel
 
 
 @dataclass(frozen=True)
-class Step:
-    """From one joint axis to the next, or to the tip: what no choice of frames can change.
+class Gap:
+    """From one turning axis to the next, or to the tip, across the slides between them.
 
-    `d` is None where it is a free choice or belongs to the base, `theta` is None where the joint turns.
-    `axes` are the parallel axes, counted from 1, along which `d` was added up.
+    Joints are listed by position, from 0. `shape` holds the products that fix the directions in the gap: u.v for
+    two of them, u x v . w for three, the common normal among them where it has a length. `offset` is the signed
+    length along the parallel axes `bunch`, measured along the last of them; None while that bunch goes on. The
+    first bunch has `from_base`: its offset only tells where the base frame stands.
     """
 
-    row: int
-    kind: str
-    a: float
-    alpha: float | None
-    d: float | None
-    theta: float | None
-    axes: tuple[int, ...]
+    joints: tuple[int, ...]
+    normal: Vector
+    shape: dict[tuple[int, ...], float]
+    offset: float | None
+    bunch: tuple[int, ...]
+    from_base: bool
+    to_tip: bool
+
+    @property
+    def places_base(self) -> bool:
+        """Whether `offset` is the height of the base frame, with no slide to make up for it."""
+        still = self.bunch == tuple(range(len(self.bunch))) and len(self.joints) + self.to_tip == 2
+        return self.from_base and self.offset is not None and still
+
+    @property
+    def length(self) -> float:
+        """The distance (m) between the two axes, or from the axis to the tip."""
+        return float(np.linalg.norm(self.normal))
 
 
-@dataclass(frozen=True)
-class _Raw:
-    """A step before its signs are chosen.
-
-    `x` is the common normal's direction, None where the axes coincide; `leave` its foot, None between parallel axes.
-    """
-
-    step: Step
-    x: Vector | None
-    axis: Vector
-    leave: Vector | None
-
-
-def canonical(arm: Arm, signs: Sequence[int] = ()) -> tuple[Step, ...]:
-    """The arm's steps from axis to axis, for one choice of the signs that geometry leaves open.
-
-    `signs` holds +1 or -1 for the first axis and for each right-angled meeting of two axes; those not given are +1.
-    """
-    return tuple(_signed(_walk(arm), list(signs)))
+def gaps(arm: Arm) -> list[Gap]:
+    """The arm's gaps from base to tip, with its slides where they make the lengths least."""
+    slides = [k for k, i in enumerate(arm.joints) if arm.rows[i - 1].joint.kind == "prismatic"]
+    q, steps = np.zeros(arm.dof), np.eye(arm.dof)[slides]
+    if slides:
+        start = _lengths(_walk(arm, q))
+        rates = np.stack([_lengths(_walk(arm, step)) - start for step in steps], axis=1)
+        rates[np.abs(rates) < _TINY] = 0.0  # a slide that changes no length stays where it is
+        q[slides] = np.linalg.lstsq(rates, -start, rcond=_TINY)[0]
+    return _walk(arm, q)
 
 
-def open_signs(arm: Arm) -> int:
-    """How many signs geometry leaves open: one, and one for each pair of axes that meet at a right angle."""
-    return 1 + sum(_is_open(raw.step) for raw in _walk(arm))
-
-
-def base_height(arm: Arm) -> float:
-    """How far (m) along axis 1 the base frame's origin is from where the common normal leaves that axis."""
-    first = next(raw for raw in _walk(arm) if raw.leave is not None)
-    return float(abs(first.axis @ (first.leave - link_frames(arm, np.zeros(arm.dof))[0, :3, 3])))
-
-
-def _walk(arm: Arm) -> list[_Raw]:
-    """The steps with their signs as the table happens to have them."""
+def tool_tilt(arm: Arm) -> float:
+    """The cosine of the angle between the last joint axis and the z axis of the last frame."""
     T = link_frames(arm, np.zeros(arm.dof))
-    tip = T[-1, :3, 3]
-    axes = [*(T[i - 1, :3, 2] for i in arm.joints), None]
-    points = [*(T[i - 1, :3, 3] for i in arm.joints), tip]
-    slides = [*(arm.rows[i - 1].joint.kind == "prismatic" for i in arm.joints), False]
-    on_next = [_lies_on_next(i, axes, slides) for i in range(arm.dof)] + [False]
-    points = [points[i + on_next[i]] for i in range(arm.dof + 1)]
-    foot, bunch, raws = _start(axes, points, slides), [0], []
-    for i, row in enumerate(arm.joints):
-        u, v = axes[i], axes[i + 1]
-        moved = slides[i + 1] and not on_next[i + 1]
-        leave, arrive = _normal(foot, u, foot if moved else points[i + 1], v)
-        a, x = _gap(leave, arrive, u, v)
-        goes_on = v is not None and _parallel(u, v)
-        absorbed = goes_on or moved or 0 in bunch or any(slides[j] for j in bunch)
-        step = Step(
-            row=row,
-            kind=arm.rows[row - 1].joint.kind,
-            a=a,
-            alpha=None if v is None else _angle(u, v, x),
-            d=None if absorbed else float(u @ (leave - foot)),
-            theta=None,
-            axes=tuple(j + 1 for j in bunch),
-        )
-        raws.append(_Raw(step, x, u, None if goes_on else leave))
-        foot, bunch = arrive, [*bunch, i + 1] if goes_on else [i + 1]
-    return raws
+    return float(T[arm.joints[-1] - 1, :3, 2] @ T[-1, :3, 2])
 
 
-def _is_open(step: Step) -> bool:
-    return step.alpha is not None and step.a < _TINY and abs(abs(step.alpha) - math.pi / 2) < _TINY
+def _lengths(walk: list[Gap]) -> Vector:
+    offsets = [gap.offset for gap in walk if gap.offset is not None and not gap.from_base]
+    return np.concatenate([*(gap.normal for gap in walk), offsets])
 
 
-def _lies_on_next(i: int, axes: list, slides: list[bool]) -> bool:
-    """Whether axis i slides and is parallel to a turning axis after it: it is then moved onto that one.
+def _walk(arm: Arm, q: Vector) -> list[Gap]:
+    T = link_frames(arm, q)
+    axes, points = ([T[i - 1, :3, column] for i in arm.joints] for column in (2, 3))
+    turning = [k for k, i in enumerate(arm.joints) if arm.rows[i - 1].joint.kind == "revolute"]
+    first, *others = [*turning, arm.dof]
+    found = [_gap(axes, range(min(first + 1, arm.dof)), np.zeros(3), None, (), True, False)]
+    foot, bunch = T[0, :3, 3], ()
+    for i, j in zip(turning, others, strict=True):
+        ends = (points[j], axes[j]) if j < arm.dof else (T[-1, :3, 3], None)
+        foot = foot if bunch else points[i] + axes[i] * (axes[i] @ (foot - points[i]))
+        leave, arrive = _feet(foot, axes[i], *ends)
+        bunch = (*bunch, i)
+        goes_on = j < arm.dof and _parallel(axes[i], axes[j])
+        offset = None if goes_on else float(axes[i] @ (leave - foot))
+        joints = range(i, min(j + 1, arm.dof))
+        from_base, to_tip = bunch[0] == turning[0], j == arm.dof
+        found.append(_gap(axes, joints, arrive - leave, offset, bunch, from_base, to_tip))
+        foot, bunch = arrive, bunch if goes_on else ()
+    return found
 
-    Any other sliding axis is moved to where the axis before it was reached.
-    """
-    if not slides[i] or axes[i + 1] is None or slides[i + 1]:
-        return False
-    return _parallel(axes[i], axes[i + 1])
+
+def _gap(axes: list, joints: range, normal: Vector, *rest) -> Gap:
+    directions = {k: axes[k] for k in joints}
+    length = np.linalg.norm(normal)
+    if length > _TINY:
+        directions[NORMAL] = normal / length
+    pairs = {pair: float(np.dot(*map(directions.get, pair))) for pair in combinations(joints, 2)}
+    triples = {
+        three: float(np.linalg.det([directions[k] for k in three]))
+        for three in combinations(directions, 3)
+    }
+    return Gap(tuple(joints), normal, pairs | triples, *rest)
 
 
-def _parallel(u: Vector, v: Vector) -> bool:
-    return bool(np.linalg.norm(np.cross(u, v)) < _TINY)
-
-
-def _start(axes: list, points: list[Vector], slides: list[bool]) -> Vector:
-    """A point on axis 1; if that joint slides, its axis is first moved to meet the first axis that turns."""
-    turning = slides.index(False)
-    if axes[turning] is None or turning == 0:
-        return points[turning]
-    return _normal(points[turning], axes[turning], points[turning + 1], axes[turning + 1])[0]
-
-
-def _normal(p: Vector, u: Vector, q: Vector, v: Vector | None) -> tuple[Vector, Vector]:
+def _feet(p: Vector, u: Vector, q: Vector, v: Vector | None) -> tuple[Vector, Vector]:
     """The feet of the common normal from the line (p, u) to the line (q, v), or to the point q.
 
     From parallel axes it starts at p.
@@ -141,51 +122,5 @@ def _normal(p: Vector, u: Vector, q: Vector, v: Vector | None) -> tuple[Vector, 
     return p + s * u, q + t * v
 
 
-def _gap(leave: Vector, arrive: Vector, u: Vector, v: Vector | None) -> tuple[float, Vector | None]:
-    """The normal's length and direction; where the lines meet, the direction across both."""
-    a = float(np.linalg.norm(arrive - leave))
-    if a > _TINY:
-        return a, (arrive - leave) / a
-    across = np.zeros(3) if v is None else np.cross(u, v)
-    length = np.linalg.norm(across)
-    return 0.0, None if length < _TINY else across / length
-
-
-def _angle(u: Vector, v: Vector, x: Vector | None) -> float:
-    """The angle from u to v about x."""
-    cross = np.cross(u, v)
-    return math.atan2(cross @ x if x is not None else np.linalg.norm(cross), u @ v)
-
-
-def _signed(raws: list[_Raw], signs: list[int]):
-    """The steps with every axis direction settled: twists in [0, pi), or in [0, pi/2] where axes meet."""
-    f, previous = (signs.pop(0) if signs else 1), None
-    for raw in raws:
-        step, x, before = raw.step, raw.x, f
-        if step.alpha is not None:
-            g, f = _settle(step, f, signs)
-            x = None if x is None else g * x
-            step = replace(step, alpha=_wrapped(g * step.alpha + (math.pi if f != before else 0)))
-        if step.kind == "prismatic" and previous is not None and x is not None:
-            step = replace(step, theta=_wrapped(before * _angle(previous, x, raw.axis)))
-        yield replace(step, d=None if step.d is None else before * step.d)
-        previous = x
-
-
-def _settle(step: Step, f: int, signs: list[int]) -> tuple[int, int]:
-    """Signs of x and of the next axis that bring the twist into its range."""
-    if _is_open(step):
-        g = signs.pop(0) if signs else 1
-        return g, f if _wrapped(g * step.alpha) < math.pi else -f
-    meets = step.a < _TINY
-    limit = math.pi / 2 if meets else math.pi - _TINY
-    choices = [(g, turn) for g in ((1, -1) if meets else (1,)) for turn in (1, -1)]
-    fitting = (c for c in choices if _wrapped(c[0] * step.alpha + (c[1] < 0) * math.pi) < limit)
-    g, turn = next(fitting)
-    return g, f * turn
-
-
-def _wrapped(angle: float) -> float:
-    """The angle in [0, 2 pi), with what is within rounding of a full turn taken as 0."""
-    angle %= 2 * math.pi
-    return 0.0 if 2 * math.pi - angle < _TINY else angle
+def _parallel(u: Vector, v: Vector) -> bool:
+    return bool(np.linalg.norm(np.cross(u, v)) < _TINY)

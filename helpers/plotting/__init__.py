@@ -1,7 +1,9 @@
 """Matplotlib figures in one style. Every function draws on the axes it is given and returns None."""
 
-from helpers.plotting.arms import arm_3d
+from helpers.plotting.arms import arm_3d, arrow_3d
 from helpers.plotting.dh import dh_numbers
+from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
+from helpers.plotting.plane import arm_2d, arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
 
 __all__ = [
@@ -12,7 +14,12 @@ __all__ = [
     "PURPLE",
     "RED",
     "SKY",
+    "arm_2d",
     "arm_3d",
+    "arrow_2d",
+    "arrow_3d",
     "dh_numbers",
+    "ellipsoid_3d",
+    "map_2d",
     "use_book_style",
 ]

@@ -34,6 +34,15 @@ def arm_3d(
     _fit(ax, T[:, :3, 3], 0.16 * _reach(arm))
 
 
+def arrow_3d(
+    ax: Axes3D, start: ArrayLike, step: ArrayLike, colour: str, text: str = "", *, dashed: bool = False
+) -> None:
+    """Draw an arrow from a point by a step (m), with a text at its head."""
+    start, step = np.asarray(start, dtype=float), np.asarray(step, dtype=float)
+    ax.quiver(*start, *step, color=colour, ls="--" if dashed else "-", lw=2, arrow_length_ratio=0.12)
+    ax.text(*(start + 1.12 * step), text, color=colour, ha="center", va="center")
+
+
 def _reach(arm: Arm) -> float:
     """The length of the arm's links at home, which sets the size of its joints and frames."""
     steps = np.diff(skeleton(arm, link_frames(arm, arm.home)), axis=0)

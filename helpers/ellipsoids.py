@@ -1,0 +1,61 @@
+"""What a Jacobian can and cannot do at one pose: its ellipsoids and its lost directions.
+
+Source: Siciliano, Sciavicco, Villani and Oriolo, Robotics, section 3.9 (manipulability ellipsoids) and 3.8 (duality).
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import ArmError
+
+Array = NDArray[np.float64]
+
+
+def velocity_ellipsoid(J: ArrayLike) -> Array:
+    """The semi-axes, as columns, of the velocities J q_dot that joint speeds of norm 1 can give.
+
+    J is one block of a Jacobian, shape (3, n); the result has shape (3, 3), its columns falling in length. A column of
+    zeros is a direction in which the tip cannot move. Raises ArmError for another shape.
+    """
+    U, sizes = _axes(J)
+    return U * sizes
+
+
+def force_ellipsoid(J: ArrayLike) -> Array:
+    """The semi-axes, as columns, of the forces that joint torques of norm 1 can hold, shape (3, 3).
+
+    The same directions as in `velocity_ellipsoid`, with inverse lengths: infinite where the arm cannot move, since there its
+    structure carries the load.
+    """
+    U, sizes = _axes(J)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(U == 0, 0.0, U / sizes)
+
+
+def lost_directions(J: ArrayLike, within: float = 1e-9) -> Array:
+    """The velocities that no joint motion can give, as orthonormal rows of shape (lost, rows of J).
+
+    They are the left singular vectors whose singular value is not above `within` times the largest.
+    """
+    U, sizes, _ = np.linalg.svd(_block(J), full_matrices=True)
+    rank = int((sizes > within * sizes.max(initial=0.0)).sum())
+    return U.T[rank:]
+
+
+def _axes(J: ArrayLike) -> tuple[Array, Array]:
+    block = _block(J)
+    if block.shape[0] != 3:
+        raise ArmError(
+            f"J has shape {block.shape}; expected (3, n), the linear or the angular rows"
+        )
+    U, found, _ = np.linalg.svd(block)
+    sizes = np.zeros(3)
+    sizes[: len(found)] = np.where(found > 1e-12 * found.max(initial=0.0), found, 0.0)
+    return U, sizes
+
+
+def _block(J: ArrayLike) -> Array:
+    block = np.asarray(J, dtype=float)
+    if block.ndim != 2 or not np.isfinite(block).all():
+        raise ArmError(f"J has shape {block.shape}; expected one matrix of finite numbers")
+    return block

@@ -1,0 +1,34 @@
+"""Paths for the tip, resolved-rate tracing, and its report."""
+
+from helpers.motion.paths import Path, circle
+from helpers.motion.rates import (
+    Rates,
+    SingularError,
+    adaptive,
+    away_from_limits,
+    damped,
+    inverse,
+    pseudo_inverse,
+    towards,
+    with_null_space,
+)
+from helpers.motion.report import Report
+from helpers.motion.tracing import METHODS, Trace, trace
+
+__all__ = [
+    "METHODS",
+    "Path",
+    "Rates",
+    "Report",
+    "SingularError",
+    "Trace",
+    "adaptive",
+    "away_from_limits",
+    "circle",
+    "damped",
+    "inverse",
+    "pseudo_inverse",
+    "towards",
+    "trace",
+    "with_null_space",
+]

@@ -1,0 +1,92 @@
+"""From a wanted velocity of the tip to joint rates: the inverse and its stand-ins.
+
+Each function returns one of type ``Rates``: from a Jacobian (6, n), a twist (6,) and the joint vector (n,) to joint rates (n,).
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm, ArmError
+
+Array = NDArray[np.float64]
+Rates = Callable[[Array, Array, Array], Array]
+
+
+class SingularError(ArmError):
+    """A plain inverse was asked for where there is none."""
+
+
+def inverse(within: float = 1e-9) -> Rates:
+    """q_dot = J^-1 xi. Raises SingularError where the smallest singular value is below `within` times the largest."""
+
+    def rates(J: Array, twist: Array, q: Array) -> Array:
+        if J.shape[0] != J.shape[1]:
+            raise SingularError(
+                f"J is {J.shape[0]} x {J.shape[1]} and has no inverse; lock a joint or use pseudo_inverse()"
+            )
+        try:
+            found = np.linalg.solve(J, twist)
+        except np.linalg.LinAlgError:
+            found = np.full(J.shape[1], np.inf)
+        # A large answer costs a look at the singular values; a small one proves itself.
+        if not np.abs(found).max() < 1e3 * (1e-9 + np.abs(twist).max()):
+            sizes = np.linalg.svd(J, compute_uv=False)
+            if sizes[-1] <= within * sizes[0]:
+                raise SingularError(
+                    f"J has no inverse here (smallest singular value {sizes[-1]:.2g}); "
+                    "use pseudo_inverse(), damped() or another start"
+                )
+        return found
+
+    return rates
+
+
+def pseudo_inverse(cutoff: float = 1e-9) -> Rates:
+    """q_dot = J^+ xi, singular values below `cutoff` times the largest being taken as 0. Source: Whitney (1969)."""
+    return lambda J, twist, q: np.linalg.pinv(J, rcond=cutoff) @ twist
+
+
+def damped(damping: float) -> Rates:
+    """q_dot = J^T (J J^T + damping^2 I)^-1 xi, which trades error for speed. Source: Nakamura and Hanafusa (1986)."""
+    return lambda J, twist, q: _damped(J, twist, damping**2)
+
+
+def adaptive(damping: float, below: float) -> Rates:
+    """Damping only near a singular pose: damping^2 (1 - (s/below)^2) where the smallest singular value s < `below`."""
+
+    def rates(J: Array, twist: Array, q: Array) -> Array:
+        smallest = np.linalg.svd(J, compute_uv=False)[-1]
+        return _damped(J, twist, damping**2 * max(0.0, 1 - (smallest / below) ** 2))
+
+    return rates
+
+
+def with_null_space(rates: Rates, wish: Callable[[Array], Array]) -> Rates:
+    """Add the part of `wish(q)`, rates of shape (n,), that does not move the tip: (I - J^+ J) wish(q)."""
+
+    def both(J: Array, twist: Array, q: Array) -> Array:
+        wanted = wish(q)
+        return rates(J, twist, q) + wanted - np.linalg.pinv(J, rcond=1e-6) @ (J @ wanted)
+
+    return both
+
+
+def towards(goal: ArrayLike, gain: float) -> Callable[[Array], Array]:
+    """A wish to be at the joint vector `goal`, shape (n,): gain (goal - q), gain in 1/s."""
+    goal = np.asarray(goal, dtype=float)
+    return lambda q: gain * (goal - q)
+
+
+def away_from_limits(arm: Arm, gain: float) -> Callable[[Array], Array]:
+    """A wish to be in the middle of each joint's range, as strong as the range is narrow. Source: Siciliano, section 3.5."""
+    lower, upper = arm.limits
+    middle, half = (lower + upper) / 2, (upper - lower) / 2
+    if not np.isfinite(half).all():
+        raise ArmError(f"{arm.name} has joints without limits; give a goal with towards() instead")
+    return lambda q: -gain * (q - middle) / half**2
+
+
+def _damped(J: Array, twist: Array, squared: float) -> Array:
+    return J.T @ np.linalg.solve(J @ J.T + squared * np.eye(len(J)), twist)

@@ -1,0 +1,98 @@
+"""What a run along a path was worth, in numbers that a picture hides."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helpers.arm import Arm
+from helpers.kinematics import jacobian
+from helpers.motion.paths import Path
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Report:
+    """The standard report of every run; lengths in m, angles in rad, speeds in rad/s or m/s."""
+
+    arm: str
+    position_error: float
+    off_wall: float
+    pen_tilt: float
+    closing_gap: float
+    joint_gap: float
+    smallest_singular_value: float
+    largest_speed: float
+    speed_share: float
+    beyond_limits: tuple[tuple[int, float], ...]
+    beyond_speed: tuple[tuple[int, float], ...]
+
+    @property
+    def executable(self) -> bool:
+        """Whether the real arm could do it: no joint beyond its range or its speed."""
+        return not self.beyond_limits and not self.beyond_speed
+
+    def rows(self) -> list[tuple[str, str]]:
+        """What and how much, in the units people read."""
+        return [
+            ("largest position error", _length(self.position_error)),
+            ("largest distance off the wall", _length(self.off_wall)),
+            ("largest tilt of the pen", f"{np.degrees(self.pen_tilt):.3g}°"),
+            ("gap between the tip's start and end", _length(self.closing_gap)),
+            ("largest change of a joint over the whole path", f"{np.degrees(self.joint_gap):.4g}°"),
+            ("smallest singular value of J", f"{self.smallest_singular_value:.3g}"),
+            ("largest joint speed", f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit"),
+            ("joints beyond their range", _joints(self.beyond_limits)),
+            ("joints beyond their speed", _joints(self.beyond_speed)),
+        ]
+
+    def __str__(self) -> str:
+        return "\n".join(f"{what:<46}{value}" for what, value in self.rows())
+
+    __repr__ = __str__
+
+    def _repr_markdown_(self) -> str:
+        lines = [f"| {what} | {value} |" for what, value in self.rows()]
+        return "\n".join([f"| {self.arm} | |", "|:--|:--|", *lines])
+
+
+def report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Report:
+    """The report of a run: q and q_dot of shape (steps + 1, dof), poses of shape (steps + 1, 4, 4)."""
+    error = poses[:, :3, 3] - path.positions
+    lower, upper = arm.limits
+    beyond = np.maximum(q - upper, lower - q).max(axis=0)
+    speed = np.abs(q_dot).max(axis=0)
+    sizes = np.linalg.svd(jacobian(arm, q), compute_uv=False)
+    return Report(
+        arm=arm.name,
+        position_error=float(np.linalg.norm(error, axis=1).max()),
+        off_wall=float(np.abs(error @ path.normal).max()),
+        pen_tilt=float(_angles(poses[:, :3, 2], poses[0, :3, 2]).max()),
+        closing_gap=float(np.linalg.norm(poses[-1, :3, 3] - poses[0, :3, 3])),
+        joint_gap=float(np.abs(q[-1] - q[0]).max()),
+        smallest_singular_value=float(sizes[:, -1].min()),
+        largest_speed=float(speed.max()),
+        speed_share=float((speed / arm.speed_limits).max()),
+        beyond_limits=_over(arm, beyond),
+        beyond_speed=_over(arm, speed - arm.speed_limits),
+    )
+
+
+def _angles(axes: Array, wanted: Array) -> Array:
+    return np.arctan2(np.linalg.norm(np.cross(axes, wanted), axis=-1), axes @ wanted)
+
+
+def _over(arm: Arm, excess: Array) -> tuple[tuple[int, float], ...]:
+    return tuple((i, float(x)) for i, x in zip(arm.joints, excess, strict=True) if x > 1e-9)
+
+
+def _length(value: float) -> str:
+    """A length in m or mm with three digits; below a tenth of a nanometre it is rounding."""
+    if value < 1e-10:
+        return "below 1e-10 m"
+    return f"{1e3 * value:.3g} mm" if value >= 1e-6 else f"{value:.1e} m"
+
+
+def _joints(excess: tuple[tuple[int, float], ...]) -> str:
+    return ", ".join(f"joint {i} by {x:.2g}" for i, x in excess) or "none"

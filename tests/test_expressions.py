@@ -1,0 +1,121 @@
+"""Table entries: what is read is what was written, and nothing else can be written."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+
+from helpers.expressions import ArmError, entry, evaluate, latex, names
+
+VALUES = {"a_3": 0.0825, "l_pen": 0.1, "b": -2.0}
+
+_NUMBERS = st.integers(0, 9).map(lambda n: (str(n), float(n)))
+_LEAVES = st.one_of(
+    _NUMBERS,
+    st.sampled_from([*VALUES.items(), ("pi", np.pi)]),
+    st.just(("0.25", 0.25)),
+    st.just(("1e-3", 1e-3)),
+)
+_SIGNS = {"+": np.add, "-": np.subtract, "*": np.multiply}
+
+
+def _joined(parts):
+    sign, (left, x), (right, y) = parts
+    return f"({left}) {sign} ({right})", float(_SIGNS[sign](x, y))
+
+
+# Formulas together with their values, which the tests work out as the text grows.
+formulas = st.recursive(
+    _LEAVES,
+    lambda smaller: st.one_of(
+        st.tuples(st.sampled_from(sorted(_SIGNS)), smaller, smaller).map(_joined),
+        smaller.map(lambda part: (f"-({part[0]})", -part[1])),
+        st.tuples(smaller, st.integers(1, 7)).map(
+            lambda parts: (f"({parts[0][0]}) / {parts[1]}", parts[0][1] / parts[1])
+        ),
+    ),
+    max_leaves=8,
+)
+
+
+@given(formulas)
+def test_a_formula_has_its_value(formula):
+    text, value = formula
+    assert evaluate(entry(text, "a"), VALUES) == pytest.approx(value, rel=1e-12, abs=1e-12)
+
+
+@given(formulas)
+def test_sympy_reads_the_same_formula(formula):
+    text, value = formula
+    symbols = {name: sp.Symbol(name) for name in VALUES}
+    assert float(sp.sympify(text, locals=symbols).subs(VALUES)) == pytest.approx(value, abs=1e-9)
+
+
+def test_signs_bind_as_in_arithmetic():
+    assert evaluate("2 - 3 - 4", {}) == -5
+    assert evaluate("12 / 3 / 2", {}) == 2
+    assert evaluate("1 + 2 * 3", {}) == 7
+    assert evaluate("-(d_7 + l_pen) / 2", {"d_7": 0.1, "l_pen": 0.3}) == pytest.approx(-0.2)
+    assert evaluate("2*pi - +1", {}) == pytest.approx(2 * np.pi - 1)
+
+
+def test_symbols_are_found():
+    assert names("a_3 + pi*b - 2") == {"a_3", "b"}
+    assert names("pi / 2") == names(0.5) == frozenset()
+
+
+def test_numbers_and_formulas_of_other_packages():
+    assert entry(-sp.pi / 2, "alpha") == "-pi/2"
+    assert entry(np.float64(0.25), "a") == 0.25
+    assert type(entry(np.float64(0.25), "a")) is float
+    assert evaluate(entry(np.float32(0.5), "a"), {}) == 0.5
+    assert evaluate(entry(Fraction(1, 4), "a"), {}) == 0.25
+    assert entry(2, "a") == 2
+    assert type(entry(2, "a")) is int
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("-(d_7 + l_pen)", "-(d_{7} + l_{pen})"),
+        ("2*pi/3", "2\\,\\pi/3"),
+        ("pipe_2", "pipe_{2}"),
+        (0.25, "0.25"),
+        (-0.0, "-0"),
+    ],
+)
+def test_entries_read_as_maths(text, wanted):
+    assert latex(text) == wanted
+
+
+NOT_FORMULAS = (
+    "", "a +", "(a", "a b", "a**2", "a // 2", "a % 2", "a, b", "[a]", "{a}", "'a'", "a = 1", "a < b", "a if b else c",
+    "lambda: 1", "f(1)", "a.b", "a[0]", "1j", "True", "None", "1e999", "__import__('os')", "().__class__", "a; b", "a\nb",
+    "a\0", "~1", "not a", "a and b", "(a := 1)", "f'{a}'",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("text", NOT_FORMULAS, ids=lambda text: repr(text[:20]))
+def test_what_is_no_formula_is_refused(text):
+    with pytest.raises(ArmError, match="expected numbers, symbols, pi and"):
+        entry(text, "alpha")
+
+
+def test_endless_formulas_are_refused():
+    assert evaluate("-" * 198 + "1", {}) == 1
+    with pytest.raises(ArmError, match="a has 100001 characters; expected at most 200"):
+        entry("-" * 100_000 + "1", "a")
+
+
+@pytest.mark.parametrize("value", [None, True, False, float("nan"), float("inf"), -float("inf")])
+def test_what_is_no_number_is_refused(value):
+    with pytest.raises(ArmError, match=f"alpha is {value}; expected a "):
+        entry(value, "alpha")
+
+
+def test_a_symbol_without_a_value_is_named():
+    with pytest.raises(ArmError, match="no value for b; there are a_3, pi"):
+        evaluate("a_3 + b", {"a_3": 1})

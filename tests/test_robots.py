@@ -1,0 +1,171 @@
+"""The catalogue against its sources, typed in a second time from the makers' own pages and frames."""
+
+from dataclasses import FrozenInstanceError
+from math import pi
+
+import numpy as np
+import pytest
+
+from helpers.kinematics import forward_kinematics, link_frames
+from helpers.robots import (
+    ARMS,
+    ELBOW,
+    PANDA,
+    PANDA_HOMEWORK,
+    STANFORD,
+    UR10E,
+    UR10E_HOMEWORK,
+    named,
+)
+
+SIGNS = np.array([1, -1, 1, -1, 1, 1, -1])  # q_maker = SIGNS * q for the Panda
+
+# Gaz et al. (2019), in the Craig frames of Franka's own table.
+GAZ_MASSES = (4.970684, 0.646926, 3.228604, 3.587895, 1.225946, 1.666555, 0.735522)
+GAZ_CENTRES = (
+    (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252, -0.066502),
+    (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
+    (0.010517, -0.004252, 0.061597),
+)  # fmt: skip
+
+
+def frankas_frames(q):
+    """Frames 1..7 by Franka's modified table: Rot_x(alpha_{i-1}) Trans_x(a_{i-1}) Rot_z(q_i) Trans_z(d_i)."""
+    a, d = (0, 0, 0, 0.0825, -0.0825, 0, 0.088), (0.333, 0, 0.316, 0, 0.384, 0, 0)
+    T, frames = np.eye(4), []
+    for i, quarter in enumerate((0, -1, 1, 1, -1, 1, 1)):
+        (c, s), (ca, sa) = (np.cos(q[i]), np.sin(q[i])), (1 - abs(quarter), quarter)
+        tilt = np.array([[1, 0, 0, a[i]], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
+        turn = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d[i]], [0, 0, 0, 1]])
+        T = T @ tilt @ turn
+        frames.append(T)
+    return frames
+
+
+def centres(arm, q):
+    """Where each body's centre of mass is, in the base frame."""
+    T = link_frames(arm, q)[1:]
+    points = [[*(arm.number(c) for c in body.com), 1] for body in arm.bodies]
+    return np.einsum("nij,nj->ni", T, points)[:, :3]
+
+
+def test_the_pandas_tip_is_frankas():
+    for q in np.random.default_rng(0).uniform(*PANDA.limits, size=(20, 7)):
+        tip = frankas_frames(SIGNS * q)[-1] @ [0, 0, 0.107 + 0.1, 1]
+        np.testing.assert_allclose(forward_kinematics(PANDA, q)[:3, 3], tip[:3], atol=1e-14)
+
+
+def test_the_pandas_masses_are_where_gaz_found_them():
+    assert tuple(body.mass for body in PANDA.bodies) == GAZ_MASSES
+    for q in np.random.default_rng(1).uniform(*PANDA.limits, size=(20, 7)):
+        frames = frankas_frames(SIGNS * q)
+        wanted = [T @ [*c, 1] for T, c in zip(frames, GAZ_CENTRES, strict=True)]
+        np.testing.assert_allclose(centres(PANDA, q), np.array(wanted)[:, :3], atol=1e-14)
+
+
+def test_the_pandas_centres_of_mass_as_the_homework_has_them():
+    wanted = [
+        (0.003875, -0.04762, -0.002081), (-0.003141, 0.003495, 0.02872), (-0.054982, 0.066502, 0.039252),
+        (0.02933, -0.027454, 0.104419), (-0.011953, -0.038437, -0.041065), (-0.027851, 0.010517, -0.014117),
+        (0.010517, 0.004252, 0.145403),
+    ]  # fmt: skip
+    ours = [[PANDA.number(c) for c in body.com] for body in PANDA.bodies]
+    np.testing.assert_allclose(ours, wanted, atol=1e-12)
+
+
+def test_the_pandas_limits_in_the_makers_signs():
+    lower, upper = (SIGNS * limit for limit in PANDA.limits)
+    wanted = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
+    np.testing.assert_array_equal(np.maximum(lower, upper), wanted)
+    wanted = [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973]
+    np.testing.assert_array_equal(np.minimum(lower, upper), wanted)
+    np.testing.assert_array_equal(PANDA.effort_limits, [87, 87, 87, 87, 12, 12, 12])
+    np.testing.assert_array_equal(PANDA.speed_limits, [2.175] * 4 + [2.61] * 3)
+
+
+def test_the_pen_is_a_length():
+    for arm in (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK):
+        with_pen, bare = (
+            forward_kinematics(a, arm.home)[:3, 3] for a in (arm, arm.with_values(l_pen=0))
+        )
+        np.testing.assert_allclose(np.linalg.norm(with_pen - bare), 0.1, atol=1e-15)
+
+
+def test_the_pen_moves_no_mass():
+    for arm in (PANDA, UR10E):
+        bare = arm.with_values(l_pen=0)
+        np.testing.assert_allclose(centres(arm, arm.home), centres(bare, arm.home), atol=1e-15)
+
+
+def test_the_homeworks_panda_differs_in_one_length():
+    assert dict(PANDA_HOMEWORK.values) == {**dict(PANDA.values), "a_3": 0.088}
+    assert PANDA_HOMEWORK.rows == PANDA.rows
+    np.testing.assert_allclose(PANDA.home, [0, 0, 0, pi / 2, 0, pi, 0])
+
+
+def test_the_ur10e_is_the_makers():
+    """Universal Robots, DH parameters for calculations of kinematics and dynamics; user manual; max. joint torques."""
+    bare = UR10E.with_values(l_pen=0)
+    rows = [[bare.number(e) for e in (row.a, row.alpha, row.d, row.theta)] for row in bare.rows]
+    wanted = [
+        [0, pi / 2, 0.1807, 0], [-0.6127, 0, 0, 0], [-0.57155, 0, 0, 0], [0, pi / 2, 0.17415, 0],
+        [0, -pi / 2, 0.11985, 0], [0, 0, 0.11655, 0],
+    ]  # fmt: skip
+    np.testing.assert_allclose(rows, wanted, atol=1e-15)
+    assert [body.mass for body in UR10E.bodies] == [7.369, 13.051, 3.989, 2.1, 1.98, 0.615]
+    wanted = [
+        [0.021, 0, 0.027], [0.38, 0, 0.158], [0.24, 0, 0.068], [0, 0.007, 0.018], [0, 0.007, 0.018], [0, 0, -0.026],
+    ]  # fmt: skip
+    np.testing.assert_allclose([[bare.number(c) for c in b.com] for b in UR10E.bodies], wanted)
+
+
+@pytest.mark.parametrize("arm", [UR10E, UR10E_HOMEWORK], ids=lambda arm: arm.name)
+def test_the_ur10es_limits(arm):
+    np.testing.assert_allclose(np.degrees(arm.limits), [[-360] * 6, [360] * 6])
+    np.testing.assert_allclose(np.degrees(arm.speed_limits), [120, 120, 180, 180, 180, 180])
+    np.testing.assert_allclose(arm.effort_limits, [330, 330, 150, 56, 56, 56])
+
+
+def test_the_homeworks_ur10e_has_the_homeworks_numbers():
+    rows = [
+        [UR10E_HOMEWORK.number(e) for e in (r.a, r.alpha, r.d, r.theta)]
+        for r in UR10E_HOMEWORK.rows
+    ]
+    wanted = [
+        [0, -pi / 2, 0.128, 0], [0.6127, pi, 0, -pi / 2], [0.5716, pi, 0, 0], [0, pi / 2, 0.1639, pi / 2],
+        [0, -pi / 2, 0.1157, 0], [0, 0, 0.1922, 0],
+    ]  # fmt: skip
+    np.testing.assert_allclose(rows, wanted, atol=1e-15)
+
+
+def test_the_elbow_arm_by_plane_geometry():
+    """In its own plane: two links of 0.4 m and 0.3 m from a shoulder 0.5 m up."""
+    q_1, q_2, q_3 = 0.3, 0.8, -1.1
+    reach = 0.4 * np.cos(q_2) + 0.3 * np.cos(q_2 + q_3)
+    height = 0.5 + 0.4 * np.sin(q_2) + 0.3 * np.sin(q_2 + q_3)
+    tip = forward_kinematics(ELBOW, [q_1, q_2, q_3])[:3, 3]
+    np.testing.assert_allclose(tip, [reach * np.cos(q_1), reach * np.sin(q_1), height], atol=1e-15)
+
+
+def test_the_stanford_arms_wrist_centre_by_geometry():
+    """The slide points where (q_1, q_2) aim, from a shoulder 0.154 m to the side; the hand adds 0.263 m along z_6."""
+    q = np.array([0.3, 0.9, 0.7, 0.4, -0.8, 1.2])
+    aim = np.array([np.sin(0.9) * np.cos(0.3), np.sin(0.9) * np.sin(0.3), np.cos(0.9)])
+    side = 0.154 * np.array([-np.sin(0.3), np.cos(0.3), 0])
+    T = forward_kinematics(STANFORD, q)
+    np.testing.assert_allclose(T[:3, 3] - 0.263 * T[:3, 2], side + 0.7 * aim, atol=1e-15)
+
+
+def test_the_catalogue():
+    assert ARMS == (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
+    assert len({arm.name for arm in ARMS}) == len({hash(arm) for arm in ARMS}) == 6
+
+
+@pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
+def test_every_arm_has_a_name_a_source_and_a_home_within_its_limits(arm):
+    assert named(arm.name.upper()) is arm
+    assert arm.source
+    lower, upper = arm.limits
+    assert ((lower <= arm.home) & (arm.home <= upper)).all()
+    with pytest.raises(FrozenInstanceError):
+        arm.values = ()

@@ -1,0 +1,156 @@
+"""Jacobians in other frames and angles, manipulability, ellipsoids, lost directions, and the factored determinant."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers import symbolic
+from helpers.arm import ArmError
+from helpers.ellipsoids import force_ellipsoid, lost_directions, velocity_ellipsoid
+from helpers.kinematics import (
+    analytic_jacobian,
+    forward_kinematics,
+    jacobian,
+    jacobian_in_frame,
+    link_frames,
+    manipulability,
+)
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.laws import ALL_ARMS, ids, joint_vectors
+
+every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+SOLVED = [
+    ELBOW,
+    ELBOW.with_values(d=0.1),
+    STANFORD,
+    UR10E_HOMEWORK,
+    UR10E,
+    PANDA.lock(3),
+    PANDA_HOMEWORK.lock(3),
+]
+
+
+@every_arm
+def test_another_frame_turns_the_rows(arm):
+    q = joint_vectors(arm, (3,))
+    for k in (0, len(arm.rows)):
+        R, J = link_frames(arm, q)[:, k, :3, :3], jacobian_in_frame(arm, q, k)
+        np.testing.assert_allclose(R @ J[:, :3], jacobian(arm, q)[:, :3], atol=1e-14)
+        np.testing.assert_allclose(R @ J[:, 3:], jacobian(arm, q)[:, 3:], atol=1e-14)
+    np.testing.assert_allclose(jacobian_in_frame(arm, q, 0), jacobian(arm, q), atol=1e-15)
+
+
+def zyz(R):
+    return np.array(
+        [np.arctan2(R[1, 2], R[0, 2]), np.arccos(R[2, 2]), np.arctan2(R[2, 1], -R[2, 0])]
+    )
+
+
+@every_arm
+def test_the_analytic_jacobian_is_the_rate_of_the_euler_angles(arm):
+    q, h = joint_vectors(arm, (), 4), 1e-6
+    ahead, behind = (forward_kinematics(arm, q + step * np.eye(arm.dof)) for step in (h, -h))
+    if np.hypot(*forward_kinematics(arm, q)[:2, 2]) < 1e-3:
+        pytest.skip("this arm's tool always points up: its ZYZ angles are singular everywhere")
+    for k in range(arm.dof):
+        rate = (zyz(ahead[k, :3, :3]) - zyz(behind[k, :3, :3])) / (2 * h)
+        np.testing.assert_allclose(analytic_jacobian(arm, q)[3:, k], rate, atol=1e-6)
+
+
+def test_the_analytic_jacobian_says_where_it_is_singular():
+    with pytest.raises(ArmError, match="ZYZ angles are singular here"):
+        analytic_jacobian(STANFORD, STANFORD.home)
+
+
+@every_arm
+def test_manipulability_is_the_square_root_of_a_determinant(arm):
+    q = joint_vectors(arm, (4,))
+    J = jacobian(arm, q)
+    wide = arm.dof >= 6
+    square = J @ np.swapaxes(J, -1, -2) if wide else np.swapaxes(J, -1, -2) @ J
+    np.testing.assert_allclose(
+        manipulability(arm, q), np.sqrt(np.linalg.det(square)), rtol=1e-6, atol=1e-9
+    )
+    linear = J[:, :3]
+    np.testing.assert_allclose(
+        manipulability(arm, q, "linear"),
+        np.sqrt(np.abs(np.linalg.det(linear @ np.swapaxes(linear, -1, -2)))),
+        rtol=1e-6,
+        atol=1e-9,
+    )
+
+
+def test_manipulability_at_a_singular_pose_is_zero():
+    assert manipulability(UR10E_HOMEWORK, np.zeros(6)) < 1e-12
+    assert manipulability(
+        PANDA_HOMEWORK.lock(3), np.delete(PANDA_HOMEWORK.home, 2)
+    ) == pytest.approx(0.0099968)
+
+
+@pytest.mark.parametrize("arm", SOLVED, ids=ids)
+def test_the_determinant_is_the_determinant(arm):
+    formula = symbolic.with_numbers(arm, symbolic.determinant(arm))
+    value = sp.lambdify([symbolic.joint_symbols(arm)], formula)
+    for q in joint_vectors(arm, (5,), 9):
+        assert value(q) == pytest.approx(np.linalg.det(jacobian(arm, q)[: arm.dof]), abs=1e-13)
+
+
+def test_the_determinants_factors_are_those_of_the_textbooks():
+    a2, a3, d5, q3, c2, c23, s3, s5, s2, s234 = sp.symbols(
+        "a_2 a_3 d_5 q_3 c_2 c_23 s_3 s_5 s_2 s_234"
+    )
+    assert symbolic.short(symbolic.determinant(ELBOW)).equals(-a2 * a3 * s3 * (a2 * c2 + a3 * c23))
+    assert symbolic.short(symbolic.determinant(STANFORD)).equals(q3**2 * s2 * s5)
+    assert symbolic.short(symbolic.determinant(UR10E)).equals(
+        a2 * a3 * s3 * s5 * (d5 * s234 - a2 * c2 - a3 * c23)
+    )
+
+
+@every_arm
+def test_ellipsoids_hold_what_unit_joint_speeds_and_torques_do(arm):
+    J = jacobian(arm, joint_vectors(arm, ()))[:3]
+    axes = velocity_ellipsoid(J)
+    np.testing.assert_allclose(axes @ axes.T, J @ J.T, atol=1e-12)
+    forces = force_ellipsoid(J)
+    for direction in forces.T[np.isfinite(forces).all(axis=0)]:
+        assert np.linalg.norm(J.T @ direction) == pytest.approx(1)
+
+
+def test_a_direction_without_motion_carries_any_force():
+    J = jacobian(UR10E_HOMEWORK, np.zeros(6))[:3]
+    axes, forces = velocity_ellipsoid(J), force_ellipsoid(J)
+    np.testing.assert_allclose(axes[:, 1:], 0, atol=1e-12)
+    assert np.isinf(forces[:, 1:]).any(axis=0).all()
+
+
+def test_lost_directions_are_those_that_no_joint_gives():
+    J = jacobian(UR10E_HOMEWORK, np.zeros(6))
+    lost = lost_directions(J)
+    assert lost.shape == (3, 6)
+    np.testing.assert_allclose(lost @ J, 0, atol=1e-12)
+    np.testing.assert_allclose(
+        np.abs(lost).sum(axis=0) > 1e-9, [False, True, True, True, False, False]
+    )
+    assert lost_directions(jacobian(UR10E, UR10E.home + 0.3 * np.ones(6))).shape == (0, 6)
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (
+            lambda: jacobian_in_frame(UR10E, np.zeros(6), 7),
+            "UR10e: frame 7 does not exist; expected 0 to 6",
+        ),
+        (
+            lambda: manipulability(UR10E, np.zeros(6), "both"),
+            "part is 'both'; expected one of all, linear, angular",
+        ),
+        (lambda: symbolic.determinant(PANDA), "Panda has 7 joints; a determinant needs 3"),
+        (lambda: velocity_ellipsoid(np.zeros((6, 6))), "expected (3, n)"),
+        (lambda: lost_directions(np.full((6, 6), np.nan)), "expected one matrix of finite numbers"),
+    ],
+)
+def test_bad_input_is_told_in_words(make, words):
+    with pytest.raises(ArmError) as told:
+        make()
+    assert words in str(told.value)
