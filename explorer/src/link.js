@@ -24,7 +24,7 @@ export function fromFragment(fragment, arms, views) {
   if (good(wrench, 6)) state.wrench = wrench;
   if (views.includes(fields.get("view"))) state.view = fields.get("view");
   if (["deg", "rad"].includes(fields.get("unit"))) state.unit = fields.get("unit");
-  if (["all", "ends", "none"].includes(fields.get("frames"))) state.frames = fields.get("frames");
+  if (["all", "ends"].includes(fields.get("frames"))) state.frames = fields.get("frames");
   return state;
 }
 

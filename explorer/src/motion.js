@@ -7,6 +7,9 @@ import { solve } from "./linear.js";
 // An arm with fewer than six joints is asked for the position only.
 const rowsAsked = (arm) => (joints(arm).length < 6 ? 3 : 6);
 
+// How many joints are more than the pose (or, below six, the place) asks for.
+export const spareJoints = (arm) => Math.max(0, joints(arm).length - rowsAsked(arm));
+
 function poseError(tip, wanted) {
   const turn = ["x", "y", "z"].reduce((sum, axis) => plus(sum, cross(tip[axis], wanted[axis])), [0, 0, 0]);
   return [...minus(wanted.o, tip.o), ...scaled(0.5, turn)];
@@ -74,7 +77,7 @@ export function range(row) {
 // held, so that the ways can be counted.
 export function otherWays(arm, q, tries = 120) {
   const wanted = linkFrames(arm, q).at(-1);
-  const held = joints(arm).length > rowsAsked(arm) ? 2 : -1;
+  const held = spareJoints(arm) ? 2 : -1;
   const roll = dice(1);
   const found = [turned(arm, q)];
   for (let n = 0; n < tries; n++) {

@@ -81,10 +81,11 @@ function makeHead(store, { arms, link, goTo, stage }) {
   const name = arms.length > 1
     ? h("select.name", { "aria-label": "Arm", onchange: (e) => choose(arms[e.target.selectedIndex]) }, arms.map((arm) => h("option", {}, arm.name)))
     : h("span.name", {}, store.state.arm.name);
-  const unit = h("button.toggle", { type: "button", onclick: () => store.set({ unit: store.state.unit === "deg" ? "rad" : "deg" }) });
-  const frames = h("button.toggle", { type: "button", title: "Which frames are drawn", onclick: () => store.set({ frames: { all: "ends", ends: "none", none: "all" }[store.state.frames] }) });
+  const units = [["deg", "deg", "Degrees"], ["rad", "rad", "Radians"]].map(([unit, text, label]) =>
+    h("button", { type: "button", "aria-label": label, "data-unit": unit, onclick: () => store.set({ unit }) }, text));
+  const frames = h("button", { type: "button", title: "Draw the frame of every link, or the first and the last only", onclick: () => store.set({ frames: store.state.frames === "all" ? "ends" : "all" }) }, "Frames");
   const buttons = [
-    frames, unit,
+    h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units), frames,
     h("button", { type: "button", onclick: () => goTo(home(store.state.arm)) }, "Home"),
     h("button", { type: "button", onclick: () => goTo(randomPose(store.state.arm)) }, "Random"),
     h("button", { type: "button", onclick: () => stage.fit() }, "Fit"),
@@ -97,9 +98,8 @@ function makeHead(store, { arms, link, goTo, stage }) {
   }
 
   function update(state) {
-    unit.textContent = state.unit === "deg" ? "Degrees" : "Radians";
-    unit.setAttribute("aria-label", `${unit.textContent}: change the unit of angles`);
-    frames.textContent = { all: "All frames", ends: "End frames", none: "No frames" }[state.frames];
+    for (const button of units) button.setAttribute("aria-pressed", String(button.dataset.unit === state.unit));
+    frames.setAttribute("aria-pressed", String(state.frames === "all"));
     if (arms.length > 1) name.selectedIndex = Math.max(0, arms.findIndex((arm) => arm.name === state.arm.name));
   }
   return { root: h("header", {}, name, h("div.buttons", { role: "group", "aria-label": "Settings" }, buttons)), update };
@@ -186,7 +186,9 @@ function makeSliders(store) {
       const [lower, upper] = range(row);
       slider.value = value;
       slider.setAttribute("aria-valuetext", jointText(row, value, state.unit));
-      slider.style.setProperty("--at", `${100 * Math.min(1, Math.max(0, (value - lower) / (upper - lower)))}%`);
+      const [at, zero] = [value, 0].map((v) => 100 * Math.min(1, Math.max(0, (v - lower) / (upper - lower))));
+      slider.style.setProperty("--low", `${Math.min(at, zero)}%`);
+      slider.style.setProperty("--high", `${Math.max(at, zero)}%`);
       if (field.getRootNode().activeElement !== field) field.value = jointText(row, value, state.unit);
       const past = outside(row, value);
       root.classList.toggle("past", past);

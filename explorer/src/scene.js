@@ -1,7 +1,7 @@
 // The 3D view: draws the state when it has changed, and turns what a pointer does into what the reader means.
 
 import {
-  DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, PCFShadowMap, PerspectiveCamera,
+  Box3, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, PCFShadowMap, PerspectiveCamera,
   Plane, PlaneGeometry, Raycaster, Scene, ShadowMaterial, SphereGeometry, Spherical, Vector2, Vector3, WebGLRenderer, DoubleSide,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -9,13 +9,16 @@ import { linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
 import { ArmShape, Arrow, Ellipsoid, Triad, floor, ghostMaterial, reachOf, tube, wall } from "./shapes.js";
 
 const LOOK = {
-  light: { link: "#e9edf2", joint: "#34506b", grid: "#8793a3", gridStrength: 0.5, shadow: 0.16, sky: 2.1, sun: 1.5, path: "#D55E00", force: "#C77E00", ghost: "#0072B2", ellipsoid: "#9a4f86" },
-  dark: { link: "#c3ccd8", joint: "#5f86ad", grid: "#93a1b5", gridStrength: 0.34, shadow: 0.4, sky: 1.15, sun: 1.7, path: "#F58A3C", force: "#F0B429", ghost: "#56B4E9", ellipsoid: "#d79bc3" },
+  light: { link: "#e9edf2", joint: "#34506b", grid: "#8793a3", gridStrength: 0.34, shadow: 0.16, sky: 2.1, sun: 1.5, path: "#D55E00", force: "#C77E00", ghost: "#0072B2", ellipsoid: "#9a4f86" },
+  dark: { link: "#c3ccd8", joint: "#5f86ad", grid: "#93a1b5", gridStrength: 0.26, shadow: 0.28, sky: 1.15, sun: 1.7, path: "#F58A3C", force: "#F0B429", ghost: "#56B4E9", ellipsoid: "#d79bc3" },
 };
 const BRANCH_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"];
 export const branchColour = (i) => BRANCH_COLOURS[i % BRANCH_COLOURS.length];
 
-const FORCE_HALF = 10; // N: an arrow of half its greatest length
+const VIEW = new Vector3(0.687, -0.639, 0.344); // where the camera stands first, seen from the arm; the still picture's too
+
+const FORCE_HALF = 10; // N: drawn half as long as the longest arrow,
+const FORCE_LONGEST = 0.36; // which is this share of the arm
 
 export class Stage {
   constructor(host, labels, { onForce, onBranch }) {
@@ -71,7 +74,7 @@ export class Stage {
     this.force = new Arrow(force);
     this.handle = new Mesh(new SphereGeometry(0.022 * size, 20, 14), force);
     [this.path, this.ghosts, this.reference] = [new Group(), new Group(), new Group()];
-    this.world.add(this.body, floor(1.25 * size, look.grid, look.gridStrength), this.shade, ...this.triads, this.ellipsoid, this.force, this.handle, this.path, this.ghosts, this.reference);
+    this.world.add(this.body, floor(1.0 * size, look.grid, look.gridStrength), this.shade, ...this.triads, this.ellipsoid, this.force, this.handle, this.path, this.ghosts, this.reference);
     this.sky.intensity = look.sky;
     this.sun.intensity = look.sun;
     this.sun.position.set(0.55 * size, -0.75 * size, 2 * size);
@@ -90,7 +93,8 @@ export class Stage {
     this.body.pose(frames);
     this.drawFrames(frames, state.frames);
     this.ellipsoid.visible = state.view === "jacobian";
-    if (this.ellipsoid.visible) this.ellipsoid.pose(frames.at(-1).o, derived.linear, this.ellipsoidScale = (0.22 * this.size) / Math.max(derived.linear.values[0], 1e-6));
+    this.ellipsoidScale = (0.15 * this.size) / Math.max(derived.linear.values[0], 1e-6);
+    if (this.ellipsoid.visible) this.ellipsoid.pose(frames.at(-1).o, derived.linear, this.ellipsoidScale, 0.003 * this.size);
     this.drawForce(frames.at(-1).o, state);
     this.drawPath(state);
     this.drawGhosts(state);
@@ -103,7 +107,7 @@ export class Stage {
     const length = 0.1 * this.size;
     const shared = new Map();
     this.triads.forEach((triad, i) => {
-      triad.visible = which === "all" || (which === "ends" && (i === 0 || i === frames.length - 1));
+      triad.visible = which === "all" || i === 0 || i === frames.length - 1;
       if (!triad.visible) return;
       triad.pose(frames[i], length);
       for (const axis of ["x", "z"]) {
@@ -125,21 +129,22 @@ export class Stage {
     const force = wrench.slice(0, 3);
     const shown = view === "torque";
     const size = norm(force);
-    const longest = 0.5 * this.size;
-    const way = size ? scaled((longest * size) / (size + FORCE_HALF) / size, force) : [0, 0, 0];
-    this.force.point(tip, way, 0.008 * this.size);
+    const way = size ? scaled((FORCE_LONGEST * this.size) / (size + FORCE_HALF), force) : [0, 0, 0];
+    this.force.point(minus(tip, way), way, 0.007 * this.size);
     this.force.visible &&= shown;
     this.handle.visible = shown;
-    this.handle.position.set(...plus(tip, way));
+    this.handle.position.set(...minus(tip, way));
     this.tip = tip;
+    if (shown && !this.shown.force) this.fit();
+    this.shown.force = shown;
   }
 
-  // The force whose arrow ends at a point.
-  forceTo(point) {
-    const way = minus(point, this.tip);
-    const length = Math.min(norm(way), 0.5 * this.size * (100 / (100 + FORCE_HALF)));
+  // The force whose arrow comes from a point.
+  forceFrom(point) {
+    const way = minus(this.tip, point);
+    const length = Math.min(norm(way), FORCE_LONGEST * this.size * (100 / (100 + FORCE_HALF)));
     if (length < 0.015 * this.size) return [0, 0, 0];
-    const size = (FORCE_HALF * length) / (0.5 * this.size - length);
+    const size = (FORCE_HALF * length) / (FORCE_LONGEST * this.size - length);
     return scaled(size / norm(way), way);
   }
 
@@ -155,7 +160,7 @@ export class Stage {
     this.path.add(tube(points, 0.0035 * this.size, this.look.path), ...(square ? [square] : []));
   }
 
-  drawGhosts({ view, ways, arm, highlighted }) {
+  drawGhosts({ view, ways, arm, q, highlighted }) {
     const wanted = view === "branches" ? ways : null;
     if (this.shown.ways !== wanted) {
       clear(this.ghosts);
@@ -167,8 +172,11 @@ export class Stage {
         this.ghosts.add(shape);
       });
       this.shown.ways = wanted;
+      if (wanted) this.fit();
     }
     for (const shape of this.ghosts.children) {
+      const way = ways[shape.userData.way].q;
+      shape.visible = !way.every((v, i) => Math.abs(v - q[i]) < 1e-6);
       shape.children[0].material.opacity = highlighted === shape.userData.way ? 0.75 : highlighted == null ? 0.3 : 0.14;
     }
   }
@@ -183,22 +191,30 @@ export class Stage {
     this.reference.add(shape);
   }
 
-  // Stand where the whole arm is in view.
+  // Stand where the whole arm is in view, with the tips of its frames.
   fit() {
-    const points = this.frames.map((frame) => frame.o);
-    const [low, high] = [Math.min, Math.max].map((pick) => [0, 1, 2].map((i) => pick(...points.map((p) => p[i]))));
-    low[2] = Math.min(0, low[2]);
-    const middle = scaled(0.5, plus(low, high));
-    const radius = Math.max(0.5 * norm(minus(high, low)) + 0.14 * this.size, 0.32 * this.size);
-    const half = Math.atan(Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(1, this.camera.aspect));
-    const distance = (1.03 * radius) / Math.sin(half);
-    const way = new Vector3().setFromSpherical(new Spherical(1, 1.22, 0.75)); // y up, so turned below
-    this.controls.target.set(...middle);
-    this.camera.position.set(middle[0] + distance * way.z, middle[1] - distance * way.x, middle[2] + distance * way.y);
-    this.camera.near = distance / 100;
-    this.camera.far = distance * 20;
-    this.camera.updateProjectionMatrix();
-    this.controls.update();
+    const ends = this.frames.flatMap(({ x, z, o }) => [o, ...[x, z].map((axis) => plus(o, scaled(0.13 * this.size, axis)))]);
+    const ghosts = (this.shown.ways ?? []).flatMap(({ q }) => linkFrames(this.arm, q).map((frame) => frame.o));
+    const handle = this.handle.visible ? [this.handle.position.toArray()] : [];
+    const points = [...ends, ...ghosts, ...handle, [0, 0, 0], [0, 0, 0.3 * this.size]].map((p) => new Vector3(...p));
+    const { camera, controls } = this;
+    new Box3().setFromPoints(points).getCenter(controls.target);
+    camera.position.copy(controls.target).addScaledVector(VIEW, 3 * this.size);
+    Object.assign(camera, { near: this.size / 50, far: this.size * 40 });
+    camera.updateProjectionMatrix();
+    for (let step = 0; step < 4; step++) {
+      controls.update();
+      camera.updateMatrixWorld();
+      const { min, max } = new Box3().setFromPoints(points.map((p) => p.clone().project(camera)));
+      const away = camera.position.clone().sub(controls.target);
+      const half = away.length() * Math.tan((camera.fov * Math.PI) / 360);
+      const [right, up] = [0, 1].map((i) => new Vector3().setFromMatrixColumn(camera.matrixWorld, i));
+      controls.target.addScaledVector(right, ((min.x + max.x) / 2) * half * camera.aspect);
+      controls.target.addScaledVector(up, ((min.y + max.y) / 2) * half);
+      away.multiplyScalar(Math.max((max.x - min.x) / 2, (max.y - min.y) / 2) / 0.84);
+      camera.position.copy(controls.target).add(away);
+    }
+    controls.update();
     this.request();
   }
 
@@ -236,7 +252,7 @@ export class Stage {
     canvas.addEventListener("pointermove", (event) => {
       if (!drag) return (canvas.style.cursor = onHandle(event) || this.wayAt(aim(event)) !== null ? "pointer" : "grab");
       const point = aim(event).ray.intersectPlane(drag, new Vector3());
-      if (point) this.onForce(this.forceTo(point.toArray()));
+      if (point) this.onForce(this.forceFrom(point.toArray()));
     });
     const release = (event) => {
       const still = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4;

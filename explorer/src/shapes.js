@@ -122,7 +122,7 @@ export class Triad extends Group {
 export class Ellipsoid extends Group {
   constructor(colour) {
     super();
-    const material = new MeshStandardMaterial({ color: colour, transparent: true, opacity: 0.28, depthWrite: false, side: DoubleSide });
+    const material = new MeshStandardMaterial({ color: colour, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
     this.add(new Mesh(BALL, material));
     const circle = Array.from({ length: 64 }, (_, i) => new Vector3(Math.cos((i * Math.PI) / 32), Math.sin((i * Math.PI) / 32), 0));
     for (const [axis, turn] of [["x", 0], ["x", Math.PI / 2], ["y", Math.PI / 2]]) {
@@ -133,8 +133,9 @@ export class Ellipsoid extends Group {
     this.matrixAutoUpdate = false;
   }
 
-  pose(centre, { values, vectors }, scale) {
-    const columns = vectors.map((v, i) => vector(scaled(Math.max(scale * values[i], 1e-4), v)));
+  // Half axes `scale` times the singular values, and never too thin to be seen.
+  pose(centre, { values, vectors }, scale, least) {
+    const columns = vectors.map((v, i) => vector(scaled(Math.max(scale * values[i], least), v)));
     this.matrix.makeBasis(...columns).premultiply(new Matrix4().makeTranslation(...centre));
   }
 }
@@ -178,7 +179,7 @@ export function floor(size, colour, strength) {
       void main() {
         vec2 g = abs(fract(p / step - 0.5) - 0.5) / fwidth(p / step);
         float line = 1.0 - min(min(g.x, g.y), 1.0);
-        gl_FragColor = vec4(colour, strength * line * smoothstep(1.0, 0.25, length(p) / size));
+        gl_FragColor = vec4(colour, strength * line * smoothstep(1.0, 0.2, length(p) / size));
       }`,
   });
   return new Mesh(new PlaneGeometry(2 * size, 2 * size), material);

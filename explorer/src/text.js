@@ -6,6 +6,9 @@ export function fixed(value, digits) {
   return text.replace("-", "−");
 }
 
+// The same for tables, where an exact zero is a plain 0.
+export const sparse = (value, digits) => (Math.abs(value) < 1e-12 ? "0" : fixed(value, digits));
+
 export const isAngle = (row) => row.kind !== "prismatic";
 
 // A joint's value with its unit.

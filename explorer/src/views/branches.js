@@ -4,14 +4,14 @@ import { h, indexed } from "../dom.js";
 import { joints } from "../kinematics.js";
 import { branchColour } from "../scene.js";
 import { jointText } from "../text.js";
-import { otherWays, outside } from "../motion.js";
+import { otherWays, outside, spareJoints } from "../motion.js";
 
 export const title = "IK branches";
 
 export function build(store, { goTo }) {
   const words = h("p.verdict", { role: "status" });
   const list = h("ol.ways");
-  const find = h("button.main", { type: "button", onclick: search }, "Find every way to this pose");
+  const find = h("button.main", { type: "button", onclick: search }, "Find the ways to this pose");
   const root = h("div.branches", {}, h("div.row", {}, find), words, list);
   let shown;
 
@@ -48,7 +48,8 @@ export function build(store, { goTo }) {
 
 function summary(ways, arm) {
   if (!ways) return "Each way that the same pose can be reached is shown as a ghost; choose one to go there.";
-  const spare = joints(arm).length > 6 ? `, with joint 3 held (there are infinitely many when it may move)` : "";
   const count = ways.length === 1 ? "One way" : `${ways.length} ways`;
-  return `${count} to this pose${spare}. Choose one, here or in the picture, to go there.`;
+  const pose = joints(arm).length < 6 ? "place, whatever the tool’s direction" : "pose";
+  const held = ["", ` with joint ${joints(arm)[2] + 1} held where it is; free, it makes them infinitely many`][spareJoints(arm)] ?? " of infinitely many";
+  return `${count} to this ${pose}${held}. Choose one, here or in the picture, to go there.`;
 }

@@ -2,7 +2,7 @@
 
 import { h, indexed } from "../dom.js";
 import { joints } from "../kinematics.js";
-import { fixed, listed, motionText } from "../text.js";
+import { fixed, listed, motionText, sparse } from "../text.js";
 
 export const title = "Jacobian";
 
@@ -34,7 +34,7 @@ export function build(store, { point }) {
     cells.forEach((row, i) => row.forEach((cell, j) => {
       const value = columns[j][i];
       const share = Math.abs(value) / largest[i < 3 ? 0 : 1];
-      cell.textContent = fixed(value, 3);
+      cell.textContent = sparse(value, 3);
       cell.className = share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus";
       cell.style.setProperty("--share", share.toFixed(3));
     }));

@@ -2,7 +2,7 @@
 
 import { h, indexed } from "../dom.js";
 import { matrix } from "../kinematics.js";
-import { fixed } from "../text.js";
+import { fixed, sparse } from "../text.js";
 
 export const title = "Pose";
 
@@ -16,9 +16,8 @@ export function build() {
   function update(state, { frames }) {
     name.replaceChildren(...indexed("T", `0,${state.arm.rows.length}`));
     matrix(frames.at(-1)).forEach((row, i) => row.forEach((entry, j) => {
-      const text = i === 3 ? String(entry) : fixed(entry, 4);
-      cells[i][j].textContent = text;
-      cells[i][j].classList.toggle("nought", Number(text.replace("−", "-")) === 0);
+      cells[i][j].textContent = i === 3 ? String(entry) : sparse(entry, 4);
+      cells[i][j].classList.toggle("nought", Math.abs(entry) < 5e-5);
     }));
     const [x, y, z] = frames.at(-1).o.map((v) => fixed(1000 * v, 1));
     words.replaceChildren(

@@ -41,7 +41,7 @@ export function build(store) {
   function lay({ arm, unit }) {
     const angle = unit === "deg" ? "°" : "rad";
     units.replaceChildren(...["row", "joint"].map((t) => h("th", { scope: "col" }, t)),
-      ...COLUMNS.map(([, letter, turn]) => h("th", { scope: "col" }, h("i", {}, letter), h("small", {}, turn ? ` ${angle}` : " m"))), h("th", {}, h("span.hidden", {}, "remove")));
+      ...COLUMNS.map(([, letter, turn]) => h("th", { scope: "col" }, h("i", {}, letter), h("small", {}, turn ? ` (${angle})` : " (m)"))), h("th", {}, h("span.hidden", {}, "remove")));
     body.replaceChildren(...arm.rows.map((row, i) => line(row, i, arm, unit)));
     shown = { rows: arm.rows, unit };
   }

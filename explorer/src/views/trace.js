@@ -48,6 +48,7 @@ export function build(store) {
 
   function mark() {
     scrub.value = Math.round(1000 * at);
+    scrub.style.setProperty("--high", `${100 * at}%`);
     scrub.setAttribute("aria-valuetext", `${Math.round(100 * at)} percent`);
     place.textContent = `${Math.round(100 * at)} %`;
     for (const { line, value, text } of cursors) {
