@@ -88,7 +88,7 @@ function makeHead(store, { arms, link, goTo, stage }) {
     h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units), frames,
     h("button", { type: "button", onclick: () => goTo(home(store.state.arm)) }, "Home"),
     h("button", { type: "button", onclick: () => goTo(randomPose(store.state.arm)) }, "Random"),
-    h("button", { type: "button", onclick: () => stage.fit() }, "Fit"),
+    h("button.fit", { type: "button", onclick: () => stage.fit() }, "Fit"),
   ];
   if (link) buttons.push(h("button", { type: "button", onclick: (e) => link.copy(e.target) }, "Copy link"));
 

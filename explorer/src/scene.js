@@ -166,7 +166,7 @@ export class Stage {
       clear(this.ghosts);
       (wanted ?? []).forEach(({ q }, i) => {
         const material = ghostMaterial(branchColour(i), 0.3);
-        const shape = new ArmShape(arm, { link: material, joint: material, shadow: false });
+        const shape = new ArmShape(arm, { link: material, joint: material, ghost: true });
         shape.pose(linkFrames(arm, q));
         shape.userData.way = i;
         this.ghosts.add(shape);
@@ -186,7 +186,7 @@ export class Stage {
     clear(this.reference);
     if (!differs || reference.rows.filter((row) => row.kind !== "fixed").length !== q.length) return;
     const material = ghostMaterial(this.look.ghost, 0.26);
-    const shape = new ArmShape(reference, { link: material, joint: material, shadow: false });
+    const shape = new ArmShape(reference, { link: material, joint: material, ghost: true });
     shape.pose(linkFrames(reference, q));
     this.reference.add(shape);
   }

@@ -36,13 +36,14 @@ function at(mesh, point, radius) {
 
 // An arm as capsules along d and a of each row, with a barrel where a joint turns and a box where it slides.
 export class ArmShape extends Group {
-  constructor(arm, { link, joint, shadow = true }) {
+  constructor(arm, { link, joint, ghost = false }) {
     super();
     this.arm = arm;
     this.size = reachOf(arm);
+    this.girth = (ghost ? 0.97 : 1) * this.size; // a ghost hides inside the arm where both are
     const add = (geometry, material) => {
       const mesh = new Mesh(geometry, material);
-      mesh.castShadow = mesh.receiveShadow = shadow;
+      mesh.castShadow = mesh.receiveShadow = !ghost;
       this.add(mesh);
       return mesh;
     };
@@ -67,7 +68,7 @@ export class ArmShape extends Group {
       part.end.visible = part.bend.visible = part.rise.visible || part.reach.visible;
       if (part.joint) this.barrel(part.joint, before, radius, slides);
     });
-    const foot = 0.05 * size;
+    const foot = 0.05 * this.girth;
     along(this.pedestal, [0, 0, -0.004 * size], [0, 0, 0.012 * size], foot);
   }
 
@@ -79,7 +80,7 @@ export class ArmShape extends Group {
   // Links grow thinner towards the tip, and the last one is a pen.
   radius(i) {
     const n = this.parts.length;
-    return this.size * (i === n - 1 ? 0.008 : 0.021 - (0.008 * i) / n);
+    return this.girth * (i === n - 1 ? 0.008 : 0.021 - (0.008 * i) / n);
   }
 }
 

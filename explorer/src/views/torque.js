@@ -38,10 +38,10 @@ export function build(store, { point }) {
     lines = joints(arm).map((row) => {
       const cells = ["gravity", "push", "total"].map((name) => h(`td.${name}`));
       const fill = h("span.fill");
-      const share = h("span.share");
+      const [part, limit] = [h("span"), h("span.limit")];
       const line = h("tr", { onpointerenter: () => point(row), onpointerleave: () => point(null) },
-        h("th", { scope: "row" }, indexed("τ", row + 1)), cells, h("td.bar", {}, h("span.track", { "aria-hidden": true }, fill), share));
-      return { row, cells, fill, share, line };
+        h("th", { scope: "row" }, indexed("τ", row + 1)), cells, h("td.bar", {}, h("span.track", { "aria-hidden": true }, fill), h("span.share", {}, part, limit)));
+      return { row, cells, fill, part, limit, line };
     });
     body.replaceChildren(...lines.map(({ line }) => line));
   }
@@ -52,15 +52,16 @@ export function build(store, { point }) {
       if (input.getRootNode().activeElement !== input) input.value = String(Number(state.wrench[i].toFixed(2)) + 0).replace("-", "−");
     });
     const largest = Math.max(1e-9, ...torque.map(Math.abs));
-    lines.forEach(({ row, cells, fill, share, line }, i) => {
+    lines.forEach(({ row, cells, fill, part, limit, line }, i) => {
       const { effort, kind } = arm.rows[row];
       const unit = kind === "revolute" ? "N m" : "N";
       [gravity[i], -push[i], torque[i]].forEach((v, k) => (cells[k].textContent = fixed(v, 2)));
-      const part = torque[i] / (effort ?? largest);
-      fill.style.setProperty("--from", `${50 + 50 * Math.max(-1, Math.min(0, part))}%`);
-      fill.style.setProperty("--width", `${50 * Math.min(1, Math.abs(part))}%`);
-      line.classList.toggle("over", Boolean(effort) && Math.abs(part) > 1);
-      share.textContent = effort ? `${fixed(100 * Math.abs(part), 0)} % of ${effort} ${unit}` : unit;
+      const share = torque[i] / (effort ?? largest);
+      fill.style.setProperty("--from", `${50 + 50 * Math.max(-1, Math.min(0, share))}%`);
+      fill.style.setProperty("--width", `${50 * Math.min(1, Math.abs(share))}%`);
+      line.classList.toggle("over", Boolean(effort) && Math.abs(share) > 1);
+      part.textContent = effort ? `${fixed(100 * Math.abs(share), 0)} %` : "";
+      limit.textContent = effort ? ` of ${effort} ${unit}` : unit;
     });
     const over = lines.filter(({ line }) => line.classList.contains("over")).map(({ row }) => `joint ${row + 1}`);
     verdict.classList.toggle("warning", over.length > 0);
