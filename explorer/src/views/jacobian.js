@@ -63,7 +63,7 @@ function factList({ determinant, manipulability }, values, linear, full) {
   return [
     ...square,
     ...fact("manipulability", small(manipulability)),
-    ...fact("smallest singular value", small(values[full - 1])),
-    ...fact("ellipsoid’s half axes", linear.values.map((v) => fixed(v, 3)).join(", ")),
+    ...fact("smallest σ", small(values[full - 1])),
+    ...fact("half axes", linear.values.map((v) => fixed(v, 3)).join(", ")),
   ];
 }
