@@ -63,6 +63,14 @@ def adaptive(damping: float, below: float) -> Rates:
     return rates
 
 
+def levenberg(scale: float = 0.1) -> Rates:
+    """Damping that fades with what is left to do, damping^2 = scale |xi|: for method "exact", where xi is an error.
+
+    Far away it is careful, close by it is Newton's method. Source: Nocedal and Wright, Numerical Optimization, 10.3.
+    """
+    return lambda J, twist, q: _damped(J, twist, scale * float(np.linalg.norm(twist)))
+
+
 def with_null_space(rates: Rates, wish: Callable[[Array], Array]) -> Rates:
     """Add the part of `wish(q)`, rates of shape (n,), that does not move the tip: (I - J^+ J) wish(q)."""
 

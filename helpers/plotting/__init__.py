@@ -5,6 +5,7 @@ from helpers.plotting.dh import dh_numbers
 from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
+from helpers.plotting.traces import joints, moving_picture, path_2d
 
 __all__ = [
     "BLUE",
@@ -20,6 +21,9 @@ __all__ = [
     "arrow_3d",
     "dh_numbers",
     "ellipsoid_3d",
+    "joints",
     "map_2d",
+    "moving_picture",
+    "path_2d",
     "use_book_style",
 ]

@@ -1,0 +1,86 @@
+"""Traced paths, joint histories, and a moving picture of the arm that needs no script."""
+
+from html import escape
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from helpers.kinematics import link_frames
+from helpers.motion import Trace
+from helpers.plotting.arms import skeleton
+from helpers.plotting.style import BLUE, GREY, RED
+
+Array = NDArray[np.float64]
+
+
+def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") -> None:
+    """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths in m."""
+    i, j = _wall_axes(run)
+    wanted, traced = run.path.positions, run.poses[:, :3, 3]
+    ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
+    ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label=label)
+    ax.plot(traced[0, i], traced[0, j], "ko", ms=4)
+    ax.set(xlabel=f"${'xyz'[i]}$ (m)", ylabel=f"${'xyz'[j]}$ (m)", aspect="equal")
+
+
+def joints(axes: Array, run: Trace) -> None:
+    """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is known."""
+    lower, upper = np.degrees(run.arm.limits)
+    for ax, i, angle, low, high in zip(axes.flat, run.arm.joints, np.degrees(run.q.T), lower, upper, strict=False):
+        ax.plot(run.t, angle, color=BLUE)
+        if np.isfinite([low, high]).all():
+            ax.axhspan(low, high, color="#009E73", alpha=0.12, lw=0)
+        outside = np.where((angle < low) | (angle > high), angle, np.nan)
+        ax.plot(run.t, outside, color=RED, lw=3)
+        ax.set(title=f"joint {i} (°)", xlabel="$t$ (s)")
+
+
+def _wall_axes(run: Trace) -> tuple[int, int]:
+    out = int(np.abs(run.path.normal).argmax())
+    return tuple(k for k in range(3) if k != out)
+
+
+def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: int = 48) -> str:
+    """An SVG in which the arm draws its path, seen in two planes side by side; it plays wherever pictures show.
+
+    The motion is in the SVG itself, so no script, player or network is needed. Readers who ask for less motion see the start
+    pose with the finished path.
+    """
+    steps = np.linspace(0, len(run.t) - 1, frames + 1).round().astype(int)
+    T = link_frames(run.arm, run.q[steps])
+    bones = np.array([skeleton(run.arm, frame) for frame in T])
+    tips = run.poses[:, :3, 3][:: max(1, len(run.t) // 100)]
+    low, high = bones.min(axis=(0, 1)), bones.max(axis=(0, 1))
+    scale, seconds = 240 / (high - low).max(), float(run.t[-1])
+    parts = [_panel(bones, tips, plane, low, scale, seconds, 20 + 300 * k) for k, plane in enumerate(planes)]
+    style = "@media (prefers-reduced-motion: reduce) {.moving {display: none}} .still {display: none} @media (prefers-reduced-motion: reduce) {.still {display: inline}}"
+    return (
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 310" width="600" height="310" font-family="sans-serif">'
+        f"<style>{escape(style)}</style>{''.join(parts)}</svg>"
+    )
+
+
+def _panel(bones: Array, tips: Array, plane: str, low: Array, scale: float, seconds: float, left: float) -> str:
+    i, j = ("xyz".index(letter) for letter in plane)
+
+    def points(array: Array) -> list[str]:
+        x = left + scale * (array[..., i] - low[i])
+        y = 270 - scale * (array[..., j] - low[j])
+        return [" ".join(f"{a:.1f},{b:.1f}" for a, b in zip(*line, strict=True)) for line in zip(x, y, strict=True)]
+
+    poses, (path,) = points(bones), points(tips[None])
+    repeat = f'dur="{seconds:g}s" repeatCount="indefinite"'
+    length = float(np.linalg.norm(scale * np.diff(tips[:, [i, j]], axis=0), axis=1).sum())
+    look = 'fill="none" stroke-linejoin="round" stroke-linecap="round"'
+    arm = f'{look} stroke="{GREY}" stroke-width="7"'
+    ink = f'{look} stroke="{RED}" stroke-width="2.5"'
+    drawn = f'<animate attributeName="stroke-dashoffset" values="{length:.1f};0" {repeat}/>'
+    moved = f'<animate attributeName="points" values="{";".join(poses)}" {repeat}/>'
+    return (
+        f'<text x="{left}" y="300" font-size="13">{plane[0]}–{plane[1]} plane</text>'
+        f'<polyline points="{path}" {look} stroke="{GREY}" stroke-width="1" stroke-dasharray="3 3"/>'
+        f'<g class="moving"><polyline points="{poses[0]}" {arm}>{moved}</polyline>'
+        f'<polyline points="{path}" {ink} stroke-dasharray="{length:.1f}">{drawn}</polyline></g>'
+        f'<g class="still"><polyline points="{poses[0]}" {arm}/><polyline points="{path}" {ink}/></g>'
+    )
