@@ -61,7 +61,7 @@ export function buildPanel(host, store, { views, arms, link }) {
     if (calm()) return store.set({ q });
     const [from, start] = [store.state.q, performance.now()];
     const step = (now) => {
-      const t = Math.min(1, (now - start) / 450);
+      const t = Math.min(1, Math.max(0, now - start) / 450);
       const ease = t * t * (3 - 2 * t);
       store.set({ q: t === 1 ? q : from.map((v, i) => v + ease * (q[i] - v)) });
       if (t < 1) moving = requestAnimationFrame(step);

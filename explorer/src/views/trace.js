@@ -65,7 +65,7 @@ export function build(store) {
     play.textContent = "Pause";
     const [seconds, start, from] = [calm() ? 16 : 8, performance.now(), at];
     const tick = (now) => {
-      const share = Math.min(1, from + (now - start) / 1000 / seconds);
+      const share = Math.min(1, from + Math.max(0, now - start) / 1000 / seconds);
       goTo(share);
       if (share < 1 && root.isConnected) timer = requestAnimationFrame(tick);
       else pause();
