@@ -38,9 +38,9 @@ class Report:
         return [
             ("largest position error", _length(self.position_error)),
             ("largest distance off the wall", _length(self.off_wall)),
-            ("largest tilt of the pen", f"{np.degrees(self.pen_tilt):.3g}°"),
+            ("largest tilt of the pen", _angle(self.pen_tilt)),
             ("gap between the tip's start and end", _length(self.closing_gap)),
-            ("largest change of a joint over the whole path", f"{np.degrees(self.joint_gap):.4g}°"),
+            ("largest change of a joint over the whole path", _angle(self.joint_gap)),
             ("smallest singular value of J", f"{self.smallest_singular_value:.3g}"),
             ("largest joint speed", f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit"),
             ("joints beyond their range", _joints(self.beyond_limits)),
@@ -92,6 +92,12 @@ def _length(value: float) -> str:
     if value < 1e-10:
         return "below 1e-10 m"
     return f"{1e3 * value:.3g} mm" if value >= 1e-6 else f"{value:.1e} m"
+
+
+def _angle(value: float) -> str:
+    """An angle in degrees with four digits; below a millionth of a degree it is rounding."""
+    degrees = float(np.degrees(value))
+    return f"{degrees:.4g}°" if degrees >= 1e-6 else "below 1e-6°"
 
 
 def _joints(excess: tuple[tuple[int, float], ...]) -> str:

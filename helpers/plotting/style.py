@@ -57,4 +57,5 @@ def svg(figure: Figure) -> str:
         figure, fmt="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None}
     )
     text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", lambda number: f"{float(number[0]):.2f}", text)
-    return re.sub(r" *\n *([LCQMz])", r"\1", text)
+    text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->", "", text)
+    return re.sub(r"\s*\n\s*([LCQMz]\b)?", lambda found: found[1] or "\n", text)

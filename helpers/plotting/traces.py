@@ -4,12 +4,13 @@ from html import escape
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from helpers.kinematics import link_frames
 from helpers.motion import Trace
 from helpers.plotting.arms import skeleton
-from helpers.plotting.style import BLUE, GREY, RED
+from helpers.plotting.style import BLUE, GREEN, GREY, RED
 
 Array = NDArray[np.float64]
 
@@ -17,22 +18,26 @@ Array = NDArray[np.float64]
 def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") -> None:
     """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths in m."""
     i, j = _wall_axes(run)
-    wanted, traced = run.path.positions, run.poses[:, :3, 3]
+    some = slice(None, None, max(1, len(run.t) // 200))
+    wanted, traced = run.path.positions[some], run.poses[some, :3, 3]
     ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
     ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label=label)
     ax.plot(traced[0, i], traced[0, j], "ko", ms=4)
     ax.set(xlabel=f"${'xyz'[i]}$ (m)", ylabel=f"${'xyz'[j]}$ (m)", aspect="equal")
+    ax.xaxis.set_major_locator(MaxNLocator(5))
+    ax.yaxis.set_major_locator(MaxNLocator(5))
 
 
 def joints(axes: Array, run: Trace) -> None:
     """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is known."""
     lower, upper = np.degrees(run.arm.limits)
-    for ax, i, angle, low, high in zip(axes.flat, run.arm.joints, np.degrees(run.q.T), lower, upper, strict=False):
-        ax.plot(run.t, angle, color=BLUE)
+    some = slice(None, None, max(1, len(run.t) // 200))
+    t, angles = run.t[some], np.degrees(run.q[some].T)
+    for ax, i, angle, low, high in zip(axes.flat, run.arm.joints, angles, lower, upper, strict=False):
+        ax.plot(t, angle, color=BLUE)
         if np.isfinite([low, high]).all():
-            ax.axhspan(low, high, color="#009E73", alpha=0.12, lw=0)
-        outside = np.where((angle < low) | (angle > high), angle, np.nan)
-        ax.plot(run.t, outside, color=RED, lw=3)
+            ax.axhspan(low, high, color=GREEN, alpha=0.12, lw=0)
+        ax.plot(t, np.where((angle < low) | (angle > high), angle, np.nan), color=RED, lw=3)
         ax.set(title=f"joint {i} (°)", xlabel="$t$ (s)")
 
 
