@@ -153,7 +153,9 @@ def test_entries_are_read_as_typed_or_refused_in_words():
     answers = ask("entries", typed=[*map(list, good), *map(list, bad)])
     read = [answer.get("value") for answer in answers[: len(good)]]
     np.testing.assert_allclose(read, list(good.values()), rtol=1e-15)
-    assert all(len(answer["error"]) > 10 and "value" not in answer for answer in answers[len(good) :])
+    assert all(
+        len(answer["error"]) > 10 and "value" not in answer for answer in answers[len(good) :]
+    )
 
 
 @needs_node

@@ -12,7 +12,7 @@ function initial(spec) {
   const views = spec.views.filter((name) => name in VIEWS);
   return {
     arm, reference: spec.reference ?? arm, q: spec.q, wrench: spec.wrench, unit: spec.unit, view: views[0],
-    frames: views[0] === "table" ? "all" : "ends", trace: spec.trace ?? null, stray: 0, ways: spec.branches ?? null, highlighted: null,
+    frames: views[0] === "table" ? "all" : "ends", trace: spec.trace ?? null, stray: 0, ways: spec.branches ?? null, highlighted: null, lit: null,
   };
 }
 
@@ -47,8 +47,9 @@ function render({ model, el }) {
     sending = false;
     model.save_changes();
   };
-  store.listen((_, by) => {
-    if (by !== "python") timer ??= setTimeout(send, PACE);
+  const told = ["arm", ...Object.keys(SYNCED)];
+  store.listen((changed, by) => {
+    if (by !== "python" && told.some((field) => changed.has(field))) timer ??= setTimeout(send, PACE);
   });
   const hear = () => {
     if (!sending) store.set(fromModel(model, store), "python");

@@ -23,7 +23,7 @@ export function buildPanel(host, store, { views, arms, link }) {
   const id = `explorer-${++count}`;
   const stage = makeStage(store, goTo);
   const sliders = makeSliders(store);
-  const tabs = makeTabs(store, views, { id, goTo, point: highlight });
+  const tabs = makeTabs(store, views, { id, goTo, point: (row) => store.set({ lit: row }) });
   const head = makeHead(store, { arms, link, goTo, stage });
   const said = h("p.hidden", { role: "status" });
   const card = h("section.explorer", { "aria-label": `Explorer of the ${store.state.arm.name}` },
@@ -49,10 +49,6 @@ export function buildPanel(host, store, { views, arms, link }) {
     clearTimeout(speech);
     if (changed.has("q")) speech = setTimeout(() => (said.textContent = spoken(store)), 700);
   });
-
-  function highlight(row) {
-    sliders.highlight(row);
-  }
 
   // Move there at a pace the eye can follow, or at once where motion is unwelcome.
   let moving;
@@ -81,8 +77,8 @@ function makeHead(store, { arms, link, goTo, stage }) {
   const name = arms.length > 1
     ? h("select.name", { "aria-label": "Arm", onchange: (e) => choose(arms[e.target.selectedIndex]) }, arms.map((arm) => h("option", {}, arm.name)))
     : h("span.name", {}, store.state.arm.name);
-  const units = [["deg", "deg", "Degrees"], ["rad", "rad", "Radians"]].map(([unit, text, label]) =>
-    h("button", { type: "button", "aria-label": label, "data-unit": unit, onclick: () => store.set({ unit }) }, text));
+  const units = [["deg", "degrees"], ["rad", "radians"]].map(([unit, title]) =>
+    h("button", { type: "button", title, "data-unit": unit, onclick: () => store.set({ unit }) }, unit));
   const frames = h("button", { type: "button", title: "Draw the frame of every link, or the first and the last only", onclick: () => store.set({ frames: store.state.frames === "all" ? "ends" : "all" }) }, "Frames");
   const buttons = [
     h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units), frames,
@@ -165,7 +161,8 @@ function makeSliders(store) {
     const slider = h("input", { type: "range", min: lower, max: upper, step: "any", "aria-label": label, "data-joint": index + 1, oninput: (e) => put(i, Number(e.target.value)), onkeydown: (e) => nudge(e, row, i) });
     const field = h("input.value", { type: "text", inputmode: "text", spellcheck: "false", "aria-label": `${label}, typed`, oninput: (e) => typed(i, row, e.target, false), onchange: (e) => typed(i, row, e.target, true) });
     const bounds = h("span.bounds", {}, h("span", {}, row.lower === null ? "" : jointText(row, lower, unit)), h("span.past", {}), h("span", {}, row.upper === null ? "" : jointText(row, upper, unit)));
-    const root = h("div.joint", {}, h("span.label", {}, indexed("q", index + 1)), h("div.rail", {}, slider, bounds), field);
+    const light = (lit) => () => store.set({ lit });
+    const root = h("div.joint", { onpointerenter: light(index), onpointerleave: light(null), onfocusin: light(index), onfocusout: light(null) }, h("span.label", {}, indexed("q", index + 1)), h("div.rail", {}, slider, bounds), field);
     return { root, slider, field, bounds, row, index };
   }
 
@@ -181,7 +178,8 @@ function makeSliders(store) {
 
   function update(state) {
     if (shown.rows !== state.arm.rows || shown.unit !== state.unit) lay(state);
-    lines.forEach(({ root, slider, field, bounds, row }, i) => {
+    lines.forEach(({ root, slider, field, bounds, row, index }, i) => {
+      root.classList.toggle("lit", state.lit === index);
       const value = state.q[i];
       const [lower, upper] = range(row);
       slider.value = value;
@@ -196,8 +194,7 @@ function makeSliders(store) {
     });
   }
 
-  const highlight = (index) => lines.forEach((l) => l.root.classList.toggle("lit", l.index === index));
-  return { root, update, highlight };
+  return { root, update };
 }
 
 // The views, one at a time, under tabs that arrow keys walk along; a single view needs no tab.

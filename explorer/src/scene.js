@@ -1,16 +1,16 @@
 // The 3D view: draws the state when it has changed, and turns what a pointer does into what the reader means.
 
 import {
-  Box3, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, PCFShadowMap, PerspectiveCamera,
+  Box3, CylinderGeometry, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, PCFShadowMap, PerspectiveCamera,
   Plane, PlaneGeometry, Raycaster, Scene, ShadowMaterial, SphereGeometry, Spherical, Vector2, Vector3, WebGLRenderer, DoubleSide,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
-import { ArmShape, Arrow, Ellipsoid, Triad, floor, ghostMaterial, reachOf, tube, wall } from "./shapes.js";
+import { along, ArmShape, Arrow, Ellipsoid, Triad, floor, ghostMaterial, reachOf, tube, wall } from "./shapes.js";
 
 const LOOK = {
-  light: { link: "#e9edf2", joint: "#34506b", grid: "#8793a3", gridStrength: 0.34, shadow: 0.16, sky: 2.1, sun: 1.5, path: "#D55E00", force: "#C77E00", ghost: "#0072B2", ellipsoid: "#9a4f86" },
-  dark: { link: "#c3ccd8", joint: "#5f86ad", grid: "#93a1b5", gridStrength: 0.26, shadow: 0.28, sky: 1.15, sun: 1.7, path: "#F58A3C", force: "#F0B429", ghost: "#56B4E9", ellipsoid: "#d79bc3" },
+  light: { lit: "#E69F00", link: "#e9edf2", joint: "#34506b", grid: "#8793a3", gridStrength: 0.34, shadow: 0.16, sky: 2.1, sun: 1.5, path: "#D55E00", force: "#C77E00", ghost: "#0072B2", ellipsoid: "#9a4f86" },
+  dark: { lit: "#F0B429", link: "#c3ccd8", joint: "#5f86ad", grid: "#93a1b5", gridStrength: 0.26, shadow: 0.28, sky: 1.15, sun: 1.7, path: "#F58A3C", force: "#F0B429", ghost: "#56B4E9", ellipsoid: "#d79bc3" },
 };
 const BRANCH_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9"];
 export const branchColour = (i) => BRANCH_COLOURS[i % BRANCH_COLOURS.length];
@@ -65,6 +65,9 @@ export class Stage {
     const link = new MeshStandardMaterial({ color: look.link, roughness: 0.45, metalness: 0.02 });
     const joint = new MeshStandardMaterial({ color: look.joint, roughness: 0.4, metalness: 0.1 });
     this.body = new ArmShape(arm, { link, joint });
+    this.lit = joint.clone();
+    this.lit.color.set(look.lit);
+    this.axis = new Mesh(new CylinderGeometry(1, 1, 1, 12), new MeshBasicMaterial({ color: look.lit, transparent: true, opacity: 0.75 }));
     this.shade = new Mesh(new PlaneGeometry(4 * size, 4 * size), new ShadowMaterial({ opacity: look.shadow }));
     this.shade.receiveShadow = true;
     this.shade.position.z = -0.001 * size;
@@ -74,7 +77,7 @@ export class Stage {
     this.force = new Arrow(force);
     this.handle = new Mesh(new SphereGeometry(0.022 * size, 20, 14), force);
     [this.path, this.ghosts, this.reference] = [new Group(), new Group(), new Group()];
-    this.world.add(this.body, floor(1.0 * size, look.grid, look.gridStrength), this.shade, ...this.triads, this.ellipsoid, this.force, this.handle, this.path, this.ghosts, this.reference);
+    this.world.add(this.body, floor(1.0 * size, look.grid, look.gridStrength), this.shade, ...this.triads, this.axis, this.ellipsoid, this.force, this.handle, this.path, this.ghosts, this.reference);
     this.sky.intensity = look.sky;
     this.sun.intensity = look.sun;
     this.sun.position.set(0.55 * size, -0.75 * size, 2 * size);
@@ -91,6 +94,8 @@ export class Stage {
     const { frames } = derived;
     this.frames = frames;
     this.body.pose(frames);
+    this.body.light(state.lit, this.lit);
+    this.drawAxis(frames[state.lit]);
     this.drawFrames(frames, state.frames);
     this.ellipsoid.visible = state.view === "jacobian";
     this.ellipsoidScale = (0.15 * this.size) / Math.max(derived.linear.values[0], 1e-6);
@@ -101,6 +106,13 @@ export class Stage {
     this.drawReference(state);
     if (first) this.fit();
     this.request();
+  }
+
+  // The axis about or along which the joint under the reader's hand moves.
+  drawAxis(frame) {
+    const half = frame ? scaled(0.16 * this.size, frame.z) : [0, 0, 0];
+    const [start, end] = frame ? [minus(frame.o, half), plus(frame.o, half)] : [half, half];
+    along(this.axis, start, end, 0.0025 * this.size);
   }
 
   drawFrames(frames, which) {

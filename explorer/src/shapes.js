@@ -19,7 +19,8 @@ const vector = (v) => new Vector3(...v);
 export const reachOf = (arm) =>
   arm.rows.reduce((sum, row) => sum + Math.abs(row.a) + Math.abs(row.d) + (row.kind === "prismatic" ? Math.abs(row.upper ?? 0.3) : 0), 0) || 0.3;
 
-function along(mesh, start, end, radius) {
+// Put a rod of unit length between two points.
+export function along(mesh, start, end, radius) {
   const way = vector(minus(end, start));
   const length = way.length();
   mesh.visible = length > 1e-6;
@@ -52,6 +53,12 @@ export class ArmShape extends Group {
       joint: row.kind === "fixed" ? null : add(row.kind === "prismatic" ? BOX : BARREL, joint),
     }));
     this.pedestal = add(BARREL, joint);
+    this.joint = joint;
+  }
+
+  // One joint, by its row, in another material.
+  light(index, material) {
+    this.parts.forEach((part, i) => part.joint && (part.joint.material = i === index ? material : this.joint));
   }
 
   pose(frames) {

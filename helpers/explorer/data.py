@@ -67,12 +67,16 @@ def path_data(arm: Arm, trace: ArrayLike | None) -> list[list[float]] | None:
     return _rounded(path[kept])
 
 
-def branches_data(arm: Arm, branches: Mapping[str, ArrayLike] | ArrayLike | None) -> list[Data] | None:
+def branches_data(
+    arm: Arm, branches: Mapping[str, ArrayLike] | ArrayLike | None
+) -> list[Data] | None:
     """Joint vectors of one pose, shape (k, dof), or a mapping from each one's name to it."""
     if branches is None:
         return None
     if isinstance(branches, Mapping):
-        return [{"label": str(name), "q": _rounded(arm.joint_vector(q))} for name, q in branches.items()]
+        return [
+            {"label": str(name), "q": _rounded(arm.joint_vector(q))} for name, q in branches.items()
+        ]
     return [_branch(arm, branch) for branch in branches]
 
 

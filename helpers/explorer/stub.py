@@ -30,7 +30,9 @@ def stub(arm: Arm, q: ArrayLike, spec: Data) -> str:
 
 def _pose_text(arm: Arm, q: ArrayLike) -> str:
     values = np.round(arm.joint_vector(q), 3) + 0.0
-    return ", ".join(f"{name} = {value:g}" for name, value in zip(arm.variables, values, strict=True))
+    return ", ".join(
+        f"{name} = {value:g}" for name, value in zip(arm.variables, values, strict=True)
+    )
 
 
 def still(arm: Arm, q: ArrayLike, words: str) -> str:
@@ -43,7 +45,9 @@ def still(arm: Arm, q: ArrayLike, words: str) -> str:
     place = _view(np.vstack([corners, corners * [1, 1, 0], *(tip[None] for _, _, tip in axes)]))
     shadow = _line(place(corners * [1, 1, 0]), 8, 0.12)
     link = _line(place(corners), 8, 0.5)
-    joints = "".join(f'<circle cx="{x}" cy="{y}" r="7" fill="currentColor"/>' for x, y in place(spots))
+    joints = "".join(
+        f'<circle cx="{x}" cy="{y}" r="7" fill="currentColor"/>' for x, y in place(spots)
+    )
     arrows = "".join(_arrow(place(np.array([o, tip])), _COLOURS[n]) for n, o, tip in axes)
     return (
         f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}" style="max-width:100%;height:auto" role="img" aria-label="{escape(words, quote=True)}">'

@@ -93,7 +93,9 @@ class ArmExplorer(anywidget.AnyWidget):
     def _check_q(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:
         vector = self.arm.joint_vector(proposal["value"])
         if vector.ndim != 1:
-            raise ArmError(f"{self.arm_name}: q has shape {vector.shape}; expected ({self.arm.dof},)")
+            raise ArmError(
+                f"{self.arm_name}: q has shape {vector.shape}; expected ({self.arm.dof},)"
+            )
         return tuple(vector.tolist())
 
     @traitlets.validate("wrench")

@@ -2,6 +2,8 @@
 
 import json
 import re
+from pathlib import Path
+from urllib.parse import unquote, urlparse
 
 import numpy as np
 import pytest
@@ -10,7 +12,7 @@ from helpers.explorer.data import arm_data
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ARMS, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.browser.test_pages import SIZES, Reader
-from tests.test_book import HTML
+from tests.test_book import HTML, NAMES
 from tests.test_explorer import held_up, some
 
 MINUS = "−"
@@ -80,6 +82,20 @@ def test_the_bundle_waits_until_its_stub_is_near(browser):
     reader.context.close()
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_no_page_weighs_more_than_three_megabytes(browser, name):
+    reader, asked = Reader(browser, "light", "wide", "file:"), set()
+    reader.page.on("request", lambda request: asked.add(request.url))
+    reader.open((HTML / f"{name}.html").as_uri())
+    for stub in reader.page.locator(".arm-explorer").all():
+        stub.scroll_into_view_if_needed()
+        stub.locator("section.explorer").wait_for()
+    reader.page.wait_for_load_state("networkidle")
+    files = {Path(unquote(urlparse(url).path)) for url in asked if url.startswith("file:")}
+    assert sum(file.stat().st_size for file in files) <= 3_000_000
+    reader.context.close()
+
+
 def test_a_dragged_slider_shows_the_pose_that_python_computes(visit):
     here = visit()
     home = here.pose()
@@ -134,10 +150,10 @@ def test_typed_values_are_taken_and_bad_ones_refused_in_words(visit):
 
 def test_degrees_and_radians_say_the_same(visit):
     here = visit()
-    here.page.get_by_role("button", name="Radians").click()
+    here.page.get_by_role("button", name="rad", exact=True).click()
     assert here.page.get_by_label("Joint 4, angle, typed").input_value() == "1.571 rad"
     assert here.page.locator("[data-cell='1-alpha']").input_value() == "π/2"
-    here.page.get_by_role("button", name="Degrees").click()
+    here.page.get_by_role("button", name="deg", exact=True).click()
     assert here.page.get_by_label("Joint 4, angle, typed").input_value() == "90.0°"
     assert here.page.locator("[data-cell='1-alpha']").input_value() == "90"
 
@@ -169,9 +185,13 @@ def test_rows_are_added_removed_and_made_to_slide(visit):
 
 
 def test_a_link_carries_the_whole_state(visit):
-    first = visit("#arm=Panda&q=0.1,0.2,0.3,1.4,0.5,1.6,0.7&view=torque&wrench=-5,0,0,0,0,0&unit=rad")
+    first = visit(
+        "#arm=Panda&q=0.1,0.2,0.3,1.4,0.5,1.6,0.7&view=torque&wrench=-5,0,0,0,0,0&unit=rad"
+    )
     fragment = first.page.evaluate("location.hash")
-    assert first.page.get_by_role("tab", name="Static torque").get_attribute("aria-selected") == "true"
+    assert (
+        first.page.get_by_role("tab", name="Static torque").get_attribute("aria-selected") == "true"
+    )
     first.tab("DH table")
     first.page.locator("[data-cell='3-a']").fill("0.088")
     fragment = first.fragment()
@@ -232,7 +252,9 @@ def orange(page):
 
     from PIL import Image
 
-    picture = np.asarray(Image.open(BytesIO(page.locator(".stage canvas").screenshot())).convert("RGB"))
+    picture = np.asarray(
+        Image.open(BytesIO(page.locator(".stage canvas").screenshot())).convert("RGB")
+    )
     match = np.abs(picture.astype(int) - (199, 126, 0)).sum(axis=-1) < 30
     rows, columns = np.nonzero(match)
     near = columns > columns.max() - 18

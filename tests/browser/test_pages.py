@@ -44,7 +44,9 @@ class Reader:
         self.page.on("requestfailed", lambda r: self.troubles.append(f"failed: {r.url}"))
 
     def _said(self, message):
-        if "GPU stall due to ReadPixels" in message.text:  # of a machine that draws without a graphics card
+        if (
+            "GPU stall due to ReadPixels" in message.text
+        ):  # of a machine that draws without a graphics card
             return
         if message.type in ("error", "warning"):
             self.troubles.append(f"{message.type}: {message.text}")

@@ -64,6 +64,6 @@ function factList({ determinant, manipulability }, values, linear, full) {
     ...square,
     ...fact("manipulability", small(manipulability)),
     ...fact("smallest σ", small(values[full - 1])),
-    ...fact("half axes", linear.values.map((v) => fixed(v, 3)).join(", ")),
+    ...fact("half axes", linear.values.map((v) => fixed(v, 2)).join(", ")),
   ];
 }
