@@ -266,6 +266,11 @@ def test_unknown_views_are_refused(views):
         ArmExplorer(PANDA, views=views)
 
 
+def test_two_arms_may_not_share_a_name():
+    with pytest.raises(ArmError, match="two different arms are called 'Panda'"):
+        ArmExplorer(PANDA, arms=[PANDA.lock(3)])
+
+
 def test_a_table_typed_in_the_browser_becomes_an_arm(explorer):
     rows = arm_data(ELBOW)["rows"]
     explorer.set_state({"rows": rows, "q": [0.1, 0.2, 0.3]})

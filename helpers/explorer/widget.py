@@ -71,7 +71,7 @@ class ArmExplorer(anywidget.AnyWidget):
         unit: str = "deg",
         link: bool = False,
     ) -> None:
-        self._arms = {a.name: a for a in (arm, *arms)}
+        self._arms = _by_name((arm, *arms))
         spec = {
             "arms": [arm_data(a) for a in self._arms.values()],
             "views": _known("view", views, VIEWS),
@@ -125,6 +125,14 @@ class ArmExplorer(anywidget.AnyWidget):
 
     def __repr__(self) -> str:
         return f"<ArmExplorer of the {self.arm_name}>"
+
+
+def _by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
+    named: dict[str, Arm] = {}
+    for arm in arms:
+        if named.setdefault(arm.name, arm) != arm:
+            raise ArmError(f"two different arms are called {arm.name!r}; expected each to have its name")
+    return named
 
 
 def _known(what: str, given: Iterable[str], known: tuple[str, ...]) -> list[str]:
