@@ -12,8 +12,9 @@ from dataclasses import dataclass
 
 import kinematics
 import numpy as np
+import tracing
 
-TOPICS = (kinematics,)
+TOPICS = (kinematics, tracing)
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,9 @@ def measured(case: Case) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    print(f"Python {platform.python_version()}, NumPy {np.__version__}, {platform.machine()}, medians\n")
+    print(
+        f"Python {platform.python_version()}, NumPy {np.__version__}, {platform.machine()}, medians\n"
+    )
     print("| work | helpers (ms) | peer | peer (ms) | helpers / peer | largest difference |")
     print("|:--|--:|:--|--:|--:|--:|")
     for topic in TOPICS:

@@ -1,6 +1,7 @@
 """Forward kinematics and Jacobians of the Panda."""
 
 import sysconfig
+from functools import partial
 from pathlib import Path
 
 import casadi
@@ -31,10 +32,19 @@ def casadi_functions() -> tuple[casadi.Function, casadi.Function]:
     for k, row in enumerate(BARE.numeric):
         frames.append(T)
         c, s, ca, sa = casadi.cos(q[k]), casadi.sin(q[k]), row.cos_alpha, row.sin_alpha
-        A = [[c, -s * ca, s * sa, row.a * c], [s, c * ca, -c * sa, row.a * s], [0, sa, ca, row.d], [0, 0, 0, 1]]
+        A = [
+            [c, -s * ca, s * sa, row.a * c],
+            [s, c * ca, -c * sa, row.a * s],
+            [0, sa, ca, row.d],
+            [0, 0, 0, 1],
+        ]
         T = T @ casadi.vertcat(*(casadi.horzcat(*line) for line in A))
-    columns = [casadi.vertcat(casadi.cross(F[:3, 2], T[:3, 3] - F[:3, 3]), F[:3, 2]) for F in frames]
-    return casadi.Function("pose", [q], [T]), casadi.Function("jacobian", [q], [casadi.horzcat(*columns)])
+    columns = [
+        casadi.vertcat(casadi.cross(F[:3, 2], T[:3, 3] - F[:3, 3]), F[:3, 2]) for F in frames
+    ]
+    return casadi.Function("pose", [q], [T]), casadi.Function(
+        "jacobian", [q], [casadi.horzcat(*columns)]
+    )
 
 
 class Pinocchio:
@@ -42,7 +52,9 @@ class Pinocchio:
 
     def __init__(self) -> None:
         site = Path(sysconfig.get_paths()["purelib"])
-        urdf = site / "cmeel.prefix/share/example-robot-data/robots/panda_description/urdf/panda.urdf"
+        urdf = (
+            site / "cmeel.prefix/share/example-robot-data/robots/panda_description/urdf/panda.urdf"
+        )
         model = pinocchio.buildModelFromUrdf(str(urdf))
         fingers = [model.getJointId(f"panda_finger_joint{k}") for k in (1, 2)]
         self.model = pinocchio.buildReducedModel(model, fingers, pinocchio.neutral(model))
@@ -58,7 +70,9 @@ class Pinocchio:
     def jacobians(self, q: np.ndarray) -> np.ndarray:
         found, axes = np.empty((len(q), 6, 7)), pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
         for k, maker in enumerate(q * SIGNS):
-            found[k] = pinocchio.computeFrameJacobian(self.model, self.data, maker, self.frame, axes)
+            found[k] = pinocchio.computeFrameJacobian(
+                self.model, self.data, maker, self.frame, axes
+            )
         return found * SIGNS
 
 
@@ -77,17 +91,21 @@ def cases(Case):
     pin, chain, (pose, jac) = Pinocchio(), ets(), casadi_functions()
     for size, rounds in ((1000, 31), (1_000_000, 3)):
         q = np.random.default_rng(0).uniform(*PANDA.limits, size=(size, 7))
-        fk_peers = {"CasADi Function.map": lambda q=q, f=mapped(pose, size): f(q)}
-        jac_peers = {"CasADi Function.map": lambda q=q, f=mapped(jac, size): f(q)}
+        fk_peers = {"CasADi Function.map": partial(mapped(pose, size), q)}
+        jac_peers = {"CasADi Function.map": partial(mapped(jac, size), q)}
         if size == 1000:
             fk_peers |= {
-                "Pinocchio, in a loop": lambda q=q: pin.poses(q),
-                "roboticstoolbox ETS.fkine": lambda q=q: chain.eval(q),
+                "Pinocchio, in a loop": partial(pin.poses, q),
+                "roboticstoolbox ETS.fkine": partial(chain.eval, q),
             }
             jac_peers |= {
-                "Pinocchio, in a loop": lambda q=q: pin.jacobians(q),
-                "roboticstoolbox ETS.jacob0, in a loop": lambda q=q: np.array([chain.jacob0(x) for x in q]),
+                "Pinocchio, in a loop": partial(pin.jacobians, q),
+                "roboticstoolbox ETS.jacob0, in a loop": lambda q=q: np.array(
+                    [chain.jacob0(x) for x in q]
+                ),
             }
         label = f"{size:,}".replace(",", " ")
-        yield Case(f"FK, {label} poses", lambda q=q: forward_kinematics(BARE, q), fk_peers, 1e-12, rounds)
-        yield Case(f"Jacobian, {label} poses", lambda q=q: jacobian(BARE, q), jac_peers, 1e-12, rounds)
+        yield Case(
+            f"FK, {label} poses", partial(forward_kinematics, BARE, q), fk_peers, 1e-12, rounds
+        )
+        yield Case(f"Jacobian, {label} poses", partial(jacobian, BARE, q), jac_peers, 1e-12, rounds)

@@ -9,7 +9,11 @@ Source: Craig, Introduction to Robotics, section 3.4; Spong, Hutchinson and Vidy
 from collections.abc import Sequence
 from dataclasses import replace
 
-from helpers.arm import ArmError, Row, fixed
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm, ArmError, Row, fixed
+from helpers.kinematics import link_frames
 
 
 def standard_from_modified(rows: Sequence[Row]) -> tuple[Row, ...]:
@@ -33,3 +37,15 @@ def modified_from_standard(rows: Sequence[Row]) -> tuple[Row, ...]:
     shifted = [replace(row, a=b.a, alpha=b.alpha) for row, b in zip(rows, before, strict=True)]
     tip = [] if rows[-1].a == rows[-1].alpha == 0 else [fixed(a=rows[-1].a, alpha=rows[-1].alpha)]
     return (*shifted, *tip)
+
+
+def modified_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
+    """Craig's frames 1 .. n of an arm, shape (..., rows, 4, 4): each lies on its own joint's axis, not the next one's.
+
+    They are the standard frames before their step along and turn about x. Papers on the Panda give centres of mass in them.
+    """
+    steps = np.array([np.eye(4)] * len(arm.rows))
+    for step, row in zip(steps, arm.numeric, strict=True):
+        step[:3, 1:3] = [[0, 0], [row.cos_alpha, -row.sin_alpha], [row.sin_alpha, row.cos_alpha]]
+        step[0, 3] = row.a
+    return link_frames(arm, q)[..., 1:, :, :] @ np.linalg.inv(steps)

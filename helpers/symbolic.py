@@ -6,6 +6,7 @@ taken (q_2 + q_3 rather than c_2 c_3 - s_2 s_3). That form is unique, so equal e
 A symbol whose value is 0 is left out of the formulas.
 """
 
+from collections.abc import Sequence
 from functools import reduce
 from operator import mul
 from typing import NamedTuple
@@ -112,6 +113,53 @@ def _column_in(
     return [ring.reduced(sum(map(mul, axis, half))) for half in halves for axis in frame[:3]]
 
 
+def potential_energy(arm: Arm) -> sp.Expr:
+    """P = g sum m_i h_i in the symbols g, m_i and (x_i, y_i, z_i), h_i being the height of link i's centre of mass.
+
+    A coordinate or mass that is 0 is left out; ``body_numbers(arm)`` gives the others' values. Raises ArmError where the
+    arm has no masses.
+    """
+    ring = _Ring(arm, extra=_body_symbols(arm))
+    return ring.expression(_energy(arm, ring))
+
+
+def gravity_torque(arm: Arm) -> Matrix:
+    """g(q) = dP/dq, dof x 1, in the symbols of `potential_energy`."""
+    ring = _Ring(arm, extra=_body_symbols(arm))
+    energy = _energy(arm, ring)
+    return ring.matrix([[ring.derivative(energy, i)] for i in arm.joints])
+
+
+def body_numbers(arm: Arm, gravity: float = 9.81) -> dict[sp.Symbol, float]:
+    """The numbers (kg, m, m/s^2) of the symbols m_i, x_i, y_i, z_i and g, to substitute in a formula."""
+    numbers = {sp.Symbol("g"): gravity}
+    for i, body in enumerate(arm.bodies, 1):
+        for name, entry in zip("mxyz", (body.mass, *body.com), strict=True):
+            if value := arm.number(entry):
+                numbers[sp.Symbol(f"{name}_{i}")] = value
+    return numbers
+
+
+def _body_symbols(arm: Arm) -> list[sp.Symbol]:
+    if not arm.bodies:
+        raise ArmError(f"{arm.name} has no masses; give bodies, one Body for each row")
+    return list(body_numbers(arm))
+
+
+def _energy(arm: Arm, ring: "_Ring") -> PolyElement:
+    """g sum m_i (o_z + x_i x_z + y_i y_z + z_i z_z), the third components of the link frames' columns."""
+    known = set(_body_symbols(arm))
+
+    def letter(name: str) -> PolyElement:
+        return ring.length(sp.Symbol(name)) if sp.Symbol(name) in known else ring.zero
+
+    total = ring.zero
+    for i, frame in enumerate(_frames(arm, ring)[1:], 1):
+        height = frame.origin[2] + sum(letter(f"{c}_{i}") * axis[2] for c, axis in zip("xyz", frame[:3], strict=True))
+        total += letter(f"m_{i}") * height
+    return ring.reduced(ring.length(sp.Symbol("g")) * total)
+
+
 def short(expression):
     """`expression` with cos(q_2 + q_3) written c_23 and sin(q_1) written s_1, as textbooks do."""
     functions = {f: _index(f.args[0]) for f in expression.atoms(sp.cos, sp.sin)}
@@ -195,7 +243,7 @@ def _turns(arm: Arm, joined: bool = True) -> list[_Turn]:
 class _Ring:
     """Polynomials in an arm's lengths and in the cosines and sines of its angles, in a unique form."""
 
-    def __init__(self, arm: Arm, joined: bool = True) -> None:
+    def __init__(self, arm: Arm, joined: bool = True, extra: Sequence[sp.Symbol] = ()) -> None:
         self.turns = _turns(arm, joined)
         angles = {turn.angle[0] for turn in self.turns}
         angles |= {_angle(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}
@@ -206,7 +254,7 @@ class _Ring:
         letters |= {
             sp.Symbol(f"q_{i}") for i in arm.joints if arm.rows[i - 1].joint.kind == "prismatic"
         }
-        letters = sorted(letters, key=sp.default_sort_key)
+        letters = sorted(letters | set(extra), key=sp.default_sort_key)
         # Sines come first, so that sin² is the leading term of sin² + cos² - 1 and division removes it.
         self._symbols = [f(angle) for f in (sp.sin, sp.cos) for angle in angles] + letters
         self._ring = PolyRing([sp.Dummy() for _ in self._symbols], sp.QQ, sp.lex)

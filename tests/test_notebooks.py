@@ -92,7 +92,9 @@ def test_a_cell_that_draws_shows_nothing_else(path):
     for cell in code_cells(path):
         if any(PICTURES & set(output.get("data", {})) for output in cell.outputs):
             (output,) = cell.outputs
-            assert re.match("<Figure|<IPython.core.display.SVG", output.data["text/plain"]), cell.source
+            assert re.match("<Figure|<IPython.core.display.SVG", output.data["text/plain"]), (
+                cell.source
+            )
 
 
 @every_notebook

@@ -53,7 +53,9 @@ def circle(
     if not (isinstance(steps, int | np.integer) and steps >= 1):
         raise ArmError(f"steps is {steps!r}; expected a whole number of 1 or more")
     if len(plane) != 2 or plane[0] == plane[1] or not set(plane) <= set("xyz"):
-        raise ArmError(f"plane is {plane!r}; expected two different letters of x, y, z, such as 'yz'")
+        raise ArmError(
+            f"plane is {plane!r}; expected two different letters of x, y, z, such as 'yz'"
+        )
     first, second = (np.eye(3)["xyz".index(letter)] for letter in plane)
     rate = 2 * np.pi / period
 

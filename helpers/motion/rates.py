@@ -64,7 +64,7 @@ def adaptive(damping: float, below: float) -> Rates:
 
 
 def levenberg(scale: float = 0.1) -> Rates:
-    """Damping that fades with what is left to do, damping^2 = scale |xi|: for method "exact", where xi is an error.
+    """Damping that fades with what is left to do, damping^2 = scale times the size of xi: for method "exact", where xi is an error.
 
     Far away it is careful, close by it is Newton's method. Source: Nocedal and Wright, Numerical Optimization, 10.3.
     """
@@ -90,9 +90,9 @@ def towards(goal: ArrayLike, gain: float) -> Callable[[Array], Array]:
 def away_from_limits(arm: Arm, gain: float) -> Callable[[Array], Array]:
     """A wish to be in the middle of each joint's range, as strong as the range is narrow. Source: Siciliano, section 3.5."""
     lower, upper = arm.limits
-    middle, half = (lower + upper) / 2, (upper - lower) / 2
-    if not np.isfinite(half).all():
+    if not np.isfinite([lower, upper]).all():
         raise ArmError(f"{arm.name} has joints without limits; give a goal with towards() instead")
+    middle, half = (lower + upper) / 2, (upper - lower) / 2
     return lambda q: -gain * (q - middle) / half**2
 
 

@@ -42,7 +42,10 @@ class Report:
             ("gap between the tip's start and end", _length(self.closing_gap)),
             ("largest change of a joint over the whole path", _angle(self.joint_gap)),
             ("smallest singular value of J", f"{self.smallest_singular_value:.3g}"),
-            ("largest joint speed", f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit"),
+            (
+                "largest joint speed",
+                f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit",
+            ),
             ("joints beyond their range", _joints(self.beyond_limits)),
             ("joints beyond their speed", _joints(self.beyond_speed)),
         ]

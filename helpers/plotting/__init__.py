@@ -5,6 +5,7 @@ from helpers.plotting.dh import dh_numbers
 from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
+from helpers.plotting.torques import pen_and_wall, torques
 from helpers.plotting.traces import joints, moving_picture, path_2d
 
 __all__ = [
@@ -25,5 +26,7 @@ __all__ = [
     "map_2d",
     "moving_picture",
     "path_2d",
+    "pen_and_wall",
+    "torques",
     "use_book_style",
 ]

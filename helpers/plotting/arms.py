@@ -35,11 +35,19 @@ def arm_3d(
 
 
 def arrow_3d(
-    ax: Axes3D, start: ArrayLike, step: ArrayLike, colour: str, text: str = "", *, dashed: bool = False
+    ax: Axes3D,
+    start: ArrayLike,
+    step: ArrayLike,
+    colour: str,
+    text: str = "",
+    *,
+    dashed: bool = False,
 ) -> None:
     """Draw an arrow from a point by a step (m), with a text at its head."""
     start, step = np.asarray(start, dtype=float), np.asarray(step, dtype=float)
-    ax.quiver(*start, *step, color=colour, ls="--" if dashed else "-", lw=2, arrow_length_ratio=0.12)
+    ax.quiver(
+        *start, *step, color=colour, ls="--" if dashed else "-", lw=2, arrow_length_ratio=0.12
+    )
     ax.text(*(start + 1.12 * step), text, color=colour, ha="center", va="center")
 
 

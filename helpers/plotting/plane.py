@@ -10,21 +10,45 @@ from helpers.plotting.arms import skeleton
 from helpers.plotting.style import GREY
 
 
-def arm_2d(ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0) -> None:
+def arm_2d(
+    ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0
+) -> None:
     """Draw an arm at q, shape (dof,), seen along the third axis of a plane such as "xz"; lengths in m."""
     i, j = ("xyz".index(letter) for letter in plane)
     T = link_frames(arm, q)
     points = skeleton(arm, T)[:, [i, j]]
     origins = T[[k - 1 for k in arm.joints], :3, 3][:, [i, j]]
-    ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=5, solid_joinstyle="round", solid_capstyle="round")
+    ax.plot(
+        *points.T,
+        color=colour,
+        alpha=0.75 * alpha,
+        lw=5,
+        solid_joinstyle="round",
+        solid_capstyle="round",
+    )
     ax.plot(*origins.T, "o", color="#5B6472", alpha=alpha, ms=9)
     ax.plot(*points[-1:].T, "o", color="black", alpha=alpha, ms=4)
     ax.set(xlabel=f"${plane[0]}$ (m)", ylabel=f"${plane[1]}$ (m)", aspect="equal")
 
 
-def arrow_2d(ax: Axes, start: ArrayLike, step: ArrayLike, colour: str, text: str = "", *, dashed: bool = False) -> None:
+def arrow_2d(
+    ax: Axes,
+    start: ArrayLike,
+    step: ArrayLike,
+    colour: str,
+    text: str = "",
+    *,
+    dashed: bool = False,
+) -> None:
     """Draw an arrow from a point by a step, with a text at its head."""
     start, step = np.asarray(start, dtype=float), np.asarray(step, dtype=float)
-    style = {"arrowstyle": "-|>", "color": colour, "lw": 1.8, "ls": "--" if dashed else "-", "shrinkA": 0, "shrinkB": 0}
+    style = {
+        "arrowstyle": "-|>",
+        "color": colour,
+        "lw": 1.8,
+        "ls": "--" if dashed else "-",
+        "shrinkA": 0,
+        "shrinkB": 0,
+    }
     ax.annotate("", xy=start + step, xytext=start, arrowprops=style)
     ax.text(*(start + 1.14 * step), text, color=colour, ha="center", va="center")

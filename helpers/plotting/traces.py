@@ -33,7 +33,9 @@ def joints(axes: Array, run: Trace) -> None:
     lower, upper = np.degrees(run.arm.limits)
     some = slice(None, None, max(1, len(run.t) // 200))
     t, angles = run.t[some], np.degrees(run.q[some].T)
-    for ax, i, angle, low, high in zip(axes.flat, run.arm.joints, angles, lower, upper, strict=False):
+    for ax, i, angle, low, high in zip(
+        axes.flat, run.arm.joints, angles, lower, upper, strict=False
+    ):
         ax.plot(t, angle, color=BLUE)
         if np.isfinite([low, high]).all():
             ax.axhspan(low, high, color=GREEN, alpha=0.12, lw=0)
@@ -58,7 +60,10 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     tips = run.poses[:, :3, 3][:: max(1, len(run.t) // 100)]
     low, high = bones.min(axis=(0, 1)), bones.max(axis=(0, 1))
     scale, seconds = 240 / (high - low).max(), float(run.t[-1])
-    parts = [_panel(bones, tips, plane, low, scale, seconds, 20 + 300 * k) for k, plane in enumerate(planes)]
+    parts = [
+        _panel(bones, tips, plane, low, scale, seconds, 20 + 300 * k)
+        for k, plane in enumerate(planes)
+    ]
     style = "@media (prefers-reduced-motion: reduce) {.moving {display: none}} .still {display: none} @media (prefers-reduced-motion: reduce) {.still {display: inline}}"
     return (
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 310" width="600" height="310" font-family="sans-serif">'
@@ -66,13 +71,18 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     )
 
 
-def _panel(bones: Array, tips: Array, plane: str, low: Array, scale: float, seconds: float, left: float) -> str:
+def _panel(
+    bones: Array, tips: Array, plane: str, low: Array, scale: float, seconds: float, left: float
+) -> str:
     i, j = ("xyz".index(letter) for letter in plane)
 
     def points(array: Array) -> list[str]:
         x = left + scale * (array[..., i] - low[i])
         y = 270 - scale * (array[..., j] - low[j])
-        return [" ".join(f"{a:.1f},{b:.1f}" for a, b in zip(*line, strict=True)) for line in zip(x, y, strict=True)]
+        return [
+            " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(*line, strict=True))
+            for line in zip(x, y, strict=True)
+        ]
 
     poses, (path,) = points(bones), points(tips[None])
     repeat = f'dur="{seconds:g}s" repeatCount="indefinite"'

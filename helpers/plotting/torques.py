@@ -1,0 +1,33 @@
+"""Joint torques along a path, and the forces at the pen's tip."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm
+from helpers.plotting.plane import arrow_2d
+from helpers.plotting.style import BLUE, GREY, RED, SKY
+
+Array = NDArray[np.float64]
+
+
+def torques(axes: Array, arm: Arm, t: ArrayLike, tau: ArrayLike, label: str | None = None, **line: object) -> None:
+    """Draw each joint's torque (N m) over time in its own axes, with the maker's limits where they are near."""
+    some = slice(None, None, max(1, len(t) // 200))
+    for ax, i, values, limit in zip(axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False):
+        ax.plot(t[some], values[some], label=label, **{"color": BLUE, **line})
+        ax.set(title=f"joint {i} (limit ±{limit:g})", xlabel="$t$ (s)", ylabel="N m")
+
+
+def pen_and_wall(ax: Axes) -> None:
+    """The free body that settles the sign: the pen cut loose from the wall, each pushing the other."""
+    ax.fill_between([1.0, 1.3], -0.5, 0.5, color=SKY, alpha=0.35, lw=0)
+    ax.plot([-0.2, 0.7], [0, 0], color=GREY, lw=9, solid_capstyle="round")
+    arrow_2d(ax, (0.72, 0.16), (-0.45, 0), RED)
+    arrow_2d(ax, (1.02, -0.16), (0.45, 0), BLUE)
+    ax.text(0.2, 0.3, "the wall on the pen\n$F = (-5, 0, 0)$ N", color=RED, ha="center")
+    ax.text(1.15, -0.42, "the pen on the wall\n$(+5, 0, 0)$ N", color=BLUE, ha="center")
+    ax.text(-0.15, -0.12, "pen", ha="center", va="top")
+    ax.text(1.15, 0.4, "wall", ha="center")
+    ax.set(xlim=(-0.4, 1.7), ylim=(-0.55, 0.55), aspect="equal")
+    ax.set_axis_off()

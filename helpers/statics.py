@@ -1,0 +1,106 @@
+"""What holds an arm still: potential energy, gravity torques, and the torques against a force at the tip.
+
+Gravity is a vector in base axes, so a wall- or ceiling-mounted arm is the same arm with another `gravity`. A wrench is
+(force, moment) on the tool, by the world, in base axes at the tip (N, N m).
+Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, sections 4.10 and 6.2.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm, ArmError, Body
+from helpers.kinematics import _in_chunks, _recursion, jacobian, link_frames
+
+Array = NDArray[np.float64]
+
+GRAVITY = (0.0, 0.0, -9.81)  # m/s^2, for an arm that stands on the floor
+
+
+def potential_energy(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
+    """P = -sum m_i g . c_i in J, shape (...), for q of shape (..., dof); zero for a mass at the base's origin.
+
+    Raises ArmError where the arm has no masses or `gravity` is no vector.
+    """
+    masses, coms = _bodies(arm)
+    T = link_frames(arm, q)[..., 1:, :, :]
+    centres = np.einsum("...kij,kj->...ki", T[..., :3, :3], coms) + T[..., :3, 3]
+    return -np.einsum("k,...ki,i->...", masses, centres, _vector(gravity))
+
+
+def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
+    """g(q) = dP/dq, the torques (N m; N where a joint slides) that hold the arm, shape (..., dof).
+
+    Joint i carries the links beyond it: with their mass M and first moment S, g_i = -g . (z_{i-1} x (S - M o_{i-1})).
+    """
+    masses, coms = _bodies(arm)
+    down = _vector(gravity)
+
+    def fill(arm: Arm, q: Array, out: Array) -> None:
+        frames = list(_recursion(arm, q))
+        mass, moment, column = 0.0, np.zeros((3, 1)), arm.dof
+        for i in range(len(arm.rows), 0, -1):
+            x, y, z, origin = frames[i]
+            cx, cy, cz = coms[i - 1]
+            moment = moment + masses[i - 1] * (origin + cx * x + cy * y + cz * z)
+            mass += masses[i - 1]
+            _, _, axis, before = frames[i - 1]
+            kind = arm.rows[i - 1].joint.kind
+            if kind == "fixed":
+                continue
+            column -= 1
+            push = np.cross(down, axis, axis=0) if kind == "revolute" else None
+            out[:, column] = -mass * (down @ axis) if push is None else -((moment - mass * before) * push).sum(axis=0)
+
+    return _in_chunks(arm, q, (arm.dof,), fill)
+
+
+def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
+    """tau = g(q) - J^T F, shape (..., dof): what the motors give while the world exerts `wrench`, shape (..., 6).
+
+    Raises ArmError for a wrench of another shape or with NaN in it.
+    """
+    F = np.asarray(wrench, dtype=float)
+    if F.shape[-1:] != (6,) or not np.isfinite(F).all():
+        raise ArmError(f"wrench is {wrench!r}; expected six finite numbers (fx, fy, fz, mx, my, mz)")
+    return gravity_torque(arm, q, gravity) - np.einsum("...ij,...i->...j", jacobian(arm, q), F)
+
+
+def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm:
+    """The arm with a mass (kg) fixed to its last link, its centre in the last frame (m): a tool, a pen, a load."""
+    if not arm.bodies:
+        raise ArmError(f"{arm.name} has no masses to add a payload to")
+    added = np.asarray(com, dtype=float)
+    if not (np.isfinite(mass) and mass >= 0) or added.shape != (3,) or not np.isfinite(added).all():
+        raise ArmError(f"payload is {mass!r} at {com!r}; expected a mass >= 0 and three coordinates")
+    masses, coms = _bodies(arm)
+    total = masses[-1] + mass
+    centre = (masses[-1] * coms[-1] + mass * added) / total
+    return replace(arm, bodies=(*arm.bodies[:-1], Body(float(total), tuple(map(float, centre)))))
+
+
+def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike) -> Array:
+    """Points given in one set of link frames, told in another: both (n, 4, 4) at one pose, the points (n, 3).
+
+    For centres of mass from a paper whose frames are not the table's.
+    """
+    to, start, points = (np.asarray(a, dtype=float) for a in (frames_to, frames_from, centres))
+    if to.shape != start.shape or to.shape[1:] != (4, 4) or points.shape != (len(to), 3):
+        raise ArmError(f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n, 4, 4) twice and (n, 3)")
+    world = np.einsum("nij,nj->ni", start[:, :3, :3], points) + start[:, :3, 3]
+    return np.einsum("nji,nj->ni", to[:, :3, :3], world - to[:, :3, 3])
+
+
+def _bodies(arm: Arm) -> tuple[Array, Array]:
+    if not arm.bodies:
+        raise ArmError(f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows")
+    masses = np.array([arm.number(body.mass) for body in arm.bodies])
+    return masses, np.array([[arm.number(c) for c in body.com] for body in arm.bodies])
+
+
+def _vector(gravity: ArrayLike) -> Array:
+    down = np.asarray(gravity, dtype=float)
+    if down.shape != (3,) or not np.isfinite(down).all():
+        raise ArmError(f"gravity is {gravity!r}; expected a vector of three finite numbers in m/s^2")
+    return down

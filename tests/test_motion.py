@@ -1,0 +1,265 @@
+"""Tracing: orders measured, remedies as the homework's page has them, limits reported as they are."""
+
+import time
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helpers.arm import ArmError
+from helpers.kinematics import forward_kinematics, jacobian, link_frames
+from helpers.motion import (
+    SingularError,
+    adaptive,
+    away_from_limits,
+    circle,
+    damped,
+    inverse,
+    levenberg,
+    pseudo_inverse,
+    towards,
+    trace,
+    with_null_space,
+)
+from helpers.plotting import moving_picture
+from helpers.robots import PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+
+HOMEWORK, REAL = PANDA_HOMEWORK.lock(3), PANDA.lock(3)
+TOP = np.array([0.679, 0, 0.825])
+
+
+def panda_circle(steps, period=5.0):
+    return circle(TOP - [0, 0, 0.1], 0.1, "zy", period, steps)
+
+
+def ur_circle(steps=1000):
+    return circle([0, 0.3561, 1.328], 0.1, "xz", 20.0, steps, phase=np.pi / 2)
+
+
+def test_a_circle_is_round_even_and_closed():
+    path = circle([0.4, -0.1, 0.2], 0.07, "yx", 3.0, 60, phase=0.4)
+    out = path.positions - [0.4, -0.1, 0.2]
+    np.testing.assert_allclose(np.linalg.norm(out, axis=1), 0.07, atol=1e-15)
+    np.testing.assert_allclose(path.positions[0], path.positions[-1], atol=1e-15)
+    np.testing.assert_allclose(
+        np.linalg.norm(path.velocities, axis=1), 2 * np.pi * 0.07 / 3, atol=1e-15
+    )
+    np.testing.assert_allclose(out @ path.normal, 0, atol=1e-15)
+    h = 1e-6
+    slope = (path.position(path.times + h) - path.position(path.times - h)) / (2 * h)
+    np.testing.assert_allclose(path.velocities, slope, atol=1e-9)
+
+
+def test_the_homeworks_circles_start_and_turn_as_described():
+    panda, ur = panda_circle(4), ur_circle(4)
+    np.testing.assert_allclose(panda.positions[:2], [TOP, [0.679, 0.1, 0.725]], atol=1e-15)
+    np.testing.assert_allclose(
+        ur.positions[:2], [[0, 0.3561, 1.428], [-0.1, 0.3561, 1.328]], atol=1e-15
+    )
+
+
+@pytest.mark.parametrize(("steps", "error"), [(100, 1.318e-3), (1000, 1.275e-4), (10000, 1.271e-5)])
+def test_eulers_error_as_on_the_homeworks_page(steps, error):
+    assert trace(
+        HOMEWORK, HOMEWORK.home, panda_circle(steps)
+    ).report.position_error == pytest.approx(error, rel=1e-3)
+
+
+def test_orders_of_convergence():
+    def order(method, coarse):
+        errors = [
+            trace(HOMEWORK, HOMEWORK.home, panda_circle(n), method=method).report.position_error
+            for n in (coarse, 2 * coarse)
+        ]
+        return np.log2(errors[0] / errors[1])
+
+    assert order("euler", 500) == pytest.approx(1, abs=0.05)
+    assert order("rk4", 50) == pytest.approx(4, abs=0.2)
+    assert (
+        trace(HOMEWORK, HOMEWORK.home, panda_circle(100), method="rk4").report.position_error < 1e-8
+    )
+
+
+def test_the_exact_method_is_exact():
+    report = trace(
+        REAL, REAL.home, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 200), method="exact"
+    ).report
+    assert report.position_error < 1e-12
+    assert report.pen_tilt < 1e-12
+
+
+def test_the_period_does_not_matter_to_the_path():
+    fast, slow = (trace(HOMEWORK, HOMEWORK.home, panda_circle(200, T)) for T in (5.0, 200.0))
+    np.testing.assert_allclose(fast.q, slow.q, atol=1e-10)
+    assert fast.report.largest_speed == pytest.approx(40 * slow.report.largest_speed)
+
+
+@pytest.mark.parametrize(
+    ("how", "error", "speed"),
+    [
+        ({"rates": pseudo_inverse(1e-9)}, 3.5e-3, 6.57),
+        ({"rates": pseudo_inverse(1e-2)}, 46e-3, None),
+        ({"rates": damped(0.02)}, 11e-3, None),
+        ({"rates": damped(0.02), "gain": 5.0}, 2.6e-3, None),
+    ],
+)
+def test_the_cures_at_the_ur10es_home_as_on_the_homeworks_page(how, error, speed):
+    report = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(), **how).report
+    assert report.position_error == pytest.approx(error, rel=0.02)
+    if speed:
+        assert report.largest_speed == pytest.approx(speed, rel=1e-3)
+        assert report.beyond_speed
+
+
+def test_solving_for_positions_needs_no_remedy():
+    report = trace(
+        UR10E_HOMEWORK, np.zeros(6), ur_circle(), method="exact", rates=levenberg()
+    ).report
+    assert report.position_error < 1e-12
+    assert report.executable
+
+
+def test_zeros_replaced_by_1e_4_as_on_the_homeworks_page():
+    error = {
+        n: trace(UR10E_HOMEWORK, np.full(6, -1e-4), ur_circle(n)).report.position_error
+        for n in (200, 1000)
+    }
+    assert error[200] == pytest.approx(0.234, abs=5e-4)
+    assert error[1000] == pytest.approx(0.021, abs=5e-4)
+
+
+def test_the_pandas_joints_wind_and_the_report_says_by_how_much():
+    run = trace(REAL, REAL.home, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 1000), method="rk4")
+    np.testing.assert_allclose(
+        np.degrees(run.q[-1] - run.q[0]), [0, 0, 0, -360, 0, -360], atol=1e-6
+    )
+    beyond = dict(run.report.beyond_limits)
+    assert set(beyond) == {5, 7}
+    assert beyond[5] == pytest.approx(2 * np.pi - 2.8973, abs=1e-6)
+    assert not run.report.executable
+
+
+def test_an_executable_circle():
+    start = np.radians([0, 25, 85, 0, 150, 0])
+    tip = forward_kinematics(REAL, start)[:3, 3]
+    run = trace(REAL, start, circle(tip - [0, 0, 0.1], 0.1, "zy", 5.0, 500), method="exact")
+    lower = np.array([-2.8973, -1.7628, 0.0698, -2.8973, -0.0175, -2.8973])
+    upper = np.array([2.8973, 1.7628, 3.0718, 2.8973, 3.7525, 2.8973])
+    assert ((run.q > lower) & (run.q < upper)).all()
+    assert (np.abs(np.diff(run.q, axis=0) / 0.01) < [2.175, 2.175, 2.175, 2.61, 2.61, 2.61]).all()
+    assert run.report.executable
+    np.testing.assert_allclose(run.q[-1], run.q[0], atol=1e-9)
+
+
+def test_the_wrong_axis_tilts_the_pen_and_the_circle_still_looks_right():
+    def too_far(arm, q):
+        axes = link_frames(arm, q)[list(arm.joints), :3, 2]
+        return np.vstack([jacobian(arm, q)[:3], axes.T])
+
+    report = trace(HOMEWORK, HOMEWORK.home, panda_circle(1000), jacobian=too_far).report
+    assert report.position_error == pytest.approx(0.654e-3, abs=1e-6)
+    assert np.degrees(report.pen_tilt) == pytest.approx(12.3, abs=0.05)
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    bend=st.floats(-0.4, 0.4),
+    turn=st.floats(-2, 2),
+    radius=st.floats(0.01, 0.06),
+    plane=st.sampled_from(["yz", "xy", "zx"]),
+)
+def test_random_circles_within_reach_are_traced(bend, turn, radius, plane):
+    start = np.array([turn, -1.2 + bend, 1.6, -0.9, 1.2, 0.3])
+    tip = forward_kinematics(UR10E, start)[:3, 3]
+    first = np.eye(3)["xyz".index(plane[0])]
+    run = trace(UR10E, start, circle(tip - radius * first, radius, plane, 4.0, 60), method="exact")
+    assert run.report.position_error < 1e-11
+    assert run.report.pen_tilt < 1e-10
+    np.testing.assert_allclose(
+        run.poses[:, :3, :3], np.broadcast_to(run.poses[0, :3, :3], (61, 3, 3)), atol=1e-10
+    )
+
+
+def test_the_null_space_moves_joints_and_not_the_tip():
+    start = np.array([0.3, 0.4, -0.2, 1.8, 0.1, 2.2, 0.2])
+    J, twist = jacobian(PANDA, start), np.array([0.1, 0, 0.05, 0, 0.2, 0])
+    for wish in (away_from_limits(PANDA, 3.0), towards(np.array(PANDA.home), 2.0)):
+        plain, both = (
+            r(J, twist, start) for r in (pseudo_inverse(), with_null_space(pseudo_inverse(), wish))
+        )
+        np.testing.assert_allclose(J @ both, twist, atol=1e-12)
+        assert np.linalg.norm(both - plain) > 0.05
+        assert (both - plain) @ wish(start) > 0
+
+
+def test_damping_bounds_speed_and_vanishes_where_it_is_not_needed():
+    J, twist = jacobian(UR10E_HOMEWORK, np.full(6, 1e-5)), np.array([0.1, 0, 0.1, 0, 0, 0])
+    assert (
+        np.linalg.norm(damped(0.02)(J, twist, None)) <= np.linalg.norm(twist) / (2 * 0.02) + 1e-12
+    )
+    far = jacobian(HOMEWORK, HOMEWORK.home)
+    np.testing.assert_allclose(
+        adaptive(0.1, 0.01)(far, twist, None), inverse()(far, twist, None), atol=1e-12
+    )
+    np.testing.assert_allclose(
+        adaptive(0.1, 1e9)(J, twist, None), damped(0.1)(J, twist, None), atol=1e-12
+    )
+
+
+def test_feedback_pulls_the_tip_back_onto_the_path():
+    off = replace(HOMEWORK, home=tuple(np.array(HOMEWORK.home) + 0.01))
+    path = panda_circle(500)
+    open_loop, closed = (trace(off, off.home, path, gain=gain) for gain in (0.0, 5.0))
+    error = [
+        np.linalg.norm(run.poses[-1, :3, 3] - path.positions[-1]) for run in (open_loop, closed)
+    ]
+    assert error[0] > 5e-3
+    assert error[1] < 1e-3
+
+
+def test_a_moving_picture_is_one_small_svg():
+    run = trace(HOMEWORK, HOMEWORK.home, panda_circle(200))
+    text = moving_picture(run)
+    root = ET.fromstring(text)
+    assert len(root.findall(".//{*}animate")) == 4
+    assert "prefers-reduced-motion" in text
+    assert "<script" not in text
+    assert len(text) < 40_000
+    assert text == moving_picture(run)
+
+
+def test_a_thousand_steps_take_a_quarter_of_a_second():
+    times = []
+    for _ in range(3):
+        start = time.perf_counter()
+        trace(HOMEWORK, HOMEWORK.home, panda_circle(1000))
+        times.append(time.perf_counter() - start)
+    assert min(times) < 0.25
+
+
+@pytest.mark.parametrize(
+    ("make", "error", "words"),
+    [
+        (lambda: circle([0, 0], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
+        (lambda: circle([0, 0, np.nan], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
+        (lambda: circle([0, 0, 0], -0.1, "yz", 5, 10), ArmError, "radius and period are -0.1, 5; expected both > 0"),
+        (lambda: circle([0, 0, 0], 0.1, "yz", 0, 10), ArmError, "expected both > 0"),
+        (lambda: circle([0, 0, 0], 0.1, "yy", 5, 10), ArmError, "plane is 'yy'; expected two different letters"),
+        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 0), ArmError, "steps is 0; expected a whole number"),
+        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 2.5), ArmError, "steps is 2.5; expected a whole number"),
+        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError, "method is 'heun'; expected one of euler, rk4, exact"),
+        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1; expected"),
+        (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "q has shape (7,)"),
+        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "q_0 has shape (1, 6); expected (6,)"),
+        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here"),
+        (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no inverse; lock a joint"),
+        (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without limits"),
+    ],
+)  # fmt: skip
+def test_bad_input_is_told_in_words(make, error, words):
+    with pytest.raises(error) as told:
+        make()
+    assert words in str(told.value)
