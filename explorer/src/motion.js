@@ -104,5 +104,8 @@ function apart(arm, p, q) {
   return Math.max(...joints(arm).map((row, i) => Math.abs(gap(row, i))));
 }
 
+// Whether an arm at q stands at a joint vector that may have been rounded.
+export const isThere = (way, q) => way.every((v, i) => Math.abs(v - q[i]) < 1e-4);
+
 // Whether a joint is past one of its limits.
 export const outside = (row, value) => value < (row.lower ?? -Infinity) - 1e-9 || value > (row.upper ?? Infinity) + 1e-9;

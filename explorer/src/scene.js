@@ -5,6 +5,7 @@ import {
   Plane, PlaneGeometry, Raycaster, Scene, ShadowMaterial, SphereGeometry, Spherical, Vector2, Vector3, WebGLRenderer, DoubleSide,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { isThere } from "./motion.js";
 import { linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
 import { along, ArmShape, Arrow, Ellipsoid, Triad, floor, ghostMaterial, reachOf, tube, wall } from "./shapes.js";
 
@@ -188,7 +189,7 @@ export class Stage {
     }
     for (const shape of this.ghosts.children) {
       const way = ways[shape.userData.way].q;
-      shape.visible = !way.every((v, i) => Math.abs(v - q[i]) < 1e-6);
+      shape.visible = !isThere(way, q);
       shape.children[0].material.opacity = highlighted === shape.userData.way ? 0.75 : highlighted == null ? 0.3 : 0.14;
     }
   }

@@ -53,6 +53,8 @@ export class ArmShape extends Group {
       joint: row.kind === "fixed" ? null : add(row.kind === "prismatic" ? BOX : BARREL, joint),
     }));
     this.pedestal = add(BARREL, joint);
+    this.pedestal.scale.setScalar(0);
+    this.stands = !ghost;
     this.joint = joint;
   }
 
@@ -75,8 +77,7 @@ export class ArmShape extends Group {
       part.end.visible = part.bend.visible = part.rise.visible || part.reach.visible;
       if (part.joint) this.barrel(part.joint, before, radius, slides);
     });
-    const foot = 0.05 * this.girth;
-    along(this.pedestal, [0, 0, -0.004 * size], [0, 0, 0.012 * size], foot);
+    if (this.stands) along(this.pedestal, [0, 0, -0.004 * size], [0, 0, 0.012 * size], 0.05 * size);
   }
 
   barrel(mesh, { o, z }, radius, slides) {

@@ -4,7 +4,7 @@ import { h, indexed } from "../dom.js";
 import { joints } from "../kinematics.js";
 import { branchColour } from "../scene.js";
 import { jointText } from "../text.js";
-import { otherWays, outside, spareJoints } from "../motion.js";
+import { isThere, otherWays, outside, spareJoints } from "../motion.js";
 
 export const title = "IK branches";
 
@@ -23,13 +23,13 @@ export function build(store, { goTo }) {
   function update(state) {
     if (shown?.ways !== state.ways || shown.unit !== state.unit || shown.arm !== state.arm) lay(state);
     shown.buttons.forEach((button, i) => {
-      const here = state.ways[i].q.every((v, k) => Math.abs(v - state.q[k]) < 1e-6);
-      button.setAttribute("aria-current", String(here));
+      button.setAttribute("aria-current", String(isThere(state.ways[i].q, state.q)));
     });
   }
 
   function lay({ ways, arm, unit }) {
     const moving = joints(arm);
+    const known = moving.some((row) => arm.rows[row].lower !== null);
     const buttons = (ways ?? []).map(({ q, label }, i) => {
       const past = moving.flatMap((row, k) => (outside(arm.rows[row], q[k]) ? [row + 1] : []));
       const light = (on) => () => store.set({ highlighted: on ? i : null });
@@ -37,7 +37,7 @@ export function build(store, { goTo }) {
         h("span.swatch", { style: `background:${branchColour(i)}`, "aria-hidden": true }),
         h("span.name", {}, label || `way ${i + 1}`),
         h("span.values", {}, moving.map((row, k) => h("span", {}, indexed("q", row + 1), ` ${jointText(arm.rows[row], q[k], unit)}`))),
-        h(past.length ? "span.note.past" : "span.note", {}, past.length ? `past the limit of joint ${past.join(", ")}` : "within limits"));
+        h(past.length ? "span.note.past" : "span.note", {}, past.length ? `past the limit of joint ${past.join(", ")}` : known ? "within limits" : ""));
     });
     list.replaceChildren(...buttons.map((button) => h("li", {}, button)));
     words.textContent = summary(ways, arm);
