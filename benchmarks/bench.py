@@ -12,9 +12,10 @@ from dataclasses import dataclass
 
 import kinematics
 import numpy as np
+import statics
 import tracing
 
-TOPICS = (kinematics, tracing)
+TOPICS = (kinematics, statics, tracing)
 
 
 @dataclass(frozen=True)

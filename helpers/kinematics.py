@@ -23,12 +23,12 @@ def link_frames(arm: Arm, q: ArrayLike) -> Array:
     Raises ArmError for a q of another length, or with NaN or infinity in it.
     Source: Spong, Hutchinson and Vidyasagar, section 3.1.
     """
-    return _in_chunks(arm, q, (len(arm.rows) + 1, 4, 4), _fill_frames)
+    return in_chunks(arm, q, (len(arm.rows) + 1, 4, 4), _fill_frames)
 
 
 def forward_kinematics(arm: Arm, q: ArrayLike) -> Array:
     """The tip's pose ${}^0T_n$ in the base frame, shape (..., 4, 4), for q of shape (..., dof)."""
-    return _in_chunks(arm, q, (4, 4), _fill_tip)
+    return in_chunks(arm, q, (4, 4), _fill_tip)
 
 
 def jacobian(arm: Arm, q: ArrayLike) -> Array:
@@ -37,7 +37,7 @@ def jacobian(arm: Arm, q: ArrayLike) -> Array:
     A revolute joint i has the column z_{i-1} x (o_n - o_{i-1}) over z_{i-1}, a prismatic one z_{i-1} over 0.
     Source: Spong, Hutchinson and Vidyasagar, section 4.6.
     """
-    return _in_chunks(arm, q, (6, arm.dof), _fill_jacobian)
+    return in_chunks(arm, q, (6, arm.dof), _fill_jacobian)
 
 
 def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
@@ -86,7 +86,7 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     return np.linalg.svd(jacobian(arm, q)[..., rows[part], :], compute_uv=False).prod(axis=-1)
 
 
-def _in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
+def in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
     q = arm.joint_vector(q)
     flat = q.reshape(math.prod(q.shape[:-1]), arm.dof)
     out = np.zeros((len(flat), *shape))
@@ -97,12 +97,12 @@ def _in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
 
 
 def _fill_frames(arm: Arm, q: Array, out: Array) -> None:
-    for i, frame in enumerate(_recursion(arm, q)):
+    for i, frame in enumerate(frame_columns(arm, q)):
         _store(frame, out[:, i])
 
 
 def _fill_tip(arm: Arm, q: Array, out: Array) -> None:
-    *_, frame = _recursion(arm, q)
+    *_, frame = frame_columns(arm, q)
     _store(frame, out)
 
 
@@ -113,30 +113,41 @@ def _store(frame, out: Array) -> None:
 
 
 def _fill_jacobian(arm: Arm, q: Array, out: Array) -> None:
-    frames = list(_recursion(arm, q))
+    frames = list(frame_columns(arm, q))
     tip = frames[-1][3]
     for column, i in enumerate(arm.joints):
         _, _, z, origin = frames[i - 1]
         if arm.numeric[i - 1].kind == "revolute":
-            out[:, :3, column] = _cross(z, tip - origin).T
+            out[:, :3, column] = cross(z, tip - origin).T
             out[:, 3:, column] = z.T
         else:
             out[:, :3, column] = z.T
 
 
-def _cross(u: Array, v: Array) -> Array:
+def cross(u: Array, v: Array) -> Array:
     w = np.empty(np.broadcast_shapes(u.shape, v.shape))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         np.subtract(u[j] * v[k], u[k] * v[j], out=w[i])
     return w
 
 
-def _recursion(arm: Arm, q: Array) -> Iterator[tuple[Array, Array, Array, Array]]:
+def frame_columns(arm: Arm, q: Array) -> Iterator[tuple[Array, Array, Array, Array]]:
     """The columns (x, y, z, origin) of each link frame in turn, each (3, batch) or, while constant, (3, 1)."""
     x, y, z = np.eye(3)[:, :, None]
     origin = np.zeros((3, 1))
-    cosines, sines = _cos_sin(q)
     yield x, y, z, origin
+    for row, c, s, d in row_motions(arm, q):
+        x, y = c * x + s * y, c * y - s * x
+        origin = _moved(origin, d, z, row.a, x)
+        y, z = tilted(row, y, z)
+        yield x, y, z, origin
+
+
+def row_motions(
+    arm: Arm, q: Array
+) -> Iterator[tuple[NumericRow, Array | float, Array | float, Array | float]]:
+    """Each row with the cosine and sine of its angle and its offset, its joint's motion put in."""
+    cosines, sines = _cos_sin(q)
     moving = 0
     for row in arm.numeric:
         c, s, d = row.cos_theta, row.sin_theta, row.d
@@ -145,10 +156,7 @@ def _recursion(arm: Arm, q: Array) -> Iterator[tuple[Array, Array, Array, Array]
         elif row.kind == "prismatic":
             d = d + q[moving]
         moving += row.kind != "fixed"
-        x, y = c * x + s * y, c * y - s * x
-        origin = _moved(origin, d, z, row.a, x)
-        y, z = _tilted(row, y, z)
-        yield x, y, z, origin
+        yield row, c, s, d
 
 
 def _cos_sin(q: Array) -> tuple[Array, Array]:
@@ -178,7 +186,8 @@ def _moved(origin: Array, d, z: Array, a: float, x: Array) -> Array:
     return origin + a * x if a else origin
 
 
-def _tilted(row: NumericRow, y: Array, z: Array) -> tuple[Array, Array]:
+def tilted(row: NumericRow, y: Array, z: Array) -> tuple[Array, Array]:
+    """Two components, or columns, seen after the row's turn about x."""
     c, s = row.cos_alpha, row.sin_alpha
     match (c, s):
         case (1.0, 0.0):

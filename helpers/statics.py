@@ -5,13 +5,14 @@ Gravity is a vector in base axes, so a wall- or ceiling-mounted arm is the same 
 Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, sections 4.10 and 6.2.
 """
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, ArmError, Body
-from helpers.kinematics import _in_chunks, _recursion, jacobian, link_frames
+from helpers.kinematics import in_chunks, jacobian, link_frames, row_motions, tilted
 
 Array = NDArray[np.float64]
 
@@ -32,28 +33,30 @@ def potential_energy(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Ar
 def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
     """g(q) = dP/dq, the torques (N m; N where a joint slides) that hold the arm, shape (..., dof).
 
-    Joint i carries the links beyond it: with their mass M and first moment S, g_i = -g . (z_{i-1} x (S - M o_{i-1})).
+    From the tip inwards, each row carries the mass M and the first moment S of the links beyond it, in its own axes; a
+    turn about z_{i-1} lifts them at the rate -g . (z_{i-1} x S).
     """
     masses, coms = _bodies(arm)
-    down = _vector(gravity)
+    lift = -_vector(gravity)
 
     def fill(arm: Arm, q: Array, out: Array) -> None:
-        frames = list(_recursion(arm, q))
-        mass, moment, column = 0.0, np.zeros((3, 1)), arm.dof
-        for i in range(len(arm.rows), 0, -1):
-            x, y, z, origin = frames[i]
-            cx, cy, cz = coms[i - 1]
-            moment = moment + masses[i - 1] * (origin + cx * x + cy * y + cz * z)
-            mass += masses[i - 1]
-            _, _, axis, before = frames[i - 1]
-            kind = arm.rows[i - 1].joint.kind
-            if kind == "fixed":
-                continue
-            column -= 1
-            push = np.cross(down, axis, axis=0) if kind == "revolute" else None
-            out[:, column] = -mass * (down @ axis) if push is None else -((moment - mass * before) * push).sum(axis=0)
+        steps = list(row_motions(arm, q))
+        lifts = list(_lifts(steps, lift))
+        mass, (x, y, z), column = 0.0, np.zeros(3), arm.dof
+        for (row, c, s, d), up, m, com in reversed(
+            list(zip(steps, lifts, masses, coms, strict=True))
+        ):
+            x, y, z, mass = x + m * com[0], y + m * com[1], z + m * com[2], mass + m
+            y, z = tilted(row._replace(sin_alpha=-row.sin_alpha), y, z)
+            x, z = x + mass * row.a, z + mass * d
+            column -= row.kind != "fixed"
+            if row.kind == "revolute":
+                out[:, column] = up[1] * x - up[0] * y
+            elif row.kind == "prismatic":
+                out[:, column] = mass * up[2]
+            x, y = c * x - s * y, s * x + c * y
 
-    return _in_chunks(arm, q, (arm.dof,), fill)
+    return in_chunks(arm, q, (arm.dof,), fill)
 
 
 def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
@@ -63,7 +66,9 @@ def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike 
     """
     F = np.asarray(wrench, dtype=float)
     if F.shape[-1:] != (6,) or not np.isfinite(F).all():
-        raise ArmError(f"wrench is {wrench!r}; expected six finite numbers (fx, fy, fz, mx, my, mz)")
+        raise ArmError(
+            f"wrench is {wrench!r}; expected six finite numbers (fx, fy, fz, mx, my, mz)"
+        )
     return gravity_torque(arm, q, gravity) - np.einsum("...ij,...i->...j", jacobian(arm, q), F)
 
 
@@ -73,7 +78,9 @@ def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm
         raise ArmError(f"{arm.name} has no masses to add a payload to")
     added = np.asarray(com, dtype=float)
     if not (np.isfinite(mass) and mass >= 0) or added.shape != (3,) or not np.isfinite(added).all():
-        raise ArmError(f"payload is {mass!r} at {com!r}; expected a mass >= 0 and three coordinates")
+        raise ArmError(
+            f"payload is {mass!r} at {com!r}; expected a mass >= 0 and three coordinates"
+        )
     masses, coms = _bodies(arm)
     total = masses[-1] + mass
     centre = (masses[-1] * coms[-1] + mass * added) / total
@@ -87,14 +94,27 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
     """
     to, start, points = (np.asarray(a, dtype=float) for a in (frames_to, frames_from, centres))
     if to.shape != start.shape or to.shape[1:] != (4, 4) or points.shape != (len(to), 3):
-        raise ArmError(f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n, 4, 4) twice and (n, 3)")
+        raise ArmError(
+            f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n, 4, 4) twice and (n, 3)"
+        )
     world = np.einsum("nij,nj->ni", start[:, :3, :3], points) + start[:, :3, 3]
     return np.einsum("nji,nj->ni", to[:, :3, :3], world - to[:, :3, 3])
 
 
+def _lifts(steps: list, lift: Array) -> Iterator[tuple[Array, Array, Array]]:
+    """What holds a mass of 1 kg up, -gravity, in the axes of each row after its turn about z and before that about x."""
+    x, y, z = lift
+    for row, c, s, _ in steps:
+        x, y = c * x + s * y, c * y - s * x
+        yield x, y, z
+        y, z = tilted(row, y, z)
+
+
 def _bodies(arm: Arm) -> tuple[Array, Array]:
     if not arm.bodies:
-        raise ArmError(f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows")
+        raise ArmError(
+            f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows"
+        )
     masses = np.array([arm.number(body.mass) for body in arm.bodies])
     return masses, np.array([[arm.number(c) for c in body.com] for body in arm.bodies])
 
@@ -102,5 +122,7 @@ def _bodies(arm: Arm) -> tuple[Array, Array]:
 def _vector(gravity: ArrayLike) -> Array:
     down = np.asarray(gravity, dtype=float)
     if down.shape != (3,) or not np.isfinite(down).all():
-        raise ArmError(f"gravity is {gravity!r}; expected a vector of three finite numbers in m/s^2")
+        raise ArmError(
+            f"gravity is {gravity!r}; expected a vector of three finite numbers in m/s^2"
+        )
     return down

@@ -155,7 +155,9 @@ def _energy(arm: Arm, ring: "_Ring") -> PolyElement:
 
     total = ring.zero
     for i, frame in enumerate(_frames(arm, ring)[1:], 1):
-        height = frame.origin[2] + sum(letter(f"{c}_{i}") * axis[2] for c, axis in zip("xyz", frame[:3], strict=True))
+        height = frame.origin[2] + sum(
+            letter(f"{c}_{i}") * axis[2] for c, axis in zip("xyz", frame[:3], strict=True)
+        )
         total += letter(f"m_{i}") * height
     return ring.reduced(ring.length(sp.Symbol("g")) * total)
 

@@ -11,10 +11,14 @@ from helpers.plotting.style import BLUE, GREY, RED, SKY
 Array = NDArray[np.float64]
 
 
-def torques(axes: Array, arm: Arm, t: ArrayLike, tau: ArrayLike, label: str | None = None, **line: object) -> None:
+def torques(
+    axes: Array, arm: Arm, t: ArrayLike, tau: ArrayLike, label: str | None = None, **line: object
+) -> None:
     """Draw each joint's torque (N m) over time in its own axes, with the maker's limits where they are near."""
     some = slice(None, None, max(1, len(t) // 200))
-    for ax, i, values, limit in zip(axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False):
+    for ax, i, values, limit in zip(
+        axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False
+    ):
         ax.plot(t[some], values[some], label=label, **{"color": BLUE, **line})
         ax.set(title=f"joint {i} (limit ±{limit:g})", xlabel="$t$ (s)", ylabel="N m")
 

@@ -1,0 +1,46 @@
+"""Gravity and contact torques against Pinocchio: the same masses put into its own Panda, hand removed."""
+
+import numpy as np
+import pytest
+
+from helpers.robots import PANDA
+from helpers.statics import gravity_torque, static_torque
+from tests.peers.test_pinocchio import SIGNS, panda, pinocchio  # noqa: F401
+
+MASSES = [4.970684, 0.646926, 3.228604, 3.587895, 1.225946, 1.666555, 0.735522]
+# Gaz et al. (2019), in the paper's own link frames, which are also those of the robot description.
+CENTRES = [
+    (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252, -0.066502),
+    (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
+    (0.010517, -0.004252, 0.061597),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def weighed(panda):  # noqa: F811
+    model = panda.copy()
+    for joint, (mass, centre) in enumerate(zip(MASSES, CENTRES, strict=True), 1):
+        model.inertias[joint] = pinocchio.Inertia(mass, np.array(centre), np.zeros((3, 3)))
+    return model
+
+
+def test_gravity_torque_to_1e_9(weighed):
+    data = weighed.createData()
+    for q in np.random.default_rng(3).uniform(*PANDA.limits, size=(200, 7)):
+        theirs = pinocchio.computeGeneralizedGravity(weighed, data, SIGNS * q) * SIGNS
+        np.testing.assert_allclose(gravity_torque(PANDA, q), theirs, atol=1e-9)
+
+
+def test_torque_with_a_force_against_rnea(weighed):
+    """Pinocchio's RNEA at rest takes the force on the last joint, in that joint's frame: it is carried there from the pen."""
+    data, force = weighed.createData(), np.array([-5.0, 1.0, -2.0])
+    frame = weighed.getFrameId("panda_link8")
+    for q in np.random.default_rng(4).uniform(*PANDA.limits, size=(50, 7)):
+        pinocchio.framesForwardKinematics(weighed, data, SIGNS * q)
+        pen = data.oMf[frame].act(np.array([0, 0, 0.1]))
+        at_origin = pinocchio.Force(force, np.cross(pen, force))
+        forces = pinocchio.StdVec_Force()
+        forces.extend([pinocchio.Force.Zero() for _ in range(weighed.njoints)])
+        forces[7] = data.oMi[7].actInv(at_origin)
+        theirs = pinocchio.rnea(weighed, data, SIGNS * q, np.zeros(7), np.zeros(7), forces) * SIGNS
+        np.testing.assert_allclose(static_torque(PANDA, q, [*force, 0, 0, 0]), theirs, atol=1e-9)

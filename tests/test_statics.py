@@ -1,0 +1,235 @@
+"""Gravity and contact: the homework's numbers, the laws of statics, and formulas against numbers."""
+
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helpers import symbolic
+from helpers.arm import Arm, ArmError, Body
+from helpers.conventions import modified_frames, standard_from_modified
+from helpers.kinematics import link_frames
+from helpers.motion import circle, trace
+from helpers.plotting import pen_and_wall, torques
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
+from helpers.statics import (
+    centres_in,
+    gravity_torque,
+    potential_energy,
+    static_torque,
+    with_payload,
+)
+from tests.laws import SHAPES, joint_vectors, random_arms
+
+PUSH = [-5, 0, 0, 0, 0, 0]
+
+
+def loaded(arm: Arm, seed: int = 1) -> Arm:
+    rng = np.random.default_rng(seed)
+    bodies = [
+        Body(float(m), tuple(map(float, c)))
+        for m, c in zip(
+            rng.uniform(0.2, 3, len(arm.rows)),
+            rng.uniform(-0.3, 0.3, (len(arm.rows), 3)),
+            strict=True,
+        )
+    ]
+    return replace(arm, bodies=bodies)
+
+
+ARMS = [PANDA, PANDA.lock(3), UR10E, loaded(STANFORD), loaded(ELBOW)]
+every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: f"{arm.name}, {arm.dof} joints")
+
+
+def test_the_homeworks_numbers_at_the_start():
+    wanted = [0, 24.24681, 0, -17.555154, 0.696491, 0.675249, -0.03068]
+    np.testing.assert_allclose(gravity_torque(PANDA, PANDA.home), wanted, atol=1e-6)
+    wanted = [0, 21.81431, 0, -16.702654, 0.696491, 0.235249, -0.03068]
+    np.testing.assert_allclose(static_torque(PANDA, PANDA.home, PUSH), wanted, atol=1e-6)
+
+
+def test_the_homeworks_largest_torques_along_the_circle():
+    arm = PANDA.lock(3)
+    run = trace(arm, arm.home, circle([0.6735, 0, 0.7195], 0.1, "zy", 200.0, 1000), method="rk4")
+    tau = static_torque(PANDA, np.insert(run.q, 2, 0, axis=1), PUSH)
+    np.testing.assert_allclose(
+        np.abs(tau).max(axis=0), [0.5, 22.6526, 0.5008, 17.9769, 1.9042, 1.1152, 0.0307], atol=5e-5
+    )
+
+
+@every_arm
+@pytest.mark.parametrize("shape", SHAPES, ids=str)
+def test_shapes_follow_the_batch(arm, shape):
+    q = joint_vectors(arm, shape)
+    assert gravity_torque(arm, q).shape == (*shape, arm.dof)
+    assert potential_energy(arm, q).shape == shape
+    assert static_torque(arm, q, np.zeros(6)).shape == (*shape, arm.dof)
+    assert static_torque(arm, q, np.zeros((*shape, 6))).shape == (*shape, arm.dof)
+
+
+def slow_energy(arm, q, gravity):
+    """Each mass times its height, link by link."""
+    T, energy = link_frames(arm, q), 0.0
+    for frame, body in zip(T[1:], arm.bodies, strict=True):
+        point = frame @ [*(arm.number(c) for c in body.com), 1.0]
+        energy -= arm.number(body.mass) * np.dot(gravity, point[:3])
+    return energy
+
+
+@every_arm
+@pytest.mark.parametrize("gravity", [(0, 0, -9.81), (1.0, -2.0, 3.0)])
+def test_torques_are_the_slope_of_the_energy(arm, gravity):
+    q, h = joint_vectors(arm, (), 2), 1e-5
+    assert potential_energy(arm, q, gravity) == pytest.approx(
+        slow_energy(arm, q, gravity), abs=1e-12
+    )
+    slope = [
+        (slow_energy(arm, q + s, gravity) - slow_energy(arm, q - s, gravity)) / (2 * h)
+        for s in h * np.eye(arm.dof)
+    ]
+    np.testing.assert_allclose(gravity_torque(arm, q, gravity), slope, atol=1e-7)
+
+
+@settings(max_examples=40, deadline=None)
+@given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
+def test_random_arms_too(arm, seed):
+    arm, gravity, h = loaded(arm, seed), (0.3, -0.2, -9.0), 1e-5
+    q = joint_vectors(arm, (), seed)
+    slope = [
+        (slow_energy(arm, q + s, gravity) - slow_energy(arm, q - s, gravity)) / (2 * h)
+        for s in h * np.eye(arm.dof)
+    ]
+    np.testing.assert_allclose(gravity_torque(arm, q, gravity), slope, atol=1e-6)
+
+
+@every_arm
+def test_gravity_is_linear_and_turns_with_the_arm(arm):
+    q = joint_vectors(arm, ())
+    one, other = np.array([1.0, 2, -3]), np.array([-4.0, 0.5, 1])
+    both = gravity_torque(arm, q, one) + 2 * gravity_torque(arm, q, other)
+    np.testing.assert_allclose(gravity_torque(arm, q, one + 2 * other), both, atol=1e-12)
+    turn = np.array([[np.cos(0.7), -np.sin(0.7), 0], [np.sin(0.7), np.cos(0.7), 0], [0, 0, 1]])
+    turned = q + np.eye(arm.dof)[0] * 0.7  # joint 1 turns about the vertical
+    np.testing.assert_allclose(
+        gravity_torque(arm, turned, turn @ one), gravity_torque(arm, q, one), atol=1e-12
+    )
+
+
+@every_arm
+def test_virtual_work(arm):
+    """In a small motion the motors' work and the wrench's are the change of energy."""
+    q, F, h = joint_vectors(arm, (), 3), np.array([3.0, -2, 5, 0.4, 0.1, -0.7]), 1e-6
+    step = h * np.random.default_rng(0).normal(size=arm.dof)
+    before, after = link_frames(arm, q - step)[-1], link_frames(arm, q + step)[-1]
+    turn = (after[:3, :3] @ before[:3, :3].T - before[:3, :3] @ after[:3, :3].T) / 2
+    moved = np.concatenate([after[:3, 3] - before[:3, 3], [turn[2, 1], turn[0, 2], turn[1, 0]]])
+    change = slow_energy(arm, q + step, (0, 0, -9.81)) - slow_energy(arm, q - step, (0, 0, -9.81))
+    assert static_torque(arm, q, F) @ (2 * step) + F @ moved == pytest.approx(change, abs=1e-12)
+
+
+@every_arm
+def test_formulas_equal_numbers(arm):
+    q = joint_vectors(arm, (), 5)
+    values = {
+        **dict(zip(symbolic.joint_symbols(arm), map(float, q), strict=True)),
+        **symbolic.body_numbers(arm),
+    }
+
+    def in_numbers(expression):
+        numeric = symbolic.with_numbers(arm, expression).xreplace(values)
+        return np.array(numeric.evalf(), dtype=float)
+
+    np.testing.assert_allclose(
+        in_numbers(symbolic.potential_energy(arm)), potential_energy(arm, q), atol=1e-10
+    )
+    np.testing.assert_allclose(
+        in_numbers(symbolic.gravity_torque(arm)).ravel(), gravity_torque(arm, q), atol=1e-10
+    )
+
+
+def test_the_pandas_formula_comes_in_two_seconds_and_is_short():
+    start = time.perf_counter()
+    formula = symbolic.gravity_torque(PANDA)
+    assert time.perf_counter() - start < 2
+    assert formula[0] == 0
+    assert len(sp.latex(symbolic.short(formula[6]))) < 1000
+
+
+def test_the_papers_centres_in_the_tables_frames():
+    """The converted coordinates are those of the homework's page, worked out there by hand."""
+    paper = [
+        (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252, -0.066502),
+        (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
+        (0.010517, -0.004252, 0.061597),
+    ]  # fmt: skip
+    wanted = [
+        (0.003875, -0.04762, -0.002081), (-0.003141, 0.003495, 0.02872), (-0.054982, 0.066502, 0.039252),
+        (0.02933, -0.027454, 0.104419), (-0.011953, -0.038437, -0.041065), (-0.027851, 0.010517, -0.014117),
+        (0.010517, 0.004252, 0.145403),
+    ]  # fmt: skip
+    from helpers.arm import revolute
+
+    rows = [
+        revolute(d=0.333), revolute(0, "-pi/2"), revolute(0, "pi/2", 0.316), revolute(0.0825, "pi/2"),
+        revolute(-0.0825, "-pi/2", 0.384), revolute(0, "pi/2"), revolute(0.088, "pi/2"),
+    ]  # fmt: skip
+    maker, q = (
+        Arm("maker", standard_from_modified(rows)),
+        np.array([0.3, -0.5, 0.2, 1.9, 0.1, 2.0, -0.4]),
+    )
+    craig = modified_frames(maker, q * [1, -1, 1, -1, 1, 1, -1])
+    np.testing.assert_allclose(
+        centres_in(link_frames(PANDA, q)[1:], craig, paper), wanted, atol=1e-12
+    )
+    np.testing.assert_allclose(
+        [[PANDA.number(c) for c in b.com] for b in PANDA.bodies], wanted, atol=1e-12
+    )
+
+
+@every_arm
+def test_a_payload_adds_its_own_weight(arm):
+    q, com = joint_vectors(arm, (), 6), (0.02, -0.03, 0.05)
+    bare = replace(arm, bodies=[*([Body(0, (0, 0, 0))] * (len(arm.rows) - 1)), Body(2.5, com)])
+    np.testing.assert_allclose(
+        gravity_torque(with_payload(arm, 2.5, com), q),
+        gravity_torque(arm, q) + gravity_torque(bare, q),
+        atol=1e-12,
+    )
+
+
+def test_figures_draw_what_they_are_given():
+    import matplotlib.pyplot as plt
+
+    plt.switch_backend("agg")
+    figure, axes = plt.subplots(2, 4)
+    t = np.linspace(0, 1, 400)
+    torques(axes, PANDA, t, np.outer(t, np.arange(7)))
+    assert axes.flat[6].lines[0].get_ydata().max() == pytest.approx(6, abs=0.05)
+    assert "±87" in axes.flat[0].get_title()
+    pen_and_wall(axes.flat[7])
+    plt.close(figure)
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda: gravity_torque(ELBOW, ELBOW.home), "Elbow arm has no masses; give bodies, one Body for each of its 3 rows"),
+        (lambda: symbolic.gravity_torque(ELBOW), "Elbow arm has no masses"),
+        (lambda: gravity_torque(PANDA, PANDA.home, 9.81), "gravity is 9.81; expected a vector of three"),
+        (lambda: potential_energy(PANDA, PANDA.home, [0, 0, np.nan]), "expected a vector of three finite numbers"),
+        (lambda: static_torque(PANDA, PANDA.home, [5, 0, 0]), "expected six finite numbers"),
+        (lambda: static_torque(PANDA, PANDA.home, [np.nan] * 6), "expected six finite numbers"),
+        (lambda: with_payload(PANDA, -1), "payload is -1 at"),
+        (lambda: with_payload(PANDA, 1, (0, 0)), "three coordinates"),
+        (lambda: with_payload(ELBOW, 1), "Elbow arm has no masses"),
+        (lambda: centres_in(np.zeros((2, 4, 4)), np.zeros((3, 4, 4)), np.zeros((2, 3))), "do not fit"),
+    ],
+)  # fmt: skip
+def test_bad_input_is_told_in_words(make, words):
+    with pytest.raises(ArmError) as told:
+        make()
+    assert words in str(told.value)
