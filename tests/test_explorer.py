@@ -219,6 +219,19 @@ def test_the_stub_holds_the_arm_and_words_for_its_picture(explorer):
     assert html.count("<") == html.count(">")
 
 
+def test_stored_notebooks_hold_stubs_and_no_widgets():
+    stubs = 0
+    for path in (ROOT / "book").glob("*.ipynb"):
+        notebook = json.loads(path.read_text(encoding="utf-8"))
+        assert "widgets" not in notebook["metadata"]
+        for cell in notebook["cells"]:
+            for output in cell.get("outputs", []):
+                data = output.get("data", {})
+                assert "application/vnd.jupyter.widget-view+json" not in data, "run `make refresh`"
+                stubs += "arm-explorer" in "".join(data.get("text/html", ""))
+    assert stubs
+
+
 def test_a_name_cannot_break_out_of_the_stub():
     name = '</script><img src=x onerror="alert(1)">'
     html = ArmExplorer(Arm(name, (revolute(a=1),)))._repr_mimebundle_()["text/html"]

@@ -25,7 +25,9 @@ def refresh(path: Path) -> None:
         cell["id"] = f"c{number:03d}"
         cell.metadata.pop("execution", None)
         for output in cell.get("outputs", []):
-            output.get("data", {}).pop("application/vnd.jupyter.widget-view+json", None)  # no kernel, no widget
+            output.get("data", {}).pop(
+                "application/vnd.jupyter.widget-view+json", None
+            )  # no kernel, no widget
             if "metadata" in output:
                 output["metadata"] = {}
     nbformat.write(notebook, path)

@@ -131,7 +131,9 @@ def _by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
     named: dict[str, Arm] = {}
     for arm in arms:
         if named.setdefault(arm.name, arm) != arm:
-            raise ArmError(f"two different arms are called {arm.name!r}; expected each to have its name")
+            raise ArmError(
+                f"two different arms are called {arm.name!r}; expected each to have its name"
+            )
     return named
 
 
