@@ -29,7 +29,7 @@ def force_ellipsoid(J: ArrayLike) -> Array:
     """
     U, sizes = _axes(J)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(U == 0, 0.0, U / sizes)
+        return np.where(np.abs(U) < 1e-12, 0.0, U / sizes)
 
 
 def lost_directions(J: ArrayLike, within: float = 1e-9) -> Array:

@@ -12,6 +12,7 @@ from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.laws import ALL_ARMS, ids
 
 LOCKED = PANDA.lock(3)
+RAD = np.pi / 180
 
 
 def parts(arm, q):
@@ -70,7 +71,12 @@ WRONG = [
     (UR10E, rotated(3), "axes of frame 3, not of the base"),
     (UR10E, rotated(6), "axes of frame 6, not of the base"),
     (UR10E, rows_of_t, "read from the rows of T"),
-    (UR10E, lambda q: jacobian(UR10E, q).T @ np.eye(6), None),
+    (UR10E, built(lambda i, z, o, p: (np.cross(z[i - 1], p - o[i]), z[i - 1])), "lever arm starts at o_i:"),
+    (UR10E, lambda q: jacobian(UR10E, np.degrees(q)), "q is taken in degrees"),
+    (STANFORD, lambda q: jacobian(STANFORD, q * [RAD, RAD, 1, RAD, RAD, RAD]), "q is taken in degrees"),
+    (UR10E, lambda q: jacobian(UR10E, q).T, "transposed"),
+    (LOCKED, lambda q: jacobian(LOCKED, q).T, "transposed"),
+    (LOCKED, lambda q: np.delete(jacobian(PANDA, np.insert(q, 2, 0)), 3, axis=1), "Column 3 (joint 4): this is the column of joint 3, which is locked."),
     (ELBOW, lambda q: jacobian(ELBOW, q).T, "transposed"),
     (STANFORD, slid_as_turned, "slides is treated as one that turns"),
     (LOCKED, lambda q: np.delete(jacobian(PANDA, np.insert(q, 2, 0)), 2, axis=0), "A row is missing where a column should be"),
@@ -82,11 +88,57 @@ WRONG = [
 
 @pytest.mark.parametrize(("arm", "wrong", "words"), WRONG)
 def test_the_mistake_is_named(arm, wrong, words):
-    report = compare_jacobian(wrong, arm)
-    assert not report.agrees
-    if words:
-        assert len(report.findings) == 1
-        assert words in report.findings[0]
+    (finding,) = compare_jacobian(wrong, arm).findings
+    assert words in finding
+
+
+Z_I = built(lambda i, z, o, p: (np.cross(z[i - 1], p - o[i - 1]), z[i]))
+
+
+def in_axes_of(frame, J):
+    def turned(q):
+        R = link_frames(UR10E, q)[frame, :3, :3]
+        return np.vstack([R.T @ J(q)[:3], R.T @ J(q)[3:]])
+
+    return turned
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        (Z_I, "use z_i where z_{i-1} belongs"),
+        (lambda q: -jacobian(UR10E, q), "Every sign is reversed"),
+        (built(lambda i, z, o, p: (np.cross(z[i - 1], p), z[i - 1])), "lever arm is o_n alone"),
+    ],
+)
+@pytest.mark.parametrize("frame", [3, 6])
+def test_the_mistake_is_named_in_a_declared_frame_too(wrong, words, frame):
+    (finding,) = compare_jacobian(in_axes_of(frame, wrong), UR10E, frame=frame).findings
+    assert words in finding
+
+
+def test_a_frame_declared_but_not_used_is_named():
+    (finding,) = compare_jacobian(lambda q: jacobian(UR10E, q), UR10E, frame=6).findings
+    assert "in the axes of the base, not of frame 6; if you mean that, say frame=0" in finding
+    (finding,) = compare_jacobian(
+        lambda q: in_axes_of(6, lambda q: jacobian(UR10E, q))(q).T, UR10E, frame=6
+    ).findings
+    assert "transposed" in finding
+
+
+def test_two_mistakes_are_named_where_each_has_a_half():
+    wrong = built(lambda i, z, o, p: (np.cross(p - o[i - 1], z[i - 1]), z[i]))
+    linear, angular = compare_jacobian(wrong, UR10E).findings
+    assert linear.startswith("In the linear rows: the cross product is taken the wrong way round")
+    assert angular.startswith("The angular rows use z_i where z_{i-1} belongs")
+
+
+def test_a_locked_column_kept_among_the_others_is_named():
+    def wrong(q):
+        return np.delete(jacobian(PANDA, np.insert(q, 2, 0)), 1, axis=1)
+
+    (finding,) = compare_jacobian(wrong, LOCKED).findings
+    assert finding == "Column 2 (joint 2): this is the column of joint 3, which is locked."
 
 
 @pytest.mark.parametrize(
@@ -138,6 +190,20 @@ def test_what_is_right_is_accepted_in_every_form(arm):
     assert compare_jacobian(in_tool, arm, q, frame=len(arm.rows)).agrees
 
 
+@pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+def test_functions_of_single_joints_and_short_symbols_are_accepted(arm):
+    J = symbolic.jacobian(arm)
+    numbers = symbolic.with_numbers(arm, J)
+    assert compare_jacobian(sp.lambdify(symbolic.joint_symbols(arm), numbers), arm).agrees
+    assert compare_jacobian(symbolic.short(J), arm).agrees
+    assert not compare_jacobian(symbolic.short(-J), arm).agrees
+
+
+def test_an_array_is_right_at_its_pose_only():
+    at_home = compare_jacobian(jacobian(UR10E, UR10E.home), UR10E, UR10E.home)
+    assert str(at_home) == "The Jacobian of UR10e is right at this pose."
+
+
 def test_no_number_is_given_away():
     for arm, wrong, _ in WRONG:
         text = str(compare_jacobian(wrong, arm))
@@ -176,6 +242,11 @@ def test_the_report_reads_well():
         ),
         (lambda: compare_jacobian(np.eye(6), UR10E, np.zeros((2, 6))), "expected one pose, (6,)"),
         (lambda: compare_jacobian(np.eye(6), UR10E, np.zeros(5)), "UR10e: q has shape (5,)"),
+        (lambda: compare_jacobian(lambda q: np.eye(6), UR10E, frame=9), "frame 9 does not exist"),
+        (
+            lambda: compare_jacobian(sp.Matrix([sp.Symbol("c_4")]), ELBOW),
+            "no value for c_4; known are q_1, q_2, q_3, d_1",
+        ),
     ],
 )
 def test_bad_input_is_told_in_words(make, words):

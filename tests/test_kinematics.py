@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -123,6 +124,17 @@ def test_the_stanford_arm_by_hand():
     ]
     np.testing.assert_allclose(T[2], T_02, atol=1e-15)
     np.testing.assert_allclose(T[3, :3, 3] - T[2, :3, 3], q_3 * T[2, :3, 2], atol=1e-15)
+
+
+def test_a_large_batch_needs_little_more_memory_than_its_result():
+    q = joint_vectors(PANDA, (100_000,))
+    tracemalloc.start()
+    try:
+        J = jacobian(PANDA, q)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak < J.nbytes + 20e6
 
 
 def test_input_is_not_changed():

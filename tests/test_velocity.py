@@ -106,6 +106,18 @@ def test_the_determinants_factors_are_those_of_the_textbooks():
     )
 
 
+def test_the_locked_pandas_determinant_is_a_sine_of_the_shoulder_angle():
+    arm = PANDA.lock(3)
+    q = np.repeat(joint_vectors(arm, (20,), 5)[None], 3, axis=0)
+    q[0, :, 1], q[1, :, 1] = 0, np.pi / 2
+    A, B = np.linalg.det(jacobian(arm, q[:2]))
+    q[2, :, 1] = np.arctan2(-A, B)
+    np.testing.assert_allclose(np.linalg.det(jacobian(arm, q[2])), 0, atol=1e-15)
+    c, s = sp.cos(sp.Symbol("q_2")), sp.sin(sp.Symbol("q_2"))
+    formula = symbolic.determinant(arm)
+    assert sp.expand(formula - formula.coeff(c) * c - formula.coeff(s) * s) == 0
+
+
 @every_arm
 def test_ellipsoids_hold_what_unit_joint_speeds_and_torques_do(arm):
     J = jacobian(arm, joint_vectors(arm, ()))[:3]
@@ -120,7 +132,17 @@ def test_a_direction_without_motion_carries_any_force():
     J = jacobian(UR10E_HOMEWORK, np.zeros(6))[:3]
     axes, forces = velocity_ellipsoid(J), force_ellipsoid(J)
     np.testing.assert_allclose(axes[:, 1:], 0, atol=1e-12)
-    assert np.isinf(forces[:, 1:]).any(axis=0).all()
+    np.testing.assert_array_equal(np.isinf(forces).sum(axis=1), [0, 1, 1])
+
+
+def test_a_lost_direction_is_infinite_along_itself_only():
+    q = np.array([0.7, 0.4, 0.0])
+    outwards = np.array([np.cos(0.7) * np.cos(0.4), np.sin(0.7) * np.cos(0.4), np.sin(0.4)])
+    forces = force_ellipsoid(jacobian(ELBOW, q)[:3])
+    assert np.isinf(forces[:, 2]).all()
+    sideways = np.array([-np.sin(0.7), np.cos(0.7), 0])
+    np.testing.assert_allclose(forces[:, :2].T @ outwards, 0, atol=1e-12)
+    assert np.abs(sideways @ forces[:, :2]).max() == pytest.approx(1 / (0.7 * np.cos(0.4)))
 
 
 def test_lost_directions_are_those_that_no_joint_gives():

@@ -1,5 +1,7 @@
 """Is my Jacobian wrong, and how? The answer names the mistake and gives no numbers away."""
 
+import inspect
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
@@ -7,19 +9,23 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, ArmError, Joint
-from helpers.kinematics import forward_kinematics, jacobian, jacobian_in_frame, link_frames
+from helpers.checks.mistakes import turned, usual_mistakes
+from helpers.kinematics import jacobian, jacobian_in_frame, link_frames
 
 Array = NDArray[np.float64]
+Usual = tuple[tuple[str, Array], ...]
 
 _WITHIN = 1e-6
+_ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
 @dataclass(frozen=True)
 class JacobianReport:
-    """What `compare_jacobian` found: nothing if the Jacobian is right."""
+    """What `compare_jacobian` found: nothing if the Jacobian is right, everywhere or `at_one_pose` only."""
 
     arm: str
     findings: tuple[str, ...]
+    at_one_pose: bool = False
 
     @property
     def agrees(self) -> bool:
@@ -28,9 +34,9 @@ class JacobianReport:
 
     def __str__(self) -> str:
         verdict = "is right" if self.agrees else "is not right"
-        return "\n".join(
-            [f"The Jacobian of {self.arm} {verdict}.", *(f"- {f}" for f in self.findings)]
-        )
+        where = " at this pose" if self.agrees and self.at_one_pose else ""
+        head = f"The Jacobian of {self.arm} {verdict}{where}."
+        return "\n".join([head, *(f"- {f}" for f in self.findings)])
 
     __repr__ = __str__
 
@@ -50,7 +56,8 @@ def compare_jacobian(
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
     Args:
-        mine: a function of q, a SymPy matrix in q_1, q_2, ... and the arm's symbols, or a 6 x dof array at `q`.
+        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix in q_1, q_2, ... or c_1, s_23, ... and the
+            arm's symbols, or a 6 x dof array at `q`.
         arm: whose Jacobian it should be; a locked joint as ``arm.lock(3)``.
         q: where to compare, shape (dof,); a pose without symmetry unless given. An array needs it.
         angular_first: whether your rows are (omega, v) rather than (v, omega).
@@ -63,11 +70,13 @@ def compare_jacobian(
         raise ArmError(f"q has shape {pose.shape}; expected one pose, ({arm.dof},)")
     M = _numbers(mine, arm, pose, given=q is not None)
     if M.shape != (6, arm.dof):
-        return JacobianReport(arm.name, (_shape_finding(M, arm, pose),))
+        return JacobianReport(arm.name, (_shape_finding(M, arm),))
     if angular_first:
         M = np.vstack([M[3:], M[:3]])
-    right = jacobian_in_frame(arm, pose, frame)
-    return JacobianReport(arm.name, () if _same(M, right) else _diagnosis(M, right, arm, pose))
+    agrees = _same(M, jacobian_in_frame(arm, pose, frame))
+    findings = () if agrees else _diagnosis(M, arm, pose, frame)
+    at_one_pose = not (callable(mine) or hasattr(mine, "free_symbols"))
+    return JacobianReport(arm.name, findings, at_one_pose)
 
 
 def _generic_pose(arm: Arm) -> Array:
@@ -80,7 +89,7 @@ def _numbers(mine: object, arm: Arm, q: Array, given: bool) -> Array:
     if hasattr(mine, "free_symbols"):
         mine = _evaluated(mine, arm, q)
     elif callable(mine):
-        mine = mine(q)
+        mine = mine(*q) if _takes_each(mine, arm.dof) else mine(q)
     elif not given:
         raise ArmError(
             "an array is a Jacobian at one pose; say which: compare_jacobian(mine, arm, q)"
@@ -98,9 +107,19 @@ def _numbers(mine: object, arm: Arm, q: Array, given: bool) -> Array:
     return M
 
 
+def _takes_each(function: Callable, dof: int) -> bool:
+    """Whether a function wants the joint values one by one, as ``sympy.lambdify`` makes them."""
+    parameters = inspect.signature(function).parameters.values()
+    return (
+        1 < dof == sum(p.default is p.empty and p.kind is not p.VAR_POSITIONAL for p in parameters)
+    )
+
+
 def _evaluated(expression, arm: Arm, q: Array) -> object:
-    numbers = {**dict(arm.values), **dict(zip(arm.variables, q, strict=True))}
-    result = expression.subs(numbers)
+    joints = dict(zip(arm.variables, q, strict=True))
+    short = {str(s): _short_value(str(s), joints) for s in expression.free_symbols}
+    known = {name: value for name, value in short.items() if value is not None}
+    result = expression.subs({**known, **joints, **dict(arm.values)})
     unknown = sorted(map(str, result.free_symbols))
     if unknown:
         names = ", ".join([*arm.variables, *dict(arm.values)])
@@ -108,13 +127,23 @@ def _evaluated(expression, arm: Arm, q: Array) -> object:
     return result.tolist()
 
 
+def _short_value(name: str, joints: dict[str, float]) -> float | None:
+    """The number behind c_23 or s_{2-3}, or None for another name."""
+    if not re.fullmatch(r"[cs]_\{?([+-]?\d)+\}?", name):
+        return None
+    terms = [(sign, joints.get(f"q_{digit}")) for sign, digit in re.findall(r"([+-]?)(\d)", name)]
+    if any(angle is None for _, angle in terms):
+        return None
+    total = sum(-angle if sign == "-" else angle for sign, angle in terms)
+    return float(np.cos(total) if name[0] == "c" else np.sin(total))
+
+
 def _same(left: Array, right: Array) -> bool:
     return left.shape == right.shape and bool(np.abs(left - right).max(initial=0.0) < _WITHIN)
 
 
-def _shape_finding(M: Array, arm: Arm, q: Array) -> str:
-    rows = [replace(row, joint=Joint()) if row.joint.kind == "fixed" else row for row in arm.rows]
-    loose = replace(arm, rows=rows, home=())
+def _shape_finding(M: Array, arm: Arm) -> str:
+    loose = _unlocked(arm)
     wide = loose.dof > arm.dof
     if M.shape == (arm.dof, 6):
         return "It is transposed: one column per joint, six rows."
@@ -127,135 +156,74 @@ def _shape_finding(M: Array, arm: Arm, q: Array) -> str:
     return f"Its shape is {M.shape}; expected (6, {arm.dof}): rows vx, vy, vz, wx, wy, wz, a column per free joint."
 
 
-def _diagnosis(M: Array, right: Array, arm: Arm, q: Array) -> tuple[str, ...]:
-    """One mistake that explains the whole matrix, or else what is wrong with each wrong column."""
-    suspects = dict(_suspects(right, arm, q))
-    for mistake, wrong in suspects.items():
-        if _same(M, wrong):
-            return (f"{mistake}.",)
+def _unlocked(arm: Arm) -> Arm:
+    """The arm with every row that does not move free to turn."""
+    rows = [replace(row, joint=Joint()) if row.joint.kind == "fixed" else row for row in arm.rows]
+    return replace(arm, rows=rows, home=())
+
+
+def _diagnosis(M: Array, arm: Arm, q: Array, frame: int) -> tuple[str, ...]:
+    """One mistake that explains the whole matrix, or one for each half, or else what is wrong with each wrong column."""
+    M, right = turned(M, link_frames(arm, q)[frame, :3, :3]), jacobian(arm, q)
+    usual = tuple(usual_mistakes(arm, q, frame))
+    if whole := _named(M, usual):
+        return (f"{whole}.",)
+    linear, angular = slice(0, 3), slice(3, 6)
+    halves = [_half(M, right, usual, rows) for rows in (linear, angular)]
+    if None not in halves:
+        return tuple(words for words in halves if words)
+    wrong = [k for k in range(arm.dof) if not _same(M[:, k], right[:, k])]
     return tuple(
-        _column(k, M[:, k], right, suspects, arm)
-        for k in range(arm.dof)
-        if not _same(M[:, k], right[:, k])
+        f"Column {k + 1} (joint {arm.joints[k]}): {_column(k, M[:, k], right, usual, arm, q)}."
+        for k in wrong
     )
 
 
-def _suspects(right: Array, arm: Arm, q: Array) -> Iterator[tuple[str, Array]]:
-    """What the usual mistakes make of the whole Jacobian."""
-    v, w = right[:3], right[3:]
-    yield (
-        "Linear and angular rows are exchanged; if you mean (omega, v), say angular_first=True",
-        np.vstack([w, v]),
-    )
-    yield "Every sign is reversed", -right
-    yield (
-        "The cross product is taken the wrong way round: z x (o_n - o), not (o_n - o) x z",
-        np.vstack([_flipped(v, arm), w]),
-    )
-    yield (
-        "The linear rows are in millimetres, the angular ones are not: use metres throughout",
-        np.vstack([1000 * v, w]),
-    )
-    yield (
-        "The linear rows are in metres per degree or q is taken in degrees: use radians",
-        jacobian(arm, np.radians(q)),
-    )
-    yield "It is per degree: angles are in radians", np.radians(right)
-    yield from _axis_mistakes(arm, q)
-    yield (
-        "The lever arm is o_n alone: subtract o_{i-1}, the point on the joint's axis",
-        _built(arm, q, lever=lambda o, tip: tip),
-    )
-    yield (
-        "The lever arm is o_{i-1} alone: it goes from o_{i-1} to the tip, o_n - o_{i-1}",
-        _built(arm, q, lever=lambda o, tip: o),
-    )
-    yield (
-        "Axes and origins are read from the rows of T: they are its columns",
-        _built(arm, q, read=lambda T: np.swapaxes(T, -1, -2)),
-    )
-    yield (
-        "A joint that slides is treated as one that turns: its column is z over 0",
-        _built(arm, q, slides=False),
-    )
-    yield (
-        "The angular rows are zero: a joint that turns contributes its axis z_{i-1}",
-        np.vstack([v, 0 * w]),
-    )
-    for k in range(1, len(arm.rows) + 1):
-        yield (
-            f"The rows are in the axes of frame {k}, not of the base; if you mean that, say frame={k}",
-            jacobian_in_frame(arm, q, k),
-        )
-    for k in range(len(arm.rows)):
-        point = link_frames(arm, q)[k, :3, 3]
-        yield (
-            f"The linear rows are the velocity of a point at o_{k}, not of the tip",
-            _built(arm, q, lever=lambda o, tip, p=point: p - o),
-        )
+def _named(mine: Array, usual: Usual, part: object = ...) -> str | None:
+    """The first mistake whose matrix has this part, such as three rows or a column."""
+    return next((mistake for mistake, wrong in usual if _same(mine, wrong[part])), None)
 
 
-def _flipped(v: Array, arm: Arm) -> Array:
-    turns = [arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints]
-    return np.where(turns, -v, v)
+def _half(M: Array, right: Array, usual: Usual, rows: slice) -> str | None:
+    """What explains three rows: nothing to say where they are right, None where no mistake does."""
+    if _same(M[rows], right[rows]):
+        return ""
+    mistake = _named(M[rows], usual, rows)
+    if mistake is None:
+        return None
+    where = "angular rows" if rows.start else "linear rows"
+    return f"{mistake}." if where in mistake else f"In the {where}: {_lower(mistake)}."
 
 
-def _axis_mistakes(arm: Arm, q: Array) -> Iterator[tuple[str, Array]]:
-    right, late = _built(arm, q), _built(arm, q, late=True)
-    yield (
-        "The angular rows use z_i where z_{i-1} belongs: joint i turns about the axis of the frame before it",
-        np.vstack([right[:3], late[3:]]),
-    )
-    yield (
-        "Axes and origins are one frame too far: joint i has z_{i-1} and o_{i-1}, not z_i and o_i",
-        late,
-    )
-    mixed = _built(arm, q, late=True, lever_late=False)
-    yield "The axes are one frame too far: joint i turns about z_{i-1}, not z_i", mixed
-
-
-def _built(
-    arm: Arm,
-    q: Array,
-    *,
-    late: bool = False,
-    lever_late: bool | None = None,
-    lever: Callable = lambda o, tip: tip - o,
-    read: Callable = lambda T: T,
-    slides: bool = True,
-) -> Array:
-    """The Jacobian built column by column, with one step done otherwise."""
-    T, tip = read(link_frames(arm, q)), read(forward_kinematics(arm, q))[:3, 3]
-    columns = []
-    for i in arm.joints:
-        z = T[i - 1 + late, :3, 2]
-        o = T[i - 1 + (late if lever_late is None else lever_late), :3, 3]
-        turns = arm.rows[i - 1].joint.kind == "revolute" or not slides
-        columns.append(np.concatenate([np.cross(z, lever(o, tip)), z] if turns else [z, 0 * z]))
-    return np.stack(columns, axis=1)
-
-
-def _column(k: int, column: Array, right: Array, suspects: dict[str, Array], arm: Arm) -> str:
-    where = f"Column {k + 1} (joint {arm.joints[k]})"
+def _column(k: int, mine: Array, right: Array, usual: Usual, arm: Arm, q: Array) -> str:
     wanted = right[:, k]
-    if _same(column, -wanted):
-        return f"{where}: its sign is reversed, as if the joint counted the other way."
-    if _same(column, np.concatenate([wanted[3:], wanted[:3]])):
-        return f"{where}: its linear and angular halves are exchanged."
-    for other in range(arm.dof):
-        if other != k and _same(column, right[:, other]):
-            return f"{where}: this is the column of joint {arm.joints[other]}."
-    for mistake, wrong in suspects.items():
-        if _same(column, wrong[:, k]):
-            return f"{where}: {mistake[0].lower()}{mistake[1:]}."
-    halves = [
-        name
-        for name, rows in (("linear", slice(0, 3)), ("angular", slice(3, 6)))
-        if not _same(column[rows], wanted[rows])
-    ]
-    rows = [
-        name
-        for name, a, b in zip(("vx", "vy", "vz", "wx", "wy", "wz"), column, wanted, strict=True)
-        if abs(a - b) >= _WITHIN
-    ]
-    return f"{where}: its {' and its '.join(halves)} part is wrong, in {', '.join(rows)}."
+    if _same(mine, -wanted):
+        return "its sign is reversed, as if the joint counted the other way"
+    if _same(mine, np.roll(wanted, 3)):
+        return "its linear and angular halves are exchanged"
+    for joint, other in _other_columns(k, arm, q):
+        if _same(mine, other):
+            locked = "" if joint in arm.joints else ", which is locked"
+            return f"this is the column of joint {joint}{locked}"
+    mistake = _named(mine, usual, (slice(None), k))
+    return _lower(mistake) if mistake else _parts(mine, wanted)
+
+
+def _other_columns(k: int, arm: Arm, q: Array) -> Iterator[tuple[int, Array]]:
+    """The columns of the other joints, then those that locked joints would have."""
+    loose = _unlocked(arm)
+    values = dict(zip(arm.joints, q, strict=True))
+    J = jacobian(loose, [values.get(i, 0.0) for i in loose.joints])
+    rows = sorted(set(loose.joints) - {arm.joints[k]}, key=lambda i: i not in values)
+    return ((i, J[:, i - 1]) for i in rows)
+
+
+def _parts(mine: Array, wanted: Array) -> str:
+    rows = [name for name, a, b in zip(_ROWS, mine, wanted, strict=True) if abs(a - b) >= _WITHIN]
+    halves = {"linear" if name.startswith("v") else "angular": None for name in rows}
+    parts = "parts are" if len(halves) > 1 else "part is"
+    return f"its {' and '.join(halves)} {parts} wrong, in {', '.join(rows)}"
+
+
+def _lower(sentence: str) -> str:
+    return sentence[0].lower() + sentence[1:]

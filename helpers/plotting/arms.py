@@ -48,7 +48,7 @@ def arrow_3d(
     ax.quiver(
         *start, *step, color=colour, ls="--" if dashed else "-", lw=2, arrow_length_ratio=0.12
     )
-    ax.text(*(start + 1.12 * step), text, color=colour, ha="center", va="center")
+    ax.text(*(start + 1.25 * step), text, color=colour, ha="center", va="center")
 
 
 def _reach(arm: Arm) -> float:

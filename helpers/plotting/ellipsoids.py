@@ -35,5 +35,5 @@ def map_2d(ax: Axes, x: ArrayLike, y: ArrayLike, values: ArrayLike, label: str) 
     """Draw `values`, shape (len(y), len(x)), as filled contours with a colour bar; darker is more."""
     filled = ax.contourf(x, y, values, levels=9, cmap="Blues")
     bar = ax.figure.colorbar(filled, ax=ax)
-    bar.set_label(label)
+    bar.set_label(label, labelpad=12)
     bar.outline.set_visible(False)

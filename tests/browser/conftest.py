@@ -24,9 +24,11 @@ NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
 @pytest.fixture(scope="session")
 def browser():
     path = next(filter(None, map(shutil.which, NAMES)), None)
+    # On macOS and Windows Chrome is not on the PATH; Playwright knows where it is installed.
+    where = {"executable_path": path} if path else {"channel": "chrome"}
     with sync_playwright() as playwright:
         try:
-            chromium = playwright.chromium.launch(executable_path=path, args=FLAGS)
+            chromium = playwright.chromium.launch(**where, args=FLAGS)
         except Error as error:
             if os.environ.get("CI"):
                 raise

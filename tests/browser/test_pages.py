@@ -120,6 +120,8 @@ def test_the_theme_switch_turns_figures_too(browser):
     page = reader.open((HTML / "01_dh_tables.html").as_uri())
     drawn = page.locator(".cell_output img").first
     assert "invert" in drawn.evaluate("e => getComputedStyle(e).filter")
+    # A ground of its own would be turned over with the ink and stand on the page as a grey card.
+    assert drawn.evaluate("e => getComputedStyle(e).backgroundColor") == "rgba(0, 0, 0, 0)"
     page.evaluate("document.documentElement.dataset.theme = 'light'")
     assert "invert" not in drawn.evaluate("e => getComputedStyle(e).filter")
     reader.context.close()
