@@ -16,6 +16,7 @@ from helpers.explorer.data import arm_data, arm_from
 from helpers.explorer.widget import BUNDLE
 from helpers.kinematics import jacobian, link_frames
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.statics import gravity_torque
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "explorer"
@@ -33,6 +34,7 @@ needs_node = pytest.mark.skipif(
 
 def ask(job, **given):
     asked = json.dumps({"job": job, **given})
+    assert NODE, "Node.js is not installed"
     command = [NODE, str(ROOT / "tests" / "explorer_numbers.mjs")]
     return json.loads(
         subprocess.run(command, input=asked, capture_output=True, text=True, check=True).stdout
@@ -71,6 +73,8 @@ def test_javascript_computes_what_python_does(arm):
     close("frames", link_frames(arm, qs))
     close("columns", np.swapaxes(J, -1, -2))
     close("gravity", held_up(arm, qs))
+    if arm.bodies:
+        close("gravity", gravity_torque(arm, qs))
     close("push", np.swapaxes(J, -1, -2) @ wrench)
     singular = np.linalg.svd(J, compute_uv=False)
     got = np.array([answer["values"] for answer in answers])[:, : singular.shape[1]]
@@ -167,7 +171,9 @@ def test_what_is_written_in_an_entry_is_read_back_the_same():
         np.testing.assert_allclose([b["value"] for b in back], values, atol=1e-6)
 
 
+@needs_node
 def test_the_bundle_is_what_its_sources_make(tmp_path):
+    assert NODE, "Node.js is not installed"
     if not (SOURCES / "node_modules").exists():
         if not os.environ.get("CI"):
             pytest.skip("npm packages are not installed: npm ci --prefix explorer")

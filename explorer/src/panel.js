@@ -5,7 +5,7 @@ import { calm, h, indexed } from "./dom.js";
 import { joints } from "./kinematics.js";
 import { outside, randomPose, range } from "./motion.js";
 import { Stage } from "./scene.js";
-import { fixed, isAngle, jointText, readEntry } from "./text.js";
+import { fixed, isAngle, jointText, limitText, readEntry } from "./text.js";
 import { watchTheme } from "./theme.js";
 import * as pose from "./views/pose.js";
 import * as jacobian from "./views/jacobian.js";
@@ -160,7 +160,7 @@ function makeSliders(store) {
     const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
     const slider = h("input", { type: "range", min: lower, max: upper, step: "any", "aria-label": label, "data-joint": index + 1, oninput: (e) => put(i, Number(e.target.value)), onkeydown: (e) => nudge(e, row, i) });
     const field = h("input.value", { type: "text", inputmode: "text", spellcheck: "false", "aria-label": `${label}, typed`, oninput: (e) => typed(i, row, e.target, false), onchange: (e) => typed(i, row, e.target, true) });
-    const bounds = h("span.bounds", {}, h("span", {}, row.lower === null ? "" : jointText(row, lower, unit)), h("span.past", {}), h("span", {}, row.upper === null ? "" : jointText(row, upper, unit)));
+    const bounds = h("span.bounds", {}, h("span", {}, row.lower === null ? "" : limitText(row, lower, unit)), h("span.past", {}), h("span", {}, row.upper === null ? "" : limitText(row, upper, unit)));
     const light = (lit) => () => store.set({ lit });
     const root = h("div.joint", { onpointerenter: light(index), onpointerleave: light(null), onfocusin: light(index), onfocusout: light(null) }, h("span.label", {}, indexed("q", index + 1)), h("div.rail", {}, slider, bounds), field);
     return { root, slider, field, bounds, row, index };

@@ -296,7 +296,7 @@ export class Stage {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     if (this.frames && Math.abs(before - this.camera.aspect) > 0.01) this.fit();
-    this.request();
+    this.render(); // at once: a canvas of another size is blank
   }
 
   request() {

@@ -17,6 +17,10 @@ export function jointText(row, value, unit) {
   return unit === "deg" ? `${fixed((value * 180) / Math.PI, 1)}°` : `${fixed(value, 3)} rad`;
 }
 
+// The same in the small print under a slider.
+export const limitText = (row, value, unit) =>
+  isAngle(row) && unit === "deg" ? `${fixed((value * 180) / Math.PI, 0)}°` : `${short(value, 2)} ${isAngle(row) ? "rad" : "m"}`;
+
 // What stands in an entry field: as few digits as say the number, quarter turns by name.
 export function entryText(value, angle, unit) {
   if (!angle) return short(value, 6);

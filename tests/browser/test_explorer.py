@@ -21,9 +21,11 @@ MINUS = "−"
 class Visit(Reader):
     """A visit to the explorer's page that waits until the instrument stands."""
 
-    def __init__(self, browser, fragment="", theme="light", size="wide", **context):
+    def __init__(
+        self, browser, fragment="", theme="light", size="wide", name="explorer", **context
+    ):
         super().__init__(browser, theme, size, "file:", **context)
-        self.open((HTML / "explorer.html").as_uri() + fragment)
+        self.open((HTML / f"{name}.html").as_uri() + fragment)
         self.page.locator(".arm-explorer").scroll_into_view_if_needed()
         self.page.locator("section.explorer").wait_for()
 
@@ -327,6 +329,82 @@ def test_a_frame_is_computed_in_a_fifth_of_a_millisecond(visit):
     }"""
     here = visit()
     assert here.page.evaluate(ask, [arm_data(PANDA), some(PANDA, 100).tolist()]) < 0.2
+
+
+# What the chapters tell their readers to do, and what they say will be seen.
+
+
+def typed(page, label, text):
+    field = page.get_by_label(label, exact=True)
+    field.fill(text)
+    field.press("Enter")
+
+
+def test_chapter_1_an_offset_may_slide_along_parallel_axes(visit):
+    page = visit(name="01_dh_tables").page
+    verdict = page.locator(".dh .verdict")
+    page.locator("[data-cell='2-d']").fill("0.1639")
+    assert "163.9 mm" in verdict.inner_text()
+    page.locator("[data-cell='4-d']").fill("0")
+    typed(page, "Joint 3, angle, typed", "70")
+    typed(page, "Joint 5, angle, typed", "-40")
+    assert "0.0 mm and 0.0°" in verdict.inner_text()
+
+
+def test_chapter_1_only_joint_3_tells_a_reversed_axis(visit):
+    page = visit(name="01_dh_tables").page
+    verdict = page.locator(".dh .verdict")
+    for row in (2, 3):
+        page.locator(f"[data-cell='{row}-alpha']").fill("0")
+    for joint in (1, 2, 4, 5, 6):
+        typed(page, f"Joint {joint}, angle, typed", "25")
+    assert "0.0 mm and 0.0°" in verdict.inner_text()
+    typed(page, "Joint 3, angle, typed", "25")
+    assert "0.0 mm" not in verdict.inner_text()
+
+
+def test_chapter_2_rank_comes_back_with_joints_3_and_5(visit):
+    page = visit(name="02_jacobian").page
+    verdict = page.locator(".jacobian .verdict")
+    assert verdict.inner_text().startswith("Singular: rank 3 of 6.")
+    for joint in (1, 6):
+        typed(page, f"Joint {joint}, angle, typed", "30")
+        assert "rank 3 of 6" in verdict.inner_text()
+        typed(page, f"Joint {joint}, angle, typed", "0")
+    typed(page, "Joint 3, angle, typed", "30")
+    assert "rank 5 of 6" in verdict.inner_text()
+    typed(page, "Joint 5, angle, typed", "30")
+    assert verdict.inner_text().startswith("Rank 6")
+
+
+def test_chapter_3_one_circle_winds_and_the_other_does_not(visit):
+    page = visit(name="03_circle_tracing").page
+    verdict = page.locator(".trace .verdict")
+    assert verdict.inner_text().startswith("Joint 5 and joint 7 would have to pass their limits")
+    spans = page.locator(".plots .past .span").all_inner_texts()
+    assert spans == [f"{MINUS}360.0° … 0.0°"] * 2
+    for joint, angle in {1: "0", 2: "25", 4: "85", 5: "0", 6: "150", 7: "0"}.items():
+        typed(page, f"Joint {joint}, angle, typed", angle)
+    page.get_by_role("button", name="Draw a circle from here").click()
+    assert verdict.inner_text() == "All joints stay within their limits."
+    assert page.locator(".plots .past").count() == 0
+
+
+def test_chapter_4_the_pen_pushed_down_is_too_much_for_joint_6(visit):
+    page = visit(name="04_static_torque").page
+    totals = page.locator(".bars .total")
+    assert totals.nth(1).inner_text() == "21.81"
+    page.get_by_label("F x, N", exact=True).fill("5")
+    assert totals.nth(1).inner_text() == "26.68", "4.865 N m more"
+    page.get_by_label("F x, N", exact=True).fill("0")
+    page.get_by_label("F z, N", exact=True).fill("-60")
+    verdict = page.locator(".torque .verdict")
+    assert verdict.inner_text() == "Too much for joint 6."
+    typed(page, "Joint 6, angle, typed", "90")
+    assert verdict.inner_text().startswith("Every joint can hold this.")
+    page.get_by_role("tab", name="Circle trace").click()
+    page.get_by_label("What the plots show").select_option("torque")
+    assert page.locator(".plots figure").count() == 7
 
 
 @pytest.mark.parametrize("size", SIZES)
