@@ -75,7 +75,7 @@ export function range(row) {
 
 // Other joint vectors with the tip at the same pose, from many starts. Where the arm has a joint to spare, joint 3 is
 // held, so that the ways can be counted.
-export function otherWays(arm, q, tries = 120) {
+export function otherWays(arm, q, tries = 300) {
   const wanted = linkFrames(arm, q).at(-1);
   const held = spareJoints(arm) ? 2 : -1;
   const roll = dice(1);
