@@ -48,7 +48,7 @@ def lab(tmp_path_factory):
 
 
 def _wait_for(address, server, log):
-    for _ in range(240):
+    for _ in range(600):
         try:
             urllib.request.urlopen(address, timeout=5).close()
         except (URLError, OSError):
@@ -61,8 +61,10 @@ def _wait_for(address, server, log):
 
 def test_sliders_and_python_move_the_same_arm(browser, lab):
     page = browser.new_page(viewport={"width": 1300, "height": 1400})
+    page.set_default_timeout(180_000)  # a busy machine takes its time to start a kernel
     page.goto(lab)
-    page.locator(".jp-Notebook .jp-CodeCell").nth(2).wait_for(timeout=60_000)
+    page.locator(".jp-Notebook .jp-CodeCell").nth(2).wait_for()
+    page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]").wait_for()
 
     def run(cell):
         page.locator(".jp-Notebook .jp-CodeCell .jp-InputArea-editor").nth(cell).click()
@@ -70,7 +72,7 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
 
     run(0)
     slider = page.get_by_role("slider", name="Joint 1, angle")
-    slider.wait_for(timeout=60_000)
+    slider.wait_for()
     slider.focus()
     for _ in range(3):
         page.keyboard.press("Shift+ArrowRight")  # ten degrees each
