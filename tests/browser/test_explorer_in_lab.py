@@ -84,6 +84,6 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
     assert said.inner_text().strip() == "joint 1 at 0.5236 pushed by -4.0"
 
     run(2)
-    expect(slider).to_have_value("0.5")
-    expect(page.get_by_label("F z, N", exact=True)).to_have_value("−7")
+    expect(slider).to_have_value("0.5", timeout=60_000)
+    expect(page.get_by_label("F z, N", exact=True)).to_have_value("−7", timeout=60_000)
     page.close()
