@@ -51,7 +51,13 @@ def _axes(J: ArrayLike) -> tuple[Array, Array]:
     U, found, _ = np.linalg.svd(block)
     sizes = np.zeros(3)
     sizes[: len(found)] = np.where(found > 1e-12 * found.max(initial=0.0), found, 0.0)
-    return U, sizes
+    return _signed(U), sizes
+
+
+def _signed(U: Array) -> Array:
+    """The same axes, each pointing to its first large entry's positive side: LAPACK's own choice differs by machine."""
+    first = np.argmax(np.abs(U) > 0.5 * np.abs(U).max(axis=0), axis=0)
+    return U * np.sign(U[first, range(U.shape[1])])
 
 
 def _block(J: ArrayLike) -> Array:

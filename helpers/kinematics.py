@@ -147,7 +147,7 @@ def row_motions(
     arm: Arm, q: Array
 ) -> Iterator[tuple[NumericRow, Array | float, Array | float, Array | float]]:
     """Each row with the cosine and sine of its angle and its offset, its joint's motion put in."""
-    cosines, sines = _cos_sin(q)
+    cosines, sines = cosines_and_sines(q)
     moving = 0
     for row in arm.numeric:
         c, s, d = row.cos_theta, row.sin_theta, row.d
@@ -159,7 +159,7 @@ def row_motions(
         yield row, c, s, d
 
 
-def _cos_sin(q: Array) -> tuple[Array, Array]:
+def cosines_and_sines(q: Array) -> tuple[Array, Array]:
     # NumPy's tan is vectorised where its sin and cos are not: both come from the half angle, to 3.4e-16.
     t = np.tan(0.5 * q)
     r = 2.0 / (1.0 + t * t)

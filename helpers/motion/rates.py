@@ -35,7 +35,7 @@ def inverse(within: float = 1e-9) -> Rates:
             sizes = np.linalg.svd(J, compute_uv=False)
             if sizes[-1] <= within * sizes[0]:
                 raise SingularError(
-                    f"J has no inverse here (smallest singular value {sizes[-1]:.2g}); "
+                    f"J has no inverse here (its smallest singular value is below {within:g} of its largest); "
                     "use pseudo_inverse(), damped() or another start"
                 )
         return found

@@ -41,7 +41,7 @@ class Report:
             ("largest tilt of the pen", _angle(self.pen_tilt)),
             ("gap between the tip's start and end", _length(self.closing_gap)),
             ("largest change of a joint over the whole path", _angle(self.joint_gap)),
-            ("smallest singular value of J", f"{self.smallest_singular_value:.3g}"),
+            ("smallest singular value of J", _size(self.smallest_singular_value)),
             (
                 "largest joint speed",
                 f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit",
@@ -101,6 +101,11 @@ def _angle(value: float) -> str:
     """An angle in degrees with four digits; below a millionth of a degree it is rounding."""
     degrees = float(np.degrees(value))
     return f"{degrees:.4g}°" if degrees >= 1e-6 else "below 1e-6°"
+
+
+def _size(value: float) -> str:
+    """A singular value with three digits; below 1e-12 it is rounding."""
+    return f"{value:.3g}" if value >= 1e-12 else "below 1e-12"
 
 
 def _joints(excess: tuple[tuple[int, float], ...]) -> str:

@@ -80,7 +80,8 @@ def _links(
     ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=6, solid_joinstyle="round", solid_capstyle="round",
             label=label)  # fmt: skip
     for i in arm.joints:
-        sides = 12 if arm.rows[i - 1].joint.kind == "revolute" else 4
+        # An even number of sides leaves faces at equal depth, which rounding noise would then put in order.
+        sides = 13 if arm.rows[i - 1].joint.kind == "revolute" else 4
         barrel(ax, T[i - 1], 0.032 * _reach(arm), sides, alpha)
     ax.plot(*points[-1:].T, "o", color="black", alpha=alpha, ms=4)
 

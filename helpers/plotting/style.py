@@ -1,6 +1,7 @@
 """Colours and settings shared by all figures."""
 
 import re
+from hashlib import sha256
 
 import matplotlib as mpl
 from IPython import get_ipython
@@ -52,10 +53,24 @@ def use_book_style() -> None:
 
 
 def svg(figure: Figure) -> str:
-    """A figure as SVG text, its coordinates rounded to 0.01 pt so that no machine's last digit shows."""
+    """A figure as SVG text that is the same on every machine: numbers to 0.01 pt, ids from what they name."""
     text = print_figure(
         figure, fmt="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None}
     )
     text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", lambda number: f"{float(number[0]):.2f}", text)
+    text = re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)
     text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->", "", text)
-    return re.sub(r"\s*\n\s*([LCQMz]\b)?", lambda found: found[1] or "\n", text)
+    return _with_own_ids(re.sub(r"\s*\n\s*([LCQMz]\b)?", lambda found: found[1] or "\n", text))
+
+
+def _with_own_ids(text: str) -> str:
+    """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures on the page."""
+    hashed = dict.fromkeys(re.findall(r'id="([mp][0-9a-f]{10})"', text))
+    order = {name: str(number) for number, name in enumerate(hashed)}
+    numbered = re.sub(r"\b[mp][0-9a-f]{10}\b", lambda name: order.get(name[0], name[0]), text)
+    figure = sha256(numbered.encode()).hexdigest()[:8]
+    return re.sub(
+        r"\b[mp][0-9a-f]{10}\b",
+        lambda name: f"f{figure}-{order[name[0]]}" if name[0] in order else name[0],
+        text,
+    )

@@ -19,7 +19,8 @@ def torques(
     for ax, i, values, limit in zip(
         axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False
     ):
-        ax.plot(t[some], values[some], label=label, **{"color": BLUE, **line})
+        # A joint that gravity leaves alone has a torque of 1e-17 N m or so, which must not set the scale.
+        ax.plot(t[some], values[some].round(9) + 0.0, label=label, **{"color": BLUE, **line})
         ax.set(title=f"joint {i} (limit ±{limit:g})", xlabel="$t$ (s)", ylabel="N m")
 
 
