@@ -127,7 +127,7 @@ def _fill_jacobian(arm: Arm, q: Array, out: Array) -> None:
 def cross(u: Array, v: Array) -> Array:
     w = np.empty(np.broadcast_shapes(u.shape, v.shape))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        np.subtract(u[j] * v[k], u[k] * v[j], out=w[i])
+        np.subtract(u[j] * v[k], u[k] * v[j], out=w[i, ...])
     return w
 
 

@@ -14,6 +14,7 @@ from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.explorer import ArmExplorer
 from helpers.explorer.data import arm_data, arm_from
 from helpers.explorer.widget import BUNDLE
+from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque
@@ -140,6 +141,34 @@ def test_every_way_found_reaches_the_pose_and_no_two_are_alike(arm, q, count):
 
 
 @needs_node
+@pytest.mark.parametrize(
+    ("arm", "solver", "count"),
+    [
+        (UR10E, lambda arm, T: ur(arm, T), 10),
+        (UR10E_HOMEWORK, lambda arm, T: ur(arm, T), 10),
+        (STANFORD, lambda arm, T: stanford(arm, T), 10),
+        (ELBOW, lambda arm, T: elbow(arm, T[..., :3, 3]), 10),
+    ],
+    ids=lambda value: getattr(value, "name", ""),
+)
+def test_the_ways_found_are_the_closed_forms_branches(arm, solver, count):
+    for q in some(arm, count):
+        known = solver(arm, link_frames(arm, q)[-1])
+        known = np.array(known.q[known.valid])
+        found = np.array(ask("ways", arm=arm_data(arm), q=q.tolist()))
+        gaps = apart(arm, known[:, None], found[None])
+        assert gaps.shape[0] == gaps.shape[1]
+        assert gaps.min(axis=0).max() < 1e-7
+        assert gaps.min(axis=1).max() < 1e-7
+
+
+def apart(arm, p, q):
+    """The largest difference of two joint vectors, whole turns aside."""
+    slides = [arm.rows[i - 1].joint.kind == "prismatic" for i in arm.joints]
+    return np.where(slides, np.abs(p - q), np.abs(2 * np.sin((p - q) / 2))).max(axis=-1)
+
+
+@needs_node
 def test_entries_are_read_as_typed_or_refused_in_words():
     degrees, radians = math.pi / 180, 1.0
     good = {
@@ -258,6 +287,18 @@ def test_it_takes_joint_vectors_of_every_kind(explorer):
     assert explorer.trace[-1] == [1.0] * 7
     explorer.branches = {"elbow up": PANDA.home}
     assert explorer.branches == [{"label": "elbow up", "q": [round(x, 5) for x in PANDA.home]}]
+
+
+def test_it_takes_what_a_closed_form_returns():
+    q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
+    found = ur(UR10E, link_frames(UR10E, q)[-1])
+    explorer = ArmExplorer(UR10E, q, branches=found)
+    assert [way["label"] for way in explorer.branches] == list(found.branches)
+    np.testing.assert_allclose([way["q"] for way in explorer.branches], found.q, atol=1e-5)
+    beyond = ArmExplorer(ELBOW, branches=elbow(ELBOW, [9, 9, 9]))
+    assert beyond.branches == []
+    with pytest.raises(ArmError, match="expected one"):
+        explorer.branches = ur(UR10E, link_frames(UR10E, [q, q])[:, -1])
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm, ArmError, Body, Joint, Row
+from helpers.inverse import Solutions
 
 _POINTS = 181  # of a path that is played back: one for each two degrees of a circle
 _DIGITS = 5  # of its joint values, so that the last digit of a machine's arithmetic does not show
@@ -68,16 +69,30 @@ def path_data(arm: Arm, trace: ArrayLike | None) -> list[list[float]] | None:
 
 
 def branches_data(
-    arm: Arm, branches: Mapping[str, ArrayLike] | ArrayLike | None
+    arm: Arm, branches: Solutions | Mapping[str, ArrayLike] | ArrayLike | None
 ) -> list[Data] | None:
-    """Joint vectors of one pose, shape (k, dof), or a mapping from each one's name to it."""
+    """Joint vectors of one pose: a closed form's, a mapping from names to them, or an array of shape (k, dof)."""
     if branches is None:
         return None
+    if isinstance(branches, Solutions):
+        branches = _named(branches)
     if isinstance(branches, Mapping):
         return [
             {"label": str(name), "q": _rounded(arm.joint_vector(q))} for name, q in branches.items()
         ]
     return [_branch(arm, branch) for branch in branches]
+
+
+def _named(found: Solutions) -> dict[str, np.ndarray]:
+    if found.q.ndim != 2:
+        raise ArmError(
+            f"{found.arm.name}: the branches are those of {found.q.shape[:-2]} poses; expected one"
+        )
+    return {
+        name: q
+        for name, q, valid in zip(found.branches, found.q, found.valid, strict=True)
+        if valid
+    }
 
 
 def _branch(arm: Arm, branch: Any) -> Data:

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from helpers.arm import Arm, ArmError
 from helpers.explorer.data import arm_data, arm_from, branches_data, path_data
 from helpers.explorer.stub import stub
+from helpers.inverse import Solutions
 
 VIEWS = ("table", "pose", "jacobian", "trace", "torque", "branches")
 UNITS = ("deg", "rad")
@@ -37,7 +38,8 @@ class ArmExplorer(anywidget.AnyWidget):
         views: which of table, pose, jacobian, trace, torque, branches to offer, the first one open.
         wrench: force and moment on the tool by the world, at the tip, base axes, shape (6,), N and N m.
         trace: joint vectors along a path, shape (N, dof), or an object with such a `q`.
-        branches: joint vectors that reach one pose, shape (k, dof), or a mapping from names to them.
+        branches: joint vectors that reach one pose: what a closed form of `helpers.inverse` returns, a mapping from
+            names to them, or an array of shape (k, dof).
         reference: the arm behind the table, as a ghost; the arm itself unless given.
         arms: more arms to choose from.
         unit: of the angles shown: deg or rad.
@@ -65,7 +67,7 @@ class ArmExplorer(anywidget.AnyWidget):
         views: Iterable[str] = VIEWS,
         wrench: ArrayLike = (0, 0, 0, 0, 0, 0),
         trace: Any = None,
-        branches: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        branches: Solutions | Mapping[str, ArrayLike] | ArrayLike | None = None,
         reference: Arm | None = None,
         arms: Iterable[Arm] = (),
         unit: str = "deg",
