@@ -16,7 +16,7 @@ SINGULAR = (
 
 
 class Plane(NamedTuple):
-    """Joint 1's two angles (2, batch), the target in the plane's axes x_1, y_1, and what is known of it."""
+    """Joint 1's two angles and the target in the plane's axes x_1, y_1, (2, batch), and what is known of it, (batch,)."""
 
     phi: Array
     x: Array
@@ -38,7 +38,7 @@ def facing(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
         phi = np.where(free, np.stack([chosen, chosen + np.pi]), phi)
     exists = square >= -2 * abs(delta) * REACH
     height = np.broadcast_to(first.sin_alpha * (z - first.d), both.shape)
-    return Plane(phi, both, height, np.stack([exists, exists]), free & (delta == 0.0))
+    return Plane(phi, both, height, exists, free & (delta == 0.0))
 
 
 class Bend(NamedTuple):

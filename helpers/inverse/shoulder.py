@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, ArmError
 from helpers.inverse.geometry import REACH, Plane, facing, two_links
-from helpers.inverse.solutions import Solutions, each_branch, positions, wrapped
+from helpers.inverse.solutions import Found, Solutions, each_branch, positions, shifted
 
 Array = NDArray[np.float64]
 
-ELBOW_BRANCHES = ("front, elbow up", "front, elbow down", "back, elbow up", "back, elbow down")
-STANFORD_BRANCHES = ("front, rod out", "front, rod through", "back, rod out", "back, rod through")
+ELBOW_BRANCHES = (("front", "back"), ("elbow up", "elbow down"))
+ROD_BRANCHES = (("front", "back"), ("rod out", "rod through"))
 
 
 def elbow(arm: Arm, p: ArrayLike, near: ArrayLike | None = None) -> Solutions:
@@ -39,36 +39,29 @@ def rod(arm: Arm, p: ArrayLike, near: ArrayLike | None = None) -> Solutions:
     another table or shape.
     """
     must_have_rod(arm)
-    return each_branch(arm, positions(arm, p), near, STANFORD_BRANCHES, rod_kernel)
+    return each_branch(arm, positions(arm, p), near, ROD_BRANCHES, rod_kernel)
 
 
-def elbow_kernel(arm: Arm, p: Array, near: Array) -> tuple[Array, Array, Array, Array]:
-    """Angles (3, 4 branches, batch), what is free, what exists, and the distance, for positions (3, batch)."""
+def elbow_kernel(arm: Arm, p: Array, near: Array) -> Found:
+    """Both shoulders with both elbows, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
     links = _links(second, third, tool[0].d if tool else 0.0)
     plane = facing(first, links.offset, p, near[0] + first.theta)
     up = first.sin_alpha * np.array([[[-1.0], [1.0]], [[1.0], [-1.0]]])
-    bend = two_links(
-        links.upper, links.fore, plane.x[:, None], plane.y[:, None], up, near[1] + second.theta
+    px, py = plane.x[:, None], plane.y[:, None]
+    bend = two_links(links.upper, links.fore, px, py, up, near[1] + second.theta)
+    q = (
+        shifted(plane.phi[:, None], first.theta),
+        shifted(bend.phi_2, second.theta),
+        shifted(second.cos_alpha * bend.phi_3, links.beta + third.theta),
     )
-    q = np.empty((3, 2, 2, p.shape[1]))
-    q[0] = plane.phi[:, None] - first.theta
-    q[1] = bend.phi_2 - second.theta
-    q[2] = second.cos_alpha * bend.phi_3 - links.beta - third.theta
-    valid = np.broadcast_to(plane.exists[:, None] & bend.exists, q[0].shape)
-    free = np.zeros(q.shape, bool)
-    free[0], free[1] = plane.free & valid, bend.free & valid
-    valid = valid.reshape(4, -1)
-    return (
-        wrapped(q).reshape(3, 4, -1),
-        free.reshape(3, 4, -1),
-        valid,
-        _elbow_distance(links, p, plane, valid),
-    )
+    valid = plane.exists & bend.exists
+    free = {0: plane.free, 1: bend.free}
+    return Found(q, free, valid, _elbow_distance(links, p, plane, valid))
 
 
-def rod_kernel(arm: Arm, p: Array, near: Array) -> tuple[Array, Array, Array, Array]:
-    """As `elbow_kernel`, for the rod."""
+def rod_kernel(arm: Arm, p: Array, near: Array) -> Found:
+    """Both shoulders with the rod out and through, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
     plane = facing(first, second.d, p, near[0] + first.theta)
     out = np.array([1.0, -1.0])[:, None]
@@ -76,15 +69,13 @@ def rod_kernel(arm: Arm, p: Array, near: Array) -> tuple[Array, Array, Array, Ar
     turned = second.sin_alpha * out
     phi_2 = np.arctan2(turned * plane.x[:, None], -turned * plane.y[:, None])
     central = np.abs(length) < REACH
-    q = np.empty((3, 2, 2, p.shape[1]))
-    q[0] = wrapped(plane.phi - first.theta)[:, None]
-    q[1] = np.where(central, near[1], wrapped(phi_2 - second.theta))
-    q[2] = length - third.d - (tool[0].d if tool else 0.0)
-    valid = np.repeat(plane.exists, 2, axis=0)
-    free = np.zeros(q.shape, bool)
-    free[0], free[1] = plane.free, central
-    missing = np.where(plane.exists[0], 0.0, abs(second.d) - np.hypot(p[0], p[1]))
-    return q.reshape(3, 4, -1), free.reshape(3, 4, -1) & valid, valid, missing
+    q = (
+        shifted(plane.phi[:, None], first.theta),
+        np.where(central, near[1], shifted(phi_2, second.theta)),
+        length - third.d - (tool[0].d if tool else 0.0),
+    )
+    missing = np.where(plane.exists, 0.0, abs(second.d) - np.hypot(p[0], p[1]))
+    return Found(q, {0: plane.free, 1: central}, plane.exists, missing)
 
 
 class Links(NamedTuple):
@@ -108,12 +99,12 @@ def _elbow_distance(links: Links, p: Array, plane: Plane, valid: Array) -> Array
     outer, inner = abs(links.upper) + links.fore, abs(abs(links.upper) - links.fore)
     if links.offset:
         height = np.abs(plane.y[0])
-        beside = ~plane.exists[0] & (inner <= height) & (height <= outer)
+        beside = ~plane.exists & (inner <= height) & (height <= outer)
         missing = np.where(beside, abs(links.offset) - np.hypot(p[0], p[1]), np.nan)
     else:
         reach = np.hypot(plane.x[0], plane.y[0])
         missing = np.maximum(np.maximum(reach - outer, inner - reach), 0.0)
-    return np.where(valid.any(axis=0), 0.0, missing)
+    return np.where(valid.any(axis=(0, 1)), 0.0, missing)
 
 
 def must_be_elbow(arm: Arm) -> None:

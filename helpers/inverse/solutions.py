@@ -3,6 +3,8 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,8 +14,7 @@ from helpers.kinematics import cross
 
 Array = NDArray[np.float64]
 
-_CHUNK = 4096  # so many targets at a time keep all branches inside a level-2 cache
-REACH = 1e-12  # m: a target this far beyond the boundary counts as on it
+_CHUNK = 1000  # so many targets at a time keep every temporary below the 128 KiB that malloc gives without a page fault
 
 
 @dataclass(frozen=True)
@@ -76,71 +77,107 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, q0: ArrayLike) 
     return np.array(path)
 
 
+class Found(NamedTuple):
+    """What a kernel finds: arrays that broadcast to (*branches, batch), one for each joint and for what is known of it."""
+
+    q: tuple[Array, ...]
+    free: dict[int, Array]
+    valid: Array
+    distance: Array
+
+
 def each_branch(
     arm: Arm,
     targets: Array,
     near: ArrayLike | None,
-    branches: tuple[str, ...],
-    kernel: Callable[..., tuple[Array, Array, Array, Array]],
+    branches: tuple[tuple[str, ...], ...],
+    kernel: Callable[[Arm, Array, Array], Found],
 ) -> Solutions:
-    """Run `kernel` on targets of shape (..., k), in chunks of columns, and put its branches together.
+    """Run `kernel` on targets of shape (..., k), in chunks of columns (k, batch), and put its branches together.
 
-    The kernel gets columns (k, batch) and nearby joint values (dof, batch), and gives q (dof, branches, batch), free
-    likewise, valid (branches, batch) and distance (batch,).
+    `branches` names the choices that a branch is made of, first to last; the kernel's arrays have one axis for each.
+    `free` holds an array for each joint, by its index, that was ever chosen.
     """
     near = arm.joint_vector(np.zeros(arm.dof) if near is None else near)
     shape = np.broadcast_shapes(targets.shape[:-1], near.shape[:-1])
-    count, many = math.prod(shape), len(branches)
-    columns = _columns(targets, shape)
-    chosen = _columns(near, shape)
-    q, free = np.empty((count, many, arm.dof)), np.zeros((count, many, arm.dof), bool)
+    choices = tuple(map(len, branches))
+    targets, near = _rows(targets, shape), _rows(near, shape)
+    count, many, dof = len(targets), math.prod(choices), arm.dof
+    q, free = np.empty((count, many, dof)), np.zeros((count, many, dof), bool)
     valid, distance = np.empty((count, many), bool), np.empty(count)
     for start in range(0, count, _CHUNK):
         part = slice(start, start + _CHUNK)
-        found, loose, exists, distance[part] = kernel(arm, columns[:, part], chosen[:, part])
-        q[part], valid[part] = found.T, exists.T
-        if loose is not None:
-            free[part] = loose.T
+        found = kernel(arm, np.ascontiguousarray(targets[part].T), near[part].T)
+        rows = np.moveaxis(q[part].reshape(-1, *choices, dof), 0, -1)
+        for joint, values in enumerate(found.q):
+            rows[..., joint, :] = values
+        exists = np.broadcast_to(found.valid, (*choices, found.distance.size))
+        valid[part], distance[part] = exists.reshape(many, -1).T, found.distance
+        for joint, values in found.free.items():
+            free[part, :, joint] = (values & exists).reshape(many, -1).T
     if not valid.all():
         q[~valid] = np.nan
-    return Solutions(
-        arm,
-        branches,
-        q.reshape(*shape, many, arm.dof),
-        valid.reshape(*shape, many),
-        free.reshape(*shape, many, arm.dof),
-        distance.reshape(shape),
-    )
+    names = tuple(map(", ".join, product(*branches)))
+    whole = [x.reshape(*shape, *x.shape[1:]) for x in (q, valid, free, distance)]
+    return Solutions(arm, names, *whole)
 
 
-def _columns(values: Array, shape: tuple[int, ...]) -> Array:
-    flat = np.broadcast_to(values, (*shape, values.shape[-1])).reshape(-1, values.shape[-1])
-    return np.ascontiguousarray(flat.T)
+def _rows(values: Array, shape: tuple[int, ...]) -> Array:
+    return np.broadcast_to(values, (*shape, values.shape[-1])).reshape(-1, values.shape[-1])
 
 
 def positions(arm: Arm, p: ArrayLike) -> Array:
     """`p` as positions of shape (..., 3); raises ArmError for anything else."""
-    points = np.asarray(p, dtype=float)
+    points = _numbers(arm, p, "p", "positions (..., 3) in m")
     if points.shape[-1:] != (3,):
         raise ArmError(f"{arm.name}: p has shape {points.shape}; expected (..., 3), positions in m")
-    if not np.isfinite(points).all():
-        raise ArmError(f"{arm.name}: p holds NaN or infinity; expected finite positions in m")
     return points
 
 
 def poses(arm: Arm, T: ArrayLike) -> Array:
-    """`T` as rigid transforms of shape (..., 4, 4); raises ArmError for anything else."""
-    transforms = np.asarray(T, dtype=float)
+    """`T` as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN or infinity."""
+    transforms = _numbers(arm, T, "T", "poses (..., 4, 4)")
     if transforms.shape[-2:] != (4, 4):
         raise ArmError(f"{arm.name}: T has shape {transforms.shape}; expected (..., 4, 4), poses")
-    if not np.isfinite(transforms).all():
-        raise ArmError(f"{arm.name}: T holds NaN or infinity; expected poses")
-    x, y, z, _ = np.moveaxis(transforms, (-1, -2), (0, 1))[:, :3]
-    error = max(np.abs((x * x).sum(axis=0) - 1).max(initial=0.0), np.abs(cross(y, z) - x).max(initial=0.0),
-                np.abs(cross(z, x) - y).max(initial=0.0), np.abs(cross(x, y) - z).max(initial=0.0))  # fmt: skip
+    return transforms.reshape(*transforms.shape[:-2], 16)
+
+
+def must_be_rigid(arm: Arm, columns: Array) -> None:
+    """Raises ArmError for transforms in columns (16, batch) of which one is not rigid."""
+    x, y, z = (columns[i:12:4] for i in range(3))
+    gaps = (
+        cross(x, y) - z,
+        dot(x, x) - 1,
+        dot(y, y) - 1,
+        dot(x, y),
+        columns[12:15],
+        columns[15] - 1,
+    )
+    error = max(float(np.abs(gap).max(initial=0.0)) for gap in gaps)
     if error > 1e-6:
-        raise ArmError(f"{arm.name}: T holds no rotation (off by {error:.2g}); expected poses")
-    return transforms
+        raise ArmError(
+            f"{arm.name}: T is no rigid transform, by {error:.2g}; expected a rotation and a position over (0, 0, 0, 1)"
+        )
+
+
+def dot(u: Array, v: Array) -> Array:
+    """Inner products of columns."""
+    return np.einsum("i...,i...->...", u, v)
+
+
+def _numbers(arm: Arm, values: ArrayLike, name: str, wanted: str) -> Array:
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise ArmError(f"{arm.name}: {name} is {values!r}; expected {wanted}") from None
+    if not np.isfinite(array).all():
+        raise ArmError(f"{arm.name}: {name} holds NaN or infinity; expected {wanted}")
+    return array
+
+
+def shifted(angle: Array, offset: float) -> Array:
+    """An angle of (-pi, pi] less a row's offset, in (-pi, pi] again."""
+    return wrapped(angle - offset) if offset else angle
 
 
 def wrapped(angle: Array) -> Array:

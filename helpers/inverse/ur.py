@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm, ArmError
 from helpers.inverse.geometry import (
     SINGULAR,
-    Bend,
     Plane,
     Tool,
     facing,
@@ -22,17 +21,20 @@ from helpers.inverse.geometry import (
     unwound,
     wrist_centre,
 )
-from helpers.inverse.solutions import Solutions, each_branch, poses, wrapped
+from helpers.inverse.solutions import (
+    Found,
+    Solutions,
+    each_branch,
+    must_be_rigid,
+    poses,
+    shifted,
+    wrapped,
+)
 from helpers.kinematics import cosines_and_sines
 
 Array = NDArray[np.float64]
 
-BRANCHES = tuple(
-    f"{shoulder}, {elbow}, {wrist}"
-    for shoulder in ("front", "back")
-    for wrist in ("q_5 > 0", "q_5 < 0")
-    for elbow in ("elbow +", "elbow -")
-)
+BRANCHES = (("front", "back"), ("q_5 > 0", "q_5 < 0"), ("elbow +", "elbow -"))
 
 
 def ur(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
@@ -45,30 +47,29 @@ def ur(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
     T that is no pose.
     """
     _must_fit(arm)
-    T = poses(arm, T)
-    return each_branch(arm, T.reshape(*T.shape[:-2], 16), near, BRANCHES, _kernel)
+    return each_branch(arm, poses(arm, T), near, BRANCHES, _kernel)
 
 
-def _kernel(arm: Arm, columns: Array, near: Array) -> tuple[Array, Array, Array, Array]:
-    first, second, third = arm.numeric[:3]
-    shape = _shape(arm)
-    tool = unwound(arm, columns)
-    plane = facing(first, shape.offset, wrist_centre(arm, tool), near[0] + first.theta)
+def _kernel(arm: Arm, columns: Array, near: Array) -> Found:
+    must_be_rigid(arm, columns)
+    rows, shape, tool = arm.numeric, _shape(arm), unwound(arm, columns)
+    plane = facing(rows[0], shape.offset, wrist_centre(arm, tool), near[0] + rows[0].theta)
     wrist = _wrist(arm, shape, plane, tool, near[5])
     px, py = _end_of_links(arm, shape, plane, wrist)
-    links = two_links(second.a, third.a, px, py, _SIGNS, near[1] + second.theta)
+    links = two_links(rows[1].a, rows[2].a, px, py, _SIGNS, near[1] + rows[1].theta)
     heading = np.arctan2(wrist.uy, wrist.ux)[:, :, None]
-    q = np.empty((6, 2, 2, 2, columns.shape[1]))
-    q[0] = plane.phi[:, None, None]
-    q[1] = links.phi_2
-    q[2] = second.cos_alpha * links.phi_3
-    q[3] = shape.turn_3 * (heading - links.phi_2 - links.phi_3)
-    q[4], q[5] = wrist.phi_5[:, :, None], wrist.phi_6[:, :, None]
-    q = wrapped(q.reshape(6, 8, -1) - np.array([row.theta for row in arm.numeric])[:, None, None])
-    valid = np.broadcast_to(plane.exists[:, None, None] & links.exists, (2, 2, 2, q.shape[2]))
-    free = _free(plane, wrist, links, valid)
-    valid = valid.reshape(8, -1)
-    return q, free, valid, np.where(valid.any(axis=0), 0.0, np.nan)
+    q = (
+        shifted(plane.phi, rows[0].theta)[:, None, None],
+        shifted(links.phi_2, rows[1].theta),
+        shifted(rows[1].cos_alpha * links.phi_3, rows[2].theta),
+        wrapped(shape.turn_3 * (heading - links.phi_2 - links.phi_3) - rows[3].theta),
+        shifted(wrist.phi_5, rows[4].theta)[:, :, None],
+        shifted(wrist.phi_6, rows[5].theta)[:, :, None],
+    )
+    valid = plane.exists & links.exists
+    free = {0: plane.free, 1: links.free, 5: wrist.singular[:, None, None]}
+    distance = np.where(valid.any(axis=(0, 1, 2)), 0.0, np.nan)
+    return Found(q, {joint: where for joint, where in free.items() if where.any()}, valid, distance)
 
 
 _SIGNS = np.array([1.0, -1.0])[:, None]
@@ -111,7 +112,11 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, near: Array) -> Wri
     scale = fifth.sin_alpha / np.where(singular, 1.0, sine)
     ux, uy = scale * (c * tool.z[0] + s * tool.z[1]), scale * (first.sin_alpha * tool.z[2])
     wrist = Wrist(
-        _pair(phi_5, -phi_5), _pair(phi_6, phi_6 + np.pi), _pair(ux, -ux), _pair(uy, -uy), singular
+        _pair(phi_5, -phi_5),
+        _pair(phi_6, phi_6 - np.copysign(np.pi, phi_6)),
+        _pair(ux, -ux),
+        _pair(uy, -uy),
+        singular,
     )
     if singular.any():
         _choose(arm, shape, plane, tool, np.broadcast_to(near + sixth.theta, singular.shape), wrist)
@@ -157,14 +162,6 @@ def _within_reach(arm: Arm, shape: Shape, centre: Array, u: Array) -> Array:
         arc / far * np.array([c * centre[0] - s * centre[1], s * centre[0] + c * centre[1]])
     )  # d_5 z_4
     return np.array([y, -x]) / reach
-
-
-def _free(plane: Plane, wrist: Wrist, links: Bend, valid: Array) -> NDArray[np.bool_]:
-    free = np.zeros((6, *valid.shape), bool)
-    free[0] = plane.free
-    free[1] = links.free
-    free[5] = wrist.singular[:, None, None]
-    return (free & valid).reshape(6, 8, -1)
 
 
 def _pair(one: Array, other: Array) -> Array:

@@ -12,13 +12,21 @@ from helpers.arm import Arm, ArmError, fixed
 from helpers.inverse.geometry import SINGULAR, unwound, wrist_centre
 from helpers.inverse.shoulder import (
     ELBOW_BRANCHES,
-    STANFORD_BRANCHES,
+    ROD_BRANCHES,
     elbow_kernel,
     must_be_elbow,
     must_have_rod,
     rod_kernel,
 )
-from helpers.inverse.solutions import Solutions, each_branch, poses, wrapped
+from helpers.inverse.solutions import (
+    Found,
+    Solutions,
+    dot,
+    each_branch,
+    must_be_rigid,
+    poses,
+    wrapped,
+)
 from helpers.kinematics import frame_columns
 
 Array = NDArray[np.float64]
@@ -31,7 +39,7 @@ def stanford(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions
     its limits, so ask `within_limits` which are real. Where q_5 = 0, joints 4 and 6 turn about one axis: joint 4 keeps its
     value of `near`, shape (..., 6), and joint 6 follows. Raises ArmError for another table or a T that is no pose.
     """
-    return _decoupled(arm, T, near, rod_kernel, must_have_rod, STANFORD_BRANCHES)
+    return _decoupled(arm, T, near, rod_kernel, must_have_rod, ROD_BRANCHES)
 
 
 def spherical_wrist(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
@@ -44,22 +52,27 @@ def spherical_wrist(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> So
     return _decoupled(arm, T, near, elbow_kernel, must_be_elbow, ELBOW_BRANCHES)
 
 
-def _decoupled(arm: Arm, T: ArrayLike, near, place, must_fit, names: tuple[str, ...]) -> Solutions:
+def _decoupled(arm: Arm, T: ArrayLike, near, place, must_fit, branches) -> Solutions:
     _must_have_wrist(arm)
     shoulder = _to_centre(arm)
     must_fit(shoulder)
 
-    def kernel(arm: Arm, columns: Array, near: Array) -> tuple[Array, Array, Array, Array]:
+    def kernel(arm: Arm, columns: Array, near: Array) -> Found:
+        must_be_rigid(arm, columns)
         tool = unwound(arm, columns)
-        q, free, valid, distance = place(shoulder, wrist_centre(arm, tool), near[:3])
-        turned, loose = _wrist(arm, _seen_from(shoulder, q, tool.x, tool.z), near)
-        q = np.concatenate([np.repeat(q, 2, axis=1), turned])
-        free = np.concatenate([np.repeat(free, 2, axis=1), loose])
-        return q, free, np.repeat(valid, 2, axis=0), distance
+        placed = place(shoulder, wrist_centre(arm, tool), near[:3])
+        q = np.stack(np.broadcast_arrays(*placed.q))
+        turned, singular = _wrist(arm, _seen_from(shoulder, q, tool.x, tool.z), near)
+        free = {joint: _both(loose) for joint, loose in placed.free.items()}
+        q = (*(_both(joint) for joint in placed.q), *turned)
+        return Found(q, {**free, 3: _both(singular)}, _both(placed.valid), placed.distance)
 
-    branches = tuple(f"{name}, q_5 {sign} 0" for name in names for sign in "><")
-    T = poses(arm, T)
-    return each_branch(arm, T.reshape(*T.shape[:-2], 16), near, branches, kernel)
+    return each_branch(arm, poses(arm, T), near, (*branches, ("q_5 > 0", "q_5 < 0")), kernel)
+
+
+def _both(values: Array) -> Array:
+    """The same for both wrists: an axis before the last."""
+    return values[..., None, :]
 
 
 def _to_centre(arm: Arm) -> Arm:
@@ -68,35 +81,32 @@ def _to_centre(arm: Arm) -> Arm:
     return replace(arm, rows=rows, bodies=(), home=())
 
 
-def _seen_from(shoulder: Arm, q: Array, x: Array, z: Array) -> tuple[Array, Array]:
-    """The axes x_6 and z_5 in frame 3 of each branch, each (3, branches, batch)."""
+def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
+    """Vectors (3, batch) in frame 3 of each branch of q (3, 2, 2, batch), each (3, 2, 2, batch)."""
     frame = list(frame_columns(shoulder, q.reshape(3, -1)))[3][:3]
-    axes = [axis.reshape(3, q.shape[1], -1) for axis in frame]
-    return tuple(np.stack([(axis * v[:, None]).sum(axis=0) for axis in axes]) for v in (x, z))
+    axes = [axis.reshape(q.shape) for axis in frame]
+    return [np.stack([dot(axis, v[:, None, None]) for axis in axes]) for v in vectors]
 
 
-def _wrist(arm: Arm, seen: tuple[Array, Array], near: Array) -> tuple[Array, Array]:
-    """Joints 4 to 6 of both wrist branches, interleaved (3, 2 branches, batch), and which of them is free."""
+def _wrist(arm: Arm, seen: list[Array], near: Array) -> tuple[tuple[Array, ...], Array]:
+    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free."""
     x, z = seen
     fourth, fifth, sixth = arm.numeric[3:]
     s4, s5 = fourth.sin_alpha, fifth.sin_alpha
     across = np.hypot(z[0], z[1])
     singular = across < SINGULAR
-    phi_4 = np.arctan2(s5 * z[1], s5 * z[0])
-    phi_4 = np.where(singular, near[3] + fourth.theta, phi_4)
+    phi_4 = np.where(singular, near[3] + fourth.theta, np.arctan2(s5 * z[1], s5 * z[0]))
     phi_5 = np.arctan2(across, -s4 * s5 * z[2])
     phi_6 = np.arctan2(-s4 * (z[0] * x[1] - z[1] * x[0]), s4 * x[2])
     if singular.any():
         phi_6 = np.where(singular, _following(s4 * s5, x, z, phi_4), phi_6)
     flip = np.where(singular, 0.0, np.pi)
-    q = [
-        wrapped(_interleaved(phi_4, phi_4 + flip) - fourth.theta),
-        wrapped(_interleaved(phi_5, -phi_5) - fifth.theta),
-        wrapped(_interleaved(phi_6, phi_6 + flip) - sixth.theta),
-    ]
-    free = np.zeros((3, *q[0].shape), bool)
-    free[0] = _interleaved(singular, singular)
-    return np.stack(q), free
+    pairs = (phi_4, phi_4 + flip), (phi_5, -phi_5), (phi_6, phi_6 + flip)
+    turned = (
+        wrapped(np.stack(pair, axis=2) - row.theta)
+        for pair, row in zip(pairs, (fourth, fifth, sixth), strict=True)
+    )
+    return tuple(turned), singular
 
 
 def _following(signs: float, x: Array, z: Array, phi_4: Array) -> Array:
@@ -104,10 +114,6 @@ def _following(signs: float, x: Array, z: Array, phi_4: Array) -> Array:
     c, s = np.cos(phi_4), np.sin(phi_4)
     straight = np.sign(-signs * z[2])
     return np.arctan2(-signs * (c * x[1] - s * x[0]), straight * (c * x[0] + s * x[1]))
-
-
-def _interleaved(one: Array, other: Array) -> Array:
-    return np.stack([one, other], axis=1).reshape(2 * len(one), *one.shape[1:])
 
 
 def _must_have_wrist(arm: Arm) -> None:
