@@ -15,8 +15,9 @@ from playwright.sync_api import expect
 CELLS = (
     "from helpers.explorer import ArmExplorer\n"
     "from helpers.robots import PANDA\n"
-    "explorer = ArmExplorer(PANDA, views=['torque', 'pose'])\nexplorer",
+    "explorer = ArmExplorer(PANDA, views=['torque', 'trace'])\nexplorer",
     "print('joint 1 at', round(explorer.q[0], 4), 'pushed by', explorer.wrench[2])",
+    "print('a path of', len(explorer.trace), 'poses')",
     "explorer.q = [0.5, 0, 0, 2.0, 0, 3.0, 0]; explorer.wrench = [0, 0, -7, 0, 0, 0]",
 )
 
@@ -63,7 +64,7 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
     page = browser.new_page(viewport={"width": 1300, "height": 1400})
     page.set_default_timeout(180_000)  # a busy machine takes its time to start a kernel
     page.goto(lab)
-    page.locator(".jp-Notebook .jp-CodeCell").nth(2).wait_for()
+    page.locator(".jp-Notebook .jp-CodeCell").nth(3).wait_for()
     page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]").wait_for()
 
     def run(cell):
@@ -83,7 +84,16 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
     said.wait_for()
     assert said.inner_text().strip() == "joint 1 at 0.5236 pushed by -4.0"
 
+    page.get_by_role("tab", name="Circle trace").click()
+    page.get_by_role("button", name="Draw a circle from here").click()
+    page.wait_for_timeout(500)
     run(2)
+    said = page.locator(".jp-CodeCell").nth(2).locator(".jp-OutputArea-output")
+    said.wait_for()
+    assert said.inner_text().strip() == "a path of 181 poses"
+
+    page.get_by_role("tab", name="Static torque").click()
+    run(3)
     expect(slider).to_have_value("0.5", timeout=60_000)
     expect(page.get_by_label("F z, N", exact=True)).to_have_value("−7", timeout=60_000)
     page.close()
