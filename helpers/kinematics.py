@@ -113,7 +113,11 @@ def _store(frame, out: Array) -> None:
 
 
 def _fill_jacobian(arm: Arm, q: Array, out: Array) -> None:
-    frames = list(frame_columns(arm, q))
+    store_jacobian(arm, list(frame_columns(arm, q)), out)
+
+
+def store_jacobian(arm: Arm, frames: list[tuple[Array, Array, Array, Array]], out: Array) -> None:
+    """Write the Jacobians (batch, 6, dof) that belong to frames as `frame_columns` gives them into zeros."""
     tip = frames[-1][3]
     for column, i in enumerate(arm.joints):
         _, _, z, origin = frames[i - 1]

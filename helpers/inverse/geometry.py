@@ -53,16 +53,15 @@ class Bend(NamedTuple):
 def two_links(upper: float, fore: float, px: Array, py: Array, sign: Array, chosen: Array) -> Bend:
     """Angles of two links from the origin to (px, py), by the law of cosines; `sign` is that of sin(phi_3)."""
     cosine = (px * px + py * py - (upper**2 + fore**2)) * (0.5 / (upper * fore))
-    beyond = REACH * (abs(upper) + abs(fore)) / abs(upper * fore)
-    exists = np.abs(cosine) <= 1.0 + beyond
-    cosine = np.clip(cosine, -1.0, 1.0)
-    sine = sign * np.sqrt(1.0 - cosine * cosine)
-    along, across = upper + fore * cosine, fore * sine
+    exists = np.abs(cosine) <= 1.0 + REACH * (abs(upper) + abs(fore)) / abs(upper * fore)
+    cosine = np.minimum(np.maximum(cosine, -1.0), 1.0)
+    sine = np.sqrt(1.0 - cosine * cosine)
+    along, across = upper + fore * cosine, sign * (fore * sine)
     phi_2 = np.arctan2(py * along - px * across, px * along + py * across)
-    free = (np.abs(px) < REACH) & (np.abs(py) < REACH)
+    free = np.maximum(np.abs(px), np.abs(py)) < REACH
     if free.any():
         phi_2 = np.where(free, chosen, phi_2)
-    return Bend(phi_2, np.arctan2(sine, cosine), exists, free)
+    return Bend(phi_2, sign * np.arctan2(sine, cosine), exists, free)
 
 
 class Tool(NamedTuple):

@@ -1,15 +1,19 @@
 """Numeric inverse kinematics for any arm: Levenberg and Marquardt's damped least squares, in batches."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, ArmError
-from helpers.inverse.solutions import must_be_rigid, poses, positions
-from helpers.kinematics import cross, forward_kinematics, jacobian
+from helpers.inverse.solutions import dot, must_be_rigid, poses, positions
+from helpers.kinematics import cross, frame_columns, store_jacobian
 
 Array = NDArray[np.float64]
+
+_CHUNK = 4096  # so many descents at a time keep the recursion over the links inside the caches
 
 
 @dataclass(frozen=True)
@@ -69,31 +73,25 @@ def solve(
     best = _descend(arm, goal, start, bounds, tolerance, iterations)
     starts, random = np.ones(len(goal), int), np.random.default_rng(seed)
     for _ in range(restarts):
-        missed = np.flatnonzero(best.cost > tolerance)
+        missed = np.flatnonzero(best.worst > tolerance)
         if not missed.size:
             break
         again = random.uniform(*_range(arm), (missed.size, arm.dof))
         found = _descend(arm, goal[missed], again, bounds, tolerance, iterations)
         starts[missed] += 1
-        better = found.cost < best.cost[missed]
-        for old, new in zip(best.arrays, found.arrays, strict=True):
+        better = found.worst < best.worst[missed]
+        for old, new in zip(best, found, strict=True):
             old[missed[better]] = new[better]
-    errors = (best.position, best.orientation)
-    results = (best.q, best.cost <= tolerance, *errors, best.steps, starts)
+    results = (best.q, best.worst <= tolerance, best.position, best.orientation, best.steps, starts)
     return NumericSolution(*(x.reshape(*shape, *x.shape[1:]) for x in results))
 
 
-@dataclass
-class _Descent:
-    """The state of a batch of descents, changed in place as they go on."""
+class _Descent(NamedTuple):
+    """Where a batch of descents ended."""
 
     q: Array
     error: Array
     steps: NDArray[np.int_]
-
-    @property
-    def arrays(self) -> tuple[Array, ...]:
-        return self.q, self.error, self.steps
 
     @property
     def position(self) -> Array:
@@ -104,32 +102,53 @@ class _Descent:
         return np.linalg.norm(self.error[:, 3:], axis=1)
 
     @property
-    def cost(self) -> Array:
-        """The larger of both errors."""
-        return np.maximum(self.position, self.orientation)
+    def worst(self) -> Array:
+        return _worst(self.error)
 
 
 def _descend(arm: Arm, goal: Array, start: Array, bounds, tolerance: float, most: int) -> _Descent:
+    ends = [
+        _descend_together(arm, goal[i : i + _CHUNK], start[i : i + _CHUNK], bounds, tolerance, most)
+        for i in range(0, max(1, len(goal)), _CHUNK)
+    ]
+    return _Descent(*map(np.concatenate, zip(*ends, strict=True)))
+
+
+def _descend_together(
+    arm: Arm, goal: Array, start: Array, bounds, tolerance: float, most: int
+) -> _Descent:
+    """Step all at once; those that have arrived, or can no longer improve, leave the batch."""
     q = np.clip(start, *bounds)
-    state = _Descent(q, residual(arm, q, goal), np.zeros(len(q), int))
-    caution = np.full(len(q), 0.1)
-    for _ in range(most):
-        going = np.flatnonzero((state.cost > tolerance) & (caution < 1e9))
-        if not going.size:
+    J, error = _look(arm, q, goal)
+    end = _Descent(q.copy(), error.copy(), np.zeros(len(q), int))
+    index, caution = np.arange(len(q)), np.full(len(q), 0.1)
+    for count in range(most + 1):
+        moving = (_worst(error) > tolerance) & (caution < 1e9) & (count < most)
+        if not moving.all():
+            done = index[~moving]
+            end.q[done], end.error[done], end.steps[done] = q[~moving], error[~moving], count
+            index, q, error, J = index[moving], q[moving], error[moving], J[moving]
+            goal, caution = goal[moving], caution[moving]
+        if not index.size:
             break
-        q, error = state.q[going], state.error[going]
-        tried = np.clip(q + _step(arm, q, error, caution[going], bounds), *bounds)
-        left = residual(arm, tried, goal[going])
+        tried = np.clip(q + _step(J, q, error, caution, bounds), *bounds)
+        there, left = _look(arm, tried, goal)
         better = _square(left) < _square(error)
-        caution[going] *= np.where(better, 0.1, 10.0)
-        state.q[going[better]], state.error[going[better]] = tried[better], left[better]
-        state.steps[going] += 1
-    return state
+        caution = _caution(caution, _square(error), _square(left), _square(tried - q))
+        q, error = np.where(better[:, None], tried, q), np.where(better[:, None], left, error)
+        J = there if better.all() else np.where(better[:, None, None], there, J)
+    return end
 
 
-def _step(arm: Arm, q: Array, error: Array, caution: Array, bounds) -> Array:
+def _caution(caution: Array, before: Array, after: Array, step: Array) -> Array:
+    """Less after a step that took most of the error, the same after one that took some, and after a failure enough to
+    shorten the next step at once, however small a singular value made this one long."""
+    failed = np.maximum(10.0 * caution, 0.3 / np.maximum(step, 1e-18))
+    return np.where(after < before, np.where(after < 0.1 * before, 0.1, 1.0) * caution, failed)
+
+
+def _step(J: Array, q: Array, error: Array, caution: Array, bounds) -> Array:
     """The damped step; where it would leave the limits, those joints go to theirs and the others make up for it."""
-    J = jacobian(arm, q)[:, : error.shape[1]]
     damping = caution * _square(error) + 1e-14
     step = _damped(J, error, damping)
     kept = np.clip(step, bounds[0] - q, bounds[1] - q)
@@ -150,36 +169,45 @@ def _damped(J: Array, error: Array, damping: Array) -> Array:
     return (np.linalg.solve(A, error[..., None]).swapaxes(1, 2) @ J)[:, 0]
 
 
-def residual(arm: Arm, q: Array, goal: Array) -> Array:
-    """What is missing to the goal: metres (batch, 3) for positions (batch, 1, 3), and radians too (batch, 6) for poses."""
-    T = forward_kinematics(arm, q)
+def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
+    """Jacobians (batch, rows, dof) and what is missing to the goal (batch, rows): metres, then for poses radians."""
+    frames = list(frame_columns(arm, np.ascontiguousarray(q.T)))
+    J = np.zeros((len(q), 6, arm.dof))
+    store_jacobian(arm, frames, J)
+    x, y, z, tip = frames[-1]
     if goal.shape[-2] == 1:
-        return goal[:, 0] - T[:, :3, 3]
-    return np.concatenate([goal[:, :3, 3] - T[:, :3, 3], turn_between(T, goal)], axis=1)
+        return J[:, :3], goal[:, 0] - tip.T
+    want = np.ascontiguousarray(goal[:, :3].transpose(2, 1, 0))
+    turn = turn_between((x, y, z), want[:3])
+    return J, np.concatenate([want[3] - tip, turn]).T
 
 
-def turn_between(T: Array, goal: Array) -> Array:
-    """Rotation vectors (batch, 3), in rad and base axes, that turn the poses T into the goals."""
-    have, want = (np.moveaxis(x[:, :3, :3], 0, -1) for x in (T, goal))
-    axis = 0.5 * sum(cross(have[:, i], want[:, i]) for i in range(3))
-    sine = np.sqrt((axis * axis).sum(axis=0))
-    angle = np.arctan2(sine, 0.5 * ((have * want).sum(axis=(0, 1)) - 1.0))
-    scale = angle / np.where(sine > 1e-8, sine, np.maximum(angle, 1e-300))
-    vector = (axis * scale).T
-    for k in np.flatnonzero((sine <= 1e-8) & (angle > 1.0)):
-        vector[k] = _half_turn(goal[k, :3, :3] @ T[k, :3, :3].T)
+def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:
+    """Rotation vectors (3, batch), in rad and base axes, that turn frames, three axes (3, batch) each, into others."""
+    axis = 0.5 * sum(cross(u, v) for u, v in zip(have, want, strict=True))
+    sine = np.sqrt(dot(axis, axis))
+    cosine = 0.5 * (sum(dot(u, v) for u, v in zip(have, want, strict=True)) - 1.0)
+    angle = np.arctan2(sine, cosine)
+    vector = axis * np.where(sine > 1e-8, angle / np.maximum(sine, 1e-300), 1.0)
+    for k in np.flatnonzero((sine <= 1e-8) & (cosine < 0)):
+        R = sum(np.outer(v[:, k], u[:, k]) for u, v in zip(have, want, strict=True))
+        vector[:, k] = _half_turn(R)
     return vector
 
 
 def _half_turn(R: Array) -> Array:
-    """The rotation vector of a half turn, from its largest column of R + I = 2 n n^T."""
+    """The rotation vector of a half turn, from the largest column of R + I = 2 n n^T."""
     columns = R + np.eye(3)
     largest = columns[:, np.argmax(np.diag(columns))]
     return np.pi * largest / np.linalg.norm(largest)
 
 
 def _square(error: Array) -> Array:
-    return (error * error).sum(axis=1)
+    return np.einsum("ij,ij->i", error, error)
+
+
+def _worst(error: Array) -> Array:
+    return np.sqrt(np.maximum(_square(error[:, :3]), _square(error[:, 3:])))
 
 
 def _goal(arm: Arm, target: ArrayLike) -> tuple[Array, tuple[int, ...]]:

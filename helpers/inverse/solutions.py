@@ -145,19 +145,17 @@ def poses(arm: Arm, T: ArrayLike) -> Array:
 def must_be_rigid(arm: Arm, columns: Array) -> None:
     """Raises ArmError for transforms in columns (16, batch) of which one is not rigid."""
     x, y, z = (columns[i:12:4] for i in range(3))
-    gaps = (
-        cross(x, y) - z,
-        dot(x, x) - 1,
-        dot(y, y) - 1,
-        dot(x, y),
-        columns[12:15],
-        columns[15] - 1,
-    )
+    square = columns[:12] * columns[:12]
+    norms = square[0:3] + square[4:7] + square[8:11]
+    gaps = (cross(x, y) - z, norms - 1.0, columns[12:] - _BOTTOM)
     error = max(float(np.abs(gap).max(initial=0.0)) for gap in gaps)
     if error > 1e-6:
         raise ArmError(
             f"{arm.name}: T is no rigid transform, by {error:.2g}; expected a rotation and a position over (0, 0, 0, 1)"
         )
+
+
+_BOTTOM = np.array([[0.0], [0.0], [0.0], [1.0]])
 
 
 def dot(u: Array, v: Array) -> Array:
