@@ -283,7 +283,8 @@ export class Stage {
   }
 
   wayAt(ray) {
-    const hit = ray.intersectObjects(this.ghosts?.children ?? [], true)[0];
+    const seen = (this.ghosts?.children ?? []).filter((shape) => shape.visible).flatMap((shape) => shape.children.filter((part) => part.visible));
+    const hit = ray.intersectObjects(seen, false)[0];
     return hit?.object.parent.userData.way ?? null;
   }
 

@@ -302,6 +302,32 @@ def test_ik_branches_are_found_and_clicked(visit):
         np.testing.assert_allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5)
 
 
+def test_a_ghost_in_the_picture_is_clicked(visit):
+    q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
+    here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
+    here.page.get_by_role("button", name="Find the ways to this pose").click()
+    canvas = here.page.locator(".stage canvas")
+    canvas.scroll_into_view_if_needed()
+    box = canvas.bounding_box()
+    spots = [
+        (x, y) for y in range(10, int(box["height"]), 24) for x in range(10, int(box["width"]), 24)
+    ]
+
+    def pointed(spot):
+        here.page.mouse.move(box["x"] + spot[0], box["y"] + spot[1])
+        return canvas.evaluate("e => e.style.cursor") == "pointer"
+
+    ghosts = [spot for spot in spots if pointed(spot)]
+    assert 0.01 < len(ghosts) / len(spots) < 0.3, "the ghosts, and nothing around them"
+    x, y = ghosts[len(ghosts) // 2]
+    here.page.mouse.click(box["x"] + x, box["y"] + y)
+    here.page.wait_for_timeout(900)
+    assert np.abs(here.q() - q).max() > 0.1
+    np.testing.assert_allclose(
+        forward_kinematics(UR10E, here.q()), forward_kinematics(UR10E, q), atol=1e-5
+    )
+
+
 def test_the_numbers_in_the_page_are_pythons(visit):
     here = visit()
     for arm in ARMS:
