@@ -35,7 +35,7 @@ export function build(store, { goTo }) {
       const light = (on) => () => store.set({ highlighted: on ? i : null });
       return h("button", { type: "button", onclick: () => goTo(q), onpointerenter: light(true), onpointerleave: light(false), onfocus: light(true), onblur: light(false) },
         h("span.swatch", { style: `background:${branchColour(i)}`, "aria-hidden": true }),
-        h("span.name", {}, label || `way ${i + 1}`),
+        h("span.name", {}, label ? named(label) : `way ${i + 1}`),
         h("span.values", {}, moving.map((row, k) => h("span", {}, indexed("q", row + 1), ` ${jointText(arm.rows[row], q[k], unit)}`))),
         h(past.length ? "span.note.past" : "span.note", {}, past.length ? `past the limit of joint ${past.join(", ")}` : known ? "within limits" : ""));
     });
@@ -45,6 +45,10 @@ export function build(store, { goTo }) {
   }
   return { root, update };
 }
+
+// A branch's name as Python writes it, its q_5 and elbow - as they are printed.
+const named = (label) =>
+  label.split(/\b([a-z]_\d+)\b/).map((part, i) => (i % 2 ? h("span", {}, indexed(...part.split("_"))) : part.replace(/-$/, "−")));
 
 function summary(ways, arm) {
   if (!ways) return "Each way that the same pose can be reached is shown as a ghost; choose one to go there.";
