@@ -126,6 +126,6 @@ def _error(pose: Array, position: Array, rotation: Array) -> Array:
 
 def _progress(steps: int):
     """Count steps; a bar appears only in runs of more than ten seconds, and leaves nothing behind."""
-    from tqdm.auto import tqdm
+    from tqdm import tqdm  # the one for notebooks leaves a bar behind where a run fails
 
     return tqdm(range(steps), delay=10, leave=False)
