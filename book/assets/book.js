@@ -37,7 +37,7 @@ if (window.MathJax) window.MathJax.startup = { typeset: false, pageReady: setFor
 
 // What is wider than its box can be scrolled from the keyboard too.
 function reachable() {
-  document.querySelectorAll("div.math, .pst-scrollable-table-container").forEach((box) => {
+  document.querySelectorAll("div.math, mjx-container[display], .pst-scrollable-table-container").forEach((box) => {
     if (box.scrollWidth <= box.clientWidth) return;
     box.tabIndex = 0;
     box.setAttribute("role", "region");
