@@ -154,6 +154,28 @@ def test_an_executable_circle():
     np.testing.assert_allclose(run.q[-1], run.q[0], atol=1e-9)
 
 
+def test_the_homeworks_circle_with_the_elbow_out():
+    goal = forward_kinematics(PANDA, PANDA.home)
+    arm, q = PANDA.lock(3, at=np.radians(70)), np.radians([-107.7, 44.5, 81.8, 100.0, 147.4, 50.9])
+    for _ in range(5):
+        pose = forward_kinematics(arm, q)
+        turn = np.cross(pose[:3, :3], goal[:3, :3], axis=0).sum(axis=1) / 2
+        q = q + np.linalg.solve(jacobian(arm, q), np.r_[goal[:3, 3] - pose[:3, 3], turn])
+    np.testing.assert_allclose(forward_kinematics(arm, q), goal, atol=1e-12)
+    run = trace(arm, q, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 500), method="exact")
+    lower = np.array([-2.8973, -1.7628, 0.0698, -2.8973, -0.0175, -2.8973])
+    upper = np.array([2.8973, 1.7628, 3.0718, 2.8973, 3.7525, 2.8973])
+    assert np.degrees(np.minimum(run.q - lower, upper - run.q).min()) == pytest.approx(
+        28.9, abs=0.1
+    )
+    assert (np.abs(np.diff(run.q, axis=0) / 0.01) < [2.175, 2.175, 2.175, 2.61, 2.61, 2.61]).all()
+    angle = 2 * np.pi * np.arange(501) / 500
+    on_wall = [np.full(501, 0.6735), 0.1 * np.sin(angle), 0.7195 + 0.1 * np.cos(angle)]
+    np.testing.assert_allclose(run.poses[:, :3, 3].T, on_wall, atol=1e-12)
+    np.testing.assert_allclose(run.q[-1], run.q[0], atol=1e-9)
+    assert run.report.executable
+
+
 def test_the_wrong_axis_tilts_the_pen_and_the_circle_still_looks_right():
     def too_far(arm, q):
         axes = link_frames(arm, q)[list(arm.joints), :3, 2]
