@@ -242,6 +242,33 @@ def test_feedback_pulls_the_tip_back_onto_the_path():
     assert error[1] < 1e-3
 
 
+def test_a_bar_shows_in_long_runs_only(capsys, monkeypatch):
+    path = panda_circle(40)
+    trace(HOMEWORK, HOMEWORK.home, path)
+    with pytest.raises(SingularError):
+        trace(UR10E_HOMEWORK, np.zeros(6), ur_circle())
+    assert capsys.readouterr() == ("", "")
+    clock = iter(range(0, 1000, 4))
+    monkeypatch.setattr("helpers.motion.tracing.time.monotonic", lambda: next(clock))
+    slow = trace(HOMEWORK, HOMEWORK.home, path)
+    shown = capsys.readouterr().err
+    assert "/40" in shown
+    assert shown.endswith("\r")  # wiped off
+    np.testing.assert_array_equal(slow.q, trace(HOMEWORK, HOMEWORK.home, path).q)
+
+
+def test_the_report_tells_how_near_a_singular_pose_came():
+    report = trace(HOMEWORK, HOMEWORK.home, panda_circle(50)).report
+    q = trace(HOMEWORK, HOMEWORK.home, panda_circle(50)).q
+    J = [jacobian(HOMEWORK, x) for x in q]
+    assert report.largest_condition == pytest.approx(max(map(np.linalg.cond, J)), rel=1e-9)
+    inverses = [np.linalg.norm(np.linalg.inv(j), 2) for j in J]
+    assert report.smallest_singular_value == pytest.approx(1 / max(inverses), rel=1e-9)
+    home = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(10), rates=damped(0.1)).report
+    assert home.largest_condition > 1e12
+    assert "above 1e12" in str(home)
+
+
 def test_a_moving_picture_is_one_small_svg():
     run = trace(HOMEWORK, HOMEWORK.home, panda_circle(200))
     text = moving_picture(run)
@@ -276,7 +303,7 @@ def test_a_thousand_steps_take_a_quarter_of_a_second():
         (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1; expected"),
         (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "q has shape (7,)"),
         (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "q_0 has shape (1, 6); expected (6,)"),
-        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here"),
+        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12, its largest 2.3"),
         (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no inverse; lock a joint"),
         (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without limits"),
     ],
