@@ -113,7 +113,11 @@ def _store(frame, out: Array) -> None:
 
 
 def _fill_jacobian(arm: Arm, q: Array, out: Array) -> None:
-    frames = list(frame_columns(arm, q))
+    store_jacobian(arm, list(frame_columns(arm, q)), out)
+
+
+def store_jacobian(arm: Arm, frames: list[tuple[Array, Array, Array, Array]], out: Array) -> None:
+    """Write the Jacobians (batch, 6, dof) that belong to frames as `frame_columns` gives them into zeros."""
     tip = frames[-1][3]
     for column, i in enumerate(arm.joints):
         _, _, z, origin = frames[i - 1]
@@ -147,7 +151,7 @@ def row_motions(
     arm: Arm, q: Array
 ) -> Iterator[tuple[NumericRow, Array | float, Array | float, Array | float]]:
     """Each row with the cosine and sine of its angle and its offset, its joint's motion put in."""
-    cosines, sines = _cos_sin(q)
+    cosines, sines = cosines_and_sines(q)
     moving = 0
     for row in arm.numeric:
         c, s, d = row.cos_theta, row.sin_theta, row.d
@@ -159,7 +163,7 @@ def row_motions(
         yield row, c, s, d
 
 
-def _cos_sin(q: Array) -> tuple[Array, Array]:
+def cosines_and_sines(q: Array) -> tuple[Array, Array]:
     # NumPy's tan is vectorised where its sin and cos are not: both come from the half angle, to 3.4e-16.
     t = np.tan(0.5 * q)
     r = 2.0 / (1.0 + t * t)

@@ -1,0 +1,233 @@
+"""Numeric inverse kinematics for any arm: Levenberg and Marquardt's damped least squares, in batches."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm, ArmError
+from helpers.inverse.solutions import dot, must_be_rigid, poses, positions
+from helpers.kinematics import cross, frame_columns, store_jacobian
+
+Array = NDArray[np.float64]
+
+_CHUNK = 4096  # so many descents at a time keep the recursion over the links inside the caches
+
+
+@dataclass(frozen=True)
+class NumericSolution:
+    """One joint vector for each target, and how well it does.
+
+    Attributes:
+        q: shape (..., dof), the best found, reached or not.
+        reached: whether both errors are within the tolerance, shape (...).
+        position_error: distance from tip to target, shape (...), in m.
+        orientation_error: angle of the turn that is missing, shape (...), in rad; 0 where only positions were asked for.
+        iterations: steps taken from the start that gave q, shape (...).
+        starts: how many starts were tried, shape (...).
+    """
+
+    q: Array
+    reached: NDArray[np.bool_]
+    position_error: Array
+    orientation_error: Array
+    iterations: NDArray[np.int_]
+    starts: NDArray[np.int_]
+
+    def __repr__(self) -> str:
+        missed = self.reached.size - self.reached.sum()
+        return f"<NumericSolution: {self.reached.sum()} of {self.reached.size} targets reached, {missed} missed>"
+
+
+def solve(
+    arm: Arm,
+    target: ArrayLike,
+    q0: ArrayLike | None = None,
+    *,
+    limits: bool = True,
+    tolerance: float = 1e-10,
+    iterations: int = 100,
+    restarts: int = 0,
+    seed: int = 0,
+) -> NumericSolution:
+    """A joint vector near q0 that takes the tip to each target: poses (..., 4, 4), or positions (..., 3) in m.
+
+    The step J^T (J J^T + lambda I)^-1 e has a damping lambda in proportion to |e|^2, which grows while steps fail: far from
+    the target it is cautious, close to it Newton's. Metres and radians count alike. With `limits` joints stay within
+    theirs. Targets not reached within `tolerance` (m and rad) after `iterations` steps are tried again from up to
+    `restarts` random starts. q0 has shape (..., dof); home unless given. Raises ArmError for bad shapes or numbers.
+    Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
+    """
+    goal, shape = _goal(arm, target)
+    start = arm.joint_vector(arm.home if q0 is None else q0)
+    shape = np.broadcast_shapes(shape, start.shape[:-1])
+    goal = np.broadcast_to(goal, (*shape, *goal.shape[-2:])).reshape(-1, *goal.shape[-2:])
+    start = np.broadcast_to(start, (*shape, arm.dof)).reshape(-1, arm.dof)
+    _must_count(iterations=iterations, restarts=restarts)
+    if not (np.isfinite(tolerance) and tolerance > 0):
+        raise ArmError(f"tolerance is {tolerance!r}; expected a positive number of m and rad")
+
+    bounds = arm.limits if limits else (np.full(arm.dof, -np.inf), np.full(arm.dof, np.inf))
+    best = _descend(arm, goal, start, bounds, tolerance, iterations)
+    starts, random = np.ones(len(goal), int), np.random.default_rng(seed)
+    for _ in range(restarts):
+        missed = np.flatnonzero(best.worst > tolerance)
+        if not missed.size:
+            break
+        again = random.uniform(*_range(arm), (missed.size, arm.dof))
+        found = _descend(arm, goal[missed], again, bounds, tolerance, iterations)
+        starts[missed] += 1
+        better = found.worst < best.worst[missed]
+        for old, new in zip(best, found, strict=True):
+            old[missed[better]] = new[better]
+    results = (best.q, best.worst <= tolerance, best.position, best.orientation, best.steps, starts)
+    return NumericSolution(*(x.reshape(*shape, *x.shape[1:]) for x in results))
+
+
+class _Descent(NamedTuple):
+    """Where a batch of descents ended."""
+
+    q: Array
+    error: Array
+    steps: NDArray[np.int_]
+
+    @property
+    def position(self) -> Array:
+        return np.linalg.norm(self.error[:, :3], axis=1)
+
+    @property
+    def orientation(self) -> Array:
+        return np.linalg.norm(self.error[:, 3:], axis=1)
+
+    @property
+    def worst(self) -> Array:
+        return _worst(self.error)
+
+
+def _descend(arm: Arm, goal: Array, start: Array, bounds, tolerance: float, most: int) -> _Descent:
+    ends = [
+        _descend_together(arm, goal[i : i + _CHUNK], start[i : i + _CHUNK], bounds, tolerance, most)
+        for i in range(0, max(1, len(goal)), _CHUNK)
+    ]
+    return _Descent(*map(np.concatenate, zip(*ends, strict=True)))
+
+
+def _descend_together(
+    arm: Arm, goal: Array, start: Array, bounds, tolerance: float, most: int
+) -> _Descent:
+    """Step all at once; those that have arrived, or can no longer improve, leave the batch."""
+    q = np.clip(start, *bounds)
+    J, error = _look(arm, q, goal)
+    end = _Descent(q.copy(), error.copy(), np.zeros(len(q), int))
+    index, caution = np.arange(len(q)), np.full(len(q), 0.1)
+    for count in range(most + 1):
+        moving = (_worst(error) > tolerance) & (caution < 1e9) & (count < most)
+        if not moving.all():
+            done = index[~moving]
+            end.q[done], end.error[done], end.steps[done] = q[~moving], error[~moving], count
+            index, q, error, J = index[moving], q[moving], error[moving], J[moving]
+            goal, caution = goal[moving], caution[moving]
+        if not index.size:
+            break
+        tried = np.clip(q + _step(J, q, error, caution, bounds), *bounds)
+        there, left = _look(arm, tried, goal)
+        better = _square(left) < _square(error)
+        caution = _caution(caution, _square(error), _square(left), _square(tried - q))
+        q, error = np.where(better[:, None], tried, q), np.where(better[:, None], left, error)
+        J = there if better.all() else np.where(better[:, None, None], there, J)
+    return end
+
+
+def _caution(caution: Array, before: Array, after: Array, step: Array) -> Array:
+    """Less after a step that took most of the error, the same after one that took some, and after a failure enough to
+    shorten the next step at once, however small a singular value made this one long."""
+    failed = np.maximum(10.0 * caution, 0.3 / np.maximum(step, 1e-18))
+    return np.where(after < before, np.where(after < 0.1 * before, 0.1, 1.0) * caution, failed)
+
+
+def _step(J: Array, q: Array, error: Array, caution: Array, bounds) -> Array:
+    """The damped step; where it would leave the limits, those joints go to theirs and the others make up for it."""
+    damping = caution * _square(error) + 1e-14
+    step = _damped(J, error, damping)
+    kept = np.clip(step, bounds[0] - q, bounds[1] - q)
+    cut = np.flatnonzero((kept != step).any(axis=1))
+    if cut.size:
+        stopped = (kept != step)[cut]
+        part = np.where(stopped, kept[cut], 0.0)
+        left = error[cut] - (J[cut] @ part[..., None])[..., 0]
+        others = np.where(stopped[:, None], 0.0, J[cut])
+        step[cut] = part + _damped(others, left, damping[cut])
+    return step
+
+
+def _damped(J: Array, error: Array, damping: Array) -> Array:
+    A = J @ J.swapaxes(1, 2)
+    rows = range(A.shape[1])
+    A[:, rows, rows] += damping[:, None]
+    return (np.linalg.solve(A, error[..., None]).swapaxes(1, 2) @ J)[:, 0]
+
+
+def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
+    """Jacobians (batch, rows, dof) and what is missing to the goal (batch, rows): metres, then for poses radians."""
+    frames = list(frame_columns(arm, np.ascontiguousarray(q.T)))
+    J = np.zeros((len(q), 6, arm.dof))
+    store_jacobian(arm, frames, J)
+    x, y, z, tip = frames[-1]
+    if goal.shape[-2] == 1:
+        return J[:, :3], goal[:, 0] - tip.T
+    want = np.ascontiguousarray(goal[:, :3].transpose(2, 1, 0))
+    turn = turn_between((x, y, z), want[:3])
+    return J, np.concatenate([want[3] - tip, turn]).T
+
+
+def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:
+    """Rotation vectors (3, batch), in rad and base axes, that turn frames, three axes (3, batch) each, into others."""
+    axis = 0.5 * sum(cross(u, v) for u, v in zip(have, want, strict=True))
+    sine = np.sqrt(dot(axis, axis))
+    cosine = 0.5 * (sum(dot(u, v) for u, v in zip(have, want, strict=True)) - 1.0)
+    angle = np.arctan2(sine, cosine)
+    vector = axis * np.where(sine > 1e-8, angle / np.maximum(sine, 1e-300), 1.0)
+    for k in np.flatnonzero((sine <= 1e-8) & (cosine < 0)):
+        R = sum(np.outer(v[:, k], u[:, k]) for u, v in zip(have, want, strict=True))
+        vector[:, k] = _half_turn(R)
+    return vector
+
+
+def _half_turn(R: Array) -> Array:
+    """The rotation vector of a half turn, from the largest column of R + I = 2 n n^T."""
+    columns = R + np.eye(3)
+    largest = columns[:, np.argmax(np.diag(columns))]
+    return np.pi * largest / np.linalg.norm(largest)
+
+
+def _square(error: Array) -> Array:
+    return np.einsum("ij,ij->i", error, error)
+
+
+def _worst(error: Array) -> Array:
+    return np.sqrt(np.maximum(_square(error[:, :3]), _square(error[:, 3:])))
+
+
+def _goal(arm: Arm, target: ArrayLike) -> tuple[Array, tuple[int, ...]]:
+    if np.shape(target)[-2:] == (4, 4):
+        flat = poses(arm, target)
+        must_be_rigid(arm, flat.reshape(-1, 16).T)
+        return flat.reshape(*flat.shape[:-1], 4, 4), flat.shape[:-1]
+    points = positions(arm, target)
+    return points[..., None, :], points.shape[:-1]
+
+
+def _range(arm: Arm) -> tuple[Array, Array]:
+    """Where random starts lie: the joint limits, or half a turn and a metre either way where there are none."""
+    kinds = [arm.rows[i - 1].joint.kind for i in arm.joints]
+    far = np.array([np.pi if kind == "revolute" else 1.0 for kind in kinds])
+    lower, upper = arm.limits
+    return np.where(np.isfinite(lower), lower, -far), np.where(np.isfinite(upper), upper, far)
+
+
+def _must_count(**counts: int) -> None:
+    for name, value in counts.items():
+        if not isinstance(value, int | np.integer) or value < 0:
+            raise ArmError(f"{name} is {value!r}; expected a whole number of 0 or more")

@@ -1,0 +1,136 @@
+"""Positions by geometry: the elbow arm, and the first three joints of the Stanford arm.
+
+Both stand on a vertical axis and move in a plane beside it. Joint 1 turns the plane towards the target,
+which leaves a problem in the plane's own coordinates. Source: Spong, Hutchinson and Vidyasagar, section 5.3.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm, ArmError
+from helpers.inverse.geometry import REACH, Plane, facing, two_links
+from helpers.inverse.solutions import Found, Solutions, each_branch, positions, shifted
+
+Array = NDArray[np.float64]
+
+ELBOW_BRANCHES = (("front", "back"), ("elbow up", "elbow down"))
+ROD_BRANCHES = (("front", "back"), ("rod out", "rod through"))
+
+
+def elbow(arm: Arm, p: ArrayLike, near: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of an elbow arm that put its tip at p, shape (..., 3) in m: four branches.
+
+    "front" turns the arm's plane towards the target, "back" away from it; the elbow is above or below the line from
+    shoulder to tip. The table is alpha = (+-90, 0 or 180, any) degrees with a_1 = 0, with or without offsets along the axes; a
+    fourth, fixed row may carry the tip along z_3. Straight above the shoulder of an arm without offset joint 1 is free
+    and keeps its value of `near`, shape (..., 3), zeros unless given. Raises ArmError for another table or shape.
+    """
+    must_be_elbow(arm)
+    return each_branch(arm, positions(arm, p), near, ELBOW_BRANCHES, elbow_kernel)
+
+
+def rod(arm: Arm, p: ArrayLike, near: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of an RRP arm that put its tip at p, shape (..., 3) in m: four branches.
+
+    As `elbow`, with a rod that slides through the shoulder: "out" where q_3 plus its offset is positive, "through" where it
+    is negative, which few real rods can be. The table is alpha = (+-90, +-90, 0) degrees with a = 0. Raises ArmError for
+    another table or shape.
+    """
+    must_have_rod(arm)
+    return each_branch(arm, positions(arm, p), near, ROD_BRANCHES, rod_kernel)
+
+
+def elbow_kernel(arm: Arm, p: Array, near: Array) -> Found:
+    """Both shoulders with both elbows, for positions (3, batch)."""
+    first, second, third, *tool = arm.numeric
+    links = _links(second, third, tool[0].d if tool else 0.0)
+    plane = facing(first, links.offset, p, near[0] + first.theta)
+    up = first.sin_alpha * np.array([[[-1.0], [1.0]], [[1.0], [-1.0]]])
+    px, py = plane.x[:, None], plane.y[:, None]
+    bend = two_links(links.upper, links.fore, px, py, up, near[1] + second.theta)
+    q = (
+        shifted(plane.phi[:, None], first.theta),
+        shifted(bend.phi_2, second.theta),
+        shifted(second.cos_alpha * bend.phi_3, links.beta + third.theta),
+    )
+    valid = plane.exists & bend.exists
+    free = {0: plane.free, 1: bend.free}
+    return Found(q, free, valid, _elbow_distance(links, p, plane, valid))
+
+
+def rod_kernel(arm: Arm, p: Array, near: Array) -> Found:
+    """Both shoulders with the rod out and through, for positions (3, batch)."""
+    first, second, third, *tool = arm.numeric
+    plane = facing(first, second.d, p, near[0] + first.theta)
+    out = np.array([1.0, -1.0])[:, None]
+    length = out * np.hypot(plane.x, plane.y)[:, None]
+    turned = second.sin_alpha * out
+    phi_2 = np.arctan2(turned * plane.x[:, None], -turned * plane.y[:, None])
+    central = np.abs(length) < REACH
+    q = (
+        shifted(plane.phi[:, None], first.theta),
+        np.where(central, near[1], shifted(phi_2, second.theta)),
+        length - third.d - (tool[0].d if tool else 0.0),
+    )
+    missing = np.where(plane.exists, 0.0, abs(second.d) - np.hypot(p[0], p[1]))
+    return Found(q, {0: plane.free, 1: central}, plane.exists, missing)
+
+
+class Links(NamedTuple):
+    """An elbow arm in its plane: two lengths, the bend built into the second, the plane's offset along z_1."""
+
+    upper: float
+    fore: float
+    beta: float
+    offset: float
+
+
+def _links(second, third, tool: float) -> Links:
+    across = -tool * third.sin_alpha
+    fore, beta = float(np.hypot(third.a, across)), float(np.arctan2(across, third.a))
+    offset = second.d + second.cos_alpha * (third.d + tool * third.cos_alpha)
+    return Links(second.a, fore, beta, offset)
+
+
+def _elbow_distance(links: Links, p: Array, plane: Plane, valid: Array) -> Array:
+    """To the nearest reachable point: exact for an arm without offset, and sideways out of an offset arm's hole."""
+    outer, inner = abs(links.upper) + links.fore, abs(abs(links.upper) - links.fore)
+    if links.offset:
+        height = np.abs(plane.y[0])
+        beside = ~plane.exists & (inner <= height) & (height <= outer)
+        missing = np.where(beside, abs(links.offset) - np.hypot(p[0], p[1]), np.nan)
+    else:
+        reach = np.hypot(plane.x[0], plane.y[0])
+        missing = np.maximum(np.maximum(reach - outer, inner - reach), 0.0)
+    return np.where(valid.any(axis=(0, 1)), 0.0, missing)
+
+
+def must_be_elbow(arm: Arm) -> None:
+    rows, kinds = arm.numeric, [row.kind for row in arm.numeric]
+    fits = kinds in (["revolute"] * 3, ["revolute"] * 3 + ["fixed"]) and (
+        rows[0].a == rows[0].cos_alpha == rows[1].sin_alpha == 0.0
+        and rows[1].a != 0.0
+        and _links(*rows[1:3], 0.0 if len(rows) == 3 else rows[3].d).fore > 0.0
+        and (len(rows) == 3 or rows[3].a == 0.0)
+    )
+    if not fits:
+        raise ArmError(
+            f"{arm.name} is no elbow arm; expected three revolute joints, alpha_1 = 90 or -90 degrees, alpha_2 = 0 or 180,"
+            " a_1 = 0 and two links with length"
+        )
+
+
+def must_have_rod(arm: Arm) -> None:
+    rows, kinds = arm.numeric, [row.kind for row in arm.numeric]
+    moving = ["revolute", "revolute", "prismatic"]
+    fits = kinds in (moving, [*moving, "fixed"]) and (
+        rows[0].cos_alpha == rows[1].cos_alpha == rows[2].sin_alpha == 0.0
+        and rows[2].cos_alpha == 1.0
+        and all(row.a == 0.0 for row in rows)
+    )
+    if not fits:
+        raise ArmError(
+            f"{arm.name} has no rod through its shoulder; expected joints R, R, P with alpha = (+-90, +-90, 0) degrees and a = 0"
+        )

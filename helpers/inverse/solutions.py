@@ -1,0 +1,208 @@
+"""What every closed form returns: all branches of a batch of targets, and ways to choose among them."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm, ArmError
+from helpers.kinematics import cross
+
+Array = NDArray[np.float64]
+
+_CHUNK = 1000  # so many targets at a time keep every temporary below the 128 KiB that malloc gives without a page fault
+
+
+@dataclass(frozen=True)
+class Solutions:
+    """Every joint vector that takes the tip to a target, for a batch of targets.
+
+    Attributes:
+        arm: the arm.
+        branches: a name for each branch, in the order of the arrays.
+        q: shape (..., branches, dof), angles in (-pi, pi]; NaN where a branch does not exist. Branches that merge at a
+            singular pose are all listed.
+        valid: whether the branch exists, shape (..., branches). Joint limits do not enter; see `within_limits`.
+        free: whether a joint's value was chosen, because any would do if the others follow, shape (..., branches, dof).
+        distance: how far the target (for a wrist: its centre) is from the nearest point within reach, shape (...), in m;
+            0 where it is reached, NaN where no short formula tells.
+    """
+
+    arm: Arm
+    branches: tuple[str, ...]
+    q: Array
+    valid: NDArray[np.bool_]
+    free: NDArray[np.bool_]
+    distance: Array
+
+    @property
+    def within_limits(self) -> NDArray[np.bool_]:
+        """Whether a branch exists and lies within the joint limits, whole turns allowed, shape (..., branches)."""
+        return _inside(self.arm, _turned_towards(self.arm, self.q, np.zeros(self.arm.dof)))
+
+    def nearest(self, q: ArrayLike, limits: bool = True) -> Array:
+        """The branch with the least largest joint change from q, shape (..., dof); NaN where there is none.
+
+        Revolute joints may have made whole turns: each is taken by the turn nearest to q. With `limits` only what lies within
+        the joint limits counts. q has shape (..., dof). Raises ArmError for another shape.
+        """
+        start = self.arm.joint_vector(q)[..., None, :]
+        found = _turned_towards(self.arm, self.q, start, limits)
+        change = np.abs(found - start).max(axis=-1)
+        allowed = _inside(self.arm, found) if limits else self.valid
+        best = np.where(allowed, change, np.inf).argmin(axis=-1)[..., None]
+        chosen = np.take_along_axis(found, best[..., None], axis=-2)[..., 0, :]
+        return np.where(np.take_along_axis(allowed, best, axis=-1), chosen, np.nan)
+
+
+def follow(solver: Callable[..., Solutions], targets: ArrayLike, q0: ArrayLike) -> Array:
+    """Joint vectors along a path of targets, shape (len(targets), dof), each on the branch nearest to the one before.
+
+    `solver(target, near)` is a closed form with its arm put in, as `partial(ur, UR10E)`. A free joint keeps its value. Raises
+    ArmError at the first target that no branch reaches within the joint limits.
+    """
+    path, q = [], np.asarray(q0, dtype=float)
+    for step, target in enumerate(np.asarray(targets, dtype=float)):
+        found = solver(target, near=q)
+        q = found.nearest(q)
+        if np.isnan(q).any():
+            raise ArmError(
+                f"{found.arm.name}: no branch reaches target {step} of {len(targets)} within the joint limits"
+            )
+        path.append(q)
+    return np.array(path)
+
+
+class Found(NamedTuple):
+    """What a kernel finds: arrays that broadcast to (*branches, batch), one for each joint and for what is known of it."""
+
+    q: tuple[Array, ...]
+    free: dict[int, Array]
+    valid: Array
+    distance: Array
+
+
+def each_branch(
+    arm: Arm,
+    targets: Array,
+    near: ArrayLike | None,
+    branches: tuple[tuple[str, ...], ...],
+    kernel: Callable[[Arm, Array, Array], Found],
+) -> Solutions:
+    """Run `kernel` on targets of shape (..., k), in chunks of columns (k, batch), and put its branches together.
+
+    `branches` names the choices that a branch is made of, first to last; the kernel's arrays have one axis for each.
+    `free` holds an array for each joint, by its index, that was ever chosen.
+    """
+    near = arm.joint_vector(np.zeros(arm.dof) if near is None else near)
+    shape = np.broadcast_shapes(targets.shape[:-1], near.shape[:-1])
+    choices = tuple(map(len, branches))
+    targets, near = _rows(targets, shape), _rows(near, shape)
+    count, many, dof = len(targets), math.prod(choices), arm.dof
+    q, free = np.empty((count, many, dof)), np.zeros((count, many, dof), bool)
+    valid, distance = np.empty((count, many), bool), np.empty(count)
+    for start in range(0, count, _CHUNK):
+        part = slice(start, start + _CHUNK)
+        found = kernel(arm, np.ascontiguousarray(targets[part].T), near[part].T)
+        rows = np.moveaxis(q[part].reshape(-1, *choices, dof), 0, -1)
+        for joint, values in enumerate(found.q):
+            rows[..., joint, :] = values
+        exists = np.broadcast_to(found.valid, (*choices, found.distance.size))
+        valid[part], distance[part] = exists.reshape(many, -1).T, found.distance
+        for joint, values in found.free.items():
+            free[part, :, joint] = (values & exists).reshape(many, -1).T
+    if not valid.all():
+        q[~valid] = np.nan
+    names = tuple(map(", ".join, product(*branches)))
+    whole = [x.reshape(*shape, *x.shape[1:]) for x in (q, valid, free, distance)]
+    return Solutions(arm, names, *whole)
+
+
+def _rows(values: Array, shape: tuple[int, ...]) -> Array:
+    return np.broadcast_to(values, (*shape, values.shape[-1])).reshape(-1, values.shape[-1])
+
+
+def positions(arm: Arm, p: ArrayLike) -> Array:
+    """`p` as positions of shape (..., 3); raises ArmError for anything else."""
+    points = _numbers(arm, p, "p", "positions (..., 3) in m")
+    if points.shape[-1:] != (3,):
+        raise ArmError(f"{arm.name}: p has shape {points.shape}; expected (..., 3), positions in m")
+    return points
+
+
+def poses(arm: Arm, T: ArrayLike) -> Array:
+    """`T` as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN or infinity."""
+    transforms = _numbers(arm, T, "T", "poses (..., 4, 4)")
+    if transforms.shape[-2:] != (4, 4):
+        raise ArmError(f"{arm.name}: T has shape {transforms.shape}; expected (..., 4, 4), poses")
+    return transforms.reshape(*transforms.shape[:-2], 16)
+
+
+def must_be_rigid(arm: Arm, columns: Array) -> None:
+    """Raises ArmError for transforms in columns (16, batch) of which one is not rigid."""
+    x, y, z = (columns[i:12:4] for i in range(3))
+    square = columns[:12] * columns[:12]
+    norms = square[0:3] + square[4:7] + square[8:11]
+    gaps = (cross(x, y) - z, norms - 1.0, columns[12:] - _BOTTOM)
+    error = max(float(np.abs(gap).max(initial=0.0)) for gap in gaps)
+    if error > 1e-6:
+        raise ArmError(
+            f"{arm.name}: T is no rigid transform, by {error:.2g}; expected a rotation and a position over (0, 0, 0, 1)"
+        )
+
+
+_BOTTOM = np.array([[0.0], [0.0], [0.0], [1.0]])
+
+
+def dot(u: Array, v: Array) -> Array:
+    """Inner products of columns."""
+    return np.einsum("i...,i...->...", u, v)
+
+
+def _numbers(arm: Arm, values: ArrayLike, name: str, wanted: str) -> Array:
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise ArmError(f"{arm.name}: {name} is {values!r}; expected {wanted}") from None
+    if not np.isfinite(array).all():
+        raise ArmError(f"{arm.name}: {name} holds NaN or infinity; expected {wanted}")
+    return array
+
+
+def shifted(angle: Array, offset: float) -> Array:
+    """An angle of (-pi, pi] less a row's offset, in (-pi, pi] again."""
+    return wrapped(angle - offset) if offset else angle
+
+
+def wrapped(angle: Array) -> Array:
+    """The same angle in (-pi, pi], up to rounding."""
+    return angle - 2 * np.pi * np.rint(angle * (0.5 / np.pi))
+
+
+def _turns(arm: Arm) -> Array:
+    kinds = [arm.rows[i - 1].joint.kind for i in arm.joints]
+    return np.array([2 * np.pi if kind == "revolute" else np.inf for kind in kinds])
+
+
+def _turned_towards(arm: Arm, q: Array, start: Array, limits: bool = True) -> Array:
+    """Each revolute joint by the turn nearest to `start`, or the nearest to it that is within the limits."""
+    turn = _turns(arm)
+    whole = np.where(np.isfinite(turn), turn, 0.0)
+    q = q + whole * np.rint((start - q) / turn)
+    if not limits:
+        return q
+    lower, upper = arm.limits
+    q = q - whole * np.ceil(np.maximum(q - upper - _SLACK, 0) / turn)
+    return q + whole * np.ceil(np.maximum(lower - q - _SLACK, 0) / turn)
+
+
+_SLACK = 1e-9  # rad or m: a joint this far beyond its limit counts as at it
+
+
+def _inside(arm: Arm, q: Array) -> NDArray[np.bool_]:
+    lower, upper = arm.limits
+    return ((q >= lower - _SLACK) & (q <= upper + _SLACK)).all(axis=-1)

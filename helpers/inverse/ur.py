@@ -1,0 +1,185 @@
+"""Arms with three parallel axes in the middle, as Universal Robots builds them: up to eight branches.
+
+The parallel axes z_1, z_2, z_3 leave three problems, one after another: the shoulder turns a plane beside the
+wrist, joint 5 tilts the tool out of that plane, and in the plane remain two links. Source: Hawkins (2013),
+derived anew from the axes so that any signs of the twists will do.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm, ArmError
+from helpers.inverse.geometry import (
+    SINGULAR,
+    Plane,
+    Tool,
+    facing,
+    two_links,
+    unwound,
+    wrist_centre,
+)
+from helpers.inverse.solutions import (
+    Found,
+    Solutions,
+    each_branch,
+    must_be_rigid,
+    poses,
+    shifted,
+    wrapped,
+)
+from helpers.kinematics import cosines_and_sines
+
+Array = NDArray[np.float64]
+
+BRANCHES = (("front", "back"), ("q_5 > 0", "q_5 < 0"), ("elbow +", "elbow -"))
+
+
+def ur(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of an arm of the UR family for poses T, shape (..., 4, 4): eight branches.
+
+    "front" and "back" are the two ways joint 1 can turn the arm's plane to the wrist, then comes the sign of the angle
+    in joint 5's row, then that of the elbow's bend about z_1. Where q_5 makes axes 4 and 6 parallel, joint 6 is free: it keeps
+    its value of `near`, shape (..., 6), zeros unless given, or takes one that brings the wrist within reach. Raises ArmError
+    for an arm that is not R with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any) degrees and a_1 = a_4 = a_5 = 0, or for a
+    T that is no pose.
+    """
+    _must_fit(arm)
+    return each_branch(arm, poses(arm, T), near, BRANCHES, _kernel)
+
+
+def _kernel(arm: Arm, columns: Array, near: Array) -> Found:
+    must_be_rigid(arm, columns)
+    rows, shape, tool = arm.numeric, _shape(arm), unwound(arm, columns)
+    plane = facing(rows[0], shape.offset, wrist_centre(arm, tool), near[0] + rows[0].theta)
+    wrist = _wrist(arm, shape, plane, tool, near[5])
+    px, py = _end_of_links(arm, shape, plane, wrist)
+    links = two_links(rows[1].a, rows[2].a, px, py, _SIGNS, near[1] + rows[1].theta)
+    heading = np.arctan2(wrist.uy, wrist.ux)[:, :, None]
+    q = (
+        shifted(plane.phi, rows[0].theta)[:, None, None],
+        shifted(links.phi_2, rows[1].theta),
+        shifted(rows[1].cos_alpha * links.phi_3, rows[2].theta),
+        wrapped(shape.turn_3 * (heading - links.phi_2 - links.phi_3) - rows[3].theta),
+        shifted(wrist.phi_5, rows[4].theta)[:, :, None],
+        shifted(wrist.phi_6, rows[5].theta)[:, :, None],
+    )
+    valid = plane.exists & links.exists
+    free = {0: plane.free, 1: links.free, 5: wrist.singular[:, None, None]}
+    distance = np.where(valid.any(axis=(0, 1, 2)), 0.0, np.nan)
+    return Found(q, {joint: where for joint, where in free.items() if where.any()}, valid, distance)
+
+
+_SIGNS = np.array([1.0, -1.0])[:, None]
+
+
+class Shape(NamedTuple):
+    """What the twists say: the turn of axis 3 against z_1, z_4 against x_4 in the plane, the plane's offset along z_1."""
+
+    turn_3: float
+    side: float
+    offset: float
+
+
+def _shape(arm: Arm) -> Shape:
+    _, second, third, fourth, *_ = arm.numeric
+    turn_3 = second.cos_alpha * third.cos_alpha
+    offset = second.d + second.cos_alpha * third.d + turn_3 * fourth.d
+    return Shape(turn_3, -fourth.sin_alpha * turn_3, offset)
+
+
+class Wrist(NamedTuple):
+    """Angles of joints 5 and 6 and the axis x_4 = (ux, uy) in the plane, each (2 shoulders, 2 wrists, batch)."""
+
+    phi_5: Array
+    phi_6: Array
+    ux: Array
+    uy: Array
+    singular: NDArray[np.bool_]
+
+
+def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, near: Array) -> Wrist:
+    """Joints 5 and 6 from the tool's axes against z_1, which is all that they can change."""
+    first, fifth, sixth = arm.numeric[0], arm.numeric[4], arm.numeric[5]
+    c, s = cosines_and_sines(plane.phi)
+    along = [first.sin_alpha * (s * b[0] - c * b[1]) for b in (tool.x, tool.y, tool.z)]
+    sine = np.sqrt(along[0] * along[0] + along[1] * along[1])
+    singular = sine < SINGULAR
+    phi_5 = np.arctan2(sine, shape.side * fifth.sin_alpha * along[2])
+    phi_6 = np.arctan2(shape.side * along[1], -shape.side * along[0])
+    scale = fifth.sin_alpha / np.where(singular, 1.0, sine)
+    ux, uy = scale * (c * tool.z[0] + s * tool.z[1]), scale * (first.sin_alpha * tool.z[2])
+    wrist = Wrist(
+        _pair(phi_5, -phi_5),
+        _pair(phi_6, phi_6 - np.copysign(np.pi, phi_6)),
+        _pair(ux, -ux),
+        _pair(uy, -uy),
+        singular,
+    )
+    if singular.any():
+        _choose(arm, shape, plane, tool, np.broadcast_to(near + sixth.theta, singular.shape), wrist)
+    return wrist
+
+
+def _end_of_links(arm: Arm, shape: Shape, plane: Plane, wrist: Wrist) -> tuple[Array, Array]:
+    """Where the two links must end, in the plane: the wrist less d_5 along z_4, each (2, 2, 1, batch)."""
+    reach = shape.side * arm.numeric[4].d
+    px, py = plane.x[:, None] + reach * wrist.uy, plane.y[:, None] - reach * wrist.ux
+    return px[:, :, None], py[:, :, None]
+
+
+def _choose(arm: Arm, shape: Shape, plane: Plane, tool: Tool, phi_6: Array, wrist: Wrist) -> None:
+    """Where axes 4 and 6 are parallel: joint 6 as given, or turned so far that the links can reach; written into `wrist`."""
+    for side, pose in zip(*np.nonzero(wrist.singular), strict=True):
+        c, s = math.cos(plane.phi[side, pose]), math.sin(plane.phi[side, pose])
+        lift = arm.numeric[0].sin_alpha
+        x6, y6 = (
+            np.array([c * b[0, pose] + s * b[1, pose], lift * b[2, pose]]) for b in (tool.x, tool.y)
+        )
+        phi = float(phi_6[side, pose])
+        straight = np.sign(math.cos(wrist.phi_5[side, 0, pose]))
+        u = straight * (math.cos(phi) * x6 - math.sin(phi) * y6)
+        centre = np.array([plane.x[side, pose], plane.y[side, pose]])
+        u = _within_reach(arm, shape, centre, u)
+        wrist.ux[side, :, pose], wrist.uy[side, :, pose] = u
+        wrist.phi_6[side, :, pose] = math.atan2(-straight * (u @ y6), straight * (u @ x6))
+
+
+def _within_reach(arm: Arm, shape: Shape, centre: Array, u: Array) -> Array:
+    """u, or, where the links cannot end at centre - d_5 z_4, a turn of it that lets them, if there is one."""
+    upper, fore, reach = abs(arm.numeric[1].a), abs(arm.numeric[2].a), shape.side * arm.numeric[4].d
+    far, arc = float(np.hypot(*centre)), abs(reach)
+    low, high = max(abs(upper - fore), abs(far - arc)), min(upper + fore, far + arc)
+    end = np.hypot(*(centre + reach * np.array([u[1], -u[0]])))
+    if low > high or abs(upper - fore) <= end <= upper + fore or far * arc == 0.0:
+        return u
+    middle = 0.5 * (low + high)
+    turn = math.acos(min(1.0, max(-1.0, (far**2 + arc**2 - middle**2) / (2 * far * arc))))
+    c, s = math.cos(turn), math.sin(turn)
+    x, y = (
+        arc / far * np.array([c * centre[0] - s * centre[1], s * centre[0] + c * centre[1]])
+    )  # d_5 z_4
+    return np.array([y, -x]) / reach
+
+
+def _pair(one: Array, other: Array) -> Array:
+    return np.stack([one, other], axis=1)
+
+
+def _must_fit(arm: Arm) -> None:
+    rows = arm.numeric
+    fits = (
+        len(rows) == 6
+        and all(row.kind == "revolute" for row in rows)
+        and rows[0].a == rows[3].a == rows[4].a == 0.0
+        and rows[0].cos_alpha == rows[3].cos_alpha == rows[4].cos_alpha == 0.0
+        and rows[1].sin_alpha == rows[2].sin_alpha == 0.0
+        and rows[1].a * rows[2].a != 0.0
+    )
+    if not fits:
+        raise ArmError(
+            f"{arm.name} is no arm of the UR family; expected six revolute joints, alpha = (+-90, 0 or 180, 0 or 180, +-90,"
+            " +-90, any) degrees, a_1 = a_4 = a_5 = 0 and links a_2, a_3"
+        )

@@ -1,0 +1,130 @@
+"""Spherical wrists: the position of the wrist's centre first, its three angles after.
+
+Source: Pieper (1968); Spong, Hutchinson and Vidyasagar, section 5.3 (kinematic decoupling).
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm, ArmError, fixed
+from helpers.inverse.geometry import SINGULAR, unwound, wrist_centre
+from helpers.inverse.shoulder import (
+    ELBOW_BRANCHES,
+    ROD_BRANCHES,
+    elbow_kernel,
+    must_be_elbow,
+    must_have_rod,
+    rod_kernel,
+)
+from helpers.inverse.solutions import (
+    Found,
+    Solutions,
+    dot,
+    each_branch,
+    must_be_rigid,
+    poses,
+    wrapped,
+)
+from helpers.kinematics import frame_columns
+
+Array = NDArray[np.float64]
+
+
+def stanford(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of a Stanford arm (RRP and a spherical wrist) for poses T, shape (..., 4, 4): eight branches.
+
+    Four place the wrist's centre, as `rod` names them, each with the wrist as it is and flipped (q_5 > 0, q_5 < 0). A rod has
+    its limits, so ask `within_limits` which are real. Where q_5 = 0, joints 4 and 6 turn about one axis: joint 4 keeps its
+    value of `near`, shape (..., 6), and joint 6 follows. Raises ArmError for another table or a T that is no pose.
+    """
+    return _decoupled(arm, T, near, rod_kernel, must_have_rod, ROD_BRANCHES)
+
+
+def spherical_wrist(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of an elbow arm with a spherical wrist for poses T, shape (..., 4, 4): eight branches.
+
+    Four place the wrist's centre, as `elbow` names them, each with q_5 > 0 and with q_5 < 0. Rows 4 to 6 have alpha = (+-90,
+    +-90, any) degrees, a_4 = a_5 = d_5 = 0: their axes meet in one point. Free joints as in `stanford` and `elbow`. Raises
+    ArmError for another table or a T that is no pose.
+    """
+    return _decoupled(arm, T, near, elbow_kernel, must_be_elbow, ELBOW_BRANCHES)
+
+
+def _decoupled(arm: Arm, T: ArrayLike, near, place, must_fit, branches) -> Solutions:
+    _must_have_wrist(arm)
+    shoulder = _to_centre(arm)
+    must_fit(shoulder)
+
+    def kernel(arm: Arm, columns: Array, near: Array) -> Found:
+        must_be_rigid(arm, columns)
+        tool = unwound(arm, columns)
+        placed = place(shoulder, wrist_centre(arm, tool), near[:3])
+        q = np.stack(np.broadcast_arrays(*placed.q))
+        turned, singular = _wrist(arm, _seen_from(shoulder, q, tool.x, tool.z), near)
+        free = {joint: _both(loose) for joint, loose in placed.free.items()}
+        q = (*(_both(joint) for joint in placed.q), *turned)
+        return Found(q, {**free, 3: _both(singular)}, _both(placed.valid), placed.distance)
+
+    return each_branch(arm, poses(arm, T), near, (*branches, ("q_5 > 0", "q_5 < 0")), kernel)
+
+
+def _both(values: Array) -> Array:
+    """The same for both wrists: an axis before the last."""
+    return values[..., None, :]
+
+
+def _to_centre(arm: Arm) -> Arm:
+    """The first three joints, their tip at the wrist's centre."""
+    rows = (*arm.rows[:3], fixed(d=arm.rows[3].d))
+    return replace(arm, rows=rows, bodies=(), home=())
+
+
+def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
+    """Vectors (3, batch) in frame 3 of each branch of q (3, 2, 2, batch), each (3, 2, 2, batch)."""
+    frame = list(frame_columns(shoulder, q.reshape(3, -1)))[3][:3]
+    axes = [axis.reshape(q.shape) for axis in frame]
+    return [np.stack([dot(axis, v[:, None, None]) for axis in axes]) for v in vectors]
+
+
+def _wrist(arm: Arm, seen: list[Array], near: Array) -> tuple[tuple[Array, ...], Array]:
+    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free."""
+    x, z = seen
+    fourth, fifth, sixth = arm.numeric[3:]
+    s4, s5 = fourth.sin_alpha, fifth.sin_alpha
+    across = np.hypot(z[0], z[1])
+    singular = across < SINGULAR
+    phi_4 = np.where(singular, near[3] + fourth.theta, np.arctan2(s5 * z[1], s5 * z[0]))
+    phi_5 = np.arctan2(across, -s4 * s5 * z[2])
+    phi_6 = np.arctan2(-s4 * (z[0] * x[1] - z[1] * x[0]), s4 * x[2])
+    if singular.any():
+        phi_6 = np.where(singular, _following(s4 * s5, x, z, phi_4), phi_6)
+    flip = np.where(singular, 0.0, np.pi)
+    pairs = (phi_4, phi_4 + flip), (phi_5, -phi_5), (phi_6, phi_6 + flip)
+    turned = (
+        wrapped(np.stack(pair, axis=2) - row.theta)
+        for pair, row in zip(pairs, (fourth, fifth, sixth), strict=True)
+    )
+    return tuple(turned), singular
+
+
+def _following(signs: float, x: Array, z: Array, phi_4: Array) -> Array:
+    """Joint 6 where joints 4 and 6 share an axis and joint 4 is given."""
+    c, s = np.cos(phi_4), np.sin(phi_4)
+    straight = np.sign(-signs * z[2])
+    return np.arctan2(-signs * (c * x[1] - s * x[0]), straight * (c * x[0] + s * x[1]))
+
+
+def _must_have_wrist(arm: Arm) -> None:
+    rows = arm.numeric
+    fits = (
+        len(rows) == 6
+        and all(row.kind == "revolute" for row in rows[3:])
+        and rows[3].a == rows[4].a == rows[4].d == rows[3].cos_alpha == rows[4].cos_alpha == 0.0
+    )
+    if not fits:
+        raise ArmError(
+            f"{arm.name} has no spherical wrist; expected six rows, the last three revolute with alpha = (+-90, +-90, any)"
+            " degrees and a_4 = a_5 = d_5 = 0"
+        )
