@@ -1,15 +1,18 @@
 """Is it right? Comparisons that say what is wrong, in words."""
 
+from helpers.checks.branches import BranchReport, compare_branches
 from helpers.checks.differences import Finding
 from helpers.checks.jacobian import JacobianReport, compare_jacobian
 from helpers.checks.line import check
 from helpers.checks.tables import TableReport, compare_tables
 
 __all__ = [
+    "BranchReport",
     "Finding",
     "JacobianReport",
     "TableReport",
     "check",
+    "compare_branches",
     "compare_jacobian",
     "compare_tables",
 ]

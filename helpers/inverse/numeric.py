@@ -83,7 +83,7 @@ def solve(
         for old, new in zip(best, found, strict=True):
             old[missed[better]] = new[better]
     results = (best.q, best.worst <= tolerance, best.position, best.orientation, best.steps, starts)
-    return NumericSolution(*(x.reshape(*shape, *x.shape[1:]) for x in results))
+    return NumericSolution(*(x.reshape((*shape, *x.shape[1:])) for x in results))
 
 
 class _Descent(NamedTuple):

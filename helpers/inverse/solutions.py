@@ -118,7 +118,7 @@ def each_branch(
     if not valid.all():
         q[~valid] = np.nan
     names = tuple(map(", ".join, product(*branches)))
-    whole = [x.reshape(*shape, *x.shape[1:]) for x in (q, valid, free, distance)]
+    whole = [x.reshape((*shape, *x.shape[1:])) for x in (q, valid, free, distance)]
     return Solutions(arm, names, *whole)
 
 

@@ -5,7 +5,6 @@ wrist, joint 5 tilts the tool out of that plane, and in the plane remain two lin
 derived anew from the axes so that any signs of the twists will do.
 """
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -101,25 +100,42 @@ class Wrist(NamedTuple):
 
 
 def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, near: Array) -> Wrist:
-    """Joints 5 and 6 from the tool's axes against z_1, which is all that they can change."""
+    """Joints 5 and 6 from the tool's axes against z_1, which is all that they can change; then x_4 follows.
+
+    In the plane z_5 is x_4 times sin(phi_5), and x_5 is x_4 times cos(phi_5). Together they give x_4 with full precision
+    wherever the wrist stands, and where sin(phi_5) vanishes joint 6 may be chosen.
+    """
     first, fifth, sixth = arm.numeric[0], arm.numeric[4], arm.numeric[5]
     c, s = cosines_and_sines(plane.phi)
-    along = [first.sin_alpha * (s * b[0] - c * b[1]) for b in (tool.x, tool.y, tool.z)]
+    axes = (tool.x, tool.y, tool.z)
+    along = [first.sin_alpha * (s * b[0] - c * b[1]) for b in axes]
+    (xx, xy), (yx, yy), (zx, zy) = ((c * b[0] + s * b[1], first.sin_alpha * b[2]) for b in axes)
     sine = np.sqrt(along[0] * along[0] + along[1] * along[1])
+    cosine = shape.side * fifth.sin_alpha * along[2]
     singular = sine < SINGULAR
-    phi_5 = np.arctan2(sine, shape.side * fifth.sin_alpha * along[2])
-    phi_6 = np.arctan2(shape.side * along[1], -shape.side * along[0])
-    scale = fifth.sin_alpha / np.where(singular, 1.0, sine)
-    ux, uy = scale * (c * tool.z[0] + s * tool.z[1]), scale * (first.sin_alpha * tool.z[2])
+    scale = shape.side / np.where(singular, 1.0, sine)
+    c6, s6 = -scale * along[0], scale * along[1]
+    phi_6 = np.arctan2(s6, c6)
+    if singular.any():
+        phi_6 = np.where(singular, near + sixth.theta, phi_6)
+        c6, s6 = np.where(singular, np.cos(phi_6), c6), np.where(singular, np.sin(phi_6), s6)
+    tilt = fifth.sin_alpha * sine
+    ux = tilt * zx + cosine * (c6 * xx - s6 * yx)
+    uy = tilt * zy + cosine * (c6 * xy - s6 * yy)
+    phi_5 = np.arctan2(sine, cosine)
+    flip = np.where(singular, 0.0, np.pi)
+    sign = np.where(singular, 1.0, -1.0)
     wrist = Wrist(
         _pair(phi_5, -phi_5),
-        _pair(phi_6, phi_6 - np.copysign(np.pi, phi_6)),
-        _pair(ux, -ux),
-        _pair(uy, -uy),
+        _pair(phi_6, phi_6 - np.copysign(flip, phi_6)),
+        _pair(ux, sign * ux),
+        _pair(uy, sign * uy),
         singular,
     )
-    if singular.any():
-        _choose(arm, shape, plane, tool, np.broadcast_to(near + sixth.theta, singular.shape), wrist)
+    if (sine < 1e-3).any():
+        _bring_within_reach(
+            arm, shape, plane, wrist, np.where(singular, np.inf, 1e-15 / np.maximum(sine, SINGULAR))
+        )
     return wrist
 
 
@@ -130,38 +146,31 @@ def _end_of_links(arm: Arm, shape: Shape, plane: Plane, wrist: Wrist) -> tuple[A
     return px[:, :, None], py[:, :, None]
 
 
-def _choose(arm: Arm, shape: Shape, plane: Plane, tool: Tool, phi_6: Array, wrist: Wrist) -> None:
-    """Where axes 4 and 6 are parallel: joint 6 as given, or turned so far that the links can reach; written into `wrist`."""
-    for side, pose in zip(*np.nonzero(wrist.singular), strict=True):
-        c, s = math.cos(plane.phi[side, pose]), math.sin(plane.phi[side, pose])
-        lift = arm.numeric[0].sin_alpha
-        x6, y6 = (
-            np.array([c * b[0, pose] + s * b[1, pose], lift * b[2, pose]]) for b in (tool.x, tool.y)
-        )
-        phi = float(phi_6[side, pose])
-        straight = np.sign(math.cos(wrist.phi_5[side, 0, pose]))
-        u = straight * (math.cos(phi) * x6 - math.sin(phi) * y6)
-        centre = np.array([plane.x[side, pose], plane.y[side, pose]])
-        u = _within_reach(arm, shape, centre, u)
-        wrist.ux[side, :, pose], wrist.uy[side, :, pose] = u
-        wrist.phi_6[side, :, pose] = math.atan2(-straight * (u @ y6), straight * (u @ x6))
+def _bring_within_reach(
+    arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, uncertain: Array
+) -> None:
+    """Turn joint 6 where the links cannot quite reach and it is free, or `uncertain` by enough (rad); in place.
 
-
-def _within_reach(arm: Arm, shape: Shape, centre: Array, u: Array) -> Array:
-    """u, or, where the links cannot end at centre - d_5 z_4, a turn of it that lets them, if there is one."""
-    upper, fore, reach = abs(arm.numeric[1].a), abs(arm.numeric[2].a), shape.side * arm.numeric[4].d
-    far, arc = float(np.hypot(*centre)), abs(reach)
-    low, high = max(abs(upper - fore), abs(far - arc)), min(upper + fore, far + arc)
-    end = np.hypot(*(centre + reach * np.array([u[1], -u[0]])))
-    if low > high or abs(upper - fore) <= end <= upper + fore or far * arc == 0.0:
-        return u
-    middle = 0.5 * (low + high)
-    turn = math.acos(min(1.0, max(-1.0, (far**2 + arc**2 - middle**2) / (2 * far * arc))))
-    c, s = math.cos(turn), math.sin(turn)
-    x, y = (
-        arc / far * np.array([c * centre[0] - s * centre[1], s * centre[0] + c * centre[1]])
-    )  # d_5 z_4
-    return np.array([y, -x]) / reach
+    Axes 4 and 6 being parallel, or nearly, x_4 turns against joint 6 without moving the tool.
+    """
+    upper, fore = abs(arm.numeric[1].a), abs(arm.numeric[2].a)
+    px, py = (part[:, :, 0] for part in _end_of_links(arm, shape, plane, wrist))
+    length = np.hypot(px, py)
+    wanted = np.clip(length, abs(upper - fore), upper + fore)
+    arc = abs(arm.numeric[4].d)
+    k = np.nonzero((length != wanted) & (np.abs(length - wanted) <= arc * uncertain[:, None]))
+    x, y = plane.x[k[0], k[2]], plane.y[k[0], k[2]]
+    far = np.hypot(x, y)
+    vx, vy = x - px[k], y - py[k]
+    angle = np.arctan2(x * vy - y * vx, x * vx + y * vy)
+    cosine = (far**2 + arc**2 - wanted[k] ** 2) / np.maximum(2 * far * arc, 1e-300)
+    turn = np.copysign(np.arccos(np.clip(cosine, -1.0, 1.0)), angle) - angle
+    turn = np.where(np.abs(turn) <= 2 * uncertain[k[0], k[2]], turn, 0.0)
+    c, s = np.cos(turn), np.sin(turn)
+    ux, uy = wrist.ux[k], wrist.uy[k]
+    wrist.ux[k], wrist.uy[k] = c * ux - s * uy, s * ux + c * uy
+    along = shape.side * arm.numeric[4].sin_alpha * np.cos(wrist.phi_5[k])
+    wrist.phi_6[k] = wrapped(wrist.phi_6[k] - np.sign(along) * turn)
 
 
 def _pair(one: Array, other: Array) -> Array:

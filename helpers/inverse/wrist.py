@@ -27,7 +27,7 @@ from helpers.inverse.solutions import (
     poses,
     wrapped,
 )
-from helpers.kinematics import frame_columns
+from helpers.kinematics import cosines_and_sines, frame_columns
 
 Array = NDArray[np.float64]
 
@@ -89,31 +89,28 @@ def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
 
 
 def _wrist(arm: Arm, seen: list[Array], near: Array) -> tuple[tuple[Array, ...], Array]:
-    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free."""
+    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free.
+
+    Joint 6 is found after joint 4, from what its turn leaves of x_6: near a straight wrist both are uncertain, and only
+    together right.
+    """
     x, z = seen
-    fourth, fifth, sixth = arm.numeric[3:]
-    s4, s5 = fourth.sin_alpha, fifth.sin_alpha
-    across = np.hypot(z[0], z[1])
-    singular = across < SINGULAR
-    phi_4 = np.where(singular, near[3] + fourth.theta, np.arctan2(s5 * z[1], s5 * z[0]))
-    phi_5 = np.arctan2(across, -s4 * s5 * z[2])
-    phi_6 = np.arctan2(-s4 * (z[0] * x[1] - z[1] * x[0]), s4 * x[2])
-    if singular.any():
-        phi_6 = np.where(singular, _following(s4 * s5, x, z, phi_4), phi_6)
+    s4, s5 = arm.numeric[3].sin_alpha, arm.numeric[4].sin_alpha
+    sine, cosine = np.hypot(z[0], z[1]), -s4 * s5 * z[2]
+    singular = sine < SINGULAR
+    chosen = near[3] + arm.numeric[3].theta
+    phi_4 = np.where(singular, chosen, np.arctan2(s5 * z[1], s5 * z[0]))
+    c, s = cosines_and_sines(phi_4)
+    ahead, aside = c * x[0] + s * x[1], c * x[1] - s * x[0]
+    phi_5 = np.arctan2(sine, cosine)
+    phi_6 = np.arctan2(-s4 * s5 * aside, cosine * ahead + s4 * sine * x[2])
     flip = np.where(singular, 0.0, np.pi)
     pairs = (phi_4, phi_4 + flip), (phi_5, -phi_5), (phi_6, phi_6 + flip)
     turned = (
         wrapped(np.stack(pair, axis=2) - row.theta)
-        for pair, row in zip(pairs, (fourth, fifth, sixth), strict=True)
+        for pair, row in zip(pairs, arm.numeric[3:], strict=True)
     )
     return tuple(turned), singular
-
-
-def _following(signs: float, x: Array, z: Array, phi_4: Array) -> Array:
-    """Joint 6 where joints 4 and 6 share an axis and joint 4 is given."""
-    c, s = np.cos(phi_4), np.sin(phi_4)
-    straight = np.sign(-signs * z[2])
-    return np.arctan2(-signs * (c * x[1] - s * x[0]), straight * (c * x[0] + s * x[1]))
 
 
 def _must_have_wrist(arm: Arm) -> None:

@@ -1,6 +1,7 @@
 """Matplotlib figures in one style. Every function draws on the axes it is given and returns None."""
 
 from helpers.plotting.arms import arm_3d, arrow_3d
+from helpers.plotting.branches import from_above, law_of_cosines, regions, stick_3d
 from helpers.plotting.dh import dh_numbers
 from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
@@ -22,11 +23,15 @@ __all__ = [
     "arrow_3d",
     "dh_numbers",
     "ellipsoid_3d",
+    "from_above",
     "joints",
+    "law_of_cosines",
     "map_2d",
     "moving_picture",
     "path_2d",
     "pen_and_wall",
+    "regions",
+    "stick_3d",
     "torques",
     "use_book_style",
 ]

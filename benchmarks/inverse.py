@@ -1,0 +1,91 @@
+"""Inverse kinematics: all branches of the UR10e, and one numeric solution for the Panda."""
+
+import eaik.IK_DH
+import numpy as np
+import ur_analytic_ik
+from kinematics import BARE, ets
+
+from helpers.inverse import solve, ur
+from helpers.kinematics import forward_kinematics
+from helpers.robots import PANDA, UR10E
+
+POSES = 1000
+UR = UR10E.with_values(l_pen=0)
+
+
+def signature(branches) -> np.ndarray:
+    """Each pose's number of branches and the sums of its angles' sines and cosines: the same in any order."""
+    sums = [np.exp(1j * np.reshape(q, (-1, 6))).sum(axis=0) for q in branches]
+    return np.column_stack([[len(q) for q in branches], np.real(sums), np.imag(sums)])
+
+
+def ours(found) -> np.ndarray:
+    return signature([q[valid] for q, valid in zip(found.q, found.valid, strict=True)])
+
+
+def of_eaik(found) -> np.ndarray:
+    """EAIK's least-squares answers to unreachable branches are left out."""
+    return signature([pose.Q[~np.array(pose.is_LS)] for pose in found])
+
+
+def closed_forms(Case):
+    q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSES, 6))
+    T = forward_kinematics(UR, q)
+    alpha, a, d = (
+        np.array([UR.number(getattr(row, name)) for row in UR.rows]) for name in ("alpha", "a", "d")
+    )
+    robot = eaik.IK_DH.DhRobot(alpha, a, d)
+    one = ur_analytic_ik.ur10e.inverse_kinematics
+    return Case(
+        f"UR10e: all branches of {POSES} poses",
+        lambda: ur(UR, T),
+        {
+            "EAIK, batched, 1 thread": lambda: robot.IK_batched(T, 1),
+            "EAIK, batched, 2 threads": lambda: robot.IK_batched(T, 2),
+            "EAIK, one by one": lambda: [robot.IK(pose) for pose in T],
+            "ur-analytic-ik, one by one": lambda: [one(pose) for pose in T],
+        },
+        within=1e-4,
+        seen=lambda found: (
+            ours(found)
+            if hasattr(found, "valid")
+            else of_eaik(found)
+            if hasattr(found[0], "is_LS")
+            else signature(found)
+        ),
+    )
+
+
+def numeric(Case):
+    rng = np.random.default_rng(0)
+    q = rng.uniform(*PANDA.limits, (POSES, 7))
+    T, start = (
+        forward_kinematics(BARE, q),
+        np.clip(q + rng.uniform(-0.2, 0.2, q.shape), *PANDA.limits),
+    )
+    chain = ets()
+
+    def roboticstoolbox():
+        """Its fastest settings first, and its own, with up to 100 random starts, for what those miss.
+
+        It halves the squared error: 5e-21 is 1e-10.
+        """
+        found = np.empty_like(q)
+        for k, (pose, near) in enumerate(zip(T, start, strict=True)):
+            fast = dict(slimit=1, joint_limits=False, method="sugihara", k=1e-4)
+            answer = chain.ik_LM(pose, q0=near, tol=5e-21, **fast)
+            found[k] = (answer if answer.success else chain.ik_LM(pose, q0=near, tol=5e-21)).q
+        return found
+
+    return Case(
+        f"Panda: {POSES} poses to 1e-10, starts within 0.2 rad",
+        lambda: solve(BARE, T, start).q,
+        {"roboticstoolbox ik_LM (C++)": roboticstoolbox},
+        within=1e-9,
+        seen=lambda found: forward_kinematics(BARE, found),
+    )
+
+
+def cases(Case):
+    yield closed_forms(Case)
+    yield numeric(Case)

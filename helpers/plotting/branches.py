@@ -1,0 +1,100 @@
+"""Pictures of inverse kinematics: the two views of an elbow arm, many poses in little space, regions of starts."""
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Arc, Circle, Patch
+from mpl_toolkits.mplot3d.axes3d import Axes3D
+from numpy.typing import ArrayLike
+
+from helpers.arm import Arm
+from helpers.kinematics import link_frames
+from helpers.plotting.arms import skeleton
+from helpers.plotting.plane import arm_2d
+from helpers.plotting.style import BLUE, GREY, ORANGE, RED
+
+
+def from_above(
+    ax: Axes, arm: Arm, branches: ArrayLike, names: tuple[str, ...], offset: float
+) -> None:
+    """Draw branches, shape (k, dof), of an elbow arm seen from above, with the circle that its plane is tangent to."""
+    ax.add_patch(Circle((0, 0), abs(offset), fill=False, ls=":", color=GREY))
+    for q, name, colour in zip(np.asarray(branches), names, (BLUE, ORANGE), strict=True):
+        arm_2d(ax, arm, q, "xy", colour=colour)
+        middle = skeleton(arm, link_frames(arm, q))[-3:, :2].mean(axis=0)
+        ax.annotate(name, middle, (8, 10), textcoords="offset points", color=colour)
+    ax.plot(0, 0, "+", color="black")
+
+
+def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
+    """Draw an elbow arm without offset in its own plane, with the triangle that gives its angles; q_1 is taken as 0."""
+    q = np.array([0.0, *np.asarray(q, dtype=float)[1:]])
+    shoulder, elbow, tip = (link_frames(arm, q)[i, [0, 2], 3] for i in (1, 2, 3))
+    arm_2d(ax, arm, q)
+    ax.plot(*np.stack([shoulder, tip], axis=1), color=RED, lw=1.2, ls="--")
+    corner = np.array([tip[0], shoulder[1]])
+    ax.plot(*np.stack([shoulder, corner, tip], axis=1), color=GREY, lw=1, ls=":")
+    bearing = np.degrees(np.arctan2(*(tip - shoulder)[::-1]))
+    lift = np.degrees(q[1])
+    angle(ax, shoulder, 0.13, 0, lift, r"$\theta_2$", BLUE)
+    angle(ax, shoulder, 0.21, bearing, lift, r"$\beta$", ORANGE)
+    ahead = elbow + 0.6 * (elbow - shoulder)
+    ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
+    angle(ax, elbow, 0.09, lift + np.degrees(q[2]), lift, r"$-\theta_3$", BLUE)
+    angle(ax, elbow, 0.06, lift + 180, lift + 360 + np.degrees(q[2]), r"$\varphi$", ORANGE)
+    for start, end, text in ((shoulder, elbow, "$a_2$"), (elbow, tip, "$a_3$")):
+        across = np.array([start[1] - end[1], end[0] - start[0]])
+        ax.text(*((start + end) / 2 + 0.12 * across), text, ha="center", va="center")
+    ax.text(*((shoulder + corner) / 2 - (0, 0.025)), "$r$", ha="center", va="center")
+    ax.text(*((corner + tip) / 2 + (0.025, 0)), "$s$", ha="center", va="center")
+
+
+def angle(
+    ax: Axes, centre: ArrayLike, radius: float, start: float, end: float, text: str, colour: str
+) -> None:
+    """Draw an arc between two directions (degrees) with its name beside its middle."""
+    start, end = sorted((start, end))
+    ax.add_patch(
+        Arc(centre, 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour, lw=1.4)
+    )
+    middle = np.radians((start + end) / 2)
+    place = np.asarray(centre) + 1.28 * radius * np.array([np.cos(middle), np.sin(middle)])
+    ax.text(*place, text, color=colour, ha="center", va="center")
+
+
+def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str = "") -> None:
+    """Draw an arm at q as one line with dots at its joints, on a square of floor: small enough to set many side by side."""
+    T = link_frames(arm, q)
+    points = skeleton(arm, T)
+    size = 0.8 * np.abs(points).max()
+    square = size * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)])
+    ax.plot(*square.T, 0 * square[:, 0], color=GREY, lw=0.6)
+    ax.plot(*points[:, :2].T, 0 * points[:, 0], color=GREY, alpha=0.35, lw=2)
+    ax.plot(*points.T, color=colour, lw=3, solid_joinstyle="round")
+    ax.plot(*T[[i - 1 for i in arm.joints], :3, 3].T, "o", color="#5B6472", ms=4)
+    for axis, shade in zip(T[-1, :3, :3].T, (RED, "#009E73", BLUE), strict=True):
+        ax.plot(
+            *np.stack([T[-1, :3, 3], T[-1, :3, 3] + 0.25 * size * axis], axis=1),
+            color=shade,
+            lw=1.2,
+        )
+    ax.set(xlim=(-size, size), ylim=(-size, size), zlim=(0, 2 * size), title=title)
+    ax.set_box_aspect((1, 1, 1), zoom=1.35)
+    ax.set_axis_off()
+
+
+def regions(
+    ax: Axes,
+    x: ArrayLike,
+    y: ArrayLike,
+    which: ArrayLike,
+    names: dict[int, str],
+    colours: tuple[str, ...],
+) -> None:
+    """Colour the points of a grid by `which`, whole numbers of shape (len(y), len(x)); `names` are those in the legend."""
+    hatches = ("", "//", "..", "xx", "\\\\")
+    key = []
+    for (value, name), colour, hatch in zip(names.items(), colours, hatches, strict=False):
+        inside = (np.asarray(which) == value).astype(float)
+        ax.contourf(x, y, inside, levels=[0.5, 1.5], colors=[colour], alpha=0.45, hatches=[hatch])
+        key.append(Patch(facecolor=colour, alpha=0.45, hatch=hatch, label=name))
+    ax.legend(handles=key, loc="center left", bbox_to_anchor=(1.0, 0.5))

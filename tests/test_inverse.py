@@ -1,0 +1,507 @@
+"""Inverse kinematics: forward kinematics is the judge, and bounds from the literature say when a list is complete.
+
+An arm of the elbow kind has four ways to a point and eight to a pose (Pieper, 1968), as has the Stanford arm with an
+unlimited rod; where that many distinct ones are found, none is missing. The UR's number varies: it is counted against
+another program in peers/test_ssik.py.
+"""
+
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
+from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford, ur
+from helpers.inverse.numeric import turn_between
+from helpers.kinematics import forward_kinematics, jacobian, manipulability
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+
+OFFSET = ELBOW.with_values(d=0.12)
+# The Puma 560's table, with a tool set askew so that the last row has all four numbers.
+PUMA = Arm(
+    "Puma",
+    (
+        revolute(alpha="pi/2"),
+        revolute(a=0.4318),
+        revolute(a=0.0203, d=0.15005, alpha="-pi/2"),
+        revolute(d=0.4318, alpha="pi/2"),
+        revolute(alpha="-pi/2"),
+        revolute(a=0.03, d=0.0563, alpha=0.4, theta=0.3),
+    ),
+)
+PLACED = [(elbow, ELBOW, 4), (elbow, OFFSET, 4)]
+POSED = [
+    (stanford, STANFORD, 8),
+    (spherical_wrist, PUMA, 8),
+    (ur, UR10E, None),
+    (ur, UR10E_HOMEWORK, None),
+]
+
+
+def random_q(arm, count, seed=0):
+    rng = np.random.default_rng(seed)
+    slides = np.array([arm.rows[i - 1].joint.kind == "prismatic" for i in arm.joints])
+    return np.where(slides, 0.3, np.pi) * rng.uniform(-1, 1, (count, arm.dof))
+
+
+def apart(arm, q, other):
+    """The largest difference of a joint, whole turns aside."""
+    turns = np.array([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints])
+    gap = q - other
+    return np.abs(np.where(turns, np.angle(np.exp(1j * gap)), gap)).max(axis=-1)
+
+
+def misses(arm, found, targets):
+    """How far each existing branch is from its target: the largest entry of the difference of poses or positions."""
+    T = forward_kinematics(arm, np.where(found.valid[..., None], found.q, 0.0))
+    if targets.shape[-1] == 3:
+        error = np.abs(T[..., :3, 3] - targets[..., None, :]).max(axis=-1)
+    else:
+        error = np.abs(T - targets[..., None, :, :]).max(axis=(-1, -2))
+    return error[found.valid]
+
+
+@pytest.mark.parametrize(("solver", "arm", "number"), PLACED + POSED)
+def test_every_branch_of_10_000_random_targets(solver, arm, number):
+    q = random_q(arm, 10_000)
+    T = forward_kinematics(arm, q)
+    targets = T[:, :3, 3] if arm.dof == 3 else T
+    found = solver(arm, targets)
+    assert misses(arm, found, targets).max() < 1e-10
+    assert np.isfinite(found.q[found.valid]).all()
+    assert np.isnan(found.q[~found.valid]).all()
+    # The joint vector that made the target is one of them, and no two are the same.
+    gaps = np.where(found.valid, apart(arm, found.q, q[:, None]), np.inf)
+    assert gaps.min(axis=1).max() < 1e-6
+    for i in range(found.q.shape[1]):
+        for j in range(i):
+            both = found.valid[:, i] & found.valid[:, j]
+            assert (apart(arm, found.q[:, i], found.q[:, j])[both] > 1e-7).all()
+    if number:
+        assert found.valid.all()
+    assert not found.free.any()
+    assert (found.distance == 0).all()
+    assert len(found.branches) == found.q.shape[1] == len(set(found.branches))
+
+
+def test_ur_branches_come_in_pairs_and_are_at_most_eight():
+    found = ur(UR10E, forward_kinematics(UR10E, random_q(UR10E, 2000)))
+    assert set(found.valid.sum(axis=1)) <= {2, 4, 6, 8}
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.tuples(*[st.floats(0.1, 1)] * 3),
+    st.tuples(*[st.sampled_from((-1, 1))] * 3),
+    st.tuples(*[st.floats(-3, 3)] * 3),
+    st.floats(-0.4, 0.4),
+    st.booleans(),
+)
+def test_elbow_arms_of_any_signs_offsets_and_zeros(lengths, signs, zeros, offset, flipped):
+    d_1, a_2, a_3 = lengths
+    arm = Arm(
+        "random elbow",
+        (
+            revolute(alpha=signs[0] * np.pi / 2, d=d_1, theta=zeros[0]),
+            revolute(a=signs[1] * a_2, d=offset, alpha=np.pi if flipped else 0.0, theta=zeros[1]),
+            revolute(a=signs[2] * a_3, d=0.1, alpha=0.7, theta=zeros[2]),
+            fixed(d=0.2),
+        ),
+    )
+    q = random_q(arm, 50)
+    p = forward_kinematics(arm, q)[:, :3, 3]
+    found = elbow(arm, p)
+    assert misses(arm, found, p).max() < 1e-10
+    assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.tuples(*[st.sampled_from((-1, 1))] * 8),
+    st.tuples(*[st.booleans()] * 2),
+    st.tuples(*[st.floats(-3, 3)] * 6),
+)
+def test_ur_arms_of_any_signs_offsets_and_zeros(signs, flips, zeros):
+    s = signs
+    arm = Arm(
+        "random UR",
+        (
+            revolute(alpha=s[0] * np.pi / 2, d=0.2, theta=zeros[0]),
+            revolute(a=s[1] * 0.6, d=0.02, alpha=np.pi * flips[0], theta=zeros[1]),
+            revolute(a=s[2] * 0.5, d=-0.05, alpha=np.pi * flips[1], theta=zeros[2]),
+            revolute(alpha=s[3] * np.pi / 2, d=s[4] * 0.17, theta=zeros[3]),
+            revolute(alpha=s[5] * np.pi / 2, d=s[6] * 0.12, theta=zeros[4]),
+            revolute(a=0.04, alpha=0.5, d=s[7] * 0.1, theta=zeros[5]),
+        ),
+    )
+    q = random_q(arm, 50)
+    T = forward_kinematics(arm, q)
+    found = ur(arm, T)
+    assert misses(arm, found, T).max() < 1e-10
+    assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
+
+
+# By hand
+
+
+def test_the_elbow_arm_by_hand():
+    """Links 0.4 and 0.3 as legs of a right angle reach 0.5 in front of the shoulder: 3, 4, 5."""
+    found = elbow(ELBOW, (0.5, 0.0, 0.5))
+    low, bend = np.arctan2(0.3, 0.4), np.pi / 2
+    wanted = [
+        (0, low, -bend),
+        (0, -low, bend),
+        (np.pi, np.pi - low, bend),
+        (np.pi, np.pi + low, -bend),
+    ]
+    assert apart(ELBOW, found.q, np.array(wanted)).max() < 1e-12
+    assert found.branches == (
+        "front, elbow up",
+        "front, elbow down",
+        "back, elbow up",
+        "back, elbow down",
+    )
+
+
+def test_up_is_up():
+    p = forward_kinematics(ELBOW, random_q(ELBOW, 300))[:, :3, 3]
+    found = elbow(ELBOW, p)
+    joint = forward_kinematics(replace(ELBOW, rows=ELBOW.rows[:2], home=()), found.q[..., :2])
+    elbow_at = joint[..., :3, 3]
+    # Height over the line from the shoulder (0, 0, 0.5) to the target, measured in the vertical plane of both.
+    reach = np.hypot(p[:, 0], p[:, 1])[:, None]
+    line = 0.5 + (p[:, 2, None] - 0.5) * (elbow_at[..., :2] @ p[:, :2, None])[..., 0] / reach**2
+    above = elbow_at[..., 2] > line
+    assert above[:, [0, 2]].all()
+    assert not above[:, [1, 3]].any()
+
+
+def test_beyond_reach_there_is_no_branch_but_a_distance():
+    found = elbow(ELBOW, [(1.0, 0.0, 0.5), (0.05, 0.0, 0.5), (0.0, 0.0, 2.0)])
+    assert not found.valid.any()
+    assert np.isnan(found.q).all()
+    np.testing.assert_allclose(found.distance, (0.3, 0.05, 0.8), atol=1e-12)
+    # The hole of an arm with offset: the axis is 0.12 away from everything that the arm can reach.
+    np.testing.assert_allclose(elbow(OFFSET, (0.05, 0.0, 0.8)).distance, 0.07, atol=1e-12)
+    assert np.isnan(elbow(OFFSET, (2.0, 0.0, 0.8)).distance)
+    np.testing.assert_allclose(
+        rod(replace(STANFORD, rows=STANFORD.rows[:3], home=()), (0.1, 0, 0)).distance, 0.054
+    )
+
+
+def test_the_boundary_belongs_to_the_reach():
+    for p in ((0.7, 0, 0.5), (0, 0.1, 0.5), (0.0, 0.0, 1.2)):
+        found = elbow(ELBOW, p)
+        assert found.valid.all()
+        assert misses(ELBOW, found, np.array(p)).max() < 1e-12
+    assert not elbow(ELBOW, (0.7 + 1e-9, 0, 0.5)).valid.any()
+
+
+# Singular targets
+
+
+def test_above_the_shoulder_joint_1_is_free():
+    p = np.array((0.0, 0.0, 0.9))
+    for q1 in (0.0, 0.7, -2.0):
+        found = elbow(ELBOW, p, near=(q1, 0, 0))
+        assert found.valid.all()
+        assert found.free[:, 0].all()
+        assert not found.free[:, 1:].any()
+        assert misses(ELBOW, found, p).max() < 1e-12
+        assert apart(ELBOW, found.q[:2, :1], q1).max() < 1e-12
+    assert not elbow(OFFSET, p).valid.any()
+
+
+def test_a_folded_arm_has_joint_2_free():
+    twins = ELBOW.with_values(a_3=0.4)
+    found = elbow(twins, (0, 0, 0.5), near=(0.1, 0.2, 0.3))
+    assert found.valid.all()
+    assert found.free[:, :2].all()
+    assert np.allclose(found.q[:2, 1], 0.2)
+    assert misses(twins, found, np.array((0, 0, 0.5))).max() < 1e-12
+
+
+def test_rod_with_its_tip_in_the_shoulder():
+    arm = replace(STANFORD, rows=STANFORD.rows[:3], home=())
+    p = forward_kinematics(arm, (0.4, 0.9, 0.0))[:3, 3]
+    found = rod(arm, p, near=(0, 0.3, 0))
+    assert found.valid.all()
+    assert found.free[:, 1].all()
+    assert not found.free[:, 0].any()
+    assert np.allclose(found.q[:, 1], 0.3)
+    assert misses(arm, found, p).max() < 1e-12
+
+
+@pytest.mark.parametrize("flipped", [0.0, np.pi])
+@pytest.mark.parametrize(("solver", "arm"), [(stanford, STANFORD), (spherical_wrist, PUMA)])
+def test_a_straight_wrist_has_joint_4_free(solver, arm, flipped):
+    q = random_q(arm, 200, seed=4)
+    q[:, 2] += np.where(arm is STANFORD, 0.5, 0.0)
+    q[:, 4] = flipped
+    T = forward_kinematics(arm, q)
+    near = np.array((0, 0, 0, 1.1, 0, 0))
+    found = solver(arm, T, near=near)
+    same = (
+        apart(arm, found.q[..., :3] @ np.eye(3, 6), q[:, None] @ np.diag([1, 1, 1, 0, 0, 0])) < 1e-6
+    )
+    assert (same.sum(axis=1) == 2).all()  # both wrists, which are one here
+    assert found.free[same][:, 3].all()
+    assert np.allclose(found.q[same][:, 3], 1.1)
+    assert misses(arm, found, T).max() < 1e-10
+
+
+@pytest.mark.parametrize("arm", [UR10E, UR10E_HOMEWORK])
+@pytest.mark.parametrize("bend", [0.0, np.pi])
+def test_parallel_axes_of_a_ur_have_joint_6_free(arm, bend):
+    q = random_q(arm, 300, seed=5)
+    q[:, 4] = bend
+    T = forward_kinematics(arm, q)
+    found = ur(arm, T, near=q)
+    assert misses(arm, found, T).max() < 1e-10
+    assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-6
+    # Whatever value joint 6 is asked to keep, some branch is found, since the pose can be reached.
+    for q6 in np.linspace(-3, 3, 7):
+        found = ur(arm, T, near=(0, 0, 0, 0, 0, q6))
+        assert found.valid.any(axis=1).all()
+        assert misses(arm, found, T).max() < 1e-10
+        assert (found.free[..., 5] & found.valid).any(axis=1).all()
+
+
+@pytest.mark.parametrize(
+    ("solver", "arm", "special"),
+    [
+        (elbow, ELBOW, {2: 0.0}),
+        (elbow, ELBOW, {2: np.pi}),
+        (elbow, ELBOW, {1: np.pi / 2, 2: 0.0}),
+        (stanford, STANFORD, {4: 0.0}),
+        (stanford, STANFORD, {2: 0.0}),
+        (spherical_wrist, PUMA, {4: 0.0}),
+        (spherical_wrist, PUMA, {2: np.arctan2(0.4318, 0.0203)}),
+        (ur, UR10E, {4: 0.0}),
+        (ur, UR10E, {2: 0.0}),
+        (ur, UR10E, {2: 0.0, 4: 0.0}),
+        (ur, UR10E_HOMEWORK, {1: 0.0, 2: 0.0, 3: 0.0, 4: 0.0}),
+    ],
+)
+def test_the_singular_set_approached_from_all_sides(solver, arm, special):
+    """The target is never lost, and no branch is off, from a thousandth of a radian away to the set itself."""
+    rng = np.random.default_rng(6)
+    for size in (0.0, *10.0 ** -np.arange(3, 18)):
+        q = random_q(arm, 60, seed=7)
+        for joint, value in special.items():
+            q[:, joint] = value
+        q += size * rng.uniform(-1, 1, q.shape)
+        T = forward_kinematics(arm, q)
+        targets = T[:, :3, 3] if arm.dof == 3 else T
+        found = solver(arm, targets)
+        assert found.valid.any(axis=1).all(), size
+        assert np.isfinite(found.q[found.valid]).all()
+        assert misses(arm, found, targets).max() < 1e-10, size
+
+
+# Choosing
+
+
+def test_nearest_counts_whole_turns_and_limits():
+    arm = Arm("pointer", (revolute(alpha="pi/2", limits=(-6, 6)), revolute(a=1), revolute(a=0.5)))
+    found = elbow(arm, forward_kinematics(arm, (3.0, 0.4, 0.5))[:3, 3])
+    for start in ((3.0, 0.4, 0.5), (3.0 - 2 * np.pi, 0.4, 0.5 + 4 * np.pi)):
+        np.testing.assert_allclose(found.nearest(start), start, atol=1e-9)
+    # A turn further would be nearer, but is beyond the limit of joint 1.
+    np.testing.assert_allclose(found.nearest((8.0, 0.4, 0.5))[0], 3.0, atol=1e-9)
+    np.testing.assert_allclose(
+        found.nearest((8.0, 0.4, 0.5), limits=False)[0], 3.0 + 2 * np.pi, atol=1e-9
+    )
+
+
+def test_limits_rule_branches_out():
+    T = forward_kinematics(STANFORD, (0.3, 0.8, 0.5, 0.4, 0.5, 0.6))
+    found = stanford(STANFORD, T)
+    assert found.valid.all()
+    out = np.array(["rod out" in name for name in found.branches])
+    np.testing.assert_array_equal(found.within_limits, out)
+    through = found.q[~out][0]
+    assert found.nearest(through)[2] > 0.1
+    np.testing.assert_allclose(found.nearest(through, limits=False), through, atol=1e-12)
+
+
+def test_nearest_is_nan_where_nothing_is():
+    assert np.isnan(elbow(ELBOW, (3, 0, 0)).nearest(ELBOW.home)).all()
+
+
+def test_follow_keeps_its_branch_and_its_free_joint():
+    """A path straight through the column above the shoulder: the arm leans over without a jump."""
+    x = np.linspace(-0.2, 0.2, 81)
+    path = np.stack([x, 0 * x, 0 * x + 1.0], axis=-1)
+    q0 = elbow(ELBOW, path[0]).q[0]
+    q = follow(partial(elbow, ELBOW), path, q0)
+    np.testing.assert_allclose(forward_kinematics(ELBOW, q)[:, :3, 3], path, atol=1e-10)
+    assert np.abs(np.diff(q, axis=0)).max() < 0.2
+    with pytest.raises(ArmError, match=r"Elbow arm: no branch reaches target 1 of 2"):
+        follow(partial(elbow, ELBOW), [path[0], (2, 0, 0)], q0)
+
+
+def test_follow_through_a_straight_wrist():
+    angle = np.linspace(-0.3, 0.3, 61)
+    q = np.tile((0.3, 0.8, 0.5, 0.4, 0.0, 0.6), (61, 1))
+    q[:, 4] = angle
+    T = forward_kinematics(STANFORD, q)
+    np.testing.assert_allclose(follow(partial(stanford, STANFORD), T, q[0]), q, atol=1e-7)
+
+
+# Shapes and bad input
+
+
+def test_shapes_broadcast_and_chunks_do_not_show():
+    q = random_q(UR10E, 2100)
+    T = forward_kinematics(UR10E, q)
+    found = ur(UR10E, T.reshape(3, 700, 4, 4))
+    assert found.q.shape == (3, 700, 8, 6)
+    assert found.valid.shape == (3, 700, 8)
+    assert found.distance.shape == (3, 700)
+    assert found.free.shape == found.q.shape
+    one = ur(UR10E, T[1234])
+    np.testing.assert_allclose(found.q.reshape(2100, 8, 6)[1234], one.q, atol=1e-12)
+    assert ur(UR10E, T[0], near=np.zeros((5, 6))).q.shape == (5, 8, 6)
+    assert ur(UR10E, T[:0]).q.shape == (0, 8, 6)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: elbow(UR10E, (0, 0, 0)), "UR10e is no elbow arm; expected three revolute joints"),
+        (lambda: elbow(ELBOW, (0, 0)), r"Elbow arm: p has shape \(2,\); expected \(..., 3\)"),
+        (lambda: elbow(ELBOW, (0, 0, np.nan)), "Elbow arm: p holds NaN or infinity"),
+        (lambda: elbow(ELBOW, "here"), "Elbow arm: p is 'here'; expected positions"),
+        (lambda: elbow(ELBOW, (0, 0, 1), near=(0, 0)), r"Elbow arm: q has shape \(2,\)"),
+        (lambda: elbow(ELBOW.with_values(a_3=0), (0, 0, 1)), "is no elbow arm"),
+        (lambda: rod(ELBOW, (0, 0, 0)), "Elbow arm has no rod through its shoulder"),
+        (lambda: stanford(UR10E, np.eye(4)), "UR10e has no spherical wrist"),
+        (lambda: stanford(PUMA, np.eye(4)), "Puma has no rod through its shoulder"),
+        (lambda: spherical_wrist(STANFORD, np.eye(4)), "Stanford arm is no elbow arm"),
+        (lambda: ur(PANDA, np.eye(4)), "Panda is no arm of the UR family; expected six revolute"),
+        (lambda: ur(UR10E, np.eye(3)), r"UR10e: T has shape \(3, 3\); expected \(..., 4, 4\)"),
+        (lambda: ur(UR10E, 2 * np.eye(4)), "UR10e: T is no rigid transform, by "),
+        (lambda: ur(UR10E, np.diag([1, 1, -1, 1])), "UR10e: T is no rigid transform, by 2;"),
+        (lambda: ur(UR10E, np.eye(4) + np.eye(4)[::-1] * 0.1), "is no rigid transform"),
+        (
+            lambda: stanford(STANFORD, np.full((4, 4), np.inf)),
+            "Stanford arm: T holds NaN or infinity",
+        ),
+        (lambda: elbow(ELBOW, (0.5, 0, 0.5)).nearest((0, 0)), r"q has shape \(2,\)"),
+        (lambda: solve(PANDA, np.eye(2)), r"Panda: p has shape \(2, 2\)"),
+        (lambda: solve(PANDA, np.zeros((4, 4))), "Panda: T is no rigid transform"),
+        (lambda: solve(PANDA, np.eye(4), (0, 0)), r"Panda: q has shape \(2,\)"),
+        (
+            lambda: solve(PANDA, np.eye(4), tolerance=0),
+            "tolerance is 0; expected a positive number",
+        ),
+        (
+            lambda: solve(PANDA, np.eye(4), iterations=1.5),
+            "iterations is 1.5; expected a whole number",
+        ),
+        (lambda: solve(PANDA, np.eye(4), restarts=-1), "restarts is -1; expected a whole number"),
+    ],
+)
+def test_bad_input(call, message):
+    with pytest.raises(ArmError, match=message):
+        call()
+
+
+# The numeric solver
+
+
+@pytest.mark.parametrize("arm", [PANDA, PANDA.lock(3), UR10E, STANFORD, PUMA])
+def test_solve_from_starts_within_a_fifth_of_a_radian(arm):
+    """No failure at 1000 targets that are not singular, each error proved by forward kinematics."""
+    lower, upper = (np.clip(limit, -np.pi, np.pi) for limit in arm.limits)
+    rng = np.random.default_rng(1)
+    q = rng.uniform(lower, upper, (1500, arm.dof))
+    q = q[np.linalg.svd(jacobian(arm, q), compute_uv=False)[:, 5] > 0.02][:1000]
+    T = forward_kinematics(arm, q)
+    found = solve(arm, T, np.clip(q + rng.uniform(-0.2, 0.2, q.shape), *arm.limits))
+    assert found.reached.all()
+    np.testing.assert_allclose(forward_kinematics(arm, found.q), T, atol=3e-10)
+    assert (found.q >= arm.limits[0]).all()
+    assert (found.q <= arm.limits[1]).all()
+    assert found.position_error.max() <= 1e-10
+    assert found.orientation_error.max() <= 1e-10
+
+
+def test_solve_knows_how_far_is_out_of_reach():
+    """The elbow arm's distance by geometry is what least squares find: two methods, one number."""
+    p = np.random.default_rng(2).uniform(-1.5, 1.5, (200, 3))
+    wanted = elbow(ELBOW, p).distance
+    found = solve(ELBOW, p, (0.1, 0.4, -0.9), restarts=5, iterations=300)
+    np.testing.assert_allclose(found.position_error, wanted, atol=1e-5)
+    np.testing.assert_array_equal(found.reached, wanted == 0)
+    assert (found.orientation_error == 0).all()
+
+
+def test_solve_stays_within_limits_even_when_that_costs_the_target():
+    q = np.array(PANDA.home) + 0.3
+    T = forward_kinematics(PANDA, q)
+    narrow = Arm(
+        "narrow Panda",
+        tuple(
+            replace(row, joint=replace(row.joint, lower=h - 0.1, upper=h + 0.1))
+            for row, h in zip(PANDA.rows, PANDA.home, strict=True)
+        ),
+        PANDA.values,
+        home=PANDA.home,
+    )
+    found = solve(narrow, T)
+    assert not found.reached
+    assert found.position_error > 0.01
+    assert (np.abs(found.q - PANDA.home) <= 0.1 + 1e-12).all()
+    assert solve(narrow, T, limits=False).reached
+    assert repr(found) == "<NumericSolution: 0 of 1 targets reached, 1 missed>"
+
+
+def test_restarts_find_what_one_start_misses_and_repeat():
+    q = np.random.default_rng(3).uniform(*PANDA.limits, (200, 7))
+    T = forward_kinematics(PANDA, q)
+    once, often = solve(PANDA, T), solve(PANDA, T, restarts=30)
+    assert once.reached.sum() < often.reached.sum() == 200
+    assert (once.starts == 1).all()
+    assert often.starts.max() > 1
+    np.testing.assert_array_equal(often.q, solve(PANDA, T, restarts=30).q)
+    np.testing.assert_array_equal(once.q[once.reached], often.q[once.reached])
+
+
+def test_turn_between_is_undone_by_rodrigues():
+    """Random turns, small ones, and half turns, whose axis cannot be read from the antisymmetric part."""
+    rng = np.random.default_rng(8)
+    axes = rng.normal(size=(60, 3))
+    axes = np.vstack([axes, np.eye(3), -np.eye(3)])
+    axes /= np.linalg.norm(axes, axis=1)[:, None]
+    for angle in (0.0, 1e-9, 0.3, 3.0, np.pi - 1e-7, np.pi):
+        start = np.linalg.qr(rng.normal(size=(len(axes), 3, 3)))[0]
+        R = np.array([rotation(axis, angle) for axis in axes])
+        vector = turn_between(start.transpose(2, 1, 0), (R @ start).transpose(2, 1, 0)).T
+        assert np.allclose(np.linalg.norm(vector, axis=1), angle, atol=1e-8)
+        again = [rotation(v / (np.linalg.norm(v) or 1), np.linalg.norm(v)) for v in vector]
+        np.testing.assert_allclose(again, R, atol=1e-7)
+
+
+def rotation(axis, angle):
+    """Rodrigues' formula."""
+    x, y, z = axis
+    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
+
+
+def test_solve_in_chunks_and_shapes():
+    q = random_q(ELBOW, 5000, seed=9)
+    p = forward_kinematics(ELBOW, q)[:, :3, 3].reshape(2, 2500, 3)
+    found = solve(ELBOW, p, q.reshape(2, 2500, 3) + 0.01)
+    assert found.q.shape == (2, 2500, 3)
+    assert found.reached.shape == (2, 2500)
+    far = manipulability(ELBOW, q.reshape(2, 2500, 3), "linear") > 1e-3
+    assert found.reached[far].all()
+    assert solve(ELBOW, np.zeros((0, 3))).q.shape == (0, 3)
+    slider = Arm("slider", (prismatic(),))
+    np.testing.assert_allclose(solve(slider, (0, 0, 0.4)).q, [0.4])
