@@ -304,6 +304,9 @@ def test_every_line_of_the_report_by_hand():
     found = made_up(q, q_dot, poses)
     assert found.position_error == pytest.approx(np.hypot(0.004, 0.002))
     assert found.off_wall == pytest.approx(0.004)
+    back = poses.copy()
+    back[:, 0, 3] *= -1
+    assert made_up(q, q_dot, back).off_wall == pytest.approx(0.004)
     assert found.pen_tilt == pytest.approx(np.radians(120))
     assert found.closing_gap == pytest.approx(0.003)
     assert found.joint_gap == pytest.approx(0.25)
