@@ -85,11 +85,10 @@ def test_orders_of_convergence():
 
 
 def test_the_exact_method_is_exact():
-    report = trace(
-        REAL, REAL.home, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 200), method="exact"
-    ).report
-    assert report.position_error < 1e-12
-    assert report.pen_tilt < 1e-12
+    run = trace(REAL, REAL.home, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 200), method="exact")
+    assert run.report.position_error < 1e-12
+    assert run.report.pen_tilt < 1e-12
+    np.testing.assert_allclose(run.q_dot[:-1], np.diff(run.q, axis=0) / 0.025, atol=1e-10)
 
 
 def test_the_period_does_not_matter_to_the_path():
