@@ -4,9 +4,9 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
-SOURCES := $(NOTEBOOKS) $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
 
-.PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean
+.PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -53,6 +53,10 @@ bench: ## time the helpers against their peers, in an environment of its own
 	test -d .venv-bench || $(PYTHON) -m venv .venv-bench
 	.venv-bench/bin/python -m pip install --quiet --disable-pip-version-check -r benchmarks/requirements.txt -e .
 	.venv-bench/bin/python benchmarks/bench.py
+
+explorer: ## bundle the live explorer anew from its JavaScript (needs Node.js)
+	npm ci --prefix explorer --silent
+	npm run build --prefix explorer --silent
 
 lock: ## pin every dependency anew
 	$(PYTHON) -m venv .venv-lock

@@ -131,7 +131,7 @@ def store_jacobian(arm: Arm, frames: list[tuple[Array, Array, Array, Array]], ou
 def cross(u: Array, v: Array) -> Array:
     w = np.empty(np.broadcast_shapes(u.shape, v.shape))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        np.subtract(u[j] * v[k], u[k] * v[j], out=w[i])
+        np.subtract(u[j] * v[k], u[k] * v[j], out=w[i, ...])
     return w
 
 

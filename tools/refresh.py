@@ -10,6 +10,7 @@ KERNEL = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
 }
+WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
 def refresh(path: Path) -> None:
@@ -25,6 +26,7 @@ def refresh(path: Path) -> None:
         cell["id"] = f"c{number:03d}"
         cell.metadata.pop("execution", None)
         for output in cell.get("outputs", []):
+            output.get("data", {}).pop(WIDGET, None)  # without a kernel there is none
             if "metadata" in output:
                 output["metadata"] = {}
     nbformat.write(notebook, path)

@@ -1,7 +1,6 @@
 """Following a path by integrating joint rates, and what came of it."""
 
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -125,19 +124,8 @@ def _error(pose: Array, position: Array, rotation: Array) -> Array:
     return np.concatenate([position - pose[:3, 3], turn])
 
 
-def _progress(steps: int, patience: float = 10.0) -> Iterator[int]:
-    """Count steps; a bar appears only in runs that outlast `patience` (s), and leaves nothing behind.
+def _progress(steps: int):
+    """Count steps; a bar appears only in runs of more than ten seconds, and leaves nothing behind."""
+    from tqdm import tqdm  # the one for notebooks leaves a bar behind where a run fails
 
-    tqdm's own `delay` would not do: its notebook bar shows itself when a short run ends in an error.
-    """
-    begun, bar = time.monotonic(), None
-    for k in range(steps):
-        if bar is None and time.monotonic() - begun > patience:
-            from tqdm.auto import tqdm
-
-            bar = tqdm(total=steps, initial=k, leave=False)
-        yield k
-        if bar is not None:
-            bar.update()
-    if bar is not None:
-        bar.close()
+    return tqdm(range(steps), delay=10, leave=False)

@@ -91,7 +91,7 @@ def regions(
     colours: tuple[str, ...],
 ) -> None:
     """Colour the points of a grid by `which`, whole numbers of shape (len(y), len(x)); `names` are those in the legend."""
-    hatches = ("", "//", "..", "xx", "\\\\")
+    hatches = ("", "//", "\\\\", "--", "||")
     key = []
     for (value, name), colour, hatch in zip(names.items(), colours, hatches, strict=False):
         inside = (np.asarray(which) == value).astype(float)

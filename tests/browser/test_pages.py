@@ -6,6 +6,7 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
+from fontTools.ttLib import TTFont
 
 from tests.test_book import HTML, NAMES
 
@@ -25,15 +26,26 @@ UNRENDERED = """() => {
 BROKEN = (
     "() => [...document.images].filter(i => !(i.complete && i.naturalWidth > 0)).map(i => i.src)"
 )
+ICONS = """() => [...document.querySelectorAll("*")].flatMap(e => ["::before", "::after"].flatMap(part => {
+    const { content, fontFamily } = getComputedStyle(e, part);
+    return fontFamily.includes("Awesome 6 Free") ? [...content].filter(c => c > "\\uE000" && c < "\\uF900") : [];
+}))"""
+WIDTHS = """async (icons) => {
+    const font = "900 512px 'Font Awesome 6 Free'", pen = document.createElement("canvas").getContext("2d");
+    await document.fonts.load(font, icons.join(""));
+    pen.font = font;
+    return icons.map(icon => pen.measureText(icon).width);
+}"""
 
 
 class Reader:
     """One visit to a page, with everything that went wrong on it."""
 
-    def __init__(self, browser, theme, size, allowed):
+    def __init__(self, browser, theme, size, allowed, **context):
         self.context = browser.new_context(
             viewport=dict(zip(("width", "height"), SIZES[size], strict=True)),
             offline=allowed == "file:",
+            **context,
         )
         self.page, self.troubles = self.context.new_page(), []
         self.page.add_init_script(f"localStorage.mode = localStorage.theme = '{theme}'")
@@ -43,6 +55,10 @@ class Reader:
         self.page.on("requestfailed", lambda r: self.troubles.append(f"failed: {r.url}"))
 
     def _said(self, message):
+        if (
+            "GPU stall due to ReadPixels" in message.text
+        ):  # of a machine that draws without a graphics card
+            return
         if message.type in ("error", "warning"):
             self.troubles.append(f"{message.type}: {message.text}")
 
@@ -70,6 +86,17 @@ def test_the_page_is_whole(browser, name, theme, size):
     width = page.evaluate("document.documentElement.scrollWidth")
     assert width <= SIZES[size][0], f"the page is {width} px wide"
     assert reader.troubles == []
+    reader.context.close()
+
+
+def test_the_icons_are_in_the_book_s_small_font(browser):
+    reader, icons = Reader(browser, "light", "phone", "file:"), set("\uf186\uf042\uf185")  # themes
+    for name in NAMES:
+        icons |= set(reader.open((HTML / f"{name}.html").as_uri()).evaluate(ICONS))
+    whole = TTFont(HTML / "_static/vendor/fontawesome/webfonts/fa-solid-900.ttf")
+    expected = [whole["hmtx"][whole.getBestCmap()[ord(icon)]][0] for icon in sorted(icons)]
+    assert len(icons) > 10
+    assert reader.page.evaluate(WIDTHS, sorted(icons)) == expected
     reader.context.close()
 
 

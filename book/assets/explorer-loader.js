@@ -1,0 +1,26 @@
+// Brings the arm explorers of a page to life when they are scrolled near; a page without one loads nothing.
+{
+  const source = new URL("explorer.js", document.currentScript.src).href;
+  let bundle;
+
+  const load = () =>
+    (bundle ??= new Promise((done, failed) => {
+      const script = Object.assign(document.createElement("script"), { src: source, onload: done, onerror: failed });
+      document.head.append(script);
+    }));
+
+  const near = new IntersectionObserver(
+    (entries) => {
+      for (const { isIntersecting, target } of entries) {
+        if (!isIntersecting) continue;
+        near.unobserve(target);
+        load().then(() => ArmExplorer.mount(target));
+      }
+    },
+    { rootMargin: "500px" },
+  );
+
+  document.addEventListener("DOMContentLoaded", () => {
+    for (const stub of document.querySelectorAll(".arm-explorer")) near.observe(stub);
+  });
+}

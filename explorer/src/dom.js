@@ -1,0 +1,25 @@
+// Elements from one line: h("button.quiet", { onclick }, "Home").
+
+export function h(name, attributes = {}, ...children) {
+  const [tag, ...classes] = name.split(".");
+  const element = document.createElement(tag);
+  if (classes.length) element.className = classes.join(" ");
+  for (const [key, value] of Object.entries(attributes)) {
+    if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
+    else if (value !== undefined && value !== false) element.setAttribute(key, value === true ? "" : value);
+  }
+  element.append(...children.flat());
+  return element;
+}
+
+export function svg(name, attributes = {}, ...children) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+
+// A symbol with an index, as q₂.
+export const indexed = (letter, index) => [h("i", {}, letter), h("sub", {}, String(index))];
+
+export const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;

@@ -1,0 +1,88 @@
+// The little linear algebra that the explorer needs.
+
+// Singular values (falling) of the matrix whose columns are given, with its left singular vectors.
+// One-sided Jacobi on the rows: accurate for small singular values too.
+export function singular(columns, rows = 6) {
+  const m = Array.from({ length: rows }, (_, i) => columns.map((column) => column[i]));
+  const u = Array.from({ length: rows }, (_, i) => Array.from({ length: rows }, (_, j) => Number(i === j)));
+  for (let sweep = 0, turned = true; turned && sweep < 30; sweep++) {
+    turned = false;
+    for (let i = 0; i < rows; i++) for (let j = i + 1; j < rows; j++) turned = rotate(m, u, i, j) || turned;
+  }
+  const order = m.map((row, i) => [Math.hypot(...row), i]).sort((p, q) => q[0] - p[0]);
+  return { values: order.map(([value]) => value), vectors: order.map(([, i]) => u[i]) };
+}
+
+function rotate(m, u, i, j) {
+  let [a, b, c] = [0, 0, 0];
+  for (let k = 0; k < m[i].length; k++) {
+    a += m[i][k] * m[i][k];
+    b += m[j][k] * m[j][k];
+    c += m[i][k] * m[j][k];
+  }
+  if (Math.abs(c) <= 1e-15 * Math.sqrt(a * b) || c * c < 1e-60) return false;
+  const zeta = (b - a) / (2 * c);
+  const t = (zeta < 0 ? -1 : 1) / (Math.abs(zeta) + Math.sqrt(1 + zeta * zeta));
+  const cos = 1 / Math.sqrt(1 + t * t);
+  for (const rows of [m, u]) {
+    for (let k = 0; k < rows[i].length; k++) {
+      const [p, q] = [rows[i][k], rows[j][k]];
+      rows[i][k] = cos * (p - t * q);
+      rows[j][k] = cos * (t * p + q);
+    }
+  }
+  return true;
+}
+
+// The determinant of the square matrix with these columns, or null where it is not square.
+export function determinant(columns) {
+  const n = columns.length;
+  if (columns.some((column) => column.length !== n)) return null;
+  const m = columns.map((column) => [...column]);
+  let det = 1;
+  for (let k = 0; k < n; k++) {
+    const p = pivot(m, k, k);
+    if (m[p][k] === 0) return 0;
+    if (p !== k) [m[p], m[k], det] = [m[k], m[p], -det];
+    det *= m[k][k];
+    for (let i = k + 1; i < n; i++) reduce(m[i], m[k], k);
+  }
+  return det;
+}
+
+// x with A x = b for a square matrix of rows.
+export function solve(A, b) {
+  const m = A.map((row, i) => [...row, b[i]]);
+  const n = m.length;
+  for (let k = 0; k < n; k++) {
+    const p = pivot(m, k, k);
+    [m[p], m[k]] = [m[k], m[p]];
+    for (let i = 0; i < n; i++) if (i !== k) reduce(m[i], m[k], k);
+  }
+  return m.map((row, i) => row[n] / row[i]);
+}
+
+// A basis of the same space with as many zeros as elimination gives: directions that words can name.
+export function plainBasis(vectors) {
+  const m = vectors.map((v) => [...v]);
+  let k = 0;
+  for (let column = 0; column < 6 && k < m.length; column++) {
+    const p = pivot(m, k, column);
+    if (Math.abs(m[p][column]) < 1e-6) continue;
+    [m[p], m[k]] = [m[k], m[p]];
+    for (let i = 0; i < m.length; i++) if (i !== k) reduce(m[i], m[k], column);
+    k++;
+  }
+  return m.map((v) => v.map((x) => x / Math.hypot(...v)));
+}
+
+function pivot(m, from, column) {
+  let best = from;
+  for (let i = from; i < m.length; i++) if (Math.abs(m[i][column]) > Math.abs(m[best][column])) best = i;
+  return best;
+}
+
+function reduce(row, by, column) {
+  const factor = row[column] / by[column];
+  for (let j = 0; j < row.length; j++) row[j] -= factor * by[j];
+}

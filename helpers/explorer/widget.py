@@ -1,0 +1,147 @@
+"""The widget: one object in Python, one instrument in the page, the same joint vector in both."""
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+from numpy.typing import ArrayLike
+
+from helpers.arm import Arm, ArmError
+from helpers.explorer.data import arm_data, arm_from, branches_data, path_data
+from helpers.explorer.stub import stub
+from helpers.inverse import Solutions
+
+VIEWS = ("table", "pose", "jacobian", "trace", "torque", "branches")
+UNITS = ("deg", "rad")
+
+BUNDLE = Path(__file__).parent / "static" / "explorer.js"
+
+
+class Floats(traitlets.TraitType):
+    """A tuple of floats that any array, list or tuple of numbers may be assigned to."""
+
+    def validate(self, obj: object, value: Any) -> tuple[float, ...]:
+        try:
+            return tuple(float(x) for x in value)
+        except (TypeError, ValueError):
+            raise ArmError(f"{self.name} is {value!r}; expected numbers") from None
+
+
+class ArmExplorer(anywidget.AnyWidget):
+    """A live instrument for an arm: `q`, `wrench` and `trace` may be read and set while a reader moves it.
+
+    Args:
+        arm: the arm to show.
+        q: where it stands first, shape (dof,), rad or m; its home unless given.
+        views: which of table, pose, jacobian, trace, torque, branches to offer, the first one open.
+        wrench: force and moment on the tool by the world, at the tip, base axes, shape (6,), N and N m.
+        trace: joint vectors along a path, shape (N, dof), or an object with such a `q`.
+        branches: joint vectors that reach one pose: what a closed form of `helpers.inverse` returns, a mapping from
+            names to them, or an array of shape (k, dof).
+        reference: the arm behind the table, as a ghost; the arm itself unless given.
+        arms: more arms to choose from.
+        unit: of the angles shown: deg or rad.
+        link: keep the state in the page's address; for a page that holds nothing else.
+
+    Raises:
+        ArmError: a count or name does not fit.
+    """
+
+    _esm = BUNDLE.read_text(encoding="utf-8") + "\nexport default ArmExplorer.default;\n"
+
+    spec = traitlets.Dict().tag(sync=True)
+    q = Floats().tag(sync=True)
+    wrench = Floats().tag(sync=True)
+    trace = traitlets.Any(None, allow_none=True).tag(sync=True)
+    branches = traitlets.Any(None, allow_none=True).tag(sync=True)
+    arm_name = traitlets.Unicode().tag(sync=True)
+    rows = traitlets.List().tag(sync=True)
+
+    def __init__(
+        self,
+        arm: Arm,
+        q: ArrayLike | None = None,
+        *,
+        views: Iterable[str] = VIEWS,
+        wrench: ArrayLike = (0, 0, 0, 0, 0, 0),
+        trace: Any = None,
+        branches: Solutions | Mapping[str, ArrayLike] | ArrayLike | None = None,
+        reference: Arm | None = None,
+        arms: Iterable[Arm] = (),
+        unit: str = "deg",
+        link: bool = False,
+    ) -> None:
+        self._arms = _by_name((arm, *arms))
+        spec = {
+            "arms": [arm_data(a) for a in self._arms.values()],
+            "views": _known("view", views, VIEWS),
+            "unit": _known("unit", [unit], UNITS)[0],
+            "reference": arm_data(reference) if reference else None,
+            "link": bool(link),
+        }
+        start = arm.home if q is None else q
+        super().__init__(
+            spec=spec, arm_name=arm.name, q=start, wrench=wrench, trace=trace, branches=branches
+        )
+
+    @property
+    def arm(self) -> Arm:
+        """The arm shown now: the chosen one, or the one whose table was typed in."""
+        return arm_from(self.arm_name, self.rows) if self.rows else self._arms[self.arm_name]
+
+    @traitlets.validate("q")
+    def _check_q(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:
+        vector = self.arm.joint_vector(proposal["value"])
+        if vector.ndim != 1:
+            raise ArmError(
+                f"{self.arm_name}: q has shape {vector.shape}; expected ({self.arm.dof},)"
+            )
+        return tuple(vector.tolist())
+
+    @traitlets.validate("wrench")
+    def _check_wrench(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:
+        if len(proposal["value"]) != 6:
+            raise ArmError(f"wrench is {proposal['value']}; expected (fx, fy, fz, mx, my, mz)")
+        return proposal["value"]
+
+    @traitlets.validate("trace")
+    def _check_trace(self, proposal: Mapping[str, Any]) -> list[list[float]] | None:
+        return path_data(self.arm, proposal["value"])
+
+    @traitlets.validate("branches")
+    def _check_branches(self, proposal: Mapping[str, Any]) -> list[dict[str, Any]] | None:
+        return branches_data(self.arm, proposal["value"])
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
+        """The live view for a running notebook, and beside it a stub that a static page brings to life."""
+        live = super()._repr_mimebundle_(**kwargs)
+        live = live[0] if isinstance(live, tuple) else live
+        return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
+
+    @property
+    def _stub(self) -> str:
+        state = {"q": self.q, "wrench": self.wrench, "trace": self.trace, "branches": self.branches}
+        return stub(self.arm, self.q, {**self.spec, **state})
+
+    def __repr__(self) -> str:
+        return f"<ArmExplorer of the {self.arm_name}>"
+
+
+def _by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
+    named: dict[str, Arm] = {}
+    for arm in arms:
+        if named.setdefault(arm.name, arm) != arm:
+            raise ArmError(
+                f"two different arms are called {arm.name!r}; expected each to have its name"
+            )
+    return named
+
+
+def _known(what: str, given: Iterable[str], known: tuple[str, ...]) -> list[str]:
+    given = list(given)
+    unknown = [name for name in given if name not in known]
+    if unknown or not given:
+        raise ArmError(f"{what} is {', '.join(unknown) or 'none'}; expected {', '.join(known)}")
+    return given

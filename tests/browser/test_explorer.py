@@ -1,0 +1,493 @@
+"""The explorer in the built page: from a file, with no network, by mouse, keyboard and phone."""
+
+import json
+import re
+from pathlib import Path
+from urllib.parse import unquote, urlparse
+
+import numpy as np
+import pytest
+
+from helpers.explorer.data import arm_data
+from helpers.kinematics import forward_kinematics, jacobian
+from helpers.robots import ARMS, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.browser.test_pages import SIZES, Reader
+from tests.test_book import HTML, NAMES
+from tests.test_explorer import held_up, some
+
+MINUS = "−"
+
+
+class Visit(Reader):
+    """A visit to the explorer's page that waits until the instrument stands."""
+
+    def __init__(
+        self, browser, fragment="", theme="light", size="wide", name="explorer", **context
+    ):
+        super().__init__(browser, theme, size, "file:", **context)
+        self.open((HTML / f"{name}.html").as_uri() + fragment)
+        self.page.locator(".arm-explorer").scroll_into_view_if_needed()
+        self.page.locator("section.explorer").wait_for()
+
+    def pose(self):
+        self.tab("Pose")
+        cells = self.page.locator(".matrix td").all_inner_texts()
+        return np.array([float(cell.replace(MINUS, "-")) for cell in cells]).reshape(4, 4)
+
+    def tab(self, name):
+        self.page.get_by_role("tab", name=name).click()
+
+    def q(self):
+        link = re.search(r"q=([^&]*)", self.fragment())[1]
+        return np.array([float(x) for x in link.replace("%2C", ",").split(",")])
+
+    def fragment(self):
+        self.page.get_by_role(
+            "button", name="Copy link"
+        ).click()  # without it, it follows at a calm pace
+        return self.page.evaluate("location.hash")
+
+
+@pytest.fixture
+def visit(browser):
+    visits = []
+
+    def enter(*args, **kwargs):
+        visits.append(Visit(browser, *args, **kwargs))
+        return visits[-1]
+
+    yield enter
+    for one in visits:
+        assert one.troubles == []
+        one.context.close()
+
+
+def test_a_page_without_an_explorer_loads_no_bundle(browser):
+    reader, asked = Reader(browser, "light", "wide", "file:"), []
+    reader.page.on("request", lambda request: asked.append(request.url))
+    reader.open((HTML / "notation.html").as_uri())
+    reader.page.wait_for_load_state("networkidle")
+    assert not any(url.endswith("explorer.js") for url in asked)
+    reader.context.close()
+
+
+def test_the_bundle_waits_until_its_stub_is_near(browser):
+    reader, asked = Reader(browser, "light", "wide", "file:"), []
+    reader.page.on("request", lambda request: asked.append(request.url))
+    reader.page.add_init_script(
+        "document.addEventListener('DOMContentLoaded', () => document.querySelector('article').style.paddingTop = '4000px')"
+    )
+    reader.open((HTML / "explorer.html").as_uri())
+    reader.page.wait_for_timeout(300)
+    assert not any(url.endswith("explorer.js") for url in asked)
+    reader.page.locator(".arm-explorer").scroll_into_view_if_needed()
+    reader.page.locator("section.explorer").wait_for()
+    assert sum(url.endswith("explorer.js") for url in asked) == 1
+    reader.context.close()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_page_weighs_more_than_three_megabytes(browser, name):
+    reader, asked = Reader(browser, "light", "wide", "file:"), set()
+    reader.page.on("request", lambda request: asked.add(request.url))
+    reader.open((HTML / f"{name}.html").as_uri())
+    for stub in reader.page.locator(".arm-explorer").all():
+        stub.scroll_into_view_if_needed()
+        stub.locator("section.explorer").wait_for()
+    reader.page.wait_for_load_state("networkidle")
+    files = {Path(unquote(urlparse(url).path)) for url in asked if url.startswith("file:")}
+    assert sum(file.stat().st_size for file in files) <= 3_000_000
+    reader.context.close()
+
+
+def test_a_dragged_slider_shows_the_pose_that_python_computes(visit):
+    here = visit()
+    home = here.pose()
+    np.testing.assert_allclose(home, forward_kinematics(PANDA, PANDA.home), atol=5.1e-5)
+    slider = here.page.get_by_role("slider", name="Joint 4, angle")
+    box = slider.bounding_box()
+    here.page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    here.page.mouse.down()
+    here.page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + box["height"] / 2, steps=5)
+    here.page.mouse.up()
+    q = np.array(PANDA.home)
+    q[3] = slider.evaluate("e => Number(e.value)")
+    assert q[3] > PANDA.home[3] + 0.5
+    np.testing.assert_allclose(here.pose(), forward_kinematics(PANDA, q), atol=5.1e-5)
+    np.testing.assert_allclose(here.q(), q, atol=1e-6)
+
+
+def test_keys_move_joints_tabs_and_the_view(visit):
+    here = visit("#arm=Panda&view=pose")
+    here.page.get_by_role("slider", name="Joint 1, angle").focus()
+    here.page.keyboard.press("ArrowRight")
+    here.page.keyboard.press("Shift+ArrowRight")
+    assert here.q()[0] == pytest.approx(np.radians(11), abs=1e-6)
+    here.page.get_by_role("tab", name="Pose").focus()
+    here.page.keyboard.press("ArrowRight")
+    assert here.page.get_by_role("tab", name="Jacobian").get_attribute("aria-selected") == "true"
+    picture = here.page.locator(".stage canvas")
+    before = picture.screenshot()
+    here.page.locator(".stage").focus()
+    for _ in range(5):
+        here.page.keyboard.press("ArrowLeft")
+    here.page.wait_for_timeout(200)
+    assert picture.screenshot() != before
+
+
+def test_typed_values_are_taken_and_bad_ones_refused_in_words(visit):
+    here = visit("#arm=Stanford arm&view=pose")
+    field = here.page.get_by_label("Joint 2, angle, typed")
+    field.fill("pi/2")
+    field.press("Enter")
+    slide = here.page.get_by_label("Joint 3, slide, typed")
+    slide.fill("0.7 m")
+    slide.press("Enter")
+    expected = [0, np.pi / 2, 0.7, 0, 0, 0]
+    np.testing.assert_allclose(here.q(), expected, atol=1e-6)
+    np.testing.assert_allclose(here.pose(), forward_kinematics(STANFORD, expected), atol=5.1e-5)
+    field.fill("ninety")
+    field.press("Enter")
+    assert "“ninety” is no number" in here.page.locator(".sliders .error").inner_text()
+    np.testing.assert_allclose(here.q(), expected, atol=1e-6)
+
+
+def test_degrees_and_radians_say_the_same(visit):
+    here = visit()
+    here.page.get_by_role("button", name="rad", exact=True).click()
+    assert here.page.get_by_label("Joint 4, angle, typed").input_value() == "1.571 rad"
+    assert here.page.locator("[data-cell='1-alpha']").input_value() == "π/2"
+    here.page.get_by_role("button", name="deg", exact=True).click()
+    assert here.page.get_by_label("Joint 4, angle, typed").input_value() == "90.0°"
+    assert here.page.locator("[data-cell='1-alpha']").input_value() == "90"
+
+
+def test_the_table_can_be_typed_in_and_a_bad_entry_keeps_the_last_good_arm(visit):
+    here = visit()
+    here.page.locator("[data-cell='3-a']").fill("0.1")
+    assert "17.5 mm" in here.page.locator(".dh .verdict").inner_text()
+    here.page.locator("[data-cell='5-alpha']").fill("9o")
+    words = here.page.locator(".dh .error").inner_text()
+    assert words.startswith("Row 5, α “9o” is no number")
+    assert words.endswith("The last good arm stays.")
+    rows = list(PANDA.rows)
+    rows[2] = type(rows[2])(0.1, "-pi/2", "d_3")
+    mine = type(PANDA)("mine", tuple(rows), PANDA.values)
+    np.testing.assert_allclose(here.pose(), forward_kinematics(mine, PANDA.home), atol=5.1e-5)
+
+
+def test_rows_are_added_removed_and_made_to_slide(visit):
+    here = visit("#arm=Elbow arm")
+    here.page.get_by_role("button", name="Add a row").click()
+    here.page.get_by_label("Row 4, kind of joint").select_option("prismatic")
+    assert here.page.get_by_role("slider", name="Joint 4, slide").count() == 1
+    here.page.get_by_role("button", name="Remove row 2").click()
+    assert here.page.get_by_role("slider").count() == 3
+    here.page.get_by_role("button", name="Back to the first table").click()
+    assert here.page.get_by_role("slider").count() == 3
+    assert "stays behind as a ghost" in here.page.locator(".dh .verdict").inner_text()
+
+
+def test_a_link_carries_the_whole_state(visit):
+    first = visit(
+        "#arm=Panda&q=0.1,0.2,0.3,1.4,0.5,1.6,0.7&view=torque&wrench=-5,0,0,0,0,0&unit=rad"
+    )
+    assert (
+        first.page.get_by_role("tab", name="Static torque").get_attribute("aria-selected") == "true"
+    )
+    first.tab("DH table")
+    first.page.locator("[data-cell='3-a']").fill("0.088")
+    fragment = first.fragment()
+    second = visit(fragment)
+    np.testing.assert_allclose(second.q(), [0.1, 0.2, 0.3, 1.4, 0.5, 1.6, 0.7], atol=1e-6)
+    assert second.page.locator("[data-cell='3-a']").input_value() == "0.088"
+    second.tab("Static torque")
+    assert second.page.get_by_label("F x, N", exact=True).input_value() == "−5"
+
+
+@pytest.mark.parametrize(
+    "fragment", ["#arm=Nobody", "#arm=Panda&q=1,2", "#arm=Panda&q=a,b&rows=X,1;R&wrench=1&view=no"]
+)
+def test_a_broken_link_does_no_harm(visit, fragment):
+    np.testing.assert_allclose(
+        visit(fragment).pose(), forward_kinematics(PANDA, PANDA.home), atol=5.1e-5
+    )
+
+
+def test_the_jacobian_is_pythons_and_a_singular_home_is_named(visit):
+    q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
+    here = visit(f"#arm=UR10e&view=jacobian&q={','.join(map(str, q))}")
+    cells = here.page.locator(".heat td").all_inner_texts()
+    shown = np.array([float(cell.replace(MINUS, "-")) for cell in cells]).reshape(6, 6)
+    np.testing.assert_allclose(shown, jacobian(UR10E, q), atol=5.1e-4)
+    here.page.get_by_label("Arm", exact=True).select_option(UR10E_HOMEWORK.name)
+    verdict = here.page.locator(".jacobian .verdict").inner_text()
+    assert verdict == (
+        "Singular: rank 3 of 6. Here the tip cannot move along y, move along z nor turn about x."
+    )
+
+
+def test_static_torques_are_the_homeworks_and_follow_the_ball(visit):
+    here = visit("#arm=Panda&view=torque")
+    field = here.page.get_by_label("F x, N", exact=True)
+    field.fill("-5")
+    totals = here.page.locator(".bars .total").all_inner_texts()
+    expected = [0, 21.81431, 0, -16.702654, 0.696491, 0.235249, -0.03068]
+    shown = [float(text.replace(MINUS, "-")) for text in totals]
+    np.testing.assert_allclose(shown, expected, atol=5.1e-3)
+    field.fill("push")
+    assert "the last good wrench stays" in here.page.locator(".torque > .error").inner_text()
+    field.fill("-5")
+    here.page.get_by_role("button", name="Fit").click()
+    box = here.page.locator(".stage canvas").bounding_box()
+    ball = orange(here.page)
+    here.page.mouse.move(box["x"] + ball[0], box["y"] + ball[1])
+    here.page.mouse.down()
+    here.page.mouse.move(box["x"] + ball[0] + 5, box["y"] + ball[1] - 60, steps=6)
+    here.page.mouse.up()
+    pushed = here.page.get_by_label("F z, N", exact=True).input_value()
+    assert float(pushed.replace(MINUS, "-")) < -1, "the ball above the tip pushes down"
+
+
+def orange(page):
+    """Where in the picture the ball of the force stands: the rightmost of its colour."""
+    from io import BytesIO
+
+    from PIL import Image
+
+    picture = np.asarray(
+        Image.open(BytesIO(page.locator(".stage canvas").screenshot())).convert("RGB")
+    )
+    match = np.abs(picture.astype(int) - (199, 126, 0)).sum(axis=-1) < 30
+    rows, columns = np.nonzero(match)
+    near = columns > columns.max() - 18
+    return float(np.median(columns[near])), float(np.median(rows[near]))
+
+
+def test_a_circle_is_traced_played_and_scrubbed(visit):
+    here = visit("#arm=Panda (homework)&view=trace")
+    here.page.get_by_role("button", name="Draw a circle from here").click()
+    assert "would have to pass their limits" in here.page.locator(".trace .verdict").inner_text()
+    assert here.page.locator(".plots figure").count() == 7
+    start = here.q()
+    here.page.get_by_role("button", name="Play").click()
+    here.page.wait_for_timeout(900)
+    here.page.get_by_role("button", name="Pause").click()
+    assert np.abs(here.q() - start).max() > 0.05
+    scrub = here.page.get_by_role("slider", name="Place along the path")
+    scrub.fill("500")
+    here.page.get_by_label("Plane of the circle").focus()
+    tip = here.pose()[:3, 3]
+    np.testing.assert_allclose(tip, [0.679, 0, 0.825 - 0.2], atol=2e-4)
+    here.tab("Circle trace")
+    here.page.get_by_label("What the plots show").select_option("torque")
+    assert "N m" in here.page.locator(".plots figcaption").first.inner_text()
+    here.page.get_by_label("Radius of the circle, m").fill("-1")
+    here.page.get_by_role("button", name="Draw a circle from here").click()
+    assert "no length above 0" in here.page.locator(".trace .verdict").inner_text()
+
+
+def test_ik_branches_are_found_and_clicked(visit):
+    q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
+    here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
+    here.page.get_by_role("button", name="Find the ways to this pose").click()
+    ways = here.page.locator(".ways button")
+    assert ways.count() == 8
+    wanted = forward_kinematics(UR10E, q)
+    for i in (3, 6):
+        ways.nth(i).click()
+        here.page.wait_for_timeout(700)
+        assert ways.nth(i).get_attribute("aria-current") == "true"
+        assert np.abs(here.q() - q).max() > 0.1
+        np.testing.assert_allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5)
+
+
+def test_a_ghost_in_the_picture_is_clicked(visit):
+    q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
+    here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
+    here.page.get_by_role("button", name="Find the ways to this pose").click()
+    canvas = here.page.locator(".stage canvas")
+    canvas.scroll_into_view_if_needed()
+    box = canvas.bounding_box()
+    spots = [
+        (x, y) for y in range(10, int(box["height"]), 24) for x in range(10, int(box["width"]), 24)
+    ]
+
+    def pointed(spot):
+        here.page.mouse.move(box["x"] + spot[0], box["y"] + spot[1])
+        return canvas.evaluate("e => e.style.cursor") == "pointer"
+
+    ghosts = [spot for spot in spots if pointed(spot)]
+    assert 0.01 < len(ghosts) / len(spots) < 0.3, "the ghosts, and nothing around them"
+    x, y = ghosts[len(ghosts) // 2]
+    here.page.mouse.click(box["x"] + x, box["y"] + y)
+    here.page.wait_for_timeout(900)
+    assert np.abs(here.q() - q).max() > 0.1
+    np.testing.assert_allclose(
+        forward_kinematics(UR10E, here.q()), forward_kinematics(UR10E, q), atol=1e-5
+    )
+
+
+def test_the_numbers_in_the_page_are_pythons(visit):
+    here = visit()
+    for arm in ARMS:
+        qs = some(arm, 1000)
+        ask = """([arm, qs]) => qs.map((q) => {
+            const { frames, columns, gravity } = ArmExplorer.derive(arm, q, [0, 0, 0, 0, 0, 0]);
+            return [ArmExplorer.kinematics.matrix(frames.at(-1)), columns, gravity];
+        })"""
+        answers = here.page.evaluate(ask, [json.loads(json.dumps(arm_data(arm))), qs.tolist()])
+        poses, columns, gravity = (np.array(part) for part in zip(*answers, strict=True))
+        np.testing.assert_allclose(poses, forward_kinematics(arm, qs), atol=1e-10)
+        np.testing.assert_allclose(columns.swapaxes(1, 2), jacobian(arm, qs), atol=1e-10)
+        np.testing.assert_allclose(gravity, held_up(arm, qs), atol=1e-10)
+
+
+def test_a_frame_is_computed_in_a_fifth_of_a_millisecond(visit):
+    ask = """([arm, qs]) => {
+        const wrench = [-5, 0, 0, 0, 0, 0];
+        const times = [];
+        for (let batch = 0; batch < 20; batch++) {
+            const start = performance.now();
+            for (let n = 0; n < 100; n++) ArmExplorer.derive(arm, qs[(37 * batch + n) % qs.length], wrench);
+            times.push((performance.now() - start) / 100);
+        }
+        return times.sort((a, b) => a - b)[10];
+    }"""
+    here = visit()
+    assert here.page.evaluate(ask, [arm_data(PANDA), some(PANDA, 100).tolist()]) < 0.2
+
+
+# What the chapters tell their readers to do, and what they say will be seen.
+
+
+def typed(page, label, text):
+    field = page.get_by_label(label, exact=True)
+    field.fill(text)
+    field.press("Enter")
+
+
+def test_chapter_1_an_offset_may_slide_along_parallel_axes(visit):
+    page = visit(name="01_dh_tables").page
+    verdict = page.locator(".dh .verdict")
+    page.locator("[data-cell='2-d']").fill("0.1639")
+    assert "163.9 mm" in verdict.inner_text()
+    page.locator("[data-cell='4-d']").fill("0")
+    typed(page, "Joint 3, angle, typed", "70")
+    typed(page, "Joint 5, angle, typed", "-40")
+    assert "0.0 mm and 0.0°" in verdict.inner_text()
+
+
+def test_chapter_1_only_joint_3_tells_a_reversed_axis(visit):
+    page = visit(name="01_dh_tables").page
+    verdict = page.locator(".dh .verdict")
+    for row in (2, 3):
+        page.locator(f"[data-cell='{row}-alpha']").fill("0")
+    for joint in (1, 2, 4, 5, 6):
+        typed(page, f"Joint {joint}, angle, typed", "25")
+    assert "0.0 mm and 0.0°" in verdict.inner_text()
+    typed(page, "Joint 3, angle, typed", "25")
+    assert "0.0 mm" not in verdict.inner_text()
+
+
+def test_chapter_2_rank_comes_back_with_joints_3_and_5(visit):
+    page = visit(name="02_jacobian").page
+    verdict = page.locator(".jacobian .verdict")
+    assert verdict.inner_text().startswith("Singular: rank 3 of 6.")
+    for joint in (1, 6):
+        typed(page, f"Joint {joint}, angle, typed", "30")
+        assert "rank 3 of 6" in verdict.inner_text()
+        typed(page, f"Joint {joint}, angle, typed", "0")
+    typed(page, "Joint 3, angle, typed", "30")
+    assert "rank 5 of 6" in verdict.inner_text()
+    typed(page, "Joint 5, angle, typed", "30")
+    assert verdict.inner_text().startswith("Rank 6")
+
+
+def test_chapter_3_one_circle_winds_and_the_other_does_not(visit):
+    page = visit(name="03_circle_tracing").page
+    verdict = page.locator(".trace .verdict")
+    assert verdict.inner_text().startswith("Joint 5 and joint 7 would have to pass their limits")
+    spans = page.locator(".plots .past .span").all_inner_texts()
+    assert spans == [f"{MINUS}360.0° … 0.0°"] * 2
+    for joint, angle in {1: "0", 2: "25", 4: "85", 5: "0", 6: "150", 7: "0"}.items():
+        typed(page, f"Joint {joint}, angle, typed", angle)
+    page.get_by_role("button", name="Draw a circle from here").click()
+    assert verdict.inner_text() == "All joints stay within their limits."
+    assert page.locator(".plots .past").count() == 0
+
+
+def test_chapter_4_the_pen_pushed_down_is_too_much_for_joint_6(visit):
+    page = visit(name="04_static_torque").page
+    totals = page.locator(".bars .total")
+    assert totals.nth(1).inner_text() == "21.81"
+    page.get_by_label("F x, N", exact=True).fill("5")
+    assert totals.nth(1).inner_text() == "26.68", "4.865 N m more"
+    page.get_by_label("F x, N", exact=True).fill("0")
+    page.get_by_label("F z, N", exact=True).fill("-60")
+    verdict = page.locator(".torque .verdict")
+    assert verdict.inner_text() == "Too much for joint 6."
+    typed(page, "Joint 6, angle, typed", "90")
+    assert verdict.inner_text().startswith("Every joint can hold this.")
+    page.get_by_role("tab", name="Circle trace").click()
+    page.get_by_label("What the plots show").select_option("torque")
+    assert page.locator(".plots figure").count() == 7
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_it_wears_the_pages_theme_and_fits_the_page(visit, theme, size):
+    here = visit(theme=theme, size=size)
+    card = here.page.locator("section.explorer")
+    assert card.get_attribute("data-theme") == theme
+    for name in ("DH table", "Pose", "Jacobian", "Circle trace", "Static torque", "IK branches"):
+        here.tab(name)
+        assert here.page.evaluate("document.documentElement.scrollWidth") <= SIZES[size][0]
+        assert card.evaluate("e => e.scrollWidth <= e.clientWidth + 1")
+    other = "dark" if theme == "light" else "light"
+    here.page.evaluate(f"document.documentElement.dataset.theme = '{other}'")
+    here.page.wait_for_timeout(100)
+    assert card.get_attribute("data-theme") == other
+
+
+def test_everything_that_can_be_worked_has_a_name(visit):
+    here = visit()
+    nameless = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']")]
+        .filter(c => !(c.getAttribute("aria-label") || c.textContent.trim() || c.labels?.length))
+        .map(c => c.outerHTML.slice(0, 120))"""
+    for name in ("DH table", "Circle trace", "Static torque", "IK branches"):
+        here.tab(name)
+        assert here.page.locator("section.explorer").evaluate(nameless) == []
+
+
+def test_where_motion_is_unwelcome_the_arm_is_there_at_once(visit):
+    here = visit("#arm=UR10e&view=pose", reduced_motion="reduce")
+    here.page.get_by_label("Joint 1, angle, typed").fill("90")
+    here.page.get_by_label("Joint 1, angle, typed").press("Enter")
+    here.page.get_by_role("button", name="Home").click()
+    np.testing.assert_allclose(here.pose(), forward_kinematics(UR10E, UR10E.home), atol=5.1e-5)
+
+
+def test_without_webgl_the_numbers_still_work(browser):
+    here = Reader(browser, "light", "wide", "file:")
+    here.page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    page = here.open((HTML / "explorer.html").as_uri() + "#arm=Panda&view=pose")
+    page.locator("section.explorer").wait_for()
+    assert "needs WebGL" in page.locator(".stage").inner_text()
+    assert page.locator(".arm-explorer > svg").is_visible()
+    page.get_by_label("Joint 4, angle, typed").fill("120")
+    page.get_by_label("Joint 4, angle, typed").press("Enter")
+    assert page.get_by_role("slider", name="Joint 4, angle").evaluate("e => Number(e.value)") == pytest.approx(np.radians(120))  # fmt: skip
+    here.context.close()
+
+
+def test_without_javascript_or_on_paper_a_still_picture_stands(browser, visit):
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto((HTML / "explorer.html").as_uri())
+    assert page.get_by_role("img", name=re.compile("Still picture of the Panda")).is_visible()
+    context.close()
+    here = visit()
+    here.page.emulate_media(media="print")
+    assert here.page.locator(".arm-explorer > svg").is_visible()
+    assert not here.page.locator("section.explorer").is_visible()

@@ -1,0 +1,99 @@
+"""The explorer in JupyterLab with a kernel: what a reader moves Python sees, and what Python sets moves."""
+
+import os
+import subprocess
+import sys
+import time
+import urllib.request
+from urllib.error import URLError
+
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_notebook
+from playwright.sync_api import expect
+
+CELLS = (
+    "from helpers.explorer import ArmExplorer\n"
+    "from helpers.robots import PANDA\n"
+    "explorer = ArmExplorer(PANDA, views=['torque', 'trace'])\nexplorer",
+    "print('joint 1 at', round(explorer.q[0], 4), 'pushed by', explorer.wrench[2])",
+    "print('a path of', len(explorer.trace), 'poses')",
+    "explorer.q = [0.5, 0, 0, 2.0, 0, 3.0, 0]; explorer.wrench = [0, 0, -7, 0, 0, 0]",
+)
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory):
+    """The address of a JupyterLab that serves one notebook to this machine only."""
+    pytest.importorskip("jupyterlab")
+    home = tmp_path_factory.mktemp("lab")
+    kernel = {"kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"}}
+    notebook = new_notebook(cells=[new_code_cell(source) for source in CELLS], metadata=kernel)
+    nbformat.write(notebook, home / "explorer.ipynb")
+    port = 18000 + os.getpid() % 2000
+    command = [
+        sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ip=127.0.0.1", f"--port={port}",
+        "--IdentityProvider.token=", "--ServerApp.password=", f"--ServerApp.root_dir={home}",
+        "--LabApp.news_url=", "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
+    ]  # fmt: skip
+    folders = {f"JUPYTER_{kind}_DIR": str(home / kind.lower()) for kind in ("CONFIG", "RUNTIME")}
+    with open(home / "log", "w") as log:
+        server = subprocess.Popen(command, env={**os.environ, **folders}, stdout=log, stderr=log)
+        address = f"http://127.0.0.1:{port}"
+        try:
+            _wait_for(f"{address}/api", server, home / "log")
+            yield f"{address}/lab/tree/explorer.ipynb"
+        finally:
+            server.terminate()
+            server.wait(10)
+
+
+def _wait_for(address, server, log):
+    for _ in range(600):
+        try:
+            urllib.request.urlopen(address, timeout=5).close()
+        except (URLError, OSError):
+            assert server.poll() is None, log.read_text()
+            time.sleep(0.25)
+        else:
+            return
+    raise AssertionError(log.read_text())
+
+
+def test_sliders_and_python_move_the_same_arm(browser, lab):
+    page = browser.new_page(viewport={"width": 1300, "height": 1400})
+    page.set_default_timeout(180_000)  # a busy machine takes its time to start a kernel
+    page.goto(lab)
+    page.locator(".jp-Notebook .jp-CodeCell").nth(3).wait_for()
+    page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]").wait_for()
+
+    def run(cell):
+        page.locator(".jp-Notebook .jp-CodeCell .jp-InputArea-editor").nth(cell).click()
+        page.keyboard.press("Shift+Enter")
+
+    run(0)
+    slider = page.get_by_role("slider", name="Joint 1, angle")
+    slider.wait_for()
+    slider.focus()
+    for _ in range(3):
+        page.keyboard.press("Shift+ArrowRight")  # ten degrees each
+    page.get_by_label("F z, N", exact=True).fill("-4")
+    page.wait_for_timeout(500)
+    run(1)
+    said = page.locator(".jp-CodeCell").nth(1).locator(".jp-OutputArea-output")
+    said.wait_for()
+    assert said.inner_text().strip() == "joint 1 at 0.5236 pushed by -4.0"
+
+    page.get_by_role("tab", name="Circle trace").click()
+    page.get_by_role("button", name="Draw a circle from here").click()
+    page.wait_for_timeout(500)
+    run(2)
+    said = page.locator(".jp-CodeCell").nth(2).locator(".jp-OutputArea-output")
+    said.wait_for()
+    assert said.inner_text().strip() == "a path of 181 poses"
+
+    page.get_by_role("tab", name="Static torque").click()
+    run(3)
+    expect(slider).to_have_value("0.5", timeout=60_000)
+    expect(page.get_by_label("F z, N", exact=True)).to_have_value("−7", timeout=60_000)
+    page.close()

@@ -1,0 +1,342 @@
+"""The explorer: its JavaScript against Python, its bundle against its sources, its stub and its traits."""
+
+import json
+import math
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
+from helpers.explorer import ArmExplorer
+from helpers.explorer.data import arm_data, arm_from
+from helpers.explorer.widget import BUNDLE
+from helpers.inverse import elbow, stanford, ur
+from helpers.kinematics import jacobian, link_frames
+from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.statics import gravity_torque
+
+ROOT = Path(__file__).parents[1]
+SOURCES = ROOT / "explorer"
+NODE = shutil.which("node")
+SKEW = Arm(
+    "skew", (fixed(a=0.1, alpha=0.3), revolute(0.2, 1.1, 0.3, 0.4), prismatic(0.1, -0.7, 0.2, 2.0),
+             revolute(0.3, 0.2, -0.1, -1.0), fixed(d=0.1, theta=0.9)),
+)  # fmt: skip
+
+every_arm = pytest.mark.parametrize("arm", [*ARMS, SKEW], ids=lambda arm: arm.name)
+needs_node = pytest.mark.skipif(
+    NODE is None and not os.environ.get("CI"), reason="Node.js is not installed"
+)
+
+
+def ask(job, **given):
+    asked = json.dumps({"job": job, **given})
+    assert NODE, "Node.js is not installed"
+    command = [NODE, str(ROOT / "tests" / "explorer_numbers.mjs")]
+    return json.loads(
+        subprocess.run(command, input=asked, capture_output=True, text=True, check=True).stdout
+    )
+
+
+def some(arm, count=1000):
+    """Joint vectors over the whole range, where one is known."""
+    lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1), strict=True))  # fmt: skip
+    return np.random.default_rng(7).uniform(lower, upper, (count, arm.dof))
+
+
+def held_up(arm, q, gravity=9.81):
+    """Gravity torque from the heights of the centres of mass, each made the tip of a shorter arm."""
+    total = np.zeros(q.shape)
+    for k, body in enumerate(arm.bodies, 1):
+        x, y, z = (arm.number(c) for c in body.com)
+        part = Arm("part", (*arm.rows[:k], fixed(a=x, d=z), fixed(a=y, theta="pi/2")), arm.values)
+        total[..., : part.dof] += (
+            arm.number(body.mass) * gravity * jacobian(part, q[..., : part.dof])[..., 2, :]
+        )
+    return total
+
+
+@needs_node
+@every_arm
+def test_javascript_computes_what_python_does(arm):
+    qs, wrench = some(arm), [3.0, -2.0, 5.0, 0.7, -0.4, 0.2]
+    answers = ask("numbers", arm=arm_data(arm), qs=qs.tolist(), wrench=wrench)
+    J = jacobian(arm, qs)
+
+    def close(key, expected):
+        got = np.array([answer[key] for answer in answers])
+        np.testing.assert_allclose(got, expected, rtol=0, atol=1e-10)
+
+    close("frames", link_frames(arm, qs))
+    close("columns", np.swapaxes(J, -1, -2))
+    close("gravity", held_up(arm, qs))
+    if arm.bodies:
+        close("gravity", gravity_torque(arm, qs))
+    close("push", np.swapaxes(J, -1, -2) @ wrench)
+    singular = np.linalg.svd(J, compute_uv=False)
+    got = np.array([answer["values"] for answer in answers])[:, : singular.shape[1]]
+    np.testing.assert_allclose(got, singular, rtol=0, atol=1e-10)
+    if arm.dof == 6:
+        close("determinant", np.linalg.det(J))
+
+
+@needs_node
+def test_the_homework_starts_where_the_reports_say():
+    answer = ask("numbers", arm=arm_data(PANDA), qs=[PANDA.home], wrench=[-5, 0, 0, 0, 0, 0])[0]
+    tip = np.array(answer["frames"][-1])[:3, 3]
+    np.testing.assert_allclose(tip, (0.6735, 0, 0.8195), atol=1e-12)
+    tau = np.array(answer["gravity"]) - answer["push"]
+    expected = (0, 21.81431, 0, -16.702654, 0.696491, 0.235249, -0.03068)
+    np.testing.assert_allclose(tau, expected, atol=1e-6)
+
+
+@needs_node
+def test_a_singular_home_has_the_rank_that_the_report_missed():
+    answer = ask("numbers", arm=arm_data(UR10E_HOMEWORK), qs=[[0] * 6], wrench=[0] * 6)[0]
+    assert sum(value > 1e-6 for value in answer["values"]) == 3
+    assert answer["determinant"] == 0
+
+
+@needs_node
+@pytest.mark.parametrize("arm", [PANDA_HOMEWORK.lock(3), PANDA], ids=lambda arm: str(arm.dof))
+def test_a_traced_circle_lies_on_the_wall(arm):
+    traced = ask("circle", arm=arm_data(arm), q=arm.home, normal="x", radius=0.1)
+    T = link_frames(arm, traced["path"])[:, -1]
+    start = T[0, :3, 3]
+    angle = 2 * np.pi * np.arange(181) / 180
+    circle = start + 0.1 * np.stack([0 * angle, np.sin(angle), np.cos(angle) - 1], axis=-1)
+    np.testing.assert_allclose(T[:, :3, 3], circle, atol=1e-8)
+    np.testing.assert_allclose(T[:, :3, :3], np.broadcast_to(T[0, :3, :3], (181, 3, 3)), atol=1e-8)
+    assert traced["stray"] < 1e-8
+    if arm.dof == 6:  # with joint 3 locked, joints 5 and 7 wind once round
+        turned = np.array(traced["path"][-1]) - traced["path"][0]
+        np.testing.assert_allclose(np.abs(turned[[3, 5]]), 2 * np.pi, atol=1e-6)
+
+
+@needs_node
+@pytest.mark.parametrize(
+    ("arm", "q", "count"),
+    [
+        (UR10E, [0.4, -1.2, 1.3, -1.2, -1.2, 0.3], 8),
+        (ELBOW, ELBOW.home, 4),
+        (STANFORD, [0.3, 0.6, 0.5, 0.2, 0.5, -0.4], None),
+        (PANDA, [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4], None),
+    ],
+    ids=["UR10e", "elbow", "Stanford", "Panda"],
+)
+def test_every_way_found_reaches_the_pose_and_no_two_are_alike(arm, q, count):
+    ways = np.array(ask("ways", arm=arm_data(arm), q=list(q)))
+    wanted = link_frames(arm, q)[-1]
+    parts = (slice(3), slice(3, 4)) if arm.dof < 6 else (slice(3), slice(None))
+    T = link_frames(arm, ways)[:, -1]
+    np.testing.assert_allclose(T[:, *parts], np.broadcast_to(wanted[parts], T[:, *parts].shape), atol=1e-8)  # fmt: skip
+    gaps = np.abs(np.sin((ways[:, None] - ways[None]) / 2)).max(axis=-1) + np.eye(len(ways))
+    assert gaps.min() > 1e-4
+    assert len(ways) >= 2
+    assert count is None or len(ways) == count
+
+
+@needs_node
+@pytest.mark.parametrize(
+    ("arm", "solver", "count"),
+    [
+        (UR10E, lambda arm, T: ur(arm, T), 10),
+        (UR10E_HOMEWORK, lambda arm, T: ur(arm, T), 10),
+        (STANFORD, lambda arm, T: stanford(arm, T), 10),
+        (ELBOW, lambda arm, T: elbow(arm, T[..., :3, 3]), 10),
+    ],
+    ids=lambda value: getattr(value, "name", ""),
+)
+def test_the_ways_found_are_the_closed_forms_branches(arm, solver, count):
+    for q in some(arm, count):
+        known = solver(arm, link_frames(arm, q)[-1])
+        known = np.array(known.q[known.valid])
+        found = np.array(ask("ways", arm=arm_data(arm), q=q.tolist()))
+        gaps = apart(arm, known[:, None], found[None])
+        assert gaps.shape[0] == gaps.shape[1]
+        assert gaps.min(axis=0).max() < 1e-7
+        assert gaps.min(axis=1).max() < 1e-7
+
+
+def apart(arm, p, q):
+    """The largest difference of two joint vectors, whole turns aside."""
+    slides = [arm.rows[i - 1].joint.kind == "prismatic" for i in arm.joints]
+    return np.where(slides, np.abs(p - q), np.abs(2 * np.sin((p - q) / 2))).max(axis=-1)
+
+
+@needs_node
+def test_entries_are_read_as_typed_or_refused_in_words():
+    degrees, radians = math.pi / 180, 1.0
+    good = {
+        ("90", True, "deg"): 90 * degrees,
+        ("−90°", True, "rad"): -90 * degrees,
+        ("pi/2", True, "deg"): math.pi / 2,
+        ("-3π/4", True, "rad"): -3 * math.pi / 4,
+        ("2(0.1 + 0.2)", False, "deg"): 0.6,
+        ("1.5 rad", True, "deg"): 1.5 * radians,
+        ("0,333", False, "deg"): 0.333,
+        ("1e-3", False, "rad"): 1e-3,
+    }
+    bad = [("9o", True, "deg"), ("", False, "deg"), ("90°", False, "deg"), ("333", False, "deg"),
+           ("1 2", True, "rad"), ("(1", True, "rad"), ("1/0", True, "rad"), ("alert(1)", False, "deg")]  # fmt: skip
+    answers = ask("entries", typed=[*map(list, good), *map(list, bad)])
+    read = [answer.get("value") for answer in answers[: len(good)]]
+    np.testing.assert_allclose(read, list(good.values()), rtol=1e-15)
+    assert all(
+        len(answer["error"]) > 10 and "value" not in answer for answer in answers[len(good) :]
+    )
+
+
+@needs_node
+def test_what_is_written_in_an_entry_is_read_back_the_same():
+    values = [0, math.pi / 2, -math.pi, 3 * math.pi / 4, -math.pi / 12, 0.25, 1.234567]
+    for unit in ("deg", "rad"):
+        written = ask("written", values=[[v, True, unit] for v in values])
+        back = ask("entries", typed=[[text, True, unit] for text in written])
+        np.testing.assert_allclose([b["value"] for b in back], values, atol=1e-6)
+
+
+@needs_node
+def test_the_bundle_is_what_its_sources_make(tmp_path):
+    assert NODE, "Node.js is not installed"
+    if not (SOURCES / "node_modules").exists():
+        if not os.environ.get("CI"):
+            pytest.skip("npm packages are not installed: npm ci --prefix explorer")
+        subprocess.run([shutil.which("npm"), "ci", "--silent"], cwd=SOURCES, check=True)
+    made = tmp_path / "explorer.js"
+    subprocess.run([NODE, "build.js", str(made)], cwd=SOURCES, check=True, capture_output=True)
+    assert made.read_bytes() == BUNDLE.read_bytes(), "run `npm run build --prefix explorer`"
+
+
+def test_the_bundle_is_light():
+    import gzip
+
+    assert BUNDLE.stat().st_size <= 700_000
+    assert len(gzip.compress(BUNDLE.read_bytes(), 9)) <= 200_000
+
+
+@every_arm
+def test_an_arm_survives_the_way_to_the_browser_and_back(arm):
+    back = arm_from(arm.name, json.loads(json.dumps(arm_data(arm)))["rows"])
+    qs = some(arm, 5)
+    np.testing.assert_array_equal(link_frames(back, qs), link_frames(arm, qs))
+    np.testing.assert_array_equal(back.limits, arm.limits)
+    np.testing.assert_array_equal(back.effort_limits, arm.effort_limits)
+    np.testing.assert_allclose(held_up(back, qs), held_up(arm, qs), atol=1e-12)
+
+
+@pytest.fixture
+def explorer():
+    return ArmExplorer(PANDA, arms=ARMS)
+
+
+def test_its_display_holds_the_widget_and_a_stub_that_never_changes(explorer):
+    bundle = explorer._repr_mimebundle_()
+    assert set(bundle) == {"text/plain", "text/html", "application/vnd.jupyter.widget-view+json"}
+    again = ArmExplorer(PANDA, arms=ARMS)._repr_mimebundle_()
+    assert bundle["text/html"] == again["text/html"]
+    assert bundle["text/plain"] == "<ArmExplorer of the Panda>"
+    assert explorer.model_id not in bundle["text/html"]
+    assert len(bundle["text/html"]) < 12_000
+
+
+def test_the_stub_holds_the_arm_and_words_for_its_picture(explorer):
+    html = explorer._repr_mimebundle_()["text/html"]
+    start, end = html.index('json">') + 6, html.index("</script>")
+    spec = json.loads(html[start:end])
+    assert [arm["name"] for arm in spec["arms"]] == [arm.name for arm in ARMS]
+    assert spec["q"] == list(PANDA.home)
+    assert 'role="img" aria-label="Still picture of the Panda at q_1 = 0' in html
+    assert html.count("<") == html.count(">")
+
+
+def test_stored_notebooks_hold_stubs_and_no_widgets():
+    stubs = 0
+    for path in (ROOT / "book").glob("*.ipynb"):
+        notebook = json.loads(path.read_text(encoding="utf-8"))
+        assert "widgets" not in notebook["metadata"]
+        for cell in notebook["cells"]:
+            for output in cell.get("outputs", []):
+                data = output.get("data", {})
+                assert "application/vnd.jupyter.widget-view+json" not in data, "run `make refresh`"
+                stubs += "arm-explorer" in "".join(data.get("text/html", ""))
+    assert stubs
+
+
+def test_a_name_cannot_break_out_of_the_stub():
+    name = '</script><img src=x onerror="alert(1)">'
+    html = ArmExplorer(Arm(name, (revolute(a=1),)))._repr_mimebundle_()["text/html"]
+    assert html.count("</script>") == 1
+    assert "<img" not in html[: html.index("<script")]
+
+
+def test_it_takes_joint_vectors_of_every_kind(explorer):
+    explorer.q = np.full(7, 0.5)
+    assert explorer.q == (0.5,) * 7
+    explorer.q = [0] * 7
+    assert explorer.q == (0.0,) * 7
+    explorer.wrench = (1, 2, 3, 0, 0, 0)
+    assert explorer.wrench == (1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
+    explorer.trace = np.linspace(np.zeros(7), np.ones(7), 1000)
+    assert len(explorer.trace) == 181
+    assert explorer.trace[0] == [0.0] * 7
+    assert explorer.trace[-1] == [1.0] * 7
+    explorer.branches = {"elbow up": PANDA.home}
+    assert explorer.branches == [{"label": "elbow up", "q": [round(x, 5) for x in PANDA.home]}]
+
+
+def test_it_takes_what_a_closed_form_returns():
+    q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
+    found = ur(UR10E, link_frames(UR10E, q)[-1])
+    explorer = ArmExplorer(UR10E, q, branches=found)
+    assert [way["label"] for way in explorer.branches] == list(found.branches)
+    np.testing.assert_allclose([way["q"] for way in explorer.branches], found.q, atol=1e-5)
+    beyond = ArmExplorer(ELBOW, branches=elbow(ELBOW, [9, 9, 9]))
+    assert beyond.branches == []
+    with pytest.raises(ArmError, match="expected one"):
+        explorer.branches = ur(UR10E, link_frames(UR10E, [q, q])[:, -1])
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"q": [0] * 6}, r"Panda: q has shape \(6,\)"),
+        ({"q": [math.nan] * 7}, "NaN"),
+        ({"q": 3}, "expected numbers"),
+        ({"wrench": [1, 2, 3]}, "fx, fy, fz"),
+        ({"trace": [0] * 7}, "trace has shape"),
+        ({"branches": [[0] * 6]}, "Panda: q has shape"),
+    ],
+)
+def test_bad_values_are_refused_in_words(explorer, change, words):
+    with pytest.raises(ArmError, match=words):
+        explorer.set_trait(*next(iter(change.items())))
+    with pytest.raises(ArmError, match=words):
+        ArmExplorer(PANDA, **change)
+    assert explorer.q == PANDA.home
+
+
+@pytest.mark.parametrize("views", [("table", "dance"), ()])
+def test_unknown_views_are_refused(views):
+    with pytest.raises(ArmError, match="expected table, pose, jacobian"):
+        ArmExplorer(PANDA, views=views)
+
+
+def test_two_arms_may_not_share_a_name():
+    with pytest.raises(ArmError, match="two different arms are called 'Panda'"):
+        ArmExplorer(PANDA, arms=[PANDA.lock(3)])
+
+
+def test_a_table_typed_in_the_browser_becomes_an_arm(explorer):
+    rows = arm_data(ELBOW)["rows"]
+    explorer.set_state({"rows": rows, "q": [0.1, 0.2, 0.3]})
+    assert explorer.arm.dof == 3
+    np.testing.assert_allclose(
+        link_frames(explorer.arm, explorer.q), link_frames(ELBOW, [0.1, 0.2, 0.3]), atol=1e-15
+    )
+    explorer.set_state({"rows": [], "arm_name": "UR10e", "q": list(UR10E.home)})
+    assert explorer.arm is UR10E
