@@ -3,6 +3,9 @@
 from functools import partial
 
 import casadi
+import jax
+import jax.numpy as jnp
+import mujoco
 import numpy as np
 import pinocchio
 from kinematics import SIGNS, Pinocchio, mapped
@@ -56,11 +59,68 @@ def _placements(pin: Pinocchio, q: np.ndarray):
     return list(pin.data.oMi)[1:]
 
 
+def mujoco_gravity(q: np.ndarray) -> np.ndarray:
+    """MuJoCo's recursive Newton-Euler at rest, with only the steps before it that it needs, called once per configuration."""
+    model = mujoco.MjModel.from_xml_string(mujoco_panda())
+    data = mujoco.MjData(model)
+
+    def work():
+        found = np.empty_like(q)
+        for k, joints in enumerate(q):
+            data.qpos[:] = joints
+            mujoco.mj_kinematics(model, data)
+            mujoco.mj_comPos(model, data)
+            mujoco.mj_rne(model, data, 0, found[k])
+        return found
+
+    return work
+
+
+def mujoco_panda() -> str:
+    """The table as nested bodies: each turns about its own z, and the next one sits at the end of its row."""
+    bodies = ""
+    for row, mass, (x, y, z) in reversed(list(zip(PANDA.numeric, MASSES, CENTRES, strict=True))):
+        c, s, half = row.cos_alpha, row.sin_alpha, np.arctan2(row.sin_alpha, row.cos_alpha) / 2
+        nested = f'<body pos="{row.a} 0 {row.d}" quat="{np.cos(half)} {np.sin(half)} 0 0">{bodies}</body>'
+        bodies = (
+            f'<joint axis="0 0 1"/><inertial pos="{row.a + x} {c * y - s * z} {row.d + s * y + c * z}"'
+            f' mass="{mass}" diaginertia="1 1 1"/>{nested if bodies else ""}'
+        )
+    return f"<mujoco><worldbody><body>{bodies}</body></worldbody></mujoco>"
+
+
+def jax_gravity(q: np.ndarray):
+    """dP/dq by JAX's automatic differentiation, entry by entry over the whole batch: a third of the time of 4 x 4 matrices."""
+    jax.config.update("jax_enable_x64", True)
+
+    def dot(left, right):
+        return sum(x * y for x, y in zip(left, right, strict=True))
+
+    def energy(q):
+        T, total = np.eye(4), 0.0
+        for joint, row, mass, centre in zip(q, PANDA.numeric, MASSES, CENTRES, strict=True):
+            c, s, ca, sa = jnp.cos(joint), jnp.sin(joint), row.cos_alpha, row.sin_alpha
+            A = [
+                [c, -s * ca, s * sa, row.a * c],
+                [s, c * ca, -c * sa, row.a * s],
+                [0, sa, ca, row.d],
+                [0, 0, 0, 1],
+            ]
+            T = [[dot(line, column) for column in zip(*A, strict=True)] for line in T]
+            total += 9.81 * mass * dot(T[2], [*centre, 1])
+        return total.sum()
+
+    over, batch = jax.jit(jax.grad(energy)), jnp.asarray(q.T)
+    return lambda: np.asarray(over(batch)).T
+
+
 def cases(Case):
     q = np.random.default_rng(0).uniform(*PANDA.limits, size=(1000, 7))
-    over = mapped(casadi_gravity(), 1000)
+    over = mapped(casadi_gravity())
     peers = {
         "CasADi Function.map": lambda: over(q)[..., 0],
         "Pinocchio, in a loop": pinocchio_gravity(q),
+        "MuJoCo, in a loop": mujoco_gravity(q),
+        "JAX, jit of grad": jax_gravity(q),
     }
     yield Case("gravity torque, 1 000 poses", partial(gravity_torque, PANDA, q), peers, 1e-9, 31)

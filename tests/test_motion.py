@@ -24,6 +24,7 @@ from helpers.motion import (
     trace,
     with_null_space,
 )
+from helpers.motion.report import report as summary
 from helpers.plotting import moving_picture
 from helpers.robots import PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
@@ -47,7 +48,7 @@ def test_a_circle_is_round_even_and_closed():
     np.testing.assert_allclose(
         np.linalg.norm(path.velocities, axis=1), 2 * np.pi * 0.07 / 3, atol=1e-15
     )
-    np.testing.assert_allclose(out @ path.normal, 0, atol=1e-15)
+    np.testing.assert_array_equal(path.normal, [0, 0, -1])  # y x x
     h = 1e-6
     slope = (path.position(path.times + h) - path.position(path.times - h)) / (2 * h)
     np.testing.assert_allclose(path.velocities, slope, atol=1e-9)
@@ -84,11 +85,10 @@ def test_orders_of_convergence():
 
 
 def test_the_exact_method_is_exact():
-    report = trace(
-        REAL, REAL.home, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 200), method="exact"
-    ).report
-    assert report.position_error < 1e-12
-    assert report.pen_tilt < 1e-12
+    run = trace(REAL, REAL.home, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 200), method="exact")
+    assert run.report.position_error < 1e-12
+    assert run.report.pen_tilt < 1e-12
+    np.testing.assert_allclose(run.q_dot[:-1], np.diff(run.q, axis=0) / 0.025, atol=1e-10)
 
 
 def test_the_period_does_not_matter_to_the_path():
@@ -154,6 +154,28 @@ def test_an_executable_circle():
     np.testing.assert_allclose(run.q[-1], run.q[0], atol=1e-9)
 
 
+def test_the_homeworks_circle_with_the_elbow_out():
+    goal = forward_kinematics(PANDA, PANDA.home)
+    arm, q = PANDA.lock(3, at=np.radians(70)), np.radians([-107.7, 44.5, 81.8, 100.0, 147.4, 50.9])
+    for _ in range(5):
+        pose = forward_kinematics(arm, q)
+        turn = np.cross(pose[:3, :3], goal[:3, :3], axis=0).sum(axis=1) / 2
+        q = q + np.linalg.solve(jacobian(arm, q), np.r_[goal[:3, 3] - pose[:3, 3], turn])
+    np.testing.assert_allclose(forward_kinematics(arm, q), goal, atol=1e-12)
+    run = trace(arm, q, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 500), method="exact")
+    lower = np.array([-2.8973, -1.7628, 0.0698, -2.8973, -0.0175, -2.8973])
+    upper = np.array([2.8973, 1.7628, 3.0718, 2.8973, 3.7525, 2.8973])
+    assert np.degrees(np.minimum(run.q - lower, upper - run.q).min()) == pytest.approx(
+        28.9, abs=0.1
+    )
+    assert (np.abs(np.diff(run.q, axis=0) / 0.01) < [2.175, 2.175, 2.175, 2.61, 2.61, 2.61]).all()
+    angle = 2 * np.pi * np.arange(501) / 500
+    on_wall = [np.full(501, 0.6735), 0.1 * np.sin(angle), 0.7195 + 0.1 * np.cos(angle)]
+    np.testing.assert_allclose(run.poses[:, :3, 3].T, on_wall, atol=1e-12)
+    np.testing.assert_allclose(run.q[-1], run.q[0], atol=1e-9)
+    assert run.report.executable
+
+
 def test_the_wrong_axis_tilts_the_pen_and_the_circle_still_looks_right():
     def too_far(arm, q):
         axes = link_frames(arm, q)[list(arm.joints), :3, 2]
@@ -195,6 +217,40 @@ def test_the_null_space_moves_joints_and_not_the_tip():
         assert (both - plain) @ wish(start) > 0
 
 
+def test_wishes_point_where_they_say():
+    q = np.array([0.3, 0.4, -0.2, 1.8, 0.1, 2.2, 0.2])
+    goal = np.array([0.1, 0.9, -0.2, 1.0, 0.0, 2.5, 0.4])
+    np.testing.assert_allclose(
+        towards(goal, 2.0)(q), [-0.4, 1.0, 0, -1.6, -0.2, 0.6, 0.4], atol=1e-12
+    )
+    wish = away_from_limits(PANDA, 3.0)(q)
+    # By hand: joint 4 ranges over 0.0698 ... 3.0718, its middle 1.5708, half 1.5010; joint 1 over +-2.8973.
+    assert wish[3] == pytest.approx(-3 * (1.8 - 1.5708) / 1.5010**2, rel=1e-9)
+    assert wish[0] == pytest.approx(-3 * 0.3 / 2.8973**2, rel=1e-9)
+
+
+def test_the_plain_inverse_stops_at_a_ratio():
+    J, one, last = np.diag([5.0, 5, 5, 5, 5, 4e-9]), np.eye(6)[0], np.eye(6)[5]
+    with pytest.raises(SingularError, match="its smallest singular value is 4e-09, its largest 5;"):
+        inverse()(J, last, None)
+    np.testing.assert_allclose(inverse(1e-10)(J, last, None), 2.5e8 * last)
+    np.testing.assert_allclose(
+        inverse()(J, one, None), 0.2 * one
+    )  # nothing is asked of the lost direction
+
+
+def test_adaptive_damping_as_in_its_formula():
+    J, twist = np.diag([1.0, 2, 3, 1, 1, 0.3]), np.ones(6)
+    squared = 0.1**2 * (1 - (0.3 / 0.4) ** 2)
+    wanted = [s / (s**2 + squared) for s in (1, 2, 3, 1, 1, 0.3)]
+    np.testing.assert_allclose(adaptive(0.1, 0.4)(J, twist, None), wanted, rtol=1e-12)
+
+
+def test_levenbergs_damping_is_the_size_of_what_is_left():
+    J, error = np.diag([1.0, 2, 3, 1, 1, 0.3]), np.array([0, 0, 0, 0, 0, 0.5])
+    np.testing.assert_allclose(levenberg(0.2)(J, error, None)[5], 0.3 * 0.5 / (0.3**2 + 0.1))
+
+
 def test_damping_bounds_speed_and_vanishes_where_it_is_not_needed():
     J, twist = jacobian(UR10E_HOMEWORK, np.full(6, 1e-5)), np.array([0.1, 0, 0.1, 0, 0, 0])
     assert (
@@ -218,6 +274,81 @@ def test_feedback_pulls_the_tip_back_onto_the_path():
     ]
     assert error[0] > 5e-3
     assert error[1] < 1e-3
+
+
+def made_up(q, q_dot, poses):
+    """A report on a made-up run of the locked Panda along a circle of radius 0.1 m about the origin."""
+    path = circle([0, 0, 0], 0.1, "zy", 2.0, len(q) - 1)
+    return summary(REAL, path, np.asarray(q, float), np.asarray(q_dot, float), poses)
+
+
+def test_every_line_of_the_report_by_hand():
+    q = np.tile(REAL.home, (5, 1))
+    q_dot, poses = np.zeros((5, 6)), np.tile(np.eye(4), (5, 1, 1))
+    poses[:, :3, 3] = [[0, 0, 0.1], [0, 0.1, 0], [0, 0, -0.1], [0, -0.1, 0], [0, 0, 0.1]]
+    clean = made_up(q, q_dot, poses)
+    assert clean.executable
+    assert clean.position_error == pytest.approx(0, abs=1e-15)
+    assert (clean.pen_tilt, clean.closing_gap, clean.joint_gap) == (0, 0, 0)
+    poses[0, :3, 3] += [0, 0, 0.003]
+    poses[2, :3, 3] += [-0.004, 0.002, 0]
+    poses[3, :3, :3] = [
+        [1, 0, 0],
+        [0, -0.5, -np.sqrt(0.75)],
+        [0, np.sqrt(0.75), -0.5],
+    ]  # 120 deg about x
+    poses[1, :3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]  # a roll is no tilt
+    q[1, 3], q[2, 4], q[4, 0] = -3.0, 3.9, -0.25
+    q_dot[2] = [0, -3.5, 0, 0, 1.305, 0]
+    found = made_up(q, q_dot, poses)
+    assert found.position_error == pytest.approx(np.hypot(0.004, 0.002))
+    assert found.off_wall == pytest.approx(0.004)
+    back = poses.copy()
+    back[:, 0, 3] *= -1
+    assert made_up(q, q_dot, back).off_wall == pytest.approx(0.004)
+    assert found.pen_tilt == pytest.approx(np.radians(120))
+    assert found.closing_gap == pytest.approx(0.003)
+    assert found.joint_gap == pytest.approx(0.25)
+    assert [joint for joint, _ in found.beyond_limits] == [5, 6]
+    assert [over for _, over in found.beyond_limits] == pytest.approx([3.0 - 2.8973, 3.9 - 3.7525])
+    assert [joint for joint, _ in found.beyond_speed] == [2]
+    assert found.beyond_speed[0][1] == pytest.approx(3.5 - 2.175)
+    assert found.largest_speed == 3.5
+    assert found.speed_share == pytest.approx(3.5 / 2.175)
+    text = str(found)
+    for words in (
+        "4.47 mm",
+        "4 mm",
+        "120°",
+        "3 mm",
+        "14.32°",
+        "3.5 rad/s, 161 % of the limit",
+        "joint 5 by 0.1, joint 6 by 0.15",
+        "joint 2 by 1.3",
+    ):
+        assert words in text
+    assert not made_up(np.tile(REAL.home, (5, 1)), q_dot, poses).executable
+    assert not made_up(q, 0 * q_dot, poses).executable
+    assert "below 1e-10 m" in str(clean)
+
+
+def test_short_runs_show_no_bar(capsys):
+    trace(HOMEWORK, HOMEWORK.home, panda_circle(40))
+    with pytest.raises(SingularError):
+        trace(UR10E_HOMEWORK, np.zeros(6), ur_circle())
+    assert capsys.readouterr() == ("", "")
+
+
+def test_the_report_tells_how_near_a_singular_pose_came():
+    report = trace(HOMEWORK, HOMEWORK.home, panda_circle(50)).report
+    q = trace(HOMEWORK, HOMEWORK.home, panda_circle(50)).q
+    J = [jacobian(HOMEWORK, x) for x in q]
+    assert report.largest_condition == pytest.approx(max(map(np.linalg.cond, J)), rel=1e-9)
+    inverses = [np.linalg.norm(np.linalg.inv(j), 2) for j in J]
+    assert report.smallest_singular_value == pytest.approx(1 / max(inverses), rel=1e-9)
+    home = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(10), rates=damped(0.1)).report
+    assert home.largest_condition > 1e12
+    assert "above 1e12" in str(home)
 
 
 def test_a_moving_picture_is_one_small_svg():
@@ -254,7 +385,7 @@ def test_a_thousand_steps_take_a_quarter_of_a_second():
         (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1; expected"),
         (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "q has shape (7,)"),
         (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "q_0 has shape (1, 6); expected (6,)"),
-        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here"),
+        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12, its largest 2.3"),
         (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no inverse; lock a joint"),
         (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without limits"),
     ],

@@ -119,6 +119,15 @@ def test_gravity_is_linear_and_turns_with_the_arm(arm):
     )
 
 
+def test_a_wrench_adds_to_whatever_gravity_there_is():
+    q, gravity, F = np.array(PANDA.home) + 0.2, (1.0, 2.0, -3.0), np.array([-5, 1, 2, 0.1, 0, 0.3])
+    np.testing.assert_allclose(
+        static_torque(PANDA, q, F, gravity) - static_torque(PANDA, q, F, (0, 0, 0)),
+        gravity_torque(PANDA, q, gravity),
+        atol=1e-12,
+    )
+
+
 @every_arm
 def test_virtual_work(arm):
     """In a small motion the motors' work and the wrench's are the change of energy."""
@@ -224,6 +233,7 @@ def test_figures_draw_what_they_are_given():
         (lambda: static_torque(PANDA, PANDA.home, [5, 0, 0]), "expected six finite numbers"),
         (lambda: static_torque(PANDA, PANDA.home, [np.nan] * 6), "expected six finite numbers"),
         (lambda: with_payload(PANDA, -1), "payload is -1 at"),
+        (lambda: with_payload(PANDA, np.inf), "payload is inf at"),
         (lambda: with_payload(PANDA, 1, (0, 0)), "three coordinates"),
         (lambda: with_payload(ELBOW, 1), "Elbow arm has no masses"),
         (lambda: centres_in(np.zeros((2, 4, 4)), np.zeros((3, 4, 4)), np.zeros((2, 3))), "do not fit"),

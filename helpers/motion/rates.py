@@ -35,7 +35,7 @@ def inverse(within: float = 1e-9) -> Rates:
             sizes = np.linalg.svd(J, compute_uv=False)
             if sizes[-1] <= within * sizes[0]:
                 raise SingularError(
-                    f"J has no inverse here (its smallest singular value is below {within:g} of its largest); "
+                    f"J has no inverse here: its smallest singular value is {size(sizes[-1])}, its largest {sizes[0]:.3g}; "
                     "use pseudo_inverse(), damped() or another start"
                 )
         return found
@@ -94,6 +94,11 @@ def away_from_limits(arm: Arm, gain: float) -> Callable[[Array], Array]:
         raise ArmError(f"{arm.name} has joints without limits; give a goal with towards() instead")
     middle, half = (lower + upper) / 2, (upper - lower) / 2
     return lambda q: -gain * (q - middle) / half**2
+
+
+def size(value: float) -> str:
+    """A singular value with three digits; below 1e-12 it is rounding."""
+    return f"{value:.3g}" if value >= 1e-12 else "below 1e-12"
 
 
 def _damped(J: Array, twist: Array, squared: float) -> Array:

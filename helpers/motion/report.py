@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.kinematics import jacobian
 from helpers.motion.paths import Path
+from helpers.motion.rates import size
 
 Array = NDArray[np.float64]
 
@@ -23,6 +24,7 @@ class Report:
     closing_gap: float
     joint_gap: float
     smallest_singular_value: float
+    largest_condition: float
     largest_speed: float
     speed_share: float
     beyond_limits: tuple[tuple[int, float], ...]
@@ -41,7 +43,8 @@ class Report:
             ("largest tilt of the pen", _angle(self.pen_tilt)),
             ("gap between the tip's start and end", _length(self.closing_gap)),
             ("largest change of a joint over the whole path", _angle(self.joint_gap)),
-            ("smallest singular value of J", _size(self.smallest_singular_value)),
+            ("smallest singular value of J", size(self.smallest_singular_value)),
+            ("largest condition number of J", _condition(self.largest_condition)),
             (
                 "largest joint speed",
                 f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit",
@@ -75,6 +78,7 @@ def report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Report
         closing_gap=float(np.linalg.norm(poses[-1, :3, 3] - poses[0, :3, 3])),
         joint_gap=float(np.abs(q[-1] - q[0]).max()),
         smallest_singular_value=float(sizes[:, -1].min()),
+        largest_condition=float((sizes[:, 0] / np.maximum(sizes[:, -1], 1e-300)).max()),
         largest_speed=float(speed.max()),
         speed_share=float((speed / arm.speed_limits).max()),
         beyond_limits=_over(arm, beyond),
@@ -103,9 +107,9 @@ def _angle(value: float) -> str:
     return f"{degrees:.4g}°" if degrees >= 1e-6 else "below 1e-6°"
 
 
-def _size(value: float) -> str:
-    """A singular value with three digits; below 1e-12 it is rounding."""
-    return f"{value:.3g}" if value >= 1e-12 else "below 1e-12"
+def _condition(value: float) -> str:
+    """A condition number with three digits; above 1e12 it is rounding."""
+    return f"{value:.3g}" if value <= 1e12 else "above 1e12"
 
 
 def _joints(excess: tuple[tuple[int, float], ...]) -> str:

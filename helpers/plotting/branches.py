@@ -10,7 +10,7 @@ from helpers.arm import Arm
 from helpers.kinematics import link_frames
 from helpers.plotting.arms import skeleton
 from helpers.plotting.plane import arm_2d
-from helpers.plotting.style import BLUE, GREY, ORANGE, RED
+from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED
 
 
 def from_above(
@@ -21,7 +21,8 @@ def from_above(
     for q, name, colour in zip(np.asarray(branches), names, (BLUE, ORANGE), strict=True):
         arm_2d(ax, arm, q, "xy", colour=colour)
         middle = skeleton(arm, link_frames(arm, q))[-3:, :2].mean(axis=0)
-        ax.annotate(name, middle, (8, 10), textcoords="offset points", color=colour)
+        aside = 0.03 if colour == BLUE else -0.04
+        ax.text(middle[0], middle[1] + aside, name, color=colour)
     ax.plot(0, 0, "+", color="black")
 
 
@@ -46,6 +47,7 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
         ax.text(*((start + end) / 2 + 0.12 * across), text, ha="center", va="center")
     ax.text(*((shoulder + corner) / 2 - (0, 0.025)), "$r$", ha="center", va="center")
     ax.text(*((corner + tip) / 2 + (0.025, 0)), "$s$", ha="center", va="center")
+    ax.set(ylim=(shoulder[1] - 0.15, elbow[1] + 0.15))
 
 
 def angle(
@@ -65,21 +67,22 @@ def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str 
     """Draw an arm at q as one line with dots at its joints, on a square of floor: small enough to set many side by side."""
     T = link_frames(arm, q)
     points = skeleton(arm, T)
-    size = 0.8 * np.abs(points).max()
-    square = size * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)])
-    ax.plot(*square.T, 0 * square[:, 0], color=GREY, lw=0.6)
-    ax.plot(*points[:, :2].T, 0 * points[:, 0], color=GREY, alpha=0.35, lw=2)
+    seen = np.vstack([points, 0.2 * _SQUARE])
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    half, middle = 0.5 * (high - low).max(), 0.5 * (low + high)
+    ax.plot(*0.2 * _SQUARE.T, color=GREY, lw=0.8)
     ax.plot(*points.T, color=colour, lw=3, solid_joinstyle="round")
     ax.plot(*T[[i - 1 for i in arm.joints], :3, 3].T, "o", color="#5B6472", ms=4)
-    for axis, shade in zip(T[-1, :3, :3].T, (RED, "#009E73", BLUE), strict=True):
-        ax.plot(
-            *np.stack([T[-1, :3, 3], T[-1, :3, 3] + 0.25 * size * axis], axis=1),
-            color=shade,
-            lw=1.2,
-        )
-    ax.set(xlim=(-size, size), ylim=(-size, size), zlim=(0, 2 * size), title=title)
-    ax.set_box_aspect((1, 1, 1), zoom=1.35)
+    for axis, shade in zip(T[-1, :3, :3].T, AXIS_COLOURS.values(), strict=True):
+        tip = np.stack([T[-1, :3, 3], T[-1, :3, 3] + 0.3 * half * axis], axis=1)
+        ax.plot(*tip, color=shade, lw=1.2)
+    limits = np.stack([middle - half, middle + half], axis=1)
+    ax.set(xlim=limits[0], ylim=limits[1], zlim=limits[2], title=title)
+    ax.set_box_aspect((1, 1, 1), zoom=1.3)
     ax.set_axis_off()
+
+
+_SQUARE = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0), (-1, -1, 0)])
 
 
 def regions(

@@ -31,7 +31,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
 def joints(axes: Array, run: Trace) -> None:
     """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is known."""
     lower, upper = np.degrees(run.arm.limits)
-    some = slice(None, None, max(1, len(run.t) // 200))
+    some = slice(None, None, max(1, len(run.t) // 100))
     t, angles = run.t[some], np.degrees(run.q[some].T)
     for ax, i, angle, low, high in zip(
         axes.flat, run.arm.joints, angles, lower, upper, strict=False
@@ -40,7 +40,10 @@ def joints(axes: Array, run: Trace) -> None:
         if np.isfinite([low, high]).all():
             ax.axhspan(low, high, color=GREEN, alpha=0.12, lw=0)
         ax.plot(t, np.where((angle < low) | (angle > high), angle, np.nan), color=RED, lw=3)
-        ax.set(title=f"joint {i} (°)", xlabel="$t$ (s)")
+        ax.set(title=f"joint {i} (°)")
+        ax.yaxis.set_major_locator(MaxNLocator(3))
+    for ax in axes[-1]:
+        ax.set_xlabel("$t$ (s)")
 
 
 def _wall_axes(run: Trace) -> tuple[int, int]:
