@@ -49,6 +49,17 @@ refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 lint: $(BIN)/.installed-dev ## check and format the code, notebooks too
 	$(BIN)/pre-commit run --all-files
 
+pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
+	$(BIN)/python tools/pdf.py
+
+lite: ## JupyterLite with the notebooks, in book/_build/lite/site; it runs once it is published
+	test -d .venv-lite || $(PYTHON) -m venv .venv-lite
+	.venv-lite/bin/python -m pip install --quiet --disable-pip-version-check jupyterlite-core==0.8.6 jupyterlite-pyodide-kernel==0.8.6 jupyter-server
+	rm -rf book/_build/lite && mkdir -p book/_build/lite/content
+	cp -r $(NOTEBOOKS) helpers book/_build/lite/content
+	find book/_build/lite/content -name __pycache__ -type d -prune -exec rm -r {} +
+	cd book/_build/lite && ../../../.venv-lite/bin/jupyter lite build --contents content --output-dir site
+
 bench: ## time the helpers against their peers, in an environment of its own
 	test -d .venv-bench || $(PYTHON) -m venv .venv-bench
 	.venv-bench/bin/python -m pip install --quiet --disable-pip-version-check -r benchmarks/requirements.txt -e .
@@ -66,5 +77,5 @@ lock: ## pin every dependency anew
 	rm -r .venv-lock
 
 clean: ## remove what was built, the environment too
-	rm -rf $(VENV) .venv-lock .venv-bench book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
+	rm -rf $(VENV) .venv-lock .venv-bench .venv-lite book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -r {} +

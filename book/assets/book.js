@@ -1,3 +1,51 @@
+// Formulas are set a few at a time, those in view first, so that the page answers while the rest are still being set.
+const inView = (formula) => {
+  const { top, bottom } = formula.getBoundingClientRect();
+  return bottom > 0 && top < innerHeight;
+};
+
+function inGroups(formulas, characters) {
+  const groups = [[]];
+  let left = characters;
+  for (const formula of formulas) {
+    left -= formula.textContent.length + 20;
+    if (left < 0 && groups.at(-1).length) {
+      groups.push([]);
+      left = characters;
+    }
+    groups.at(-1).push(formula);
+  }
+  return groups;
+}
+
+const pause = () => new Promise((done) => setTimeout(done));
+
+async function setFormulas() {
+  await new Promise((painted) => (document.hidden ? painted() : requestAnimationFrame(painted)));
+  await pause();
+  const formulas = [...document.querySelectorAll("span.math, div.math")];
+  const seen = formulas.filter(inView);
+  const rest = formulas.filter((formula) => !seen.includes(formula));
+  for (const group of [seen, ...inGroups(rest, 300)]) {
+    await MathJax.typesetPromise(group);
+    await pause();
+  }
+  reachable();
+}
+
+if (window.MathJax) window.MathJax.startup = { typeset: false, pageReady: setFormulas };
+
+// What is wider than its box can be scrolled from the keyboard too.
+function reachable() {
+  document.querySelectorAll("div.math, mjx-container[display], .pst-scrollable-table-container").forEach((box) => {
+    if (box.scrollWidth <= box.clientWidth) return;
+    box.tabIndex = 0;
+    box.setAttribute("role", "region");
+    box.setAttribute("aria-label", "Wide content, scroll sideways");
+  });
+}
+window.addEventListener("load", reachable);
+
 // What the theme leaves undone for readers who do not use a mouse or a screen.
 document.addEventListener("DOMContentLoaded", () => {
   const each = (selector, change) => document.querySelectorAll(selector).forEach(change);
@@ -6,6 +54,12 @@ document.addEventListener("DOMContentLoaded", () => {
     sidebar.setAttribute("role", "complementary");
     sidebar.setAttribute("aria-label", "On this page");
   });
+  each(".bd-sidebar-primary", (sidebar) => {
+    sidebar.setAttribute("role", "complementary");
+    sidebar.setAttribute("aria-label", "The book's pages");
+  });
+  // The theme's icons carry a second name that contradicts the button's own.
+  each(".theme-switch-button [title]", (icon) => icon.removeAttribute("title"));
   // A visible text is its own name; a different label beside it confuses speech input.
   each("summary[aria-label], .search-button__button[aria-label], .theme-switch-button[aria-label]", (control) => {
     if (control.textContent.trim()) control.removeAttribute("aria-label");
@@ -18,13 +72,4 @@ document.addEventListener("DOMContentLoaded", () => {
     const lines = texts.join("\n").split("\n");
     if (lines.every((line) => line.startsWith("✔"))) output.classList.add("proof");
   });
-
-  const reachable = () =>
-    each("div.math, .pst-scrollable-table-container", (box) => {
-      if (box.scrollWidth <= box.clientWidth) return;
-      box.tabIndex = 0;
-      box.setAttribute("role", "region");
-      box.setAttribute("aria-label", "Wide content, scroll sideways");
-    });
-  window.MathJax?.startup?.promise?.then(reachable) ?? window.addEventListener("load", reachable);
 });

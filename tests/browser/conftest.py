@@ -21,14 +21,18 @@ FLAGS = [
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
 
 
+def launched(playwright):
+    """A headless Chromium, Chrome or Edge; on macOS and Windows Playwright knows where Chrome is installed."""
+    path = next(filter(None, map(shutil.which, NAMES)), None)
+    where = {"executable_path": path} if path else {"channel": "chrome"}
+    return playwright.chromium.launch(**where, args=FLAGS)
+
+
 @pytest.fixture(scope="session")
 def browser():
-    path = next(filter(None, map(shutil.which, NAMES)), None)
-    # On macOS and Windows Chrome is not on the PATH; Playwright knows where it is installed.
-    where = {"executable_path": path} if path else {"channel": "chrome"}
     with sync_playwright() as playwright:
         try:
-            chromium = playwright.chromium.launch(**where, args=FLAGS)
+            chromium = launched(playwright)
         except Error as error:
             if os.environ.get("CI"):
                 raise

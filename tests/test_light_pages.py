@@ -1,0 +1,56 @@
+"""What is taken out of the built pages, and what must stay."""
+
+from types import SimpleNamespace
+
+from tools.light_pages import lighter, without_icons, without_repository
+
+HEAD = """<script defer src="_static/scripts/fontawesome.js?digest=1"></script>
+<script src="_static/documentation_options.js?v=2"></script>
+<script src="_static/doctools.js?v=3"></script>
+    <script src="_static/searchtools.js"></script>
+    <script src="searchindex.js"></script>
+<script data-sd-tabs-storage-prefix="x-" src="_static/design-tabs.js?v=4"></script>"""
+
+
+def test_unused_scripts_go_and_small_ones_wait(tmp_path):
+    html = lighter(HEAD, tmp_path)
+    assert "fontawesome" not in html
+    assert "search" not in html
+    assert '<script defer src="_static/doctools.js?v=3">' in html
+    assert (
+        '<script defer data-sd-tabs-storage-prefix="x-" src="_static/design-tabs.js?v=4">' in html
+    )
+    assert '<script src="_static/documentation_options.js?v=2">' in html, "inline code follows it"
+    assert lighter(html, tmp_path) == html
+
+
+def test_the_page_of_search_results_keeps_its_scripts(tmp_path):
+    html = lighter(HEAD, tmp_path, search=True)
+    assert html.strip() == HEAD.split("\n", 1)[1]
+
+
+def test_a_picture_gets_the_size_that_its_file_says(tmp_path):
+    (tmp_path / "a.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300pt" height="150pt"/>'
+    )
+    (tmp_path / "b.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"/>')
+    html = lighter(
+        '<img alt="A" src="a.svg" /><img alt="B" src="b.svg"><img alt="C" src="c.svg"/>', tmp_path
+    )
+    assert '<img alt="A" src="a.svg" width="400" height="200"/>' in html
+    assert html.count("width") == 1
+    assert lighter(html, tmp_path) == html
+
+
+def test_only_rules_of_icons_that_no_page_shows_go():
+    css = '.fa-sun:before{content:"\\f185"}.fa-ghost:before,.fa-boo:before{content:"\\f6e2"}.fa-solid{font-weight:900}'
+    kept = without_icons(css, {"fa-sun", "fa-solid"})
+    assert kept == '.fa-sun:before{content:"\\f185"}.fa-solid{font-weight:900}'
+    assert without_icons(css, {"fa-boo", "fa-sun"}) == css
+
+
+def test_nothing_is_offered_to_launch_without_a_repository():
+    for url, left in (("", {}), ("https://example.org/book", {"colab_url": "x"})):
+        options = {"repository_url": url, "launch_buttons": {"colab_url": "x"}}
+        without_repository(None, SimpleNamespace(html_theme_options=options))
+        assert options["launch_buttons"] == left

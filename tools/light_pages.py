@@ -1,0 +1,89 @@
+"""A Sphinx extension: lighter pages. It takes out of what was built what the theme loads and the book does not use.
+
+The theme draws its few icons twice, by a font and by 1.5 MB of script; the font does. It loads the search index on every
+page for a search-as-you-type that is off, and holds up the first paint with small scripts that can wait. And pictures get
+their size, so that nothing moves when they arrive.
+"""
+
+import re
+import xml.etree.ElementTree as ET
+from functools import cache
+from pathlib import Path
+
+ICONS = re.compile(r'\s*<script [^>]*src="[^"]*scripts/fontawesome\.js[^"]*"></script>')
+SEARCH = re.compile(
+    r'\s*<script src="[^"]*(?:searchtools|language_data|searchindex)\.js"></script>'
+)
+WAITING = re.compile(
+    r'<script ((?:data-\S+ )?src="[^"]*/'
+    r"(?:doctools|sphinx_highlight|clipboard\.min|copybutton|sphinx-book-theme|togglebutton|design-tabs)\.js)"
+)
+ICON_RULE = re.compile(r'((?:\.fa-[\w-]+:before,?)+)\{content:"[^"]*"\}')
+PICTURE = re.compile(r'<img (?![^>]*\bheight=)([^>]*\bsrc="([^"]+\.svg)"[^>]*?)\s*/?>')
+POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
+
+
+def lighter(html: str, folder: Path, search: bool = False) -> str:
+    """A page without unused scripts, its SVG pictures with width and height; `folder` is where it stands.
+
+    The page of the search results keeps its scripts and their order.
+    """
+    html = ICONS.sub("", html)
+    if not search:
+        html = WAITING.sub(r"<script defer \1", SEARCH.sub("", html))
+    return PICTURE.sub(lambda found: _sized(*found.groups(), folder), html)
+
+
+def _sized(attributes: str, source: str, folder: Path) -> str:
+    size = _size(folder / source)
+    return f"<img {attributes} {size}/>" if size else f"<img {attributes}/>"
+
+
+@cache
+def _size(path: Path) -> str:
+    """The width and height attributes of an SVG file, in CSS pixels; nothing where it does not say."""
+    root = ET.parse(path).getroot() if path.exists() else ET.Element("svg")
+    sides = [re.fullmatch(r"([\d.]+)(pt|px|)", root.get(name, "")) for name in ("width", "height")]
+    if None in sides:
+        return ""
+    width, height = (round(float(s[1]) * POINT[s[2]]) for s in sides)
+    return f'width="{width}" height="{height}"'
+
+
+def without_icons(css: str, used: set[str]) -> str:
+    """A style sheet without the rules of two thousand icons that no page shows."""
+    return ICON_RULE.sub(lambda rule: rule[0] if used & set(_icons(rule[1])) else "", css)
+
+
+def _icons(text: str) -> list[str]:
+    return re.findall(r"fa-[\w-]+", text)
+
+
+def rewrite(app, error) -> None:
+    """Rewrite the pages and the theme's style sheet, once all are built."""
+    if error is not None or app.builder.format != "html":
+        return
+    out = Path(app.outdir)
+    pages = {path: path.read_text(encoding="utf-8") for path in out.glob("*.html")}
+    for path, html in pages.items():
+        _write(path, lighter(html, out, search=path.stem == "search"))
+    used = {icon for html in pages.values() for icon in _icons(html)}
+    for path in out.glob("_static/styles/*.css"):
+        _write(path, without_icons(path.read_text(encoding="utf-8"), used))
+
+
+def _write(path: Path, text: str) -> None:
+    if text != path.read_text(encoding="utf-8"):
+        path.write_text(text, encoding="utf-8")
+
+
+def without_repository(app, config) -> None:
+    """Offer nothing to launch where no repository's address is configured; the theme would fail."""
+    if not config.html_theme_options.get("repository_url"):
+        config.html_theme_options["launch_buttons"] = {}
+
+
+def setup(app) -> dict[str, bool]:
+    app.connect("config-inited", without_repository)
+    app.connect("build-finished", rewrite)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
