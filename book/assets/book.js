@@ -37,9 +37,10 @@ if (window.MathJax) window.MathJax.startup = { typeset: false, pageReady: setFor
 
 // What is wider than its box can be scrolled from the keyboard too.
 function reachable() {
-  document.querySelectorAll("div.math, mjx-container[display], .pst-scrollable-table-container").forEach((box) => {
+  document.querySelectorAll("div.math, mjx-container[display], .pst-scrollable-table-container, figure").forEach((box) => {
     if (box.scrollWidth <= box.clientWidth) return;
     box.tabIndex = 0;
+    if (box.matches("figure")) return; // it has a role and a name of its own
     box.setAttribute("role", "region");
     box.setAttribute("aria-label", "Wide content, scroll sideways");
   });
