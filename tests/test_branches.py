@@ -120,7 +120,9 @@ def test_signs():
     assert first((-left, up, -RIGHT), beside) == f"answer 1 {one}"
     # Mirrored in both planes: 0.64 m sideways and 0.6 m down.
     every = "misses the target by 877 mm: every joint has the wrong sign"
-    assert first((-left, -up, RIGHT), beside) == f"answer 1 {every}, or it would be 'front, elbow up'"
+    assert (
+        first((-left, -up, RIGHT), beside) == f"answer 1 {every}, or it would be 'front, elbow up'"
+    )
     # The forearm at right angles up instead of down, by 0.3 m twice.
     third = "misses the target by 600 mm: q_3 has the wrong sign"
     assert first((left, up, RIGHT), beside) == f"answer 1 {third}, or it would be 'front, elbow up'"

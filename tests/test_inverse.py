@@ -144,6 +144,36 @@ def test_ur_arms_of_any_signs_offsets_and_zeros(signs, flips, zeros):
     assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
 
 
+@settings(max_examples=60, deadline=None)
+@given(
+    st.tuples(*[st.sampled_from((-1, 1))] * 2),
+    st.tuples(*[st.floats(-3, 3)] * 3),
+    st.tuples(*[st.sampled_from((-0.3, 0.0, 0.2))] * 3),
+    st.booleans(),
+)
+def test_rods_of_any_signs_offsets_and_zeros(signs, zeros, offsets, tool):
+    arm = Arm(
+        "random rod",
+        (
+            revolute(alpha=signs[0] * np.pi / 2, d=offsets[0], theta=zeros[0]),
+            revolute(alpha=signs[1] * np.pi / 2, d=offsets[1], theta=zeros[1]),
+            prismatic(d=offsets[2], theta=zeros[2]),
+            *([fixed(d=0.2)] if tool else []),
+        ),
+    )
+    q = random_q(arm, 50)
+    p = forward_kinematics(arm, q)[:, :3, 3]
+    found = rod(arm, p)
+    assert found.valid.all()
+    assert (found.distance == 0).all()
+    assert misses(arm, found, p).max() < 1e-10
+    assert apart(arm, found.q, q[:, None]).min(axis=1).max() < 1e-5
+    # Out is where the rod's length from the shoulder, offset and tool counted, is positive.
+    length = found.q[..., 2] + offsets[2] + (0.2 if tool else 0.0)
+    assert (length[:, [0, 2]] > 0).all()
+    assert (length[:, [1, 3]] < 0).all()
+
+
 # By hand
 
 
