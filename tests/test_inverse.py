@@ -469,6 +469,33 @@ def test_shapes_broadcast_and_chunks_do_not_show():
         (lambda: stanford(PUMA, np.eye(4)), "Puma has no rod through its shoulder"),
         (lambda: spherical_wrist(STANFORD, np.eye(4)), "Stanford arm is no elbow arm"),
         (lambda: ur(PANDA, np.eye(4)), "Panda is no arm of the UR family; expected six revolute"),
+        *[
+            (
+                lambda i=i, change=change: ur(
+                    replace(
+                        UR10E,
+                        rows=tuple(
+                            replace(row, **change) if k == i else row
+                            for k, row in enumerate(UR10E.rows, 1)
+                        ),
+                    ),
+                    np.eye(4),
+                ),
+                "UR10e is no arm of the UR family",
+            )
+            for i, change in (
+                (1, {"a": 0.1}),
+                (4, {"a": 0.1}),
+                (5, {"a": 0.1}),
+                (1, {"alpha": 0.3}),
+                (2, {"alpha": 0.3}),
+                (3, {"alpha": 0.3}),
+                (4, {"alpha": 0.3}),
+                (5, {"alpha": 0.3}),
+                (2, {"a": 0}),
+                (3, {"a": 0}),
+            )
+        ],
         (lambda: ur(UR10E, np.eye(3)), r"UR10e: T has shape \(3, 3\); expected \(..., 4, 4\)"),
         (lambda: ur(UR10E, 2 * np.eye(4)), "UR10e: T is no rigid transform, by "),
         (lambda: ur(UR10E, np.diag([1, 1, -1, 1])), "UR10e: T is no rigid transform, by 2;"),
