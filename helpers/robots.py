@@ -85,7 +85,7 @@ UR10E_HOMEWORK = Arm(
         revolute(d="d_6 + l_pen", **_UR_WRIST),
     ),
     values=dict(d_1=0.128, a_2=0.6127, a_3=0.5716, d_4=0.1639, d_5=0.1157, d_6=0.0922, l_pen=0.1),
-    source="The homework's table: d_1, d_4, d_5, d_6 of the maker's UR10 with a_2, a_3 of the UR10e",
+    source="The homework's table: the UR10's lengths as its CB3 manual prints them, but for d_1 (0.118 there)",
 )
 
 STANFORD = Arm(

@@ -3,11 +3,13 @@
 Each case names a file, what to change in it, and the part of the suite that must notice. The unchanged copy must pass.
 """
 
+import json
 import os
 import re
 import shutil
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -41,15 +43,19 @@ MUTANTS = {
 
 def run(folder: Path, arguments: list[str]) -> int:
     """pytest's exit code for part of the suite, in a copy of the project."""
+    return pytest_in(folder, ["-x", *arguments]).returncode
+
+
+def pytest_in(folder: Path, arguments: list[str]) -> subprocess.CompletedProcess:
     environment = {
         **os.environ,
         "PYTHONPATH": str(folder),
         "HYPOTHESIS_STORAGE_DIRECTORY": str(folder / ".h"),
     }
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *arguments]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *arguments]
     return subprocess.run(
-        command, cwd=folder, env=environment, capture_output=True, check=False
-    ).returncode
+        command, cwd=folder, env=environment, capture_output=True, text=True, check=False
+    )
 
 
 @pytest.fixture
@@ -78,3 +84,40 @@ def test_a_mutant_is_caught(copy, mutant):
     assert changed != text
     (copy / name).write_text(changed, encoding="utf-8")
     assert run(copy, arguments) == 1, "the suite did not notice"
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in (ROOT / "book").glob("*.ipynb")))
+def test_every_stored_output_counts(copy, name):
+    """One character of one output of each cell is changed, the kinds taking turns: every such cell must turn red."""
+    path = copy / "book" / name
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    seen, changed = Counter(), set()
+    for number, cell in enumerate(cells):
+        if texts := list(stored_texts(cell)):
+            kind, holder, key = min(texts, key=lambda text: seen[text[0]])
+            holder[key] = other("".join(holder[key]))
+            seen[kind] += 1
+            changed.add(number)
+    path.write_text(json.dumps(notebook), encoding="utf-8")
+    report = pytest_in(copy, [*NBVAL, "-rf", f"book/{name}"]).stdout
+    assert {int(n) for n in re.findall(r"FAILED book/\S+::Cell (\d+)", report)} == changed
+    assert seen.keys() <= KINDS
+
+
+KINDS = {"stdout", "text/plain", "text/markdown", "text/latex", "text/html", "image/svg+xml"}
+
+
+def stored_texts(cell):
+    """(kind, holder, key) of each output of a cell that can be told apart from another."""
+    for output in cell["outputs"]:
+        if output["output_type"] == "stream":
+            yield output["name"], output, "text"
+        for kind in output.get("data", {}):
+            yield kind, output["data"], kind
+
+
+def other(text: str) -> str:
+    """The text with its last digit changed, or its last letter where it has none."""
+    last = [*re.finditer(r"[a-z]", text), *re.finditer(r"\d", text)][-1]
+    return text[: last.start()] + ("1" if last[0] == "0" else "0") + text[last.end() :]
