@@ -120,7 +120,9 @@ def test_signs():
     assert first((-left, up, -RIGHT), beside) == f"answer 1 {one}"
     # Mirrored in both planes: 0.64 m sideways and 0.6 m down.
     every = "misses the target by 877 mm: every joint has the wrong sign"
-    assert first((-left, -up, RIGHT), beside) == f"answer 1 {every}, or it would be 'front, elbow up'"
+    assert (
+        first((-left, -up, RIGHT), beside) == f"answer 1 {every}, or it would be 'front, elbow up'"
+    )
     # The forearm at right angles up instead of down, by 0.3 m twice.
     third = "misses the target by 600 mm: q_3 has the wrong sign"
     assert first((left, up, RIGHT), beside) == f"answer 1 {third}, or it would be 'front, elbow up'"
@@ -196,7 +198,7 @@ def test_a_straight_wrist_may_share_its_turn_as_it_likes():
         report = compare_branches([q + shift * np.array((0, 0, 0, 1, 0, -1))], found)
         assert report.found == ("front, rod out, q_5 > 0", "front, rod out, q_5 < 0")
         assert report.findings[0].startswith("missing: front, rod through")
-    assert "misses the target by 0 mm and 28.6°" in first(q + (0, 0, 0, 0.5, 0, 0), found)
+    assert "misses the target by 0 mm and 28.6°" in first((*q[:3], q[3] + 0.5, *q[4:]), found)
 
 
 def test_a_ur_with_parallel_axes_may_turn_joint_6():

@@ -53,7 +53,7 @@ def compare_branches(mine: ArrayLike, found: Solutions) -> BranchReport:
     """
     must_be(found, Solutions, "found")
     arm = found.arm
-    mine = floats(mine, f"{arm.name}: what you give", f"joint vectors, (answers, {arm.dof})")
+    mine = floats(mine, f"{arm.name}: q", f"joint vectors, (answers, {arm.dof})")
     if found.valid.ndim != 1:
         raise ArmError(
             f"{arm.name}: found holds {found.distance.size} targets; expected the branches of one"
