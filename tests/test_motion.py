@@ -394,3 +394,24 @@ def test_bad_input_is_told_in_words(make, error, words):
     with pytest.raises(error) as told:
         make()
     assert words in str(told.value)
+
+
+def test_a_goal_for_another_arm_is_refused_where_it_is_used():
+    wish = towards([0.1], 1.0)
+    with pytest.raises(ArmError, match="goal has 1 joint values; expected 6"):
+        wish(np.zeros(6))
+
+
+def test_damping_of_nothing_is_a_plain_inverse_and_fails_like_one():
+    rank_one = np.outer(np.arange(1.0, 7), np.ones(6)) * [1, 0, 0, 0, 0, 0]
+    with pytest.raises(SingularError, match="the damping is 0"):
+        damped(0.0)(rank_one, np.ones(6), np.zeros(6))
+    assert np.isfinite(damped(0.1)(rank_one, np.ones(6), np.zeros(6))).all()
+
+
+def test_a_report_is_a_table_in_the_book():
+    report = trace(HOMEWORK, HOMEWORK.home, panda_circle(10)).report
+    head, rule, *lines = report._repr_markdown_().split("\n")
+    assert head == f"| {HOMEWORK.name} | |"
+    assert rule == "|:--|:--|"
+    assert lines == [f"| {what} | {value} |" for what, value in report.rows()]

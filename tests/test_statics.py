@@ -243,3 +243,9 @@ def test_bad_input_is_told_in_words(make, words):
     with pytest.raises(ArmError) as told:
         make()
     assert words in str(told.value)
+
+
+def test_a_payload_of_no_mass_changes_nothing():
+    assert with_payload(PANDA, 0, (1, 2, 3)) is PANDA
+    massless = replace(PANDA, bodies=[Body(0, (0, 0, 0))] * 7)
+    assert with_payload(massless, 0) is massless
