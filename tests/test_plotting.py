@@ -36,7 +36,7 @@ from helpers.plotting import (
     torques,
     use_book_style,
 )
-from helpers.plotting.arms import skeleton
+from helpers.plotting.arms import barrel, skeleton
 from helpers.plotting.style import STYLE, svg
 from helpers.robots import ELBOW, PANDA_HOMEWORK, UR10E
 from tests.laws import ALL_ARMS, ids, joint_vectors
@@ -78,6 +78,14 @@ def test_an_arm_is_drawn_inside_its_axes(arm):
     assert (points >= low - 1e-9).all()
     assert (points <= high + 1e-9).all()
     assert ax.get_zlabel() == "$z$ (m)"
+
+
+def test_a_joints_barrel_does_not_move_the_view():
+    """Matplotlib pads faces of unequal length with uninitialised memory; it may not reach the limits."""
+    ax = axes_3d()
+    before = ax.get_xlim(), ax.get_ylim(), ax.get_zlim()
+    barrel(ax, np.eye(4), 5.0, 13, 1.0)
+    assert (ax.get_xlim(), ax.get_ylim(), ax.get_zlim()) == before
 
 
 def test_equal_scale_in_space():

@@ -101,8 +101,11 @@ def barrel(ax: Axes3D, frame: np.ndarray, size: float, sides: int, alpha: float)
     bottom, top = (frame[:3, :3] @ ring + frame[:3, 3:] + h * frame[:3, 2:3] for h in (-size, size))
     quads = np.stack([bottom, np.roll(bottom, 1, 1), np.roll(top, 1, 1), top]).transpose(2, 0, 1)
     faces = [*quads, bottom.T, top.T]
-    ax.add_collection3d(Poly3DCollection(faces, facecolors="#5B6472", edgecolors="#5B6472", lw=0.3, alpha=alpha,
-                                         shade=True))  # fmt: skip
+    solid = Poly3DCollection(
+        faces, facecolors="#5B6472", edgecolors="#5B6472", lw=0.3, alpha=alpha, shade=True
+    )
+    # Where faces differ in length, Matplotlib pads them with whatever is in memory and would scale the view by that.
+    ax.add_collection3d(solid, autolim=False)
 
 
 def _triads(ax: Axes3D, T: np.ndarray, length: float) -> None:
