@@ -7,6 +7,7 @@ from urllib.parse import unquote, urlparse
 
 import numpy as np
 import pytest
+from playwright.sync_api import expect
 
 from helpers.explorer.data import arm_data
 from helpers.kinematics import forward_kinematics, jacobian
@@ -16,6 +17,15 @@ from tests.test_book import HTML, NAMES
 from tests.test_explorer import held_up, some
 
 MINUS = "−"
+
+
+def until(page, holds):
+    """Wait until something holds: a busy machine takes its time over an animation."""
+    for _ in range(150):
+        if holds():
+            return
+        page.wait_for_timeout(100)
+    raise AssertionError("it did not come to hold within 15 seconds")
 
 
 class Visit(Reader):
@@ -131,8 +141,7 @@ def test_keys_move_joints_tabs_and_the_view(visit):
     here.page.locator(".stage").focus()
     for _ in range(5):
         here.page.keyboard.press("ArrowLeft")
-    here.page.wait_for_timeout(200)
-    assert picture.screenshot() != before
+    until(here.page, lambda: picture.screenshot() != before)
 
 
 def test_typed_values_are_taken_and_bad_ones_refused_in_words(visit):
@@ -271,9 +280,8 @@ def test_a_circle_is_traced_played_and_scrubbed(visit):
     assert here.page.locator(".plots figure").count() == 7
     start = here.q()
     here.page.get_by_role("button", name="Play").click()
-    here.page.wait_for_timeout(900)
+    until(here.page, lambda: np.abs(here.q() - start).max() > 0.05)
     here.page.get_by_role("button", name="Pause").click()
-    assert np.abs(here.q() - start).max() > 0.05
     scrub = here.page.get_by_role("slider", name="Place along the path")
     scrub.fill("500")
     here.page.get_by_label("Plane of the circle").focus()
@@ -296,10 +304,11 @@ def test_ik_branches_are_found_and_clicked(visit):
     wanted = forward_kinematics(UR10E, q)
     for i in (3, 6):
         ways.nth(i).click()
-        here.page.wait_for_timeout(700)
-        assert ways.nth(i).get_attribute("aria-current") == "true"
-        assert np.abs(here.q() - q).max() > 0.1
-        np.testing.assert_allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5)
+        expect(ways.nth(i)).to_have_attribute("aria-current", "true", timeout=15_000)
+        until(here.page, lambda: np.abs(here.q() - q).max() > 0.1)
+        until(
+            here.page, lambda: np.allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5)
+        )
 
 
 def test_a_ghost_in_the_picture_is_clicked(visit):
@@ -321,11 +330,9 @@ def test_a_ghost_in_the_picture_is_clicked(visit):
     assert 0.01 < len(ghosts) / len(spots) < 0.3, "the ghosts, and nothing around them"
     x, y = ghosts[len(ghosts) // 2]
     here.page.mouse.click(box["x"] + x, box["y"] + y)
-    here.page.wait_for_timeout(900)
-    assert np.abs(here.q() - q).max() > 0.1
-    np.testing.assert_allclose(
-        forward_kinematics(UR10E, here.q()), forward_kinematics(UR10E, q), atol=1e-5
-    )
+    wanted = forward_kinematics(UR10E, q)
+    until(here.page, lambda: np.abs(here.q() - q).max() > 0.1)
+    until(here.page, lambda: np.allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5))
 
 
 def test_the_numbers_in_the_page_are_pythons(visit):
@@ -446,8 +453,7 @@ def test_it_wears_the_pages_theme_and_fits_the_page(visit, theme, size):
         assert card.evaluate("e => e.scrollWidth <= e.clientWidth + 1")
     other = "dark" if theme == "light" else "light"
     here.page.evaluate(f"document.documentElement.dataset.theme = '{other}'")
-    here.page.wait_for_timeout(100)
-    assert card.get_attribute("data-theme") == other
+    expect(card).to_have_attribute("data-theme", other, timeout=15_000)
 
 
 def test_everything_that_can_be_worked_has_a_name(visit):

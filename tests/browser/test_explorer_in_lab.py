@@ -78,7 +78,7 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
     for _ in range(3):
         page.keyboard.press("Shift+ArrowRight")  # ten degrees each
     page.get_by_label("F z, N", exact=True).fill("-4")
-    page.wait_for_timeout(500)
+    page.wait_for_timeout(3_000)  # the widget tells the kernel at its own pace
     run(1)
     said = page.locator(".jp-CodeCell").nth(1).locator(".jp-OutputArea-output")
     said.wait_for()
@@ -86,7 +86,7 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
 
     page.get_by_role("tab", name="Circle trace").click()
     page.get_by_role("button", name="Draw a circle from here").click()
-    page.wait_for_timeout(500)
+    page.wait_for_timeout(3_000)  # the widget tells the kernel at its own pace
     run(2)
     said = page.locator(".jp-CodeCell").nth(2).locator(".jp-OutputArea-output")
     said.wait_for()

@@ -68,7 +68,9 @@ class Reader:
 
     def open(self, url):
         self.page.goto(url)
-        self.page.wait_for_function("!window.MathJax || MathJax.startup.promise.then(() => true)")
+        self.page.wait_for_function(
+            "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)"
+        )
         return self.page
 
 
