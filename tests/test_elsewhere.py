@@ -13,16 +13,11 @@ import pytest
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "book").glob("*.ipynb"))
 CHAPTER = ROOT / "book" / "04_static_torque.ipynb"
-FILES = subprocess.run(
-    ["git", "ls-files", "-z"],
-    cwd=ROOT,
-    capture_output=True,
-    check=False,
-    text=True,
-    encoding="utf-8",
-).stdout.split("\0")[:-1] or [  # a copy that is no repository
-    str(p.relative_to(ROOT).as_posix()) for p in ROOT.rglob("helpers/**/*.py")
-]
+LISTED = subprocess.run(
+    ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=False, encoding="utf-8"
+).stdout.split("\0")[:-1]
+COPY = [path.relative_to(ROOT).as_posix() for path in ROOT.glob("helpers/**/*.py")]
+FILES = sorted(set(LISTED or COPY))  # a copy need not be a repository
 RESERVED = {
     "con",
     "prn",
