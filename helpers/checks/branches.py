@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import ArmError, floats, must_be
 from helpers.inverse.numeric import solve
 from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics, jacobian
@@ -50,12 +51,14 @@ def compare_branches(mine: ArrayLike, found: Solutions) -> BranchReport:
     it, which: a sign, half a turn (atan for atan2), degrees, or joints of different branches mixed. Where a joint is free any
     one value of it stands for the branch. Raises ArmError for another shape, or where `found` holds many targets.
     """
+    must_be(found, Solutions, "found")
     arm = found.arm
+    mine = floats(mine, f"{arm.name}: q", f"joint vectors, (answers, {arm.dof})")
     if found.valid.ndim != 1:
         raise ArmError(
             f"{arm.name}: found holds {found.distance.size} targets; expected the branches of one"
         )
-    answers = np.atleast_2d(arm.joint_vector(mine)) if np.size(mine) else np.zeros((0, arm.dof))
+    answers = np.atleast_2d(arm.joint_vector(mine)) if mine.size else np.zeros((0, arm.dof))
     if answers.ndim != 2:
         raise ArmError(
             f"{arm.name}: your answers have shape {answers.shape}; expected (answers, {arm.dof})"

@@ -4,6 +4,7 @@ import numpy as np
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from helpers.arm import Arm, revolute
+from helpers.inputs import number
 from helpers.kinematics import link_frames
 from helpers.plotting.arms import barrel
 from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED
@@ -15,6 +16,8 @@ def dh_numbers(
     ax: Axes3D, a: float = 1.2, alpha: float = 0.7, d: float = 0.9, theta: float = 0.75
 ) -> None:
     """Draw two joint axes, their common normal, and the four numbers between frames i-1 and i (m, rad)."""
+    for name, value in dict(a=a, alpha=alpha, d=d, theta=theta).items():
+        number(value, name, "a finite number of m or rad")
     first, second = link_frames(Arm("one link", [revolute(a, alpha, d)]), [theta])
     foot = first.copy()
     foot[:3, 3] = second[:3, 3] - a * second[:3, 0]
@@ -63,7 +66,8 @@ def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str, 
 
 
 def _arrows(ax: Axes3D, frame: np.ndarray, index: str, length: float) -> None:
-    for name, axis in (("x", frame[:3, 0]), ("z", frame[:3, 2])):
+    for name, axis, away in (("x", frame[:3, 0], 0.22), ("z", frame[:3, 2], 0.1)):
         ax.quiver(*frame[:3, 3], *length * axis, color="black", lw=1.6, arrow_length_ratio=0.15)
-        tip = frame[:3, 3] + 1.16 * length * axis
-        ax.text(*tip, f"${name}_{{{index}}}$", fontsize=14, ha="right" if name == "z" else "center")
+        tip = frame[:3, 3] + (length + away) * axis
+        text, side = f"${name}_{{{index}}}\\;\\;$", "right" if name == "z" else "center"
+        ax.text(*tip, text, fontsize=14, ha=side)

@@ -5,6 +5,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
+from helpers.inputs import must_be, numbers
 from helpers.plotting.plane import arrow_2d
 from helpers.plotting.style import BLUE, GREY, RED, SKY
 
@@ -15,13 +16,18 @@ def torques(
     axes: Array, arm: Arm, t: ArrayLike, tau: ArrayLike, label: str | None = None, **line: object
 ) -> None:
     """Draw each joint's torque (N m) over time in its own axes, with the maker's limits where they are near."""
+    must_be(arm, Arm, "arm")
+    t = numbers(t, "t", "finite times (n,) in s", (None,))
+    tau = numbers(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
     some = slice(None, None, max(1, len(t) // 200))
     for ax, i, values, limit in zip(
         axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False
     ):
         # A joint that gravity leaves alone has a torque of 1e-17 N m or so, which must not set the scale.
         ax.plot(t[some], values[some].round(9) + 0.0, label=label, **{"color": BLUE, **line})
-        ax.set(title=f"joint {i} (limit ±{limit:g})", xlabel="$t$ (s)", ylabel="N m")
+        ax.set(title=f"joint {i} (limit ±{limit:g})", ylabel="N m")
+        if ax.get_subplotspec().is_last_row():
+            ax.set_xlabel("$t$ (s)")
 
 
 def pen_and_wall(ax: Axes) -> None:
