@@ -403,6 +403,13 @@ def test_a_joint_at_its_limit_is_within(limits):
         assert found.within_limits[at] == inside
 
 
+def test_a_joint_at_its_limit_is_not_wound_back():
+    """Where a turn back lies within the limits too, the joint still stays where it is."""
+    arm = Arm("winch", (revolute(alpha="pi/2", limits=(-6, 1)), revolute(a=1), revolute(a=0.5)))
+    found = elbow(arm, forward_kinematics(arm, (1.0, 0.4, 0.5))[:3, 3])
+    np.testing.assert_allclose(found.nearest((1.0, 0.4, 0.5)), (1.0, 0.4, 0.5), atol=1e-9)
+
+
 def test_nearest_is_nan_where_nothing_is():
     assert np.isnan(elbow(ELBOW, (3, 0, 0)).nearest(ELBOW.home)).all()
 
