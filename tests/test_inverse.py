@@ -403,6 +403,13 @@ def test_a_joint_at_its_limit_is_within(limits):
         assert found.within_limits[at] == inside
 
 
+def test_a_joint_at_its_limit_is_not_wound_back():
+    """Where a turn back lies within the limits too, the joint still stays where it is."""
+    arm = Arm("winch", (revolute(alpha="pi/2", limits=(-6, 1)), revolute(a=1), revolute(a=0.5)))
+    found = elbow(arm, forward_kinematics(arm, (1.0, 0.4, 0.5))[:3, 3])
+    np.testing.assert_allclose(found.nearest((1.0, 0.4, 0.5)), (1.0, 0.4, 0.5), atol=1e-9)
+
+
 def test_nearest_is_nan_where_nothing_is():
     assert np.isnan(elbow(ELBOW, (3, 0, 0)).nearest(ELBOW.home)).all()
 
@@ -472,6 +479,33 @@ def test_shapes_broadcast_and_chunks_do_not_show():
         (lambda: stanford(PUMA, np.eye(4)), "Puma has no rod through its shoulder"),
         (lambda: spherical_wrist(STANFORD, np.eye(4)), "Stanford arm is no elbow arm"),
         (lambda: ur(PANDA, np.eye(4)), "Panda is no arm of the UR family; expected six revolute"),
+        *[
+            (
+                lambda i=i, change=change: ur(
+                    replace(
+                        UR10E,
+                        rows=tuple(
+                            replace(row, **change) if k == i else row
+                            for k, row in enumerate(UR10E.rows, 1)
+                        ),
+                    ),
+                    np.eye(4),
+                ),
+                "UR10e is no arm of the UR family",
+            )
+            for i, change in (
+                (1, {"a": 0.1}),
+                (4, {"a": 0.1}),
+                (5, {"a": 0.1}),
+                (1, {"alpha": 0.3}),
+                (2, {"alpha": 0.3}),
+                (3, {"alpha": 0.3}),
+                (4, {"alpha": 0.3}),
+                (5, {"alpha": 0.3}),
+                (2, {"a": 0}),
+                (3, {"a": 0}),
+            )
+        ],
         (lambda: ur(UR10E, np.eye(3)), r"UR10e: T has shape \(3, 3\); expected \(..., 4, 4\)"),
         (lambda: ur(UR10E, 2 * np.eye(4)), "UR10e: T is no rigid transform, by "),
         (lambda: ur(UR10E, np.diag([1, 1, -1, 1])), "UR10e: T is no rigid transform, by 2;"),

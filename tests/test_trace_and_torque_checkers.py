@@ -201,3 +201,8 @@ def test_reports_are_marked_in_the_book(run):
     assert compare_torques(right, PANDA, PANDA.home)._repr_markdown_().startswith("✔ **The torques")
     listed = compare_torques(-right, PANDA, PANDA.home)._repr_markdown_()
     assert listed.startswith("✘ **The torques of Panda are not right.**\n\n- ")
+
+
+def test_a_report_of_a_wrong_shape_names_the_arm():
+    q = np.zeros(6)
+    assert compare_torques(np.zeros(5), UR10E, q).arm == "UR10e"
