@@ -219,7 +219,7 @@ class Arm:
 
     @property
     def variables(self) -> tuple[str, ...]:
-        """The joint variables, named by row: ``('q_1', 'q_2', 'q_4', ...)`` where joint 3 is locked."""
+        """The joint variables, named by row, as ``('q_1', 'q_2', 'q_4', ...)`` where joint 3 is locked."""
         return tuple(f"q_{i}" for i in self.joints)
 
     @property

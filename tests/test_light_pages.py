@@ -39,8 +39,26 @@ def test_a_picture_gets_the_size_that_its_file_says(tmp_path):
     html = lighter(
         '<img alt="A" src="a.svg" /><img alt="B" src="b.svg"><img alt="C" src="c.svg"/>', tmp_path
     )
-    assert '<img alt="A" src="a.svg" width="400" height="200"/>' in html
+    assert '<img alt="A" src="a.svg" width="400" height="200" loading="lazy"/>' in html
     assert html.count("width") == 1
+    assert lighter(html, tmp_path) == html
+
+
+def test_a_picture_of_several_panels_is_marked_as_wide(tmp_path):
+    for name, width in (("narrow", 525), ("wide", 526)):  # points: 700 and 701 pixels
+        (tmp_path / f"{name}.svg").write_text(
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}pt" height="150pt"/>'
+        )
+    html = lighter('<img src="narrow.svg" /><img src="wide.svg" />', tmp_path)
+    assert html.count('class="wide"') == 1
+    assert html.index("wide.svg") < html.index('class="wide"')
+
+
+def test_a_formula_keeps_its_comma(tmp_path):
+    formula = '<span class="math notranslate nohighlight">\\(a &lt; b\\)</span>'
+    html = lighter(f"<p>{formula}, then {formula} and {formula}).</p>", tmp_path)
+    assert f'<span class="nowrap">{formula},</span> then {formula} and' in html
+    assert f'<span class="nowrap">{formula}).</span></p>' in html
     assert lighter(html, tmp_path) == html
 
 

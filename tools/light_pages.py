@@ -2,7 +2,8 @@
 
 The theme draws its few icons twice, by a font and by 1.5 MB of script; the font does. It loads the search index on every
 page for a search-as-you-type that is off, and holds up the first paint with small scripts that can wait. And pictures get
-their size, so that nothing moves when they arrive.
+their size, so that nothing moves when they arrive, and arrive when they are near. What stands right behind a formula stays
+with it at the end of a line.
 """
 
 import re
@@ -20,34 +21,43 @@ WAITING = re.compile(
 )
 ICON_RULE = re.compile(r'((?:\.fa-[\w-]+:before,?)+)\{content:"[^"]*"\}')
 PICTURE = re.compile(r'<img (?![^>]*\bheight=)([^>]*\bsrc="([^"]+\.svg)"[^>]*?)\s*/?>')
+FORMULA = re.compile(
+    r'(?<!<span class="nowrap">)(<span class="math notranslate nohighlight">[^<]*</span>)([,.;:!?)”’]+)'
+)
+WIDE = 700  # CSS pixels: a figure of several panels, which a phone shows larger than itself
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 
 
 def lighter(html: str, folder: Path, search: bool = False) -> str:
-    """A page without unused scripts, its SVG pictures with width and height; `folder` is where it stands.
+    """A page without unused scripts, its SVG pictures with width and height, its formulas with their punctuation.
 
-    The page of the search results keeps its scripts and their order.
+    `folder` is where it stands. The page of the search results keeps its scripts and their order.
     """
     html = ICONS.sub("", html)
     if not search:
         html = WAITING.sub(r"<script defer \1", SEARCH.sub("", html))
+    html = FORMULA.sub(r'<span class="nowrap">\1\2</span>', html)
     return PICTURE.sub(lambda found: _sized(*found.groups(), folder), html)
 
 
 def _sized(attributes: str, source: str, folder: Path) -> str:
     size = _size(folder / source)
-    return f"<img {attributes} {size}/>" if size else f"<img {attributes}/>"
+    if not size:
+        return f"<img {attributes}/>"
+    width, height = size
+    wide = ' class="wide"' if width > WIDE and "class=" not in attributes else ""
+    return f'<img {attributes} width="{width}" height="{height}" loading="lazy"{wide}/>'
 
 
 @cache
-def _size(path: Path) -> str:
-    """The width and height attributes of an SVG file, in CSS pixels; nothing where it does not say."""
+def _size(path: Path) -> tuple[int, int] | None:
+    """The width and height of an SVG file, in CSS pixels; nothing where it does not say."""
     root = ET.parse(path).getroot() if path.exists() else ET.Element("svg")
     sides = [re.fullmatch(r"([\d.]+)(pt|px|)", root.get(name, "")) for name in ("width", "height")]
     if None in sides:
-        return ""
+        return None
     width, height = (round(float(s[1]) * POINT[s[2]]) for s in sides)
-    return f'width="{width}" height="{height}"'
+    return width, height
 
 
 def without_icons(css: str, used: set[str]) -> str:

@@ -20,6 +20,7 @@ PREPARE = """() => {
     document.querySelectorAll("a[href]").forEach((a) => {
         if (a.protocol === "file:" && a.pathname !== location.pathname) a.removeAttribute("href");
     });
+    document.querySelectorAll("img").forEach((i) => (i.loading = "eager"));
     document.querySelectorAll("details").forEach((d) => (d.open = true));
     document.querySelectorAll(".toggle-hidden").forEach((e) => e.classList.remove("toggle-hidden"));
     document.querySelectorAll("div.math > mjx-container").forEach((m) => {
@@ -43,6 +44,7 @@ def printed(browser: Browser, name: str) -> tuple[str, bytes]:
     page.wait_for_function("!window.MathJax || MathJax.startup.promise.then(() => true)")
     page.emulate_media(media="print")
     page.evaluate(PREPARE)
+    page.evaluate("Promise.all([...document.images].map((i) => i.decode()))")
     title = page.locator("article h1").first.inner_text().rstrip("#\n ")
     foot = FOOT.format(title)
     data = page.pdf(

@@ -37,9 +37,10 @@ if (window.MathJax) window.MathJax.startup = { typeset: false, pageReady: setFor
 
 // What is wider than its box can be scrolled from the keyboard too.
 function reachable() {
-  document.querySelectorAll("div.math, mjx-container[display], .pst-scrollable-table-container").forEach((box) => {
+  document.querySelectorAll("div.math, mjx-container[display], .pst-scrollable-table-container, .columns pre, figure").forEach((box) => {
     if (box.scrollWidth <= box.clientWidth) return;
     box.tabIndex = 0;
+    if (box.matches("figure")) return; // it has a role and a name of its own
     box.setAttribute("role", "region");
     box.setAttribute("aria-label", "Wide content, scroll sideways");
   });
@@ -71,5 +72,6 @@ document.addEventListener("DOMContentLoaded", () => {
     const texts = [...output.querySelectorAll("pre")].map((pre) => pre.textContent.trim());
     const lines = texts.join("\n").split("\n");
     if (lines.every((line) => line.startsWith("✔"))) output.classList.add("proof");
+    else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(texts.join("\n"))) output.classList.add("columns");
   });
 });

@@ -55,7 +55,7 @@ def solve(
 ) -> NumericSolution:
     """A joint vector near q0 that takes the tip to each target: poses (..., 4, 4), or positions (..., 3) in m.
 
-    The step J^T (J J^T + lambda I)^-1 e has a damping lambda in proportion to the squared error, which grows while steps fail: far from
+    The step J^T (J J^T + lambda^2 I)^-1 e has a damping lambda in proportion to the error e, which grows while steps fail: far from
     the target it is cautious, close to it Newton's. Metres and radians count alike. With `limits` joints stay within
     theirs. Targets not reached within `tolerance` (m and rad) after `iterations` steps are tried again from up to
     `restarts` random starts. q0 has shape (..., dof); home unless given. Raises ArmError for bad shapes or numbers.

@@ -74,18 +74,19 @@ def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str 
     """Draw an arm at q as one line with dots at its joints, on a square of floor: small enough to set many side by side."""
     T = pose_frames(arm, q)
     points = skeleton(arm, T)
-    seen = np.vstack([points, 0.2 * _SQUARE])
+    reach = 0.15 * np.ptp(points, axis=0).max()
+    tool = T[-1, :3, 3] + reach * T[-1, :3, :3].T
+    seen = np.vstack([points, tool, 0.2 * _SQUARE])
     low, high = seen.min(axis=0), seen.max(axis=0)
     half, middle = 0.5 * (high - low).max(), 0.5 * (low + high)
     ax.plot(*0.2 * _SQUARE.T, color=GREY, lw=0.8)
     ax.plot(*points.T, color=colour, lw=3, solid_joinstyle="round")
     ax.plot(*T[[i - 1 for i in arm.joints], :3, 3].T, "o", color="#5B6472", ms=4)
-    for axis, shade in zip(T[-1, :3, :3].T, AXIS_COLOURS.values(), strict=True):
-        tip = np.stack([T[-1, :3, 3], T[-1, :3, 3] + 0.3 * half * axis], axis=1)
-        ax.plot(*tip, color=shade, lw=1.2)
+    for end, shade in zip(tool, AXIS_COLOURS.values(), strict=True):
+        ax.plot(*np.stack([T[-1, :3, 3], end], axis=1), color=shade, lw=1.2)
     limits = np.stack([middle - half, middle + half], axis=1)
     ax.set(xlim=limits[0], ylim=limits[1], zlim=limits[2], title=title)
-    ax.set_box_aspect((1, 1, 1), zoom=1.3)
+    ax.set_box_aspect((1, 1, 1), zoom=1.2)
     ax.set_axis_off()
 
 

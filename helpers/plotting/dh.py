@@ -66,7 +66,8 @@ def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str, 
 
 
 def _arrows(ax: Axes3D, frame: np.ndarray, index: str, length: float) -> None:
-    for name, axis in (("x", frame[:3, 0]), ("z", frame[:3, 2])):
+    for name, axis, away in (("x", frame[:3, 0], 0.22), ("z", frame[:3, 2], 0.1)):
         ax.quiver(*frame[:3, 3], *length * axis, color="black", lw=1.6, arrow_length_ratio=0.15)
-        tip = frame[:3, 3] + 1.16 * length * axis
-        ax.text(*tip, f"${name}_{{{index}}}$", fontsize=14, ha="right" if name == "z" else "center")
+        tip = frame[:3, 3] + (length + away) * axis
+        text, side = f"${name}_{{{index}}}\\;\\;$", "right" if name == "z" else "center"
+        ax.text(*tip, text, fontsize=14, ha=side)

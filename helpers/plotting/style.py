@@ -30,7 +30,7 @@ STYLE = {
     "savefig.dpi": 90,
     "svg.hashsalt": "helpers",
     "font.size": 10,
-    "mathtext.fontset": "cm",
+    "mathtext.fontset": "dejavuserif",
     "axes.titlesize": 11,
     "axes.titleweight": "normal",
     "axes.spines.top": False,

@@ -25,7 +25,9 @@ def torques(
     ):
         # A joint that gravity leaves alone has a torque of 1e-17 N m or so, which must not set the scale.
         ax.plot(t[some], values[some].round(9) + 0.0, label=label, **{"color": BLUE, **line})
-        ax.set(title=f"joint {i} (limit ±{limit:g})", xlabel="$t$ (s)", ylabel="N m")
+        ax.set(title=f"joint {i} (limit ±{limit:g})", ylabel="N m")
+        if ax.get_subplotspec().is_last_row():
+            ax.set_xlabel("$t$ (s)")
 
 
 def pen_and_wall(ax: Axes) -> None:

@@ -18,6 +18,7 @@ BAD = """() => axe.run(document, {resultTypes: ["violations"]}).then(found => fo
 def test_axe_finds_nothing_serious(browser, name, theme):
     reader = Reader(browser, theme, "wide", "file:")
     page = reader.open((HTML / f"{name}.html").as_uri())
+    page.add_style_tag(content="* { animation: none !important; transition: none !important }")
     page.evaluate("document.querySelectorAll('details').forEach(d => d.open = true)")
     page.add_script_tag(path=AXE)
     found = page.evaluate(BAD)

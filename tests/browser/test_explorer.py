@@ -424,6 +424,14 @@ def test_chapter_3_one_circle_winds_and_the_other_does_not(visit):
     assert page.locator(".plots .past").count() == 0
 
 
+def test_chapter_3_the_elbow_out_draws_the_homework_s_circle(visit):
+    page = visit(name="03_circle_tracing").page
+    page.get_by_label("Arm", exact=True).select_option("Panda, elbow out")
+    page.get_by_role("button", name="Draw a circle from here").click()
+    assert page.locator(".trace .verdict").inner_text() == "All joints stay within their limits."
+    assert page.locator(".plots .past").count() == 0
+
+
 def test_chapter_4_the_pen_pushed_down_is_too_much_for_joint_6(visit):
     page = visit(name="04_static_torque").page
     totals = page.locator(".bars .total")

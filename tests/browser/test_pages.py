@@ -23,9 +23,12 @@ UNRENDERED = """() => {
     }
     return [...left, ...wrong].map(e => e.outerHTML.slice(0, 200)).concat(raw);
 }"""
-BROKEN = (
-    "() => [...document.images].filter(i => !(i.complete && i.naturalWidth > 0)).map(i => i.src)"
-)
+BROKEN = """async () => {
+    const pictures = [...document.images];
+    pictures.forEach(picture => (picture.loading = "eager")); // those far down too
+    const loaded = await Promise.allSettled(pictures.map(picture => picture.decode()));
+    return pictures.filter((picture, k) => loaded[k].status === "rejected" || !picture.naturalWidth).map(p => p.src);
+}"""
 ICONS = """() => [...document.querySelectorAll("*")].flatMap(e => ["::before", "::after"].flatMap(part => {
     const { content, fontFamily } = getComputedStyle(e, part);
     return fontFamily.includes("Awesome 6 Free") ? [...content].filter(c => c > "\\uE000" && c < "\\uF900") : [];
