@@ -365,9 +365,9 @@ def test_a_moving_picture_is_one_small_svg():
 def test_a_thousand_steps_take_a_quarter_of_a_second():
     times = []
     for _ in range(3):
-        start = time.perf_counter()
+        start = time.process_time()  # a busy machine takes longer, its processor does not
         trace(HOMEWORK, HOMEWORK.home, panda_circle(1000))
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     assert min(times) < 0.25
 
 
