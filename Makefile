@@ -6,7 +6,7 @@ NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
 SOURCES := $(NOTEBOOKS) $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
 
-.PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer
+.PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer coverage mutants
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -31,6 +31,10 @@ book: $(BOOK) ## build the book and say where it is
 
 test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and the built book's
 	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+
+# Notebooks, subprocesses and the built book do not count; clocks would measure the measuring.
+coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
+	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_mutations.py %_light_pages.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py)) -k "not _take_a_quarter_of_a_second"
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
 	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)
@@ -65,6 +69,11 @@ bench: ## time the helpers against their peers, in an environment of its own
 	.venv-bench/bin/python -m pip install --quiet --disable-pip-version-check -r benchmarks/requirements.txt -e .
 	.venv-bench/bin/python benchmarks/bench.py
 
+mutants: ## make one thing wrong in the helpers at a time; make mutants ARGS="helpers.inverse.* --sample 60"
+	test -d .venv-mutants || $(PYTHON) -m venv .venv-mutants
+	.venv-mutants/bin/python -m pip install --quiet --disable-pip-version-check mutmut==3.8.1 -r requirements-dev.txt -c requirements.lock
+	.venv-mutants/bin/python tools/mutants.py $(ARGS)
+
 explorer: ## bundle the live explorer anew from its JavaScript (needs Node.js)
 	npm ci --prefix explorer --silent
 	npm run build --prefix explorer --silent
@@ -77,5 +86,5 @@ lock: ## pin every dependency anew
 	rm -r .venv-lock
 
 clean: ## remove what was built, the environment too
-	rm -rf $(VENV) .venv-lock .venv-bench .venv-lite book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
+	rm -rf $(VENV) .venv-lock .venv-bench .venv-lite .venv-mutants mutants book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -r {} +

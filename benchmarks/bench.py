@@ -94,7 +94,11 @@ def page(lines: list[str]) -> str:
 def processor() -> str:
     """The processor's name, as Linux knows it."""
     known = Path("/proc/cpuinfo")
-    names = re.findall(r"model name\s*: (.*)", known.read_text()) if known.exists() else []
+    names = (
+        re.findall(r"model name\s*: (.*)", known.read_text(encoding="utf-8"))
+        if known.exists()
+        else []
+    )
     return names[0] if names else platform.machine()
 
 

@@ -15,7 +15,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.expressions import ArmError, Entry, entry, evaluate, latex, names
+from helpers.expressions import Entry, entry, evaluate, latex, names
+from helpers.inputs import ArmError, listed, must_be, numbers, one_of, shown
 
 __all__ = ["Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"]
 
@@ -34,8 +35,7 @@ class Joint:
     effort: float = math.inf
 
     def __post_init__(self) -> None:
-        if self.kind not in _KINDS:
-            raise ArmError(f"joint kind is {self.kind!r}; expected one of {', '.join(_KINDS)}")
+        one_of(self.kind, "joint kind", _KINDS)
         for name in ("lower", "upper", "speed", "effort"):
             object.__setattr__(self, name, _number(getattr(self, name), f"joint {name}"))
         if not self.lower <= self.upper:
@@ -82,8 +82,9 @@ def prismatic(
 
 
 def _joint(kind: Kind, limits: tuple[float, float], speed: float, effort: float) -> Joint:
-    if np.shape(limits) != (2,):
-        raise ArmError(f"joint limits are {limits!r}; expected two numbers, lower and upper")
+    wanted = "two numbers, lower and upper"
+    if len(listed(limits, "joint limits", wanted)) != 2:
+        raise ArmError(f"joint limits are {shown(limits)}; expected {wanted}")
     return Joint(kind, *limits, speed, effort)
 
 
@@ -100,8 +101,9 @@ class Body:
     com: tuple[Entry, Entry, Entry]
 
     def __post_init__(self) -> None:
-        if len(self.com) != 3:
-            raise ArmError(f"centre of mass is {self.com!r}; expected three coordinates (x, y, z)")
+        wanted = "three coordinates (x, y, z)"
+        if len(listed(self.com, "the coordinates of the centre of mass", wanted)) != 3:
+            raise ArmError(f"centre of mass is {self.com!r}; expected {wanted}")
         object.__setattr__(self, "mass", entry(self.mass, "mass"))
         object.__setattr__(self, "com", tuple(entry(c, "centre of mass") for c in self.com))
 
@@ -143,12 +145,16 @@ class Arm:
     source: str = ""
 
     def __post_init__(self) -> None:
-        self._put(rows=tuple(self.rows), bodies=tuple(self.bodies))
+        must_be(self.name, str, "an arm's name")
+        rows = listed(self.rows, f"{self.name}: rows", "one Row or more")
+        bodies = listed(self.bodies, f"{self.name}: bodies", "one Body for each row")
+        self._put(rows=rows, bodies=bodies)
         if not self.rows or not all(isinstance(row, Row) for row in self.rows):
             raise ArmError(f"{self.name}: rows are {self.rows!r}; expected one Row or more")
-        values = dict(self.values).items()
+        values = _pairs(self.values, f"{self.name}: values")
         self._put(values=tuple((k, _number(v, f"{self.name}: {k}")) for k, v in values))
-        home = tuple(_number(x, f"{self.name}: home") for x in self.home)
+        home = listed(self.home, f"{self.name}: the values of home", f"{self.dof} joint values")
+        home = tuple(_number(x, f"{self.name}: home") for x in home)
         self._put(home=home or (0.0,) * self.dof)
         self._check()
 
@@ -189,13 +195,11 @@ class Arm:
 
     def _check_finite(self, formula: Entry) -> None:
         try:
-            finite = math.isfinite(self.number(formula))
-        except ArithmeticError:
-            finite = False
-        if not finite:
+            self.number(formula)
+        except ArmError:
             raise ArmError(
                 f"{self.name}: {formula} divides by zero or is too large; give it other values"
-            )
+            ) from None
 
     def _entries(self) -> list[Entry]:
         table = [e for row in self.rows for e in (row.a, row.alpha, row.d, row.theta)]
@@ -250,7 +254,7 @@ class Arm:
 
     def lock(self, joint: int, at: Entry = 0) -> "Arm":
         """The same arm with one joint, counted from 1, held `at` a value (rad or m): one variable fewer."""
-        if not isinstance(joint, int) or joint not in self.joints:
+        if isinstance(joint, bool) or not isinstance(joint, int) or joint not in self.joints:
             free = ", ".join(map(str, self.joints))
             raise ArmError(
                 f"{self.name}: joint {joint!r} cannot be locked; its free joints are {free}"
@@ -270,18 +274,14 @@ class Arm:
 
     # Ready to compute with
 
-    def joint_vector(self, q: ArrayLike) -> NDArray[np.float64]:
-        """`q` as floats of shape (..., dof); raises ArmError for another length, NaN or infinity."""
-        try:
-            array = np.asarray(q, dtype=float)
-        except (TypeError, ValueError):
-            raise ArmError(f"{self.name}: q is {q!r}; expected {self.dof} joint values") from None
-        if array.shape[-1:] != (self.dof,):
-            wanted = f"(..., {self.dof}), one value for each of {', '.join(self.variables)}"
-            raise ArmError(f"{self.name}: q has shape {array.shape}; expected {wanted}")
-        if not np.isfinite(array).all():
-            raise ArmError(f"{self.name}: q holds NaN or infinity; expected finite joint values")
-        return array
+    def joint_vector(self, q: ArrayLike, what: str = "q", many: bool = True) -> NDArray[np.float64]:
+        """`q` as floats of shape (..., dof), or (dof,) unless `many`; `what` is its name in messages.
+
+        Raises ArmError for another length, NaN or infinity.
+        """
+        shape = f"(..., {self.dof})" if many else f"one pose, ({self.dof},)"
+        wanted = f"{shape}, one value for each of {', '.join(self.variables)}"
+        return numbers(q, f"{self.name}: {what}", wanted, (self.dof,), many)
 
     @cached_property
     def numeric(self) -> tuple[NumericRow, ...]:
@@ -318,6 +318,18 @@ class Arm:
             + "\n".join(lines)
             + (f"\n\n{self.name}: {values} (m)" if values else f"\n\n{self.name}")
         )
+
+
+def _pairs(values: object, what: str) -> tuple[tuple[str, object], ...]:
+    """The items of a mapping, or of pairs, from names to numbers."""
+    wanted = "a number for each symbol, as in {'a_3': 0.0825}"
+    try:
+        pairs = tuple(dict(values).items())
+    except (TypeError, ValueError):
+        raise ArmError(f"{what} are {shown(values)}; expected {wanted}") from None
+    if not all(isinstance(name, str) for name, _ in pairs):
+        raise ArmError(f"{what} are {shown(values)}; expected {wanted}")
+    return pairs
 
 
 def _number(value: object, what: str) -> float:

@@ -12,7 +12,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError, Row, fixed
+from helpers.arm import Arm, Row, fixed
+from helpers.inputs import ArmError, listed, must_be
 from helpers.kinematics import link_frames
 
 
@@ -21,8 +22,7 @@ def standard_from_modified(rows: Sequence[Row]) -> tuple[Row, ...]:
 
     Where the first row has an a_0 or alpha_0, a fixed row is put before it. Raises ArmError for an empty table.
     """
-    if not rows:
-        raise ArmError("the modified table has no rows; expected one or more")
+    rows = _rows(rows, "modified")
     following = [*rows[1:], Row()]
     shifted = [replace(row, a=n.a, alpha=n.alpha) for row, n in zip(rows, following, strict=True)]
     base = [] if rows[0].a == rows[0].alpha == 0 else [fixed(a=rows[0].a, alpha=rows[0].alpha)]
@@ -31,8 +31,7 @@ def standard_from_modified(rows: Sequence[Row]) -> tuple[Row, ...]:
 
 def modified_from_standard(rows: Sequence[Row]) -> tuple[Row, ...]:
     """Modified rows from standard ones; a last fixed row is added where a_n or alpha_n is not 0."""
-    if not rows:
-        raise ArmError("the standard table has no rows; expected one or more")
+    rows = _rows(rows, "standard")
     before = [Row(), *rows[:-1]]
     shifted = [replace(row, a=b.a, alpha=b.alpha) for row, b in zip(rows, before, strict=True)]
     tip = [] if rows[-1].a == rows[-1].alpha == 0 else [fixed(a=rows[-1].a, alpha=rows[-1].alpha)]
@@ -44,8 +43,18 @@ def modified_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
 
     They are the standard frames before their step along and turn about x. Papers on the Panda give centres of mass in them.
     """
+    must_be(arm, Arm, "arm")
     steps = np.array([np.eye(4)] * len(arm.rows))
     for step, row in zip(steps, arm.numeric, strict=True):
         step[:3, 1:3] = [[0, 0], [row.cos_alpha, -row.sin_alpha], [row.sin_alpha, row.cos_alpha]]
         step[0, 3] = row.a
     return link_frames(arm, q)[..., 1:, :, :] @ np.linalg.inv(steps)
+
+
+def _rows(rows: Sequence[Row], convention: str) -> tuple[Row, ...]:
+    found = listed(rows, f"the rows of the {convention} table", "one Row or more")
+    if not found:
+        raise ArmError(f"the {convention} table has no rows; expected one or more")
+    for row in found:
+        must_be(row, Row, f"a row of the {convention} table")
+    return found

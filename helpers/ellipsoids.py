@@ -6,7 +6,7 @@ Source: Siciliano, Sciavicco, Villani and Oriolo, Robotics, section 3.9 (manipul
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import ArmError
+from helpers.inputs import ArmError, number, numbers
 
 Array = NDArray[np.float64]
 
@@ -37,6 +37,7 @@ def lost_directions(J: ArrayLike, within: float = 1e-9) -> Array:
 
     They are the left singular vectors whose singular value is not above `within` times the largest.
     """
+    within = number(within, "within", "a number of 0 or more", least=0)
     U, sizes, _ = np.linalg.svd(_block(J), full_matrices=True)
     rank = int((sizes > within * sizes.max(initial=0.0)).sum())
     return U.T[rank:]
@@ -61,7 +62,4 @@ def _signed(U: Array) -> Array:
 
 
 def _block(J: ArrayLike) -> Array:
-    block = np.asarray(J, dtype=float)
-    if block.ndim != 2 or not np.isfinite(block).all():
-        raise ArmError(f"J has shape {block.shape}; expected one matrix of finite numbers")
-    return block
+    return numbers(J, "J", "one matrix of finite numbers", (None, None))

@@ -10,6 +10,8 @@ import operator
 import re
 from collections.abc import Mapping
 
+from helpers.inputs import ArmError, must_be
+
 Entry = str | float
 
 _BINARY = {
@@ -21,10 +23,6 @@ _BINARY = {
 _UNARY = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 
 _LONGEST = 200  # characters, so that no formula is nested deeper than Python can follow
-
-
-class ArmError(ValueError):
-    """Something about an arm, or about what it was given, is wrong."""
 
 
 def entry(value: object, what: str) -> Entry:
@@ -44,20 +42,34 @@ def entry(value: object, what: str) -> Entry:
 
 def names(text: Entry, what: str = "the entry") -> frozenset[str]:
     """The symbols of an entry, `pi` not counted."""
+    text = text if isinstance(text, str) else entry(text, what)
     if not isinstance(text, str):
         return frozenset()
     return frozenset(n.id for n in ast.walk(_parse(text, what)) if isinstance(n, ast.Name)) - {"pi"}
 
 
 def evaluate(text: Entry, values: Mapping[str, float]) -> float:
-    """The number an entry stands for, with its symbols taken from `values`."""
-    if not isinstance(text, str):
-        return float(text)
-    return float(_evaluate(_parse(text, "the entry"), {**values, "pi": math.pi}))
+    """The number an entry stands for, with its symbols taken from `values`.
+
+    Raises ArmError where a symbol has no value, or the formula divides by zero or is too large.
+    """
+    must_be(values, Mapping, "values")
+    text = text if isinstance(text, str) else entry(text, "the entry")
+    known = {**values, "pi": math.pi}
+    try:
+        found = float(
+            _evaluate(_parse(text, "the entry"), known) if isinstance(text, str) else text
+        )
+    except ArithmeticError:
+        found = math.nan
+    if not math.isfinite(found):
+        raise ArmError(f"{text} divides by zero or is too large; expected a finite value")
+    return found
 
 
 def latex(text: Entry) -> str:
     """An entry for a maths table: ``"-(d_7 + l_pen)"`` becomes ``-(d_{7} + l_{pen})``."""
+    text = text if isinstance(text, str) else entry(text, "the entry")
     if not isinstance(text, str):
         return f"{text:g}"
     text = re.sub(r"\bpi\b", r"\\pi", text)

@@ -10,7 +10,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError, NumericRow
+from helpers.arm import Arm, NumericRow
+from helpers.inputs import ArmError, must_be, one_of, whole
 
 Array = NDArray[np.float64]
 
@@ -23,11 +24,13 @@ def link_frames(arm: Arm, q: ArrayLike) -> Array:
     Raises ArmError for a q of another length, or with NaN or infinity in it.
     Source: Spong, Hutchinson and Vidyasagar, section 3.1.
     """
+    must_be(arm, Arm, "arm")
     return in_chunks(arm, q, (len(arm.rows) + 1, 4, 4), _fill_frames)
 
 
 def forward_kinematics(arm: Arm, q: ArrayLike) -> Array:
     """The tip's pose ${}^0T_n$ in the base frame, shape (..., 4, 4), for q of shape (..., dof)."""
+    must_be(arm, Arm, "arm")
     return in_chunks(arm, q, (4, 4), _fill_tip)
 
 
@@ -37,6 +40,7 @@ def jacobian(arm: Arm, q: ArrayLike) -> Array:
     A revolute joint i has the column z_{i-1} x (o_n - o_{i-1}) over z_{i-1}, a prismatic one z_{i-1} over 0.
     Source: Spong, Hutchinson and Vidyasagar, section 4.6.
     """
+    must_be(arm, Arm, "arm")
     return in_chunks(arm, q, (6, arm.dof), _fill_jacobian)
 
 
@@ -45,7 +49,8 @@ def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
 
     Frame 0 is the base, frame n the tool. Raises ArmError for a frame that does not exist.
     """
-    if frame not in range(len(arm.rows) + 1):
+    must_be(arm, Arm, "arm")
+    if whole(frame, "frame") > len(arm.rows):
         raise ArmError(f"{arm.name}: frame {frame!r} does not exist; expected 0 to {len(arm.rows)}")
     R = link_frames(arm, q)[..., frame, :3, :3]
     J = jacobian(arm, q)
@@ -81,9 +86,8 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     and rad, so compare it only between poses of one arm. Source: Yoshikawa (1985).
     """
     rows = {"all": slice(0, 6), "linear": slice(0, 3), "angular": slice(3, 6)}
-    if part not in rows:
-        raise ArmError(f"part is {part!r}; expected one of {', '.join(rows)}")
-    return np.linalg.svd(jacobian(arm, q)[..., rows[part], :], compute_uv=False).prod(axis=-1)
+    chosen = rows[one_of(part, "part", rows)]
+    return np.linalg.svd(jacobian(arm, q)[..., chosen, :], compute_uv=False).prod(axis=-1)
 
 
 def in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:

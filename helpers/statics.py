@@ -11,7 +11,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError, Body
+from helpers.arm import Arm, Body
+from helpers.inputs import ArmError, common_shape, must_be, number, numbers
 from helpers.kinematics import in_chunks, jacobian, link_frames, row_motions, tilted
 
 Array = NDArray[np.float64]
@@ -64,24 +65,19 @@ def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike 
 
     Raises ArmError for a wrench of another shape or with NaN in it.
     """
-    F = np.asarray(wrench, dtype=float)
-    if F.shape[-1:] != (6,) or not np.isfinite(F).all():
-        raise ArmError(
-            f"wrench is {wrench!r}; expected six finite numbers (fx, fy, fz, mx, my, mz)"
-        )
-    return gravity_torque(arm, q, gravity) - np.einsum("...ij,...i->...j", jacobian(arm, q), F)
+    F = numbers(wrench, "wrench", "six finite numbers (fx, fy, fz, mx, my, mz)", (6,), many=True)
+    g = gravity_torque(arm, q, gravity)
+    common_shape("poses and wrenches", g.shape[:-1], F.shape[:-1])
+    return g - np.einsum("...ij,...i->...j", jacobian(arm, q), F)
 
 
 def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm:
     """The arm with a mass (kg) fixed to its last link, its centre in the last frame (m): a tool, a pen, a load."""
-    if not arm.bodies:
-        raise ArmError(f"{arm.name} has no masses to add a payload to")
-    added = np.asarray(com, dtype=float)
-    if not (np.isfinite(mass) and mass >= 0) or added.shape != (3,) or not np.isfinite(added).all():
-        raise ArmError(
-            f"payload is {mass!r} at {com!r}; expected a mass >= 0 and three coordinates"
-        )
     masses, coms = _bodies(arm)
+    mass = number(mass, "mass", "a finite number of kg, 0 or more", least=0)
+    added = numbers(com, "com", "three finite coordinates in m", (3,))
+    if not mass:
+        return arm
     total = masses[-1] + mass
     centre = (masses[-1] * coms[-1] + mass * added) / total
     return replace(arm, bodies=(*arm.bodies[:-1], Body(float(total), tuple(map(float, centre)))))
@@ -92,8 +88,10 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
 
     For centres of mass from a paper whose frames are not the table's.
     """
-    to, start, points = (np.asarray(a, dtype=float) for a in (frames_to, frames_from, centres))
-    if to.shape != start.shape or to.shape[1:] != (4, 4) or points.shape != (len(to), 3):
+    to = numbers(frames_to, "frames_to", "frames (n, 4, 4)", (None, 4, 4))
+    start = numbers(frames_from, "frames_from", "frames (n, 4, 4)", (None, 4, 4))
+    points = numbers(centres, "centres", "points (n, 3)", (None, 3))
+    if not len(to) == len(start) == len(points):
         raise ArmError(
             f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n, 4, 4) twice and (n, 3)"
         )
@@ -111,6 +109,7 @@ def _lifts(steps: list, lift: Array) -> Iterator[tuple[Array, Array, Array]]:
 
 
 def _bodies(arm: Arm) -> tuple[Array, Array]:
+    must_be(arm, Arm, "arm")
     if not arm.bodies:
         raise ArmError(
             f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows"
@@ -120,9 +119,4 @@ def _bodies(arm: Arm) -> tuple[Array, Array]:
 
 
 def _vector(gravity: ArrayLike) -> Array:
-    down = np.asarray(gravity, dtype=float)
-    if down.shape != (3,) or not np.isfinite(down).all():
-        raise ArmError(
-            f"gravity is {gravity!r}; expected a vector of three finite numbers in m/s^2"
-        )
-    return down
+    return numbers(gravity, "gravity", "a vector of three finite numbers in m/s^2", (3,))

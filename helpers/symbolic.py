@@ -16,14 +16,16 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 from sympy.polys.rings import PolyElement, PolyRing
 
-from helpers.arm import Arm, ArmError, quarter_turns
+from helpers.arm import Arm, quarter_turns
 from helpers.expressions import Entry, names
+from helpers.inputs import ArmError, must_be, number, shown
 
 Matrix = sp.ImmutableMatrix
 
 
 def joint_symbols(arm: Arm) -> tuple[sp.Symbol, ...]:
     """The joint variables as SymPy symbols, in the order of ``arm.variables``."""
+    must_be(arm, Arm, "arm")
     return tuple(sp.Symbol(name) for name in arm.variables)
 
 
@@ -32,6 +34,7 @@ def link_transforms(arm: Arm) -> list[Matrix]:
 
     Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, equation (3.10).
     """
+    must_be(arm, Arm, "arm")
     return [_link_transform(arm, i) for i in range(len(arm.rows))]
 
 
@@ -84,6 +87,7 @@ def determinant(arm: Arm) -> sp.Expr:
     frame nor on the point that the Jacobian is taken in, so it is taken halfway up the arm, where entries are short.
     Raises ArmError for another number of joints. Source: Spong, Hutchinson and Vidyasagar, section 4.9.
     """
+    must_be(arm, Arm, "arm")
     if arm.dof not in (3, 6):
         raise ArmError(
             f"{arm.name} has {arm.dof} joints; a determinant needs 3 (position only) or 6"
@@ -132,7 +136,8 @@ def gravity_torque(arm: Arm) -> Matrix:
 
 def body_numbers(arm: Arm, gravity: float = 9.81) -> dict[sp.Symbol, float]:
     """The numbers (kg, m, m/s^2) of the symbols m_i, x_i, y_i, z_i and g, to substitute in a formula."""
-    numbers = {sp.Symbol("g"): gravity}
+    must_be(arm, Arm, "arm")
+    numbers = {sp.Symbol("g"): number(gravity, "gravity", "a finite number of m/s^2")}
     for i, body in enumerate(arm.bodies, 1):
         for name, entry in zip("mxyz", (body.mass, *body.com), strict=True):
             if value := arm.number(entry):
@@ -141,6 +146,7 @@ def body_numbers(arm: Arm, gravity: float = 9.81) -> dict[sp.Symbol, float]:
 
 
 def _body_symbols(arm: Arm) -> list[sp.Symbol]:
+    must_be(arm, Arm, "arm")
     if not arm.bodies:
         raise ArmError(f"{arm.name} has no masses; give bodies, one Body for each row")
     return list(body_numbers(arm))
@@ -164,6 +170,7 @@ def _energy(arm: Arm, ring: "_Ring") -> PolyElement:
 
 def short(expression):
     """`expression` with cos(q_2 + q_3) written c_23 and sin(q_1) written s_1, as textbooks do."""
+    _must_be_expression(expression)
     functions = {f: _index(f.args[0]) for f in expression.atoms(sp.cos, sp.sin)}
     return expression.xreplace(
         {f: sp.Symbol(f"{f.func.__name__[0]}_{index}") for f, index in functions.items() if index}
@@ -172,7 +179,14 @@ def short(expression):
 
 def with_numbers(arm: Arm, expression):
     """`expression` with the arm's values (m, rad, kg) for its symbols; only joint variables are left."""
+    must_be(arm, Arm, "arm")
+    _must_be_expression(expression)
     return expression.xreplace({sp.Symbol(name): sp.Float(value) for name, value in arm.values})
+
+
+def _must_be_expression(given: object) -> None:
+    if not isinstance(given, sp.Basic | sp.MatrixBase):
+        raise ArmError(f"expression is {shown(given)}; expected one of SymPy, or a matrix of them")
 
 
 # A link's own matrix
@@ -246,6 +260,7 @@ class _Ring:
     """Polynomials in an arm's lengths and in the cosines and sines of its angles, in a unique form."""
 
     def __init__(self, arm: Arm, joined: bool = True, extra: Sequence[sp.Symbol] = ()) -> None:
+        must_be(arm, Arm, "arm")
         self.turns = _turns(arm, joined)
         angles = {turn.angle[0] for turn in self.turns}
         angles |= {_angle(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}

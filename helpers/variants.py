@@ -10,7 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import ArmError, must_be, one_of, whole
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion import SingularError, Trace, circle, inverse, trace
 from helpers.statics import gravity_torque, static_torque
@@ -57,6 +58,7 @@ class Variant:
 
     def marks(self, given: Mapping[str, ArrayLike]) -> dict[str, bool]:
         """Which entries of the key were answered rightly; one that is missing is wrong."""
+        must_be(given, Mapping, "given")
         return {name: name in given and a.accepts(given[name]) for name, a in self.key.items()}
 
     @property
@@ -84,10 +86,9 @@ def variant(topic: str, arm: Arm, seed: int) -> Variant:
 
     Raises ArmError for an unknown topic, a seed below 0, or an arm that the topic does not suit.
     """
-    if topic not in _TOPICS:
-        raise ArmError(f"topic is {topic!r}; expected one of {', '.join(_TOPICS)}")
-    if not isinstance(seed, int) or seed < 0:
-        raise ArmError(f"seed is {seed!r}; expected a whole number of 0 or more")
+    one_of(topic, "topic", _TOPICS)
+    must_be(arm, Arm, "arm")
+    seed = whole(seed, "seed")
     if not _suits(topic, arm):
         raise ArmError(f"{arm.name} does not suit {topic}; it has {arm.dof} joints")
     rng = np.random.default_rng([seed, TOPICS.index(topic)])
@@ -98,6 +99,7 @@ def variant(topic: str, arm: Arm, seed: int) -> Variant:
 
 def sheet(arm: Arm, seed: int) -> tuple[Variant, ...]:
     """Every topic that suits the arm, about one and the same arm."""
+    must_be(arm, Arm, "arm")
     return tuple(variant(topic, arm, seed) for topic in TOPICS if _suits(topic, arm))
 
 

@@ -169,13 +169,13 @@ def test_the_table_reads_as_in_a_textbook():
             lambda: PANDA.joint_vector([0] * 6),
             "Panda: q has shape (6,); expected (..., 7), one value for each of q_1",
         ),
-        (lambda: PANDA.joint_vector(0.5), "Panda: q has shape (); expected (..., 7)"),
+        (lambda: PANDA.joint_vector(0.5), "Panda: q is 0.5; expected (..., 7)"),
         (
             lambda: PANDA.joint_vector([0] * 6 + [np.nan]),
-            "Panda: q holds NaN or infinity; expected finite joint values",
+            "Panda: q holds NaN or infinity; expected (..., 7), one value",
         ),
-        (lambda: PANDA.joint_vector("start"), "Panda: q is 'start'; expected 7 joint values"),
-        (lambda: PANDA.joint_vector([[0] * 7, [0]]), "expected 7 joint values"),
+        (lambda: PANDA.joint_vector("start"), "Panda: q is 'start'; expected (..., 7), one value"),
+        (lambda: PANDA.joint_vector([[0] * 7, [0]]), "expected (..., 7), one value"),
         (
             lambda: named("Puma"),
             "no arm is called 'Puma'; expected one of Panda, Panda (homework), UR10e",

@@ -40,3 +40,12 @@ def test_what_agrees_prints_one_line(capsys):
 def test_what_differs_raises(actual, expected, within, words):
     with pytest.raises(AssertionError, match=words):
         check("the thing", actual, expected, within)
+
+
+def test_arrays_of_words_are_compared_entry_by_entry(capsys):
+    names = np.array(["front", "back"])
+    check("names", names, ["front", "back"])
+    with pytest.raises(AssertionError, match="expected"):
+        check("names", names, ["front", "front"])
+    with pytest.raises(AssertionError, match="expected"):
+        check("names", names, ["front"])

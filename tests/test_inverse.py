@@ -144,6 +144,36 @@ def test_ur_arms_of_any_signs_offsets_and_zeros(signs, flips, zeros):
     assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
 
 
+@settings(max_examples=60, deadline=None)
+@given(
+    st.tuples(*[st.sampled_from((-1, 1))] * 2),
+    st.tuples(*[st.floats(-3, 3)] * 3),
+    st.tuples(*[st.sampled_from((-0.3, 0.0, 0.2))] * 3),
+    st.booleans(),
+)
+def test_rods_of_any_signs_offsets_and_zeros(signs, zeros, offsets, tool):
+    arm = Arm(
+        "random rod",
+        (
+            revolute(alpha=signs[0] * np.pi / 2, d=offsets[0], theta=zeros[0]),
+            revolute(alpha=signs[1] * np.pi / 2, d=offsets[1], theta=zeros[1]),
+            prismatic(d=offsets[2], theta=zeros[2]),
+            *([fixed(d=0.2)] if tool else []),
+        ),
+    )
+    q = random_q(arm, 50)
+    p = forward_kinematics(arm, q)[:, :3, 3]
+    found = rod(arm, p)
+    assert found.valid.all()
+    assert (found.distance == 0).all()
+    assert misses(arm, found, p).max() < 1e-10
+    assert apart(arm, found.q, q[:, None]).min(axis=1).max() < 1e-5
+    # Out is where the rod's length from the shoulder, offset and tool counted, is positive.
+    length = found.q[..., 2] + offsets[2] + (0.2 if tool else 0.0)
+    assert (length[:, [0, 2]] > 0).all()
+    assert (length[:, [1, 3]] < 0).all()
+
+
 # By hand
 
 
@@ -233,6 +263,18 @@ def test_rod_with_its_tip_in_the_shoulder():
     assert not found.free[:, 0].any()
     assert np.allclose(found.q[:, 1], 0.3)
     assert misses(arm, found, p).max() < 1e-12
+
+
+def test_rod_above_its_shoulder_leaves_joint_1_free():
+    """Without an offset the target on joint 1's axis is reached with q_1 as it was, the rod upright."""
+    arm = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()))
+    found = rod(arm, (0, 0, 0.6), near=(0.7, 0, 0))
+    assert found.valid.all()
+    assert found.free[:, 0].all()
+    assert not found.free[:, 1:].any()
+    assert apart(arm, found.q[:2, :1], 0.7).max() < 1e-12
+    np.testing.assert_allclose(np.abs(found.q[:, 2]), 0.6)
+    assert misses(arm, found, np.array((0, 0, 0.6))).max() < 1e-12
 
 
 @pytest.mark.parametrize("flipped", [0.0, np.pi])
@@ -328,6 +370,46 @@ def test_limits_rule_branches_out():
     np.testing.assert_allclose(found.nearest(through, limits=False), through, atol=1e-12)
 
 
+def test_limits_beyond_half_a_turn_are_met_by_whole_turns():
+    """q_1 = -1 of the list is 2 pi - 1 = 5.28 for a joint that goes from 3.5 to 6, and 2 is 8.28: out."""
+    first = revolute(alpha="pi/2", limits=(3.5, 6))
+    arm = Arm("winder", (first, revolute(a=1), revolute(a=0.5)), home=(4, 0, 0))
+    for q1, inside in ((-1.0, True), (2.0, False)):
+        found = elbow(arm, forward_kinematics(arm, (q1, 0.4, 0.5))[:3, 3])
+        at = int(apart(arm, found.q, np.array((q1, 0.4, 0.5))).argmin())
+        assert found.within_limits[at] == inside
+    low = replace(
+        arm, rows=(revolute(alpha="pi/2", limits=(-6, -3.5)), *arm.rows[1:]), home=(-4, 0, 0)
+    )
+    found = elbow(low, forward_kinematics(low, (1.0, 0.4, 0.5))[:3, 3])
+    at = int(apart(low, found.q, np.array((1.0, 0.4, 0.5))).argmin())
+    assert found.within_limits[at]
+    np.testing.assert_allclose(found.nearest((-5, 0.4, 0.5)), (1 - 2 * np.pi, 0.4, 0.5), atol=1e-9)
+
+
+@pytest.mark.parametrize("limits", [(-2.0, 1.0), (1.0, 2.0)])
+def test_a_joint_at_its_limit_is_within(limits):
+    """A billionth of a radian over is rounding; a millionth is not."""
+    arm = Arm(
+        "stopped",
+        (revolute(alpha="pi/2", limits=limits), revolute(a=1), revolute(a=0.5)),
+        home=(1.0, 0, 0),
+    )
+    out = 1.0 if limits[1] == 1.0 else -1.0
+    for over, inside in ((0.0, True), (5e-10, True), (1e-6, False)):
+        q = (1.0 + out * over, 0.4, 0.5)
+        found = elbow(arm, forward_kinematics(arm, q)[:3, 3])
+        at = int(apart(arm, found.q, np.array(q)).argmin())
+        assert found.within_limits[at] == inside
+
+
+def test_a_joint_at_its_limit_is_not_wound_back():
+    """Where a turn back lies within the limits too, the joint still stays where it is."""
+    arm = Arm("winch", (revolute(alpha="pi/2", limits=(-6, 1)), revolute(a=1), revolute(a=0.5)))
+    found = elbow(arm, forward_kinematics(arm, (1.0, 0.4, 0.5))[:3, 3])
+    np.testing.assert_allclose(found.nearest((1.0, 0.4, 0.5)), (1.0, 0.4, 0.5), atol=1e-9)
+
+
 def test_nearest_is_nan_where_nothing_is():
     assert np.isnan(elbow(ELBOW, (3, 0, 0)).nearest(ELBOW.home)).all()
 
@@ -375,14 +457,55 @@ def test_shapes_broadcast_and_chunks_do_not_show():
         (lambda: elbow(UR10E, (0, 0, 0)), "UR10e is no elbow arm; expected three revolute joints"),
         (lambda: elbow(ELBOW, (0, 0)), r"Elbow arm: p has shape \(2,\); expected \(..., 3\)"),
         (lambda: elbow(ELBOW, (0, 0, np.nan)), "Elbow arm: p holds NaN or infinity"),
-        (lambda: elbow(ELBOW, "here"), "Elbow arm: p is 'here'; expected positions"),
-        (lambda: elbow(ELBOW, (0, 0, 1), near=(0, 0)), r"Elbow arm: q has shape \(2,\)"),
+        (
+            lambda: elbow(ELBOW, "here"),
+            r"Elbow arm: p is 'here'; expected \(..., 3\), finite positions",
+        ),
+        (lambda: elbow(ELBOW, (0, 0, 1), near=(0, 0)), r"Elbow arm: near has shape \(2,\)"),
         (lambda: elbow(ELBOW.with_values(a_3=0), (0, 0, 1)), "is no elbow arm"),
         (lambda: rod(ELBOW, (0, 0, 0)), "Elbow arm has no rod through its shoulder"),
+        *[
+            (lambda rows=rows: rod(Arm("odd", rows), (0, 0, 0)), "odd has no rod")
+            for rows in (
+                (revolute(a=0.1, alpha="pi/2"), revolute(alpha="pi/2"), prismatic()),
+                (revolute(alpha=0.3), revolute(alpha="pi/2"), prismatic()),
+                (revolute(alpha="pi/2"), revolute(alpha=0.3), prismatic()),
+                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi/2")),
+                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi")),
+                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(), revolute()),
+            )
+        ],
         (lambda: stanford(UR10E, np.eye(4)), "UR10e has no spherical wrist"),
         (lambda: stanford(PUMA, np.eye(4)), "Puma has no rod through its shoulder"),
         (lambda: spherical_wrist(STANFORD, np.eye(4)), "Stanford arm is no elbow arm"),
         (lambda: ur(PANDA, np.eye(4)), "Panda is no arm of the UR family; expected six revolute"),
+        *[
+            (
+                lambda i=i, change=change: ur(
+                    replace(
+                        UR10E,
+                        rows=tuple(
+                            replace(row, **change) if k == i else row
+                            for k, row in enumerate(UR10E.rows, 1)
+                        ),
+                    ),
+                    np.eye(4),
+                ),
+                "UR10e is no arm of the UR family",
+            )
+            for i, change in (
+                (1, {"a": 0.1}),
+                (4, {"a": 0.1}),
+                (5, {"a": 0.1}),
+                (1, {"alpha": 0.3}),
+                (2, {"alpha": 0.3}),
+                (3, {"alpha": 0.3}),
+                (4, {"alpha": 0.3}),
+                (5, {"alpha": 0.3}),
+                (2, {"a": 0}),
+                (3, {"a": 0}),
+            )
+        ],
         (lambda: ur(UR10E, np.eye(3)), r"UR10e: T has shape \(3, 3\); expected \(..., 4, 4\)"),
         (lambda: ur(UR10E, 2 * np.eye(4)), "UR10e: T is no rigid transform, by "),
         (lambda: ur(UR10E, np.diag([1, 1, -1, 1])), "UR10e: T is no rigid transform, by 2;"),
@@ -394,7 +517,7 @@ def test_shapes_broadcast_and_chunks_do_not_show():
         (lambda: elbow(ELBOW, (0.5, 0, 0.5)).nearest((0, 0)), r"q has shape \(2,\)"),
         (lambda: solve(PANDA, np.eye(2)), r"Panda: p has shape \(2, 2\)"),
         (lambda: solve(PANDA, np.zeros((4, 4))), "Panda: T is no rigid transform"),
-        (lambda: solve(PANDA, np.eye(4), (0, 0)), r"Panda: q has shape \(2,\)"),
+        (lambda: solve(PANDA, np.eye(4), (0, 0)), r"Panda: q0 has shape \(2,\)"),
         (
             lambda: solve(PANDA, np.eye(4), tolerance=0),
             "tolerance is 0; expected a positive number",

@@ -230,7 +230,7 @@ def test_the_report_reads_well():
         ),
         (
             lambda: compare_jacobian(lambda q: "J", ELBOW),
-            "your Jacobian gives 'J'; expected a matrix of numbers",
+            "your Jacobian is 'J'; expected a matrix of numbers",
         ),
         (
             lambda: compare_jacobian(lambda q: np.full((6, 3), np.nan), ELBOW),

@@ -31,9 +31,11 @@ def test_the_page_of_search_results_keeps_its_scripts(tmp_path):
 
 def test_a_picture_gets_the_size_that_its_file_says(tmp_path):
     (tmp_path / "a.svg").write_text(
-        '<svg xmlns="http://www.w3.org/2000/svg" width="300pt" height="150pt"/>'
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300pt" height="150pt"/>', encoding="utf-8"
     )
-    (tmp_path / "b.svg").write_text('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"/>')
+    (tmp_path / "b.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"/>', encoding="utf-8"
+    )
     html = lighter(
         '<img alt="A" src="a.svg" /><img alt="B" src="b.svg"><img alt="C" src="c.svg"/>', tmp_path
     )

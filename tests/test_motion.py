@@ -365,9 +365,9 @@ def test_a_moving_picture_is_one_small_svg():
 def test_a_thousand_steps_take_a_quarter_of_a_second():
     times = []
     for _ in range(3):
-        start = time.perf_counter()
+        start = time.process_time()  # a busy machine takes longer, its processor does not
         trace(HOMEWORK, HOMEWORK.home, panda_circle(1000))
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     assert min(times) < 0.25
 
 
@@ -376,15 +376,15 @@ def test_a_thousand_steps_take_a_quarter_of_a_second():
     [
         (lambda: circle([0, 0], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
         (lambda: circle([0, 0, np.nan], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
-        (lambda: circle([0, 0, 0], -0.1, "yz", 5, 10), ArmError, "radius and period are -0.1, 5; expected both > 0"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 0, 10), ArmError, "expected both > 0"),
+        (lambda: circle([0, 0, 0], -0.1, "yz", 5, 10), ArmError, "radius is -0.1; expected a finite length > 0"),
+        (lambda: circle([0, 0, 0], 0.1, "yz", 0, 10), ArmError, "period is 0; expected a finite time > 0"),
         (lambda: circle([0, 0, 0], 0.1, "yy", 5, 10), ArmError, "plane is 'yy'; expected two different letters"),
         (lambda: circle([0, 0, 0], 0.1, "yz", 5, 0), ArmError, "steps is 0; expected a whole number"),
         (lambda: circle([0, 0, 0], 0.1, "yz", 5, 2.5), ArmError, "steps is 2.5; expected a whole number"),
         (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError, "method is 'heun'; expected one of euler, rk4, exact"),
         (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1; expected"),
-        (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "q has shape (7,)"),
-        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "q_0 has shape (1, 6); expected (6,)"),
+        (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "q_0 has shape (7,)"),
+        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "q_0 has shape (1, 6); expected one pose, (6,)"),
         (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12, its largest 2.3"),
         (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no inverse; lock a joint"),
         (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without limits"),
@@ -394,3 +394,24 @@ def test_bad_input_is_told_in_words(make, error, words):
     with pytest.raises(error) as told:
         make()
     assert words in str(told.value)
+
+
+def test_a_goal_for_another_arm_is_refused_where_it_is_used():
+    wish = towards([0.1], 1.0)
+    with pytest.raises(ArmError, match="goal has 1 joint values; expected 6"):
+        wish(np.zeros(6))
+
+
+def test_damping_of_nothing_is_a_plain_inverse_and_fails_like_one():
+    rank_one = np.outer(np.arange(1.0, 7), np.ones(6)) * [1, 0, 0, 0, 0, 0]
+    with pytest.raises(SingularError, match="the damping is 0"):
+        damped(0.0)(rank_one, np.ones(6), np.zeros(6))
+    assert np.isfinite(damped(0.1)(rank_one, np.ones(6), np.zeros(6))).all()
+
+
+def test_a_report_is_a_table_in_the_book():
+    report = trace(HOMEWORK, HOMEWORK.home, panda_circle(10)).report
+    head, rule, *lines = report._repr_markdown_().split("\n")
+    assert head == f"| {HOMEWORK.name} | |"
+    assert rule == "|:--|:--|"
+    assert lines == [f"| {what} | {value} |" for what, value in report.rows()]

@@ -2,16 +2,43 @@
 
 import io
 import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from types import SimpleNamespace
 
 import matplotlib as mpl
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Annotation
 
+from helpers.arm import Joint
+from helpers.inverse import elbow
 from helpers.kinematics import link_frames
-from helpers.plotting import arm_3d, dh_numbers
-from helpers.plotting.arms import skeleton
+from helpers.motion import circle, trace
+from helpers.plotting import (
+    arm_2d,
+    arm_3d,
+    arrow_2d,
+    arrow_3d,
+    dh_numbers,
+    ellipsoid_3d,
+    from_above,
+    joints,
+    law_of_cosines,
+    map_2d,
+    moving_picture,
+    path_2d,
+    pen_and_wall,
+    regions,
+    stick_3d,
+    torques,
+    use_book_style,
+)
+from helpers.plotting.arms import barrel, skeleton
 from helpers.plotting.style import STYLE, svg
+from helpers.robots import ELBOW, PANDA_HOMEWORK, UR10E
 from tests.laws import ALL_ARMS, ids, joint_vectors
 
 every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
@@ -53,6 +80,14 @@ def test_an_arm_is_drawn_inside_its_axes(arm):
     assert ax.get_zlabel() == "$z$ (m)"
 
 
+def test_a_joints_barrel_does_not_move_the_view():
+    """Matplotlib pads faces of unequal length with uninitialised memory; it may not reach the limits."""
+    ax = axes_3d()
+    before = ax.get_xlim(), ax.get_ylim(), ax.get_zlim()
+    barrel(ax, np.eye(4), 5.0, 13, 1.0)
+    assert (ax.get_xlim(), ax.get_ylim(), ax.get_zlim()) == before
+
+
 def test_equal_scale_in_space():
     ax = axes_3d()
     arm_3d(ax, ALL_ARMS[0], ALL_ARMS[0].home)
@@ -89,3 +124,187 @@ def test_rounding_keeps_the_picture():
     figure.savefig(raw, format="svg", bbox_inches="tight")
     assert len(svg(figure)) < len(raw.getvalue())
     assert "scale(0.015625)" in svg(figure)
+
+
+# Flat figures, and what is drawn from numbers
+
+
+def points(line):
+    return np.transpose(line.get_data() if not hasattr(line, "get_data_3d") else line.get_data_3d())
+
+
+def run_of(steps=8):
+    arm = PANDA_HOMEWORK.lock(3)
+    q_0 = [0.1, 0.2, 1.4, 0.3, 1.6, 0.2]
+    path = circle(link_frames(arm, q_0)[-1, :3, 3] - [0, 0, 0.05], 0.05, "zy", 5.0, steps)
+    return trace(arm, q_0, path, method="exact")
+
+
+@pytest.mark.parametrize(("plane", "columns"), [("xz", [0, 2]), ("yx", [1, 0])])
+def test_a_flat_arm_is_the_arm_in_space_seen_from_the_side(plane, columns):
+    _, ax = plt.subplots()
+    arm_2d(ax, ELBOW, [0.3, 0.4, -0.9], plane)
+    T = link_frames(ELBOW, [0.3, 0.4, -0.9])
+    links, joints_drawn, tip = ax.lines
+    np.testing.assert_allclose(points(links)[::2], T[:, columns, 3], atol=1e-15)
+    np.testing.assert_allclose(points(joints_drawn), T[:3, columns, 3], atol=1e-15)
+    np.testing.assert_allclose(points(tip)[0], T[-1, columns, 3], atol=1e-15)
+    assert ax.get_xlabel() == f"${plane[0]}$ (m)"
+
+
+def test_arrows_go_from_the_start_by_the_step():
+    _, ax = plt.subplots()
+    arrow_2d(ax, (1, 2), (3, 4), "red", "F")
+    arrow = next(child for child in ax.texts if isinstance(child, Annotation))
+    assert tuple(arrow.xyann) == (1, 2)
+    assert tuple(arrow.xy) == (4, 6)
+    space = axes_3d()
+    arrow_3d(space, (1, 2, 3), (0, 0, 2), "red", "F", dashed=True)
+    shaft = space.collections[0]._segments3d[0]
+    np.testing.assert_allclose(sorted(shaft[:, 2]), [3, 5])
+    assert space.texts[0].get_position_3d() == (1, 2, 5.5)
+
+
+def test_an_ellipsoids_rings_have_its_semi_axes():
+    ax = axes_3d()
+    ellipsoid_3d(ax, [1, 0, 0], np.diag([3.0, 2.0, 1.0]), scale=0.5)
+    rings, spokes = ax.lines[:3], ax.lines[3:]
+    for ring in rings:
+        inside = (points(ring) - [1, 0, 0]) / [1.5, 1.0, 0.5]
+        np.testing.assert_allclose(np.linalg.norm(inside, axis=1), 1)
+    ends = [points(spoke) for spoke in spokes]
+    np.testing.assert_allclose([np.linalg.norm(b - a) for a, b in ends], [3, 2, 1])
+
+
+def test_a_map_shows_its_values_with_a_scale():
+    figure, ax = plt.subplots()
+    map_2d(ax, [0, 1, 2], [0, 1], [[0, 1, 2], [3, 4, 5]], "how much")
+    assert [other.get_ylabel() for other in figure.axes] == ["", "how much"]
+    low, high = figure.axes[1].get_ylim()
+    assert low <= 0.5
+    assert high >= 4.5
+
+
+def test_regions_are_told_apart_by_more_than_colour():
+    _, ax = plt.subplots()
+    regions(ax, [0, 1, 2], [0, 1, 2], np.eye(3), {0: "no", 1: "yes"}, ("#000000", "#ffffff"))
+    key = ax.get_legend()
+    assert [text.get_text() for text in key.get_texts()] == ["no", "yes"]
+    assert len({patch.get_hatch() for patch in key.get_patches()}) == 2
+
+
+def test_the_stick_stands_on_its_joints_at_equal_scale():
+    ax = axes_3d()
+    stick_3d(ax, UR10E, UR10E.home, title="home")
+    T = link_frames(UR10E, UR10E.home)
+    floor, links, joints_drawn, *tool = ax.lines
+    assert (points(floor)[:, 2] == 0).all()
+    np.testing.assert_allclose(points(links)[::2], T[:, :3, 3], atol=1e-15)
+    np.testing.assert_allclose(points(joints_drawn), T[:6, :3, 3], atol=1e-15)
+    for line, axis in zip(tool, T[-1, :3, :3].T, strict=True):
+        start, end = points(line)
+        np.testing.assert_allclose((end - start) / np.linalg.norm(end - start), axis, atol=1e-12)
+    spans = np.diff([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()]).ravel()
+    np.testing.assert_allclose(spans, spans[0])
+
+
+def test_both_branches_touch_the_circle_that_their_plane_is_tangent_to():
+    _, ax = plt.subplots()
+    arm = ELBOW.with_values(d=0.1)
+    found = elbow(arm, [0.3, 0.2, 0.8])
+    from_above(ax, arm, found.q[[0, 2]], ("front", "back"), 0.1)
+    assert ax.patches[0].get_radius() == 0.1
+    assert [text.get_text() for text in ax.texts] == ["front", "back"]
+    tips = [points(line)[-1] for line in ax.lines if line.get_marker() == "o"]
+    np.testing.assert_allclose([tips[1], tips[3]], [[0.3, 0.2]] * 2, atol=1e-12)
+
+
+def test_the_triangle_has_the_arms_angles():
+    _, ax = plt.subplots()
+    law_of_cosines(ax, ELBOW, [0.7, 0.8, -1.1])
+    lift, bearing, bend, inner = ax.patches
+    np.testing.assert_allclose([lift.theta1, lift.theta2], [0, np.degrees(0.8)])
+    np.testing.assert_allclose(bend.theta2 - bend.theta1, np.degrees(1.1))
+    np.testing.assert_allclose(inner.theta2 - inner.theta1, 180 - np.degrees(1.1))
+    shoulder, tip = np.array([0, 0.5]), points(ax.lines[3])[1]
+    wanted = np.degrees(np.arctan2(*(tip - shoulder)[::-1]))
+    np.testing.assert_allclose(bearing.theta1, wanted)
+
+
+def test_a_traced_path_is_drawn_beside_the_wanted_one():
+    run = run_of()
+    _, ax = plt.subplots()
+    path_2d(ax, run)
+    wanted, traced, start = ax.lines
+    np.testing.assert_allclose(points(wanted), run.path.positions[:, 1:], atol=1e-15)
+    np.testing.assert_allclose(points(traced), points(wanted), atol=1e-9)
+    np.testing.assert_allclose(points(start)[0], run.path.positions[0, 1:], atol=1e-9)
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$y$ (m)", "$z$ (m)")
+
+
+def test_joints_beyond_their_range_are_red_and_ranges_are_shaded():
+    run = run_of()
+    lower, upper = run.arm.limits
+    outside = run.q.copy()
+    outside[3, 0] = upper[0] + 0.1
+    _, grid = plt.subplots(2, 3)
+    joints(grid, replace(run, q=outside))
+    _, red = grid[0, 0].lines
+    np.testing.assert_array_equal(np.flatnonzero(np.isfinite(red.get_ydata())), [3])
+    (band,) = grid[0, 0].patches
+    np.testing.assert_allclose(
+        [band.get_y(), band.get_y() + band.get_height()], np.degrees([lower[0], upper[0]])
+    )
+    assert grid[0, 2].get_title() == "joint 4 (°)"
+    assert grid[1, 0].get_xlabel() == "$t$ (s)"
+    free = replace(run, arm=_without_limits(run.arm))
+    _, other = plt.subplots(2, 3)
+    joints(other, free)
+    assert not other[0, 0].patches
+
+
+def _without_limits(arm):
+    return replace(arm, rows=[replace(row, joint=Joint(row.joint.kind)) for row in arm.rows])
+
+
+def test_the_moving_picture_holds_every_pose_and_respects_the_wish_for_less_motion():
+    picture = ET.fromstring(moving_picture(run_of(), ("yz", "xz"), frames=4))
+    space = {"s": "http://www.w3.org/2000/svg"}
+    moves = picture.findall(".//s:animate[@attributeName='points']", space)
+    assert [len(move.get("values").split(";")) for move in moves] == [5, 5]
+    assert {move.get("dur") for move in moves} == {"5s"}
+    assert "prefers-reduced-motion" in picture.find("s:style", space).text
+    stills = picture.findall(".//s:g[@class='still']/s:polyline[1]", space)
+    first = [move.get("values").split(";")[0] for move in moves]
+    assert [still.get("points") for still in stills] == first
+
+
+def test_torques_are_drawn_per_joint_with_the_makers_limit():
+    arm = PANDA_HOMEWORK
+    _, grid = plt.subplots(2, 4)
+    tau = np.arange(14.0).reshape(2, 7)
+    torques(grid, arm, [0.0, 1.0], tau, label="static")
+    for k, ax in enumerate(grid.flat[:7]):
+        np.testing.assert_array_equal(ax.lines[0].get_ydata(), tau[:, k])
+        assert ax.get_title() == f"joint {k + 1} (limit ±{87 if k < 4 else 12})"
+
+
+def test_the_pen_and_the_wall_push_each_other():
+    _, ax = plt.subplots()
+    pen_and_wall(ax)
+    steps = [np.subtract(t.xy, t.xyann) for t in ax.texts if isinstance(t, Annotation)]
+    np.testing.assert_allclose(steps[0], -steps[1])
+
+
+def test_the_books_style_is_set_with_and_without_a_notebook(monkeypatch):
+    use_book_style()
+    assert mpl.rcParams["svg.hashsalt"] == "helpers"
+    kept = {}
+    formatter = SimpleNamespace(for_type=kept.__setitem__)
+    shell = SimpleNamespace(
+        display_formatter=SimpleNamespace(formatters={"image/svg+xml": formatter})
+    )
+    monkeypatch.setattr("helpers.plotting.style.get_ipython", lambda: shell)
+    monkeypatch.setattr("helpers.plotting.style.set_matplotlib_formats", lambda *formats: None)
+    use_book_style()
+    assert kept == {Figure: svg}

@@ -232,9 +232,9 @@ def test_figures_draw_what_they_are_given():
         (lambda: potential_energy(PANDA, PANDA.home, [0, 0, np.nan]), "expected a vector of three finite numbers"),
         (lambda: static_torque(PANDA, PANDA.home, [5, 0, 0]), "expected six finite numbers"),
         (lambda: static_torque(PANDA, PANDA.home, [np.nan] * 6), "expected six finite numbers"),
-        (lambda: with_payload(PANDA, -1), "payload is -1 at"),
-        (lambda: with_payload(PANDA, np.inf), "payload is inf at"),
-        (lambda: with_payload(PANDA, 1, (0, 0)), "three coordinates"),
+        (lambda: with_payload(PANDA, -1), "mass is -1; expected a finite number of kg"),
+        (lambda: with_payload(PANDA, np.inf), "mass is inf; expected a finite number of kg"),
+        (lambda: with_payload(PANDA, 1, (0, 0)), "com has shape (2,); expected three finite coordinates"),
         (lambda: with_payload(ELBOW, 1), "Elbow arm has no masses"),
         (lambda: centres_in(np.zeros((2, 4, 4)), np.zeros((3, 4, 4)), np.zeros((2, 3))), "do not fit"),
     ],
@@ -243,3 +243,9 @@ def test_bad_input_is_told_in_words(make, words):
     with pytest.raises(ArmError) as told:
         make()
     assert words in str(told.value)
+
+
+def test_a_payload_of_no_mass_changes_nothing():
+    assert with_payload(PANDA, 0, (1, 2, 3)) is PANDA
+    massless = replace(PANDA, bodies=[Body(0, (0, 0, 0))] * 7)
+    assert with_payload(massless, 0) is massless

@@ -191,3 +191,18 @@ def test_a_pendulum_by_hand():
 def test_torques_must_be_numbers(mine):
     with pytest.raises(ArmError, match="your torques"):
         compare_torques(mine, PANDA, PANDA.home)
+
+
+def test_reports_are_marked_in_the_book(run):
+    fine, wrong = compare_trace(run, ARM, PATH), compare_trace(run + 0.1, ARM, PATH)
+    assert fine._repr_markdown_().startswith("✔ **Panda (homework) draws the path.**\n\n- Note: ")
+    assert wrong._repr_markdown_().startswith("✘ **Panda (homework) does not draw the path.**")
+    right = gravity_torque(PANDA, PANDA.home)
+    assert compare_torques(right, PANDA, PANDA.home)._repr_markdown_().startswith("✔ **The torques")
+    listed = compare_torques(-right, PANDA, PANDA.home)._repr_markdown_()
+    assert listed.startswith("✘ **The torques of Panda are not right.**\n\n- ")
+
+
+def test_a_report_of_a_wrong_shape_names_the_arm():
+    q = np.zeros(6)
+    assert compare_torques(np.zeros(5), UR10E, q).arm == "UR10e"

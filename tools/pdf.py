@@ -41,7 +41,9 @@ def printed(browser: Browser, name: str) -> tuple[str, bytes]:
     """A page's title and its PDF, as a reader would print it in light mode."""
     page = browser.new_page(viewport=SHEET)
     page.goto((HTML / f"{name}.html").as_uri())
-    page.wait_for_function("!window.MathJax || MathJax.startup.promise.then(() => true)")
+    page.wait_for_function(
+        "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)"
+    )
     page.emulate_media(media="print")
     page.evaluate(PREPARE)
     page.evaluate("Promise.all([...document.images].map((i) => i.decode()))")

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import ArmError, floats, must_be
 from helpers.inverse.numeric import solve
 from helpers.inverse.solutions import Solutions
-from helpers.kinematics import forward_kinematics
+from helpers.kinematics import forward_kinematics, jacobian
 
 Array = NDArray[np.float64]
 
@@ -50,12 +51,14 @@ def compare_branches(mine: ArrayLike, found: Solutions) -> BranchReport:
     it, which: a sign, half a turn (atan for atan2), degrees, or joints of different branches mixed. Where a joint is free any
     one value of it stands for the branch. Raises ArmError for another shape, or where `found` holds many targets.
     """
+    must_be(found, Solutions, "found")
     arm = found.arm
+    mine = floats(mine, f"{arm.name}: q", f"joint vectors, (answers, {arm.dof})")
     if found.valid.ndim != 1:
         raise ArmError(
             f"{arm.name}: found holds {found.distance.size} targets; expected the branches of one"
         )
-    answers = np.atleast_2d(arm.joint_vector(mine)) if np.size(mine) else np.zeros((0, arm.dof))
+    answers = np.atleast_2d(arm.joint_vector(mine)) if mine.size else np.zeros((0, arm.dof))
     if answers.ndim != 2:
         raise ArmError(
             f"{arm.name}: your answers have shape {answers.shape}; expected (answers, {arm.dof})"
@@ -76,12 +79,26 @@ def compare_branches(mine: ArrayLike, found: Solutions) -> BranchReport:
 
 
 def _matches(arm: Arm, q: Array, branches: Array, loose: Array) -> Array:
-    """The branches that q is: the same joints, or, where a joint is free, the same pose and a neighbour in the family."""
-    same = (_gap(arm, q, branches) < _WITHIN).all(axis=-1)
-    if loose.any() and _misses(arm, q, branches) is None:
-        bound = ~loose.any(axis=0)
-        same |= (_gap(arm, q, branches) < _WITHIN)[:, bound].all(axis=-1) & loose.any(axis=-1)
+    """The branches that q is: the same joints, or, where a joint is free, another member of the branch's family.
+
+    A member reaches the target too and differs only in joints that can move together without the tip. Where two families
+    share those (a UR's elbows), the nearer one counts.
+    """
+    gap = _gap(arm, q, branches)
+    same = (gap < _WITHIN).all(axis=-1)
+    family = loose.any(axis=-1)
+    if family.any() and _misses(arm, q, branches) is None:
+        family &= ((gap < _WITHIN) | _moving_in_place(arm, branches)).all(axis=-1)
+        far = np.where(loose, 0.0, gap).sum(axis=-1)
+        same |= family & (far < far[family].min(initial=np.inf) + _WITHIN)
     return np.flatnonzero(same)
+
+
+def _moving_in_place(arm: Arm, branches: Array) -> NDArray[np.bool_]:
+    """Which joints can move while the tip stands still, by the Jacobian's null space, shape (branches, dof)."""
+    J = jacobian(arm, branches)[..., : 6 if arm.dof >= 6 else 3, :]
+    _, sizes, directions = np.linalg.svd(J)
+    return (np.abs(directions) * (sizes < _NEAR)[..., None]).max(axis=-2) > _NEAR
 
 
 def _misses(arm: Arm, q: Array, branches: Array) -> tuple[float, float] | None:
@@ -106,8 +123,8 @@ def _what_is_wrong(arm: Arm, q: Array, branches: Array, names: Array) -> str:
     missed = _misses(arm, q, branches)
     if missed is None:
         return "reaches the target by joint angles that are no branch of ours: please tell us"
-    off = f"misses the target by {1e3 * missed[0]:.3g} mm"
-    off += f" and {np.degrees(missed[1]):.3g}°" if arm.dof >= 6 else ""
+    off = f"misses the target by {_rounded(1e3 * missed[0])} mm"
+    off += f" and {_rounded(np.degrees(missed[1]))}°" if arm.dof >= 6 else ""
     for slip, corrected in _usual_slips(arm, q):
         found = np.flatnonzero((_gap(arm, corrected, branches) < _WITHIN).all(axis=-1))
         if found.size:
@@ -117,6 +134,11 @@ def _what_is_wrong(arm: Arm, q: Array, branches: Array, names: Array) -> str:
         return f"{off}: each joint is right in some branch, but they belong to different ones"
     wrong = ", ".join(f"q_{i}" for i, right in zip(arm.joints, parts, strict=True) if not right)
     return f"{off}: {wrong} {'is' if (~parts).sum() == 1 else 'are'} in no branch"
+
+
+def _rounded(number: float) -> str:
+    """Three digits, and 0 for what is rounding only."""
+    return f"{round(number, 3):.3g}"
 
 
 def _usual_slips(arm: Arm, q: Array) -> Iterator[tuple[str, Array]]:

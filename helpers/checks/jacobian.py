@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError, Joint
+from helpers.arm import Arm, Joint
 from helpers.checks.mistakes import turned, usual_mistakes
+from helpers.inputs import ArmError, floats, must_be
 from helpers.kinematics import jacobian, jacobian_in_frame, link_frames
 
 Array = NDArray[np.float64]
@@ -65,9 +66,8 @@ def compare_jacobian(
 
     Raises ArmError where `mine` gives no matrix of numbers, or is an array and q is missing.
     """
-    pose = _generic_pose(arm) if q is None else arm.joint_vector(q)
-    if pose.ndim != 1:
-        raise ArmError(f"q has shape {pose.shape}; expected one pose, ({arm.dof},)")
+    must_be(arm, Arm, "arm")
+    pose = _generic_pose(arm) if q is None else arm.joint_vector(q, many=False)
     M = _numbers(mine, arm, pose, given=q is not None)
     if M.shape != (6, arm.dof):
         return JacobianReport(arm.name, (_shape_finding(M, arm),))
@@ -94,12 +94,7 @@ def _numbers(mine: object, arm: Arm, q: Array, given: bool) -> Array:
         raise ArmError(
             "an array is a Jacobian at one pose; say which: compare_jacobian(mine, arm, q)"
         )
-    try:
-        M = np.asarray(mine, dtype=float)
-    except (TypeError, ValueError):
-        raise ArmError(
-            f"{arm.name}: your Jacobian gives {mine!r}; expected a matrix of numbers"
-        ) from None
+    M = floats(mine, f"{arm.name}: your Jacobian", "a matrix of numbers")
     if M.ndim != 2 or not np.isfinite(M).all():
         raise ArmError(
             f"{arm.name}: your Jacobian has shape {M.shape}; expected a matrix of finite numbers"
@@ -124,7 +119,7 @@ def _evaluated(expression, arm: Arm, q: Array) -> object:
     if unknown:
         names = ", ".join([*arm.variables, *dict(arm.values)])
         raise ArmError(f"{arm.name}: no value for {', '.join(unknown)}; known are {names}")
-    return result.tolist()
+    return result.tolist() if hasattr(result, "tolist") else result
 
 
 def _short_value(name: str, joints: dict[str, float]) -> float | None:

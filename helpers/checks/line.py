@@ -3,6 +3,8 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
+from helpers.inputs import must_be, number
+
 
 def check(label: str, actual: ArrayLike, expected: ArrayLike, within: float = 0.0) -> None:
     """Print one line that says `actual` agrees with `expected`, or raise AssertionError that says by how much not.
@@ -10,9 +12,11 @@ def check(label: str, actual: ArrayLike, expected: ArrayLike, within: float = 0.
     Numbers and arrays agree when no entry differs by more than `within`; anything else, SymPy matrices
     too, must be equal. This is the one function of the book that prints: its line is the reader's proof.
     """
+    must_be(label, str, "label")
+    number(within, "within", "a number of 0 or more", least=0)
     exact = not _numeric(actual) or not _numeric(expected)
     if exact:
-        difference, agrees = None, bool(actual == expected)
+        difference, agrees = None, _equal(actual, expected)
     else:
         actual, expected = np.asarray(actual, dtype=float), np.asarray(expected, dtype=float)
         if actual.shape != expected.shape:
@@ -27,6 +31,13 @@ def check(label: str, actual: ArrayLike, expected: ArrayLike, within: float = 0.
         )
         raise AssertionError(f"{label}: {detail}")
     print(f"✔ {label}" if exact or not within else f"✔ {label} (within {within:g})")
+
+
+def _equal(actual: object, expected: object) -> bool:
+    """Whether two values that are not numbers are the same; NumPy compares arrays of words entry by entry."""
+    if isinstance(actual, np.ndarray) or isinstance(expected, np.ndarray):
+        return np.array_equal(actual, expected)
+    return bool(actual == expected)
 
 
 def _numeric(value: object) -> bool:

@@ -7,11 +7,12 @@ from itertools import chain, product
 
 import numpy as np
 
-from helpers.arm import Arm, ArmError, Row
+from helpers.arm import Arm, Row
 from helpers.checks.axes import Gap, gaps, tool_tilt
 from helpers.checks.differences import WITHIN_ANGLE, WITHIN_LENGTH, Finding, arc, by_signs, turned
 from helpers.conventions import standard_from_modified
 from helpers.expressions import Entry
+from helpers.inputs import ArmError, shown
 from helpers.kinematics import forward_kinematics
 
 _RIGHT_ANGLES = {-2: "-pi", -1: "-pi/2", 0: "0", 1: "pi/2", 2: "pi"}
@@ -58,7 +59,7 @@ def compare_tables(mine: Arm, reference: Arm) -> TableReport:
     """
     for arm in (mine, reference):
         if not isinstance(arm, Arm) or not arm.dof:
-            raise ArmError(f"cannot compare {arm!r}; expected an Arm with one joint or more")
+            raise ArmError(f"cannot compare {shown(arm)}; expected an Arm with one joint or more")
     findings, notes = _compared(_squared(mine), _squared(reference))
     more = _hints(mine, reference) or notes if findings else (*notes, *_zeros_note(mine, reference))
     return TableReport(mine.name, reference.name, findings, (*more, *_rounded(mine)))

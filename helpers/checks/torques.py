@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError, Body
+from helpers.arm import Arm, Body
+from helpers.inputs import ArmError, floats, must_be, number
 from helpers.kinematics import link_frames
 from helpers.statics import GRAVITY, gravity_torque, static_torque
 
@@ -54,6 +55,8 @@ def compare_torques(
     `wrench` is on the tool, by the world, shape (6,) or (..., 6); `within` is in N m. One pose can hide a mistake that a
     whole path shows. Raises ArmError where `mine` is not numbers or the arm has no masses.
     """
+    must_be(arm, Arm, "arm")
+    number(within, "within", "a number of N m, 0 or more", least=0)
     tau = _numbers(mine, arm)
     right = static_torque(arm, q, wrench, gravity)
     if tau.shape != right.shape:
@@ -65,10 +68,7 @@ def compare_torques(
 
 
 def _numbers(mine: ArrayLike, arm: Arm) -> Array:
-    try:
-        tau = np.asarray(mine, dtype=float)
-    except (TypeError, ValueError):
-        raise ArmError(f"{arm.name}: your torques are {mine!r}; expected numbers") from None
+    tau = floats(mine, f"{arm.name}: what you give for your torques", "numbers")
     if not np.isfinite(tau).all():
         raise ArmError(f"{arm.name}: your torques hold NaN or infinity; expected finite numbers")
     return tau

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import ArmError, floats, must_be, number
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
 from helpers.motion.report import Report, report
@@ -49,10 +50,10 @@ def compare_trace(mine: ArrayLike, arm: Arm, path: Path, within: float = 2e-3) -
     should be; it may lean by 1 degree. Limits of range and speed are notes: the homework's own circle breaks them.
     Raises ArmError where `mine` holds anything but finite numbers.
     """
-    try:
-        q = np.asarray(mine, dtype=float)
-    except (TypeError, ValueError):
-        raise ArmError(f"{arm.name}: your joints are {mine!r}; expected numbers") from None
+    must_be(arm, Arm, "arm")
+    must_be(path, Path, "path")
+    number(within, "within", "a length of 0 m or more", least=0)
+    q = floats(mine, f"{arm.name}: what you give for your joints", "numbers")
     if not np.isfinite(q).all():
         raise ArmError(f"{arm.name}: your joints hold NaN or infinity; expected finite numbers")
     counts = (len(path.times), len(path.times) - 1)

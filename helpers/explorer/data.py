@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from helpers.arm import Arm, ArmError, Body, Joint, Row
+from helpers.arm import Arm, Body, Joint, Row
+from helpers.inputs import ArmError, listed, must_be
 from helpers.inverse import Solutions
 
 _POINTS = 181  # of a path that is played back: one for each two degrees of a circle
@@ -18,6 +19,7 @@ Data = dict[str, Any]
 
 def arm_data(arm: Arm) -> Data:
     """An arm with its values put in: SI units, null where no limit is known."""
+    must_be(arm, Arm, "arm")
     bodies = arm.bodies or (None,) * len(arm.rows)
     rows = [_row_data(arm, row, body) for row, body in zip(arm.rows, bodies, strict=True)]
     return {"name": arm.name, "home": list(arm.home), "rows": rows}
@@ -76,6 +78,8 @@ def branches_data(
         return None
     if isinstance(branches, Solutions):
         branches = _named(branches)
+    wanted = "a closed form's answer, a mapping from names to joint vectors, or (k, dof)"
+    branches = branches if isinstance(branches, Mapping) else listed(branches, "branches", wanted)
     if isinstance(branches, Mapping):
         return [
             {"label": str(name), "q": _rounded(arm.joint_vector(q))} for name, q in branches.items()

@@ -8,9 +8,10 @@ import anywidget
 import traitlets
 from numpy.typing import ArrayLike
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
 from helpers.explorer.data import arm_data, arm_from, branches_data, path_data
 from helpers.explorer.stub import stub
+from helpers.inputs import ArmError, floats, listed, must_be, numbers, shown
 from helpers.inverse import Solutions
 
 VIEWS = ("table", "pose", "jacobian", "trace", "torque", "branches")
@@ -23,10 +24,10 @@ class Floats(traitlets.TraitType):
     """A tuple of floats that any array, list or tuple of numbers may be assigned to."""
 
     def validate(self, obj: object, value: Any) -> tuple[float, ...]:
-        try:
-            return tuple(float(x) for x in value)
-        except (TypeError, ValueError):
-            raise ArmError(f"{self.name} is {value!r}; expected numbers") from None
+        array = floats(value, str(self.name), "numbers")
+        if array.ndim != 1:
+            raise ArmError(f"{self.name} has shape {array.shape}; expected numbers in a row, (n,)")
+        return tuple(array.tolist())
 
 
 class ArmExplorer(anywidget.AnyWidget):
@@ -73,12 +74,12 @@ class ArmExplorer(anywidget.AnyWidget):
         unit: str = "deg",
         link: bool = False,
     ) -> None:
-        self._arms = _by_name((arm, *arms))
+        self._arms = _by_name((arm, *listed(arms, "arms", "arms to choose from")))
         spec = {
             "arms": [arm_data(a) for a in self._arms.values()],
             "views": _known("view", views, VIEWS),
             "unit": _known("unit", [unit], UNITS)[0],
-            "reference": arm_data(reference) if reference else None,
+            "reference": None if reference is None else arm_data(reference),
             "link": bool(link),
         }
         start = arm.home if q is None else q
@@ -102,9 +103,8 @@ class ArmExplorer(anywidget.AnyWidget):
 
     @traitlets.validate("wrench")
     def _check_wrench(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:
-        if len(proposal["value"]) != 6:
-            raise ArmError(f"wrench is {proposal['value']}; expected (fx, fy, fz, mx, my, mz)")
-        return proposal["value"]
+        wanted = "six finite numbers (fx, fy, fz, mx, my, mz)"
+        return tuple(numbers(proposal["value"], "wrench", wanted, (6,)).tolist())
 
     @traitlets.validate("trace")
     def _check_trace(self, proposal: Mapping[str, Any]) -> list[list[float]] | None:
@@ -132,6 +132,7 @@ class ArmExplorer(anywidget.AnyWidget):
 def _by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
     named: dict[str, Arm] = {}
     for arm in arms:
+        must_be(arm, Arm, "arm")
         if named.setdefault(arm.name, arm) != arm:
             raise ArmError(
                 f"two different arms are called {arm.name!r}; expected each to have its name"
@@ -140,8 +141,8 @@ def _by_name(arms: Iterable[Arm]) -> dict[str, Arm]:
 
 
 def _known(what: str, given: Iterable[str], known: tuple[str, ...]) -> list[str]:
-    given = list(given)
-    unknown = [name for name in given if name not in known]
+    given = listed(given, f"{what}s", f"some of {', '.join(known)}")
+    unknown = [shown(name) for name in given if not isinstance(name, str) or name not in known]
     if unknown or not given:
         raise ArmError(f"{what} is {', '.join(unknown) or 'none'}; expected {', '.join(known)}")
-    return given
+    return list(given)

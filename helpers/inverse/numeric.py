@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import common_shape, floats, must_be, number, whole
 from helpers.inverse.solutions import dot, must_be_rigid, poses, positions
 from helpers.kinematics import cross, frame_columns, store_jacobian
 
@@ -60,14 +61,15 @@ def solve(
     `restarts` random starts. q0 has shape (..., dof); home unless given. Raises ArmError for bad shapes or numbers.
     Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
     """
+    must_be(arm, Arm, "arm")
     goal, shape = _goal(arm, target)
-    start = arm.joint_vector(arm.home if q0 is None else q0)
-    shape = np.broadcast_shapes(shape, start.shape[:-1])
+    start = arm.joint_vector(arm.home if q0 is None else q0, "q0")
+    shape = common_shape("targets and q0", shape, start.shape[:-1])
     goal = np.broadcast_to(goal, (*shape, *goal.shape[-2:])).reshape(-1, *goal.shape[-2:])
     start = np.broadcast_to(start, (*shape, arm.dof)).reshape(-1, arm.dof)
-    _must_count(iterations=iterations, restarts=restarts)
-    if not (np.isfinite(tolerance) and tolerance > 0):
-        raise ArmError(f"tolerance is {tolerance!r}; expected a positive number of m and rad")
+    for name, count in (("iterations", iterations), ("restarts", restarts), ("seed", seed)):
+        whole(count, name)
+    number(tolerance, "tolerance", "a positive number of m and rad", above=0)
 
     bounds = arm.limits if limits else (np.full(arm.dof, -np.inf), np.full(arm.dof, np.inf))
     best = _descend(arm, goal, start, bounds, tolerance, iterations)
@@ -211,7 +213,8 @@ def _worst(error: Array) -> Array:
 
 
 def _goal(arm: Arm, target: ArrayLike) -> tuple[Array, tuple[int, ...]]:
-    if np.shape(target)[-2:] == (4, 4):
+    target = floats(target, f"{arm.name}: target", "poses (..., 4, 4) or positions (..., 3) in m")
+    if target.shape[-2:] == (4, 4):
         flat = poses(arm, target)
         must_be_rigid(arm, flat.reshape(-1, 16).T)
         return flat.reshape(*flat.shape[:-1], 4, 4), flat.shape[:-1]
@@ -225,9 +228,3 @@ def _range(arm: Arm) -> tuple[Array, Array]:
     far = np.array([np.pi if kind == "revolute" else 1.0 for kind in kinds])
     lower, upper = arm.limits
     return np.where(np.isfinite(lower), lower, -far), np.where(np.isfinite(upper), upper, far)
-
-
-def _must_count(**counts: int) -> None:
-    for name, value in counts.items():
-        if not isinstance(value, int | np.integer) or value < 0:
-            raise ArmError(f"{name} is {value!r}; expected a whole number of 0 or more")

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import ArmError, must_be
 from helpers.inverse.geometry import REACH, Plane, facing, two_links
 from helpers.inverse.solutions import Found, Solutions, each_branch, positions, shifted
 
@@ -108,6 +109,7 @@ def _elbow_distance(links: Links, p: Array, plane: Plane, valid: Array) -> Array
 
 
 def must_be_elbow(arm: Arm) -> None:
+    must_be(arm, Arm, "arm")
     rows, kinds = arm.numeric, [row.kind for row in arm.numeric]
     fits = kinds in (["revolute"] * 3, ["revolute"] * 3 + ["fixed"]) and (
         rows[0].a == rows[0].cos_alpha == rows[1].sin_alpha == 0.0
@@ -123,6 +125,7 @@ def must_be_elbow(arm: Arm) -> None:
 
 
 def must_have_rod(arm: Arm) -> None:
+    must_be(arm, Arm, "arm")
     rows, kinds = arm.numeric, [row.kind for row in arm.numeric]
     moving = ["revolute", "revolute", "prismatic"]
     fits = kinds in (moving, [*moving, "fixed"]) and (

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import ArmError, common_shape, floats, must_be, must_be_callable, numbers
 from helpers.kinematics import cross
 
 Array = NDArray[np.float64]
@@ -50,7 +51,9 @@ class Solutions:
         Revolute joints may have made whole turns: each is taken by the turn nearest to q. With `limits` only what lies within
         the joint limits counts. q has shape (..., dof). Raises ArmError for another shape.
         """
-        start = self.arm.joint_vector(q)[..., None, :]
+        start = self.arm.joint_vector(q)
+        common_shape("q and the targets", start.shape[:-1], self.distance.shape)
+        start = start[..., None, :]
         found = _turned_towards(self.arm, self.q, start, limits)
         change = np.abs(found - start).max(axis=-1)
         allowed = _inside(self.arm, found) if limits else self.valid
@@ -65,9 +68,14 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, q0: ArrayLike) 
     `solver(target, near)` is a closed form with its arm put in, as `partial(ur, UR10E)`. A free joint keeps its value. Raises
     ArmError at the first target that no branch reaches within the joint limits.
     """
-    path, q = [], np.asarray(q0, dtype=float)
-    for step, target in enumerate(np.asarray(targets, dtype=float)):
+    must_be_callable(solver, "solver", "a closed form with its arm put in, as partial(ur, UR10E)")
+    path, q = [], floats(q0, "q0", "joint values (dof,)")
+    wanted = floats(targets, "targets", "positions (n, 3) or poses (n, 4, 4)")
+    if wanted.ndim not in (2, 3):
+        raise ArmError(f"targets have shape {wanted.shape}; expected (n, 3) or (n, 4, 4)")
+    for step, target in enumerate(wanted):
         found = solver(target, near=q)
+        must_be(found, Solutions, "what solver gives")
         q = found.nearest(q)
         if np.isnan(q).any():
             raise ArmError(
@@ -98,8 +106,8 @@ def each_branch(
     `branches` names the choices that a branch is made of, first to last; the kernel's arrays have one axis for each.
     `free` holds an array for each joint, by its index, that was ever chosen.
     """
-    near = arm.joint_vector(np.zeros(arm.dof) if near is None else near)
-    shape = np.broadcast_shapes(targets.shape[:-1], near.shape[:-1])
+    near = arm.joint_vector(np.zeros(arm.dof) if near is None else near, "near")
+    shape = common_shape("targets and near", targets.shape[:-1], near.shape[:-1])
     choices = tuple(map(len, branches))
     targets, near = _rows(targets, shape), _rows(near, shape)
     count, many, dof = len(targets), math.prod(choices), arm.dof
@@ -128,17 +136,13 @@ def _rows(values: Array, shape: tuple[int, ...]) -> Array:
 
 def positions(arm: Arm, p: ArrayLike) -> Array:
     """`p` as positions of shape (..., 3); raises ArmError for anything else."""
-    points = _numbers(arm, p, "p", "positions (..., 3) in m")
-    if points.shape[-1:] != (3,):
-        raise ArmError(f"{arm.name}: p has shape {points.shape}; expected (..., 3), positions in m")
-    return points
+    return numbers(p, f"{arm.name}: p", "(..., 3), finite positions in m", (3,), many=True)
 
 
 def poses(arm: Arm, T: ArrayLike) -> Array:
     """`T` as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN or infinity."""
-    transforms = _numbers(arm, T, "T", "poses (..., 4, 4)")
-    if transforms.shape[-2:] != (4, 4):
-        raise ArmError(f"{arm.name}: T has shape {transforms.shape}; expected (..., 4, 4), poses")
+    wanted = "(..., 4, 4), poses of finite numbers"
+    transforms = numbers(T, f"{arm.name}: T", wanted, (4, 4), many=True)
     return transforms.reshape(*transforms.shape[:-2], 16)
 
 
@@ -161,16 +165,6 @@ _BOTTOM = np.array([[0.0], [0.0], [0.0], [1.0]])
 def dot(u: Array, v: Array) -> Array:
     """Inner products of columns."""
     return np.einsum("i...,i...->...", u, v)
-
-
-def _numbers(arm: Arm, values: ArrayLike, name: str, wanted: str) -> Array:
-    try:
-        array = np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise ArmError(f"{arm.name}: {name} is {values!r}; expected {wanted}") from None
-    if not np.isfinite(array).all():
-        raise ArmError(f"{arm.name}: {name} holds NaN or infinity; expected {wanted}")
-    return array
 
 
 def shifted(angle: Array, offset: float) -> Array:

@@ -10,7 +10,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import ArmError, must_be
 from helpers.inverse.geometry import (
     SINGULAR,
     Plane,
@@ -178,6 +179,7 @@ def _pair(one: Array, other: Array) -> Array:
 
 
 def _must_fit(arm: Arm) -> None:
+    must_be(arm, Arm, "arm")
     rows = arm.numeric
     fits = (
         len(rows) == 6

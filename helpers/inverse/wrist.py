@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError, fixed
+from helpers.arm import Arm, fixed
+from helpers.inputs import ArmError, must_be
 from helpers.inverse.geometry import SINGULAR, unwound, wrist_centre
 from helpers.inverse.shoulder import (
     ELBOW_BRANCHES,
@@ -114,6 +115,7 @@ def _wrist(arm: Arm, seen: list[Array], near: Array) -> tuple[tuple[Array, ...],
 
 
 def _must_have_wrist(arm: Arm) -> None:
+    must_be(arm, Arm, "arm")
     rows = arm.numeric
     fits = (
         len(rows) == 6

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import ArmError
+from helpers.inputs import ArmError, must_be_callable, number, numbers, plane_axes, whole
 
 Array = NDArray[np.float64]
 
@@ -25,6 +25,16 @@ class Path:
     position: Callable[[ArrayLike], Array]
     velocity: Callable[[ArrayLike], Array]
     normal: Array
+
+    def __post_init__(self) -> None:
+        times = numbers(self.times, "times", "finite times (steps + 1,) in s", (None,))
+        if not (len(times) and (np.diff(times) > 0).all()):
+            raise ArmError(f"times are {times}; expected each later than the one before")
+        for name in ("position", "velocity"):
+            must_be_callable(getattr(self, name), name, "a function of the time")
+        normal = numbers(self.normal, "normal", "a vector of three finite numbers", (3,))
+        object.__setattr__(self, "times", times)
+        object.__setattr__(self, "normal", normal)
 
     @property
     def positions(self) -> Array:
@@ -45,18 +55,12 @@ def circle(
     `plane` names the base axes e_1 and e_2 in their order, as in "zy" for a circle that starts at the top and moves towards
     +y. Centre in m, shape (3,), radius in m, period in s, phase in rad. Raises ArmError for a value that makes no circle.
     """
-    centre = np.asarray(centre, dtype=float)
-    if centre.shape != (3,) or not np.isfinite(centre).all():
-        raise ArmError(f"the centre is {centre}; expected three finite coordinates")
-    if not (np.isfinite(radius) and radius > 0 and np.isfinite(period) and period > 0):
-        raise ArmError(f"radius and period are {radius}, {period}; expected both > 0 and finite")
-    if not (isinstance(steps, int | np.integer) and steps >= 1):
-        raise ArmError(f"steps is {steps!r}; expected a whole number of 1 or more")
-    if len(plane) != 2 or plane[0] == plane[1] or not set(plane) <= set("xyz"):
-        raise ArmError(
-            f"plane is {plane!r}; expected two different letters of x, y, z, such as 'yz'"
-        )
-    first, second = (np.eye(3)["xyz".index(letter)] for letter in plane)
+    centre = numbers(centre, "the centre", "three finite coordinates in m", (3,))
+    radius = number(radius, "radius", "a finite length > 0 in m", above=0)
+    period = number(period, "period", "a finite time > 0 in s", above=0)
+    phase = number(phase, "phase", "a finite angle in rad")
+    steps = whole(steps, "steps", least=1)
+    first, second = np.eye(3)[list(plane_axes(plane))]
     rate = 2 * np.pi / period
 
     def position(t: ArrayLike) -> Array:

@@ -8,7 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import ArmError, must_be, must_be_callable, number, numbers
 
 Array = NDArray[np.float64]
 Rates = Callable[[Array, Array, Array], Array]
@@ -20,6 +21,7 @@ class SingularError(ArmError):
 
 def inverse(within: float = 1e-9) -> Rates:
     """q_dot = J^-1 xi. Raises SingularError where the smallest singular value is below `within` times the largest."""
+    _not_negative(within=within)
 
     def rates(J: Array, twist: Array, q: Array) -> Array:
         if J.shape[0] != J.shape[1]:
@@ -45,16 +47,20 @@ def inverse(within: float = 1e-9) -> Rates:
 
 def pseudo_inverse(cutoff: float = 1e-9) -> Rates:
     """q_dot = J^+ xi, singular values below `cutoff` times the largest being taken as 0. Source: Whitney (1969)."""
+    _not_negative(cutoff=cutoff)
     return lambda J, twist, q: np.linalg.pinv(J, rcond=cutoff) @ twist
 
 
 def damped(damping: float) -> Rates:
     """q_dot = J^T (J J^T + damping^2 I)^-1 xi, which trades error for speed. Source: Nakamura and Hanafusa (1986)."""
+    _not_negative(damping=damping)
     return lambda J, twist, q: _damped(J, twist, damping**2)
 
 
 def adaptive(damping: float, below: float) -> Rates:
     """Damping only near a singular pose: damping^2 (1 - (s/below)^2) where the smallest singular value s < `below`."""
+    _not_negative(damping=damping)
+    number(below, "below", "a finite number > 0", above=0)
 
     def rates(J: Array, twist: Array, q: Array) -> Array:
         smallest = np.linalg.svd(J, compute_uv=False)[-1]
@@ -68,11 +74,14 @@ def levenberg(scale: float = 0.1) -> Rates:
 
     Far away it is careful, close by it is Newton's method. Source: Nocedal and Wright, Numerical Optimization, 10.3.
     """
+    _not_negative(scale=scale)
     return lambda J, twist, q: _damped(J, twist, scale * float(np.linalg.norm(twist)))
 
 
 def with_null_space(rates: Rates, wish: Callable[[Array], Array]) -> Rates:
     """Add the part of `wish(q)`, rates of shape (n,), that does not move the tip: (I - J^+ J) wish(q)."""
+    must_be_callable(rates, "rates", "a function of J, twist and q, as pseudo_inverse() makes")
+    must_be_callable(wish, "wish", "a function of q, as towards() makes")
 
     def both(J: Array, twist: Array, q: Array) -> Array:
         wanted = wish(q)
@@ -83,12 +92,21 @@ def with_null_space(rates: Rates, wish: Callable[[Array], Array]) -> Rates:
 
 def towards(goal: ArrayLike, gain: float) -> Callable[[Array], Array]:
     """A wish to be at the joint vector `goal`, shape (n,): gain (goal - q), gain in 1/s."""
-    goal = np.asarray(goal, dtype=float)
-    return lambda q: gain * (goal - q)
+    goal = numbers(goal, "goal", "finite joint values (n,)", (None,))
+    _not_negative(gain=gain)
+
+    def wish(q: Array) -> Array:
+        if q.shape != goal.shape:
+            raise ArmError(f"goal has {goal.size} joint values; expected {q.size}, as q has")
+        return gain * (goal - q)
+
+    return wish
 
 
 def away_from_limits(arm: Arm, gain: float) -> Callable[[Array], Array]:
     """A wish to be in the middle of each joint's range, as strong as the range is narrow. Source: Siciliano, section 3.5."""
+    must_be(arm, Arm, "arm")
+    _not_negative(gain=gain)
     lower, upper = arm.limits
     if not np.isfinite([lower, upper]).all():
         raise ArmError(f"{arm.name} has joints without limits; give a goal with towards() instead")
@@ -101,5 +119,13 @@ def size(value: float) -> str:
     return f"{value:.3g}" if value >= 1e-12 else "below 1e-12"
 
 
+def _not_negative(**numbers: float) -> None:
+    for name, value in numbers.items():
+        number(value, name, "a finite number of 0 or more", least=0)
+
+
 def _damped(J: Array, twist: Array, squared: float) -> Array:
-    return J.T @ np.linalg.solve(J @ J.T + squared * np.eye(len(J)), twist)
+    try:
+        return J.T @ np.linalg.solve(J @ J.T + squared * np.eye(len(J)), twist)
+    except np.linalg.LinAlgError:
+        raise SingularError("J has no inverse here and the damping is 0; expected more") from None

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError
+from helpers.arm import Arm
+from helpers.inputs import must_be, must_be_callable, number, one_of
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.paths import Path
 from helpers.motion.rates import Rates, SingularError, inverse
@@ -60,14 +61,14 @@ def trace(
     Raises ArmError for an unknown method or a q_0 that does not fit, SingularError, with the step it happened at, where
     the plain inverse does not exist. Source: Whitney (1969); feedback: Siciliano, section 3.7.
     """
-    if method not in METHODS:
-        raise ArmError(f"method is {method!r}; expected one of {', '.join(METHODS)}")
-    if not (np.isfinite(gain) and gain >= 0):
-        raise ArmError(f"gain is {gain}; expected a finite number of 0 or more")
-    start = arm.joint_vector(q_0)
-    if start.shape != (arm.dof,):
-        raise ArmError(f"{arm.name}: q_0 has shape {start.shape}; expected ({arm.dof},)")
-    rates = rates or inverse()
+    must_be(arm, Arm, "arm")
+    must_be(path, Path, "path")
+    one_of(method, "method", METHODS)
+    number(gain, "gain", "a finite number of 0 or more", least=0)
+    must_be_callable(jacobian, "jacobian", "a function of an arm and q")
+    start = arm.joint_vector(q_0, "q_0", many=False)
+    rates = inverse() if rates is None else rates
+    must_be_callable(rates, "rates", "a function of J, twist and q, as inverse() makes")
     held = forward_kinematics(arm, start)[:3, :3]
 
     def slope(t: float, q: Array) -> Array:

@@ -9,6 +9,7 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
+from helpers.inputs import must_be, numbers
 from helpers.kinematics import link_frames
 from helpers.plotting.style import AXIS_COLOURS, GREY
 
@@ -27,7 +28,7 @@ def arm_3d(
 
     Several arms may share the axes; the view grows to hold them all. Lengths in m.
     """
-    T = link_frames(arm, q)
+    T = pose_frames(arm, q)
     _links(ax, arm, T, colour, alpha, label)
     if frames:
         _triads(ax, T, 0.13 * _reach(arm))
@@ -44,11 +45,18 @@ def arrow_3d(
     dashed: bool = False,
 ) -> None:
     """Draw an arrow from a point by a step (m), with a text at its head."""
-    start, step = np.asarray(start, dtype=float), np.asarray(step, dtype=float)
+    start = numbers(start, "start", "a point of three finite coordinates", (3,))
+    step = numbers(step, "step", "a step of three finite coordinates", (3,))
     ax.quiver(
         *start, *step, color=colour, ls="--" if dashed else "-", lw=2, arrow_length_ratio=0.12
     )
     ax.text(*(start + 1.25 * step), text, color=colour, ha="center", va="center")
+
+
+def pose_frames(arm: Arm, q: ArrayLike) -> np.ndarray:
+    """The link frames at one pose, q of shape (dof,): what can be drawn."""
+    must_be(arm, Arm, "arm")
+    return link_frames(arm, arm.joint_vector(q, many=False))
 
 
 def _reach(arm: Arm) -> float:
@@ -93,8 +101,11 @@ def barrel(ax: Axes3D, frame: np.ndarray, size: float, sides: int, alpha: float)
     bottom, top = (frame[:3, :3] @ ring + frame[:3, 3:] + h * frame[:3, 2:3] for h in (-size, size))
     quads = np.stack([bottom, np.roll(bottom, 1, 1), np.roll(top, 1, 1), top]).transpose(2, 0, 1)
     faces = [*quads, bottom.T, top.T]
-    ax.add_collection3d(Poly3DCollection(faces, facecolors="#5B6472", edgecolors="#5B6472", lw=0.3, alpha=alpha,
-                                         shade=True))  # fmt: skip
+    solid = Poly3DCollection(
+        faces, facecolors="#5B6472", edgecolors="#5B6472", lw=0.3, alpha=alpha, shade=True
+    )
+    # Where faces differ in length, Matplotlib pads them with whatever is in memory and would scale the view by that.
+    ax.add_collection3d(solid, autolim=False)
 
 
 def _triads(ax: Axes3D, T: np.ndarray, length: float) -> None:

@@ -7,8 +7,9 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
+from helpers.inputs import must_be, number, numbers
 from helpers.kinematics import link_frames
-from helpers.plotting.arms import skeleton
+from helpers.plotting.arms import pose_frames, skeleton
 from helpers.plotting.plane import arm_2d
 from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED
 
@@ -17,8 +18,13 @@ def from_above(
     ax: Axes, arm: Arm, branches: ArrayLike, names: tuple[str, ...], offset: float
 ) -> None:
     """Draw branches, shape (k, dof), of an elbow arm seen from above, with the circle that its plane is tangent to."""
+    must_be(arm, Arm, "arm")
+    number(offset, "offset", "a finite length in m")
+    poses = numbers(
+        branches, "branches", f"joint vectors ({len(names)}, {arm.dof})", (len(names), arm.dof)
+    )
     ax.add_patch(Circle((0, 0), abs(offset), fill=False, ls=":", color=GREY))
-    for q, name, colour in zip(np.asarray(branches), names, (BLUE, ORANGE), strict=True):
+    for q, name, colour in zip(poses, names, (BLUE, ORANGE), strict=False):
         arm_2d(ax, arm, q, "xy", colour=colour)
         middle = skeleton(arm, link_frames(arm, q))[-3:, :2].mean(axis=0)
         aside = 0.03 if colour == BLUE else -0.04
@@ -28,7 +34,8 @@ def from_above(
 
 def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     """Draw an elbow arm without offset in its own plane, with the triangle that gives its angles; q_1 is taken as 0."""
-    q = np.array([0.0, *np.asarray(q, dtype=float)[1:]])
+    must_be(arm, Arm, "arm")
+    q = np.array([0.0, *arm.joint_vector(q, many=False)[1:]])
     shoulder, elbow, tip = (link_frames(arm, q)[i, [0, 2], 3] for i in (1, 2, 3))
     arm_2d(ax, arm, q)
     ax.plot(*np.stack([shoulder, tip], axis=1), color=RED, lw=1.2, ls="--")
@@ -65,7 +72,7 @@ def angle(
 
 def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str = "") -> None:
     """Draw an arm at q as one line with dots at its joints, on a square of floor: small enough to set many side by side."""
-    T = link_frames(arm, q)
+    T = pose_frames(arm, q)
     points = skeleton(arm, T)
     reach = 0.15 * np.ptp(points, axis=0).max()
     tool = T[-1, :3, 3] + reach * T[-1, :3, :3].T
@@ -95,10 +102,13 @@ def regions(
     colours: tuple[str, ...],
 ) -> None:
     """Colour the points of a grid by `which`, whole numbers of shape (len(y), len(x)); `names` are those in the legend."""
+    x, y = (numbers(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
+    which = numbers(which, "which", f"whole numbers ({len(y)}, {len(x)})", (len(y), len(x)))
+    must_be(names, dict, "names")
     hatches = ("", "//", "\\\\", "--", "||")
     key = []
     for (value, name), colour, hatch in zip(names.items(), colours, hatches, strict=False):
-        inside = (np.asarray(which) == value).astype(float)
+        inside = (which == value).astype(float)
         ax.contourf(x, y, inside, levels=[0.5, 1.5], colors=[colour], alpha=0.45, hatches=[hatch])
         key.append(Patch(facecolor=colour, alpha=0.45, hatch=hatch, label=name))
     ax.legend(handles=key, loc="center left", bbox_to_anchor=(1.0, 0.5))

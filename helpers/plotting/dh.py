@@ -4,6 +4,7 @@ import numpy as np
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from helpers.arm import Arm, revolute
+from helpers.inputs import number
 from helpers.kinematics import link_frames
 from helpers.plotting.arms import barrel
 from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED
@@ -15,6 +16,8 @@ def dh_numbers(
     ax: Axes3D, a: float = 1.2, alpha: float = 0.7, d: float = 0.9, theta: float = 0.75
 ) -> None:
     """Draw two joint axes, their common normal, and the four numbers between frames i-1 and i (m, rad)."""
+    for name, value in dict(a=a, alpha=alpha, d=d, theta=theta).items():
+        number(value, name, "a finite number of m or rad")
     first, second = link_frames(Arm("one link", [revolute(a, alpha, d)]), [theta])
     foot = first.copy()
     foot[:3, 3] = second[:3, 3] - a * second[:3, 0]

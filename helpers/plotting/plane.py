@@ -1,12 +1,11 @@
 """Arms that move in a plane, drawn flat."""
 
-import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
-from helpers.kinematics import link_frames
-from helpers.plotting.arms import skeleton
+from helpers.inputs import numbers, plane_axes
+from helpers.plotting.arms import pose_frames, skeleton
 from helpers.plotting.style import GREY
 
 
@@ -14,8 +13,8 @@ def arm_2d(
     ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0
 ) -> None:
     """Draw an arm at q, shape (dof,), seen along the third axis of a plane such as "xz"; lengths in m."""
-    i, j = ("xyz".index(letter) for letter in plane)
-    T = link_frames(arm, q)
+    i, j = plane_axes(plane)
+    T = pose_frames(arm, q)
     points = skeleton(arm, T)[:, [i, j]]
     origins = T[[k - 1 for k in arm.joints], :3, 3][:, [i, j]]
     ax.plot(
@@ -41,7 +40,8 @@ def arrow_2d(
     dashed: bool = False,
 ) -> None:
     """Draw an arrow from a point by a step, with a text at its head."""
-    start, step = np.asarray(start, dtype=float), np.asarray(step, dtype=float)
+    start = numbers(start, "start", "a point of two finite coordinates", (2,))
+    step = numbers(step, "step", "a step of two finite coordinates", (2,))
     style = {
         "arrowstyle": "-|>",
         "color": colour,

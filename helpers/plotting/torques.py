@@ -5,6 +5,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
+from helpers.inputs import must_be, numbers
 from helpers.plotting.plane import arrow_2d
 from helpers.plotting.style import BLUE, GREY, RED, SKY
 
@@ -15,6 +16,9 @@ def torques(
     axes: Array, arm: Arm, t: ArrayLike, tau: ArrayLike, label: str | None = None, **line: object
 ) -> None:
     """Draw each joint's torque (N m) over time in its own axes, with the maker's limits where they are near."""
+    must_be(arm, Arm, "arm")
+    t = numbers(t, "t", "finite times (n,) in s", (None,))
+    tau = numbers(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
     some = slice(None, None, max(1, len(t) // 200))
     for ax, i, values, limit in zip(
         axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False

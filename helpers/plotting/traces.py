@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
+from helpers.inputs import listed, must_be, plane_axes, whole
 from helpers.kinematics import link_frames
 from helpers.motion import Trace
 from helpers.plotting.arms import skeleton
@@ -17,6 +18,7 @@ Array = NDArray[np.float64]
 
 def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") -> None:
     """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths in m."""
+    must_be(run, Trace, "run")
     i, j = _wall_axes(run)
     some = slice(None, None, max(1, len(run.t) // 200))
     wanted, traced = run.path.positions[some], run.poses[some, :3, 3]
@@ -30,6 +32,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
 
 def joints(axes: Array, run: Trace) -> None:
     """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is known."""
+    must_be(run, Trace, "run")
     lower, upper = np.degrees(run.arm.limits)
     some = slice(None, None, max(1, len(run.t) // 100))
     t, angles = run.t[some], np.degrees(run.q[some].T)
@@ -57,6 +60,9 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     The motion is in the SVG itself, so no script, player or network is needed. Readers who ask for less motion see the start
     pose with the finished path.
     """
+    must_be(run, Trace, "run")
+    whole(frames, "frames", least=1)
+    planes = listed(planes, "planes", "two planes such as ('xz', 'yz')")
     steps = np.linspace(0, len(run.t) - 1, frames + 1).round().astype(int)
     T = link_frames(run.arm, run.q[steps])
     bones = np.array([skeleton(run.arm, frame) for frame in T])
@@ -77,7 +83,7 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
 def _panel(
     bones: Array, tips: Array, plane: str, low: Array, scale: float, seconds: float, left: float
 ) -> str:
-    i, j = ("xyz".index(letter) for letter in plane)
+    i, j = plane_axes(plane)
 
     def points(array: Array) -> list[str]:
         x = left + scale * (array[..., i] - low[i])

@@ -37,7 +37,7 @@ def lab(tmp_path_factory):
         "--LabApp.news_url=", "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
     ]  # fmt: skip
     folders = {f"JUPYTER_{kind}_DIR": str(home / kind.lower()) for kind in ("CONFIG", "RUNTIME")}
-    with open(home / "log", "w") as log:
+    with open(home / "log", "w", encoding="utf-8") as log:
         server = subprocess.Popen(command, env={**os.environ, **folders}, stdout=log, stderr=log)
         address = f"http://127.0.0.1:{port}"
         try:
@@ -53,11 +53,11 @@ def _wait_for(address, server, log):
         try:
             urllib.request.urlopen(address, timeout=5).close()
         except (URLError, OSError):
-            assert server.poll() is None, log.read_text()
+            assert server.poll() is None, log.read_text(encoding="utf-8")
             time.sleep(0.25)
         else:
             return
-    raise AssertionError(log.read_text())
+    raise AssertionError(log.read_text(encoding="utf-8"))
 
 
 def test_sliders_and_python_move_the_same_arm(browser, lab):

@@ -1,0 +1,77 @@
+"""Other folders and other systems: nothing depends on where it is started, and nothing on what Windows does differently."""
+
+import ast
+import re
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path, PurePosixPath
+
+import nbformat
+import pytest
+
+ROOT = Path(__file__).parents[1]
+NOTEBOOKS = sorted((ROOT / "book").glob("*.ipynb"))
+CHAPTER = ROOT / "book" / "04_static_torque.ipynb"
+LISTED = subprocess.run(
+    ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=False, encoding="utf-8"
+).stdout.split("\0")[:-1]
+COPY = [path.relative_to(ROOT).as_posix() for path in ROOT.glob("helpers/**/*.py")]
+FILES = sorted(set(LISTED or COPY))  # a copy need not be a repository
+RESERVED = {
+    "con",
+    "prn",
+    "aux",
+    "nul",
+    *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10)),
+}
+
+
+def code(path):
+    cells = nbformat.read(path, as_version=4).cells
+    return "\n".join(cell.source for cell in cells if cell.cell_type == "code")
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_a_notebook_names_no_file(path):
+    """All that one needs are its imports, so it may stand and start anywhere."""
+    assert not re.search(r"\bopen\(|Path\(|savefig|np\.(load|save)|os\.|sys\.path|%cd", code(path))
+
+
+def test_a_chapter_runs_from_any_folder(tmp_path):
+    """As a plain script, in an empty folder with a blank in its name, and it leaves nothing there."""
+    folder = tmp_path / "my course"
+    folder.mkdir()
+    script = tmp_path / "cells.py"
+    script.write_text(code(CHAPTER), encoding="utf-8")
+    command = [sys.executable, "-X", "utf8", str(script)]
+    done = subprocess.run(
+        command, cwd=folder, capture_output=True, check=False, text=True, encoding="utf-8"
+    )
+    assert done.returncode == 0, done.stderr
+    assert not list(folder.iterdir())
+
+
+def test_every_file_can_be_checked_out_on_windows():
+    assert "helpers/arm.py" in FILES
+    for name in FILES:
+        assert len(name) < 150, name
+        for part in PurePosixPath(name).parts:
+            assert not re.search(r'[<>:"|?*\\]|[. ]$', part), name
+            assert part.split(".")[0].casefold() not in RESERVED, name
+    assert max(Counter(map(str.casefold, FILES)).values()) == 1, "two names differ by case alone"
+
+
+@pytest.mark.parametrize("name", [n for n in FILES if n.endswith(".py")])
+def test_text_is_utf_8_wherever_it_is_read(name):
+    """Windows would take its own code page."""
+    tree = ast.parse((ROOT / name).read_text(encoding="utf-8"))
+    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+        words = {word.arg for word in call.keywords} | {getattr(a, "value", "") for a in call.args}
+        if _opens_text(call.func):
+            assert words & {"encoding", "rb", "wb"}, ast.unparse(call)
+
+
+def _opens_text(function):
+    name = getattr(function, "id", "") or getattr(function, "attr", "")
+    return name in ("read_text", "write_text") or getattr(function, "id", "") == "open"

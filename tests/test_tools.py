@@ -1,0 +1,85 @@
+"""The tools beside the book: the PDF's order, bookmarks and link, and notebooks refreshed the same on every machine."""
+
+import io
+import re
+
+import nbformat
+import pytest
+from pypdf import PdfReader, PdfWriter
+
+from tools import pdf
+from tools.refresh import refresh
+
+
+def blank(pages):
+    writer, data = PdfWriter(), io.BytesIO()
+    for _ in range(pages):
+        writer.add_blank_page(width=595, height=842)
+    writer.write(data)
+    return data.getvalue()
+
+
+def test_the_pages_come_in_the_order_of_the_contents():
+    names = pdf.names()
+    assert names[:3] == [
+        "intro",
+        *re.findall(r"file: (\S+)", (pdf.ROOT / "book/_toc.yml").read_text(encoding="utf-8"))[:2],
+    ]
+    assert len(names) == len(set(names))
+    for name in names:
+        assert any((pdf.ROOT / "book" / f"{name}.{kind}").exists() for kind in ("md", "ipynb")), (
+            name
+        )
+
+
+def test_the_parts_become_one_document_with_a_bookmark_each(tmp_path):
+    path = tmp_path / "book.pdf"
+    assert pdf.joined([("One", blank(2)), ("Two", blank(3))], path) == 5
+    read = PdfReader(path)
+    assert [(mark.title, read.get_destination_page_number(mark)) for mark in read.outline] == [
+        ("One", 0),
+        ("Two", 2),
+    ]
+    assert read.metadata.title == "Robot homework companion"
+
+
+def test_the_link_stands_once_below_the_articles_title(tmp_path):
+    page = tmp_path / "intro.html"
+    page.write_text("<h1>Menu</h1><article><h1>Book</h1><h1>No</h1></article>", encoding="utf-8")
+    pdf.link(page)
+    pdf.link(page)
+    html = page.read_text(encoding="utf-8")
+    assert html == f"<h1>Menu</h1><article><h1>Book</h1>\n{pdf.LINK}<h1>No</h1></article>"
+
+
+@pytest.fixture
+def notebook(tmp_path):
+    cells = [
+        nbformat.v4.new_markdown_cell("# One"),
+        nbformat.v4.new_code_cell("import os; print('a'); print(sorted(os.listdir()))"),
+        nbformat.v4.new_code_cell(
+            "6 * 7", metadata={"tags": ["hide-input"], "execution": {"x": "1"}}
+        ),
+    ]
+    path = tmp_path / "one.ipynb"
+    metadata = {"myst": {"a": 1}, "kernelspec": {"display_name": "Mine", "name": "mine"}}
+    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=metadata), path)
+    return path
+
+
+def test_a_refreshed_notebook_holds_its_outputs_and_nothing_of_the_machine(notebook):
+    refresh(notebook)
+    first = notebook.read_bytes()
+    read = nbformat.read(notebook, as_version=4)
+    _, printed, valued = read.cells
+    assert [out.text for out in printed.outputs] == ["a\n['one.ipynb']\n"], (
+        "it runs in its own folder"
+    )
+    assert valued.outputs[0].data["text/plain"] == "42"
+    assert valued.metadata == {"tags": ["hide-input"]}
+    assert [cell.id for cell in read.cells] == ["c000", "c001", "c002"]
+    assert [cell.execution_count for cell in read.cells[1:]] == [1, 2]
+    assert set(read.metadata) == {"kernelspec", "language_info", "myst"}
+    assert read.metadata.kernelspec.name == "python3"
+    refresh(notebook)
+    assert notebook.read_bytes() == first
