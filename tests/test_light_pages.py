@@ -2,7 +2,7 @@
 
 from types import SimpleNamespace
 
-from tools.light_pages import lighter, without_icons, without_repository
+from tools.light_pages import lighter, without_repository, without_unused
 
 HEAD = """<script defer src="_static/scripts/fontawesome.js?digest=1"></script>
 <script src="_static/documentation_options.js?v=2"></script>
@@ -62,11 +62,18 @@ def test_a_formula_keeps_its_comma(tmp_path):
     assert lighter(html, tmp_path) == html
 
 
-def test_only_rules_of_icons_that_no_page_shows_go():
-    css = '.fa-sun:before{content:"\\f185"}.fa-ghost:before,.fa-boo:before{content:"\\f6e2"}.fa-solid{font-weight:900}'
-    kept = without_icons(css, {"fa-sun", "fa-solid"})
-    assert kept == '.fa-sun:before{content:"\\f185"}.fa-solid{font-weight:900}'
-    assert without_icons(css, {"fa-boo", "fa-sun"}) == css
+def test_only_rules_for_classes_that_nothing_names_go():
+    css = (
+        '.fa-sun:before{content:"\\f185"}.fa-ghost:before,.fa-boo:before{content:"\\f6e2"}/* {} */'
+        "p:not(.ghost){a:b}:is(.ghost,.sun) p{a:b}.w-1\\/2{a:b}.fa-sun,.boo{a:b}.fa-sun.boo{a:b}"
+        "@media print{.boo{a:b}p{a:b}}@keyframes boo{0%{a:b}}"
+    )
+    kept = without_unused(css, {"fa-sun"})
+    assert kept == (
+        '.fa-sun:before{content:"\\f185"}'
+        "p:not(.ghost){a:b}:is(.ghost,.sun) p{a:b}.w-1\\/2{a:b}.fa-sun,.boo{a:b}"
+        "@media print{p{a:b}}@keyframes boo{0%{a:b}}"
+    )
 
 
 def test_nothing_is_offered_to_launch_without_a_repository():

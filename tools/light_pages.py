@@ -1,7 +1,7 @@
 """A Sphinx extension: lighter pages. It takes out of what was built what the theme loads and the book does not use.
 
 The theme draws its few icons twice, by a font and by 1.5 MB of script; the font does. It loads the search index on every
-page for a search-as-you-type that is off, and holds up the first paint with small scripts that can wait. And pictures get
+page for a search-as-you-type that is off, brings rules for thousands of classes, and holds up the first paint with small scripts that can wait. And pictures get
 their size, so that nothing moves when they arrive, and arrive when they are near. What stands right behind a formula stays
 with it at the end of a line.
 """
@@ -19,7 +19,9 @@ WAITING = re.compile(
     r'<script ((?:data-\S+ )?src="[^"]*/'
     r"(?:doctools|sphinx_highlight|clipboard\.min|copybutton|sphinx-book-theme|togglebutton|design-tabs)\.js)"
 )
-ICON_RULE = re.compile(r'((?:\.fa-[\w-]+:before,?)+)\{content:"[^"]*"\}')
+RULE = re.compile(r"([^{};]+)\{[^{}]*\}")
+CLASS = re.compile(r"\.(-?[_a-zA-Z][\w-]*)")
+PARENTHESES = re.compile(r":[\w-]+\([^()]*\)")
 PICTURE = re.compile(r'<img (?![^>]*\bheight=)([^>]*\bsrc="([^"]+\.svg)"[^>]*?)\s*/?>')
 FORMULA = re.compile(
     r'(?<!<span class="nowrap">)(<span class="math notranslate nohighlight">[^<]*</span>)([,.;:!?)”’]+)'
@@ -60,13 +62,19 @@ def _size(path: Path) -> tuple[int, int] | None:
     return width, height
 
 
-def without_icons(css: str, used: set[str]) -> str:
-    """A style sheet without the rules of two thousand icons that no page shows."""
-    return ICON_RULE.sub(lambda rule: rule[0] if used & set(_icons(rule[1])) else "", css)
+def without_unused(css: str, words: set[str]) -> str:
+    """A style sheet without the rules that need a class which no page and no script names."""
+    css = re.sub(r"(?s)/\*.*?\*/", "", css)
+    return RULE.sub(lambda rule: rule[0] if _may_match(rule[1], words) else "", css)
 
 
-def _icons(text: str) -> list[str]:
-    return re.findall(r"fa-[\w-]+", text)
+def _may_match(selectors: str, words: set[str]) -> bool:
+    """Whether one of the selectors may; what is in parentheses may be an alternative or a negation, and is not asked."""
+    while PARENTHESES.search(selectors):
+        selectors = PARENTHESES.sub("", selectors)
+    if "\\" in selectors or "@" in selectors:
+        return True
+    return any(words.issuperset(CLASS.findall(selector)) for selector in selectors.split(","))
 
 
 def rewrite(app, error) -> None:
@@ -77,9 +85,11 @@ def rewrite(app, error) -> None:
     pages = {path: path.read_text(encoding="utf-8") for path in out.glob("*.html")}
     for path, html in pages.items():
         _write(path, lighter(html, out, search=path.stem == "search"))
-    used = {icon for html in pages.values() for icon in _icons(html)}
-    for path in out.glob("_static/styles/*.css"):
-        _write(path, without_icons(path.read_text(encoding="utf-8"), used))
+    scripts = [path for path in out.glob("_static/**/*.js") if path.name != "fontawesome.js"]
+    texts = [*pages.values(), *(path.read_text(encoding="utf-8") for path in scripts)]
+    words = {word for text in texts for word in re.findall(r"[\w-]+", text)}
+    for path in [*out.glob("_static/styles/*.css"), *out.glob("_static/*.css")]:
+        _write(path, without_unused(path.read_text(encoding="utf-8"), words))
 
 
 def _write(path: Path, text: str) -> None:
