@@ -116,3 +116,13 @@ def test_every_slip_is_in_the_errata():
 def test_every_notebook_can_be_downloaded():
     for name in (n for n in NAMES if (ROOT / f"book/{n}.ipynb").exists()):
         assert f"_sources/{name}.ipynb" in " ".join(page(HTML / f"{name}.html").links)
+
+
+@every_page
+def test_formulas_are_set_by_a_script_that_runs_after_the_books_own(name):
+    """book.js tells MathJax how to start; a MathJax that ran first would not hear it."""
+    html = (HTML / f"{name}.html").read_text(encoding="utf-8")
+    for tag in re.findall(r"<script [^>]*vendor/mathjax[^>]*>", html):
+        assert "defer" in tag
+        assert "async" not in tag
+    assert re.search(r'<script src="[^"]*book\.js', html)

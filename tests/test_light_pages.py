@@ -47,7 +47,8 @@ def test_a_picture_gets_the_size_that_its_file_says(tmp_path):
 def test_a_picture_of_several_panels_is_marked_as_wide(tmp_path):
     for name, width in (("narrow", 525), ("wide", 526)):  # points: 700 and 701 pixels
         (tmp_path / f"{name}.svg").write_text(
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}pt" height="150pt"/>'
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}pt" height="150pt"/>',
+            encoding="utf-8",
         )
     html = lighter('<img src="narrow.svg" /><img src="wide.svg" />', tmp_path)
     assert html.count('class="wide"') == 1

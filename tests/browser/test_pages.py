@@ -72,7 +72,8 @@ class Reader:
     def open(self, url):
         self.page.goto(url)
         self.page.wait_for_function(
-            "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)"
+            "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)",
+            polling=100,
         )
         return self.page
 
