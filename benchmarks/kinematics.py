@@ -9,6 +9,7 @@ import numpy as np
 import pinocchio
 import roboticstoolbox as rtb
 
+from helpers.arm import NumericRow
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import PANDA
 
@@ -27,19 +28,25 @@ def ets() -> rtb.ETS:
     return chain
 
 
+def link(row: NumericRow, c, s) -> list[list]:
+    """A row's transform, its joint turned by the angle with this cosine and sine."""
+    ca, sa = row.cos_alpha, row.sin_alpha
+    return [
+        [c, -s * ca, s * sa, row.a * c],
+        [s, c * ca, -c * sa, row.a * s],
+        [0, sa, ca, row.d],
+        [0, 0, 0, 1],
+    ]
+
+
 def casadi_functions() -> tuple[casadi.Function, casadi.Function]:
     """The table as CasADi expressions: the pose, and the Jacobian with columns z x (o_n - o) over z."""
     q, T, frames = casadi.SX.sym("q", 7), casadi.SX.eye(4), []
     for k, row in enumerate(BARE.numeric):
         frames.append(T)
-        c, s, ca, sa = casadi.cos(q[k]), casadi.sin(q[k]), row.cos_alpha, row.sin_alpha
-        A = [
-            [c, -s * ca, s * sa, row.a * c],
-            [s, c * ca, -c * sa, row.a * s],
-            [0, sa, ca, row.d],
-            [0, 0, 0, 1],
-        ]
-        T = T @ casadi.vertcat(*(casadi.horzcat(*line) for line in A))
+        T = T @ casadi.vertcat(
+            *(casadi.horzcat(*line) for line in link(row, casadi.cos(q[k]), casadi.sin(q[k])))
+        )
     columns = [
         casadi.vertcat(casadi.cross(F[:3, 2], T[:3, 3] - F[:3, 3]), F[:3, 2]) for F in frames
     ]

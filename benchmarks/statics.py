@@ -8,7 +8,7 @@ import jax.numpy as jnp
 import mujoco
 import numpy as np
 import pinocchio
-from kinematics import SIGNS, Pinocchio, mapped
+from kinematics import SIGNS, Pinocchio, link, mapped
 
 from helpers.kinematics import link_frames
 from helpers.robots import PANDA
@@ -22,14 +22,9 @@ def casadi_gravity() -> casadi.Function:
     """dP/dq by CasADi's automatic differentiation of the potential energy."""
     q, T, energy = casadi.SX.sym("q", 7), casadi.SX.eye(4), 0
     for k, (row, mass, centre) in enumerate(zip(PANDA.numeric, MASSES, CENTRES, strict=True)):
-        c, s, ca, sa = casadi.cos(q[k]), casadi.sin(q[k]), row.cos_alpha, row.sin_alpha
-        A = [
-            [c, -s * ca, s * sa, row.a * c],
-            [s, c * ca, -c * sa, row.a * s],
-            [0, sa, ca, row.d],
-            [0, 0, 0, 1],
-        ]
-        T = T @ casadi.vertcat(*(casadi.horzcat(*line) for line in A))
+        T = T @ casadi.vertcat(
+            *(casadi.horzcat(*line) for line in link(row, casadi.cos(q[k]), casadi.sin(q[k])))
+        )
         energy += 9.81 * mass * (T @ casadi.DM([*centre, 1]))[2]
     return casadi.Function("gravity", [q], [casadi.gradient(energy, q)])
 
@@ -99,13 +94,7 @@ def jax_gravity(q: np.ndarray):
     def energy(q):
         T, total = np.eye(4), 0.0
         for joint, row, mass, centre in zip(q, PANDA.numeric, MASSES, CENTRES, strict=True):
-            c, s, ca, sa = jnp.cos(joint), jnp.sin(joint), row.cos_alpha, row.sin_alpha
-            A = [
-                [c, -s * ca, s * sa, row.a * c],
-                [s, c * ca, -c * sa, row.a * s],
-                [0, sa, ca, row.d],
-                [0, 0, 0, 1],
-            ]
+            A = link(row, jnp.cos(joint), jnp.sin(joint))
             T = [[dot(line, column) for column in zip(*A, strict=True)] for line in T]
             total += 9.81 * mass * dot(T[2], [*centre, 1])
         return total.sum()

@@ -223,6 +223,11 @@ class Arm:
         return tuple(f"q_{i}" for i in self.joints)
 
     @property
+    def turning(self) -> NDArray[np.bool_]:
+        """Which of the joints turn, shape (dof,); the others slide."""
+        return np.array([self.rows[i - 1].joint.kind == "revolute" for i in self.joints], bool)
+
+    @property
     def limits(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Lower and upper joint limits, each of shape (dof,), in rad or m; infinite where unknown."""
         return self._joint_array("lower"), self._joint_array("upper")

@@ -90,6 +90,14 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     return np.linalg.svd(jacobian(arm, q)[..., chosen, :], compute_uv=False).prod(axis=-1)
 
 
+def skeleton(arm: Arm, T: Array) -> Array:
+    """The points o_0, o_0 + d z_0, o_1, o_1 + d z_1, ...: what the table's lengths draw, for T of shape (rows + 1, 4, 4)."""
+    points = [T[0, :3, 3]]
+    for row, frame in zip(arm.numeric, T[1:], strict=True):
+        points += [frame[:3, 3] - row.a * frame[:3, 0], frame[:3, 3]]
+    return np.array(points)
+
+
 def in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
     q = arm.joint_vector(q)
     flat = q.reshape(math.prod(q.shape[:-1]), arm.dof)

@@ -328,6 +328,7 @@ STEPS = {
     f"kinematics.{name}"
     for name in (
         "in_chunks",
+        "skeleton",
         "store_jacobian",
         "cross",
         "frame_columns",

@@ -54,7 +54,7 @@ class Gap:
 
 def gaps(arm: Arm) -> list[Gap]:
     """The arm's gaps from base to tip, with its slides where they make the lengths least."""
-    slides = [k for k, i in enumerate(arm.joints) if arm.rows[i - 1].joint.kind == "prismatic"]
+    slides = [k for k, turns in enumerate(arm.turning) if not turns]
     q, steps = np.zeros(arm.dof), np.eye(arm.dof)[slides]
     if slides:
         start = _lengths(_walk(arm, q))
@@ -78,7 +78,7 @@ def _lengths(walk: list[Gap]) -> Vector:
 def _walk(arm: Arm, q: Vector) -> list[Gap]:
     T = link_frames(arm, q)
     axes, points = ([T[i - 1, :3, column] for i in arm.joints] for column in (2, 3))
-    turning = [k for k, i in enumerate(arm.joints) if arm.rows[i - 1].joint.kind == "revolute"]
+    turning = [k for k, turns in enumerate(arm.turning) if turns]
     first, *others = [*turning, arm.dof]
     found = [_gap(axes, range(min(first + 1, arm.dof)), np.zeros(3), None, (), True, False)]
     foot, bunch = T[0, :3, 3], ()

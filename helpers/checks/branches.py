@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
+from helpers.checks.verdict import Verdict
 from helpers.inputs import ArmError, floats, must_be
 from helpers.inverse.numeric import solve
 from helpers.inverse.solutions import Solutions
@@ -18,30 +19,19 @@ _WITHIN = 1e-4  # rad or m: answers copied from paper with four decimals still c
 _NEAR = 1e-3  # m and rad: a pose this close is the target's
 
 
-@dataclass(frozen=True)
-class BranchReport:
+@dataclass(frozen=True, repr=False)
+class BranchReport(Verdict):
     """What `compare_branches` found: a line for each wrong answer and one for what is missing; nothing if all is right."""
 
     arm: str
     found: tuple[str, ...]
     findings: tuple[str, ...]
 
-    @property
-    def agrees(self) -> bool:
-        """Whether every answer is right and none is missing."""
-        return not self.findings
-
     def __str__(self) -> str:
         verdict = "are right and complete" if self.agrees else "are not right and complete"
         lines = [f"Your joint angles for {self.arm} {verdict}."]
         lines += [f"- found: {name}" for name in self.found]
         return "\n".join([*lines, *(f"- {finding}" for finding in self.findings)])
-
-    __repr__ = __str__
-
-    def _repr_markdown_(self) -> str:
-        head, *lines = str(self).split("\n")
-        return "\n".join([f"{'✔' if self.agrees else '✘'} **{head}**", "", *lines])
 
 
 def compare_branches(mine: ArrayLike, found: Solutions) -> BranchReport:
@@ -112,9 +102,8 @@ def _misses(arm: Arm, q: Array, branches: Array) -> tuple[float, float] | None:
 
 
 def _gap(arm: Arm, q: Array, other: Array) -> Array:
-    turns = np.array([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints])
     gap = np.abs(q - other)
-    return np.where(turns, np.abs(np.angle(np.exp(1j * gap))), gap)
+    return np.where(arm.turning, np.abs(np.angle(np.exp(1j * gap))), gap)
 
 
 def _what_is_wrong(arm: Arm, q: Array, branches: Array, names: Array) -> str:
@@ -143,13 +132,12 @@ def _rounded(number: float) -> str:
 
 def _usual_slips(arm: Arm, q: Array) -> Iterator[tuple[str, Array]]:
     """Each slip with what q would be without it."""
-    turns = np.array([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints])
-    yield "it is in degrees", np.where(turns, np.radians(q), q)
+    yield "it is in degrees", np.where(arm.turning, np.radians(q), q)
     yield "every joint has the wrong sign", -q
     for k, i in enumerate(arm.joints):
         one = np.arange(arm.dof) == k
         yield f"q_{i} has the wrong sign", np.where(one, -q, q)
-        if turns[k]:
+        if arm.turning[k]:
             yield f"q_{i} is half a turn off, as by atan for atan2", np.where(one, q + np.pi, q)
             yield (
                 f"q_{i} is measured from the other axis (pi/2 less it)",

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, Joint
 from helpers.checks.mistakes import turned, usual_mistakes
+from helpers.checks.verdict import Verdict
 from helpers.inputs import ArmError, floats, must_be
 from helpers.kinematics import jacobian, jacobian_in_frame, link_frames
 
@@ -20,30 +21,19 @@ _WITHIN = 1e-6
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
-@dataclass(frozen=True)
-class JacobianReport:
+@dataclass(frozen=True, repr=False)
+class JacobianReport(Verdict):
     """What `compare_jacobian` found: nothing if the Jacobian is right, everywhere or `at_one_pose` only."""
 
     arm: str
     findings: tuple[str, ...]
     at_one_pose: bool = False
 
-    @property
-    def agrees(self) -> bool:
-        """Whether the Jacobian is right."""
-        return not self.findings
-
     def __str__(self) -> str:
         verdict = "is right" if self.agrees else "is not right"
         where = " at this pose" if self.agrees and self.at_one_pose else ""
         head = f"The Jacobian of {self.arm} {verdict}{where}."
         return "\n".join([head, *(f"- {f}" for f in self.findings)])
-
-    __repr__ = __str__
-
-    def _repr_markdown_(self) -> str:
-        head, *lines = str(self).split("\n")
-        return "\n".join([f"{'✔' if self.agrees else '✘'} **{head}**", "", *lines])
 
 
 def compare_jacobian(

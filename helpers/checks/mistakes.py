@@ -34,7 +34,7 @@ def _rows(arm: Arm, q: Array, frame: int) -> Mistakes:
     )
     yield exchanged, np.vstack([w, v])
     crossed = "The cross product is taken the wrong way round: z x (o_n - o), not (o_n - o) x z"
-    yield crossed, np.vstack([np.where(_turning(arm), -v, v), w])
+    yield crossed, np.vstack([np.where(arm.turning, -v, v), w])
     yield "Every sign is reversed", -right
     unturned = "The angular rows are zero: a joint that turns contributes its axis z_{i-1}"
     yield unturned, np.vstack([v, 0 * w])
@@ -45,7 +45,7 @@ def _rows(arm: Arm, q: Array, frame: int) -> Mistakes:
 
 
 def _units(arm: Arm, q: Array) -> Mistakes:
-    right, turning = jacobian(arm, q), _turning(arm)
+    right, turning = jacobian(arm, q), arm.turning
     millimetres = (
         "The linear rows are in millimetres, the angular ones are not: use metres throughout"
     )
@@ -106,14 +106,9 @@ def _built(
     """The Jacobian built column by column with a step done otherwise; `axis` and `origin` count frames too far."""
     T = read(link_frames(arm, q))
     columns = []
-    for i, turns in zip(arm.joints, _turning(arm), strict=True):
+    for i, turns in zip(arm.joints, arm.turning, strict=True):
         z, o = T[i - 1 + axis, :3, 2], T[i - 1 + origin, :3, 3]
         swings = turns or not slides
         halves = [np.cross(z, lever(o, T[-1, :3, 3])), z] if swings else [z, 0 * z]
         columns.append(np.concatenate(halves))
     return np.stack(columns, axis=1)
-
-
-def _turning(arm: Arm) -> list[bool]:
-    """Which of the free joints turn."""
-    return [arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints]

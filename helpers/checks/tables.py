@@ -10,6 +10,7 @@ import numpy as np
 from helpers.arm import Arm, Row
 from helpers.checks.axes import Gap, gaps, tool_tilt
 from helpers.checks.differences import WITHIN_ANGLE, WITHIN_LENGTH, Finding, arc, by_signs, turned
+from helpers.checks.verdict import Verdict
 from helpers.conventions import standard_from_modified
 from helpers.expressions import Entry
 from helpers.inputs import ArmError, shown
@@ -18,8 +19,8 @@ from helpers.kinematics import forward_kinematics
 _RIGHT_ANGLES = {-2: "-pi", -1: "-pi/2", 0: "0", 1: "pi/2", 2: "pi"}
 
 
-@dataclass(frozen=True)
-class TableReport:
+@dataclass(frozen=True, repr=False)
+class TableReport(Verdict):
     """What `compare_tables` found; `notes` are differences that are free choices, or a hint at the cause."""
 
     mine: str
@@ -27,22 +28,11 @@ class TableReport:
     findings: tuple[Finding, ...]
     notes: tuple[str, ...] = ()
 
-    @property
-    def agrees(self) -> bool:
-        """Whether both tables describe the same arm."""
-        return not self.findings
-
     def __str__(self) -> str:
         verdict = "describes the same arm as" if self.agrees else "is another arm than"
         lines = [*map(str, self.findings), *(f"Note: {note}" for note in self.notes)]
         head = f"{self.mine} {verdict} {self.reference}."
         return "\n".join([head, *(f"- {line}" for line in lines)])
-
-    __repr__ = __str__
-
-    def _repr_markdown_(self) -> str:
-        head, *lines = str(self).split("\n")
-        return "\n".join([f"{'✔' if self.agrees else '✘'} **{head}**", "", *lines])
 
 
 def compare_tables(mine: Arm, reference: Arm) -> TableReport:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, Body
+from helpers.checks.verdict import Verdict
 from helpers.inputs import ArmError, floats, must_be, number
 from helpers.kinematics import link_frames
 from helpers.statics import GRAVITY, gravity_torque, static_torque
@@ -16,30 +17,19 @@ Array = NDArray[np.float64]
 _NO_WRENCH = (0.0,) * 6
 
 
-@dataclass(frozen=True)
-class TorqueReport:
+@dataclass(frozen=True, repr=False)
+class TorqueReport(Verdict):
     """What `compare_torques` found; `worst` is the largest difference (N m, or N where a joint slides)."""
 
     arm: str
     worst: float
     findings: tuple[str, ...]
 
-    @property
-    def agrees(self) -> bool:
-        """Whether every torque is right to within the tolerance."""
-        return not self.findings
-
     def __str__(self) -> str:
         verdict = "are right" if self.agrees else "are not right"
         return "\n".join(
             [f"The torques of {self.arm} {verdict}.", *(f"- {f}" for f in self.findings)]
         )
-
-    __repr__ = __str__
-
-    def _repr_markdown_(self) -> str:
-        head, *lines = str(self).split("\n")
-        return "\n".join([f"{'✔' if self.agrees else '✘'} **{head}**", "", *lines])
 
 
 def compare_torques(

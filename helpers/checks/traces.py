@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
+from helpers.checks.verdict import Verdict
 from helpers.inputs import ArmError, floats, must_be, number
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
@@ -17,8 +18,8 @@ Array = NDArray[np.float64]
 TILT = np.radians(1.0)  # a pen that leans more than this no longer counts as held
 
 
-@dataclass(frozen=True)
-class TraceReport:
+@dataclass(frozen=True, repr=False)
+class TraceReport(Verdict):
     """What `compare_trace` found; `run` holds every measured figure, `notes` what the real arm could not do."""
 
     arm: str
@@ -26,21 +27,10 @@ class TraceReport:
     notes: tuple[str, ...] = ()
     run: Report | None = None
 
-    @property
-    def agrees(self) -> bool:
-        """Whether the tip follows the path and keeps its orientation."""
-        return not self.findings
-
     def __str__(self) -> str:
         verdict = "draws the path" if self.agrees else "does not draw the path"
         notes = [f"- Note: {note}" for note in self.notes]
         return "\n".join([f"{self.arm} {verdict}.", *(f"- {f}" for f in self.findings), *notes])
-
-    __repr__ = __str__
-
-    def _repr_markdown_(self) -> str:
-        head, *lines = str(self).split("\n")
-        return "\n".join([f"{'✔' if self.agrees else '✘'} **{head}**", "", *lines])
 
 
 def compare_trace(mine: ArrayLike, arm: Arm, path: Path, within: float = 2e-3) -> TraceReport:
@@ -60,7 +50,7 @@ def compare_trace(mine: ArrayLike, arm: Arm, path: Path, within: float = 2e-3) -
     if q.ndim != 2 or q.shape[1] != arm.dof or len(q) not in counts:
         return TraceReport(arm.name, (_shape_finding(q, arm, counts),))
     path = Path(path.times[: len(q)], path.position, path.velocity, path.normal)
-    if _distance(path, forward_kinematics(arm, np.radians(q))) <= within:
+    if _off(path, forward_kinematics(arm, np.radians(q))[:, :3, 3]).max() <= within:
         return TraceReport(arm.name, ("The joints are in degrees: write radians.",))
     run = _measured(arm, path, q)
     findings = tuple(_findings(arm, path, q, run, within))
@@ -89,15 +79,16 @@ def _findings(arm: Arm, path: Path, q: Array, run: Report, within: float) -> Ite
         yield words + (hint if run.position_error <= within else "")
 
 
-def _distance(path: Path, poses: Array) -> float:
-    return float(np.linalg.norm(poses[:, :3, 3] - path.positions, axis=1).max())
+def _off(path: Path, points: Array) -> Array:
+    """How far each point is from where the path has it."""
+    return np.linalg.norm(points - path.positions, axis=1)
 
 
 def _causes(path: Path, tip: Array, within: float) -> Iterator[str]:
     """What would explain every point, the likelier first."""
 
     def follows(points: Array) -> bool:
-        return bool(np.linalg.norm(points - path.positions, axis=1).max() <= within)
+        return bool(_off(path, points).max() <= within)
 
     if follows(tip[::-1]):
         yield "The path is drawn the other way round: look at the sign of the velocity."
@@ -126,7 +117,7 @@ def _rolled(tip: Array, k: int) -> Array:
 
 
 def _where(path: Path, tip: Array) -> str:
-    error = np.linalg.norm(tip - path.positions, axis=1)
+    error = _off(path, tip)
     k = int(error.argmax())
     start = " already" if error[0] > 0.5 * error[k] else f" {1e3 * error[0]:.3g} mm"
     return (

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.explorer.data import Data
-from helpers.kinematics import link_frames
+from helpers.kinematics import link_frames, skeleton
 
 _WIDTH, _HEIGHT, _MARGIN = 480, 320, 36
 # Where the live view's camera stands, too.
@@ -38,7 +38,7 @@ def _pose_text(arm: Arm, q: ArrayLike) -> str:
 def still(arm: Arm, q: ArrayLike, words: str) -> str:
     """The arm at q, shape (dof,), as a small SVG in the ink of the page around it, described by `words`."""
     frames = link_frames(arm, q)
-    corners, spots = _skeleton(arm, frames), frames[:-1, :3, 3]
+    corners, spots = skeleton(arm, frames), frames[:-1, :3, 3]
     size = 0.12 * np.ptp(corners, axis=0).max()
     axes = [(n, o, o + size * frame[:3, i]) for frame in frames[[0, -1]] for i, n in enumerate("xyz")
             for o in [frame[:3, 3]]]  # fmt: skip
@@ -53,14 +53,6 @@ def still(arm: Arm, q: ArrayLike, words: str) -> str:
         f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}" style="max-width:100%;height:auto" role="img" aria-label="{escape(words, quote=True)}">'
         f"{shadow}{link}{joints}{arrows}</svg>"
     )
-
-
-def _skeleton(arm: Arm, frames: np.ndarray) -> np.ndarray:
-    """The points o_0, o_0 + d z_0, o_1, o_1 + d z_1, ...: what the table's lengths draw."""
-    points = [frames[0, :3, 3]]
-    for row, frame in zip(arm.numeric, frames[1:], strict=True):
-        points += [frame[:3, 3] - row.a * frame[:3, 0], frame[:3, 3]]
-    return np.array(points)
 
 
 def _view(held: np.ndarray):

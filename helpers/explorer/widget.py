@@ -94,12 +94,7 @@ class ArmExplorer(anywidget.AnyWidget):
 
     @traitlets.validate("q")
     def _check_q(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:
-        vector = self.arm.joint_vector(proposal["value"])
-        if vector.ndim != 1:
-            raise ArmError(
-                f"{self.arm_name}: q has shape {vector.shape}; expected ({self.arm.dof},)"
-            )
-        return tuple(vector.tolist())
+        return tuple(self.arm.joint_vector(proposal["value"]).tolist())
 
     @traitlets.validate("wrench")
     def _check_wrench(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:

@@ -224,7 +224,6 @@ def _goal(arm: Arm, target: ArrayLike) -> tuple[Array, tuple[int, ...]]:
 
 def _range(arm: Arm) -> tuple[Array, Array]:
     """Where random starts lie: the joint limits, or half a turn and a metre either way where there are none."""
-    kinds = [arm.rows[i - 1].joint.kind for i in arm.joints]
-    far = np.array([np.pi if kind == "revolute" else 1.0 for kind in kinds])
+    far = np.where(arm.turning, np.pi, 1.0)
     lower, upper = arm.limits
     return np.where(np.isfinite(lower), lower, -far), np.where(np.isfinite(upper), upper, far)

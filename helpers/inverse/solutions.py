@@ -177,15 +177,10 @@ def wrapped(angle: Array) -> Array:
     return angle - 2 * np.pi * np.rint(angle * (0.5 / np.pi))
 
 
-def _turns(arm: Arm) -> Array:
-    kinds = [arm.rows[i - 1].joint.kind for i in arm.joints]
-    return np.array([2 * np.pi if kind == "revolute" else np.inf for kind in kinds])
-
-
 def _turned_towards(arm: Arm, q: Array, start: Array, limits: bool = True) -> Array:
     """Each revolute joint by the turn nearest to `start`, or the nearest to it that is within the limits."""
-    turn = _turns(arm)
-    whole = np.where(np.isfinite(turn), turn, 0.0)
+    turn = np.where(arm.turning, 2 * np.pi, np.inf)
+    whole = np.where(arm.turning, 2 * np.pi, 0.0)
     q = q + whole * np.rint((start - q) / turn)
     if not limits:
         return q

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.inputs import must_be, numbers
-from helpers.kinematics import link_frames
-from helpers.plotting.style import AXIS_COLOURS, GREY
+from helpers.kinematics import link_frames, skeleton
+from helpers.plotting.style import AXIS_COLOURS, GREY, SLATE
 
 
 def arm_3d(
@@ -65,14 +65,6 @@ def _reach(arm: Arm) -> float:
     return float(np.linalg.norm(steps, axis=1).sum())
 
 
-def skeleton(arm: Arm, T: np.ndarray) -> np.ndarray:
-    """The points o_0, o_0 + d z_0, o_1, o_1 + d z_1, ...: what the table's lengths draw."""
-    points = [T[0, :3, 3]]
-    for row, frame in zip(arm.numeric, T[1:], strict=True):
-        points += [frame[:3, 3] - row.a * frame[:3, 0], frame[:3, 3]]
-    return np.array(points)
-
-
 def _links(
     ax: Axes3D, arm: Arm, T: np.ndarray, colour: str, alpha: float, label: str | None
 ) -> None:
@@ -102,7 +94,7 @@ def barrel(ax: Axes3D, frame: np.ndarray, size: float, sides: int, alpha: float)
     quads = np.stack([bottom, np.roll(bottom, 1, 1), np.roll(top, 1, 1), top]).transpose(2, 0, 1)
     faces = [*quads, bottom.T, top.T]
     solid = Poly3DCollection(
-        faces, facecolors="#5B6472", edgecolors="#5B6472", lw=0.3, alpha=alpha, shade=True
+        faces, facecolors=SLATE, edgecolors=SLATE, lw=0.3, alpha=alpha, shade=True
     )
     # Where faces differ in length, Matplotlib pads them with whatever is in memory and would scale the view by that.
     ax.add_collection3d(solid, autolim=False)

@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.inputs import must_be, number, numbers
-from helpers.kinematics import link_frames
-from helpers.plotting.arms import pose_frames, skeleton
+from helpers.kinematics import link_frames, skeleton
+from helpers.plotting.arms import pose_frames
 from helpers.plotting.plane import arm_2d
-from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED
+from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
 
 
 def from_above(
@@ -81,7 +81,7 @@ def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str 
     half, middle = 0.5 * (high - low).max(), 0.5 * (low + high)
     ax.plot(*0.2 * _SQUARE.T, color=GREY, lw=0.8)
     ax.plot(*points.T, color=colour, lw=3, solid_joinstyle="round")
-    ax.plot(*T[[i - 1 for i in arm.joints], :3, 3].T, "o", color="#5B6472", ms=4)
+    ax.plot(*T[[i - 1 for i in arm.joints], :3, 3].T, "o", color=SLATE, ms=4)
     for end, shade in zip(tool, AXIS_COLOURS.values(), strict=True):
         ax.plot(*np.stack([T[-1, :3, 3], end], axis=1), color=shade, lw=1.2)
     limits = np.stack([middle - half, middle + half], axis=1)

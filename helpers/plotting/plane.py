@@ -5,8 +5,9 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.inputs import numbers, plane_axes
-from helpers.plotting.arms import pose_frames, skeleton
-from helpers.plotting.style import GREY
+from helpers.kinematics import skeleton
+from helpers.plotting.arms import pose_frames
+from helpers.plotting.style import GREY, SLATE
 
 
 def arm_2d(
@@ -25,7 +26,7 @@ def arm_2d(
         solid_joinstyle="round",
         solid_capstyle="round",
     )
-    ax.plot(*origins.T, "o", color="#5B6472", alpha=alpha, ms=9)
+    ax.plot(*origins.T, "o", color=SLATE, alpha=alpha, ms=9)
     ax.plot(*points[-1:].T, "o", color="black", alpha=alpha, ms=4)
     ax.set(xlabel=f"${plane[0]}$ (m)", ylabel=f"${plane[1]}$ (m)", aspect="equal")
 

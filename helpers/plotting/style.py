@@ -19,6 +19,7 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
     "#56B4E9",
 )
 GREY = "#8A8F98"
+SLATE = "#5B6472"  # joints
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
 
 STYLE = {
@@ -67,10 +68,13 @@ def _with_own_ids(text: str) -> str:
     """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures on the page."""
     hashed = dict.fromkeys(re.findall(r'id="([mp][0-9a-f]{10})"', text))
     order = {name: str(number) for number, name in enumerate(hashed)}
-    numbered = re.sub(r"\b[mp][0-9a-f]{10}\b", lambda name: order.get(name[0], name[0]), text)
-    figure = sha256(numbered.encode()).hexdigest()[:8]
-    return re.sub(
-        r"\b[mp][0-9a-f]{10}\b",
-        lambda name: f"f{figure}-{order[name[0]]}" if name[0] in order else name[0],
-        text,
-    )
+
+    def renamed(prefix: str) -> str:
+        return re.sub(
+            r"\b[mp][0-9a-f]{10}\b",
+            lambda name: prefix + order[name[0]] if name[0] in order else name[0],
+            text,
+        )
+
+    figure = sha256(renamed("").encode()).hexdigest()[:8]
+    return renamed(f"f{figure}-")
