@@ -28,12 +28,16 @@ async function setFormulas() {
   const rest = formulas.filter((formula) => !seen.includes(formula));
   for (const group of [seen, ...inGroups(rest, 300)]) {
     await MathJax.typesetPromise(group);
+    group.forEach((formula) => formula.classList.add("set"));
     await pause();
   }
   reachable();
 }
 
-if (window.MathJax) window.MathJax.startup = { typeset: false, pageReady: setFormulas };
+if (window.MathJax) {
+  window.MathJax.startup = { typeset: false, pageReady: setFormulas };
+  document.documentElement.classList.add("sets-formulas");
+}
 
 // What is wider than its box can be scrolled from the keyboard too.
 function reachable() {
