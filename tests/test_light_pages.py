@@ -2,9 +2,21 @@
 
 from types import SimpleNamespace
 
-from tools.light_pages import lighter, without_repository, without_unused
+import pytest
 
-HEAD = """<script defer src="_static/scripts/fontawesome.js?digest=1"></script>
+from tools.light_pages import (
+    formula_width,
+    lighter,
+    one_sheet,
+    plain_classes,
+    whole_sheet,
+    without_repository,
+    without_spans,
+    without_unused,
+)
+
+HEAD = """<link rel="preload" as="script" href="_static/scripts/bootstrap.js?digest=1" />
+<script defer src="_static/scripts/fontawesome.js?digest=1"></script>
 <script src="_static/documentation_options.js?v=2"></script>
 <script src="_static/doctools.js?v=3"></script>
     <script src="_static/searchtools.js"></script>
@@ -16,6 +28,7 @@ def test_unused_scripts_go_and_small_ones_wait(tmp_path):
     html = lighter(HEAD, tmp_path)
     assert "fontawesome" not in html
     assert "search" not in html
+    assert "preload" not in html, "it would come before the style sheet"
     assert '<script defer src="_static/doctools.js?v=3">' in html
     assert (
         '<script defer data-sd-tabs-storage-prefix="x-" src="_static/design-tabs.js?v=4">' in html
@@ -26,7 +39,7 @@ def test_unused_scripts_go_and_small_ones_wait(tmp_path):
 
 def test_the_page_of_search_results_keeps_its_scripts(tmp_path):
     html = lighter(HEAD, tmp_path, search=True)
-    assert html.strip() == HEAD.split("\n", 1)[1]
+    assert html.strip() == HEAD.split("\n", 2)[2]
 
 
 def test_a_picture_gets_the_size_that_its_file_says(tmp_path):
@@ -58,9 +71,72 @@ def test_a_picture_of_several_panels_is_marked_as_wide(tmp_path):
 def test_a_formula_keeps_its_comma(tmp_path):
     formula = '<span class="math notranslate nohighlight">\\(a &lt; b\\)</span>'
     html = lighter(f"<p>{formula}, then {formula} and {formula}).</p>", tmp_path)
-    assert f'<span class="nowrap">{formula},</span> then {formula} and' in html
-    assert f'<span class="nowrap">{formula}).</span></p>' in html
+    width = formula_width("a < b")
+    sized = formula.replace('light">', f'light" style="--ems:{width}">')
+    assert f'<span class="nowrap">{sized},</span> then {sized} and' in html
+    assert f'<span class="nowrap">{sized}).</span></p>' in html
     assert lighter(html, tmp_path) == html
+
+
+@pytest.mark.parametrize(
+    ("tex", "ems"),  # measured in a browser, from MathJax
+    [
+        (r"q", 0.55),
+        (r"\theta_1", 1.05),
+        (r"\dot q = J^{-1}\xi", 4.9),
+        (r"o_{i-1}", 2.2),
+        (r"4\times4", 2.96),
+        (r"(v_x, v_y, v_z, \omega_x, \omega_y, \omega_z)", 11.28),
+        (
+            r"A = \mathrm{Rot}_z(\theta)\,\mathrm{Trans}_z(d)\,\mathrm{Trans}_x(a)\,\mathrm{Rot}_x(\alpha)",
+            22.5,
+        ),
+    ],
+)
+def test_the_width_of_a_formula_is_about_what_it_will_be(tex, ems):
+    assert formula_width(tex) == pytest.approx(ems, abs=0.3, rel=0.05)
+
+
+def test_a_page_asks_for_one_style_sheet():
+    head = """<title>T</title>
+    <link href="_static/styles/theme.css?digest=5" rel="stylesheet" />
+<link rel="stylesheet" type="text/css" href="_static/book.css?v=5ac9" />
+    <link rel="icon" href="_static/favicon.svg"/>"""
+    html = one_sheet(head)
+    assert html.count("stylesheet") == 1
+    assert 'data-of="_static/styles/theme.css _static/book.css"' in html
+    assert 'href="_static/all.css' in html
+    assert "favicon" in html
+    assert one_sheet(html) == html
+
+
+def test_the_one_style_sheet_has_the_imported_ones_and_their_addresses(tmp_path):
+    (tmp_path / "styles").mkdir()
+    (tmp_path / "styles/theme.css").write_text('@import "../basic.css";a{b:url(../x/y.woff2)}')
+    (tmp_path / "basic.css").write_text("p{b:url(file.png) url(data:image/png)}")
+    css = whole_sheet(tmp_path / "styles/theme.css", tmp_path)
+    assert css == "p{b:url(file.png) url(data:image/png)}a{b:url(x/y.woff2)}"
+
+
+def test_code_loses_the_spans_that_change_no_colour():
+    rules = {"light": ("#080808", "#080808", "#00622F"), "dark": ("#F8F8F2", "#F8F8F2", "#F8F8F2")}
+    css = "\n".join(
+        f'html[data-theme="{mode}"] .highlight {{ background: #fefefe; color: {base} }}\n'
+        f'html[data-theme="{mode}"] .highlight .n {{ color: {name} }} /* Name */\n'
+        f'html[data-theme="{mode}"] .highlight .o {{ color: {sign} }}\n'
+        f'html[data-theme="{mode}"] .highlight .gs {{ font-weight: bold }}'
+        for mode, (base, name, sign) in rules.items()
+    )
+    assert plain_classes(css) == {"n"}, "an operator has a colour of its own in light mode"
+    code = '<div class="highlight"><pre><span></span><span class="n">q</span> <span class="o">=</span></pre></div>'
+    prose = '<p><span class="n">q</span></p>'
+    kept = '<div class="highlight"><pre>q <span class="o">=</span></pre></div>'
+    assert without_spans(code + prose, {"n"}) == kept + prose
+
+
+def test_properties_that_nothing_reads_go():
+    css = 'a{--x:1;--y:var(--x);--z:var(--y);--u:url("data:;x");color:var(--k);--k:2}b{--kept:var(--w);--w:1;}'
+    assert without_unused(css, {"--kept"}) == "a{color:var(--k);--k:2}b{--kept:var(--w);--w:1;}"
 
 
 def test_only_rules_for_classes_that_nothing_names_go():

@@ -122,6 +122,53 @@ def test_over_http_nothing_else_is_asked_for(browser):
     server.shutdown()
 
 
+COLOURS = """() => [...document.querySelectorAll(".cell_input pre, .highlight-python pre")].map(pre => [
+    getComputedStyle(pre).color, getComputedStyle(pre.closest(".highlight")).color])"""
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_code_without_a_class_has_the_colour_of_code(browser, theme):
+    reader = Reader(browser, theme, "wide", "file:")
+    for bare, coloured in reader.open((HTML / "01_dh_tables.html").as_uri()).evaluate(COLOURS):
+        assert bare == coloured
+    reader.context.close()
+
+
+SHIFTS = """window.shifts = 0; new PerformanceObserver(list => {
+    for (const shift of list.getEntries()) window.shifts += shift.value;
+}).observe({ type: "layout-shift", buffered: true })"""
+
+
+@pytest.mark.parametrize("name", ["01_dh_tables", "03_circle_tracing", "notation"])
+def test_nothing_moves_when_late_formulas_are_set(browser, name):
+    reader = Reader(browser, "light", "phone", "file:", device_scale_factor=1.75, is_mobile=True)
+    reader.page.add_init_script(SHIFTS)
+    late = lambda route: (reader.page.wait_for_timeout(500), route.continue_())  # noqa: E731
+    reader.page.route("**/mathjax/startup.js*", late)
+    page = reader.open((HTML / f"{name}.html").as_uri())
+    assert page.evaluate("window.shifts") < 0.05
+    reader.context.close()
+
+
+STATE = """() => {
+    const unset = [...document.querySelectorAll(".math:not(.set)")].map(m => m.getBoundingClientRect());
+    return [unset.filter(m => m.bottom > 0 && m.top < innerHeight).length, unset.filter(m => m.bottom < 0).length];
+}"""
+
+
+def test_what_the_reader_scrolls_to_is_set_before_what_was_passed_over(browser):
+    reader = Reader(browser, "light", "phone", "file:")
+    reader.page.context.new_cdp_session(reader.page).send(
+        "Emulation.setCPUThrottlingRate", {"rate": 4}
+    )
+    reader.page.goto((HTML / "01_dh_tables.html").as_uri())
+    reader.page.wait_for_selector(".math.set", state="attached")
+    reader.page.evaluate("[...document.querySelectorAll('.math')].at(-1).scrollIntoView()")
+    reader.page.wait_for_function(f"!({STATE})()[0]", polling=20)
+    assert reader.page.evaluate(STATE)[1] > 50, "the formulas between are still to be set"
+    reader.context.close()
+
+
 def test_search_finds_a_word_without_a_network(browser):
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "search.html").as_uri() + "?q=parallel")
