@@ -3,8 +3,8 @@
 The theme draws its few icons twice, by a font and by 1.5 MB of script; the font does. It loads the search index on every
 page for a search-as-you-type that is off, brings rules for thousands of classes in ten files, and holds up the first paint
 with scripts that can wait. Half of a chapter is spans around names and commas of code, in the colour that all code has.
-And pictures and formulas get their size, so that nothing moves when they arrive; pictures arrive when they are near. What
-stands right behind a formula stays with it at the end of a line.
+And pictures get their size, so that nothing moves when they arrive, and arrive when they are near. What stands right behind
+a formula stays with it at the end of a line.
 """
 
 import os
@@ -12,7 +12,6 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 from functools import cache
-from html import unescape
 from pathlib import Path
 from zlib import crc32
 
@@ -24,6 +23,7 @@ WAITING = re.compile(
     r'<script ((?:data-\S+ )?src="[^"]*/'
     r"(?:doctools|sphinx_highlight|clipboard\.min|copybutton|sphinx-book-theme|togglebutton|design-tabs)\.js)"
 )
+OPTIONS = re.compile(r'<script src="([^"?]*/documentation_options\.js)[^>]*></script>')
 PRELOAD = re.compile(r'\s*<link rel="preload" as="script"[^>]*>')
 SHEET = re.compile(r'\s*<link (?!data-of)[^>]*href="(_static/[^"?]+\.css)[^>]*>')
 SHEETS = re.compile(r'<link data-of="([^"]+)"[^>]*>')
@@ -39,27 +39,10 @@ PARENTHESES = re.compile(r":[\w-]+\([^()]*\)")
 PICTURE = re.compile(r'<img (?![^>]*\bheight=)([^>]*\bsrc="([^"]+\.svg)"[^>]*?)\s*/?>')
 PROPERTY = re.compile(r'(?<=[{;])\s*(--[\w-]+):(?:"[^"]*"|[^;{}"])*(?:;|(?=\}))')
 FORMULA = re.compile(
-    r'(?<!<span class="nowrap">)(<span class="math notranslate nohighlight"[^>]*>[^<]*</span>)([,.;:!?)”’]+)'
+    r'(?<!<span class="nowrap">)(<span class="math notranslate nohighlight">[^<]*</span>)([,.;:!?)”’]+)'
 )
-UNSIZED = re.compile(r'(<span class="math notranslate nohighlight")(>\\\(([^<]*)\\\)</span>)')
-SCRIPT = re.compile(r"[_^] ?(\{(?:[^{}]|\{[^{}]*\})*\}|\\[a-zA-Z]+|.)")
-UNSEEN = re.compile(
-    r"\\(?:math[a-z]+|text|operatorname|d?dot|hat|bar|big|left|right|[td]?frac|begin\{\w+\}|end\{\w+\})(?![a-z])"
-    r"|\\[,! ]|\\(?=cos|sin|tan|arctan|det|max|min|lim)"
-)
-SIGNS = {  # ems, with the space around
-    r"\\(?:le|ge|ne|approx|times|to|in|equiv|mapsto|cdots|dots|leftarrow|rightarrow)(?![a-z])|[=<>&]": 1.68,
-    r"[+-]": 1.23,
-    r"\\(?:sum|int|prod)(?![a-z])": 1.81,
-    r"\\[{}]|[]()[|/,.:;]": 0.52,
-    r"[MWmw]": 1.18,
-    r"[A-Z]|\\[A-Z][a-z]+": 0.96,
-    r"[fijlrt]|\\(?:iota|cdot)(?![a-z])": 0.45,
-    r"\d": 0.62,
-    r"\\[a-zA-Z]+|[^\s{}\\]": 0.7,
-}
-SIGN = re.compile("|".join(f"({sign})" for sign in SIGNS))
 ALL = "_static/all.css"
+NEAR = 3000  # characters from an article's start: a picture there is seen at once
 WIDE = 700  # CSS pixels: a figure of several panels, which a phone shows larger than itself
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 
@@ -70,34 +53,28 @@ def lighter(html: str, folder: Path, search: bool = False) -> str:
     `folder` is where it stands. The page of the search results keeps its scripts and their order.
     """
     html = PRELOAD.sub("", ICONS.sub("", html))
+    html = OPTIONS.sub(lambda script: _inline(folder / script[1]), html)
     if not search:
         html = WAITING.sub(r"<script defer \1", SEARCH.sub("", html))
-    html = UNSIZED.sub(
-        lambda f: f'{f[1]} style="--ems:{formula_width(unescape(f[3]))}"{f[2]}', html
-    )
     html = FORMULA.sub(r'<span class="nowrap">\1\2</span>', html)
-    return PICTURE.sub(lambda found: _sized(*found.groups(), folder), html)
+    near = html.find("<article") + NEAR
+    return PICTURE.sub(
+        lambda found: _sized(*found.groups(), folder, late=found.start() > near), html
+    )
 
 
-def formula_width(tex: str) -> float:
-    """About how many ems a formula in a line of text is wide; nine in ten of the book's within a third of one."""
-    seen = UNSEEN.sub("", tex)
-    scripts = sum(map(_ems, SCRIPT.findall(seen)))
-    return round(_ems(SCRIPT.sub("", seen)) + 0.7 * scripts, 1)
+def _inline(script: Path) -> str:
+    return f"<script>{' '.join(script.read_text(encoding='utf-8').split())}</script>"
 
 
-def _ems(tex: str) -> float:
-    widths = tuple(SIGNS.values())
-    return sum(widths[found.lastindex - 1] for found in SIGN.finditer(tex))
-
-
-def _sized(attributes: str, source: str, folder: Path) -> str:
+def _sized(attributes: str, source: str, folder: Path, late: bool) -> str:
     size = _size(folder / source)
     if not size:
         return f"<img {attributes}/>"
     width, height = size
     wide = ' class="wide"' if width > WIDE and "class=" not in attributes else ""
-    return f'<img {attributes} width="{width}" height="{height}" loading="lazy"{wide}/>'
+    lazy = ' loading="lazy"' if late else ""
+    return f'<img {attributes} width="{width}" height="{height}"{lazy}{wide}/>'
 
 
 @cache

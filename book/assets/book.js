@@ -1,9 +1,4 @@
 // Formulas are set a few at a time, always those in view first, so that the page answers while the rest are still being set.
-const inView = (formula) => {
-  const { top, bottom } = formula.getBoundingClientRect();
-  return bottom > 0 && top < innerHeight;
-};
-
 function few(formulas, characters = 100) {
   const ends = formulas.findIndex((formula) => (characters -= formula.textContent.length + 20) < 0);
   return formulas.slice(0, ends < 0 ? formulas.length : Math.max(ends, 1));
@@ -12,23 +7,26 @@ function few(formulas, characters = 100) {
 const pause = () => new Promise((done) => setTimeout(done));
 
 async function setFormulas() {
+  const inView = new Set(), left = new Set(document.querySelectorAll("span.math, div.math"));
+  const watch = new IntersectionObserver((changes) => changes.forEach(({ isIntersecting, target }) => {
+    inView[isIntersecting ? "add" : "delete"](target);
+  }));
+  left.forEach((formula) => watch.observe(formula));
   await new Promise((painted) => (document.hidden ? painted() : requestAnimationFrame(painted)));
-  let left = [...document.querySelectorAll("span.math, div.math")];
-  while (left.length) {
+  while (left.size) {
     await pause();
-    const seen = left.filter(inView);
-    const next = few(seen.length ? seen : left);
+    const next = few([...(inView.size ? inView : left)]);
     await MathJax.typesetPromise(next);
-    next.forEach((formula) => formula.classList.add("set"));
-    left = left.filter((formula) => !next.includes(formula));
+    for (const formula of next) {
+      watch.unobserve(formula);
+      inView.delete(formula);
+      left.delete(formula);
+    }
   }
   reachable();
 }
 
-if (window.MathJax) {
-  window.MathJax.startup = { typeset: false, pageReady: setFormulas };
-  document.documentElement.classList.add("sets-formulas");
-}
+if (window.MathJax) window.MathJax.startup = { typeset: false, pageReady: setFormulas };
 
 // What is wider than its box can be scrolled from the keyboard too.
 function reachable() {
