@@ -1,15 +1,19 @@
 """A Sphinx extension: lighter pages. It takes out of what was built what the theme loads and the book does not use.
 
 The theme draws its few icons twice, by a font and by 1.5 MB of script; the font does. It loads the search index on every
-page for a search-as-you-type that is off, brings rules for thousands of classes, and holds up the first paint with small scripts that can wait. And pictures get
-their size, so that nothing moves when they arrive, and arrive when they are near. What stands right behind a formula stays
-with it at the end of a line.
+page for a search-as-you-type that is off, brings rules for thousands of classes in ten files, and holds up the first paint
+with scripts that can wait. Half of a chapter is spans around names and commas of code, in the colour that all code has.
+And pictures get their size, so that nothing moves when they arrive, and arrive when they are near. What stands right behind
+a formula stays with it at the end of a line.
 """
 
+import os
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
+from zlib import crc32
 
 ICONS = re.compile(r'\s*<script [^>]*src="[^"]*scripts/fontawesome\.js[^"]*"></script>')
 SEARCH = re.compile(
@@ -19,13 +23,26 @@ WAITING = re.compile(
     r'<script ((?:data-\S+ )?src="[^"]*/'
     r"(?:doctools|sphinx_highlight|clipboard\.min|copybutton|sphinx-book-theme|togglebutton|design-tabs)\.js)"
 )
+OPTIONS = re.compile(r'<script src="([^"?]*/documentation_options\.js)[^>]*></script>')
+PRELOAD = re.compile(r'\s*<link rel="preload" as="script"[^>]*>')
+SHEET = re.compile(r'\s*<link (?!data-of)[^>]*href="(_static/[^"?]+\.css)[^>]*>')
+SHEETS = re.compile(r'<link data-of="([^"]+)"[^>]*>')
+IMPORT = re.compile(r'@import "([^"]+)";')
+ADDRESS = re.compile(r"url\(([\w./-]+)\)")
+COLOUR = re.compile(
+    r'data-theme="(\w+)"\] \.highlight (?:\.(\w+) )?\{ (?:background: #\w+; )?color: (#\w+) \}'
+)
+CODE = re.compile(r'(?s)<div class="highlight"><pre>.*?</pre>')
 RULE = re.compile(r"([^{};]+)\{[^{}]*\}")
 CLASS = re.compile(r"\.(-?[_a-zA-Z][\w-]*)")
 PARENTHESES = re.compile(r":[\w-]+\([^()]*\)")
 PICTURE = re.compile(r'<img (?![^>]*\bheight=)([^>]*\bsrc="([^"]+\.svg)"[^>]*?)\s*/?>')
+PROPERTY = re.compile(r'(?<=[{;])\s*(--[\w-]+):(?:"[^"]*"|[^;{}"])*(?:;|(?=\}))')
 FORMULA = re.compile(
     r'(?<!<span class="nowrap">)(<span class="math notranslate nohighlight">[^<]*</span>)([,.;:!?)”’]+)'
 )
+ALL = "_static/all.css"
+NEAR = 3000  # characters from an article's start: a picture there is seen at once
 WIDE = 700  # CSS pixels: a figure of several panels, which a phone shows larger than itself
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 
@@ -35,20 +52,29 @@ def lighter(html: str, folder: Path, search: bool = False) -> str:
 
     `folder` is where it stands. The page of the search results keeps its scripts and their order.
     """
-    html = ICONS.sub("", html)
+    html = PRELOAD.sub("", ICONS.sub("", html))
+    html = OPTIONS.sub(lambda script: _inline(folder / script[1]), html)
     if not search:
         html = WAITING.sub(r"<script defer \1", SEARCH.sub("", html))
     html = FORMULA.sub(r'<span class="nowrap">\1\2</span>', html)
-    return PICTURE.sub(lambda found: _sized(*found.groups(), folder), html)
+    near = html.find("<article") + NEAR
+    return PICTURE.sub(
+        lambda found: _sized(*found.groups(), folder, late=found.start() > near), html
+    )
 
 
-def _sized(attributes: str, source: str, folder: Path) -> str:
+def _inline(script: Path) -> str:
+    return f"<script>{' '.join(script.read_text(encoding='utf-8').split())}</script>"
+
+
+def _sized(attributes: str, source: str, folder: Path, late: bool) -> str:
     size = _size(folder / source)
     if not size:
         return f"<img {attributes}/>"
     width, height = size
     wide = ' class="wide"' if width > WIDE and "class=" not in attributes else ""
-    return f'<img {attributes} width="{width}" height="{height}" loading="lazy"{wide}/>'
+    lazy = ' loading="lazy"' if late else ""
+    return f'<img {attributes} width="{width}" height="{height}"{lazy}{wide}/>'
 
 
 @cache
@@ -62,10 +88,52 @@ def _size(path: Path) -> tuple[int, int] | None:
     return width, height
 
 
+def one_sheet(html: str) -> str:
+    """A page that asks for one style sheet, which names those it is made of, where it asked for many."""
+    names = SHEET.findall(html)
+    if not names:
+        return html
+    return SHEET.sub("", SHEET.sub(f"\n{_link(' '.join(names))}", html, count=1))
+
+
+def _link(names: str, version: int = 0) -> str:
+    return f'<link data-of="{names}" rel="stylesheet" href="{ALL}?v={version:x}"/>'
+
+
+def whole_sheet(path: Path, folder: Path) -> str:
+    """A style sheet with those that it imports, its addresses seen from `folder`."""
+    css = path.read_text(encoding="utf-8")
+    css = ADDRESS.sub(lambda a: f"url({os.path.relpath(path.parent / a[1], folder)})", css)
+    return IMPORT.sub(lambda other: whole_sheet(path.parent / other[1], folder), css)
+
+
+def plain_classes(css: str) -> set[str]:
+    """The classes of code which have, in every colour mode, the colour of code without a class."""
+    colours: dict[str, dict[str, str]] = {}
+    for mode, name, colour in COLOUR.findall(css):
+        colours.setdefault(mode, {})[name] = colour
+    plain = [{name for name in of if name and of[name] == of[""]} for of in colours.values()]
+    return set.intersection(*plain)
+
+
+def without_spans(html: str, classes: set[str]) -> str:
+    """Code without the spans of these classes, and without the empty ones that start each block."""
+    span = re.compile(rf'<span(?: class="(?:{"|".join(sorted(classes))})")?>([^<]*)</span>')
+    return CODE.sub(lambda code: span.sub(r"\1", code[0]), html)
+
+
 def without_unused(css: str, words: set[str]) -> str:
-    """A style sheet without the rules that need a class which no page and no script names."""
+    """A style sheet without spaces, properties that nothing reads, and rules for classes that nothing names."""
     css = re.sub(r"(?s)/\*.*?\*/", "", css)
-    return RULE.sub(lambda rule: rule[0] if _may_match(rule[1], words) else "", css)
+    css = RULE.sub(lambda rule: rule[0] if _may_match(rule[1], words) else "", css)
+    return _without_unread(re.sub(r"\s*([{};])\s*", r"\1", css), words)
+
+
+def _without_unread(css: str, words: set[str]) -> str:
+    """Without the properties that nothing reads, nor any that only they read."""
+    read = words.union(re.findall(r"var\((--[\w-]+)", css))
+    less = PROPERTY.sub(lambda found: found[0] if found[1] in read else "", css)
+    return less if less == css else _without_unread(less, words)
 
 
 def _may_match(selectors: str, words: set[str]) -> bool:
@@ -78,18 +146,28 @@ def _may_match(selectors: str, words: set[str]) -> bool:
 
 
 def rewrite(app, error) -> None:
-    """Rewrite the pages and the theme's style sheet, once all are built."""
+    """Rewrite the pages and join the style sheets, once all are built."""
     if error is not None or app.builder.format != "html":
         return
     out = Path(app.outdir)
+    plain = plain_classes((out / "_static/pygments.css").read_text(encoding="utf-8"))
     pages = {path: path.read_text(encoding="utf-8") for path in out.glob("*.html")}
     for path, html in pages.items():
-        _write(path, lighter(html, out, search=path.stem == "search"))
+        light = lighter(html, out, search=path.stem == "search")
+        pages[path] = one_sheet(without_spans(light, plain))
+    names = next(found[1] for found in map(SHEETS.search, pages.values()) if found)
+    css = "".join(whole_sheet(out / name, (out / ALL).parent) for name in names.split())
+    css = without_unused(css, _words(out, pages.values()))
+    (out / ALL).write_text(css, encoding="utf-8")
+    for path, html in pages.items():
+        _write(path, SHEETS.sub(_link(names, crc32(css.encode())), html))
+
+
+def _words(out: Path, pages: Iterable[str]) -> set[str]:
+    """Every word of the pages and of their scripts: what may be the name of a class."""
     scripts = [path for path in out.glob("_static/**/*.js") if path.name != "fontawesome.js"]
-    texts = [*pages.values(), *(path.read_text(encoding="utf-8") for path in scripts)]
-    words = {word for text in texts for word in re.findall(r"[\w-]+", text)}
-    for path in [*out.glob("_static/styles/*.css"), *out.glob("_static/*.css")]:
-        _write(path, without_unused(path.read_text(encoding="utf-8"), words))
+    texts = [*pages, *(path.read_text(encoding="utf-8") for path in scripts)]
+    return {word for text in texts for word in re.findall(r"[\w-]+", text)}
 
 
 def _write(path: Path, text: str) -> None:
@@ -105,5 +183,5 @@ def without_repository(app, config) -> None:
 
 def setup(app) -> dict[str, bool]:
     app.connect("config-inited", without_repository)
-    app.connect("build-finished", rewrite)
+    app.connect("build-finished", rewrite, priority=900)  # after the theme has coloured the code
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,34 +1,27 @@
-// Formulas are set a few at a time, those in view first, so that the page answers while the rest are still being set.
-const inView = (formula) => {
-  const { top, bottom } = formula.getBoundingClientRect();
-  return bottom > 0 && top < innerHeight;
-};
-
-function inGroups(formulas, characters) {
-  const groups = [[]];
-  let left = characters;
-  for (const formula of formulas) {
-    left -= formula.textContent.length + 20;
-    if (left < 0 && groups.at(-1).length) {
-      groups.push([]);
-      left = characters;
-    }
-    groups.at(-1).push(formula);
-  }
-  return groups;
+// Formulas are set a few at a time, always those in view first, so that the page answers while the rest are still being set.
+function few(formulas, characters = 100) {
+  const ends = formulas.findIndex((formula) => (characters -= formula.textContent.length + 20) < 0);
+  return formulas.slice(0, ends < 0 ? formulas.length : Math.max(ends, 1));
 }
 
 const pause = () => new Promise((done) => setTimeout(done));
 
 async function setFormulas() {
+  const inView = new Set(), left = new Set(document.querySelectorAll("span.math, div.math"));
+  const watch = new IntersectionObserver((changes) => changes.forEach(({ isIntersecting, target }) => {
+    inView[isIntersecting ? "add" : "delete"](target);
+  }));
+  left.forEach((formula) => watch.observe(formula));
   await new Promise((painted) => (document.hidden ? painted() : requestAnimationFrame(painted)));
-  await pause();
-  const formulas = [...document.querySelectorAll("span.math, div.math")];
-  const seen = formulas.filter(inView);
-  const rest = formulas.filter((formula) => !seen.includes(formula));
-  for (const group of [seen, ...inGroups(rest, 300)]) {
-    await MathJax.typesetPromise(group);
+  while (left.size) {
     await pause();
+    const next = few([...(inView.size ? inView : left)]);
+    await MathJax.typesetPromise(next);
+    for (const formula of next) {
+      watch.unobserve(formula);
+      inView.delete(formula);
+      left.delete(formula);
+    }
   }
   reachable();
 }

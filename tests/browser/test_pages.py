@@ -169,6 +169,56 @@ def test_over_http_nothing_else_is_asked_for(browser):
     server.shutdown()
 
 
+COLOURS = """() => [...document.querySelectorAll(".cell_input pre, .highlight-python pre")].map(pre => [
+    getComputedStyle(pre).color, getComputedStyle(pre.closest(".highlight")).color])"""
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_code_without_a_class_has_the_colour_of_code(browser, theme):
+    reader = Reader(browser, theme, "wide", "file:")
+    for bare, coloured in reader.open((HTML / "01_dh_tables.html").as_uri()).evaluate(COLOURS):
+        assert bare == coloured
+    reader.context.close()
+
+
+SHIFTS = """window.shifts = 0; new PerformanceObserver(list => {
+    for (const shift of list.getEntries()) window.shifts += shift.value;
+}).observe({ type: "layout-shift", buffered: true })"""
+
+
+def test_lines_hardly_move_when_late_formulas_are_set(browser):
+    reader = Reader(browser, "light", "phone", "file:", device_scale_factor=1.75, is_mobile=True)
+    reader.page.add_init_script(SHIFTS)
+
+    def late(route):
+        reader.page.wait_for_timeout(500)
+        route.continue_()
+
+    reader.page.route("**/mathjax/startup.js*", late)
+    page = reader.open((HTML / "03_circle_tracing.html").as_uri())
+    assert page.evaluate("window.shifts") < 0.05
+    reader.context.close()
+
+
+STATE = """() => {
+    const unset = [...document.querySelectorAll("span.math, div.math")].filter(m => !m.querySelector("mjx-container"));
+    const boxes = unset.map(m => m.getBoundingClientRect());
+    return [boxes.filter(m => m.bottom > 0 && m.top < innerHeight).length, boxes.filter(m => m.bottom < 0).length];
+}"""
+
+
+def test_what_the_reader_scrolls_to_is_set_before_what_was_passed_over(browser):
+    reader = Reader(browser, "light", "phone", "file:")
+    slowly = reader.page.context.new_cdp_session(reader.page)
+    slowly.send("Emulation.setCPUThrottlingRate", {"rate": 4})
+    reader.page.goto((HTML / "01_dh_tables.html").as_uri())
+    reader.page.wait_for_selector("mjx-container", state="attached")
+    reader.page.evaluate("[...document.querySelectorAll('span.math')].at(-1).scrollIntoView()")
+    reader.page.wait_for_function(f"!({STATE})()[0]", polling=20)
+    assert reader.page.evaluate(STATE)[1] > 50, "the formulas between are still to be set"
+    reader.context.close()
+
+
 def test_search_finds_a_word_without_a_network(browser):
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "search.html").as_uri() + "?q=parallel")
