@@ -5,16 +5,19 @@ reword a message, and reports by module. `make mutants` runs it; tests/mutants.m
 """
 
 import argparse
+import json
 import random
 import re
 import subprocess
 import sys
 from collections import Counter, defaultdict
 from fnmatch import fnmatch
+from itertools import accumulate
 from pathlib import Path
 
 from mutmut.mutation.diff_apply import get_diff_for_mutant
 
+STATS = Path("mutants/mutmut-stats.json")
 MUTMUT = [str(Path(sys.executable).with_name("mutmut"))]
 CAUGHT = ("killed", "timeout", "suspicious", "segfault", "caught by type check")
 STRING = re.compile(r"""(["'])(.*?)\1""")
@@ -26,9 +29,11 @@ def main() -> None:
     parser.add_argument("modules", nargs="*", default=["helpers.*"], help="as helpers.inverse.*")
     parser.add_argument("--sample", type=int, default=30, help="mutants of a module; 0 for all")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--seconds", type=float, default=20, help="of tests for a function")
     options = parser.parse_args()
-    if not Path("mutants/mutmut-stats.json").exists():
+    if not STATS.exists():
         run([ANY])
+    spare(options.seconds)
     chosen = draw(statuses(), options.modules, options.sample, options.seed)
     run(chosen)
     report(chosen, statuses())
@@ -41,6 +46,17 @@ def run(names: list[str]) -> None:
         command = [*MUTMUT, "run", "--max-children", "1", *names]
         if subprocess.run(command, stdout=log, stderr=log, check=False).returncode:
             sys.exit("mutmut failed: see mutants/run.log")
+
+
+def spare(seconds: float) -> None:
+    """Leave each function its quickest tests, so many seconds of them: a mutant that only the others see survives."""
+    stats = json.loads(STATS.read_text(encoding="utf-8"))
+    time, reach = stats["duration_by_test"], stats["tests_by_mangled_function_name"]
+    for name, tests in reach.items():
+        quickest = sorted(tests, key=time.__getitem__)
+        spent = accumulate(time[test] for test in quickest)
+        reach[name] = [test for test, total in zip(quickest, spent, strict=True) if total < seconds]
+    STATS.write_text(json.dumps(stats), encoding="utf-8")
 
 
 def statuses() -> dict[str, str]:
