@@ -85,7 +85,7 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     fewer joints than rows it is the volume of what the joints can reach, sqrt(det J^T J). The unit of "all" mixes m
     and rad, so compare it only between poses of one arm. Source: Yoshikawa (1985).
     """
-    rows = {"all": slice(0, 6), "linear": slice(0, 3), "angular": slice(3, 6)}
+    rows = {"all": [0, 1, 2, 3, 4, 5], "linear": [0, 1, 2], "angular": [3, 4, 5]}
     chosen = rows[one_of(part, "part", rows)]
     return np.linalg.svd(jacobian(arm, q)[..., chosen, :], compute_uv=False).prod(axis=-1)
 

@@ -3,13 +3,21 @@
 import subprocess
 import sys
 import tracemalloc
+from functools import partial
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from helpers.kinematics import forward_kinematics, jacobian, link_frames
+from helpers.kinematics import (
+    analytic_jacobian,
+    forward_kinematics,
+    jacobian,
+    jacobian_in_frame,
+    link_frames,
+    manipulability,
+)
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 from tests.laws import ALL_ARMS, SHAPES, ids, joint_vectors, random_arms, slow_frames
 
@@ -29,10 +37,14 @@ def test_shapes_follow_the_batch(arm, shape):
 @every_arm
 def test_a_batch_is_its_rows(arm):
     q = joint_vectors(arm, (3, 2))
-    for function in (forward_kinematics, link_frames, jacobian):
+    in_tool = partial(jacobian_in_frame, frame=len(arm.rows))
+    for function in (forward_kinematics, link_frames, jacobian, in_tool, manipulability):
         together = function(arm, q)
         for index in np.ndindex(3, 2):
             np.testing.assert_allclose(together[index], function(arm, q[index]), atol=1e-15)
+    together = analytic_jacobian(arm, q)
+    for index in np.ndindex(3, 2):
+        np.testing.assert_allclose(together[index], analytic_jacobian(arm, q[index]), rtol=1e-12)
 
 
 @pytest.mark.parametrize("size", [8191, 8192, 8193])
