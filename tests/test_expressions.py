@@ -99,6 +99,7 @@ NOT_FORMULAS = (
 )  # fmt: skip
 
 
+# Numbered, for pytest does not find a test again by a name with an escaped line break or NUL in it.
 @pytest.mark.parametrize("text", NOT_FORMULAS, ids=range(len(NOT_FORMULAS)))
 def test_what_is_no_formula_is_refused(text):
     with pytest.raises(ArmError, match="expected numbers, symbols, pi and"):
