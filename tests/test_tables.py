@@ -310,15 +310,19 @@ def test_what_a_slide_cannot_make_up_for_is_found():
 
 
 def test_angles_written_with_four_decimals_are_meant_as_right_angles():
-    """Taken literally, axes 2 and 3 of this table would meet 60 km away."""
+    """Taken literally, axes 2 and 3 of this table would meet 60 km away, and no offset along them could be compared."""
     rounded = {"pi": 3.1416, "pi/2": 1.5708, "-pi/2": -1.5708}
     rows = [
         replace(r, alpha=rounded.get(r.alpha, r.alpha), theta=rounded.get(r.theta, r.theta))
         for r in UR10E_HOMEWORK.rows
     ]
-    report = compare_tables(replace(UR10E_HOMEWORK, rows=rows), UR10E_HOMEWORK)
+    mine = replace(UR10E_HOMEWORK, rows=rows)
+    report = compare_tables(mine, UR10E_HOMEWORK)
     assert report.agrees
     assert "alpha in row 2, 3.1416, is taken as pi; write it so" in str(report)
+    (finding,) = compare_tables(mine.with_values(d_4=0.1739), UR10E_HOMEWORK).findings
+    assert (finding.row, finding.quantity) == (4, "d")
+    assert "10 mm too long" in finding.text
 
 
 def test_a_tilted_tool_frame_is_a_note():
