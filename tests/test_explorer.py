@@ -308,7 +308,9 @@ def test_it_takes_what_a_closed_form_returns():
     [
         ({"q": [0] * 6}, r"Panda: q has shape \(6,\)"),
         ({"q": [math.nan] * 7}, "NaN"),
-        ({"q": 3}, "expected numbers"),
+        ({"q": 3}, r"q has shape \(\); expected numbers in a row, \(n,\)"),
+        ({"q": "up"}, "q is 'up'; expected numbers"),
+        ({"wrench": "push"}, "wrench is 'push'; expected numbers"),
         ({"wrench": [1, 2, 3]}, "fx, fy, fz"),
         ({"trace": [0] * 7}, "trace has shape"),
         ({"branches": [[0] * 6]}, "Panda: q has shape"),
