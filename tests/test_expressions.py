@@ -145,6 +145,7 @@ NO_ENTRY = "expected a number or a formula such as 'pi/2' or 'a_3'"
             "1/0 divides by zero or is too large; expected a finite value",
         ),
         (lambda: latex(None), f"the entry is None; {NO_ENTRY}"),
+        (lambda: latex("a +"), f"the entry is 'a +'; {NO_FORMULA}"),
     ],
 )
 def test_what_is_refused_is_told_in_a_whole_sentence(ask, words):
