@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from helpers.arm import Arm, ArmError, revolute
 from helpers.kinematics import (
     analytic_jacobian,
     forward_kinematics,
@@ -136,6 +137,35 @@ def test_the_stanford_arm_by_hand():
     ]
     np.testing.assert_allclose(T[2], T_02, atol=1e-15)
     np.testing.assert_allclose(T[3, :3, 3] - T[2, :3, 3], q_3 * T[2, :3, 2], atol=1e-15)
+
+
+def test_a_wrist_alone_turns_about_a_point():
+    """All axes meet in the tip: nothing moves it, and in a batch its place is one while the axes are many."""
+    wrist = Arm("wrist", [revolute(alpha="-pi/2"), revolute(alpha="pi/2"), revolute()])
+    q = joint_vectors(wrist, (5,))
+    J = jacobian(wrist, q)
+    np.testing.assert_array_equal(J[:, :3], 0)
+    c, s, zero = np.cos(q[:, 0]), np.sin(q[:, 0]), np.zeros(5)
+    third = [c * np.sin(q[:, 1]), s * np.sin(q[:, 1]), np.cos(q[:, 1])]
+    wanted = np.array([[zero, zero, zero + 1], [-s, c, zero], third]).transpose(2, 1, 0)
+    np.testing.assert_allclose(J[:, 3:], wanted, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        forward_kinematics,
+        link_frames,
+        jacobian,
+        partial(jacobian_in_frame, frame=1),
+        analytic_jacobian,
+        manipulability,
+    ],
+)
+def test_what_is_no_arm_is_told_in_a_whole_sentence(function):
+    with pytest.raises(ArmError) as told:
+        function("Panda", q=PANDA.home)
+    assert str(told.value) == "arm is 'Panda'; expected an Arm"
 
 
 def test_a_large_batch_needs_little_more_memory_than_its_result():
