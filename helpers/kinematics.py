@@ -65,13 +65,13 @@ def analytic_jacobian(arm: Arm, q: ArrayLike) -> Array:
     Raises ArmError where theta is 0 or pi: there the angles' rates are not defined, whatever the arm can do.
     Source: Spong, Hutchinson and Vidyasagar, section 4.8.
     """
-    R, J = forward_kinematics(arm, q)[..., :3, :3], jacobian(arm, q)
-    sine = np.hypot(R[..., 0, 2], R[..., 1, 2])
+    T, J = forward_kinematics(arm, q), jacobian(arm, q)
+    sine = np.hypot(T[..., 0, 2], T[..., 1, 2])
     if (sine < 1e-9).any():
         raise ArmError(
             f"{arm.name}: the ZYZ angles are singular here (theta is 0 or pi); use the geometric Jacobian"
         )
-    c, s, cosine = R[..., 0, 2] / sine, R[..., 1, 2] / sine, R[..., 2, 2]
+    c, s, cosine = T[..., 0, 2] / sine, T[..., 1, 2] / sine, T[..., 2, 2]
     zero = np.zeros_like(sine)
     rates = np.stack([zero, -s, c * sine, zero, c, s * sine, zero + 1, zero, cosine], axis=-1)
     turning = np.linalg.solve(rates.reshape(*sine.shape, 3, 3), J[..., 3:, :])

@@ -149,6 +149,9 @@ def test_a_wrist_alone_turns_about_a_point():
     third = [c * np.sin(q[:, 1]), s * np.sin(q[:, 1]), np.cos(q[:, 1])]
     wanted = np.array([[zero, zero, zero + 1], [-s, c, zero], third]).transpose(2, 1, 0)
     np.testing.assert_allclose(J[:, 3:], wanted, atol=1e-15)
+    for part in ("angular", "all"):
+        np.testing.assert_allclose(manipulability(wrist, q, part), np.abs(np.sin(q[:, 1])))
+    np.testing.assert_array_equal(manipulability(wrist, q, "linear"), 0)
 
 
 @pytest.mark.parametrize(
@@ -166,6 +169,12 @@ def test_what_is_no_arm_is_told_in_a_whole_sentence(function):
     with pytest.raises(ArmError) as told:
         function("Panda", q=PANDA.home)
     assert str(told.value) == "arm is 'Panda'; expected an Arm"
+
+
+def test_a_frame_is_counted_from_the_base():
+    with pytest.raises(ArmError) as told:
+        jacobian_in_frame(PANDA, PANDA.home, -1)
+    assert str(told.value) == "frame is -1; expected a whole number of 0 or more"
 
 
 def test_a_large_batch_needs_little_more_memory_than_its_result():

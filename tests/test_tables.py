@@ -327,9 +327,22 @@ def test_angles_written_with_four_decimals_are_meant_as_right_angles():
     report = compare_tables(mine, UR10E_HOMEWORK)
     assert report.agrees
     assert "alpha in row 2, 3.1416, is taken as pi; write it so" in str(report)
+    assert [note.split(", is taken as")[0] for note in report.notes] == [
+        "alpha in row 1, -1.5708", "alpha in row 2, 3.1416", "theta in row 2, -1.5708", "alpha in row 3, 3.1416",
+        "alpha in row 4, 1.5708", "theta in row 4, 1.5708", "alpha in row 5, -1.5708",
+    ]  # fmt: skip
     (finding,) = compare_tables(mine.with_values(d_4=0.1739), UR10E_HOMEWORK).findings
     assert (finding.row, finding.quantity) == (4, "d")
     assert "10 mm too long" in finding.text
+
+
+@pytest.mark.parametrize(("angle", "near"), [(1.57073, True), (1.57087, True), (1.5706, False)])
+def test_a_right_angle_is_meant_within_a_ten_thousandth(angle, near):
+    """pi/2 is 1.570796: these are 0.00007, 0.00007 and 0.0002 off."""
+    rows = [replace(UR10E.rows[0], alpha=angle), *UR10E.rows[1:]]
+    report = compare_tables(replace(UR10E, rows=rows), UR10E)
+    assert report.agrees == near
+    assert any("is taken as pi/2; write it so" in note for note in report.notes) == near
 
 
 def test_a_tilted_tool_frame_is_a_note():
