@@ -17,6 +17,10 @@ Array = NDArray[np.float64]
 
 _CHUNK = 8192  # so many configurations at a time keep the recursion inside a level-2 cache
 
+# Freed, these 2 MiB teach glibc's malloc to keep as much at hand. Else every call would give the pages of its arrays
+# back to the system, and the next would wait for them longer than it computes.
+np.empty(1 << 18)
+
 
 def link_frames(arm: Arm, q: ArrayLike) -> Array:
     """Base-to-link transforms ${}^0T_0 .. {}^0T_n$, shape (..., rows + 1, 4, 4), for q of shape (..., dof).

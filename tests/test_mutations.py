@@ -19,10 +19,6 @@ NBVAL = ["--nbval", "--nbval-current-env", "-p", "no:xdist"]
 CHAPTER = "book/01_dh_tables.ipynb"
 
 MUTANTS = {
-    "a digit of a printed number": (CHAPTER, r"(joint 3 locked: )\d", r"\g<1>x", [*NBVAL, CHAPTER]),
-    "a sign in a stored formula": (CHAPTER, r"(\$\\\\displaystyle .*?)- ", r"\1+ ", [*NBVAL, CHAPTER]),
-    "a coordinate of a stored figure": (CHAPTER, r"(path d=\\\"M \d+)\.\d", r"\1.x", [*NBVAL, CHAPTER]),
-    "a word of a stored report": (CHAPTER, r"4\.5 mm too long", "4.5 mm too short", [*NBVAL, CHAPTER]),
     "a cell's outputs emptied": (CHAPTER, r'("execution_count": )12,', r"\1null,", ["tests/test_notebooks.py"]),
     "a figure's words removed": (CHAPTER, r'"alt": "[^"]*"', '"alt": ""', ["tests/test_notebooks.py"]),
     "a sign in the recursion": ("helpers/kinematics.py", r"c \* x \+ s \* y", "c * x - s * y", ["tests/test_kinematics.py"]),
@@ -71,7 +67,7 @@ def copy(tmp_path):
 
 
 def test_the_unchanged_copy_passes(copy):
-    assert run(copy, [*NBVAL, CHAPTER]) == 0
+    """With `test_every_stored_output_counts`, where only the changed cells may turn red."""
     assert run(copy, ["tests/test_notebooks.py", "tests/test_checks.py"]) == 0
 
 

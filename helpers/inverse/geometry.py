@@ -65,21 +65,27 @@ def two_links(upper: float, fore: float, px: Array, py: Array, sign: Array, chos
 
 
 class Tool(NamedTuple):
-    """The frame before the last row's twist, whose z axis joint 6 turns about, in columns (3, batch), and the tip."""
+    """The frame before the last row's twist, whose z axis joint 6 turns about, and the tip, in columns.
 
-    x: Array
-    y: Array
-    z: Array
+    `axes` has shape (3, 3, batch): component by component, x, y and z.
+    """
+
+    axes: Array
     tip: Array
 
 
 def unwound(arm: Arm, columns: Array) -> Tool:
     """The last row's twist taken back from poses in columns (16, batch)."""
-    x, y, z, tip = columns.reshape(4, 4, -1)[:3].transpose(1, 0, 2)
+    frame = columns[:12].reshape(3, 4, -1)
+    axes, tip = frame[:, :3], frame[:, 3]
     c, s = arm.numeric[-1].cos_alpha, arm.numeric[-1].sin_alpha
-    return Tool(x, c * y - s * z, s * y + c * z, tip)
+    if (c, s) != (1.0, 0.0):
+        x, y, z = axes.transpose(1, 0, 2)
+        axes = np.stack([x, c * y - s * z, s * y + c * z], axis=1)
+    return Tool(axes, tip)
 
 
 def wrist_centre(arm: Arm, tool: Tool) -> Array:
     """The origin before the last row's lengths, (3, batch)."""
-    return tool.tip - arm.numeric[-1].d * tool.z - arm.numeric[-1].a * tool.x
+    centre = tool.tip - arm.numeric[-1].d * tool.axes[:, 2]
+    return centre - arm.numeric[-1].a * tool.axes[:, 0] if arm.numeric[-1].a else centre

@@ -15,7 +15,7 @@ from helpers.kinematics import cross
 
 Array = NDArray[np.float64]
 
-_CHUNK = 1000  # so many targets at a time keep every temporary below the 128 KiB that malloc gives without a page fault
+_CHUNK = 4096  # so many targets at a time keep the interpreter's share small and the temporaries inside a cache
 
 
 @dataclass(frozen=True)
@@ -106,32 +106,37 @@ def each_branch(
     `branches` names the choices that a branch is made of, first to last; the kernel's arrays have one axis for each.
     `free` holds an array for each joint, by its index, that was ever chosen.
     """
-    near = arm.joint_vector(np.zeros(arm.dof) if near is None else near, "near")
+    near = np.zeros(arm.dof) if near is None else arm.joint_vector(near, "near")
     shape = common_shape("targets and near", targets.shape[:-1], near.shape[:-1])
     choices = tuple(map(len, branches))
-    targets, near = _rows(targets, shape), _rows(near, shape)
-    count, many, dof = len(targets), math.prod(choices), arm.dof
-    q, free = np.empty((count, many, dof)), np.zeros((count, many, dof), bool)
-    valid, distance = np.empty((count, many), bool), np.empty(count)
+    count, many, dof = math.prod(shape), math.prod(choices), arm.dof
+    targets, near = _columns(targets, shape), _columns(near, shape)
+    q, free = np.empty((*choices, dof, count)), np.zeros((*choices, dof, count), bool)
+    valid, distance = np.empty((*choices, count), bool), np.empty(count)
     for start in range(0, count, _CHUNK):
-        part = slice(start, start + _CHUNK)
-        found = kernel(arm, np.ascontiguousarray(targets[part].T), near[part].T)
-        rows = np.moveaxis(q[part].reshape(-1, *choices, dof), 0, -1)
+        part = np.s_[..., start : start + _CHUNK]
+        found = kernel(arm, np.ascontiguousarray(targets[part]), near[part])
+        valid[part], distance[part] = found.valid, found.distance
+        missing = np.where(valid[part], 0.0, np.nan)
         for joint, values in enumerate(found.q):
-            rows[..., joint, :] = values
-        exists = np.broadcast_to(found.valid, (*choices, found.distance.size))
-        valid[part], distance[part] = exists.reshape(many, -1).T, found.distance
+            np.add(values, missing, out=q[..., joint, :][part])
         for joint, values in found.free.items():
-            free[part, :, joint] = (values & exists).reshape(many, -1).T
-    if not valid.all():
-        q[~valid] = np.nan
-    names = tuple(map(", ".join, product(*branches)))
-    whole = [x.reshape((*shape, *x.shape[1:])) for x in (q, valid, free, distance)]
-    return Solutions(arm, names, *whole)
+            free[..., joint, :][part] = values & valid[part]
+    return Solutions(
+        arm,
+        tuple(map(", ".join, product(*branches))),
+        q.reshape(many, dof, count).transpose(2, 0, 1).reshape(*shape, many, dof),
+        valid.reshape(many, count).T.reshape(*shape, many),
+        free.reshape(many, dof, count).transpose(2, 0, 1).reshape(*shape, many, dof),
+        distance.reshape(shape),
+    )
 
 
-def _rows(values: Array, shape: tuple[int, ...]) -> Array:
-    return np.broadcast_to(values, (*shape, values.shape[-1])).reshape(-1, values.shape[-1])
+def _columns(values: Array, shape: tuple[int, ...]) -> Array:
+    """Vectors of shape (..., k) as columns (k, batch), repeated to a shape of batches."""
+    if values.ndim == 1:
+        return np.broadcast_to(values[:, None], (len(values), math.prod(shape)))
+    return np.broadcast_to(values, (*shape, values.shape[-1])).reshape(-1, values.shape[-1]).T
 
 
 def positions(arm: Arm, p: ArrayLike) -> Array:
@@ -174,7 +179,10 @@ def shifted(angle: Array, offset: float) -> Array:
 
 def wrapped(angle: Array) -> Array:
     """The same angle in (-pi, pi], up to rounding."""
-    return angle - 2 * np.pi * np.rint(angle * (0.5 / np.pi))
+    turns = angle * (0.5 / np.pi)
+    np.rint(turns, out=turns)
+    turns *= -2 * np.pi
+    return np.add(turns, angle, out=turns)
 
 
 def _turned_towards(arm: Arm, q: Array, start: Array, limits: bool = True) -> Array:

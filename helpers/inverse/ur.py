@@ -55,8 +55,9 @@ def _kernel(arm: Arm, columns: Array, near: Array) -> Found:
     rows, shape, tool = arm.numeric, _shape(arm), unwound(arm, columns)
     plane = facing(rows[0], shape.offset, wrist_centre(arm, tool), near[0] + rows[0].theta)
     wrist = _wrist(arm, shape, plane, tool, near[5])
-    px, py = _end_of_links(arm, shape, plane, wrist)
-    links = two_links(rows[1].a, rows[2].a, px, py, _SIGNS, near[1] + rows[1].theta)
+    px, py = _end_of_links(arm, shape, plane.x[:, None], plane.y[:, None], wrist.ux, wrist.uy)
+    px, py, chosen = px[:, :, None], py[:, :, None], near[1] + rows[1].theta
+    links = two_links(rows[1].a, rows[2].a, px, py, _SIGNS, chosen)
     heading = np.arctan2(wrist.uy, wrist.ux)[:, :, None]
     q = (
         shifted(plane.phi, rows[0].theta)[:, None, None],
@@ -68,11 +69,12 @@ def _kernel(arm: Arm, columns: Array, near: Array) -> Found:
     )
     valid = plane.exists & links.exists
     free = {0: plane.free, 1: links.free, 5: wrist.singular[:, None, None]}
-    distance = np.where(valid.any(axis=(0, 1, 2)), 0.0, np.nan)
+    distance = np.where(valid.reshape(-1, valid.shape[-1]).any(axis=0), 0.0, np.nan)
     return Found(q, {joint: where for joint, where in free.items() if where.any()}, valid, distance)
 
 
 _SIGNS = np.array([1.0, -1.0])[:, None]
+_UNCERTAIN = 1e-4  # a greater sine of q_5 fixes joint 6 so well that rounding moves the wrist less than REACH
 
 
 class Shape(NamedTuple):
@@ -108,9 +110,9 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, near: Array) -> Wri
     """
     first, fifth, sixth = arm.numeric[0], arm.numeric[4], arm.numeric[5]
     c, s = cosines_and_sines(plane.phi)
-    axes = (tool.x, tool.y, tool.z)
-    along = [first.sin_alpha * (s * b[0] - c * b[1]) for b in axes]
-    (xx, xy), (yx, yy), (zx, zy) = ((c * b[0] + s * b[1], first.sin_alpha * b[2]) for b in axes)
+    axes_x, axes_y, axes_z = tool.axes[:, :, None]
+    along = first.sin_alpha * (s * axes_x - c * axes_y)
+    (xx, yx, zx), (xy, yy, zy) = c * axes_x + s * axes_y, first.sin_alpha * axes_z
     sine = np.sqrt(along[0] * along[0] + along[1] * along[1])
     cosine = shape.side * fifth.sin_alpha * along[2]
     singular = sine < SINGULAR
@@ -133,49 +135,50 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, near: Array) -> Wri
         _pair(uy, sign * uy),
         singular,
     )
-    if (sine < 1e-3).any():
-        _bring_within_reach(
-            arm, shape, plane, wrist, np.where(singular, np.inf, 1e-15 / np.maximum(sine, SINGULAR))
-        )
+    if (sine < _UNCERTAIN).any():
+        _bring_within_reach(arm, shape, plane, wrist, sine)
     return wrist
 
 
-def _end_of_links(arm: Arm, shape: Shape, plane: Plane, wrist: Wrist) -> tuple[Array, Array]:
-    """Where the two links must end, in the plane: the wrist less d_5 along z_4, each (2, 2, 1, batch)."""
+def _end_of_links(
+    arm: Arm, shape: Shape, x: Array, y: Array, ux: Array, uy: Array
+) -> tuple[Array, Array]:
+    """Where the two links must end, in the plane: the wrist's centre (x, y) less d_5 along z_4."""
     reach = shape.side * arm.numeric[4].d
-    px, py = plane.x[:, None] + reach * wrist.uy, plane.y[:, None] - reach * wrist.ux
-    return px[:, :, None], py[:, :, None]
+    return x + reach * uy, y - reach * ux
 
 
-def _bring_within_reach(
-    arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, uncertain: Array
-) -> None:
-    """Turn joint 6 where the links cannot quite reach and it is free, or `uncertain` by enough (rad); in place.
+def _bring_within_reach(arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, sine: Array) -> None:
+    """Turn joint 6 where the links cannot quite reach and it is free, or uncertain by enough; in place.
 
     Axes 4 and 6 being parallel, or nearly, x_4 turns against joint 6 without moving the tool.
     """
     upper, fore = abs(arm.numeric[1].a), abs(arm.numeric[2].a)
-    px, py = (part[:, :, 0] for part in _end_of_links(arm, shape, plane, wrist))
-    length = np.hypot(px, py)
+    shoulder, pose = np.nonzero(sine < _UNCERTAIN)
+    both = shoulder, slice(None), pose
+    small = sine[shoulder, pose, None]
+    uncertain = np.where(small < SINGULAR, np.inf, 1e-15 / np.maximum(small, SINGULAR))
+    x, y = plane.x[shoulder, pose, None], plane.y[shoulder, pose, None]
+    ux, uy = wrist.ux[both], wrist.uy[both]
+    px, py = _end_of_links(arm, shape, x, y, ux, uy)
+    far, length, arc = np.hypot(x, y), np.hypot(px, py), abs(arm.numeric[4].d)
     wanted = np.clip(length, abs(upper - fore), upper + fore)
-    arc = abs(arm.numeric[4].d)
-    k = np.nonzero((length != wanted) & (np.abs(length - wanted) <= arc * uncertain[:, None]))
-    x, y = plane.x[k[0], k[2]], plane.y[k[0], k[2]]
-    far = np.hypot(x, y)
-    vx, vy = x - px[k], y - py[k]
+    vx, vy = x - px, y - py
     angle = np.arctan2(x * vy - y * vx, x * vx + y * vy)
-    cosine = (far**2 + arc**2 - wanted[k] ** 2) / np.maximum(2 * far * arc, 1e-300)
+    cosine = (far**2 + arc**2 - wanted**2) / np.maximum(2 * far * arc, 1e-300)
     turn = np.copysign(np.arccos(np.clip(cosine, -1.0, 1.0)), angle) - angle
-    turn = np.where(np.abs(turn) <= 2 * uncertain[k[0], k[2]], turn, 0.0)
+    needed = (length != wanted) & (np.abs(length - wanted) <= arc * uncertain)
+    turn = np.where(needed & (np.abs(turn) <= 2 * uncertain), turn, 0.0)
     c, s = np.cos(turn), np.sin(turn)
-    ux, uy = wrist.ux[k], wrist.uy[k]
-    wrist.ux[k], wrist.uy[k] = c * ux - s * uy, s * ux + c * uy
-    along = shape.side * arm.numeric[4].sin_alpha * np.cos(wrist.phi_5[k])
-    wrist.phi_6[k] = wrapped(wrist.phi_6[k] - np.sign(along) * turn)
+    wrist.ux[both], wrist.uy[both] = c * ux - s * uy, s * ux + c * uy
+    along = shape.side * arm.numeric[4].sin_alpha * np.cos(wrist.phi_5[both])
+    wrist.phi_6[both] = wrapped(wrist.phi_6[both] - np.sign(along) * turn)
 
 
 def _pair(one: Array, other: Array) -> Array:
-    return np.stack([one, other], axis=1)
+    pair = np.empty((len(one), 2, *one.shape[1:]))
+    pair[:, 0], pair[:, 1] = one, other
+    return pair
 
 
 def _must_fit(arm: Arm) -> None:

@@ -63,7 +63,9 @@ def _decoupled(arm: Arm, T: ArrayLike, near, place, must_fit, branches) -> Solut
         tool = unwound(arm, columns)
         placed = place(shoulder, wrist_centre(arm, tool), near[:3])
         q = np.stack(np.broadcast_arrays(*placed.q))
-        turned, singular = _wrist(arm, _seen_from(shoulder, q, tool.x, tool.z), near)
+        turned, singular = _wrist(
+            arm, _seen_from(shoulder, q, tool.axes[:, 0], tool.axes[:, 2]), near
+        )
         free = {joint: _both(loose) for joint, loose in placed.free.items()}
         q = (*(_both(joint) for joint in placed.q), *turned)
         return Found(q, {**free, 3: _both(singular)}, _both(placed.valid), placed.distance)

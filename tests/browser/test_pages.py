@@ -4,6 +4,9 @@ import re
 import threading
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from itertools import product
+from pathlib import Path
+from urllib.parse import unquote, urlparse
 
 import pytest
 from fontTools.ttLib import TTFont
@@ -15,7 +18,7 @@ SIZES = {"wide": (1280, 900), "phone": (390, 844)}
 UNRENDERED = """() => {
     const left = [...document.querySelectorAll("div.math, span.math")].filter(m => !m.querySelector("mjx-container"));
     const wrong = [...document.querySelectorAll("mjx-merror, [data-mjx-error], .merror")];
-    const walker = document.createTreeWalker(document.querySelector("article"), NodeFilter.SHOW_TEXT);
+    const walker = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
     const raw = [];
     while (walker.nextNode()) {
         const text = walker.currentNode;
@@ -39,6 +42,10 @@ WIDTHS = """async (icons) => {
     pen.font = font;
     return icons.map(icon => pen.measureText(icon).width);
 }"""
+AXE = Path(__file__).parent / "axe" / "axe.min.js"
+BAD = """() => axe.run(document, {resultTypes: ["violations"]}).then(found => found.violations
+    .filter(v => ["serious", "critical"].includes(v.impact))
+    .map(v => `${v.id}: ` + v.nodes.slice(0, 3).map(n => n.html.slice(0, 160)).join(" | ")))"""
 
 
 class Reader:
@@ -50,7 +57,8 @@ class Reader:
             offline=allowed == "file:",
             **context,
         )
-        self.page, self.troubles = self.context.new_page(), []
+        self.page, self.theme = self.context.new_page(), theme
+        self.troubles, self.asked = [], set()
         self.page.add_init_script(f"localStorage.mode = localStorage.theme = '{theme}'")
         self.page.on("pageerror", lambda error: self.troubles.append(f"error: {error}"))
         self.page.on("console", self._said)
@@ -66,6 +74,7 @@ class Reader:
             self.troubles.append(f"{message.type}: {message.text}")
 
     def _asked(self, url, allowed):
+        self.asked.add(url)
         if not url.startswith((allowed, "data:", "blob:")):
             self.troubles.append(f"asked for {url}")
 
@@ -78,32 +87,70 @@ class Reader:
         return self.page
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("name", NAMES)
-def test_the_page_is_whole(browser, name, theme, size):
+@pytest.fixture(
+    scope="module",
+    params=product([*NAMES, "search"], [("light", "wide"), ("dark", "phone")]),
+    ids=lambda visit: "-".join([visit[0], *visit[1]]),
+)
+def visit(browser, request):
+    """Each page twice, opened once for all tests: bright on a wide screen, dark on a phone; everything unfolded."""
+    name, (theme, size) = request.param
     reader = Reader(browser, theme, size, "file:")
     page = reader.open((HTML / f"{name}.html").as_uri())
     page.evaluate("document.querySelectorAll('details').forEach(d => d.open = true)")
     page.wait_for_load_state("networkidle")
-    assert page.locator("html").get_attribute("data-theme") == theme
-    assert page.evaluate(UNRENDERED) == []
-    assert page.evaluate(BROKEN) == []
-    width = page.evaluate("document.documentElement.scrollWidth")
-    assert width <= SIZES[size][0], f"the page is {width} px wide"
-    assert reader.troubles == []
+    yield reader
     reader.context.close()
 
 
-def test_the_icons_are_in_the_book_s_small_font(browser):
-    reader, icons = Reader(browser, "light", "phone", "file:"), set("\uf186\uf042\uf185")  # themes
-    for name in NAMES:
-        icons |= set(reader.open((HTML / f"{name}.html").as_uri()).evaluate(ICONS))
+def test_the_page_is_whole(visit):
+    assert visit.page.locator("html").get_attribute("data-theme") == visit.theme
+    assert visit.page.evaluate(UNRENDERED) == []
+    assert visit.page.evaluate(BROKEN) == []
+    assert visit.troubles == []
+
+
+def test_nothing_is_wider_than_the_screen(visit):
+    for width, height in SIZES.values():
+        visit.page.set_viewport_size({"width": width, "height": height})
+        found = visit.page.evaluate("document.documentElement.scrollWidth")
+        assert found <= width, f"the page is {found} px wide"
+
+
+def test_icons_are_in_the_book_s_small_font(visit):
+    icons = sorted({*visit.page.evaluate(ICONS), "\uf186", "\uf042", "\uf185"})  # themes
     whole = TTFont(HTML / "_static/vendor/fontawesome/webfonts/fa-solid-900.ttf")
-    expected = [whole["hmtx"][whole.getBestCmap()[ord(icon)]][0] for icon in sorted(icons)]
-    assert len(icons) > 10
-    assert reader.page.evaluate(WIDTHS, sorted(icons)) == expected
+    expected = [whole["hmtx"][whole.getBestCmap()[ord(icon)]][0] for icon in icons]
+    assert visit.page.evaluate(WIDTHS, icons) == expected
+
+
+def test_axe_finds_nothing_serious(visit):
+    visit.page.set_viewport_size(dict(zip(("width", "height"), SIZES["wide"], strict=True)))
+    visit.page.add_style_tag(
+        content="* { animation: none !important; transition: none !important }"
+    )
+    visit.page.add_script_tag(path=AXE)
+    found = visit.page.evaluate(BAD)
+    assert not found, "\n".join(found)
+
+
+def test_axe_would_notice(browser):
+    """The test above means something: a button without a name is found."""
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.open((HTML / "notation.html").as_uri())
+    page.evaluate("document.querySelector('article').append(document.createElement('button'))")
+    page.add_script_tag(path=AXE)
+    assert any(found.startswith("button-name") for found in page.evaluate(BAD))
     reader.context.close()
+
+
+def test_it_weighs_no_more_than_three_megabytes(visit):
+    for stub in visit.page.locator(".arm-explorer").all():
+        stub.scroll_into_view_if_needed()
+        stub.locator("section.explorer").wait_for()
+    visit.page.wait_for_load_state("networkidle")
+    files = {Path(unquote(urlparse(url).path)) for url in visit.asked if url.startswith("file:")}
+    assert sum(file.stat().st_size for file in files) <= 3_000_000
 
 
 def test_over_http_nothing_else_is_asked_for(browser):
