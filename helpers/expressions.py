@@ -69,7 +69,7 @@ def evaluate(text: Entry, values: Mapping[str, float]) -> float:
 
 def latex(text: Entry) -> str:
     """An entry for a maths table: ``"-(d_7 + l_pen)"`` becomes ``-(d_{7} + l_{pen})``."""
-    text = text if isinstance(text, str) else entry(text, "the entry")
+    text = entry(text, "the entry")
     if not isinstance(text, str):
         return f"{text:g}"
     text = re.sub(r"\bpi\b", r"\\pi", text)

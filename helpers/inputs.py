@@ -3,6 +3,7 @@ ArmError, which says what was given and what was expected."""
 
 import math
 from collections.abc import Iterable
+from itertools import permutations
 from typing import Any
 
 import numpy as np
@@ -94,12 +95,12 @@ def listed(value: Any, what: str, wanted: str) -> tuple:
 
 def plane_axes(plane: object) -> tuple[int, int]:
     """Which axes, 0 to 2, a plane such as "yz" is made of, in their order."""
-    letters = plane if isinstance(plane, str) else ""
-    if len(letters) != 2 or letters[0] == letters[1] or not set(letters) <= set("xyz"):
+    known = {a + b: (i, j) for (i, a), (j, b) in permutations(enumerate("xyz"), 2)}
+    if not isinstance(plane, str) or plane not in known:
         raise ArmError(
             f"plane is {shown(plane)}; expected two different letters of x, y, z, such as 'yz'"
         )
-    return "xyz".index(letters[0]), "xyz".index(letters[1])
+    return known[plane]
 
 
 def common_shape(what: str, *shapes: tuple[int, ...]) -> tuple[int, ...]:

@@ -69,13 +69,13 @@ def analytic_jacobian(arm: Arm, q: ArrayLike) -> Array:
     Raises ArmError where theta is 0 or pi: there the angles' rates are not defined, whatever the arm can do.
     Source: Spong, Hutchinson and Vidyasagar, section 4.8.
     """
-    R, J = forward_kinematics(arm, q)[..., :3, :3], jacobian(arm, q)
-    sine = np.hypot(R[..., 0, 2], R[..., 1, 2])
+    T, J = forward_kinematics(arm, q), jacobian(arm, q)
+    sine = np.hypot(T[..., 0, 2], T[..., 1, 2])
     if (sine < 1e-9).any():
         raise ArmError(
             f"{arm.name}: the ZYZ angles are singular here (theta is 0 or pi); use the geometric Jacobian"
         )
-    c, s, cosine = R[..., 0, 2] / sine, R[..., 1, 2] / sine, R[..., 2, 2]
+    c, s, cosine = T[..., 0, 2] / sine, T[..., 1, 2] / sine, T[..., 2, 2]
     zero = np.zeros_like(sine)
     rates = np.stack([zero, -s, c * sine, zero, c, s * sine, zero + 1, zero, cosine], axis=-1)
     turning = np.linalg.solve(rates.reshape(*sine.shape, 3, 3), J[..., 3:, :])
@@ -89,7 +89,7 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     fewer joints than rows it is the volume of what the joints can reach, sqrt(det J^T J). The unit of "all" mixes m
     and rad, so compare it only between poses of one arm. Source: Yoshikawa (1985).
     """
-    rows = {"all": slice(0, 6), "linear": slice(0, 3), "angular": slice(3, 6)}
+    rows = {"all": [0, 1, 2, 3, 4, 5], "linear": [0, 1, 2], "angular": [3, 4, 5]}
     chosen = rows[one_of(part, "part", rows)]
     return np.linalg.svd(jacobian(arm, q)[..., chosen, :], compute_uv=False).prod(axis=-1)
 

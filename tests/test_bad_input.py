@@ -234,7 +234,7 @@ CALLS = {
     "expressions.entry": Call(expressions.entry, value=(1, ENTRIES), what=_text),
     "expressions.names": Call(expressions.names, text=("a + b", ENTRIES), what=_text),
     "expressions.evaluate": Call(expressions.evaluate, text=("a", ENTRIES | {"an unknown name": "b", "a division by zero": "1/0"}), values=({"a": 1.0}, {"None": None, "a number": 3, "words": "a"})),
-    "expressions.latex": Call(expressions.latex, text=("a", {k: v for k, v in ENTRIES.items() if not isinstance(v, str)})),
+    "expressions.latex": Call(expressions.latex, text=("a", ENTRIES)),
     "robots.named": Call(robots.named, name=("panda", {"an unknown name": "Puma", "None": None, "a number": 3})),
     "conventions.standard_from_modified": Call(conventions.standard_from_modified, rows=_rows),
     "conventions.modified_from_standard": Call(conventions.modified_from_standard, rows=_rows),

@@ -27,6 +27,8 @@ SKEW = Arm(
              revolute(0.3, 0.2, -0.1, -1.0), fixed(d=0.1, theta=0.9)),
 )  # fmt: skip
 
+VIEWS = "table, pose, jacobian, trace, torque, branches"
+
 every_arm = pytest.mark.parametrize("arm", [*ARMS, SKEW], ids=lambda arm: arm.name)
 needs_node = pytest.mark.skipif(
     NODE is None and not os.environ.get("CI"), reason="Node.js is not installed"
@@ -306,7 +308,9 @@ def test_it_takes_what_a_closed_form_returns():
     [
         ({"q": [0] * 6}, r"Panda: q has shape \(6,\)"),
         ({"q": [math.nan] * 7}, "NaN"),
-        ({"q": 3}, "expected numbers"),
+        ({"q": 3}, r"q has shape \(\); expected numbers in a row, \(n,\)"),
+        ({"q": "up"}, "q is 'up'; expected numbers"),
+        ({"wrench": "push"}, "wrench is 'push'; expected numbers"),
         ({"wrench": [1, 2, 3]}, "fx, fy, fz"),
         ({"trace": [0] * 7}, "trace has shape"),
         ({"branches": [[0] * 6]}, "Panda: q has shape"),
@@ -320,10 +324,37 @@ def test_bad_values_are_refused_in_words(explorer, change, words):
     assert explorer.q == PANDA.home
 
 
-@pytest.mark.parametrize("views", [("table", "dance"), ()])
-def test_unknown_views_are_refused(views):
-    with pytest.raises(ArmError, match="expected table, pose, jacobian"):
-        ArmExplorer(PANDA, views=views)
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"arm": "Panda"}, "arm is 'Panda'; expected an Arm"),
+        ({"arms": 3}, "arms are 3; expected arms to choose from"),
+        ({"arms": [3]}, "arm is 3; expected an Arm"),
+        ({"views": 3}, f"views are 3; expected some of {VIEWS}"),
+        ({"views": ("table", "dance", 3)}, f"view is 'dance', 3; expected {VIEWS}"),
+        ({"views": ()}, f"view is none; expected {VIEWS}"),
+        ({"unit": "grad"}, "unit is 'grad'; expected deg, rad"),
+    ],
+)
+def test_unknown_choices_are_refused_in_words(given, words):
+    with pytest.raises(ArmError) as told:
+        ArmExplorer(**{"arm": PANDA, **given})
+    assert str(told.value) == words
+
+
+def test_the_page_is_told_what_was_chosen():
+    """The keys are those that explorer/src reads."""
+    all_views = ["table", "pose", "jacobian", "trace", "torque", "branches"]
+    panda = arm_data(PANDA)
+    assert ArmExplorer(PANDA).spec == {
+        "arms": [panda], "views": all_views, "unit": "deg", "reference": None, "link": False
+    }  # fmt: skip
+    chosen = ArmExplorer(
+        PANDA, views=["pose"], reference=ELBOW, arms=[ELBOW], unit="rad", link=True
+    )
+    assert chosen.spec == {
+        "arms": [panda, arm_data(ELBOW)], "views": ["pose"], "unit": "rad", "reference": arm_data(ELBOW), "link": True
+    }  # fmt: skip
 
 
 def test_two_arms_may_not_share_a_name():

@@ -99,7 +99,8 @@ NOT_FORMULAS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("text", NOT_FORMULAS, ids=lambda text: repr(text[:20]))
+# Numbered, for pytest does not find a test again by a name with an escaped line break or NUL in it.
+@pytest.mark.parametrize("text", NOT_FORMULAS, ids=range(len(NOT_FORMULAS)))
 def test_what_is_no_formula_is_refused(text):
     with pytest.raises(ArmError, match="expected numbers, symbols, pi and"):
         entry(text, "alpha")
@@ -120,3 +121,34 @@ def test_what_is_no_number_is_refused(value):
 def test_a_symbol_without_a_value_is_named():
     with pytest.raises(ArmError, match="no value for b; there are a_3, pi"):
         evaluate("a_3 + b", {"a_3": 1})
+
+
+NO_FORMULA = "expected numbers, symbols, pi and + - * / ( ), such as '-pi/2' or 'd_6 + l_pen'"
+NO_ENTRY = "expected a number or a formula such as 'pi/2' or 'a_3'"
+
+
+@pytest.mark.parametrize(
+    ("ask", "words"),
+    [
+        (lambda: entry(None, "d"), f"d is None; {NO_ENTRY}"),
+        (lambda: entry(np.inf, "d"), "d is inf; expected a finite number or a formula"),
+        (lambda: entry("a +", "d"), f"d is 'a +'; {NO_FORMULA}"),
+        (lambda: entry("a ** 2", "d"), f"d is 'a ** 2'; {NO_FORMULA}"),
+        (lambda: names(None, "d"), f"d is None; {NO_ENTRY}"),
+        (lambda: names(None), f"the entry is None; {NO_ENTRY}"),
+        (lambda: names("a +"), f"the entry is 'a +'; {NO_FORMULA}"),
+        (lambda: evaluate(None, {}), f"the entry is None; {NO_ENTRY}"),
+        (lambda: evaluate("a +", {}), f"the entry is 'a +'; {NO_FORMULA}"),
+        (lambda: evaluate("a", None), "values is None; expected a Mapping"),
+        (
+            lambda: evaluate("1/0", {}),
+            "1/0 divides by zero or is too large; expected a finite value",
+        ),
+        (lambda: latex(None), f"the entry is None; {NO_ENTRY}"),
+        (lambda: latex("a +"), f"the entry is 'a +'; {NO_FORMULA}"),
+    ],
+)
+def test_what_is_refused_is_told_in_a_whole_sentence(ask, words):
+    with pytest.raises(ArmError) as told:
+        ask()
+    assert str(told.value) == words

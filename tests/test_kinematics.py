@@ -3,13 +3,22 @@
 import subprocess
 import sys
 import tracemalloc
+from functools import partial
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from helpers.kinematics import forward_kinematics, jacobian, link_frames
+from helpers.arm import Arm, ArmError, revolute
+from helpers.kinematics import (
+    analytic_jacobian,
+    forward_kinematics,
+    jacobian,
+    jacobian_in_frame,
+    link_frames,
+    manipulability,
+)
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 from tests.laws import ALL_ARMS, SHAPES, ids, joint_vectors, random_arms, slow_frames
 
@@ -29,10 +38,14 @@ def test_shapes_follow_the_batch(arm, shape):
 @every_arm
 def test_a_batch_is_its_rows(arm):
     q = joint_vectors(arm, (3, 2))
-    for function in (forward_kinematics, link_frames, jacobian):
+    in_tool = partial(jacobian_in_frame, frame=len(arm.rows))
+    for function in (forward_kinematics, link_frames, jacobian, in_tool, manipulability):
         together = function(arm, q)
         for index in np.ndindex(3, 2):
             np.testing.assert_allclose(together[index], function(arm, q[index]), atol=1e-15)
+    together = analytic_jacobian(arm, q)
+    for index in np.ndindex(3, 2):
+        np.testing.assert_allclose(together[index], analytic_jacobian(arm, q[index]), rtol=1e-12)
 
 
 @pytest.mark.parametrize("size", [8191, 8192, 8193])
@@ -124,6 +137,44 @@ def test_the_stanford_arm_by_hand():
     ]
     np.testing.assert_allclose(T[2], T_02, atol=1e-15)
     np.testing.assert_allclose(T[3, :3, 3] - T[2, :3, 3], q_3 * T[2, :3, 2], atol=1e-15)
+
+
+def test_a_wrist_alone_turns_about_a_point():
+    """All axes meet in the tip: nothing moves it, and in a batch its place is one while the axes are many."""
+    wrist = Arm("wrist", [revolute(alpha="-pi/2"), revolute(alpha="pi/2"), revolute()])
+    q = joint_vectors(wrist, (5,))
+    J = jacobian(wrist, q)
+    np.testing.assert_array_equal(J[:, :3], 0)
+    c, s, zero = np.cos(q[:, 0]), np.sin(q[:, 0]), np.zeros(5)
+    third = [c * np.sin(q[:, 1]), s * np.sin(q[:, 1]), np.cos(q[:, 1])]
+    wanted = np.array([[zero, zero, zero + 1], [-s, c, zero], third]).transpose(2, 1, 0)
+    np.testing.assert_allclose(J[:, 3:], wanted, atol=1e-15)
+    for part in ("angular", "all"):
+        np.testing.assert_allclose(manipulability(wrist, q, part), np.abs(np.sin(q[:, 1])))
+    np.testing.assert_array_equal(manipulability(wrist, q, "linear"), 0)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        forward_kinematics,
+        link_frames,
+        jacobian,
+        partial(jacobian_in_frame, frame=1),
+        analytic_jacobian,
+        manipulability,
+    ],
+)
+def test_what_is_no_arm_is_told_in_a_whole_sentence(function):
+    with pytest.raises(ArmError) as told:
+        function("Panda", q=PANDA.home)
+    assert str(told.value) == "arm is 'Panda'; expected an Arm"
+
+
+def test_a_frame_is_counted_from_the_base():
+    with pytest.raises(ArmError) as told:
+        jacobian_in_frame(PANDA, PANDA.home, -1)
+    assert str(told.value) == "frame is -1; expected a whole number of 0 or more"
 
 
 def test_a_large_batch_needs_little_more_memory_than_its_result():

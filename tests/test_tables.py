@@ -146,6 +146,12 @@ def test_the_two_makers_tables_of_the_ur10e():
         (f.row, f.quantity): round(1000 * abs(f.mine - f.reference), 6) for f in report.findings
     }
     assert sizes == {(3, "a"): 0.05, (4, "d"): 10.25, (5, "d"): 4.15, (6, "d"): 24.35}
+    along = [f.text for f in report.findings if f.quantity == "d"]
+    assert along[0] == (
+        "the offset along the parallel axes 2 to 4, added up, is 0.1639 m in yours and 0.17415 m in the reference:"
+        " 10.25 mm too short."
+    )
+    assert along[2].startswith("the offset along axis 6 is 0.1922 m in yours and 0.21655 m in the")
     assert "24.35 mm too short" in str(report)
 
 
@@ -180,14 +186,17 @@ def test_kind_and_number_of_joints():
         str(finding)
         == "Row 3, joint: the joint is revolute in yours and prismatic in the reference."
     )
-    assert "number of joints: yours has 3, the reference 6." in str(compare_tables(ELBOW, STANFORD))
+    (finding,) = compare_tables(ELBOW, STANFORD).findings
+    assert str(finding) == "Row 3, number of joints: yours has 3, the reference 6."
 
 
 def test_another_base_is_a_note_not_an_error():
-    lower = ELBOW.with_values(d_1=0.2)
-    report = compare_tables(lower, ELBOW)
+    short = ELBOW.with_values(d_1=0.2)
+    report = compare_tables(short, ELBOW)
     assert report.agrees
-    assert "300 mm" in report.notes[0]
+    (note,) = report.notes
+    assert note.startswith("your base frame stands 300 mm higher on axis 1 (d in row 1)")
+    assert "300 mm lower on axis 1" in compare_tables(ELBOW, short).notes[0]
     assert compare_tables(ELBOW, ELBOW).notes == ()
 
 
@@ -308,15 +317,32 @@ def test_what_a_slide_cannot_make_up_for_is_found():
 
 
 def test_angles_written_with_four_decimals_are_meant_as_right_angles():
-    """Taken literally, axes 2 and 3 of this table would meet 60 km away."""
+    """Taken literally, axes 2 and 3 of this table would meet 60 km away, and no offset along them could be compared."""
     rounded = {"pi": 3.1416, "pi/2": 1.5708, "-pi/2": -1.5708}
     rows = [
         replace(r, alpha=rounded.get(r.alpha, r.alpha), theta=rounded.get(r.theta, r.theta))
         for r in UR10E_HOMEWORK.rows
     ]
-    report = compare_tables(replace(UR10E_HOMEWORK, rows=rows), UR10E_HOMEWORK)
+    mine = replace(UR10E_HOMEWORK, rows=rows)
+    report = compare_tables(mine, UR10E_HOMEWORK)
     assert report.agrees
     assert "alpha in row 2, 3.1416, is taken as pi; write it so" in str(report)
+    assert [note.split(", is taken as")[0] for note in report.notes] == [
+        "alpha in row 1, -1.5708", "alpha in row 2, 3.1416", "theta in row 2, -1.5708", "alpha in row 3, 3.1416",
+        "alpha in row 4, 1.5708", "theta in row 4, 1.5708", "alpha in row 5, -1.5708",
+    ]  # fmt: skip
+    (finding,) = compare_tables(mine.with_values(d_4=0.1739), UR10E_HOMEWORK).findings
+    assert (finding.row, finding.quantity) == (4, "d")
+    assert "10 mm too long" in finding.text
+
+
+@pytest.mark.parametrize(("angle", "near"), [(1.57073, True), (1.57087, True), (1.5706, False)])
+def test_a_right_angle_is_meant_within_a_ten_thousandth(angle, near):
+    """pi/2 is 1.570796: these are 0.00007, 0.00007 and 0.0002 off."""
+    rows = [replace(UR10E.rows[0], alpha=angle), *UR10E.rows[1:]]
+    report = compare_tables(replace(UR10E, rows=rows), UR10E)
+    assert report.agrees == near
+    assert any("is taken as pi/2; write it so" in note for note in report.notes) == near
 
 
 def test_a_tilted_tool_frame_is_a_note():

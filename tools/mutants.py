@@ -5,16 +5,21 @@ reword a message, and reports by module. `make mutants` runs it; tests/mutants.m
 """
 
 import argparse
+import json
 import random
 import re
 import subprocess
 import sys
 from collections import Counter, defaultdict
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fnmatch import fnmatch
+from itertools import accumulate
 from pathlib import Path
 
 from mutmut.mutation.diff_apply import get_diff_for_mutant
 
+STATS = Path("mutants/mutmut-stats.json")
 MUTMUT = [str(Path(sys.executable).with_name("mutmut"))]
 CAUGHT = ("killed", "timeout", "suspicious", "segfault", "caught by type check")
 STRING = re.compile(r"""(["'])(.*?)\1""")
@@ -26,11 +31,13 @@ def main() -> None:
     parser.add_argument("modules", nargs="*", default=["helpers.*"], help="as helpers.inverse.*")
     parser.add_argument("--sample", type=int, default=30, help="mutants of a module; 0 for all")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--seconds", type=float, default=40, help="of tests for a mutant")
     options = parser.parse_args()
-    if not Path("mutants/mutmut-stats.json").exists():
+    if not STATS.exists():
         run([ANY])
     chosen = draw(statuses(), options.modules, options.sample, options.seed)
-    run(chosen)
+    with quickest_tests(options.seconds):
+        run(chosen)
     report(chosen, statuses())
 
 
@@ -41,6 +48,23 @@ def run(names: list[str]) -> None:
         command = [*MUTMUT, "run", "--max-children", "1", *names]
         if subprocess.run(command, stdout=log, stderr=log, check=False).returncode:
             sys.exit("mutmut failed: see mutants/run.log")
+
+
+@contextmanager
+def quickest_tests(seconds: float) -> Iterator[None]:
+    """Meanwhile a mutant meets only the quickest of its tests, `seconds` of them: what others alone see survives."""
+    whole = STATS.read_text(encoding="utf-8")
+    stats = json.loads(whole)
+    time, reach = stats["duration_by_test"], stats["tests_by_mangled_function_name"]
+    for name, tests in reach.items():
+        quickest = sorted(tests, key=time.__getitem__)
+        spent = accumulate(time[test] for test in quickest)
+        reach[name] = [test for test, total in zip(quickest, spent, strict=True) if total < seconds]
+    STATS.write_text(json.dumps(stats), encoding="utf-8")
+    try:
+        yield
+    finally:
+        STATS.write_text(whole, encoding="utf-8")
 
 
 def statuses() -> dict[str, str]:

@@ -58,7 +58,7 @@ def compare_tables(mine: Arm, reference: Arm) -> TableReport:
 def _squared(arm: Arm) -> Arm:
     """The arm with angles near a multiple of a right angle taken as that: 1.5708 is meant as pi/2."""
     rows = [replace(r, alpha=_square(arm, r.alpha), theta=_square(arm, r.theta)) for r in arm.rows]
-    return replace(arm, rows=rows, bodies=())
+    return replace(arm, rows=rows)
 
 
 def _square(arm: Arm, angle: Entry) -> Entry:
