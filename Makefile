@@ -4,7 +4,7 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
-SOURCES := $(NOTEBOOKS) $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) tools/light_pages.py $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
 
 .PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer coverage mutants
 

@@ -182,6 +182,9 @@ def without_repository(app, config) -> None:
 
 
 def setup(app) -> dict[str, bool]:
+    # Sphinx copies a changed asset only if it has a page to write: so it writes all.
+    assets = sorted(Path(app.srcdir, "assets").glob("*.*"))
+    app.add_config_value("assets", [crc32(path.read_bytes()) for path in assets], "html")
     app.connect("config-inited", without_repository)
     app.connect("build-finished", rewrite, priority=900)  # after the theme has coloured the code
     return {"parallel_read_safe": True, "parallel_write_safe": True}

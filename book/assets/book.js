@@ -16,6 +16,7 @@ async function setFormulas() {
   while (left.size) {
     await pause();
     const next = few([...(inView.size ? inView : left)]);
+    next.forEach((formula) => formula.classList.add("set")); // of full size, which MathJax measures
     await MathJax.typesetPromise(next);
     for (const formula of next) {
       watch.unobserve(formula);
