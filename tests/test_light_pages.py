@@ -113,8 +113,10 @@ def test_a_page_asks_for_one_style_sheet():
 
 def test_the_one_style_sheet_has_the_imported_ones_and_their_addresses(tmp_path):
     (tmp_path / "styles").mkdir()
-    (tmp_path / "styles/theme.css").write_text('@import "../basic.css";a{b:url(../x/y.woff2)}')
-    (tmp_path / "basic.css").write_text("p{b:url(file.png) url(data:image/png)}")
+    (tmp_path / "styles/theme.css").write_text(
+        '@import "../basic.css";a{b:url(../x/y.woff2)}', encoding="utf-8"
+    )
+    (tmp_path / "basic.css").write_text("p{b:url(file.png) url(data:image/png)}", encoding="utf-8")
     css = whole_sheet(tmp_path / "styles/theme.css", tmp_path)
     assert css == "p{b:url(file.png) url(data:image/png)}a{b:url(x/y.woff2)}"
 
