@@ -5,6 +5,7 @@ function few(formulas, characters = 100) {
 }
 
 const pause = () => new Promise((done) => setTimeout(done));
+const frame = () => new Promise((due) => (document.hidden ? due() : requestAnimationFrame(due)));
 
 async function setFormulas() {
   const inView = new Set(), left = new Set(document.querySelectorAll("span.math, div.math"));
@@ -12,7 +13,7 @@ async function setFormulas() {
     inView[isIntersecting ? "add" : "delete"](target);
   }));
   left.forEach((formula) => watch.observe(formula));
-  await new Promise((painted) => (document.hidden ? painted() : requestAnimationFrame(painted)));
+  await frame(); // by then it is known which are in view
   while (left.size) {
     await pause();
     const next = few([...(inView.size ? inView : left)]);
@@ -27,7 +28,20 @@ async function setFormulas() {
   reachable();
 }
 
-if (window.MathJax) window.MathJax.startup = { typeset: false, pageReady: setFormulas };
+if (window.MathJax) {
+  const parts = MathJax.loader.load;
+  MathJax.loader.load = [];
+  MathJax.startup = {
+    typeset: false,
+    pageReady: setFormulas,
+    async ready() {
+      await frame();
+      await pause(); // the text is painted
+      await MathJax.loader.load(...parts);
+      MathJax.startup.defaultReady();
+    },
+  };
+}
 
 // What is wider than its box can be scrolled from the keyboard too.
 function reachable() {
