@@ -12,6 +12,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 from functools import cache
+from html import unescape
 from pathlib import Path
 from zlib import crc32
 
@@ -41,6 +42,8 @@ PROPERTY = re.compile(r'(?<=[{;])\s*(--[\w-]+):(?:"[^"]*"|[^;{}"])*(?:;|(?=\}))'
 FORMULA = re.compile(
     r'(?<!<span class="nowrap">)(<span class="math notranslate nohighlight">[^<]*</span>)([,.;:!?)”’]+)'
 )
+UNSET = re.compile(r'(<span class="math notranslate nohighlight")>(\\\([^<]*\\\))')
+SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
 ALL = "_static/all.css"
 NEAR = 3000  # characters from an article's start: a picture there is seen at once
 WIDE = 700  # CSS pixels: a figure of several panels, which a phone shows larger than itself
@@ -57,10 +60,17 @@ def lighter(html: str, folder: Path, search: bool = False) -> str:
     if not search:
         html = WAITING.sub(r"<script defer \1", SEARCH.sub("", html))
     html = FORMULA.sub(r'<span class="nowrap">\1\2</span>', html)
+    html = UNSET.sub(lambda tex: f'{tex[1]} style="--unset:{size_unset(tex[2])}">{tex[2]}', html)
     near = html.find("<article") + NEAR
     return PICTURE.sub(
         lambda found: _sized(*found.groups(), folder, late=found.start() > near), html
     )
+
+
+def size_unset(tex: str) -> str:
+    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs, so many characters."""
+    tex = unescape(tex)
+    return f"{1.5 * len(SIGN.findall(tex[2:-2])) / len(tex):.2f}em"
 
 
 def _inline(script: Path) -> str:
