@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from tools.light_pages import (
+    assets,
     lighter,
     one_sheet,
     plain_classes,
@@ -162,3 +163,15 @@ def test_nothing_is_offered_to_launch_without_a_repository():
         options = {"repository_url": url, "launch_buttons": {"colab_url": "x"}}
         without_repository(None, SimpleNamespace(html_theme_options=options))
         assert options["launch_buttons"] == left
+
+
+def test_a_changed_asset_is_seen(tmp_path):
+    for name in ("assets/vendor/a.js", "static/b.css"):
+        (tmp_path / name).parent.mkdir(parents=True)
+        (tmp_path / name).write_text("a", encoding="utf-8")
+    config = SimpleNamespace(html_static_path=["assets", "static"])
+    before = assets(tmp_path, config)
+    (tmp_path / "static/b.css").write_text("b", encoding="utf-8")
+    assert assets(tmp_path, config) != before
+    (tmp_path / "static/b.css").write_text("a", encoding="utf-8")
+    assert assets(tmp_path, config) == before

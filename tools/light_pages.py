@@ -191,10 +191,14 @@ def without_repository(app, config) -> None:
         config.html_theme_options["launch_buttons"] = {}
 
 
+def assets(folder: Path, config) -> list[int]:
+    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and then writes all."""
+    paths = (path for of in config.html_static_path for path in (folder / of).rglob("*.*"))
+    return [crc32(path.read_bytes()) for path in sorted(paths)]
+
+
 def setup(app) -> dict[str, bool]:
-    # Sphinx copies a changed asset only if it has a page to write: so it writes all.
-    assets = sorted(Path(app.srcdir, "assets").glob("*.*"))
-    app.add_config_value("assets", [crc32(path.read_bytes()) for path in assets], "html")
+    app.add_config_value("assets", lambda config: assets(Path(app.srcdir), config), "html")
     app.connect("config-inited", without_repository)
     app.connect("build-finished", rewrite, priority=900)  # after the theme has coloured the code
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -162,7 +162,7 @@ input.small { width: 56px; text-align: right; }
 .entries input { width: 86px; }
 .entries tbody th { width: 26px; }
 .moves span { padding-left: 5px; color: var(--soft); white-space: nowrap; }
-.remove { border-color: transparent; padding: 0 8px; color: var(--soft); }
+.remove { border-color: transparent; min-height: 24px; padding: 0 8px; color: var(--soft); }
 
 @container (min-width: 560px) {
   .bench { grid-template-columns: minmax(0, 1fr) minmax(250px, 40%); }
@@ -189,13 +189,13 @@ input.small { width: 56px; text-align: right; }
   .track { width: 62px; }
   .share { width: 38px; padding-left: 5px; }
   .entries input { width: 44px; padding-inline: 4px; }
-  .entries td:nth-child(odd) input { width: 62px; }
+  .entries td:nth-child(odd) input { width: 66px; }
   .entries select { width: 62px; padding-inline: 2px; }
   .entries th, .entries td { padding-inline: 1px; }
   .entries tbody th { width: 14px; }
   .entries thead th:first-child { font-size: 0; }
   .entries .moves span { display: none; }
-  .remove { padding: 0 3px; }
+  .remove { padding: 0; width: 24px; }
   .heat { font-size: 11.5px; }
   .heat td { min-width: 42px; padding-inline: 2px; }
   .heat th { padding-inline: 3px; }
