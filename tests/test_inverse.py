@@ -438,15 +438,50 @@ def test_follow_through_a_straight_wrist():
 
 
 def test_shapes_broadcast_and_chunks_do_not_show():
-    q = random_q(UR10E, 2100)
+    q = random_q(UR10E, 9000)
     T = forward_kinematics(UR10E, q)
-    found = ur(UR10E, T.reshape(3, 700, 4, 4))
-    assert found.q.shape == (3, 700, 8, 6)
-    assert found.valid.shape == (3, 700, 8)
-    assert found.distance.shape == (3, 700)
+    found = ur(UR10E, T.reshape(3, 3000, 4, 4))
+    assert found.q.shape == (3, 3000, 8, 6)
+    assert found.valid.shape == (3, 3000, 8)
+    assert found.distance.shape == (3, 3000)
     assert found.free.shape == found.q.shape
-    one = ur(UR10E, T[1234])
-    np.testing.assert_allclose(found.q.reshape(2100, 8, 6)[1234], one.q, atol=1e-12)
+    for k in (0, 4095, 4096, 8191, 8192, 8999):
+        one = ur(UR10E, T[k])
+        np.testing.assert_allclose(found.q.reshape(-1, 8, 6)[k], one.q, atol=1e-12)
+        np.testing.assert_array_equal(found.valid.reshape(-1, 8)[k], one.valid)
+
+
+def test_near_is_taken_target_by_target_beyond_a_chunk_too():
+    """Above the shoulder joint 1 is free: each target's own value of it comes back."""
+    q1 = np.linspace(-3, 3, 9000)
+    near = np.column_stack([q1, 0 * q1, 0 * q1])
+    for targets in ((0.0, 0.0, 0.9), np.tile((0.0, 0.0, 0.9), (9000, 1))):
+        found = elbow(ELBOW, targets, near=near)
+        assert found.free[..., 0].all()
+        np.testing.assert_allclose(found.q[:, :2, 0], np.column_stack([q1, q1]), atol=1e-12)
+
+
+def test_out_of_a_urs_reach_the_distance_is_unknown_for_that_target_only():
+    T = forward_kinematics(UR10E, random_q(UR10E, 3))
+    T[1, :3, 3] = 5.0
+    found = ur(UR10E, T)
+    np.testing.assert_array_equal(found.distance, (0, np.nan, 0))
+    assert found.valid.any(axis=1).tolist() == [True, False, True]
+
+
+def test_a_ur_folded_onto_its_shoulder_has_joint_2_free():
+    twins = UR10E.with_values(a_3=0.6127)  # as a_2
+    q = np.array((0.4, 0.7, np.pi, 0.3, 1.1, -0.8))
+    T = forward_kinematics(twins, q)
+    found = ur(twins, T, near=q)
+    folded = found.valid & found.free[:, 1]
+    assert folded.any()
+    np.testing.assert_allclose(found.q[folded, 1], 0.7, atol=1e-12)
+    assert misses(twins, found, T).max() < 1e-10
+
+
+def test_one_target_for_many_starts_and_none_at_all():
+    T = forward_kinematics(UR10E, random_q(UR10E, 1))
     assert ur(UR10E, T[0], near=np.zeros((5, 6))).q.shape == (5, 8, 6)
     assert ur(UR10E, T[:0]).q.shape == (0, 8, 6)
 
