@@ -15,7 +15,7 @@ from matplotlib.text import Annotation
 
 from helpers.arm import Joint
 from helpers.inverse import elbow
-from helpers.kinematics import link_frames
+from helpers.kinematics import link_frames, skeleton
 from helpers.motion import circle, trace
 from helpers.plotting import (
     arm_2d,
@@ -36,7 +36,7 @@ from helpers.plotting import (
     torques,
     use_book_style,
 )
-from helpers.plotting.arms import barrel, skeleton
+from helpers.plotting.arms import barrel
 from helpers.plotting.style import STYLE, svg
 from helpers.robots import ELBOW, PANDA_HOMEWORK, UR10E
 from tests.laws import ALL_ARMS, ids, joint_vectors

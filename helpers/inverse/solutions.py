@@ -125,10 +125,10 @@ def each_branch(
     return Solutions(
         arm,
         tuple(map(", ".join, product(*branches))),
-        q.reshape(many, dof, count).transpose(2, 0, 1).reshape(*shape, many, dof),
-        valid.reshape(many, count).T.reshape(*shape, many),
-        free.reshape(many, dof, count).transpose(2, 0, 1).reshape(*shape, many, dof),
-        distance.reshape(shape),
+        _by_target(q, shape, many, dof),
+        _by_target(valid, shape, many),
+        _by_target(free, shape, many, dof),
+        _by_target(distance, shape),
     )
 
 
@@ -137,6 +137,11 @@ def _columns(values: Array, shape: tuple[int, ...]) -> Array:
     if values.ndim == 1:
         return np.broadcast_to(values[:, None], (len(values), math.prod(shape)))
     return np.broadcast_to(values, (*shape, values.shape[-1])).reshape(-1, values.shape[-1]).T
+
+
+def _by_target(columns: NDArray, shape: tuple[int, ...], *axes: int) -> NDArray:
+    """A view of arrays (..., batch) as a shape of batches with these axes last."""
+    return columns.reshape(math.prod(axes), -1).T.reshape((*shape, *axes))
 
 
 def positions(arm: Arm, p: ArrayLike) -> Array:

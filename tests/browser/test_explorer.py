@@ -439,7 +439,7 @@ def test_it_wears_the_pages_theme_and_fits_the_page(visit, theme, size):
     assert card.get_attribute("data-theme") == theme
     for name in ("DH table", "Pose", "Jacobian", "Circle trace", "Static torque", "IK branches"):
         here.tab(name)
-        assert here.page.evaluate("document.documentElement.scrollWidth") <= SIZES[size][0]
+        assert here.page.evaluate("document.documentElement.scrollWidth") <= SIZES[size]["width"]
         assert card.evaluate("e => e.scrollWidth <= e.clientWidth + 1")
     other = "dark" if theme == "light" else "light"
     here.page.evaluate(f"document.documentElement.dataset.theme = '{other}'")

@@ -43,7 +43,7 @@ def lab(tmp_path_factory):
         address = f"http://127.0.0.1:{port}"
         try:
             _wait_for(f"{address}/api", server, home / "log")
-            yield f"{address}/lab/tree/explorer.ipynb"
+            yield address
         finally:
             server.terminate()
             server.wait(10)
@@ -64,9 +64,7 @@ def _wait_for(address, server, log):
 def _until_connected(address):
     """JupyterLab shows an idle kernel, and loses a cell that is run, while it is still connecting."""
     for _ in range(600):
-        with urllib.request.urlopen(
-            address.replace("/lab/tree/explorer.ipynb", "/api/kernels")
-        ) as answer:
+        with urllib.request.urlopen(f"{address}/api/kernels") as answer:
             kernels = json.load(answer)
         if any(kernel["connections"] and kernel["execution_state"] == "idle" for kernel in kernels):
             return
@@ -77,7 +75,7 @@ def _until_connected(address):
 def test_sliders_and_python_move_the_same_arm(browser, lab):
     page = browser.new_page(viewport={"width": 1300, "height": 1400})
     page.set_default_timeout(180_000)  # a busy machine takes its time to start a kernel
-    page.goto(lab)
+    page.goto(f"{lab}/lab/tree/explorer.ipynb")
     page.locator(".jp-Notebook .jp-CodeCell").nth(3).wait_for()
     _until_connected(lab)
 
