@@ -22,8 +22,7 @@ def refresh(path: Path) -> None:
         notebook, timeout=300, kernel_name="python3", resources=resources, coalesce_streams=True
     ).execute()
     notebook.metadata = {**KERNEL, **about}
-    for number, cell in enumerate(notebook.cells):
-        cell["id"] = f"c{number:03d}"
+    for cell in notebook.cells:
         cell.metadata.pop("execution", None)
         for output in cell.get("outputs", []):
             output.get("data", {}).pop(WIDGET, None)  # without a kernel there is none
