@@ -24,7 +24,7 @@ from helpers.motion import (
     trace,
     with_null_space,
 )
-from helpers.motion.report import report as summary
+from helpers.motion.report import run_report as summary
 from helpers.plotting import moving_picture
 from helpers.robots import PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
