@@ -14,6 +14,7 @@ from helpers.motion.rates import (
     with_null_space,
 )
 from helpers.motion.report import Report
+from helpers.motion.self_motions import self_motion, self_motion_directions
 from helpers.motion.tracing import METHODS, Trace, trace
 
 __all__ = [
@@ -30,6 +31,8 @@ __all__ = [
     "levenberg",
     "plain_inverse",
     "pseudo_inverse",
+    "self_motion",
+    "self_motion_directions",
     "towards",
     "trace",
     "with_null_space",
