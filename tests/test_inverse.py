@@ -323,18 +323,28 @@ def test_a_stretched_ur_is_an_isolated_solution():
     nearest = solve(turned, T, np.zeros(5), limits=False)
     assert not nearest.reached
     assert max(nearest.position_error, nearest.orientation_error) > 1e-4
-    report = compare_branches([[0, 0, 0, 0, 0, 0.1]], found)
-    assert not report.agrees
-    assert not report.found
+    for others in (
+        np.zeros(5),
+        nearest.q,
+    ):  # the best that the other joints can do about it is 0.6 mm off
+        report = compare_branches([[*others, 0.1]], found)
+        assert not report.agrees
+        assert not report.found
 
 
 @pytest.mark.parametrize(
     ("q", "free"),
     [
         ((0, 0, 1e-3, 0, 0, 0), True),  # the elbow a little bent: the circle crosses the boundary
-        ((0.3, -0.7, 0, 0, 0, 0.4), False),  # d_5 in line with the stretched links, wherever they point
+        (
+            (0.3, -0.7, 0, 0, 0, 0.4),
+            False,
+        ),  # d_5 in line with the stretched links, wherever they point
         ((0.3, -0.7, 0, 0.5, 0, 0.4), True),  # stretched, but d_5 is out of line
-        ((0.3, -0.7, 0, np.pi, 0, 0.4), True),  # in line, back towards the shoulder: other q_6 bend the elbow
+        (
+            (0.3, -0.7, 0, np.pi, 0, 0.4),
+            True,
+        ),  # in line, back towards the shoulder: other q_6 bend the elbow
     ],
 )
 def test_joint_6_of_a_ur_is_free_where_its_circle_lies_within_reach(q, free):
