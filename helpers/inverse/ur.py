@@ -70,7 +70,11 @@ def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
         shifted(wrist.phi_6, rows[5].theta)[:, :, None],
     )
     valid = plane.exists & links.exists
-    free = {0: plane.free, 1: links.free, 5: (wrist.singular & ~_isolated(arm, plane))[:, None, None]}
+    free = {
+        0: plane.free,
+        1: links.free,
+        5: (wrist.singular & ~_isolated(arm, plane))[:, None, None],
+    }
     distance = np.where(valid.reshape(-1, valid.shape[-1]).any(axis=0), 0.0, np.nan)
     return Found(q, {joint: where for joint, where in free.items() if where.any()}, valid, distance)
 
