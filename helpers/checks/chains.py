@@ -101,3 +101,22 @@ def columns(
     turns = (chain.turning | (not slides))[:, None]
     linear, angular = np.where(turns, np.cross(z, arm), z), np.where(turns, z, 0.0)
     return np.swapaxes(np.concatenate([linear, angular], axis=-1), -1, -2)
+
+
+def weights(chain: Chain, masses: Array, centres: Array, gravity: Array, frames: Array | None = None) -> Array:
+    """g(q), shape (..., dof), for a mass and a centre (in its row's frame) for each row: -z . ((sum m c - o sum m) x gravity)."""
+    T = chain.frames if frames is None else frames
+    points = np.einsum("...kij,...kj->...ki", T[..., 1:, :3, :3], centres) + T[..., 1:, :3, 3]
+    mass = np.cumsum(np.broadcast_to(masses, points.shape[:-1])[..., ::-1], axis=-1)[..., ::-1]
+    moment = np.cumsum((points * masses[..., None])[..., ::-1, :], axis=-2)[..., ::-1, :]
+    at = np.array(chain.joints) - 1
+    z, o = T[..., :3, 2][..., at, :], T[..., :3, 3][..., at, :]
+    lever = moment[..., at, :] - mass[..., at, None] * o
+    turning = -np.einsum("...i,...i->...", z, np.cross(lever, gravity))
+    return np.where(chain.turning, turning, -(z @ gravity) * mass[..., at])
+
+
+def alike(arm: Arm) -> list[tuple[str, str]]:
+    """Names of lengths a_i that may be taken for one another: near, and not the same."""
+    a = [(n, v) for n, v in dict(arm.values).items() if n.startswith("a_")]
+    return [(m, n) for m, x in a for n, y in a if m != n and x != y and abs(x - y) < 0.1 * max(abs(x), abs(y))]

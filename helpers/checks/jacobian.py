@@ -13,7 +13,7 @@ from helpers.checks.chains import chain, columns
 from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, TELLING, WRONG, Typed
 from helpers.checks.entries import Margins, graded, margins
 from helpers.checks.jacobian_causes import Catalogue, pairs, singles
-from helpers.checks.ranking import Cause, Found, cause, explain, lower, several
+from helpers.checks.ranking import Cause, Found, better, cause, explain, lower, several
 from helpers.checks.sentences import listed, say
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
@@ -213,7 +213,7 @@ def _causes(M, right, m: Margins, known: Catalogue, rows: slice, arm: Arm, q: Ar
             two = pairs(arm, q, frame)
             other = explain(M, right, band, two.causes, two.made[:, rows])
             reversed_ = _other_ways(M, right, band, arm, q, frame, rows)
-            found = _better(found, other, reversed_)
+            found = better(found, other, reversed_)
         if found:
             return found.causes, tuple(_odd_columns(found, arm))
         if len(M) == 6 and (halves := _by_halves(M, right, band, known)):
@@ -235,12 +235,6 @@ def _by_halves(M, right, band, known: Catalogue) -> tuple[Cause, ...]:
         inside = f"{half} rows" in first.words
         said.append(first if inside else cause("J in half", half=half, words=first.words, _of=first.name))
     return (sum(said[1:], said[0]),) if said else ()
-
-
-def _better(*all_found: Found | None) -> Found | None:
-    """The one with the least cost: a mistake costs 1, an entry that stays unexplained 0.7."""
-    there = [f for f in all_found if f]
-    return min(there, key=lambda f: len(f.causes[0].keys) + 0.7 * int(f.odd.sum()), default=None)
 
 
 def _other_ways(M, right, band, arm: Arm, q: Array, frame: int, rows: slice) -> Found | None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helpers.arm import Arm
-from helpers.checks.chains import Chain, chain, columns
+from helpers.checks.chains import Chain, alike, chain, columns
 from helpers.checks.ranking import Cause, cause
 
 Array = NDArray[np.float64]
@@ -79,33 +79,10 @@ class _At:
     # The recipe
 
     def recipes(self) -> Iterator[tuple[Cause, Array]]:
-        usual = np.array(self.chain.joints) - 1
-        yield from self._built(self.chain, self.T, usual)
+        yield from wrong_recipes(self.chain)
         for degrees in (np.radians, np.degrees):
             q = np.where(self.turning, degrees(self.chain.q), self.chain.q)
             yield cause("J.degrees"), columns(self.chain.with_(q=q))
-
-    def _built(self, at: Chain, T: Array, usual: Array) -> Iterator[tuple[Cause, Array]]:
-        right = columns(at, frames=T)
-        late = columns(at, frames=T, axis=usual + 1, origin=usual + 1)
-        v, w = slice(0, 3), slice(3, 6)
-        yield cause("J.z_i angular"), _halves(right[..., v, :], late[..., w, :])
-        yield cause("J.one frame late"), late
-        yield cause("J.z_i"), columns(at, frames=T, axis=usual + 1)
-        if at.joints != tuple(range(1, len(usual) + 1)):
-            count = np.arange(len(usual))
-            remaining = columns(at, frames=T, axis=count)
-            yield cause("J.z counted on angular"), _halves(right[..., v, :], remaining[..., w, :])
-            yield cause("J.z counted on"), columns(at, frames=T, axis=count, origin=count)
-        yield cause("J.origin late"), columns(at, frames=T, origin=usual + 1)
-        yield cause("J.lever tip"), columns(at, frames=T, lever="tip")
-        yield cause("J.lever origin"), columns(at, frames=T, lever="o")
-        yield cause("J.lever link"), columns(at, frames=T, lever="link")
-        yield cause("J.rows of T"), columns(at, frames=_rows_read(T))
-        if not at.turning.all():
-            yield cause("J.slide turns"), columns(at, frames=T, slides=False)
-        for k in range(T.shape[-3] - 1):
-            yield cause("J.point", k=k), columns(at, frames=T, point=k)
 
     # The table
 
@@ -122,7 +99,7 @@ class _At:
         wrong = [(cause("J.degrees"), self.chain.with_(q=x)) for x in q]
         wrong += wrong_tables(self.arm, self.chain)
         stack = _stacked(self.chain, [c for _, c in wrong])
-        for second, J in self._built(stack, stack.frames, np.array(self.chain.joints) - 1):
+        for second, J in wrong_recipes(stack):
             yield [first + second for first, _ in wrong], J
 
     # The writing
@@ -180,6 +157,31 @@ class _At:
         return half
 
 
+def wrong_recipes(at: Chain) -> Iterator[tuple[Cause, Array]]:
+    """The Jacobian with one step of its recipe done otherwise, in base axes, for one pose or many."""
+    T, usual = at.frames, np.array(at.joints) - 1
+    right = columns(at, frames=T)
+    late = columns(at, frames=T, axis=usual + 1, origin=usual + 1)
+    v, w = slice(0, 3), slice(3, 6)
+    yield cause("J.z_i angular"), _halves(right[..., v, :], late[..., w, :])
+    yield cause("J.one frame late"), late
+    yield cause("J.z_i"), columns(at, frames=T, axis=usual + 1)
+    if at.joints != tuple(range(1, len(usual) + 1)):
+        count = np.arange(len(usual))
+        remaining = columns(at, frames=T, axis=count)
+        yield cause("J.z counted on angular"), _halves(right[..., v, :], remaining[..., w, :])
+        yield cause("J.z counted on"), columns(at, frames=T, axis=count, origin=count)
+    yield cause("J.origin late"), columns(at, frames=T, origin=usual + 1)
+    yield cause("J.lever tip"), columns(at, frames=T, lever="tip")
+    yield cause("J.lever origin"), columns(at, frames=T, lever="o")
+    yield cause("J.lever link"), columns(at, frames=T, lever="link")
+    yield cause("J.rows of T"), columns(at, frames=_rows_read(T))
+    if not at.turning.all():
+        yield cause("J.slide turns"), columns(at, frames=T, slides=False)
+    for k in range(T.shape[-3] - 1):
+        yield cause("J.point", k=k), columns(at, frames=T, point=k)
+
+
 def wrong_tables(arm: Arm, right: Chain) -> list[tuple[Cause, Chain]]:
     """Usual mistakes in a table's numbers, whatever it is used for."""
     found: list[tuple[Cause, Chain]] = []
@@ -189,13 +191,13 @@ def wrong_tables(arm: Arm, right: Chain) -> list[tuple[Cause, Chain]]:
         words = {n: v for n, v in fields.items() if n not in changes}
         found.append((cause(key, **words), right.with_(**changes)))
 
-    names = {name for name, _ in arm.values}
+    names = set(dict(arm.values))
     if "l_pen" in names and arm.number("l_pen"):
         put("table.pen", d=chain(arm.with_values(l_pen=0), right.q).d)
     if (right.theta[[i - 1 for i in right.joints]] != 0).any():
         put("table.offsets", theta=np.where(_moving(right), 0.0, right.theta))
     put("table.twists", alpha=-right.alpha)
-    for name, other in _alike(arm):
+    for name, other in alike(arm):
         put("table.length", name=name, other=other, a=chain(arm.with_values(**{name: arm.number(other)}), right.q).a)
     for k in range(len(right.a)):
         one = np.arange(len(right.a)) == k
@@ -215,12 +217,6 @@ def wrong_tables(arm: Arm, right: Chain) -> list[tuple[Cause, Chain]]:
 def _moving(right: Chain) -> NDArray[np.bool_]:
     turning = {i for i, t in zip(right.joints, right.turning, strict=True) if t}
     return np.isin(np.arange(1, len(right.theta) + 1), list(turning))
-
-
-def _alike(arm: Arm) -> list[tuple[str, str]]:
-    """Lengths a_i that may be taken for one another: near, and not the same."""
-    a = [(n, v) for n, v in arm.values if n.startswith("a_")]
-    return [(m, n) for m, x in a for n, y in a if m != n and x != y and abs(x - y) < 0.1 * max(abs(x), abs(y))]
 
 
 def _stacked(right: Chain, chains: list[Chain]) -> Chain:

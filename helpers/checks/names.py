@@ -75,4 +75,4 @@ def _angle_or_short(name: str, q: list[float]) -> float:
 
 
 def _known(arm: Arm) -> str:
-    return ", ".join([*arm.variables, *(name for name, _ in arm.values)])
+    return ", ".join([*arm.variables, *dict(arm.values)])

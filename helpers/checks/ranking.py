@@ -47,6 +47,8 @@ def cause(key: str, **fields: object) -> Cause:
 
 
 def _name(key: str, fields: dict) -> str:
+    if "_of" in fields:
+        return fields["_of"]
     return ":".join([key, *(str(v) for k, v in fields.items() if not k.startswith("_"))])
 
 
@@ -84,6 +86,12 @@ def explain(mine: Array, right: Array, band: Array, causes: Sequence[Cause], mad
 
 
 def several(found: Sequence[Cause], most: int = 3) -> str:
-    """What the causes say, those that explain equally well one after another."""
-    words = list(dict.fromkeys(c.words for c in found))[:most]
+    """What the causes say: single ones that explain equally well one after another, of pairs the first."""
+    words = list(dict.fromkeys(c.words for c in found))[: most if len(found[0].keys) == 1 else 1]
     return words[0] if len(words) == 1 else say("or", first=words[0], others=listed([lower(w) for w in words[1:]], "or"))
+
+
+def better(*all_found: Found | None) -> Found | None:
+    """The one with the least cost: each mistake costs 1, each entry that stays unexplained 0.7."""
+    there = [f for f in all_found if f]
+    return min(there, key=lambda f: len(f.causes[0].keys) + ODD * int(f.odd.sum()), default=None)
