@@ -297,6 +297,11 @@ class Arm:
         a, alpha, d, theta = (self.number(e) for e in (row.a, row.alpha, row.d, row.theta))
         return NumericRow(row.joint.kind, a, d, *cos_sin(alpha), theta, *cos_sin(theta))
 
+    @cached_property
+    def programs(self) -> dict:
+        """What `helpers.kinematics` has recorded of this arm."""
+        return {}
+
     def number(self, value: Entry) -> float:
         """The number that an entry of this arm's tables stands for."""
         return evaluate(value, self._values)
