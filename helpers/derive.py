@@ -30,7 +30,6 @@ Case = Literal["skew", "intersecting", "parallel", "coincident"]
 
 _POINT = "a point (x, y, z) in m"
 _POSE = "a rigid motion, 4x4, in m"
-_ROUNDED = 1e-11  # rad; an angle this near to a right one is one that was typed with few digits
 _NEARLY = 1e-3  # axes whose angle's sine is below this are called nearly parallel
 
 
@@ -62,7 +61,7 @@ class Axis:
             point = numbers(self.point, "an axis's point", _POINT, (3,))
             object.__setattr__(self, "point", tuple(map(float, point)))
         elif joint.kind == "revolute":
-            raise ArmError(f"an axis that turns has no point; expected {_POINT}")
+            raise ArmError(f"the point of an axis that turns is None; expected {_POINT}")
 
 
 def _unit(direction: ArrayLike) -> tuple[float, ...]:
@@ -192,7 +191,8 @@ def derive(
         name: the arm's name.
         negative: whether x_i may run against the common normal, from z_i to z_{i-1}, where that turns less from
             x_{i-1}; a_i is negative then, as a_4 in the usual table of the Panda.
-        tolerance: lines closer than this (m) are taken to meet, and to be parallel below this sine of their angle.
+        tolerance: lines closer than this (m) are taken to meet, and to be parallel below this sine of their angle; an
+            angle within a hundredth of it (rad) of a right one is taken for that.
 
     A fixed row is put first where axis 1 is not the base's z axis, and last where the last common normal leaves the
     tip elsewhere on its z axis or turned about it. Lengths become letters with values (``a_2``, ``d_4``), and so do
@@ -242,7 +242,7 @@ class _Goal:
 def _axes(axes: Sequence[Axis]) -> tuple[Axis, ...]:
     found = listed(axes, "axes", "one Axis or more, base to tip")
     if not found:
-        raise ArmError("there are no axes; expected one Axis or more, base to tip")
+        raise ArmError("axes are []; expected one Axis or more, base to tip")
     for axis in found:
         must_be(axis, Axis, "an item of axes")
     return found
@@ -251,9 +251,9 @@ def _axes(axes: Sequence[Axis]) -> tuple[Axis, ...]:
 def _pose(pose: ArrayLike, what: str, wanted: str) -> Array:
     T = numbers(pose, what, wanted, (4, 4))
     R = T[:3, :3]
-    rigid = np.allclose(R @ R.T, np.eye(3), rtol=0, atol=1e-6) and np.linalg.det(R) > 0
-    if not (rigid and np.array_equal(T[3], (0, 0, 0, 1))):
-        raise ArmError(f"{what} is {shown(T.tolist())}; expected {wanted}")
+    error = max(np.abs(R @ R.T - np.eye(3)).max(), np.abs(T[3] - (0, 0, 0, 1)).max())
+    if error > 1e-6 or np.linalg.det(R) < 0:
+        raise ArmError(f"{what} is no rigid transform, by {error:.2g}; expected {wanted}")
     return T
 
 
@@ -296,7 +296,7 @@ def _steps(joints: list[Joint], lines: list[Line], goal: _Goal, choices: _Choice
         steps.append(_step(len(steps) + 1, joint, frame, line, end, choices))
         frame = steps[-1].frame
     if goal.missed_by(frame) >= choices.tolerance:
-        steps.append(_last_step(len(steps) + 1, frame, goal))
+        steps.append(_last_step(len(steps) + 1, frame, goal, choices))
     return steps
 
 
@@ -315,10 +315,10 @@ def _step(
     wish = x if goal is None or goal.free else goal.pose[:3, 0]
     crossed = np.linalg.norm(np.cross(z, line.z)) >= choices.tolerance
     case, along = (_crossed if crossed else _side_by_side)(frame, line, wish, choices)
-    theta = _angle(np.cross(x, along) @ z, x @ along)
-    alpha = (
-        _angle(np.cross(z, line.z) @ along, z @ line.z) if crossed else math.pi * (z @ line.z < 0)
-    )
+    theta = _angle(np.cross(x, along) @ z, x @ along, choices)
+    alpha = math.pi * (z @ line.z < 0)
+    if crossed:
+        alpha = _angle(np.cross(z, line.z) @ along, z @ line.z, choices)
     # From here on in the axes of the row's own angles, so that a rounded angle is made up for by a and d.
     x_i, y_i, z_i, _ = (frame @ _link(0, alpha, 0, theta))[:3].T
     if crossed:
@@ -336,11 +336,14 @@ def _step(
     return Step(i, joint, case, opposite, feet, frame, reached, a, alpha, d, theta)
 
 
-def _last_step(i: int, frame: Array, goal: _Goal) -> Step:
+def _last_step(i: int, frame: Array, goal: _Goal, choices: _Choices) -> Step:
     """The fixed row that brings a frame on the tip's z axis into the tip: a turn about it and a shift along it."""
     x, _, z, o = frame[:3].T
     wish = x if goal.free else goal.pose[:3, 0]
-    d, theta = _length((goal.pose[:3, 3] - o) @ z), _angle(np.cross(x, wish) @ z, x @ wish)
+    d, theta = (
+        _length((goal.pose[:3, 3] - o) @ z),
+        _angle(np.cross(x, wish) @ z, x @ wish, choices),
+    )
     reached = frame @ _link(0, 0, d, theta)
     feet = np.array([reached[:3, 3]] * 2)
     return Step(i, Joint("fixed"), "coincident", False, feet, frame, reached, 0.0, 0.0, d, theta)
@@ -395,11 +398,11 @@ def _length(value: float, tolerance: float = 1e-12) -> float:
     return (short if abs(short - value) < near else float(value)) + 0.0
 
 
-def _angle(sine: float, cosine: float) -> float:
+def _angle(sine: float, cosine: float, choices: _Choices) -> float:
     """The angle with this sine and cosine, in (-pi, pi]; a multiple of a right angle is exact."""
     angle = math.atan2(sine, cosine)
     turns = round(angle / (math.pi / 2))
-    if abs(angle - turns * math.pi / 2) >= _ROUNDED:
+    if abs(angle - turns * math.pi / 2) >= choices.tolerance / 100:
         return angle
     return math.pi if abs(turns) == 2 else turns * math.pi / 2
 

@@ -104,6 +104,8 @@ def read_chain(
 ) -> Chain:
     """What `from_urdf` reads, before a table is made of it; the same arguments and errors."""
     tree = _Tree.of(_root(source))
+    if name is not None:
+        must_be(name, str, "an arm's name")
     base = tree.root() if base is None else tree.link(base, "base")
     tip = tree.only_tip(base) if tip is None else tree.link(tip, "tip")
     held = _held(hold, tree)
@@ -119,7 +121,7 @@ def _walk(
 ) -> tuple[tuple[str, ...], tuple[Axis, ...], Array, Array, Array]:
     """The joints that move, their axes, the tip's pose, and for each joint the mass and centre that it carries."""
     pose, names, axes, carried = np.eye(4), [], [], []
-    for joint, after in zip(way, [*way[1:], None], strict=True):
+    for joint, after in zip(way, [*way[1:], None], strict=False):
         pose = pose @ joint.placed(held)
         if joint.moves(held):
             names.append(joint.name)
@@ -168,7 +170,7 @@ def _held(hold: Mapping[str, float] | None, tree: "_Tree") -> dict[str, float]:
         if name not in known or known[name].kind not in _KINDS:
             moving = [joint.name for joint in known.values() if joint.kind in _KINDS]
             raise ArmError(
-                f"{tree.name}: no joint {shown(name)} can be held; those that move are {_some(moving)}"
+                f"{tree.name}: no joint {shown(name)} can be held; expected one of {_some(moving)}"
             )
         at = number(value, f"{tree.name}: the value of {name}")
         lower, upper = known[name].limits.lower, known[name].limits.upper
@@ -239,6 +241,8 @@ class _Tree:
     def of(cls, robot: ET.Element) -> "_Tree":
         name = robot.get("name") or "robot"
         links = robot.findall("link")
+        if not links:
+            raise ArmError(f"{name} has no links; expected a robot description with <link>s in it")
         masses = {_name(link, "link"): _mass(link) for link in links}
         joints = [_joint(element) for element in robot.findall("joint")]
         _once([_name(link, "link") for link in links], f"{name}: links called")
@@ -358,7 +362,9 @@ def _read(source: str | os.PathLike[str]) -> bytes:
         if isinstance(error, ArmError):
             raise
         raise ArmError(f"source is {shown(source)}, which cannot be read: {error}") from None
-    raise ArmError(f"source is {shown(source)}; no such file")
+    raise ArmError(
+        f"source is {shown(source)}; expected a file that exists, or a text with <robot>"
+    )
 
 
 def _refuse_traps(data: bytes, encoding: str | None, what: str) -> None:
@@ -448,10 +454,10 @@ def _mass(link: ET.Element) -> tuple[float, Array]:
 
 def _origin(element: ET.Element, name: str) -> Array:
     origin, T = element.find("origin"), np.eye(4)
-    roll, pitch, yaw = _triple(origin, "rpy", (0, 0, 0), f"the angles of {name}")
+    roll, pitch, yaw = _triple(origin, "rpy", (0, 0, 0), f"the rpy of {name}")
     x, y, z = np.eye(3)
     T[:3, :3] = _turned(z, yaw) @ _turned(y, pitch) @ _turned(x, roll)
-    T[:3, 3] = _triple(origin, "xyz", (0, 0, 0), f"the origin of {name}")
+    T[:3, 3] = _triple(origin, "xyz", (0, 0, 0), f"the xyz of {name}")
     return T
 
 
