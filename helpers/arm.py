@@ -274,6 +274,11 @@ class Arm:
         a, alpha, d, theta = map(self.number, row.entries)
         return NumericRow(row.joint.kind, a, d, *cos_sin(alpha), theta, *cos_sin(theta))
 
+    @cached_property
+    def programs(self) -> dict:
+        """What `helpers.kinematics` has recorded of this arm."""
+        return {}
+
     def number(self, value: Entry) -> float:
         """The number that an entry of this arm's tables stands for."""
         return evaluate(value, self.values)

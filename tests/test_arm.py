@@ -32,7 +32,7 @@ def test_variables_are_named_by_row():
 
 def test_values_read_as_a_dict_and_cannot_be_changed():
     assert dict(ELBOW.values) == ELBOW.values
-    assert list(ELBOW.values) == ["d_1", "a_2", "a_3"]
+    assert list(ELBOW.values) == ["d_1", "a_2", "a_3", "d"]
     with pytest.raises(TypeError):
         ELBOW.values["a_2"] = 1.0
 

@@ -336,15 +336,22 @@ MADE = {
 STEPS = {
     f"kinematics.{name}"
     for name in (
-        "in_chunks",
+        "evaluated",
+        "recorded",
+        "rows_of",
         "skeleton",
-        "store_jacobian",
         "cross",
+        "mixed",
+        "tip_entries",
+        "jacobian_entries",
         "frame_columns",
         "row_motions",
         "cosines_and_sines",
         "tilted",
     )
+} | {
+    f"program.{name}"
+    for name in ("Term", "Program", "Program.of_numbers", "Program.of_rows", "record", "workspace")
 }
 SAYS_FALSE = {
     "variants.Answer.accepts",
