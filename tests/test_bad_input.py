@@ -21,6 +21,7 @@ from helpers import (
     arm,
     checks,
     conventions,
+    derive,
     ellipsoids,
     explorer,
     expressions,
@@ -31,6 +32,7 @@ from helpers import (
     robots,
     statics,
     symbolic,
+    urdf,
     variants,
 )
 from helpers.arm import Arm, ArmError, Body, Row, revolute
@@ -211,6 +213,15 @@ _line = ([0.0, 1.0, 2.0], any_length(3))
 _matrix = any_length(3, 2)
 _symbolic = {"None": None, "a number": 3.5, "words": "q_1", "an array": np.zeros(2)}
 
+AXES = [derive.Axis((0, 0, 0), (0, 0, 1)), derive.Axis((1, 0, 0), (0, 1, 0))]
+ROBOT = """<robot name="one"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/>
+<child link="b"/></joint></robot>"""
+LINKS = {"an unknown name": "hand", "a number": 3, "a list": ["a"]}
+URDF = dict(
+    source=(ROBOT, {"None": None, "a number": 3, "no file": "mine.urdf", "another document": "<sdf/>", "cut off": ROBOT[:-9]}),
+    base=("a", LINKS), tip=("b", LINKS), hold=({}, {"a number": 3, "an unknown joint": {"k": 0}, "words": {"j": "bent"}, "NaN": {"j": NAN}}),
+    name=("mine", {"a number": 3}),
+)  # fmt: skip
 ROW_CALL = dict(a=(0.1, ENTRIES), alpha=("pi/2", ENTRIES), d=(0, ENTRIES), theta=(0, ENTRIES))
 MOVING = dict(limits=((-1, 1), LIMITS), speed=(1, POSITIVE), effort=(1, POSITIVE))
 
@@ -244,6 +255,15 @@ CALLS = {
     "conventions.standard_from_modified": Call(conventions.standard_from_modified, rows=_rows),
     "conventions.modified_from_standard": Call(conventions.modified_from_standard, rows=_rows),
     "conventions.modified_frames": Call(conventions.modified_frames, arm=_panda, q=_q),
+    "derive.Axis": Call(derive.Axis, point=((0, 0, 0), {**array(3), "None": None}), direction=((0, 0, 1), {**array(3), "all 0": (0, 0, 0)}), joint=("revolute", {**NAMES, "one that does not move": "fixed"})),
+    "derive.derive": Call(
+        derive.derive, axes=(AXES, {**no("Axis"), "none": []}), tip=(np.eye(4), {**array(4, 4), "tripled": 3 * np.eye(4)}), base=(np.eye(4), optional(array(4, 4) | {"tripled": 3 * np.eye(4)})),
+        name=("mine", {"None": None, "a number": 3}), negative=(False, FREE), tolerance=(1e-9, scalar(0, -1)),
+    ),
+    "derive.Derivation.with_bodies": Call(derive.derive(AXES, np.eye(4)).with_bodies, masses=([1.0, 2.0], {**array(2), "a negative one": [1.0, -1.0]}), centres=(np.zeros((2, 3)), array(2, 3))),
+    "urdf.read_chain": Call(urdf.read_chain, **URDF),
+    "urdf.from_urdf": Call(urdf.from_urdf, **URDF, negative=(False, FREE), tolerance=(1e-9, scalar(0, -1))),
+    "urdf.Chain.derive": Call(urdf.read_chain(ROBOT).derive, negative=(False, FREE), tolerance=(1e-9, scalar(0, -1))),
     "kinematics.link_frames": Call(kinematics.link_frames, arm=_panda, q=_q),
     "kinematics.forward_kinematics": Call(kinematics.forward_kinematics, arm=_panda, q=_q),
     "kinematics.tip": Call(kinematics.tip, arm=_panda, q=_q),
@@ -329,6 +349,7 @@ CALLS = {
 
 # What the helpers make and readers only read, and steps that get what their callers have checked.
 MADE = {
+    "derive.Derivation", "derive.Line", "derive.Step", "urdf.Chain",
     "arm.ArmError", "checks.BranchReport", "checks.Finding", "checks.JacobianReport", "checks.TableReport", "checks.TorqueReport",
     "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace",
     "motion.Rates", "variants.Answer", "variants.Variant",
@@ -440,7 +461,7 @@ def test_bad_input_is_told_in_words(name, argument, bad, capsys):
 
 # How a message names what no word or shape does.
 SAID = {
-    "too long": "401 characters", "no pose": "no rigid transform, by 3", "three for two poses": "(2,) and (3,)", "many targets": "holds 2 targets",
+    "tripled": "no rigid transform, by 8", "an unknown joint": "no joint 'k'", "another document": "is a <sdf>", "cut off": "is no XML", "too long": "401 characters", "no pose": "no rigid transform, by 3", "three for two poses": "(2,) and (3,)", "many targets": "holds 2 targets",
     "another name": "no value for l", "singular angles": "theta is 0 or pi", "too few": "(6,)", "a formula": "no value for t", "negative": "-1",
 }  # fmt: skip
 
