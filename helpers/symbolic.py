@@ -63,14 +63,21 @@ def jacobian(arm: Arm) -> Matrix:
 
 
 def jacobian_by_differentiation(arm: Arm) -> Matrix:
-    """The tip's Jacobian, 6 x dof, with the derivatives of the tip's position over z_{i-1} (or 0)."""
+    """The tip's Jacobian, 6 x dof, from derivatives of its pose; no joint axis has a part in it.
+
+    Above, the derivatives of the position. Below, the angular velocity w in dR/dq_i R^T = S(w), with
+    S(w) the skew matrix of w x: three of its entries are w. Source: Spong, Hutchinson and Vidyasagar,
+    section 4.4.
+    """
     ring = Ring(arm)
-    frames = frames_of(arm, ring)
+    tip = frames_of(arm, ring)[-1]
+    R = transposed([tip.x, tip.y, tip.z])
     columns = []
     for i in arm.joints:
-        revolute = arm.rows[i - 1].joint.kind == "revolute"
-        linear = [ring.derivative(component, i) for component in frames[-1].origin]
-        columns.append(linear + (frames[i - 1].z if revolute else [ring.zero] * 3))
+        linear = [ring.derivative(component, i) for component in tip.origin]
+        rates = [[ring.derivative(entry, i) for entry in row] for row in R]
+        angular = [sum(map(mul, rates[j], R[k]), ring.zero) for j, k in ((2, 1), (0, 2), (1, 0))]
+        columns.append(linear + angular)
     return ring.matrix(transposed(columns))
 
 
