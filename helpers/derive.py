@@ -17,11 +17,12 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, ArmError, Body, Joint, Row, cos_sin, quarter_turns
+from helpers.arm import Arm, ArmError, Body, Joint, Row
 from helpers.conventions import modified_from_standard
 from helpers.expressions import Entry
 from helpers.inputs import floats, listed, must_be, number, numbers, shown
 from helpers.kinematics import link_frames
+from helpers.rows import cos_sin, quarter_turns
 
 __all__ = ["Axis", "Derivation", "Line", "Step", "derive"]
 

@@ -18,9 +18,10 @@ from xml.parsers import expat
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.arm import Arm, ArmError, Joint, cos_sin
+from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, Derivation, derive
 from helpers.inputs import must_be, number, shown
+from helpers.rows import cos_sin
 
 __all__ = ["Chain", "from_urdf", "read_chain"]
 
