@@ -1,5 +1,6 @@
 """Paths for the tip, resolved-rate tracing, and its report."""
 
+from helpers.motion.joining import joined
 from helpers.motion.paths import Path, circle
 from helpers.motion.rates import (
     Rates,
@@ -28,6 +29,7 @@ __all__ = [
     "away_from_limits",
     "circle",
     "damped",
+    "joined",
     "levenberg",
     "plain_inverse",
     "pseudo_inverse",
