@@ -59,7 +59,7 @@ def test_position_and_velocity_are_taken_from_the_piece_that_a_time_belongs_to()
 def test_one_run_is_itself_and_more_must_fit():
     first, second = halves()
     assert joined([first]).q == pytest.approx(first.q)
-    with pytest.raises(ArmError, match="runs is empty"):
+    with pytest.raises(ArmError, match="runs are none"):
         joined([])
     with pytest.raises(ArmError, match="expected the same"):
         joined([first, first])

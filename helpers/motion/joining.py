@@ -21,7 +21,7 @@ def joined(runs: Iterable[Trace]) -> Trace:
     """
     runs = listed(runs, "runs", "one or more runs")
     if not runs:
-        raise ArmError("runs is empty; expected one or more")
+        raise ArmError("runs are none; expected one or more")
     for run in runs:
         must_be(run, Trace, "run")
     for number, (one, next_one) in enumerate(pairwise(runs), 1):
