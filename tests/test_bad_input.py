@@ -296,6 +296,7 @@ CALLS = {
     "motion.adaptive": Call(motion.adaptive, damping=(0.1, scalar(-1)), below=(0.1, scalar(0, -1))),
     "motion.levenberg": Call(motion.levenberg, scale=(0.1, scalar(-1))),
     "motion.with_null_space": Call(motion.with_null_space, rates=(motion.plain_inverse(), FUNCTIONS), wish=(motion.towards([0] * 7, 1), FUNCTIONS)),
+    "motion.joined": Call(motion.joined, runs=([RUN], {"None": None, "a number": 3, "no runs": [], "words": "runs", "a name in it": [RUN, "Panda"]})),
     "motion.self_motion": Call(motion.self_motion, arm=(PANDA, ARMS), start=(PANDA.home, joints(7)), direction=([1, 0, -1, 0, 0, 0, 0], joints(7)), length=(0.1, scalar(0, -1)), step=(0.05, scalar(0, -1)), speed=(0.5, scalar(0, -1))),
     "motion.self_motion_directions": Call(motion.self_motion_directions, arm=(PANDA, ARMS), q=(PANDA.home, joints(7))),
     "motion.towards": Call(motion.towards, goal=([0.0] * 7, any_length(7)), gain=(1.0, scalar(-1))),
