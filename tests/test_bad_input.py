@@ -139,6 +139,7 @@ RIGHT = {
     "motion.self_motion_directions": dict(arm=PANDA, q=PANDA.home),
     "motion.towards": dict(goal=[0.0] * 7, gain=1.0),
     "motion.away_from_limits": dict(arm=PANDA, gain=1.0),
+    "motion.joined": dict(runs=[RUN]),
     "inverse.solve": dict(arm=UR10E, targets=REACH, start=[0.1] * 6, limits=True, tolerance=1e-10,
         iterations=3, restarts=0, seed=0),
     "inverse.elbow": dict(arm=ELBOW, targets=POINT, start=[0.1] * 3),
@@ -200,6 +201,7 @@ RIGHT = {
 # What a message says it expected: by the argument's name, or where that means several things, by
 # the function's too.
 EXPECTED = {
+    "runs": "one or more runs",
     "J": "one matrix of finite numbers", "a": "numbers, symbols, pi",
     "plotting.dh_numbers a": "a finite number of m or rad", "a_3": "a number",
     "alpha": "numbers, symbols, pi", "plotting.dh_numbers alpha": "a finite number of m or rad",
