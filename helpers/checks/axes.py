@@ -18,6 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from helpers.arm import Arm, cos_sin
+from helpers.reading.table import Numbers
 
 Vector = tuple[float, float, float]
 
@@ -26,23 +27,14 @@ _TINY = 1e-9  # m, or the sine of an angle: closer than this, axes meet or are p
 _KINDS = {"revolute": "R", "prismatic": "P", "fixed": "F"}
 
 
-class Numbers(NamedTuple):
-    """A row of a table in numbers: "R" turns, "P" slides, "F" does neither; m and rad."""
-
-    kind: str
-    a: float
-    alpha: float
-    d: float
-    theta: float
-
-
 Rows = Sequence[Numbers]
 
 
 def numeric(arm: Arm) -> tuple[Numbers, ...]:
     """An arm's rows in numbers."""
     return tuple(
-        Numbers(_KINDS[r.joint.kind], *(arm.number(e) for e in (r.a, r.alpha, r.d, r.theta))) for r in arm.rows
+        Numbers(_KINDS[r.joint.kind], *(arm.number(e) for e in (r.a, r.alpha, r.d, r.theta)))
+        for r in arm.rows
     )
 
 
@@ -117,7 +109,9 @@ def gaps(rows: Rows) -> list[Gap]:
             rates.append(np.subtract(_lengths(_walk(rows, step)), start))
         A = np.stack(rates, axis=1)
         A[np.abs(A) < _TINY] = 0.0  # a slide that changes no length stays where it is
-        for k, x in zip(slides, np.linalg.lstsq(A, np.negative(start), rcond=_TINY)[0], strict=True):
+        for k, x in zip(
+            slides, np.linalg.lstsq(A, np.negative(start), rcond=_TINY)[0], strict=True
+        ):
             q[k] = float(x)
     return _walk(rows, q)
 
@@ -149,7 +143,9 @@ def _walk(rows: Rows, q: Sequence[float]) -> list[Gap]:
         goes_on = j < dof and _parallel(axes[i], axes[j])
         offset = None if goes_on else dot(axes[i], sub(leave, foot))
         between = range(i, min(j + 1, dof))
-        found.append(_gap(axes, between, sub(arrive, leave), offset, bunch, bunch[0] == turning[0], j == dof))
+        found.append(
+            _gap(axes, between, sub(arrive, leave), offset, bunch, bunch[0] == turning[0], j == dof)
+        )
         foot, bunch = arrive, bunch if goes_on else ()
     return found
 
@@ -282,10 +278,16 @@ def _step(mine: Side, m: Gap, r: Gap, best: dict, length: float, angle: float) -
     more = len(m.joints) - 1
     for signs in product((1, -1), repeat=len(m.joints)):
         (count, far, notes), before, old = best[signs[0]]
-        new = tuple(_differences(mine, m, r, dict(zip(m.joints, signs, strict=True)), length, angle))
-        higher = 0.0 if not (m.places_base and r.places_base and m.bunch == r.bunch) else _height(m, r, signs[0])
+        new = tuple(
+            _differences(mine, m, r, dict(zip(m.joints, signs, strict=True)), length, angle)
+        )
+        higher = (
+            0.0
+            if not (m.places_base and r.places_base and m.bunch == r.bunch)
+            else _height(m, r, signs[0])
+        )
         note = abs(higher) > length
-        if note and before[0] < 0:
+        if note and before[0] < 0 and mine.joints[0] == 1:
             new += (Difference("table base", mine.joints[0], "d", (), m.offset, -r.offset),)
         far += sum(abs(x.mine - x.reference) for x in new)
         cost = (count + len(new), round(far, 9), notes + note + (before[0] < 0))
@@ -335,7 +337,9 @@ def _differences(
             yield Difference("table along", ends[1], "d", ends, m.offset, wanted)
 
 
-def _twists(mine: Side, m: Gap, r: Gap, signs: dict[int, int], angle: float) -> Iterator[Difference]:
+def _twists(
+    mine: Side, m: Gap, r: Gap, signs: dict[int, int], angle: float
+) -> Iterator[Difference]:
     for i, j in zip(m.joints, m.joints[1:], strict=False):
         sided = len(m.joints) == 2 and (i, j, NORMAL) in m.shape and (i, j, NORMAL) in r.shape
         x, y = _twist(m, (i, j), sided, {}), _twist(r, (i, j), sided, signs)

@@ -10,19 +10,23 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.checks import door, inverse_causes
 from helpers.checks.digits import HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG, Typed
-from helpers.checks.ranking import Cause, lower
-from helpers.checks.sentences import listed, say, size
+from helpers.checks.ranking import Cause, lower, several
 from helpers.checks.verdict import Finding, Report
-from helpers.inputs import ArmError, must_be, one_of
+from helpers.inputs import ArmError, must_be
 from helpers.inverse.numeric import solve
 from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics, jacobian
+from helpers.reading.sentences import listed, say, size
 
 Array = NDArray[np.float64]
 
 _EXACT = 1e-4  # rad or m: answers copied from paper with four decimals still count
 _NEAR = 1e-3  # m and rad: a pose this close is the target's
 _BY_HAND = 0.03  # rad or m: the most that rounding on the way is allowed
+_OF_ONE_STEP = (
+    "ik.sign",
+    "ik.plus for minus",
+)  # told rather than that joints of two branches are mixed
 _COARSE = 5.1e-3  # rad or m: with a larger unit than this, branches and slips are not told apart
 
 
@@ -57,15 +61,23 @@ def compare_branches(
     Raises ArmError for another shape, or where `found` holds many targets.
     """
     must_be(found, Solutions, "found")
-    one_of(angles, "angles", ("rad", "deg"))
+    door.settings(angles, tolerance)
     arm = found.arm
     if found.valid.ndim != 1:
         raise ArmError(say("one target", arm=arm.name, count=found.distance.size))
     typed, taken = answers(mine, arm, angles)
     right = _Branches(
-        arm, found.q[found.valid], tuple(np.array(found.branches)[found.valid]), found.free[found.valid]
+        arm,
+        found.q[found.valid],
+        tuple(np.array(found.branches)[found.valid]),
+        found.free[found.valid],
     )
-    if len(right.q) and not _hits(right, typed, tolerance)[0] and angles == "rad" and len(typed.values):
+    if (
+        len(right.q)
+        and not _hits(right, typed, tolerance)[0]
+        and angles == "rad"
+        and len(typed.values)
+    ):
         degrees = _in_degrees(typed, arm)
         if _hits(right, degrees, tolerance)[0]:
             return _report(right, degrees, tolerance, taken, inverse_causes.cause("ik.degrees"))
@@ -75,7 +87,7 @@ def compare_branches(
 def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]]:
     """Joint vectors (answers, dof) with their units, however they were held."""
     what = f"{arm.name}: q"
-    typed = door.numbers(_unlabelled(mine), what)
+    typed = door.numbers(_unlabelled(mine), what, wanted=f"joint vectors (answers, {arm.dof})")
     values, units, said = typed.values, typed.units, ()
     if not values.size:
         return Typed(np.zeros((0, arm.dof)), np.zeros((0, arm.dof))), ()
@@ -96,7 +108,9 @@ def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]
 def _unlabelled(mine: object) -> object:
     """Answers without the names of their joints: ('theta1', 0.3) is 0.3."""
     if isinstance(mine, str):
-        return re.sub(r"['\"][^'\"]*['\"]\s*[,:]\s*|\b(?:q|theta|th|θ|t)_?\d\s*[=:]\s*", "", mine, flags=re.I)
+        return re.sub(
+            r"['\"][^'\"]*['\"]\s*[,:]\s*|\b(?:q|theta|th|θ|t)_?\d\s*[=:]\s*", "", mine, flags=re.I
+        )
     if isinstance(mine, Mapping):
         return [_unlabelled(v) for v in mine.values()]
     if isinstance(mine, list | tuple):
@@ -121,7 +135,9 @@ def _margins(units: Array, tolerance: float | None, hand: bool = False) -> Array
     return np.maximum(by_hand if hand else HALF * units, _EXACT)
 
 
-def _hits(right: _Branches, typed: Typed, tolerance: float | None) -> tuple[dict[int, int], list[int], bool]:
+def _hits(
+    right: _Branches, typed: Typed, tolerance: float | None
+) -> tuple[dict[int, int], list[int], bool]:
     """The answer that gives each branch, the answers that give none, and whether all are right to their digits."""
     hits: dict[int, int] = {}
     astray, sharp = [], True
@@ -159,7 +175,9 @@ def _moving_in_place(arm: Arm, branches: Array) -> NDArray[np.bool_]:
     """Which joints can move while the tip stands still, by the Jacobian's null space, shape (branches, dof)."""
     J = jacobian(arm, branches)[..., : 6 if arm.dof >= 6 else 3, :]
     _, sizes, directions = np.linalg.svd(J)
-    sizes = np.concatenate([sizes, np.zeros((*sizes.shape[:-1], arm.dof - sizes.shape[-1]))], axis=-1)
+    sizes = np.concatenate(
+        [sizes, np.zeros((*sizes.shape[:-1], arm.dof - sizes.shape[-1]))], axis=-1
+    )
     return (np.abs(directions) * (sizes < _NEAR)[..., None]).max(axis=-2) > _NEAR
 
 
@@ -180,7 +198,9 @@ def _gap(arm: Arm, q: Array, other: Array) -> Array:
 # The report
 
 
-def _report(right: _Branches, typed: Typed, tolerance: float | None, taken, whole: Cause | None) -> Report:
+def _report(
+    right: _Branches, typed: Typed, tolerance: float | None, taken, whole: Cause | None
+) -> Report:
     arm = right.arm
     hits, astray, sharp = _hits(right, typed, tolerance)
     judged = [_wrong(right, typed, number, tolerance) for number in astray]
@@ -194,17 +214,31 @@ def _report(right: _Branches, typed: Typed, tolerance: float | None, taken, whol
     one_sided = _one_sided(right, missing, found)
     findings += one_sided
     named += [f.what for f in one_sided]
-    figures = {"found": tuple(found), "right": len(found), "of": len(right.names), "wrong": len(astray)}
+    figures = {
+        "found": tuple(found),
+        "right": len(found),
+        "of": len(right.names),
+        "wrong": len(astray),
+    }
     notes = tuple(_free(right))
     coarse = tolerance is None and typed.units.size and float(typed.units.max()) > _COARSE
-    grade = WRONG if whole or astray else SO_FAR if missing or coarse else RIGHT if sharp else ROUNDED
+    grade = (
+        WRONG if whole or astray else SO_FAR if missing or coarse else RIGHT if sharp else ROUNDED
+    )
     if whole:
-        named, findings = [whole.name], [Finding("cause", "", None, None, f"{whole.words}."), *findings]
+        named, findings = (
+            [whole.name],
+            [Finding("cause", "", None, None, f"{whole.words}."), *findings],
+        )
     headline = _headline(grade, right, whole, judged, len(found), bool(coarse and not missing))
-    return Report("branches", arm.name, grade, headline, tuple(findings), tuple(named), taken, notes, figures)
+    return Report(
+        "branches", arm.name, grade, headline, tuple(findings), tuple(named), taken, notes, figures
+    )
 
 
-def _headline(grade: str, right: _Branches, whole: Cause | None, judged: list, count: int, coarse: bool) -> str:
+def _headline(
+    grade: str, right: _Branches, whole: Cause | None, judged: list, count: int, coarse: bool
+) -> str:
     fields = dict(arm=right.arm.name, count=count, all=len(right.names))
     if not len(right.q):
         return say("ik none", **fields)
@@ -212,22 +246,35 @@ def _headline(grade: str, right: _Branches, whole: Cause | None, judged: list, c
         return say("ik wrong", cause=lower(whole.words), **fields)
     if grade == WRONG:
         causes = [c for c, _ in judged]
-        one = causes[0] if causes and all(c is not None and c.name == causes[0].name for c in causes) else None
-        return say("ik wrong", cause=lower(one.words), **fields) if one else say("ik some wrong", **fields)
+        one = (
+            causes[0]
+            if causes and all(c is not None and c.name == causes[0].name for c in causes)
+            else None
+        )
+        return (
+            say("ik wrong", cause=lower(one.words), **fields)
+            if one
+            else say("ik some wrong", **fields)
+        )
     if grade == SO_FAR:
         return say("ik so far digits" if coarse else "ik so far", **fields)
     return say("ik right" if grade == RIGHT else "ik rounded", **fields)
 
 
 def _one_sided(right: _Branches, missing: list[str], found: list[str]) -> list[Finding]:
-    """One sign of a root forgotten: all of one choice is missing, and all of the other there."""
-    choices = {}
-    for name in right.names:
-        for choice in name.split(", "):
-            choices.setdefault(choice, set()).add(name)
-    for choice, names in choices.items():
-        if found and names == set(missing) and len(choices) > 2:
-            return [Finding("ik.one sign", "", None, None, say("ik.one sign", choice=choice))]
+    """One sign of a root forgotten: a joint that has one sign in all that is there and the other in all that is missing."""
+    there = np.isin(right.names, found)
+    if not (found and missing):
+        return []
+    for k, i in enumerate(right.arm.joints):
+        q = right.q[:, k]
+        clear = (np.abs(np.sin(q)) if right.arm.turning[k] else np.abs(q)).min() > _NEAR
+        if (
+            clear
+            and len(set(np.sign(q[there]))) == 1
+            and (np.sign(q[~there]) == -np.sign(q[there][0])).all()
+        ):
+            return [Finding("ik.one sign", "", None, None, say("ik.one sign", joint=f"q_{i}"))]
     return []
 
 
@@ -237,7 +284,9 @@ def _free(right: _Branches):
             yield say("ik free", joint=f"q_{i}")
 
 
-def _wrong(right: _Branches, typed: Typed, number: int, tolerance: float | None) -> tuple[Cause | None, Finding]:
+def _wrong(
+    right: _Branches, typed: Typed, number: int, tolerance: float | None
+) -> tuple[Cause | None, Finding]:
     arm, q = right.arm, typed.values[number - 1]
     margin = _margins(typed.units[number - 1], tolerance, hand=True)
     where = f"answer {number}"
@@ -261,28 +310,31 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[Cause | None, str]:
     arm = right.arm
     fits = _gap(arm, q, right.q) <= margin
     mixed = _mixed(right, fits)
-    single = _fitting(right, [*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)], margin)
-    if mixed and not (single and _is_sign(single[0])):
+    slips = [
+        *inverse_causes.single(arm, q),
+        *inverse_causes.whole(arm, q),
+        *inverse_causes.kept(arm, q, right.q),
+    ]
+    single = _fitting(right, slips, margin)
+    if mixed and not (single and single[0][0].keys[0] in _OF_ONE_STEP):
         return mixed
     for found in (single, _fitting(right, inverse_causes.double(arm, q), margin)):
         if found:
-            return found[0], say("ik slip", cause=lower(found[0].words), branch=right.names[found[1]])
+            causes, branch = [c for c, _ in found], right.names[found[0][1]]
+            return causes[0], say("ik slip", cause=lower(several(causes)), branch=branch)
     astray = [f"q_{i}" for i, there in zip(arm.joints, fits.any(axis=0), strict=True) if not there]
     return None, say("ik in no branch", joints=listed(astray or ["q"]))
 
 
-def _is_sign(c: Cause) -> bool:
-    return c.keys[0] == "ik.sign" and len(c.keys) == 1
-
-
-def _fitting(right: _Branches, slips, margin: Array) -> tuple[Cause, int] | None:
+def _fitting(right: _Branches, slips, margin: Array) -> list[tuple[Cause, int]]:
+    """The slips without which an answer would be a branch, and which."""
     slips = list(slips)
     if not slips:
-        return None
+        return []
     mended = np.stack([q for _, q in slips])
     gap = _gap(right.arm, mended[:, None, :], right.q)
     which, branch = np.nonzero((gap <= 1.5 * margin).all(axis=-1))
-    return (slips[which[0]][0], int(branch[0])) if which.size else None
+    return [(slips[k][0], int(b)) for k, b in zip(which, branch, strict=True)]
 
 
 def _mixed(right: _Branches, fits: NDArray[np.bool_]) -> tuple[Cause, str] | None:

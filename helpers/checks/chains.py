@@ -30,7 +30,11 @@ class Chain:
     def frames(self) -> Array:
         """Base-to-link transforms, shape (..., rows + 1, 4, 4)."""
         a, alpha, d, theta = np.broadcast_arrays(self.a, self.alpha, self.d, self.theta)
-        q = np.broadcast_to(self.q, (*a.shape[:-1], self.q.shape[-1])) if a.ndim > self.q.ndim else self.q
+        q = (
+            np.broadcast_to(self.q, (*a.shape[:-1], self.q.shape[-1]))
+            if a.ndim > self.q.ndim
+            else self.q
+        )
         shape = (*q.shape[:-1], a.shape[-1])
         theta, d = (np.broadcast_to(x, shape).copy() for x in (theta, d))
         for k, i in enumerate(self.joints):
@@ -53,8 +57,15 @@ def steps(a: Array, alpha: Array, d: Array, theta: Array) -> Array:
     """Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) for arrays of one shape, with shape (..., 4, 4)."""
     c, s, ca, sa = _cos(theta), _sin(theta), _cos(alpha), _sin(alpha)
     zero, one = np.zeros_like(c * ca), np.ones_like(c * ca)
-    rows = [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [zero, sa, ca, d], [zero, zero, zero, one]]
-    return np.stack([np.stack([np.broadcast_to(x, zero.shape) for x in row], -1) for row in rows], -2)
+    rows = [
+        [c, -s * ca, s * sa, a * c],
+        [s, c * ca, -c * sa, a * s],
+        [zero, sa, ca, d],
+        [zero, zero, zero, one],
+    ]
+    return np.stack(
+        [np.stack([np.broadcast_to(x, zero.shape) for x in row], -1) for row in rows], -2
+    )
 
 
 def chained(A: Array) -> Array:
@@ -103,7 +114,9 @@ def columns(
     return np.swapaxes(np.concatenate([linear, angular], axis=-1), -1, -2)
 
 
-def weights(chain: Chain, masses: Array, centres: Array, gravity: Array, frames: Array | None = None) -> Array:
+def weights(
+    chain: Chain, masses: Array, centres: Array, gravity: Array, frames: Array | None = None
+) -> Array:
     """g(q), shape (..., dof), for a mass and a centre (in its row's frame) for each row: -z . ((sum m c - o sum m) x gravity)."""
     T = chain.frames if frames is None else frames
     points = np.einsum("...kij,...kj->...ki", T[..., 1:, :3, :3], centres) + T[..., 1:, :3, 3]
@@ -119,4 +132,9 @@ def weights(chain: Chain, masses: Array, centres: Array, gravity: Array, frames:
 def alike(arm: Arm) -> list[tuple[str, str]]:
     """Names of lengths a_i that may be taken for one another: near, and not the same."""
     a = [(n, v) for n, v in dict(arm.values).items() if n.startswith("a_")]
-    return [(m, n) for m, x in a for n, y in a if m != n and x != y and abs(x - y) < 0.1 * max(abs(x), abs(y))]
+    return [
+        (m, n)
+        for m, x in a
+        for n, y in a
+        if m != n and x != y and abs(x - y) < 0.1 * max(abs(x), abs(y))
+    ]

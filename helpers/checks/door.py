@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.checks.digits import Typed, of_floats, units
 from helpers.checks.names import meanings
-from helpers.checks.sentences import say
-from helpers.inputs import ArmError, shown
+from helpers.inputs import ArmError, must_be, number, one_of, shown
 from helpers.reading import formula, grid
+from helpers.reading.sentences import say
 
 Array = NDArray[np.float64]
 Lookup = Callable[[set[str]], dict[str, float]]
@@ -37,6 +37,17 @@ class Joints:
         return found
 
 
+def settings(
+    angles: str = "rad", tolerance: float | None = None, values: Mapping | None = None
+) -> None:
+    """Raise ArmError unless the arguments that all checkers share are what they should be."""
+    one_of(angles, "angles", ("rad", "deg"))
+    if tolerance is not None:
+        number(tolerance, "tolerance", "a number of 0 or more", least=0)
+    if values is not None:
+        must_be(values, Mapping, "values")
+
+
 def no_symbols(names: set[str]) -> dict[str, float]:
     """The look-up where numbers are expected."""
     if names:
@@ -44,7 +55,7 @@ def no_symbols(names: set[str]) -> dict[str, float]:
     return {}
 
 
-def numbers(mine: Any, what: str, lookup: Lookup = no_symbols) -> Typed:
+def numbers(mine: Any, what: str, lookup: Lookup = no_symbols, wanted: str = "numbers") -> Typed:
     """Numbers of any shape with the units of their last places; raises ArmError where something else is held.
 
     `lookup` gives values to symbols; a header line of a table of numbers is dropped.
@@ -54,9 +65,9 @@ def numbers(mine: Any, what: str, lookup: Lookup = no_symbols) -> Typed:
     mine = _opened(mine)
     array = _plain_array(mine)
     if array is None:
-        return _of_entries(mine, what, lookup)
+        return _of_entries(mine, what, lookup, wanted)
     if not np.isfinite(array).all():
-        raise ArmError(say("not finite", what=what))
+        raise ArmError(say("not finite", what=what, wanted=wanted))
     return Typed(array, of_floats(array))
 
 
@@ -92,13 +103,16 @@ def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
     known = lookup(names)
     values = [formula.value(tree, known.get) for tree in trees]
     steps = units([first for first, _, _ in scaled])
-    steps = [u * float(f"1{power}") if sign else u for u, (_, sign, power) in zip(steps, scaled, strict=True)]
+    steps = [
+        u * float(f"1{power}") if sign else u
+        for u, (_, sign, power) in zip(steps, scaled, strict=True)
+    ]
     return Typed(np.reshape(values, shape), np.reshape(steps, shape), symbolic=bool(names))
 
 
-def _of_entries(mine: Any, what: str, lookup: Lookup) -> Typed:
+def _of_entries(mine: Any, what: str, lookup: Lookup, wanted: str) -> Typed:
     """Nested lists whose entries are numbers, formulas as text, or SymPy expressions."""
-    flat = list(_leaves(mine, what))
+    flat = list(_leaves(mine, what, wanted))
     shape = _shape(mine)
     if math.prod(shape) != len(flat):
         raise ArmError(say("ragged list", what=what))
@@ -107,31 +121,37 @@ def _of_entries(mine: Any, what: str, lookup: Lookup) -> Typed:
     known = lookup(names)
     values = np.array([_entry(tree, known, what) for tree in trees], dtype=float)
     if not np.isfinite(values).all():
-        raise ArmError(say("not finite", what=what))
+        raise ArmError(say("not finite", what=what, wanted=wanted))
     texts = [x if isinstance(x, str) else _spelled(x, v) for x, v in zip(flat, values, strict=True)]
     return Typed(values.reshape(shape), np.reshape(units(texts), shape), symbolic=bool(names))
 
 
 def _spelled(x: Any, value: float) -> str:
     """A number's shortest spelling; an exact expression is spelled as a formula."""
-    is_number = isinstance(x, int | float | np.number) or getattr(x, "is_Float", False) or getattr(x, "is_Integer", False)
+    is_number = (
+        isinstance(x, int | float | np.number)
+        or getattr(x, "is_Float", False)
+        or getattr(x, "is_Integer", False)
+    )
     return repr(float(value)).removesuffix(".0") if is_number else "exact"
 
 
-def _leaves(value: Any, what: str) -> Iterator[Any]:
-    if isinstance(value, np.ndarray) or (hasattr(value, "tolist") and not hasattr(value, "free_symbols")):
-        value = value.tolist()
-    elif hasattr(value, "shape") and hasattr(value, "tolist"):
+def _leaves(value: Any, what: str, wanted: str) -> Iterator[Any]:
+    if (
+        isinstance(value, np.ndarray)
+        or (hasattr(value, "tolist") and not hasattr(value, "free_symbols"))
+        or (hasattr(value, "shape") and hasattr(value, "tolist"))
+    ):
         value = value.tolist()
     if isinstance(value, list | tuple):
         for item in value:
-            yield from _leaves(item, what)
+            yield from _leaves(item, what, wanted)
     elif isinstance(value, bool) or value is None or isinstance(value, complex):
-        raise ArmError(say("no numbers", what=what, given=shown(value)))
+        raise ArmError(say("no numbers", what=what, given=shown(value), wanted=wanted))
     elif isinstance(value, str | int | float | np.number) or hasattr(value, "free_symbols"):
         yield value
     else:
-        raise ArmError(say("no numbers", what=what, given=shown(value)))
+        raise ArmError(say("no numbers", what=what, given=shown(value), wanted=wanted))
 
 
 def _shape(value: Any) -> tuple[int, ...]:
@@ -191,7 +211,9 @@ def of_sympy(expression: Any, known: dict[str, float], what: str) -> float:
         found = walk(expression)
         return float(found)
     except (TypeError, ValueError, ArithmeticError, RecursionError):
-        raise ArmError(say("no numbers", what=what, given=shown(expression))) from None
+        raise ArmError(
+            say("no numbers", what=what, given=shown(expression), wanted="numbers")
+        ) from None
 
 
 # Functions
@@ -206,7 +228,9 @@ def called(function: Callable, arm: Arm, q: Array, what: str) -> Any:
         raise
     except Exception as error:
         kind = type(error).__name__
-        raise ArmError(say("function failed", what=what, error=f"{kind}: {error}", dof=arm.dof)) from error
+        raise ArmError(
+            say("function failed", what=what, error=f"{kind}: {error}", dof=arm.dof)
+        ) from error
 
 
 def arguments(function: Callable) -> int | None:
@@ -215,13 +239,21 @@ def arguments(function: Callable) -> int | None:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
         return None
-    return sum(p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD) for p in parameters)
+    return sum(
+        p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
+        for p in parameters
+    )
+
+
+def _one_value_each(arm: Arm) -> str:
+    return f"one value for each of {', '.join(arm.variables)}"
 
 
 def pose(q: Any, arm: Arm, angles: str = "rad") -> Typed:
     """One joint vector, with its units."""
-    typed = numbers(q, f"{arm.name}: q")
-    values, steps = typed.values.ravel(), typed.units.ravel()
+    typed = numbers(q, f"{arm.name}: q", wanted=_one_value_each(arm))
+    column = (typed.values.ndim == 2 and typed.values.shape[1] == 1) or isinstance(q, str)
+    values, steps = (x.ravel() if column else x for x in (typed.values, typed.units))
     if angles == "deg":
         factor = np.where(arm.turning, np.pi / 180, 1.0) if len(values) == arm.dof else 1.0
         values, steps = values * factor, steps * factor

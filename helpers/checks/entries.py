@@ -20,7 +20,9 @@ class Margins:
     units: Array
 
 
-def margins(units: Array, scale: Array, slop: Array | float = 0.0, tolerance: float | None = None) -> Margins:
+def margins(
+    units: Array, scale: Array, slop: Array | float = 0.0, tolerance: float | None = None
+) -> Margins:
     """From the units of the last places, the scale of each entry's block, and what the digits of q leave open."""
     exact = EXACT * scale
     if tolerance is not None:

@@ -30,36 +30,46 @@ def whole(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
     if slides.any():
         yield cause("ik.slide in millimetres"), np.where(slides, q / 1000, q)
         yield cause("ik.slide in centimetres"), np.where(slides, q / 100, q)
-        yield cause("ik.degrees") + cause("ik.slide in millimetres"), np.where(slides, q / 1000, np.radians(q))
+        yield (
+            cause("ik.degrees") + cause("ik.slide in millimetres"),
+            np.where(slides, q / 1000, np.radians(q)),
+        )
     if arm.dof > 1:
         yield cause("ik.reversed order"), q[::-1]
-    makers = _signs(arm, q)
-    yield from makers
-
-
-def _signs(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
-    """Two or three joints of the wrong sign, as with a maker's directions."""
-    for count in (3,):
-        for which in combinations(range(arm.dof), count):
-            names = ", ".join(f"q_{arm.joints[k]}" for k in which)
-            yield cause("ik.signs", joints=names), np.where(np.isin(np.arange(arm.dof), which), -q, q)
+    for which in combinations(range(arm.dof), 3):
+        names = ", ".join(f"q_{arm.joints[k]}" for k in which)
+        yield cause("ik.signs", joints=names), np.where(np.isin(np.arange(arm.dof), which), -q, q)
 
 
 def single(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
     """Slips in one joint, or in one step of a closed form."""
+    yield from _elbow_formula(arm, q)
     for k, i in enumerate(arm.joints):
         for key, change in _JOINT:
             if arm.turning[k] or key == "ik.sign":
                 mended = q.copy()
                 mended[k] = change(q[k])
                 yield cause(key, joint=f"q_{i}"), mended
-    yield from _elbow_formula(arm, q)
+
+
+def kept(arm: Arm, q: Array, branches: Array) -> Iterator[tuple[Cause, Array]]:
+    """theta_1 = +-pi/2 kept from the singular case where an offset shoulder has two general values."""
+    if arm.dof and arm.turning[0] and abs(abs(q[0]) - math.pi / 2) < 1e-4:
+        for branch in branches:
+            mended = q.copy()
+            mended[0] = branch[0]
+            yield cause("ik.quarter turn"), mended
 
 
 def _elbow_formula(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
     """theta_2 = atan2(s, r) + ... for minus, where two parallel axes carry two links."""
     rows = arm.numeric
-    if arm.dof < 3 or len(rows) < 3 or abs(rows[1].sin_alpha) > 1e-9 or not (rows[1].a and rows[2].a):
+    if (
+        arm.dof < 3
+        or len(rows) < 3
+        or abs(rows[1].sin_alpha) > 1e-9
+        or not (rows[1].a and rows[2].a)
+    ):
         return
     bend = rows[1].cos_alpha * (q[2] + rows[2].theta)
     lean = math.atan2(rows[2].a * math.sin(bend), rows[1].a + rows[2].a * math.cos(bend))
@@ -77,4 +87,8 @@ def double(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
             for other, then in _JOINT:
                 mended = q.copy()
                 mended[i], mended[j] = change(q[i]), then(q[j])
-                yield cause(key, joint=f"q_{arm.joints[i]}") + cause(other, joint=f"q_{arm.joints[j]}"), mended
+                yield (
+                    cause(key, joint=f"q_{arm.joints[i]}")
+                    + cause(other, joint=f"q_{arm.joints[j]}"),
+                    mended,
+                )

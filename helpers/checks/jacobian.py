@@ -14,10 +14,10 @@ from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, TELLING, WRONG, Typed
 from helpers.checks.entries import Margins, graded, margins
 from helpers.checks.jacobian_causes import Catalogue, pairs, singles
 from helpers.checks.ranking import Cause, Found, better, cause, explain, lower, several
-from helpers.checks.sentences import listed, say
 from helpers.checks.verdict import Finding, Report
-from helpers.inputs import ArmError, must_be
-from helpers.kinematics import jacobian, link_frames
+from helpers.inputs import ArmError, must_be, whole
+from helpers.kinematics import jacobian
+from helpers.reading.sentences import listed, say
 
 Array = NDArray[np.float64]
 
@@ -52,6 +52,8 @@ def compare_jacobian(
     Raises ArmError where `mine` gives no matrix of numbers, or holds numbers and q is missing.
     """
     must_be(arm, Arm, "arm")
+    door.settings(angles, tolerance, values)
+    frame = _checked_frame(frame, arm)
     at = Typed(_generic_pose(arm), np.zeros(arm.dof)) if q is None else door.pose(q, arm, angles)
     typed, taken = _taken(mine, arm, at.values, q is not None, values)
     if typed.values.shape not in ((6, arm.dof), (3, arm.dof)):
@@ -69,7 +71,9 @@ def _generic_pose(arm: Arm) -> Array:
     return lower + (upper - lower) * np.random.default_rng(19).uniform(0.55, 0.95, arm.dof)
 
 
-def _taken(mine: object, arm: Arm, q: Array, given: bool, values: Mapping | None) -> tuple[Typed, tuple[str, ...]]:
+def _taken(
+    mine: object, arm: Arm, q: Array, given: bool, values: Mapping | None
+) -> tuple[Typed, tuple[str, ...]]:
     what = f"{arm.name}: your Jacobian"
     lookup = door.Joints(arm, q, values)
     if isinstance(mine, Callable) and not hasattr(mine, "free_symbols"):
@@ -81,7 +85,9 @@ def _taken(mine: object, arm: Arm, q: Array, given: bool, values: Mapping | None
     if typed.values.ndim == 3 and 1 in typed.values.shape:
         typed = typed.at(*(0 if n == 1 else slice(None) for n in typed.values.shape))
     if typed.values.ndim == 2 and typed.values.size == 6 * arm.dof == max(typed.values.shape):
-        typed = Typed(typed.values.reshape(6, -1), typed.units.reshape(6, -1), typed.said, typed.symbolic)
+        typed = Typed(
+            typed.values.reshape(6, -1), typed.units.reshape(6, -1), typed.said, typed.symbolic
+        )
     if typed.values.ndim != 2:
         raise ArmError(say("no matrix", what=what, shape=typed.values.shape))
     return typed, lookup.said
@@ -94,7 +100,15 @@ def _misshapen(M: Array, arm: Arm, taken: tuple[str, ...]) -> Report:
     key = _shape_cause(M, arm)
     words = say(key, shape="x".join(map(str, M.shape)), dof=arm.dof)
     finding = Finding("shape", "", M.shape, (6, arm.dof), words)
-    return Report("Jacobian", arm.name, WRONG, say("J wrong", arm=arm.name, cause=lower(words)), (finding,), (key,), taken)
+    return Report(
+        "Jacobian",
+        arm.name,
+        WRONG,
+        say("J wrong", arm=arm.name, cause=lower(words)),
+        (finding,),
+        (key,),
+        taken,
+    )
 
 
 def _shape_cause(M: Array, arm: Arm) -> str:
@@ -119,18 +133,26 @@ def _unlocked(arm: Arm) -> Arm:
 
 
 def _judged(
-    typed: Typed, arm: Arm, at: Typed, frame: int, tolerance: float | None, taken: tuple[str, ...], at_pose: bool
+    typed: Typed,
+    arm: Arm,
+    at: Typed,
+    frame: int,
+    tolerance: float | None,
+    taken: tuple[str, ...],
+    at_pose: bool,
 ) -> Report:
     q = at.values
-    known = singles(arm, q, _checked_frame(frame, arm))
+    known = singles(arm, q, frame)
     rows = slice(0, 6)
     if len(typed.values) == 3:
         rows = _rows_meant(typed.values, known.right)
         taken = (*taken, say("taken: half", half="linear" if rows.start == 0 else "angular"))
     right, made = known.right[rows], known.made[:, rows]
-    scale = np.repeat([max(1e-3, np.abs(known.right[half]).max()) for _, half in _HALVES], 3)[rows, None]
+    scale = np.repeat([max(1e-3, np.abs(known.right[half]).max()) for _, half in _HALVES], 3)[
+        rows, None
+    ]
     m = margins(typed.units, scale * np.ones_like(right), _slop(arm, at, frame)[rows], tolerance)
-    grade, wrong = graded(typed.values, right, m, made)
+    grade, _ = graded(typed.values, right, m, made)
     hidden = tuple(_hidden(known)) if at_pose and grade != WRONG else ()
     if grade != WRONG:
         return _good(grade, typed, arm, rows, taken, hidden, at_pose)
@@ -139,10 +161,12 @@ def _judged(
 
 
 def _checked_frame(frame: int, arm: Arm) -> int:
-    link_frames(arm, np.zeros(arm.dof))
-    if isinstance(frame, bool) or not isinstance(frame, int | np.integer) or not 0 <= frame <= len(arm.rows):
-        raise ArmError(f"{arm.name}: frame is {frame!r}; expected a whole number from 0 to {len(arm.rows)}")
-    return int(frame)
+    number = whole(frame, f"{arm.name}: frame")
+    if number > len(arm.rows):
+        raise ArmError(
+            f"{arm.name}: frame is {number}; expected a whole number from 0 to {len(arm.rows)}"
+        )
+    return number
 
 
 def _rows_meant(M: Array, right: Array) -> slice:
@@ -167,7 +191,9 @@ def _slop(arm: Arm, at: Typed, frame: int) -> Array:
 def _hidden(known: Catalogue) -> Iterator[str]:
     """A word on the mistakes that this pose does not show."""
     effect = np.abs(known.made - known.right).max(axis=(1, 2))
-    method = np.array([c.keys[0].startswith("J.") and c.keys[0] != "J.columns exchanged" for c in known.causes])
+    method = np.array(
+        [c.keys[0].startswith("J.") and c.keys[0] != "J.columns exchanged" for c in known.causes]
+    )
     blind = int((method & (effect < TELLING)).sum())
     if blind:
         yield say("J hidden", count=blind, all=int(method.sum()))
@@ -181,18 +207,34 @@ def _good(grade, typed: Typed, arm: Arm, rows: slice, taken, notes, at_pose: boo
     where = say("at this pose") if at_pose else ""
     precision = "" if digits is None or digits > 6 else say("to decimals", digits=digits)
     half, other = ("linear", "angular") if rows.start == 0 else ("angular", "linear")
-    words = say(key, arm=arm.name, where=where, precision=precision, digits=digits or 0, half=half, other=other)
-    missing = () if whole else (Finding("missing", f"{other} rows", None, None, say("J half missing", other=other)),)
+    words = say(
+        key,
+        arm=arm.name,
+        where=where,
+        precision=precision,
+        digits=digits or 0,
+        half=half,
+        other=other,
+    )
+    missing = (
+        ()
+        if whole
+        else (Finding("missing", f"{other} rows", None, None, say("J half missing", other=other)),)
+    )
     grade = grade if whole or grade != RIGHT else SO_FAR
     return Report("Jacobian", arm.name, grade, words, missing, (), taken, notes)
 
 
-def _bad(found: tuple[Cause, ...], symptoms: tuple[Finding, ...], M: Array, arm: Arm, taken) -> Report:
+def _bad(
+    found: tuple[Cause, ...], symptoms: tuple[Finding, ...], M: Array, arm: Arm, taken
+) -> Report:
     if found:
         words = several(found)
         findings = (Finding("cause", "", None, None, f"{words}."), *symptoms)
         headline = say("J wrong", arm=arm.name, cause=f"{lower(words)}.")
-        return Report("Jacobian", arm.name, WRONG, headline, findings, tuple(c.name for c in found), taken)
+        return Report(
+            "Jacobian", arm.name, WRONG, headline, findings, tuple(c.name for c in found), taken
+        )
     headline = (
         say("J wrong place", arm=arm.name, words=lower(symptoms[0].words))
         if len(symptoms) == 1
@@ -233,7 +275,9 @@ def _by_halves(M, right, band, known: Catalogue) -> tuple[Cause, ...]:
             return ()
         first = found.causes[0]
         inside = f"{half} rows" in first.words
-        said.append(first if inside else cause("J in half", half=half, words=first.words, _of=first.name))
+        said.append(
+            first if inside else cause("J in half", half=half, words=first.words, _of=first.name)
+        )
     return (sum(said[1:], said[0]),) if said else ()
 
 
@@ -244,7 +288,9 @@ def _other_ways(M, right, band, arm: Arm, q: Array, frame: int, rows: slice) -> 
     if frame:
         R = np.swapaxes(chain(arm, signs * q).frames[:, frame, :3, :3], -1, -2)
         J = np.concatenate([R @ J[:, :3], R @ J[:, 3:]], axis=1)
-    names = [listed([f"q_{i}" for i, s in zip(arm.joints, row, strict=True) if s < 0]) for row in signs]
+    names = [
+        listed([f"q_{i}" for i, s in zip(arm.joints, row, strict=True) if s < 0]) for row in signs
+    ]
     causes = [cause("joints reversed", joints=n) for n in names]
     found = explain(M, right, band, causes, J[:, rows])
     return found if found and not found.odd.any() else None
@@ -258,7 +304,9 @@ def _odd_columns(found: Found, arm: Arm) -> Iterator[Finding]:
         yield Finding("column", where, None, None, words)
 
 
-def _columns(M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array) -> Iterator[Finding]:
+def _columns(
+    M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array
+) -> Iterator[Finding]:
     for k in range(arm.dof):
         if (np.abs(M[:, k] - right[:, k]) > band[:, k]).any():
             key, words = _column(k, M, right, band, known, rows, arm, q)
@@ -266,7 +314,9 @@ def _columns(M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array) 
             yield Finding(key, f"column {k + 1}", None, None, said)
 
 
-def _column(k: int, M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array) -> tuple[str, str]:
+def _column(
+    k: int, M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array
+) -> tuple[str, str]:
     mine, wanted, width = M[:, k], right[:, k], band[:, k]
 
     def same(other: Array) -> bool:

@@ -44,7 +44,9 @@ def pairs(arm: Arm, q: Array, frame: int) -> Catalogue:
     for second, after in afters:
         causes += [first + second for first, _ in befores]
         made.append(after(stack))
-    for (first, one), (second, two) in combinations([x for x in afters if x[0].keys[0] in _WRITING], 2):
+    for (first, one), (second, two) in combinations(
+        [x for x in afters if x[0].keys[0] in _WRITING], 2
+    ):
         causes += [first + second, first + second]
         made.append(np.stack([at.unseen(two, one), at.unseen(one, two)]))
     for second, J in at.twice():
@@ -53,7 +55,16 @@ def pairs(arm: Arm, q: Array, frame: int) -> Catalogue:
     return Catalogue(at.seen(at.right), tuple(causes), np.concatenate(made))
 
 
-_WRITING = ("J.halves", "J.millimetres", "J.per degree", "J.all signs", "J.cross", "J.frame", "J.angular zero", "J.transposed")
+_WRITING = (
+    "J.halves",
+    "J.millimetres",
+    "J.per degree",
+    "J.all signs",
+    "J.cross",
+    "J.frame",
+    "J.angular zero",
+    "J.transposed",
+)
 
 
 class _At:
@@ -95,7 +106,9 @@ class _At:
 
     def twice(self) -> Iterator[tuple[list[Cause], Array]]:
         """The wrong recipes on the wrong tables, and on q in degrees."""
-        q = [np.where(self.turning, f(self.chain.q), self.chain.q) for f in (np.radians, np.degrees)]
+        q = [
+            np.where(self.turning, f(self.chain.q), self.chain.q) for f in (np.radians, np.degrees)
+        ]
         wrong = [(cause("J.degrees"), self.chain.with_(q=x)) for x in q]
         wrong += wrong_tables(self.arm, self.chain)
         stack = _stacked(self.chain, [c for _, c in wrong])
@@ -115,7 +128,10 @@ class _At:
             return after(lambda J: J * np.repeat([v, w], 3)[:, None])
 
         yield cause("J.halves"), lambda J: _swapped(self.seen(J))
-        yield cause("J.cross"), after(lambda J: np.where(turns & (np.arange(6) < 3)[:, None], -J, J))
+        yield (
+            cause("J.cross"),
+            after(lambda J: np.where(turns & (np.arange(6) < 3)[:, None], -J, J)),
+        )
         yield cause("J.all signs"), half(-1, -1)
         yield cause("J.angular sign"), half(1, -1)
         yield cause("J.millimetres"), half(1000, 1)
@@ -198,7 +214,12 @@ def wrong_tables(arm: Arm, right: Chain) -> list[tuple[Cause, Chain]]:
         put("table.offsets", theta=np.where(_moving(right), 0.0, right.theta))
     put("table.twists", alpha=-right.alpha)
     for name, other in alike(arm):
-        put("table.length", name=name, other=other, a=chain(arm.with_values(**{name: arm.number(other)}), right.q).a)
+        put(
+            "table.length",
+            name=name,
+            other=other,
+            a=chain(arm.with_values(**{name: arm.number(other)}), right.q).a,
+        )
     for k in range(len(right.a)):
         one = np.arange(len(right.a)) == k
         if abs(np.sin(right.alpha[k])) > 1e-9:
@@ -207,8 +228,18 @@ def wrong_tables(arm: Arm, right: Chain) -> list[tuple[Cause, Chain]]:
         for column in ("a", "d"):
             numbers = getattr(right, column)
             if numbers[k]:
-                put("table.sign", column=column, row=k + 1, **{column: np.where(one, -numbers, numbers)})
-                put("table.missing", column=column, row=k + 1, **{column: np.where(one, 0.0, numbers)})
+                put(
+                    "table.sign",
+                    column=column,
+                    row=k + 1,
+                    **{column: np.where(one, -numbers, numbers)},
+                )
+                put(
+                    "table.missing",
+                    column=column,
+                    row=k + 1,
+                    **{column: np.where(one, 0.0, numbers)},
+                )
         if right.theta[k]:
             put("table.offset", row=k + 1, theta=np.where(one, 0.0, right.theta))
     return found
@@ -220,7 +251,9 @@ def _moving(right: Chain) -> NDArray[np.bool_]:
 
 
 def _stacked(right: Chain, chains: list[Chain]) -> Chain:
-    table = {n: np.stack([getattr(c, n) for c in chains]) for n in ("a", "alpha", "d", "theta", "q")}
+    table = {
+        n: np.stack([getattr(c, n) for c in chains]) for n in ("a", "alpha", "d", "theta", "q")
+    }
     return right.with_(**table)
 
 

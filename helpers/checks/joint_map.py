@@ -4,14 +4,27 @@ Axis by axis from the base: a joint's zero is found from where it carries the ne
 """
 
 import math
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from helpers.arm import Arm, Body, Joint, Row
-from helpers.checks.axes import BASE, Compared, Frame, Numbers, Rows, Side, Vector, add, cross, dot, frames, mix, sub
-from helpers.checks.sentences import say, size
+from helpers.checks.axes import (
+    BASE,
+    Compared,
+    Frame,
+    Numbers,
+    Rows,
+    Side,
+    Vector,
+    add,
+    cross,
+    dot,
+    frames,
+    mix,
+    sub,
+)
+from helpers.reading.sentences import say, size
 
 _SEEN = 1e-6  # m, or the sine of an angle: less than this fixes no direction
 
@@ -51,7 +64,10 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
             if moved is not None:
                 offsets[k] = moved
                 break
-    wrapped = [_wrapped(c) if reference.rows[i - 1].kind == "R" else c for c, i in zip(offsets, reference.joints, strict=True)]
+    wrapped = [
+        _wrapped(c) if reference.rows[i - 1].kind == "R" else c
+        for c, i in zip(offsets, reference.joints, strict=True)
+    ]
     result = Map(found.signs, tuple(wrapped), base)
     return result if _confirmed(mine, reference, result, tolerance) else None
 
@@ -59,7 +75,9 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
 def _base(mine: Side, reference: Side, found: Compared) -> Frame:
     if found.signs[0] > 0:
         return BASE._replace(o=(0.0, 0.0, found.base_higher))
-    upside = Frame((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, -found.base_higher))
+    upside = Frame(
+        (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, -found.base_higher)
+    )
     return upside
 
 
@@ -88,7 +106,9 @@ def _turn(p: Vector, z: Vector, m: _Feature, r: _Feature) -> float | None:
     if m.point is not None:
         pairs.append((sub(m.point, p), sub(r.point, p)))
         if m.direction is not None:
-            pairs[1] = tuple(sub(w, mix(dot(w, d), d, 0.0, d)) for w, d in zip(pairs[1], pairs[0], strict=True))
+            pairs[1] = tuple(
+                sub(w, mix(dot(w, d), d, 0.0, d)) for w, d in zip(pairs[1], pairs[0], strict=True)
+            )
     for u, v in pairs:
         u, v = (sub(w, mix(dot(w, z), z, 0.0, z)) for w in (u, v))
         if dot(u, u) > _SEEN**2 and dot(v, v) > _SEEN**2:
@@ -129,9 +149,13 @@ def words(found: Map, mine: Side, reference: Side) -> list[str]:
     for s, c, i, j in zip(found.signs, found.offsets, mine.joints, reference.joints, strict=True):
         turns = reference.rows[j - 1].kind == "R"
         shift = math.degrees(c) if turns else 1000 * c
-        if s < 0 or abs(shift) > (1e-3 if turns else 1e-3):
+        if s < 0 or abs(shift) > 1e-3:
             unit = "°" if turns else " mm"
-            tail = "" if abs(shift) <= 1e-3 else f" {'-' if shift < 0 else '+'} {size(abs(shift), 5)}{unit}"
+            tail = (
+                ""
+                if abs(shift) <= 1e-3
+                else f" {'-' if shift < 0 else '+'} {size(abs(shift), 5)}{unit}"
+            )
             said.append(say("map joint", joint=j, mine=f"{'-' if s < 0 else ''}q_{i}{tail}"))
     return said
 
@@ -143,7 +167,7 @@ def in_own_joints(rows: Rows, arm: Arm, found: Map, mine: Side, reference: Side,
     for row in rows:
         joint = Joint("fixed")
         if row.kind != "F":
-            low, high = sorted((found.signs[k] * (x[k] - found.offsets[k]) for x in limits))
+            low, high = sorted(found.signs[k] * (x[k] - found.offsets[k]) for x in limits)
             kind = "revolute" if row.kind == "R" else "prismatic"
             joint = Joint(kind, low, high, speeds[k], arm.effort_limits[k])
             k += 1

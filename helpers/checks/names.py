@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from helpers.arm import Arm
-from helpers.checks.sentences import say
 from helpers.inputs import ArmError
+from helpers.reading.sentences import say
 
 _JOINT = re.compile(r"(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})")
 _SHORT = re.compile(r"([cs])((?:[+-]?\d)+)", re.I)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.checks.sentences import listed, say
+from helpers.reading.sentences import listed, say
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,11 @@ def _name(key: str, fields: dict) -> str:
 
 def lower(sentence: str) -> str:
     """A sentence to stand inside another."""
-    return sentence if sentence[:2].isupper() or sentence[1:2] == "_" else sentence[0].lower() + sentence[1:]
+    return (
+        sentence
+        if sentence[:2].isupper() or sentence[1:2] == "_"
+        else sentence[0].lower() + sentence[1:]
+    )
 
 
 @dataclass(frozen=True)
@@ -65,7 +69,9 @@ class Found:
     odd: NDArray[np.bool_]
 
 
-def explain(mine: Array, right: Array, band: Array, causes: Sequence[Cause], made: Array) -> Found | None:
+def explain(
+    mine: Array, right: Array, band: Array, causes: Sequence[Cause], made: Array
+) -> Found | None:
     """The causes whose answers `made`, shape (causes, *mine.shape), explain mine within the band; None where none does."""
     if not len(causes):
         return None
@@ -75,7 +81,9 @@ def explain(mine: Array, right: Array, band: Array, causes: Sequence[Cause], mad
     gained = (fits & wrong).sum(axes) - (~fits & ~wrong).sum(axes)
     odd = (~fits).sum(axes)
     edits = np.array([len(c.keys) for c in causes])
-    least = np.where(edits > 1, np.maximum(4, PAIR_SHARE * wrong.sum()), np.maximum(3, SHARE * wrong.sum()))
+    least = np.where(
+        edits > 1, np.maximum(4, PAIR_SHARE * wrong.sum()), np.maximum(3, SHARE * wrong.sum())
+    )
     named = np.flatnonzero(((odd == 0) & wrong.any()) | (gained >= least))
     if not named.size:
         return None
@@ -88,7 +96,11 @@ def explain(mine: Array, right: Array, band: Array, causes: Sequence[Cause], mad
 def several(found: Sequence[Cause], most: int = 3) -> str:
     """What the causes say: single ones that explain equally well one after another, of pairs the first."""
     words = list(dict.fromkeys(c.words for c in found))[: most if len(found[0].keys) == 1 else 1]
-    return words[0] if len(words) == 1 else say("or", first=words[0], others=listed([lower(w) for w in words[1:]], "or"))
+    return (
+        words[0]
+        if len(words) == 1
+        else say("or", first=words[0], others=listed([lower(w) for w in words[1:]], "or"))
+    )
 
 
 def better(*all_found: Found | None) -> Found | None:

@@ -6,15 +6,26 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from helpers.arm import Arm
+from helpers.checks import door
 from helpers.checks import tables_causes as usual
-from helpers.checks.axes import Compared, Difference, Numbers, Rows, Side, angle_between, compared, numeric, side
+from helpers.checks.axes import (
+    Compared,
+    Difference,
+    Numbers,
+    Rows,
+    Side,
+    angle_between,
+    compared,
+    numeric,
+    side,
+)
 from helpers.checks.digits import RIGHT, ROUNDED, WRONG, units
 from helpers.checks.joint_map import Map, in_own_joints, joint_map, words
 from helpers.checks.ranking import Cause, cause, lower
-from helpers.checks.sentences import listed, say, size
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be, shown
 from helpers.reading import table as reading
+from helpers.reading.sentences import say, size
 
 _ANGLE = 1e-4  # rad: angles are often written with four decimals
 _LENGTH = 1e-6  # m
@@ -62,8 +73,11 @@ def compare_tables(
     the free choices.
     """
     must_be(reference, Arm, "the reference")
+    door.settings("rad", tolerance, values)
     if not reference.dof or (isinstance(mine, Arm) and not mine.dof):
-        raise ArmError(f"cannot compare {shown(mine)} with {reference!r}; expected arms with one joint or more")
+        raise ArmError(
+            f"cannot compare {shown(mine)} with {reference!r}; expected arms with one joint or more"
+        )
     tables = _tables(mine, reference, columns, lengths, angles, convention, values)
     reports = (_judged(table, reference, tolerance) for table in tables)
     first = next(reports)
@@ -73,8 +87,12 @@ def compare_tables(
 # What was typed
 
 
-def _tables(mine: Any, reference: Arm, columns, lengths, angles, convention, values) -> Iterator[Table]:
+def _tables(
+    mine: Any, reference: Arm, columns, lengths, angles, convention, values
+) -> Iterator[Table]:
     if isinstance(mine, Arm):
+        if given := [x for x in (columns, lengths, angles, convention) if x is not None]:
+            raise ArmError(say("arm is read", given=", ".join(map(shown, given))))
         texts = [{n: str(getattr(r, n)) for n in reading.ENTRIES} for r in mine.rows]
         yield _table(mine.name, list(numeric(mine)), texts, ())
         return
@@ -84,39 +102,14 @@ def _tables(mine: Any, reference: Arm, columns, lengths, angles, convention, val
 
 
 def _of_typed(typed: reading.TypedTable, reference: Arm) -> Table:
-    said = list(typed.said)
-    kinds = _kinds(typed, reference)
-    metres, radians = typed.lengths, typed.angles
-    numbers = [r.numbers for r in typed.rows]
-    if metres is None and max(abs(n[c]) for n in numbers for c in ("a", "d")) >= 10:
-        metres = "mm"
-        said.append(say("taken: lengths", unit="millimetres"))
-    if radians is None and max(abs(n[c]) for n in numbers for c in ("alpha", "theta")) > 6.4:
-        radians = "deg"
-        said.append(say("taken: degrees"))
-    f, t = reading.factor(metres or "m"), usual.RAD if radians == "deg" else 1.0
-    rows = [
-        Numbers(k, n["a"] * f, n["alpha"] * t, n["d"] * f, n["theta"] * t) for k, n in zip(kinds, numbers, strict=True)
-    ]
-    if typed.convention == "craig":
-        rows = usual.from_craig(rows)
-        said.append(say("taken: craig"))
-    backwards = [f"{i}" for i, r in enumerate(typed.rows, 1) if r.backwards]
-    if backwards:
-        said.append(say("taken: backwards", joints=listed(backwards)))
-    shift = len(rows) - len(typed.rows)
-    texts = [{}] * shift + [r.texts for r in typed.rows]
-    table = _table(say("your table"), rows, texts, tuple(said))
-    return replace(table, length_unit=table.length_unit * f, angle_unit=table.angle_unit * t)
-
-
-def _kinds(typed: reading.TypedTable, reference: Arm) -> list[str]:
-    """Each row's kind; where no variable was typed, the reference's if it has as many rows, else all turn."""
-    kinds = [r.kind for r in typed.rows]
-    if set(kinds) == {"?"}:
-        wanted = [r.kind for r in numeric(reference)]
-        return wanted if len(wanted) == len(kinds) else ["R"] * len(kinds)
-    return ["F" if k == "?" else k for k in kinds]
+    meant = reading.meant(typed, [r.kind for r in numeric(reference)])
+    texts = [{}] * (len(meant.rows) - len(typed.rows)) + [r.texts for r in typed.rows]
+    table = _table(say("your table"), meant.rows, texts, meant.said)
+    return replace(
+        table,
+        length_unit=table.length_unit * meant.length,
+        angle_unit=table.angle_unit * meant.angle,
+    )
 
 
 def _table(name: str, rows: list[Numbers], texts: list, said: tuple[str, ...]) -> Table:
@@ -171,21 +164,38 @@ def _judged(table: Table, reference: Arm, tolerance: float | None) -> Report:
 
 
 def _same(
-    grade: str, table: Table, reference: Arm, mine: Side, ref: Side, found: Compared, rows: list[Numbers]
+    grade: str,
+    table: Table,
+    reference: Arm,
+    mine: Side,
+    ref: Side,
+    found: Compared,
+    rows: list[Numbers],
 ) -> Report:
     loose = _LENGTH if grade == RIGHT else 10 * table.length_unit
     mapped = joint_map(mine, ref, found, loose)
     figures: dict[str, Any] = {"signs": found.signs}
-    notes = [*_zeros(mapped, mine, ref, table, reference), *_base(mine, found), *_tool(found), *_written(table)]
+    notes = [
+        *_zeros(mapped, mine, ref, table, reference),
+        *_base(mine, found),
+        *_tool(found),
+        *_written(table),
+    ]
     if mapped is not None:
         figures["joint_map"] = tuple(zip(mapped.signs, mapped.offsets, strict=True))
-        figures["arm"] = in_own_joints(rows, reference, mapped, mine, ref, say("own joints", arm=reference.name))
+        figures["arm"] = in_own_joints(
+            rows, reference, mapped, mine, ref, say("own joints", arm=reference.name)
+        )
     key = "table same" if grade == RIGHT else "table rounded"
     headline = say(key, mine=table.name, reference=reference.name)
-    return Report("table", reference.name, grade, headline, (), (), table.said, tuple(notes), figures)
+    return Report(
+        "table", reference.name, grade, headline, (), (), table.said, tuple(notes), figures
+    )
 
 
-def _zeros(mapped: Map | None, mine: Side, ref: Side, table: Table, reference: Arm) -> Iterator[str]:
+def _zeros(
+    mapped: Map | None, mine: Side, ref: Side, table: Table, reference: Arm
+) -> Iterator[str]:
     if mapped is None:
         yield say("map unknown")
     elif not mapped.is_identity:
@@ -218,7 +228,13 @@ def _written(table: Table) -> Iterator[str]:
             if abs(x - right) > 1e-9:
                 turns = round(right / (math.pi / 2))
                 wanted = names.get(turns, "0" if not turns else f"{turns} pi/2")
-                yield say("write right angle", column=column, row=i, typed=_typed(table, i, column), wanted=wanted)
+                yield say(
+                    "write right angle",
+                    column=column,
+                    row=i,
+                    typed=_typed(table, i, column),
+                    wanted=wanted,
+                )
 
 
 def _typed(table: Table, row: int, column: str) -> str:
@@ -229,7 +245,12 @@ def _typed(table: Table, row: int, column: str) -> str:
 
 
 def _different(
-    table: Table, reference: Arm, rows: list[Numbers], wanted: tuple[Numbers, ...], found: Compared, length: float
+    table: Table,
+    reference: Arm,
+    rows: list[Numbers],
+    wanted: tuple[Numbers, ...],
+    found: Compared,
+    length: float,
 ) -> Report:
     tries = list(_tries(rows, reference, wanted))
     best = _agreeing(tries, length) or _one_sign(rows, wanted, found, length)
@@ -253,7 +274,10 @@ def _edits(c: Cause | None) -> int:
 def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> Iterator[_Try]:
     """Every reading with up to two causes, fewest first, each with how many entries differ from the reference's."""
     starts = usual.units(rows, wanted)
-    others = [(None, wanted), *((c, tuple(_squared(r, 0.0))) for c, r in usual.references(reference))]
+    others = [
+        (None, wanted),
+        *((c, tuple(_squared(r, 0.0))) for c, r in usual.references(reference)),
+    ]
     mends = usual.structures(len(rows))
     found = []
     for first, read in starts:
@@ -287,7 +311,11 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
         for column in ("a", "alpha", "d", "theta"):
             x, y = getattr(row, column), getattr(other, column)
             free = (column == "theta" and row.kind == "R") or (column == "d" and row.kind == "P")
-            off = angle_between(x, y) > _ANGLE if column in ("alpha", "theta") else abs(x - y) > length
+            off = (
+                angle_between(x, y) > _ANGLE
+                if column in ("alpha", "theta")
+                else abs(x - y) > length
+            )
             if off and not free:
                 found.append((k, column))
     return found
@@ -295,18 +323,27 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
 
 def _agreeing(tries: list[_Try], length: float) -> _Try | None:
     """The first reading that leaves nothing: entries equal, or single causes and units judged by the axes."""
-    for t in tries:
-        if t.cause is None:
-            continue
-        cheap = t.entries == 0
-        likely = len(t.cause.keys) == 1 or t.entries <= 2 * len(t.reference)
-        if (cheap or (likely and t.cause.keys[-1] != "table.rows exchanged")) and any(r.kind != "F" for r in t.rows):
-            if not t.found(length).differences:
-                return t
-    return None
+    return next(
+        (
+            t
+            for t in tries
+            if t.cause is not None and _likely(t) and not t.found(length).differences
+        ),
+        None,
+    )
 
 
-def _one_sign(rows: list[Numbers], wanted: tuple[Numbers, ...], found: Compared, length: float) -> _Try | None:
+def _likely(t: _Try) -> bool:
+    """Whether a reading is worth a comparison of the axes."""
+    if all(r.kind == "F" for r in t.rows):
+        return False
+    single = len(t.cause.keys) == 1 or t.entries <= 2 * len(t.reference)
+    return t.entries == 0 or (single and t.cause.keys[-1] != "table.rows exchanged")
+
+
+def _one_sign(
+    rows: list[Numbers], wanted: tuple[Numbers, ...], found: Compared, length: float
+) -> _Try | None:
     near = {d.row + k for d in found.differences for k in (-1, 0, 1)}
     fits = []
     for c, mended in usual.flips(rows, near):
@@ -321,7 +358,10 @@ def _entries(table: Table, t: _Try, length: float) -> Iterator[Finding]:
     wrong = _unequal_entries(t.rows, t.reference, length)
     shift = len(t.rows) - len(table.rows)
     for k, column in wrong:
-        alone = [r if j != k else t.reference[k]._replace(**{column: getattr(t.rows[k], column)}) for j, r in enumerate(t.reference)]
+        alone = [
+            r if j != k else t.reference[k]._replace(**{column: getattr(t.rows[k], column)})
+            for j, r in enumerate(t.reference)
+        ]
         if compared(side(alone), side(t.reference), length, _ANGLE).differences:
             x, y = getattr(t.rows[k], column), getattr(t.reference[k], column)
             yield _entry(table, t, k + 1 - shift, column, x, y)
@@ -332,7 +372,9 @@ def _entry(table: Table, t: _Try, row: int, column: str, mine: float, wanted: fl
     if t.cause is not None and "table.craig" in t.cause.keys and column in ("a", "alpha"):
         row += 1
     key, fields = _kind_of_error(column, row, mine, wanted)
-    typed = _typed(table, row, column) if t.cause is None or len(t.cause.keys) == 0 else size(mine, 6)
+    typed = (
+        _typed(table, row, column) if t.cause is None or len(t.cause.keys) == 0 else size(mine, 6)
+    )
     said = say("table entry", row=row, column=column, typed=typed, words=lower(say(key, **fields)))
     return Finding(cause(key, **fields).name, f"row {row}, {column}", typed, None, said)
 
@@ -351,18 +393,32 @@ def _kind_of_error(column: str, row: int, mine: float, wanted: float) -> tuple[s
     if not wanted:
         return "table.too much", dict(column=column, row=row)
     if angular:
-        return "table.angle", dict(column=column, row=row, _off=size(math.degrees(angle_between(mine, wanted)), 4))
+        return "table.angle", dict(
+            column=column, row=row, _off=size(math.degrees(angle_between(mine, wanted)), 4)
+        )
     if mine * wanted < 0:
         return "table.number and sign", dict(column=column, row=row)
     way = say("long") if abs(mine) > abs(wanted) else say("short")
-    return "table.number", dict(column=column, row=row, _off=size(1000 * abs(mine - wanted), 4), _way=way)
+    return "table.number", dict(
+        column=column, row=row, _off=size(1000 * abs(mine - wanted), 4), _way=way
+    )
 
 
-def _fewest(tries: list[_Try], length: float, found: Compared) -> tuple[Cause | None, tuple[Difference, ...]]:
+def _fewest(
+    tries: list[_Try], length: float, found: Compared
+) -> tuple[Cause | None, tuple[Difference, ...]]:
     """The single cause that leaves much less than none does, and what it leaves."""
-    best: tuple[float, Cause | None, tuple[Difference, ...]] = (0.7 * len(found.differences), None, found.differences)
+    best: tuple[float, Cause | None, tuple[Difference, ...]] = (
+        0.7 * len(found.differences),
+        None,
+        found.differences,
+    )
     for t in tries:
-        if t.cause is not None and len(t.cause.keys) == 1 and t.cause.keys[0] != "table.rows exchanged":
+        if (
+            t.cause is not None
+            and len(t.cause.keys) == 1
+            and t.cause.keys[0] != "table.rows exchanged"
+        ):
             left = t.found(length).differences if any(r.kind != "F" for r in t.rows) else ()
             cost = 1 + 0.7 * len(left)
             if left and cost < best[0]:
@@ -385,12 +441,27 @@ def _amount(d: Difference, what: str) -> str:
     if d.key in ("table between", "table held"):
         x, y = (d.mine, d.reference) if d.mine >= 0 else (-d.mine, -d.reference)
         off = size(math.degrees(angle_between(x, y)), 6)
-        return say("table angle", what=what, mine=size(math.degrees(x), 6), reference=size(math.degrees(y), 6), off=off)
+        return say(
+            "table angle",
+            what=what,
+            mine=size(math.degrees(x), 6),
+            reference=size(math.degrees(y), 6),
+            off=off,
+        )
     if d.mine * d.reference < 0:
-        return say("table other way", what=what, mine=size(d.mine, 6), reference=size(d.reference, 6))
+        return say(
+            "table other way", what=what, mine=size(d.mine, 6), reference=size(d.reference, 6)
+        )
     way = say("long") if abs(d.mine) > abs(d.reference) else say("short")
     off = size(1000 * abs(d.mine - d.reference), 4)
-    return say("table length", what=what, mine=size(abs(d.mine), 6), reference=size(abs(d.reference), 6), off=off, way=way)
+    return say(
+        "table length",
+        what=what,
+        mine=size(abs(d.mine), 6),
+        reference=size(abs(d.reference), 6),
+        off=off,
+        way=way,
+    )
 
 
 def _bad(table: Table, reference: Arm, named: Cause | None, findings, found: Compared) -> Report:
@@ -401,11 +472,31 @@ def _bad(table: Table, reference: Arm, named: Cause | None, findings, found: Com
         causes = [" + ".join([*causes, single.what])]
     if named:
         rest = "" if not findings else say("and what remains")
-        text = say("table wrong", mine=table.name, reference=reference.name, cause=lower(named.words) + rest)
+        text = say(
+            "table wrong",
+            mine=table.name,
+            reference=reference.name,
+            cause=lower(named.words) + rest,
+        )
         findings = (Finding("cause", "", None, None, f"{named.words}."), *findings)
     elif single is not None:
-        text = say("table wrong", mine=table.name, reference=reference.name, cause=lower(single.words).rstrip("."))
+        text = say(
+            "table wrong",
+            mine=table.name,
+            reference=reference.name,
+            cause=lower(single.words).rstrip("."),
+        )
         findings = (Finding("cause", single.where, single.mine, None, single.words),)
     else:
         text = say("table other arm", mine=table.name, reference=reference.name)
-    return Report("table", reference.name, WRONG, text, findings, tuple(causes), table.said, (), {"left": found.differences})
+    return Report(
+        "table",
+        reference.name,
+        WRONG,
+        text,
+        findings,
+        tuple(causes),
+        table.said,
+        (),
+        {"left": found.differences},
+    )

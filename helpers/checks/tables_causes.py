@@ -5,9 +5,10 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 
 from helpers.arm import Arm
-from helpers.checks.axes import Numbers, Rows, numeric
+from helpers.checks.axes import Rows, numeric
 from helpers.checks.chains import alike
 from helpers.checks.ranking import Cause, cause
+from helpers.reading.table import Numbers, from_craig
 
 RAD = math.pi / 180
 Mend = Callable[[list[Numbers]], list[Numbers]]
@@ -27,7 +28,15 @@ def units(rows: Rows, reference: Rows) -> list[tuple[Cause | None, list[Numbers]
     for first, f in lengths:
         for second, t, o in angles:
             both = first + second if first and second else first or second
-            found.append((both, [r._replace(a=r.a * f, d=r.d * f, alpha=r.alpha * t, theta=r.theta * o) for r in rows]))
+            found.append(
+                (
+                    both,
+                    [
+                        r._replace(a=r.a * f, d=r.d * f, alpha=r.alpha * t, theta=r.theta * o)
+                        for r in rows
+                    ],
+                )
+            )
     return found
 
 
@@ -35,7 +44,9 @@ def structures(count: int) -> list[tuple[Cause, Mend]]:
     """Mistakes in the arrangement: columns, rows, convention."""
 
     def swap(one: str, other: str) -> Mend:
-        return lambda rows: [r._replace(**{one: getattr(r, other), other: getattr(r, one)}) for r in rows]
+        return lambda rows: [
+            r._replace(**{one: getattr(r, other), other: getattr(r, one)}) for r in rows
+        ]
 
     found = [
         (cause("table.alpha and theta"), swap("alpha", "theta")),
@@ -63,14 +74,6 @@ def _exchanged(i: int, j: int) -> Mend:
     return mend
 
 
-def from_craig(rows: list[Numbers]) -> list[Numbers]:
-    """Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}; a fixed row before them takes a_0."""
-    after = [*rows[1:], Numbers("F", 0.0, 0.0, 0.0, 0.0)]
-    shifted = [r._replace(a=n.a, alpha=n.alpha) for r, n in zip(rows, after, strict=True)]
-    first = rows[0]
-    return shifted if not (first.a or first.alpha) else [Numbers("F", first.a, first.alpha, 0.0, 0.0), *shifted]
-
-
 def to_craig(rows: list[Numbers]) -> list[Numbers]:
     """The other way: a and alpha stand one row too high."""
     before = [Numbers("F", 0.0, 0.0, 0.0, 0.0), *rows[:-1]]
@@ -92,5 +95,9 @@ def flips(rows: Rows, near: set[int]) -> Iterator[tuple[Cause, list[Numbers]]]:
         for column in ("alpha", "a", "d"):
             x = getattr(row, column)
             if k + 1 in near and x and not (column == "alpha" and abs(math.sin(x)) < 1e-9):
-                key = cause("table.twist", row=k + 1) if column == "alpha" else cause("table.sign", column=column, row=k + 1)
+                key = (
+                    cause("table.twist", row=k + 1)
+                    if column == "alpha"
+                    else cause("table.sign", column=column, row=k + 1)
+                )
                 yield key, [*rows[:k], row._replace(**{column: -x}), *rows[k + 1 :]]

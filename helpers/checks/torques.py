@@ -10,10 +10,10 @@ from helpers.checks import door
 from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG, Typed
 from helpers.checks.entries import Margins, graded, margins
 from helpers.checks.ranking import Found, better, explain, lower, several
-from helpers.checks.sentences import listed, say, size
-from helpers.checks.torques_causes import Load, catalogue, reversed_joints
+from helpers.checks.torques_causes import Load, catalogue, paper_centres, reversed_joints
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import must_be
+from helpers.reading.sentences import listed, say, size
 from helpers.statics import GRAVITY, static_torque
 
 Array = NDArray[np.float64]
@@ -47,6 +47,7 @@ def compare_torques(
     One pose can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers or the arm has no masses.
     """
     must_be(arm, Arm, "arm")
+    door.settings(angles, tolerance)
     at = _poses(q, arm, angles)
     right = np.atleast_2d(static_torque(arm, at.values, wrench, gravity))
     what = f"{arm.name}: your torques"
@@ -54,11 +55,22 @@ def compare_torques(
     typed, taken = _upright(typed, right)
     if typed is None or typed.values.shape != right.shape:
         return _misshapen(door.numbers(mine, what).values, right, arm)
-    return _judged(typed, right, arm, at, np.asarray(wrench, float), np.asarray(gravity, float), tolerance, taken)
+    return _judged(
+        typed,
+        right,
+        arm,
+        at,
+        np.asarray(wrench, float),
+        np.asarray(gravity, float),
+        tolerance,
+        taken,
+    )
 
 
 def _poses(q: ArrayLike | str, arm: Arm, angles: str) -> Typed:
-    typed = door.numbers(q, f"{arm.name}: q")
+    typed = door.numbers(
+        q, f"{arm.name}: q", wanted=f"one value for each of {', '.join(arm.variables)}"
+    )
     values, units = typed.values, typed.units
     if values.ndim == 2 and values.shape[0] == arm.dof != values.shape[1]:
         values, units = values.T, units.T
@@ -79,7 +91,9 @@ def _upright(typed: Typed, right: Array) -> tuple[Typed | None, tuple[str, ...]]
     if M.ndim != 2:
         return None, ()
     said: tuple[str, ...] = ()
-    if M.shape == (dof, poses) and (poses != dof or np.abs(M.T - right).max() < np.abs(M - right).max()):
+    if M.shape == (dof, poses) and (
+        poses != dof or np.abs(M.T - right).max() < np.abs(M - right).max()
+    ):
         M, steps, said = M.T, steps.T, (say("taken: list per joint"),)
     if M.shape == (poses, dof + 1) and not M[:, 0].any():
         M, steps, said = M[:, 1:], steps[:, 1:], (*said, say("taken: leading zeros"))
@@ -94,12 +108,23 @@ def _misshapen(M: Array, right: Array, arm: Arm) -> Report:
     wanted = f"{poses}x{dof}" if poses > 1 else str(dof)
     words = say(key, shape=shape, wanted=wanted, dof=dof)
     finding = Finding("shape", "", M.shape, right.shape, words)
-    return Report("torques", arm.name, WRONG, say("tau wrong", arm=arm.name, cause=lower(words)), (finding,), (key,))
+    return Report(
+        "torques",
+        arm.name,
+        WRONG,
+        say("tau wrong", arm=arm.name, cause=lower(words)),
+        (finding,),
+        (key,),
+    )
 
 
-def _judged(typed: Typed, right: Array, arm: Arm, at: Typed, wrench: Array, gravity: Array, tolerance, taken) -> Report:
+def _judged(
+    typed: Typed, right: Array, arm: Arm, at: Typed, wrench: Array, gravity: Array, tolerance, taken
+) -> Report:
     pick = np.unique(np.linspace(0, len(right) - 1, _SAMPLE).astype(int))
-    load = Load(arm, np.atleast_2d(at.values)[pick], np.broadcast_to(wrench, (len(right), 6))[pick], gravity)
+    load = Load(
+        arm, np.atleast_2d(at.values)[pick], np.broadcast_to(wrench, (len(right), 6))[pick], gravity
+    )
     causes, made = catalogue(load)
     scale = max(float(np.abs(right).max()), 1e-3)
     slop = _slop(arm, at, wrench, gravity)
@@ -134,7 +159,10 @@ def _slop(arm: Arm, at: Typed, wrench: Array, gravity: Array) -> Array | float:
     q, step = np.atleast_2d(at.values), 1e-6
     units = np.atleast_2d(units)
     here = static_torque(arm, q, wrench, gravity)
-    rates = [np.abs(static_torque(arm, q + step * e, wrench, gravity) - here) / step for e in np.eye(arm.dof)]
+    rates = [
+        np.abs(static_torque(arm, q + step * e, wrench, gravity) - here) / step
+        for e in np.eye(arm.dof)
+    ]
     return 0.51 * sum(rate * units[:, k, None] for k, rate in enumerate(rates))
 
 
@@ -151,14 +179,20 @@ def _found(mine, right, m: Margins, causes, made, load: Load) -> Found | None:
         found = explain(mine, right, band, causes, made)
         if found is None or found.odd.any():
             turned = explain(mine, right, band, *reversed_joints(load, right))
-            whole = Found(turned.causes[:1], turned.odd) if turned and not turned.odd.any() else None
-            found = better(found, whole)
+            whole = (
+                Found(turned.causes[:1], turned.odd) if turned and not turned.odd.any() else None
+            )
+            paper = explain(mine, right, band, *paper_centres(load))
+            paper = Found(paper.causes[:1], paper.odd) if paper and not paper.odd.any() else None
+            found = better(found, whole, paper)
         if found:
             return found
     return None
 
 
-def _joints(mine: Array, right: Array, m: Margins, arm: Arm, found: Found | None) -> Iterator[Finding]:
+def _joints(
+    mine: Array, right: Array, m: Margins, arm: Arm, found: Found | None
+) -> Iterator[Finding]:
     """Each wrong joint, or, under a cause, each that it leaves unexplained."""
     wrong = (np.abs(mine - right) > m.band).any(axis=0)
     if not wrong.any():
@@ -168,7 +202,9 @@ def _joints(mine: Array, right: Array, m: Margins, arm: Arm, found: Found | None
         off, flipped = np.abs(mine - right)[:, k].max(), np.abs(mine + right)[:, k]
         key = "tau other way" if (flipped <= m.band[:, k]).all() else "tau off"
         key = "tau besides" if found is not None else key
-        said = say(key, joint=arm.joints[k], off=size(off, 3), unit="N m" if arm.turning[k] else "N")
+        said = say(
+            key, joint=arm.joints[k], off=size(off, 3), unit="N m" if arm.turning[k] else "N"
+        )
         yield Finding("joint", f"joint {arm.joints[k]}", None, None, said)
 
 
@@ -181,5 +217,3 @@ def _bad(found: Found | None, symptoms, arm: Arm, taken, figures) -> Report:
         return Report("torques", arm.name, WRONG, headline, findings, names, taken, (), figures)
     headline = say("tau wrong places", arm=arm.name, places=listed([f.where for f in symptoms]))
     return Report("torques", arm.name, WRONG, headline, symptoms, (), taken, (), figures)
-
-

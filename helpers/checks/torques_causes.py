@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.checks.chains import alike, chain, columns, weights
 from helpers.checks.ranking import Cause, cause
-from helpers.checks.sentences import listed
+from helpers.reading.sentences import listed
 
 Array = NDArray[np.float64]
 Part = tuple[Cause | None, Array]
@@ -28,7 +28,10 @@ class Load:
 
     def weight(self, masses: Array | None = None, centres: Array | None = None) -> Array:
         """g(q), with other masses or centres where given."""
-        m, c = self.masses if masses is None else masses, self.centres if centres is None else centres
+        m, c = (
+            self.masses if masses is None else masses,
+            self.centres if centres is None else centres,
+        )
         return weights(self.chain, m, c, self.gravity, self.T)
 
     def force(self, wrench: Array | None = None) -> Array:
@@ -58,14 +61,46 @@ def catalogue(load: Load) -> tuple[list[Cause], Array]:
 def reversed_joints(load: Load, right: Array) -> tuple[list[Cause], Array]:
     """Joints that count the other way in the torques, and in q as well, fewest first."""
     dof = load.arm.dof
-    signs = sorted((s for s in product((1.0, -1.0), repeat=dof) if min(s) < 0), key=lambda s: -sum(s))
+    signs = sorted(
+        (s for s in product((1.0, -1.0), repeat=dof) if min(s) < 0), key=lambda s: -sum(s)
+    )
     signs = np.array(signs)
     here = right * signs[:, None, :]
     turned = Load(load.arm, signs[:, None, :] * load.chain.q, load.wrench, load.gravity)
     there = turned.torques() * signs[:, None, :]
-    names = [listed([str(i) for i, s in zip(load.arm.joints, row, strict=True) if s < 0]) for row in signs]
-    causes = [cause("tau.signs", joints=n) for n in names] + [cause("tau.joints reversed", joints=n) for n in names]
+    names = [
+        listed([str(i) for i, s in zip(load.arm.joints, row, strict=True) if s < 0])
+        for row in signs
+    ]
+    causes = [cause("tau.signs", joints=n) for n in names] + [
+        cause("tau.joints reversed", joints=n) for n in names
+    ]
     return causes, np.concatenate([here, there])
+
+
+def paper_centres(load: Load) -> tuple[list[Cause], Array]:
+    """Centres of mass as a paper gives them, unconverted: in the maker's Craig frames, whose axes x are the table's.
+
+    Where the maker's joint counts the other way, y and z point the other way; the last frame may stand before its offset d.
+    All choices are tried, with the force as it is, reversed and missing.
+    """
+    craig = _craig_centres(load.arm, load.centres)
+    count, last = len(craig), load.arm.numeric[-1].d
+    parts = []
+    for i, (mass, (x, y, z)) in enumerate(zip(load.masses, craig, strict=True)):
+        ways = [(x, y, z), (x, -y, -z)]
+        if i == count - 1 and last:
+            ways += [(x, y, z + last), (x, -y, -z - last)]
+        alone = np.where(np.arange(count) == i, mass, 0.0)
+        spread = [
+            load.weight(alone, np.where(np.arange(count)[:, None] == i, way, 0.0)) for way in ways
+        ]
+        parts.append(spread if mass else spread[:1])
+    weight = np.stack([sum(chosen) for chosen in product(*parts)])
+    key, force = cause("tau.craig centres"), load.force()
+    ways = ((key, 1), (key + cause("tau.force sign"), -1), (key + cause("tau.force missing"), 0))
+    causes = [c for c, _ in ways for _ in weight]
+    return causes, np.concatenate([weight - sign * force for _, sign in ways])
 
 
 def _loads(load: Load) -> Iterator[tuple[Cause | None, Load]]:
@@ -125,7 +160,10 @@ def _forces(load: Load) -> Iterator[Part]:
     yield cause("tau.force turned back"), load.force(_turned(np.swapaxes(R, -1, -2), load.wrench))
     yield cause("tau.force and moment"), load.force(np.roll(load.wrench, 3, -1))
     late = np.array(load.chain.joints)
-    yield cause("J.one frame late"), _through(columns(load.chain, axis=late, origin=late, frames=load.T), load.wrench)
+    yield (
+        cause("J.one frame late"),
+        _through(columns(load.chain, axis=late, origin=late, frames=load.T), load.wrench),
+    )
 
 
 def _through(J: Array, wrench: Array) -> Array:

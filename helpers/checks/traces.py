@@ -9,13 +9,13 @@ from helpers.arm import Arm
 from helpers.checks import door
 from helpers.checks.digits import RIGHT, WRONG, Typed
 from helpers.checks.ranking import Cause, lower
-from helpers.checks.sentences import listed, say, size
-from helpers.checks.traces_causes import loop_cause, other_arm, path_cause
+from helpers.checks.traces_causes import loop_cause, path_cause
 from helpers.checks.verdict import Finding, Report
-from helpers.inputs import must_be, number, one_of
+from helpers.inputs import must_be
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
 from helpers.motion.report import run_report
+from helpers.reading.sentences import listed, say, size
 
 Array = NDArray[np.float64]
 
@@ -43,10 +43,8 @@ def compare_trace(
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
-    one_of(angles, "angles", ("rad", "deg"))
-    if tolerance is not None:
-        number(tolerance, "tolerance", "a length of 0 m or more", least=0)
-    typed = door.numbers(mine, f"{arm.name}: what you give for your joints")
+    door.settings(angles, tolerance)
+    typed = door.numbers(mine, f"{arm.name}: your joints")
     typed, taken, extra = _upright(typed, arm, path)
     if typed is None:
         return _misshapen(door.numbers(mine, "your joints").values, arm, path)
@@ -55,7 +53,11 @@ def compare_trace(
     q = typed.values
     path = Path(path.times[: len(q)], path.position, path.velocity, path.normal)
     allowed = _USUAL if tolerance is None else tolerance
-    if angles == "rad" and _off(path, forward_kinematics(arm, _radians(typed, arm).values)[:, :3, 3]).max() <= allowed:
+    if (
+        angles == "rad"
+        and _off(path, forward_kinematics(arm, _radians(typed, arm).values)[:, :3, 3]).max()
+        <= allowed
+    ):
         return _degrees(arm, taken)
     return _judged(typed, arm, path, allowed, tolerance is not None, taken, extra)
 
@@ -85,24 +87,52 @@ def _radians(typed: Typed, arm: Arm) -> Typed:
 def _misshapen(M: Array, arm: Arm, path: Path) -> Report:
     shape = "x".join(map(str, M.shape)) or "1"
     words = say("trace.shape", shape=shape, rows=len(path.times), dof=arm.dof)
-    return _report(arm, WRONG, lower(words), (Finding("shape", "", M.shape, None, words),), ("trace.shape",), ())
+    return _report(
+        arm,
+        WRONG,
+        lower(words),
+        (Finding("shape", "", M.shape, None, words),),
+        ("trace.shape",),
+        (),
+    )
 
 
 def _degrees(arm: Arm, taken: tuple[str, ...]) -> Report:
     words = say("trace.degrees")
-    return _report(arm, WRONG, lower(words), (Finding("cause", "", None, None, words),), ("trace.degrees",), taken)
+    return _report(
+        arm,
+        WRONG,
+        lower(words),
+        (Finding("cause", "", None, None, words),),
+        ("trace.degrees",),
+        taken,
+    )
 
 
-def _report(arm: Arm, grade: str, words: str, findings, causes, taken, notes=(), figures=None) -> Report:
+def _report(
+    arm: Arm, grade: str, words: str, findings, causes, taken, notes=(), figures=None
+) -> Report:
     key = "trace right" if grade == RIGHT else "trace wrong"
     headline = say(key, arm=arm.name, cause=words)
-    return Report("trace", arm.name, grade, headline, tuple(findings), tuple(causes), taken, tuple(notes), figures or {})
+    return Report(
+        "trace",
+        arm.name,
+        grade,
+        headline,
+        tuple(findings),
+        tuple(causes),
+        taken,
+        tuple(notes),
+        figures or {},
+    )
 
 
 # The verdict
 
 
-def _judged(typed: Typed, arm: Arm, path: Path, allowed: float, given: bool, taken, extra: bool) -> Report:
+def _judged(
+    typed: Typed, arm: Arm, path: Path, allowed: float, given: bool, taken, extra: bool
+) -> Report:
     q = typed.values
     poses = forward_kinematics(arm, q)
     q_dot = np.diff(q, axis=0) / np.diff(path.times)[:, None]
@@ -123,18 +153,20 @@ def _judged(typed: Typed, arm: Arm, path: Path, allowed: float, given: bool, tak
         findings = [Finding("cause", first.where, None, None, first.words), *rest]
         return _report(arm, WRONG, words, findings, causes, taken, notes, figures)
     findings = [Finding("cause", "", None, None, f"{named.words}."), *symptoms]
-    return _report(arm, WRONG, f"{lower(named.words)}.", findings, (named.name,), taken, notes, figures)
+    return _report(
+        arm, WRONG, f"{lower(named.words)}.", findings, (named.name,), taken, notes, figures
+    )
 
 
-def _named(typed: Typed, arm: Arm, path: Path, poses: Array, run, wrong: bool, given: bool, allowed: float) -> Cause | None:
+def _named(
+    typed: Typed, arm: Arm, path: Path, poses: Array, run, wrong: bool, given: bool, allowed: float
+) -> Cause | None:
     """What explains a run that fails; or, where no tolerance was given, a slip that one within 2 mm shows."""
     if wrong:
         tip = poses[:, :3, 3]
         found = path_cause(path, tip, allowed) if run.position_error > allowed else None
-        return found or other_arm(typed.values, arm, path) or loop_cause(typed, arm, path)
-    if given:
-        return None
-    return other_arm(typed.values, arm, path) or loop_cause(typed, arm, path)
+        return found or loop_cause(typed, arm, path)
+    return None if given else loop_cause(typed, arm, path)
 
 
 def _turns(poses: Array) -> Array:
@@ -144,7 +176,9 @@ def _turns(poses: Array) -> Array:
     return np.arctan2(np.linalg.norm(off, axis=0), np.trace(R, axis1=1, axis2=2) - 1)
 
 
-def _symptoms(typed: Typed, arm: Arm, path: Path, run, poses: Array, turn: Array, allowed: float) -> Iterator[Finding]:
+def _symptoms(
+    typed: Typed, arm: Arm, path: Path, run, poses: Array, turn: Array, allowed: float
+) -> Iterator[Finding]:
     q = typed.values
     if run.position_error > allowed:
         yield Finding("step", "", None, None, _where(path, poses[:, :3, 3]))
@@ -165,7 +199,9 @@ def _jumps(q: Array, arm: Arm) -> Iterator[Finding]:
     if far.size:
         k = int(far[0])
         joint = arm.joints[int(np.abs(q[k + 1] - q[k]).argmax())]
-        words = say("trace.jump", step=k, to=k + 1, joint=joint, by=size(float(change[k])), count=far.size)
+        words = say(
+            "trace.jump", step=k, to=k + 1, joint=joint, by=size(float(change[k])), count=far.size
+        )
         yield Finding("trace.jump", f"step {k}", None, None, words)
 
 
@@ -178,11 +214,20 @@ def _where(path: Path, tip: Array) -> str:
     error = _off(path, tip)
     k = int(error.argmax())
     start = say("already") if error[0] > 0.5 * error[k] else f"{size(1e3 * float(error[0]))} mm"
-    return say("trace where", error=size(1e3 * float(error[k]), 4), step=k, steps=len(error) - 1, start=start)
+    return say(
+        "trace where",
+        error=size(1e3 * float(error[k]), 4),
+        step=k,
+        steps=len(error) - 1,
+        start=start,
+    )
 
 
 def _notes(run) -> Iterator[str]:
-    for excess, what, unit in ((run.beyond_limits, "range", "rad"), (run.beyond_speed, "speed", "rad/s")):
+    for excess, what, unit in (
+        (run.beyond_limits, "range", "rad"),
+        (run.beyond_speed, "speed", "rad/s"),
+    ):
         if excess:
             joints = listed([say("joint by", joint=i, by=size(x, 2)) for i, x in excess])
             yield say(f"trace beyond {what}", joints=joints, unit=unit)

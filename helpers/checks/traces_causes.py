@@ -1,4 +1,4 @@
-"""Why a run misses its path: by the shape that the tip drew, by the arm for which it would fit, by the loop that made it."""
+"""Why a run misses its path: by the shape that the tip drew, by the loop that made it."""
 
 from collections.abc import Iterator
 
@@ -6,13 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helpers.arm import Arm
-from helpers.checks.chains import alike, chain, columns
+from helpers.checks.chains import Chain, chain, columns
 from helpers.checks.digits import Typed
-from helpers.checks.jacobian_causes import wrong_recipes
+from helpers.checks.jacobian_causes import wrong_recipes, wrong_tables
 from helpers.checks.ranking import Cause, cause
-from helpers.checks.sentences import size
-from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
+from helpers.reading.sentences import size
 
 Array = NDArray[np.float64]
 
@@ -40,7 +39,7 @@ def _shapes(path: Path, tip: Array, allowed: float) -> Iterator[Cause]:
         yield cause("trace.backwards")
     mirrored = 2 * path.positions[0] - tip
     shift = (tip - path.positions).mean(axis=0)
-    if follows(tip - shift):
+    if np.linalg.norm(shift) > allowed and follows(tip - shift):
         yield cause("trace.displaced", _by=_vector(shift))
     fraction = _fraction(path, tip, allowed)
     if fraction:
@@ -48,6 +47,8 @@ def _shapes(path: Path, tip: Array, allowed: float) -> Iterator[Cause]:
     middle = tip.mean(axis=0)
     wanted = path.positions - path.positions.mean(axis=0)
     scale = float(np.linalg.norm(tip - middle) / max(np.linalg.norm(wanted), 1e-12))
+    if abs(scale - 1) < 0.02:
+        scale = 0.0
     if scale > 0 and follows(path.positions.mean(axis=0) + (tip - middle) / scale):
         yield cause("trace.scaled", _scale=size(scale, 4))
     about = path.positions[0] + (tip - tip[0]) / scale if scale > 0 else tip
@@ -85,6 +86,8 @@ def _phase(path: Path, tip: Array, allowed: float) -> bool:
     """Whether a closed path is drawn from another point on: its last point equals its first."""
     once = tip[:-1]
     wanted = path.positions[:-1]
+    if np.linalg.norm(once[0] - wanted[0]) <= 2 * allowed:
+        return False
     near = np.linalg.norm(once - wanted[0], axis=1).argmin()
     return any(
         np.linalg.norm(np.roll(once, -k, axis=0) - wanted, axis=1).max() <= allowed
@@ -95,31 +98,6 @@ def _phase(path: Path, tip: Array, allowed: float) -> bool:
 
 def _vector(metres: Array) -> str:
     return "(" + ", ".join(size(float(x) + 0.0) for x in np.round(1e3 * metres, 3)) + ")"
-
-
-# By the arm
-
-
-def other_arm(q: Array, arm: Arm, path: Path) -> Cause | None:
-    """Other lengths for which the same joints draw the path much better, each from where its own tip starts."""
-    wanted = path.positions - path.positions[0]
-
-    def off(other: Arm) -> float:
-        tip = forward_kinematics(other, q)[:, :3, 3]
-        return float(np.linalg.norm(tip - tip[0] - wanted, axis=1).max())
-
-    found = [(off(other), k, c) for k, (c, other) in enumerate(_arms(arm))]
-    error = off(arm)
-    best = min(found, default=None)
-    return best[2] if best and best[0] < _CLEARLY * error and error > 5e-5 else None
-
-
-def _arms(arm: Arm) -> Iterator[tuple[Cause, Arm]]:
-    values = dict(arm.values)
-    if values.get("l_pen"):
-        yield cause("table.pen"), arm.with_values(l_pen=0)
-    for m, n in alike(arm):
-        yield cause("table.length", name=m, other=n), arm.with_values(**{m: values[n]})
 
 
 # By the loop
@@ -141,13 +119,17 @@ def loop_cause(typed: Typed, arm: Arm, path: Path) -> Cause | None:
     J = columns(at)
     noise = float(typed.units.max(initial=0.0)) / float(dt.min()) * 2
     speed = float(np.abs(v).max())
-    (_, right), *rules = _rules(at, J, rate, v, pick)
+    (_, right), *rules = _rules(arm, at, J, rate, v, pick)
     best, left = min(rules, key=lambda rule: rule[1])
-    clear = left < _CLEARLY * right and left < 0.02 * speed + noise and right > 3 * noise + 1e-4 * speed
+    clear = (
+        left < _CLEARLY * right and left < 0.02 * speed + noise and right > 3 * noise + 1e-4 * speed
+    )
     return best if clear else None
 
 
-def _rules(at, J: Array, rate: Array, v: Array, pick: Array) -> Iterator[tuple[Cause | None, float]]:
+def _rules(
+    arm: Arm, at: Chain, J: Array, rate: Array, v: Array, pick: Array
+) -> Iterator[tuple[Cause | None, float]]:
     """Each rule with the largest velocity (m/s or rad/s) by which it fails."""
 
     def fails(K: Array, linear: Array) -> float:
@@ -159,6 +141,8 @@ def _rules(at, J: Array, rate: Array, v: Array, pick: Array) -> Iterator[tuple[C
         yield cause("trace.next velocity"), fails(J, v[pick + 1])
     for c, K in wrong_recipes(at):
         yield c, fails(K, v[pick])
+    for c, other in wrong_tables(arm, at):
+        yield c, fails(columns(other), v[pick])
     if J.shape[-1] > 3:
         free = np.einsum("nij,nj->ni", np.linalg.pinv(J[:, :3]), v[pick])
         yield cause("trace.position only"), float(np.abs(rate - free).max())

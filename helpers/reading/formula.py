@@ -37,7 +37,23 @@ FUNCTIONS: dict[str, Callable[[float], float]] = {
 }
 _CONSTANTS = {"pi": math.pi, "deg": math.pi / 180, "rad": 1.0}
 _GREEK = dict(
-    zip("αβγδθϑφϕψωλ", "alpha beta gamma delta theta theta phi phi psi omega lambda".split(), strict=True)
+    zip(
+        "αβγδθϑφϕψωλ",
+        [
+            "alpha",
+            "beta",
+            "gamma",
+            "delta",
+            "theta",
+            "theta",
+            "phi",
+            "phi",
+            "psi",
+            "omega",
+            "lambda",
+        ],
+        strict=True,
+    )
 )
 _SAME = {
     **dict.fromkeys("−–—‐‑‒﹣－", "-"),
@@ -100,13 +116,17 @@ def parse(text: str, what: str = "the formula") -> Tree:
         raise ArmError(f"{what} has {len(text)} characters; expected at most {LONGEST}")
     tokens = _tokens(plain(text))
     if tokens is None:
-        raise ArmError(f"{what} is {shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )")
+        raise ArmError(
+            f"{what} is {shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )"
+        )
     try:
         tree, rest = _sum(tokens, 0, 0)
     except (IndexError, SyntaxError):
         tree, rest = (), -1
     if rest != len(tokens):
-        raise ArmError(f"{what} is {shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'")
+        raise ArmError(
+            f"{what} is {shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'"
+        )
     return tree
 
 
@@ -233,7 +253,11 @@ def _value(tree: Tree, known: Callable[[str], float | None]) -> float:
     left, right = _value(tree[1], known), _value(tree[2], known)
     if kind == "^":
         return math.pow(left, right)
-    return {"+": left + right, "-": left - right, "*": left * right}[kind] if kind != "/" else left / right
+    return (
+        {"+": left + right, "-": left - right, "*": left * right}[kind]
+        if kind != "/"
+        else left / right
+    )
 
 
 def number(text: str) -> float | None:

@@ -12,9 +12,13 @@ _WRAPPER = re.compile(
     r"^\s*(?:[\w.]+\s*(?:\(\w+\))?\s*=\s*)?(?:[\w.]*(?:Matrix|array|asarray|matrix|tensor|vpa|simplify|round|double|sym)\s*\(\s*)+"
 )
 _TAIL = re.compile(r"(?:,\s*(?:dtype\s*=\s*[\w.']+|\d+)\s*)?\)+\s*;?\s*$")
-_ENVIRONMENT = re.compile(r"\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?")
+_ENVIRONMENT = re.compile(
+    r"\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?"
+)
 _SCALE = re.compile(r"^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$", re.M)
-_MATLAB_BLOCK = re.compile(r"^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$", re.M | re.I)
+_MATLAB_BLOCK = re.compile(
+    r"^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$", re.M | re.I
+)
 _RULE = re.compile(r"^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$")
 
 
@@ -32,10 +36,19 @@ def cells(text: str) -> Cells:
 def _rows(text: str) -> Cells:
     if "\\begin{" in text or "\\\\" in text:
         return _latex(text)
-    if text.count("|") >= 2 and re.search(r"^\s*\|?.*\|.*\|?\s*$", text, re.M) and "[" not in text.split("|")[0]:
+    if (
+        text.count("|") >= 2
+        and re.search(r"^\s*\|?.*\|.*\|?\s*$", text, re.M)
+        and "[" not in text.split("|")[0]
+    ):
         return _markdown(text)
     bare = _TAIL.sub("", _WRAPPER.sub("", text)) if _WRAPPER.match(text) else text
-    bare = re.sub(r"^\s*[\w.]+\s*(?:\(\w+\))?\s*=\s*(?=[\[({\n\d-]|$)", "", bare).strip().rstrip(";").strip()
+    bare = (
+        re.sub(r"^\s*[\w.]+\s*(?:\(\w+\))?\s*=\s*(?=[\[({\n\d-]|$)", "", bare)
+        .strip()
+        .rstrip(";")
+        .strip()
+    )
     if bare[:1] in "[({":
         return _bracketed(bare)
     return _lines(bare)
@@ -43,9 +56,18 @@ def _rows(text: str) -> Cells:
 
 def _latex(text: str) -> Cells:
     text = _ENVIRONMENT.sub(" ", text)
-    text = re.sub(r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b|\\(?:left|right)\s*[\[\]().|]", " ", text)
+    text = re.sub(
+        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b|\\(?:left|right)\s*[\[\]().|]",
+        " ",
+        text,
+    )
     text = re.sub(r"^\s*[A-Za-z_]\w*(?:\([^()]*\))?\s*=", "", text)
-    text = re.sub(r"\\\\\s*\[[^\]]*\]", r"\\\\", text).replace("$", " ").replace("\\[", " ").replace("\\]", " ")
+    text = (
+        re.sub(r"\\\\\s*\[[^\]]*\]", r"\\\\", text)
+        .replace("$", " ")
+        .replace("\\[", " ")
+        .replace("\\]", " ")
+    )
     return [row.split("&") for row in re.split(r"\\\\|\\cr\b", text)]
 
 
@@ -65,7 +87,13 @@ def _bracketed(text: str) -> Cells:
     if all(map(_is_list, items)):
         inner = [_items(item) for item in items]
         if any(any(map(_is_list, row)) for row in inner):
-            flat = [[_items(cell)[0] if _is_list(cell) and len(_items(cell)) == 1 else cell for cell in row] for row in inner]
+            flat = [
+                [
+                    _items(cell)[0] if _is_list(cell) and len(_items(cell)) == 1 else cell
+                    for cell in row
+                ]
+                for row in inner
+            ]
             if not any(any(map(_is_list, row)) for row in flat):
                 return flat
             return [row for item in items for row in _bracketed(item)]
@@ -105,7 +133,9 @@ def _top_comma(text: str) -> bool:
 def _items(text: str) -> list[str]:
     """What a bracket holds, or a text without one, split where it is meant to be."""
     text = text.strip().rstrip(",")
-    return _split(text[1:-1] if _is_list(text) or text[:1] == "[" and _closes_at_end(text) else text)
+    return _split(
+        text[1:-1] if _is_list(text) or (text[:1] == "[" and _closes_at_end(text)) else text
+    )
 
 
 def _split(text: str) -> list[str]:
@@ -132,7 +162,11 @@ def _joins(text: str, k: int) -> bool:
     before, after = text[:k].rstrip(), text[k:].lstrip()
     if not before or not after or before[-1] in "+-*/^=(" or after[0] in "*/^)=":
         return True
-    return after[0] in "+-" and len(after) > 1 and after[1].isspace() or after[:3] == "deg" or after[0] == "°"
+    return (
+        (after[0] in "+-" and len(after) > 1 and after[1].isspace())
+        or after[:3] == "deg"
+        or after[0] == "°"
+    )
 
 
 # Lines
@@ -141,11 +175,15 @@ def _joins(text: str, k: int) -> bool:
 def _lines(text: str) -> Cells:
     scale = _SCALE.search(text)
     text = _SCALE.sub("", text)
-    blocks = [b for b in _MATLAB_BLOCK.split(text) if b.strip()] if _MATLAB_BLOCK.search(text) else [text]
+    blocks = (
+        [b for b in _MATLAB_BLOCK.split(text) if b.strip()]
+        if _MATLAB_BLOCK.search(text)
+        else [text]
+    )
     tables = [_block(block) for block in blocks]
     rows = tables[0]
     if len(tables) > 1 and len({len(t) for t in tables}) == 1:
-        rows = [sum(parts, []) for parts in zip(*tables, strict=True)]
+        rows = [[cell for part in parts for cell in part] for parts in zip(*tables, strict=True)]
     if scale:
         rows = [[f"{cell}*{scale[1]}" if number(cell) else cell for cell in row] for row in rows]
     return rows
@@ -154,9 +192,14 @@ def _lines(text: str) -> Cells:
 def _block(text: str) -> Cells:
     lines = [line for line in text.splitlines() if line.strip() and not _RULE.match(line)]
     lines = [line for line in lines if not re.fullmatch(r"\s*\w+\s*=\s*", line)]
-    separator = next((s for s in ("\t", ";") if any(s in line.strip().rstrip(";") for line in lines)), "")
+    separator = next(
+        (s for s in ("\t", ";") if any(s in line.strip().rstrip(";") for line in lines)), ""
+    )
     if separator:
-        return [[_pointed(cell) for cell in line.strip("\r\n ").rstrip(separator).split(separator)] for line in lines]
+        return [
+            [_pointed(cell) for cell in line.strip("\r\n ").rstrip(separator).split(separator)]
+            for line in lines
+        ]
     if any(_top_comma(line) for line in lines):
         return _by_commas(lines)
     return [_split(re.sub(r"^\s*[\[|⎡⎢⎣]+|[\]|⎤⎥⎦]+\s*$", "", line)) for line in lines]
@@ -171,7 +214,9 @@ def _by_commas(lines: list[str]) -> Cells:
 
 def _pointed(cell: str) -> str:
     """A cell with a decimal comma written with a point."""
-    return re.sub(r"(?<=\d),(?=\d)", ".", cell) if cell.count(",") == 1 and "(" not in cell else cell
+    return (
+        re.sub(r"(?<=\d),(?=\d)", ".", cell) if cell.count(",") == 1 and "(" not in cell else cell
+    )
 
 
 def numeric(rows: Cells) -> bool:

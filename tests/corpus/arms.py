@@ -8,14 +8,30 @@ H = math.pi / 2
 
 # Typed from the homework's statement and the makers' data sheets, not taken from helpers.robots.
 _PANDA = [
-    ("R", 0, H, 0.333, 0), ("R", 0, -H, 0, 0), ("R", 0.0825, -H, 0.316, 0), ("R", -0.0825, H, 0, 0),
-    ("R", 0, H, 0.384, 0), ("R", 0.088, -H, 0, 0), ("R", 0, 0, -0.207, 0),
+    ("R", 0, H, 0.333, 0),
+    ("R", 0, -H, 0, 0),
+    ("R", 0.0825, -H, 0.316, 0),
+    ("R", -0.0825, H, 0, 0),
+    ("R", 0, H, 0.384, 0),
+    ("R", 0.088, -H, 0, 0),
+    ("R", 0, 0, -0.207, 0),
 ]
 _UR_HOMEWORK = [
-    ("R", 0, -H, 0.128, 0), ("R", 0.6127, math.pi, 0, -H), ("R", 0.5716, math.pi, 0, 0), ("R", 0, H, 0.1639, H),
-    ("R", 0, -H, 0.1157, 0), ("R", 0, 0, 0.1922, 0),
+    ("R", 0, -H, 0.128, 0),
+    ("R", 0.6127, math.pi, 0, -H),
+    ("R", 0.5716, math.pi, 0, 0),
+    ("R", 0, H, 0.1639, H),
+    ("R", 0, -H, 0.1157, 0),
+    ("R", 0, 0, 0.1922, 0),
 ]
-_STANFORD = [("R", 0, -H, 0, 0), ("R", 0, H, 0.154, 0), ("P", 0, 0, 0, 0), ("R", 0, -H, 0, 0), ("R", 0, H, 0, 0), ("R", 0, 0, 0.263, 0)]
+_STANFORD = [
+    ("R", 0, -H, 0, 0),
+    ("R", 0, H, 0.154, 0),
+    ("P", 0, 0, 0, 0),
+    ("R", 0, -H, 0, 0),
+    ("R", 0, H, 0, 0),
+    ("R", 0, 0, 0.263, 0),
+]
 _ELBOW = [("R", 0, H, 0.5, 0), ("R", 0.4, 0, 0, 0), ("R", 0.3, 0, 0, 0)]
 _LOCKED = [("F", *row[1:]) if i == 2 else row for i, row in enumerate(_PANDA)]
 
@@ -36,10 +52,17 @@ def random_machine(rng, rows=None):
         kind = "P" if rng.random() < 0.15 and k else "R"
         if rng.random() < 0.08 and 0 < k < rows - 1:
             kind = "F"
-        alpha = rng.choice([0, H, -H, math.pi, round(float(rng.uniform(-1.2, 1.2)), 3)], p=[0.2, 0.3, 0.3, 0.05, 0.15])
+        alpha = rng.choice(
+            [0, H, -H, math.pi, round(float(rng.uniform(-1.2, 1.2)), 3)],
+            p=[0.2, 0.3, 0.3, 0.05, 0.15],
+        )
         a = 0 if rng.random() < 0.35 else round(float(rng.uniform(0.05, 0.6)), 4)
         d = 0 if rng.random() < 0.35 else round(float(rng.uniform(0.05, 0.6)), 4)
-        theta = rng.choice([0, H, -H, math.pi], p=[0.7, 0.13, 0.13, 0.04]) if kind != "P" else rng.choice([0, H])
+        theta = (
+            rng.choice([0, H, -H, math.pi], p=[0.7, 0.13, 0.13, 0.04])
+            if kind != "P"
+            else rng.choice([0, H])
+        )
         if not a and not d and kind == "R":
             a = round(float(rng.uniform(0.05, 0.6)), 4)
         table.append((kind, a, float(alpha), d, float(theta)))

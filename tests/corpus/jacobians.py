@@ -8,7 +8,18 @@ from tests.corpus.arms import pose, some_machine
 from tests.corpus.typing_ import typed
 
 
-def recipe(m, q, axis=0, origin=0, lever="tip", point=-1, slides=True, rows=False, count=False, degrees=False):
+def recipe(
+    m,
+    q,
+    axis=0,
+    origin=0,
+    lever="tip",
+    point=-1,
+    slides=True,
+    rows=False,
+    count=False,
+    degrees=False,
+):
     if degrees:
         q = [math.radians(x) if k == "R" else x for x, k in zip(q, m.kinds, strict=True)]
     T = m.frames(q)
@@ -57,10 +68,12 @@ def tables(m, q, rng):
 
     def changed(k, **entries):
         row = dict(zip(("kind", "a", "alpha", "d", "theta"), m.rows[k], strict=True))
-        return m.with_rows([*m.rows[:k], tuple({**row, **entries}.values()), *m.rows[k + 1 :]]).jacobian(q)
+        return m.with_rows(
+            [*m.rows[:k], tuple({**row, **entries}.values()), *m.rows[k + 1 :]]
+        ).jacobian(q)
 
     k = int(rng.integers(len(m.rows)))
-    kind, a, alpha, d, theta = m.rows[k]
+    kind, a, alpha, d, _ = m.rows[k]
     if abs(math.sin(alpha)) > 0.1:
         yield f"table.twist:{k + 1}", changed(k, alpha=-alpha)
         yield f"table.no twist:{k + 1}", changed(k, alpha=0)
@@ -69,7 +82,10 @@ def tables(m, q, rng):
             yield f"table.sign:{name}:{k + 1}", changed(k, **{name: -x})
             yield f"table.missing:{name}:{k + 1}", changed(k, **{name: 0})
     if sum(1 for row in m.rows if row[0] == "R" and row[4]) > 1:
-        yield "table.offsets", m.with_rows([(*r[:4], 0 if r[0] == "R" else r[4]) for r in m.rows]).jacobian(q)
+        yield (
+            "table.offsets",
+            m.with_rows([(*r[:4], 0 if r[0] == "R" else r[4]) for r in m.rows]).jacobian(q),
+        )
     if m.name in ("Panda", "UR10E_HOMEWORK", "PANDA.lock(3)"):
         shorter = -0.107 if "P" in m.name[:1] else 0.0922
         yield "table.pen", changed(len(m.rows) - 1, d=shorter)
@@ -121,7 +137,9 @@ def cases(rng, count):
         q = pose(m, rng)
         d = int(rng.choice([2, 3, 4, 5, 6], p=[0.1, 0.25, 0.35, 0.15, 0.15]))
         right = m.jacobian(q)
-        what = rng.choice(["right", "hand", "single", "pair", "noise"], p=[0.25, 0.05, 0.45, 0.2, 0.05])
+        what = rng.choice(
+            ["right", "hand", "single", "pair", "noise"], p=[0.25, 0.05, 0.45, 0.2, 0.05]
+        )
         cause, J = None, right
         if what == "hand":
             J = right + rng.uniform(-1.5, 1.5, right.shape) * 10.0**-d
@@ -137,10 +155,15 @@ def cases(rng, count):
             if what == "single":
                 cause, J = singles[int(rng.integers(len(singles)))]
             else:
-                (one, A), (two, f) = firsts[int(rng.integers(len(firsts)))], seconds[int(rng.integers(len(seconds)))]
+                (one, A), (two, f) = (
+                    firsts[int(rng.integers(len(firsts)))],
+                    seconds[int(rng.integers(len(seconds)))],
+                )
                 if rng.random() < 0.3:
                     writings = [x for x in seconds if x[0].startswith(WRITING)]
-                    (one, g), (two, f) = (writings[k] for k in rng.choice(len(writings), 2, replace=False))
+                    (one, g), (two, f) = (
+                        writings[k] for k in rng.choice(len(writings), 2, replace=False)
+                    )
                     A = g(right)
                 if f(A).shape != right.shape:
                     continue
@@ -151,5 +174,14 @@ def cases(rng, count):
                 continue
         scale = 1000 if cause and "J.millimetres" in cause else 1
         text, form = typed(J, d if scale == 1 else max(0, d - 3), rng)
-        yield dict(topic="jacobian", machine=m, q=q, typed=text, form=form, digits=d, kind=str(what), cause=cause)
+        yield dict(
+            topic="jacobian",
+            machine=m,
+            q=q,
+            typed=text,
+            form=form,
+            digits=d,
+            kind=str(what),
+            cause=cause,
+        )
         made += 1

@@ -24,11 +24,15 @@ def typed(M, d, rng):
     if form in ("list", "matlab", "tabs") or (form == "latex" and rng.random() < 0.5):
         words = [[_short(x) for x in row] for row in words]
     rows = {
-        "numpy": lambda: "array([" + ",\n       ".join("[" + ", ".join(row) + "]" for row in words) + "])",
+        "numpy": lambda: (
+            "array([" + ",\n       ".join("[" + ", ".join(row) + "]" for row in words) + "])"
+        ),
         "print": lambda: "[" + "\n ".join("[" + "  ".join(row) + "]" for row in words) + "]",
         "list": lambda: "[" + ", ".join("[" + ", ".join(row) + "]" for row in words) + "]",
         "matlab": lambda: "[" + "; ".join(" ".join(row) for row in words) + "]",
-        "latex": lambda: r"\begin{bmatrix} " + r" \\ ".join(" & ".join(row) for row in words) + r" \end{bmatrix}",
+        "latex": lambda: (
+            r"\begin{bmatrix} " + r" \\ ".join(" & ".join(row) for row in words) + r" \end{bmatrix}"
+        ),
         "csv": lambda: "\n".join(",".join(row) for row in words),
         "tabs": lambda: "\n".join("\t".join(row) for row in words),
         "columns": lambda: "\n".join("   ".join(row) for row in words),
