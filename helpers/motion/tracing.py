@@ -81,7 +81,7 @@ def trace(
     q = np.empty((len(path.times), arm.dof))
     q_dot = np.empty_like(q)
     q[0] = start
-    for k in _progress(len(path.times) - 1):
+    for k in range(len(path.times) - 1):
         t, h = path.times[k], path.times[k + 1] - path.times[k]
         try:
             q_dot[k], q[k + 1] = step(slope, t, h, q[k])
@@ -123,10 +123,3 @@ def _error(pose: Array, position: Array, rotation: Array) -> Array:
     """The small twist (6,) that would carry a pose to a position and a rotation."""
     turn = 0.5 * np.cross(pose[:3, :3], rotation, axis=0).sum(axis=1)
     return np.concatenate([position - pose[:3, 3], turn])
-
-
-def _progress(steps: int):
-    """Count steps; a bar appears only in runs of more than ten seconds, and leaves nothing behind."""
-    from tqdm import tqdm  # the one for notebooks leaves a bar behind where a run fails
-
-    return tqdm(range(steps), delay=10, leave=False)
