@@ -26,7 +26,8 @@ _LONGEST = 200  # characters, so that no formula is nested deeper than Python ca
 
 
 def entry(value: object, what: str) -> Entry:
-    """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a formula."""
+    """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a
+    formula."""
     if isinstance(value, bool) or value is None:
         raise ArmError(
             f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
@@ -80,7 +81,10 @@ def latex(text: Entry) -> str:
 def _parse(text: str, what: str) -> ast.expr:
     if len(text) > _LONGEST:
         raise ArmError(f"{what} has {len(text)} characters; expected at most {_LONGEST}")
-    wrong = f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2' or 'd_6 + l_pen'"
+    wrong = (
+        f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2'"
+        " or 'd_6 + l_pen'"
+    )
     try:
         tree = ast.parse(text, mode="eval").body
     except SyntaxError:

@@ -133,14 +133,18 @@ def test_code_loses_the_spans_that_change_no_colour():
         for mode, (base, name, sign) in rules.items()
     )
     assert plain_classes(css) == {"n"}, "an operator has a colour of its own in light mode"
-    code = '<div class="highlight"><pre><span></span><span class="n">q</span> <span class="o">=</span></pre></div>'
+    code = (
+        '<div class="highlight"><pre><span></span><span class="n">q</span> <span'
+        ' class="o">=</span></pre></div>'
+    )
     prose = '<p><span class="n">q</span></p>'
     kept = '<div class="highlight"><pre>q <span class="o">=</span></pre></div>'
     assert without_spans(code + prose, {"n"}) == kept + prose
 
 
 def test_properties_that_nothing_reads_go():
-    css = 'a{--x:1;--y:var(--x);--z:var(--y);--u:url("data:;x");color:var(--k);--k:2}b{--kept:var(--w);--w:1;}'
+    css = 'a{--x:1;--y:var(--x);--z:var(--y);--u:url("data:;x");color:var(--k);--k:2}'
+    css += "b{--kept:var(--w);--w:1;}"
     assert without_unused(css, {"--kept"}) == "a{color:var(--k);--k:2}b{--kept:var(--w);--w:1;}"
 
 

@@ -1,4 +1,5 @@
-"""Tracing: orders measured, remedies as the homework's page has them, limits reported as they are."""
+"""Tracing: orders measured, remedies as the homework's page has them, limits reported as they
+are."""
 
 import time
 import xml.etree.ElementTree as ET
@@ -236,7 +237,8 @@ def test_wishes_point_where_they_say():
         towards(goal, 2.0)(q), [-0.4, 1.0, 0, -1.6, -0.2, 0.6, 0.4], atol=1e-12
     )
     wish = away_from_limits(PANDA, 3.0)(q)
-    # By hand: joint 4 ranges over 0.0698 ... 3.0718, its middle 1.5708, half 1.5010; joint 1 over +-2.8973.
+    # By hand: joint 4 ranges over 0.0698 ... 3.0718, its middle 1.5708, half 1.5010; joint 1 over
+    # +-2.8973.
     assert wish[3] == pytest.approx(-3 * (1.8 - 1.5708) / 1.5010**2, rel=1e-9)
     assert wish[0] == pytest.approx(-3 * 0.3 / 2.8973**2, rel=1e-9)
 
@@ -289,7 +291,8 @@ def test_feedback_pulls_the_tip_back_onto_the_path():
 
 
 def made_up(q, q_dot, poses):
-    """A report on a made-up run of the locked Panda along a circle of radius 0.1 m about the origin."""
+    """A report on a made-up run of the locked Panda along a circle of radius 0.1 m about the
+    origin."""
     path = circle([0, 0, 0], 0.1, "zy", 2.0, len(q) - 1)
     return summary(REAL, path, np.asarray(q, float), np.asarray(q_dot, float), poses)
 
@@ -387,19 +390,39 @@ def test_a_thousand_steps_take_a_quarter_of_a_second():
     ("make", "error", "words"),
     [
         (lambda: circle([0, 0], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
-        (lambda: circle([0, 0, np.nan], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
-        (lambda: circle([0, 0, 0], -0.1, "yz", 5, 10), ArmError, "radius is -0.1; expected a finite length > 0"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 0, 10), ArmError, "period is 0; expected a finite time > 0"),
-        (lambda: circle([0, 0, 0], 0.1, "yy", 5, 10), ArmError, "plane is 'yy'; expected two different letters"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 0), ArmError, "steps is 0; expected a whole number"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 2.5), ArmError, "steps is 2.5; expected a whole number"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError, "method is 'heun'; expected one of euler, rk4, exact"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1; expected"),
+        (lambda: circle([0, 0, np.nan], 0.1, "yz", 5, 10), ArmError, "expected three finite"
+                                                                     " coordinates"),
+        (lambda: circle([0, 0, 0], -0.1, "yz", 5, 10), ArmError, "radius is -0.1; expected a"
+                                                                 " finite length > 0"),
+        (lambda: circle([0, 0, 0], 0.1, "yz", 0, 10), ArmError, "period is 0; expected a finite"
+                                                                " time > 0"),
+        (lambda: circle([0, 0, 0], 0.1, "yy", 5, 10), ArmError, "plane is 'yy'; expected two"
+                                                                " different letters"),
+        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 0), ArmError, "steps is 0; expected a whole"
+                                                               " number"),
+        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 2.5), ArmError, "steps is 2.5; expected a whole"
+                                                                 " number"),
+        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError,
+        "method is 'heun'; expected one of euler, rk4, exact"),
+        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1;"
+                                                                                      " expected"),
         (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "start has shape (7,)"),
-        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "start has shape (1, 6); expected one pose, (6,)"),
-        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12, its largest 2.3"),
-        (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no inverse; lock a joint"),
-        (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without limits"),
+        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "start has shape"
+                                                                               " (1, 6); expected"
+                                                                               " one pose, (6,)"),
+        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000:"
+                                                                                 " J has no"
+                                                                                 " inverse here:"
+                                                                                 " its smallest"
+                                                                                 " singular value"
+                                                                                 " is below 1e-12,"
+                                                                                 " its largest"
+                                                                                 " 2.3"),
+        (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no"
+                                                                            " inverse; lock a"
+                                                                            " joint"),
+        (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without"
+                                                            " limits"),
     ],
 )  # fmt: skip
 def test_bad_input_is_told_in_words(make, error, words):

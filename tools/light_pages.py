@@ -1,10 +1,12 @@
-"""A Sphinx extension: lighter pages. It takes out of what was built what the theme loads and the book does not use.
+"""A Sphinx extension: lighter pages. It takes out of what was built what the theme loads and the
+book does not use.
 
-The theme draws its few icons twice, by a font and by 1.5 MB of script; the font does. It loads the search index on every
-page for a search-as-you-type that is off, brings rules for thousands of classes in ten files, and holds up the first paint
-with scripts that can wait. Half of a chapter is spans around names and commas of code, in the colour that all code has.
-And pictures get their size, so that nothing moves when they arrive, and arrive when they are near. What stands right behind
-a formula stays with it at the end of a line.
+The theme draws its few icons twice, by a font and by 1.5 MB of script; the font does. It loads the
+search index on every page for a search-as-you-type that is off, brings rules for thousands of
+classes in ten files, and holds up the first paint with scripts that can wait. Half of a chapter is
+spans around names and commas of code, in the colour that all code has. And pictures get their size,
+so that nothing moves when they arrive, and arrive when they are near. What stands right behind a
+formula stays with it at the end of a line.
 """
 
 import os
@@ -22,7 +24,8 @@ SEARCH = re.compile(
 )
 WAITING = re.compile(
     r'<script ((?:data-\S+ )?src="[^"]*/'
-    r"(?:doctools|sphinx_highlight|clipboard\.min|copybutton|sphinx-book-theme|togglebutton|design-tabs)\.js)"
+    r"(?:doctools|sphinx_highlight|clipboard\.min|copybutton|sphinx-book-theme|togglebutton"
+    r"|design-tabs)\.js)"
 )
 OPTIONS = re.compile(r'<script src="([^"?]*/documentation_options\.js)[^>]*></script>')
 PRELOAD = re.compile(r'\s*<link rel="preload" as="script"[^>]*>')
@@ -40,7 +43,8 @@ PARENTHESES = re.compile(r":[\w-]+\([^()]*\)")
 PICTURE = re.compile(r'<img (?![^>]*\bheight=)([^>]*\bsrc="([^"]+\.svg)"[^>]*?)\s*/?>')
 PROPERTY = re.compile(r'(?<=[{;])\s*(--[\w-]+):(?:"[^"]*"|[^;{}"])*(?:;|(?=\}))')
 FORMULA = re.compile(
-    r'(?<!<span class="nowrap">)(<span class="math notranslate nohighlight">[^<]*</span>)([,.;:!?)”’]+)'
+    r'(?<!<span class="nowrap">)(<span class="math notranslate'
+    r' nohighlight">[^<]*</span>)([,.;:!?)”’]+)'
 )
 UNSET = re.compile(r'(<span class="math notranslate nohighlight")>(\\\([^<]*\\\))')
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
@@ -51,7 +55,8 @@ POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 
 
 def lighter(html: str, folder: Path, search: bool = False) -> str:
-    """A page without unused scripts, its SVG pictures with width and height, its formulas with their punctuation.
+    """A page without unused scripts, its SVG pictures with width and height, its formulas with
+    their punctuation.
 
     `folder` is where it stands. The page of the search results keeps its scripts and their order.
     """
@@ -68,7 +73,8 @@ def lighter(html: str, folder: Path, search: bool = False) -> str:
 
 
 def size_unset(tex: str) -> str:
-    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs, so many characters."""
+    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs,
+    so many characters."""
     tex = unescape(tex)
     return f"{1.5 * len(SIGN.findall(tex[2:-2])) / len(tex):.2f}em"
 
@@ -99,7 +105,8 @@ def _size(path: Path) -> tuple[int, int] | None:
 
 
 def one_sheet(html: str) -> str:
-    """A page that asks for one style sheet, which names those it is made of, where it asked for many."""
+    """A page that asks for one style sheet, which names those it is made of, where it asked for
+    many."""
     names = SHEET.findall(html)
     if not names:
         return html
@@ -133,7 +140,8 @@ def without_spans(html: str, classes: set[str]) -> str:
 
 
 def without_unused(css: str, words: set[str]) -> str:
-    """A style sheet without spaces, properties that nothing reads, and rules for classes that nothing names."""
+    """A style sheet without spaces, properties that nothing reads, and rules for classes that
+    nothing names."""
     css = re.sub(r"(?s)/\*.*?\*/", "", css)
     css = RULE.sub(lambda rule: rule[0] if _may_match(rule[1], words) else "", css)
     return _without_unread(re.sub(r"\s*([{};])\s*", r"\1", css), words)
@@ -147,7 +155,8 @@ def _without_unread(css: str, words: set[str]) -> str:
 
 
 def _may_match(selectors: str, words: set[str]) -> bool:
-    """Whether one of the selectors may; what is in parentheses may be an alternative or a negation, and is not asked."""
+    """Whether one of the selectors may; what is in parentheses may be an alternative or a negation,
+    and is not asked."""
     while PARENTHESES.search(selectors):
         selectors = PARENTHESES.sub("", selectors)
     if "\\" in selectors or "@" in selectors:
@@ -192,7 +201,8 @@ def without_repository(app, config) -> None:
 
 
 def assets(folder: Path, config) -> list[int]:
-    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and then writes all."""
+    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and
+    then writes all."""
     paths = (path for of in config.html_static_path for path in (folder / of).rglob("*.*"))
     return [crc32(path.read_bytes()) for path in sorted(paths)]
 

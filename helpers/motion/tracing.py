@@ -20,7 +20,8 @@ METHODS = ("euler", "rk4", "exact")
 
 @dataclass(frozen=True)
 class Trace:
-    """A run along a path: times (steps + 1,), q and q_dot (steps + 1, dof), tip poses (steps + 1, 4, 4)."""
+    """A run along a path: times (steps + 1,), q and q_dot (steps + 1, dof), tip poses (steps + 1,
+    4, 4)."""
 
     arm: Arm
     path: Path
@@ -49,17 +50,19 @@ def trace(
     gain: float = 0.0,
     jacobian: Callable[[Arm, Array], Array] = jacobian,
 ) -> Trace:
-    """Follow a path from `start`, joints of shape (dof,), at the orientation that the tip has there.
+    """Follow a path from `start`, joints of shape (dof,), at the orientation that the tip has
+    there.
 
     Args:
-        method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact": at each step Newton's method
-            moves the tip onto the path itself.
+        method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact": at each
+            step Newton's method moves the tip onto the path itself.
         rates: how joint rates follow from a twist; ``plain_inverse()`` unless given.
         gain: feedback in 1/s: the twist gains `gain` times the errors of position and orientation.
         jacobian: the Jacobian to steer by; a wrong one shows what a mistake does.
 
-    Raises ArmError for an unknown method or a start that does not fit, SingularError, with the step it happened at, where
-    the plain inverse does not exist. Source: Whitney (1969); feedback: Siciliano, section 3.7.
+    Raises ArmError for an unknown method or a start that does not fit, SingularError, with the step
+    it happened at, where the plain inverse does not exist. Source: Whitney (1969); feedback:
+    Siciliano, section 3.7.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
