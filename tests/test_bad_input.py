@@ -323,7 +323,7 @@ CALLS = {
 # What the helpers make and readers only read, and steps that get what their callers have checked.
 MADE = {
     "arm.ArmError", "checks.BranchReport", "checks.Finding", "checks.JacobianReport", "checks.TableReport", "checks.TorqueReport",
-    "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace",
+    "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace", "motion.UnreachableError",
     "motion.Rates", "variants.Answer", "variants.Variant",
 }  # fmt: skip
 STEPS = {
