@@ -11,9 +11,10 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, NumericRow
+from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, one_of, whole
 from helpers.program import Program, Value, record, workspace
+from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
 Vector = Sequence[Value]
@@ -37,6 +38,11 @@ def forward_kinematics(arm: Arm, q: ArrayLike) -> Array:
     """The tip's pose ${}^0T_n$ in the base frame, shape (..., 4, 4), for q of shape (..., dof)."""
     must_be(arm, Arm, "arm")
     return evaluated(arm, q, tip_entries, (4, 4))
+
+
+def tip(arm: Arm, q: ArrayLike) -> Array:
+    """Where the tip is, shape (..., 3), in m in the base frame, for q of shape (..., dof)."""
+    return forward_kinematics(arm, q)[..., :3, 3]
 
 
 def jacobian(arm: Arm, q: ArrayLike) -> Array:

@@ -111,7 +111,10 @@ def _suits(topic: str, arm: Arm) -> bool:
 def _with_other_lengths(arm: Arm, seed: int) -> Arm:
     """The arm with every value within a tenth of its own, to three decimals; one that is 0 stays."""
     factors = np.random.default_rng(seed).uniform(0.9, 1.1, len(arm.values))
-    new = {name: round(v * float(f), 3) for (name, v), f in zip(arm.values, factors, strict=True)}
+    new = {
+        name: round(v * float(f), 3)
+        for (name, v), f in zip(arm.values.items(), factors, strict=True)
+    }
     return replace(arm.with_values(**new), name=f"{arm.name}, variant {seed}")
 
 

@@ -1,6 +1,7 @@
 """Paths for the tip, resolved-rate tracing, and its report."""
 
-from helpers.motion.paths import Path, circle
+from helpers.motion.joining import joined
+from helpers.motion.paths import Path, circle, circle_below
 from helpers.motion.rates import (
     Rates,
     SingularError,
@@ -28,7 +29,9 @@ __all__ = [
     "adaptive",
     "away_from_limits",
     "circle",
+    "circle_below",
     "damped",
+    "joined",
     "levenberg",
     "plain_inverse",
     "pseudo_inverse",
