@@ -111,7 +111,7 @@ def _one_by_one(
     steps = len(course.h)
     q, q_dot = np.empty((steps + 1, arm.dof)), np.empty((steps, arm.dof))
     q[0] = start
-    for k in _progress(steps):
+    for k in range(steps):
         try:
             q_dot[k], q[k + 1] = step(arm, q[k], course, k, steering)
         except (SingularError, UnreachableError) as error:
