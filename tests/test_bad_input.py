@@ -426,10 +426,15 @@ SPECIAL = [
 # students, which are right or wrong, never an error; and the checks themselves.
 MADE = {
     "derive.Derivation", "derive.Line", "derive.Step", "urdf.Chain",
-    "arm.ArmError", "checks.BranchReport", "checks.Finding", "checks.JacobianReport",
+<<<<<<< HEAD
+    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.BranchReport", "checks.Finding", "checks.JacobianReport",
     "checks.TableReport", "checks.TorqueReport",
     "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report",
     "motion.Report.rows", "motion.SingularError", "motion.Trace",
+=======
+    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.BranchReport", "checks.Finding", "checks.JacobianReport", "checks.TableReport", "checks.TorqueReport",
+    "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace", "motion.UnreachableError",
+>>>>>>> main
     "motion.Rates", "variants.Answer", "variants.Variant",
 }  # fmt: skip
 STEPS = {
