@@ -86,6 +86,7 @@ RIGHT = {
     "expressions.entry": dict(value=1, what="value"),
     "expressions.names": dict(text="a + b", what="text"),
     "expressions.evaluate": dict(text="a", values={"a": 1.0}),
+    "expressions.plain": dict(written="−π/2", what="alpha"),
     "expressions.latex": dict(text="a"),
     "robots.named": dict(name="panda"),
     "conventions.standard_from_modified": dict(rows=[Row(a=0.1), Row()]),
@@ -203,6 +204,7 @@ RIGHT = {
 # the function's too.
 EXPECTED = {
     "runs": "one or more runs",
+    "written": "a str",
     "J": "one matrix of finite numbers", "a": "numbers, symbols, pi",
     "plotting.dh_numbers a": "a finite number of m or rad", "a_3": "a number",
     "alpha": "numbers, symbols, pi", "plotting.dh_numbers alpha": "a finite number of m or rad",
@@ -426,15 +428,10 @@ SPECIAL = [
 # students, which are right or wrong, never an error; and the checks themselves.
 MADE = {
     "derive.Derivation", "derive.Line", "derive.Step", "urdf.Chain",
-<<<<<<< HEAD
-    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.BranchReport", "checks.Finding", "checks.JacobianReport",
-    "checks.TableReport", "checks.TorqueReport",
+    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.BranchReport", "checks.Finding",
+    "checks.JacobianReport", "checks.TableReport", "checks.TorqueReport",
     "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report",
-    "motion.Report.rows", "motion.SingularError", "motion.Trace",
-=======
-    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.BranchReport", "checks.Finding", "checks.JacobianReport", "checks.TableReport", "checks.TorqueReport",
-    "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace", "motion.UnreachableError",
->>>>>>> main
+    "motion.Report.rows", "motion.SingularError", "motion.Trace", "motion.UnreachableError",
     "motion.Rates", "variants.Answer", "variants.Variant",
 }  # fmt: skip
 STEPS = {

@@ -392,7 +392,8 @@ RUNS = {
     "Panda": (HOMEWORK, HOMEWORK.home, panda_circle(300)),
     "UR10e": (UR10E, [0.4, -1.2, 1.6, -0.9, 1.2, 0.3], None),
     "Stanford": (STANFORD, [0.3, 0.8, 0.5, 0.4, 0.9, -0.6], None),
-    "uneven": (HOMEWORK, HOMEWORK.home, replace(panda_circle(200), times=5 * np.linspace(0, 1, 151) ** 2)),
+    "uneven": (HOMEWORK, HOMEWORK.home, replace(panda_circle(200), times=5 * np.linspace(0, 1,
+    151) ** 2)),
 }  # fmt: skip
 
 
@@ -555,7 +556,8 @@ def test_a_path_may_take_one_time_at_a_time(method):
                                                                " number"),
         (lambda: circle([0, 0, 0], 0.1, "yz", 5, 2.5), ArmError, "steps is 2.5; expected a whole"
                                                                  " number"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError, "method is 'heun'; expected one of euler, rk4, exact"),
+        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError,
+        "method is 'heun'; expected one of euler, rk4, exact"),
         (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1;"
                                                                                       " expected"),
         (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "start has shape (7,)"),
@@ -570,7 +572,8 @@ def test_a_path_may_take_one_time_at_a_time(method):
                                                                                  " is below 1e-12,"
                                                                                  " its largest"
                                                                                  " 2.3"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="exact", gain=5.0), ArmError, 'gain is 5.0; expected 0 with method "exact"'),
+        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="exact", gain=5.0),
+        ArmError, 'gain is 5.0; expected 0 with method "exact"'),
         (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no"
                                                                             " inverse; lock a"
                                                                             " joint"),

@@ -21,16 +21,9 @@ class SingularError(ArmError):
     """A plain inverse was asked for where there is none."""
 
 
-<<<<<<< HEAD
-def plain_inverse(cutoff: float = 1e-9) -> Rates:
-    """q_dot = J^-1 xi. Raises SingularError where the smallest singular value is below `cutoff`
-    times the largest."""
-    _not_negative(cutoff=cutoff)
-=======
 @dataclass(frozen=True)
 class PlainInverse:
     """q_dot = J^-1 xi where the smallest singular value is above `cutoff` times the largest."""
->>>>>>> main
 
     cutoff: float
 
