@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, one_of, whole
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.motion import SingularError, Trace, circle, inverse, trace
+from helpers.motion import SingularError, Trace, circle, plain_inverse, trace
 from helpers.statics import gravity_torque, static_torque
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ class Answer:
 
     what: str
     value: Array
-    within: float
+    tolerance: float
     read: Callable[[Array], Array] = lambda given: given
 
     def accepts(self, given: ArrayLike) -> bool:
@@ -43,7 +43,7 @@ class Answer:
         except (TypeError, ValueError):
             return False
         same = array.shape == self.value.shape
-        return same and bool((np.abs(array - self.value) <= self.within).all())
+        return same and bool((np.abs(array - self.value) <= self.tolerance).all())
 
 
 @dataclass(frozen=True, repr=False)
@@ -111,7 +111,10 @@ def _suits(topic: str, arm: Arm) -> bool:
 def _with_other_lengths(arm: Arm, seed: int) -> Arm:
     """The arm with every value within a tenth of its own, to three decimals; one that is 0 stays."""
     factors = np.random.default_rng(seed).uniform(0.9, 1.1, len(arm.values))
-    new = {name: round(v * float(f), 3) for (name, v), f in zip(arm.values, factors, strict=True)}
+    new = {
+        name: round(v * float(f), 3)
+        for (name, v), f in zip(arm.values.items(), factors, strict=True)
+    }
     return replace(arm.with_values(**new), name=f"{arm.name}, variant {seed}")
 
 
@@ -181,7 +184,7 @@ def _run(arm: Arm, rng: Rng) -> tuple[Trace, float, str]:
         centre = start - radius * np.eye(3)["xyz".index(plane[0])]
         path = circle(centre, radius, plane, float(rng.integers(2, 7)) * 5, _STEPS)
         try:
-            run = trace(arm, q, path, method="exact", rates=inverse(1e-4))
+            run = trace(arm, q, path, method="exact", rates=plain_inverse(1e-4))
         except SingularError:
             continue
         report = run.report

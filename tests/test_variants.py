@@ -68,7 +68,9 @@ def test_the_same_seed_gives_the_same_sheet_and_another_seed_another(arm):
 
 @every_arm
 def test_lengths_stay_near_the_arms_own(arm):
-    for (name, new), (_, old) in zip(sheet(arm, 9)[0].arm.values, arm.values, strict=True):
+    for (name, new), (_, old) in zip(
+        sheet(arm, 9)[0].arm.values.items(), arm.values.items(), strict=True
+    ):
         assert abs(new - old) <= 0.1 * old + 5e-4, name
 
 

@@ -9,8 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import common_shape, floats, must_be, number, whole
-from helpers.inverse.solutions import dot, must_be_rigid, poses, positions
-from helpers.kinematics import cross, frame_columns, store_jacobian
+from helpers.inverse.solutions import cross, dot, must_be_rigid, poses, positions
+from helpers.kinematics import Step, jacobian_entries, recorded, rows_of, tip_entries
+from helpers.program import Value
 
 Array = NDArray[np.float64]
 
@@ -44,8 +45,8 @@ class NumericSolution:
 
 def solve(
     arm: Arm,
-    target: ArrayLike,
-    q0: ArrayLike | None = None,
+    targets: ArrayLike,
+    start: ArrayLike | None = None,
     *,
     limits: bool = True,
     tolerance: float = 1e-10,
@@ -53,18 +54,18 @@ def solve(
     restarts: int = 0,
     seed: int = 0,
 ) -> NumericSolution:
-    """A joint vector near q0 that takes the tip to each target: poses (..., 4, 4), or positions (..., 3) in m.
+    """A joint vector near `start` that takes the tip to each of `targets`: poses (..., 4, 4), or positions (..., 3) in m.
 
     The step J^T (J J^T + lambda^2 I)^-1 e has a damping lambda in proportion to the error e, which grows while steps fail: far from
     the target it is cautious, close to it Newton's. Metres and radians count alike. With `limits` joints stay within
     theirs. Targets not reached within `tolerance` (m and rad) after `iterations` steps are tried again from up to
-    `restarts` random starts. q0 has shape (..., dof); home unless given. Raises ArmError for bad shapes or numbers.
+    `restarts` random starts. `start` has shape (..., dof); home unless given. Raises ArmError for bad shapes or numbers.
     Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
     """
     must_be(arm, Arm, "arm")
-    goal, shape = _goal(arm, target)
-    start = arm.joint_vector(arm.home if q0 is None else q0, "q0")
-    shape = common_shape("targets and q0", shape, start.shape[:-1])
+    goal, shape = _goal(arm, targets)
+    start = arm.joint_vector(arm.home if start is None else start, "start")
+    shape = common_shape("targets and start", shape, start.shape[:-1])
     goal = np.broadcast_to(goal, (*shape, *goal.shape[-2:])).reshape(-1, *goal.shape[-2:])
     start = np.broadcast_to(start, (*shape, arm.dof)).reshape(-1, arm.dof)
     for name, count in (("iterations", iterations), ("restarts", restarts), ("seed", seed)):
@@ -173,15 +174,18 @@ def _damped(J: Array, error: Array, damping: Array) -> Array:
 
 def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
     """Jacobians (batch, rows, dof) and what is missing to the goal (batch, rows): metres, then for poses radians."""
-    frames = list(frame_columns(arm, np.ascontiguousarray(q.T)))
-    J = np.zeros((len(q), 6, arm.dof))
-    store_jacobian(arm, frames, J)
-    x, y, z, tip = frames[-1]
+    rows = rows_of(recorded(arm, _tip_and_jacobian), q.T)
+    pose, J = rows[:16].reshape(4, 4, -1), rows[16:].T.reshape(-1, 6, arm.dof)
+    tip = pose[:3, 3]
     if goal.shape[-2] == 1:
         return J[:, :3], goal[:, 0] - tip.T
     want = np.ascontiguousarray(goal[:, :3].transpose(2, 1, 0))
-    turn = turn_between((x, y, z), want[:3])
+    turn = turn_between(pose[:3, :3].swapaxes(0, 1), want[:3])
     return J, np.concatenate([want[3] - tip, turn]).T
+
+
+def _tip_and_jacobian(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
+    return [*tip_entries(arm, steps), *jacobian_entries(arm, steps)]
 
 
 def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:
@@ -212,13 +216,15 @@ def _worst(error: Array) -> Array:
     return np.sqrt(np.maximum(_square(error[:, :3]), _square(error[:, 3:])))
 
 
-def _goal(arm: Arm, target: ArrayLike) -> tuple[Array, tuple[int, ...]]:
-    target = floats(target, f"{arm.name}: target", "poses (..., 4, 4) or positions (..., 3) in m")
-    if target.shape[-2:] == (4, 4):
-        flat = poses(arm, target)
+def _goal(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
+    targets = floats(
+        targets, f"{arm.name}: targets", "poses (..., 4, 4) or positions (..., 3) in m"
+    )
+    if targets.shape[-2:] == (4, 4):
+        flat = poses(arm, targets)
         must_be_rigid(arm, flat.reshape(-1, 16).T)
         return flat.reshape(*flat.shape[:-1], 4, 4), flat.shape[:-1]
-    points = positions(arm, target)
+    points = positions(arm, targets)
     return points[..., None, :], points.shape[:-1]
 
 

@@ -1,19 +1,20 @@
 """Paths for the tip, resolved-rate tracing, and its report."""
 
-from helpers.motion.paths import Path, circle
+from helpers.motion.paths import Path, circle, circle_below
 from helpers.motion.rates import (
     Rates,
     SingularError,
     adaptive,
     away_from_limits,
     damped,
-    inverse,
     levenberg,
+    plain_inverse,
     pseudo_inverse,
     towards,
     with_null_space,
 )
 from helpers.motion.report import Report
+from helpers.motion.self_motions import self_motion, self_motion_directions
 from helpers.motion.tracing import METHODS, Trace, trace
 
 __all__ = [
@@ -26,10 +27,13 @@ __all__ = [
     "adaptive",
     "away_from_limits",
     "circle",
+    "circle_below",
     "damped",
-    "inverse",
     "levenberg",
+    "plain_inverse",
     "pseudo_inverse",
+    "self_motion",
+    "self_motion_directions",
     "towards",
     "trace",
     "with_null_space",
