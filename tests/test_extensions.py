@@ -147,7 +147,7 @@ def test_a_box_is_folded_at_its_title():
 
 
 def test_unset_tex_is_about_as_wide_as_its_formula():
-    assert size_unset("a < b") == "0.50em"  # three signs, nine characters with the delimiters
+    assert size_unset("a < b") == "0.43em"  # three signs, nine characters with the delimiters
     assert float(size_unset(r"\dot q = J^{-1}\xi")[:-2]) < float(size_unset("q = Jx")[:-2])
 
 

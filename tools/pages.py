@@ -1,8 +1,8 @@
 """A Sphinx extension: what the book's pages are made of, decided on the document tree and not on finished HTML.
 
 Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names and commas in code, which
-all have the colour of code, get no `<span>`; a formula says at which size its TeX is about as wide as itself, so that lines
-hardly move when it is set. Pictures are in `pictures.py`.
+all have the colour of code, get no `<span>`; a formula says how large it will be, so that
+lines hardly move when it is set. Pictures are in `pictures.py`.
 """
 
 import re
@@ -15,6 +15,7 @@ from pygments.token import Name, Punctuation, Text
 from sphinx.application import Sphinx
 from sphinx.highlighting import PygmentsBridge
 from sphinx.util.docutils import SphinxDirective
+from sphinx.util.math import get_node_equation_number
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
@@ -41,13 +42,29 @@ class Margin(SphinxDirective):
 
 def size_unset(tex: str) -> str:
     """The size at which TeX with its delimiters is about as wide as the formula: for so many signs, so many characters."""
-    return f"{1.5 * len(SIGN.findall(tex)) / (len(tex) + 4):.2f}em"
+    return f"{1.3 * len(SIGN.findall(tex)) / (len(tex) + 4):.2f}em"
 
 
 def visit_math(translator, node) -> None:
     tex = translator.encode(node.astext())
     size = size_unset(node.astext())
     translator.body.append(f'<span class="math" style="--unset:{size}">\\({tex}\\)</span>')
+    raise nodes.SkipNode
+
+
+def visit_math_block(translator, node) -> None:
+    """As Sphinx does it, and with the number of its rows: so high will it be."""
+    tex = translator.encode(node.astext().strip())
+    rows = 1 + tex.count(r"\\")
+    translator.body.append(translator.starttag(node, "div", "", CLASS="math", style=f"--rows: {rows}"))
+    if node["number"]:
+        number = get_node_equation_number(translator, node)
+        translator.body.append(f'<span class="eqno">({number})')
+        translator.add_permalink_ref(node, "Link to this equation")
+        translator.body.append("</span>")
+    split = "\\begin{split}%s\\end{split}" if r"\\" in tex else "%s"
+    translator.body.append(tex if node["no-wrap"] else rf"\[{split % tex}\]")
+    translator.body.append("</div>\n")
     raise nodes.SkipNode
 
 
@@ -84,5 +101,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_config_value("comments_config", {}, "html")  # Jupyter Book sets it for an extension not used here
     app.add_directive("margin", Margin)
     app.add_node(nodes.math, override=True, html=(visit_math, None))
+    app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("doctree-resolved", prepare, priority=900)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
