@@ -212,7 +212,7 @@ class Arm:
     def lock(self, joint: int, at: Entry = 0) -> "Arm":
         """The same arm with a joint, counted from 1, held `at` a value (rad or m): one fewer moves."""
         row = self._row(joint, self.joints, "joint {} cannot be locked; its free joints are")
-        value = evaluate(entry(at, "the locked value"), self.values)
+        value = evaluate(entry(at, "at"), self.values)
         if not row.joint.lower <= value <= row.joint.upper:
             raise ArmError(
                 f"{self.name}: joint {joint} locked at {value:g}; its limits are"

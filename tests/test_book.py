@@ -110,11 +110,6 @@ def test_the_stylesheets_load_nothing_from_elsewhere():
             assert not re.match(r"(https?:)?//", url), f"{sheet.name}: {url}"
 
 
-def test_every_slip_is_in_the_errata():
-    rows = re.findall(r"^\| (\d+) \|", (ROOT / "book/errata.md").read_text(encoding="utf-8"), re.M)
-    assert rows == [str(k) for k in range(1, 21)]
-
-
 def test_every_notebook_can_be_downloaded():
     for name in (n for n in NAMES if (ROOT / f"book/{n}.ipynb").exists()):
         assert f"_sources/{name}.ipynb" in " ".join(page(HTML / f"{name}.html").links)

@@ -127,4 +127,4 @@ def test_nothing_in_it_is_of_one_machine(path):
 
 @every_notebook
 def test_it_is_small(path):
-    assert path.stat().st_size < 500_000
+    assert path.stat().st_size < 750_000

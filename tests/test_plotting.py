@@ -279,6 +279,26 @@ def test_the_moving_picture_holds_every_pose_and_respects_the_wish_for_less_moti
     assert [still.get("points") for still in stills] == first
 
 
+def test_the_moving_picture_draws_only_while_the_tip_moves():
+    """Half the time at rest, then half the time on a straight line: the ink comes in the second half, evenly."""
+    run = run_of()
+    times = np.array([0.0, 5.0, 6.25, 7.5, 8.75, 10.0])
+    poses = np.tile(run.poses[0], (6, 1, 1))
+    poses[:, 1, 3] = [0, 0, 0.1, 0.2, 0.3, 0.4]
+    paused = replace(
+        run,
+        path=replace(run.path, times=times),
+        q=run.q[[0] * 6],
+        q_dot=run.q[[0] * 6],
+        poses=poses,
+    )
+    picture = ET.fromstring(moving_picture(paused, ("yz", "xz"), frames=8))
+    ink, _ = picture.findall(".//{*}animate[@attributeName='stroke-dashoffset']")
+    rest = np.array(ink.get("values").split(";"), dtype=float)
+    np.testing.assert_allclose(rest / rest[0], [1, 1, 1, 1, 1, 0.75, 0.5, 0.25, 0], atol=1e-3)
+    assert ink.get("dur") == "10s"
+
+
 def test_torques_are_drawn_per_joint_with_the_makers_limit():
     arm = PANDA_HOMEWORK
     _, grid = plt.subplots(2, 4)

@@ -1,5 +1,6 @@
 """Paths for the tip, resolved-rate tracing, and its report."""
 
+from helpers.motion.joining import joined
 from helpers.motion.paths import Path, circle, circle_below
 from helpers.motion.rates import (
     Rates,
@@ -29,6 +30,7 @@ __all__ = [
     "circle",
     "circle_below",
     "damped",
+    "joined",
     "levenberg",
     "plain_inverse",
     "pseudo_inverse",

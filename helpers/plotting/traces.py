@@ -57,18 +57,18 @@ def _wall_axes(run: Trace) -> tuple[int, int]:
 def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: int = 48) -> str:
     """An SVG in which the arm draws its path, seen in two planes side by side; it plays wherever pictures show.
 
-    The motion is in the SVG itself, so no script, player or network is needed. Readers who ask for less motion see the start
+    It takes the run's own time. The motion is in the SVG itself, so no script, player or network is needed. Readers who ask for less motion see the start
     pose with the finished path.
     """
     must_be(run, Trace, "run")
     whole(frames, "frames", least=1)
     planes = listed(planes, "planes", "two planes such as ('xz', 'yz')")
-    steps = np.linspace(0, len(run.t) - 1, frames + 1).round().astype(int)
+    steps = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], frames + 1) - 1e-9)
     T = link_frames(run.arm, run.q[steps])
     bones = np.array([skeleton(run.arm, frame) for frame in T])
-    tips = run.poses[:, :3, 3][:: max(1, len(run.t) // 100)]
+    tips = run.poses[steps, :3, 3]
     low, high = bones.min(axis=(0, 1)), bones.max(axis=(0, 1))
-    scale, seconds = 240 / (high - low).max(), float(run.t[-1])
+    scale, seconds = 240 / (high - low).max(), float(run.t[-1] - run.t[0])
     parts = [
         _panel(bones, tips, plane, low, scale, seconds, 20 + 300 * k)
         for k, plane in enumerate(planes)
@@ -95,16 +95,18 @@ def _panel(
 
     poses, (path,) = points(bones), points(tips[None])
     repeat = f'dur="{seconds:g}s" repeatCount="indefinite"'
-    length = float(np.linalg.norm(scale * np.diff(tips[:, [i, j]], axis=0), axis=1).sum())
+    pieces = np.linalg.norm(scale * np.diff(tips[:, [i, j]], axis=0), axis=1)
+    to_draw = np.append(pieces[::-1].cumsum()[::-1], 0.0)
+    hidden = ";".join(f"{rest:.1f}" for rest in to_draw)
     look = 'fill="none" stroke-linejoin="round" stroke-linecap="round"'
     arm = f'{look} stroke="{GREY}" stroke-width="7"'
     ink = f'{look} stroke="{RED}" stroke-width="2.5"'
-    drawn = f'<animate attributeName="stroke-dashoffset" values="{length:.1f};0" {repeat}/>'
+    drawn = f'<animate attributeName="stroke-dashoffset" values="{hidden}" {repeat}/>'
     moved = f'<animate attributeName="points" values="{";".join(poses)}" {repeat}/>'
     return (
         f'<text x="{left}" y="300" font-size="13">{plane[0]}–{plane[1]} plane</text>'
         f'<polyline points="{path}" {look} stroke="{GREY}" stroke-width="1" stroke-dasharray="3 3"/>'
         f'<g class="moving"><polyline points="{poses[0]}" {arm}>{moved}</polyline>'
-        f'<polyline points="{path}" {ink} stroke-dasharray="{length:.1f}">{drawn}</polyline></g>'
+        f'<polyline points="{path}" {ink} stroke-dasharray="{to_draw[0]:.1f}">{drawn}</polyline></g>'
         f'<g class="still"><polyline points="{poses[0]}" {arm}/><polyline points="{path}" {ink}/></g>'
     )
