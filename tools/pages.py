@@ -57,13 +57,13 @@ def visit_math_block(translator, node) -> None:
     tex = translator.encode(node.astext().strip())
     rows = 1 + tex.count(r"\\")
     translator.body.append(translator.starttag(node, "div", "", CLASS="math", style=f"--rows: {rows}"))
-    if node["number"]:
+    if node.get("number"):
         number = get_node_equation_number(translator, node)
         translator.body.append(f'<span class="eqno">({number})')
         translator.add_permalink_ref(node, "Link to this equation")
         translator.body.append("</span>")
     split = "\\begin{split}%s\\end{split}" if r"\\" in tex else "%s"
-    translator.body.append(tex if node["no-wrap"] else rf"\[{split % tex}\]")
+    translator.body.append(tex if node.get("no-wrap") else rf"\[{split % tex}\]")
     translator.body.append("</div>\n")
     raise nodes.SkipNode
 
