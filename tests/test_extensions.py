@@ -73,7 +73,9 @@ def lightness(colour):
 def test_greys_change_sides_inks_become_lighter_and_data_stay():
     assert lightness(turned("#000000")) > 0.85
     assert lightness(turned("#ffffff")) < 0.2
-    assert lightness(turned("#dddddd")) < lightness(turned("#808080")) < lightness(turned("#5b6472"))
+    assert (
+        lightness(turned("#dddddd")) < lightness(turned("#808080")) < lightness(turned("#5b6472"))
+    )
     assert lightness(turned("#0072b2")) > lightness("#0072b2") + 0.15
     blue = [int(turned("#0072b2")[k : k + 2], 16) for k in (1, 3, 5)]
     assert blue[2] > blue[1] > blue[0], "still blue"
@@ -81,7 +83,9 @@ def test_greys_change_sides_inks_become_lighter_and_data_stay():
 
 
 def test_a_dark_twin_has_light_letters_and_the_same_names():
-    svg = '<svg width="1"><use href="#ffffff-1"/><path style="fill: #000000; stroke: #ffffff"/></svg>'
+    svg = (
+        '<svg width="1"><use href="#ffffff-1"/><path style="fill: #000000; stroke: #ffffff"/></svg>'
+    )
     dark = for_dark(svg)
     assert dark.startswith('<svg fill="#e9e6e1" width="1"><use href="#ffffff-1"/>')
     assert f"fill: {turned('#000000')}; stroke: {turned('#ffffff')}" in dark
@@ -107,7 +111,9 @@ def test_a_picture_stands_twice_and_says_its_size(tmp_path):
 def test_each_panel_is_a_window_on_the_whole(tmp_path):
     html = shown(tmp_path, figure(*TWO))
     assert 'class="picture many"' in html
-    windows = re.findall(r'<span class="panel light" style="(.*?)"><img style="(.*?)".*?alt="(.*?)"', html)
+    windows = re.findall(
+        r'<span class="panel light" style="(.*?)"><img style="(.*?)".*?alt="(.*?)"', html
+    )
     assert windows[1] == (
         "aspect-ratio: 186 / 166; max-width: 372px",
         "width: 215.05%; left: -111.29%; top: -10.24%",
@@ -119,7 +125,10 @@ def test_each_panel_is_a_window_on_the_whole(tmp_path):
 
 def test_code_has_no_spans_around_what_has_no_colour():
     html = "".join(
-        line for _, line in LightFormatter(nowrap=True)._format_lines(PythonLexer().get_tokens("def f(q): return q.x + 1"))
+        line
+        for _, line in LightFormatter(nowrap=True)._format_lines(
+            PythonLexer().get_tokens("def f(q): return q.x + 1")
+        )
     )
     assert re.findall('<span class="(.*?)">(.*?)</span>', html) == [
         ("k", "def"),
@@ -137,7 +146,10 @@ def test_a_box_is_folded_at_its_title():
     around = nodes.section("", box)
     fold(box)
     start, title, middle, text, end = around.children
-    assert start.astext() == '<details class="admonition solution" id="here"><summary class="admonition-title">'
+    assert (
+        start.astext()
+        == '<details class="admonition solution" id="here"><summary class="admonition-title">'
+    )
     assert (title.astext(), middle.astext(), text.astext(), end.astext()) == (
         "Solution",
         "</summary>",

@@ -56,7 +56,9 @@ def visit_math_block(translator, node) -> None:
     """As Sphinx does it, and with the number of its rows: so high will it be."""
     tex = translator.encode(node.astext().strip())
     rows = 1 + tex.count(r"\\")
-    translator.body.append(translator.starttag(node, "div", "", CLASS="math", style=f"--rows: {rows}"))
+    translator.body.append(
+        translator.starttag(node, "div", "", CLASS="math", style=f"--rows: {rows}")
+    )
     if node.get("number"):
         number = get_node_equation_number(translator, node)
         translator.body.append(f'<span class="eqno">({number})')
@@ -71,19 +73,29 @@ def visit_math_block(translator, node) -> None:
 def fold(box: nodes.Element) -> None:
     """Turn a box with a title into one that is opened at its title."""
     title, *rest = box.children
-    for link in list(title.findall(nodes.reference)):  # in what is pressed to open, nothing else can be pressed
+    for link in list(
+        title.findall(nodes.reference)
+    ):  # in what is pressed to open, nothing else can be pressed
         link.replace_self(link.children)
     names = " ".join(name for name in box["classes"] if name != "dropdown")
     ids = f' id="{box["ids"][0]}"' if box["ids"] else ""
     start = f'<details class="admonition {names}"{ids}><summary class="admonition-title">'
     raw = [nodes.raw("", text, format="html") for text in (start, "</summary>", "</details>")]
     place = box.parent.index(box)
-    box.parent[place : place + 1] = [raw[0], nodes.inline("", "", *title.children), raw[1], *rest, raw[2]]
+    box.parent[place : place + 1] = [
+        raw[0],
+        nodes.inline("", "", *title.children),
+        raw[1],
+        *rest,
+        raw[2],
+    ]
 
 
 def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
     """Fold what is to be folded, and give tables a box."""
-    for box in list(doctree.findall(lambda n: "dropdown" in getattr(n, "attributes", {}).get("classes", ()))):
+    for box in list(
+        doctree.findall(lambda n: "dropdown" in getattr(n, "attributes", {}).get("classes", ()))
+    ):
         fold(box)
     for table in list(doctree.findall(nodes.table)):
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
@@ -98,7 +110,9 @@ def assets(folder: Path, config) -> list[int]:
 def setup(app: Sphinx) -> dict[str, bool]:
     PygmentsBridge.html_formatter = LightFormatter
     app.add_config_value("assets", lambda config: assets(Path(app.srcdir), config), "html")
-    app.add_config_value("comments_config", {}, "html")  # Jupyter Book sets it for an extension not used here
+    app.add_config_value(
+        "comments_config", {}, "html"
+    )  # Jupyter Book sets it for an extension not used here
     app.add_directive("margin", Margin)
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))

@@ -15,9 +15,18 @@ from sphinx.application import Sphinx
 
 SVG = "{http://www.w3.org/2000/svg}"
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
-INK = {"#0072b2", "#e69f00", "#009e73", "#d55e00", "#cc79a7", "#56b4e9"}  # helpers/plotting/style.py
+INK = {
+    "#0072b2",
+    "#e69f00",
+    "#009e73",
+    "#d55e00",
+    "#cc79a7",
+    "#56b4e9",
+}  # helpers/plotting/style.py
 COLOUR = re.compile(r"(?<=fill: |roke: |fill=\"|roke=\")#[0-9a-fA-F]{6}\b")
-PLACE = re.compile(r"translate\(([-\d.]+)[ ,]+([-\d.]+)\)(?: rotate\(([-\d.]+)\))?(?: scale\(([\d.]+))?")
+PLACE = re.compile(
+    r"translate\(([-\d.]+)[ ,]+([-\d.]+)\)(?: rotate\(([-\d.]+)\))?(?: scale\(([\d.]+))?"
+)
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 Box = tuple[float, float, float, float]  # left, top, right, bottom
 
@@ -152,7 +161,9 @@ def for_dark(svg: str) -> str:
 
     The colours of data (of a scale, say) stay as they are, so that they still mean the same.
     """
-    return COLOUR.sub(lambda colour: turned(colour[0].lower()), svg).replace("<svg ", '<svg fill="#e9e6e1" ', 1)
+    return COLOUR.sub(lambda colour: turned(colour[0].lower()), svg).replace(
+        "<svg ", '<svg fill="#e9e6e1" ', 1
+    )
 
 
 @cache

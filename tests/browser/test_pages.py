@@ -274,7 +274,9 @@ GROUND = "getComputedStyle(document.body).backgroundColor"
 
 def drawn(page):
     """The folder of the first figure that is seen."""
-    pictures = page.locator("figure img").evaluate_all("all => all.filter(i => i.offsetWidth).map(i => i.src)")
+    pictures = page.locator("figure img").evaluate_all(
+        "all => all.filter(i => i.offsetWidth).map(i => i.src)"
+    )
     return pictures[0].rpartition("/")[0].rpartition("/")[2]
 
 
@@ -301,7 +303,9 @@ def test_colours_follow_the_system_until_the_reader_chooses_and_then_stay(browse
 
 
 def test_without_scripts_the_page_is_there_in_the_systems_colours(browser):
-    context = browser.new_context(java_script_enabled=False, color_scheme="dark", viewport=SIZES["wide"])
+    context = browser.new_context(
+        java_script_enabled=False, color_scheme="dark", viewport=SIZES["wide"]
+    )
     page = context.new_page()
     page.goto((HTML / "01_dh_tables.html").as_uri())
     assert page.locator(".contents a", has_text="arm explorer").is_visible()
