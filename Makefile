@@ -4,7 +4,7 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
-SOURCES := $(NOTEBOOKS) tools/light_pages.py $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
 
 .PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer coverage mutants
 
@@ -44,7 +44,7 @@ test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and
 
 # Notebooks, subprocesses and the built book do not count; clocks would measure the measuring.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
-	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_mutations.py %_light_pages.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py)) -k "not _take_a_quarter_of_a_second"
+	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_mutations.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py)) -k "not _take_a_quarter_of_a_second"
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
 	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)

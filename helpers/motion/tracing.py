@@ -20,6 +20,11 @@ from helpers.motion.steps import METHODS, RULES, Course, Rule, charted, tip_erro
 Array = NDArray[np.float64]
 
 
+_ITERATIONS = 30
+_ARRIVED = 1e-9  # m and rad
+_WHY = "the path leads out of reach or through a singular pose, or its steps are too long"
+
+
 class UnreachableError(ArmError):
     """The tip was asked to be on a path that the arm cannot follow."""
 
@@ -172,6 +177,7 @@ def _must_not_leap(arm: Arm, step: Array) -> None:
             f"joint {joint} would turn by {leap:.3g} rad at once; expected half a turn at most:"
             f" {_WHY}"
         )
+<<<<<<< HEAD
 
 
 _ITERATIONS = 30
@@ -185,3 +191,5 @@ def _progress(steps: int):
     from tqdm import tqdm  # the one for notebooks leaves a bar behind where a run fails
 
     return tqdm(range(steps), delay=10, leave=False)
+=======
+>>>>>>> main
