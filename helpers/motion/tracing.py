@@ -177,19 +177,3 @@ def _must_not_leap(arm: Arm, step: Array) -> None:
             f"joint {joint} would turn by {leap:.3g} rad at once; expected half a turn at most:"
             f" {_WHY}"
         )
-<<<<<<< HEAD
-
-
-_ITERATIONS = 30
-_ARRIVED = 1e-9  # m and rad
-_WHY = "the path leads out of reach or through a singular pose, or its steps are too long"
-
-
-def _progress(steps: int):
-    """Count steps; a bar appears only in runs of more than ten seconds, and leaves nothing
-    behind."""
-    from tqdm import tqdm  # the one for notebooks leaves a bar behind where a run fails
-
-    return tqdm(range(steps), delay=10, leave=False)
-=======
->>>>>>> main
