@@ -1,4 +1,5 @@
-"""The errata page and the slip boxes say of the reports only what stands in them, each in the same way."""
+"""The errata page and the slip boxes say of the reports only what stands in them, each in the same
+way."""
 
 import re
 from pathlib import Path
@@ -9,7 +10,8 @@ import pytest
 BOOK = Path(__file__).parents[1] / "book"
 CLASSES = {"Wrong result", "Wrong word", "Given", "Stated approximation", "Incomplete", "Unproved"}
 REPORTS = ("Panda report", "UR10e report", "Elbow and Stanford report")
-# What each slip is, from the reports themselves; a change here is a change of what the book accuses somebody of.
+# What each slip is, from the reports themselves; a change here is a change of what the book accuses
+# somebody of.
 KINDS = {
     "Wrong result": {10, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 27},
     "Wrong word": {1, 3, 4, 5, 6, 11, 16, 24, 25, 26},
@@ -19,7 +21,6 @@ KINDS = {
     "Unproved": {7},
 }
 NUMBERS = range(1, 28)
-AWAITED = {6, 7, 8, 24}  # their boxes get this form with chapter 4
 
 
 def _entries():
@@ -31,7 +32,8 @@ def _entries():
 
 
 def _boxes():
-    """Every slip box of the chapters by its label, with whether code follows before the next heading or box."""
+    """Every slip box of the chapters by its label, with whether code follows before the next
+    heading or box."""
     found = {}
     for path in sorted(BOOK.glob("0*.ipynb")):
         cells = nbformat.read(path, as_version=4).cells
@@ -81,11 +83,11 @@ def test_an_entry_quotes_classifies_and_links(number, text):
     _must_quote(text)
     assert number in KINDS[_kind(text)]
     links = re.findall(r"\{ref\}`[^`<]+<(slip-[^>]+)>`", text)
-    assert f"slip-{number}" in links or number in AWAITED
+    assert f"slip-{number}" in links
     assert set(links) <= set(BOXES)
 
 
-@pytest.mark.parametrize("number", sorted(set(NUMBERS) - AWAITED))
+@pytest.mark.parametrize("number", NUMBERS)
 def test_a_box_says_what_its_entry_says_and_is_proved(number):
     text, proved = BOXES[f"slip-{number}"]
     entry = dict(ENTRIES)[number]

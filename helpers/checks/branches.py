@@ -1,4 +1,5 @@
-"""Is my inverse kinematics right and complete? Each of your answers is judged, and what is missing is named."""
+"""Is my inverse kinematics right and complete? Each of your answers is judged, and what is missing
+is named."""
 
 import re
 from collections.abc import Mapping
@@ -30,9 +31,16 @@ _OF_ONE_STEP = (
 _COARSE = 5.1e-3  # rad or m: with a larger unit than this, branches and slips are not told apart
 
 
+<<<<<<< HEAD
 @dataclass(frozen=True)
 class _Branches:
     """The right answers: joint vectors, names, which joints are free, and the tip's pose."""
+=======
+@dataclass(frozen=True, repr=False)
+class BranchReport(Verdict):
+    """What `compare_branches` found: a line for each wrong answer and one for what is missing;
+    nothing if all is right."""
+>>>>>>> main
 
     arm: Arm
     q: Array
@@ -49,6 +57,7 @@ def compare_branches(
 ) -> Report:
     """Judge your joint vectors, shape (answers, dof), for one target against all of its branches.
 
+<<<<<<< HEAD
     Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is and, where one slip or two
     explain it, which; what is missing is named. Where a joint is free any one value of it stands for the branch.
 
@@ -58,6 +67,11 @@ def compare_branches(
         angles: "deg" where yours are in degrees.
         tolerance: the largest deviation of a joint (rad or m); inferred from the digits typed unless given.
 
+=======
+    Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is
+    and, where one slip explains it, which: a sign, half a turn (atan for atan2), degrees, or joints
+    of different branches mixed. Where a joint is free any one value of it stands for the branch.
+>>>>>>> main
     Raises ArmError for another shape, or where `found` holds many targets.
     """
     must_be(found, Solutions, "found")
@@ -152,11 +166,17 @@ def _hits(
     return hits, astray, sharp
 
 
+<<<<<<< HEAD
 def _matches(right: _Branches, q: Array, margin: Array) -> Array:
     """The branches that q is: the same joints, or, where a joint is free, another member of the branch's family.
+=======
+def _matches(arm: Arm, q: Array, branches: Array, loose: Array) -> Array:
+    """The branches that q is: the same joints, or, where a joint is free, another member of the
+    branch's family.
+>>>>>>> main
 
-    A member reaches the target too and differs only in joints that can move together without the tip. Where two families
-    share those (a UR's elbows), the nearer one counts.
+    A member reaches the target too and differs only in joints that can move together without the
+    tip. Where two families share those (a UR's elbows), the nearer one counts.
     """
     arm = right.arm
     if not len(right.q):
@@ -172,7 +192,8 @@ def _matches(right: _Branches, q: Array, margin: Array) -> Array:
 
 
 def _moving_in_place(arm: Arm, branches: Array) -> NDArray[np.bool_]:
-    """Which joints can move while the tip stands still, by the Jacobian's null space, shape (branches, dof)."""
+    """Which joints can move while the tip stands still, by the Jacobian's null space, shape
+    (branches, dof)."""
     J = jacobian(arm, branches)[..., : 6 if arm.dof >= 6 else 3, :]
     _, sizes, directions = np.linalg.svd(J)
     sizes = np.concatenate(
