@@ -179,10 +179,12 @@ class Arm:
         values: Mapping[str, float] | None = None,
         name: str = "my table",
     ) -> "Arm":
-        """An arm from a table as people hold it: pasted text, rows, parallel lists, ``Link(...)`` lines, 4 x 4 matrices.
+        """An arm from a table as people hold it: pasted text, rows, parallel lists, ``Link(...)``
+        lines, 4 x 4 matrices.
 
         Args:
-            source: LaTeX, Markdown, MATLAB, CSV or Python text, or lists; the joint's variable may stand in theta or d.
+            source: LaTeX, Markdown, MATLAB, CSV or Python text, or lists; the joint's variable may
+                stand in theta or d.
             columns: their order, as ``"theta d a alpha"``.
             lengths: "m", "cm" or "mm".
             angles: "rad" or "deg".
@@ -190,8 +192,8 @@ class Arm:
             values: numbers for symbols other than the joints'.
             name: what to call the arm.
 
-        What is not given is guessed, and the arm's `source` tells how the table was taken. Raises ArmError for what is no
-        table, or holds a symbol without a value.
+        What is not given is guessed, and the arm's `source` tells how the table was taken. Raises
+        ArmError for what is no table, or holds a symbol without a value.
         """
         must_be(name, str, "an arm's name")
         if values is not None:

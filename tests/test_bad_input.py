@@ -153,7 +153,8 @@ RIGHT = {
         1.3, -1.2, -1.2, 0.3]),
     "inverse.Solutions.nearest": dict(self=FOUND, q=[0.4] * 6, limits=True),
     "checks.check": dict(label="one is one", actual=1, expected=1, tolerance=0.1),
-    "checks.compare_tables": dict(mine=[["q1", 0, 0, 0]], reference=PANDA, columns="theta d a alpha", lengths="m",
+    "checks.compare_tables": dict(mine=[["q1", 0, 0, 0]], reference=PANDA,
+        columns="theta d a alpha", lengths="m",
         angles="rad", convention="standard", values={}, tolerance=1e-6),
     "checks.compare_jacobian": dict(mine=kinematics.jacobian(SIX, [0.1] * 6), arm=SIX, q=[0.1] * 6,
         angular_first=False, frame=0, angles="rad", values={}, tolerance=1e-3),
@@ -161,7 +162,8 @@ RIGHT = {
         gravity=(0, 0, -9.81), angles="rad", tolerance=1e-3),
     "checks.compare_trace": dict(mine=RUN.q, arm=SIX, path=PATH, tolerance=2e-3, angles="rad"),
     "checks.compare_branches": dict(mine=FOUND.q[0], found=FOUND, angles="rad", tolerance=1e-3),
-    "checks.compare_pose": dict(q=[0.1] * 7, arm=PANDA, T=[0.1, 0.2, 0.3], angles="rad", tolerance=1e-3),
+    "checks.compare_pose": dict(q=[0.1] * 7, arm=PANDA, T=[0.1, 0.2, 0.3],
+        angles="rad", tolerance=1e-3),
     "variants.variant": dict(topic="Jacobian", arm=PANDA, seed=1),
     "variants.sheet": dict(arm=ELBOW, seed=1),
     "variants.Variant.marks": dict(self=variants.variant("Jacobian", PANDA, 1), given={}),
@@ -241,9 +243,11 @@ EXPECTED = {
     "statics.with_payload mass": "a finite number of kg, 0 or more",
     "masses": "2 masses in kg, none negative", "method": "one of euler, rk4, exact",
     "mine": "numbers", "checks.compare_tables mine": "rows or text",
-    "checks.compare_branches mine": ", 6)", "angles": "one of rad, deg", "lengths": "one of m, cm, mm",
+    "checks.compare_branches mine": ", 6)",
+    "angles": "one of rad, deg", "lengths": "one of m, cm, mm",
     "columns": "in your order", "convention": "one of standard, craig", "T": "a pose (4, 4)",
-    "checks.compare_pose q": "joint vectors (answers, 7)", "checks.compare_jacobian values": "a Mapping",
+    "checks.compare_pose q": "joint vectors (answers, 7)",
+    "checks.compare_jacobian values": "a Mapping",
     "checks.compare_tables values": "a Mapping",
     **{f"checks.compare_{x} tolerance": "a number of 0 or more" for x in
        ("tables", "jacobian", "torques", "trace", "branches", "pose")},
@@ -432,15 +436,9 @@ SPECIAL = [
 # students, which are right or wrong, never an error; and the checks themselves.
 MADE = {
     "derive.Derivation", "derive.Line", "derive.Step", "urdf.Chain",
-<<<<<<< HEAD
-    "arm.ArmError", "checks.Finding", "checks.Report",
-    "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace",
-=======
-    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.BranchReport", "checks.Finding",
-    "checks.JacobianReport", "checks.TableReport", "checks.TorqueReport",
-    "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report",
+    "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Report",
+    "inverse.NumericSolution", "inverse.Solutions", "motion.Report",
     "motion.Report.rows", "motion.SingularError", "motion.Trace", "motion.UnreachableError",
->>>>>>> main
     "motion.Rates", "variants.Answer", "variants.Variant",
 }  # fmt: skip
 STEPS = {

@@ -1,6 +1,8 @@
-"""The checkers on work as students hand it in: every form, every digit, every slip of the errata by name.
+"""The checkers on work as students hand it in: every form, every digit, every slip of the errata by
+name.
 
-What is right and what each slip makes of it comes from the corpus's own kinematics or from the triangle named below.
+What is right and what each slip makes of it comes from the corpus's own kinematics or from the
+triangle named below.
 """
 
 import math
@@ -108,8 +110,10 @@ TEXT_ROWS = [[f"{x:g}" for x in row] for row in NUMBERS]
         "[" + "; ".join(" ".join(row) for row in TEXT_ROWS) + "]",
         r"\begin{bmatrix}" + r"\\".join(" & ".join(row) for row in TEXT_ROWS) + r"\end{bmatrix}",
         "j1;j2\n" + "\n".join(";".join(row) for row in TEXT_ROWS).replace(".", ","),
-        "[[-0.4*s1 - 0.3*s12, -0.3*s12], [0.4 c_1 + 0.3 c_{12}, 0.3 cos(q1+q2)], [0,0],[0,0],[0,0],[1,1]]",
-        r"\begin{pmatrix} -0.4 s_1 - 0.3 s_{12} & -0.3 s_{12} \\ 0.4\cos\theta_1 + 0.3\cos(\theta_1+\theta_2) &"
+        "[[-0.4*s1 - 0.3*s12, -0.3*s12], [0.4 c_1 + 0.3 c_{12}, 0.3 cos(q1+q2)],"
+        " [0,0],[0,0],[0,0],[1,1]]",
+        r"\begin{pmatrix} -0.4 s_1 - 0.3 s_{12} & -0.3 s_{12} \\ 0.4\cos\theta_1 +"
+        r" 0.3\cos(\theta_1+\theta_2) &"
         r" 0.3 c_{12} \\ 0 & 0 \\ 0 & 0 \\ 0 & 0 \\ 1 & 1 \end{pmatrix}",
     ],
 )
@@ -141,43 +145,100 @@ def test_text_is_never_run(text):
 @pytest.mark.parametrize(
     ("text", "value"),
     [
-        ("π/2", H), ("−90°", -H), (r"\frac{\pi}{2}", H), (r"-90\degree", -H), ("2pi", 2 * math.pi), (r"\sin\frac{\pi}{6}", 0.5),
-        ("np.deg2rad(90)", H), ("-2^2", -4), ("1/2*3", 1.5), ("sqrt(2)/2", math.sqrt(0.5)), ("3.5e-1", 0.35), ("2(3)", 6),
+        ("π/2", H),
+        ("−90°", -H),
+        (r"\frac{\pi}{2}", H),
+        (r"-90\degree", -H),
+        ("2pi", 2 * math.pi),
+        (r"\sin\frac{\pi}{6}", 0.5),
+        ("np.deg2rad(90)", H),
+        ("-2^2", -4),
+        ("1/2*3", 1.5),
+        ("sqrt(2)/2", math.sqrt(0.5)),
+        ("3.5e-1", 0.35),
+        ("2(3)", 6),
     ],
-)  # fmt: skip
+)
 def test_formulas(text, value):
     assert formula.number(text) == pytest.approx(value, abs=1e-15)
 
 
 def test_matlab_prints():
-    blocks = "J =\n\n   1.0e+03 *\n\n  Columns 1 through 2\n\n    0.1000   -0.2000\n\n  Column 3\n\n    0.5000\n"
+    head = "J =\n\n   1.0e+03 *\n\n  Columns 1 through 2\n\n"
+    blocks = head + "    0.1000   -0.2000\n\n  Column 3\n\n    0.5000\n"
     assert [formula.number(x) for x in grid.cells(blocks)[0]] == pytest.approx([100, -200, 500])
 
 
 ROWS = [
-    (0, 90, 333), (0, -90, 0), (82.5, -90, 316), (-82.5, 90, 0), (0, 90, 384), (88, -90, 0), (0, 0, -207),
-]  # fmt: skip
+    (0, 90, 333),
+    (0, -90, 0),
+    (82.5, -90, 316),
+    (-82.5, 90, 0),
+    (0, 90, 384),
+    (88, -90, 0),
+    (0, 0, -207),
+]
 LATEX = r"\begin{tabular}{|c|c|} Link & $\theta_i$ & $d_i$ & $a_i$ & $\alpha_i$ \\ \hline "
 PI = {90: "pi/2", -90: "-pi/2", 0: "0"}
 TABLES = [
     [(f"q{i}", d / 1000, a / 1000, math.radians(t)) for i, (a, t, d) in enumerate(ROWS, 1)],
     [[a / 1000, PI[t], d / 1000, f"th{i}"] for i, (a, t, d) in enumerate(ROWS, 1)],
-    {"a": [r[0] for r in ROWS], "alpha": [r[1] for r in ROWS], "d": [r[2] for r in ROWS], "theta": [f"q{i}" for i in range(7)]},
-    "\n".join(f"L({i}) = Link('d', {d / 1000}, 'a', {a / 1000}, 'alpha', {PI[t]});" for i, (a, t, d) in enumerate(ROWS, 1)),
+    {
+        "a": [r[0] for r in ROWS],
+        "alpha": [r[1] for r in ROWS],
+        "d": [r[2] for r in ROWS],
+        "theta": [f"q{i}" for i in range(7)],
+    },
+    "\n".join(
+        f"L({i}) = Link('d', {d / 1000}, 'a', {a / 1000}, 'alpha', {PI[t]});"
+        for i, (a, t, d) in enumerate(ROWS, 1)
+    ),
     "[" + "; ".join(f"inf {d} {a} {t}" for a, t, d in ROWS) + "]",
     "| i | a_i (mm) | alpha_i (deg) | d_i | theta_i |\n|--|--|--|--|--|\n"
     + "\n".join(f"| {i} | {a} | {t}° | {d} | θ{i} |" for i, (a, t, d) in enumerate(ROWS, 1)),
-    LATEX + r" \\ ".join(rf"{i} & $\theta_{i}^*$ & {d / 1000} & {a / 1000} & ${t}^\circ$" for i, (a, t, d) in enumerate(ROWS, 1))
+    LATEX
+    + r" \\ ".join(
+        rf"{i} & $\theta_{i}^*$ & {d / 1000} & {a / 1000} & ${t}^\circ$"
+        for i, (a, t, d) in enumerate(ROWS, 1)
+    )
     + r"\end{tabular}",
-    "a = [0, 0, 82.5, -82.5, 0, 88, 0]\nalpha = [90, -90, -90, 90, 90, -90, 0]\nd = [333, 0, 316, 0, 384, 0, -207]\n"
+    "a = [0, 0, 82.5, -82.5, 0, 88, 0]\n"
+    "alpha = [90, -90, -90, 90, 90, -90, 0]\nd = [333, 0, 316, 0, 384, 0, -207]\n"
     "theta = [q1, q2, q3, q4, q5, q6, q7]",
-    "{" + ", ".join(f"'a{i}': {a}, 'alpha{i}': {PI[t]}, 'd{i}': {d}, 'q{i}': q{i}" for i, (a, t, d) in enumerate(ROWS, 1)) + "}",
-    [[[str(x) for x in row] for row in A] for A in (
-        [[f"cos(q{i})", f"-sin(q{i})*{math.cos(math.radians(t)):.0f}", f"sin(q{i})*{math.sin(math.radians(t)):.0f}", f"{a / 1000}*cos(q{i})"],
-         [f"sin(q{i})", f"cos(q{i})*{math.cos(math.radians(t)):.0f}", f"-cos(q{i})*{math.sin(math.radians(t)):.0f}", f"{a / 1000}*sin(q{i})"],
-         ["0", f"{math.sin(math.radians(t)):.0f}", f"{math.cos(math.radians(t)):.0f}", f"{d / 1000}"], ["0", "0", "0", "1"]]
-        for i, (a, t, d) in enumerate(ROWS, 1))],
-]  # fmt: skip
+    "{"
+    + ", ".join(
+        f"'a{i}': {a}, 'alpha{i}': {PI[t]}, 'd{i}': {d}, 'q{i}': q{i}"
+        for i, (a, t, d) in enumerate(ROWS, 1)
+    )
+    + "}",
+    [
+        [[str(x) for x in row] for row in A]
+        for A in (
+            [
+                [
+                    f"cos(q{i})",
+                    f"-sin(q{i})*{math.cos(math.radians(t)):.0f}",
+                    f"sin(q{i})*{math.sin(math.radians(t)):.0f}",
+                    f"{a / 1000}*cos(q{i})",
+                ],
+                [
+                    f"sin(q{i})",
+                    f"cos(q{i})*{math.cos(math.radians(t)):.0f}",
+                    f"-cos(q{i})*{math.sin(math.radians(t)):.0f}",
+                    f"{a / 1000}*sin(q{i})",
+                ],
+                [
+                    "0",
+                    f"{math.sin(math.radians(t)):.0f}",
+                    f"{math.cos(math.radians(t)):.0f}",
+                    f"{d / 1000}",
+                ],
+                ["0", "0", "0", "1"],
+            ]
+            for i, (a, t, d) in enumerate(ROWS, 1)
+        )
+    ],
+]
 
 
 @pytest.mark.parametrize("table", TABLES, ids=range(len(TABLES)))
@@ -217,8 +278,10 @@ def test_torques_are_turned_the_right_way():
     assert all(checks.compare_torques(x, PANDA, q[0]).agrees for x in one)
 
 
-# The slips of the errata that are mistakes of method. The elbow arm's links of 0.4 and 0.3 m are the legs of a right angle
-# over (0.5, 0, 0.5), its shoulder at (0, 0, 0.5): the first leans by LOW = atan2(3, 4), the second by a right angle more.
+# The slips of the errata that are mistakes of method. The elbow arm's links of 0.4 and 0.3 m are
+# the legs of a right angle
+# over (0.5, 0, 0.5), its shoulder at (0, 0, 0.5): the first leans by LOW = atan2(3, 4), the second
+# by a right angle more.
 
 LOW = math.atan2(3, 4)
 OVER = elbow(ELBOW, (0.5, 0, 0.5))
@@ -248,9 +311,14 @@ def gradient(f, q, step=1e-6):
 CENTRES = [[PANDA.number(x) for x in b.com] for b in PANDA.bodies]
 # As the paper prints them (Gaz et al. 2019), in Craig's frames.
 PAPER = [
-    (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252, -0.066502), (-0.05317, 0.104419, 0.027454),
-    (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517), (0.010517, -0.004252, 0.061597),
-]  # fmt: skip
+    (0.003875, 0.002081, -0.04762),
+    (-0.003141, -0.02872, 0.003495),
+    (0.027518, 0.039252, -0.066502),
+    (-0.05317, 0.104419, 0.027454),
+    (-0.011953, 0.041065, -0.038437),
+    (0.060149, -0.014117, -0.010517),
+    (0.010517, -0.004252, 0.061597),
+]
 WEIGHT = gradient(lambda q: heights(PANDA, q, CENTRES), HOME)
 FORCE = KNOWN["Panda"].jacobian(HOME).T @ PUSH
 ABOVE = elbow(ELBOW, (0.0, 0.0, 0.9))
@@ -274,26 +342,83 @@ def slip_12(q):
 
 SLIPS = {
     "2": (lambda: checks.compare_tables(PANDA_HOMEWORK, PANDA), "table.length:a_3:a_6"),
-    "3": (lambda: checks.compare_jacobian(np.delete(KNOWN["Panda"].jacobian(BENT), 2, axis=0)[:5], PANDA.lock(3), np.delete(BENT, 2)), "J.row for column"),
-    "4": (lambda: checks.compare_jacobian(recipe(SIX, SKEW, rows=True), UR10E_HOMEWORK, SKEW), "J.rows of T"),
+    "3": (
+        lambda: checks.compare_jacobian(
+            np.delete(KNOWN["Panda"].jacobian(BENT), 2, axis=0)[:5],
+            PANDA.lock(3),
+            np.delete(BENT, 2),
+        ),
+        "J.row for column",
+    ),
+    "4": (
+        lambda: checks.compare_jacobian(recipe(SIX, SKEW, rows=True), UR10E_HOMEWORK, SKEW),
+        "J.rows of T",
+    ),
     "6": (lambda: checks.compare_torques(heights(PANDA, HOME, CENTRES), PANDA, HOME), "tau.energy"),
-    "7": (lambda: checks.compare_torques(gradient(lambda q: heights(PANDA, q, PAPER), HOME) - FORCE, PANDA, HOME, PUSH), "tau.craig centres"),
-    "7, the force reversed": (lambda: checks.compare_torques((gradient(lambda q: heights(PANDA, q, PAPER), HOME) + FORCE).round(4), PANDA, HOME, PUSH), "tau.craig centres + tau.force sign"),
-    "8": (lambda: checks.compare_torques((WEIGHT * 9.8 / 9.81 - FORCE).round(4), PANDA, HOME, PUSH), "tau.gravity:9.8"),
+    "7": (
+        lambda: checks.compare_torques(
+            gradient(lambda q: heights(PANDA, q, PAPER), HOME) - FORCE, PANDA, HOME, PUSH
+        ),
+        "tau.craig centres",
+    ),
+    "7, the force reversed": (
+        lambda: checks.compare_torques(
+            (gradient(lambda q: heights(PANDA, q, PAPER), HOME) + FORCE).round(4), PANDA, HOME, PUSH
+        ),
+        "tau.craig centres + tau.force sign",
+    ),
+    "8": (
+        lambda: checks.compare_torques((WEIGHT * 9.8 / 9.81 - FORCE).round(4), PANDA, HOME, PUSH),
+        "tau.gravity:9.8",
+    ),
     "12": (lambda: branches(slip_12(ASIDE.q[0]), ASIDE), "ik.plus for minus"),
-    "13": (lambda: branches((H - math.atan2(0.2, 0.4) + 0, *elbow(ELBOW, (0.4, 0.2, 0.7)).q[0, 1:]), elbow(ELBOW, (0.4, 0.2, 0.7))), "ik.other axis:q_1"),
+    "13": (
+        lambda: branches(
+            (H - math.atan2(0.2, 0.4) + 0, *elbow(ELBOW, (0.4, 0.2, 0.7)).q[0, 1:]),
+            elbow(ELBOW, (0.4, 0.2, 0.7)),
+        ),
+        "ik.other axis:q_1",
+    ),
     "15": (lambda: branches((H, *ASIDE.q[0, 1:]), ASIDE), "ik.quarter turn"),
-    "16": (lambda: branches((0.1, 0.2, math.pi - 0.8), elbow(ELBOW, forward_kinematics(ELBOW, [0.1, 0.2, 0.8])[:3, 3])), "ik.supplement:q_3"),
-    "17": (lambda: checks.compare_pose([0.3, 0.5, 0.2], Arm("three", STANFORD.rows[:3], {"d_2": 0.154}), "[[c1*c2, -s1*c2, c1*s2, q3*c1*s2-d2*s1], [s1*c2, c1, s1*s2, q3*s1*s2+d2*c1], [-s2, 0, c2, q3*c2], [0,0,0,1]]"), "pose.entry"),
+    "16": (
+        lambda: branches(
+            (0.1, 0.2, math.pi - 0.8),
+            elbow(ELBOW, forward_kinematics(ELBOW, [0.1, 0.2, 0.8])[:3, 3]),
+        ),
+        "ik.supplement:q_3",
+    ),
+    "17": (
+        lambda: checks.compare_pose(
+            [0.3, 0.5, 0.2],
+            Arm("three", STANFORD.rows[:3], {"d_2": 0.154}),
+            "[[c1*c2, -s1*c2, c1*s2, q3*c1*s2-d2*s1], "
+            "[s1*c2, c1, s1*s2, q3*s1*s2+d2*c1], [-s2, 0, c2, q3*c2], [0,0,0,1]]",
+        ),
+        "pose.entry",
+    ),
     "18": (lambda: ur_pose(np.diag([-1, -1, 1])), "pose.half turn:z"),
     "22": (lambda: checks.compare_branches(FOUR[1:3], OVER), "ik.one sign"),
     "23": (lambda: branches((0, H + LOW, -H - 0.0), elbow(ELBOW, (0, 0, 0.0))), "ik.half turn:q_2"),
-    "24": (lambda: checks.compare_torques((-WEIGHT - FORCE).round(4), PANDA, HOME, PUSH), "tau.weight sign"),
+    "24": (
+        lambda: checks.compare_torques((-WEIGHT - FORCE).round(4), PANDA, HOME, PUSH),
+        "tau.weight sign",
+    ),
     "theta_1 + pi, the rest unchanged": (lambda: branches((math.pi, LOW, -H)), "ik.mixed"),
-    "force reversed": (lambda: checks.compare_torques((WEIGHT + FORCE).round(2), PANDA, HOME, PUSH), "tau.force sign"),
-    "N mm": (lambda: checks.compare_torques((1000 * (WEIGHT - FORCE)).round(1), PANDA, HOME, PUSH), "tau.newton millimetres"),
-    "the maker's directions": (lambda: checks.compare_torques((WEIGHT - FORCE) * [1, -1, 1, -1, 1, 1, -1], PANDA, HOME, PUSH), "tau.signs:2, 4 and 7"),
-}  # fmt: skip
+    "force reversed": (
+        lambda: checks.compare_torques((WEIGHT + FORCE).round(2), PANDA, HOME, PUSH),
+        "tau.force sign",
+    ),
+    "N mm": (
+        lambda: checks.compare_torques((1000 * (WEIGHT - FORCE)).round(1), PANDA, HOME, PUSH),
+        "tau.newton millimetres",
+    ),
+    "the maker's directions": (
+        lambda: checks.compare_torques(
+            (WEIGHT - FORCE) * [1, -1, 1, -1, 1, 1, -1], PANDA, HOME, PUSH
+        ),
+        "tau.signs:2, 4 and 7",
+    ),
+}
 
 
 @pytest.mark.parametrize("slip", SLIPS)
@@ -363,7 +488,7 @@ def test_a_run_is_taken_as_it_is_held():
         (GOOD[0:1] + 0 * GOOD, None),
         (GOOD[:0], "trace.shape"),
     ],
-)  # fmt: skip
+)
 def test_a_wrong_run_is_named(q, cause):
     report = traced(q)
     assert report.grade == "wrong"
@@ -385,7 +510,9 @@ def test_another_arms_run_is_told_by_what_it_leaves():
 
 
 def test_a_valid_other_table_gives_the_joint_map_and_the_arm_in_their_joints():
-    """The maker's UR10e turned its z_1 round: joint 2 counts backwards, from another zero, and all that follows is theirs."""
+    """The maker's UR10e turned its z_1 round: joint 2 counts backwards, from another zero, and all
+    that follows is theirs.
+    """
     rows = list(UR10E.rows)
     theirs = (
         UR10E.with_rows(rows)
@@ -409,11 +536,17 @@ def test_a_valid_other_table_gives_the_joint_map_and_the_arm_in_their_joints():
 
 
 def test_a_table_that_needs_z_0_down_is_wrong():
-    """With a_1 = 0.3 the sign of alpha_1 decides on which side the arm stands: turning z_0 over would put its base lower."""
+    """With a_1 = 0.3 the sign of alpha_1 decides on which side the arm stands: turning z_0 over
+    would put its base lower.
+    """
     rows = [
-        ("q1", 0.75, 0.35, "-pi/2"), ("q2", 0, 1.25, 0), ("q3", 0, -0.054, "-pi/2"), ("q4", 1.5, 0, "pi/2"),
-        ("q5", 0, 0, "-pi/2"), ("q6", 0.303, 0, 0),
-    ]  # fmt: skip
+        ("q1", 0.75, 0.35, "-pi/2"),
+        ("q2", 0, 1.25, 0),
+        ("q3", 0, -0.054, "-pi/2"),
+        ("q4", 1.5, 0, "pi/2"),
+        ("q5", 0, 0, "-pi/2"),
+        ("q6", 0.303, 0, 0),
+    ]
     right = Arm.from_table(rows)
     report = checks.compare_tables([(*rows[0][:3], "pi/2"), *rows[1:]], right)
     assert report.causes == ("table.twist:1",), str(report)

@@ -84,7 +84,9 @@ def slide_normal(arm, i, by):
 
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
 def test_the_choices_in_these_tests_are_choices(arm):
-    """Each change of frames leaves the tip where it was: so says forward kinematics, which shares nothing with the checker."""
+    """Each change of frames leaves the tip where it was: so says forward kinematics, which shares
+    nothing with the checker.
+    """
     q = np.random.default_rng(0).uniform(-1, 1, arm.dof)
     tip = forward_kinematics(arm, q)[:3, 3]
     for i in range(len(arm.rows) - 1):

@@ -1,21 +1,14 @@
 """What all Denavit-Hartenberg tables of one arm have in common: the geometry of its joint axes.
 
-<<<<<<< HEAD
-The axes that turn are lines in space. From one to the next there is a distance, a twist, and on each an offset
-between the feet of the two common normals; along parallel axes only the sum of the offsets is fixed, for their
-common normals may stand anywhere. An axis that slides has a direction and no place. Sliding moves the lines after
-it, so lengths are taken where the slides make the sum of their squares least: all tables find the same place.
-What is left open is which way each axis points: a sign per joint, which the comparison chooses.
-
-Plain numbers and tuples: a comparison tries hundreds of tables, and the page's judge is a port of this.
-=======
 The axes that turn are lines in space. From one to the next there is a distance, a twist, and on
 each an offset between the feet of the two common normals; along parallel axes only the sum of the
 offsets is fixed, for their common normals may stand anywhere. An axis that slides has a direction
 and no place. Sliding moves the lines after it, so lengths are taken where the slides make the sum
 of their squares least: all tables find the same place. What is left open is which way each axis
-points: a sign per joint, which the comparison tries out.
->>>>>>> main
+points: a sign per joint, which the comparison chooses.
+
+Plain numbers and tuples: a comparison tries hundreds of tables, and the page's judge is a port of
+this.
 """
 
 import math
@@ -226,8 +219,8 @@ def mix(a: float, u: Vector, b: float, v: Vector) -> Vector:
 
 
 class Difference(NamedTuple):
-    """What differs in a gap: the key of its sentence, the row and entry it shows in, the joints it lies between, and what
-    it is in both tables (m, rad, or words)."""
+    """What differs in a gap: the key of its sentence, the row and entry it shows in, the joints it
+    lies between, and what it is in both tables (m, rad, or words)."""
 
     key: str
     row: int
@@ -249,7 +242,9 @@ class Side:
 
 @dataclass(frozen=True)
 class Compared:
-    """The differences that are left once each axis of the reference is turned the way that makes them fewest."""
+    """The differences that are left once each axis of the reference is turned the way that makes
+    them fewest.
+    """
 
     differences: tuple[Difference, ...]
     signs: tuple[int, ...]
@@ -265,7 +260,8 @@ def side(rows: Rows) -> Side:
 def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1e-4) -> Compared:
     """Compare two arms, lengths to within `length` (m) and angles to within `angle` (rad).
 
-    The signs of the axes are chosen gap by gap from the base on, keeping for each sign of the last axis the cheapest choice.
+    The signs of the axes are chosen gap by gap from the base on, keeping for each sign of the last
+    axis the cheapest choice.
     """
     unlike = tuple(_unlike(mine, reference))
     if unlike:
@@ -283,7 +279,9 @@ def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1
 
 
 def _step(mine: Side, m: Gap, r: Gap, best: dict, length: float, angle: float) -> dict:
-    """The cheapest choices up to the end of a gap, for each sign of its last joint; the gap begins with the last one's end."""
+    """The cheapest choices up to the end of a gap, for each sign of its last joint; the gap begins
+    with the last one's end.
+    """
     found: dict[int, tuple] = {}
     more = len(m.joints) - 1
     for signs in product((1, -1), repeat=len(m.joints)):

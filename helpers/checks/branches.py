@@ -1,5 +1,6 @@
 """Is my inverse kinematics right and complete? Each of your answers is judged, and what is missing
-is named."""
+is named.
+"""
 
 import re
 from collections.abc import Mapping
@@ -31,16 +32,9 @@ _OF_ONE_STEP = (
 _COARSE = 5.1e-3  # rad or m: with a larger unit than this, branches and slips are not told apart
 
 
-<<<<<<< HEAD
 @dataclass(frozen=True)
 class _Branches:
     """The right answers: joint vectors, names, which joints are free, and the tip's pose."""
-=======
-@dataclass(frozen=True, repr=False)
-class BranchReport(Verdict):
-    """What `compare_branches` found: a line for each wrong answer and one for what is missing;
-    nothing if all is right."""
->>>>>>> main
 
     arm: Arm
     q: Array
@@ -57,21 +51,17 @@ def compare_branches(
 ) -> Report:
     """Judge your joint vectors, shape (answers, dof), for one target against all of its branches.
 
-<<<<<<< HEAD
-    Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is and, where one slip or two
-    explain it, which; what is missing is named. Where a joint is free any one value of it stands for the branch.
+    Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is
+    and, where one slip or two explain it, which; what is missing is named. Where a joint is free
+    any one value of it stands for the branch.
 
     Args:
         mine: an array, lists, text, or pairs such as ('theta1', 0.3).
         found: what a closed form gives for the target.
         angles: "deg" where yours are in degrees.
-        tolerance: the largest deviation of a joint (rad or m); inferred from the digits typed unless given.
+        tolerance: the largest deviation of a joint (rad or m); inferred from the digits typed
+            unless given.
 
-=======
-    Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is
-    and, where one slip explains it, which: a sign, half a turn (atan for atan2), degrees, or joints
-    of different branches mixed. Where a joint is free any one value of it stands for the branch.
->>>>>>> main
     Raises ArmError for another shape, or where `found` holds many targets.
     """
     must_be(found, Solutions, "found")
@@ -152,7 +142,9 @@ def _margins(units: Array, tolerance: float | None, hand: bool = False) -> Array
 def _hits(
     right: _Branches, typed: Typed, tolerance: float | None
 ) -> tuple[dict[int, int], list[int], bool]:
-    """The answer that gives each branch, the answers that give none, and whether all are right to their digits."""
+    """The answer that gives each branch, the answers that give none, and whether all are right to
+    their digits.
+    """
     hits: dict[int, int] = {}
     astray, sharp = [], True
     for number, (q, units) in enumerate(zip(typed.values, typed.units, strict=True), 1):
@@ -166,14 +158,9 @@ def _hits(
     return hits, astray, sharp
 
 
-<<<<<<< HEAD
 def _matches(right: _Branches, q: Array, margin: Array) -> Array:
-    """The branches that q is: the same joints, or, where a joint is free, another member of the branch's family.
-=======
-def _matches(arm: Arm, q: Array, branches: Array, loose: Array) -> Array:
     """The branches that q is: the same joints, or, where a joint is free, another member of the
     branch's family.
->>>>>>> main
 
     A member reaches the target too and differs only in joints that can move together without the
     tip. Where two families share those (a UR's elbows), the nearer one counts.
@@ -193,7 +180,8 @@ def _matches(arm: Arm, q: Array, branches: Array, loose: Array) -> Array:
 
 def _moving_in_place(arm: Arm, branches: Array) -> NDArray[np.bool_]:
     """Which joints can move while the tip stands still, by the Jacobian's null space, shape
-    (branches, dof)."""
+    (branches, dof).
+    """
     J = jacobian(arm, branches)[..., : 6 if arm.dof >= 6 else 3, :]
     _, sizes, directions = np.linalg.svd(J)
     sizes = np.concatenate(
@@ -283,7 +271,9 @@ def _headline(
 
 
 def _one_sided(right: _Branches, missing: list[str], found: list[str]) -> list[Finding]:
-    """One sign of a root forgotten: a joint that has one sign in all that is there and the other in all that is missing."""
+    """One sign of a root forgotten: a joint that has one sign in all that is there and the other in
+    all that is missing.
+    """
     there = np.isin(right.names, found)
     if not (found and missing):
         return []
@@ -327,7 +317,9 @@ def _turn(arm: Arm, angle: float) -> str:
 
 
 def _why(right: _Branches, q: Array, margin: Array) -> tuple[Cause | None, str]:
-    """One slip; or joints of two branches mixed; or two slips; or the joints that are in no branch."""
+    """One slip; or joints of two branches mixed; or two slips; or the joints that are in no
+    branch.
+    """
     arm = right.arm
     fits = _gap(arm, q, right.q) <= margin
     mixed = _mixed(right, fits)
@@ -359,7 +351,9 @@ def _fitting(right: _Branches, slips, margin: Array) -> list[tuple[Cause, int]]:
 
 
 def _mixed(right: _Branches, fits: NDArray[np.bool_]) -> tuple[Cause, str] | None:
-    """Every joint in some branch: the branch with most of them, and the one that the others are from."""
+    """Every joint in some branch: the branch with most of them, and the one that the others are
+    from.
+    """
     if not fits.any(axis=0).all():
         return None
     most = int(fits.sum(axis=1).argmax())

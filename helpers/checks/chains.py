@@ -1,4 +1,5 @@
-"""The kinematics of many tables at once, for trying what mistakes would give: each hypothesis is another table or another q.
+"""The kinematics of many tables at once, for trying what mistakes would give: each hypothesis is
+another table or another q.
 
 Apart from `helpers.kinematics` because here the table varies and the pose does not.
 """
@@ -16,7 +17,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Chain:
-    """Numbers of one or more tables: a, alpha, d, theta of shape (..., rows), the joints' values q (..., dof)."""
+    """Numbers of one or more tables: a, alpha, d, theta of shape (..., rows), the joints' values q
+    (..., dof).
+    """
 
     a: Array
     alpha: Array
@@ -54,7 +57,9 @@ def chain(arm: Arm, q: Array) -> Chain:
 
 
 def steps(a: Array, alpha: Array, d: Array, theta: Array) -> Array:
-    """Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) for arrays of one shape, with shape (..., 4, 4)."""
+    """Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha) for arrays of one shape, with shape (..., 4,
+    4).
+    """
     c, s, ca, sa = _cos(theta), _sin(theta), _cos(alpha), _sin(alpha)
     zero, one = np.zeros_like(c * ca), np.ones_like(c * ca)
     rows = [
@@ -98,9 +103,11 @@ def columns(
     frames: Array | None = None,
     slides: bool = True,
 ) -> Array:
-    """A Jacobian built column by column, shape (..., 6, dof), with a step of the recipe done otherwise.
+    """A Jacobian built column by column, shape (..., 6, dof), with a step of the recipe done
+    otherwise.
 
-    `axis` and `origin` are the frames whose z and o serve each joint; `point` is the frame whose origin moves.
+    `axis` and `origin` are the frames whose z and o serve each joint; `point` is the frame whose
+    origin moves.
     """
     T = chain.frames if frames is None else frames
     usual = np.array(chain.joints) - 1
@@ -117,7 +124,9 @@ def columns(
 def weights(
     chain: Chain, masses: Array, centres: Array, gravity: Array, frames: Array | None = None
 ) -> Array:
-    """g(q), shape (..., dof), for a mass and a centre (in its row's frame) for each row: -z . ((sum m c - o sum m) x gravity)."""
+    """g(q), shape (..., dof), for a mass and a centre (in its row's frame) for each row: -z . ((sum
+    m c - o sum m) x gravity).
+    """
     T = chain.frames if frames is None else frames
     points = np.einsum("...kij,...kj->...ki", T[..., 1:, :3, :3], centres) + T[..., 1:, :3, 3]
     mass = np.cumsum(np.broadcast_to(masses, points.shape[:-1])[..., ::-1], axis=-1)[..., ::-1]

@@ -1,7 +1,9 @@
-"""What the digits of an answer promise: the unit of the last place of each entry, and what follows from it.
+"""What the digits of an answer promise: the unit of the last place of each entry, and what follows
+from it.
 
-Four grades: "right" · "so far" (right as far as it goes: too few digits, or part of it missing) · "rounded" (the last
-digit is off: cut, or rounded on the way) · "wrong". The rules and why are in the book's appendix on the checkers.
+Four grades: "right" · "so far" (right as far as it goes: too few digits, or part of it missing) ·
+"rounded" (the last digit is off: cut, or rounded on the way) · "wrong". The rules and why are in
+the book's appendix on the checkers.
 """
 
 import re
@@ -26,7 +28,9 @@ _NUMBER = re.compile(r"[+-]?\s*(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?")
 
 @dataclass(frozen=True)
 class Typed:
-    """Numbers as they were handed in: their values, and the unit of each one's last place (0 where exact)."""
+    """Numbers as they were handed in: their values, and the unit of each one's last place (0 where
+    exact).
+    """
 
     values: Array
     units: Array
@@ -49,7 +53,9 @@ class Typed:
 
 
 def literal(text: str) -> tuple[int, int, int] | None:
-    """Decimals, significant digits and the exponent of the first one of a plain number as typed; None for a formula."""
+    """Decimals, significant digits and the exponent of the first one of a plain number as typed;
+    None for a formula.
+    """
     match = _NUMBER.fullmatch(text.strip())
     if not match or not (match[1] or match[2]):
         return None
@@ -60,10 +66,11 @@ def literal(text: str) -> tuple[int, int, int] | None:
 
 
 def units(texts: list[str]) -> list[float]:
-    """The unit of the last place of each of a set of numbers typed together; 0 for formulas and for full floats.
+    """The unit of the last place of each of a set of numbers typed together; 0 for formulas and for
+    full floats.
 
-    They share their number of decimals, for trailing zeros are left out, unless they were cut to so many significant digits,
-    as 12.3, 0.456 and 0.0789 were. Whole numbers among formulas are exact.
+    They share their number of decimals, for trailing zeros are left out, unless they were cut to so
+    many significant digits, as 12.3, 0.456 and 0.0789 were. Whole numbers among formulas are exact.
     """
     found = [literal(text) for text in texts]
     plain = [f for f in found if f and f[1] and f[2] > _NOISE]

@@ -1,6 +1,7 @@
 """What a student holds, taken as numbers: arrays, lists, SymPy matrices, functions, pasted text.
 
-Text goes through `helpers.reading`, never through eval or sympify; a function of the student's is called with copies.
+Text goes through `helpers.reading`, never through eval or sympify; a function of the student's is
+called with copies.
 """
 
 import inspect
@@ -56,7 +57,8 @@ def no_symbols(names: set[str]) -> dict[str, float]:
 
 
 def numbers(mine: Any, what: str, lookup: Lookup = no_symbols, wanted: str = "numbers") -> Typed:
-    """Numbers of any shape with the units of their last places; raises ArmError where something else is held.
+    """Numbers of any shape with the units of their last places; raises ArmError where something
+    else is held.
 
     `lookup` gives values to symbols; a header line of a table of numbers is dropped.
     """
@@ -80,7 +82,9 @@ def _plain_array(mine: Any) -> Array | None:
 
 
 def _opened(mine: Any) -> Any:
-    """Tables of pandas and sparse or masked things as arrays, SymPy matrices as lists of lists, dicts as their values."""
+    """Tables of pandas and sparse or masked things as arrays, SymPy matrices as lists of lists,
+    dicts as their values.
+    """
     if isinstance(mine, Mapping):
         return list(mine.values())
     if hasattr(mine, "tolist"):
@@ -220,7 +224,9 @@ def of_sympy(expression: Any, known: dict[str, float], what: str) -> float:
 
 
 def called(function: Callable, arm: Arm, q: Array, what: str) -> Any:
-    """What a student's function gives at q. It gets copies; one with as many arguments as joints gets them one by one."""
+    """What a student's function gives at q. It gets copies; one with as many arguments as joints
+    gets them one by one.
+    """
     count = arguments(function)
     try:
         return function(*map(float, q)) if count == arm.dof > 1 else function(np.array(q))

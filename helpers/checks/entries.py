@@ -1,4 +1,6 @@
-"""How an answer's entries are graded: what each may be off by, and whether a mistake lies as near as what is right."""
+"""How an answer's entries are graded: what each may be off by, and whether a mistake lies as near
+as what is right.
+"""
 
 from dataclasses import dataclass
 
@@ -12,7 +14,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Margins:
-    """Per entry: `allowed` is right, up to `band` it was rounded on the way, up to `loose` perhaps."""
+    """Per entry: `allowed` is right, up to `band` it was rounded on the way, up to `loose`
+    perhaps.
+    """
 
     allowed: Array
     band: Array
@@ -23,7 +27,9 @@ class Margins:
 def margins(
     units: Array, scale: Array, slop: Array | float = 0.0, tolerance: float | None = None
 ) -> Margins:
-    """From the units of the last places, the scale of each entry's block, and what the digits of q leave open."""
+    """From the units of the last places, the scale of each entry's block, and what the digits of q
+    leave open.
+    """
     exact = EXACT * scale
     if tolerance is not None:
         allowed = np.broadcast_to(np.maximum(tolerance, exact * 1e-3), units.shape)
@@ -34,7 +40,9 @@ def margins(
 
 
 def graded(mine: Array, right: Array, m: Margins, made: Array) -> tuple[str, Array]:
-    """The grade, and which entries are wrong; `made` holds the answers of known mistakes, (causes, *mine.shape)."""
+    """The grade, and which entries are wrong; `made` holds the answers of known mistakes, (causes,
+    *mine.shape).
+    """
     off = np.abs(mine - right)
     axes = tuple(range(1, made.ndim))
     telling = made[(np.abs(made - right) > TELLING).any(axes)] if len(made) else made

@@ -1,4 +1,6 @@
-"""What slips make of right joint angles, undone: each gives the angles that would have come out without it."""
+"""What slips make of right joint angles, undone: each gives the angles that would have come out
+without it.
+"""
 
 import math
 from collections.abc import Callable, Iterator
@@ -53,7 +55,9 @@ def single(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
 
 
 def kept(arm: Arm, q: Array, branches: Array) -> Iterator[tuple[Cause, Array]]:
-    """theta_1 = +-pi/2 kept from the singular case where an offset shoulder has two general values."""
+    """theta_1 = +-pi/2 kept from the singular case where an offset shoulder has two general
+    values.
+    """
     if arm.dof and arm.turning[0] and abs(abs(q[0]) - math.pi / 2) < 1e-4:
         for branch in branches:
             mended = q.copy()

@@ -22,26 +22,7 @@ from helpers.reading.sentences import listed, say
 Array = NDArray[np.float64]
 
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
-<<<<<<< HEAD
 _HALVES = (("linear", slice(0, 3)), ("angular", slice(3, 6)))
-=======
-
-
-@dataclass(frozen=True, repr=False)
-class JacobianReport(Verdict):
-    """What `compare_jacobian` found: nothing if the Jacobian is right, everywhere or `at_one_pose`
-    only."""
-
-    arm: str
-    findings: tuple[str, ...]
-    at_one_pose: bool = False
-
-    def __str__(self) -> str:
-        verdict = "is right" if self.agrees else "is not right"
-        where = " at this pose" if self.agrees and self.at_one_pose else ""
-        head = f"The Jacobian of {self.arm} {verdict}{where}."
-        return "\n".join([head, *(f"- {f}" for f in self.findings)])
->>>>>>> main
 
 
 def compare_jacobian(
@@ -58,13 +39,9 @@ def compare_jacobian(
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
     Args:
-<<<<<<< HEAD
-        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix or a text in q_1, theta1, c_1, s_23, ... and the
-            arm's symbols, or numbers at `q`: an array, lists, or pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
-=======
-        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix in q_1, q_2, ... or
-            c_1, s_23, ... and the arm's symbols, or a 6 x dof array at `q`.
->>>>>>> main
+        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix or a text in q_1,
+            theta1, c_1, s_23, ... and the arm's symbols, or numbers at `q`: an array, lists, or
+            pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
         arm: whose Jacobian it should be; a locked joint as ``arm.lock(3)``.
         q: where to compare, shape (dof,); a pose without symmetry unless given. Numbers need it.
         angular_first: whether your rows are (omega, v) rather than (v, omega).
@@ -141,25 +118,10 @@ def _shape_cause(M: Array, arm: Arm) -> str:
     if M.shape == (arm.dof, 6):
         return "J.transposed"
     if wide and M.shape == (5, loose.dof):
-<<<<<<< HEAD
         return "J.row for column"
     if wide and M.shape == (6, loose.dof):
         return "J.locked column kept"
     return "J.shape"
-=======
-        return (
-            "A row is missing where a column should be: locking a joint removes its column; all"
-            " six velocity components stay."
-        )
-    if wide and M.shape == (6, loose.dof):
-        return "It still has a column for a joint that is locked: that column must go."
-    if M.shape == (3, arm.dof):
-        return "It has three rows; the other three, linear or angular, are missing."
-    return (
-        f"Its shape is {M.shape}; expected (6, {arm.dof}): rows vx, vy, vz, wx, wy, wz, a"
-        " column per free joint."
-    )
->>>>>>> main
 
 
 def _unlocked(arm: Arm) -> Arm:
@@ -168,7 +130,6 @@ def _unlocked(arm: Arm) -> Arm:
     return replace(arm, rows=rows, home=())
 
 
-<<<<<<< HEAD
 # The verdict
 
 
@@ -216,7 +177,9 @@ def _rows_meant(M: Array, right: Array) -> slice:
 
 
 def _slop(arm: Arm, at: Typed, frame: int) -> Array:
-    """What the unwritten digits of q may change in each entry: those of q with three decimals or more."""
+    """What the unwritten digits of q may change in each entry: those of q with three decimals or
+    more.
+    """
     units = np.where((at.units > 0) & (at.units < 2e-3), at.units, 0.0)
     if not units.any():
         return np.zeros((6, arm.dof))
@@ -233,23 +196,6 @@ def _hidden(known: Catalogue) -> Iterator[str]:
     effect = np.abs(known.made - known.right).max(axis=(1, 2))
     method = np.array(
         [c.keys[0].startswith("J.") and c.keys[0] != "J.columns exchanged" for c in known.causes]
-=======
-def _diagnosis(M: Array, arm: Arm, q: Array, frame: int) -> tuple[str, ...]:
-    """One mistake that explains the whole matrix, or one for each half, or else what is wrong with
-    each wrong column."""
-    M, right = rotated(M, link_frames(arm, q)[frame, :3, :3]), jacobian(arm, q)
-    usual = tuple(usual_mistakes(arm, q, frame))
-    if whole := _named(M, usual):
-        return (f"{whole}.",)
-    linear, angular = slice(0, 3), slice(3, 6)
-    halves = [_half(M, right, usual, rows) for rows in (linear, angular)]
-    if None not in halves:
-        return tuple(words for words in halves if words)
-    wrong = [k for k in range(arm.dof) if not _same(M[:, k], right[:, k])]
-    return tuple(
-        f"Column {k + 1} (joint {arm.joints[k]}): {_column(k, M[:, k], right, usual, arm, q)}."
-        for k in wrong
->>>>>>> main
     )
     blind = int((method & (effect < TELLING)).sum())
     if blind:

@@ -1,4 +1,6 @@
-"""What mistakes make of a right Jacobian: in the table or q (before), in the recipe, and in how it is written down (after)."""
+"""What mistakes make of a right Jacobian: in the table or q (before), in the recipe, and in how it
+is written down (after).
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,7 +19,9 @@ RAD = np.pi / 180
 
 @dataclass(frozen=True)
 class Catalogue:
-    """Mistaken Jacobians in the axes of the declared frame: their causes, and matrices (causes, 6, dof)."""
+    """Mistaken Jacobians in the axes of the declared frame: their causes, and matrices (causes, 6,
+    dof).
+    """
 
     right: Array
     causes: tuple[Cause, ...]
@@ -35,8 +39,8 @@ def singles(arm: Arm, q: Array, frame: int) -> Catalogue:
 
 
 def pairs(arm: Arm, q: Array, frame: int) -> Catalogue:
-    """Every pair of a mistake in the table, the recipe or the pose and one in the writing; of two in the writing; and of one
-    in the table with one in the recipe."""
+    """Every pair of a mistake in the table, the recipe or the pose and one in the writing; of two
+    in the writing; and of one in the table with one in the recipe."""
     at = _At(arm, q, frame)
     befores, afters = [*at.recipes(), *at.tables()], list(at.afters())
     stack = np.stack([J for _, J in befores])
@@ -82,7 +86,9 @@ class _At:
         return J if not self.frame else _turned(J, self.T[self.frame, :3, :3].T)
 
     def unseen(self, one, two) -> Array:
-        """Two ways of writing it down, one upon the other; each takes base axes and gives the declared frame's."""
+        """Two ways of writing it down, one upon the other; each takes base axes and gives the
+        declared frame's.
+        """
         back = self.T[self.frame, :3, :3]
         first = one(self.right)
         return two(_turned(first, back) if self.frame else first)
@@ -98,7 +104,9 @@ class _At:
     # The table
 
     def tables(self) -> Iterator[tuple[Cause, Array]]:
-        """The right recipe on a wrong table: one entry's sign, one entry forgotten, the pen, all the offsets of theta."""
+        """The right recipe on a wrong table: one entry's sign, one entry forgotten, the pen, all
+        the offsets of theta.
+        """
         wrong = list(wrong_tables(self.arm, self.chain))
         if wrong:
             J = columns(_stacked(self.chain, [c for _, c in wrong]))
@@ -118,7 +126,9 @@ class _At:
     # The writing
 
     def afters(self):
-        """Each a function of a Jacobian in base axes, or a stack of them, to the declared frame's."""
+        """Each a function of a Jacobian in base axes, or a stack of them, to the declared
+        frame's.
+        """
         turns = self.turning
 
         def after(change):
@@ -174,7 +184,9 @@ class _At:
 
 
 def wrong_recipes(at: Chain) -> Iterator[tuple[Cause, Array]]:
-    """The Jacobian with one step of its recipe done otherwise, in base axes, for one pose or many."""
+    """The Jacobian with one step of its recipe done otherwise, in base axes, for one pose or
+    many.
+    """
     T, usual = at.frames, np.array(at.joints) - 1
     right = columns(at, frames=T)
     late = columns(at, frames=T, axis=usual + 1, origin=usual + 1)
@@ -275,7 +287,9 @@ def _turned(J: Array, R: Array) -> Array:
 
 
 def _rows_read(T: Array) -> Array:
-    """Frames whose axes and origins are read along the rows of T, its last row (0, 0, 0, 1) for the origin."""
+    """Frames whose axes and origins are read along the rows of T, its last row (0, 0, 0, 1) for the
+    origin.
+    """
     read = np.swapaxes(T, -1, -2).copy()
     read[..., :3, 3] = 0.0
     return read

@@ -1,6 +1,8 @@
-"""How the joints of one valid table count in those of another: q_2 of the reference = -q_2 of yours - 90°.
+"""How the joints of one valid table count in those of another: q_2 of the reference = -q_2 of yours
+- 90°.
 
-Axis by axis from the base: a joint's zero is found from where it carries the next axis, or at the end the tip and the tool.
+Axis by axis from the base: a joint's zero is found from where it carries the next axis, or at the
+end the tip and the tool.
 """
 
 import math
@@ -30,7 +32,9 @@ _SEEN = 1e-6  # m, or the sine of an angle: less than this fixes no direction
 
 
 class Map(NamedTuple):
-    """The reference's joint k is signs[k] times yours plus offsets[k] (rad or m); your base's frame in the reference's."""
+    """The reference's joint k is signs[k] times yours plus offsets[k] (rad or m); your base's frame
+    in the reference's.
+    """
 
     signs: tuple[int, ...]
     offsets: tuple[float, ...]
@@ -50,7 +54,9 @@ class _Feature(NamedTuple):
 
 
 def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1e-6) -> Map | None:
-    """The map between two tables that agree, or None where it cannot be confirmed by the tips of some poses."""
+    """The map between two tables that agree, or None where it cannot be confirmed by the tips of
+    some poses.
+    """
     base = _base(mine, reference, found)
     ours = _features(mine.rows, [0.0] * len(mine.joints), base, found.signs)
     offsets = [0.0] * len(mine.joints)
@@ -161,7 +167,9 @@ def words(found: Map, mine: Side, reference: Side) -> list[str]:
 
 
 def in_own_joints(rows: Rows, arm: Arm, found: Map, mine: Side, reference: Side, name: str) -> Arm:
-    """The reference as an arm of the student's own table: its limits and bodies carried over to these rows."""
+    """The reference as an arm of the student's own table: its limits and bodies carried over to
+    these rows.
+    """
     limits, speeds = arm.limits, arm.speed_limits
     new, k = [], 0
     for row in rows:

@@ -1,4 +1,6 @@
-"""Which joint or length a student's symbol means: q_1, q1, theta_1, th1, d3 for a slide, c1, s_23, c_{2-3}, a3, l_pen."""
+"""Which joint or length a student's symbol means: q_1, q1, theta_1, th1, d3 for a slide, c1, s_23,
+c_{2-3}, a3, l_pen.
+"""
 
 import math
 import re
@@ -15,7 +17,9 @@ _SHORT = re.compile(r"([cs])((?:[+-]?\d)+)", re.I)
 
 
 def simple(name: str) -> str:
-    """A name without underscores, braces, primes and ``(t)``, in lower case: ``theta_{1}(t)`` is ``theta1``."""
+    """A name without underscores, braces, primes and ``(t)``, in lower case: ``theta_{1}(t)`` is
+    ``theta1``.
+    """
     name = re.sub(r"\(t\)|[_{}'*^\\ ]", "", name)
     return name.replace("ϑ", "theta").replace("θ", "theta").lower()
 

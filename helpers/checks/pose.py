@@ -27,7 +27,8 @@ _COARSE = (
 def compare_pose(
     q: object, arm: Arm, T: ArrayLike | str, *, angles: str = "rad", tolerance: float | None = None
 ) -> Report:
-    """Whether joint values take an arm's tip to a pose T, shape (4, 4), or to a point (3,), and if not, what slip would.
+    """Whether joint values take an arm's tip to a pose T, shape (4, 4), or to a point (3,), and if
+    not, what slip would.
 
     Args:
         q: one joint vector, as an array, list, text or pairs such as ('theta1', 0.3).

@@ -1,7 +1,8 @@
 """Which mistakes explain an answer, the simplest and likeliest first.
 
-Each hypothesis is what an answer would be with one mistake, or two. It gains an entry where it explains a wrong one and loses
-one where it spoils a right one; it is named if it explains all, or gains at least three and most of what is wrong.
+Each hypothesis is what an answer would be with one mistake, or two. It gains an entry where it
+explains a wrong one and loses one where it spoils a right one; it is named if it explains all, or
+gains at least three and most of what is wrong.
 """
 
 from collections.abc import Sequence
@@ -63,7 +64,9 @@ def lower(sentence: str) -> str:
 
 @dataclass(frozen=True)
 class Found:
-    """Causes that explain an answer, best first, and the entries that the best leaves unexplained."""
+    """Causes that explain an answer, best first, and the entries that the best leaves
+    unexplained.
+    """
 
     causes: tuple[Cause, ...]
     odd: NDArray[np.bool_]
@@ -72,7 +75,9 @@ class Found:
 def explain(
     mine: Array, right: Array, band: Array, causes: Sequence[Cause], made: Array
 ) -> Found | None:
-    """The causes whose answers `made`, shape (causes, *mine.shape), explain mine within the band; None where none does."""
+    """The causes whose answers `made`, shape (causes, *mine.shape), explain mine within the band;
+    None where none does.
+    """
     if not len(causes):
         return None
     axes = tuple(range(1, made.ndim))
@@ -94,7 +99,9 @@ def explain(
 
 
 def several(found: Sequence[Cause], most: int = 3) -> str:
-    """What the causes say: single ones that explain equally well one after another, of pairs the first."""
+    """What the causes say: single ones that explain equally well one after another, of pairs the
+    first.
+    """
     words = list(dict.fromkeys(c.words for c in found))[: most if len(found[0].keys) == 1 else 1]
     return (
         words[0]

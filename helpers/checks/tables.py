@@ -32,16 +32,11 @@ _LENGTH = 1e-6  # m
 _COARSEST = 1e-3  # m: lengths typed to the millimetre are still lengths
 
 
-<<<<<<< HEAD
 @dataclass(frozen=True)
 class Table:
-    """A student's table in numbers: as typed, in SI units where they were said, with the units of the last places."""
-=======
-@dataclass(frozen=True, repr=False)
-class TableReport(Verdict):
-    """What `compare_tables` found; `notes` are differences that are free choices, or a hint at the
-    cause."""
->>>>>>> main
+    """A student's table in numbers: as typed, in SI units where they were said, with the units of
+    the last places.
+    """
 
     name: str
     rows: list[Numbers]
@@ -64,73 +59,30 @@ def compare_tables(
 ) -> Report:
     """Whether two DH tables describe the same arm, and if not, where they differ and why.
 
-<<<<<<< HEAD
-    Compared is what no choice of frames can change: the kind of each joint, distance and twist between neighbouring axes,
-    the offset along each axis (along parallel axes only the sum), and where the tip is on the last link. Free are the
-    directions of the axes but z_0, the places of common normals between parallel axes, the zeros of the joints, the place of a
-    sliding axis and the number of fixed rows. Where the joints of a right table count otherwise, the report prints the
-    map and holds the arm in your joints, ``report.figures["arm"]``.
+    Compared is what no choice of frames can change: the kind of each joint, distance and twist
+    between neighbouring axes, the offset along each axis (along parallel axes only the sum), and
+    where the tip is on the last link. Free are the directions of the axes but z_0, the places of
+    common normals between parallel axes, the zeros of the joints, the place of a sliding axis and
+    the number of fixed rows. Where the joints of a right table count otherwise, the report prints
+    the map and holds the arm in your joints, ``report.figures["arm"]``.
 
     Args:
-        mine: an `Arm`, or rows in a list, text, `Link(...)` lines or 4 x 4 matrices, as ``Arm.from_table`` takes them.
+        mine: an `Arm`, or rows in a list, text, `Link(...)` lines or 4 x 4 matrices, as
+            ``Arm.from_table`` takes them.
         reference: the arm it should describe.
-        columns, lengths, angles, convention, values: how to read `mine`; guessed, and said, unless given.
-        tolerance: the largest deviation of a length (m); inferred from the digits typed unless given.
+        columns, lengths, angles, convention, values: how to read `mine`; guessed, and said, unless
+            given.
+        tolerance: the largest deviation of a length (m); inferred from the digits typed unless
+            given.
 
-    Raises ArmError where an arm has no joint or `mine` is no table. Source: Siciliano et al., Robotics, section 2.8.2, on
-    the free choices.
+    Raises ArmError where an arm has no joint or `mine` is no table. Source: Siciliano et al.,
+    Robotics, section 2.8.2, on the free choices.
     """
     must_be(reference, Arm, "the reference")
     door.settings("rad", tolerance, values)
     if not reference.dof or (isinstance(mine, Arm) and not mine.dof):
         raise ArmError(
             f"cannot compare {shown(mine)} with {reference!r}; expected arms with one joint or more"
-=======
-    Compared is what no choice of frames can change: the kind of each joint, distance and twist
-    between neighbouring axes, the offset along each axis (along parallel axes only the sum), and
-    where the tip is on the last link, lengths to within 1e-6 m and angles to within 1e-4 rad. Free
-    are the directions of the axes, the places of common normals between parallel axes, the zeros of
-    the joints, the place of a sliding axis and the number of fixed rows. Other zeros or directions
-    of the joints, another height of the base frame on axis 1 and another tilt of the tool's frame
-    are notes. Rows are counted in `mine`.
-
-    Raises ArmError where an arm has no joint. Source: Siciliano et al., Robotics, section 2.8.2, on
-    the free choices.
-    """
-    for arm in (mine, reference):
-        if not isinstance(arm, Arm) or not arm.dof:
-            raise ArmError(f"cannot compare {shown(arm)}; expected an Arm with one joint or more")
-    findings, notes = _compared(_squared(mine), _squared(reference))
-    more = _hints(mine, reference) or notes if findings else (*notes, *_zeros_note(mine, reference))
-    return TableReport(mine.name, reference.name, findings, (*more, *_rounded(mine)))
-
-
-def _squared(arm: Arm) -> Arm:
-    """The arm with angles near a multiple of a right angle taken as that: 1.5708 is meant as
-    pi/2."""
-    rows = [replace(r, alpha=_square(arm, r.alpha), theta=_square(arm, r.theta)) for r in arm.rows]
-    return replace(arm, rows=rows)
-
-
-def _square(arm: Arm, angle: Entry) -> Entry:
-    turns = arm.number(angle) / (math.pi / 2)
-    near = abs(turns - round(turns)) * math.pi / 2 < WITHIN_ANGLE
-    return _RIGHT_ANGLES.get(round(turns), f"{round(turns)} * pi / 2") if near else angle
-
-
-def _compared(mine: Arm, reference: Arm) -> tuple[tuple[Finding, ...], tuple[str, ...]]:
-    """Findings and notes for the directions of the reference's axes that make them fewest and
-    smallest."""
-    unlike = tuple(_unlike_joints(mine, reference))
-    if unlike:
-        return unlike, ()
-    ours, theirs, tilts = gaps(mine), gaps(reference), (tool_tilt(mine), tool_tilt(reference))
-    local = [by_signs(mine, m, r) for m, r in zip(ours, theirs, strict=True)]
-    tries = (
-        (
-            _at(ours, local, signs),
-            (*_tool_note(*tilts, signs), *_base_note(mine, ours, theirs, signs)),
->>>>>>> main
         )
     tables = _tables(mine, reference, columns, lengths, angles, convention, values)
     reports = (_judged(table, reference, tolerance) for table in tables)
@@ -173,7 +125,9 @@ def _table(name: str, rows: list[Numbers], texts: list, said: tuple[str, ...]) -
 
 
 def _squared(rows: Rows, unit: float) -> list[Numbers]:
-    """The rows with angles near a multiple of a right angle taken as that: 1.57 is meant as pi/2."""
+    """The rows with angles near a multiple of a right angle taken as that: 1.57 is meant as
+    pi/2.
+    """
     return [r._replace(alpha=_square(r.alpha, unit), theta=_square(r.theta, unit)) for r in rows]
 
 
@@ -183,13 +137,14 @@ def _square(angle: float, unit: float) -> float:
     return right if abs(angle - right) < near else angle
 
 
-<<<<<<< HEAD
 # The verdict
 
 
 @dataclass(frozen=True)
 class _Try:
-    """One reading of what was meant: its causes, the rows, the arm they are held against, and what is left."""
+    """One reading of what was meant: its causes, the rows, the arm they are held against, and what
+    is left.
+    """
 
     cause: Cause | None
     rows: list[Numbers]
@@ -235,54 +190,6 @@ def _same(
         *_base(mine, found),
         *_tool(found),
         *_written(table),
-=======
-def _tool_note(mine: float, reference: float, signs: tuple[int, ...]) -> Iterator[str]:
-    m, r = arc(mine), arc(signs[-1] * reference)
-    if angle_between(m, r) > WITHIN_ANGLE:
-        yield (
-            f"the last frame's z axis stands at {math.degrees(m):.4g}° to the last joint axis in"
-            " yours"
-            f" and at {math.degrees(r):.4g}° in the reference. The tip's place does not depend on"
-            " it,"
-            " the tool's orientation does."
-        )
-
-
-def _zeros_note(mine: Arm, reference: Arm) -> Iterator[str]:
-    """Says so if the same q means another pose: then the tips' distance changes from one q to the
-    next."""
-    q = np.outer([0, 0.3, 0.7], np.arange(1, mine.dof + 1))
-    tips, wanted = (forward_kinematics(_squared(arm), q)[:, :3, 3] for arm in (mine, reference))
-    if np.ptp(tips - wanted, axis=0).max() > WITHIN_LENGTH:
-        yield (
-            "the same q is another pose: some of your joints count from another zero, or the"
-            " other way."
-        )
-
-
-def _base_note(
-    arm: Arm, mine: list[Gap], reference: list[Gap], signs: tuple[int, ...]
-) -> Iterator[str]:
-    m, r = (next((gap for gap in walk if gap.places_base), None) for walk in (mine, reference))
-    if m is None or r is None or m.bunch != r.bunch:
-        return
-    higher = signs[m.bunch[-1]] * r.offset - m.offset
-    if abs(higher) > WITHIN_LENGTH:
-        yield (
-            f"your base frame stands {1000 * abs(higher):.4g} mm"
-            f" {'higher' if higher > 0 else 'lower'} on"
-            f" axis 1 (d in row {arm.joints[m.bunch[-1]]}) than the reference's. That is a free"
-            " choice, but"
-            " positions in the two base frames differ by it."
-        )
-
-
-def _rounded(arm: Arm) -> tuple[str, ...]:
-    """A word on each angle that was taken as a multiple of a right angle though it is not quite
-    one."""
-    entries = [
-        (i, n, getattr(row, n)) for i, row in enumerate(arm.rows, 1) for n in ("alpha", "theta")
->>>>>>> main
     ]
     if mapped is not None:
         figures["joint_map"] = tuple(zip(mapped.signs, mapped.offsets, strict=True))
@@ -322,7 +229,9 @@ def _tool(found: Compared) -> Iterator[str]:
 
 
 def _written(table: Table) -> Iterator[str]:
-    """A word on each angle that was taken as a multiple of a right angle though it is not quite one."""
+    """A word on each angle that was taken as a multiple of a right angle though it is not quite
+    one.
+    """
     names = {-2: "-pi", -1: "-pi/2", 1: "pi/2", 2: "pi"}
     for i, row in enumerate(table.rows, 1):
         for column in ("alpha", "theta"):
@@ -375,7 +284,9 @@ def _edits(c: Cause | None) -> int:
 
 
 def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> Iterator[_Try]:
-    """Every reading with up to two causes, fewest first, each with how many entries differ from the reference's."""
+    """Every reading with up to two causes, fewest first, each with how many entries differ from the
+    reference's.
+    """
     starts = usual.units(rows, wanted)
     others = [
         (None, wanted),
@@ -400,7 +311,9 @@ def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> 
 
 
 def _unequal(rows: Rows, wanted: Rows) -> int:
-    """How many entries differ, the zeros of joints that turn not counted; many where the rows do not correspond."""
+    """How many entries differ, the zeros of joints that turn not counted; many where the rows do
+    not correspond.
+    """
     return len(_unequal_entries(rows, wanted)) if _alike(rows, wanted) else 99
 
 
@@ -425,7 +338,9 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
 
 
 def _agreeing(tries: list[_Try], length: float) -> _Try | None:
-    """The first reading that leaves nothing: entries equal, or single causes and units judged by the axes."""
+    """The first reading that leaves nothing: entries equal, or single causes and units judged by
+    the axes.
+    """
     return next(
         (
             t

@@ -1,4 +1,6 @@
-"""What students make of a right table, undone: each mend changes the rows as typed into what was meant."""
+"""What students make of a right table, undone: each mend changes the rows as typed into what was
+meant.
+"""
 
 import math
 from collections.abc import Callable, Iterator
@@ -15,7 +17,9 @@ Mend = Callable[[list[Numbers]], list[Numbers]]
 
 
 def units(rows: Rows, reference: Rows) -> list[tuple[Cause | None, list[Numbers]]]:
-    """The readings of the numbers that their sizes allow: lengths in m, cm or mm, angles in radians or degrees."""
+    """The readings of the numbers that their sizes allow: lengths in m, cm or mm, angles in radians
+    or degrees.
+    """
     total, wanted = (sum(abs(r.a) + abs(r.d) for r in table) or 1.0 for table in (rows, reference))
     lengths = [(None, 1.0)]
     for key, factor in (("table.millimetres", 1e-3), ("table.centimetres", 1e-2)):
@@ -81,7 +85,9 @@ def to_craig(rows: list[Numbers]) -> list[Numbers]:
 
 
 def references(arm: Arm) -> Iterator[tuple[Cause, tuple[Numbers, ...]]]:
-    """Other arms that a student may have described: without the pen, or one length taken for another."""
+    """Other arms that a student may have described: without the pen, or one length taken for
+    another.
+    """
     values = dict(arm.values)
     if values.get("l_pen"):
         yield cause("table.pen"), numeric(arm.with_values(l_pen=0))

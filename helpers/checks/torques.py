@@ -19,26 +19,7 @@ from helpers.statics import GRAVITY, static_torque
 Array = NDArray[np.float64]
 
 _NO_WRENCH = (0.0,) * 6
-<<<<<<< HEAD
 _SAMPLE = 25  # poses of a run on which causes are tried
-=======
-
-
-@dataclass(frozen=True, repr=False)
-class TorqueReport(Verdict):
-    """What `compare_torques` found; `worst` is the largest difference (N m, or N where a joint
-    slides)."""
-
-    arm: str
-    worst: float
-    findings: tuple[str, ...]
-
-    def __str__(self) -> str:
-        verdict = "are right" if self.agrees else "are not right"
-        return "\n".join(
-            [f"The torques of {self.arm} {verdict}.", *(f"- {f}" for f in self.findings)]
-        )
->>>>>>> main
 
 
 def compare_torques(
@@ -47,7 +28,6 @@ def compare_torques(
     q: ArrayLike | str,
     wrench: ArrayLike = _NO_WRENCH,
     gravity: ArrayLike = GRAVITY,
-<<<<<<< HEAD
     *,
     angles: str = "rad",
     tolerance: float | None = None,
@@ -55,8 +35,8 @@ def compare_torques(
     """Compare your torques at q, shape (..., dof), with g(q) - J^T F, and name the mistake.
 
     Args:
-        mine: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and column vectors are
-            turned round. A function is called with q.
+        mine: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
+            column vectors are turned round. A function is called with q.
         arm: with masses.
         q: joints of shape (..., dof), or text.
         wrench: on the tool, by the world, shape (6,) or (..., 6).
@@ -64,7 +44,8 @@ def compare_torques(
         angles: "deg" where `q` is in degrees.
         tolerance: the largest deviation (N m); inferred from the digits typed unless given.
 
-    One pose can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers or the arm has no masses.
+    One pose can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers
+    or the arm has no masses.
     """
     must_be(arm, Arm, "arm")
     door.settings(angles, tolerance)
@@ -84,75 +65,6 @@ def compare_torques(
         np.asarray(gravity, float),
         tolerance,
         taken,
-=======
-    tolerance: float = 1e-3,
-) -> TorqueReport:
-    """Compare your torques, shape (..., dof), at q, shape (..., dof), with g(q) - J^T F, and name
-    the mistake.
-
-    `wrench` is on the tool, by the world, shape (6,) or (..., 6); `tolerance` is in N m. One pose
-    can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers or the
-    arm has no masses.
-    """
-    must_be(arm, Arm, "arm")
-    number(tolerance, "tolerance", "a number of N m, 0 or more", least=0)
-    tau = _numbers(mine, arm)
-    right = static_torque(arm, q, wrench, gravity)
-    if tau.shape != right.shape:
-        return TorqueReport(arm.name, np.inf, (_shape_finding(tau, right, arm),))
-    worst = float(np.abs(tau - right).max(initial=0.0))
-    agrees = worst <= tolerance
-    findings = () if agrees else _diagnosis(tau, right, arm, q, wrench, gravity, tolerance)
-    return TorqueReport(arm.name, worst, findings)
-
-
-def _numbers(mine: ArrayLike, arm: Arm) -> Array:
-    tau = floats(mine, f"{arm.name}: what you give for your torques", "numbers")
-    if not np.isfinite(tau).all():
-        raise ArmError(f"{arm.name}: your torques hold NaN or infinity; expected finite numbers")
-    return tau
-
-
-def _shape_finding(tau: Array, right: Array, arm: Arm) -> str:
-    if tau.shape == right.shape[:-1]:
-        return (
-            "One number for a pose is the potential energy; torques are its derivatives, one"
-            " per joint."
-        )
-    if tau.ndim == 2 and tau.T.shape == right.shape:
-        return "It is transposed: one row per pose, one column per joint."
-    return (
-        f"Its shape is {tau.shape}; expected {right.shape}, one torque for each of {arm.dof}"
-        " joints."
-    )
-
-
-def _diagnosis(
-    tau: Array,
-    right: Array,
-    arm: Arm,
-    q: ArrayLike,
-    wrench: ArrayLike,
-    gravity: ArrayLike,
-    tolerance: float,
-) -> tuple[str, ...]:
-    wrongs = (*_signs(arm, q, wrench, gravity), *_models(arm, q, wrench, gravity))
-    for sentence, wrong in wrongs:
-        # A cause that makes no difference here explains nothing.
-        if np.abs(tau - wrong).max() <= tolerance < np.abs(wrong - right).max():
-            return (sentence,)
-    return tuple(_joints(tau, right, arm, tolerance))
-
-
-def _signs(
-    arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike
-) -> Iterator[tuple[str, Array]]:
-    weight = gravity_torque(arm, q, gravity)
-    force = static_torque(arm, q, wrench, gravity) - weight
-    yield (
-        "The force has the wrong sign: F is on the tool, by the world, and tau = g - J^T F.",
-        weight - force,
->>>>>>> main
     )
 
 
@@ -172,7 +84,9 @@ def _poses(q: ArrayLike | str, arm: Arm, angles: str) -> Typed:
 
 
 def _upright(typed: Typed, right: Array) -> tuple[Typed | None, tuple[str, ...]]:
-    """The torques with a row per pose: columns, lists per joint and a leading column of zeros are set right, and said."""
+    """The torques with a row per pose: columns, lists per joint and a leading column of zeros are
+    set right, and said.
+    """
     M, steps = np.squeeze(typed.values), np.squeeze(typed.units)
     poses, dof = right.shape
     if M.shape == (dof,) and poses == 1:
@@ -241,7 +155,9 @@ def _whole(grade: str, mine: Array, right: Array, m: Margins) -> str:
 
 
 def _slop(arm: Arm, at: Typed, wrench: Array, gravity: Array) -> Array | float:
-    """What the unwritten digits of q may change in each torque: those of q with three decimals or more."""
+    """What the unwritten digits of q may change in each torque: those of q with three decimals or
+    more.
+    """
     units = np.where((at.units > 0) & (at.units < 2e-3), at.units, 0.0)
     if not units.any():
         return 0.0

@@ -1,4 +1,6 @@
-"""What mistakes make of right torques tau = g(q) - J^T F: in the weight, in the force, in both, and in how they are written."""
+"""What mistakes make of right torques tau = g(q) - J^T F: in the weight, in the force, in both, and
+in how they are written.
+"""
 
 from collections.abc import Iterator
 from itertools import product
@@ -44,7 +46,9 @@ class Load:
 
 
 def catalogue(load: Load) -> tuple[list[Cause], Array]:
-    """Every combination of up to two causes, fewest first, and the torques (causes, poses, dof) that they give."""
+    """Every combination of up to two causes, fewest first, and the torques (causes, poses, dof)
+    that they give.
+    """
     found: list[tuple[Cause, Array]] = []
     for whole, other in _loads(load):
         heavy, pushed = list(_weights(other)), list(_forces(other))
@@ -79,10 +83,11 @@ def reversed_joints(load: Load, right: Array) -> tuple[list[Cause], Array]:
 
 
 def paper_centres(load: Load) -> tuple[list[Cause], Array]:
-    """Centres of mass as a paper gives them, unconverted: in the maker's Craig frames, whose axes x are the table's.
+    """Centres of mass as a paper gives them, unconverted: in the maker's Craig frames, whose axes x
+    are the table's.
 
-    Where the maker's joint counts the other way, y and z point the other way; the last frame may stand before its offset d.
-    All choices are tried, with the force as it is, reversed and missing.
+    Where the maker's joint counts the other way, y and z point the other way; the last frame may
+    stand before its offset d. All choices are tried, with the force as it is, reversed and missing.
     """
     craig = _craig_centres(load.arm, load.centres)
     count, last = len(craig), load.arm.numeric[-1].d
@@ -140,7 +145,9 @@ def _weights(load: Load) -> Iterator[Part]:
 
 
 def _craig_centres(arm: Arm, centres: Array) -> Array:
-    """Centres of mass given in Craig's frames, used as if they were in the table's: a turn by alpha and a step of a apart."""
+    """Centres of mass given in Craig's frames, used as if they were in the table's: a turn by alpha
+    and a step of a apart.
+    """
     found = []
     for row, (x, y, z) in zip(arm.numeric, centres, strict=True):
         c, s = row.cos_alpha, row.sin_alpha

@@ -1,4 +1,6 @@
-"""Did my joints draw the path? Judged by the tip that they give, and by how they move, not by the picture."""
+"""Did my joints draw the path? Judged by the tip that they give, and by how they move, not by the
+picture.
+"""
 
 from collections.abc import Iterator
 
@@ -24,48 +26,24 @@ _USUAL = 2e-3  # m: Euler's method on the homework's circle stays well below
 _JUMP = 0.3  # rad or m in one step, and ten times the usual one: another branch
 
 
-<<<<<<< HEAD
 def compare_trace(
     mine: object, arm: Arm, path: Path, tolerance: float | None = None, *, angles: str = "rad"
 ) -> Report:
-    """Whether your joint vectors, shape (steps + 1, dof), make the tip follow a path, and if not, in what way they fail.
-
-    Args:
-        mine: one row for each of the path's times, or for all but the last; an array, lists, text such as CSV.
-        arm: whose joints they are.
-        path: what the tip should draw, at held orientation.
-        tolerance: the largest distance (m) from where the tip should be, 2 mm unless given; the tool may lean or spin by 1
-            degree. Unless given, a run within 2 mm that shows a slip (other lengths, the velocity of the next step) is
-            wrong all the same.
-        angles: "deg" where yours are in degrees.
-
-    Limits of range and speed are notes: the homework's own circle breaks them. Raises ArmError where `mine` holds anything
-=======
-@dataclass(frozen=True, repr=False)
-class TraceReport(Verdict):
-    """What `compare_trace` found; `run` holds every measured figure, `notes` what the real arm
-    could not do."""
-
-    arm: str
-    findings: tuple[str, ...]
-    notes: tuple[str, ...] = ()
-    run: Report | None = None
-
-    def __str__(self) -> str:
-        verdict = "draws the path" if self.agrees else "does not draw the path"
-        notes = [f"- Note: {note}" for note in self.notes]
-        return "\n".join([f"{self.arm} {verdict}.", *(f"- {f}" for f in self.findings), *notes])
-
-
-def compare_trace(mine: ArrayLike, arm: Arm, path: Path, tolerance: float = 2e-3) -> TraceReport:
     """Whether your joint vectors, shape (steps + 1, dof), make the tip follow a path, and if not,
     in what way they fail.
 
-    One row for each of the path's times, or for all but the last. `tolerance` is the largest
-    distance (m) from where the tip should be; it may lean by 1 degree. Limits of range and speed
-    are notes: the homework's own circle breaks them. Raises ArmError where `mine` holds anything
->>>>>>> main
-    but finite numbers.
+    Args:
+        mine: one row for each of the path's times, or for all but the last; an array, lists, text
+            such as CSV.
+        arm: whose joints they are.
+        path: what the tip should draw, at held orientation.
+        tolerance: the largest distance (m) from where the tip should be, 2 mm unless given; the
+            tool may lean or spin by 1 degree. Unless given, a run within 2 mm that shows a slip
+            (other lengths, the velocity of the next step) is wrong all the same.
+        angles: "deg" where yours are in degrees.
+
+    Limits of range and speed are notes: the homework's own circle breaks them. Raises ArmError
+    where `mine` holds anything but finite numbers.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
@@ -88,9 +66,10 @@ def compare_trace(mine: ArrayLike, arm: Arm, path: Path, tolerance: float = 2e-3
     return _judged(typed, arm, path, allowed, tolerance is not None, taken, extra)
 
 
-<<<<<<< HEAD
 def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed | None, tuple[str, ...], bool]:
-    """A row per step: columns turned round, a leading column of times or zeros dropped, one step too many cut, and said."""
+    """A row per step: columns turned round, a leading column of times or zeros dropped, one step
+    too many cut, and said.
+    """
     M, steps = np.squeeze(typed.values), np.squeeze(typed.units)
     if M.ndim != 2:
         return None, (), False
@@ -104,15 +83,6 @@ def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed | None, tuple[st
         return None, said, False
     extra = len(M) == len(path.times) + 1
     return Typed(M[: len(path.times)], steps[: len(path.times)]), said, extra
-=======
-def _shape_finding(q: Array, arm: Arm, counts: tuple[int, int]) -> str:
-    if q.ndim == 2 and q.shape[0] == arm.dof and q.shape[1] in counts:
-        return "It is transposed: one row per step, one column per joint."
-    return (
-        f"Its shape is {q.shape}; expected ({counts[0]}, {arm.dof}), one row for each of the"
-        " path's times."
-    )
->>>>>>> main
 
 
 def _radians(typed: Typed, arm: Arm) -> Typed:
@@ -197,7 +167,9 @@ def _judged(
 def _named(
     typed: Typed, arm: Arm, path: Path, poses: Array, run, wrong: bool, given: bool, allowed: float
 ) -> Cause | None:
-    """What explains a run that fails; or, where no tolerance was given, a slip that one within 2 mm shows."""
+    """What explains a run that fails; or, where no tolerance was given, a slip that one within 2 mm
+    shows.
+    """
     if wrong:
         tip = poses[:, :3, 3]
         found = path_cause(path, tip, allowed) if run.position_error > allowed else None
@@ -220,7 +192,6 @@ def _symptoms(
         yield Finding("step", "", None, None, _where(path, poses[:, :3, 3]))
     yield from _jumps(q, arm)
     if run.pen_tilt > TILT:
-<<<<<<< HEAD
         words = say("trace leans", degrees=size(float(np.degrees(run.pen_tilt))))
         yield Finding("trace.leans", "", None, None, words)
     elif turn.max() > TILT:
@@ -240,14 +211,6 @@ def _jumps(q: Array, arm: Arm) -> Iterator[Finding]:
             "trace.jump", step=k, to=k + 1, joint=joint, by=size(float(change[k])), count=far.size
         )
         yield Finding("trace.jump", f"step {k}", None, None, words)
-=======
-        words = f"The tool leans by up to {np.degrees(run.pen_tilt):.3g} degrees."
-        hint = (
-            " Its place is right all the same: look at the angular rows of your Jacobian"
-            " (z_{i-1}, not z_i)."
-        )
-        yield words + (hint if run.position_error <= tolerance else "")
->>>>>>> main
 
 
 def _off(path: Path, points: Array) -> Array:
@@ -255,7 +218,6 @@ def _off(path: Path, points: Array) -> Array:
     return np.linalg.norm(points - path.positions, axis=1)
 
 
-<<<<<<< HEAD
 def _where(path: Path, tip: Array) -> str:
     error = _off(path, tip)
     k = int(error.argmax())
@@ -266,51 +228,6 @@ def _where(path: Path, tip: Array) -> str:
         step=k,
         steps=len(error) - 1,
         start=start,
-=======
-def _causes(path: Path, tip: Array, tolerance: float) -> Iterator[str]:
-    """What would explain every point, the likelier first."""
-
-    def follows(points: Array) -> bool:
-        return bool(_off(path, points).max() <= tolerance)
-
-    if follows(tip[::-1]):
-        yield "The path is drawn the other way round: look at the sign of the velocity."
-    shift = (tip - path.positions).mean(axis=0)
-    if follows(tip - shift):
-        yield (
-            f"The whole path is displaced by {_vector(shift)} mm: look at the centre, or at"
-            " where you start."
-        )
-    scale, middle = _scale(path, tip)
-    about = path.positions.mean(axis=0)
-    if follows(about + (tip - middle) / scale):
-        yield f"The path is {scale:.4g} times as large as it should be: look at the radius."
-    if any(follows(_rolled(tip, k)) for k in range(1, len(tip) - 1)):
-        yield "The right path is drawn, but from another point on: look at the phase."
-
-
-def _scale(path: Path, tip: Array) -> tuple[float, Array]:
-    """The size of the drawn path over that of the wanted one, and the middle of the drawn one."""
-    middle = tip.mean(axis=0)
-    wanted = path.positions - path.positions.mean(axis=0)
-    return float(np.linalg.norm(tip - middle) / np.linalg.norm(wanted)), middle
-
-
-def _rolled(tip: Array, k: int) -> Array:
-    """A closed path's points, its last one equal to its first, begun k steps later."""
-    once = np.roll(tip[:-1], k, axis=0)
-    return np.vstack([once, once[:1]])
-
-
-def _where(path: Path, tip: Array) -> str:
-    error = _off(path, tip)
-    k = int(error.argmax())
-    start = " already" if error[0] > 0.5 * error[k] else f" {1e3 * error[0]:.3g} mm"
-    return (
-        f"The tip is up to {1e3 * error[k]:.4g} mm from where it should be, at step {k} of"
-        f" {len(error) - 1};"
-        f" at the start it is{start} off."
->>>>>>> main
     )
 
 
@@ -320,13 +237,5 @@ def _notes(run) -> Iterator[str]:
         (run.beyond_speed, "speed", "rad/s"),
     ):
         if excess:
-<<<<<<< HEAD
             joints = listed([say("joint by", joint=i, by=size(x, 2)) for i, x in excess])
             yield say(f"trace beyond {what}", joints=joints, unit=unit)
-=======
-            joints = ", ".join(f"joint {i} by {x:.2g}" for i, x in excess)
-            yield (
-                f"beyond the real arm's {what}: {joints}"
-                f" ({'rad' if what == 'range' else 'rad/s'}; m where a joint slides)."
-            )
->>>>>>> main

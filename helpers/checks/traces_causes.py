@@ -67,7 +67,9 @@ def _shapes(path: Path, tip: Array, allowed: float) -> Iterator[Cause]:
 
 
 def _fraction(path: Path, tip: Array, allowed: float) -> float | None:
-    """The share of the path that was drawn at even pace, where that is all: half speed, a quarter, dt against T."""
+    """The share of the path that was drawn at even pace, where that is all: half speed, a quarter,
+    dt against T.
+    """
     drawn = float(np.linalg.norm(np.diff(tip, axis=0), axis=1).sum())
     whole = float(np.linalg.norm(np.diff(path.positions, axis=0), axis=1).sum())
     share = drawn / whole if whole else 1.0
@@ -104,10 +106,12 @@ def _vector(metres: Array) -> str:
 
 
 def loop_cause(typed: Typed, arm: Arm, path: Path) -> Cause | None:
-    """The rule by which each step's joints follow from the one before: another Jacobian, or another step's velocity.
+    """The rule by which each step's joints follow from the one before: another Jacobian, or another
+    step's velocity.
 
-    For a step of Euler's method J(q_k) (q_{k+1} - q_k) / dt is the velocity of step k; a wrong J or a wrong velocity makes it so
-    in its own way. The best rule is named if it leaves a fraction of what the right one leaves, and digits allow to tell.
+    For a step of Euler's method J(q_k) (q_{k+1} - q_k) / dt is the velocity of step k; a wrong J or
+    a wrong velocity makes it so in its own way. The best rule is named if it leaves a fraction of
+    what the right one leaves, and digits allow to tell.
     """
     q, dt = typed.values, np.diff(path.times)
     if len(q) < 4:

@@ -9,25 +9,18 @@ from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG
 _MARKS = {RIGHT: "✔", SO_FAR: "◐", ROUNDED: "≈", WRONG: "✘"}
 
 
-<<<<<<< HEAD
 @dataclass(frozen=True)
 class Finding:
     """One thing that is to be said of an answer.
 
     Attributes:
-        what: its kind: "cause", "shape", "column", "row", "joint", "answer", "missing", "step", "digits".
-        where: the place, such as "joint 3", "row 2, alpha" or "answer 1"; empty where it is the whole.
-        mine, expected: what was typed and what it should be, where a sentence quotes them; None where it would give the
-            solution away.
+        what: its kind: "cause", "shape", "column", "row", "joint", "answer", "missing", "step",
+            "digits".
+        where: the place, such as "joint 3", "row 2, alpha" or "answer 1"; empty where it is the
+            whole.
+        mine, expected: what was typed and what it should be, where a sentence quotes them; None
+            where it would give the solution away.
         words: the sentence.
-=======
-class Verdict:
-    """A report that is content if it holds no findings, and reads as text in a terminal and as
-    Markdown in a notebook.
-
-    A subclass is a dataclass with `findings` and says itself in words by `__str__`, its verdict in
-    the first line.
->>>>>>> main
     """
 
     what: str

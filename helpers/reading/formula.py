@@ -1,6 +1,8 @@
-"""Formulas as people type them: NumPy, MATLAB, LaTeX, unicode. A small parser of our own, so that no text is ever run.
+"""Formulas as people type them: NumPy, MATLAB, LaTeX, unicode. A small parser of our own, so that
+no text is ever run.
 
-A tree is ("num", x), ("name", n), ("neg", t), ("call", function, t) or ("+" | "-" | "*" | "/" | "^", left, right).
+A tree is ("num", x), ("name", n), ("neg", t), ("call", function, t) or ("+" | "-" | "*" | "/" |
+"^", left, right).
 """
 
 import math
@@ -224,7 +226,9 @@ def symbols(tree: Tree) -> set[str]:
 
 
 def value(tree: Tree, known: Callable[[str], float | None]) -> float:
-    """The number of a tree, names looked up by `known`; raises ArmError for an unknown one or no finite number."""
+    """The number of a tree, names looked up by `known`; raises ArmError for an unknown one or no
+    finite number.
+    """
     try:
         found = float(_value(tree, known))
     except ArmError:

@@ -1,4 +1,6 @@
-"""A pasted text as rows of cells: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet cells."""
+"""A pasted text as rows of cells: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet
+cells.
+"""
 
 import re
 
@@ -23,7 +25,9 @@ _RULE = re.compile(r"^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$")
 
 
 def cells(text: str) -> Cells:
-    """The rows of cells in a text, each cell as typed; raises ArmError where it is far too long or empty."""
+    """The rows of cells in a text, each cell as typed; raises ArmError where it is far too long or
+    empty.
+    """
     if len(text) > LONGEST:
         raise ArmError(f"the text has {len(text)} characters; expected at most {LONGEST}")
     rows = _rows(text.strip().strip("`$").strip())
@@ -105,7 +109,9 @@ def _bracketed(text: str) -> Cells:
 
 
 def _is_list(text: str) -> bool:
-    """Whether a text is one bracket from end to end that holds a list; round ones only where a comma stands in them."""
+    """Whether a text is one bracket from end to end that holds a list; round ones only where a
+    comma stands in them.
+    """
     text = text.strip()
     if text[:1] not in ("[", "(", "{") or not text or not _closes_at_end(text):
         return False
@@ -139,7 +145,9 @@ def _items(text: str) -> list[str]:
 
 
 def _split(text: str) -> list[str]:
-    """Split at commas outside brackets, or at blanks where there are none, as MATLAB and NumPy do."""
+    """Split at commas outside brackets, or at blanks where there are none, as MATLAB and NumPy
+    do.
+    """
     pieces, depth, piece = [], 0, ""
     comma = _top_comma(text)
     for k, sign in enumerate(text):
@@ -158,7 +166,9 @@ def _split(text: str) -> list[str]:
 
 
 def _joins(text: str, k: int) -> bool:
-    """Whether the blank at k stands beside a sign that joins its neighbours: ``a - b`` is one cell, ``a -b`` are two."""
+    """Whether the blank at k stands beside a sign that joins its neighbours: ``a - b`` is one cell,
+    ``a -b`` are two.
+    """
     before, after = text[:k].rstrip(), text[k:].lstrip()
     if not before or not after or before[-1] in "+-*/^=(" or after[0] in "*/^)=":
         return True
@@ -225,7 +235,9 @@ def numeric(rows: Cells) -> bool:
 
 
 def without_header(rows: Cells) -> tuple[list[str], Cells]:
-    """The first row as words if it is a header, and the others: a header has a name where numbers follow."""
+    """The first row as words if it is a header, and the others: a header has a name where numbers
+    follow.
+    """
     first, *rest = rows
     words = [plain(cell) for cell in first]
     is_header = bool(rest) and all(number(w) is None for w in words if w) and numeric(rest)

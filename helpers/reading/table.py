@@ -1,4 +1,5 @@
-"""A Denavit-Hartenberg table as people hold it: rows in any order of columns, parallel lists, Link(...) lines, A matrices.
+"""A Denavit-Hartenberg table as people hold it: rows in any order of columns, parallel lists,
+Link(...) lines, A matrices.
 
 What is not said is guessed, and every guess is told.
 """
@@ -59,7 +60,8 @@ class Numbers(NamedTuple):
 
 @dataclass(frozen=True)
 class TypedRow:
-    """A row as it was meant: "R" turns, "P" slides, "F" is fixed, "?" has no variable in it; its numbers as typed.
+    """A row as it was meant: "R" turns, "P" slides, "F" is fixed, "?" has no variable in it; its
+    numbers as typed.
 
     Entries with pi or a degree sign in them are in `radians`, whatever the others are in.
     """
@@ -73,7 +75,9 @@ class TypedRow:
 
 @dataclass(frozen=True)
 class TypedTable:
-    """The rows in the units typed, what is sure of them, and what was guessed; None where nothing was said."""
+    """The rows in the units typed, what is sure of them, and what was guessed; None where nothing
+    was said.
+    """
 
     rows: tuple[TypedRow, ...]
     columns: tuple[str, ...] | None
@@ -92,7 +96,8 @@ def read(
     convention: str | None = None,
     values: Mapping[str, float] | None = None,
 ) -> list[TypedTable]:
-    """The readings of a table, the likeliest first: more than one only where the order of the columns had to be guessed.
+    """The readings of a table, the likeliest first: more than one only where the order of the
+    columns had to be guessed.
 
     Raises ArmError, in words, for what is no table.
     """
@@ -145,7 +150,9 @@ def read(
 
 
 class Meant(NamedTuple):
-    """A table as it was meant: standard rows in m and rad, what was guessed, and the sizes of the units typed."""
+    """A table as it was meant: standard rows in m and rad, what was guessed, and the sizes of the
+    units typed.
+    """
 
     rows: list[Numbers]
     said: tuple[str, ...]
@@ -169,7 +176,8 @@ def _right_angle(angle: float) -> float | str:
 
 
 def meant(table: TypedTable, kinds: Iterable[str] = ()) -> Meant:
-    """The rows in SI units and the standard convention; units not said are guessed by size, and told.
+    """The rows in SI units and the standard convention; units not said are guessed by size, and
+    told.
 
     `kinds` are taken where no row holds a variable and there are as many; all turn otherwise.
     """
@@ -209,7 +217,9 @@ def _kinds(table: TypedTable, wanted: tuple[str, ...]) -> Iterable[str]:
 
 
 def from_craig(rows: list[Numbers]) -> list[Numbers]:
-    """Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}; a fixed row before them takes a_0."""
+    """Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}; a fixed row before
+    them takes a_0.
+    """
     after = [*rows[1:], Numbers("F", 0.0, 0.0, 0.0, 0.0)]
     shifted = [r._replace(a=n.a, alpha=n.alpha) for r, n in zip(rows, after, strict=True)]
     first = rows[0]
@@ -278,7 +288,9 @@ def _parallel(lists: Mapping[str, Any]) -> tuple[grid.Cells, list[str], tuple[st
 
 
 def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
-    """Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has a_{i-1} and alpha_{i-1}."""
+    """Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has
+    a_{i-1} and alpha_{i-1}.
+    """
     craig = any(c in ("a", "alpha") and i == 0 for c, i, _ in entries)
     held = {(c, i + 1 if craig and c in ("a", "alpha") else i): text for c, i, text in entries}
     last = max(i for _, i in held)
@@ -325,7 +337,9 @@ def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
 
 
 def _links(links: list[str]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
-    """Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3, alpha=pi/2)."""
+    """Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3,
+    alpha=pi/2).
+    """
     rows = []
     for i, body in enumerate(links, 1):
         if body.strip().startswith("["):

@@ -1,4 +1,6 @@
-"""Right and mistaken Jacobians: each mistake is made as a student makes it, in the recipe, the table or the writing."""
+"""Right and mistaken Jacobians: each mistake is made as a student makes it, in the recipe, the
+table or the writing.
+"""
 
 import math
 
@@ -125,7 +127,9 @@ WRITING = ("J.halves", "J.millimetres", "J.per degree", "J.all signs", "J.frame:
 
 
 def apart(A, B, d):
-    """Whether two matrices differ by more than their roundings in some entry, and by what shows at all."""
+    """Whether two matrices differ by more than their roundings in some entry, and by what shows at
+    all.
+    """
     return np.abs(A - B).max() > max(8 * 10.0**-d, 5e-3)
 
 

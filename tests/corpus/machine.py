@@ -1,4 +1,6 @@
-"""The corpus's own kinematics: 4 x 4 products, one joint at a time. It shares no line with what it is to test."""
+"""The corpus's own kinematics: 4 x 4 products, one joint at a time. It shares no line with what it
+is to test.
+"""
 
 import math
 
