@@ -62,7 +62,7 @@ function reachable() {
 
 // How much of a box's content it shows at once; an inline formula grows with what is in it, so its text's column counts.
 function share(box) {
-  if (box.matches("span.math > *")) return box.closest("p, li, td, dd, div").clientWidth / box.offsetWidth;
+  if (box.matches("span.math > *")) return box.closest("p, li, td, dd, div").clientWidth / Math.max(box.offsetWidth, box.scrollWidth);
   return box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1;
 }
 
