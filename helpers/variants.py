@@ -13,7 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, one_of, whole
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.motion import SingularError, Trace, circle, plain_inverse, trace
+from helpers.motion import (
+    SingularError,
+    Trace,
+    UnreachableError,
+    circle,
+    plain_inverse,
+    trace,
+)
 from helpers.statics import gravity_torque, static_torque
 
 Array = NDArray[np.float64]
@@ -185,7 +192,7 @@ def _run(arm: Arm, rng: Rng) -> tuple[Trace, float, str]:
         path = circle(centre, radius, plane, float(rng.integers(2, 7)) * 5, _STEPS)
         try:
             run = trace(arm, q, path, method="exact", rates=plain_inverse(1e-4))
-        except SingularError:
+        except (SingularError, UnreachableError):
             continue
         report = run.report
         if report.executable and report.smallest_singular_value > _SMALLEST:

@@ -157,9 +157,9 @@ def test_infinite_families_are_not_counted(arm, q, isolated, free):
     solver = {
         UR10E: ur,
         STANFORD: stanford,
-        ELBOW: lambda arm, T, near: elbow(arm, T[:3, 3], near),
+        ELBOW: lambda arm, T, start: elbow(arm, T[:3, 3], start),
     }[arm]
-    here, there = (solver(arm, target, near=np.full(arm.dof, value)) for value in (0.2, 0.5))
+    here, there = (solver(arm, target, start=np.full(arm.dof, value)) for value in (0.2, 0.5))
     moves = (apart(arm, here.q, there.q) > 1e-3)[here.valid]
     assert moves.any() == bool(free), "what the closed form says"
 
