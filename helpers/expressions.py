@@ -42,7 +42,8 @@ _LONGEST = 200  # characters, so that no formula is nested deeper than Python ca
 
 
 def entry(value: object, what: str) -> Entry:
-    """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a formula."""
+    """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a
+    formula."""
     if isinstance(value, bool) or value is None:
         raise ArmError(
             f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
@@ -63,6 +64,7 @@ def plain(written: str, what: str = "the entry") -> str:
     `what` says which units may follow a number: those of an angle for alpha and theta, of a length
     for a and d. The explorer's fields read the same: tests/entries.json holds both to it.
     """
+    must_be(written, str, "what is written")
     text = written.strip()
     for signs, sign in _SIGNS:
         text = re.sub(signs, sign, text)
@@ -160,7 +162,10 @@ def _parse(text: str, what: str) -> ast.expr:
         raise ArmError(f"{what} has {len(text)} characters; expected at most {_LONGEST}")
     if re.search(r"\b\d+_|\b0[xob]", text, re.IGNORECASE):
         raise ArmError(f"{what} is {text!r}; expected numbers in plain digits")
-    wrong = f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2' or 'd_6 + l_pen'"
+    wrong = (
+        f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2'"
+        " or 'd_6 + l_pen'"
+    )
     try:
         tree = ast.parse(text, mode="eval").body
     except SyntaxError:

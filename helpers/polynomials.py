@@ -72,7 +72,8 @@ def turns_of(arm: Arm, joined: bool = True) -> list[Turn]:
 
 
 class Ring:
-    """Polynomials in an arm's lengths and in the cosines and sines of its angles, in a unique form."""
+    """Polynomials in an arm's lengths and in the cosines and sines of its angles, in a unique
+    form."""
 
     def __init__(self, arm: Arm, joined: bool = True, extra: Sequence[sp.Symbol] = ()) -> None:
         must_be(arm, Arm, "arm")
@@ -87,7 +88,8 @@ class Ring:
             sp.Symbol(f"q_{i}") for i in arm.joints if arm.rows[i - 1].joint.kind == "prismatic"
         }
         letters = sorted(letters | set(extra), key=sp.default_sort_key)
-        # Sines come first, so that sin² is the leading term of sin² + cos² - 1 and division removes it.
+        # Sines come first, so that sin² is the leading term of sin² + cos² - 1 and division removes
+        # it.
         self._symbols = [f(angle) for f in (sp.sin, sp.cos) for angle in angles] + letters
         self._ring = PolyRing([sp.Dummy() for _ in self._symbols], sp.QQ, sp.lex)
         gens, n = self._ring.gens, len(angles)
@@ -106,7 +108,8 @@ class Ring:
         """A length, which ArmError says must be a polynomial in the arm's symbols."""
         if not formula.is_polynomial() or formula.has(sp.pi):
             raise ArmError(
-                f"the length {formula} is no polynomial in the arm's symbols; expected sums and products"
+                f"the length {formula} is no polynomial in the arm's symbols; expected sums and"
+                " products"
             )
         total = self.zero
         for term in sp.Add.make_args(sp.expand(formula)):
@@ -167,8 +170,8 @@ class Ring:
 def frames_of(arm: Arm, ring: Ring) -> list[Frame]:
     """The link frames from base to tip.
 
-    A frame's rotation is start * Rot_z(angle) * held: `start` is where the run of parallel axes began,
-    `angle` what the run has turned by so far, `held` the constant rotations since.
+    A frame's rotation is start * Rot_z(angle) * held: `start` is where the run of parallel axes
+    began, `angle` what the run has turned by so far, `held` the constant rotations since.
     """
     unit = _rotation_z(ring.one, ring.zero)
     start, held, rotation, origin = unit, unit, unit, [ring.zero] * 3

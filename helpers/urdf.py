@@ -1,10 +1,11 @@
 """A serial arm out of a robot description (URDF): its joint axes at q = 0, and from them its table.
 
-The chain from one link of the tree to another is read with its limits, speeds, efforts, masses and centres of mass.
-Fixed joints are folded in, and so are the masses of whatever is fastened to the chain at its side. The file is data:
-only `xml.etree` and `xml.parsers.expat` of the standard library touch it, a document type (which could hide an entity
-bomb or another file) is refused, and nothing that it names is opened.
-Source of the format: the URDF XML specification, wiki.ros.org/urdf/XML (elements joint, link and inertial).
+The chain from one link of the tree to another is read with its limits, speeds, efforts, masses and
+centres of mass. Fixed joints are folded in, and so are the masses of whatever is fastened to the
+chain at its side. The file is data: only `xml.etree` and `xml.parsers.expat` of the standard
+library touch it, a document type (which could hide an entity bomb or another file) is refused, and
+nothing that it names is opened. Source of the format: the URDF XML specification,
+wiki.ros.org/urdf/XML (elements joint, link and inertial).
 """
 
 import math
@@ -34,7 +35,8 @@ _KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prisma
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """What a robot description says of the way from its link `base` to its link `tip`, at q = 0, in base axes.
+    """What a robot description says of the way from its link `base` to its link `tip`, at q = 0, in
+    base axes.
 
     Attributes:
         name: the robot's name.
@@ -42,7 +44,8 @@ class Chain:
         joints: the names of the joints that move, base to tip.
         axes: their axes, with limits, speeds and efforts.
         pose: the tip link's pose, 4x4.
-        masses: the mass (kg) that moves with each joint, shape (dof,); all 0 where the file gives none.
+        masses: the mass (kg) that moves with each joint, shape (dof,); all 0 where the file gives
+            none.
         centres: its centre of mass (m), shape (dof, 3).
     """
 
@@ -73,20 +76,22 @@ def from_urdf(
     negative: bool = False,
     tolerance: float = 1e-9,
 ) -> Arm:
-    """The arm from link `base` to link `tip` of a robot description, in standard Denavit-Hartenberg form.
+    """The arm from link `base` to link `tip` of a robot description, in standard Denavit-Hartenberg
+    form.
 
     Args:
         source: the file, or its text.
         base: a link; the one without a parent unless given.
         tip: a link beyond it; the last one unless given, where there is only one.
-        hold: joints by name that are held at a value (rad or m), as ``{"finger_joint": 0.02}``: on the chain they are
-            locked, beside it their links' masses ride along.
+        hold: joints by name that are held at a value (rad or m), as ``{"finger_joint": 0.02}``: on
+            the chain they are locked, beside it their links' masses ride along.
         name: the arm's name; the robot's unless given.
         negative, tolerance: as for `helpers.derive.derive`.
 
-    The joints keep their own zeros and signs, so q is the file's. A limit of 0 for speed or effort is taken as not
-    given, for many files write 0 there. Raises ArmError where the file is no robot description, where the chain
-    branches, or holds joints that are no single turn or slide (planar, floating), or that follow another (mimic).
+    The joints keep their own zeros and signs, so q is the file's. A limit of 0 for speed or effort
+    is taken as not given, for many files write 0 there. Raises ArmError where the file is no robot
+    description, where the chain branches, or holds joints that are no single turn or slide (planar,
+    floating), or that follow another (mimic).
     """
     return (
         read_chain(source, base, tip, hold=hold, name=name)
@@ -120,7 +125,8 @@ def read_chain(
 def _walk(
     tree: "_Tree", way: list["_Joint"], base: str, held: dict[str, float]
 ) -> tuple[tuple[str, ...], tuple[Axis, ...], Array, Array, Array]:
-    """The joints that move, their axes, the tip's pose, and for each joint the mass and centre that it carries."""
+    """The joints that move, their axes, the tip's pose, and for each joint the mass and centre that
+    it carries."""
     pose, names, axes, carried = np.eye(4), [], [], []
     for joint, after in zip(way, [*way[1:], None], strict=False):
         pose = pose @ joint.placed(held)
@@ -144,7 +150,8 @@ def _walk(
 def _load(
     tree: "_Tree", link: str, pose: Array, onwards: "_Joint | None", held: dict[str, float]
 ) -> Array:
-    """The mass of a link and of all that hangs on it beside the chain, and its first moment: (m, m x, m y, m z)."""
+    """The mass of a link and of all that hangs on it beside the chain, and its first moment: (m, m
+    x, m y, m z)."""
     total, waiting = np.zeros(4), [(link, pose)]
     while waiting:
         link, at = waiting.pop()
@@ -155,7 +162,8 @@ def _load(
                 continue
             if joint.moves(held):
                 raise ArmError(
-                    f"{tree.name}: joint {joint.name} on {link} branches off the chain and moves; hold it, as in"
+                    f"{tree.name}: joint {joint.name} on {link} branches off the chain and moves;"
+                    " hold it, as in"
                     f" hold={{{joint.name!r}: 0.0}}, or choose a base beyond it"
                 )
             waiting.append((joint.child, at @ joint.placed(held)))
@@ -204,12 +212,14 @@ class _Joint:
             return False
         if self.kind not in _KINDS:
             raise ArmError(
-                f"joint {self.name} is {self.kind}; a table has rows for revolute, continuous, prismatic and fixed"
+                f"joint {self.name} is {self.kind}; a table has rows for revolute, continuous,"
+                " prismatic and fixed"
                 " joints, one freedom each"
             )
         if self.mimics:
             raise ArmError(
-                f"joint {self.name} mimics {self.mimics}; expected joints that move by themselves, so hold it, as in"
+                f"joint {self.name} mimics {self.mimics}; expected joints that move by themselves,"
+                " so hold it, as in"
                 f" hold={{{self.name!r}: 0.0}}"
             )
         return True
@@ -265,7 +275,8 @@ class _Tree:
     def link(self, name: object, what: str) -> str:
         if not isinstance(name, str) or name not in self.masses:
             raise ArmError(
-                f"{self.name}: {what} is {shown(name)}; expected a link, one of {_some(self.masses)}"
+                f"{self.name}: {what} is {shown(name)}; expected a link, one of"
+                f" {_some(self.masses)}"
             )
         return name
 
@@ -276,7 +287,8 @@ class _Tree:
         if len(free) != 1:
             given = f"are {_some(free)}" if free else "do not exist: its links go round in a circle"
             raise ArmError(
-                f"{self.name}: links without a parent {given}; expected one, or the name of the base"
+                f"{self.name}: links without a parent {given}; expected one, or the name of the"
+                " base"
             )
         return free[0]
 
@@ -293,7 +305,8 @@ class _Tree:
             ends += [] if beyond else [link]
         if len(ends) != 1:
             raise ArmError(
-                f"{self.name} branches: beyond {base} the last links are {_some(sorted(ends))}; say which is the tip"
+                f"{self.name} branches: beyond {base} the last links are {_some(sorted(ends))};"
+                " say which is the tip"
             )
         return ends[0]
 
@@ -304,7 +317,8 @@ class _Tree:
         while link != base:
             if link not in above or len(found) > len(above):
                 raise ArmError(
-                    f"{self.name}: {tip} does not lie beyond {base}; expected a chain from base to tip"
+                    f"{self.name}: {tip} does not lie beyond {base}; expected a chain from base to"
+                    " tip"
                 )
             found.append(above[link])
             link = above[link].parent
@@ -369,7 +383,8 @@ def _read(source: str | os.PathLike[str]) -> bytes:
 
 
 def _refuse_traps(data: bytes, encoding: str | None, what: str) -> None:
-    """Raise ArmError for a document type, which may define entities, and for elements nested without end."""
+    """Raise ArmError for a document type, which may define entities, and for elements nested
+    without end."""
     depth = 0
 
     def doctype(*_: object) -> None:
@@ -441,7 +456,8 @@ def _limits(element: ET.Element, name: str, kind: str) -> Joint:
 
 
 def _mass(link: ET.Element) -> tuple[float, Array]:
-    """A link's mass (kg) and centre of mass (m) in its own frame; no mass where the file gives none."""
+    """A link's mass (kg) and centre of mass (m) in its own frame; no mass where the file gives
+    none."""
     name, inertial = _name(link, "link"), link.find("inertial")
     if inertial is None:
         return 0.0, np.zeros(3)

@@ -1,4 +1,5 @@
-"""What the tests share: the arms, the batch shapes, and a second, slow definition of a link's matrix."""
+"""What the tests share: the arms, the batch shapes, and a second, slow definition of a link's
+matrix."""
 
 import ast
 from pathlib import Path
@@ -35,7 +36,8 @@ def joint_vectors(arm: Arm, shape: tuple[int, ...], seed: int = 0) -> np.ndarray
 
 
 def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
-    """T_00 .. T_0n as products of the four elementary motions, written out here and nowhere else."""
+    """T_00 .. T_0n as products of the four elementary motions, written out here and nowhere
+    else."""
     frames, rest = [np.eye(4)], list(q)
     for row in arm.rows:
         a, alpha, d, theta = (arm.number(e) for e in (row.a, row.alpha, row.d, row.theta))

@@ -1,8 +1,9 @@
-"""Inverse kinematics: forward kinematics is the judge, and bounds from the literature say when a list is complete.
+"""Inverse kinematics: forward kinematics is the judge, and bounds from the literature say when a
+list is complete.
 
-An arm of the elbow kind has four ways to a point and eight to a pose (Pieper, 1968), as has the Stanford arm with an
-unlimited rod; where that many distinct ones are found, none is missing. The UR's number varies: it is counted against
-another program in peers/test_ssik.py.
+An arm of the elbow kind has four ways to a point and eight to a pose (Pieper, 1968), as has the
+Stanford arm with an unlimited rod; where that many distinct ones are found, none is missing. The
+UR's number varies: it is counted against another program in peers/test_ssik.py.
 """
 
 from dataclasses import replace
@@ -56,7 +57,8 @@ def apart(arm, q, other):
 
 
 def misses(arm, found, targets):
-    """How far each existing branch is from its target: the largest entry of the difference of poses or positions."""
+    """How far each existing branch is from its target: the largest entry of the difference of poses
+    or positions."""
     T = forward_kinematics(arm, np.where(found.valid[..., None], found.q, 0.0))
     if targets.shape[-1] == 3:
         error = np.abs(T[..., :3, 3] - targets[..., None, :]).max(axis=-1)
@@ -202,7 +204,8 @@ def test_up_is_up():
     found = elbow(ELBOW, p)
     joint = forward_kinematics(replace(ELBOW, rows=ELBOW.rows[:2], home=()), found.q[..., :2])
     elbow_at = joint[..., :3, 3]
-    # Height over the line from the shoulder (0, 0, 0.5) to the target, measured in the vertical plane of both.
+    # Height over the line from the shoulder (0, 0, 0.5) to the target, measured in the vertical
+    # plane of both.
     reach = np.hypot(p[:, 0], p[:, 1])[:, None]
     line = 0.5 + (p[:, 2, None] - 0.5) * (elbow_at[..., :2] @ p[:, :2, None])[..., 0] / reach**2
     above = elbow_at[..., 2] > line
@@ -267,7 +270,8 @@ def test_rod_with_its_tip_in_the_shoulder():
 
 
 def test_rod_above_its_shoulder_leaves_joint_1_free():
-    """Without an offset the target on joint 1's axis is reached with q_1 as it was, the rod upright."""
+    """Without an offset the target on joint 1's axis is reached with q_1 as it was, the rod
+    upright."""
     arm = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()))
     found = rod(arm, (0, 0, 0.6), start=(0.7, 0, 0))
     assert found.valid.all()
@@ -382,7 +386,8 @@ def test_a_ur_folded_inwards_is_an_isolated_solution():
     ],
 )
 def test_the_singular_set_approached_from_all_sides(solver, arm, special):
-    """The target is never lost, and no branch is off, from a thousandth of a radian away to the set itself."""
+    """The target is never lost, and no branch is off, from a thousandth of a radian away to the set
+    itself."""
     rng = np.random.default_rng(6)
     for size in (0.0, *10.0 ** -np.arange(3, 18)):
         q = random_q(arm, 60, seed=7)
@@ -424,7 +429,8 @@ def test_limits_rule_branches_out():
 
 
 def test_limits_beyond_half_a_turn_are_met_by_whole_turns():
-    """q_1 = -1 of the list is 2 pi - 1 = 5.28 for a joint that goes from 3.5 to 6, and 2 is 8.28: out."""
+    """q_1 = -1 of the list is 2 pi - 1 = 5.28 for a joint that goes from 3.5 to 6, and 2 is 8.28:
+    out."""
     first = revolute(alpha="pi/2", limits=(3.5, 6))
     arm = Arm("winder", (first, revolute(a=1), revolute(a=0.5)), home=(4, 0, 0))
     for q1, inside in ((-1.0, True), (2.0, False)):
@@ -687,7 +693,8 @@ def test_restarts_find_what_one_start_misses_and_repeat():
 
 
 def test_turn_between_is_undone_by_rodrigues():
-    """Random turns, small ones, and half turns, whose axis cannot be read from the antisymmetric part."""
+    """Random turns, small ones, and half turns, whose axis cannot be read from the antisymmetric
+    part."""
     rng = np.random.default_rng(8)
     axes = rng.normal(size=(60, 3))
     axes = np.vstack([axes, np.eye(3), -np.eye(3)])

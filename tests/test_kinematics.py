@@ -147,7 +147,8 @@ def test_the_stanford_arm_by_hand():
 
 
 def test_a_wrist_alone_turns_about_a_point():
-    """All axes meet in the tip: nothing moves it, and in a batch its place is one while the axes are many."""
+    """All axes meet in the tip: nothing moves it, and in a batch its place is one while the axes
+    are many."""
     wrist = Arm("wrist", [revolute(alpha="-pi/2"), revolute(alpha="pi/2"), revolute()])
     q = joint_vectors(wrist, (5,))
     J = jacobian(wrist, q)
@@ -203,6 +204,9 @@ def test_input_is_not_changed():
 
 
 def test_importing_the_numeric_view_does_not_import_the_heavy_packages():
-    code = "import sys, helpers.kinematics, helpers.robots; print(sorted({'sympy', 'matplotlib', 'IPython'} & set(sys.modules)))"
+    code = (
+        "import sys, helpers.kinematics, helpers.robots; print(sorted({'sympy', 'matplotlib',"
+        " 'IPython'} & set(sys.modules)))"
+    )
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert told.stdout.strip() == "[]"

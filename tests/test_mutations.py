@@ -1,6 +1,7 @@
 """The net holds: one thing made wrong in a copy of the project turns the suite red.
 
-Each case names a file, what to change in it, and the part of the suite that must notice. The unchanged copy must pass.
+Each case names a file, what to change in it, and the part of the suite that must notice. The
+unchanged copy must pass.
 """
 
 import json
@@ -19,20 +20,31 @@ NBVAL = ["--nbval", "--nbval-current-env", "-p", "no:xdist"]
 CHAPTER = "book/01_dh_tables.ipynb"
 
 MUTANTS = {
-    "a cell's outputs emptied": (CHAPTER, r'("execution_count": )12,', r"\1null,", ["tests/test_notebooks.py"]),
-    "a figure's words removed": (CHAPTER, r'"alt": "[^"]*"', '"alt": ""', ["tests/test_notebooks.py"]),
-    "a sign in the recursion": ("helpers/kinematics.py", r"mixed\(c, x, s, y\)", "mixed(c, x, -s, y)", ["tests/test_kinematics.py"]),
-    "an axis one too far": ("helpers/kinematics.py", r"frames\[i - 1\]\n", "frames[i]\n", ["tests/test_kinematics.py"]),
-    "a sign in the polynomials": ("helpers/symbolic.py", r"\[s, c, zero\]", "[-s, c, zero]", ["tests/test_symbolic.py"]),
-    "a digit of the Panda's table": ("helpers/robots.py", r"d_5=0\.384", "d_5=0.394", ["tests/test_kinematics.py"]),
+    "a cell's outputs emptied": (CHAPTER, r'("execution_count":'
+                                          r' )12,', r"\1null,", ["tests/test_notebooks.py"]),
+    "a figure's words removed": (CHAPTER, r'"alt": "[^"]*"', '"alt": ""',
+    ["tests/test_notebooks.py"]),
+    "a sign in the recursion": ("helpers/kinematics.py", r"mixed\(c, x, s,"
+                                                         r" y\)", "mixed(c, x, -s,"
+                                                                  " y)",
+                                                                  ["tests/test_kinematics.py"]),
+    "an axis one too far": ("helpers/kinematics.py", r"frames\[i -"
+                                                     r" 1\]\n", "frames[i]\n",
+                                                         ["tests/test_kinematics.py"]),
+    "a sign in the polynomials": ("helpers/symbolic.py", r"\[s, c, zero\]", "[-s, c, zero]",
+    ["tests/test_symbolic.py"]),
+    "a digit of the Panda's table": ("helpers/robots.py", r"d_5=0\.384", "d_5=0.394",
+    ["tests/test_kinematics.py"]),
     "a twist of the UR10e's table": (
-        "helpers/robots.py", r'revolute\(alpha="-pi/2", d="d_1"', 'revolute(alpha="pi/2", d="d_1"', [*NBVAL, CHAPTER],
+        "helpers/robots.py", r'revolute\(alpha="-pi/2",'
+                             r' d="d_1"', 'revolute(alpha="pi/2", d="d_1"', [*NBVAL, CHAPTER],
     ),
     "a checker that is always content": (
         "helpers/checks/line.py", r"difference <= tolerance", "True", ["tests/test_checks.py"],
     ),
     "a table checker that sees no lengths": (
-        "helpers/checks/differences.py", r"abs\(mine\.length - reference\.length\) > WITHIN_LENGTH", "False", ["tests/test_tables.py"],
+        "helpers/checks/differences.py", r"abs\(mine\.length - reference\.length\) >"
+                                         r" WITHIN_LENGTH", "False", ["tests/test_tables.py"],
     ),
 }  # fmt: skip
 
@@ -84,7 +96,8 @@ def test_a_mutant_is_caught(copy, mutant):
 
 @pytest.mark.parametrize("name", sorted(path.name for path in (ROOT / "book").glob("*.ipynb")))
 def test_every_stored_output_counts(copy, name):
-    """One character of one output of each cell is changed, the kinds taking turns: every such cell must turn red."""
+    """One character of one output of each cell is changed, the kinds taking turns: every such cell
+    must turn red."""
     path = copy / "book" / name
     notebook = json.loads(path.read_text(encoding="utf-8"))
     cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]

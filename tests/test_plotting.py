@@ -81,7 +81,8 @@ def test_an_arm_is_drawn_inside_its_axes(arm):
 
 
 def test_a_joints_barrel_does_not_move_the_view():
-    """Matplotlib pads faces of unequal length with uninitialised memory; it may not reach the limits."""
+    """Matplotlib pads faces of unequal length with uninitialised memory; it may not reach the
+    limits."""
     ax = axes_3d()
     before = ax.get_xlim(), ax.get_ylim(), ax.get_zlim()
     barrel(ax, np.eye(4), 5.0, 13, 1.0)
@@ -280,7 +281,8 @@ def test_the_moving_picture_holds_every_pose_and_respects_the_wish_for_less_moti
 
 
 def test_the_moving_picture_draws_only_while_the_tip_moves():
-    """Half the time at rest, then half the time on a straight line: the ink comes in the second half, evenly."""
+    """Half the time at rest, then half the time on a straight line: the ink comes in the second
+    half, evenly."""
     run = run_of()
     times = np.array([0.0, 5.0, 6.25, 7.5, 8.75, 10.0])
     poses = np.tile(run.poses[0], (6, 1, 1))

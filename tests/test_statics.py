@@ -1,4 +1,5 @@
-"""Gravity and contact: the homework's numbers, the laws of statics, and formulas against numbers."""
+"""Gravity and contact: the homework's numbers, the laws of statics, and formulas against
+numbers."""
 
 import time
 from dataclasses import replace
@@ -171,19 +172,24 @@ def test_the_pandas_formula_comes_in_two_seconds_and_is_short():
 def test_the_papers_centres_in_the_tables_frames():
     """The converted coordinates are those of the homework's page, worked out there by hand."""
     paper = [
-        (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252, -0.066502),
-        (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
+        (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252,
+        -0.066502),
+        (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117,
+        -0.010517),
         (0.010517, -0.004252, 0.061597),
     ]  # fmt: skip
     wanted = [
-        (0.003875, -0.04762, -0.002081), (-0.003141, 0.003495, 0.02872), (-0.054982, 0.066502, 0.039252),
-        (0.02933, -0.027454, 0.104419), (-0.011953, -0.038437, -0.041065), (-0.027851, 0.010517, -0.014117),
+        (0.003875, -0.04762, -0.002081), (-0.003141, 0.003495, 0.02872), (-0.054982, 0.066502,
+        0.039252),
+        (0.02933, -0.027454, 0.104419), (-0.011953, -0.038437, -0.041065), (-0.027851, 0.010517,
+        -0.014117),
         (0.010517, 0.004252, 0.145403),
     ]  # fmt: skip
     from helpers.arm import revolute
 
     rows = [
-        revolute(d=0.333), revolute(0, "-pi/2"), revolute(0, "pi/2", 0.316), revolute(0.0825, "pi/2"),
+        revolute(d=0.333), revolute(0, "-pi/2"), revolute(0, "pi/2", 0.316), revolute(0.0825,
+        "pi/2"),
         revolute(-0.0825, "-pi/2", 0.384), revolute(0, "pi/2"), revolute(0.088, "pi/2"),
     ]  # fmt: skip
     maker, q = (
@@ -226,17 +232,22 @@ def test_figures_draw_what_they_are_given():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: gravity_torque(ELBOW, ELBOW.home), "Elbow arm has no masses; give bodies, one Body for each of its 3 rows"),
+        (lambda: gravity_torque(ELBOW, ELBOW.home), "Elbow arm has no masses; give bodies, one"
+                                                    " Body for each of its 3 rows"),
         (lambda: symbolic.gravity_torque(ELBOW), "Elbow arm has no masses"),
-        (lambda: gravity_torque(PANDA, PANDA.home, 9.81), "gravity is 9.81; expected a vector of three"),
-        (lambda: potential_energy(PANDA, PANDA.home, [0, 0, np.nan]), "expected a vector of three finite numbers"),
+        (lambda: gravity_torque(PANDA, PANDA.home, 9.81), "gravity is 9.81; expected a vector of"
+                                                          " three"),
+        (lambda: potential_energy(PANDA, PANDA.home, [0, 0, np.nan]), "expected a vector of three"
+                                                                      " finite numbers"),
         (lambda: static_torque(PANDA, PANDA.home, [5, 0, 0]), "expected six finite numbers"),
         (lambda: static_torque(PANDA, PANDA.home, [np.nan] * 6), "expected six finite numbers"),
         (lambda: with_payload(PANDA, -1), "mass is -1; expected a finite number of kg"),
         (lambda: with_payload(PANDA, np.inf), "mass is inf; expected a finite number of kg"),
-        (lambda: with_payload(PANDA, 1, (0, 0)), "com has shape (2,); expected three finite coordinates"),
+        (lambda: with_payload(PANDA, 1, (0, 0)), "com has shape (2,); expected three finite"
+                                                 " coordinates"),
         (lambda: with_payload(ELBOW, 1), "Elbow arm has no masses"),
-        (lambda: centres_in(np.zeros((2, 4, 4)), np.zeros((3, 4, 4)), np.zeros((2, 3))), "do not fit"),
+        (lambda: centres_in(np.zeros((2, 4, 4)), np.zeros((3, 4, 4)), np.zeros((2, 3))),
+        "do not fit"),
     ],
 )  # fmt: skip
 def test_bad_input_is_told_in_words(make, words):

@@ -1,4 +1,5 @@
-"""Jacobians in other frames and angles, manipulability, ellipsoids, lost directions, and the factored determinant."""
+"""Jacobians in other frames and angles, manipulability, ellipsoids, lost directions, and the
+factored determinant."""
 
 import numpy as np
 import pytest

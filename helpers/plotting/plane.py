@@ -13,7 +13,8 @@ from helpers.plotting.style import GREY, SLATE
 def arm_2d(
     ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0
 ) -> None:
-    """Draw an arm at q, shape (dof,), seen along the third axis of a plane such as "xz"; lengths in m."""
+    """Draw an arm at q, shape (dof,), seen along the third axis of a plane such as "xz"; lengths in
+    m."""
     i, j = plane_axes(plane)
     T = pose_frames(arm, q)
     points = skeleton(arm, T)[:, [i, j]]

@@ -45,7 +45,8 @@ STYLE = {
 
 
 def use_book_style() -> None:
-    """Set the book's style: in a notebook, sharp, small SVG figures with the same bytes on every run."""
+    """Set the book's style: in a notebook, sharp, small SVG figures with the same bytes on every
+    run."""
     mpl.rcParams.update(STYLE)
     ipython = sys.modules.get("IPython")  # loaded in every notebook, and of no use elsewhere
     if ipython and (shell := ipython.get_ipython()):
@@ -56,7 +57,8 @@ def use_book_style() -> None:
 
 
 def svg(figure: Figure) -> str:
-    """A figure as SVG text, the same on every machine: numbers to 0.01 pt, ids from what they name."""
+    """A figure as SVG text, the same on every machine: numbers to 0.01 pt, ids from what they
+    name."""
     file = BytesIO()
     figure.canvas.print_figure(
         file,
@@ -75,7 +77,8 @@ def svg(figure: Figure) -> str:
 
 
 def _with_own_ids(text: str) -> str:
-    """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures on the page."""
+    """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures
+    on the page."""
     hashed = dict.fromkeys(re.findall(r'id="([mp][0-9a-f]{10})"', text))
     order = {name: str(number) for number, name in enumerate(hashed)}
 

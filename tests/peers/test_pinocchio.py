@@ -1,7 +1,8 @@
 """The Panda against Pinocchio's, read from the maker's own robot description (example-robot-data).
 
-Mapping: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7). Pinocchio's frame `panda_link8` is the bare flange, its z axis
-pointing out of it, where the homework's z_7 points back into the arm: the frames differ by half a turn about x.
+Mapping: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7). Pinocchio's frame `panda_link8` is the bare
+    flange, its z axis pointing out of it, where the homework's z_7 points back into the arm: the
+    frames differ by half a turn about x.
 """
 
 import os
