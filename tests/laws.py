@@ -13,7 +13,7 @@ from helpers.robots import ARMS, PANDA
 
 
 def instructors_arm() -> Arm:
-    """The arm that the page for instructors adds, read from its cell: it must pass as what the catalogue holds does."""
+    """The arm that the instructors' page adds, read from its cell: under every law."""
     page = Path(__file__).parents[1] / "book" / "instructors.ipynb"
     cells = [cell.source for cell in nbformat.read(page, as_version=4).cells]
     (cell,) = (source for source in cells if source.startswith("SCARA = Arm("))

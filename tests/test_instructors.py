@@ -1,4 +1,4 @@
-"""The page for instructors followed to the letter: an arm and a chapter added as it tells are taken by the tests."""
+"""The instructors' page to the letter: an arm and a chapter added as it tells are taken."""
 
 import inspect
 
@@ -36,7 +36,8 @@ def test_the_pages_arm_is_taken_by_the_explorer_and_by_the_checkers():
 def a_chapter(described=True):
     """Steps 1 and 2 of the page, the smallest that they allow."""
     title = "# Dynamics\n\nWhat moves it?\n\nAfter this chapter you can\n\n- say what moves it."
-    imports = "from helpers.checks import check\nfrom helpers.plotting import use_book_style\n\nuse_book_style()"
+    names = ("checks import check", "plotting import use_book_style")
+    imports = "".join(f"from helpers.{name}\n" for name in names) + "\nuse_book_style()"
     cells = [
         new_markdown_cell(title),
         new_code_cell(imports),

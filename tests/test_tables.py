@@ -140,7 +140,7 @@ def test_every_wrong_length_and_twist_is_found(arm, size):
 
 
 def _slides_along(arm, i):
-    """Whether a joint slides along an axis that row i's axis is linked to by parallel axes alone."""
+    """Whether a joint slides along an axis that parallel axes alone link to row i's."""
     parallel = [row.sin_alpha == 0 for row in arm.numeric]
     first = next((k + 1 for k in reversed(range(i)) if not parallel[k]), 0)
     last = next((k for k in range(i, len(parallel)) if not parallel[k]), len(parallel) - 1)
