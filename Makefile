@@ -60,8 +60,11 @@ lab: $(BIN)/.installed ## open the notebooks in JupyterLab
 refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 	$(BIN)/python tools/refresh.py $(NOTEBOOKS)
 
-lint: $(BIN)/.installed-dev ## check and format the code, notebooks too
+lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check the types (needs Node.js)
 	$(BIN)/pre-commit run --all-files
+	$(BIN)/mypy
+	npm ci --prefix explorer --silent
+	npm run lint --prefix explorer --silent
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python tools/pdf.py

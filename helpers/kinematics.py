@@ -205,9 +205,12 @@ def row_motions(
         yield row, c, s, d
 
 
+_BASE: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0))
+
+
 def frame_columns(steps: Sequence[Step]) -> Iterator[tuple[Vector, Vector, Vector, Vector]]:
     """The columns (x, y, z, origin) of each link frame in turn."""
-    x, y, z, origin = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
+    x, y, z, origin = _BASE
     yield x, y, z, origin
     for row, c, s, d in steps:
         x, y = mixed(c, x, s, y), mixed(c, y, -s, x)

@@ -6,6 +6,7 @@ The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off
 
 from dataclasses import replace
 from math import pi
+from typing import Any
 
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 
@@ -45,9 +46,9 @@ PANDA_HOMEWORK = replace(
 
 # The ranges, speeds and torques of the maker's UR10e serve both tables.
 _UR_RANGE = (-2 * pi, 2 * pi)
-_UR_BIG = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
-_UR_ELBOW = dict(limits=_UR_RANGE, speed=pi, effort=150)
-_UR_WRIST = dict(limits=_UR_RANGE, speed=pi, effort=56)
+_UR_BIG: dict[str, Any] = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
+_UR_ELBOW: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=150)
+_UR_WRIST: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=56)
 
 UR10E = Arm(
     name="UR10e",

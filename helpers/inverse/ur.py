@@ -79,7 +79,12 @@ def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
         5: (wrist.singular & ~_isolated(arm, plane))[:, None, None],
     }
     distance = np.where(valid.reshape(-1, valid.shape[-1]).any(axis=0), 0.0, np.nan)
-    return Found(q, {joint: where for joint, where in free.items() if where.any()}, valid, distance)
+    return Found(
+        q,
+        {joint: np.asarray(where) for joint, where in free.items() if where.any()},
+        valid,
+        distance,
+    )
 
 
 _SIGNS = np.array([1.0, -1.0])[:, None]
