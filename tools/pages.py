@@ -1,8 +1,9 @@
-"""A Sphinx extension: what the book's pages are made of, decided on the document tree and not on finished HTML.
+"""A Sphinx extension: what the book's pages are made of, decided on the document tree and not on
+finished HTML.
 
-Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names and commas in code, which
-all have the colour of code, get no `<span>`; a formula says how large it will be, so that
-lines hardly move when it is set. Pictures are in `pictures.py`.
+Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names
+and commas in code, which all have the colour of code, get no `<span>`; a formula says how large it
+will be, so that lines hardly move when it is set. Pictures are in `pictures.py`.
 """
 
 import re
@@ -41,7 +42,8 @@ class Margin(SphinxDirective):
 
 
 def size_unset(tex: str) -> str:
-    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs, so many characters."""
+    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs,
+    so many characters."""
     return f"{1.3 * len(SIGN.findall(tex)) / (len(tex) + 4):.2f}em"
 
 
@@ -102,7 +104,8 @@ def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
 
 
 def assets(folder: Path, config) -> list[int]:
-    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and then writes all."""
+    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and
+    then writes all."""
     paths = (path for of in config.html_static_path for path in (folder / of).rglob("*.*"))
     return [crc32(path.read_bytes()) for path in sorted(paths)]
 

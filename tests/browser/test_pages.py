@@ -1,4 +1,5 @@
-"""Every page as a reader meets it: from a file, with no network, wide and narrow, light and dark."""
+"""Every page as a reader meets it: from a file, with no network, wide and narrow, light and
+dark."""
 
 import re
 import threading
@@ -115,7 +116,8 @@ class Reader:
     ids=lambda visit: "-".join([visit[0], *visit[1]]),
 )
 def visit(browser, request):
-    """Each page twice, opened once for all tests: bright on a wide screen, dark on a phone; everything unfolded."""
+    """Each page twice, opened once for all tests: bright on a wide screen, dark on a phone;
+    everything unfolded."""
     name, (theme, size) = request.param
     reader = Reader(browser, theme, size, "file:")
     page = reader.open((HTML / f"{name}.html").as_uri())
