@@ -1,4 +1,5 @@
-"""The explorer: its JavaScript against Python, its bundle against its sources, its stub and its traits."""
+"""The explorer: its JavaScript against Python, its bundle against its sources, its stub and its
+traits."""
 
 import json
 import math
@@ -52,12 +53,14 @@ def ask(job, **given):
 
 def some(arm, count=1000):
     """Joint vectors over the whole range, where one is known."""
-    lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1), strict=True))  # fmt: skip
+    lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1),
+        strict=True))  # fmt: skip
     return np.random.default_rng(7).uniform(lower, upper, (count, arm.dof))
 
 
 def held_up(arm, q, gravity=9.81):
-    """Gravity torque from the heights of the centres of mass, each made the tip of a shorter arm."""
+    """Gravity torque from the heights of the centres of mass, each made the tip of a shorter
+    arm."""
     total = np.zeros(q.shape)
     for k, body in enumerate(arm.bodies, 1):
         x, y, z = (arm.number(c) for c in body.com)
@@ -104,7 +107,8 @@ def test_the_homework_starts_where_the_reports_say():
 
 @needs_node
 def test_the_sources_keep_their_own_rules():
-    """States, links, drags, pastes: asserted in JavaScript, since nothing of it exists in Python."""
+    """States, links, drags, pastes: asserted in JavaScript, since nothing of it exists in
+    Python."""
     assert NODE, "Node.js is not installed"
     files = sorted(map(str, (ROOT / "tests" / "explorer").glob("*.test.mjs")))
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, timeout=300)
@@ -115,7 +119,8 @@ def test_the_sources_keep_their_own_rules():
 @needs_node
 @every_arm
 def test_the_rank_said_is_that_of_the_rows_the_arm_is_for(arm):
-    """Poses that are singular are among them: home, and every joint at a multiple of a quarter turn."""
+    """Poses that are singular are among them: home, and every joint at a multiple of a quarter
+    turn."""
     rng = np.random.default_rng(11)
     turns = rng.integers(-2, 3, (12, arm.dof)) * np.pi / 2
     qs = np.vstack([np.zeros(arm.dof), turns, some(arm, 12)])
@@ -241,7 +246,8 @@ def test_torques_along_a_path_and_with_the_classic_mistakes():
 
 
 def alike(arm):
-    """Tables of the same arm: other zeros, another base, offsets moved along parallel axes, angles typed short."""
+    """Tables of the same arm: other zeros, another base, offsets moved along parallel axes, angles
+    typed short."""
     numeric = numbered(arm)
     yield numeric
     for k, row in enumerate(numeric.rows):
@@ -372,7 +378,8 @@ def test_every_way_found_reaches_the_pose_and_no_two_are_alike(arm, q, count):
     wanted = link_frames(arm, q)[-1]
     parts = (slice(3), slice(3, 4)) if arm.dof < 6 else (slice(3), slice(None))
     T = link_frames(arm, ways)[:, -1]
-    np.testing.assert_allclose(T[:, *parts], np.broadcast_to(wanted[parts], T[:, *parts].shape), atol=1e-8)  # fmt: skip
+    np.testing.assert_allclose(T[:, *parts], np.broadcast_to(wanted[parts], T[:, *parts].shape),
+        atol=1e-8)  # fmt: skip
     gaps = np.abs(np.sin((ways[:, None] - ways[None]) / 2)).max(axis=-1) + np.eye(len(ways))
     assert gaps.min() > 1e-4
     assert len(ways) >= 2
@@ -591,7 +598,8 @@ def test_the_page_is_told_what_was_chosen():
         PANDA, views=["pose"], reference=ELBOW, arms=[ELBOW], unit="rad", link=True
     )
     assert chosen._spec == {
-        "arms": [panda, arm_data(ELBOW)], "views": ["pose"], "unit": "rad", "reference": arm_data(ELBOW), "link": True
+        "arms": [panda, arm_data(ELBOW)], "views": ["pose"], "unit": "rad",
+        "reference": arm_data(ELBOW), "link": True
     }  # fmt: skip
 
 
