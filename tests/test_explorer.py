@@ -209,9 +209,9 @@ def test_the_homeworks_runs_are_pythons(asked, wanted):
 
 @needs_node
 def test_the_ur10e_breaks_jumps_and_is_damped_as_the_homework_says():
-    runs = [{"normal": "y", "seconds": 20, "locked": -1, **more} for more in (
-        {}, {"rates": "pseudo"}, {"rates": "pseudo", "cutoff": 0.01}, {"rates": "damped"}, {"rates": "damped", "gain": 5},
-    )]  # fmt: skip
+    wall = {"normal": "y", "seconds": 20, "locked": -1}
+    pseudo, damping = {**wall, "rates": "pseudo"}, {**wall, "rates": "damped"}
+    runs = [wall, pseudo, {**pseudo, "cutoff": 0.01}, damping, {**damping, "gain": 5}]
     broken, *others = ask("runs", arm=arm_data(UR10E_HOMEWORK), start=[0] * 6, runs=runs)
     assert broken["failed"] == 0
     assert others[0]["fastest"] == pytest.approx(6.57, abs=0.005)
@@ -235,9 +235,12 @@ def test_torques_along_a_path_and_with_the_classic_mistakes():
     np.testing.assert_allclose(right, static_torque(PANDA, path, push), atol=1e-9)
     turned = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip="wrench"))
     np.testing.assert_allclose(turned, static_torque(PANDA, path, -np.array(push)), atol=1e-9)
-    printed = [(0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252, -0.066502),
-               (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
-               (0.010517, -0.004252, 0.061597)]  # fmt: skip
+    printed = [
+        (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495),
+        (0.027518, 0.039252, -0.066502), (-0.05317, 0.104419, 0.027454),
+        (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
+        (0.010517, -0.004252, 0.061597),
+    ]  # fmt: skip
     bodies = tuple(replace(body, com=com) for body, com in zip(PANDA.bodies, printed, strict=True))
     wrong = static_torque(replace(PANDA, bodies=bodies), path, push)
     mistaken = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip="centres"))
