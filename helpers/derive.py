@@ -290,7 +290,7 @@ def _placed(axes: tuple[Axis, ...], place: Array) -> list[Axis]:
     for axis in reversed(axes):
         found.append(axis if axis.point is not None else replace(axis, point=tuple(place)))
         if axis.joint.kind == "revolute":
-            place = axis.point
+            place = np.array(axis.point)
     return found[::-1]
 
 
@@ -304,7 +304,8 @@ def _in_base(axis: Axis, base: Array) -> Line:
 
 def _steps(joints: list[Joint], lines: list[Line], goal: _Goal, choices: _Choices) -> list[Step]:
     """One step a joint, with a fixed one first or last where the base or the tip asks for it."""
-    still, frame, steps = Joint("fixed"), np.eye(4), []
+    steps: list[Step] = []
+    still, frame = Joint("fixed"), np.eye(4)
     ways = [(joint, line, None) for joint, line in zip(joints, lines[1:], strict=False)]
     if not _lies_on(frame, lines[0], choices.tolerance):
         ways.insert(0, (still, lines[0], None))
@@ -332,10 +333,10 @@ def _step(
     wish = x if goal is None or goal.free else goal.pose[:3, 0]
     crossed = np.linalg.norm(np.cross(z, line.z)) >= choices.tolerance
     case, along = (_crossed if crossed else _side_by_side)(frame, line, wish, choices)
-    theta = _angle(np.cross(x, along) @ z, x @ along, choices)
-    alpha = math.pi * (z @ line.z < 0)
+    theta = _angle(float(np.cross(x, along) @ z), float(x @ along), choices)
+    alpha = math.pi if z @ line.z < 0 else 0.0
     if crossed:
-        alpha = _angle(np.cross(z, line.z) @ along, z @ line.z, choices)
+        alpha = _angle(float(np.cross(z, line.z) @ along), float(z @ line.z), choices)
     # From here on in the axes of the row's own angles, so that a rounded angle is made up for by a
     # and d.
     x_i, y_i, z_i, _ = (frame @ _link(0, alpha, 0, theta))[:3].T
@@ -456,7 +457,8 @@ def _lettered_angle(letter: str, i: int, value: float, values: dict[str, float])
     turns = quarter_turns(value)
     if turns is None:
         return _lettered_length(letter, i, value, values)
-    return {0: 0, 1: "pi/2", -1: "-pi/2", 2: "pi"}[turns]
+    right: dict[int, Entry] = {0: 0, 1: "pi/2", -1: "-pi/2", 2: "pi"}
+    return right[turns]
 
 
 # In words

@@ -8,7 +8,7 @@ import ast
 import math
 import operator
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -16,13 +16,13 @@ from helpers.inputs import ArmError, must_be
 
 Entry = str | float
 
-_BINARY = {
+_BINARY: dict[type, Callable[[float, float], float]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
 }
-_UNARY = {ast.UAdd: operator.pos, ast.USub: operator.neg}
+_UNARY: dict[type, Callable[[float], float]] = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 
 # Signs that are printed, and the ones that a formula is written in.
 _SIGNS = (
@@ -171,13 +171,14 @@ def _parse(text: str, what: str) -> ast.expr:
     except SyntaxError:
         raise ArmError(wrong) from None
     for node in ast.walk(tree):
-        if isinstance(node, ast.Constant):
-            fine = type(node.value) in (int, float) and math.isfinite(node.value)
-        else:
-            fine = isinstance(node, _ALLOWED)
-        if not fine:
+        if not (_is_number(node) or isinstance(node, _ALLOWED)):
             raise ArmError(wrong)
     return tree
+
+
+def _is_number(node: ast.AST) -> bool:
+    value = node.value if isinstance(node, ast.Constant) else None
+    return isinstance(value, int | float) and type(value) is not bool and math.isfinite(value)
 
 
 _ALLOWED = (ast.Name, ast.Load, ast.BinOp, ast.UnaryOp, *_BINARY, *_UNARY)
@@ -185,13 +186,12 @@ _ALLOWED = (ast.Name, ast.Load, ast.BinOp, ast.UnaryOp, *_BINARY, *_UNARY)
 
 def _evaluate(node: ast.expr, values: Mapping[str, float]) -> float:
     match node:
-        case ast.Constant(value):
-            return value
-        case ast.Name(name) if name in values:
-            return values[name]
         case ast.Name(name):
-            raise ArmError(f"no value for {name}; there are {', '.join(values)}")
+            if name not in values:
+                raise ArmError(f"no value for {name}; there are {', '.join(values)}")
+            return values[name]
         case ast.UnaryOp(op, operand):
             return _UNARY[type(op)](_evaluate(operand, values))
         case ast.BinOp(left, op, right):
             return _BINARY[type(op)](_evaluate(left, values), _evaluate(right, values))
+    return node.value  # type: ignore[attr-defined]  # a Constant: the parser lets nothing else in

@@ -17,6 +17,16 @@ from helpers.inputs import ArmError, must_be, one_of, whole
 from helpers.program import Program, Value, record, workspace
 from helpers.rows import NumericRow
 
+__all__ = [
+    "analytic_jacobian",
+    "forward_kinematics",
+    "jacobian",
+    "jacobian_in_frame",
+    "link_frames",
+    "manipulability",
+    "tip",
+]
+
 Array = NDArray[np.float64]
 Vector = Sequence[Value]
 Step = tuple[NumericRow, Value, Value, Value]  # a row, and its motion: cosine, sine, offset
@@ -205,9 +215,12 @@ def row_motions(
         yield row, c, s, d
 
 
+_BASE: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0))
+
+
 def frame_columns(steps: Sequence[Step]) -> Iterator[tuple[Vector, Vector, Vector, Vector]]:
     """The columns (x, y, z, origin) of each link frame in turn."""
-    x, y, z, origin = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
+    x, y, z, origin = _BASE
     yield x, y, z, origin
     for row, c, s, d in steps:
         x, y = mixed(c, x, s, y), mixed(c, y, -s, x)

@@ -9,14 +9,14 @@ floats, a batch in contiguous rows, each step one call.
 import operator
 import threading
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Value = "Term | float"
-Step = tuple[str, float, int]
+Value = Any  # a Term or a float: the same lines run on both
+Step = tuple[str, Any, Any]  # a known number's value, or the places of earlier steps
 
 _ON_NUMBERS = {"+": operator.add, "-": operator.sub, "*": operator.mul}
 _ON_ROWS = {"+": np.add, "-": np.subtract, "*": np.multiply}
@@ -150,8 +150,8 @@ def _with_rows(inputs: int, tape: list[Step], results: list[int]) -> Program:
     return Program(
         known=tuple(tape[at][1] for at in known),
         rows=end - start,
-        on_numbers=tuple((_ON_NUMBERS[name], *rest) for name, *rest in lines),
-        on_rows=tuple((_ON_ROWS[name], *rest) for name, *rest in lines),
+        on_numbers=tuple((_ON_NUMBERS[name], i, k, to) for name, i, k, to in lines),
+        on_rows=tuple((_ON_ROWS[name], i, k, to) for name, i, k, to in lines),
         places=tuple(places),
         copies=tuple((x, to) for to, x in enumerate(places) if x != start + to),
     )

@@ -6,9 +6,22 @@ The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off
 
 from dataclasses import replace
 from math import pi
+from typing import Any
 
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 
+__all__ = [
+    "ARMS",
+    "ELBOW",
+    "PANDA",
+    "PANDA_HOMEWORK",
+    "STANFORD",
+    "UR10E",
+    "UR10E_HOMEWORK",
+    "named",
+]
+
+#: The Panda with the maker's lengths, limits and the masses of Gaz et al., and the homework's pen.
 PANDA = Arm(
     name="Panda",
     # The maker's limits in the signs of this table: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7).
@@ -37,6 +50,7 @@ PANDA = Arm(
     " hal-02265294",
 )
 
+#: The Panda as the homework's table has it: 88 mm for a_3 too.
 PANDA_HOMEWORK = replace(
     PANDA.with_values(a_3=0.088),
     name="Panda (homework)",
@@ -45,10 +59,11 @@ PANDA_HOMEWORK = replace(
 
 # The ranges, speeds and torques of the maker's UR10e serve both tables.
 _UR_RANGE = (-2 * pi, 2 * pi)
-_UR_BIG = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
-_UR_ELBOW = dict(limits=_UR_RANGE, speed=pi, effort=150)
-_UR_WRIST = dict(limits=_UR_RANGE, speed=pi, effort=56)
+_UR_BIG: dict[str, Any] = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
+_UR_ELBOW: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=150)
+_UR_WRIST: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=56)
 
+#: The UR10e with the maker's lengths, limits and masses, and the homework's pen.
 UR10E = Arm(
     name="UR10e",
     rows=(
@@ -76,6 +91,7 @@ UR10E = Arm(
     " UR10e user manual (ranges, speeds); Max. joint torques (torques)",
 )
 
+#: The UR10e with the lengths of the homework.
 UR10E_HOMEWORK = Arm(
     name="UR10e (homework)",
     rows=(
@@ -91,6 +107,7 @@ UR10E_HOMEWORK = Arm(
     " (0.118 there)",
 )
 
+#: The Stanford arm: a shoulder of two joints, a rod that slides, a spherical wrist.
 STANFORD = Arm(
     name="Stanford arm",
     rows=(
@@ -107,6 +124,7 @@ STANFORD = Arm(
     " Scheinman's arm",
 )
 
+#: An elbow arm of three joints, as textbooks draw it.
 ELBOW = Arm(
     name="Elbow arm",
     rows=(
@@ -120,6 +138,7 @@ ELBOW = Arm(
     " are ours",
 )
 
+#: All six.
 ARMS = (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
 
 

@@ -4,7 +4,7 @@ symbols."""
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from helpers.expressions import Entry, entry
 from helpers.inputs import ArmError, floats, listed, one_of, shown
@@ -136,7 +136,7 @@ class Values(Mapping[str, float]):
     def __init__(self, numbers: Mapping[str, float], owner: str) -> None:
         wanted = "a number for each symbol, as in {'a_3': 0.0825}"
         try:
-            given: dict[object, object] = dict(numbers)
+            given = dict[Any, Any](numbers)
         except (TypeError, ValueError):
             raise ArmError(f"{owner}: values are {shown(numbers)}; expected {wanted}") from None
         if not all(isinstance(name, str) for name in given):

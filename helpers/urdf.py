@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, Derivation, derive
 from helpers.inputs import must_be, number, shown
-from helpers.rows import cos_sin
+from helpers.rows import Kind, cos_sin
 
 __all__ = ["Chain", "from_urdf", "read_chain"]
 
@@ -30,7 +30,11 @@ Array = NDArray[np.float64]
 
 _MOST = 50_000_000  # bytes; the largest robot of example-robot-data has 0.2 million
 _DEEPEST = 100  # nested elements; a robot description needs seven
-_KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
+_KINDS: dict[str, Kind] = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -313,7 +317,8 @@ class _Tree:
     def way(self, base: str, tip: str) -> list[_Joint]:
         """The joints from a link to one beyond it."""
         above = {joint.child: joint for joints in self.joints.values() for joint in joints}
-        found, link = [], tip
+        found: list[_Joint] = []
+        link = tip
         while link != base:
             if link not in above or len(found) > len(above):
                 raise ArmError(
@@ -342,12 +347,13 @@ def _once(names: list[str], what: str) -> None:
 
 def _root(source: str | os.PathLike[str]) -> ET.Element:
     """The <robot> element of a file or of a text."""
-    is_text = isinstance(source, str) and "<" in source
-    data = source.encode("utf-8", "replace") if is_text else _read(source)
-    what = "the text" if is_text else os.fspath(source)
+    if isinstance(source, str) and "<" in source:
+        data, what, encoding = source.encode("utf-8", "replace"), "the text", "utf-8"
+    else:
+        data, what, encoding = _read(source), os.fspath(source), None
     try:
-        _refuse_traps(data, "utf-8" if is_text else None, what)
-        parser = ET.XMLParser(encoding="utf-8" if is_text else None)
+        _refuse_traps(data, encoding, what)
+        parser = ET.XMLParser(encoding=encoding)
         root = ET.fromstring(data, parser)
     except (expat.ExpatError, ET.ParseError, LookupError, ValueError) as error:
         if isinstance(error, ArmError):
@@ -428,7 +434,7 @@ def _joint(element: ET.Element) -> _Joint:
     mimics = "" if mimic is None else mimic.get("joint", "another joint")
     origin = _origin(element, name)
     axis = axis / length if length else axis
-    return _Joint(name, kind, *ends, origin, axis, _limits(element, name, kind), mimics)
+    return _Joint(name, kind, ends[0], ends[1], origin, axis, _limits(element, name, kind), mimics)
 
 
 def _linked(element: ET.Element, which: str, name: str) -> str:

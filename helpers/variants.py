@@ -24,6 +24,14 @@ from helpers.motion import (
 )
 from helpers.statics import gravity_torque, static_torque
 
+__all__ = [
+    "TOPICS",
+    "Answer",
+    "Variant",
+    "sheet",
+    "variant",
+]
+
 Array = NDArray[np.float64]
 Rng = np.random.Generator
 
@@ -172,7 +180,8 @@ def _jacobian(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
 
 
 def _circle_tracing(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
-    run, radius, (first, second) = _run(arm, rng)
+    run, radius, plane = _run(arm, rng)
+    first, second = list(plane)
     centre = run.path.positions[0] - radius * np.eye(3)["xyz".index(first)]
     question = (
         f"The tip starts at $q_0 = {_matrix(run.q[0])}$ and draws a circle of radius {radius:g} m"

@@ -325,7 +325,9 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], 
         if found:
             causes = tuple(dict.fromkeys(c.name for c, _ in found))
             named = tuple(next(c for c, _ in found if c.name == n) for n in causes)
-            words = say("ik slip", cause=lower(several(named, most=2)), branch=right.names[found[0][1]])
+            words = say(
+                "ik slip", cause=lower(several(named, most=2)), branch=right.names[found[0][1]]
+            )
             if mixed and named[0].keys[0] not in _OF_ONE_STEP and len(named[0].keys) == 1:
                 return (*named, mixed[0]), say("ik or mixed", words=words, mixed=mixed[1])
             return named, words

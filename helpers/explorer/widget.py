@@ -15,7 +15,7 @@ from helpers.explorer.stub import stub
 from helpers.inputs import ArmError, floats, listed, must_be, numbers, shown
 from helpers.inverse import Solutions
 
-VIEWS = ("table", "pose", "jacobian", "trace", "torque", "branches")
+VIEWS = ("table", "pose", "jacobian", "homework", "trace", "torque", "branches")
 UNITS = ("deg", "rad")
 
 TYPED = "Your arm"  # as explorer/src/arm.js calls an arm whose table was typed in
@@ -75,7 +75,7 @@ class ArmExplorer(anywidget.AnyWidget):
     trace = traitlets.Any(None, allow_none=True).tag(sync=True)
     branches = traitlets.Any(None, allow_none=True).tag(sync=True)
     arm_name = traitlets.Unicode().tag(sync=True)
-    rows = traitlets.List().tag(sync=True)
+    rows: traitlets.List = traitlets.List().tag(sync=True)
 
     def __init__(
         self,
@@ -158,10 +158,10 @@ class ArmExplorer(anywidget.AnyWidget):
     def _check_branches(self, proposal: Mapping[str, Any]) -> list[dict[str, Any]] | None:
         return branches_data(self.arm, proposal["value"])
 
-    def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         """The live view for a running notebook, and beside it a stub that a static page brings to
         life."""
-        live = super()._repr_mimebundle_(**kwargs)
+        live: Any = super()._repr_mimebundle_(**kwargs)
         live = live[0] if isinstance(live, tuple) else live
         return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
 

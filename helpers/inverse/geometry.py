@@ -24,8 +24,8 @@ class Plane(NamedTuple):
     phi: Array
     x: Array
     y: Array
-    exists: Array
-    free: Array
+    exists: NDArray[np.bool_]
+    free: NDArray[np.bool_]
 
 
 def facing(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
@@ -50,8 +50,8 @@ class Bend(NamedTuple):
 
     phi_2: Array
     phi_3: Array
-    exists: Array
-    free: Array
+    exists: NDArray[np.bool_]
+    free: NDArray[np.bool_]
 
 
 def two_links(upper: float, fore: float, px: Array, py: Array, sign: Array, chosen: Array) -> Bend:

@@ -190,7 +190,7 @@ def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
     if goal.shape[-2] == 1:
         return J[:, :3], goal[:, 0] - tip.T
     want = np.ascontiguousarray(goal[:, :3].transpose(2, 1, 0))
-    turn = turn_between(pose[:3, :3].swapaxes(0, 1), want[:3])
+    turn = turn_between(list(pose[:3, :3].swapaxes(0, 1)), list(want[:3]))
     return J, np.concatenate([want[3] - tip, turn]).T
 
 
@@ -201,13 +201,14 @@ def _tip_and_jacobian(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
 def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:
     """Rotation vectors (3, batch), in rad and base axes, that turn frames, three axes (3, batch)
     each, into others."""
-    axis = 0.5 * sum(cross(u, v) for u, v in zip(have, want, strict=True))
+    pairs = list(zip(have, want, strict=True))
+    axis = 0.5 * np.sum([cross(u, v) for u, v in pairs], axis=0)
     sine = np.sqrt(dot(axis, axis))
-    cosine = 0.5 * (sum(dot(u, v) for u, v in zip(have, want, strict=True)) - 1.0)
+    cosine = 0.5 * (np.sum([dot(u, v) for u, v in pairs], axis=0) - 1.0)
     angle = np.arctan2(sine, cosine)
     vector = axis * np.where(sine > 1e-8, angle / np.maximum(sine, 1e-300), 1.0)
     for k in np.flatnonzero((sine <= 1e-8) & (cosine < 0)):
-        R = sum(np.outer(v[:, k], u[:, k]) for u, v in zip(have, want, strict=True))
+        R = np.sum([np.outer(v[:, k], u[:, k]) for u, v in pairs], axis=0)
         vector[:, k] = _half_turn(R)
     return vector
 

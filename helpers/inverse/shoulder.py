@@ -100,7 +100,7 @@ def _links(second, third, tool: float) -> Links:
     return Links(second.a, fore, beta, offset)
 
 
-def _elbow_distance(links: Links, p: Array, plane: Plane, valid: Array) -> Array:
+def _elbow_distance(links: Links, p: Array, plane: Plane, valid: NDArray[np.bool_]) -> Array:
     """To the nearest reachable point: exact for an arm without offset, and sideways out of an
     offset arm's hole."""
     outer, inner = abs(links.upper) + links.fore, abs(abs(links.upper) - links.fore)
@@ -120,7 +120,7 @@ def must_be_elbow(arm: Arm) -> None:
     fits = kinds in (["revolute"] * 3, ["revolute"] * 3 + ["fixed"]) and (
         rows[0].a == rows[0].cos_alpha == rows[1].sin_alpha == 0.0
         and rows[1].a != 0.0
-        and _links(*rows[1:3], 0.0 if len(rows) == 3 else rows[3].d).fore > 0.0
+        and _links(rows[1], rows[2], 0.0 if len(rows) == 3 else rows[3].d).fore > 0.0
         and (len(rows) == 3 or rows[3].a == 0.0)
     )
     if not fits:

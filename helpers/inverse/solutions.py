@@ -2,10 +2,10 @@
 them."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -87,7 +87,7 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLik
         q = found.nearest(q)
         if np.isnan(q).any():
             raise ArmError(
-                f"{found.arm.name}: no branch reaches target {step} of {len(targets)} within the"
+                f"{found.arm.name}: no branch reaches target {step} of {len(wanted)} within the"
                 " joint limits"
             )
         path.append(q)
@@ -99,8 +99,8 @@ class Found(NamedTuple):
     what is known of it."""
 
     q: tuple[Array, ...]
-    free: dict[int, Array]
-    valid: Array
+    free: Mapping[int, NDArray[Any]]
+    valid: NDArray[np.bool_]
     distance: Array
 
 
@@ -231,4 +231,4 @@ _SLACK = 1e-9  # rad or m: a joint this far beyond its limit counts as at it
 
 def _inside(arm: Arm, q: Array) -> NDArray[np.bool_]:
     lower, upper = arm.limits
-    return ((q >= lower - _SLACK) & (q <= upper + _SLACK)).all(axis=-1)
+    return np.asarray(((q >= lower - _SLACK) & (q <= upper + _SLACK)).all(axis=-1))

@@ -5,6 +5,7 @@ Source: Pieper (1968); Spong, Hutchinson and Vidyasagar, section 5.3 (kinematic 
 
 from dataclasses import replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -67,9 +68,9 @@ def _decoupled(arm: Arm, targets: ArrayLike, start, place, must_fit, branches) -
         must_be_rigid(arm, columns)
         tool = unwound(arm, columns)
         placed = place(shoulder, wrist_centre(arm, tool), start[:3])
-        q = np.stack(np.broadcast_arrays(*placed.q))
+        first = np.stack(np.broadcast_arrays(*placed.q))
         wrist, singular = _wrist(
-            arm, _seen_from(shoulder, q, tool.axes[:, 0], tool.axes[:, 2]), start
+            arm, _seen_from(shoulder, first, tool.axes[:, 0], tool.axes[:, 2]), start
         )
         free = {joint: _both(loose) for joint, loose in placed.free.items()}
         q = (*(_both(joint) for joint in placed.q), *wrist)
@@ -78,7 +79,7 @@ def _decoupled(arm: Arm, targets: ArrayLike, start, place, must_fit, branches) -
     return each_branch(arm, poses(arm, targets), start, (*branches, ("q_5 > 0", "q_5 < 0")), kernel)
 
 
-def _both(values: Array) -> Array:
+def _both(values: NDArray[Any]) -> NDArray[Any]:
     """The same for both wrists: an axis before the last."""
     return values[..., None, :]
 

@@ -21,7 +21,7 @@ from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.rates import PlainInverse, SingularError
 from helpers.motion.steps import RULES, Course, tip_error
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 Sweep = Callable[[Array], tuple[Array, Array, Array]]
 
 _LONG_STEPS = 20

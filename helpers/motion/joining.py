@@ -10,7 +10,7 @@ from helpers.inputs import ArmError, listed, must_be
 from helpers.motion.paths import Path
 from helpers.motion.tracing import Trace
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 def joined(runs: Iterable[Trace]) -> Trace:
@@ -59,6 +59,6 @@ def _path(paths: list[Path]) -> Path:
 
         return value
 
-    times = [p.times[1:] - p.times[0] + begin for p, begin in zip(paths, begins, strict=True)]
-    times = np.concatenate([[0.0], *times])
+    later = [p.times[1:] - p.times[0] + begin for p, begin in zip(paths, begins, strict=True)]
+    times = np.concatenate([[0.0], *later])
     return Path(times, pieced("position"), pieced("velocity"), paths[0].normal)

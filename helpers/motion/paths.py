@@ -10,7 +10,7 @@ from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, must_be_callable, number, numbers, plane_axes, whole
 from helpers.kinematics import tip
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 @dataclass(frozen=True)

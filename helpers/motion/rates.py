@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, must_be_callable, number, numbers
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 Rates = Callable[[Array, Array, Array], Array]
 
 

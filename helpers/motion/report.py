@@ -10,7 +10,7 @@ from helpers.kinematics import jacobian
 from helpers.motion.paths import Path
 from helpers.motion.rates import size
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from helpers.motion.paths import Path
 from helpers.motion.steps import tip_error
 from helpers.motion.tracing import Trace
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 _CUTOFF = 1e-6  # singular values below this share of the largest count as 0
 
@@ -65,7 +65,7 @@ def self_motion(
         if not _within_limits(arm, moved):
             break
         ahead = _tangent(arm, moved, ahead)
-        q.append(moved)
+        q.append(np.asarray(moved, dtype=float))
     if len(q) == 1:
         raise ArmError("start is at a limit that direction leads beyond; expected room for a step")
     return _at_rest(arm, np.array(q), length / steps / speed)
@@ -91,12 +91,12 @@ def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
     still, lost = right[rank:], left[:, rank:].T
     if len(still) > 2 or (len(still) == 2 and not len(lost)):
         raise ArmError(
-            f"J has {len(still)} null directions and loses {len(lost)} at q = {q}; "
+            f"J has {len(still)} null directions and loses {len(lost)} at q = {np.asarray(q)}; "
             "expected one null direction, or two at a pose of lost rank"
         )
     if len(still) == 2:
         forms = np.array([[lost @ _bilinear(J, u, v) for u in still] for v in still])
-        still = _zeros(forms, f"q = {q}") @ still
+        still = _zeros(forms, f"q = {np.asarray(q)}") @ still
     stays = [np.abs(lost @ _acceleration(J, v)).max(initial=0) < _CUTOFF for v in still]
     found = still[np.array(stays, dtype=bool)]
     found = found[np.lexsort(-np.abs(found.T[::-1]))]
@@ -137,7 +137,8 @@ def _tangent(arm: Arm, q: Array, ahead: Array) -> Array:
     along = still.T @ (still @ ahead)
     if not np.linalg.norm(along) > 1e-3 * np.linalg.norm(ahead):
         raise ArmError(
-            f"{ahead} only moves the tip at q = {q}; expected a direction that leaves it alone"
+            f"{ahead} only moves the tip at q = {np.asarray(q)}; expected a direction that leaves"
+            " it alone"
         )
     return along / np.linalg.norm(along)
 

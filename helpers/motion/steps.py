@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from helpers.motion.paths import Path
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 Slope = Callable[
     [float, Array], Array
 ]  # from the share of a step, and the joints there, to joint rates

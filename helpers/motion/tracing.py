@@ -17,7 +17,7 @@ from helpers.motion.rates import PlainInverse, Rates, SingularError, plain_inver
 from helpers.motion.report import Report, run_report
 from helpers.motion.steps import METHODS, RULES, Course, Rule, charted, tip_error
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 _ITERATIONS = 30

@@ -54,9 +54,12 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     angle(ax, elbow, 0.06, lift + 180, lift + 360 + np.degrees(q[2]), r"$\varphi$", ORANGE)
     for start, end, text in ((shoulder, elbow, "$a_2$"), (elbow, tip, "$a_3$")):
         across = np.array([start[1] - end[1], end[0] - start[0]])
-        ax.text(*((start + end) / 2 + 0.12 * across), text, ha="center", va="center")
-    ax.text(*((shoulder + corner) / 2 - (0, 0.025)), "$r$", ha="center", va="center")
-    ax.text(*((corner + tip) / 2 + (0.025, 0)), "$s$", ha="center", va="center")
+        x, y = (start + end) / 2 + 0.12 * across
+        ax.text(x, y, text, ha="center", va="center")
+    x, y = (shoulder + corner) / 2
+    ax.text(x, y - 0.025, "$r$", ha="center", va="center")
+    x, y = (corner + tip) / 2
+    ax.text(x + 0.025, y, "$s$", ha="center", va="center")
     ax.set(ylim=(shoulder[1] - 0.15, elbow[1] + 0.15))
 
 
@@ -64,13 +67,13 @@ def angle(
     ax: Axes, centre: ArrayLike, radius: float, start: float, end: float, text: str, colour: str
 ) -> None:
     """Draw an arc between two directions (degrees) with its name beside its middle."""
-    start, end = sorted((start, end))
+    (x, y), (start, end) = np.asarray(centre), sorted((start, end))
     ax.add_patch(
-        Arc(centre, 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour, lw=1.4)
+        Arc((x, y), 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour, lw=1.4)
     )
     middle = np.radians((start + end) / 2)
-    place = np.asarray(centre) + 1.28 * radius * np.array([np.cos(middle), np.sin(middle)])
-    ax.text(*place, text, color=colour, ha="center", va="center")
+    place = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
+    ax.text(place[0], place[1], text, color=colour, ha="center", va="center")
 
 
 def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str = "") -> None:

@@ -52,5 +52,6 @@ def arrow_2d(
         "shrinkA": 0,
         "shrinkB": 0,
     }
-    ax.annotate("", xy=start + step, xytext=start, arrowprops=style)
-    ax.text(*(start + 1.14 * step), text, color=colour, ha="center", va="center")
+    (x, y), (u, v) = start, step
+    ax.annotate("", xy=(x + u, y + v), xytext=(x, y), arrowprops=style)
+    ax.text(x + 1.14 * u, y + 1.14 * v, text, color=colour, ha="center", va="center")

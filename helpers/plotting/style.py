@@ -4,8 +4,10 @@ import re
 import sys
 from hashlib import sha256
 from io import BytesIO
+from typing import Any
 
 import matplotlib as mpl
+from cycler import cycler
 from matplotlib.figure import Figure
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
@@ -21,7 +23,7 @@ GREY = "#8A8F98"
 SLATE = "#5B6472"  # joints
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
 
-STYLE = {
+STYLE: dict[Any, Any] = {
     "figure.figsize": (6.0, 3.8),
     "figure.facecolor": "none",
     "axes.facecolor": "none",
@@ -40,7 +42,7 @@ STYLE = {
     "grid.linewidth": 0.6,
     "lines.linewidth": 1.8,
     "legend.frameon": False,
-    "axes.prop_cycle": mpl.cycler(color=[BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000"]),
+    "axes.prop_cycle": cycler(color=[BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000"]),
 }
 
 

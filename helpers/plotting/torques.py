@@ -1,5 +1,7 @@
 """Joint torques along a path, and the forces at the pen's tip."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
@@ -9,11 +11,16 @@ from helpers.inputs import must_be, numbers
 from helpers.plotting.plane import arrow_2d
 from helpers.plotting.style import BLUE, GREY, RED, SKY
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 def torques(
-    axes: Array, arm: Arm, t: ArrayLike, tau: ArrayLike, label: str | None = None, **line: object
+    axes: NDArray[Any],
+    arm: Arm,
+    t: ArrayLike,
+    tau: ArrayLike,
+    label: str | None = None,
+    **line: object,
 ) -> None:
     """Draw each joint's torque (N m) over time in its own axes, with the maker's limits where they
     are near."""

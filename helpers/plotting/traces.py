@@ -1,6 +1,7 @@
 """Traced paths, joint histories, and a moving picture of the arm that needs no script."""
 
 from html import escape
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,7 +14,7 @@ from helpers.motion import Trace
 from helpers.plotting.arms import skeleton
 from helpers.plotting.style import BLUE, GREEN, GREY, RED
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") -> None:
@@ -31,7 +32,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
     ax.yaxis.set_major_locator(MaxNLocator(5))
 
 
-def joints(axes: Array, run: Trace) -> None:
+def joints(axes: NDArray[Any], run: Trace) -> None:
     """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is
     known."""
     must_be(run, Trace, "run")
@@ -53,7 +54,8 @@ def joints(axes: Array, run: Trace) -> None:
 
 def _wall_axes(run: Trace) -> tuple[int, int]:
     out = int(np.abs(run.path.normal).argmax())
-    return tuple(k for k in range(3) if k != out)
+    first, second = (k for k in range(3) if k != out)
+    return first, second
 
 
 def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: int = 48) -> str:
