@@ -24,6 +24,14 @@ from helpers.motion import (
 )
 from helpers.statics import gravity_torque, static_torque
 
+__all__ = [
+    "TOPICS",
+    "Answer",
+    "Variant",
+    "sheet",
+    "variant",
+]
+
 Array = NDArray[np.float64]
 Rng = np.random.Generator
 

@@ -545,88 +545,34 @@ def test_one_target_for_many_starts_and_none_at_all():
     assert ur(UR10E, T[:0]).q.shape == (0, 8, 6)
 
 
+NO_ROD = [
+    (revolute(a=0.1, alpha="pi/2"), revolute(alpha="pi/2"), prismatic()),
+    (revolute(alpha=0.3), revolute(alpha="pi/2"), prismatic()),
+    (revolute(alpha="pi/2"), revolute(alpha=0.3), prismatic()),
+    (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi/2")),
+    (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi")),
+    (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(), revolute()),
+]
+NO_UR = [(i, {"a": 0.1}) for i in (1, 4, 5)] + [(i, {"alpha": 0.3}) for i in range(1, 6)]
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: elbow(UR10E, (0, 0, 0)), "UR10e is no elbow arm; expected three revolute joints"),
-        (lambda: elbow(ELBOW, (0, 0)), r"Elbow arm: targets has shape \(2,\); expected \(..., 3\)"),
-        (lambda: elbow(ELBOW, (0, 0, np.nan)), "Elbow arm: targets holds NaN or infinity"),
-        (
-            lambda: elbow(ELBOW, "here"),
-            r"Elbow arm: targets is 'here'; expected \(..., 3\), finite positions",
-        ),
-        (lambda: elbow(ELBOW, (0, 0, 1), start=(0, 0)), r"Elbow arm: start has shape \(2,\)"),
         (lambda: elbow(ELBOW.with_values(a_3=0), (0, 0, 1)), "is no elbow arm"),
-        (lambda: rod(ELBOW, (0, 0, 0)), "Elbow arm has no rod through its shoulder"),
-        *[
-            (lambda rows=rows: rod(Arm("odd", rows), (0, 0, 0)), "odd has no rod")
-            for rows in (
-                (revolute(a=0.1, alpha="pi/2"), revolute(alpha="pi/2"), prismatic()),
-                (revolute(alpha=0.3), revolute(alpha="pi/2"), prismatic()),
-                (revolute(alpha="pi/2"), revolute(alpha=0.3), prismatic()),
-                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi/2")),
-                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi")),
-                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(), revolute()),
-            )
-        ],
-        (lambda: stanford(UR10E, np.eye(4)), "UR10e has no spherical wrist"),
+        *[(lambda rows=r: rod(Arm("odd", rows), (0, 0, 0)), "odd has no rod") for r in NO_ROD],
         (lambda: stanford(PUMA, np.eye(4)), "Puma has no rod through its shoulder"),
         (lambda: spherical_wrist(STANFORD, np.eye(4)), "Stanford arm is no elbow arm"),
-        (lambda: ur(PANDA, np.eye(4)), "Panda is no arm of the UR family; expected six revolute"),
         *[
-            (
-                lambda i=i, change=change: ur(
-                    replace(
-                        UR10E,
-                        rows=tuple(
-                            replace(row, **change) if k == i else row
-                            for k, row in enumerate(UR10E.rows, 1)
-                        ),
-                    ),
-                    np.eye(4),
-                ),
-                "UR10e is no arm of the UR family",
-            )
-            for i, change in (
-                (1, {"a": 0.1}),
-                (4, {"a": 0.1}),
-                (5, {"a": 0.1}),
-                (1, {"alpha": 0.3}),
-                (2, {"alpha": 0.3}),
-                (3, {"alpha": 0.3}),
-                (4, {"alpha": 0.3}),
-                (5, {"alpha": 0.3}),
-                (2, {"a": 0}),
-                (3, {"a": 0}),
-            )
+            (lambda i=i, e=e: ur(UR10E.with_row(i, **e), np.eye(4)), "UR10e is no arm of the UR")
+            for i, e in [*NO_UR, (2, {"a": 0}), (3, {"a": 0})]
         ],
-        (
-            lambda: ur(UR10E, np.eye(3)),
-            r"UR10e: targets has shape \(3, 3\); expected \(..., 4, 4\)",
-        ),
-        (lambda: ur(UR10E, 2 * np.eye(4)), "UR10e: a target is no rigid transform, by "),
         (lambda: ur(UR10E, np.diag([1, 1, -1, 1])), "UR10e: a target is no rigid transform, by 2;"),
         (lambda: ur(UR10E, np.eye(4) + np.eye(4)[::-1] * 0.1), "is no rigid transform"),
-        (
-            lambda: stanford(STANFORD, np.full((4, 4), np.inf)),
-            "Stanford arm: targets holds NaN or infinity",
-        ),
-        (lambda: elbow(ELBOW, (0.5, 0, 0.5)).nearest((0, 0)), r"q has shape \(2,\)"),
-        (lambda: solve(PANDA, np.eye(2)), r"Panda: targets has shape \(2, 2\)"),
         (lambda: solve(PANDA, np.zeros((4, 4))), "Panda: a target is no rigid transform"),
-        (lambda: solve(PANDA, np.eye(4), (0, 0)), r"Panda: start has shape \(2,\)"),
-        (
-            lambda: solve(PANDA, np.eye(4), tolerance=0),
-            "tolerance is 0; expected a positive number",
-        ),
-        (
-            lambda: solve(PANDA, np.eye(4), iterations=1.5),
-            "iterations is 1.5; expected a whole number",
-        ),
-        (lambda: solve(PANDA, np.eye(4), restarts=-1), "restarts is -1; expected a whole number"),
     ],
 )
-def test_bad_input(call, message):
+def test_an_arm_or_a_target_that_does_not_fit_is_refused(call, message):
     with pytest.raises(ArmError, match=message):
         call()
 

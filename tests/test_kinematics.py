@@ -162,29 +162,6 @@ def test_a_wrist_alone_turns_about_a_point():
     np.testing.assert_array_equal(manipulability(wrist, q, "linear"), 0)
 
 
-@pytest.mark.parametrize(
-    "function",
-    [
-        forward_kinematics,
-        link_frames,
-        jacobian,
-        partial(jacobian_in_frame, frame=1),
-        analytic_jacobian,
-        manipulability,
-    ],
-)
-def test_what_is_no_arm_is_told_in_a_whole_sentence(function):
-    with pytest.raises(ArmError) as told:
-        function("Panda", q=PANDA.home)
-    assert str(told.value) == "arm is 'Panda'; expected an Arm"
-
-
-def test_a_frame_is_counted_from_the_base():
-    with pytest.raises(ArmError) as told:
-        jacobian_in_frame(PANDA, PANDA.home, -1)
-    assert str(told.value) == "frame is -1; expected a whole number of 0 or more"
-
-
 def test_a_large_batch_needs_little_more_memory_than_its_result():
     q = joint_vectors(PANDA, (100_000,))
     tracemalloc.start()

@@ -15,7 +15,7 @@ from helpers.explorer.stub import stub
 from helpers.inputs import ArmError, floats, listed, must_be, numbers, shown
 from helpers.inverse import Solutions
 
-VIEWS = ("table", "pose", "jacobian", "trace", "torque", "branches")
+VIEWS = ("table", "pose", "jacobian", "homework", "trace", "torque", "branches")
 UNITS = ("deg", "rad")
 
 TYPED = "Your arm"  # as explorer/src/arm.js calls an arm whose table was typed in
