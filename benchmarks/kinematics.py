@@ -45,7 +45,7 @@ def link(row: NumericRow, c, s) -> list[list]:
 
 
 def casadi_expressions() -> tuple[casadi.SX, casadi.SX, casadi.SX]:
-    """The table as CasADi expressions: q, the pose, and the Jacobian with columns z x (o_n - o) over z."""
+    """The table in CasADi: q, the pose, and the Jacobian with columns z x (o_n - o) over z."""
     q, T, frames = casadi.SX.sym("q", 7), casadi.SX.eye(4), []
     for k, row in enumerate(BARE.numeric):
         frames.append(T)
@@ -59,10 +59,11 @@ def casadi_expressions() -> tuple[casadi.SX, casadi.SX, casadi.SX]:
 
 
 def casadi_ways(q: casadi.SX, result: casadi.SX) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
-    """A CasADi expression over a batch, shape (batch, *result.shape): as users call it, and in its best ways.
+    """A CasADi expression over a batch: as users call it, and in its best ways.
 
-    Those share equal steps (cse), fill in the zeros, and read and write the batch's own memory: CasADi keeps columns
-    together where NumPy keeps rows, so the transposed result is what arrives in NumPy's order.
+    Those share equal steps (cse), fill in the zeros, and read and write the batch's own memory:
+    CasADi keeps columns together where NumPy keeps rows, so the transposed result is what arrives
+    in NumPy's order.
     """
     plain = casadi.Function("plain", [q], [result])
     dense = [casadi.cse(casadi.densify(result.T))]
@@ -120,7 +121,7 @@ def product(left, right) -> list[list]:
 
 
 def jax_ways() -> tuple[dict, dict]:
-    """The same in JAX, for poses and Jacobians: 4 x 4 matrices, jit of vmap; and entry by entry over the batch, jit."""
+    """Poses and Jacobians in JAX: 4 x 4 matrices, and entry by entry over the batch."""
     jax.config.update("jax_enable_x64", True)
 
     def matrices(q):

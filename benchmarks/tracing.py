@@ -1,4 +1,4 @@
-"""The homework's loop of 1000 steps, written with each program: by Euler's rule, by Runge and Kutta's, by Newton's method."""
+"""The homework's loop of 1000 steps with each program, by Euler, Runge and Kutta, and Newton."""
 
 from functools import partial
 
@@ -59,7 +59,7 @@ class Looped:
 
 
 class Locked:
-    """Pinocchio at its best: joint 3 locked in its own model, its own signs kept, all else taken out of the loop."""
+    """Pinocchio at its best: joint 3 locked in its model, its signs kept, a loop of bare calls."""
 
     def __init__(self, pin: Pinocchio) -> None:
         self.signs = SIGNS[FREE]
