@@ -252,7 +252,7 @@ def _bad(
 
 def _causes(M, right, m: Margins, known: Catalogue, rows: slice, arm: Arm, q: Array, frame: int):
     """What explains the whole, then both halves apart, then each column."""
-    for band in (m.band, m.loose, m.allowed):
+    for band in m.bands:
         found = explain(M, right, band, known.causes, known.made[:, rows])
         if found is None or found.odd.any():
             two = pairs(arm, q, frame)

@@ -19,6 +19,7 @@ from helpers.statics import GRAVITY, static_torque
 Array = NDArray[np.float64]
 
 _NO_WRENCH = (0.0,) * 6
+_ODD = 1.2  # a torque that stays unexplained weighs more than a second mistake
 _SAMPLE = 25  # poses of a run on which causes are tried
 
 
@@ -132,7 +133,7 @@ def _judged(
     scale = max(float(np.abs(right).max()), 1e-3)
     slop = _slop(arm, at, wrench, gravity)
     m = margins(typed.units, np.full(right.shape, scale), slop, tolerance)
-    part = Margins(m.allowed[pick], m.band[pick], m.loose[pick], m.units[pick])
+    part = m.at(pick)
     single = np.array([len(c.keys) == 1 for c in causes])
     grade, _ = graded(typed.values[pick], right[pick], part, made[single])
     grade = _whole(grade, typed.values, right, m)
@@ -149,9 +150,13 @@ def _judged(
 def _whole(grade: str, mine: Array, right: Array, m: Margins) -> str:
     """The grade of the sample, unless a pose between its poses is worse."""
     off = np.abs(mine - right)
-    if grade in (RIGHT, SO_FAR) and (off > m.allowed).any():
+    if grade in (RIGHT, SO_FAR) and (off > m.allowed + m.slop).any():
         grade = ROUNDED
-    return WRONG if grade == ROUNDED and (off > m.loose).any() else grade
+    return (
+        WRONG
+        if grade == ROUNDED and (off > np.maximum(m.loose, m.band + 2 * m.slop)).any()
+        else grade
+    )
 
 
 def _slop(arm: Arm, at: Typed, wrench: Array, gravity: Array) -> Array | float:
@@ -180,8 +185,8 @@ def _good(grade: str, typed: Typed, arm: Arm, taken, figures) -> Report:
 
 
 def _found(mine, right, m: Margins, causes, made, load: Load) -> Found | None:
-    for band in (m.band, m.loose, m.allowed):
-        found = explain(mine, right, band, causes, made)
+    for band in m.bands:
+        found = explain(mine, right, band, causes, made, _ODD)
         if found is None or found.odd.any():
             turned = explain(mine, right, band, *reversed_joints(load, right))
             whole = (
@@ -189,7 +194,7 @@ def _found(mine, right, m: Margins, causes, made, load: Load) -> Found | None:
             )
             paper = explain(mine, right, band, *paper_centres(load))
             paper = Found(paper.causes[:1], paper.odd) if paper and not paper.odd.any() else None
-            found = better(found, whole, paper)
+            found = better(found, whole, paper, odd=_ODD)
         if found:
             return found
     return None
