@@ -95,6 +95,9 @@ RIGHT = {
         tolerance=1e-9),
     "derive.Derivation.with_bodies": dict(self=derive.derive(AXES, np.eye(4)), masses=[1.0, 2.0],
         centres=np.zeros((2, 3))),
+    "sheets.block": dict(arm=ELBOW, answer="J", language="NumPy"),
+    "sheets.document": dict(arm=ELBOW),
+    "sheets.markdown": dict(arm=ELBOW, heading="Elbow", lead="An arm.", also=(ELBOW,)),
     "urdf.read_chain": dict(source=ROBOT, base="a", tip="b", hold={}, name="mine"),
     "urdf.from_urdf": dict(source=ROBOT, base="a", tip="b", hold={}, name="mine", negative=False,
         tolerance=1e-9),
@@ -201,6 +204,8 @@ RIGHT = {
 # What a message says it expected: by the argument's name, or where that means several things, by
 # the function's too.
 EXPECTED = {
+    "heading": "a str", "lead": "a str", "answer": "one of A_1, A_2, A_3, T_01", "language": "one of LaTeX, SymPy, NumPy, MATLAB",
+    "also": "arms with the same rows",
     "runs": "one or more runs",
     "J": "one matrix of finite numbers", "a": "numbers, symbols, pi",
     "plotting.dh_numbers a": "a finite number of m or rad", "a_3": "a number",
