@@ -116,7 +116,7 @@ def evaluated(
     shape: tuple[int, ...],
     given: Sequence[float] = (),
 ) -> Array:
-    """What a recursion over the links gives at each q (..., dof), in the shape (..., *shape)."""
+    """What a recursion over the links gives at each q (..., dof), in the shape `(..., *shape)`."""
     q = arm.joint_vector(q)
     program = recorded(arm, recursion, given)
     if q.ndim == 1:

@@ -404,7 +404,7 @@ SPECIAL = [
 MADE = {
     "derive.Derivation", "derive.Line", "derive.Step", "urdf.Chain",
     "arm.ArmError", "checks.BranchReport", "checks.Finding", "checks.JacobianReport", "checks.TableReport", "checks.TorqueReport",
-    "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace",
+    "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace", "motion.UnreachableError",
     "motion.Rates", "variants.Answer", "variants.Variant",
 }  # fmt: skip
 STEPS = {

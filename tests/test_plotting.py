@@ -324,7 +324,9 @@ def test_the_books_style_is_set_with_and_without_a_notebook(monkeypatch):
     shell = SimpleNamespace(
         display_formatter=SimpleNamespace(formatters={"image/svg+xml": formatter})
     )
-    monkeypatch.setattr("helpers.plotting.style.get_ipython", lambda: shell)
-    monkeypatch.setattr("helpers.plotting.style.set_matplotlib_formats", lambda *formats: None)
+    monkeypatch.setattr("IPython.get_ipython", lambda: shell)
+    monkeypatch.setattr(
+        "matplotlib_inline.backend_inline.set_matplotlib_formats", lambda *formats: None
+    )
     use_book_style()
     assert kept == {Figure: svg}

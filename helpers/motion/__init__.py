@@ -16,7 +16,7 @@ from helpers.motion.rates import (
 )
 from helpers.motion.report import Report
 from helpers.motion.self_motions import self_motion, self_motion_directions
-from helpers.motion.tracing import METHODS, Trace, trace
+from helpers.motion.tracing import METHODS, Trace, UnreachableError, trace
 
 __all__ = [
     "METHODS",
@@ -25,6 +25,7 @@ __all__ = [
     "Report",
     "SingularError",
     "Trace",
+    "UnreachableError",
     "adaptive",
     "away_from_limits",
     "circle",

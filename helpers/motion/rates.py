@@ -4,6 +4,7 @@ Each function returns one of type ``Rates``: from a Jacobian (6, n), a twist (6,
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,11 +20,13 @@ class SingularError(ArmError):
     """A plain inverse was asked for where there is none."""
 
 
-def plain_inverse(cutoff: float = 1e-9) -> Rates:
-    """q_dot = J^-1 xi. Raises SingularError where the smallest singular value is below `cutoff` times the largest."""
-    _not_negative(cutoff=cutoff)
+@dataclass(frozen=True)
+class PlainInverse:
+    """q_dot = J^-1 xi where the smallest singular value is above `cutoff` times the largest."""
 
-    def rates(J: Array, twist: Array, q: Array) -> Array:
+    cutoff: float
+
+    def __call__(self, J: Array, twist: Array, q: Array) -> Array:
         if J.shape[0] != J.shape[1]:
             raise SingularError(
                 f"J is {J.shape[0]} x {J.shape[1]} and has no inverse; lock a joint or use pseudo_inverse()"
@@ -32,17 +35,35 @@ def plain_inverse(cutoff: float = 1e-9) -> Rates:
             found = np.linalg.solve(J, twist)
         except np.linalg.LinAlgError:
             found = np.full(J.shape[1], np.inf)
-        # A large answer costs a look at the singular values; a small one proves itself.
-        if not np.abs(found).max() < 1e3 * (1e-9 + np.abs(twist).max()):
+        if not _proves_itself(found, twist):
             sizes = np.linalg.svd(J, compute_uv=False)
-            if sizes[-1] <= cutoff * sizes[0]:
+            if sizes[-1] <= self.cutoff * sizes[0]:
                 raise SingularError(
                     f"J has no inverse here: its smallest singular value is {size(sizes[-1])}, its largest {sizes[0]:.3g}; "
                     "use pseudo_inverse(), damped() or another start"
                 )
         return found
 
-    return rates
+    def many(self, J: Array, twists: Array) -> Array:
+        """The same of many at once, J (steps, 6, 6) and twists (steps, 6). Raises SingularError where one is in doubt."""
+        found = np.linalg.solve(J, twists[..., None])[..., 0]
+        if not _proves_itself(found, twists):
+            raise SingularError(
+                "a Jacobian is so nearly singular that its singular values must be seen"
+            )
+        return found
+
+
+def _proves_itself(rates: Array, twist: Array) -> bool:
+    """Whether rates are too small to come of a singular Jacobian; large ones cost a look at the singular values."""
+    enough = 1e3 * (1e-9 + np.abs(twist).max(axis=-1, keepdims=True))
+    return bool((np.abs(rates) < enough).all())
+
+
+def plain_inverse(cutoff: float = 1e-9) -> Rates:
+    """q_dot = J^-1 xi. Raises SingularError where the smallest singular value is below `cutoff` times the largest."""
+    _not_negative(cutoff=cutoff)
+    return PlainInverse(cutoff)
 
 
 def pseudo_inverse(cutoff: float = 1e-9) -> Rates:

@@ -7,7 +7,8 @@ from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, number
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.paths import Path
-from helpers.motion.tracing import Trace, _error
+from helpers.motion.steps import tip_error
+from helpers.motion.tracing import Trace
 
 Array = NDArray[np.float64]
 
@@ -135,7 +136,7 @@ def _tangent(arm: Arm, q: Array, ahead: Array) -> Array:
 def _brought_back(arm: Arm, q: Array, pose: Array) -> Array:
     """The joints near q at which the tip has its pose, by Newton's method with the smallest steps."""
     for _ in range(20):
-        error = _error(forward_kinematics(arm, q), pose[:3, 3], pose[:3, :3])
+        error = tip_error(forward_kinematics(arm, q), pose[:3, 3], pose[:3, :3])
         if np.abs(error).max() < 1e-13:
             break
         q = q + np.linalg.pinv(jacobian(arm, q), rcond=_CUTOFF) @ error

@@ -1,13 +1,12 @@
 """Colours and settings shared by all figures."""
 
 import re
+import sys
 from hashlib import sha256
+from io import BytesIO
 
 import matplotlib as mpl
-from IPython import get_ipython
-from IPython.core.pylabtools import print_figure
 from matplotlib.figure import Figure
-from matplotlib_inline.backend_inline import set_matplotlib_formats
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
@@ -46,18 +45,29 @@ STYLE = {
 
 
 def use_book_style() -> None:
-    """Set the book's style for this notebook: sharp, small SVG figures with the same bytes on every run."""
+    """Set the book's style: in a notebook, sharp, small SVG figures with the same bytes on every run."""
     mpl.rcParams.update(STYLE)
-    set_matplotlib_formats("svg")
-    if shell := get_ipython():
+    ipython = sys.modules.get("IPython")  # loaded in every notebook, and of no use elsewhere
+    if ipython and (shell := ipython.get_ipython()):
+        from matplotlib_inline.backend_inline import set_matplotlib_formats  # comes with IPython
+
+        set_matplotlib_formats("svg")
         shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, svg)
 
 
 def svg(figure: Figure) -> str:
-    """A figure as SVG text that is the same on every machine: numbers to 0.01 pt, ids from what they name."""
-    text = print_figure(
-        figure, fmt="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None}
+    """A figure as SVG text, the same on every machine: numbers to 0.01 pt, ids from what they name."""
+    file = BytesIO()
+    figure.canvas.print_figure(
+        file,
+        format="svg",
+        dpi=figure.dpi,
+        facecolor=figure.get_facecolor(),
+        edgecolor=figure.get_edgecolor(),
+        bbox_inches="tight",
+        metadata={"Date": None, "Creator": None},
     )
+    text = file.getvalue().decode()
     text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", lambda number: f"{float(number[0]):.2f}", text)
     text = re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)
     text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->", "", text)
