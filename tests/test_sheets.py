@@ -267,6 +267,23 @@ def test_latex_blocks(sheet):
             assert short.name.replace("{", "").replace("}", "") in re.sub(r"[{}]", "", block)
 
 
+def test_latex_compiles_and_fits_the_page(tmp_path):
+    """Every block of the book's arms in one document, with amsmath and nothing else; no line is too wide."""
+    latex = shutil.which("pdflatex")
+    if not latex:
+        pytest.skip("LaTeX is not installed here")
+    sheets = [SHEETS[name] for name in SHEETS if name not in ("skewed", "numbers only")]
+    blocks = "\n\n".join(as_latex(sheet, item) for sheet in sheets for item in sheet.items)
+    head = r"\documentclass[a4paper]{article}\usepackage{amsmath}\begin{document}"
+    text = "\n".join([head, blocks, r"\end{document}"])
+    (tmp_path / "answers.tex").write_text(text, encoding="utf-8")
+    call = [latex, "-interaction=nonstopmode", "-halt-on-error", "answers.tex"]
+    assert subprocess.run(call, cwd=tmp_path, capture_output=True).returncode == 0
+    log = (tmp_path / "answers.log").read_text(encoding="utf-8", errors="replace")
+    assert "Output written" in log
+    assert "Overfull" not in log
+
+
 @every_arm
 def test_the_numbers_on_the_page(sheet):
     """Rounded to four digits, at the home pose."""

@@ -19,6 +19,9 @@ your own answer is another way of writing the same, give it to {doc}`the checker
 """
 
 
+_WHAT = "every link matrix, frame, Jacobian and torque in symbols and numbers, to copy as LaTeX, Python or MATLAB."
+
+
 class Page(NamedTuple):
     """A sheet of the book: its file, its heading, what is said first, and the arms whose numbers it gives."""
 
@@ -84,7 +87,13 @@ PAGES = (
 def written_page(page: Page) -> tuple[Path, str]:
     """A page's path and text."""
     arm, *also = page.arms
-    text = markdown(arm, page.heading, f"{page.lead}\n{_HOW.rstrip()}", tuple(also))
+    text = markdown(
+        arm,
+        page.heading,
+        f"{page.lead}\n{_HOW.rstrip()}",
+        tuple(also),
+        f"{page.heading}: {_WHAT}",
+    )
     return FOLDER / f"{page.name}.md", text
 
 

@@ -4,6 +4,7 @@ Formulas are HTML rather than MathJax: they are there at once on a phone, and no
 blocks that are copied stand in <template> elements, from which ``answers.js`` makes its buttons.
 """
 
+import json
 import re
 from html import escape
 from itertools import chain
@@ -89,7 +90,8 @@ def _em(html: str) -> float:
 
 def _matrix(name: str, rows: list[list[str]], kind: str = "") -> str:
     cells = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
-    return f'<div class="matrix{kind}"><span>{name} =</span><table>{cells}</table></div>\n'
+    columns = f' style="--columns: {len(rows[0])}"' if kind else ""
+    return f'<div class="matrix{kind}"{columns}><span>{name} =</span><table>{cells}</table></div>\n'
 
 
 def _spans(entry: list[str]) -> str:
@@ -178,11 +180,28 @@ def sections(arm: Arm, also: tuple[Arm, ...] = ()) -> list[Section]:
     return [Section("Table", _given(sheet, others), table(arm)), *answers]
 
 
-def markdown(arm: Arm, heading: str, lead: str, also: tuple[Arm, ...] = ()) -> str:
-    """The sheet as a page of the book, in MyST Markdown."""
+def markdown(
+    arm: Arm, heading: str, lead: str, also: tuple[Arm, ...] = (), description: str = ""
+) -> str:
+    """The sheet as a page of the book, in MyST Markdown.
+
+    Args:
+        arm: whose sheet.
+        heading, lead: the page's title and what is said first, in Markdown.
+        also: the same arm with other lengths, whose numbers stand beside.
+        description: one sentence for search engines.
+
+    Raises ArmError for an arm of `also` with other rows, and for letters that programs cannot use.
+    """
+    must_be(description, str, "description")
     must_be(heading, str, "heading")
     must_be(lead, str, "lead")
-    parts = [f"# {heading}\n\n{lead}\n", _raw(_ASSETS.format(root="../_static") + _TOOLS)]
+    meta = (
+        f"---\nmyst:\n  html_meta:\n    description: {json.dumps(description)}\n---\n\n"
+        if description
+        else ""
+    )
+    parts = [f"{meta}# {heading}\n\n{lead}\n", _raw(_ASSETS.format(root="../_static") + _TOOLS)]
     for section in sections(arm, also):
         parts.append(f"## {section.heading}\n\n{_raw(section.question + section.body)}")
     return "\n".join(parts)

@@ -19,8 +19,8 @@ from helpers.sheets.formulas import (
 )
 
 _WIDTH = 96  # characters of a line in a program
-_SHOWN = 56  # characters that a line of a typeset formula shows, about what a page 12 cm wide has room for
-_ENTRY = 26  # characters of an entry, shown, with which a matrix stays a matrix
+_SHOWN = 50  # characters that a line of a typeset formula shows, about what a page 12 cm wide has room for
+_ROW = 56  # characters of a matrix's row, the widest entry of each column taken, with which it stays a matrix
 
 
 def as_latex(sheet: Sheet, item: Item) -> str:
@@ -28,8 +28,9 @@ def as_latex(sheet: Sheet, item: Item) -> str:
     value, (_, _, short) = sheet.shortened(item), sheet.used(item)
     legend = [f"% ${latex_name(n.name)} = {written(f, LATEX)}$" for n, f in short]
     entries = [[pieces(e, LATEX) for e in value.row(i)] for i in range(value.rows)]
-    longest = max(_seen(" ".join(e)) for row in entries for e in row)
-    if not item.is_number and longest <= _ENTRY and value.cols <= 7:
+    columns = zip(*entries, strict=True)
+    width = sum(max(_seen(" ".join(entry)) for entry in column) + 2 for column in columns)
+    if not item.is_number and width <= _ROW and value.cols <= 10:
         return "\n".join([*legend, rf"\[ {latex_title(item)} =", *_bmatrix(entries), r"\]"])
     lines = [line for row in _labelled(item, entries) for line in _broken(*row)]
     body = " \\\\\n".join(lines)
