@@ -42,9 +42,9 @@ book: $(BOOK) ## build the book and say where it is
 test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and the built book's
 	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
 
-# Notebooks, subprocesses and the built book do not count; clocks would measure the measuring.
+# Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
-	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_mutations.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py)) -k "not _take_a_quarter_of_a_second"
+	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
 	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)
@@ -60,8 +60,11 @@ lab: $(BIN)/.installed ## open the notebooks in JupyterLab
 refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 	$(BIN)/python tools/refresh.py $(NOTEBOOKS)
 
-lint: $(BIN)/.installed-dev ## check and format the code, notebooks too
+lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check the types (needs Node.js)
 	$(BIN)/pre-commit run --all-files
+	$(BIN)/mypy
+	npm ci --prefix explorer --silent
+	npm run lint --prefix explorer --silent
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python tools/pdf.py
@@ -82,6 +85,7 @@ bench: ## time the helpers against their peers, in an environment of its own
 mutants: ## make one thing wrong in the helpers at a time; make mutants ARGS="helpers.inverse.* --sample 60"
 	test -d .venv-mutants || $(PYTHON) -m venv .venv-mutants
 	.venv-mutants/bin/python -m pip install --quiet --disable-pip-version-check mutmut==3.8.1 -r requirements-dev.txt -c requirements.lock
+	.venv-mutants/bin/python tools/breaks.py
 	.venv-mutants/bin/python tools/mutants.py $(ARGS)
 
 answers: $(BIN)/.installed ## write the answer sheets, book/answers/*.md, anew

@@ -8,7 +8,7 @@ import ast
 import math
 import operator
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -16,13 +16,13 @@ from helpers.inputs import ArmError, must_be
 
 Entry = str | float
 
-_BINARY = {
+_BINARY: dict[type, Callable[[float, float], float]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
 }
-_UNARY = {ast.UAdd: operator.pos, ast.USub: operator.neg}
+_UNARY: dict[type, Callable[[float], float]] = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 
 # Signs that are printed, and the ones that a formula is written in.
 _SIGNS = (
@@ -42,7 +42,8 @@ _LONGEST = 200  # characters, so that no formula is nested deeper than Python ca
 
 
 def entry(value: object, what: str) -> Entry:
-    """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a formula."""
+    """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a
+    formula."""
     if isinstance(value, bool) or value is None:
         raise ArmError(
             f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
@@ -63,6 +64,7 @@ def plain(written: str, what: str = "the entry") -> str:
     `what` says which units may follow a number: those of an angle for alpha and theta, of a length
     for a and d. The explorer's fields read the same: tests/entries.json holds both to it.
     """
+    must_be(written, str, "what is written")
     text = written.strip()
     for signs, sign in _SIGNS:
         text = re.sub(signs, sign, text)
@@ -160,19 +162,23 @@ def _parse(text: str, what: str) -> ast.expr:
         raise ArmError(f"{what} has {len(text)} characters; expected at most {_LONGEST}")
     if re.search(r"\b\d+_|\b0[xob]", text, re.IGNORECASE):
         raise ArmError(f"{what} is {text!r}; expected numbers in plain digits")
-    wrong = f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2' or 'd_6 + l_pen'"
+    wrong = (
+        f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2'"
+        " or 'd_6 + l_pen'"
+    )
     try:
         tree = ast.parse(text, mode="eval").body
     except SyntaxError:
         raise ArmError(wrong) from None
     for node in ast.walk(tree):
-        if isinstance(node, ast.Constant):
-            fine = type(node.value) in (int, float) and math.isfinite(node.value)
-        else:
-            fine = isinstance(node, _ALLOWED)
-        if not fine:
+        if not (_is_number(node) or isinstance(node, _ALLOWED)):
             raise ArmError(wrong)
     return tree
+
+
+def _is_number(node: ast.AST) -> bool:
+    value = node.value if isinstance(node, ast.Constant) else None
+    return isinstance(value, int | float) and type(value) is not bool and math.isfinite(value)
 
 
 _ALLOWED = (ast.Name, ast.Load, ast.BinOp, ast.UnaryOp, *_BINARY, *_UNARY)
@@ -180,13 +186,12 @@ _ALLOWED = (ast.Name, ast.Load, ast.BinOp, ast.UnaryOp, *_BINARY, *_UNARY)
 
 def _evaluate(node: ast.expr, values: Mapping[str, float]) -> float:
     match node:
-        case ast.Constant(value):
-            return value
-        case ast.Name(name) if name in values:
-            return values[name]
         case ast.Name(name):
-            raise ArmError(f"no value for {name}; there are {', '.join(values)}")
+            if name not in values:
+                raise ArmError(f"no value for {name}; there are {', '.join(values)}")
+            return values[name]
         case ast.UnaryOp(op, operand):
             return _UNARY[type(op)](_evaluate(operand, values))
         case ast.BinOp(left, op, right):
             return _BINARY[type(op)](_evaluate(left, values), _evaluate(right, values))
+    return node.value  # type: ignore[attr-defined]  # a Constant: the parser lets nothing else in

@@ -1,7 +1,8 @@
 """Homework with other numbers: questions and their solution key, both from one seed.
 
-The same seed gives the same sheet on every machine. Lengths change by up to a tenth, poses and forces are drawn anew, and
-the key is computed by the functions that the book uses, so it always fits the question.
+The same seed gives the same sheet on every machine. Lengths change by up to a tenth, poses and
+forces are drawn anew, and the key is computed by the functions that the book uses, so it always
+fits the question.
 """
 
 from collections.abc import Callable, Mapping
@@ -13,8 +14,23 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, one_of, whole
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.motion import SingularError, Trace, circle, plain_inverse, trace
+from helpers.motion import (
+    SingularError,
+    Trace,
+    UnreachableError,
+    circle,
+    plain_inverse,
+    trace,
+)
 from helpers.statics import gravity_torque, static_torque
+
+__all__ = [
+    "TOPICS",
+    "Answer",
+    "Variant",
+    "sheet",
+    "variant",
+]
 
 Array = NDArray[np.float64]
 Rng = np.random.Generator
@@ -48,7 +64,8 @@ class Answer:
 
 @dataclass(frozen=True, repr=False)
 class Variant:
-    """One topic of the homework with numbers of its own: the arm, the question, and the key to it."""
+    """One topic of the homework with numbers of its own: the arm, the question, and the key to
+    it."""
 
     topic: str
     seed: int
@@ -63,7 +80,8 @@ class Variant:
 
     @property
     def question_text(self) -> str:
-        """The question as Markdown, with the names of the answers that it asks for and the arm's table."""
+        """The question as Markdown, with the names of the answers that it asks for and the arm's
+        table."""
         asked = [f"- `{name}`: {answer.what}" for name, answer in self.key.items()]
         lines = ["", self.question, "", *asked, "", self.arm._repr_markdown_()]
         return "\n".join([f"**{_title(self.topic)}**", *lines])
@@ -109,7 +127,8 @@ def _suits(topic: str, arm: Arm) -> bool:
 
 
 def _with_other_lengths(arm: Arm, seed: int) -> Arm:
-    """The arm with every value within a tenth of its own, to three decimals; one that is 0 stays."""
+    """The arm with every value within a tenth of its own, to three decimals; one that is 0
+    stays."""
     factors = np.random.default_rng(seed).uniform(0.9, 1.1, len(arm.values))
     new = {
         name: round(v * float(f), 3)
@@ -129,7 +148,8 @@ def _pose(arm: Arm, rng: Rng) -> Array:
 
 
 def _smallest(arm: Arm, q: Array) -> float:
-    """The smallest singular value of what the arm's joints can command, all six rows or the place alone."""
+    """The smallest singular value of what the arm's joints can command, all six rows or the place
+    alone."""
     rows = slice(0, 6 if arm.dof >= 6 else 3)
     somewhere = np.random.default_rng(0).uniform(0.3, 0.9, arm.dof)
     rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[rows])  # 2 for an arm that is plane
@@ -160,11 +180,14 @@ def _jacobian(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
 
 
 def _circle_tracing(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
-    run, radius, (first, second) = _run(arm, rng)
+    run, radius, plane = _run(arm, rng)
+    first, second = list(plane)
     centre = run.path.positions[0] - radius * np.eye(3)["xyz".index(first)]
     question = (
-        f"The tip starts at $q_0 = {_matrix(run.q[0])}$ and draws a circle of radius {radius:g} m in the"
-        f" {first}{second} plane in {run.t[-1]:g} s, at even speed and held orientation. The start is the circle's"
+        f"The tip starts at $q_0 = {_matrix(run.q[0])}$ and draws a circle of radius {radius:g} m"
+        " in the"
+        f" {first}{second} plane in {run.t[-1]:g} s, at even speed and held orientation. The start"
+        " is the circle's"
         f" farthest point along $+{first}$; from there the tip moves towards $+{second}$."
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
@@ -176,7 +199,8 @@ def _circle_tracing(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
 
 
 def _run(arm: Arm, rng: Rng) -> tuple[Trace, float, str]:
-    """A circle that the arm can draw from a pose of its own: within its range and far from singular poses."""
+    """A circle that the arm can draw from a pose of its own: within its range and far from singular
+    poses."""
     for _ in range(_TRIES):
         q = _pose(arm, rng)
         radius, plane = float(rng.integers(5, 11)) / 100, str(rng.choice(["xy", "yz", "zx"]))
@@ -185,7 +209,7 @@ def _run(arm: Arm, rng: Rng) -> tuple[Trace, float, str]:
         path = circle(centre, radius, plane, float(rng.integers(2, 7)) * 5, _STEPS)
         try:
             run = trace(arm, q, path, method="exact", rates=plain_inverse(1e-4))
-        except SingularError:
+        except (SingularError, UnreachableError):
             continue
         report = run.report
         if report.executable and report.smallest_singular_value > _SMALLEST:
@@ -197,8 +221,10 @@ def _static_torque(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
     q, force = _pose(arm, rng), np.zeros(3)
     force[rng.integers(3)] = float(rng.choice([-1, 1])) * float(rng.integers(4, 21)) / 2
     question = (
-        f"At $q = {_matrix(q)}$ the world acts on the tip with the force ${_matrix(force)}$ N (base axes)."
-        " Which torques hold the arm without it, which with it? Take 9.81 m/s². Masses, and centres of mass in the"
+        f"At $q = {_matrix(q)}$ the world acts on the tip with the force ${_matrix(force)}$ N"
+        " (base axes)."
+        " Which torques hold the arm without it, which with it? Take 9.81 m/s². Masses, and"
+        " centres of mass in the"
         f" frames of the table:\n\n{_bodies(arm)}"
     )
     tau = static_torque(arm, q, np.r_[force, 0, 0, 0])

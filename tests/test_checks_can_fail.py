@@ -1,8 +1,10 @@
-"""A check that compares a thing with itself proves nothing, however green its line: every check of the book is read here.
+"""A check that compares a thing with itself proves nothing, however green its line: every check of
+the book is read here.
 
-The cells are read in their order, and each name stands for the expression that it was bound to last, which in turn stands
-for its own. So written out, the two sides of `check(label, actual, expected)` must differ, and at least one must rest on
-the helpers: arithmetic that never leaves the cell would stay green whatever became of them.
+The cells are read in their order, and each name stands for the expression that it was bound to
+last, which in turn stands for its own. So written out, the two sides of `check(label, actual,
+expected)` must differ, and at least one must rest on the helpers: arithmetic that never leaves the
+cell would stay green whatever became of them.
 """
 
 import ast
@@ -21,13 +23,15 @@ BY_HAND = {
 
 
 class Reader(ast.NodeVisitor):
-    """Reads statements in order; `meaning` has what each name stands for, written out, and whether helpers are in it."""
+    """Reads statements in order; `meaning` has what each name stands for, written out, and whether
+    helpers are in it."""
 
     def __init__(self):
         self.meaning, self.checks, self.count = {}, [], 0
 
     def of(self, node, hidden=frozenset()):
-        """What an expression stands for, as a hashable tree, and whether it rests on the helpers."""
+        """What an expression stands for, as a hashable tree, and whether it rests on the
+        helpers."""
         if isinstance(node, ast.Name) and node.id not in hidden and node.id in self.meaning:
             return self.meaning[node.id]
         if isinstance(node, ast.AST):
@@ -108,7 +112,8 @@ class Reader(ast.NodeVisitor):
 
 
 def _short(tree):
-    """The tree itself, or a number for it: equal trees have equal numbers, and nothing grows without bound."""
+    """The tree itself, or a number for it: equal trees have equal numbers, and nothing grows
+    without bound."""
     return _NUMBERS.setdefault(tree, len(_NUMBERS))
 
 
@@ -161,7 +166,8 @@ HEAD = "from helpers import kinematics\nfrom helpers.robots import PANDA\n"
         ("a, b = 0.0880, 0.0825\ngap = a - b\ncheck('gap', gap, 0.0055, tolerance=1e-9)", True),
         ("J = kinematics.jacobian(PANDA, q)\nK = J\nJ[0] = 1\ncheck('J', K, J)", False),
         (
-            "J = kinematics.jacobian(PANDA, q)\nq = 2 * q\ncheck('J', kinematics.jacobian(PANDA, q), J)",
+            "J = kinematics.jacobian(PANDA, q)\nq = 2 * q\ncheck('J', kinematics.jacobian(PANDA,"
+            " q), J)",
             False,
         ),
         ("for arm in arms:\n    J = kinematics.jacobian(arm, q)\n    check('J', J, J)", True),

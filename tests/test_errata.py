@@ -1,4 +1,5 @@
-"""The errata page and the slip boxes say of the reports only what stands in them, each in the same way."""
+"""The errata page and the slip boxes say of the reports only what stands in them, each in the same
+way."""
 
 import re
 from pathlib import Path
@@ -9,7 +10,8 @@ import pytest
 BOOK = Path(__file__).parents[1] / "book"
 CLASSES = {"Wrong result", "Wrong word", "Given", "Stated approximation", "Incomplete", "Unproved"}
 REPORTS = ("Panda report", "UR10e report", "Elbow and Stanford report")
-# What each slip is, from the reports themselves; a change here is a change of what the book accuses somebody of.
+# What each slip is, from the reports themselves; a change here is a change of what the book accuses
+# somebody of.
 KINDS = {
     "Wrong result": {10, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 27},
     "Wrong word": {1, 3, 4, 5, 6, 11, 16, 24, 25, 26},
@@ -30,7 +32,8 @@ def _entries():
 
 
 def _boxes():
-    """Every slip box of the chapters by its label, with whether code follows before the next heading or box."""
+    """Every slip box of the chapters by its label, with whether code follows before the next
+    heading or box."""
     found = {}
     for path in sorted(BOOK.glob("0*.ipynb")):
         cells = nbformat.read(path, as_version=4).cells

@@ -1,4 +1,5 @@
-"""The explorer: its JavaScript against Python, its bundle against its sources, its stub and its traits."""
+"""The explorer: its JavaScript against Python, its bundle against its sources, its stub and its
+traits."""
 
 import json
 import math
@@ -21,8 +22,9 @@ from helpers.explorer.stub import still
 from helpers.explorer.widget import BUNDLE
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
+from helpers.motion import circle_below, damped, plain_inverse, trace
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.statics import gravity_torque
+from helpers.statics import gravity_torque, static_torque
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "explorer"
@@ -32,7 +34,7 @@ SKEW = Arm(
              revolute(0.3, 0.2, -0.1, -1.0), fixed(d=0.1, theta=0.9)),
 )  # fmt: skip
 
-VIEWS = "table, pose, jacobian, trace, torque, branches"
+VIEWS = "table, pose, jacobian, homework, trace, torque, branches"
 
 every_arm = pytest.mark.parametrize("arm", [*ARMS, SKEW], ids=lambda arm: arm.name)
 needs_node = pytest.mark.skipif(
@@ -51,12 +53,14 @@ def ask(job, **given):
 
 def some(arm, count=1000):
     """Joint vectors over the whole range, where one is known."""
-    lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1), strict=True))  # fmt: skip
+    lower, upper = (np.where(np.isfinite(x), x, s * np.pi) for x, s in zip(arm.limits, (-1, 1),
+        strict=True))  # fmt: skip
     return np.random.default_rng(7).uniform(lower, upper, (count, arm.dof))
 
 
 def held_up(arm, q, gravity=9.81):
-    """Gravity torque from the heights of the centres of mass, each made the tip of a shorter arm."""
+    """Gravity torque from the heights of the centres of mass, each made the tip of a shorter
+    arm."""
     total = np.zeros(q.shape)
     for k, body in enumerate(arm.bodies, 1):
         x, y, z = (arm.number(c) for c in body.com)
@@ -103,7 +107,8 @@ def test_the_homework_starts_where_the_reports_say():
 
 @needs_node
 def test_the_sources_keep_their_own_rules():
-    """States, links, drags, pastes: asserted in JavaScript, since nothing of it exists in Python."""
+    """States, links, drags, pastes: asserted in JavaScript, since nothing of it exists in
+    Python."""
     assert NODE, "Node.js is not installed"
     files = sorted(map(str, (ROOT / "tests" / "explorer").glob("*.test.mjs")))
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, timeout=300)
@@ -114,7 +119,8 @@ def test_the_sources_keep_their_own_rules():
 @needs_node
 @every_arm
 def test_the_rank_said_is_that_of_the_rows_the_arm_is_for(arm):
-    """Poses that are singular are among them: home, and every joint at a multiple of a quarter turn."""
+    """Poses that are singular are among them: home, and every joint at a multiple of a quarter
+    turn."""
     rng = np.random.default_rng(11)
     turns = rng.integers(-2, 3, (12, arm.dof)) * np.pi / 2
     qs = np.vstack([np.zeros(arm.dof), turns, some(arm, 12)])
@@ -177,8 +183,74 @@ def test_the_same_arm_is_what_compare_tables_says():
     assert ask("same", pairs=pairs) == wanted
 
 
+RUNS = [
+    ({}, {"rates": plain_inverse()}),
+    ({"steps": 100}, {"rates": plain_inverse()}),
+    ({"steps": 100, "method": "rk4"}, {"rates": plain_inverse(), "method": "rk4"}),
+    (
+        {"steps": 100, "rates": "damped", "damping": 0.05, "gain": 3.0},
+        {"rates": damped(0.05), "gain": 3.0},
+    ),
+]
+
+
+@needs_node
+@pytest.mark.parametrize(("asked", "wanted"), RUNS, ids=lambda value: "")
+def test_the_homeworks_runs_are_pythons(asked, wanted):
+    run = {"steps": 1000, **asked}
+    answer = ask("runs", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, runs=[run])[0]
+    locked = PANDA_HOMEWORK.lock(3)
+    path = circle_below(locked, locked.home, 0.1, "zy", 5, run["steps"])
+    traced = trace(locked, locked.home, path, **wanted)
+    ends = np.delete(answer["path"][-1], 2)
+    np.testing.assert_allclose(ends, traced.q[-1], atol=1e-9)
+    assert answer["largest"] == pytest.approx(traced.report.position_error, rel=1e-6)
+
+
+@needs_node
+def test_the_ur10e_breaks_jumps_and_is_damped_as_the_homework_says():
+    wall = {"normal": "y", "seconds": 20, "locked": -1}
+    pseudo, damping = {**wall, "rates": "pseudo"}, {**wall, "rates": "damped"}
+    runs = [wall, pseudo, {**pseudo, "cutoff": 0.01}, damping, {**damping, "gain": 5}]
+    broken, *others = ask("runs", arm=arm_data(UR10E_HOMEWORK), start=[0] * 6, runs=runs)
+    assert broken["failed"] == 0
+    assert others[0]["fastest"] == pytest.approx(6.57, abs=0.005)
+    largest = [round(1000 * run["largest"], 1) for run in others]
+    assert largest == [3.5, 46.0, 11.0, 2.6]
+
+
+@needs_node
+def test_small_circles_swing_large_ones_wind_and_between_none_is_drawn():
+    radii = [0.01, 0.029, 0.045, 0.06, 0.1]
+    found = ask("winding", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, radii=radii)
+    assert [one["turns"] for one in found if one["reached"]] == [0, 0, -1, -1]
+    assert [one["reached"] for one in found] == [True, True, False, True, True]
+    assert found[-1]["least"] == pytest.approx(0.0514, abs=5e-5)
+
+
+@needs_node
+def test_torques_along_a_path_and_with_the_classic_mistakes():
+    path, push = [list(PANDA.home), [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4]], [-5, 0, 0, 0, 0, 0]
+    right = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip=""))
+    np.testing.assert_allclose(right, static_torque(PANDA, path, push), atol=1e-9)
+    turned = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip="wrench"))
+    np.testing.assert_allclose(turned, static_torque(PANDA, path, -np.array(push)), atol=1e-9)
+    printed = [
+        (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495),
+        (0.027518, 0.039252, -0.066502), (-0.05317, 0.104419, 0.027454),
+        (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
+        (0.010517, -0.004252, 0.061597),
+    ]  # fmt: skip
+    bodies = tuple(replace(body, com=com) for body, com in zip(PANDA.bodies, printed, strict=True))
+    wrong = static_torque(replace(PANDA, bodies=bodies), path, push)
+    mistaken = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip="centres"))
+    np.testing.assert_allclose(mistaken, wrong, atol=1e-9)
+    assert np.abs(mistaken - right).max() > 1
+
+
 def alike(arm):
-    """Tables of the same arm: other zeros, another base, offsets moved along parallel axes, angles typed short."""
+    """Tables of the same arm: other zeros, another base, offsets moved along parallel axes, angles
+    typed short."""
     numeric = numbered(arm)
     yield numeric
     for k, row in enumerate(numeric.rows):
@@ -309,7 +381,8 @@ def test_every_way_found_reaches_the_pose_and_no_two_are_alike(arm, q, count):
     wanted = link_frames(arm, q)[-1]
     parts = (slice(3), slice(3, 4)) if arm.dof < 6 else (slice(3), slice(None))
     T = link_frames(arm, ways)[:, -1]
-    np.testing.assert_allclose(T[:, *parts], np.broadcast_to(wanted[parts], T[:, *parts].shape), atol=1e-8)  # fmt: skip
+    np.testing.assert_allclose(T[:, *parts], np.broadcast_to(wanted[parts], T[:, *parts].shape),
+        atol=1e-8)  # fmt: skip
     gaps = np.abs(np.sin((ways[:, None] - ways[None]) / 2)).max(axis=-1) + np.eye(len(ways))
     assert gaps.min() > 1e-4
     assert len(ways) >= 2
@@ -392,7 +465,7 @@ def test_the_bundle_is_what_its_sources_make(tmp_path):
 def test_the_bundle_is_light():
     import gzip
 
-    assert BUNDLE.stat().st_size <= 700_000
+    assert BUNDLE.stat().st_size <= 740_000
     assert len(gzip.compress(BUNDLE.read_bytes(), 9)) <= 200_000
 
 
@@ -519,7 +592,7 @@ def test_unknown_choices_are_refused_in_words(given, words):
 
 def test_the_page_is_told_what_was_chosen():
     """The keys are those that explorer/src reads."""
-    all_views = ["table", "pose", "jacobian", "trace", "torque", "branches"]
+    all_views = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"]
     panda = arm_data(PANDA)
     assert ArmExplorer(PANDA)._spec == {
         "arms": [panda], "views": all_views, "unit": "deg", "reference": None, "link": False
@@ -528,7 +601,8 @@ def test_the_page_is_told_what_was_chosen():
         PANDA, views=["pose"], reference=ELBOW, arms=[ELBOW], unit="rad", link=True
     )
     assert chosen._spec == {
-        "arms": [panda, arm_data(ELBOW)], "views": ["pose"], "unit": "rad", "reference": arm_data(ELBOW), "link": True
+        "arms": [panda, arm_data(ELBOW)], "views": ["pose"], "unit": "rad",
+        "reference": arm_data(ELBOW), "link": True
     }  # fmt: skip
 
 

@@ -95,8 +95,10 @@ def test_entries_read_as_maths(text, wanted):
 
 
 NOT_FORMULAS = (
-    "", "a +", "(a", "a b", "a**2", "a // 2", "a % 2", "a, b", "[a]", "{a}", "'a'", "a = 1", "a < b", "a if b else c",
-    "lambda: 1", "f(1)", "a.b", "a[0]", "1j", "True", "None", "1e999", "__import__('os')", "().__class__", "a; b", "a\nb",
+    "", "a +", "(a", "a b", "a**2", "a // 2", "a % 2", "a, b", "[a]", "{a}", "'a'", "a = 1",
+    "a < b", "a if b else c",
+    "lambda: 1", "f(1)", "a.b", "a[0]", "1j", "True", "None", "1e999", "__import__('os')",
+    "().__class__", "a; b", "a\nb",
     "a\0", "~1", "not a", "a and b", "(a := 1)", "f'{a}'",
 )  # fmt: skip
 

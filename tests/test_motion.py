@@ -1,4 +1,5 @@
-"""Tracing: orders measured, remedies as the homework's page has them, limits reported as they are."""
+"""Tracing: orders measured, remedies as the homework's page has them, limits reported as they
+are."""
 
 import xml.etree.ElementTree as ET
 from dataclasses import replace
@@ -242,7 +243,8 @@ def test_wishes_point_where_they_say():
         towards(goal, 2.0)(q), [-0.4, 1.0, 0, -1.6, -0.2, 0.6, 0.4], atol=1e-12
     )
     wish = away_from_limits(PANDA, 3.0)(q)
-    # By hand: joint 4 ranges over 0.0698 ... 3.0718, its middle 1.5708, half 1.5010; joint 1 over +-2.8973.
+    # By hand: joint 4 ranges over 0.0698 ... 3.0718, its middle 1.5708, half 1.5010; joint 1 over
+    # +-2.8973.
     assert wish[3] == pytest.approx(-3 * (1.8 - 1.5708) / 1.5010**2, rel=1e-9)
     assert wish[0] == pytest.approx(-3 * 0.3 / 2.8973**2, rel=1e-9)
 
@@ -295,7 +297,8 @@ def test_feedback_pulls_the_tip_back_onto_the_path():
 
 
 def made_up(q, q_dot, poses):
-    """A report on a made-up run of the locked Panda along a circle of radius 0.1 m about the origin."""
+    """A report on a made-up run of the locked Panda along a circle of radius 0.1 m about the
+    origin."""
     path = circle([0, 0, 0], 0.1, "zy", 2.0, len(q) - 1)
     return summary(REAL, path, np.asarray(q, float), np.asarray(q_dot, float), poses)
 
@@ -389,7 +392,8 @@ RUNS = {
     "Panda": (HOMEWORK, HOMEWORK.home, panda_circle(300)),
     "UR10e": (UR10E, [0.4, -1.2, 1.6, -0.9, 1.2, 0.3], None),
     "Stanford": (STANFORD, [0.3, 0.8, 0.5, 0.4, 0.9, -0.6], None),
-    "uneven": (HOMEWORK, HOMEWORK.home, replace(panda_circle(200), times=5 * np.linspace(0, 1, 151) ** 2)),
+    "uneven": (HOMEWORK, HOMEWORK.home, replace(panda_circle(200), times=5 * np.linspace(0, 1,
+    151) ** 2)),
 }  # fmt: skip
 
 
@@ -408,7 +412,8 @@ def test_all_steps_at_once_are_one_after_the_other(name, method, monkeypatch):
 
 
 def test_a_run_to_a_singular_pose_is_told_as_step_by_step():
-    """The circle straightens the UR10e's elbow: both ways stop at the same step, in the same words."""
+    """The circle straightens the UR10e's elbow: both ways stop at the same step, in the same
+    words."""
     start = np.array([0.0, -1.2, 0.5, -0.9, 1.2, 0.3])
     tip = forward_kinematics(UR10E, start)[:3, 3]
     path = circle(tip + np.array([0.3, 0, 0]), 0.3, "xz", 4.0, 300, phase=np.pi)
@@ -434,7 +439,8 @@ def test_a_circle_out_of_reach_is_refused():
 
 
 def test_a_leap_of_a_joint_is_refused():
-    """Rates that turn joint 4 once more than they should bring the tip to the path, and nobody would drive them."""
+    """Rates that turn joint 4 once more than they should bring the tip to the path, and nobody
+    would drive them."""
 
     def once_more(J, error, q):
         return np.linalg.solve(J, error) + 2 * np.pi * (np.abs(error).max() > 1e-6) * np.eye(6)[3]
@@ -466,7 +472,8 @@ def test_a_change_of_branch_is_seen():
 
 
 def test_exact_steers_by_the_jacobian_that_is_given():
-    """With one a tenth too large each iteration leaves a tenth of the error; with a useless one it does not arrive."""
+    """With one a tenth too large each iteration leaves a tenth of the error; with a useless one it
+    does not arrive."""
     seen = []
 
     def too_large(arm, q):
@@ -536,24 +543,25 @@ def test_a_path_may_take_one_time_at_a_time(method):
 @pytest.mark.parametrize(
     ("make", "error", "words"),
     [
-        (lambda: circle([0, 0], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
-        (lambda: circle([0, 0, np.nan], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
-        (lambda: circle([0, 0, 0], -0.1, "yz", 5, 10), ArmError, "radius is -0.1; expected a finite length > 0"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 0, 10), ArmError, "period is 0; expected a finite time > 0"),
-        (lambda: circle([0, 0, 0], 0.1, "yy", 5, 10), ArmError, "plane is 'yy'; expected two different letters"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 0), ArmError, "steps is 0; expected a whole number"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 2.5), ArmError, "steps is 2.5; expected a whole number"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError, "method is 'heun'; expected one of euler, rk4, exact"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1; expected"),
-        (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "start has shape (7,)"),
-        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "start has shape (1, 6); expected one pose, (6,)"),
-        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12, its largest 2.3"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="exact", gain=5.0), ArmError, 'gain is 5.0; expected 0 with method "exact"'),
-        (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no inverse; lock a joint"),
-        (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without limits"),
+        (
+            lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()),
+            SingularError,
+            "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12,"
+            " its largest 2.3",
+        ),
+        (
+            lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="exact", gain=5.0),
+            ArmError,
+            'gain is 5.0; expected 0 with method "exact"',
+        ),
+        (
+            lambda: trace(PANDA, PANDA.home, panda_circle(10)),
+            SingularError,
+            "J is 6 x 7 and has no inverse; lock a joint",
+        ),
     ],
-)  # fmt: skip
-def test_bad_input_is_told_in_words(make, error, words):
+)
+def test_what_cannot_be_traced_is_told_in_words(make, error, words):
     with pytest.raises(error) as told:
         make()
     assert words in str(told.value)

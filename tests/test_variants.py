@@ -1,4 +1,5 @@
-"""Homework with other numbers: the same seed the same sheet, and a key that an independent way of computing agrees with."""
+"""Homework with other numbers: the same seed the same sheet, and a key that an independent way of
+computing agrees with."""
 
 import re
 

@@ -1,8 +1,9 @@
-"""A Sphinx extension: what the book's pages are made of, decided on the document tree and not on finished HTML.
+"""A Sphinx extension: what the book's pages are made of, decided on the document tree and not on
+finished HTML.
 
-Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names and commas in code, which
-all have the colour of code, get no `<span>`; a formula says how large it will be, so that
-lines hardly move when it is set. Pictures are in `pictures.py`.
+Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names
+and commas in code, which all have the colour of code, get no `<span>`; a formula says how large it
+will be, so that lines hardly move when it is set. Pictures are in `pictures.py`.
 """
 
 import re
@@ -16,6 +17,9 @@ from sphinx.application import Sphinx
 from sphinx.highlighting import PygmentsBridge
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
+
+from helpers import robots
+from helpers.explorer import ArmExplorer
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
@@ -40,8 +44,21 @@ class Margin(SphinxDirective):
         return [note]
 
 
+class LiveArm(SphinxDirective):
+    """An arm of the catalogue, live: a still picture that the explorer's script brings to life."""
+
+    required_arguments = 1
+    option_spec = {"views": lambda words: words.split()}  # noqa: RUF012
+
+    def run(self) -> list[nodes.Node]:
+        explorer = ArmExplorer(getattr(robots, self.arguments[0]), **self.options)
+        html = explorer._repr_mimebundle_()["text/html"]
+        return [nodes.raw("", html, format="html")]
+
+
 def size_unset(tex: str) -> str:
-    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs, so many characters."""
+    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs,
+    so many characters."""
     return f"{1.3 * len(SIGN.findall(tex)) / (len(tex) + 4):.2f}em"
 
 
@@ -102,7 +119,8 @@ def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
 
 
 def assets(folder: Path, config) -> list[int]:
-    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and then writes all."""
+    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and
+    then writes all."""
     paths = (path for of in config.html_static_path for path in (folder / of).rglob("*.*"))
     return [crc32(path.read_bytes()) for path in sorted(paths)]
 
@@ -114,6 +132,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
         "comments_config", {}, "html"
     )  # Jupyter Book sets it for an extension not used here
     app.add_directive("margin", Margin)
+    app.add_directive("arm", LiveArm)
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("doctree-resolved", prepare, priority=900)

@@ -1,5 +1,6 @@
-"""A Sphinx extension for the book's drawings: their size is known before they arrive, each has a twin for dark pages, and on
-a narrow screen a drawing of several panels shows one panel a row. All of it is read from the SVG that Matplotlib wrote.
+"""A Sphinx extension for the book's drawings: their size is known before they arrive, each has a
+twin for dark pages, and on a narrow screen a drawing of several panels shows one panel a row. All
+of it is read from the SVG that Matplotlib wrote.
 """
 
 import re
@@ -49,7 +50,8 @@ def size(root: ET.Element) -> tuple[int, int] | None:
 
 
 def panels(root: ET.Element) -> list[Box]:
-    """The boxes of a figure's panels in the order of reading; nothing where they stand one above the other already."""
+    """The boxes of a figure's panels in the order of reading; nothing where they stand one above
+    the other already."""
     figure = next((g for g in root.iter(f"{SVG}g") if g.get("id") == "figure_1"), None)
     if figure is None:
         return []
@@ -67,7 +69,8 @@ def panels(root: ET.Element) -> list[Box]:
 
 
 def _axes(parts: list[ET.Element]) -> list[Box]:
-    """A box for each axes, with the walls that are drawn before those in space, and one for each legend or title of all."""
+    """A box for each axes, with the walls that are drawn before those in space, and one for each
+    legend or title of all."""
     boxes: list[Box] = []
     walls: list[Box] = []
     for part in parts:
@@ -80,7 +83,8 @@ def _axes(parts: list[ET.Element]) -> list[Box]:
 
 
 def _united(boxes: list[Box]) -> list[Box]:
-    """Boxes joined with those that they mostly cover: the walls, the lines and the labels of one panel."""
+    """Boxes joined with those that they mostly cover: the walls, the lines and the labels of one
+    panel."""
     for k, one in enumerate(boxes):
         for other in boxes[k + 1 :]:
             if _shared(one, other) > 0.2 * min(_area(one), _area(other)):
@@ -125,7 +129,8 @@ def _box(part: ET.Element) -> Box | None:
 
 
 def _points(part: ET.Element) -> Iterator[tuple[float, float]]:
-    """Points that span what a part draws; what is cut off at its axes, only defined or invisible does not count."""
+    """Points that span what a part draws; what is cut off at its axes, only defined or invisible
+    does not count."""
     place = PLACE.match(part.get("transform", ""))
     unseen = part.get("style") == "fill: none"
     if part.tag == f"{SVG}defs" or part.get("clip-path") or unseen:
@@ -143,7 +148,8 @@ def _points(part: ET.Element) -> Iterator[tuple[float, float]]:
 
 
 def _text(part, x: float, y: float, turn: float, scale: float) -> Iterator[tuple[float, float]]:
-    """The corners of a line of letters, which Matplotlib draws 100 units high and places one by one."""
+    """The corners of a line of letters, which Matplotlib draws 100 units high and places one by
+    one."""
     last = [PLACE.match(letter.get("transform", "")) for letter in part.iter(f"{SVG}use")]
     long = scale * (max((float(place[1]) for place in last if place), default=0) + 65)
     high = 80 * scale
@@ -157,7 +163,8 @@ def _text(part, x: float, y: float, turn: float, scale: float) -> Iterator[tuple
 
 
 def for_dark(svg: str) -> str:
-    """A drawing for a dark ground: what is drawn without a colour is light, greys change sides, inks become lighter.
+    """A drawing for a dark ground: what is drawn without a colour is light, greys change sides,
+    inks become lighter.
 
     The colours of data (of a scale, say) stay as they are, so that they still mean the same.
     """
@@ -206,7 +213,8 @@ def _hex(light: float, a: float, b: float) -> str:
 
 
 def visit_image(translator, node) -> None:
-    """A drawing twice, for light and for dark pages, whole and in panels; what is not shown is not fetched."""
+    """A drawing twice, for light and for dark pages, whole and in panels; what is not shown is not
+    fetched."""
     builder = translator.builder
     name = builder.images.get(node["uri"], "")
     path = Path(builder.srcdir, node["uri"])

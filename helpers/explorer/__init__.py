@@ -1,4 +1,5 @@
-"""An arm to take by the joint: live in a running notebook and, without a kernel, in the built book."""
+"""An arm to take by the joint: live in a running notebook and, without a kernel, in the built
+book."""
 
 try:
     from helpers.explorer.widget import ArmExplorer

@@ -15,7 +15,7 @@ from helpers.explorer.stub import stub
 from helpers.inputs import ArmError, floats, listed, must_be, numbers, shown
 from helpers.inverse import Solutions
 
-VIEWS = ("table", "pose", "jacobian", "trace", "torque", "branches")
+VIEWS = ("table", "pose", "jacobian", "homework", "trace", "torque", "branches")
 UNITS = ("deg", "rad")
 
 TYPED = "Your arm"  # as explorer/src/arm.js calls an arm whose table was typed in
@@ -24,7 +24,8 @@ BUNDLE = Path(__file__).parent / "static" / "explorer.js"
 
 
 def esm() -> str:
-    """The script as the module that a widget loads: each widget of a page takes the same one, with one renderer."""
+    """The script as the module that a widget loads: each widget of a page takes the same one, with
+    one renderer."""
     script = BUNDLE.read_text(encoding="utf-8")
     key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
     return (
@@ -45,16 +46,18 @@ class Floats(traitlets.TraitType):
 
 
 class ArmExplorer(anywidget.AnyWidget):
-    """A live instrument for an arm: `q`, `wrench` and `trace` may be read and set while a reader moves it.
+    """A live instrument for an arm: `q`, `wrench` and `trace` may be read and set while a reader
+    moves it.
 
     Args:
         arm: the arm to show.
         q: where it stands first, shape (dof,), rad or m; its home unless given.
         views: which of table, pose, jacobian, trace, torque, branches to offer, the first one open.
-        wrench: force and moment on the tool by the world, at the tip, base axes, shape (6,), N and N m.
+        wrench: force and moment on the tool by the world, at the tip, base axes, shape (6,), N and
+            N m.
         trace: joint vectors along a path, shape (N, dof), or an object with such a `q`.
-        branches: joint vectors that reach one pose: what a closed form of `helpers.inverse` returns, a mapping from
-            names to them, or an array of shape (k, dof).
+        branches: joint vectors that reach one pose: what a closed form of `helpers.inverse`
+            returns, a mapping from names to them, or an array of shape (k, dof).
         reference: the arm behind the table, as a ghost; the arm itself unless given.
         arms: more arms to choose from.
         unit: of the angles shown: deg or rad.
@@ -72,7 +75,7 @@ class ArmExplorer(anywidget.AnyWidget):
     trace = traitlets.Any(None, allow_none=True).tag(sync=True)
     branches = traitlets.Any(None, allow_none=True).tag(sync=True)
     arm_name = traitlets.Unicode().tag(sync=True)
-    rows = traitlets.List().tag(sync=True)
+    rows: traitlets.List = traitlets.List().tag(sync=True)
 
     def __init__(
         self,
@@ -107,7 +110,8 @@ class ArmExplorer(anywidget.AnyWidget):
 
     @property
     def arm(self) -> Arm:
-        """The arm shown now: the chosen one, or the one whose table was typed in, which is called `Your arm`."""
+        """The arm shown now: the chosen one, or the one whose table was typed in, which is called
+        `Your arm`."""
         return arm_from(TYPED, self.rows) if self.rows else self._arms[self.arm_name]
 
     @traitlets.validate("arm_name")
@@ -154,9 +158,10 @@ class ArmExplorer(anywidget.AnyWidget):
     def _check_branches(self, proposal: Mapping[str, Any]) -> list[dict[str, Any]] | None:
         return branches_data(self.arm, proposal["value"])
 
-    def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
-        """The live view for a running notebook, and beside it a stub that a static page brings to life."""
-        live = super()._repr_mimebundle_(**kwargs)
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        """The live view for a running notebook, and beside it a stub that a static page brings to
+        life."""
+        live: Any = super()._repr_mimebundle_(**kwargs)
         live = live[0] if isinstance(live, tuple) else live
         return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
 

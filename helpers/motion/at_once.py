@@ -1,12 +1,14 @@
 """All steps of a trace at once, where joint rates are the plain inverse of the arm's own Jacobian.
 
-One step after the other, a run takes a thousand small computations; all at once, a few of whole batches. A first guess,
-from few long steps, breaks the method's rule by a misfit at each step. To the plain inverse a misfit is a displacement of
-the tip that stays what it is along the rest of the path: so the misfits are summed up as displacements, and each joint
-vector is moved back by its sum. A handful of such sweeps leaves rounding. They are Newton's method for all steps together;
-source: Bellen and Zennaro, Journal of Computational and Applied Mathematics 25 (1989), 341-350.
+One step after the other, a run takes a thousand small computations; all at once, a few of whole
+batches. A first guess, from few long steps, breaks the method's rule by a misfit at each step. To
+the plain inverse a misfit is a displacement of the tip that stays what it is along the rest of the
+path: so the misfits are summed up as displacements, and each joint vector is moved back by its sum.
+A handful of such sweeps leaves rounding. They are Newton's method for all steps together; source:
+Bellen and Zennaro, Journal of Computational and Applied Mathematics 25 (1989), 341-350.
 
-Whatever is in doubt, such as a pose that is nearly singular, is left to the loop, which knows how to tell it.
+Whatever is in doubt, such as a pose that is nearly singular, is left to the loop, which knows how
+to tell it.
 """
 
 from collections.abc import Callable
@@ -19,7 +21,7 @@ from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.rates import PlainInverse, SingularError
 from helpers.motion.steps import RULES, Course, tip_error
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 Sweep = Callable[[Array], tuple[Array, Array, Array]]
 
 _LONG_STEPS = 20
@@ -32,7 +34,8 @@ _BRANCH = (
 def all_steps(
     arm: Arm, start: Array, course: Course, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
-    """Joints and rates of the whole run, (steps + 1, dof) and (steps, dof), or None where the loop must decide."""
+    """Joints and rates of the whole run, (steps + 1, dof) and (steps, dof), or None where the loop
+    must decide."""
     if arm.dof != 6 or len(course.h) <= _LONG_STEPS:
         return None
     sweep = _exact if method == "exact" else _by_rule
@@ -43,7 +46,8 @@ def all_steps(
 
 
 def _guess(arm: Arm, start: Array, course: Course, rates: PlainInverse) -> Array:
-    """Joints (steps + 1, dof) by few long steps of Euler's rule, and straight lines between them."""
+    """Joints (steps + 1, dof) by few long steps of Euler's rule, and straight lines between
+    them."""
     marks = np.linspace(0, len(course.h), _LONG_STEPS + 1).round().astype(int)
     times, q = course.times[marks], np.empty((len(marks), arm.dof))
     q[0] = start
@@ -95,7 +99,8 @@ def _exact(
 
 
 def _on_branch(arm: Arm, q: Array, course: Course, rates: PlainInverse) -> bool:
-    """Whether each step is what Newton's method begins with at the step before, so that the loop would take it too."""
+    """Whether each step is what Newton's method begins with at the step before, so that the loop
+    would take it too."""
     poses = forward_kinematics(arm, q[:-1])
     error = tip_error(poses, course.positions[1.0], course.rotation)
     step, expected = np.diff(q, axis=0), rates.many(jacobian(arm, q[:-1]), error)

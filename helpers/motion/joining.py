@@ -10,14 +10,15 @@ from helpers.inputs import ArmError, listed, must_be
 from helpers.motion.paths import Path
 from helpers.motion.tracing import Trace
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 def joined(runs: Iterable[Trace]) -> Trace:
-    """Runs of one arm as one run, each beginning where and when the one before ends; the wall is that of the first.
+    """Runs of one arm as one run, each beginning where and when the one before ends; the wall is
+    that of the first.
 
-    Raises ArmError for no runs, for runs of several arms, and where a run does not begin at the joints, to 1e-6, at which
-    the one before ended.
+    Raises ArmError for no runs, for runs of several arms, and where a run does not begin at the
+    joints, to 1e-6, at which the one before ended.
     """
     runs = listed(runs, "runs", "one or more runs")
     if not runs:
@@ -27,11 +28,13 @@ def joined(runs: Iterable[Trace]) -> Trace:
     for number, (one, next_one) in enumerate(pairwise(runs), 1):
         if one.arm != next_one.arm:
             raise ArmError(
-                f"run {number} is {one.arm.name}'s, the next {next_one.arm.name}'s; expected one arm"
+                f"run {number} is {one.arm.name}'s, the next {next_one.arm.name}'s; expected one"
+                " arm"
             )
         if not np.allclose(one.q[-1], next_one.q[0], rtol=0, atol=1e-6):
             raise ArmError(
-                f"run {number} ends at {one.q[-1]}, the next begins at {next_one.q[0]}; expected the same"
+                f"run {number} ends at {one.q[-1]}, the next begins at {next_one.q[0]}; expected"
+                " the same"
             )
     return Trace(
         runs[0].arm,
@@ -56,6 +59,6 @@ def _path(paths: list[Path]) -> Path:
 
         return value
 
-    times = [p.times[1:] - p.times[0] + begin for p, begin in zip(paths, begins, strict=True)]
-    times = np.concatenate([[0.0], *times])
+    later = [p.times[1:] - p.times[0] + begin for p, begin in zip(paths, begins, strict=True)]
+    times = np.concatenate([[0.0], *later])
     return Path(times, pieced("position"), pieced("velocity"), paths[0].normal)

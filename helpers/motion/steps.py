@@ -1,4 +1,5 @@
-"""One step of a trace, or all of its steps in a batch: what the path asks, the rules, and what is missing to the path."""
+"""One step of a trace, or all of its steps in a batch: what the path asks, the rules, and what is
+missing to the path."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 
 from helpers.motion.paths import Path
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 Slope = Callable[
     [float, Array], Array
 ]  # from the share of a step, and the joints there, to joint rates
@@ -17,7 +18,8 @@ Rule = Callable[[Slope, Array, Array, Array], Array]
 
 @dataclass(frozen=True)
 class Course:
-    """What a path asks of the tip in each step: at the share 0.0 of it where it begins, 1.0 where it ends.
+    """What a path asks of the tip in each step: at the share 0.0 of it where it begins, 1.0 where
+    it ends.
 
     Attributes:
         times: when the steps begin and the last one ends, shape (steps + 1,), in s.
@@ -75,7 +77,8 @@ RULES = {"euler": euler, "rk4": rk4}
 
 
 def tip_error(pose: Array, position: Array, rotation: Array) -> Array:
-    """The small twists (..., 6) that would carry poses (..., 4, 4) to positions (..., 3) and a rotation (3, 3)."""
+    """The small twists (..., 6) that would carry poses (..., 4, 4) to positions (..., 3) and a
+    rotation (3, 3)."""
     turn = rotation @ np.swapaxes(pose[..., :3, :3], -1, -2)
     error = np.empty((*pose.shape[:-2], 6))
     error[..., :3] = position - pose[..., :3, 3]

@@ -17,7 +17,12 @@ from helpers.motion.rates import PlainInverse, Rates, SingularError, plain_inver
 from helpers.motion.report import Report, run_report
 from helpers.motion.steps import METHODS, RULES, Course, Rule, charted, tip_error
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
+
+
+_ITERATIONS = 30
+_ARRIVED = 1e-9  # m and rad
+_WHY = "the path leads out of reach or through a singular pose, or its steps are too long"
 
 
 class UnreachableError(ArmError):
@@ -26,7 +31,8 @@ class UnreachableError(ArmError):
 
 @dataclass(frozen=True)
 class Trace:
-    """A run along a path: times (steps + 1,), q and q_dot (steps + 1, dof), tip poses (steps + 1, 4, 4)."""
+    """A run along a path: times (steps + 1,), q and q_dot (steps + 1, dof), tip poses (steps + 1,
+    4, 4)."""
 
     arm: Arm
     path: Path
@@ -55,17 +61,19 @@ def trace(
     gain: float = 0.0,
     jacobian: Callable[[Arm, Array], Array] = kinematics.jacobian,
 ) -> Trace:
-    """Follow a path from `start`, joints of shape (dof,), at the orientation that the tip has there.
+    """Follow a path from `start`, joints of shape (dof,), at the orientation that the tip has
+    there.
 
     Args:
-        method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact": at each step Newton's method
-            moves the tip onto the path itself.
+        method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact": at each
+            step Newton's method moves the tip onto the path itself.
         rates: how joint rates follow from a twist; ``plain_inverse()`` unless given.
         gain: feedback in 1/s: the twist gains `gain` times the errors of position and orientation.
         jacobian: the Jacobian to steer by; a wrong one shows what a mistake does.
 
-    Raises ArmError for an unknown method or a start that does not fit, SingularError, with the step it happened at, where
-    the plain inverse does not exist. Source: Whitney (1969); feedback: Siciliano, section 3.7.
+    Raises ArmError for an unknown method or a start that does not fit, SingularError, with the step
+    it happened at, where the plain inverse does not exist. Source: Whitney (1969); feedback:
+    Siciliano, section 3.7.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
@@ -77,7 +85,8 @@ def trace(
     must_be_callable(rates, "rates", "a function of J, twist and q, as plain_inverse() makes")
     if method == "exact" and gain:
         raise ArmError(
-            f'gain is {shown(gain)}; expected 0 with method "exact", which leaves no error to feed back'
+            f'gain is {shown(gain)}; expected 0 with method "exact", which leaves no error to feed'
+            " back"
         )
     course = charted(path, method, forward_kinematics(arm, start)[:3, :3])
     run = None
@@ -92,7 +101,8 @@ def trace(
 
 @dataclass(frozen=True)
 class Steering:
-    """How joint rates follow from a twist. Its functions may be a student's: they get copies, never the run itself."""
+    """How joint rates follow from a twist. Its functions may be a student's: they get copies, never
+    the run itself."""
 
     rates: Rates
     gain: float
@@ -153,7 +163,8 @@ def _must_have_arrived(arm: Arm, error: Array) -> None:
     metres, radians = np.linalg.norm(error.reshape(2, 3), axis=1)
     if not max(metres, radians) < _ARRIVED:
         raise UnreachableError(
-            f"after {_ITERATIONS} iterations of Newton's method the tip is {1e3 * metres:.3g} mm and"
+            f"after {_ITERATIONS} iterations of Newton's method the tip is {1e3 * metres:.3g} mm"
+            " and"
             f" {np.degrees(radians):.3g}° off the path: {_WHY}"
         )
 
@@ -163,17 +174,6 @@ def _must_not_leap(arm: Arm, step: Array) -> None:
     if leaps.max(initial=0.0) > np.pi:
         joint, leap = arm.joints[leaps.argmax()], leaps.max()
         raise UnreachableError(
-            f"joint {joint} would turn by {leap:.3g} rad at once; expected half a turn at most: {_WHY}"
+            f"joint {joint} would turn by {leap:.3g} rad at once; expected half a turn at most:"
+            f" {_WHY}"
         )
-
-
-_ITERATIONS = 30
-_ARRIVED = 1e-9  # m and rad
-_WHY = "the path leads out of reach or through a singular pose, or its steps are too long"
-
-
-def _progress(steps: int):
-    """Count steps; a bar appears only in runs of more than ten seconds, and leaves nothing behind."""
-    from tqdm import tqdm  # the one for notebooks leaves a bar behind where a run fails
-
-    return tqdm(range(steps), delay=10, leave=False)

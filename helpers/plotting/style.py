@@ -4,8 +4,10 @@ import re
 import sys
 from hashlib import sha256
 from io import BytesIO
+from typing import Any
 
 import matplotlib as mpl
+from cycler import cycler
 from matplotlib.figure import Figure
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
@@ -21,7 +23,7 @@ GREY = "#8A8F98"
 SLATE = "#5B6472"  # joints
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
 
-STYLE = {
+STYLE: dict[Any, Any] = {
     "figure.figsize": (6.0, 3.8),
     "figure.facecolor": "none",
     "axes.facecolor": "none",
@@ -40,12 +42,13 @@ STYLE = {
     "grid.linewidth": 0.6,
     "lines.linewidth": 1.8,
     "legend.frameon": False,
-    "axes.prop_cycle": mpl.cycler(color=[BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000"]),
+    "axes.prop_cycle": cycler(color=[BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000"]),
 }
 
 
 def use_book_style() -> None:
-    """Set the book's style: in a notebook, sharp, small SVG figures with the same bytes on every run."""
+    """Set the book's style: in a notebook, sharp, small SVG figures with the same bytes on every
+    run."""
     mpl.rcParams.update(STYLE)
     ipython = sys.modules.get("IPython")  # loaded in every notebook, and of no use elsewhere
     if ipython and (shell := ipython.get_ipython()):
@@ -56,7 +59,8 @@ def use_book_style() -> None:
 
 
 def svg(figure: Figure) -> str:
-    """A figure as SVG text, the same on every machine: numbers to 0.01 pt, ids from what they name."""
+    """A figure as SVG text, the same on every machine: numbers to 0.01 pt, ids from what they
+    name."""
     file = BytesIO()
     figure.canvas.print_figure(
         file,
@@ -75,7 +79,8 @@ def svg(figure: Figure) -> str:
 
 
 def _with_own_ids(text: str) -> str:
-    """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures on the page."""
+    """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures
+    on the page."""
     hashed = dict.fromkeys(re.findall(r'id="([mp][0-9a-f]{10})"', text))
     order = {name: str(number) for number, name in enumerate(hashed)}
 

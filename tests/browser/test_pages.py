@@ -1,4 +1,5 @@
-"""Every page as a reader meets it: from a file, with no network, wide and narrow, light and dark."""
+"""Every page as a reader meets it: from a file, with no network, wide and narrow, light and
+dark."""
 
 import re
 import threading
@@ -115,7 +116,8 @@ class Reader:
     ids=lambda visit: "-".join([visit[0], *visit[1]]),
 )
 def visit(browser, request):
-    """Each page twice, opened once for all tests: bright on a wide screen, dark on a phone; everything unfolded."""
+    """Each page twice, opened once for all tests: bright on a wide screen, dark on a phone;
+    everything unfolded."""
     name, (theme, size) = request.param
     reader = Reader(browser, theme, size, "file:")
     page = reader.open((HTML / f"{name}.html").as_uri())
@@ -135,8 +137,9 @@ def test_the_page_is_whole(visit):
 def resized(page, size):
     """The page in another window, once it has looked again at what is too wide."""
     page.set_viewport_size(WINDOWS[size])
-    page.evaluate("dispatchEvent(new Event('resize'))")
-    page.wait_for_timeout(200)
+    page.evaluate(
+        "new Promise((done) => { addEventListener('fitted', done, { once: true }); dispatchEvent(new Event('resize')); })"
+    )
 
 
 @pytest.mark.parametrize("size", WINDOWS)
