@@ -99,7 +99,8 @@ RIGHT = {
         centres=np.zeros((2, 3))),
     "sheets.block": dict(arm=ELBOW, answer="J", language="NumPy"),
     "sheets.document": dict(arm=ELBOW),
-    "sheets.markdown": dict(arm=ELBOW, heading="Elbow", lead="An arm.", also=(ELBOW,), description="Its answers."),
+    "sheets.markdown": dict(arm=ELBOW, heading="Elbow", lead="An arm.", also=(ELBOW,),
+        description="Its answers."),
     "urdf.read_chain": dict(source=ROBOT, base="a", tip="b", hold={}, name="mine"),
     "urdf.from_urdf": dict(source=ROBOT, base="a", tip="b", hold={}, name="mine", negative=False,
         tolerance=1e-9),
@@ -206,7 +207,8 @@ RIGHT = {
 # What a message says it expected: by the argument's name, or where that means several things, by
 # the function's too.
 EXPECTED = {
-    "description": "a str", "heading": "a str", "lead": "a str", "answer": "one of A_1, A_2, A_3, T_01", "language": "one of LaTeX, SymPy, NumPy, MATLAB",
+    "description": "a str", "heading": "a str", "lead": "a str",
+    "answer": "one of A_1, A_2, A_3, T_01", "language": "one of LaTeX, SymPy, NumPy, MATLAB",
     "also": "arms with the same rows",
     "runs": "one or more runs",
     "written": "a str",

@@ -1,6 +1,7 @@
 """Every formula that an answer sheet prints, in each of its languages, against the numeric view.
 
-The formulas come from SymPy's polynomials, the numbers they are held against from `helpers.kinematics` and `helpers.statics`.
+The formulas come from SymPy's polynomials, the numbers they are held against from
+`helpers.kinematics` and `helpers.statics`.
 """
 
 import importlib.util
@@ -176,7 +177,9 @@ def test_no_line_of_a_program_is_long():
 
 
 def formula(text, powers):
-    """The value-giving Python of a formula in HTML or LaTeX: what stands side by side is multiplied."""
+    """The value-giving Python of a formula in HTML or LaTeX: what stands side by side is
+    multiplied.
+    """
     text = text.replace("−", "-").replace("π", "pi").replace("√", "sqrt")
     text = re.sub(powers, r"**\1", text)
     tokens = re.findall(r"\*\*\d+|(?:cos|sin|sqrt)(?=\()|[A-Za-z]\w*|\d+(?:\.\d+)?|[-+/()]", text)
@@ -196,7 +199,9 @@ def readable(sheet, q):
 
 
 class Entries(HTMLParser):
-    """The formulas of an answer's page, without its name and its numbers, as plain text with the indices marked."""
+    """The formulas of an answer's page, without its name and its numbers, as plain text with the
+    indices marked.
+    """
 
     def __init__(self, html):
         super().__init__()
@@ -268,7 +273,9 @@ def test_latex_blocks(sheet):
 
 
 def test_latex_compiles_and_fits_the_page(tmp_path):
-    """Every block of the book's arms in one document, with amsmath and nothing else; no line is too wide."""
+    """Every block of the book's arms in one document, with amsmath and nothing else; no line is too
+    wide.
+    """
     latex = shutil.which("pdflatex")
     if not latex:
         pytest.skip("LaTeX is not installed here")

@@ -1,7 +1,8 @@
-"""Answer sheets: every A_i, T_0i, o_i, z_i, J, det J, P and g(q) of an arm, to read and to copy into a program.
+"""Answer sheets: every A_i, T_0i, o_i, z_i, J, det J, P and g(q) of an arm, to read and to copy
+into a program.
 
-`markdown` makes a page of the book, `document` one HTML file for an arm of your own, `block` one answer as text that can
-be pasted; ``python -m helpers.sheets`` writes a file from the command line.
+`markdown` makes a page of the book, `document` one HTML file for an arm of your own, `block` one
+answer as text that can be pasted; ``python -m helpers.sheets`` writes a file from the command line.
 """
 
 from functools import lru_cache
@@ -19,9 +20,11 @@ def block(arm: Arm, answer: str, language: str) -> str:
 
     Args:
         arm: any arm.
-        answer: ``A_1`` .. ``A_n``, ``T_01`` .. ``T_0n``, ``o_0`` .. ``o_n``, ``z_0`` .. ``z_n``, ``J``, ``det_J`` (of three
-            or six joints), and where the arm has masses ``P`` and ``G``, the gravity torques.
-        language: ``LaTeX`` (with amsmath), ``SymPy`` (symbols), ``NumPy`` or ``MATLAB`` (numbers, at the home pose).
+        answer: ``A_1`` .. ``A_n``, ``T_01`` .. ``T_0n``, ``o_0`` .. ``o_n``, ``z_0`` .. ``z_n``,
+            ``J``, ``det_J`` (of three or six joints), and where the arm has masses ``P`` and ``G``,
+            the gravity torques.
+        language: ``LaTeX`` (with amsmath), ``SymPy`` (symbols), ``NumPy`` or ``MATLAB`` (numbers,
+            at the home pose).
 
     Raises ArmError for anything else.
     """

@@ -1,4 +1,6 @@
-"""Write the answer sheet of any arm into one HTML file: ``python -m helpers.sheets "Stanford arm"``."""
+"""Write the answer sheet of any arm into one HTML file: ``python -m helpers.sheets "Stanford
+arm"``.
+"""
 
 import argparse
 import re
@@ -14,7 +16,7 @@ from helpers.urdf import from_urdf
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Read the command line, write the file, and say where it is; what is wrong is said in words."""
+    """Read the command line, write the file, say where it is; what is wrong is told in words."""
     parser = argparse.ArgumentParser(prog="python -m helpers.sheets", description=__doc__)
     parser.add_argument(
         "arm", help="a name of the catalogue, a robot description (arm.urdf), or my_arm.py:NAME"
@@ -35,7 +37,9 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def read_arm(text: str, base: str | None = None, tip: str | None = None) -> Arm:
-    """The arm that a name, a file or ``file.py:NAME`` stands for. Raises ArmError where there is none."""
+    """The arm that a name, a file or ``file.py:NAME`` stands for. Raises ArmError where there is
+    none.
+    """
     file, colon, name = text.rpartition(":")
     if colon and file.endswith(".py"):
         if not Path(file).is_file():

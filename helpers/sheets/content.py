@@ -1,4 +1,6 @@
-"""What an answer sheet holds: every matrix and vector of an arm's homework, in symbols and at its home pose in numbers."""
+"""What an answer sheet holds: every matrix and vector of an arm's homework, in symbols and at its
+home pose in numbers.
+"""
 
 import re
 from dataclasses import dataclass
@@ -17,7 +19,12 @@ Array = NDArray[np.float64]
 
 # Names that a program on the sheet, or one of its languages, uses for something else.
 _TAKEN = frozenset(
-    ("np", "sp", "pi", "break", "case", "catch", "classdef", "continue", "else", "elseif", "end", "for", "function", "global", "if", "otherwise", "parfor", "persistent", "return", "spmd", "switch", "try", "while", "print", "disp", "det_J", "G", "P", "J", "g", "cos", "sin", "sqrt", "q")
+    (
+        "np", "sp", "pi", "break", "case", "catch", "classdef", "continue", "else",
+        "elseif", "end", "for", "function", "global", "if", "otherwise", "parfor",
+        "persistent", "return", "spmd", "switch", "try", "while", "print", "disp", "det_J",
+        "G", "P", "J", "g", "cos", "sin", "sqrt", "q",
+    )
 )  # fmt: skip
 _OURS = re.compile(r"[cs]_[\dmp]+|[AToz]_\d+|[mq]_\d+|[xyz]_c\d+")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,62}")
@@ -52,7 +59,8 @@ class Sheet:
     """The answers of an arm. Numbers are taken at its home pose.
 
     Raises:
-        ArmError: no Arm, or one whose letters have names that a program cannot use, or needs for something else.
+        ArmError: no Arm, or one whose letters have names that a program cannot use, or needs for
+            something else.
     """
 
     def __init__(self, arm: Arm) -> None:
@@ -60,7 +68,8 @@ class Sheet:
         for name in arm.values:
             if name in _TAKEN or _OURS.fullmatch(name) or not _NAME.fullmatch(name):
                 raise ArmError(
-                    f"{arm.name} has a letter called {name}, which a program on its sheet cannot use, or needs for"
+                    f"{arm.name} has a letter called {name}, which a program on its sheet cannot"
+                    f" use, or needs for"
                     " something else; expected another name, as a_2 or l_pen"
                 )
         self.arm = arm
@@ -125,7 +134,9 @@ class Sheet:
 
     @cached_property
     def torques(self) -> Item | None:
-        """g(q) = dP/dq, dof x 1 (N m, or N where a joint slides), where the arm has masses; programs call it G."""
+        """g(q) = dP/dq, dof x 1 (N m, or N where a joint slides), where the arm has masses;
+        programs call it G.
+        """
         if not self.arm.bodies:
             return None
         value = self._named(symbolic.gravity_torque(self.arm))
@@ -142,12 +153,15 @@ class Sheet:
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """The numbers of all letters but the joint variables: lengths, angles, masses, centres of mass and g."""
+        """The numbers of all letters but the joint variables: lengths, angles, masses, centres of
+        mass and g.
+        """
         lengths = {name: value for name, value in self.arm.values.items() if value}
         if not self.arm.bodies:
             return lengths
         bodies = symbolic.body_numbers(self.arm)
-        # Twelve digits free a centre of mass from rounding: 0.02933 rather than 0.029330000000000002.
+        # Twelve digits free a centre of mass from rounding: 0.02933 rather than
+        # 0.029330000000000002.
         return lengths | {self._centre(s).name: float(f"{v:.12g}") for s, v in bodies.items()}
 
     def _named(self, expression):
@@ -168,7 +182,9 @@ class Sheet:
         return {f: n for f, n in pairs.items() if isinstance(n, sp.Symbol) and names.count(n) == 1}
 
     def shortened(self, item: Item) -> sp.ImmutableMatrix:
-        """An answer with c_23 for cos(q_2 + q_3), its terms gathered: lengths by the angles, or angles by the length."""
+        """An answer with c_23 for cos(q_2 + q_3), its terms gathered: lengths by the angles, or
+        angles by the length.
+        """
         if item.name not in self._short:
             self._short[item.name] = self._short_form(item)
         return self._short[item.name]
@@ -181,7 +197,9 @@ class Sheet:
         return short.applyfunc(lambda entry: _gathered(entry, turning, item.name in ("P", "G")))
 
     def used(self, item: Item) -> tuple[list[str], list[str], list[tuple[sp.Symbol, sp.Expr]]]:
-        """What an answer is written with: joint variables, letters that have values, and cosines and sines in short."""
+        """What an answer is written with: joint variables, letters that have values, and cosines
+        and sines in short.
+        """
         free = {symbol.name for symbol in item.value.free_symbols}
         functions = item.value.atoms(sp.cos, sp.sin)
         short = [(n, f) for f, n in self.short_names.items() if f in functions]
@@ -193,7 +211,8 @@ class Sheet:
 
 
 def _gathered(entry: sp.Expr, turning: frozenset[sp.Symbol], by_angles: bool) -> sp.Expr:
-    """A sum of products, gathered by what they have in common: their cosines and sines, or else their lengths.
+    """A sum of products, gathered by what they have in common: their cosines and sines, or else
+    their lengths.
 
     What turns out to be multiplied by the same is put together: (d_6 + l_pen) c_1.
     """

@@ -1,6 +1,8 @@
-"""Formulas written out in a page's HTML, LaTeX, Python and MATLAB, by one walk over the SymPy expression.
+"""Formulas written out in a page's HTML, LaTeX, Python and MATLAB, by one walk over the SymPy
+expression.
 
-A formula becomes pieces that are never broken, a term of a sum each, so that every writer can break lines between them.
+A formula becomes pieces that are never broken, a term of a sum each, so that every writer can break
+lines between them.
 """
 
 import re
@@ -15,7 +17,10 @@ import sympy as sp
 from helpers.inputs import ArmError
 
 _LETTERS = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ", "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "upsilon": "υ", "phi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω",
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
+    "eta": "η", "theta": "θ", "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν",
+    "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "upsilon": "υ", "phi": "φ",
+    "chi": "χ", "psi": "ψ", "omega": "ω",
 }  # fmt: skip
 _MINUS = "−"
 
@@ -34,7 +39,9 @@ class Language:
 
 
 def pieces(expression: sp.Expr, language: Language) -> list[str]:
-    """A formula in pieces between which a line may be broken: the terms of its sums, each with its sign."""
+    """A formula in pieces between which a line may be broken: the terms of its sums, each with its
+    sign.
+    """
     if not isinstance(expression, sp.Add):
         return _product(expression, language)
     found: list[str] = []

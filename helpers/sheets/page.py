@@ -1,7 +1,9 @@
-"""An arm's answer sheet as a page: every answer folded under the question, set in plain HTML that breaks its lines anywhere.
+"""An arm's answer sheet as a page: every answer folded under the question, set in plain HTML that
+breaks its lines anywhere.
 
-Formulas are HTML rather than MathJax: they are there at once on a phone, and no term of a sum is cut at any width. The
-blocks that are copied stand in <template> elements, from which ``answers.js`` makes its buttons.
+Formulas are HTML rather than MathJax: they are there at once on a phone, and no term of a sum is
+cut at any width. The blocks that are copied stand in <template> elements, from which ``answers.js``
+makes its buttons.
 """
 
 import json
@@ -33,7 +35,9 @@ LANGUAGES = {
 
 
 def answer(sheet: Sheet, item: Item, also: tuple[Sheet, ...] = ()) -> str:
-    """One answer, folded: the formula, its numbers at home, for each sheet of `also` too, and the blocks to copy."""
+    """One answer, folded: the formula, its numbers at home, for each sheet of `also` too, and the
+    blocks to copy.
+    """
     numbers = "".join(_numbers(item, at) for at in _at_home(sheet, item, also))
     blocks = "".join(
         f'<template data-language="{name}">{escape(block(sheet, item), quote=False)}</template>'
@@ -76,7 +80,9 @@ def _formula(sheet: Sheet, item: Item) -> str:
 
 
 def _fits(entries: list[list[list[str]]]) -> bool:
-    """Whether a phone shows them as a matrix: each column as wide as its longest term, no entry too tall."""
+    """Whether a phone shows them as a matrix: each column as wide as its longest term, no entry too
+    tall.
+    """
     columns = zip(*entries, strict=True)
     width = sum(max(_em(term) for entry in column for term in entry) + 0.8 for column in columns)
     return width <= _WIDEST and all(len(entry) <= _TALLEST for row in entries for entry in row)
@@ -151,9 +157,11 @@ class Section(NamedTuple):
 
 
 def sections(arm: Arm, also: tuple[Arm, ...] = ()) -> list[Section]:
-    """The parts of an arm's sheet; `also` are the same arm with other lengths, whose numbers stand beside its own.
+    """The parts of an arm's sheet; `also` are the same arm with other lengths, whose numbers stand
+    beside its own.
 
-    Raises ArmError for an arm that has a letter which programs cannot use, and for one of `also` with other rows.
+    Raises ArmError for an arm that has a letter which programs cannot use, and for one of `also`
+    with other rows.
     """
     also = listed(also, "also", "arms with the same rows")
     sheet, others = Sheet(arm), tuple(Sheet(other) for other in also)
@@ -217,7 +225,8 @@ def document(arm: Arm) -> str:
     body = "".join(f"<h2>{s.heading}</h2>\n{s.question}{s.body}" for s in sections(arm))
     name = escape(arm.name)
     return (
-        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{name}: answers</title>\n'
+        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{name}:'
+        f" answers</title>\n"
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<style>\n{style}</style></head>\n<body class="sheet"><main>\n<h1>{name}: answers</h1>\n'
         f"{_TOOLS}{body}</main>\n<script>\n{script}</script></body></html>\n"
@@ -225,11 +234,15 @@ def document(arm: Arm) -> str:
 
 
 _STATIC = Path(__file__).parent / "static"
-_ASSETS = '<link rel="stylesheet" href="{root}/answers.css"><script defer src="{root}/answers.js"></script>\n'
+_ASSETS = (
+    '<link rel="stylesheet" href="{root}/answers.css">'
+    '<script defer src="{root}/answers.js"></script>\n'
+)
 _TOOLS = '<p class="answer-tools"></p>\n'
 
 _ASK_LINKS = (
-    "<p><strong>First try.</strong> Put each row of the table into <i>A<sub>i</sub></i> = Rot<sub><i>z</i></sub>(<i>θ<sub>i</sub></i>)"
+    "<p><strong>First try.</strong> Put each row of the table into <i>A<sub>i</sub></i> ="
+    " Rot<sub><i>z</i></sub>(<i>θ<sub>i</sub></i>)"
     " Trans<sub><i>z</i></sub>(<i>d<sub>i</sub></i>) Trans<sub><i>x</i></sub>(<i>a<sub>i</sub></i>)"
     " Rot<sub><i>x</i></sub>(<i>α<sub>i</sub></i>).</p>\n"
 )
@@ -238,7 +251,8 @@ _ASK_FRAMES = (
     " <i>A</i><sub>1</sub> … <i>A<sub>i</sub></i>. Angles about parallel axes add up.</p>\n"
 )
 _ASK_ORIGINS = (
-    "<p><strong>First try.</strong> Where is the origin <i>o<sub>i</sub></i> of each frame? Fourth column of"
+    "<p><strong>First try.</strong> Where is the origin <i>o<sub>i</sub></i> of each frame?"
+    " Fourth column of"
     " <sup>0</sup><i>T<sub>i</sub></i>, first three rows (m).</p>\n"
 )
 _ASK_AXES = (
@@ -246,16 +260,23 @@ _ASK_AXES = (
     " <sup>0</sup><i>T<sub>i</sub></i>, first three rows.</p>\n"
 )
 _ASK_JACOBIAN = (
-    "<p><strong>First try.</strong> One column for each joint: where it turns, <i>z</i><sub><i>i</i>−1</sub> × (<i>o</i><sub>{n}</sub> −"
-    " <i>o</i><sub><i>i</i>−1</sub>) over <i>z</i><sub><i>i</i>−1</sub>; where it slides, <i>z</i><sub><i>i</i>−1</sub> over 0."
-    " Rows are (<i>v<sub>x</sub></i>, <i>v<sub>y</sub></i>, <i>v<sub>z</sub></i>, <i>ω<sub>x</sub></i>,"
+    "<p><strong>First try.</strong> One column for each joint: where it turns,"
+    " <i>z</i><sub><i>i</i>−1</sub> × (<i>o</i><sub>{n}</sub> −"
+    " <i>o</i><sub><i>i</i>−1</sub>) over <i>z</i><sub><i>i</i>−1</sub>; where it slides,"
+    " <i>z</i><sub><i>i</i>−1</sub> over 0."
+    " Rows are (<i>v<sub>x</sub></i>, <i>v<sub>y</sub></i>, <i>v<sub>z</sub></i>,"
+    " <i>ω<sub>x</sub></i>,"
     " <i>ω<sub>y</sub></i>, <i>ω<sub>z</sub></i>) in base axes, at the tip.</p>\n"
 )
 _ASK_GRAVITY = (
-    "<p><strong>First try.</strong> The potential energy <i>P</i> = <i>g</i> Σ <i>m<sub>i</sub> h<sub>i</sub></i> (J), with"
-    " <i>h<sub>i</sub></i> the height of link <i>i</i>’s centre of mass, whose coordinates in frame <i>i</i> are"
-    " (<i>x</i><sub>c<i>i</i></sub>, <i>y</i><sub>c<i>i</i></sub>, <i>z</i><sub>c<i>i</i></sub>); then what holds the arm"
-    " against its weight, <i>g</i>(<i>q</i>) = ∂<i>P</i>/∂<i>q</i>. Programs call it <code>G</code>, for <i>g</i> is the"
+    "<p><strong>First try.</strong> The potential energy <i>P</i> = <i>g</i> Σ <i>m<sub>i</sub>"
+    " h<sub>i</sub></i> (J), with"
+    " <i>h<sub>i</sub></i> the height of link <i>i</i>’s centre of mass, whose coordinates in"
+    " frame <i>i</i> are"
+    " (<i>x</i><sub>c<i>i</i></sub>, <i>y</i><sub>c<i>i</i></sub>, <i>z</i><sub>c<i>i</i></sub>);"
+    " then what holds the arm"
+    " against its weight, <i>g</i>(<i>q</i>) = ∂<i>P</i>/∂<i>q</i>. Programs call it"
+    " <code>G</code>, for <i>g</i> is the"
     " acceleration of gravity there.</p>\n"
 )
 
@@ -263,7 +284,8 @@ _ASK_GRAVITY = (
 def _ask_determinant(sheet: Sheet) -> str:
     rows = "" if sheet.arm.dof == 6 else " of the first three rows"
     return (
-        f"<p><strong>First try.</strong> At which poses does the arm lose a freedom? Where det <i>J</i>{rows} is 0."
+        f"<p><strong>First try.</strong> At which poses does the arm lose a freedom? Where det"
+        f" <i>J</i>{rows} is 0."
         f"</p>\n{_factors(sheet)}"
     )
 
@@ -318,7 +340,8 @@ def _masses(sheet: Sheet) -> str:
         for i in range(1, len(sheet.arm.rows) + 1)
     )
     return (
-        f"<p>{of}: masses (kg), and centres of mass (m) in the frame that moves with each link; <i>g</i> = 9.81 m/s².</p>\n"
+        f"<p>{of}: masses (kg), and centres of mass (m) in the frame that moves with each link;"
+        f" <i>g</i> = 9.81 m/s².</p>\n"
         f'<table class="table dh"><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>\n'
     )
 
@@ -346,7 +369,10 @@ def _legend(sheet: Sheet) -> str:
         for f, n in sheet.short_names.items()
         if isinstance(f, sp.cos) and f.args[0].is_Add
     }
-    general = "<i>c<sub>i</sub></i> = cos(<i>q<sub>i</sub></i>), <i>s<sub>i</sub></i> = sin(<i>q<sub>i</sub></i>)"
+    general = (
+        "<i>c<sub>i</sub></i> = cos(<i>q<sub>i</sub></i>),"
+        " <i>s<sub>i</sub></i> = sin(<i>q<sub>i</sub></i>)"
+    )
     return ", ".join(
         [general, *(f"{html_name(n)} = {written(f, HTML)}" for n, f in sorted(sums.items()))]
     )

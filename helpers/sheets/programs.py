@@ -1,4 +1,6 @@
-"""An answer as a block that can be pasted as it is: into a LaTeX document, into Python with SymPy or NumPy, into MATLAB."""
+"""An answer as a block that can be pasted as it is: into a LaTeX document, into Python with SymPy
+or NumPy, into MATLAB.
+"""
 
 import math
 from collections.abc import Iterable
@@ -19,12 +21,14 @@ from helpers.sheets.formulas import (
 )
 
 _WIDTH = 96  # characters of a line in a program
-_SHOWN = 50  # characters that a line of a typeset formula shows, about what a page 12 cm wide has room for
-_ROW = 56  # characters of a matrix's row, the widest entry of each column taken, with which it stays a matrix
+_SHOWN = 50  # characters that a line of a typeset formula shows on a page 12 cm wide
+_ROW = 56  # characters of a row, of each column's widest entry, with which a matrix stays one
 
 
 def as_latex(sheet: Sheet, item: Item) -> str:
-    """A display for a document that uses amsmath; what c_{23} and the like mean stands above it as comments."""
+    """A display for a document that uses amsmath; what c_{23} and the like mean stands above it as
+    comments.
+    """
     value, (_, _, short) = sheet.shortened(item), sheet.used(item)
     legend = [f"% ${latex_name(n.name)} = {written(f, LATEX)}$" for n, f in short]
     entries = [[pieces(e, LATEX) for e in value.row(i)] for i in range(value.rows)]
@@ -66,7 +70,7 @@ def _labelled(item: Item, entries: list[list[list[str]]]) -> Iterable[tuple[str,
 
 
 def component(item: Item, i: int) -> str:
-    """What the i-th entry of a vector is called: x, y, z of a point or direction, else its number."""
+    """The name of a vector's i-th entry: x, y, z of a point or direction, else its number."""
     return str(i) if item.name == "G" else "xyz"[i - 1]
 
 
@@ -160,7 +164,7 @@ def _symbols(names: list[str]) -> list[str]:
 
 
 def _grouped(entry: list[str]) -> list[str]:
-    """An entry of a MATLAB matrix, where a space may begin another one: sums stand in parentheses."""
+    """An entry of a MATLAB matrix, where a space may begin another: sums stand in parentheses."""
     if len(entry) == 1:
         return entry
     return [f"({entry[0]}", *entry[1:-1], f"{entry[-1]})"]

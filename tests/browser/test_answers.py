@@ -1,4 +1,6 @@
-"""The answer sheets as a reader has them: nothing cut at any width, and blocks that are copied from a file and run."""
+"""The answer sheets as a reader has them: nothing cut at any width, and blocks that are copied from
+a file and run.
+"""
 
 import pytest
 
@@ -67,7 +69,8 @@ def test_where_the_clipboard_is_closed_a_selection_is_copied(browser):
     page.add_init_script("Object.defineProperty(navigator, 'clipboard', { value: undefined })")
     page.goto((HTML / "answers/elbow.html").as_uri())
     page.evaluate(
-        "document.addEventListener('copy', () => { window.copied = String(document.activeElement.value) })"
+        "document.addEventListener('copy', () => { window.copied ="
+        " String(document.activeElement.value) })"
     )
     page.locator("#a-1 summary").click()
     page.locator("#a-1").get_by_role("button", name="Copy MATLAB").click()
