@@ -97,6 +97,10 @@ RIGHT = {
         tolerance=1e-9),
     "derive.Derivation.with_bodies": dict(self=derive.derive(AXES, np.eye(4)), masses=[1.0, 2.0],
         centres=np.zeros((2, 3))),
+    "sheets.block": dict(arm=ELBOW, answer="J", language="NumPy"),
+    "sheets.document": dict(arm=ELBOW),
+    "sheets.markdown": dict(arm=ELBOW, heading="Elbow", lead="An arm.", also=(ELBOW,),
+        description="Its answers."),
     "urdf.read_chain": dict(source=ROBOT, base="a", tip="b", hold={}, name="mine"),
     "urdf.from_urdf": dict(source=ROBOT, base="a", tip="b", hold={}, name="mine", negative=False,
         tolerance=1e-9),
@@ -207,6 +211,9 @@ RIGHT = {
 # What a message says it expected: by the argument's name, or where that means several things, by
 # the function's too.
 EXPECTED = {
+    "description": "a str", "heading": "a str", "lead": "a str",
+    "answer": "one of A_1, A_2, A_3, T_01", "language": "one of LaTeX, SymPy, NumPy, MATLAB",
+    "also": "arms with the same rows",
     "runs": "one or more runs",
     "written": "a str",
     "J": "one matrix of finite numbers", "a": "numbers, symbols, pi",
@@ -291,7 +298,7 @@ EXPECTED = {
     "value": "numbers, symbols, pi", "values": "a number for each symbol, as in {'a_3': 0.0825}",
     "expressions.evaluate values": "a Mapping", "plotting.map_2d values": "finite values (3, 3)",
     "velocity": "a function of the time",
-    "views": "some of table, pose, jacobian, trace, torque, branches",
+    "views": "some of table, pose, jacobian",
     "which": "whole numbers (3, 3)", "wish": "a function of q, as towards() makes",
     "wrench": "six finite numbers (fx, fy, fz, mx, my, mz)",
     "explorer.ArmExplorer wrench": "numbers", "x": "finite values (n,)", "y": "finite values (n,)",
