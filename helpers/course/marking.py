@@ -1,0 +1,1 @@
+"""An answer judged: its credit and the checkers' words."""
