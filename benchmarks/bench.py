@@ -38,7 +38,7 @@ class Case:
     name: str
     ours: Callable[[], np.ndarray]
     peers: dict[str, Callable[[], np.ndarray]]
-    within: float
+    tolerance: float
     rounds: int = 9
     seen: Callable[[object], np.ndarray] = np.asarray
 
@@ -55,7 +55,7 @@ def measured(case: Case) -> Iterator[str]:
         name: float(np.abs(case.seen(work()) - wanted).max()) for name, work in case.peers.items()
     }
     for name, error in off.items():
-        assert error <= case.within, f"{case.name}: {name} differs by {error:g}"
+        assert error <= case.tolerance, f"{case.name}: {name} differs by {error:g}"
     works = {"ours": case.ours, **case.peers}
     times = {name: [] for name in works}
     for _ in range(case.rounds):

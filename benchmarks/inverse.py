@@ -45,7 +45,7 @@ def closed_forms(Case):
             "EAIK, one by one": lambda: [robot.IK(pose) for pose in T],
             "ur-analytic-ik, one by one": lambda: [one(pose) for pose in T],
         },
-        within=1e-4,
+        tolerance=1e-4,
         seen=lambda found: (
             ours(found)
             if hasattr(found, "valid")
@@ -81,7 +81,7 @@ def numeric(Case):
         f"Panda: {POSES} poses to 1e-10, starts within 0.2 rad",
         lambda: solve(BARE, T, start).q,
         {"roboticstoolbox ik_LM (C++)": roboticstoolbox},
-        within=1e-9,
+        tolerance=1e-9,
         seen=lambda found: forward_kinematics(BARE, found),
     )
 

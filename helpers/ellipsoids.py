@@ -32,14 +32,14 @@ def force_ellipsoid(J: ArrayLike) -> Array:
         return np.where(np.abs(U) < 1e-12, 0.0, U / sizes)
 
 
-def lost_directions(J: ArrayLike, within: float = 1e-9) -> Array:
+def lost_directions(J: ArrayLike, cutoff: float = 1e-9) -> Array:
     """The velocities that no joint motion can give, as orthonormal rows of shape (lost, rows of J).
 
-    They are the left singular vectors whose singular value is not above `within` times the largest.
+    They are the left singular vectors whose singular value is not above `cutoff` times the largest.
     """
-    within = number(within, "within", "a number of 0 or more", least=0)
+    cutoff = number(cutoff, "cutoff", "a number of 0 or more", least=0)
     U, sizes, _ = np.linalg.svd(_block(J), full_matrices=True)
-    rank = int((sizes > within * sizes.max(initial=0.0)).sum())
+    rank = int((sizes > cutoff * sizes.max(initial=0.0)).sum())
     return U.T[rank:]
 
 

@@ -178,7 +178,7 @@ def test_an_answer_that_our_list_lacks_is_admitted():
 def test_above_the_shoulder_any_value_of_joint_1_will_do():
     """0.4 m above the shoulder the triangle's sides are 0.4, 0.3 and 0.4; joint 1 may point anywhere."""
     lean, bend = np.arccos(0.23 / 0.32), np.arccos(-0.09 / 0.24)
-    above = elbow(ELBOW, (0.0, 0.0, 0.9), near=(0.7, 0, 0))
+    above = elbow(ELBOW, (0.0, 0.0, 0.9), start=(0.7, 0, 0))
     over, under = (-2.0, RIGHT + lean, -bend), (1.3, RIGHT - lean, bend)
     assert compare_branches([over, under], above).agrees
     # One of them is the front's elbow up and, the arm turned about, the back's elbow down.
@@ -193,7 +193,7 @@ def test_above_the_shoulder_any_value_of_joint_1_will_do():
 def test_a_straight_wrist_may_share_its_turn_as_it_likes():
     """q_5 = 0: only q_4 + q_6 matters, and one answer stands for both wrists."""
     q = np.array((0.3, 0.8, 0.5, 0.4, 0.0, 0.6))
-    found = stanford(STANFORD, forward_kinematics(STANFORD, q), near=(0, 0, 0, 1.1, 0, 0))
+    found = stanford(STANFORD, forward_kinematics(STANFORD, q), start=(0, 0, 0, 1.1, 0, 0))
     for shift in (0.0, 0.5, -2.0):
         report = compare_branches([q + shift * np.array((0, 0, 0, 1, 0, -1))], found)
         assert report.found == ("front, rod out, q_5 > 0", "front, rod out, q_5 < 0")
@@ -205,7 +205,7 @@ def test_a_ur_with_parallel_axes_may_turn_joint_6():
     """q_5 = 0: the same elbow at another q_6 is the same branch, and the other elbow is not."""
     q = np.array((0.3, -1.2, 1.4, 0.2, 0.0, 0.5))
     T = forward_kinematics(UR10E, q)
-    found = ur(UR10E, T, near=(0, 0, 0, 0, 0, 1.0))
+    found = ur(UR10E, T, start=(0, 0, 0, 0, 0, 1.0))
     report = compare_branches([q], found)
     assert report.found == ("back, q_5 > 0, elbow +", "back, q_5 < 0, elbow +")
 

@@ -8,7 +8,7 @@ from helpers.checks import check
 
 
 def test_what_agrees_prints_one_line(capsys):
-    check("the tip (m)", [1.0, 2.0], [1.0, 2.0 + 1e-13], within=1e-12)
+    check("the tip (m)", [1.0, 2.0], [1.0, 2.0 + 1e-13], tolerance=1e-12)
     check("rank", np.linalg.matrix_rank(np.eye(3)), 3)
     check("formula", sp.Matrix([sp.Symbol("x")]), sp.Matrix([sp.Symbol("x")]))
     check("lists of unequal lengths", [[1], [1, 2]], [[1], [1, 2]])
@@ -24,7 +24,7 @@ def test_what_agrees_prints_one_line(capsys):
 
 
 @pytest.mark.parametrize(
-    ("actual", "expected", "within", "words"),
+    ("actual", "expected", "tolerance", "words"),
     [
         (1.0, 1.1, 0.05, "the thing: off by 0.1, allowed 0.05"),
         ([1, 2], [1, 3], 0, "off by 1, allowed 0"),
@@ -37,9 +37,9 @@ def test_what_agrees_prints_one_line(capsys):
         (sp.Matrix([1, 2]), sp.Matrix([2, 1]), 0, "got Matrix"),
     ],
 )
-def test_what_differs_raises(actual, expected, within, words):
+def test_what_differs_raises(actual, expected, tolerance, words):
     with pytest.raises(AssertionError, match=words):
-        check("the thing", actual, expected, within)
+        check("the thing", actual, expected, tolerance)
 
 
 def test_arrays_of_words_are_compared_entry_by_entry(capsys):

@@ -236,7 +236,7 @@ def test_the_boundary_belongs_to_the_reach():
 def test_above_the_shoulder_joint_1_is_free():
     p = np.array((0.0, 0.0, 0.9))
     for q1 in (0.0, 0.7, -2.0):
-        found = elbow(ELBOW, p, near=(q1, 0, 0))
+        found = elbow(ELBOW, p, start=(q1, 0, 0))
         assert found.valid.all()
         assert found.free[:, 0].all()
         assert not found.free[:, 1:].any()
@@ -247,7 +247,7 @@ def test_above_the_shoulder_joint_1_is_free():
 
 def test_a_folded_arm_has_joint_2_free():
     twins = ELBOW.with_values(a_3=0.4)
-    found = elbow(twins, (0, 0, 0.5), near=(0.1, 0.2, 0.3))
+    found = elbow(twins, (0, 0, 0.5), start=(0.1, 0.2, 0.3))
     assert found.valid.all()
     assert found.free[:, :2].all()
     assert np.allclose(found.q[:2, 1], 0.2)
@@ -257,7 +257,7 @@ def test_a_folded_arm_has_joint_2_free():
 def test_rod_with_its_tip_in_the_shoulder():
     arm = replace(STANFORD, rows=STANFORD.rows[:3], home=())
     p = forward_kinematics(arm, (0.4, 0.9, 0.0))[:3, 3]
-    found = rod(arm, p, near=(0, 0.3, 0))
+    found = rod(arm, p, start=(0, 0.3, 0))
     assert found.valid.all()
     assert found.free[:, 1].all()
     assert not found.free[:, 0].any()
@@ -268,7 +268,7 @@ def test_rod_with_its_tip_in_the_shoulder():
 def test_rod_above_its_shoulder_leaves_joint_1_free():
     """Without an offset the target on joint 1's axis is reached with q_1 as it was, the rod upright."""
     arm = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()))
-    found = rod(arm, (0, 0, 0.6), near=(0.7, 0, 0))
+    found = rod(arm, (0, 0, 0.6), start=(0.7, 0, 0))
     assert found.valid.all()
     assert found.free[:, 0].all()
     assert not found.free[:, 1:].any()
@@ -285,7 +285,7 @@ def test_a_straight_wrist_has_joint_4_free(solver, arm, flipped):
     q[:, 4] = flipped
     T = forward_kinematics(arm, q)
     near = np.array((0, 0, 0, 1.1, 0, 0))
-    found = solver(arm, T, near=near)
+    found = solver(arm, T, start=near)
     same = (
         apart(arm, found.q[..., :3] @ np.eye(3, 6), q[:, None] @ np.diag([1, 1, 1, 0, 0, 0])) < 1e-6
     )
@@ -301,12 +301,12 @@ def test_parallel_axes_of_a_ur_have_joint_6_free(arm, bend):
     q = random_q(arm, 300, seed=5)
     q[:, 4] = bend
     T = forward_kinematics(arm, q)
-    found = ur(arm, T, near=q)
+    found = ur(arm, T, start=q)
     assert misses(arm, found, T).max() < 1e-10
     assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-6
     # Whatever value joint 6 is asked to keep, some branch is found, since the pose can be reached.
     for q6 in np.linspace(-3, 3, 7):
-        found = ur(arm, T, near=(0, 0, 0, 0, 0, q6))
+        found = ur(arm, T, start=(0, 0, 0, 0, 0, q6))
         assert found.valid.any(axis=1).all()
         assert misses(arm, found, T).max() < 1e-10
         assert (found.free[..., 5] & found.valid).any(axis=1).all()
@@ -456,7 +456,7 @@ def test_near_is_taken_target_by_target_beyond_a_chunk_too():
     q1 = np.linspace(-3, 3, 9000)
     near = np.column_stack([q1, 0 * q1, 0 * q1])
     for targets in ((0.0, 0.0, 0.9), np.tile((0.0, 0.0, 0.9), (9000, 1))):
-        found = elbow(ELBOW, targets, near=near)
+        found = elbow(ELBOW, targets, start=near)
         assert found.free[..., 0].all()
         np.testing.assert_allclose(found.q[:, :2, 0], np.column_stack([q1, q1]), atol=1e-12)
 
@@ -473,7 +473,7 @@ def test_a_ur_folded_onto_its_shoulder_has_joint_2_free():
     twins = UR10E.with_values(a_3=0.6127)  # as a_2
     q = np.array((0.4, 0.7, np.pi, 0.3, 1.1, -0.8))
     T = forward_kinematics(twins, q)
-    found = ur(twins, T, near=q)
+    found = ur(twins, T, start=q)
     folded = found.valid & found.free[:, 1]
     assert folded.any()
     np.testing.assert_allclose(found.q[folded, 1], 0.7, atol=1e-12)
@@ -482,7 +482,7 @@ def test_a_ur_folded_onto_its_shoulder_has_joint_2_free():
 
 def test_one_target_for_many_starts_and_none_at_all():
     T = forward_kinematics(UR10E, random_q(UR10E, 1))
-    assert ur(UR10E, T[0], near=np.zeros((5, 6))).q.shape == (5, 8, 6)
+    assert ur(UR10E, T[0], start=np.zeros((5, 6))).q.shape == (5, 8, 6)
     assert ur(UR10E, T[:0]).q.shape == (0, 8, 6)
 
 
@@ -490,13 +490,13 @@ def test_one_target_for_many_starts_and_none_at_all():
     ("call", "message"),
     [
         (lambda: elbow(UR10E, (0, 0, 0)), "UR10e is no elbow arm; expected three revolute joints"),
-        (lambda: elbow(ELBOW, (0, 0)), r"Elbow arm: p has shape \(2,\); expected \(..., 3\)"),
-        (lambda: elbow(ELBOW, (0, 0, np.nan)), "Elbow arm: p holds NaN or infinity"),
+        (lambda: elbow(ELBOW, (0, 0)), r"Elbow arm: targets has shape \(2,\); expected \(..., 3\)"),
+        (lambda: elbow(ELBOW, (0, 0, np.nan)), "Elbow arm: targets holds NaN or infinity"),
         (
             lambda: elbow(ELBOW, "here"),
-            r"Elbow arm: p is 'here'; expected \(..., 3\), finite positions",
+            r"Elbow arm: targets is 'here'; expected \(..., 3\), finite positions",
         ),
-        (lambda: elbow(ELBOW, (0, 0, 1), near=(0, 0)), r"Elbow arm: near has shape \(2,\)"),
+        (lambda: elbow(ELBOW, (0, 0, 1), start=(0, 0)), r"Elbow arm: start has shape \(2,\)"),
         (lambda: elbow(ELBOW.with_values(a_3=0), (0, 0, 1)), "is no elbow arm"),
         (lambda: rod(ELBOW, (0, 0, 0)), "Elbow arm has no rod through its shoulder"),
         *[
@@ -541,18 +541,21 @@ def test_one_target_for_many_starts_and_none_at_all():
                 (3, {"a": 0}),
             )
         ],
-        (lambda: ur(UR10E, np.eye(3)), r"UR10e: T has shape \(3, 3\); expected \(..., 4, 4\)"),
-        (lambda: ur(UR10E, 2 * np.eye(4)), "UR10e: T is no rigid transform, by "),
-        (lambda: ur(UR10E, np.diag([1, 1, -1, 1])), "UR10e: T is no rigid transform, by 2;"),
+        (
+            lambda: ur(UR10E, np.eye(3)),
+            r"UR10e: targets has shape \(3, 3\); expected \(..., 4, 4\)",
+        ),
+        (lambda: ur(UR10E, 2 * np.eye(4)), "UR10e: a target is no rigid transform, by "),
+        (lambda: ur(UR10E, np.diag([1, 1, -1, 1])), "UR10e: a target is no rigid transform, by 2;"),
         (lambda: ur(UR10E, np.eye(4) + np.eye(4)[::-1] * 0.1), "is no rigid transform"),
         (
             lambda: stanford(STANFORD, np.full((4, 4), np.inf)),
-            "Stanford arm: T holds NaN or infinity",
+            "Stanford arm: targets holds NaN or infinity",
         ),
         (lambda: elbow(ELBOW, (0.5, 0, 0.5)).nearest((0, 0)), r"q has shape \(2,\)"),
-        (lambda: solve(PANDA, np.eye(2)), r"Panda: p has shape \(2, 2\)"),
-        (lambda: solve(PANDA, np.zeros((4, 4))), "Panda: T is no rigid transform"),
-        (lambda: solve(PANDA, np.eye(4), (0, 0)), r"Panda: q0 has shape \(2,\)"),
+        (lambda: solve(PANDA, np.eye(2)), r"Panda: targets has shape \(2, 2\)"),
+        (lambda: solve(PANDA, np.zeros((4, 4))), "Panda: a target is no rigid transform"),
+        (lambda: solve(PANDA, np.eye(4), (0, 0)), r"Panda: start has shape \(2,\)"),
         (
             lambda: solve(PANDA, np.eye(4), tolerance=0),
             "tolerance is 0; expected a positive number",

@@ -17,14 +17,14 @@ from helpers.motion import (
     away_from_limits,
     circle,
     damped,
-    inverse,
     levenberg,
+    plain_inverse,
     pseudo_inverse,
     towards,
     trace,
     with_null_space,
 )
-from helpers.motion.report import report as summary
+from helpers.motion.report import run_report as summary
 from helpers.plotting import moving_picture
 from helpers.robots import PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
@@ -232,10 +232,10 @@ def test_wishes_point_where_they_say():
 def test_the_plain_inverse_stops_at_a_ratio():
     J, one, last = np.diag([5.0, 5, 5, 5, 5, 4e-9]), np.eye(6)[0], np.eye(6)[5]
     with pytest.raises(SingularError, match="its smallest singular value is 4e-09, its largest 5;"):
-        inverse()(J, last, None)
-    np.testing.assert_allclose(inverse(1e-10)(J, last, None), 2.5e8 * last)
+        plain_inverse()(J, last, None)
+    np.testing.assert_allclose(plain_inverse(1e-10)(J, last, None), 2.5e8 * last)
     np.testing.assert_allclose(
-        inverse()(J, one, None), 0.2 * one
+        plain_inverse()(J, one, None), 0.2 * one
     )  # nothing is asked of the lost direction
 
 
@@ -258,7 +258,7 @@ def test_damping_bounds_speed_and_vanishes_where_it_is_not_needed():
     )
     far = jacobian(HOMEWORK, HOMEWORK.home)
     np.testing.assert_allclose(
-        adaptive(0.1, 0.01)(far, twist, None), inverse()(far, twist, None), atol=1e-12
+        adaptive(0.1, 0.01)(far, twist, None), plain_inverse()(far, twist, None), atol=1e-12
     )
     np.testing.assert_allclose(
         adaptive(0.1, 1e9)(J, twist, None), damped(0.1)(J, twist, None), atol=1e-12
@@ -383,8 +383,8 @@ def test_a_thousand_steps_take_a_quarter_of_a_second():
         (lambda: circle([0, 0, 0], 0.1, "yz", 5, 2.5), ArmError, "steps is 2.5; expected a whole number"),
         (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError, "method is 'heun'; expected one of euler, rk4, exact"),
         (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1; expected"),
-        (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "q_0 has shape (7,)"),
-        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "q_0 has shape (1, 6); expected one pose, (6,)"),
+        (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "start has shape (7,)"),
+        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "start has shape (1, 6); expected one pose, (6,)"),
         (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12, its largest 2.3"),
         (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no inverse; lock a joint"),
         (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without limits"),

@@ -29,7 +29,7 @@ MUTANTS = {
         "helpers/robots.py", r'revolute\(alpha="-pi/2", d="d_1"', 'revolute(alpha="pi/2", d="d_1"', [*NBVAL, CHAPTER],
     ),
     "a checker that is always content": (
-        "helpers/checks/line.py", r"difference <= within", "True", ["tests/test_checks.py"],
+        "helpers/checks/line.py", r"difference <= tolerance", "True", ["tests/test_checks.py"],
     ),
     "a table checker that sees no lengths": (
         "helpers/checks/differences.py", r"abs\(mine\.length - reference\.length\) > WITHIN_LENGTH", "False", ["tests/test_tables.py"],

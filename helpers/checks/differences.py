@@ -55,7 +55,7 @@ def _twists(arm: Arm, mine: Gap, reference: Gap, signs: Signs) -> Iterator[Findi
     for pair in pairwise(mine.joints):
         sided = len(mine.joints) == 2 and (*pair, NORMAL) in mine.shape.keys() & reference.shape
         m, r = _twist(mine, pair, sided, {}), _twist(reference, pair, sided, signs)
-        if turned(m, r) > WITHIN_ANGLE:
+        if angle_between(m, r) > WITHIN_ANGLE:
             i, j = (arm.joints[k] for k in pair)
             yield _angle(i, "alpha", f"the twist from axis {i} to axis {j}", m, r)
 
@@ -78,7 +78,7 @@ def arc(cosine: float) -> float:
     return math.acos(max(-1.0, min(1.0, cosine)))
 
 
-def turned(left: float, right: float) -> float:
+def angle_between(left: float, right: float) -> float:
     """How far two angles (rad) are apart, whole turns aside."""
     return abs((left - right + math.pi) % (2 * math.pi) - math.pi)
 
@@ -122,7 +122,7 @@ def _angle(row: int, quantity: str, what: str, mine: float, reference: float) ->
     if mine < 0:
         mine, reference = -mine, -reference
     mine_in, reference_in, off = (
-        f"{math.degrees(x) + 0.0:.6g}°" for x in (mine, reference, turned(mine, reference))
+        f"{math.degrees(x) + 0.0:.6g}°" for x in (mine, reference, angle_between(mine, reference))
     )
     text = f"{what} is {mine_in} in yours and {reference_in} in the reference: {off} off."
     return Finding(row, quantity, mine, reference, text)

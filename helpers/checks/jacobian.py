@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, Joint
-from helpers.checks.mistakes import turned, usual_mistakes
+from helpers.checks.mistakes import rotated, usual_mistakes
 from helpers.checks.verdict import Verdict
 from helpers.inputs import ArmError, floats, must_be
 from helpers.kinematics import jacobian, jacobian_in_frame, link_frames
@@ -149,7 +149,7 @@ def _unlocked(arm: Arm) -> Arm:
 
 def _diagnosis(M: Array, arm: Arm, q: Array, frame: int) -> tuple[str, ...]:
     """One mistake that explains the whole matrix, or one for each half, or else what is wrong with each wrong column."""
-    M, right = turned(M, link_frames(arm, q)[frame, :3, :3]), jacobian(arm, q)
+    M, right = rotated(M, link_frames(arm, q)[frame, :3, :3]), jacobian(arm, q)
     usual = tuple(usual_mistakes(arm, q, frame))
     if whole := _named(M, usual):
         return (f"{whole}.",)

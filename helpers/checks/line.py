@@ -6,14 +6,14 @@ from numpy.typing import ArrayLike
 from helpers.inputs import must_be, number
 
 
-def check(label: str, actual: ArrayLike, expected: ArrayLike, within: float = 0.0) -> None:
+def check(label: str, actual: ArrayLike, expected: ArrayLike, tolerance: float = 0.0) -> None:
     """Print one line that says `actual` agrees with `expected`, or raise AssertionError that says by how much not.
 
-    Numbers and arrays agree when no entry differs by more than `within`; anything else, SymPy matrices
+    Numbers and arrays agree when no entry differs by more than `tolerance`; anything else, SymPy matrices
     too, must be equal. This is the one function of the book that prints: its line is the reader's proof.
     """
     must_be(label, str, "label")
-    number(within, "within", "a number of 0 or more", least=0)
+    number(tolerance, "tolerance", "a number of 0 or more", least=0)
     exact = not _numeric(actual) or not _numeric(expected)
     if exact:
         difference, agrees = None, _equal(actual, expected)
@@ -22,15 +22,15 @@ def check(label: str, actual: ArrayLike, expected: ArrayLike, within: float = 0.
         if actual.shape != expected.shape:
             raise AssertionError(f"{label}: shape {actual.shape}, expected {expected.shape}")
         difference = float(np.abs(actual - expected).max(initial=0.0))
-        agrees = difference <= within
+        agrees = difference <= tolerance
     if not agrees:
         detail = (
             f"got {actual}, expected {expected}"
             if exact
-            else f"off by {difference:.3g}, allowed {within:g}"
+            else f"off by {difference:.3g}, allowed {tolerance:g}"
         )
         raise AssertionError(f"{label}: {detail}")
-    print(f"✔ {label}" if exact or not within else f"✔ {label} (within {within:g})")
+    print(f"✔ {label}" if exact or not tolerance else f"✔ {label} (within {tolerance:g})")
 
 
 def _equal(actual: object, expected: object) -> bool:

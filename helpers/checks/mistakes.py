@@ -21,7 +21,7 @@ def usual_mistakes(arm: Arm, q: Array, frame: int) -> Mistakes:
     yield from _frames(arm, q, frame)
 
 
-def turned(M: Array, R: Array) -> Array:
+def rotated(M: Array, R: Array) -> Array:
     """Both halves of a Jacobian turned by the rotation R."""
     return np.vstack([R @ M[:3], R @ M[3:]])
 
@@ -41,7 +41,7 @@ def _rows(arm: Arm, q: Array, frame: int) -> Mistakes:
     if arm.dof == 6:
         R = link_frames(arm, q)[frame, :3, :3]
         transposed = jacobian_in_frame(arm, q, frame).T
-        yield "It is transposed: one column per joint, six rows", turned(transposed, R)
+        yield "It is transposed: one column per joint, six rows", rotated(transposed, R)
 
 
 def _units(arm: Arm, q: Array) -> Mistakes:
@@ -90,7 +90,7 @@ def _frames(arm: Arm, q: Array, frame: int) -> Mistakes:
     for k, name in enumerate(names):
         if k != frame:
             words = f"The rows are in the axes of {name}, not of {names[frame]}; if you mean that, say frame={k}"
-            yield words, turned(jacobian_in_frame(arm, q, k), R)
+            yield words, rotated(jacobian_in_frame(arm, q, k), R)
 
 
 def _built(

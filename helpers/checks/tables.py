@@ -9,7 +9,14 @@ import numpy as np
 
 from helpers.arm import Arm, Row
 from helpers.checks.axes import Gap, gaps, tool_tilt
-from helpers.checks.differences import WITHIN_ANGLE, WITHIN_LENGTH, Finding, arc, by_signs, turned
+from helpers.checks.differences import (
+    WITHIN_ANGLE,
+    WITHIN_LENGTH,
+    Finding,
+    angle_between,
+    arc,
+    by_signs,
+)
 from helpers.checks.verdict import Verdict
 from helpers.conventions import standard_from_modified
 from helpers.expressions import Entry
@@ -109,7 +116,7 @@ def _unlike_joints(mine: Arm, reference: Arm) -> Iterator[Finding]:
 
 def _tool_note(mine: float, reference: float, signs: tuple[int, ...]) -> Iterator[str]:
     m, r = arc(mine), arc(signs[-1] * reference)
-    if turned(m, r) > WITHIN_ANGLE:
+    if angle_between(m, r) > WITHIN_ANGLE:
         yield (
             f"the last frame's z axis stands at {math.degrees(m):.4g}° to the last joint axis in yours"
             f" and at {math.degrees(r):.4g}° in the reference. The tip's place does not depend on it,"
@@ -148,7 +155,7 @@ def _rounded(arm: Arm) -> tuple[str, ...]:
     return tuple(
         f"{name} in row {i}, {arm.number(angle):g}, is taken as {_square(arm, angle)}; write it so."
         for i, name, angle in entries
-        if turned(arm.number(angle), arm.number(_square(arm, angle))) > 1e-9
+        if angle_between(arm.number(angle), arm.number(_square(arm, angle))) > 1e-9
     )
 
 

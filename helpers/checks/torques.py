@@ -38,22 +38,22 @@ def compare_torques(
     q: ArrayLike,
     wrench: ArrayLike = _NO_WRENCH,
     gravity: ArrayLike = GRAVITY,
-    within: float = 1e-3,
+    tolerance: float = 1e-3,
 ) -> TorqueReport:
     """Compare your torques, shape (..., dof), at q, shape (..., dof), with g(q) - J^T F, and name the mistake.
 
-    `wrench` is on the tool, by the world, shape (6,) or (..., 6); `within` is in N m. One pose can hide a mistake that a
+    `wrench` is on the tool, by the world, shape (6,) or (..., 6); `tolerance` is in N m. One pose can hide a mistake that a
     whole path shows. Raises ArmError where `mine` is not numbers or the arm has no masses.
     """
     must_be(arm, Arm, "arm")
-    number(within, "within", "a number of N m, 0 or more", least=0)
+    number(tolerance, "tolerance", "a number of N m, 0 or more", least=0)
     tau = _numbers(mine, arm)
     right = static_torque(arm, q, wrench, gravity)
     if tau.shape != right.shape:
         return TorqueReport(arm.name, np.inf, (_shape_finding(tau, right, arm),))
     worst = float(np.abs(tau - right).max(initial=0.0))
-    agrees = worst <= within
-    findings = () if agrees else _diagnosis(tau, right, arm, q, wrench, gravity, within)
+    agrees = worst <= tolerance
+    findings = () if agrees else _diagnosis(tau, right, arm, q, wrench, gravity, tolerance)
     return TorqueReport(arm.name, worst, findings)
 
 
@@ -79,14 +79,14 @@ def _diagnosis(
     q: ArrayLike,
     wrench: ArrayLike,
     gravity: ArrayLike,
-    within: float,
+    tolerance: float,
 ) -> tuple[str, ...]:
     wrongs = (*_signs(arm, q, wrench, gravity), *_models(arm, q, wrench, gravity))
     for sentence, wrong in wrongs:
         # A cause that makes no difference here explains nothing.
-        if np.abs(tau - wrong).max() <= within < np.abs(wrong - right).max():
+        if np.abs(tau - wrong).max() <= tolerance < np.abs(wrong - right).max():
             return (sentence,)
-    return tuple(_joints(tau, right, arm, within))
+    return tuple(_joints(tau, right, arm, tolerance))
 
 
 def _signs(
@@ -140,11 +140,11 @@ def _turned(arm: Arm, q: ArrayLike, F: Array) -> Array:
     return np.concatenate(halves, axis=-1)
 
 
-def _joints(tau: Array, right: Array, arm: Arm, within: float) -> Iterator[str]:
+def _joints(tau: Array, right: Array, arm: Arm, tolerance: float) -> Iterator[str]:
     axes = tuple(range(tau.ndim - 1))
     off, flipped = np.abs(tau - right).max(axis=axes), np.abs(tau + right).max(axis=axes)
     for joint, difference, other in zip(arm.joints, off, flipped, strict=True):
-        if difference > within:
+        if difference > tolerance:
             other_way = "its sign is reversed, as if the joint counted the other way"
             by = f"it is off by up to {difference:.3g} N m"
-            yield f"Joint {joint}: {other_way if other <= within else by}."
+            yield f"Joint {joint}: {other_way if other <= tolerance else by}."

@@ -11,7 +11,7 @@ from helpers.checks.verdict import Verdict
 from helpers.inputs import ArmError, floats, must_be, number
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
-from helpers.motion.report import Report, report
+from helpers.motion.report import Report, run_report
 
 Array = NDArray[np.float64]
 
@@ -33,16 +33,16 @@ class TraceReport(Verdict):
         return "\n".join([f"{self.arm} {verdict}.", *(f"- {f}" for f in self.findings), *notes])
 
 
-def compare_trace(mine: ArrayLike, arm: Arm, path: Path, within: float = 2e-3) -> TraceReport:
+def compare_trace(mine: ArrayLike, arm: Arm, path: Path, tolerance: float = 2e-3) -> TraceReport:
     """Whether your joint vectors, shape (steps + 1, dof), make the tip follow a path, and if not, in what way they fail.
 
-    One row for each of the path's times, or for all but the last. `within` is the largest distance (m) from where the tip
+    One row for each of the path's times, or for all but the last. `tolerance` is the largest distance (m) from where the tip
     should be; it may lean by 1 degree. Limits of range and speed are notes: the homework's own circle breaks them.
     Raises ArmError where `mine` holds anything but finite numbers.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
-    number(within, "within", "a length of 0 m or more", least=0)
+    number(tolerance, "tolerance", "a length of 0 m or more", least=0)
     q = floats(mine, f"{arm.name}: what you give for your joints", "numbers")
     if not np.isfinite(q).all():
         raise ArmError(f"{arm.name}: your joints hold NaN or infinity; expected finite numbers")
@@ -50,10 +50,10 @@ def compare_trace(mine: ArrayLike, arm: Arm, path: Path, within: float = 2e-3) -
     if q.ndim != 2 or q.shape[1] != arm.dof or len(q) not in counts:
         return TraceReport(arm.name, (_shape_finding(q, arm, counts),))
     path = Path(path.times[: len(q)], path.position, path.velocity, path.normal)
-    if _off(path, forward_kinematics(arm, np.radians(q))[:, :3, 3]).max() <= within:
+    if _off(path, forward_kinematics(arm, np.radians(q))[:, :3, 3]).max() <= tolerance:
         return TraceReport(arm.name, ("The joints are in degrees: write radians.",))
     run = _measured(arm, path, q)
-    findings = tuple(_findings(arm, path, q, run, within))
+    findings = tuple(_findings(arm, path, q, run, tolerance))
     return TraceReport(arm.name, findings, tuple(_notes(run)), run)
 
 
@@ -65,18 +65,18 @@ def _shape_finding(q: Array, arm: Arm, counts: tuple[int, int]) -> str:
 
 def _measured(arm: Arm, path: Path, q: Array) -> Report:
     q_dot = np.diff(q, axis=0) / np.diff(path.times)[:, None]
-    return report(arm, path, q, np.vstack([q_dot, q_dot[-1:]]), forward_kinematics(arm, q))
+    return run_report(arm, path, q, np.vstack([q_dot, q_dot[-1:]]), forward_kinematics(arm, q))
 
 
-def _findings(arm: Arm, path: Path, q: Array, run: Report, within: float) -> Iterator[str]:
-    if run.position_error > within:
+def _findings(arm: Arm, path: Path, q: Array, run: Report, tolerance: float) -> Iterator[str]:
+    if run.position_error > tolerance:
         tip = forward_kinematics(arm, q)[:, :3, 3]
-        cause = next(_causes(path, tip, within), None)
+        cause = next(_causes(path, tip, tolerance), None)
         yield cause or _where(path, tip)
     if run.pen_tilt > TILT:
         words = f"The tool leans by up to {np.degrees(run.pen_tilt):.3g} degrees."
         hint = " Its place is right all the same: look at the angular rows of your Jacobian (z_{i-1}, not z_i)."
-        yield words + (hint if run.position_error <= within else "")
+        yield words + (hint if run.position_error <= tolerance else "")
 
 
 def _off(path: Path, points: Array) -> Array:
@@ -84,11 +84,11 @@ def _off(path: Path, points: Array) -> Array:
     return np.linalg.norm(points - path.positions, axis=1)
 
 
-def _causes(path: Path, tip: Array, within: float) -> Iterator[str]:
+def _causes(path: Path, tip: Array, tolerance: float) -> Iterator[str]:
     """What would explain every point, the likelier first."""
 
     def follows(points: Array) -> bool:
-        return bool(_off(path, points).max() <= within)
+        return bool(_off(path, points).max() <= tolerance)
 
     if follows(tip[::-1]):
         yield "The path is drawn the other way round: look at the sign of the velocity."

@@ -44,8 +44,8 @@ class NumericSolution:
 
 def solve(
     arm: Arm,
-    target: ArrayLike,
-    q0: ArrayLike | None = None,
+    targets: ArrayLike,
+    start: ArrayLike | None = None,
     *,
     limits: bool = True,
     tolerance: float = 1e-10,
@@ -53,18 +53,18 @@ def solve(
     restarts: int = 0,
     seed: int = 0,
 ) -> NumericSolution:
-    """A joint vector near q0 that takes the tip to each target: poses (..., 4, 4), or positions (..., 3) in m.
+    """A joint vector near `start` that takes the tip to each of `targets`: poses (..., 4, 4), or positions (..., 3) in m.
 
     The step J^T (J J^T + lambda^2 I)^-1 e has a damping lambda in proportion to the error e, which grows while steps fail: far from
     the target it is cautious, close to it Newton's. Metres and radians count alike. With `limits` joints stay within
     theirs. Targets not reached within `tolerance` (m and rad) after `iterations` steps are tried again from up to
-    `restarts` random starts. q0 has shape (..., dof); home unless given. Raises ArmError for bad shapes or numbers.
+    `restarts` random starts. `start` has shape (..., dof); home unless given. Raises ArmError for bad shapes or numbers.
     Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
     """
     must_be(arm, Arm, "arm")
-    goal, shape = _goal(arm, target)
-    start = arm.joint_vector(arm.home if q0 is None else q0, "q0")
-    shape = common_shape("targets and q0", shape, start.shape[:-1])
+    goal, shape = _goal(arm, targets)
+    start = arm.joint_vector(arm.home if start is None else start, "start")
+    shape = common_shape("targets and start", shape, start.shape[:-1])
     goal = np.broadcast_to(goal, (*shape, *goal.shape[-2:])).reshape(-1, *goal.shape[-2:])
     start = np.broadcast_to(start, (*shape, arm.dof)).reshape(-1, arm.dof)
     for name, count in (("iterations", iterations), ("restarts", restarts), ("seed", seed)):
@@ -212,13 +212,15 @@ def _worst(error: Array) -> Array:
     return np.sqrt(np.maximum(_square(error[:, :3]), _square(error[:, 3:])))
 
 
-def _goal(arm: Arm, target: ArrayLike) -> tuple[Array, tuple[int, ...]]:
-    target = floats(target, f"{arm.name}: target", "poses (..., 4, 4) or positions (..., 3) in m")
-    if target.shape[-2:] == (4, 4):
-        flat = poses(arm, target)
+def _goal(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
+    targets = floats(
+        targets, f"{arm.name}: targets", "poses (..., 4, 4) or positions (..., 3) in m"
+    )
+    if targets.shape[-2:] == (4, 4):
+        flat = poses(arm, targets)
         must_be_rigid(arm, flat.reshape(-1, 16).T)
         return flat.reshape(*flat.shape[:-1], 4, 4), flat.shape[:-1]
-    points = positions(arm, target)
+    points = positions(arm, targets)
     return points[..., None, :], points.shape[:-1]
 
 

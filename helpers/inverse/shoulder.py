@@ -20,37 +20,37 @@ ELBOW_BRANCHES = (("front", "back"), ("elbow up", "elbow down"))
 ROD_BRANCHES = (("front", "back"), ("rod out", "rod through"))
 
 
-def elbow(arm: Arm, p: ArrayLike, near: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an elbow arm that put its tip at p, shape (..., 3) in m: four branches.
+def elbow(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of an elbow arm that put its tip at `targets`, shape (..., 3) in m: four branches.
 
     "front" turns the arm's plane towards the target, "back" away from it; the elbow is above or below the line from
     shoulder to tip. The table is alpha = (+-90, 0 or 180, any) degrees with a_1 = 0, with or without offsets along the axes; a
     fourth, fixed row may carry the tip along z_3. Straight above the shoulder of an arm without offset joint 1 is free
-    and keeps its value of `near`, shape (..., 3), zeros unless given. Raises ArmError for another table or shape.
+    and keeps its value of `start`, shape (..., 3), zeros unless given. Raises ArmError for another table or shape.
     """
     must_be_elbow(arm)
-    return each_branch(arm, positions(arm, p), near, ELBOW_BRANCHES, elbow_kernel)
+    return each_branch(arm, positions(arm, targets), start, ELBOW_BRANCHES, elbow_kernel)
 
 
-def rod(arm: Arm, p: ArrayLike, near: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an RRP arm that put its tip at p, shape (..., 3) in m: four branches.
+def rod(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of an RRP arm that put its tip at `targets`, shape (..., 3) in m: four branches.
 
     As `elbow`, with a rod that slides through the shoulder: "out" where q_3 plus its offset is positive, "through" where it
     is negative, which few real rods can be. The table is alpha = (+-90, +-90, 0) degrees with a = 0. Raises ArmError for
     another table or shape.
     """
     must_have_rod(arm)
-    return each_branch(arm, positions(arm, p), near, ROD_BRANCHES, rod_kernel)
+    return each_branch(arm, positions(arm, targets), start, ROD_BRANCHES, rod_kernel)
 
 
-def elbow_kernel(arm: Arm, p: Array, near: Array) -> Found:
+def elbow_kernel(arm: Arm, p: Array, start: Array) -> Found:
     """Both shoulders with both elbows, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
     links = _links(second, third, tool[0].d if tool else 0.0)
-    plane = facing(first, links.offset, p, near[0] + first.theta)
+    plane = facing(first, links.offset, p, start[0] + first.theta)
     up = first.sin_alpha * np.array([[[-1.0], [1.0]], [[1.0], [-1.0]]])
     px, py = plane.x[:, None], plane.y[:, None]
-    bend = two_links(links.upper, links.fore, px, py, up, near[1] + second.theta)
+    bend = two_links(links.upper, links.fore, px, py, up, start[1] + second.theta)
     q = (
         shifted(plane.phi[:, None], first.theta),
         shifted(bend.phi_2, second.theta),
@@ -61,18 +61,18 @@ def elbow_kernel(arm: Arm, p: Array, near: Array) -> Found:
     return Found(q, free, valid, _elbow_distance(links, p, plane, valid))
 
 
-def rod_kernel(arm: Arm, p: Array, near: Array) -> Found:
+def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:
     """Both shoulders with the rod out and through, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
-    plane = facing(first, second.d, p, near[0] + first.theta)
+    plane = facing(first, second.d, p, start[0] + first.theta)
     out = np.array([1.0, -1.0])[:, None]
     length = out * np.hypot(plane.x, plane.y)[:, None]
-    turned = second.sin_alpha * out
-    phi_2 = np.arctan2(turned * plane.x[:, None], -turned * plane.y[:, None])
+    side = second.sin_alpha * out
+    phi_2 = np.arctan2(side * plane.x[:, None], -side * plane.y[:, None])
     central = np.abs(length) < REACH
     q = (
         shifted(plane.phi[:, None], first.theta),
-        np.where(central, near[1], shifted(phi_2, second.theta)),
+        np.where(central, start[1], shifted(phi_2, second.theta)),
         length - third.d - (tool[0].d if tool else 0.0),
     )
     missing = np.where(plane.exists, 0.0, abs(second.d) - np.hypot(p[0], p[1]))

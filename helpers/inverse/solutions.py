@@ -62,19 +62,19 @@ class Solutions:
         return np.where(np.take_along_axis(allowed, best, axis=-1), chosen, np.nan)
 
 
-def follow(solver: Callable[..., Solutions], targets: ArrayLike, q0: ArrayLike) -> Array:
+def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLike) -> Array:
     """Joint vectors along a path of targets, shape (len(targets), dof), each on the branch nearest to the one before.
 
-    `solver(target, near)` is a closed form with its arm put in, as `partial(ur, UR10E)`. A free joint keeps its value. Raises
+    `solver(target, start)` is a closed form with its arm put in, as `partial(ur, UR10E)`. A free joint keeps its value. Raises
     ArmError at the first target that no branch reaches within the joint limits.
     """
     must_be_callable(solver, "solver", "a closed form with its arm put in, as partial(ur, UR10E)")
-    path, q = [], floats(q0, "q0", "joint values (dof,)")
+    path, q = [], floats(start, "start", "joint values (dof,)")
     wanted = floats(targets, "targets", "positions (n, 3) or poses (n, 4, 4)")
     if wanted.ndim not in (2, 3):
         raise ArmError(f"targets have shape {wanted.shape}; expected (n, 3) or (n, 4, 4)")
     for step, target in enumerate(wanted):
-        found = solver(target, near=q)
+        found = solver(target, start=q)
         must_be(found, Solutions, "what solver gives")
         q = found.nearest(q)
         if np.isnan(q).any():
@@ -97,7 +97,7 @@ class Found(NamedTuple):
 def each_branch(
     arm: Arm,
     targets: Array,
-    near: ArrayLike | None,
+    start: ArrayLike | None,
     branches: tuple[tuple[str, ...], ...],
     kernel: Callable[[Arm, Array, Array], Found],
 ) -> Solutions:
@@ -106,16 +106,16 @@ def each_branch(
     `branches` names the choices that a branch is made of, first to last; the kernel's arrays have one axis for each.
     `free` holds an array for each joint, by its index, that was ever chosen.
     """
-    near = np.zeros(arm.dof) if near is None else arm.joint_vector(near, "near")
-    shape = common_shape("targets and near", targets.shape[:-1], near.shape[:-1])
+    start = np.zeros(arm.dof) if start is None else arm.joint_vector(start, "start")
+    shape = common_shape("targets and start", targets.shape[:-1], start.shape[:-1])
     choices = tuple(map(len, branches))
     count, many, dof = math.prod(shape), math.prod(choices), arm.dof
-    targets, near = _columns(targets, shape), _columns(near, shape)
+    targets, start = _columns(targets, shape), _columns(start, shape)
     q, free = np.empty((*choices, dof, count)), np.zeros((*choices, dof, count), bool)
     valid, distance = np.empty((*choices, count), bool), np.empty(count)
-    for start in range(0, count, _CHUNK):
-        part = np.s_[..., start : start + _CHUNK]
-        found = kernel(arm, np.ascontiguousarray(targets[part]), near[part])
+    for first in range(0, count, _CHUNK):
+        part = np.s_[..., first : first + _CHUNK]
+        found = kernel(arm, np.ascontiguousarray(targets[part]), start[part])
         valid[part], distance[part] = found.valid, found.distance
         missing = np.where(valid[part], 0.0, np.nan)
         for joint, values in enumerate(found.q):
@@ -144,15 +144,17 @@ def _by_target(columns: NDArray, shape: tuple[int, ...], *axes: int) -> NDArray:
     return columns.reshape(math.prod(axes), -1).T.reshape((*shape, *axes))
 
 
-def positions(arm: Arm, p: ArrayLike) -> Array:
-    """`p` as positions of shape (..., 3); raises ArmError for anything else."""
-    return numbers(p, f"{arm.name}: p", "(..., 3), finite positions in m", (3,), many=True)
+def positions(arm: Arm, targets: ArrayLike) -> Array:
+    """Targets as positions of shape (..., 3); raises ArmError for anything else."""
+    return numbers(
+        targets, f"{arm.name}: targets", "(..., 3), finite positions in m", (3,), many=True
+    )
 
 
-def poses(arm: Arm, T: ArrayLike) -> Array:
-    """`T` as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN or infinity."""
+def poses(arm: Arm, targets: ArrayLike) -> Array:
+    """Targets as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN or infinity."""
     wanted = "(..., 4, 4), poses of finite numbers"
-    transforms = numbers(T, f"{arm.name}: T", wanted, (4, 4), many=True)
+    transforms = numbers(targets, f"{arm.name}: targets", wanted, (4, 4), many=True)
     return transforms.reshape(*transforms.shape[:-2], 16)
 
 
@@ -165,7 +167,7 @@ def must_be_rigid(arm: Arm, columns: Array) -> None:
     error = max(float(np.abs(gap).max(initial=0.0)) for gap in gaps)
     if error > 1e-6:
         raise ArmError(
-            f"{arm.name}: T is no rigid transform, by {error:.2g}; expected a rotation and a position over (0, 0, 0, 1)"
+            f"{arm.name}: a target is no rigid transform, by {error:.2g}; expected a rotation and a position over (0, 0, 0, 1)"
         )
 
 

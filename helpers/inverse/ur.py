@@ -37,26 +37,26 @@ Array = NDArray[np.float64]
 BRANCHES = (("front", "back"), ("q_5 > 0", "q_5 < 0"), ("elbow +", "elbow -"))
 
 
-def ur(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an arm of the UR family for poses T, shape (..., 4, 4): eight branches.
+def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of an arm of the UR family for poses `targets`, shape (..., 4, 4): eight branches.
 
     "front" and "back" are the two ways joint 1 can turn the arm's plane to the wrist, then comes the sign of the angle
     in joint 5's row, then that of the elbow's bend about z_1. Where q_5 makes axes 4 and 6 parallel, joint 6 is free: it keeps
-    its value of `near`, shape (..., 6), zeros unless given, or takes one that brings the wrist within reach. Raises ArmError
+    its value of `start`, shape (..., 6), zeros unless given, or takes one that brings the wrist within reach. Raises ArmError
     for an arm that is not R with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any) degrees and a_1 = a_4 = a_5 = 0, or for a
-    T that is no pose.
+    target that is no pose.
     """
     _must_fit(arm)
-    return each_branch(arm, poses(arm, T), near, BRANCHES, _kernel)
+    return each_branch(arm, poses(arm, targets), start, BRANCHES, _kernel)
 
 
-def _kernel(arm: Arm, columns: Array, near: Array) -> Found:
+def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
     must_be_rigid(arm, columns)
     rows, shape, tool = arm.numeric, _shape(arm), unwound(arm, columns)
-    plane = facing(rows[0], shape.offset, wrist_centre(arm, tool), near[0] + rows[0].theta)
-    wrist = _wrist(arm, shape, plane, tool, near[5])
+    plane = facing(rows[0], shape.offset, wrist_centre(arm, tool), start[0] + rows[0].theta)
+    wrist = _wrist(arm, shape, plane, tool, start[5])
     px, py = _end_of_links(arm, shape, plane.x[:, None], plane.y[:, None], wrist.ux, wrist.uy)
-    px, py, chosen = px[:, :, None], py[:, :, None], near[1] + rows[1].theta
+    px, py, chosen = px[:, :, None], py[:, :, None], start[1] + rows[1].theta
     links = two_links(rows[1].a, rows[2].a, px, py, _SIGNS, chosen)
     heading = np.arctan2(wrist.uy, wrist.ux)[:, :, None]
     q = (
@@ -102,7 +102,7 @@ class Wrist(NamedTuple):
     singular: NDArray[np.bool_]
 
 
-def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, near: Array) -> Wrist:
+def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wrist:
     """Joints 5 and 6 from the tool's axes against z_1, which is all that they can change; then x_4 follows.
 
     In the plane z_5 is x_4 times sin(phi_5), and x_5 is x_4 times cos(phi_5). Together they give x_4 with full precision
@@ -120,7 +120,7 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, near: Array) -> Wri
     c6, s6 = -scale * along[0], scale * along[1]
     phi_6 = np.arctan2(s6, c6)
     if singular.any():
-        phi_6 = np.where(singular, near + sixth.theta, phi_6)
+        phi_6 = np.where(singular, start + sixth.theta, phi_6)
         c6, s6 = np.where(singular, np.cos(phi_6), c6), np.where(singular, np.sin(phi_6), s6)
     tilt = fifth.sin_alpha * sine
     ux = tilt * zx + cosine * (c6 * xx - s6 * yx)

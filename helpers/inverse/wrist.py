@@ -33,44 +33,44 @@ from helpers.kinematics import cosines_and_sines, frame_columns
 Array = NDArray[np.float64]
 
 
-def stanford(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of a Stanford arm (RRP and a spherical wrist) for poses T, shape (..., 4, 4): eight branches.
+def stanford(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of a Stanford arm (RRP and a spherical wrist) for poses `targets`, shape (..., 4, 4): eight branches.
 
     Four place the wrist's centre, as `rod` names them, each with the wrist as it is and flipped (q_5 > 0, q_5 < 0). A rod has
     its limits, so ask `within_limits` which are real. Where q_5 = 0, joints 4 and 6 turn about one axis: joint 4 keeps its
-    value of `near`, shape (..., 6), and joint 6 follows. Raises ArmError for another table or a T that is no pose.
+    value of `start`, shape (..., 6), and joint 6 follows. Raises ArmError for another table or targets that are no poses.
     """
-    return _decoupled(arm, T, near, rod_kernel, must_have_rod, ROD_BRANCHES)
+    return _decoupled(arm, targets, start, rod_kernel, must_have_rod, ROD_BRANCHES)
 
 
-def spherical_wrist(arm: Arm, T: ArrayLike, near: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an elbow arm with a spherical wrist for poses T, shape (..., 4, 4): eight branches.
+def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
+    """All joint vectors of an elbow arm with a spherical wrist for poses `targets`, shape (..., 4, 4): eight branches.
 
     Four place the wrist's centre, as `elbow` names them, each with q_5 > 0 and with q_5 < 0. Rows 4 to 6 have alpha = (+-90,
     +-90, any) degrees, a_4 = a_5 = d_5 = 0: their axes meet in one point. Free joints as in `stanford` and `elbow`. Raises
-    ArmError for another table or a T that is no pose.
+    ArmError for another table or targets that are no poses.
     """
-    return _decoupled(arm, T, near, elbow_kernel, must_be_elbow, ELBOW_BRANCHES)
+    return _decoupled(arm, targets, start, elbow_kernel, must_be_elbow, ELBOW_BRANCHES)
 
 
-def _decoupled(arm: Arm, T: ArrayLike, near, place, must_fit, branches) -> Solutions:
+def _decoupled(arm: Arm, targets: ArrayLike, start, place, must_fit, branches) -> Solutions:
     _must_have_wrist(arm)
     shoulder = _to_centre(arm)
     must_fit(shoulder)
 
-    def kernel(arm: Arm, columns: Array, near: Array) -> Found:
+    def kernel(arm: Arm, columns: Array, start: Array) -> Found:
         must_be_rigid(arm, columns)
         tool = unwound(arm, columns)
-        placed = place(shoulder, wrist_centre(arm, tool), near[:3])
+        placed = place(shoulder, wrist_centre(arm, tool), start[:3])
         q = np.stack(np.broadcast_arrays(*placed.q))
-        turned, singular = _wrist(
-            arm, _seen_from(shoulder, q, tool.axes[:, 0], tool.axes[:, 2]), near
+        wrist, singular = _wrist(
+            arm, _seen_from(shoulder, q, tool.axes[:, 0], tool.axes[:, 2]), start
         )
         free = {joint: _both(loose) for joint, loose in placed.free.items()}
-        q = (*(_both(joint) for joint in placed.q), *turned)
+        q = (*(_both(joint) for joint in placed.q), *wrist)
         return Found(q, {**free, 3: _both(singular)}, _both(placed.valid), placed.distance)
 
-    return each_branch(arm, poses(arm, T), near, (*branches, ("q_5 > 0", "q_5 < 0")), kernel)
+    return each_branch(arm, poses(arm, targets), start, (*branches, ("q_5 > 0", "q_5 < 0")), kernel)
 
 
 def _both(values: Array) -> Array:
@@ -91,7 +91,7 @@ def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
     return [np.stack([dot(axis, v[:, None, None]) for axis in axes]) for v in vectors]
 
 
-def _wrist(arm: Arm, seen: list[Array], near: Array) -> tuple[tuple[Array, ...], Array]:
+def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...], Array]:
     """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free.
 
     Joint 6 is found after joint 4, from what its turn leaves of x_6: near a straight wrist both are uncertain, and only
@@ -101,7 +101,7 @@ def _wrist(arm: Arm, seen: list[Array], near: Array) -> tuple[tuple[Array, ...],
     s4, s5 = arm.numeric[3].sin_alpha, arm.numeric[4].sin_alpha
     sine, cosine = np.hypot(z[0], z[1]), -s4 * s5 * z[2]
     singular = sine < SINGULAR
-    chosen = near[3] + arm.numeric[3].theta
+    chosen = start[3] + arm.numeric[3].theta
     phi_4 = np.where(singular, chosen, np.arctan2(s5 * z[1], s5 * z[0]))
     c, s = cosines_and_sines(phi_4)
     ahead, aside = c * x[0] + s * x[1], c * x[1] - s * x[0]
@@ -109,11 +109,11 @@ def _wrist(arm: Arm, seen: list[Array], near: Array) -> tuple[tuple[Array, ...],
     phi_6 = np.arctan2(-s4 * s5 * aside, cosine * ahead + s4 * sine * x[2])
     flip = np.where(singular, 0.0, np.pi)
     pairs = (phi_4, phi_4 + flip), (phi_5, -phi_5), (phi_6, phi_6 + flip)
-    turned = (
+    wrist = (
         wrapped(np.stack(pair, axis=2) - row.theta)
         for pair, row in zip(pairs, arm.numeric[3:], strict=True)
     )
-    return tuple(turned), singular
+    return tuple(wrist), singular
 
 
 def _must_have_wrist(arm: Arm) -> None:

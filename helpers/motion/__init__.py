@@ -7,13 +7,14 @@ from helpers.motion.rates import (
     adaptive,
     away_from_limits,
     damped,
-    inverse,
     levenberg,
+    plain_inverse,
     pseudo_inverse,
     towards,
     with_null_space,
 )
 from helpers.motion.report import Report
+from helpers.motion.self_motions import self_motion, self_motion_directions
 from helpers.motion.tracing import METHODS, Trace, trace
 
 __all__ = [
@@ -27,9 +28,11 @@ __all__ = [
     "away_from_limits",
     "circle",
     "damped",
-    "inverse",
     "levenberg",
+    "plain_inverse",
     "pseudo_inverse",
+    "self_motion",
+    "self_motion_directions",
     "towards",
     "trace",
     "with_null_space",

@@ -19,9 +19,9 @@ class SingularError(ArmError):
     """A plain inverse was asked for where there is none."""
 
 
-def inverse(within: float = 1e-9) -> Rates:
-    """q_dot = J^-1 xi. Raises SingularError where the smallest singular value is below `within` times the largest."""
-    _not_negative(within=within)
+def plain_inverse(cutoff: float = 1e-9) -> Rates:
+    """q_dot = J^-1 xi. Raises SingularError where the smallest singular value is below `cutoff` times the largest."""
+    _not_negative(cutoff=cutoff)
 
     def rates(J: Array, twist: Array, q: Array) -> Array:
         if J.shape[0] != J.shape[1]:
@@ -35,7 +35,7 @@ def inverse(within: float = 1e-9) -> Rates:
         # A large answer costs a look at the singular values; a small one proves itself.
         if not np.abs(found).max() < 1e3 * (1e-9 + np.abs(twist).max()):
             sizes = np.linalg.svd(J, compute_uv=False)
-            if sizes[-1] <= within * sizes[0]:
+            if sizes[-1] <= cutoff * sizes[0]:
                 raise SingularError(
                     f"J has no inverse here: its smallest singular value is {size(sizes[-1])}, its largest {sizes[0]:.3g}; "
                     "use pseudo_inverse(), damped() or another start"

@@ -63,7 +63,7 @@ class Report:
         return "\n".join([f"| {self.arm} | |", "|:--|:--|", *lines])
 
 
-def report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Report:
+def run_report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Report:
     """The report of a run: q and q_dot of shape (steps + 1, dof), poses of shape (steps + 1, 4, 4)."""
     error = poses[:, :3, 3] - path.positions
     lower, upper = arm.limits

@@ -10,8 +10,8 @@ from helpers.arm import Arm
 from helpers.inputs import must_be, must_be_callable, number, one_of
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.paths import Path
-from helpers.motion.rates import Rates, SingularError, inverse
-from helpers.motion.report import Report, report
+from helpers.motion.rates import Rates, SingularError, plain_inverse
+from helpers.motion.report import Report, run_report
 
 Array = NDArray[np.float64]
 
@@ -36,12 +36,12 @@ class Trace:
     @property
     def report(self) -> Report:
         """What went well and what did not."""
-        return report(self.arm, self.path, self.q, self.q_dot, self.poses)
+        return run_report(self.arm, self.path, self.q, self.q_dot, self.poses)
 
 
 def trace(
     arm: Arm,
-    q_0: ArrayLike,
+    start: ArrayLike,
     path: Path,
     *,
     method: str = "euler",
@@ -49,16 +49,16 @@ def trace(
     gain: float = 0.0,
     jacobian: Callable[[Arm, Array], Array] = jacobian,
 ) -> Trace:
-    """Follow a path from q_0, shape (dof,), at the orientation that the tip has there.
+    """Follow a path from `start`, joints of shape (dof,), at the orientation that the tip has there.
 
     Args:
         method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact": at each step Newton's method
             moves the tip onto the path itself.
-        rates: how joint rates follow from a twist; ``inverse()`` unless given.
+        rates: how joint rates follow from a twist; ``plain_inverse()`` unless given.
         gain: feedback in 1/s: the twist gains `gain` times the errors of position and orientation.
         jacobian: the Jacobian to steer by; a wrong one shows what a mistake does.
 
-    Raises ArmError for an unknown method or a q_0 that does not fit, SingularError, with the step it happened at, where
+    Raises ArmError for an unknown method or a start that does not fit, SingularError, with the step it happened at, where
     the plain inverse does not exist. Source: Whitney (1969); feedback: Siciliano, section 3.7.
     """
     must_be(arm, Arm, "arm")
@@ -66,9 +66,9 @@ def trace(
     one_of(method, "method", METHODS)
     number(gain, "gain", "a finite number of 0 or more", least=0)
     must_be_callable(jacobian, "jacobian", "a function of an arm and q")
-    start = arm.joint_vector(q_0, "q_0", many=False)
-    rates = inverse() if rates is None else rates
-    must_be_callable(rates, "rates", "a function of J, twist and q, as inverse() makes")
+    start = arm.joint_vector(start, "start", many=False)
+    rates = plain_inverse() if rates is None else rates
+    must_be_callable(rates, "rates", "a function of J, twist and q, as plain_inverse() makes")
     held = forward_kinematics(arm, start)[:3, :3]
 
     def slope(t: float, q: Array) -> Array:

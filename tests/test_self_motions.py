@@ -1,0 +1,176 @@
+"""Self-motions against linkages and axes worked out by hand, and against finite differences."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from helpers.arm import Arm, ArmError, revolute
+from helpers.kinematics import jacobian, link_frames
+from helpers.motion import self_motion, self_motion_directions
+from helpers.motion.self_motions import _acceleration
+from helpers.robots import ARMS, ELBOW, PANDA, UR10E_HOMEWORK
+
+HOME = np.array(PANDA.home)
+IDLE = np.array([1, 0, -1, 0, 0, 0, 0])
+TURNED = HOME - np.pi / 2 * IDLE
+# Base and tip are two ends of the fourth side: a parallelogram with sides of 1 and 2 m, folded flat.
+LINKAGE = Arm("linkage", [revolute(a=1), revolute(a=2), revolute(a=1), revolute()])
+FLAT = [0, 0, np.pi, -np.pi]
+
+
+def tip(arm, q):
+    """The tip's pose as a product of the rows' matrices, typed in from the definition."""
+    T, joint = np.eye(4), iter(q)
+    for row in arm.numeric:
+        move = 0.0 if row.kind == "fixed" else next(joint)
+        theta = row.theta + (move if row.kind == "revolute" else 0.0)
+        d = row.d + (move if row.kind == "prismatic" else 0.0)
+        c, s, ca, sa = np.cos(theta), np.sin(theta), row.cos_alpha, row.sin_alpha
+        A = [[c, -s * ca, s * sa, row.a * c], [s, c * ca, -c * sa, row.a * s], [0, sa, ca, d]]
+        T = T @ np.vstack([A, [0, 0, 0, 1]])
+    return T
+
+
+@pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
+def test_the_acceleration_at_constant_rates_is_the_slope_of_J_times_the_rates(arm):
+    rng = np.random.default_rng(1)
+    q, rates = rng.uniform(-1, 1, (2, arm.dof))
+    h = 1e-5
+    ahead, behind = jacobian(arm, q + h * rates) @ rates, jacobian(arm, q - h * rates) @ rates
+    assert _acceleration(jacobian(arm, q), rates) == pytest.approx(
+        (ahead - behind) / (2 * h), abs=1e-8
+    )
+
+
+def test_the_panda_leaves_its_home_by_joints_1_and_3_alone():
+    assert self_motion_directions(PANDA, HOME) == pytest.approx(IDLE[None] / np.sqrt(2), abs=1e-12)
+
+
+def test_at_90_degrees_a_second_way_opens_by_the_levers_of_three_parallel_axes():
+    """Axes 2, 5 and 7 then lie in one plane: no turn and no speed sideways remain if their rates go as the levers below."""
+    above_2, above_5 = 0.316 + 0.0825 + 0.088, 0.088
+    idle, way = self_motion_directions(PANDA, TURNED)
+    assert idle == pytest.approx(IDLE / np.sqrt(2), abs=1e-12)
+    assert way[[3, 5]] == pytest.approx(0, abs=1e-12)
+    assert way[[4, 6]] / way[1] == pytest.approx([above_2 / above_5, above_2 / above_5 - 1])
+    assert way[0] == pytest.approx(-way[2])
+
+
+def test_only_the_two_ways_keep_the_tip_to_third_order():
+    lost = np.linalg.svd(jacobian(PANDA, TURNED))[0][:, -1]
+    start = tip(PANDA, TURNED)
+
+    def miss(direction, h):
+        there = tip(PANDA, TURNED + h * direction)
+        turn = np.cross(start[:3, :3], there[:3, :3], axis=0).sum(axis=1) / 2
+        return abs(lost @ np.r_[there[:3, 3] - start[:3, 3], turn])
+
+    idle, way = self_motion_directions(PANDA, TURNED)
+    between = (way + idle) / np.linalg.norm(way + idle)
+    assert np.log10(miss(between, 1e-2) / miss(between, 1e-3)) == pytest.approx(2, abs=0.1)
+    assert np.log10(miss(way, 1e-2) / miss(way, 1e-3)) > 2.9
+
+
+def test_a_flat_parallelogram_opens_as_one_and_as_its_crossed_twin():
+    found = self_motion_directions(LINKAGE, FLAT)
+    by_hand = np.array([[1, -1, 1, -1], [1, -3, -1, 3]])
+    assert found / found[:, :1] == pytest.approx(by_hand)
+
+
+def test_a_parallelogram_stays_one():
+    crank = self_motion(LINKAGE, FLAT, [1, -1, 1, -1], 3.0)
+    turned = crank.q - FLAT
+    assert turned == pytest.approx(turned[:, :1] * [1, -1, 1, -1], abs=1e-12)
+
+
+def test_no_joint_to_spare_no_self_motion():
+    assert self_motion_directions(ELBOW, [0.3, 0.4, -0.9]).shape == (0, 3)
+    with pytest.raises(ArmError, match="only moves the tip"):
+        self_motion(ELBOW, [0.3, 0.4, -0.9], [1, 0, 0], 1.0)
+
+
+def test_a_wrist_that_is_singular_and_still_moves():
+    """Axes 2, 3, 4 and 6 of the UR10e are parallel at q_5 = 0: a four-bar linkage."""
+    q = [0.1, 0.5, 0.9, 0.3, 0, 0.2]
+    (way,) = self_motion_directions(UR10E_HOMEWORK, q)
+    assert way[[0, 4]] == pytest.approx(0, abs=1e-12)
+    run = self_motion(UR10E_HOMEWORK, q, way, 0.5)
+    assert abs(run.q[-1, 3] - q[3]) > 0.1
+    for now in run.q[::10]:
+        assert tip(UR10E_HOMEWORK, now) == pytest.approx(tip(UR10E_HOMEWORK, q), abs=1e-12)
+
+
+def test_a_direction_that_second_order_forbids_is_left_out():
+    """A stretched planar arm of three joints that reaches its own length: the tip can only come nearer."""
+    straight = Arm("straight", [revolute(a=1), revolute(a=2), revolute(a=1), revolute()])
+    assert self_motion_directions(straight, [0, 0, 0, 0]).shape == (0, 4)
+
+
+def way_out():
+    _, way = self_motion_directions(PANDA, TURNED)
+    return self_motion(PANDA, TURNED, -way, 2.45)
+
+
+def test_the_way_out_holds_the_tip_and_the_limits_and_passes_the_known_start():
+    run = way_out()
+    lower, upper = PANDA.limits
+    assert len(run.q) == 246
+    assert (run.q > lower).all()
+    assert (run.q < upper).all()
+    for q in run.q:
+        assert tip(PANDA, q) == pytest.approx(tip(PANDA, HOME), abs=1e-12)
+    known = np.radians([-107.8, 44.5, 70.0, 81.8, 100.1, 147.4, 50.9])
+    assert np.abs(run.q - known).max(axis=1).min() < 0.01
+
+
+def test_the_steps_are_even_and_the_times_go_with_them():
+    run = way_out()
+    lengths = np.linalg.norm(np.diff(run.q, axis=0), axis=1)
+    assert lengths == pytest.approx(0.01, rel=1e-2)
+    assert np.diff(run.t) == pytest.approx(0.01 / 0.5)
+    assert run.q_dot[:-1] * 0.02 == pytest.approx(np.diff(run.q, axis=0))
+    assert run.report.position_error < 1e-12
+
+
+def test_a_finer_step_finds_the_same_curve():
+    _, way = self_motion_directions(PANDA, TURNED)
+    coarse = self_motion(PANDA, TURNED, -way, 2.0, step=0.05)
+    fine = self_motion(PANDA, TURNED, -way, 2.0, step=0.005)
+    assert coarse.q[-1] == pytest.approx(fine.q[-1], abs=2e-2)
+
+
+def test_it_ends_before_a_joint_leaves_its_range():
+    _, way = self_motion_directions(PANDA, TURNED)
+    run = self_motion(PANDA, TURNED, -way, 20.0)
+    lower, upper = PANDA.limits
+    assert len(run.q) < 600
+    assert (run.q >= lower).all()
+    assert 0 <= np.minimum(run.q[-1] - lower, upper - run.q[-1]).min() < 0.01
+
+
+def test_no_room_and_no_range():
+    tight = revolute(alpha="pi/2", d="d_1", limits=(-np.pi / 2, 1.0))
+    narrow = replace(PANDA, rows=(tight, *PANDA.rows[1:]))
+    with pytest.raises(ArmError, match="at a limit"):
+        self_motion(narrow, TURNED, -IDLE, 1.0)
+    with pytest.raises(ArmError, match="beyond the limits"):
+        self_motion(PANDA, TURNED - 2 * IDLE, IDLE, 1.0)
+
+
+def test_a_step_that_is_too_long_is_refused():
+    _, way = self_motion_directions(PANDA, TURNED)
+    with pytest.raises(ArmError, match="step"):
+        self_motion(PANDA, TURNED, way, 8.0, step=4.0)
+
+
+def test_more_freedom_than_it_can_sort_out_is_said():
+    with pytest.raises(ArmError, match="3 null directions"):
+        self_motion_directions(UR10E_HOMEWORK, np.zeros(6))
+
+
+def test_links_beyond_the_third_stand_still_while_1_and_3_counter_rotate():
+    run = self_motion(PANDA, HOME, -IDLE, np.pi / np.sqrt(2))
+    assert run.q[-1] == pytest.approx(TURNED, abs=1e-9)
+    frames = link_frames(PANDA, run.q)[:, 3:]
+    assert frames == pytest.approx(np.broadcast_to(frames[0], frames.shape), abs=1e-12)
