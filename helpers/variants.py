@@ -78,10 +78,8 @@ class Question:
 
     @property
     def markdown(self) -> str:
-        """The question with the names to answer by and, where it is not the answer, the arm's table."""
+        """The question and the names to answer by."""
         lines = [f"## {self.title}", "", self.text, "", *(part.asked for part in self.parts)]
-        if self.topic != "DH table":
-            lines += ["", self.arm._repr_markdown_()]
         return "\n".join(lines)
 
     @property
@@ -98,7 +96,8 @@ class Question:
         return f"<Question on {self.topic}: {self.arm.name}>"
 
     def _repr_markdown_(self) -> str:
-        return self.markdown
+        table = "" if self.topic == "DH table" else f"\n\n{self.arm._repr_markdown_()}"
+        return f"{self.markdown}{table}"
 
 
 @dataclass(frozen=True)
@@ -224,6 +223,8 @@ def _draw_table(arm: Arm, rng: Rng) -> dict[str, Any]:
     while True:
         rows = [_drawn_row(rng) for _ in range(4)]
         rows[-1]["alpha"] = "0"
+        if [row["kind"] for row in rows].count("prismatic") > 1:
+            continue
         along = (rng.integers(-4, 5, len(rows)) * 0.05).round(2).tolist()
         given = {"rows": rows, "along": along}
         if all(row["alpha"] != "0" or row["a"] for row in rows) and _tells_its_joints(given):
@@ -384,7 +385,9 @@ def _ask_torque(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     )
     tau = static_torque(arm, q, np.r_[force, 0, 0, 0])
     return text, (
-        Part("g", "the torques that hold the weight (N m)", "torques", gravity_torque(arm, q), 5e-3),
+        Part(
+            "g", "the torques that hold the weight (N m)", "torques", gravity_torque(arm, q), 5e-3
+        ),
         Part("tau", "the torques with the force (N m)", "torques", tau, 5e-3),
     )
 
@@ -404,9 +407,8 @@ def _ask_target(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
         for name, low, high in zip(arm.variables, *arm.limits, strict=True)
         if np.isfinite([low, high]).all()
     )
-    text = (
-        f"Find {sought} that give the tip the {asked} $= {matrix(target, _POSE_DIGITS)}$."
-        + (f" Limits: {limits}; whole turns count as the same." if limits else "")
+    text = f"Find {sought} that give the tip the {asked} $= {matrix(target, _POSE_DIGITS)}$." + (
+        f" Limits: {limits}; whole turns count as the same." if limits else ""
     )
     if solver is None:
         what = "joint values (rad; m where one slides) that give this"

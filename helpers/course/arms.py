@@ -35,7 +35,9 @@ def from_json(data: Mapping[str, Any]) -> Arm:
         name, values, home = data["name"], data["values"], tuple(data["home"])
         return Arm(name, rows, values, bodies=bodies, home=home, source=data["source"])
     except (KeyError, TypeError) as error:
-        raise ArmError(f"the stored arm lacks or mistypes {error}; expected what to_json makes") from None
+        raise ArmError(
+            f"the stored arm lacks or mistypes {error}; expected what to_json makes"
+        ) from None
 
 
 def _row_data(row: Row) -> dict[str, Any]:

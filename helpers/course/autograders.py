@@ -104,7 +104,9 @@ def run_gradescope(root: Path) -> dict[str, Any]:
     """Mark the one submission that lies under /autograder, and write results/results.json, always."""
     try:
         results = _gradescope_results(root)
-    except Exception as error:  # Gradescope shows a crash as its own failure; say it in words instead
+    except (
+        Exception
+    ) as error:  # Gradescope shows a crash as its own failure; say it in words instead
         words = f"Marking stopped ({type(error).__name__}); please tell your instructor."
         results = {"score": 0, "output": words, "tests": []}
     gradebook.write_results(root / "results", results)
@@ -163,7 +165,13 @@ def nbgrader_notebook(course: Course, sheet: Sheet) -> dict[str, Any]:
 
 
 def _marked(cell: dict[str, Any], *, locked: bool = False, **kind: Any) -> dict[str, Any]:
-    about = {"grade": False, "solution": False, "task": False, "locked": locked, "schema_version": 3}
+    about = {
+        "grade": False,
+        "solution": False,
+        "task": False,
+        "locked": locked,
+        "schema_version": 3,
+    }
     about |= {"grade_id": cell["id"], **kind}
     return {**cell, "metadata": {**cell["metadata"], "nbgrader": about}}
 

@@ -41,7 +41,9 @@ def new(
     if (out / store.FILE).exists():
         old = store.load(out)
         if (old.title, old.arm, old.topics) != (title, arm, asked):
-            raise ArmError(f"{out} holds the course {old.title!r} about {old.arm.name}; choose another folder")
+            raise ArmError(
+                f"{out} holds the course {old.title!r} about {old.arm.name}; choose another folder"
+            )
         course = replace(course, rules=old.rules, sheets=old.sheets)
     for student in _progress(roster, "sheets"):
         if student.id not in course.sheets:
@@ -59,7 +61,9 @@ def _write_sheet(course: Course, student: Student, secret: bytes, folder: Path) 
         book = sheets.notebook(sheet, course, student.id, student.name)
         store.write(folder / NOTEBOOK, sheets.notebook_text(book))
     store.write(folder / sheets.FILE, sheets.numbers_text(sheet))
-    store.write(folder / "homework.html", sheets.sheet_page(sheet, course, student.id, student.name))
+    store.write(
+        folder / "homework.html", sheets.sheet_page(sheet, course, student.id, student.name)
+    )
 
 
 def key(folder: Path, secret: bytes, student: str) -> str:
@@ -93,7 +97,9 @@ def grade(
     course = store.load(folder)
     how = best_apart() if apart is None else apart
     tasks = [
-        _Job(course, s, str(e["name"]), secret, folder / s, out / s, how, limits or Limits(), as_root)
+        _Job(
+            course, s, str(e["name"]), secret, folder / s, out / s, how, limits or Limits(), as_root
+        )
         for s, e in course.sheets.items()
     ]
     rows: dict[str, dict[str, Any]] = {}
@@ -155,7 +161,11 @@ def _progress(items: Any, what: str, total: int | None = None) -> Iterator[Any]:
         yield item
         if sys.stderr.isatty():
             done = round(30 * count / total)
-            print(f"\r[{'#' * done}{'.' * (30 - done)}] {count} of {total} {what}", end="", file=sys.stderr)
+            print(
+                f"\r[{'#' * done}{'.' * (30 - done)}] {count} of {total} {what}",
+                end="",
+                file=sys.stderr,
+            )
     if sys.stderr.isatty():
         print(file=sys.stderr)
 
@@ -183,9 +193,15 @@ def _parser() -> argparse.ArgumentParser:
     made.add_argument("--arm", required=True, help='"Panda", or my_arm.py:MINE')
     made.add_argument("--lock", type=int, action="append", default=[], metavar="JOINT")
     made.add_argument("--title", default="Homework")
-    made.add_argument("--topic", action="append", choices=variants.TOPICS, help="all that suit unless given")
-    made.add_argument("--digits", type=float, default=0.9, help="credit for right but too few digits")
-    made.add_argument("--columns", type=float, default=1.0, help="what right columns of a wrong matrix count")
+    made.add_argument(
+        "--topic", action="append", choices=variants.TOPICS, help="all that suit unless given"
+    )
+    made.add_argument(
+        "--digits", type=float, default=0.9, help="credit for right but too few digits"
+    )
+    made.add_argument(
+        "--columns", type=float, default=1.0, help="what right columns of a wrong matrix count"
+    )
     made.add_argument("--cause", action="append", default=[], metavar="CAUSE=CREDIT")
     made.add_argument("--out", type=Path, required=True)
     keyed = _command(commands, "key", _key, "print one student's key")
@@ -214,7 +230,9 @@ def _parser() -> argparse.ArgumentParser:
     source.add_argument("--secret", required=True)
     source.add_argument("--id", required=True, help="whose sheet all students get")
     source.add_argument("--out", type=Path, required=True)
-    looked = _command(commands, "look", _look, "say what the checkers find in one folder; no secret")
+    looked = _command(
+        commands, "look", _look, "say what the checkers find in one folder; no secret"
+    )
     looked.add_argument("folder", type=Path)
     room = _command(commands, "classroom", _classroom, "make a workflow file for GitHub Classroom")
     room.add_argument("--out", type=Path, required=True)
@@ -243,7 +261,9 @@ def _cause(words: str) -> tuple[str, float]:
     except ValueError:
         value = -1.0
     if not (name and 0 <= value <= 1):
-        raise ArmError(f"--cause is {words!r}; expected a cause and its credit, such as axis_of_next=0.5")
+        raise ArmError(
+            f"--cause is {words!r}; expected a cause and its credit, such as axis_of_next=0.5"
+        )
     return name, value
 
 
@@ -269,7 +289,9 @@ def _grade(given: argparse.Namespace) -> None:
         most = float(len(rows[0]) - 4)
         filled = gradebook.fill_moodle(given.moodle.read_text("utf-8-sig"), totals, most)
         store.write(given.out / "moodle.csv", filled)
-    print(f"{len(rows)} students marked, notebooks run apart by {apart}: {given.out / 'grades.csv'}")
+    print(
+        f"{len(rows)} students marked, notebooks run apart by {apart}: {given.out / 'grades.csv'}"
+    )
 
 
 def _gradescope(given: argparse.Namespace) -> None:

@@ -23,7 +23,9 @@ def feedback_page(
         lines.append(f"## {question.title}")
         for part in question.parts:
             mark = by_part[part.name]
-            lines.append(f"### `{part.name}`: {mark.credit:g}\n\n{part.what}\n\n{_quoted(mark.words)}")
+            lines.append(
+                f"### `{part.name}`: {mark.credit:g}\n\n{part.what}\n\n{_quoted(mark.words)}"
+            )
     return page("\n\n".join(lines), None, f"{course.title}: {student}")
 
 

@@ -25,7 +25,9 @@ def table(rows: Sequence[Mapping[str, Any]]) -> str:
     file = io.StringIO()
     writer = csv.DictWriter(file, list(rows[0]), lineterminator="\r\n")
     writer.writeheader()
-    writer.writerows({k: safe(v) if isinstance(v, str) else v for k, v in row.items()} for row in rows)
+    writer.writerows(
+        {k: safe(v) if isinstance(v, str) else v for k, v in row.items()} for row in rows
+    )
     return file.getvalue()
 
 
@@ -46,7 +48,9 @@ def fill_canvas(export: str, totals: Mapping[str, float], assignment: str) -> st
     head = rows[0]
     for needed in ("Student", "ID"):
         if needed not in head:
-            raise ArmError(f"the Canvas export has the columns {', '.join(head)}; expected {needed}")
+            raise ArmError(
+                f"the Canvas export has the columns {', '.join(head)}; expected {needed}"
+            )
     columns = [i for i, title in enumerate(head) if title.split(" (")[0] == assignment]
     if len(columns) != 1:
         raise ArmError(

@@ -49,7 +49,7 @@ class Ran:
 
 
 def best_apart() -> Apart:
-    """"bubblewrap" where it is installed and works, else "nothing"; a probe decides, not a version."""
+    """ "bubblewrap" where it is installed and works, else "nothing"; a probe decides, not a version."""
     if not (shutil.which("bwrap") and shutil.which("prlimit")):
         return "nothing"
     probe = ["bwrap", "--unshare-all", "--unshare-user", "--ro-bind", "/", "/", "true"]
@@ -57,7 +57,9 @@ def best_apart() -> Apart:
     return "bubblewrap" if done.returncode == 0 else "nothing"
 
 
-def run(notebook: Path, apart: Apart, limits: Limits | None = None, *, as_root: bool = False) -> Ran:
+def run(
+    notebook: Path, apart: Apart, limits: Limits | None = None, *, as_root: bool = False
+) -> Ran:
     """Execute a copy of a notebook and read the answers that its names hold at the end.
 
     Args:
@@ -104,7 +106,13 @@ def _with_last_cell(path: Path) -> dict[str, Any]:
     book = read_notebook(path)
     code = f"from helpers.course.answers import collected\nprint({_MARK!r} + collected(globals()))"
     cells = [{**c, "outputs": []} if c["cell_type"] == "code" else c for c in book["cells"]]
-    last = {"cell_type": "code", "execution_count": None, "metadata": {}, "outputs": [], "source": code}
+    last = {
+        "cell_type": "code",
+        "execution_count": None,
+        "metadata": {},
+        "outputs": [],
+        "source": code,
+    }
     kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
     return {"cells": [*cells, last], "metadata": kernel, "nbformat": 4, "nbformat_minor": 4}
 
@@ -112,7 +120,16 @@ def _with_last_cell(path: Path) -> dict[str, Any]:
 def _execute(copy: Path, apart: Apart, limits: Limits) -> bytes:
     """The executed notebook as nbconvert prints it, cut at the size limit; empty where it failed."""
     python = sys.executable
-    convert = [python, "-m", "nbconvert", "--to", "notebook", "--execute", "--allow-errors", "--stdout"]
+    convert = [
+        python,
+        "-m",
+        "nbconvert",
+        "--to",
+        "notebook",
+        "--execute",
+        "--allow-errors",
+        "--stdout",
+    ]
     convert += ["--log-level=ERROR", f"--ExecutePreprocessor.timeout={limits.cell}"]
     inside = "/in.ipynb" if apart == "bubblewrap" else str(copy)
     prefix = _bubblewrap(copy) if apart == "bubblewrap" else []
@@ -205,4 +222,6 @@ def _read(executed: bytes) -> Ran:
 
 
 def _lines(cell: Any) -> list[str]:
-    return ["".join(o.get("text", "")) for o in cell.get("outputs", []) if o.get("name") == "stdout"]
+    return [
+        "".join(o.get("text", "")) for o in cell.get("outputs", []) if o.get("name") == "stdout"
+    ]

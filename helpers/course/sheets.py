@@ -23,7 +23,12 @@ h2{break-after:avoid}@media print{body{margin:0;max-width:none}}"""
 def markdown(sheet: Sheet, course: Course, student: str, name: str) -> str:
     """The whole sheet as Markdown; a drawing stands as `![...](axes.svg)`."""
     head = f"# {course.title}\n\n{name} ({student})\n\n{_HOW}"
-    return "\n\n".join([head, *(_with_picture(q) for q in sheet.questions)])
+    return "\n\n".join([head, _arm(sheet), *(_with_picture(q) for q in sheet.questions)])
+
+
+def _arm(sheet: Sheet) -> str:
+    """The table of the arm that the questions are about, in its own section."""
+    return f"## The arm\n\n{sheet.arm._repr_markdown_()}"
 
 
 _HOW = (
@@ -41,7 +46,7 @@ def _with_picture(question: Question) -> str:
 def notebook(sheet: Sheet, course: Course, student: str, name: str) -> dict[str, Any]:
     """The sheet as a notebook, nbformat 4.5: questions, answer cells, checkers, and how to hand in."""
     cells = [_text("title", f"# {course.title}\n\n{name} ({student})\n\n{_HOW}\n\n{_NAMES}")]
-    cells.append(_code("setup", _setup(course, sheet)))
+    cells += [_text("arm", _arm(sheet)), _code("setup", _setup(sheet))]
     for number, question in enumerate(sheet.questions, 1):
         cells.append(_question_cell(f"question-{number}", question))
         cells += [_code(f"answer-{part.name}", answer_code(part)) for part in question.parts]
@@ -76,7 +81,7 @@ def answer_code(part: Part) -> str:
     return f"# {part.what}\nanswer_{part.name} = ..."
 
 
-def _setup(course: Course, sheet: Sheet) -> str:
+def _setup(sheet: Sheet) -> str:
     """The imports, and the arm of the sheet from its table."""
     lines = [
         "import numpy as np",
