@@ -1,124 +1,37 @@
 """An arm is a value: an immutable, hashable table of Denavit-Hartenberg rows.
 
-Rows follow the standard ("distal") convention of Spong, Hutchinson and Vidyasagar, *Robot Modeling and
-Control*, section 3.2: ``A = Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)``, joint *i* moving about or
-along ``z_{i-1}``. Lengths are in metres, angles in radians. Entries are symbols to read (``a_3``) with
-values to run, and exact angles (``pi/2``).
+Rows follow the standard ("distal") convention of Spong, Hutchinson and Vidyasagar, *Robot Modeling
+and Control*, section 3.2: ``A = Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha)``, joint *i* moving
+about or along ``z_{i-1}``. Lengths are in metres, angles in radians. Entries are symbols to read
+(``a_3``) with values to run, and exact angles (``pi/2``).
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, entry, evaluate, latex, names
-from helpers.inputs import ArmError, listed, must_be, numbers, one_of, shown
+from helpers.inputs import ArmError, listed, must_be, numbers, shown
+from helpers.rows import (
+    Body,
+    Joint,
+    NumericRow,
+    Row,
+    Values,
+    cos_sin,
+    fixed,
+    prismatic,
+    real,
+    revolute,
+)
 
 __all__ = ["Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"]
 
-Kind = Literal["revolute", "prismatic", "fixed"]
-_KINDS = ("revolute", "prismatic", "fixed")
-
-
-@dataclass(frozen=True)
-class Joint:
-    """What moves a row: its kind, range (rad or m), top speed (rad/s or m/s) and top effort (N m or N)."""
-
-    kind: Kind = "revolute"
-    lower: float = -math.inf
-    upper: float = math.inf
-    speed: float = math.inf
-    effort: float = math.inf
-
-    def __post_init__(self) -> None:
-        one_of(self.kind, "joint kind", _KINDS)
-        for name in ("lower", "upper", "speed", "effort"):
-            object.__setattr__(self, name, _number(getattr(self, name), f"joint {name}"))
-        if not self.lower <= self.upper:
-            raise ArmError(
-                f"joint limits are ({self.lower:g}, {self.upper:g}); expected lower <= upper"
-            )
-        if not (self.speed > 0 and self.effort > 0):
-            raise ArmError(
-                f"joint speed and effort are {self.speed:g}, {self.effort:g}; expected both > 0"
-            )
-
-
-@dataclass(frozen=True)
-class Row:
-    """One row of the table; the joint variable is added to `theta` (revolute) or to `d` (prismatic)."""
-
-    a: Entry = 0
-    alpha: Entry = 0
-    d: Entry = 0
-    theta: Entry = 0
-    joint: Joint = field(default_factory=Joint)
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.joint, Joint):
-            raise ArmError(
-                f"joint is {self.joint!r}; expected a Joint, as revolute(), prismatic() or fixed() make"
-            )
-        for name in ("a", "alpha", "d", "theta"):
-            object.__setattr__(self, name, entry(getattr(self, name), name))
-
-
-def revolute(
-    a=0, alpha=0, d=0, theta=0, *, limits=(-math.inf, math.inf), speed=math.inf, effort=math.inf
-) -> Row:
-    """A row whose joint turns by q: the row's angle is q + `theta`. Limits in rad, rad/s, N m."""
-    return Row(a, alpha, d, theta, _joint("revolute", limits, speed, effort))
-
-
-def prismatic(
-    a=0, alpha=0, d=0, theta=0, *, limits=(-math.inf, math.inf), speed=math.inf, effort=math.inf
-) -> Row:
-    """A row whose joint slides by q: the row's offset is q + `d`. Limits in m, m/s, N."""
-    return Row(a, alpha, d, theta, _joint("prismatic", limits, speed, effort))
-
-
-def _joint(kind: Kind, limits: tuple[float, float], speed: float, effort: float) -> Joint:
-    wanted = "two numbers, lower and upper"
-    if len(listed(limits, "joint limits", wanted)) != 2:
-        raise ArmError(f"joint limits are {shown(limits)}; expected {wanted}")
-    return Joint(kind, *limits, speed, effort)
-
-
-def fixed(a=0, alpha=0, d=0, theta=0) -> Row:
-    """A row that does not move: a tool, a bracket, or a locked joint."""
-    return Row(a, alpha, d, theta, Joint("fixed"))
-
-
-@dataclass(frozen=True)
-class Body:
-    """The link that moves with a row: its mass (kg) and its centre of mass (m) in that row's own frame."""
-
-    mass: Entry
-    com: tuple[Entry, Entry, Entry]
-
-    def __post_init__(self) -> None:
-        wanted = "three coordinates (x, y, z)"
-        if len(listed(self.com, "the coordinates of the centre of mass", wanted)) != 3:
-            raise ArmError(f"centre of mass is {self.com!r}; expected {wanted}")
-        object.__setattr__(self, "mass", entry(self.mass, "mass"))
-        object.__setattr__(self, "com", tuple(entry(c, "centre of mass") for c in self.com))
-
-
-class NumericRow(NamedTuple):
-    """A row with its values put in; multiples of a right angle have exact sines and cosines."""
-
-    kind: Kind
-    a: float
-    d: float
-    cos_alpha: float
-    sin_alpha: float
-    theta: float
-    cos_theta: float
-    sin_theta: float
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -128,7 +41,8 @@ class Arm:
     Args:
         name: what to call it in messages and figures.
         rows: one `Row` per link, base to tip.
-        values: a number for every symbol in the rows and bodies (m, rad, kg).
+        values: a number for every symbol in the rows and bodies (m, rad, kg), read as a dict is:
+            ``arm.values["a_3"]``.
         bodies: one `Body` per row, or none where masses are unknown.
         home: a joint vector of shape (dof,) to draw and start from; zeros unless given.
         source: where the numbers come from.
@@ -138,36 +52,33 @@ class Arm:
     """
 
     name: str
-    rows: tuple[Row, ...]
-    values: tuple[tuple[str, float], ...] = ()
-    bodies: tuple[Body, ...] = ()
-    home: tuple[float, ...] = ()
+    rows: Sequence[Row]
+    values: Mapping[str, float] = field(default_factory=dict)
+    bodies: Sequence[Body] = ()
+    home: Sequence[float] = ()
     source: str = ""
 
     def __post_init__(self) -> None:
         must_be(self.name, str, "an arm's name")
-        rows = listed(self.rows, f"{self.name}: rows", "one Row or more")
-        bodies = listed(self.bodies, f"{self.name}: bodies", "one Body for each row")
-        self._put(rows=rows, bodies=bodies)
+        self._put(
+            rows=listed(self.rows, f"{self.name}: rows", "one Row or more"),
+            bodies=listed(self.bodies, f"{self.name}: bodies", "one Body for each row"),
+            values=Values(self.values, self.name),
+        )
         if not self.rows or not all(isinstance(row, Row) for row in self.rows):
             raise ArmError(f"{self.name}: rows are {self.rows!r}; expected one Row or more")
-        values = _pairs(self.values, f"{self.name}: values")
-        self._put(values=tuple((k, _number(v, f"{self.name}: {k}")) for k, v in values))
         home = listed(self.home, f"{self.name}: the values of home", f"{self.dof} joint values")
-        home = tuple(_number(x, f"{self.name}: home") for x in home)
+        home = tuple(real(x, f"{self.name}: home") for x in home)
         self._put(home=home or (0.0,) * self.dof)
-        self._check()
-
-    def _put(self, **fields: object) -> None:
-        for name, value in fields.items():
-            object.__setattr__(self, name, value)
-
-    def _check(self) -> None:
         self._check_bodies()
         self._check_symbols()
         for formula in self._entries():
             self._check_finite(formula)
         self.joint_vector(self.home)
+
+    def _put(self, **fields: object) -> None:
+        for name, value in fields.items():
+            object.__setattr__(self, name, value)
 
     def _check_bodies(self) -> None:
         if not all(isinstance(body, Body) for body in self.bodies):
@@ -176,20 +87,23 @@ class Arm:
             )
         if self.bodies and len(self.bodies) != len(self.rows):
             raise ArmError(
-                f"{self.name}: {len(self.bodies)} bodies for {len(self.rows)} rows; expected one each"
+                f"{self.name}: {len(self.bodies)} bodies for {len(self.rows)} rows;"
+                " expected one each"
             )
 
     def _check_symbols(self) -> None:
         needed = {name for formula in self._entries() for name in names(formula)}
         if taken := sorted(needed & set(self.variables)):
             raise ArmError(
-                f"{self.name}: {taken[0]} is the variable of a joint; call the symbol something else"
+                f"{self.name}: {taken[0]} is the variable of a joint; leave it out,"
+                " for a joint's variable is added to its row by itself"
             )
-        if missing := sorted(needed - {name for name, _ in self.values}):
+        if missing := sorted(needed - set(self.values)):
             raise ArmError(
-                f"{self.name}: no value for {', '.join(missing)}; give values={{{missing[0]!r}: ...}}"
+                f"{self.name}: no value for {', '.join(missing)};"
+                f" give values={{{missing[0]!r}: ...}}"
             )
-        for name, value in self.values:
+        for name, value in self.values.items():
             if not math.isfinite(value):
                 raise ArmError(f"{self.name}: {name} is {value}; expected a finite number")
 
@@ -202,7 +116,7 @@ class Arm:
             ) from None
 
     def _entries(self) -> list[Entry]:
-        table = [e for row in self.rows for e in (row.a, row.alpha, row.d, row.theta)]
+        table = [e for row in self.rows for e in row.entries]
         return table + [e for body in self.bodies for e in (body.mass, *body.com)]
 
     # What it is
@@ -213,13 +127,19 @@ class Arm:
         return tuple(i for i, row in enumerate(self.rows, 1) if row.joint.kind != "fixed")
 
     @property
+    def locked(self) -> dict[int, float]:
+        """The joints that `lock` holds, by their numbers, and where (rad or m)."""
+        held = {i: row.joint.at for i, row in enumerate(self.rows, 1)}
+        return {i: self.number(at) for i, at in held.items() if at is not None}
+
+    @property
     def dof(self) -> int:
         """How many joints move."""
         return len(self.joints)
 
     @property
     def variables(self) -> tuple[str, ...]:
-        """The joint variables, named by row, as ``('q_1', 'q_2', 'q_4', ...)`` where joint 3 is locked."""
+        """The joint variables, named by row: ``('q_1', 'q_2', 'q_4', ...)`` with joint 3 locked."""
         return tuple(f"q_{i}" for i in self.joints)
 
     @property
@@ -228,58 +148,115 @@ class Arm:
         return np.array([self.rows[i - 1].joint.kind == "revolute" for i in self.joints], bool)
 
     @property
-    def limits(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def limits(self) -> tuple[Array, Array]:
         """Lower and upper joint limits, each of shape (dof,), in rad or m; infinite where unknown."""
         return self._joint_array("lower"), self._joint_array("upper")
 
     @property
-    def speed_limits(self) -> NDArray[np.float64]:
+    def speed_limits(self) -> Array:
         """Top joint speeds, shape (dof,), in rad/s or m/s; infinite where unknown."""
         return self._joint_array("speed")
 
     @property
-    def effort_limits(self) -> NDArray[np.float64]:
+    def effort_limits(self) -> Array:
         """Top joint torques or forces, shape (dof,), in N m or N; infinite where unknown."""
         return self._joint_array("effort")
 
-    def _joint_array(self, name: str) -> NDArray[np.float64]:
+    def _joint_array(self, name: str) -> Array:
         return np.array([getattr(self.rows[i - 1].joint, name) for i in self.joints])
 
     # The same arm, changed
 
     def with_values(self, **values: float) -> "Arm":
         """The same arm with other numbers, as in ``PANDA.with_values(a_3=0.088)``."""
-        known = dict(self.values)
-        unknown = sorted(set(values) - set(known))
+        unknown = sorted(set(values) - set(self.values))
         if unknown:
-            raise ArmError(
-                f"{self.name} has no symbol {', '.join(unknown)}; it has {', '.join(known) or 'none'}"
-            )
-        return replace(self, values={**known, **values})
+            known = ", ".join(self.values) or "none"
+            raise ArmError(f"{self.name} has no symbol {', '.join(unknown)}; it has {known}")
+        return replace(self, values={**self.values, **values})
+
+    def with_rows(self, rows: Iterable[Row], name: str | None = None) -> "Arm":
+        """An arm with this one's values and other rows, as in ``PANDA.with_rows(PANDA.rows[:3])``.
+
+        Bodies stay if there are as many rows as before, home if as many joints; else they are
+        left out. Raises ArmError for what is no row.
+        """
+        rows = listed(rows, f"{self.name}: rows", "one Row or more")
+        other = Arm(self.name if name is None else name, rows, self.values)
+        bodies = self.bodies if len(rows) == len(self.rows) else ()
+        return replace(
+            other,
+            bodies=bodies,
+            home=self.home if other.dof == self.dof else (),
+            source=self.source,
+        )
+
+    def with_row(self, number: int, **entries: Entry) -> "Arm":
+        """The same arm with entries of one row, counted from 1, changed.
+
+        As in ``PANDA.with_row(4, a=0, alpha="-pi/2")``. Raises ArmError for a row that is not there
+        and for an entry that is none of a, alpha, d and theta.
+        """
+        every = tuple(range(1, len(self.rows) + 1))
+        row = self._row(number, every, "number is {}; expected one of its rows,")
+        if unknown := sorted(set(entries) - {"a", "alpha", "d", "theta"}):
+            raise ArmError(f"{self.name}: a row has no {unknown[0]}; expected a, alpha, d or theta")
+        changed = Row(**{**_entries(row), **entries}, joint=row.joint)
+        return replace(self, rows=[changed if r is row else r for r in self.rows])
+
+    def with_bodies(self, bodies: Iterable[Body], name: str | None = None) -> "Arm":
+        """The same arm with other masses, one `Body` for each row; none takes them off."""
+        bodies = listed(bodies, f"{self.name}: bodies", "one Body for each row")
+        return replace(self, name=self.name if name is None else name, bodies=bodies)
 
     def lock(self, joint: int, at: Entry = 0) -> "Arm":
-        """The same arm with one joint, counted from 1, held `at` a value (rad or m): one variable fewer."""
-        if isinstance(joint, bool) or not isinstance(joint, int) or joint not in self.joints:
-            free = ", ".join(map(str, self.joints))
-            raise ArmError(
-                f"{self.name}: joint {joint!r} cannot be locked; its free joints are {free}"
-            )
-        row = self.rows[joint - 1]
-        value = evaluate(entry(at, "the locked value"), dict(self.values))
+        """The same arm with a joint, counted from 1, held `at` a value (rad or m): one fewer moves."""
+        row = self._row(joint, self.joints, "joint {} cannot be locked; its free joints are")
+        value = evaluate(entry(at, "the locked value"), self.values)
         if not row.joint.lower <= value <= row.joint.upper:
             raise ArmError(
                 f"{self.name}: joint {joint} locked at {value:g}; its limits are"
                 f" {row.joint.lower:g} to {row.joint.upper:g}"
             )
         moved = "theta" if row.joint.kind == "revolute" else "d"
-        locked = replace(row, **{moved: _sum(getattr(row, moved), at)}, joint=Joint("fixed"))
+        offset = {**_entries(row), moved: _sum(getattr(row, moved), at)}
+        locked = Row(**offset, joint=Joint("fixed", at=at))
         keep = [x for i, x in zip(self.joints, self.home, strict=True) if i != joint]
         rows = (*self.rows[: joint - 1], locked, *self.rows[joint:])
         return replace(self, rows=rows, home=tuple(keep))
 
+    def _row(self, number: object, known: Sequence[int], wrong: str) -> Row:
+        if isinstance(number, int | np.integer) and number in known and number is not True:
+            return self.rows[int(number) - 1]
+        listing = ", ".join(map(str, known))
+        raise ArmError(f"{self.name}: {wrong.format(shown(number))} {listing}")
+
+    def to_free(self, q: ArrayLike) -> Array:
+        """`q`, shape (..., dof), as the arm has it whose joints this one locks.
+
+        The values of the locked joints are put in at their places: shape (..., dof + locked).
+        """
+        q = self.joint_vector(q)
+        both = sorted([*self.joints, *self.locked])
+        free = np.empty((*q.shape[:-1], len(both)))
+        free[..., [both.index(i) for i in self.joints]] = q
+        for i, at in self.locked.items():
+            free[..., both.index(i)] = at
+        return free
+
+    def from_free(self, q: ArrayLike) -> Array:
+        """The values of this arm's joints, shape (..., dof), from those of the arm it was locked from.
+
+        The inverse of `to_free`; what `q` says of the locked joints is left out.
+        """
+        both = sorted([*self.joints, *self.locked])
+        wanted = f"(..., {len(both)}), one value for each of joints {', '.join(map(str, both))}"
+        free = numbers(q, f"{self.name}: q", wanted, (len(both),), many=True)
+        return free[..., [both.index(i) for i in self.joints]]
+
     # Ready to compute with
 
-    def joint_vector(self, q: ArrayLike, what: str = "q", many: bool = True) -> NDArray[np.float64]:
+    def joint_vector(self, q: ArrayLike, what: str = "q", many: bool = True) -> Array:
         """`q` as floats of shape (..., dof), or (dof,) unless `many`; `what` is its name in messages.
 
         Raises ArmError for another length, NaN or infinity.
@@ -294,16 +271,17 @@ class Arm:
         return tuple(self._numeric(row) for row in self.rows)
 
     def _numeric(self, row: Row) -> NumericRow:
-        a, alpha, d, theta = (self.number(e) for e in (row.a, row.alpha, row.d, row.theta))
+        a, alpha, d, theta = map(self.number, row.entries)
         return NumericRow(row.joint.kind, a, d, *cos_sin(alpha), theta, *cos_sin(theta))
+
+    @cached_property
+    def programs(self) -> dict:
+        """What `helpers.kinematics` has recorded of this arm."""
+        return {}
 
     def number(self, value: Entry) -> float:
         """The number that an entry of this arm's tables stands for."""
-        return evaluate(value, self._values)
-
-    @cached_property
-    def _values(self) -> Mapping[str, float]:
-        return dict(self.values)
+        return evaluate(value, self.values)
 
     # To read
 
@@ -314,48 +292,14 @@ class Arm:
     def _repr_markdown_(self) -> str:
         head = "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |\n|:-:|:-:|:-:|:-:|:-:|\n"
         lines = [_markdown(i, row) for i, row in enumerate(self.rows, 1)]
-        used = {
-            n for row in self.rows for e in (row.a, row.alpha, row.d, row.theta) for n in names(e)
-        }
-        values = ", ".join(f"${latex(k)} = {v:g}$" for k, v in self.values if k in used)
-        return (
-            head
-            + "\n".join(lines)
-            + (f"\n\n{self.name}: {values} (m)" if values else f"\n\n{self.name}")
-        )
+        used = {name for row in self.rows for e in row.entries for name in names(e)}
+        values = ", ".join(f"${latex(k)} = {v:g}$" for k, v in self.values.items() if k in used)
+        caption = f"{self.name}: {values} (m)" if values else self.name
+        return head + "\n".join(lines) + f"\n\n{caption}"
 
 
-def _pairs(values: object, what: str) -> tuple[tuple[str, object], ...]:
-    """The items of a mapping, or of pairs, from names to numbers."""
-    wanted = "a number for each symbol, as in {'a_3': 0.0825}"
-    try:
-        pairs = tuple(dict(values).items())
-    except (TypeError, ValueError):
-        raise ArmError(f"{what} are {shown(values)}; expected {wanted}") from None
-    if not all(isinstance(name, str) for name, _ in pairs):
-        raise ArmError(f"{what} are {shown(values)}; expected {wanted}")
-    return pairs
-
-
-def _number(value: object, what: str) -> float:
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        raise ArmError(f"{what} is {value!r}; expected a number") from None
-
-
-def cos_sin(angle: float) -> tuple[float, float]:
-    """Cosine and sine, exact at multiples of a right angle so that structural zeros stay zero."""
-    turns = quarter_turns(angle)
-    if turns is None:
-        return math.cos(angle), math.sin(angle)
-    return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[turns % 4]
-
-
-def quarter_turns(angle: float) -> int | None:
-    """How many right angles `angle` (rad) is, or None where it is no multiple of one."""
-    turns = angle / (math.pi / 2)
-    return round(turns) if abs(turns - round(turns)) < 1e-12 else None
+def _entries(row: Row) -> dict[str, Entry]:
+    return dict(zip(("a", "alpha", "d", "theta"), row.entries, strict=True))
 
 
 def _sum(offset: Entry, at: Entry) -> Entry:

@@ -1,25 +1,27 @@
-"""The numeric view: frames, forward kinematics and Jacobians of whole batches of joint vectors.
+"""The numeric view: frames, forward kinematics and Jacobians, of one joint vector or of whole batches.
 
-One recursion over the links serves everything. It works on component-major arrays, each entry of a
-transform being one contiguous vector over the batch, in chunks that stay in the processor's cache.
+One recursion over the links serves everything. It is written for one pose, on components, and recorded once for each
+arm (see `helpers.program`): one pose then takes microseconds, and a batch runs in contiguous rows, in chunks that
+stay in the processor's cache.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, NumericRow
+from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, one_of, whole
+from helpers.program import Program, Value, record, workspace
+from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
+Vector = Sequence[Value]
+Step = tuple[NumericRow, Value, Value, Value]  # a row, and its motion: cosine, sine, offset
+Recursion = Callable[..., Sequence[Value]]
 
-_CHUNK = 8192  # so many configurations at a time keep the recursion inside a level-2 cache
-
-# Freed, these 2 MiB teach glibc's malloc to keep as much at hand. Else every call would give the pages of its arrays
-# back to the system, and the next would wait for them longer than it computes.
-np.empty(1 << 18)
+_CACHE = 1 << 17  # so many numbers at a time, 1 MiB, stay in a level-2 cache
 
 
 def link_frames(arm: Arm, q: ArrayLike) -> Array:
@@ -29,13 +31,18 @@ def link_frames(arm: Arm, q: ArrayLike) -> Array:
     Source: Spong, Hutchinson and Vidyasagar, section 3.1.
     """
     must_be(arm, Arm, "arm")
-    return in_chunks(arm, q, (len(arm.rows) + 1, 4, 4), _fill_frames)
+    return evaluated(arm, q, _frame_entries, (len(arm.rows) + 1, 4, 4))
 
 
 def forward_kinematics(arm: Arm, q: ArrayLike) -> Array:
     """The tip's pose ${}^0T_n$ in the base frame, shape (..., 4, 4), for q of shape (..., dof)."""
     must_be(arm, Arm, "arm")
-    return in_chunks(arm, q, (4, 4), _fill_tip)
+    return evaluated(arm, q, tip_entries, (4, 4))
+
+
+def tip(arm: Arm, q: ArrayLike) -> Array:
+    """Where the tip is, shape (..., 3), in m in the base frame, for q of shape (..., dof)."""
+    return forward_kinematics(arm, q)[..., :3, 3]
 
 
 def jacobian(arm: Arm, q: ArrayLike) -> Array:
@@ -45,7 +52,7 @@ def jacobian(arm: Arm, q: ArrayLike) -> Array:
     Source: Spong, Hutchinson and Vidyasagar, section 4.6.
     """
     must_be(arm, Arm, "arm")
-    return in_chunks(arm, q, (6, arm.dof), _fill_jacobian)
+    return evaluated(arm, q, jacobian_entries, (6, arm.dof))
 
 
 def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
@@ -102,120 +109,140 @@ def skeleton(arm: Arm, T: Array) -> Array:
     return np.array(points)
 
 
-def in_chunks(arm: Arm, q: ArrayLike, shape: tuple[int, ...], fill) -> Array:
+def evaluated(
+    arm: Arm,
+    q: ArrayLike,
+    recursion: Recursion,
+    shape: tuple[int, ...],
+    given: Sequence[float] = (),
+) -> Array:
+    """What a recursion over the links gives at each q (..., dof), in the shape (..., *shape)."""
     q = arm.joint_vector(q)
+    program = recorded(arm, recursion, given)
+    if q.ndim == 1:
+        return np.array(_of_one(program, q, given)).reshape(shape)
     flat = q.reshape(math.prod(q.shape[:-1]), arm.dof)
-    out = np.zeros((len(flat), *shape))
-    for start in range(0, len(flat), _CHUNK):
-        part = slice(start, start + _CHUNK)
-        fill(arm, np.ascontiguousarray(flat[part].T), out[part])
+    out = np.empty((len(flat), len(program.places)))
+    chunk = max(1, _CACHE // (3 * arm.dof + program.rows + 1))
+    for start in range(0, len(flat), chunk):
+        part = slice(start, start + chunk)
+        out[part] = rows_of(program, flat[part].T, given).T
     return out.reshape(*q.shape[:-1], *shape)
 
 
-def _fill_frames(arm: Arm, q: Array, out: Array) -> None:
-    for i, frame in enumerate(frame_columns(arm, q)):
-        _store(frame, out[:, i])
+def recorded(arm: Arm, recursion: Recursion, given: Sequence[float] = ()) -> Program:
+    """The program of a recursion for this arm, recorded when it is first asked for; what is given as 0 stays 0."""
+    present = tuple(x != 0 for x in given)
+    if (recursion, present) not in arm.programs:
+        n = arm.dof
+
+        def compute(*terms: Value) -> Sequence[Value]:
+            steps = list(row_motions(arm, terms[:n], terms[n : 2 * n], terms[2 * n : 3 * n]))
+            rest = (x if there else 0.0 for x, there in zip(terms[3 * n :], present, strict=True))
+            return recursion(arm, steps, *rest)
+
+        arm.programs[recursion, present] = record(compute, 3 * n + len(given))
+    return arm.programs[recursion, present]
 
 
-def _fill_tip(arm: Arm, q: Array, out: Array) -> None:
-    *_, frame = frame_columns(arm, q)
-    _store(frame, out)
+def rows_of(program: Program, q: Array, given: Sequence[float] = ()) -> Array:
+    """The program's results, one row each, for joint vectors in columns (dof, batch); good until the next are asked for."""
+    n, batch = q.shape
+    if batch == 1:
+        return np.array(_of_one(program, q[:, 0], given))[:, None]
+    space = workspace(3 * n + program.rows, batch)
+    cosines, sines, values = space[: 3 * n].reshape(3, n, batch)
+    values[...] = q
+    cosines_and_sines(values, cosines, sines)
+    return program.of_rows([*space[: 3 * n], *map(np.array, given)], space[3 * n :])
 
 
-def _store(frame, out: Array) -> None:
-    for column, vector in enumerate(frame):
-        out[:, :3, column] = vector.T
-    out[:, 3, 3] = 1.0
+def _of_one(program: Program, q: Array, given: Sequence[float]) -> list[float]:
+    one = q.tolist()
+    return program.of_numbers([*map(math.cos, one), *map(math.sin, one), *one, *given])
 
 
-def _fill_jacobian(arm: Arm, q: Array, out: Array) -> None:
-    store_jacobian(arm, list(frame_columns(arm, q)), out)
+def cosines_and_sines(
+    q: Array, c: Array | None = None, s: Array | None = None
+) -> tuple[Array, Array]:
+    """Both, into c and s where given; from the half angle, to 3.4e-16: of the three only NumPy's tan is vectorised."""
+    t = np.multiply(0.5, q, out=s)
+    t = np.tan(t, out=t)
+    r = np.multiply(t, t, out=c)
+    r += 1.0
+    r = np.divide(2.0, r, out=r)
+    t *= r
+    r -= 1.0
+    return r, t
 
 
-def store_jacobian(arm: Arm, frames: list[tuple[Array, Array, Array, Array]], out: Array) -> None:
-    """Write the Jacobians (batch, 6, dof) that belong to frames as `frame_columns` gives them into zeros."""
-    tip = frames[-1][3]
-    for column, i in enumerate(arm.joints):
-        _, _, z, origin = frames[i - 1]
-        if arm.numeric[i - 1].kind == "revolute":
-            out[:, :3, column] = cross(z, tip - origin).T
-            out[:, 3:, column] = z.T
-        else:
-            out[:, :3, column] = z.T
+def row_motions(
+    arm: Arm, cosines: Sequence[Value], sines: Sequence[Value], q: Sequence[Value]
+) -> Iterator[Step]:
+    """Each row with the cosine and sine of its angle and its offset, its joint's motion put in."""
+    joint = 0
+    for row in arm.numeric:
+        c, s, d = row.cos_theta, row.sin_theta, row.d
+        if row.kind == "revolute":
+            c, s = (
+                cosines[joint] * c - sines[joint] * s,
+                sines[joint] * c + cosines[joint] * s,
+            )
+        elif row.kind == "prismatic":
+            d = q[joint] + d
+        joint += row.kind != "fixed"
+        yield row, c, s, d
 
 
-def cross(u: Array, v: Array) -> Array:
-    w = np.empty(np.broadcast_shapes(u.shape, v.shape))
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        np.subtract(u[j] * v[k], u[k] * v[j], out=w[i, ...])
-    return w
-
-
-def frame_columns(arm: Arm, q: Array) -> Iterator[tuple[Array, Array, Array, Array]]:
-    """The columns (x, y, z, origin) of each link frame in turn, each (3, batch) or, while constant, (3, 1)."""
-    x, y, z = np.eye(3)[:, :, None]
-    origin = np.zeros((3, 1))
+def frame_columns(steps: Sequence[Step]) -> Iterator[tuple[Vector, Vector, Vector, Vector]]:
+    """The columns (x, y, z, origin) of each link frame in turn."""
+    x, y, z, origin = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
     yield x, y, z, origin
-    for row, c, s, d in row_motions(arm, q):
-        x, y = c * x + s * y, c * y - s * x
-        origin = _moved(origin, d, z, row.a, x)
+    for row, c, s, d in steps:
+        x, y = mixed(c, x, s, y), mixed(c, y, -s, x)
+        origin = mixed(1.0, origin, 1.0, mixed(d, z, row.a, x))
         y, z = tilted(row, y, z)
         yield x, y, z, origin
 
 
-def row_motions(
-    arm: Arm, q: Array
-) -> Iterator[tuple[NumericRow, Array | float, Array | float, Array | float]]:
-    """Each row with the cosine and sine of its angle and its offset, its joint's motion put in."""
-    cosines, sines = cosines_and_sines(q)
-    moving = 0
-    for row in arm.numeric:
-        c, s, d = row.cos_theta, row.sin_theta, row.d
-        if row.kind == "revolute":
-            c, s = _turned(row, q[moving], cosines[moving], sines[moving])
-        elif row.kind == "prismatic":
-            d = d + q[moving]
-        moving += row.kind != "fixed"
-        yield row, c, s, d
-
-
-def cosines_and_sines(q: Array) -> tuple[Array, Array]:
-    # NumPy's tan is vectorised where its sin and cos are not: both come from the half angle, to 3.4e-16.
-    t = np.tan(0.5 * q)
-    r = 2.0 / (1.0 + t * t)
-    return r - 1.0, t * r
-
-
-def _turned(row: NumericRow, angle: Array, c: Array, s: Array) -> tuple[Array, Array]:
-    """Cosine and sine of the angle plus the row's offset, exact where the offset is a quarter turn."""
-    match (row.cos_theta, row.sin_theta):
-        case (1.0, 0.0):
-            return c, s
-        case (0.0, 1.0):
-            return -s, c
-        case (-1.0, 0.0):
-            return -c, -s
-        case (0.0, -1.0):
-            return s, -c
-    return np.cos(angle + row.theta), np.sin(angle + row.theta)
-
-
-def _moved(origin: Array, d, z: Array, a: float, x: Array) -> Array:
-    if np.ndim(d) or d:
-        origin = origin + d * z
-    return origin + a * x if a else origin
-
-
-def tilted(row: NumericRow, y: Array, z: Array) -> tuple[Array, Array]:
-    """Two components, or columns, seen after the row's turn about x."""
+def tilted(row: NumericRow, y: Vector, z: Vector) -> tuple[Vector, Vector]:
+    """Two columns seen after the row's turn about x."""
     c, s = row.cos_alpha, row.sin_alpha
-    match (c, s):
-        case (1.0, 0.0):
-            return y, z
-        case (-1.0, 0.0):
-            return -y, -z
-        case (0.0, 1.0):
-            return z, -y
-        case (0.0, -1.0):
-            return -z, y
-    return c * y + s * z, c * z - s * y
+    return mixed(c, y, s, z), mixed(c, z, -s, y)
+
+
+def mixed(a: Value, u: Vector, b: Value, v: Vector) -> Vector:
+    """a u + b v."""
+    return tuple(a * x + b * y for x, y in zip(u, v, strict=True))
+
+
+def cross(u: Vector, v: Vector) -> Vector:
+    """u x v."""
+    return tuple(u[j] * v[k] - u[k] * v[j] for j, k in ((1, 2), (2, 0), (0, 1)))
+
+
+def _frame_entries(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
+    return [x for frame in frame_columns(steps) for x in _entries(frame)]
+
+
+def tip_entries(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
+    """The 16 entries of the tip's pose, row by row."""
+    *_, frame = frame_columns(steps)
+    return _entries(frame)
+
+
+def _entries(frame: tuple[Vector, Vector, Vector, Vector]) -> list[Value]:
+    return [x for line in zip(*frame, strict=True) for x in line] + [0.0, 0.0, 0.0, 1.0]
+
+
+def jacobian_entries(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
+    """The 6 dof entries of the Jacobian, row by row."""
+    frames = list(frame_columns(steps))
+    tip, columns = frames[-1][3], []
+    for i in arm.joints:
+        _, _, z, origin = frames[i - 1]
+        if arm.numeric[i - 1].kind == "revolute":
+            columns.append((*cross(z, mixed(1.0, tip, -1.0, origin)), *z))
+        else:
+            columns.append((*z, 0.0, 0.0, 0.0))
+    return [x for line in zip(*columns, strict=True) for x in line]

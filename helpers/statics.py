@@ -5,7 +5,7 @@ Gravity is a vector in base axes, so a wall- or ceiling-mounted arm is the same 
 Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, sections 4.10 and 6.2.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, common_shape, must_be, number, numbers
-from helpers.kinematics import in_chunks, jacobian, link_frames, row_motions, tilted
+from helpers.kinematics import (
+    Step,
+    Vector,
+    evaluated,
+    frame_columns,
+    jacobian,
+    mixed,
+    tilted,
+)
+from helpers.program import Value
 
 Array = NDArray[np.float64]
 
@@ -25,10 +34,7 @@ def potential_energy(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Ar
 
     Raises ArmError where the arm has no masses or `gravity` is no vector.
     """
-    masses, coms = _bodies(arm)
-    T = link_frames(arm, q)[..., 1:, :, :]
-    centres = np.einsum("...kij,kj->...ki", T[..., :3, :3], coms) + T[..., :3, 3]
-    return -np.einsum("k,...ki,i->...", masses, centres, _vector(gravity))
+    return evaluated(arm, q, _energy, (), _lift(arm, gravity))[()]
 
 
 def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
@@ -37,27 +43,8 @@ def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Arra
     From the tip inwards, each row carries the mass M and the first moment S of the links beyond it, in its own axes; a
     turn about z_{i-1} lifts them at the rate -g . (z_{i-1} x S).
     """
-    masses, coms = _bodies(arm)
-    lift = -_vector(gravity)
-
-    def fill(arm: Arm, q: Array, out: Array) -> None:
-        steps = list(row_motions(arm, q))
-        lifts = list(_lifts(steps, lift))
-        mass, (x, y, z), column = 0.0, np.zeros(3), arm.dof
-        for (row, c, s, d), up, m, com in reversed(
-            list(zip(steps, lifts, masses, coms, strict=True))
-        ):
-            x, y, z, mass = x + m * com[0], y + m * com[1], z + m * com[2], mass + m
-            y, z = tilted(row._replace(sin_alpha=-row.sin_alpha), y, z)
-            x, z = x + mass * row.a, z + mass * d
-            column -= row.kind != "fixed"
-            if row.kind == "revolute":
-                out[:, column] = up[1] * x - up[0] * y
-            elif row.kind == "prismatic":
-                out[:, column] = mass * up[2]
-            x, y = c * x - s * y, s * x + c * y
-
-    return in_chunks(arm, q, (arm.dof,), fill)
+    lift = _lift(arm, gravity)
+    return evaluated(arm, q, _torques, (arm.dof,), lift)
 
 
 def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
@@ -73,13 +60,14 @@ def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike 
 
 def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm:
     """The arm with a mass (kg) fixed to its last link, its centre in the last frame (m): a tool, a pen, a load."""
+    _must_have_bodies(arm)
     masses, coms = _bodies(arm)
     mass = number(mass, "mass", "a finite number of kg, 0 or more", least=0)
     added = numbers(com, "com", "three finite coordinates in m", (3,))
     if not mass:
         return arm
     total = masses[-1] + mass
-    centre = (masses[-1] * coms[-1] + mass * added) / total
+    centre = (masses[-1] * np.array(coms[-1]) + mass * added) / total
     return replace(arm, bodies=(*arm.bodies[:-1], Body(float(total), tuple(map(float, centre)))))
 
 
@@ -99,24 +87,56 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
     return np.einsum("nji,nj->ni", to[:, :3, :3], world - to[:, :3, 3])
 
 
-def _lifts(steps: list, lift: Array) -> Iterator[tuple[Array, Array, Array]]:
+def _energy(arm: Arm, steps: Sequence[Step], *lift: Value) -> Sequence[Value]:
+    """Each mass times the lift of its centre."""
+    total = 0.0
+    _, *frames = frame_columns(steps)
+    for (x, y, z, origin), m, com in zip(frames, *_bodies(arm), strict=True):
+        point = mixed(1.0, mixed(com[0], x, com[1], y), 1.0, mixed(com[2], z, 1.0, origin))
+        total = total + m * sum(up * place for up, place in zip(lift, point, strict=True))
+    return [total]
+
+
+def _torques(arm: Arm, steps: Sequence[Step], *lift: Value) -> Sequence[Value]:
+    mass, (x, y, z), torques = 0.0, (0.0, 0.0, 0.0), []
+    links = zip(steps, _lifts(steps, lift), *_bodies(arm), strict=True)
+    for (row, c, s, d), up, m, com in reversed(list(links)):
+        x, y, z, mass = x + m * com[0], y + m * com[1], z + m * com[2], mass + m
+        y, z = row.cos_alpha * y - row.sin_alpha * z, row.cos_alpha * z + row.sin_alpha * y
+        x, z = x + mass * row.a, z + mass * d
+        if row.kind == "revolute":
+            torques.append(up[1] * x - up[0] * y)
+        elif row.kind == "prismatic":
+            torques.append(mass * up[2])
+        x, y = c * x - s * y, s * x + c * y
+    return torques[::-1]
+
+
+def _lifts(steps: Sequence[Step], lift: Vector) -> Iterator[Vector]:
     """What holds a mass of 1 kg up, -gravity, in the axes of each row after its turn about z and before that about x."""
     x, y, z = lift
     for row, c, s, _ in steps:
         x, y = c * x + s * y, c * y - s * x
         yield x, y, z
-        y, z = tilted(row, y, z)
+        (y,), (z,) = tilted(row, (y,), (z,))
 
 
-def _bodies(arm: Arm) -> tuple[Array, Array]:
+def _lift(arm: Arm, gravity: ArrayLike) -> list[float]:
+    """-gravity, once both are known to be in order."""
+    _must_have_bodies(arm)
+    wanted = "a vector of three finite numbers in m/s^2"
+    return (-numbers(gravity, "gravity", wanted, (3,))).tolist()
+
+
+def _must_have_bodies(arm: Arm) -> None:
     must_be(arm, Arm, "arm")
     if not arm.bodies:
         raise ArmError(
             f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows"
         )
-    masses = np.array([arm.number(body.mass) for body in arm.bodies])
-    return masses, np.array([[arm.number(c) for c in body.com] for body in arm.bodies])
 
 
-def _vector(gravity: ArrayLike) -> Array:
-    return numbers(gravity, "gravity", "a vector of three finite numbers in m/s^2", (3,))
+def _bodies(arm: Arm) -> tuple[list[float], list[list[float]]]:
+    """Masses (rows) and centres of mass (rows, 3)."""
+    masses = [arm.number(body.mass) for body in arm.bodies]
+    return masses, [[arm.number(c) for c in body.com] for body in arm.bodies]

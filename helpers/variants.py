@@ -192,8 +192,8 @@ def _generator(seed: int | str, label: str) -> Rng:
 def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
     """The arm with every value within a tenth of its own, to three decimals; one that is 0 stays."""
     factors = _generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
-    values = dict(arm.values)
-    new = {n: round(v * float(f), 3) for (n, v), f in zip(values.items(), factors, strict=True)}
+    pairs = zip(arm.values.items(), factors, strict=True)
+    new = {name: round(value * float(factor), 3) for (name, value), factor in pairs}
     return replace(arm.with_values(**new), name=f"{arm.name}, lengths of your own")
 
 
@@ -309,7 +309,7 @@ def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     q, q_dot, column = np.array(given["q"]), np.array(given["q_dot"]), int(given["column"])
     J = jacobian(arm, q)
     entries = [str(entry) for entry in symbolic.jacobian(arm)[:, column - 1]]
-    names = ", ".join(f"`{name}`" for name in (*arm.variables, *dict(arm.values)))
+    names = ", ".join(f"`{name}`" for name in (*arm.variables, *arm.values))
     text = (
         f"At $q = {matrix(q)}$ the joints move at the rates $\\dot q = {matrix(q_dot)}$."
         " How does the tip move?"
@@ -433,7 +433,10 @@ def branches_of(arm: Arm, target: Array) -> Array:
     found = solver(arm, pose_of(target)) if solver else None
     if found is None:
         raise ArmError(f"{arm.name}: the book has no closed form for it")
-    return found.q[found.within_limits]
+    lower, upper = arm.limits
+    q = found.q[found.within_limits]
+    turns = np.where(arm.turning, 2 * np.pi, 0.0)
+    return q + turns * ((q < lower - 1e-9).astype(float) - (q > upper + 1e-9))
 
 
 @dataclass(frozen=True)

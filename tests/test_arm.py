@@ -30,6 +30,38 @@ def test_variables_are_named_by_row():
     assert PANDA.lock(3).lock(7).dof == 5
 
 
+def test_values_read_as_a_dict_and_cannot_be_changed():
+    assert dict(ELBOW.values) == ELBOW.values
+    assert list(ELBOW.values) == ["d_1", "a_2", "a_3", "d"]
+    with pytest.raises(TypeError):
+        ELBOW.values["a_2"] = 1.0
+
+
+def test_joints_are_carried_to_the_free_arm_and_back():
+    locked = STANFORD.lock(3, at=0.5).lock(np.int64(1), at="pi/6")
+    assert locked.locked == {1: np.pi / 6, 3: 0.5}
+    q = joint_vectors(locked, (4,))
+    free = locked.to_free(q)
+    np.testing.assert_array_equal(free[:, [0, 2]], [[np.pi / 6, 0.5]] * 4)
+    np.testing.assert_allclose(
+        forward_kinematics(STANFORD, free), forward_kinematics(locked, q), atol=1e-15
+    )
+    np.testing.assert_array_equal(locked.from_free(free), q)
+
+
+def test_rows_are_exchanged_and_bodies_and_home_stay_where_they_fit():
+    bent = PANDA.with_row(4, alpha="pi/3")
+    assert bent.rows[3] == replace(PANDA.rows[3], alpha="pi/3")
+    assert replace(bent, rows=PANDA.rows) == PANDA
+    assert PANDA.with_rows(bent.rows, name=bent.name) == bent
+    part = PANDA.with_rows(PANDA.rows[:3], name="part")
+    assert (part.name, part.values, part.source) == ("part", PANDA.values, PANDA.source)
+    assert (part.bodies, part.home) == ((), (0, 0, 0))
+    assert PANDA.with_bodies(()) == replace(PANDA, bodies=())
+    with pytest.raises(ArmError, match="a row has no joint; expected a, alpha, d or theta"):
+        PANDA.with_row(4, joint=Joint())
+
+
 @pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
 @pytest.mark.parametrize("at", [0.0, 0.2, "pi/8"])
 def test_a_locked_joint_is_a_joint_that_stays(arm, at):
@@ -55,7 +87,7 @@ def test_a_locked_joint_leaves_the_others_at_home():
 
 def test_values_change_and_the_original_does_not():
     longer = ELBOW.with_values(a_2=1.4)
-    assert dict(ELBOW.values)["a_2"] == 0.4
+    assert ELBOW.values["a_2"] == 0.4
     q = [0.0, 0.0, 0.0]
     np.testing.assert_allclose(
         forward_kinematics(longer, q)[0, 3] - forward_kinematics(ELBOW, q)[0, 3], 1.0

@@ -21,6 +21,7 @@ from helpers import (
     arm,
     checks,
     conventions,
+    derive,
     ellipsoids,
     explorer,
     expressions,
@@ -31,6 +32,7 @@ from helpers import (
     robots,
     statics,
     symbolic,
+    urdf,
     variants,
 )
 from helpers.arm import Arm, ArmError, Body, Row, revolute
@@ -211,6 +213,15 @@ _line = ([0.0, 1.0, 2.0], any_length(3))
 _matrix = any_length(3, 2)
 _symbolic = {"None": None, "a number": 3.5, "words": "q_1", "an array": np.zeros(2)}
 
+AXES = [derive.Axis((0, 0, 0), (0, 0, 1)), derive.Axis((1, 0, 0), (0, 1, 0))]
+ROBOT = """<robot name="one"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/>
+<child link="b"/></joint></robot>"""
+LINKS = {"an unknown name": "hand", "a number": 3, "a list": ["a"]}
+URDF = dict(
+    source=(ROBOT, {"None": None, "a number": 3, "no file": "mine.urdf", "another document": "<sdf/>", "cut off": ROBOT[:-9]}),
+    base=("a", LINKS), tip=("b", LINKS), hold=({}, {"a number": 3, "an unknown joint": {"k": 0}, "words": {"j": "bent"}, "NaN": {"j": NAN}}),
+    name=("mine", {"a number": 3}),
+)  # fmt: skip
 ROW_CALL = dict(a=(0.1, ENTRIES), alpha=("pi/2", ENTRIES), d=(0, ENTRIES), theta=(0, ENTRIES))
 MOVING = dict(limits=((-1, 1), LIMITS), speed=(1, POSITIVE), effort=(1, POSITIVE))
 
@@ -223,9 +234,14 @@ CALLS = {
     ),
     "arm.Arm.with_values": Call(PANDA.with_values, a_3=(0.1, POSITIVE | {"infinity": INFINITY, "zero": "0 m", "negative": "-1 m"})),
     "arm.Arm.lock": Call(PANDA.lock, joint=(3, count(0, 8)), at=(0.1, ENTRIES | {"beyond its limits": 9, "a division by zero": "1/0", "a name": "b"})),
+    "arm.Arm.with_rows": Call(PANDA.with_rows, rows=(PANDA.rows[:2], {**no("Row"), "none": []}), name=(None, {"a number": 3})),
+    "arm.Arm.with_row": Call(PANDA.with_row, number=(3, count(0, 8)), a=(0.1, ENTRIES)),
+    "arm.Arm.with_bodies": Call(PANDA.with_bodies, bodies=(PANDA.bodies, {**no("Body"), "two": PANDA.bodies[:2]}), name=(None, {"a number": 3})),
+    "arm.Arm.to_free": Call(PANDA.lock(3).to_free, q=(PANDA.home[:6], joints(6))),
+    "arm.Arm.from_free": Call(PANDA.lock(3).from_free, q=(PANDA.home, joints(7))),
     "arm.Arm.joint_vector": Call(PANDA.joint_vector, q=_q, what=_text, many=(True, FREE)),
     "arm.Arm.number": Call(PANDA.number, value=("a_3", ENTRIES | {"an unknown name": "b", "a division by zero": "1/0"})),
-    "arm.Joint": Call(arm.Joint, kind=("revolute", NAMES), lower=(-1, {"None": None, "NaN": NAN, "words": "low"}), upper=(1, {"None": None, "NaN": NAN, "below the lower": -2}), speed=(1, POSITIVE), effort=(1, POSITIVE)),
+    "arm.Joint": Call(arm.Joint, kind=("revolute", NAMES), lower=(-1, {"None": None, "NaN": NAN, "words": "low"}), upper=(1, {"None": None, "NaN": NAN, "below the lower": -2}), speed=(1, POSITIVE), effort=(1, POSITIVE), at=(None, {"a moving joint": 0})),
     "arm.Row": Call(arm.Row, **ROW_CALL, joint=(arm.Joint(), no("Joint"))),
     "arm.Body": Call(arm.Body, mass=(1, ENTRIES), com=((0, 0, 0), {"None": None, "a number": 1, "two": (0, 0), "words": "xyz", "NaN": (0, 0, NAN)})),
     "arm.revolute": Call(arm.revolute, **ROW_CALL, **MOVING),
@@ -239,8 +255,18 @@ CALLS = {
     "conventions.standard_from_modified": Call(conventions.standard_from_modified, rows=_rows),
     "conventions.modified_from_standard": Call(conventions.modified_from_standard, rows=_rows),
     "conventions.modified_frames": Call(conventions.modified_frames, arm=_panda, q=_q),
+    "derive.Axis": Call(derive.Axis, point=((0, 0, 0), {**array(3), "None": None}), direction=((0, 0, 1), {**array(3), "all 0": (0, 0, 0)}), joint=("revolute", {**NAMES, "one that does not move": "fixed"})),
+    "derive.derive": Call(
+        derive.derive, axes=(AXES, {**no("Axis"), "none": []}), tip=(np.eye(4), {**array(4, 4), "tripled": 3 * np.eye(4)}), base=(np.eye(4), optional(array(4, 4) | {"tripled": 3 * np.eye(4)})),
+        name=("mine", {"None": None, "a number": 3}), negative=(False, FREE), tolerance=(1e-9, scalar(0, -1)),
+    ),
+    "derive.Derivation.with_bodies": Call(derive.derive(AXES, np.eye(4)).with_bodies, masses=([1.0, 2.0], {**array(2), "a negative one": [1.0, -1.0]}), centres=(np.zeros((2, 3)), array(2, 3))),
+    "urdf.read_chain": Call(urdf.read_chain, **URDF),
+    "urdf.from_urdf": Call(urdf.from_urdf, **URDF, negative=(False, FREE), tolerance=(1e-9, scalar(0, -1))),
+    "urdf.Chain.derive": Call(urdf.read_chain(ROBOT).derive, negative=(False, FREE), tolerance=(1e-9, scalar(0, -1))),
     "kinematics.link_frames": Call(kinematics.link_frames, arm=_panda, q=_q),
     "kinematics.forward_kinematics": Call(kinematics.forward_kinematics, arm=_panda, q=_q),
+    "kinematics.tip": Call(kinematics.tip, arm=_panda, q=_q),
     "kinematics.jacobian": Call(kinematics.jacobian, arm=_panda, q=_q),
     "kinematics.jacobian_in_frame": Call(kinematics.jacobian_in_frame, arm=_panda, q=_q, frame=(7, count(8))),
     "kinematics.analytic_jacobian": Call(kinematics.analytic_jacobian, arm=_panda, q=([0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7], joints(7) | {"singular angles": np.zeros(7)})),
@@ -262,6 +288,7 @@ CALLS = {
     "symbolic.with_numbers": Call(symbolic.with_numbers, arm=_panda, expression=(sp.Symbol("a_3"), _symbolic)),
     "motion.Path": Call(motion.Path, times=([0.0, 1.0], any_length(2) | {"none": [], "backwards": [1.0, 0.0]}), position=(PATH.position, FUNCTIONS), velocity=(PATH.velocity, FUNCTIONS), normal=([1, 0, 0], array(3))),
     "motion.circle": Call(motion.circle, centre=([0, 0, 0], array(3)), radius=(0.1, scalar(0, -1)), plane=("yz", PLANES | {"three letters": "xyz"}), period=(5, scalar(0, -1)), steps=(10, count(0)), phase=(0.0, scalar())),
+    "motion.circle_below": Call(motion.circle_below, arm=(SIX, ARMS), start=([0.1, 0.2, 1.4, 0.3, 1.6, 0.2], array(6)), radius=(0.1, scalar(0, -1)), plane=("zy", PLANES | {"no z": "xy"}), period=(5.0, scalar(0, -1)), steps=(4, count(0))),
     "motion.trace": Call(motion.trace, arm=(SIX, ARMS), start=([0.1, 0.2, 1.4, 0.3, 1.6, 0.2], array(6)), path=(PATH, no("Path")), method=("euler", NAMES), rates=(motion.damped(0.1), optional(FUNCTIONS)), gain=(0.0, scalar(-1)), jacobian=(kinematics.jacobian, FUNCTIONS)),
     "motion.plain_inverse": Call(motion.plain_inverse, cutoff=(1e-9, scalar(-1))),
     "motion.pseudo_inverse": Call(motion.pseudo_inverse, cutoff=(1e-9, scalar(-1))),
@@ -322,6 +349,7 @@ CALLS = {
 
 # What the helpers make and readers only read, and steps that get what their callers have checked.
 MADE = {
+    "derive.Derivation", "derive.Line", "derive.Step", "urdf.Chain",
     "arm.ArmError", "checks.BranchReport", "checks.Finding", "checks.JacobianReport", "checks.TableReport", "checks.TorqueReport",
     "checks.TraceReport", "inverse.NumericSolution", "inverse.Solutions", "motion.Report", "motion.Report.rows", "motion.SingularError", "motion.Trace",
     "motion.Rates", "variants.Answer", "variants.Variant",
@@ -329,21 +357,28 @@ MADE = {
 STEPS = {
     f"kinematics.{name}"
     for name in (
-        "in_chunks",
+        "evaluated",
+        "recorded",
+        "rows_of",
         "skeleton",
-        "store_jacobian",
         "cross",
+        "mixed",
+        "tip_entries",
+        "jacobian_entries",
         "frame_columns",
         "row_motions",
         "cosines_and_sines",
         "tilted",
     )
+} | {
+    f"program.{name}"
+    for name in ("Term", "Program", "Program.of_numbers", "Program.of_rows", "record", "workspace")
 }
 SAYS_FALSE = {
     "variants.Answer.accepts",
     "variants.Answer.read",
 }  # a student's answer is right or wrong, never an error
-DOOR = {"inputs"}  # the checks themselves
+DOOR = {"inputs", "rows", "polynomials"}  # the checks themselves, and what arm and symbolic show
 
 
 def public():
@@ -397,7 +432,7 @@ def test_every_public_function_is_in_the_table():
 
 @pytest.mark.parametrize("name", CALLS)
 def test_every_argument_is_in_the_table(name):
-    if name == "arm.Arm.with_values":
+    if name in ("arm.Arm.with_values", "arm.Arm.with_row"):
         return
     parameters = inspect.signature(PUBLIC[name]).parameters.values()
     wanted = {p.name for p in parameters if p.kind is not p.VAR_KEYWORD} - {"self"}
@@ -426,7 +461,7 @@ def test_bad_input_is_told_in_words(name, argument, bad, capsys):
 
 # How a message names what no word or shape does.
 SAID = {
-    "too long": "401 characters", "no pose": "no rigid transform, by 3", "three for two poses": "(2,) and (3,)", "many targets": "holds 2 targets",
+    "tripled": "no rigid transform, by 8", "an unknown joint": "no joint 'k'", "another document": "is a <sdf>", "cut off": "is no XML", "too long": "401 characters", "no pose": "no rigid transform, by 3", "three for two poses": "(2,) and (3,)", "many targets": "holds 2 targets",
     "another name": "no value for l", "singular angles": "theta is 0 or pi", "too few": "(6,)", "a formula": "no value for t", "negative": "-1",
 }  # fmt: skip
 
@@ -438,7 +473,7 @@ def _names_of(value, argument):
         str(value)[:60],
         str(np.shape(value)) if not _ragged(value) else argument,
     )
-    yield from ("is none", "2 bodies for 1 rows")
+    yield from ("is none", "2 bodies for 1 rows", "2 bodies for 7 rows")
     yield from ("NaN or infinity", "is nan", "is inf", "has no rows")
     if isinstance(value, Arm):
         yield value.name

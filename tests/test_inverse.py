@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
+from helpers.checks import compare_branches
 from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford, ur
 from helpers.inverse.numeric import turn_between
 from helpers.kinematics import forward_kinematics, jacobian, manipulability
@@ -310,6 +311,58 @@ def test_parallel_axes_of_a_ur_have_joint_6_free(arm, bend):
         assert found.valid.any(axis=1).all()
         assert misses(arm, found, T).max() < 1e-10
         assert (found.free[..., 5] & found.valid).any(axis=1).all()
+
+
+def test_a_stretched_ur_is_an_isolated_solution():
+    """At the homework's home the only point of joint 6's circle within reach is where it stands."""
+    T = forward_kinematics(UR10E_HOMEWORK, np.zeros(6))
+    found = ur(UR10E_HOMEWORK, T)
+    assert found.valid.all()
+    assert not found.free.any()
+    turned = UR10E_HOMEWORK.lock(6, 0.1)
+    nearest = solve(turned, T, np.zeros(5), limits=False)
+    assert not nearest.reached
+    assert max(nearest.position_error, nearest.orientation_error) > 1e-4
+    for others in (
+        np.zeros(5),
+        nearest.q,
+    ):  # the best that the other joints can do about it is 0.6 mm off
+        report = compare_branches([[*others, 0.1]], found)
+        assert not report.agrees
+        assert not report.found
+
+
+@pytest.mark.parametrize(
+    ("q", "free"),
+    [
+        ((0, 0, 1e-3, 0, 0, 0), True),  # the elbow a little bent: the circle crosses the boundary
+        (
+            (0.3, -0.7, 0, 0, 0, 0.4),
+            False,
+        ),  # d_5 in line with the stretched links, wherever they point
+        ((0.3, -0.7, 0, 0.5, 0, 0.4), True),  # stretched, but d_5 is out of line
+        (
+            (0.3, -0.7, 0, np.pi, 0, 0.4),
+            True,
+        ),  # in line, back towards the shoulder: other q_6 bend the elbow
+    ],
+)
+def test_joint_6_of_a_ur_is_free_where_its_circle_lies_within_reach(q, free):
+    T = forward_kinematics(UR10E_HOMEWORK, np.array(q, float))
+    found = ur(UR10E_HOMEWORK, T)
+    same_shoulder = found.valid & (np.abs(np.exp(1j * found.q[:, 0]) - np.exp(1j * q[0])) < 1e-5)
+    assert same_shoulder.any()
+    assert found.free[same_shoulder, 5].any() == free
+
+
+def test_a_ur_folded_inwards_is_an_isolated_solution():
+    """The farthest point of the circle just reaches the inner boundary: |a_2 - a_3| = d_5 + far."""
+    arm = UR10E_HOMEWORK.with_values(a_3=0.3)  # inner radius 0.3127, arc 0.1157
+    q = np.array([0.2, 0.4, np.pi, 0, 0, 0.3])
+    found = ur(arm, forward_kinematics(arm, q))
+    same_shoulder = found.valid & (np.abs(np.exp(1j * found.q[:, 0]) - np.exp(1j * q[0])) < 1e-5)
+    assert same_shoulder.any()
+    assert not found.free[same_shoulder, 5].any()
 
 
 @pytest.mark.parametrize(

@@ -45,7 +45,9 @@ def test_a_batch_is_its_rows(arm):
             np.testing.assert_allclose(together[index], function(arm, q[index]), atol=1e-15)
     together = analytic_jacobian(arm, q)
     for index in np.ndindex(3, 2):
-        np.testing.assert_allclose(together[index], analytic_jacobian(arm, q[index]), rtol=1e-12)
+        np.testing.assert_allclose(
+            together[index], analytic_jacobian(arm, q[index]), rtol=1e-12, atol=1e-15
+        )
 
 
 @pytest.mark.parametrize("size", [8191, 8192, 8193])

@@ -10,12 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.arm import ArmError
-from helpers.kinematics import forward_kinematics, jacobian, link_frames
+from helpers.kinematics import forward_kinematics, jacobian, link_frames, tip
 from helpers.motion import (
     SingularError,
     adaptive,
     away_from_limits,
     circle,
+    circle_below,
     damped,
     levenberg,
     plain_inverse,
@@ -60,6 +61,17 @@ def test_the_homeworks_circles_start_and_turn_as_described():
     np.testing.assert_allclose(
         ur.positions[:2], [[0, 0.3561, 1.428], [-0.1, 0.3561, 1.328]], atol=1e-15
     )
+
+
+@pytest.mark.parametrize(
+    ("plane", "aside"), [("zy", [0, 0.1]), ("yz", [0, -0.1]), ("zx", [0.1, 0]), ("xz", [-0.1, 0])]
+)
+def test_a_circle_below_begins_at_the_tip_and_hangs_down(plane, aside):
+    path = circle_below(HOMEWORK, HOMEWORK.home, 0.1, plane, 5.0, 4)
+    (x, y, z), lowest = tip(HOMEWORK, HOMEWORK.home), path.positions[2]
+    np.testing.assert_allclose(path.positions[0], [x, y, z], atol=1e-15)
+    np.testing.assert_allclose(lowest, [x, y, z - 0.2], atol=1e-15)
+    np.testing.assert_allclose(path.positions[1], [x + aside[0], y + aside[1], z - 0.1], atol=1e-15)
 
 
 @pytest.mark.parametrize(("steps", "error"), [(100, 1.318e-3), (1000, 1.275e-4), (10000, 1.271e-5)])

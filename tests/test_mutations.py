@@ -21,7 +21,7 @@ CHAPTER = "book/01_dh_tables.ipynb"
 MUTANTS = {
     "a cell's outputs emptied": (CHAPTER, r'("execution_count": )12,', r"\1null,", ["tests/test_notebooks.py"]),
     "a figure's words removed": (CHAPTER, r'"alt": "[^"]*"', '"alt": ""', ["tests/test_notebooks.py"]),
-    "a sign in the recursion": ("helpers/kinematics.py", r"c \* x \+ s \* y", "c * x - s * y", ["tests/test_kinematics.py"]),
+    "a sign in the recursion": ("helpers/kinematics.py", r"mixed\(c, x, s, y\)", "mixed(c, x, -s, y)", ["tests/test_kinematics.py"]),
     "an axis one too far": ("helpers/kinematics.py", r"frames\[i - 1\]\n", "frames[i]\n", ["tests/test_kinematics.py"]),
     "a sign in the polynomials": ("helpers/symbolic.py", r"\[s, c, zero\]", "[-s, c, zero]", ["tests/test_symbolic.py"]),
     "a digit of the Panda's table": ("helpers/robots.py", r"d_5=0\.384", "d_5=0.394", ["tests/test_kinematics.py"]),

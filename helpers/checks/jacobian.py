@@ -104,10 +104,10 @@ def _evaluated(expression, arm: Arm, q: Array) -> object:
     joints = dict(zip(arm.variables, q, strict=True))
     short = {str(s): _short_value(str(s), joints) for s in expression.free_symbols}
     known = {name: value for name, value in short.items() if value is not None}
-    result = expression.subs({**known, **joints, **dict(arm.values)})
+    result = expression.subs({**known, **joints, **arm.values})
     unknown = sorted(map(str, result.free_symbols))
     if unknown:
-        names = ", ".join([*arm.variables, *dict(arm.values)])
+        names = ", ".join([*arm.variables, *arm.values])
         raise ArmError(f"{arm.name}: no value for {', '.join(unknown)}; known are {names}")
     return result.tolist() if hasattr(result, "tolist") else result
 

@@ -55,8 +55,12 @@ def mark(sheet: Sheet, part: Part, answer: Any, rules: Rules) -> Mark:
         return _KINDS[part.kind](question, part, answer, rules)
     except ArmError as error:
         return _none(part, f"Not read: {error}")
-    except Exception as error:  # an answer may break a reader in ways nobody thought of; it costs its part only
-        return _none(part, f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet.")
+    except (
+        Exception
+    ) as error:  # an answer may break a reader in ways nobody thought of; it costs its part only
+        return _none(
+            part, f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet."
+        )
 
 
 def _none(part: Part, words: str) -> Mark:
@@ -88,7 +92,9 @@ def _credit(report: Report, rules: Rules) -> float:
         return rules.digits
     if report.grade == "so far":
         return share
-    known = [rules.causes[key] for cause in report.causes for key in _keys(cause) if key in rules.causes]
+    known = [
+        rules.causes[key] for cause in report.causes for key in _keys(cause) if key in rules.causes
+    ]
     return max([*known[:1], rules.columns * share])
 
 
@@ -164,7 +170,9 @@ def _column(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
     for row, formula in zip(J, answer, strict=True):
         (row[column],) = formula if isinstance(formula, list) else (str(formula),)
     report = compare_jacobian(J, arm)
-    return Mark(part.name, 1.0 if report.agrees else 0.0, report.headline, str(report), report.causes)
+    return Mark(
+        part.name, 1.0 if report.agrees else 0.0, report.headline, str(report), report.causes
+    )
 
 
 def _torques(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:

@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from helpers.arm import Arm, NumericRow
+from helpers.arm import Arm
+from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
 

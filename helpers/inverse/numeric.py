@@ -9,8 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import common_shape, floats, must_be, number, whole
-from helpers.inverse.solutions import dot, must_be_rigid, poses, positions
-from helpers.kinematics import cross, frame_columns, store_jacobian
+from helpers.inverse.solutions import cross, dot, must_be_rigid, poses, positions
+from helpers.kinematics import Step, jacobian_entries, recorded, rows_of, tip_entries
+from helpers.program import Value
 
 Array = NDArray[np.float64]
 
@@ -173,15 +174,18 @@ def _damped(J: Array, error: Array, damping: Array) -> Array:
 
 def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
     """Jacobians (batch, rows, dof) and what is missing to the goal (batch, rows): metres, then for poses radians."""
-    frames = list(frame_columns(arm, np.ascontiguousarray(q.T)))
-    J = np.zeros((len(q), 6, arm.dof))
-    store_jacobian(arm, frames, J)
-    x, y, z, tip = frames[-1]
+    rows = rows_of(recorded(arm, _tip_and_jacobian), q.T)
+    pose, J = rows[:16].reshape(4, 4, -1), rows[16:].T.reshape(-1, 6, arm.dof)
+    tip = pose[:3, 3]
     if goal.shape[-2] == 1:
         return J[:, :3], goal[:, 0] - tip.T
     want = np.ascontiguousarray(goal[:, :3].transpose(2, 1, 0))
-    turn = turn_between((x, y, z), want[:3])
+    turn = turn_between(pose[:3, :3].swapaxes(0, 1), want[:3])
     return J, np.concatenate([want[3] - tip, turn]).T
+
+
+def _tip_and_jacobian(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
+    return [*tip_entries(arm, steps), *jacobian_entries(arm, steps)]
 
 
 def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:

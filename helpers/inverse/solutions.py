@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError, common_shape, floats, must_be, must_be_callable, numbers
-from helpers.kinematics import cross
 
 Array = NDArray[np.float64]
 
@@ -172,6 +171,14 @@ def must_be_rigid(arm: Arm, columns: Array) -> None:
 
 
 _BOTTOM = np.array([[0.0], [0.0], [0.0], [1.0]])
+
+
+def cross(u: Array, v: Array) -> Array:
+    """Cross products of columns."""
+    w = np.empty(np.broadcast_shapes(u.shape, v.shape))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        np.subtract(u[j] * v[k], u[k] * v[j], out=w[i, ...])
+    return w
 
 
 def dot(u: Array, v: Array) -> Array:

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be
 from helpers.inverse.geometry import (
+    REACH,
     SINGULAR,
     Plane,
     Tool,
@@ -42,7 +43,8 @@ def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solution
 
     "front" and "back" are the two ways joint 1 can turn the arm's plane to the wrist, then comes the sign of the angle
     in joint 5's row, then that of the elbow's bend about z_1. Where q_5 makes axes 4 and 6 parallel, joint 6 is free: it keeps
-    its value of `start`, shape (..., 6), zeros unless given, or takes one that brings the wrist within reach. Raises ArmError
+    its value of `start`, shape (..., 6), zeros unless given, or takes one that brings the wrist within reach. Where only one
+    value does, the elbow being stretched or folded, joint 6 is not free: the solution is an isolated one. Raises ArmError
     for an arm that is not R with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any) degrees and a_1 = a_4 = a_5 = 0, or for a
     target that is no pose.
     """
@@ -68,7 +70,11 @@ def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
         shifted(wrist.phi_6, rows[5].theta)[:, :, None],
     )
     valid = plane.exists & links.exists
-    free = {0: plane.free, 1: links.free, 5: wrist.singular[:, None, None]}
+    free = {
+        0: plane.free,
+        1: links.free,
+        5: (wrist.singular & ~_isolated(arm, plane))[:, None, None],
+    }
     distance = np.where(valid.reshape(-1, valid.shape[-1]).any(axis=0), 0.0, np.nan)
     return Found(q, {joint: where for joint, where in free.items() if where.any()}, valid, distance)
 
@@ -146,6 +152,19 @@ def _end_of_links(
     """Where the two links must end, in the plane: the wrist's centre (x, y) less d_5 along z_4."""
     reach = shape.side * arm.numeric[4].d
     return x + reach * uy, y - reach * ux
+
+
+def _isolated(arm: Arm, plane: Plane) -> NDArray[np.bool_]:
+    """Whether no turn about the wrist's centre but one leaves the links within reach, (2 shoulders, batch).
+
+    The links end on a circle of radius |d_5| about the wrist's centre (x, y). It touches what they reach, r_min to r_max from
+    the shoulder, in a single point where its nearest point is r_max away, or its farthest r_min.
+    """
+    upper, fore, arc = abs(arm.numeric[1].a), abs(arm.numeric[2].a), abs(arm.numeric[4].d)
+    far = np.hypot(plane.x, plane.y)
+    nearest, farthest = np.abs(far - arc), far + arc
+    touching = (nearest >= upper + fore - 2 * REACH) | (farthest <= abs(upper - fore) + 2 * REACH)
+    return touching & (np.minimum(far, arc) > REACH)
 
 
 def _bring_within_reach(arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, sine: Array) -> None:

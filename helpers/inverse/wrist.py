@@ -4,6 +4,7 @@ Source: Pieper (1968); Spong, Hutchinson and Vidyasagar, section 5.3 (kinematic 
 """
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,7 +29,7 @@ from helpers.inverse.solutions import (
     poses,
     wrapped,
 )
-from helpers.kinematics import cosines_and_sines, frame_columns
+from helpers.kinematics import cosines_and_sines, recorded, rows_of, tip_entries
 
 Array = NDArray[np.float64]
 
@@ -78,6 +79,7 @@ def _both(values: Array) -> Array:
     return values[..., None, :]
 
 
+@lru_cache(maxsize=32)
 def _to_centre(arm: Arm) -> Arm:
     """The first three joints, their tip at the wrist's centre."""
     rows = (*arm.rows[:3], fixed(d=arm.rows[3].d))
@@ -86,8 +88,8 @@ def _to_centre(arm: Arm) -> Arm:
 
 def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
     """Vectors (3, batch) in frame 3 of each branch of q (3, 2, 2, batch), each (3, 2, 2, batch)."""
-    frame = list(frame_columns(shoulder, q.reshape(3, -1)))[3][:3]
-    axes = [axis.reshape(q.shape) for axis in frame]
+    pose = rows_of(recorded(shoulder, tip_entries), q.reshape(3, -1)).reshape(4, 4, *q.shape[1:])
+    axes = [pose[:3, i] for i in range(3)]
     return [np.stack([dot(axis, v[:, None, None]) for axis in axes]) for v in vectors]
 
 

@@ -1,6 +1,6 @@
 """Paths for the tip, resolved-rate tracing, and its report."""
 
-from helpers.motion.paths import Path, circle
+from helpers.motion.paths import Path, circle, circle_below
 from helpers.motion.rates import (
     Rates,
     SingularError,
@@ -27,6 +27,7 @@ __all__ = [
     "adaptive",
     "away_from_limits",
     "circle",
+    "circle_below",
     "damped",
     "levenberg",
     "plain_inverse",

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.inputs import ArmError, must_be_callable, number, numbers, plane_axes, whole
+from helpers.arm import Arm
+from helpers.inputs import ArmError, must_be, must_be_callable, number, numbers, plane_axes, whole
+from helpers.kinematics import tip
 
 Array = NDArray[np.float64]
 
@@ -72,3 +74,21 @@ def circle(
         return radius * rate * (np.cos(angle) * second - np.sin(angle) * first)
 
     return Path(np.linspace(0.0, period, steps + 1), position, velocity, np.cross(first, second))
+
+
+def circle_below(
+    arm: Arm, start: ArrayLike, radius: float, plane: str, period: float, steps: int
+) -> Path:
+    """The circle that begins at the tip of `arm` at `start`, shape (dof,), and hangs below it.
+
+    With z first, as in the plane "zy", the tip sets out towards +y; with z last, as in "yz", towards
+    -y. Radius in m, period in s. Raises ArmError for a plane without z, and as `circle` does.
+    """
+    must_be(arm, Arm, "arm")
+    top = tip(arm, arm.joint_vector(start, "start", many=False))
+    if 2 not in plane_axes(plane):
+        raise ArmError(
+            f"plane is {plane!r}; expected one with z, such as 'zy', to be below the tip"
+        )
+    centre = top - [0, 0, number(radius, "radius", "a finite length > 0 in m", above=0)]
+    return circle(centre, radius, plane, period, steps, 0.0 if plane[0] == "z" else np.pi / 2)

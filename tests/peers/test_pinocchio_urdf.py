@@ -1,0 +1,179 @@
+"""Every serial arm of example-robot-data, read by `from_urdf` and by Pinocchio: same motion, same Jacobian, same weight.
+
+Most of its files write a right angle with eleven digits. `from_urdf` takes that for a right angle, which moves a tip by
+up to 1e-11 m; so torques are compared to 1e-10 of the arm's largest, and to 1e-10 N m where the digits are filled up for both.
+"""
+
+import os
+import re
+import sys
+import sysconfig
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from helpers.kinematics import forward_kinematics, jacobian
+from helpers.statics import gravity_torque
+from helpers.urdf import read_chain
+
+if os.environ.get("CI") and sys.platform == "linux":
+    import pinocchio
+else:
+    pinocchio = pytest.importorskip("pinocchio", reason="Pinocchio is not installed here")
+
+ROBOTS = Path(sysconfig.get_paths()["purelib"], "cmeel.prefix/share/example-robot-data/robots")
+FINGERS = {"panda_finger_joint1": 0.03, "panda_finger_joint2": 0.01}
+
+JACO = [f"j2s6s200_joint_finger{suffix}" for suffix in ("_1", "_2", "_tip_1", "_tip_2")]
+UR = "ur_description/urdf/ur"
+
+# File, base, tip, and the joints that are held.
+ARMS = {
+    "UR3": (f"{UR}3_robot.urdf", "world", "tool0", {}),
+    "UR3, joints limited": (f"{UR}3_joint_limited_robot.urdf", "world", "ee_link", {}),
+    "UR3 with a gripper": (f"{UR}3_gripper.urdf", "world", "tool0", {}),
+    "UR5": (f"{UR}5_robot.urdf", "world", "tool0", {}),
+    "UR5, joints limited": (f"{UR}5_joint_limited_robot.urdf", "world", "ee_link", {}),
+    "UR5 with a gripper": (f"{UR}5_gripper.urdf", "world", "tool0", {}),
+    "UR10": (f"{UR}10_robot.urdf", "world", "tool0", {}),
+    "UR10, joints limited": (f"{UR}10_joint_limited_robot.urdf", "world", "ee_link", {}),
+    "Panda": ("panda_description/urdf/panda.urdf", None, "panda_hand_tcp", FINGERS),
+    "Panda's finger": (
+        "panda_description/urdf/panda_collision.urdf",
+        None,
+        "panda_leftfinger",
+        {"panda_finger_joint1": 0.03, "panda_finger_joint2": 0.01},
+    ),
+    "Jaco": ("kinova_description/robots/kinova.urdf", None, "j2s6s200_end_effector", {}),
+    "xArm7": ("xarm_description/urdf/xarm7.urdf", None, None, {}),
+    "Z1 with its gripper": ("z1_description/urdf/z1.urdf", None, None, {}),
+    "SO-100": ("so_arm_description/urdf/so100.urdf", None, None, {}),
+    "SO-101": ("so_arm_description/urdf/so101.urdf", None, "moving_jaw_so101_v1_link", {}),
+    "two joints": ("asr_twodof_description/urdf/TwoDofs.urdf", None, None, {}),
+    "double pendulum": ("double_pendulum_description/urdf/double_pendulum.urdf", None, None, {}),
+    "simple double pendulum": (
+        "double_pendulum_description/urdf/double_pendulum_simple.urdf", None, None, {},
+    ),
+    "continuous double pendulum": (
+        "double_pendulum_description/urdf/double_pendulum_continuous.urdf", None, None, {},
+    ),
+    "finger": ("finger_edu_description/robots/finger_edu.urdf", None, None, {}),
+    "flying arm of five joints": (
+        "hextilt_description/urdf/hextilt_flying_arm_5.urdf", None, None, {},
+    ),
+    "flying arm of two joints": (
+        "borinot_description/urdf/borinot_flying_arm_2.urdf", None, None, {},
+    ),
+}  # fmt: skip
+
+# Arms on robots that have more than one chain: everything else is held at 0, or at its nearest limit.
+LIMBS = {
+    "Talos": ("talos_data/robots/talos_reduced.urdf", "base_link", "gripper_left_base_link"),
+    "Tiago": ("tiago_description/robots/tiago_no_hand.urdf", "base_footprint", "arm_tool_link"),
+    "Baxter": ("baxter_description/urdf/baxter.urdf", "base", "left_gripper"),
+    "PR2": ("pr2_description/urdf/pr2.urdf", "base_footprint", "r_gripper_tool_frame"),
+    "Z1 on a dog": ("b1_description/urdf/b1-z1.urdf", "base", "gripperStator"),
+    "Jaco on a dog": ("anymal_b_simple_description/robots/anymal-kinova.urdf", "base", "j2s6s200_end_effector"),
+    "iCub": ("icub_description/robots/icub_reduced.urdf", "base_link", "l_hand"),
+    "G1": ("g1_description/urdf/g1_29dof_rev_1_0.urdf", "pelvis", "left_rubber_hand"),
+}  # fmt: skip
+
+
+def peers(text, hold):
+    """Pinocchio's model of the arm, its other joints held."""
+    model = pinocchio.buildModelFromXML(text)
+    start = pinocchio.neutral(model)
+    for name, value in hold.items():
+        if value:  # a continuous joint has two coordinates, and is held at 0
+            start[model.joints[model.getJointId(name)].idx_q] = value
+    if hold:
+        model = pinocchio.buildReducedModel(model, [model.getJointId(n) for n in hold], start)
+    return model, model.createData()
+
+
+def frame_of(model, link):
+    return model.getFrameId(link, pinocchio.FrameType.BODY)
+
+
+def compared(text, base, tip, hold):
+    """The largest differences of pose, Jacobian and torque over random poses, and the largest torque."""
+    chain = read_chain(text, base, tip, hold=hold)
+    arm = chain.derive().arm
+    model, data = peers(text, hold)
+    rng, worst = np.random.default_rng(15), np.zeros(4)
+    for q in rng.uniform(-3, 3, (40, arm.dof)):
+        T, J, g = theirs(model, data, chain, q)
+        ours = forward_kinematics(arm, q), jacobian(arm, q), gravity_torque(arm, q)
+        off = [abs(a - b).max() for a, b in zip(ours, (T, J, g), strict=True)]
+        worst = np.maximum(worst, [*off, abs(g).max()])
+    return worst
+
+
+def theirs(model, data, chain, q):
+    """Pinocchio's pose, Jacobian and torques of the chain at q, in the axes of the chain's base."""
+    full, columns = pinocchio.neutral(model), []
+    for name, value in zip(chain.joints, q, strict=True):
+        joint = model.joints[model.getJointId(name)]
+        angle = [value] if joint.nq == 1 else [np.cos(value), np.sin(value)]
+        full[joint.idx_q : joint.idx_q + joint.nq] = angle
+        columns.append(joint.idx_v)
+    pinocchio.framesForwardKinematics(model, data, full)
+    base, tip = (data.oMf[frame_of(model, link)].homogeneous for link in (chain.base, chain.tip))
+    assert np.array_equal(base, np.eye(4)), "torques are compared under gravity along the base's z"
+    axes = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
+    J = pinocchio.computeFrameJacobian(model, data, full, frame_of(model, chain.tip), axes)
+    g = pinocchio.computeGeneralizedGravity(model, data, full)
+    return tip, J.reshape(6, -1)[:, columns], g[columns]
+
+
+def filled_up(text):
+    """A right angle, or two, written with five digits or more, in full."""
+    for angle, short in ((np.pi / 2, "1.5708"), (np.pi, "3.1416")):
+        text = re.sub(rf"{short}\b|{str(angle)[:8]}\d*", repr(float(angle)), text)
+    return text
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_serial_arms(name):
+    file, base, tip, hold = ARMS[name]
+    pose, J, torque, largest = compared((ROBOTS / file).read_text(), base, tip, hold)
+    assert pose < 1e-10
+    assert J < 1e-10
+    assert torque < 1e-10 * max(1, largest)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_torques_to_1e_10_where_right_angles_are_written_in_full(name):
+    file, base, tip, hold = ARMS[name]
+    worst = compared(filled_up((ROBOTS / file).read_text()), base, tip, hold)
+    assert max(worst[:3]) < 1e-10
+
+
+@pytest.mark.parametrize("name", LIMBS)
+def test_arms_of_larger_robots(name):
+    file, base, tip = LIMBS[name]
+    text = (ROBOTS / file).read_text()
+    model = pinocchio.buildModelFromXML(text)
+    chain = set(model.supports[model.frames[frame_of(model, tip)].parentJoint])
+    others = [model.joints[k] for k in range(1, model.njoints) if k not in chain]
+    hold = {model.names[joint.id]: nearest_to_zero(model, joint) for joint in others}
+    pose, J, torque, largest = compared(text, base, tip, hold)
+    assert pose < 1e-10
+    assert J < 1e-10
+    assert torque < 1e-10 * max(1, largest)
+
+
+def nearest_to_zero(model, joint):
+    """The allowed value nearest to 0, for joints of one coordinate."""
+    if joint.nq > 1:
+        return 0.0
+    limits = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
+    return float(np.clip(0, *limits))
+
+
+@pytest.mark.parametrize("name", ["UR5", "Panda", "Jaco", "xArm7", "Z1 with its gripper"])
+def test_there_is_a_weight_to_compare(name):
+    """So that nothing is compared with nothing."""
+    file, base, tip, hold = ARMS[name]
+    assert compared((ROBOTS / file).read_text(), base, tip, hold)[3] > 1

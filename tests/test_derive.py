@@ -1,0 +1,314 @@
+"""Tables out of joint axes, against the product of exponentials, which knows nothing of tables."""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from helpers.arm import Joint, fixed, revolute
+from helpers.derive import Axis, derive
+from helpers.kinematics import forward_kinematics, jacobian, link_frames
+from helpers.statics import gravity_torque
+
+X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
+RIGHT = math.pi / 2
+
+# The homework's arms at q = 0, read off their pictures: points and directions typed by hand.
+UR10E = [
+    Axis((0, 0, 0), Z),
+    Axis((0, 0, 0.128), Y),
+    Axis((0, 0, 0.7407), (0, -1, 0)),
+    Axis((0, 0, 1.3123), Y),
+    Axis((0, 0.1639, 1.3123), Z),
+    Axis((0, 0.1639, 1.428), Y),
+]
+UR10E_TIP = np.array([[1, 0, 0, 0], [0, 0, 1, 0.3561], [0, -1, 0, 1.428], [0, 0, 0, 1]])
+PANDA = [  # the maker's zero pose, in which his table is written
+    Axis((0, 0, 0), Z),
+    Axis((0, 0, 0.333), Y),
+    Axis((0, 0, 0), Z),
+    Axis((0.0825, 0, 0.649), (0, -1, 0)),
+    Axis((0, 0, 0), Z),
+    Axis((0, 0, 1.033), (0, -1, 0)),
+    Axis((0.088, 0, 0), (0, 0, -1)),
+]
+PANDA_FLANGE = np.array([[1, 0, 0, 0.088], [0, -1, 0, 0], [0, 0, -1, 0.926], [0, 0, 0, 1]])
+
+
+def entries(arm):
+    """The table as numbers: (a, alpha, d, theta) for each row."""
+    return [[arm.number(e) for e in (row.a, row.alpha, row.d, row.theta)] for row in arm.rows]
+
+
+def moved(axis, q):
+    """The motion of space by a joint, 4x4, by the matrix exponential of its twist."""
+    z, p, T = np.array(axis.direction), np.array(axis.point), np.eye(4)
+    if axis.joint.kind == "prismatic":
+        T[:3, 3] = q * z
+        return T
+    K = np.array([[0, -z[2], z[1]], [z[2], 0, -z[0]], [-z[1], z[0], 0]])
+    T[:3, :3] = np.eye(3) + math.sin(q) * K + (1 - math.cos(q)) * K @ K
+    T[:3, 3] = p - T[:3, :3] @ p
+    return T
+
+
+def exponentials(axes, tip, q):
+    """The tip's pose: the joints' motions one after the other, then the drawn pose."""
+    T = np.eye(4)
+    for axis, value in zip(axes, q, strict=True):
+        T = T @ moved(axis, value)
+    return T @ tip
+
+
+def random_pose(rng):
+    R = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = R * np.linalg.det(R), rng.normal(size=3)
+    return T
+
+
+def some_axes(rng, n):
+    """Axes with every relation to the one before: skew, meeting, parallel, one line, either way round."""
+    axes = [Axis(tuple(rng.normal(size=3)), tuple(rng.normal(size=3)))]
+    while len(axes) < n:
+        p, z = np.array(axes[-1].point), np.array(axes[-1].direction)
+        kind = rng.integers(5)
+        if kind == 0:
+            p, z = rng.normal(size=3), rng.normal(size=3)
+        elif kind == 1:
+            p, z = p + rng.normal() * z, rng.normal(size=3)
+        elif kind == 2:
+            p, z = rng.normal(size=3), z * rng.choice([-1, 1])
+        elif kind == 3:
+            p, z = p + rng.normal() * z, z * rng.choice([-1, 1])
+        else:
+            across = np.cross(z, rng.normal(size=3))
+            p, z = rng.normal(size=3), across
+        axes.append(Axis(tuple(p), tuple(z), rng.choice(["revolute", "revolute", "prismatic"])))
+    return axes
+
+
+@pytest.mark.parametrize("negative", [False, True])
+@pytest.mark.parametrize("seed", range(60))
+def test_every_arm_moves_as_its_axes_do(seed, negative):
+    rng = np.random.default_rng(seed)
+    axes, tip, base = some_axes(rng, rng.integers(1, 8)), random_pose(rng), random_pose(rng)
+    found = derive(axes, tip, base, negative=negative)
+    poses = rng.uniform(-3, 3, (5, len(axes)))
+    theirs = [np.linalg.inv(base) @ exponentials(axes, tip, q) for q in poses]
+    np.testing.assert_allclose(forward_kinematics(found.arm, poses), theirs, atol=1e-10)
+    assert found.deviation < 1e-10
+    assert len(axes) <= len(found.arm.rows) <= len(axes) + 2
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_each_row_is_what_it_says(seed):
+    """The frames, the feet of the normals and the four numbers of each step belong together."""
+    rng = np.random.default_rng(seed)
+    found = derive(some_axes(rng, 6), random_pose(rng))
+    frames = link_frames(found.arm, np.zeros(6))
+    np.testing.assert_allclose(found.frames, frames, atol=1e-9)
+    for step, (before, after) in zip(found.steps, pairwise(frames), strict=True):
+        start, end = step.normal
+        for frame, foot in ((before, start), (after, end)):
+            np.testing.assert_allclose(np.cross(foot - frame[:3, 3], frame[:3, 2]), 0, atol=1e-8)
+        np.testing.assert_allclose((end - start) @ before[:3, 2], 0, atol=1e-8)
+        np.testing.assert_allclose((end - start) @ after[:3, 2], 0, atol=1e-8)
+        np.testing.assert_allclose(end - start, step.a * after[:3, 0], atol=1e-8)
+        assert step.a >= 0
+        assert (step.case in ("skew", "parallel")) == (step.a > 0)
+        assert -math.pi < step.theta <= math.pi
+        assert -math.pi < step.alpha <= math.pi
+
+
+def test_the_homework_s_ur10e():
+    table = [
+        [0, -RIGHT, 0.128, 0],
+        [0.6127, math.pi, 0, -RIGHT],
+        [0.5716, math.pi, 0, 0],
+        [0, RIGHT, 0.1639, RIGHT],
+        [0, -RIGHT, 0.1157, 0],
+        [0, 0, 0.1922, 0],
+    ]
+    assert entries(derive(UR10E, UR10E_TIP).arm) == table
+
+
+def test_the_panda_as_its_maker_writes_it():
+    """The published table is a modified one, and has a_4 = -0.0825."""
+    found = derive(PANDA, PANDA_FLANGE, negative=True)
+    table = [
+        revolute(d="d_1"),
+        revolute(alpha="-pi/2"),
+        revolute(alpha="pi/2", d="d_3"),
+        revolute(a="a_3", alpha="pi/2"),
+        revolute(a="-a_4", alpha="-pi/2", d="d_5"),
+        revolute(alpha="pi/2"),
+        revolute(a="a_6", alpha="pi/2", d="d_7"),
+    ]
+    assert list(found.modified_rows) == table
+    lengths = dict(d_1=0.333, d_3=0.316, a_3=0.0825, a_4=0.0825, d_5=0.384, a_6=0.088, d_7=0.107)
+    assert dict(found.arm.values) == lengths
+
+
+def test_lengths_are_positive_unless_asked():
+    rows = entries(derive(PANDA, PANDA_FLANGE).arm)
+    assert [row[0] for row in rows] == [0, 0, 0.0825, 0.0825, 0, 0.088, 0]
+    assert rows[3][3] == math.pi
+
+
+def test_the_words_of_each_case():
+    steps = derive(UR10E, UR10E_TIP).steps
+    assert [step.case for step in steps] == [
+        "intersecting", "parallel", "parallel", "intersecting", "intersecting", "coincident",
+    ]  # fmt: skip
+    assert [step.opposite for step in steps] == [False, True, True, False, False, False]
+    assert "Joint 2 turns about z_1. z_2 is laid on the axis of joint 3." in steps[1].words
+    assert "level with o_1, which makes d_2 = 0" in steps[1].words
+    assert "z_2 points against z_1" in steps[1].words
+    assert "a_2 = 0.6127 m, alpha_2 = 180°, d_2 = 0, theta_2 = q_2 - 90°." in steps[1].words
+    assert "It meets z_3 in o_4, so a_4 = 0" in steps[3].words
+    assert "the same line as z_5" in steps[5].words
+    skew = derive(PANDA, PANDA_FLANGE, negative=True).steps
+    assert "from z_2 to z_3, and o_3" in skew[2].words
+    assert "but the other way round" in skew[3].words
+
+
+def test_a_base_that_is_not_on_the_first_axis():
+    found = derive([Axis((1, 0, 0), X)], np.eye(4))
+    assert found.arm.rows[0].joint.kind == "fixed"
+    assert found.arm.variables == ("q_2",)
+    assert "the base frame to the first axis" in found.steps[0].words
+    assert "the last common normal to the tip" not in found.steps[0].words
+
+
+def test_a_base_in_the_drawing():
+    base = np.array([[0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 1, 0.4], [0, 0, 0, 1]])
+    found = derive([Axis((0.2, 0.3, 9), Z)], base, base)
+    assert entries(found.arm) == [[0, 0, 0, 0]]
+
+
+def test_a_tip_that_is_only_a_point():
+    """The elbow arm of two links: the last frame keeps the direction of z."""
+    found = derive([Axis((0, 0, 0), Z), Axis((0.4, 0, 0), Z)], (0.4, 0.3, 0))
+    assert entries(found.arm) == [[0.4, 0, 0, 0], [0.3, 0, 0, RIGHT]]
+    on_axis = derive([Axis((0, 0, 0), Z)], (0, 0, 0.5))
+    assert entries(on_axis.arm) == [[0, 0, 0.5, 0]]
+
+
+def test_a_tip_turned_about_the_last_axis_costs_a_row():
+    found = derive(
+        [Axis((0, 0, 0), Z)], [[0, -1, 0, 1], [1, 0, 0, 0], [0, 0, 1, 0.2], [0, 0, 0, 1]]
+    )
+    assert entries(found.arm) == [[1, 0, 0.2, 0], [0, 0, 0, RIGHT]]
+    assert found.arm.rows[1].joint.kind == "fixed"
+    assert "the last common normal to the tip" in found.steps[1].words
+
+
+def test_a_slide_without_a_place_runs_through_the_next_axis():
+    """The Stanford arm: its boom passes the shoulder at d_2."""
+    wrist = (0, 0.154, 0.5)
+    axes = [Axis((0, 0, 0), Z), Axis((0, 0, 0), Y), Axis(None, Z, "prismatic")]
+    axes += [Axis(wrist, Z), Axis(wrist, Y), Axis(wrist, Z)]
+    found = derive(axes, [[1, 0, 0, 0], [0, 1, 0, 0.154], [0, 0, 1, 0.763], [0, 0, 0, 1]])
+    table = [
+        [0, -RIGHT, 0, 0],
+        [0, RIGHT, 0.154, 0],
+        [0, 0, 0, 0],
+        [0, -RIGHT, 0.5, 0],
+        [0, RIGHT, 0, 0],
+        [0, 0, 0.263, 0],
+    ]
+    assert entries(found.arm) == table
+    assert "a slide has no place of its own" in found.steps[1].words
+    assert "through what comes after it" in found.steps[1].words
+    assert "d_3 = q_3," in found.steps[2].words
+
+
+def test_where_nothing_follows_a_slide_runs_through_the_tip():
+    found = derive([Axis((0, 0, 0), Z), Axis(None, X, "prismatic")], (0.5, 0, 0.2))
+    assert found.deviation < 1e-15
+    np.testing.assert_allclose(found.lines[1].point, (0.5, 0, 0.2))
+
+
+def test_nearly_parallel_axes_are_kept_or_taken_for_parallel():
+    """A tilt of 1e-5 puts the common normal kilometres away; a tolerance above it does not, and says what it costs."""
+    axes = [Axis((0, 0, 0), Z), Axis((0.3, 0.1, 0), (0, 1e-5, 1))]
+    exact, flat = derive(axes, (0.5, 0, 0)), derive(axes, (0.5, 0, 0), tolerance=1e-4)
+    assert exact.steps[0].d == pytest.approx(-1e4)
+    assert exact.deviation < 1e-9
+    assert "a tolerance above 1e-05 takes them for parallel" in exact.steps[0].words
+    assert flat.steps[0].d == 0
+    assert flat.deviation == pytest.approx(1e-5, rel=1e-3)
+
+
+def test_right_angles_typed_with_few_digits():
+    """Right within a hundredth of the tolerance, else a letter with the value that was typed."""
+    axes = [Axis((0, 0, 0), Z), Axis((0, 0, 0.2), (0, -math.sin(1.5708), math.cos(1.5708)))]
+    exact, taken = (derive(axes, (0, 1, 0.2), tolerance=t).arm for t in (1e-9, 1e-3))
+    assert exact.rows[0].alpha == "alpha_1"
+    assert dict(exact.values)["alpha_1"] == pytest.approx(1.5708, abs=1e-15)
+    assert taken.rows[0].alpha == "pi/2"
+
+
+def test_axes_that_nearly_meet_are_taken_to():
+    axes = [Axis((0, 0, 0), Z), Axis((0, 1e-10, 0.2), X)]
+    assert derive(axes, (1, 0, 0.2)).steps[0].case == "intersecting"
+    assert derive(axes, (1, 0, 0.2), tolerance=1e-11).steps[0].case == "skew"
+
+
+def test_odd_angles_become_letters():
+    found = derive([Axis((0, 0, 0), Z), Axis((0, 0, 1), (0, 1, 1))], (0, 1, 2))
+    row = found.arm.rows[0]
+    assert (row.alpha, row.theta) == ("-alpha_1", 0)
+    assert found.arm.number(row.alpha) == pytest.approx(-math.pi / 4, abs=1e-15)
+
+
+def test_limits_come_along():
+    joint = Joint("prismatic", -1, 2, 0.5, 40)
+    (row,) = derive([Axis((0, 0, 0), Z, joint)], np.eye(4)).arm.rows
+    assert row.joint == joint
+
+
+def test_masses_are_carried_into_the_frames():
+    """Gravity torques against the derivative of the drawing's potential energy."""
+    rng = np.random.default_rng(4)
+    axes, tip, base = some_axes(rng, 5), random_pose(rng), random_pose(rng)
+    masses, centres = rng.uniform(0, 3, 5), rng.normal(size=(5, 3))
+    arm = derive(axes, tip, base).with_bodies(masses, centres)
+    up = base[:3, 2]
+
+    def energy(q):
+        T, total = np.eye(4), 0.0
+        for axis, value, mass, centre in zip(axes, q, masses, centres, strict=True):
+            T = T @ moved(axis, value)
+            total += 9.81 * mass * up @ (T @ [*centre, 1])[:3]
+        return total
+
+    q = rng.uniform(-2, 2, 5)
+    steps = 1e-6 * np.eye(5)
+    slopes = [(energy(q + s) - energy(q - s)) / 2e-6 for s in steps]
+    np.testing.assert_allclose(gravity_torque(arm, q), slopes, atol=1e-7)
+
+
+def test_rows_that_do_not_move_get_no_mass():
+    arm = derive([Axis((1, 0, 0), X)], np.eye(4)).with_bodies([2.0], [[0, 0, 0.1]])
+    kinds = [row.joint.kind for row in arm.rows]
+    assert kinds == ["fixed", "revolute", "fixed"]
+    assert [body.mass for body in arm.bodies] == [0, 2.0, 0]
+
+
+def test_the_modified_table_leaves_out_an_empty_first_row():
+    rows = derive([Axis((1, 0, 0), Z)], (2, 0, 0)).modified_rows
+    assert rows == (revolute(a="a_1"), fixed(a="a_2"))
+
+
+def test_jacobians_follow():
+    """One finite difference of the exponentials' tip, to see that nothing but the table is used."""
+    rng = np.random.default_rng(9)
+    axes, tip = some_axes(rng, 6), random_pose(rng)
+    arm, q = derive(axes, tip).arm, rng.uniform(-2, 2, 6)
+    h = 1e-6
+    for k, column in enumerate(jacobian(arm, q)[:3].T):
+        ahead, behind = (exponentials(axes, tip, q + s * h * np.eye(6)[k])[:3, 3] for s in (1, -1))
+        np.testing.assert_allclose(column, (ahead - behind) / (2 * h), atol=1e-7)

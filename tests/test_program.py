@@ -1,0 +1,143 @@
+"""The tape: what is recorded gives what the formulas give, in floats and in rows, with nothing that is not needed."""
+
+import operator
+import threading
+from functools import partial
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from helpers.kinematics import jacobian, jacobian_entries, recorded
+from helpers.program import record, workspace
+from helpers.robots import PANDA, STANFORD, UR10E
+from tests.laws import ALL_ARMS, ids, joint_vectors
+
+OPERATIONS = (operator.add, operator.sub, operator.mul, lambda x, y: -x)
+CONSTANTS = (0.0, 1.0, -1.0, -0.0, 0.5, -0.5, 3.0)
+
+lines = st.lists(
+    st.tuples(st.sampled_from(OPERATIONS), st.integers(0, 99), st.integers(0, 99)),
+    min_size=1,
+    max_size=40,
+)
+
+
+def straight(lines, *inputs):
+    """Line after line, each from two values so far; every value is a result."""
+    values = [*inputs, *CONSTANTS]
+    for operation, first, second in lines:
+        values.append(operation(values[first % len(values)], values[second % len(values)]))
+    return values
+
+
+def rows_of(program, inputs):
+    batch = np.shape(inputs)[1]
+    return program.of_rows(list(inputs), np.full((program.rows, batch), np.nan)).copy()
+
+
+@settings(max_examples=200, deadline=None)
+@given(lines=lines, seed=st.integers(0, 99))
+def test_any_formula_is_what_it_was(lines, seed):
+    inputs = np.random.default_rng(seed).uniform(-1, 1, (3, 5))
+    program = record(partial(straight, lines), 3)
+    wanted = np.array([straight(lines, *column) for column in inputs.T]).T
+    np.testing.assert_allclose(rows_of(program, inputs), wanted, rtol=1e-12, atol=1e-12)
+    one = program.of_numbers(inputs[:, 0].tolist())
+    np.testing.assert_allclose(one, wanted[:, 0], rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("compute", "steps"),
+    [
+        (lambda x, y: [0.0 * x + 1.0 * y - 0.0], 0),
+        (lambda x, y: [x - x, y * 0.0 + 2.0, y], 0),
+        (lambda x, y: [x * y + 1.0, 1.0 + y * x], 2),
+        (lambda x, y: [(-x) * y + (-y) * (-x)], 1),
+        (lambda x, y: [x * y, -(y * x)], 2),
+        (lambda x, y: [0.5 * x * y, -0.5 * x * y], 3),
+        (lambda x, y: [x + y, (x * y, y)[1]], 1),
+    ],
+    ids=[
+        "0 and 1",
+        "a value less itself",
+        "equal steps",
+        "signs",
+        "one sign",
+        "one half",
+        "unused",
+    ],
+)
+def test_no_step_too_many(compute, steps):
+    assert len(record(compute, 2).on_rows) <= steps
+    inputs = np.array([[0.3, -0.7], [2.0, 5.0]])
+    wanted = [np.broadcast_to(value, 2) for value in compute(*inputs)]
+    np.testing.assert_allclose(rows_of(record(compute, 2), inputs), wanted, rtol=1e-15)
+
+
+def test_rows_are_used_again():
+    """The powers of x need the row of the result and one for all that come before."""
+
+    def power(x):
+        y = x
+        for _ in range(20):
+            y = y * x
+        return [y]
+
+    program = record(power, 1)
+    assert len(program.on_rows) == 20
+    assert program.rows == 2
+    assert rows_of(program, [[1.5]]) == pytest.approx(1.5**21)
+
+
+def test_a_negative_of_zero_prints_as_zero():
+    program = record(lambda x: [-x], 1)
+    assert str(program.of_numbers([0.0])[0]) == "0.0"
+    assert str(rows_of(program, [[0.0]])[0, 0]) == "0.0"
+
+
+def test_a_program_is_recorded_once():
+    assert recorded(PANDA, jacobian_entries) is recorded(PANDA, jacobian_entries)
+    assert recorded(PANDA, jacobian_entries) is not recorded(UR10E, jacobian_entries)
+
+
+def test_structural_zeros_cost_nothing():
+    """The Stanford arm's third joint slides along z_2: its three lower entries, and z_0's first two, are no steps."""
+    program = recorded(STANFORD, jacobian_entries)
+    computed = {to for *_, to in program.on_rows}
+    zeros = [program.places[row * 6 + 2] for row in (3, 4, 5)] + [
+        program.places[r * 6] for r in (2, 3, 4)
+    ]
+    assert not computed & set(zeros)
+
+
+@pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+def test_threads_do_not_share_their_rows(arm):
+    """Each thread works in memory of its own: eight at once give what each gives alone."""
+    batches = [joint_vectors(arm, (3000,), seed) for seed in range(8)]
+    found = [None] * 8
+    meet = threading.Barrier(8)
+
+    def work(i):
+        meet.wait()
+        found[i] = jacobian(arm, batches[i])
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for q, J in zip(batches, found, strict=True):
+        np.testing.assert_array_equal(J, jacobian(arm, q))
+
+
+def test_a_thread_keeps_its_workspace():
+    first = workspace(3, 4)
+    assert first.shape == (3, 4)
+    assert np.shares_memory(first, workspace(2, 5))
+    other = []
+    thread = threading.Thread(target=lambda: other.append(workspace(3, 4)))
+    thread.start()
+    thread.join()
+    assert not np.shares_memory(first, other[0])
