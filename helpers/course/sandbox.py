@@ -131,6 +131,7 @@ def _execute(copy: Path, apart: Apart, limits: Limits) -> bytes:
         "--stdout",
     ]
     convert += ["--log-level=ERROR", f"--ExecutePreprocessor.timeout={limits.cell}"]
+    convert += ["--ExecutePreprocessor.interrupt_on_timeout=True"]
     inside = "/in.ipynb" if apart == "bubblewrap" else str(copy)
     prefix = _bubblewrap(copy) if apart == "bubblewrap" else []
     command = [*_limited(limits), *prefix, *convert, inside]
