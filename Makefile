@@ -4,21 +4,31 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
-SOURCES := $(NOTEBOOKS) tools/light_pages.py $(wildcard book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
 
 .PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer coverage mutants
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
 
+# A .venv without a pip that runs is half made, for instance where python3-venv was missing: it is made anew.
+# Bytecode is left to the first import, since most of what is installed is never imported.
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile -c requirements.lock
+
+# What comes with Pinocchio and is read by nobody here: C++ headers and the robots' meshes, 600 MB.
+CMEEL := $(VENV)/lib/python*/site-packages/cmeel.prefix
+
 $(BIN)/.installed: requirements.txt requirements.lock pyproject.toml
-	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; say make PYTHON=python3.12, for instance")'
-	test -d $(VENV) || $(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt -c requirements.lock
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; say make PYTHON=python3.12, for instance")'
+	@$(BIN)/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV) || \
+	  { rm -rf $(VENV); echo "$(PYTHON) cannot make a virtual environment; on Debian and Ubuntu: sudo apt install python3-venv"; exit 1; }
+	$(PIP) -r requirements.txt
 	@touch $@
 
 $(BIN)/.installed-dev: $(BIN)/.installed requirements-dev.txt
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt -c requirements.lock
+	$(PIP) -r requirements-dev.txt
+	@rm -rf $(CMEEL)/include
+	@find $(CMEEL)/share/example-robot-data -iregex '.*\.\(stl\|dae\|obj\|mtl\|png\|jpg\)' -delete 2>/dev/null || true
 	@touch $@
 
 $(BOOK): $(BIN)/.installed $(SOURCES)
@@ -32,9 +42,9 @@ book: $(BOOK) ## build the book and say where it is
 test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and the built book's
 	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
 
-# Notebooks, subprocesses and the built book do not count; clocks would measure the measuring.
+# Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
-	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_mutations.py %_light_pages.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py)) -k "not _take_a_quarter_of_a_second"
+	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
 	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)
@@ -50,8 +60,11 @@ lab: $(BIN)/.installed ## open the notebooks in JupyterLab
 refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 	$(BIN)/python tools/refresh.py $(NOTEBOOKS)
 
-lint: $(BIN)/.installed-dev ## check and format the code, notebooks too
+lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check the types (needs Node.js)
 	$(BIN)/pre-commit run --all-files
+	$(BIN)/mypy
+	npm ci --prefix explorer --silent
+	npm run lint --prefix explorer --silent
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python tools/pdf.py
@@ -72,6 +85,7 @@ bench: ## time the helpers against their peers, in an environment of its own
 mutants: ## make one thing wrong in the helpers at a time; make mutants ARGS="helpers.inverse.* --sample 60"
 	test -d .venv-mutants || $(PYTHON) -m venv .venv-mutants
 	.venv-mutants/bin/python -m pip install --quiet --disable-pip-version-check mutmut==3.8.1 -r requirements-dev.txt -c requirements.lock
+	.venv-mutants/bin/python tools/breaks.py
 	.venv-mutants/bin/python tools/mutants.py $(ARGS)
 
 explorer: ## bundle the live explorer anew from its JavaScript (needs Node.js)
@@ -82,7 +96,7 @@ lock: ## pin every dependency anew
 	$(PYTHON) -m venv .venv-lock
 	.venv-lock/bin/pip install --quiet uv
 	printf '# Exact versions for every Python from 3.11 on, used as constraints: pip install -r requirements-dev.txt -c requirements.lock\n# Made by `make lock`.\n' > requirements.lock
-	.venv-lock/bin/uv pip compile --universal --python-version 3.11 --no-header --no-annotate --no-emit-index-url --quiet requirements-dev.txt | grep -v '^-e' >> requirements.lock
+	.venv-lock/bin/uv pip compile --universal --python-version 3.11 --no-header --no-annotate --no-emit-index-url --quiet requirements-dev.txt | grep -vE '^-e|python.check' >> requirements.lock
 	rm -r .venv-lock
 
 clean: ## remove what was built, the environment too

@@ -1,8 +1,9 @@
-"""Times the helpers against their peers, in turn: `make bench` prints a table and writes the book's appendix,
-`bench.py inverse` prints one topic.
+"""Times the helpers against their peers, in turn: `make bench` prints a table and writes the book's
+appendix, `bench.py inverse` prints one topic.
 
-Each peer does the same work in its own best way. The programs run in turn, so that a change of the machine's speed
-meets all of them, and the medians are compared. Before anything is timed, all results must agree.
+Each peer does the same work in its own best way. The programs run in turn, so that a change of the
+machine's speed meets all of them, and the medians are compared. Before anything is timed, all
+results must agree.
 """
 
 import os
@@ -30,7 +31,8 @@ APPENDIX = Path(__file__).parents[1] / "book/benchmarks.md"
 
 @dataclass(frozen=True)
 class Case:
-    """One piece of work: our program and the peers', each a function without arguments, and how closely they must agree.
+    """One piece of work: our program and the peers', each a function without arguments, and how
+    closely they must agree.
 
     `seen` turns a result into the numbers to compare, where results have another form or order.
     """
@@ -66,7 +68,10 @@ def measured(case: Case) -> Iterator[str]:
     median = {name: statistics.median(t) for name, t in times.items()}
     for name in case.peers:
         ratio = median["ours"] / median[name]
-        yield f"| {case.name} | {1e3 * median['ours']:.3g} | {name} | {1e3 * median[name]:.3g} | {ratio:.2f} | {off[name]:.0e} |"
+        yield (
+            f"| {case.name} | {1e3 * median['ours']:.3g} | {name} | {1e3 * median[name]:.3g} |"
+            f" {ratio:.2f} | {off[name]:.0e} |"
+        )
 
 
 def table(topics: list[ModuleType]) -> Iterator[str]:

@@ -14,7 +14,8 @@ UR = UR10E.with_values(l_pen=0)
 
 
 def signature(branches) -> np.ndarray:
-    """Each pose's number of branches and the sums of its angles' sines and cosines: the same in any order."""
+    """Each pose's number of branches and the sums of its angles' sines and cosines: the same in any
+    order."""
     sums = [np.exp(1j * np.reshape(q, (-1, 6))).sum(axis=0) for q in branches]
     return np.column_stack([[len(q) for q in branches], np.real(sums), np.imag(sums)])
 
@@ -66,7 +67,8 @@ def numeric(Case):
     chain = ets()
 
     def roboticstoolbox():
-        """Its fastest settings first, and its own, with up to 100 random starts, for what those miss.
+        """Its fastest settings first, and its own, with up to 100 random starts, for what those
+        miss.
 
         It halves the squared error: 5e-21 is 1e-10.
         """

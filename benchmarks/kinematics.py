@@ -40,7 +40,8 @@ def link(row: NumericRow, c, s) -> list[list]:
 
 
 def casadi_functions() -> tuple[casadi.Function, casadi.Function]:
-    """The table as CasADi expressions: the pose, and the Jacobian with columns z x (o_n - o) over z."""
+    """The table as CasADi expressions: the pose, and the Jacobian with columns z x (o_n - o) over
+    z."""
     q, T, frames = casadi.SX.sym("q", 7), casadi.SX.eye(4), []
     for k, row in enumerate(BARE.numeric):
         frames.append(T)
@@ -85,7 +86,8 @@ class Pinocchio:
 
 
 def mapped(function: casadi.Function):
-    """A CasADi function over a batch, in blocks (faster than a map over it all), as (batch, rows, columns)."""
+    """A CasADi function over a batch, in blocks (faster than a map over it all), as (batch, rows,
+    columns)."""
     over = function.map(BLOCK)
     rows, columns = function.size_out(0)
 

@@ -55,7 +55,8 @@ def _placements(pin: Pinocchio, q: np.ndarray):
 
 
 def mujoco_gravity(q: np.ndarray) -> np.ndarray:
-    """MuJoCo's recursive Newton-Euler at rest, with only the steps before it that it needs, called once per configuration."""
+    """MuJoCo's recursive Newton-Euler at rest, with only the steps before it that it needs, called
+    once per configuration."""
     model = mujoco.MjModel.from_xml_string(mujoco_panda())
     data = mujoco.MjData(model)
 
@@ -72,20 +73,26 @@ def mujoco_gravity(q: np.ndarray) -> np.ndarray:
 
 
 def mujoco_panda() -> str:
-    """The table as nested bodies: each turns about its own z, and the next one sits at the end of its row."""
+    """The table as nested bodies: each turns about its own z, and the next one sits at the end of
+    its row."""
     bodies = ""
     for row, mass, (x, y, z) in reversed(list(zip(PANDA.numeric, MASSES, CENTRES, strict=True))):
         c, s, half = row.cos_alpha, row.sin_alpha, np.arctan2(row.sin_alpha, row.cos_alpha) / 2
-        nested = f'<body pos="{row.a} 0 {row.d}" quat="{np.cos(half)} {np.sin(half)} 0 0">{bodies}</body>'
+        nested = (
+            f'<body pos="{row.a} 0 {row.d}" quat="{np.cos(half)} {np.sin(half)} 0'
+            f' 0">{bodies}</body>'
+        )
         bodies = (
-            f'<joint axis="0 0 1"/><inertial pos="{row.a + x} {c * y - s * z} {row.d + s * y + c * z}"'
+            f'<joint axis="0 0 1"/><inertial pos="{row.a + x} {c * y - s * z}'
+            f' {row.d + s * y + c * z}"'
             f' mass="{mass}" diaginertia="1 1 1"/>{nested if bodies else ""}'
         )
     return f"<mujoco><worldbody><body>{bodies}</body></worldbody></mujoco>"
 
 
 def jax_gravity(q: np.ndarray):
-    """dP/dq by JAX's automatic differentiation, entry by entry over the whole batch: a third of the time of 4 x 4 matrices."""
+    """dP/dq by JAX's automatic differentiation, entry by entry over the whole batch: a third of the
+    time of 4 x 4 matrices."""
     jax.config.update("jax_enable_x64", True)
 
     def dot(left, right):

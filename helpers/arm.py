@@ -149,7 +149,8 @@ class Arm:
 
     @property
     def limits(self) -> tuple[Array, Array]:
-        """Lower and upper joint limits, each of shape (dof,), in rad or m; infinite where unknown."""
+        """Lower and upper joint limits, each of shape (dof,), in rad or m; infinite where
+        unknown."""
         return self._joint_array("lower"), self._joint_array("upper")
 
     @property
@@ -210,9 +211,10 @@ class Arm:
         return replace(self, name=self.name if name is None else name, bodies=bodies)
 
     def lock(self, joint: int, at: Entry = 0) -> "Arm":
-        """The same arm with a joint, counted from 1, held `at` a value (rad or m): one fewer moves."""
+        """The same arm with a joint, counted from 1, held `at` a value (rad or m): one fewer
+        moves."""
         row = self._row(joint, self.joints, "joint {} cannot be locked; its free joints are")
-        value = evaluate(entry(at, "the locked value"), self.values)
+        value = evaluate(entry(at, "at"), self.values)
         if not row.joint.lower <= value <= row.joint.upper:
             raise ArmError(
                 f"{self.name}: joint {joint} locked at {value:g}; its limits are"
@@ -245,7 +247,8 @@ class Arm:
         return free
 
     def from_free(self, q: ArrayLike) -> Array:
-        """The values of this arm's joints, shape (..., dof), from those of the arm it was locked from.
+        """The values of this arm's joints, shape (..., dof), from those of the arm it was locked
+        from.
 
         The inverse of `to_free`; what `q` says of the locked joints is left out.
         """
@@ -257,7 +260,8 @@ class Arm:
     # Ready to compute with
 
     def joint_vector(self, q: ArrayLike, what: str = "q", many: bool = True) -> Array:
-        """`q` as floats of shape (..., dof), or (dof,) unless `many`; `what` is its name in messages.
+        """`q` as floats of shape (..., dof), or (dof,) unless `many`; `what` is its name in
+        messages.
 
         Raises ArmError for another length, NaN or infinity.
         """

@@ -1,8 +1,8 @@
 """Standard and modified Denavit-Hartenberg tables of the same arm.
 
-Both conventions are the one sequence Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha), cut at different places:
-the standard row i ends with a_i and alpha_i, the modified row i of Craig begins with a_{i-1} and alpha_{i-1}.
-So a table is converted by moving its a and alpha columns by one row.
+Both conventions are the one sequence Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha), cut at
+different places: the standard row i ends with a_i and alpha_i, the modified row i of Craig begins
+with a_{i-1} and alpha_{i-1}. So a table is converted by moving its a and alpha columns by one row.
 Source: Craig, Introduction to Robotics, section 3.4; Spong, Hutchinson and Vidyasagar, section 3.2.
 """
 
@@ -20,7 +20,8 @@ from helpers.kinematics import link_frames
 def standard_from_modified(rows: Sequence[Row]) -> tuple[Row, ...]:
     """Standard rows from modified ones, each of which holds (a_{i-1}, alpha_{i-1}, d_i, theta_i).
 
-    Where the first row has an a_0 or alpha_0, a fixed row is put before it. Raises ArmError for an empty table.
+    Where the first row has an a_0 or alpha_0, a fixed row is put before it. Raises ArmError for an
+    empty table.
     """
     rows = _rows(rows, "modified")
     following = [*rows[1:], Row()]
@@ -39,9 +40,11 @@ def modified_from_standard(rows: Sequence[Row]) -> tuple[Row, ...]:
 
 
 def modified_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
-    """Craig's frames 1 .. n of an arm, shape (..., rows, 4, 4): each lies on its own joint's axis, not the next one's.
+    """Craig's frames 1 .. n of an arm, shape (..., rows, 4, 4): each lies on its own joint's axis,
+    not the next one's.
 
-    They are the standard frames before their step along and turn about x. Papers on the Panda give centres of mass in them.
+    They are the standard frames before their step along and turn about x. Papers on the Panda give
+    centres of mass in them.
     """
     must_be(arm, Arm, "arm")
     steps = np.array([np.eye(4)] * len(arm.rows))

@@ -1,11 +1,13 @@
-"""From the joint axes of an arm to its Denavit-Hartenberg table, row by row, as one does it by hand.
+"""From the joint axes of an arm to its Denavit-Hartenberg table, row by row, as one does it by
+hand.
 
-Draw the arm in some pose, say where each joint's axis lies and where the base and the tip are, and `derive` lays
-the frames: z_{i-1} on axis i, x_i along the common normal from z_{i-1} to z_i, o_i where that normal meets z_i. The
-four numbers of a row take frame i-1 to frame i. Where the convention leaves a choice it is always made the same way,
-and each row's `words` say how. The drawn pose is q = 0.
-Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 3.2.2; Craig, Introduction to Robotics,
-section 3.4, for the modified table, which has the same common normals.
+Draw the arm in some pose, say where each joint's axis lies and where the base and the tip are, and
+`derive` lays the frames: z_{i-1} on axis i, x_i along the common normal from z_{i-1} to z_i, o_i
+where that normal meets z_i. The four numbers of a row take frame i-1 to frame i. Where the
+convention leaves a choice it is always made the same way, and each row's `words` say how. The drawn
+pose is q = 0. Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 3.2.2;
+Craig, Introduction to Robotics, section 3.4, for the modified table, which has the same common
+normals.
 """
 
 import math
@@ -38,13 +40,14 @@ _NEARLY = 1e-3  # axes whose angle's sine is below this are called nearly parall
 class Axis:
     """A joint's axis in the drawn pose: a point on it (m), its direction, and what moves there.
 
-    The direction is that of positive motion, by the right-hand rule where the joint turns; its length does not
-    matter. `joint` is a `Joint`, or only its kind. An axis that slides has a direction but no place of its own: it
-    is laid where it is drawn, or, without a `point`, through the next axis that turns (through the tip if none does).
+    The direction is that of positive motion, by the right-hand rule where the joint turns; its
+    length does not matter. `joint` is a `Joint`, or only its kind. An axis that slides has a
+    direction but no place of its own: it is laid where it is drawn, or, without a `point`, through
+    the next axis that turns (through the tip if none does).
 
     Raises:
-        ArmError: no point or direction of three finite numbers, a direction of length 0, a kind that does not move,
-            or an axis that turns without a point.
+        ArmError: no point or direction of three finite numbers, a direction of length 0, a kind
+            that does not move, or an axis that turns without a point.
     """
 
     point: tuple[float, float, float] | None
@@ -84,16 +87,19 @@ class Line(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """How one row came about: from the line of z_{i-1} to the line of z_i, in base axes in the drawn pose.
+    """How one row came about: from the line of z_{i-1} to the line of z_i, in base axes in the
+    drawn pose.
 
     Attributes:
         number: the row i, from 1.
         joint: what moves the row; fixed for one that only places the base or the tip.
         case: how the two lines lie to each other.
         opposite: whether z_i points against z_{i-1}, where the lines are parallel or one.
-        normal: the feet of the common normal on the two lines, shape (2, 3), equal where the lines meet.
+        normal: the feet of the common normal on the two lines, shape (2, 3), equal where the lines
+            meet.
         before, frame: frames i-1 and i, each 4x4.
-        a, alpha, d, theta: the four numbers (m, rad); q_i, which is 0 in the drawing, is added to theta or to d.
+        a, alpha, d, theta: the four numbers (m, rad); q_i, which is 0 in the drawing, is added to
+            theta or to d.
         words: the row in words.
     """
 
@@ -142,7 +148,8 @@ class Derivation:
 
     @cached_property
     def deviation(self) -> float:
-        """How far the table's axes and tip are from those drawn, the largest of all (m, or the sine of an angle).
+        """How far the table's axes and tip are from those drawn, the largest of all (m, or the sine
+        of an angle).
 
         It is rounding only, unless lines that nearly met or nearly were parallel were taken to.
         """
@@ -155,10 +162,12 @@ class Derivation:
         return float(max(found))
 
     def with_bodies(self, masses: ArrayLike, centres: ArrayLike) -> Arm:
-        """The arm with its links' masses (kg), shape (dof,), and centres of mass (m), shape (dof, 3).
+        """The arm with its links' masses (kg), shape (dof,), and centres of mass (m), shape (dof,
+        3).
 
-        The centres are points of the drawing, given as the joint axes were; each is carried over into the frame that
-        moves with its link. Rows that do not move get no mass. Raises ArmError for another shape or a negative mass.
+        The centres are points of the drawing, given as the joint axes were; each is carried over
+        into the frame that moves with its link. Rows that do not move get no mass. Raises ArmError
+        for another shape or a negative mass.
         """
         n = self.arm.dof
         wanted = f"{n} masses in kg, none negative"
@@ -187,18 +196,20 @@ def derive(
 
     Args:
         axes: one `Axis` for each joint.
-        tip: the tip's pose in the drawing, 4x4, or only its point (3,): then z_n runs along z_{n-1}.
+        tip: the tip's pose in the drawing, 4x4, or only its point (3,): then z_n runs along
+            z_{n-1}.
         base: the base frame's pose in the drawing, 4x4; the drawing's own axes unless given.
         name: the arm's name.
-        negative: whether x_i may run against the common normal, from z_i to z_{i-1}, where that turns less from
-            x_{i-1}; a_i is negative then, as a_4 in the usual table of the Panda.
-        tolerance: lines closer than this (m) are taken to meet, and to be parallel below this sine of their angle; an
-            angle within a hundredth of it (rad) of a right one is taken for that.
+        negative: whether x_i may run against the common normal, from z_i to z_{i-1}, where that
+            turns less from x_{i-1}; a_i is negative then, as a_4 in the usual table of the Panda.
+        tolerance: lines closer than this (m) are taken to meet, and to be parallel below this sine
+            of their angle; an angle within a hundredth of it (rad) of a right one is taken for
+            that.
 
-    A fixed row is put first where axis 1 is not the base's z axis, and last where the last common normal leaves the
-    tip elsewhere on its z axis or turned about it. Lengths become letters with values (``a_2``, ``d_4``), and so do
-    angles that are no right angles (``alpha_2``, and ``phi_2`` in the column of theta).
-    Raises ArmError for anything that is no axis, no pose, or not finite.
+    A fixed row is put first where axis 1 is not the base's z axis, and last where the last common
+    normal leaves the tip elsewhere on its z axis or turned about it. Lengths become letters with
+    values (``a_2``, ``d_4``), and so do angles that are no right angles (``alpha_2``, and ``phi_2``
+    in the column of theta). Raises ArmError for anything that is no axis, no pose, or not finite.
     """
     axes = _axes(axes)
     pose = _tip_pose(tip, axes[-1])
@@ -214,7 +225,8 @@ def derive(
 
 
 class _Choices(NamedTuple):
-    """What `derive` was told: may x_i run against the common normal, and what is near enough to 0."""
+    """What `derive` was told: may x_i run against the common normal, and what is near enough to
+    0."""
 
     negative: bool
     tolerance: float
@@ -225,7 +237,8 @@ class _Choices(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class _Goal:
-    """Where the last frame should come to lie, 4x4 in base axes; how it is turned about z is `free` or counts."""
+    """Where the last frame should come to lie, 4x4 in base axes; how it is turned about z is `free`
+    or counts."""
 
     pose: Array
     free: bool
@@ -235,7 +248,8 @@ class _Goal:
         return Line(self.pose[:3, 3], self.pose[:3, 2])
 
     def missed_by(self, frame: Array) -> float:
-        """The largest difference between a frame's x axis and origin and those wanted (m, or a sine)."""
+        """The largest difference between a frame's x axis and origin and those wanted (m, or a
+        sine)."""
         columns = [3] if self.free else [0, 3]
         return float(np.abs(frame - self.pose)[:, columns].max())
 
@@ -270,12 +284,13 @@ def _tip_pose(tip: ArrayLike, last: Axis) -> Array:
 
 
 def _placed(axes: tuple[Axis, ...], place: Array) -> list[Axis]:
-    """The axes, each that slides and has no point laid through the next one that turns, or through the tip."""
+    """The axes, each that slides and has no point laid through the next one that turns, or through
+    the tip."""
     found = []
     for axis in reversed(axes):
         found.append(axis if axis.point is not None else replace(axis, point=tuple(place)))
         if axis.joint.kind == "revolute":
-            place = axis.point
+            place = np.array(axis.point)
     return found[::-1]
 
 
@@ -289,7 +304,8 @@ def _in_base(axis: Axis, base: Array) -> Line:
 
 def _steps(joints: list[Joint], lines: list[Line], goal: _Goal, choices: _Choices) -> list[Step]:
     """One step a joint, with a fixed one first or last where the base or the tip asks for it."""
-    still, frame, steps = Joint("fixed"), np.eye(4), []
+    steps: list[Step] = []
+    still, frame = Joint("fixed"), np.eye(4)
     ways = [(joint, line, None) for joint, line in zip(joints, lines[1:], strict=False)]
     if not _lies_on(frame, lines[0], choices.tolerance):
         ways.insert(0, (still, lines[0], None))
@@ -311,16 +327,18 @@ def _lies_on(frame: Array, line: Line, tolerance: float) -> bool:
 def _step(
     i: int, joint: Joint, frame: Array, line: Line, goal: _Goal | None, choices: _Choices
 ) -> Step:
-    """The row from a frame to the next, whose z axis is `line`; `goal` is where the last frame should lie."""
+    """The row from a frame to the next, whose z axis is `line`; `goal` is where the last frame
+    should lie."""
     x, _, z, o = frame[:3].T
     wish = x if goal is None or goal.free else goal.pose[:3, 0]
     crossed = np.linalg.norm(np.cross(z, line.z)) >= choices.tolerance
     case, along = (_crossed if crossed else _side_by_side)(frame, line, wish, choices)
-    theta = _angle(np.cross(x, along) @ z, x @ along, choices)
-    alpha = math.pi * (z @ line.z < 0)
+    theta = _angle(float(np.cross(x, along) @ z), float(x @ along), choices)
+    alpha = math.pi if z @ line.z < 0 else 0.0
     if crossed:
-        alpha = _angle(np.cross(z, line.z) @ along, z @ line.z, choices)
-    # From here on in the axes of the row's own angles, so that a rounded angle is made up for by a and d.
+        alpha = _angle(float(np.cross(z, line.z) @ along), float(z @ line.z), choices)
+    # From here on in the axes of the row's own angles, so that a rounded angle is made up for by a
+    # and d.
     x_i, y_i, z_i, _ = (frame @ _link(0, alpha, 0, theta))[:3].T
     if crossed:
         out = line.point - o
@@ -338,7 +356,8 @@ def _step(
 
 
 def _last_step(i: int, frame: Array, goal: _Goal, choices: _Choices) -> Step:
-    """The fixed row that brings a frame on the tip's z axis into the tip: a turn about it and a shift along it."""
+    """The fixed row that brings a frame on the tip's z axis into the tip: a turn about it and a
+    shift along it."""
     x, _, z, o = frame[:3].T
     wish = x if goal.free else goal.pose[:3, 0]
     d, theta = (
@@ -380,7 +399,8 @@ def _crossed(frame: Array, line: Line, wish: Array, choices: _Choices) -> tuple[
 
 
 def _nearer(along: Array, wish: Array, choices: _Choices) -> Array:
-    """A direction or its opposite, whichever turns less from `wish`; the direction where both turn as much."""
+    """A direction or its opposite, whichever turns less from `wish`; the direction where both turn
+    as much."""
     return -along if along @ wish < -choices.tolerance else along
 
 
@@ -437,7 +457,8 @@ def _lettered_angle(letter: str, i: int, value: float, values: dict[str, float])
     turns = quarter_turns(value)
     if turns is None:
         return _lettered_length(letter, i, value, values)
-    return {0: 0, 1: "pi/2", -1: "-pi/2", 2: "pi"}[turns]
+    right: dict[int, Entry] = {0: 0, 1: "pi/2", -1: "-pi/2", 2: "pi"}
+    return right[turns]
 
 
 # In words
@@ -472,7 +493,10 @@ def _where_next(step: Step, joint: int, axis: Axis | None) -> str:
     if axis.joint.kind == "revolute":
         return f"{z} is laid on the axis of joint {joint + 1}."
     laid = "as it is drawn" if axis.point is not None else "through what comes after it"
-    return f"{z} points the way joint {joint + 1} slides; a slide has no place of its own, and this one is laid {laid}."
+    return (
+        f"{z} points the way joint {joint + 1} slides; a slide has no place of its own, and"
+        f" this one is laid {laid}."
+    )
 
 
 def _how(step: Step, axis: Axis | None) -> str:
@@ -482,22 +506,29 @@ def _how(step: Step, axis: Axis | None) -> str:
     over = f" z_{i} points against z_{before}." if step.opposite else ""
     if step.case == "parallel":
         return (
-            f"It is parallel to z_{before}, {abs(step.a):g} m away, so every common normal will do: x_{i} runs along the"
+            f"It is parallel to z_{before}, {abs(step.a):g} m away, so every common normal will"
+            f" do: x_{i} runs along the"
             f" one that is level with {level}{_against(step)}.{over}"
         )
     if step.case == "coincident":
         kept = (
             f"x_{i} keeps the direction of x_{before}" if not step.theta else f"x_{i} is the tip's"
         )
-        return f"It is the same line as z_{before}: there is no common normal, {kept}, and o_{i} lies in {level}.{over}"
+        return (
+            f"It is the same line as z_{before}: there is no common normal, {kept}, and o_{i}"
+            f" lies in {level}.{over}"
+        )
     nearly = _nearly_parallel(step)
     if step.case == "skew":
         return (
-            f"It passes z_{before} at a distance: x_{i} runs along the common normal, {abs(step.a):g} m long, from"
-            f" z_{before} to z_{i}{_against(step)}, and o_{i} lies where the normal meets z_{i}.{nearly}"
+            f"It passes z_{before} at a distance: x_{i} runs along the common normal,"
+            f" {abs(step.a):g} m long, from"
+            f" z_{before} to z_{i}{_against(step)}, and o_{i} lies where the normal meets"
+            f" z_{i}.{nearly}"
         )
     return (
-        f"It meets z_{before} in o_{i}, so a_{i} = 0; x_{i} is perpendicular to both, the way that turns less"
+        f"It meets z_{before} in o_{i}, so a_{i} = 0; x_{i} is perpendicular to both, the way that"
+        " turns less"
         f" from x_{before} (z_{before} x z_{i} where both turn as much).{nearly}"
     )
 
@@ -505,7 +536,10 @@ def _how(step: Step, axis: Axis | None) -> str:
 def _against(step: Step) -> str:
     if step.a > 0:
         return ""
-    return f" but the other way round, since that turns less from x_{step.number - 1}: a_{step.number} is negative"
+    return (
+        f" but the other way round, since that turns less from x_{step.number - 1}:"
+        f" a_{step.number} is negative"
+    )
 
 
 def _nearly_parallel(step: Step) -> str:
@@ -513,7 +547,8 @@ def _nearly_parallel(step: Step) -> str:
     if tilt > _NEARLY:
         return ""
     return (
-        f" The two are within {math.degrees(tilt):.2g}° of parallel, so their common normal is far off; a tolerance"
+        f" The two are within {math.degrees(tilt):.2g}° of parallel, so their common normal is far"
+        " off; a tolerance"
         f" above {tilt:.1g} takes them for parallel."
     )
 
@@ -527,4 +562,7 @@ def _numbers_of(step: Step) -> str:
     if step.joint.kind == "prismatic":
         d = f"{q} + {d}".replace("+ -", "- ") if step.d else q
     a = f"{step.a:g} m" if step.a else "0"
-    return f"So a_{i} = {a}, alpha_{i} = {math.degrees(step.alpha):g}°, d_{i} = {d}, theta_{i} = {theta}."
+    return (
+        f"So a_{i} = {a}, alpha_{i} = {math.degrees(step.alpha):g}°, d_{i} = {d}, theta_{i} ="
+        f" {theta}."
+    )

@@ -1,6 +1,7 @@
 """What a Jacobian can and cannot do at one pose: its ellipsoids and its lost directions.
 
-Source: Siciliano, Sciavicco, Villani and Oriolo, Robotics, section 3.9 (manipulability ellipsoids) and 3.8 (duality).
+Source: Siciliano, Sciavicco, Villani and Oriolo, Robotics, section 3.9 (manipulability ellipsoids)
+    and 3.8 (duality).
 """
 
 import numpy as np
@@ -14,8 +15,9 @@ Array = NDArray[np.float64]
 def velocity_ellipsoid(J: ArrayLike) -> Array:
     """The semi-axes, as columns, of the velocities J q_dot that joint speeds of norm 1 can give.
 
-    J is one block of a Jacobian, shape (3, n); the result has shape (3, 3), its columns falling in length. A column of
-    zeros is a direction in which the tip cannot move. Raises ArmError for another shape.
+    J is one block of a Jacobian, shape (3, n); the result has shape (3, 3), its columns falling in
+    length. A column of zeros is a direction in which the tip cannot move. Raises ArmError for
+    another shape.
     """
     U, sizes = _axes(J)
     return U * sizes
@@ -24,8 +26,8 @@ def velocity_ellipsoid(J: ArrayLike) -> Array:
 def force_ellipsoid(J: ArrayLike) -> Array:
     """The semi-axes, as columns, of the forces that joint torques of norm 1 can hold, shape (3, 3).
 
-    The same directions as in `velocity_ellipsoid`, with inverse lengths: infinite where the arm cannot move, since there its
-    structure carries the load.
+    The same directions as in `velocity_ellipsoid`, with inverse lengths: infinite where the arm
+    cannot move, since there its structure carries the load.
     """
     U, sizes = _axes(J)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -56,7 +58,8 @@ def _axes(J: ArrayLike) -> tuple[Array, Array]:
 
 
 def _signed(U: Array) -> Array:
-    """The same axes, each pointing to its first large entry's positive side: LAPACK's own choice differs by machine."""
+    """The same axes, each pointing to its first large entry's positive side: LAPACK's own choice
+    differs by machine."""
     first = np.argmax(np.abs(U) > 0.5 * np.abs(U).max(axis=0), axis=0)
     return U * np.sign(U[first, range(U.shape[1])])
 

@@ -1,5 +1,5 @@
-"""Input checked at the door: each function returns what it was given in the form that is computed with, or raises
-ArmError, which says what was given and what was expected."""
+"""Input checked at the door: each function returns what it was given in the form that is computed
+with, or raises ArmError, which says what was given and what was expected."""
 
 import math
 from collections.abc import Iterable
@@ -33,7 +33,8 @@ def must_be_callable(value: object, what: str, wanted: str) -> None:
 def numbers(
     value: Any, what: str, wanted: str, shape: tuple[Size, ...], many: bool = False
 ) -> Array:
-    """An array of finite numbers of a shape, None for any size; with `many`, that of its last axes."""
+    """An array of finite numbers of a shape, None for any size; with `many`, that of its last
+    axes."""
     array = floats(value, what, wanted)
     last = array.shape[max(0, array.ndim - len(shape)) :] if many else array.shape
     fits = len(last) == len(shape) and all(n in (None, m) for n, m in zip(shape, last, strict=True))
@@ -46,7 +47,8 @@ def numbers(
 
 
 def floats(value: Any, what: str, wanted: str) -> Array:
-    """An array of real numbers, of any shape; words, None, complex numbers and ragged lists are none."""
+    """An array of real numbers, of any shape; words, None, complex numbers and ragged lists are
+    none."""
     try:
         array = np.asarray(value)
         if value is not None and array.dtype.kind in "iufO":

@@ -1,8 +1,9 @@
-"""The numeric view: frames, forward kinematics and Jacobians, of one joint vector or of whole batches.
+"""The numeric view: frames, forward kinematics and Jacobians, of one joint vector or of whole
+batches.
 
-One recursion over the links serves everything. It is written for one pose, on components, and recorded once for each
-arm (see `helpers.program`): one pose then takes microseconds, and a batch runs in contiguous rows, in chunks that
-stay in the processor's cache.
+One recursion over the links serves everything. It is written for one pose, on components, and
+recorded once for each arm (see `helpers.program`): one pose then takes microseconds, and a batch
+runs in contiguous rows, in chunks that stay in the processor's cache.
 """
 
 import math
@@ -25,7 +26,8 @@ _CACHE = 1 << 17  # so many numbers at a time, 1 MiB, stay in a level-2 cache
 
 
 def link_frames(arm: Arm, q: ArrayLike) -> Array:
-    """Base-to-link transforms ${}^0T_0 .. {}^0T_n$, shape (..., rows + 1, 4, 4), for q of shape (..., dof).
+    """Base-to-link transforms ${}^0T_0 .. {}^0T_n$, shape (..., rows + 1, 4, 4), for q of shape
+    (..., dof).
 
     Raises ArmError for a q of another length, or with NaN or infinity in it.
     Source: Spong, Hutchinson and Vidyasagar, section 3.1.
@@ -48,15 +50,16 @@ def tip(arm: Arm, q: ArrayLike) -> Array:
 def jacobian(arm: Arm, q: ArrayLike) -> Array:
     """The tip's Jacobian, shape (..., 6, dof): rows (vx, vy, vz, wx, wy, wz) in the base frame.
 
-    A revolute joint i has the column z_{i-1} x (o_n - o_{i-1}) over z_{i-1}, a prismatic one z_{i-1} over 0.
-    Source: Spong, Hutchinson and Vidyasagar, section 4.6.
+    A revolute joint i has the column z_{i-1} x (o_n - o_{i-1}) over z_{i-1}, a prismatic one
+    z_{i-1} over 0. Source: Spong, Hutchinson and Vidyasagar, section 4.6.
     """
     must_be(arm, Arm, "arm")
     return evaluated(arm, q, jacobian_entries, (6, arm.dof))
 
 
 def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
-    """The same Jacobian, shape (..., 6, dof), of the same tip, its rows in the axes of a link frame.
+    """The same Jacobian, shape (..., 6, dof), of the same tip, its rows in the axes of a link
+    frame.
 
     Frame 0 is the base, frame n the tool. Raises ArmError for a frame that does not exist.
     """
@@ -71,16 +74,18 @@ def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
 
 
 def analytic_jacobian(arm: Arm, q: ArrayLike) -> Array:
-    """Rates of the tip's position and of its ZYZ Euler angles (phi, theta, psi), shape (..., 6, dof).
+    """Rates of the tip's position and of its ZYZ Euler angles (phi, theta, psi), shape (..., 6,
+    dof).
 
-    Raises ArmError where theta is 0 or pi: there the angles' rates are not defined, whatever the arm can do.
-    Source: Spong, Hutchinson and Vidyasagar, section 4.8.
+    Raises ArmError where theta is 0 or pi: there the angles' rates are not defined, whatever the
+    arm can do. Source: Spong, Hutchinson and Vidyasagar, section 4.8.
     """
     T, J = forward_kinematics(arm, q), jacobian(arm, q)
     sine = np.hypot(T[..., 0, 2], T[..., 1, 2])
     if (sine < 1e-9).any():
         raise ArmError(
-            f"{arm.name}: the ZYZ angles are singular here (theta is 0 or pi); use the geometric Jacobian"
+            f"{arm.name}: the ZYZ angles are singular here (theta is 0 or pi); use the geometric"
+            " Jacobian"
         )
     c, s, cosine = T[..., 0, 2] / sine, T[..., 1, 2] / sine, T[..., 2, 2]
     zero = np.zeros_like(sine)
@@ -90,11 +95,13 @@ def analytic_jacobian(arm: Arm, q: ArrayLike) -> Array:
 
 
 def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
-    """Yoshikawa's measure, shape (...): the product of the Jacobian's singular values, 0 at a singular pose.
+    """Yoshikawa's measure, shape (...): the product of the Jacobian's singular values, 0 at a
+    singular pose.
 
-    `part` is "all", "linear" (rows v) or "angular" (rows omega). With as many rows as joints it is the size of det J. With
-    fewer joints than rows it is the volume of what the joints can reach, sqrt(det J^T J). The unit of "all" mixes m
-    and rad, so compare it only between poses of one arm. Source: Yoshikawa (1985).
+    `part` is "all", "linear" (rows v) or "angular" (rows omega). With as many rows as joints it is
+    the size of det J. With fewer joints than rows it is the volume of what the joints can reach,
+    sqrt(det J^T J). The unit of "all" mixes m and rad, so compare it only between poses of one arm.
+    Source: Yoshikawa (1985).
     """
     rows = {"all": [0, 1, 2, 3, 4, 5], "linear": [0, 1, 2], "angular": [3, 4, 5]}
     chosen = rows[one_of(part, "part", rows)]
@@ -102,7 +109,8 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
 
 
 def skeleton(arm: Arm, T: Array) -> Array:
-    """The points o_0, o_0 + d z_0, o_1, o_1 + d z_1, ...: what the table's lengths draw, for T of shape (rows + 1, 4, 4)."""
+    """The points o_0, o_0 + d z_0, o_1, o_1 + d z_1, ...: what the table's lengths draw, for T of
+    shape (rows + 1, 4, 4)."""
     points = [T[0, :3, 3]]
     for row, frame in zip(arm.numeric, T[1:], strict=True):
         points += [frame[:3, 3] - row.a * frame[:3, 0], frame[:3, 3]]
@@ -116,7 +124,7 @@ def evaluated(
     shape: tuple[int, ...],
     given: Sequence[float] = (),
 ) -> Array:
-    """What a recursion over the links gives at each q (..., dof), in the shape (..., *shape)."""
+    """What a recursion over the links gives at each q (..., dof), in the shape `(..., *shape)`."""
     q = arm.joint_vector(q)
     program = recorded(arm, recursion, given)
     if q.ndim == 1:
@@ -131,7 +139,8 @@ def evaluated(
 
 
 def recorded(arm: Arm, recursion: Recursion, given: Sequence[float] = ()) -> Program:
-    """The program of a recursion for this arm, recorded when it is first asked for; what is given as 0 stays 0."""
+    """The program of a recursion for this arm, recorded when it is first asked for; what is given
+    as 0 stays 0."""
     present = tuple(x != 0 for x in given)
     if (recursion, present) not in arm.programs:
         n = arm.dof
@@ -146,7 +155,8 @@ def recorded(arm: Arm, recursion: Recursion, given: Sequence[float] = ()) -> Pro
 
 
 def rows_of(program: Program, q: Array, given: Sequence[float] = ()) -> Array:
-    """The program's results, one row each, for joint vectors in columns (dof, batch); good until the next are asked for."""
+    """The program's results, one row each, for joint vectors in columns (dof, batch); good until
+    the next are asked for."""
     n, batch = q.shape
     if batch == 1:
         return np.array(_of_one(program, q[:, 0], given))[:, None]
@@ -165,7 +175,8 @@ def _of_one(program: Program, q: Array, given: Sequence[float]) -> list[float]:
 def cosines_and_sines(
     q: Array, c: Array | None = None, s: Array | None = None
 ) -> tuple[Array, Array]:
-    """Both, into c and s where given; from the half angle, to 3.4e-16: of the three only NumPy's tan is vectorised."""
+    """Both, into c and s where given; from the half angle, to 3.4e-16: of the three only NumPy's
+    tan is vectorised."""
     t = np.multiply(0.5, q, out=s)
     t = np.tan(t, out=t)
     r = np.multiply(t, t, out=c)
@@ -194,9 +205,12 @@ def row_motions(
         yield row, c, s, d
 
 
+_BASE: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0))
+
+
 def frame_columns(steps: Sequence[Step]) -> Iterator[tuple[Vector, Vector, Vector, Vector]]:
     """The columns (x, y, z, origin) of each link frame in turn."""
-    x, y, z, origin = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)
+    x, y, z, origin = _BASE
     yield x, y, z, origin
     for row, c, s, d in steps:
         x, y = mixed(c, x, s, y), mixed(c, y, -s, x)

@@ -72,22 +72,24 @@ def turns_of(arm: Arm, joined: bool = True) -> list[Turn]:
 
 
 class Ring:
-    """Polynomials in an arm's lengths and in the cosines and sines of its angles, in a unique form."""
+    """Polynomials in an arm's lengths and in the cosines and sines of its angles, in a unique
+    form."""
 
     def __init__(self, arm: Arm, joined: bool = True, extra: Sequence[sp.Symbol] = ()) -> None:
         must_be(arm, Arm, "arm")
         self.turns = turns_of(arm, joined)
-        angles = {turn.angle[0] for turn in self.turns}
-        angles |= {angle_of(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}
-        angles = sorted(angles - {sp.S.Zero}, key=sp.default_sort_key)
-        letters = {
+        found = {turn.angle[0] for turn in self.turns}
+        found |= {angle_of(arm, e)[0] for row in arm.rows for e in (row.alpha, row.theta)}
+        angles = sorted(found - {sp.S.Zero}, key=sp.default_sort_key)
+        symbols = {
             s for row in arm.rows for e in (row.a, row.d) for s in formula_of(arm, e).free_symbols
         }
-        letters |= {
+        symbols |= {
             sp.Symbol(f"q_{i}") for i in arm.joints if arm.rows[i - 1].joint.kind == "prismatic"
         }
-        letters = sorted(letters | set(extra), key=sp.default_sort_key)
-        # Sines come first, so that sin² is the leading term of sin² + cos² - 1 and division removes it.
+        letters = sorted(symbols | set(extra), key=sp.default_sort_key)
+        # Sines come first, so that sin² is the leading term of sin² + cos² - 1 and division removes
+        # it.
         self._symbols = [f(angle) for f in (sp.sin, sp.cos) for angle in angles] + letters
         self._ring = PolyRing([sp.Dummy() for _ in self._symbols], sp.QQ, sp.lex)
         gens, n = self._ring.gens, len(angles)
@@ -106,7 +108,8 @@ class Ring:
         """A length, which ArmError says must be a polynomial in the arm's symbols."""
         if not formula.is_polynomial() or formula.has(sp.pi):
             raise ArmError(
-                f"the length {formula} is no polynomial in the arm's symbols; expected sums and products"
+                f"the length {formula} is no polynomial in the arm's symbols; expected sums and"
+                " products"
             )
         total = self.zero
         for term in sp.Add.make_args(sp.expand(formula)):
@@ -126,7 +129,7 @@ class Ring:
                 total += rate * (poly.diff(s) * c - poly.diff(c) * s)
         return total
 
-    def matrix(self, rows: list[list[PolyElement | int]]) -> Matrix:
+    def matrix(self, rows: list[list[PolyElement | int]]) -> sp.ImmutableMatrix:
         """A matrix of expressions from rows of polynomials."""
         return Matrix([[self.expression(self._ring(entry)) for entry in row] for row in rows])
 
@@ -167,12 +170,12 @@ class Ring:
 def frames_of(arm: Arm, ring: Ring) -> list[Frame]:
     """The link frames from base to tip.
 
-    A frame's rotation is start * Rot_z(angle) * held: `start` is where the run of parallel axes began,
-    `angle` what the run has turned by so far, `held` the constant rotations since.
+    A frame's rotation is start * Rot_z(angle) * held: `start` is where the run of parallel axes
+    began, `angle` what the run has turned by so far, `held` the constant rotations since.
     """
     unit = _rotation_z(ring.one, ring.zero)
     start, held, rotation, origin = unit, unit, unit, [ring.zero] * 3
-    frames = [Frame(*transposed(unit), origin)]
+    frames = [_frame(unit, origin)]
     for i, (row, turn) in enumerate(zip(arm.rows, ring.turns, strict=True), 1):
         before, d = transposed(rotation)[2], ring.length(formula_of(arm, row.d))
         if turn.starts:
@@ -186,8 +189,13 @@ def frames_of(arm: Arm, ring: Ring) -> list[Frame]:
         origin = [o + d * z + a * x for o, z, x in zip(origin, before, x, strict=True)]
         held = _product(held, _rotation_x(*ring.cos_sin(angle_of(arm, row.alpha))))
         rotation = _product(turned, held)
-        frames.append(Frame(*transposed(rotation), origin))
+        frames.append(_frame(rotation, origin))
     return frames
+
+
+def _frame(rotation: list[list], origin: list[PolyElement]) -> Frame:
+    x, y, z = transposed(rotation)
+    return Frame(x, y, z, origin)
 
 
 def _rotation_z(c, s) -> list[list]:
@@ -205,7 +213,7 @@ def _product(left: list[list], right: list[list]) -> list[list]:
     return [[sum(map(mul, row, column)) for column in columns] for row in left]
 
 
-def transposed(rows: list[list]) -> list[list]:
+def transposed(rows: Sequence[list]) -> list[list]:
     return [list(column) for column in zip(*rows, strict=True)]
 
 

@@ -1,30 +1,33 @@
 """A computation recorded once on a tape, then run on numbers or on rows of them.
 
-It is written for one pose, on components, and recorded by running it on `Term`s: what is known to be 0 or 1 folds,
-signs move outwards, equal steps merge, and steps that no result needs are dropped. The tape that is left is a list of
-sums, differences and products; one pose runs through it in floats, a batch in contiguous rows, each step one call.
+It is written for one pose, on components, and recorded by running it on `Term`s: what is known to
+be 0 or 1 folds, signs move outwards, equal steps merge, and steps that no result needs are dropped.
+The tape that is left is a list of sums, differences and products; one pose runs through it in
+floats, a batch in contiguous rows, each step one call.
 """
 
 import operator
 import threading
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Value = "Term | float"
-Step = tuple[str, float, int]
+Value = Any  # a Term or a float: the same lines run on both
+Step = tuple[str, Any, Any]  # a known number's value, or the places of earlier steps
 
 _ON_NUMBERS = {"+": operator.add, "-": operator.sub, "*": operator.mul}
 _ON_ROWS = {"+": np.add, "-": np.subtract, "*": np.multiply}
 
 
 class Term:
-    """A value of the computation that is being recorded: its place on the tape, or the negative of what stands there.
+    """A value of the computation that is being recorded: its place on the tape, or the negative of
+    what stands there.
 
-    The tape is a dict from each step (operation, first, second) to its place, in the order of recording.
+    The tape is a dict from each step (operation, first, second) to its place, in the order of
+    recording.
     """
 
     __slots__ = ("at", "minus", "tape")
@@ -69,9 +72,11 @@ class Term:
 
 
 class Program(NamedTuple):
-    """The steps (operation, first, second, to) on places: first the inputs, then what is known, then `rows` of work.
+    """The steps (operation, first, second, to) on places: first the inputs, then what is known,
+    then `rows` of work.
 
-    The results stand in the first rows; `copies` (from, to) brings there those that are no step of their own.
+    The results stand in the first rows; `copies` (from, to) brings there those that are no step of
+    their own.
     """
 
     known: tuple[float, ...]
@@ -89,7 +94,8 @@ class Program(NamedTuple):
         return [values[place] for place in self.places]
 
     def of_rows(self, inputs: Sequence[Array | float], rows: Array) -> Array:
-        """The results, one row each, for inputs that are rows (batch,) or numbers; `rows` (rows, batch) is worked in."""
+        """The results, one row each, for inputs that are rows (batch,) or numbers; `rows` (rows,
+        batch) is worked in."""
         values = [
             *inputs,
             *map(np.array, self.known),
@@ -105,7 +111,8 @@ class Program(NamedTuple):
 def record(compute: Callable[..., Sequence[Value]], inputs: int) -> Program:
     """The program of `compute`, a function of so many values that gives a list of them.
 
-    It may add, subtract, multiply and negate, and must take the same course whatever the values are.
+    It may add, subtract, multiply and negate, and must take the same course whatever the values
+    are.
     """
     tape: dict[Step, int] = {("input", i, 0): i for i in range(inputs)}
     places = [_place(tape, value) for value in compute(*(Term(tape, i) for i in range(inputs)))]
@@ -113,7 +120,8 @@ def record(compute: Callable[..., Sequence[Value]], inputs: int) -> Program:
 
 
 def _place(tape: dict[Step, int], result: Value) -> int:
-    """Where the result stands, once its sign is a step too; 0 - x has no -0.0, which would print as such."""
+    """Where the result stands, once its sign is a step too; 0 - x has no -0.0, which would print as
+    such."""
     if not isinstance(result, Term):
         return tape.setdefault(("known", result + 0.0, 0), len(tape))
     if result.minus:
@@ -142,15 +150,16 @@ def _with_rows(inputs: int, tape: list[Step], results: list[int]) -> Program:
     return Program(
         known=tuple(tape[at][1] for at in known),
         rows=end - start,
-        on_numbers=tuple((_ON_NUMBERS[name], *rest) for name, *rest in lines),
-        on_rows=tuple((_ON_ROWS[name], *rest) for name, *rest in lines),
+        on_numbers=tuple((_ON_NUMBERS[name], i, k, to) for name, i, k, to in lines),
+        on_rows=tuple((_ON_ROWS[name], i, k, to) for name, i, k, to in lines),
         places=tuple(places),
         copies=tuple((x, to) for to, x in enumerate(places) if x != start + to),
     )
 
 
 def _needed(tape: list[Step], results: list[int]) -> list[tuple[int, str, int, int, set[int]]]:
-    """The steps that a result needs: where, what, of what, and which of these no later step reads."""
+    """The steps that a result needs: where, what, of what, and which of these no later step
+    reads."""
     needed, steps = set(results), []
     for at, (operation, first, second) in reversed(list(enumerate(tape))):
         if at in needed and operation in _ON_ROWS:
@@ -161,7 +170,8 @@ def _needed(tape: list[Step], results: list[int]) -> list[tuple[int, str, int, i
 
 
 class _Workspace(threading.local):
-    """Memory that every run works in, one piece for each thread: fresh pages would cost more than the arithmetic."""
+    """Memory that every run works in, one piece for each thread: fresh pages would cost more than
+    the arithmetic."""
 
     flat = np.empty(0)
 

@@ -1,11 +1,12 @@
 """The arms of the homework: data only, with where each number comes from.
 
-The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off. `PANDA` and `UR10E`
-have the makers' lengths, `PANDA_HOMEWORK` and `UR10E_HOMEWORK` those of the assignment.
+The homework's arms carry a 0.1 m pen; ``arm.with_values(l_pen=0)`` takes it off. `PANDA` and
+`UR10E` have the makers' lengths, `PANDA_HOMEWORK` and `UR10E_HOMEWORK` those of the assignment.
 """
 
 from dataclasses import replace
 from math import pi
+from typing import Any
 
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 
@@ -33,7 +34,8 @@ PANDA = Arm(
         Body(0.735522, (0.010517, 0.004252, "d_7 + l_pen - 0.061597")),
     ),
     home=(0, 0, 0, pi / 2, 0, pi, 0),
-    source="Franka Emika, Robot and interface specifications; masses: Gaz et al. (2019), hal-02265294",
+    source="Franka Emika, Robot and interface specifications; masses: Gaz et al. (2019),"
+    " hal-02265294",
 )
 
 PANDA_HOMEWORK = replace(
@@ -44,9 +46,9 @@ PANDA_HOMEWORK = replace(
 
 # The ranges, speeds and torques of the maker's UR10e serve both tables.
 _UR_RANGE = (-2 * pi, 2 * pi)
-_UR_BIG = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
-_UR_ELBOW = dict(limits=_UR_RANGE, speed=pi, effort=150)
-_UR_WRIST = dict(limits=_UR_RANGE, speed=pi, effort=56)
+_UR_BIG: dict[str, Any] = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
+_UR_ELBOW: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=150)
+_UR_WRIST: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=56)
 
 UR10E = Arm(
     name="UR10e",
@@ -70,7 +72,8 @@ UR10E = Arm(
         Body(0.615, (0, 0, "-0.026 - l_pen")),
     ),
     home=(0, -pi / 2, 0, -pi / 2, 0, 0),
-    source="Universal Robots, DH parameters for calculations of kinematics and dynamics (table, masses);"
+    source="Universal Robots, DH parameters for calculations of kinematics and dynamics (table,"
+    " masses);"
     " UR10e user manual (ranges, speeds); Max. joint torques (torques)",
 )
 
@@ -85,7 +88,8 @@ UR10E_HOMEWORK = Arm(
         revolute(d="d_6 + l_pen", **_UR_WRIST),
     ),
     values=dict(d_1=0.128, a_2=0.6127, a_3=0.5716, d_4=0.1639, d_5=0.1157, d_6=0.0922, l_pen=0.1),
-    source="The homework's table: the UR10's lengths as its CB3 manual prints them, but for d_1 (0.118 there)",
+    source="The homework's table: the UR10's lengths as its CB3 manual prints them, but for d_1"
+    " (0.118 there)",
 )
 
 STANFORD = Arm(
@@ -100,7 +104,8 @@ STANFORD = Arm(
     ),
     values=dict(d_2=0.154, d_6=0.263),
     home=(0, 0, 0.5, 0, 0, 0),
-    source="Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, example 3.5; lengths: Scheinman's arm",
+    source="Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, example 3.5; lengths:"
+    " Scheinman's arm",
 )
 
 ELBOW = Arm(
@@ -112,14 +117,16 @@ ELBOW = Arm(
     ),
     values=dict(d_1=0.5, a_2=0.4, a_3=0.3, d=0.0),
     home=(0, pi / 4, -pi / 2),
-    source="Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 5.3; the lengths are ours",
+    source="Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 5.3; the lengths"
+    " are ours",
 )
 
 ARMS = (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
 
 
 def named(name: str) -> Arm:
-    """The arm of the catalogue with this name, letter case aside; ArmError lists the names there are."""
+    """The arm of the catalogue with this name, letter case aside; ArmError lists the names there
+    are."""
     for arm in ARMS:
         if arm.name.casefold() == str(name).casefold():
             return arm

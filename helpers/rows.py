@@ -1,9 +1,10 @@
-"""What a table is made of: rows and their joints, the bodies that they carry, the numbers of its symbols."""
+"""What a table is made of: rows and their joints, the bodies that they carry, the numbers of its
+symbols."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from helpers.expressions import Entry, entry
 from helpers.inputs import ArmError, floats, listed, one_of, shown
@@ -14,7 +15,8 @@ KINDS = ("revolute", "prismatic", "fixed")
 
 @dataclass(frozen=True)
 class Joint:
-    """What moves a row: its kind, range (rad or m), top speed (rad/s or m/s) and top effort (N m or N).
+    """What moves a row: its kind, range (rad or m), top speed (rad/s or m/s) and top effort (N m or
+    N).
 
     A joint that was locked is fixed and remembers in `at` the value (rad or m) at which it is held.
     """
@@ -46,7 +48,8 @@ class Joint:
 
 @dataclass(frozen=True)
 class Row:
-    """One row of the table; the joint variable is added to `theta` (revolute) or to `d` (prismatic)."""
+    """One row of the table; the joint variable is added to `theta` (revolute) or to `d`
+    (prismatic)."""
 
     a: Entry = 0
     alpha: Entry = 0
@@ -133,7 +136,7 @@ class Values(Mapping[str, float]):
     def __init__(self, numbers: Mapping[str, float], owner: str) -> None:
         wanted = "a number for each symbol, as in {'a_3': 0.0825}"
         try:
-            given: dict[object, object] = dict(numbers)
+            given = dict[Any, Any](numbers)
         except (TypeError, ValueError):
             raise ArmError(f"{owner}: values are {shown(numbers)}; expected {wanted}") from None
         if not all(isinstance(name, str) for name in given):

@@ -1,7 +1,8 @@
-"""What holds an arm still: potential energy, gravity torques, and the torques against a force at the tip.
+"""What holds an arm still: potential energy, gravity torques, and the torques against a force at
+the tip.
 
-Gravity is a vector in base axes, so a wall- or ceiling-mounted arm is the same arm with another `gravity`. A wrench is
-(force, moment) on the tool, by the world, in base axes at the tip (N, N m).
+Gravity is a vector in base axes, so a wall- or ceiling-mounted arm is the same arm with another
+`gravity`. A wrench is (force, moment) on the tool, by the world, in base axes at the tip (N, N m).
 Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, sections 4.10 and 6.2.
 """
 
@@ -30,7 +31,8 @@ GRAVITY = (0.0, 0.0, -9.81)  # m/s^2, for an arm that stands on the floor
 
 
 def potential_energy(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
-    """P = -sum m_i g . c_i in J, shape (...), for q of shape (..., dof); zero for a mass at the base's origin.
+    """P = -sum m_i g . c_i in J, shape (...), for q of shape (..., dof); zero for a mass at the
+    base's origin.
 
     Raises ArmError where the arm has no masses or `gravity` is no vector.
     """
@@ -40,15 +42,16 @@ def potential_energy(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Ar
 def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
     """g(q) = dP/dq, the torques (N m; N where a joint slides) that hold the arm, shape (..., dof).
 
-    From the tip inwards, each row carries the mass M and the first moment S of the links beyond it, in its own axes; a
-    turn about z_{i-1} lifts them at the rate -g . (z_{i-1} x S).
+    From the tip inwards, each row carries the mass M and the first moment S of the links beyond it,
+    in its own axes; a turn about z_{i-1} lifts them at the rate -g . (z_{i-1} x S).
     """
     lift = _lift(arm, gravity)
     return evaluated(arm, q, _torques, (arm.dof,), lift)
 
 
 def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
-    """tau = g(q) - J^T F, shape (..., dof): what the motors give while the world exerts `wrench`, shape (..., 6).
+    """tau = g(q) - J^T F, shape (..., dof): what the motors give while the world exerts `wrench`,
+    shape (..., 6).
 
     Raises ArmError for a wrench of another shape or with NaN in it.
     """
@@ -59,7 +62,8 @@ def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike 
 
 
 def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm:
-    """The arm with a mass (kg) fixed to its last link, its centre in the last frame (m): a tool, a pen, a load."""
+    """The arm with a mass (kg) fixed to its last link, its centre in the last frame (m): a tool, a
+    pen, a load."""
     _must_have_bodies(arm)
     masses, coms = _bodies(arm)
     mass = number(mass, "mass", "a finite number of kg, 0 or more", least=0)
@@ -72,7 +76,8 @@ def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm
 
 
 def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike) -> Array:
-    """Points given in one set of link frames, told in another: both (n, 4, 4) at one pose, the points (n, 3).
+    """Points given in one set of link frames, told in another: both (n, 4, 4) at one pose, the
+    points (n, 3).
 
     For centres of mass from a paper whose frames are not the table's.
     """
@@ -81,7 +86,8 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
     points = numbers(centres, "centres", "points (n, 3)", (None, 3))
     if not len(to) == len(start) == len(points):
         raise ArmError(
-            f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n, 4, 4) twice and (n, 3)"
+            f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n,"
+            " 4, 4) twice and (n, 3)"
         )
     world = np.einsum("nij,nj->ni", start[:, :3, :3], points) + start[:, :3, 3]
     return np.einsum("nji,nj->ni", to[:, :3, :3], world - to[:, :3, 3])
@@ -113,7 +119,8 @@ def _torques(arm: Arm, steps: Sequence[Step], *lift: Value) -> Sequence[Value]:
 
 
 def _lifts(steps: Sequence[Step], lift: Vector) -> Iterator[Vector]:
-    """What holds a mass of 1 kg up, -gravity, in the axes of each row after its turn about z and before that about x."""
+    """What holds a mass of 1 kg up, -gravity, in the axes of each row after its turn about z and
+    before that about x."""
     x, y, z = lift
     for row, c, s, _ in steps:
         x, y = c * x + s * y, c * y - s * x

@@ -1,9 +1,9 @@
 """The SymPy view: exact transforms, forward kinematics and Jacobians, short enough to read.
 
-Nothing here calls ``simplify``. The work is done on polynomials in the cosines and sines of the joint
-angles, each sin² replaced by 1 - cos², and angles about parallel axes are added before their cosine is
-taken (q_2 + q_3 rather than c_2 c_3 - s_2 s_3). That form is unique, so equal expressions are identical.
-A symbol whose value is 0 is left out of the formulas.
+Nothing here calls ``simplify``. The work is done on polynomials in the cosines and sines of the
+joint angles, each sin² replaced by 1 - cos², and angles about parallel axes are added before their
+cosine is taken (q_2 + q_3 rather than c_2 c_3 - s_2 s_3). That form is unique, so equal expressions
+are identical. A symbol whose value is 0 is left out of the formulas.
 """
 
 from operator import mul
@@ -33,7 +33,8 @@ def link_transforms(arm: Arm) -> list[Matrix]:
 
 
 def link_frames(arm: Arm) -> list[Matrix]:
-    """The transforms T_00 .. T_0n from base to each link frame, each 4x4 (lengths in m, angles in rad)."""
+    """The transforms T_00 .. T_0n from base to each link frame, each 4x4 (lengths in m, angles in
+    rad)."""
     ring = Ring(arm)
     return [ring.matrix([*transposed(frame), [0, 0, 0, 1]]) for frame in frames_of(arm, ring)]
 
@@ -65,9 +66,9 @@ def jacobian(arm: Arm) -> Matrix:
 def jacobian_by_differentiation(arm: Arm) -> Matrix:
     """The tip's Jacobian, 6 x dof, from derivatives of its pose; no joint axis has a part in it.
 
-    Above, the derivatives of the position. Below, the angular velocity w in dR/dq_i R^T = S(w), with
-    S(w) the skew matrix of w x: three of its entries are w. Source: Spong, Hutchinson and Vidyasagar,
-    section 4.4.
+    Above, the derivatives of the position. Below, the angular velocity w in dR/dq_i R^T = S(w),
+    with S(w) the skew matrix of w x: three of its entries are w. Source: Spong, Hutchinson and
+    Vidyasagar, section 4.4.
     """
     ring = Ring(arm)
     tip = frames_of(arm, ring)[-1]
@@ -84,9 +85,10 @@ def jacobian_by_differentiation(arm: Arm) -> Matrix:
 def determinant(arm: Arm) -> sp.Expr:
     """The determinant of the Jacobian, factored; singular poses are where a factor is 0.
 
-    For an arm of six joints det J, for one of three the determinant of the linear rows. It does not depend on the
-    frame nor on the point that the Jacobian is taken in, so it is taken halfway up the arm, where entries are short.
-    Raises ArmError for another number of joints. Source: Spong, Hutchinson and Vidyasagar, section 4.9.
+    For an arm of six joints det J, for one of three the determinant of the linear rows. It does not
+    depend on the frame nor on the point that the Jacobian is taken in, so it is taken halfway up
+    the arm, where entries are short. Raises ArmError for another number of joints. Source: Spong,
+    Hutchinson and Vidyasagar, section 4.9.
     """
     must_be(arm, Arm, "arm")
     if arm.dof not in (3, 6):
@@ -109,7 +111,8 @@ def determinant(arm: Arm) -> sp.Expr:
 
 
 def _column_in(frame: Frame, arm: Arm, ring: Ring, before: Frame, i: int) -> list[PolyElement]:
-    """A Jacobian column for the point and the axes of a frame, reduced at once so that it stays short."""
+    """A Jacobian column for the point and the axes of a frame, reduced at once so that it stays
+    short."""
     lever = [t - o for t, o in zip(frame.origin, before.origin, strict=True)]
     turns = arm.rows[i - 1].joint.kind == "revolute"
     halves = (cross(before.z, lever), before.z) if turns else (before.z, [ring.zero] * 3)
@@ -117,10 +120,11 @@ def _column_in(frame: Frame, arm: Arm, ring: Ring, before: Frame, i: int) -> lis
 
 
 def potential_energy(arm: Arm) -> sp.Expr:
-    """P = g sum m_i h_i in the symbols g, m_i and (x_i, y_i, z_i), h_i being the height of link i's centre of mass.
+    """P = g sum m_i h_i in the symbols g, m_i and (x_i, y_i, z_i), h_i being the height of link i's
+    centre of mass.
 
-    A coordinate or mass that is 0 is left out; ``body_numbers(arm)`` gives the others' values. Raises ArmError where the
-    arm has no masses.
+    A coordinate or mass that is 0 is left out; ``body_numbers(arm)`` gives the others' values.
+    Raises ArmError where the arm has no masses.
     """
     ring = Ring(arm, extra=_body_symbols(arm))
     return ring.expression(_energy(arm, ring))
@@ -134,7 +138,8 @@ def gravity_torque(arm: Arm) -> Matrix:
 
 
 def body_numbers(arm: Arm, gravity: float = 9.81) -> dict[sp.Symbol, float]:
-    """The numbers (kg, m, m/s^2) of the symbols m_i, x_i, y_i, z_i and g, to substitute in a formula."""
+    """The numbers (kg, m, m/s^2) of the symbols m_i, x_i, y_i, z_i and g, to substitute in a
+    formula."""
     must_be(arm, Arm, "arm")
     numbers = {sp.Symbol("g"): number(gravity, "gravity", "a finite number of m/s^2")}
     for i, body in enumerate(arm.bodies, 1):
@@ -152,7 +157,8 @@ def _body_symbols(arm: Arm) -> list[sp.Symbol]:
 
 
 def _energy(arm: Arm, ring: Ring) -> PolyElement:
-    """g sum m_i (o_z + x_i x_z + y_i y_z + z_i z_z), the third components of the link frames' columns."""
+    """g sum m_i (o_z + x_i x_z + y_i y_z + z_i z_z), the third components of the link frames'
+    columns."""
     known = set(_body_symbols(arm))
 
     def letter(name: str) -> PolyElement:
@@ -177,7 +183,8 @@ def short(expression):
 
 
 def with_numbers(arm: Arm, expression):
-    """`expression` with the arm's values (m, rad, kg) for its symbols; only joint variables are left."""
+    """`expression` with the arm's values (m, rad, kg) for its symbols; only joint variables are
+    left."""
     must_be(arm, Arm, "arm")
     _must_be_expression(expression)
     return expression.xreplace(
@@ -203,7 +210,8 @@ def _link_transform(arm: Arm, i: int) -> Matrix:
 
 
 def _index(angle: sp.Expr) -> str:
-    """The index of a short name: ``23`` for q_2 + q_3, ``{2-3+4}`` where signs differ, nothing if it is no sum."""
+    """The index of a short name: ``23`` for q_2 + q_3, ``{2-3+4}`` where signs differ, nothing if
+    it is no sum."""
     terms = [term.as_coeff_Mul() for term in sorted(sp.Add.make_args(angle), key=_joint_number)]
     if not all(c in (1, -1) and str(s).startswith("q_") for c, s in terms):
         return ""

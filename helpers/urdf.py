@@ -1,10 +1,11 @@
 """A serial arm out of a robot description (URDF): its joint axes at q = 0, and from them its table.
 
-The chain from one link of the tree to another is read with its limits, speeds, efforts, masses and centres of mass.
-Fixed joints are folded in, and so are the masses of whatever is fastened to the chain at its side. The file is data:
-only `xml.etree` and `xml.parsers.expat` of the standard library touch it, a document type (which could hide an entity
-bomb or another file) is refused, and nothing that it names is opened.
-Source of the format: the URDF XML specification, wiki.ros.org/urdf/XML (elements joint, link and inertial).
+The chain from one link of the tree to another is read with its limits, speeds, efforts, masses and
+centres of mass. Fixed joints are folded in, and so are the masses of whatever is fastened to the
+chain at its side. The file is data: only `xml.etree` and `xml.parsers.expat` of the standard
+library touch it, a document type (which could hide an entity bomb or another file) is refused, and
+nothing that it names is opened. Source of the format: the URDF XML specification,
+wiki.ros.org/urdf/XML (elements joint, link and inertial).
 """
 
 import math
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, Derivation, derive
 from helpers.inputs import must_be, number, shown
-from helpers.rows import cos_sin
+from helpers.rows import Kind, cos_sin
 
 __all__ = ["Chain", "from_urdf", "read_chain"]
 
@@ -29,12 +30,17 @@ Array = NDArray[np.float64]
 
 _MOST = 50_000_000  # bytes; the largest robot of example-robot-data has 0.2 million
 _DEEPEST = 100  # nested elements; a robot description needs seven
-_KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic"}
+_KINDS: dict[str, Kind] = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+}
 
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """What a robot description says of the way from its link `base` to its link `tip`, at q = 0, in base axes.
+    """What a robot description says of the way from its link `base` to its link `tip`, at q = 0, in
+    base axes.
 
     Attributes:
         name: the robot's name.
@@ -42,7 +48,8 @@ class Chain:
         joints: the names of the joints that move, base to tip.
         axes: their axes, with limits, speeds and efforts.
         pose: the tip link's pose, 4x4.
-        masses: the mass (kg) that moves with each joint, shape (dof,); all 0 where the file gives none.
+        masses: the mass (kg) that moves with each joint, shape (dof,); all 0 where the file gives
+            none.
         centres: its centre of mass (m), shape (dof, 3).
     """
 
@@ -73,20 +80,22 @@ def from_urdf(
     negative: bool = False,
     tolerance: float = 1e-9,
 ) -> Arm:
-    """The arm from link `base` to link `tip` of a robot description, in standard Denavit-Hartenberg form.
+    """The arm from link `base` to link `tip` of a robot description, in standard Denavit-Hartenberg
+    form.
 
     Args:
         source: the file, or its text.
         base: a link; the one without a parent unless given.
         tip: a link beyond it; the last one unless given, where there is only one.
-        hold: joints by name that are held at a value (rad or m), as ``{"finger_joint": 0.02}``: on the chain they are
-            locked, beside it their links' masses ride along.
+        hold: joints by name that are held at a value (rad or m), as ``{"finger_joint": 0.02}``: on
+            the chain they are locked, beside it their links' masses ride along.
         name: the arm's name; the robot's unless given.
         negative, tolerance: as for `helpers.derive.derive`.
 
-    The joints keep their own zeros and signs, so q is the file's. A limit of 0 for speed or effort is taken as not
-    given, for many files write 0 there. Raises ArmError where the file is no robot description, where the chain
-    branches, or holds joints that are no single turn or slide (planar, floating), or that follow another (mimic).
+    The joints keep their own zeros and signs, so q is the file's. A limit of 0 for speed or effort
+    is taken as not given, for many files write 0 there. Raises ArmError where the file is no robot
+    description, where the chain branches, or holds joints that are no single turn or slide (planar,
+    floating), or that follow another (mimic).
     """
     return (
         read_chain(source, base, tip, hold=hold, name=name)
@@ -120,7 +129,8 @@ def read_chain(
 def _walk(
     tree: "_Tree", way: list["_Joint"], base: str, held: dict[str, float]
 ) -> tuple[tuple[str, ...], tuple[Axis, ...], Array, Array, Array]:
-    """The joints that move, their axes, the tip's pose, and for each joint the mass and centre that it carries."""
+    """The joints that move, their axes, the tip's pose, and for each joint the mass and centre that
+    it carries."""
     pose, names, axes, carried = np.eye(4), [], [], []
     for joint, after in zip(way, [*way[1:], None], strict=False):
         pose = pose @ joint.placed(held)
@@ -144,7 +154,8 @@ def _walk(
 def _load(
     tree: "_Tree", link: str, pose: Array, onwards: "_Joint | None", held: dict[str, float]
 ) -> Array:
-    """The mass of a link and of all that hangs on it beside the chain, and its first moment: (m, m x, m y, m z)."""
+    """The mass of a link and of all that hangs on it beside the chain, and its first moment: (m, m
+    x, m y, m z)."""
     total, waiting = np.zeros(4), [(link, pose)]
     while waiting:
         link, at = waiting.pop()
@@ -155,7 +166,8 @@ def _load(
                 continue
             if joint.moves(held):
                 raise ArmError(
-                    f"{tree.name}: joint {joint.name} on {link} branches off the chain and moves; hold it, as in"
+                    f"{tree.name}: joint {joint.name} on {link} branches off the chain and moves;"
+                    " hold it, as in"
                     f" hold={{{joint.name!r}: 0.0}}, or choose a base beyond it"
                 )
             waiting.append((joint.child, at @ joint.placed(held)))
@@ -204,12 +216,14 @@ class _Joint:
             return False
         if self.kind not in _KINDS:
             raise ArmError(
-                f"joint {self.name} is {self.kind}; a table has rows for revolute, continuous, prismatic and fixed"
+                f"joint {self.name} is {self.kind}; a table has rows for revolute, continuous,"
+                " prismatic and fixed"
                 " joints, one freedom each"
             )
         if self.mimics:
             raise ArmError(
-                f"joint {self.name} mimics {self.mimics}; expected joints that move by themselves, so hold it, as in"
+                f"joint {self.name} mimics {self.mimics}; expected joints that move by themselves,"
+                " so hold it, as in"
                 f" hold={{{self.name!r}: 0.0}}"
             )
         return True
@@ -265,7 +279,8 @@ class _Tree:
     def link(self, name: object, what: str) -> str:
         if not isinstance(name, str) or name not in self.masses:
             raise ArmError(
-                f"{self.name}: {what} is {shown(name)}; expected a link, one of {_some(self.masses)}"
+                f"{self.name}: {what} is {shown(name)}; expected a link, one of"
+                f" {_some(self.masses)}"
             )
         return name
 
@@ -276,7 +291,8 @@ class _Tree:
         if len(free) != 1:
             given = f"are {_some(free)}" if free else "do not exist: its links go round in a circle"
             raise ArmError(
-                f"{self.name}: links without a parent {given}; expected one, or the name of the base"
+                f"{self.name}: links without a parent {given}; expected one, or the name of the"
+                " base"
             )
         return free[0]
 
@@ -293,18 +309,21 @@ class _Tree:
             ends += [] if beyond else [link]
         if len(ends) != 1:
             raise ArmError(
-                f"{self.name} branches: beyond {base} the last links are {_some(sorted(ends))}; say which is the tip"
+                f"{self.name} branches: beyond {base} the last links are {_some(sorted(ends))};"
+                " say which is the tip"
             )
         return ends[0]
 
     def way(self, base: str, tip: str) -> list[_Joint]:
         """The joints from a link to one beyond it."""
         above = {joint.child: joint for joints in self.joints.values() for joint in joints}
-        found, link = [], tip
+        found: list[_Joint] = []
+        link = tip
         while link != base:
             if link not in above or len(found) > len(above):
                 raise ArmError(
-                    f"{self.name}: {tip} does not lie beyond {base}; expected a chain from base to tip"
+                    f"{self.name}: {tip} does not lie beyond {base}; expected a chain from base to"
+                    " tip"
                 )
             found.append(above[link])
             link = above[link].parent
@@ -328,12 +347,13 @@ def _once(names: list[str], what: str) -> None:
 
 def _root(source: str | os.PathLike[str]) -> ET.Element:
     """The <robot> element of a file or of a text."""
-    is_text = isinstance(source, str) and "<" in source
-    data = source.encode("utf-8", "replace") if is_text else _read(source)
-    what = "the text" if is_text else os.fspath(source)
+    if isinstance(source, str) and "<" in source:
+        data, what, encoding = source.encode("utf-8", "replace"), "the text", "utf-8"
+    else:
+        data, what, encoding = _read(source), os.fspath(source), None
     try:
-        _refuse_traps(data, "utf-8" if is_text else None, what)
-        parser = ET.XMLParser(encoding="utf-8" if is_text else None)
+        _refuse_traps(data, encoding, what)
+        parser = ET.XMLParser(encoding=encoding)
         root = ET.fromstring(data, parser)
     except (expat.ExpatError, ET.ParseError, LookupError, ValueError) as error:
         if isinstance(error, ArmError):
@@ -369,7 +389,8 @@ def _read(source: str | os.PathLike[str]) -> bytes:
 
 
 def _refuse_traps(data: bytes, encoding: str | None, what: str) -> None:
-    """Raise ArmError for a document type, which may define entities, and for elements nested without end."""
+    """Raise ArmError for a document type, which may define entities, and for elements nested
+    without end."""
     depth = 0
 
     def doctype(*_: object) -> None:
@@ -413,7 +434,7 @@ def _joint(element: ET.Element) -> _Joint:
     mimics = "" if mimic is None else mimic.get("joint", "another joint")
     origin = _origin(element, name)
     axis = axis / length if length else axis
-    return _Joint(name, kind, *ends, origin, axis, _limits(element, name, kind), mimics)
+    return _Joint(name, kind, ends[0], ends[1], origin, axis, _limits(element, name, kind), mimics)
 
 
 def _linked(element: ET.Element, which: str, name: str) -> str:
@@ -441,7 +462,8 @@ def _limits(element: ET.Element, name: str, kind: str) -> Joint:
 
 
 def _mass(link: ET.Element) -> tuple[float, Array]:
-    """A link's mass (kg) and centre of mass (m) in its own frame; no mass where the file gives none."""
+    """A link's mass (kg) and centre of mass (m) in its own frame; no mass where the file gives
+    none."""
     name, inertial = _name(link, "link"), link.find("inertial")
     if inertial is None:
         return 0.0, np.zeros(3)

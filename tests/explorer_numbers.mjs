@@ -1,10 +1,16 @@
 // Computes with the explorer's JavaScript what tests/test_explorer.py compares with Python: JSON in, JSON out.
 
 import { readFileSync } from "node:fs";
+import { readEntry } from "../explorer/src/entry.js";
+import { exported } from "../explorer/src/exports.js";
 import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../explorer/src/kinematics.js";
 import { determinant, singular } from "../explorer/src/linear.js";
 import { otherWays, traceCircle } from "../explorer/src/motion.js";
-import { entryText, readEntry } from "../explorer/src/text.js";
+import { sameArm } from "../explorer/src/same.js";
+import { derive } from "../explorer/src/state.js";
+import { stillShapes } from "../explorer/src/still.js";
+import { entryText } from "../explorer/src/text.js";
+import { rankVerdict, waysVerdict } from "../explorer/src/verdicts.js";
 
 function numbers(arm, q, wrench) {
   const frames = linkFrames(arm, q);
@@ -15,12 +21,22 @@ function numbers(arm, q, wrench) {
   };
 }
 
+function verdicts(arm, q) {
+  const ways = otherWays(arm, q);
+  const derived = derive(arm, q);
+  return { rank: derived.rank, said: rankVerdict(derived), ways, counted: waysVerdict(arm, ways) };
+}
+
 const jobs = {
   numbers: ({ arm, qs, wrench }) => qs.map((q) => numbers(arm, q, wrench)),
   circle: ({ arm, q, ...circle }) => traceCircle(arm, q, circle),
-  ways: ({ arm, q }) => otherWays(arm, q),
-  entries: ({ typed }) => typed.map(([text, angle, unit]) => readEntry(text, angle, unit)),
+  ways: ({ arm, q }) => otherWays(arm, q).list.map((way) => way.q),
+  verdicts: ({ arm, qs }) => qs.map((q) => verdicts(arm, q)),
+  same: ({ pairs }) => pairs.map(([mine, reference]) => sameArm(mine, reference)),
+  entries: ({ typed }) => typed.map(([text, quantity, unit]) => readEntry(text, quantity, unit)),
   written: ({ values }) => values.map(([value, angle, unit]) => entryText(value, angle, unit)),
+  still: ({ arm, q }) => stillShapes(arm, linkFrames(arm, q)),
+  exported: ({ arm, q, format }) => exported(format, { arm, q }),
 };
 
 const { job, ...given } = JSON.parse(readFileSync(0, "utf8"));

@@ -1,12 +1,29 @@
-"""What the tests share: the arms, the batch shapes, and a second, slow definition of a link's matrix."""
+"""What the tests share: the arms, the batch shapes, and a second, slow definition of a link's
+matrix."""
 
+import ast
+from pathlib import Path
+
+import nbformat
 import numpy as np
 from hypothesis import strategies as st
 
 from helpers.arm import Arm, fixed, prismatic, revolute
 from helpers.robots import ARMS, PANDA
 
-ALL_ARMS = (*ARMS, PANDA.lock(3))
+
+def instructors_arm() -> Arm:
+    """The arm that the instructors' page adds, read from its cell: under every law."""
+    page = Path(__file__).parents[1] / "book" / "instructors.ipynb"
+    cells = [cell.source for cell in nbformat.read(page, as_version=4).cells]
+    (cell,) = (source for source in cells if source.startswith("SCARA = Arm("))
+    made = ast.Expression(ast.parse(cell).body[0].value)
+    return eval(
+        compile(made, "instructors", "eval"), dict(Arm=Arm, revolute=revolute, prismatic=prismatic)
+    )
+
+
+ALL_ARMS = (*ARMS, PANDA.lock(3), instructors_arm())
 SHAPES = ((), (1,), (3, 2), (0,))
 
 
@@ -19,7 +36,8 @@ def joint_vectors(arm: Arm, shape: tuple[int, ...], seed: int = 0) -> np.ndarray
 
 
 def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
-    """T_00 .. T_0n as products of the four elementary motions, written out here and nowhere else."""
+    """T_00 .. T_0n as products of the four elementary motions, written out here and nowhere
+    else."""
     frames, rest = [np.eye(4)], list(q)
     for row in arm.rows:
         a, alpha, d, theta = (arm.number(e) for e in (row.a, row.alpha, row.d, row.theta))

@@ -1,7 +1,9 @@
-"""Whether two tables are the same machine, found out by trying: nothing here knows what a common normal is.
+"""Whether two tables are the same machine, found out by trying: nothing here knows what a common
+normal is.
 
-They are if, for some signs s, shifts delta, base motion and constant turn R of the tool, the poses of the one at
-s q + delta are those of the other at q, whatever q. The base motion drops out of poses taken relative to the first.
+They are if, for some signs s, shifts delta, base motion and constant turn R of the tool, the poses
+of the one at s q + delta are those of the other at q, whatever q. The base motion drops out of
+poses taken relative to the first.
 """
 
 from dataclasses import replace
@@ -16,7 +18,8 @@ _TRIES, _STEPS = 16, 40
 
 
 def same_machine(mine: Arm, reference: Arm) -> bool:
-    """Searches for signs, shifts and turn by Levenberg and Marquardt's method from many starts at once."""
+    """Searches for signs, shifts and turn by Levenberg and Marquardt's method from many starts at
+    once."""
     rng = np.random.default_rng(0)
     q = rng.uniform(-1.5, 1.5, (10, reference.dof))
     wanted = _relative(forward_kinematics(reference, q))
@@ -47,7 +50,8 @@ def _cost(misfit: np.ndarray) -> np.ndarray:
 
 
 def _misfit(mine: Arm, q: np.ndarray, wanted: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """One row per start: how far the poses at q + delta, the tool turned by R, are from those wanted."""
+    """One row per start: how far the poses at q + delta, the tool turned by R, are from those
+    wanted."""
     poses = _relative(forward_kinematics(mine, q + x[:, None, : mine.dof]))
     R = _rotation(x[:, mine.dof :])[:, None]
     turned = R @ wanted[:, :3, :3] - poses[..., :3, :3] @ R
@@ -77,7 +81,8 @@ _KINDS = (revolute, revolute, prismatic, fixed)
 
 
 def random_pair(seed: int, rows: int = 3) -> tuple[Arm, Arm]:
-    """A table full of special cases, and the same one with up to three entries changed or reversed."""
+    """A table full of special cases, and the same one with up to three entries changed or
+    reversed."""
     rng = np.random.default_rng(seed)
     pick = lambda values: values[rng.integers(len(values))]  # noqa: E731
     table = [

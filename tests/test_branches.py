@@ -1,7 +1,9 @@
-"""The branch checker: what it says of right, wrong and missing joint angles of targets solved by hand.
+"""The branch checker: what it says of right, wrong and missing joint angles of targets solved by
+hand.
 
-The elbow arm's links, 0.4 and 0.3 m, are the legs of a right angle over (0.5, 0, 0.5), its shoulder at (0, 0, 0.5):
-the first leans by LOW = atan2(3, 4), the second by a right angle more. Angles and misses follow from that triangle.
+The elbow arm's links, 0.4 and 0.3 m, are the legs of a right angle over (0.5, 0, 0.5), its shoulder
+at (0, 0, 0.5): the first leans by LOW = atan2(3, 4), the second by a right angle more. Angles and
+misses follow from that triangle.
 """
 
 from dataclasses import replace
@@ -72,7 +74,8 @@ def test_no_answer_leaves_all_missing_and_twice_the_same_is_one():
 @pytest.mark.parametrize(
     ("answer", "says"),
     [
-        # The forearm, at right angles below the other leg's mirror image, ends 0.36 m short and 0.48 m low.
+        # The forearm, at right angles below the other leg's mirror image, ends 0.36 m short and
+        # 0.48 m low.
         ((0, -LOW, -RIGHT), "600 mm: q_2 has the wrong sign, or it would be 'front, elbow up'"),
         # From (0.32, 0.24) on by 0.3 along (0.8, 0.6): 0.06 m beyond, 0.42 m high.
         ((0, LOW, 0), "424 mm: q_3 is in no branch"),
@@ -80,7 +83,8 @@ def test_no_answer_leaves_all_missing_and_twice_the_same_is_one():
         # (0.24, 0.32) and 0.3 along (0.8, -0.6) end in (0.48, 0.14).
         (
             (0, RIGHT - LOW, -RIGHT),
-            "141 mm: q_2 is measured from the other axis (pi/2 less it), or it would be 'front, elbow up'",
+            "141 mm: q_2 is measured from the other axis (pi/2 less it), or it would be 'front,"
+            " elbow up'",
         ),
         # (-0.32, 0.24) and 0.3 along (0.6, 0.8) end in (-0.14, 0.48).
         (
@@ -112,7 +116,8 @@ def test_atan_for_atan2():
 
 
 def test_signs():
-    """Turned by the 3, 4, 5 triangle's angle up and left, the target is (0.24, 0.32) beside, 0.3 m above the shoulder."""
+    """Turned by the 3, 4, 5 triangle's angle up and left, the target is (0.24, 0.32) beside, 0.3 m
+    above the shoulder."""
     beside = elbow(ELBOW, (0.24, 0.32, 0.8))
     left, up = np.arctan2(4, 3), 2 * LOW
     assert compare_branches([(left, up, -RIGHT), (left, 0, RIGHT)], beside).found == NAMES[:2]
@@ -138,7 +143,8 @@ def test_a_slide_has_neither_turns_nor_another_axis(slid):
 
 
 def test_a_pose_is_missed_by_an_angle_too():
-    """Joint 6's axis holds the tip, so its sign turns the tool by 2 x 0.6 rad = 68.8 degrees and moves nothing."""
+    """Joint 6's axis holds the tip, so its sign turns the tool by 2 x 0.6 rad = 68.8 degrees and
+    moves nothing."""
     q = np.array((0.3, 0.8, 0.5, 0.4, 0.5, 0.6))
     found = stanford(STANFORD, forward_kinematics(STANFORD, q))
     assert first(q * (1, 1, 1, 1, 1, -1), found) == (
@@ -176,7 +182,8 @@ def test_an_answer_that_our_list_lacks_is_admitted():
 
 
 def test_above_the_shoulder_any_value_of_joint_1_will_do():
-    """0.4 m above the shoulder the triangle's sides are 0.4, 0.3 and 0.4; joint 1 may point anywhere."""
+    """0.4 m above the shoulder the triangle's sides are 0.4, 0.3 and 0.4; joint 1 may point
+    anywhere."""
     lean, bend = np.arccos(0.23 / 0.32), np.arccos(-0.09 / 0.24)
     above = elbow(ELBOW, (0.0, 0.0, 0.9), start=(0.7, 0, 0))
     over, under = (-2.0, RIGHT + lean, -bend), (1.3, RIGHT - lean, bend)

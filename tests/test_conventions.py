@@ -11,7 +11,8 @@ from tests.laws import joint_vectors, random_arms
 
 
 def slow_modified(arm: Arm, rows, q) -> np.ndarray:
-    """Craig's product Rot_x(alpha_{i-1}) Trans_x(a_{i-1}) Rot_z(theta_i) Trans_z(d_i), written out here."""
+    """Craig's product Rot_x(alpha_{i-1}) Trans_x(a_{i-1}) Rot_z(theta_i) Trans_z(d_i), written out
+    here."""
     T, rest = np.eye(4), list(q)
     for row in rows:
         a, alpha, d, theta = (arm.number(e) for e in (row.a, row.alpha, row.d, row.theta))

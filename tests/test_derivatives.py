@@ -1,7 +1,9 @@
-"""Every derivative of the helpers against one that nobody wrote out: complex steps, and finite differences.
+"""Every derivative of the helpers against one that nobody wrote out: complex steps, and finite
+differences.
 
-The complex step differentiates the tests' own product of elementary motions, to the last digit: f(q + ih) has the
-imaginary part h f'(q), with nothing subtracted. Finite differences take the helpers' forward kinematics as it is.
+The complex step differentiates the tests' own product of elementary motions, to the last digit: f(q
++ ih) has the imaginary part h f'(q), with nothing subtracted. Finite differences take the helpers'
+forward kinematics as it is.
 """
 
 import numpy as np
@@ -27,7 +29,8 @@ def by_differences(arm, q, h=1e-6):
 
 
 def twists(rates, T):
-    """Columns (v, w): the position's rate, and w from the skew matrix of the rotation's rate times R^T."""
+    """Columns (v, w): the position's rate, and w from the skew matrix of the rotation's rate times
+    R^T."""
     skew = rates[:, :3, :3] @ T[:3, :3].T
     omega = np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
     return np.concatenate([rates[:, :3, 3], omega], axis=1).T

@@ -69,7 +69,8 @@ def random_pose(rng):
 
 
 def some_axes(rng, n):
-    """Axes with every relation to the one before: skew, meeting, parallel, one line, either way round."""
+    """Axes with every relation to the one before: skew, meeting, parallel, one line, either way
+    round."""
     axes = [Axis(tuple(rng.normal(size=3)), tuple(rng.normal(size=3)))]
     while len(axes) < n:
         p, z = np.array(axes[-1].point), np.array(axes[-1].direction)
@@ -232,7 +233,8 @@ def test_where_nothing_follows_a_slide_runs_through_the_tip():
 
 
 def test_nearly_parallel_axes_are_kept_or_taken_for_parallel():
-    """A tilt of 1e-5 puts the common normal kilometres away; a tolerance above it does not, and says what it costs."""
+    """A tilt of 1e-5 puts the common normal kilometres away; a tolerance above it does not, and
+    says what it costs."""
     axes = [Axis((0, 0, 0), Z), Axis((0.3, 0.1, 0), (0, 1e-5, 1))]
     exact, flat = derive(axes, (0.5, 0, 0)), derive(axes, (0.5, 0, 0), tolerance=1e-4)
     assert exact.steps[0].d == pytest.approx(-1e4)

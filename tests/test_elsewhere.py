@@ -1,4 +1,5 @@
-"""Other folders and other systems: nothing depends on where it is started, and nothing on what Windows does differently."""
+"""Other folders and other systems: nothing depends on where it is started, and nothing on what
+Windows does differently."""
 
 import ast
 import re
@@ -39,7 +40,8 @@ def test_a_notebook_names_no_file(path):
 
 
 def test_a_chapter_runs_from_any_folder(tmp_path):
-    """As a plain script, in an empty folder with a blank in its name, and it leaves nothing there."""
+    """As a plain script, in an empty folder with a blank in its name, and it leaves nothing
+    there."""
     folder = tmp_path / "my course"
     folder.mkdir()
     script = tmp_path / "cells.py"

@@ -1,6 +1,8 @@
 """Table entries: what is read is what was written, and nothing else can be written."""
 
+import json
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -93,8 +95,10 @@ def test_entries_read_as_maths(text, wanted):
 
 
 NOT_FORMULAS = (
-    "", "a +", "(a", "a b", "a**2", "a // 2", "a % 2", "a, b", "[a]", "{a}", "'a'", "a = 1", "a < b", "a if b else c",
-    "lambda: 1", "f(1)", "a.b", "a[0]", "1j", "True", "None", "1e999", "__import__('os')", "().__class__", "a; b", "a\nb",
+    "", "a +", "(a", "a b", "a**2", "a // 2", "a % 2", "a, b", "[a]", "{a}", "'a'", "a = 1",
+    "a < b", "a if b else c",
+    "lambda: 1", "f(1)", "a.b", "a[0]", "1j", "True", "None", "1e999", "__import__('os')",
+    "().__class__", "a; b", "a\nb",
     "a\0", "~1", "not a", "a and b", "(a := 1)", "f'{a}'",
 )  # fmt: skip
 
@@ -152,3 +156,32 @@ def test_what_is_refused_is_told_in_a_whole_sentence(ask, words):
     with pytest.raises(ArmError) as told:
         ask()
     assert str(told.value) == words
+
+
+ENTRIES = [
+    case
+    for case in json.loads((Path(__file__).parent / "entries.json").read_text(encoding="utf-8"))
+    if case["unit"] in ("rad", "m")
+]
+
+
+@pytest.mark.parametrize("case", ENTRIES, ids=lambda case: case["text"][:12])
+def test_what_the_explorer_reads_python_reads(case):
+    """The fixture is the explorer's too, in tests/test_explorer.py."""
+    what = "alpha" if case["quantity"] == "angle" else "a"
+    if case["value"] is None:
+        with pytest.raises(ArmError):
+            evaluate(entry(case["text"], what), {})
+    else:
+        found = evaluate(entry(case["text"], what), {})
+        assert found == pytest.approx(case["value"], rel=1e-14)
+
+
+def test_degrees_become_the_exact_angles_that_keep_zeros():
+    assert entry("−90°", "alpha") == "-pi/2"
+    assert entry("60 degrees", "theta") == "pi/3"
+    assert entry("d_6 + 5 mm", "d") == "d_6 + 5/1000"
+    with pytest.raises(ArmError, match=r"alpha is '1 \+ 20°', which mixes"):
+        entry("1 + 20°", "alpha")
+    with pytest.raises(ArmError, match="expected π or degrees, not both"):
+        entry("π/2°", "alpha")

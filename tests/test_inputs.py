@@ -1,4 +1,5 @@
-"""The door: what is let in comes out ready to compute with, and what is not is told whole sentences."""
+"""The door: what is let in comes out ready to compute with, and what is not is told whole
+sentences."""
 
 import numpy as np
 import pytest

@@ -1,8 +1,9 @@
-"""Inverse kinematics: forward kinematics is the judge, and bounds from the literature say when a list is complete.
+"""Inverse kinematics: forward kinematics is the judge, and bounds from the literature say when a
+list is complete.
 
-An arm of the elbow kind has four ways to a point and eight to a pose (Pieper, 1968), as has the Stanford arm with an
-unlimited rod; where that many distinct ones are found, none is missing. The UR's number varies: it is counted against
-another program in peers/test_ssik.py.
+An arm of the elbow kind has four ways to a point and eight to a pose (Pieper, 1968), as has the
+Stanford arm with an unlimited rod; where that many distinct ones are found, none is missing. The
+UR's number varies: it is counted against another program in peers/test_ssik.py.
 """
 
 from dataclasses import replace
@@ -56,7 +57,8 @@ def apart(arm, q, other):
 
 
 def misses(arm, found, targets):
-    """How far each existing branch is from its target: the largest entry of the difference of poses or positions."""
+    """How far each existing branch is from its target: the largest entry of the difference of poses
+    or positions."""
     T = forward_kinematics(arm, np.where(found.valid[..., None], found.q, 0.0))
     if targets.shape[-1] == 3:
         error = np.abs(T[..., :3, 3] - targets[..., None, :]).max(axis=-1)
@@ -202,7 +204,8 @@ def test_up_is_up():
     found = elbow(ELBOW, p)
     joint = forward_kinematics(replace(ELBOW, rows=ELBOW.rows[:2], home=()), found.q[..., :2])
     elbow_at = joint[..., :3, 3]
-    # Height over the line from the shoulder (0, 0, 0.5) to the target, measured in the vertical plane of both.
+    # Height over the line from the shoulder (0, 0, 0.5) to the target, measured in the vertical
+    # plane of both.
     reach = np.hypot(p[:, 0], p[:, 1])[:, None]
     line = 0.5 + (p[:, 2, None] - 0.5) * (elbow_at[..., :2] @ p[:, :2, None])[..., 0] / reach**2
     above = elbow_at[..., 2] > line
@@ -267,7 +270,8 @@ def test_rod_with_its_tip_in_the_shoulder():
 
 
 def test_rod_above_its_shoulder_leaves_joint_1_free():
-    """Without an offset the target on joint 1's axis is reached with q_1 as it was, the rod upright."""
+    """Without an offset the target on joint 1's axis is reached with q_1 as it was, the rod
+    upright."""
     arm = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()))
     found = rod(arm, (0, 0, 0.6), start=(0.7, 0, 0))
     assert found.valid.all()
@@ -382,7 +386,8 @@ def test_a_ur_folded_inwards_is_an_isolated_solution():
     ],
 )
 def test_the_singular_set_approached_from_all_sides(solver, arm, special):
-    """The target is never lost, and no branch is off, from a thousandth of a radian away to the set itself."""
+    """The target is never lost, and no branch is off, from a thousandth of a radian away to the set
+    itself."""
     rng = np.random.default_rng(6)
     for size in (0.0, *10.0 ** -np.arange(3, 18)):
         q = random_q(arm, 60, seed=7)
@@ -424,7 +429,8 @@ def test_limits_rule_branches_out():
 
 
 def test_limits_beyond_half_a_turn_are_met_by_whole_turns():
-    """q_1 = -1 of the list is 2 pi - 1 = 5.28 for a joint that goes from 3.5 to 6, and 2 is 8.28: out."""
+    """q_1 = -1 of the list is 2 pi - 1 = 5.28 for a joint that goes from 3.5 to 6, and 2 is 8.28:
+    out."""
     first = revolute(alpha="pi/2", limits=(3.5, 6))
     arm = Arm("winder", (first, revolute(a=1), revolute(a=0.5)), home=(4, 0, 0))
     for q1, inside in ((-1.0, True), (2.0, False)):
@@ -539,88 +545,34 @@ def test_one_target_for_many_starts_and_none_at_all():
     assert ur(UR10E, T[:0]).q.shape == (0, 8, 6)
 
 
+NO_ROD = [
+    (revolute(a=0.1, alpha="pi/2"), revolute(alpha="pi/2"), prismatic()),
+    (revolute(alpha=0.3), revolute(alpha="pi/2"), prismatic()),
+    (revolute(alpha="pi/2"), revolute(alpha=0.3), prismatic()),
+    (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi/2")),
+    (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi")),
+    (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(), revolute()),
+]
+NO_UR = [(i, {"a": 0.1}) for i in (1, 4, 5)] + [(i, {"alpha": 0.3}) for i in range(1, 6)]
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: elbow(UR10E, (0, 0, 0)), "UR10e is no elbow arm; expected three revolute joints"),
-        (lambda: elbow(ELBOW, (0, 0)), r"Elbow arm: targets has shape \(2,\); expected \(..., 3\)"),
-        (lambda: elbow(ELBOW, (0, 0, np.nan)), "Elbow arm: targets holds NaN or infinity"),
-        (
-            lambda: elbow(ELBOW, "here"),
-            r"Elbow arm: targets is 'here'; expected \(..., 3\), finite positions",
-        ),
-        (lambda: elbow(ELBOW, (0, 0, 1), start=(0, 0)), r"Elbow arm: start has shape \(2,\)"),
         (lambda: elbow(ELBOW.with_values(a_3=0), (0, 0, 1)), "is no elbow arm"),
-        (lambda: rod(ELBOW, (0, 0, 0)), "Elbow arm has no rod through its shoulder"),
-        *[
-            (lambda rows=rows: rod(Arm("odd", rows), (0, 0, 0)), "odd has no rod")
-            for rows in (
-                (revolute(a=0.1, alpha="pi/2"), revolute(alpha="pi/2"), prismatic()),
-                (revolute(alpha=0.3), revolute(alpha="pi/2"), prismatic()),
-                (revolute(alpha="pi/2"), revolute(alpha=0.3), prismatic()),
-                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi/2")),
-                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(alpha="pi")),
-                (revolute(alpha="pi/2"), revolute(alpha="pi/2"), prismatic(), revolute()),
-            )
-        ],
-        (lambda: stanford(UR10E, np.eye(4)), "UR10e has no spherical wrist"),
+        *[(lambda rows=r: rod(Arm("odd", rows), (0, 0, 0)), "odd has no rod") for r in NO_ROD],
         (lambda: stanford(PUMA, np.eye(4)), "Puma has no rod through its shoulder"),
         (lambda: spherical_wrist(STANFORD, np.eye(4)), "Stanford arm is no elbow arm"),
-        (lambda: ur(PANDA, np.eye(4)), "Panda is no arm of the UR family; expected six revolute"),
         *[
-            (
-                lambda i=i, change=change: ur(
-                    replace(
-                        UR10E,
-                        rows=tuple(
-                            replace(row, **change) if k == i else row
-                            for k, row in enumerate(UR10E.rows, 1)
-                        ),
-                    ),
-                    np.eye(4),
-                ),
-                "UR10e is no arm of the UR family",
-            )
-            for i, change in (
-                (1, {"a": 0.1}),
-                (4, {"a": 0.1}),
-                (5, {"a": 0.1}),
-                (1, {"alpha": 0.3}),
-                (2, {"alpha": 0.3}),
-                (3, {"alpha": 0.3}),
-                (4, {"alpha": 0.3}),
-                (5, {"alpha": 0.3}),
-                (2, {"a": 0}),
-                (3, {"a": 0}),
-            )
+            (lambda i=i, e=e: ur(UR10E.with_row(i, **e), np.eye(4)), "UR10e is no arm of the UR")
+            for i, e in [*NO_UR, (2, {"a": 0}), (3, {"a": 0})]
         ],
-        (
-            lambda: ur(UR10E, np.eye(3)),
-            r"UR10e: targets has shape \(3, 3\); expected \(..., 4, 4\)",
-        ),
-        (lambda: ur(UR10E, 2 * np.eye(4)), "UR10e: a target is no rigid transform, by "),
         (lambda: ur(UR10E, np.diag([1, 1, -1, 1])), "UR10e: a target is no rigid transform, by 2;"),
         (lambda: ur(UR10E, np.eye(4) + np.eye(4)[::-1] * 0.1), "is no rigid transform"),
-        (
-            lambda: stanford(STANFORD, np.full((4, 4), np.inf)),
-            "Stanford arm: targets holds NaN or infinity",
-        ),
-        (lambda: elbow(ELBOW, (0.5, 0, 0.5)).nearest((0, 0)), r"q has shape \(2,\)"),
-        (lambda: solve(PANDA, np.eye(2)), r"Panda: targets has shape \(2, 2\)"),
         (lambda: solve(PANDA, np.zeros((4, 4))), "Panda: a target is no rigid transform"),
-        (lambda: solve(PANDA, np.eye(4), (0, 0)), r"Panda: start has shape \(2,\)"),
-        (
-            lambda: solve(PANDA, np.eye(4), tolerance=0),
-            "tolerance is 0; expected a positive number",
-        ),
-        (
-            lambda: solve(PANDA, np.eye(4), iterations=1.5),
-            "iterations is 1.5; expected a whole number",
-        ),
-        (lambda: solve(PANDA, np.eye(4), restarts=-1), "restarts is -1; expected a whole number"),
     ],
 )
-def test_bad_input(call, message):
+def test_an_arm_or_a_target_that_does_not_fit_is_refused(call, message):
     with pytest.raises(ArmError, match=message):
         call()
 
@@ -687,7 +639,8 @@ def test_restarts_find_what_one_start_misses_and_repeat():
 
 
 def test_turn_between_is_undone_by_rodrigues():
-    """Random turns, small ones, and half turns, whose axis cannot be read from the antisymmetric part."""
+    """Random turns, small ones, and half turns, whose axis cannot be read from the antisymmetric
+    part."""
     rng = np.random.default_rng(8)
     axes = rng.normal(size=(60, 3))
     axes = np.vstack([axes, np.eye(3), -np.eye(3)])

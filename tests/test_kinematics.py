@@ -43,6 +43,11 @@ def test_a_batch_is_its_rows(arm):
         together = function(arm, q)
         for index in np.ndindex(3, 2):
             np.testing.assert_allclose(together[index], function(arm, q[index]), atol=1e-15)
+    upright = np.abs(forward_kinematics(arm, q)[..., 2, 2]) == 1
+    if upright.all():  # a tool that always points straight down has no ZYZ angles
+        with pytest.raises(ArmError, match="ZYZ angles are singular"):
+            analytic_jacobian(arm, q)
+        return
     together = analytic_jacobian(arm, q)
     for index in np.ndindex(3, 2):
         np.testing.assert_allclose(
@@ -142,7 +147,8 @@ def test_the_stanford_arm_by_hand():
 
 
 def test_a_wrist_alone_turns_about_a_point():
-    """All axes meet in the tip: nothing moves it, and in a batch its place is one while the axes are many."""
+    """All axes meet in the tip: nothing moves it, and in a batch its place is one while the axes
+    are many."""
     wrist = Arm("wrist", [revolute(alpha="-pi/2"), revolute(alpha="pi/2"), revolute()])
     q = joint_vectors(wrist, (5,))
     J = jacobian(wrist, q)
@@ -154,29 +160,6 @@ def test_a_wrist_alone_turns_about_a_point():
     for part in ("angular", "all"):
         np.testing.assert_allclose(manipulability(wrist, q, part), np.abs(np.sin(q[:, 1])))
     np.testing.assert_array_equal(manipulability(wrist, q, "linear"), 0)
-
-
-@pytest.mark.parametrize(
-    "function",
-    [
-        forward_kinematics,
-        link_frames,
-        jacobian,
-        partial(jacobian_in_frame, frame=1),
-        analytic_jacobian,
-        manipulability,
-    ],
-)
-def test_what_is_no_arm_is_told_in_a_whole_sentence(function):
-    with pytest.raises(ArmError) as told:
-        function("Panda", q=PANDA.home)
-    assert str(told.value) == "arm is 'Panda'; expected an Arm"
-
-
-def test_a_frame_is_counted_from_the_base():
-    with pytest.raises(ArmError) as told:
-        jacobian_in_frame(PANDA, PANDA.home, -1)
-    assert str(told.value) == "frame is -1; expected a whole number of 0 or more"
 
 
 def test_a_large_batch_needs_little_more_memory_than_its_result():
@@ -198,6 +181,9 @@ def test_input_is_not_changed():
 
 
 def test_importing_the_numeric_view_does_not_import_the_heavy_packages():
-    code = "import sys, helpers.kinematics, helpers.robots; print(sorted({'sympy', 'matplotlib', 'IPython'} & set(sys.modules)))"
+    code = (
+        "import sys, helpers.kinematics, helpers.robots; print(sorted({'sympy', 'matplotlib',"
+        " 'IPython'} & set(sys.modules)))"
+    )
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert told.stdout.strip() == "[]"

@@ -1,8 +1,9 @@
-"""Tracing: orders measured, remedies as the homework's page has them, limits reported as they are."""
+"""Tracing: orders measured, remedies as the homework's page has them, limits reported as they
+are."""
 
-import time
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -10,10 +11,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.arm import ArmError
+from helpers.inverse import follow, ur
 from helpers.kinematics import forward_kinematics, jacobian, link_frames, tip
 from helpers.motion import (
+    Path,
     SingularError,
+    UnreachableError,
     adaptive,
+    at_once,
     away_from_limits,
     circle,
     circle_below,
@@ -23,9 +28,11 @@ from helpers.motion import (
     pseudo_inverse,
     towards,
     trace,
+    tracing,
     with_null_space,
 )
 from helpers.motion.report import run_report as summary
+from helpers.motion.steps import charted
 from helpers.plotting import moving_picture
 from helpers.robots import PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
@@ -236,7 +243,8 @@ def test_wishes_point_where_they_say():
         towards(goal, 2.0)(q), [-0.4, 1.0, 0, -1.6, -0.2, 0.6, 0.4], atol=1e-12
     )
     wish = away_from_limits(PANDA, 3.0)(q)
-    # By hand: joint 4 ranges over 0.0698 ... 3.0718, its middle 1.5708, half 1.5010; joint 1 over +-2.8973.
+    # By hand: joint 4 ranges over 0.0698 ... 3.0718, its middle 1.5708, half 1.5010; joint 1 over
+    # +-2.8973.
     assert wish[3] == pytest.approx(-3 * (1.8 - 1.5708) / 1.5010**2, rel=1e-9)
     assert wish[0] == pytest.approx(-3 * 0.3 / 2.8973**2, rel=1e-9)
 
@@ -289,7 +297,8 @@ def test_feedback_pulls_the_tip_back_onto_the_path():
 
 
 def made_up(q, q_dot, poses):
-    """A report on a made-up run of the locked Panda along a circle of radius 0.1 m about the origin."""
+    """A report on a made-up run of the locked Panda along a circle of radius 0.1 m about the
+    origin."""
     path = circle([0, 0, 0], 0.1, "zy", 2.0, len(q) - 1)
     return summary(REAL, path, np.asarray(q, float), np.asarray(q_dot, float), poses)
 
@@ -374,35 +383,185 @@ def test_a_moving_picture_is_one_small_svg():
     assert text == moving_picture(run)
 
 
-def test_a_thousand_steps_take_a_quarter_of_a_second():
-    times = []
-    for _ in range(3):
-        start = time.process_time()  # a busy machine takes longer, its processor does not
-        trace(HOMEWORK, HOMEWORK.home, panda_circle(1000))
-        times.append(time.process_time() - start)
-    assert min(times) < 0.25
+def same_jacobian(arm, q):
+    """The arm's own Jacobian as a caller's function, with which a trace goes step by step."""
+    return jacobian(arm, q)
+
+
+RUNS = {
+    "Panda": (HOMEWORK, HOMEWORK.home, panda_circle(300)),
+    "UR10e": (UR10E, [0.4, -1.2, 1.6, -0.9, 1.2, 0.3], None),
+    "Stanford": (STANFORD, [0.3, 0.8, 0.5, 0.4, 0.9, -0.6], None),
+    "uneven": (HOMEWORK, HOMEWORK.home, replace(panda_circle(200), times=5 * np.linspace(0, 1,
+    151) ** 2)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("method", ["euler", "rk4", "exact"])
+@pytest.mark.parametrize("name", RUNS)
+def test_all_steps_at_once_are_one_after_the_other(name, method, monkeypatch):
+    arm, start, path = RUNS[name]
+    if path is None:
+        tip = forward_kinematics(arm, start)[:3, 3]
+        path = circle(tip - [0, 0, 0.05], 0.05, "zx", 4.0, 200)
+    slow = trace(arm, start, path, method=method, jacobian=same_jacobian)
+    monkeypatch.delattr(tracing, "_one_by_one")
+    fast = trace(arm, start, path, method=method)
+    np.testing.assert_allclose(fast.q, slow.q, atol=3e-12)
+    np.testing.assert_allclose(fast.q_dot, slow.q_dot, atol=1e-9)
+
+
+def test_a_run_to_a_singular_pose_is_told_as_step_by_step():
+    """The circle straightens the UR10e's elbow: both ways stop at the same step, in the same
+    words."""
+    start = np.array([0.0, -1.2, 0.5, -0.9, 1.2, 0.3])
+    tip = forward_kinematics(UR10E, start)[:3, 3]
+    path = circle(tip + np.array([0.3, 0, 0]), 0.3, "xz", 4.0, 300, phase=np.pi)
+    told = []
+    for how in ({}, {"jacobian": same_jacobian}):
+        with pytest.raises(ArmError) as error:
+            trace(UR10E, start, path, method="exact", **how)
+        told.append((error.type, str(error.value)))
+    assert told[0] == told[1]
+    assert "UR10e, step " in told[0][1]
+
+
+def test_a_circle_out_of_reach_is_refused():
+    path = circle([1.3, 0, 0.5], 0.3, "yz", 5.0, 200)
+    start = np.array([0.0, -1.2, 1.6, -0.9, 1.2, 0.3])
+    with pytest.raises(
+        UnreachableError, match="step 0 of 200: after 30 iterations of Newton's method the tip is"
+    ):
+        trace(UR10E, start, path, method="exact")
+    whole = circle(forward_kinematics(UR10E, start)[:3, 3] - [0, 0, 0.9], 0.9, "zy", 5.0, 400)
+    with pytest.raises(UnreachableError, match=r"step [1-9]\d* of 400: .* out of reach"):
+        trace(UR10E, start, whole, method="exact")
+
+
+def test_a_leap_of_a_joint_is_refused():
+    """Rates that turn joint 4 once more than they should bring the tip to the path, and nobody
+    would drive them."""
+
+    def once_more(J, error, q):
+        return np.linalg.solve(J, error) + 2 * np.pi * (np.abs(error).max() > 1e-6) * np.eye(6)[3]
+
+    with pytest.raises(
+        UnreachableError,
+        match=r"step 0 of 50: joint 5 would turn by [\d.]+ rad at once; expected half",
+    ):
+        trace(HOMEWORK, HOMEWORK.home, panda_circle(50), method="exact", rates=once_more)
+
+
+def test_a_change_of_branch_is_seen():
+    """From the middle on the other elbow: every pose is right, and no small step leads there."""
+    start = [0.4, -1.2, 1.6, -0.9, 1.2, 0.3]
+    tip = forward_kinematics(UR10E, start)[:3, 3]
+    path = circle(tip - [0, 0, 0.05], 0.05, "zx", 4.0, 100)
+    run = trace(UR10E, start, path, method="exact")
+    course = charted(path, "exact", run.poses[0, :3, :3])
+    assert at_once._on_branch(UR10E, run.q, course, plain_inverse())
+    flipped = run.q.copy()
+    flipped[50:] = follow(partial(ur, UR10E), run.poses[50:], ur(UR10E, run.poses[50]).q[0])
+    np.testing.assert_allclose(forward_kinematics(UR10E, flipped), run.poses, atol=1e-9)
+    assert np.abs(flipped[50] - run.q[50]).max() > 0.5
+    assert not at_once._on_branch(UR10E, flipped, course, plain_inverse())
+    for share, near in ((0.1, True), (0.5, False)):
+        moved = run.q.copy()
+        moved[51] += share * (run.q[51] - run.q[50])
+        assert at_once._on_branch(UR10E, moved, course, plain_inverse()) == near
+
+
+def test_exact_steers_by_the_jacobian_that_is_given():
+    """With one a tenth too large each iteration leaves a tenth of the error; with a useless one it
+    does not arrive."""
+    seen = []
+
+    def too_large(arm, q):
+        seen.append(q)
+        return 1.1 * jacobian(arm, q)
+
+    path = panda_circle(40)
+    run = trace(HOMEWORK, HOMEWORK.home, path, method="exact", jacobian=too_large)
+    assert len(seen) > 9 * 40
+    assert run.report.position_error < 1e-11
+    with pytest.raises(UnreachableError):
+        trace(HOMEWORK, HOMEWORK.home, path, method="exact", jacobian=lambda arm, q: np.eye(6))
+
+
+@pytest.mark.parametrize("method", ["euler", "rk4", "exact"])
+def test_what_callers_functions_write_into_is_theirs(method):
+    """A Jacobian, rates and a path that spoil their arguments change nothing."""
+    plain = plain_inverse()
+
+    def careless_jacobian(arm, q):
+        J = jacobian(arm, q)
+        q += 1.0
+        return J
+
+    def careless_rates(J, twist, q):
+        found = plain(J, twist, q)
+        q *= 2.0
+        twist += 1.0
+        return found
+
+    path = panda_circle(30)
+
+    def careless_velocity(t):
+        found = path.velocity(t)
+        if np.ndim(t):
+            t += 1.0
+        return found
+
+    careless = replace(path, velocity=careless_velocity)
+    run = trace(
+        HOMEWORK,
+        HOMEWORK.home,
+        careless,
+        method=method,
+        jacobian=careless_jacobian,
+        rates=careless_rates,
+    )
+    wanted = trace(HOMEWORK, HOMEWORK.home, path, method=method, jacobian=same_jacobian)
+    np.testing.assert_array_equal(run.q, wanted.q)
+    np.testing.assert_array_equal(careless.times, path.times)
+
+
+@pytest.mark.parametrize("method", ["euler", "rk4"])
+def test_a_path_may_take_one_time_at_a_time(method):
+    """A straight path at even speed, whose velocity is one vector whatever it is asked."""
+    straight = Path(
+        np.linspace(0, 1, 61),
+        lambda t: TOP + 0.1 * np.asarray(t)[..., None] * [0, 1, 0],
+        lambda t: np.array([0, 0.1, 0]),
+        [1, 0, 0],
+    )
+    run = trace(HOMEWORK, HOMEWORK.home, straight, method=method)
+    assert run.report.position_error < 1e-3
+    np.testing.assert_allclose(run.poses[-1, :3, 3], TOP + np.array([0, 0.1, 0]), atol=1e-3)
 
 
 @pytest.mark.parametrize(
     ("make", "error", "words"),
     [
-        (lambda: circle([0, 0], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
-        (lambda: circle([0, 0, np.nan], 0.1, "yz", 5, 10), ArmError, "expected three finite coordinates"),
-        (lambda: circle([0, 0, 0], -0.1, "yz", 5, 10), ArmError, "radius is -0.1; expected a finite length > 0"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 0, 10), ArmError, "period is 0; expected a finite time > 0"),
-        (lambda: circle([0, 0, 0], 0.1, "yy", 5, 10), ArmError, "plane is 'yy'; expected two different letters"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 0), ArmError, "steps is 0; expected a whole number"),
-        (lambda: circle([0, 0, 0], 0.1, "yz", 5, 2.5), ArmError, "steps is 2.5; expected a whole number"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="heun"), ArmError, "method is 'heun'; expected one of euler, rk4, exact"),
-        (lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), gain=-1), ArmError, "gain is -1; expected"),
-        (lambda: trace(HOMEWORK, [0] * 7, panda_circle(10)), ArmError, "start has shape (7,)"),
-        (lambda: trace(HOMEWORK, [HOMEWORK.home], panda_circle(10)), ArmError, "start has shape (1, 6); expected one pose, (6,)"),
-        (lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()), SingularError, "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12, its largest 2.3"),
-        (lambda: trace(PANDA, PANDA.home, panda_circle(10)), SingularError, "J is 6 x 7 and has no inverse; lock a joint"),
-        (lambda: away_from_limits(STANFORD, 1.0), ArmError, "Stanford arm has joints without limits"),
+        (
+            lambda: trace(UR10E_HOMEWORK, np.zeros(6), ur_circle()),
+            SingularError,
+            "step 0 of 1000: J has no inverse here: its smallest singular value is below 1e-12,"
+            " its largest 2.3",
+        ),
+        (
+            lambda: trace(HOMEWORK, HOMEWORK.home, panda_circle(10), method="exact", gain=5.0),
+            ArmError,
+            'gain is 5.0; expected 0 with method "exact"',
+        ),
+        (
+            lambda: trace(PANDA, PANDA.home, panda_circle(10)),
+            SingularError,
+            "J is 6 x 7 and has no inverse; lock a joint",
+        ),
     ],
-)  # fmt: skip
-def test_bad_input_is_told_in_words(make, error, words):
+)
+def test_what_cannot_be_traced_is_told_in_words(make, error, words):
     with pytest.raises(error) as told:
         make()
     assert words in str(told.value)

@@ -1,4 +1,5 @@
-"""The tape: what is recorded gives what the formulas give, in floats and in rows, with nothing that is not needed."""
+"""The tape: what is recorded gives what the formulas give, in floats and in rows, with nothing that
+is not needed."""
 
 import operator
 import threading
@@ -103,7 +104,8 @@ def test_a_program_is_recorded_once():
 
 
 def test_structural_zeros_cost_nothing():
-    """The Stanford arm's third joint slides along z_2: its three lower entries, and z_0's first two, are no steps."""
+    """The Stanford arm's third joint slides along z_2: its three lower entries, and z_0's first
+    two, are no steps."""
     program = recorded(STANFORD, jacobian_entries)
     computed = {to for *_, to in program.on_rows}
     zeros = [program.places[row * 6 + 2] for row in (3, 4, 5)] + [

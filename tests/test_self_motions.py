@@ -14,7 +14,8 @@ from helpers.robots import ARMS, ELBOW, PANDA, UR10E_HOMEWORK
 HOME = np.array(PANDA.home)
 IDLE = np.array([1, 0, -1, 0, 0, 0, 0])
 TURNED = HOME - np.pi / 2 * IDLE
-# Base and tip are two ends of the fourth side: a parallelogram with sides of 1 and 2 m, folded flat.
+# Base and tip are two ends of the fourth side: a parallelogram with sides of 1 and 2 m, folded
+# flat.
 LINKAGE = Arm("linkage", [revolute(a=1), revolute(a=2), revolute(a=1), revolute()])
 FLAT = [0, 0, np.pi, -np.pi]
 
@@ -48,7 +49,8 @@ def test_the_panda_leaves_its_home_by_joints_1_and_3_alone():
 
 
 def test_at_90_degrees_a_second_way_opens_by_the_levers_of_three_parallel_axes():
-    """Axes 2, 5 and 7 then lie in one plane: no turn and no speed sideways remain if their rates go as the levers below."""
+    """Axes 2, 5 and 7 then lie in one plane: no turn and no speed sideways remain if their rates go
+    as the levers below."""
     above_2, above_5 = 0.316 + 0.0825 + 0.088, 0.088
     idle, way = self_motion_directions(PANDA, TURNED)
     assert idle == pytest.approx(IDLE / np.sqrt(2), abs=1e-12)
@@ -102,7 +104,8 @@ def test_a_wrist_that_is_singular_and_still_moves():
 
 
 def test_a_direction_that_second_order_forbids_is_left_out():
-    """A stretched planar arm of three joints that reaches its own length: the tip can only come nearer."""
+    """A stretched planar arm of three joints that reaches its own length: the tip can only come
+    nearer."""
     straight = Arm("straight", [revolute(a=1), revolute(a=2), revolute(a=1), revolute()])
     assert self_motion_directions(straight, [0, 0, 0, 0]).shape == (0, 4)
 

@@ -38,7 +38,8 @@ def test_the_chain_is_the_product_of_its_links(arm):
 
 @every_arm
 def test_both_jacobians_are_one_and_the_same_expression(arm):
-    """Not sampled: the polynomials' form is unique, so equal functions are identical expressions."""
+    """Not sampled: the polynomials' form is unique, so equal functions are identical
+    expressions."""
     assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
 
 
@@ -120,7 +121,8 @@ def test_a_symbol_that_is_zero_is_left_out():
 
 
 def test_formulas_are_short():
-    """Shorter than what simplify makes of the product of the six matrices (3614 characters of LaTeX)."""
+    """Shorter than what simplify makes of the product of the six matrices (3614 characters of
+    LaTeX)."""
     assert len(sp.latex(symbolic.short(symbolic.forward_kinematics(UR10E_HOMEWORK)))) < 1100
 
 

@@ -12,6 +12,7 @@ from helpers.checks import compare_tables
 from helpers.conventions import modified_from_standard
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.laws import instructors_arm
 from tests.machines import random_pair, same_machine
 
 SCARA = Arm(
@@ -30,7 +31,7 @@ POLAR = Arm(
     "polar",
     [revolute(0, "pi/2", 0.2), revolute(0, 1.0, 0.1), prismatic(0.2, 0.5), revolute(0.1, 0, 0.3)],
 )
-REFERENCES = (*ARMS, ELBOW.with_values(d=0.1), SCARA, SKEW, POLAR)
+REFERENCES = (*ARMS, instructors_arm(), ELBOW.with_values(d=0.1), SCARA, SKEW, POLAR)
 
 
 def _plus(entry, number):
@@ -85,7 +86,8 @@ def slide_normal(arm, i, by):
 
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
 def test_the_choices_in_these_tests_are_choices(arm):
-    """Each change of frames leaves the tip where it was: so says forward kinematics, which shares nothing with the checker."""
+    """Each change of frames leaves the tip where it was: so says forward kinematics, which shares
+    nothing with the checker."""
     q = np.random.default_rng(0).uniform(-1, 1, arm.dof)
     tip = forward_kinematics(arm, q)[:3, 3]
     for i in range(len(arm.rows) - 1):
@@ -132,10 +134,17 @@ def test_every_wrong_length_and_twist_is_found(arm, size):
                 or (
                     name == "d" and (arm.rows[i].joint.kind == "prismatic" or i == 0)
                 )  # a zero; the base
-                or (arm is SCARA and name == "d")  # all parallel to the slide
-                or (arm is STANFORD and (i, name) == (3, "d"))  # parallel to the slide as well
+                or (name == "d" and _slides_along(arm, i))  # the slide's zero takes it up
             )
             assert compare_tables(mine, arm).agrees == free, (arm.name, i + 1, name)
+
+
+def _slides_along(arm, i):
+    """Whether a joint slides along an axis that parallel axes alone link to row i's."""
+    parallel = [row.sin_alpha == 0 for row in arm.numeric]
+    first = next((k + 1 for k in reversed(range(i)) if not parallel[k]), 0)
+    last = next((k for k in range(i, len(parallel)) if not parallel[k]), len(parallel) - 1)
+    return any(row.joint.kind == "prismatic" for row in arm.rows[first : last + 1])
 
 
 def test_the_two_makers_tables_of_the_ur10e():
@@ -148,7 +157,8 @@ def test_the_two_makers_tables_of_the_ur10e():
     assert sizes == {(3, "a"): 0.05, (4, "d"): 10.25, (5, "d"): 4.15, (6, "d"): 24.35}
     along = [f.text for f in report.findings if f.quantity == "d"]
     assert along[0] == (
-        "the offset along the parallel axes 2 to 4, added up, is 0.1639 m in yours and 0.17415 m in the reference:"
+        "the offset along the parallel axes 2 to 4, added up, is 0.1639 m in yours and 0.17415 m"
+        " in the reference:"
         " 10.25 mm too short."
     )
     assert along[2].startswith("the offset along axis 6 is 0.1922 m in yours and 0.21655 m in the")
@@ -170,7 +180,8 @@ def test_a_wrong_twist_is_named():
 
 
 def test_the_sign_of_an_offset_matters_where_axes_are_skew():
-    """Mirrored arms have equal distances and twists, but no choice of frames turns one into the other."""
+    """Mirrored arms have equal distances and twists, but no choice of frames turns one into the
+    other."""
     rows = [*SKEW.rows[:2], replace(SKEW.rows[2], d=-0.2), SKEW.rows[3]]
     report = compare_tables(Arm("mirrored", rows), SKEW)
     assert not report.agrees
@@ -317,7 +328,8 @@ def test_what_a_slide_cannot_make_up_for_is_found():
 
 
 def test_angles_written_with_four_decimals_are_meant_as_right_angles():
-    """Taken literally, axes 2 and 3 of this table would meet 60 km away, and no offset along them could be compared."""
+    """Taken literally, axes 2 and 3 of this table would meet 60 km away, and no offset along them
+    could be compared."""
     rounded = {"pi": 3.1416, "pi/2": 1.5708, "-pi/2": -1.5708}
     rows = [
         replace(r, alpha=rounded.get(r.alpha, r.alpha), theta=rounded.get(r.theta, r.theta))
@@ -328,7 +340,8 @@ def test_angles_written_with_four_decimals_are_meant_as_right_angles():
     assert report.agrees
     assert "alpha in row 2, 3.1416, is taken as pi; write it so" in str(report)
     assert [note.split(", is taken as")[0] for note in report.notes] == [
-        "alpha in row 1, -1.5708", "alpha in row 2, 3.1416", "theta in row 2, -1.5708", "alpha in row 3, 3.1416",
+        "alpha in row 1, -1.5708", "alpha in row 2, 3.1416", "theta in row 2,"
+                                                             " -1.5708", "alpha in row 3, 3.1416",
         "alpha in row 4, 1.5708", "theta in row 4, 1.5708", "alpha in row 5, -1.5708",
     ]  # fmt: skip
     (finding,) = compare_tables(mine.with_values(d_4=0.1739), UR10E_HOMEWORK).findings
@@ -353,7 +366,8 @@ def test_a_tilted_tool_frame_is_a_note():
 
 
 def test_other_zeros_are_a_note():
-    """A shoulder offset of the other sign is the same arm, turned half round: but not at the same q."""
+    """A shoulder offset of the other sign is the same arm, turned half round: but not at the same
+    q."""
     mirrored = replace(
         UR10E, rows=[*UR10E.rows[:3], replace(UR10E.rows[3], d="-d_4"), *UR10E.rows[4:]]
     )
@@ -361,7 +375,8 @@ def test_other_zeros_are_a_note():
         report = compare_tables(mine, UR10E)
         assert report.agrees
         assert report.notes == (
-            "the same q is another pose: some of your joints count from another zero, or the other way.",
+            "the same q is another pose: some of your joints count from another zero, or the other"
+            " way.",
         )
     assert compare_tables(slide_normal(UR10E, 1, 0.2), UR10E).notes == ()
 

@@ -1,4 +1,5 @@
-"""The tools beside the book: the PDF's order, bookmarks and link, and notebooks refreshed the same on every machine."""
+"""The tools beside the book: the PDF's order, bookmarks and link, and notebooks refreshed the same
+on every machine."""
 
 import io
 import re

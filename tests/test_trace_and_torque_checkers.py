@@ -1,4 +1,5 @@
-"""The checkers of runs and of torques: right ones pass, and each usual mistake is called by its name."""
+"""The checkers of runs and of torques: right ones pass, and each usual mistake is called by its
+name."""
 
 import re
 from dataclasses import replace
@@ -172,7 +173,8 @@ def test_a_whole_run_is_transposed_or_right():
 
 
 def test_a_pendulum_by_hand():
-    """1.5 m of massless rod, 2 kg at its end, 0.3 rad above the horizontal: 2 * 9.81 * 1.5 * cos 0.3."""
+    """1.5 m of massless rod, 2 kg at its end, 0.3 rad above the horizontal: 2 * 9.81 * 1.5 * cos
+    0.3."""
     pendulum = Arm(
         "Pendulum",
         (revolute(a=1.5),),

@@ -66,7 +66,8 @@ def test_the_tip_where_the_lengths_put_it():
 
 
 def test_fixed_links_ride_along():
-    """The elbow holds the forearm's kilogram 0.2 m up and the tool's half 0.4 m up; turned to the side they weigh."""
+    """The elbow holds the forearm's kilogram 0.2 m up and the tool's half 0.4 m up; turned to the
+    side they weigh."""
     arm = from_urdf(TWO)
     torque = 9.81 * (1 * 0.2 + 0.5 * 0.4)
     np.testing.assert_allclose(gravity_torque(arm, [0, 0]), [0, 0], atol=1e-12)

@@ -1,4 +1,5 @@
-"""Jacobians in other frames and angles, manipulability, ellipsoids, lost directions, and the factored determinant."""
+"""Jacobians in other frames and angles, manipulability, ellipsoids, lost directions, and the
+factored determinant."""
 
 import numpy as np
 import pytest
@@ -156,23 +157,6 @@ def test_lost_directions_are_those_that_no_joint_gives():
     assert lost_directions(jacobian(UR10E, UR10E.home + 0.3 * np.ones(6))).shape == (0, 6)
 
 
-@pytest.mark.parametrize(
-    ("make", "words"),
-    [
-        (
-            lambda: jacobian_in_frame(UR10E, np.zeros(6), 7),
-            "UR10e: frame 7 does not exist; expected 0 to 6",
-        ),
-        (
-            lambda: manipulability(UR10E, np.zeros(6), "both"),
-            "part is 'both'; expected one of all, linear, angular",
-        ),
-        (lambda: symbolic.determinant(PANDA), "Panda has 7 joints; a determinant needs 3"),
-        (lambda: velocity_ellipsoid(np.zeros((6, 6))), "expected (3, n)"),
-        (lambda: lost_directions(np.full((6, 6), np.nan)), "expected one matrix of finite numbers"),
-    ],
-)
-def test_bad_input_is_told_in_words(make, words):
-    with pytest.raises(ArmError) as told:
-        make()
-    assert words in str(told.value)
+def test_frames_are_counted_to_the_tip():
+    with pytest.raises(ArmError, match="UR10e: frame 7 does not exist; expected 0 to 6"):
+        jacobian_in_frame(UR10E, np.zeros(6), 7)

@@ -1,7 +1,9 @@
-"""Mutation testing: make one thing wrong in helpers/ at a time, and count how often the suite notices.
+"""Mutation testing: make one thing wrong in helpers/ at a time, and count how often the suite
+notices.
 
-mutmut makes the mutants and runs the tests that reach each; this draws a sample of them by a seed, leaves out those that only
-reword a message, and reports by module. `make mutants` runs it; tests/mutants.md tells the figures and explains survivors.
+mutmut makes the mutants and runs the tests that reach each; this draws a sample of them by a seed,
+leaves out those that only reword a message, and reports by module. `make mutants` runs it;
+tests/mutants.md tells the figures and explains survivors.
 """
 
 import argparse
@@ -52,7 +54,8 @@ def run(names: list[str]) -> None:
 
 @contextmanager
 def quickest_tests(seconds: float) -> Iterator[None]:
-    """Meanwhile a mutant meets only the quickest of its tests, `seconds` of them: what others alone see survives."""
+    """Meanwhile a mutant meets only the quickest of its tests, `seconds` of them: what others alone
+    see survives."""
     whole = STATS.read_text(encoding="utf-8")
     stats = json.loads(whole)
     time, reach = stats["duration_by_test"], stats["tests_by_mangled_function_name"]
@@ -75,7 +78,8 @@ def statuses() -> dict[str, str]:
 
 
 def draw(names, modules: list[str], sample: int, seed: int) -> list[str]:
-    """Up to `sample` mutants of each module, by `seed`: a module's draw does not depend on the others."""
+    """Up to `sample` mutants of each module, by `seed`: a module's draw does not depend on the
+    others."""
     by_module = defaultdict(list)
     for name in sorted(names):
         if any(fnmatch(module_of(name), pattern) for pattern in modules):
@@ -109,7 +113,8 @@ def report(chosen: list[str], result: dict[str, str]) -> None:
         print("\n".join(f"    {line}" for line in changed(name)))
     for module, count in [*counts.items(), ("all", sum(counts.values(), Counter()))]:
         print(
-            f"{module:32}{count[True]:5} of {count.total():5} killed, {count[True] / count.total():.1%}"
+            f"{module:32}{count[True]:5} of {count.total():5} killed,"
+            f" {count[True] / count.total():.1%}"
         )
 
 

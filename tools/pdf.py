@@ -13,9 +13,13 @@ HTML = ROOT / "book" / "_build" / "html"
 LINK = '<p class="pdf-link"><a href="book.pdf">The whole book as one PDF</a></p>'
 PAPER = {"top": "18mm", "bottom": "20mm", "left": "17mm", "right": "17mm"}
 SHEET = {"width": 770, "height": 1100}  # what is left of A4 between the margins, at the scale below
-FOOT = '<div style="font-size:8px;width:100%;text-align:center;color:#555">{} · <span class="pageNumber"></span></div>'
+FOOT = (
+    '<div style="font-size:8px;width:100%;text-align:center;color:#555">{} · <span'
+    ' class="pageNumber"></span></div>'
+)
 
-# Links to other pages would hold this machine's paths; folded solutions are opened; wide formulas shrink to the paper.
+# Links to other pages would hold this machine's paths; folded solutions are opened; wide formulas
+# shrink to the paper.
 PREPARE = """() => {
     document.querySelectorAll("a[href]").forEach((a) => {
         if (a.protocol === "file:" && a.pathname !== location.pathname) a.removeAttribute("href");

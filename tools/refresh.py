@@ -1,4 +1,5 @@
-"""Execute notebooks in place and keep only what belongs to them: `python tools/refresh.py book/*.ipynb`."""
+"""Execute notebooks in place and keep only what belongs to them: `python tools/refresh.py
+book/*.ipynb`."""
 
 import sys
 from pathlib import Path

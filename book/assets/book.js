@@ -13,7 +13,7 @@ async function setFormulas() {
     inView[isIntersecting ? "add" : "delete"](target);
   }));
   left.forEach((formula) => watch.observe(formula));
-  await frame(); // by then it is known which are in view
+  await Promise.all([frame(), document.fonts.ready]); // by then it is known which are in view, and how large letters are
   while (left.size) {
     await pause();
     const next = few([...(inView.size ? inView : left)]);
@@ -43,38 +43,79 @@ if (window.MathJax) {
   };
 }
 
-// What is wider than its box can be scrolled from the keyboard too.
+// What is wider than its place scrolls in a box of its own, from the keyboard too, and says so.
+const WIDE = "div.math > mjx-container, span.math > mjx-container, div.table, .highlight pre";
+const SMALLEST = 0.8; // of a formula's size, before it scrolls
+
 function reachable() {
-  document.querySelectorAll("div.math, mjx-container[display], .pst-scrollable-table-container, .columns pre, figure").forEach((box) => {
-    if (box.scrollWidth <= box.clientWidth) return;
+  document.querySelectorAll(WIDE).forEach((box) => {
+    fit(box);
+    const wide = box.scrollWidth > box.clientWidth + 1 || tooWide(box);
+    box.classList.toggle("scrolls", wide);
+    if (!wide) return void box.removeAttribute("tabindex");
     box.tabIndex = 0;
-    if (box.matches("figure")) return; // it has a role and a name of its own
     box.setAttribute("role", "region");
     box.setAttribute("aria-label", "Wide content, scroll sideways");
+    hint(box);
+    tell(box);
+    if (!box.dataset.told) box.addEventListener("scroll", () => tell(box), { passive: true });
+    box.dataset.told = true;
   });
 }
-window.addEventListener("load", reachable);
 
-// What the theme leaves undone for readers who do not use a mouse or a screen.
+// An inline formula grows with what is in it, so its text's column is what it must fit.
+const tooWide = (box) => box.matches("span.math > *") && box.offsetWidth > box.closest("p, li, td, dd, div").clientWidth;
+
+// A formula that is a little too wide is set a little smaller.
+function fit(box) {
+  if (!box.matches("div.math > mjx-container")) return;
+  const full = (box.dataset.size ??= box.style.fontSize);
+  box.style.fontSize = full;
+  const share = box.clientWidth / box.scrollWidth;
+  if (share < 1) box.style.fontSize = `${parseFloat(full) * Math.max(share * 0.99, SMALLEST)}%`;
+  if (box.scrollWidth > box.clientWidth + 1) box.style.fontSize = full;
+}
+
+function hint(box) {
+  if (box.matches("pre, span *") || box.nextElementSibling?.matches(".hint")) return;
+  const words = Object.assign(document.createElement("span"), { className: "hint", textContent: "scroll sideways →" });
+  words.ariaHidden = true;
+  box.after(words);
+}
+
+function tell(box) {
+  const left = box.scrollWidth - box.clientWidth - box.scrollLeft;
+  box.classList.toggle("more-right", left > 2);
+  box.classList.toggle("more-left", box.scrollLeft > 2);
+}
+
+window.addEventListener("load", reachable);
+let later;
+window.addEventListener("resize", () => {
+  clearTimeout(later);
+  later = setTimeout(reachable, 100);
+});
+
 document.addEventListener("DOMContentLoaded", () => {
   const each = (selector, change) => document.querySelectorAll(selector).forEach(change);
+  const { dataset } = document.documentElement;
 
-  each(".bd-sidebar-secondary", (sidebar) => {
-    sidebar.setAttribute("role", "complementary");
-    sidebar.setAttribute("aria-label", "On this page");
+  each(".colours", (button) => {
+    const modes = ["auto", "light", "dark"], names = ["as the system", "light", "dark"];
+    const name = () => (button.title = button.ariaLabel = `Colours: ${names[modes.indexOf(dataset.mode)]}`);
+    button.onclick = () => {
+      chooseColours(modes[(modes.indexOf(dataset.mode) + 1) % 3]);
+      name();
+    };
+    button.hidden = false;
+    name();
   });
-  each(".bd-sidebar-primary", (sidebar) => {
-    sidebar.setAttribute("role", "complementary");
-    sidebar.setAttribute("aria-label", "The book's pages");
-  });
-  // The theme's icons carry a second name that contradicts the button's own.
-  each(".theme-switch-button [title]", (icon) => icon.removeAttribute("title"));
-  // A visible text is its own name; a different label beside it confuses speech input.
-  each("summary[aria-label], .search-button__button[aria-label], .theme-switch-button[aria-label]", (control) => {
-    if (control.textContent.trim()) control.removeAttribute("aria-label");
-  });
+
+  // Lists of references carry roles whose children they do not have.
   each("div.citation-list, dl.citation, [role='doc-biblioentry']", (list) => list.removeAttribute("role"));
   each("div.citation-list [role], .citation [role='doc-backlink']", (item) => item.removeAttribute("role"));
+  // A visible text is its own name; a different label beside it confuses speech input.
+  each("summary[aria-label]", (control) => control.removeAttribute("aria-label"));
 
   each("div.cell_output", (output) => {
     const texts = [...output.querySelectorAll("pre")].map((pre) => pre.textContent.trim());
@@ -82,4 +123,27 @@ document.addEventListener("DOMContentLoaded", () => {
     if (lines.every((line) => line.startsWith("✔"))) output.classList.add("proof");
     else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(texts.join("\n"))) output.classList.add("columns");
   });
+
+  each("div.cell_input .highlight, div[class*='highlight-python'] > .highlight", (code) => {
+    if (!navigator.clipboard || code.querySelector(".copy")) return;
+    const button = Object.assign(document.createElement("button"), { className: "copy", textContent: "Copy" });
+    button.onclick = async () => {
+      await navigator.clipboard.writeText(code.querySelector("pre").textContent);
+      button.textContent = "Copied";
+      setTimeout(() => (button.textContent = "Copy"), 1500);
+    };
+    code.append(button);
+  });
+
+  each("details", (box) => box.addEventListener("toggle", reachable)); // what was folded had no width
+  each(".contents", (list) => list.addEventListener("click", ({ target }) => {
+    if (target.closest("a") && list.matches(":popover-open")) list.hidePopover();
+  }));
+
+  // Where the reader is, in the list of the page's sections.
+  const links = new Map([...document.querySelectorAll(".sections a")].map((a) => [decodeURIComponent(a.hash.slice(1)), a]));
+  const seen = new IntersectionObserver((changes) => {
+    for (const { isIntersecting, target } of changes) links.get(target.id)?.classList.toggle("here", isIntersecting);
+  }, { rootMargin: "-20% 0px -70%" });
+  each("article section[id]", (section) => links.has(section.id) && seen.observe(section));
 });

@@ -19,6 +19,15 @@ export function svg(name, attributes = {}, ...children) {
   return element;
 }
 
+// Write only what differs: most of what a moving arm shows stays the same from frame to frame.
+export function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+export function attribute(element, name, value) {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
 // A symbol with an index, as q₂.
 export const indexed = (letter, index) => [h("i", {}, letter), h("sub", {}, String(index))];
 

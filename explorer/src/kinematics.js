@@ -7,7 +7,11 @@ export const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 export const scaled = (k, v) => [k * v[0], k * v[1], k * v[2]];
 export const plus = (u, v) => [u[0] + v[0], u[1] + v[1], u[2] + v[2]];
 export const minus = (u, v) => [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
-export const cross = (u, v) => [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+export const cross = (u, v) => [
+  u[1] * v[2] - u[2] * v[1],
+  u[2] * v[0] - u[0] * v[2],
+  u[0] * v[1] - u[1] * v[0],
+];
 export const norm = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 const mixed = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]];
 
@@ -15,7 +19,12 @@ const mixed = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2
 function cosSin(angle) {
   const turns = angle / (Math.PI / 2);
   if (Math.abs(turns - Math.round(turns)) > 1e-12) return [Math.cos(angle), Math.sin(angle)];
-  return [[1, 0], [0, 1], [-1, 0], [0, -1]][((Math.round(turns) % 4) + 4) % 4];
+  return [
+    [1, 0],
+    [0, 1],
+    [-1, 0],
+    [0, -1],
+  ][((Math.round(turns) % 4) + 4) % 4];
 }
 
 // The indices, from 0, of the rows that move.
@@ -23,7 +32,12 @@ export const joints = (arm) => arm.rows.flatMap((row, i) => (row.kind === "fixed
 
 // Base-to-link frames T00 .. T0n for the joint vector q.
 export function linkFrames(arm, q) {
-  let [x, y, z, o] = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]];
+  let [x, y, z, o] = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+    [0, 0, 0],
+  ];
   const frames = [{ x, y, z, o }];
   let moving = 0;
   for (const row of arm.rows) {
@@ -40,11 +54,12 @@ export function linkFrames(arm, q) {
 }
 
 // A frame as the four rows of its homogeneous matrix.
-export const matrix = ({ x, y, z, o }) => [0, 1, 2].map((i) => [x[i], y[i], z[i], o[i]]).concat([[0, 0, 0, 1]]);
+export const matrix = ({ x, y, z, o }) =>
+  [0, 1, 2].map((i) => [x[i], y[i], z[i], o[i]]).concat([[0, 0, 0, 1]]);
 
-// The Jacobian's columns, one for each joint: (vx, vy, vz, wx, wy, wz) of the tip in the base frame.
-export function jacobianColumns(arm, frames) {
-  const tip = frames.at(-1).o;
+// The Jacobian's columns, one for each joint: (vx, vy, vz, wx, wy, wz) in the base frame, of the tip or of another
+// point that moves with it.
+export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
   return joints(arm).map((i) => {
     const { z, o } = frames[i];
     return arm.rows[i].kind === "revolute" ? [...cross(z, minus(tip, o)), ...z] : [...z, 0, 0, 0];
@@ -57,7 +72,10 @@ export function gravityTorque(arm, frames, gravity = GRAVITY) {
   return joints(arm).map((i) => {
     const { z, o } = frames[i];
     const lift = (c) => (arm.rows[i].kind === "revolute" ? cross(z, minus(c, o))[2] : z[2]);
-    return loads.reduce((sum, { mass, centre, row }) => sum + (row < i ? 0 : mass * gravity * lift(centre)), 0);
+    return loads.reduce(
+      (sum, { mass, centre, row }) => sum + (row < i ? 0 : mass * gravity * lift(centre)),
+      0,
+    );
   });
 }
 

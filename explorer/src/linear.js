@@ -86,3 +86,37 @@ function reduce(row, by, column) {
   const factor = row[column] / by[column];
   for (let j = 0; j < row.length; j++) row[j] -= factor * by[j];
 }
+
+// x with A x = b for a symmetric, positive definite A, by Cholesky's factors; A and b are overwritten.
+export function solvePositive(A, b) {
+  const n = b.length;
+  for (let i = 0; i < n; i++) {
+    for (let j = 0; j <= i; j++) {
+      let sum = A[i][j];
+      for (let k = 0; k < j; k++) sum -= A[i][k] * A[j][k];
+      A[i][j] = i === j ? Math.sqrt(sum) : sum / A[j][j];
+    }
+  }
+  for (let i = 0; i < n; i++) {
+    for (let k = 0; k < i; k++) b[i] -= A[i][k] * b[k];
+    b[i] /= A[i][i];
+  }
+  for (let i = n - 1; i >= 0; i--) {
+    for (let k = i + 1; k < n; k++) b[i] -= A[k][i] * b[k];
+    b[i] /= A[i][i];
+  }
+  return b;
+}
+
+// Orthonormal joint rates that move nothing: a basis of the null space of the matrix with these columns, in which the
+// joint `held` does not take part.
+export function rightNull(columns, held = -1) {
+  const free = columns.map((_, k) => k).filter((k) => k !== held);
+  if (!free.length) return [];
+  const rows = columns[0].map((_, i) => free.map((k) => columns[k][i]));
+  const { values, vectors } = singular(rows, free.length);
+  const least = 1e-5 * Math.max(values[0], 1e-12);
+  return vectors
+    .filter((_, i) => values[i] <= least)
+    .map((v) => columns.map((_, k) => (k === held ? 0 : v[free.indexOf(k)])));
+}

@@ -1,63 +1,97 @@
 // The explorer's state in the fragment of a link, and back.
 
-const KINDS = { R: "revolute", P: "prismatic", F: "fixed" };
-const numbers = (text) => (text ? text.split(",").map(Number) : []);
-const written = (values) => values.map((v) => Number(v.toFixed(6)) + 0).join(",");
+import { fits, homeOf, KINDS, rowsFault, typedArm } from "./arm.js";
+import { joints } from "./kinematics.js";
 
-export function toFragment({ arm, reference, q, wrench, unit, view, frames }) {
-  const fields = { arm: reference.name, q: written(q), view, unit, frames };
+const LONGEST = 4000; // characters of a fragment
+const LETTERS = Object.fromEntries(KINDS.map((kind) => [kind[0].toUpperCase(), kind]));
+const MOST_FORCE = 1e5;
+
+const numbers = (text) => (text ? text.split(",").map((part) => (part.trim() ? Number(part) : NaN)) : []);
+const written = (values) => values.map((v) => Number(v.toFixed(6)) + 0).join(",");
+const oneOf = (text, known) => (known.includes(text) ? text : null);
+
+/** @param {import("./state.js").State} state */
+export function toFragment({ arm, base, q, wrench, unit, view, frames }) {
+  const fields = { arm: base.name, q: written(q), view, unit, frames };
   if (wrench.some(Boolean)) fields.wrench = written(wrench);
-  if (arm !== reference) fields.rows = arm.rows.map((r) => `${r.kind[0].toUpperCase()},${written([r.a, r.alpha, r.d, r.theta])}`).join(";");
+  if (arm !== base) {
+    const row = (r) => `${r.kind[0].toUpperCase()},${written([r.a, r.alpha, r.d, r.theta])}`;
+    fields.rows = arm.rows.map(row).join(";");
+  }
   return `#${new URLSearchParams(fields)}`;
 }
 
-// The fields that a fragment holds; anything that makes no sense is left out.
+/**
+ * What a fragment says, as { patch, words }: the fields of the state that it holds, and what was refused, in words.
+ * @param {string} fragment
+ * @param {import("./arm.js").Arm[]} arms
+ * @param {string[]} views
+ */
 export function fromFragment(fragment, arms, views) {
-  const fields = new URLSearchParams(fragment.replace(/^#/, ""));
-  const reference = arms.find((arm) => arm.name === fields.get("arm"));
-  if (!reference) return {};
-  const arm = typedArm(fields.get("rows"), reference) ?? reference;
-  const state = { arm, reference };
-  const moving = arm.rows.filter((row) => row.kind !== "fixed").length;
-  const [q, wrench] = [numbers(fields.get("q")), numbers(fields.get("wrench"))];
-  state.q = good(q, moving) ? q : arm === reference ? [...arm.home] : Array(moving).fill(0);
-  if (good(wrench, 6)) state.wrench = wrench;
-  if (views.includes(fields.get("view"))) state.view = fields.get("view");
-  if (["deg", "rad"].includes(fields.get("unit"))) state.unit = fields.get("unit");
-  if (["all", "ends"].includes(fields.get("frames"))) state.frames = fields.get("frames");
-  return state;
+  const text = fragment.replace(/^#/, "");
+  if (!text || !/(^|&)arm=/.test(text)) return { patch: {}, words: "" };
+  if (text.length > LONGEST) return refused(`it has ${text.length} characters; ${LONGEST} are the most`);
+  const fields = new URLSearchParams(text);
+  const base = arms.find((arm) => arm.name === fields.get("arm"));
+  if (!base) return refused(`there is no arm called “${fields.get("arm").slice(0, 40)}” here`);
+  const rows = rowsOf(fields.get("rows"));
+  const fault = rows && rowsFault(rows);
+  const arm = rows && !fault ? typedArm(rows, base) : base;
+  const words = fault ? [fault] : [];
+  const patch = { arm, base, reference: base };
+  const q = numbers(fields.get("q"));
+  patch.q = fits(arm, q) ? q : homeOf(arm);
+  if (fields.has("q") && patch.q !== q && !fault)
+    words.push(`${arm.name} has ${joints(arm).length} joint values`);
+  const wrench = numbers(fields.get("wrench"));
+  if (wrench.length === 6 && wrench.every((v) => Math.abs(v) <= MOST_FORCE)) patch.wrench = wrench;
+  else if (fields.has("wrench")) words.push("its wrench is not six numbers in N and N m");
+  const chosen = {
+    view: oneOf(fields.get("view"), views),
+    unit: oneOf(fields.get("unit"), ["deg", "rad"]),
+    frames: oneOf(fields.get("frames"), ["all", "ends"]),
+  };
+  for (const [key, value] of Object.entries(chosen)) if (value) patch[key] = value;
+  return words.length ? { ...refused(words.join("; ")), patch } : { patch, words: "" };
 }
 
-const good = (values, length) => values.length === length && values.every(Number.isFinite);
+const refused = (why) => ({ patch: {}, words: `Part of the link was left out: ${why}.` });
 
-function typedArm(text, reference) {
-  if (!text) return null;
-  const rows = text.split(";").map((line, i) => {
+// Rows as they stand in a link, unchecked; null where there are none.
+function rowsOf(text) {
+  if (text === null) return null;
+  return text.split(";").map((line) => {
     const [letter, ...entries] = line.split(",");
-    const [a, alpha, d, theta] = entries.map(Number);
-    const same = reference.rows[i]?.kind === KINDS[letter] ? reference.rows[i] : {};
-    return { lower: null, upper: null, speed: null, effort: null, ...same, kind: KINDS[letter], a, alpha, d, theta };
+    const [a, alpha, d, theta] = entries.length === 4 ? numbers(entries.join(",")) : [];
+    return { kind: Object.hasOwn(LETTERS, letter) ? LETTERS[letter] : null, a, alpha, d, theta };
   });
-  const whole = rows.every((row) => row.kind && [row.a, row.alpha, row.d, row.theta].every(Number.isFinite));
-  return whole ? { ...reference, rows } : null;
 }
 
-// Keep the page's own address in step with the state, and copy it.
-export function keepLink(store, arms, views) {
-  const read = () => store.set(fromFragment(location.hash, arms, views), "link");
-  read();
-  addEventListener("hashchange", read);
+// Keep the page's own address in step with the state.
+export function keepLink(store, arms, views, tell, signal) {
+  const read = () => {
+    const { patch, words } = fromFragment(location.hash, arms, views);
+    store.dispatch({ type: "set", ...patch }, "link");
+    tell(words);
+  };
   let timer;
-  store.listen((changed, by) => {
+  read();
+  addEventListener("hashchange", read, { signal });
+  store.listen((_, by) => {
     clearTimeout(timer);
     if (by !== "link") timer = setTimeout(() => history.replaceState(null, "", toFragment(store.state)), 400);
-  });
+  }, signal);
+  signal.addEventListener("abort", () => clearTimeout(timer));
   return {
-    async copy(button) {
+    // Whether the link could be put on the clipboard; it stands in the address bar in any case.
+    async copy() {
       history.replaceState(null, "", toFragment(store.state));
-      const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
-      button.textContent = copied ? "Copied" : "In the address bar";
-      setTimeout(() => (button.textContent = "Copy link"), 1600);
+      const copied = navigator.clipboard?.writeText(location.href).then(
+        () => true,
+        () => false,
+      );
+      return (await copied) ?? false;
     },
   };
 }

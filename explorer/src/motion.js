@@ -1,14 +1,13 @@
 // Inverse kinematics by damped steps, for any table: circles traced from where the arm stands, and the other ways to
-// reach a pose.
+// reach a pose. None of it touches the page, so that a worker can do it.
 
+import { fits, range } from "./arm.js";
 import { cross, jacobianColumns, joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
-import { solve } from "./linear.js";
-
-// An arm with fewer than six joints is asked for the position only.
-const rowsAsked = (arm) => (joints(arm).length < 6 ? 3 : 6);
+import { rightNull, singular, solve } from "./linear.js";
+import { asked } from "./verdicts.js";
 
 // How many joints are more than the pose (or, below six, the place) asks for.
-export const spareJoints = (arm) => Math.max(0, joints(arm).length - rowsAsked(arm));
+export const spareJoints = (arm) => Math.max(0, joints(arm).length - asked(arm));
 
 function poseError(tip, wanted) {
   const turn = ["x", "y", "z"].reduce((sum, axis) => plus(sum, cross(tip[axis], wanted[axis])), [0, 0, 0]);
@@ -19,40 +18,74 @@ function poseError(tip, wanted) {
 // (Sugihara 2011); `held` is the index of a joint that must not move.
 export function reach(arm, start, wanted, { held = -1, steps = 60 } = {}) {
   let q = [...start];
-  const rows = rowsAsked(arm);
+  const rows = asked(arm);
   for (let step = 0; ; step++) {
     const frames = linkFrames(arm, q);
     const error = poseError(frames.at(-1), wanted).slice(0, rows);
     const size = norm(error);
-    if (size < 1e-11 || step === steps) return { q, error: size };
+    if (size < 1e-11 || step === steps || !q.length) return { q, error: size };
     const columns = jacobianColumns(arm, frames).map((c, i) => (i === held ? c.map(() => 0) : c));
     const damping = 0.02 * size * size + 1e-12;
-    const A = error.map((_, i) => error.map((_, j) => columns.reduce((s, c) => s + c[i] * c[j], i === j ? damping : 0)));
+    const A = error.map((_, i) =>
+      error.map((_, j) => columns.reduce((s, c) => s + c[i] * c[j], i === j ? damping : 0)),
+    );
     const y = solve(A, error);
     const move = columns.map((c) => y.reduce((s, v, i) => s + c[i] * v, 0));
-    const most = Math.max(...move.map(Math.abs));
+    const most = Math.max(1e-12, ...move.map(Math.abs));
     q = q.map((v, i) => v + move[i] * Math.min(1, 0.6 / most));
   }
 }
 
-const PLANES = { x: [[0, 1, 0], [0, 0, 1]], y: [[1, 0, 0], [0, 0, 1]], z: [[1, 0, 0], [0, 1, 0]] };
+const PLANES = {
+  x: [[0, 1, 0], [0, 0, 1]],
+  y: [[1, 0, 0], [0, 0, 1]],
+  z: [[1, 0, 0], [0, 1, 0]],
+}; // prettier-ignore
 
-// Joint vectors along a circle that starts at the tip, hangs below it in the plane with this normal axis, and holds the
-// tool's orientation; with the largest distance (m) that the tip strays from it.
-export function traceCircle(arm, start, { normal = "x", radius = 0.1, count = 181 } = {}) {
-  const tip = linkFrames(arm, start).at(-1);
+// Points of a circle that starts at `top` and hangs below it in the plane with this normal axis.
+export function circlePoints(top, { normal = "x", radius = 0.1, count = 181 } = {}) {
   const [across, up] = PLANES[normal];
-  const centre = minus(tip.o, scaled(radius, up));
+  const centre = minus(top, scaled(radius, up));
+  return Array.from({ length: count }, (_, k) => {
+    const angle = (2 * Math.PI * k) / (count - 1);
+    return plus(centre, plus(scaled(radius * Math.sin(angle), across), scaled(radius * Math.cos(angle), up)));
+  });
+}
+
+const NUDGE = 0.05; // rad or m, out of a pose in which no small motion helps
+
+// `reach`, tried again from beside a singular pose that it cannot leave.
+function reachFrom(arm, start, wanted, options) {
+  let best = reach(arm, start, wanted, options);
+  if (best.error < 1e-6) return best;
+  const still = best.q.every((v, i) => Math.abs(v - start[i]) < 1e-6);
+  for (const k of still ? start.keys() : []) {
+    for (const way of [NUDGE, -NUDGE]) {
+      const other = reach(
+        arm,
+        start.map((v, i) => (i === k ? v + way : v)),
+        wanted,
+        options,
+      );
+      if (other.error < 0.98 * best.error) best = other;
+    }
+  }
+  return best;
+}
+
+// Joint vectors along such a circle below the tip, with the tool's orientation held; with the largest distance (m) that
+// the tip strays from it.
+export function traceCircle(arm, start, circle = {}) {
+  const tip = linkFrames(arm, start).at(-1);
+  const wanted = circlePoints(tip.o, circle);
   const path = [];
   let [q, stray] = [start, 0];
-  for (let k = 0; k < count; k++) {
-    const angle = (2 * Math.PI * k) / (count - 1);
-    const o = plus(centre, plus(scaled(radius * Math.sin(angle), across), scaled(radius * Math.cos(angle), up)));
-    q = reach(arm, q, { ...tip, o }, { steps: 40 }).q;
+  for (const o of wanted) {
+    q = reachFrom(arm, q, { ...tip, o }, { steps: 40 }).q;
     stray = Math.max(stray, norm(minus(linkFrames(arm, q).at(-1).o, o)));
     path.push(q);
   }
-  return { path, stray };
+  return { path, stray, wanted };
 }
 
 // The same numbers on every machine and at every visit.
@@ -67,27 +100,75 @@ export function randomPose(arm, roll = Math.random) {
   });
 }
 
-// Where a joint may be put: its limits, or half a turn or a metre either way where none are known.
-export function range(row) {
-  const reach = row.kind === "revolute" ? Math.PI : 1;
-  return [row.lower ?? -reach, row.upper ?? reach];
-}
+const MOST_WAYS = 16;
 
-// Other joint vectors with the tip at the same pose, from many starts. Where the arm has a joint to spare, joint 3 is
-// held, so that the ways can be counted.
+/**
+ * Other joint vectors with the tip at the same pose, from many starts. Where the arm has a joint to spare, joint 3 is
+ * held, so that the ways can be counted. Where joints can move with the tip at rest, their ways are one family, of
+ * which the list holds one.
+ * @param {import("./arm.js").Arm} arm
+ * @param {number[]} q
+ */
 export function otherWays(arm, q, tries = 300) {
-  const wanted = linkFrames(arm, q).at(-1);
+  const target = linkFrames(arm, q).at(-1);
+  const whole = asked(arm) === 6;
+  if (!fits(arm, q) || !q.length) return { list: [], families: [], held: -1, target, whole };
   const held = spareJoints(arm) ? 2 : -1;
   const roll = dice(1);
-  const found = [turned(arm, q)];
-  for (let n = 0; n < tries; n++) {
+  const families = [];
+  const found = [];
+  const take = (way) => {
+    if (families.some((family) => sameFamily(arm, family, way))) return;
+    if (found.some((other) => apart(arm, other, way) < 1e-3)) return;
+    const moving = freeJoints(arm, way, target, held);
+    found.push(way);
+    if (moving.length) families.push({ moving, q: way });
+  };
+  take(turned(arm, q));
+  for (let n = 0; n < tries && found.length < MOST_WAYS; n++) {
     const start = randomPose(arm, roll).map((v, i) => (i === held ? q[i] : v));
-    const { q: way, error } = reach(arm, start, wanted, { held });
-    const unwound = turned(arm, way);
-    if (error < 1e-9 && found.every((other) => apart(arm, other, unwound) > 1e-3)) found.push(unwound);
+    const { q: way, error } = reach(arm, start, target, { held });
+    if (error < 1e-9) take(turned(arm, way));
   }
-  return found.slice(0, 16);
+  return { list: found.map((way) => ({ q: way })), families, held, target, whole };
 }
+
+const STEP = 0.1; // rad or m along the null space: small beside a turn, large beside what a double root gives way by
+
+// The joints that can move from here while the tip stays: those of a null direction along which a solution really lies.
+export function freeJoints(arm, q, target, held = -1) {
+  const rows = asked(arm);
+  const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) => (i === held ? c.map(() => 0) : c));
+  const { values } = singular(
+    columns.map((c) => c.slice(0, rows)),
+    rows,
+  );
+  const free = joints(arm).length - (held < 0 ? 0 : 1);
+  if (values.filter((v) => v > 1e-5 * values[0]).length >= Math.min(rows, free)) return [];
+  const moving = new Set();
+  for (const direction of rightNull(
+    columns.map((c) => c.slice(0, rows)),
+    held,
+  )) {
+    const there = reach(
+      arm,
+      q.map((v, i) => v + STEP * direction[i]),
+      target,
+      { held, steps: 200 },
+    );
+    if (there.error > 1e-9 || apart(arm, there.q, q) < 0.3 * STEP) continue;
+    there.q.forEach((v, i) => Math.abs(v - q[i]) > 1e-3 && moving.add(i));
+  }
+  return [...moving].sort((p, r) => p - r);
+}
+
+// Whether a way differs from a family's only in the joints that move along it.
+const sameFamily = (arm, { moving, q }, way) =>
+  apart(
+    arm,
+    q,
+    way.map((v, i) => (moving.includes(i) ? q[i] : v)),
+  ) < 1e-3;
 
 // Revolute joints brought to within half a turn, or into their limits where whole turns can do that.
 function turned(arm, q) {
@@ -105,7 +186,4 @@ function apart(arm, p, q) {
 }
 
 // Whether an arm at q stands at a joint vector that may have been rounded.
-export const isThere = (way, q) => way.every((v, i) => Math.abs(v - q[i]) < 1e-4);
-
-// Whether a joint is past one of its limits.
-export const outside = (row, value) => value < (row.lower ?? -Infinity) - 1e-9 || value > (row.upper ?? Infinity) + 1e-9;
+export const isThere = (way, q) => way.length === q.length && way.every((v, i) => Math.abs(v - q[i]) < 1e-4);

@@ -1,112 +1,156 @@
-// The 3D view: draws the state when it has changed, and turns what a pointer does into what the reader means.
+// The explorer's picture: draws the state when it has changed.
 
 import {
-  Box3, CylinderGeometry, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, MeshStandardMaterial, PCFShadowMap, PerspectiveCamera,
-  Plane, PlaneGeometry, Raycaster, Scene, ShadowMaterial, SphereGeometry, Spherical, Vector2, Vector3, WebGLRenderer, DoubleSide,
-} from "three";
-import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+  DoubleSide, Group, MeshBasicMaterial, MeshStandardMaterial, ShadowMaterial, Vector3,
+} from "three"; // prettier-ignore
+import { outside, reachOf } from "./arm.js";
+import { joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
+import { Labels } from "./labels.js";
 import { isThere } from "./motion.js";
-import { linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
-import { along, ArmShape, Arrow, Ellipsoid, Triad, floor, ghostMaterial, reachOf, tube, wall } from "./shapes.js";
+import { emptied, Figure, freed } from "./renderer.js";
+import {
+  along,
+  ArmShape,
+  Arrow,
+  ball,
+  Ellipsoid,
+  floor,
+  ghostMaterial,
+  rod,
+  square,
+  Triad,
+  tube,
+  wall,
+} from "./shapes.js";
+import { leftBehind } from "./state.js";
 
-const LOOK = {
-  light: { lit: "#E69F00", link: "#e9edf2", joint: "#34506b", grid: "#8793a3", gridStrength: 0.34, shadow: 0.16, sky: 2.1, sun: 1.5, path: "#D55E00", force: "#C77E00", ghost: "#0072B2", ellipsoid: "#9a4f86" },
-  dark: { lit: "#F0B429", link: "#c3ccd8", joint: "#5f86ad", grid: "#93a1b5", gridStrength: 0.26, shadow: 0.28, sky: 1.15, sun: 1.7, path: "#F58A3C", force: "#F0B429", ghost: "#56B4E9", ellipsoid: "#d79bc3" },
-};
-const BRANCH_COLOURS = ["#0072B2", "#D55E00", "#009E73", "#E69F00", "#CC79A7", "#56B4E9", "#882255", "#7a8290"];
+export const LOOK = {
+  light: {
+    lit: "#E69F00", link: "#e9edf2", joint: "#34506b", grid: "#8793a3", gridStrength: 0.34, shadow: 0.16, sky: 2.1,
+    sun: 1.5, path: "#D55E00", wanted: "#7a8290", force: "#C77E00", ghost: "#0072B2",
+    ellipsoid: "#9a4f86", bad: "#c0392b",
+  },
+  dark: {
+    lit: "#F0B429", link: "#c3ccd8", joint: "#5f86ad", grid: "#93a1b5", gridStrength: 0.26, shadow: 0.28, sky: 1.15,
+    sun: 1.7, path: "#F58A3C", wanted: "#a3adba", force: "#F0B429", ghost: "#56B4E9",
+    ellipsoid: "#d79bc3", bad: "#ff8a6b",
+  },
+}; // prettier-ignore
+const BRANCH_COLOURS = [
+  "#0072B2",
+  "#D55E00",
+  "#009E73",
+  "#E69F00",
+  "#CC79A7",
+  "#56B4E9",
+  "#882255",
+  "#7a8290",
+];
 export const branchColour = (i) => BRANCH_COLOURS[i % BRANCH_COLOURS.length];
-
-const VIEW = new Vector3(0.687, -0.639, 0.344); // where the camera stands first, seen from the arm; the still picture's too
 
 const FORCE_HALF = 10; // N: drawn half as long as the longest arrow,
 const FORCE_LONGEST = 0.36; // which is this share of the arm
 
-export class Stage {
-  constructor(host, labels, { onForce, onBranch }) {
-    Object.assign(this, { host, labels, onForce, onBranch });
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
-    this.canvas = this.renderer.domElement;
-    host.prepend(this.canvas);
-    this.scene = new Scene();
-    this.camera = new PerspectiveCamera(32, 1, 0.01, 100);
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.addEventListener("change", () => this.request());
-    this.controls.enableZoom = false; // until the view has the focus, so that a page scrolls past it
-    this.controls.enablePan = false;
-    this.canvas.style.touchAction = "pan-y";
-    this.lights();
-    this.listen();
-    new ResizeObserver(() => this.resize()).observe(host);
-  }
-
-  lights() {
-    this.sky = new HemisphereLight("#ffffff", "#8d95a1", 2);
-    this.sky.position.set(0, 0, 1);
-    this.sun = new DirectionalLight("#ffffff", 2);
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(1024, 1024);
-    this.sun.shadow.radius = 5;
-    this.sun.shadow.bias = -0.002;
-    this.scene.add(this.sky, this.sun, this.sun.target);
+export class ArmPicture {
+  constructor(host, labels, options = {}) {
+    this.figure = new Figure(host, { onDraw: () => this.place(), onLost: options.onLost });
+    this.labels = new Labels(labels);
+    this.onPlace = options.onPlace ?? (() => {});
+    /** @type {any} */
+    this.world = null;
+    this.arm = null;
+    this.frames = null;
+    this.shown = /** @type {any} */ ({});
   }
 
   // Build everything that does not move with the joints.
   build(arm, dark) {
-    this.dark = dark;
-    this.look = LOOK[dark ? "dark" : "light"];
-    if (this.world) dispose(this.world);
+    const look = LOOK[dark ? "dark" : "light"];
+    this.emptyWorld();
     this.arm = arm;
+    this.dark = dark;
+    this.look = look;
     this.size = reachOf(arm);
     this.world = new Group();
-    this.scene.add(this.world);
-    const { look, size } = this;
+    this.shown = {};
+    const { size } = this;
+    this.figure.scene.add(this.world);
     const link = new MeshStandardMaterial({ color: look.link, roughness: 0.45, metalness: 0.02 });
     const joint = new MeshStandardMaterial({ color: look.joint, roughness: 0.4, metalness: 0.1 });
     this.body = new ArmShape(arm, { link, joint });
-    this.lit = joint.clone();
-    this.lit.color.set(look.lit);
-    this.axis = new Mesh(new CylinderGeometry(1, 1, 1, 12), new MeshBasicMaterial({ color: look.lit, transparent: true, opacity: 0.75 }));
-    this.shade = new Mesh(new PlaneGeometry(4 * size, 4 * size), new ShadowMaterial({ opacity: look.shadow }));
+    this.tints = { lit: joint.clone(), bad: joint.clone() };
+    this.tints.lit.color.set(look.lit);
+    this.tints.bad.color.set(look.bad);
+    this.axis = rod(new MeshBasicMaterial({ color: look.lit, transparent: true, opacity: 0.75 }));
+    this.shade = square(4 * size, new ShadowMaterial({ opacity: look.shadow }));
     this.shade.receiveShadow = true;
     this.shade.position.z = -0.001 * size;
     this.triads = Array.from({ length: arm.rows.length + 1 }, () => new Triad(dark));
     this.ellipsoid = new Ellipsoid(look.ellipsoid);
     const force = new MeshBasicMaterial({ color: look.force });
     this.force = new Arrow(force);
-    this.handle = new Mesh(new SphereGeometry(0.022 * size, 20, 14), force);
-    [this.path, this.ghosts, this.reference] = [new Group(), new Group(), new Group()];
-    this.world.add(this.body, floor(1.0 * size, look.grid, look.gridStrength), this.shade, ...this.triads, this.axis, this.ellipsoid, this.force, this.handle, this.path, this.ghosts, this.reference);
-    this.sky.intensity = look.sky;
-    this.sun.intensity = look.sun;
-    this.sun.position.set(0.55 * size, -0.75 * size, 2 * size);
-    Object.assign(this.sun.shadow.camera, { left: -size, right: size, top: size, bottom: -size, near: 0.05 * size, far: 4 * size });
-    this.sun.shadow.camera.updateProjectionMatrix();
-    this.shown = {};
+    this.handle = ball(force);
+    this.handle.scale.setScalar(0.022 * size);
+    this.barrier = this.makeBarrier();
+    this.path = new Group();
+    this.ghosts = new Group();
+    this.reference = new Group();
+    this.world.add(
+      this.body, floor(size, look.grid, look.gridStrength), this.shade, ...this.triads, this.axis, this.ellipsoid,
+      this.force, this.handle, this.barrier, this.path, this.ghosts, this.reference,
+    ); // prettier-ignore
+    this.figure.resetLights({ size, sky: look.sky, sun: look.sun });
   }
 
-  // Bring the view up to date with the state; only what changed is built anew.
+  emptyWorld() {
+    if (this.world) freed(this.world);
+    Object.values(this.tints ?? {}).forEach((material) => material.dispose());
+  }
+
+  // What stands between a dragged tip and the pointer: a wall across the way, and the way that is missing.
+  makeBarrier() {
+    const group = /** @type {any} */ (new Group());
+    const pane = new MeshBasicMaterial({
+      color: this.look.bad, transparent: true, opacity: 0.3, side: DoubleSide, depthWrite: false,
+    }); // prettier-ignore
+    const ink = new MeshBasicMaterial({ color: this.look.bad });
+    const [wallPart, way, spot] = [square(0.16 * this.size, pane), rod(ink), ball(ink)];
+    spot.scale.setScalar(0.01 * this.size);
+    Object.assign(group, { wallPart, way, spot });
+    group.add(wallPart, way, spot);
+    group.visible = false;
+    return group;
+  }
+
+  // Bring the picture up to date with the state; only what changed is built anew.
   draw(state, derived, theme) {
     const dark = theme === "dark";
     const first = !this.body;
-    if (this.arm !== state.arm || this.dark !== dark) this.build(state.arm, dark);
+    const other = this.arm !== state.arm;
+    if (other || this.dark !== dark) this.build(state.arm, dark);
     const { frames } = derived;
     this.frames = frames;
     this.body.pose(frames);
-    this.body.light(state.lit, this.lit);
+    this.tintJoints(state);
     this.drawAxis(frames[state.lit]);
     this.drawFrames(frames, state.frames);
     this.ellipsoid.visible = state.view === "jacobian";
-    this.ellipsoidScale = (0.15 * this.size) / Math.max(derived.linear.values[0], 1e-6);
-    if (this.ellipsoid.visible) this.ellipsoid.pose(frames.at(-1).o, derived.linear, this.ellipsoidScale, 0.003 * this.size);
+    this.scale = (0.15 * this.size) / Math.max(derived.linear.values[0], 1e-6);
+    if (this.ellipsoid.visible) {
+      this.ellipsoid.pose(frames.at(-1).o, derived.linear, this.scale, 0.003 * this.size);
+    }
     this.drawForce(frames.at(-1).o, state);
     this.drawPath(state);
-    this.drawGhosts(state);
+    this.drawGhosts(state, derived);
     this.drawReference(state);
+    this.drawBarrier(frames.at(-1).o, state.hold);
     if (first) this.fit();
-    this.request();
+    this.figure.request();
+  }
+
+  tintJoints({ lit, q, arm }) {
+    const past = joints(arm).filter((row, k) => outside(arm.rows[row], q[k]));
+    this.body.tint((row) => (row === lit ? this.tints.lit : past.includes(row) ? this.tints.bad : null));
   }
 
   // The axis about or along which the joint under the reader's hand moves.
@@ -125,17 +169,12 @@ export class Stage {
       triad.pose(frames[i], length);
       for (const axis of ["x", "z"]) {
         const tip = plus(frames[i].o, scaled(1.22 * length, frames[i][axis]));
-        const key = axis + tip.map((v) => Math.round(v / this.size * 500)).join();
-        shared.set(key, { axis, tip, indices: [...(shared.get(key)?.indices ?? []), i] });
+        const key = axis + tip.map((v) => Math.round((v / this.size) * 500)).join();
+        const indices = [...(shared.get(key)?.indices ?? []), i];
+        shared.set(key, { tip, root: frames[i].o, letter: axis, index: indices.join(",") });
       }
     });
-    this.tags = [...shared.values()];
-    this.labels.replaceChildren(...this.tags.map(({ axis, indices }) => {
-      const span = document.createElement("span");
-      span.className = `axis-${axis}`;
-      span.innerHTML = `<i>${axis}</i><sub>${indices.join(",")}</sub>`;
-      return span;
-    }));
+    this.labels.set([...shared.values()].reverse());
   }
 
   drawForce(tip, { view, wrench }) {
@@ -146,7 +185,7 @@ export class Stage {
     this.force.point(minus(tip, way), way, 0.007 * this.size);
     this.force.visible &&= shown;
     this.handle.visible = shown;
-    this.handle.position.set(...minus(tip, way));
+    this.handle.position.fromArray(minus(tip, way));
     this.tip = tip;
     if (shown && !this.shown.force) this.fit();
     this.shown.force = shown;
@@ -161,172 +200,161 @@ export class Stage {
     return scaled(size / norm(way), way);
   }
 
-  drawPath({ view, trace, arm }) {
-    const wanted = ["trace", "torque"].includes(view) ? trace : null;
-    if (this.shown.path === wanted) return;
-    this.shown.path = wanted;
-    clear(this.path);
-    if (!wanted) return;
-    const points = wanted.map((q) => linkFrames(arm, q).at(-1).o);
-    const pane = new MeshBasicMaterial({ color: this.look.ghost, transparent: true, opacity: this.dark ? 0.16 : 0.1, side: DoubleSide, depthWrite: false });
-    const square = wall(points, pane);
-    this.path.add(tube(points, 0.0035 * this.size, this.look.path), ...(square ? [square] : []));
+  drawPath({ view, trace, wanted, stray, arm }) {
+    const path = ["trace", "torque"].includes(view) ? trace : null;
+    if (this.shown.path === path) return;
+    this.shown.path = path;
+    emptied(this.path);
+    if (!path) return;
+    const points = path.map((q) => linkFrames(arm, q).at(-1).o);
+    const opacity = this.dark ? 0.16 : 0.1;
+    const pane = new MeshBasicMaterial({
+      color: this.look.ghost, transparent: true, opacity, side: DoubleSide, depthWrite: false,
+    }); // prettier-ignore
+    const pieces = [tube(points, 0.0035 * this.size, this.look.path), wall(wanted ?? points, pane)];
+    if (wanted && stray > 1e-3) pieces.push(tube(wanted, 0.0018 * this.size, this.look.wanted));
+    this.path.add(...pieces.filter(Boolean));
   }
 
-  drawGhosts({ view, ways, arm, q, highlighted }) {
-    const wanted = view === "branches" ? ways : null;
+  // The other ways as thin arms of one colour each; the one under the hand is filled out.
+  drawGhosts(state, derived) {
+    const { view, ways, arm, q, highlighted } = state;
+    const wanted =
+      view === "branches" && ways && !(leftBehind(state, derived) && highlighted === null) ? ways : null;
     if (this.shown.ways !== wanted) {
-      clear(this.ghosts);
-      (wanted ?? []).forEach(({ q }, i) => {
-        const material = ghostMaterial(branchColour(i), 0.3);
-        const shape = new ArmShape(arm, { link: material, joint: material, ghost: true });
-        shape.pose(linkFrames(arm, q));
-        shape.userData.way = i;
-        this.ghosts.add(shape);
+      emptied(this.ghosts);
+      (wanted?.list ?? []).forEach((way, i) => {
+        const thin = new MeshStandardMaterial({ color: branchColour(i), roughness: 0.7 });
+        const full = ghostMaterial(branchColour(i), 0.45);
+        const frames = linkFrames(arm, way.q);
+        for (const { material, girth } of [
+          { material: thin, girth: 0.3 },
+          { material: full, girth: 0.97 },
+        ]) {
+          const shape = new ArmShape(arm, { link: material, joint: material, ghost: true, girth });
+          shape.pose(frames);
+          shape.userData = { way: i, full: girth > 0.5 };
+          this.ghosts.add(shape);
+        }
       });
       this.shown.ways = wanted;
-      if (wanted) this.fit();
+      if (wanted && !this.shown.fitted) this.fit();
+      this.shown.fitted = Boolean(wanted);
     }
     for (const shape of this.ghosts.children) {
-      const way = ways[shape.userData.way].q;
-      shape.visible = !isThere(way, q);
-      shape.children[0].material.opacity = highlighted === shape.userData.way ? 0.75 : highlighted == null ? 0.3 : 0.14;
+      const { way, full } = shape.userData;
+      shape.visible = !isThere(wanted.list[way].q, q) && (!full || way === highlighted);
     }
   }
 
   drawReference({ view, reference, q, arm }) {
     const differs = view === "table" && reference && reference !== arm;
-    clear(this.reference);
-    if (!differs || reference.rows.filter((row) => row.kind !== "fixed").length !== q.length) return;
-    const material = ghostMaterial(this.look.ghost, 0.26);
-    const shape = new ArmShape(reference, { link: material, joint: material, ghost: true });
-    shape.pose(linkFrames(reference, q));
-    this.reference.add(shape);
+    const shown = differs && joints(reference).length === q.length ? reference : null;
+    if (this.shown.reference !== shown) {
+      emptied(this.reference);
+      this.shown.reference = shown;
+      if (shown) {
+        const material = ghostMaterial(this.look.ghost, 0.26);
+        this.reference.add(new ArmShape(shown, { link: material, joint: material, ghost: true }));
+      }
+    }
+    if (shown) /** @type {any} */ (this.reference.children[0]).pose(linkFrames(shown, q));
+  }
+
+  drawBarrier(tip, hold) {
+    const short = hold?.target ? norm(minus(hold.target, tip)) : 0;
+    const { barrier } = this;
+    barrier.visible = short > 0.004 * this.size && !hold.moving;
+    if (!barrier.visible) return;
+    const way = new Vector3(...minus(hold.target, tip)).normalize();
+    along(barrier.way, tip, hold.target, 0.002 * this.size);
+    barrier.spot.position.set(...hold.target);
+    barrier.wallPart.position.set(...plus(tip, scaled(0.006 * this.size, way.toArray())));
+    barrier.wallPart.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), way);
   }
 
   // Stand where the whole arm is in view, with the tips of its frames.
   fit() {
-    const ends = this.frames.flatMap(({ x, z, o }) => [o, ...[x, z].map((axis) => plus(o, scaled(0.13 * this.size, axis)))]);
-    const ghosts = (this.shown.ways ?? []).flatMap(({ q }) => linkFrames(this.arm, q).map((frame) => frame.o));
+    const reach = 0.13 * this.size;
+    const ends = this.frames.flatMap(({ x, z, o }) => [
+      o,
+      ...[x, z].map((axis) => plus(o, scaled(reach, axis))),
+    ]);
+    const ghosts = (this.shown.ways?.list ?? []).flatMap(({ q }) =>
+      linkFrames(this.arm, q).map((frame) => frame.o),
+    );
     const handle = this.handle.visible ? [this.handle.position.toArray()] : [];
-    const points = [...ends, ...ghosts, ...handle, [0, 0, 0], [0, 0, 0.3 * this.size]].map((p) => new Vector3(...p));
-    const { camera, controls } = this;
-    new Box3().setFromPoints(points).getCenter(controls.target);
-    camera.position.copy(controls.target).addScaledVector(VIEW, 3 * this.size);
-    Object.assign(camera, { near: this.size / 50, far: this.size * 40 });
-    camera.updateProjectionMatrix();
-    for (let step = 0; step < 4; step++) {
-      controls.update();
-      camera.updateMatrixWorld();
-      const { min, max } = new Box3().setFromPoints(points.map((p) => p.clone().project(camera)));
-      const away = camera.position.clone().sub(controls.target);
-      const half = away.length() * Math.tan((camera.fov * Math.PI) / 360);
-      const [right, up] = [0, 1].map((i) => new Vector3().setFromMatrixColumn(camera.matrixWorld, i));
-      controls.target.addScaledVector(right, ((min.x + max.x) / 2) * half * camera.aspect);
-      controls.target.addScaledVector(up, ((min.y + max.y) / 2) * half);
-      away.multiplyScalar(Math.max((max.x - min.x) / 2, (max.y - min.y) / 2) / 0.84);
-      camera.position.copy(controls.target).add(away);
+    this.figure.fit([...ends, ...ghosts, ...handle, [0, 0, 0], [0, 0, 0.3 * this.size]]);
+  }
+
+  // The picture's axes in the world: right, up, and towards the eye.
+  cameraAxes() {
+    return [0, 1, 2].map((i) =>
+      new Vector3().setFromMatrixColumn(this.figure.camera.matrixWorld, i).toArray(),
+    );
+  }
+
+  // Labels and handles, after each drawing.
+  place() {
+    const { clientWidth: width, clientHeight: height } = this.figure.host;
+    this.labels.place((p) => this.figure.pixel(p), width, height);
+    if (this.frames) this.onPlace(this.figure.pixel(this.frames.at(-1).o));
+  }
+
+  // What can be taken by the hand: the links, and the x axes of the frames drawn, each with the row that carries it.
+  grips() {
+    const axes = this.triads.flatMap((triad, i) => {
+      if (!triad.visible || i === 0) return [];
+      const { o, x } = this.frames[i];
+      const [from, to] = [0.05, 0.1].map((share) => plus(o, scaled(share * this.size, x)));
+      return [{ row: i - 1, from, to }];
+    });
+    return [...axes, ...this.pieces()];
+  }
+
+  // The line of the links, each piece with the row that it belongs to.
+  pieces(arm = this.arm, frames = this.frames) {
+    return arm.rows.flatMap((row, i) => {
+      const [before, after] = [frames[i].o, frames[i + 1].o];
+      const corner = minus(after, scaled(row.a, frames[i + 1].x));
+      return [
+        { row: i, from: before, to: corner },
+        { row: i, from: corner, to: after },
+      ];
+    });
+  }
+
+  // The place on the links nearest to a pixel, within `within` pixels: { row, point, gap }, or null.
+  linkAt(pixel, within = 14, pieces = this.pieces()) {
+    let best = null;
+    for (const { row, from, to } of pieces) {
+      const [a, b] = [this.figure.pixel(from), this.figure.pixel(to)];
+      const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+      const long = dx * dx + dy * dy;
+      const share =
+        long < 1 ? 1 : Math.min(1, Math.max(0, ((pixel[0] - a[0]) * dx + (pixel[1] - a[1]) * dy) / long));
+      const gap = Math.hypot(a[0] + share * dx - pixel[0], a[1] + share * dy - pixel[1]);
+      if (gap > within || (best && gap >= best.gap - 0.5)) continue;
+      best = { row, gap, point: plus(from, scaled(share, minus(to, from))) };
     }
-    controls.update();
-    this.request();
+    return best;
   }
 
-  // Turn the camera by angles (rad) and bring it nearer by a factor.
-  orbit(turn, tilt, nearer = 1) {
-    const away = this.camera.position.clone().sub(this.controls.target);
-    const place = new Spherical().setFromVector3(new Vector3(away.y, away.z, away.x));
-    place.theta += turn;
-    place.phi = Math.min(3.1, Math.max(0.05, place.phi + tilt));
-    place.radius *= nearer;
-    const turned = new Vector3().setFromSpherical(place);
-    this.camera.position.copy(this.controls.target).add(new Vector3(turned.z, turned.x, turned.y));
-    this.controls.update();
-  }
-
-  listen() {
-    const { canvas, controls } = this;
-    const ray = new Raycaster();
-    let [drag, down] = [null, null];
-    const aim = (event) => {
-      const box = canvas.getBoundingClientRect();
-      const x = ((event.clientX - box.left) / box.width) * 2 - 1;
-      ray.setFromCamera(new Vector2(x, 1 - ((event.clientY - box.top) / box.height) * 2), this.camera);
-      return ray;
-    };
-    const onHandle = (event) => this.handle?.visible && aim(event).ray.distanceToPoint(this.handle.position) < 0.045 * this.size;
-    canvas.addEventListener("pointerdown", (event) => {
-      down = [event.clientX, event.clientY];
-      if (!onHandle(event)) return;
-      event.stopImmediatePropagation();
-      controls.enabled = false;
-      canvas.setPointerCapture(event.pointerId);
-      drag = new Plane().setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(new Vector3()), this.handle.position);
-    }, true);
-    canvas.addEventListener("pointermove", (event) => {
-      if (!drag) return (canvas.style.cursor = onHandle(event) || this.wayAt(aim(event)) !== null ? "pointer" : "grab");
-      const point = aim(event).ray.intersectPlane(drag, new Vector3());
-      if (point) this.onForce(this.forceFrom(point.toArray()));
+  // The ghost of another way under a pixel, by its number, or null.
+  wayAt(pixel) {
+    const seen = this.ghosts?.children.filter((shape) => shape.visible && !shape.userData.full) ?? [];
+    const gaps = seen.map((shape) => {
+      const { way } = shape.userData;
+      const frames = linkFrames(this.arm, this.shown.ways.list[way].q);
+      return { way, gap: this.linkAt(pixel, 7, this.pieces(this.arm, frames))?.gap ?? Infinity };
     });
-    const release = (event) => {
-      const still = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < 4;
-      if (still && !drag) {
-        const way = this.wayAt(aim(event));
-        if (way !== null) this.onBranch(way);
-      }
-      [drag, down] = [null, null];
-      controls.enabled = true;
-    };
-    canvas.addEventListener("pointerup", release);
-    canvas.addEventListener("pointercancel", release);
-    this.host.addEventListener("focusin", () => (controls.enableZoom = true));
-    this.host.addEventListener("focusout", () => (controls.enableZoom = false));
+    const best = gaps.sort((p, q) => p.gap - q.gap)[0];
+    return best && best.gap < Infinity ? best.way : null;
   }
 
-  wayAt(ray) {
-    const seen = (this.ghosts?.children ?? []).filter((shape) => shape.visible).flatMap((shape) => shape.children.filter((part) => part.visible));
-    const hit = ray.intersectObjects(seen, false)[0];
-    return hit?.object.parent.userData.way ?? null;
-  }
-
-  resize() {
-    const { clientWidth: width, clientHeight: height } = this.host;
-    if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.renderer.setSize(width, height);
-    const before = this.camera.aspect;
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
-    if (this.frames && Math.abs(before - this.camera.aspect) > 0.01) this.fit();
-    this.render(); // at once: a canvas of another size is blank
-  }
-
-  request() {
-    this.pending ||= requestAnimationFrame(() => {
-      this.pending = null;
-      this.render();
-    });
-  }
-
-  render() {
-    if (!this.world || !this.host.clientWidth) return;
-    this.renderer.render(this.scene, this.camera);
-    const { clientWidth: width, clientHeight: height } = this.host;
-    this.tags?.forEach(({ tip }, i) => {
-      const p = new Vector3(...tip).project(this.camera);
-      this.labels.children[i].style.transform = `translate(${((p.x + 1) * width) / 2}px, ${((1 - p.y) * height) / 2}px) translate(-50%, -50%)`;
-    });
+  dispose() {
+    this.labels.dispose();
+    this.emptyWorld();
+    this.figure.dispose();
   }
 }
-
-function clear(group) {
-  for (const child of [...group.children]) dispose(child);
-}
-
-function dispose(object) {
-  object.traverse((part) => {
-    part.material?.dispose();
-    if (part.geometry?.type === "TubeGeometry") part.geometry.dispose();
-  });
-  object.removeFromParent();
-}
-

@@ -1,10 +1,28 @@
 // The solids of which the 3D view is made.
 
 import {
-  Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, LineBasicMaterial, LineLoop, Mesh,
-  MeshBasicMaterial, MeshStandardMaterial, BufferGeometry, PlaneGeometry, Quaternion, ShaderMaterial, SphereGeometry, BoxGeometry,
-  Vector3, CatmullRomCurve3, TubeGeometry, Matrix4,
+  Color,
+  ConeGeometry,
+  CylinderGeometry,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineLoop,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  BufferGeometry,
+  PlaneGeometry,
+  Quaternion,
+  ShaderMaterial,
+  SphereGeometry,
+  BoxGeometry,
+  Vector3,
+  CatmullRomCurve3,
+  TubeGeometry,
+  Matrix4,
 } from "three";
+import { reachOf } from "./arm.js";
 import { minus, norm, plus, scaled } from "./kinematics.js";
 
 const UP = new Vector3(0, 1, 0); // along which three.js builds its cylinders
@@ -13,11 +31,34 @@ const BARREL = new CylinderGeometry(1, 1, 1, 36);
 const BALL = new SphereGeometry(1, 28, 18);
 const BOX = new BoxGeometry(1, 1, 1);
 const POINT = new ConeGeometry(1, 1, 24);
+const SQUARE = new PlaneGeometry(1, 1);
+const RINGS = [
+  ["x", 0],
+  ["x", Math.PI / 2],
+  ["y", Math.PI / 2],
+];
+const RING = new BufferGeometry().setFromPoints(
+  Array.from(
+    { length: 64 },
+    (_, i) => new Vector3(Math.cos((i * Math.PI) / 32), Math.sin((i * Math.PI) / 32), 0),
+  ),
+);
+const SHARED = new Set([ROD, BARREL, BALL, BOX, POINT, SQUARE, RING]);
 
-const vector = (v) => new Vector3(...v);
+// Whether a geometry belongs to all figures of the page, and so to none of them.
+export const isShared = (geometry) => SHARED.has(geometry);
 
-export const reachOf = (arm) =>
-  arm.rows.reduce((sum, row) => sum + Math.abs(row.a) + Math.abs(row.d) + (row.kind === "prismatic" ? Math.abs(row.upper ?? 0.3) : 0), 0) || 0.3;
+export const ball = (material) => new Mesh(BALL, material);
+export const rod = (material) => new Mesh(BARREL, material);
+
+// A square of this size (m), facing z.
+export function square(size, material) {
+  const mesh = new Mesh(SQUARE, material);
+  mesh.scale.setScalar(size);
+  return mesh;
+}
+
+const vector = (v) => new Vector3().fromArray(v);
 
 // Put a rod of unit length between two points.
 export function along(mesh, start, end, radius) {
@@ -31,17 +72,17 @@ export function along(mesh, start, end, radius) {
 }
 
 function at(mesh, point, radius) {
-  mesh.position.set(...point);
+  mesh.position.fromArray(point);
   mesh.scale.setScalar(radius);
 }
 
 // An arm as capsules along d and a of each row, with a barrel where a joint turns and a box where it slides.
 export class ArmShape extends Group {
-  constructor(arm, { link, joint, ghost = false }) {
+  constructor(arm, { link, joint, ghost = false, girth = ghost ? 0.97 : 1 }) {
     super();
     this.arm = arm;
     this.size = reachOf(arm);
-    this.girth = (ghost ? 0.97 : 1) * this.size; // a ghost hides inside the arm where both are
+    this.girth = girth * this.size; // a ghost hides inside the arm where both are
     const add = (geometry, material) => {
       const mesh = new Mesh(geometry, material);
       mesh.castShadow = mesh.receiveShadow = !ghost;
@@ -49,7 +90,10 @@ export class ArmShape extends Group {
       return mesh;
     };
     this.parts = arm.rows.map((row) => ({
-      rise: add(ROD, link), bend: add(BALL, link), reach: add(ROD, link), end: add(BALL, link),
+      rise: add(ROD, link),
+      bend: add(BALL, link),
+      reach: add(ROD, link),
+      end: add(BALL, link),
       joint: row.kind === "fixed" ? null : add(row.kind === "prismatic" ? BOX : BARREL, joint),
     }));
     this.pedestal = add(BARREL, joint);
@@ -58,9 +102,9 @@ export class ArmShape extends Group {
     this.joint = joint;
   }
 
-  // One joint, by its row, in another material.
-  light(index, material) {
-    this.parts.forEach((part, i) => part.joint && (part.joint.material = i === index ? material : this.joint));
+  // Joints in the material that `pick` gives for their row, or in their own.
+  tint(pick) {
+    this.parts.forEach((part, i) => part.joint && (part.joint.material = pick(i) ?? this.joint));
   }
 
   pose(frames) {
@@ -96,7 +140,8 @@ export class ArmShape extends Group {
 export class Arrow extends Group {
   constructor(material) {
     super();
-    [this.shaft, this.head] = [new Mesh(BARREL, material), new Mesh(POINT, material)];
+    this.shaft = new Mesh(BARREL, material);
+    this.head = new Mesh(POINT, material);
     this.add(this.shaft, this.head);
   }
 
@@ -123,7 +168,9 @@ export class Triad extends Group {
   }
 
   pose(frame, length) {
-    ["x", "y", "z"].forEach((axis, i) => this.arrows[i].point(frame.o, scaled(length, frame[axis]), 0.022 * length));
+    ["x", "y", "z"].forEach((axis, i) =>
+      this.arrows[i].point(frame.o, scaled(length, frame[axis]), 0.022 * length),
+    );
   }
 }
 
@@ -131,11 +178,16 @@ export class Triad extends Group {
 export class Ellipsoid extends Group {
   constructor(colour) {
     super();
-    const material = new MeshStandardMaterial({ color: colour, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
+    const material = new MeshStandardMaterial({
+      color: colour,
+      transparent: true,
+      opacity: 0.2,
+      depthWrite: false,
+      side: DoubleSide,
+    });
     this.add(new Mesh(BALL, material));
-    const circle = Array.from({ length: 64 }, (_, i) => new Vector3(Math.cos((i * Math.PI) / 32), Math.sin((i * Math.PI) / 32), 0));
-    for (const [axis, turn] of [["x", 0], ["x", Math.PI / 2], ["y", Math.PI / 2]]) {
-      const loop = new LineLoop(new BufferGeometry().setFromPoints(circle), new LineBasicMaterial({ color: colour }));
+    for (const [axis, turn] of RINGS) {
+      const loop = new LineLoop(RING, new LineBasicMaterial({ color: colour }));
       loop.rotation[axis] = turn;
       this.add(loop);
     }
@@ -145,7 +197,8 @@ export class Ellipsoid extends Group {
   // Half axes `scale` times the singular values, and never too thin to be seen.
   pose(centre, { values, vectors }, scale, least) {
     const columns = vectors.map((v, i) => vector(scaled(Math.max(scale * values[i], least), v)));
-    this.matrix.makeBasis(...columns).premultiply(new Matrix4().makeTranslation(...centre));
+    const [u, v, w] = columns;
+    this.matrix.makeBasis(u, v, w).premultiply(new Matrix4().makeTranslation(vector(centre)));
   }
 }
 
@@ -155,7 +208,10 @@ export function tube(points, radius, colour) {
   const apart = points.filter((p, i) => i === 0 || norm(minus(p, points[i - 1])) > gap);
   if (apart.length < 2) return new Group();
   const curve = new CatmullRomCurve3(apart.map(vector));
-  return new Mesh(new TubeGeometry(curve, Math.min(400, apart.length * 2), radius, 8), new MeshBasicMaterial({ color: colour }));
+  return new Mesh(
+    new TubeGeometry(curve, Math.min(400, apart.length * 2), radius, 8),
+    new MeshBasicMaterial({ color: colour }),
+  );
 }
 
 // A see-through square behind a flat path, or null where the path is not flat.
@@ -167,7 +223,7 @@ export function wall(points, material) {
   const size = Math.max(...points.map((v) => norm(minus(v, centre))));
   const flat = points.every((v) => Math.abs(vector(minus(v, centre)).dot(normal)) < 0.02 * size);
   if (!(size > 1e-6 && normal.length() > 0.5 && flat)) return null;
-  const mesh = new Mesh(new PlaneGeometry(3.4 * size, 3.4 * size), material);
+  const mesh = square(3.4 * size, material);
   mesh.position.copy(vector(centre));
   const up = Math.abs(normal.z) > 0.9 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
   mesh.quaternion.setFromRotationMatrix(new Matrix4().lookAt(normal, new Vector3(), up));
@@ -181,8 +237,18 @@ export function floor(size, colour, strength) {
     transparent: true,
     depthWrite: false,
     side: DoubleSide,
-    uniforms: { colour: { value: new Color(colour) }, size: { value: size }, step: { value: step }, strength: { value: strength } },
-    vertexShader: "varying vec2 p; void main() { p = position.xy; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
+    uniforms: {
+      colour: { value: new Color(colour) },
+      size: { value: size },
+      step: { value: step },
+      strength: { value: strength },
+    },
+    vertexShader: `
+      varying vec2 p; uniform float size;
+      void main() {
+        p = 2.0 * size * position.xy;
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+      }`,
     fragmentShader: `
       varying vec2 p; uniform vec3 colour; uniform float size; uniform float step; uniform float strength;
       void main() {
@@ -191,10 +257,15 @@ export function floor(size, colour, strength) {
         gl_FragColor = vec4(colour, strength * line * smoothstep(1.0, 0.2, length(p) / size));
       }`,
   });
-  return new Mesh(new PlaneGeometry(2 * size, 2 * size), material);
+  return square(2 * size, material);
 }
 
 export function ghostMaterial(colour, opacity) {
-  return new MeshStandardMaterial({ color: colour, transparent: true, opacity, depthWrite: false, roughness: 0.7 });
+  return new MeshStandardMaterial({
+    color: colour,
+    transparent: true,
+    opacity,
+    depthWrite: false,
+    roughness: 0.7,
+  });
 }
-

@@ -1,10 +1,11 @@
 """What all Denavit-Hartenberg tables of one arm have in common: the geometry of its joint axes.
 
-The axes that turn are lines in space. From one to the next there is a distance, a twist, and on each an offset
-between the feet of the two common normals; along parallel axes only the sum of the offsets is fixed, for their
-common normals may stand anywhere. An axis that slides has a direction and no place. Sliding moves the lines after
-it, so lengths are taken where the slides make the sum of their squares least: all tables find the same place.
-What is left open is which way each axis points: a sign per joint, which the comparison tries out.
+The axes that turn are lines in space. From one to the next there is a distance, a twist, and on
+each an offset between the feet of the two common normals; along parallel axes only the sum of the
+offsets is fixed, for their common normals may stand anywhere. An axis that slides has a direction
+and no place. Sliding moves the lines after it, so lengths are taken where the slides make the sum
+of their squares least: all tables find the same place. What is left open is which way each axis
+points: a sign per joint, which the comparison tries out.
 """
 
 from dataclasses import dataclass
@@ -26,10 +27,11 @@ _TINY = 1e-9  # m, or the sine of an angle: closer than this, axes meet or are p
 class Gap:
     """From one turning axis to the next, or to the tip, across the slides between them.
 
-    Joints are listed by position, from 0. `shape` holds the products that fix the directions in the gap: u.v for
-    two of them, u x v . w for three, the common normal among them where it has a length. `offset` is the signed
-    length along the parallel axes `bunch`, measured along the last of them; None while that bunch goes on. The
-    first bunch has `from_base`: its offset only tells where the base frame stands.
+    Joints are listed by position, from 0. `shape` holds the products that fix the directions in the
+    gap: u.v for two of them, u x v . w for three, the common normal among them where it has a
+    length. `offset` is the signed length along the parallel axes `bunch`, measured along the last
+    of them; None while that bunch goes on. The first bunch has `from_base`: its offset only tells
+    where the base frame stands.
     """
 
     joints: tuple[int, ...]

@@ -1,4 +1,5 @@
-"""Is my inverse kinematics right and complete? Each of your answers is judged, and what is missing is named."""
+"""Is my inverse kinematics right and complete? Each of your answers is judged, and what is missing
+is named."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,7 +22,8 @@ _NEAR = 1e-3  # m and rad: a pose this close is the target's
 
 @dataclass(frozen=True, repr=False)
 class BranchReport(Verdict):
-    """What `compare_branches` found: a line for each wrong answer and one for what is missing; nothing if all is right."""
+    """What `compare_branches` found: a line for each wrong answer and one for what is missing;
+    nothing if all is right."""
 
     arm: str
     found: tuple[str, ...]
@@ -37,9 +39,10 @@ class BranchReport(Verdict):
 def compare_branches(mine: ArrayLike, found: Solutions) -> BranchReport:
     """Judge your joint vectors, shape (answers, dof), for one target against all of its branches.
 
-    Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is and, where one slip explains
-    it, which: a sign, half a turn (atan for atan2), degrees, or joints of different branches mixed. Where a joint is free any
-    one value of it stands for the branch. Raises ArmError for another shape, or where `found` holds many targets.
+    Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is
+    and, where one slip explains it, which: a sign, half a turn (atan for atan2), degrees, or joints
+    of different branches mixed. Where a joint is free any one value of it stands for the branch.
+    Raises ArmError for another shape, or where `found` holds many targets.
     """
     must_be(found, Solutions, "found")
     arm = found.arm
@@ -69,10 +72,11 @@ def compare_branches(mine: ArrayLike, found: Solutions) -> BranchReport:
 
 
 def _matches(arm: Arm, q: Array, branches: Array, loose: Array) -> Array:
-    """The branches that q is: the same joints, or, where a joint is free, another member of the branch's family.
+    """The branches that q is: the same joints, or, where a joint is free, another member of the
+    branch's family.
 
-    A member reaches the target too and differs only in joints that can move together without the tip. Where two families
-    share those (a UR's elbows), the nearer one counts.
+    A member reaches the target too and differs only in joints that can move together without the
+    tip. Where two families share those (a UR's elbows), the nearer one counts.
     """
     gap = _gap(arm, q, branches)
     same = (gap < _WITHIN).all(axis=-1)
@@ -85,7 +89,8 @@ def _matches(arm: Arm, q: Array, branches: Array, loose: Array) -> Array:
 
 
 def _moving_in_place(arm: Arm, branches: Array) -> NDArray[np.bool_]:
-    """Which joints can move while the tip stands still, by the Jacobian's null space, shape (branches, dof)."""
+    """Which joints can move while the tip stands still, by the Jacobian's null space, shape
+    (branches, dof)."""
     J = jacobian(arm, branches)[..., : 6 if arm.dof >= 6 else 3, :]
     _, sizes, directions = np.linalg.svd(J)
     return (np.abs(directions) * (sizes < _NEAR)[..., None]).max(axis=-2) > _NEAR

@@ -17,7 +17,8 @@ WITHIN_ANGLE = 1e-4  # rad: angles are often written with four decimals
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that is wrong: the row and quantity it shows in, and what it is in both tables (m or rad)."""
+    """One thing that is wrong: the row and quantity it shows in, and what it is in both tables (m
+    or rad)."""
 
     row: int
     quantity: str
@@ -30,7 +31,8 @@ class Finding:
 
 
 def by_signs(arm: Arm, mine: Gap, reference: Gap) -> dict[tuple[int, ...], tuple[Finding, ...]]:
-    """What differs in a gap, for each choice of the directions that its axes have in the reference."""
+    """What differs in a gap, for each choice of the directions that its axes have in the
+    reference."""
     return {
         signs: tuple(_differences(arm, mine, reference, dict(zip(mine.joints, signs, strict=True))))
         for signs in product((1, -1), repeat=len(mine.joints))

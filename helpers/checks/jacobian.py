@@ -23,7 +23,8 @@ _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 @dataclass(frozen=True, repr=False)
 class JacobianReport(Verdict):
-    """What `compare_jacobian` found: nothing if the Jacobian is right, everywhere or `at_one_pose` only."""
+    """What `compare_jacobian` found: nothing if the Jacobian is right, everywhere or `at_one_pose`
+    only."""
 
     arm: str
     findings: tuple[str, ...]
@@ -47,8 +48,8 @@ def compare_jacobian(
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
     Args:
-        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix in q_1, q_2, ... or c_1, s_23, ... and the
-            arm's symbols, or a 6 x dof array at `q`.
+        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix in q_1, q_2, ... or
+            c_1, s_23, ... and the arm's symbols, or a 6 x dof array at `q`.
         arm: whose Jacobian it should be; a locked joint as ``arm.lock(3)``.
         q: where to compare, shape (dof,); a pose without symmetry unless given. An array needs it.
         angular_first: whether your rows are (omega, v) rather than (v, omega).
@@ -133,12 +134,18 @@ def _shape_finding(M: Array, arm: Arm) -> str:
     if M.shape == (arm.dof, 6):
         return "It is transposed: one column per joint, six rows."
     if wide and M.shape == (5, loose.dof):
-        return "A row is missing where a column should be: locking a joint removes its column; all six velocity components stay."
+        return (
+            "A row is missing where a column should be: locking a joint removes its column; all"
+            " six velocity components stay."
+        )
     if wide and M.shape == (6, loose.dof):
         return "It still has a column for a joint that is locked: that column must go."
     if M.shape == (3, arm.dof):
         return "It has three rows; the other three, linear or angular, are missing."
-    return f"Its shape is {M.shape}; expected (6, {arm.dof}): rows vx, vy, vz, wx, wy, wz, a column per free joint."
+    return (
+        f"Its shape is {M.shape}; expected (6, {arm.dof}): rows vx, vy, vz, wx, wy, wz, a"
+        " column per free joint."
+    )
 
 
 def _unlocked(arm: Arm) -> Arm:
@@ -148,7 +155,8 @@ def _unlocked(arm: Arm) -> Arm:
 
 
 def _diagnosis(M: Array, arm: Arm, q: Array, frame: int) -> tuple[str, ...]:
-    """One mistake that explains the whole matrix, or one for each half, or else what is wrong with each wrong column."""
+    """One mistake that explains the whole matrix, or one for each half, or else what is wrong with
+    each wrong column."""
     M, right = rotated(M, link_frames(arm, q)[frame, :3, :3]), jacobian(arm, q)
     usual = tuple(usual_mistakes(arm, q, frame))
     if whole := _named(M, usual):

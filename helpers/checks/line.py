@@ -7,10 +7,12 @@ from helpers.inputs import must_be, number
 
 
 def check(label: str, actual: ArrayLike, expected: ArrayLike, tolerance: float = 0.0) -> None:
-    """Print one line that says `actual` agrees with `expected`, or raise AssertionError that says by how much not.
+    """Print one line that says `actual` agrees with `expected`, or raise AssertionError that says
+    by how much not.
 
-    Numbers and arrays agree when no entry differs by more than `tolerance`; anything else, SymPy matrices
-    too, must be equal. This is the one function of the book that prints: its line is the reader's proof.
+    Numbers and arrays agree when no entry differs by more than `tolerance`; anything else, SymPy
+    matrices too, must be equal. This is the one function of the book that prints: its line is the
+    reader's proof.
     """
     must_be(label, str, "label")
     number(tolerance, "tolerance", "a number of 0 or more", least=0)
@@ -34,7 +36,8 @@ def check(label: str, actual: ArrayLike, expected: ArrayLike, tolerance: float =
 
 
 def _equal(actual: object, expected: object) -> bool:
-    """Whether two values that are not numbers are the same; NumPy compares arrays of words entry by entry."""
+    """Whether two values that are not numbers are the same; NumPy compares arrays of words entry by
+    entry."""
     if isinstance(actual, np.ndarray) or isinstance(expected, np.ndarray):
         return np.array_equal(actual, expected)
     return bool(actual == expected)

@@ -1,4 +1,5 @@
-"""What the usual mistakes make of an arm's Jacobian: pairs of a sentence and the matrix that it explains."""
+"""What the usual mistakes make of an arm's Jacobian: pairs of a sentence and the matrix that it
+explains."""
 
 from collections.abc import Callable, Iterator
 
@@ -13,7 +14,8 @@ Mistakes = Iterator[tuple[str, Array]]
 
 
 def usual_mistakes(arm: Arm, q: Array, frame: int) -> Mistakes:
-    """Every mistake in turn, as a 6 x dof matrix in the axes of the base; `frame` is the one declared."""
+    """Every mistake in turn, as a 6 x dof matrix in the axes of the base; `frame` is the one
+    declared."""
     yield from _rows(arm, q, frame)
     yield from _units(arm, q)
     yield from _axes(arm, q)
@@ -58,7 +60,10 @@ def _units(arm: Arm, q: Array) -> Mistakes:
 
 def _axes(arm: Arm, q: Array) -> Mistakes:
     right, late = _built(arm, q), _built(arm, q, axis=1, origin=1)
-    angular = "The angular rows use z_i where z_{i-1} belongs: joint i turns about the axis of the frame before it"
+    angular = (
+        "The angular rows use z_i where z_{i-1} belongs: joint i turns about the axis of the"
+        " frame before it"
+    )
     yield angular, np.vstack([right[:3], late[3:]])
     yield (
         "Axes and origins are one frame too far: joint i has z_{i-1} and o_{i-1}, not z_i and o_i",
@@ -89,7 +94,10 @@ def _frames(arm: Arm, q: Array, frame: int) -> Mistakes:
     R = link_frames(arm, q)[frame, :3, :3]
     for k, name in enumerate(names):
         if k != frame:
-            words = f"The rows are in the axes of {name}, not of {names[frame]}; if you mean that, say frame={k}"
+            words = (
+                f"The rows are in the axes of {name}, not of {names[frame]}; if you mean that,"
+                f" say frame={k}"
+            )
             yield words, rotated(jacobian_in_frame(arm, q, k), R)
 
 
@@ -103,7 +111,8 @@ def _built(
     read: Callable = lambda T: T,
     slides: bool = True,
 ) -> Array:
-    """The Jacobian built column by column with a step done otherwise; `axis` and `origin` count frames too far."""
+    """The Jacobian built column by column with a step done otherwise; `axis` and `origin` count
+    frames too far."""
     T = read(link_frames(arm, q))
     columns = []
     for i, turns in zip(arm.joints, arm.turning, strict=True):

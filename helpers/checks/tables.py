@@ -28,7 +28,8 @@ _RIGHT_ANGLES = {-2: "-pi", -1: "-pi/2", 0: "0", 1: "pi/2", 2: "pi"}
 
 @dataclass(frozen=True, repr=False)
 class TableReport(Verdict):
-    """What `compare_tables` found; `notes` are differences that are free choices, or a hint at the cause."""
+    """What `compare_tables` found; `notes` are differences that are free choices, or a hint at the
+    cause."""
 
     mine: str
     reference: str
@@ -45,14 +46,16 @@ class TableReport(Verdict):
 def compare_tables(mine: Arm, reference: Arm) -> TableReport:
     """Whether two standard DH tables describe the same arm, and if not, where they differ.
 
-    Compared is what no choice of frames can change: the kind of each joint, distance and twist between
-    neighbouring axes, the offset along each axis (along parallel axes only the sum), and where the tip is on the
-    last link, lengths to within 1e-6 m and angles to within 1e-4 rad. Free are the directions of the axes, the
-    places of common normals between parallel axes, the zeros of the joints, the place of a sliding axis and the
-    number of fixed rows. Other zeros or directions of the joints, another height of the base frame on axis 1 and
-    another tilt of the tool's frame are notes. Rows are counted in `mine`.
+    Compared is what no choice of frames can change: the kind of each joint, distance and twist
+    between neighbouring axes, the offset along each axis (along parallel axes only the sum), and
+    where the tip is on the last link, lengths to within 1e-6 m and angles to within 1e-4 rad. Free
+    are the directions of the axes, the places of common normals between parallel axes, the zeros of
+    the joints, the place of a sliding axis and the number of fixed rows. Other zeros or directions
+    of the joints, another height of the base frame on axis 1 and another tilt of the tool's frame
+    are notes. Rows are counted in `mine`.
 
-    Raises ArmError where an arm has no joint. Source: Siciliano et al., Robotics, section 2.8.2, on the free choices.
+    Raises ArmError where an arm has no joint. Source: Siciliano et al., Robotics, section 2.8.2, on
+    the free choices.
     """
     for arm in (mine, reference):
         if not isinstance(arm, Arm) or not arm.dof:
@@ -63,7 +66,8 @@ def compare_tables(mine: Arm, reference: Arm) -> TableReport:
 
 
 def _squared(arm: Arm) -> Arm:
-    """The arm with angles near a multiple of a right angle taken as that: 1.5708 is meant as pi/2."""
+    """The arm with angles near a multiple of a right angle taken as that: 1.5708 is meant as
+    pi/2."""
     rows = [replace(r, alpha=_square(arm, r.alpha), theta=_square(arm, r.theta)) for r in arm.rows]
     return replace(arm, rows=rows)
 
@@ -75,7 +79,8 @@ def _square(arm: Arm, angle: Entry) -> Entry:
 
 
 def _compared(mine: Arm, reference: Arm) -> tuple[tuple[Finding, ...], tuple[str, ...]]:
-    """Findings and notes for the directions of the reference's axes that make them fewest and smallest."""
+    """Findings and notes for the directions of the reference's axes that make them fewest and
+    smallest."""
     unlike = tuple(_unlike_joints(mine, reference))
     if unlike:
         return unlike, ()
@@ -118,18 +123,24 @@ def _tool_note(mine: float, reference: float, signs: tuple[int, ...]) -> Iterato
     m, r = arc(mine), arc(signs[-1] * reference)
     if angle_between(m, r) > WITHIN_ANGLE:
         yield (
-            f"the last frame's z axis stands at {math.degrees(m):.4g}° to the last joint axis in yours"
-            f" and at {math.degrees(r):.4g}° in the reference. The tip's place does not depend on it,"
+            f"the last frame's z axis stands at {math.degrees(m):.4g}° to the last joint axis in"
+            " yours"
+            f" and at {math.degrees(r):.4g}° in the reference. The tip's place does not depend on"
+            " it,"
             " the tool's orientation does."
         )
 
 
 def _zeros_note(mine: Arm, reference: Arm) -> Iterator[str]:
-    """Says so if the same q means another pose: then the tips' distance changes from one q to the next."""
+    """Says so if the same q means another pose: then the tips' distance changes from one q to the
+    next."""
     q = np.outer([0, 0.3, 0.7], np.arange(1, mine.dof + 1))
     tips, wanted = (forward_kinematics(_squared(arm), q)[:, :3, 3] for arm in (mine, reference))
     if np.ptp(tips - wanted, axis=0).max() > WITHIN_LENGTH:
-        yield "the same q is another pose: some of your joints count from another zero, or the other way."
+        yield (
+            "the same q is another pose: some of your joints count from another zero, or the"
+            " other way."
+        )
 
 
 def _base_note(
@@ -141,14 +152,17 @@ def _base_note(
     higher = signs[m.bunch[-1]] * r.offset - m.offset
     if abs(higher) > WITHIN_LENGTH:
         yield (
-            f"your base frame stands {1000 * abs(higher):.4g} mm {'higher' if higher > 0 else 'lower'} on"
-            f" axis 1 (d in row {arm.joints[m.bunch[-1]]}) than the reference's. That is a free choice, but"
+            f"your base frame stands {1000 * abs(higher):.4g} mm"
+            f" {'higher' if higher > 0 else 'lower'} on"
+            f" axis 1 (d in row {arm.joints[m.bunch[-1]]}) than the reference's. That is a free"
+            " choice, but"
             " positions in the two base frames differ by it."
         )
 
 
 def _rounded(arm: Arm) -> tuple[str, ...]:
-    """A word on each angle that was taken as a multiple of a right angle though it is not quite one."""
+    """A word on each angle that was taken as a multiple of a right angle though it is not quite
+    one."""
     entries = [
         (i, n, getattr(row, n)) for i, row in enumerate(arm.rows, 1) for n in ("alpha", "theta")
     ]

@@ -19,7 +19,8 @@ _NO_WRENCH = (0.0,) * 6
 
 @dataclass(frozen=True, repr=False)
 class TorqueReport(Verdict):
-    """What `compare_torques` found; `worst` is the largest difference (N m, or N where a joint slides)."""
+    """What `compare_torques` found; `worst` is the largest difference (N m, or N where a joint
+    slides)."""
 
     arm: str
     worst: float
@@ -40,10 +41,12 @@ def compare_torques(
     gravity: ArrayLike = GRAVITY,
     tolerance: float = 1e-3,
 ) -> TorqueReport:
-    """Compare your torques, shape (..., dof), at q, shape (..., dof), with g(q) - J^T F, and name the mistake.
+    """Compare your torques, shape (..., dof), at q, shape (..., dof), with g(q) - J^T F, and name
+    the mistake.
 
-    `wrench` is on the tool, by the world, shape (6,) or (..., 6); `tolerance` is in N m. One pose can hide a mistake that a
-    whole path shows. Raises ArmError where `mine` is not numbers or the arm has no masses.
+    `wrench` is on the tool, by the world, shape (6,) or (..., 6); `tolerance` is in N m. One pose
+    can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers or the
+    arm has no masses.
     """
     must_be(arm, Arm, "arm")
     number(tolerance, "tolerance", "a number of N m, 0 or more", least=0)
@@ -66,10 +69,16 @@ def _numbers(mine: ArrayLike, arm: Arm) -> Array:
 
 def _shape_finding(tau: Array, right: Array, arm: Arm) -> str:
     if tau.shape == right.shape[:-1]:
-        return "One number for a pose is the potential energy; torques are its derivatives, one per joint."
+        return (
+            "One number for a pose is the potential energy; torques are its derivatives, one"
+            " per joint."
+        )
     if tau.ndim == 2 and tau.T.shape == right.shape:
         return "It is transposed: one row per pose, one column per joint."
-    return f"Its shape is {tau.shape}; expected {right.shape}, one torque for each of {arm.dof} joints."
+    return (
+        f"Its shape is {tau.shape}; expected {right.shape}, one torque for each of {arm.dof}"
+        " joints."
+    )
 
 
 def _diagnosis(

@@ -20,7 +20,8 @@ TILT = np.radians(1.0)  # a pen that leans more than this no longer counts as he
 
 @dataclass(frozen=True, repr=False)
 class TraceReport(Verdict):
-    """What `compare_trace` found; `run` holds every measured figure, `notes` what the real arm could not do."""
+    """What `compare_trace` found; `run` holds every measured figure, `notes` what the real arm
+    could not do."""
 
     arm: str
     findings: tuple[str, ...]
@@ -34,11 +35,13 @@ class TraceReport(Verdict):
 
 
 def compare_trace(mine: ArrayLike, arm: Arm, path: Path, tolerance: float = 2e-3) -> TraceReport:
-    """Whether your joint vectors, shape (steps + 1, dof), make the tip follow a path, and if not, in what way they fail.
+    """Whether your joint vectors, shape (steps + 1, dof), make the tip follow a path, and if not,
+    in what way they fail.
 
-    One row for each of the path's times, or for all but the last. `tolerance` is the largest distance (m) from where the tip
-    should be; it may lean by 1 degree. Limits of range and speed are notes: the homework's own circle breaks them.
-    Raises ArmError where `mine` holds anything but finite numbers.
+    One row for each of the path's times, or for all but the last. `tolerance` is the largest
+    distance (m) from where the tip should be; it may lean by 1 degree. Limits of range and speed
+    are notes: the homework's own circle breaks them. Raises ArmError where `mine` holds anything
+    but finite numbers.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
@@ -60,7 +63,10 @@ def compare_trace(mine: ArrayLike, arm: Arm, path: Path, tolerance: float = 2e-3
 def _shape_finding(q: Array, arm: Arm, counts: tuple[int, int]) -> str:
     if q.ndim == 2 and q.shape[0] == arm.dof and q.shape[1] in counts:
         return "It is transposed: one row per step, one column per joint."
-    return f"Its shape is {q.shape}; expected ({counts[0]}, {arm.dof}), one row for each of the path's times."
+    return (
+        f"Its shape is {q.shape}; expected ({counts[0]}, {arm.dof}), one row for each of the"
+        " path's times."
+    )
 
 
 def _measured(arm: Arm, path: Path, q: Array) -> Report:
@@ -75,7 +81,10 @@ def _findings(arm: Arm, path: Path, q: Array, run: Report, tolerance: float) -> 
         yield cause or _where(path, tip)
     if run.pen_tilt > TILT:
         words = f"The tool leans by up to {np.degrees(run.pen_tilt):.3g} degrees."
-        hint = " Its place is right all the same: look at the angular rows of your Jacobian (z_{i-1}, not z_i)."
+        hint = (
+            " Its place is right all the same: look at the angular rows of your Jacobian"
+            " (z_{i-1}, not z_i)."
+        )
         yield words + (hint if run.position_error <= tolerance else "")
 
 
@@ -94,7 +103,10 @@ def _causes(path: Path, tip: Array, tolerance: float) -> Iterator[str]:
         yield "The path is drawn the other way round: look at the sign of the velocity."
     shift = (tip - path.positions).mean(axis=0)
     if follows(tip - shift):
-        yield f"The whole path is displaced by {_vector(shift)} mm: look at the centre, or at where you start."
+        yield (
+            f"The whole path is displaced by {_vector(shift)} mm: look at the centre, or at"
+            " where you start."
+        )
     scale, middle = _scale(path, tip)
     about = path.positions.mean(axis=0)
     if follows(about + (tip - middle) / scale):
@@ -121,7 +133,8 @@ def _where(path: Path, tip: Array) -> str:
     k = int(error.argmax())
     start = " already" if error[0] > 0.5 * error[k] else f" {1e3 * error[0]:.3g} mm"
     return (
-        f"The tip is up to {1e3 * error[k]:.4g} mm from where it should be, at step {k} of {len(error) - 1};"
+        f"The tip is up to {1e3 * error[k]:.4g} mm from where it should be, at step {k} of"
+        f" {len(error) - 1};"
         f" at the start it is{start} off."
     )
 
@@ -134,4 +147,7 @@ def _notes(run: Report) -> Iterator[str]:
     for excess, what in ((run.beyond_limits, "range"), (run.beyond_speed, "speed")):
         if excess:
             joints = ", ".join(f"joint {i} by {x:.2g}" for i, x in excess)
-            yield f"beyond the real arm's {what}: {joints} ({'rad' if what == 'range' else 'rad/s'}; m where a joint slides)."
+            yield (
+                f"beyond the real arm's {what}: {joints}"
+                f" ({'rad' if what == 'range' else 'rad/s'}; m where a joint slides)."
+            )

@@ -2,9 +2,11 @@
 
 
 class Verdict:
-    """A report that is content if it holds no findings, and reads as text in a terminal and as Markdown in a notebook.
+    """A report that is content if it holds no findings, and reads as text in a terminal and as
+    Markdown in a notebook.
 
-    A subclass is a dataclass with `findings` and says itself in words by `__str__`, its verdict in the first line.
+    A subclass is a dataclass with `findings` and says itself in words by `__str__`, its verdict in
+    the first line.
     """
 
     findings: tuple[object, ...]

@@ -1,5 +1,13 @@
-"""An arm to take by the joint: live in a running notebook and, without a kernel, in the built book."""
+"""An arm to take by the joint: live in a running notebook and, without a kernel, in the built
+book."""
 
-from helpers.explorer.widget import ArmExplorer
+try:
+    from helpers.explorer.widget import ArmExplorer
+except ModuleNotFoundError as error:
+    if error.name not in ("anywidget", "traitlets"):
+        raise
+    raise ModuleNotFoundError(
+        'the explorer needs anywidget; say: pip install "manipulator-homework-helpers[explorer]"'
+    ) from None
 
 __all__ = ["ArmExplorer"]

@@ -58,7 +58,8 @@ def _row(row: Mapping[str, Any]) -> Row:
 
 
 def path_data(arm: Arm, trace: ArrayLike | None) -> list[list[float]] | None:
-    """The joint vectors of a path, shape (N, dof) or an object with such a `q`, thinned to 181 of them."""
+    """The joint vectors of a path, shape (N, dof) or an object with such a `q`, thinned to 181 of
+    them."""
     if trace is None:
         return None
     path = arm.joint_vector(getattr(trace, "q", trace))
@@ -73,7 +74,8 @@ def path_data(arm: Arm, trace: ArrayLike | None) -> list[list[float]] | None:
 def branches_data(
     arm: Arm, branches: Solutions | Mapping[str, ArrayLike] | ArrayLike | None
 ) -> list[Data] | None:
-    """Joint vectors of one pose: a closed form's, a mapping from names to them, or an array of shape (k, dof)."""
+    """Joint vectors of one pose: a closed form's, a mapping from names to them, or an array of
+    shape (k, dof)."""
     if branches is None:
         return None
     if isinstance(branches, Solutions):

@@ -1,4 +1,5 @@
-"""What stands in a page that has no kernel: the arm as data, and a still picture until a script brings it to life."""
+"""What stands in a page that has no kernel: the arm as data, and a still picture until a script
+brings it to life."""
 
 import json
 from html import escape
@@ -18,7 +19,8 @@ _COLOURS = {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
 
 
 def stub(arm: Arm, q: ArrayLike, spec: Data) -> str:
-    """A figure in HTML that any browser shows and the explorer's script brings to life; the same bytes each time."""
+    """A figure in HTML that any browser shows and the explorer's script brings to life; the same
+    bytes each time."""
     data = json.dumps(spec, separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/")
     text = f"{arm.name} at {_pose_text(arm, q)}."
     return (
@@ -36,12 +38,16 @@ def _pose_text(arm: Arm, q: ArrayLike) -> str:
 
 
 def still(arm: Arm, q: ArrayLike, words: str) -> str:
-    """The arm at q, shape (dof,), as a small SVG in the ink of the page around it, described by `words`."""
+    """The arm at q, shape (dof,), as a small SVG in the ink of the page around it, described by
+    `words`."""
     frames = link_frames(arm, q)
     corners, spots = skeleton(arm, frames), frames[:-1, :3, 3]
     size = 0.12 * np.ptp(corners, axis=0).max()
-    axes = [(n, o, o + size * frame[:3, i]) for frame in frames[[0, -1]] for i, n in enumerate("xyz")
-            for o in [frame[:3, 3]]]  # fmt: skip
+    axes = [
+        (name, frame[:3, 3], frame[:3, 3] + size * frame[:3, i])
+        for frame in frames[[0, -1]]
+        for i, name in enumerate("xyz")
+    ]
     place = _view(np.vstack([corners, corners * [1, 1, 0], *(tip[None] for _, _, tip in axes)]))
     shadow = _line(place(corners * [1, 1, 0]), 8, 0.12)
     link = _line(place(corners), 8, 0.5)
@@ -50,13 +56,15 @@ def still(arm: Arm, q: ArrayLike, words: str) -> str:
     )
     arrows = "".join(_arrow(place(np.array([o, tip])), _COLOURS[n]) for n, o, tip in axes)
     return (
-        f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}" style="max-width:100%;height:auto" role="img" aria-label="{escape(words, quote=True)}">'
+        f'<svg viewBox="0 0 {_WIDTH} {_HEIGHT}" width="{_WIDTH}"'
+        f' style="max-width:100%;height:auto" role="img" aria-label="{escape(words, quote=True)}">'
         f"{shadow}{link}{joints}{arrows}</svg>"
     )
 
 
 def _view(held: np.ndarray):
-    """The projection that fits points into the picture: from (..., 3) metres to (..., 2) tenths of a pixel."""
+    """The projection that fits points into the picture: from (..., 3) metres to (..., 2) tenths of
+    a pixel."""
     flat = held @ np.stack([_RIGHT, -_UP]).T
     low, high = flat.min(axis=0), flat.max(axis=0)
     room = np.array([_WIDTH, _HEIGHT]) - 2 * _MARGIN

@@ -1,5 +1,6 @@
 """The widget: one object in Python, one instrument in the page, the same joint vector in both."""
 
+import hashlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,21 @@ from helpers.inverse import Solutions
 VIEWS = ("table", "pose", "jacobian", "trace", "torque", "branches")
 UNITS = ("deg", "rad")
 
+TYPED = "Your arm"  # as explorer/src/arm.js calls an arm whose table was typed in
+
 BUNDLE = Path(__file__).parent / "static" / "explorer.js"
+
+
+def esm() -> str:
+    """The script as the module that a widget loads: each widget of a page takes the same one, with
+    one renderer."""
+    script = BUNDLE.read_text(encoding="utf-8")
+    key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
+    return (
+        f"const key = Symbol.for({key!r});\n"
+        f"globalThis[key] ??= (() => {{ {script}\nreturn ArmExplorer; }})();\n"
+        "export default () => globalThis[key].widget();\n"
+    )
 
 
 class Floats(traitlets.TraitType):
@@ -31,16 +46,18 @@ class Floats(traitlets.TraitType):
 
 
 class ArmExplorer(anywidget.AnyWidget):
-    """A live instrument for an arm: `q`, `wrench` and `trace` may be read and set while a reader moves it.
+    """A live instrument for an arm: `q`, `wrench` and `trace` may be read and set while a reader
+    moves it.
 
     Args:
         arm: the arm to show.
         q: where it stands first, shape (dof,), rad or m; its home unless given.
         views: which of table, pose, jacobian, trace, torque, branches to offer, the first one open.
-        wrench: force and moment on the tool by the world, at the tip, base axes, shape (6,), N and N m.
+        wrench: force and moment on the tool by the world, at the tip, base axes, shape (6,), N and
+            N m.
         trace: joint vectors along a path, shape (N, dof), or an object with such a `q`.
-        branches: joint vectors that reach one pose: what a closed form of `helpers.inverse` returns, a mapping from
-            names to them, or an array of shape (k, dof).
+        branches: joint vectors that reach one pose: what a closed form of `helpers.inverse`
+            returns, a mapping from names to them, or an array of shape (k, dof).
         reference: the arm behind the table, as a ghost; the arm itself unless given.
         arms: more arms to choose from.
         unit: of the angles shown: deg or rad.
@@ -50,15 +67,15 @@ class ArmExplorer(anywidget.AnyWidget):
         ArmError: a count or name does not fit.
     """
 
-    _esm = BUNDLE.read_text(encoding="utf-8") + "\nexport default ArmExplorer.default;\n"
+    _esm = esm()
 
-    spec = traitlets.Dict().tag(sync=True)
+    _spec = traitlets.Dict().tag(sync=True)
     q = Floats().tag(sync=True)
     wrench = Floats().tag(sync=True)
     trace = traitlets.Any(None, allow_none=True).tag(sync=True)
     branches = traitlets.Any(None, allow_none=True).tag(sync=True)
     arm_name = traitlets.Unicode().tag(sync=True)
-    rows = traitlets.List().tag(sync=True)
+    rows: traitlets.List = traitlets.List().tag(sync=True)
 
     def __init__(
         self,
@@ -74,6 +91,9 @@ class ArmExplorer(anywidget.AnyWidget):
         unit: str = "deg",
         link: bool = False,
     ) -> None:
+        self._settled = (
+            False  # nothing is dropped while everything is first set, or when the page says it all
+        )
         self._arms = _by_name((arm, *listed(arms, "arms", "arms to choose from")))
         spec = {
             "arms": [arm_data(a) for a in self._arms.values()],
@@ -84,13 +104,42 @@ class ArmExplorer(anywidget.AnyWidget):
         }
         start = arm.home if q is None else q
         super().__init__(
-            spec=spec, arm_name=arm.name, q=start, wrench=wrench, trace=trace, branches=branches
+            _spec=spec, arm_name=arm.name, q=start, wrench=wrench, trace=trace, branches=branches
         )
+        self._settled = True
 
     @property
     def arm(self) -> Arm:
-        """The arm shown now: the chosen one, or the one whose table was typed in."""
-        return arm_from(self.arm_name, self.rows) if self.rows else self._arms[self.arm_name]
+        """The arm shown now: the chosen one, or the one whose table was typed in, which is called
+        `Your arm`."""
+        return arm_from(TYPED, self.rows) if self.rows else self._arms[self.arm_name]
+
+    @traitlets.validate("arm_name")
+    def _check_name(self, proposal: Mapping[str, Any]) -> str:
+        if proposal["value"] not in self._arms:
+            raise ArmError(
+                f"arm_name is {proposal['value']!r}; expected one of {', '.join(self._arms)}"
+            )
+        return proposal["value"]
+
+    @traitlets.observe("arm_name", "rows")
+    def _on_another_arm(self, change: Mapping[str, Any]) -> None:
+        """Another arm stands at its home, and what was computed for the one before is dropped."""
+        if not self._settled:
+            return
+        with self.hold_sync():
+            if change["name"] == "arm_name":
+                self.rows = []
+            self.trace = self.branches = None
+            self.q = self.arm.home if len(self.arm.home) == self.arm.dof else [0] * self.arm.dof
+
+    def set_state(self, sync_data: dict[str, Any]) -> None:
+        """Take what the page sends, which says itself what goes with another arm."""
+        self._settled = False
+        try:
+            super().set_state(sync_data)
+        finally:
+            self._settled = True
 
     @traitlets.validate("q")
     def _check_q(self, proposal: Mapping[str, Any]) -> tuple[float, ...]:
@@ -109,16 +158,17 @@ class ArmExplorer(anywidget.AnyWidget):
     def _check_branches(self, proposal: Mapping[str, Any]) -> list[dict[str, Any]] | None:
         return branches_data(self.arm, proposal["value"])
 
-    def _repr_mimebundle_(self, **kwargs: Any) -> dict[str, Any]:
-        """The live view for a running notebook, and beside it a stub that a static page brings to life."""
-        live = super()._repr_mimebundle_(**kwargs)
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        """The live view for a running notebook, and beside it a stub that a static page brings to
+        life."""
+        live: Any = super()._repr_mimebundle_(**kwargs)
         live = live[0] if isinstance(live, tuple) else live
         return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
 
     @property
     def _stub(self) -> str:
         state = {"q": self.q, "wrench": self.wrench, "trace": self.trace, "branches": self.branches}
-        return stub(self.arm, self.q, {**self.spec, **state})
+        return stub(self.arm, self.q, {**self._spec, **state})
 
     def __repr__(self) -> str:
         return f"<ArmExplorer of the {self.arm_name}>"

@@ -1,4 +1,5 @@
-"""Geometry that the closed forms share: a plane turned to its target, two links in it, a tool's own axes."""
+"""Geometry that the closed forms share: a plane turned to its target, two links in it, a tool's own
+axes."""
 
 from typing import NamedTuple
 
@@ -17,17 +18,19 @@ SINGULAR = (
 
 
 class Plane(NamedTuple):
-    """Joint 1's two angles and the target in the plane's axes x_1, y_1, (2, batch), and what is known of it, (batch,)."""
+    """Joint 1's two angles and the target in the plane's axes x_1, y_1, (2, batch), and what is
+    known of it, (batch,)."""
 
     phi: Array
     x: Array
     y: Array
-    exists: Array
-    free: Array
+    exists: NDArray[np.bool_]
+    free: NDArray[np.bool_]
 
 
 def facing(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
-    """Turn the plane, which lies `offset` along z_1 beside the axis, to the target: p . z_1 = offset, twice."""
+    """Turn the plane, which lies `offset` along z_1 beside the axis, to the target: p . z_1 =
+    offset, twice."""
     x, y, z = p[0], p[1], p[2]
     delta = first.sin_alpha * offset
     square = x * x + y * y - delta * delta
@@ -47,12 +50,13 @@ class Bend(NamedTuple):
 
     phi_2: Array
     phi_3: Array
-    exists: Array
-    free: Array
+    exists: NDArray[np.bool_]
+    free: NDArray[np.bool_]
 
 
 def two_links(upper: float, fore: float, px: Array, py: Array, sign: Array, chosen: Array) -> Bend:
-    """Angles of two links from the origin to (px, py), by the law of cosines; `sign` is that of sin(phi_3)."""
+    """Angles of two links from the origin to (px, py), by the law of cosines; `sign` is that of
+    sin(phi_3)."""
     cosine = (px * px + py * py - (upper**2 + fore**2)) * (0.5 / (upper * fore))
     exists = np.abs(cosine) <= 1.0 + REACH * (abs(upper) + abs(fore)) / abs(upper * fore)
     cosine = np.minimum(np.maximum(cosine, -1.0), 1.0)
@@ -66,7 +70,8 @@ def two_links(upper: float, fore: float, px: Array, py: Array, sign: Array, chos
 
 
 class Tool(NamedTuple):
-    """The frame before the last row's twist, whose z axis joint 6 turns about, and the tip, in columns.
+    """The frame before the last row's twist, whose z axis joint 6 turns about, and the tip, in
+    columns.
 
     `axes` has shape (3, 3, batch): component by component, x, y and z.
     """

@@ -1,4 +1,5 @@
-"""Numeric inverse kinematics for any arm: Levenberg and Marquardt's damped least squares, in batches."""
+"""Numeric inverse kinematics for any arm: Levenberg and Marquardt's damped least squares, in
+batches."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -26,7 +27,8 @@ class NumericSolution:
         q: shape (..., dof), the best found, reached or not.
         reached: whether both errors are within the tolerance, shape (...).
         position_error: distance from tip to target, shape (...), in m.
-        orientation_error: angle of the turn that is missing, shape (...), in rad; 0 where only positions were asked for.
+        orientation_error: angle of the turn that is missing, shape (...), in rad; 0 where only
+            positions were asked for.
         iterations: steps taken from the start that gave q, shape (...).
         starts: how many starts were tried, shape (...).
     """
@@ -40,7 +42,10 @@ class NumericSolution:
 
     def __repr__(self) -> str:
         missed = self.reached.size - self.reached.sum()
-        return f"<NumericSolution: {self.reached.sum()} of {self.reached.size} targets reached, {missed} missed>"
+        return (
+            f"<NumericSolution: {self.reached.sum()} of {self.reached.size} targets reached,"
+            f" {missed} missed>"
+        )
 
 
 def solve(
@@ -54,13 +59,15 @@ def solve(
     restarts: int = 0,
     seed: int = 0,
 ) -> NumericSolution:
-    """A joint vector near `start` that takes the tip to each of `targets`: poses (..., 4, 4), or positions (..., 3) in m.
+    """A joint vector near `start` that takes the tip to each of `targets`: poses (..., 4, 4), or
+    positions (..., 3) in m.
 
-    The step J^T (J J^T + lambda^2 I)^-1 e has a damping lambda in proportion to the error e, which grows while steps fail: far from
-    the target it is cautious, close to it Newton's. Metres and radians count alike. With `limits` joints stay within
-    theirs. Targets not reached within `tolerance` (m and rad) after `iterations` steps are tried again from up to
-    `restarts` random starts. `start` has shape (..., dof); home unless given. Raises ArmError for bad shapes or numbers.
-    Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
+    The step J^T (J J^T + lambda^2 I)^-1 e has a damping lambda in proportion to the error e, which
+    grows while steps fail: far from the target it is cautious, close to it Newton's. Metres and
+    radians count alike. With `limits` joints stay within theirs. Targets not reached within
+    `tolerance` (m and rad) after `iterations` steps are tried again from up to `restarts` random
+    starts. `start` has shape (..., dof); home unless given. Raises ArmError for bad shapes or
+    numbers. Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
     """
     must_be(arm, Arm, "arm")
     goal, shape = _goal(arm, targets)
@@ -144,14 +151,16 @@ def _descend_together(
 
 
 def _caution(caution: Array, before: Array, after: Array, step: Array) -> Array:
-    """Less after a step that took most of the error, the same after one that took some, and after a failure enough to
-    shorten the next step at once, however small a singular value made this one long."""
+    """Less after a step that took most of the error, the same after one that took some, and after a
+    failure enough to shorten the next step at once, however small a singular value made this one
+    long."""
     failed = np.maximum(10.0 * caution, 0.3 / np.maximum(step, 1e-18))
     return np.where(after < before, np.where(after < 0.1 * before, 0.1, 1.0) * caution, failed)
 
 
 def _step(J: Array, q: Array, error: Array, caution: Array, bounds) -> Array:
-    """The damped step; where it would leave the limits, those joints go to theirs and the others make up for it."""
+    """The damped step; where it would leave the limits, those joints go to theirs and the others
+    make up for it."""
     damping = caution * _square(error) + 1e-14
     step = _damped(J, error, damping)
     kept = np.clip(step, bounds[0] - q, bounds[1] - q)
@@ -173,14 +182,15 @@ def _damped(J: Array, error: Array, damping: Array) -> Array:
 
 
 def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
-    """Jacobians (batch, rows, dof) and what is missing to the goal (batch, rows): metres, then for poses radians."""
+    """Jacobians (batch, rows, dof) and what is missing to the goal (batch, rows): metres, then for
+    poses radians."""
     rows = rows_of(recorded(arm, _tip_and_jacobian), q.T)
     pose, J = rows[:16].reshape(4, 4, -1), rows[16:].T.reshape(-1, 6, arm.dof)
     tip = pose[:3, 3]
     if goal.shape[-2] == 1:
         return J[:, :3], goal[:, 0] - tip.T
     want = np.ascontiguousarray(goal[:, :3].transpose(2, 1, 0))
-    turn = turn_between(pose[:3, :3].swapaxes(0, 1), want[:3])
+    turn = turn_between(list(pose[:3, :3].swapaxes(0, 1)), list(want[:3]))
     return J, np.concatenate([want[3] - tip, turn]).T
 
 
@@ -189,14 +199,16 @@ def _tip_and_jacobian(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
 
 
 def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:
-    """Rotation vectors (3, batch), in rad and base axes, that turn frames, three axes (3, batch) each, into others."""
-    axis = 0.5 * sum(cross(u, v) for u, v in zip(have, want, strict=True))
+    """Rotation vectors (3, batch), in rad and base axes, that turn frames, three axes (3, batch)
+    each, into others."""
+    pairs = list(zip(have, want, strict=True))
+    axis = 0.5 * np.sum([cross(u, v) for u, v in pairs], axis=0)
     sine = np.sqrt(dot(axis, axis))
-    cosine = 0.5 * (sum(dot(u, v) for u, v in zip(have, want, strict=True)) - 1.0)
+    cosine = 0.5 * (np.sum([dot(u, v) for u, v in pairs], axis=0) - 1.0)
     angle = np.arctan2(sine, cosine)
     vector = axis * np.where(sine > 1e-8, angle / np.maximum(sine, 1e-300), 1.0)
     for k in np.flatnonzero((sine <= 1e-8) & (cosine < 0)):
-        R = sum(np.outer(v[:, k], u[:, k]) for u, v in zip(have, want, strict=True))
+        R = np.sum([np.outer(v[:, k], u[:, k]) for u, v in pairs], axis=0)
         vector[:, k] = _half_turn(R)
     return vector
 
@@ -229,7 +241,8 @@ def _goal(arm: Arm, targets: ArrayLike) -> tuple[Array, tuple[int, ...]]:
 
 
 def _range(arm: Arm) -> tuple[Array, Array]:
-    """Where random starts lie: the joint limits, or half a turn and a metre either way where there are none."""
+    """Where random starts lie: the joint limits, or half a turn and a metre either way where there
+    are none."""
     far = np.where(arm.turning, np.pi, 1.0)
     lower, upper = arm.limits
     return np.where(np.isfinite(lower), lower, -far), np.where(np.isfinite(upper), upper, far)

@@ -1,7 +1,8 @@
 """Positions by geometry: the elbow arm, and the first three joints of the Stanford arm.
 
-Both stand on a vertical axis and move in a plane beside it. Joint 1 turns the plane towards the target,
-which leaves a problem in the plane's own coordinates. Source: Spong, Hutchinson and Vidyasagar, section 5.3.
+Both stand on a vertical axis and move in a plane beside it. Joint 1 turns the plane towards the
+target, which leaves a problem in the plane's own coordinates. Source: Spong, Hutchinson and
+Vidyasagar, section 5.3.
 """
 
 from typing import NamedTuple
@@ -21,23 +22,26 @@ ROD_BRANCHES = (("front", "back"), ("rod out", "rod through"))
 
 
 def elbow(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an elbow arm that put its tip at `targets`, shape (..., 3) in m: four branches.
+    """All joint vectors of an elbow arm that put its tip at `targets`, shape (..., 3) in m: four
+    branches.
 
-    "front" turns the arm's plane towards the target, "back" away from it; the elbow is above or below the line from
-    shoulder to tip. The table is alpha = (+-90, 0 or 180, any) degrees with a_1 = 0, with or without offsets along the axes; a
-    fourth, fixed row may carry the tip along z_3. Straight above the shoulder of an arm without offset joint 1 is free
-    and keeps its value of `start`, shape (..., 3), zeros unless given. Raises ArmError for another table or shape.
+    "front" turns the arm's plane towards the target, "back" away from it; the elbow is above or
+    below the line from shoulder to tip. The table is alpha = (+-90, 0 or 180, any) degrees with a_1
+    = 0, with or without offsets along the axes; a fourth, fixed row may carry the tip along z_3.
+    Straight above the shoulder of an arm without offset joint 1 is free and keeps its value of
+    `start`, shape (..., 3), zeros unless given. Raises ArmError for another table or shape.
     """
     must_be_elbow(arm)
     return each_branch(arm, positions(arm, targets), start, ELBOW_BRANCHES, elbow_kernel)
 
 
 def rod(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an RRP arm that put its tip at `targets`, shape (..., 3) in m: four branches.
+    """All joint vectors of an RRP arm that put its tip at `targets`, shape (..., 3) in m: four
+    branches.
 
-    As `elbow`, with a rod that slides through the shoulder: "out" where q_3 plus its offset is positive, "through" where it
-    is negative, which few real rods can be. The table is alpha = (+-90, +-90, 0) degrees with a = 0. Raises ArmError for
-    another table or shape.
+    As `elbow`, with a rod that slides through the shoulder: "out" where q_3 plus its offset is
+    positive, "through" where it is negative, which few real rods can be. The table is alpha =
+    (+-90, +-90, 0) degrees with a = 0. Raises ArmError for another table or shape.
     """
     must_have_rod(arm)
     return each_branch(arm, positions(arm, targets), start, ROD_BRANCHES, rod_kernel)
@@ -80,7 +84,8 @@ def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:
 
 
 class Links(NamedTuple):
-    """An elbow arm in its plane: two lengths, the bend built into the second, the plane's offset along z_1."""
+    """An elbow arm in its plane: two lengths, the bend built into the second, the plane's offset
+    along z_1."""
 
     upper: float
     fore: float
@@ -95,8 +100,9 @@ def _links(second, third, tool: float) -> Links:
     return Links(second.a, fore, beta, offset)
 
 
-def _elbow_distance(links: Links, p: Array, plane: Plane, valid: Array) -> Array:
-    """To the nearest reachable point: exact for an arm without offset, and sideways out of an offset arm's hole."""
+def _elbow_distance(links: Links, p: Array, plane: Plane, valid: NDArray[np.bool_]) -> Array:
+    """To the nearest reachable point: exact for an arm without offset, and sideways out of an
+    offset arm's hole."""
     outer, inner = abs(links.upper) + links.fore, abs(abs(links.upper) - links.fore)
     if links.offset:
         height = np.abs(plane.y[0])
@@ -114,12 +120,13 @@ def must_be_elbow(arm: Arm) -> None:
     fits = kinds in (["revolute"] * 3, ["revolute"] * 3 + ["fixed"]) and (
         rows[0].a == rows[0].cos_alpha == rows[1].sin_alpha == 0.0
         and rows[1].a != 0.0
-        and _links(*rows[1:3], 0.0 if len(rows) == 3 else rows[3].d).fore > 0.0
+        and _links(rows[1], rows[2], 0.0 if len(rows) == 3 else rows[3].d).fore > 0.0
         and (len(rows) == 3 or rows[3].a == 0.0)
     )
     if not fits:
         raise ArmError(
-            f"{arm.name} is no elbow arm; expected three revolute joints, alpha_1 = 90 or -90 degrees, alpha_2 = 0 or 180,"
+            f"{arm.name} is no elbow arm; expected three revolute joints, alpha_1 = 90 or -90"
+            " degrees, alpha_2 = 0 or 180,"
             " a_1 = 0 and two links with length"
         )
 
@@ -135,5 +142,6 @@ def must_have_rod(arm: Arm) -> None:
     )
     if not fits:
         raise ArmError(
-            f"{arm.name} has no rod through its shoulder; expected joints R, R, P with alpha = (+-90, +-90, 0) degrees and a = 0"
+            f"{arm.name} has no rod through its shoulder; expected joints R, R, P with alpha ="
+            " (+-90, +-90, 0) degrees and a = 0"
         )

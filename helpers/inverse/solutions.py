@@ -1,10 +1,11 @@
-"""What every closed form returns: all branches of a batch of targets, and ways to choose among them."""
+"""What every closed form returns: all branches of a batch of targets, and ways to choose among
+them."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,7 +15,8 @@ from helpers.inputs import ArmError, common_shape, floats, must_be, must_be_call
 
 Array = NDArray[np.float64]
 
-_CHUNK = 4096  # so many targets at a time keep the interpreter's share small and the temporaries inside a cache
+# So many targets at a time keep the interpreter's share small and the temporaries inside a cache.
+_CHUNK = 4096
 
 
 @dataclass(frozen=True)
@@ -24,12 +26,14 @@ class Solutions:
     Attributes:
         arm: the arm.
         branches: a name for each branch, in the order of the arrays.
-        q: shape (..., branches, dof), angles in (-pi, pi]; NaN where a branch does not exist. Branches that merge at a
-            singular pose are all listed.
-        valid: whether the branch exists, shape (..., branches). Joint limits do not enter; see `within_limits`.
-        free: whether a joint's value was chosen, because any would do if the others follow, shape (..., branches, dof).
-        distance: how far the target (for a wrist: its centre) is from the nearest point within reach, shape (...), in m;
-            0 where it is reached, NaN where no short formula tells.
+        q: shape (..., branches, dof), angles in (-pi, pi]; NaN where a branch does not exist.
+            Branches that merge at a singular pose are all listed.
+        valid: whether the branch exists, shape (..., branches). Joint limits do not enter; see
+            `within_limits`.
+        free: whether a joint's value was chosen, because any would do if the others follow, shape
+            (..., branches, dof).
+        distance: how far the target (for a wrist: its centre) is from the nearest point within
+            reach, shape (...), in m; 0 where it is reached, NaN where no short formula tells.
     """
 
     arm: Arm
@@ -41,14 +45,17 @@ class Solutions:
 
     @property
     def within_limits(self) -> NDArray[np.bool_]:
-        """Whether a branch exists and lies within the joint limits, whole turns allowed, shape (..., branches)."""
+        """Whether a branch exists and lies within the joint limits, whole turns allowed, shape
+        (..., branches)."""
         return _inside(self.arm, _turned_towards(self.arm, self.q, np.zeros(self.arm.dof)))
 
     def nearest(self, q: ArrayLike, limits: bool = True) -> Array:
-        """The branch with the least largest joint change from q, shape (..., dof); NaN where there is none.
+        """The branch with the least largest joint change from q, shape (..., dof); NaN where there
+        is none.
 
-        Revolute joints may have made whole turns: each is taken by the turn nearest to q. With `limits` only what lies within
-        the joint limits counts. q has shape (..., dof). Raises ArmError for another shape.
+        Revolute joints may have made whole turns: each is taken by the turn nearest to q. With
+        `limits` only what lies within the joint limits counts. q has shape (..., dof). Raises
+        ArmError for another shape.
         """
         start = self.arm.joint_vector(q)
         common_shape("q and the targets", start.shape[:-1], self.distance.shape)
@@ -62,10 +69,12 @@ class Solutions:
 
 
 def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLike) -> Array:
-    """Joint vectors along a path of targets, shape (len(targets), dof), each on the branch nearest to the one before.
+    """Joint vectors along a path of targets, shape (len(targets), dof), each on the branch nearest
+    to the one before.
 
-    `solver(target, start)` is a closed form with its arm put in, as `partial(ur, UR10E)`. A free joint keeps its value. Raises
-    ArmError at the first target that no branch reaches within the joint limits.
+    `solver(target, start)` is a closed form with its arm put in, as `partial(ur, UR10E)`. A free
+    joint keeps its value. Raises ArmError at the first target that no branch reaches within the
+    joint limits.
     """
     must_be_callable(solver, "solver", "a closed form with its arm put in, as partial(ur, UR10E)")
     path, q = [], floats(start, "start", "joint values (dof,)")
@@ -78,18 +87,20 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLik
         q = found.nearest(q)
         if np.isnan(q).any():
             raise ArmError(
-                f"{found.arm.name}: no branch reaches target {step} of {len(targets)} within the joint limits"
+                f"{found.arm.name}: no branch reaches target {step} of {len(wanted)} within the"
+                " joint limits"
             )
         path.append(q)
     return np.array(path)
 
 
 class Found(NamedTuple):
-    """What a kernel finds: arrays that broadcast to (*branches, batch), one for each joint and for what is known of it."""
+    """What a kernel finds: arrays that broadcast to (*branches, batch), one for each joint and for
+    what is known of it."""
 
     q: tuple[Array, ...]
-    free: dict[int, Array]
-    valid: Array
+    free: Mapping[int, NDArray[Any]]
+    valid: NDArray[np.bool_]
     distance: Array
 
 
@@ -100,10 +111,11 @@ def each_branch(
     branches: tuple[tuple[str, ...], ...],
     kernel: Callable[[Arm, Array, Array], Found],
 ) -> Solutions:
-    """Run `kernel` on targets of shape (..., k), in chunks of columns (k, batch), and put its branches together.
+    """Run `kernel` on targets of shape (..., k), in chunks of columns (k, batch), and put its
+    branches together.
 
-    `branches` names the choices that a branch is made of, first to last; the kernel's arrays have one axis for each.
-    `free` holds an array for each joint, by its index, that was ever chosen.
+    `branches` names the choices that a branch is made of, first to last; the kernel's arrays have
+    one axis for each. `free` holds an array for each joint, by its index, that was ever chosen.
     """
     start = np.zeros(arm.dof) if start is None else arm.joint_vector(start, "start")
     shape = common_shape("targets and start", targets.shape[:-1], start.shape[:-1])
@@ -151,7 +163,8 @@ def positions(arm: Arm, targets: ArrayLike) -> Array:
 
 
 def poses(arm: Arm, targets: ArrayLike) -> Array:
-    """Targets as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN or infinity."""
+    """Targets as transforms, flattened to shape (..., 16); raises ArmError for another shape, NaN
+    or infinity."""
     wanted = "(..., 4, 4), poses of finite numbers"
     transforms = numbers(targets, f"{arm.name}: targets", wanted, (4, 4), many=True)
     return transforms.reshape(*transforms.shape[:-2], 16)
@@ -166,7 +179,8 @@ def must_be_rigid(arm: Arm, columns: Array) -> None:
     error = max(float(np.abs(gap).max(initial=0.0)) for gap in gaps)
     if error > 1e-6:
         raise ArmError(
-            f"{arm.name}: a target is no rigid transform, by {error:.2g}; expected a rotation and a position over (0, 0, 0, 1)"
+            f"{arm.name}: a target is no rigid transform, by {error:.2g}; expected a rotation and"
+            " a position over (0, 0, 0, 1)"
         )
 
 
@@ -200,7 +214,8 @@ def wrapped(angle: Array) -> Array:
 
 
 def _turned_towards(arm: Arm, q: Array, start: Array, limits: bool = True) -> Array:
-    """Each revolute joint by the turn nearest to `start`, or the nearest to it that is within the limits."""
+    """Each revolute joint by the turn nearest to `start`, or the nearest to it that is within the
+    limits."""
     turn = np.where(arm.turning, 2 * np.pi, np.inf)
     whole = np.where(arm.turning, 2 * np.pi, 0.0)
     q = q + whole * np.rint((start - q) / turn)
@@ -216,4 +231,4 @@ _SLACK = 1e-9  # rad or m: a joint this far beyond its limit counts as at it
 
 def _inside(arm: Arm, q: Array) -> NDArray[np.bool_]:
     lower, upper = arm.limits
-    return ((q >= lower - _SLACK) & (q <= upper + _SLACK)).all(axis=-1)
+    return np.asarray(((q >= lower - _SLACK) & (q <= upper + _SLACK)).all(axis=-1))

@@ -1,8 +1,9 @@
-"""Arms with three parallel axes in the middle, as Universal Robots builds them: up to eight branches.
+"""Arms with three parallel axes in the middle, as Universal Robots builds them: up to eight
+branches.
 
-The parallel axes z_1, z_2, z_3 leave three problems, one after another: the shoulder turns a plane beside the
-wrist, joint 5 tilts the tool out of that plane, and in the plane remain two links. Source: Hawkins (2013),
-derived anew from the axes so that any signs of the twists will do.
+The parallel axes z_1, z_2, z_3 leave three problems, one after another: the shoulder turns a plane
+beside the wrist, joint 5 tilts the tool out of that plane, and in the plane remain two links.
+Source: Hawkins (2013), derived anew from the axes so that any signs of the twists will do.
 """
 
 from typing import NamedTuple
@@ -39,14 +40,16 @@ BRANCHES = (("front", "back"), ("q_5 > 0", "q_5 < 0"), ("elbow +", "elbow -"))
 
 
 def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an arm of the UR family for poses `targets`, shape (..., 4, 4): eight branches.
+    """All joint vectors of an arm of the UR family for poses `targets`, shape (..., 4, 4): eight
+    branches.
 
-    "front" and "back" are the two ways joint 1 can turn the arm's plane to the wrist, then comes the sign of the angle
-    in joint 5's row, then that of the elbow's bend about z_1. Where q_5 makes axes 4 and 6 parallel, joint 6 is free: it keeps
-    its value of `start`, shape (..., 6), zeros unless given, or takes one that brings the wrist within reach. Where only one
-    value does, the elbow being stretched or folded, joint 6 is not free: the solution is an isolated one. Raises ArmError
-    for an arm that is not R with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any) degrees and a_1 = a_4 = a_5 = 0, or for a
-    target that is no pose.
+    "front" and "back" are the two ways joint 1 can turn the arm's plane to the wrist, then comes
+    the sign of the angle in joint 5's row, then that of the elbow's bend about z_1. Where q_5 makes
+    axes 4 and 6 parallel, joint 6 is free: it keeps its value of `start`, shape (..., 6), zeros
+    unless given, or takes one that brings the wrist within reach. Where only one value does, the
+    elbow being stretched or folded, joint 6 is not free: the solution is an isolated one. Raises
+    ArmError for an arm that is not R with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any)
+    degrees and a_1 = a_4 = a_5 = 0, or for a target that is no pose.
     """
     _must_fit(arm)
     return each_branch(arm, poses(arm, targets), start, BRANCHES, _kernel)
@@ -76,15 +79,22 @@ def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
         5: (wrist.singular & ~_isolated(arm, plane))[:, None, None],
     }
     distance = np.where(valid.reshape(-1, valid.shape[-1]).any(axis=0), 0.0, np.nan)
-    return Found(q, {joint: where for joint, where in free.items() if where.any()}, valid, distance)
+    return Found(
+        q,
+        {joint: np.asarray(where) for joint, where in free.items() if where.any()},
+        valid,
+        distance,
+    )
 
 
 _SIGNS = np.array([1.0, -1.0])[:, None]
-_UNCERTAIN = 1e-4  # a greater sine of q_5 fixes joint 6 so well that rounding moves the wrist less than REACH
+# A greater sine of q_5 fixes joint 6 so well that rounding moves the wrist less than REACH.
+_UNCERTAIN = 1e-4
 
 
 class Shape(NamedTuple):
-    """What the twists say: the turn of axis 3 against z_1, z_4 against x_4 in the plane, the plane's offset along z_1."""
+    """What the twists say: the turn of axis 3 against z_1, z_4 against x_4 in the plane, the
+    plane's offset along z_1."""
 
     turn_3: float
     side: float
@@ -99,7 +109,8 @@ def _shape(arm: Arm) -> Shape:
 
 
 class Wrist(NamedTuple):
-    """Angles of joints 5 and 6 and the axis x_4 = (ux, uy) in the plane, each (2 shoulders, 2 wrists, batch)."""
+    """Angles of joints 5 and 6 and the axis x_4 = (ux, uy) in the plane, each (2 shoulders, 2
+    wrists, batch)."""
 
     phi_5: Array
     phi_6: Array
@@ -109,10 +120,12 @@ class Wrist(NamedTuple):
 
 
 def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wrist:
-    """Joints 5 and 6 from the tool's axes against z_1, which is all that they can change; then x_4 follows.
+    """Joints 5 and 6 from the tool's axes against z_1, which is all that they can change; then x_4
+    follows.
 
-    In the plane z_5 is x_4 times sin(phi_5), and x_5 is x_4 times cos(phi_5). Together they give x_4 with full precision
-    wherever the wrist stands, and where sin(phi_5) vanishes joint 6 may be chosen.
+    In the plane z_5 is x_4 times sin(phi_5), and x_5 is x_4 times cos(phi_5). Together they give
+    x_4 with full precision wherever the wrist stands, and where sin(phi_5) vanishes joint 6 may be
+    chosen.
     """
     first, fifth, sixth = arm.numeric[0], arm.numeric[4], arm.numeric[5]
     c, s = cosines_and_sines(plane.phi)
@@ -155,10 +168,12 @@ def _end_of_links(
 
 
 def _isolated(arm: Arm, plane: Plane) -> NDArray[np.bool_]:
-    """Whether no turn about the wrist's centre but one leaves the links within reach, (2 shoulders, batch).
+    """Whether no turn about the wrist's centre but one leaves the links within reach, (2 shoulders,
+    batch).
 
-    The links end on a circle of radius |d_5| about the wrist's centre (x, y). It touches what they reach, r_min to r_max from
-    the shoulder, in a single point where its nearest point is r_max away, or its farthest r_min.
+    The links end on a circle of radius |d_5| about the wrist's centre (x, y). It touches what they
+    reach, r_min to r_max from the shoulder, in a single point where its nearest point is r_max
+    away, or its farthest r_min.
     """
     upper, fore, arc = abs(arm.numeric[1].a), abs(arm.numeric[2].a), abs(arm.numeric[4].d)
     far = np.hypot(plane.x, plane.y)
@@ -168,7 +183,8 @@ def _isolated(arm: Arm, plane: Plane) -> NDArray[np.bool_]:
 
 
 def _bring_within_reach(arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, sine: Array) -> None:
-    """Turn joint 6 where the links cannot quite reach and it is free, or uncertain by enough; in place.
+    """Turn joint 6 where the links cannot quite reach and it is free, or uncertain by enough; in
+    place.
 
     Axes 4 and 6 being parallel, or nearly, x_4 turns against joint 6 without moving the tool.
     """
@@ -213,6 +229,7 @@ def _must_fit(arm: Arm) -> None:
     )
     if not fits:
         raise ArmError(
-            f"{arm.name} is no arm of the UR family; expected six revolute joints, alpha = (+-90, 0 or 180, 0 or 180, +-90,"
+            f"{arm.name} is no arm of the UR family; expected six revolute joints, alpha = (+-90,"
+            " 0 or 180, 0 or 180, +-90,"
             " +-90, any) degrees, a_1 = a_4 = a_5 = 0 and links a_2, a_3"
         )

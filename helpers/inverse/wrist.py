@@ -5,6 +5,7 @@ Source: Pieper (1968); Spong, Hutchinson and Vidyasagar, section 5.3 (kinematic 
 
 from dataclasses import replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -35,21 +36,25 @@ Array = NDArray[np.float64]
 
 
 def stanford(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of a Stanford arm (RRP and a spherical wrist) for poses `targets`, shape (..., 4, 4): eight branches.
+    """All joint vectors of a Stanford arm (RRP and a spherical wrist) for poses `targets`, shape
+    (..., 4, 4): eight branches.
 
-    Four place the wrist's centre, as `rod` names them, each with the wrist as it is and flipped (q_5 > 0, q_5 < 0). A rod has
-    its limits, so ask `within_limits` which are real. Where q_5 = 0, joints 4 and 6 turn about one axis: joint 4 keeps its
-    value of `start`, shape (..., 6), and joint 6 follows. Raises ArmError for another table or targets that are no poses.
+    Four place the wrist's centre, as `rod` names them, each with the wrist as it is and flipped
+    (q_5 > 0, q_5 < 0). A rod has its limits, so ask `within_limits` which are real. Where q_5 = 0,
+    joints 4 and 6 turn about one axis: joint 4 keeps its value of `start`, shape (..., 6), and
+    joint 6 follows. Raises ArmError for another table or targets that are no poses.
     """
     return _decoupled(arm, targets, start, rod_kernel, must_have_rod, ROD_BRANCHES)
 
 
 def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
-    """All joint vectors of an elbow arm with a spherical wrist for poses `targets`, shape (..., 4, 4): eight branches.
+    """All joint vectors of an elbow arm with a spherical wrist for poses `targets`, shape (..., 4,
+    4): eight branches.
 
-    Four place the wrist's centre, as `elbow` names them, each with q_5 > 0 and with q_5 < 0. Rows 4 to 6 have alpha = (+-90,
-    +-90, any) degrees, a_4 = a_5 = d_5 = 0: their axes meet in one point. Free joints as in `stanford` and `elbow`. Raises
-    ArmError for another table or targets that are no poses.
+    Four place the wrist's centre, as `elbow` names them, each with q_5 > 0 and with q_5 < 0. Rows 4
+    to 6 have alpha = (+-90, +-90, any) degrees, a_4 = a_5 = d_5 = 0: their axes meet in one point.
+    Free joints as in `stanford` and `elbow`. Raises ArmError for another table or targets that are
+    no poses.
     """
     return _decoupled(arm, targets, start, elbow_kernel, must_be_elbow, ELBOW_BRANCHES)
 
@@ -63,9 +68,9 @@ def _decoupled(arm: Arm, targets: ArrayLike, start, place, must_fit, branches) -
         must_be_rigid(arm, columns)
         tool = unwound(arm, columns)
         placed = place(shoulder, wrist_centre(arm, tool), start[:3])
-        q = np.stack(np.broadcast_arrays(*placed.q))
+        first = np.stack(np.broadcast_arrays(*placed.q))
         wrist, singular = _wrist(
-            arm, _seen_from(shoulder, q, tool.axes[:, 0], tool.axes[:, 2]), start
+            arm, _seen_from(shoulder, first, tool.axes[:, 0], tool.axes[:, 2]), start
         )
         free = {joint: _both(loose) for joint, loose in placed.free.items()}
         q = (*(_both(joint) for joint in placed.q), *wrist)
@@ -74,7 +79,7 @@ def _decoupled(arm: Arm, targets: ArrayLike, start, place, must_fit, branches) -
     return each_branch(arm, poses(arm, targets), start, (*branches, ("q_5 > 0", "q_5 < 0")), kernel)
 
 
-def _both(values: Array) -> Array:
+def _both(values: NDArray[Any]) -> NDArray[Any]:
     """The same for both wrists: an axis before the last."""
     return values[..., None, :]
 
@@ -96,8 +101,8 @@ def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
 def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...], Array]:
     """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free.
 
-    Joint 6 is found after joint 4, from what its turn leaves of x_6: near a straight wrist both are uncertain, and only
-    together right.
+    Joint 6 is found after joint 4, from what its turn leaves of x_6: near a straight wrist both are
+    uncertain, and only together right.
     """
     x, z = seen
     s4, s5 = arm.numeric[3].sin_alpha, arm.numeric[4].sin_alpha
@@ -128,6 +133,7 @@ def _must_have_wrist(arm: Arm) -> None:
     )
     if not fits:
         raise ArmError(
-            f"{arm.name} has no spherical wrist; expected six rows, the last three revolute with alpha = (+-90, +-90, any)"
+            f"{arm.name} has no spherical wrist; expected six rows, the last three revolute with"
+            " alpha = (+-90, +-90, any)"
             " degrees and a_4 = a_5 = d_5 = 0"
         )

@@ -1,5 +1,6 @@
 """Paths for the tip, resolved-rate tracing, and its report."""
 
+from helpers.motion.joining import joined
 from helpers.motion.paths import Path, circle, circle_below
 from helpers.motion.rates import (
     Rates,
@@ -15,7 +16,7 @@ from helpers.motion.rates import (
 )
 from helpers.motion.report import Report
 from helpers.motion.self_motions import self_motion, self_motion_directions
-from helpers.motion.tracing import METHODS, Trace, trace
+from helpers.motion.tracing import METHODS, Trace, UnreachableError, trace
 
 __all__ = [
     "METHODS",
@@ -24,11 +25,13 @@ __all__ = [
     "Report",
     "SingularError",
     "Trace",
+    "UnreachableError",
     "adaptive",
     "away_from_limits",
     "circle",
     "circle_below",
     "damped",
+    "joined",
     "levenberg",
     "plain_inverse",
     "pseudo_inverse",

@@ -10,7 +10,7 @@ from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, must_be_callable, number, numbers, plane_axes, whole
 from helpers.kinematics import tip
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,8 @@ class Path:
 
     Attributes:
         times: when the steps begin and the last one ends, shape (steps + 1,), in s.
-        position, velocity: functions of times of shape (...,) to arrays of shape (..., 3), in m and m/s.
+        position, velocity: functions of times of shape (...,) to arrays of shape (..., 3), in m and
+            m/s.
         normal: the unit normal of the wall that the path lies on.
     """
 
@@ -52,10 +53,12 @@ class Path:
 def circle(
     centre: ArrayLike, radius: float, plane: str, period: float, steps: int, phase: float = 0.0
 ) -> Path:
-    """A circle at even speed: centre + radius (cos(phi) e_1 + sin(phi) e_2) with phi = phase + 2 pi t / period.
+    """A circle at even speed: centre + radius (cos(phi) e_1 + sin(phi) e_2) with phi = phase + 2 pi
+    t / period.
 
-    `plane` names the base axes e_1 and e_2 in their order, as in "zy" for a circle that starts at the top and moves towards
-    +y. Centre in m, shape (3,), radius in m, period in s, phase in rad. Raises ArmError for a value that makes no circle.
+    `plane` names the base axes e_1 and e_2 in their order, as in "zy" for a circle that starts at
+    the top and moves towards +y. Centre in m, shape (3,), radius in m, period in s, phase in rad.
+    Raises ArmError for a value that makes no circle.
     """
     centre = numbers(centre, "the centre", "three finite coordinates in m", (3,))
     radius = number(radius, "radius", "a finite length > 0 in m", above=0)
@@ -81,8 +84,9 @@ def circle_below(
 ) -> Path:
     """The circle that begins at the tip of `arm` at `start`, shape (dof,), and hangs below it.
 
-    With z first, as in the plane "zy", the tip sets out towards +y; with z last, as in "yz", towards
-    -y. Radius in m, period in s. Raises ArmError for a plane without z, and as `circle` does.
+    With z first, as in the plane "zy", the tip sets out towards +y; with z last, as in "yz",
+    towards -y. Radius in m, period in s. Raises ArmError for a plane without z, and as `circle`
+    does.
     """
     must_be(arm, Arm, "arm")
     top = tip(arm, arm.joint_vector(start, "start", many=False))

@@ -10,7 +10,7 @@ from helpers.kinematics import jacobian
 from helpers.motion.paths import Path
 from helpers.motion.rates import size
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,8 @@ class Report:
 
 
 def run_report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Report:
-    """The report of a run: q and q_dot of shape (steps + 1, dof), poses of shape (steps + 1, 4, 4)."""
+    """The report of a run: q and q_dot of shape (steps + 1, dof), poses of shape (steps + 1, 4,
+    4)."""
     error = poses[:, :3, 3] - path.positions
     lower, upper = arm.limits
     beyond = np.maximum(q - upper, lower - q).max(axis=0)

@@ -7,9 +7,10 @@ from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, number
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.paths import Path
-from helpers.motion.tracing import Trace, _error
+from helpers.motion.steps import tip_error
+from helpers.motion.tracing import Trace
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 _CUTOFF = 1e-6  # singular values below this share of the largest count as 0
 
@@ -23,20 +24,25 @@ def self_motion(
     step: float = 0.01,
     speed: float = 0.5,
 ) -> Trace:
-    """Follow a null direction of the Jacobian from `start`, the tip's pose held to 1e-13 at every step.
+    """Follow a null direction of the Jacobian from `start`, the tip's pose held to 1e-13 at every
+    step.
 
-    Each step goes along the null direction nearest to the last one; Newton's method then brings the tip back. The motion
-    ends early, with fewer rows, where a joint would leave its range.
+    Each step goes along the null direction nearest to the last one; Newton's method then brings the
+    tip back. The motion ends early, with fewer rows, where a joint would leave its range.
 
     Args:
-        start, direction: joints and joint rates, shape (dof,); the part of `direction` that moves the tip is left out.
-        length: how far to go, measured along the curve in joint space, in rad (and m, for joints that slide).
+        start, direction: joints and joint rates, shape (dof,); the part of `direction` that moves
+            the tip is left out.
+        length: how far to go, measured along the curve in joint space, in rad (and m, for joints
+            that slide).
         step: the length of one step, in the same unit.
-        speed: the size of the joints' rates, in rad/s (and m/s), from which the times of the run follow.
+        speed: the size of the joints' rates, in rad/s (and m/s), from which the times of the run
+            follow.
 
-    Returns a Trace whose path stays where the tip is. Raises ArmError for a start beyond the limits, a direction that only
-    moves the tip, and a step too long to follow the curve. Source: Siciliano, section 3.5; Allgower and Georg,
-    Numerical Continuation Methods, chapter 2 (predictor and corrector).
+    Returns a Trace whose path stays where the tip is. Raises ArmError for a start beyond the
+    limits, a direction that only moves the tip, and a step too long to follow the curve. Source:
+    Siciliano, section 3.5; Allgower and Georg, Numerical Continuation Methods, chapter 2 (predictor
+    and corrector).
     """
     must_be(arm, Arm, "arm")
     start = arm.joint_vector(start, "start", many=False)
@@ -59,19 +65,21 @@ def self_motion(
         if not _within_limits(arm, moved):
             break
         ahead = _tangent(arm, moved, ahead)
-        q.append(moved)
+        q.append(np.asarray(moved, dtype=float))
     if len(q) == 1:
         raise ArmError("start is at a limit that direction leads beyond; expected room for a step")
     return _at_rest(arm, np.array(q), length / steps / speed)
 
 
 def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
-    """The directions in which self-motions leave q, shape (number, dof): of size 1, the first joint that moves forwards.
+    """The directions in which self-motions leave q, shape (number, dof): of size 1, the first joint
+    that moves forwards.
 
-    Each stands for its reverse, too; the one that moves joint 1 most comes first. With one null direction v of the
-    Jacobian J it is v, unless the tip leaves in second order: while the joints move at the rates v, the tip's
-    acceleration (dJ/dt) v must be one that J can undo. Where J has lost rank and has two null directions, the same
-    condition is a quadratic equation, which leaves two lines of their plane, or none.
+    Each stands for its reverse, too; the one that moves joint 1 most comes first. With one null
+    direction v of the Jacobian J it is v, unless the tip leaves in second order: while the joints
+    move at the rates v, the tip's acceleration (dJ/dt) v must be one that J can undo. Where J has
+    lost rank and has two null directions, the same condition is a quadratic equation, which leaves
+    two lines of their plane, or none.
 
     Raises ArmError with more null directions than that, and where second order does not tell.
     Source: Allgower and Georg, Numerical Continuation Methods, section 8.1 (branching).
@@ -83,12 +91,12 @@ def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
     still, lost = right[rank:], left[:, rank:].T
     if len(still) > 2 or (len(still) == 2 and not len(lost)):
         raise ArmError(
-            f"J has {len(still)} null directions and loses {len(lost)} at q = {q}; "
+            f"J has {len(still)} null directions and loses {len(lost)} at q = {np.asarray(q)}; "
             "expected one null direction, or two at a pose of lost rank"
         )
     if len(still) == 2:
         forms = np.array([[lost @ _bilinear(J, u, v) for u in still] for v in still])
-        still = _zeros(forms, f"q = {q}") @ still
+        still = _zeros(forms, f"q = {np.asarray(q)}") @ still
     stays = [np.abs(lost @ _acceleration(J, v)).max(initial=0) < _CUTOFF for v in still]
     found = still[np.array(stays, dtype=bool)]
     found = found[np.lexsort(-np.abs(found.T[::-1]))]
@@ -96,7 +104,8 @@ def self_motion_directions(arm: Arm, q: ArrayLike) -> Array:
 
 
 def _zeros(forms: Array, where: str) -> Array:
-    """The unit vectors x, shape (2 or 0, 2), with x . F x = 0 for the largest of the forms F, shape (2, 2, number)."""
+    """The unit vectors x, shape (2 or 0, 2), with x . F x = 0 for the largest of the forms F, shape
+    (2, 2, number)."""
     largest = np.abs(forms).max(axis=(0, 1)).argmax()
     (low, high), axes = np.linalg.eigh(forms[:, :, largest])
     if min(abs(low), abs(high)) < _CUTOFF:
@@ -113,7 +122,8 @@ def _bilinear(J: Array, u: Array, v: Array) -> Array:
 
 
 def _acceleration(J: Array, rates: Array) -> Array:
-    """The tip's acceleration (6,) while the joints keep `rates`, (dJ/dt) rates, from the columns of J alone."""
+    """The tip's acceleration (6,) while the joints keep `rates`, (dJ/dt) rates, from the columns of
+    J alone."""
     v, w = (J * rates)[:3].T, (J * rates)[3:].T
     before = np.cumsum(w, axis=0) - w  # how the axis of each joint turns
     linear = np.cross(2 * before + w, v).sum(axis=0)
@@ -127,15 +137,17 @@ def _tangent(arm: Arm, q: Array, ahead: Array) -> Array:
     along = still.T @ (still @ ahead)
     if not np.linalg.norm(along) > 1e-3 * np.linalg.norm(ahead):
         raise ArmError(
-            f"{ahead} only moves the tip at q = {q}; expected a direction that leaves it alone"
+            f"{ahead} only moves the tip at q = {np.asarray(q)}; expected a direction that leaves"
+            " it alone"
         )
     return along / np.linalg.norm(along)
 
 
 def _brought_back(arm: Arm, q: Array, pose: Array) -> Array:
-    """The joints near q at which the tip has its pose, by Newton's method with the smallest steps."""
+    """The joints near q at which the tip has its pose, by Newton's method with the smallest
+    steps."""
     for _ in range(20):
-        error = _error(forward_kinematics(arm, q), pose[:3, 3], pose[:3, :3])
+        error = tip_error(forward_kinematics(arm, q), pose[:3, 3], pose[:3, :3])
         if np.abs(error).max() < 1e-13:
             break
         q = q + np.linalg.pinv(jacobian(arm, q), rcond=_CUTOFF) @ error
@@ -150,7 +162,8 @@ def _within_limits(arm: Arm, q: Array) -> bool:
 
 
 def _at_rest(arm: Arm, q: Array, seconds: float) -> Trace:
-    """The run (steps + 1, dof), a step every `seconds`, along a path that stays where the tip is."""
+    """The run (steps + 1, dof), a step every `seconds`, along a path that stays where the tip
+    is."""
     poses = forward_kinematics(arm, q)
     still, times = poses[0, :3, 3], seconds * np.arange(len(q))
 

@@ -2,25 +2,37 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from helpers import kinematics
 from helpers.arm import Arm
-from helpers.inputs import must_be, must_be_callable, number, one_of
-from helpers.kinematics import forward_kinematics, jacobian
+from helpers.inputs import ArmError, must_be, must_be_callable, number, one_of, shown
+from helpers.kinematics import forward_kinematics
+from helpers.motion.at_once import all_steps
 from helpers.motion.paths import Path
-from helpers.motion.rates import Rates, SingularError, plain_inverse
+from helpers.motion.rates import PlainInverse, Rates, SingularError, plain_inverse
 from helpers.motion.report import Report, run_report
+from helpers.motion.steps import METHODS, RULES, Course, Rule, charted, tip_error
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
-METHODS = ("euler", "rk4", "exact")
+
+_ITERATIONS = 30
+_ARRIVED = 1e-9  # m and rad
+_WHY = "the path leads out of reach or through a singular pose, or its steps are too long"
+
+
+class UnreachableError(ArmError):
+    """The tip was asked to be on a path that the arm cannot follow."""
 
 
 @dataclass(frozen=True)
 class Trace:
-    """A run along a path: times (steps + 1,), q and q_dot (steps + 1, dof), tip poses (steps + 1, 4, 4)."""
+    """A run along a path: times (steps + 1,), q and q_dot (steps + 1, dof), tip poses (steps + 1,
+    4, 4)."""
 
     arm: Arm
     path: Path
@@ -47,19 +59,21 @@ def trace(
     method: str = "euler",
     rates: Rates | None = None,
     gain: float = 0.0,
-    jacobian: Callable[[Arm, Array], Array] = jacobian,
+    jacobian: Callable[[Arm, Array], Array] = kinematics.jacobian,
 ) -> Trace:
-    """Follow a path from `start`, joints of shape (dof,), at the orientation that the tip has there.
+    """Follow a path from `start`, joints of shape (dof,), at the orientation that the tip has
+    there.
 
     Args:
-        method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact": at each step Newton's method
-            moves the tip onto the path itself.
+        method: "euler" as in the homework, "rk4" (fourth-order Runge-Kutta), or "exact": at each
+            step Newton's method moves the tip onto the path itself.
         rates: how joint rates follow from a twist; ``plain_inverse()`` unless given.
         gain: feedback in 1/s: the twist gains `gain` times the errors of position and orientation.
         jacobian: the Jacobian to steer by; a wrong one shows what a mistake does.
 
-    Raises ArmError for an unknown method or a start that does not fit, SingularError, with the step it happened at, where
-    the plain inverse does not exist. Source: Whitney (1969); feedback: Siciliano, section 3.7.
+    Raises ArmError for an unknown method or a start that does not fit, SingularError, with the step
+    it happened at, where the plain inverse does not exist. Source: Whitney (1969); feedback:
+    Siciliano, section 3.7.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
@@ -69,64 +83,97 @@ def trace(
     start = arm.joint_vector(start, "start", many=False)
     rates = plain_inverse() if rates is None else rates
     must_be_callable(rates, "rates", "a function of J, twist and q, as plain_inverse() makes")
-    held = forward_kinematics(arm, start)[:3, :3]
-
-    def slope(t: float, q: Array) -> Array:
-        twist = np.concatenate([path.velocity(t), np.zeros(3)])
-        if gain:
-            twist = twist + gain * _error(forward_kinematics(arm, q), path.position(t), held)
-        return rates(jacobian(arm, q), twist, q)
-
-    step = {"euler": _euler, "rk4": _rk4, "exact": _exact(arm, path, held, rates)}[method]
-    q = np.empty((len(path.times), arm.dof))
-    q_dot = np.empty_like(q)
-    q[0] = start
-    for k in _progress(len(path.times) - 1):
-        t, h = path.times[k], path.times[k + 1] - path.times[k]
-        try:
-            q_dot[k], q[k + 1] = step(slope, t, h, q[k])
-        except SingularError as error:
-            raise SingularError(f"{arm.name}, step {k} of {len(q) - 1}: {error}") from None
-    q_dot[-1] = q_dot[-2]
+    if method == "exact" and gain:
+        raise ArmError(
+            f'gain is {shown(gain)}; expected 0 with method "exact", which leaves no error to feed'
+            " back"
+        )
+    course = charted(path, method, forward_kinematics(arm, start)[:3, :3])
+    run = None
+    if isinstance(rates, PlainInverse) and jacobian is kinematics.jacobian and not gain:
+        run = all_steps(arm, start, course, method, rates)
+    if run is None:
+        run = _one_by_one(arm, start, course, method, Steering(rates, gain, jacobian))
+    q, q_dot = run
+    q_dot = np.concatenate([q_dot, q_dot[-1:]])
     return Trace(arm, path, q, q_dot, forward_kinematics(arm, q))
 
 
-def _euler(slope, t: float, h: float, q: Array) -> tuple[Array, Array]:
-    rate = slope(t, q)
-    return rate, q + h * rate
+@dataclass(frozen=True)
+class Steering:
+    """How joint rates follow from a twist. Its functions may be a student's: they get copies, never
+    the run itself."""
+
+    rates: Rates
+    gain: float
+    jacobian: Callable[[Arm, Array], Array]
+
+    def along(self, arm: Arm, q: Array, twist: Array) -> Array:
+        """Joint rates (dof,) for a twist (6,) at q (dof,)."""
+        return self.rates(self.jacobian(arm, q.copy()), twist.copy(), q.copy())
 
 
-def _rk4(slope, t: float, h: float, q: Array) -> tuple[Array, Array]:
-    k_1 = slope(t, q)
-    k_2 = slope(t + h / 2, q + h / 2 * k_1)
-    k_3 = slope(t + h / 2, q + h / 2 * k_2)
-    k_4 = slope(t + h, q + h * k_3)
-    return k_1, q + h / 6 * (k_1 + 2 * k_2 + 2 * k_3 + k_4)
+def _one_by_one(
+    arm: Arm, start: Array, course: Course, method: str, steering: Steering
+) -> tuple[Array, Array]:
+    """Each step from the one before; joints (steps + 1, dof) and their rates (steps, dof)."""
+    step = _to_the_path if method == "exact" else partial(_by_rule, RULES[method])
+    steps = len(course.h)
+    q, q_dot = np.empty((steps + 1, arm.dof)), np.empty((steps, arm.dof))
+    q[0] = start
+    for k in range(steps):
+        try:
+            q_dot[k], q[k + 1] = step(arm, q[k], course, k, steering)
+        except (SingularError, UnreachableError) as error:
+            raise type(error)(f"{arm.name}, step {k} of {steps}: {error}") from None
+    return q, q_dot
 
 
-def _exact(arm: Arm, path: Path, held: Array, rates: Rates):
+def _by_rule(
+    rule: Rule, arm: Arm, q: Array, course: Course, k: int, steering: Steering
+) -> tuple[Array, Array]:
+    def slope(share: float, q: Array) -> Array:
+        twist = course.twists[share][k]
+        if steering.gain:
+            pose, position = forward_kinematics(arm, q), course.positions[share][k]
+            twist = twist + steering.gain * tip_error(pose, position, course.rotation)
+        return steering.along(arm, q, twist)
+
+    rate = slope(0.0, q)
+    return rate, rule(slope, course.h[k], q, rate)
+
+
+def _to_the_path(
+    arm: Arm, q: Array, course: Course, k: int, steering: Steering
+) -> tuple[Array, Array]:
     """Newton's method for the joint vector at the end of the step, from the one at its start."""
-
-    def step(slope, t: float, h: float, q: Array) -> tuple[Array, Array]:
-        found, wanted = q, path.position(t + h)
-        for _ in range(30):
-            error = _error(forward_kinematics(arm, found), wanted, held)
-            if np.abs(error).max() < 1e-13:
-                break
-            found = found + rates(jacobian(arm, found), error, found)
-        return (found - q) / h, found
-
-    return step
+    found, position = q, course.positions[1.0][k]
+    for _ in range(_ITERATIONS):
+        error = tip_error(forward_kinematics(arm, found), position, course.rotation)
+        if np.abs(error).max() < 1e-13:
+            break
+        found = found + steering.along(arm, found, error)
+    _must_have_arrived(arm, error)
+    _must_not_leap(arm, found - q)
+    return (found - q) / course.h[k], found
 
 
-def _error(pose: Array, position: Array, rotation: Array) -> Array:
-    """The small twist (6,) that would carry a pose to a position and a rotation."""
-    turn = 0.5 * np.cross(pose[:3, :3], rotation, axis=0).sum(axis=1)
-    return np.concatenate([position - pose[:3, 3], turn])
+def _must_have_arrived(arm: Arm, error: Array) -> None:
+    """Where rates that damp come within the last digits only, that is enough."""
+    metres, radians = np.linalg.norm(error.reshape(2, 3), axis=1)
+    if not max(metres, radians) < _ARRIVED:
+        raise UnreachableError(
+            f"after {_ITERATIONS} iterations of Newton's method the tip is {1e3 * metres:.3g} mm"
+            " and"
+            f" {np.degrees(radians):.3g}° off the path: {_WHY}"
+        )
 
 
-def _progress(steps: int):
-    """Count steps; a bar appears only in runs of more than ten seconds, and leaves nothing behind."""
-    from tqdm import tqdm  # the one for notebooks leaves a bar behind where a run fails
-
-    return tqdm(range(steps), delay=10, leave=False)
+def _must_not_leap(arm: Arm, step: Array) -> None:
+    leaps = np.where(arm.turning, np.abs(step), 0.0)
+    if leaps.max(initial=0.0) > np.pi:
+        joint, leap = arm.joints[leaps.argmax()], leaps.max()
+        raise UnreachableError(
+            f"joint {joint} would turn by {leap:.3g} rad at once; expected half a turn at most:"
+            f" {_WHY}"
+        )

@@ -1,4 +1,5 @@
-"""Matplotlib figures in one style. Every function draws on the axes it is given and returns None."""
+"""Matplotlib figures in one style. Every function draws on the axes it is given and returns
+None."""
 
 from helpers.plotting.arms import arm_3d, arrow_3d
 from helpers.plotting.branches import from_above, law_of_cosines, regions, stick_3d

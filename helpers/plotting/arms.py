@@ -24,7 +24,8 @@ def arm_3d(
     alpha: float = 1.0,
     label: str | None = None,
 ) -> None:
-    """Draw an arm at q, shape (dof,): each link as its steps d along z and a along x, with its frames.
+    """Draw an arm at q, shape (dof,): each link as its steps d along z and a along x, with its
+    frames.
 
     Several arms may share the axes; the view grows to hold them all. Lengths in m.
     """
@@ -77,10 +78,11 @@ def _links(
         lw=3,
         solid_joinstyle="round",
     )
-    ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=6, solid_joinstyle="round", solid_capstyle="round",
-            label=label)  # fmt: skip
+    ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=6, label=label,
+            solid_joinstyle="round", solid_capstyle="round")  # fmt: skip
     for i in arm.joints:
-        # An even number of sides leaves faces at equal depth, which rounding noise would then put in order.
+        # An even number of sides leaves faces at equal depth, which rounding noise would then put
+        # in order.
         sides = 13 if arm.rows[i - 1].joint.kind == "revolute" else 4
         barrel(ax, T[i - 1], 0.032 * _reach(arm), sides, alpha)
     ax.plot(*points[-1:].T, "o", color="black", alpha=alpha, ms=4)
@@ -96,7 +98,8 @@ def barrel(ax: Axes3D, frame: np.ndarray, size: float, sides: int, alpha: float)
     solid = Poly3DCollection(
         faces, facecolors=SLATE, edgecolors=SLATE, lw=0.3, alpha=alpha, shade=True
     )
-    # Where faces differ in length, Matplotlib pads them with whatever is in memory and would scale the view by that.
+    # Where faces differ in length, Matplotlib pads them with whatever is in memory and would scale
+    # the view by that.
     ax.add_collection3d(solid, autolim=False)
 
 
@@ -122,7 +125,8 @@ def _fit(ax: Axes3D, points: np.ndarray, margin: float) -> None:
     ax._held_points = held
     low, high = held.min(axis=0) - margin, held.max(axis=0) + margin
     low[2] = min(0.0, held[:, 2].min())
-    # A tall thin box would leave no room for its labels: the floor is at least half as wide as the box is high.
+    # A tall thin box would leave no room for its labels: the floor is at least half as wide as the
+    # box is high.
     spread = np.maximum(0.0, 0.5 * (high - low).max() - (high - low)) / 2
     low[:2], high[:2] = low[:2] - spread[:2], high[:2] + spread[:2]
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))

@@ -1,4 +1,5 @@
-"""Pictures of inverse kinematics: the two views of an elbow arm, many poses in little space, regions of starts."""
+"""Pictures of inverse kinematics: the two views of an elbow arm, many poses in little space,
+regions of starts."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,7 +18,8 @@ from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
 def from_above(
     ax: Axes, arm: Arm, branches: ArrayLike, names: tuple[str, ...], offset: float
 ) -> None:
-    """Draw branches, shape (k, dof), of an elbow arm seen from above, with the circle that its plane is tangent to."""
+    """Draw branches, shape (k, dof), of an elbow arm seen from above, with the circle that its
+    plane is tangent to."""
     must_be(arm, Arm, "arm")
     number(offset, "offset", "a finite length in m")
     poses = numbers(
@@ -33,7 +35,8 @@ def from_above(
 
 
 def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
-    """Draw an elbow arm without offset in its own plane, with the triangle that gives its angles; q_1 is taken as 0."""
+    """Draw an elbow arm without offset in its own plane, with the triangle that gives its angles;
+    q_1 is taken as 0."""
     must_be(arm, Arm, "arm")
     q = np.array([0.0, *arm.joint_vector(q, many=False)[1:]])
     shoulder, elbow, tip = (link_frames(arm, q)[i, [0, 2], 3] for i in (1, 2, 3))
@@ -51,9 +54,12 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     angle(ax, elbow, 0.06, lift + 180, lift + 360 + np.degrees(q[2]), r"$\varphi$", ORANGE)
     for start, end, text in ((shoulder, elbow, "$a_2$"), (elbow, tip, "$a_3$")):
         across = np.array([start[1] - end[1], end[0] - start[0]])
-        ax.text(*((start + end) / 2 + 0.12 * across), text, ha="center", va="center")
-    ax.text(*((shoulder + corner) / 2 - (0, 0.025)), "$r$", ha="center", va="center")
-    ax.text(*((corner + tip) / 2 + (0.025, 0)), "$s$", ha="center", va="center")
+        x, y = (start + end) / 2 + 0.12 * across
+        ax.text(x, y, text, ha="center", va="center")
+    x, y = (shoulder + corner) / 2
+    ax.text(x, y - 0.025, "$r$", ha="center", va="center")
+    x, y = (corner + tip) / 2
+    ax.text(x + 0.025, y, "$s$", ha="center", va="center")
     ax.set(ylim=(shoulder[1] - 0.15, elbow[1] + 0.15))
 
 
@@ -61,17 +67,18 @@ def angle(
     ax: Axes, centre: ArrayLike, radius: float, start: float, end: float, text: str, colour: str
 ) -> None:
     """Draw an arc between two directions (degrees) with its name beside its middle."""
-    start, end = sorted((start, end))
+    (x, y), (start, end) = np.asarray(centre), sorted((start, end))
     ax.add_patch(
-        Arc(centre, 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour, lw=1.4)
+        Arc((x, y), 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour, lw=1.4)
     )
     middle = np.radians((start + end) / 2)
-    place = np.asarray(centre) + 1.28 * radius * np.array([np.cos(middle), np.sin(middle)])
-    ax.text(*place, text, color=colour, ha="center", va="center")
+    place = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
+    ax.text(place[0], place[1], text, color=colour, ha="center", va="center")
 
 
 def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str = "") -> None:
-    """Draw an arm at q as one line with dots at its joints, on a square of floor: small enough to set many side by side."""
+    """Draw an arm at q as one line with dots at its joints, on a square of floor: small enough to
+    set many side by side."""
     T = pose_frames(arm, q)
     points = skeleton(arm, T)
     reach = 0.15 * np.ptp(points, axis=0).max()
@@ -101,7 +108,8 @@ def regions(
     names: dict[int, str],
     colours: tuple[str, ...],
 ) -> None:
-    """Colour the points of a grid by `which`, whole numbers of shape (len(y), len(x)); `names` are those in the legend."""
+    """Colour the points of a grid by `which`, whole numbers of shape (len(y), len(x)); `names` are
+    those in the legend."""
     x, y = (numbers(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
     which = numbers(which, "which", f"whole numbers ({len(y)}, {len(x)})", (len(y), len(x)))
     must_be(names, dict, "names")

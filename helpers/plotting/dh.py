@@ -15,7 +15,8 @@ _COLOURS = {"theta": ORANGE, "d": BLUE, "a": RED, "alpha": PURPLE}
 def dh_numbers(
     ax: Axes3D, a: float = 1.2, alpha: float = 0.7, d: float = 0.9, theta: float = 0.75
 ) -> None:
-    """Draw two joint axes, their common normal, and the four numbers between frames i-1 and i (m, rad)."""
+    """Draw two joint axes, their common normal, and the four numbers between frames i-1 and i (m,
+    rad)."""
     for name, value in dict(a=a, alpha=alpha, d=d, theta=theta).items():
         number(value, name, "a finite number of m or rad")
     first, second = link_frames(Arm("one link", [revolute(a, alpha, d)]), [theta])
@@ -55,7 +56,8 @@ def _number(
 
 
 def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str, text: str) -> None:
-    """An angle turned about the frame's z axis from its x axis, with a dashed line where it starts."""
+    """An angle turned about the frame's z axis from its x axis, with a dashed line where it
+    starts."""
     turn = np.linspace(0, angle, 30)
     ring = frame[:3, 3:] + radius * frame[:3, :2] @ [np.cos(turn), np.sin(turn)]
     start = np.stack([frame[:3, 3], frame[:3, 3] + 1.25 * radius * frame[:3, 0]])

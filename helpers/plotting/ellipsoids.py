@@ -18,7 +18,8 @@ def ellipsoid_3d(
     colour: str = SKY,
     label: str | None = None,
 ) -> None:
-    """Draw an ellipsoid by its three principal ellipses and semi-axes; `axes` holds the semi-axes as columns."""
+    """Draw an ellipsoid by its three principal ellipses and semi-axes; `axes` holds the semi-axes
+    as columns."""
     centre = numbers(centre, "centre", "three finite coordinates in m", (3,))
     scale = number(scale, "scale", "a finite number > 0", above=0)
     axes = scale * numbers(axes, "axes", "three finite semi-axes as columns, (3, 3)", (3, 3))
@@ -35,7 +36,8 @@ def ellipsoid_3d(
 
 
 def map_2d(ax: Axes, x: ArrayLike, y: ArrayLike, values: ArrayLike, label: str) -> None:
-    """Draw `values`, shape (len(y), len(x)), as filled contours with a colour bar; darker is more."""
+    """Draw `values`, shape (len(y), len(x)), as filled contours with a colour bar; darker is
+    more."""
     x, y = (numbers(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
     wanted = f"finite values ({len(y)}, {len(x)})"
     values = numbers(values, "values", wanted, (len(y), len(x)))

@@ -13,7 +13,8 @@ from helpers.plotting.style import GREY, SLATE
 def arm_2d(
     ax: Axes, arm: Arm, q: ArrayLike, plane: str = "xz", *, colour: str = GREY, alpha: float = 1.0
 ) -> None:
-    """Draw an arm at q, shape (dof,), seen along the third axis of a plane such as "xz"; lengths in m."""
+    """Draw an arm at q, shape (dof,), seen along the third axis of a plane such as "xz"; lengths in
+    m."""
     i, j = plane_axes(plane)
     T = pose_frames(arm, q)
     points = skeleton(arm, T)[:, [i, j]]
@@ -51,5 +52,6 @@ def arrow_2d(
         "shrinkA": 0,
         "shrinkB": 0,
     }
-    ax.annotate("", xy=start + step, xytext=start, arrowprops=style)
-    ax.text(*(start + 1.14 * step), text, color=colour, ha="center", va="center")
+    (x, y), (u, v) = start, step
+    ax.annotate("", xy=(x + u, y + v), xytext=(x, y), arrowprops=style)
+    ax.text(x + 1.14 * u, y + 1.14 * v, text, color=colour, ha="center", va="center")

@@ -1,13 +1,14 @@
 """Colours and settings shared by all figures."""
 
 import re
+import sys
 from hashlib import sha256
+from io import BytesIO
+from typing import Any
 
 import matplotlib as mpl
-from IPython import get_ipython
-from IPython.core.pylabtools import print_figure
+from cycler import cycler
 from matplotlib.figure import Figure
-from matplotlib_inline.backend_inline import set_matplotlib_formats
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
@@ -22,7 +23,7 @@ GREY = "#8A8F98"
 SLATE = "#5B6472"  # joints
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
 
-STYLE = {
+STYLE: dict[Any, Any] = {
     "figure.figsize": (6.0, 3.8),
     "figure.facecolor": "none",
     "axes.facecolor": "none",
@@ -41,23 +42,36 @@ STYLE = {
     "grid.linewidth": 0.6,
     "lines.linewidth": 1.8,
     "legend.frameon": False,
-    "axes.prop_cycle": mpl.cycler(color=[BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000"]),
+    "axes.prop_cycle": cycler(color=[BLUE, RED, GREEN, ORANGE, PURPLE, SKY, "#000000"]),
 }
 
 
 def use_book_style() -> None:
-    """Set the book's style for this notebook: sharp, small SVG figures with the same bytes on every run."""
+    """Set the book's style: in a notebook, sharp, small SVG figures with the same bytes on every
+    run."""
     mpl.rcParams.update(STYLE)
-    set_matplotlib_formats("svg")
-    if shell := get_ipython():
+    ipython = sys.modules.get("IPython")  # loaded in every notebook, and of no use elsewhere
+    if ipython and (shell := ipython.get_ipython()):
+        from matplotlib_inline.backend_inline import set_matplotlib_formats  # comes with IPython
+
+        set_matplotlib_formats("svg")
         shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, svg)
 
 
 def svg(figure: Figure) -> str:
-    """A figure as SVG text that is the same on every machine: numbers to 0.01 pt, ids from what they name."""
-    text = print_figure(
-        figure, fmt="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None}
+    """A figure as SVG text, the same on every machine: numbers to 0.01 pt, ids from what they
+    name."""
+    file = BytesIO()
+    figure.canvas.print_figure(
+        file,
+        format="svg",
+        dpi=figure.dpi,
+        facecolor=figure.get_facecolor(),
+        edgecolor=figure.get_edgecolor(),
+        bbox_inches="tight",
+        metadata={"Date": None, "Creator": None},
     )
+    text = file.getvalue().decode()
     text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", lambda number: f"{float(number[0]):.2f}", text)
     text = re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)
     text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->", "", text)
@@ -65,7 +79,8 @@ def svg(figure: Figure) -> str:
 
 
 def _with_own_ids(text: str) -> str:
-    """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures on the page."""
+    """Matplotlib hashes unrounded numbers into ids; number them instead, apart from other figures
+    on the page."""
     hashed = dict.fromkeys(re.findall(r'id="([mp][0-9a-f]{10})"', text))
     order = {name: str(number) for number, name in enumerate(hashed)}
 

@@ -1,5 +1,7 @@
 """Joint torques along a path, and the forces at the pen's tip."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
@@ -9,13 +11,19 @@ from helpers.inputs import must_be, numbers
 from helpers.plotting.plane import arrow_2d
 from helpers.plotting.style import BLUE, GREY, RED, SKY
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 def torques(
-    axes: Array, arm: Arm, t: ArrayLike, tau: ArrayLike, label: str | None = None, **line: object
+    axes: NDArray[Any],
+    arm: Arm,
+    t: ArrayLike,
+    tau: ArrayLike,
+    label: str | None = None,
+    **line: object,
 ) -> None:
-    """Draw each joint's torque (N m) over time in its own axes, with the maker's limits where they are near."""
+    """Draw each joint's torque (N m) over time in its own axes, with the maker's limits where they
+    are near."""
     must_be(arm, Arm, "arm")
     t = numbers(t, "t", "finite times (n,) in s", (None,))
     tau = numbers(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
@@ -23,7 +31,8 @@ def torques(
     for ax, i, values, limit in zip(
         axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False
     ):
-        # A joint that gravity leaves alone has a torque of 1e-17 N m or so, which must not set the scale.
+        # A joint that gravity leaves alone has a torque of 1e-17 N m or so, which must not set the
+        # scale.
         ax.plot(t[some], values[some].round(9) + 0.0, label=label, **{"color": BLUE, **line})
         ax.set(title=f"joint {i} (limit ±{limit:g})", ylabel="N m")
         if ax.get_subplotspec().is_last_row():
@@ -31,7 +40,8 @@ def torques(
 
 
 def pen_and_wall(ax: Axes) -> None:
-    """The free body that settles the sign: the pen cut loose from the wall, each pushing the other."""
+    """The free body that settles the sign: the pen cut loose from the wall, each pushing the
+    other."""
     ax.fill_between([1.0, 1.3], -0.5, 0.5, color=SKY, alpha=0.35, lw=0)
     ax.plot([-0.2, 0.7], [0, 0], color=GREY, lw=9, solid_capstyle="round")
     arrow_2d(ax, (0.72, 0.16), (-0.45, 0), RED)

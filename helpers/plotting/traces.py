@@ -1,6 +1,7 @@
 """Traced paths, joint histories, and a moving picture of the arm that needs no script."""
 
 from html import escape
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,11 +14,12 @@ from helpers.motion import Trace
 from helpers.plotting.arms import skeleton
 from helpers.plotting.style import BLUE, GREEN, GREY, RED
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating]
 
 
 def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") -> None:
-    """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths in m."""
+    """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths
+    in m."""
     must_be(run, Trace, "run")
     i, j = _wall_axes(run)
     some = slice(None, None, max(1, len(run.t) // 200))
@@ -30,8 +32,9 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
     ax.yaxis.set_major_locator(MaxNLocator(5))
 
 
-def joints(axes: Array, run: Trace) -> None:
-    """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is known."""
+def joints(axes: NDArray[Any], run: Trace) -> None:
+    """Draw each joint's angle over time in its own axes, in degrees, its range shaded where it is
+    known."""
     must_be(run, Trace, "run")
     lower, upper = np.degrees(run.arm.limits)
     some = slice(None, None, max(1, len(run.t) // 100))
@@ -51,31 +54,37 @@ def joints(axes: Array, run: Trace) -> None:
 
 def _wall_axes(run: Trace) -> tuple[int, int]:
     out = int(np.abs(run.path.normal).argmax())
-    return tuple(k for k in range(3) if k != out)
+    first, second = (k for k in range(3) if k != out)
+    return first, second
 
 
 def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: int = 48) -> str:
-    """An SVG in which the arm draws its path, seen in two planes side by side; it plays wherever pictures show.
+    """An SVG in which the arm draws its path, seen in two planes side by side; it plays wherever
+    pictures show.
 
-    The motion is in the SVG itself, so no script, player or network is needed. Readers who ask for less motion see the start
-    pose with the finished path.
+    It takes the run's own time. The motion is in the SVG itself, so no script, player or network is
+    needed. Readers who ask for less motion see the start pose with the finished path.
     """
     must_be(run, Trace, "run")
     whole(frames, "frames", least=1)
     planes = listed(planes, "planes", "two planes such as ('xz', 'yz')")
-    steps = np.linspace(0, len(run.t) - 1, frames + 1).round().astype(int)
+    steps = np.searchsorted(run.t, np.linspace(run.t[0], run.t[-1], frames + 1) - 1e-9)
     T = link_frames(run.arm, run.q[steps])
     bones = np.array([skeleton(run.arm, frame) for frame in T])
-    tips = run.poses[:, :3, 3][:: max(1, len(run.t) // 100)]
+    tips = run.poses[steps, :3, 3]
     low, high = bones.min(axis=(0, 1)), bones.max(axis=(0, 1))
-    scale, seconds = 240 / (high - low).max(), float(run.t[-1])
+    scale, seconds = 240 / (high - low).max(), float(run.t[-1] - run.t[0])
     parts = [
         _panel(bones, tips, plane, low, scale, seconds, 20 + 300 * k)
         for k, plane in enumerate(planes)
     ]
-    style = "@media (prefers-reduced-motion: reduce) {.moving {display: none}} .still {display: none} @media (prefers-reduced-motion: reduce) {.still {display: inline}}"
+    style = (
+        "@media (prefers-reduced-motion: reduce) {.moving {display: none}} .still {display:"
+        " none} @media (prefers-reduced-motion: reduce) {.still {display: inline}}"
+    )
     return (
-        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 310" width="600" height="310" font-family="sans-serif">'
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 310" width="600" height="310"'
+        ' font-family="sans-serif">'
         f"<style>{escape(style)}</style>{''.join(parts)}</svg>"
     )
 
@@ -95,16 +104,21 @@ def _panel(
 
     poses, (path,) = points(bones), points(tips[None])
     repeat = f'dur="{seconds:g}s" repeatCount="indefinite"'
-    length = float(np.linalg.norm(scale * np.diff(tips[:, [i, j]], axis=0), axis=1).sum())
+    pieces = np.linalg.norm(scale * np.diff(tips[:, [i, j]], axis=0), axis=1)
+    to_draw = np.append(pieces[::-1].cumsum()[::-1], 0.0)
+    hidden = ";".join(f"{rest:.1f}" for rest in to_draw)
     look = 'fill="none" stroke-linejoin="round" stroke-linecap="round"'
     arm = f'{look} stroke="{GREY}" stroke-width="7"'
     ink = f'{look} stroke="{RED}" stroke-width="2.5"'
-    drawn = f'<animate attributeName="stroke-dashoffset" values="{length:.1f};0" {repeat}/>'
+    drawn = f'<animate attributeName="stroke-dashoffset" values="{hidden}" {repeat}/>'
     moved = f'<animate attributeName="points" values="{";".join(poses)}" {repeat}/>'
     return (
         f'<text x="{left}" y="300" font-size="13">{plane[0]}–{plane[1]} plane</text>'
-        f'<polyline points="{path}" {look} stroke="{GREY}" stroke-width="1" stroke-dasharray="3 3"/>'
+        f'<polyline points="{path}" {look} stroke="{GREY}" stroke-width="1" stroke-dasharray="3'
+        ' 3"/>'
         f'<g class="moving"><polyline points="{poses[0]}" {arm}>{moved}</polyline>'
-        f'<polyline points="{path}" {ink} stroke-dasharray="{length:.1f}">{drawn}</polyline></g>'
-        f'<g class="still"><polyline points="{poses[0]}" {arm}/><polyline points="{path}" {ink}/></g>'
+        f'<polyline points="{path}" {ink}'
+        f' stroke-dasharray="{to_draw[0]:.1f}">{drawn}</polyline></g>'
+        f'<g class="still"><polyline points="{poses[0]}" {arm}/><polyline points="{path}"'
+        f" {ink}/></g>"
     )

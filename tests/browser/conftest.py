@@ -1,4 +1,5 @@
-"""A Chromium with no network. Where none is found the tests are skipped; in CI that is a failure."""
+"""A Chromium with no network. Where none is found the tests are skipped; in CI that is a
+failure."""
 
 import os
 import shutil
@@ -22,7 +23,8 @@ NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
 
 
 def launched(playwright):
-    """A headless Chromium, Chrome or Edge; on macOS and Windows Playwright knows where Chrome is installed."""
+    """A headless Chromium, Chrome or Edge; on macOS and Windows Playwright knows where Chrome is
+    installed."""
     path = next(filter(None, map(shutil.which, NAMES)), None)
     where = {"executable_path": path} if path else {"channel": "chrome"}
     return playwright.chromium.launch(**where, args=FLAGS)

@@ -1,4 +1,5 @@
-"""The explorer in JupyterLab with a kernel: what a reader moves Python sees, and what Python sets moves."""
+"""The explorer in JupyterLab with a kernel: what a reader moves Python sees, and what Python sets
+moves."""
 
 import json
 import os
@@ -62,7 +63,8 @@ def _wait_for(address, server, log):
 
 
 def _until_connected(address):
-    """JupyterLab shows an idle kernel, and loses a cell that is run, while it is still connecting."""
+    """JupyterLab shows an idle kernel, and loses a cell that is run, while it is still
+    connecting."""
     for _ in range(600):
         with urllib.request.urlopen(f"{address}/api/kernels") as answer:
             kernels = json.load(answer)

@@ -1,4 +1,5 @@
-"""Every page as a reader meets it: from a file, with no network, wide and narrow, light and dark."""
+"""Every page as a reader meets it: from a file, with no network, wide and narrow, light and
+dark."""
 
 import re
 import threading
@@ -9,11 +10,14 @@ from pathlib import Path
 from urllib.parse import unquote, urlparse
 
 import pytest
-from fontTools.ttLib import TTFont
 
 from tests.test_book import HTML, NAMES
 
-SIZES = {"wide": {"width": 1280, "height": 900}, "phone": {"width": 390, "height": 844}}
+SIZES = {
+    "wide": {"width": 1280, "height": 900},
+    "phone": {"width": 390, "height": 844},
+}
+WINDOWS = {**SIZES, "small": {"width": 320, "height": 640}}
 
 UNRENDERED = """() => {
     const left = [...document.querySelectorAll("div.math, span.math")].filter(m => !m.querySelector("mjx-container"));
@@ -28,22 +32,41 @@ UNRENDERED = """() => {
 }"""
 BROKEN = """async () => {
     const pictures = [...document.images];
-    pictures.forEach(picture => (picture.loading = "eager")); // those far down too
+    pictures.forEach(picture => (picture.loading = "eager")); // those far down too, and those of the other colours
     const loaded = await Promise.allSettled(pictures.map(picture => picture.decode()));
     return pictures.filter((picture, k) => loaded[k].status === "rejected" || !picture.naturalWidth).map(p => p.src);
 }"""
-ICONS = """() => [...document.querySelectorAll("*")].flatMap(e => ["::before", "::after"].flatMap(part => {
-    const { content, fontFamily } = getComputedStyle(e, part);
-    return fontFamily.includes("Awesome 6 Free") ? [...content].filter(c => c > "\\uE000" && c < "\\uF900") : [];
-}))"""
-WIDTHS = """async (icons) => {
-    const font = "900 512px 'Font Awesome 6 Free'", pen = document.createElement("canvas").getContext("2d");
-    await document.fonts.load(font, icons.join(""));
-    pen.font = font;
-    return icons.map(icon => pen.measureText(icon).width);
+# What reaches over its box or the screen without a box that scrolls, shows that it does, and can be reached by keys.
+CUT = """() => {
+    const article = document.querySelector("article"), edge = article.getBoundingClientRect().right + 1, found = [];
+    const kept = (e) => e.closest(".scrolls.more-right, .scrolls.more-left, .panel, .arm-explorer, mjx-assistive-mml, .headerlink");
+    const letters = document.createTreeWalker(article, NodeFilter.SHOW_TEXT), range = document.createRange();
+    while (letters.nextNode()) {
+        const text = letters.currentNode;
+        range.selectNodeContents(text);
+        if (text.data.trim() && range.getBoundingClientRect().right > edge && !kept(text.parentElement)) found.push(text.data);
+    }
+    for (const e of article.querySelectorAll("mjx-c, td, img"))
+        if (e.getBoundingClientRect().right > edge && !kept(e)) found.push(e.outerHTML);
+    for (const e of article.querySelectorAll("*")) {
+        const { overflowX, maskImage } = getComputedStyle(e);
+        if (e.scrollWidth <= e.clientWidth + 1 || overflowX === "visible" || e.closest("mjx-container > *, .arm-explorer, .panel")) continue;
+        const said = e.matches("pre, span *") || e.nextElementSibling?.matches(".hint");
+        if (overflowX !== "auto" || !maskImage.includes("gradient") || e.tabIndex !== 0 || !said) found.push(e.outerHTML);
+    }
+    return found.map((one) => one.slice(0, 100));
 }"""
-COLOURS = """() => [...document.querySelectorAll(".cell_input pre, .highlight-python pre")].map(pre => [
-    getComputedStyle(pre).color, getComputedStyle(pre.closest(".highlight")).color])"""
+TYPE = """() => {
+    const letters = (e) => { // how many of the average letters fit
+        const pen = document.createElement("canvas").getContext("2d"), how = getComputedStyle(e);
+        pen.font = `${how.fontSize} ${how.fontFamily}`;
+        const text = e.textContent.slice(0, 300);
+        return e.clientWidth / (pen.measureText(text).width / text.length);
+    };
+    const size = (e) => parseFloat(getComputedStyle(e).fontSize);
+    const paragraphs = [...document.querySelectorAll("article > section p")].filter((p) => p.parentElement.matches("section") && p.textContent.length > 300 && !p.querySelector(".math, code"));
+    return [paragraphs.map(letters), [...document.querySelectorAll(".highlight pre")].map(size)];
+}"""
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 BAD = """() => axe.run(document, {resultTypes: ["violations"]}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))
@@ -93,7 +116,8 @@ class Reader:
     ids=lambda visit: "-".join([visit[0], *visit[1]]),
 )
 def visit(browser, request):
-    """Each page twice, opened once for all tests: bright on a wide screen, dark on a phone; everything unfolded."""
+    """Each page twice, opened once for all tests: bright on a wide screen, dark on a phone;
+    everything unfolded."""
     name, (theme, size) = request.param
     reader = Reader(browser, theme, size, "file:")
     page = reader.open((HTML / f"{name}.html").as_uri())
@@ -110,24 +134,37 @@ def test_the_page_is_whole(visit):
     assert visit.troubles == []
 
 
-def test_nothing_is_wider_than_the_screen(visit):
-    for size in SIZES.values():
-        visit.page.set_viewport_size(size)
-        found = visit.page.evaluate("document.documentElement.scrollWidth")
-        assert found <= size["width"], f"the page is {found} px wide"
+def resized(page, size):
+    """The page in another window, once it has looked again at what is too wide."""
+    page.set_viewport_size(WINDOWS[size])
+    page.evaluate("dispatchEvent(new Event('resize'))")
+    page.wait_for_timeout(200)
 
 
-def test_icons_are_in_the_book_s_small_font(visit):
-    icons = sorted({*visit.page.evaluate(ICONS), *"\uf186\uf042\uf185"})  # themes
-    assert len(icons) > (5 if "search" in visit.page.url else 10)
-    whole = TTFont(HTML / "_static/vendor/fontawesome/webfonts/fa-solid-900.ttf")
-    expected = [whole["hmtx"][whole.getBestCmap()[ord(icon)]][0] for icon in icons]
-    assert visit.page.evaluate(WIDTHS, icons) == expected
+@pytest.mark.parametrize("size", WINDOWS)
+def test_everything_fits_the_screen_or_scrolls_and_says_so(visit, size):
+    resized(visit.page, size)
+    assert visit.page.evaluate("document.documentElement.scrollWidth") == WINDOWS[size]["width"]
+    assert visit.page.evaluate(CUT) == []
 
 
-def test_code_without_a_class_has_the_colour_of_code(visit):
-    for bare, coloured in visit.page.evaluate(COLOURS):
-        assert bare == coloured
+@pytest.mark.parametrize("what", ["div.math > mjx-container", "div.table", ".highlight pre"])
+def test_a_cut_would_be_noticed(visit, what):
+    """The test above means something: without its marks, what is too wide is found."""
+    resized(visit.page, "small")
+    cut = visit.page.locator(f"{what}:is(.more-right)")
+    if cut.count():
+        cut.first.evaluate("e => e.classList.remove('scrolls', 'more-right')")
+        assert visit.page.evaluate(CUT)
+
+
+def test_lines_have_66_to_75_letters_and_code_14_pixels(visit):
+    resized(visit.page, "wide")
+    lines, code = visit.page.evaluate(TYPE)
+    assert all(66 <= letters <= 75 for letters in lines), lines
+    assert all(size >= 13.99 for size in code)
+    resized(visit.page, "phone")
+    assert all(size >= 13.99 for size in visit.page.evaluate(TYPE)[1])
 
 
 def test_axe_finds_nothing_serious(visit):
@@ -226,21 +263,68 @@ def test_search_finds_a_word_without_a_network(browser):
 def test_solutions_are_folded_and_open(browser):
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.open((HTML / "01_dh_tables.html").as_uri())
-    solution = page.locator(".solution.dropdown").first
+    solution = page.locator("details.solution").first
     answer = solution.locator(".cell_output").first
     assert not answer.is_visible()
-    solution.locator("button, summary, .toggle-button").first.click()
+    solution.locator("summary").first.click()
     answer.wait_for(state="visible")
     reader.context.close()
 
 
-def test_the_theme_switch_turns_figures_too(browser):
-    reader = Reader(browser, "dark", "wide", "file:")
+GROUND = "getComputedStyle(document.body).backgroundColor"
+
+
+def drawn(page):
+    """The folder of the first figure that is seen."""
+    pictures = page.locator("figure img").evaluate_all(
+        "all => all.filter(i => i.offsetWidth).map(i => i.src)"
+    )
+    return pictures[0].rpartition("/")[0].rpartition("/")[2]
+
+
+def test_colours_follow_the_system_until_the_reader_chooses_and_then_stay(browser):
+    context = browser.new_context(offline=True, color_scheme="dark")
+    page = context.new_page()
+    page.goto((HTML / "01_dh_tables.html").as_uri())
+    dark = page.evaluate(GROUND)
+    assert drawn(page) == "dark"
+    page.emulate_media(color_scheme="light")
+    page.wait_for_function(f"{GROUND} !== '{dark}'")
+    light = page.evaluate(GROUND)
+    assert drawn(page) == "_images"
+    button = page.locator("button.colours")
+    for name in ("light", "dark"):
+        button.click()
+        assert button.get_attribute("aria-label") == f"Colours: {name}"
+    assert page.evaluate(GROUND) == dark, "chosen, whatever the system prefers"
+    page.goto((HTML / "02_jacobian.html").as_uri())
+    assert page.evaluate(GROUND) == dark, "remembered on the next page"
+    button.click()
+    assert page.evaluate(GROUND) == light, "as the system again"
+    context.close()
+
+
+def test_without_scripts_the_page_is_there_in_the_systems_colours(browser):
+    context = browser.new_context(
+        java_script_enabled=False, color_scheme="dark", viewport=SIZES["wide"]
+    )
+    page = context.new_page()
+    page.goto((HTML / "01_dh_tables.html").as_uri())
+    assert page.locator(".contents a", has_text="arm explorer").is_visible()
+    assert page.locator("figure img").first.is_visible()
+    solution = page.locator("details.solution").first
+    solution.locator("summary").click()
+    assert solution.locator(".cell_output").first.is_visible()
+    context.close()
+
+
+def test_the_contents_open_on_a_phone_and_close_after_use(browser):
+    reader = Reader(browser, "light", "phone", "file:")
     page = reader.open((HTML / "01_dh_tables.html").as_uri())
-    drawn = page.locator(".cell_output img").first
-    assert "invert" in drawn.evaluate("e => getComputedStyle(e).filter")
-    # A ground of its own would be turned over with the ink and stand on the page as a grey card.
-    assert drawn.evaluate("e => getComputedStyle(e).backgroundColor") == "rgba(0, 0, 0, 0)"
-    page.evaluate("document.documentElement.dataset.theme = 'light'")
-    assert "invert" not in drawn.evaluate("e => getComputedStyle(e).filter")
+    contents = page.locator("#contents")
+    assert not contents.is_visible()
+    page.locator("button.menu").click()
+    contents.locator(".sections a", has_text="Exercises").click()
+    assert not contents.is_visible()
+    assert page.evaluate("location.hash") == "#exercises"
     reader.context.close()

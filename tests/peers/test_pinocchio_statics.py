@@ -1,4 +1,5 @@
-"""Gravity and contact torques against Pinocchio: the same masses put into its own Panda, hand removed."""
+"""Gravity and contact torques against Pinocchio: the same masses put into its own Panda, hand
+removed."""
 
 import numpy as np
 import pytest
@@ -10,8 +11,10 @@ from tests.peers.test_pinocchio import SIGNS, panda, pinocchio  # noqa: F401
 MASSES = [4.970684, 0.646926, 3.228604, 3.587895, 1.225946, 1.666555, 0.735522]
 # Gaz et al. (2019), in the paper's own link frames, which are also those of the robot description.
 CENTRES = [
-    (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252, -0.066502),
-    (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
+    (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252,
+    -0.066502),
+    (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117,
+    -0.010517),
     (0.010517, -0.004252, 0.061597),
 ]  # fmt: skip
 
@@ -32,7 +35,8 @@ def test_gravity_torque_to_1e_9(weighed):
 
 
 def test_torque_with_a_force_against_rnea(weighed):
-    """Pinocchio's RNEA at rest takes the force on the last joint, in that joint's frame: it is carried there from the pen."""
+    """Pinocchio's RNEA at rest takes the force on the last joint, in that joint's frame: it is
+    carried there from the pen."""
     data, force = weighed.createData(), np.array([-5.0, 1.0, -2.0])
     frame = weighed.getFrameId("panda_link8")
     for q in np.random.default_rng(4).uniform(*PANDA.limits, size=(50, 7)):

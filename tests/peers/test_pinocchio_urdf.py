@@ -1,7 +1,9 @@
-"""Every serial arm of example-robot-data, read by `from_urdf` and by Pinocchio: same motion, same Jacobian, same weight.
+"""Every serial arm of example-robot-data, read by `from_urdf` and by Pinocchio: same motion, same
+Jacobian, same weight.
 
-Most of its files write a right angle with eleven digits. `from_urdf` takes that for a right angle, which moves a tip by
-up to 1e-11 m; so torques are compared to 1e-10 of the arm's largest, and to 1e-10 N m where the digits are filled up for both.
+Most of its files write a right angle with eleven digits. `from_urdf` takes that for a right angle,
+which moves a tip by up to 1e-11 m; so torques are compared to 1e-10 of the arm's largest, and to
+1e-10 N m where the digits are filled up for both.
 """
 
 import os
@@ -67,14 +69,16 @@ ARMS = {
     ),
 }  # fmt: skip
 
-# Arms on robots that have more than one chain: everything else is held at 0, or at its nearest limit.
+# Arms on robots that have more than one chain: everything else is held at 0, or at its nearest
+# limit.
 LIMBS = {
     "Talos": ("talos_data/robots/talos_reduced.urdf", "base_link", "gripper_left_base_link"),
     "Tiago": ("tiago_description/robots/tiago_no_hand.urdf", "base_footprint", "arm_tool_link"),
     "Baxter": ("baxter_description/urdf/baxter.urdf", "base", "left_gripper"),
     "PR2": ("pr2_description/urdf/pr2.urdf", "base_footprint", "r_gripper_tool_frame"),
     "Z1 on a dog": ("b1_description/urdf/b1-z1.urdf", "base", "gripperStator"),
-    "Jaco on a dog": ("anymal_b_simple_description/robots/anymal-kinova.urdf", "base", "j2s6s200_end_effector"),
+    "Jaco on a dog": ("anymal_b_simple_description/robots/anymal-kinova.urdf", "base",
+    "j2s6s200_end_effector"),
     "iCub": ("icub_description/robots/icub_reduced.urdf", "base_link", "l_hand"),
     "G1": ("g1_description/urdf/g1_29dof_rev_1_0.urdf", "pelvis", "left_rubber_hand"),
 }  # fmt: skip
@@ -97,7 +101,8 @@ def frame_of(model, link):
 
 
 def compared(text, base, tip, hold):
-    """The largest differences of pose, Jacobian and torque over random poses, and the largest torque."""
+    """The largest differences of pose, Jacobian and torque over random poses, and the largest
+    torque."""
     chain = read_chain(text, base, tip, hold=hold)
     arm = chain.derive().arm
     model, data = peers(text, hold)

@@ -1,7 +1,8 @@
-"""The UR10e's branches counted against ssik, which finds all of them by another method (subproblems of screw axes).
+"""The UR10e's branches counted against ssik, which finds all of them by another method (subproblems
+of screw axes).
 
-Its arm is the robot description's: the base turned by half a turn, and another tool frame, which one pose gives and the
-others prove. Its joint angles are the maker's, as in our table.
+Its arm is the robot description's: the base turned by half a turn, and another tool frame, which
+one pose gives and the others prove. Its joint angles are the maker's, as in our table.
 """
 
 import os

@@ -1,0 +1,63 @@
+// Names of axes over a picture, moved apart where they would cover one another.
+
+const ROOM = [22, 15]; // px that a name takes
+const STEPS = [
+  [0, 0], [0, -14], [0, 14], [16, 0], [-16, 0], [14, -13], [-14, 13], [14, 13], [-14, -13], [0, -26], [0, 26],
+]; // prettier-ignore
+
+export class Labels {
+  #spans = [];
+
+  constructor(host) {
+    this.host = host;
+    this.tags = [];
+  }
+
+  /** @param {{ tip: number[], letter: string, index: string, tone?: string }[]} tags the most important first */
+  set(tags) {
+    this.tags = tags;
+    while (this.#spans.length < tags.length) {
+      const span = document.createElement("span");
+      span.append(document.createElement("i"), document.createElement("sub"));
+      this.#spans.push(span);
+      this.host.append(span);
+    }
+    this.#spans.forEach((span, i) => {
+      const tag = tags[i];
+      if (!tag) return (span.hidden = true);
+      span.hidden = false;
+      const [tone, text] = [`axis-${tag.tone ?? tag.letter}`, `${tag.letter}|${tag.index}`];
+      if (span.dataset.text === text && span.className === tone) return undefined;
+      Object.assign(span, { className: tone });
+      span.dataset.text = text;
+      [span.children[0].textContent, span.children[1].textContent] = [tag.letter, tag.index];
+      return undefined;
+    });
+  }
+
+  // Put each at its place, or beside it where another stands already; one that finds no room stays away.
+  place(pixel, width, height) {
+    const taken = [];
+    this.tags.forEach(({ tip, index }, i) => {
+      const [x, y] = pixel(tip);
+      const room = [ROOM[0] + 4 * Math.max(0, index.length - 1), ROOM[1]];
+      const free = ([dx, dy]) =>
+        taken.every(
+          ([p, q, r]) => Math.abs(p - x - dx) > (room[0] + r) / 2 || Math.abs(q - y - dy) > room[1],
+        );
+      const inside = x > -20 && y > -20 && x < width + 20 && y < height + 20;
+      const step = inside ? STEPS.find(free) : null;
+      const span = this.#spans[i];
+      span.style.visibility = step ? "visible" : "hidden";
+      if (!step) return;
+      taken.push([x + step[0], y + step[1], room[0]]);
+      span.style.transform = `translate(${x + step[0]}px, ${y + step[1]}px) translate(-50%, -50%)`;
+    });
+  }
+
+  dispose() {
+    this.host.replaceChildren();
+    this.#spans = [];
+    this.tags = [];
+  }
+}

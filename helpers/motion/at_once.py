@@ -1,0 +1,108 @@
+"""All steps of a trace at once, where joint rates are the plain inverse of the arm's own Jacobian.
+
+One step after the other, a run takes a thousand small computations; all at once, a few of whole
+batches. A first guess, from few long steps, breaks the method's rule by a misfit at each step. To
+the plain inverse a misfit is a displacement of the tip that stays what it is along the rest of the
+path: so the misfits are summed up as displacements, and each joint vector is moved back by its sum.
+A handful of such sweeps leaves rounding. They are Newton's method for all steps together; source:
+Bellen and Zennaro, Journal of Computational and Applied Mathematics 25 (1989), 341-350.
+
+Whatever is in doubt, such as a pose that is nearly singular, is left to the loop, which knows how
+to tell it.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helpers.arm import Arm
+from helpers.kinematics import forward_kinematics, jacobian
+from helpers.motion.rates import PlainInverse, SingularError
+from helpers.motion.steps import RULES, Course, tip_error
+
+Array = NDArray[np.floating]
+Sweep = Callable[[Array], tuple[Array, Array, Array]]
+
+_LONG_STEPS = 20
+_SWEEPS = 20
+_BRANCH = (
+    0.25  # how far a step may be from what the Jacobian before it predicts, as a share of that
+)
+
+
+def all_steps(
+    arm: Arm, start: Array, course: Course, method: str, rates: PlainInverse
+) -> tuple[Array, Array] | None:
+    """Joints and rates of the whole run, (steps + 1, dof) and (steps, dof), or None where the loop
+    must decide."""
+    if arm.dof != 6 or len(course.h) <= _LONG_STEPS:
+        return None
+    sweep = _exact if method == "exact" else _by_rule
+    try:
+        return sweep(arm, _guess(arm, start, course, rates), course, method, rates)
+    except (np.linalg.LinAlgError, SingularError):
+        return None
+
+
+def _guess(arm: Arm, start: Array, course: Course, rates: PlainInverse) -> Array:
+    """Joints (steps + 1, dof) by few long steps of Euler's rule, and straight lines between
+    them."""
+    marks = np.linspace(0, len(course.h), _LONG_STEPS + 1).round().astype(int)
+    times, q = course.times[marks], np.empty((len(marks), arm.dof))
+    q[0] = start
+    for k, twist in enumerate(course.twists[0.0][marks[:-1]]):
+        q[k + 1] = q[k] + (times[k + 1] - times[k]) * rates(jacobian(arm, q[k]), twist, q[k])
+    return np.stack([np.interp(course.times, times, joint) for joint in q.T], axis=1)
+
+
+def _by_rule(
+    arm: Arm, q: Array, course: Course, method: str, rates: PlainInverse
+) -> tuple[Array, Array] | None:
+    """Sweeps until every step obeys the rule of "euler" or "rk4" to rounding."""
+
+    def slope(share: float, q: Array) -> Array:
+        return rates.many(jacobian(arm, q), course.twists[share])
+
+    rounding, before = 1e-15 * max(1.0, np.abs(q).max()), np.inf
+    for sweep in range(_SWEEPS):
+        J = jacobian(arm, q[:-1])
+        rate = rates.many(J, course.twists[0.0])
+        off = RULES[method](slope, course.h, q[:-1], rate) - q[1:]
+        size = np.abs(off).max()
+        if not size < 0.9 * before:
+            return None
+        displaced = np.cumsum((J @ off[..., None])[..., 0], axis=0)
+        q[1:] += np.linalg.solve(J, displaced[..., None])[..., 0]
+        left = size * size / before  # if this sweep takes what the last one took
+        if sweep and min(size, 10 * left) < rounding:
+            return q, rate
+        before = size
+    return None
+
+
+def _exact(
+    arm: Arm, q: Array, course: Course, method: str, rates: PlainInverse
+) -> tuple[Array, Array] | None:
+    """Newton's method at every step, on the branch that the steps lead to."""
+    before = np.inf
+    for _ in range(_SWEEPS):
+        error = tip_error(forward_kinematics(arm, q[1:]), course.positions[1.0], course.rotation)
+        size = np.abs(error).max()
+        if size < 1e-13:
+            return (q, np.diff(q, axis=0) / course.h) if _on_branch(arm, q, course, rates) else None
+        if not size < 0.9 * before:
+            return None
+        before = size
+        q[1:] += rates.many(jacobian(arm, q[1:]), error)
+    return None
+
+
+def _on_branch(arm: Arm, q: Array, course: Course, rates: PlainInverse) -> bool:
+    """Whether each step is what Newton's method begins with at the step before, so that the loop
+    would take it too."""
+    poses = forward_kinematics(arm, q[:-1])
+    error = tip_error(poses, course.positions[1.0], course.rotation)
+    step, expected = np.diff(q, axis=0), rates.many(jacobian(arm, q[:-1]), error)
+    off = np.abs(step - expected).max(axis=1)
+    return bool((off <= _BRANCH * np.abs(expected).max(axis=1) + 1e-9).all())

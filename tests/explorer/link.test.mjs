@@ -1,0 +1,56 @@
+// Links: what they carry comes back, and what makes no sense is left out in words.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { fromFragment, toFragment } from "../../explorer/src/link.js";
+import { startingState, transition } from "../../explorer/src/state.js";
+import { ARMS, ELBOW, PANDA } from "./arms.mjs";
+
+const VIEWS = ["table", "pose", "torque"];
+const read = (fragment) => fromFragment(fragment, ARMS, VIEWS);
+
+test("a link carries arm, table, joints, wrench and what is shown", () => {
+  let state = startingState({ arm: PANDA, q: [0.1, 0.2, 0.3, 1.4, 0.5, 1.6, 0.7], view: "torque", unit: "rad" });
+  state = transition(state, { type: "push", wrench: [-5, 0, 0, 0, 0, 0.5] });
+  state = transition(state, { type: "edit", rows: PANDA.rows.map((r, i) => (i ? r : { ...r, d: 0.4 })) });
+  const { patch, words } = read(toFragment(state));
+  assert.equal(words, "");
+  for (const key of ["q", "wrench", "view", "unit", "frames", "base"]) assert.deepEqual(patch[key], state[key], key);
+  assert.equal(patch.arm.name, state.arm.name);
+  assert.deepEqual(patch.arm.rows.map((r) => r.d), state.arm.rows.map((r) => r.d));
+});
+
+const table = (...rows) => `#arm=Panda&rows=${rows.join(";")}`;
+const cases = {
+  "an object's own name": table("constructor,0,0,0,0"),
+  "a kind that is none": table("X,0,0,0,0"),
+  "too large": table("R,1e308,0,0,0"),
+  "too many rows": table(...Array(17).fill("R,0,0,1,0")),
+  "too few entries": table("R,0,0"),
+  "no number": table("R,0,zero,0,0"),
+  "too long": table(...Array(2000).fill("R,0,0,1,0")),
+  "an arm that is not here": "#arm=Nobody&q=1",
+  "a wrench that is none": "#arm=Panda&wrench=1",
+  "joint values that do not fit": "#arm=Panda&q=1,2",
+  "an empty joint value": "#arm=Elbow+arm&q=1,,2",
+};
+for (const [name, fragment] of Object.entries(cases)) {
+  test(`refused in words: ${name}`, () => {
+    const { patch, words } = read(fragment);
+    assert.match(words, /^Part of the link was left out: .+\.$/);
+    if (patch.arm) assert.ok(ARMS.includes(patch.arm), "the arm is one of the list");
+    assert.equal(patch.wrench, undefined);
+  });
+}
+
+test("a fragment of the page, and none, change nothing", () => {
+  for (const fragment of ["", "#the-instrument", "#fig-1"]) assert.deepEqual(read(fragment), { patch: {}, words: "" });
+});
+
+test("links of the first edition still open", () => {
+  const { patch } = read("#arm=Elbow+arm&q=0.1%2C0.2%2C0.3&view=pose&unit=deg&frames=all&wrench=0,0,-7,0,0,0");
+  assert.equal(patch.arm, ELBOW);
+  assert.deepEqual(patch.q, [0.1, 0.2, 0.3]);
+  assert.equal(patch.view, "pose");
+  assert.deepEqual(patch.wrench, [0, 0, -7, 0, 0, 0]);
+});

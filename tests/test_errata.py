@@ -1,0 +1,109 @@
+"""The errata page and the slip boxes say of the reports only what stands in them, each in the same
+way."""
+
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+
+BOOK = Path(__file__).parents[1] / "book"
+CLASSES = {"Wrong result", "Wrong word", "Given", "Stated approximation", "Incomplete", "Unproved"}
+REPORTS = ("Panda report", "UR10e report", "Elbow and Stanford report")
+# What each slip is, from the reports themselves; a change here is a change of what the book accuses
+# somebody of.
+KINDS = {
+    "Wrong result": {10, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 27},
+    "Wrong word": {1, 3, 4, 5, 6, 11, 16, 24, 25, 26},
+    "Given": {2, 9},
+    "Stated approximation": {8},
+    "Incomplete": {23},
+    "Unproved": {7},
+}
+NUMBERS = range(1, 28)
+
+
+def _entries():
+    text = (BOOK / "errata.md").read_text(encoding="utf-8")
+    parts = re.split(
+        r"^### (\d+) · .+$", re.split(r"^## Withdrawn", text, flags=re.M)[0], flags=re.M
+    )
+    return list(zip(map(int, parts[1::2]), parts[2::2], strict=True))
+
+
+def _boxes():
+    """Every slip box of the chapters by its label, with whether code follows before the next
+    heading or box."""
+    found = {}
+    for path in sorted(BOOK.glob("0*.ipynb")):
+        cells = nbformat.read(path, as_version=4).cells
+        for i, cell in enumerate(cells):
+            for text in re.findall(r"```\{admonition\}(.*?)```", cell.source, re.S):
+                if ":class: slip" in text:
+                    (label,) = re.findall(r":name: (slip-\S+)", text)
+                    assert label not in found, label
+                    near = cells[max(i - 1, 0) : i + 2]
+                    found[label] = (
+                        text,
+                        any(
+                            "check(" in c.source or "compare_" in c.source or "print(" in c.source
+                            for c in near
+                            if c.cell_type == "code"
+                        ),
+                    )
+    return found
+
+
+ENTRIES, BOXES = _entries(), _boxes()
+
+
+def _quotation(text):
+    return "\n".join(line[1:].strip() for line in text.splitlines() if line.startswith(">"))
+
+
+def _must_quote(text):
+    *words, report = [line for line in _quotation(text).splitlines() if line]
+    assert report in REPORTS
+    assert sum(map(len, words)) > 10
+
+
+def _kind(text):
+    (kind, *_) = re.findall(r"^\*\*([^*]+)\*\*", text, re.M)
+    assert kind in CLASSES
+    return kind
+
+
+def test_all_27_are_there_once():
+    assert sorted(number for number, _ in ENTRIES) == list(NUMBERS)
+    assert sorted(number for numbers in KINDS.values() for number in numbers) == list(NUMBERS)
+
+
+@pytest.mark.parametrize(("number", "text"), ENTRIES, ids=[str(number) for number, _ in ENTRIES])
+def test_an_entry_quotes_classifies_and_links(number, text):
+    _must_quote(text)
+    assert number in KINDS[_kind(text)]
+    links = re.findall(r"\{ref\}`[^`<]+<(slip-[^>]+)>`", text)
+    assert f"slip-{number}" in links
+    assert set(links) <= set(BOXES)
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_a_box_says_what_its_entry_says_and_is_proved(number):
+    text, proved = BOXES[f"slip-{number}"]
+    entry = dict(ENTRIES)[number]
+    _must_quote(text)
+    assert _quotation(text).splitlines()[-1] == _quotation(entry).splitlines()[-1]
+    assert _kind(text) == _kind(entry)
+    assert proved
+    if _kind(text) == "Wrong word":
+        assert "right" in text, "say that the formula or result beside the word is right"
+
+
+def test_nobody_is_accused_of_a_program():
+    for path in [*BOOK.glob("*.md"), *BOOK.glob("*.ipynb")]:
+        words = path.read_text(encoding="utf-8")
+        if path.suffix == ".ipynb":
+            words = "\n".join(c.source for c in nbformat.reads(words, 4).cells)
+        assert not re.search(r"report's program|lists every slip|reports? expects?", words), (
+            path.name
+        )

@@ -1,0 +1,175 @@
+"""The Sphinx extensions in tools: what becomes of boxes, formulas, code and drawings."""
+
+import re
+import xml.etree.ElementTree as ET
+from types import SimpleNamespace
+
+import pytest
+from docutils import nodes
+from pygments.lexers import PythonLexer
+
+from tools.pages import LightFormatter, assets, fold, size_unset
+from tools.pictures import for_dark, panels, size, turned, visit_image
+
+
+def figure(*parts, wide=400, high=200):
+    """A drawing as Matplotlib writes it, of these parts."""
+    ground = f'<g id="patch_1"><path d="M 0 {high}L {wide} 0"/></g>'
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}pt" height="{high}pt" '
+        f'viewBox="0 0 {wide} {high}"><g id="figure_1">{ground}{"".join(parts)}</g></svg>'
+    )
+
+
+def axes(number, left, top, right, bottom, more=""):
+    line = f'<path d="M {left} {top}L {right} {bottom}" style="fill: none; stroke: #000000"/>'
+    return f'<g id="axes_{number}">{line}{more}</g>'
+
+
+TWO = (axes(1, 10, 20, 190, 180), axes(2, 210, 20, 390, 180))
+
+
+def test_panels_are_read_row_by_row():
+    four = [*TWO, axes(3, 10, 220, 190, 380), axes(4, 210, 221, 390, 380)]
+    found = panels(ET.fromstring(figure(*reversed(four), high=400)))
+    assert [box[:2] for box in found] == [(10, 20), (210, 20), (10, 220), (210, 221)]
+
+
+def test_panels_that_stand_above_each_other_stay_one_drawing():
+    assert panels(ET.fromstring(figure(axes(1, 10, 20, 190, 80), axes(2, 10, 100, 190, 180)))) == []
+    assert panels(ET.fromstring('<svg xmlns="http://www.w3.org/2000/svg"/>')) == []
+
+
+def test_a_label_belongs_to_its_panel_and_what_is_cut_off_does_not():
+    letters = '<use transform="translate(100 0)"/>'
+    turned_label = f'<g transform="translate(8 150) rotate(-90) scale(0.1 -0.1)">{letters}</g>'
+    outside = '<path clip-path="url(#p)" d="M 0 0L 400 0" style="stroke: #000000"/>'
+    unseen = '<path d="M 0 0L 400 0" style="fill: none"/>'
+    more = turned_label + outside + unseen + '<defs><path d="M -99 -99L 999 999"/></defs>'
+    first, second = panels(ET.fromstring(figure(axes(1, 20, 20, 190, 180, more), TWO[1])))
+    assert first == pytest.approx((0, 20, 190, 180))
+    assert second == (210, 20, 390, 180)
+
+
+def test_walls_a_twin_and_a_colour_bar_belong_to_their_panel():
+    walls = '<g id="pane3d_1"><path d="M 205 10L 300 30" style="fill: #808080"/></g>'
+    twin, bar = axes(3, 10, 20, 190, 180), axes(4, 192, 20, 200, 180)
+    found = panels(ET.fromstring(figure(TWO[0], walls, TWO[1], twin, bar)))
+    assert found == [(10, 20, 200, 180), (205, 10, 390, 180)]
+
+
+@pytest.mark.parametrize(
+    ("width", "expected"), [("300pt", (400, 200)), ("300", (300, 150)), ("100%", None)]
+)
+def test_a_drawing_says_its_size_in_points_or_pixels(width, expected):
+    height = width.replace("300", "150")
+    assert size(ET.fromstring(f'<svg width="{width}" height="{height}"/>')) == expected
+
+
+def lightness(colour):
+    return sum(int(colour[k : k + 2], 16) for k in (1, 3, 5)) / 765
+
+
+def test_greys_change_sides_inks_become_lighter_and_data_stay():
+    assert lightness(turned("#000000")) > 0.85
+    assert lightness(turned("#ffffff")) < 0.2
+    assert (
+        lightness(turned("#dddddd")) < lightness(turned("#808080")) < lightness(turned("#5b6472"))
+    )
+    assert lightness(turned("#0072b2")) > lightness("#0072b2") + 0.15
+    blue = [int(turned("#0072b2")[k : k + 2], 16) for k in (1, 3, 5)]
+    assert blue[2] > blue[1] > blue[0], "still blue"
+    assert turned("#440154") == "#440154", "the low end of a scale means the same on both pages"
+
+
+def test_a_dark_twin_has_light_letters_and_the_same_names():
+    svg = (
+        '<svg width="1"><use href="#ffffff-1"/><path style="fill: #000000; stroke: #ffffff"/></svg>'
+    )
+    dark = for_dark(svg)
+    assert dark.startswith('<svg fill="#e9e6e1" width="1"><use href="#ffffff-1"/>')
+    assert f"fill: {turned('#000000')}; stroke: {turned('#ffffff')}" in dark
+
+
+def shown(tmp_path, svg, **attributes):
+    """The HTML of a picture on a page."""
+    (tmp_path / "a.svg").write_text(svg, encoding="utf-8")
+    builder = SimpleNamespace(images={"a.svg": "b.svg"}, srcdir=tmp_path, imgpath="_images")
+    translator = SimpleNamespace(builder=builder, body=[])
+    with pytest.raises(nodes.SkipNode):
+        visit_image(translator, nodes.image(uri="a.svg", alt='A "b"', **attributes))
+    return "".join(translator.body)
+
+
+def test_a_picture_stands_twice_and_says_its_size(tmp_path):
+    html = shown(tmp_path, figure(TWO[0]), width="70%")
+    assert re.findall('src="(.*?)"', html) == ["_images/b.svg", "_images/dark/b.svg"]
+    assert html.count('alt="A &quot;b&quot;" width="533" height="267" loading="lazy"') == 2
+    assert 'class="picture" style="width: 70%"' in html
+
+
+def test_each_panel_is_a_window_on_the_whole(tmp_path):
+    html = shown(tmp_path, figure(*TWO))
+    assert 'class="picture many"' in html
+    windows = re.findall(
+        r'<span class="panel light" style="(.*?)"><img style="(.*?)".*?alt="(.*?)"', html
+    )
+    assert windows[1] == (
+        "aspect-ratio: 186 / 166; max-width: 372px",
+        "width: 215.05%; left: -111.29%; top: -10.24%",
+        "",
+    )
+    assert windows[0][2] == "A &quot;b&quot;"
+    assert html.count('class="panel dark"') == 2
+
+
+def test_code_has_no_spans_around_what_has_no_colour():
+    html = "".join(
+        line
+        for _, line in LightFormatter(nowrap=True)._format_lines(
+            PythonLexer().get_tokens("def f(q): return q.x + 1")
+        )
+    )
+    assert re.findall('<span class="(.*?)">(.*?)</span>', html) == [
+        ("k", "def"),
+        ("nf", "f"),
+        ("k", "return"),
+        ("o", "."),
+        ("o", "+"),
+        ("mi", "1"),
+    ]
+
+
+def test_a_box_is_folded_at_its_title():
+    box = nodes.admonition("", nodes.title("", "Solution"), nodes.paragraph("", "Four."))
+    box["classes"], box["ids"] = ["solution", "dropdown"], ["here"]
+    around = nodes.section("", box)
+    fold(box)
+    start, title, middle, text, end = around.children
+    assert (
+        start.astext()
+        == '<details class="admonition solution" id="here"><summary class="admonition-title">'
+    )
+    assert (title.astext(), middle.astext(), text.astext(), end.astext()) == (
+        "Solution",
+        "</summary>",
+        "Four.",
+        "</details>",
+    )
+
+
+def test_unset_tex_is_about_as_wide_as_its_formula():
+    assert size_unset("a < b") == "0.43em"  # three signs, nine characters with the delimiters
+    assert float(size_unset(r"\dot q = J^{-1}\xi")[:-2]) < float(size_unset("q = Jx")[:-2])
+
+
+def test_a_changed_asset_is_seen(tmp_path):
+    for name in ("assets/vendor/a.js", "static/b.css"):
+        (tmp_path / name).parent.mkdir(parents=True)
+        (tmp_path / name).write_text("a", encoding="utf-8")
+    config = SimpleNamespace(html_static_path=["assets", "static"])
+    before = assets(tmp_path, config)
+    (tmp_path / "static/b.css").write_text("b", encoding="utf-8")
+    assert assets(tmp_path, config) != before
+    (tmp_path / "static/b.css").write_text("a", encoding="utf-8")
+    assert assets(tmp_path, config) == before

@@ -1,0 +1,47 @@
+"""`pip install .` in a bare environment, as a student types it."""
+
+import shutil
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+IMPORT_ALL = """
+import importlib, pkgutil, helpers
+for module in pkgutil.walk_packages(helpers.__path__, "helpers."):
+    if not module.name.startswith("helpers.explorer"):
+        importlib.import_module(module.name)
+from helpers.robots import PANDA
+from helpers.plotting import use_book_style
+use_book_style()
+try:
+    import helpers.explorer
+except ModuleNotFoundError as error:
+    print(error)
+"""
+
+
+@pytest.fixture(scope="module")
+def python(tmp_path_factory):
+    """The interpreter of a fresh environment that holds the package and what it asks for."""
+    place, source = tmp_path_factory.mktemp("bare"), tmp_path_factory.mktemp("source")
+    shutil.copytree(ROOT / "helpers", source / "helpers")  # the build leaves files beside it
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, source)
+    venv.create(place, with_pip=False)
+    (python,) = [p for p in place.glob("*/python*") if p.stem == "python"]
+    pip = [sys.executable, "-m", "pip", "--python", python, "install", "-qq", "--no-compile"]
+    subprocess.run([*pip, "-c", ROOT / "requirements.lock", source], check=True)
+    return python
+
+
+def test_every_module_is_there_without_extras_and_the_explorer_says_what_it_needs(python, tmp_path):
+    done = subprocess.run(
+        [python, "-c", IMPORT_ALL], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    wanted = 'pip install "manipulator-homework-helpers[explorer]"\n'
+    assert done.stdout == f"the explorer needs anywidget; say: {wanted}"

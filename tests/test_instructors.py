@@ -1,0 +1,71 @@
+"""The instructors' page to the letter: an arm and a chapter added as it tells are taken."""
+
+import inspect
+
+import nbformat
+import pytest
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
+
+from helpers.checks import compare_tables
+from helpers.explorer import ArmExplorer
+from helpers.robots import ARMS
+from tests import test_notebooks
+from tests.laws import ALL_ARMS, instructors_arm
+from tools.refresh import refresh
+
+LAWS_OF_A_NOTEBOOK = [
+    law
+    for name, law in inspect.getmembers(test_notebooks, inspect.isfunction)
+    if name.startswith("test_") and "path" in inspect.signature(law).parameters
+]
+
+
+def test_the_pages_arm_is_under_every_law_and_slides():
+    arm = instructors_arm()
+    assert arm in ALL_ARMS
+    assert arm.name not in {other.name for other in ARMS}
+    assert "prismatic" in {row.joint.kind for row in arm.rows}
+
+
+def test_the_pages_arm_is_taken_by_the_explorer_and_by_the_checkers():
+    arm = instructors_arm()
+    assert ArmExplorer(arm, arms=[*ARMS, arm]).arm_name == arm.name
+    assert not compare_tables(arm, arm).findings
+
+
+def a_chapter(described=True):
+    """Steps 1 and 2 of the page, the smallest that they allow."""
+    title = "# Dynamics\n\nWhat moves it?\n\nAfter this chapter you can\n\n- say what moves it."
+    names = ("checks import check", "plotting import use_book_style")
+    imports = "".join(f"from helpers.{name}\n" for name in names) + "\nuse_book_style()"
+    cells = [
+        new_markdown_cell(title),
+        new_code_cell(imports),
+        new_markdown_cell("## The sum\n\nTwo and two."),
+        new_code_cell('check("two and two", 2 + 2, 4)'),
+    ]
+    about = {"myst": {"html_meta": {"description": "What moves an arm."}}} if described else {}
+    return new_notebook(cells=cells, metadata=about)
+
+
+@pytest.fixture
+def refreshed(tmp_path):
+    def write(chapter):
+        path = tmp_path / "06_dynamics.ipynb"
+        nbformat.write(chapter, path)
+        refresh(path)  # step 4
+        return path
+
+    return write
+
+
+def test_a_chapter_added_as_the_page_tells_is_taken(refreshed):
+    path = refreshed(a_chapter())
+    assert len(LAWS_OF_A_NOTEBOOK) > 8
+    for law in LAWS_OF_A_NOTEBOOK:
+        law(path)
+
+
+def test_without_step_2_it_is_not(refreshed):
+    with pytest.raises(AttributeError, match="myst"):
+        test_notebooks.test_nothing_in_it_is_of_one_machine(refreshed(a_chapter(described=False)))

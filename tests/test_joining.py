@@ -1,0 +1,67 @@
+"""Runs joined end to end."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from helpers.arm import ArmError
+from helpers.kinematics import forward_kinematics
+from helpers.motion import circle, joined, trace
+from helpers.robots import PANDA_HOMEWORK
+
+ARM = PANDA_HOMEWORK.lock(3)
+TOP = np.array([0.679, 0, 0.825])
+
+
+def halves():
+    """The homework's circle there and back by its first quarter, in steps of two lengths."""
+    there = circle(TOP - [0, 0, 0.1], 0.1, "zy", 20.0, 40)
+    there = replace(there, times=there.times[:11] + 0.0)
+    first = trace(ARM, ARM.home, there, method="exact")
+    back = replace(
+        there,
+        times=np.linspace(3.0, 5.5, 21),
+        position=lambda t: there.position(5 - 2 * (np.asarray(t) - 3)),
+        velocity=lambda t: -2 * there.velocity(5 - 2 * (np.asarray(t) - 3)),
+    )
+    return first, trace(ARM, first.q[-1], back, method="exact")
+
+
+def test_there_and_back_again():
+    first, second = halves()
+    run = joined([first, second])
+    assert run.q.shape == run.q_dot.shape == (31, 6)
+    assert run.t[0] == 0
+    assert np.diff(run.t) == pytest.approx([0.5] * 10 + [0.125] * 20)
+    assert run.q[10] == pytest.approx(first.q[-1])
+    assert run.q[-1] == pytest.approx(first.q[0], abs=1e-9)
+    assert run.poses == pytest.approx(forward_kinematics(ARM, run.q))
+    assert run.report.position_error < 1e-12
+    assert run.report.joint_gap < 1e-9
+
+
+def test_rates_are_those_of_the_step_that_follows():
+    run = joined(halves())
+    steps = np.diff(run.q, axis=0) / np.diff(run.t)[:, None]
+    assert run.q_dot[:-1] == pytest.approx(steps)
+
+
+def test_position_and_velocity_are_taken_from_the_piece_that_a_time_belongs_to():
+    path = joined(halves()).path
+    t = np.array([[1.0, 4.9], [5.1, 7.3]])
+    h = 1e-6
+    slope = (path.position(t + h) - path.position(t - h)) / (2 * h)
+    assert path.velocity(t) == pytest.approx(slope, abs=1e-8)
+    assert path.position(7.5) == pytest.approx(TOP, abs=1e-12)
+
+
+def test_one_run_is_itself_and_more_must_fit():
+    first, second = halves()
+    assert joined([first]).q == pytest.approx(first.q)
+    with pytest.raises(ArmError, match="runs are none"):
+        joined([])
+    with pytest.raises(ArmError, match="expected the same"):
+        joined([first, first])
+    with pytest.raises(ArmError, match="expected one arm"):
+        joined([first, replace(second, arm=PANDA_HOMEWORK.lock(3, at=0.1))])

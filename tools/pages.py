@@ -1,0 +1,123 @@
+"""A Sphinx extension: what the book's pages are made of, decided on the document tree and not on
+finished HTML.
+
+Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names
+and commas in code, which all have the colour of code, get no `<span>`; a formula says how large it
+will be, so that lines hardly move when it is set. Pictures are in `pictures.py`.
+"""
+
+import re
+from pathlib import Path
+from zlib import crc32
+
+from docutils import nodes
+from pygments.formatters import HtmlFormatter
+from pygments.token import Name, Punctuation, Text
+from sphinx.application import Sphinx
+from sphinx.highlighting import PygmentsBridge
+from sphinx.util.docutils import SphinxDirective
+from sphinx.util.math import get_node_equation_number
+
+SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
+COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
+
+
+class LightFormatter(HtmlFormatter):
+    """Code without spans around what has no colour of its own: half of a chapter's bytes."""
+
+    def _get_css_class(self, ttype):
+        plain = ttype in Name or ttype in Punctuation or ttype in Text
+        return super()._get_css_class(ttype) if ttype in COLOURED or not plain else ""
+
+
+class Margin(SphinxDirective):
+    """A note beside the text, or in it where there is no room beside."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        note = nodes.container(classes=["margin"])
+        self.state.nested_parse(self.content, self.content_offset, note)
+        return [note]
+
+
+def size_unset(tex: str) -> str:
+    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs,
+    so many characters."""
+    return f"{1.3 * len(SIGN.findall(tex)) / (len(tex) + 4):.2f}em"
+
+
+def visit_math(translator, node) -> None:
+    tex = translator.encode(node.astext())
+    size = size_unset(node.astext())
+    translator.body.append(f'<span class="math" style="--unset:{size}">\\({tex}\\)</span>')
+    raise nodes.SkipNode
+
+
+def visit_math_block(translator, node) -> None:
+    """As Sphinx does it, and with the number of its rows: so high will it be."""
+    tex = translator.encode(node.astext().strip())
+    rows = 1 + tex.count(r"\\")
+    translator.body.append(
+        translator.starttag(node, "div", "", CLASS="math", style=f"--rows: {rows}")
+    )
+    if node.get("number"):
+        number = get_node_equation_number(translator, node)
+        translator.body.append(f'<span class="eqno">({number})')
+        translator.add_permalink_ref(node, "Link to this equation")
+        translator.body.append("</span>")
+    split = "\\begin{split}%s\\end{split}" if r"\\" in tex else "%s"
+    translator.body.append(tex if node.get("no-wrap") else rf"\[{split % tex}\]")
+    translator.body.append("</div>\n")
+    raise nodes.SkipNode
+
+
+def fold(box: nodes.Element) -> None:
+    """Turn a box with a title into one that is opened at its title."""
+    title, *rest = box.children
+    for link in list(
+        title.findall(nodes.reference)
+    ):  # in what is pressed to open, nothing else can be pressed
+        link.replace_self(link.children)
+    names = " ".join(name for name in box["classes"] if name != "dropdown")
+    ids = f' id="{box["ids"][0]}"' if box["ids"] else ""
+    start = f'<details class="admonition {names}"{ids}><summary class="admonition-title">'
+    raw = [nodes.raw("", text, format="html") for text in (start, "</summary>", "</details>")]
+    place = box.parent.index(box)
+    box.parent[place : place + 1] = [
+        raw[0],
+        nodes.inline("", "", *title.children),
+        raw[1],
+        *rest,
+        raw[2],
+    ]
+
+
+def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
+    """Fold what is to be folded, and give tables a box."""
+    for box in list(
+        doctree.findall(lambda n: "dropdown" in getattr(n, "attributes", {}).get("classes", ()))
+    ):
+        fold(box)
+    for table in list(doctree.findall(nodes.table)):
+        table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
+
+
+def assets(folder: Path, config) -> list[int]:
+    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and
+    then writes all."""
+    paths = (path for of in config.html_static_path for path in (folder / of).rglob("*.*"))
+    return [crc32(path.read_bytes()) for path in sorted(paths)]
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    PygmentsBridge.html_formatter = LightFormatter
+    app.add_config_value("assets", lambda config: assets(Path(app.srcdir), config), "html")
+    app.add_config_value(
+        "comments_config", {}, "html"
+    )  # Jupyter Book sets it for an extension not used here
+    app.add_directive("margin", Margin)
+    app.add_node(nodes.math, override=True, html=(visit_math, None))
+    app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
+    app.connect("doctree-resolved", prepare, priority=900)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,266 @@
+"""A Sphinx extension for the book's drawings: their size is known before they arrive, each has a
+twin for dark pages, and on a narrow screen a drawing of several panels shows one panel a row. All
+of it is read from the SVG that Matplotlib wrote.
+"""
+
+import re
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from functools import cache, reduce
+from html import escape
+from math import cbrt
+from pathlib import Path
+
+from docutils import nodes
+from sphinx.application import Sphinx
+
+SVG = "{http://www.w3.org/2000/svg}"
+POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
+INK = {
+    "#0072b2",
+    "#e69f00",
+    "#009e73",
+    "#d55e00",
+    "#cc79a7",
+    "#56b4e9",
+}  # helpers/plotting/style.py
+COLOUR = re.compile(r"(?<=fill: |roke: |fill=\"|roke=\")#[0-9a-fA-F]{6}\b")
+PLACE = re.compile(
+    r"translate\(([-\d.]+)[ ,]+([-\d.]+)\)(?: rotate\(([-\d.]+)\))?(?: scale\(([\d.]+))?"
+)
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+Box = tuple[float, float, float, float]  # left, top, right, bottom
+
+
+# The size and the panels of a drawing.
+
+
+@cache
+def drawing(path: Path) -> ET.Element:
+    return ET.parse(path).getroot()
+
+
+def size(root: ET.Element) -> tuple[int, int] | None:
+    """The width and height of a drawing in CSS pixels; nothing where it does not say."""
+    sides = [re.fullmatch(r"([\d.]+)(pt|px|)", root.get(name, "")) for name in ("width", "height")]
+    if None in sides:
+        return None
+    width, height = (round(float(side[1]) * POINT[side[2]]) for side in sides)
+    return width, height
+
+
+def panels(root: ET.Element) -> list[Box]:
+    """The boxes of a figure's panels in the order of reading; nothing where they stand one above
+    the other already."""
+    figure = next((g for g in root.iter(f"{SVG}g") if g.get("id") == "figure_1"), None)
+    if figure is None:
+        return []
+    wide = float(root.get("viewBox").split()[2])
+    found = _with_bars(_united(_axes(figure[1:])), 0.13 * wide)
+    rows: list[list[Box]] = []
+    for box in sorted(found, key=lambda box: box[1]):
+        if rows and box[1] < (rows[-1][0][1] + rows[-1][0][3]) / 2:
+            rows[-1].append(box)
+        else:
+            rows.append([box])
+    if all(len(row) == 1 for row in rows):
+        return []
+    return [box for row in rows for box in sorted(row)]
+
+
+def _axes(parts: list[ET.Element]) -> list[Box]:
+    """A box for each axes, with the walls that are drawn before those in space, and one for each
+    legend or title of all."""
+    boxes: list[Box] = []
+    walls: list[Box] = []
+    for part in parts:
+        if box := _box(part):
+            walls.append(box)
+        if walls and part.get("id", "").startswith("axes_"):
+            boxes.append(reduce(_join, walls))
+            walls = []
+    return boxes + walls
+
+
+def _united(boxes: list[Box]) -> list[Box]:
+    """Boxes joined with those that they mostly cover: the walls, the lines and the labels of one
+    panel."""
+    for k, one in enumerate(boxes):
+        for other in boxes[k + 1 :]:
+            if _shared(one, other) > 0.2 * min(_area(one), _area(other)):
+                rest = [box for box in boxes if box not in (one, other)]
+                return _united([*rest, _join(one, other)])
+    return boxes
+
+
+def _with_bars(boxes: list[Box], narrow: float) -> list[Box]:
+    """Colour bars, which are narrow, joined with the panel on their left."""
+    bars = [box for box in boxes if box[2] - box[0] < narrow]
+    others = [box for box in boxes if box not in bars]
+    for bar in bars:
+        left = [box for box in others if box[0] < bar[0] and box[1] < bar[3] and bar[1] < box[3]]
+        if not left:
+            return boxes
+        panel = max(left, key=lambda box: box[2])
+        others[others.index(panel)] = _join(panel, bar)
+    return others
+
+
+def _join(one: Box, other: Box) -> Box:
+    return (*map(min, one[:2], other[:2]), *map(max, one[2:], other[2:]))
+
+
+def _shared(one: Box, other: Box) -> float:
+    wide = min(one[2], other[2]) - max(one[0], other[0])
+    high = min(one[3], other[3]) - max(one[1], other[1])
+    return max(wide, 0) * max(high, 0)
+
+
+def _area(box: Box) -> float:
+    return max((box[2] - box[0]) * (box[3] - box[1]), 1e-6)
+
+
+def _box(part: ET.Element) -> Box | None:
+    points = list(_points(part))
+    if not points:
+        return None
+    x, y = zip(*points, strict=True)
+    return min(x), min(y), max(x), max(y)
+
+
+def _points(part: ET.Element) -> Iterator[tuple[float, float]]:
+    """Points that span what a part draws; what is cut off at its axes, only defined or invisible
+    does not count."""
+    place = PLACE.match(part.get("transform", ""))
+    unseen = part.get("style") == "fill: none"
+    if part.tag == f"{SVG}defs" or part.get("clip-path") or unseen:
+        return
+    if place:
+        yield from _text(part, *(float(number or 0) for number in place.groups()))
+    elif part.tag == f"{SVG}path":
+        numbers = [float(number) for number in NUMBER.findall(part.get("d", ""))]
+        yield from zip(numbers[::2], numbers[1::2], strict=False)
+    elif part.get("x"):
+        yield float(part.get("x")), float(part.get("y"))
+    else:
+        for child in part:
+            yield from _points(child)
+
+
+def _text(part, x: float, y: float, turn: float, scale: float) -> Iterator[tuple[float, float]]:
+    """The corners of a line of letters, which Matplotlib draws 100 units high and places one by
+    one."""
+    last = [PLACE.match(letter.get("transform", "")) for letter in part.iter(f"{SVG}use")]
+    long = scale * (max((float(place[1]) for place in last if place), default=0) + 65)
+    high = 80 * scale
+    if abs(turn) > 45:
+        yield from ((x - high, y - long), (x + 0.3 * high, y))
+    else:
+        yield from ((x, y - high), (x + long, y + 0.3 * high))
+
+
+# The twin for dark pages.
+
+
+def for_dark(svg: str) -> str:
+    """A drawing for a dark ground: what is drawn without a colour is light, greys change sides,
+    inks become lighter.
+
+    The colours of data (of a scale, say) stay as they are, so that they still mean the same.
+    """
+    return COLOUR.sub(lambda colour: turned(colour[0].lower()), svg).replace(
+        "<svg ", '<svg fill="#e9e6e1" ', 1
+    )
+
+
+@cache
+def turned(colour: str) -> str:
+    light, a, b = _oklab(colour)
+    if a * a + b * b < 0.045**2:
+        return _hex(0.94 - 0.72 * light, a, b)
+    return _hex(max(light, 0.72), a, b) if colour in INK else colour
+
+
+def _oklab(colour: str) -> tuple[float, float, float]:
+    """Björn Ottosson's lightness and two hues, in which equal steps look equal."""
+    channels = (int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5))
+    r, g, b = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels)
+    l = cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b)
+    m = cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b)
+    s = cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b)
+    return (
+        0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+        1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+        0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s,
+    )
+
+
+def _hex(light: float, a: float, b: float) -> str:
+    l = (light + 0.3963377774 * a + 0.2158037573 * b) ** 3
+    m = (light - 0.1055613458 * a - 0.0638541728 * b) ** 3
+    s = (light - 0.0894841775 * a - 1.2914855480 * b) ** 3
+    linear = (
+        4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+        -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+        -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s,
+    )
+    clipped = (min(max(c, 0.0), 1.0) for c in linear)
+    curved = (12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in clipped)
+    return "#" + "".join(f"{round(255 * c):02x}" for c in curved)
+
+
+# On the page.
+
+
+def visit_image(translator, node) -> None:
+    """A drawing twice, for light and for dark pages, whole and in panels; what is not shown is not
+    fetched."""
+    builder = translator.builder
+    name = builder.images.get(node["uri"], "")
+    path = Path(builder.srcdir, node["uri"])
+    if not name.endswith(".svg"):
+        return type(translator).visit_image(translator, node)
+    root = drawing(path)
+    boxes = panels(root)
+    classes = " ".join(["picture", *(["many"] if boxes else []), *node["classes"]])
+    style = f' style="width: {node["width"]}"' if "width" in node else ""
+    translator.body.append(f'<span class="{classes}"{style}>')
+    for mode, folder in (("light", builder.imgpath), ("dark", f"{builder.imgpath}/dark")):
+        picture = _img(f"{folder}/{name}", node.get("alt", ""), size(root))
+        translator.body.append(f'<span class="whole {mode}">{picture}</span>')
+        bare = _img(f"{folder}/{name}", "", size(root))  # the first panel has the words for all
+        cuts = zip([picture] + [bare] * len(boxes), boxes, strict=False)
+        translator.body += [_cut(mode, one, box, root) for one, box in cuts]
+    translator.body.append("</span>")
+    raise nodes.SkipNode
+
+
+def _img(source: str, words: str, sides: tuple[int, int] | None) -> str:
+    room = f' width="{sides[0]}" height="{sides[1]}"' if sides else ""
+    return f'<img src="{source}" alt="{escape(words)}"{room} loading="lazy">'
+
+
+def _cut(mode: str, picture: str, box: Box, root: ET.Element) -> str:
+    """The whole drawing in a window that shows one panel of it."""
+    left, top, wide, high = box[0] - 3, box[1] - 3, box[2] - box[0] + 6, box[3] - box[1] + 6
+    whole = [float(number) for number in root.get("viewBox").split()][2:]
+    place = f"width: {whole[0] / wide:.2%}; left: {-left / wide:.2%}; top: {-top / high:.2%}"
+    most = f"aspect-ratio: {wide:.0f} / {high:.0f}; max-width: {1.5 * wide * POINT['pt']:.0f}px"
+    window = f'<span class="panel {mode}" style="{most}">'
+    return window + picture.replace("<img ", f'<img style="{place}" ') + "</span>"
+
+
+def draw_dark(app: Sphinx, error: Exception | None) -> None:
+    """Write the twins, once the drawings are copied."""
+    if error or app.builder.format != "html":
+        return
+    folder = Path(app.outdir, app.builder.imagedir)
+    (folder / "dark").mkdir(parents=True, exist_ok=True)
+    for path in folder.glob("*.svg"):
+        (folder / "dark" / path.name).write_text(for_dark(path.read_text("utf-8")), "utf-8")
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    app.add_node(nodes.image, override=True, html=(visit_image, lambda *_: None))
+    app.connect("build-finished", draw_dark)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
