@@ -1,8 +1,8 @@
 """Homework with numbers of its own: what is drawn, how it is asked, and the key to it.
 
-Drawing and asking are apart. `draw` turns a seed into plain numbers, `question` turns an arm and those
-numbers into a text and its key. A sheet keeps the numbers, so a later NumPy, whose generators may draw
-others, asks the same questions still.
+Drawing and asking are apart. `draw` turns a seed into plain numbers, `question` turns an arm and
+those numbers into a text and its key. A sheet keeps the numbers, so a later NumPy, whose generators
+may draw others, asks the same questions still.
 """
 
 import hashlib
@@ -34,10 +34,11 @@ _POSE_DIGITS = 6  # of a target as printed: 1e-6 m moves a joint by 1e-6 / 0.04 
 
 @dataclass(frozen=True)
 class Part:
-    """One line of a key: the name to answer by, what is asked, the right value, and the tolerance told.
+    """One line of a key: the name to answer by, what is asked, the right value, and the tolerance
+    told.
 
-    `kind` says which checker judges it. `value` is an array, an `Arm` for a table, or the branches, shape
-    (k, dof), for inverse kinematics.
+    `kind` says which checker judges it. `value` is an array, an `Arm` for a table, or the branches,
+    shape (k, dof), for inverse kinematics.
     """
 
     name: str
@@ -68,7 +69,9 @@ class Part:
 
 @dataclass(frozen=True, repr=False)
 class Question:
-    """One topic of the homework with numbers of its own: the arm, what was drawn, the text and the key."""
+    """One topic of the homework with numbers of its own: the arm, what was drawn, the text and the
+    key.
+    """
 
     topic: str
     arm: Arm
@@ -121,8 +124,9 @@ class Sheet:
 def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> Sheet:
     """The sheet that a seed draws: a word or a number; the same seed draws the same sheet.
 
-    `topics` are those that suit the arm unless given. Raises ArmError for an unknown topic, for one that
-    does not suit the arm, and for an arm of which no pose away from singular ones can be found.
+    `topics` are those that suit the arm unless given. Raises ArmError for an unknown topic, for one
+    that does not suit the arm, and for an arm of which no pose away from singular ones can be
+    found.
     """
     must_be(arm, Arm, "arm")
     asked = tuple(t for t in TOPICS if suits(t, arm)) if topics is None else topics
@@ -131,7 +135,9 @@ def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> S
 
 
 def draw(topic: str, arm: Arm, seed: int | str) -> dict[str, Any]:
-    """The numbers of a topic's question about an arm: plain lists and numbers, as JSON keeps them."""
+    """The numbers of a topic's question about an arm: plain lists and numbers, as JSON keeps
+    them.
+    """
     one_of(topic, "topic", TOPICS)
     must_be(arm, Arm, "arm")
     if not suits(topic, arm):
@@ -155,7 +161,9 @@ def variant(topic: str, arm: Arm, seed: int | str) -> Question:
 
 
 def suits(topic: str, arm: Arm) -> bool:
-    """Whether a topic can be asked about an arm: torques need masses, a held orientation six joints."""
+    """Whether a topic can be asked about an arm: torques need masses, a held orientation six
+    joints.
+    """
     return {"static torque": bool(arm.bodies), "circle tracing": arm.dof == 6}.get(topic, True)
 
 
@@ -190,7 +198,9 @@ def _generator(seed: int | str, label: str) -> Rng:
 
 
 def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
-    """The arm with every value within a tenth of its own, to three decimals; one that is 0 stays."""
+    """The arm with every value within a tenth of its own, to three decimals; one that is 0
+    stays.
+    """
     factors = _generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
     pairs = zip(arm.values.items(), factors, strict=True)
     new = {name: round(value * float(factor), 3) for (name, value), factor in pairs}
@@ -208,7 +218,9 @@ def _pose(arm: Arm, rng: Rng) -> Array:
 
 
 def _smallest(arm: Arm, q: Array) -> float:
-    """The smallest singular value of what the joints can command: all six rows, or the place alone."""
+    """The smallest singular value of what the joints can command: all six rows, or the place
+    alone.
+    """
     rows = slice(0, 6 if arm.dof >= 6 else 3)
     somewhere = np.random.default_rng(0).uniform(0.3, 0.9, arm.dof)
     rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[rows])  # 2 for an arm that is plane
@@ -219,7 +231,9 @@ def _smallest(arm: Arm, q: Array) -> float:
 
 
 def _draw_table(arm: Arm, rng: Rng) -> dict[str, Any]:
-    """An arm of four joints that no other question mentions, since their tables stand on the sheet."""
+    """An arm of four joints that no other question mentions, since their tables stand on the
+    sheet.
+    """
     while True:
         rows = [_drawn_row(rng) for _ in range(4)]
         rows[-1]["alpha"] = "0"
@@ -242,7 +256,9 @@ def _drawn_row(rng: Rng) -> dict[str, Any]:
 
 
 def _tells_its_joints(given: Given) -> bool:
-    """Whether every joint moves the tip or turns it in a way of its own: the Jacobian has full rank."""
+    """Whether every joint moves the tip or turns it in a way of its own: the Jacobian has full
+    rank.
+    """
     J = jacobian(drawn_arm(given), [0.3, 0.5, 0.7, 0.9])
     return bool(np.linalg.svd(J, compute_uv=False)[-1] > 0.05)
 
@@ -261,13 +277,16 @@ def _ask_table(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
         lines.append(f"| {number} | {verb} | ${matrix(point)}$ | ${matrix(direction)}$ |")
     tool = forward_kinematics(drawn, np.zeros(drawn.dof))
     text = (
-        "Another arm. Its joint axes at $q = 0$, in the base frame, whose $z$ axis is the first joint axis:\n\n"
+        "Another arm. Its joint axes at $q = 0$, in the base frame, whose $z$ axis is the"
+        " first joint axis:\n\n"
         + "\n".join(lines)
-        + f"\n\nThe tip is at $p = {matrix(tool[:3, 3])}$; its frame has the axes $x = {matrix(tool[:3, 0])}$"
-        f" and $z = {matrix(tool[:3, 2])}$. Write a table of this arm in the standard convention. Every choice"
+        + f"\n\nThe tip is at $p = {matrix(tool[:3, 3])}$; its frame has the axes"
+        f" $x = {matrix(tool[:3, 0])}$"
+        f" and $z = {matrix(tool[:3, 2])}$. Write a table of this arm in the standard"
+        f" convention. Every choice"
         " of frames that the convention allows is right."
     )
-    what = "the table, one row (a, alpha, d, theta) for each joint: lengths in m, angles in rad, theta and d"
+    what = "the table, one row (a, alpha, d, theta) for each joint: m and rad, theta and d"
     what += " without the joint variable"
     return text, (Part("table", what, "table", drawn, 5e-4),)
 
@@ -357,9 +376,12 @@ def _ask_circle(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     run, (first, second) = traced(arm, given), given["plane"]
     centre = run.path.positions[0] - given["radius"] * np.eye(3)["xyz".index(first)]
     text = (
-        f"The tip starts at $q = {matrix(given['q'])}$ and draws a circle of radius {given['radius']:g} m in"
-        f" the {first}{second} plane in {given['duration']:g} s, at even speed and held orientation. The start"
-        f" is the circle's farthest point along $+{first}$; from there the tip moves towards $+{second}$."
+        f"The tip starts at $q = {matrix(given['q'])}$ and draws a circle of radius"
+        f" {given['radius']:g} m in"
+        f" the {first}{second} plane in {given['duration']:g} s, at even speed and held"
+        f" orientation. The start"
+        f" is the circle's farthest point along $+{first}$; from there the tip moves towards"
+        f" $+{second}$."
         f" Use {_STEPS} Euler steps or more, or a better method."
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
@@ -379,8 +401,10 @@ def _draw_torque(arm: Arm, rng: Rng) -> dict[str, Any]:
 def _ask_torque(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     q, force = np.array(given["q"]), np.array(given["force"])
     text = (
-        f"At $q = {matrix(q)}$ the world acts on the tip with the force ${matrix(force)}$ N (base axes, no"
-        " moment). Which torques hold the arm without it, which with it? Take 9.81 m/s². Masses, and centres"
+        f"At $q = {matrix(q)}$ the world acts on the tip with the force ${matrix(force)}$ N"
+        f" (base axes, no"
+        " moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
+        " Masses, and centres"
         f" of mass in the frames of the table:\n\n{_bodies(arm)}"
     )
     tau = static_torque(arm, q, np.r_[force, 0, 0, 0])
@@ -412,7 +436,7 @@ def _ask_target(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     )
     if solver is None:
         what = "joint values (rad; m where one slides) that give this"
-        return text, (Part("q", what, "pose", target, 1e-2),)
+        return text, (Part("q", what, "pose", one_way(arm, target), 1e-2),)
     what = "the branches, one row of joint values each (rad; m where one slides)"
     return text, (Part("q", what, "branches", branches_of(arm, target), 1e-2),)
 
@@ -425,6 +449,17 @@ def pose_of(target: Array) -> Array:
     T = np.eye(4)
     T[:3] = np.c_[U @ V, target[:, 3]]
     return T
+
+
+def one_way(arm: Arm, target: Array) -> Array:
+    """Joint values within the limits that reach a target, shape (dof,).
+
+    Raises ArmError where fifty random starts of the numeric search find none.
+    """
+    found = inverse.solve(arm, pose_of(target), tolerance=1e-9, restarts=50)
+    if not found.reached:
+        raise ArmError(f"{arm.name}: no joint values within the limits were found for the target")
+    return found.q
 
 
 def branches_of(arm: Arm, target: Array) -> Array:

@@ -25,8 +25,8 @@ class HandIn:
 def hand_in(names: Mapping[str, Any], path: str | Path = FILE) -> None:
     """Write every answer among a notebook's names, `hand_in(globals())`, into answers.json.
 
-    Arrays keep the digits they print with, formulas become text, an `Arm` becomes its rows. The file is
-    what is marked where it is handed in, and nothing is run then.
+    Arrays keep the digits they print with, formulas become text, an `Arm` becomes its rows. The
+    file is what is marked where it is handed in, and nothing is run then.
     """
     Path(path).write_text(collected(names) + "\n", encoding="utf-8")
 
@@ -61,8 +61,8 @@ def read_hand_in(
 ) -> HandIn:
     """What lies in a student's folder: answers.json if there is one, else the notebook, run apart.
 
-    A notebook of any name is taken where there is one only. Nothing is raised for what a student may have
-    done: a missing, renamed, broken, endless or hostile file is told in `trouble`.
+    A notebook of any name is taken where there is one only. Nothing is raised for what a student
+    may have done: a missing, renamed, broken, endless or hostile file is told in `trouble`.
     """
     written = folder / FILE
     if written.is_symlink() or written.exists():
@@ -81,7 +81,9 @@ def read_hand_in(
 
 
 def _untouched(path: Path) -> bool:
-    """Whether every answer cell still holds the dots that the sheet came with; then nothing is run."""
+    """Whether every answer cell still holds the dots that the sheet came with; then nothing is
+    run.
+    """
     try:
         cells = read_notebook(path)["cells"]
     except ValueError:
@@ -94,7 +96,9 @@ def _untouched(path: Path) -> bool:
 
 
 def _read_answers(path: Path) -> HandIn:
-    """The answers in a file of ordinary kind and size; depth and names are checked where they are used."""
+    """The answers in a file of ordinary kind and size; depth and names are checked where they are
+    used.
+    """
     try:
         if path.is_symlink() or not path.is_file():
             raise ValueError("is no ordinary file")

@@ -42,13 +42,15 @@ def from_json(data: Mapping[str, Any]) -> Arm:
 
 def _row_data(row: Row) -> dict[str, Any]:
     known = {k: getattr(row.joint, k) for k in _LIMITS if math.isfinite(getattr(row.joint, k))}
+    if row.joint.at is not None:
+        known["at"] = row.joint.at
     entries = {key: getattr(row, key) for key in ("a", "alpha", "d", "theta")}
     return {"kind": row.joint.kind, **entries, **known}
 
 
 def _row(data: Mapping[str, Any]) -> Row:
     limits = {key: data.get(key, unknown) for key, unknown in _LIMITS.items()}
-    joint = Joint(data["kind"], **limits)
+    joint = Joint(data["kind"], **limits, at=data.get("at"))
     return Row(data["a"], data["alpha"], data["d"], data["theta"], joint)
 
 

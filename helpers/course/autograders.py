@@ -36,11 +36,9 @@ cd /autograder/source
 exec /autograder/env/bin/python -m helpers.course.autograders /autograder
 """
 
-CLASSROOM = """# Judges answers.json at each push and says what it found, without a key of the course:
-# what counts is what the instructor's own `python -m helpers.course grade` says.
-name: Homework
-on: [push, workflow_dispatch]
-permissions:
+CLASSROOM = """# Judges answers.json at each push and says what it found, without a key of the
+course: # what counts is what the instructor's own `python -m helpers.course grade` says. name:
+Homework on: [push, workflow_dispatch] permissions:
   contents: read
 jobs:
   look:
@@ -51,14 +49,15 @@ jobs:
       - uses: actions/setup-python@v5
         with:
           python-version: "3.12"
-      # Set HELPERS under Settings, Variables: what pip is to install, such as an address of the wheel.
-      - run: python -m pip install "${{ vars.HELPERS }}"
-      - run: python -m helpers.course look .
+      # Set HELPERS under Settings, Variables: what pip is to install, such as an address of the
+      wheel. - run: python -m pip install "${{ vars.HELPERS }}" - run: python -m helpers.course look
+      .
 """
 
 
 def gradescope_zip(course: Course, path: Path) -> None:
-    """Gradescope's autograder: the course, the helpers, set-up and start; no secret and no key in it.
+    """Gradescope's autograder: the course, the helpers, set-up and start; no secret and no key in
+    it.
 
     Only answers.json is read there, so no student's program runs where the course lies.
     """
@@ -101,7 +100,9 @@ def _add(file: zipfile.ZipFile, name: str, text: str, mode: int) -> None:
 
 
 def run_gradescope(root: Path) -> dict[str, Any]:
-    """Mark the one submission that lies under /autograder, and write results/results.json, always."""
+    """Mark the one submission that lies under /autograder, and write results/results.json,
+    always.
+    """
     try:
         results = _gradescope_results(root)
     except (
@@ -118,7 +119,10 @@ def _gradescope_results(root: Path) -> dict[str, Any]:
     handed = read_hand_in(root / "submission", "nothing")
     student = _who(course, _metadata(root), handed)
     if student is None:
-        words = "No sheet of this course belongs to your name, e-mail address or id; tell your instructor."
+        words = (
+            "No sheet of this course belongs to your name, e-mail address or id;"
+            " tell your instructor."
+        )
         return {"score": 0, "output": words, "tests": []}
     stored = course.sheets[student]
     sheet = Sheet(course.arm.with_values(**stored["values"]), stored["drawn"])
@@ -136,7 +140,9 @@ def _metadata(root: Path) -> list[Mapping[str, Any]]:
 
 
 def _who(course: Course, users: list[Mapping[str, Any]], handed: HandIn) -> str | None:
-    """The id in the course that belongs to whoever submitted: by e-mail, its part before @, or name."""
+    """The id in the course that belongs to whoever submitted: by e-mail, its part before @, or
+    name.
+    """
     ids = {student.casefold(): student for student in course.sheets}
     names = {str(e["name"]).casefold(): s for s, e in course.sheets.items()}
     for user in users:
@@ -150,8 +156,8 @@ def _who(course: Course, users: list[Mapping[str, Any]], handed: HandIn) -> str 
 def nbgrader_notebook(course: Course, sheet: Sheet) -> dict[str, Any]:
     """A source notebook for `nbgrader generate_assignment`: the same sheet for everybody.
 
-    Each answer cell is a solution; the locked cell after it holds a hidden test whose last line is the
-    credit, which nbgrader takes as partial points.
+    Each answer cell is a solution; the locked cell after it holds a hidden test whose last line is
+    the credit, which nbgrader takes as partial points.
     """
     book = sheets.notebook(sheet, course, "all", "One sheet for everybody")
     parts, cells = sheet.parts, []
@@ -185,7 +191,8 @@ def _test(sheet: Sheet, part: Part) -> dict[str, Any]:
     stored = {"arm": to_json(sheet.arm), "drawn": dict(sheet.drawn)}
     code = (
         "### BEGIN HIDDEN TESTS\nfrom helpers.course.autograders import credit\n\n"
-        f"stored = {stored!r}\ncredit({part.name!r}, answer_{part.name}, stored)\n### END HIDDEN TESTS"
+        f"stored = {stored!r}\ncredit({part.name!r}, answer_{part.name}, stored)\n### END"
+        f" HIDDEN TESTS"
     )
     name = part.name.replace("_", "-")
     cell = {"cell_type": "code", "id": f"test-{name}", "metadata": {}, "outputs": []}
@@ -201,9 +208,11 @@ def credit(name: str, answer: Any, stored: Mapping[str, Any]) -> float:
 
 
 def look(folder: Path) -> tuple[str, list[Any]]:
-    """What the checkers say of a folder's answers.json, by the sheet.json beside it; no secret is needed.
+    """What the checkers say of a folder's answers.json, by the sheet.json beside it; no secret is
+    needed.
 
-    The words, and the marks. A student can change sheet.json: nothing that counts is decided by this.
+    The words, and the marks. A student can change sheet.json: nothing that counts is decided by
+    this.
     """
     stored = json.loads((folder / sheets.FILE).read_text(encoding="utf-8"))
     sheet = Sheet(from_json(stored["arm"]), stored["drawn"])

@@ -1,4 +1,6 @@
-"""`python -m helpers.course`: make a course, print a key, grade what was handed in, make an autograder."""
+"""`python -m helpers.course`: make a course, print a key, grade what was handed in, make an
+autograder.
+"""
 
 import argparse
 import hashlib
@@ -16,7 +18,7 @@ from helpers.course.answers import FILE as ANSWERS
 from helpers.course.answers import read_hand_in
 from helpers.course.arms import find_arm
 from helpers.course.feedback import feedback_page
-from helpers.course.marking import Mark, mark_sheet, prove
+from helpers.course.marking import mark_sheet, prove
 from helpers.course.roster import Student, must_name_a_folder, read_roster
 from helpers.course.sandbox import Apart, Limits, best_apart
 from helpers.course.secrets import read_secret
@@ -31,10 +33,11 @@ def new(
     roster: Sequence[Student], secret: bytes, arm: Arm, out: Path, title: str = "Homework",
     topics: tuple[str, ...] | None = None, rules: Rules | None = None,
 ) -> Course:  # fmt: skip
-    """Draw a sheet for each student, prove it, and write notebook, page and course.json under `out`.
+    """Draw a sheet for each student, prove it, and write notebook, page and course.json under
+    `out`.
 
-    A student who has a sheet already keeps it, and a notebook that is there is left alone, so that a
-    roster can grow. Raises ArmError where `out` holds a course of another title, arm or topics.
+    A student who has a sheet already keeps it, and a notebook that is there is left alone, so that
+    a roster can grow. Raises ArmError where `out` holds a course of another title, arm or topics.
     """
     asked = topics or tuple(t for t in variants.TOPICS if variants.suits(t, arm))
     course = Course(title, arm, asked, rules or Rules(), {})
@@ -91,8 +94,9 @@ def grade(
 ) -> list[dict[str, Any]]:  # fmt: skip
     """Mark what every student of a course handed in; the rows of grades.csv, in the course's order.
 
-    Writes `out/grades.csv`, and for each student `feedback.html` and `results.json`. One whose hand-in has
-    not changed since the last run is not marked again. Nothing that a student did stops the run.
+    Writes `out/grades.csv`, and for each student `feedback.html` and `results.json`. One whose
+    hand-in has not changed since the last run is not marked again. Nothing that a student did stops
+    the run.
     """
     course = store.load(folder)
     how = best_apart() if apart is None else apart
@@ -145,7 +149,9 @@ def _grade_one(task: _Job) -> dict[str, Any]:
 
 
 def _fingerprint(task: _Job) -> str:
-    """Of everything a mark depends on: the files handed in, the stored sheet, the rules, how it is run."""
+    """Of everything a mark depends on: the files handed in, the stored sheet, the rules, how it is
+    run.
+    """
     entry, rules = task.course.sheets[task.student], task.course.rules
     digest = hashlib.sha256(f"{entry['signature']} {rules} {task.apart} {task.limits}".encode())
     for path in sorted([*task.folder.glob("*.ipynb"), task.folder / ANSWERS]):

@@ -11,7 +11,9 @@ from helpers.variants import Sheet
 def feedback_page(
     course: Course, sheet: Sheet, student: str, name: str, marks: Sequence[Mark], trouble: str
 ) -> str:
-    """One page of HTML: total, a table of parts, and for each part the words; no solution is printed."""
+    """One page of HTML: total, a table of parts, and for each part the words; no solution is
+    printed.
+    """
     total = sum(mark.credit for mark in marks)
     lines = [f"# {course.title}: {total:g} of {len(marks)}", f"{_plain(name)} ({student})"]
     if trouble:

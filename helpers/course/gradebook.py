@@ -1,4 +1,6 @@
-"""Marks into the files that schools use: a plain table, exports of Canvas and Moodle, Gradescope's JSON."""
+"""Marks into the files that schools use: a plain table, exports of Canvas and Moodle, Gradescope's
+JSON.
+"""
 
 import csv
 import io
@@ -41,8 +43,8 @@ def grade_row(student: str, name: str, marks: Sequence[Mark], trouble: str) -> d
 def fill_canvas(export: str, totals: Mapping[str, float], assignment: str) -> str:
     """A Canvas gradebook export with one column filled, matched by SIS login, SIS user id or name.
 
-    The column is the one whose heading begins with the assignment's name. Rows that match nobody stay as
-    they are. Raises ArmError where the export lacks a column, naming it.
+    The column is the one whose heading begins with the assignment's name. Rows that match nobody
+    stay as they are. Raises ArmError where the export lacks a column, naming it.
     """
     rows = _read(export)
     head = rows[0]
@@ -67,14 +69,18 @@ def fill_canvas(export: str, totals: Mapping[str, float], assignment: str) -> st
 
 
 def fill_moodle(export: str, totals: Mapping[str, float], maximum: float) -> str:
-    """A Moodle grading worksheet with grades filled, matched by the e-mail address, its part before @, or
-    the full name; grades are scaled to the worksheet's maximum. Raises ArmError where a column is missing."""
+    """A Moodle grading worksheet with grades filled, matched by the e-mail address, its part before
+    @, or
+    the full name; grades are scaled to the worksheet's maximum. Raises ArmError where a column is
+    missing.
+    """
     rows = _read(export)
     head = rows[0]
     for needed in ("Identifier", "Grade", "Maximum Grade", "Last modified (grade)"):
         if needed not in head:
             raise ArmError(
-                f"the Moodle worksheet has the columns {', '.join(head)}; expected {needed} (the importer"
+                f"the Moodle worksheet has the columns {', '.join(head)}; expected {needed}"
+                f" (the importer"
                 " wants the language of the site to be English)"
             )
     grade, most = head.index("Grade"), head.index("Maximum Grade")

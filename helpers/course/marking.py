@@ -15,11 +15,15 @@ from helpers.checks import (
     compare_pose,
     compare_tables,
     compare_torques,
+    jacobian_causes,
+    torques_causes,
 )
 from helpers.checks.door import numbers
+from helpers.checks.torques_causes import Load
 from helpers.checks.verdict import Report
 from helpers.course.store import Rules
 from helpers.inputs import ArmError
+from helpers.statics import GRAVITY
 from helpers.variants import Part, Question, Sheet
 
 Array = NDArray[np.float64]
@@ -30,7 +34,9 @@ _SLIGHT = 1e-9  # rad or m beyond a limit that rounding explains
 
 @dataclass(frozen=True)
 class Mark:
-    """What one part is worth, 0 to 1, the verdict in one sentence, all of its words, and named causes."""
+    """What one part is worth, 0 to 1, the verdict in one sentence, all of its words, and named
+    causes.
+    """
 
     part: str
     credit: float
@@ -45,7 +51,9 @@ def mark_sheet(sheet: Sheet, answers: Mapping[str, Any], rules: Rules) -> tuple[
 
 
 def mark(sheet: Sheet, part: Part, answer: Any, rules: Rules) -> Mark:
-    """One answer judged. Nothing is raised for what stands in an answer: what cannot be read gets 0."""
+    """One answer judged. Nothing is raised for what stands in an answer: what cannot be read gets
+    0.
+    """
     if answer is None or answer == [] or answer == "":
         return _none(part, "Not answered.")
     if _size(answer) > _MOST:
@@ -79,7 +87,9 @@ def _size(answer: Any, depth: int = 0) -> int:
 
 
 def _from(part: Part, near: Report, exact: Report, rules: Rules) -> Mark:
-    """The mark from two reports: with the tolerance that the sheet promises, and by the digits given."""
+    """The mark from two reports: with the tolerance that the sheet promises, and by the digits
+    given.
+    """
     if near.agrees:
         return Mark(part.name, 1.0, near.headline, str(near))
     return Mark(part.name, _credit(exact, rules), exact.headline, str(exact), exact.causes)
@@ -105,11 +115,9 @@ def _keys(cause: str) -> Iterator[str]:
 
 
 def _table(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
-    named = isinstance(answer, list) and answer and not isinstance(answer[0], str | dict)
-    columns = "a alpha d theta" if named else None
-    rows = _with_kinds(answer, part.value)
-    near = compare_tables(rows, part.value, columns=columns, tolerance=part.tolerance)
-    return _from(part, near, compare_tables(rows, part.value, columns=columns), rules)
+    mine = _with_kinds(answer, part.value)
+    near = compare_tables(mine, part.value, tolerance=part.tolerance)
+    return _from(part, near, compare_tables(mine, part.value), rules)
 
 
 def _with_kinds(answer: Any, drawn: Arm) -> Any:
@@ -147,7 +155,9 @@ def _numbers(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
 
 
 def _usual(right: Array) -> Iterator[tuple[str, str, Array]]:
-    """Mistakes that any list of numbers may hold: its name, what is said, and what it makes of the right ones."""
+    """Mistakes that any list of numbers may hold: its name, what is said, and what it makes of the
+    right ones.
+    """
     yield "numbers.millimetres", "Right in millimetres; metres were asked.", 1000 * right
     yield "numbers.degrees", "Right in degrees; radians were asked.", np.degrees(right)
     yield "numbers.sign", "Every sign is the other way round.", -right
@@ -204,7 +214,9 @@ def _pose(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
 
 
 def _beyond_limits(arm: Arm, answer: Any) -> str:
-    """Words for the first joint value that lies beyond its limits even after whole turns; "" if none does."""
+    """Words for the first joint value that lies beyond its limits even after whole turns; "" if
+    none does.
+    """
     rows = numbers(answer, "the joint values").values
     if rows.size % arm.dof:
         return ""  # another shape: the checker says so
@@ -214,6 +226,60 @@ def _beyond_limits(arm: Arm, answer: Any) -> str:
             if not ((q[i] + turns >= low - _SLIGHT) & (q[i] + turns <= high + _SLIGHT)).any():
                 return f"{name} = {q[i]:.4g} lies beyond its limits, {low:g} to {high:g}."
     return ""
+
+
+def prove(sheet: Sheet) -> None:
+    """Show that a sheet can be marked: right work at four decimals gets all, and each mistake of
+    the checkers' catalogues that a generic pose would show is farther off than the tolerance
+    forgives.
+
+    Raises ArmError that names the part and what it cannot tell apart.
+    """
+    for name, part in sheet.parts.items():
+        found = mark(sheet, part, rounded(part), Rules())
+        if found.credit != 1:
+            raise ArmError(f"`{name}` cannot be marked: its own key is judged {found.headline!r}")
+    for question in sheet.questions:
+        for part in question.parts:
+            if hidden := sorted(unseen(question, part) - unseen(_generic(question), part)):
+                raise ArmError(
+                    f"`{part.name}` cannot be marked: it does not show {', '.join(hidden)}"
+                )
+
+
+def rounded(part: Part) -> Any:
+    """A part of the key as a student would write it: four decimals, a table's rows, formulas."""
+    if part.kind == "table":
+        return [[str(entry) for entry in row.entries] for row in part.value.rows]
+    return part.value if part.kind == "column" else np.round(part.value, 4).tolist()
+
+
+def unseen(question: Question, part: Part) -> set[str]:
+    """The single mistakes of a part's catalogue that its tolerance would forgive."""
+    arm, q = question.arm, np.array(question.given.get("q", []))
+    if part.kind == "jacobian":
+        known = jacobian_causes.singles(arm, q, 0)
+        causes, made, right = known.causes, known.made, known.right
+    elif part.kind == "torques":
+        force = question.given["force"] if part.name == "tau" else [0, 0, 0]
+        load = Load(arm, q[None], np.r_[force, 0, 0, 0], np.array(GRAVITY))
+        causes, made = torques_causes.catalogue(load)
+        right = load.torques()
+    else:
+        return set()
+    off = np.abs(made - right).reshape(len(causes), -1).max(axis=1)
+    near = [c for c, far in zip(causes, off, strict=True) if far <= part.tolerance]
+    return {c.name for c in near if len(c.keys) == 1}
+
+
+def _generic(question: Question) -> Question:
+    """The same question at joint values that have nothing special: what it hides, every pose
+    hides.
+    """
+    q = question.given.get("q", [])
+    return replace(
+        question, given={**question.given, "q": [0.37 + 0.23 * i for i in range(len(q))]}
+    )
 
 
 _KINDS = {

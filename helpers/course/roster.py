@@ -21,10 +21,11 @@ class Student:
 
 
 def read_roster(path: str | Path) -> tuple[Student, ...]:
-    """The students in a CSV file with the columns id and name, in UTF-8; other columns are left alone.
+    """The students in a CSV file with the columns id and name, in UTF-8; other columns are left
+    alone.
 
-    Raises ArmError, with the line, for a column that is missing, an id that can name no folder, and an
-    id that stands twice (capitals count as small letters, as some disks see them).
+    Raises ArmError, with the line, for a column that is missing, an id that can name no folder, and
+    an id that stands twice (capitals count as small letters, as some disks see them).
     """
     try:
         with Path(path).open(encoding="utf-8-sig", newline="") as file:
@@ -51,6 +52,7 @@ def must_name_a_folder(student: str, what: str) -> None:
     """Raise ArmError unless an id is 1 to 64 letters, digits and . _ @ - that no system refuses."""
     if not _ID.fullmatch(student) or _TAKEN.fullmatch(student.split(".")[0]):
         raise ArmError(
-            f"{what} is {student!r}; expected 1 to 64 letters, digits and . _ @ -, a letter or digit at"
+            f"{what} is {student!r}; expected 1 to 64 letters, digits and . _ @ -, a letter"
+            f" or digit at"
             " either end, and no name that Windows keeps for itself"
         )

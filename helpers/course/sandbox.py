@@ -1,12 +1,13 @@
 """Running a notebook that a stranger wrote, apart from everything else.
 
-First choice is not to run it: an `answers.json` beside it is read instead. Where it must be run, this
-module runs it in bubblewrap (its own namespaces: no network, no files but Python's and the notebook),
-with limits of time, memory, file size and output around it.
+First choice is not to run it: an `answers.json` beside it is read instead. Where it must be run,
+this module runs it in bubblewrap (its own namespaces: no network, no files but Python's and the
+notebook), with limits of time, memory, file size and output around it.
 
-What that does not protect from: holes in the kernel, the sum of the memory of many processes (the limit
-is for each), reading whatever is mounted (Python, the packages, the notebook itself), and a notebook that
-prints whatever it likes; its output is only ever read as JSON and judged outside, where the key is.
+What that does not protect from: holes in the kernel, the sum of the memory of many processes (the
+limit is for each), reading whatever is mounted (Python, the packages, the notebook itself), and a
+notebook that prints whatever it likes; its output is only ever read as JSON and judged outside,
+where the key is.
 """
 
 import contextlib
@@ -49,7 +50,9 @@ class Ran:
 
 
 def best_apart() -> Apart:
-    """ "bubblewrap" where it is installed and works, else "nothing"; a probe decides, not a version."""
+    """ "bubblewrap" where it is installed and works, else "nothing"; a probe decides, not a
+    version.
+    """
     if not (shutil.which("bwrap") and shutil.which("prlimit")):
         return "nothing"
     probe = ["bwrap", "--unshare-all", "--unshare-user", "--ro-bind", "/", "/", "true"]
@@ -64,13 +67,14 @@ def run(
 
     Args:
         notebook: the file as handed in; it is not changed.
-        apart: "bubblewrap", or "process" for a process of its own with limits and the rights of whoever
+        apart: "bubblewrap", or "process" for a process of its own with limits and the rights of
+            whoever
             grades, or "nothing", which runs nothing.
         limits: of time and memory.
         as_root: lets "process" run for the superuser, for whom limits of processes do not hold.
 
-    Raises ArmError for an `apart` of another name. A notebook that is broken, endless or hostile raises
-    nothing: the trouble is told in the result.
+    Raises ArmError for an `apart` of another name. A notebook that is broken, endless or hostile
+    raises nothing: the trouble is told in the result.
     """
     one_of(apart, "apart", ("bubblewrap", "process", "nothing"))
     if apart == "nothing":
@@ -88,7 +92,9 @@ def run(
 
 
 def read_notebook(path: Path) -> dict[str, Any]:
-    """A notebook as data; raises ValueError, in words for the student, where the file holds none."""
+    """A notebook as data; raises ValueError, in words for the student, where the file holds
+    none.
+    """
     if path.is_symlink() or not path.is_file():
         raise ValueError(f"{path.name} is no ordinary file")
     if path.stat().st_size > _SIZE:
@@ -118,7 +124,9 @@ def _with_last_cell(path: Path) -> dict[str, Any]:
 
 
 def _execute(copy: Path, apart: Apart, limits: Limits) -> bytes:
-    """The executed notebook as nbconvert prints it, cut at the size limit; empty where it failed."""
+    """The executed notebook as nbconvert prints it, cut at the size limit; empty where it
+    failed.
+    """
     python = sys.executable
     convert = [
         python,
@@ -164,7 +172,9 @@ def _limited(limits: Limits) -> list[str]:
 
 
 def _bubblewrap(copy: Path) -> list[str]:
-    """A root of its own: the system's programs, Python, the packages, the notebook; all read-only."""
+    """A root of its own: the system's programs, Python, the packages, the notebook; all
+    read-only.
+    """
     words = ["bwrap", "--unshare-all", "--unshare-user", "--disable-userns", "--die-with-parent"]
     words += ["--new-session", "--cap-drop", "ALL", "--ro-bind", "/usr", "/usr"]
     for folder in ("lib", "lib64", "bin"):
@@ -183,7 +193,9 @@ def _bubblewrap(copy: Path) -> list[str]:
 
 
 def _mounted() -> Sequence[str]:
-    """Where Python, its packages and the helpers lie, each once; secrets and sheets lie elsewhere."""
+    """Where Python, its packages and the helpers lie, each once; secrets and sheets lie
+    elsewhere.
+    """
     package = str(Path(helpers.__file__).parent)
     folders = {sys.base_prefix, sys.prefix, package}
     system = {"/usr", "/usr/local"}

@@ -1,7 +1,7 @@
 """What only the instructor knows: seeds and signatures from a course secret.
 
-Both are HMAC-SHA-256 (RFC 2104): who lacks the secret can neither draw another student's numbers nor
-change a stored sheet unnoticed, however many sheets were seen.
+Both are HMAC-SHA-256 (RFC 2104): who lacks the secret can neither draw another student's numbers
+nor change a stored sheet unnoticed, however many sheets were seen.
 """
 
 import hashlib
@@ -25,7 +25,8 @@ def read_secret(path: str | Path) -> bytes:
     except OSError as error:
         raise ArmError(
             f"secret file {str(path)!r} cannot be read ({error.strerror}); expected a file of"
-            f" {_FEWEST} bytes or more, such as `python -c 'import secrets; print(secrets.token_hex())'`"
+            f" {_FEWEST} bytes or more, such as `python -c 'import secrets;"
+            f" print(secrets.token_hex())'`"
             " prints"
         ) from None
     if len(secret) < _FEWEST:

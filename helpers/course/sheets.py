@@ -32,7 +32,8 @@ def _arm(sheet: Sheet) -> str:
 
 
 _HOW = (
-    "Answer by the names that each question gives. SI units, angles in radians unless you say otherwise."
+    "Answer by the names that each question gives. SI units, angles in radians unless you"
+    " say otherwise."
     " What is forgiven stands beside each answer; fewer digits than that cost a little."
 )
 
@@ -44,7 +45,9 @@ def _with_picture(question: Question) -> str:
 
 
 def notebook(sheet: Sheet, course: Course, student: str, name: str) -> dict[str, Any]:
-    """The sheet as a notebook, nbformat 4.5: questions, answer cells, checkers, and how to hand in."""
+    """The sheet as a notebook, nbformat 4.5: questions, answer cells, checkers, and how to hand
+    in.
+    """
     cells = [_text("title", f"# {course.title}\n\n{name} ({student})\n\n{_HOW}\n\n{_NAMES}")]
     cells += [_text("arm", _arm(sheet)), _code("setup", _setup(sheet))]
     for number, question in enumerate(sheet.questions, 1):
@@ -67,11 +70,13 @@ def numbers_text(sheet: Sheet) -> str:
 
 
 _NAMES = (
-    "Put each answer in place of the dots. A list, a NumPy array, a SymPy matrix or a text will do. The"
+    "Put each answer in place of the dots. A list, a NumPy array, a SymPy matrix or a text"
+    " will do. The"
     " functions of `helpers.checks` say whether a result is right and what to look at if it is not."
 )
 _LAST = (
-    "## Hand in\n\nThe last cell writes `answers.json` beside this notebook. Hand in both files. Run"
+    "## Hand in\n\nThe last cell writes `answers.json` beside this notebook. Hand in both"
+    " files. Run"
     " *Restart and run all* first, so that what is written is what the notebook says."
 )
 

@@ -1,8 +1,9 @@
-"""A course on disk: `course.json` keeps the arm, the rules of marking, and every sheet that was drawn.
+"""A course on disk: `course.json` keeps the arm, the rules of marking, and every sheet that was
+drawn.
 
-The drawn numbers are stored, not the keys: a key follows from them. Each sheet is signed with the secret,
-so a file that lay where students could write is found out. Files are written beside and then renamed,
-so that an interrupted command leaves the old file or the new one.
+The drawn numbers are stored, not the keys: a key follows from them. Each sheet is signed with the
+secret, so a file that lay where students could write is found out. Files are written beside and
+then renamed, so that an interrupted command leaves the old file or the new one.
 """
 
 import json
@@ -25,7 +26,8 @@ _VERSION = 1
 
 @dataclass(frozen=True)
 class Rules:
-    """What an answer is worth: right 1; short of digits; a named mistake by its cause; else the right
+    """What an answer is worth: right 1; short of digits; a named mistake by its cause; else the
+    right
     columns among all, times `columns`."""
 
     digits: float = 0.9
@@ -35,7 +37,9 @@ class Rules:
 
 @dataclass(frozen=True)
 class Course:
-    """An arm, a title, the topics asked, the rules, and each student's drawn sheet with its name."""
+    """An arm, a title, the topics asked, the rules, and each student's drawn sheet with its
+    name.
+    """
 
     title: str
     arm: Arm
@@ -46,7 +50,8 @@ class Course:
     def sheet(self, student: str, secret: bytes) -> variants.Sheet:
         """A student's sheet as it was drawn.
 
-        Raises ArmError for an id that is not in the course, and for a sheet that the secret did not sign.
+        Raises ArmError for an id that is not in the course, and for a sheet that the secret did not
+        sign.
         """
         try:
             stored = self.sheets[student]
@@ -55,7 +60,8 @@ class Course:
         content = {"values": stored["values"], "drawn": stored["drawn"]}
         if not is_signed(secret, student, content, stored["signature"]):
             raise ArmError(
-                f"the stored sheet of {student!r} was changed, or the secret is another; expected the one"
+                f"the stored sheet of {student!r} was changed, or the secret is another;"
+                f" expected the one"
                 " that the course was made with"
             )
         return variants.Sheet(self.arm.with_values(**stored["values"]), stored["drawn"])
