@@ -16,6 +16,12 @@ from helpers.arm import Arm, Row, fixed
 from helpers.inputs import ArmError, listed, must_be
 from helpers.kinematics import link_frames
 
+__all__ = [
+    "modified_frames",
+    "modified_from_standard",
+    "standard_from_modified",
+]
+
 
 def standard_from_modified(rows: Sequence[Row]) -> tuple[Row, ...]:
     """Standard rows from modified ones, each of which holds (a_{i-1}, alpha_{i-1}, d_i, theta_i).

@@ -9,6 +9,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.inputs import ArmError, number, numbers
 
+__all__ = [
+    "force_ellipsoid",
+    "lost_directions",
+    "velocity_ellipsoid",
+]
+
 Array = NDArray[np.float64]
 
 

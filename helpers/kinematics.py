@@ -17,6 +17,16 @@ from helpers.inputs import ArmError, must_be, one_of, whole
 from helpers.program import Program, Value, record, workspace
 from helpers.rows import NumericRow
 
+__all__ = [
+    "analytic_jacobian",
+    "forward_kinematics",
+    "jacobian",
+    "jacobian_in_frame",
+    "link_frames",
+    "manipulability",
+    "tip",
+]
+
 Array = NDArray[np.float64]
 Vector = Sequence[Value]
 Step = tuple[NumericRow, Value, Value, Value]  # a row, and its motion: cosine, sine, offset

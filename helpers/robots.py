@@ -10,6 +10,18 @@ from typing import Any
 
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 
+__all__ = [
+    "ARMS",
+    "ELBOW",
+    "PANDA",
+    "PANDA_HOMEWORK",
+    "STANFORD",
+    "UR10E",
+    "UR10E_HOMEWORK",
+    "named",
+]
+
+#: The Panda with the maker's lengths, limits and the masses of Gaz et al., and the homework's pen.
 PANDA = Arm(
     name="Panda",
     # The maker's limits in the signs of this table: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7).
@@ -38,6 +50,7 @@ PANDA = Arm(
     " hal-02265294",
 )
 
+#: The Panda as the homework's table has it: 88 mm for a_3 too.
 PANDA_HOMEWORK = replace(
     PANDA.with_values(a_3=0.088),
     name="Panda (homework)",
@@ -50,6 +63,7 @@ _UR_BIG: dict[str, Any] = dict(limits=_UR_RANGE, speed=2 * pi / 3, effort=330)
 _UR_ELBOW: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=150)
 _UR_WRIST: dict[str, Any] = dict(limits=_UR_RANGE, speed=pi, effort=56)
 
+#: The UR10e with the maker's lengths, limits and masses, and the homework's pen.
 UR10E = Arm(
     name="UR10e",
     rows=(
@@ -77,6 +91,7 @@ UR10E = Arm(
     " UR10e user manual (ranges, speeds); Max. joint torques (torques)",
 )
 
+#: The UR10e with the lengths of the homework.
 UR10E_HOMEWORK = Arm(
     name="UR10e (homework)",
     rows=(
@@ -92,6 +107,7 @@ UR10E_HOMEWORK = Arm(
     " (0.118 there)",
 )
 
+#: The Stanford arm: a shoulder of two joints, a rod that slides, a spherical wrist.
 STANFORD = Arm(
     name="Stanford arm",
     rows=(
@@ -108,6 +124,7 @@ STANFORD = Arm(
     " Scheinman's arm",
 )
 
+#: An elbow arm of three joints, as textbooks draw it.
 ELBOW = Arm(
     name="Elbow arm",
     rows=(
@@ -121,6 +138,7 @@ ELBOW = Arm(
     " are ours",
 )
 
+#: All six.
 ARMS = (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
 
 

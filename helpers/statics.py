@@ -25,6 +25,15 @@ from helpers.kinematics import (
 )
 from helpers.program import Value
 
+__all__ = [
+    "GRAVITY",
+    "centres_in",
+    "gravity_torque",
+    "potential_energy",
+    "static_torque",
+    "with_payload",
+]
+
 Array = NDArray[np.float64]
 
 GRAVITY = (0.0, 0.0, -9.81)  # m/s^2, for an arm that stands on the floor

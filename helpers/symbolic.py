@@ -16,6 +16,21 @@ from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, number, shown
 from helpers.polynomials import Frame, Matrix, Ring, cross, formula_of, frames_of, transposed
 
+__all__ = [
+    "body_numbers",
+    "determinant",
+    "forward_kinematics",
+    "gravity_torque",
+    "jacobian",
+    "jacobian_by_differentiation",
+    "joint_symbols",
+    "link_frames",
+    "link_transforms",
+    "potential_energy",
+    "short",
+    "with_numbers",
+]
+
 
 def joint_symbols(arm: Arm) -> tuple[sp.Symbol, ...]:
     """The joint variables as SymPy symbols, in the order of ``arm.variables``."""

@@ -21,6 +21,14 @@ from helpers.kinematics import forward_kinematics, jacobian, link_frames
 from helpers.motion import Path, SingularError, Trace, circle, plain_inverse, trace
 from helpers.statics import gravity_torque, static_torque
 
+__all__ = [
+    "TOPICS",
+    "Answer",
+    "Variant",
+    "sheet",
+    "variant",
+]
+
 Array = NDArray[np.float64]
 Rng = np.random.Generator
 Given = Mapping[str, Any]

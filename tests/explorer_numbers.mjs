@@ -6,6 +6,7 @@ import { exported } from "../explorer/src/exports.js";
 import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../explorer/src/kinematics.js";
 import { determinant, singular } from "../explorer/src/linear.js";
 import { otherWays, traceCircle } from "../explorer/src/motion.js";
+import { runCircle, torquesAlong, windingByRadius } from "../explorer/src/runs.js";
 import { sameArm } from "../explorer/src/same.js";
 import { derive } from "../explorer/src/state.js";
 import { stillShapes } from "../explorer/src/still.js";
@@ -32,6 +33,9 @@ const jobs = {
   circle: ({ arm, q, ...circle }) => traceCircle(arm, q, circle),
   ways: ({ arm, q }) => otherWays(arm, q).list.map((way) => way.q),
   verdicts: ({ arm, qs }) => qs.map((q) => verdicts(arm, q)),
+  runs: ({ arm, start, runs }) => runs.map((run) => runCircle(arm, start, run)),
+  winding: ({ arm, start, radii }) => windingByRadius(arm, start, {}, radii),
+  torques: ({ arm, path, wrench, slip }) => torquesAlong(arm, path, wrench, slip),
   same: ({ pairs }) => pairs.map(([mine, reference]) => sameArm(mine, reference)),
   entries: ({ typed }) => typed.map(([text, quantity, unit]) => readEntry(text, quantity, unit)),
   written: ({ values }) => values.map(([value, angle, unit]) => entryText(value, angle, unit)),

@@ -424,7 +424,7 @@ SLIPS = {
 @pytest.mark.parametrize("slip", SLIPS)
 def test_the_slips_are_named(slip):
     report, name = SLIPS[slip][0](), SLIPS[slip][1]
-    assert name in report.causes[:3], str(report)
+    assert name in report.causes, str(report)
     assert report.grade == ("so far" if slip == "22" else "wrong")
 
 

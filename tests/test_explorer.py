@@ -19,11 +19,12 @@ from helpers.checks import compare_tables
 from helpers.explorer import ArmExplorer
 from helpers.explorer.data import arm_data, arm_from
 from helpers.explorer.stub import still
-from helpers.explorer.widget import BUNDLE
+from helpers.explorer.widget import BUNDLE, MORE
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
+from helpers.motion import circle_below, damped, plain_inverse, trace
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.statics import gravity_torque
+from helpers.statics import gravity_torque, static_torque
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "explorer"
@@ -33,7 +34,7 @@ SKEW = Arm(
              revolute(0.3, 0.2, -0.1, -1.0), fixed(d=0.1, theta=0.9)),
 )  # fmt: skip
 
-VIEWS = "table, pose, jacobian, trace, torque, branches"
+VIEWS = "table, pose, jacobian, homework, trace, torque, branches"
 
 every_arm = pytest.mark.parametrize("arm", [*ARMS, SKEW], ids=lambda arm: arm.name)
 needs_node = pytest.mark.skipif(
@@ -180,6 +181,71 @@ def test_the_same_arm_is_what_compare_tables_says():
     assert wanted.count(True) >= 15
     assert wanted.count(False) >= 15
     assert ask("same", pairs=pairs) == wanted
+
+
+RUNS = [
+    ({}, {"rates": plain_inverse()}),
+    ({"steps": 100}, {"rates": plain_inverse()}),
+    ({"steps": 100, "method": "rk4"}, {"rates": plain_inverse(), "method": "rk4"}),
+    (
+        {"steps": 100, "rates": "damped", "damping": 0.05, "gain": 3.0},
+        {"rates": damped(0.05), "gain": 3.0},
+    ),
+]
+
+
+@needs_node
+@pytest.mark.parametrize(("asked", "wanted"), RUNS, ids=lambda value: "")
+def test_the_homeworks_runs_are_pythons(asked, wanted):
+    run = {"steps": 1000, **asked}
+    answer = ask("runs", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, runs=[run])[0]
+    locked = PANDA_HOMEWORK.lock(3)
+    path = circle_below(locked, locked.home, 0.1, "zy", 5, run["steps"])
+    traced = trace(locked, locked.home, path, **wanted)
+    ends = np.delete(answer["path"][-1], 2)
+    np.testing.assert_allclose(ends, traced.q[-1], atol=1e-9)
+    assert answer["largest"] == pytest.approx(traced.report.position_error, rel=1e-6)
+
+
+@needs_node
+def test_the_ur10e_breaks_jumps_and_is_damped_as_the_homework_says():
+    wall = {"normal": "y", "seconds": 20, "locked": -1}
+    pseudo, damping = {**wall, "rates": "pseudo"}, {**wall, "rates": "damped"}
+    runs = [wall, pseudo, {**pseudo, "cutoff": 0.01}, damping, {**damping, "gain": 5}]
+    broken, *others = ask("runs", arm=arm_data(UR10E_HOMEWORK), start=[0] * 6, runs=runs)
+    assert broken["failed"] == 0
+    assert others[0]["fastest"] == pytest.approx(6.57, abs=0.005)
+    largest = [round(1000 * run["largest"], 1) for run in others]
+    assert largest == [3.5, 46.0, 11.0, 2.6]
+
+
+@needs_node
+def test_small_circles_swing_large_ones_wind_and_between_none_is_drawn():
+    radii = [0.01, 0.029, 0.045, 0.06, 0.1]
+    found = ask("winding", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, radii=radii)
+    assert [one["turns"] for one in found if one["reached"]] == [0, 0, -1, -1]
+    assert [one["reached"] for one in found] == [True, True, False, True, True]
+    assert found[-1]["least"] == pytest.approx(0.0514, abs=5e-5)
+
+
+@needs_node
+def test_torques_along_a_path_and_with_the_classic_mistakes():
+    path, push = [list(PANDA.home), [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4]], [-5, 0, 0, 0, 0, 0]
+    right = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip=""))
+    np.testing.assert_allclose(right, static_torque(PANDA, path, push), atol=1e-9)
+    turned = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip="wrench"))
+    np.testing.assert_allclose(turned, static_torque(PANDA, path, -np.array(push)), atol=1e-9)
+    printed = [
+        (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495),
+        (0.027518, 0.039252, -0.066502), (-0.05317, 0.104419, 0.027454),
+        (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117, -0.010517),
+        (0.010517, -0.004252, 0.061597),
+    ]  # fmt: skip
+    bodies = tuple(replace(body, com=com) for body, com in zip(PANDA.bodies, printed, strict=True))
+    wrong = static_torque(replace(PANDA, bodies=bodies), path, push)
+    mistaken = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip="centres"))
+    np.testing.assert_allclose(mistaken, wrong, atol=1e-9)
+    assert np.abs(mistaken - right).max() > 1
 
 
 def alike(arm):
@@ -391,16 +457,22 @@ def test_the_bundle_is_what_its_sources_make(tmp_path):
         if not os.environ.get("CI"):
             pytest.skip("npm packages are not installed: npm ci --prefix explorer")
         subprocess.run([shutil.which("npm"), "ci", "--silent"], cwd=SOURCES, check=True)
-    made = tmp_path / "explorer.js"
-    subprocess.run([NODE, "build.js", str(made)], cwd=SOURCES, check=True, capture_output=True)
-    assert made.read_bytes() == BUNDLE.read_bytes(), "run `npm run build --prefix explorer`"
+    subprocess.run([NODE, "build.js", str(tmp_path)], cwd=SOURCES, check=True, capture_output=True)
+    for script in (BUNDLE, MORE):
+        assert (tmp_path / script.name).read_bytes() == script.read_bytes(), "run `make explorer`"
+
+
+def test_the_small_figures_know_the_books_arms():
+    known = json.loads((SOURCES / "src" / "more" / "arms.json").read_text(encoding="utf-8"))
+    assert known == [arm_data(arm) for arm in ARMS]
 
 
 def test_the_bundle_is_light():
     import gzip
 
-    assert BUNDLE.stat().st_size <= 700_000
+    assert BUNDLE.stat().st_size <= 740_000
     assert len(gzip.compress(BUNDLE.read_bytes(), 9)) <= 200_000
+    assert len(gzip.compress(MORE.read_bytes(), 9)) <= 25_000
 
 
 @every_arm
@@ -526,7 +598,7 @@ def test_unknown_choices_are_refused_in_words(given, words):
 
 def test_the_page_is_told_what_was_chosen():
     """The keys are those that explorer/src reads."""
-    all_views = ["table", "pose", "jacobian", "trace", "torque", "branches"]
+    all_views = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"]
     panda = arm_data(PANDA)
     assert ArmExplorer(PANDA)._spec == {
         "arms": [panda], "views": all_views, "unit": "deg", "reference": None, "link": False

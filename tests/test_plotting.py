@@ -72,7 +72,9 @@ def test_the_drawn_line_goes_through_every_origin_by_the_tables_steps(arm):
 @every_arm
 def test_an_arm_is_drawn_inside_its_axes(arm):
     ax = axes_3d()
+    before = set(vars(ax))
     assert arm_3d(ax, arm, arm.home) is None
+    assert set(vars(ax)) == before
     points = link_frames(arm, arm.home)[:, :3, 3]
     low, high = np.transpose([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
     assert (points >= low - 1e-9).all()

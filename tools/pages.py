@@ -18,6 +18,9 @@ from sphinx.highlighting import PygmentsBridge
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
 
+from helpers import robots
+from helpers.explorer import ArmExplorer
+
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
 
@@ -39,6 +42,18 @@ class Margin(SphinxDirective):
         note = nodes.container(classes=["margin"])
         self.state.nested_parse(self.content, self.content_offset, note)
         return [note]
+
+
+class LiveArm(SphinxDirective):
+    """An arm of the catalogue, live: a still picture that the explorer's script brings to life."""
+
+    required_arguments = 1
+    option_spec = {"views": lambda words: words.split()}  # noqa: RUF012
+
+    def run(self) -> list[nodes.Node]:
+        explorer = ArmExplorer(getattr(robots, self.arguments[0]), **self.options)
+        html = explorer._repr_mimebundle_()["text/html"]
+        return [nodes.raw("", html, format="html")]
 
 
 def size_unset(tex: str) -> str:
@@ -117,6 +132,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
         "comments_config", {}, "html"
     )  # Jupyter Book sets it for an extension not used here
     app.add_directive("margin", Margin)
+    app.add_directive("arm", LiveArm)
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("doctree-resolved", prepare, priority=900)

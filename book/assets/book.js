@@ -47,37 +47,43 @@ if (window.MathJax) {
 const WIDE = "div.math > mjx-container, span.math > mjx-container, div.table, .highlight pre";
 const SMALLEST = 0.8; // of a formula's size, before it scrolls
 
+// All boxes are measured before any is changed, so that the page is laid out once.
 function reachable() {
-  document.querySelectorAll(WIDE).forEach((box) => {
-    fit(box);
-    const wide = box.scrollWidth > box.clientWidth + 1 || tooWide(box);
-    box.classList.toggle("scrolls", wide);
-    if (!wide) return void box.removeAttribute("tabindex");
-    box.tabIndex = 0;
-    box.setAttribute("role", "region");
-    box.setAttribute("aria-label", "Wide content, scroll sideways");
-    hint(box);
-    tell(box);
-    if (!box.dataset.told) box.addEventListener("scroll", () => tell(box), { passive: true });
-    box.dataset.told = true;
-  });
+  const boxes = [...document.querySelectorAll(WIDE)];
+  boxes.filter((box) => box.dataset.size).forEach((box) => (box.style.fontSize = box.dataset.size));
+  const shares = boxes.map(share);
+  const tight = boxes.filter((box, k) => shares[k] < 1 && shares[k] > SMALLEST && box.matches("div.math > *"));
+  for (const box of tight) {
+    box.dataset.size ??= box.style.fontSize;
+    box.style.fontSize = `${parseFloat(box.dataset.size) * shares[boxes.indexOf(box)] * 0.985}%`;
+  }
+  boxes.forEach((box, k) => scrollable(box, shares[k] < 1 && !tight.includes(box)));
 }
 
-// An inline formula grows with what is in it, so its text's column is what it must fit.
-const tooWide = (box) => box.matches("span.math > *") && box.offsetWidth > box.closest("p, li, td, dd, div").clientWidth;
+// How much of a box's content it shows at once; an inline formula grows with what is in it, so its text's column counts.
+function share(box) {
+  if (box.matches("span.math > *")) return box.closest("p, li, td, dd, div").clientWidth / Math.max(box.offsetWidth, box.scrollWidth);
+  return box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1;
+}
 
-// A formula that is a little too wide is set a little smaller.
-function fit(box) {
-  if (!box.matches("div.math > mjx-container")) return;
-  const full = (box.dataset.size ??= box.style.fontSize);
-  box.style.fontSize = full;
-  const share = box.clientWidth / box.scrollWidth;
-  if (share < 1) box.style.fontSize = `${parseFloat(full) * Math.max(share * 0.99, SMALLEST)}%`;
-  if (box.scrollWidth > box.clientWidth + 1) box.style.fontSize = full;
+function scrollable(box, wide) {
+  if (!wide && !box.matches(".scrolls")) return;
+  box.classList.toggle("scrolls", wide);
+  if (!wide) {
+    box.classList.remove("more-left", "more-right");
+    return void box.removeAttribute("tabindex");
+  }
+  box.tabIndex = 0;
+  box.setAttribute("role", "region");
+  box.setAttribute("aria-label", "Wide content, scroll sideways");
+  hint(box);
+  tell(box);
+  if (!box.dataset.told) box.addEventListener("scroll", () => tell(box), { passive: true });
+  box.dataset.told = true;
 }
 
 function hint(box) {
-  if (box.matches("pre, span *") || box.nextElementSibling?.matches(".hint")) return;
+  if (box.matches("pre, span *") || box.nextElementSibling?.matches(".hint")) return; // a fading edge says enough there
   const words = Object.assign(document.createElement("span"), { className: "hint", textContent: "scroll sideways →" });
   words.ariaHidden = true;
   box.after(words);
@@ -93,7 +99,10 @@ window.addEventListener("load", reachable);
 let later;
 window.addEventListener("resize", () => {
   clearTimeout(later);
-  later = setTimeout(reachable, 100);
+  later = setTimeout(() => {
+    reachable();
+    dispatchEvent(new Event("fitted"));
+  }, 100);
 });
 
 document.addEventListener("DOMContentLoaded", () => {

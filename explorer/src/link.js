@@ -2,23 +2,26 @@
 
 import { fits, homeOf, KINDS, rowsFault, typedArm } from "./arm.js";
 import { joints } from "./kinematics.js";
+import { runFrom, runText } from "./runs.js";
 
 const LONGEST = 4000; // characters of a fragment
 const LETTERS = Object.fromEntries(KINDS.map((kind) => [kind[0].toUpperCase(), kind]));
 const MOST_FORCE = 1e5;
+const MOST_RUNS = 8;
 
 const numbers = (text) => (text ? text.split(",").map((part) => (part.trim() ? Number(part) : NaN)) : []);
 const written = (values) => values.map((v) => Number(v.toFixed(6)) + 0).join(",");
 const oneOf = (text, known) => (known.includes(text) ? text : null);
 
 /** @param {import("./state.js").State} state */
-export function toFragment({ arm, base, q, wrench, unit, view, frames }) {
+export function toFragment({ arm, base, q, wrench, unit, view, frames, runs = [] }) {
   const fields = { arm: base.name, q: written(q), view, unit, frames };
   if (wrench.some(Boolean)) fields.wrench = written(wrench);
   if (arm !== base) {
     const row = (r) => `${r.kind[0].toUpperCase()},${written([r.a, r.alpha, r.d, r.theta])}`;
     fields.rows = arm.rows.map(row).join(";");
   }
+  if (view === "homework" && runs.length) fields.runs = runs.map(runText).join(";");
   return `#${new URLSearchParams(fields)}`;
 }
 
@@ -47,6 +50,10 @@ export function fromFragment(fragment, arms, views) {
   const wrench = numbers(fields.get("wrench"));
   if (wrench.length === 6 && wrench.every((v) => Math.abs(v) <= MOST_FORCE)) patch.wrench = wrench;
   else if (fields.has("wrench")) words.push("its wrench is not six numbers in N and N m");
+  const runs = (fields.get("runs")?.split(";") ?? []).map(runFrom);
+  if (runs.length > MOST_RUNS || runs.includes(null))
+    words.push("its runs are none that the homework could make");
+  else if (runs.length) patch.runs = runs;
   const chosen = {
     view: oneOf(fields.get("view"), views),
     unit: oneOf(fields.get("unit"), ["deg", "rad"]),

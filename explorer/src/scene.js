@@ -200,20 +200,23 @@ export class ArmPicture {
     return scaled(size / norm(way), way);
   }
 
-  drawPath({ view, trace, wanted, stray, arm }) {
-    const path = ["trace", "torque"].includes(view) ? trace : null;
-    if (this.shown.path === path) return;
-    this.shown.path = path;
+  drawPath({ view, trace, wanted, stray, arm, paths }) {
+    const path = ["trace", "torque", "homework"].includes(view) ? trace : null;
+    const others = view === "homework" ? paths : null;
+    if (this.shown.path === path && this.shown.paths === others) return;
+    Object.assign(this.shown, { path, paths: others });
     emptied(this.path);
-    if (!path) return;
-    const points = path.map((q) => linkFrames(arm, q).at(-1).o);
+    if (!path && !others) return;
+    const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? others[0]?.points ?? [];
+    const pieces = (others ?? []).map((one) => tube(one.points, 0.003 * this.size, one.colour));
+    if (!others) pieces.push(tube(points, 0.0035 * this.size, this.look.path));
+    if (wanted && stray > 1e-3) pieces.push(tube(wanted, 0.0018 * this.size, this.look.wanted));
     const opacity = this.dark ? 0.16 : 0.1;
     const pane = new MeshBasicMaterial({
       color: this.look.ghost, transparent: true, opacity, side: DoubleSide, depthWrite: false,
     }); // prettier-ignore
-    const pieces = [tube(points, 0.0035 * this.size, this.look.path), wall(wanted ?? points, pane)];
-    if (wanted && stray > 1e-3) pieces.push(tube(wanted, 0.0018 * this.size, this.look.wanted));
-    this.path.add(...pieces.filter(Boolean));
+    if (points.length > 2) pieces.push(wall(wanted ?? points, pane));
+    for (const piece of pieces.filter(Boolean)) this.path.add(piece);
   }
 
   // The other ways as thin arms of one colour each; the one under the hand is filled out.

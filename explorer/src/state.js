@@ -31,6 +31,8 @@ import { asked, rankOf } from "./verdicts.js";
  * @property {number} stray how far the traced tip leaves the path, m
  * @property {number[][] | null} wanted the points that the tip was to go through
  * @property {number} at the place along the trace, 0 to 1
+ * @property {import("./runs.js").Run[]} runs of the homework's circle
+ * @property {{ points: number[][], colour: string }[] | null} paths of the tip, drawn beside the trace
  * @property {boolean} playing
  * @property {Ways | null} ways
  * @property {number | null} highlighted the way under the reader's hand
@@ -43,14 +45,14 @@ import { asked, rankOf } from "./verdicts.js";
 
 // What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets them.
 export const DROPS = {
-  arm: ["trace", "stray", "wanted", "at", "playing", "ways", "highlighted", "lit", "hold"],
+  arm: ["trace", "stray", "wanted", "at", "playing", "paths", "ways", "highlighted", "lit", "hold"],
   circle: ["trace", "stray", "wanted", "at", "playing"],
   trace: ["stray", "wanted", "at", "playing"],
   ways: ["highlighted"],
   view: ["playing", "highlighted", "lit"],
 };
 export const EMPTY = {
-  trace: null, stray: 0, wanted: null, at: 0, playing: false,
+  trace: null, stray: 0, wanted: null, paths: null, at: 0, playing: false,
   ways: null, highlighted: null, lit: null, hold: null,
 }; // prettier-ignore
 
@@ -136,7 +138,7 @@ function along({ trace, arm }, at) {
  */
 export const startingState = (given) => ({
   base: given.arm, reference: given.arm, wrench: [0, 0, 0, 0, 0, 0], unit: "deg", view: "pose", frames: "ends",
-  circle: { normal: "x", radius: 0.1 }, keepTurn: false, past: [], future: [], ...EMPTY, ...given,
+  circle: { normal: "x", radius: 0.1 }, keepTurn: false, runs: [], past: [], future: [], ...EMPTY, ...given,
 }); // prettier-ignore
 
 // Everything that follows from an arm, a joint vector and a wrench, each computed when it is first asked for.

@@ -215,8 +215,10 @@ def _report(
     judged = [_wrong(right, typed, number, tolerance) for number in astray]
     missing = [n for k, n in enumerate(right.names) if k not in hits]
     found = [n for k, n in enumerate(right.names) if k in hits]
-    named = list(dict.fromkeys(c.name for c, _ in judged if c is not None))
+    named = list(dict.fromkeys(c.name for causes, _ in judged for c in causes))
     findings = [f for _, f in judged]
+    if (found and len(found) < len(right.names)) or astray:
+        findings[:0] = [Finding("found", n, None, None, say("ik found", name=n)) for n in found]
     if missing:
         words = say("ik missing", names="; ".join(missing))
         findings.append(Finding("missing", "", None, None, words))
@@ -254,17 +256,10 @@ def _headline(
     if whole:
         return say("ik wrong", cause=lower(whole.words), **fields)
     if grade == WRONG:
-        causes = [c for c, _ in judged]
-        one = (
-            causes[0]
-            if causes and all(c is not None and c.name == causes[0].name for c in causes)
-            else None
-        )
-        return (
-            say("ik wrong", cause=lower(one.words), **fields)
-            if one
-            else say("ik some wrong", **fields)
-        )
+        firsts = {causes[0].name if causes else "" for causes, _ in judged}
+        one = judged[0][0][0] if len(firsts) == 1 and "" not in firsts else None
+        key = "ik wrong" if one else "ik some wrong"
+        return say(key, cause=lower(one.words) if one else "", **fields)
     if grade == SO_FAR:
         return say("ik so far digits" if coarse else "ik so far", **fields)
     return say("ik right" if grade == RIGHT else "ik rounded", **fields)
@@ -297,46 +292,49 @@ def _free(right: _Branches):
 
 def _wrong(
     right: _Branches, typed: Typed, number: int, tolerance: float | None
-) -> tuple[Cause | None, Finding]:
+) -> tuple[tuple[Cause, ...], Finding]:
     arm, q = right.arm, typed.values[number - 1]
     margin = _margins(typed.units[number - 1], tolerance, hand=True)
     where = f"answer {number}"
     if not len(right.q):
-        return None, Finding("answer", where, None, None, say("ik no branch", number=number))
+        return (), Finding("answer", where, None, None, say("ik no branch", number=number))
     miss = _miss(arm, q, right.target, margin)
     if miss is None:
-        return None, Finding("answer", where, None, None, say("ik unlisted", number=number))
+        return (), Finding("answer", where, None, None, say("ik unlisted", number=number))
     off = say("ik off", millimetres=size(1e3 * miss[0]), turn=_turn(arm, miss[1]))
-    named, words = _why(right, q, margin)
+    causes, words = _why(right, q, margin)
     said = say("ik answer", number=number, off=off, words=words)
-    return named, Finding("answer" if named is None else named.name, where, None, None, said)
+    return causes, Finding(causes[0].name if causes else "answer", where, None, None, said)
 
 
 def _turn(arm: Arm, angle: float) -> str:
     return say("ik turn", degrees=size(round(float(np.degrees(angle)), 3))) if arm.dof >= 6 else ""
 
 
-def _why(right: _Branches, q: Array, margin: Array) -> tuple[Cause | None, str]:
-    """One slip; or joints of two branches mixed; or two slips; or the joints that are in no
-    branch.
+def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], str]:
+    """What explains an answer: one slip, joints of two branches mixed, or two slips; or else the
+    joints that are in no branch.
     """
     arm = right.arm
     fits = _gap(arm, q, right.q) <= margin
-    mixed = _mixed(right, fits)
-    slips = [
-        *inverse_causes.single(arm, q),
-        *inverse_causes.whole(arm, q),
-        *inverse_causes.kept(arm, q, right.q),
-    ]
-    single = _fitting(right, slips, margin)
-    if mixed and not (single and single[0][0].keys[0] in _OF_ONE_STEP):
-        return mixed
-    for found in (single, _fitting(right, inverse_causes.double(arm, q), margin)):
+    single = [*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)]
+    single += inverse_causes.kept(arm, q, right.q)
+    for slips in (single, inverse_causes.double(arm, q)):
+        found = _fitting(right, slips, margin)
+        mixed = _mixed(right, fits)
         if found:
-            causes, branch = [c for c, _ in found], right.names[found[0][1]]
-            return causes[0], say("ik slip", cause=lower(several(causes)), branch=branch)
+            causes = tuple(dict.fromkeys(c.name for c, _ in found))
+            named = tuple(next(c for c, _ in found if c.name == n) for n in causes)
+            words = say(
+                "ik slip", cause=lower(several(named, most=2)), branch=right.names[found[0][1]]
+            )
+            if mixed and named[0].keys[0] not in _OF_ONE_STEP and len(named[0].keys) == 1:
+                return (*named, mixed[0]), say("ik or mixed", words=words, mixed=mixed[1])
+            return named, words
+        if mixed:
+            return (mixed[0],), mixed[1]
     astray = [f"q_{i}" for i, there in zip(arm.joints, fits.any(axis=0), strict=True) if not there]
-    return None, say("ik in no branch", joints=listed(astray or ["q"]))
+    return (), say("ik in no branch", joints=listed(astray or ["q"]))
 
 
 def _fitting(right: _Branches, slips, margin: Array) -> list[tuple[Cause, int]]:

@@ -48,7 +48,8 @@ def single(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
     yield from _elbow_formula(arm, q)
     for k, i in enumerate(arm.joints):
         for key, change in _JOINT:
-            if arm.turning[k] or key == "ik.sign":
+            fits = arm.turning[k] if k or key != "ik.supplement" else False
+            if fits or key == "ik.sign":
                 mended = q.copy()
                 mended[k] = change(q[k])
                 yield cause(key, joint=f"q_{i}"), mended

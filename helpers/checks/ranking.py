@@ -54,12 +54,9 @@ def _name(key: str, fields: dict) -> str:
 
 
 def lower(sentence: str) -> str:
-    """A sentence to stand inside another."""
-    return (
-        sentence
-        if sentence[:2].isupper() or sentence[1:2] == "_"
-        else sentence[0].lower() + sentence[1:]
-    )
+    """A sentence to stand inside another; a name such as N mm, q_1 or A_i keeps its capital."""
+    keeps = sentence[1:2].isupper() or sentence[1:2] == "_"
+    return sentence if keeps else sentence[0].lower() + sentence[1:]
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import Any
 
 from helpers.arm import Arm
@@ -267,16 +268,18 @@ def _different(
     tries = list(_tries(rows, reference, wanted))
     best = _agreeing(tries, length) or _one_sign(rows, wanted, found, length)
     if best is not None:
-        return _bad(table, reference, best.cause, (), found)
+        return _bad(table, reference, best.cause, (), ())
     close = [t for t in tries if 0 < t.entries <= max(3, len(wanted) // 2 + 1)]
     close.sort(key=lambda t: _edits(t.cause) + 0.7 * t.entries)
     if close:
         first = close[0]
         entries = list(_entries(table, first, length))
         if entries:
-            return _bad(table, reference, first.cause, entries, found)
+            notes = () if first.cause else tuple(_base(side(rows), found))
+            return _bad(table, reference, first.cause, entries, notes)
     first, left = _fewest(tries, length, found)
-    return _bad(table, reference, first, [_geometry(d) for d in left], found)
+    notes = () if first or not found.signs else tuple(_base(side(rows), found))
+    return _bad(table, reference, first, [_geometry(d) for d in left], notes)
 
 
 def _edits(c: Cause | None) -> int:
@@ -372,17 +375,23 @@ def _one_sign(
 
 
 def _entries(table: Table, t: _Try, length: float) -> Iterator[Finding]:
-    """The entries that differ from the reference's and matter, in the student's own numbers."""
-    wrong = _unequal_entries(t.rows, t.reference, length)
+    """The fewest entries that must change to agree with the reference, in the student's numbers."""
     shift = len(t.rows) - len(table.rows)
-    for k, column in wrong:
-        alone = [
-            r if j != k else t.reference[k]._replace(**{column: getattr(t.rows[k], column)})
-            for j, r in enumerate(t.reference)
-        ]
-        if compared(side(alone), side(t.reference), length, _ANGLE).differences:
-            x, y = getattr(t.rows[k], column), getattr(t.reference[k], column)
-            yield _entry(table, t, k + 1 - shift, column, x, y)
+    for k, column in _needed(t, length):
+        x, y = getattr(t.rows[k], column), getattr(t.reference[k], column)
+        yield _entry(table, t, k + 1 - shift, column, x, y)
+
+
+def _needed(t: _Try, length: float) -> tuple[tuple[int, str], ...]:
+    wrong = _unequal_entries(t.rows, t.reference, length)
+    for count in range(1, len(wrong)):
+        for chosen in combinations(wrong, count):
+            rows = list(t.rows)
+            for k, column in chosen:
+                rows[k] = rows[k]._replace(**{column: getattr(t.reference[k], column)})
+            if not compared(side(rows), side(t.reference), length, _ANGLE).differences:
+                return chosen
+    return tuple(wrong)
 
 
 def _entry(table: Table, t: _Try, row: int, column: str, mine: float, wanted: float) -> Finding:
@@ -482,12 +491,12 @@ def _amount(d: Difference, what: str) -> str:
     )
 
 
-def _bad(table: Table, reference: Arm, named: Cause | None, findings, found: Compared) -> Report:
+def _bad(table: Table, reference: Arm, named: Cause | None, findings, notes) -> Report:
     findings = tuple(findings)
-    single = findings[0] if len(findings) == 1 and "." in findings[0].what else None
-    causes = [named.name] if named else []
-    if single is not None:
-        causes = [" + ".join([*causes, single.what])]
+    own = [f.what for f in findings if "." in f.what]
+    single = findings[0] if len(findings) == len(own) == 1 else None
+    parts = [*([named.name] if named else []), *(own if len(own) == len(findings) else [])]
+    causes = [" + ".join(parts)] if parts else []
     if named:
         rest = "" if not findings else say("and what remains")
         text = say(
@@ -507,14 +516,4 @@ def _bad(table: Table, reference: Arm, named: Cause | None, findings, found: Com
         findings = (Finding("cause", single.where, single.mine, None, single.words),)
     else:
         text = say("table other arm", mine=table.name, reference=reference.name)
-    return Report(
-        "table",
-        reference.name,
-        WRONG,
-        text,
-        findings,
-        tuple(causes),
-        table.said,
-        (),
-        {"left": found.differences},
-    )
+    return Report("table", reference.name, WRONG, text, findings, tuple(causes), table.said, notes)

@@ -1,8 +1,28 @@
-"""Arms with three parallel axes in the middle, as Universal Robots builds them: up to eight
-branches.
+"""Arms with three parallel axes in the middle, as Universal Robots builds them: up to eight ways.
 
-The parallel axes z_1, z_2, z_3 leave three problems, one after another: the shoulder turns a plane
-beside the wrist, joint 5 tilts the tool out of that plane, and in the plane remain two links.
+The parallel axes z_1, z_2, z_3 leave three problems, one after another. With the UR10e's twists:
+
+1. The shoulder turns a plane beside the wrist's centre o_5 = (x_c, y_c, z_c), which is the tip less
+   the tool along z_6. Along z_1 it lies d_4 from the base's axis, front or back:
+
+       x_c sin(theta_1) - y_c cos(theta_1) = d_4
+
+2. Only joints 5 and 6 turn the tool against z_1, so its axes seen along z_1 give both, with either
+   sign of theta_5:
+
+       z_6 . z_1 = cos(theta_5)
+       x_6 . z_1 = sin(theta_5) cos(theta_6)        y_6 . z_1 = -sin(theta_5) sin(theta_6)
+
+   Where sin(theta_5) = 0 the second line says nothing, and theta_6 may be chosen.
+
+3. In the plane, r along the arm and s upwards from o_1, two links remain. They end at (r, s), which
+   is o_5 less d_5 along z_4, and x_4 stands at the angle psi that the tool and joints 5 and 6 fix:
+
+       r^2 + s^2 = a_2^2 + a_3^2 + 2 a_2 a_3 cos(theta_3)        theta_2 + theta_3 + theta_4 = psi
+
+   The two signs of theta_3 are the two elbows; theta_2 follows as in the elbow arm's triangle.
+
+Other twists of a right angle change signs, which `_shape` holds.
 Source: Hawkins (2013), derived anew from the axes so that any signs of the twists will do.
 """
 

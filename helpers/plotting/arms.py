@@ -13,6 +13,8 @@ from helpers.inputs import must_be, numbers
 from helpers.kinematics import link_frames, skeleton
 from helpers.plotting.style import AXIS_COLOURS, GREY, SLATE
 
+_LINK = 6.0  # points: the width of an arm's line, and of no other
+
 
 def arm_3d(
     ax: Axes3D,
@@ -33,7 +35,7 @@ def arm_3d(
     _links(ax, arm, T, colour, alpha, label)
     if frames:
         _triads(ax, T, 0.13 * _reach(arm))
-    _fit(ax, T[:, :3, 3], 0.16 * _reach(arm))
+    _fit(ax, 0.16 * _reach(arm))
 
 
 def arrow_3d(
@@ -78,7 +80,7 @@ def _links(
         lw=3,
         solid_joinstyle="round",
     )
-    ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=6, label=label,
+    ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=_LINK, label=label,
             solid_joinstyle="round", solid_capstyle="round")  # fmt: skip
     for i in arm.joints:
         # An even number of sides leaves faces at equal depth, which rounding noise would then put
@@ -118,11 +120,11 @@ def _triads(ax: Axes3D, T: np.ndarray, length: float) -> None:
             ax.text(*tip, text, color=AXIS_COLOURS[name], fontsize=10, ha="center", va="center")
 
 
-def _fit(ax: Axes3D, points: np.ndarray, margin: float) -> None:
-    """Grow the view to hold the points and the floor, at equal scale."""
-    held = getattr(ax, "_held_points", np.zeros((0, 3)))
-    held = np.vstack([held, points, points * [1, 1, 0]])
-    ax._held_points = held
+def _fit(ax: Axes3D, margin: float) -> None:
+    """Grow the view to hold the frames of every arm drawn here and the floor, at equal scale."""
+    links = [line for line in ax.lines if line.get_linewidth() == _LINK]
+    frames = np.vstack([np.transpose(line.get_data_3d())[::2] for line in links])
+    held = np.vstack([frames, frames * [1, 1, 0]])
     low, high = held.min(axis=0) - margin, held.max(axis=0) + margin
     low[2] = min(0.0, held[:, 2].min())
     # A tall thin box would leave no room for its labels: the floor is at least half as wide as the

@@ -137,8 +137,9 @@ def test_the_page_is_whole(visit):
 def resized(page, size):
     """The page in another window, once it has looked again at what is too wide."""
     page.set_viewport_size(WINDOWS[size])
-    page.evaluate("dispatchEvent(new Event('resize'))")
-    page.wait_for_timeout(200)
+    page.evaluate(
+        "new Promise((done) => { addEventListener('fitted', done, { once: true }); dispatchEvent(new Event('resize')); })"
+    )
 
 
 @pytest.mark.parametrize("size", WINDOWS)

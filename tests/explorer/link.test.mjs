@@ -3,10 +3,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fromFragment, toFragment } from "../../explorer/src/link.js";
+import { HOMEWORK } from "../../explorer/src/runs.js";
 import { startingState, transition } from "../../explorer/src/state.js";
 import { ARMS, ELBOW, PANDA } from "./arms.mjs";
 
-const VIEWS = ["table", "pose", "torque"];
+const VIEWS = ["table", "pose", "torque", "homework"];
 const read = (fragment) => fromFragment(fragment, ARMS, VIEWS);
 
 test("a link carries arm, table, joints, wrench and what is shown", () => {
@@ -42,6 +43,20 @@ for (const [name, fragment] of Object.entries(cases)) {
     assert.equal(patch.wrench, undefined);
   });
 }
+
+test("a link carries the homework's runs, and refuses what is none", () => {
+  const runs = [{ ...HOMEWORK }, { ...HOMEWORK, method: "rk4", slip: "z_i", steps: 100, radius: 0.05, gain: 5 }];
+  const state = startingState({ arm: PANDA, q: PANDA.home, view: "homework", runs });
+  const { patch, words } = read(toFragment(state));
+  assert.equal(words, "");
+  assert.deepEqual(patch.runs, runs);
+  const fine = "euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_";
+  for (const bad of ["euler", fine.replace("1000", "1e9"), fine.replace("inverse", "constructor"), fine.replace("0.1_", "_"), Array(9).fill(fine).join(";")]) {
+    const told = read(`#arm=Panda&view=homework&runs=${bad}`);
+    assert.match(told.words, /its runs are none/, bad);
+    assert.equal(told.patch.runs, undefined);
+  }
+});
 
 test("a fragment of the page, and none, change nothing", () => {
   for (const fragment of ["", "#the-instrument", "#fig-1"]) assert.deepEqual(read(fragment), { patch: {}, words: "" });

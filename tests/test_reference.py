@@ -1,0 +1,43 @@
+"""The reference documents what chapters use, and all of it."""
+
+import ast
+import importlib
+import inspect
+import json
+import re
+from pathlib import Path
+
+BOOK = Path(__file__).parents[1] / "book"
+API = (BOOK / "api.md").read_text(encoding="utf-8")
+MODULES = re.findall(r"automodule:: (helpers\.\w+)", API)
+
+
+def names_used():
+    """Each name that a cell takes from a module of the helpers, as `helpers.motion.circle`."""
+    for path in sorted(BOOK.glob("*.ipynb")):
+        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        code = "\n".join("".join(c["source"]) for c in cells if c["cell_type"] == "code")
+        modules = {}
+        for node in ast.walk(ast.parse(code)):
+            if isinstance(node, ast.ImportFrom) and node.module == "helpers":
+                modules |= {a.asname or a.name: f"helpers.{a.name}" for a in node.names}
+            elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("helpers."):
+                yield from (f"{node.module}.{a.name}" for a in node.names)
+        for name, attribute in re.findall(r"\b(\w+)\.(\w+)", code):
+            if name in modules:
+                yield f"{modules[name]}.{attribute}"
+
+
+def test_what_chapters_use_is_public_and_documented():
+    public = {f"{name}.{n}" for name in MODULES for n in importlib.import_module(name).__all__}
+    used = set(names_used())
+    assert len(used) > 80
+    assert used - public <= {"helpers.explorer.ArmExplorer"}
+
+
+def test_nothing_public_is_without_words():
+    for name in MODULES:
+        module = importlib.import_module(name)
+        public = [getattr(module, n) for n in module.__all__]
+        silent = [x for x in public if inspect.isroutine(x) or inspect.isclass(x) if not x.__doc__]
+        assert not silent, name
