@@ -16,18 +16,12 @@ from numpy.typing import NDArray
 
 from helpers import inverse, symbolic
 from helpers.arm import Arm, prismatic, revolute
-from helpers.inputs import ArmError, must_be, one_of, whole
+from helpers.inputs import ArmError, listed, must_be, one_of, whole
 from helpers.kinematics import forward_kinematics, jacobian, link_frames
 from helpers.motion import Path, SingularError, Trace, circle, plain_inverse, trace
 from helpers.statics import gravity_torque, static_torque
 
-__all__ = [
-    "TOPICS",
-    "Answer",
-    "Variant",
-    "sheet",
-    "variant",
-]
+__all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
 
 Array = NDArray[np.float64]
 Rng = np.random.Generator
@@ -137,7 +131,8 @@ def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> S
     found.
     """
     must_be(arm, Arm, "arm")
-    asked = tuple(t for t in TOPICS if suits(t, arm)) if topics is None else topics
+    suitable = tuple(topic for topic in TOPICS if suits(topic, arm))
+    asked = suitable if topics is None else listed(topics, "topics", f"some of {', '.join(TOPICS)}")
     other = _with_other_lengths(arm, seed)
     return Sheet(other, {topic: draw(topic, other, seed) for topic in asked})
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from helpers.arm import Arm
 from helpers.course.sandbox import Apart, Limits, read_notebook, run
+from helpers.inputs import must_be
 
 FILE = "answers.json"
 _PREFIX = "answer_"
@@ -28,6 +29,7 @@ def hand_in(names: Mapping[str, Any], path: str | Path = FILE) -> None:
     Arrays keep the digits they print with, formulas become text, an `Arm` becomes its rows. The
     file is what is marked where it is handed in, and nothing is run then.
     """
+    must_be(names, Mapping, "names")
     Path(path).write_text(collected(names) + "\n", encoding="utf-8")
 
 

@@ -12,7 +12,7 @@ from helpers.arm import Arm
 from helpers.course import gradebook, sheets, store
 from helpers.course.answers import FILE, HandIn, read_hand_in
 from helpers.course.arms import from_json, to_json
-from helpers.course.marking import mark, mark_sheet
+from helpers.course.marking import Mark, mark, mark_sheet
 from helpers.course.store import Course
 from helpers.variants import Part, Sheet
 
@@ -83,7 +83,7 @@ version = "0"
 dependencies = ["numpy>=2.0", "sympy>=1.13", "matplotlib>=3.10"]
 
 [project.optional-dependencies]
-course = ["markdown-it-py>=3", "mdit-py-plugins>=0.4", "latex2mathml>=3.77"]
+course = []
 
 [tool.setuptools.packages.find]
 include = ["helpers*"]
@@ -195,8 +195,8 @@ def _test(sheet: Sheet, part: Part) -> dict[str, Any]:
         f" HIDDEN TESTS"
     )
     name = part.name.replace("_", "-")
-    cell = {"cell_type": "code", "id": f"test-{name}", "metadata": {}, "outputs": []}
-    cell |= {"execution_count": None, "source": code}
+    cell: dict[str, Any] = {"cell_type": "code", "id": f"test-{name}", "metadata": {}}
+    cell |= {"outputs": [], "execution_count": None, "source": code}
     return _marked(cell, locked=True, grade=True, points=1)
 
 
@@ -207,7 +207,7 @@ def credit(name: str, answer: Any, stored: Mapping[str, Any]) -> float:
     return round(mark(sheet, sheet.parts[name], answer, store.Rules()).credit, 4)
 
 
-def look(folder: Path) -> tuple[str, list[Any]]:
+def look(folder: Path) -> tuple[str, tuple[Mark, ...]]:
     """What the checkers say of a folder's answers.json, by the sheet.json beside it; no secret is
     needed.
 

@@ -149,8 +149,8 @@ def _numbers(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
         if (np.abs(mine - wrong) <= np.maximum(10 * part.tolerance, np.abs(wrong) * 1e-3)).all():
             credit = rules.causes.get(key, 0.0)
             return Mark(part.name, credit, sentence, sentence, (key,))
-    wrong = int((off > np.maximum(part.tolerance, 0.51 * units)).sum())
-    words = f"Not right: {wrong} of {right.size} entries are off, by up to {off.max():.3g}."
+    count = int((off > np.maximum(part.tolerance, 0.51 * units)).sum())
+    words = f"Not right: {count} of {right.size} entries are off, by up to {off.max():.3g}."
     return Mark(part.name, 0.0, words, words)
 
 
@@ -259,7 +259,7 @@ def unseen(question: Question, part: Part) -> set[str]:
     arm, q = question.arm, np.array(question.given.get("q", []))
     if part.kind == "jacobian":
         known = jacobian_causes.singles(arm, q, 0)
-        causes, made, right = known.causes, known.made, known.right
+        causes, made, right = list(known.causes), known.made, known.right
     elif part.kind == "torques":
         force = question.given["force"] if part.name == "tau" else [0, 0, 0]
         load = Load(arm, q[None], np.r_[force, 0, 0, 0], np.array(GRAVITY))

@@ -126,7 +126,7 @@ def _text(cell_id: str, source: str) -> dict[str, Any]:
 
 
 def _code(cell_id: str, source: str) -> dict[str, Any]:
-    empty = {"execution_count": None, "metadata": {}, "outputs": []}
+    empty: dict[str, Any] = {"execution_count": None, "metadata": {}, "outputs": []}
     return {"cell_type": "code", "id": cell_id.replace("_", "-"), "source": source, **empty}
 
 
