@@ -295,9 +295,7 @@ def _grade(given: argparse.Namespace) -> None:
         most = float(len(rows[0]) - 4)
         filled = gradebook.fill_moodle(given.moodle.read_text("utf-8-sig"), totals, most)
         store.write(given.out / "moodle.csv", filled)
-    print(
-        f"{len(rows)} students marked, notebooks run apart by {apart}: {given.out / 'grades.csv'}"
-    )
+    print(f"{len(rows)} students marked: {given.out / 'grades.csv'}")
 
 
 def _gradescope(given: argparse.Namespace) -> None:
