@@ -299,7 +299,7 @@ EXPECTED = {
     "value": "numbers, symbols, pi", "values": "a number for each symbol, as in {'a_3': 0.0825}",
     "expressions.evaluate values": "a Mapping", "plotting.map_2d values": "finite values (3, 3)",
     "velocity": "a function of the time",
-    "views": "some of table, pose, jacobian, trace, torque, branches",
+    "views": "some of table, pose, jacobian",
     "which": "whole numbers (3, 3)", "wish": "a function of q, as towards() makes",
     "wrench": "six finite numbers (fx, fy, fz, mx, my, mz)",
     "explorer.ArmExplorer wrench": "numbers", "x": "finite values (n,)", "y": "finite values (n,)",
