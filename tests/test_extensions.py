@@ -239,6 +239,7 @@ def test_a_solution_folds_with_its_cells_and_ends_at_the_next_heading(book):
     assert [cell.source.split("\n")[0] for cell in made[1:]] == [
         "#### Exercise: How?",
         "#### Solution",
+        "So.",
         "1",
         f"*[Fig. 1.2]({HERE}one.html#fig-a). One.*",
         "#### Exercise: Why?",

@@ -147,14 +147,14 @@ def edition(notebook: nbformat.NotebookNode, page: str, book: Book) -> nbformat.
 
 
 def _parts(cell: nbformat.NotebookNode, book: Book) -> list[nbformat.NotebookNode]:
-    """A cell's Markdown, divided where an exercise or a solution begins: each heading folds its
-    own."""
+    """A cell's Markdown, divided where an exercise or a solution begins: each heading folds
+    what is below it."""
     text = plain(cell.source, book)
-    texts = [part.strip() for part in re.split(r"(?m)^(?=#### )", text)]
+    texts = [part.strip() for part in re.split(r"(?m)^(?=#### )|(?<=^#### Solution\n)", text)]
     parts = [nbformat.v4.new_markdown_cell(part) for part in texts if part]
     for number, part in enumerate(parts):
         part.id = f"{cell.id}-{number}"
-        if part.source.startswith("#### Solution"):
+        if part.source == "#### Solution":
             part.metadata = nbformat.from_dict(FOLDED)
     return parts
 
