@@ -4,9 +4,9 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
-SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/* book/answers/*.md) $(shell find helpers -name '*.py')
 
-.PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer coverage mutants
+.PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer answers sheet coverage mutants
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -87,6 +87,12 @@ mutants: ## make one thing wrong in the helpers at a time; make mutants ARGS="he
 	.venv-mutants/bin/python -m pip install --quiet --disable-pip-version-check mutmut==3.8.1 -r requirements-dev.txt -c requirements.lock
 	.venv-mutants/bin/python tools/breaks.py
 	.venv-mutants/bin/python tools/mutants.py $(ARGS)
+
+answers: $(BIN)/.installed ## write the answer sheets, book/answers/*.md, anew
+	$(BIN)/python tools/answers.py
+
+sheet: $(BIN)/.installed ## the answer sheet of any arm in one HTML file: make sheet ARM="Stanford arm", ARM=my_arm.py:MINE or ARM=arm.urdf ARGS="--tip tool0"
+	$(BIN)/python -m helpers.sheets "$(ARM)" $(ARGS)
 
 explorer: ## bundle the live explorer anew from its JavaScript (needs Node.js)
 	npm ci --prefix explorer --silent

@@ -1,10 +1,14 @@
 """Forward kinematics and Jacobians of the Panda."""
 
+import shutil
 import sysconfig
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import casadi
+import jax
+import jax.numpy as jnp
 import numpy as np
 import pinocchio
 import roboticstoolbox as rtb
@@ -16,6 +20,7 @@ from helpers.robots import PANDA
 SIGNS = np.array([1, -1, 1, -1, 1, 1, -1])
 HALF_TURN = np.diag([1.0, -1.0, -1.0, 1.0])
 BLOCK = 1000
+BASE_AXES = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
 BARE = PANDA.with_values(l_pen=0)  # the peers' tip is the flange
 
 
@@ -39,9 +44,8 @@ def link(row: NumericRow, c, s) -> list[list]:
     ]
 
 
-def casadi_functions() -> tuple[casadi.Function, casadi.Function]:
-    """The table as CasADi expressions: the pose, and the Jacobian with columns z x (o_n - o) over
-    z."""
+def casadi_expressions() -> tuple[casadi.SX, casadi.SX, casadi.SX]:
+    """The table in CasADi: q, the pose, and the Jacobian with columns z x (o_n - o) over z."""
     q, T, frames = casadi.SX.sym("q", 7), casadi.SX.eye(4), []
     for k, row in enumerate(BARE.numeric):
         frames.append(T)
@@ -51,8 +55,126 @@ def casadi_functions() -> tuple[casadi.Function, casadi.Function]:
     columns = [
         casadi.vertcat(casadi.cross(F[:3, 2], T[:3, 3] - F[:3, 3]), F[:3, 2]) for F in frames
     ]
-    return casadi.Function("pose", [q], [T]), casadi.Function(
-        "jacobian", [q], [casadi.horzcat(*columns)]
+    return q, T, casadi.horzcat(*columns)
+
+
+def casadi_ways(q: casadi.SX, result: casadi.SX) -> dict[str, Callable[[np.ndarray], np.ndarray]]:
+    """A CasADi expression over a batch: as users call it, and in its best ways.
+
+    Those share equal steps (cse), fill in the zeros, and read and write the batch's own memory:
+    CasADi keeps columns together where NumPy keeps rows, so the transposed result is what arrives
+    in NumPy's order.
+    """
+    plain = casadi.Function("plain", [q], [result])
+    dense = [casadi.cse(casadi.densify(result.T))]
+    ways = {
+        "CasADi, called with arrays, mapped": _with_arrays(plain.map(BLOCK), result.shape),
+        "CasADi, shared steps, mapped, through buffers": _through_buffers(
+            casadi.Function("dense", [q], dense), result.shape
+        ),
+    }
+    if shutil.which("gcc"):
+        flags = {
+            "jit": True,
+            "compiler": "shell",
+            "jit_options": {"flags": ["-O3", "-march=native"]},
+        }
+        ways["CasADi, the same compiled by gcc -O3"] = _through_buffers(
+            casadi.Function("compiled", [q], dense, flags), result.shape
+        )
+    return ways
+
+
+def _with_arrays(over: casadi.Function, shape: tuple[int, int]):
+    rows, columns = shape
+
+    def work(q):
+        found = np.empty((len(q), rows, columns))
+        for start in range(0, len(q), BLOCK):
+            part = over(q[start : start + BLOCK].T).full()
+            found[start : start + BLOCK] = part.T.reshape(-1, columns, rows).transpose(0, 2, 1)
+        return found
+
+    return work
+
+
+def _through_buffers(function: casadi.Function, shape: tuple[int, int]):
+    """In blocks, which is faster than a map over all of a large batch."""
+    over = function.map(BLOCK)
+    buffer, run = over.buffer()
+
+    def work(q):
+        found = np.empty((len(q), *shape))
+        for start in range(0, len(q), BLOCK):
+            buffer.set_arg(0, memoryview(q[start : start + BLOCK]))
+            buffer.set_res(0, memoryview(found[start : start + BLOCK]))
+            run()
+        return found
+
+    return work
+
+
+def product(left, right) -> list[list]:
+    """Of two matrices as lists of lines, whose entries may be numbers or whole batches."""
+    columns = list(zip(*right, strict=True))
+    return [[sum(x * y for x, y in zip(line, c, strict=True)) for c in columns] for line in left]
+
+
+def jax_ways() -> tuple[dict, dict]:
+    """Poses and Jacobians in JAX: 4 x 4 matrices, and entry by entry over the batch."""
+    jax.config.update("jax_enable_x64", True)
+
+    def matrices(q):
+        T = [jnp.eye(4)]
+        for row, angle in zip(BARE.numeric, q, strict=True):
+            A = link(row, jnp.cos(angle), jnp.sin(angle))
+            T.append(T[-1] @ jnp.array(A))
+        return T
+
+    def pose(q):
+        return matrices(q)[-1]
+
+    def jac(q):
+        *frames, tip = matrices(q)
+        z = [F[:3, 2] for F in frames]
+        arms = [jnp.cross(a, tip[:3, 3] - F[:3, 3]) for a, F in zip(z, frames, strict=True)]
+        return jnp.concatenate([jnp.stack(arms, 1), jnp.stack(z, 1)])
+
+    def entries(q):
+        T = [np.eye(4).tolist()]
+        for row, angle in zip(BARE.numeric, q, strict=True):
+            T.append(product(T[-1], link(row, jnp.cos(angle), jnp.sin(angle))))
+        return T
+
+    def stacked(lines, q):
+        return jnp.stack([jnp.broadcast_to(x, q[0].shape) for line in lines for x in line])
+
+    def pose_entries(q):
+        return stacked(entries(q)[-1], q)
+
+    def jac_entries(q):
+        *frames, tip = entries(q)
+        columns = []
+        for F in frames:
+            z, arm = [F[i][2] for i in range(3)], [tip[i][3] - F[i][3] for i in range(3)]
+            turned = [z[j] * arm[k] - z[k] * arm[j] for j, k in ((1, 2), (2, 0), (0, 1))]
+            columns.append([*turned, *z])
+        return stacked(zip(*columns, strict=True), q)
+
+    def plain(function):
+        over = jax.jit(jax.vmap(function))
+        return lambda q: np.asarray(over(q))
+
+    def best(function, shape):
+        over = jax.jit(function)
+        return lambda q: np.ascontiguousarray(over(q.T).T).reshape(-1, *shape)
+
+    return tuple(
+        {
+            "JAX, jit of vmap over 4 x 4 matrices": plain(slow),
+            "JAX, jit, entry by entry over the batch": best(fast, shape),
+        }
+        for slow, fast, shape in ((pose, pose_entries, (4, 4)), (jac, jac_entries, (6, 7)))
     )
 
 
@@ -69,57 +191,78 @@ class Pinocchio:
         self.model = pinocchio.buildReducedModel(model, fingers, pinocchio.neutral(model))
         self.data, self.frame = self.model.createData(), self.model.getFrameId("panda_link8")
 
+    def pose(self, maker: np.ndarray) -> np.ndarray:
+        pinocchio.forwardKinematics(self.model, self.data, maker)
+        return pinocchio.updateFramePlacement(self.model, self.data, self.frame).homogeneous
+
+    def jacobian(self, maker: np.ndarray) -> np.ndarray:
+        return pinocchio.computeFrameJacobian(self.model, self.data, maker, self.frame, BASE_AXES)
+
     def poses(self, q: np.ndarray) -> np.ndarray:
         found = np.empty((len(q), 4, 4))
         for k, maker in enumerate(q * SIGNS):
-            pinocchio.forwardKinematics(self.model, self.data, maker)
-            found[k] = pinocchio.updateFramePlacement(self.model, self.data, self.frame).homogeneous
+            found[k] = self.pose(maker)
         return found @ HALF_TURN
 
     def jacobians(self, q: np.ndarray) -> np.ndarray:
-        found, axes = np.empty((len(q), 6, 7)), pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
+        found = np.empty((len(q), 6, 7))
         for k, maker in enumerate(q * SIGNS):
-            found[k] = pinocchio.computeFrameJacobian(
-                self.model, self.data, maker, self.frame, axes
-            )
+            found[k] = self.jacobian(maker)
         return found * SIGNS
 
 
-def mapped(function: casadi.Function):
-    """A CasADi function over a batch, in blocks (faster than a map over it all), as (batch, rows,
-    columns)."""
-    over = function.map(BLOCK)
-    rows, columns = function.size_out(0)
-
-    def work(q):
-        found = np.empty((len(q), rows, columns))
-        for start in range(0, len(q), BLOCK):
-            part = over(q[start : start + BLOCK].T).full()
-            found[start : start + BLOCK] = part.T.reshape(-1, columns, rows).transpose(0, 2, 1)
-        return found
-
-    return work
-
-
-def cases(Case):
+def batches(Case):
     pin, chain = Pinocchio(), ets()
-    pose, jac = (mapped(function) for function in casadi_functions())
+    q, T, J = casadi_expressions()
+    in_jax = jax_ways()
     poses = {
-        "CasADi Function.map": pose,
+        **casadi_ways(q, T),
+        **in_jax[0],
         "Pinocchio, in a loop": pin.poses,
-        "roboticstoolbox ETS.fkine": chain.eval,
+        "roboticstoolbox ETS.eval, batched": chain.eval,
+        "roboticstoolbox ETS.fkine, in a loop": lambda q: np.array([chain.fkine(x).A for x in q]),
     }
     jacobians = {
-        "CasADi Function.map": jac,
+        **casadi_ways(q, J),
+        **in_jax[1],
         "Pinocchio, in a loop": pin.jacobians,
         "roboticstoolbox ETS.jacob0, in a loop": lambda q: np.array([chain.jacob0(x) for x in q]),
     }
     for size, rounds in ((1000, 31), (1_000_000, 1)):
-        q = np.random.default_rng(0).uniform(*PANDA.limits, size=(size, 7))
+        batch = np.random.default_rng(0).uniform(*PANDA.limits, size=(size, 7))
         count = f"{size:,}".replace(",", " ")
         for name, ours, peers in (
             ("FK", forward_kinematics, poses),
             ("Jacobian", jacobian, jacobians),
         ):
-            works = {peer: partial(work, q) for peer, work in peers.items()}
-            yield Case(f"{name}, {count} poses", partial(ours, BARE, q), works, 1e-12, rounds)
+            works = {peer: partial(work, batch) for peer, work in peers.items()}
+            yield Case(f"{name}, {count} poses", partial(ours, BARE, batch), works, 1e-12, rounds)
+
+
+def one_pose(Case):
+    """Calls for a single joint vector, from one array to another."""
+    pin, chain = Pinocchio(), ets()
+    q, T, J = casadi_expressions()
+    pose, jac = (casadi.Function("f", [q], [x]) for x in (T, J))
+    x, maker = np.array(PANDA.home), SIGNS * PANDA.home
+    poses = {
+        "CasADi Function": lambda: pose(x).full(),
+        "Pinocchio": lambda: pin.pose(maker) @ HALF_TURN,
+        "roboticstoolbox ETS.eval": lambda: chain.eval(x),
+        "roboticstoolbox ETS.fkine": lambda: chain.fkine(x).A,
+    }
+    jacobians = {
+        "CasADi Function": lambda: jac(x).full(),
+        "Pinocchio": lambda: pin.jacobian(maker) * SIGNS,
+        "roboticstoolbox ETS.jacob0": lambda: chain.jacob0(x),
+    }
+    for name, ours, peers in (
+        ("FK", forward_kinematics, poses),
+        ("Jacobian", jacobian, jacobians),
+    ):
+        yield Case(f"{name}, one pose", partial(ours, BARE, x), peers, 1e-12, 31, calls=100)
+
+
+def cases(Case):
+    yield from one_pose(Case)
+    yield from batches(Case)

@@ -1,41 +1,142 @@
-"""The homework's Euler loop of 1000 steps, written with each program."""
+"""The homework's loop of 1000 steps with each program, by Euler, Runge and Kutta, and Newton."""
 
 from functools import partial
 
 import numpy as np
 import pinocchio
-from kinematics import BARE, SIGNS, Pinocchio, ets
+from kinematics import BARE, BASE_AXES, SIGNS, Pinocchio, ets
 
 from helpers.motion import circle, trace
 from helpers.robots import PANDA
 
 FREE = [0, 1, 3, 4, 5, 6]  # joint 3 is locked
+PATH = circle([0.5735, 0, 0.7195], 0.1, "zy", 5.0, 1000)
 STEP = 5.0 / 1000
+ARM = BARE.lock(3)
 
 
-def looped(jacobian_of, path, start: np.ndarray) -> np.ndarray:
-    """q_{k+1} = q_k + dt J^-1 xi with another program's 6 x 7 Jacobian, column 3 left out."""
-    q, run = np.array(start), np.empty((len(path.times), 7))
-    run[0] = q
-    for k, v in enumerate(path.velocities[:-1]):
-        J = jacobian_of(q)[:, FREE]
-        q[FREE] += STEP * np.linalg.solve(J, np.concatenate([v, np.zeros(3)]))
-        run[k + 1] = q
-    return np.delete(run, 2, axis=1)
+class Looped:
+    """The loops as users write them, around a program's 6 x 7 Jacobian, column 3 left out."""
+
+    def __init__(self, jacobian_of) -> None:
+        self.jacobian_of = jacobian_of
+
+    def rates(self, q: np.ndarray, t: float) -> np.ndarray:
+        twist = np.concatenate([PATH.velocity(t), np.zeros(3)])
+        return np.linalg.solve(self.jacobian_of(np.insert(q, 2, 0.0))[:, FREE], twist)
+
+    def euler(self) -> np.ndarray:
+        """q_{k+1} = q_k + dt J^-1 xi, the velocities in a table, the twist padded at each step."""
+        q, run = np.array(PANDA.home), np.empty((len(PATH.times), 7))
+        run[0] = q
+        for k, v in enumerate(PATH.velocities[:-1]):
+            J = self.jacobian_of(q)[:, FREE]
+            q[FREE] += STEP * np.linalg.solve(J, np.concatenate([v, np.zeros(3)]))
+            run[k + 1] = q
+        return np.delete(run, 2, axis=1)
+
+    def euler_padded(self) -> np.ndarray:
+        """The same, the twists padded beforehand."""
+        q, run = np.array(PANDA.home), np.empty((len(PATH.times), 7))
+        run[0] = q
+        twists = np.hstack([PATH.velocities, np.zeros_like(PATH.velocities)])
+        for k, twist in enumerate(twists[:-1]):
+            q[FREE] += STEP * np.linalg.solve(self.jacobian_of(q)[:, FREE], twist)
+            run[k + 1] = q
+        return np.delete(run, 2, axis=1)
+
+    def rk4(self) -> np.ndarray:
+        q, run = np.array(ARM.home), np.empty((len(PATH.times), 6))
+        run[0] = q
+        for k, t in enumerate(PATH.times[:-1]):
+            k_1 = self.rates(q, t)
+            k_2 = self.rates(q + STEP / 2 * k_1, t + STEP / 2)
+            k_3 = self.rates(q + STEP / 2 * k_2, t + STEP / 2)
+            k_4 = self.rates(q + STEP * k_3, t + STEP)
+            q = q + STEP / 6 * (k_1 + 2 * k_2 + 2 * k_3 + k_4)
+            run[k + 1] = q
+        return run
+
+
+class Locked:
+    """Pinocchio at its best: joint 3 locked in its model, its signs kept, a loop of bare calls."""
+
+    def __init__(self, pin: Pinocchio) -> None:
+        self.signs = SIGNS[FREE]
+        self.model = pinocchio.buildReducedModel(pin.model, [3], SIGNS * PANDA.home)
+        self.data, self.frame = self.model.createData(), self.model.getFrameId("panda_link8")
+
+    def jacobian(self, x: np.ndarray) -> np.ndarray:
+        return pinocchio.computeFrameJacobian(self.model, self.data, x, self.frame, BASE_AXES)
+
+    def euler(self) -> np.ndarray:
+        x, run = self.signs * ARM.home, np.empty((len(PATH.times), 6))
+        run[0] = x
+        moves = STEP * np.hstack([PATH.velocities, np.zeros_like(PATH.velocities)])
+        jacobian, solve = self.jacobian, np.linalg.solve
+        for k, move in enumerate(moves[:-1]):
+            x = x + solve(jacobian(x), move)
+            run[k + 1] = x
+        return run * self.signs
+
+    def rk4(self) -> np.ndarray:
+        x, run = self.signs * ARM.home, np.empty((len(PATH.times), 6))
+        run[0] = x
+        moves = [PATH.velocity(PATH.times[:-1] + share * STEP) for share in (0.0, 0.5, 1.0)]
+        moves = [STEP * np.hstack([v, np.zeros_like(v)]) for v in moves]
+        jacobian, solve = self.jacobian, np.linalg.solve
+        for k, (begin, middle, end) in enumerate(zip(*moves, strict=True)):
+            d_1 = solve(jacobian(x), begin)
+            d_2 = solve(jacobian(x + 0.5 * d_1), middle)
+            d_3 = solve(jacobian(x + 0.5 * d_2), middle)
+            d_4 = solve(jacobian(x + d_3), end)
+            x = x + (d_1 + 2 * (d_2 + d_3) + d_4) / 6
+            run[k + 1] = x
+        return run * self.signs
+
+    def exact(self) -> np.ndarray:
+        """Newton's method at each step, from the step before, to the same 1e-13."""
+        x, run = self.signs * ARM.home, np.empty((len(PATH.times), 6))
+        run[0] = x
+        held = self.pose(x)[:3, :3]
+        for k, position in enumerate(PATH.positions[1:]):
+            for _ in range(30):
+                have = self.pose(x)
+                error = np.empty(6)
+                error[:3] = position - have[:3, 3]
+                turn = held @ have[:3, :3].T
+                error[3] = 0.5 * (turn[2, 1] - turn[1, 2])
+                error[4] = 0.5 * (turn[0, 2] - turn[2, 0])
+                error[5] = 0.5 * (turn[1, 0] - turn[0, 1])
+                if np.abs(error).max() < 1e-13:
+                    break
+                x = x + np.linalg.solve(self.jacobian(x), error)
+            run[k + 1] = x
+        return run * self.signs
+
+    def pose(self, x: np.ndarray) -> np.ndarray:
+        pinocchio.forwardKinematics(self.model, self.data, x)
+        return pinocchio.updateFramePlacement(self.model, self.data, self.frame).homogeneous
+
+
+def ours(method: str) -> np.ndarray:
+    return trace(ARM, ARM.home, PATH, method=method).q
 
 
 def cases(Case):
-    pin, chain, arm = Pinocchio(), ets(), BARE.lock(3)
-    path = circle([0.5735, 0, 0.7195], 0.1, "zy", 5.0, 1000)
-    axes = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
-
-    def with_pinocchio(q):
-        return (
-            pinocchio.computeFrameJacobian(pin.model, pin.data, SIGNS * q, pin.frame, axes) * SIGNS
-        )
-
-    peers = {
-        "the loop with Pinocchio": partial(looped, with_pinocchio, path, PANDA.home),
-        "the loop with roboticstoolbox": partial(looped, chain.jacob0, path, PANDA.home),
+    pin = Pinocchio()
+    of_pinocchio = Looped(lambda q: pin.jacobian(SIGNS * q) * SIGNS)
+    of_toolbox, locked = Looped(ets().jacob0), Locked(pin)
+    euler = {
+        "the loop with Pinocchio, as users write it": of_pinocchio.euler,
+        "the same, twists padded beforehand": of_pinocchio.euler_padded,
+        "the same, joint 3 locked in the model, nothing else left in the loop": locked.euler,
+        "the loop with roboticstoolbox, as users write it": of_toolbox.euler,
     }
-    yield Case("Euler trace, 1000 steps", lambda: trace(arm, arm.home, path).q, peers, 1e-9, 5)
+    rk4 = {
+        "the loop with Pinocchio, as users write it": of_pinocchio.rk4,
+        "the same at its best": locked.rk4,
+    }
+    exact = {"Newton's method with Pinocchio, at its best": locked.exact}
+    for name, peers in (("euler", euler), ("rk4", rk4), ("exact", exact)):
+        yield Case(f"{name} trace, 1 000 steps", partial(ours, name), peers, 1e-9, 9)

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, entry, evaluate, latex, names
 from helpers.inputs import ArmError, listed, must_be, numbers, shown
+from helpers.reading.table import meant, read
 from helpers.rows import (
     Body,
     Joint,
@@ -165,6 +166,40 @@ class Arm:
 
     def _joint_array(self, name: str) -> Array:
         return np.array([getattr(self.rows[i - 1].joint, name) for i in self.joints])
+
+    @classmethod
+    def from_table(
+        cls,
+        source: object,
+        *,
+        columns: str | None = None,
+        lengths: str | None = None,
+        angles: str | None = None,
+        convention: str | None = None,
+        values: Mapping[str, float] | None = None,
+        name: str = "my table",
+    ) -> "Arm":
+        """An arm from a table as people hold it: pasted text, rows, parallel lists, ``Link(...)``
+        lines, 4 x 4 matrices.
+
+        Args:
+            source: LaTeX, Markdown, MATLAB, CSV or Python text, or lists; the joint's variable may
+                stand in theta or d.
+            columns: their order, as ``"theta d a alpha"``.
+            lengths: "m", "cm" or "mm".
+            angles: "rad" or "deg".
+            convention: "standard" or "craig" (modified), whose rows hold a_{i-1} and alpha_{i-1}.
+            values: numbers for symbols other than the joints'.
+            name: what to call the arm.
+
+        What is not given is guessed, and the arm's `source` tells how the table was taken. Raises
+        ArmError for what is no table, or holds a symbol without a value.
+        """
+        must_be(name, str, "an arm's name")
+        if values is not None:
+            must_be(values, Mapping, "values")
+        taken = meant(read(source, columns, lengths, angles, convention, values)[0])
+        return cls(name, taken.as_rows(), source="; ".join(taken.said))
 
     # The same arm, changed
 

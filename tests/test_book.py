@@ -64,9 +64,10 @@ def test_the_page_is_there_and_up_to_date(name):
 
 @every_page
 def test_nothing_is_loaded_from_elsewhere(name):
-    for url in page(HTML / f"{name}.html").loads:
+    here = HTML / f"{name}.html"
+    for url in page(here).loads:
         assert not re.match(r"(https?:)?//", url), url
-        assert url.startswith(("data:", "#")) or (HTML / local(url)).exists(), url
+        assert url.startswith(("data:", "#")) or (here.parent / local(url)).exists(), url
 
 
 @every_page

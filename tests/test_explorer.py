@@ -19,7 +19,7 @@ from helpers.checks import compare_tables
 from helpers.explorer import ArmExplorer
 from helpers.explorer.data import arm_data, arm_from
 from helpers.explorer.stub import still
-from helpers.explorer.widget import BUNDLE
+from helpers.explorer.widget import BUNDLE, MORE
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
@@ -457,9 +457,14 @@ def test_the_bundle_is_what_its_sources_make(tmp_path):
         if not os.environ.get("CI"):
             pytest.skip("npm packages are not installed: npm ci --prefix explorer")
         subprocess.run([shutil.which("npm"), "ci", "--silent"], cwd=SOURCES, check=True)
-    made = tmp_path / "explorer.js"
-    subprocess.run([NODE, "build.js", str(made)], cwd=SOURCES, check=True, capture_output=True)
-    assert made.read_bytes() == BUNDLE.read_bytes(), "run `npm run build --prefix explorer`"
+    subprocess.run([NODE, "build.js", str(tmp_path)], cwd=SOURCES, check=True, capture_output=True)
+    for script in (BUNDLE, MORE):
+        assert (tmp_path / script.name).read_bytes() == script.read_bytes(), "run `make explorer`"
+
+
+def test_the_small_figures_know_the_books_arms():
+    known = json.loads((SOURCES / "src" / "more" / "arms.json").read_text(encoding="utf-8"))
+    assert known == [arm_data(arm) for arm in ARMS]
 
 
 def test_the_bundle_is_light():
@@ -467,6 +472,7 @@ def test_the_bundle_is_light():
 
     assert BUNDLE.stat().st_size <= 740_000
     assert len(gzip.compress(BUNDLE.read_bytes(), 9)) <= 200_000
+    assert len(gzip.compress(MORE.read_bytes(), 9)) <= 25_000
 
 
 @every_arm

@@ -481,6 +481,14 @@ def test_follow_keeps_its_branch_and_its_free_joint():
     q = follow(partial(elbow, ELBOW), path, q0)
     np.testing.assert_allclose(forward_kinematics(ELBOW, q)[:, :3, 3], path, atol=1e-10)
     assert np.abs(np.diff(q, axis=0)).max() < 0.2
+
+    def careless(target, start):
+        found = elbow(ELBOW, target, start)
+        target += 1.0
+        start += 1.0
+        return found
+
+    np.testing.assert_array_equal(follow(careless, path, q0), q)
     with pytest.raises(ArmError, match=r"Elbow arm: no branch reaches target 1 of 2"):
         follow(partial(elbow, ELBOW), [path[0], (2, 0, 0)], q0)
 

@@ -526,6 +526,25 @@ def test_what_callers_functions_write_into_is_theirs(method):
     np.testing.assert_array_equal(careless.times, path.times)
 
 
+def test_a_path_keeps_its_own_copies():
+    centre, times = np.array([0.5, 0.0, 0.6]), np.array([0.0, 1.0])
+    round_it = circle(centre, 0.1, "yz", 5.0, 4)
+    path = Path(times, careless_clock, careless_clock, [1, 0, 0])
+    wanted = round_it.positions
+    centre += 1.0
+    times += 1.0
+    np.testing.assert_array_equal(round_it.positions, wanted)
+    np.testing.assert_array_equal(path.positions[:, 0], [0, 1])
+    np.testing.assert_array_equal(path.velocities[:, 0], [0, 1])
+
+
+def careless_clock(t):
+    """The times as positions, after which the times it was given are spoilt."""
+    found = np.stack([t, t, t], axis=-1)
+    t += 1.0
+    return found
+
+
 @pytest.mark.parametrize("method", ["euler", "rk4"])
 def test_a_path_may_take_one_time_at_a_time(method):
     """A straight path at even speed, whose velocity is one vector whatever it is asked."""

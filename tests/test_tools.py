@@ -3,6 +3,7 @@ on every machine."""
 
 import io
 import re
+from pathlib import Path
 
 import nbformat
 import pytest
@@ -10,6 +11,8 @@ from pypdf import PdfReader, PdfWriter
 
 from tools import pdf
 from tools.refresh import refresh
+
+ROOT = Path(__file__).parents[1]
 
 
 def blank(pages):
@@ -85,3 +88,12 @@ def test_a_refreshed_notebook_holds_its_outputs_and_nothing_of_the_machine(noteb
     assert read.metadata.kernelspec.name == "python3"
     refresh(notebook)
     assert notebook.read_bytes() == first
+
+
+def test_the_tests_weigh_less_than_what_they_test():
+    def lines(*patterns):
+        files = [path for pattern in patterns for path in ROOT.glob(pattern)]
+        return sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files)
+
+    code = lines("helpers/**/*.py", "tools/*.py", "explorer/src/**/*.js")
+    assert lines("tests/**/*.py", "tests/**/*.mjs") < 0.8 * code

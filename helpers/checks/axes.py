@@ -5,22 +5,71 @@ each an offset between the feet of the two common normals; along parallel axes o
 offsets is fixed, for their common normals may stand anywhere. An axis that slides has a direction
 and no place. Sliding moves the lines after it, so lengths are taken where the slides make the sum
 of their squares least: all tables find the same place. What is left open is which way each axis
-points: a sign per joint, which the comparison tries out.
+points: a sign per joint, which the comparison chooses.
+
+Plain numbers and tuples: a comparison tries hundreds of tables, and the page's judge is a port of
+this.
 """
 
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, product
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from helpers.arm import Arm
-from helpers.kinematics import link_frames
+from helpers.arm import Arm, cos_sin
+from helpers.reading.table import Numbers
 
-Vector = NDArray[np.float64]
+Vector = tuple[float, float, float]
 
 NORMAL = -1  # stands for the common normal where joints are listed by position
 _TINY = 1e-9  # m, or the sine of an angle: closer than this, axes meet or are parallel
+_KINDS = {"revolute": "R", "prismatic": "P", "fixed": "F"}
+
+
+Rows = Sequence[Numbers]
+
+
+def numeric(arm: Arm) -> tuple[Numbers, ...]:
+    """An arm's rows in numbers."""
+    return tuple(
+        Numbers(_KINDS[r.joint.kind], *(arm.number(e) for e in (r.a, r.alpha, r.d, r.theta)))
+        for r in arm.rows
+    )
+
+
+def joints(rows: Rows) -> list[int]:
+    """The numbers, counted from 1, of the rows that move."""
+    return [i for i, row in enumerate(rows, 1) if row.kind != "F"]
+
+
+class Frame(NamedTuple):
+    """A link frame: its axes and its origin."""
+
+    x: Vector
+    y: Vector
+    z: Vector
+    o: Vector
+
+
+BASE = Frame((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, 0.0))
+
+
+def frames(rows: Rows, q: Sequence[float]) -> list[Frame]:
+    """The base's frame and each link's, joints at q."""
+    found, values = [BASE], iter(q)
+    for row in rows:
+        moved = 0.0 if row.kind == "F" else next(values)
+        c, s = cos_sin(row.theta + (moved if row.kind == "R" else 0.0))
+        ca, sa = cos_sin(row.alpha)
+        x, y, z, o = found[-1]
+        d = row.d + (moved if row.kind == "P" else 0.0)
+        new_x, turned = mix(c, x, s, y), mix(c, y, -s, x)
+        o = add(o, mix(d, z, row.a, new_x))
+        found.append(Frame(new_x, mix(ca, turned, sa, z), mix(ca, z, -sa, turned), o))
+    return found
 
 
 @dataclass(frozen=True)
@@ -36,6 +85,7 @@ class Gap:
 
     joints: tuple[int, ...]
     normal: Vector
+    length: float
     shape: dict[tuple[int, ...], float]
     offset: float | None
     bunch: tuple[int, ...]
@@ -48,67 +98,75 @@ class Gap:
         still = self.bunch == tuple(range(len(self.bunch))) and len(self.joints) + self.to_tip == 2
         return self.from_base and self.offset is not None and still
 
-    @property
-    def length(self) -> float:
-        """The distance (m) between the two axes, or from the axis to the tip."""
-        return float(np.linalg.norm(self.normal))
 
-
-def gaps(arm: Arm) -> list[Gap]:
+def gaps(rows: Rows) -> list[Gap]:
     """The arm's gaps from base to tip, with its slides where they make the lengths least."""
-    slides = [k for k, turns in enumerate(arm.turning) if not turns]
-    q, steps = np.zeros(arm.dof), np.eye(arm.dof)[slides]
+    kinds = [row.kind for row in rows if row.kind != "F"]
+    slides = [k for k, kind in enumerate(kinds) if kind == "P"]
+    q = [0.0] * len(kinds)
     if slides:
-        start = _lengths(_walk(arm, q))
-        rates = np.stack([_lengths(_walk(arm, step)) - start for step in steps], axis=1)
-        rates[np.abs(rates) < _TINY] = 0.0  # a slide that changes no length stays where it is
-        q[slides] = np.linalg.lstsq(rates, -start, rcond=_TINY)[0]
-    return _walk(arm, q)
+        start = _lengths(_walk(rows, q))
+        rates = []
+        for k in slides:
+            step = [1.0 if k == j else 0.0 for j in range(len(kinds))]
+            rates.append(np.subtract(_lengths(_walk(rows, step)), start))
+        A = np.stack(rates, axis=1)
+        A[np.abs(A) < _TINY] = 0.0  # a slide that changes no length stays where it is
+        for k, x in zip(
+            slides, np.linalg.lstsq(A, np.negative(start), rcond=_TINY)[0], strict=True
+        ):
+            q[k] = float(x)
+    return _walk(rows, q)
 
 
-def tool_tilt(arm: Arm) -> float:
+def tool_tilt(rows: Rows) -> float:
     """The cosine of the angle between the last joint axis and the z axis of the last frame."""
-    T = link_frames(arm, np.zeros(arm.dof))
-    return float(T[arm.joints[-1] - 1, :3, 2] @ T[-1, :3, 2])
+    T = frames(rows, [0.0] * len(joints(rows)))
+    return dot(T[joints(rows)[-1] - 1].z, T[-1].z)
 
 
-def _lengths(walk: list[Gap]) -> Vector:
+def _lengths(walk: list[Gap]) -> list[float]:
     offsets = [gap.offset for gap in walk if gap.offset is not None and not gap.from_base]
-    return np.concatenate([*(gap.normal for gap in walk), offsets])
+    return [*(x for gap in walk for x in gap.normal), *offsets]
 
 
-def _walk(arm: Arm, q: Vector) -> list[Gap]:
-    T = link_frames(arm, q)
-    axes, points = ([T[i - 1, :3, column] for i in arm.joints] for column in (2, 3))
-    turning = [k for k, turns in enumerate(arm.turning) if turns]
-    first, *others = [*turning, arm.dof]
-    found = [_gap(axes, range(min(first + 1, arm.dof)), np.zeros(3), None, (), True, False)]
-    foot, bunch = T[0, :3, 3], ()
+def _walk(rows: Rows, q: Sequence[float]) -> list[Gap]:
+    T, moving = frames(rows, q), joints(rows)
+    axes, points = [T[i - 1].z for i in moving], [T[i - 1].o for i in moving]
+    dof = len(moving)
+    turning = [k for k, i in enumerate(moving) if rows[i - 1].kind == "R"]
+    first, *others = [*turning, dof]
+    found = [_gap(axes, range(min(first + 1, dof)), (0.0, 0.0, 0.0), None, (), True, False)]
+    foot, bunch = T[0].o, ()
     for i, j in zip(turning, others, strict=True):
-        ends = (points[j], axes[j]) if j < arm.dof else (T[-1, :3, 3], None)
-        foot = foot if bunch else points[i] + axes[i] * (axes[i] @ (foot - points[i]))
-        leave, arrive = _feet(foot, axes[i], *ends)
+        end, other = (points[j], axes[j]) if j < dof else (T[-1].o, None)
+        foot = foot if bunch else _onto(points[i], axes[i], foot)
+        leave, arrive = _feet(foot, axes[i], end, other)
         bunch = (*bunch, i)
-        goes_on = j < arm.dof and _parallel(axes[i], axes[j])
-        offset = None if goes_on else float(axes[i] @ (leave - foot))
-        joints = range(i, min(j + 1, arm.dof))
-        from_base, to_tip = bunch[0] == turning[0], j == arm.dof
-        found.append(_gap(axes, joints, arrive - leave, offset, bunch, from_base, to_tip))
+        goes_on = j < dof and _parallel(axes[i], axes[j])
+        offset = None if goes_on else dot(axes[i], sub(leave, foot))
+        between = range(i, min(j + 1, dof))
+        found.append(
+            _gap(axes, between, sub(arrive, leave), offset, bunch, bunch[0] == turning[0], j == dof)
+        )
         foot, bunch = arrive, bunch if goes_on else ()
     return found
 
 
-def _gap(axes: list, joints: range, normal: Vector, *rest) -> Gap:
-    directions = {k: axes[k] for k in joints}
-    length = np.linalg.norm(normal)
+def _gap(axes: list[Vector], between: range, normal: Vector, *rest) -> Gap:
+    directions = {k: axes[k] for k in between}
+    length = math.sqrt(dot(normal, normal))
     if length > _TINY:
-        directions[NORMAL] = normal / length
-    pairs = {pair: float(np.dot(*map(directions.get, pair))) for pair in combinations(joints, 2)}
-    triples = {
-        three: float(np.linalg.det([directions[k] for k in three]))
-        for three in combinations(directions, 3)
-    }
-    return Gap(tuple(joints), normal, pairs | triples, *rest)
+        directions[NORMAL] = mix(1 / length, normal, 0.0, normal)
+    shape = {(i, j): dot(directions[i], directions[j]) for i, j in combinations(between, 2)}
+    for i, j, k in combinations(directions, 3):
+        shape[i, j, k] = dot(cross(directions[i], directions[j]), directions[k])
+    return Gap(tuple(between), normal, length, shape, *rest)
+
+
+def _onto(p: Vector, u: Vector, point: Vector) -> Vector:
+    """The foot of a point on the line (p, u)."""
+    return add(p, mix(dot(u, sub(point, p)), u, 0.0, u))
 
 
 def _feet(p: Vector, u: Vector, q: Vector, v: Vector | None) -> tuple[Vector, Vector]:
@@ -117,12 +175,216 @@ def _feet(p: Vector, u: Vector, q: Vector, v: Vector | None) -> tuple[Vector, Ve
     From parallel axes it starts at p.
     """
     if v is None:
-        return p + u * (u @ (q - p)), q
+        return _onto(p, u, q), q
     if _parallel(u, v):
-        return p, q + v * (v @ (p - q))
-    s, t, _ = np.linalg.solve(np.stack([u, -v, np.cross(u, v)], axis=1), q - p)
-    return p + s * u, q + t * v
+        return p, _onto(q, v, p)
+    w, uv = sub(q, p), dot(u, v)
+    below = 1.0 - uv * uv
+    s = (dot(u, w) - uv * dot(v, w)) / below
+    t = (uv * dot(u, w) - dot(v, w)) / below
+    return mix(1.0, p, s, u), mix(1.0, q, t, v)
 
 
 def _parallel(u: Vector, v: Vector) -> bool:
-    return bool(np.linalg.norm(np.cross(u, v)) < _TINY)
+    n = cross(u, v)
+    return dot(n, n) < _TINY * _TINY
+
+
+def dot(u: Vector, v: Vector) -> float:
+    """The inner product."""
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+
+
+def cross(u: Vector, v: Vector) -> Vector:
+    """The vector product."""
+    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+
+
+def add(u: Vector, v: Vector) -> Vector:
+    """u + v."""
+    return u[0] + v[0], u[1] + v[1], u[2] + v[2]
+
+
+def sub(u: Vector, v: Vector) -> Vector:
+    """u - v."""
+    return u[0] - v[0], u[1] - v[1], u[2] - v[2]
+
+
+def mix(a: float, u: Vector, b: float, v: Vector) -> Vector:
+    """a u + b v."""
+    return a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]
+
+
+# Two walks side by side
+
+
+class Difference(NamedTuple):
+    """What differs in a gap: the key of its sentence, the row and entry it shows in, the joints it
+    lies between, and what it is in both tables (m, rad, or words)."""
+
+    key: str
+    row: int
+    entry: str
+    ends: tuple[int, ...]
+    mine: float | str
+    reference: float | str
+
+
+@dataclass(frozen=True)
+class Side:
+    """One table's walk, ready to be compared."""
+
+    rows: tuple[Numbers, ...]
+    joints: list[int]
+    gaps: list[Gap]
+    tilt: float
+
+
+@dataclass(frozen=True)
+class Compared:
+    """The differences that are left once each axis of the reference is turned the way that makes
+    them fewest.
+    """
+
+    differences: tuple[Difference, ...]
+    signs: tuple[int, ...]
+    base_higher: float
+    tilts: tuple[float, float]
+
+
+def side(rows: Rows) -> Side:
+    """A table's walk; it needs a joint."""
+    return Side(tuple(rows), joints(rows), gaps(rows), tool_tilt(rows))
+
+
+def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1e-4) -> Compared:
+    """Compare two arms, lengths to within `length` (m) and angles to within `angle` (rad).
+
+    The signs of the axes are chosen gap by gap from the base on, keeping for each sign of the last
+    axis the cheapest choice.
+    """
+    unlike = tuple(_unlike(mine, reference))
+    if unlike:
+        return Compared(unlike, (), 0.0, (0.0, 0.0))
+    best: dict[int, tuple] = {s: ((0, 0.0, 0), (s,), ()) for s in (1, -1)}
+    for m, r in zip(mine.gaps, reference.gaps, strict=True):
+        best = _step(mine, m, r, best, length, angle)
+    ends = []
+    for last, (cost, signs, found) in best.items():
+        tilts = (_arc(mine.tilt), _arc(last * reference.tilt))
+        note = angle_between(*tilts) > angle
+        ends.append(((cost[0], cost[1], cost[2] + note, -sum(signs)), signs, found, tilts))
+    _, signs, found, tilts = min(ends, key=lambda end: end[0])
+    return Compared(found, signs, _base_higher(mine, reference, signs), tilts)
+
+
+def _step(mine: Side, m: Gap, r: Gap, best: dict, length: float, angle: float) -> dict:
+    """The cheapest choices up to the end of a gap, for each sign of its last joint; the gap begins
+    with the last one's end.
+    """
+    found: dict[int, tuple] = {}
+    more = len(m.joints) - 1
+    for signs in product((1, -1), repeat=len(m.joints)):
+        (count, far, notes), before, old = best[signs[0]]
+        new = tuple(
+            _differences(mine, m, r, dict(zip(m.joints, signs, strict=True)), length, angle)
+        )
+        higher = (
+            0.0
+            if not (m.places_base and r.places_base and m.bunch == r.bunch)
+            else _height(m, r, signs[0])
+        )
+        note = abs(higher) > length
+        if note and before[0] < 0 and mine.joints[0] == 1:
+            new += (Difference("table base", mine.joints[0], "d", (), m.offset, -r.offset),)
+        far += sum(abs(x.mine - x.reference) for x in new)
+        cost = (count + len(new), round(far, 9), notes + note + (before[0] < 0))
+        choice = (cost, before + signs[1:] if more else before, old + new)
+        last = signs[-1]
+        if last not in found or choice[0] < found[last][0]:
+            found[last] = choice
+    return found
+
+
+def _height(m: Gap, r: Gap, sign: int) -> float:
+    return sign * r.offset - m.offset
+
+
+def _base_higher(mine: Side, reference: Side, signs: tuple[int, ...]) -> float:
+    m, r = (next((g for g in s.gaps if g.places_base), None) for s in (mine, reference))
+    if m is None or r is None or m.bunch != r.bunch:
+        return 0.0
+    return _height(m, r, signs[m.bunch[-1]])
+
+
+def _unlike(mine: Side, reference: Side) -> Iterator[Difference]:
+    if len(mine.joints) != len(reference.joints):
+        row = mine.joints[min(len(mine.joints), len(reference.joints)) - 1]
+        yield Difference("table count", row, "joints", (), len(mine.joints), len(reference.joints))
+        return
+    names = {"R": "revolute", "P": "prismatic"}
+    for i, j in zip(mine.joints, reference.joints, strict=True):
+        kind, wanted = names[mine.rows[i - 1].kind], names[reference.rows[j - 1].kind]
+        if kind != wanted:
+            yield Difference("table kind", i, "joint", (), kind, wanted)
+
+
+def _differences(
+    mine: Side, m: Gap, r: Gap, signs: dict[int, int], length: float, angle: float
+) -> Iterator[Difference]:
+    first = mine.joints[m.joints[0]]
+    if abs(m.length - r.length) > length:
+        end = 0 if m.to_tip else mine.joints[m.joints[-1]]
+        yield Difference("table distance", first, "a", (first, end), m.length, r.length)
+    twists = list(_twists(mine, m, r, signs, angle))
+    yield from twists or _slide(mine, m, r, signs, angle)
+    if not m.from_base and None not in (m.offset, r.offset) and m.bunch == r.bunch:
+        wanted = signs[m.joints[0]] * r.offset
+        if abs(m.offset - wanted) > length:
+            ends = (mine.joints[m.bunch[0]], mine.joints[m.bunch[-1]])
+            yield Difference("table along", ends[1], "d", ends, m.offset, wanted)
+
+
+def _twists(
+    mine: Side, m: Gap, r: Gap, signs: dict[int, int], angle: float
+) -> Iterator[Difference]:
+    for i, j in zip(m.joints, m.joints[1:], strict=False):
+        sided = len(m.joints) == 2 and (i, j, NORMAL) in m.shape and (i, j, NORMAL) in r.shape
+        x, y = _twist(m, (i, j), sided, {}), _twist(r, (i, j), sided, signs)
+        if angle_between(x, y) > angle:
+            ends = (mine.joints[i], mine.joints[j])
+            yield Difference("table between", ends[0], "alpha", ends, x, y)
+
+
+def _twist(gap: Gap, pair: tuple[int, int], sided: bool, signs: dict[int, int]) -> float:
+    """The angle between two axes: about their common normal if `sided`, else between 0 and pi."""
+    cosine = _product(gap, pair, signs)
+    return math.atan2(_product(gap, (*pair, NORMAL), signs), cosine) if sided else _arc(cosine)
+
+
+def _product(gap: Gap, which: tuple[int, ...], signs: dict[int, int]) -> float:
+    """One of the gap's products, each joint's direction turned by its sign."""
+    found = gap.shape[which]
+    for k in which:
+        found *= signs.get(k, 1)
+    return found
+
+
+def _slide(mine: Side, m: Gap, r: Gap, signs: dict[int, int], angle: float) -> Iterator[Difference]:
+    """A slide does not turn: what lies before and after it is held at an angle about it."""
+    slides = [mine.joints[k] for k in m.joints if mine.rows[mine.joints[k] - 1].kind == "P"]
+    both = sorted(m.shape.keys() & r.shape.keys()) if slides else []
+    products = [(m.shape[which], _product(r, which, signs)) for which in both]
+    x, y = max(products, key=lambda pair: abs(pair[0] - pair[1]), default=(0.0, 0.0))
+    if abs(x - y) > angle:
+        yield Difference("table held", slides[0], "theta", (), _arc(x), _arc(y))
+
+
+def _arc(cosine: float) -> float:
+    """The angle (rad) with this cosine, rounding past 1 forgiven."""
+    return math.acos(max(-1.0, min(1.0, cosine)))
+
+
+def angle_between(left: float, right: float) -> float:
+    """How far two angles (rad) are apart, whole turns aside."""
+    return abs((left - right + math.pi) % (2 * math.pi) - math.pi)

@@ -1,109 +1,202 @@
 """Is my inverse kinematics right and complete? Each of your answers is judged, and what is missing
-is named."""
+is named.
+"""
 
-from collections.abc import Iterator
+import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from helpers.arm import Arm
-from helpers.checks.verdict import Verdict
-from helpers.inputs import ArmError, floats, must_be
+from helpers.checks import door, inverse_causes
+from helpers.checks.digits import HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG, Typed
+from helpers.checks.ranking import Cause, lower, several
+from helpers.checks.verdict import Finding, Report
+from helpers.inputs import ArmError, must_be
 from helpers.inverse.numeric import solve
 from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics, jacobian
+from helpers.reading.sentences import listed, say, size
 
 Array = NDArray[np.float64]
 
-_WITHIN = 1e-4  # rad or m: answers copied from paper with four decimals still count
+_EXACT = 1e-4  # rad or m: answers copied from paper with four decimals still count
 _NEAR = 1e-3  # m and rad: a pose this close is the target's
+_BY_HAND = 0.03  # rad or m: the most that rounding on the way is allowed
+_OF_ONE_STEP = (
+    "ik.sign",
+    "ik.plus for minus",
+)  # told rather than that joints of two branches are mixed
+_COARSE = 5.1e-3  # rad or m: with a larger unit than this, branches and slips are not told apart
 
 
-@dataclass(frozen=True, repr=False)
-class BranchReport(Verdict):
-    """What `compare_branches` found: a line for each wrong answer and one for what is missing;
-    nothing if all is right."""
+@dataclass(frozen=True)
+class _Branches:
+    """The right answers: joint vectors, names, which joints are free, and the tip's pose."""
 
-    arm: str
-    found: tuple[str, ...]
-    findings: tuple[str, ...]
+    arm: Arm
+    q: Array
+    names: tuple[str, ...]
+    free: NDArray[np.bool_]
 
-    def __str__(self) -> str:
-        verdict = "are right and complete" if self.agrees else "are not right and complete"
-        lines = [f"Your joint angles for {self.arm} {verdict}."]
-        lines += [f"- found: {name}" for name in self.found]
-        return "\n".join([*lines, *(f"- {finding}" for finding in self.findings)])
+    @property
+    def target(self) -> Array:
+        return forward_kinematics(self.arm, self.q[0])
 
 
-def compare_branches(mine: ArrayLike, found: Solutions) -> BranchReport:
+def compare_branches(
+    mine: object, found: Solutions, *, angles: str = "rad", tolerance: float | None = None
+) -> Report:
     """Judge your joint vectors, shape (answers, dof), for one target against all of its branches.
 
     Whole turns do not matter, nor does the order. A wrong answer is told how far off the tip is
-    and, where one slip explains it, which: a sign, half a turn (atan for atan2), degrees, or joints
-    of different branches mixed. Where a joint is free any one value of it stands for the branch.
+    and, where one slip or two explain it, which; what is missing is named. Where a joint is free
+    any one value of it stands for the branch.
+
+    Args:
+        mine: an array, lists, text, or pairs such as ('theta1', 0.3).
+        found: what a closed form gives for the target.
+        angles: "deg" where yours are in degrees.
+        tolerance: the largest deviation of a joint (rad or m); inferred from the digits typed
+            unless given.
+
     Raises ArmError for another shape, or where `found` holds many targets.
     """
     must_be(found, Solutions, "found")
+    door.settings(angles, tolerance)
     arm = found.arm
-    mine = floats(mine, f"{arm.name}: q", f"joint vectors, (answers, {arm.dof})")
     if found.valid.ndim != 1:
-        raise ArmError(
-            f"{arm.name}: found holds {found.distance.size} targets; expected the branches of one"
+        raise ArmError(say("one target", arm=arm.name, count=found.distance.size))
+    typed, taken = answers(mine, arm, angles)
+    right = _Branches(
+        arm,
+        found.q[found.valid],
+        tuple(np.array(found.branches)[found.valid]),
+        found.free[found.valid],
+    )
+    if (
+        len(right.q)
+        and not _hits(right, typed, tolerance)[0]
+        and angles == "rad"
+        and len(typed.values)
+    ):
+        degrees = _in_degrees(typed, arm)
+        if _hits(right, degrees, tolerance)[0]:
+            return _report(right, degrees, tolerance, taken, inverse_causes.cause("ik.degrees"))
+    return _report(right, typed, tolerance, taken, None)
+
+
+def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]]:
+    """Joint vectors (answers, dof) with their units, however they were held."""
+    what = f"{arm.name}: q"
+    typed = door.numbers(_unlabelled(mine), what, wanted=f"joint vectors (answers, {arm.dof})")
+    values, units, said = typed.values, typed.units, ()
+    if not values.size:
+        return Typed(np.zeros((0, arm.dof)), np.zeros((0, arm.dof))), ()
+    if values.ndim > 2:
+        values, units = np.squeeze(values), np.squeeze(units)
+    if values.ndim == 2 and values.shape[1] == 1 and values.shape[0] == arm.dof:
+        values, units = values.T, units.T
+    values, units = np.atleast_2d(values), np.atleast_2d(units)
+    if values.ndim == 2 and values.shape[1] != arm.dof == values.shape[0]:
+        values, units, said = values.T, units.T, (say("taken: answer per column"),)
+    if values.ndim != 2 or values.shape[1] != arm.dof:
+        shape = "x".join(map(str, typed.values.shape))
+        raise ArmError(say("answers shape", arm=arm.name, shape=shape, dof=arm.dof))
+    found = Typed(values, units)
+    return (_in_degrees(found, arm) if angles == "deg" else found), said
+
+
+def _unlabelled(mine: object) -> object:
+    """Answers without the names of their joints: ('theta1', 0.3) is 0.3."""
+    if isinstance(mine, str):
+        return re.sub(
+            r"['\"][^'\"]*['\"]\s*[,:]\s*|\b(?:q|theta|th|θ|t)_?\d\s*[=:]\s*", "", mine, flags=re.I
         )
-    answers = np.atleast_2d(arm.joint_vector(mine)) if mine.size else np.zeros((0, arm.dof))
-    if answers.ndim != 2:
-        raise ArmError(
-            f"{arm.name}: your answers have shape {answers.shape}; expected (answers, {arm.dof})"
-        )
-    branches, names = found.q[found.valid], np.array(found.branches)[found.valid]
-    loose = found.free[found.valid]
-    findings, hits = [], {}
-    for number, q in enumerate(answers, 1):
-        match = _matches(arm, q, branches, loose)
+    if isinstance(mine, Mapping):
+        return [_unlabelled(v) for v in mine.values()]
+    if isinstance(mine, list | tuple):
+        if len(mine) == 2 and isinstance(mine[0], str) and not isinstance(mine[1], str):
+            return _unlabelled(mine[1])
+        return [_unlabelled(item) for item in mine]
+    return mine
+
+
+def _in_degrees(typed: Typed, arm: Arm) -> Typed:
+    factor = np.where(arm.turning, np.pi / 180, 1.0)
+    return Typed(typed.values * factor, typed.units * factor)
+
+
+# Which branch an answer is
+
+
+def _margins(units: Array, tolerance: float | None, hand: bool = False) -> Array:
+    if tolerance is not None:
+        return np.full(units.shape, max(tolerance, 1e-9))
+    by_hand = np.maximum(HALF * units, np.minimum(HAND * units, _BY_HAND))
+    return np.maximum(by_hand if hand else HALF * units, _EXACT)
+
+
+def _hits(
+    right: _Branches, typed: Typed, tolerance: float | None
+) -> tuple[dict[int, int], list[int], bool]:
+    """The answer that gives each branch, the answers that give none, and whether all are right to
+    their digits.
+    """
+    hits: dict[int, int] = {}
+    astray, sharp = [], True
+    for number, (q, units) in enumerate(zip(typed.values, typed.units, strict=True), 1):
+        match = _matches(right, q, _margins(units, tolerance))
         if not match.size:
-            findings.append(f"answer {number} {_what_is_wrong(arm, q, branches, names)}")
-        else:
-            hits.update({int(k): number for k in match if int(k) not in hits})
-    missing = [str(name) for k, name in enumerate(names) if k not in hits]
-    if missing:
-        findings.append(f"missing: {'; '.join(missing)}")
-    return BranchReport(arm.name, tuple(str(names[k]) for k in sorted(hits)), tuple(findings))
+            match = _matches(right, q, _margins(units, tolerance, hand=True))
+            sharp = sharp and not match.size
+        hits.update({int(k): number for k in match if int(k) not in hits})
+        if not match.size:
+            astray.append(number)
+    return hits, astray, sharp
 
 
-def _matches(arm: Arm, q: Array, branches: Array, loose: Array) -> Array:
+def _matches(right: _Branches, q: Array, margin: Array) -> Array:
     """The branches that q is: the same joints, or, where a joint is free, another member of the
     branch's family.
 
     A member reaches the target too and differs only in joints that can move together without the
     tip. Where two families share those (a UR's elbows), the nearer one counts.
     """
-    gap = _gap(arm, q, branches)
-    same = (gap < _WITHIN).all(axis=-1)
-    family = loose.any(axis=-1)
-    if family.any() and _misses(arm, q, branches) is None:
-        family &= ((gap < _WITHIN) | _moving_in_place(arm, branches)).all(axis=-1)
-        far = np.where(loose, 0.0, gap).sum(axis=-1)
-        same |= family & (far < far[family].min(initial=np.inf) + _WITHIN)
+    arm = right.arm
+    if not len(right.q):
+        return np.zeros(0, int)
+    gap = _gap(arm, q, right.q)
+    same = (gap <= margin).all(axis=-1)
+    family = right.free.any(axis=-1)
+    if family.any() and _miss(arm, q, right.target, margin) is None:
+        family &= ((gap <= margin) | _moving_in_place(arm, right.q)).all(axis=-1)
+        far = np.where(right.free, 0.0, gap).sum(axis=-1)
+        same |= family & (far < far[family].min(initial=np.inf) + margin.max())
     return np.flatnonzero(same)
 
 
 def _moving_in_place(arm: Arm, branches: Array) -> NDArray[np.bool_]:
     """Which joints can move while the tip stands still, by the Jacobian's null space, shape
-    (branches, dof)."""
+    (branches, dof).
+    """
     J = jacobian(arm, branches)[..., : 6 if arm.dof >= 6 else 3, :]
     _, sizes, directions = np.linalg.svd(J)
+    sizes = np.concatenate(
+        [sizes, np.zeros((*sizes.shape[:-1], arm.dof - sizes.shape[-1]))], axis=-1
+    )
     return (np.abs(directions) * (sizes < _NEAR)[..., None]).max(axis=-2) > _NEAR
 
 
-def _misses(arm: Arm, q: Array, branches: Array) -> tuple[float, float] | None:
-    """How far q's tip is from the target (m, rad), or None where it is there."""
-    if not len(branches):
-        return np.inf, np.inf
-    target = forward_kinematics(arm, branches[0])
+def _miss(arm: Arm, q: Array, target: Array, margin: Array) -> tuple[float, float] | None:
+    """How far q's tip is from the target (m, rad), or None where the digits of q explain it."""
     here = solve(arm, target if arm.dof >= 6 else target[:3, 3], q, iterations=0, limits=False)
     errors = float(here.position_error), float(here.orientation_error)
-    return errors if max(errors) > _NEAR else None
+    J = np.abs(jacobian(arm, q)) @ np.broadcast_to(margin, q.shape)
+    open_ = max(_NEAR, np.linalg.norm(J[:3])), max(_NEAR, np.linalg.norm(J[3:]))
+    return None if errors[0] <= open_[0] and errors[1] <= open_[1] else errors
 
 
 def _gap(arm: Arm, q: Array, other: Array) -> Array:
@@ -111,40 +204,161 @@ def _gap(arm: Arm, q: Array, other: Array) -> Array:
     return np.where(arm.turning, np.abs(np.angle(np.exp(1j * gap))), gap)
 
 
-def _what_is_wrong(arm: Arm, q: Array, branches: Array, names: Array) -> str:
-    if not len(branches):
-        return "cannot be right: no joint angles reach this target"
-    missed = _misses(arm, q, branches)
-    if missed is None:
-        return "reaches the target by joint angles that are no branch of ours: please tell us"
-    off = f"misses the target by {_rounded(1e3 * missed[0])} mm"
-    off += f" and {_rounded(np.degrees(missed[1]))}°" if arm.dof >= 6 else ""
-    for slip, corrected in _usual_slips(arm, q):
-        found = np.flatnonzero((_gap(arm, corrected, branches) < _WITHIN).all(axis=-1))
-        if found.size:
-            return f"{off}: {slip}, or it would be '{names[found[0]]}'"
-    parts = (_gap(arm, q, branches) < _WITHIN).any(axis=0)
-    if parts.all():
-        return f"{off}: each joint is right in some branch, but they belong to different ones"
-    wrong = ", ".join(f"q_{i}" for i, right in zip(arm.joints, parts, strict=True) if not right)
-    return f"{off}: {wrong} {'is' if (~parts).sum() == 1 else 'are'} in no branch"
+# The report
 
 
-def _rounded(number: float) -> str:
-    """Three digits, and 0 for what is rounding only."""
-    return f"{round(number, 3):.3g}"
+def _report(
+    right: _Branches, typed: Typed, tolerance: float | None, taken, whole: Cause | None
+) -> Report:
+    arm = right.arm
+    hits, astray, sharp = _hits(right, typed, tolerance)
+    judged = [_wrong(right, typed, number, tolerance) for number in astray]
+    missing = [n for k, n in enumerate(right.names) if k not in hits]
+    found = [n for k, n in enumerate(right.names) if k in hits]
+    named = list(dict.fromkeys(c.name for causes, _ in judged for c in causes))
+    findings = [f for _, f in judged]
+    if (found and len(found) < len(right.names)) or astray:
+        findings[:0] = [Finding("found", n, None, None, say("ik found", name=n)) for n in found]
+    if missing:
+        words = say("ik missing", names="; ".join(missing))
+        findings.append(Finding("missing", "", None, None, words))
+    one_sided = _one_sided(right, missing, found)
+    findings += one_sided
+    named += [f.what for f in one_sided]
+    figures = {
+        "found": tuple(found),
+        "right": len(found),
+        "of": len(right.names),
+        "wrong": len(astray),
+    }
+    notes = tuple(_free(right))
+    coarse = tolerance is None and typed.units.size and float(typed.units.max()) > _COARSE
+    grade = (
+        WRONG if whole or astray else SO_FAR if missing or coarse else RIGHT if sharp else ROUNDED
+    )
+    if whole:
+        named, findings = (
+            [whole.name],
+            [Finding("cause", "", None, None, f"{whole.words}."), *findings],
+        )
+    headline = _headline(grade, right, whole, judged, len(found), bool(coarse and not missing))
+    return Report(
+        "branches", arm.name, grade, headline, tuple(findings), tuple(named), taken, notes, figures
+    )
 
 
-def _usual_slips(arm: Arm, q: Array) -> Iterator[tuple[str, Array]]:
-    """Each slip with what q would be without it."""
-    yield "it is in degrees", np.where(arm.turning, np.radians(q), q)
-    yield "every joint has the wrong sign", -q
-    for k, i in enumerate(arm.joints):
-        one = np.arange(arm.dof) == k
-        yield f"q_{i} has the wrong sign", np.where(one, -q, q)
-        if arm.turning[k]:
-            yield f"q_{i} is half a turn off, as by atan for atan2", np.where(one, q + np.pi, q)
-            yield (
-                f"q_{i} is measured from the other axis (pi/2 less it)",
-                np.where(one, np.pi / 2 - q, q),
+def _headline(
+    grade: str, right: _Branches, whole: Cause | None, judged: list, count: int, coarse: bool
+) -> str:
+    fields = dict(arm=right.arm.name, count=count, all=len(right.names))
+    if not len(right.q):
+        return say("ik none", **fields)
+    if whole:
+        return say("ik wrong", cause=lower(whole.words), **fields)
+    if grade == WRONG:
+        firsts = {causes[0].name if causes else "" for causes, _ in judged}
+        one = judged[0][0][0] if len(firsts) == 1 and "" not in firsts else None
+        key = "ik wrong" if one else "ik some wrong"
+        return say(key, cause=lower(one.words) if one else "", **fields)
+    if grade == SO_FAR:
+        return say("ik so far digits" if coarse else "ik so far", **fields)
+    return say("ik right" if grade == RIGHT else "ik rounded", **fields)
+
+
+def _one_sided(right: _Branches, missing: list[str], found: list[str]) -> list[Finding]:
+    """One sign of a root forgotten: a joint that has one sign in all that is there and the other in
+    all that is missing.
+    """
+    there = np.isin(right.names, found)
+    if not (found and missing):
+        return []
+    for k, i in enumerate(right.arm.joints):
+        q = right.q[:, k]
+        clear = (np.abs(np.sin(q)) if right.arm.turning[k] else np.abs(q)).min() > _NEAR
+        if (
+            clear
+            and len(set(np.sign(q[there]))) == 1
+            and (np.sign(q[~there]) == -np.sign(q[there][0])).all()
+        ):
+            return [Finding("ik.one sign", "", None, None, say("ik.one sign", joint=f"q_{i}"))]
+    return []
+
+
+def _free(right: _Branches):
+    for k, i in enumerate(right.arm.joints):
+        if len(right.q) and right.free[:, k].any():
+            yield say("ik free", joint=f"q_{i}")
+
+
+def _wrong(
+    right: _Branches, typed: Typed, number: int, tolerance: float | None
+) -> tuple[tuple[Cause, ...], Finding]:
+    arm, q = right.arm, typed.values[number - 1]
+    margin = _margins(typed.units[number - 1], tolerance, hand=True)
+    where = f"answer {number}"
+    if not len(right.q):
+        return (), Finding("answer", where, None, None, say("ik no branch", number=number))
+    miss = _miss(arm, q, right.target, margin)
+    if miss is None:
+        return (), Finding("answer", where, None, None, say("ik unlisted", number=number))
+    off = say("ik off", millimetres=size(1e3 * miss[0]), turn=_turn(arm, miss[1]))
+    causes, words = _why(right, q, margin)
+    said = say("ik answer", number=number, off=off, words=words)
+    return causes, Finding(causes[0].name if causes else "answer", where, None, None, said)
+
+
+def _turn(arm: Arm, angle: float) -> str:
+    return say("ik turn", degrees=size(round(float(np.degrees(angle)), 3))) if arm.dof >= 6 else ""
+
+
+def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], str]:
+    """What explains an answer: one slip, joints of two branches mixed, or two slips; or else the
+    joints that are in no branch.
+    """
+    arm = right.arm
+    fits = _gap(arm, q, right.q) <= margin
+    single = [*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)]
+    single += inverse_causes.kept(arm, q, right.q)
+    for slips in (single, inverse_causes.double(arm, q)):
+        found = _fitting(right, slips, margin)
+        mixed = _mixed(right, fits)
+        if found:
+            causes = tuple(dict.fromkeys(c.name for c, _ in found))
+            named = tuple(next(c for c, _ in found if c.name == n) for n in causes)
+            words = say(
+                "ik slip", cause=lower(several(named, most=2)), branch=right.names[found[0][1]]
             )
+            if mixed and named[0].keys[0] not in _OF_ONE_STEP and len(named[0].keys) == 1:
+                return (*named, mixed[0]), say("ik or mixed", words=words, mixed=mixed[1])
+            return named, words
+        if mixed:
+            return (mixed[0],), mixed[1]
+    astray = [f"q_{i}" for i, there in zip(arm.joints, fits.any(axis=0), strict=True) if not there]
+    return (), say("ik in no branch", joints=listed(astray or ["q"]))
+
+
+def _fitting(right: _Branches, slips, margin: Array) -> list[tuple[Cause, int]]:
+    """The slips without which an answer would be a branch, and which."""
+    slips = list(slips)
+    if not slips:
+        return []
+    mended = np.stack([q for _, q in slips])
+    gap = _gap(right.arm, mended[:, None, :], right.q)
+    which, branch = np.nonzero((gap <= 1.5 * margin).all(axis=-1))
+    return [(slips[k][0], int(b)) for k, b in zip(which, branch, strict=True)]
+
+
+def _mixed(right: _Branches, fits: NDArray[np.bool_]) -> tuple[Cause, str] | None:
+    """Every joint in some branch: the branch with most of them, and the one that the others are
+    from.
+    """
+    if not fits.any(axis=0).all():
+        return None
+    most = int(fits.sum(axis=1).argmax())
+    rest = np.flatnonzero(~fits[most])
+    other = next((k for k in range(len(fits)) if fits[k, rest].all()), None)
+    joints = [f"q_{right.arm.joints[k]}" for k in rest]
+    if other is None:
+        return inverse_causes.cause("ik.mixed"), lower(say("ik.mixed"))
+    words = say("ik mixed", joints=listed(joints), other=right.names[other], most=right.names[most])
+    return inverse_causes.cause("ik.mixed"), words

@@ -1,73 +1,69 @@
 """Is my Jacobian wrong, and how? The answer names the mistake and gives no numbers away."""
 
-import inspect
-import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from itertools import product
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, Joint
-from helpers.checks.mistakes import rotated, usual_mistakes
-from helpers.checks.verdict import Verdict
-from helpers.inputs import ArmError, floats, must_be
-from helpers.kinematics import jacobian, jacobian_in_frame, link_frames
+from helpers.checks import door
+from helpers.checks.chains import chain, columns
+from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, TELLING, WRONG, Typed
+from helpers.checks.entries import Margins, graded, margins
+from helpers.checks.jacobian_causes import Catalogue, pairs, singles
+from helpers.checks.ranking import Cause, Found, better, cause, explain, lower, several
+from helpers.checks.verdict import Finding, Report
+from helpers.inputs import ArmError, must_be, whole
+from helpers.kinematics import jacobian
+from helpers.reading.sentences import listed, say
 
 Array = NDArray[np.float64]
-Usual = tuple[tuple[str, Array], ...]
 
-_WITHIN = 1e-6
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
-
-
-@dataclass(frozen=True, repr=False)
-class JacobianReport(Verdict):
-    """What `compare_jacobian` found: nothing if the Jacobian is right, everywhere or `at_one_pose`
-    only."""
-
-    arm: str
-    findings: tuple[str, ...]
-    at_one_pose: bool = False
-
-    def __str__(self) -> str:
-        verdict = "is right" if self.agrees else "is not right"
-        where = " at this pose" if self.agrees and self.at_one_pose else ""
-        head = f"The Jacobian of {self.arm} {verdict}{where}."
-        return "\n".join([head, *(f"- {f}" for f in self.findings)])
+_HALVES = (("linear", slice(0, 3)), ("angular", slice(3, 6)))
 
 
 def compare_jacobian(
     mine: object,
     arm: Arm,
-    q: ArrayLike | None = None,
+    q: ArrayLike | str | None = None,
     *,
     angular_first: bool = False,
     frame: int = 0,
-) -> JacobianReport:
+    angles: str = "rad",
+    values: Mapping[str, float] | None = None,
+    tolerance: float | None = None,
+) -> Report:
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
     Args:
-        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix in q_1, q_2, ... or
-            c_1, s_23, ... and the arm's symbols, or a 6 x dof array at `q`.
+        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix or a text in q_1,
+            theta1, c_1, s_23, ... and the arm's symbols, or numbers at `q`: an array, lists, or
+            pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
         arm: whose Jacobian it should be; a locked joint as ``arm.lock(3)``.
-        q: where to compare, shape (dof,); a pose without symmetry unless given. An array needs it.
+        q: where to compare, shape (dof,); a pose without symmetry unless given. Numbers need it.
         angular_first: whether your rows are (omega, v) rather than (v, omega).
         frame: the link frame in whose axes your rows are, 0 for the base.
+        angles: "deg" where `q` is in degrees.
+        values: numbers for symbols of yours that the arm does not have.
+        tolerance: the largest deviation of an entry; inferred from the digits typed unless given.
 
-    Raises ArmError where `mine` gives no matrix of numbers, or is an array and q is missing.
+    Raises ArmError where `mine` gives no matrix of numbers, or holds numbers and q is missing.
     """
     must_be(arm, Arm, "arm")
-    pose = _generic_pose(arm) if q is None else arm.joint_vector(q, many=False)
-    M = _numbers(mine, arm, pose, given=q is not None)
-    if M.shape != (6, arm.dof):
-        return JacobianReport(arm.name, (_shape_finding(M, arm),))
-    if angular_first:
-        M = np.vstack([M[3:], M[:3]])
-    agrees = _same(M, jacobian_in_frame(arm, pose, frame))
-    findings = () if agrees else _diagnosis(M, arm, pose, frame)
-    at_one_pose = not (callable(mine) or hasattr(mine, "free_symbols"))
-    return JacobianReport(arm.name, findings, at_one_pose)
+    door.settings(angles, tolerance, values)
+    frame = _checked_frame(frame, arm)
+    at = Typed(_generic_pose(arm), np.zeros(arm.dof)) if q is None else door.pose(q, arm, angles)
+    typed, taken = _taken(mine, arm, at.values, q is not None, values)
+    if typed.values.shape not in ((6, arm.dof), (3, arm.dof)):
+        return _misshapen(typed.values, arm, taken)
+    if angular_first and len(typed.values) == 6:
+        typed = typed.at([3, 4, 5, 0, 1, 2])
+        taken = (*taken, say("taken: angular first"))
+    at_pose = not (typed.symbolic or callable(mine))
+    return _judged(typed, arm, at, frame, tolerance, taken, at_pose)
 
 
 def _generic_pose(arm: Arm) -> Array:
@@ -76,76 +72,56 @@ def _generic_pose(arm: Arm) -> Array:
     return lower + (upper - lower) * np.random.default_rng(19).uniform(0.55, 0.95, arm.dof)
 
 
-def _numbers(mine: object, arm: Arm, q: Array, given: bool) -> Array:
-    if hasattr(mine, "free_symbols"):
-        mine = _evaluated(mine, arm, q)
-    elif callable(mine):
-        mine = mine(*q) if _takes_each(mine, arm.dof) else mine(q)
-    elif not given:
-        raise ArmError(
-            "an array is a Jacobian at one pose; say which: compare_jacobian(mine, arm, q)"
+def _taken(
+    mine: object, arm: Arm, q: Array, given: bool, values: Mapping | None
+) -> tuple[Typed, tuple[str, ...]]:
+    what = f"{arm.name}: your Jacobian"
+    lookup = door.Joints(arm, q, values)
+    if isinstance(mine, Callable) and not hasattr(mine, "free_symbols"):
+        typed = replace(door.numbers(door.called(mine, arm, q, what), what, lookup), symbolic=True)
+    else:
+        typed = door.numbers(mine, what, lookup)
+        if not (given or typed.symbolic):
+            raise ArmError(say("J needs q"))
+    if typed.values.ndim == 3 and 1 in typed.values.shape:
+        typed = typed.at(*(0 if n == 1 else slice(None) for n in typed.values.shape))
+    if typed.values.ndim == 2 and typed.values.size == 6 * arm.dof == max(typed.values.shape):
+        typed = Typed(
+            typed.values.reshape(6, -1), typed.units.reshape(6, -1), typed.said, typed.symbolic
         )
-    M = floats(mine, f"{arm.name}: your Jacobian", "a matrix of numbers")
-    if M.ndim != 2 or not np.isfinite(M).all():
-        raise ArmError(
-            f"{arm.name}: your Jacobian has shape {M.shape}; expected a matrix of finite numbers"
-        )
-    return M
+    if typed.values.ndim != 2:
+        raise ArmError(say("no matrix", what=what, shape=typed.values.shape))
+    return typed, lookup.said
 
 
-def _takes_each(function: Callable, dof: int) -> bool:
-    """Whether a function wants the joint values one by one, as ``sympy.lambdify`` makes them."""
-    parameters = inspect.signature(function).parameters.values()
-    return (
-        1 < dof == sum(p.default is p.empty and p.kind is not p.VAR_POSITIONAL for p in parameters)
+# The shape
+
+
+def _misshapen(M: Array, arm: Arm, taken: tuple[str, ...]) -> Report:
+    key = _shape_cause(M, arm)
+    words = say(key, shape="x".join(map(str, M.shape)), dof=arm.dof)
+    finding = Finding("shape", "", M.shape, (6, arm.dof), words)
+    return Report(
+        "Jacobian",
+        arm.name,
+        WRONG,
+        say("J wrong", arm=arm.name, cause=lower(words)),
+        (finding,),
+        (key,),
+        taken,
     )
 
 
-def _evaluated(expression, arm: Arm, q: Array) -> object:
-    joints = dict(zip(arm.variables, q, strict=True))
-    short = {str(s): _short_value(str(s), joints) for s in expression.free_symbols}
-    known = {name: value for name, value in short.items() if value is not None}
-    result = expression.subs({**known, **joints, **arm.values})
-    unknown = sorted(map(str, result.free_symbols))
-    if unknown:
-        names = ", ".join([*arm.variables, *arm.values])
-        raise ArmError(f"{arm.name}: no value for {', '.join(unknown)}; known are {names}")
-    return result.tolist() if hasattr(result, "tolist") else result
-
-
-def _short_value(name: str, joints: dict[str, float]) -> float | None:
-    """The number behind c_23 or s_{2-3}, or None for another name."""
-    if not re.fullmatch(r"[cs]_\{?([+-]?\d)+\}?", name):
-        return None
-    terms = [(sign, joints.get(f"q_{digit}")) for sign, digit in re.findall(r"([+-]?)(\d)", name)]
-    if any(angle is None for _, angle in terms):
-        return None
-    total = sum(-angle if sign == "-" else angle for sign, angle in terms)
-    return float(np.cos(total) if name[0] == "c" else np.sin(total))
-
-
-def _same(left: Array, right: Array) -> bool:
-    return left.shape == right.shape and bool(np.abs(left - right).max(initial=0.0) < _WITHIN)
-
-
-def _shape_finding(M: Array, arm: Arm) -> str:
+def _shape_cause(M: Array, arm: Arm) -> str:
     loose = _unlocked(arm)
     wide = loose.dof > arm.dof
     if M.shape == (arm.dof, 6):
-        return "It is transposed: one column per joint, six rows."
+        return "J.transposed"
     if wide and M.shape == (5, loose.dof):
-        return (
-            "A row is missing where a column should be: locking a joint removes its column; all"
-            " six velocity components stay."
-        )
+        return "J.row for column"
     if wide and M.shape == (6, loose.dof):
-        return "It still has a column for a joint that is locked: that column must go."
-    if M.shape == (3, arm.dof):
-        return "It has three rows; the other three, linear or angular, are missing."
-    return (
-        f"Its shape is {M.shape}; expected (6, {arm.dof}): rows vx, vy, vz, wx, wy, wz, a"
-        " column per free joint."
-    )
+        return "J.locked column kept"
+    return "J.shape"
 
 
 def _unlocked(arm: Arm) -> Arm:
@@ -154,52 +130,215 @@ def _unlocked(arm: Arm) -> Arm:
     return replace(arm, rows=rows, home=())
 
 
-def _diagnosis(M: Array, arm: Arm, q: Array, frame: int) -> tuple[str, ...]:
-    """One mistake that explains the whole matrix, or one for each half, or else what is wrong with
-    each wrong column."""
-    M, right = rotated(M, link_frames(arm, q)[frame, :3, :3]), jacobian(arm, q)
-    usual = tuple(usual_mistakes(arm, q, frame))
-    if whole := _named(M, usual):
-        return (f"{whole}.",)
-    linear, angular = slice(0, 3), slice(3, 6)
-    halves = [_half(M, right, usual, rows) for rows in (linear, angular)]
-    if None not in halves:
-        return tuple(words for words in halves if words)
-    wrong = [k for k in range(arm.dof) if not _same(M[:, k], right[:, k])]
-    return tuple(
-        f"Column {k + 1} (joint {arm.joints[k]}): {_column(k, M[:, k], right, usual, arm, q)}."
-        for k in wrong
+# The verdict
+
+
+def _judged(
+    typed: Typed,
+    arm: Arm,
+    at: Typed,
+    frame: int,
+    tolerance: float | None,
+    taken: tuple[str, ...],
+    at_pose: bool,
+) -> Report:
+    q = at.values
+    known = singles(arm, q, frame)
+    rows = slice(0, 6)
+    if len(typed.values) == 3:
+        rows = _rows_meant(typed.values, known.right)
+        taken = (*taken, say("taken: half", half="linear" if rows.start == 0 else "angular"))
+    right, made = known.right[rows], known.made[:, rows]
+    scale = np.repeat([max(1e-3, np.abs(known.right[half]).max()) for _, half in _HALVES], 3)[
+        rows, None
+    ]
+    m = margins(typed.units, scale * np.ones_like(right), _slop(arm, at, frame)[rows], tolerance)
+    grade, _ = graded(typed.values, right, m, made)
+    hidden = tuple(_hidden(known)) if at_pose and grade != WRONG else ()
+    if grade != WRONG:
+        return _good(grade, typed, arm, rows, taken, hidden, at_pose)
+    found, more = _causes(typed.values, right, m, known, rows, arm, q, frame)
+    return _bad(found, more, typed.values, arm, taken)
+
+
+def _checked_frame(frame: int, arm: Arm) -> int:
+    number = whole(frame, f"{arm.name}: frame")
+    if number > len(arm.rows):
+        raise ArmError(
+            f"{arm.name}: frame is {number}; expected a whole number from 0 to {len(arm.rows)}"
+        )
+    return number
+
+
+def _rows_meant(M: Array, right: Array) -> slice:
+    """Which half three rows are: the one they are nearer to."""
+    off = [np.abs(M - right[rows]).max() for _, rows in _HALVES]
+    return _HALVES[int(off[1] < off[0])][1]
+
+
+def _slop(arm: Arm, at: Typed, frame: int) -> Array:
+    """What the unwritten digits of q may change in each entry: those of q with three decimals or
+    more.
+    """
+    units = np.where((at.units > 0) & (at.units < 2e-3), at.units, 0.0)
+    if not units.any():
+        return np.zeros((6, arm.dof))
+    step = 1e-6
+    there, here = (columns(chain(arm, q)) for q in (at.values + step * np.eye(arm.dof), at.values))
+    rates = np.abs(there - here) / step
+    if frame:
+        rates = np.broadcast_to(rates.max(axis=1, keepdims=True), rates.shape)
+    return 0.51 * np.einsum("k,kij->ij", units, rates)
+
+
+def _hidden(known: Catalogue) -> Iterator[str]:
+    """A word on the mistakes that this pose does not show."""
+    effect = np.abs(known.made - known.right).max(axis=(1, 2))
+    method = np.array(
+        [c.keys[0].startswith("J.") and c.keys[0] != "J.columns exchanged" for c in known.causes]
     )
+    blind = int((method & (effect < TELLING)).sum())
+    if blind:
+        yield say("J hidden", count=blind, all=int(method.sum()))
 
 
-def _named(mine: Array, usual: Usual, part: object = ...) -> str | None:
-    """The first mistake whose matrix has this part, such as three rows or a column."""
-    return next((mistake for mistake, wrong in usual if _same(mine, wrong[part])), None)
+def _good(grade, typed: Typed, arm: Arm, rows: slice, taken, notes, at_pose: bool) -> Report:
+    whole = rows == slice(0, 6)
+    digits = typed.decimals
+    key = {RIGHT: "J right", SO_FAR: "J so far", ROUNDED: "J rounded"}[grade]
+    key = key if whole or grade != RIGHT else "J half right"
+    where = say("at this pose") if at_pose else ""
+    precision = "" if digits is None or digits > 6 else say("to decimals", digits=digits)
+    half, other = ("linear", "angular") if rows.start == 0 else ("angular", "linear")
+    words = say(
+        key,
+        arm=arm.name,
+        where=where,
+        precision=precision,
+        digits=digits or 0,
+        half=half,
+        other=other,
+    )
+    missing = (
+        ()
+        if whole
+        else (Finding("missing", f"{other} rows", None, None, say("J half missing", other=other)),)
+    )
+    grade = grade if whole or grade != RIGHT else SO_FAR
+    return Report("Jacobian", arm.name, grade, words, missing, (), taken, notes)
 
 
-def _half(M: Array, right: Array, usual: Usual, rows: slice) -> str | None:
-    """What explains three rows: nothing to say where they are right, None where no mistake does."""
-    if _same(M[rows], right[rows]):
-        return ""
-    mistake = _named(M[rows], usual, rows)
-    if mistake is None:
-        return None
-    where = "angular rows" if rows.start else "linear rows"
-    return f"{mistake}." if where in mistake else f"In the {where}: {_lower(mistake)}."
+def _bad(
+    found: tuple[Cause, ...], symptoms: tuple[Finding, ...], M: Array, arm: Arm, taken
+) -> Report:
+    if found:
+        words = several(found)
+        findings = (Finding("cause", "", None, None, f"{words}."), *symptoms)
+        headline = say("J wrong", arm=arm.name, cause=f"{lower(words)}.")
+        return Report(
+            "Jacobian", arm.name, WRONG, headline, findings, tuple(c.name for c in found), taken
+        )
+    headline = (
+        say("J wrong place", arm=arm.name, words=lower(symptoms[0].words))
+        if len(symptoms) == 1
+        else say("J wrong places", arm=arm.name, places=listed([f.where for f in symptoms]))
+    )
+    causes = tuple(dict.fromkeys(f.what for f in symptoms if "." in f.what))
+    return Report("Jacobian", arm.name, WRONG, headline, symptoms, causes, taken)
 
 
-def _column(k: int, mine: Array, right: Array, usual: Usual, arm: Arm, q: Array) -> str:
-    wanted = right[:, k]
-    if _same(mine, -wanted):
-        return "its sign is reversed, as if the joint counted the other way"
-    if _same(mine, np.roll(wanted, 3)):
-        return "its linear and angular halves are exchanged"
+# The causes
+
+
+def _causes(M, right, m: Margins, known: Catalogue, rows: slice, arm: Arm, q: Array, frame: int):
+    """What explains the whole, then both halves apart, then each column."""
+    for band in (m.band, m.loose, m.allowed):
+        found = explain(M, right, band, known.causes, known.made[:, rows])
+        if found is None or found.odd.any():
+            two = pairs(arm, q, frame)
+            other = explain(M, right, band, two.causes, two.made[:, rows])
+            reversed_ = _other_ways(M, right, band, arm, q, frame, rows)
+            found = better(found, other, reversed_)
+        if found:
+            return found.causes, tuple(_odd_columns(found, arm))
+        if len(M) == 6 and (halves := _by_halves(M, right, band, known)):
+            return halves, ()
+    band = m.band if (np.abs(M - right) > m.band).any() else m.allowed
+    return (), tuple(_columns(M, right, band, known, rows, arm, q))
+
+
+def _by_halves(M, right, band, known: Catalogue) -> tuple[Cause, ...]:
+    """One cause for each wrong half, as a pair, if each half has one."""
+    said = []
+    for half, rows in _HALVES:
+        if (np.abs(M[rows] - right[rows]) <= band[rows]).all():
+            continue
+        found = explain(M[rows], right[rows], band[rows], known.causes, known.made[:, rows])
+        if found is None or found.odd.any():
+            return ()
+        first = found.causes[0]
+        inside = f"{half} rows" in first.words
+        said.append(
+            first if inside else cause("J in half", half=half, words=first.words, _of=first.name)
+        )
+    return (sum(said[1:], said[0]),) if said else ()
+
+
+def _other_ways(M, right, band, arm: Arm, q: Array, frame: int, rows: slice) -> Found | None:
+    """Joints counted the other way, in the matrix and in q."""
+    signs = np.array([s for s in product((1.0, -1.0), repeat=arm.dof) if min(s) < 0])
+    J = columns(chain(arm, signs * q)) * signs[:, None, :]
+    if frame:
+        R = np.swapaxes(chain(arm, signs * q).frames[:, frame, :3, :3], -1, -2)
+        J = np.concatenate([R @ J[:, :3], R @ J[:, 3:]], axis=1)
+    names = [
+        listed([f"q_{i}" for i, s in zip(arm.joints, row, strict=True) if s < 0]) for row in signs
+    ]
+    causes = [cause("joints reversed", joints=n) for n in names]
+    found = explain(M, right, band, causes, J[:, rows])
+    return found if found and not found.odd.any() else None
+
+
+def _odd_columns(found: Found, arm: Arm) -> Iterator[Finding]:
+    for k in np.flatnonzero(found.odd.any(axis=0)):
+        where = f"column {k + 1}"
+        names = ", ".join(n for n, odd in zip(_ROWS, found.odd[:, k], strict=False) if odd)
+        words = say("J besides", column=k + 1, joint=arm.joints[k], rows=names)
+        yield Finding("column", where, None, None, words)
+
+
+def _columns(
+    M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array
+) -> Iterator[Finding]:
+    for k in range(arm.dof):
+        if (np.abs(M[:, k] - right[:, k]) > band[:, k]).any():
+            key, words = _column(k, M, right, band, known, rows, arm, q)
+            said = say("J column", column=k + 1, joint=arm.joints[k], words=words)
+            yield Finding(key, f"column {k + 1}", None, None, said)
+
+
+def _column(
+    k: int, M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array
+) -> tuple[str, str]:
+    mine, wanted, width = M[:, k], right[:, k], band[:, k]
+
+    def same(other: Array) -> bool:
+        return bool((np.abs(mine - other) <= width).all())
+
+    if same(-wanted):
+        return f"J.column sign:{arm.joints[k]}", say("J sign of column")
+    if len(mine) == 6 and same(np.roll(wanted, 3)):
+        return "J.column halves", say("J.column halves")
     for joint, other in _other_columns(k, arm, q):
-        if _same(mine, other):
-            locked = "" if joint in arm.joints else ", which is locked"
-            return f"this is the column of joint {joint}{locked}"
-    mistake = _named(mine, usual, (slice(None), k))
-    return _lower(mistake) if mistake else _parts(mine, wanted)
+        if same(other[rows]):
+            key = "J.column of" if joint in arm.joints else "J.column of locked"
+            return key, say(key, joint=joint)
+    for c, J in zip(known.causes, known.made, strict=True):
+        if c.keys[0].startswith("J.") and same(J[rows][:, k]):
+            return c.name, lower(c.words)
+    off = np.abs(mine - wanted) > width
+    names = [n for n, wrong in zip(_ROWS[rows], off, strict=True) if wrong]
+    return "column", say("J.entries", rows=listed(names))
 
 
 def _other_columns(k: int, arm: Arm, q: Array) -> Iterator[tuple[int, Array]]:
@@ -207,16 +346,5 @@ def _other_columns(k: int, arm: Arm, q: Array) -> Iterator[tuple[int, Array]]:
     loose = _unlocked(arm)
     values = dict(zip(arm.joints, q, strict=True))
     J = jacobian(loose, [values.get(i, 0.0) for i in loose.joints])
-    rows = sorted(set(loose.joints) - {arm.joints[k]}, key=lambda i: i not in values)
-    return ((i, J[:, i - 1]) for i in rows)
-
-
-def _parts(mine: Array, wanted: Array) -> str:
-    rows = [name for name, a, b in zip(_ROWS, mine, wanted, strict=True) if abs(a - b) >= _WITHIN]
-    halves = {"linear" if name.startswith("v") else "angular": None for name in rows}
-    parts = "parts are" if len(halves) > 1 else "part is"
-    return f"its {' and '.join(halves)} {parts} wrong, in {', '.join(rows)}"
-
-
-def _lower(sentence: str) -> str:
-    return sentence[0].lower() + sentence[1:]
+    order = sorted(set(loose.joints) - {arm.joints[k]}, key=lambda i: (i not in values, i))
+    return ((i, J[:, i - 1]) for i in order)

@@ -1,159 +1,224 @@
 """Are my joint torques wrong, and how? One torque vector or a whole run of them."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, Body
-from helpers.checks.verdict import Verdict
-from helpers.inputs import ArmError, floats, must_be, number
-from helpers.kinematics import link_frames
-from helpers.statics import GRAVITY, gravity_torque, static_torque
+from helpers.arm import Arm
+from helpers.checks import door
+from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG, Typed
+from helpers.checks.entries import Margins, graded, margins
+from helpers.checks.ranking import Found, better, explain, lower, several
+from helpers.checks.torques_causes import Load, catalogue, paper_centres, reversed_joints
+from helpers.checks.verdict import Finding, Report
+from helpers.inputs import must_be
+from helpers.reading.sentences import listed, say, size
+from helpers.statics import GRAVITY, static_torque
 
 Array = NDArray[np.float64]
 
 _NO_WRENCH = (0.0,) * 6
-
-
-@dataclass(frozen=True, repr=False)
-class TorqueReport(Verdict):
-    """What `compare_torques` found; `worst` is the largest difference (N m, or N where a joint
-    slides)."""
-
-    arm: str
-    worst: float
-    findings: tuple[str, ...]
-
-    def __str__(self) -> str:
-        verdict = "are right" if self.agrees else "are not right"
-        return "\n".join(
-            [f"The torques of {self.arm} {verdict}.", *(f"- {f}" for f in self.findings)]
-        )
+_SAMPLE = 25  # poses of a run on which causes are tried
 
 
 def compare_torques(
-    mine: ArrayLike,
+    mine: object,
     arm: Arm,
-    q: ArrayLike,
+    q: ArrayLike | str,
     wrench: ArrayLike = _NO_WRENCH,
     gravity: ArrayLike = GRAVITY,
-    tolerance: float = 1e-3,
-) -> TorqueReport:
-    """Compare your torques, shape (..., dof), at q, shape (..., dof), with g(q) - J^T F, and name
-    the mistake.
+    *,
+    angles: str = "rad",
+    tolerance: float | None = None,
+) -> Report:
+    """Compare your torques at q, shape (..., dof), with g(q) - J^T F, and name the mistake.
 
-    `wrench` is on the tool, by the world, shape (6,) or (..., 6); `tolerance` is in N m. One pose
-    can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers or the
-    arm has no masses.
+    Args:
+        mine: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
+            column vectors are turned round. A function is called with q.
+        arm: with masses.
+        q: joints of shape (..., dof), or text.
+        wrench: on the tool, by the world, shape (6,) or (..., 6).
+        gravity: the vector of its acceleration in base axes (m/s^2).
+        angles: "deg" where `q` is in degrees.
+        tolerance: the largest deviation (N m); inferred from the digits typed unless given.
+
+    One pose can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers
+    or the arm has no masses.
     """
     must_be(arm, Arm, "arm")
-    number(tolerance, "tolerance", "a number of N m, 0 or more", least=0)
-    tau = _numbers(mine, arm)
-    right = static_torque(arm, q, wrench, gravity)
-    if tau.shape != right.shape:
-        return TorqueReport(arm.name, np.inf, (_shape_finding(tau, right, arm),))
-    worst = float(np.abs(tau - right).max(initial=0.0))
-    agrees = worst <= tolerance
-    findings = () if agrees else _diagnosis(tau, right, arm, q, wrench, gravity, tolerance)
-    return TorqueReport(arm.name, worst, findings)
+    door.settings(angles, tolerance)
+    at = _poses(q, arm, angles)
+    right = np.atleast_2d(static_torque(arm, at.values, wrench, gravity))
+    what = f"{arm.name}: your torques"
+    typed = door.numbers(door.called(mine, arm, at.values, what) if callable(mine) else mine, what)
+    typed, taken = _upright(typed, right)
+    if typed is None or typed.values.shape != right.shape:
+        return _misshapen(door.numbers(mine, what).values, right, arm)
+    return _judged(
+        typed,
+        right,
+        arm,
+        at,
+        np.asarray(wrench, float),
+        np.asarray(gravity, float),
+        tolerance,
+        taken,
+    )
 
 
-def _numbers(mine: ArrayLike, arm: Arm) -> Array:
-    tau = floats(mine, f"{arm.name}: what you give for your torques", "numbers")
-    if not np.isfinite(tau).all():
-        raise ArmError(f"{arm.name}: your torques hold NaN or infinity; expected finite numbers")
-    return tau
+def _poses(q: ArrayLike | str, arm: Arm, angles: str) -> Typed:
+    typed = door.numbers(
+        q, f"{arm.name}: q", wanted=f"one value for each of {', '.join(arm.variables)}"
+    )
+    values, units = typed.values, typed.units
+    if values.ndim == 2 and values.shape[0] == arm.dof != values.shape[1]:
+        values, units = values.T, units.T
+    if values.shape[:1] == (1,) and values.ndim == 2:
+        values, units = values[0], units[0]
+    if angles == "deg" and values.shape[-1:] == (arm.dof,):
+        factor = np.where(arm.turning, np.pi / 180, 1.0)
+        values, units = values * factor, units * factor
+    return Typed(arm.joint_vector(values), units)
 
 
-def _shape_finding(tau: Array, right: Array, arm: Arm) -> str:
-    if tau.shape == right.shape[:-1]:
-        return (
-            "One number for a pose is the potential energy; torques are its derivatives, one"
-            " per joint."
+def _upright(typed: Typed, right: Array) -> tuple[Typed | None, tuple[str, ...]]:
+    """The torques with a row per pose: columns, lists per joint and a leading column of zeros are
+    set right, and said.
+    """
+    M, steps = np.squeeze(typed.values), np.squeeze(typed.units)
+    poses, dof = right.shape
+    if M.shape == (dof,) and poses == 1:
+        return Typed(M[None], steps[None]), ()
+    if M.ndim != 2:
+        return None, ()
+    said: tuple[str, ...] = ()
+    if M.shape == (dof, poses) and (
+        poses != dof or np.abs(M.T - right).max() < np.abs(M - right).max()
+    ):
+        M, steps, said = M.T, steps.T, (say("taken: list per joint"),)
+    if M.shape == (poses, dof + 1) and not M[:, 0].any():
+        M, steps, said = M[:, 1:], steps[:, 1:], (*said, say("taken: leading zeros"))
+    return Typed(M, steps), said
+
+
+def _misshapen(M: Array, right: Array, arm: Arm) -> Report:
+    poses, dof = right.shape
+    one_each = M.size == poses and M.size != right.size
+    key = "tau.energy" if one_each else "tau.shape"
+    shape = "x".join(map(str, M.shape)) or "1"
+    wanted = f"{poses}x{dof}" if poses > 1 else str(dof)
+    words = say(key, shape=shape, wanted=wanted, dof=dof)
+    finding = Finding("shape", "", M.shape, right.shape, words)
+    return Report(
+        "torques",
+        arm.name,
+        WRONG,
+        say("tau wrong", arm=arm.name, cause=lower(words)),
+        (finding,),
+        (key,),
+    )
+
+
+def _judged(
+    typed: Typed, right: Array, arm: Arm, at: Typed, wrench: Array, gravity: Array, tolerance, taken
+) -> Report:
+    pick = np.unique(np.linspace(0, len(right) - 1, _SAMPLE).astype(int))
+    load = Load(
+        arm, np.atleast_2d(at.values)[pick], np.broadcast_to(wrench, (len(right), 6))[pick], gravity
+    )
+    causes, made = catalogue(load)
+    scale = max(float(np.abs(right).max()), 1e-3)
+    slop = _slop(arm, at, wrench, gravity)
+    m = margins(typed.units, np.full(right.shape, scale), slop, tolerance)
+    part = Margins(m.allowed[pick], m.band[pick], m.loose[pick], m.units[pick])
+    single = np.array([len(c.keys) == 1 for c in causes])
+    grade, _ = graded(typed.values[pick], right[pick], part, made[single])
+    grade = _whole(grade, typed.values, right, m)
+    off = np.abs(typed.values - right)
+    good = int((off <= m.band).all(axis=0).sum())
+    figures = {"worst": float(off.max(initial=0.0)), "right": good, "of": arm.dof}
+    if grade != WRONG:
+        return _good(grade, typed, arm, taken, figures)
+    found = _found(typed.values[pick], right[pick], part, causes, made, load)
+    symptoms = tuple(_joints(typed.values, right, m, arm, found))
+    return _bad(found, symptoms, arm, taken, figures)
+
+
+def _whole(grade: str, mine: Array, right: Array, m: Margins) -> str:
+    """The grade of the sample, unless a pose between its poses is worse."""
+    off = np.abs(mine - right)
+    if grade in (RIGHT, SO_FAR) and (off > m.allowed).any():
+        grade = ROUNDED
+    return WRONG if grade == ROUNDED and (off > m.loose).any() else grade
+
+
+def _slop(arm: Arm, at: Typed, wrench: Array, gravity: Array) -> Array | float:
+    """What the unwritten digits of q may change in each torque: those of q with three decimals or
+    more.
+    """
+    units = np.where((at.units > 0) & (at.units < 2e-3), at.units, 0.0)
+    if not units.any():
+        return 0.0
+    q, step = np.atleast_2d(at.values), 1e-6
+    units = np.atleast_2d(units)
+    here = static_torque(arm, q, wrench, gravity)
+    rates = [
+        np.abs(static_torque(arm, q + step * e, wrench, gravity) - here) / step
+        for e in np.eye(arm.dof)
+    ]
+    return 0.51 * sum(rate * units[:, k, None] for k, rate in enumerate(rates))
+
+
+def _good(grade: str, typed: Typed, arm: Arm, taken, figures) -> Report:
+    digits = typed.decimals
+    precision = "" if digits is None or digits > 6 else say("to decimals", digits=digits)
+    key = {RIGHT: "tau right", SO_FAR: "tau so far", ROUNDED: "tau rounded"}[grade]
+    words = say(key, arm=arm.name, precision=precision, digits=digits or 0)
+    return Report("torques", arm.name, grade, words, (), (), taken, (), figures)
+
+
+def _found(mine, right, m: Margins, causes, made, load: Load) -> Found | None:
+    for band in (m.band, m.loose, m.allowed):
+        found = explain(mine, right, band, causes, made)
+        if found is None or found.odd.any():
+            turned = explain(mine, right, band, *reversed_joints(load, right))
+            whole = (
+                Found(turned.causes[:1], turned.odd) if turned and not turned.odd.any() else None
+            )
+            paper = explain(mine, right, band, *paper_centres(load))
+            paper = Found(paper.causes[:1], paper.odd) if paper and not paper.odd.any() else None
+            found = better(found, whole, paper)
+        if found:
+            return found
+    return None
+
+
+def _joints(
+    mine: Array, right: Array, m: Margins, arm: Arm, found: Found | None
+) -> Iterator[Finding]:
+    """Each wrong joint, or, under a cause, each that it leaves unexplained."""
+    wrong = (np.abs(mine - right) > m.band).any(axis=0)
+    if not wrong.any():
+        wrong = (np.abs(mine - right) > m.allowed).any(axis=0)
+    odd = wrong if found is None else found.odd.any(axis=0)
+    for k in np.flatnonzero(odd):
+        off, flipped = np.abs(mine - right)[:, k].max(), np.abs(mine + right)[:, k]
+        key = "tau other way" if (flipped <= m.band[:, k]).all() else "tau off"
+        key = "tau besides" if found is not None else key
+        said = say(
+            key, joint=arm.joints[k], off=size(off, 3), unit="N m" if arm.turning[k] else "N"
         )
-    if tau.ndim == 2 and tau.T.shape == right.shape:
-        return "It is transposed: one row per pose, one column per joint."
-    return (
-        f"Its shape is {tau.shape}; expected {right.shape}, one torque for each of {arm.dof}"
-        " joints."
-    )
+        yield Finding("joint", f"joint {arm.joints[k]}", None, None, said)
 
 
-def _diagnosis(
-    tau: Array,
-    right: Array,
-    arm: Arm,
-    q: ArrayLike,
-    wrench: ArrayLike,
-    gravity: ArrayLike,
-    tolerance: float,
-) -> tuple[str, ...]:
-    wrongs = (*_signs(arm, q, wrench, gravity), *_models(arm, q, wrench, gravity))
-    for sentence, wrong in wrongs:
-        # A cause that makes no difference here explains nothing.
-        if np.abs(tau - wrong).max() <= tolerance < np.abs(wrong - right).max():
-            return (sentence,)
-    return tuple(_joints(tau, right, arm, tolerance))
-
-
-def _signs(
-    arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike
-) -> Iterator[tuple[str, Array]]:
-    weight = gravity_torque(arm, q, gravity)
-    force = static_torque(arm, q, wrench, gravity) - weight
-    yield (
-        "The force has the wrong sign: F is on the tool, by the world, and tau = g - J^T F.",
-        weight - force,
-    )
-    yield "The force is missing: tau = g - J^T F.", weight + 0 * force
-    yield "The weight is missing: tau = g - J^T F.", force + 0 * weight
-    yield "Every sign is reversed.", -weight - force
-    yield (
-        "The weight has the wrong sign: g(q) = dP/dq, and P grows with height.",
-        force - weight,
-    )
-    for g in (9.8, 10.0):
-        size = np.linalg.norm(np.asarray(gravity, dtype=float))
-        yield f"The acceleration of gravity is {g:g} m/s^2.", weight * g / size + force
-
-
-def _models(
-    arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike
-) -> Iterator[tuple[str, Array]]:
-    F = np.asarray(wrench, dtype=float)
-    degrees = "q is taken in degrees: sines and cosines here take radians."
-    yield degrees, static_torque(arm, np.radians(q), F, gravity)
-    yield degrees, static_torque(arm, np.degrees(q), F, gravity)
-    yield "Force and moment are exchanged.", static_torque(arm, q, np.roll(F, 3, -1), gravity)
-    yield (
-        "The force is in the tool's axes: turn it into the base's first.",
-        static_torque(arm, q, _turned(arm, q, F), gravity),
-    )
-    middle = "The centres of mass are at the frames' origins: (0, 0, 0) in the table's frames."
-    origins = [Body(body.mass, (0, 0, 0)) for body in arm.bodies]
-    yield middle, static_torque(replace(arm, bodies=origins), q, F, gravity)
-    for i in range(len(arm.bodies)):
-        bodies = (*arm.bodies[:i], Body(0, (0, 0, 0)), *arm.bodies[i + 1 :])
-        yield (
-            f"The mass of link {i + 1} is missing.",
-            static_torque(replace(arm, bodies=bodies), q, F, gravity),
-        )
-
-
-def _turned(arm: Arm, q: ArrayLike, F: Array) -> Array:
-    """What a wrench becomes if its numbers are meant in the tool's axes."""
-    R = link_frames(arm, q)[..., -1, :3, :3]
-    halves = [np.einsum("...ij,...j->...i", R, half) for half in (F[..., :3], F[..., 3:])]
-    return np.concatenate(halves, axis=-1)
-
-
-def _joints(tau: Array, right: Array, arm: Arm, tolerance: float) -> Iterator[str]:
-    axes = tuple(range(tau.ndim - 1))
-    off, flipped = np.abs(tau - right).max(axis=axes), np.abs(tau + right).max(axis=axes)
-    for joint, difference, other in zip(arm.joints, off, flipped, strict=True):
-        if difference > tolerance:
-            other_way = "its sign is reversed, as if the joint counted the other way"
-            by = f"it is off by up to {difference:.3g} N m"
-            yield f"Joint {joint}: {other_way if other <= tolerance else by}."
+def _bad(found: Found | None, symptoms, arm: Arm, taken, figures) -> Report:
+    if found:
+        words = several(found.causes)
+        findings = (Finding("cause", "", None, None, f"{words}."), *symptoms)
+        headline = say("tau wrong", arm=arm.name, cause=f"{lower(words)}.")
+        names = tuple(c.name for c in found.causes)
+        return Report("torques", arm.name, WRONG, headline, findings, names, taken, (), figures)
+    headline = say("tau wrong places", arm=arm.name, places=listed([f.where for f in symptoms]))
+    return Report("torques", arm.name, WRONG, headline, symptoms, (), taken, (), figures)

@@ -1,91 +1,216 @@
-"""Did my joints draw the path? Judged by the tip that they give, not by the picture."""
+"""Did my joints draw the path? Judged by the tip that they give, and by how they move, not by the
+picture.
+"""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from helpers.arm import Arm
-from helpers.checks.verdict import Verdict
-from helpers.inputs import ArmError, floats, must_be, number
+from helpers.checks import door
+from helpers.checks.digits import RIGHT, WRONG, Typed
+from helpers.checks.ranking import Cause, lower
+from helpers.checks.traces_causes import loop_cause, path_cause
+from helpers.checks.verdict import Finding, Report
+from helpers.inputs import must_be
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
-from helpers.motion.report import Report, run_report
+from helpers.motion.report import run_report
+from helpers.reading.sentences import listed, say, size
 
 Array = NDArray[np.float64]
 
-TILT = np.radians(1.0)  # a pen that leans more than this no longer counts as held
+TILT = np.radians(1.0)  # a tool that leans or spins more than this no longer counts as held
+_USUAL = 2e-3  # m: Euler's method on the homework's circle stays well below
+_JUMP = 0.3  # rad or m in one step, and ten times the usual one: another branch
 
 
-@dataclass(frozen=True, repr=False)
-class TraceReport(Verdict):
-    """What `compare_trace` found; `run` holds every measured figure, `notes` what the real arm
-    could not do."""
-
-    arm: str
-    findings: tuple[str, ...]
-    notes: tuple[str, ...] = ()
-    run: Report | None = None
-
-    def __str__(self) -> str:
-        verdict = "draws the path" if self.agrees else "does not draw the path"
-        notes = [f"- Note: {note}" for note in self.notes]
-        return "\n".join([f"{self.arm} {verdict}.", *(f"- {f}" for f in self.findings), *notes])
-
-
-def compare_trace(mine: ArrayLike, arm: Arm, path: Path, tolerance: float = 2e-3) -> TraceReport:
+def compare_trace(
+    mine: object, arm: Arm, path: Path, tolerance: float | None = None, *, angles: str = "rad"
+) -> Report:
     """Whether your joint vectors, shape (steps + 1, dof), make the tip follow a path, and if not,
     in what way they fail.
 
-    One row for each of the path's times, or for all but the last. `tolerance` is the largest
-    distance (m) from where the tip should be; it may lean by 1 degree. Limits of range and speed
-    are notes: the homework's own circle breaks them. Raises ArmError where `mine` holds anything
-    but finite numbers.
+    Args:
+        mine: one row for each of the path's times, or for all but the last; an array, lists, text
+            such as CSV.
+        arm: whose joints they are.
+        path: what the tip should draw, at held orientation.
+        tolerance: the largest distance (m) from where the tip should be, 2 mm unless given; the
+            tool may lean or spin by 1 degree. Unless given, a run within 2 mm that shows a slip
+            (other lengths, the velocity of the next step) is wrong all the same.
+        angles: "deg" where yours are in degrees.
+
+    Limits of range and speed are notes: the homework's own circle breaks them. Raises ArmError
+    where `mine` holds anything but finite numbers.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
-    number(tolerance, "tolerance", "a length of 0 m or more", least=0)
-    q = floats(mine, f"{arm.name}: what you give for your joints", "numbers")
-    if not np.isfinite(q).all():
-        raise ArmError(f"{arm.name}: your joints hold NaN or infinity; expected finite numbers")
-    counts = (len(path.times), len(path.times) - 1)
-    if q.ndim != 2 or q.shape[1] != arm.dof or len(q) not in counts:
-        return TraceReport(arm.name, (_shape_finding(q, arm, counts),))
+    door.settings(angles, tolerance)
+    typed = door.numbers(mine, f"{arm.name}: your joints")
+    typed, taken, extra = _upright(typed, arm, path)
+    if typed is None:
+        return _misshapen(door.numbers(mine, "your joints").values, arm, path)
+    if angles == "deg":
+        typed = _radians(typed, arm)
+    q = typed.values
     path = Path(path.times[: len(q)], path.position, path.velocity, path.normal)
-    if _off(path, forward_kinematics(arm, np.radians(q))[:, :3, 3]).max() <= tolerance:
-        return TraceReport(arm.name, ("The joints are in degrees: write radians.",))
-    run = _measured(arm, path, q)
-    findings = tuple(_findings(arm, path, q, run, tolerance))
-    return TraceReport(arm.name, findings, tuple(_notes(run)), run)
+    allowed = _USUAL if tolerance is None else tolerance
+    if (
+        angles == "rad"
+        and _off(path, forward_kinematics(arm, _radians(typed, arm).values)[:, :3, 3]).max()
+        <= allowed
+    ):
+        return _degrees(arm, taken)
+    return _judged(typed, arm, path, allowed, tolerance is not None, taken, extra)
 
 
-def _shape_finding(q: Array, arm: Arm, counts: tuple[int, int]) -> str:
-    if q.ndim == 2 and q.shape[0] == arm.dof and q.shape[1] in counts:
-        return "It is transposed: one row per step, one column per joint."
-    return (
-        f"Its shape is {q.shape}; expected ({counts[0]}, {arm.dof}), one row for each of the"
-        " path's times."
+def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed | None, tuple[str, ...], bool]:
+    """A row per step: columns turned round, a leading column of times or zeros dropped, one step
+    too many cut, and said.
+    """
+    M, steps = np.squeeze(typed.values), np.squeeze(typed.units)
+    if M.ndim != 2:
+        return None, (), False
+    said: tuple[str, ...] = ()
+    rows = (len(path.times) - 1, len(path.times), len(path.times) + 1)
+    if M.shape[1] != arm.dof and M.shape[0] in (arm.dof, arm.dof + 1) and M.shape[1] in rows:
+        M, steps, said = M.T, steps.T, (say("taken: list per joint"),)
+    if M.shape[1] == arm.dof + 1 and (not M[:, 0].any() or (np.diff(M[:, 0]) > 0).all()):
+        M, steps, said = M[:, 1:], steps[:, 1:], (*said, say("taken: times"))
+    if M.shape[1] != arm.dof or len(M) not in rows or len(M) < 2:
+        return None, said, False
+    extra = len(M) == len(path.times) + 1
+    return Typed(M[: len(path.times)], steps[: len(path.times)]), said, extra
+
+
+def _radians(typed: Typed, arm: Arm) -> Typed:
+    factor = np.where(arm.turning, np.pi / 180, 1.0)
+    return Typed(typed.values * factor, typed.units * factor)
+
+
+def _misshapen(M: Array, arm: Arm, path: Path) -> Report:
+    shape = "x".join(map(str, M.shape)) or "1"
+    words = say("trace.shape", shape=shape, rows=len(path.times), dof=arm.dof)
+    return _report(
+        arm,
+        WRONG,
+        lower(words),
+        (Finding("shape", "", M.shape, None, words),),
+        ("trace.shape",),
+        (),
     )
 
 
-def _measured(arm: Arm, path: Path, q: Array) -> Report:
+def _degrees(arm: Arm, taken: tuple[str, ...]) -> Report:
+    words = say("trace.degrees")
+    return _report(
+        arm,
+        WRONG,
+        lower(words),
+        (Finding("cause", "", None, None, words),),
+        ("trace.degrees",),
+        taken,
+    )
+
+
+def _report(
+    arm: Arm, grade: str, words: str, findings, causes, taken, notes=(), figures=None
+) -> Report:
+    key = "trace right" if grade == RIGHT else "trace wrong"
+    headline = say(key, arm=arm.name, cause=words)
+    return Report(
+        "trace",
+        arm.name,
+        grade,
+        headline,
+        tuple(findings),
+        tuple(causes),
+        taken,
+        tuple(notes),
+        figures or {},
+    )
+
+
+# The verdict
+
+
+def _judged(
+    typed: Typed, arm: Arm, path: Path, allowed: float, given: bool, taken, extra: bool
+) -> Report:
+    q = typed.values
+    poses = forward_kinematics(arm, q)
     q_dot = np.diff(q, axis=0) / np.diff(path.times)[:, None]
-    return run_report(arm, path, q, np.vstack([q_dot, q_dot[-1:]]), forward_kinematics(arm, q))
+    run = run_report(arm, path, q, np.vstack([q_dot, q_dot[-1:]]), poses)
+    turn = _turns(poses) if arm.dof >= 6 else np.zeros(len(q))
+    symptoms = list(_symptoms(typed, arm, path, run, poses, turn, allowed))
+    if extra:
+        symptoms.append(Finding("trace.one more", "", None, None, say("trace.one more")))
+    named = _named(typed, arm, path, poses, run, bool(symptoms), given, allowed)
+    figures = {"run": run, "position_error": run.position_error, "tool_turn": float(turn.max())}
+    notes = list(_notes(run))
+    if named is None and not symptoms:
+        return _report(arm, RIGHT, "", (), (), taken, notes, figures)
+    if named is None:
+        words = lower(symptoms[0].words)
+        causes = [f.what for f in symptoms if "." in f.what]
+        first, *rest = symptoms
+        findings = [Finding("cause", first.where, None, None, first.words), *rest]
+        return _report(arm, WRONG, words, findings, causes, taken, notes, figures)
+    findings = [Finding("cause", "", None, None, f"{named.words}."), *symptoms]
+    return _report(
+        arm, WRONG, f"{lower(named.words)}.", findings, (named.name,), taken, notes, figures
+    )
 
 
-def _findings(arm: Arm, path: Path, q: Array, run: Report, tolerance: float) -> Iterator[str]:
-    if run.position_error > tolerance:
-        tip = forward_kinematics(arm, q)[:, :3, 3]
-        cause = next(_causes(path, tip, tolerance), None)
-        yield cause or _where(path, tip)
+def _named(
+    typed: Typed, arm: Arm, path: Path, poses: Array, run, wrong: bool, given: bool, allowed: float
+) -> Cause | None:
+    """What explains a run that fails; or, where no tolerance was given, a slip that one within 2 mm
+    shows.
+    """
+    if wrong:
+        tip = poses[:, :3, 3]
+        found = path_cause(path, tip, allowed) if run.position_error > allowed else None
+        return found or loop_cause(typed, arm, path)
+    return None if given else loop_cause(typed, arm, path)
+
+
+def _turns(poses: Array) -> Array:
+    """How far (rad) each pose is turned from the first."""
+    R = np.einsum("ji,njk->nik", poses[0, :3, :3], poses[:, :3, :3])
+    off = np.stack([R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]])
+    return np.arctan2(np.linalg.norm(off, axis=0), np.trace(R, axis1=1, axis2=2) - 1)
+
+
+def _symptoms(
+    typed: Typed, arm: Arm, path: Path, run, poses: Array, turn: Array, allowed: float
+) -> Iterator[Finding]:
+    q = typed.values
+    if run.position_error > allowed:
+        yield Finding("step", "", None, None, _where(path, poses[:, :3, 3]))
+    yield from _jumps(q, arm)
     if run.pen_tilt > TILT:
-        words = f"The tool leans by up to {np.degrees(run.pen_tilt):.3g} degrees."
-        hint = (
-            " Its place is right all the same: look at the angular rows of your Jacobian"
-            " (z_{i-1}, not z_i)."
+        words = say("trace leans", degrees=size(float(np.degrees(run.pen_tilt))))
+        yield Finding("trace.leans", "", None, None, words)
+    elif turn.max() > TILT:
+        words = say("trace spins", degrees=size(float(np.degrees(turn.max()))))
+        yield Finding("trace.spins", "", None, None, words)
+
+
+def _jumps(q: Array, arm: Arm) -> Iterator[Finding]:
+    change = np.abs(np.diff(q, axis=0)).max(axis=1)
+    far = np.flatnonzero((change > _JUMP) & (change > 10 * np.median(change)))
+    if not far.size and np.median(change) > _JUMP:
+        far = np.flatnonzero(change > _JUMP)
+    if far.size:
+        k = int(far[0])
+        joint = arm.joints[int(np.abs(q[k + 1] - q[k]).argmax())]
+        words = say(
+            "trace.jump", step=k, to=k + 1, joint=joint, by=size(float(change[k])), count=far.size
         )
-        yield words + (hint if run.position_error <= tolerance else "")
+        yield Finding("trace.jump", f"step {k}", None, None, words)
 
 
 def _off(path: Path, points: Array) -> Array:
@@ -93,61 +218,24 @@ def _off(path: Path, points: Array) -> Array:
     return np.linalg.norm(points - path.positions, axis=1)
 
 
-def _causes(path: Path, tip: Array, tolerance: float) -> Iterator[str]:
-    """What would explain every point, the likelier first."""
-
-    def follows(points: Array) -> bool:
-        return bool(_off(path, points).max() <= tolerance)
-
-    if follows(tip[::-1]):
-        yield "The path is drawn the other way round: look at the sign of the velocity."
-    shift = (tip - path.positions).mean(axis=0)
-    if follows(tip - shift):
-        yield (
-            f"The whole path is displaced by {_vector(shift)} mm: look at the centre, or at"
-            " where you start."
-        )
-    scale, middle = _scale(path, tip)
-    about = path.positions.mean(axis=0)
-    if follows(about + (tip - middle) / scale):
-        yield f"The path is {scale:.4g} times as large as it should be: look at the radius."
-    if any(follows(_rolled(tip, k)) for k in range(1, len(tip) - 1)):
-        yield "The right path is drawn, but from another point on: look at the phase."
-
-
-def _scale(path: Path, tip: Array) -> tuple[float, Array]:
-    """The size of the drawn path over that of the wanted one, and the middle of the drawn one."""
-    middle = tip.mean(axis=0)
-    wanted = path.positions - path.positions.mean(axis=0)
-    return float(np.linalg.norm(tip - middle) / np.linalg.norm(wanted)), middle
-
-
-def _rolled(tip: Array, k: int) -> Array:
-    """A closed path's points, its last one equal to its first, begun k steps later."""
-    once = np.roll(tip[:-1], k, axis=0)
-    return np.vstack([once, once[:1]])
-
-
 def _where(path: Path, tip: Array) -> str:
     error = _off(path, tip)
     k = int(error.argmax())
-    start = " already" if error[0] > 0.5 * error[k] else f" {1e3 * error[0]:.3g} mm"
-    return (
-        f"The tip is up to {1e3 * error[k]:.4g} mm from where it should be, at step {k} of"
-        f" {len(error) - 1};"
-        f" at the start it is{start} off."
+    start = say("already") if error[0] > 0.5 * error[k] else f"{size(1e3 * float(error[0]))} mm"
+    return say(
+        "trace where",
+        error=size(1e3 * float(error[k]), 4),
+        step=k,
+        steps=len(error) - 1,
+        start=start,
     )
 
 
-def _vector(metres: Array) -> str:
-    return "(" + ", ".join(f"{x:.3g}" for x in np.round(1e3 * metres, 3) + 0.0) + ")"
-
-
-def _notes(run: Report) -> Iterator[str]:
-    for excess, what in ((run.beyond_limits, "range"), (run.beyond_speed, "speed")):
+def _notes(run) -> Iterator[str]:
+    for excess, what, unit in (
+        (run.beyond_limits, "range", "rad"),
+        (run.beyond_speed, "speed", "rad/s"),
+    ):
         if excess:
-            joints = ", ".join(f"joint {i} by {x:.2g}" for i, x in excess)
-            yield (
-                f"beyond the real arm's {what}: {joints}"
-                f" ({'rad' if what == 'range' else 'rad/s'}; m where a joint slides)."
-            )
+            joints = listed([say("joint by", joint=i, by=size(x, 2)) for i, x in excess])
+            yield say(f"trace beyond {what}", joints=joints, unit=unit)

@@ -1,24 +1,80 @@
-"""What the reports of all comparisons share."""
+"""The one report of all comparisons, and the one kind of finding."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG
+
+_MARKS = {RIGHT: "✔", SO_FAR: "◐", ROUNDED: "≈", WRONG: "✘"}
 
 
-class Verdict:
-    """A report that is content if it holds no findings, and reads as text in a terminal and as
-    Markdown in a notebook.
+@dataclass(frozen=True)
+class Finding:
+    """One thing that is to be said of an answer.
 
-    A subclass is a dataclass with `findings` and says itself in words by `__str__`, its verdict in
-    the first line.
+    Attributes:
+        what: its kind: "cause", "shape", "column", "row", "joint", "answer", "missing", "step",
+            "digits".
+        where: the place, such as "joint 3", "row 2, alpha" or "answer 1"; empty where it is the
+            whole.
+        mine, expected: what was typed and what it should be, where a sentence quotes them; None
+            where it would give the solution away.
+        words: the sentence.
     """
 
-    findings: tuple[object, ...]
+    what: str
+    where: str
+    mine: Any
+    expected: Any
+    words: str
+
+    def __str__(self) -> str:
+        return self.words
+
+
+@dataclass(frozen=True, repr=False)
+class Report:
+    """What a comparison found. It reads as text in a terminal and as Markdown in a notebook.
+
+    Attributes:
+        topic: "table", "Jacobian", "torques", "trace", "branches" or "pose".
+        grade: "right", "so far", "rounded" or "wrong".
+        headline: the verdict in one sentence; the cause, where one was found.
+        findings: the cause first, then where it shows.
+        causes: the catalogue's keys of what was named, the likeliest first, two joined by " + ".
+        taken: how the answer was read.
+        notes: what is no mistake and still worth knowing.
+        figures: measured numbers, by name, such as worst or position_error.
+    """
+
+    topic: str
+    arm: str
+    grade: str
+    headline: str
+    findings: tuple[Finding, ...] = ()
+    causes: tuple[str, ...] = ()
+    taken: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    figures: Mapping[str, Any] = field(default_factory=dict, compare=False)
 
     @property
     def agrees(self) -> bool:
-        """Whether all is right: nothing was found."""
-        return not self.findings
+        """Whether it is right, with digits enough to tell."""
+        return self.grade == RIGHT
 
-    def __repr__(self) -> str:
-        return str(self)
+    @property
+    def lines(self) -> list[str]:
+        """Everything below the headline, a sentence each; the cause stands in the headline."""
+        notes = [f"Note: {note}" for note in self.notes]
+        symptoms = [f.words for f in self.findings if f.what != "cause"]
+        return [*symptoms, *(f"Taken as {t}" for t in self.taken), *notes]
+
+    def __str__(self) -> str:
+        return "\n".join([self.headline, *(f"- {line}" for line in self.lines)])
+
+    __repr__ = __str__
 
     def _repr_markdown_(self) -> str:
-        head, *lines = str(self).split("\n")
-        return "\n".join([f"{'✔' if self.agrees else '✘'} **{head}**", "", *lines])
+        head = f"{_MARKS[self.grade]} **{self.headline}**"
+        return "\n".join([head, "", *(f"- {line}" for line in self.lines)])

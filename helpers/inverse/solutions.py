@@ -82,7 +82,7 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLik
     if wanted.ndim not in (2, 3):
         raise ArmError(f"targets have shape {wanted.shape}; expected (n, 3) or (n, 4, 4)")
     for step, target in enumerate(wanted):
-        found = solver(target, start=q)
+        found = solver(target.copy(), start=q.copy())
         must_be(found, Solutions, "what solver gives")
         q = found.nearest(q)
         if np.isnan(q).any():

@@ -36,18 +36,18 @@ class Path:
         for name in ("position", "velocity"):
             must_be_callable(getattr(self, name), name, "a function of the time")
         normal = numbers(self.normal, "normal", "a vector of three finite numbers", (3,))
-        object.__setattr__(self, "times", times)
-        object.__setattr__(self, "normal", normal)
+        object.__setattr__(self, "times", times.copy())
+        object.__setattr__(self, "normal", normal.copy())
 
     @property
     def positions(self) -> Array:
         """Where the tip should be at each of `times`, shape (steps + 1, 3), in m."""
-        return self.position(self.times)
+        return self.position(self.times.copy())
 
     @property
     def velocities(self) -> Array:
         """How fast the tip should be at each of `times`, shape (steps + 1, 3), in m/s."""
-        return self.velocity(self.times)
+        return self.velocity(self.times.copy())
 
 
 def circle(
@@ -60,7 +60,7 @@ def circle(
     the top and moves towards +y. Centre in m, shape (3,), radius in m, period in s, phase in rad.
     Raises ArmError for a value that makes no circle.
     """
-    centre = numbers(centre, "the centre", "three finite coordinates in m", (3,))
+    centre = numbers(centre, "the centre", "three finite coordinates in m", (3,)).copy()
     radius = number(radius, "radius", "a finite length > 0 in m", above=0)
     period = number(period, "period", "a finite time > 0 in s", above=0)
     phase = number(phase, "phase", "a finite angle in rad")

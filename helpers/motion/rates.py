@@ -117,15 +117,16 @@ def with_null_space(rates: Rates, wish: Callable[[Array], Array]) -> Rates:
     must_be_callable(wish, "wish", "a function of q, as towards() makes")
 
     def both(J: Array, twist: Array, q: Array) -> Array:
-        wanted = wish(q)
-        return rates(J, twist, q) + wanted - np.linalg.pinv(J, rcond=1e-6) @ (J @ wanted)
+        wanted = wish(q.copy())
+        own = rates(J.copy(), twist.copy(), q.copy())
+        return own + wanted - np.linalg.pinv(J, rcond=1e-6) @ (J @ wanted)
 
     return both
 
 
 def towards(goal: ArrayLike, gain: float) -> Callable[[Array], Array]:
     """A wish to be at the joint vector `goal`, shape (n,): gain (goal - q), gain in 1/s."""
-    goal = numbers(goal, "goal", "finite joint values (n,)", (None,))
+    goal = numbers(goal, "goal", "finite joint values (n,)", (None,)).copy()
     _not_negative(gain=gain)
 
     def wish(q: Array) -> Array:

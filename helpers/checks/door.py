@@ -1,0 +1,266 @@
+"""What a student holds, taken as numbers: arrays, lists, SymPy matrices, functions, pasted text.
+
+Text goes through `helpers.reading`, never through eval or sympify; a function of the student's is
+called with copies.
+"""
+
+import inspect
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helpers.arm import Arm
+from helpers.checks.digits import Typed, of_floats, units
+from helpers.checks.names import meanings
+from helpers.inputs import ArmError, must_be, number, one_of, shown
+from helpers.reading import formula, grid
+from helpers.reading.sentences import say
+
+Array = NDArray[np.float64]
+Lookup = Callable[[set[str]], dict[str, float]]
+
+
+class Joints:
+    """Looks symbols up for one arm at one pose, and remembers what it had to say about them."""
+
+    def __init__(self, arm: Arm, q: Array, values: Mapping[str, float] | None = None) -> None:
+        self.arm, self.q, self.values = arm, q, values
+        self.said: tuple[str, ...] = ()
+        self.used: set[str] = set()
+
+    def __call__(self, names: set[str]) -> dict[str, float]:
+        found, said = meanings(names, self.arm, self.q, self.values)
+        self.said = tuple(dict.fromkeys(self.said + said))
+        self.used |= names
+        return found
+
+
+def settings(
+    angles: str = "rad", tolerance: float | None = None, values: Mapping | None = None
+) -> None:
+    """Raise ArmError unless the arguments that all checkers share are what they should be."""
+    one_of(angles, "angles", ("rad", "deg"))
+    if tolerance is not None:
+        number(tolerance, "tolerance", "a number of 0 or more", least=0)
+    if values is not None:
+        must_be(values, Mapping, "values")
+
+
+def no_symbols(names: set[str]) -> dict[str, float]:
+    """The look-up where numbers are expected."""
+    if names:
+        raise ArmError(say("symbols for numbers", names=", ".join(sorted(names))))
+    return {}
+
+
+def numbers(mine: Any, what: str, lookup: Lookup = no_symbols, wanted: str = "numbers") -> Typed:
+    """Numbers of any shape with the units of their last places; raises ArmError where something
+    else is held.
+
+    `lookup` gives values to symbols; a header line of a table of numbers is dropped.
+    """
+    if isinstance(mine, str):
+        return _of_text(mine, what, lookup)
+    mine = _opened(mine)
+    array = _plain_array(mine)
+    if array is None:
+        return _of_entries(mine, what, lookup, wanted)
+    if not np.isfinite(array).all():
+        raise ArmError(say("not finite", what=what, wanted=wanted))
+    return Typed(array, of_floats(array))
+
+
+def _plain_array(mine: Any) -> Array | None:
+    try:
+        array = np.asarray(mine)
+    except (TypeError, ValueError):
+        return None
+    return np.array(array, dtype=float) if array.dtype.kind in "iuf" else None
+
+
+def _opened(mine: Any) -> Any:
+    """Tables of pandas and sparse or masked things as arrays, SymPy matrices as lists of lists,
+    dicts as their values.
+    """
+    if isinstance(mine, Mapping):
+        return list(mine.values())
+    if hasattr(mine, "tolist"):
+        return mine if isinstance(mine, np.ndarray) and mine.dtype.kind in "iuf" else mine.tolist()
+    if hasattr(mine, "to_numpy"):
+        return mine.to_numpy()
+    return mine
+
+
+def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
+    rows = grid.without_header(grid.cells(text))[1]
+    widths = {len(row) for row in rows}
+    if len(widths) > 1:
+        raise ArmError(say("ragged", what=what, widths=", ".join(map(str, sorted(widths)))))
+    texts = [formula.plain(cell) for row in rows for cell in row]
+    shape = (len(rows), widths.pop())
+    scaled = [cell.partition("*1") for cell in texts]
+    trees = [formula.parse(cell, f"an entry of {what}") for cell in texts]
+    names = set().union(*map(formula.symbols, trees))
+    known = lookup(names)
+    values = [formula.value(tree, known.get) for tree in trees]
+    steps = units([first for first, _, _ in scaled])
+    steps = [
+        u * float(f"1{power}") if sign else u
+        for u, (_, sign, power) in zip(steps, scaled, strict=True)
+    ]
+    return Typed(np.reshape(values, shape), np.reshape(steps, shape), symbolic=bool(names))
+
+
+def _of_entries(mine: Any, what: str, lookup: Lookup, wanted: str) -> Typed:
+    """Nested lists whose entries are numbers, formulas as text, or SymPy expressions."""
+    flat = list(_leaves(mine, what, wanted))
+    shape = _shape(mine)
+    if math.prod(shape) != len(flat):
+        raise ArmError(say("ragged list", what=what))
+    trees = [formula.parse(x, f"an entry of {what}") if isinstance(x, str) else x for x in flat]
+    names = set().union(*(_names(tree) for tree in trees))
+    known = lookup(names)
+    values = np.array([_entry(tree, known, what) for tree in trees], dtype=float)
+    if not np.isfinite(values).all():
+        raise ArmError(say("not finite", what=what, wanted=wanted))
+    texts = [x if isinstance(x, str) else _spelled(x, v) for x, v in zip(flat, values, strict=True)]
+    return Typed(values.reshape(shape), np.reshape(units(texts), shape), symbolic=bool(names))
+
+
+def _spelled(x: Any, value: float) -> str:
+    """A number's shortest spelling; an exact expression is spelled as a formula."""
+    is_number = (
+        isinstance(x, int | float | np.number)
+        or getattr(x, "is_Float", False)
+        or getattr(x, "is_Integer", False)
+    )
+    return repr(float(value)).removesuffix(".0") if is_number else "exact"
+
+
+def _leaves(value: Any, what: str, wanted: str) -> Iterator[Any]:
+    if (
+        isinstance(value, np.ndarray)
+        or (hasattr(value, "tolist") and not hasattr(value, "free_symbols"))
+        or (hasattr(value, "shape") and hasattr(value, "tolist"))
+    ):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        for item in value:
+            yield from _leaves(item, what, wanted)
+    elif isinstance(value, bool) or value is None or isinstance(value, complex):
+        raise ArmError(say("no numbers", what=what, given=shown(value), wanted=wanted))
+    elif isinstance(value, str | int | float | np.number) or hasattr(value, "free_symbols"):
+        yield value
+    else:
+        raise ArmError(say("no numbers", what=what, given=shown(value), wanted=wanted))
+
+
+def _shape(value: Any) -> tuple[int, ...]:
+    if hasattr(value, "shape"):
+        return tuple(value.shape)
+    if isinstance(value, list | tuple):
+        inner = {_shape(item) for item in value}
+        return (len(value), *(inner.pop() if len(inner) == 1 else ()))
+    return ()
+
+
+def _names(tree: Any) -> set[str]:
+    if isinstance(tree, tuple):
+        return formula.symbols(tree)
+    return {str(s) for s in _free(tree)} if hasattr(tree, "free_symbols") else set()
+
+
+def _entry(tree: Any, known: dict[str, float], what: str) -> float:
+    if isinstance(tree, tuple):
+        return formula.value(tree, known.get)
+    if hasattr(tree, "free_symbols"):
+        return of_sympy(tree, known, what)
+    return float(tree)
+
+
+def _free(expression: Any) -> set:
+    """Symbols, and functions of time such as q1(t), that an expression depends on."""
+    from sympy.core.function import AppliedUndef
+
+    functions = expression.atoms(AppliedUndef) if hasattr(expression, "atoms") else set()
+    times = set().union(*(f.free_symbols for f in functions))
+    return functions | (expression.free_symbols - times)
+
+
+def of_sympy(expression: Any, known: dict[str, float], what: str) -> float:
+    """The number of a SymPy expression, walked as a tree; nothing is compiled."""
+    import sympy as sp
+
+    functions = {sp.sin: math.sin, sp.cos: math.cos, sp.tan: math.tan, sp.exp: math.exp}
+
+    def walk(e: Any) -> float:
+        if (number := known.get(str(e)) if not e.args or e.is_Function else None) is not None:
+            return number
+        if e.is_number and not e.args:
+            return float(e)
+        if e.is_Add:
+            return math.fsum(map(walk, e.args))
+        if e.is_Mul:
+            return math.prod(map(walk, e.args))
+        if e.is_Pow:
+            return walk(e.args[0]) ** walk(e.args[1])
+        if e.func in functions:
+            return functions[e.func](walk(e.args[0]))
+        return float(e.subs({s: known[str(s)] for s in _free(e)}))
+
+    try:
+        found = walk(expression)
+        return float(found)
+    except (TypeError, ValueError, ArithmeticError, RecursionError):
+        raise ArmError(
+            say("no numbers", what=what, given=shown(expression), wanted="numbers")
+        ) from None
+
+
+# Functions
+
+
+def called(function: Callable, arm: Arm, q: Array, what: str) -> Any:
+    """What a student's function gives at q. It gets copies; one with as many arguments as joints
+    gets them one by one.
+    """
+    count = arguments(function)
+    try:
+        return function(*map(float, q)) if count == arm.dof > 1 else function(np.array(q))
+    except ArmError:
+        raise
+    except Exception as error:
+        kind = type(error).__name__
+        raise ArmError(
+            say("function failed", what=what, error=f"{kind}: {error}", dof=arm.dof)
+        ) from error
+
+
+def arguments(function: Callable) -> int | None:
+    """How many arguments a function must be given, or None where it does not tell."""
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return None
+    return sum(
+        p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
+        for p in parameters
+    )
+
+
+def _one_value_each(arm: Arm) -> str:
+    return f"one value for each of {', '.join(arm.variables)}"
+
+
+def pose(q: Any, arm: Arm, angles: str = "rad") -> Typed:
+    """One joint vector, with its units."""
+    typed = numbers(q, f"{arm.name}: q", wanted=_one_value_each(arm))
+    column = (typed.values.ndim == 2 and typed.values.shape[1] == 1) or isinstance(q, str)
+    values, steps = (x.ravel() if column else x for x in (typed.values, typed.units))
+    if angles == "deg":
+        factor = np.where(arm.turning, np.pi / 180, 1.0) if len(values) == arm.dof else 1.0
+        values, steps = values * factor, steps * factor
+    return Typed(arm.joint_vector(values, many=False), steps)

@@ -1,0 +1,295 @@
+"""What mistakes make of a right Jacobian: in the table or q (before), in the recipe, and in how it
+is written down (after).
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from helpers.arm import Arm
+from helpers.checks.chains import Chain, alike, chain, columns
+from helpers.checks.ranking import Cause, cause
+
+Array = NDArray[np.float64]
+RAD = np.pi / 180
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """Mistaken Jacobians in the axes of the declared frame: their causes, and matrices (causes, 6,
+    dof).
+    """
+
+    right: Array
+    causes: tuple[Cause, ...]
+    made: Array
+
+
+def singles(arm: Arm, q: Array, frame: int) -> Catalogue:
+    """Every single mistake of the catalogue."""
+    at = _At(arm, q, frame)
+    befores = [*at.recipes(), *at.tables()]
+    afters = list(at.afters())
+    causes = [c for c, _ in befores] + [c for c, _ in afters]
+    made = [at.seen(J) for _, J in befores] + [after(at.right)[..., :, :] for _, after in afters]
+    return Catalogue(at.seen(at.right), tuple(causes), np.stack([*made]))
+
+
+def pairs(arm: Arm, q: Array, frame: int) -> Catalogue:
+    """Every pair of a mistake in the table, the recipe or the pose and one in the writing; of two
+    in the writing; and of one in the table with one in the recipe."""
+    at = _At(arm, q, frame)
+    befores, afters = [*at.recipes(), *at.tables()], list(at.afters())
+    stack = np.stack([J for _, J in befores])
+    causes, made = [], []
+    for second, after in afters:
+        causes += [first + second for first, _ in befores]
+        made.append(after(stack))
+    for (first, one), (second, two) in combinations(
+        [x for x in afters if x[0].keys[0] in _WRITING], 2
+    ):
+        causes += [first + second, first + second]
+        made.append(np.stack([at.unseen(two, one), at.unseen(one, two)]))
+    for second, J in at.twice():
+        causes += second
+        made.append(at.seen(J))
+    return Catalogue(at.seen(at.right), tuple(causes), np.concatenate(made))
+
+
+_WRITING = (
+    "J.halves",
+    "J.millimetres",
+    "J.per degree",
+    "J.all signs",
+    "J.cross",
+    "J.frame",
+    "J.angular zero",
+    "J.transposed",
+)
+
+
+class _At:
+    """One arm at one pose, with its rows in the axes of one frame."""
+
+    def __init__(self, arm: Arm, q: Array, frame: int) -> None:
+        self.arm, self.frame = arm, frame
+        self.chain = chain(arm, q)
+        self.T = self.chain.frames
+        self.right = columns(self.chain, frames=self.T)
+        self.turning = arm.turning
+
+    def seen(self, J: Array) -> Array:
+        """A Jacobian in base axes as it reads in the declared frame."""
+        return J if not self.frame else _turned(J, self.T[self.frame, :3, :3].T)
+
+    def unseen(self, one, two) -> Array:
+        """Two ways of writing it down, one upon the other; each takes base axes and gives the
+        declared frame's.
+        """
+        back = self.T[self.frame, :3, :3]
+        first = one(self.right)
+        return two(_turned(first, back) if self.frame else first)
+
+    # The recipe
+
+    def recipes(self) -> Iterator[tuple[Cause, Array]]:
+        yield from wrong_recipes(self.chain)
+        for degrees in (np.radians, np.degrees):
+            q = np.where(self.turning, degrees(self.chain.q), self.chain.q)
+            yield cause("J.degrees"), columns(self.chain.with_(q=q))
+
+    # The table
+
+    def tables(self) -> Iterator[tuple[Cause, Array]]:
+        """The right recipe on a wrong table: one entry's sign, one entry forgotten, the pen, all
+        the offsets of theta.
+        """
+        wrong = list(wrong_tables(self.arm, self.chain))
+        if wrong:
+            J = columns(_stacked(self.chain, [c for _, c in wrong]))
+            yield from ((c, J[k]) for k, (c, _) in enumerate(wrong))
+
+    def twice(self) -> Iterator[tuple[list[Cause], Array]]:
+        """The wrong recipes on the wrong tables, and on q in degrees."""
+        q = [
+            np.where(self.turning, f(self.chain.q), self.chain.q) for f in (np.radians, np.degrees)
+        ]
+        wrong = [(cause("J.degrees"), self.chain.with_(q=x)) for x in q]
+        wrong += wrong_tables(self.arm, self.chain)
+        stack = _stacked(self.chain, [c for _, c in wrong])
+        for second, J in wrong_recipes(stack):
+            yield [first + second for first, _ in wrong], J
+
+    # The writing
+
+    def afters(self):
+        """Each a function of a Jacobian in base axes, or a stack of them, to the declared
+        frame's.
+        """
+        turns = self.turning
+
+        def after(change):
+            return lambda J: self.seen(change(J))
+
+        def half(v: float, w: float):
+            return after(lambda J: J * np.repeat([v, w], 3)[:, None])
+
+        yield cause("J.halves"), lambda J: _swapped(self.seen(J))
+        yield (
+            cause("J.cross"),
+            after(lambda J: np.where(turns & (np.arange(6) < 3)[:, None], -J, J)),
+        )
+        yield cause("J.all signs"), half(-1, -1)
+        yield cause("J.angular sign"), half(1, -1)
+        yield cause("J.millimetres"), half(1000, 1)
+        yield cause("J.centimetres"), half(100, 1)
+        yield cause("J.angular zero"), half(1, 0)
+        yield cause("J.linear zero"), half(0, 1)
+        yield cause("J.per degree"), after(lambda J: np.where(turns, J * RAD, J))
+        yield cause("J.per degree"), after(lambda J: np.where(turns, J / RAD, J))
+        if self.arm.dof == 6:
+            yield cause("J.transposed"), lambda J: np.swapaxes(self.seen(J), -1, -2)
+        for k, i in enumerate(self.arm.joints):
+            one = np.where(np.arange(self.arm.dof) == k, -1.0, 1.0)
+            yield cause("J.column sign", i=i), after(lambda J, s=one: J * s)
+        yield cause("J.reversed order"), after(lambda J: J[..., ::-1])
+        yield from self._frames()
+        for i, j in combinations(range(self.arm.dof), 2):
+            order = np.arange(self.arm.dof)
+            order[[i, j]] = j, i
+            names = dict(i=self.arm.joints[i], j=self.arm.joints[j])
+            yield cause("J.columns exchanged", **names), after(lambda J, o=order: J[..., o])
+
+    def _frames(self):
+        rows = len(self.T) - 1
+        for k in [rows, *range(rows)]:
+            R = self.T[k, :3, :3]
+            if k != self.frame:
+                fields = dict(k=k, _name=frame_name(k), _wanted=frame_name(self.frame))
+                yield cause("J.frame", **fields), lambda J, R=R: _turned(J, R.T)
+                yield cause("J.frame angular", **fields), self._one_half(R, slice(3, 6))
+                yield cause("J.frame linear", **fields), self._one_half(R, slice(0, 3))
+        yield cause("J.frame turned back"), lambda J: self.seen(_turned(J, self.T[-1, :3, :3]))
+
+    def _one_half(self, R: Array, rows: slice):
+        def half(J: Array) -> Array:
+            seen = np.array(self.seen(J))
+            seen[..., rows, :] = _turned(J, R.T)[..., rows, :]
+            return seen
+
+        return half
+
+
+def wrong_recipes(at: Chain) -> Iterator[tuple[Cause, Array]]:
+    """The Jacobian with one step of its recipe done otherwise, in base axes, for one pose or
+    many.
+    """
+    T, usual = at.frames, np.array(at.joints) - 1
+    right = columns(at, frames=T)
+    late = columns(at, frames=T, axis=usual + 1, origin=usual + 1)
+    v, w = slice(0, 3), slice(3, 6)
+    yield cause("J.z_i angular"), _halves(right[..., v, :], late[..., w, :])
+    yield cause("J.one frame late"), late
+    yield cause("J.z_i"), columns(at, frames=T, axis=usual + 1)
+    if at.joints != tuple(range(1, len(usual) + 1)):
+        count = np.arange(len(usual))
+        remaining = columns(at, frames=T, axis=count)
+        yield cause("J.z counted on angular"), _halves(right[..., v, :], remaining[..., w, :])
+        yield cause("J.z counted on"), columns(at, frames=T, axis=count, origin=count)
+    yield cause("J.origin late"), columns(at, frames=T, origin=usual + 1)
+    yield cause("J.lever tip"), columns(at, frames=T, lever="tip")
+    yield cause("J.lever origin"), columns(at, frames=T, lever="o")
+    yield cause("J.lever link"), columns(at, frames=T, lever="link")
+    yield cause("J.rows of T"), columns(at, frames=_rows_read(T))
+    if not at.turning.all():
+        yield cause("J.slide turns"), columns(at, frames=T, slides=False)
+    for k in range(T.shape[-3] - 1):
+        yield cause("J.point", k=k), columns(at, frames=T, point=k)
+
+
+def wrong_tables(arm: Arm, right: Chain) -> list[tuple[Cause, Chain]]:
+    """Usual mistakes in a table's numbers, whatever it is used for."""
+    found: list[tuple[Cause, Chain]] = []
+
+    def put(key: str, **fields) -> None:
+        changes = {n: v for n, v in fields.items() if isinstance(v, np.ndarray)}
+        words = {n: v for n, v in fields.items() if n not in changes}
+        found.append((cause(key, **words), right.with_(**changes)))
+
+    names = set(dict(arm.values))
+    if "l_pen" in names and arm.number("l_pen"):
+        put("table.pen", d=chain(arm.with_values(l_pen=0), right.q).d)
+    if (right.theta[[i - 1 for i in right.joints]] != 0).any():
+        put("table.offsets", theta=np.where(_moving(right), 0.0, right.theta))
+    put("table.twists", alpha=-right.alpha)
+    for name, other in alike(arm):
+        put(
+            "table.length",
+            name=name,
+            other=other,
+            a=chain(arm.with_values(**{name: arm.number(other)}), right.q).a,
+        )
+    for k in range(len(right.a)):
+        one = np.arange(len(right.a)) == k
+        if abs(np.sin(right.alpha[k])) > 1e-9:
+            put("table.twist", row=k + 1, alpha=np.where(one, -right.alpha, right.alpha))
+            put("table.no twist", row=k + 1, alpha=np.where(one, 0.0, right.alpha))
+        for column in ("a", "d"):
+            numbers = getattr(right, column)
+            if numbers[k]:
+                put(
+                    "table.sign",
+                    column=column,
+                    row=k + 1,
+                    **{column: np.where(one, -numbers, numbers)},
+                )
+                put(
+                    "table.missing",
+                    column=column,
+                    row=k + 1,
+                    **{column: np.where(one, 0.0, numbers)},
+                )
+        if right.theta[k]:
+            put("table.offset", row=k + 1, theta=np.where(one, 0.0, right.theta))
+    return found
+
+
+def _moving(right: Chain) -> NDArray[np.bool_]:
+    turning = {i for i, t in zip(right.joints, right.turning, strict=True) if t}
+    return np.isin(np.arange(1, len(right.theta) + 1), list(turning))
+
+
+def _stacked(right: Chain, chains: list[Chain]) -> Chain:
+    table = {
+        n: np.stack([getattr(c, n) for c in chains]) for n in ("a", "alpha", "d", "theta", "q")
+    }
+    return right.with_(**table)
+
+
+def frame_name(k: int) -> str:
+    """How a sentence calls a link frame."""
+    return f"frame {k}" if k else "the base"
+
+
+def _halves(v: Array, w: Array) -> Array:
+    return np.concatenate([v, w], axis=-2)
+
+
+def _swapped(J: Array) -> Array:
+    return np.concatenate([J[..., 3:, :], J[..., :3, :]], axis=-2)
+
+
+def _turned(J: Array, R: Array) -> Array:
+    return np.concatenate([R @ J[..., :3, :], R @ J[..., 3:, :]], axis=-2)
+
+
+def _rows_read(T: Array) -> Array:
+    """Frames whose axes and origins are read along the rows of T, its last row (0, 0, 0, 1) for the
+    origin.
+    """
+    read = np.swapaxes(T, -1, -2).copy()
+    read[..., :3, 3] = 0.0
+    return read

@@ -1,0 +1,212 @@
+"""How the joints of one valid table count in those of another: q_2 of the reference = -q_2 of yours
+- 90°.
+
+Axis by axis from the base: a joint's zero is found from where it carries the next axis, or at the
+end the tip and the tool.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from helpers.arm import Arm, Body, Joint, Row
+from helpers.checks.axes import (
+    BASE,
+    Compared,
+    Frame,
+    Numbers,
+    Rows,
+    Side,
+    Vector,
+    add,
+    cross,
+    dot,
+    frames,
+    mix,
+    sub,
+)
+from helpers.reading.sentences import say, size
+
+_SEEN = 1e-6  # m, or the sine of an angle: less than this fixes no direction
+
+
+class Map(NamedTuple):
+    """The reference's joint k is signs[k] times yours plus offsets[k] (rad or m); your base's frame
+    in the reference's.
+    """
+
+    signs: tuple[int, ...]
+    offsets: tuple[float, ...]
+    base: Frame
+
+    @property
+    def is_identity(self) -> bool:
+        """Whether the same q means the same pose."""
+        return all(s == 1 for s in self.signs) and all(abs(c) < _SEEN for c in self.offsets)
+
+
+class _Feature(NamedTuple):
+    """What a joint carries: a line (point, direction), a direction without place, or a point."""
+
+    point: Vector | None
+    direction: Vector | None
+
+
+def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1e-6) -> Map | None:
+    """The map between two tables that agree, or None where it cannot be confirmed by the tips of
+    some poses.
+    """
+    base = _base(mine, reference, found)
+    ours = _features(mine.rows, [0.0] * len(mine.joints), base, found.signs)
+    offsets = [0.0] * len(mine.joints)
+    plain = (1,) * len(mine.joints)
+    for k, i in enumerate(reference.joints):
+        T = frames(reference.rows, offsets)
+        theirs = _features(reference.rows, offsets, BASE, plain)
+        step = _turn if reference.rows[i - 1].kind == "R" else _slide
+        for m, r in zip(ours[k + 1 :], theirs[k + 1 :], strict=True):
+            moved = step(T[i - 1].o, T[i - 1].z, m, r)
+            if moved is not None:
+                offsets[k] = moved
+                break
+    wrapped = [
+        _wrapped(c) if reference.rows[i - 1].kind == "R" else c
+        for c, i in zip(offsets, reference.joints, strict=True)
+    ]
+    result = Map(found.signs, tuple(wrapped), base)
+    return result if _confirmed(mine, reference, result, tolerance) else None
+
+
+def _base(mine: Side, reference: Side, found: Compared) -> Frame:
+    if found.signs[0] > 0:
+        return BASE._replace(o=(0.0, 0.0, found.base_higher))
+    upside = Frame(
+        (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, -found.base_higher)
+    )
+    return upside
+
+
+def _features(rows: Rows, q, base: Frame, signs: tuple[int, ...]) -> list[_Feature]:
+    """Each joint's axis, then the tip and the axes of the tool, in the reference's base."""
+    T = [_placed(base, F) for F in frames(rows, q)]
+    moving = [i for i, row in enumerate(rows, 1) if row.kind != "F"]
+    found = []
+    for k, i in enumerate(moving):
+        direction = mix(signs[k], T[i - 1].z, 0.0, T[i - 1].z)
+        found.append(_Feature(T[i - 1].o if rows[i - 1].kind == "R" else None, direction))
+    tip = T[-1]
+    return [*found, _Feature(tip.o, None), _Feature(None, tip.z), _Feature(None, tip.x)]
+
+
+def _placed(base: Frame, F: Frame) -> Frame:
+    turned = [add(mix(v[0], base.x, v[1], base.y), mix(v[2], base.z, 0.0, base.z)) for v in F]
+    return Frame(turned[0], turned[1], turned[2], add(base.o, turned[3]))
+
+
+def _turn(p: Vector, z: Vector, m: _Feature, r: _Feature) -> float | None:
+    """The angle about the axis (p, z) that carries r to m, where it shows."""
+    pairs = []
+    if m.direction is not None:
+        pairs.append((m.direction, r.direction))
+    if m.point is not None:
+        pairs.append((sub(m.point, p), sub(r.point, p)))
+        if m.direction is not None:
+            pairs[1] = tuple(
+                sub(w, mix(dot(w, d), d, 0.0, d)) for w, d in zip(pairs[1], pairs[0], strict=True)
+            )
+    for u, v in pairs:
+        u, v = (sub(w, mix(dot(w, z), z, 0.0, z)) for w in (u, v))
+        if dot(u, u) > _SEEN**2 and dot(v, v) > _SEEN**2:
+            return math.atan2(dot(z, cross(v, u)), dot(u, v))
+    return None
+
+
+def _slide(p: Vector, z: Vector, m: _Feature, r: _Feature) -> float | None:
+    """How far along z r is carried to m, where it shows."""
+    if m.point is None:
+        return None
+    w = sub(m.point, r.point)
+    if m.direction is None:
+        return dot(w, z)
+    across, along = (sub(v, mix(dot(v, r.direction), r.direction, 0.0, z)) for v in (w, z))
+    return dot(across, along) / dot(along, along) if dot(along, along) > _SEEN**2 else None
+
+
+def _confirmed(mine: Side, reference: Side, found: Map, tolerance: float) -> bool:
+    for seed in (0.3, 0.7, 1.1):
+        q = [seed * math.sin(2.0 * k + seed) for k in range(1, len(mine.joints) + 1)]
+        other = [s * x + c for s, x, c in zip(found.signs, q, found.offsets, strict=True)]
+        here = _placed(found.base, frames(mine.rows, q)[-1]).o
+        there = frames(reference.rows, other)[-1].o
+        if math.dist(here, there) > max(tolerance, 1e-6) * 10:
+            return False
+    return True
+
+
+def _wrapped(angle: float) -> float:
+    angle = math.remainder(angle, 2 * math.pi)
+    return math.pi if angle <= -math.pi + 1e-9 else angle
+
+
+def words(found: Map, mine: Side, reference: Side) -> list[str]:
+    """The joints that count otherwise, one equation each."""
+    said = []
+    for s, c, i, j in zip(found.signs, found.offsets, mine.joints, reference.joints, strict=True):
+        turns = reference.rows[j - 1].kind == "R"
+        shift = math.degrees(c) if turns else 1000 * c
+        if s < 0 or abs(shift) > 1e-3:
+            unit = "°" if turns else " mm"
+            tail = (
+                ""
+                if abs(shift) <= 1e-3
+                else f" {'-' if shift < 0 else '+'} {size(abs(shift), 5)}{unit}"
+            )
+            said.append(say("map joint", joint=j, mine=f"{'-' if s < 0 else ''}q_{i}{tail}"))
+    return said
+
+
+def in_own_joints(rows: Rows, arm: Arm, found: Map, mine: Side, reference: Side, name: str) -> Arm:
+    """The reference as an arm of the student's own table: its limits and bodies carried over to
+    these rows.
+    """
+    limits, speeds = arm.limits, arm.speed_limits
+    new, k = [], 0
+    for row in rows:
+        joint = Joint("fixed")
+        if row.kind != "F":
+            low, high = sorted(found.signs[k] * (x[k] - found.offsets[k]) for x in limits)
+            kind = "revolute" if row.kind == "R" else "prismatic"
+            joint = Joint(kind, low, high, speeds[k], arm.effort_limits[k])
+            k += 1
+        new.append(Row(row.a, row.alpha, row.d, row.theta, joint))
+    home = [s * (x - c) for s, x, c in zip(found.signs, arm.home, found.offsets, strict=True)]
+    bodies = _bodies(rows, arm, found, reference) if arm.bodies else ()
+    return Arm(name, tuple(new), bodies=bodies, home=tuple(home), source=arm.source)
+
+
+def _bodies(rows: Rows, arm: Arm, found: Map, reference: Side) -> tuple[Body, ...]:
+    """Each link's mass in the frame of the row that moves with it in the student's table."""
+    ours = [_placed(found.base, F) for F in frames(rows, [0.0] * len(found.signs))]
+    theirs = frames(reference.rows, found.offsets)
+    totals = [[0.0, np.zeros(3)] for _ in rows]
+    owner = _owners(rows)
+    for i, (body, joint) in enumerate(zip(arm.bodies, _owners(reference.rows), strict=True), 1):
+        row = max((k for k, o in enumerate(owner) if o == joint), default=0)
+        c = [arm.number(x) for x in body.com]
+        F, G = theirs[i], ours[row + 1]
+        at = add(F.o, add(mix(c[0], F.x, c[1], F.y), mix(c[2], F.z, 0.0, F.z)))
+        w = sub(at, G.o)
+        mass = arm.number(body.mass)
+        totals[row][0] += mass
+        totals[row][1] += mass * np.array([dot(w, G.x), dot(w, G.y), dot(w, G.z)])
+    return tuple(Body(m, tuple(map(float, s / m)) if m else (0, 0, 0)) for m, s in totals)
+
+
+def _owners(rows: tuple[Numbers, ...] | Rows) -> list[int]:
+    """The number of joints that move each row's link."""
+    count, found = 0, []
+    for row in rows:
+        count += row.kind != "F"
+        found.append(count)
+    return found

@@ -1,0 +1,3 @@
+"""What people type or paste, read: formulas, grids of numbers, tables. Nothing is ever evaluated as
+code.
+"""

@@ -1,0 +1,274 @@
+"""Formulas as people type them: NumPy, MATLAB, LaTeX, unicode. A small parser of our own, so that
+no text is ever run.
+
+A tree is ("num", x), ("name", n), ("neg", t), ("call", function, t) or ("+" | "-" | "*" | "/" |
+"^", left, right).
+"""
+
+import math
+import re
+from collections.abc import Callable
+
+from helpers.inputs import ArmError, shown
+
+Tree = tuple
+LONGEST = 20_000  # characters of one formula
+DEEPEST = 60  # brackets in brackets
+
+FUNCTIONS: dict[str, Callable[[float], float]] = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "sqrt": math.sqrt,
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "arcsin": math.asin,
+    "arccos": math.acos,
+    "arctan": math.atan,
+    "abs": abs,
+    "radians": math.radians,
+    "deg2rad": math.radians,
+    "degrees": math.degrees,
+    "rad2deg": math.degrees,
+    "sind": lambda x: math.sin(math.radians(x)),
+    "cosd": lambda x: math.cos(math.radians(x)),
+    "float": float,
+    "Float": float,
+    "Integer": float,
+}
+_CONSTANTS = {"pi": math.pi, "deg": math.pi / 180, "rad": 1.0}
+_GREEK = dict(
+    zip(
+        "αβγδθϑφϕψωλ",
+        [
+            "alpha",
+            "beta",
+            "gamma",
+            "delta",
+            "theta",
+            "theta",
+            "phi",
+            "phi",
+            "psi",
+            "omega",
+            "lambda",
+        ],
+        strict=True,
+    )
+)
+_SAME = {
+    **dict.fromkeys("−–—‐‑‒﹣－", "-"),
+    **dict.fromkeys("×⋅·∙∗", "*"),
+    **dict.fromkeys("÷∕⁄", "/"),
+    **dict.fromkeys("\u00a0\u2009\u202f\u2007\u2002\u2003\u200a\u3000", " "),
+    **dict.fromkeys("\u200b\u2061\u2062\ufeff", ""),
+    **dict.fromkeys("′’‘", "'"),
+    **{s: f"_{i}" for i, s in enumerate("₀₁₂₃₄₅₆₇₈₉")},
+    **{letter: f" {name}" for letter, name in _GREEK.items()},
+    "π": " pi ",
+    "𝜋": " pi ",
+    "°": " deg",
+    "º": " deg",
+    "²": "^2",
+    "√": "sqrt",
+    "⅓": "(1/3)",
+    "½": "(1/2)",
+    "¼": "(1/4)",
+    "∞": " inf ",
+}
+_TABLE = str.maketrans(_SAME)
+_LATEX = (
+    (r"\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)\b", " "),
+    (r"\\[,;:! ]|~|\\hspace\{[^{}]*\}", " "),
+    (r"\\(?:mathrm|text|mathit|mathbf|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}", r"\1"),
+    (r"\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)\b", " deg"),
+    (r"\\(?:cdot|times|ast)\b", "*"),
+    (r"\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)", " "),
+    (r"_\s*\{\s*(\w+)\s*\}", r"_\1"),
+    (r"_\s*\{\s*([\w+-]+)\s*\}", r"_{\1}"),
+    (r"\\d?t?frac\s*(\d)\s*(\d)", r"((\1)/(\2))"),
+)
+_FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_NAME = r"[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?"
+_TOKEN = re.compile(
+    rf"\s*(?:(\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|({_NAME})|(\*\*|[-+*/^()]))"
+)
+_RUN = re.compile(r"(?:[cs]_?(?:\d|\{[\d+-]+\})+){2,}")
+
+
+def plain(text: str) -> str:
+    """The text in plain signs: unicode and LaTeX spelled out, prefixes such as ``np.`` dropped."""
+    text = text.translate(_TABLE)
+    for pattern, instead in _LATEX:
+        text = re.sub(pattern, instead, text)
+    while (mended := _FRACTION.sub(r"((\1)/(\2))", text)) != text:
+        text = mended
+    text = re.sub(r"\\([A-Za-z]+)", r" \1 ", text)
+    text = re.sub(r"\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\.", "", text)
+    text = re.sub(r"(?<=\w)\s*\(t\)", "", text)
+    text = re.sub(r"(\b[a-z]+) +_(?=[\w{])", r"\1_", text)
+    text = re.sub(r"(?<![_\w])\{|(?<=[^\w+-])\{", "(", text)
+    return re.sub(r"[ \t]+", " ", text).strip()
+
+
+def parse(text: str, what: str = "the formula") -> Tree:
+    """The tree of one formula; raises ArmError, quoting it, where it is none."""
+    if len(text) > LONGEST:
+        raise ArmError(f"{what} has {len(text)} characters; expected at most {LONGEST}")
+    tokens = _tokens(plain(text))
+    if tokens is None:
+        raise ArmError(
+            f"{what} is {shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )"
+        )
+    try:
+        tree, rest = _sum(tokens, 0, 0)
+    except (IndexError, SyntaxError):
+        tree, rest = (), -1
+    if rest != len(tokens):
+        raise ArmError(
+            f"{what} is {shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'"
+        )
+    return tree
+
+
+def _tokens(text: str) -> list[tuple[str, str]] | None:
+    found: list[tuple[str, str]] = []
+    at = 0
+    while at < len(text):
+        match = _TOKEN.match(text, at)
+        if not match:
+            return None if text[at:].strip() else found
+        group = match.lastindex or 1
+        kind = ("num", "name", "sign")[group - 1]
+        word = "^" if match[group] == "**" else match[group]
+        found += _split(word) if kind == "name" and _RUN.fullmatch(word) else [(kind, word)]
+        at = match.end()
+    return found
+
+
+def _split(run: str) -> list[tuple[str, str]]:
+    """The names in a run such as ``c_1s_23``, which is a product."""
+    return [("name", name) for name in re.findall(r"[cs]_?(?:\d|\{[\d+-]+\})+", run)]
+
+
+def _sum(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
+    if depth > DEEPEST:
+        raise SyntaxError
+    left, at = _product(tokens, at, depth)
+    while at < len(tokens) and tokens[at][1] in ("+", "-"):
+        right, after = _product(tokens, at + 1, depth)
+        left, at = (tokens[at][1], left, right), after
+    return left, at
+
+
+def _product(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
+    left, at = _signed(tokens, at, depth)
+    while at < len(tokens):
+        sign = tokens[at][1]
+        if sign in ("*", "/"):
+            right, after = _signed(tokens, at + 1, depth)
+        elif sign == "(" or tokens[at][0] != "sign":
+            sign, (right, after) = "*", _power(tokens, at, depth)
+        else:
+            break
+        left, at = (sign, left, right), after
+    return left, at
+
+
+def _signed(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
+    if depth > DEEPEST:
+        raise SyntaxError
+    if tokens[at][1] == "-":
+        inner, at = _signed(tokens, at + 1, depth + 1)
+        return ("neg", inner), at
+    if tokens[at][1] == "+":
+        return _signed(tokens, at + 1, depth + 1)
+    return _power(tokens, at, depth)
+
+
+def _power(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
+    base, at = _atom(tokens, at, depth)
+    if at < len(tokens) and tokens[at][1] == "^":
+        exponent, at = _signed(tokens, at + 1, depth + 1)
+        return ("^", base, exponent), at
+    return base, at
+
+
+def _atom(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
+    kind, word = tokens[at]
+    if kind == "num":
+        return ("num", float(word)), at + 1
+    if kind == "name" and word in FUNCTIONS and at + 1 < len(tokens):
+        inner, at = _argument(tokens, at + 1, depth)
+        return ("call", word, inner), at
+    if kind == "name":
+        return ("name", word), at + 1
+    if word != "(":
+        raise SyntaxError
+    inner, at = _sum(tokens, at + 1, depth + 1)
+    if tokens[at][1] != ")":
+        raise SyntaxError
+    return inner, at + 1
+
+
+def _argument(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
+    """What a function is taken of: a bracket, or the next factor, as in ``sin theta_1``."""
+    if tokens[at][1] == "-":
+        inner, at = _atom(tokens, at + 1, depth + 1)
+        return ("neg", inner), at
+    return _atom(tokens, at, depth)
+
+
+def symbols(tree: Tree) -> set[str]:
+    """The names in a tree that are no constants."""
+    if tree[0] == "name":
+        return set() if tree[1] in _CONSTANTS else {tree[1]}
+    return set().union(*(symbols(part) for part in tree[1:] if isinstance(part, tuple)))
+
+
+def value(tree: Tree, known: Callable[[str], float | None]) -> float:
+    """The number of a tree, names looked up by `known`; raises ArmError for an unknown one or no
+    finite number.
+    """
+    try:
+        found = float(_value(tree, known))
+    except ArmError:
+        raise
+    except (ArithmeticError, ValueError, RecursionError):
+        found = math.nan
+    if not math.isfinite(found):
+        raise ArmError("a formula divides by zero or is too large; expected a finite value")
+    return found
+
+
+def _value(tree: Tree, known: Callable[[str], float | None]) -> float:
+    kind = tree[0]
+    if kind == "num":
+        return tree[1]
+    if kind == "name":
+        found = _CONSTANTS.get(tree[1])
+        found = known(tree[1]) if found is None else found
+        if found is None:
+            raise ArmError(f"no value for {tree[1]}")
+        return found
+    if kind == "neg":
+        return -_value(tree[1], known)
+    if kind == "call":
+        return FUNCTIONS[tree[1]](_value(tree[2], known))
+    left, right = _value(tree[1], known), _value(tree[2], known)
+    if kind == "^":
+        return math.pow(left, right)
+    return (
+        {"+": left + right, "-": left - right, "*": left * right}[kind]
+        if kind != "/"
+        else left / right
+    )
+
+
+def number(text: str) -> float | None:
+    """The number a text stands for if it holds no symbols, else None."""
+    try:
+        return value(parse(text), lambda name: None)
+    except ArmError:
+        return None

@@ -1,0 +1,29 @@
+"""The sentences of the checkers, one file of templates that the page's judge reads too."""
+
+import json
+from functools import cache
+from pathlib import Path
+
+
+@cache
+def templates() -> dict[str, str]:
+    """Every template by its key; fields stand in braces."""
+    return json.loads((Path(__file__).parent / "sentences.json").read_text(encoding="utf-8"))
+
+
+def say(key: str, **fields: object) -> str:
+    """A sentence with its fields put in."""
+    text = templates()[key]
+    for name, value in fields.items():
+        text = text.replace("{" + name + "}", str(value))
+    return text
+
+
+def size(x: float, digits: int = 3) -> str:
+    """A number to so many significant digits, as C's %g; a minus sign only before what is not 0."""
+    return f"{x + 0.0:.{digits}g}" if f"{x:.{digits}g}" != "-0" else "0"
+
+
+def listed(words: list[str], last: str = "and") -> str:
+    """``a, b and c``."""
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} {last} {words[-1]}"

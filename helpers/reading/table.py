@@ -1,0 +1,590 @@
+"""A Denavit-Hartenberg table as people hold it: rows in any order of columns, parallel lists,
+Link(...) lines, A matrices.
+
+What is not said is guessed, and every guess is told.
+"""
+
+import math
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from itertools import permutations
+from typing import Any, NamedTuple
+
+from helpers.inputs import ArmError, one_of, shown
+from helpers.reading import formula, grid
+from helpers.reading.sentences import say, size
+from helpers.rows import Joint, Kind, Row
+
+ENTRIES = ("a", "alpha", "d", "theta")
+_JOINTS: dict[str, Kind] = {"R": "revolute", "P": "prismatic", "F": "fixed"}
+_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
+_MILLIMETRES = 10.0  # a length this large is no number of metres
+_DEGREES = 2 * math.pi + 0.1  # an angle this large is no number of radians
+_KNOWN_ORDERS = (
+    ("theta", "d", "a", "alpha"),
+    ("a", "alpha", "d", "theta"),
+    ("alpha", "a", "d", "theta"),
+    ("alpha", "a", "theta", "d"),
+    ("a", "d", "alpha", "theta"),
+    ("d", "theta", "a", "alpha"),
+    ("theta", "alpha", "a", "d"),
+    ("a", "alpha", "theta", "d"),
+    ("theta", "a", "d", "alpha"),
+    ("d", "a", "alpha", "theta"),
+)
+_WORDS = {
+    **dict.fromkeys(
+        ("theta", "th", "q", "jointangle", "angle", "tht", "thetai", "qi", "thi"), "theta"
+    ),
+    **dict.fromkeys(("d", "offset", "linkoffset", "di", "dm", "dmm"), "d"),
+    **dict.fromkeys(("a", "r", "linklength", "length", "ai", "ri"), "a"),
+    **dict.fromkeys(("alpha", "twist", "linktwist", "alphai", "al", "alp"), "alpha"),
+    **dict.fromkeys(
+        ("i", "link", "joint", "j", "n", "frame", "row", "#", "no", "linki", "jointi", "k"), "i"
+    ),
+}
+_JOINT = re.compile(r"(?:q|th|theta|t|phi)_?\{?\d+\}?'?")
+_VARIABLE = re.compile(r"(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?", re.I)
+
+
+class Numbers(NamedTuple):
+    """A row of a table in numbers: "R" turns, "P" slides, "F" does neither; m and rad."""
+
+    kind: str
+    a: float
+    alpha: float
+    d: float
+    theta: float
+
+
+@dataclass(frozen=True)
+class TypedRow:
+    """A row as it was meant: "R" turns, "P" slides, "F" is fixed, "?" has no variable in it; its
+    numbers as typed.
+
+    Entries with pi or a degree sign in them are in `radians`, whatever the others are in.
+    """
+
+    kind: str
+    numbers: dict[str, float]
+    texts: dict[str, str]
+    backwards: bool = False
+    radians: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class TypedTable:
+    """The rows in the units typed, what is sure of them, and what was guessed; None where nothing
+    was said.
+    """
+
+    rows: tuple[TypedRow, ...]
+    columns: tuple[str, ...] | None
+    sure: bool
+    lengths: str | None
+    angles: str | None
+    convention: str | None
+    said: tuple[str, ...]
+
+
+def read(
+    source: Any,
+    columns: str | Iterable[str] | None = None,
+    lengths: str | None = None,
+    angles: str | None = None,
+    convention: str | None = None,
+    values: Mapping[str, float] | None = None,
+) -> list[TypedTable]:
+    """The readings of a table, the likeliest first: more than one only where the order of the
+    columns had to be guessed.
+
+    Raises ArmError, in words, for what is no table.
+    """
+    if lengths is not None:
+        one_of(lengths, "lengths", _UNITS)
+    if angles is not None:
+        one_of(angles, "angles", ("rad", "deg"))
+    if convention is not None:
+        convention = one_of(
+            str(convention).lower(), "convention", ("standard", "craig", "modified")
+        )
+        convention = "craig" if convention == "modified" else convention
+    cells, heads, said = _cells(source)
+    known = {_simple(k): float(v) for k, v in (values or {}).items()}
+    if matrices := _matrices(cells):
+        return [
+            TypedTable(
+                _from_matrices(matrices, known),
+                None,
+                True,
+                lengths,
+                angles,
+                convention,
+                (say("taken: matrices"),),
+            )
+        ]
+    cells, heads = _without_index(cells, heads)
+    orders, sure = _orders(cells, heads, columns)
+    unit, angle, modified = _from_heads(heads)
+    lengths, angles, convention = (
+        lengths or unit,
+        angles or angle,
+        convention or ("craig" if modified else None),
+    )
+    tables, errors = [], []
+    for order in orders:
+        words = (*said, *(() if sure else (say("taken: columns", columns=" ".join(order)),)))
+        try:
+            rows = tuple(
+                _row(i, dict(zip(order, row, strict=False)), known)
+                for i, row in enumerate(cells, 1)
+            )
+        except ArmError as error:
+            errors.append(error)
+        else:
+            tables.append(TypedTable(rows, order, sure, lengths, angles, convention, words))
+    if not tables:
+        raise errors[0]
+    return tables
+
+
+class Meant(NamedTuple):
+    """A table as it was meant: standard rows in m and rad, what was guessed, and the sizes of the
+    units typed.
+    """
+
+    rows: list[Numbers]
+    said: tuple[str, ...]
+    length: float
+    angle: float
+
+    def as_rows(self) -> tuple[Row, ...]:
+        """The rows of an arm, right angles as formulas."""
+        return tuple(
+            Row(r.a, _right_angle(r.alpha), r.d, _right_angle(r.theta), Joint(_JOINTS[r.kind]))
+            for r in self.rows
+        )
+
+
+def _right_angle(angle: float) -> float | str:
+    """A multiple of a right angle, to four decimals, as a formula."""
+    turns = round(angle / (math.pi / 2))
+    if abs(angle - turns * math.pi / 2) > 1e-4:
+        return angle
+    formulas: dict[int, float | str] = {-2: "-pi", -1: "-pi/2", 0: 0, 1: "pi/2", 2: "pi"}
+    return formulas.get(turns, f"{turns} * pi / 2")
+
+
+def meant(table: TypedTable, kinds: Iterable[str] = ()) -> Meant:
+    """The rows in SI units and the standard convention; units not said are guessed by size, and
+    told.
+
+    `kinds` are taken where no row holds a variable and there are as many; all turn otherwise.
+    """
+    said = list(table.said)
+    numbers = [row.numbers for row in table.rows]
+    unit, angle = table.lengths, table.angles
+    if unit is None and max(abs(n[c]) for n in numbers for c in ("a", "d")) >= _MILLIMETRES:
+        unit = "mm"
+        said.append(say("taken: millimetres"))
+    open_ = [
+        abs(r.numbers[c]) for r in table.rows for c in ("alpha", "theta") if c not in r.radians
+    ]
+    if angle is None and max(open_, default=0.0) > _DEGREES:
+        angle = "deg"
+        said.append(say("taken: degrees"))
+    f, t = _UNITS[unit or "m"], math.pi / 180 if angle == "deg" else 1.0
+    rows = []
+    for kind, row in zip(_kinds(table, tuple(kinds)), table.rows, strict=True):
+        n = row.numbers
+        alpha, theta = (n[c] * (1.0 if c in row.radians else t) for c in ("alpha", "theta"))
+        rows.append(Numbers(kind, n["a"] * f, alpha, n["d"] * f, theta))
+    if table.convention == "craig":
+        rows = from_craig(rows)
+        said.append(say("taken: craig"))
+    if backwards := [str(i) for i, row in enumerate(table.rows, 1) if row.backwards]:
+        said.append(
+            f"joints counted backwards in rows {', '.join(backwards)}, which is a free choice"
+        )
+    return Meant(rows, tuple(said), f, t)
+
+
+def _kinds(table: TypedTable, wanted: tuple[str, ...]) -> Iterable[str]:
+    kinds = [row.kind for row in table.rows]
+    if set(kinds) == {"?"}:
+        return wanted if len(wanted) == len(kinds) else ["R"] * len(kinds)
+    return ["F" if kind == "?" else kind for kind in kinds]
+
+
+def from_craig(rows: list[Numbers]) -> list[Numbers]:
+    """Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}; a fixed row before
+    them takes a_0.
+    """
+    after = [*rows[1:], Numbers("F", 0.0, 0.0, 0.0, 0.0)]
+    shifted = [r._replace(a=n.a, alpha=n.alpha) for r, n in zip(rows, after, strict=True)]
+    first = rows[0]
+    return (
+        shifted
+        if not (first.a or first.alpha)
+        else [Numbers("F", first.a, first.alpha, 0.0, 0.0), *shifted]
+    )
+
+
+# From what is held to rows of cells
+
+
+def _cells(source: Any) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+    if isinstance(source, Mapping):
+        return _of_mapping({str(k): v for k, v in source.items()})
+    if isinstance(source, str):
+        return _of_text(source)
+    if hasattr(source, "columns") and hasattr(source, "to_numpy"):
+        return _strings(source.to_numpy().tolist()), [str(c) for c in source.columns], ()
+    if hasattr(source, "tolist"):
+        source = source.tolist()
+    try:
+        rows = list(source)
+    except TypeError:
+        raise ArmError(say("no table", given=shown(source))) from None
+    if rows and all(isinstance(row, Mapping) for row in rows):
+        heads = list(dict.fromkeys(str(k) for row in rows for k in row))
+        return [[_text(row.get(h, 0)) for h in heads] for row in rows], heads, ()
+    if rows and all(isinstance(row, str) for row in rows):
+        return _of_text("\n".join(rows))
+    rows = [row.tolist() if hasattr(row, "tolist") else row for row in rows]
+    return _strings(rows), [], ()
+
+
+def _strings(rows: list) -> Any:
+    if not rows or not all(isinstance(row, list | tuple) for row in rows):
+        raise ArmError(say("no rows", given=shown(rows)))
+    return [[x if isinstance(x, list | tuple) else _text(x) for x in row] for row in rows]
+
+
+def _text(x: Any) -> str:
+    if x is None:
+        return "*"
+    return repr(float(x)).removesuffix(".0") if isinstance(x, float) else str(x)
+
+
+def _of_mapping(held: dict[str, Any]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+    lists = {k: v.tolist() if hasattr(v, "tolist") else v for k, v in held.items()}
+    if all(isinstance(v, list | tuple) for v in lists.values()):
+        return _parallel(lists)
+    indexed = [(re.fullmatch(r"([A-Za-z]+)_?\{?(\d+)\}?", k), v) for k, v in held.items()]
+    known = [(m[1].lower(), int(m[2]), v) for m, v in indexed if m and m[1].lower() in _WORDS]
+    if len(known) < len(indexed):
+        raise ArmError(say("no entries", given=shown(held)))
+    return _numbered([(_WORDS[word], row, _text(v)) for word, row, v in known])
+
+
+def _parallel(lists: Mapping[str, Any]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+    lengths = {len(v) for v in lists.values()}
+    if len(lengths) != 1:
+        raise ArmError(say("uneven lists", counts=", ".join(map(str, sorted(lengths)))))
+    return [[_text(x) for x in row] for row in zip(*lists.values(), strict=True)], list(lists), ()
+
+
+def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+    """Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has
+    a_{i-1} and alpha_{i-1}.
+    """
+    craig = any(c in ("a", "alpha") and i == 0 for c, i, _ in entries)
+    held = {(c, i + 1 if craig and c in ("a", "alpha") else i): text for c, i, text in entries}
+    last = max(i for _, i in held)
+    cells = [
+        [held.get((c, i), "0" if c != "theta" else f"q_{i}") for c in ENTRIES]
+        for i in range(1, last + 1)
+    ]
+    heads = ["a_{i-1}", "alpha_{i-1}", "d", "theta"] if craig else list(ENTRIES)
+    return cells, heads, ()
+
+
+def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+    if links := re.findall(
+        r"(?:Link|Revolute\w*|Prismatic\w*|DHLink|RevoluteDH|PrismaticDH)\s*\(((?:[^()]|\([^()]*\))*)\)",
+        text,
+    ):
+        return _links(links)
+    named = re.findall(
+        r"^\s*([A-Za-z_]\w*|[αθ])\s*=\s*(?:np\.array|array|sp\.Matrix|Matrix)?\s*\(?\s*(\[[^\]]*\]|\{[^}]*\})",
+        text,
+        re.M,
+    )
+    words = [_head(name) or "" for name, _ in named]
+    if len(named) >= 3 and set(words) <= set(ENTRIES):
+        return _parallel(
+            {
+                w: grid.cells(body.replace("{", "[").replace("}", "]"))[0]
+                for w, (_, body) in zip(words, named, strict=True)
+            }
+        )
+    pairs = re.findall(r"['\"]?\b([A-Za-z]+)_?\{?(\d+)\}?['\"]?\s*[:=]\s*([^,;\n}]+)", text)
+    if (
+        len(pairs) >= 6
+        and all(p[0].lower() in _WORDS for p in pairs)
+        and not text.lstrip().startswith("|")
+    ):
+        return _numbered(
+            [(_WORDS[name.lower()], int(i), x.strip().strip("'\"")) for name, i, x in pairs]
+        )
+    rows = grid.cells(re.sub(r"^\s*#", "", text))
+    if _heading(rows[0]):
+        return rows[1:], rows[0], ()
+    return rows, [], ()
+
+
+def _links(links: list[str]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+    """Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3,
+    alpha=pi/2).
+    """
+    rows = []
+    for i, body in enumerate(links, 1):
+        if body.strip().startswith("["):
+            entries = grid.cells(body[: body.index("]") + 1])[0]
+            slides = len(entries) > 4 and formula.number(entries[4]) == 1
+            row = dict(zip(("theta", "d", "a", "alpha"), entries, strict=False))
+        else:
+            found = re.findall(r"['\"]?\b(a|alpha|d|theta|offset)['\"]?\s*[,=]\s*([^,]+)", body)
+            row = {k: x.strip() for k, x in found}
+            slides = (
+                "prismatic" in body.lower()
+                or ("theta" in row and "d" not in row)
+                or re.search(r"sigma['\"]?\s*[,=]\s*1", body) is not None
+            )
+        row = {"a": "0", "alpha": "0", "d": "0", "theta": "0", **row}
+        offset = row.pop("offset", "0")
+        moves = "d" if slides else "theta"
+        still = row[moves] if slides or formula.number(row[moves]) is not None else "0"
+        row[moves] = f"q_{i} + ({offset if formula.number(still) in (0, None) else still})"
+        rows.append([row[k] for k in ENTRIES])
+    return rows, list(ENTRIES), (say("taken: links"),)
+
+
+# Heads, columns, rows
+
+
+def _simple(name: str) -> str:
+    return re.sub(r"[_{}\s*'^\\]", "", name).lower()
+
+
+def _head(cell: str) -> str | None:
+    word = re.sub(
+        r"\(.*?\)|\[.*?\]|\bin\b.*|,.*", "", formula.plain(cell.replace("-1", "")).replace("*", "")
+    )
+    word = re.sub(r"[\s_{}$\\^'\"().]", "", word).lower()
+    return _WORDS.get(word) or _WORDS.get(re.sub(r"(?:i|j|k|n)$", "", word))
+
+
+def _heading(row: list) -> bool:
+    return len({_head(str(cell)) for cell in row} & set(ENTRIES)) >= 3
+
+
+def _from_heads(heads: list[str]) -> tuple[str | None, str | None, bool]:
+    text = " ".join(heads)
+    unit = next((u for u in ("mm", "cm") if re.search(rf"[(\[ ]{u}\b", text)), None)
+    unit = unit or ("m" if re.search(r"[(\[]\s*m\s*[)\]]", text) else None)
+    angle = (
+        "deg" if re.search(r"deg|°", text, re.I) else "rad" if re.search(r"\brad", text) else None
+    )
+    return unit, angle, bool(re.search(r"-\s*1", text))
+
+
+def _without_index(cells: grid.Cells, heads: list[str]) -> tuple[grid.Cells, list[str]]:
+    words = [_head(h) for h in heads]
+    if "i" in words:
+        at = words.index("i")
+        return [row[:at] + row[at + 1 :] if len(row) > at else row for row in cells], heads[
+            :at
+        ] + heads[at + 1 :]
+    first = [formula.plain(row[0]) for row in cells]
+    counted = all(
+        re.fullmatch(rf"(?:link|joint|l|j|i=)?\s*_?{i}\.?", x, re.I) for i, x in enumerate(first, 1)
+    )
+    if all(len(row) > 4 for row in cells) and counted:
+        return [row[1:] for row in cells], heads[1:] if len(heads) > 4 else heads
+    return cells, heads
+
+
+def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | None):
+    """The orders of the columns that are possible, and whether it was said."""
+    if columns is not None:
+        order = tuple(_head(c) for c in _words(columns))
+        if sorted(map(str, order)) != sorted(ENTRIES):
+            raise ArmError(say("no columns", given=shown(columns)))
+        _wide(cells)
+        return [order], True
+    words = [_head(h) for h in heads]
+    if set(words) >= set(ENTRIES):
+        keep = [words.index(e) for e in ENTRIES]
+        for k, row in enumerate(cells):
+            cells[k] = [row[i] if i < len(row) else "0" for i in keep]
+        return [ENTRIES], True
+    _wide(cells)
+    fits = [order for order in _KNOWN_ORDERS if _possible(cells, order)]
+    others = [o for o in permutations(ENTRIES) if o not in fits and _possible(cells, o)]
+    return (fits + others) or [_KNOWN_ORDERS[0]], False
+
+
+def _words(columns: Any) -> list[str]:
+    if isinstance(columns, str):
+        return re.split(r"[\s,;|]+", columns.strip())
+    return [str(c) for c in columns] if isinstance(columns, Iterable) else []
+
+
+def _wide(cells: grid.Cells) -> None:
+    widths = sorted({len(row) for row in cells})
+    if widths != [4]:
+        raise ArmError(say("row width", widths=", ".join(map(str, widths))))
+
+
+def _possible(cells: grid.Cells, order: tuple[str, ...]) -> bool:
+    """Whether the variables stand in theta (or d), and no length or angle looks like the other."""
+    at = {name: [row[order.index(name)] for row in cells] for name in ENTRIES}
+    if any(
+        _is_variable(x) or re.search(r"\bd_?\d", x) for name in ("a", "alpha") for x in at[name]
+    ):
+        return False
+    turns = sum(map(_is_variable, at["theta"])) >= sum(map(_is_variable, at["d"]))
+    angular = any(re.search(r"pi|deg|°|π", x) for name in ("a", "d") for x in at[name])
+    alphas = [formula.number(x) for x in at["alpha"]]
+    right = all(x is None or _angle_like(x) for x in alphas)
+    lengths = [formula.number(x) for name in ("a", "d") for x in at[name]]
+    spread = not all(x is None or (x and _angle_like(x)) for x in lengths) or not any(lengths)
+    return turns and not angular and right and spread
+
+
+def _is_variable(text: str) -> bool:
+    plain = formula.plain(text)
+    if _VARIABLE.fullmatch(plain.strip()):
+        return True
+    try:
+        names = formula.symbols(formula.parse(plain.rstrip("*")))
+    except ArmError:
+        return False
+    return any(_JOINT.fullmatch(n) for n in names)
+
+
+def _angle_like(x: float) -> bool:
+    in_radians = (
+        abs(x) <= 2 * math.pi + 0.01 and abs(x / (math.pi / 12) - round(x / (math.pi / 12))) < 0.02
+    )
+    return in_radians or (abs(x) >= 15 and x % 15 == 0 and abs(x) <= 360)
+
+
+def _row(i: int, entries: Mapping[str, str], known: Mapping[str, float]) -> TypedRow:
+    parsed, free = {}, {}
+    for name in ENTRIES:
+        text = formula.plain(entries[name]).strip()
+        if name in ("theta", "d") and _VARIABLE.fullmatch(text) and _simple(text) not in known:
+            text = f"q_{i}"
+        tree = formula.parse(text.rstrip("*") or "0", f"{name} in row {i}")
+        parsed[name] = tree
+        free[name] = [n for n in formula.symbols(tree) if _simple(n) not in known]
+    mover = _mover(i, free)
+    stray = [
+        n for name in ENTRIES for n in free[name] if name != mover or n != _joint_of(free[mover])
+    ]
+    if stray:
+        raise ArmError(say("row symbol", row=i, name=stray[0]))
+    numbers, backwards = {}, False
+    radians = frozenset(
+        n for n in ENTRIES if re.search(r"\b(?:pi|deg|rad)\b", formula.plain(entries[n]))
+    )
+    for name in ENTRIES:
+        look = {
+            **{n: 0.0 for n in free[name]},
+            **{n: known[_simple(n)] for n in formula.symbols(parsed[name]) if _simple(n) in known},
+        }
+        numbers[name] = formula.value(parsed[name], look.get)
+        if name == mover:
+            turned: dict[Any, float] = {**look, _joint_of(free[name]): 1.0}
+            there = formula.value(parsed[name], turned.get)
+            backwards = _slope(there - numbers[name], i, name) < 0
+    kinds: dict[str | None, str] = {"theta": "R", "d": "P", None: "?"}
+    kind = kinds[mover]
+    return TypedRow(
+        kind, numbers, {n: str(entries[n]).strip() for n in ENTRIES}, backwards, radians
+    )
+
+
+def _mover(i: int, free: Mapping[str, list[str]]) -> str | None:
+    """Which entry holds the joint's variable."""
+    if free["theta"]:
+        return "theta"
+    return "d" if free["d"] else None
+
+
+def _joint_of(names: list[str]) -> str | None:
+    """The joint's variable among the symbols of an entry: the one called like a joint."""
+    named = [n for n in names if re.match(r"q|th|t_?\d|x_?\d|phi", n)]
+    return (named or sorted(names))[0] if names else None
+
+
+def _slope(rate: float, i: int, name: str) -> int:
+    if abs(abs(rate) - 1) > 1e-6 and abs(abs(rate) - math.pi / 180) > 1e-6:
+        raise ArmError(say("row slope", row=i, name=name, rate=size(rate)))
+    return 1 if rate > 0 else -1
+
+
+# 4 x 4 matrices
+
+
+def _matrices(cells: grid.Cells) -> list | None:
+    """The rows of cells as matrices A_i, where they are such."""
+    if cells and all(
+        isinstance(row, list) and len(row) == 4 and all(isinstance(x, list | tuple) for x in row)
+        for row in cells
+    ):
+        return [[[_text(x) for x in r] for r in A] for A in cells]
+    last = [
+        [formula.number(x) for x in row] if all(isinstance(x, str) for x in row) else []
+        for row in cells[3::4]
+    ]
+    if len(cells) >= 8 and len(cells) % 4 == 0 and all(row == [0, 0, 0, 1] for row in last):
+        return [cells[k : k + 4] for k in range(0, len(cells), 4)]
+    return None
+
+
+def _from_matrices(matrices: list, known: Mapping[str, float]) -> tuple[TypedRow, ...]:
+    return tuple(_from_matrix(i, A, known) for i, A in enumerate(matrices, 1))
+
+
+def _from_matrix(i: int, A: list, known: Mapping[str, float]) -> TypedRow:
+    trees = [[formula.parse(formula.plain(x), f"A_{i}") for x in row] for row in A]
+    names = {n for row in trees for t in row for n in formula.symbols(t) if _simple(n) not in known}
+
+    def at(x: float) -> list[list[float]]:
+        look = {n: _short(n, x) for n in names}
+        return [
+            [formula.value(t, lambda n: look.get(n, known.get(_simple(n)))) for t in row]
+            for row in trees
+        ]
+
+    zero, one = at(0.0), at(0.5)
+    c, s = zero[0][0], zero[1][0]
+    numbers = {
+        "a": zero[0][3] * c + zero[1][3] * s,
+        "alpha": math.atan2(zero[2][1], zero[2][2]),
+        "d": zero[2][3],
+        "theta": math.atan2(s, c),
+    }
+    slides = abs(one[2][3] - zero[2][3]) > 1e-9
+    kind = "P" if slides else "R" if names else "?"
+    backwards = (
+        (one[2][3] < zero[2][3])
+        if slides
+        else math.sin(math.atan2(one[1][0], one[0][0]) - numbers["theta"]) < 0
+    )
+    return TypedRow(
+        kind, numbers, {n: f"{x:g}" for n, x in numbers.items()}, bool(names) and backwards
+    )
+
+
+def _short(name: str, x: float) -> float:
+    """A joint's value, or its cosine or sine where the name is c_1 or s1."""
+    match = re.fullmatch(r"([csCS])(?:theta|th|q)?_?\{?\d+\}?", name)
+    if not match:
+        return x
+    return math.cos(x) if match[1] in "cC" else math.sin(x)

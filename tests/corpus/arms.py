@@ -1,0 +1,86 @@
+"""The corpus's arms: those of the homework, typed anew from its statement, and random ones."""
+
+import math
+
+from tests.corpus.machine import Machine
+
+H = math.pi / 2
+
+# Typed from the homework's statement and the makers' data sheets, not taken from helpers.robots.
+_PANDA = [
+    ("R", 0, H, 0.333, 0),
+    ("R", 0, -H, 0, 0),
+    ("R", 0.0825, -H, 0.316, 0),
+    ("R", -0.0825, H, 0, 0),
+    ("R", 0, H, 0.384, 0),
+    ("R", 0.088, -H, 0, 0),
+    ("R", 0, 0, -0.207, 0),
+]
+_UR_HOMEWORK = [
+    ("R", 0, -H, 0.128, 0),
+    ("R", 0.6127, math.pi, 0, -H),
+    ("R", 0.5716, math.pi, 0, 0),
+    ("R", 0, H, 0.1639, H),
+    ("R", 0, -H, 0.1157, 0),
+    ("R", 0, 0, 0.1922, 0),
+]
+_STANFORD = [
+    ("R", 0, -H, 0, 0),
+    ("R", 0, H, 0.154, 0),
+    ("P", 0, 0, 0, 0),
+    ("R", 0, -H, 0, 0),
+    ("R", 0, H, 0, 0),
+    ("R", 0, 0, 0.263, 0),
+]
+_ELBOW = [("R", 0, H, 0.5, 0), ("R", 0.4, 0, 0, 0), ("R", 0.3, 0, 0, 0)]
+_LOCKED = [("F", *row[1:]) if i == 2 else row for i, row in enumerate(_PANDA)]
+
+KNOWN = {
+    "Panda": Machine(_PANDA, "Panda"),
+    "UR10E_HOMEWORK": Machine(_UR_HOMEWORK, "UR10E_HOMEWORK"),
+    "STANFORD": Machine(_STANFORD, "STANFORD"),
+    "ELBOW": Machine(_ELBOW, "ELBOW"),
+    "PANDA.lock(3)": Machine(_LOCKED, "PANDA.lock(3)"),
+}
+
+
+def random_machine(rng, rows=None):
+    """Mixed joints, right and skew angles, now and then a joint that is locked."""
+    rows = rows or int(rng.integers(3, 8))
+    table = []
+    for k in range(rows):
+        kind = "P" if rng.random() < 0.15 and k else "R"
+        if rng.random() < 0.08 and 0 < k < rows - 1:
+            kind = "F"
+        alpha = rng.choice(
+            [0, H, -H, math.pi, round(float(rng.uniform(-1.2, 1.2)), 3)],
+            p=[0.2, 0.3, 0.3, 0.05, 0.15],
+        )
+        a = 0 if rng.random() < 0.35 else round(float(rng.uniform(0.05, 0.6)), 4)
+        d = 0 if rng.random() < 0.35 else round(float(rng.uniform(0.05, 0.6)), 4)
+        theta = (
+            rng.choice([0, H, -H, math.pi], p=[0.7, 0.13, 0.13, 0.04])
+            if kind != "P"
+            else rng.choice([0, H])
+        )
+        if not a and not d and kind == "R":
+            a = round(float(rng.uniform(0.05, 0.6)), 4)
+        table.append((kind, a, float(alpha), d, float(theta)))
+    return Machine(table, "random")
+
+
+def some_machine(rng):
+    if rng.random() < 0.5:
+        return KNOWN[str(rng.choice(list(KNOWN)))]
+    while (found := random_machine(rng)).dof < 3:
+        pass
+    return found
+
+
+def pose(machine, rng, decimals=3):
+    """A pose without symmetry, typed with a few decimals."""
+    q = []
+    for kind in machine.kinds:
+        x = rng.uniform(0.2, 1.4) * rng.choice([-1, 1]) if kind == "R" else rng.uniform(0.1, 0.6)
+        q.append(round(float(x), decimals))
+    return q

@@ -1,0 +1,60 @@
+"""The corpus's own kinematics: 4 x 4 products, one joint at a time. It shares no line with what it
+is to test.
+"""
+
+import math
+
+import numpy as np
+
+EYE = np.eye(4)
+
+
+def rot_z(t):
+    c, s = math.cos(t), math.sin(t)
+    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
+
+
+def rot_x(t):
+    c, s = math.cos(t), math.sin(t)
+    return np.array([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1.0]])
+
+
+def move(x=0.0, y=0.0, z=0.0):
+    T = np.eye(4)
+    T[:3, 3] = x, y, z
+    return T
+
+
+class Machine:
+    """A table of standard rows (kind, a, alpha, d, theta), with kind "R", "P" or "F"."""
+
+    def __init__(self, rows, name="arm", bodies=None, values=None):
+        self.rows = [tuple(row) for row in rows]
+        self.name, self.bodies, self.values = name, bodies, values
+        self.joints = [i for i, row in enumerate(self.rows) if row[0] != "F"]
+        self.kinds = [self.rows[i][0] for i in self.joints]
+        self.dof = len(self.joints)
+
+    def frames(self, q):
+        T, found, at = EYE, [EYE], iter(q)
+        for kind, a, alpha, d, theta in self.rows:
+            x = next(at) if kind != "F" else 0.0
+            turn, slide = (theta + x, d) if kind == "R" else (theta, d + x)
+            T = T @ rot_z(turn) @ move(z=slide) @ move(x=a) @ rot_x(alpha)
+            found.append(T)
+        return found
+
+    def tip(self, q):
+        return self.frames(q)[-1]
+
+    def jacobian(self, q):
+        T = self.frames(q)
+        p = T[-1][:3, 3]
+        columns = []
+        for i, kind in zip(self.joints, self.kinds, strict=True):
+            z, o = T[i][:3, 2], T[i][:3, 3]
+            columns.append([*np.cross(z, p - o), *z] if kind == "R" else [*z, 0, 0, 0])
+        return np.array(columns).T
+
+    def with_rows(self, rows):
+        return Machine(rows, self.name, self.bodies, self.values)

@@ -1,0 +1,588 @@
+"""The checkers on work as students hand it in: every form, every digit, every slip of the errata by
+name.
+
+What is right and what each slip makes of it comes from the corpus's own kinematics or from the
+triangle named below.
+"""
+
+import math
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers import checks
+from helpers.arm import Arm, ArmError, Body
+from helpers.checks.digits import units
+from helpers.inverse import elbow
+from helpers.kinematics import forward_kinematics, jacobian
+from helpers.motion import circle
+from helpers.reading import formula, grid
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.statics import static_torque
+from tests.corpus.arms import KNOWN
+from tests.corpus.jacobians import recipe
+
+H = math.pi / 2
+Q = [0.5, -0.4, 0.7]
+BENT = [0.4, -0.3, 0.5, 0.9, -0.6, 0.8, 0.2]
+J3 = KNOWN["ELBOW"].jacobian(Q)
+q1, q2, q3 = sp.symbols("q_1 q_2 q_3")
+
+
+# Digits
+
+
+@pytest.mark.parametrize(
+    ("texts", "expected"),
+    [
+        (["0.35", "0.1234", "-2.5"], [1e-4] * 3),  # trailing zeros are left out: four decimals
+        (["12.3", "0.456", "0.0789"], [0.1, 1e-3, 1e-4]),  # three significant digits each
+        (["0.3536e1", "1e-3"], [1e-3, 1e-3]),
+        (["pi/2", "0", "1"], [0, 0, 0]),  # whole numbers among formulas are exact
+        (["0.3535533905932738", "0.5"], [0, 0]),  # a full float
+    ],
+)
+def test_the_unit_of_the_last_place(texts, expected):
+    assert units(texts) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("digits", "grade"), [(6, "right"), (4, "right"), (3, "right"), (1, "so far")]
+)
+def test_right_to_its_digits(digits, grade):
+    report = checks.compare_jacobian(J3.round(digits), ELBOW, Q)
+    assert (report.grade, report.agrees) == (grade, grade == "right")
+    assert f"{digits}" in report.headline
+
+
+def test_cut_digits_are_told_and_a_tolerance_is_obeyed():
+    cut = np.trunc(J3 * 1e4) / 1e4
+    assert checks.compare_jacobian(cut, ELBOW, Q).grade == "rounded"
+    off = J3 + 1e-3
+    assert checks.compare_jacobian(off, ELBOW, Q, tolerance=1.1e-3).agrees
+    assert checks.compare_jacobian(off, ELBOW, Q, tolerance=0.9e-3).grade == "wrong"
+
+
+# The door
+
+
+c, s = sp.cos, sp.sin
+t1, t2, t3 = sp.symbols("theta1:4", real=True)
+PLANAR = Arm.from_table("q1 0 0.4 0\nq2 0 0.3 0")
+T = sp.Symbol("t")
+x1, x2 = (sp.Function(n)(T) for n in ("theta1", "theta2"))
+
+
+def planar(a, b):
+    """The Jacobian of two links of 0.4 and 0.3 m in a plane, by hand."""
+    low, high = 0.4 * s(a), 0.3 * s(a + b)
+    right, far = 0.4 * c(a), 0.3 * c(a + b)
+    return sp.Matrix([[-low - high, -high], [right + far, far], [0, 0], [0, 0], [0, 0], [1, 1]])
+
+
+def in_place(q):
+    q[:] = 0
+    return J3
+
+
+NUMBERS = np.array(planar(0.5, 0.7), dtype=float).round(5)
+TEXT_ROWS = [[f"{x:g}" for x in row] for row in NUMBERS]
+
+
+@pytest.mark.parametrize(
+    "mine",
+    [
+        planar(*sp.symbols("q_1 q_2")),
+        planar(*sp.symbols("q1 q2")),
+        planar(*sp.symbols("th0 th1")),
+        planar(t1, t2),
+        planar(x1, x2),
+        planar(*sp.symbols("q_1 q_2")).tolist(),
+        np.array(planar(t1, t2)),
+        sp.lambdify(sp.symbols("a b"), planar(*sp.symbols("a b"))),
+        lambda q: planar(*q).tolist(),
+        NUMBERS.tolist(),
+        [tuple(map(float, row)) for row in NUMBERS],
+        planar(0.5, 0.7).evalf(5),
+        str(NUMBERS),
+        repr(NUMBERS),
+        "[" + "; ".join(" ".join(row) for row in TEXT_ROWS) + "]",
+        r"\begin{bmatrix}" + r"\\".join(" & ".join(row) for row in TEXT_ROWS) + r"\end{bmatrix}",
+        "j1;j2\n" + "\n".join(";".join(row) for row in TEXT_ROWS).replace(".", ","),
+        "[[-0.4*s1 - 0.3*s12, -0.3*s12], [0.4 c_1 + 0.3 c_{12}, 0.3 cos(q1+q2)],"
+        " [0,0],[0,0],[0,0],[1,1]]",
+        r"\begin{pmatrix} -0.4 s_1 - 0.3 s_{12} & -0.3 s_{12} \\ 0.4\cos\theta_1 +"
+        r" 0.3\cos(\theta_1+\theta_2) &"
+        r" 0.3 c_{12} \\ 0 & 0 \\ 0 & 0 \\ 0 & 0 \\ 1 & 1 \end{pmatrix}",
+    ],
+)
+def test_a_jacobian_is_taken_as_it_is_held(mine):
+    report = checks.compare_jacobian(mine, PLANAR, [0.5, 0.7])
+    assert report.agrees, str(report)
+
+
+def test_a_function_gets_copies_and_locked_joints_may_be_numbered_on():
+    assert checks.compare_jacobian(in_place, ELBOW, Q).agrees
+    q = np.array(Q)
+    checks.compare_jacobian(in_place, ELBOW, q)
+    assert (q == Q).all()
+    by_row = PLANAR.lock(1)
+    counted = checks.compare_jacobian("[-0.3*sin(q1); 0.3*cos(q1); 0; 0; 0; 1]", by_row, [0.7])
+    assert counted.agrees
+    assert "joints 2" in str(counted)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["__import__('os').system('x')", "(lambda: 0)()", "q.real", "1e999", "9**9**9", "(" * 99],
+)
+def test_text_is_never_run(text):
+    with pytest.raises(ArmError):
+        checks.compare_jacobian(f"[[{text}, 0], [0, 0], [0, 0], [0, 0], [0, 0], [1, 1]]", PLANAR)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("π/2", H),
+        ("−90°", -H),
+        (r"\frac{\pi}{2}", H),
+        (r"-90\degree", -H),
+        ("2pi", 2 * math.pi),
+        (r"\sin\frac{\pi}{6}", 0.5),
+        ("np.deg2rad(90)", H),
+        ("-2^2", -4),
+        ("1/2*3", 1.5),
+        ("sqrt(2)/2", math.sqrt(0.5)),
+        ("3.5e-1", 0.35),
+        ("2(3)", 6),
+    ],
+)
+def test_formulas(text, value):
+    assert formula.number(text) == pytest.approx(value, abs=1e-15)
+
+
+def test_matlab_prints():
+    head = "J =\n\n   1.0e+03 *\n\n  Columns 1 through 2\n\n"
+    blocks = head + "    0.1000   -0.2000\n\n  Column 3\n\n    0.5000\n"
+    assert [formula.number(x) for x in grid.cells(blocks)[0]] == pytest.approx([100, -200, 500])
+
+
+ROWS = [
+    (0, 90, 333),
+    (0, -90, 0),
+    (82.5, -90, 316),
+    (-82.5, 90, 0),
+    (0, 90, 384),
+    (88, -90, 0),
+    (0, 0, -207),
+]
+LATEX = r"\begin{tabular}{|c|c|} Link & $\theta_i$ & $d_i$ & $a_i$ & $\alpha_i$ \\ \hline "
+PI = {90: "pi/2", -90: "-pi/2", 0: "0"}
+TABLES = [
+    [(f"q{i}", d / 1000, a / 1000, math.radians(t)) for i, (a, t, d) in enumerate(ROWS, 1)],
+    [[a / 1000, PI[t], d / 1000, f"th{i}"] for i, (a, t, d) in enumerate(ROWS, 1)],
+    {
+        "a": [r[0] for r in ROWS],
+        "alpha": [r[1] for r in ROWS],
+        "d": [r[2] for r in ROWS],
+        "theta": [f"q{i}" for i in range(7)],
+    },
+    "\n".join(
+        f"L({i}) = Link('d', {d / 1000}, 'a', {a / 1000}, 'alpha', {PI[t]});"
+        for i, (a, t, d) in enumerate(ROWS, 1)
+    ),
+    "[" + "; ".join(f"inf {d} {a} {t}" for a, t, d in ROWS) + "]",
+    "| i | a_i (mm) | alpha_i (deg) | d_i | theta_i |\n|--|--|--|--|--|\n"
+    + "\n".join(f"| {i} | {a} | {t}° | {d} | θ{i} |" for i, (a, t, d) in enumerate(ROWS, 1)),
+    LATEX
+    + r" \\ ".join(
+        rf"{i} & $\theta_{i}^*$ & {d / 1000} & {a / 1000} & ${t}^\circ$"
+        for i, (a, t, d) in enumerate(ROWS, 1)
+    )
+    + r"\end{tabular}",
+    "a = [0, 0, 82.5, -82.5, 0, 88, 0]\n"
+    "alpha = [90, -90, -90, 90, 90, -90, 0]\nd = [333, 0, 316, 0, 384, 0, -207]\n"
+    "theta = [q1, q2, q3, q4, q5, q6, q7]",
+    "{"
+    + ", ".join(
+        f"'a{i}': {a}, 'alpha{i}': {PI[t]}, 'd{i}': {d}, 'q{i}': q{i}"
+        for i, (a, t, d) in enumerate(ROWS, 1)
+    )
+    + "}",
+    [
+        [[str(x) for x in row] for row in A]
+        for A in (
+            [
+                [
+                    f"cos(q{i})",
+                    f"-sin(q{i})*{math.cos(math.radians(t)):.0f}",
+                    f"sin(q{i})*{math.sin(math.radians(t)):.0f}",
+                    f"{a / 1000}*cos(q{i})",
+                ],
+                [
+                    f"sin(q{i})",
+                    f"cos(q{i})*{math.cos(math.radians(t)):.0f}",
+                    f"-cos(q{i})*{math.sin(math.radians(t)):.0f}",
+                    f"{a / 1000}*sin(q{i})",
+                ],
+                [
+                    "0",
+                    f"{math.sin(math.radians(t)):.0f}",
+                    f"{math.cos(math.radians(t)):.0f}",
+                    f"{d / 1000}",
+                ],
+                ["0", "0", "0", "1"],
+            ]
+            for i, (a, t, d) in enumerate(ROWS, 1)
+        )
+    ],
+]
+
+
+@pytest.mark.parametrize("table", TABLES, ids=range(len(TABLES)))
+def test_a_table_is_taken_as_it_is_held(table):
+    assert checks.compare_tables(table, PANDA).agrees
+    read = Arm.from_table(table)
+    assert [round(1000 * read.number(r.a), 6) for r in read.rows] in (
+        [r[0] for r in ROWS],
+        [
+            r[2] for r in ROWS
+        ],  # (q, x, y, alpha) without heads: a and d are told apart only against a reference
+    )
+
+
+def test_a_table_says_how_it_was_taken():
+    arm = Arm.from_table("0 -90 128 q1\n612.7 180 0 q2-90", columns="a alpha d theta")
+    assert arm.source == "lengths in millimetres; angles in degrees"
+    assert arm.rows[1].theta == "-pi/2"
+    slide = Arm.from_table("q1 0 0 -pi/2\nth2 0 0 90\n0 -(d3+q3) 0 0", values={"d3": 0.2})
+    assert [r.joint.kind for r in slide.rows] == ["revolute", "revolute", "prismatic"]
+    assert slide.rows[2].d == -0.2
+    assert "backwards in rows 3" in slide.source
+    kuka = Arm.from_table(
+        "{alpha0: 0, a0: 0, d1: 0.75, q1: q1, alpha1: -pi/2, a1: 0.35, d2: 0, q2: q2-pi/2}"
+    )
+    assert (kuka.rows[0].a, kuka.rows[0].alpha) == (0.35, "-pi/2")
+    with pytest.raises(ArmError, match="no value for L1"):
+        Arm.from_table("q1 L1 0 0\nq2 0 0 0")
+
+
+def test_torques_are_turned_the_right_way():
+    q = np.linspace(0.1, 0.9, 4)[:, None] * np.ones(7)
+    tau = np.array([static_torque(PANDA, x, [0] * 6) for x in q]).round(4)
+    for mine in (tau, tau.T, tau[:, :, None], [list(x) for x in tau.T], np.c_[np.zeros(4), tau]):
+        assert checks.compare_torques(mine, PANDA, q).agrees
+    one = [sp.Matrix(tau[0]), tau[0][:, None], str(tau[0]), ", ".join(map(str, tau[0]))]
+    assert all(checks.compare_torques(x, PANDA, q[0]).agrees for x in one)
+
+
+# The slips of the errata that are mistakes of method. The elbow arm's links of 0.4 and 0.3 m are
+# the legs of a right angle
+# over (0.5, 0, 0.5), its shoulder at (0, 0, 0.5): the first leans by LOW = atan2(3, 4), the second
+# by a right angle more.
+
+LOW = math.atan2(3, 4)
+OVER = elbow(ELBOW, (0.5, 0, 0.5))
+FOUR = [(0, LOW, -H), (0, -LOW, H), (math.pi, math.pi - LOW, H), (math.pi, math.pi + LOW, -H)]
+OFFSET = ELBOW.with_values(d=0.1)
+ASIDE = elbow(OFFSET, (0.4, 0.2, 0.7))
+LOCKED = PANDA_HOMEWORK.lock(3)
+HOME = np.array(PANDA.home)
+PUSH = [-5.0, 0, 0, 0, 0, 0]
+SIX = KNOWN["UR10E_HOMEWORK"]
+SKEW = [0.3, -0.8, 0.9, 0.4, -0.5, 0.6]
+
+
+def heights(arm, q, centres):
+    """P of masses at centres of their frames, with g = 9.81."""
+    frames = KNOWN["Panda"].frames(q)
+    masses = [float(b.mass) for b in arm.bodies]
+    return sum(
+        9.81 * m * (F @ [*c, 1])[2] for m, F, c in zip(masses, frames[1:], centres, strict=True)
+    )
+
+
+def gradient(f, q, step=1e-6):
+    return np.array([(f(q + step * e) - f(q - step * e)) / (2 * step) for e in np.eye(len(q))])
+
+
+CENTRES = [[PANDA.number(x) for x in b.com] for b in PANDA.bodies]
+# As the paper prints them (Gaz et al. 2019), in Craig's frames.
+PAPER = [
+    (0.003875, 0.002081, -0.04762),
+    (-0.003141, -0.02872, 0.003495),
+    (0.027518, 0.039252, -0.066502),
+    (-0.05317, 0.104419, 0.027454),
+    (-0.011953, 0.041065, -0.038437),
+    (0.060149, -0.014117, -0.010517),
+    (0.010517, -0.004252, 0.061597),
+]
+WEIGHT = gradient(lambda q: heights(PANDA, q, CENTRES), HOME)
+FORCE = KNOWN["Panda"].jacobian(HOME).T @ PUSH
+ABOVE = elbow(ELBOW, (0.0, 0.0, 0.9))
+BELOW = elbow(ELBOW, (0.0, 0.0, 0.1))
+
+
+def branches(mine, found=OVER):
+    return checks.compare_branches([mine], found)
+
+
+def ur_pose(change):
+    T = np.array(SIX.tip([0] * 6))
+    T[:3, :3] = T[:3, :3] @ change
+    return checks.compare_pose([0] * 6, UR10E_HOMEWORK, T)
+
+
+def slip_12(q):
+    lean = math.atan2(0.3 * math.sin(q[2]), 0.4 + 0.3 * math.cos(q[2]))
+    return (q[0], q[1] + 2 * lean, q[2])
+
+
+SLIPS = {
+    "2": (lambda: checks.compare_tables(PANDA_HOMEWORK, PANDA), "table.length:a_3:a_6"),
+    "3": (
+        lambda: checks.compare_jacobian(
+            np.delete(KNOWN["Panda"].jacobian(BENT), 2, axis=0)[:5],
+            PANDA.lock(3),
+            np.delete(BENT, 2),
+        ),
+        "J.row for column",
+    ),
+    "4": (
+        lambda: checks.compare_jacobian(recipe(SIX, SKEW, rows=True), UR10E_HOMEWORK, SKEW),
+        "J.rows of T",
+    ),
+    "6": (lambda: checks.compare_torques(heights(PANDA, HOME, CENTRES), PANDA, HOME), "tau.energy"),
+    "7": (
+        lambda: checks.compare_torques(
+            gradient(lambda q: heights(PANDA, q, PAPER), HOME) - FORCE, PANDA, HOME, PUSH
+        ),
+        "tau.craig centres",
+    ),
+    "7, the force reversed": (
+        lambda: checks.compare_torques(
+            (gradient(lambda q: heights(PANDA, q, PAPER), HOME) + FORCE).round(4), PANDA, HOME, PUSH
+        ),
+        "tau.craig centres + tau.force sign",
+    ),
+    "8": (
+        lambda: checks.compare_torques((WEIGHT * 9.8 / 9.81 - FORCE).round(4), PANDA, HOME, PUSH),
+        "tau.gravity:9.8",
+    ),
+    "12": (lambda: branches(slip_12(ASIDE.q[0]), ASIDE), "ik.plus for minus"),
+    "13": (
+        lambda: branches(
+            (H - math.atan2(0.2, 0.4) + 0, *elbow(ELBOW, (0.4, 0.2, 0.7)).q[0, 1:]),
+            elbow(ELBOW, (0.4, 0.2, 0.7)),
+        ),
+        "ik.other axis:q_1",
+    ),
+    "15": (lambda: branches((H, *ASIDE.q[0, 1:]), ASIDE), "ik.quarter turn"),
+    "16": (
+        lambda: branches(
+            (0.1, 0.2, math.pi - 0.8),
+            elbow(ELBOW, forward_kinematics(ELBOW, [0.1, 0.2, 0.8])[:3, 3]),
+        ),
+        "ik.supplement:q_3",
+    ),
+    "17": (
+        lambda: checks.compare_pose(
+            [0.3, 0.5, 0.2],
+            Arm("three", STANFORD.rows[:3], {"d_2": 0.154}),
+            "[[c1*c2, -s1*c2, c1*s2, q3*c1*s2-d2*s1], "
+            "[s1*c2, c1, s1*s2, q3*s1*s2+d2*c1], [-s2, 0, c2, q3*c2], [0,0,0,1]]",
+        ),
+        "pose.entry",
+    ),
+    "18": (lambda: ur_pose(np.diag([-1, -1, 1])), "pose.half turn:z"),
+    "22": (lambda: checks.compare_branches(FOUR[1:3], OVER), "ik.one sign"),
+    "23": (lambda: branches((0, H + LOW, -H - 0.0), elbow(ELBOW, (0, 0, 0.0))), "ik.half turn:q_2"),
+    "24": (
+        lambda: checks.compare_torques((-WEIGHT - FORCE).round(4), PANDA, HOME, PUSH),
+        "tau.weight sign",
+    ),
+    "theta_1 + pi, the rest unchanged": (lambda: branches((math.pi, LOW, -H)), "ik.mixed"),
+    "force reversed": (
+        lambda: checks.compare_torques((WEIGHT + FORCE).round(2), PANDA, HOME, PUSH),
+        "tau.force sign",
+    ),
+    "N mm": (
+        lambda: checks.compare_torques((1000 * (WEIGHT - FORCE)).round(1), PANDA, HOME, PUSH),
+        "tau.newton millimetres",
+    ),
+    "the maker's directions": (
+        lambda: checks.compare_torques(
+            (WEIGHT - FORCE) * [1, -1, 1, -1, 1, 1, -1], PANDA, HOME, PUSH
+        ),
+        "tau.signs:2, 4 and 7",
+    ),
+}
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_the_slips_are_named(slip):
+    report, name = SLIPS[slip][0](), SLIPS[slip][1]
+    assert name in report.causes, str(report)
+    assert report.grade == ("so far" if slip == "22" else "wrong")
+
+
+def test_a_free_joint_is_told_and_right():
+    """Slip 14: theta_1 = pi/2 straight above the shoulder is one of infinitely many."""
+    found = elbow(ELBOW, (0, 0, 0.7))
+    report = checks.compare_branches(np.add(found.q, [H, 0, 0]), found)
+    assert report.agrees
+    assert "q_1 is free here" in str(report)
+
+
+# Traces
+
+
+class Runs:
+    """The homework's circle, by Euler's method with the corpus's own Jacobian."""
+
+    top = KNOWN["PANDA.lock(3)"].tip(np.delete(HOME, 2))[:3, 3]
+
+    def __init__(self, steps=400):
+        self.path = circle(self.top - [0, 0, 0.1], 0.1, "zy", 5, steps)
+
+    def euler(self, machine=KNOWN["PANDA.lock(3)"], late=0, **changes):
+        dt, v = 5 / (len(self.path.times) - 1), self.path.velocities
+        q = np.delete(HOME, 2)
+        rows = [q]
+        for k in range(len(v) - 1):
+            J = np.vstack([recipe(machine, q)[:3], recipe(machine, q, **changes)[3:]])
+            q = q + dt * np.linalg.solve(J, [*v[k + late], 0, 0, 0])
+            rows.append(q)
+        return np.array(rows)
+
+
+RUNS = Runs()
+GOOD = RUNS.euler()
+ARM = PANDA.lock(3)
+
+
+def traced(q, **how):
+    return checks.compare_trace(q, ARM, RUNS.path, **how)
+
+
+def test_a_run_is_taken_as_it_is_held():
+    assert traced(GOOD).agrees
+    times = np.c_[RUNS.path.times, GOOD].round(6)
+    for mine in (GOOD[:-1], GOOD.T, times, "\n".join(",".join(map(str, row)) for row in times)):
+        assert traced(mine).agrees
+    assert traced(np.degrees(GOOD), angles="deg").agrees
+
+
+@pytest.mark.parametrize(
+    ("q", "cause"),
+    [
+        (np.degrees(GOOD), "trace.degrees"),
+        (GOOD[::-1], "trace.backwards"),
+        (GOOD + np.outer(np.linspace(0, 2 * math.pi, 401), np.eye(6)[5]), "trace.spins"),
+        (np.where(np.arange(401)[:, None] == 200, GOOD + 2 * math.pi, GOOD), "trace.jump"),
+        (np.vstack([GOOD, GOOD[1]]), "trace.one more"),  # slip 20
+        (RUNS.euler(late=1), "trace.next velocity"),  # slip 21
+        (RUNS.euler(axis=1, origin=1), "J.z_i angular"),  # slip 19
+        (GOOD[0:1] + 0 * GOOD, None),
+        (GOOD[:0], "trace.shape"),
+    ],
+)
+def test_a_wrong_run_is_named(q, cause):
+    report = traced(q)
+    assert report.grade == "wrong"
+    assert cause is None or report.causes[:1] == (cause,), str(report)
+
+
+def test_another_arms_run_is_told_by_what_it_leaves():
+    other = KNOWN["PANDA.lock(3)"].with_rows(
+        [
+            (k, math.copysign(0.088, a) if a else 0, *rest)
+            for k, a, *rest in KNOWN["PANDA.lock(3)"].rows
+        ]
+    )
+    report = traced(RUNS.euler(other))
+    assert report.causes == ("table.length:a_3:a_6",), str(report)
+
+
+# Their joints
+
+
+def test_a_valid_other_table_gives_the_joint_map_and_the_arm_in_their_joints():
+    """The maker's UR10e turned its z_1 round: joint 2 counts backwards, from another zero, and all
+    that follows is theirs.
+    """
+    rows = list(UR10E.rows)
+    theirs = (
+        UR10E.with_rows(rows)
+        .with_row(1, alpha="-pi/2")
+        .with_row(2, alpha="pi", a="-a_2", theta="pi/2")
+    )
+    theirs = theirs.with_rows(theirs.rows, name="theirs").with_bodies([])
+    report = checks.compare_tables(theirs, UR10E)
+    assert report.agrees, str(report)
+    arm, q = report.figures["arm"], np.array(SKEW)
+    signs, shifts = map(np.array, zip(*report.figures["joint_map"], strict=True))
+    assert "The arm in your joints" in str(report)
+    assert forward_kinematics(arm, q)[:3, 3] == pytest.approx(
+        forward_kinematics(UR10E, signs * q + shifts)[:3, 3]
+    )
+    tau = static_torque(UR10E, signs * q + shifts, [0] * 6) * signs
+    assert checks.compare_torques(tau.round(4), arm, q).agrees
+    assert checks.compare_jacobian(
+        jacobian(UR10E, signs * q + shifts) * signs, arm, q, tolerance=1e-9
+    ).agrees
+
+
+def test_a_table_that_needs_z_0_down_is_wrong():
+    """With a_1 = 0.3 the sign of alpha_1 decides on which side the arm stands: turning z_0 over
+    would put its base lower.
+    """
+    rows = [
+        ("q1", 0.75, 0.35, "-pi/2"),
+        ("q2", 0, 1.25, 0),
+        ("q3", 0, -0.054, "-pi/2"),
+        ("q4", 1.5, 0, "pi/2"),
+        ("q5", 0, 0, "-pi/2"),
+        ("q6", 0.303, 0, 0),
+    ]
+    right = Arm.from_table(rows)
+    report = checks.compare_tables([(*rows[0][:3], "pi/2"), *rows[1:]], right)
+    assert report.causes == ("table.twist:1",), str(report)
+
+
+# The report
+
+
+def test_a_report_reads_well_and_holds_what_it_says():
+    report = checks.compare_jacobian((-J3).round(4), ELBOW, Q)
+    assert (
+        str(report)
+        == repr(report)
+        == "The Jacobian of Elbow arm is not right: every sign is reversed."
+    )
+    assert report._repr_markdown_() == f"✘ **{report}**\n"
+    (finding,) = report.findings
+    assert (finding.what, finding.where, report.causes) == ("cause", "", ("J.all signs",))
+    assert report == checks.compare_jacobian((-J3).round(4), ELBOW, Q)
+    part = checks.compare_branches(FOUR[:2], OVER)
+    assert (part.grade, part.figures["right"], part.figures["of"]) == ("so far", 2, 4)
+    assert str(part).startswith(
+        "Your joint angles for Elbow arm are right so far: 2 of 4 branches."
+    )
+
+
+def test_numbers_quoted_are_those_typed():
+    table = TABLES[4].replace("82.5 -90", "88 -90")
+    report = checks.compare_tables(table, PANDA)
+    assert "you have 88" in str(report)
+    assert "5.5 mm too long" in str(report)
+
+
+def test_masses_at_the_tip_and_missing_ones_are_named():
+    bodies = [Body(0 if i == 3 else b.mass, b.com) for i, b in enumerate(PANDA.bodies)]
+    report = checks.compare_torques(
+        static_torque(PANDA.with_bodies(bodies), BENT, PUSH), PANDA, BENT, PUSH
+    )
+    assert report.causes == ("tau.mass missing:4",)
