@@ -9,7 +9,7 @@ import pytest
 from docutils import nodes
 from pygments.lexers import PythonLexer
 
-from tools.download import Book, address, edition, plain
+from tools.download import Book, edition, plain
 from tools.pages import LightFormatter, assets, fold, size_unset
 from tools.pictures import for_dark, panels, size, turned, visit_image
 
@@ -253,5 +253,5 @@ def test_a_solution_folds_with_its_cells_and_ends_at_the_next_heading(book):
 
 
 def test_links_are_words_where_no_repository_is_set(book):
-    book.address = address({"repository_url": ""})
+    book.address = ""
     assert plain("see {ref}`sec-a` by {eq}`eq-a`", book) == "see 1.4 Alpha by (1.3)"

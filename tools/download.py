@@ -13,6 +13,8 @@ from pathlib import Path
 import nbformat
 from sphinx.application import Sphinx
 
+from tools.address import pages
+
 BLOCK = re.compile(r"(?ms)^(`{3,}|:{3,})\{([\w-]+)\}[ \t]*([^\n]*)\n(.*?)^\1[ \t]*$\n?")
 OPTION = re.compile(r"(?m)\A(?::([\w-]+):[ \t]*([^\n]*)\n)+\s*")
 ROLE = re.compile(r"\{([a-z:]+)\}`([^`<]*?)\s*(?:<([^`>]*)>)?`")
@@ -25,8 +27,9 @@ class Book:
     """What a notebook alone does not know: numbers, titles, and where the book is."""
 
     def __init__(self, app: Sphinx) -> None:
-        self.env, self.address = app.env, address(app.config.html_theme_options)
+        self.env = app.env
         self.repository = app.config.html_theme_options.get("repository_url", "")
+        self.address = pages(self.repository) if self.repository else ""
 
     def link(self, text: str, page: str, anchor: str = "") -> str:
         if not self.address:
@@ -64,12 +67,6 @@ class Book:
 
     def _number(self, page: str, kind: str, anchor: str) -> str:
         return ".".join(map(str, self.env.toc_fignumbers[page][kind][anchor]))
-
-
-def address(options: dict[str, str]) -> str:
-    """Where GitHub publishes the pages of a repository; nothing where no repository is set."""
-    found = re.search(r"github\.com/([\w.-]+)/([\w.-]+)", options.get("repository_url", ""))
-    return f"https://{found[1].lower()}.github.io/{found[2]}/" if found else ""
 
 
 ROLES: dict[str, Callable[[Book, str, str], str]] = {
