@@ -4413,14 +4413,13 @@ button.main:hover:not(:disabled) {
   border-bottom: 1px solid var(--line);
 }
 .bench {
-  display: grid;
-  grid-template-columns: minmax(0, 1fr);
+  display: contents;
 }
 .stage {
   position: sticky;
-  top: 48px;
+  top: 56px;
   z-index: 2;
-  height: clamp(240px, 44vh, 420px);
+  height: clamp(210px, 38vh, 420px);
   overflow: hidden;
   background: radial-gradient(120% 90% at 50% 35%, var(--ground) 30%, var(--raised));
 }
@@ -4639,6 +4638,7 @@ input[type="range"]::-moz-range-thumb {
   scrollbar-width: thin;
 }
 .tabs button {
+  flex: none;
   border: 0;
   border-bottom: 2px solid transparent;
   border-radius: 0;
@@ -5060,6 +5060,7 @@ input.small {
 
 @container (min-width: 560px) {
   .bench {
+    display: grid;
     grid-template-columns: minmax(0, 1fr) minmax(250px, 40%);
   }
   .stage {
