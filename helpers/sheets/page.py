@@ -300,6 +300,8 @@ def _ask_determinant(sheet: Sheet) -> str:
 
 def _factors(sheet: Sheet) -> str:
     """In words which factors the determinant has, for the reader who has opened it."""
+    if sheet.determinant is None:
+        return ""
     value = sheet.shortened(sheet.determinant)[0, 0]
     turning = set(sheet.short_names.values()) | {sp.Symbol(name) for name in sheet.arm.variables}
     factors = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if f.free_symbols & turning]

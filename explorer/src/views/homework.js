@@ -250,7 +250,13 @@ function select(label, options, onchoice) {
 const startingRun = (arm) =>
   joints(arm).length === 7
     ? { ...HOMEWORK }
-    : { ...HOMEWORK, locked: -1, normal: /** @type {"x" | "y"} */ (/UR10e/.test(arm.name) ? "y" : "x"), seconds: /UR10e/.test(arm.name) ? 20 : 5, rates: /** @type {"pseudo"} */ ("pseudo") }; // prettier-ignore
+    : {
+        ...HOMEWORK,
+        locked: -1,
+        normal: /** @type {"x" | "y"} */ (/UR10e/.test(arm.name) ? "y" : "x"),
+        seconds: /UR10e/.test(arm.name) ? 20 : 5,
+        rates: /** @type {"pseudo"} */ ("pseudo"),
+      };
 
 function millimetres(v) {
   if (v < 1e-12) return "under 1e−9 mm";
