@@ -4,9 +4,9 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
-SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/* book/answers/*.md) $(shell find helpers -name '*.py')
 
-.PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer coverage mutants
+.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean explorer answers sheet coverage mutants
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -69,6 +69,15 @@ lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check t
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python tools/pdf.py
 
+release: pdf ## the book as a zip to read offline, the PDF and the wheel, in dist
+	rm -rf dist && mkdir dist
+	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --wheel-dir dist .
+	cp book/_build/html/book.pdf dist
+	cd book/_build/html && ../../../$(BIN)/python -m zipfile -c ../../../dist/book.zip *
+
+address: ## say where the repository is: make address URL=https://github.com/OWNER/NAME
+	$(PYTHON) tools/address.py "$(URL)"
+
 lite: ## JupyterLite with the notebooks, in book/_build/lite/site; it runs once it is published
 	test -d .venv-lite || $(PYTHON) -m venv .venv-lite
 	.venv-lite/bin/python -m pip install --quiet --disable-pip-version-check jupyterlite-core==0.8.6 jupyterlite-pyodide-kernel==0.8.6 jupyter-server
@@ -87,6 +96,12 @@ mutants: ## make one thing wrong in the helpers at a time; make mutants ARGS="he
 	.venv-mutants/bin/python -m pip install --quiet --disable-pip-version-check mutmut==3.8.1 -r requirements-dev.txt -c requirements.lock
 	.venv-mutants/bin/python tools/breaks.py
 	.venv-mutants/bin/python tools/mutants.py $(ARGS)
+
+answers: $(BIN)/.installed ## write the answer sheets, book/answers/*.md, anew
+	$(BIN)/python tools/answers.py
+
+sheet: $(BIN)/.installed ## the answer sheet of any arm in one HTML file: make sheet ARM="Stanford arm", ARM=my_arm.py:MINE or ARM=arm.urdf ARGS="--tip tool0"
+	$(BIN)/python -m helpers.sheets "$(ARM)" $(ARGS)
 
 explorer: ## bundle the live explorer anew from its JavaScript (needs Node.js)
 	npm ci --prefix explorer --silent

@@ -19,7 +19,7 @@ from helpers.checks import compare_tables
 from helpers.explorer import ArmExplorer
 from helpers.explorer.data import arm_data, arm_from
 from helpers.explorer.stub import still
-from helpers.explorer.widget import BUNDLE
+from helpers.explorer.widget import BUNDLE, MORE
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
@@ -114,6 +114,20 @@ def test_the_sources_keep_their_own_rules():
     done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout[-6000:]
     assert int(re.search(r"^# pass (\d+)", done.stdout, re.M)[1]) >= 20
+
+
+@needs_node
+def test_the_links_of_the_errata_open_what_they_say():
+    """Each fragment is read without complaint."""
+    text = (ROOT / "book" / "errata.md").read_text(encoding="utf-8")
+    fragments = [f.replace("&amp;", "&") for f in re.findall(r'explorer\.html(#[^"]*)"', text)]
+    assert len(fragments) >= 12
+    arms = [arm_data(arm) for arm in ARMS]
+    for fragment, answer in zip(
+        fragments, ask("links", arms=arms, fragments=fragments), strict=True
+    ):
+        assert answer["words"] == "", fragment
+        assert {"arm", "q", "view"} <= set(answer["patch"]), fragment
 
 
 @needs_node
@@ -217,6 +231,16 @@ def test_the_ur10e_breaks_jumps_and_is_damped_as_the_homework_says():
     assert others[0]["fastest"] == pytest.approx(6.57, abs=0.005)
     largest = [round(1000 * run["largest"], 1) for run in others]
     assert largest == [3.5, 46.0, 11.0, 2.6]
+
+
+@needs_node
+def test_slip_19_tilts_the_pen_as_the_errata_say():
+    runs = [{"slip": "angular"}, {}]
+    slip, right = ask("runs", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, runs=runs)
+    assert math.degrees(slip["tilt"]) == pytest.approx(12.3, abs=0.05)
+    assert [1000 * run["largest"] for run in (slip, right)] == pytest.approx(
+        [0.654, 0.127], abs=6e-4
+    )
 
 
 @needs_node
@@ -457,9 +481,14 @@ def test_the_bundle_is_what_its_sources_make(tmp_path):
         if not os.environ.get("CI"):
             pytest.skip("npm packages are not installed: npm ci --prefix explorer")
         subprocess.run([shutil.which("npm"), "ci", "--silent"], cwd=SOURCES, check=True)
-    made = tmp_path / "explorer.js"
-    subprocess.run([NODE, "build.js", str(made)], cwd=SOURCES, check=True, capture_output=True)
-    assert made.read_bytes() == BUNDLE.read_bytes(), "run `npm run build --prefix explorer`"
+    subprocess.run([NODE, "build.js", str(tmp_path)], cwd=SOURCES, check=True, capture_output=True)
+    for script in (BUNDLE, MORE):
+        assert (tmp_path / script.name).read_bytes() == script.read_bytes(), "run `make explorer`"
+
+
+def test_the_small_figures_know_the_books_arms():
+    known = json.loads((SOURCES / "src" / "more" / "arms.json").read_text(encoding="utf-8"))
+    assert known == [arm_data(arm) for arm in ARMS]
 
 
 def test_the_bundle_is_light():
@@ -467,6 +496,7 @@ def test_the_bundle_is_light():
 
     assert BUNDLE.stat().st_size <= 740_000
     assert len(gzip.compress(BUNDLE.read_bytes(), 9)) <= 200_000
+    assert len(gzip.compress(MORE.read_bytes(), 9)) <= 25_000
 
 
 @every_arm

@@ -3,13 +3,18 @@ on every machine."""
 
 import io
 import re
+import tomllib
+from pathlib import Path
 
 import nbformat
 import pytest
+import yaml
 from pypdf import PdfReader, PdfWriter
 
-from tools import pdf
+from tools import address, pdf
 from tools.refresh import refresh
+
+ROOT = Path(__file__).parents[1]
 
 
 def blank(pages):
@@ -85,3 +90,45 @@ def test_a_refreshed_notebook_holds_its_outputs_and_nothing_of_the_machine(noteb
     assert read.metadata.kernelspec.name == "python3"
     refresh(notebook)
     assert notebook.read_bytes() == first
+
+
+def test_the_tests_weigh_less_than_what_they_test():
+    def lines(*patterns):
+        files = [path for pattern in patterns for path in ROOT.glob(pattern)]
+        return sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files)
+
+    code = lines("helpers/**/*.py", "tools/*.py", "explorer/src/**/*.js")
+    assert lines("tests/**/*.py", "tests/**/*.mjs") < 0.8 * code
+
+
+@pytest.fixture
+def root(tmp_path):
+    """A copy of the files in which the repository's address stands."""
+    for name in ("book/_config.yml", "CITATION.cff", "pyproject.toml"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text((pdf.ROOT / name).read_text("utf-8"), "utf-8")
+    address.write("", tmp_path)
+    return tmp_path
+
+
+def test_one_setting_says_everywhere_where_the_repository_is(root):
+    names = ("book/_config.yml", "CITATION.cff", "pyproject.toml")
+    before = [(root / name).read_text("utf-8") for name in names]
+    for url in ("https://github.com/Other/old", "https://github.com/Owner/book"):
+        address.write(url, root)
+    assert address.setting(root) == "https://github.com/Owner/book"
+    citation = yaml.safe_load((root / "CITATION.cff").read_text("utf-8"))
+    assert citation["repository-code"] == "https://github.com/Owner/book"
+    assert citation["url"] == "https://owner.github.io/book/"
+    urls = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["project"]["urls"]
+    assert urls == {"Book": citation["url"], "Source": citation["repository-code"]}
+    address.write("", root)
+    assert [(root / name).read_text("utf-8") for name in names] == before
+
+
+def test_the_files_that_name_the_repository_agree():
+    url = address.setting()
+    citation = yaml.safe_load((pdf.ROOT / "CITATION.cff").read_text("utf-8"))
+    project = tomllib.loads((pdf.ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert citation.get("repository-code", "") == project.get("urls", {}).get("Source", "") == url
+    assert citation["version"] == project["version"]

@@ -5,12 +5,13 @@ import * as kinematics from "./kinematics.js";
 import { linkFrames } from "./kinematics.js";
 import { keepLink } from "./link.js";
 import { asked } from "./verdicts.js";
-import { FIGURES, registerFigure } from "./figures/index.js";
+import { mountFigure, registerFigure } from "./figures.js";
+import { kit } from "./kit.js";
 import { buildPanel, VIEWS } from "./panel.js";
 import { Figure, inUse, loseContext } from "./renderer.js";
 import { derive, startingState, Store } from "./state.js";
 
-export { derive, Figure, inUse, kinematics, loseContext, registerFigure };
+export { derive, Figure, inUse, kinematics, kit, loseContext, registerFigure };
 
 // Ways that Python or a page gives, with the pose that they lead to.
 function waysFrom(arm, branches) {
@@ -37,8 +38,9 @@ export function mount(stub) {
 }
 
 function brought(stub) {
+  const { figure, options } = stub.dataset;
+  if (figure) return { dispose: mountFigure(stub, { ...JSON.parse(options ?? "{}"), figure }) };
   const spec = JSON.parse(stub.querySelector("script[type='application/json']").textContent);
-  if (spec.figure) return { dispose: FIGURES[spec.figure](stub, spec) };
   const store = new Store(initial(spec));
   const makeLink = spec.link ? (tell, signal) => keepLink(store, spec.arms, spec.views, tell, signal) : null;
   const dispose = buildPanel(stub, store, { ...spec, wide: spec.link, makeLink });
@@ -87,7 +89,6 @@ export function widget() {
 
   function initialize({ model }) {
     const spec = model.get("_spec");
-    if (spec.figure) return undefined;
     const given = Object.fromEntries(
       ["q", "wrench", "trace", "branches"].map((name) => [name, model.get(name)]),
     );
@@ -130,8 +131,7 @@ export function widget() {
   function render({ model, el }) {
     const host = document.createElement("div");
     el.append(host);
-    const spec = model.get("_spec");
-    const dispose = spec.figure ? FIGURES[spec.figure](host, spec) : buildPanel(host, store, spec);
+    const dispose = buildPanel(host, store, model.get("_spec"));
     return () => {
       dispose();
       host.remove();

@@ -1,6 +1,7 @@
 """Why a run misses its path: by the shape that the tip drew, by the loop that made it."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from helpers.checks.ranking import Cause, cause
 from helpers.motion.paths import Path
 from helpers.reading.sentences import size
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 _SAMPLE = 40
 _CLEARLY = 0.4  # of the right arm's or loop's error: what another must stay below to be named

@@ -21,12 +21,13 @@ UNITS = ("deg", "rad")
 TYPED = "Your arm"  # as explorer/src/arm.js calls an arm whose table was typed in
 
 BUNDLE = Path(__file__).parent / "static" / "explorer.js"
+MORE = BUNDLE.with_name("explorer-more.js")  # the small figures, which need the first
 
 
 def esm() -> str:
     """The script as the module that a widget loads: each widget of a page takes the same one, with
     one renderer."""
-    script = BUNDLE.read_text(encoding="utf-8")
+    script = "\n".join(path.read_text(encoding="utf-8") for path in (BUNDLE, MORE))
     key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
     return (
         f"const key = Symbol.for({key!r});\n"

@@ -5,30 +5,26 @@ batches. A first guess, from few long steps, breaks the method's rule by a misfi
 the plain inverse a misfit is a displacement of the tip that stays what it is along the rest of the
 path: so the misfits are summed up as displacements, and each joint vector is moved back by its sum.
 A handful of such sweeps leaves rounding. They are Newton's method for all steps together; source:
-Bellen and Zennaro, Journal of Computational and Applied Mathematics 25 (1989), 341-350.
+Bellen and Zennaro (1989), Journal of Computational and Applied Mathematics 25.
 
 Whatever is in doubt, such as a pose that is nearly singular, is left to the loop, which knows how
 to tell it.
 """
 
-from collections.abc import Callable
-
 import numpy as np
 from numpy.typing import NDArray
 
 from helpers.arm import Arm
+from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.motion.rates import PlainInverse, SingularError
+from helpers.motion.rates import PlainInverse
 from helpers.motion.steps import RULES, Course, tip_error
 
 Array = NDArray[np.floating]
-Sweep = Callable[[Array], tuple[Array, Array, Array]]
 
 _LONG_STEPS = 20
 _SWEEPS = 20
-_BRANCH = (
-    0.25  # how far a step may be from what the Jacobian before it predicts, as a share of that
-)
+_BRANCH = 0.25  # the share of a step by which it may miss what the Jacobian before it predicts
 
 
 def all_steps(
@@ -41,7 +37,7 @@ def all_steps(
     sweep = _exact if method == "exact" else _by_rule
     try:
         return sweep(arm, _guess(arm, start, course, rates), course, method, rates)
-    except (np.linalg.LinAlgError, SingularError):
+    except (np.linalg.LinAlgError, ArmError):
         return None
 
 

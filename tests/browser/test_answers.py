@@ -1,0 +1,79 @@
+"""The answer sheets as a reader has them: nothing cut at any width, and blocks that are copied from
+a file and run.
+"""
+
+import pytest
+
+from tests.test_book import HTML, NAMES
+
+PAGES = [name for name in NAMES if name.startswith("answers/")]
+CUT = """() => [...document.querySelectorAll(".answer span, .answer td, .answer table, table.dh")].filter((part) => {
+  const box = (part.closest(".answer") ?? document.querySelector("article, main, body")).getBoundingClientRect();
+  const { left, right } = part.getBoundingClientRect();
+  return right > box.right + 0.5 || left < box.left - 0.5;
+}).map((part) => part.textContent.slice(0, 60))"""
+
+
+@pytest.fixture(params=[("light", 1280), ("dark", 390), ("dark", 320)], ids=str)
+def context(request, browser):
+    scheme, width = request.param
+    context = browser.new_context(
+        viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True
+    )
+    yield context
+    context.close()
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_nothing_is_cut(context, name):
+    page = context.new_page()
+    page.goto((HTML / f"{name}.html").as_uri())
+    assert page.locator("details.answer[open]").count() == 0
+    page.get_by_role("button", name="Open all answers").click()
+    assert page.locator("details.answer:not([open])").count() == 0
+    assert page.evaluate(CUT) == []
+    width = page.evaluate("[document.documentElement.scrollWidth, innerWidth]")
+    assert width[0] <= width[1]
+
+
+@pytest.fixture(scope="module")
+def sheet(browser):
+    context = browser.new_context(offline=True)
+    context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page = context.new_page()
+    page.goto((HTML / "answers/ur10e.html").as_uri())
+    yield page
+    context.close()
+
+
+def test_a_block_is_copied_from_a_file_and_runs(sheet, capsys):
+    sheet.locator("#det-j summary").click()
+    sheet.locator("#det-j").get_by_role("button", name="Copy NumPy").click()
+    sheet.get_by_text("NumPy copied.").wait_for()
+    exec(sheet.evaluate("navigator.clipboard.readText()"), names := {})
+    assert float(capsys.readouterr().out) == names["det_J"] != 0
+
+
+def test_all_blocks_are_copied_at_once(sheet):
+    sheet.get_by_role("button", name="Copy all as SymPy").click()
+    sheet.get_by_text("SymPy copied.").wait_for()
+    exec(sheet.evaluate("navigator.clipboard.readText()"), names := {})
+    assert names["J"].shape == (6, 6)
+    assert {"A_6", "T_06", "o_6", "z_6", "det_J", "P", "G"} <= set(names)
+
+
+def test_where_the_clipboard_is_closed_a_selection_is_copied(browser):
+    """An older browser, or a page in a frame."""
+    context = browser.new_context(offline=True)
+    page = context.new_page()
+    page.add_init_script("Object.defineProperty(navigator, 'clipboard', { value: undefined })")
+    page.goto((HTML / "answers/elbow.html").as_uri())
+    page.evaluate(
+        "document.addEventListener('copy', () => { window.copied ="
+        " String(document.activeElement.value) })"
+    )
+    page.locator("#a-1 summary").click()
+    page.locator("#a-1").get_by_role("button", name="Copy MATLAB").click()
+    page.get_by_text("MATLAB copied.").wait_for()
+    assert page.evaluate("window.copied").endswith("0, 0, 0, 1;\n]")
+    context.close()

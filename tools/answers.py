@@ -1,0 +1,121 @@
+"""Write the book's answer sheets, book/answers/*.md, from the arms: `make answers`."""
+
+from dataclasses import replace
+from math import pi
+from pathlib import Path
+from typing import NamedTuple
+
+from helpers.arm import Arm
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.sheets import markdown
+
+FOLDER = Path(__file__).parents[1] / "book" / "answers"
+
+_HOW = """
+very answer is folded under its question: try first, then open it. The buttons copy an answer as a
+block that needs no editing: LaTeX for a document with `amsmath`, Python for SymPy (everything a
+symbol) or NumPy (numbers), and MATLAB, which GNU Octave reads too. The formulas and the numbers of
+this page are computed, and tested against each other. To see whether your own answer is another
+way of writing the same, give it to {doc}`the checkers <../check_your_homework>`.
+"""
+
+
+_WHAT = (
+    "every link matrix, frame, Jacobian and torque in symbols and numbers,"
+    " to copy as LaTeX, Python or MATLAB."
+)
+
+
+class Page(NamedTuple):
+    """A sheet of the book: its file, its heading, what is said first, and the arms whose numbers it
+    gives.
+    """
+
+    name: str
+    heading: str
+    lead: str
+    arms: tuple[Arm, ...]
+
+
+BENT = (0, -pi / 3, pi / 3, -pi / 2, -pi / 2, 0)
+
+PAGES = (
+    Page(
+        "panda",
+        "Panda",
+        "The Panda with its pen and all seven joints. Homework and real arm share every formula;"
+        " they differ in the number"
+        " for <i>a</i><sub>3</sub> alone, so numbers are given for both."
+        " {doc}`panda_joint_3_locked` is the arm that draws the circle.",
+        (PANDA_HOMEWORK, PANDA),
+    ),
+    Page(
+        "panda_joint_3_locked",
+        "Panda, joint 3 locked at 0",
+        "The Panda as the homework uses it: joint 3 stays at 0, row 3 is fixed, and the Jacobian"
+        " is square. Axes 2 and 4 are"
+        " parallel now, so their angles join: <i>q</i><sub>2</sub> − <i>q</i><sub>4</sub>.",
+        (PANDA_HOMEWORK.lock(3), PANDA.lock(3)),
+    ),
+    Page(
+        "ur10e_homework",
+        "UR10e, the homework's table",
+        "The arm of the homework, whose lengths are those of a UR10. The homework gives it no"
+        " masses, so gravity is"
+        " worked out for {doc}`the maker's UR10e <ur10e>`.",
+        (UR10E_HOMEWORK,),
+    ),
+    Page(
+        "ur10e",
+        "UR10e, the maker's table",
+        "The arm as its maker describes it, with the homework's pen. Numbers are given at a bent"
+        " pose, for at home the arm"
+        " stands upright and weighs on no joint.",
+        (replace(UR10E, home=BENT),),
+    ),
+    Page(
+        "stanford",
+        "Stanford arm",
+        "Two turns, a slide and a wrist. Joint 3 slides, so its column of the Jacobian is"
+        " <i>z</i><sub>2</sub> over 0. The"
+        " homework gives it no masses, so there is no gravity here.",
+        (STANFORD,),
+    ),
+    Page(
+        "elbow",
+        "Elbow arm",
+        "The arm of three joints without an offset at its shoulder. {doc}`elbow_with_offset` has"
+        " one.",
+        (ELBOW,),
+    ),
+    Page(
+        "elbow_with_offset",
+        "Elbow arm with an offset",
+        "The arm of three joints whose shoulder stands out by <i>d</i>. With <i>d</i> = 0 it is"
+        " {doc}`elbow`.",
+        (replace(ELBOW.with_values(d=0.1), name="Elbow arm with an offset"),),
+    ),
+)
+
+
+def written_page(page: Page) -> tuple[Path, str]:
+    """A page's path and text."""
+    arm, *also = page.arms
+    text = markdown(
+        arm,
+        page.heading,
+        f"{page.lead}\n{_HOW.rstrip()}",
+        tuple(also),
+        f"{page.heading}: {_WHAT}",
+    )
+    return FOLDER / f"{page.name}.md", text
+
+
+def main() -> None:
+    FOLDER.mkdir(exist_ok=True)
+    for path, text in map(written_page, PAGES):
+        path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
