@@ -198,8 +198,8 @@ def _miss(arm: Arm, q: Array, target: Array, margin: Array) -> tuple[float, floa
     here = solve(arm, target if arm.dof >= 6 else target[:3, 3], q, iterations=0, limits=False)
     errors = float(here.position_error), float(here.orientation_error)
     J = np.abs(jacobian(arm, q)) @ np.broadcast_to(margin, q.shape)
-    open_ = max(_REACHED, np.linalg.norm(J[:3])), max(_REACHED, np.linalg.norm(J[3:]))
-    return None if errors[0] <= open_[0] and errors[1] <= open_[1] else errors
+    far, turned = (max(_REACHED, float(np.linalg.norm(half))) for half in (J[:3], J[3:]))
+    return None if errors[0] <= far and errors[1] <= turned else errors
 
 
 def _gap(arm: Arm, q: Array, other: Array) -> Array:

@@ -105,9 +105,9 @@ def _placed(base: Frame, F: Frame) -> Frame:
     return Frame(turned[0], turned[1], turned[2], add(base.o, turned[3]))
 
 
-def _turn(z: Vector, p: Vector, m: _Feature, o: Vector, r: _Feature) -> float | None:
+def _turn(z: Vector, p: Vector, m: _Feature, o: Vector, r: Any) -> float | None:
     """The angle about an axis along z, through p here and o there, that carries r to m."""
-    pairs = []
+    pairs: list[Any] = []
     if m.direction is not None:
         pairs.append((m.direction, r.direction))
     if m.point is not None:
@@ -126,7 +126,7 @@ def _across(w: Vector, d: Vector) -> Vector:
     return sub(w, mix(dot(w, d), d, 0.0, d))
 
 
-def _slide(z: Vector, m: _Feature, r: _Feature) -> float | None:
+def _slide(z: Vector, m: _Feature, r: Any) -> float | None:
     """How far along z r is carried to m, where it shows."""
     if m.point is None:
         return None

@@ -313,14 +313,14 @@ def _different(
     tries = list(_tries(rows, reference, wanted))
     equal = [t for t in tries if t.cause and not t.entries]
     if equal:
-        best = [t.cause for t in equal if _edits(t.cause) == _edits(equal[0].cause)]
-        return _bad(table, reference, best, (), ())
+        same = [t.cause for t in equal if t.cause and _edits(t.cause) == _edits(equal[0].cause)]
+        return _bad(table, reference, same, (), ())
     notes = tuple(_base(side(rows), found)) if found.signs else ()
     plain = next(t for t in tries if t.cause is None)
     if plain.entries <= 2 and (entries := list(_entries(table, plain, length))):
         return _bad(table, reference, [], entries, notes)
     best = _agreeing(tries, length) or _one_sign(rows, wanted, length)
-    if best is not None:
+    if best is not None and best.cause:
         return _bad(table, reference, [best.cause], (), ())
     close = [t for t in tries if t.entries <= max(3, len(wanted) // 2 + 1)]
     for t in sorted(close, key=lambda t: _cost(t.cause) + 0.7 * t.entries)[:1]:

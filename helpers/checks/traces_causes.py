@@ -47,7 +47,7 @@ def _shapes(path: Path, tip: Array, allowed: float) -> Iterator[Cause]:
         yield cause("trace.fraction", _share=size(100 * fraction), _over=size(1 / fraction))
     middle = tip.mean(axis=0)
     wanted = path.positions - path.positions.mean(axis=0)
-    scale = float(np.linalg.norm(tip - middle) / max(np.linalg.norm(wanted), 1e-12))
+    scale = float(np.linalg.norm(tip - middle)) / max(float(np.linalg.norm(wanted)), 1e-12)
     if abs(scale - 1) > 0.02:
         shape = scale * wanted
         off = (tip - middle - shape, tip - tip[0] - (shape - shape[0]))
