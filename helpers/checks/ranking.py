@@ -48,6 +48,21 @@ def cause(key: str, **fields: object) -> Cause:
     return Cause((key,), (fields,))
 
 
+class Pairs(Sequence[Cause]):
+    """Thousands of pairs of causes, each put together only when it is asked for."""
+
+    def __init__(self, both: Sequence[tuple[Cause, Cause]]) -> None:
+        self.both = both
+        self.edits = np.full(len(both), 2)
+
+    def __len__(self) -> int:
+        return len(self.both)
+
+    def __getitem__(self, k: Any) -> Any:
+        first, second = self.both[k]
+        return first + second
+
+
 def _name(key: str, fields: dict) -> str:
     if "_of" in fields:
         return fields["_of"]
@@ -88,7 +103,7 @@ def explain(
     fits = np.abs(mine - made) <= band
     gained = (fits & wrong).sum(axes) - (~fits & ~wrong).sum(axes)
     left = (~fits).sum(axes)
-    edits = np.array([len(c.keys) for c in causes])
+    edits = causes.edits if isinstance(causes, Pairs) else np.array([len(c.keys) for c in causes])
     least = np.where(
         edits > 1, np.maximum(4, PAIR_SHARE * wrong.sum()), np.maximum(3, SHARE * wrong.sum())
     )

@@ -15,12 +15,12 @@ from tests.corpus import answers, jacobians, tables, torques, traces
 
 HERE = Path(__file__).parent
 TOPICS = {
-    "jacobian": (jacobians.cases, 1500),
-    "table": (tables.cases, 1200),
-    "torques": (torques.cases, 800),
-    "branches": (answers.branches, 500),
-    "pose": (answers.poses, 400),
-    "trace": (traces.cases, 48),
+    "jacobian": (jacobians.cases, 1000),
+    "table": (tables.cases, 800),
+    "torques": (torques.cases, 500),
+    "branches": (answers.branches, 300),
+    "pose": (answers.poses, 250),
+    "trace": (traces.cases, 44),
 }
 KNOWN = ("PANDA", "UR10E_HOMEWORK", "STANFORD", "ELBOW", "PANDA.lock(3)")
 
@@ -59,7 +59,7 @@ def corpus(topic, seed, scale=1.0):
     return dict(seed=seed, topic=topic, arms=arms, cases=cases)
 
 
-def _number(x):
+def as_plain_number(x):
     return float(x) if isinstance(x, np.floating) else int(x) if isinstance(x, np.integer) else x
 
 
@@ -72,9 +72,9 @@ def main():
     chosen.folder.mkdir(parents=True, exist_ok=True)
     for topic in TOPICS:
         found = corpus(topic, chosen.seed, chosen.scale)
-        head = json.dumps({k: v for k, v in found.items() if k != "cases"}, default=_number)
+        head = json.dumps({k: v for k, v in found.items() if k != "cases"}, default=as_plain_number)
         lines = ",\n".join(
-            json.dumps(case, ensure_ascii=False, default=_number) for case in found["cases"]
+            json.dumps(case, ensure_ascii=False, default=as_plain_number) for case in found["cases"]
         )
         text = f'{head[:-1]}, "cases": [\n{lines}\n]}}\n'
         (chosen.folder / f"{topic}.json").write_text(text, encoding="utf-8")
