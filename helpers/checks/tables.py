@@ -197,7 +197,11 @@ def _judged(table: Table, reference: Arm, tolerance: float | None) -> Report:
         return _same(RIGHT, table, reference, mine, ref, found, rows)
     if tolerance is None:
         length, angle = _rounding(table)
-        near = compared(mine, ref, max(exact, 2 * length), max(_ANGLE, 4 * angle))
+        reach = max(abs(x) for r in rows for x in (r.a, r.d))
+        wide = max(
+            exact, 2 * length, 1.5 * angle * reach
+        )  # a turned axis meets the next one elsewhere
+        near = compared(mine, ref, wide, max(_ANGLE, 4 * angle))
         if not near.differences:
             return _same(ROUNDED, table, reference, mine, ref, near, rows)
         exact = max(exact, length)

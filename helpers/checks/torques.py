@@ -97,13 +97,16 @@ def _upright(typed: Typed, right: Array) -> tuple[Typed | None, tuple[str, ...]]
     if M.ndim != 2:
         return None, ()
     said: tuple[str, ...] = ()
-    if M.shape == (dof, poses) and (
-        poses != dof or np.abs(M.T - right).max() < np.abs(M - right).max()
-    ):
+    if M.shape == (dof, poses) and (poses != dof or _fits_turned(M, right)):
         M, steps, said = M.T, steps.T, (say("taken: list per joint"),)
     if M.shape == (poses, dof + 1) and not M[:, 0].any():
         M, steps, said = M[:, 1:], steps[:, 1:], (*said, say("taken: leading zeros"))
     return Typed(M, steps), said
+
+
+def _fits_turned(M: Array, right: Array) -> bool:
+    """Whether a square of torques is meant by columns: only then is it anywhere near."""
+    return bool(np.abs(M.T - right).max() < 0.05 * np.abs(M - right).max())
 
 
 def _misshapen(M: Array, right: Array, arm: Arm) -> Report:
