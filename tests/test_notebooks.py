@@ -7,12 +7,14 @@ was never run, and does not compare PNG pictures or anything about a tagged cell
 import re
 import xml.etree.ElementTree as ET
 from pathlib import Path
+from statistics import median
 
 import nbformat
 import pytest
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 PICTURES = {"image/svg+xml", "image/png", "image/jpeg"}
+SHORT = {"01"}  # the chapters whose cells have been cut down: none goes back
 ALLOWED_TAGS = {"hide-input", "hide-output", "hide-cell", "remove-input"}
 
 every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -58,6 +60,16 @@ def test_its_cells_are_short(path):
         lines = cell.source.splitlines()
         assert len(lines) <= (45 if "use_book_style()" in lines else 15), cell.source
         assert max(map(len, lines), default=0) <= 100, cell.source
+
+
+@pytest.mark.parametrize(
+    "path", [p for p in NOTEBOOKS if p.stem[:2] in SHORT], ids=lambda p: p.stem
+)
+def test_a_chapter_is_read_in_small_steps(path):
+    sizes = [len(cell.source.splitlines()) for cell in code_cells(path)]
+    assert sizes[0] <= 12, "the imports"
+    assert max(sizes) <= 15
+    assert median(sizes) <= 4
 
 
 @every_notebook
