@@ -62,6 +62,7 @@ GRID = Figure().subplots(2, 4)
 AXES = [derive.Axis((0, 0, 0), (0, 0, 1)), derive.Axis((1, 0, 0), (0, 1, 0))]
 ROBOT = """<robot name="one"><link name="a"/><link name="b"/><joint name="j" type="continuous">
 <parent link="a"/><child link="b"/></joint></robot>"""
+DERIVED = derive.derive(AXES, np.eye(4))
 MASSLESS = PANDA.with_bodies(())
 
 # fmt: off
@@ -171,6 +172,16 @@ RIGHT = {
     "variants.variant": dict(topic="Jacobian", arm=PANDA, seed=1),
     "variants.sheet": dict(arm=ELBOW, seed=1, topics=["Jacobian"]),
     "course.hand_in": dict(names={}, path=os.devnull),
+    "plotting.angle": dict(ax=FLAT, centre=[0, 0], radius=0.1, start=0, end=90, text="anything",
+        colour="k"),
+    "plotting.arm_drawing": dict(ax=FLAT, arm=PANDA, q=PANDA.home, view="xz", colour="k", size=1),
+    "plotting.axis_lines": dict(ax=FLAT, found=DERIVED, view=(30, 18), length=0.3),
+    "plotting.dimension": dict(ax=FLAT, start=[0, 1], end=[1, 1], aside=(0, 1), text="anything"),
+    "plotting.frames": dict(ax=FLAT, arm=PANDA, q=PANDA.home, view="xz", length=0.1, which=[0, 7]),
+    "plotting.lengths": dict(ax=FLAT, arm=PANDA, q=PANDA.home, view="xz", aside={"d_1": (0, 1)}),
+    "plotting.postures": dict(axes=GRID[0][:2], arm=PANDA, poses=[PANDA.home] * 2,
+        titles=("one", "two"), view="xz"),
+    "plotting.row_drawing": dict(ax=FLAT, found=DERIVED, row=1, view=(30, 18)),
     "plotting.arm_2d": dict(ax=FLAT, arm=PANDA, q=PANDA.home, plane="xz", colour="k", alpha=1),
     "plotting.arm_3d": dict(ax=SPACE, arm=PANDA, q=PANDA.home, frames=True,
         colour="k", alpha=1, label="anything"),
@@ -211,6 +222,17 @@ RIGHT = {
 # What a message says it expected: by the argument's name, or where that means several things, by
 # the function's too.
 EXPECTED = {
+    "size": "a finite number > 0",
+    "view": "a plane such as 'xz', or an azimuth", "poses": "joint vectors (k, 7)",
+    "aside": "a dict", "row": "a whole number of 1",
+    "plotting.dimension aside": "two finite coordinates in m", "end": "a finite angle in degrees",
+    "plotting.dimension start": "two finite coordinates in m",
+    "plotting.dimension end": "two finite coordinates in m",
+    "plotting.angle start": "a finite angle in degrees",
+    "plotting.angle centre": "two finite coordinates in m", "plotting.frames which": "frames",
+    "plotting.frames length": "a finite length > 0 in m",
+    "plotting.axis_lines length": "a finite length > 0 in m",
+    "plotting.axis_lines found": "a Derivation", "plotting.row_drawing found": "a Derivation",
     "description": "a str", "heading": "a str", "lead": "a str",
     "answer": "one of A_1, A_2, A_3, T_01", "language": "one of LaTeX, SymPy, NumPy, MATLAB",
     "also": "arms with the same rows",
@@ -326,6 +348,8 @@ FREE = {
     ),
     *("plotting.arm_3d frames", "plotting.arrow_2d text", "plotting.arrow_3d text"),
     *("plotting.from_above names", "plotting.joints axes", "plotting.torques axes"),
+    *("plotting.angle text", "plotting.dimension text"),
+    *("plotting.postures axes", "plotting.postures titles"),
     *(
         f"plotting.{name} label"
         for name in ("arm_3d", "ellipsoid_3d", "map_2d", "path_2d", "torques")
@@ -385,8 +409,14 @@ SPECIAL = [
     ("checks.compare_jacobian", dict(q=[SIX.home]), 'q has shape (1, 6); expected one pose, (6,)'),
     ("plotting.arm_2d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
     ("plotting.arm_3d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
+    ("plotting.lengths", dict(aside={"b_1": (0, 1)}), "aside names 'b_1'; expected steps such as"),
+    ("plotting.lengths", dict(aside={"d_8": (0, 1)}), "aside names 'd_8'; expected steps such as"),
+    ("plotting.lengths", dict(view="xx"), "view is 'xx'; expected two different letters"),
+    ("plotting.row_drawing", dict(row=9), "row is 9; expected one of 1 to"),
+    ("plotting.frames", dict(which=[8]), "which holds 8; expected numbers of frames, here 0 to 7"),
     ("plotting.stick_3d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
     ("arm.Joint", dict(upper=-2), 'joint limits are (-1, -2); expected lower <= upper'),
+    ("arm.Joint", dict(kind="fixed", at=1j), "joint at is '1j'; expected numbers, symbols"),
     ("arm.Joint", dict(speed=0), 'joint speed and effort are 0, 1; expected both > 0'),
     ("arm.Joint", dict(effort=0), 'joint speed and effort are 1, 0; expected both > 0'),
     ("arm.Body", dict(com=(0, 0)), 'centre of mass is (0, 0); expected three coordinates (x, y,'

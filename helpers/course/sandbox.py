@@ -112,7 +112,7 @@ def _with_last_cell(path: Path) -> dict[str, Any]:
     book = read_notebook(path)
     code = f"from helpers.course.answers import collected\nprint({_MARK!r} + collected(globals()))"
     cells = [{**c, "outputs": []} if c["cell_type"] == "code" else c for c in book["cells"]]
-    last = {
+    last: dict = {
         "cell_type": "code",
         "execution_count": None,
         "metadata": {},
