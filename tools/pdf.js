@@ -5,7 +5,7 @@
 take: async (name) => {
     const article = document.querySelector("article"), all = (what) => article.querySelectorAll(what);
     all("details").forEach((box) => (box.open = true));
-    all("script, .tools, .copy, .hint, .headerlink").forEach((e) => e.remove());
+    all("script, .tools, .copy, .hint, .headerlink, details.hide").forEach((e) => e.remove());
     all(".picture > :is(.dark, .panel)").forEach((e) => e.remove());
     all("section:has(> .cell .arm-explorer)").forEach((section) => {
         if (section.querySelectorAll(".cell").length > 1) return;
@@ -29,19 +29,22 @@ take: async (name) => {
     function root() { return decodeURI(location.pathname).slice(0, -`${name}.html`.length); }
     all("[id]").forEach((e) => (e.id = `${name}--${e.id}`));
     article.id = `${name}--`;
-    const styles = [...document.querySelectorAll("style")].map((style) => style.textContent);
+    const styles = [...document.querySelectorAll("style")].map(({ sheet }) => [...sheet.cssRules].map((rule) => rule.cssText).join("\n"));
     return [article.outerHTML, styles];
 },
 
-// A reference says its page; a first guess keeps the room that the right number will take.
+// A reference says its page, and here which places are named; a first guess keeps the room that the right number will take.
 number: (pages) => {
+  const named = [];
   document.querySelectorAll("a[href^='#']").forEach((link) => {
     const target = decodeURIComponent(link.getAttribute("href").slice(1));
     if (!document.getElementById(target)) return void link.removeAttribute("href");
     if (link.closest("summary, .footnote-reference, aside, .admonition-title, nav")) return;
     let said = link.nextElementSibling?.matches(".page-number") ? link.nextElementSibling : null;
     if (!said) link.after((said = Object.assign(document.createElement("span"), { className: "page-number" })));
+    named.push(target);
     said.textContent = ` (p. ${pages[target] ?? 100})`;
 });
+  return named;
 },
 })
