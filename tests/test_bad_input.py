@@ -424,6 +424,7 @@ SPECIAL = [
     ("plotting.frames", dict(which=[8]), "which holds 8; expected numbers of frames, here 0 to 7"),
     ("plotting.stick_3d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
     ("arm.Joint", dict(upper=-2), 'joint limits are (-1, -2); expected lower <= upper'),
+    ("arm.Joint", dict(kind="fixed", at=1j), "joint at is '1j'; expected numbers, symbols"),
     ("arm.Joint", dict(speed=0), 'joint speed and effort are 0, 1; expected both > 0'),
     ("arm.Joint", dict(effort=0), 'joint speed and effort are 1, 0; expected both > 0'),
     ("arm.Body", dict(com=(0, 0)), 'centre of mass is (0, 0); expected three coordinates (x, y,'
