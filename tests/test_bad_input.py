@@ -192,8 +192,9 @@ RIGHT = {
     "plotting.dh_numbers": dict(ax=SPACE, a=1, alpha=1, d=1, theta=1),
     "plotting.ellipsoid_3d": dict(ax=SPACE, centre=[0, 0, 1], axes=np.eye(3),
         scale=1.0, colour="k", label="anything"),
-    "plotting.from_above": dict(ax=FLAT, arm=ELBOW, branches=[BEND, BEND], names=("front",
-        "back"), offset=0.1),
+    "plotting.shoulder_triangles": dict(ax=FLAT, point=[0.3, 0.2], offset=0.1, names=("left",
+        "right"), letters=("d", "r")),
+    "plotting.ur_triangle": dict(ax=FLAT, arm=UR10E, q=UR10E.home),
     "plotting.joints": dict(axes=GRID, run=RUN),
     "plotting.law_of_cosines": dict(ax=FLAT, arm=ELBOW, q=BEND),
     "plotting.map_2d": dict(ax=FLAT, x=[0.0, 1.0, 2.0], y=[0.0, 1.0, 2.0],
@@ -222,6 +223,7 @@ RIGHT = {
 # What a message says it expected: by the argument's name, or where that means several things, by
 # the function's too.
 EXPECTED = {
+    "plotting.shoulder_triangles point": "two finite coordinates in m",
     "size": "a finite number > 0",
     "view": "a plane such as 'xz', or an azimuth", "poses": "joint vectors (k, 7)",
     "aside": "a dict", "row": "a whole number of 1",
@@ -283,7 +285,7 @@ EXPECTED = {
     "name": "a str",
     "robots.named name": "one of Panda, Panda (homework), UR10e, UR10e (homework), Stanford arm,",
     "names": "a dict", "normal": "a vector of three finite numbers",
-    "number": "one of its rows, 1, 2, 3, 4, 5, 6, 7", "offset": "a finite length in m",
+    "number": "one of its rows, 1, 2, 3, 4, 5, 6, 7", "offset": "a length in m that is above 0",
     "part": "one of all, linear, angular", "path": "a Path", "period": "a finite time > 0 in s",
     "phase": "a finite angle in rad", "plane": "two different letters of x, y, z, such as 'yz'",
     "planes": "two planes such as ('xz', 'yz')", "point": "a point (x, y, z) in m",
@@ -347,7 +349,12 @@ FREE = {
         "plotting.arm_3d alpha",
     ),
     *("plotting.arm_3d frames", "plotting.arrow_2d text", "plotting.arrow_3d text"),
-    *("plotting.from_above names", "plotting.joints axes", "plotting.torques axes"),
+    *(
+        "plotting.shoulder_triangles names",
+        "plotting.shoulder_triangles letters",
+        "plotting.joints axes",
+        "plotting.torques axes",
+    ),
     *("plotting.angle text", "plotting.dimension text"),
     *("plotting.postures axes", "plotting.postures titles"),
     *(
@@ -409,6 +416,7 @@ SPECIAL = [
     ("checks.compare_jacobian", dict(q=[SIX.home]), 'q has shape (1, 6); expected one pose, (6,)'),
     ("plotting.arm_2d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
     ("plotting.arm_3d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
+    ("plotting.shoulder_triangles", dict(point=[0.01, 0]), "point is 0.01 m from the axis"),
     ("plotting.lengths", dict(aside={"b_1": (0, 1)}), "aside names 'b_1'; expected steps such as"),
     ("plotting.lengths", dict(aside={"d_8": (0, 1)}), "aside names 'd_8'; expected steps such as"),
     ("plotting.lengths", dict(view="xx"), "view is 'xx'; expected two different letters"),
