@@ -119,6 +119,8 @@ RIGHT = {
     "statics.gravity_torque": dict(arm=PANDA, q=PANDA.home, gravity=(0, 0, -9.81)),
     "statics.static_torque": dict(arm=PANDA, q=[PANDA.home] * 2, wrench=[0.0] * 6, gravity=(0, 0,
         -9.81)),
+    "dynamics.inverse_dynamics": dict(arm=PANDA, q=PANDA.home, q_dot=[0.0] * 7, q_ddot=[0.0] * 7,
+        inertias=np.zeros((7, 3, 3)), gravity=(0, 0, -9.81)),
     "statics.with_payload": dict(arm=PANDA, mass=1.0, com=(0, 0, 0.1)),
     "statics.centres_in": dict(frames_to=FRAMES, frames_from=FRAMES, centres=np.zeros((8, 3))),
     "symbolic.determinant": dict(arm=ELBOW),
@@ -132,6 +134,7 @@ RIGHT = {
     "motion.circle": dict(centre=[0, 0, 0], radius=0.1, plane="yz", period=5, steps=10, phase=0.0),
     "motion.circle_below": dict(arm=SIX, start=[0.1, 0.2, 1.4, 0.3, 1.6, 0.2], radius=0.1,
         plane="zy", period=5.0, steps=4),
+    "motion.rest_to_rest": dict(path=PATH),
     "motion.trace": dict(arm=SIX, start=[0.1, 0.2, 1.4, 0.3, 1.6, 0.2], path=PATH, method="euler",
         rates=motion.damped(0.1), gain=0.0, jacobian=kinematics.jacobian),
     "motion.plain_inverse": dict(cutoff=1e-9),
@@ -195,7 +198,7 @@ RIGHT = {
     "plotting.stick_3d": dict(ax=SPACE, arm=PANDA, q=PANDA.home, colour="k",
         title="anything"),
     "plotting.torques": dict(axes=GRID, arm=PANDA, t=[0.0, 1.0], tau=np.zeros((2,
-        7)), label="anything"),
+        7)), label="anything", limits=True),
     "plotting.use_book_style": dict(),
     "explorer.ArmExplorer": dict(arm=PANDA, q=PANDA.home, views=["table"], wrench=[0] * 6,
         trace=[PANDA.home] * 3, branches=[PANDA.home], reference=PANDA, arms=(), unit="deg",
@@ -241,7 +244,8 @@ EXPECTED = {
     "gain": "a finite number of 0 or more", "given": "a Mapping",
     "goal": "finite joint values (n,)", "gravity": "a vector of three finite numbers in m/s^2",
     "symbolic.body_numbers gravity": "a finite number of m/s^2", "hold": "a Mapping",
-    "home": "1 joint values", "iterations": "a whole number of 0 or more",
+    "home": "1 joint values", "inertias": "tensors (7, 3, 3) in kg m^2",
+    "q_dot": "one value for each", "q_ddot": "one value for each", "iterations": "a whole number of 0 or more",
     "jacobian": "a function of an arm and q", "joint": "its free joints are",
     "arm.Row joint": "a Joint, as revolute(), prismatic() or fixed() make",
     "derive.Axis joint": "a Joint", "kind": "one of revolute, prismatic, fixed", "label": "a str",
@@ -312,6 +316,7 @@ FREE = {
     *("inverse.solve limits", "plotting.arm_2d alpha", "plotting.arm_3d alpha"),
     *("plotting.arm_3d frames", "plotting.arrow_2d text", "plotting.arrow_3d text"),
     *("plotting.from_above names", "plotting.joints axes", "plotting.torques axes"),
+    "plotting.torques limits",
     *(
         f"plotting.{name} label"
         for name in ("arm_3d", "ellipsoid_3d", "map_2d", "path_2d", "torques")

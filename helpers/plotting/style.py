@@ -8,6 +8,7 @@ from typing import Any
 
 import matplotlib as mpl
 from cycler import cycler
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
@@ -56,6 +57,12 @@ def use_book_style() -> None:
 
         set_matplotlib_formats("svg")
         shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, svg)
+
+
+def time_axis(ax: Axes) -> None:
+    """Name and number the time under this panel too: on a phone it stands alone."""
+    ax.set_xlabel("$t$ (s)")
+    ax.tick_params(labelbottom=True)
 
 
 def svg(figure: Figure) -> str:
