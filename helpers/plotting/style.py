@@ -10,6 +10,7 @@ import matplotlib as mpl
 from cycler import cycler
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
@@ -60,8 +61,9 @@ def use_book_style() -> None:
 
 
 def time_axis(ax: Axes) -> None:
-    """Name and number the time under this panel too: on a phone it stands alone."""
+    """Name and number the time under this panel too, sparingly: on a phone it stands alone."""
     ax.set_xlabel("$t$ (s)")
+    ax.xaxis.set_major_locator(MaxNLocator(2))
     ax.tick_params(labelbottom=True)
 
 

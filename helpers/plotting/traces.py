@@ -22,7 +22,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
     in m."""
     must_be(run, Trace, "run")
     i, j = _wall_axes(run)
-    some = slice(None, None, max(1, len(run.t) // 200))
+    some = slice(None, None, max(1, len(run.t) // 100))
     wanted, traced = run.path.positions[some], run.poses[some, :3, 3]
     ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
     ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label=label)
