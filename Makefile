@@ -6,7 +6,7 @@ NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
 SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/* book/answers/*.md) $(shell find helpers -name '*.py')
 
-.PHONY: help book test notebooks elsewhere lab refresh lint lock bench clean explorer answers sheet coverage mutants
+.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean explorer answers sheet coverage mutants
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -68,6 +68,15 @@ lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check t
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python tools/pdf.py
+
+release: pdf ## the book as a zip to read offline, the PDF and the wheel, in dist
+	rm -rf dist && mkdir dist
+	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --wheel-dir dist .
+	cp book/_build/html/book.pdf dist
+	cd book/_build/html && ../../../$(BIN)/python -m zipfile -c ../../../dist/book.zip *
+
+address: ## say where the repository is: make address URL=https://github.com/OWNER/NAME
+	$(PYTHON) tools/address.py "$(URL)"
 
 lite: ## JupyterLite with the notebooks, in book/_build/lite/site; it runs once it is published
 	test -d .venv-lite || $(PYTHON) -m venv .venv-lite

@@ -93,6 +93,7 @@ def page(lines: list[str]) -> str:
     machine = f"{processor()}, {os.cpu_count()} cores, {platform.system()}"
     return PAGE.format(
         machine=machine,
+        load=os.getloadavg()[0],
         python=platform.python_version(),
         date=date.today().isoformat(),
         versions=", ".join(versions),
@@ -135,14 +136,15 @@ anything was timed. Times are medians; a ratio below 1 means that the helpers we
 
 {table}
 
-Measured on {date} by `make bench`, on {machine}, with Python {python} and {versions}. Another machine gives other times and, less so, other ratios.
+Measured on {date} by `make bench`, on {machine} (load average {load:.1f}), with Python {python} and {versions}. Another machine gives other times and, less so, other ratios.
 
 How the best ways are called:
 
 - **CasADi**: its expression with zeros filled in and equal steps shared (`densify`, `cse`), mapped over blocks of 1 000, reading and writing NumPy's own memory
   (`Function.buffer`). Calling the mapped function with arrays, as most do, costs several times as much. A line more has gcc compile the same expression to
   machine code, which a book without a compiler cannot ask for.
-- **JAX**: compiled (`jit`), in double precision, over the entries of the whole batch; `vmap` over 4 x 4 matrices is how it is usually written.
+- **JAX**: compiled (`jit`), in double precision, in two ways: `vmap` over 4 x 4 matrices, as it is usually written, and the entries of the whole batch one by
+  one. Which is faster depends on the work.
 - **Pinocchio** and **MuJoCo** have no batches in Python for these works: a loop, with everything that does not change taken out of it. In traces the last
   line also locks joint 3 in Pinocchio's own model and keeps its signs, which leaves one call and one `solve` in each step.
 - **roboticstoolbox**: `ETS.eval` takes batches and arrays in C, `ETS.fkine` wraps each result in an object.

@@ -95,12 +95,12 @@ def listed(value: Any, what: str, wanted: str) -> tuple:
     return tuple(value)
 
 
-def plane_axes(plane: object) -> tuple[int, int]:
+def plane_axes(plane: object, what: str = "plane") -> tuple[int, int]:
     """Which axes, 0 to 2, a plane such as "yz" is made of, in their order."""
     known = {a + b: (i, j) for (i, a), (j, b) in permutations(enumerate("xyz"), 2)}
     if not isinstance(plane, str) or plane not in known:
         raise ArmError(
-            f"plane is {shown(plane)}; expected two different letters of x, y, z, such as 'yz'"
+            f"{what} is {shown(plane)}; expected two different letters of x, y, z, such as 'yz'"
         )
     return known[plane]
 

@@ -1,264 +1,497 @@
-"""Homework with other numbers: questions and their solution key, both from one seed.
+"""Homework with numbers of its own: what is drawn, how it is asked, and the key to it.
 
-The same seed gives the same sheet on every machine. Lengths change by up to a tenth, poses and
-forces are drawn anew, and the key is computed by the functions that the book uses, so it always
-fits the question.
+Drawing and asking are apart. `draw` turns a seed into plain numbers, `question` turns an arm and
+those numbers into a text and its key. A sheet keeps the numbers, so a later NumPy, whose generators
+may draw others, asks the same questions still.
 """
 
+import hashlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from helpers.arm import Arm
-from helpers.inputs import ArmError, must_be, one_of, whole
-from helpers.kinematics import forward_kinematics, jacobian
-from helpers.motion import (
-    SingularError,
-    Trace,
-    UnreachableError,
-    circle,
-    plain_inverse,
-    trace,
-)
+from helpers import inverse, symbolic
+from helpers.arm import Arm, prismatic, revolute
+from helpers.inputs import ArmError, listed, must_be, one_of, whole
+from helpers.kinematics import forward_kinematics, jacobian, link_frames
+from helpers.motion import Path, SingularError, Trace, circle, plain_inverse, trace
 from helpers.statics import gravity_torque, static_torque
 
-__all__ = [
-    "TOPICS",
-    "Answer",
-    "Variant",
-    "sheet",
-    "variant",
-]
+__all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
 
 Array = NDArray[np.float64]
 Rng = np.random.Generator
+Given = Mapping[str, Any]
+Kind = Literal["numbers", "table", "jacobian", "column", "torques", "branches", "pose"]
 
 _TRIES = 500
-_STEPS = 100  # of the key's own run; the student's may be any number
+_STEPS = 1000  # of the key's own run; the sheet asks for as many or more
 _SMALLEST = 0.04  # no question is asked nearer to a singular pose than this singular value
+_POSE_DIGITS = 6  # of a target as printed: 1e-6 m moves a joint by 1e-6 / 0.04 rad at most
 
 
 @dataclass(frozen=True)
-class Answer:
-    """One line of the key: what is asked, the right value, how far off an answer may be.
+class Part:
+    """One line of a key: the name to answer by, what is asked, the right value, and the tolerance
+    told.
 
-    `read` makes the value out of what is handed in, where that is not the value itself.
+    `kind` says which checker judges it. `value` is an array, an `Arm` for a table, or the branches,
+    shape (k, dof), for inverse kinematics.
     """
 
+    name: str
     what: str
-    value: Array
+    kind: Kind
+    value: Any
     tolerance: float
-    read: Callable[[Array], Array] = lambda given: given
 
-    def accepts(self, given: ArrayLike) -> bool:
-        """Whether a student's value counts as right; another shape, or no number, does not."""
-        try:
-            array = self.read(np.asarray(given, dtype=float))
-        except (TypeError, ValueError):
-            return False
-        same = array.shape == self.value.shape
-        return same and bool((np.abs(array - self.value) <= self.tolerance).all())
+    @property
+    def asked(self) -> str:
+        """The line on the sheet."""
+        if self.kind == "table":
+            return f"- `{self.name}`: {self.what}"
+        if self.kind == "column":
+            return f"- `{self.name}`: {self.what}; it is evaluated at poses of our choice"
+        return f"- `{self.name}`: {self.what}; {self.tolerance:g} off is forgiven"
+
+    @property
+    def key(self) -> str:
+        """The line in the key."""
+        if isinstance(self.value, Arm):
+            return f"- `{self.name}`, {self.what}:\n\n{self.value._repr_markdown_()}"
+        if self.kind == "column":
+            entries = [f"`{entry}`" for entry in self.value]
+            return f"- `{self.name}`, {self.what}: {', '.join(entries)}"
+        return f"- `{self.name}`, {self.what}: ${matrix(self.value)}$"
 
 
 @dataclass(frozen=True, repr=False)
-class Variant:
-    """One topic of the homework with numbers of its own: the arm, the question, and the key to
-    it."""
+class Question:
+    """One topic of the homework with numbers of its own: the arm, what was drawn, the text and the
+    key.
+    """
 
     topic: str
-    seed: int
     arm: Arm
-    question: str
-    key: Mapping[str, Answer]
-
-    def marks(self, given: Mapping[str, ArrayLike]) -> dict[str, bool]:
-        """Which entries of the key were answered rightly; one that is missing is wrong."""
-        must_be(given, Mapping, "given")
-        return {name: name in given and a.accepts(given[name]) for name, a in self.key.items()}
+    given: Given
+    text: str
+    parts: tuple[Part, ...]
 
     @property
-    def question_text(self) -> str:
-        """The question as Markdown, with the names of the answers that it asks for and the arm's
-        table."""
-        asked = [f"- `{name}`: {answer.what}" for name, answer in self.key.items()]
-        lines = ["", self.question, "", *asked, "", self.arm._repr_markdown_()]
-        return "\n".join([f"**{_title(self.topic)}**", *lines])
+    def markdown(self) -> str:
+        """The question and the names to answer by."""
+        lines = [f"## {self.title}", "", self.text, "", *(part.asked for part in self.parts)]
+        return "\n".join(lines)
 
     @property
-    def key_text(self) -> str:
-        """The key as Markdown, one line for each answer."""
-        lines = [f"- `{n}`, {a.what}: ${_matrix(a.value)}$" for n, a in self.key.items()]
-        return "\n".join([f"**Key to {self.topic}, seed {self.seed}**", "", *lines])
+    def key(self) -> str:
+        """The key as Markdown."""
+        return "\n".join([f"**Key: {self.title}**", "", *(part.key for part in self.parts)])
+
+    @property
+    def title(self) -> str:
+        """The topic with a capital."""
+        return self.topic[0].upper() + self.topic[1:]
 
     def __repr__(self) -> str:
-        return f"<Variant {self.seed} of {self.topic}: {self.arm.name.rsplit(', ', 1)[0]}>"
+        return f"<Question on {self.topic}: {self.arm.name}>"
 
     def _repr_markdown_(self) -> str:
-        return self.question_text
+        table = "" if self.topic == "DH table" else f"\n\n{self.arm._repr_markdown_()}"
+        return f"{self.markdown}{table}"
 
 
-def variant(topic: str, arm: Arm, seed: int) -> Variant:
-    """A topic's question about an arm, with the numbers that belong to `seed`.
+@dataclass(frozen=True)
+class Sheet:
+    """All questions of one student about one arm, whose lengths are the student's own."""
 
-    Raises ArmError for an unknown topic, a seed below 0, or an arm that the topic does not suit.
+    arm: Arm
+    drawn: Mapping[str, Given]
+
+    @cached_property
+    def questions(self) -> tuple[Question, ...]:
+        """The questions, in the order of the topics."""
+        return tuple(question(topic, self.arm, given) for topic, given in self.drawn.items())
+
+    @property
+    def parts(self) -> dict[str, Part]:
+        """Every part of the sheet by its name."""
+        return {part.name: part for question in self.questions for part in question.parts}
+
+
+def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> Sheet:
+    """The sheet that a seed draws: a word or a number; the same seed draws the same sheet.
+
+    `topics` are those that suit the arm unless given. Raises ArmError for an unknown topic, for one
+    that does not suit the arm, and for an arm of which no pose away from singular ones can be
+    found.
     """
-    one_of(topic, "topic", _TOPICS)
     must_be(arm, Arm, "arm")
-    seed = whole(seed, "seed")
-    if not _suits(topic, arm):
-        raise ArmError(f"{arm.name} does not suit {topic}; it has {arm.dof} joints")
-    rng = np.random.default_rng([seed, TOPICS.index(topic)])
+    suitable = tuple(topic for topic in TOPICS if suits(topic, arm))
+    asked = suitable if topics is None else listed(topics, "topics", f"some of {', '.join(TOPICS)}")
     other = _with_other_lengths(arm, seed)
-    question, key = _TOPICS[topic](other, rng)
-    return Variant(topic, seed, other, question, key)
+    return Sheet(other, {topic: draw(topic, other, seed) for topic in asked})
 
 
-def sheet(arm: Arm, seed: int) -> tuple[Variant, ...]:
-    """Every topic that suits the arm, about one and the same arm."""
+def draw(topic: str, arm: Arm, seed: int | str) -> dict[str, Any]:
+    """The numbers of a topic's question about an arm: plain lists and numbers, as JSON keeps
+    them.
+    """
+    one_of(topic, "topic", TOPICS)
     must_be(arm, Arm, "arm")
-    return tuple(variant(topic, arm, seed) for topic in TOPICS if _suits(topic, arm))
+    if not suits(topic, arm):
+        raise ArmError(f"{arm.name} does not suit {topic}; {_NEEDS[topic]}")
+    return _TOPICS[topic].draw(arm, _generator(seed, topic))
 
 
-def _suits(topic: str, arm: Arm) -> bool:
-    """Torques need masses, and a held orientation needs as many joints as J has rows."""
+def question(topic: str, arm: Arm, given: Given) -> Question:
+    """The question and its key from an arm and the numbers that were drawn."""
+    one_of(topic, "topic", TOPICS)
+    must_be(arm, Arm, "arm")
+    text, parts = _TOPICS[topic].ask(arm, given)
+    return Question(topic, arm, given, text, parts)
+
+
+def variant(topic: str, arm: Arm, seed: int | str) -> Question:
+    """A topic's question about an arm with other lengths, as a seed draws them."""
+    must_be(arm, Arm, "arm")
+    other = _with_other_lengths(arm, seed)
+    return question(topic, other, draw(topic, other, seed))
+
+
+def suits(topic: str, arm: Arm) -> bool:
+    """Whether a topic can be asked about an arm: torques need masses, a held orientation six
+    joints.
+    """
     return {"static torque": bool(arm.bodies), "circle tracing": arm.dof == 6}.get(topic, True)
 
 
-def _with_other_lengths(arm: Arm, seed: int) -> Arm:
+def closed_form(arm: Arm) -> Callable[..., inverse.Solutions] | None:
+    """The closed form that finds every branch of an arm, None where the book has none."""
+    probe = forward_kinematics(arm, np.full(arm.dof, 0.4))
+    for solver in (inverse.elbow, inverse.ur, inverse.stanford, inverse.spherical_wrist):
+        try:
+            solver(arm, probe[:3, 3] if solver is inverse.elbow else probe)
+        except ArmError:
+            continue
+        return solver
+    return None
+
+
+_NEEDS = {
+    "DH table": "any arm does",
+    "forward kinematics": "any arm does",
+    "Jacobian": "any arm does",
+    "circle tracing": "it needs six joints that move",
+    "static torque": "it needs masses",
+    "inverse kinematics": "any arm does",
+}
+
+
+def _generator(seed: int | str, label: str) -> Rng:
+    """A generator of its own for each label, from the bytes of the seed."""
+    if not isinstance(seed, str):
+        seed = str(whole(seed, "seed"))
+    digest = hashlib.sha256(f"{label}\n{seed}".encode()).digest()
+    return np.random.default_rng(list(digest))
+
+
+def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
     """The arm with every value within a tenth of its own, to three decimals; one that is 0
-    stays."""
-    factors = np.random.default_rng(seed).uniform(0.9, 1.1, len(arm.values))
-    new = {
-        name: round(v * float(f), 3)
-        for (name, v), f in zip(arm.values.items(), factors, strict=True)
-    }
-    return replace(arm.with_values(**new), name=f"{arm.name}, variant {seed}")
+    stays.
+    """
+    factors = _generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
+    pairs = zip(arm.values.items(), factors, strict=True)
+    new = {name: round(value * float(factor), 3) for (name, value), factor in pairs}
+    return replace(arm.with_values(**new), name=f"{arm.name}, lengths of your own")
 
 
 def _pose(arm: Arm, rng: Rng) -> Array:
     """Joint values to two decimals, well inside their range and away from singular poses."""
     lower, upper = (np.clip(limit, -2.4, 2.4) for limit in arm.limits)
     for _ in range(_TRIES):
-        q = (lower + (upper - lower) * rng.uniform(0.1, 0.9, arm.dof)).round(2)
+        q = (lower + (upper - lower) * rng.uniform(0.1, 0.9, arm.dof)).round(2) + 0.0
         if _smallest(arm, q) > _SMALLEST:
             return q
     raise ArmError(f"{arm.name}: no pose away from a singular one was found in {_TRIES} tries")
 
 
 def _smallest(arm: Arm, q: Array) -> float:
-    """The smallest singular value of what the arm's joints can command, all six rows or the place
-    alone."""
+    """The smallest singular value of what the joints can command: all six rows, or the place
+    alone.
+    """
     rows = slice(0, 6 if arm.dof >= 6 else 3)
     somewhere = np.random.default_rng(0).uniform(0.3, 0.9, arm.dof)
     rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[rows])  # 2 for an arm that is plane
     return float(np.linalg.svd(jacobian(arm, q)[rows], compute_uv=False)[rank - 1])
 
 
-def _dh_tables(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
-    q = _pose(arm, rng)
-    T = forward_kinematics(arm, q)
-    question = f"Where is the tip of this arm, and how is it turned, at $q = {_matrix(q)}$?"
-    return question, {
-        "p": Answer("its position (m)", T[:3, 3], 1e-3),
-        "R": Answer("its rotation, a 3 × 3 matrix", T[:3, :3], 2e-3),
-    }
+# Each topic: what is drawn, and how it is asked. Answers are named after the topic's letter.
 
 
-def _jacobian(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
-    q, q_dot = _pose(arm, rng), rng.uniform(-1, 1, arm.dof).round(1) + 0.0
-    J = jacobian(arm, q)
-    question = (
-        f"At $q = {_matrix(q)}$ the joints move at the rates $\\dot q = {_matrix(q_dot)}$."
-        " How does the tip move?"
-    )
-    return question, {
-        "J": Answer("the Jacobian, rows $(v, \\omega)$ in base axes", J, 2e-3),
-        "xi": Answer("the tip's velocity (m/s, rad/s)", J @ q_dot, 5e-3),
-    }
-
-
-def _circle_tracing(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
-    run, radius, plane = _run(arm, rng)
-    first, second = list(plane)
-    centre = run.path.positions[0] - radius * np.eye(3)["xyz".index(first)]
-    question = (
-        f"The tip starts at $q_0 = {_matrix(run.q[0])}$ and draws a circle of radius {radius:g} m"
-        " in the"
-        f" {first}{second} plane in {run.t[-1]:g} s, at even speed and held orientation. The start"
-        " is the circle's"
-        f" farthest point along $+{first}$; from there the tip moves towards $+{second}$."
-    )
-    joints = "the joints after {} of the time (rad; m where one slides)"
-    return question, {
-        "centre": Answer("the circle's centre (m)", centre, 1e-3),
-        "quarter": Answer(joints.format("a quarter"), run.q[_STEPS // 4], 1e-2),
-        "half": Answer(joints.format("half"), run.q[_STEPS // 2], 1e-2),
-    }
-
-
-def _run(arm: Arm, rng: Rng) -> tuple[Trace, float, str]:
-    """A circle that the arm can draw from a pose of its own: within its range and far from singular
-    poses."""
-    for _ in range(_TRIES):
-        q = _pose(arm, rng)
-        radius, plane = float(rng.integers(5, 11)) / 100, str(rng.choice(["xy", "yz", "zx"]))
-        start = forward_kinematics(arm, q)[:3, 3]
-        centre = start - radius * np.eye(3)["xyz".index(plane[0])]
-        path = circle(centre, radius, plane, float(rng.integers(2, 7)) * 5, _STEPS)
-        try:
-            run = trace(arm, q, path, method="exact", rates=plain_inverse(1e-4))
-        except (SingularError, UnreachableError):
+def _draw_table(arm: Arm, rng: Rng) -> dict[str, Any]:
+    """An arm of four joints that no other question mentions, since their tables stand on the
+    sheet.
+    """
+    while True:
+        rows = [_drawn_row(rng) for _ in range(4)]
+        rows[-1]["alpha"] = "0"
+        if [row["kind"] for row in rows].count("prismatic") > 1:
             continue
-        report = run.report
+        along = (rng.integers(-4, 5, len(rows)) * 0.05).round(2).tolist()
+        given = {"rows": rows, "along": along}
+        if all(row["alpha"] != "0" or row["a"] for row in rows) and _tells_its_joints(given):
+            return given
+
+
+def _drawn_row(rng: Rng) -> dict[str, Any]:
+    return {
+        "kind": str(rng.choice(["revolute", "revolute", "prismatic"])),
+        "a": int(rng.choice([0, 0, 2, 3, 4, 5])) / 10,
+        "alpha": str(rng.choice(["0", "pi/2", "-pi/2"])),
+        "d": int(rng.choice([0, 0, 1, 2, 3])) / 10,
+        "theta": str(rng.choice(["0", "0", "pi/2", "-pi/2"])),
+    }
+
+
+def _tells_its_joints(given: Given) -> bool:
+    """Whether every joint moves the tip or turns it in a way of its own: the Jacobian has full
+    rank.
+    """
+    J = jacobian(drawn_arm(given), [0.3, 0.5, 0.7, 0.9])
+    return bool(np.linalg.svd(J, compute_uv=False)[-1] > 0.05)
+
+
+def drawn_arm(given: Given) -> Arm:
+    """The arm of a table question, from the rows that were drawn."""
+    make = {"revolute": revolute, "prismatic": prismatic}
+    rows = [make[r["kind"]](r["a"], r["alpha"], r["d"], r["theta"]) for r in given["rows"]]
+    return Arm("Arm of the drawing", tuple(rows))
+
+
+def _ask_table(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
+    drawn = drawn_arm(given)
+    lines = ["| joint | it | a point on its axis (m) | direction |", "|:-:|:--|:--|:--|"]
+    for number, verb, point, direction in axes(drawn, given["along"]):
+        lines.append(f"| {number} | {verb} | ${matrix(point)}$ | ${matrix(direction)}$ |")
+    tool = forward_kinematics(drawn, np.zeros(drawn.dof))
+    text = (
+        "Another arm. Its joint axes at $q = 0$, in the base frame, whose $z$ axis is the"
+        " first joint axis:\n\n"
+        + "\n".join(lines)
+        + f"\n\nThe tip is at $p = {matrix(tool[:3, 3])}$; its frame has the axes"
+        f" $x = {matrix(tool[:3, 0])}$"
+        f" and $z = {matrix(tool[:3, 2])}$. Write a table of this arm in the standard"
+        f" convention. Every choice"
+        " of frames that the convention allows is right."
+    )
+    what = "the table, one row (a, alpha, d, theta) for each joint: m and rad, theta and d"
+    what += " without the joint variable"
+    return text, (Part("table", what, "table", drawn, 5e-4),)
+
+
+def axes(arm: Arm, along: list[float]) -> list[tuple[int, str, Array, Array]]:
+    """The moving joints' axes at q = 0: number, kind, a point moved `along` its axis, direction."""
+    frames = link_frames(arm, np.zeros(arm.dof))
+    found = []
+    for number, shift in zip(arm.joints, along, strict=True):
+        frame = frames[number - 1]
+        kind = {"revolute": "turns", "prismatic": "slides"}[arm.rows[number - 1].joint.kind]
+        found.append((number, kind, frame[:3, 3] + shift * frame[:3, 2], frame[:3, 2]))
+    return found
+
+
+def _draw_pose(arm: Arm, rng: Rng) -> dict[str, Any]:
+    return {"q": _pose(arm, rng).tolist()}
+
+
+def _ask_pose(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
+    q = np.array(given["q"])
+    T = forward_kinematics(arm, q)
+    text = f"Where is the tip of this arm, and how is it turned, at $q = {matrix(q)}$?"
+    return text, (
+        Part("p", "the tip's position (m)", "numbers", T[:3, 3], 1e-3),
+        Part("R", "its rotation, a 3 × 3 matrix", "numbers", T[:3, :3], 2e-3),
+    )
+
+
+def _draw_jacobian(arm: Arm, rng: Rng) -> dict[str, Any]:
+    return {
+        "q": _pose(arm, rng).tolist(),
+        "q_dot": (rng.uniform(-1, 1, arm.dof).round(1) + 0.0).tolist(),
+        "column": int(rng.integers(1, arm.dof + 1)),
+    }
+
+
+def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
+    q, q_dot, column = np.array(given["q"]), np.array(given["q_dot"]), int(given["column"])
+    J = jacobian(arm, q)
+    entries = [str(entry) for entry in symbolic.jacobian(arm)[:, column - 1]]
+    names = ", ".join(f"`{name}`" for name in (*arm.variables, *arm.values))
+    text = (
+        f"At $q = {matrix(q)}$ the joints move at the rates $\\dot q = {matrix(q_dot)}$."
+        " How does the tip move?"
+        f" Then column {column} of the Jacobian in symbols, for any $q$: write {names}."
+    )
+    formula = f"column {column} in symbols, six formulas"
+    return text, (
+        Part("J", "the Jacobian, rows $(v, \\omega)$ in base axes", "jacobian", J, 2e-3),
+        Part("xi", "the tip's velocity (m/s, rad/s)", "numbers", J @ q_dot, 5e-3),
+        Part("J_column", formula, "column", entries, 1e-6),
+    )
+
+
+def _draw_circle(arm: Arm, rng: Rng) -> dict[str, Any]:
+    for _ in range(_TRIES):
+        given = {
+            "q": _pose(arm, rng).tolist(),
+            "radius": int(rng.integers(5, 11)) / 100,
+            "plane": str(rng.choice(["xy", "yz", "zx"])),
+            "duration": int(rng.integers(2, 7)) * 5,
+        }
+        try:
+            report = traced(arm, given, 100).report
+        except (SingularError, ArmError):
+            continue
         if report.executable and report.smallest_singular_value > _SMALLEST:
-            return run, radius, plane
+            return given
     raise ArmError(f"{arm.name}: no circle that it can draw was found in {_TRIES} tries")
 
 
-def _static_torque(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
+def path_of(arm: Arm, given: Given, steps: int = _STEPS) -> Path:
+    """The circle that was drawn: its start is the farthest point along the plane's first axis."""
+    top = forward_kinematics(arm, given["q"])[:3, 3]
+    centre = top - given["radius"] * np.eye(3)["xyz".index(given["plane"][0])]
+    return circle(centre, given["radius"], given["plane"], given["duration"], steps)
+
+
+def traced(arm: Arm, given: Given, steps: int = _STEPS) -> Trace:
+    """The exact run along the circle that was drawn."""
+    path = path_of(arm, given, steps)
+    return trace(arm, given["q"], path, method="exact", rates=plain_inverse(1e-4))
+
+
+def _ask_circle(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
+    run, (first, second) = traced(arm, given), given["plane"]
+    centre = run.path.positions[0] - given["radius"] * np.eye(3)["xyz".index(first)]
+    text = (
+        f"The tip starts at $q = {matrix(given['q'])}$ and draws a circle of radius"
+        f" {given['radius']:g} m in"
+        f" the {first}{second} plane in {given['duration']:g} s, at even speed and held"
+        f" orientation. The start"
+        f" is the circle's farthest point along $+{first}$; from there the tip moves towards"
+        f" $+{second}$."
+        f" Use {_STEPS} Euler steps or more, or a better method."
+    )
+    joints = "the joints after {} of the time (rad; m where one slides)"
+    return text, (
+        Part("centre", "the circle's centre (m)", "numbers", centre, 1e-3),
+        Part("quarter", joints.format("a quarter"), "numbers", run.q[_STEPS // 4], 1e-2),
+        Part("half", joints.format("half"), "numbers", run.q[_STEPS // 2], 1e-2),
+    )
+
+
+def _draw_torque(arm: Arm, rng: Rng) -> dict[str, Any]:
     q, force = _pose(arm, rng), np.zeros(3)
-    force[rng.integers(3)] = float(rng.choice([-1, 1])) * float(rng.integers(4, 21)) / 2
-    question = (
-        f"At $q = {_matrix(q)}$ the world acts on the tip with the force ${_matrix(force)}$ N"
-        " (base axes)."
-        " Which torques hold the arm without it, which with it? Take 9.81 m/s². Masses, and"
-        " centres of mass in the"
-        f" frames of the table:\n\n{_bodies(arm)}"
+    force[rng.integers(3)] = float(rng.choice([-1, 1])) * float(rng.integers(10, 41)) / 2
+    return {"q": q.tolist(), "force": force.tolist()}
+
+
+def _ask_torque(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
+    q, force = np.array(given["q"]), np.array(given["force"])
+    text = (
+        f"At $q = {matrix(q)}$ the world acts on the tip with the force ${matrix(force)}$ N"
+        f" (base axes, no"
+        " moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
+        " Masses, and centres"
+        f" of mass in the frames of the table:\n\n{_bodies(arm)}"
     )
     tau = static_torque(arm, q, np.r_[force, 0, 0, 0])
-    return question, {
-        "g": Answer("the torques that hold the weight (N m)", gravity_torque(arm, q), 0.02),
-        "tau": Answer("the torques with the force (N m)", tau, 0.02),
-    }
+    return text, (
+        Part(
+            "g", "the torques that hold the weight (N m)", "torques", gravity_torque(arm, q), 5e-3
+        ),
+        Part("tau", "the torques with the force (N m)", "torques", tau, 5e-3),
+    )
 
 
-def _inverse_kinematics(arm: Arm, rng: Rng) -> tuple[str, dict[str, Answer]]:
-    q = _pose(arm, rng)
-    wanted = forward_kinematics(arm, q)[:3] if arm.dof >= 6 else forward_kinematics(arm, q)[:3, 3:]
-    columns = wanted.shape[1]
-    what = "the pose $[R\\ p]$" if columns == 4 else "the position $p$"
-    question = f"Find joint values that give the tip {what} $= {_matrix(wanted.round(4) + 0.0)}$."
-
-    def pose(given: Array) -> Array:
-        return forward_kinematics(arm, given)[:3, -columns:]
-
-    return question, {"q": Answer("joint values (rad; m) that give this", wanted, 1e-2, pose)}
+def _draw_target(arm: Arm, rng: Rng) -> dict[str, Any]:
+    T = forward_kinematics(arm, _pose(arm, rng))
+    asked = T[:3] if arm.dof >= 6 else T[:3, 3:]
+    return {"target": (asked.round(_POSE_DIGITS) + 0.0).tolist()}
 
 
-_TOPICS: Mapping[str, Callable[[Arm, Rng], tuple[str, dict[str, Answer]]]] = {
-    "DH tables": _dh_tables,
-    "Jacobian": _jacobian,
-    "circle tracing": _circle_tracing,
-    "static torque": _static_torque,
-    "inverse kinematics": _inverse_kinematics,
+def _ask_target(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
+    target, solver = np.array(given["target"]), closed_form(arm)
+    asked = "pose $[R\\ p]$" if target.shape[1] == 4 else "position $p$"
+    sought = "every set of joint values within the limits" if solver else "joint values"
+    limits = "; ".join(
+        f"${name.replace('q_', 'q_{')}}}$ from {low:g} to {high:g}"
+        for name, low, high in zip(arm.variables, *arm.limits, strict=True)
+        if np.isfinite([low, high]).all()
+    )
+    text = f"Find {sought} that give the tip the {asked} $= {matrix(target, _POSE_DIGITS)}$." + (
+        f" Limits: {limits}; whole turns count as the same." if limits else ""
+    )
+    if solver is None:
+        what = "joint values (rad; m where one slides) that give this"
+        return text, (Part("q", what, "pose", one_way(arm, target), 1e-2),)
+    what = "the branches, one row of joint values each (rad; m where one slides)"
+    return text, (Part("q", what, "branches", branches_of(arm, target), 1e-2),)
+
+
+def pose_of(target: Array) -> Array:
+    """A target as printed, 3 × 4, as a rigid motion: the nearest rotation beside its position."""
+    if target.shape[1] == 1:
+        return target[:, 0]
+    U, _, V = np.linalg.svd(target[:, :3])
+    T = np.eye(4)
+    T[:3] = np.c_[U @ V, target[:, 3]]
+    return T
+
+
+def one_way(arm: Arm, target: Array) -> Array:
+    """Joint values within the limits that reach a target, shape (dof,).
+
+    Raises ArmError where fifty random starts of the numeric search find none.
+    """
+    found = inverse.solve(arm, pose_of(target), tolerance=1e-9, restarts=50)
+    if not found.reached:
+        raise ArmError(f"{arm.name}: no joint values within the limits were found for the target")
+    return found.q
+
+
+def branches_of(arm: Arm, target: Array) -> Array:
+    """Every branch within the joint limits, shape (k, dof)."""
+    solver = closed_form(arm)
+    found = solver(arm, pose_of(target)) if solver else None
+    if found is None:
+        raise ArmError(f"{arm.name}: the book has no closed form for it")
+    lower, upper = arm.limits
+    q = found.q[found.within_limits]
+    turns = np.where(arm.turning, 2 * np.pi, 0.0)
+    return q + turns * ((q < lower - 1e-9).astype(float) - (q > upper + 1e-9))
+
+
+@dataclass(frozen=True)
+class _Topic:
+    draw: Callable[[Arm, Rng], dict[str, Any]]
+    ask: Callable[[Arm, Given], tuple[str, tuple[Part, ...]]]
+
+
+_TOPICS = {
+    "DH table": _Topic(_draw_table, _ask_table),
+    "forward kinematics": _Topic(_draw_pose, _ask_pose),
+    "Jacobian": _Topic(_draw_jacobian, _ask_jacobian),
+    "circle tracing": _Topic(_draw_circle, _ask_circle),
+    "static torque": _Topic(_draw_torque, _ask_torque),
+    "inverse kinematics": _Topic(_draw_target, _ask_target),
 }
 TOPICS = tuple(_TOPICS)
-
-
-def _title(topic: str) -> str:
-    return topic[0].upper() + topic[1:]
 
 
 def _bodies(arm: Arm) -> str:
@@ -270,8 +503,8 @@ def _bodies(arm: Arm) -> str:
     return "\n".join(lines)
 
 
-def _matrix(values: Array) -> str:
-    """A vector or a matrix in LaTeX, to four decimals."""
-    rows = np.atleast_2d(np.round(values, 4) + 0.0)
-    lines = [" & ".join(f"{x:.4g}" for x in row) for row in rows]
+def matrix(values: Any, digits: int = 4) -> str:
+    """A vector or a matrix in LaTeX, rounded to that many decimals."""
+    rows = np.atleast_2d(np.round(np.asarray(values, dtype=float), digits) + 0.0)
+    lines = [" & ".join(f"{x:.{digits + 1}g}" for x in row) for row in rows]
     return "\\begin{bmatrix}" + " \\\\ ".join(lines) + "\\end{bmatrix}"

@@ -5,6 +5,7 @@ import { readEntry } from "../explorer/src/entry.js";
 import { exported } from "../explorer/src/exports.js";
 import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../explorer/src/kinematics.js";
 import { determinant, singular } from "../explorer/src/linear.js";
+import { fromFragment } from "../explorer/src/link.js";
 import { otherWays, traceCircle } from "../explorer/src/motion.js";
 import { runCircle, torquesAlong, windingByRadius } from "../explorer/src/runs.js";
 import { sameArm } from "../explorer/src/same.js";
@@ -12,6 +13,8 @@ import { derive } from "../explorer/src/state.js";
 import { stillShapes } from "../explorer/src/still.js";
 import { entryText } from "../explorer/src/text.js";
 import { rankVerdict, waysVerdict } from "../explorer/src/verdicts.js";
+
+const VIEWS = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"];
 
 function numbers(arm, q, wrench) {
   const frames = linkFrames(arm, q);
@@ -40,6 +43,7 @@ const jobs = {
   entries: ({ typed }) => typed.map(([text, quantity, unit]) => readEntry(text, quantity, unit)),
   written: ({ values }) => values.map(([value, angle, unit]) => entryText(value, angle, unit)),
   still: ({ arm, q }) => stillShapes(arm, linkFrames(arm, q)),
+  links: ({ arms, fragments }) => fragments.map((one) => fromFragment(one, arms, VIEWS)),
   exported: ({ arm, q, format }) => exported(format, { arm, q }),
 };
 

@@ -6,6 +6,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urldefrag
 
+import nbformat
 import pytest
 
 ROOT = Path(__file__).parents[1]
@@ -113,7 +114,21 @@ def test_the_stylesheets_load_nothing_from_elsewhere():
 
 def test_every_notebook_can_be_downloaded():
     for name in (n for n in NAMES if (ROOT / f"book/{n}.ipynb").exists()):
-        assert f"_sources/{name}.ipynb" in " ".join(page(HTML / f"{name}.html").links)
+        assert f"notebooks/{name}.ipynb" in " ".join(page(HTML / f"{name}.html").links)
+
+
+def test_downloaded_notebooks_are_plain_and_whole():
+    """No directive, role or label is left, and all code is there as in the book's own."""
+    for path in sorted((HTML / "notebooks").glob("*.ipynb")):
+        made, own = nbformat.read(path, 4), nbformat.read(ROOT / "book" / path.name, 4)
+        nbformat.validate(made)
+        text = "\n".join(cell.source for cell in made.cells if cell.cell_type == "markdown")
+        assert not re.search(r"(?m)^[`:]{3,}\{|\{[a-z:]+\}`|^\([\w-]+\)=|\$\$ \(", text), path.name
+        code = [
+            [cell.source for cell in nb.cells if cell.cell_type == "code"] for nb in (made, own)
+        ]
+        assert code[0] == code[1]
+        assert "%pip install" in made.cells[0].source
 
 
 @every_page

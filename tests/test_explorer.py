@@ -117,6 +117,20 @@ def test_the_sources_keep_their_own_rules():
 
 
 @needs_node
+def test_the_links_of_the_errata_open_what_they_say():
+    """Each fragment is read without complaint."""
+    text = (ROOT / "book" / "errata.md").read_text(encoding="utf-8")
+    fragments = [f.replace("&amp;", "&") for f in re.findall(r'explorer\.html(#[^"]*)"', text)]
+    assert len(fragments) >= 12
+    arms = [arm_data(arm) for arm in ARMS]
+    for fragment, answer in zip(
+        fragments, ask("links", arms=arms, fragments=fragments), strict=True
+    ):
+        assert answer["words"] == "", fragment
+        assert {"arm", "q", "view"} <= set(answer["patch"]), fragment
+
+
+@needs_node
 @every_arm
 def test_the_rank_said_is_that_of_the_rows_the_arm_is_for(arm):
     """Poses that are singular are among them: home, and every joint at a multiple of a quarter
@@ -217,6 +231,16 @@ def test_the_ur10e_breaks_jumps_and_is_damped_as_the_homework_says():
     assert others[0]["fastest"] == pytest.approx(6.57, abs=0.005)
     largest = [round(1000 * run["largest"], 1) for run in others]
     assert largest == [3.5, 46.0, 11.0, 2.6]
+
+
+@needs_node
+def test_slip_19_tilts_the_pen_as_the_errata_say():
+    runs = [{"slip": "angular"}, {}]
+    slip, right = ask("runs", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, runs=runs)
+    assert math.degrees(slip["tilt"]) == pytest.approx(12.3, abs=0.05)
+    assert [1000 * run["largest"] for run in (slip, right)] == pytest.approx(
+        [0.654, 0.127], abs=6e-4
+    )
 
 
 @needs_node

@@ -4,10 +4,12 @@ import re
 import xml.etree.ElementTree as ET
 from types import SimpleNamespace
 
+import nbformat
 import pytest
 from docutils import nodes
 from pygments.lexers import PythonLexer
 
+from tools.download import Book, edition, plain
 from tools.pages import LightFormatter, assets, fold, size_unset
 from tools.pictures import for_dark, panels, size, turned, visit_image
 
@@ -173,3 +175,83 @@ def test_a_changed_asset_is_seen(tmp_path):
     assert assets(tmp_path, config) != before
     (tmp_path / "static/b.css").write_text("a", encoding="utf-8")
     assert assets(tmp_path, config) == before
+
+
+@pytest.fixture
+def book():
+    """What the download edition asks of a built book, which is published."""
+    domains = {
+        "std": SimpleNamespace(
+            labels={"sec-a": ("one", "a", "Alpha")},
+            anonlabels={"fig-a": ("one", "fig-a"), "slip-1": ("one", "slip-1")},
+        ),
+        "math": SimpleNamespace(equations={"eq-a": ("one", 1)}),
+    }
+    numbers = {"figure": {"fig-a": (1, 2)}, "displaymath": {"equation-eq-a": (1, 3)}}
+    env = SimpleNamespace(
+        domains=domains,
+        toc_fignumbers={"one": numbers},
+        toc_secnumbers={"one": {"#a": (1, 4)}},
+        titles={"one": nodes.title("", "First")},
+    )
+    options = {"repository_url": "https://github.com/Owner/book"}
+    return Book(SimpleNamespace(env=env, config=SimpleNamespace(html_theme_options=options)))
+
+
+HERE = "https://owner.github.io/book/"
+
+
+@pytest.mark.parametrize(
+    ("source", "expected"),
+    [
+        ("see {ref}`sec-a`", f"see [1.4 Alpha]({HERE}one.html#a)"),
+        ("see {ref}`slip 1 <slip-1>`", f"see [slip 1]({HERE}one.html#slip-1)"),
+        ("{numref}`fig-a` by {eq}`eq-a`", f"[Fig. 1.2]({HERE}one.html#fig-a) by (1.3)"),
+        ("{doc}`one`", f"[First]({HERE}one.html)"),
+        ("a {term}`tip`", f"a [tip]({HERE}glossary.html#term-tip)"),
+        ("so {footcite:p}`spong2020`", f"so ([Spong 2020]({HERE}references.html))"),
+        ("(sec-a)=\n\n## Alpha", "## Alpha"),
+        ("$$\nx\n$$ (eq-a)", "$$\nx\n\\tag{1.3}$$"),
+        (
+            "```{admonition} Slip 1\n:class: slip\n> said\n\nWrong.\n```",
+            "> **Slip 1**\n>\n> > said\n>\n> Wrong.\n",
+        ),
+        ("```{exercise} How?\n:label: ex\nTry.\n```", "#### Exercise: How?\nTry.\n"),
+        ("```{solution-end}\n```", ""),
+        ("```python\nq = {1}\n```", "```python\nq = {1}\n```"),
+    ],
+)
+def test_plain_markdown(book, source, expected):
+    assert plain(source, book) == expected
+
+
+def test_a_solution_folds_with_its_cells_and_ends_at_the_next_heading(book):
+    text = (
+        "```{exercise} How?\n:label: a\nTry.\n```\n\n"
+        "```{solution-start} a\n:class: dropdown\n```\n\nSo."
+    )
+    after = "```{solution-end}\n```\n\n```{exercise} Why?\n:label: b\nThink.\n```"
+    code = nbformat.v4.new_code_cell(
+        "1", metadata={"mystnb": {"figure": {"caption": "One.", "name": "fig-a"}}}
+    )
+    cells = [nbformat.v4.new_markdown_cell(text), code, nbformat.v4.new_markdown_cell(after)]
+    made = edition(nbformat.v4.new_notebook(cells=cells), "one", book).cells
+    assert [cell.source.split("\n")[0] for cell in made[1:]] == [
+        "#### Exercise: How?",
+        "#### Solution",
+        "So.",
+        "1",
+        f"*[Fig. 1.2]({HERE}one.html#fig-a). One.*",
+        "#### Exercise: Why?",
+    ]
+    assert [cell.metadata.get("jp-MarkdownHeadingCollapsed", False) for cell in made[1:3]] == [
+        False,
+        True,
+    ]
+    assert "git+https://github.com/Owner/book" in made[0].source
+    assert len({cell.id for cell in made}) == len(made)
+
+
+def test_links_are_words_where_no_repository_is_set(book):
+    book.address = ""
+    assert plain("see {ref}`sec-a` by {eq}`eq-a`", book) == "see 1.4 Alpha by (1.3)"

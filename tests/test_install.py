@@ -45,3 +45,19 @@ def test_every_module_is_there_without_extras_and_the_explorer_says_what_it_need
     assert done.returncode == 0, done.stderr
     wanted = 'pip install "manipulator-homework-helpers[explorer]"\n'
     assert done.stdout == f"the explorer needs anywidget; say: {wanted}"
+
+
+def test_the_wheel_holds_the_whole_package_and_nothing_else(python, tmp_path):
+    """Typed, with its scripts and style sheets; no tests, no bundler's sources."""
+    done = subprocess.run(
+        [python, "-c", "import helpers; print(helpers.__path__[0])"], cwd=tmp_path,
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    place = Path(done.stdout.strip())
+
+    def files(folder):
+        found = (p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
+        return {p.as_posix() for p in found if "__pycache__" not in p.parts}
+
+    assert files(place) == files(ROOT / "helpers")
+    assert not any((place.parent / name).exists() for name in ("tests", "tools", "book"))

@@ -14,31 +14,41 @@ from matplotlib.figure import Figure
 from matplotlib.text import Annotation
 
 from helpers.arm import Joint
+from helpers.derive import Axis, derive
 from helpers.inverse import elbow
 from helpers.kinematics import link_frames, skeleton
 from helpers.motion import circle, trace
 from helpers.plotting import (
+    angle,
     arm_2d,
     arm_3d,
+    arm_drawing,
     arrow_2d,
     arrow_3d,
+    axis_lines,
     dh_numbers,
+    dimension,
     ellipsoid_3d,
+    frames,
     from_above,
     joints,
     law_of_cosines,
+    lengths,
     map_2d,
     moving_picture,
     path_2d,
     pen_and_wall,
+    postures,
     regions,
+    row_drawing,
     stick_3d,
     torques,
     use_book_style,
 )
 from helpers.plotting.arms import barrel
+from helpers.plotting.drawing import seen
 from helpers.plotting.style import RED, STYLE, svg
-from helpers.robots import ELBOW, PANDA_HOMEWORK, UR10E
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.laws import ALL_ARMS, ids, joint_vectors
 
 every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
@@ -354,3 +364,130 @@ def test_the_books_style_is_set_with_and_without_a_notebook(monkeypatch):
     )
     use_book_style()
     assert kept == {Figure: svg}
+
+
+# The drawing board
+
+
+def texts(ax):
+    return [text.get_text() for text in ax.texts if text.get_text()]
+
+
+@pytest.mark.parametrize("view", ["xz", "yz", "xy", "zy", (30, 18), (-60, 90), (200, -40)])
+def test_a_view_is_a_rotation(view):
+    right, up, towards = seen(np.eye(3), view).T
+    np.testing.assert_allclose(np.stack([right, up, towards]) @ seen(np.eye(3), view), np.eye(3),
+                               atol=1e-15)  # fmt: skip
+    np.testing.assert_allclose(np.cross(right, up), towards, atol=1e-15)
+
+
+def test_a_view_looks_from_where_it_says():
+    """From an azimuth of 0 one sees y to the right, from 90 degrees -x; high up is up."""
+    np.testing.assert_allclose(seen([0, 1, 0], (0, 20))[:2], [1, 0], atol=1e-15)
+    np.testing.assert_allclose(seen([1, 0, 0], (90, 20))[0], -1, atol=1e-15)
+    assert seen([0, 0, 1], (37, 20))[1] > 0
+    assert seen([1, 0, 0], (0, 20))[2] > 0
+    np.testing.assert_allclose(seen([1, 2, 3], "xz"), [1, 3, -2])
+
+
+@every_arm
+def test_an_arm_is_drawn_through_its_table(arm):
+    q, (_, ax) = joint_vectors(arm, ()), plt.subplots()
+    arm_drawing(ax, arm, q, (30, 18))
+    T = link_frames(arm, q)
+    np.testing.assert_allclose(ax.lines[0].get_xydata(), seen(skeleton(arm, T), (30, 18))[:, :2])
+    assert len(ax.patches) == 2 * arm.dof
+
+
+def test_lengths_are_the_table_s():
+    _, ax = plt.subplots()
+    steps = {"d_1": (-0.2, 0), "a_2": (-0.2, 0), "d_4": (0, 0.1), "d_6": (0, 0.1)}
+    lengths(ax, UR10E_HOMEWORK, UR10E_HOMEWORK.home, "yz", steps)
+    wanted = ["$d_{1} = 128$", "$a_{2} = 612.7$", "$d_{4} = 163.9$", r"$d_{6}+l_{pen} = 192.2$"]
+    assert [text.replace(" + ", "+") for text in texts(ax)] == wanted
+    arrows = [text for text in ax.texts if not text.get_text()]
+    drawn = [np.hypot(*np.subtract(arrow.xy, arrow.xyann)) for arrow in arrows]
+    np.testing.assert_allclose(drawn, [0.128, 0.6127, 0.1639, 0.1922], atol=1e-12)
+
+
+def test_a_sliding_step_is_called_by_its_variable():
+    _, ax = plt.subplots()
+    lengths(ax, STANFORD, STANFORD.home, "yz", {"d_3": (0.1, 0), "d_2": (0, -0.1)})
+    assert texts(ax) == ["$q_{3} = 500$", "$d_{2} = 154$"]
+
+
+def test_a_dimension_line_stands_aside():
+    _, ax = plt.subplots()
+    dimension(ax, (0, 0), (2, 0), (0, 0.5), "two")
+    arrow = next(text for text in ax.texts if not text.get_text())
+    assert (tuple(arrow.xyann), tuple(arrow.xy)) == ((0, 0.5), (2, 0.5))
+    assert texts(ax) == ["two"]
+
+
+def test_frames_that_share_an_arrow_share_its_name():
+    _, ax = plt.subplots()
+    frames(ax, PANDA, PANDA.home, (-60, 18), 0.1)
+    assert "$x_{1,2}$" in texts(ax)
+    assert len(texts(ax)) == 2 * 8 - 1
+    _, ax = plt.subplots()
+    frames(ax, PANDA, PANDA.home, (-60, 18), 0.1, [0, 7])
+    assert texts(ax) == ["$x_{0}$", "$z_{0}$", "$x_{7}$", "$z_{7}$"]
+
+
+AXES = [Axis((0, 0, 0), (0, 0, 1)), Axis((0, 0, 0.3), (0, 1, 0)), Axis((0, 0, 0.8), (0, 1, 0)),
+        Axis((0.1, 0, 0), (0, 0, 1))]  # fmt: skip
+
+
+def test_axes_alone_have_their_names():
+    _, ax = plt.subplots()
+    axis_lines(ax, derive(AXES, (0.1, 0, 1)), (-60, 18), 0.2)
+    assert texts(ax) == ["$z_{0}$", "$z_{1}$", "$z_{2}$", "$z_{3}$"]
+    one_line = [AXES[0], Axis((0, 0, 0.5), (0, 0, 1))]
+    _, ax = plt.subplots()
+    axis_lines(ax, derive(one_line, (0, 0, 1)), (-60, 18), 0.2)
+    assert texts(ax) == ["$z_{0,1}$"]
+
+
+@pytest.mark.parametrize(
+    ("row", "names", "d", "a"),
+    [(1, {"x_{0}", "x_{1}", "z_{0}", "z_{1}"}, 0.3, 0),
+     (2, {"x_{1}", "x_{2}", "z_{1}", "z_{2}"}, 0, 0.5),
+     (4, {"x_{3}", "x_{4}", "z_{3,4}"}, 0.2, 0)],
+)  # fmt: skip
+def test_a_row_is_drawn_with_its_steps(row, names, d, a):
+    _, ax = plt.subplots()
+    row_drawing(ax, derive(AXES, (0.1, 0, 1)), row, "xz")
+    assert {text.strip("$") for text in texts(ax)} == names
+    assert ax.get_title() == f"row {row}"
+    steps = [line.get_xydata() for line in ax.lines if line.get_linewidth() == 4]
+    np.testing.assert_allclose([np.hypot(*np.diff(s, axis=0)[0]) for s in steps], [d, a], atol=1e-9)
+
+
+def test_every_row_of_an_arm_fits_its_window():
+    found = derive(AXES, (0.1, 0, 1))
+    for row in range(1, 5):
+        _, ax = plt.subplots()
+        row_drawing(ax, found, row, (-60, 18))
+        (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
+        for x, y in [text.xy for text in ax.texts]:
+            assert left < x < right
+            assert low < y < high
+
+
+def test_postures_have_one_scale_and_end_in_their_star():
+    _, axes = plt.subplots(1, 2)
+    poses = np.radians([[0, 90, 0], [0, 0, 0]])
+    postures(axes, ELBOW, poses, ("up", "level"), "xz")
+    assert axes[0].get_xlim() == axes[1].get_xlim()
+    assert axes[0].get_ylim() == axes[1].get_ylim()
+    stars = [line.get_xydata()[0] for ax in axes for line in ax.lines if line.get_marker() == "*"]
+    np.testing.assert_allclose(stars, [[0, 1.2], [0.7, 0.5]], atol=1e-12)
+
+
+def test_an_angle_has_its_name_beside_its_middle():
+    _, ax = plt.subplots()
+    angle(ax, (1, 0), 0.1, 90, 0, "theta")
+    (text,) = ax.texts
+    np.testing.assert_allclose(
+        np.subtract(text.get_position(), (1, 0)), 0.128 * np.sqrt([0.5, 0.5])
+    )

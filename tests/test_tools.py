@@ -1,34 +1,27 @@
 """The tools beside the book: the PDF's order, bookmarks and link, and notebooks refreshed the same
 on every machine."""
 
-import io
 import re
+import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import nbformat
 import pytest
-from pypdf import PdfReader, PdfWriter
+import yaml
 
-from tools import pdf
+from tools import address, pdf
 from tools.refresh import refresh
 
 ROOT = Path(__file__).parents[1]
 
 
-def blank(pages):
-    writer, data = PdfWriter(), io.BytesIO()
-    for _ in range(pages):
-        writer.add_blank_page(width=595, height=842)
-    writer.write(data)
-    return data.getvalue()
-
-
 def test_the_pages_come_in_the_order_of_the_contents():
     names = pdf.names()
-    assert names[:3] == [
-        "intro",
-        *re.findall(r"file: (\S+)", (pdf.ROOT / "book/_toc.yml").read_text(encoding="utf-8"))[:2],
-    ]
+    contents = (pdf.ROOT / "book/_toc.yml").read_text(encoding="utf-8")
+    assert names[0] == "intro"
+    listed = re.findall(r"file: (\S+)", contents)
+    assert names[1:] == [name for name in listed if name not in pdf.ALONE]
     assert len(names) == len(set(names))
     for name in names:
         assert any((pdf.ROOT / "book" / f"{name}.{kind}").exists() for kind in ("md", "ipynb")), (
@@ -36,24 +29,28 @@ def test_the_pages_come_in_the_order_of_the_contents():
         )
 
 
-def test_the_parts_become_one_document_with_a_bookmark_each(tmp_path):
-    path = tmp_path / "book.pdf"
-    assert pdf.joined([("One", blank(2)), ("Two", blank(3))], path) == 5
-    read = PdfReader(path)
-    assert [(mark.title, read.get_destination_page_number(mark)) for mark in read.outline] == [
-        ("One", 0),
-        ("Two", 2),
-    ]
-    assert read.metadata.title == "Robot homework companion"
-
-
-def test_the_link_stands_once_below_the_articles_title(tmp_path):
+def test_the_first_page_shows_its_link_once_there_is_a_pdf(tmp_path):
     page = tmp_path / "intro.html"
-    page.write_text("<h1>Menu</h1><article><h1>Book</h1><h1>No</h1></article>", encoding="utf-8")
+    page.write_text(f"<article></article>{pdf.HIDDEN}PDF</p>", encoding="utf-8")
     pdf.link(page)
     pdf.link(page)
-    html = page.read_text(encoding="utf-8")
-    assert html == f"<h1>Menu</h1><article><h1>Book</h1>\n{pdf.LINK}<h1>No</h1></article>"
+    assert page.read_text(encoding="utf-8") == f"<article></article>{pdf.SHOWN}PDF</p>"
+    page.write_text("<article></article>", encoding="utf-8")
+    with pytest.raises(RuntimeError, match="no place"):
+        pdf.link(page)
+
+
+def test_references_are_printed_again_until_their_pages_hold(monkeypatch):
+    """The second print moves a place, the third does not."""
+    found = iter([{"a": 3}, {"a": 4}, {"a": 4}])
+    monkeypatch.setattr(pdf, "places", lambda data: next(found))
+    said = []
+    page = SimpleNamespace(evaluate=lambda _, pages: said.append(pages), pdf=lambda **_: b"%PDF")
+    assert pdf.printed(page) == b"%PDF"
+    assert said == [{}, {"a": 3}, {"a": 4}]
+    monkeypatch.setattr(pdf, "places", lambda data: {"a": len(said)})
+    with pytest.raises(RuntimeError, match="still move"):
+        pdf.printed(page)
 
 
 @pytest.fixture
@@ -97,3 +94,36 @@ def test_the_tests_weigh_less_than_what_they_test():
 
     code = lines("helpers/**/*.py", "tools/*.py", "explorer/src/**/*.js")
     assert lines("tests/**/*.py", "tests/**/*.mjs") < 0.8 * code
+
+
+@pytest.fixture
+def root(tmp_path):
+    """A copy of the files in which the repository's address stands."""
+    for name in ("book/_config.yml", "CITATION.cff", "pyproject.toml"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text((pdf.ROOT / name).read_text("utf-8"), "utf-8")
+    address.write("", tmp_path)
+    return tmp_path
+
+
+def test_one_setting_says_everywhere_where_the_repository_is(root):
+    names = ("book/_config.yml", "CITATION.cff", "pyproject.toml")
+    before = [(root / name).read_text("utf-8") for name in names]
+    for url in ("https://github.com/Other/old", "https://github.com/Owner/book"):
+        address.write(url, root)
+    assert address.setting(root) == "https://github.com/Owner/book"
+    citation = yaml.safe_load((root / "CITATION.cff").read_text("utf-8"))
+    assert citation["repository-code"] == "https://github.com/Owner/book"
+    assert citation["url"] == "https://owner.github.io/book/"
+    urls = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["project"]["urls"]
+    assert urls == {"Book": citation["url"], "Source": citation["repository-code"]}
+    address.write("", root)
+    assert [(root / name).read_text("utf-8") for name in names] == before
+
+
+def test_the_files_that_name_the_repository_agree():
+    url = address.setting()
+    citation = yaml.safe_load((pdf.ROOT / "CITATION.cff").read_text("utf-8"))
+    project = tomllib.loads((pdf.ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    assert citation.get("repository-code", "") == project.get("urls", {}).get("Source", "") == url
+    assert citation["version"] == project["version"]

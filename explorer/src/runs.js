@@ -2,7 +2,7 @@
 // its stand-ins, with or without feedback, and with a mistake where one is asked for. tests/test_explorer.py holds it
 // against helpers.motion.
 
-import { joints, linkFrames, minus, norm, plus, cross, scaled, jacobianColumns } from "./kinematics.js";
+import { cross, dot, jacobianColumns, joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
 import { gravityTorque, wrenchTorque } from "./kinematics.js";
 import { singular } from "./linear.js";
 import { reach } from "./motion.js";
@@ -20,7 +20,7 @@ import { reach } from "./motion.js";
  * @property {number} cutoff share of the largest singular value below which the pseudo-inverse gives up
  * @property {number} damping
  * @property {number} locked the joint, as its index in q, that stays; -1 for none
- * @property {"" | "z_i" | "o_i" | "sign"} slip
+ * @property {"" | "angular" | "z_i" | "o_i" | "sign"} slip
  */
 
 /** @type {Run} */
@@ -46,6 +46,12 @@ export function onCircle(top, { radius, normal, seconds }, share) {
 
 // The Jacobian's columns as a mistake makes them.
 function columnsOf(arm, frames, slip) {
+  if (slip === "angular") {
+    const after = joints(arm).map((row) =>
+      arm.rows[row].kind === "revolute" ? frames[row + 1].z : [0, 0, 0],
+    );
+    return jacobianColumns(arm, frames).map((column, k) => [...column.slice(0, 3), ...after[k]]);
+  }
   if (slip !== "z_i" && slip !== "o_i") return jacobianColumns(arm, frames);
   const tip = frames.at(-1).o;
   return joints(arm).map((row) => {
@@ -93,7 +99,7 @@ export function runCircle(arm, start, asked = {}) {
   const h = run.seconds / run.steps;
   const every = Math.max(1, Math.ceil(run.steps / (KEPT - 1)));
   const kept = { path: [start], errors: [0], at: [0] };
-  let [q, least, largest, fastest, failed] = [[...start], Infinity, 0, 0, null];
+  let [q, least, largest, fastest, failed, tilt] = [[...start], Infinity, 0, 0, null, 0];
 
   const slope = (share, at) => {
     const frames = linkFrames(arm, at);
@@ -126,7 +132,9 @@ export function runCircle(arm, start, asked = {}) {
       failed = n;
       break;
     }
-    const off = norm(minus(linkFrames(arm, q).at(-1).o, onCircle(first.o, run, next).o));
+    const there = linkFrames(arm, q).at(-1);
+    const off = norm(minus(there.o, onCircle(first.o, run, next).o));
+    tilt = Math.max(tilt, Math.atan2(norm(cross(there.z, first.z)), dot(there.z, first.z)));
     if (!Number.isFinite(off)) failed = n;
     largest = Math.max(largest, off);
     if ((n + 1) % every === 0 || n + 1 === run.steps) {
@@ -136,7 +144,7 @@ export function runCircle(arm, start, asked = {}) {
     }
   }
   return {
-    ...kept, run, largest, least, fastest, failed,
+    ...kept, run, largest, least, fastest, failed, tilt,
     wound: q.map((x, i) => (arm.rows[joints(arm)[i]].kind === "revolute" ? (x - start[i]) / (2 * Math.PI) : 0)),
   }; // prettier-ignore
 }
@@ -190,7 +198,7 @@ const CHOICES = {
   method: ["euler", "rk4", "exact"],
   rates: ["inverse", "pseudo", "damped"],
   normal: ["x", "y"],
-  slip: ["", "z_i", "o_i", "sign"],
+  slip: ["", "angular", "z_i", "o_i", "sign"],
 };
 export const BOUNDS = {
   steps: [10, 10000], seconds: [1, 60], radius: [0.01, 0.1], gain: [0, 20], cutoff: [1e-9, 0.1], damping: [1e-3, 0.2],

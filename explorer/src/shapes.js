@@ -48,6 +48,7 @@ const SHARED = new Set([ROD, BARREL, BALL, BOX, POINT, SQUARE, RING]);
 // Whether a geometry belongs to all figures of the page, and so to none of them.
 export const isShared = (geometry) => SHARED.has(geometry);
 
+export const paint = (colour) => new MeshBasicMaterial({ color: colour });
 export const ball = (material) => new Mesh(BALL, material);
 export const rod = (material) => new Mesh(BARREL, material);
 

@@ -15,7 +15,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -137,7 +137,8 @@ def _walk(rows: Rows, q: Sequence[float]) -> list[Gap]:
     turning = [k for k, i in enumerate(moving) if rows[i - 1].kind == "R"]
     first, *others = [*turning, dof]
     found = [_gap(axes, range(min(first + 1, dof)), (0.0, 0.0, 0.0), None, (), True, False)]
-    foot, bunch = T[0].o, ()
+    bunch: tuple[int, ...] = ()
+    foot = T[0].o
     for i, j in zip(turning, others, strict=True):
         end, other = (points[j], axes[j]) if j < dof else (T[-1].o, None)
         foot = foot if bunch else _onto(points[i], axes[i], foot)
@@ -158,7 +159,9 @@ def _gap(axes: list[Vector], between: range, normal: Vector, *rest) -> Gap:
     length = math.sqrt(dot(normal, normal))
     if length > _TINY:
         directions[NORMAL] = mix(1 / length, normal, 0.0, normal)
-    shape = {(i, j): dot(directions[i], directions[j]) for i, j in combinations(between, 2)}
+    shape: dict[tuple[int, ...], float] = {
+        (i, j): dot(directions[i], directions[j]) for i, j in combinations(between, 2)
+    }
     for i, j, k in combinations(directions, 3):
         shape[i, j, k] = dot(cross(directions[i], directions[j]), directions[k])
     return Gap(tuple(between), normal, length, shape, *rest)
@@ -226,8 +229,8 @@ class Difference(NamedTuple):
     row: int
     entry: str
     ends: tuple[int, ...]
-    mine: float | str
-    reference: float | str
+    mine: Any
+    reference: Any
 
 
 @dataclass(frozen=True)
@@ -296,7 +299,9 @@ def _step(mine: Side, m: Gap, r: Gap, best: dict, length: float, angle: float) -
         )
         note = abs(higher) > length
         if note and before[0] < 0 and mine.joints[0] == 1:
-            new += (Difference("table base", mine.joints[0], "d", (), m.offset, -r.offset),)
+            new += (
+                Difference("table base", mine.joints[0], "d", (), m.offset, -(r.offset or 0.0)),
+            )
         far += sum(abs(x.mine - x.reference) for x in new)
         cost = (count + len(new), round(far, 9), notes + note + (before[0] < 0))
         choice = (cost, before + signs[1:] if more else before, old + new)
@@ -307,7 +312,7 @@ def _step(mine: Side, m: Gap, r: Gap, best: dict, length: float, angle: float) -
 
 
 def _height(m: Gap, r: Gap, sign: int) -> float:
-    return sign * r.offset - m.offset
+    return sign * (r.offset or 0.0) - (m.offset or 0.0)
 
 
 def _base_higher(mine: Side, reference: Side, signs: tuple[int, ...]) -> float:
@@ -338,7 +343,9 @@ def _differences(
         yield Difference("table distance", first, "a", (first, end), m.length, r.length)
     twists = list(_twists(mine, m, r, signs, angle))
     yield from twists or _slide(mine, m, r, signs, angle)
-    if not m.from_base and None not in (m.offset, r.offset) and m.bunch == r.bunch:
+    if m.from_base or m.bunch != r.bunch:
+        return
+    if m.offset is not None and r.offset is not None:
         wanted = signs[m.joints[0]] * r.offset
         if abs(m.offset - wanted) > length:
             ends = (mine.joints[m.bunch[0]], mine.joints[m.bunch[-1]])

@@ -5,6 +5,7 @@ is named.
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +21,7 @@ from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.reading.sentences import listed, say, size
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 _EXACT = 1e-4  # rad or m: answers copied from paper with four decimals still count
 _NEAR = 1e-3  # m and rad: a pose this close is the target's
@@ -92,7 +93,8 @@ def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]
     """Joint vectors (answers, dof) with their units, however they were held."""
     what = f"{arm.name}: q"
     typed = door.numbers(_unlabelled(mine), what, wanted=f"joint vectors (answers, {arm.dof})")
-    values, units, said = typed.values, typed.units, ()
+    said: tuple[str, ...] = ()
+    values, units = typed.values, typed.units
     if not values.size:
         return Typed(np.zeros((0, arm.dof)), np.zeros((0, arm.dof))), ()
     if values.ndim > 2:
@@ -195,7 +197,7 @@ def _miss(arm: Arm, q: Array, target: Array, margin: Array) -> tuple[float, floa
     here = solve(arm, target if arm.dof >= 6 else target[:3, 3], q, iterations=0, limits=False)
     errors = float(here.position_error), float(here.orientation_error)
     J = np.abs(jacobian(arm, q)) @ np.broadcast_to(margin, q.shape)
-    open_ = max(_NEAR, np.linalg.norm(J[:3])), max(_NEAR, np.linalg.norm(J[3:]))
+    open_ = max(_NEAR, float(np.linalg.norm(J[:3]))), max(_NEAR, float(np.linalg.norm(J[3:])))
     return None if errors[0] <= open_[0] and errors[1] <= open_[1] else errors
 
 
@@ -333,7 +335,11 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], 
             return named, words
         if mixed:
             return (mixed[0],), mixed[1]
-    astray = [f"q_{i}" for i, there in zip(arm.joints, fits.any(axis=0), strict=True) if not there]
+    astray = [
+        f"q_{i}"
+        for i, there in zip(arm.joints, np.asarray(fits.any(axis=0)), strict=True)
+        if not there
+    ]
     return (), say("ik in no branch", joints=listed(astray or ["q"]))
 
 

@@ -6,13 +6,14 @@ Apart from `helpers.kinematics` because here the table varies and the pose does 
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from helpers.arm import Arm
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ class Chain:
             (theta if self.turning[k] else d)[..., i - 1] += q[..., k]
         return chained(steps(a, alpha, d, theta))
 
-    def with_(self, **changes: Array) -> "Chain":
+    def with_(self, **changes: Any) -> "Chain":
         """The same with other numbers."""
         return replace(self, **changes)
 

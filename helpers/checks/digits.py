@@ -8,11 +8,12 @@ the book's appendix on the checkers.
 
 import re
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 RIGHT, SO_FAR, ROUNDED, WRONG = "right", "so far", "rounded", "wrong"
 

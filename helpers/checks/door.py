@@ -19,7 +19,7 @@ from helpers.inputs import ArmError, must_be, number, one_of, shown
 from helpers.reading import formula, grid
 from helpers.reading.sentences import say
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 Lookup = Callable[[set[str]], dict[str, float]]
 
 

@@ -3,13 +3,14 @@ as what is right.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from helpers.checks.digits import EXACT, HALF, HAND, RIGHT, ROUNDED, SLOPPY, SO_FAR, TELLING, WRONG
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 
 @dataclass(frozen=True)

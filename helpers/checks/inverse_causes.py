@@ -5,6 +5,7 @@ without it.
 import math
 from collections.abc import Callable, Iterator
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.checks.ranking import Cause, cause
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 _JOINT: tuple[tuple[str, Callable[[float], float]], ...] = (
     ("ik.sign", lambda x: -x),

@@ -1,8 +1,9 @@
 """Is my Jacobian wrong, and how? The answer names the mistake and gives no numbers away."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import product
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +20,7 @@ from helpers.inputs import ArmError, must_be, whole
 from helpers.kinematics import jacobian
 from helpers.reading.sentences import listed, say
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 _HALVES = (("linear", slice(0, 3)), ("angular", slice(3, 6)))
@@ -77,7 +78,7 @@ def _taken(
 ) -> tuple[Typed, tuple[str, ...]]:
     what = f"{arm.name}: your Jacobian"
     lookup = door.Joints(arm, q, values)
-    if isinstance(mine, Callable) and not hasattr(mine, "free_symbols"):
+    if callable(mine) and not hasattr(mine, "free_symbols"):
         typed = replace(door.numbers(door.called(mine, arm, q, what), what, lookup), symbolic=True)
     else:
         typed = door.numbers(mine, what, lookup)

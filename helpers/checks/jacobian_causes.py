@@ -5,6 +5,7 @@ is written down (after).
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from helpers.arm import Arm
 from helpers.checks.chains import Chain, alike, chain, columns
 from helpers.checks.ranking import Cause, cause
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 RAD = np.pi / 180
 
 

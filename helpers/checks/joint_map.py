@@ -6,7 +6,7 @@ end the tip and the tool.
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from helpers.checks.axes import (
     sub,
 )
 from helpers.reading.sentences import say, size
+from helpers.rows import Kind
 
 _SEEN = 1e-6  # m, or the sine of an angle: less than this fixes no direction
 
@@ -104,9 +105,9 @@ def _placed(base: Frame, F: Frame) -> Frame:
     return Frame(turned[0], turned[1], turned[2], add(base.o, turned[3]))
 
 
-def _turn(p: Vector, z: Vector, m: _Feature, r: _Feature) -> float | None:
+def _turn(p: Vector, z: Vector, m: _Feature, r: Any) -> float | None:
     """The angle about the axis (p, z) that carries r to m, where it shows."""
-    pairs = []
+    pairs: list[Any] = []
     if m.direction is not None:
         pairs.append((m.direction, r.direction))
     if m.point is not None:
@@ -122,7 +123,7 @@ def _turn(p: Vector, z: Vector, m: _Feature, r: _Feature) -> float | None:
     return None
 
 
-def _slide(p: Vector, z: Vector, m: _Feature, r: _Feature) -> float | None:
+def _slide(p: Vector, z: Vector, m: _Feature, r: Any) -> float | None:
     """How far along z r is carried to m, where it shows."""
     if m.point is None:
         return None
@@ -176,7 +177,7 @@ def in_own_joints(rows: Rows, arm: Arm, found: Map, mine: Side, reference: Side,
         joint = Joint("fixed")
         if row.kind != "F":
             low, high = sorted(found.signs[k] * (x[k] - found.offsets[k]) for x in limits)
-            kind = "revolute" if row.kind == "R" else "prismatic"
+            kind: Kind = "revolute" if row.kind == "R" else "prismatic"
             joint = Joint(kind, low, high, speeds[k], arm.effort_limits[k])
             k += 1
         new.append(Row(row.a, row.alpha, row.d, row.theta, joint))
@@ -189,7 +190,7 @@ def _bodies(rows: Rows, arm: Arm, found: Map, reference: Side) -> tuple[Body, ..
     """Each link's mass in the frame of the row that moves with it in the student's table."""
     ours = [_placed(found.base, F) for F in frames(rows, [0.0] * len(found.signs))]
     theirs = frames(reference.rows, found.offsets)
-    totals = [[0.0, np.zeros(3)] for _ in rows]
+    totals: list[list[Any]] = [[0.0, np.zeros(3)] for _ in rows]
     owner = _owners(rows)
     for i, (body, joint) in enumerate(zip(arm.bodies, _owners(reference.rows), strict=True), 1):
         row = max((k for k, o in enumerate(owner) if o == joint), default=0)

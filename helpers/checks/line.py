@@ -1,12 +1,13 @@
 """The visible check line of the notebooks."""
 
+from typing import Any
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from helpers.inputs import must_be, number
 
 
-def check(label: str, actual: ArrayLike, expected: ArrayLike, tolerance: float = 0.0) -> None:
+def check(label: str, actual: Any, expected: Any, tolerance: float = 0.0) -> None:
     """Print one line that says `actual` agrees with `expected`, or raise AssertionError that says
     by how much not.
 
@@ -35,7 +36,7 @@ def check(label: str, actual: ArrayLike, expected: ArrayLike, tolerance: float =
     print(f"✔ {label}" if exact or not tolerance else f"✔ {label} (within {tolerance:g})")
 
 
-def _equal(actual: object, expected: object) -> bool:
+def _equal(actual: Any, expected: Any) -> bool:
     """Whether two values that are not numbers are the same; NumPy compares arrays of words entry by
     entry."""
     if isinstance(actual, np.ndarray) or isinstance(expected, np.ndarray):

@@ -1,6 +1,7 @@
 """Do these joint angles reach that pose? For any arm, also where the book has no closed form."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,7 +17,7 @@ from helpers.inputs import ArmError, must_be
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.reading.sentences import listed, say, size
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 _EXACT = 1e-6  # m or rad
 _COARSE = (
@@ -139,7 +140,7 @@ def _within(miss: tuple[float, float], margin: tuple[float, float]) -> bool:
 
 def _causes(q: Typed, arm: Arm, T: Typed, margin: tuple[float, float]) -> tuple[Cause, ...]:
     """The single slips that explain a miss, or else the first pair that does."""
-    found = []
+    found: list[Any] = []
     for c, other, values, target in _slips(q.values, arm, T.values):
         if len(c.keys) > 1 and found:
             break

@@ -7,13 +7,14 @@ gains at least three and most of what is wrong.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from helpers.reading.sentences import listed, say
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 SHARE = 0.6  # of the wrong entries that a single mistake must gain
 PAIR_SHARE = 0.85
@@ -92,7 +93,7 @@ def explain(
     cost = edits + ODD * odd
     best = sorted(named, key=lambda k: (round(float(cost[k]), 6), k))
     same = [k for k in best if cost[k] == cost[best[0]]]
-    return Found(tuple(causes[k] for k in same), ~fits[best[0]])
+    return Found(tuple(causes[int(k)] for k in same), ~fits[best[0]])
 
 
 def several(found: Sequence[Cause], most: int = 3) -> str:

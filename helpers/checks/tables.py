@@ -110,7 +110,8 @@ def _tables(
 
 def _of_typed(typed: reading.TypedTable, reference: Arm) -> Table:
     meant = reading.meant(typed, [r.kind for r in numeric(reference)])
-    texts = [{}] * (len(meant.rows) - len(typed.rows)) + [r.texts for r in typed.rows]
+    none: list[Any] = [{}]
+    texts = none * (len(meant.rows) - len(typed.rows)) + [r.texts for r in typed.rows]
     table = _table(say("your table"), meant.rows, texts, meant.said)
     return replace(
         table,
@@ -277,9 +278,9 @@ def _different(
         if entries:
             notes = () if first.cause else tuple(_base(side(rows), found))
             return _bad(table, reference, first.cause, entries, notes)
-    first, left = _fewest(tries, length, found)
-    notes = () if first or not found.signs else tuple(_base(side(rows), found))
-    return _bad(table, reference, first, [_geometry(d) for d in left], notes)
+    likely, left = _fewest(tries, length, found)
+    notes = () if likely or not found.signs else tuple(_base(side(rows), found))
+    return _bad(table, reference, likely, [_geometry(d) for d in left], notes)
 
 
 def _edits(c: Cause | None) -> int:
@@ -296,7 +297,7 @@ def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> 
         *((c, tuple(_squared(r, 0.0))) for c, r in usual.references(reference)),
     ]
     mends = usual.structures(len(rows))
-    found = []
+    found: list[Any] = []
     for first, read in starts:
         for other, arm in others:
             both = first + other if first and other else first or other
@@ -358,8 +359,9 @@ def _likely(t: _Try) -> bool:
     """Whether a reading is worth a comparison of the axes."""
     if all(r.kind == "F" for r in t.rows):
         return False
-    single = len(t.cause.keys) == 1 or t.entries <= 2 * len(t.reference)
-    return t.entries == 0 or (single and t.cause.keys[-1] != "table.rows exchanged")
+    keys = t.cause.keys if t.cause else ()
+    single = len(keys) == 1 or t.entries <= 2 * len(t.reference)
+    return t.entries == 0 or (single and keys[-1:] != ("table.rows exchanged",))
 
 
 def _one_sign(

@@ -21,7 +21,7 @@ def units(rows: Rows, reference: Rows) -> list[tuple[Cause | None, list[Numbers]
     or degrees.
     """
     total, wanted = (sum(abs(r.a) + abs(r.d) for r in table) or 1.0 for table in (rows, reference))
-    lengths = [(None, 1.0)]
+    lengths: list[tuple[Cause | None, float]] = [(None, 1.0)]
     for key, factor in (("table.millimetres", 1e-3), ("table.centimetres", 1e-2)):
         if 0.2 < total * factor / wanted < 5:
             lengths.append((cause(key), factor))

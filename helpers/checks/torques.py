@@ -1,6 +1,7 @@
 """Are my joint torques wrong, and how? One torque vector or a whole run of them."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,7 +17,7 @@ from helpers.inputs import must_be
 from helpers.reading.sentences import listed, say, size
 from helpers.statics import GRAVITY, static_torque
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 _NO_WRENCH = (0.0,) * 6
 _SAMPLE = 25  # poses of a run on which causes are tried
@@ -53,9 +54,10 @@ def compare_torques(
     right = np.atleast_2d(static_torque(arm, at.values, wrench, gravity))
     what = f"{arm.name}: your torques"
     typed = door.numbers(door.called(mine, arm, at.values, what) if callable(mine) else mine, what)
-    typed, taken = _upright(typed, right)
-    if typed is None or typed.values.shape != right.shape:
+    upright, taken = _upright(typed, right)
+    if upright is None or upright.values.shape != right.shape:
         return _misshapen(door.numbers(mine, what).values, right, arm)
+    typed = upright
     return _judged(
         typed,
         right,

@@ -4,6 +4,7 @@ in how they are written.
 
 from collections.abc import Iterator
 from itertools import product
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from helpers.checks.chains import alike, chain, columns, weights
 from helpers.checks.ranking import Cause, cause
 from helpers.reading.sentences import listed
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 Part = tuple[Cause | None, Array]
 
 
@@ -65,10 +66,10 @@ def catalogue(load: Load) -> tuple[list[Cause], Array]:
 def reversed_joints(load: Load, right: Array) -> tuple[list[Cause], Array]:
     """Joints that count the other way in the torques, and in q as well, fewest first."""
     dof = load.arm.dof
-    signs = sorted(
+    chosen = sorted(
         (s for s in product((1.0, -1.0), repeat=dof) if min(s) < 0), key=lambda s: -sum(s)
     )
-    signs = np.array(signs)
+    signs = np.array(chosen)
     here = right * signs[:, None, :]
     turned = Load(load.arm, signs[:, None, :] * load.chain.q, load.wrench, load.gravity)
     there = turned.torques() * signs[:, None, :]
@@ -103,9 +104,9 @@ def paper_centres(load: Load) -> tuple[list[Cause], Array]:
         parts.append(spread if mass else spread[:1])
     weight = np.stack([sum(chosen) for chosen in product(*parts)])
     key, force = cause("tau.craig centres"), load.force()
-    ways = ((key, 1), (key + cause("tau.force sign"), -1), (key + cause("tau.force missing"), 0))
-    causes = [c for c, _ in ways for _ in weight]
-    return causes, np.concatenate([weight - sign * force for _, sign in ways])
+    scaled = ((key, 1), (key + cause("tau.force sign"), -1), (key + cause("tau.force missing"), 0))
+    causes = [c for c, _ in scaled for _ in weight]
+    return causes, np.concatenate([weight - sign * force for _, sign in scaled])
 
 
 def _loads(load: Load) -> Iterator[tuple[Cause | None, Load]]:

@@ -3,6 +3,7 @@ picture.
 """
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +20,7 @@ from helpers.motion.paths import Path
 from helpers.motion.report import run_report
 from helpers.reading.sentences import listed, say, size
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 TILT = np.radians(1.0)  # a tool that leans or spins more than this no longer counts as held
 _USUAL = 2e-3  # m: Euler's method on the homework's circle stays well below
@@ -49,9 +50,10 @@ def compare_trace(
     must_be(path, Path, "path")
     door.settings(angles, tolerance)
     typed = door.numbers(mine, f"{arm.name}: your joints")
-    typed, taken, extra = _upright(typed, arm, path)
-    if typed is None:
-        return _misshapen(door.numbers(mine, "your joints").values, arm, path)
+    upright, taken, extra = _upright(typed, arm, path)
+    if upright is None:
+        return _misshapen(typed.values, arm, path)
+    typed = upright
     if angles == "deg":
         typed = _radians(typed, arm)
     q = typed.values

@@ -1,6 +1,7 @@
 """Why a run misses its path: by the shape that the tip drew, by the loop that made it."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from helpers.checks.ranking import Cause, cause
 from helpers.motion.paths import Path
 from helpers.reading.sentences import size
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 _SAMPLE = 40
 _CLEARLY = 0.4  # of the right arm's or loop's error: what another must stay below to be named
@@ -46,7 +47,7 @@ def _shapes(path: Path, tip: Array, allowed: float) -> Iterator[Cause]:
         yield cause("trace.fraction", _share=size(100 * fraction), _over=size(1 / fraction))
     middle = tip.mean(axis=0)
     wanted = path.positions - path.positions.mean(axis=0)
-    scale = float(np.linalg.norm(tip - middle) / max(np.linalg.norm(wanted), 1e-12))
+    scale = float(np.linalg.norm(tip - middle) / max(float(np.linalg.norm(wanted)), 1e-12))
     if abs(scale - 1) < 0.02:
         scale = 0.0
     if scale > 0 and follows(path.positions.mean(axis=0) + (tip - middle) / scale):

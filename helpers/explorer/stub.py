@@ -23,8 +23,9 @@ def stub(arm: Arm, q: ArrayLike, spec: Data) -> str:
     bytes each time."""
     data = json.dumps(spec, separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/")
     text = f"{arm.name} at {_pose_text(arm, q)}."
+    name = "arm-explorer whole" if spec.get("link") else "arm-explorer"
     return (
-        f'<div class="arm-explorer">{still(arm, q, "Still picture of the " + text)}'
+        f'<div class="{name}">{still(arm, q, "Still picture of the " + text)}'
         f'<p class="arm-explorer-caption">{escape(text)}</p>'
         f'<script type="application/json">{data}</script></div>'
     )

@@ -76,7 +76,7 @@ def pseudo_inverse(cutoff: float = 1e-9) -> Rates:
     """q_dot = J^+ xi, singular values below `cutoff` times the largest being taken as 0. Source:
     Whitney (1969)."""
     _not_negative(cutoff=cutoff)
-    return lambda J, twist, q: np.linalg.pinv(J, rcond=cutoff) @ twist
+    return lambda J, twist, q: _pseudo(J, twist, cutoff)
 
 
 def damped(damping: float) -> Rates:
@@ -119,7 +119,7 @@ def with_null_space(rates: Rates, wish: Callable[[Array], Array]) -> Rates:
     def both(J: Array, twist: Array, q: Array) -> Array:
         wanted = wish(q.copy())
         own = rates(J.copy(), twist.copy(), q.copy())
-        return own + wanted - np.linalg.pinv(J, rcond=1e-6) @ (J @ wanted)
+        return own + wanted - _pseudo(J, J @ wanted, 1e-6)
 
     return both
 
@@ -157,6 +157,13 @@ def size(value: float) -> str:
 def _not_negative(**numbers: float) -> None:
     for name, value in numbers.items():
         number(value, name, "a finite number of 0 or more", least=0)
+
+
+def _pseudo(J: Array, twist: Array, cutoff: float) -> Array:
+    """J^+ xi by the singular values, without the matrix J^+ itself."""
+    U, sizes, V = np.linalg.svd(J, full_matrices=False)
+    kept = sizes > cutoff * sizes[0]
+    return (np.divide(twist @ U, sizes, out=np.zeros_like(sizes), where=kept)) @ V
 
 
 def _damped(J: Array, twist: Array, squared: float) -> Array:

@@ -4,6 +4,16 @@ None."""
 from helpers.plotting.arms import arm_3d, arrow_3d
 from helpers.plotting.branches import from_above, law_of_cosines, regions, stick_3d
 from helpers.plotting.dh import dh_numbers
+from helpers.plotting.drawing import (
+    angle,
+    arm_drawing,
+    axis_lines,
+    dimension,
+    frames,
+    lengths,
+    postures,
+    row_drawing,
+)
 from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
@@ -18,20 +28,28 @@ __all__ = [
     "PURPLE",
     "RED",
     "SKY",
+    "angle",
     "arm_2d",
     "arm_3d",
+    "arm_drawing",
     "arrow_2d",
     "arrow_3d",
+    "axis_lines",
     "dh_numbers",
+    "dimension",
     "ellipsoid_3d",
+    "frames",
     "from_above",
     "joints",
     "law_of_cosines",
+    "lengths",
     "map_2d",
     "moving_picture",
     "path_2d",
     "pen_and_wall",
+    "postures",
     "regions",
+    "row_drawing",
     "stick_3d",
     "torques",
     "use_book_style",

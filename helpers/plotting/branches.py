@@ -3,7 +3,7 @@ regions of starts."""
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Arc, Circle, Patch
+from matplotlib.patches import Circle, Patch
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 from numpy.typing import ArrayLike
 
@@ -11,6 +11,7 @@ from helpers.arm import Arm
 from helpers.inputs import must_be, number, numbers
 from helpers.kinematics import link_frames, skeleton
 from helpers.plotting.arms import pose_frames
+from helpers.plotting.drawing import angle
 from helpers.plotting.plane import arm_2d
 from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
 
@@ -61,19 +62,6 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     x, y = (corner + tip) / 2
     ax.text(x + 0.025, y, "$s$", ha="center", va="center")
     ax.set(ylim=(shoulder[1] - 0.15, elbow[1] + 0.15))
-
-
-def angle(
-    ax: Axes, centre: ArrayLike, radius: float, start: float, end: float, text: str, colour: str
-) -> None:
-    """Draw an arc between two directions (degrees) with its name beside its middle."""
-    (x, y), (start, end) = np.asarray(centre), sorted((start, end))
-    ax.add_patch(
-        Arc((x, y), 2 * radius, 2 * radius, theta1=start, theta2=end, color=colour, lw=1.4)
-    )
-    middle = np.radians((start + end) / 2)
-    place = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
-    ax.text(place[0], place[1], text, color=colour, ha="center", va="center")
 
 
 def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str = "") -> None:

@@ -7,6 +7,7 @@ from io import BytesIO
 from typing import Any
 
 import matplotlib as mpl
+import numpy as np
 from cycler import cycler
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -50,7 +51,7 @@ STYLE: dict[Any, Any] = {
 
 def use_book_style() -> None:
     """Set the book's style: in a notebook, sharp, small SVG figures with the same bytes on every
-    run."""
+    run, and arrays printed to four digits."""
     mpl.rcParams.update(STYLE)
     ipython = sys.modules.get("IPython")  # loaded in every notebook, and of no use elsewhere
     if ipython and (shell := ipython.get_ipython()):
@@ -58,6 +59,7 @@ def use_book_style() -> None:
 
         set_matplotlib_formats("svg")
         shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, svg)
+        np.set_printoptions(precision=4, suppress=True)
 
 
 def time_axis(ax: Axes) -> None:

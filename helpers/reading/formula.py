@@ -133,13 +133,15 @@ def parse(text: str, what: str = "the formula") -> Tree:
 
 
 def _tokens(text: str) -> list[tuple[str, str]] | None:
-    found, at = [], 0
+    found: list[tuple[str, str]] = []
+    at = 0
     while at < len(text):
         match = _TOKEN.match(text, at)
         if not match:
             return None if text[at:].strip() else found
-        kind = ("num", "name", "sign")[match.lastindex - 1]
-        word = "^" if match[match.lastindex] == "**" else match[match.lastindex]
+        group = match.lastindex or 1
+        kind = ("num", "name", "sign")[group - 1]
+        word = "^" if match[group] == "**" else match[group]
         found += _split(word) if kind == "name" and _RUN.fullmatch(word) else [(kind, word)]
         at = match.end()
     return found

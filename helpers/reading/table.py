@@ -14,10 +14,10 @@ from typing import Any, NamedTuple
 from helpers.inputs import ArmError, one_of, shown
 from helpers.reading import formula, grid
 from helpers.reading.sentences import say, size
-from helpers.rows import Joint, Row
+from helpers.rows import Joint, Kind, Row
 
 ENTRIES = ("a", "alpha", "d", "theta")
-_JOINTS = {"R": "revolute", "P": "prismatic", "F": "fixed"}
+_JOINTS: dict[str, Kind] = {"R": "revolute", "P": "prismatic", "F": "fixed"}
 _UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
 _MILLIMETRES = 10.0  # a length this large is no number of metres
 _DEGREES = 2 * math.pi + 0.1  # an angle this large is no number of radians
@@ -172,7 +172,8 @@ def _right_angle(angle: float) -> float | str:
     turns = round(angle / (math.pi / 2))
     if abs(angle - turns * math.pi / 2) > 1e-4:
         return angle
-    return {-2: "-pi", -1: "-pi/2", 0: 0, 1: "pi/2", 2: "pi"}.get(turns, f"{turns} * pi / 2")
+    formulas: dict[int, float | str] = {-2: "-pi", -1: "-pi/2", 0: 0, 1: "pi/2", 2: "pi"}
+    return formulas.get(turns, f"{turns} * pi / 2")
 
 
 def meant(table: TypedTable, kinds: Iterable[str] = ()) -> Meant:
@@ -255,13 +256,10 @@ def _cells(source: Any) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     return _strings(rows), [], ()
 
 
-def _strings(rows: list) -> grid.Cells:
+def _strings(rows: list) -> Any:
     if not rows or not all(isinstance(row, list | tuple) for row in rows):
         raise ArmError(say("no rows", given=shown(rows)))
-    found = [[x if isinstance(x, list | tuple) else _text(x) for x in row] for row in rows]
-    if all(isinstance(x, str) for x in found[0]) and _heading(found[0]):
-        return found
-    return found
+    return [[x if isinstance(x, list | tuple) else _text(x) for x in row] for row in rows]
 
 
 def _text(x: Any) -> str:
@@ -275,9 +273,10 @@ def _of_mapping(held: dict[str, Any]) -> tuple[grid.Cells, list[str], tuple[str,
     if all(isinstance(v, list | tuple) for v in lists.values()):
         return _parallel(lists)
     indexed = [(re.fullmatch(r"([A-Za-z]+)_?\{?(\d+)\}?", k), v) for k, v in held.items()]
-    if not all(m and m[1].lower() in _WORDS for m, _ in indexed):
+    known = [(m[1].lower(), int(m[2]), v) for m, v in indexed if m and m[1].lower() in _WORDS]
+    if len(known) < len(indexed):
         raise ArmError(say("no entries", given=shown(held)))
-    return _numbered([(_WORDS[m[1].lower()], int(m[2]), _text(v)) for m, v in indexed])
+    return _numbered([(_WORDS[word], row, _text(v)) for word, row, v in known])
 
 
 def _parallel(lists: Mapping[str, Any]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
@@ -313,7 +312,7 @@ def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
         text,
         re.M,
     )
-    words = [_head(name) for name, _ in named]
+    words = [_head(name) or "" for name, _ in named]
     if len(named) >= 3 and set(words) <= set(ENTRIES):
         return _parallel(
             {
@@ -352,7 +351,7 @@ def _links(links: list[str]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
             slides = (
                 "prismatic" in body.lower()
                 or ("theta" in row and "d" not in row)
-                or re.search(r"sigma['\"]?\s*[,=]\s*1", body)
+                or re.search(r"sigma['\"]?\s*[,=]\s*1", body) is not None
             )
         row = {"a": "0", "alpha": "0", "d": "0", "theta": "0", **row}
         offset = row.pop("offset", "0")
@@ -500,9 +499,11 @@ def _row(i: int, entries: Mapping[str, str], known: Mapping[str, float]) -> Type
         }
         numbers[name] = formula.value(parsed[name], look.get)
         if name == mover:
-            there = formula.value(parsed[name], {**look, _joint_of(free[name]): 1.0}.get)
+            turned: dict[Any, float] = {**look, _joint_of(free[name]): 1.0}
+            there = formula.value(parsed[name], turned.get)
             backwards = _slope(there - numbers[name], i, name) < 0
-    kind = {"theta": "R", "d": "P", None: "?"}[mover]
+    kinds: dict[str | None, str] = {"theta": "R", "d": "P", None: "?"}
+    kind = kinds[mover]
     return TypedRow(
         kind, numbers, {n: str(entries[n]).strip() for n in ENTRIES}, backwards, radians
     )

@@ -175,12 +175,12 @@ def sections(arm: Arm, also: tuple[Arm, ...] = ()) -> list[Section]:
         ("Frames seen from the base", _ASK_FRAMES, sheet.frames),
         ("Origins", _ASK_ORIGINS, sheet.origins),
         ("Axes", _ASK_AXES, sheet.axes),
-        ("Jacobian", _ASK_JACOBIAN.format(n=len(arm.rows)), [sheet.jacobian]),
+        ("Jacobian", _ASK_JACOBIAN.format(n=len(arm.rows)) + _joints(arm), [sheet.jacobian]),
     ]
     if sheet.determinant:
         found.append(("Determinant", _ask_determinant(sheet), [sheet.determinant]))
     if sheet.energy and sheet.torques:
-        found.append(("Gravity", _ASK_GRAVITY, [sheet.energy, sheet.torques]))
+        found.append(("Gravity", _ASK_GRAVITY + _joints(arm), [sheet.energy, sheet.torques]))
     answers = [
         Section(heading, question, "".join(answer(sheet, item, others) for item in items))
         for heading, question, items in found
@@ -281,6 +281,14 @@ _ASK_GRAVITY = (
 )
 
 
+def _joints(arm: Arm) -> str:
+    """Which joints the columns of J and the entries of g belong to, where that is not all rows."""
+    if arm.dof == len(arm.rows):
+        return ""
+    numbers = ", ".join(map(str, arm.joints))
+    return f"<p>Joints that move, in this order: {numbers}.</p>\n"
+
+
 def _ask_determinant(sheet: Sheet) -> str:
     rows = "" if sheet.arm.dof == 6 else " of the first three rows"
     return (
@@ -292,6 +300,8 @@ def _ask_determinant(sheet: Sheet) -> str:
 
 def _factors(sheet: Sheet) -> str:
     """In words which factors the determinant has, for the reader who has opened it."""
+    if sheet.determinant is None:
+        return ""
     value = sheet.shortened(sheet.determinant)[0, 0]
     turning = set(sheet.short_names.values()) | {sp.Symbol(name) for name in sheet.arm.variables}
     factors = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if f.free_symbols & turning]

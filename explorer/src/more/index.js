@@ -1,7 +1,8 @@
 // The small figures of the chapters, by the names that the pages call them.
 
 import { columns, ellipsoid, hand, loads, matrix, row, swing, triangles, ways, winds } from "./kinds.js";
+import { trainer } from "./trainer.js";
 import { registerFigure } from "../figures.js";
 
-const KINDS = { columns, ellipsoid, hand, loads, matrix, row, swing, triangles, ways, winds };
+const KINDS = { columns, ellipsoid, hand, loads, matrix, row, swing, trainer, triangles, ways, winds };
 for (const [name, make] of Object.entries(KINDS)) registerFigure(name, make);

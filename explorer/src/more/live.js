@@ -97,9 +97,9 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     const stopped = now.hold?.target && !now.hold.moving ? stopVerdict(now.hold) : "";
     write(why, stopped);
     why.hidden = !stopped;
-    for (const listener of listeners) listener(now, derived);
     if (picture) picture.draw(now, derived, theme);
     else stage.replaceChildren(stillSvg(now.arm, derived.frames, poseText(now.arm, now.q)));
+    for (const listener of listeners) listener(now, derived);
     stage.setAttribute("aria-label", poseText(now.arm, now.q));
   }
   watchTheme((now) => {

@@ -17,7 +17,8 @@ const NAMES = {
   inverse: "J⁻¹", pseudo: "pseudo-inverse", damped: "damped",
 }; // prettier-ignore
 const SLIPS = {
-  "": "none", z_i: "z_i instead of z_i−1", o_i: "o_i instead of o_i−1", sign: "rates with the wrong sign",
+  "": "none", angular: "z_i in the angular rows", z_i: "z_i and o_i throughout",
+  o_i: "o_i instead of o_i−1", sign: "rates with the wrong sign",
 }; // prettier-ignore
 const MODELS = { "": "none", wrench: "wrong sign of F", centres: "centres of mass not converted" };
 const WIDE = 260; // of the wall's picture
@@ -250,7 +251,13 @@ function select(label, options, onchoice) {
 const startingRun = (arm) =>
   joints(arm).length === 7
     ? { ...HOMEWORK }
-    : { ...HOMEWORK, locked: -1, normal: /** @type {"x" | "y"} */ (/UR10e/.test(arm.name) ? "y" : "x"), seconds: /UR10e/.test(arm.name) ? 20 : 5, rates: /** @type {"pseudo"} */ ("pseudo") }; // prettier-ignore
+    : {
+        ...HOMEWORK,
+        locked: -1,
+        normal: /** @type {"x" | "y"} */ (/UR10e/.test(arm.name) ? "y" : "x"),
+        seconds: /UR10e/.test(arm.name) ? 20 : 5,
+        rates: /** @type {"pseudo"} */ ("pseudo"),
+      };
 
 function millimetres(v) {
   if (v < 1e-12) return "under 1e−9 mm";
@@ -277,7 +284,8 @@ function said(run, result, arm) {
   const size = result.least < 1e-4 ? result.least.toExponential(1).replace("-", "−") : fixed(result.least, 4);
   const error = `Largest error ${millimetres(result.largest)}`;
   const speed = result.run.method === "exact" ? "" : `, fastest joint ${fixed(result.fastest, 2)} rad/s`;
-  return `${error}${speed}. Smallest σ on the way: ${size}.${turns}${limits}`;
+  const tilt = result.tilt > 1e-3 ? `, the tool tilts by ${fixed((result.tilt * 180) / Math.PI, 1)}°` : "";
+  return `${error}${tilt}${speed}. Smallest σ on the way: ${size}.${turns}${limits}`;
 }
 
 function curveWords(points) {

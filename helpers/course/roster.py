@@ -1,0 +1,58 @@
+"""Who takes the course, and the folder in which each student's homework lies."""
+
+import csv
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from helpers.inputs import ArmError
+
+# An id becomes the name of a folder, on any system.
+_ID = re.compile(r"[A-Za-z0-9](?:[A-Za-z0-9._@-]{0,62}[A-Za-z0-9])?")
+_TAKEN = re.compile(r"(?i)con|prn|aux|nul|com\d|lpt\d")
+
+
+@dataclass(frozen=True)
+class Student:
+    """An id, which names the folder, and a name, which is only shown."""
+
+    id: str
+    name: str
+
+
+def read_roster(path: str | Path) -> tuple[Student, ...]:
+    """The students in a CSV file with the columns id and name, in UTF-8; other columns are left
+    alone.
+
+    Raises ArmError, with the line, for a column that is missing, an id that can name no folder, and
+    an id that stands twice (capitals count as small letters, as some disks see them).
+    """
+    try:
+        with Path(path).open(encoding="utf-8-sig", newline="") as file:
+            rows = list(csv.DictReader(file))
+    except (OSError, UnicodeDecodeError) as error:
+        raise ArmError(f"roster {str(path)!r} cannot be read: {error}") from None
+    students, seen = [], dict[str, int]()
+    for line, row in enumerate(rows, 2):
+        if None in (row.get("id"), row.get("name")):
+            columns = ", ".join(k for k in row if k) or "none"
+            raise ArmError(f"roster line {line} has the columns {columns}; expected id and name")
+        student = Student(row["id"].strip(), row["name"].strip())
+        must_name_a_folder(student.id, f"roster line {line}: id")
+        first = seen.setdefault(student.id.casefold(), line)
+        if first != line:
+            raise ArmError(f"roster line {line}: id {student.id!r} stands in line {first} already")
+        students.append(student)
+    if not students:
+        raise ArmError(f"roster {str(path)!r} holds no student; expected lines under id,name")
+    return tuple(students)
+
+
+def must_name_a_folder(student: str, what: str) -> None:
+    """Raise ArmError unless an id is 1 to 64 letters, digits and . _ @ - that no system refuses."""
+    if not _ID.fullmatch(student) or _TAKEN.fullmatch(student.split(".")[0]):
+        raise ArmError(
+            f"{what} is {student!r}; expected 1 to 64 letters, digits and . _ @ -, a letter"
+            f" or digit at"
+            " either end, and no name that Windows keeps for itself"
+        )

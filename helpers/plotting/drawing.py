@@ -1,0 +1,324 @@
+"""Arms as a drawing board shows them: seen from one side or at an angle, without perspective, with
+their lengths, their axes and their frames.
+
+A `view` is a plane such as "xz", its first axis to the right and its second up, or two angles in
+degrees, (azimuth, elevation), from where one looks. All of it is drawn on plain axes in m.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Arc, Polygon
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm
+from helpers.derive import Derivation, Step
+from helpers.expressions import latex
+from helpers.inputs import ArmError, listed, must_be, number, numbers, plane_axes, shown, whole
+from helpers.kinematics import skeleton
+from helpers.plotting.arms import pose_frames
+from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, RED, SLATE
+
+Array = NDArray[np.float64]
+View = str | tuple[float, float]
+
+_PALE = "#C9CDD3"
+
+
+def seen(points: ArrayLike, view: View) -> Array:
+    """Where points, shape (..., 3), stand in a drawing: to the right, up, and towards the eye."""
+    points = numbers(points, "points", "points (..., 3), finite, in m", (3,), many=True)
+    return np.asarray(points @ _eye(view).T)
+
+
+def _eye(view: View) -> Array:
+    if isinstance(view, str):
+        right, up = np.eye(3)[list(plane_axes(view, "view"))]
+    else:
+        wanted = "a plane such as 'xz', or an azimuth and an elevation in degrees"
+        azimuth, elevation = np.radians(numbers(view, "view", wanted, (2,)))
+        right = np.array([-np.sin(azimuth), np.cos(azimuth), 0])
+        back = np.array([np.cos(azimuth), np.sin(azimuth), 0])
+        up = np.cos(elevation) * np.array([0, 0, 1]) - np.sin(elevation) * back
+    return np.stack([right, up, np.cross(right, up)])
+
+
+def arm_drawing(
+    ax: Axes, arm: Arm, q: ArrayLike, view: View, *, colour: str = GREY, size: float = 1.0
+) -> None:
+    """Draw an arm at q, shape (dof,): a barrel about each axis that turns, a box along each that
+    slides, the links between them as the table's steps, and the ground."""
+    T, eye = pose_frames(arm, q), _eye(view)
+    points = skeleton(arm, T)
+    radius = 0.028 * number(size, "size", "a finite number > 0", above=0) * _extent(points)
+    ax.plot(*seen(points, view).T[:2], color=colour, lw=4, solid_joinstyle="round", zorder=2)
+    for i in arm.joints:
+        _joint(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
+    ax.plot(*seen(points[-1], view)[:2], "o", color="black", ms=4, zorder=5)
+    _ground(ax, seen(T[0, :3, 3], view), 3 * radius)
+    bare(ax)
+
+
+def bare(ax: Axes) -> None:
+    """A drawing without rulers, at equal scale."""
+    ax.set_aspect("equal")
+    ax.set_axis_off()
+
+
+def _extent(points: Array) -> float:
+    return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
+def _ground(ax: Axes, place: Array, half: float) -> None:
+    x, y = place[:2]
+    ax.plot([x - half, x + half], [y, y], color=SLATE, lw=1.6, zorder=1)
+
+
+def _joint(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) -> None:
+    """A barrel about z, or a box along it, as its outline and the face that is turned to us."""
+    sides = 18 if turns else 4
+    angle = 2 * np.pi * (np.arange(sides) + 0.5) / sides
+    ring = radius * frame[:3, :2] @ [np.cos(angle), np.sin(angle)] + frame[:3, 3:]
+    along = 1.3 * radius * frame[:3, 2:3] * (1 if eye[2] @ frame[:3, 2] >= 0 else -1)
+    near, far = (eye[:2] @ (ring + end * along) for end in (1, -1))
+    both = np.hstack([near, far])
+    outline = both[:, np.unique(np.argmax(_ROUND @ both, axis=1))]
+    middle = outline.mean(axis=1, keepdims=True)
+    order = np.argsort(np.arctan2(*(outline - middle)[::-1]))
+    look: dict[str, Any] = dict(edgecolor=SLATE, lw=0.8, zorder=3)
+    ax.add_patch(Polygon(outline[:, order].T, facecolor=_PALE, **look))
+    ax.add_patch(Polygon(near.T, facecolor="white", **look))
+
+
+_TURN = np.linspace(0, 2 * np.pi, 181)
+_ROUND = np.stack([np.cos(_TURN), np.sin(_TURN)], axis=1)
+
+
+def lengths(
+    ax: Axes, arm: Arm, q: ArrayLike, view: View, aside: dict[str, tuple[float, float]]
+) -> None:
+    """Draw dimension lines for steps of the table, such as {"a_2": (-0.2, 0)}: each moved aside in
+    the drawing by so many m to the right and up, with its length in mm.
+
+    A step is called by its letter and its row: "d_4" is the step along z_3, "a_4" that along x_4.
+    """
+    must_be(aside, dict, "aside")
+    points = skeleton(arm, pose_frames(arm, q))
+    steps = {f"{kind}_{i}": (i, kind) for i in range(1, len(arm.rows) + 1) for kind in "da"}
+    for name, move in aside.items():
+        if name not in steps:
+            raise ArmError(f"aside names {shown(name)}; expected steps such as 'd_1' or 'a_2'")
+        i, kind = steps[name]
+        first = 2 * i - (2 if kind == "d" else 1)
+        ends = seen(points[[first, first + 1]], view)[:, :2]
+        long = 1000 * float(np.linalg.norm(np.diff(points[[first, first + 1]], axis=0)))
+        dimension(ax, ends[0], ends[1], move, f"${_letter(arm, i, kind)} = {round(long, 2):g}$")
+
+
+def _letter(arm: Arm, i: int, kind: str) -> str:
+    row = arm.rows[i - 1]
+    if kind == "d" and row.joint.kind == "prismatic" and not arm.numeric[i - 1].d:
+        return f"q_{{{i}}}"
+    return latex(getattr(row, kind)).strip("-()")
+
+
+def dimension(
+    ax: Axes, start: ArrayLike, end: ArrayLike, aside: tuple[float, float], text: str
+) -> None:
+    """Draw a dimension line between two points of the drawing, moved aside (m), with a text beside
+    its middle."""
+    one, other, shift = (
+        numbers(value, what, "two finite coordinates in m", (2,))
+        for value, what in ((start, "start"), (end, "end"), (aside, "aside"))
+    )
+    for foot in (one, other):
+        ax.plot(*np.stack([foot, foot + 1.08 * shift], axis=1), color=GREY, lw=0.6, zorder=1)
+    ends = dict(arrowstyle="<|-|>", color="black", lw=0.8, shrinkA=0, shrinkB=0, mutation_scale=7)
+    ax.annotate("", xy=tuple(other + shift), xytext=tuple(one + shift), arrowprops=ends)
+    away = shift / max(float(np.linalg.norm(shift)), 1e-9)
+    x, y = (one + other) / 2 + shift
+    ax.annotate(
+        text, (x, y), xytext=tuple(6 * away), textcoords="offset points",
+        ha=_side(away[0], "right", "left"), va=_side(away[1], "top", "bottom"),
+        bbox=dict(facecolor="white", edgecolor="none", pad=1),
+    )  # fmt: skip
+    ax.update_datalim([one + 1.3 * shift, other + 1.3 * shift])
+
+
+def _side(along: float, low: str, high: str) -> str:
+    return "center" if abs(along) < 0.35 else low if along < 0 else high
+
+
+def angle(
+    ax: Axes,
+    centre: ArrayLike,
+    radius: float,
+    start: float,
+    end: float,
+    text: str,
+    colour: str = BLUE,
+) -> None:
+    """Draw an arc of a radius (m) about a centre between two directions (degrees) with its name
+    beside its middle."""
+    x, y = numbers(centre, "centre", "two finite coordinates in m", (2,))
+    radius = number(radius, "radius", "a finite length > 0 in m", above=0)
+    start, end = sorted(number(v, n, _DEGREES) for v, n in ((start, "start"), (end, "end")))
+    size = 2 * radius
+    ax.add_patch(Arc((x, y), size, size, theta1=start, theta2=end, color=colour, lw=1.4, zorder=4))
+    middle = np.radians((start + end) / 2)
+    place = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
+    ax.text(place[0], place[1], text, color=colour, ha="center", va="center")
+
+
+_DEGREES = "a finite angle in degrees"
+
+
+def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
+    """Draw the joint axes of a derivation as dash-dotted lines of a length (m), each through the
+    point where its frame will stand, with an arrow and its name."""
+    must_be(found, Derivation, "found")
+    number(length, "length", "a finite length > 0 in m", above=0)
+    shared = defaultdict(list)
+    for k, (line, frame) in enumerate(zip(found.lines, found.frames, strict=False)):
+        foot = line.point - (line.point @ line.z) * line.z
+        along = [float(point @ line.z) for point in (line.point, frame[:3, 3])]
+        shared[tuple(np.round([*foot, *line.z], 6) + 0.0)].append((k, along))
+    for where, group in shared.items():
+        foot, z = np.array(where[:3]), np.array(where[3:])
+        used = [value for _, along in group for value in along]
+        ends = [foot + (min(used) - length / 2) * z, foot + (max(used) + length / 2) * z]
+        start, end = seen(ends, view)[:, :2]
+        ax.plot(*np.stack([start, end], axis=1), color=BLUE, lw=1, ls=_DASHED, zorder=4)
+        name = f"$z_{{{','.join(str(k) for k, _ in group)}}}$"
+        _arrow(ax, end - 0.01 * (end - start), end, BLUE, name)
+    bare(ax)
+
+
+def _arrow(ax: Axes, start: Array, end: Array, colour: str, text: str, side: float = 0) -> None:
+    """An arrow with its name beyond its head, or to its left (pt) where `side` is not 0."""
+    look = dict(arrowstyle="-|>", color=colour, lw=1.4, shrinkA=0, shrinkB=0, mutation_scale=9)
+    ax.annotate("", xy=tuple(end), xytext=tuple(start), arrowprops=look, zorder=6)
+    step = end - start
+    way = step / max(float(np.linalg.norm(step)), 1e-12)
+    place = 2 * way + side * np.array([-way[1], way[0]]) if side else 9 * way
+    ax.annotate(text, tuple(end), xytext=tuple(place), textcoords="offset points", color=colour,
+                ha="center", va="center", zorder=7)  # fmt: skip
+    ax.update_datalim([start, end + 0.35 * step])
+
+
+def frames(
+    ax: Axes,
+    arm: Arm,
+    q: ArrayLike,
+    view: View,
+    length: float,
+    which: Iterable[int] | None = None,
+) -> None:
+    """Draw the frames of an arm at q, shape (dof,), all or those asked for, as arrows x and z of a
+    length (m) with their names; arrows that coincide share one."""
+    T = pose_frames(arm, q)
+    number(length, "length", "a finite length > 0 in m", above=0)
+    shared = defaultdict(list)
+    for i in range(len(T)) if which is None else listed(which, "which", _INDICES):
+        if whole(i, "which") >= len(T):
+            raise ArmError(f"which holds {i}; expected {_INDICES}, here 0 to {len(T) - 1}")
+        for name, axis in (("x", T[i, :3, 0]), ("z", T[i, :3, 2])):
+            shared[name, *np.round([*T[i, :3, 3], *axis], 6) + 0.0].append(i)
+    for (name, *place), same in shared.items():
+        start, axis = np.array(place[:3]), np.array(place[3:])
+        ends = seen([start, start + length * axis], view)[:, :2]
+        text = f"${name}_{{{','.join(map(str, same))}}}$"
+        _arrow(ax, ends[0], ends[1], AXIS_COLOURS[name], text, 10)
+
+
+_INDICES = "numbers of frames"
+
+
+def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
+    """Draw how one row of a table came about: the two axes, their common normal, the frame before
+    (grey) and the frame placed (black), the steps d (blue) and a (red)."""
+    must_be(found, Derivation, "found")
+    step = found.steps[_row_of(found, row) - 1]
+    before, foot, origin = step.before[:3, 3], *step.normal
+    middle, half, reach = _window(found, seen([before, foot, origin], view)[:, :2])
+    ax.plot(*seen(_line(found), view).T[:2], color=_PALE, lw=5, solid_joinstyle="round", zorder=1)
+    for (name, start, end), which in _arrows_of(step, reach).items():
+        text = f"${name}_{{{','.join(map(str, which))}}}$"
+        colour = "black" if row in which else SLATE
+        ends = seen([start, end], view)[:, :2]
+        ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
+        side = {"z": 0, "x": 9 if row in which else -8}[name]
+        _arrow(ax, ends[1] - 0.01 * (ends[1] - ends[0]), ends[1], colour, text, side)
+    for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
+        ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
+    ax.plot(*seen(origin, view)[:2], "o", color="black", ms=4, zorder=7)
+    ax.set(xlim=middle[0] + half * _SPAN, ylim=middle[1] + half * _SPAN)
+    ax.set_title(f"row {row}", fontsize=10)
+    bare(ax)
+
+
+_DASHED = (0, (8, 3, 2, 3))
+_SPAN = np.array([-1.35, 1.35])
+
+
+def _row_of(found: Derivation, row: int) -> int:
+    if whole(row, "row", 1) > len(found.steps):
+        raise ArmError(f"row is {row}; expected one of 1 to {len(found.steps)}")
+    return row
+
+
+def _window(found: Derivation, points: Array) -> tuple[Array, float, float]:
+    """The middle and half the side of a square that holds the points of one row, and how far beyond
+    them an arrow may reach."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    extent = float((high - low).max())
+    half = max(0.8 * extent, 0.19 * _extent(_line(found)))
+    return (low + high) / 2, half, min(0.65 * half, 1.15 * half - 0.5 * extent)
+
+
+def _arrows_of(step: Step, reach: float) -> dict[tuple, list[int]]:
+    """The arrows x and z of the two frames, each z as long as its axis is used, with the indices of
+    the frames that have them."""
+    arrows: dict[Any, list] = defaultdict(list)
+    spans = ((step.before, [step.before[:3, 3], step.normal[0]]), (step.frame, [step.normal[1]]))
+    for index, (frame, used) in enumerate(spans, step.number - 1):
+        x, z, origin = frame[:3, 0], frame[:3, 2], frame[:3, 3]
+        along = [float((point - origin) @ z) for point in used]
+        ends = [(min(along) - 0.6 * reach) * z, (max(along) + reach) * z]
+        if index == step.number and step.case == "coincident" and not step.opposite:
+            arrows[next(key for key in arrows if key[0] == "z")].append(index)
+        else:
+            arrows["z", *(tuple(np.round(origin + end, 9) + 0.0) for end in ends)].append(index)
+        tips = (tuple(np.round(p, 9) + 0.0) for p in (origin, origin + 0.75 * reach * x))
+        arrows["x", *tips].append(index)
+    return arrows
+
+
+def _line(found: Derivation) -> Array:
+    return skeleton(found.arm, found.frames)
+
+
+def postures(
+    axes: Iterable[Axes], arm: Arm, poses: ArrayLike, titles: Iterable[str], view: View
+) -> None:
+    """Draw an arm in several poses, shape (k, dof), each as a line with dots at its joints, on axes
+    of its own and all at one scale; a star marks the tip."""
+    must_be(arm, Arm, "arm")
+    poses = numbers(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
+    T = [pose_frames(arm, q) for q in poses]
+    lines = [seen(skeleton(arm, frames_of_q), view)[:, :2] for frames_of_q in T]
+    low, high = np.vstack(lines).min(axis=0), np.vstack(lines).max(axis=0)
+    rim = 0.1 * float((high - low).max())
+    limits = np.stack([low - rim, high + rim], axis=1)
+    origins = [i - 1 for i in arm.joints]
+    for ax, pose, line, title in zip(axes, T, lines, titles, strict=True):
+        _ground(ax, line[0], rim)
+        ax.plot(*line.T, color=GREY, lw=4, solid_joinstyle="round", zorder=2)
+        ax.plot(*seen(pose[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3)
+        ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)
+        ax.set(xlim=limits[0], ylim=limits[1])
+        ax.set_title(title, fontsize=9)
+        bare(ax)
