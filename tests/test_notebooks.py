@@ -12,9 +12,11 @@ from statistics import median
 import nbformat
 import pytest
 
+from tools.refresh import dress
+
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 PICTURES = {"image/svg+xml", "image/png", "image/jpeg"}
-SHORT = {"01"}  # the chapters whose cells have been cut down: none goes back
+SHORT = {"01", "05"}  # the chapters whose cells have been cut down: none goes back
 ALLOWED_TAGS = {"hide-input", "hide-output", "hide-cell", "remove-input"}
 
 every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -140,3 +142,26 @@ def test_nothing_in_it_is_of_one_machine(path):
 @every_notebook
 def test_it_is_small(path):
     assert path.stat().st_size < 750_000
+
+
+@every_notebook
+def test_cells_that_only_draw_and_solutions_are_folded(path):
+    """As tools/refresh.py leaves them: in JupyterLab solutions, on the page the code of figures."""
+    notebook = read(path)
+    dress(notebook)
+    assert notebook == read(path), f"say: python tools/refresh.py {path.name}"
+
+
+def test_what_is_folded():
+    figure = {"mystnb": {"figure": {"caption": "One."}}}
+    cells = [
+        nbformat.v4.new_code_cell("draw(ax)", metadata=figure),
+        nbformat.v4.new_code_cell("check('length', 1, 1)", metadata=figure),
+        nbformat.v4.new_markdown_cell("```{solution-start} ex\n```\nSo."),
+        nbformat.v4.new_code_cell("answer"),
+        nbformat.v4.new_markdown_cell("```{solution-end}\n```"),
+        nbformat.v4.new_code_cell("after"),
+    ]
+    dress(nbformat.v4.new_notebook(cells=cells))
+    assert [cell.metadata.get("tags", []) for cell in cells[:2]] == [["hide-input"], []]
+    assert ["jupyter" in cell.metadata for cell in cells] == [False] * 3 + [True] + [False] * 2

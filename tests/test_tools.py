@@ -1,15 +1,14 @@
 """The tools beside the book: the PDF's order, bookmarks and link, and notebooks refreshed the same
 on every machine."""
 
-import io
 import re
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import nbformat
 import pytest
 import yaml
-from pypdf import PdfReader, PdfWriter
 
 from tools import address, pdf
 from tools.refresh import refresh
@@ -17,20 +16,12 @@ from tools.refresh import refresh
 ROOT = Path(__file__).parents[1]
 
 
-def blank(pages):
-    writer, data = PdfWriter(), io.BytesIO()
-    for _ in range(pages):
-        writer.add_blank_page(width=595, height=842)
-    writer.write(data)
-    return data.getvalue()
-
-
 def test_the_pages_come_in_the_order_of_the_contents():
     names = pdf.names()
-    assert names[:3] == [
-        "intro",
-        *re.findall(r"file: (\S+)", (pdf.ROOT / "book/_toc.yml").read_text(encoding="utf-8"))[:2],
-    ]
+    contents = (pdf.ROOT / "book/_toc.yml").read_text(encoding="utf-8")
+    assert names[0] == "intro"
+    listed = re.findall(r"file: (\S+)", contents)
+    assert names[1:] == [name for name in listed if name not in pdf.ALONE]
     assert len(names) == len(set(names))
     for name in names:
         assert any((pdf.ROOT / "book" / f"{name}.{kind}").exists() for kind in ("md", "ipynb")), (
@@ -38,24 +29,33 @@ def test_the_pages_come_in_the_order_of_the_contents():
         )
 
 
-def test_the_parts_become_one_document_with_a_bookmark_each(tmp_path):
-    path = tmp_path / "book.pdf"
-    assert pdf.joined([("One", blank(2)), ("Two", blank(3))], path) == 5
-    read = PdfReader(path)
-    assert [(mark.title, read.get_destination_page_number(mark)) for mark in read.outline] == [
-        ("One", 0),
-        ("Two", 2),
-    ]
-    assert read.metadata.title == "Robot homework companion"
-
-
-def test_the_link_stands_once_below_the_articles_title(tmp_path):
+def test_the_first_page_shows_its_link_once_there_is_a_pdf(tmp_path):
     page = tmp_path / "intro.html"
-    page.write_text("<h1>Menu</h1><article><h1>Book</h1><h1>No</h1></article>", encoding="utf-8")
+    page.write_text(f"<article></article>{pdf.PLACE}", encoding="utf-8")
     pdf.link(page)
     pdf.link(page)
-    html = page.read_text(encoding="utf-8")
-    assert html == f"<h1>Menu</h1><article><h1>Book</h1>\n{pdf.LINK}<h1>No</h1></article>"
+    assert page.read_text(encoding="utf-8") == f"<article></article>{pdf.LINK}"
+    page.write_text("<article></article>", encoding="utf-8")
+    with pytest.raises(RuntimeError, match="no place"):
+        pdf.link(page)
+
+
+def test_references_are_printed_again_until_their_pages_hold(monkeypatch):
+    """The second print moves a place, the third does not."""
+    found = iter([{"a": 3, "b": 1}, {"a": 4, "b": 2}, {"a": 4, "b": 1}])  # b is nowhere named
+    monkeypatch.setattr(pdf, "places", lambda data: next(found))
+    said = []
+
+    def evaluate(_, pages):
+        said.append(pages.get("a"))
+        return ["a"]
+
+    page = SimpleNamespace(evaluate=evaluate, pdf=lambda **_: b"%PDF")
+    assert pdf.printed(page) == b"%PDF"
+    assert said == [None, 3, 4]
+    monkeypatch.setattr(pdf, "places", lambda data: {"a": len(said)})
+    with pytest.raises(RuntimeError, match="still move"):
+        pdf.printed(page)
 
 
 @pytest.fixture

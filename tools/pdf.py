@@ -1,102 +1,119 @@
-"""Print the built book into one PDF, pages in the order of its contents: `python tools/pdf.py`."""
+"""Print the built book into one PDF: `python tools/pdf.py`.
 
-import io
+All pages become one document, in the order of the contents, so that Chromium tags it for screen
+readers as a whole, numbers its pages through, and links lead from page to page. Where a reference
+leads to another page it says to which: the book is printed until these numbers hold.
+"""
+
 import re
 import sys
+from io import BytesIO
 from pathlib import Path
 
-from playwright.sync_api import Browser, sync_playwright
-from pypdf import PdfReader, PdfWriter
+from playwright.sync_api import Browser, Page, sync_playwright
+from pypdf import PdfReader
 
 ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
-LINK = '<p class="pdf-link"><a href="book.pdf">The whole book as one PDF</a></p>'
+ALONE = {"explorer"}  # an instrument, which is nothing on paper
 PAPER = {"top": "18mm", "bottom": "20mm", "left": "17mm", "right": "17mm"}
 SHEET = {"width": 770, "height": 1100}  # what is left of A4 between the margins, at the scale below
 FOOT = (
-    '<div style="font-size:8px;width:100%;text-align:center;color:#555">{} · <span'
-    ' class="pageNumber"></span></div>'
+    '<div style="font: 8px serif; width: 100%; text-align: center; color: #555">'
+    'Robot homework companion · <span class="pageNumber"></span></div>'
 )
+SET = "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)"
+TRIES = 4
+PLACE, LINK = "<!-- link to the PDF -->", '<p><a href="book.pdf">The whole book as one PDF</a></p>'
 
-# Links to other pages would hold this machine's paths; folded solutions are opened; wide formulas
-# shrink to the paper.
-PREPARE = """() => {
-    document.querySelectorAll("a[href]").forEach((a) => {
-        if (a.protocol === "file:" && a.pathname !== location.pathname) a.removeAttribute("href");
-    });
-    document.querySelectorAll("img").forEach((i) => (i.loading = "eager"));
-    document.querySelectorAll("details").forEach((d) => (d.open = true));
-    document.querySelectorAll(".toggle-hidden").forEach((e) => e.classList.remove("toggle-hidden"));
-    document.querySelectorAll("div.math > mjx-container").forEach((m) => {
-        const wide = m.querySelector("mjx-math").getBoundingClientRect().width;
-        const room = m.parentElement.clientWidth / (wide + 60);
-        if (room < 1) m.style.fontSize = `${Math.floor(room * parseFloat(m.style.fontSize))}%`;
-    });
-}"""
+SCRIPT = (Path(__file__).parent / "pdf.js").read_text(encoding="utf-8").strip()
 
 
 def names() -> list[str]:
     """The pages in the order of the table of contents."""
     contents = (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
-    return re.findall(r"(?:file|root): (\S+)", contents)
+    found = re.findall(r"(?:file|root): (\S+)", contents)
+    return [name for name in found if name not in ALONE]
 
 
-def printed(browser: Browser, name: str) -> tuple[str, bytes]:
-    """A page's title and its PDF, as a reader would print it in light mode."""
+def whole(browser: Browser) -> str:
+    """All pages as one HTML document."""
+    articles, styles = [], {}
     page = browser.new_page(viewport=SHEET)
-    page.goto((HTML / f"{name}.html").as_uri())
-    page.wait_for_function(
-        "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)"
-    )
-    page.emulate_media(media="print")
-    page.evaluate(PREPARE)
-    page.evaluate("Promise.all([...document.images].map((i) => i.decode()))")
-    title = page.locator("article h1").first.inner_text().rstrip("#\n ")
-    foot = FOOT.format(title)
-    data = page.pdf(
-        format="A4",
-        scale=0.86,
-        margin=PAPER,
-        display_header_footer=True,
-        header_template="<span></span>",
-        footer_template=foot,
-    )
+    page.add_init_script("localStorage.mode = 'light'")
+    page.emulate_media(media="print", color_scheme="light")
+    for name in names():
+        page.goto((HTML / f"{name}.html").as_uri())
+        page.wait_for_function(SET)
+        article, sheets = page.evaluate(f"(name) => {SCRIPT}.take(name)", name)
+        articles.append(article)
+        styles |= dict.fromkeys(sheets)
     page.close()
-    return title, data
+    sheets = ["book.css", *(["answers.css"] if (HTML / "_static/answers.css").exists() else [])]
+    links = "".join(f'<link rel="stylesheet" href="_static/{sheet}">' for sheet in sheets)
+    rules = "".join(f"<style>{style}</style>" for style in styles)
+    return (
+        '<!DOCTYPE html><html lang="en" data-theme="light"><head><meta charset="utf-8">'
+        f"<title>Robot homework companion</title>{links}{rules}</head>"
+        f'<body class="printed">{"".join(articles)}</body></html>'
+    )
 
 
-def joined(parts: list[tuple[str, bytes]], path: Path) -> int:
-    """Write the parts as one document with a bookmark for each; the number of its pages."""
-    writer = PdfWriter()
-    for title, data in parts:
-        writer.append(PdfReader(io.BytesIO(data)), outline_item=title, import_outline=False)
-    writer.compress_identical_objects()
-    writer.add_metadata({"/Title": "Robot homework companion"})
-    writer.write(path)
-    return len(writer.pages)
+def places(data: bytes) -> dict[str, int]:
+    """The page, counted from 1, on which each place that a link leads to stands."""
+    reader = PdfReader(BytesIO(data))
+    found = reader.named_destinations.items()
+    return {name.lstrip("/"): reader.get_destination_page_number(at) + 1 for name, at in found}
+
+
+def printed(page: Page) -> bytes:
+    """The document with right page numbers in its references."""
+    known: dict[str, int] = {}
+    for _ in range(TRIES):
+        named = page.evaluate(f"(pages) => {SCRIPT}.number(pages)", known)
+        data = page.pdf(
+            format="A4",
+            scale=0.86,
+            margin=PAPER,
+            display_header_footer=True,
+            header_template="<span></span>",
+            footer_template=FOOT,
+            tagged=True,
+            outline=True,
+        )
+        found = places(data)
+        if known and all(found.get(name) == known.get(name) for name in named):
+            return data
+        known = found
+    raise RuntimeError(f"the page numbers still move after {TRIES} prints")
 
 
 def link(path: Path) -> None:
     """Link the PDF from the first page, now that there is one."""
     html = path.read_text(encoding="utf-8")
-    if LINK not in html:
-        before, start, article = html.partition("<article")
-        article = article.replace("</h1>", f"</h1>\n{LINK}", 1)
-        path.write_text(before + start + article, encoding="utf-8")
+    if html.count(PLACE) + html.count(LINK) != 1:
+        raise RuntimeError(f"{path.name} has no place for the PDF's link: {PLACE}")
+    path.write_text(html.replace(PLACE, LINK), encoding="utf-8")
 
 
 def main() -> None:
     sys.path.insert(0, str(ROOT))
     from tests.browser.conftest import launched
 
+    together, result = HTML / "_whole.html", HTML / "book.pdf"
     with sync_playwright() as playwright:
         browser = launched(playwright)
-        parts = [printed(browser, name) for name in names()]
+        together.write_text(whole(browser), encoding="utf-8")
+        page = browser.new_page(viewport=SHEET)
+        page.goto(together.as_uri())
+        page.emulate_media(media="print")
+        page.evaluate("Promise.all([...document.images].map((i) => i.decode()))")
+        result.write_bytes(printed(page))
         browser.close()
-    pages = joined(parts, HTML / "book.pdf")
+    together.unlink()
     link(HTML / "intro.html")
-    size = (HTML / "book.pdf").stat().st_size / 1e6
-    print(f"{HTML / 'book.pdf'}: {pages} pages, {size:.1f} MB")
+    pages = len(PdfReader(result).pages)
+    print(f"{result}: {pages} pages, {result.stat().st_size / 1e6:.1f} MB")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Execute notebooks in place and keep only what belongs to them: `python tools/refresh.py
 book/*.ipynb`."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -12,6 +13,28 @@ KERNEL = {
     "language_info": {"name": "python"},
 }
 WIDGET = "application/vnd.jupyter.widget-view+json"
+
+
+def dress(notebook: nbformat.NotebookNode) -> None:
+    """Hide the code of cells that only draw on the page, and solutions in JupyterLab too."""
+    solution = False
+    for cell in notebook.cells:
+        if cell.cell_type == "markdown":
+            ends = re.findall(r"\{solution-(start|end)\}", cell.source)
+            solution = ends[-1] == "start" if ends else solution
+            continue
+        cell.metadata.pop("jupyter", None)
+        if solution:
+            cell.metadata["jupyter"] = {"outputs_hidden": True, "source_hidden": True}
+        tags = cell.metadata.get("tags", [])
+        if draws_only(cell) and "hide-input" not in tags:
+            cell.metadata["tags"] = [*tags, "hide-input"]
+
+
+def draws_only(cell: nbformat.NotebookNode) -> bool:
+    """Whether a cell's figure is all that there is to see of it."""
+    says = re.search(r"\b(check|print|display|compare_\w+)\(", cell.source)
+    return "figure" in cell.metadata.get("mystnb", {}) and not says
 
 
 def refresh(path: Path) -> None:
@@ -29,6 +52,7 @@ def refresh(path: Path) -> None:
             output.get("data", {}).pop(WIDGET, None)  # without a kernel there is none
             if "metadata" in output:
                 output["metadata"] = {}
+    dress(notebook)
     nbformat.write(notebook, path)
 
 
