@@ -38,7 +38,7 @@ def by_topic(cases):
         if kind == "noise":
             continue
         what = "pairs" if cause and " + " in cause else "single mistakes" if cause else "right work"
-        what += ", 3 decimals" if cause and digits <= 3 else ", 4 and more" if cause else ""
+        what += ", up to 3 decimals" if cause and digits <= 3 else ", 4 and more" if cause else ""
         groups[topic, what][how] += 1
     yield line(
         ["", "work handed in", "cases", "named", "another named", "wrong, no cause", "accepted"]
