@@ -339,6 +339,25 @@ def test_torques_are_drawn_per_joint_with_the_makers_limit():
     for k, ax in enumerate(grid.flat[:7]):
         np.testing.assert_array_equal(ax.lines[0].get_ydata(), tau[:, k])
         assert ax.get_title() == f"joint {k + 1} (limit ±{87 if k < 4 else 12})"
+        assert (ax.get_xlabel(), len(ax.patches)) == ("$t$ (s)", 0)
+
+
+def test_every_panel_has_its_own_times_and_where_asked_its_limits():
+    _, grid = plt.subplots(2, 4, sharex=True)
+    torques(grid, PANDA_HOMEWORK, [0.0, 1.0], np.zeros((2, 7)), limits=True)
+    grid[0, 0].figure.canvas.draw()
+    for k, ax in enumerate(grid.flat[:7]):
+        most = 87 if k < 4 else 12
+        (band,) = ax.patches
+        assert [band.get_y(), band.get_y() + band.get_height()] == [-most, most]
+        assert through(ax, [[0, most], [1, most]])
+        assert through(ax, [[0, -most], [1, -most]])
+        assert ax.get_ylim()[1] > most
+        assert any(tick.label1.get_visible() for tick in ax.xaxis.get_major_ticks())
+    _, boundless = plt.subplots()
+    arm = _without_limits(PANDA_HOMEWORK).lock(1)
+    torques(np.array([boundless]), arm, [0.0, 1.0], np.zeros((2, 6)), limits=True)
+    assert not boundless.patches
 
 
 def test_the_pen_and_the_wall_push_each_other():
