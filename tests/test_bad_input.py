@@ -195,6 +195,7 @@ RIGHT = {
     "plotting.dh_numbers": dict(ax=SPACE, a=1, alpha=1, d=1, theta=1),
     "plotting.ellipsoid_3d": dict(ax=SPACE, centre=[0, 0, 1], axes=np.eye(3),
         scale=1.0, colour="k", label="anything"),
+    "plotting.seen": dict(points=np.zeros((2, 3)), view="xz"),
     "plotting.shoulder_triangles": dict(ax=FLAT, point=[0.3, 0.2], offset=0.1, names=("left",
         "right"), letters=("d", "r")),
     "plotting.ur_triangle": dict(ax=FLAT, arm=UR10E, q=UR10E.home),
@@ -226,6 +227,7 @@ RIGHT = {
 # What a message says it expected: by the argument's name, or where that means several things, by
 # the function's too.
 EXPECTED = {
+    "plotting.seen points": "points (..., 3), finite, in m",
     "plotting.shoulder_triangles point": "two finite coordinates in m",
     "size": "a finite number > 0",
     "view": "a plane such as 'xz', or an azimuth", "poses": "joint vectors (k, 7)",

@@ -19,6 +19,7 @@ from helpers.plotting.drawing import (
     lengths,
     postures,
     row_drawing,
+    seen,
 )
 from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
@@ -55,6 +56,7 @@ __all__ = [
     "postures",
     "regions",
     "row_drawing",
+    "seen",
     "shoulder_triangles",
     "stick_3d",
     "torques",
