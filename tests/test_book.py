@@ -79,7 +79,7 @@ def test_every_link_leads_somewhere(name):
         target = here if not local(url) else here.parent / local(url)
         assert target.exists(), url
         anchor = urldefrag(url)[1]
-        if anchor and target.suffix == ".html":
+        if anchor and target.suffix == ".html" and "=" not in anchor:  # a state of the explorer
             assert unquote(anchor) in page(target).ids, url
 
 

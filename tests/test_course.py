@@ -21,6 +21,7 @@ from helpers.course.answers import collected, hand_in, read_hand_in
 from helpers.course.commands import main
 from helpers.course.marking import Mark, mark_sheet, prove
 from helpers.course.roster import Student, read_roster
+from helpers.inverse import elbow
 from helpers.robots import ARMS, ELBOW, PANDA, UR10E
 from helpers.variants import Sheet
 
@@ -75,6 +76,26 @@ def test_right_work_gets_all_a_slip_is_named_and_nothing_gets_nothing(course, tm
     assert [line["name"] for line in lines] == ["Ada", "'=HYPERLINK(1)", "Émile"]
     results = json.loads((tmp_path / "ab12" / "results.json").read_text("utf-8"))
     assert results["score"] == sum(test["max_score"] for test in results["tests"]) == len(parts)
+
+
+def test_few_digits_cost_a_little_and_joint_values_beyond_the_limits_count_for_nothing(course):
+    sheet = store.load(course).sheet("ab12", SECRET)
+    answers = right(sheet)
+    answers["J"] = np.round(answers["J"], 2).tolist()
+    found = {mark.part: mark for mark in mark_sheet(sheet, answers, store.Rules(digits=0.8))}
+    assert found["J"].credit == 0.8
+    bent = ELBOW.with_rows((*ELBOW.rows[:2], revolute(a="a_3", limits=(0, 3))))
+    sheet = commands.variants.sheet(bent, "a seed", ["inverse kinematics"])
+    half = sheet.parts["q"].value
+    assert len(half) == 2
+    target = np.array(sheet.drawn["inverse kinematics"]["target"])[:, 0]
+    every = elbow(sheet.arm.with_rows(ELBOW.rows), target)
+    assert len(every.q) == 4
+    assert mark_sheet(sheet, {"q": half.tolist()}, store.Rules())[0].credit == 1
+    (beyond,) = mark_sheet(sheet, {"q": every.q.tolist()}, store.Rules())
+    assert beyond.credit < 1
+    (alone,) = mark_sheet(sheet, {"q": every.q[every.q[:, 2] < 0].tolist()}, store.Rules())
+    assert alone.credit == 0
 
 
 def test_what_has_not_changed_is_not_marked_again_and_what_has_is(course, tmp_path, monkeypatch):

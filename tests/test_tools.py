@@ -31,10 +31,10 @@ def test_the_pages_come_in_the_order_of_the_contents():
 
 def test_the_first_page_shows_its_link_once_there_is_a_pdf(tmp_path):
     page = tmp_path / "intro.html"
-    page.write_text(f"<article></article>{pdf.HIDDEN}PDF</p>", encoding="utf-8")
+    page.write_text(f"<article></article>{pdf.PLACE}", encoding="utf-8")
     pdf.link(page)
     pdf.link(page)
-    assert page.read_text(encoding="utf-8") == f"<article></article>{pdf.SHOWN}PDF</p>"
+    assert page.read_text(encoding="utf-8") == f"<article></article>{pdf.LINK}"
     page.write_text("<article></article>", encoding="utf-8")
     with pytest.raises(RuntimeError, match="no place"):
         pdf.link(page)

@@ -24,7 +24,7 @@ FOOT = (
 )
 SET = "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)"
 TRIES = 4
-HIDDEN, SHOWN = '<p class="pdf" hidden>', '<p class="pdf">'
+PLACE, LINK = "<!-- link to the PDF -->", '<p><a href="book.pdf">The whole book as one PDF</a></p>'
 
 SCRIPT = (Path(__file__).parent / "pdf.js").read_text(encoding="utf-8").strip()
 
@@ -89,11 +89,11 @@ def printed(page: Page) -> bytes:
 
 
 def link(path: Path) -> None:
-    """Show the first page's link to the PDF, now that there is one."""
+    """Link the PDF from the first page, now that there is one."""
     html = path.read_text(encoding="utf-8")
-    if html.count(HIDDEN) + html.count(SHOWN) != 1:
-        raise RuntimeError(f"{path.name} has no place for the PDF's link: {HIDDEN}")
-    path.write_text(html.replace(HIDDEN, SHOWN), encoding="utf-8")
+    if html.count(PLACE) + html.count(LINK) != 1:
+        raise RuntimeError(f"{path.name} has no place for the PDF's link: {PLACE}")
+    path.write_text(html.replace(PLACE, LINK), encoding="utf-8")
 
 
 def main() -> None:

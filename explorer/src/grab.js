@@ -182,3 +182,42 @@ export function followTip(store, { arm, q, keepTurn }, target, rest, gesture) {
   store.dispatch({ type: "move", q: next, hold, gesture });
   return done;
 }
+
+/**
+ * Bring the tip to a point as a drag would, all the way, within limits.
+ * @param {import("./state.js").Store} store
+ * @param {number[]} o
+ */
+export function moveTip(store, o, gesture = null) {
+  const rest = store.state.q;
+  const target = { ...store.derived.frames.at(-1), o };
+  for (let step = 0; step < 60; step++) if (followTip(store, store.state, target, rest, gesture)) break;
+}
+
+const TIP_KEYS = {
+  ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0],
+  PageUp: [0, 0, -1], PageDown: [0, 0, 1],
+}; // prettier-ignore
+const TIP_STEP = 0.01; // m; a tenth of it with Shift
+
+/**
+ * Move the tip across the picture by a key, a tenth as far with Shift; whether the key was one.
+ * @param {import("./scene.js").ArmPicture} picture
+ * @param {import("./state.js").Store} store
+ * @param {KeyboardEvent} event
+ */
+export function moveTipByKey(picture, store, event) {
+  const way = TIP_KEYS[event.key];
+  if (!way) return false;
+  event.preventDefault();
+  event.stopPropagation();
+  const step = TIP_STEP * (event.shiftKey ? 0.1 : 1);
+  const axes = picture.cameraAxes();
+  const { o } = store.derived.frames.at(-1);
+  moveTip(
+    store,
+    o.map((v, i) => v + step * way.reduce((sum, share, k) => sum + share * axes[k][i], 0)),
+    "tip keys",
+  );
+  return true;
+}

@@ -183,8 +183,10 @@ def _marked(cell: dict[str, Any], *, locked: bool = False, **kind: Any) -> dict[
 
 
 def _solution(cell: dict[str, Any], part: Part) -> dict[str, Any]:
-    code = f"# {part.what}\n### BEGIN SOLUTION\nanswer_{part.name} = None\n### END SOLUTION"
-    return _marked({**cell, "source": code}, solution=True)
+    """nbgrader puts its stub in place of the solution; the line above it keeps the name."""
+    lines = [f"# answer_{part.name}: {part.what}", "### BEGIN SOLUTION"]
+    lines += [f"answer_{part.name} = None", "### END SOLUTION"]
+    return _marked({**cell, "source": "\n".join(lines)}, solution=True)
 
 
 def _test(sheet: Sheet, part: Part) -> dict[str, Any]:

@@ -29,6 +29,7 @@ from helpers.variants import Part, Question, Sheet
 Array = NDArray[np.float64]
 
 _MOST = 2000  # characters of a text, or entries of a list: no right answer is longer
+_HARMLESS = {"tau.gravity:9.80665"}  # standard gravity, 0.03 % beside 9.81: nobody's mistake
 _SLIGHT = 1e-9  # rad or m beyond a limit that rounding explains
 
 
@@ -98,8 +99,8 @@ def _from(part: Part, near: Report, exact: Report, rules: Rules) -> Mark:
 def _credit(report: Report, rules: Rules) -> float:
     """By the rules: digits, a named cause, or the share that is right."""
     share = report.figures.get("right", 0) / max(1, report.figures.get("of", 1))
-    if report.grade == "rounded" or (report.grade == "so far" and not share):
-        return rules.digits
+    if report.grade in ("right", "rounded") or (report.grade == "so far" and not share):
+        return rules.digits  # right to the digits given, which are fewer than the sheet asks
     if report.grade == "so far":
         return share
     known = [
@@ -197,20 +198,24 @@ def _branches(question: Question, part: Part, answer: Any, rules: Rules) -> Mark
     """Every branch within the limits; one beyond them is none."""
     arm, solver = question.arm, variants.closed_form(question.arm)
     assert solver is not None
-    if beyond := _beyond_limits(arm, answer):
-        return _none(part, beyond)
     found = solver(arm, variants.pose_of(np.array(question.given["target"])))
     asked = replace(found, valid=found.within_limits)
     near = compare_branches(answer, asked, tolerance=part.tolerance)
-    return _from(part, near, compare_branches(answer, asked), rules)
+    exact = compare_branches(answer, asked)
+    return _within_limits(arm, part, answer, _from(part, near, exact, rules))
 
 
 def _pose(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
     arm, target = question.arm, variants.pose_of(np.array(question.given["target"]))
-    if beyond := _beyond_limits(arm, answer):
-        return _none(part, beyond)
     near = compare_pose(answer, arm, target, tolerance=part.tolerance)
-    return _from(part, near, compare_pose(answer, arm, target), rules)
+    exact = compare_pose(answer, arm, target)
+    return _within_limits(arm, part, answer, _from(part, near, exact, rules))
+
+
+def _within_limits(arm: Arm, part: Part, answer: Any, found: Mark) -> Mark:
+    """The mark, or none where joint values that would count lie beyond the limits."""
+    beyond = _beyond_limits(arm, answer) if found.credit and not found.causes else ""
+    return _none(part, beyond) if beyond else found
 
 
 def _beyond_limits(arm: Arm, answer: Any) -> str:
@@ -269,7 +274,7 @@ def unseen(question: Question, part: Part) -> set[str]:
         return set()
     off = np.abs(made - right).reshape(len(causes), -1).max(axis=1)
     near = [c for c, far in zip(causes, off, strict=True) if far <= part.tolerance]
-    return {c.name for c in near if len(c.keys) == 1}
+    return {c.name for c in near if len(c.keys) == 1} - _HARMLESS
 
 
 def _generic(question: Question) -> Question:

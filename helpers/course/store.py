@@ -67,10 +67,16 @@ class Course:
         return variants.Sheet(self.arm.with_values(**stored["values"]), stored["drawn"])
 
 
-def drawn_sheet(course: Course, student: str, name: str, secret: bytes) -> dict[str, Any]:
-    """The entry of `Course.sheets` for one student: values, drawn numbers, signature and name."""
+def drawn_sheet(
+    course: Course, student: str, name: str, secret: bytes, attempt: int = 0
+) -> dict[str, Any]:
+    """The entry of `Course.sheets` for one student: values, drawn numbers, signature and name.
+
+    Another `attempt` draws other numbers.
+    """
     must_name_a_folder(student, "student id")
-    sheet = variants.sheet(course.arm, seed(secret, student, course.title), course.topics)
+    drawn_from = seed(secret, student, f"{course.title} {attempt}")
+    sheet = variants.sheet(course.arm, drawn_from, course.topics)
     content = {"values": dict(sheet.arm.values), "drawn": dict(sheet.drawn)}
     return {"name": name, **content, "signature": signature(secret, student, content)}
 

@@ -7,6 +7,7 @@ degrees, (azimuth, elevation), from where one looks. All of it is drawn on plain
 
 from collections import defaultdict
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -87,7 +88,7 @@ def _joint(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) -> No
     outline = both[:, np.unique(np.argmax(_ROUND @ both, axis=1))]
     middle = outline.mean(axis=1, keepdims=True)
     order = np.argsort(np.arctan2(*(outline - middle)[::-1]))
-    look = dict(edgecolor=SLATE, lw=0.8, zorder=3)
+    look: dict[str, Any] = dict(edgecolor=SLATE, lw=0.8, zorder=3)
     ax.add_patch(Polygon(outline[:, order].T, facecolor=_PALE, **look))
     ax.add_patch(Polygon(near.T, facecolor="white", **look))
 
@@ -114,7 +115,7 @@ def lengths(
         first = 2 * i - (2 if kind == "d" else 1)
         ends = seen(points[[first, first + 1]], view)[:, :2]
         long = 1000 * float(np.linalg.norm(np.diff(points[[first, first + 1]], axis=0)))
-        dimension(ax, *ends, move, f"${_letter(arm, i, kind)} = {round(long, 2):g}$")
+        dimension(ax, ends[0], ends[1], move, f"${_letter(arm, i, kind)} = {round(long, 2):g}$")
 
 
 def _letter(arm: Arm, i: int, kind: str) -> str:
@@ -129,22 +130,22 @@ def dimension(
 ) -> None:
     """Draw a dimension line between two points of the drawing, moved aside (m), with a text beside
     its middle."""
-    start, end, aside = (
+    one, other, shift = (
         numbers(value, what, "two finite coordinates in m", (2,))
         for value, what in ((start, "start"), (end, "end"), (aside, "aside"))
     )
-    for foot in (start, end):
-        ax.plot(*np.stack([foot, foot + 1.08 * aside], axis=1), color=GREY, lw=0.6, zorder=1)
+    for foot in (one, other):
+        ax.plot(*np.stack([foot, foot + 1.08 * shift], axis=1), color=GREY, lw=0.6, zorder=1)
     ends = dict(arrowstyle="<|-|>", color="black", lw=0.8, shrinkA=0, shrinkB=0, mutation_scale=7)
-    ax.annotate("", xy=end + aside, xytext=start + aside, arrowprops=ends)
-    away = aside / max(np.linalg.norm(aside), 1e-9)
-    x, y = (start + end) / 2 + aside
+    ax.annotate("", xy=tuple(other + shift), xytext=tuple(one + shift), arrowprops=ends)
+    away = shift / max(float(np.linalg.norm(shift)), 1e-9)
+    x, y = (one + other) / 2 + shift
     ax.annotate(
-        text, (x, y), xytext=6 * away, textcoords="offset points",
+        text, (x, y), xytext=tuple(6 * away), textcoords="offset points",
         ha=_side(away[0], "right", "left"), va=_side(away[1], "top", "bottom"),
         bbox=dict(facecolor="white", edgecolor="none", pad=1),
     )  # fmt: skip
-    ax.update_datalim([start + 1.3 * aside, end + 1.3 * aside])
+    ax.update_datalim([one + 1.3 * shift, other + 1.3 * shift])
 
 
 def _side(along: float, low: str, high: str) -> str:
@@ -185,8 +186,8 @@ def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
         foot = line.point - (line.point @ line.z) * line.z
         along = [float(point @ line.z) for point in (line.point, frame[:3, 3])]
         shared[tuple(np.round([*foot, *line.z], 6) + 0.0)].append((k, along))
-    for line, group in shared.items():
-        foot, z = np.array(line[:3]), np.array(line[3:])
+    for where, group in shared.items():
+        foot, z = np.array(where[:3]), np.array(where[3:])
         used = [value for _, along in group for value in along]
         ends = [foot + (min(used) - length / 2) * z, foot + (max(used) + length / 2) * z]
         start, end = seen(ends, view)[:, :2]
@@ -199,11 +200,11 @@ def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
 def _arrow(ax: Axes, start: Array, end: Array, colour: str, text: str, side: float = 0) -> None:
     """An arrow with its name beyond its head, or to its left (pt) where `side` is not 0."""
     look = dict(arrowstyle="-|>", color=colour, lw=1.4, shrinkA=0, shrinkB=0, mutation_scale=9)
-    ax.annotate("", xy=end, xytext=start, arrowprops=look, zorder=6)
+    ax.annotate("", xy=tuple(end), xytext=tuple(start), arrowprops=look, zorder=6)
     step = end - start
-    way = step / max(np.linalg.norm(step), 1e-12)
+    way = step / max(float(np.linalg.norm(step)), 1e-12)
     place = 2 * way + side * np.array([-way[1], way[0]]) if side else 9 * way
-    ax.annotate(text, end, xytext=place, textcoords="offset points", color=colour,
+    ax.annotate(text, tuple(end), xytext=tuple(place), textcoords="offset points", color=colour,
                 ha="center", va="center", zorder=7)  # fmt: skip
     ax.update_datalim([start, end + 0.35 * step])
 
@@ -230,7 +231,7 @@ def frames(
         start, axis = np.array(place[:3]), np.array(place[3:])
         ends = seen([start, start + length * axis], view)[:, :2]
         text = f"${name}_{{{','.join(map(str, same))}}}$"
-        _arrow(ax, *ends, AXIS_COLOURS[name], text, 10)
+        _arrow(ax, ends[0], ends[1], AXIS_COLOURS[name], text, 10)
 
 
 _INDICES = "numbers of frames"
@@ -251,8 +252,8 @@ def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
         ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
         side = {"z": 0, "x": 9 if row in which else -8}[name]
         _arrow(ax, ends[1] - 0.01 * (ends[1] - ends[0]), ends[1], colour, text, side)
-    for ends, colour in (((before, foot), BLUE), ((foot, origin), RED)):
-        ax.plot(*seen(ends, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
+    for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
+        ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
     ax.plot(*seen(origin, view)[:2], "o", color="black", ms=4, zorder=7)
     ax.set(xlim=middle[0] + half * _SPAN, ylim=middle[1] + half * _SPAN)
     ax.set_title(f"row {row}", fontsize=10)
@@ -281,7 +282,7 @@ def _window(found: Derivation, points: Array) -> tuple[Array, float, float]:
 def _arrows_of(step: Step, reach: float) -> dict[tuple, list[int]]:
     """The arrows x and z of the two frames, each z as long as its axis is used, with the indices of
     the frames that have them."""
-    arrows = defaultdict(list)
+    arrows: dict[Any, list] = defaultdict(list)
     spans = ((step.before, [step.before[:3, 3], step.normal[0]]), (step.frame, [step.normal[1]]))
     for index, (frame, used) in enumerate(spans, step.number - 1):
         x, z, origin = frame[:3, 0], frame[:3, 2], frame[:3, 3]

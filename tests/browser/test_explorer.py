@@ -15,6 +15,7 @@ from tests.test_book import HTML
 from tests.test_explorer import held_up, some
 
 MINUS = "−"
+INSTRUMENT = ".arm-explorer:not([data-figure])"
 
 
 def until(page, holds):
@@ -34,7 +35,7 @@ class Visit(Reader):
     ):
         super().__init__(browser, theme, size, "file:", **context)
         self.open((HTML / f"{name}.html").as_uri() + fragment)
-        self.page.locator(".arm-explorer").scroll_into_view_if_needed()
+        self.page.locator(INSTRUMENT).scroll_into_view_if_needed()
         self.page.locator("section.explorer").wait_for()
 
     def pose(self):
@@ -495,3 +496,211 @@ def test_without_javascript_or_on_paper_a_still_picture_stands(browser, visit):
     here.page.emulate_media(media="print")
     assert here.page.locator(".arm-explorer > svg").is_visible()
     assert not here.page.locator("section.explorer").is_visible()
+
+
+ARM = "document.querySelector('.arm-explorer').explorer.store"
+
+
+def pixel_of(page, frame):
+    """Where the origin of a frame stands in the window."""
+    return page.evaluate(
+        f"""() => {{
+        const canvas = document.querySelector('.arm-explorer').shadowRoot.querySelector('.stage canvas');
+        const [x, y] = canvas.figure.pixel({ARM}.derived.frames.at({frame}).o);
+        const box = canvas.getBoundingClientRect();
+        return [box.left + x, box.top + y];
+    }}"""
+    )
+
+
+def dragged(page, start, by, steps=8):
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(start[0] + by[0], start[1] + by[1], steps=steps)
+    page.wait_for_timeout(600)
+
+
+def test_the_arm_is_held_by_its_links_and_its_tip(visit):
+    """One visit for everything that a hand does: link, tip, why it stops, undo, pin and elbow, keys."""
+    here = visit("#arm=Panda&view=pose&q=0.1,-0.4,0.3,1.6,0.2,1.9,0.4")
+    page = here.page
+    start = here.q()
+    page.locator(".stage").scroll_into_view_if_needed()
+    dragged(page, pixel_of(page, 4), (30, 15))
+    page.mouse.up()
+    turned = np.flatnonzero(np.abs(here.q() - start) > 1e-6)
+    assert turned.tolist() == [3], "a link turns its joint, and no other"
+    page.get_by_role("button", name="Undo").click()
+    np.testing.assert_allclose(here.q(), start, atol=1e-12)
+
+    dragged(page, pixel_of(page, -1), (500, -80))
+    assert re.fullmatch(r".*: \d+ mm short\.", page.locator(".why").inner_text())
+    lower, upper = PANDA.limits
+    assert ((here.q() >= lower - 1e-9) & (here.q() <= upper + 1e-9)).all()
+    page.mouse.up()
+    page.get_by_role("button", name="Undo").click()
+    np.testing.assert_allclose(here.q(), start, atol=1e-12)
+
+    page.get_by_role("button", name="Pin the tip").click()
+    dragged(page, pixel_of(page, 3), (35, 20))
+    page.mouse.up()
+    assert np.abs(here.q() - start).max() > 0.05
+    poses = forward_kinematics(PANDA, np.array([here.q(), start]))
+    np.testing.assert_allclose(*poses, atol=1e-6)
+
+    before = poses[0][:3, 3]
+    page.get_by_role("button", name="Tip", exact=True).focus()
+    for _ in range(3):
+        page.keyboard.press("ArrowUp")
+    moved = forward_kinematics(PANDA, here.q())[:3, 3] - before
+    assert np.linalg.norm(moved) == pytest.approx(0.03, abs=2e-3)
+    page.get_by_label("Tip z, typed").fill("0.5")
+    page.get_by_label("Tip z, typed").press("Enter")
+    assert forward_kinematics(PANDA, here.q())[2, 3] == pytest.approx(0.5, abs=1e-3)
+
+
+def test_nothing_grows_with_switches_keystrokes_and_views(visit):
+    """Twenty explorers share one context, survive its loss, and leave nothing behind."""
+    here = visit("#arm=Panda&view=table")
+    page = here.page
+    page.locator(".stage").scroll_into_view_if_needed()
+    answer = page.evaluate(
+        """async () => {
+        const store = document.querySelector('.arm-explorer').explorer.store;
+        const still = () => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)));
+        const spec = document.querySelector('.arm-explorer script').textContent;
+        const { arms } = JSON.parse(spec);
+        const round = async (times) => {
+            for (let n = 0; n < times; n++) {
+                store.dispatch({ type: 'select', arm: arms[n % arms.length] });
+                const rows = store.state.arm.rows.map((row, k) => (k ? row : { ...row, a: 0.001 * (n + 1) }));
+                store.dispatch({ type: 'edit', rows });
+                await still();
+            }
+            store.dispatch({ type: 'select', arm: arms[0] });
+            await still();
+            return ArmExplorer.inUse();
+        };
+        const [first, later] = [await round(8), await round(60)];
+        const hosts = Array.from({ length: 19 }, () => {
+            const host = document.createElement('div');
+            host.innerHTML = '<script type="application/json"></' + 'script>';
+            host.firstChild.textContent = spec.replace('"link":true', '"link":false');
+            document.querySelector('.arm-explorer').before(host);
+            return [host, ArmExplorer.mount(host)];
+        });
+        await new Promise((r) => setTimeout(r, 1500));
+        const many = ArmExplorer.inUse().figures;
+        const context = ArmExplorer.loseContext();
+        context.loseContext();
+        await new Promise((r) => setTimeout(r, 400));
+        const note = hosts[0][0].shadowRoot.querySelector('.lost');
+        const told = !note.hidden;
+        context.restoreContext();
+        await new Promise((r) => setTimeout(r, 800));
+        const back = note.hidden;
+        for (const [host, made] of hosts) {
+            made.dispose();
+            host.remove();
+        }
+        await still();
+        return { first, later, many, told, back, after: ArmExplorer.inUse() };
+    }"""
+    )
+    assert answer["later"]["geometries"] == answer["first"]["geometries"]
+    assert answer["later"]["textures"] == answer["first"]["textures"]
+    assert answer["many"] == 20
+    assert answer["told"]
+    assert answer["back"]
+    assert answer["after"]["figures"] == 1
+    lost = (
+        "does not belong to this context",
+        "Context Lost",
+        "CONTEXT_LOST",
+    )  # what Chromium says of it
+    here.troubles[:] = [one for one in here.troubles if not any(words in one for words in lost)]
+
+
+def test_a_thumb_may_swipe_past_a_slider(visit):
+    """On a phone: large targets, a picture that stays, sliders that a vertical swipe leaves alone."""
+    here = visit("#arm=Panda&view=table", size="phone", has_touch=True, is_mobile=True)
+    page = here.page
+    small = page.evaluate(
+        """() => [...document.querySelector('.arm-explorer').shadowRoot.querySelectorAll('button, select, input[type=text]')]
+            .filter((e) => e.getClientRects().length && !e.closest('[hidden]'))
+            .map((e) => [e.getBoundingClientRect().height, e.outerHTML.slice(0, 80)]).filter(([height]) => height < 43.5)"""
+    )
+    assert small == []
+    rail = page.locator(".rail").nth(3)
+    rail.scroll_into_view_if_needed()
+    box = rail.bounding_box()
+    start = here.q()
+    x, y = box["x"] + 0.2 * box["width"], box["y"] + box["height"] / 2
+    touch = page.context.new_cdp_session(page)
+
+    def swipe(dx, dy):
+        points = [{"x": x + dx * k / 6, "y": y + dy * k / 6} for k in range(7)]
+        touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": points[:1]})
+        for point in points[1:]:
+            touch.send("Input.dispatchTouchEvent", {"type": "touchMove", "touchPoints": [point]})
+        touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        page.wait_for_timeout(200)
+
+    swipe(0, -120)
+    np.testing.assert_allclose(here.q(), start, atol=1e-12)
+    rail.scroll_into_view_if_needed()
+    box = rail.bounding_box()
+    x, y = box["x"] + 0.2 * box["width"], box["y"] + box["height"] / 2
+    swipe(60, 0)
+    assert here.q()[3] > start[3] + 0.1, "from where it stood, not to where the thumb is"
+    page.locator("[data-cell='7-d']").scroll_into_view_if_needed()
+    picture = page.locator(".stage").bounding_box()
+    assert picture["y"] >= 0
+    assert picture["y"] + picture["height"] < 844, "the picture is in view while one types"
+
+
+def test_a_pasted_table_and_one_summary_for_the_ear(visit):
+    here = visit("#arm=Panda&view=table")
+    page = here.page
+    cell = page.locator("[data-cell='1-a']")
+    cell.focus()
+    cell.evaluate(
+        """(e) => {
+        const clipboardData = new DataTransfer();
+        clipboardData.setData('text/plain', '0\\tpi/2\\t0.5\\tq1\\n0.4\\t0\\t0\\tq2\\n0.3\\t0\\t0\\tq3');
+        e.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+    }"""
+    )
+    assert here.state("arm.name") == "Your arm"
+    assert here.state("arm.rows.length") == 3
+    page.evaluate(
+        """() => {
+        window.heard = [];
+        const region = document.querySelector('.arm-explorer').shadowRoot.querySelector('[aria-live]');
+        new MutationObserver(() => region.textContent && heard.push(region.textContent)).observe(region, { childList: true });
+    }"""
+    )
+    page.get_by_role("slider", name="Joint 1, angle").focus()
+    for _ in range(30):
+        page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(1800)
+    heard = page.evaluate("heard")
+    assert len(heard) == 1
+    assert heard[0].startswith("Tip at x ")
+
+
+def test_live_figures_of_a_chapter_share_one_context(visit):
+    page = visit(name="01_dh_tables").page
+    figures = page.locator("[data-figure]")
+    assert figures.count() >= 3
+    for k in range(figures.count()):
+        figures.nth(k).scroll_into_view_if_needed()
+        expect(figures.nth(k).locator("figure.live")).to_be_visible(timeout=15_000)
+    trainer = page.locator("[data-figure='trainer']")
+    trainer.get_by_role("button", name="−y").click()
+    trainer.get_by_role("button", name="A", exact=True).click()
+    trainer.get_by_role("button", name="up").click()
+    expect(trainer.locator(".why").first).to_contain_text("x₁ is not at a right angle to z₀")
+    trainer.get_by_role("button", name="+x").click()
+    assert trainer.locator("tbody tr").count() == 1
+    assert page.evaluate("ArmExplorer.inUse().figures") == figures.count() + 1

@@ -16,11 +16,14 @@ from playwright.sync_api import expect
 
 CELLS = (
     "from helpers.explorer import ArmExplorer\n"
-    "from helpers.robots import PANDA\n"
-    "explorer = ArmExplorer(PANDA, views=['torque', 'trace'])\nexplorer",
+    "from helpers.robots import ELBOW, PANDA\n"
+    "explorer = ArmExplorer(PANDA, views=['torque', 'trace'], arms=[ELBOW])\nexplorer",
     "print('joint 1 at', round(explorer.q[0], 4), 'pushed by', explorer.wrench[2])",
     "print('a path of', len(explorer.trace), 'poses')",
     "explorer.q = [0.5, 0, 0, 2.0, 0, 3.0, 0]; explorer.wrench = [0, 0, -7, 0, 0, 0]",
+    "explorer",
+    "explorer.arm_name = 'Elbow arm'",
+    "print(explorer.arm.name, 'with', len(explorer.q), 'joints,', explorer.q[0])",
 )
 
 
@@ -90,7 +93,7 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
     slider.wait_for()
     slider.focus()
     for _ in range(3):
-        page.keyboard.press("Shift+ArrowRight")  # ten degrees each
+        page.keyboard.press("PageUp")  # ten degrees each
     page.get_by_label("F z, N", exact=True).fill("-4")
     page.wait_for_timeout(3_000)  # the widget tells the kernel at its own pace
     run(1)
@@ -110,4 +113,20 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
     run(3)
     expect(slider).to_have_value("0.5", timeout=60_000)
     expect(page.get_by_label("F z, N", exact=True)).to_have_value("−7", timeout=60_000)
+
+    run(4)  # the same explorer again: two views, one state
+    views = page.locator("section.explorer")
+    expect(views).to_have_count(2, timeout=60_000)
+    run(5)
+    for view in (views.first, views.last):
+        expect(view.get_by_role("slider", name="Joint")).to_have_count(3, timeout=60_000)
+    views.first.get_by_label("Arm", exact=True).select_option("Panda")
+    expect(views.last.get_by_role("slider", name="Joint")).to_have_count(7, timeout=60_000)
+    views.last.get_by_label("Joint 1, angle, typed").fill("0.25 rad")
+    views.last.get_by_label("Joint 1, angle, typed").press("Enter")
+    page.wait_for_timeout(3_000)
+    run(6)
+    said = page.locator(".jp-CodeCell").nth(6).locator(".jp-OutputArea-output")
+    said.wait_for()
+    assert said.inner_text().strip() == "Panda with 7 joints, 0.25"
     page.close()

@@ -191,7 +191,7 @@ def test_axe_would_notice(browser):
 def test_it_weighs_no_more_than_three_megabytes(visit):
     for stub in visit.page.locator(".arm-explorer").all():
         stub.scroll_into_view_if_needed()
-        stub.locator("section.explorer").wait_for()
+        stub.locator("section.explorer, figure.live").wait_for()
     visit.page.wait_for_load_state("networkidle")
     files = {Path(unquote(urlparse(url).path)) for url in visit.asked if url.startswith("file:")}
     assert sum(file.stat().st_size for file in files) <= 3_000_000

@@ -3,7 +3,7 @@
 import css from "./figure.css";
 import { homeOf, range } from "../arm.js";
 import { h, indexed, write } from "../dom.js";
-import { makeGrabbable } from "../grab.js";
+import { makeGrabbable, moveTipByKey } from "../grab.js";
 import { joints } from "../kinematics.js";
 import { relativeRail } from "../rail.js";
 import { ArmPicture } from "../scene.js";
@@ -35,12 +35,10 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const labels = h("div.labels", { "aria-hidden": "true" });
   const grip = h("button.grip", {
-    type: "button",
-    "aria-label": "Tip: drag it",
-    tabindex: "-1",
-    hidden: !hold,
-  });
-  const stage = h("div.stage", { role: "img", "aria-label": `The ${arm.name}` }, labels, grip);
+    type: "button", "aria-label": "Tip: drag it, or move it by arrow keys", hidden: !hold,
+    onkeydown: (event) => picture && moveTipByKey(picture, store, event),
+  }); // prettier-ignore
+  const stage = h("div.stage", { role: "group", "aria-label": `The ${arm.name}` }, labels, grip);
   const said = h("p.words");
   const why = h("p.why", { hidden: true });
   const levers = (spec.joints ?? []).map((number) => lever(number));
@@ -50,7 +48,7 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     stage,
     h("div.side", {}, ...side, ...levers.map((one) => one.root), said, why),
   );
-  root.replaceChildren(h("style", {}, css), card);
+  root.replaceChildren(h("style", {}, css), card, h("div.paper", {}, h("slot")));
   let picture = null;
   try {
     picture = new ArmPicture(stage, labels, {

@@ -22,7 +22,7 @@ const ASKED = {
 
 export function trainer(host, spec) {
   const names = ["UR10e (homework)", "Panda (homework)", "Stanford arm", "Elbow arm", OWN];
-  const select = h("select", { "aria-label": "Arm", onchange: (e) => begin(e.target.value) },
+  const select = h("select", { "aria-label": "Arm to place frames on", onchange: (e) => begin(e.target.value) },
     names.map((name) => h("option", { value: name, selected: name === spec.arm }, name))); // prettier-ignore
   const question = h("p.words", { "aria-live": "polite" });
   const options = h("div.row", { role: "group", "aria-label": "Choices" });

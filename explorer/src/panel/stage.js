@@ -1,7 +1,7 @@
 // The picture with what one can do to it, or a still picture that follows where the browser has no WebGL.
 
 import { h, write } from "../dom.js";
-import { followTip, makeGrabbable } from "../grab.js";
+import { makeGrabbable, moveTipByKey } from "../grab.js";
 import { asked, stopVerdict } from "../verdicts.js";
 import { joints } from "../kinematics.js";
 import { rightNull } from "../linear.js";
@@ -11,11 +11,6 @@ import { ArmPicture } from "../scene.js";
 const HELP =
   "Picture of the arm. Arrow keys turn the view, plus and minus bring it nearer and farther, 0 fits it. " +
   "The button at the tip moves the tip; the sliders turn the joints.";
-const TIP_KEYS = {
-  ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0],
-  PageUp: [0, 0, -1], PageDown: [0, 0, 1],
-}; // prettier-ignore
-const TIP_STEP = 0.01; // m; a tenth of it with Shift
 const VIEW_KEYS = {
   ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1],
   "+": [0, 0, 0.9], "=": [0, 0, 0.9], "-": [0, 0, 1.1],
@@ -72,16 +67,8 @@ export function makeStage(store, { goTo, id, say }) {
   }
 
   function tipKeys(event) {
-    const way = TIP_KEYS[event.key];
-    if (!way || !picture) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const step = TIP_STEP * (event.shiftKey ? 0.1 : 1);
-    const tip = store.derived.frames.at(-1);
-    const axes = picture.cameraAxes();
-    const o = tip.o.map((v, i) => v + step * way.reduce((sum, share, k) => sum + share * axes[k][i], 0));
-    moveTip(store, o, "tip keys");
-    say(() => stopVerdict(store.state.hold ?? { stops: [], short: 0 }));
+    if (picture && moveTipByKey(picture, store, event))
+      say(() => stopVerdict(store.state.hold ?? { stops: [], short: 0 }));
   }
 
   return {
@@ -101,17 +88,6 @@ export function makeStage(store, { goTo, id, say }) {
     scale: () => picture?.scale,
     dispose: () => picture?.dispose(),
   };
-}
-
-/**
- * Bring the tip to a point as a drag would, all the way, within limits.
- * @param {import("../state.js").Store} store
- * @param {number[]} o
- */
-export function moveTip(store, o, gesture = null) {
-  const rest = store.state.q;
-  const target = { ...store.derived.frames.at(-1), o };
-  for (let step = 0; step < 60; step++) if (followTip(store, store.state, target, rest, gesture)) break;
 }
 
 // Below the picture: whether a dragged tip keeps its direction, and whether the tip is pinned so that the elbow swings.

@@ -2,8 +2,8 @@
 
 import { attribute, h, indexed, write } from "../dom.js";
 import { readEntry, unfinished } from "../entry.js";
+import { moveTip } from "../grab.js";
 import { matrix } from "../kinematics.js";
-import { moveTip } from "../panel/stage.js";
 import { fixed, sparse } from "../text.js";
 import { stopVerdict } from "../verdicts.js";
 
