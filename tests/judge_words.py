@@ -145,22 +145,22 @@ def python_words(arm: Arm, question: dict) -> list:
     return [report.grade, list(report.causes), str(report)]
 
 
-def page_words(questions: list[tuple[Arm, dict]]) -> list:
-    """What the page's judge says, under Node.js."""
+def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None) -> list:
+    """What the page's judge says, under Node.js, in these sentences."""
     arms = list({id(arm): arm for arm, _ in questions}.values())
     at = {id(arm): k for k, arm in enumerate(arms)}
-    asked = {
-        "sentences": templates(),
-        "arms": [judged_data(arm) for arm in arms],
-        "questions": [
-            {**q, "arm": at[id(arm)], "options": _in_page(q["options"])} for arm, q in questions
-        ],
-    }
+    asked = [{**q, "arm": at[id(arm)], "options": _in_page(q["options"])} for arm, q in questions]
+    return in_node([judged_data(arm) for arm in arms], asked, sentences)
+
+
+def in_node(arms: list[dict], questions: list[dict], sentences: dict | None = None) -> list:
+    """What tests/judge_words.mjs answers: grade, causes and words of each."""
+    given = {"sentences": sentences or templates(), "arms": arms, "questions": questions}
     node = shutil.which("node")
     assert node, "Node.js is not installed"
     command = [node, str(ROOT / "tests" / "judge_words.mjs")]
     done = subprocess.run(
-        command, input=json.dumps(asked), capture_output=True, text=True, check=False
+        command, input=json.dumps(given), capture_output=True, text=True, check=False
     )
     assert not done.returncode, done.stderr
     return json.loads(done.stdout)

@@ -11,7 +11,7 @@ from helpers.explorer.data import Data, arm_data
 
 
 # As a reader may ask of them: their names in helpers.robots, and what is locked.
-_CALLS = (
+CALLS = (
     "PANDA.lock(3)",
     "PANDA_HOMEWORK.lock(3)",
     "PANDA",
@@ -53,15 +53,17 @@ def catalogue_arm(call: str) -> Arm:
 
 def stub(words: str) -> str:
     """The judge's place in a page: what stands there without a script, and the arms as data."""
-    arms = [_listed(call) for call in _CALLS]
+    arms = [listed(call) for call in CALLS]
     data = json.dumps({"arms": arms, "examples": EXAMPLES}, separators=(",", ":"))
+    data = data.replace("</", "<\\/")
     return (
         f'<div class="arm-judge"><p>{escape(words)}</p>'
-        f'<script type="application/json">{data.replace("</", "<\\/")}</script></div>'
+        f'<script type="application/json">{data}</script></div>'
     )
 
 
-def _listed(call: str) -> Data:
+def listed(call: str) -> Data:
+    """An arm as the page lists it."""
     arm = catalogue_arm(call)
     locked = f", joint {call[-2]} locked" if "lock" in call else ""
     live = {} if locked else {"explorer": arm.name}

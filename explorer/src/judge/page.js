@@ -114,15 +114,15 @@ function build(id, arms) {
   const fields = {
     ask: h("select", {}, Object.entries(ASKED).map(([key, { title }]) => option([key, title]))),
     arm: h("select", {}, arms.map(({ key, title }) => option([key, title])), option([OWN, "My own table"])),
-    table: h("textarea", { rows: "6", ...plain, "aria-describedby": `${id}-table-hint` }),
+    table: h("textarea", { rows: "6", wrap: "off", ...plain, "aria-describedby": `${id}-table-hint` }),
     q: h("input", { ...plain, "aria-describedby": `${id}-q-hint` }),
     unit: h("select", { "aria-label": "Unit of the angles" }, UNITS.map((unit) => option([unit, unit]))),
     frame: h("select"),
     first: h("select", {}, [["v", "v, then ω"], ["omega", "ω, then v"]].map(option)),
     wrench: h("input", { ...plain, "aria-describedby": `${id}-wrench-hint` }),
-    answer: h("textarea", { rows: "8", ...plain, "aria-describedby": `${id}-answer-hint ${id}-private` }),
+    answer: h("textarea", { rows: "8", wrap: "off", ...plain, "aria-describedby": `${id}-answer-hint ${id}-private` }),
   }; // prettier-ignore
-  const hint = (key, words) => h("p.hint", { id: `${id}-${key}-hint` }, words);
+  const hint = (key, words) => h("p.about", { id: `${id}-${key}-hint` }, words);
   const parts = {
     table: field(
       `${id}-table`,
@@ -148,7 +148,7 @@ function build(id, arms) {
     hint: hint("answer", ""),
     verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
     taken: h("div.scroll", { role: "region", tabindex: "0", "aria-label": "How your answer is read" }),
-    said: h("p.hint", { role: "status" }),
+    said: h("p.about", { role: "status" }),
     link: h("button", { type: "button" }, "Copy link"),
     python: h("button", { type: "button" }, "Copy as Python"),
     example: h("button", { type: "button" }, "Show an example"),
@@ -264,9 +264,25 @@ function tell(made, question, verdict) {
   const { report, error } = verdict;
   const { verdict: box } = made.parts;
   box.className = `verdict ${report?.grade ?? ""}`;
-  if (!report) return box.replaceChildren(h("p", {}, error));
+  if (!report) return box.replaceChildren(h("p", {}, typeset(error)));
   const lines = linesOf(report).filter((line) => !report.headline.endsWith(line.slice(1)));
-  const list = lines.length ? [h("ul", {}, lines.map((line) => h("li", {}, line)))] : []; // prettier-ignore
+  const list = lines.length ? [h("ul", {}, lines.map((line) => h("li", {}, typeset(line))))] : []; // prettier-ignore
   const mark = h("span", { "aria-hidden": "true" }, `${MARKS[report.grade]} `);
-  return box.replaceChildren(h("p.headline", {}, mark, report.headline), ...list);
+  return box.replaceChildren(h("p.headline", {}, mark, typeset(report.headline)), ...list);
+}
+
+const SYMBOL = /(?<!\w)([A-Za-z]|theta|alpha)_(?:\{([^}]+)\}|(\w+))(?![\w=])/g;
+const LETTERS = { theta: "θ", alpha: "α" };
+
+// A sentence with its symbols set: z_{i-1} as a letter and an index.
+function typeset(words) {
+  const parts = [];
+  let at = 0;
+  for (const match of words.matchAll(SYMBOL)) {
+    const [whole, letter, braced, bare] = match;
+    parts.push(words.slice(at, match.index), h("i", {}, LETTERS[letter] ?? letter));
+    parts.push(h("sub", {}, (braced ?? bare).replace("-", "−")));
+    at = match.index + whole.length;
+  }
+  return [...parts, words.slice(at)];
 }
