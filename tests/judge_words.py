@@ -64,7 +64,7 @@ def jacobian_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
 
 
 def torque_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
-    """Right and mistaken torques at one pose or along a few, under a push or none, in every form."""
+    """Right and mistaken torques at one pose or along a few, under a push or none, in any form."""
     for _ in range(count):
         arm = HEAVY[int(rng.integers(len(HEAVY)))]
         poses = 1 if rng.random() < 0.8 else int(rng.integers(2, 40))
@@ -125,13 +125,19 @@ def formula_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
         yield arm, {"topic": "jacobian", "typed": text, "q": q, "options": {}}
 
 
-QUESTIONS = {"jacobian": jacobian_questions, "torques": torque_questions, "formula": formula_questions}
+QUESTIONS = {
+    "jacobian": jacobian_questions,
+    "torques": torque_questions,
+    "formula": formula_questions,
+}
 SHARES = {"jacobian": 0.7, "torques": 0.25, "formula": 0.05}
 
 
 def questions(rng, count: int) -> list[tuple[Arm, dict]]:
     """So many of every kind."""
-    return [pair for kind, make in QUESTIONS.items() for pair in make(rng, round(count * SHARES[kind]))]
+    return [
+        pair for kind, make in QUESTIONS.items() for pair in make(rng, round(count * SHARES[kind]))
+    ]
 
 
 def python_words(arm: Arm, question: dict) -> list:

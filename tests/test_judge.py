@@ -83,8 +83,9 @@ PASTES = {
     "short": joined(" ", "\n").replace(".0000", ".0").replace("0.", "."),
     "code fence": "```\n" + joined(" ", "\n") + "\n```",
 }  # fmt: skip
-REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__import__('os')", "1/0 2 3", "{" * 80,
-           "sin( 1 2", "\\begin{pmatrix}", "1 2 nan", "θ_7 1 1", "'\"\\ \t", "1e400 1 1", "((1))" * 9]  # fmt: skip
+REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__import__('os')",
+           "1/0 2 3", "{" * 80, "sin( 1 2", "\\begin{pmatrix}", "1 2 nan", "θ_7 1 1",
+           "'\"\\ \t", "1e400 1 1", "((1))" * 9]  # fmt: skip
 
 
 def asked(typed, **options):
@@ -139,7 +140,8 @@ def test_a_factor_of_one_is_no_scale():
 OWN = "0, pi/2, 0.5, q1\n0.4, 0, 0, q2\n0.3, 0, 0, q3"
 BY_LINK = [
     *({**example} for example in judge.EXAMPLES),
-    {"ask": "jacobian", "arm": "ELBOW", "q": "30, 40, -20", "unit": "deg", "answer": PASTES["bmatrix"]},
+    {"ask": "jacobian", "arm": "ELBOW", "q": "30, 40, -20", "unit": "deg",
+     "answer": PASTES["bmatrix"]},
     {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": PASTES["csv"]},
     {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
      "answer": PASTES["matlab print"]},
@@ -166,7 +168,8 @@ def test_the_call_in_python_says_what_the_page_says():
 def test_the_examples_name_their_mistakes():
     arms = [judge.listed(call) for call in judge.CALLS]
     asked = [{"topic": "page", "fields": fields} for fields in judge.EXAMPLES]
-    assert [causes for _, causes, *_ in in_node(arms, asked)] == [["J.z_i angular"], ["tau.force sign"]]
+    named = [causes for _, causes, *_ in in_node(arms, asked)]
+    assert named == [["J.z_i angular"], ["tau.force sign"]]
 
 
 def test_the_stub_holds_words_and_arms():

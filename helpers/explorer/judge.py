@@ -9,7 +9,6 @@ from helpers.arm import Arm
 from helpers.checks.chains import alike
 from helpers.explorer.data import Data, arm_data
 
-
 # As a reader may ask of them: their names in helpers.robots, and what is locked.
 CALLS = (
     "PANDA.lock(3)",

@@ -58,7 +58,9 @@ def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
     other = page.context.new_page()
     other.goto(page.url)
     verdict(other, "wrong in vz")
-    assert other.get_by_label("Your answer", exact=True).input_value() == ELBOW.replace("0.2866", "0.3866")
+    assert other.get_by_label("Your answer", exact=True).input_value() == ELBOW.replace(
+        "0.2866", "0.3866"
+    )
 
 
 def test_torques_by_keys_alone(page):
