@@ -29,7 +29,7 @@ from tests.corpus.typing_ import typed
 
 ROOT = Path(__file__).parents[1]
 KNOWN = {
-    "Panda": PANDA,
+    "PANDA": PANDA,
     "UR10E_HOMEWORK": UR10E_HOMEWORK,
     "STANFORD": STANFORD,
     "ELBOW": ELBOW,

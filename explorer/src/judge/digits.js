@@ -45,17 +45,38 @@ export function decimalsOf(steps) {
   return coarse.length ? Math.max(0, Math.round(-Math.log10(Math.min(...coarse)))) : null;
 }
 
-// Per entry: allowed is right, up to band it was rounded on the way, up to loose perhaps.
+/**
+ * Per entry: up to allowed it is right, up to band it was rounded on the way, up to loose perhaps; slop is what the
+ * unwritten digits of q add, tried only where it fails without.
+ * @typedef {{ allowed: number[], band: number[], loose: number[], units: number[], slop: number[] }} Margins
+ */
+
+/** @returns {Margins} */
 export function margins(steps, scale, slop = null, tolerance = null) {
   const floor = scale.map((s) => EXACT * s);
+  const none = steps.map(() => 0);
   if (tolerance !== null) {
     const allowed = floor.map((x) => Math.max(tolerance, x * 1e-3));
-    return { allowed, band: allowed, loose: allowed, units: steps.map(() => 0) };
+    return { allowed, band: allowed, loose: allowed, units: none, slop: none };
   }
-  const left = (i) => slop?.[i] ?? 0;
-  const allowed = steps.map((u, i) => Math.max(HALF * u, floor[i]) + left(i));
-  const band = steps.map((u, i) => Math.max(HAND * u, floor[i]) + 2 * left(i));
-  return { allowed, band, loose: band.map((b, i) => Math.max(b, SLOPPY * scale[i])), units: steps };
+  const allowed = steps.map((u, i) => Math.max(HALF * u, floor[i]));
+  const band = steps.map((u, i) => Math.max(HAND * u, floor[i]));
+  const loose = band.map((b, i) => Math.max(b, SLOPPY * scale[i]));
+  return { allowed, band, loose, units: steps, slop: slop ?? none };
+}
+
+const plus = (p, q, k) => p.map((x, i) => x + k * q[i]);
+
+// The farthest that an answer may be off and still be right but for its digits.
+export const farthest = ({ loose, band, slop }) => plus(band, slop, 2).map((x, i) => Math.max(x, loose[i]));
+
+// What the digits of q allow, too.
+export const generous = ({ allowed, slop }) => plus(allowed, slop, 1);
+
+// How near an answer may be to a mistake's, the narrowest first.
+export function bands(m) {
+  const wide = m.slop.some(Boolean) ? [plus(m.band, m.slop, 2)] : [];
+  return [m.band, ...wide, farthest(m), m.allowed];
 }
 
 const within = (p, q, most) => p.every((x, i) => Math.abs(x - q[i]) <= most[i]);
@@ -64,17 +85,18 @@ const apart = (p, q) => p.reduce((top, x, i) => Math.max(top, Math.abs(x - q[i])
 // The grade of an answer; `made` holds the answers of known mistakes.
 export function graded(mine, right, m, made) {
   const telling = made.filter((A) => apart(A, right) > TELLING);
-  const mistaken = telling.some((A) => within(mine, A, m.allowed));
-  if (within(mine, right, m.allowed)) {
-    const coarse = Math.max(0, ...m.units);
-    const gap = telling.reduce((least, A) => Math.min(least, apart(A, right)), Infinity);
-    return mistaken || coarse > gap / 2.1 ? SO_FAR : RIGHT;
+  for (const allowed of [m.allowed, generous(m)]) {
+    const mistaken = telling.some((A) => within(mine, A, allowed));
+    if (within(mine, right, allowed)) {
+      const coarse = Math.max(0, ...m.units);
+      const gap = telling.reduce((least, A) => Math.min(least, apart(A, right)), Infinity);
+      return mistaken || coarse > gap / 2.1 ? SO_FAR : RIGHT;
+    }
+    if (mistaken) return WRONG;
   }
-  if (within(mine, right, m.loose) && !mistaken) {
-    const off = apart(mine, right);
-    return telling.some((A) => apart(mine, A) <= off) ? SO_FAR : ROUNDED;
-  }
-  return WRONG;
+  if (!within(mine, right, farthest(m))) return WRONG;
+  const off = apart(mine, right);
+  return telling.some((A) => apart(mine, A) <= off) ? SO_FAR : ROUNDED;
 }
 
 // Which entries are wrong: beyond the band, or, where none is, beyond what is right.

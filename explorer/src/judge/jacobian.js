@@ -1,8 +1,18 @@
 // Is a Jacobian wrong, and how? The port of helpers/checks/jacobian.py.
 
-import { linkFrames } from "../kinematics.js";
 import * as chains from "./chains.js";
-import { beyond, decimalsOf, graded, margins, RIGHT, ROUNDED, SO_FAR, TELLING, WRONG } from "./digits.js";
+import {
+  bands,
+  beyond,
+  decimalsOf,
+  graded,
+  margins,
+  RIGHT,
+  ROUNDED,
+  SO_FAR,
+  TELLING,
+  WRONG,
+} from "./digits.js";
 import { lookup, numbered, numbers, pose } from "./door.js";
 import { pairs, setting, singles } from "./jacobian_causes.js";
 import { better, both, cause, complete, explain, nameOf, several, wordsOf } from "./ranking.js";
@@ -160,12 +170,14 @@ function bad(found, symptoms, arm, taken) {
 // What explains the whole, then both halves apart, then each column.
 function causesOf(M, right, m, known, part, where, from) {
   const made = known.made.map(part);
-  for (const band of [m.band, m.loose, m.allowed]) {
+  const others = [once(() => pairs(where)), once(() => otherWays(where))];
+  for (const band of bands(m)) {
     let found = explain(M, right, band, known.causes, made);
     if (!complete(found)) {
-      const two = pairs(where);
-      const other = explain(M, right, band, two.causes, two.made.map(part));
-      found = better(found, other, otherWays(M, right, band, where, part));
+      const [two, turned] = others.map((other) =>
+        explain(M, right, band, other().causes, other().made.map(part)),
+      );
+      found = better([found, two, complete(turned) ? turned : null]);
     }
     if (found) return [found.causes, oddColumns(found, where)];
     const halves = M.length === known.right.length ? byHalves(M, right, band, known) : [];
@@ -174,6 +186,11 @@ function causesOf(M, right, m, known, part, where, from) {
   const band = M.some((x, i) => Math.abs(x - right[i]) > m.band[i]) ? m.band : m.allowed;
   return [[], columnFindings(M, right, band, known, part, where, from)];
 }
+
+const once = (make) => {
+  let made;
+  return () => (made ??= make());
+};
 
 // One cause for each wrong half, as a pair, if each half has one.
 function byHalves(M, right, band, known) {
@@ -184,7 +201,7 @@ function byHalves(M, right, band, known) {
     if (mine.every((x, k) => Math.abs(x - wanted[k]) <= width[k])) continue;
     const found = explain(mine, wanted, width, known.causes, known.made.map(rows));
     if (!complete(found)) return [];
-    const [first] = found.causes;
+    const first = found.causes.find(({ keys: [key] }) => key.includes(half)) ?? found.causes[0];
     const words = wordsOf(first);
     const inside = words.includes(`${half} rows`);
     said.push(inside ? first : cause("J in half", { half, words, _of: nameOf(first) }));
@@ -192,21 +209,18 @@ function byHalves(M, right, band, known) {
   return said.length ? [said.reduce(both)] : [];
 }
 
-// Joints counted the other way, in the matrix and in q.
-function otherWays(M, right, band, { arm, frame, here }, part) {
+// Joints counted the other way, in the matrix and in q; fewest first.
+function otherWays({ arm, frame, here }) {
   const sets = chains.signSets(here.dof);
   const made = sets.map((signs) => {
     const other = { ...here, q: here.q.map((x, k) => signs[k] * x) };
     const T = chains.framesOf(other);
     const J = chains.columns(other, T).map((x, i) => x * signs[i % here.dof]);
-    return part(frame ? chains.seenIn(J, T[frame]) : J);
+    return frame ? chains.seenIn(J, T[frame]) : J;
   });
-  const joint = numbered(arm);
-  const causes = sets.map((signs) =>
-    cause("joints reversed", { joints: listed(joint.filter((_, k) => signs[k] < 0).map((i) => `q_${i}`)) }),
-  );
-  const found = explain(M, right, band, causes, made);
-  return complete(found) ? found : null;
+  const names = (signs) => numbered(arm).flatMap((i, k) => (signs[k] < 0 ? [`q_${i}`] : []));
+  const causes = sets.map((signs) => cause("joints reversed", { joints: listed(names(signs)) }));
+  return { causes, made };
 }
 
 function oddColumns({ odd }, { arm, here: { dof } }) {
@@ -221,46 +235,47 @@ function oddColumns({ odd }, { arm, here: { dof } }) {
 function columnFindings(M, right, band, known, part, where, from) {
   const { dof } = where.here;
   const column = (J, k) => J.filter((_, i) => i % dof === k);
+  const others = allColumns(where).map(([joint, all]) => [joint, all.slice(from, from + M.length / dof)]);
   return numbered(where.arm).flatMap((joint, k) => {
     const [mine, wanted, width] = [M, right, band].map((J) => column(J, k));
     if (mine.every((x, i) => Math.abs(x - wanted[i]) <= width[i])) return [];
-    const whose = (J) => column(part(J), k);
-    const [what, said] = columnFinding(k, mine, wanted, width, known, whose, where, from);
+    const as = (J) => mine.every((x, i) => Math.abs(x - column(part(J), k)[i]) <= width[i]);
+    const [what, said] = columnFinding(joint, mine, wanted, width, known, as, where.arm, others, from);
     return [
       { what, where: `column ${k + 1}`, words: say("J column", { column: k + 1, joint, words: said }) },
     ];
   });
 }
 
-function columnFinding(k, mine, wanted, width, known, whose, where, from) {
-  const joints = numbered(where.arm);
+function columnFinding(joint, mine, wanted, width, known, as, arm, others, from) {
   const same = (other) => mine.every((x, i) => Math.abs(x - other[i]) <= width[i]);
-  if (same(wanted.map((x) => -x))) return [`J.column sign:${joints[k]}`, say("J sign of column")];
+  if (same(wanted.map((x) => -x))) return [`J.column sign:${joint}`, say("J sign of column")];
   if (mine.length === 6 && same([...wanted.slice(3), ...wanted.slice(0, 3)])) {
     return ["J.column halves", say("J.column halves")];
   }
-  for (const [joint, other] of otherColumns(k, where, from, mine.length)) {
-    if (!same(other)) continue;
-    const key = joints.includes(joint) ? "J.column of" : "J.column of locked";
-    return [key, say(key, { joint })];
+  const other = others.find(([one, column]) => one !== joint && same(column));
+  if (other) {
+    const key = numbered(arm).includes(other[0]) ? "J.column of" : "J.column of locked";
+    return [key, say(key, { joint: other[0] })];
   }
-  for (const [i, one] of known.causes.entries()) {
-    if (one.keys[0].startsWith("J.") && same(whose(known.made[i]))) return [nameOf(one), lower(wordsOf(one))];
-  }
+  const one = known.causes.find(({ keys: [key] }, i) => key.startsWith("J.") && as(known.made[i]));
+  if (one) return [nameOf(one), lower(wordsOf(one))];
   const names = mine.flatMap((x, i) => (Math.abs(x - wanted[i]) > width[i] ? [ROWS[from + i]] : []));
   return ["column", say("J.entries", { rows: listed(names) })];
 }
 
-// The columns of the other joints, then those that locked joints would have.
-function otherColumns(k, { arm, here }, from, count) {
-  const rows = arm.rows.map((row) => ({ ...row, kind: row.kind === "fixed" ? "revolute" : row.kind }));
-  const loose = { rows };
-  const joints = numbered(arm);
-  const q = rows.map((_, i) => (joints.includes(i + 1) ? here.q[joints.indexOf(i + 1)] : 0));
-  const all = rows.length;
-  const J = chains.columns(chains.chain(loose, q), linkFrames(loose, q));
-  const locked = rows.map((_, i) => i + 1).filter((i) => !joints.includes(i));
-  const order = [...joints.filter((i) => i !== joints[k]), ...locked];
-  const column = (i) => Array.from({ length: count }, (_, r) => J[(from + r) * all + i - 1]);
-  return order.map((i) => [i, column(i)]);
+// Each joint's column in the declared frame, then those that locked joints would have.
+function allColumns({ arm, here, T, seen }) {
+  const locked = arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [i] : []));
+  const loose = {
+    ...here,
+    q: locked.map(() => 0),
+    at: locked,
+    turns: locked.map(() => true),
+    dof: locked.length,
+  };
+  return [here, loose].flatMap((c) => {
+    const J = seen(chains.columns(c, T));
+    return c.at.map((i, k) => [i + 1, J.filter((_, n) => n % c.dof === k)]);
+  });
 }

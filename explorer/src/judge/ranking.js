@@ -34,7 +34,7 @@ export function wordsOf({ keys, fields }) {
 }
 
 // The causes that explain mine within the band, best first, and the entries that the best leaves; null where none does.
-export function explain(mine, right, band, causes, made) {
+export function explain(mine, right, band, causes, made, weight = ODD) {
   const n = mine.length;
   const wrong = mine.map((x, i) => Math.abs(x - right[i]) > band[i]);
   const count = wrong.filter(Boolean).length;
@@ -50,7 +50,7 @@ export function explain(mine, right, band, causes, made) {
     }
     const edits = causes[k].keys.length;
     const least = edits > 1 ? Math.max(4, PAIR_SHARE * count) : Math.max(3, SHARE * count);
-    if ((!odd && count) || gained >= least) named.push({ k, cost: edits + ODD * odd });
+    if ((!odd && count) || gained >= least) named.push({ k, cost: edits + weight * odd });
   });
   if (!named.length) return null;
   const rounded = (x) => Math.round(x * 1e6);
@@ -72,8 +72,8 @@ export function several(found, most = 3) {
 }
 
 // The one with the least cost.
-export function better(...all) {
-  const cost = (f) => f.causes[0].keys.length + ODD * f.odd.filter(Boolean).length;
+export function better(all, weight = ODD) {
+  const cost = (f) => f.causes[0].keys.length + weight * f.odd.filter(Boolean).length;
   return all.filter(Boolean).reduce((best, f) => (best && cost(best) <= cost(f) ? best : f), null);
 }
 

@@ -1,13 +1,26 @@
 // Are joint torques wrong, and how? The port of helpers/checks/torques.py: one torque vector or a whole run of them.
 
 import { joints } from "../kinematics.js";
-import { beyond, decimalsOf, graded, margins, RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
+import {
+  bands,
+  beyond,
+  decimalsOf,
+  farthest,
+  generous,
+  graded,
+  margins,
+  RIGHT,
+  ROUNDED,
+  SO_FAR,
+  WRONG,
+} from "./digits.js";
 import { eachJoint, inRadians, numbered, numbers, poseFault, turning } from "./door.js";
 import { better, complete, explain, nameOf, several } from "./ranking.js";
 import { ArmError, listed, lower, say, size } from "./say.js";
 import { catalogue, loadOf, paperCentres, reversedJoints, torques } from "./torques_causes.js";
 
 const GRAVITY = [0, 0, -9.81];
+const ODD = 1.2; // a torque that stays unexplained weighs more than a second mistake
 const SAMPLE = 25; // poses of a run on which causes are tried
 
 /**
@@ -59,7 +72,11 @@ function upright(typed, right, dof) {
   if (shape.length === 1 && shape[0] === dof && count === 1) return [{ values, units }, said];
   if (shape.length !== 2) return null;
   const off = (list) => list.reduce((top, x, i) => Math.max(top, Math.abs(x - right[i])), 0);
-  if (shape[0] === dof && shape[1] === count && (count !== dof || off(turned(values, shape)) < off(values))) {
+  if (
+    shape[0] === dof &&
+    shape[1] === count &&
+    (count !== dof || off(turned(values, shape)) < 0.05 * off(values))
+  ) {
     [values, units] = [turned(values, shape), turned(units, shape)];
     shape = [count, dof];
     said.push(say("taken: list per joint"));
@@ -102,7 +119,7 @@ function judged(typed, taken, right, load, at, tolerance) {
   const { causes, made } = catalogue(sample);
   const scale = Math.max(1e-3, ...right.map(Math.abs));
   const m = margins(typed.units, right.map(() => scale), slop(load, at, right), tolerance); // prettier-ignore
-  const part = { allowed: some(m.allowed), band: some(m.band), loose: some(m.loose), units: some(m.units) };
+  const part = Object.fromEntries(Object.entries(m).map(([key, list]) => [key, some(list)]));
   const [mine, wanted] = [some(typed.values), some(right)];
   const single = made.filter((_, k) => causes[k].keys.length === 1);
   const grade = whole(graded(mine, wanted, part, single), typed.values, right, m);
@@ -115,8 +132,8 @@ function judged(typed, taken, right, load, at, tolerance) {
 // The grade of the sample, unless a pose between its poses is worse.
 function whole(grade, mine, right, m) {
   const worseThan = (most) => mine.some((x, i) => Math.abs(x - right[i]) > most[i]);
-  const worse = (grade === RIGHT || grade === SO_FAR) && worseThan(m.allowed) ? ROUNDED : grade;
-  return worse === ROUNDED && worseThan(m.loose) ? WRONG : worse;
+  const worse = (grade === RIGHT || grade === SO_FAR) && worseThan(generous(m)) ? ROUNDED : grade;
+  return worse === ROUNDED && worseThan(farthest(m)) ? WRONG : worse;
 }
 
 // What the unwritten digits of q may change in each torque: those of q with three decimals or more.
@@ -144,13 +161,13 @@ function good(grade, typed, arm, taken) {
 
 function foundIn(mine, right, m, causes, made, load) {
   const simplest = (found) => (complete(found) ? { ...found, causes: found.causes.slice(0, 1) } : null);
-  for (const band of [m.band, m.loose, m.allowed]) {
-    let found = explain(mine, right, band, causes, made);
+  for (const band of bands(m)) {
+    let found = explain(mine, right, band, causes, made, ODD);
     if (!complete(found)) {
       const [turned, paper] = [reversedJoints(load, right), paperCentres(load)].map((other) =>
         simplest(explain(mine, right, band, other.causes, other.made)),
       );
-      found = better(found, turned, paper);
+      found = better([found, turned, paper], ODD);
     }
     if (found) return found;
   }

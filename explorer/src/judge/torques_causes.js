@@ -78,8 +78,7 @@ export function catalogue(load) {
 export function reversedJoints(load, right) {
   const joint = numbered(load.arm);
   const dof = joint.length;
-  const sum = (signs) => signs.reduce((total, s) => total + s, 0);
-  const sets = chains.signSets(dof).sort((p, q) => sum(q) - sum(p));
+  const sets = chains.signSets(dof);
   const here = sets.map((signs) => right.map((x, i) => x * signs[i % dof]));
   const there = sets.map((signs) => {
     const q = load.q.map((one) => one.map((x, k) => signs[k] * x));
