@@ -1,6 +1,4 @@
-"""Write the answer sheet of any arm into one HTML file: ``python -m helpers.sheets "Stanford
-arm"``.
-"""
+"""Write the answer sheet of any arm into one HTML file."""
 
 import argparse
 import re
