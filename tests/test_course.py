@@ -394,7 +394,7 @@ def test_the_words_of_the_command_line(course, tmp_path, capsys):
     assert main(["look", str(course / "ab12")]) == 0
     assert "p: 1" in capsys.readouterr().out
     assert main([*new, "--arm", "Pandabear"]) == 2
-    assert "arm is 'Pandabear'; expected one of Panda," in capsys.readouterr().err
+    assert "no arm is called 'Pandabear'; expected one of Panda," in capsys.readouterr().err
     assert main(["key", "--secret", str(tmp_path / "none"), "--id", "ab12"]) == 2
     assert "cannot be read" in capsys.readouterr().err
 

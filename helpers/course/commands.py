@@ -209,7 +209,9 @@ def _parser() -> argparse.ArgumentParser:
     made = _command(commands, "new", _new, "make a sheet for each line of a roster")
     made.add_argument("--roster", required=True, help="CSV with the columns id and name")
     made.add_argument("--secret", required=True, help="a file of 16 bytes or more, yours alone")
-    made.add_argument("--arm", required=True, help="a name of the catalogue, or my_arm.py:MINE")
+    made.add_argument(
+        "--arm", required=True, help="a name of the catalogue, arm.urdf, or my_arm.py:MINE"
+    )
     made.add_argument(
         "--lock", type=int, action="append", default=[], metavar="JOINT",
         help="a joint held at zero; may be given again",
