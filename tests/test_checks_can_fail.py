@@ -18,7 +18,10 @@ NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 BY_HAND = {
     "the appendix's 40 pi, in mm/s",
     "at q_1 = 90° apart by (mm)",
+    "at rest only dP/dq is left",
     "determinant of the plane part",
+    "no friction at rest (N m)",
+    "the rates as in the textbook",
 }
 
 

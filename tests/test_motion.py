@@ -26,6 +26,7 @@ from helpers.motion import (
     levenberg,
     plain_inverse,
     pseudo_inverse,
+    rest_to_rest,
     towards,
     trace,
     tracing,
@@ -321,6 +322,7 @@ def test_every_line_of_the_report_by_hand():
     poses[1, :3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]  # a roll is no tilt
     q[1, 3], q[2, 4], q[4, 0] = -3.0, 3.9, -0.25
     q_dot[2] = [0, -3.5, 0, 0, 1.305, 0]
+    q_dot[3:] = [0.25, 0, 0, 0, 0, -0.125]
     found = made_up(q, q_dot, poses)
     assert found.position_error == pytest.approx(np.hypot(0.004, 0.002))
     assert found.off_wall == pytest.approx(0.004)
@@ -336,6 +338,9 @@ def test_every_line_of_the_report_by_hand():
     assert found.beyond_speed[0][1] == pytest.approx(3.5 - 2.175)
     assert found.largest_speed == 3.5
     assert found.speed_share == pytest.approx(3.5 / 2.175)
+    assert found.largest_acceleration == pytest.approx(3.5 / 0.5)
+    assert found.speed_from_rest == 0.25
+    assert (clean.largest_acceleration, clean.speed_from_rest) == (0, 0)
     text = str(found)
     for words in (
         "4.47 mm",
@@ -346,6 +351,8 @@ def test_every_line_of_the_report_by_hand():
         "3.5 rad/s, 161 % of the limit",
         "joint 5 by 0.1, joint 6 by 0.15",
         "joint 2 by 1.3",
+        "7 rad/s²",
+        "0.25 rad/s",
     ):
         assert words in text
     assert not made_up(np.tile(REAL.home, (5, 1)), q_dot, poses).executable
@@ -605,3 +612,30 @@ def test_a_report_is_a_table_in_the_book():
     assert head == f"| {HOMEWORK.name} | |"
     assert rule == "|:--|:--|"
     assert lines == [f"| {what} | {value} |" for what, value in report.rows()]
+
+
+def test_a_path_from_rest_to_rest():
+    """The quintic by its own conditions: ends, rest, no acceleration there, a speed of 15/8
+    halfway, and velocities that are the slopes of the positions."""
+    even = circle([1, 2, 3], 0.1, "zy", 5.0, 10)
+    path = rest_to_rest(even)
+    np.testing.assert_allclose(path.position([0, 5]), even.position([0, 5]), atol=1e-15)
+    np.testing.assert_allclose(path.position(2.5), even.position(2.5), atol=1e-15)
+    np.testing.assert_array_equal(path.velocity([0, 5]), np.zeros((2, 3)))
+    np.testing.assert_allclose(path.velocity(2.5), 15 / 8 * even.velocity(2.5), atol=1e-15)
+    t, h = np.linspace(0.1, 4.9, 20), 1e-6
+    slope = (path.position(t + h) - path.position(t - h)) / (2 * h)
+    np.testing.assert_allclose(path.velocity(t), slope, atol=1e-8)
+    for end in (h, 5 - h):
+        assert np.linalg.norm(path.velocity(end)) < 1e-10  # of the order of h squared
+    off_circle = np.linalg.norm(path.position(t) - [1, 2, 3], axis=1)
+    np.testing.assert_allclose(off_circle, 0.1, atol=1e-15)
+
+
+def test_a_path_from_rest_to_rest_that_does_not_begin_at_zero():
+    line = Path([2.0, 3.0, 6.0], lambda t: np.multiply.outer(np.asarray(t), [1.0, 0, 0]),
+                lambda t: np.broadcast_to([1.0, 0, 0], (*np.shape(t), 3)), [0, 0, 1])  # fmt: skip
+    path = rest_to_rest(line)
+    np.testing.assert_array_equal(path.times, line.times)
+    np.testing.assert_allclose(path.position([2, 4, 6])[:, 0], [2, 4, 6], atol=1e-14)
+    np.testing.assert_allclose(path.velocity([2, 4, 6])[:, 0], [0, 15 / 8, 0], atol=1e-14)

@@ -15,7 +15,6 @@ from matplotlib.text import Annotation
 
 from helpers.arm import Joint
 from helpers.derive import Axis, derive
-from helpers.inverse import elbow
 from helpers.kinematics import link_frames, skeleton
 from helpers.motion import circle, trace
 from helpers.plotting import (
@@ -30,7 +29,6 @@ from helpers.plotting import (
     dimension,
     ellipsoid_3d,
     frames,
-    from_above,
     joints,
     law_of_cosines,
     lengths,
@@ -41,8 +39,10 @@ from helpers.plotting import (
     postures,
     regions,
     row_drawing,
+    shoulder_triangles,
     stick_3d,
     torques,
+    ur_triangle,
     use_book_style,
 )
 from helpers.plotting.arms import barrel
@@ -223,15 +223,32 @@ def test_the_stick_stands_on_its_joints_at_equal_scale():
     np.testing.assert_allclose(spans, spans[0])
 
 
-def test_both_branches_touch_the_circle_that_their_plane_is_tangent_to():
+def test_both_shoulders_have_right_triangles_to_the_point():
     _, ax = plt.subplots()
-    arm = ELBOW.with_values(d=0.1)
-    found = elbow(arm, [0.3, 0.2, 0.8])
-    from_above(ax, arm, found.q[[0, 2]], ("front", "back"), 0.1)
+    shoulder_triangles(ax, (0.3, 0.2), 0.1, ("left", "right"), ("d", "r"))
     assert ax.patches[0].get_radius() == 0.1
-    assert [text.get_text() for text in ax.texts] == ["front", "back"]
-    tips = [points(line)[-1] for line in ax.lines if line.get_marker() == "o"]
-    assert (np.linalg.norm(np.array(tips) - [0.3, 0.2], axis=1) < 1e-12).sum() == 2
+    assert [text.get_text() for text in ax.texts] == ["d", "r", "left", "d", "r", "right"]
+    ends = [line.get_xydata() for line in ax.lines if len(line.get_xydata()) == 3]
+    turns = [0.3 * foot[1] - 0.2 * foot[0] for _, foot, _ in ends]
+    assert turns[0] > 0 > turns[1], "left stands counter-clockwise of the point"
+    for axis, foot, point in ends:
+        np.testing.assert_allclose(axis, [0, 0])
+        np.testing.assert_allclose(point, [0.3, 0.2])
+        np.testing.assert_allclose(np.linalg.norm(foot), 0.1)
+        np.testing.assert_allclose((point - foot) @ foot, 0, atol=1e-15)
+
+
+def test_the_ur_s_triangle_is_drawn_to_its_lengths():
+    q = [0.4, 1.2, 1.6, 1.0, 0.9, 0.3]
+    _, ax = plt.subplots()
+    ur_triangle(ax, UR10E_HOMEWORK, q)
+    links = next(line.get_xydata() for line in ax.lines if len(line.get_xydata()) == 4)
+    steps = np.linalg.norm(np.diff(links, axis=0), axis=1)
+    np.testing.assert_allclose(steps, [0.6127, 0.5716, 0.1157], atol=1e-12)
+    np.testing.assert_allclose(links[0], [0, 0.128], atol=1e-12)
+    lean, bend = np.degrees(q[1:3])
+    arcs = [(patch.theta1, patch.theta2) for patch in ax.patches]
+    np.testing.assert_allclose(arcs, [(90 - lean, 90), (90 - lean, 90 - lean + bend)], atol=1e-9)
 
 
 def test_the_triangle_has_the_arms_angles():
@@ -322,6 +339,25 @@ def test_torques_are_drawn_per_joint_with_the_makers_limit():
     for k, ax in enumerate(grid.flat[:7]):
         np.testing.assert_array_equal(ax.lines[0].get_ydata(), tau[:, k])
         assert ax.get_title() == f"joint {k + 1} (limit ±{87 if k < 4 else 12})"
+        assert (ax.get_xlabel(), len(ax.patches)) == ("$t$ (s)", 0)
+
+
+def test_every_panel_has_its_own_times_and_where_asked_its_limits():
+    _, grid = plt.subplots(2, 4, sharex=True)
+    torques(grid, PANDA_HOMEWORK, [0.0, 1.0], np.zeros((2, 7)), limits=True)
+    grid[0, 0].figure.canvas.draw()
+    for k, ax in enumerate(grid.flat[:7]):
+        most = 87 if k < 4 else 12
+        (band,) = ax.patches
+        assert [band.get_y(), band.get_y() + band.get_height()] == [-most, most]
+        assert through(ax, [[0, most], [1, most]])
+        assert through(ax, [[0, -most], [1, -most]])
+        assert ax.get_ylim()[1] > most
+        assert any(tick.label1.get_visible() for tick in ax.xaxis.get_major_ticks())
+    _, boundless = plt.subplots()
+    arm = _without_limits(PANDA_HOMEWORK).lock(1)
+    torques(np.array([boundless]), arm, [0.0, 1.0], np.zeros((2, 6)), limits=True)
+    assert not boundless.patches
 
 
 def test_the_pen_and_the_wall_push_each_other():

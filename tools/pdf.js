@@ -3,9 +3,10 @@
 // A page as a part of the whole: everything open, sections that are only there to be moved left out but for their picture,
 // wide formulas shrunk to the paper, ids and addresses its own.
 take: async (name) => {
+  const part = name.replaceAll("/", "-");
     const article = document.querySelector("article"), all = (what) => article.querySelectorAll(what);
     all("details").forEach((box) => (box.open = true));
-    all("script, .tools, .copy, .hint, .headerlink").forEach((e) => e.remove());
+    all("script, .tools, .copy, .hint, .headerlink, details.hide").forEach((e) => e.remove());
     all(".picture > :is(.dark, .panel)").forEach((e) => e.remove());
     all("section:has(> .cell .arm-explorer)").forEach((section) => {
         if (section.querySelectorAll(".cell").length > 1) return;
@@ -23,25 +24,29 @@ take: async (name) => {
     all("a[href]").forEach((link) => {
         const url = new URL(link.href), page = decodeURI(url.pathname).slice(root().length, -5);
         if (url.protocol !== "file:") return;
-        if (url.pathname.endsWith(".html")) link.setAttribute("href", `#${page}--${decodeURIComponent(url.hash.slice(1))}`);
+        if (url.pathname.endsWith(".html")) link.setAttribute("href", `#${page.replaceAll("/", "-")}--${decodeURIComponent(url.hash.slice(1))}`);
         else link.removeAttribute("href");
     });
     function root() { return decodeURI(location.pathname).slice(0, -`${name}.html`.length); }
-    all("[id]").forEach((e) => (e.id = `${name}--${e.id}`));
-    article.id = `${name}--`;
-    const styles = [...document.querySelectorAll("style")].map((style) => style.textContent);
+    all("[id]").forEach((e) => (e.id = `${part}--${e.id}`));
+    article.id = `${part}--`;
+    const styles = [...document.querySelectorAll("style")].map(({ sheet }) => [...sheet.cssRules].map((rule) => rule.cssText).join("\n"));
     return [article.outerHTML, styles];
 },
 
-// A reference says its page; a first guess keeps the room that the right number will take.
+// A reference says its page, and here which places are named; a first guess keeps the room that the right number will take.
 number: (pages) => {
+  const named = [];
   document.querySelectorAll("a[href^='#']").forEach((link) => {
     const target = decodeURIComponent(link.getAttribute("href").slice(1));
     if (!document.getElementById(target)) return void link.removeAttribute("href");
     if (link.closest("summary, .footnote-reference, aside, .admonition-title, nav")) return;
     let said = link.nextElementSibling?.matches(".page-number") ? link.nextElementSibling : null;
     if (!said) link.after((said = Object.assign(document.createElement("span"), { className: "page-number" })));
-    said.textContent = ` (p. ${pages[target] ?? 100})`;
+    named.push(target);
+    const page = Object.keys(pages).length ? pages[target] : 100;
+    said.textContent = page ? ` (p. ${page})` : "";
 });
+  return named;
 },
 })

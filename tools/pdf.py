@@ -23,7 +23,7 @@ FOOT = (
     'Robot homework companion · <span class="pageNumber"></span></div>'
 )
 SET = "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)"
-TRIES = 4
+TRIES = 6
 PLACE, LINK = "<!-- link to the PDF -->", '<p><a href="book.pdf">The whole book as one PDF</a></p>'
 
 SCRIPT = (Path(__file__).parent / "pdf.js").read_text(encoding="utf-8").strip()
@@ -67,10 +67,12 @@ def places(data: bytes) -> dict[str, int]:
 
 
 def printed(page: Page) -> bytes:
-    """The document with right page numbers in its references."""
+    """The document with right page numbers in its references; one whose page will not hold still
+    says none."""
     known: dict[str, int] = {}
+    wavering: set[str] = set()
     for _ in range(TRIES):
-        page.evaluate(f"(pages) => {SCRIPT}.number(pages)", known)
+        named = page.evaluate(f"(pages) => {SCRIPT}.number(pages)", known)
         data = page.pdf(
             format="A4",
             scale=0.86,
@@ -82,10 +84,12 @@ def printed(page: Page) -> bytes:
             outline=True,
         )
         found = places(data)
-        if found == known:
+        moved = {name for name in named if name in known and found.get(name) != known[name]}
+        if known and not moved:
             return data
-        known = found
-    raise RuntimeError(f"the page numbers still move after {TRIES} prints")
+        wavering |= moved
+        known = {name: number for name, number in found.items() if name not in wavering}
+    raise RuntimeError(f"the page numbers still move after {TRIES} prints: {sorted(moved)}")
 
 
 def link(path: Path) -> None:

@@ -130,6 +130,7 @@ export function widget() {
 
   function render({ model, el }) {
     const host = document.createElement("div");
+    host.dataset.lmSuppressShortcuts = "true"; // keys typed here are no commands of JupyterLab's
     el.append(host);
     const dispose = buildPanel(host, store, model.get("_spec"));
     return () => {

@@ -1,7 +1,7 @@
 """Paths for the tip, resolved-rate tracing, and its report."""
 
 from helpers.motion.joining import joined
-from helpers.motion.paths import Path, circle, circle_below
+from helpers.motion.paths import Path, circle, circle_below, rest_to_rest
 from helpers.motion.rates import (
     Rates,
     SingularError,
@@ -35,6 +35,7 @@ __all__ = [
     "levenberg",
     "plain_inverse",
     "pseudo_inverse",
+    "rest_to_rest",
     "self_motion",
     "self_motion_directions",
     "towards",

@@ -96,3 +96,29 @@ def circle_below(
         )
     centre = top - [0, 0, number(radius, "radius", "a finite length > 0 in m", above=0)]
     return circle(centre, radius, plane, period, steps, 0.0 if plane[0] == "z" else np.pi / 2)
+
+
+def rest_to_rest(path: Path) -> Path:
+    """The same path in the same time, begun and ended at rest: the tip is where `path` has it at
+    the share s = 10 u^3 - 15 u^4 + 6 u^5 of its time, with u the share that has passed.
+
+    Speed and acceleration are 0 at both ends; the largest speed is 15/8 of an even one's.
+    Source: Lynch and Park, Modern Robotics, section 9.2 (quintic time scaling).
+    """
+    must_be(path, Path, "path")
+    begin, period = path.times[0], path.times[-1] - path.times[0]
+
+    def share(t: ArrayLike) -> Array:
+        return (np.asarray(t, dtype=float) - begin) / period
+
+    def there(u: Array) -> Array:
+        return begin + period * u**3 * (10 + u * (6 * u - 15))
+
+    def position(t: ArrayLike) -> Array:
+        return path.position(there(share(t)))
+
+    def velocity(t: ArrayLike) -> Array:
+        u = share(t)
+        return 30 * (u[..., None] * (1 - u[..., None])) ** 2 * path.velocity(there(u))
+
+    return Path(path.times, position, velocity, path.normal)

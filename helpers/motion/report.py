@@ -15,7 +15,11 @@ Array = NDArray[np.floating]
 
 @dataclass(frozen=True)
 class Report:
-    """The standard report of every run; lengths in m, angles in rad, speeds in rad/s or m/s."""
+    """The standard report of every run; lengths in m, angles in rad, speeds in rad/s or m/s.
+
+    `speed_from_rest` is the largest speed that a joint has in the first or the last step: an arm
+    that stands before and after would have to take it on, or lose it, at once.
+    """
 
     arm: str
     position_error: float
@@ -27,12 +31,18 @@ class Report:
     largest_condition: float
     largest_speed: float
     speed_share: float
+    largest_acceleration: float
+    speed_from_rest: float
     beyond_limits: tuple[tuple[int, float], ...]
     beyond_speed: tuple[tuple[int, float], ...]
 
     @property
     def executable(self) -> bool:
-        """Whether the real arm could do it: no joint beyond its range or its speed."""
+        """Whether the real arm could do it: no joint beyond its range or its speed.
+
+        Accelerations are told, not judged: the table has no limits for them. A run that begins at
+        speed needs a run-up, or a path made by `rest_to_rest`.
+        """
         return not self.beyond_limits and not self.beyond_speed
 
     def rows(self) -> list[tuple[str, str]]:
@@ -49,6 +59,8 @@ class Report:
                 "largest joint speed",
                 f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit",
             ),
+            ("largest joint acceleration", f"{size(self.largest_acceleration)} rad/s²"),
+            ("joint speed to take on or lose at once", f"{size(self.speed_from_rest)} rad/s"),
             ("joints beyond their range", _joints(self.beyond_limits)),
             ("joints beyond their speed", _joints(self.beyond_speed)),
         ]
@@ -82,6 +94,8 @@ def run_report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Re
         largest_condition=float((sizes[:, 0] / np.maximum(sizes[:, -1], 1e-300)).max()),
         largest_speed=float(speed.max()),
         speed_share=float((speed / arm.speed_limits).max()),
+        largest_acceleration=float(_accelerations(path, q_dot).max(initial=0.0)),
+        speed_from_rest=float(np.abs(q_dot[[0, -1]]).max()),
         beyond_limits=_over(arm, beyond),
         beyond_speed=_over(arm, speed - arm.speed_limits),
     )
@@ -89,6 +103,11 @@ def run_report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Re
 
 def _angles(axes: Array, wanted: Array) -> Array:
     return np.arctan2(np.linalg.norm(np.cross(axes, wanted), axis=-1), axes @ wanted)
+
+
+def _accelerations(path: Path, q_dot: Array) -> Array:
+    """From step to step; the last rate is that of the step before."""
+    return np.abs(np.diff(q_dot[:-1], axis=0)) / np.diff(path.times)[:-1, None]
 
 
 def _over(arm: Arm, excess: Array) -> tuple[tuple[int, float], ...]:

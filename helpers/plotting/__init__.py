@@ -2,7 +2,13 @@
 None."""
 
 from helpers.plotting.arms import arm_3d, arrow_3d
-from helpers.plotting.branches import from_above, law_of_cosines, regions, stick_3d
+from helpers.plotting.branches import (
+    law_of_cosines,
+    regions,
+    shoulder_triangles,
+    stick_3d,
+    ur_triangle,
+)
 from helpers.plotting.dh import dh_numbers
 from helpers.plotting.drawing import (
     angle,
@@ -13,6 +19,7 @@ from helpers.plotting.drawing import (
     lengths,
     postures,
     row_drawing,
+    seen,
 )
 from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
@@ -39,7 +46,6 @@ __all__ = [
     "dimension",
     "ellipsoid_3d",
     "frames",
-    "from_above",
     "joints",
     "law_of_cosines",
     "lengths",
@@ -50,7 +56,10 @@ __all__ = [
     "postures",
     "regions",
     "row_drawing",
+    "seen",
+    "shoulder_triangles",
     "stick_3d",
     "torques",
+    "ur_triangle",
     "use_book_style",
 ]

@@ -8,7 +8,7 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
-from helpers.inputs import must_be, number, numbers
+from helpers.inputs import ArmError, must_be, number, numbers
 from helpers.kinematics import link_frames, skeleton
 from helpers.plotting.arms import pose_frames
 from helpers.plotting.drawing import angle
@@ -16,23 +16,73 @@ from helpers.plotting.plane import arm_2d
 from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
 
 
-def from_above(
-    ax: Axes, arm: Arm, branches: ArrayLike, names: tuple[str, ...], offset: float
+def shoulder_triangles(
+    ax: Axes, point: ArrayLike, offset: float, names: tuple[str, str], letters: tuple[str, str]
 ) -> None:
-    """Draw branches, shape (k, dof), of an elbow arm seen from above, with the circle that its
-    plane is tangent to."""
+    """Draw the two right triangles that turn an arm's plane to a point, seen from above: hypotenuse
+    from the axis to the point, one leg the offset (m) of the plane, the other the reach in it.
+
+    `names` are those of the shoulder on the left and on the right, `letters` those of the legs.
+    """
+    point = numbers(point, "point", "two finite coordinates in m", (2,))
+    offset = number(offset, "offset", "a length in m that is above 0", above=0)
+    far = float(np.hypot(*point))
+    if far <= offset:
+        raise ArmError(
+            f"point is {far:g} m from the axis; expected more than the offset {offset:g}"
+        )
+    heading, half = np.arctan2(point[1], point[0]), np.arccos(offset / far)
+    ax.add_patch(Circle((0, 0), offset, fill=False, ls=":", color=GREY))
+    ax.plot(*np.stack([(0, 0), point], axis=1), color=RED, lw=1.2, ls="--")
+    for side, name, colour in zip((1, -1), names, (BLUE, ORANGE), strict=True):
+        way = heading + side * half
+        foot = offset * np.array([np.cos(way), np.sin(way)])
+        ax.plot(*np.stack([(0, 0), foot, point], axis=1), color=colour, lw=2)
+        across = side * np.array([-np.sin(heading), np.cos(heading)])
+        back = -np.array([np.cos(heading), np.sin(heading)])
+        for spot, text, way_off in (
+            (foot / 2, letters[0], back),
+            ((2 * foot + 3 * point) / 5, letters[1], across),
+        ):
+            ax.text(*(spot + 0.07 * far * way_off), text, color=colour, ha="center", va="center")
+        ax.text(*(1.3 * foot), name, color=colour, ha="center", va="center")
+    ax.plot(0, 0, "o", color=SLATE, ms=7)
+    ax.plot(*point, "*", color=RED, ms=11)
+    ax.set_aspect("equal")
+
+
+def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
+    """Draw a UR arm of the homework's table in its own plane, r to the right, z up, from the
+    shoulder to the wrist, with the triangle of joints 2 and 3 and the step d_5."""
     must_be(arm, Arm, "arm")
-    number(offset, "offset", "a finite length in m")
-    poses = numbers(
-        branches, "branches", f"joint vectors ({len(names)}, {arm.dof})", (len(names), arm.dof)
-    )
-    ax.add_patch(Circle((0, 0), abs(offset), fill=False, ls=":", color=GREY))
-    for q, name, colour in zip(poses, names, (BLUE, ORANGE), strict=False):
-        arm_2d(ax, arm, q, "xy", colour=colour)
-        middle = skeleton(arm, link_frames(arm, q))[-3:, :2].mean(axis=0)
-        aside = 0.03 if colour == BLUE else -0.04
-        ax.text(middle[0], middle[1] + aside, name, color=colour)
-    ax.plot(0, 0, "+", color="black")
+    T = pose_frames(arm, q)
+    forward = T[1, :3, 0]
+    points = np.stack([T[:, :3, 3] @ forward, T[:, 2, 3]], axis=1)[[1, 2, 3, 5]]
+    shoulder, elbow, end, wrist = points
+    ax.plot(*np.stack([(0, 0), shoulder], axis=1), color=GREY, lw=4, alpha=0.5)
+    ax.plot(*points.T, color=GREY, lw=4, alpha=0.75, solid_joinstyle="round")
+    ax.plot(*points[:3].T, "o", color=SLATE, ms=8)
+    ax.plot(*wrist, "*", color=RED, ms=11)
+    corner = np.array([end[0], shoulder[1]])
+    ax.plot(*np.stack([shoulder, end], axis=1), color=RED, lw=1.2, ls="--")
+    ax.plot(*np.stack([shoulder, corner, end], axis=1), color=GREY, lw=1, ls=":")
+    lean = np.degrees(np.arctan2(*(elbow - shoulder)[::-1]))
+    fore = np.degrees(np.arctan2(*(end - elbow)[::-1]))
+    upright = np.stack([shoulder, shoulder + np.array([0, 0.3])], axis=1)
+    ax.plot(*upright, color=GREY, lw=0.8, ls="--")
+    ahead = elbow + 0.5 * (elbow - shoulder)
+    ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
+    angle(ax, shoulder, 0.2, lean, 90, "$q_2$")
+    angle(ax, elbow, 0.15, fore, lean, "$q_3$")
+    for start, stop, text in (
+        (shoulder, elbow, "$a_2$"), (elbow, end, "$a_3$"), (end, wrist, "$d_5$"),
+        (corner, shoulder, "$r$"), (end, corner, "$s$"),
+    ):  # fmt: skip
+        across = np.array([start[1] - stop[1], stop[0] - start[0]])
+        across = 0.06 * across / np.linalg.norm(across)
+        ax.text(*((start + stop) / 2 + across), text, ha="center", va="center")
+    ax.text(*(wrist + np.array([0.05, 0.03])), "$o_5$", color=RED, ha="left")
+    ax.set(xlabel="$r$ (m)", ylabel="$z$ (m)", aspect="equal")
 
 
 def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:

@@ -9,7 +9,9 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 from cycler import cycler
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
@@ -58,6 +60,13 @@ def use_book_style() -> None:
         set_matplotlib_formats("svg")
         shell.display_formatter.formatters["image/svg+xml"].for_type(Figure, svg)
         np.set_printoptions(precision=4, suppress=True)
+
+
+def time_axis(ax: Axes) -> None:
+    """Name and number the time under this panel too, sparingly: on a phone it stands alone."""
+    ax.set_xlabel("$t$ (s)")
+    ax.xaxis.set_major_locator(MaxNLocator(2))
+    ax.tick_params(labelbottom=True)
 
 
 def svg(figure: Figure) -> str:

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import must_be, numbers
 from helpers.plotting.plane import arrow_2d
-from helpers.plotting.style import BLUE, GREY, RED, SKY
+from helpers.plotting.style import BLUE, GREEN, GREY, RED, SKY, time_axis
 
 Array = NDArray[np.floating]
 
@@ -20,10 +20,11 @@ def torques(
     t: ArrayLike,
     tau: ArrayLike,
     label: str | None = None,
+    limits: bool = False,
     **line: object,
 ) -> None:
-    """Draw each joint's torque (N m) over time in its own axes, with the maker's limits where they
-    are near."""
+    """Draw each joint's torque (N m) over time in its own axes, its limit in the title; with
+    `limits`, what the motor can give is drawn as well, shaded, and sets the scale."""
     must_be(arm, Arm, "arm")
     t = numbers(t, "t", "finite times (n,) in s", (None,))
     tau = numbers(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
@@ -35,8 +36,12 @@ def torques(
         # scale.
         ax.plot(t[some], values[some].round(9) + 0.0, label=label, **{"color": BLUE, **line})
         ax.set(title=f"joint {i} (limit ±{limit:g})", ylabel="N m")
-        if ax.get_subplotspec().is_last_row():
-            ax.set_xlabel("$t$ (s)")
+        if limits and np.isfinite(limit):
+            ax.axhspan(-limit, limit, color=GREEN, alpha=0.12, lw=0)
+            for end in (-limit, limit):
+                ax.axhline(end, color=RED, ls=":")
+            ax.set_ylim(-1.15 * limit, 1.15 * limit)
+        time_axis(ax)
 
 
 def pen_and_wall(ax: Axes) -> None:

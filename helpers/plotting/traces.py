@@ -12,7 +12,7 @@ from helpers.inputs import listed, must_be, plane_axes, whole
 from helpers.kinematics import link_frames
 from helpers.motion import Trace
 from helpers.plotting.arms import skeleton
-from helpers.plotting.style import BLUE, GREEN, GREY, RED
+from helpers.plotting.style import BLUE, GREEN, GREY, RED, time_axis
 
 Array = NDArray[np.floating]
 
@@ -22,7 +22,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
     in m."""
     must_be(run, Trace, "run")
     i, j = _wall_axes(run)
-    some = slice(None, None, max(1, len(run.t) // 200))
+    some = slice(None, None, max(1, len(run.t) // 100))
     wanted, traced = run.path.positions[some], run.poses[some, :3, 3]
     ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
     ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label=label)
@@ -37,7 +37,7 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
     known."""
     must_be(run, Trace, "run")
     lower, upper = np.degrees(run.arm.limits)
-    some = slice(None, None, max(1, len(run.t) // 100))
+    some = slice(None, None, max(1, len(run.t) // 60))
     t, angles = run.t[some], np.degrees(run.q[some].T)
     for ax, i, angle, low, high in zip(
         axes.flat, run.arm.joints, angles, lower, upper, strict=False
@@ -48,8 +48,7 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
         ax.plot(t, np.where((angle < low) | (angle > high), angle, np.nan), color=RED, lw=3)
         ax.set(title=f"joint {i} (°)")
         ax.yaxis.set_major_locator(MaxNLocator(3))
-    for ax in axes[-1]:
-        ax.set_xlabel("$t$ (s)")
+        time_axis(ax)
 
 
 def _wall_axes(run: Trace) -> tuple[int, int]:

@@ -1,0 +1,116 @@
+"""Inverse dynamics against Lagrange's equations by differences, the textbook's arm, and rest."""
+
+import numpy as np
+import pytest
+
+from helpers.arm import Arm, ArmError, Body, fixed, revolute
+from helpers.dynamics import inverse_dynamics
+from helpers.kinematics import link_frames
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
+from helpers.statics import gravity_torque, potential_energy
+from tests.laws import SHAPES, joint_vectors
+from tests.test_statics import loaded
+
+ARMS = [PANDA, PANDA.lock(3, at=1.2), UR10E, loaded(STANFORD), loaded(ELBOW)]
+every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: f"{arm.name}, {arm.dof} joints")
+
+
+def tensors(arm, seed=5):
+    """Inertia tensors of clouds of points, so that a rigid body can have them."""
+    points = np.random.default_rng(seed).normal(scale=0.1, size=(len(arm.rows), 9, 3))
+    square = np.einsum("nki,nkj->nij", points, points)
+    return np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(3) - square
+
+
+@every_arm
+@pytest.mark.parametrize("shape", SHAPES)
+def test_at_rest_only_the_weight_is_left(arm, shape):
+    q = joint_vectors(arm, shape)
+    for gravity in ([0, 0, -9.81], [3, -2, 5]):
+        tau = inverse_dynamics(arm, q, 0 * q, 0 * q, inertias=tensors(arm), gravity=gravity)
+        assert tau.shape == q.shape
+        np.testing.assert_allclose(tau, gravity_torque(arm, q, gravity), atol=1e-12)
+
+
+def kinetic_energy(arm, inertias, q, q_dot, h=1e-6):
+    """From how the links' frames differ a moment earlier and later; no velocity is propagated."""
+    ahead, behind = (link_frames(arm, q + step * q_dot)[1:] for step in (h, -h))
+    energy = 0.0
+    for body, tensor, after, before, T in zip(
+        arm.bodies, inertias, ahead, behind, link_frames(arm, q)[1:], strict=True
+    ):
+        rate, R = (after - before) / (2 * h), T[:3, :3]
+        v = rate[:3, :3] @ [arm.number(c) for c in body.com] + rate[:3, 3]
+        spin = R.T @ rate[:3, :3]
+        omega = np.array([spin[2, 1], spin[0, 2], spin[1, 0]])
+        energy += (arm.number(body.mass) * v @ v + omega @ tensor @ omega) / 2
+    return energy
+
+
+@every_arm
+def test_it_is_lagranges_equation_by_differences_of_the_energies(arm):
+    """d/dt dK/dq_dot - dK/dq + dP/dq, with K from frames alone, for inertias of any direction."""
+    rng, inertias, h = np.random.default_rng(6), tensors(arm), 1e-3
+    q, q_dot, q_ddot = rng.uniform(-1, 1, (3, arm.dof))
+
+    def momentum(q, q_dot):
+        return np.array(
+            [
+                kinetic_energy(arm, inertias, q, q_dot + step)
+                - kinetic_energy(arm, inertias, q, q_dot - step)
+                for step in np.eye(arm.dof) / 2
+            ]
+        )
+
+    def slope(energy):
+        return np.array([energy(q + d) - energy(q - d) for d in h * np.eye(arm.dof)]) / (2 * h)
+
+    later, earlier = (
+        momentum(q + s * q_dot + s * s * q_ddot / 2, q_dot + s * q_ddot) for s in (h, -h)
+    )
+    wanted = (later - earlier) / (2 * h)
+    wanted -= slope(lambda x: kinetic_energy(arm, inertias, x, q_dot))
+    wanted += slope(lambda x: potential_energy(arm, x))
+    tau = inverse_dynamics(arm, q, q_dot, q_ddot, inertias=inertias)
+    np.testing.assert_allclose(tau, wanted, atol=3e-5 * max(1, np.abs(wanted).max()))
+
+
+def test_two_rods_as_the_textbook_has_them():
+    """Spong, section 6.4.2 (planar elbow arm), with rods of inertia m l^2/12."""
+    m_1, m_2, l_1, l_2, g = 2.0, 1.0, 0.4, 0.3, 9.81
+    rows = [fixed(alpha="pi/2"), revolute(a=l_1), revolute(a=l_2)]
+    bodies = [Body(0, (0, 0, 0)), Body(m_1, (-l_1 / 2, 0, 0)), Body(m_2, (-l_2 / 2, 0, 0))]
+    arm = Arm("two links", rows, {}, bodies)
+    inertias = np.zeros((3, 3, 3))
+    inertias[1, 2, 2], inertias[2, 2, 2] = m_1 * l_1**2 / 12, m_2 * l_2**2 / 12
+    for (a, b), (da, db), (dda, ddb) in np.random.default_rng(7).uniform(-2, 2, (20, 3, 2)):
+        c = m_2 * l_1 * l_2 / 2
+        d_22 = m_2 * l_2**2 / 3
+        d_11 = m_1 * l_1**2 / 3 + m_2 * l_1**2 + d_22 + 2 * c * np.cos(b)
+        d_12, h = d_22 + c * np.cos(b), -c * np.sin(b)
+        weight = [
+            (m_1 / 2 + m_2) * g * l_1 * np.cos(a) + m_2 * g * l_2 / 2 * np.cos(a + b),
+            m_2 * g * l_2 / 2 * np.cos(a + b),
+        ]
+        wanted = [
+            d_11 * dda + d_12 * ddb + 2 * h * da * db + h * db**2 + weight[0],
+            d_12 * dda + d_22 * ddb - h * da**2 + weight[1],
+        ]
+        tau = inverse_dynamics(arm, [a, b], [da, db], [dda, ddb], inertias=inertias)
+        np.testing.assert_allclose(tau, wanted, atol=1e-12)
+
+
+def test_batches_of_joints_and_rates_go_together():
+    q, rates = joint_vectors(UR10E, (3, 1)), joint_vectors(UR10E, (2,), 9)
+    tau = inverse_dynamics(UR10E, q, rates, rates)
+    assert tau.shape == (3, 2, 6)
+    one = inverse_dynamics(UR10E, q[2, 0], rates[1], rates[1])
+    np.testing.assert_allclose(tau[2, 1], one, atol=1e-12)
+
+
+def test_tensors_that_no_body_has_are_refused():
+    wrong = tensors(UR10E)
+    wrong[2, 0, 1] += 0.1
+    rest = np.zeros(6)
+    with pytest.raises(ArmError, match="inertias are not symmetric; expected xy = yx"):
+        inverse_dynamics(UR10E, rest, rest, rest, inertias=wrong)
