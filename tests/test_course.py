@@ -399,8 +399,11 @@ def test_the_words_of_the_command_line(course, tmp_path, capsys):
     assert "cannot be read" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("arm", [PANDA.lock(3), UR10E, ELBOW, MINE], ids=lambda arm: arm.name)
-def test_every_sheet_is_proved_before_it_goes_out(arm):
-    sheet = commands.variants.sheet(arm, "a seed")
+ASKED = [PANDA, PANDA.lock(3), UR10E, ELBOW, MINE]
+
+
+@pytest.mark.parametrize("arm", ASKED, ids=lambda arm: f"{arm.name}, {arm.dof} joints")
+def test_right_work_on_a_sheet_that_goes_out_gets_all(arm, tmp_path):
+    sheet = commands.new(ROSTER[:1], SECRET, arm, tmp_path).sheet("ab12", SECRET)
     prove(sheet)
     assert all(mark.credit == 1 for mark in mark_sheet(sheet, right(sheet), store.Rules()))

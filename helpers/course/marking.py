@@ -28,7 +28,7 @@ from helpers.variants import Part, Question, Sheet
 
 Array = NDArray[np.float64]
 
-_MOST = 2000  # characters of a text, or entries of a list: no right answer is longer
+_MOST = 8000  # characters of a text, or entries of a list: the longest right column has 3473
 _HARMLESS = {"tau.gravity:9.80665"}  # standard gravity, 0.03 % beside 9.81: nobody's mistake
 _SLIGHT = 1e-9  # rad or m beyond a limit that rounding explains
 
