@@ -218,17 +218,17 @@ def _kinds(table: TypedTable, wanted: tuple[str, ...]) -> Iterable[str]:
 
 
 def from_craig(rows: list[Numbers]) -> list[Numbers]:
-    """Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}; a fixed row before
-    them takes a_0.
+    """Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}.
+
+    A fixed row before them takes a_0 and alpha_0; a last one that is left empty goes.
     """
-    after = [*rows[1:], Numbers("F", 0.0, 0.0, 0.0, 0.0)]
+    empty = Numbers("F", 0.0, 0.0, 0.0, 0.0)
+    after = [*rows[1:], empty]
     shifted = [r._replace(a=n.a, alpha=n.alpha) for r, n in zip(rows, after, strict=True)]
-    first = rows[0]
-    return (
-        shifted
-        if not (first.a or first.alpha)
-        else [Numbers("F", first.a, first.alpha, 0.0, 0.0), *shifted]
-    )
+    if len(shifted) > 1 and shifted[-1] == empty:
+        shifted.pop()
+    first = empty._replace(a=rows[0].a, alpha=rows[0].alpha)
+    return shifted if first == empty else [first, *shifted]
 
 
 # From what is held to rows of cells
