@@ -394,13 +394,16 @@ def test_the_words_of_the_command_line(course, tmp_path, capsys):
     assert main(["look", str(course / "ab12")]) == 0
     assert "p: 1" in capsys.readouterr().out
     assert main([*new, "--arm", "Pandabear"]) == 2
-    assert "arm is 'Pandabear'; expected one of Panda," in capsys.readouterr().err
+    assert "no arm is called 'Pandabear'; expected one of Panda," in capsys.readouterr().err
     assert main(["key", "--secret", str(tmp_path / "none"), "--id", "ab12"]) == 2
     assert "cannot be read" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("arm", [PANDA.lock(3), UR10E, ELBOW, MINE], ids=lambda arm: arm.name)
-def test_every_sheet_is_proved_before_it_goes_out(arm):
-    sheet = commands.variants.sheet(arm, "a seed")
+ASKED = [PANDA, PANDA.lock(3), UR10E, ELBOW, MINE]
+
+
+@pytest.mark.parametrize("arm", ASKED, ids=lambda arm: f"{arm.name}, {arm.dof} joints")
+def test_right_work_on_a_sheet_that_goes_out_gets_all(arm, tmp_path):
+    sheet = commands.new(ROSTER[:1], SECRET, arm, tmp_path).sheet("ab12", SECRET)
     prove(sheet)
     assert all(mark.credit == 1 for mark in mark_sheet(sheet, right(sheet), store.Rules()))

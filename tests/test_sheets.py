@@ -21,10 +21,11 @@ import sympy as sp
 
 from helpers import kinematics, statics
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
+from helpers.command_line import read_arm
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.sheets import block, document, markdown
-from helpers.sheets.__main__ import main, read_arm
+from helpers.sheets.__main__ import main
 from helpers.sheets.content import Sheet
 from helpers.sheets.page import answer, sections
 from helpers.sheets.programs import as_latex, as_matlab, as_numpy, as_sympy
