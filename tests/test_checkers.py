@@ -97,6 +97,7 @@ TEXT_ROWS = [[f"{x:g}" for x in row] for row in NUMBERS]
         planar(*sp.symbols("q1 q2")),
         planar(*sp.symbols("th0 th1")),
         planar(t1, t2),
+        planar(*sp.symbols("θ₁ θ₂")),
         planar(x1, x2),
         planar(*sp.symbols("q_1 q_2")).tolist(),
         np.array(planar(t1, t2)),
@@ -131,6 +132,14 @@ def test_a_function_gets_copies_and_locked_joints_may_be_numbered_on():
     counted = checks.compare_jacobian("[-0.3*sin(q1); 0.3*cos(q1); 0; 0; 0; 1]", by_row, [0.7])
     assert counted.agrees
     assert "joints 2" in str(counted)
+
+
+def test_one_joint_and_no_gravity():
+    one = Arm.from_table("q1 0 0.4 0")
+    a = sp.Symbol("a")
+    turn = sp.lambdify(a, sp.Matrix([-0.4 * s(a), 0.4 * c(a), 0, 0, 0, 1]))
+    assert checks.compare_jacobian(turn, one).agrees
+    assert checks.compare_torques([0] * 7, PANDA, BENT, gravity=(0, 0, 0)).agrees
 
 
 @pytest.mark.parametrize(

@@ -33,6 +33,18 @@ def test_what_is_right_passes_and_mistakes_are_named(topic):
         assert of_kind.get("named", 0) >= least * judged - 1, of_kind
 
 
+@pytest.mark.parametrize("topic", TOPICS)
+def test_each_mistake_is_named_where_it_first_shows(topic):
+    found = load(topic)
+    first = {}
+    for case in found["cases"]:
+        if case.get("cause") and " + " not in case["cause"]:
+            first.setdefault(case["cause"].split(":")[0], []).append(case)
+    for name, cases in first.items():
+        told = (outcome(c, found["arms"], report(c, found["arms"])) for c in cases)
+        assert next(how for how in told if how != "same arm") == "named", name
+
+
 @pytest.mark.parametrize("topic", ["branches", "pose"])
 def test_the_stored_corpus_is_what_its_seed_makes(topic):
     stored = load(topic)

@@ -232,16 +232,19 @@ def called(function: Callable, arm: Arm, q: Array, what: str) -> Any:
     """What a student's function gives at q. It gets copies; one with as many arguments as joints
     gets them one by one.
     """
-    count = arguments(function)
-    try:
-        return function(*map(float, q)) if count == arm.dof > 1 else function(np.array(q))
-    except ArmError:
-        raise
-    except Exception as error:
-        kind = type(error).__name__
-        raise ArmError(
-            say("function failed", what=what, error=f"{kind}: {error}", dof=arm.dof)
-        ) from error
+    each = arguments(function) == arm.dof
+    by_vector, by_value = (lambda: function(np.array(q)), lambda: function(*map(float, q)))
+    ways = [by_value] if each and arm.dof > 1 else [by_vector, *([by_value] if each else [])]
+    failed: Exception | None = None
+    for way in ways:
+        try:
+            return way()
+        except ArmError:
+            raise
+        except Exception as error:
+            failed = failed or error
+    told = f"{type(failed).__name__}: {failed}"
+    raise ArmError(say("function failed", what=what, error=told, dof=arm.dof)) from failed
 
 
 def arguments(function: Callable) -> int | None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError
+from helpers.reading import formula
 from helpers.reading.sentences import say
 
 _JOINT = re.compile(r"(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})")
@@ -17,11 +18,10 @@ _SHORT = re.compile(r"([cs])((?:[+-]?\d)+)", re.I)
 
 
 def simple(name: str) -> str:
-    """A name without underscores, braces, primes and ``(t)``, in lower case: ``theta_{1}(t)`` is
-    ``theta1``.
+    """A name in lower case, without underscores, braces, primes and ``(t)``: ``theta_{1}(t)`` and
+    ``θ₁`` are ``theta1``.
     """
-    name = re.sub(r"\(t\)|[_{}'*^\\ ]", "", name)
-    return name.replace("ϑ", "theta").replace("θ", "theta").lower()
+    return re.sub(r"\(t\)|[_{}'*^\\\s]", "", formula.plain(name)).lower()
 
 
 def meanings(

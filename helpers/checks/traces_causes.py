@@ -16,8 +16,8 @@ from helpers.reading.sentences import size
 
 Array = NDArray[Any]
 
-_SAMPLE = 40
-_CLEARLY = 0.4  # of the right arm's or loop's error: what another must stay below to be named
+_SAMPLE = 100
+_CLEARLY = 0.7  # of what the right loop leaves: what another must stay below to be named
 
 
 def _off(path: Path, points: Array) -> Array:
@@ -109,35 +109,41 @@ def loop_cause(typed: Typed, arm: Arm, path: Path) -> Cause | None:
     step's velocity.
 
     For a step of Euler's method J(q_k) (q_{k+1} - q_k) / dt is the velocity of step k; a wrong J or
-    a wrong velocity makes it so in its own way. The best rule is named if it leaves a fraction of
-    what the right one leaves, and digits allow to tell.
+    a wrong velocity makes it so in its own way. What a rule leaves is counted in units of what the
+    digits of q leave; the best one is named if the right one leaves clearly more.
     """
     q, dt = typed.values, np.diff(path.times)
     if len(q) < 4:
         return None
     pick = np.unique(np.linspace(0, len(q) - 3, _SAMPLE).astype(int))
     rate = (q[pick + 1] - q[pick]) / dt[pick, None]
-    v = path.velocities
     at = chain(arm, q[pick])
     J = columns(at)
-    noise = float(typed.units.max(initial=0.0)) / float(dt.min()) * 2
-    speed = float(np.abs(v).max())
-    (_, right), *rules = _rules(arm, at, J, rate, v, pick)
+    speed = float(np.abs(path.velocities).max())
+    # Two roundings, each even within a unit, through each row of J.
+    digits = float(typed.units.max(initial=0.0)) / float(dt.min()) / np.sqrt(6)
+    noise = digits * np.sqrt((J**2).sum(axis=2).mean(axis=0)) + 1e-4 * speed
+    (_, right), *rules = _rules(arm, at, J, rate, path.velocities, pick, noise)
     best, left = min(rules, key=lambda rule: rule[1])
-    clear = (
-        left < _CLEARLY * right and left < 0.02 * speed + noise and right > 3 * noise + 1e-4 * speed
-    )
-    return best if clear else None
+    fits = left < 1.5 or left * float(noise.max()) < 0.02 * speed
+    return best if fits and right > 1.8 and left < _CLEARLY * right else None
 
 
 def _rules(
-    arm: Arm, at: Chain, J: Array, rate: Array, v: Array, pick: Array
+    arm: Arm, at: Chain, J: Array, rate: Array, v: Array, pick: Array, noise: Array
 ) -> Iterator[tuple[Cause | None, float]]:
-    """Each rule with the largest velocity (m/s or rad/s) by which it fails."""
+    """Each rule with the largest of the six velocities by which it fails on the whole, in units of
+    the noise.
+    """
 
     def fails(K: Array, linear: Array) -> float:
         got = np.einsum("nij,nj->ni", K, rate)
-        return float(np.abs(np.hstack([got[:, :3] - linear, got[:, 3:]])).max())
+        off = np.hstack([got[:, :3] - linear, got[:, 3:]])
+        return float((np.sqrt((off**2).mean(axis=0)) / noise).max())
+
+    def differs(wanted: Array) -> float:
+        off = np.abs(np.einsum("nij,nj->ni", np.abs(J), np.abs(rate - wanted)))
+        return float((np.sqrt((off**2).mean(axis=0)) / noise).max())
 
     yield None, fails(J, v[pick])
     if len(v) > pick.max() + 1:
@@ -148,6 +154,5 @@ def _rules(
         yield c, fails(columns(other), v[pick])
     if J.shape[-1] > 3:
         free = np.einsum("nij,nj->ni", np.linalg.pinv(J[:, :3]), v[pick])
-        yield cause("trace.position only"), float(np.abs(rate - free).max())
-        transposed = np.einsum("nji,nj->ni", J[:, :3], v[pick])
-        yield cause("trace.transpose"), float(np.abs(rate - transposed).max())
+        yield cause("trace.position only"), differs(free)
+        yield cause("trace.transpose"), differs(np.einsum("nji,nj->ni", J[:, :3], v[pick]))
