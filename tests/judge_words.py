@@ -17,14 +17,14 @@ import numpy as np
 import sympy as sp
 
 from helpers import checks, symbolic
-from helpers.arm import Arm, fixed, prismatic, revolute
+from helpers.arm import Arm, Body, fixed, prismatic, revolute
 from helpers.checks.torques_causes import Load, catalogue, paper_centres, reversed_joints
 from helpers.explorer.judge import judged_data
 from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
-from tests.corpus import jacobians
+from tests.corpus import jacobians, torques
 from tests.corpus.typing_ import typed
 
 ROOT = Path(__file__).parents[1]
@@ -125,12 +125,23 @@ def formula_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
         yield arm, {"topic": "jacobian", "typed": text, "q": q, "options": {}}
 
 
+def stored_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
+    """Torques of the corpus, with its own arms and masses, along paths too."""
+    for case in torques.cases(rng, count):
+        machine, bodies = case["machine"], case["bodies"]
+        rows = [_ROWS[r[0]](a=r[1], alpha=r[2], d=r[3], theta=r[4]) for r in machine.rows]
+        arm = Arm("your arm", rows, bodies=[Body(m, tuple(c)) for m, *c in bodies])
+        options = {"wrench": case["wrench"]}
+        yield arm, {"topic": "torques", "typed": case["typed"], "q": case["q"], "options": options}
+
+
 QUESTIONS = {
     "jacobian": jacobian_questions,
     "torques": torque_questions,
+    "corpus's torques": stored_questions,
     "formula": formula_questions,
 }
-SHARES = {"jacobian": 0.7, "torques": 0.25, "formula": 0.05}
+SHARES = {"jacobian": 0.65, "torques": 0.15, "corpus's torques": 0.15, "formula": 0.05}
 
 
 def questions(rng, count: int) -> list[tuple[Arm, dict]]:

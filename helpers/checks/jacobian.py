@@ -159,7 +159,7 @@ def _judged(
     if grade != WRONG:
         return _good(grade, typed, arm, rows, taken, hidden, at_pose)
     found, more = _causes(typed.values, right, m, known, rows, arm, q, frame)
-    return _bad(found, more, typed.values, arm, taken)
+    return _bad(found, more, arm, taken)
 
 
 def _checked_frame(frame: int, arm: Arm) -> int:
@@ -229,9 +229,7 @@ def _good(grade, typed: Typed, arm: Arm, rows: slice, taken, notes, at_pose: boo
     return Report("Jacobian", arm.name, grade, words, missing, (), taken, notes)
 
 
-def _bad(
-    found: tuple[Cause, ...], symptoms: tuple[Finding, ...], M: Array, arm: Arm, taken
-) -> Report:
+def _bad(found: tuple[Cause, ...], symptoms: tuple[Finding, ...], arm: Arm, taken) -> Report:
     if found:
         words = several(found)
         findings = (Finding("cause", "", None, None, f"{words}."), *symptoms)

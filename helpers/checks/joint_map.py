@@ -58,7 +58,7 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
     """The map between two tables that agree, or None where it cannot be confirmed by the tips of
     some poses.
     """
-    base = _base(mine, reference, found)
+    base = _base(found)
     ours = _features(mine.rows, [0.0] * len(mine.joints), base, found.signs)
     offsets = [0.0] * len(mine.joints)
     plain = (1,) * len(mine.joints)
@@ -79,7 +79,7 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
     return _confirmed(mine, reference, Map(found.signs, tuple(wrapped), base), tolerance)
 
 
-def _base(mine: Side, reference: Side, found: Compared) -> Frame:
+def _base(found: Compared) -> Frame:
     if found.signs[0] > 0:
         return BASE._replace(o=(0.0, 0.0, found.base_higher))
     upside = Frame(

@@ -30,6 +30,8 @@ from helpers.reading import table as reading
 from helpers.reading.sentences import say, size
 
 _UNITS = ("table.millimetres", "table.centimetres", "table.degrees", "table.twists in degrees")
+_ENTRY = 0.7  # what a wrong entry costs, where a cause costs 1
+_BY_AXES = 0.5  # what it costs besides that entries still differ though the axes agree
 _ANGLES = ("alpha", "theta")
 _ANGLE = 1e-4  # rad: angles are often written with four decimals
 _LENGTH = 1e-6  # m
@@ -199,7 +201,7 @@ def _judged(table: Table, reference: Arm, tolerance: float | None) -> Report:
         length, angle = _rounding(table)
         reach = max(abs(x) for r in rows for x in (r.a, r.d))
         wide = max(
-            exact, 2 * length, 1.5 * angle * reach
+            exact, 2 * length, 2.5 * angle * reach
         )  # a turned axis meets the next one elsewhere
         near = compared(mine, ref, wide, max(_ANGLE, 4 * angle))
         if not near.differences:
@@ -320,27 +322,37 @@ def _different(
         same = [t.cause for t in equal if t.cause and _edits(t.cause) == _edits(equal[0].cause)]
         return _bad(table, reference, same, (), ())
     notes = tuple(_base(side(rows), found)) if found.signs else ()
-    plain = next(t for t in tries if t.cause is None)
-    if plain.entries <= 2 and (entries := list(_entries(table, plain, length))):
-        return _bad(table, reference, [], entries, notes)
-    best = _agreeing(tries, length) or _one_sign(rows, wanted, length)
-    if best is not None and best.cause:
-        return _bad(table, reference, [best.cause], (), ())
-    close = [t for t in tries if t.entries <= max(3, len(wanted) // 2 + 1)]
-    for t in sorted(close, key=lambda t: _cost(t.cause) + 0.7 * t.entries)[:1]:
-        if entries := list(_entries(table, t, length)):
-            return _bad(
-                table, reference, [t.cause] if t.cause else [], entries, () if t.cause else notes
-            )
+    local = _local(tries, len(wanted), length)
+    whole = _agreeing(tries, length, local[0] if local else math.inf)
+    if local is None and whole is None:
+        whole = _one_sign(rows, wanted, length)
+    if whole is not None and whole.cause:
+        return _bad(table, reference, [whole.cause], (), ())
+    if local is not None:
+        _, t, needed = local
+        entries = [_entry(table, t, k, column) for k, column in needed]
+        return _bad(
+            table, reference, [t.cause] if t.cause else [], entries, () if t.cause else notes
+        )
     first, left = _fewest(tries, length, found)
     findings = [_geometry(d) for d in left]
     return _bad(table, reference, [first] if first else [], findings, () if first else notes)
 
 
+def _local(
+    tries: list[_Try], rows: int, length: float
+) -> tuple[float, _Try, tuple[tuple[int, str], ...]] | None:
+    """The reading that needs least besides a few entries: its cost, and the entries."""
+    close = [t for t in tries if 0 < t.entries <= max(3, rows // 2 + 1)]
+    if not close:
+        return None
+    best = min(close, key=lambda t: _cost(t.cause) + _ENTRY * t.entries)
+    needed = _needed(best, length)
+    return _cost(best.cause) + _ENTRY * len(needed), best, needed
+
+
 def _cost(c: Cause | None) -> float:
-    """What a reading costs against wrong entries at 0.7 each; units go wrong so often that they are
-    cheap.
-    """
+    """What a reading costs; units go wrong so often that they are cheap."""
     return 0 if c is None else sum(0.5 if key in _UNITS else 1 for key in c.keys)
 
 
@@ -402,18 +414,14 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
     return found
 
 
-def _agreeing(tries: list[_Try], length: float) -> _Try | None:
-    """The first reading that leaves nothing: entries equal, or single causes and units judged by
-    the axes.
-    """
-    return next(
-        (
-            t
-            for t in tries
-            if t.cause is not None and _likely(t) and not t.found(length).differences
-        ),
-        None,
-    )
+def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
+    """The cheapest reading after which the axes agree, though entries differ, below a cost."""
+    for t in sorted(tries, key=lambda t: _cost(t.cause)):
+        if _cost(t.cause) + _BY_AXES >= most:
+            return None
+        if t.cause is not None and _likely(t) and not t.found(length).differences:
+            return t
+    return None
 
 
 def _likely(t: _Try) -> bool:
@@ -431,15 +439,6 @@ def _one_sign(rows: list[Numbers], wanted: tuple[Numbers, ...], length: float) -
     return min(fits, key=lambda t: t.entries, default=None)
 
 
-def _entries(table: Table, t: _Try, length: float) -> Iterator[Finding]:
-    """The fewest entries that must change to agree with the reference, in the student's numbers."""
-    craig = t.cause is not None and "table.craig" in t.cause.keys
-    shift = int(craig and bool(table.rows[0].a or table.rows[0].alpha))
-    for k, column in _needed(t, length):
-        x, y = getattr(t.rows[k], column), getattr(t.reference[k], column)
-        yield _entry(table, t, k + 1 - shift, column, x, y)
-
-
 def _needed(t: _Try, length: float) -> tuple[tuple[int, str], ...]:
     wrong = _unequal_entries(t.rows, t.reference, length)
     for count in range(1, len(wrong)):
@@ -452,10 +451,14 @@ def _needed(t: _Try, length: float) -> tuple[tuple[int, str], ...]:
     return tuple(wrong)
 
 
-def _entry(table: Table, t: _Try, row: int, column: str, mine: float, wanted: float) -> Finding:
-    """One wrong entry; its row is the student's, also where a and alpha were read one row on."""
-    if t.cause is not None and "table.craig" in t.cause.keys and column in ("a", "alpha"):
-        row += 1
+def _entry(table: Table, t: _Try, k: int, column: str) -> Finding:
+    """One wrong entry in the student's numbers; its row is the student's, also where a and alpha
+    were read one row on.
+    """
+    mine, wanted = getattr(t.rows[k], column), getattr(t.reference[k], column)
+    craig = t.cause is not None and "table.craig" in t.cause.keys
+    shift = int(craig and bool(table.rows[0].a or table.rows[0].alpha))
+    row = k + 1 - shift + int(craig and column in ("a", "alpha"))
     key, fields = _kind_of_error(column, row, mine, wanted)
     typed = (
         _typed(table, row, column) if t.cause is None or len(t.cause.keys) == 0 else size(mine, 6)

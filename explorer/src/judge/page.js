@@ -37,16 +37,19 @@ export function mount(stub) {
     adapt(made, question, arms);
   };
   const answer = () => tell(made, question, judge(question, arms));
-  const changed = ({ target }) => {
+  const changed = ({ target, inputType }) => {
     const key = Object.keys(fields).find((one) => fields[one] === target);
     question = { ...question, [key]: target.value };
     if (key === "arm") question.frame = "0";
     if (key === "arm" || key === "ask") question.q = examples.find(matches(question))?.q ?? question.q;
     show();
     const verdict = judge(question, arms);
-    preview(made, question, verdict);
+    const speak = () => tell(made, question, verdict);
     clearTimeout(timer);
-    timer = setTimeout(answer, PAUSE);
+    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") return speak();
+    preview(made, question, verdict);
+    timer = setTimeout(speak, PAUSE);
+    return undefined;
   };
   made.form.addEventListener("input", changed);
   made.form.addEventListener("submit", (event) => event.preventDefault());
