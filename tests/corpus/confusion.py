@@ -78,9 +78,10 @@ def by_cause(cases):
 
 def main():
     cases = list(counted())
-    parts = ["### Right work", *right_work(cases), "", "### Mistakes", *by_topic(cases), "",
-        "```{admonition} Each mistake by name", ":class: dropdown", "",
-        *by_cause(cases), "```"]  # fmt: skip
+    parts = ["### Right work", "", *right_work(cases), ""]
+    parts += ["### Mistakes", "", *by_topic(cases), ""]
+    parts += ["```{admonition} Each mistake by name", ":class: dropdown", ""]
+    parts += [*by_cause(cases), "```"]
     text = PAGE.read_text(encoding="utf-8")
     before, rest = text.split(START)
     page = f"{before}{START}\n" + "\n".join(parts) + f"\n{END}{rest.split(END)[1]}"
