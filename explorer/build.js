@@ -1,7 +1,9 @@
 // Bundle the explorer into two classic scripts: explorer.js, which a page loads once an instrument is near, and
-// explorer-more.js, the small figures, which needs the first. The widget adds an export to both.
+// explorer-more.js, the small figures, which needs the first. The widget adds an export to both. A third one, judge.js,
+// is what a page loads that judges answers.
 
 import { build } from "esbuild";
+import { readdir, readFile } from "node:fs/promises";
 import { dirname, join, relative, sep } from "node:path";
 
 const folder = process.argv[2] ?? "../helpers/explorer/static";
@@ -36,6 +38,20 @@ const kit = {
   },
 };
 
+// Of the checkers' sentences, those that the judge's sources name.
+const sentences = {
+  name: "sentences",
+  setup(bundle) {
+    bundle.onLoad({ filter: /sentences\.json$/ }, async ({ path }) => {
+      const names = await readdir("src/judge");
+      const sources = await Promise.all(names.map((name) => readFile(join("src/judge", name), "utf8")));
+      const all = Object.entries(JSON.parse(await readFile(path, "utf8")));
+      const named = ([key]) => sources.some((source) => source.includes(`"${key}"`));
+      return { contents: JSON.stringify(Object.fromEntries(all.filter(named))), loader: "json" };
+    });
+  },
+};
+
 await build({
   ...common,
   entryPoints: ["src/index.js"],
@@ -52,4 +68,12 @@ await build({
   format: "iife",
   loader: { ".css": "text" },
   plugins: [kit],
+});
+await build({
+  ...common,
+  entryPoints: ["src/judge/main.js"],
+  outfile: join(folder, "judge.js"),
+  format: "iife",
+  loader: { ".css": "text" },
+  plugins: [sentences],
 });

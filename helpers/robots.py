@@ -47,7 +47,7 @@ PANDA = Arm(
     ),
     home=(0, 0, 0, pi / 2, 0, pi, 0),
     source="Franka Emika, Robot and interface specifications; masses: Gaz et al. (2019),"
-    " hal-02265294",
+    " hal-02265293, supplementary material hal-02265294",
 )
 
 #: The Panda as the homework's table has it: 88 mm for a_3 too.

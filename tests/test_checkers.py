@@ -297,7 +297,7 @@ SKEW = [0.3, -0.8, 0.9, 0.4, -0.5, 0.6]
 
 def heights(arm, q, centres):
     """P of masses at centres of their frames, with g = 9.81."""
-    frames = KNOWN["Panda"].frames(q)
+    frames = KNOWN["PANDA"].frames(q)
     masses = [float(b.mass) for b in arm.bodies]
     return sum(
         9.81 * m * (F @ [*c, 1])[2] for m, F, c in zip(masses, frames[1:], centres, strict=True)
@@ -320,7 +320,7 @@ PAPER = [
     (0.010517, -0.004252, 0.061597),
 ]
 WEIGHT = gradient(lambda q: heights(PANDA, q, CENTRES), HOME)
-FORCE = KNOWN["Panda"].jacobian(HOME).T @ PUSH
+FORCE = KNOWN["PANDA"].jacobian(HOME).T @ PUSH
 ABOVE = elbow(ELBOW, (0.0, 0.0, 0.9))
 BELOW = elbow(ELBOW, (0.0, 0.0, 0.1))
 
@@ -344,7 +344,7 @@ SLIPS = {
     "2": (lambda: checks.compare_tables(PANDA_HOMEWORK, PANDA), "table.length:a_3:a_6"),
     "3": (
         lambda: checks.compare_jacobian(
-            np.delete(KNOWN["Panda"].jacobian(BENT), 2, axis=0)[:5],
+            np.delete(KNOWN["PANDA"].jacobian(BENT), 2, axis=0)[:5],
             PANDA.lock(3),
             np.delete(BENT, 2),
         ),

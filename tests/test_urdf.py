@@ -81,7 +81,7 @@ def test_without_masses_there_are_no_bodies():
 
 def test_a_file_is_read_as_its_text_is(tmp_path):
     path = tmp_path / "two.urdf"
-    path.write_text(TWO)
+    path.write_text(TWO, encoding="utf-8")
     assert from_urdf(path) == from_urdf(str(path)) == from_urdf(TWO)
 
 
@@ -265,7 +265,7 @@ def test_a_folder_and_an_endless_file_are_no_files(tmp_path):
 
 def test_a_file_that_is_too_large(tmp_path, monkeypatch):
     path = tmp_path / "large.urdf"
-    path.write_text(TWO)
+    path.write_text(TWO, encoding="utf-8")
     monkeypatch.setattr("helpers.urdf._MOST", 100)
     with pytest.raises(ArmError, match="has more than 100 bytes"):
         from_urdf(path)

@@ -10,7 +10,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 SETTING = re.compile(r'(?m)^(repository:\n  url: )"([^"]*)"')
-VERSION = re.compile(r'(?m)^version = "([^"]+)"')
 
 
 def setting(root: Path = ROOT) -> str:

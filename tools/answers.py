@@ -12,7 +12,7 @@ from helpers.sheets import markdown
 FOLDER = Path(__file__).parents[1] / "book" / "answers"
 
 _HOW = """
-very answer is folded under its question: try first, then open it. The buttons copy an answer as a
+Every answer is folded under its question: try first, then open it. The buttons copy an answer as a
 block that needs no editing: LaTeX for a document with `amsmath`, Python for SymPy (everything a
 symbol) or NumPy (numbers), and MATLAB, which GNU Octave reads too. The formulas and the numbers of
 this page are computed, and tested against each other. To see whether your own answer is another

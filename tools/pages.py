@@ -19,7 +19,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
 
 from helpers import robots
-from helpers.explorer import ArmExplorer
+from helpers.explorer import ArmExplorer, judge
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
@@ -54,6 +54,15 @@ class LiveArm(SphinxDirective):
         explorer = ArmExplorer(getattr(robots, self.arguments[0]), **self.options)
         html = explorer._repr_mimebundle_()["text/html"]
         return [nodes.raw("", html, format="html")]
+
+
+class LiveJudge(SphinxDirective):
+    """The judge of answers; its content is what a page without a script shows."""
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        return [nodes.raw("", judge.stub(" ".join(self.content)), format="html")]
 
 
 def size_unset(tex: str) -> str:
@@ -133,6 +142,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     )  # Jupyter Book sets it for an extension not used here
     app.add_directive("margin", Margin)
     app.add_directive("arm", LiveArm)
+    app.add_directive("judge", LiveJudge)
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("doctree-resolved", prepare, priority=900)

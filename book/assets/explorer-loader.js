@@ -1,4 +1,5 @@
-// Brings the arm explorers of a page to life when they are scrolled near; a page without one loads nothing.
+// Brings the arm explorers of a page to life when they are scrolled near, and the judge of answers at once; a page
+// without one loads nothing.
 {
   const source = new URL("explorer.js", document.currentScript.src).href;
   let bundle;
@@ -8,6 +9,8 @@
       const script = Object.assign(document.createElement("script"), { src: source, onload: done, onerror: failed });
       document.head.append(script);
     }));
+
+  const judge = new URL("judge.js", document.currentScript.src).href;
 
   const near = new IntersectionObserver(
     (entries) => {
@@ -22,5 +25,7 @@
 
   document.addEventListener("DOMContentLoaded", () => {
     for (const stub of document.querySelectorAll(".arm-explorer")) near.observe(stub);
+    if (document.querySelector(".arm-judge"))
+      document.head.append(Object.assign(document.createElement("script"), { src: judge }));
   });
 }

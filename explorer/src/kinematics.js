@@ -16,7 +16,7 @@ export const norm = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 const mixed = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]];
 
 // Exact at multiples of a right angle, so that structural zeros stay zero.
-function cosSin(angle) {
+export function cosSin(angle) {
   const turns = angle / (Math.PI / 2);
   if (Math.abs(turns - Math.round(turns)) > 1e-12) return [Math.cos(angle), Math.sin(angle)];
   return [

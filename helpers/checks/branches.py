@@ -24,7 +24,8 @@ from helpers.reading.sentences import listed, say, size
 Array = NDArray[Any]
 
 _EXACT = 1e-4  # rad or m: answers copied from paper with four decimals still count
-_NEAR = 1e-3  # m and rad: a pose this close is the target's
+_REACHED = 1e-6  # m and rad: a pose this close is the target's, whatever the digits
+_NEAR = 1e-3  # a singular value, or a sine, this small counts as 0
 _BY_HAND = 0.03  # rad or m: the most that rounding on the way is allowed
 _OF_ONE_STEP = (
     "ik.sign",
@@ -197,8 +198,8 @@ def _miss(arm: Arm, q: Array, target: Array, margin: Array) -> tuple[float, floa
     here = solve(arm, target if arm.dof >= 6 else target[:3, 3], q, iterations=0, limits=False)
     errors = float(here.position_error), float(here.orientation_error)
     J = np.abs(jacobian(arm, q)) @ np.broadcast_to(margin, q.shape)
-    open_ = max(_NEAR, float(np.linalg.norm(J[:3]))), max(_NEAR, float(np.linalg.norm(J[3:])))
-    return None if errors[0] <= open_[0] and errors[1] <= open_[1] else errors
+    far, turned = (max(_REACHED, float(np.linalg.norm(half))) for half in (J[:3], J[3:]))
+    return None if errors[0] <= far and errors[1] <= turned else errors
 
 
 def _gap(arm: Arm, q: Array, other: Array) -> Array:

@@ -6,6 +6,7 @@ called with copies.
 
 import inspect
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
@@ -20,6 +21,7 @@ from helpers.reading import formula, grid
 from helpers.reading.sentences import say
 
 Array = NDArray[Any]
+_SCALED = re.compile(r"(.*?)\*(1(?:\.0+)?e[+-]?\d+)")
 Lookup = Callable[[set[str]], dict[str, float]]
 
 
@@ -101,17 +103,20 @@ def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
         raise ArmError(say("ragged", what=what, widths=", ".join(map(str, sorted(widths)))))
     texts = [formula.plain(cell) for row in rows for cell in row]
     shape = (len(rows), widths.pop())
-    scaled = [cell.partition("*1") for cell in texts]
+    scaled = [_scaled(cell) for cell in texts]
     trees = [formula.parse(cell, f"an entry of {what}") for cell in texts]
     names = set().union(*map(formula.symbols, trees))
     known = lookup(names)
     values = [formula.value(tree, known.get) for tree in trees]
-    steps = units([first for first, _, _ in scaled])
-    steps = [
-        u * float(f"1{power}") if sign else u
-        for u, (_, sign, power) in zip(steps, scaled, strict=True)
-    ]
+    steps = units([first for first, _ in scaled])
+    steps = [u * factor for u, (_, factor) in zip(steps, scaled, strict=True)]
     return Typed(np.reshape(values, shape), np.reshape(steps, shape), symbolic=bool(names))
+
+
+def _scaled(cell: str) -> tuple[str, float]:
+    """A number and the power of ten that MATLAB's heading gave it; 1 for any other cell."""
+    match = _SCALED.fullmatch(cell)
+    return (match[1], float(match[2])) if match else (cell, 1.0)
 
 
 def _of_entries(mine: Any, what: str, lookup: Lookup, wanted: str) -> Typed:

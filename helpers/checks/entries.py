@@ -15,14 +15,27 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Margins:
-    """Per entry: `allowed` is right, up to `band` it was rounded on the way, up to `loose`
-    perhaps.
+    """Per entry: up to `allowed` it is right, up to `band` it was rounded on the way, up to `loose`
+    perhaps. `slop` is what the unwritten digits of q add, tried only where it fails without.
     """
 
     allowed: Array
     band: Array
     loose: Array
     units: Array
+    slop: Array
+
+    def at(self, pick: object) -> "Margins":
+        """Those of a part of the entries."""
+        return Margins(
+            *(getattr(self, f)[pick] for f in ("allowed", "band", "loose", "units", "slop"))
+        )
+
+    @property
+    def bands(self) -> tuple[Array, ...]:
+        """How near an answer may be to a mistake's, the narrowest first."""
+        wide = (self.band + 2 * self.slop,) if self.slop.any() else ()
+        return (self.band, *wide, np.maximum(self.loose, self.band + 2 * self.slop), self.allowed)
 
 
 def margins(
@@ -34,26 +47,29 @@ def margins(
     exact = EXACT * scale
     if tolerance is not None:
         allowed = np.broadcast_to(np.maximum(tolerance, exact * 1e-3), units.shape)
-        return Margins(allowed, allowed, allowed, np.zeros_like(units))
-    allowed = np.maximum(HALF * units, exact) + slop
-    band = np.maximum(HAND * units, exact) + 2 * slop
-    return Margins(allowed, band, np.maximum(band, SLOPPY * scale), units)
+        return Margins(allowed, allowed, allowed, np.zeros_like(units), np.zeros_like(units))
+    allowed, band = np.maximum(HALF * units, exact), np.maximum(HAND * units, exact)
+    slop = np.broadcast_to(slop, units.shape)
+    return Margins(allowed, band, np.maximum(band, SLOPPY * scale), units, slop)
 
 
 def graded(mine: Array, right: Array, m: Margins, made: Array) -> tuple[str, Array]:
-    """The grade, and which entries are wrong; `made` holds the answers of known mistakes, (causes,
-    *mine.shape).
+    """The grade, and which entries are wrong; `made` holds the answers of known mistakes, shape
+    (causes, *mine.shape).
     """
     off = np.abs(mine - right)
     axes = tuple(range(1, made.ndim))
     telling = made[(np.abs(made - right) > TELLING).any(axes)] if len(made) else made
     near = np.abs(mine - telling)
-    mistaken = bool((near <= m.allowed).all(axes).any())
-    if (off <= m.allowed).all():
-        coarse = float(m.units.max(initial=0.0))
-        gap = np.abs(telling - right).max(axes).min(initial=np.inf) if len(telling) else np.inf
-        return (SO_FAR if mistaken or coarse > gap / 2.1 else RIGHT), off > m.allowed
-    if (off <= m.loose).all() and not mistaken:
+    for allowed in (m.allowed, m.allowed + m.slop):
+        mistaken = bool((near <= allowed).all(axes).any())
+        if (off <= allowed).all():
+            coarse = float(m.units.max(initial=0.0))
+            gap = np.abs(telling - right).max(axes).min(initial=np.inf) if len(telling) else np.inf
+            return (SO_FAR if mistaken or coarse > gap / 2.1 else RIGHT), off > allowed
+        if mistaken:
+            return WRONG, off > m.band
+    if (off <= np.maximum(m.loose, m.band + 2 * m.slop)).all():
         nearer = bool((near.max(axes) <= off.max()).any())
         return (SO_FAR if nearer else ROUNDED), off > m.allowed
     return WRONG, off > m.band

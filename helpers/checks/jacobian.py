@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from functools import cache, partial
 from itertools import product
 from typing import Any
 
@@ -17,7 +18,6 @@ from helpers.checks.jacobian_causes import Catalogue, pairs, singles
 from helpers.checks.ranking import Cause, Found, better, cause, explain, lower, several
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be, whole
-from helpers.kinematics import jacobian
 from helpers.reading.sentences import listed, say
 
 Array = NDArray[Any]
@@ -159,7 +159,7 @@ def _judged(
     if grade != WRONG:
         return _good(grade, typed, arm, rows, taken, hidden, at_pose)
     found, more = _causes(typed.values, right, m, known, rows, arm, q, frame)
-    return _bad(found, more, typed.values, arm, taken)
+    return _bad(found, more, arm, taken)
 
 
 def _checked_frame(frame: int, arm: Arm) -> int:
@@ -229,9 +229,7 @@ def _good(grade, typed: Typed, arm: Arm, rows: slice, taken, notes, at_pose: boo
     return Report("Jacobian", arm.name, grade, words, missing, (), taken, notes)
 
 
-def _bad(
-    found: tuple[Cause, ...], symptoms: tuple[Finding, ...], M: Array, arm: Arm, taken
-) -> Report:
+def _bad(found: tuple[Cause, ...], symptoms: tuple[Finding, ...], arm: Arm, taken) -> Report:
     if found:
         words = several(found)
         findings = (Finding("cause", "", None, None, f"{words}."), *symptoms)
@@ -253,19 +251,19 @@ def _bad(
 
 def _causes(M, right, m: Margins, known: Catalogue, rows: slice, arm: Arm, q: Array, frame: int):
     """What explains the whole, then both halves apart, then each column."""
-    for band in (m.band, m.loose, m.allowed):
+    two, ways = (cache(partial(make, arm, q, frame)) for make in (pairs, _other_ways))
+    for band in m.bands:
         found = explain(M, right, band, known.causes, known.made[:, rows])
         if found is None or found.odd.any():
-            two = pairs(arm, q, frame)
-            other = explain(M, right, band, two.causes, two.made[:, rows])
-            reversed_ = _other_ways(M, right, band, arm, q, frame, rows)
-            found = better(found, other, reversed_)
+            other = explain(M, right, band, two().causes, two().made[:, rows])
+            turned = explain(M, right, band, ways().causes, ways().made[:, rows])
+            found = better(found, other, turned if turned and not turned.odd.any() else None)
         if found:
             return found.causes, tuple(_odd_columns(found, arm))
         if len(M) == 6 and (halves := _by_halves(M, right, band, known)):
             return halves, ()
     band = m.band if (np.abs(M - right) > m.band).any() else m.allowed
-    return (), tuple(_columns(M, right, band, known, rows, arm, q))
+    return (), tuple(_columns(M, right, band, known, rows, arm, q, frame))
 
 
 def _by_halves(M, right, band, known: Catalogue) -> tuple[Cause, ...]:
@@ -277,7 +275,7 @@ def _by_halves(M, right, band, known: Catalogue) -> tuple[Cause, ...]:
         found = explain(M[rows], right[rows], band[rows], known.causes, known.made[:, rows])
         if found is None or found.odd.any():
             return ()
-        first = found.causes[0]
+        first = next((c for c in found.causes if half in c.keys[0]), found.causes[0])
         inside = f"{half} rows" in first.words
         said.append(
             first if inside else cause("J in half", half=half, words=first.words, _of=first.name)
@@ -285,19 +283,19 @@ def _by_halves(M, right, band, known: Catalogue) -> tuple[Cause, ...]:
     return (sum(said[1:], said[0]),) if said else ()
 
 
-def _other_ways(M, right, band, arm: Arm, q: Array, frame: int, rows: slice) -> Found | None:
-    """Joints counted the other way, in the matrix and in q."""
-    signs = np.array([s for s in product((1.0, -1.0), repeat=arm.dof) if min(s) < 0])
-    J = columns(chain(arm, signs * q)) * signs[:, None, :]
+def _other_ways(arm: Arm, q: Array, frame: int) -> Catalogue:
+    """Joints counted the other way, in the matrix and in q; fewest first."""
+    ways = [s for s in product((1.0, -1.0), repeat=arm.dof) if min(s) < 0]
+    signs = np.array(sorted(ways, key=lambda s: -sum(s)))
+    at = chain(arm, signs * q)
+    J = columns(at) * signs[:, None, :]
     if frame:
-        R = np.swapaxes(chain(arm, signs * q).frames[:, frame, :3, :3], -1, -2)
+        R = np.swapaxes(at.frames[:, frame, :3, :3], -1, -2)
         J = np.concatenate([R @ J[:, :3], R @ J[:, 3:]], axis=1)
     names = [
         listed([f"q_{i}" for i, s in zip(arm.joints, row, strict=True) if s < 0]) for row in signs
     ]
-    causes = [cause("joints reversed", joints=n) for n in names]
-    found = explain(M, right, band, causes, J[:, rows])
-    return found if found and not found.odd.any() else None
+    return Catalogue(J[0], [cause("joints reversed", joints=n) for n in names], J)
 
 
 def _odd_columns(found: Found, arm: Arm) -> Iterator[Finding]:
@@ -309,17 +307,18 @@ def _odd_columns(found: Found, arm: Arm) -> Iterator[Finding]:
 
 
 def _columns(
-    M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array
+    M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array, frame: int
 ) -> Iterator[Finding]:
+    others = list(_all_columns(arm, q, frame))
     for k in range(arm.dof):
         if (np.abs(M[:, k] - right[:, k]) > band[:, k]).any():
-            key, words = _column(k, M, right, band, known, rows, arm, q)
+            key, words = _column(k, M, right, band, known, rows, arm, others)
             said = say("J column", column=k + 1, joint=arm.joints[k], words=words)
             yield Finding(key, f"column {k + 1}", None, None, said)
 
 
 def _column(
-    k: int, M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array
+    k: int, M, right, band, known: Catalogue, rows: slice, arm: Arm, others: list
 ) -> tuple[str, str]:
     mine, wanted, width = M[:, k], right[:, k], band[:, k]
 
@@ -330,22 +329,28 @@ def _column(
         return f"J.column sign:{arm.joints[k]}", say("J sign of column")
     if len(mine) == 6 and same(np.roll(wanted, 3)):
         return "J.column halves", say("J.column halves")
-    for joint, other in _other_columns(k, arm, q):
-        if same(other[rows]):
+    for joint, other in others:
+        if joint != arm.joints[k] and same(other[rows]):
             key = "J.column of" if joint in arm.joints else "J.column of locked"
             return key, say(key, joint=joint)
-    for c, J in zip(known.causes, known.made, strict=True):
-        if c.keys[0].startswith("J.") and same(J[rows][:, k]):
+    fits = (np.abs(known.made[:, rows, k] - mine) <= width).all(axis=1)
+    for c in (known.causes[int(n)] for n in np.flatnonzero(fits)):
+        if c.keys[0].startswith("J."):
             return c.name, lower(c.words)
     off = np.abs(mine - wanted) > width
     names = [n for n, wrong in zip(_ROWS[rows], off, strict=True) if wrong]
     return "column", say("J.entries", rows=listed(names))
 
 
-def _other_columns(k: int, arm: Arm, q: Array) -> Iterator[tuple[int, Array]]:
-    """The columns of the other joints, then those that locked joints would have."""
-    loose = _unlocked(arm)
-    values = dict(zip(arm.joints, q, strict=True))
-    J = jacobian(loose, [values.get(i, 0.0) for i in loose.joints])
-    order = sorted(set(loose.joints) - {arm.joints[k]}, key=lambda i: (i not in values, i))
-    return ((i, J[:, i - 1]) for i in order)
+def _all_columns(arm: Arm, q: Array, frame: int) -> Iterator[tuple[int, Array]]:
+    """Each joint's column in the declared frame, then those that locked joints would have."""
+    at = chain(arm, q)
+    R = at.frames[frame, :3, :3].T
+    free = [i for i, row in enumerate(arm.rows, 1) if row.joint.kind == "fixed"]
+    parts = [(list(arm.joints), columns(at))]
+    if free:
+        turning = np.ones(len(free), dtype=bool)
+        loose = at.with_(q=np.zeros(len(free)), joints=tuple(free), turning=turning)
+        parts.append((free, columns(loose, frames=at.frames)))
+    for joints, J in parts:
+        yield from zip(joints, np.concatenate([R @ J[:3], R @ J[3:]]).T, strict=True)

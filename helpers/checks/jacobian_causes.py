@@ -2,7 +2,7 @@
 is written down (after).
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from helpers.arm import Arm
 from helpers.checks.chains import Chain, alike, chain, columns
-from helpers.checks.ranking import Cause, cause
+from helpers.checks.ranking import Cause, Pairs, cause
 
 Array = NDArray[Any]
 RAD = np.pi / 180
@@ -25,7 +25,7 @@ class Catalogue:
     """
 
     right: Array
-    causes: tuple[Cause, ...]
+    causes: Sequence[Cause]
     made: Array
 
 
@@ -47,17 +47,17 @@ def pairs(arm: Arm, q: Array, frame: int) -> Catalogue:
     stack = np.stack([J for _, J in befores])
     causes, made = [], []
     for second, after in afters:
-        causes += [first + second for first, _ in befores]
+        causes += [(first, second) for first, _ in befores]
         made.append(after(stack))
     for (first, one), (second, two) in combinations(
         [x for x in afters if x[0].keys[0] in _WRITING], 2
     ):
-        causes += [first + second, first + second]
+        causes += [(first, second), (first, second)]
         made.append(np.stack([at.unseen(two, one), at.unseen(one, two)]))
     for second, J in at.twice():
         causes += second
         made.append(at.seen(J))
-    return Catalogue(at.seen(at.right), tuple(causes), np.concatenate(made))
+    return Catalogue(at.seen(at.right), Pairs(causes), np.concatenate(made))
 
 
 _WRITING = (
@@ -113,7 +113,7 @@ class _At:
             J = columns(_stacked(self.chain, [c for _, c in wrong]))
             yield from ((c, J[k]) for k, (c, _) in enumerate(wrong))
 
-    def twice(self) -> Iterator[tuple[list[Cause], Array]]:
+    def twice(self) -> Iterator[tuple[list[tuple[Cause, Cause]], Array]]:
         """The wrong recipes on the wrong tables, and on q in degrees."""
         q = [
             np.where(self.turning, f(self.chain.q), self.chain.q) for f in (np.radians, np.degrees)
@@ -122,7 +122,7 @@ class _At:
         wrong += wrong_tables(self.arm, self.chain)
         stack = _stacked(self.chain, [c for _, c in wrong])
         for second, J in wrong_recipes(stack):
-            yield [first + second for first, _ in wrong], J
+            yield [(first, second) for first, _ in wrong], J
 
     # The writing
 

@@ -58,16 +58,17 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
     """The map between two tables that agree, or None where it cannot be confirmed by the tips of
     some poses.
     """
-    base = _base(mine, reference, found)
+    base = _base(found)
     ours = _features(mine.rows, [0.0] * len(mine.joints), base, found.signs)
     offsets = [0.0] * len(mine.joints)
     plain = (1,) * len(mine.joints)
+    own = [_placed(base, F).o for F in frames(mine.rows, [0.0] * len(mine.joints))]
     for k, i in enumerate(reference.joints):
-        T = frames(reference.rows, offsets)
+        T = frames(reference.rows, offsets)[i - 1]
         theirs = _features(reference.rows, offsets, BASE, plain)
-        step = _turn if reference.rows[i - 1].kind == "R" else _slide
+        turns = reference.rows[i - 1].kind == "R"
         for m, r in zip(ours[k + 1 :], theirs[k + 1 :], strict=True):
-            moved = step(T[i - 1].o, T[i - 1].z, m, r)
+            moved = _turn(T.z, own[mine.joints[k] - 1], m, T.o, r) if turns else _slide(T.z, m, r)
             if moved is not None:
                 offsets[k] = moved
                 break
@@ -75,11 +76,10 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
         _wrapped(c) if reference.rows[i - 1].kind == "R" else c
         for c, i in zip(offsets, reference.joints, strict=True)
     ]
-    result = Map(found.signs, tuple(wrapped), base)
-    return result if _confirmed(mine, reference, result, tolerance) else None
+    return _confirmed(mine, reference, Map(found.signs, tuple(wrapped), base), tolerance)
 
 
-def _base(mine: Side, reference: Side, found: Compared) -> Frame:
+def _base(found: Compared) -> Frame:
     if found.signs[0] > 0:
         return BASE._replace(o=(0.0, 0.0, found.base_higher))
     upside = Frame(
@@ -105,44 +105,52 @@ def _placed(base: Frame, F: Frame) -> Frame:
     return Frame(turned[0], turned[1], turned[2], add(base.o, turned[3]))
 
 
-def _turn(p: Vector, z: Vector, m: _Feature, r: Any) -> float | None:
-    """The angle about the axis (p, z) that carries r to m, where it shows."""
+def _turn(z: Vector, p: Vector, m: _Feature, o: Vector, r: Any) -> float | None:
+    """The angle about an axis along z, through p here and o there, that carries r to m."""
     pairs: list[Any] = []
     if m.direction is not None:
         pairs.append((m.direction, r.direction))
     if m.point is not None:
-        pairs.append((sub(m.point, p), sub(r.point, p)))
+        arms = sub(m.point, p), sub(r.point, o)
         if m.direction is not None:
-            pairs[1] = tuple(
-                sub(w, mix(dot(w, d), d, 0.0, d)) for w, d in zip(pairs[1], pairs[0], strict=True)
-            )
-    for u, v in pairs:
-        u, v = (sub(w, mix(dot(w, z), z, 0.0, z)) for w in (u, v))
+            arms = _across(arms[0], m.direction), _across(arms[1], r.direction)
+        pairs.append(arms)
+    for u, v in ((_across(u, z), _across(v, z)) for u, v in pairs):
         if dot(u, u) > _SEEN**2 and dot(v, v) > _SEEN**2:
             return math.atan2(dot(z, cross(v, u)), dot(u, v))
     return None
 
 
-def _slide(p: Vector, z: Vector, m: _Feature, r: Any) -> float | None:
+def _across(w: Vector, d: Vector) -> Vector:
+    """What of w is perpendicular to the unit vector d."""
+    return sub(w, mix(dot(w, d), d, 0.0, d))
+
+
+def _slide(z: Vector, m: _Feature, r: Any) -> float | None:
     """How far along z r is carried to m, where it shows."""
     if m.point is None:
         return None
     w = sub(m.point, r.point)
     if m.direction is None:
         return dot(w, z)
-    across, along = (sub(v, mix(dot(v, r.direction), r.direction, 0.0, z)) for v in (w, z))
+    across, along = _across(w, r.direction), _across(z, r.direction)
     return dot(across, along) / dot(along, along) if dot(along, along) > _SEEN**2 else None
 
 
-def _confirmed(mine: Side, reference: Side, found: Map, tolerance: float) -> bool:
-    for seed in (0.3, 0.7, 1.1):
+def _confirmed(mine: Side, reference: Side, found: Map, tolerance: float) -> Map | None:
+    """The map, if the tips of some poses agree by it, up to the height of the base on axis 1."""
+    off = []
+    for seed in (0.3, 0.7, 1.1, 1.9):
         q = [seed * math.sin(2.0 * k + seed) for k in range(1, len(mine.joints) + 1)]
         other = [s * x + c for s, x, c in zip(found.signs, q, found.offsets, strict=True)]
         here = _placed(found.base, frames(mine.rows, q)[-1]).o
-        there = frames(reference.rows, other)[-1].o
-        if math.dist(here, there) > max(tolerance, 1e-6) * 10:
-            return False
-    return True
+        off.append(sub(frames(reference.rows, other)[-1].o, here))
+    allowed = 10 * max(tolerance, 1e-6)
+    height = off[0][2]
+    if any(max(abs(x), abs(y), abs(z - height)) > allowed for x, y, z in off):
+        return None
+    base = found.base._replace(o=add(found.base.o, (0.0, 0.0, height)))
+    return found._replace(base=base) if abs(height) > allowed else found
 
 
 def _wrapped(angle: float) -> float:

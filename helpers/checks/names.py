@@ -34,7 +34,7 @@ def meanings(
     names = sorted(set(names))
     known = {simple(k): v for k, v in {**dict(arm.values), **(values or {})}.items()}
     found = {name: known[simple(name)] for name in names if simple(name) in known}
-    joints = {name: _indices(name, arm) for name in names if name not in found}
+    joints = {name: _indices(name) for name in names if name not in found}
     order, said = _order(sorted({i for used in joints.values() for i in used or ()}), arm)
     for name, used in joints.items():
         at = [order.get(i) for i in used or ()]
@@ -44,7 +44,7 @@ def meanings(
     return found, said
 
 
-def _indices(name: str, arm: Arm) -> list[int] | None:
+def _indices(name: str) -> list[int] | None:
     plain = simple(name)
     if match := _JOINT.fullmatch(plain):
         return [int(match[2])]

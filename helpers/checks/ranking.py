@@ -48,6 +48,21 @@ def cause(key: str, **fields: object) -> Cause:
     return Cause((key,), (fields,))
 
 
+class Pairs(Sequence[Cause]):
+    """Thousands of pairs of causes, each put together only when it is asked for."""
+
+    def __init__(self, both: Sequence[tuple[Cause, Cause]]) -> None:
+        self.both = both
+        self.edits = np.full(len(both), 2)
+
+    def __len__(self) -> int:
+        return len(self.both)
+
+    def __getitem__(self, k: Any) -> Any:
+        first, second = self.both[k]
+        return first + second
+
+
 def _name(key: str, fields: dict) -> str:
     if "_of" in fields:
         return fields["_of"]
@@ -71,7 +86,12 @@ class Found:
 
 
 def explain(
-    mine: Array, right: Array, band: Array, causes: Sequence[Cause], made: Array
+    mine: Array,
+    right: Array,
+    band: Array,
+    causes: Sequence[Cause],
+    made: Array,
+    odd: float = ODD,
 ) -> Found | None:
     """The causes whose answers `made`, shape (causes, *mine.shape), explain mine within the band;
     None where none does.
@@ -82,15 +102,15 @@ def explain(
     wrong = np.abs(mine - right) > band
     fits = np.abs(mine - made) <= band
     gained = (fits & wrong).sum(axes) - (~fits & ~wrong).sum(axes)
-    odd = (~fits).sum(axes)
-    edits = np.array([len(c.keys) for c in causes])
+    left = (~fits).sum(axes)
+    edits = causes.edits if isinstance(causes, Pairs) else np.array([len(c.keys) for c in causes])
     least = np.where(
         edits > 1, np.maximum(4, PAIR_SHARE * wrong.sum()), np.maximum(3, SHARE * wrong.sum())
     )
-    named = np.flatnonzero(((odd == 0) & wrong.any()) | (gained >= least))
+    named = np.flatnonzero(((left == 0) & wrong.any()) | (gained >= least))
     if not named.size:
         return None
-    cost = edits + ODD * odd
+    cost = edits + odd * left
     best = sorted(named, key=lambda k: (round(float(cost[k]), 6), k))
     same = [k for k in best if cost[k] == cost[best[0]]]
     return Found(tuple(causes[int(k)] for k in same), ~fits[best[0]])
@@ -108,7 +128,7 @@ def several(found: Sequence[Cause], most: int = 3) -> str:
     )
 
 
-def better(*all_found: Found | None) -> Found | None:
+def better(*all_found: Found | None, odd: float = ODD) -> Found | None:
     """The one with the least cost: each mistake costs 1, each entry that stays unexplained 0.7."""
     there = [f for f in all_found if f]
-    return min(there, key=lambda f: len(f.causes[0].keys) + ODD * int(f.odd.sum()), default=None)
+    return min(there, key=lambda f: len(f.causes[0].keys) + odd * int(f.odd.sum()), default=None)

@@ -1,6 +1,7 @@
 """Is my table wrong, or only different?"""
 
 import math
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -22,14 +23,19 @@ from helpers.checks.axes import (
 )
 from helpers.checks.digits import RIGHT, ROUNDED, WRONG, units
 from helpers.checks.joint_map import Map, in_own_joints, joint_map, words
-from helpers.checks.ranking import Cause, cause, lower
+from helpers.checks.ranking import Cause, cause, lower, several
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be, shown
 from helpers.reading import table as reading
 from helpers.reading.sentences import say, size
 
+_UNITS = ("table.millimetres", "table.centimetres", "table.degrees", "table.twists in degrees")
+_ENTRY = 0.7  # what a wrong entry costs, where a cause costs 1
+_BY_AXES = 0.5  # what it costs besides that entries still differ though the axes agree
+_ANGLES = ("alpha", "theta")
 _ANGLE = 1e-4  # rad: angles are often written with four decimals
 _LENGTH = 1e-6  # m
+_DECIMAL = re.compile(r"\d*\.\d+(?:[eE][+-]?\d+)?")
 _COARSEST = 1e-3  # m: lengths typed to the millimetre are still lengths
 
 
@@ -44,6 +50,7 @@ class Table:
     texts: list[Mapping[str, str]]
     length_unit: float
     angle_unit: float
+    angle_scale: float
     said: tuple[str, ...]
 
 
@@ -117,26 +124,49 @@ def _of_typed(typed: reading.TypedTable, reference: Arm) -> Table:
         table,
         length_unit=table.length_unit * meant.length,
         angle_unit=table.angle_unit * meant.angle,
+        angle_scale=meant.angle,
     )
 
 
 def _table(name: str, rows: list[Numbers], texts: list, said: tuple[str, ...]) -> Table:
-    length = units([t[c] for t in texts for c in ("a", "d") if c in t])
-    angle = units([t[c] for t in texts for c in ("alpha", "theta") if c in t])
-    return Table(name, rows, texts, max(length, default=0.0), max(angle, default=0.0), said)
+    length, angle = (_unit(texts, columns) for columns in (("a", "d"), ("alpha", "theta")))
+    return Table(name, rows, texts, length, angle, 1.0, said)
 
 
-def _squared(rows: Rows, unit: float) -> list[Numbers]:
-    """The rows with angles near a multiple of a right angle taken as that: 1.57 is meant as
-    pi/2.
-    """
-    return [r._replace(alpha=_square(r.alpha, unit), theta=_square(r.theta, unit)) for r in rows]
+def _unit(texts: list[Mapping[str, str]], columns: tuple[str, str]) -> float:
+    """The unit of the last place of the decimals in some columns; 0 where there are none."""
+    found = [x for t in texts for c in columns for x in _DECIMAL.findall(t.get(c, ""))]
+    return max(units(found), default=0.0)
 
 
-def _square(angle: float, unit: float) -> float:
+def _squared(rows: Rows) -> list[Numbers]:
+    """The rows with angles near a multiple of a right angle taken as that."""
+    return [r._replace(alpha=_square(r.alpha), theta=_square(r.theta)) for r in rows]
+
+
+def _square(angle: float, unit: float = 0.0) -> float:
     right = round(angle / (math.pi / 2)) * math.pi / 2
-    near = max(_ANGLE, 0.51 * unit if unit <= 0.02 else 0.0)
-    return right if abs(angle - right) < near else angle
+    return right if abs(angle - right) < max(_ANGLE, 0.51 * unit) else angle
+
+
+def _meant(table: Table) -> list[Numbers]:
+    """The rows with angles that were cut to two decimals or more taken as the right angles that
+    they are near: 1.57 is meant as pi/2.
+    """
+    rows = []
+    for row, texts in zip(table.rows, table.texts, strict=True):
+        alpha, theta = (
+            _square(getattr(row, c), _own_unit(table, texts.get(c, ""))) for c in _ANGLES
+        )
+        rows.append(row._replace(alpha=alpha, theta=theta))
+    return rows
+
+
+def _own_unit(table: Table, text: str) -> float:
+    """The unit of the last decimal in one angle, where it has two or more."""
+    found = _DECIMAL.findall(text)
+    places = len(found[-1].partition(".")[2]) if found else 0
+    return table.angle_scale * 10.0**-places if places >= 2 else 0.0
 
 
 # The verdict
@@ -158,8 +188,8 @@ class _Try:
 
 
 def _judged(table: Table, reference: Arm, tolerance: float | None) -> Report:
-    wanted = tuple(_squared(numeric(reference), 0.0))
-    rows = _squared(table.rows, table.angle_unit)
+    wanted = tuple(_squared(numeric(reference)))
+    rows = _meant(table)
     mine, ref = side(rows) if any(r.kind != "F" for r in rows) else None, side(wanted)
     if mine is None:
         raise ArmError(say("table no joint", name=table.name))
@@ -167,12 +197,26 @@ def _judged(table: Table, reference: Arm, tolerance: float | None) -> Report:
     found = compared(mine, ref, exact)
     if not found.differences:
         return _same(RIGHT, table, reference, mine, ref, found, rows)
-    rounded = 0.51 * table.length_unit if tolerance is None else 0.0
-    if exact < rounded <= 0.51 * _COARSEST:
-        near = compared(mine, ref, 2 * rounded)
+    if tolerance is None:
+        length, angle = _rounding(table)
+        reach = max(abs(x) for r in rows for x in (r.a, r.d))
+        wide = max(
+            exact, 2 * length, 2.5 * angle * reach
+        )  # a turned axis meets the next one elsewhere
+        near = compared(mine, ref, wide, max(_ANGLE, 4 * angle))
         if not near.differences:
             return _same(ROUNDED, table, reference, mine, ref, near, rows)
-    return _different(table, reference, rows, wanted, found, max(exact, min(rounded, _COARSEST)))
+        exact = max(exact, length)
+    return _different(table, reference, rows, wanted, found, exact)
+
+
+def _rounding(table: Table) -> tuple[float, float]:
+    """Half a unit of the lengths and of the angles, where it is small enough to be a rounding."""
+    length, angle = 0.51 * table.length_unit, 0.51 * table.angle_unit
+    return (
+        length if length <= 0.51 * _COARSEST else 0.0,
+        angle if angle <= 0.51 * _COARSEST else 0.0,
+    )
 
 
 def _same(
@@ -189,7 +233,7 @@ def _same(
     figures: dict[str, Any] = {"signs": found.signs}
     notes = [
         *_zeros(mapped, mine, ref, table, reference),
-        *_base(mine, found),
+        *_base(mine, found, mapped),
         *_tool(found),
         *_written(table),
     ]
@@ -214,14 +258,16 @@ def _zeros(
         yield say("map", equations="; ".join(words(mapped, mine, ref)))
 
 
-def _base(mine: Side, found: Compared) -> Iterator[str]:
+def _base(mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[str]:
+    """A word on where the base's frame stands on axis 1."""
+    higher = found.base_higher if mapped is None else mapped.base.o[2]
     if found.signs[0] < 0:
         yield say("base upside down")
-    elif abs(found.base_higher) > _LENGTH:
-        way = say("higher") if found.base_higher > 0 else say("lower")
-        first = next(g for g in mine.gaps if g.places_base)
-        row = mine.joints[first.bunch[-1]]
-        yield say("base", height=size(1000 * abs(found.base_higher), 4), way=way, row=row)
+    elif abs(higher) > _LENGTH:
+        way = say("higher") if higher > 0 else say("lower")
+        first = next((g for g in mine.gaps if g.places_base), None)
+        row = mine.joints[first.bunch[-1] if first else 0]
+        yield say("base", height=size(1000 * abs(higher), 4), way=way, row=row)
 
 
 def _tool(found: Compared) -> Iterator[str]:
@@ -238,7 +284,7 @@ def _written(table: Table) -> Iterator[str]:
     for i, row in enumerate(table.rows, 1):
         for column in ("alpha", "theta"):
             x = getattr(row, column)
-            right = _square(x, table.angle_unit)
+            right = _square(x, _own_unit(table, table.texts[i - 1].get(column, "")))
             if abs(x - right) > 1e-9:
                 turns = round(right / (math.pi / 2))
                 wanted = names.get(turns, "0" if not turns else f"{turns} pi/2")
@@ -266,21 +312,48 @@ def _different(
     found: Compared,
     length: float,
 ) -> Report:
+    """Why a table is another arm, the simplest first: causes after which every entry agrees, one or
+    two wrong entries, causes and single signs after which the axes agree, more wrong entries, or
+    what is left of the axes.
+    """
     tries = list(_tries(rows, reference, wanted))
-    best = _agreeing(tries, length) or _one_sign(rows, wanted, found, length)
-    if best is not None:
-        return _bad(table, reference, best.cause, (), ())
-    close = [t for t in tries if 0 < t.entries <= max(3, len(wanted) // 2 + 1)]
-    close.sort(key=lambda t: _edits(t.cause) + 0.7 * t.entries)
-    if close:
-        first = close[0]
-        entries = list(_entries(table, first, length))
-        if entries:
-            notes = () if first.cause else tuple(_base(side(rows), found))
-            return _bad(table, reference, first.cause, entries, notes)
-    likely, left = _fewest(tries, length, found)
-    notes = () if likely or not found.signs else tuple(_base(side(rows), found))
-    return _bad(table, reference, likely, [_geometry(d) for d in left], notes)
+    equal = [t for t in tries if t.cause and not t.entries]
+    if equal:
+        same = [t.cause for t in equal if t.cause and _edits(t.cause) == _edits(equal[0].cause)]
+        return _bad(table, reference, same, (), ())
+    notes = tuple(_base(side(rows), found)) if found.signs else ()
+    local = _local(tries, len(wanted), length)
+    whole = _agreeing(tries, length, local[0] if local else math.inf)
+    if local is None and whole is None:
+        whole = _one_sign(rows, wanted, length)
+    if whole is not None and whole.cause:
+        return _bad(table, reference, [whole.cause], (), ())
+    if local is not None:
+        _, t, needed = local
+        entries = [_entry(table, t, k, column) for k, column in needed]
+        return _bad(
+            table, reference, [t.cause] if t.cause else [], entries, () if t.cause else notes
+        )
+    first, left = _fewest(tries, length, found)
+    findings = [_geometry(d) for d in left]
+    return _bad(table, reference, [first] if first else [], findings, () if first else notes)
+
+
+def _local(
+    tries: list[_Try], rows: int, length: float
+) -> tuple[float, _Try, tuple[tuple[int, str], ...]] | None:
+    """The reading that needs least besides a few entries: its cost, and the entries."""
+    close = [t for t in tries if 0 < t.entries <= max(3, rows // 2 + 1)]
+    if not close:
+        return None
+    best = min(close, key=lambda t: _cost(t.cause) + _ENTRY * t.entries)
+    needed = _needed(best, length)
+    return _cost(best.cause) + _ENTRY * len(needed), best, needed
+
+
+def _cost(c: Cause | None) -> float:
+    """What a reading costs; units go wrong so often that they are cheap."""
+    return 0 if c is None else sum(0.5 if key in _UNITS else 1 for key in c.keys)
 
 
 def _edits(c: Cause | None) -> int:
@@ -294,22 +367,22 @@ def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> 
     starts = usual.units(rows, wanted)
     others = [
         (None, wanted),
-        *((c, tuple(_squared(r, 0.0))) for c, r in usual.references(reference)),
+        *((c, tuple(_squared(r))) for c, r in usual.references(reference)),
     ]
     mends = usual.structures(len(rows))
     found: list[Any] = []
     for first, read in starts:
         for other, arm in others:
             both = first + other if first and other else first or other
-            found.append((both, _squared(read, 0.0), arm))
+            found.append((both, _squared(read), arm))
             for second, mend in mends:
                 whole = both + second if both else second
                 if len(whole.keys) <= 2:
-                    found.append((whole, _squared(mend(list(read)), 0.0), arm))
+                    found.append((whole, _squared(mend(list(read))), arm))
         for k, (second, mend) in enumerate(mends):
             for third, then in mends[k + 1 :]:
                 if first is None and third.keys[0] != "table.rows exchanged":
-                    found.append((second + third, _squared(then(mend(list(read))), 0.0), wanted))
+                    found.append((second + third, _squared(then(mend(list(read)))), wanted))
     for whole, read, arm in sorted(found, key=lambda f: _edits(f[0])):
         yield _Try(whole, read, arm, _unequal(read, arm))
 
@@ -341,18 +414,14 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
     return found
 
 
-def _agreeing(tries: list[_Try], length: float) -> _Try | None:
-    """The first reading that leaves nothing: entries equal, or single causes and units judged by
-    the axes.
-    """
-    return next(
-        (
-            t
-            for t in tries
-            if t.cause is not None and _likely(t) and not t.found(length).differences
-        ),
-        None,
-    )
+def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
+    """The cheapest reading after which the axes agree, though entries differ, below a cost."""
+    for t in sorted(tries, key=lambda t: _cost(t.cause)):
+        if _cost(t.cause) + _BY_AXES >= most:
+            return None
+        if t.cause is not None and _likely(t) and not t.found(length).differences:
+            return t
+    return None
 
 
 def _likely(t: _Try) -> bool:
@@ -364,24 +433,10 @@ def _likely(t: _Try) -> bool:
     return t.entries == 0 or (single and keys[-1:] != ("table.rows exchanged",))
 
 
-def _one_sign(
-    rows: list[Numbers], wanted: tuple[Numbers, ...], found: Compared, length: float
-) -> _Try | None:
-    near = {d.row + k for d in found.differences for k in (-1, 0, 1)}
-    fits = []
-    for c, mended in usual.flips(rows, near):
-        t = _Try(c, mended, wanted, _unequal(mended, wanted))
-        if not t.found(length).differences:
-            fits.append(t)
+def _one_sign(rows: list[Numbers], wanted: tuple[Numbers, ...], length: float) -> _Try | None:
+    tries = (_Try(c, mended, wanted, _unequal(mended, wanted)) for c, mended in usual.flips(rows))
+    fits = [t for t in tries if not t.found(length).differences]
     return min(fits, key=lambda t: t.entries, default=None)
-
-
-def _entries(table: Table, t: _Try, length: float) -> Iterator[Finding]:
-    """The fewest entries that must change to agree with the reference, in the student's numbers."""
-    shift = len(t.rows) - len(table.rows)
-    for k, column in _needed(t, length):
-        x, y = getattr(t.rows[k], column), getattr(t.reference[k], column)
-        yield _entry(table, t, k + 1 - shift, column, x, y)
 
 
 def _needed(t: _Try, length: float) -> tuple[tuple[int, str], ...]:
@@ -396,10 +451,14 @@ def _needed(t: _Try, length: float) -> tuple[tuple[int, str], ...]:
     return tuple(wrong)
 
 
-def _entry(table: Table, t: _Try, row: int, column: str, mine: float, wanted: float) -> Finding:
-    """One wrong entry; its row is the student's, also where a and alpha were read one row on."""
-    if t.cause is not None and "table.craig" in t.cause.keys and column in ("a", "alpha"):
-        row += 1
+def _entry(table: Table, t: _Try, k: int, column: str) -> Finding:
+    """One wrong entry in the student's numbers; its row is the student's, also where a and alpha
+    were read one row on.
+    """
+    mine, wanted = getattr(t.rows[k], column), getattr(t.reference[k], column)
+    craig = t.cause is not None and "table.craig" in t.cause.keys
+    shift = int(craig and bool(table.rows[0].a or table.rows[0].alpha))
+    row = k + 1 - shift + int(craig and column in ("a", "alpha"))
     key, fields = _kind_of_error(column, row, mine, wanted)
     typed = (
         _typed(table, row, column) if t.cause is None or len(t.cause.keys) == 0 else size(mine, 6)
@@ -493,29 +552,24 @@ def _amount(d: Difference, what: str) -> str:
     )
 
 
-def _bad(table: Table, reference: Arm, named: Cause | None, findings, notes) -> Report:
+def _bad(table: Table, reference: Arm, causes: list[Cause], findings, notes) -> Report:
+    """`causes` explain the same; of the findings those with a cause of their own add to it."""
     findings = tuple(findings)
     own = [f.what for f in findings if "." in f.what]
-    single = findings[0] if len(findings) == len(own) == 1 else None
-    parts = [*([named.name] if named else []), *(own if len(own) == len(findings) else [])]
-    causes = [" + ".join(parts)] if parts else []
-    if named:
-        rest = "" if not findings else say("and what remains")
-        text = say(
-            "table wrong",
-            mine=table.name,
-            reference=reference.name,
-            cause=lower(named.words) + rest,
-        )
-        findings = (Finding("cause", "", None, None, f"{named.words}."), *findings)
-    elif single is not None:
-        text = say(
-            "table wrong",
-            mine=table.name,
-            reference=reference.name,
-            cause=lower(single.words).rstrip("."),
-        )
-        findings = (Finding("cause", single.where, single.mine, None, single.words),)
+    added = own if len(own) == len(findings) else []
+    names = [" + ".join([c.name, *added]) for c in causes] or ([" + ".join(added)] if added else [])
+    names_of = dict(mine=table.name, reference=reference.name)
+    if causes:
+        words = several(causes)
+        rest = say("and what remains") if findings else ""
+        headline = say("table wrong", cause=lower(words) + rest, **names_of)
+        findings = (Finding("cause", "", None, None, f"{words}."), *findings)
+    elif len(findings) == len(own) == 1:
+        only = findings[0]
+        headline = say("table wrong", cause=lower(only.words).rstrip("."), **names_of)
+        findings = (Finding("cause", only.where, only.mine, None, only.words),)
     else:
-        text = say("table other arm", mine=table.name, reference=reference.name)
-    return Report("table", reference.name, WRONG, text, findings, tuple(causes), table.said, notes)
+        headline = say("table other arm", **names_of)
+    return Report(
+        "table", reference.name, WRONG, headline, findings, tuple(names), table.said, notes
+    )

@@ -95,15 +95,12 @@ def references(arm: Arm) -> Iterator[tuple[Cause, tuple[Numbers, ...]]]:
         yield cause("table.length", name=m, other=n), numeric(arm.with_values(**{m: values[n]}))
 
 
-def flips(rows: Rows, near: set[int]) -> Iterator[tuple[Cause, list[Numbers]]]:
-    """One sign turned, in the rows (counted from 1) that are near what differs."""
+def flips(rows: Rows) -> Iterator[tuple[Cause, list[Numbers]]]:
+    """One sign turned."""
     for k, row in enumerate(rows):
         for column in ("alpha", "a", "d"):
             x = getattr(row, column)
-            if k + 1 in near and x and not (column == "alpha" and abs(math.sin(x)) < 1e-9):
-                key = (
-                    cause("table.twist", row=k + 1)
-                    if column == "alpha"
-                    else cause("table.sign", column=column, row=k + 1)
-                )
+            if x and not (column == "alpha" and abs(math.sin(x)) < 1e-9):
+                twist = cause("table.twist", row=k + 1)
+                key = twist if column == "alpha" else cause("table.sign", column=column, row=k + 1)
                 yield key, [*rows[:k], row._replace(**{column: -x}), *rows[k + 1 :]]

@@ -20,6 +20,7 @@ from helpers.statics import GRAVITY, static_torque
 Array = NDArray[Any]
 
 _NO_WRENCH = (0.0,) * 6
+_ODD = 1.2  # a torque that stays unexplained weighs more than a second mistake
 _SAMPLE = 25  # poses of a run on which causes are tried
 
 
@@ -96,13 +97,16 @@ def _upright(typed: Typed, right: Array) -> tuple[Typed | None, tuple[str, ...]]
     if M.ndim != 2:
         return None, ()
     said: tuple[str, ...] = ()
-    if M.shape == (dof, poses) and (
-        poses != dof or np.abs(M.T - right).max() < np.abs(M - right).max()
-    ):
+    if M.shape == (dof, poses) and (poses != dof or _fits_turned(M, right)):
         M, steps, said = M.T, steps.T, (say("taken: list per joint"),)
     if M.shape == (poses, dof + 1) and not M[:, 0].any():
         M, steps, said = M[:, 1:], steps[:, 1:], (*said, say("taken: leading zeros"))
     return Typed(M, steps), said
+
+
+def _fits_turned(M: Array, right: Array) -> bool:
+    """Whether a square of torques is meant by columns: only then is it anywhere near."""
+    return bool(np.abs(M.T - right).max() < 0.05 * np.abs(M - right).max())
 
 
 def _misshapen(M: Array, right: Array, arm: Arm) -> Report:
@@ -134,7 +138,7 @@ def _judged(
     scale = max(float(np.abs(right).max()), 1e-3)
     slop = _slop(arm, at, wrench, gravity)
     m = margins(typed.units, np.full(right.shape, scale), slop, tolerance)
-    part = Margins(m.allowed[pick], m.band[pick], m.loose[pick], m.units[pick])
+    part = m.at(pick)
     single = np.array([len(c.keys) == 1 for c in causes])
     grade, _ = graded(typed.values[pick], right[pick], part, made[single])
     grade = _whole(grade, typed.values, right, m)
@@ -151,9 +155,13 @@ def _judged(
 def _whole(grade: str, mine: Array, right: Array, m: Margins) -> str:
     """The grade of the sample, unless a pose between its poses is worse."""
     off = np.abs(mine - right)
-    if grade in (RIGHT, SO_FAR) and (off > m.allowed).any():
+    if grade in (RIGHT, SO_FAR) and (off > m.allowed + m.slop).any():
         grade = ROUNDED
-    return WRONG if grade == ROUNDED and (off > m.loose).any() else grade
+    return (
+        WRONG
+        if grade == ROUNDED and (off > np.maximum(m.loose, m.band + 2 * m.slop)).any()
+        else grade
+    )
 
 
 def _slop(arm: Arm, at: Typed, wrench: Array, gravity: Array) -> Array | float:
@@ -182,8 +190,8 @@ def _good(grade: str, typed: Typed, arm: Arm, taken, figures) -> Report:
 
 
 def _found(mine, right, m: Margins, causes, made, load: Load) -> Found | None:
-    for band in (m.band, m.loose, m.allowed):
-        found = explain(mine, right, band, causes, made)
+    for band in m.bands:
+        found = explain(mine, right, band, causes, made, _ODD)
         if found is None or found.odd.any():
             turned = explain(mine, right, band, *reversed_joints(load, right))
             whole = (
@@ -191,7 +199,7 @@ def _found(mine, right, m: Margins, causes, made, load: Load) -> Found | None:
             )
             paper = explain(mine, right, band, *paper_centres(load))
             paper = Found(paper.causes[:1], paper.odd) if paper and not paper.odd.any() else None
-            found = better(found, whole, paper)
+            found = better(found, whole, paper, odd=_ODD)
         if found:
             return found
     return None

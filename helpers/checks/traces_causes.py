@@ -47,14 +47,12 @@ def _shapes(path: Path, tip: Array, allowed: float) -> Iterator[Cause]:
         yield cause("trace.fraction", _share=size(100 * fraction), _over=size(1 / fraction))
     middle = tip.mean(axis=0)
     wanted = path.positions - path.positions.mean(axis=0)
-    scale = float(np.linalg.norm(tip - middle) / max(float(np.linalg.norm(wanted)), 1e-12))
-    if abs(scale - 1) < 0.02:
-        scale = 0.0
-    if scale > 0 and follows(path.positions.mean(axis=0) + (tip - middle) / scale):
-        yield cause("trace.scaled", _scale=size(scale, 4))
-    about = path.positions[0] + (tip - tip[0]) / scale if scale > 0 else tip
-    if follows(about):
-        yield cause("trace.scaled", _scale=size(scale, 4))
+    scale = float(np.linalg.norm(tip - middle)) / max(float(np.linalg.norm(wanted)), 1e-12)
+    if abs(scale - 1) > 0.02:
+        shape = scale * wanted
+        off = (tip - middle - shape, tip - tip[0] - (shape - shape[0]))
+        if min(np.linalg.norm(x, axis=1).max() for x in off) <= allowed * min(1.0, max(scale, 0.1)):
+            yield cause("trace.scaled", _scale=size(scale, 4))
     if follows(mirrored):
         yield cause("trace.other side")
     for i, j in ((0, 1), (0, 2), (1, 2)):

@@ -1,14 +1,12 @@
 """An arm as JSON, symbols and all, and an arm from the words of a command line."""
 
-import importlib.util
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
-from helpers import robots
 from helpers.arm import Arm, Body, Joint, Row
+from helpers.command_line import read_arm
 from helpers.inputs import ArmError, must_be
 
 _LIMITS = {"lower": -math.inf, "upper": math.inf, "speed": math.inf, "effort": math.inf}
@@ -55,40 +53,11 @@ def _row(data: Mapping[str, Any]) -> Row:
 
 
 def find_arm(words: str, lock: tuple[int, ...] = ()) -> Arm:
-    """An arm by its name in the catalogue, or `file.py:NAME`; `lock` holds joints at zero.
-
-    The file is the instructor's own and is run. Raises ArmError where no arm of that name is found.
-    """
-    arm = _from_file(words) if ".py:" in words else _from_catalogue(words)
+    """An arm by what `command_line.read_arm` takes; `lock` holds joints at zero."""
+    arm = read_arm(words)
     for joint in sorted(lock, reverse=True):
         arm = arm.lock(joint)
     if lock:
         held = " and ".join(map(str, lock))
         arm = replace(arm, name=f"{arm.name}, joint {held} locked")
-    return arm
-
-
-def _from_catalogue(name: str) -> Arm:
-    known = {arm.name: arm for arm in robots.ARMS}
-    for arm in known.values():
-        if name.casefold() == arm.name.casefold():
-            return arm
-    raise ArmError(
-        f"arm is {name!r}; expected one of {', '.join(known)}, or a file and a name such as"
-        " my_arm.py:MINE"
-    )
-
-
-def _from_file(words: str) -> Arm:
-    path, _, name = words.rpartition(":")
-    if not Path(path).is_file():
-        raise ArmError(f"arm is {words!r}; there is no file {path!r}")
-    spec = importlib.util.spec_from_file_location("the_instructors_arm", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    arm = getattr(module, name, None)
-    if not isinstance(arm, Arm):
-        raise ArmError(f"arm is {words!r}; expected {name} in that file to be an Arm, not {arm!r}")
     return arm

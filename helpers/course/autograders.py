@@ -10,7 +10,7 @@ from typing import Any
 import helpers
 from helpers.arm import Arm
 from helpers.course import gradebook, sheets, store
-from helpers.course.answers import FILE, HandIn, read_hand_in
+from helpers.course.answers import FILE, read_hand_in
 from helpers.course.arms import from_json, to_json
 from helpers.course.marking import Mark, mark, mark_sheet
 from helpers.course.store import Course
@@ -105,9 +105,7 @@ def run_gradescope(root: Path) -> dict[str, Any]:
     """
     try:
         results = _gradescope_results(root)
-    except (
-        Exception
-    ) as error:  # Gradescope shows a crash as its own failure; say it in words instead
+    except Exception as error:  # Gradescope calls a crash its own failure; say it in words instead
         words = f"Marking stopped ({type(error).__name__}); please tell your instructor."
         results = {"score": 0, "output": words, "tests": []}
     gradebook.write_results(root / "results", results)
@@ -117,7 +115,7 @@ def run_gradescope(root: Path) -> dict[str, Any]:
 def _gradescope_results(root: Path) -> dict[str, Any]:
     course = store.load(root / "source")
     handed = read_hand_in(root / "submission", "nothing")
-    student = _who(course, _metadata(root), handed)
+    student = _who(course, _metadata(root))
     if student is None:
         words = (
             "No sheet of this course belongs to your name, e-mail address or id;"
@@ -139,7 +137,7 @@ def _metadata(root: Path) -> list[Mapping[str, Any]]:
         return []
 
 
-def _who(course: Course, users: list[Mapping[str, Any]], handed: HandIn) -> str | None:
+def _who(course: Course, users: list[Mapping[str, Any]]) -> str | None:
     """The id in the course that belongs to whoever submitted: by e-mail, its part before @, or
     name.
     """

@@ -1,6 +1,4 @@
-"""`python -m helpers.course`: make a course, print a key, grade what was handed in, make an
-autograder.
-"""
+"""Make a course, print a key, mark what was handed in, make an autograder."""
 
 import argparse
 import hashlib
@@ -26,7 +24,8 @@ from helpers.course.store import Course, Rules
 from helpers.inputs import ArmError
 
 NOTEBOOK = "homework.ipynb"
-_RESULTS = "results.json"
+_FOLDER = "the folder that new made"
+_SECRET = "the file that the course was made with"
 
 
 def new(
@@ -209,31 +208,44 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True)
     made = _command(commands, "new", _new, "make a sheet for each line of a roster")
     made.add_argument("--roster", required=True, help="CSV with the columns id and name")
-    made.add_argument("--secret", required=True, help="a file that only you can read")
-    made.add_argument("--arm", required=True, help='"Panda", or my_arm.py:MINE')
-    made.add_argument("--lock", type=int, action="append", default=[], metavar="JOINT")
-    made.add_argument("--title", default="Homework")
+    made.add_argument("--secret", required=True, help="a file of 16 bytes or more, yours alone")
     made.add_argument(
-        "--topic", action="append", choices=variants.TOPICS, help="all that suit unless given"
+        "--arm", required=True, help="a name of the catalogue, arm.urdf, or my_arm.py:MINE"
     )
+    made.add_argument(
+        "--lock", type=int, action="append", default=[], metavar="JOINT",
+        help="a joint held at zero; may be given again",
+    )  # fmt: skip
+    made.add_argument("--title", default="Homework", help="what the sheets are headed")
+    made.add_argument(
+        "--topic", action="append", choices=variants.TOPICS, metavar="TOPIC",
+        help=f"one of {', '.join(variants.TOPICS)}; may be given again; all that suit unless given",
+    )  # fmt: skip
     made.add_argument(
         "--digits", type=float, default=0.9, help="credit for right but too few digits"
     )
     made.add_argument(
         "--columns", type=float, default=1.0, help="what right columns of a wrong matrix count"
     )
-    made.add_argument("--cause", action="append", default=[], metavar="CAUSE=CREDIT")
-    made.add_argument("--out", type=Path, required=True)
+    made.add_argument(
+        "--cause", action="append", default=[], metavar="CAUSE=CREDIT",
+        help="what a named mistake is worth, such as J.halves=0.5; may be given again",
+    )  # fmt: skip
+    made.add_argument("--out", type=Path, required=True, help="the course's folder")
     keyed = _command(commands, "key", _key, "print one student's key")
-    keyed.add_argument("--secret", required=True)
-    keyed.add_argument("--id", required=True)
-    keyed.add_argument("--course", type=Path, default=Path("hw"), help="the folder that new made")
+    keyed.add_argument("--secret", required=True, help=_SECRET)
+    keyed.add_argument("--id", required=True, help="the student's id in the roster")
+    keyed.add_argument(
+        "--course", type=Path, default=Path("hw"), help="its folder; hw unless given"
+    )
     graded = _command(commands, "grade", _grade, "mark every hand-in of a course")
-    graded.add_argument("course", type=Path)
-    graded.add_argument("--secret", required=True)
-    graded.add_argument("--out", type=Path, required=True)
-    graded.add_argument("--jobs", type=int, default=1)
-    graded.add_argument("--seconds", type=int, default=120, help="for one notebook")
+    graded.add_argument("course", type=Path, help=_FOLDER)
+    graded.add_argument("--secret", required=True, help=_SECRET)
+    graded.add_argument("--out", type=Path, required=True, help="the folder for marks and feedback")
+    graded.add_argument("--jobs", type=int, default=1, help="students at a time; else 1")
+    graded.add_argument(
+        "--seconds", type=int, default=120, help="for one notebook; 120 unless given"
+    )
     graded.add_argument(
         "--unprotected", action="store_true",
         help="run notebooks with your rights where bubblewrap does not work",
@@ -242,20 +254,20 @@ def _parser() -> argparse.ArgumentParser:
     graded.add_argument("--canvas", type=Path, help="an export of Canvas, to be filled into --out")
     graded.add_argument("--moodle", type=Path, help="a grading worksheet of Moodle, likewise")
     scope = _command(commands, "gradescope", _gradescope, "make Gradescope's autograder.zip")
-    scope.add_argument("course", type=Path)
-    scope.add_argument("--secret", required=True)
-    scope.add_argument("--out", type=Path, required=True)
+    scope.add_argument("course", type=Path, help=_FOLDER)
+    scope.add_argument("--secret", required=True, help=_SECRET)
+    scope.add_argument("--out", type=Path, required=True, help="the zip to write")
     source = _command(commands, "nbgrader", _nbgrader, "make a source notebook for nbgrader")
-    source.add_argument("course", type=Path)
-    source.add_argument("--secret", required=True)
+    source.add_argument("course", type=Path, help=_FOLDER)
+    source.add_argument("--secret", required=True, help=_SECRET)
     source.add_argument("--id", required=True, help="whose sheet all students get")
-    source.add_argument("--out", type=Path, required=True)
+    source.add_argument("--out", type=Path, required=True, help="the notebook to write")
     looked = _command(
         commands, "look", _look, "say what the checkers find in one folder; no secret"
     )
-    looked.add_argument("folder", type=Path)
+    looked.add_argument("folder", type=Path, help="one student's folder")
     room = _command(commands, "classroom", _classroom, "make a workflow file for GitHub Classroom")
-    room.add_argument("--out", type=Path, required=True)
+    room.add_argument("--out", type=Path, required=True, help="the file to write")
     return parser
 
 
@@ -282,7 +294,7 @@ def _cause(words: str) -> tuple[str, float]:
         value = -1.0
     if not (name and 0 <= value <= 1):
         raise ArmError(
-            f"--cause is {words!r}; expected a cause and its credit, such as axis_of_next=0.5"
+            f"--cause is {words!r}; expected a cause and its credit, such as J.halves=0.5"
         )
     return name, value
 

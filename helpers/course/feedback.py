@@ -19,7 +19,7 @@ def feedback_page(
     if trouble:
         lines.append(f"Note: {_plain(trouble)}.")
     lines.append("| part | credit | verdict |\n|:--|--:|:--|")
-    lines[-1] += "".join(f"\n| `{m.part}` | {m.credit:g} | {_cell(m.headline)} |" for m in marks)
+    lines[-1] += "".join(f"\n| `{m.part}` | {m.credit:g} | {_plain(m.headline)} |" for m in marks)
     by_part = {mark.part: mark for mark in marks}
     for question in sheet.questions:
         lines.append(f"## {question.title}")
@@ -34,10 +34,6 @@ def feedback_page(
 def _plain(text: str) -> str:
     """Words of a student's or a roster's making without Markdown's marks."""
     return "".join(f"\\{c}" if c in "\\`*_{}[]()#+-.!|<>$" else c for c in " ".join(text.split()))
-
-
-def _cell(text: str) -> str:
-    return _plain(text)
 
 
 def _quoted(words: str) -> str:

@@ -28,7 +28,7 @@ from helpers.variants import Part, Question, Sheet
 
 Array = NDArray[np.float64]
 
-_MOST = 2000  # characters of a text, or entries of a list: no right answer is longer
+_MOST = 8000  # characters of a text, or entries of a list: the longest right column has 3473
 _HARMLESS = {"tau.gravity:9.80665"}  # standard gravity, 0.03 % beside 9.81: nobody's mistake
 _SLIGHT = 1e-9  # rad or m beyond a limit that rounding explains
 
@@ -64,9 +64,7 @@ def mark(sheet: Sheet, part: Part, answer: Any, rules: Rules) -> Mark:
         return _KINDS[part.kind](question, part, answer, rules)
     except ArmError as error:
         return _none(part, f"Not read: {error}")
-    except (
-        Exception
-    ) as error:  # an answer may break a reader in ways nobody thought of; it costs its part only
+    except Exception as error:  # whatever breaks a reader, it costs its own part only
         return _none(
             part, f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet."
         )
@@ -146,8 +144,8 @@ def _numbers(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
     if (off <= np.maximum(part.tolerance, 0.51 * units)).all():
         words = "Right as far as it goes: give more digits."
         return Mark(part.name, rules.digits, words, words)
-    for key, sentence, wrong in _usual(right):
-        if (np.abs(mine - wrong) <= np.maximum(10 * part.tolerance, np.abs(wrong) * 1e-3)).all():
+    for key, sentence, meant in _usual(mine):
+        if (np.abs(meant - right) <= np.maximum(part.tolerance, np.abs(right) * 1e-3)).all():
             credit = rules.causes.get(key, 0.0)
             return Mark(part.name, credit, sentence, sentence, (key,))
     count = int((off > np.maximum(part.tolerance, 0.51 * units)).sum())
@@ -155,15 +153,15 @@ def _numbers(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
     return Mark(part.name, 0.0, words, words)
 
 
-def _usual(right: Array) -> Iterator[tuple[str, str, Array]]:
-    """Mistakes that any list of numbers may hold: its name, what is said, and what it makes of the
-    right ones.
+def _usual(mine: Array) -> Iterator[tuple[str, str, Array]]:
+    """Mistakes that any list of numbers may hold: its name, what is said, and the numbers with it
+    undone.
     """
-    yield "numbers.millimetres", "Right in millimetres; metres were asked.", 1000 * right
-    yield "numbers.degrees", "Right in degrees; radians were asked.", np.degrees(right)
-    yield "numbers.sign", "Every sign is the other way round.", -right
-    if right.ndim == 2 and right.shape[0] == right.shape[1]:
-        yield "numbers.transposed", "It is the transpose of what was asked.", right.T
+    yield "numbers.millimetres", "Right in millimetres; metres were asked.", mine / 1000
+    yield "numbers.degrees", "Right in degrees; radians were asked.", np.radians(mine)
+    yield "numbers.sign", "Every sign is the other way round.", -mine
+    if mine.ndim == 2 and mine.shape[0] == mine.shape[1]:
+        yield "numbers.transposed", "It is the transpose of what was asked.", mine.T
 
 
 def _jacobian(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:

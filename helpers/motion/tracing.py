@@ -153,12 +153,12 @@ def _to_the_path(
         if np.abs(error).max() < 1e-13:
             break
         found = found + steering.along(arm, found, error)
-    _must_have_arrived(arm, error)
+    _must_have_arrived(error)
     _must_not_leap(arm, found - q)
     return (found - q) / course.h[k], found
 
 
-def _must_have_arrived(arm: Arm, error: Array) -> None:
+def _must_have_arrived(error: Array) -> None:
     """Where rates that damp come within the last digits only, that is enough."""
     metres, radians = np.linalg.norm(error.reshape(2, 3), axis=1)
     if not max(metres, radians) < _ARRIVED:

@@ -44,8 +44,9 @@ def shoulder_triangles(
             (foot / 2, letters[0], back),
             ((2 * foot + 3 * point) / 5, letters[1], across),
         ):
-            ax.text(*(spot + 0.07 * far * way_off), text, color=colour, ha="center", va="center")
-        ax.text(*(1.3 * foot), name, color=colour, ha="center", va="center")
+            x, y = spot + 0.07 * far * way_off
+            ax.text(x, y, text, color=colour, ha="center", va="center")
+        ax.text(1.3 * foot[0], 1.3 * foot[1], name, color=colour, ha="center", va="center")
     ax.plot(0, 0, "o", color=SLATE, ms=7)
     ax.plot(*point, "*", color=RED, ms=11)
     ax.set_aspect("equal")
@@ -79,9 +80,9 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
         (corner, shoulder, "$r$"), (end, corner, "$s$"),
     ):  # fmt: skip
         across = np.array([start[1] - stop[1], stop[0] - start[0]])
-        across = 0.06 * across / np.linalg.norm(across)
-        ax.text(*((start + stop) / 2 + across), text, ha="center", va="center")
-    ax.text(*(wrist + np.array([0.05, 0.03])), "$o_5$", color=RED, ha="left")
+        x, y = (start + stop) / 2 + 0.06 * across / np.linalg.norm(across)
+        ax.text(x, y, text, ha="center", va="center")
+    ax.text(wrist[0] + 0.05, wrist[1] + 0.03, "$o_5$", color=RED, ha="left")
     ax.set(xlabel="$r$ (m)", ylabel="$z$ (m)", aspect="equal")
 
 

@@ -65,7 +65,7 @@ def use_book_style() -> None:
 def time_axis(ax: Axes) -> None:
     """Name and number the time under this panel too, sparingly: on a phone it stands alone."""
     ax.set_xlabel("$t$ (s)")
-    ax.xaxis.set_major_locator(MaxNLocator(2))
+    ax.xaxis.set_major_locator(MaxNLocator(2, steps=[1, 2, 2.5, 5, 10]))
     ax.tick_params(labelbottom=True)
 
 

@@ -11,8 +11,6 @@ from helpers.inputs import must_be, numbers
 from helpers.plotting.plane import arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, RED, SKY, time_axis
 
-Array = NDArray[np.floating]
-
 
 def torques(
     axes: NDArray[Any],

@@ -22,7 +22,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
     in m."""
     must_be(run, Trace, "run")
     i, j = _wall_axes(run)
-    some = slice(None, None, max(1, len(run.t) // 100))
+    some = _some(run)
     wanted, traced = run.path.positions[some], run.poses[some, :3, 3]
     ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
     ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label=label)
@@ -37,7 +37,7 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
     known."""
     must_be(run, Trace, "run")
     lower, upper = np.degrees(run.arm.limits)
-    some = slice(None, None, max(1, len(run.t) // 60))
+    some = _some(run)
     t, angles = run.t[some], np.degrees(run.q[some].T)
     for ax, i, angle, low, high in zip(
         axes.flat, run.arm.joints, angles, lower, upper, strict=False
@@ -49,6 +49,11 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
         ax.set(title=f"joint {i} (°)")
         ax.yaxis.set_major_locator(MaxNLocator(3))
         time_axis(ax)
+
+
+def _some(run: Trace) -> NDArray[np.intp]:
+    """Steps enough for a smooth line, the first and the last among them."""
+    return np.unique(np.linspace(0, len(run.t) - 1, 61).astype(int))
 
 
 def _wall_axes(run: Trace) -> tuple[int, int]:

@@ -90,6 +90,7 @@ _LATEX = (
     (r"\\d?t?frac\s*(\d)\s*(\d)", r"((\1)/(\2))"),
 )
 _FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_BRACES = re.compile(r"\{[\w+-]*\}|\}")  # an index such as {2-3}, or what closes a bracket
 _NAME = r"[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?"
 _TOKEN = re.compile(
     rf"\s*(?:(\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|({_NAME})|(\*\*|[-+*/^()]))"
@@ -109,6 +110,7 @@ def plain(text: str) -> str:
     text = re.sub(r"(?<=\w)\s*\(t\)", "", text)
     text = re.sub(r"(\b[a-z]+) +_(?=[\w{])", r"\1_", text)
     text = re.sub(r"(?<![_\w])\{|(?<=[^\w+-])\{", "(", text)
+    text = _BRACES.sub(lambda match: ")" if match[0] == "}" else match[0], text)
     return re.sub(r"[ \t]+", " ", text).strip()
 
 

@@ -59,11 +59,11 @@ def _rows(text: str) -> Cells:
 
 
 def _latex(text: str) -> Cells:
-    text = _ENVIRONMENT.sub(" ", text)
+    text = re.sub(r"\\left\s*[\[(.|]\s*(?=\\begin)", " ", text)
     text = re.sub(
-        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b|\\(?:left|right)\s*[\[\]().|]",
+        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b",
         " ",
-        text,
+        _ENVIRONMENT.sub(" ", text),
     )
     text = re.sub(r"^\s*[A-Za-z_]\w*(?:\([^()]*\))?\s*=", "", text)
     text = (

@@ -75,13 +75,10 @@ class TypedRow:
 
 @dataclass(frozen=True)
 class TypedTable:
-    """The rows in the units typed, what is sure of them, and what was guessed; None where nothing
-    was said.
-    """
+    """The rows in the units typed, and what was said or guessed of them; None where nothing was."""
 
     rows: tuple[TypedRow, ...]
     columns: tuple[str, ...] | None
-    sure: bool
     lengths: str | None
     angles: str | None
     convention: str | None
@@ -117,7 +114,6 @@ def read(
             TypedTable(
                 _from_matrices(matrices, known),
                 None,
-                True,
                 lengths,
                 angles,
                 convention,
@@ -143,7 +139,7 @@ def read(
         except ArmError as error:
             errors.append(error)
         else:
-            tables.append(TypedTable(rows, order, sure, lengths, angles, convention, words))
+            tables.append(TypedTable(rows, order, lengths, angles, convention, words))
     if not tables:
         raise errors[0]
     return tables
@@ -204,9 +200,7 @@ def meant(table: TypedTable, kinds: Iterable[str] = ()) -> Meant:
         rows = from_craig(rows)
         said.append(say("taken: craig"))
     if backwards := [str(i) for i, row in enumerate(table.rows, 1) if row.backwards]:
-        said.append(
-            f"joints counted backwards in rows {', '.join(backwards)}, which is a free choice"
-        )
+        said.append(say("taken: backwards", rows=", ".join(backwards)))
     return Meant(rows, tuple(said), f, t)
 
 
@@ -218,17 +212,17 @@ def _kinds(table: TypedTable, wanted: tuple[str, ...]) -> Iterable[str]:
 
 
 def from_craig(rows: list[Numbers]) -> list[Numbers]:
-    """Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}; a fixed row before
-    them takes a_0.
+    """Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}.
+
+    A fixed row before them takes a_0 and alpha_0; a last one that is left empty goes.
     """
-    after = [*rows[1:], Numbers("F", 0.0, 0.0, 0.0, 0.0)]
+    empty = Numbers("F", 0.0, 0.0, 0.0, 0.0)
+    after = [*rows[1:], empty]
     shifted = [r._replace(a=n.a, alpha=n.alpha) for r, n in zip(rows, after, strict=True)]
-    first = rows[0]
-    return (
-        shifted
-        if not (first.a or first.alpha)
-        else [Numbers("F", first.a, first.alpha, 0.0, 0.0), *shifted]
-    )
+    if len(shifted) > 1 and shifted[-1] == empty:
+        shifted.pop()
+    first = empty._replace(a=rows[0].a, alpha=rows[0].alpha)
+    return shifted if first == empty else [first, *shifted]
 
 
 # From what is held to rows of cells
@@ -482,7 +476,7 @@ def _row(i: int, entries: Mapping[str, str], known: Mapping[str, float]) -> Type
         tree = formula.parse(text.rstrip("*") or "0", f"{name} in row {i}")
         parsed[name] = tree
         free[name] = [n for n in formula.symbols(tree) if _simple(n) not in known]
-    mover = _mover(i, free)
+    mover = _mover(free)
     stray = [
         n for name in ENTRIES for n in free[name] if name != mover or n != _joint_of(free[mover])
     ]
@@ -509,7 +503,7 @@ def _row(i: int, entries: Mapping[str, str], known: Mapping[str, float]) -> Type
     )
 
 
-def _mover(i: int, free: Mapping[str, list[str]]) -> str | None:
+def _mover(free: Mapping[str, list[str]]) -> str | None:
     """Which entry holds the joint's variable."""
     if free["theta"]:
         return "theta"

@@ -1,18 +1,13 @@
-"""Write the answer sheet of any arm into one HTML file: ``python -m helpers.sheets "Stanford
-arm"``.
-"""
+"""Write the answer sheet of any arm into one HTML file."""
 
 import argparse
 import re
-import runpy
 import sys
 from pathlib import Path
 
-from helpers.arm import Arm
+from helpers.command_line import read_arm
 from helpers.inputs import ArmError
-from helpers.robots import named
 from helpers.sheets import document
-from helpers.urdf import from_urdf
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -34,23 +29,6 @@ def main(arguments: list[str] | None = None) -> None:
     except (ArmError, OSError) as error:
         sys.exit(str(error))
     sys.stdout.write(f"{out}\n")
-
-
-def read_arm(text: str, base: str | None = None, tip: str | None = None) -> Arm:
-    """The arm that a name, a file or ``file.py:NAME`` stands for. Raises ArmError where there is
-    none.
-    """
-    file, colon, name = text.rpartition(":")
-    if colon and file.endswith(".py"):
-        if not Path(file).is_file():
-            raise ArmError(f"{file} is not there; expected a Python file, as in my_arm.py:ARM")
-        found = runpy.run_path(file).get(name)
-        if not isinstance(found, Arm):
-            raise ArmError(f"{name} of {file} is {found!r}; expected an Arm")
-        return found
-    if text.endswith((".urdf", ".xml")):
-        return from_urdf(text, base, tip)
-    return named(text)
 
 
 def slug(name: str) -> str:

@@ -36,7 +36,7 @@ _ELBOW = [("R", 0, H, 0.5, 0), ("R", 0.4, 0, 0, 0), ("R", 0.3, 0, 0, 0)]
 _LOCKED = [("F", *row[1:]) if i == 2 else row for i, row in enumerate(_PANDA)]
 
 KNOWN = {
-    "Panda": Machine(_PANDA, "Panda"),
+    "PANDA": Machine(_PANDA, "PANDA"),
     "UR10E_HOMEWORK": Machine(_UR_HOMEWORK, "UR10E_HOMEWORK"),
     "STANFORD": Machine(_STANFORD, "STANFORD"),
     "ELBOW": Machine(_ELBOW, "ELBOW"),

@@ -88,8 +88,8 @@ def tables(m, q, rng):
             "table.offsets",
             m.with_rows([(*r[:4], 0 if r[0] == "R" else r[4]) for r in m.rows]).jacobian(q),
         )
-    if m.name in ("Panda", "UR10E_HOMEWORK", "PANDA.lock(3)"):
-        shorter = -0.107 if "P" in m.name[:1] else 0.0922
+    if m.name in ("PANDA", "UR10E_HOMEWORK", "PANDA.lock(3)"):
+        shorter = -0.107 if m.name[0] == "P" else 0.0922
         yield "table.pen", changed(len(m.rows) - 1, d=shorter)
 
 

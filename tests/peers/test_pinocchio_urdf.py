@@ -142,7 +142,9 @@ def filled_up(text):
 @pytest.mark.parametrize("name", ARMS)
 def test_serial_arms(name):
     file, base, tip, hold = ARMS[name]
-    pose, J, torque, largest = compared((ROBOTS / file).read_text(), base, tip, hold)
+    pose, J, torque, largest = compared(
+        (ROBOTS / file).read_text(encoding="utf-8"), base, tip, hold
+    )
     assert pose < 1e-10
     assert J < 1e-10
     assert torque < 1e-10 * max(1, largest)
@@ -151,14 +153,14 @@ def test_serial_arms(name):
 @pytest.mark.parametrize("name", ARMS)
 def test_torques_to_1e_10_where_right_angles_are_written_in_full(name):
     file, base, tip, hold = ARMS[name]
-    worst = compared(filled_up((ROBOTS / file).read_text()), base, tip, hold)
+    worst = compared(filled_up((ROBOTS / file).read_text(encoding="utf-8")), base, tip, hold)
     assert max(worst[:3]) < 1e-10
 
 
 @pytest.mark.parametrize("name", LIMBS)
 def test_arms_of_larger_robots(name):
     file, base, tip = LIMBS[name]
-    text = (ROBOTS / file).read_text()
+    text = (ROBOTS / file).read_text(encoding="utf-8")
     model = pinocchio.buildModelFromXML(text)
     chain = set(model.supports[model.frames[frame_of(model, tip)].parentJoint])
     others = [model.joints[k] for k in range(1, model.njoints) if k not in chain]
@@ -181,4 +183,4 @@ def nearest_to_zero(model, joint):
 def test_there_is_a_weight_to_compare(name):
     """So that nothing is compared with nothing."""
     file, base, tip, hold = ARMS[name]
-    assert compared((ROBOTS / file).read_text(), base, tip, hold)[3] > 1
+    assert compared((ROBOTS / file).read_text(encoding="utf-8"), base, tip, hold)[3] > 1

@@ -1,0 +1,153 @@
+// What a reader types, taken as numbers: the port of helpers/checks/door.py and names.py for text and for lists.
+
+import { joints } from "../kinematics.js";
+import { units } from "./digits.js";
+import { parse, plain, symbols, value } from "./formula.js";
+import { cells, withoutHeader } from "./grid.js";
+import { ArmError, say, spelled, tuple } from "./say.js";
+
+const JOINT = /^(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})$/;
+const SHORT = /^([cs])((?:[+-]?\d)+)$/i;
+const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
+
+/**
+ * Numbers as they were handed in, row by row, with the unit of each one's last place.
+ * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean }} Typed
+ */
+
+// An arm that can be judged is the explorer's, with its symbols: values [[name, number]], and the tables with other
+// lengths that mistakes would give (see helpers/explorer/judge.py).
+export const numbered = (arm) => joints(arm).map((i) => i + 1);
+export const turning = (arm) => joints(arm).map((i) => arm.rows[i].kind === "revolute");
+export const variables = (arm) => numbered(arm).map((i) => `q_${i}`);
+
+/**
+ * Looks symbols up for one arm at one pose, and remembers what it had to say about them.
+ * @param {number[]} q
+ * @returns {{ known: (names: Set<string>) => Map<string, number>, said: string[] }}
+ */
+export function lookup(arm, q) {
+  const said = [];
+  const known = (names) => {
+    const [found, words] = meanings([...names].sort(), arm, q);
+    for (const one of words) if (!said.includes(one)) said.push(one);
+    return found;
+  };
+  return { known, said };
+}
+
+const noSymbols = (names) => {
+  if (names.size) throw new ArmError(say("symbols for numbers", { names: [...names].sort().join(", ") }));
+  return new Map();
+};
+
+/** @returns {Typed} */
+export function numbers(mine, what, known = noSymbols, wanted = "numbers") {
+  if (typeof mine === "string") return ofText(mine, what, known);
+  const shape = shapeOf(mine);
+  const values = mine.flat(Infinity);
+  if (!values.every(Number.isFinite)) throw new ArmError(say("not finite", { what, wanted }));
+  return { values, units: units(values.map(spelled)), shape, symbolic: false };
+}
+
+const shapeOf = (list) =>
+  Array.isArray(list) ? [list.length, ...(list.length ? shapeOf(list[0]) : [])] : [];
+
+function ofText(text, what, known) {
+  const rows = withoutHeader(cells(text));
+  const widths = [...new Set(rows.map((row) => row.length))].sort((a, b) => a - b);
+  if (widths.length > 1) throw new ArmError(say("ragged", { what, widths: widths.join(", ") }));
+  const texts = rows.flat().map(plain);
+  const trees = texts.map((cell) => parse(cell, `an entry of ${what}`));
+  const names = new Set();
+  for (const tree of trees) symbols(tree, names);
+  const found = known(names);
+  const values = trees.map((tree) => value(tree, (name) => found.get(name)));
+  const scaled = texts.map(scaling);
+  const steps = units(scaled.map(([first]) => first)).map((u, i) => u * scaled[i][1]);
+  return { values, units: steps, shape: [rows.length, widths[0]], symbolic: names.size > 0 };
+}
+
+// A number and the power of ten that MATLAB's heading gave it.
+function scaling(cell) {
+  const match = SCALED.exec(cell);
+  return match ? [match[1], Number(match[2])] : [cell, 1];
+}
+
+export const eachJoint = (arm) => `one value for each of ${variables(arm).join(", ")}`;
+
+// One joint vector, with its units.
+export function pose(q, arm, angles = "rad") {
+  const typed = numbers(q, `${arm.name}: q`, undefined, eachJoint(arm));
+  const flat = typeof q === "string" ? [typed.values.length] : typed.shape;
+  const dof = joints(arm).length;
+  if (flat.length !== 1 || flat[0] !== dof) throw new ArmError(poseFault(arm, flat, `one pose, (${dof},)`));
+  return inRadians(typed, arm, angles);
+}
+
+export function poseFault(arm, shape, wanted) {
+  const given = tuple(shape);
+  return `${arm.name}: q has shape ${given}; expected ${wanted}, ${eachJoint(arm)}`;
+}
+
+export function inRadians(typed, arm, angles) {
+  const turns = turning(arm);
+  const factor = (i) => (angles === "deg" && turns[i % turns.length] ? Math.PI / 180 : 1);
+  return {
+    ...typed,
+    values: typed.values.map((x, i) => x * factor(i)),
+    units: typed.units.map((u, i) => u * factor(i)),
+  };
+}
+
+// Names
+
+// A name without underscores, braces, primes and (t), in lower case.
+const simple = (name) =>
+  name.replace(/\(t\)|[_{}'*^\\ ]/g, "").replace(/[ϑθ]/g, "theta").toLowerCase(); // prettier-ignore
+
+/** @returns {[Map<string, number>, string[]]} */
+function meanings(names, arm, q) {
+  const values = new Map((arm.values ?? []).map(([name, number]) => [simple(name), number]));
+  const found = new Map(names.filter((n) => values.has(simple(n))).map((n) => [n, values.get(simple(n))]));
+  const used = new Map(names.filter((n) => !found.has(n)).map((n) => [n, indices(n)]));
+  const [order, said] = orderOf([...new Set([...used.values()].flatMap((i) => i ?? []))], arm);
+  for (const [name, numbers] of used) {
+    const at = (numbers ?? []).map((i) => order.get(i));
+    if (!at.length || at.includes(undefined)) {
+      const known = [...variables(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
+      throw new ArmError(say("unknown symbol", { arm: arm.name, name, known }));
+    }
+    found.set(name, angleOrShort(simple(name), at.map((k) => q[k]))); // prettier-ignore
+  }
+  return [found, said];
+}
+
+function indices(name) {
+  const word = simple(name);
+  const joint = JOINT.exec(word);
+  if (joint) return [Number(joint[2])];
+  const short = SHORT.exec(word);
+  return short ? [...short[2].matchAll(/\d/g)].map(Number) : null;
+}
+
+// The position of each joint number: by row, or counted on past what does not move.
+/** @returns {[Map<number, number>, string[]]} */
+function orderOf(used, arm) {
+  const list = numbered(arm);
+  const byRow = new Map(list.map((i, k) => [i, k]));
+  const within = (from) => used.every((i) => i >= from && i < from + list.length);
+  if (used.every((i) => byRow.has(i))) return [byRow, []];
+  const counted = (from) => new Map(list.map((_, k) => [k + from, k]));
+  if (within(1)) return [counted(1), [say("taken: counted on", { joints: list.join(", ") })]];
+  if (within(0)) return [counted(0), [say("taken: from zero", { joints: list.join(", ") })]];
+  return [byRow, []];
+}
+
+function angleOrShort(name, q) {
+  const match = SHORT.exec(name);
+  if (!match) return q[0];
+  const signs = [...match[2].matchAll(/([+-]?)\d/g)].map(([, sign]) => (sign === "-" ? -1 : 1));
+  const total = q.reduce((sum, x, i) => sum + signs[i] * x, 0);
+  return name[0] === "c" ? Math.cos(total) : Math.sin(total);
+}

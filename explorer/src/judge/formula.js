@@ -1,0 +1,245 @@
+// Formulas as people type them, the port of helpers/reading/formula.py: a tree is ["num", x], ["name", n], ["neg", t],
+// ["call", function, t] or [sign, left, right]. No text is ever run.
+
+import { ArmError, shown } from "./say.js";
+
+const LONGEST = 20_000; // characters of one formula
+const DEEPEST = 60; // brackets in brackets
+const RAD = Math.PI / 180;
+
+const FUNCTIONS = {
+  sin: Math.sin,
+  cos: Math.cos,
+  tan: Math.tan,
+  sqrt: Math.sqrt,
+  asin: Math.asin,
+  acos: Math.acos,
+  atan: Math.atan,
+  arcsin: Math.asin,
+  arccos: Math.acos,
+  arctan: Math.atan,
+  abs: Math.abs,
+  radians: (x) => x * RAD,
+  deg2rad: (x) => x * RAD,
+  degrees: (x) => x * (180 / Math.PI),
+  rad2deg: (x) => x * (180 / Math.PI),
+  sind: (x) => Math.sin(x * RAD),
+  cosd: (x) => Math.cos(x * RAD),
+  float: (x) => x,
+  Float: (x) => x,
+  Integer: (x) => x,
+};
+const CONSTANTS = { pi: Math.PI, deg: RAD, rad: 1 };
+const isFunction = (word) => Object.hasOwn(FUNCTIONS, word);
+const isConstant = (word) => Object.hasOwn(CONSTANTS, word);
+
+/** @returns {[string, string][]} */
+const each = (signs, instead) => [...signs].map((sign) => [sign, instead]);
+const GREEK = "alpha beta gamma delta theta theta phi phi psi omega lambda".split(" ");
+/** @type {Map<string, string>} */
+const SAME = new Map([
+  ...each("−–—‐‑‒﹣－", "-"),
+  ...each("×⋅·∙∗", "*"),
+  ...each("÷∕⁄", "/"),
+  ...each("\u00a0\u2009\u202f\u2007\u2002\u2003\u200a\u3000", " "),
+  ...each("\u200b\u2061\u2062\ufeff", ""),
+  ...each("′’‘", "'"),
+  ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => each(sign, `_${i}`)),
+  ...[..."αβγδθϑφϕψωλ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
+  ...each("π𝜋", " pi "),
+  ...each("°º", " deg"),
+  ["²", "^2"],
+  ["√", "sqrt"],
+  ["⅓", "(1/3)"],
+  ["½", "(1/2)"],
+  ["¼", "(1/4)"],
+  ["∞", " inf "],
+]);
+/** @type {[RegExp, string][]} */
+const LATEX = [
+  [/\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)\b/g, " "],
+  [/\\[,;:! ]|~|\\hspace\{[^{}]*\}/g, " "],
+  [/\\(?:mathrm|text|mathit|mathbf|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g, "$1"],
+  [/\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)\b/g, " deg"],
+  [/\\(?:cdot|times|ast)\b/g, "*"],
+  [/\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)/g, " "],
+  [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
+  [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],
+  [/\\d?t?frac\s*(\d)\s*(\d)/g, "(($1)/($2))"],
+];
+const FRACTION = /\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g;
+const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
+const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
+const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]))`, "y");
+const RUN = /^(?:[cs]_?(?:\d|\{[\d+-]+\})+){2,}$/;
+const SHORT = /[cs]_?(?:\d|\{[\d+-]+\})+/g;
+
+// The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
+export function plain(text) {
+  text = [...text].map((sign) => SAME.get(sign) ?? sign).join("");
+  for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
+  for (let before = ""; before !== text;) [before, text] = [text, text.replace(FRACTION, "(($1)/($2))")];
+  text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
+  text = text.replace(/\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\./g, "");
+  text = text.replace(/(?<=\w)\s*\(t\)/g, "");
+  text = text.replace(/(\b[a-z]+) +_(?=[\w{])/g, "$1_");
+  text = text.replace(/(?<![_\w])\{|(?<=[^\w+-])\{/g, "(");
+  text = text.replace(/\{[\w+-]*\}|\}/g, (braces) => (braces === "}" ? ")" : braces));
+  return text.replace(/[ \t]+/g, " ").trim();
+}
+
+// The tree of one formula; an error that quotes it where it is none.
+export function parse(text, what = "the formula") {
+  if (text.length > LONGEST) {
+    throw new ArmError(`${what} has ${text.length} characters; expected at most ${LONGEST}`);
+  }
+  const tokens = tokensOf(plain(text));
+  if (!tokens) {
+    throw new ArmError(
+      `${what} is ${shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )`,
+    );
+  }
+  const found = attempted(tokens);
+  if (found?.[1] !== tokens.length) {
+    throw new ArmError(`${what} is ${shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'`);
+  }
+  return found[0];
+}
+
+class NoFormula extends Error {}
+
+function attempted(tokens) {
+  try {
+    return sum(tokens, 0, 0);
+  } catch (error) {
+    if (error instanceof NoFormula) return null;
+    throw error;
+  }
+}
+
+function tokensOf(text) {
+  const found = [];
+  for (let at = 0; at < text.length; at = TOKEN.lastIndex) {
+    TOKEN.lastIndex = at;
+    const match = TOKEN.exec(text);
+    if (!match) return text.slice(at).trim() ? null : found;
+    const [, number, name, sign] = match;
+    if (number !== undefined) found.push(["num", number]);
+    else if (sign !== undefined) found.push(["sign", sign === "**" ? "^" : sign]);
+    else for (const one of RUN.test(name) ? name.match(SHORT) : [name]) found.push(["name", one]);
+  }
+  return found;
+}
+
+function at(tokens, k) {
+  if (k >= tokens.length) throw new NoFormula();
+  return tokens[k];
+}
+
+function sum(tokens, k, depth) {
+  if (depth > DEEPEST) throw new NoFormula();
+  let [left, next] = product(tokens, k, depth);
+  while (next < tokens.length && ["+", "-"].includes(tokens[next][1])) {
+    const [right, after] = product(tokens, next + 1, depth);
+    [left, next] = [[tokens[next][1], left, right], after];
+  }
+  return [left, next];
+}
+
+function product(tokens, k, depth) {
+  let [left, next] = signed(tokens, k, depth);
+  while (next < tokens.length) {
+    const [kind, word] = tokens[next];
+    if (word === "*" || word === "/") {
+      const [right, after] = signed(tokens, next + 1, depth);
+      [left, next] = [[word, left, right], after];
+    } else if (word === "(" || kind !== "sign") {
+      const [right, after] = power(tokens, next, depth);
+      [left, next] = [["*", left, right], after];
+    } else break;
+  }
+  return [left, next];
+}
+
+function signed(tokens, k, depth) {
+  if (depth > DEEPEST) throw new NoFormula();
+  const word = at(tokens, k)[1];
+  if (word === "-") {
+    const [inner, next] = signed(tokens, k + 1, depth + 1);
+    return [["neg", inner], next];
+  }
+  return word === "+" ? signed(tokens, k + 1, depth + 1) : power(tokens, k, depth);
+}
+
+function power(tokens, k, depth) {
+  const [base, next] = atom(tokens, k, depth);
+  if (next >= tokens.length || tokens[next][1] !== "^") return [base, next];
+  const [exponent, after] = signed(tokens, next + 1, depth + 1);
+  return [["^", base, exponent], after];
+}
+
+function atom(tokens, k, depth) {
+  const [kind, word] = at(tokens, k);
+  if (kind === "num") return [["num", Number(word)], k + 1];
+  if (kind === "name" && isFunction(word) && k + 1 < tokens.length) {
+    const [inner, next] = argument(tokens, k + 1, depth);
+    return [["call", word, inner], next];
+  }
+  if (kind === "name") return [["name", word], k + 1];
+  if (word !== "(") throw new NoFormula();
+  const [inner, next] = sum(tokens, k + 1, depth + 1);
+  if (at(tokens, next)[1] !== ")") throw new NoFormula();
+  return [inner, next + 1];
+}
+
+// What a function is taken of: a bracket, or the next factor, as in "sin theta_1".
+function argument(tokens, k, depth) {
+  if (at(tokens, k)[1] !== "-") return atom(tokens, k, depth);
+  const [inner, next] = atom(tokens, k + 1, depth);
+  return [["neg", inner], next];
+}
+
+// The names in a tree that are no constants.
+export function symbols(tree, found = new Set()) {
+  if (tree[0] === "name") return isConstant(tree[1]) ? found : found.add(tree[1]);
+  for (const part of tree.slice(1)) if (Array.isArray(part)) symbols(part, found);
+  return found;
+}
+
+// The number of a tree, names looked up by `known`.
+export function value(tree, known) {
+  const found = valueOf(tree, known);
+  if (!Number.isFinite(found)) {
+    throw new ArmError("a formula divides by zero or is too large; expected a finite value");
+  }
+  return found;
+}
+
+function valueOf(tree, known) {
+  const [kind, first, second] = tree;
+  if (kind === "num") return first;
+  if (kind === "name") {
+    const found = isConstant(first) ? CONSTANTS[first] : known(first);
+    if (found === undefined) throw new ArmError(`no value for ${first}`);
+    return found;
+  }
+  if (kind === "neg") return -valueOf(first, known);
+  if (kind === "call") return FUNCTIONS[first](valueOf(second, known));
+  const [left, right] = [valueOf(first, known), valueOf(second, known)];
+  if (kind === "+") return left + right;
+  if (kind === "-") return left - right;
+  if (kind === "*") return left * right;
+  if (kind === "/") return right === 0 ? NaN : left / right;
+  const raised = left ** right;
+  return Number.isFinite(raised) || !Number.isFinite(left) ? raised : NaN;
+}
+
+// The number a text stands for if it holds no symbols, else null.
+export function number(text) {
+  try {
+    return value(parse(text), () => undefined);
+  } catch (error) {
+    if (error instanceof ArmError) return null;
+    throw error;
+  }
+}

@@ -1,0 +1,84 @@
+"""The place of the page's judge, and arms as it needs them: with their symbols, and with the tables
+that usual mistakes about lengths would give."""
+
+import json
+from html import escape
+
+from helpers import robots
+from helpers.arm import Arm
+from helpers.checks.chains import alike
+from helpers.explorer.data import Data, arm_data
+
+# As a reader may ask of them: their names in helpers.robots, and what is locked.
+CALLS = (
+    "PANDA.lock(3)",
+    "PANDA_HOMEWORK.lock(3)",
+    "PANDA",
+    "PANDA_HOMEWORK",
+    "UR10E",
+    "UR10E_HOMEWORK",
+    "STANFORD",
+    "ELBOW",
+)
+# What stands in the fields before a reader types: an answer with a known mistake to each question.
+EXAMPLES = (
+    {
+        "ask": "jacobian",
+        "arm": "PANDA.lock(3)",
+        "q": "0.4, -0.6, -1.9, 0.3, 1.8, 0.7",
+        "answer": """ 0.0390  -0.4054   0.2081  -0.0808  -0.1771   0.0000
+-0.2300  -0.1714   0.0880   0.1542  -0.1175   0.0000
+ 0.0000  -0.2270   0.4736  -0.0517  -0.0736   0.0000
+ 0.3894   0.5201  -0.8875   0.4448   0.0845   0.0845
+-0.9211   0.2199  -0.3752  -0.8491  -0.2767  -0.2767
+ 0.0000   0.8253   0.2675   0.2848  -0.9572  -0.9572""",
+    },
+    {
+        "ask": "torques",
+        "arm": "UR10E",
+        "q": "0.3, -1.1, 1.4, -0.8, 0.9, 0.2",
+        "wrench": "0, 0, -20, 0, 0, 0",
+        "answer": "[0.00, -56.32, -24.69, 1.94, -1.02, 0.00]",
+    },
+)
+
+
+def catalogue_arm(call: str) -> Arm:
+    """The arm of a call such as ``PANDA.lock(3)``."""
+    name, _, locked = call.removesuffix(")").partition(".lock(")
+    arm: Arm = getattr(robots, name)
+    return arm.lock(int(locked)) if locked else arm
+
+
+def stub(words: str) -> str:
+    """The judge's place in a page: what stands there without a script, and the arms as data."""
+    arms = [listed(call) for call in CALLS]
+    data = json.dumps({"arms": arms, "examples": EXAMPLES}, separators=(",", ":"))
+    data = data.replace("</", "<\\/")
+    return (
+        f'<div class="arm-judge"><p>{escape(words)}</p>'
+        f'<script type="application/json">{data}</script></div>'
+    )
+
+
+def listed(call: str) -> Data:
+    """An arm as the page lists it."""
+    arm = catalogue_arm(call)
+    locked = f", joint {call[-2]} locked" if "lock" in call else ""
+    live = {} if locked else {"explorer": arm.name}
+    return {**judged_data(arm), "key": call, "title": arm.name + locked, "python": call, **live}
+
+
+def judged_data(arm: Arm) -> Data:
+    """An arm for explorer/src/judge: `arm_data`, its values by name, the arm without its pen, and
+    for lengths that are near each other the arm with one taken for the other.
+    """
+    values = dict(arm.values)
+    found = {**arm_data(arm), "values": [[name, float(x)] for name, x in values.items()]}
+    if values.get("l_pen"):
+        found["penless"] = arm_data(arm.with_values(l_pen=0))
+    others = [
+        {"name": m, "other": n, "rows": arm_data(arm.with_values(**{m: values[n]}))["rows"]}
+        for m, n in alike(arm)
+    ]
+    return {**found, "alike": others} if others else found

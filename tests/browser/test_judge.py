@@ -1,0 +1,94 @@
+"""The judge at the top of the page on checking, from a file and with the network blocked: what is
+typed is judged, wrong cells are marked, and a link brings it back."""
+
+import pytest
+
+from tests.browser.test_pages import AXE, BAD
+from tests.test_book import HTML
+
+PAGE = HTML / "check_your_homework.html"
+ELBOW = """-0.2841 -0.3039 -0.0778
+0.5200 -0.1660 -0.0425
+0.0000 0.5925 0.2866
+0.0000 0.4794 0.4794
+0.0000 -0.8776 -0.8776
+1.0000 0.0000 0.0000"""  # at (0.5, 0.7, -0.4), by hand
+
+OUTSIDE = """() => [...document.querySelectorAll(".arm-judge, .arm-judge :not(.scroll *)")]
+  .filter((part) => part.getBoundingClientRect().right > innerWidth).map((part) => part.outerHTML.slice(0, 80))"""
+
+
+@pytest.fixture(params=[("light", 1280), ("dark", 390)], ids=str)
+def page(request, browser):
+    scheme, width = request.param
+    context = browser.new_context(
+        viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True
+    )
+    page = context.new_page()
+    page.troubles = []
+    page.on("pageerror", lambda error: page.troubles.append(str(error)))
+    page.goto(PAGE.as_uri())
+    page.locator(".arm-judge .verdict").wait_for()
+    yield page
+    assert page.troubles == []
+    context.close()
+
+
+def ask(page, answer, q="0.5, 0.7, -0.4"):
+    page.get_by_label("Arm", exact=True).select_option(label="Elbow arm")
+    page.get_by_label("Pose q").fill(q)
+    page.get_by_label("Your answer", exact=True).fill(answer)
+
+
+def verdict(page, words):
+    page.locator(".arm-judge .verdict", has_text=words).wait_for()
+
+
+def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
+    verdict(page, "joint i turns about the axis of the frame before it")
+    assert page.locator(".arm-judge td.off").count() == 15  # of 18: the last two axes are one
+    ask(page, ELBOW)
+    verdict(page, "The Jacobian of Elbow arm is right at this pose to the 4 decimals you gave.")
+    assert page.locator(".arm-judge td.off").count() == 0
+    ask(page, ELBOW.replace("0.2866", "0.3866"))
+    verdict(page, "Column 3 (joint 3): wrong in vz.".lower()[1:])
+    assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.3866"]
+    page.get_by_role("button", name="Copy link").click()
+    page.get_by_text("The link").first.wait_for()
+    other = page.context.new_page()
+    other.goto(page.url)
+    verdict(other, "wrong in vz")
+    assert other.get_by_label("Your answer", exact=True).input_value() == ELBOW.replace(
+        "0.2866", "0.3866"
+    )
+
+
+def test_torques_by_keys_alone(page):
+    page.get_by_label("Question").focus()
+    page.keyboard.press("ArrowDown")
+    verdict(page, "The torques of")
+    page.get_by_role("button", name="Show an example").press("Enter")
+    verdict(page, "the force has the wrong sign")
+    assert page.get_by_label("Wrench on the tool").is_visible()
+
+
+def test_what_cannot_be_read_is_said(page):
+    ask(page, "1 2\n3")
+    verdict(page, "expected rows of one length")
+    page.goto(f"{PAGE.as_uri()}#ask=jacobian&arm=Nobody")
+    page.reload()
+    page.get_by_text("there is no arm called “Nobody” here").wait_for()
+
+
+def test_it_fits_and_axe_finds_nothing_serious(page):
+    assert page.evaluate(OUTSIDE) == []
+    page.add_script_tag(path=AXE)
+    assert page.evaluate(BAD) == []
+
+
+def test_without_a_script_the_page_reads_well(browser):
+    context = browser.new_context(java_script_enabled=False, offline=True)
+    page = context.new_page()
+    page.goto(PAGE.as_uri())
+    assert "It needs JavaScript and no network." in page.locator(".arm-judge").inner_text()
+    context.close()

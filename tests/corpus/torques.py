@@ -1,0 +1,160 @@
+"""Right and mistaken torques g(q) - J^T F: weights by differences of the height of the masses."""
+
+import math
+
+import numpy as np
+
+from tests.corpus.arms import KNOWN, pose, some_machine
+from tests.corpus.machine import rot_x
+from tests.corpus.typing_ import typed
+
+# Masses and centres of the Panda's links (Gaz et al. 2019) in the table's frames, typed anew.
+PANDA = [
+    (4.970684, 0.003875, -0.04762, -0.002081),
+    (0.646926, -0.003141, 0.003495, 0.02872),
+    (3.228604, -0.054982, 0.066502, 0.039252),
+    (3.587895, 0.02933, -0.027454, 0.104419),
+    (1.225946, -0.011953, -0.038437, -0.041065),
+    (1.666555, -0.027851, 0.010517, -0.014117),
+    (0.735522, 0.010517, 0.004252, 0.145403),
+]
+
+
+def bodies(m, rng):
+    if m.name == "PANDA":
+        return PANDA
+    return [
+        (
+            round(float(rng.uniform(0.5, 6)), 3),
+            *(round(float(x), 3) for x in rng.uniform(-0.15, 0.15, 3)),
+        )
+        for _ in m.rows
+    ]
+
+
+def weight(m, links, q, g=9.81):
+    """dP/dq by the motion of each centre of mass under each joint."""
+    T = m.frames(q)
+    tau = np.zeros(m.dof)
+    for k, (mass, *c) in enumerate(links):
+        p = (T[k + 1] @ [*c, 1])[:3]
+        for j, (i, kind) in enumerate(zip(m.joints, m.kinds, strict=True)):
+            if i <= k:
+                z, o = T[i][:3, 2], T[i][:3, 3]
+                tau[j] += mass * g * (np.cross(z, p - o)[2] if kind == "R" else z[2])
+    return tau
+
+
+def force(m, F, q):
+    return m.jacobian(q).T @ F
+
+
+def turned(R, F):
+    return np.concatenate([R @ F[:3], R @ F[3:]])
+
+
+def mistakes(m, links, q, F, rng):
+    """(cause, torques)."""
+    W, P = weight(m, links, q), force(m, F, q)
+    R = m.tip(q)[:3, :3]
+    yield "tau.force sign", W + P
+    yield "tau.force missing", W
+    yield "tau.weight missing", -P
+    yield "tau.weight sign", -W - P
+    yield "tau.gravity:9.8", W * 9.8 / 9.81 - P
+    yield "tau.gravity:10", W * 10 / 9.81 - P
+    yield "tau.force in tool", W - force(m, turned(R, F), q)
+    yield "tau.force turned back", W - force(m, turned(R.T, F), q)
+    yield "tau.force and moment", W - force(m, np.roll(F, 3), q)
+    yield "tau.centres at origins", weight(m, [(mass, 0, 0, 0) for mass, *_ in links], q) - P
+    yield "tau.craig centres", weight(m, craig(m, links), q) - P
+    yield "tau.tip weights", -m.jacobian(q)[:3].T @ [0, 0, -9.81 * sum(b[0] for b in links)] - P
+    yield "tau.all signs", P - W
+    yield "tau.newton millimetres", 1000 * (W - P)
+    yield "tau.reversed order", (W - P)[::-1]
+    i = int(rng.integers(len(links)))
+    without = [(0 if k == i else b[0], *b[1:]) for k, b in enumerate(links)]
+    yield f"tau.mass missing:{i + 1}", weight(m, without, q) - P
+    degrees = [math.radians(x) if k == "R" else x for x, k in zip(q, m.kinds, strict=True)]
+    yield "tau.degrees", weight(m, links, degrees) - force(m, F, degrees)
+    if m.name == "PANDA":
+        short = m.with_rows([*m.rows[:-1], (*m.rows[-1][:3], -0.107, 0)])
+        held = [*links[:-1], (*links[-1][:3], links[-1][3] - 0.1)]
+        yield "table.pen", weight(short, held, q) - force(short, F, q)
+
+
+def craig(m, links):
+    """The centres as told in Craig's frames of the same table: before the step along x and the turn
+    about it.
+    """
+    found = []
+    for (mass, *c), (_, a, alpha, _, _) in zip(links, m.rows, strict=True):
+        p = rot_x(alpha)[:3, :3] @ c + [a, 0, 0]
+        found.append((mass, *p))
+    return found
+
+
+def pairs(m, links, q, F, rng):
+    ones = {
+        "tau.gravity:9.8": weight(m, links, q, 9.8),
+        "tau.craig centres": weight(m, craig(m, links), q),
+        "tau.centres at origins": weight(m, [(b[0], 0, 0, 0) for b in links], q),
+    }
+    P = force(m, F, q)
+    for name, W in ones.items():
+        yield f"{name} + tau.force sign", W + P
+        yield f"{name} + tau.newton millimetres", 1000 * (W - P)
+        yield f"{name} + tau.all signs", P - W
+        yield f"{name} + tau.force missing", W
+
+
+def cases(rng, count):
+    made = 0
+    while made < count:
+        m = KNOWN["PANDA"] if rng.random() < 0.4 else some_machine(rng)
+        links = bodies(m, rng)
+        if len(links) != len(m.rows) or m.name == "PANDA.lock(3)":
+            continue
+        many = rng.random() < 0.3
+        poses = [pose(m, rng) for _ in range(int(rng.integers(3, 7)) if many else 1)]
+        F = np.zeros(6)
+        F[: 6 if rng.random() < 0.3 else 3] = 1
+        F = F * rng.uniform(-12, 12, 6).round(1)
+        d = int(rng.choice([2, 3, 4, 5]))
+        kind = str(rng.choice(["right", "single", "pair"], p=[0.3, 0.5, 0.2]))
+        right = np.array([weight(m, links, q) - force(m, F, q) for q in poses])
+        cause, tau = None, right
+        if kind != "right":
+            seed = int(rng.integers(1 << 30))
+            rule = mistakes if kind == "single" else pairs
+            tables = [list(rule(m, links, q, F, np.random.default_rng(seed))) for q in poses]
+            k = int(rng.integers(len(tables[0])))
+            cause, tau = tables[0][k][0], np.array([table[k][1] for table in tables])
+            others = (
+                []
+                if kind == "single"
+                else list(
+                    zip(
+                        *(mistakes(m, links, q, F, np.random.default_rng(seed)) for q in poses),
+                        strict=True,
+                    )
+                )
+            )
+            alike = [np.array([t for _, t in rows]) for rows in others]
+            if not all(np.abs(tau - x).max() > 8 * 10.0**-d for x in (right, *alike)):
+                continue
+        digits = d if not cause or "milli" not in cause else max(0, d - 3)
+        text, form = typed(tau if many else tau[0], digits, rng)
+        yield dict(
+            topic="torques",
+            machine=m,
+            bodies=links,
+            q=poses if many else poses[0],
+            wrench=[float(x) for x in F],
+            typed=text,
+            form=form,
+            digits=d,
+            kind=kind,
+            cause=cause,
+        )
+        made += 1

@@ -1,0 +1,36 @@
+// Says in JavaScript what tests/judge_words.py asks for: JSON in (arms, sentences, questions), the words of each out.
+
+import { readFileSync } from "node:fs";
+import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../explorer/src/judge/ask.js";
+import * as judge from "../explorer/src/judge/index.js";
+
+const { sentences, arms, questions } = JSON.parse(readFileSync(0, "utf8"));
+judge.learn(sentences);
+
+const JUDGES = {
+  jacobian: ({ typed, arm, q, options }) => judge.compareJacobian(typed, arms[arm], q, options),
+  page: ({ fields }) => throughLink({ ...EMPTY, ...fields }),
+  torques: ({ typed, arm, q, options }) => judge.compareTorques(typed, arms[arm], q, options),
+};
+
+// What the page says of a question that came by a link, and the call that says the same.
+function throughLink(asked) {
+  const { question, words } = fromFragment(toFragment(asked), arms.map(({ key }) => key));
+  if (!question) throw new judge.ArmError(words);
+  const { report, error } = verdict(question, arms);
+  if (error) throw new judge.ArmError(error);
+  return { ...report, call: asPython(question, arms) };
+}
+
+function words(question) {
+  try {
+    const report = JUDGES[question.topic](question);
+    const said = [report.grade, report.causes, judge.textOf(report)];
+    return report.call ? [...said, report.call] : said;
+  } catch (error) {
+    if (error instanceof judge.ArmError) return ["refused", [], error.message];
+    throw error;
+  }
+}
+
+process.stdout.write(JSON.stringify(questions.map(words)));

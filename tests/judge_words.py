@@ -1,0 +1,218 @@
+"""The page's judge against the checkers: the same questions to both, their words compared letter by
+letter.
+
+As a command: ``python -m tests.judge_words --seed 18 --cases 20000``.
+"""
+
+import argparse
+import json
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import sympy as sp
+
+from helpers import checks, symbolic
+from helpers.arm import Arm, Body, fixed, prismatic, revolute
+from helpers.checks.torques_causes import Load, catalogue, paper_centres, reversed_joints
+from helpers.explorer.judge import judged_data
+from helpers.inputs import ArmError
+from helpers.reading.sentences import templates
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.statics import GRAVITY
+from tests.corpus import jacobians, torques
+from tests.corpus.typing_ import typed
+
+ROOT = Path(__file__).parents[1]
+KNOWN = {
+    "PANDA": PANDA,
+    "UR10E_HOMEWORK": UR10E_HOMEWORK,
+    "STANFORD": STANFORD,
+    "ELBOW": ELBOW,
+    "PANDA.lock(3)": PANDA.lock(3),
+}
+HEAVY = tuple(arm for arm in (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK) if arm.bodies)
+_AT_ONCE = 500  # questions, of those that the command asks
+_ROWS = {"R": revolute, "P": prismatic, "F": fixed}
+
+
+def arm_of(machine) -> Arm:
+    """The arm of a corpus's machine: that of the catalogue where it is one."""
+    if machine.name in KNOWN:
+        return KNOWN[machine.name]
+    rows = [
+        _ROWS[kind](a=a, alpha=alpha, d=d, theta=theta) for kind, a, alpha, d, theta in machine.rows
+    ]
+    return Arm("your arm", rows)
+
+
+def jacobian_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
+    """The corpus's Jacobians; some in other axes, in (omega, v), or half of them only."""
+    for case in jacobians.cases(rng, count):
+        arm, options = arm_of(case["machine"]), {}
+        if rng.random() < 0.1:
+            options["frame"] = int(rng.integers(1, len(arm.rows) + 1))
+        if rng.random() < 0.1:
+            options["angular_first"] = True
+        typed = case["typed"]
+        if case["form"] == "array" and rng.random() < 0.2:
+            typed = typed[:3] if rng.random() < 0.5 else typed[3:]
+        yield arm, {"topic": "jacobian", "typed": typed, "q": case["q"], "options": options}
+
+
+def torque_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
+    """Right and mistaken torques at one pose or along a few, under a push or none, in any form."""
+    for _ in range(count):
+        arm = HEAVY[int(rng.integers(len(HEAVY)))]
+        poses = 1 if rng.random() < 0.8 else int(rng.integers(2, 40))
+        q = np.round(rng.uniform(-1.4, 1.4, (poses, arm.dof)), 3)
+        options = {}
+        wrench = np.zeros(6)
+        if rng.random() < 0.6:
+            wrench = np.round(rng.uniform(-20, 20, 6) * (rng.random(6) < 0.6), 1)
+            options["wrench"] = [float(x) for x in wrench]
+        if rng.random() < 0.2:
+            options["gravity"] = [0.0, 0.0, 9.81] if rng.random() < 0.5 else [0.0, -9.81, 0.0]
+        gravity = np.array(options.get("gravity", GRAVITY))
+        load = Load(arm, q, np.broadcast_to(wrench, (poses, 6)), gravity)
+        tau = _mistaken(rng, load)
+        typed_tau, _ = typed(tau, int(rng.choice([1, 2, 3, 4, 6])), rng)
+        at = q.tolist() if poses > 1 else q[0].tolist()
+        yield arm, {"topic": "torques", "typed": typed_tau, "q": at, "options": options}
+
+
+def _mistaken(rng, load: Load) -> np.ndarray:
+    right = load.torques()
+    what = rng.random()
+    if what < 0.2:
+        return right
+    if what < 0.65:
+        made = catalogue(load)[1]
+        return made[int(rng.integers(len(made)))]
+    if what < 0.75:
+        made = (reversed_joints(load, right) if rng.random() < 0.5 else paper_centres(load))[1]
+        return made[int(rng.integers(len(made)))]
+    if what < 0.85:
+        return right * np.where(rng.random(right.shape[1]) < 0.3, -1, 1)
+    if what < 0.9:
+        return right.T if rng.random() < 0.5 else right[:, : int(rng.integers(1, right.shape[1]))]
+    return right + np.where(rng.random(right.shape) < 0.3, rng.uniform(0.05, 5, right.shape), 0)
+
+
+@cache
+def _formulas() -> list[tuple[Arm, str]]:
+    found = []
+    for arm in (ELBOW, STANFORD, PANDA.lock(3)):
+        J = symbolic.jacobian(arm)
+        found += [(arm, str(J)), (arm, sp.latex(J))]
+    return found
+
+
+def formula_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
+    """Jacobians in symbols, with a slip in some: another function, another sign, another joint."""
+    slips = [("sin", "cos"), ("cos", "sin"), ("+", "-"), (" - ", " + "), ("q_1", "q_2"),
+             ("q_{2}", "q_{1}"), ("q_", "theta_"), ("q_4", "q_9"), ("d_", "e_")]  # fmt: skip
+    for _ in range(count):
+        arm, text = _formulas()[int(rng.integers(len(_formulas())))]
+        for old, new in slips:
+            if rng.random() < 0.07:
+                at = text.find(old, int(rng.integers(len(text))))
+                text = text if at < 0 else text[:at] + new + text[at + len(old) :]
+        q = [float(x) for x in np.round(rng.uniform(0.2, 1.4, arm.dof), 3)]
+        yield arm, {"topic": "jacobian", "typed": text, "q": q, "options": {}}
+
+
+def stored_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
+    """Torques of the corpus, with its own arms and masses, along paths too."""
+    for case in torques.cases(rng, count):
+        machine, bodies = case["machine"], case["bodies"]
+        rows = [_ROWS[r[0]](a=r[1], alpha=r[2], d=r[3], theta=r[4]) for r in machine.rows]
+        arm = Arm("your arm", rows, bodies=[Body(m, tuple(c)) for m, *c in bodies])
+        options = {"wrench": case["wrench"]}
+        yield arm, {"topic": "torques", "typed": case["typed"], "q": case["q"], "options": options}
+
+
+QUESTIONS = {
+    "jacobian": jacobian_questions,
+    "torques": torque_questions,
+    "corpus's torques": stored_questions,
+    "formula": formula_questions,
+}
+SHARES = {"jacobian": 0.65, "torques": 0.15, "corpus's torques": 0.15, "formula": 0.05}
+
+
+def questions(rng, count: int) -> list[tuple[Arm, dict]]:
+    """So many of every kind."""
+    return [
+        pair for kind, make in QUESTIONS.items() for pair in make(rng, round(count * SHARES[kind]))
+    ]
+
+
+def python_words(arm: Arm, question: dict) -> list:
+    """What the checkers say: grade, causes, words."""
+    calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
+    call = calls[question["topic"]]
+    try:
+        report = call(question["typed"], arm, question["q"], **question["options"])
+    except ArmError as error:
+        return ["refused", [], str(error)]
+    return [report.grade, list(report.causes), str(report)]
+
+
+def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None) -> list:
+    """What the page's judge says, under Node.js, in these sentences."""
+    arms = list({id(arm): arm for arm, _ in questions}.values())
+    at = {id(arm): k for k, arm in enumerate(arms)}
+    asked = [{**q, "arm": at[id(arm)], "options": _in_page(q["options"])} for arm, q in questions]
+    return in_node([judged_data(arm) for arm in arms], asked, sentences)
+
+
+def in_node(arms: list[dict], questions: list[dict], sentences: dict | None = None) -> list:
+    """What tests/judge_words.mjs answers: grade, causes and words of each."""
+    given = {"sentences": sentences or templates(), "arms": arms, "questions": questions}
+    node = shutil.which("node")
+    assert node, "Node.js is not installed"
+    command = [node, str(ROOT / "tests" / "judge_words.mjs")]
+    done = subprocess.run(
+        command, input=json.dumps(given), capture_output=True, text=True, check=False
+    )
+    assert not done.returncode, done.stderr
+    return json.loads(done.stdout)
+
+
+def _in_page(options: dict) -> dict:
+    names = {"angular_first": "angularFirst"}
+    return {names.get(key, key): value for key, value in options.items()}
+
+
+def different(questions: list[tuple[Arm, dict]]) -> list[tuple[dict, list, list]]:
+    """The questions to which the two do not say the same."""
+    both = zip(questions, page_words(questions), strict=True)
+    found = ((q, python_words(arm, q), theirs) for (arm, q), theirs in both)
+    return [(q, ours, theirs) for q, ours, theirs in found if ours != theirs]
+
+
+def main() -> None:
+    """Compare many, and say how many differ."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--seed", type=int, default=18)
+    parser.add_argument("--cases", type=int, default=1000)
+    given = parser.parse_args()
+    rng = np.random.default_rng(given.seed)
+    asked, odd = 0, 0
+    while asked < given.cases:
+        some = questions(rng, min(_AT_ONCE, given.cases - asked))
+        found = different(some)
+        asked, odd = asked + len(some), odd + len(found)
+        print(f"{asked} questions, {odd} with different words", flush=True)
+        for question, ours, theirs in found[:5]:
+            print(json.dumps(question)[:600], "\nPython:", ours, "\npage:  ", theirs, "\n")
+    sys.exit(bool(odd))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,41 @@
+"""The stored corpus: work whose truth is known, typed as people type it, put to the checkers.
+
+Every twentieth case runs here; ``python -m tests.corpus.confusion`` runs them all and writes the
+tables of the book's page on how the checkers judge.
+"""
+
+import json
+from collections import Counter
+
+import pytest
+
+from tests.corpus.judge import load, outcome, report
+from tests.corpus.make import TOPICS, as_plain_number, corpus
+
+
+def counted(topic, step):
+    found = load(topic)
+    for case in found["cases"][::step]:
+        digits = "rough" if case["digits"] <= 2 else "fine"
+        kind = "pair" if " + " in (case.get("cause") or "") else "single"
+        how = outcome(case, found["arms"], report(case, found["arms"]))
+        yield (kind if case.get("cause") else case["kind"], digits, how)
+
+
+@pytest.mark.parametrize("topic", TOPICS)
+def test_what_is_right_passes_and_mistakes_are_named(topic):
+    counts = Counter(counted(topic, 4 if topic == "trace" else 20))
+    alarms = {c: n for c, n in counts.items() if c[2] in ("false alarm", "accepted")}
+    assert not alarms
+    for kind, least in (("single", 0.97), ("pair", 0.9)):
+        of_kind = {c[2]: n for c, n in counts.items() if c[:2] == (kind, "fine")}
+        judged = sum(of_kind.values()) - of_kind.get("same arm", 0)
+        assert of_kind.get("named", 0) >= least * judged - 1, of_kind
+
+
+@pytest.mark.parametrize("topic", ["branches", "pose"])
+def test_the_stored_corpus_is_what_its_seed_makes(topic):
+    stored = load(topic)
+    anew = json.loads(json.dumps(corpus(topic, stored["seed"]), default=as_plain_number))
+    assert anew["cases"][:50] == stored["cases"][:50]
+    assert len(anew["cases"]) == len(stored["cases"])

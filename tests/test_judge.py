@@ -1,0 +1,178 @@
+"""The page's judge: in JavaScript it says what the checkers say in Python, letter by letter."""
+
+import contextlib
+import io
+import os
+import shutil
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers import checks, symbolic
+from helpers.explorer import judge
+from helpers.reading.sentences import templates
+from helpers.robots import ELBOW, PANDA, STANFORD
+from tests.judge_words import different, in_node, page_words, python_words, questions
+
+needs_node = pytest.mark.skipif(
+    shutil.which("node") is None and not os.environ.get("CI"), reason="Node.js is not installed"
+)
+Q = [0.5, 0.7, -0.4]
+# The elbow arm's Jacobian at Q by hand: c_1, s_1 of 0.5; r = 0.4 cos 0.7 + 0.3 cos 0.3, and so on.
+ROWS = [
+    ["-0.2841", "-0.3039", "-0.0778"],
+    ["0.5200", "-0.1660", "-0.0425"],
+    ["0.0000", "0.5925", "0.2866"],
+    ["0.0000", "0.4794", "0.4794"],
+    ["0.0000", "-0.8776", "-0.8776"],
+    ["1.0000", "0.0000", "0.0000"],
+]
+
+
+def joined(cell, row, start="", end=""):
+    return start + row.join(cell.join(line) for line in ROWS) + end
+
+
+def printed(line, width=10):
+    return "".join(f"{x:>{width}}" for x in line)
+
+
+LATEX = joined(" & ", r" \\ ")
+SPACED = joined(" & ", r" \\[4pt] ")
+DECIMAL = joined("\t", "\n").replace(".", ",")
+PASTES = {
+    "numpy repr": joined(", ", "],\n       [", "array([[", "]])"),
+    "numpy named": joined(", ", "],\n [", "J = np.array([[", "]])"),
+    "numpy dtype": joined(", ", "], [", "array([[", "]], dtype=float32)"),
+    "numpy print": joined("  ", "]\n [", "[[", "]]"),
+    "numpy matrix": joined(", ", "], [", "np.matrix([[", "]])"),
+    "lists": joined(", ", "], [", "[[", "]]"),
+    "tuples": joined(", ", "), (", "((", "))"),
+    "sympy": joined(", ", "], [", "Matrix([[", "]])"),
+    "matlab typed": joined(" ", "; ", "J = [", "];"),
+    "matlab commas": joined(", ", ";\n     ", "J = [", "]"),
+    "matlab lines": joined("   ", "\n", "J = [\n", "\n];"),
+    "matlab dots": joined(" ", "; ...\n", "[", "]"),
+    "matlab print": "\nJ =\n\n" + "\n".join(printed(line) for line in ROWS) + "\n",
+    "matlab columns": "J =\n\n  Columns 1 through 2\n\n"
+    + "\n".join(printed(line[:2]) for line in ROWS)
+    + "\n\n  Column 3\n\n"
+    + "\n".join(printed(line[2:]) for line in ROWS),
+    "bmatrix": rf"\begin{{bmatrix}} {LATEX} \end{{bmatrix}}",
+    "pmatrix": rf"$$J = \begin{{pmatrix}} {LATEX} \\ \end{{pmatrix}}$$",
+    "left matrix": rf"\left[\begin{{matrix}}{LATEX}\end{{matrix}}\right]",
+    "array": rf"J(q) = \left( \begin{{array}}{{ccc}} {LATEX} \end{{array}} \right)",
+    "tabular": rf"\begin{{tabular}}{{rrr}} \hline {LATEX} \\ \hline \end{{tabular}}",
+    "latex spaced": rf"\begin{{bmatrix}} {SPACED} \end{{bmatrix}}",
+    "bare latex": LATEX,
+    "csv": joined(",", "\n"),
+    "csv spaced": joined(", ", "\n"),
+    "csv headed": "q1,q2,q3\n" + joined(",", "\n"),
+    "csv end": joined(",", ",\n", "", ","),
+    "semicolons": joined(";", "\n"),
+    "decimal semicolons": joined(";", "\n").replace(".", ","),
+    "windows": joined(",", "\r\n"),
+    "excel": joined("\t", "\n"),
+    "excel decimal": DECIMAL,
+    "excel headed": "q1\tq2\tq3\n" + joined("\t", "\n"),
+    "excel windows": DECIMAL.replace("\n", "\r\n") + "\r\n",
+    "markdown": "| a | b | c |\n|--:|--:|--:|\n| " + joined(" | ", " |\n| ", "", " |"),
+    "minus": joined("  ", "\n").replace("-", "−"),
+    "no-break": joined("\u00a0\u00a0", "\n"),
+    "short": joined(" ", "\n").replace(".0000", ".0").replace("0.", "."),
+    "code fence": "```\n" + joined(" ", "\n") + "\n```",
+}  # fmt: skip
+REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__import__('os')",
+           "1/0 2 3", "{" * 80, "sin( 1 2", "\\begin{pmatrix}", "1 2 nan", "θ_7 1 1",
+           "'\"\\ \t", "1e400 1 1", "((1))" * 9]  # fmt: skip
+
+
+def asked(typed, **options):
+    return ELBOW, {"topic": "jacobian", "typed": typed, "q": Q, "options": options}
+
+
+@needs_node
+def test_its_words_are_pythons():
+    found = different(questions(np.random.default_rng(18), 240))
+    assert not found, found[0]
+
+
+@needs_node
+def test_another_word_would_be_noticed():
+    said = {**templates(), "J right": "The Jacobian of {arm} is good{where}{precision}."}
+    ours, theirs = python_words(*asked(PASTES["csv"])), page_words([asked(PASTES["csv"])], said)[0]
+    assert ours[:2] == theirs[:2] == ["right", []]
+    assert ours[2] != theirs[2]
+
+
+@needs_node
+def test_pastes_are_read_as_they_were_meant_in_both_languages():
+    wanted = "The Jacobian of Elbow arm is right at this pose to the 4 decimals you gave."
+    read = zip(PASTES, page_words([asked(text) for text in PASTES.values()]), strict=True)
+    for name, (_, _, words) in read:
+        assert words.startswith(wanted), (name, words)
+        assert python_words(*asked(PASTES[name]))[2] == words, name
+
+
+@needs_node
+def test_what_cannot_be_read_is_refused_in_the_same_words():
+    for text, said in zip(REFUSED, page_words([asked(text) for text in REFUSED]), strict=True):
+        assert said == python_words(*asked(text)), text
+        assert said[0] in ("refused", "wrong"), text
+        assert len(said[2]) > 20, text
+
+
+@pytest.mark.parametrize("arm", [ELBOW, STANFORD, PANDA.lock(3)], ids=str)
+@pytest.mark.parametrize("form", [sp.expand_trig, sp.factor, sp.expand])
+def test_a_sum_keeps_its_brackets_in_sympys_latex(arm, form):
+    J = symbolic.jacobian(arm).applyfunc(form)
+    assert checks.compare_jacobian(sp.latex(J), arm).agrees
+
+
+def test_a_factor_of_one_is_no_scale():
+    report = checks.compare_jacobian("[1*1/3, 2; 3, 4]", ELBOW, Q)
+    assert report.causes == ("J.shape",)
+
+
+# The page's questions
+
+OWN = "0, pi/2, 0.5, q1\n0.4, 0, 0, q2\n0.3, 0, 0, q3"
+BY_LINK = [
+    *({**example} for example in judge.EXAMPLES),
+    {"ask": "jacobian", "arm": "ELBOW", "q": "30, 40, -20", "unit": "deg",
+     "answer": PASTES["bmatrix"]},
+    {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": PASTES["csv"]},
+    {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
+     "answer": PASTES["matlab print"]},
+    {"ask": "torques", "arm": "PANDA", "q": "0.1 0.2 0.3 -1 0.5 0.6 0.7", "answer": '"""\\ 1'},
+]  # fmt: skip
+
+
+@needs_node
+def test_the_call_in_python_says_what_the_page_says():
+    """Each question goes through a link first."""
+    arms = [judge.listed(call) for call in judge.CALLS]
+    answers = in_node(arms, [{"topic": "page", "fields": fields} for fields in BY_LINK])
+    for fields, (grade, _, words, *call) in zip(BY_LINK, answers, strict=True):
+        if grade == "refused":
+            assert "Panda: your torques is" in words, words
+            continue
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            exec(call[0], {})
+        assert said.getvalue() == f"{words}\n", fields
+
+
+@needs_node
+def test_the_examples_name_their_mistakes():
+    arms = [judge.listed(call) for call in judge.CALLS]
+    asked = [{"topic": "page", "fields": fields} for fields in judge.EXAMPLES]
+    named = [causes for _, causes, *_ in in_node(arms, asked)]
+    assert named == [["J.z_i angular"], ["tau.force sign"]]
+
+
+def test_the_stub_holds_words_and_arms():
+    html = judge.stub("Needs <a> script.")
+    assert "Needs &lt;a&gt; script." in html
+    assert html.count("</script>") == 1
