@@ -36,6 +36,7 @@ KNOWN = {
     "PANDA.lock(3)": PANDA.lock(3),
 }
 HEAVY = tuple(arm for arm in (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK) if arm.bodies)
+_AT_ONCE = 500  # questions, of those that the command asks
 _ROWS = {"R": revolute, "P": prismatic, "F": fixed}
 
 
@@ -202,12 +203,15 @@ def main() -> None:
     parser.add_argument("--cases", type=int, default=1000)
     given = parser.parse_args()
     rng = np.random.default_rng(given.seed)
-    asked = questions(rng, given.cases)
-    found = different(asked)
-    print(f"{len(asked)} questions, {len(found)} with different words")
-    for question, ours, theirs in found[:5]:
-        print(json.dumps(question)[:600], "\nPython:", ours, "\npage:  ", theirs, "\n")
-    sys.exit(bool(found))
+    asked, odd = 0, 0
+    while asked < given.cases:
+        some = questions(rng, min(_AT_ONCE, given.cases - asked))
+        found = different(some)
+        asked, odd = asked + len(some), odd + len(found)
+        print(f"{asked} questions, {odd} with different words", flush=True)
+        for question, ours, theirs in found[:5]:
+            print(json.dumps(question)[:600], "\nPython:", ours, "\npage:  ", theirs, "\n")
+    sys.exit(bool(odd))
 
 
 if __name__ == "__main__":

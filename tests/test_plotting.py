@@ -287,6 +287,7 @@ def test_joints_beyond_their_range_are_red_and_ranges_are_shaded():
         [band.get_y(), band.get_y() + band.get_height()], np.degrees([lower[0], upper[0]])
     )
     assert grid[0, 2].get_title() == "joint 4 (°)"
+    assert through(grid[0, 1], np.column_stack([run.t, np.degrees(run.q[:, 1])]))
     assert grid[1, 0].get_xlabel() == "$t$ (s)"
     free = replace(run, arm=_without_limits(run.arm))
     _, other = plt.subplots(2, 3)

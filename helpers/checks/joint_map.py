@@ -175,7 +175,7 @@ def words(found: Map, mine: Side, reference: Side) -> list[str]:
     return said
 
 
-def in_own_joints(rows: Rows, arm: Arm, found: Map, mine: Side, reference: Side, name: str) -> Arm:
+def in_own_joints(rows: Rows, arm: Arm, found: Map, reference: Side, name: str) -> Arm:
     """The reference as an arm of the student's own table: its limits and bodies carried over to
     these rows.
     """

@@ -232,7 +232,7 @@ def _same(
     mapped = joint_map(mine, ref, found, loose)
     figures: dict[str, Any] = {"signs": found.signs}
     notes = [
-        *_zeros(mapped, mine, ref, table, reference),
+        *_zeros(mapped, mine, ref),
         *_base(mine, found, mapped),
         *_tool(found),
         *_written(table),
@@ -240,7 +240,7 @@ def _same(
     if mapped is not None:
         figures["joint_map"] = tuple(zip(mapped.signs, mapped.offsets, strict=True))
         figures["arm"] = in_own_joints(
-            rows, reference, mapped, mine, ref, say("own joints", arm=reference.name)
+            rows, reference, mapped, ref, say("own joints", arm=reference.name)
         )
     key = "table same" if grade == RIGHT else "table rounded"
     headline = say(key, mine=table.name, reference=reference.name)
@@ -249,9 +249,7 @@ def _same(
     )
 
 
-def _zeros(
-    mapped: Map | None, mine: Side, ref: Side, table: Table, reference: Arm
-) -> Iterator[str]:
+def _zeros(mapped: Map | None, mine: Side, ref: Side) -> Iterator[str]:
     if mapped is None:
         yield say("map unknown")
     elif not mapped.is_identity:

@@ -107,14 +107,14 @@ def _written(rows: Sequence[Sequence[str]]) -> str:
     return file.getvalue()
 
 
-def gradescope(marks: Sequence[Mark], trouble: str, points: float = 1.0) -> dict[str, Any]:
+def gradescope(marks: Sequence[Mark], trouble: str) -> dict[str, Any]:
     """Marks as Gradescope's results.json: one test a part, its words as output."""
     tests = [
         {
             "name": mark.part,
             "number": str(number),
-            "score": round(mark.credit * points, 4),
-            "max_score": points,
+            "score": round(mark.credit, 4),
+            "max_score": 1.0,
             "status": "passed" if mark.credit == 1 else "failed",
             "output": mark.words,
             "output_format": "text",
@@ -122,7 +122,7 @@ def gradescope(marks: Sequence[Mark], trouble: str, points: float = 1.0) -> dict
         }
         for number, mark in enumerate(marks, 1)
     ]
-    score = round(sum(mark.credit for mark in marks) * points, 4)
+    score = round(sum(mark.credit for mark in marks), 4)
     output = trouble or "Every part is judged below."
     return {"score": score, "output": output, "output_format": "text", "tests": tests}
 

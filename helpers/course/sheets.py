@@ -3,6 +3,7 @@
 import base64
 import io
 import json
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -143,7 +144,8 @@ def page(text: str, picture: bytes | None, title: str) -> str:
         data = f"data:image/svg+xml;base64,{base64.b64encode(picture).decode()}"
         body = body.replace('src="axes.svg"', f'src="{data}"')
     return (
-        f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{_escaped(title)}</title>'
+        '<!doctype html><html lang="en"><meta charset="utf-8">'
+        f"<title>{escape(title, quote=False)}</title>"
         '<meta name="viewport" content="width=device-width">'
         f"<style>{_STYLE}</style><body>{body}</body></html>\n"
     )
@@ -154,10 +156,6 @@ def sheet_page(sheet: Sheet, course: Course, student: str, name: str) -> str:
     drawings = [axes_picture(q, "svg") for q in sheet.questions if q.topic == "DH table"]
     text = markdown(sheet, course, student, name)
     return page(text, drawings[0] if drawings else None, f"{course.title}, {student}")
-
-
-def _escaped(text: str) -> str:
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
 
 
 def axes_picture(question: Question, form: str) -> bytes:

@@ -82,6 +82,9 @@ def test_what_cannot_be_read_is_said(page):
 
 def test_it_fits_and_axe_finds_nothing_serious(page):
     assert page.evaluate(OUTSIDE) == []
+    assert (
+        page.get_by_role("region", name="How your answer is read").evaluate("e => e.tabIndex") == 0
+    )
     page.add_script_tag(path=AXE)
     assert page.evaluate(BAD) == []
 

@@ -39,7 +39,7 @@ BROKEN = """async () => {
 # What reaches over its box or the screen without a box that scrolls, shows that it does, and can be reached by keys.
 CUT = """() => {
     const article = document.querySelector("article"), edge = article.getBoundingClientRect().right + 1, found = [];
-    const kept = (e) => e.closest(".scrolls.more-right, .scrolls.more-left, .panel, .arm-explorer, mjx-assistive-mml, .headerlink");
+    const kept = (e) => e.closest(".scrolls.more-right, .scrolls.more-left, .panel, .arm-explorer, .arm-judge, mjx-assistive-mml, .headerlink");
     const letters = document.createTreeWalker(article, NodeFilter.SHOW_TEXT), range = document.createRange();
     while (letters.nextNode()) {
         const text = letters.currentNode;
@@ -50,7 +50,7 @@ CUT = """() => {
         if (e.getBoundingClientRect().right > edge && !kept(e)) found.push(e.outerHTML);
     for (const e of article.querySelectorAll("*")) {
         const { overflowX, maskImage } = getComputedStyle(e);
-        if (e.scrollWidth <= e.clientWidth + 1 || overflowX === "visible" || e.closest("mjx-container > *, .arm-explorer, .panel")) continue;
+        if (e.scrollWidth <= e.clientWidth + 1 || overflowX === "visible" || e.closest("mjx-container > *, .arm-explorer, .arm-judge, .panel")) continue;
         const said = e.matches("pre, span *") || e.nextElementSibling?.matches(".hint");
         if (overflowX !== "auto" || !maskImage.includes("gradient") || e.tabIndex !== 0 || !said) found.push(e.outerHTML);
     }

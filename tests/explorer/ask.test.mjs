@@ -1,0 +1,64 @@
+// The page's questions: links that are read or refused in words, one's own table, and the call in Python.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+import { armOf, asPython, EMPTY, fromFragment, toFragment } from "../../explorer/src/judge/ask.js";
+import { number } from "../../explorer/src/judge/formula.js";
+import { size, spelled } from "../../explorer/src/judge/say.js";
+
+const ARMS = ["PANDA", "ELBOW"];
+const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
+
+test("a question survives its link", () => {
+  assert.deepEqual(fromFragment(toFragment(asked), ARMS), { question: asked, words: "" });
+});
+
+for (const [fragment, words] of [
+  ["#ask=jacobian&arm=Nobody", /no arm called “Nobody”/],
+  ["#ask=everything&arm=ELBOW", /not judged here/],
+  ["#ask=jacobian&arm=ELBOW&frame=1e3", /frame/],
+  ["#ask=jacobian&arm=ELBOW&unit=gon", /unit/],
+  ["#ask=jacobian&arm=ELBOW&script=1", /a field “script”/],
+  [`#ask=jacobian&arm=ELBOW&answer=${"1".repeat(8001)}`, /answer is too long/],
+  [`#ask=jacobian&arm=ELBOW&answer=${"1".repeat(13000)}`, /13\d{3} characters; 12000 are the most/],
+]) {
+  test(`a link is refused in words: ${words}`, () => {
+    const found = fromFragment(fragment, ARMS);
+    assert.equal(found.question, null);
+    assert.match(found.words, words);
+  });
+}
+
+test("other fragments are none of its business", () => {
+  assert.deepEqual(fromFragment("#sec-check-table", ARMS), { question: null, words: "" });
+  assert.deepEqual(fromFragment("", ARMS), { question: null, words: "" });
+});
+
+test("one's own table turns or slides by its variable", () => {
+  const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, -90°, d2, 0" };
+  const { rows } = armOf(own, []);
+  assert.deepEqual(rows.map(({ kind }) => kind), ["revolute", "prismatic"]); // prettier-ignore
+  assert.equal(rows[1].alpha, -Math.PI / 2);
+  assert.equal(armOf({ ...own, table: "0, 90, 0.5, q1 + 90", unit: "deg" }, []).rows[0].theta, Math.PI / 2);
+  for (const table of ["", "1, 2, 3", "0, q1, 0, 0", "0, 0, l_1, q1", "0, 0, 1000, q1"]) {
+    assert.throws(() => armOf({ ...own, table }, []), /Type the table|entries|no value for|100 is the most/);
+  }
+});
+
+test("a call quotes what would end its text", () => {
+  const arms = [{ key: "ELBOW", python: "ELBOW", rows: [{ kind: "revolute" }] }];
+  assert.match(asPython({ ...asked, answer: 'a"""\nb' }, arms), /mine = "a\\"\\"\\"\\nb"/);
+  assert.match(asPython({ ...asked, answer: "\\frac 1 2\n" }, arms), /mine = r"""\\frac 1 2\n"""/);
+});
+
+test("numbers are written as Python writes them", () => {
+  const sizes = [[0, "0"], [-0.00001234, "-1.23e-05"], [1234567, "1.23e+06"], [12.5, "12.5"], [100, "100"], [99.96, "100"]];
+  for (const [x, text] of sizes) assert.equal(size(x), text);
+  const spellings = [[1e16, "1e+16"], [1e-5, "1e-05"], [0.0001, "0.0001"], [123456789012345680, "1.2345678901234568e+17"], [5, "5"]];
+  for (const [x, text] of spellings) assert.equal(spelled(x), text);
+}); // prettier-ignore
+
+test("no number comes of what divides by nothing", () => {
+  for (const text of ["1/0", "1/(1/0)", "0^-1", "sqrt(-1)", "1e400", "q"]) assert.equal(number(text), null);
+  assert.equal(number("-2^2"), -4);
+});
