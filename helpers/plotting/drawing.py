@@ -82,10 +82,11 @@ def _joint(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) -> No
     sides = 18 if turns else 4
     angle = 2 * np.pi * (np.arange(sides) + 0.5) / sides
     ring = radius * frame[:3, :2] @ [np.cos(angle), np.sin(angle)] + frame[:3, 3:]
-    along = 1.3 * radius * frame[:3, 2:3] * (1 if eye[2] @ frame[:3, 2] >= 0 else -1)
+    along = 1.3 * radius * frame[:3, 2:3] * (1 if eye[2] @ frame[:3, 2] >= -1e-9 else -1)
     near, far = (eye[:2] @ (ring + end * along) for end in (1, -1))
     both = np.hstack([near, far])
-    outline = both[:, np.unique(np.argmax(_ROUND @ both, axis=1))]
+    # Corners in one line are equally far; rounded, the first of them is taken on every processor.
+    outline = both[:, np.unique(np.argmax(np.round(_ROUND @ both, 9), axis=1))]
     middle = outline.mean(axis=1, keepdims=True)
     order = np.argsort(np.arctan2(*(outline - middle)[::-1]))
     look: dict[str, Any] = dict(edgecolor=SLATE, lw=0.8, zorder=3)
