@@ -4,12 +4,14 @@ import { readFileSync } from "node:fs";
 import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../explorer/src/judge/ask.js";
 import * as judge from "../explorer/src/judge/index.js";
 import "../explorer/src/judge/scripts/jacobian.js";
+import "../explorer/src/judge/scripts/table.js";
 
 const { sentences, arms, questions } = JSON.parse(readFileSync(0, "utf8"));
 judge.learn(sentences);
 
 const JUDGES = {
   jacobian: ({ typed, arm, q, options }) => judge.compareJacobian(typed, arms[arm], q, options),
+  table: ({ typed, arm, options }) => judge.compareTables(typed, arms[arm], options),
   page: ({ fields }) => throughLink({ ...EMPTY, ...fields }),
   torques: ({ typed, arm, q, options }) => judge.compareTorques(typed, arms[arm], q, options),
 };

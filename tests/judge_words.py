@@ -24,7 +24,7 @@ from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
-from tests.corpus import jacobians, torques
+from tests.corpus import jacobians, tables, torques
 from tests.corpus.typing_ import typed
 
 ROOT = Path(__file__).parents[1]
@@ -136,13 +136,40 @@ def stored_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
         yield arm, {"topic": "torques", "typed": case["typed"], "q": case["q"], "options": options}
 
 
+def table_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
+    """The corpus's tables: some without their heads, with their order or their units said, or within
+    a tolerance.
+    """
+    for case in tables.cases(rng, count):
+        options = {}
+        if rng.random() < 0.5:
+            options |= {"lengths": "m", "angles": "rad"}
+        if rng.random() < 0.05:
+            options["tolerance"] = float(rng.choice([0, 1e-4, 5e-3]))
+        if rng.random() < 0.05:
+            options["convention"] = "craig"
+        typed = case["typed"]
+        if case["form"] in ("csv", "columns") and rng.random() < 0.3:
+            head, typed = typed.split("\n", 1)
+            if rng.random() < 0.5:
+                options["columns"] = head.replace("\t", " ")
+        yield arm_of(case["machine"]), {"topic": "table", "typed": typed, "options": options}
+
+
 QUESTIONS = {
     "jacobian": jacobian_questions,
     "torques": torque_questions,
     "corpus's torques": stored_questions,
     "formula": formula_questions,
+    "table": table_questions,
 }
-SHARES = {"jacobian": 0.65, "torques": 0.15, "corpus's torques": 0.15, "formula": 0.05}
+SHARES = {
+    "jacobian": 0.35,
+    "torques": 0.1,
+    "corpus's torques": 0.1,
+    "formula": 0.05,
+    "table": 0.4,
+}
 
 
 def questions(rng, count: int) -> list[tuple[Arm, dict]]:
@@ -154,10 +181,14 @@ def questions(rng, count: int) -> list[tuple[Arm, dict]]:
 
 def python_words(arm: Arm, question: dict) -> list:
     """What the checkers say: grade, causes, words."""
-    calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
-    call = calls[question["topic"]]
+    calls = {
+        "jacobian": checks.compare_jacobian,
+        "torques": checks.compare_torques,
+        "table": checks.compare_tables,
+    }
+    given = [question["q"]] if "q" in question else []
     try:
-        report = call(question["typed"], arm, question["q"], **question["options"])
+        report = calls[question["topic"]](question["typed"], arm, *given, **question["options"])
     except ArmError as error:
         return ["refused", [], str(error)]
     return [report.grade, list(report.causes), str(report)]

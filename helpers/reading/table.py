@@ -308,7 +308,7 @@ def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str
 def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     text = _unboxed(text)
     if links := re.findall(
-        r"(?:Link|Revolute\w*|Prismatic\w*|DHLink|RevoluteDH|PrismaticDH)\s*\(((?:[^()]|\([^()]*\))*)\)",
+        r"(?:Link|(?:Revolute|Prismatic)\w*|DHLink)\s*\(((?:[^()]|\([^()]*\))*)\)",
         text,
     ):
         return _links(links)
@@ -339,8 +339,19 @@ def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
         )
     rows = grid.cells(re.sub(r"^\s*#", "", text))
     if _heading(rows[0]):
-        return rows[1:], rows[0], ()
+        return rows[1:], _with_units(rows[0]), ()
     return rows, [], ()
+
+
+def _with_units(heads: list[str]) -> list[str]:
+    """The heads with a unit that stands apart, as in ``a (mm)``, joined to its own."""
+    found: list[str] = []
+    for head in heads:
+        if found and re.fullmatch(r"[(\[].*[)\]]", head):
+            found[-1] += f" {head}"
+        else:
+            found.append(head)
+    return found
 
 
 def _unboxed(text: str) -> str:
@@ -357,7 +368,7 @@ def _records(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]] | None:
     found = []
     for braced, called in re.findall(r"\{([^{}]*)\}|\bdict\(((?:[^()]|\([^()]*\))*)\)", text):
         pairs = re.findall(r"['\"]?([A-Za-zαθ]+)['\"]?\s*[:=]\s*([^,\[]+)", braced or called)
-        row = {_WORDS.get(_simple(name)): x.strip().strip("'\"") for name, x in pairs}
+        row = {_head(name): x.strip().strip("'\"") for name, x in pairs}
         if len(row.keys() & set(ENTRIES)) >= 3:
             found.append(row)
     if len(found) < 2:
@@ -451,7 +462,7 @@ def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | 
         _wide(cells)
         return [order], True
     words = [_head(h) for h in heads]
-    if set(words) >= set(ENTRIES) and all(len(row) <= len(heads) for row in cells):
+    if set(words) >= set(ENTRIES) and all(0 <= len(heads) - len(row) <= 1 for row in cells):
         keep = [words.index(e) for e in ENTRIES]
         for k, row in enumerate(cells):
             cells[k] = [row[i] if i < len(row) else "0" for i in keep]
@@ -577,7 +588,8 @@ def _matrices(cells: grid.Cells) -> list | None:
         [formula.number(x) for x in row] if all(isinstance(x, str) for x in row) else []
         for row in cells[3::4]
     ]
-    if len(cells) >= 8 and len(cells) % 4 == 0 and all(row == [0, 0, 0, 1] for row in last):
+    square = len(cells) >= 8 and len(cells) % 4 == 0 and all(len(row) == 4 for row in cells)
+    if square and all(row == [0, 0, 0, 1] for row in last):
         return [cells[k : k + 4] for k in range(0, len(cells), 4)]
     return None
 

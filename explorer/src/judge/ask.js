@@ -16,7 +16,14 @@ const LONGEST = { table: 2000, q: 500, wrench: 300, answer: 8000 };
 export const LONGEST_ANSWER = 20_000; // characters that are judged while typing
 export const OWN = "own"; // the arm whose table is typed
 export const UNITS = ["rad", "deg"];
-const ORDERS = ["v", "omega"];
+// The fields with few values; where the empty one is among them, what is not said is guessed.
+export const CHOICES = {
+  unit: UNITS,
+  first: ["v", "omega"],
+  lengths: ["", "m", "cm", "mm"],
+  angles: ["", ...UNITS],
+  convention: ["", "standard", "craig"],
+};
 
 /**
  * @typedef {object} Question
@@ -29,11 +36,16 @@ const ORDERS = ["v", "omega"];
  * @property {string} first the half that stands first: "v" or "omega"
  * @property {string} wrench
  * @property {string} answer
+ * @property {string} columns of a table: their order, or empty where it is to be guessed; so the next three
+ * @property {string} lengths
+ * @property {string} angles
+ * @property {string} convention
  */
 
 /** @type {Question} */
 export const EMPTY = {
   ask: "jacobian", arm: "", table: "", q: "", unit: "rad", frame: "0", first: "v", wrench: "", answer: "",
+  columns: "", lengths: "", angles: "", convention: "",
 }; // prettier-ignore
 
 /** @param {Question} question */
@@ -68,8 +80,9 @@ export function fromFragment(fragment, arms) {
   if (question.arm !== OWN && !arms.includes(question.arm)) {
     return refused(`there is no arm called “${question.arm}” here`);
   }
-  const known = UNITS.includes(question.unit) && ORDERS.includes(question.first);
-  if (!known || !/^\d{1,2}$/.test(question.frame)) return refused("its unit, frame or order is none");
+  const odd = Object.keys(CHOICES).find((key) => !CHOICES[key].includes(question[key]));
+  if (odd) return refused(`its ${odd} is none that is known here`);
+  if (!/^\d{1,2}$/.test(question.frame)) return refused("its frame is no number");
   return { question, words: "" };
 }
 

@@ -4,4 +4,9 @@
 export const ASKED = {
   jacobian: { title: "Jacobian at a pose", fields: ["q", "unit", "frame", "first"], script: "jacobian" },
   torques: { title: "Joint torques at a pose", fields: ["q", "unit", "wrench"], script: "jacobian" },
+  table: {
+    title: "Denavit-Hartenberg table",
+    fields: ["columns", "lengths", "angles", "convention"],
+    script: "table",
+  },
 };
