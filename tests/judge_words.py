@@ -137,8 +137,8 @@ def stored_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
 
 
 def table_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
-    """The corpus's tables: some without their heads, with their order or their units said, or within
-    a tolerance.
+    """The corpus's tables: some without their heads, with their order or units said, or within a
+    tolerance.
     """
     for case in tables.cases(rng, count):
         options = {}

@@ -13,6 +13,7 @@ from helpers import checks, symbolic
 from helpers.explorer import judge
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, STANFORD
+from tests import table_pastes
 from tests.judge_words import different, in_node, page_words, python_words, questions
 
 needs_node = pytest.mark.skipif(
@@ -133,6 +134,48 @@ def test_a_sum_keeps_its_brackets_in_sympys_latex(arm, form):
 def test_a_factor_of_one_is_no_scale():
     report = checks.compare_jacobian("[1*1/3, 2; 3, 4]", ELBOW, Q)
     assert report.causes == ("J.shape",)
+
+
+def table(typed, **options):
+    return ELBOW, {"topic": "table", "typed": typed, "options": options}
+
+
+@needs_node
+def test_tables_are_read_as_they_were_meant_in_both_languages():
+    pastes = table_pastes.RIGHT
+    said = page_words([table(text) for text in pastes.values()])
+    for (name, text), theirs in zip(pastes.items(), said, strict=True):
+        assert theirs[2].startswith("Your table describes the same arm as Elbow arm.\n") or (
+            theirs[2] == "Your table describes the same arm as Elbow arm."
+        ), (name, theirs[2])
+        assert python_words(*table(text)) == theirs, name
+
+
+@needs_node
+def test_what_is_no_table_is_refused_in_the_same_words():
+    refused = table_pastes.REFUSED
+    said = page_words([table(text) for text in refused])
+    for (text, words), theirs in zip(refused.items(), said, strict=True):
+        assert theirs[0] == "refused", text
+        assert words in theirs[2], text
+        assert python_words(*table(text)) == theirs, text
+
+
+@needs_node
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"columns": "theta d a alpha"},
+        {"columns": "a b c d"},
+        {"lengths": "mm", "angles": "deg"},
+        {"convention": "craig"},
+        {"tolerance": 0.02},
+    ],
+    ids=str,
+)
+def test_tables_read_as_they_were_not_meant_are_judged_in_the_same_words(options):
+    asked = [table(text, **options) for text in table_pastes.RIGHT.values()]
+    assert not different(asked)
 
 
 # The page's questions

@@ -249,7 +249,8 @@ function ofLists(named) {
   return plainly(lists[0].map((_, k) => lists.map((list) => list[k])), [...named.keys()]); // prettier-ignore
 }
 
-// Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has a_{i-1} and alpha_{i-1}.
+// Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has a_{i-1} and alpha_{i-1}: a
+// last one with nothing else in it is the tool's.
 function ofPairs(entries) {
   const early = (column) => column === "a" || column === "alpha";
   const craig = entries.some(([column, i]) => early(column) && i === 0);
@@ -257,8 +258,11 @@ function ofPairs(entries) {
   const held = new Map(entries.map(([column, i, text]) => [`${column} ${row(column, i)}`, text]));
   const last = entries.reduce((top, [column, i]) => Math.max(top, row(column, i)), 0);
   few(last);
+  const others = entries.flatMap(([column, i]) => (column === "d" || column === "theta" ? [i] : []));
+  const moving = craig && others.length ? Math.max(...others) : last;
+  const missing = (entry, i) => (i > moving ? "0" : blank(entry, i));
   const cells = Array.from({ length: last }, (_, k) =>
-    ENTRIES.map((entry) => held.get(`${entry} ${k + 1}`) ?? blank(entry, k + 1)),
+    ENTRIES.map((entry) => held.get(`${entry} ${k + 1}`) ?? missing(entry, k + 1)),
   );
   return plainly(cells, craig ? ["a_{i-1}", "alpha_{i-1}", "d", "theta"] : ENTRIES);
 }
