@@ -87,7 +87,7 @@ def svg(figure: Figure) -> str:
 
 
 def _to_hundredths(number: re.Match[str]) -> str:
-    return f"{float(number[0]):.2f}".rstrip("0").rstrip(".")
+    return f"{round(float(number[0]), 2):.15g}"
 
 
 def _lean(text: str) -> str:
