@@ -39,6 +39,8 @@ const HINTS = {
     "One torque for each joint in N m (N where it slides), from NumPy, MATLAB, LaTeX, CSV or a spreadsheet.",
 };
 
+const FURTHER = ["frame", "first"]; // what a small judge leaves to the whole one
+
 const option = ([value, words]) => h("option", { value }, words);
 
 /** @param {Field} field @param {string} id @param {string[]} others */
@@ -85,9 +87,10 @@ export function buildForm(id, arms, given) {
       .filter(([key]) => key !== "unit")
       .map(([key, one]) => [key, box(one, idOf(key), fields[key], ...(key === "q" ? [fields.unit] : []))]),
   );
-  const hidden = [...Object.keys(given ?? {}), ...(arms.length === 1 && given ? ["arm"] : [])];
+  const hidden = given ? [...Object.keys(given), ...FURTHER, ...(arms.length === 1 ? ["arm"] : [])] : [];
   for (const key of hidden) boxes[key]?.classList.add("given");
   const asked = given ? titleOf(given, arms) : "";
+  if (given) fields.answer.rows = 6;
   const form = h(
     "form", { "aria-label": `Check an answer${asked && `: ${asked}`}` },
     asked ? h("p.asked", {}, "Judged here: ", asked) : [], Object.values(boxes),

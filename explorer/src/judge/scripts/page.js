@@ -2,7 +2,11 @@
 
 import { judges } from "../judges.js";
 import { addTools } from "../page/tools.js";
+import { ready } from "../registry.js";
 
 const script = /** @type {HTMLScriptElement} */ (document.currentScript);
 const root = new URL("..", script.src).href;
-for (const judge of judges) addTools(judge, root);
+for (const judge of judges) {
+  addTools(judge, root);
+  ready(judge.question().ask).catch(() => {}); // said when something is typed
+}
