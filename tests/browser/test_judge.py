@@ -112,11 +112,12 @@ def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(browser):
     assert page.locator("script[src$='judge.js']").count() == 0  # far away
     place = page.locator(".arm-judge").nth(1)
     place.scroll_into_view_if_needed()
+    place.locator(".verdict").wait_for()
     assert place.locator("label:visible").all_text_contents() == ["Your answer"]
-    answer = place.get_by_label("Your answer")
+    answer = place.get_by_label("Your answer", exact=True)
     answer.fill(SIX_COLUMNS)
     place.locator(".verdict", has_text="The Jacobian of Stanford arm is right").wait_for()
-    answer.fill(SIX_COLUMNS.replace("-0.154", "0.154"))
+    answer.fill(SIX_COLUMNS.replace("-0.154", "-0.254"))
     place.locator(".verdict", has_text="olumn 1 (joint 1): wrong in vx").wait_for()
     place.get_by_role("link", name="More room").click()
     verdict(page, "olumn 1 (joint 1): wrong in vx")
