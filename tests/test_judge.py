@@ -179,7 +179,9 @@ def test_the_stub_holds_its_arms_and_what_is_given():
     assert start == '<div class="arm-judge">'
     assert end.count("</script>") == 1
     start, end = judge.stub({"ask": "torques", "arm": "PANDA, UR10E", "q": "</script>"})
-    data = json.loads(end.removeprefix('<script type="application/json">').partition("</script>")[0])
+    data = json.loads(
+        end.removeprefix('<script type="application/json">').partition("</script>")[0]
+    )
     assert [arm["key"] for arm in data["arms"]] == ["PANDA", "UR10E"]
     assert data["given"] == {"ask": "torques", "q": "</script>"}
     assert start == '<div class="arm-judge small">'

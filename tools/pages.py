@@ -63,7 +63,7 @@ class LiveJudge(SphinxDirective):
     """
 
     has_content = True
-    option_spec = dict.fromkeys(("ask", "arm", "pose", "unit", "wrench"), str)  # noqa: RUF012
+    option_spec = dict.fromkeys(("ask", "arm", "pose", "unit", "wrench"), str)
 
     def run(self) -> list[nodes.Node]:
         given = {"q" if key == "pose" else key: text for key, text in self.options.items()}
