@@ -58,8 +58,8 @@ def stub(given: Mapping[str, str] | None = None) -> tuple[str, str]:
     script.
 
     `given` is what a chapter asks: `ask`, `arm` (a call such as ``PANDA.lock(3)``, or several with
-    commas), `q` and more fields of explorer/src/judge/ask.js. Raises ArmError for an arm that is not
-    in the catalogue.
+    commas), `q` and more fields of explorer/src/judge/ask.js. Raises ArmError for an arm that is
+    not in the catalogue.
     """
     given = dict(given or {})
     calls = tuple(call.strip() for call in given.pop("arm", ",".join(CALLS)).split(","))
