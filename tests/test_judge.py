@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import json
 import os
 import shutil
 
@@ -11,6 +12,7 @@ import sympy as sp
 
 from helpers import checks, symbolic
 from helpers.explorer import judge
+from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests import table_pastes
@@ -188,6 +190,9 @@ BY_LINK = [
     {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": PASTES["csv"]},
     {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
      "answer": PASTES["matlab print"]},
+    {"ask": "table", "arm": "ELBOW", "lengths": "m", "answer": table_pastes.RIGHT["craig"]},
+    {"ask": "table", "arm": "ELBOW", "angles": "deg", "columns": "a alpha d theta",
+     "convention": "standard", "answer": "0 90 0.5 q1\n0.4 0 0 q2\n0.2 0 0 q3"},
     {"ask": "torques", "arm": "PANDA", "q": "0.1 0.2 0.3 -1 0.5 0.6 0.7", "answer": '"""\\ 1'},
 ]  # fmt: skip
 
@@ -212,10 +217,19 @@ def test_the_examples_name_their_mistakes():
     arms = [judge.listed(call) for call in judge.CALLS]
     asked = [{"topic": "page", "fields": fields} for fields in judge.EXAMPLES]
     named = [causes for _, causes, *_ in in_node(arms, asked)]
-    assert named == [["J.z_i angular"], ["tau.force sign"]]
+    assert named == [["J.z_i angular"], ["tau.force sign"], ["table.craig"]]
 
 
-def test_the_stub_holds_words_and_arms():
-    html = judge.stub("Needs <a> script.")
-    assert "Needs &lt;a&gt; script." in html
-    assert html.count("</script>") == 1
+def test_the_stub_holds_its_arms_and_what_is_given():
+    start, end = judge.stub()
+    assert start == '<div class="arm-judge">'
+    assert end.count("</script>") == 1
+    start, end = judge.stub({"ask": "torques", "arm": "PANDA, UR10E", "q": "</script>"})
+    data = json.loads(
+        end.removeprefix('<script type="application/json">').partition("</script>")[0]
+    )
+    assert [arm["key"] for arm in data["arms"]] == ["PANDA", "UR10E"]
+    assert data["given"] == {"ask": "torques", "q": "</script>"}
+    assert start == '<div class="arm-judge small">'
+    with pytest.raises(ArmError, match="no arm is called 'HAL'"):
+        judge.stub({"arm": "HAL"})
