@@ -18,13 +18,14 @@ from helpers.inputs import must_be
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
 from helpers.motion.report import run_report
-from helpers.reading.sentences import listed, say, size
+from helpers.reading.sentences import listed, millimetres, say, size
 
 Array = NDArray[Any]
 
 TILT = np.radians(1.0)  # a tool that leans or spins more than this no longer counts as held
 _USUAL = 2e-3  # m: Euler's method on the homework's circle stays well below
 _JUMP = 0.3  # rad or m in one step, and ten times the usual one: another branch
+_ALIKE = 1e-9  # m: errors nearer to each other than this are the same
 
 
 def compare_trace(
@@ -221,12 +222,13 @@ def _off(path: Path, points: Array) -> Array:
 
 
 def _where(path: Path, tip: Array) -> str:
+    """The farthest point, the first of those that are equally far."""
     error = _off(path, tip)
-    k = int(error.argmax())
-    start = say("already") if error[0] > 0.5 * error[k] else f"{size(1e3 * float(error[0]))} mm"
+    k = int((error >= error.max() - _ALIKE).argmax())
+    start = say("already") if error[0] > 0.5 * error[k] else f"{millimetres(error[0])} mm"
     return say(
         "trace where",
-        error=size(1e3 * float(error[k]), 4),
+        error=millimetres(error[k], 4),
         step=k,
         steps=len(error) - 1,
         start=start,
