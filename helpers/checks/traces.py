@@ -40,8 +40,9 @@ def compare_trace(
         arm: whose joints they are.
         path: what the tip should draw, at held orientation.
         tolerance: the largest distance (m) from where the tip should be, 2 mm unless given; the
-            tool may lean or spin by 1 degree. Unless given, a run within 2 mm that shows a slip
-            (other lengths, the velocity of the next step) is wrong all the same.
+            tool may lean or spin by 1 degree, or as it likes where fewer than six joints hold it.
+            Unless given, a run within 2 mm that shows a slip (other lengths, the velocity of the
+            next step) is wrong all the same.
         angles: "deg" where yours are in degrees.
 
     Limits of range and speed are notes: the homework's own circle breaks them. Raises ArmError
@@ -194,7 +195,7 @@ def _symptoms(
     if run.position_error > allowed:
         yield Finding("step", "", None, None, _where(path, poses[:, :3, 3]))
     yield from _jumps(q, arm)
-    if run.pen_tilt > TILT:
+    if arm.dof >= 6 and run.pen_tilt > TILT:
         words = say("trace leans", degrees=size(float(np.degrees(run.pen_tilt))))
         yield Finding("trace.leans", "", None, None, words)
     elif turn.max() > TILT:

@@ -1,11 +1,11 @@
-// Is an inverse kinematics right and complete? The port of helpers/checks/branches.py: each answer is judged, and what is
-// missing is named.
+// Is an inverse kinematics right and complete? The port of helpers/checks/branches.py: each answer is judged, and what
+// is missing is named.
 
 import { jacobianColumns, joints, linkFrames, matrix } from "../kinematics.js";
 import { singular } from "../linear.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
 import { inRadians, numbers, turning } from "./door.js";
-import { formOf, inverse, rint } from "./inverse.js";
+import { asksPose, formOf, inverse, rint } from "./inverse.js";
 import { cause, nameOf, several, wordsOf } from "./ranking.js";
 import { ArmError, listed, lower, say, size } from "./say.js";
 import { double, kept, single, variable, whole } from "./slips.js";
@@ -16,8 +16,7 @@ const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
 const BY_HAND = 0.03; // rad or m: the most that rounding on the way is allowed
 const OF_ONE_STEP = ["ik.sign", "ik.plus for minus"]; // told rather than that joints of two branches are mixed
 const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are not told apart
-const LABEL =
-  /['"][^'"]*['"]\s*[,:]\s*|(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t)_?\p{Nd}\s*[=:]\s*/giu;
+const LABEL = /['"][^'"]*['"]\s*[,:]\s*|(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t)_?\p{Nd}\s*[=:]\s*/giu;
 
 /** @typedef {{ values: number[], units: number[] }} Answer a joint vector with the units of its last places */
 /** @typedef {import("./ranking.js").Cause} Cause */
@@ -30,16 +29,23 @@ const LABEL =
 
 /**
  * The report on joint vectors, a text or nested lists, for one target of an arm with a closed form: three coordinates,
- * or a frame { x, y, z, o } where a pose is asked for.
+ * or the rows of a pose where one is asked for.
+ * @param {string | any[]} mine @param {any} arm @param {any[]} target
  * @returns {import("./ranking.js").Report}
  */
 export function compareBranches(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null } = options;
-  const right = { arm, branches: inverse(arm, formOf(arm), target) };
+  const form = formOf(arm);
+  const right = { arm, branches: inverse(arm, form, asksPose(form) ? frameOf(target) : target) };
   const { answers: given, taken, typed } = answers(mine, arm, angles);
   const report = judged(right, given, angles, tolerance, taken);
   return { ...report, typed };
 }
+
+const frameOf = (rows) => {
+  const [x, y, z, o] = [0, 1, 2, 3].map((k) => rows.slice(0, 3).map((row) => row[k]));
+  return { x, y, z, o };
+};
 
 /** @returns {import("./ranking.js").Report} */
 function judged(right, given, angles, tolerance, taken) {
@@ -82,7 +88,9 @@ export function answers(mine, arm, angles) {
   return { answers: both.map((one) => inRadians(one, arm, angles)), taken, typed: read };
 }
 
-const transposed = (flat, [rows, width]) => flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
+/** @param {number[]} flat @param {number[]} shape */
+const transposed = (flat, [rows, width]) =>
+  flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
 // Answers without the names of their joints: ('theta1', 0.3) is 0.3.
 function unlabelled(mine) {
@@ -157,7 +165,8 @@ function missOf(right, q, margin) {
   const turned = q.length >= 6 ? angleBetween(frames.at(-1), target.at(-1)) : 0;
   const columns = jacobianColumns(arm, frames);
   const spread = (i) => columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * margin[k], 0);
-  const [far, wide] = [[0, 1, 2], [3, 4, 5]].map((half) => Math.max(REACHED, length(half.map(spread)))); // prettier-ignore
+  const most = (half) => Math.max(REACHED, length(half.map(spread)));
+  const [far, wide] = [most([0, 1, 2]), most([3, 4, 5])];
   return away <= far && turned <= wide ? null : [away, turned];
 }
 
@@ -166,7 +175,8 @@ const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 // The angle (rad) of the turn from one frame to another.
 export function angleBetween(here, there) {
   const [A, B] = [matrix(here), matrix(there)];
-  const R = [0, 1, 2].map((i) => [0, 1, 2].map((j) => A[0][i] * B[0][j] + A[1][i] * B[1][j] + A[2][i] * B[2][j])); // prettier-ignore
+  const entry = (i, j) => A[0][i] * B[0][j] + A[1][i] * B[1][j] + A[2][i] * B[2][j];
+  const R = [0, 1, 2].map((i) => [0, 1, 2].map((j) => entry(i, j)));
   const off = length([R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]]);
   return Math.atan2(off, R[0][0] + R[1][1] + R[2][2] - 1);
 }
@@ -196,7 +206,9 @@ function reported(right, given, tolerance, taken, everywhere) {
     findings.splice(wrong.length, 0, { what: "missing", where: "", words });
   }
   if ((found.length && found.length < branches.length) || astray.length) {
-    findings.unshift(...found.map((name) => ({ what: "found", where: name, words: say("ik found", { name }) })));
+    findings.unshift(
+      ...found.map((name) => ({ what: "found", where: name, words: say("ik found", { name }) })),
+    );
   }
   const units = given.flatMap((one) => one.units);
   const coarse = tolerance === null && units.length > 0 && Math.max(...units) > COARSE;
@@ -270,8 +282,7 @@ function wrongAnswer(right, { values, units }, number, tolerance) {
 export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).toFixed(6)), digits);
 
 const DEGREES = 180 / Math.PI;
-export const turnOf = (angle) =>
-  say("ik turn", { degrees: size(Number((angle * DEGREES).toFixed(3))) });
+export const turnOf = (angle) => say("ik turn", { degrees: size(Number((angle * DEGREES).toFixed(3))) });
 
 // What explains an answer: one slip, joints of two branches mixed, or two slips; or else the joints in no branch.
 /** @returns {{ causes: Cause[], words: string }} */

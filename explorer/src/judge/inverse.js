@@ -1,5 +1,5 @@
-// Every joint vector that takes a tip to a target, where a formula gives them all: the port of helpers/inverse (elbow, rod,
-// stanford, spherical_wrist, ur) for one target, from joints at 0. Sources stand there.
+// Every joint vector that takes a tip to a target, where a formula gives them all: the port of helpers/inverse (elbow,
+// rod, stanford, spherical_wrist, ur) for one target, from joints at 0. Sources stand there.
 
 import { cosSin, dot, linkFrames, minus, plus, scaled } from "../kinematics.js";
 import { ArmError, size } from "./say.js";
@@ -57,8 +57,7 @@ function facing(first, offset, p) {
 // The two angles of a planar pair of links that ends at (px, py); `sign` is that of sin(phi_3).
 function twoLinks(upper, fore, px, py, sign, chosen) {
   const ratio = (px * px + py * py - (upper ** 2 + fore ** 2)) * (0.5 / (upper * fore));
-  const exists =
-    Math.abs(ratio) <= 1 + (REACH * (Math.abs(upper) + Math.abs(fore))) / Math.abs(upper * fore);
+  const exists = Math.abs(ratio) <= 1 + (REACH * (Math.abs(upper) + Math.abs(fore))) / Math.abs(upper * fore);
   const cosine = clipped(ratio, -1, 1);
   const sine = Math.sqrt(1 - cosine * cosine);
   const [along, across] = [upper + fore * cosine, sign * (fore * sine)];
@@ -225,18 +224,17 @@ function urWrist(shape, plane, tool, side) {
   const half = phi6 < 0 || Object.is(phi6, -0) ? -Math.PI : Math.PI;
   const both = [
     { phi5, phi6, u, singular },
-    { phi5: -phi5, phi6: singular ? phi6 : phi6 - half, u: singular ? u : scaled2(-1, u), singular },
+    { phi5: -phi5, phi6: singular ? phi6 : phi6 - half, u: singular ? u : u.map((x) => -x), singular },
   ];
   const [x, y] = [plane.x[side], plane.y];
   return sine < UNCERTAIN ? both.map((one) => withinReach(shape, x, y, one, sine)) : both;
 }
 
-const scaled2 = (k, [x, y]) => [k * x, k * y];
-
 // Where the two links must end: the wrist's centre (x, y) in the plane less d_5 along z_4.
-function endOfLinks({ side, rows }, x, y, [ux, uy]) {
+/** @param {any} shape @param {number} x @param {number} y @param {number[]} u @returns {number[]} */
+function endOfLinks({ side, rows }, x, y, u) {
   const reach = side * rows[4].d;
-  return [x + reach * uy, y - reach * ux];
+  return [x + reach * u[1], y - reach * u[0]];
 }
 
 // Whether no turn about the wrist's centre but one leaves the links within reach.

@@ -44,12 +44,13 @@ export function circle({ centre, radius, plane, period, steps, phase = 0 }) {
 
 /**
  * The circle that begins at the tip of an arm at `start` and hangs below it; `plane` has z in it.
+ * @param {any} arm
  * @param {{ start: number[], radius: number, plane: string, period: number, steps: number }} asked
  */
-export function circleBelow(arm, { start, radius, plane, period, steps }) {
-  const [x, y, z] = linkFrames(arm, start).at(-1).o;
-  const phase = plane[0] === "z" ? 0 : Math.PI / 2;
-  return circle({ centre: [x, y, z - radius], radius, plane, period, steps, phase });
+export function circleBelow(arm, asked) {
+  const [x, y, z] = linkFrames(arm, asked.start).at(-1).o;
+  const phase = asked.plane[0] === "z" ? 0 : Math.PI / 2;
+  return circle({ ...asked, centre: [x, y, z - asked.radius], phase });
 }
 
 /** The same path in the same time, begun and ended at rest. @param {Path} path @returns {Path} */

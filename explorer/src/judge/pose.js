@@ -82,7 +82,8 @@ const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 function marginsOf(q, arm, T, share, tolerance) {
   if (tolerance !== null) return [tolerance, tolerance];
   const columns = jacobianColumns(arm, linkFrames(arm, q.values));
-  const spread = (i) => columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * (share * q.units[k]), 0);
+  const spread = (i) =>
+    columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * (share * q.units[k]), 0);
   const last = T.pose ? T.units.map((row) => row[3]) : T.units[0];
   const turn = T.pose ? 2 * share * Math.max(...T.units.flatMap((row) => row.slice(0, 3))) : 0;
   return [

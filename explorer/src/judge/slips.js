@@ -1,5 +1,5 @@
-// What slips make of right joint angles, undone: the port of helpers/checks/inverse_causes.py. Each gives the cause and the
-// angles that would have come out without it.
+// What slips make of right joint angles, undone: the port of helpers/checks/inverse_causes.py. Each gives the cause and
+// the angles that would have come out without it.
 
 import { cosSin } from "../kinematics.js";
 import { numbered, turning } from "./door.js";

@@ -1,10 +1,11 @@
-// Did these joints draw the path? The port of helpers/checks/traces.py: by the tip that they give, and by how they move.
+// Did these joints draw the path? The port of helpers/checks/traces.py: by the tip that they give, and by how they
+// move.
 
 import { dot, joints, linkFrames, norm } from "../kinematics.js";
 import { angleBetween, millimetres } from "./branches.js";
 import { RIGHT, WRONG } from "./digits.js";
 import { inRadians, numbered, numbers } from "./door.js";
-import { cause, nameOf, wordsOf } from "./ranking.js";
+import { nameOf, wordsOf } from "./ranking.js";
 import { listed, lower, say, size } from "./say.js";
 import { loopCause, offs, pathCause } from "./trace_causes.js";
 
@@ -76,7 +77,17 @@ const rowsOf = (flat, width) =>
 /** @returns {import("./ranking.js").Report} */
 function reported(arm, grade, words, taken, rest = {}) {
   const headline = say(grade === RIGHT ? "trace right" : "trace wrong", { arm: arm.name, cause: words });
-  return { topic: "trace", arm: arm.name, grade, headline, findings: [], causes: [], taken, notes: [], ...rest };
+  return {
+    topic: "trace",
+    arm: arm.name,
+    grade,
+    headline,
+    findings: [],
+    causes: [],
+    taken,
+    notes: [],
+    ...rest,
+  };
 }
 
 function misshapen({ shape }, arm, { times }) {
@@ -120,7 +131,8 @@ function* symptomsOf({ q, extra }, arm, errors, frames, turn, allowed) {
   const finding = (what, words, where = "") => ({ what, where, words });
   if (Math.max(...errors) > allowed) yield finding("step", whereOf(errors));
   yield* jumps(q, arm);
-  const lean = Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
+  const held = joints(arm).length >= 6;
+  const lean = held ? Math.max(...frames.map(({ z }) => between(z, frames[0].z))) : 0;
   const degrees = (angle) => ({ degrees: size(angle * DEGREES) });
   if (lean > TILT) yield finding("trace.leans", say("trace leans", degrees(lean)));
   else if (turn > TILT) yield finding("trace.spins", say("trace spins", degrees(turn)));

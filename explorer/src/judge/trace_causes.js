@@ -1,5 +1,5 @@
-// Why a run misses its path, the port of helpers/checks/traces_causes.py: by the shape that the tip drew, by the loop that
-// made it.
+// Why a run misses its path, the port of helpers/checks/traces_causes.py: by the shape that the tip drew, by the loop
+// that made it.
 
 import { minus, norm, plus, scaled } from "../kinematics.js";
 import { singular } from "../linear.js";
@@ -10,6 +10,7 @@ import { cause } from "./ranking.js";
 import { size } from "./say.js";
 
 const SAMPLE = 100;
+const PAIRS = [[0, 1], [0, 2], [1, 2]]; // prettier-ignore
 const CLEARLY = 0.7; // of what the right loop leaves: what another must stay below to be named
 
 /** @typedef {import("./ranking.js").Cause} Cause */
@@ -25,9 +26,9 @@ const mean = (points) =>
     points.reduce((sum, p) => plus(sum, p), [0, 0, 0]),
   );
 const shifted = (points, by) => points.map((p) => minus(p, by));
-const size2 = (points) => Math.sqrt(points.reduce((sum, p) => sum + p[0] * p[0] + p[1] * p[1] + p[2] * p[2], 0));
-const drawn = (points) =>
-  points.slice(1).reduce((sum, p, k) => sum + norm(minus(p, points[k])), 0);
+const size2 = (points) =>
+  Math.sqrt(points.reduce((sum, p) => sum + p[0] * p[0] + p[1] * p[1] + p[2] * p[2], 0));
+const drawn = (points) => points.slice(1).reduce((sum, p, k) => sum + norm(minus(p, points[k])), 0);
 
 // By the shape
 
@@ -60,14 +61,15 @@ function* shapes(path, tip, allowed) {
       [tip[0], shape[0]],
     ].map(([from, to]) => farthest(shifted(tip, from), shifted(shape, to)));
     if (Math.min(...about) <= allowed * Math.min(1, Math.max(scale, 0.1))) {
-      yield cause("trace.scaled", { _scale: size(scale, 4) });
+      yield cause("trace.scaled", { _scale: size(Number(scale.toFixed(6)), 4) });
     }
   }
   if (follows(tip.map((p) => minus(scaled(2, wanted[0]), p)))) yield cause("trace.other side");
-  for (const [i, j] of [[0, 1], [0, 2], [1, 2]]) { // prettier-ignore
+  for (const [i, j] of PAIRS) {
     const order = [0, 1, 2].map((k) => (k === i ? j : k === j ? i : k));
     const exchanged = (p) => plus(centre, order.map((k) => p[k] - middle[k])); // prettier-ignore
-    if (follows(tip.map(exchanged))) yield cause("trace.axes exchanged", { first: "xyz"[i], second: "xyz"[j] });
+    if (follows(tip.map(exchanged)))
+      yield cause("trace.axes exchanged", { first: "xyz"[i], second: "xyz"[j] });
   }
   if (otherPhase(wanted, tip, allowed)) yield cause("trace.phase");
 }
@@ -101,8 +103,7 @@ function otherPhase(wanted, tip, allowed) {
   });
 }
 
-const vector = (metres) =>
-  `(${metres.map((x) => size(rint(1e3 * x * 1e3) / 1e3 + 0)).join(", ")})`;
+const vector = (metres) => `(${metres.map((x) => size(rint(1e3 * x * 1e3) / 1e3 + 0)).join(", ")})`;
 
 // By the loop
 
@@ -126,13 +127,18 @@ export function loopCause(q, unit, arm, path) {
   const all = samples.map((sample) => left(arm, sample));
   const dof = q[0].length;
   const noise = [0, 1, 2, 3, 4, 5].map((row) => {
-    const squares = all.map(({ J }) => J.slice(row * dof, (row + 1) * dof).reduce((sum, x) => sum + x * x, 0));
+    const squares = all.map(({ J }) =>
+      J.slice(row * dof, (row + 1) * dof).reduce((sum, x) => sum + x * x, 0),
+    );
     return digits * Math.sqrt(average(squares)) + 1e-4 * speed;
   });
-  const [right, ...rules] = all[0].rules.map(([one], k) => {
-    const fails = noise.map((n, row) => Math.sqrt(average(all.map(({ rules }) => rules[k][1][row] ** 2))) / n);
+  const counted = all[0].rules.map(([one], k) => {
+    const fails = noise.map(
+      (n, row) => Math.sqrt(average(all.map(({ rules }) => rules[k][1][row] ** 2))) / n,
+    );
     return { one, left: Math.max(...fails) };
   });
+  const [right, ...rules] = counted;
   const best = rules.reduce((least, rule) => (rule.left < least.left ? rule : least));
   const fits = best.left < 1.5 || best.left * Math.max(...noise) < 0.02 * speed;
   return fits && right.left > 1.8 && best.left < CLEARLY * right.left ? best.one : null;
@@ -143,7 +149,9 @@ const average = (list) => list.reduce((sum, x) => sum + x, 0) / list.length;
 // At most so many steps, evenly spread, without the last two rows.
 function picked(rows) {
   const step = (rows - 3) / (SAMPLE - 1);
-  const found = Array.from({ length: SAMPLE }, (_, i) => (i === SAMPLE - 1 ? rows - 3 : Math.trunc(i * step)));
+  const found = Array.from({ length: SAMPLE }, (_, i) =>
+    i === SAMPLE - 1 ? rows - 3 : Math.trunc(i * step),
+  );
   return [...new Set(found)];
 }
 
@@ -156,8 +164,9 @@ function left(arm, { at, rate, now, next }) {
   /** @type {[Cause | null, number[]][]} */
   const rules = [[null, fails(J, now)]];
   rules.push([cause("trace.next velocity"), fails(J, next)]);
-  for (const [one, K] of recipes(at)) rules.push([one, fails(K, now)]);
-  for (const [one, other] of wrongTables(arm, at)) rules.push([one, fails(columns(other, framesOf(other)), now)]);
+  for (const [one, K] of recipes(at)) rules.push([/** @type {Cause} */ (one), fails(K, now)]);
+  for (const [one, other] of wrongTables(arm, at))
+    rules.push([one, fails(columns(other, framesOf(other)), now)]);
   if (at.dof > 3) {
     rules.push([cause("trace.position only"), differs(leastRates(J, at.dof, now))]);
     rules.push([cause("trace.transpose"), differs(upwards(J, at.dof, now))]);
