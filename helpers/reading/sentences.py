@@ -25,8 +25,8 @@ def size(x: float, digits: int = 3) -> str:
 
 
 def millimetres(metres: float, digits: int = 3) -> str:
-    """A length in m as so many digits of mm; below a millionth of one it is rounding."""
-    return size(round(1e3 * float(metres), 6), digits)
+    """A length in m as so many digits of mm, not below a thousandth of one."""
+    return size(round(1e3 * float(metres), 3), digits)
 
 
 def listed(words: list[str], last: str = "and") -> str:

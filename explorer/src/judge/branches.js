@@ -8,7 +8,7 @@ import { inRadians, numbers, turning } from "./door.js";
 import { asksPose, formOf, inverse, rint } from "./inverse.js";
 import { cause, nameOf, several, wordsOf } from "./ranking.js";
 import { ArmError, listed, lower, say, size } from "./say.js";
-import { double, kept, single, variable, whole } from "./slips.js";
+import { double, kept, scales, single, variable, whole } from "./slips.js";
 
 const EXACT = 1e-4; // rad or m: answers copied from paper with four decimals still count
 const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
@@ -23,8 +23,8 @@ const LABEL = /['"][^'"]*['"]\s*[,:]\s*|(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t)_?\
 /** @typedef {import("./ranking.js").Finding} Finding */
 
 /**
- * The right answers.
- * @typedef {{ arm: any, branches: import("./inverse.js").Branch[] }} Right
+ * The right answers, and how many there are with those that fall together.
+ * @typedef {{ arm: any, branches: import("./inverse.js").Branch[], count: number }} Right
  */
 
 /**
@@ -36,7 +36,7 @@ const LABEL = /['"][^'"]*['"]\s*[,:]\s*|(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t)_?\
 export function compareBranches(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null } = options;
   const form = formOf(arm);
-  const right = { arm, branches: inverse(arm, form, asksPose(form) ? frameOf(target) : target) };
+  const right = apart(arm, inverse(arm, form, asksPose(form) ? frameOf(target) : target));
   const { answers: given, taken, typed } = answers(mine, arm, angles);
   const report = judged(right, given, angles, tolerance, taken);
   return { ...report, typed };
@@ -47,16 +47,35 @@ const frameOf = (rows) => {
   return { x, y, z, o };
 };
 
+// The branches that there are, those that fall together taken once.
+/** @returns {Right} */
+function apart(arm, branches) {
+  const same = (p, q) => gapOf(arm, p, q).every((x) => x < REACHED);
+  const once = branches.filter(({ q }, n) => !branches.slice(0, n).some((other) => same(q, other.q)));
+  return { arm, branches: once, count: branches.length };
+}
+
 /** @returns {import("./ranking.js").Report} */
 function judged(right, given, angles, tolerance, taken) {
-  const found = right.branches.length && given.length && angles === "rad";
-  if (found && !hitsOf(right, given, tolerance).hits.size) {
-    const degrees = given.map((one) => inRadians(one, right.arm, "deg"));
-    if (hitsOf(right, degrees, tolerance).hits.size) {
-      return reported(right, degrees, tolerance, taken, cause("ik.degrees"));
-    }
-  }
-  return reported(right, given, tolerance, taken, null);
+  const degrees = angles === "rad" ? onlyAsDegrees(right, given, tolerance) : null;
+  return degrees
+    ? reported(right, degrees, tolerance, taken, cause("ik.degrees"))
+    : reported(right, given, tolerance, taken, null);
+}
+
+// The answers taken as degrees, where they are branches so and none is as typed; null where they are not, or are so
+// small that zero is as near to the branch.
+/** @returns {Answer[] | null} */
+function onlyAsDegrees(right, given, tolerance) {
+  const { arm, branches } = right;
+  if (!branches.length || !given.length || hitsOf(right, given, tolerance).hits.size) return null;
+  const degrees = given.map((one) => inRadians(one, arm, "deg"));
+  const turns = turning(arm);
+  const tells = ([k, number]) => {
+    const zero = given[number - 1].values.map((x, i) => (turns[i] ? 0 : x));
+    return !matches(right, zero, marginsOf(degrees[number - 1].units, tolerance, true)).includes(k);
+  };
+  return [...hitsOf(right, degrees, tolerance).hits].some(tells) ? degrees : null;
 }
 
 /**
@@ -210,8 +229,7 @@ function reported(right, given, tolerance, taken, everywhere) {
       ...found.map((name) => ({ what: "found", where: name, words: say("ik found", { name }) })),
     );
   }
-  const units = given.flatMap((one) => one.units);
-  const coarse = tolerance === null && units.length > 0 && Math.max(...units) > COARSE;
+  const coarse = tolerance === null && tooCoarse(right, given);
   const unfinished = missing.length > 0 || coarse;
   const grade = everywhere || astray.length ? WRONG : unfinished ? SO_FAR : sharp ? RIGHT : ROUNDED;
   if (everywhere) findings.unshift({ what: "cause", where: "", words: `${wordsOf(everywhere)}.` });
@@ -223,7 +241,7 @@ function reported(right, given, tolerance, taken, everywhere) {
     findings,
     causes: everywhere ? [nameOf(everywhere)] : [...new Set(all)],
     taken,
-    notes: [...freeJoints(right)],
+    notes: [...notesOf(right)],
     figures: { found, right: found.length, of: branches.length, wrong: astray.length },
   };
 }
@@ -257,7 +275,14 @@ function oneSign({ arm, branches }, hits, missing, found) {
   return [{ what: "ik.one sign", where: "", words: say("ik.one sign", { joint: variable(arm)[k] }) }];
 }
 
-function* freeJoints({ arm, branches }) {
+// Whether an answer has too few digits to tell, and is not exact all the same, as whole degrees may be.
+function tooCoarse(right, given) {
+  const exact = (values) => matches(right, values, values.map(() => REACHED)).length > 0; // prettier-ignore
+  return given.some(({ values, units }) => Math.max(...units) > COARSE && !exact(values));
+}
+
+function* notesOf({ arm, branches, count }) {
+  if (branches.length < count) yield say("ik together", { count: branches.length, all: count });
   for (const [k, joint] of variable(arm).entries()) {
     if (branches.some(({ free }) => free[k])) yield say("ik free", { joint });
   }
@@ -269,7 +294,7 @@ function wrongAnswer(right, { values, units }, number, tolerance) {
   const where = `answer ${number}`;
   const plainly = (key) => ({ causes: [], finding: { what: "answer", where, words: say(key, { number }) } });
   if (!right.branches.length) return plainly("ik no branch");
-  const miss = missOf(right, values, margin);
+  const miss = missOf(right, values, units.map(() => 0)); // prettier-ignore
   if (!miss) return plainly("ik unlisted");
   const { causes, words } = why(right, values, margin);
   const turn = values.length >= 6 ? turnOf(miss[1]) : "";
@@ -278,8 +303,8 @@ function wrongAnswer(right, { values, units }, number, tolerance) {
   return { causes, finding: { what: causes.length ? nameOf(causes[0]) : "answer", where, words: said } };
 }
 
-// A length in m as millimetres; below a nanometre it is rounding.
-export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).toFixed(6)), digits);
+// A length in m as so many digits of mm, not below a thousandth of one.
+export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).toFixed(3)), digits);
 
 const DEGREES = 180 / Math.PI;
 export const turnOf = (angle) => say("ik turn", { degrees: size(Number((angle * DEGREES).toFixed(3))) });
@@ -296,12 +321,14 @@ function why(right, q, margin) {
     yield* kept(arm, q, branches.map((branch) => branch.q)); // prettier-ignore
   };
   for (const slips of [first(), double(arm, q)]) {
-    const found = fitting(right, slips, margin);
+    const found = fitting(right, q, slips, margin);
     if (found.length) return slipped(right, found, mixed);
     if (mixed) return { causes: [mixed.cause], words: mixed.words };
   }
   const astray = variable(arm).filter((_, k) => !fits.some((row) => row[k]));
-  return { causes: [], words: say("ik in no branch", { joints: listed(astray.length ? astray : ["q"]) }) };
+  const fields = { joints: listed(astray.length ? astray : ["q"]) };
+  const words = astray.length > 1 ? say("ik in no branch", fields) : say("ik one in no branch", fields);
+  return { causes: [], words };
 }
 
 function slipped({ branches }, found, mixed) {
@@ -313,13 +340,19 @@ function slipped({ branches }, found, mixed) {
   return { causes: [...causes, mixed.cause], words: say("ik or mixed", { words, mixed: mixed.words }) };
 }
 
-// The slips without which an answer would be a branch, and which.
+// The slips without which an answer would be a branch, and which; none that helps by less than half, nor a scale where
+// zero would fit as well.
 /** @returns {[Cause, number][]} */
-function fitting({ arm, branches }, slips, margin) {
+function fitting({ arm, branches }, q, slips, margin) {
+  const fits = (gap) => gap.every((x, k) => x <= 1.5 * margin[k]);
+  const before = branches.map((branch) => Math.max(...gapOf(arm, q, branch.q)));
   const found = [];
   for (const [one, mended] of slips) {
-    branches.forEach(({ q }, b) => {
-      if (gapOf(arm, mended, q).every((x, k) => x <= 1.5 * margin[k])) found.push([one, b]);
+    branches.forEach((branch, b) => {
+      const gap = gapOf(arm, mended, branch.q);
+      if (!fits(gap) || Math.max(...gap) > 0.5 * before[b]) return;
+      const zero = () => mended.map((x, k) => (x === q[k] ? x : 0));
+      if (!scales(one) || !fits(gapOf(arm, zero(), branch.q))) found.push([one, b]);
     });
   }
   return found;

@@ -6,7 +6,7 @@ import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
 import { lookup, numbers, numbered } from "./door.js";
 import { cause, nameOf, several } from "./ranking.js";
 import { ArmError, listed, lower, say } from "./say.js";
-import { double, single, variable, whole } from "./slips.js";
+import { double, scale, scales, single, variable, whole } from "./slips.js";
 
 const EXACT = 1e-6; // m or rad
 const COARSE = 2e-3; // rad or m: angles with fewer decimals are taken as meant, unless that fails
@@ -53,7 +53,7 @@ function judged(q, arm, T, tolerance, taken) {
   const margin = marginsOf(fine, arm, T, HAND, tolerance);
   if (within(miss, margin)) return good(ROUNDED, "pose rounded");
   const off = say("ik off", { millimetres: millimetres(miss[0]), turn: T.pose ? turnOf(miss[1]) : "" });
-  const found = causesOf(q, arm, T, margin);
+  const found = causesOf(q, arm, T, margin, miss, tolerance);
   if (found.length) {
     const words = several(found);
     const headline = say("pose cause", { arm: arm.name, off, cause: lower(words) });
@@ -94,13 +94,24 @@ function marginsOf(q, arm, T, share, tolerance) {
 
 const within = (miss, margin) => miss[0] <= margin[0] && miss[1] <= margin[1];
 
-// The single slips that explain a miss, or else the first pair that does.
-function causesOf(q, arm, T, margin) {
+// The single slips that explain a miss, or else the first pair that does; none that helps by less than half, nor a
+// scale where zero would fit as well.
+function causesOf(q, arm, T, margin, miss, tolerance) {
   const found = [];
+  const half = margin.map((most, i) => Math.min(most, Math.max(miss[i] / 2, EXACT)));
   for (const [one, other, values, target] of slips(q.values, arm, T)) {
     const pair = one.keys.length > 1;
     if (pair && found.length) break;
-    if (!within(missOf(linkFrames(other, values).at(-1), target), margin)) continue;
+    const reaches = (it, at, goal, least) => within(missOf(linkFrames(it, at).at(-1), goal), least);
+    let least = half;
+    if (scales(one)) {
+      const factor = scale(one, arm);
+      const meant = { values, units: q.units.map((u, k) => u * factor[k]) };
+      least = marginsOf(meant, arm, T, HAND, tolerance);
+      const zero = values.map((x, k) => (x === q.values[k] ? x : 0));
+      if (reaches(arm, zero, target, least)) continue;
+    }
+    if (!reaches(other, values, target, least)) continue;
     found.push(one);
     if (pair) break;
   }

@@ -16,7 +16,10 @@ const JOINT = [
   ["ik.offset", (x) => x - Math.PI / 2],
 ];
 
-/** @typedef {[import("./ranking.js").Cause, number[]]} Slip */
+const SCALES = { "ik.slide in millimetres": 1e-3, "ik.slide in centimetres": 1e-2 };
+
+/** @typedef {import("./ranking.js").Cause} Cause */
+/** @typedef {[Cause, number[]]} Slip */
 
 export const variable = (arm) => numbered(arm).map((i) => `q_${i}`);
 const changed = (q, k, x) => q.map((value, i) => (i === k ? x : value));
@@ -47,6 +50,18 @@ export function* whole(arm, q) {
     const joints = which.map((k) => names[k]).join(", ");
     yield [cause("ik.signs", { joints }), q.map((x, k) => (which.includes(k) ? -x : x))];
   }
+}
+
+// Whether a slip only scales joints, so that near zero it cannot be told.
+/** @param {Cause} one */
+export const scales = ({ keys }) => keys.some((key) => key in SCALES || key === "ik.degrees");
+
+// What such a slip's units are worth, by joint.
+/** @param {Cause} one */
+export function scale({ keys }, arm) {
+  const slide = SCALES[keys.find((key) => key in SCALES)] ?? 1;
+  const turn = keys.includes("ik.degrees") ? Math.PI / 180 : 1;
+  return turning(arm).map((turns) => (turns ? turn : slide));
 }
 
 /** Slips in one joint, or in one step of a closed form. @returns {Generator<Slip>} */

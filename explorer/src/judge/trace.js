@@ -34,14 +34,20 @@ export function compareTrace(mine, arm, path, options = {}) {
   if (!run) return misshapen(typed, arm, path);
   const cut = { ...path, times: path.times.slice(0, run.q.length) };
   const allowed = tolerance ?? USUAL;
-  const meant = run.q.map((row) => inRadians({ values: row, units: row }, arm, "deg").values);
-  const tips = (q) => q.map((row) => linkFrames(arm, row).at(-1).o);
-  if (angles === "rad" && Math.max(...offs(cut.times.map(cut.position), tips(meant))) <= allowed) {
+  if (angles === "rad" && onlyAsDegrees(run, arm, cut, allowed)) {
     const words = say("trace.degrees");
     const findings = [{ what: "cause", where: "", words }];
     return reported(arm, WRONG, lower(words), run.taken, { findings, causes: ["trace.degrees"] });
   }
   return judged(run, arm, cut, allowed, tolerance !== null);
+}
+
+// Whether joints follow the path in degrees, and not in radians.
+function onlyAsDegrees({ q }, arm, path, allowed) {
+  const wanted = path.times.map(path.position);
+  const follows = (rows) =>
+    Math.max(...offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o))) <= allowed; // prettier-ignore
+  return follows(q.map((row) => inRadians({ values: row, units: row }, arm, "deg").values)) && !follows(q);
 }
 
 // A row per step: columns turned round, a leading column of times or zeros dropped, one step too many cut, and said.
