@@ -95,6 +95,11 @@ def test_few_digits_cost_a_little_and_joint_values_beyond_the_limits_count_for_n
     every = elbow(sheet.arm.with_rows(ELBOW.rows), target)
     assert len(every.q) == 4
     assert mark_sheet(sheet, {"q": half.tolist()}, store.Rules())[0].credit == 1
+    in_degrees = {"q": np.degrees(half).round(2).tolist()}
+    (degrees,) = mark_sheet(sheet, in_degrees, store.Rules())
+    assert (degrees.credit, degrees.causes) == (0, ("ik.degrees",))
+    (priced,) = mark_sheet(sheet, in_degrees, store.Rules(causes={"ik.degrees": 0.8}))
+    assert priced.credit == 0.8
     (beyond,) = mark_sheet(sheet, {"q": every.q.tolist()}, store.Rules())
     assert beyond.credit < 1
     (alone,) = mark_sheet(sheet, {"q": every.q[every.q[:, 2] < 0].tolist()}, store.Rules())

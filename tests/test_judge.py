@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import json
 import os
 import shutil
 
@@ -11,6 +12,7 @@ import sympy as sp
 
 from helpers import checks, symbolic
 from helpers.explorer import judge
+from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests.judge_words import different, in_node, page_words, python_words, questions
@@ -172,7 +174,16 @@ def test_the_examples_name_their_mistakes():
     assert named == [["J.z_i angular"], ["tau.force sign"]]
 
 
-def test_the_stub_holds_words_and_arms():
-    html = judge.stub("Needs <a> script.")
-    assert "Needs &lt;a&gt; script." in html
-    assert html.count("</script>") == 1
+def test_the_stub_holds_its_arms_and_what_is_given():
+    start, end = judge.stub()
+    assert start == '<div class="arm-judge">'
+    assert end.count("</script>") == 1
+    start, end = judge.stub({"ask": "torques", "arm": "PANDA, UR10E", "q": "</script>"})
+    data = json.loads(
+        end.removeprefix('<script type="application/json">').partition("</script>")[0]
+    )
+    assert [arm["key"] for arm in data["arms"]] == ["PANDA", "UR10E"]
+    assert data["given"] == {"ask": "torques", "q": "</script>"}
+    assert start == '<div class="arm-judge small">'
+    with pytest.raises(ArmError, match="no arm is called 'HAL'"):
+        judge.stub({"arm": "HAL"})

@@ -248,7 +248,7 @@ def _report(
     named += [f.what for f in one_sided]
     figures = {
         "found": tuple(found),
-        "right": len(found),
+        "right": 0 if whole else len(found),  # as they were typed
         "of": len(right.names),
         "wrong": len(astray),
     }
