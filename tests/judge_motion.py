@@ -1,5 +1,5 @@
-"""Questions on joint angles and on runs for tests/judge_words.py: right ones, the corpus's mistakes and
-those of the catalogues.
+"""Questions on joint angles and on runs for tests/judge_words.py: right ones, the corpus's mistakes
+and those of the catalogues.
 """
 
 import math
@@ -181,14 +181,16 @@ def _typed(rng, arm: Arm, mine: np.ndarray, options: dict):
     pairs = [[(f"theta_{i}", x) for i, x in enumerate(row, 1)] for row in words]
     forms = {
         "text": lambda: "[" + ", ".join(str(row).replace("'", "") for row in words) + "]",
-        "dict": lambda: "["
-        + ",\n".join("{" + ", ".join(f"'{n}': {x}" for n, x in row) + "}" for row in pairs)
-        + "]",
+        "dict": lambda: (
+            "["
+            + ",\n".join("{" + ", ".join(f"'{n}': {x}" for n, x in row) + "}" for row in pairs)
+            + "]"
+        ),
         "rows": lambda: "\n".join(", ".join(f"{n} = {x}" for n, x in row) for row in pairs),
         "matlab": lambda: "[" + "; ".join(" ".join(row) for row in words) + "]",
-        "latex": lambda: r"\begin{pmatrix}"
-        + r" \\ ".join(" & ".join(row) for row in words)
-        + r"\end{pmatrix}",
+        "latex": lambda: (
+            r"\begin{pmatrix}" + r" \\ ".join(" & ".join(row) for row in words) + r"\end{pmatrix}"
+        ),
         "tabs": lambda: "\n".join("\t".join(row) for row in words),
     }
     return forms[form]()
@@ -208,7 +210,7 @@ def _as_text(rng, T):
 
 
 def trace_questions(rng, count: int) -> Asked:
-    """Runs of Euler's method on circles, right and by the mistakes of the catalogue, in any form."""
+    """Runs of Euler's method on circles, right and by mistakes of the catalogue, in any form."""
     arms = (PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, ELBOW, STANFORD)
     for _ in range(count):
         arm = arms[int(rng.integers(len(arms)))]

@@ -7,6 +7,7 @@ import { compareBranches } from "../explorer/src/judge/branches.js";
 import { circle, circleBelow, restToRest } from "../explorer/src/judge/path.js";
 import { comparePose } from "../explorer/src/judge/pose.js";
 import "../explorer/src/judge/scripts/jacobian.js";
+import "../explorer/src/judge/scripts/motion.js";
 import { compareTrace } from "../explorer/src/judge/trace.js";
 
 const { sentences, arms, questions } = JSON.parse(readFileSync(0, "utf8"));

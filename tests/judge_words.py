@@ -150,16 +150,16 @@ QUESTIONS = {
     "corpus's traces": judge_motion.stored_traces,
 }
 SHARES = {
-    "jacobian": 0.65,
-    "torques": 0.15,
-    "corpus's torques": 0.15,
-    "formula": 0.05,
-    "branches": 0.3,
-    "corpus's branches": 0.2,
-    "pose": 0.3,
-    "corpus's poses": 0.2,
-    "trace": 0.1,
-    "corpus's traces": 0.02,
+    "jacobian": 0.4,
+    "torques": 0.1,
+    "corpus's torques": 0.1,
+    "formula": 0.03,
+    "branches": 0.1,
+    "corpus's branches": 0.07,
+    "pose": 0.1,
+    "corpus's poses": 0.05,
+    "trace": 0.04,
+    "corpus's traces": 0.01,
 }
 
 

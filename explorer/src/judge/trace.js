@@ -27,9 +27,17 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
  * @param {string | any[]} mine @param {any} arm @param {Path} path
  * @returns {import("./ranking.js").Report}
  */
-export function compareTrace(mine, arm, path, options = {}) {
-  const { angles = "rad", tolerance = null } = options;
-  const typed = numbers(mine, `${arm.name}: your joints`);
+export const compareTrace = (mine, arm, path, options = {}) =>
+  judgedTrace(readTrace(mine, arm), arm, path, options);
+
+// The joints as they were handed in.
+export const readTrace = (mine, arm) => numbers(mine, `${arm.name}: your joints`);
+
+/**
+ * @param {import("./door.js").Typed} typed @param {any} arm @param {Path} path
+ * @returns {import("./ranking.js").Report}
+ */
+export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null } = {}) {
   const run = upright(typed, arm, path.times.length, angles);
   if (!run) return misshapen(typed, arm, path);
   const cut = { ...path, times: path.times.slice(0, run.q.length) };
