@@ -148,7 +148,9 @@ def _causes(
     for c, other, values, target in _slips(q.values, arm, T.values):
         if len(c.keys) > 1 and found:
             break
-        least = [min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)]
+        least: Sequence[float] = [
+            min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)
+        ]
         if inverse_causes.scales(c):
             typed = Typed(values, q.units * inverse_causes.scale(c, arm))
             least = _margins(typed, arm, T, HAND, tolerance)
