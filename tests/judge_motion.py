@@ -11,8 +11,9 @@ import numpy as np
 from helpers import checks, inverse
 from helpers.arm import Arm, prismatic, revolute
 from helpers.checks import inverse_causes
-from helpers.checks.chains import alike, chain, columns
+from helpers.checks.chains import chain, columns
 from helpers.checks.jacobian_causes import wrong_recipes, wrong_tables
+from helpers.checks.lengths import wrong_lengths
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion import circle, circle_below, rest_to_rest
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
@@ -98,12 +99,8 @@ def pose_questions(rng, count: int) -> Asked:
     for _ in range(count):
         arm = _ARMS[int(rng.integers(len(_ARMS)))]
         q = _somewhere(rng, arm)
-        other = arm
-        if rng.random() < 0.1 and dict(arm.values).get("l_pen"):
-            other = arm.with_values(l_pen=0)
-        elif rng.random() < 0.1 and alike(arm):
-            m, n = alike(arm)[0]
-            other = arm.with_values(**{m: dict(arm.values)[n]})
+        others = [other for _, other in wrong_lengths(arm)]
+        other = others[int(rng.integers(len(others)))] if others and rng.random() < 0.2 else arm
         T = _wrong_pose(rng, forward_kinematics(other, q))
         d = int(rng.choice([2, 3, 4, 6, 16]))
         target = np.round(T if rng.random() < 0.7 else T[:3, 3], d).tolist()
