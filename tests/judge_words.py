@@ -24,6 +24,7 @@ from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
+from tests import judge_motion
 from tests.corpus import jacobians, tables, torques
 from tests.corpus.typing_ import typed
 
@@ -162,18 +163,32 @@ QUESTIONS = {
     "corpus's torques": stored_questions,
     "formula": formula_questions,
     "table": table_questions,
+    "branches": judge_motion.branch_questions,
+    "corpus's branches": judge_motion.stored_branches,
+    "pose": judge_motion.pose_questions,
+    "corpus's poses": lambda rng, count: judge_motion.stored_poses(rng, count, arm_of),
+    "trace": judge_motion.trace_questions,
+    "corpus's traces": judge_motion.stored_traces,
 }
 SHARES = {
-    "jacobian": 0.35,
-    "torques": 0.1,
-    "corpus's torques": 0.1,
-    "formula": 0.05,
-    "table": 0.4,
+    "jacobian": 0.25,
+    "torques": 0.08,
+    "corpus's torques": 0.07,
+    "formula": 0.03,
+    "table": 0.25,
+    "branches": 0.1,
+    "corpus's branches": 0.05,
+    "pose": 0.08,
+    "corpus's poses": 0.04,
+    "trace": 0.04,
+    "corpus's traces": 0.01,
 }
 
 
-def questions(rng, count: int) -> list[tuple[Arm, dict]]:
-    """So many of every kind."""
+def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]]:
+    """So many of every kind, or of one."""
+    if only:
+        return list(QUESTIONS[only](rng, count))
     return [
         pair for kind, make in QUESTIONS.items() for pair in make(rng, round(count * SHARES[kind]))
     ]
@@ -181,14 +196,15 @@ def questions(rng, count: int) -> list[tuple[Arm, dict]]:
 
 def python_words(arm: Arm, question: dict) -> list:
     """What the checkers say: grade, causes, words."""
-    calls = {
-        "jacobian": checks.compare_jacobian,
-        "torques": checks.compare_torques,
-        "table": checks.compare_tables,
-    }
-    given = [question["q"]] if "q" in question else []
+    calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
+    topic = question["topic"]
     try:
-        report = calls[question["topic"]](question["typed"], arm, *given, **question["options"])
+        if topic in judge_motion.SAYS:
+            report = judge_motion.SAYS[topic](question["typed"], arm, question)
+        elif topic == "table":
+            report = checks.compare_tables(question["typed"], arm, **question["options"])
+        else:
+            report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
         return ["refused", [], str(error)]
     return [report.grade, list(report.causes), str(report)]
@@ -232,11 +248,12 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--seed", type=int, default=18)
     parser.add_argument("--cases", type=int, default=1000)
+    parser.add_argument("--only", choices=QUESTIONS)
     given = parser.parse_args()
     rng = np.random.default_rng(given.seed)
     asked, odd = 0, 0
     while asked < given.cases:
-        some = questions(rng, min(_AT_ONCE, given.cases - asked))
+        some = questions(rng, min(_AT_ONCE, given.cases - asked), given.only)
         found = different(some)
         asked, odd = asked + len(some), odd + len(found)
         print(f"{asked} questions, {odd} with different words", flush=True)
