@@ -1,6 +1,6 @@
 """Do these joint angles reach that pose? For any arm, also where the book has no closed form."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -9,13 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.checks import door, inverse_causes
 from helpers.checks.branches import answers
-from helpers.checks.chains import alike
 from helpers.checks.digits import HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG, Typed
+from helpers.checks.lengths import wrong_lengths
 from helpers.checks.ranking import Cause, cause, lower, several
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.reading.sentences import listed, say, size
+from helpers.reading.sentences import listed, millimetres, say, size
 
 Array = NDArray[Any]
 
@@ -76,8 +76,8 @@ def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Rep
                 notes,
                 figures,
             )
-    off = say("ik off", millimetres=size(1e3 * miss[0]), turn=_turn(T, miss[1]))
-    found = _causes(q, arm, T, margin)
+    off = say("ik off", millimetres=millimetres(miss[0]), turn=_turn(T, miss[1]))
+    found = _causes(q, arm, T, margin, miss, tolerance)
     if not found and _within(miss, _margins(q, arm, T, HALF, tolerance)):
         return Report(
             "pose",
@@ -134,17 +134,30 @@ def _margins(
     ) + turn
 
 
-def _within(miss: tuple[float, float], margin: tuple[float, float]) -> bool:
+def _within(miss: tuple[float, float], margin: Sequence[float]) -> bool:
     return miss[0] <= margin[0] and miss[1] <= margin[1]
 
 
-def _causes(q: Typed, arm: Arm, T: Typed, margin: tuple[float, float]) -> tuple[Cause, ...]:
-    """The single slips that explain a miss, or else the first pair that does."""
+def _causes(
+    q: Typed, arm: Arm, T: Typed, margin, miss: tuple[float, float], tolerance: float | None
+) -> tuple[Cause, ...]:
+    """The single slips that explain a miss, or else the first pair that does; none that helps by
+    less than half, nor a scale where zero would fit as well.
+    """
     found: list[Any] = []
     for c, other, values, target in _slips(q.values, arm, T.values):
         if len(c.keys) > 1 and found:
             break
-        if _within(_miss(forward_kinematics(other, values), target), margin):
+        least: Sequence[float] = [
+            min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)
+        ]
+        if inverse_causes.scales(c):
+            typed = Typed(values, q.units * inverse_causes.scale(c, arm))
+            least = _margins(typed, arm, T, HAND, tolerance)
+            zero = forward_kinematics(arm, np.where(values == q.values, q.values, 0.0))
+            if _within(_miss(zero, target), least):
+                continue
+        if _within(_miss(forward_kinematics(other, values), target), least):
             found.append(c)
             if len(c.keys) > 1:
                 break
@@ -156,11 +169,8 @@ def _slips(q: Array, arm: Arm, T: Array) -> Iterator[tuple[Cause, Arm, Array, Ar
         yield cause(key), arm, q, _scaled(T, factor)
     for c, mended in (*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)):
         yield c, arm, mended, T
-    values = dict(arm.values)
-    if values.get("l_pen"):
-        yield cause("table.pen"), arm.with_values(l_pen=0), q, T
-    for m, n in alike(arm):
-        yield cause("table.length", name=m, other=n), arm.with_values(**{m: values[n]}), q, T
+    for found, other in wrong_lengths(arm):
+        yield found, other, q, T
     if T.ndim == 2:
         yield cause("pose.transposed"), arm, q, _rotated(T, T[:3, :3].T)
         for axis in range(3):
