@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.checks import door, inverse_causes
 from helpers.checks.branches import answers
-from helpers.checks.chains import alike
 from helpers.checks.digits import HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG, Typed
+from helpers.checks.lengths import wrong_lengths
 from helpers.checks.ranking import Cause, cause, lower, several
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
@@ -167,11 +167,8 @@ def _slips(q: Array, arm: Arm, T: Array) -> Iterator[tuple[Cause, Arm, Array, Ar
         yield cause(key), arm, q, _scaled(T, factor)
     for c, mended in (*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)):
         yield c, arm, mended, T
-    values = dict(arm.values)
-    if values.get("l_pen"):
-        yield cause("table.pen"), arm.with_values(l_pen=0), q, T
-    for m, n in alike(arm):
-        yield cause("table.length", name=m, other=n), arm.with_values(**{m: values[n]}), q, T
+    for found, other in wrong_lengths(arm):
+        yield found, other, q, T
     if T.ndim == 2:
         yield cause("pose.transposed"), arm, q, _rotated(T, T[:3, :3].T)
         for axis in range(3):

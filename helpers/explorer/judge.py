@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from helpers import robots
 from helpers.arm import Arm
-from helpers.checks.chains import alike
+from helpers.checks.lengths import alike
 from helpers.explorer.data import Data, arm_data
 from helpers.inputs import ArmError
 
@@ -83,7 +83,7 @@ def judged_data(arm: Arm) -> Data:
     """An arm for explorer/src/judge: `arm_data`, its values by name, the arm without its pen, and
     for lengths that are near each other the arm with one taken for the other.
     """
-    values = dict(arm.values)
+    values = arm.values
     found = {**arm_data(arm), "values": [[name, float(x)] for name, x in values.items()]}
     if values.get("l_pen"):
         found["penless"] = arm_data(arm.with_values(l_pen=0))
