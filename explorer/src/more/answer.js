@@ -1,7 +1,7 @@
 // The arm beside the judge: at the pose that is asked about, with what is wrong in red. Where a column of a Jacobian is
 // wrong, its joint moves a little, the arm truly and a ghost of its tip as the column claims.
 
-import { calm, h, write } from "../dom.js";
+import { calm, h } from "../dom.js";
 import { joints, linkFrames, minus, plus, scaled } from "../kinematics.js";
 import { freed } from "../renderer.js";
 import { along, ArmShape, ball, ghostMaterial, paint, rod, Triad, tube } from "../shapes.js";
