@@ -15,7 +15,7 @@ from helpers.checks.ranking import Cause, cause, lower, several
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.reading.sentences import listed, say, size
+from helpers.reading.sentences import listed, millimetres, say, size
 
 Array = NDArray[Any]
 
@@ -76,7 +76,7 @@ def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Rep
                 notes,
                 figures,
             )
-    off = say("ik off", millimetres=size(round(1e3 * miss[0], 3)), turn=_turn(T, miss[1]))
+    off = say("ik off", millimetres=millimetres(miss[0]), turn=_turn(T, miss[1]))
     found = _causes(q, arm, T, margin, miss, tolerance)
     if not found and _within(miss, _margins(q, arm, T, HALF, tolerance)):
         return Report(
@@ -148,7 +148,9 @@ def _causes(
     for c, other, values, target in _slips(q.values, arm, T.values):
         if len(c.keys) > 1 and found:
             break
-        least = [min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)]
+        least: Sequence[float] = [
+            min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)
+        ]
         if inverse_causes.scales(c):
             typed = Typed(values, q.units * inverse_causes.scale(c, arm))
             least = _margins(typed, arm, T, HAND, tolerance)

@@ -30,11 +30,27 @@ const FIELDS = {
     label: "Wrench on the tool, by the world", whole: true,
     hint: "Fx, Fy, Fz in N, Mx, My, Mz in N m, in base axes; empty for none. Gravity is 9.81 m/s² down.",
   },
+  target: {
+    label: "Where the tip should be", rows: 4, whole: true,
+    hint: "A point x, y, z in m, or a pose: its three or four rows, in base axes.",
+  },
+  radius: { label: "Radius of the circle below the tip, in m" },
+  plane: {
+    label: "Its plane",
+    choices: [["zy", "towards +y first"], ["yz", "towards −y"], ["zx", "towards +x"], ["xz", "towards −x"]],
+  },
+  period: { label: "Time for it, in s" },
+  steps: { label: "Steps", hint: "Empty: as many as your answer has." },
+  pace: { label: "Pace", choices: [["even", "even"], ["rest", "from rest to rest"]] },
   answer: { label: "Your answer", hint: "", rows: 8, whole: true },
 }; // prettier-ignore
 const HINTS = {
   jacobian:
     "Numbers or formulas in q_1, c_1, s_23, …: NumPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet cells.",
+  branches:
+    "A row for each answer, angles in the joints' order; names such as theta1 = may stand before them.",
+  pose: "One value for each joint, in the joints' order; names such as theta1 = may stand before them.",
+  trace: "A row for each time, one value for each joint, from CSV, MATLAB, NumPy or a spreadsheet.",
   torques:
     "One torque for each joint in N m (N where it slides), from NumPy, MATLAB, LaTeX, CSV or a spreadsheet.",
 };
