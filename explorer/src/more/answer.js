@@ -103,7 +103,7 @@ class Overlay {
     this.drawn = now;
     this.made.forEach(freed);
     this.made = this.pieces(shown, claim, share);
-    picture.world.add(...this.made);
+    for (const piece of this.made) picture.world.add(piece);
     picture.figure.request();
   }
 

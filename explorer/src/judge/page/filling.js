@@ -1,12 +1,13 @@
 // An answer filled in cell by cell instead of pasted. What is filled in becomes the text of the answer, which the judge
 // reads as it reads all others.
 
-import { h } from "../../dom.js";
+import { h, write } from "../../dom.js";
 import { joints } from "../../kinematics.js";
 import { cells } from "../grid.js";
 import { ArmError } from "../say.js";
 import { matrixOf, namesOf } from "../shown.js";
 
+const [GRID, TEXT] = ["Fill in a grid", "Type or paste instead"];
 const MOST = 12; // rows, of those that a reader adds
 const STEPS = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1], Enter: [1, 0] };
 const SIZES = {
@@ -69,7 +70,7 @@ export function addFilling(judge) {
     { role: "group", "aria-label": "Your answer, cell by cell", hidden: true },
     table,
   );
-  const button = h("button.plain", { type: "button", "aria-pressed": "false" }, "Fill in a grid");
+  const button = h("button", { type: "button" }, GRID);
   const head = h("div.over", {}, button);
   label.before(head);
   head.prepend(label);
@@ -133,7 +134,8 @@ export function addFilling(judge) {
     const used = on && Boolean(size);
     place.hidden = !used;
     control.hidden = used;
-    button.setAttribute("aria-pressed", String(used));
+    write(button, used ? TEXT : GRID);
+    judge.parts.taken.hidden ||= used; // the grid shows the same
     if (!used) return;
     const wanted = JSON.stringify([question.ask, question.first, verdict.arm.rows.length, size]);
     if (wanted !== shape) build(question, verdict.arm, size);
@@ -143,7 +145,7 @@ export function addFilling(judge) {
   };
   button.addEventListener("click", () => {
     on = !on;
-    show(judge.question(), judge.verdict());
+    judge.put({});
     if (on) inputs[0]?.[0]?.focus();
   });
   judge.follow(show);

@@ -4,6 +4,7 @@ import { fits, homeOf } from "../../arm.js";
 import { joints, jacobianColumns, linkFrames } from "../../kinematics.js";
 import { listed } from "../say.js";
 import { matrixOf } from "../shown.js";
+import { textsOf } from "./filling.js";
 
 /**
  * @typedef {import("../../more/answer.js").Shown} Shown
@@ -32,8 +33,15 @@ export function pictureOf(question, verdict) {
     claims: [],
     words: posed ? POSED : HOME,
   };
+  if (question.ask === "torques") Object.assign(shown, { wrench: wrenchOf(question.wrench) });
   if (report?.grade !== "wrong") return shown;
   return { ...shown, ...OF[question.ask]?.(question, verdict) };
+}
+
+// Six numbers, or none where the text says something else.
+function wrenchOf(text) {
+  const found = textsOf(text).flat().map(Number);
+  return found.length === 6 && found.every(Number.isFinite) ? found : undefined;
 }
 
 // The position in q of the columns with a wrong entry.
