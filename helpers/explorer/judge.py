@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from helpers import robots
 from helpers.arm import Arm
-from helpers.checks.chains import alike
+from helpers.checks.lengths import alike
 from helpers.explorer.data import Data, arm_data
 from helpers.inputs import ArmError
 
@@ -40,6 +40,19 @@ EXAMPLES = (
         "q": "0.3, -1.1, 1.4, -0.8, 0.9, 0.2",
         "wrench": "0, 0, -20, 0, 0, 0",
         "answer": "[0.00, -56.32, -24.69, 1.94, -1.02, 0.00]",
+    },
+    {
+        "ask": "table",
+        "arm": "PANDA",
+        "answer": """joint  a        d      alpha  theta
+1      0        0.333  0      q1
+2      0        0      -pi/2  q2
+3      0        0.316  pi/2   q3
+4      0.0825   0      pi/2   q4
+5      -0.0825  0.384  -pi/2  q5
+6      0        0      pi/2   q6
+7      0.088    0      pi/2   q7
+tool   0        0.207  0      0""",
     },
 )
 
@@ -83,7 +96,7 @@ def judged_data(arm: Arm) -> Data:
     """An arm for explorer/src/judge: `arm_data`, its values by name, the arm without its pen, and
     for lengths that are near each other the arm with one taken for the other.
     """
-    values = dict(arm.values)
+    values = arm.values
     found = {**arm_data(arm), "values": [[name, float(x)] for name, x in values.items()]}
     if values.get("l_pen"):
         found["penless"] = arm_data(arm.with_values(l_pen=0))

@@ -7,8 +7,8 @@ import { ASKED } from "./asked.js";
  * @typedef {import("../arm.js").Arm} Arm
  * @typedef {object} Checker
  * @property {(question: Question, arm: Arm) => import("./ranking.js").Report} verdict on what is typed; throws ArmError
- * @property {(question: Question, name: string) => string} call in Python that says the same of `mine`, for an arm that
- *   is called `name`
+ * @property {(question: Question, name: string, arm: Arm) => string} call in Python that says the same of `mine`, for
+ *   an arm that is called `name`
  * @property {string[]} [imports] lines of Python that the call needs besides
  */
 
