@@ -18,7 +18,7 @@ from helpers.inputs import must_be
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.paths import Path
 from helpers.motion.report import run_report
-from helpers.reading.sentences import listed, say, size
+from helpers.reading.sentences import listed, millimetres, say, size
 
 Array = NDArray[Any]
 
@@ -26,6 +26,7 @@ TILT = np.radians(1.0)  # a tool that leans or spins more than this no longer co
 _USUAL = 2e-3  # m: Euler's method on the homework's circle stays well below
 _BESIDES = ("trace.one more", "trace.jump")  # mistakes of their own, whatever else is wrong
 _JUMP = 0.3  # rad or m in one step, and ten times the usual one: another branch
+_ALIKE = 1e-9  # m: errors nearer to each other than this are the same
 
 
 def compare_trace(
@@ -40,9 +41,9 @@ def compare_trace(
         arm: whose joints they are.
         path: what the tip should draw, at held orientation.
         tolerance: the largest distance (m) from where the tip should be; 2 mm, and what the digits
-            of the joints leave open, unless given; the tool may lean or spin by 1 degree. Unless
-            given, a run so near that shows a slip (other lengths, the velocity of the next step) is
-            wrong all the same.
+            of the joints leave open, unless given. The tool may lean or spin by 1 degree, or as it
+            likes where fewer than six joints hold it. Unless a tolerance is given, a run so near
+            that shows a slip (other lengths, the velocity of the next step) is wrong all the same.
         angles: "deg" where yours are in degrees.
 
     Limits of range and speed are notes: the homework's own circle breaks them. Raises ArmError
@@ -243,12 +244,13 @@ def _off(path: Path, points: Array) -> Array:
 
 
 def _where(path: Path, tip: Array) -> str:
+    """The farthest point, the first of those that are equally far."""
     error = _off(path, tip)
-    k = int(error.argmax())
-    start = say("already") if error[0] > 0.5 * error[k] else f"{size(1e3 * float(error[0]))} mm"
+    k = int((error >= error.max() - _ALIKE).argmax())
+    start = say("already") if error[0] > 0.5 * error[k] else f"{millimetres(error[0])} mm"
     return say(
         "trace where",
-        error=size(1e3 * float(error[k]), 4),
+        error=millimetres(error[k], 4),
         step=k,
         steps=len(error) - 1,
         start=start,

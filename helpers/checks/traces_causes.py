@@ -83,7 +83,7 @@ def _shapes(path: Path, tip: Array, blur: float) -> Iterator[tuple[Cause, float]
         shape = scale * wanted
         off = (tip - middle - shape, tip - tip[0] - (shape - shape[0]))
         rest = min(float(np.linalg.norm(x, axis=1).max()) for x in off)
-        yield cause("trace.scaled", _scale=size(scale, 4)), _share(rest, scale, blur)
+        yield cause("trace.scaled", _scale=size(round(scale, 6), 4)), _share(rest, scale, blur)
     yield cause("trace.other side"), left(2 * path.positions[0] - tip)
     for i, j in ((0, 1), (0, 2), (1, 2)):
         order = [0, 1, 2]
