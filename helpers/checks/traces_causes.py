@@ -18,6 +18,7 @@ from helpers.reading.sentences import size
 
 Array = NDArray[Any]
 
+_ALIKE = 1e-9  # m: misses nearer to each other than this are the same
 _SAMPLE = 100
 _ALONG = 40  # windows in a run: few enough for many steps each, enough to see a circle's turns
 _PLAIN = 0.1  # of the miss: what another path without a free number in it may leave
@@ -127,7 +128,8 @@ def _phase(path: Path, tip: Array) -> float:
     near = int(np.linalg.norm(once - wanted[0], axis=1).argmin())
     turns = [k for k in range(near - 2, near + 3) if k % len(once)]
     return min(
-        float(np.linalg.norm(np.roll(once, -k, axis=0) - wanted, axis=1).max()) for k in turns
+        (float(np.linalg.norm(np.roll(once, -k, axis=0) - wanted, axis=1).max()) for k in turns),
+        default=np.inf,
     )
 
 
@@ -144,12 +146,12 @@ def table_cause(q: Array, arm: Arm, path: Path, allowed: float) -> Cause | None:
     """
     right = chain(arm, q)
     most = min(allowed, float(_off(path, right.frames[:, -1, :3, 3]).max()) / 4)
-    left = [
-        (float(_off(path, other.frames[:, -1, :3, 3]).max()), n, c)
-        for n, (c, other) in enumerate(wrong_tables(arm, right))
+    found = [
+        (c, float(_off(path, other.frames[:, -1, :3, 3]).max()))
+        for c, other in wrong_tables(arm, right)
     ]
-    best = min(left, default=(np.inf, 0, None))
-    return best[2] if best[0] <= most else None
+    least = min((left for _, left in found), default=np.inf)
+    return next((c for c, left in found if left <= least + _ALIKE), None) if least <= most else None
 
 
 # By the loop
