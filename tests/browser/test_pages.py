@@ -67,6 +67,8 @@ TYPE = """() => {
     const paragraphs = [...document.querySelectorAll("article > section p")].filter((p) => p.parentElement.matches("section") && p.textContent.length > 300 && !p.querySelector(".math, code"));
     return [paragraphs.map(letters), [...document.querySelectorAll(".highlight pre")].map(size)];
 }"""
+# Formulas are set, and boxes fitted, when the reader comes near; for a printer, all at once.
+EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 BAD = """() => axe.run(document, {resultTypes: ["violations"]}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))
@@ -107,6 +109,7 @@ class Reader:
             "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)",
             polling=100,
         )
+        self.page.evaluate(EVERYTHING)
         return self.page
 
 
