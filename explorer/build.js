@@ -1,10 +1,10 @@
 // Bundle the explorer into two classic scripts: explorer.js, which a page loads once an instrument is near, and
-// explorer-more.js, the small figures, which needs the first. The widget adds an export to both. A third one, judge.js,
-// is what a page loads that judges answers.
+// explorer-more.js, the small figures, which needs the first. The widget adds an export to both. A page that judges
+// answers loads judge.js, and with the question that is asked one of judge-jacobian.js and its like: src/judge/scripts.
 
 import { build } from "esbuild";
 import { readdir, readFile } from "node:fs/promises";
-import { dirname, join, relative, sep } from "node:path";
+import { join, relative, resolve, sep } from "node:path";
 
 const folder = process.argv[2] ?? "../helpers/explorer/static";
 const common = { bundle: true, minify: true, target: "es2022", charset: "utf8", legalComments: "eof" };
@@ -24,33 +24,45 @@ const worker = {
   },
 };
 
-// What the second script imports from the first one's sources it finds in ArmExplorer.kit, by its path.
-const kit = {
-  name: "kit",
-  setup(bundle) {
-    bundle.onResolve({ filter: /^\.\.\// }, ({ path, importer, resolveDir }) => {
-      if (dirname(importer).split(sep).at(-1) !== "more" || path.endsWith(".css")) return null;
-      return { path: relative(join(resolveDir, ".."), join(resolveDir, path)), namespace: "kit" };
-    });
-    bundle.onLoad({ filter: /.*/, namespace: "kit" }, ({ path }) => ({
-      contents: `module.exports = ArmExplorer.kit[${JSON.stringify(path)}];`,
-    }));
-  },
+// What a further script imports from the first one's sources it finds in `global`, by its path in src/: all modules that
+// the first one's kit.js lists.
+const kit = async (global, list) => {
+  const shared = new Set((await readFile(list, "utf8")).match(/(?<=")[\w/]+\.js(?=":)/g));
+  const pathOf = ({ path, resolveDir }) =>
+    relative(resolve("src"), join(resolveDir, path)).replaceAll(sep, "/");
+  return {
+    name: "kit",
+    setup(bundle) {
+      bundle.onResolve({ filter: /^\.\.?\/.*\.js$/ }, (asked) =>
+        shared.has(pathOf(asked)) ? { path: pathOf(asked), namespace: "kit" } : null,
+      );
+      bundle.onLoad({ filter: /.*/, namespace: "kit" }, ({ path }) => ({
+        contents: `module.exports = ${global}.kit[${JSON.stringify(path)}];`,
+      }));
+    },
+  };
 };
 
-// Of the checkers' sentences, those that the judge's sources name.
-const sentences = {
-  name: "sentences",
-  setup(bundle) {
-    bundle.onLoad({ filter: /sentences\.json$/ }, async ({ path }) => {
-      const names = await readdir("src/judge");
-      const sources = await Promise.all(names.map((name) => readFile(join("src/judge", name), "utf8")));
-      const all = Object.entries(JSON.parse(await readFile(path, "utf8")));
-      const named = ([key]) => sources.some((source) => source.includes(`"${key}"`));
-      return { contents: JSON.stringify(Object.fromEntries(all.filter(named))), loader: "json" };
-    });
-  },
-};
+// One script of the judge, taught those of the checkers' sentences that its sources name.
+async function judgeScript(name, entry, options = {}) {
+  const made = (words) => ({
+    ...common,
+    ...options,
+    stdin: {
+      contents: `import { learn } from "./say.js"; learn(${JSON.stringify(words)}); export * from "./${entry}";`,
+      resolveDir: "src/judge",
+    },
+    outfile: join(folder, name),
+    format: /** @type {"iife"} */ ("iife"),
+    loader: { ".css": /** @type {"text"} */ ("text") },
+  });
+  const { metafile } = await build({ ...made({}), write: false, metafile: true });
+  const files = Object.keys(metafile.inputs).filter((path) => path.startsWith("src/"));
+  const sources = await Promise.all(files.map((path) => readFile(path, "utf8")));
+  const all = Object.entries(JSON.parse(await readFile("../helpers/reading/sentences.json", "utf8")));
+  const named = ([key]) => sources.some((source) => source.includes(`"${key}"`));
+  await build(made(Object.fromEntries(all.filter(named))));
+}
 
 await build({
   ...common,
@@ -67,13 +79,9 @@ await build({
   outfile: join(folder, "explorer-more.js"),
   format: "iife",
   loader: { ".css": "text" },
-  plugins: [kit],
+  plugins: [await kit("ArmExplorer", "src/kit.js")],
 });
-await build({
-  ...common,
-  entryPoints: ["src/judge/main.js"],
-  outfile: join(folder, "judge.js"),
-  format: "iife",
-  loader: { ".css": "text" },
-  plugins: [sentences],
-});
+await judgeScript("judge.js", "main.js", { globalName: "ArmJudge" });
+const parts = await kit("ArmJudge", "src/judge/kit.js");
+for (const entry of await readdir("src/judge/scripts"))
+  await judgeScript(`judge-${entry}`, `scripts/${entry}`, { plugins: [parts] });

@@ -528,8 +528,7 @@ def _how(step: Step, axis: Axis | None) -> str:
         )
     return (
         f"It meets z_{before} in o_{i}, so a_{i} = 0; x_{i} is perpendicular to both, the way that"
-        " turns less"
-        f" from x_{before} (z_{before} x z_{i} where both turn as much).{nearly}"
+        f" turns less from x_{before} (z_{before} x z_{i} where both turn as much).{nearly}"
     )
 
 

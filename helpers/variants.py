@@ -284,10 +284,8 @@ def _ask_table(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
         " first joint axis:\n\n"
         + "\n".join(lines)
         + f"\n\nThe tip is at $p = {matrix(tool[:3, 3])}$; its frame has the axes"
-        f" $x = {matrix(tool[:3, 0])}$"
-        f" and $z = {matrix(tool[:3, 2])}$. Write a table of this arm in the standard"
-        f" convention. Every choice"
-        " of frames that the convention allows is right."
+        f" $x = {matrix(tool[:3, 0])}$ and $z = {matrix(tool[:3, 2])}$. Write a table of this arm"
+        " in the standard convention. Every choice of frames that the convention allows is right."
     )
     what = "the table, one row (a, alpha, d, theta) for each joint: m and rad, theta and d"
     what += " without the joint variable"
@@ -380,12 +378,10 @@ def _ask_circle(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     centre = run.path.positions[0] - given["radius"] * np.eye(3)["xyz".index(first)]
     text = (
         f"The tip starts at $q = {matrix(given['q'])}$ and draws a circle of radius"
-        f" {given['radius']:g} m in"
-        f" the {first}{second} plane in {given['duration']:g} s, at even speed and held"
-        f" orientation. The start"
-        f" is the circle's farthest point along $+{first}$; from there the tip moves towards"
-        f" $+{second}$."
-        f" Use {_STEPS} Euler steps or more, or a better method."
+        f" {given['radius']:g} m in the {first}{second} plane in {given['duration']:g} s, at even"
+        f" speed and held orientation. The start is the circle's farthest point along $+{first}$;"
+        f" from there the tip moves towards $+{second}$. Use {_STEPS} Euler steps or more, or a"
+        " better method."
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
     return text, (
@@ -404,11 +400,9 @@ def _draw_torque(arm: Arm, rng: Rng) -> dict[str, Any]:
 def _ask_torque(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     q, force = np.array(given["q"]), np.array(given["force"])
     text = (
-        f"At $q = {matrix(q)}$ the world acts on the tip with the force ${matrix(force)}$ N"
-        f" (base axes, no"
-        " moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
-        " Masses, and centres"
-        f" of mass in the frames of the table:\n\n{_bodies(arm)}"
+        f"At $q = {matrix(q)}$ the world acts on the tip with the force ${matrix(force)}$ N (base"
+        " axes, no moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
+        f" Masses, and centres of mass in the frames of the table:\n\n{_bodies(arm)}"
     )
     tau = static_torque(arm, q, np.r_[force, 0, 0, 0])
     return text, (

@@ -3,6 +3,7 @@
 import { readFileSync } from "node:fs";
 import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../explorer/src/judge/ask.js";
 import * as judge from "../explorer/src/judge/index.js";
+import "../explorer/src/judge/scripts/jacobian.js";
 
 const { sentences, arms, questions } = JSON.parse(readFileSync(0, "utf8"));
 judge.learn(sentences);

@@ -5,6 +5,7 @@ only.
 import csv
 import io
 import json
+import os
 import re
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
+import yaml
 
 from helpers.arm import Arm, ArmError, prismatic, revolute
 from helpers.course import arms, autograders, commands, gradebook, sandbox, secrets, store
@@ -93,6 +95,11 @@ def test_few_digits_cost_a_little_and_joint_values_beyond_the_limits_count_for_n
     every = elbow(sheet.arm.with_rows(ELBOW.rows), target)
     assert len(every.q) == 4
     assert mark_sheet(sheet, {"q": half.tolist()}, store.Rules())[0].credit == 1
+    in_degrees = {"q": np.degrees(half).round(2).tolist()}
+    (degrees,) = mark_sheet(sheet, in_degrees, store.Rules())
+    assert (degrees.credit, degrees.causes) == (0, ("ik.degrees",))
+    (priced,) = mark_sheet(sheet, in_degrees, store.Rules(causes={"ik.degrees": 0.8}))
+    assert priced.credit == 0.8
     (beyond,) = mark_sheet(sheet, {"q": every.q.tolist()}, store.Rules())
     assert beyond.credit < 1
     (alone,) = mark_sheet(sheet, {"q": every.q[every.q[:, 2] < 0].tolist()}, store.Rules())
@@ -265,6 +272,35 @@ def test_a_kernel_that_dies_or_floods_gives_no_answers_and_words(tmp_path, cell)
     found = read_hand_in(notebook(tmp_path, "answer_p = 1", cell), "bubblewrap", LIMITS)
     assert not found.answers
     assert "running it gave no result" in found.trouble
+
+
+@needs_bubblewrap
+@pytest.mark.parametrize("apart", ["bubblewrap", "process"])
+def test_a_notebook_gets_a_few_hundred_processes_and_no_more(tmp_path, apart):
+    if apart == "process" and os.geteuid() == 0:
+        pytest.skip("no number of processes holds for the superuser; refused without a flag")
+    bomb = (
+        "import os, time\nanswer_p = 0\ntry:\n    for _ in range(1500):\n"
+        "        if not os.fork():\n            time.sleep(60)\n            os._exit(0)\n"
+        "        answer_p += 1\nexcept BlockingIOError:\n    answer_q = answer_p"
+    )
+    found = read_hand_in(notebook(tmp_path, bomb), apart, sandbox.Limits(notebook=60, cell=40))
+    assert 100 < found.answers["q"] < 256
+
+
+def test_what_other_systems_run_is_well_formed(course, tmp_path):
+    workflow = yaml.safe_load(autograders.CLASSROOM)
+    (job,) = workflow["jobs"].values()
+    assert [step["run"].split()[2] for step in job["steps"] if "run" in step] == [
+        "pip",
+        "helpers.course",
+    ]
+    assert workflow[True] == ["push", "workflow_dispatch"]  # YAML 1.1 reads `on` as a truth
+    autograders.gradescope_zip(store.load(course), tmp_path / "a.zip")
+    with zipfile.ZipFile(tmp_path / "a.zip") as file:
+        for script in ("setup.sh", "run_autograder"):
+            done = subprocess.run(["bash", "-n"], input=file.read(script), check=False)
+            assert done.returncode == 0, script
 
 
 def test_nothing_is_run_without_leave(tmp_path, monkeypatch):

@@ -3,7 +3,7 @@ is named.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -42,6 +42,7 @@ class _Branches:
     q: Array
     names: tuple[str, ...]
     free: NDArray[np.bool_]
+    count: int  # with those that fall together
 
     @property
     def target(self) -> Array:
@@ -72,22 +73,39 @@ def compare_branches(
     if found.valid.ndim != 1:
         raise ArmError(say("one target", arm=arm.name, count=found.distance.size))
     typed, taken = answers(mine, arm, angles)
-    right = _Branches(
-        arm,
-        found.q[found.valid],
-        tuple(np.array(found.branches)[found.valid]),
-        found.free[found.valid],
-    )
-    if (
-        len(right.q)
-        and not _hits(right, typed, tolerance)[0]
-        and angles == "rad"
-        and len(typed.values)
-    ):
+    right = _apart(found)
+    if angles == "rad" and _only_as_degrees(right, typed, tolerance):
         degrees = _in_degrees(typed, arm)
-        if _hits(right, degrees, tolerance)[0]:
-            return _report(right, degrees, tolerance, taken, inverse_causes.cause("ik.degrees"))
+        return _report(right, degrees, tolerance, taken, inverse_causes.cause("ik.degrees"))
     return _report(right, typed, tolerance, taken, None)
+
+
+def _apart(found: Solutions) -> _Branches:
+    """The branches that there are, those that fall together taken once."""
+    valid = np.flatnonzero(found.valid)
+    once = [
+        k
+        for n, k in enumerate(valid)
+        if not (_gap(found.arm, found.q[k], found.q[valid[:n]]) < _REACHED).all(axis=-1).any()
+    ]
+    names = tuple(str(found.branches[k]) for k in once)
+    return _Branches(found.arm, found.q[once], names, found.free[once], len(valid))
+
+
+def _only_as_degrees(right: _Branches, typed: Typed, tolerance: float | None) -> bool:
+    """Whether answers are branches in degrees and none is in radians; angles so small that zero is
+    as near to the branch tell nothing.
+    """
+    arm = right.arm
+    if not len(right.q) or not len(typed.values) or _hits(right, typed, tolerance)[0]:
+        return False
+    degrees = _in_degrees(typed, arm)
+    hits = _hits(right, degrees, tolerance)[0]
+    zero = np.where(arm.turning, 0.0, typed.values)
+    return any(
+        k not in _matches(right, zero[n - 1], _margins(degrees.units[n - 1], tolerance, hand=True))
+        for k, n in hits.items()
+    )
 
 
 def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]]:
@@ -230,12 +248,12 @@ def _report(
     named += [f.what for f in one_sided]
     figures = {
         "found": tuple(found),
-        "right": len(found),
+        "right": 0 if whole else len(found),  # as they were typed
         "of": len(right.names),
         "wrong": len(astray),
     }
-    notes = tuple(_free(right))
-    coarse = tolerance is None and typed.units.size and float(typed.units.max()) > _COARSE
+    notes = tuple(_notes(right))
+    coarse = tolerance is None and _coarse(right, typed)
     grade = (
         WRONG if whole or astray else SO_FAR if missing or coarse else RIGHT if sharp else ROUNDED
     )
@@ -244,9 +262,19 @@ def _report(
             [whole.name],
             [Finding("cause", "", None, None, f"{whole.words}."), *findings],
         )
-    headline = _headline(grade, right, whole, judged, len(found), bool(coarse and not missing))
+    headline = _headline(grade, right, whole, judged, len(found), coarse and not missing)
     return Report(
         "branches", arm.name, grade, headline, tuple(findings), tuple(named), taken, notes, figures
+    )
+
+
+def _coarse(right: _Branches, typed: Typed) -> bool:
+    """Whether an answer has too few digits to tell, and is not exact all the same, as whole degrees
+    may be.
+    """
+    return any(
+        units.max() > _COARSE and not _matches(right, q, np.full(q.shape, _REACHED)).size
+        for q, units in zip(typed.values, typed.units, strict=True)
     )
 
 
@@ -287,7 +315,9 @@ def _one_sided(right: _Branches, missing: list[str], found: list[str]) -> list[F
     return []
 
 
-def _free(right: _Branches):
+def _notes(right: _Branches) -> Iterator[str]:
+    if len(right.q) < right.count:
+        yield say("ik together", count=len(right.q), all=right.count)
     for k, i in enumerate(right.arm.joints):
         if len(right.q) and right.free[:, k].any():
             yield say("ik free", joint=f"q_{i}")
@@ -301,10 +331,10 @@ def _wrong(
     where = f"answer {number}"
     if not len(right.q):
         return (), Finding("answer", where, None, None, say("ik no branch", number=number))
-    miss = _miss(arm, q, right.target, margin)
+    miss = _miss(arm, q, right.target, np.zeros(arm.dof))
     if miss is None:
         return (), Finding("answer", where, None, None, say("ik unlisted", number=number))
-    off = say("ik off", millimetres=size(1e3 * miss[0]), turn=_turn(arm, miss[1]))
+    off = say("ik off", millimetres=size(round(1e3 * miss[0], 3)), turn=_turn(arm, miss[1]))
     causes, words = _why(right, q, margin)
     said = say("ik answer", number=number, off=off, words=words)
     return causes, Finding(causes[0].name if causes else "answer", where, None, None, said)
@@ -323,7 +353,7 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], 
     single = [*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)]
     single += inverse_causes.kept(arm, q, right.q)
     for slips in (single, inverse_causes.double(arm, q)):
-        found = _fitting(right, slips, margin)
+        found = _fitting(right, q, slips, margin)
         mixed = _mixed(right, fits)
         if found:
             causes = tuple(dict.fromkeys(c.name for c, _ in found))
@@ -341,18 +371,26 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], 
         for i, there in zip(arm.joints, np.asarray(fits.any(axis=0)), strict=True)
         if not there
     ]
-    return (), say("ik in no branch", joints=listed(astray or ["q"]))
+    key = "ik in no branch" if len(astray) > 1 else "ik one in no branch"
+    return (), say(key, joints=listed(astray or ["q"]))
 
 
-def _fitting(right: _Branches, slips, margin: Array) -> list[tuple[Cause, int]]:
-    """The slips without which an answer would be a branch, and which."""
+def _fitting(right: _Branches, q: Array, slips, margin: Array) -> list[tuple[Cause, int]]:
+    """The slips without which an answer would be a branch, and which; none that helps by less than
+    half, nor a scale where zero would fit as well.
+    """
     slips = list(slips)
     if not slips:
         return []
-    mended = np.stack([q for _, q in slips])
-    gap = _gap(right.arm, mended[:, None, :], right.q)
-    which, branch = np.nonzero((gap <= 1.5 * margin).all(axis=-1))
-    return [(slips[k][0], int(b)) for k, b in zip(which, branch, strict=True)]
+    arm = right.arm
+    mended = np.stack([m for _, m in slips])[:, None, :]
+    gap = _gap(arm, mended, right.q)
+    helps = gap.max(axis=-1) <= 0.5 * _gap(arm, q, right.q).max(axis=-1)
+    scaled = np.array([inverse_causes.scales(c) for c, _ in slips])[:, None]
+    zero = _gap(arm, np.where(mended == q, q, 0.0), right.q)
+    fits = helps & (gap <= 1.5 * margin).all(axis=-1)
+    fits &= ~(scaled & (zero <= 1.5 * margin).all(axis=-1))
+    return [(slips[k][0], int(b)) for k, b in zip(*np.nonzero(fits), strict=True)]
 
 
 def _mixed(right: _Branches, fits: NDArray[np.bool_]) -> tuple[Cause, str] | None:

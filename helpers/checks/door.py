@@ -1,10 +1,8 @@
 """What a student holds, taken as numbers: arrays, lists, SymPy matrices, functions, pasted text.
 
-Text goes through `helpers.reading`, never through eval or sympify; a function of the student's is
-called with copies.
+Text goes through `helpers.reading`, never through eval or sympify.
 """
 
-import inspect
 import math
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -29,7 +27,7 @@ class Joints:
     """Looks symbols up for one arm at one pose, and remembers what it had to say about them."""
 
     def __init__(self, arm: Arm, q: Array, values: Mapping[str, float] | None = None) -> None:
-        self.arm, self.q, self.values = arm, q, values
+        self.arm, self.q, self.values = arm, np.array(q), dict(values or {})
         self.said: tuple[str, ...] = ()
         self.used: set[str] = set()
 
@@ -101,8 +99,11 @@ def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
     widths = {len(row) for row in rows}
     if len(widths) > 1:
         raise ArmError(say("ragged", what=what, widths=", ".join(map(str, sorted(widths)))))
-    texts = [formula.plain(cell) for row in rows for cell in row]
     shape = (len(rows), widths.pop())
+    if (found := _plain_numbers(rows)) is not None:
+        texts = [cell for row in rows for cell in row]
+        return Typed(found.reshape(shape), np.reshape(units(texts), shape))
+    texts = [formula.plain(cell) for row in rows for cell in row]
     scaled = [_scaled(cell) for cell in texts]
     trees = [formula.parse(cell, f"an entry of {what}") for cell in texts]
     names = set().union(*map(formula.symbols, trees))
@@ -111,6 +112,15 @@ def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
     steps = units([first for first, _ in scaled])
     steps = [u * factor for u, (_, factor) in zip(steps, scaled, strict=True)]
     return Typed(np.reshape(values, shape), np.reshape(steps, shape), symbolic=bool(names))
+
+
+def _plain_numbers(rows: grid.Cells) -> Array | None:
+    """The values of a long paste of nothing but numbers at once, or None where it holds more."""
+    texts = [cell for row in rows for cell in row]
+    if not all(map(formula.is_number, texts)):
+        return None
+    values = np.array(texts, dtype=float)
+    return values if np.isfinite(values).all() else None
 
 
 def _scaled(cell: str) -> tuple[str, float]:
@@ -225,38 +235,7 @@ def of_sympy(expression: Any, known: dict[str, float], what: str) -> float:
         ) from None
 
 
-# Functions
-
-
-def called(function: Callable, arm: Arm, q: Array, what: str) -> Any:
-    """What a student's function gives at q. It gets copies; one with as many arguments as joints
-    gets them one by one.
-    """
-    each = arguments(function) == arm.dof
-    by_vector, by_value = (lambda: function(np.array(q)), lambda: function(*map(float, q)))
-    ways = [by_value] if each and arm.dof > 1 else [by_vector, *([by_value] if each else [])]
-    failed: Exception | None = None
-    for way in ways:
-        try:
-            return way()
-        except ArmError:
-            raise
-        except Exception as error:
-            failed = failed or error
-    told = f"{type(failed).__name__}: {failed}"
-    raise ArmError(say("function failed", what=what, error=told, dof=arm.dof)) from failed
-
-
-def arguments(function: Callable) -> int | None:
-    """How many arguments a function must be given, or None where it does not tell."""
-    try:
-        parameters = inspect.signature(function).parameters.values()
-    except (TypeError, ValueError):
-        return None
-    return sum(
-        p.default is p.empty and p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)
-        for p in parameters
-    )
+# Joint values
 
 
 def _one_value_each(arm: Arm) -> str:

@@ -23,6 +23,7 @@ _JOINT: tuple[tuple[str, Callable[[float], float]], ...] = (
     ("ik.offset", lambda x: x + math.pi / 2),
     ("ik.offset", lambda x: x - math.pi / 2),
 )
+_SCALES = {"ik.slide in millimetres": 1e-3, "ik.slide in centimetres": 1e-2}
 
 
 def whole(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
@@ -42,6 +43,17 @@ def whole(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
     for which in combinations(range(arm.dof), 3):
         names = ", ".join(f"q_{arm.joints[k]}" for k in which)
         yield cause("ik.signs", joints=names), np.where(np.isin(np.arange(arm.dof), which), -q, q)
+
+
+def scales(c: Cause) -> bool:
+    """Whether a slip only scales joints, so that near zero it cannot be told."""
+    return any(key in _SCALES or key == "ik.degrees" for key in c.keys)
+
+
+def scale(c: Cause, arm: Arm) -> Array:
+    """What such a slip's units are worth, by joint, shape (dof,)."""
+    slide = next((_SCALES[key] for key in c.keys if key in _SCALES), 1.0)
+    return np.where(arm.turning, math.pi / 180 if "ik.degrees" in c.keys else 1.0, slide)
 
 
 def single(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:

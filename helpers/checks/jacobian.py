@@ -14,6 +14,7 @@ from helpers.checks import door
 from helpers.checks.chains import chain, columns
 from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, TELLING, WRONG, Typed
 from helpers.checks.entries import Margins, graded, margins
+from helpers.checks.functions import best, results
 from helpers.checks.jacobian_causes import Catalogue, pairs, singles
 from helpers.checks.ranking import Cause, Found, better, cause, explain, lower, several
 from helpers.checks.verdict import Finding, Report
@@ -40,9 +41,9 @@ def compare_jacobian(
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
     Args:
-        mine: a function of q (or of q_1, q_2, ... one by one), a SymPy matrix or a text in q_1,
-            theta1, c_1, s_23, ... and the arm's symbols, or numbers at `q`: an array, lists, or
-            pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
+        mine: a function of q, of q_1, q_2, ... one by one, or of the arm's table and q; a SymPy
+            matrix or a text in q_1, theta1, c_1, s_23, ... and the arm's symbols; or numbers at
+            `q`: an array, lists, or pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
         arm: whose Jacobian it should be; a locked joint as ``arm.lock(3)``.
         q: where to compare, shape (dof,); a pose without symmetry unless given. Numbers need it.
         angular_first: whether your rows are (omega, v) rather than (v, omega).
@@ -57,14 +58,32 @@ def compare_jacobian(
     door.settings(angles, tolerance, values)
     frame = _checked_frame(frame, arm)
     at = Typed(_generic_pose(arm), np.zeros(arm.dof)) if q is None else door.pose(q, arm, angles)
-    typed, taken = _taken(mine, arm, at.values, q is not None, values)
+    held = _held(mine, arm, at.values, q is not None, values)
+    reports = (
+        _reported(typed, arm, at, frame, angular_first, tolerance, taken, callable(mine), not n)
+        for n, (typed, taken) in enumerate(held)
+    )
+    return best(reports)
+
+
+def _reported(
+    typed: Typed,
+    arm: Arm,
+    at: Typed,
+    frame: int,
+    angular_first: bool,
+    tolerance,
+    taken,
+    function,
+    why: bool,
+) -> Report:
     if typed.values.shape not in ((6, arm.dof), (3, arm.dof)):
         return _misshapen(typed.values, arm, taken)
     if angular_first and len(typed.values) == 6:
         typed = typed.at([3, 4, 5, 0, 1, 2])
         taken = (*taken, say("taken: angular first"))
-    at_pose = not (typed.symbolic or callable(mine))
-    return _judged(typed, arm, at, frame, tolerance, taken, at_pose)
+    at_pose = not (typed.symbolic or function)
+    return _judged(typed, arm, at, frame, tolerance, taken, at_pose, why)
 
 
 def _generic_pose(arm: Arm) -> Array:
@@ -73,17 +92,26 @@ def _generic_pose(arm: Arm) -> Array:
     return lower + (upper - lower) * np.random.default_rng(19).uniform(0.55, 0.95, arm.dof)
 
 
-def _taken(
+def _held(
     mine: object, arm: Arm, q: Array, given: bool, values: Mapping | None
-) -> tuple[Typed, tuple[str, ...]]:
+) -> Iterator[tuple[Typed, tuple[str, ...]]]:
+    """The matrix as numbers and what to say of how it was taken; several where a function may be
+    called in several ways.
+    """
     what = f"{arm.name}: your Jacobian"
     lookup = door.Joints(arm, q, values)
     if callable(mine) and not hasattr(mine, "free_symbols"):
-        typed = replace(door.numbers(door.called(mine, arm, q, what), what, lookup), symbolic=True)
-    else:
-        typed = door.numbers(mine, what, lookup)
-        if not (given or typed.symbolic):
-            raise ArmError(say("J needs q"))
+        for found, said in results(mine, arm, q, what):
+            typed = replace(door.numbers(found, what, lookup), symbolic=True)
+            yield _matrix(typed, arm, what), (*said, *lookup.said)
+        return
+    typed = door.numbers(mine, what, lookup)
+    if not (given or typed.symbolic):
+        raise ArmError(say("J needs q"))
+    yield _matrix(typed, arm, what), lookup.said
+
+
+def _matrix(typed: Typed, arm: Arm, what: str) -> Typed:
     if typed.values.ndim == 3 and 1 in typed.values.shape:
         typed = typed.at(*(0 if n == 1 else slice(None) for n in typed.values.shape))
     if typed.values.ndim == 2 and typed.values.size == 6 * arm.dof == max(typed.values.shape):
@@ -92,7 +120,7 @@ def _taken(
         )
     if typed.values.ndim != 2:
         raise ArmError(say("no matrix", what=what, shape=typed.values.shape))
-    return typed, lookup.said
+    return typed
 
 
 # The shape
@@ -142,6 +170,7 @@ def _judged(
     tolerance: float | None,
     taken: tuple[str, ...],
     at_pose: bool,
+    why: bool,
 ) -> Report:
     q = at.values
     known = singles(arm, q, frame)
@@ -158,6 +187,8 @@ def _judged(
     hidden = tuple(_hidden(known)) if at_pose and grade != WRONG else ()
     if grade != WRONG:
         return _good(grade, typed, arm, rows, taken, hidden, at_pose)
+    if not why:
+        return Report("Jacobian", arm.name, WRONG, "", (), (), taken)
     found, more = _causes(typed.values, right, m, known, rows, arm, q, frame)
     return _bad(found, more, arm, taken)
 

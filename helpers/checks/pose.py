@@ -1,6 +1,6 @@
 """Do these joint angles reach that pose? For any arm, also where the book has no closed form."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -76,8 +76,8 @@ def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Rep
                 notes,
                 figures,
             )
-    off = say("ik off", millimetres=size(1e3 * miss[0]), turn=_turn(T, miss[1]))
-    found = _causes(q, arm, T, margin)
+    off = say("ik off", millimetres=size(round(1e3 * miss[0], 3)), turn=_turn(T, miss[1]))
+    found = _causes(q, arm, T, margin, miss, tolerance)
     if not found and _within(miss, _margins(q, arm, T, HALF, tolerance)):
         return Report(
             "pose",
@@ -134,17 +134,28 @@ def _margins(
     ) + turn
 
 
-def _within(miss: tuple[float, float], margin: tuple[float, float]) -> bool:
+def _within(miss: tuple[float, float], margin: Sequence[float]) -> bool:
     return miss[0] <= margin[0] and miss[1] <= margin[1]
 
 
-def _causes(q: Typed, arm: Arm, T: Typed, margin: tuple[float, float]) -> tuple[Cause, ...]:
-    """The single slips that explain a miss, or else the first pair that does."""
+def _causes(
+    q: Typed, arm: Arm, T: Typed, margin, miss: tuple[float, float], tolerance: float | None
+) -> tuple[Cause, ...]:
+    """The single slips that explain a miss, or else the first pair that does; none that helps by
+    less than half, nor a scale where zero would fit as well.
+    """
     found: list[Any] = []
     for c, other, values, target in _slips(q.values, arm, T.values):
         if len(c.keys) > 1 and found:
             break
-        if _within(_miss(forward_kinematics(other, values), target), margin):
+        least = [min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)]
+        if inverse_causes.scales(c):
+            typed = Typed(values, q.units * inverse_causes.scale(c, arm))
+            least = _margins(typed, arm, T, HAND, tolerance)
+            zero = forward_kinematics(arm, np.where(values == q.values, q.values, 0.0))
+            if _within(_miss(zero, target), least):
+                continue
+        if _within(_miss(forward_kinematics(other, values), target), least):
             found.append(c)
             if len(c.keys) > 1:
                 break

@@ -8,12 +8,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.checks import door
-from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG, Typed
+from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG, Typed, of_floats
 from helpers.checks.entries import Margins, graded, margins
+from helpers.checks.functions import best, results
 from helpers.checks.ranking import Found, better, explain, lower, several
 from helpers.checks.torques_causes import Load, catalogue, paper_centres, reversed_joints
 from helpers.checks.verdict import Finding, Report
-from helpers.inputs import must_be
+from helpers.inputs import ArmError, must_be
 from helpers.reading.sentences import listed, say, size
 from helpers.statics import GRAVITY, static_torque
 
@@ -38,7 +39,8 @@ def compare_torques(
 
     Args:
         mine: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
-            column vectors are turned round. A function is called with q.
+            column vectors are turned round. A function of q, or of the arm's table and q, is called
+            at each pose.
         arm: with masses.
         q: joints of shape (..., dof), or text.
         wrench: on the tool, by the world, shape (6,) or (..., 6).
@@ -54,21 +56,41 @@ def compare_torques(
     at = _poses(q, arm, angles)
     right = np.atleast_2d(static_torque(arm, at.values, wrench, gravity))
     what = f"{arm.name}: your torques"
-    typed = door.numbers(door.called(mine, arm, at.values, what) if callable(mine) else mine, what)
+    load = (np.array(wrench, float), np.array(gravity, float))
+    reports = (
+        _reported(typed, right, arm, at, *load, tolerance, said)
+        for typed, said in _held(mine, arm, at.values, what)
+    )
+    return best(reports)
+
+
+def _held(mine: object, arm: Arm, q: Array, what: str) -> Iterator[tuple[Typed, tuple[str, ...]]]:
+    """The torques as numbers; a function is called pose by pose, or with the whole run where it
+    wants that.
+    """
+    if not callable(mine):
+        yield door.numbers(mine, what), ()
+        return
+    poses = np.atleast_2d(q)
+    try:
+        ways = list(zip(*(results(mine, arm, x, what) for x in poses), strict=False))
+    except ArmError:
+        ways = []
+    if not ways or np.size(ways[0][0][0]) != arm.dof:
+        ways = [(way,) for way in results(mine, arm, q, what)]
+    for found in ways:
+        rows = [door.numbers(torques, what).values for torques, _ in found]
+        values = rows[0] if len(rows) == 1 else np.array([row.ravel() for row in rows])
+        yield Typed(values, of_floats(values)), found[0][1]
+
+
+def _reported(
+    typed: Typed, right: Array, arm: Arm, at: Typed, wrench: Array, gravity: Array, tolerance, said
+) -> Report:
     upright, taken = _upright(typed, right)
     if upright is None or upright.values.shape != right.shape:
-        return _misshapen(door.numbers(mine, what).values, right, arm)
-    typed = upright
-    return _judged(
-        typed,
-        right,
-        arm,
-        at,
-        np.asarray(wrench, float),
-        np.asarray(gravity, float),
-        tolerance,
-        taken,
-    )
+        return _misshapen(typed.values, right, arm)
+    return _judged(upright, right, arm, at, wrench, gravity, tolerance, (*said, *taken))
 
 
 def _poses(q: ArrayLike | str, arm: Arm, angles: str) -> Typed:

@@ -59,11 +59,7 @@ def compare_trace(
     q = typed.values
     path = Path(path.times[: len(q)], path.position, path.velocity, path.normal)
     allowed = _USUAL if tolerance is None else tolerance
-    if (
-        angles == "rad"
-        and _off(path, forward_kinematics(arm, _radians(typed, arm).values)[:, :3, 3]).max()
-        <= allowed
-    ):
+    if angles == "rad" and _only_as_degrees(typed, arm, path, allowed):
         return _degrees(arm, taken)
     return _judged(typed, arm, path, allowed, tolerance is not None, taken, extra)
 
@@ -90,6 +86,15 @@ def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed | None, tuple[st
 def _radians(typed: Typed, arm: Arm) -> Typed:
     factor = np.where(arm.turning, np.pi / 180, 1.0)
     return Typed(typed.values * factor, typed.units * factor)
+
+
+def _only_as_degrees(typed: Typed, arm: Arm, path: Path, allowed: float) -> bool:
+    """Whether joints follow the path in degrees, and not in radians."""
+    as_typed, degrees = (
+        _off(path, forward_kinematics(arm, q)[:, :3, 3]).max()
+        for q in (typed.values, _radians(typed, arm).values)
+    )
+    return bool(degrees <= allowed < as_typed)
 
 
 def _misshapen(M: Array, arm: Arm, path: Path) -> Report:

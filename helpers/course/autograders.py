@@ -37,8 +37,10 @@ exec /autograder/env/bin/python -m helpers.course.autograders /autograder
 """
 
 CLASSROOM = """# Judges answers.json at each push and says what it found, without a key of the
-course: # what counts is what the instructor's own `python -m helpers.course grade` says. name:
-Homework on: [push, workflow_dispatch] permissions:
+# course: what counts is what the instructor's own `python -m helpers.course grade` says.
+name: Homework
+on: [push, workflow_dispatch]
+permissions:
   contents: read
 jobs:
   look:
@@ -49,9 +51,9 @@ jobs:
       - uses: actions/setup-python@v5
         with:
           python-version: "3.12"
-      # Set HELPERS under Settings, Variables: what pip is to install, such as an address of the
-      wheel. - run: python -m pip install "${{ vars.HELPERS }}" - run: python -m helpers.course look
-      .
+      # Set HELPERS under Settings, Variables: what pip installs, such as the address of a wheel.
+      - run: python -m pip install "${{ vars.HELPERS }}"
+      - run: python -m helpers.course look .
 """
 
 
@@ -122,9 +124,7 @@ def _gradescope_results(root: Path) -> dict[str, Any]:
             " tell your instructor."
         )
         return {"score": 0, "output": words, "tests": []}
-    stored = course.sheets[student]
-    sheet = Sheet(course.arm.with_values(**stored["values"]), stored["drawn"])
-    marks = mark_sheet(sheet, handed.answers, course.rules)
+    marks = mark_sheet(course.unsigned(student), handed.answers, course.rules)
     results = gradebook.gradescope(marks, handed.trouble)
     return {**results, "output": f"Marked as the sheet of {student}. {results['output']}"}
 
@@ -191,8 +191,8 @@ def _test(sheet: Sheet, part: Part) -> dict[str, Any]:
     stored = {"arm": to_json(sheet.arm), "drawn": dict(sheet.drawn)}
     code = (
         "### BEGIN HIDDEN TESTS\nfrom helpers.course.autograders import credit\n\n"
-        f"stored = {stored!r}\ncredit({part.name!r}, answer_{part.name}, stored)\n### END"
-        f" HIDDEN TESTS"
+        f"stored = {stored!r}\ncredit({part.name!r}, answer_{part.name}, stored)\n"
+        "### END HIDDEN TESTS"
     )
     name = part.name.replace("_", "-")
     cell: dict[str, Any] = {"cell_type": "code", "id": f"test-{name}", "metadata": {}}

@@ -79,9 +79,8 @@ def fill_moodle(export: str, totals: Mapping[str, float], maximum: float) -> str
     for needed in ("Identifier", "Grade", "Maximum Grade", "Last modified (grade)"):
         if needed not in head:
             raise ArmError(
-                f"the Moodle worksheet has the columns {', '.join(head)}; expected {needed}"
-                f" (the importer"
-                " wants the language of the site to be English)"
+                f"the Moodle worksheet has the columns {', '.join(head)}; expected {needed} (the"
+                " importer wants the language of the site to be English)"
             )
     grade, most = head.index("Grade"), head.index("Maximum Grade")
     for row in rows[1:]:

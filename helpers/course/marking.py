@@ -1,6 +1,6 @@
 """An answer judged by the checkers, with its credit; and the proof that a sheet can be marked."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -85,12 +85,14 @@ def _size(answer: Any, depth: int = 0) -> int:
     return int(getattr(answer, "size", 1))
 
 
-def _from(part: Part, near: Report, exact: Report, rules: Rules) -> Mark:
-    """The mark from two reports: with the tolerance that the sheet promises, and by the digits
-    given.
+def _judged(part: Part, rules: Rules, checker: Callable[..., Report], *asked: Any) -> Mark:
+    """The mark from a checker's report with the tolerance that the sheet promises, and where that
+    does not agree from the one by the digits given.
     """
+    near = checker(*asked, tolerance=part.tolerance)
     if near.agrees:
         return Mark(part.name, 1.0, near.headline, str(near))
+    exact = checker(*asked)
     return Mark(part.name, _credit(exact, rules), exact.headline, str(exact), exact.causes)
 
 
@@ -114,9 +116,7 @@ def _keys(cause: str) -> Iterator[str]:
 
 
 def _table(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
-    mine = _with_kinds(answer, part.value)
-    near = compare_tables(mine, part.value, tolerance=part.tolerance)
-    return _from(part, near, compare_tables(mine, part.value), rules)
+    return _judged(part, rules, compare_tables, _with_kinds(answer, part.value), part.value)
 
 
 def _with_kinds(answer: Any, drawn: Arm) -> Any:
@@ -165,9 +165,7 @@ def _usual(mine: Array) -> Iterator[tuple[str, str, Array]]:
 
 
 def _jacobian(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
-    arm, q = question.arm, question.given["q"]
-    near = compare_jacobian(answer, arm, q, tolerance=part.tolerance)
-    return _from(part, near, compare_jacobian(answer, arm, q), rules)
+    return _judged(part, rules, compare_jacobian, answer, question.arm, question.given["q"])
 
 
 def _column(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
@@ -185,29 +183,25 @@ def _column(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
 
 
 def _torques(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
-    arm, q = question.arm, question.given["q"]
-    force = question.given["force"] if part.name == "tau" else [0, 0, 0]
-    wrench = np.r_[force, 0, 0, 0]
-    near = compare_torques(answer, arm, q, wrench, tolerance=part.tolerance)
-    return _from(part, near, compare_torques(answer, arm, q, wrench), rules)
+    given = question.given
+    wrench = np.r_[given["force"] if part.name == "tau" else [0, 0, 0], 0, 0, 0]
+    return _judged(part, rules, compare_torques, answer, question.arm, given["q"], wrench)
 
 
 def _branches(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
     """Every branch within the limits; one beyond them is none."""
     arm, solver = question.arm, variants.closed_form(question.arm)
     assert solver is not None
-    found = solver(arm, variants.pose_of(np.array(question.given["target"])))
-    asked = replace(found, valid=found.within_limits)
-    near = compare_branches(answer, asked, tolerance=part.tolerance)
-    exact = compare_branches(answer, asked)
-    return _within_limits(arm, part, answer, _from(part, near, exact, rules))
+    known = solver(arm, variants.pose_of(np.array(question.given["target"])))
+    asked = replace(known, valid=known.within_limits)
+    found = _judged(part, rules, compare_branches, answer, asked)
+    return _within_limits(arm, part, answer, found)
 
 
 def _pose(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
     arm, target = question.arm, variants.pose_of(np.array(question.given["target"]))
-    near = compare_pose(answer, arm, target, tolerance=part.tolerance)
-    exact = compare_pose(answer, arm, target)
-    return _within_limits(arm, part, answer, _from(part, near, exact, rules))
+    found = _judged(part, rules, compare_pose, answer, arm, target)
+    return _within_limits(arm, part, answer, found)
 
 
 def _within_limits(arm: Arm, part: Part, answer: Any, found: Mark) -> Mark:

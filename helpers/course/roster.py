@@ -52,7 +52,6 @@ def must_name_a_folder(student: str, what: str) -> None:
     """Raise ArmError unless an id is 1 to 64 letters, digits and . _ @ - that no system refuses."""
     if not _ID.fullmatch(student) or _TAKEN.fullmatch(student.split(".")[0]):
         raise ArmError(
-            f"{what} is {student!r}; expected 1 to 64 letters, digits and . _ @ -, a letter"
-            f" or digit at"
-            " either end, and no name that Windows keeps for itself"
+            f"{what} is {student!r}; expected 1 to 64 letters, digits and . _ @ -, a letter or"
+            " digit at either end, and no name that Windows keeps for itself"
         )

@@ -4,7 +4,7 @@ First choice is not to run it: an `answers.json` beside it is read instead. Wher
 this module runs it in bubblewrap (its own namespaces: no network, no files but Python's and the
 notebook), with limits of time, memory, file size and output around it.
 
-What that does not protect from: holes in the kernel, the sum of the memory of many processes (the
+What that does not protect from: holes in the kernel, the sum of the memory of 256 processes (the
 limit is for each), reading whatever is mounted (Python, the packages, the notebook itself), and a
 notebook that prints whatever it likes; its output is only ever read as JSON and judged outside,
 where the key is.
@@ -53,9 +53,11 @@ def best_apart() -> Apart:
     """ "bubblewrap" where it is installed and works, else "nothing"; a probe decides, not a
     version.
     """
-    if not (shutil.which("bwrap") and shutil.which("prlimit")):
+    if not all(shutil.which(program) for program in ("bwrap", "prlimit", "setpriv")):
         return "nothing"
-    probe = ["bwrap", "--unshare-all", "--unshare-user", "--ro-bind", "/", "/", "true"]
+    as_root = os.geteuid() == 0
+    namespaces, nobody = (_ROOTS_NAMESPACES, _as_nobody()) if as_root else (_NAMESPACES, [])
+    probe = ["bwrap", *namespaces, "--ro-bind", "/", "/", "--proc", "/proc", *nobody, "true"]
     done = subprocess.run(probe, capture_output=True, timeout=20, check=False)
     return "bubblewrap" if done.returncode == 0 else "nothing"
 
@@ -68,8 +70,7 @@ def run(
     Args:
         notebook: the file as handed in; it is not changed.
         apart: "bubblewrap", or "process" for a process of its own with limits and the rights of
-            whoever
-            grades, or "nothing", which runs nothing.
+            whoever grades, or "nothing", which runs nothing.
         limits: of time and memory.
         as_root: lets "process" run for the superuser, for whom limits of processes do not hold.
 
@@ -88,6 +89,7 @@ def run(
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "handed_in.ipynb"
         copy.write_text(json.dumps(book), encoding="utf-8")
+        copy.chmod(0o444)  # nobody reads it
         return _read(_execute(copy, apart, limits or Limits()))
 
 
@@ -141,7 +143,7 @@ def _execute(copy: Path, apart: Apart, limits: Limits) -> bytes:
     convert += ["--log-level=ERROR", f"--ExecutePreprocessor.timeout={limits.cell}"]
     convert += ["--ExecutePreprocessor.interrupt_on_timeout=True"]
     inside = "/in.ipynb" if apart == "bubblewrap" else str(copy)
-    prefix = _bubblewrap(copy) if apart == "bubblewrap" else []
+    prefix = _bubblewrap(copy) if apart == "bubblewrap" else _few_processes(_tasks_of_mine())
     command = [*_limited(limits), *prefix, *convert, inside]
     with tempfile.TemporaryDirectory() as home:
         own = None if apart == "bubblewrap" else _environment(home)
@@ -161,35 +163,74 @@ def _execute(copy: Path, apart: Apart, limits: Limits) -> bytes:
 
 
 def _limited(limits: Limits) -> list[str]:
-    """timeout and prlimit: seconds, processor seconds, memory, file size, files, processes."""
+    """timeout and prlimit: seconds, processor seconds, memory, file size, open files."""
     if not (shutil.which("timeout") and shutil.which("prlimit")):
         raise ArmError("timeout and prlimit were not found; notebooks are run on Linux only")
     return [
         "timeout", "-k", "5", str(limits.notebook),
         "prlimit", f"--cpu={limits.notebook}", f"--as={limits.memory}", "--fsize=20971520",
-        "--nofile=256", "--nproc=256", "--core=0",
+        "--nofile=256", "--core=0",
     ]  # fmt: skip
+
+
+def _few_processes(others: int = 0) -> list[str]:
+    """prlimit's count of processes and threads, beyond those that the same user has anyway."""
+    return ["prlimit", f"--nproc={256 + others}"]
+
+
+def _tasks_of_mine() -> int:
+    """Processes and threads that run under this user's name, which count against the same limit."""
+    count = 0
+    for task in Path("/proc").glob("[0-9]*/task/[0-9]*"):
+        with contextlib.suppress(OSError):  # it has ended meanwhile
+            count += task.stat().st_uid == os.getuid()
+    return count
 
 
 def _bubblewrap(copy: Path) -> list[str]:
     """A root of its own: the system's programs, Python, the packages, the notebook; all
     read-only.
     """
-    words = ["bwrap", "--unshare-all", "--unshare-user", "--disable-userns", "--die-with-parent"]
-    words += ["--new-session", "--cap-drop", "ALL", "--ro-bind", "/usr", "/usr"]
+    as_root = os.geteuid() == 0
+    words = ["bwrap", *(_ROOTS_NAMESPACES if as_root else _NAMESPACES), "--die-with-parent"]
+    words += ["--new-session", "--ro-bind", "/usr", "/usr"]
     for folder in ("lib", "lib64", "bin"):
         if Path("/", folder).is_symlink():
             words += ["--symlink", f"usr/{folder}", f"/{folder}"]
         elif Path("/", folder).is_dir():
             words += ["--ro-bind", f"/{folder}", f"/{folder}"]
     words += ["--proc", "/proc", "--dev", "/dev", "--remount-ro", "/dev"]
-    words += ["--size", "67108864", "--tmpfs", "/run", "--size", "67108864", "--tmpfs", "/tmp"]
+    for folder in ("/run", "/tmp"):
+        words += ["--perms", "1777", "--size", "67108864", "--tmpfs", folder]
     for path in _mounted():
+        # Made by bubblewrap itself, the folders above would be for their owner only.
+        for above in [*reversed(Path(path).parents)][1:]:
+            words += ["--perms", "0755", "--dir", str(above)]
         words += ["--ro-bind", path, path]
     words += ["--ro-bind", str(copy), "/in.ipynb", "--remount-ro", "/", "--clearenv"]
     for name, value in _environment("/run").items():
         words += ["--setenv", name, value]
-    return [*words, "--chdir", "/run"]
+    words += ["--chdir", "/run"]
+    return [*words, *(_as_nobody() if as_root else []), *_few_processes()]
+
+
+# A namespace of users is what makes the others possible for an ordinary user, and the number of
+# processes is counted in it. For the superuser no such number holds, in whatever namespace: the
+# kernel asks who he is outside. So he needs none, and what he runs becomes nobody instead.
+_NAMESPACES = ["--unshare-all", "--unshare-user", "--disable-userns", "--cap-drop", "ALL"]
+_ROOTS_NAMESPACES = ["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"]
+_ROOTS_NAMESPACES += ["--unshare-cgroup-try", "--cap-drop", "ALL"]
+for _capability in ("CAP_SETUID", "CAP_SETGID", "CAP_SETPCAP"):
+    _ROOTS_NAMESPACES += ["--cap-add", _capability]
+
+
+def _as_nobody() -> list[str]:
+    """setpriv: a user without a name, rights or files, another one for each notebook that runs at
+    the same time, so that they do not count for each other.
+    """
+    user = 2**30 + os.getpid()
+    words = ["setpriv", f"--reuid={user}", f"--regid={user}", "--clear-groups"]
+    return [*words, "--no-new-privs", "--inh-caps=-all", "--bounding-set=-all"]
 
 
 def _mounted() -> Sequence[str]:

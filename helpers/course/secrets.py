@@ -26,8 +26,7 @@ def read_secret(path: str | Path) -> bytes:
         raise ArmError(
             f"secret file {str(path)!r} cannot be read ({error.strerror}); expected a file of"
             f" {_FEWEST} bytes or more, such as `python -c 'import secrets;"
-            f" print(secrets.token_hex())'`"
-            " prints"
+            " print(secrets.token_hex())'` prints"
         ) from None
     if len(secret) < _FEWEST:
         raise ArmError(

@@ -71,14 +71,13 @@ def numbers_text(sheet: Sheet) -> str:
 
 
 _NAMES = (
-    "Put each answer in place of the dots. A list, a NumPy array, a SymPy matrix or a text"
-    " will do. The"
-    " functions of `helpers.checks` say whether a result is right and what to look at if it is not."
+    "Put each answer in place of the dots. A list, a NumPy array, a SymPy matrix or a text will"
+    " do. The functions of `helpers.checks` say whether a result is right and what to look at if"
+    " it is not."
 )
 _LAST = (
-    "## Hand in\n\nThe last cell writes `answers.json` beside this notebook. Hand in both"
-    " files. Run"
-    " *Restart and run all* first, so that what is written is what the notebook says."
+    "## Hand in\n\nThe last cell writes `answers.json` beside this notebook. Hand in both files."
+    " Run *Restart and run all* first, so that what is written is what the notebook says."
 )
 
 

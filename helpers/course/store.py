@@ -27,8 +27,8 @@ _VERSION = 1
 @dataclass(frozen=True)
 class Rules:
     """What an answer is worth: right 1; short of digits; a named mistake by its cause; else the
-    right
-    columns among all, times `columns`."""
+    right columns among all, times `columns`.
+    """
 
     digits: float = 0.9
     columns: float = 1.0
@@ -61,9 +61,13 @@ class Course:
         if not is_signed(secret, student, content, stored["signature"]):
             raise ArmError(
                 f"the stored sheet of {student!r} was changed, or the secret is another;"
-                f" expected the one"
-                " that the course was made with"
+                " expected the one that the course was made with"
             )
+        return self.unsigned(student)
+
+    def unsigned(self, student: str) -> variants.Sheet:
+        """The same for who has no secret, as in a grader that others run: taken on trust."""
+        stored = self.sheets[student]
         return variants.Sheet(self.arm.with_values(**stored["values"]), stored["drawn"])
 
 

@@ -164,8 +164,7 @@ def _must_have_arrived(error: Array) -> None:
     if not max(metres, radians) < _ARRIVED:
         raise UnreachableError(
             f"after {_ITERATIONS} iterations of Newton's method the tip is {1e3 * metres:.3g} mm"
-            " and"
-            f" {np.degrees(radians):.3g}° off the path: {_WHY}"
+            f" and {np.degrees(radians):.3g}° off the path: {_WHY}"
         )
 
 

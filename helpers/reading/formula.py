@@ -96,10 +96,18 @@ _TOKEN = re.compile(
     rf"\s*(?:(\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|({_NAME})|(\*\*|[-+*/^()]))"
 )
 _RUN = re.compile(r"(?:[cs]_?(?:\d|\{[\d+-]+\})+){2,}")
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+
+
+def is_number(text: str) -> bool:
+    """Whether a text is one number in plain signs, as nearly every cell of a long paste is."""
+    return _NUMBER.fullmatch(text) is not None
 
 
 def plain(text: str) -> str:
     """The text in plain signs: unicode and LaTeX spelled out, prefixes such as ``np.`` dropped."""
+    if is_number(text):
+        return text
     text = text.translate(_TABLE)
     for pattern, instead in _LATEX:
         text = re.sub(pattern, instead, text)
@@ -270,6 +278,8 @@ def _value(tree: Tree, known: Callable[[str], float | None]) -> float:
 
 def number(text: str) -> float | None:
     """The number a text stands for if it holds no symbols, else None."""
+    if is_number(text) and math.isfinite(found := float(text)):
+        return found
     try:
         return value(parse(text), lambda name: None)
     except ArmError:

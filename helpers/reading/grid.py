@@ -5,7 +5,7 @@ cells.
 import re
 
 from helpers.inputs import ArmError
-from helpers.reading.formula import number, plain
+from helpers.reading.formula import is_number, number, plain
 
 Cells = list[list[str]]
 LONGEST = 5_000_000  # characters of a paste: a trace of 20 000 steps
@@ -148,12 +148,14 @@ def _split(text: str) -> list[str]:
     """Split at commas outside brackets, or at blanks where there are none, as MATLAB and NumPy
     do.
     """
+    if all(map(is_number, pieces := text.split())):
+        return pieces
     pieces, depth, piece = [], 0, ""
     comma = _top_comma(text)
     for k, sign in enumerate(text):
         depth += (sign in "[({") - (sign in "])}")
-        ends = sign == "," if comma else sign.isspace() and not _joins(text, k)
-        if ends and not depth:
+        ends = sign == "," if comma else sign.isspace()
+        if ends and not depth and (comma or not _joins(text, k)):
             pieces.append(piece)
             piece = ""
         else:

@@ -21,7 +21,7 @@ _JOINTS: dict[str, Kind] = {"R": "revolute", "P": "prismatic", "F": "fixed"}
 _UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
 _MILLIMETRES = 10.0  # a length this large is no number of metres
 _DEGREES = 2 * math.pi + 0.1  # an angle this large is no number of radians
-_KNOWN_ORDERS = (
+KNOWN_ORDERS = (
     ("theta", "d", "a", "alpha"),
     ("a", "alpha", "d", "theta"),
     ("alpha", "a", "d", "theta"),
@@ -416,9 +416,9 @@ def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | 
             cells[k] = [row[i] if i < len(row) else "0" for i in keep]
         return [ENTRIES], True
     _wide(cells)
-    fits = [order for order in _KNOWN_ORDERS if _possible(cells, order)]
+    fits = [order for order in KNOWN_ORDERS if _possible(cells, order)]
     others = [o for o in permutations(ENTRIES) if o not in fits and _possible(cells, o)]
-    return (fits + others) or [_KNOWN_ORDERS[0]], False
+    return (fits + others) or [KNOWN_ORDERS[0]], False
 
 
 def _words(columns: Any) -> list[str]:

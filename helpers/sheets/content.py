@@ -69,8 +69,7 @@ class Sheet:
             if name in _TAKEN or _OURS.fullmatch(name) or not _NAME.fullmatch(name):
                 raise ArmError(
                     f"{arm.name} has a letter called {name}, which a program on its sheet cannot"
-                    f" use, or needs for"
-                    " something else; expected another name, as a_2 or l_pen"
+                    " use, or needs for something else; expected another name, as a_2 or l_pen"
                 )
         self.arm = arm
         self.home = np.array(arm.home)

@@ -292,9 +292,8 @@ def _joints(arm: Arm) -> str:
 def _ask_determinant(sheet: Sheet) -> str:
     rows = "" if sheet.arm.dof == 6 else " of the first three rows"
     return (
-        f"<p><strong>First try.</strong> At which poses does the arm lose a freedom? Where det"
-        f" <i>J</i>{rows} is 0."
-        f"</p>\n{_factors(sheet)}"
+        "<p><strong>First try.</strong> At which poses does the arm lose a freedom? Where det"
+        f" <i>J</i>{rows} is 0.</p>\n{_factors(sheet)}"
     )
 
 

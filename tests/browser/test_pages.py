@@ -250,8 +250,9 @@ def test_what_the_reader_scrolls_to_is_set_before_what_was_passed_over(browser):
     reader.page.goto((HTML / "01_dh_tables.html").as_uri())
     reader.page.wait_for_selector("mjx-container", state="attached")
     reader.page.evaluate("[...document.querySelectorAll('span.math')].at(-1).scrollIntoView()")
-    reader.page.wait_for_function(f"!({STATE})()[0]", polling=20)
-    assert reader.page.evaluate(STATE)[1] > 50, "the formulas between are still to be set"
+    left = f"() => {{ const [near, over] = ({STATE})(); return near === 0 && {{ over }}; }}"
+    over = reader.page.wait_for_function(left, polling=20).json_value()["over"]
+    assert over > 50, "the formulas between are still to be set"
     reader.context.close()
 
 

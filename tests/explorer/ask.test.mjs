@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { armOf, asPython, EMPTY, fromFragment, toFragment } from "../../explorer/src/judge/ask.js";
 import { number } from "../../explorer/src/judge/formula.js";
+import "../../explorer/src/judge/scripts/jacobian.js";
 import { size, spelled } from "../../explorer/src/judge/say.js";
 
 const ARMS = ["PANDA", "ELBOW"];

@@ -2,12 +2,14 @@
 
 import { rowsFault, typedArm } from "../arm.js";
 import { joints } from "../kinematics.js";
-import { numbers, pose } from "./door.js";
+import { ASKED } from "./asked.js";
+import { pose } from "./door.js";
 import { parse, symbols, value } from "./formula.js";
 import { cells } from "./grid.js";
-import { compareJacobian } from "./jacobian.js";
-import { ArmError } from "./say.js";
-import { compareTorques } from "./torques.js";
+import { checkerOf } from "./registry.js";
+import { ArmError, quoted } from "./say.js";
+
+export { ASKED };
 
 const LONGEST_LINK = 12_000; // characters of a fragment
 const LONGEST = { table: 2000, q: 500, wrench: 300, answer: 8000 };
@@ -18,7 +20,7 @@ const ORDERS = ["v", "omega"];
 
 /**
  * @typedef {object} Question
- * @property {string} ask "jacobian" or "torques"
+ * @property {string} ask its key in ASKED
  * @property {string} arm its key in the page's list, or OWN
  * @property {string} table what was typed as a table, where the arm is one's own
  * @property {string} q
@@ -33,11 +35,6 @@ const ORDERS = ["v", "omega"];
 export const EMPTY = {
   ask: "jacobian", arm: "", table: "", q: "", unit: "rad", frame: "0", first: "v", wrench: "", answer: "",
 }; // prettier-ignore
-
-export const ASKED = {
-  jacobian: { title: "Jacobian at a pose", fields: ["frame", "first"] },
-  torques: { title: "Joint torques at a pose", fields: ["wrench"] },
-};
 
 /** @param {Question} question */
 export function toFragment(question) {
@@ -113,67 +110,42 @@ function rowOf(entries, row, unit) {
 }
 
 /**
- * The verdict on an answer, or why there is none yet.
+ * The verdict on an answer, or why there is none yet; `waiting` while the checker's script has not come.
  * @param {Question} question
- * @returns {{ report?: import("./ranking.js").Report, error?: string, arm?: any, q?: number[] }}
+ * @returns {{ report?: import("./ranking.js").Report, error?: string, waiting?: boolean, arm?: any, q?: number[] }}
  */
 export function judge(question, arms) {
   try {
     const arm = armOf(question, arms);
-    if (!question.q.trim()) return { error: `Type the pose: ${joints(arm).length} joint values.`, arm };
-    const at = pose(question.q, arm, question.unit);
-    if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q: at.values };
+    const asked = missing(question, arm);
+    if (asked) return { error: asked, arm };
+    const q = posed(question) ? pose(question.q, arm, question.unit).values : undefined;
+    if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
     if (question.answer.length > LONGEST_ANSWER) {
-      return { error: `The answer is longer than ${LONGEST_ANSWER} characters.`, arm, q: at.values };
+      return { error: `The answer is longer than ${LONGEST_ANSWER} characters.`, arm, q };
     }
-    const report = question.ask === "torques" ? torques(question, arm) : jacobian(question, arm);
-    return { report, arm, q: at.values };
+    const checker = checkerOf(question.ask);
+    if (!checker) return { error: "The checker is being loaded.", waiting: true, arm, q };
+    return { report: checker.verdict(question, arm), arm, q };
   } catch (error) {
     if (error instanceof ArmError) return { error: capital(error.message) };
     throw error;
   }
 }
 
+const posed = ({ ask }) => ASKED[ask].fields.includes("q");
+const missing = (question, arm) =>
+  posed(question) && !question.q.trim() ? `Type the pose: ${joints(arm).length} joint values.` : null;
 const capital = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
-
-function jacobian({ answer, q, unit, frame, first }, arm) {
-  if (Number(frame) > arm.rows.length) {
-    throw new ArmError(`frame is ${frame}; expected a whole number from 0 to ${arm.rows.length}`);
-  }
-  const options = { angles: unit, frame: Number(frame), angularFirst: first === "omega" };
-  return compareJacobian(answer, arm, q, options);
-}
-
-const torques = ({ answer, q, unit, wrench }, arm) =>
-  compareTorques(answer, arm, q, { angles: unit, wrench: wrenchOf(wrench) });
-
-function wrenchOf(text) {
-  if (!text.trim()) return undefined;
-  const { values } = numbers(text, "the wrench");
-  if (values.length !== 6) {
-    throw new ArmError(
-      `the wrench has ${values.length} numbers; expected six, three of force and three of moment`,
-    );
-  }
-  return values;
-}
 
 // The call in Python that says the same.
 export function asPython(question, arms) {
   const arm = armOf(question, arms);
   const [name, imports] = question.arm === OWN ? ["arm", ownArm(arm)] : [arm.python, fromRobots(arm.python)];
-  const options = question.unit === "deg" ? ['angles="deg"'] : [];
-  const lines = [...imports, "from helpers import checks", ""];
+  const { call, imports: more = [] } = checkerOf(question.ask);
+  const lines = [...imports, ...more, "from helpers import checks", ""];
   if (question.arm === OWN) lines.push(...ownRows(arm), "");
-  lines.push(`mine = ${quoted(question.answer)}`);
-  if (question.ask === "torques") {
-    if (question.wrench.trim()) options.unshift(`wrench=(${wrenchOf(question.wrench).join(", ")})`);
-  } else {
-    if (question.first === "omega") options.push("angular_first=True");
-    if (question.frame !== "0") options.push(`frame=${Number(question.frame)}`);
-  }
-  const given = ["mine", name, quoted(question.q.trim()), ...options].join(", ");
-  lines.push(`print(checks.compare_${question.ask}(${given}))`);
+  lines.push(`mine = ${quoted(question.answer)}`, `print(${call(question, name)})`);
   return `${lines.join("\n")}\n`;
 }
 
@@ -190,9 +162,3 @@ const ownRows = (arm) => [
   "]",
   `arm = Arm("${arm.name}", rows)`,
 ];
-
-// A text as Python writes it: over several lines where it has them and nothing in it would end it.
-function quoted(text) {
-  const plain = text.includes("\n") && !/"""|["\\]$/.test(text) && !/[\r\0]/.test(text);
-  return plain ? `r"""${text}"""` : JSON.stringify(text);
-}

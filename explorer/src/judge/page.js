@@ -5,6 +5,7 @@ import { h, write } from "../dom.js";
 import { asPython, ASKED, EMPTY, fromFragment, judge, OWN, toFragment, UNITS } from "./ask.js";
 import { turning } from "./door.js";
 import { linesOf, MARKS } from "./ranking.js";
+import { ready } from "./registry.js";
 import { ArmError } from "./say.js";
 
 const PAUSE = 350; // ms without a key before the verdict is spoken
@@ -36,14 +37,19 @@ export function mount(stub) {
       if (field.value !== question[key]) field.value = question[key];
     adapt(made, question, arms);
   };
-  const answer = () => tell(made, question, judge(question, arms));
+  const answer = () => tell(made, question, judged());
+  const judged = () => {
+    const verdict = judge(question, arms);
+    if (verdict.waiting) ready(question.ask).then(answer, ({ message }) => say(message));
+    return verdict;
+  };
   const changed = ({ target, inputType }) => {
     const key = Object.keys(fields).find((one) => fields[one] === target);
     question = { ...question, [key]: target.value };
     if (key === "arm") question.frame = "0";
     if (key === "arm" || key === "ask") question.q = examples.find(matches(question))?.q ?? question.q;
     show();
-    const verdict = judge(question, arms);
+    const verdict = judged();
     const speak = () => tell(made, question, verdict);
     clearTimeout(timer);
     if (inputType === "insertFromPaste" || inputType === "insertFromDrop") return speak();

@@ -3,7 +3,8 @@
 /** @type {Record<string, string>} */
 let templates = {};
 
-export const learn = (sentences) => void (templates = sentences);
+// Every script brings the sentences that it says.
+export const learn = (sentences) => void (templates = { ...templates, ...sentences });
 
 // A sentence with its fields put in.
 export function say(key, fields = {}) {
@@ -66,3 +67,9 @@ function escaped(sign) {
 
 // A shape as Python shows a tuple.
 export const tuple = (shape) => (shape.length === 1 ? `(${shape[0]},)` : `(${shape.join(", ")})`);
+
+// A text as Python would write it: over several lines where it has them and nothing in it would end it.
+export function quoted(text) {
+  const plain = text.includes("\n") && !/"""|["\\]$/.test(text) && !/[\r\0]/.test(text);
+  return plain ? `r"""${text}"""` : JSON.stringify(text);
+}

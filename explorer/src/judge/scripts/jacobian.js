@@ -1,0 +1,47 @@
+// The script that judges Jacobians and torques.
+
+import { numbers } from "../door.js";
+import { compareJacobian } from "../jacobian.js";
+import { register } from "../registry.js";
+import { ArmError, quoted } from "../say.js";
+import { compareTorques } from "../torques.js";
+
+const inDegrees = ({ unit }) => (unit === "deg" ? ['angles="deg"'] : []);
+
+register("jacobian", {
+  verdict({ answer, q, unit, frame, first }, arm) {
+    if (Number(frame) > arm.rows.length) {
+      throw new ArmError(`frame is ${frame}; expected a whole number from 0 to ${arm.rows.length}`);
+    }
+    const options = { angles: unit, frame: Number(frame), angularFirst: first === "omega" };
+    return compareJacobian(answer, arm, q, options);
+  },
+  call(question, name) {
+    const given = ["mine", name, quoted(question.q.trim()), ...inDegrees(question)];
+    if (question.first === "omega") given.push("angular_first=True");
+    if (question.frame !== "0") given.push(`frame=${Number(question.frame)}`);
+    return `checks.compare_jacobian(${given.join(", ")})`;
+  },
+});
+
+register("torques", {
+  verdict: ({ answer, q, unit, wrench }, arm) =>
+    compareTorques(answer, arm, q, { angles: unit, wrench: wrenchOf(wrench) }),
+  call(question, name) {
+    const wrench = wrenchOf(question.wrench);
+    const given = ["mine", name, quoted(question.q.trim())];
+    if (wrench) given.push(`wrench=(${wrench.join(", ")})`);
+    return `checks.compare_torques(${[...given, ...inDegrees(question)].join(", ")})`;
+  },
+});
+
+function wrenchOf(text) {
+  if (!text.trim()) return undefined;
+  const { values } = numbers(text, "the wrench");
+  if (values.length !== 6) {
+    throw new ArmError(
+      `the wrench has ${values.length} numbers; expected six, three of force and three of moment`,
+    );
+  }
+  return values;
+}

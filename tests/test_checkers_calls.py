@@ -1,0 +1,182 @@
+"""Functions as students write them, called as they ask; and answers so near zero that their units
+cannot be told.
+"""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers import checks, inverse, motion
+from helpers.arm import Arm, ArmError, prismatic
+from helpers.kinematics import forward_kinematics
+from helpers.robots import PANDA, UR10E_HOMEWORK
+from tests.corpus.arms import KNOWN
+
+H = np.pi / 2
+Q = [0.3, 0.5, -0.2, 0.7, -0.4, 0.9, 0.2]
+NAMES = ("a", "alpha", "d", "theta")
+
+
+def step(a, alpha, d, theta):
+    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+    return np.array(
+        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+    )
+
+
+def by_rows(dh, q):
+    """A student's own, of a table whose rows are a, alpha, d, theta."""
+    T, z, o = np.eye(4), [], []
+    for k in range(len(dh)):
+        z.append(T[:3, 2])
+        o.append(T[:3, 3])
+        a, alpha, d, theta = dh[k]
+        T = T @ step(a, alpha, d, theta + q[k])
+    return np.array([[*np.cross(z[k], T[:3, 3] - o[k]), *z[k]] for k in range(len(dh))]).T
+
+
+def spoils(dh, q):
+    found = by_rows(dh, q)
+    dh[:] = 0
+    q[:] = 0
+    return found
+
+
+class Robot:
+    dh = np.array([row[1:] for row in KNOWN["PANDA"].rows])
+
+    def jacobian(self, q):
+        return by_rows(self.dh, q)
+
+    def of(self, dh, q):
+        return by_rows(dh, q)
+
+
+@pytest.mark.parametrize(
+    ("mine", "said"),
+    [
+        (by_rows, "f(table, q), called with the arm's rows (a, alpha, d, theta) in m and rad"),
+        (spoils, "f(table, q), called with the arm's rows (a, alpha, d, theta)"),
+        (lambda q, DH: by_rows(DH, q), "f(q, table), called with the arm's rows (a, alpha, d, th"),
+        (lambda t, q: by_rows([(r[2], r[3], r[1], r[0]) for r in t], q), "(theta, d, a, alpha)"),
+        (lambda t, q: by_rows([(r[0], r[2], r[1], r[3]) for r in t], q), "(a, d, alpha, theta)"),
+        (lambda dh, q: by_rows([[r[n] for n in NAMES] for r in dh], q), "'a', 'alpha', 'd' and"),
+        (lambda dh, q: by_rows(np.transpose([dh[n] for n in NAMES]), q), "'a', 'alpha', 'd' and"),
+        (Robot().of, "f(table, q)"),
+        (Robot().jacobian, ""),
+        (lambda *q: by_rows(Robot.dh, q), ""),
+        (lambda q, dh=Robot.dh: by_rows(dh, q), ""),
+    ],
+)
+def test_a_function_is_called_as_it_asks(mine, said):
+    report = checks.compare_jacobian(mine, PANDA, Q)
+    assert report.agrees, str(report)
+    assert said in str(report)
+
+
+def test_a_function_of_the_table_is_judged_by_the_books_order_where_none_is_right():
+    report = checks.compare_jacobian(lambda dh, q: -by_rows(dh, q), PANDA, Q)
+    assert report.causes == ("J.all signs",)
+    assert "(a, alpha, d, theta)" in str(report)
+    two = Arm.from_table("q1 0 0.4 0\nq2 0 0.3 0")
+    assert checks.compare_jacobian(by_rows, two, [0.3, 0.4]).agrees
+    assert checks.compare_jacobian(by_rows, two.lock(1, 0.2), [0.4]).causes == (
+        "J.locked column kept",
+    )
+
+
+def test_one_joint_by_itself():
+    x = sp.Symbol("x")
+    one = Arm.from_table("q1 0 0.4 0")
+    turn = sp.Matrix([-0.4 * sp.sin(x), 0.4 * sp.cos(x), 0, 0, 0, 1])
+    for asked in (x, [x], [[x]]):
+        assert checks.compare_jacobian(sp.lambdify(asked, turn), one).agrees
+
+
+@pytest.mark.parametrize("mine", [lambda q, speed: 0, lambda a, b, c: 0])
+def test_a_function_that_asks_for_more_is_refused_in_words(mine):
+    with pytest.raises(ArmError, match=r"your function failed .* Wrap it"):
+        checks.compare_jacobian(mine, PANDA, Q)
+
+
+def test_torques_by_a_function_of_one_pose():
+    run = np.linspace(Q, np.array(Q) + 0.3, 4)
+    right = PANDA_TORQUES(run)
+    poses = {tuple(np.round(q, 9)): tau for q, tau in zip(run, right, strict=True)}
+    report = checks.compare_torques(lambda q: poses[tuple(np.round(q, 9))], PANDA, run)
+    assert report.agrees, str(report)
+    assert checks.compare_torques(lambda q: right, PANDA, run).agrees
+    wrench = np.array([1.0, 2, 3, 0, 0, 0])
+
+    def greedy(q):
+        wrench[:] = 0
+        return poses[tuple(np.round(q, 9))]
+
+    assert not checks.compare_torques(greedy, PANDA, run, wrench).agrees
+
+
+def PANDA_TORQUES(run):
+    from tests.corpus.torques import PANDA as LINKS
+    from tests.corpus.torques import weight
+
+    return np.array([weight(KNOWN["PANDA"], LINKS, q) for q in run])
+
+
+# Near zero
+
+
+HOME = forward_kinematics(UR10E_HOMEWORK, np.zeros(6))
+
+
+def test_a_joint_off_at_home_is_no_matter_of_degrees():
+    found = inverse.ur(UR10E_HOMEWORK, HOME)
+    report = checks.compare_branches([[0, 0, 0, 0, 0, 0.1]], found)
+    assert report.causes == ()
+    assert "misses the target by 0 mm and 5.73°: q_6 agrees with no branch" in str(report)
+    assert "the 8 branches are only 1 here" in str(report)
+    assert checks.compare_branches([[0.0] * 6], found).grade == "right"
+    pose = checks.compare_pose([0, 0, 0, 0, 0, 0.1], UR10E_HOMEWORK, HOME)
+    assert "ik.degrees" not in pose.causes
+
+
+def test_a_near_miss_at_home_says_by_how_much():
+    """Joint 6 turned by 0.1 and the others as well as can be: 0.615 mm and 0.11 mrad remain."""
+    best = inverse.solve(UR10E_HOMEWORK.lock(6, 0.1), HOME, np.zeros(5), limits=False)
+    found = inverse.ur(UR10E_HOMEWORK, HOME)
+    for digits in (16, 5, 4):
+        q = np.round([*best.q, 0.1], digits)
+        words = str(checks.compare_branches([q], found))
+        assert "misses the target by 0.6" in words
+        assert "not in the list" not in words
+
+
+def test_degrees_are_still_told_where_they_show():
+    T = KNOWN["UR10E_HOMEWORK"].tip([0.3, -0.7, 0.9, 0.4, 0.8, 0.2])
+    found = inverse.ur(UR10E_HOMEWORK, T)
+    typed = np.round(np.degrees(found.q[found.valid]), 1)
+    assert checks.compare_branches(typed, found).causes == ("ik.degrees",)
+    assert checks.compare_pose(typed[0], UR10E_HOMEWORK, T).causes == ("ik.degrees",)
+
+
+def test_an_angle_near_zero_has_no_wrong_sign():
+    found = inverse.ur(UR10E_HOMEWORK, HOME)
+    assert not checks.compare_branches([[0, 0, 0, 0, 0, -0.04]], found).causes
+
+
+def test_whole_degrees_that_are_exact_are_right():
+    T = KNOWN["UR10E_HOMEWORK"].tip(np.radians([30, -40, 90, 20, 45, 60]))
+    found = inverse.ur(UR10E_HOMEWORK, T)
+    exact = [q for q in np.degrees(found.q[found.valid]) if abs(q - np.round(q)).max() < 1e-6]
+    report = checks.compare_branches(np.round(exact), found, angles="deg")
+    assert exact
+    assert "so far: give more digits" not in str(report)
+
+
+def test_a_run_of_slides_alone_is_not_in_degrees():
+    """An arm of two slides: its tip is at (q_2, 0, q_1), so its joints are the path itself."""
+    sledge = Arm("sledge", [prismatic(alpha=H), prismatic(theta=H)])
+    sledge = Arm("sledge", [prismatic(alpha=H, theta=H), prismatic()])
+    path = motion.circle((0.3, 0.0, 0.3), 0.1, "xz", 5.0, 20)
+    slides = path.positions[:, [2, 0]]
+    assert np.allclose(forward_kinematics(sledge, slides)[:, :3, 3], path.positions)
+    assert checks.compare_trace(slides, sledge, path).agrees
