@@ -130,14 +130,18 @@ function tell(box) {
   box.classList.toggle("more-left", box.scrollLeft > 2);
 }
 
-window.addEventListener("load", () => all().forEach((box) => measure.observe(box)));
+// Whatever is near is told of anew, and the rest when the reader comes near.
+function look() {
+  measure.disconnect();
+  all().forEach((box) => measure.observe(box));
+}
+
+window.addEventListener("load", look);
+document.fonts.addEventListener("loadingdone", look);
 let later;
 window.addEventListener("resize", () => {
   clearTimeout(later);
-  later = setTimeout(() => {
-    measure.disconnect();
-    all().forEach((box) => measure.observe(box)); // and each that is near is told of anew
-  }, 100);
+  later = setTimeout(look, 100);
 });
 
 document.addEventListener("DOMContentLoaded", () => {

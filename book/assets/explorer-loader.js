@@ -1,4 +1,4 @@
-// Brings the arm explorers of a page to life when they are scrolled near, and the judge of answers at once; a page
+// Brings the arm explorers of a page to life when they are near and a reader is there, and the judge of answers at once; a page
 // without one loads nothing.
 {
   const source = new URL("explorer.js", document.currentScript.src).href;
@@ -17,7 +17,7 @@
       for (const { isIntersecting, target } of entries) {
         if (!isIntersecting) continue;
         near.unobserve(target);
-        load().then(() => ArmExplorer.mount(target));
+        reader.then(load).then(() => ArmExplorer.mount(target));
       }
     },
     { rootMargin: "500px" },
