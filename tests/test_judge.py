@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import json
 import os
 import shutil
 
@@ -11,8 +12,10 @@ import sympy as sp
 
 from helpers import checks, symbolic
 from helpers.explorer import judge
+from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, STANFORD
+from tests import table_pastes
 from tests.judge_words import different, in_node, page_words, python_words, questions
 
 needs_node = pytest.mark.skipif(
@@ -94,7 +97,7 @@ def asked(typed, **options):
 
 @needs_node
 def test_its_words_are_pythons():
-    found = different(questions(np.random.default_rng(18), 240))
+    found = different(questions(np.random.default_rng(18), 300))
     assert not found, found[0]
 
 
@@ -135,6 +138,48 @@ def test_a_factor_of_one_is_no_scale():
     assert report.causes == ("J.shape",)
 
 
+def table(typed, **options):
+    return ELBOW, {"topic": "table", "typed": typed, "options": options}
+
+
+@needs_node
+def test_tables_are_read_as_they_were_meant_in_both_languages():
+    pastes = table_pastes.RIGHT
+    said = page_words([table(text) for text in pastes.values()])
+    for (name, text), theirs in zip(pastes.items(), said, strict=True):
+        assert theirs[2].startswith("Your table describes the same arm as Elbow arm.\n") or (
+            theirs[2] == "Your table describes the same arm as Elbow arm."
+        ), (name, theirs[2])
+        assert python_words(*table(text)) == theirs, name
+
+
+@needs_node
+def test_what_is_no_table_is_refused_in_the_same_words():
+    refused = table_pastes.REFUSED
+    said = page_words([table(text) for text in refused])
+    for (text, words), theirs in zip(refused.items(), said, strict=True):
+        assert theirs[0] == "refused", text
+        assert words in theirs[2], text
+        assert python_words(*table(text)) == theirs, text
+
+
+@needs_node
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"columns": "theta d a alpha"},
+        {"columns": "a b c d"},
+        {"lengths": "mm", "angles": "deg"},
+        {"convention": "craig"},
+        {"tolerance": 0.02},
+    ],
+    ids=str,
+)
+def test_tables_read_as_they_were_not_meant_are_judged_in_the_same_words(options):
+    asked = [table(text, **options) for text in table_pastes.RIGHT.values()]
+    assert not different(asked)
+
+
 # The page's questions
 
 OWN = "0, pi/2, 0.5, q1\n0.4, 0, 0, q2\n0.3, 0, 0, q3"
@@ -145,6 +190,21 @@ BY_LINK = [
     {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": PASTES["csv"]},
     {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
      "answer": PASTES["matlab print"]},
+    {"ask": "table", "arm": "ELBOW", "lengths": "m", "answer": table_pastes.RIGHT["craig"]},
+    {"ask": "table", "arm": "ELBOW", "angles": "deg", "columns": "a alpha d theta",
+     "convention": "standard", "answer": "0 90 0.5 q1\n0.4 0 0 q2\n0.2 0 0 q3"},
+    {"ask": "branches", "arm": "ELBOW", "target": "0.3, 0.1, 0.7",
+     "answer": "theta1 = 0.3, theta2 = 1.2, theta3 = -1.5"},
+    {"ask": "branches", "arm": "UR10E", "unit": "deg", "answer": "0 0 0 0 0 0",
+     "target": "[[1, 0, 0, 0.5], [0, 0, -1, -0.3], [0, 1, 0, 0.4]]"},
+    {"ask": "pose", "arm": "ELBOW", "target": "0.3, 0.1, 0.7",
+     "answer": "('Theta1', 0.3), ('Theta2', -1.12 + pi/2), ('Theta3', 0.2)"},
+    {"ask": "pose", "arm": "own", "table": OWN, "unit": "deg", "answer": "10, 20, 30",
+     "target": "cos(q1), s_23, 0.4"},
+    {"ask": "trace", "arm": "ELBOW", "q": "0.3, 0.4, 0.9", "radius": "0.05", "pace": "rest",
+     "answer": "\n".join(f"{0.3 + 0.01 * k}, 0.4, 0.9" for k in range(40))},
+    {"ask": "trace", "arm": "ELBOW", "q": "10, 20, 50", "unit": "deg", "plane": "xz", "steps": "40",
+     "answer": "t,q1,q2,q3\n" + "\n".join(f"{k / 8},10,20,50" for k in range(40))},
     {"ask": "torques", "arm": "PANDA", "q": "0.1 0.2 0.3 -1 0.5 0.6 0.7", "answer": '"""\\ 1'},
 ]  # fmt: skip
 
@@ -169,10 +229,19 @@ def test_the_examples_name_their_mistakes():
     arms = [judge.listed(call) for call in judge.CALLS]
     asked = [{"topic": "page", "fields": fields} for fields in judge.EXAMPLES]
     named = [causes for _, causes, *_ in in_node(arms, asked)]
-    assert named == [["J.z_i angular"], ["tau.force sign"]]
+    assert named == [["J.z_i angular"], ["tau.force sign"], ["table.craig"]]
 
 
-def test_the_stub_holds_words_and_arms():
-    html = judge.stub("Needs <a> script.")
-    assert "Needs &lt;a&gt; script." in html
-    assert html.count("</script>") == 1
+def test_the_stub_holds_its_arms_and_what_is_given():
+    start, end = judge.stub()
+    assert start == '<div class="arm-judge">'
+    assert end.count("</script>") == 1
+    start, end = judge.stub({"ask": "torques", "arm": "PANDA, UR10E", "q": "</script>"})
+    data = json.loads(
+        end.removeprefix('<script type="application/json">').partition("</script>")[0]
+    )
+    assert [arm["key"] for arm in data["arms"]] == ["PANDA", "UR10E"]
+    assert data["given"] == {"ask": "torques", "q": "</script>"}
+    assert start == '<div class="arm-judge small">'
+    with pytest.raises(ArmError, match="no arm is called 'HAL'"):
+        judge.stub({"arm": "HAL"})
