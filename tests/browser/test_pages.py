@@ -110,7 +110,9 @@ class Reader:
             polling=100,
         )
         self.page.evaluate(EVERYTHING)
-        self.page.mouse.move(1, 1)  # a reader is there: live figures come to life, and all is laid out
+        self.page.mouse.move(
+            1, 1
+        )  # a reader is there: live figures come to life, and all is laid out
         return self.page
 
 
@@ -269,7 +271,9 @@ def test_formulas_and_boxes_are_ready_where_the_reader_scrolls(browser):
     places = page.locator("article > section > section").count()
     assert places > 5
     for k in range(places):
-        page.evaluate(f"document.querySelectorAll('article > section > section')[{k}].scrollIntoView()")
+        page.evaluate(
+            f"document.querySelectorAll('article > section > section')[{k}].scrollIntoView()"
+        )
         page.wait_for_function(f"!({STATE})()[0]", polling=50)
         page.wait_for_function(f"!({UNSAID})().length", polling=50)
     assert page.evaluate(f"({STATE})()[2]") > 0, "formulas that nobody came near are not set"
