@@ -38,8 +38,11 @@ export function compareBranches(mine, arm, target, options = {}) {
   const form = formOf(arm);
   const right = apart(arm, inverse(arm, form, asksPose(form) ? frameOf(target) : target));
   const { answers: given, taken, typed } = answers(mine, arm, angles);
-  const report = judged(right, given, angles, tolerance, taken);
-  return { ...report, typed };
+  const { astray, ...report } = judged(right, given, angles, tolerance, taken);
+  const dof = joints(arm).length;
+  const asRows = !taken.length && typed.shape.at(-1) === dof;
+  const wrong = asRows && given.flatMap((one, i) => one.values.map(() => astray.includes(i + 1)));
+  return wrong ? { ...report, typed, wrong } : { ...report, typed };
 }
 
 const frameOf = (rows) => {
@@ -55,7 +58,6 @@ function apart(arm, branches) {
   return { arm, branches: once, count: branches.length };
 }
 
-/** @returns {import("./ranking.js").Report} */
 function judged(right, given, angles, tolerance, taken) {
   const degrees = angles === "rad" ? onlyAsDegrees(right, given, tolerance) : null;
   return degrees
@@ -210,7 +212,7 @@ function gapOf(arm, q, other) {
 
 // The report
 
-/** @returns {import("./ranking.js").Report} */
+/** @returns {import("./ranking.js").Report & { astray: number[] }} */
 function reported(right, given, tolerance, taken, everywhere) {
   const { arm, branches } = right;
   const { hits, astray, sharp } = hitsOf(right, given, tolerance);
@@ -234,6 +236,7 @@ function reported(right, given, tolerance, taken, everywhere) {
   const grade = everywhere || astray.length ? WRONG : unfinished ? SO_FAR : sharp ? RIGHT : ROUNDED;
   if (everywhere) findings.unshift({ what: "cause", where: "", words: `${wordsOf(everywhere)}.` });
   return {
+    astray: everywhere ? given.map((_, i) => i + 1) : astray,
     topic: "branches",
     arm: arm.name,
     grade,
