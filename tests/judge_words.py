@@ -25,7 +25,7 @@ from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
 from tests import judge_motion
-from tests.corpus import jacobians, torques
+from tests.corpus import jacobians, tables, torques
 from tests.corpus.typing_ import typed
 
 ROOT = Path(__file__).parents[1]
@@ -137,11 +137,32 @@ def stored_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
         yield arm, {"topic": "torques", "typed": case["typed"], "q": case["q"], "options": options}
 
 
+def table_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
+    """The corpus's tables: some without their heads, with their order or units said, or within a
+    tolerance.
+    """
+    for case in tables.cases(rng, count):
+        options = {}
+        if rng.random() < 0.5:
+            options |= {"lengths": "m", "angles": "rad"}
+        if rng.random() < 0.05:
+            options["tolerance"] = float(rng.choice([0, 1e-4, 5e-3]))
+        if rng.random() < 0.05:
+            options["convention"] = "craig"
+        typed = case["typed"]
+        if case["form"] in ("csv", "columns") and rng.random() < 0.3:
+            head, typed = typed.split("\n", 1)
+            if rng.random() < 0.5:
+                options["columns"] = head.replace("\t", " ")
+        yield arm_of(case["machine"]), {"topic": "table", "typed": typed, "options": options}
+
+
 QUESTIONS = {
     "jacobian": jacobian_questions,
     "torques": torque_questions,
     "corpus's torques": stored_questions,
     "formula": formula_questions,
+    "table": table_questions,
     "branches": judge_motion.branch_questions,
     "corpus's branches": judge_motion.stored_branches,
     "pose": judge_motion.pose_questions,
@@ -150,21 +171,24 @@ QUESTIONS = {
     "corpus's traces": judge_motion.stored_traces,
 }
 SHARES = {
-    "jacobian": 0.4,
-    "torques": 0.1,
-    "corpus's torques": 0.1,
+    "jacobian": 0.25,
+    "torques": 0.08,
+    "corpus's torques": 0.07,
     "formula": 0.03,
+    "table": 0.25,
     "branches": 0.1,
-    "corpus's branches": 0.07,
-    "pose": 0.1,
-    "corpus's poses": 0.05,
+    "corpus's branches": 0.05,
+    "pose": 0.08,
+    "corpus's poses": 0.04,
     "trace": 0.04,
     "corpus's traces": 0.01,
 }
 
 
-def questions(rng, count: int) -> list[tuple[Arm, dict]]:
-    """So many of every kind."""
+def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]]:
+    """So many of every kind, or of one."""
+    if only:
+        return list(QUESTIONS[only](rng, count))
     return [
         pair for kind, make in QUESTIONS.items() for pair in make(rng, round(count * SHARES[kind]))
     ]
@@ -177,6 +201,8 @@ def python_words(arm: Arm, question: dict) -> list:
     try:
         if topic in judge_motion.SAYS:
             report = judge_motion.SAYS[topic](question["typed"], arm, question)
+        elif topic == "table":
+            report = checks.compare_tables(question["typed"], arm, **question["options"])
         else:
             report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
@@ -222,11 +248,12 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--seed", type=int, default=18)
     parser.add_argument("--cases", type=int, default=1000)
+    parser.add_argument("--only", choices=QUESTIONS)
     given = parser.parse_args()
     rng = np.random.default_rng(given.seed)
     asked, odd = 0, 0
     while asked < given.cases:
-        some = questions(rng, min(_AT_ONCE, given.cases - asked))
+        some = questions(rng, min(_AT_ONCE, given.cases - asked), given.only)
         found = different(some)
         asked, odd = asked + len(some), odd + len(found)
         print(f"{asked} questions, {odd} with different words", flush=True)

@@ -15,6 +15,11 @@ import { turning } from "./door.js";
  * @property {boolean} [whole] as wide as the form
  */
 
+/** @type {(values: string[]) => [string, string][]} */
+const guessedOr = (values) => [
+  ["", "as it looks"],
+  ...values.map((x) => /** @type {[string, string]} */ ([x, x])),
+];
 const PLAIN = { spellcheck: "false", autocomplete: "off", autocapitalize: "off" };
 /** @type {Record<string, Field>} */
 const FIELDS = {
@@ -29,6 +34,13 @@ const FIELDS = {
   wrench: {
     label: "Wrench on the tool, by the world", whole: true,
     hint: "Fx, Fy, Fz in N, Mx, My, Mz in N m, in base axes; empty for none. Gravity is 9.81 m/s² down.",
+  },
+  columns: { label: "Order of the columns", hint: "As in “theta d a alpha”; guessed where it is empty." },
+  lengths: { label: "Lengths in", choices: guessedOr(["m", "cm", "mm"]) },
+  angles: { label: "Angles in", choices: guessedOr(UNITS) },
+  convention: {
+    label: "Convention",
+    choices: [["", "as it looks"], ["standard", "standard"], ["craig", "modified (Craig)"]],
   },
   target: {
     label: "Where the tip should be", rows: 4, whole: true,
@@ -47,6 +59,8 @@ const FIELDS = {
 const HINTS = {
   jacobian:
     "Numbers or formulas in q_1, c_1, s_23, …: NumPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet cells.",
+  table:
+    "A row for each link, with heads or without: lists, Link(…) lines, MATLAB, LaTeX, Markdown, CSV or cells.",
   branches:
     "A row for each answer, angles in the joints' order; names such as theta1 = may stand before them.",
   pose: "One value for each joint, in the joints' order; names such as theta1 = may stand before them.",
@@ -55,7 +69,8 @@ const HINTS = {
     "One torque for each joint in N m (N where it slides), from NumPy, MATLAB, LaTeX, CSV or a spreadsheet.",
 };
 
-const FURTHER = ["frame", "first"]; // what a small judge leaves to the whole one
+// What a small judge leaves to the whole one.
+const FURTHER = ["frame", "first", "columns", "lengths", "angles", "convention"];
 
 const option = ([value, words]) => h("option", { value }, words);
 
