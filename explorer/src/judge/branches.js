@@ -204,10 +204,12 @@ export function angleBetween(here, there) {
 
 function gapOf(arm, q, other) {
   const turns = turning(arm);
-  return q.map((x, k) => {
-    const gap = Math.abs(x - other[k]);
-    return turns[k] ? Math.abs(gap - 2 * Math.PI * rint(gap / (2 * Math.PI))) : gap;
-  });
+  return q.map((x, k) => gapBetween(turns[k], x, other[k]));
+}
+
+function gapBetween(turns, x, y) {
+  const gap = Math.abs(x - y);
+  return turns ? Math.abs(gap - 2 * Math.PI * rint(gap / (2 * Math.PI))) : gap;
 }
 
 // The report
@@ -323,7 +325,10 @@ function why(right, q, margin) {
     yield* whole(arm, q);
     yield* kept(arm, q, branches.map((branch) => branch.q)); // prettier-ignore
   };
-  for (const slips of [first(), double(arm, q)]) {
+  // A slip in two joints can help where all the others are in one branch.
+  const near = branches.map((branch) => gapOf(arm, q, branch.q).map((x, k) => x <= 1.5 * margin[k]));
+  const worth = (i, j) => near.some((row) => row.every((is, k) => is || k === i || k === j));
+  for (const slips of [first(), double(arm, q, worth)]) {
     const found = fitting(right, q, slips, margin);
     if (found.length) return slipped(right, found, mixed);
     if (mixed) return { causes: [mixed.cause], words: mixed.words };
@@ -347,16 +352,27 @@ function slipped({ branches }, found, mixed) {
 // zero would fit as well.
 /** @returns {[Cause, number][]} */
 function fitting({ arm, branches }, q, slips, margin) {
-  const fits = (gap) => gap.every((x, k) => x <= 1.5 * margin[k]);
-  const before = branches.map((branch) => Math.max(...gapOf(arm, q, branch.q)));
+  const turns = turning(arm);
+  const before = branches.map((branch) => gapOf(arm, q, branch.q));
+  const largest = before.map((gaps) => Math.max(...gaps));
+  // The largest gap left of a branch, or null where one is too large.
+  const left = (mended, b) => {
+    let most = 0;
+    for (let k = 0; k < q.length; k++) {
+      const gap = mended[k] === q[k] ? before[b][k] : gapBetween(turns[k], mended[k], branches[b].q[k]);
+      if (!(gap <= 1.5 * margin[k])) return null;
+      most = Math.max(most, gap);
+    }
+    return most;
+  };
   const found = [];
   for (const [one, mended] of slips) {
-    branches.forEach((branch, b) => {
-      const gap = gapOf(arm, mended, branch.q);
-      if (!fits(gap) || Math.max(...gap) > 0.5 * before[b]) return;
+    for (let b = 0; b < branches.length; b++) {
+      const gap = left(mended, b);
+      if (gap === null || gap > 0.5 * largest[b]) continue;
       const zero = () => mended.map((x, k) => (x === q[k] ? x : 0));
-      if (!scales(one) || !fits(gapOf(arm, zero(), branch.q))) found.push([one, b]);
-    });
+      if (!scales(one) || left(zero(), b) === null) found.push([one, b]);
+    }
   }
   return found;
 }
