@@ -105,6 +105,12 @@ export function better(all, weight = ODD) {
 export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
 
 /**
+ * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and degrees for each,
+ * and which of them are wrong.
+ * @typedef {{ rows: import("../axes.js").Numbers[], cells: string[][], wrong: boolean[][] }} ReadTable
+ */
+
+/**
  * One report for all topics, as helpers/checks/verdict.py.
  * @typedef {{ what: string, where: string, words: string }} Finding
  * @typedef {object} Report
@@ -118,6 +124,9 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {string[]} notes
  * @property {import("./door.js").Typed} [typed] what was read, in its own order
  * @property {boolean[]} [wrong] which of its entries are wrong
+ * @property {ReadTable} [table] a Denavit-Hartenberg table as it was read
+ * @property {{ signs: number[], offsets: number[] }} [map] from the joints of that table to those of the reference:
+ *   q_k = signs[k] * yours + offsets[k]
  * @property {Record<string, any>} [figures] measured numbers by name
  */
 
