@@ -105,7 +105,7 @@ def stub(given: Mapping[str, str] | None = None) -> tuple[str, str]:
     calls = [call.strip() for call in given.pop("arm", ",".join(CALLS)).split(",")]
     if "table" in given:
         calls, given["arm"] = [], "own"
-    data = {"arms": [listed(call) for call in calls]}
+    data: Data = {"arms": [listed(call) for call in calls]}
     data |= {"given": given} if given else {"examples": [*EXAMPLES, traced()]}
     script = json.dumps(data, separators=(",", ":")).replace("</", "<\\/")
     name = "arm-judge small" if given else "arm-judge"
