@@ -67,7 +67,7 @@ lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check t
 	npm run lint --prefix explorer --silent
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
-	$(BIN)/python tools/pdf.py
+	$(BIN)/python -m tools.pdf
 
 release: pdf ## the book as a zip to read offline, the PDF and the wheel, in dist
 	rm -rf dist && mkdir dist

@@ -3,16 +3,29 @@
 import { readFileSync } from "node:fs";
 import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../explorer/src/judge/ask.js";
 import * as judge from "../explorer/src/judge/index.js";
+import { compareBranches } from "../explorer/src/judge/branches.js";
+import { circle, circleBelow, restToRest } from "../explorer/src/judge/path.js";
+import { comparePose } from "../explorer/src/judge/pose.js";
 import "../explorer/src/judge/scripts/jacobian.js";
+import "../explorer/src/judge/scripts/motion.js";
+import { compareTrace } from "../explorer/src/judge/trace.js";
 
 const { sentences, arms, questions } = JSON.parse(readFileSync(0, "utf8"));
 judge.learn(sentences);
 
 const JUDGES = {
+  branches: ({ typed, arm, target, options }) => compareBranches(typed, arms[arm], target, options),
   jacobian: ({ typed, arm, q, options }) => judge.compareJacobian(typed, arms[arm], q, options),
   page: ({ fields }) => throughLink({ ...EMPTY, ...fields }),
+  pose: ({ typed, arm, target, options }) => comparePose(typed, arms[arm], target, options),
   torques: ({ typed, arm, q, options }) => judge.compareTorques(typed, arms[arm], q, options),
+  trace: ({ typed, arm, path, options }) => compareTrace(typed, arms[arm], pathOf(arms[arm], path), options),
 };
+
+function pathOf(arm, { rest, ...asked }) {
+  const path = asked.centre ? circle(asked) : circleBelow(arm, asked);
+  return rest ? restToRest(path) : path;
+}
 
 // What the page says of a question that came by a link, and the call that says the same.
 function throughLink(asked) {

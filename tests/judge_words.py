@@ -24,6 +24,7 @@ from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
+from tests import judge_motion
 from tests.corpus import jacobians, torques
 from tests.corpus.typing_ import typed
 
@@ -141,8 +142,25 @@ QUESTIONS = {
     "torques": torque_questions,
     "corpus's torques": stored_questions,
     "formula": formula_questions,
+    "branches": judge_motion.branch_questions,
+    "corpus's branches": judge_motion.stored_branches,
+    "pose": judge_motion.pose_questions,
+    "corpus's poses": lambda rng, count: judge_motion.stored_poses(rng, count, arm_of),
+    "trace": judge_motion.trace_questions,
+    "corpus's traces": judge_motion.stored_traces,
 }
-SHARES = {"jacobian": 0.65, "torques": 0.15, "corpus's torques": 0.15, "formula": 0.05}
+SHARES = {
+    "jacobian": 0.4,
+    "torques": 0.1,
+    "corpus's torques": 0.1,
+    "formula": 0.03,
+    "branches": 0.1,
+    "corpus's branches": 0.07,
+    "pose": 0.1,
+    "corpus's poses": 0.05,
+    "trace": 0.04,
+    "corpus's traces": 0.01,
+}
 
 
 def questions(rng, count: int) -> list[tuple[Arm, dict]]:
@@ -155,9 +173,12 @@ def questions(rng, count: int) -> list[tuple[Arm, dict]]:
 def python_words(arm: Arm, question: dict) -> list:
     """What the checkers say: grade, causes, words."""
     calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
-    call = calls[question["topic"]]
+    topic = question["topic"]
     try:
-        report = call(question["typed"], arm, question["q"], **question["options"])
+        if topic in judge_motion.SAYS:
+            report = judge_motion.SAYS[topic](question["typed"], arm, question)
+        else:
+            report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
         return ["refused", [], str(error)]
     return [report.grade, list(report.causes), str(report)]

@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import json
 import os
 import shutil
 
@@ -11,6 +12,7 @@ import sympy as sp
 
 from helpers import checks, symbolic
 from helpers.explorer import judge
+from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests.judge_words import different, in_node, page_words, python_words, questions
@@ -145,6 +147,18 @@ BY_LINK = [
     {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": PASTES["csv"]},
     {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
      "answer": PASTES["matlab print"]},
+    {"ask": "branches", "arm": "ELBOW", "target": "0.3, 0.1, 0.7",
+     "answer": "theta1 = 0.3, theta2 = 1.2, theta3 = -1.5"},
+    {"ask": "branches", "arm": "UR10E", "unit": "deg", "answer": "0 0 0 0 0 0",
+     "target": "[[1, 0, 0, 0.5], [0, 0, -1, -0.3], [0, 1, 0, 0.4]]"},
+    {"ask": "pose", "arm": "ELBOW", "target": "0.3, 0.1, 0.7",
+     "answer": "('Theta1', 0.3), ('Theta2', -1.12 + pi/2), ('Theta3', 0.2)"},
+    {"ask": "pose", "arm": "own", "table": OWN, "unit": "deg", "answer": "10, 20, 30",
+     "target": "cos(q1), s_23, 0.4"},
+    {"ask": "trace", "arm": "ELBOW", "q": "0.3, 0.4, 0.9", "radius": "0.05", "pace": "rest",
+     "answer": "\n".join(f"{0.3 + 0.01 * k}, 0.4, 0.9" for k in range(40))},
+    {"ask": "trace", "arm": "ELBOW", "q": "10, 20, 50", "unit": "deg", "plane": "xz", "steps": "40",
+     "answer": "t,q1,q2,q3\n" + "\n".join(f"{k / 8},10,20,50" for k in range(40))},
     {"ask": "torques", "arm": "PANDA", "q": "0.1 0.2 0.3 -1 0.5 0.6 0.7", "answer": '"""\\ 1'},
 ]  # fmt: skip
 
@@ -172,7 +186,16 @@ def test_the_examples_name_their_mistakes():
     assert named == [["J.z_i angular"], ["tau.force sign"]]
 
 
-def test_the_stub_holds_words_and_arms():
-    html = judge.stub("Needs <a> script.")
-    assert "Needs &lt;a&gt; script." in html
-    assert html.count("</script>") == 1
+def test_the_stub_holds_its_arms_and_what_is_given():
+    start, end = judge.stub()
+    assert start == '<div class="arm-judge">'
+    assert end.count("</script>") == 1
+    start, end = judge.stub({"ask": "torques", "arm": "PANDA, UR10E", "q": "</script>"})
+    data = json.loads(
+        end.removeprefix('<script type="application/json">').partition("</script>")[0]
+    )
+    assert [arm["key"] for arm in data["arms"]] == ["PANDA", "UR10E"]
+    assert data["given"] == {"ask": "torques", "q": "</script>"}
+    assert start == '<div class="arm-judge small">'
+    with pytest.raises(ArmError, match="no arm is called 'HAL'"):
+        judge.stub({"arm": "HAL"})

@@ -1,9 +1,9 @@
 """Figures: they draw what the table says, on the axes they are given, the same way every time."""
 
-import io
 import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from operator import itemgetter
 from types import SimpleNamespace
 
 import matplotlib as mpl
@@ -41,6 +41,7 @@ from helpers.plotting import (
     row_drawing,
     shoulder_triangles,
     stick_3d,
+    style,
     torques,
     ur_triangle,
     use_book_style,
@@ -130,13 +131,38 @@ def test_figures_come_out_the_same_twice():
     assert not re.search(r"[1-9]\d*\.\d{3,}", first)
 
 
-def test_rounding_keeps_the_picture():
-    figure, ax = plt.subplots()
-    ax.plot([0, 1], [0, 1])
-    raw = io.StringIO()
-    figure.savefig(raw, format="svg", bbox_inches="tight")
-    assert len(svg(figure)) < len(raw.getvalue())
-    assert "scale(0.015625)" in svg(figure)
+def test_a_stored_figure_is_short_and_the_same_picture(monkeypatch):
+    def once():
+        figure, (left, right) = plt.subplots(1, 2)
+        left.plot([0, 1, 2], [-1e-9, 1, 3e5], "o", label="$q_1$")
+        left.legend()
+        right.imshow([[0, 1], [2, 3]])
+        return svg(figure)
+
+    short = once()
+    for name, nothing in ("_lean", str), ("_with_own_ids", str), ("_to_hundredths", itemgetter(0)):
+        monkeypatch.setattr(style, name, nothing)
+    long = once()
+    assert "\n" not in short
+    assert len(short) < 0.85 * len(long)
+    (words, numbers), (wanted, exact) = drawn(short), drawn(long)
+    assert words == wanted
+    assert numbers == pytest.approx(exact, abs=0.005001)
+    assert re.findall('<g id="(.*?)"', short) == ["figure_1", "axes_1", "axes_2"]
+
+
+def drawn(text):
+    """What an SVG draws: its elements, their commands and colours; and all their numbers."""
+    said = []
+    for element in ET.fromstring(text).iterfind(".//{http://www.w3.org/2000/svg}*"):
+        if not element.tag.endswith("metadata"):
+            said.append(element.tag[28:])
+            said += sorted(f"{name[-4:]} {v}" for name, v in element.items() if name != "id")
+    made = r"(?s)(?<=href #)(?!DejaVu).*|(?<=url\(#)[\w-]+|(?<=base64,).*"
+    said = [re.sub(made, "", one) for one in said]
+    number = r"(?<![#\da-z.-])-?\d+(?:\.\d+)?"
+    numbers = [float(one) for one in re.findall(number, " ".join(said))]
+    return re.sub(r"\s|" + number, "", " ".join(said)), numbers
 
 
 # Flat figures, and what is drawn from numbers

@@ -57,12 +57,20 @@ class LiveArm(SphinxDirective):
 
 
 class LiveJudge(SphinxDirective):
-    """The judge of answers; its content is what a page without a script shows."""
+    """The judge of answers; its content is what a page without a script shows.
+
+    In a chapter its options say what is asked, and the judge is small; `pose` is the joint values.
+    """
 
     has_content = True
+    option_spec = dict.fromkeys(("ask", "arm", "pose", "unit", "wrench"), str)
 
     def run(self) -> list[nodes.Node]:
-        return [nodes.raw("", judge.stub(" ".join(self.content)), format="html")]
+        given = {"q" if key == "pose" else key: text for key, text in self.options.items()}
+        place = nodes.container()
+        self.state.nested_parse(self.content, self.content_offset, place)
+        start, end = (nodes.raw("", html, format="html") for html in judge.stub(given))
+        return [start, *place.children, end]
 
 
 def size_unset(tex: str) -> str:

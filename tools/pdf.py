@@ -1,4 +1,4 @@
-"""Print the built book into one PDF: `python tools/pdf.py`.
+"""Print the built book into one PDF: `python -m tools.pdf`.
 
 All pages become one document, in the order of the contents, so that Chromium tags it for screen
 readers as a whole, numbers its pages through, and links lead from page to page. Where a reference
@@ -6,12 +6,13 @@ leads to another page it says to which: the book is printed until these numbers 
 """
 
 import re
-import sys
 from io import BytesIO
 from pathlib import Path
 
 from playwright.sync_api import Browser, Page, sync_playwright
 from pypdf import PdfReader
+
+from tools.browser import launched
 
 ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
@@ -101,9 +102,6 @@ def link(path: Path) -> None:
 
 
 def main() -> None:
-    sys.path.insert(0, str(ROOT))
-    from tests.browser.conftest import launched
-
     together, result = HTML / "_whole.html", HTML / "book.pdf"
     with sync_playwright() as playwright:
         browser = launched(playwright)

@@ -1,31 +1,32 @@
-// Brings the arm explorers of a page to life when they are scrolled near, and the judge of answers at once; a page
-// without one loads nothing.
+// Brings the arm explorers of a page and its judges of answers to life when they are scrolled near, a judge at once where
+// a link carries an answer; a page without one loads nothing.
 {
-  const source = new URL("explorer.js", document.currentScript.src).href;
-  let bundle;
+  const folder = document.currentScript.src;
+  const scripts = {};
 
-  const load = () =>
-    (bundle ??= new Promise((done, failed) => {
-      const script = Object.assign(document.createElement("script"), { src: source, onload: done, onerror: failed });
-      document.head.append(script);
+  const load = (name) =>
+    (scripts[name] ??= new Promise((done, failed) => {
+      const src = new URL(name, folder).href;
+      document.head.append(Object.assign(document.createElement("script"), { src, onload: done, onerror: failed }));
     }));
-
-  const judge = new URL("judge.js", document.currentScript.src).href;
+  const wake = (stub) =>
+    stub.matches(".arm-judge") ? load("judge.js") : load("explorer.js").then(() => ArmExplorer.mount(stub));
 
   const near = new IntersectionObserver(
     (entries) => {
       for (const { isIntersecting, target } of entries) {
         if (!isIntersecting) continue;
         near.unobserve(target);
-        load().then(() => ArmExplorer.mount(target));
+        wake(target);
       }
     },
     { rootMargin: "500px" },
   );
 
   document.addEventListener("DOMContentLoaded", () => {
-    for (const stub of document.querySelectorAll(".arm-explorer")) near.observe(stub);
-    if (document.querySelector(".arm-judge"))
-      document.head.append(Object.assign(document.createElement("script"), { src: judge }));
+    for (const stub of document.querySelectorAll(".arm-explorer, .arm-judge")) near.observe(stub);
+    if (location.hash.startsWith("#ask=")) for (const stub of document.querySelectorAll(".arm-judge")) wake(stub);
   });
+  // A picture that a script of the page has put in.
+  document.addEventListener("arm-explorer", ({ target }) => near.observe(target));
 }

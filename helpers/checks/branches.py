@@ -19,7 +19,7 @@ from helpers.inputs import ArmError, must_be
 from helpers.inverse.numeric import solve
 from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.reading.sentences import listed, say, size
+from helpers.reading.sentences import listed, millimetres, say, size
 
 Array = NDArray[Any]
 
@@ -334,7 +334,7 @@ def _wrong(
     miss = _miss(arm, q, right.target, np.zeros(arm.dof))
     if miss is None:
         return (), Finding("answer", where, None, None, say("ik unlisted", number=number))
-    off = say("ik off", millimetres=size(round(1e3 * miss[0], 3)), turn=_turn(arm, miss[1]))
+    off = say("ik off", millimetres=millimetres(miss[0]), turn=_turn(arm, miss[1]))
     causes, words = _why(right, q, margin)
     said = say("ik answer", number=number, off=off, words=words)
     return causes, Finding(causes[0].name if causes else "answer", where, None, None, said)

@@ -137,14 +137,3 @@ def weights(
     lever = moment[..., at, :] - mass[..., at, None] * o
     turning = -np.einsum("...i,...i->...", z, np.cross(lever, gravity))
     return np.where(chain.turning, turning, -(z @ gravity) * mass[..., at])
-
-
-def alike(arm: Arm) -> list[tuple[str, str]]:
-    """Names of lengths a_i that may be taken for one another: near, and not the same."""
-    a = [(n, v) for n, v in dict(arm.values).items() if n.startswith("a_")]
-    return [
-        (m, n)
-        for m, x in a
-        for n, y in a
-        if m != n and x != y and abs(x - y) < 0.1 * max(abs(x), abs(y))
-    ]

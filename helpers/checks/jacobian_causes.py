@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helpers.arm import Arm
-from helpers.checks.chains import Chain, alike, chain, columns
+from helpers.checks.chains import Chain, chain, columns
+from helpers.checks.lengths import alike
 from helpers.checks.ranking import Cause, Pairs, cause
 
 Array = NDArray[Any]
@@ -220,8 +221,7 @@ def wrong_tables(arm: Arm, right: Chain) -> list[tuple[Cause, Chain]]:
         words = {n: v for n, v in fields.items() if n not in changes}
         found.append((cause(key, **words), right.with_(**changes)))
 
-    names = set(dict(arm.values))
-    if "l_pen" in names and arm.number("l_pen"):
+    if arm.values.get("l_pen"):
         put("table.pen", d=chain(arm.with_values(l_pen=0), right.q).d)
     if (right.theta[[i - 1 for i in right.joints]] != 0).any():
         put("table.offsets", theta=np.where(_moving(right), 0.0, right.theta))

@@ -32,7 +32,7 @@ def meanings(
     Raises ArmError for a name that means nothing, with the names that do.
     """
     names = sorted(set(names))
-    known = {simple(k): v for k, v in {**dict(arm.values), **(values or {})}.items()}
+    known = {simple(k): v for k, v in {**arm.values, **(values or {})}.items()}
     found = {name: known[simple(name)] for name in names if simple(name) in known}
     joints = {name: _indices(name) for name in names if name not in found}
     order, said = _order(sorted({i for used in joints.values() for i in used or ()}), arm)
@@ -79,4 +79,4 @@ def _angle_or_short(name: str, q: list[float]) -> float:
 
 
 def _known(arm: Arm) -> str:
-    return ", ".join([*arm.variables, *dict(arm.values)])
+    return ", ".join([*arm.variables, *arm.values])

@@ -9,13 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.checks import door, inverse_causes
 from helpers.checks.branches import answers
-from helpers.checks.chains import alike
 from helpers.checks.digits import HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG, Typed
+from helpers.checks.lengths import wrong_lengths
 from helpers.checks.ranking import Cause, cause, lower, several
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.reading.sentences import listed, say, size
+from helpers.reading.sentences import listed, millimetres, say, size
 
 Array = NDArray[Any]
 
@@ -76,7 +76,7 @@ def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Rep
                 notes,
                 figures,
             )
-    off = say("ik off", millimetres=size(round(1e3 * miss[0], 3)), turn=_turn(T, miss[1]))
+    off = say("ik off", millimetres=millimetres(miss[0]), turn=_turn(T, miss[1]))
     found = _causes(q, arm, T, margin, miss, tolerance)
     if not found and _within(miss, _margins(q, arm, T, HALF, tolerance)):
         return Report(
@@ -148,7 +148,9 @@ def _causes(
     for c, other, values, target in _slips(q.values, arm, T.values):
         if len(c.keys) > 1 and found:
             break
-        least = [min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)]
+        least: Sequence[float] = [
+            min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)
+        ]
         if inverse_causes.scales(c):
             typed = Typed(values, q.units * inverse_causes.scale(c, arm))
             least = _margins(typed, arm, T, HAND, tolerance)
@@ -167,11 +169,8 @@ def _slips(q: Array, arm: Arm, T: Array) -> Iterator[tuple[Cause, Arm, Array, Ar
         yield cause(key), arm, q, _scaled(T, factor)
     for c, mended in (*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)):
         yield c, arm, mended, T
-    values = dict(arm.values)
-    if values.get("l_pen"):
-        yield cause("table.pen"), arm.with_values(l_pen=0), q, T
-    for m, n in alike(arm):
-        yield cause("table.length", name=m, other=n), arm.with_values(**{m: values[n]}), q, T
+    for found, other in wrong_lengths(arm):
+        yield found, other, q, T
     if T.ndim == 2:
         yield cause("pose.transposed"), arm, q, _rotated(T, T[:3, :3].T)
         for axis in range(3):

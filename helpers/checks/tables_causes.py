@@ -8,7 +8,7 @@ from itertools import combinations
 
 from helpers.arm import Arm
 from helpers.checks.axes import Rows, numeric
-from helpers.checks.chains import alike
+from helpers.checks.lengths import wrong_lengths
 from helpers.checks.ranking import Cause, cause
 from helpers.reading.table import Numbers, from_craig
 
@@ -88,11 +88,8 @@ def references(arm: Arm) -> Iterator[tuple[Cause, tuple[Numbers, ...]]]:
     """Other arms that a student may have described: without the pen, or one length taken for
     another.
     """
-    values = dict(arm.values)
-    if values.get("l_pen"):
-        yield cause("table.pen"), numeric(arm.with_values(l_pen=0))
-    for m, n in alike(arm):
-        yield cause("table.length", name=m, other=n), numeric(arm.with_values(**{m: values[n]}))
+    for found, other in wrong_lengths(arm):
+        yield found, numeric(other)
 
 
 def flips(rows: Rows) -> Iterator[tuple[Cause, list[Numbers]]]:

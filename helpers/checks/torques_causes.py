@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helpers.arm import Arm
-from helpers.checks.chains import alike, chain, columns, weights
+from helpers.checks.chains import chain, columns, weights
+from helpers.checks.lengths import wrong_lengths
 from helpers.checks.ranking import Cause, cause
 from helpers.reading.sentences import listed
 
@@ -118,11 +119,8 @@ def _loads(load: Load) -> Iterator[tuple[Cause | None, Load]]:
 
     for change in (np.radians, np.degrees):
         yield cause("tau.degrees"), other(arm, np.where(arm.turning, change(q), q))
-    values = dict(arm.values)
-    if values.get("l_pen"):
-        yield cause("table.pen"), other(arm.with_values(l_pen=0), q)
-    for m, n in alike(arm):
-        yield cause("table.length", name=m, other=n), other(arm.with_values(**{m: values[n]}), q)
+    for found, wrong in wrong_lengths(arm):
+        yield found, other(wrong, q)
 
 
 def _weights(load: Load) -> Iterator[Part]:

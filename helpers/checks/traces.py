@@ -18,13 +18,14 @@ from helpers.inputs import must_be
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
 from helpers.motion.report import run_report
-from helpers.reading.sentences import listed, say, size
+from helpers.reading.sentences import listed, millimetres, say, size
 
 Array = NDArray[Any]
 
 TILT = np.radians(1.0)  # a tool that leans or spins more than this no longer counts as held
 _USUAL = 2e-3  # m: Euler's method on the homework's circle stays well below
 _JUMP = 0.3  # rad or m in one step, and ten times the usual one: another branch
+_ALIKE = 1e-9  # m: errors nearer to each other than this are the same
 
 
 def compare_trace(
@@ -39,8 +40,9 @@ def compare_trace(
         arm: whose joints they are.
         path: what the tip should draw, at held orientation.
         tolerance: the largest distance (m) from where the tip should be, 2 mm unless given; the
-            tool may lean or spin by 1 degree. Unless given, a run within 2 mm that shows a slip
-            (other lengths, the velocity of the next step) is wrong all the same.
+            tool may lean or spin by 1 degree, or as it likes where fewer than six joints hold it.
+            Unless given, a run within 2 mm that shows a slip (other lengths, the velocity of the
+            next step) is wrong all the same.
         angles: "deg" where yours are in degrees.
 
     Limits of range and speed are notes: the homework's own circle breaks them. Raises ArmError
@@ -198,7 +200,7 @@ def _symptoms(
     if run.position_error > allowed:
         yield Finding("step", "", None, None, _where(path, poses[:, :3, 3]))
     yield from _jumps(q, arm)
-    if run.pen_tilt > TILT:
+    if arm.dof >= 6 and run.pen_tilt > TILT:
         words = say("trace leans", degrees=size(float(np.degrees(run.pen_tilt))))
         yield Finding("trace.leans", "", None, None, words)
     elif turn.max() > TILT:
@@ -226,12 +228,13 @@ def _off(path: Path, points: Array) -> Array:
 
 
 def _where(path: Path, tip: Array) -> str:
+    """The farthest point, the first of those that are equally far."""
     error = _off(path, tip)
-    k = int(error.argmax())
-    start = say("already") if error[0] > 0.5 * error[k] else f"{size(1e3 * float(error[0]))} mm"
+    k = int((error >= error.max() - _ALIKE).argmax())
+    start = say("already") if error[0] > 0.5 * error[k] else f"{millimetres(error[0])} mm"
     return say(
         "trace where",
-        error=size(1e3 * float(error[k]), 4),
+        error=millimetres(error[k], 4),
         step=k,
         steps=len(error) - 1,
         start=start,

@@ -52,7 +52,7 @@ def _shapes(path: Path, tip: Array, allowed: float) -> Iterator[Cause]:
         shape = scale * wanted
         off = (tip - middle - shape, tip - tip[0] - (shape - shape[0]))
         if min(np.linalg.norm(x, axis=1).max() for x in off) <= allowed * min(1.0, max(scale, 0.1)):
-            yield cause("trace.scaled", _scale=size(scale, 4))
+            yield cause("trace.scaled", _scale=size(round(scale, 6), 4))
     if follows(mirrored):
         yield cause("trace.other side")
     for i, j in ((0, 1), (0, 2), (1, 2)):

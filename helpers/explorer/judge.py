@@ -2,12 +2,13 @@
 that usual mistakes about lengths would give."""
 
 import json
-from html import escape
+from collections.abc import Mapping
 
 from helpers import robots
 from helpers.arm import Arm
-from helpers.checks.chains import alike
+from helpers.checks.lengths import alike
 from helpers.explorer.data import Data, arm_data
+from helpers.inputs import ArmError
 
 # As a reader may ask of them: their names in helpers.robots, and what is locked.
 CALLS = (
@@ -46,19 +47,28 @@ EXAMPLES = (
 def catalogue_arm(call: str) -> Arm:
     """The arm of a call such as ``PANDA.lock(3)``."""
     name, _, locked = call.removesuffix(")").partition(".lock(")
-    arm: Arm = getattr(robots, name)
+    arm = getattr(robots, name, None)
+    if not isinstance(arm, Arm):
+        raise ArmError(f"no arm is called {call!r}; expected one of {', '.join(CALLS)}")
     return arm.lock(int(locked)) if locked else arm
 
 
-def stub(words: str) -> str:
-    """The judge's place in a page: what stands there without a script, and the arms as data."""
-    arms = [listed(call) for call in CALLS]
-    data = json.dumps({"arms": arms, "examples": EXAMPLES}, separators=(",", ":"))
-    data = data.replace("</", "<\\/")
-    return (
-        f'<div class="arm-judge"><p>{escape(words)}</p>'
-        f'<script type="application/json">{data}</script></div>'
-    )
+def stub(given: Mapping[str, str] | None = None) -> tuple[str, str]:
+    """The judge's place in a page: what comes before and after the words that stand there without a
+    script.
+
+    `given` is what a chapter asks: `ask`, `arm` (a call such as ``PANDA.lock(3)``, or several with
+    commas), `q` and more fields of explorer/src/judge/ask.js. Raises ArmError for an arm that is
+    not in the catalogue.
+    """
+    given = dict(given or {})
+    calls = tuple(call.strip() for call in given.pop("arm", ",".join(CALLS)).split(","))
+    data = {"arms": [listed(call) for call in calls]}
+    data |= {"given": given} if given else {"examples": EXAMPLES}
+    script = json.dumps(data, separators=(",", ":")).replace("</", "<\\/")
+    name = "arm-judge small" if given else "arm-judge"
+    end = f'<script type="application/json">{script}</script></div>'
+    return f'<div class="{name}">', end
 
 
 def listed(call: str) -> Data:
@@ -73,7 +83,7 @@ def judged_data(arm: Arm) -> Data:
     """An arm for explorer/src/judge: `arm_data`, its values by name, the arm without its pen, and
     for lengths that are near each other the arm with one taken for the other.
     """
-    values = dict(arm.values)
+    values = arm.values
     found = {**arm_data(arm), "values": [[name, float(x)] for name, x in values.items()]}
     if values.get("l_pen"):
         found["penless"] = arm_data(arm.with_values(l_pen=0))

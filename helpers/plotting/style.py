@@ -82,11 +82,20 @@ def svg(figure: Figure) -> str:
         bbox_inches="tight",
         metadata={"Date": None, "Creator": None},
     )
-    text = file.getvalue().decode()
-    text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", lambda number: f"{float(number[0]):.2f}", text)
-    text = re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)
-    text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->", "", text)
-    return _with_own_ids(re.sub(r"\s*\n\s*([LCQMz]\b)?", lambda found: found[1] or "\n", text))
+    text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", _to_hundredths, file.getvalue().decode())
+    return _with_own_ids(_lean(re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)))
+
+
+def _to_hundredths(number: re.Match[str]) -> str:
+    return f"{round(float(number[0]), 2):.15g}"
+
+
+def _lean(text: str) -> str:
+    """The same picture in fewer characters. A notebook keeps every line as a string of its own,
+    so line ends cost most; of the groups only figure and axes are ever looked for by name."""
+    text = re.sub(r"(?s)<metadata>.*?</metadata>|<!--.*?-->|<\?xml.*?\?>|<!DOCTYPE.*?>", "", text)
+    text = re.sub(r'(<g) id="(?!figure_|axes_)[^"]*"', r"\1", re.sub(r"\s*\n\s*", "", text))
+    return re.sub(r' xmlns:xlink="[^"]*"|\bxlink:(?=href=)|(?<=[MLQC]) (?=[-\d])', "", text)
 
 
 def _with_own_ids(text: str) -> str:

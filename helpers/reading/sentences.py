@@ -24,6 +24,11 @@ def size(x: float, digits: int = 3) -> str:
     return f"{x + 0.0:.{digits}g}" if f"{x:.{digits}g}" != "-0" else "0"
 
 
+def millimetres(metres: float, digits: int = 3) -> str:
+    """A length in m as so many digits of mm, not below a thousandth of one."""
+    return size(round(1e3 * float(metres), 3), digits)
+
+
 def listed(words: list[str], last: str = "and") -> str:
     """``a, b and c``."""
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} {last} {words[-1]}"

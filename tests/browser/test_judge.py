@@ -95,3 +95,31 @@ def test_without_a_script_the_page_reads_well(browser):
     page.goto(PAGE.as_uri())
     assert "It needs JavaScript and no network." in page.locator(".arm-judge").inner_text()
     context.close()
+
+
+SIX_COLUMNS = """-0.154 0 1 0 0 0
+0.763 0 0 0 0 0
+0 -0.763 0 0 -0.263 0
+0 0 0 1 0 1
+0 1 0 0 1 0
+1 0 0 0 0 0"""  # the Stanford arm with its boom level, by hand
+
+
+def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(browser):
+    context = browser.new_context(viewport={"width": 390, "height": 800}, offline=True)
+    page = context.new_page()
+    page.goto((HTML / "02_jacobian.html").as_uri())
+    assert page.locator("script[src$='judge.js']").count() == 0  # far away
+    place = page.locator(".arm-judge").nth(1)
+    place.scroll_into_view_if_needed()
+    place.locator(".verdict").wait_for()
+    assert place.locator("label:visible").all_text_contents() == ["Your answer"]
+    answer = place.get_by_label("Your answer", exact=True)
+    answer.fill(SIX_COLUMNS)
+    place.locator(".verdict", has_text="The Jacobian of Stanford arm is right").wait_for()
+    answer.fill(SIX_COLUMNS.replace("-0.154", "-0.254"))
+    place.locator(".verdict", has_text="olumn 1 (joint 1): wrong in vx").wait_for()
+    place.get_by_role("link", name="More room").click()
+    verdict(page, "olumn 1 (joint 1): wrong in vx")
+    assert page.get_by_label("Pose q").input_value() == "0, pi/2, 0.5, 0, 0, 0"
+    context.close()

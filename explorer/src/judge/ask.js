@@ -12,11 +12,17 @@ import { ArmError, quoted } from "./say.js";
 export { ASKED };
 
 const LONGEST_LINK = 12_000; // characters of a fragment
-const LONGEST = { table: 2000, q: 500, wrench: 300, answer: 8000 };
+const LONGEST = { table: 2000, q: 500, wrench: 300, answer: 8000, target: 1000 };
 export const LONGEST_ANSWER = 20_000; // characters that are judged while typing
 export const OWN = "own"; // the arm whose table is typed
 export const UNITS = ["rad", "deg"];
-const ORDERS = ["v", "omega"];
+// What stands in a field that offers few values.
+export const CHOICES = {
+  unit: UNITS,
+  first: ["v", "omega"],
+  plane: ["zy", "yz", "zx", "xz"],
+  pace: ["even", "rest"],
+};
 
 /**
  * @typedef {object} Question
@@ -29,11 +35,18 @@ const ORDERS = ["v", "omega"];
  * @property {string} first the half that stands first: "v" or "omega"
  * @property {string} wrench
  * @property {string} answer
+ * @property {string} target a point or a pose
+ * @property {string} radius of the circle that hangs below the tip at q
+ * @property {string} plane its base axes in their order
+ * @property {string} period the duration of the run
+ * @property {string} steps of the run; empty: as many as the answer has
+ * @property {string} pace "even" or "rest", from rest to rest
  */
 
 /** @type {Question} */
 export const EMPTY = {
   ask: "jacobian", arm: "", table: "", q: "", unit: "rad", frame: "0", first: "v", wrench: "", answer: "",
+  target: "", radius: "0.1", plane: "zy", period: "5", steps: "", pace: "even",
 }; // prettier-ignore
 
 /** @param {Question} question */
@@ -68,8 +81,9 @@ export function fromFragment(fragment, arms) {
   if (question.arm !== OWN && !arms.includes(question.arm)) {
     return refused(`there is no arm called “${question.arm}” here`);
   }
-  const known = UNITS.includes(question.unit) && ORDERS.includes(question.first);
-  if (!known || !/^\d{1,2}$/.test(question.frame)) return refused("its unit, frame or order is none");
+  const odd = Object.keys(CHOICES).find((key) => !CHOICES[key].includes(question[key]));
+  if (odd) return refused(`its ${odd} is none`);
+  if (!/^\d{1,2}$/.test(question.frame)) return refused("its frame is none");
   return { question, words: "" };
 }
 
@@ -121,8 +135,9 @@ export function judge(question, arms) {
     if (asked) return { error: asked, arm };
     const q = posed(question) ? pose(question.q, arm, question.unit).values : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
-    if (question.answer.length > LONGEST_ANSWER) {
-      return { error: `The answer is longer than ${LONGEST_ANSWER} characters.`, arm, q };
+    const most = ASKED[question.ask].longest ?? LONGEST_ANSWER;
+    if (question.answer.length > most) {
+      return { error: `The answer is longer than ${most} characters.`, arm, q };
     }
     const checker = checkerOf(question.ask);
     if (!checker) return { error: "The checker is being loaded.", waiting: true, arm, q };
@@ -145,7 +160,7 @@ export function asPython(question, arms) {
   const { call, imports: more = [] } = checkerOf(question.ask);
   const lines = [...imports, ...more, "from helpers import checks", ""];
   if (question.arm === OWN) lines.push(...ownRows(arm), "");
-  lines.push(`mine = ${quoted(question.answer)}`, `print(${call(question, name)})`);
+  lines.push(`mine = ${quoted(question.answer)}`, `print(${call(question, name, arm)})`);
   return `${lines.join("\n")}\n`;
 }
 

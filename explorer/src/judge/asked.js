@@ -1,7 +1,16 @@
 // The kinds of questions: what each is called, the fields it has besides arm and answer, and the script of its checker.
 
-/** @type {Record<string, { title: string, fields: string[], script: string }>} */
+/**
+ * `longest` is how many characters of an answer are judged, where they may be more than usual.
+ * @type {Record<string, { title: string, fields: string[], script: string, longest?: number }>}
+ */
 export const ASKED = {
   jacobian: { title: "Jacobian at a pose", fields: ["q", "unit", "frame", "first"], script: "jacobian" },
   torques: { title: "Joint torques at a pose", fields: ["q", "unit", "wrench"], script: "jacobian" },
-};
+  branches: { title: "All joint angles for a target", fields: ["target", "unit"], script: "motion" },
+  pose: { title: "Joint angles for one pose", fields: ["target", "unit"], script: "motion" },
+  trace: {
+    title: "Joints along a circle", fields: ["q", "unit", "radius", "plane", "period", "steps", "pace"],
+    script: "motion", longest: 5_000_000,
+  },
+}; // prettier-ignore

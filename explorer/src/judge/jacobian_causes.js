@@ -67,7 +67,7 @@ export function pairs(at) {
 // The recipe
 
 // The Jacobian with one step of its recipe done otherwise, in base axes.
-function* recipes(c) {
+export function* recipes(c) {
   const T = chains.framesOf(c);
   const late = c.at.map((i) => i + 1);
   const [right, oneLate] = [chains.columns(c, T), chains.columns(c, T, { axis: late, origin: late })];
@@ -102,7 +102,7 @@ const inDegrees = (c) => degrees(c).map(([one, other]) => [one, jacobian(other)]
 const inTables = (arm, c) => wrongTables(arm, c).map(([one, other]) => [one, jacobian(other)]);
 
 // Usual mistakes in a table's numbers, whatever it is used for.
-function wrongTables(arm, c) {
+export function wrongTables(arm, c) {
   const found = [];
   const put = (key, fields, change) =>
     found.push([cause(key, fields), { ...c, rows: c.rows.map((row, i) => ({ ...row, ...change(row, i) })) }]);

@@ -93,6 +93,7 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {string[]} notes
  * @property {import("./door.js").Typed} [typed] what was read, in its own order
  * @property {boolean[]} [wrong] which of its entries are wrong
+ * @property {Record<string, any>} [figures] measured numbers by name
  */
 
 // Everything below the headline, a sentence each.

@@ -7,8 +7,8 @@ import { ASKED } from "./asked.js";
  * @typedef {import("../arm.js").Arm} Arm
  * @typedef {object} Checker
  * @property {(question: Question, arm: Arm) => import("./ranking.js").Report} verdict on what is typed; throws ArmError
- * @property {(question: Question, name: string) => string} call in Python that says the same of `mine`, for an arm that
- *   is called `name`
+ * @property {(question: Question, name: string, arm: Arm) => string} call in Python that says the same of `mine`, for
+ *   an arm that is called `name`
  * @property {string[]} [imports] lines of Python that the call needs besides
  */
 
@@ -24,10 +24,11 @@ export const register = (ask, checker) => void checkers.set(ask, checker);
 // The checker of a question, or undefined while its script has not come.
 export const checkerOf = (ask) => checkers.get(ask);
 
-// When the checker of a question is there; its script is loaded if need be, once more where that failed.
-export function ready(ask) {
-  if (checkers.has(ask)) return Promise.resolve();
-  const { script } = ASKED[ask];
+// When the checker of a question is there; its script is loaded if need be.
+export const ready = (ask) => (checkers.has(ask) ? Promise.resolve() : load(ASKED[ask].script));
+
+// When a script of the judge has run, once more where that failed.
+export function load(script) {
   if (!coming.has(script)) coming.set(script, loaded(script));
   return coming.get(script);
 }

@@ -28,12 +28,22 @@ export const lower = (text) =>
 // A number to so many significant digits, as C's %g.
 export function size(x, digits = 3) {
   if (!Number.isFinite(x)) return Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf";
-  const [mantissa, power] = x.toExponential(digits - 1).split("e");
+  if (x === 0) return "0";
+  const [mantissa, power] = evenly(x, digits).split("e");
   const exponent = Number(power);
   const trimmed = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
-  if (x === 0) return "0";
   if (exponent < -4 || exponent >= digits) return `${trimmed(mantissa)}e${signed(exponent)}`;
-  return trimmed(x.toFixed(Math.max(0, digits - 1 - exponent)));
+  return trimmed(Number(`${mantissa}e${power}`).toFixed(Math.max(0, digits - 1 - exponent)));
+}
+
+// So many digits of a number; one that lies in the middle of two goes to the even one, where toExponential goes up.
+function evenly(x, digits) {
+  const up = x.toExponential(digits - 1);
+  const [mantissa, power] = x.toExponential(digits + 25).split("e");
+  const kept = digits === 1 ? mantissa.indexOf(".") : mantissa.indexOf(".") + digits;
+  const rest = mantissa.slice(kept).replace(".", "");
+  const down = mantissa.slice(0, kept);
+  return /^50*$/.test(rest) && "02468".includes(down.at(-1)) ? `${down}e${power}` : up;
 }
 
 const signed = (exponent) => `${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;

@@ -1,0 +1,12 @@
+// What a judge has besides its form and its verdict.
+
+import { judges } from "../judges.js";
+import { addTools } from "../page/tools.js";
+import { ready } from "../registry.js";
+
+const script = /** @type {HTMLScriptElement} */ (document.currentScript);
+const root = new URL("..", script.src).href;
+for (const judge of judges) {
+  addTools(judge, root);
+  ready(judge.question().ask).catch(() => {}); // said when something is typed
+}

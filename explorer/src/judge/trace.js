@@ -1,0 +1,208 @@
+// Did these joints draw the path? The port of helpers/checks/traces.py: by the tip that they give, and by how they
+// move.
+
+import { dot, joints, linkFrames, norm } from "../kinematics.js";
+import { angleBetween, millimetres } from "./branches.js";
+import { RIGHT, WRONG } from "./digits.js";
+import { inRadians, numbered, numbers } from "./door.js";
+import { nameOf, wordsOf } from "./ranking.js";
+import { listed, lower, say, size } from "./say.js";
+import { loopCause, offs, pathCause } from "./trace_causes.js";
+
+const DEGREES = 180 / Math.PI;
+const TILT = 1 / DEGREES; // rad: a tool that leans or spins more no longer counts as held
+const USUAL = 2e-3; // m: Euler's method on the homework's circle stays well below
+const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another branch
+const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
+
+/** @typedef {import("./path.js").Path} Path */
+/** @typedef {import("./ranking.js").Finding} Finding */
+/**
+ * Rows of joints, and the largest unit of their last places.
+ * @typedef {{ q: number[][], unit: number, taken: string[], extra: boolean }} Run
+ */
+
+/**
+ * The report on joint vectors along a path: a text such as CSV, or nested lists.
+ * @param {string | any[]} mine @param {any} arm @param {Path} path
+ * @returns {import("./ranking.js").Report}
+ */
+export const compareTrace = (mine, arm, path, options = {}) =>
+  judgedTrace(readTrace(mine, arm), arm, path, options);
+
+// The joints as they were handed in.
+export const readTrace = (mine, arm) => numbers(mine, `${arm.name}: your joints`);
+
+/**
+ * @param {import("./door.js").Typed} typed @param {any} arm @param {Path} path
+ * @returns {import("./ranking.js").Report}
+ */
+export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null } = {}) {
+  const run = upright(typed, arm, path.times.length, angles);
+  if (!run) return misshapen(typed, arm, path);
+  const cut = { ...path, times: path.times.slice(0, run.q.length) };
+  const allowed = tolerance ?? USUAL;
+  if (angles === "rad" && onlyAsDegrees(run, arm, cut, allowed)) {
+    const words = say("trace.degrees");
+    const findings = [{ what: "cause", where: "", words }];
+    return reported(arm, WRONG, lower(words), run.taken, { findings, causes: ["trace.degrees"] });
+  }
+  return judged(run, arm, cut, allowed, tolerance !== null);
+}
+
+// Whether joints follow the path in degrees, and not in radians.
+function onlyAsDegrees({ q }, arm, path, allowed) {
+  const wanted = path.times.map(path.position);
+  const follows = (rows) =>
+    Math.max(...offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o))) <= allowed; // prettier-ignore
+  return follows(q.map((row) => inRadians({ values: row, units: row }, arm, "deg").values)) && !follows(q);
+}
+
+// A row per step: columns turned round, a leading column of times or zeros dropped, one step too many cut, and said.
+/** @returns {Run | null} */
+function upright(typed, arm, count, angles) {
+  const dof = joints(arm).length;
+  const shape = typed.shape.filter((n) => n !== 1);
+  if (shape.length !== 2) return null;
+  const taken = [];
+  const lengths = [count - 1, count, count + 1];
+  let [rows, units] = [typed.values, typed.units].map((list) => rowsOf(list, shape[1]));
+  if (shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1])) {
+    [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
+    taken.push(say("taken: list per joint"));
+  }
+  const first = rows.map(([x]) => x);
+  const isTime = first.every((x) => !x) || first.slice(1).every((x, k) => x - first[k] > 0);
+  if (rows[0].length === dof + 1 && isTime) {
+    [rows, units] = [rows, units].map((list) => list.map((row) => row.slice(1)));
+    taken.push(say("taken: times"));
+  }
+  if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
+  const [q, steps] = [rows, units].map((list) =>
+    list.slice(0, count).map((row) => inRadians({ values: row, units: row }, arm, angles).values),
+  );
+  const unit = steps.reduce((top, row) => Math.max(top, ...row), 0);
+  return { q, unit, taken, extra: rows.length === count + 1 };
+}
+
+const rowsOf = (flat, width) =>
+  Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
+
+/** @returns {import("./ranking.js").Report} */
+function reported(arm, grade, words, taken, rest = {}) {
+  const headline = say(grade === RIGHT ? "trace right" : "trace wrong", { arm: arm.name, cause: words });
+  return {
+    topic: "trace",
+    arm: arm.name,
+    grade,
+    headline,
+    findings: [],
+    causes: [],
+    taken,
+    notes: [],
+    ...rest,
+  };
+}
+
+function misshapen({ shape }, arm, { times }) {
+  const fields = { shape: shape.join("x") || "1", rows: times.length, dof: joints(arm).length };
+  const words = say("trace.shape", fields);
+  const findings = [{ what: "shape", where: "", words }];
+  return reported(arm, WRONG, lower(words), [], { findings, causes: ["trace.shape"] });
+}
+
+// The verdict
+
+/** @param {Run} run @param {Path} path @returns {import("./ranking.js").Report} */
+function judged(run, arm, path, allowed, given) {
+  const { q, taken } = run;
+  const frames = q.map((row) => linkFrames(arm, row).at(-1));
+  const tip = frames.map(({ o }) => o);
+  const errors = offs(path.times.map(path.position), tip);
+  const error = Math.max(...errors);
+  const turn = joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
+  const symptoms = [...symptomsOf(run, arm, errors, frames, turn, allowed)];
+  const slip = () => loopCause(q, run.unit, arm, path);
+  const byShape = () => (error > allowed ? pathCause(path, tip, allowed) : null);
+  const named = symptoms.length ? (byShape() ?? slip()) : given ? null : slip();
+  const notes = [...notesOf(arm, path, q)];
+  const figures = { position_error: error, tool_turn: turn };
+  const wrong = (words, findings, causes) =>
+    reported(arm, WRONG, words, taken, { findings, causes, notes, figures });
+  if (named) {
+    const words = wordsOf(named);
+    const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
+    return wrong(`${lower(words)}.`, findings, [nameOf(named)]);
+  }
+  if (!symptoms.length) return reported(arm, RIGHT, "", taken, { notes, figures });
+  const [first, ...rest] = symptoms;
+  const causes = symptoms.map(({ what }) => what).filter((what) => what.includes("."));
+  return wrong(lower(first.words), [{ ...first, what: "cause" }, ...rest], causes);
+}
+
+/** @param {Run} run @returns {Generator<Finding>} */
+function* symptomsOf({ q, extra }, arm, errors, frames, turn, allowed) {
+  const finding = (what, words, where = "") => ({ what, where, words });
+  if (Math.max(...errors) > allowed) yield finding("step", whereOf(errors));
+  yield* jumps(q, arm);
+  const held = joints(arm).length >= 6;
+  const lean = held ? Math.max(...frames.map(({ z }) => between(z, frames[0].z))) : 0;
+  const degrees = (angle) => ({ degrees: size(angle * DEGREES) });
+  if (lean > TILT) yield finding("trace.leans", say("trace leans", degrees(lean)));
+  else if (turn > TILT) yield finding("trace.spins", say("trace spins", degrees(turn)));
+  if (extra) yield finding("trace.one more", say("trace.one more"));
+}
+
+// The angle between two unit vectors.
+const between = (u, v) =>
+  Math.atan2(
+    norm([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]),
+    dot(u, v),
+  );
+
+/** @returns {Generator<Finding>} */
+function* jumps(q, arm) {
+  const steps = q.slice(1).map((row, k) => minusEach(row, q[k]).map(Math.abs));
+  const change = steps.map((step) => Math.max(...step));
+  const usual = median(change);
+  const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
+  let far = over(10 * usual);
+  if (!far.length && usual > JUMP) far = over(JUMP);
+  if (!far.length) return;
+  const [k] = far;
+  const joint = numbered(arm)[steps[k].indexOf(change[k])];
+  const fields = { step: k, to: k + 1, joint, by: size(change[k]), count: far.length };
+  yield { what: "trace.jump", where: `step ${k}`, words: say("trace.jump", fields) };
+}
+
+const minusEach = (u, v) => u.map((x, i) => x - v[i]);
+
+function median(list) {
+  const sorted = [...list].sort((x, y) => x - y);
+  const half = sorted.length >> 1;
+  return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+// Where the tip is farthest off, the first of the steps that are equally far.
+function whereOf(errors) {
+  const most = Math.max(...errors);
+  const step = errors.findIndex((error) => error >= most - ALIKE);
+  const start = errors[0] > 0.5 * most ? say("already") : `${millimetres(errors[0])} mm`;
+  return say("trace where", { error: millimetres(most, 4), step, steps: errors.length - 1, start });
+}
+
+function* notesOf(arm, path, q) {
+  const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
+  const rates = q.slice(1).map((row, k) => row.map((x, i) => (x - q[k][i]) / dt[k]));
+  const excess = (list, over) =>
+    numbered(arm).flatMap((joint, k) => {
+      const by = list.reduce((top, row) => Math.max(top, over(row[k], arm.rows[joint - 1])), -Infinity);
+      return by > 1e-9 ? [say("joint by", { joint, by: size(by, 2) })] : [];
+    });
+  const range = excess(q, (x, { lower: least, upper: most }) =>
+    Math.max(x - (most ?? Infinity), (least ?? -Infinity) - x),
+  );
+  if (range.length) yield say("trace beyond range", { joints: listed(range), unit: "rad" });
+  const speed = excess(rates, (x, row) => Math.abs(x) - (row.speed ?? Infinity));
+  if (speed.length) yield say("trace beyond speed", { joints: listed(speed), unit: "rad/s" });
+}

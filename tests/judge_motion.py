@@ -1,0 +1,352 @@
+"""Questions on joint angles and on runs for tests/judge_words.py: right ones, the corpus's mistakes
+and those of the catalogues.
+"""
+
+import math
+from collections.abc import Iterator
+from functools import cache
+
+import numpy as np
+
+from helpers import checks, inverse
+from helpers.arm import Arm, prismatic, revolute
+from helpers.checks import inverse_causes
+from helpers.checks.chains import chain, columns
+from helpers.checks.jacobian_causes import wrong_recipes, wrong_tables
+from helpers.checks.lengths import wrong_lengths
+from helpers.kinematics import forward_kinematics, jacobian
+from helpers.motion import circle, circle_below, rest_to_rest
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.corpus import answers, traces
+
+H = math.pi / 2
+_WRIST = Arm(
+    "Wrist arm",
+    [
+        revolute(alpha=H, d=0.4),
+        revolute(a=0.4, theta=0.3),
+        revolute(a=0.02, alpha=H, d=0.05),
+        revolute(alpha=-H, d=0.35),
+        revolute(alpha=H),
+        revolute(d=0.1),
+    ],
+)
+_ROD = Arm("Rod arm", [revolute(alpha=-H, d=0.3), revolute(alpha=H, d=0.1), prismatic(d=0.2)])
+_OFFSET = ELBOW.with_values(d=0.12)
+_FORMS = (
+    (ELBOW, inverse.elbow),
+    (_OFFSET, inverse.elbow),
+    (_ROD, inverse.rod),
+    (STANFORD, inverse.stanford),
+    (_WRIST, inverse.spherical_wrist),
+    (UR10E, inverse.ur),
+    (UR10E_HOMEWORK, inverse.ur),
+)
+_SOLVERS = {id(arm): solver for arm, solver in _FORMS}
+_ARMS = (PANDA, PANDA_HOMEWORK, PANDA.lock(3), *(arm for arm, _ in _FORMS))
+Asked = Iterator[tuple[Arm, dict]]
+
+
+def _question(topic: str, typed, options: dict, **more) -> dict:
+    return {"topic": topic, "typed": typed, "options": options, **more}
+
+
+def stored_branches(rng, count: int) -> Asked:
+    """The corpus's elbow arms."""
+    for case in answers.branches(rng, count):
+        arm = ELBOW.with_values(**case["values"])
+        _SOLVERS[id(arm)] = inverse.elbow
+        yield arm, _question("branches", case["typed"], {}, target=case["target"])
+
+
+def stored_poses(rng, count: int, arm_of) -> Asked:
+    """The corpus's poses."""
+    for case in answers.poses(rng, count):
+        yield arm_of(case["machine"]), _question("pose", case["typed"], {}, target=case["T"])
+
+
+def stored_traces(rng, count: int) -> Asked:
+    """The corpus's runs."""
+    for case in traces.cases(rng, count):
+        yield PANDA.lock(3), _question("trace", case["typed"], {}, path=case["path"])
+
+
+# Branches and poses of all arms
+
+
+def branch_questions(rng, count: int) -> Asked:
+    """Some of the branches of some arm, and what slips make of them; free joints and targets out of
+    reach too.
+    """
+    for _ in range(count):
+        arm, solver = _FORMS[int(rng.integers(len(_FORMS)))]
+        q = _somewhere(rng, arm)
+        T = forward_kinematics(arm, q)
+        if rng.random() < 0.03:
+            T[:3, 3] *= 4
+        target = T if arm.dof == 6 else np.round(T[:3, 3], 3)
+        found = solver(arm, target)
+        rows = found.q[found.valid]
+        rows = rows[rng.permutation(len(rows))][: int(rng.integers(1, 9))] if len(rows) else [q]
+        mine = [_slipped(rng, arm, row, rows) for row in rows]
+        options = _options(rng)
+        typed = _typed(rng, arm, np.array(mine), options)
+        yield arm, _question("branches", typed, options, target=np.asarray(target).tolist())
+
+
+def pose_questions(rng, count: int) -> Asked:
+    """One joint vector of some arm and a pose, or a point, and what slips make of either."""
+    for _ in range(count):
+        arm = _ARMS[int(rng.integers(len(_ARMS)))]
+        q = _somewhere(rng, arm)
+        others = [other for _, other in wrong_lengths(arm)]
+        other = others[int(rng.integers(len(others)))] if others and rng.random() < 0.2 else arm
+        T = _wrong_pose(rng, forward_kinematics(other, q))
+        d = int(rng.choice([2, 3, 4, 6, 16]))
+        target = np.round(T if rng.random() < 0.7 else T[:3, 3], d).tolist()
+        options = _options(rng)
+        typed = _typed(rng, arm, np.array([_slipped(rng, arm, q, [q])]), options)
+        yield arm, _question("pose", typed, options, target=_as_text(rng, target))
+
+
+def _somewhere(rng, arm: Arm) -> np.ndarray:
+    q = rng.uniform(-1.5, 1.5, arm.dof)
+    if rng.random() < 0.15:
+        q[int(rng.integers(arm.dof))] = float(rng.choice([0.0, H, -H]))
+    if rng.random() < 0.05:
+        q = np.zeros(arm.dof)
+    return np.where(arm.turning, q, 0.2 + 0.2 * np.abs(q))
+
+
+def _slipped(rng, arm: Arm, q: np.ndarray, branches) -> np.ndarray:
+    what = rng.random()
+    if what < 0.4:
+        return q
+    if what < 0.45:
+        return q + 2 * np.pi * rng.integers(-1, 2, arm.dof) * arm.turning
+    if what < 0.55:
+        other = branches[int(rng.integers(len(branches)))]
+        return np.where(rng.random(arm.dof) < 0.4, other, q)
+    if what < 0.6:
+        return q + np.where(rng.random(arm.dof) < 0.3, rng.uniform(-0.5, 0.5, arm.dof), 0)
+    if what < 0.62:
+        return np.concatenate([[H], q[1:]])
+    makers = [inverse_causes.single, inverse_causes.whole]
+    if rng.random() < 0.2:
+        makers = [inverse_causes.double]
+    slips = [mended for make in makers for _, mended in make(arm, q)]
+    return slips[int(rng.integers(len(slips)))]
+
+
+def _wrong_pose(rng, T: np.ndarray) -> np.ndarray:
+    T, what = T.copy(), rng.random()
+    if what < 0.05:
+        T[:3, 3] *= 1000
+    elif what < 0.1:
+        T[:3, 3] *= 100
+    elif what < 0.15:
+        T[:3, :3] = T[:3, :3].T
+    elif what < 0.2:
+        T[:3, :2] *= -1
+    elif what < 0.3:
+        T[int(rng.integers(3)), int(rng.integers(4))] *= -1
+    return T
+
+
+def _options(rng) -> dict:
+    options = {}
+    if rng.random() < 0.1:
+        options["angles"] = "deg"
+    if rng.random() < 0.05:
+        options["tolerance"] = float(rng.choice([0.0, 1e-3, 0.02]))
+    return options
+
+
+def _typed(rng, arm: Arm, mine: np.ndarray, options: dict):
+    """Joint vectors in some form, with so many decimals."""
+    if options.get("angles") == "deg" or rng.random() < 0.04:
+        mine = np.where(arm.turning, np.degrees(mine), mine)
+    d = int(rng.choice([1, 2, 3, 4, 5, 16]))
+    words = [[f"{x:.{d}f}" if d < 16 else repr(float(x)) for x in row] for row in mine]
+    if rng.random() < 0.1 and len(words) != arm.dof:
+        words = [list(column) for column in zip(*words, strict=True)]
+    form = str(rng.choice(["array", "named", "text", "dict", "rows", "matlab", "latex", "tabs"]))
+    if form == "array":
+        return [[float(x) for x in row] for row in words]
+    if form == "named":
+        return [[[f"Theta{i}", float(x)] for i, x in enumerate(row, 1)] for row in words]
+    pairs = [[(f"theta_{i}", x) for i, x in enumerate(row, 1)] for row in words]
+    forms = {
+        "text": lambda: "[" + ", ".join(str(row).replace("'", "") for row in words) + "]",
+        "dict": lambda: (
+            "["
+            + ",\n".join("{" + ", ".join(f"'{n}': {x}" for n, x in row) + "}" for row in pairs)
+            + "]"
+        ),
+        "rows": lambda: "\n".join(", ".join(f"{n} = {x}" for n, x in row) for row in pairs),
+        "matlab": lambda: "[" + "; ".join(" ".join(row) for row in words) + "]",
+        "latex": lambda: (
+            r"\begin{pmatrix}" + r" \\ ".join(" & ".join(row) for row in words) + r"\end{pmatrix}"
+        ),
+        "tabs": lambda: "\n".join("\t".join(row) for row in words),
+    }
+    return forms[form]()
+
+
+def _as_text(rng, T):
+    what = rng.random()
+    if what < 0.6:
+        return T
+    if np.ndim(T) == 1:
+        return ", ".join(map(repr, T))
+    rows = T[:3] if what < 0.7 else T
+    return "[" + ",\n ".join(str(row) for row in rows) + "]"
+
+
+# Runs
+
+
+def trace_questions(rng, count: int) -> Asked:
+    """Runs of Euler's method on circles, right and by mistakes of the catalogue, in any form."""
+    arms = (PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, ELBOW, STANFORD)
+    for _ in range(count):
+        arm = arms[int(rng.integers(len(arms)))]
+        steps = int(rng.choice([12, 60, 100, 160]))
+        path = dict(
+            radius=float(rng.choice([0.03, 0.1])),
+            plane=str(rng.choice(["zy", "yz", "xz", "zx"])),
+            period=5.0,
+            steps=steps,
+        )
+        start = np.array([0.3, 0.4, 0.9, 0.2, 0.8, 0.1])[: arm.dof]
+        start = np.where(arm.turning, start, 0.4)
+        asked = {"start": [float(x) for x in start], **path}
+        if rng.random() < 0.1:
+            asked = {**_circle_data(arm, asked), "phase": float(rng.uniform(0, 6))}
+        if rng.random() < 0.1:
+            asked["rest"] = True
+        q = _run(rng, arm, path_of(arm, asked), start)
+        options = {}
+        if rng.random() < 0.1:
+            options["angles"] = "deg"
+        if rng.random() < 0.1:
+            options["tolerance"] = float(rng.choice([1e-3, 2e-3, 0.02]))
+        yield arm, _question("trace", _typed_run(rng, arm, q, options), options, path=asked)
+
+
+def path_of(arm: Arm, asked: dict):
+    """The path that a question names."""
+    how = {key: value for key, value in asked.items() if key != "rest"}
+    path = circle(**how) if "centre" in how else circle_below(arm, **how)
+    return rest_to_rest(path) if asked.get("rest") else path
+
+
+def _circle_data(arm: Arm, asked: dict) -> dict:
+    top = forward_kinematics(arm, asked["start"])[:3, 3]
+    rest = {key: value for key, value in asked.items() if key != "start"}
+    return {"centre": [float(x) for x in top - [0, 0, 0.1]], **rest}
+
+
+def _run(rng, arm: Arm, path, start: np.ndarray) -> np.ndarray:
+    steer, change, what = None, lambda q: q, rng.random()
+    q, rows, late, rate = start.copy(), [start], 0, 1.0
+    if what < 0.35:
+        rules = [*wrong_recipes(chain(arm, start)), *wrong_tables(arm, chain(arm, start))]
+        steer = int(rng.integers(len(rules)))
+    elif what < 0.45:
+        late = 1
+    elif what < 0.55:
+        rate = float(rng.choice([-1.0, 0.5, 0.25, 1.2, 2.0, 0.8]))
+    elif what < 0.75:
+        changes = [
+            lambda q: q[::-1],
+            np.degrees,
+            lambda q: q + 0.01,
+            lambda q: q + np.outer(np.linspace(0, 6, len(q)), np.eye(arm.dof)[-1]),
+            lambda q: q + np.where(np.arange(len(q)) > len(q) // 2, 2.0, 0.0)[:, None],
+            lambda q: np.vstack([q, q[-1:]]),
+            lambda q: q[:-1],
+            lambda q: q[: len(q) // 2],
+            lambda q: q * [-1, *[1] * (arm.dof - 1)],
+            lambda q: np.vstack([q[7:-1], q[:8]]),
+        ]
+        change = changes[int(rng.integers(len(changes)))]
+    v, dt, exact = path.velocities, np.diff(path.times), rng.random() < 0.5
+
+    def rates(at: np.ndarray, k: int) -> np.ndarray:
+        J = jacobian(arm, at) if steer is None else _spoiled(arm, at, steer)
+        wanted = np.zeros(6)
+        wanted[:3] = rate * v[min(k + late, len(v) - 1)]
+        part = slice(0, 6 if arm.dof >= 6 else 3)
+        return np.linalg.pinv(J[part], rcond=1e-3) @ wanted[part]
+
+    for k, step in enumerate(dt):
+        q_dot = rates(q, k)
+        if exact:
+            q_dot = (q_dot + rates(q + step * q_dot, k + 1)) / 2
+        q = q + step * q_dot
+        rows.append(q)
+    return change(np.array(rows))
+
+
+def _spoiled(arm: Arm, q: np.ndarray, rule: int) -> np.ndarray:
+    at = chain(arm, q)
+    recipes = list(wrong_recipes(at))
+    if rule < len(recipes):
+        return recipes[rule][1]
+    return columns(wrong_tables(arm, at)[rule - len(recipes)][1])
+
+
+def _typed_run(rng, arm: Arm, q: np.ndarray, options: dict):
+    if options.get("angles") == "deg" and rng.random() < 0.8:
+        q = np.where(arm.turning, np.degrees(q), q)
+    d = int(rng.choice([3, 4, 5, 6, 8, 16]))
+    words = [[f"{x:.{d}f}" if d < 16 else repr(float(x)) for x in row] for row in q]
+    if rng.random() < 0.15:
+        words = [[f"{0.05 * k:.2f}", *row] for k, row in enumerate(words)]
+    elif rng.random() < 0.1:
+        words = [list(column) for column in zip(*words, strict=True)]
+    form = str(rng.choice(["array", "csv", "headed", "numpy", "matlab", "blanks"]))
+    if form == "array":
+        return [[float(x) for x in row] for row in words]
+    names = ",".join(f"q{i}" for i in range(1, len(words[0]) + 1))
+    forms = {
+        "csv": lambda: "\n".join(",".join(row) for row in words),
+        "headed": lambda: names + "\n" + "\n".join(",".join(row) for row in words),
+        "numpy": lambda: "[" + ",\n ".join("[" + ", ".join(row) + "]" for row in words) + "]",
+        "matlab": lambda: "q = [" + ";\n".join(" ".join(row) for row in words) + "];",
+        "blanks": lambda: "\n".join("   ".join(row) for row in words),
+    }
+    return forms[form]()
+
+
+# What Python says
+
+
+def branches(typed, arm: Arm, question: dict):
+    """The checker's report on branches."""
+    found = _found(id(arm), arm, repr(question["target"]), tuple(map(_held, question["target"])))
+    return checks.compare_branches(typed, found, **question["options"])
+
+
+def _held(row):
+    return tuple(row) if isinstance(row, list) else row
+
+
+@cache
+def _found(_, arm: Arm, __, target):
+    return _SOLVERS[id(arm)](arm, np.array(target))
+
+
+def pose(typed, arm: Arm, question: dict):
+    """The checker's report on a pose."""
+    return checks.compare_pose(typed, arm, question["target"], **question["options"])
+
+
+def trace(typed, arm: Arm, question: dict):
+    """The checker's report on a run."""
+    path = path_of(arm, question["path"])
+    return checks.compare_trace(typed, arm, path, **question["options"])
+
+
+SAYS = {"branches": branches, "pose": pose, "trace": trace}
