@@ -7,6 +7,7 @@ import { compareBranches } from "../explorer/src/judge/branches.js";
 import { circle, circleBelow, restToRest } from "../explorer/src/judge/path.js";
 import { comparePose } from "../explorer/src/judge/pose.js";
 import "../explorer/src/judge/scripts/jacobian.js";
+import "../explorer/src/judge/scripts/table.js";
 import "../explorer/src/judge/scripts/motion.js";
 import { compareTrace } from "../explorer/src/judge/trace.js";
 
@@ -16,6 +17,7 @@ judge.learn(sentences);
 const JUDGES = {
   branches: ({ typed, arm, target, options }) => compareBranches(typed, arms[arm], target, options),
   jacobian: ({ typed, arm, q, options }) => judge.compareJacobian(typed, arms[arm], q, options),
+  table: ({ typed, arm, options }) => judge.compareTables(typed, arms[arm], options),
   page: ({ fields }) => throughLink({ ...EMPTY, ...fields }),
   pose: ({ typed, arm, target, options }) => comparePose(typed, arms[arm], target, options),
   torques: ({ typed, arm, q, options }) => judge.compareTorques(typed, arms[arm], q, options),

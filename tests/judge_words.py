@@ -24,7 +24,7 @@ from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
-from tests import judge_motion
+from tests import judge_motion, judge_tables
 from tests.corpus import jacobians, torques
 from tests.corpus.typing_ import typed
 
@@ -142,6 +142,9 @@ QUESTIONS = {
     "torques": torque_questions,
     "corpus's torques": stored_questions,
     "formula": formula_questions,
+    "table": lambda rng, count: judge_tables.corpus_questions(rng, count, arm_of),
+    "table's forms": lambda rng, count: judge_tables.form_questions(rng, count, arm_of),
+    "table's slips": lambda rng, count: judge_tables.slip_questions(rng, count, arm_of),
     "branches": judge_motion.branch_questions,
     "corpus's branches": judge_motion.stored_branches,
     "pose": judge_motion.pose_questions,
@@ -150,21 +153,26 @@ QUESTIONS = {
     "corpus's traces": judge_motion.stored_traces,
 }
 SHARES = {
-    "jacobian": 0.4,
-    "torques": 0.1,
-    "corpus's torques": 0.1,
+    "jacobian": 0.2,
+    "torques": 0.05,
+    "corpus's torques": 0.05,
     "formula": 0.03,
+    "table": 0.15,
+    "table's forms": 0.1,
+    "table's slips": 0.1,
     "branches": 0.1,
-    "corpus's branches": 0.07,
-    "pose": 0.1,
-    "corpus's poses": 0.05,
+    "corpus's branches": 0.05,
+    "pose": 0.08,
+    "corpus's poses": 0.04,
     "trace": 0.04,
     "corpus's traces": 0.01,
 }
 
 
-def questions(rng, count: int) -> list[tuple[Arm, dict]]:
-    """So many of every kind."""
+def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]]:
+    """So many of every kind, or of one."""
+    if only:
+        return list(QUESTIONS[only](rng, count))
     return [
         pair for kind, make in QUESTIONS.items() for pair in make(rng, round(count * SHARES[kind]))
     ]
@@ -177,6 +185,8 @@ def python_words(arm: Arm, question: dict) -> list:
     try:
         if topic in judge_motion.SAYS:
             report = judge_motion.SAYS[topic](question["typed"], arm, question)
+        elif topic == "table":
+            report = checks.compare_tables(question["typed"], arm, **question["options"])
         else:
             report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
@@ -222,11 +232,12 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--seed", type=int, default=18)
     parser.add_argument("--cases", type=int, default=1000)
+    parser.add_argument("--only", choices=QUESTIONS)
     given = parser.parse_args()
     rng = np.random.default_rng(given.seed)
     asked, odd = 0, 0
     while asked < given.cases:
-        some = questions(rng, min(_AT_ONCE, given.cases - asked))
+        some = questions(rng, min(_AT_ONCE, given.cases - asked), given.only)
         found = different(some)
         asked, odd = asked + len(some), odd + len(found)
         print(f"{asked} questions, {odd} with different words", flush=True)

@@ -15,6 +15,7 @@ from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, STANFORD
+from tests import table_pastes
 from tests.judge_words import different, in_node, page_words, python_words, questions
 
 needs_node = pytest.mark.skipif(
@@ -96,7 +97,7 @@ def asked(typed, **options):
 
 @needs_node
 def test_its_words_are_pythons():
-    found = different(questions(np.random.default_rng(18), 240))
+    found = different(questions(np.random.default_rng(18), 300))
     assert not found, found[0]
 
 
@@ -137,16 +138,64 @@ def test_a_factor_of_one_is_no_scale():
     assert report.causes == ("J.shape",)
 
 
+def table(typed, **options):
+    return ELBOW, {"topic": "table", "typed": typed, "options": options}
+
+
+@needs_node
+def test_tables_are_read_as_they_were_meant_in_both_languages():
+    pastes = table_pastes.RIGHT
+    said = page_words([table(text) for text in pastes.values()])
+    for (name, text), theirs in zip(pastes.items(), said, strict=True):
+        assert theirs[2].startswith("Your table describes the same arm as Elbow arm.\n") or (
+            theirs[2] == "Your table describes the same arm as Elbow arm."
+        ), (name, theirs[2])
+        assert python_words(*table(text)) == theirs, name
+
+
+@needs_node
+def test_what_is_no_table_is_refused_in_the_same_words():
+    refused = table_pastes.REFUSED
+    said = page_words([table(text) for text in refused])
+    for (text, words), theirs in zip(refused.items(), said, strict=True):
+        assert theirs[0] == "refused", text
+        assert words in theirs[2], text
+        assert python_words(*table(text)) == theirs, text
+
+
+@needs_node
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"columns": "theta d a alpha"},
+        {"columns": "a b c d"},
+        {"lengths": "mm", "angles": "deg"},
+        {"convention": "craig"},
+        {"tolerance": 0.02},
+    ],
+    ids=str,
+)
+def test_tables_read_as_they_were_not_meant_are_judged_in_the_same_words(options):
+    asked = [table(text, **options) for text in table_pastes.RIGHT.values()]
+    assert not different(asked)
+
+
 # The page's questions
+
+ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]
 
 OWN = "0, pi/2, 0.5, q1\n0.4, 0, 0, q2\n0.3, 0, 0, q3"
 BY_LINK = [
-    *({**example} for example in judge.EXAMPLES),
+    *judge.EXAMPLES,
+    judge.traced(),
     {"ask": "jacobian", "arm": "ELBOW", "q": "30, 40, -20", "unit": "deg",
      "answer": PASTES["bmatrix"]},
     {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": PASTES["csv"]},
     {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
      "answer": PASTES["matlab print"]},
+    {"ask": "table", "arm": "ELBOW", "lengths": "m", "answer": table_pastes.RIGHT["craig"]},
+    {"ask": "table", "arm": "ELBOW", "angles": "deg", "columns": "a alpha d theta",
+     "convention": "standard", "answer": "0 90 0.5 q1\n0.4 0 0 q2\n0.2 0 0 q3"},
     {"ask": "branches", "arm": "ELBOW", "target": "0.3, 0.1, 0.7",
      "answer": "theta1 = 0.3, theta2 = 1.2, theta3 = -1.5"},
     {"ask": "branches", "arm": "UR10E", "unit": "deg", "answer": "0 0 0 0 0 0",
@@ -181,9 +230,18 @@ def test_the_call_in_python_says_what_the_page_says():
 @needs_node
 def test_the_examples_name_their_mistakes():
     arms = [judge.listed(call) for call in judge.CALLS]
-    asked = [{"topic": "page", "fields": fields} for fields in judge.EXAMPLES]
+    examples = [*judge.EXAMPLES, judge.traced()]
+    asked = [{"topic": "page", "fields": fields} for fields in examples]
     named = [causes for _, causes, *_ in in_node(arms, asked)]
-    assert named == [["J.z_i angular"], ["tau.force sign"]]
+    assert [fields["ask"] for fields in examples] == ASKED
+    assert named == [
+        ["J.z_i angular"],
+        ["tau.force sign"],
+        ["table.craig"],
+        ["ik.plus for minus", "ik.sign:q_3"],
+        ["ik.offset:q_4"],
+        ["trace.backwards"],
+    ]
 
 
 def test_the_stub_holds_its_arms_and_what_is_given():

@@ -2,6 +2,7 @@
 // nothing of these turns the view. One solve for each frame that is drawn, however many times the pointer moves.
 
 import { joints, cross, minus, norm } from "./kinematics.js";
+import { beforeDrawing, forget } from "./renderer.js";
 import { dragLink, dragTip, inFrame, swingElbow, whyStopped } from "./hold.js";
 
 const BALL = 22; // px around the ball of the force
@@ -20,7 +21,6 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
   const { canvas } = figure;
   let drag = null;
   let down = null;
-  let frame = null;
 
   const ballAt = (pixel) => {
     if (!picture.handle?.visible) return false;
@@ -51,6 +51,7 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     drag = {
       ...what,
       id: event.pointerId,
+      box: null, // where the canvas is, asked for once: the answer lays the page out
       to: pixel,
       gesture: `drag ${++count}`,
       rest: state.q,
@@ -59,17 +60,13 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     };
     if (what.kind === "tip") drag.from = figure.onFacingPlane(pixel, tip.o);
     event.target.setPointerCapture(event.pointerId);
-    if (what.lit !== undefined) store.dispatch({ type: "show", lit: what.lit });
+    store.dispatch({ type: "show", dragging: true, ...(what.lit === undefined ? {} : { lit: what.lit }) });
     canvas.classList.add("held");
   }
 
   function step() {
-    frame = null;
-    if (!drag) return;
-    const { state } = store;
-    if (!STEPS[drag.kind](state)) frame = requestAnimationFrame(step);
+    if (drag && !STEPS[drag.kind](store.state)) beforeDrawing(step);
   }
-  const soon = () => (frame ??= requestAnimationFrame(step));
 
   // One frame of each kind of drag; false where another frame is needed with the pointer at rest.
   const STEPS = {
@@ -103,8 +100,9 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
 
   const move = (event) => {
     if (drag && event.pointerId === drag.id) {
-      drag.to = figure.place(event);
-      soon();
+      drag.box ??= canvas.getBoundingClientRect();
+      drag.to = figure.place(event, drag.box);
+      beforeDrawing(step);
     } else if (!drag && event.buttons === 0 && event.target === canvas) {
       hover(under(event));
     }
@@ -123,10 +121,9 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     const still = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < CLICK;
     if (still && down[2]?.kind === "way") goTo(store.state.ways.list[down[2].way].q);
     if (drag) {
+      if (forget(step)) STEPS[drag.kind](store.state); // the pointer's last motion counts too
       const { hold } = store.state;
-      store.dispatch({ type: "show", lit: null, hold: hold?.pinned ? hold : null });
-      if (frame) cancelAnimationFrame(frame);
-      frame = null;
+      store.dispatch({ type: "show", dragging: false, lit: null, hold: hold?.pinned ? hold : null });
     }
     [drag, down] = [null, null];
     canvas.classList.remove("held");
@@ -148,13 +145,14 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     figure.listen(target, "pointerup", release);
     figure.listen(target, "pointercancel", release);
   }
+  figure.listen(window, "scroll", () => drag && (drag.box = null), { capture: true });
   figure.listen(canvas, "pointerleave", () => drag || hover(null));
   // A touch that takes hold of something drags it in every direction; the others may scroll the page.
   figure.listen(canvas, "touchstart", (event) => {
     const touch = event.touches[0];
     if (event.touches.length === 1 && under({ ...point(touch), pointerType: "touch" })) event.preventDefault();
   }, { passive: false }); // prettier-ignore
-  figure.signal.addEventListener("abort", () => frame && cancelAnimationFrame(frame));
+  figure.signal.addEventListener("abort", () => forget(step));
 }
 
 const point = ({ clientX, clientY }) => ({ clientX, clientY });

@@ -7,6 +7,8 @@ const STEPS = [
 
 export class Labels {
   #spans = [];
+  #texts = []; // what each span says,
+  #places = []; // and where it stands, so that nothing is written twice
 
   constructor(host) {
     this.host = host;
@@ -26,10 +28,11 @@ export class Labels {
       const tag = tags[i];
       if (!tag) return (span.hidden = true);
       span.hidden = false;
-      const [tone, text] = [`axis-${tag.tone ?? tag.letter}`, `${tag.letter}|${tag.index}`];
-      if (span.dataset.text === text && span.className === tone) return undefined;
-      Object.assign(span, { className: tone });
-      span.dataset.text = text;
+      const tone = `axis-${tag.tone ?? tag.letter}`;
+      const text = `${tone}|${tag.letter}|${tag.index}`;
+      if (this.#texts[i] === text) return undefined;
+      this.#texts[i] = text;
+      span.className = tone;
       [span.children[0].textContent, span.children[1].textContent] = [tag.letter, tag.index];
       return undefined;
     });
@@ -47,17 +50,27 @@ export class Labels {
         );
       const inside = x > -20 && y > -20 && x < width + 20 && y < height + 20;
       const step = inside ? STEPS.find(free) : null;
-      const span = this.#spans[i];
-      span.style.visibility = step ? "visible" : "hidden";
-      if (!step) return;
-      taken.push([x + step[0], y + step[1], room[0]]);
-      span.style.transform = `translate(${x + step[0]}px, ${y + step[1]}px) translate(-50%, -50%)`;
+      const [left, top] = step ? [x + step[0], y + step[1]] : [];
+      if (step) taken.push([left, top, room[0]]);
+      this.#move(
+        i,
+        step ? `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)` : null,
+      );
     });
+  }
+
+  // Put a name somewhere, or away.
+  #move(i, place) {
+    const before = this.#places[i];
+    if (before === place) return;
+    this.#places[i] = place;
+    const { style } = this.#spans[i];
+    if (!before || !place) style.visibility = place ? "visible" : "hidden";
+    if (place) style.transform = place;
   }
 
   dispose() {
     this.host.replaceChildren();
-    this.#spans = [];
-    this.tags = [];
+    [this.#spans, this.#texts, this.#places, this.tags] = [[], [], [], []];
   }
 }

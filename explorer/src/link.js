@@ -86,6 +86,7 @@ export function keepLink(store, arms, views, tell, signal) {
   read();
   addEventListener("hashchange", read, { signal });
   store.listen((_, by) => {
+    if (store.state.dragging) return;
     clearTimeout(timer);
     if (by !== "link") timer = setTimeout(() => history.replaceState(null, "", toFragment(store.state)), 400);
   }, signal);

@@ -14,6 +14,9 @@ import { VIEWS } from "./views/index.js";
 
 const GLIDE = 450; // ms that the arm takes to another place
 const STILL = 300; // ms after which the still picture follows
+const READ = 100; // ms in which the numbers follow while the picture is dragged: nobody reads faster
+
+const SAID = ["q", "arm", "wrench", "ways", "trace", "dragging"]; // a change of these is worth a word
 
 let count = 0;
 
@@ -47,33 +50,60 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   root.replaceChildren(h("style", {}, css), card, h("div.paper", {}, h("slot")));
 
   let theme = "light";
-  const refresh = () => {
-    const { state, derived } = store;
-    card.setAttribute("aria-label", `Explorer of the ${state.arm.name}`.replace("the Your", "your"));
-    head.update(state);
-    sliders.update(state);
-    stage.draw(state, derived, theme);
-    tabs.update(state, derived, stage.scale());
-  };
+  const draw = () => stage.draw(store.state, store.derived, theme);
+  const parts = [
+    ({ state }) => {
+      card.setAttribute("aria-label", `Explorer of the ${state.arm.name}`.replace("the Your", "your"));
+      head.update(state);
+      stage.update(state);
+    },
+    ({ state }) => sliders.update(state),
+    ({ state, derived }) => tabs.update(state, derived, stage.scale()),
+  ];
+  const numbers = inTurn(READ / parts.length, signal, parts, store);
   watchTheme((now) => {
     theme = now;
     card.dataset.theme = now;
-    stage.draw(store.state, store.derived, theme);
+    draw();
   }, signal);
   const still = keepStill(host, store, signal);
   store.listen((changed) => {
-    refresh();
+    draw();
+    if (store.state.dragging && !changed.has("dragging")) return numbers.soon();
+    numbers.now();
     still();
-    if (["q", "arm", "wrench", "ways", "trace"].some((key) => changed.has(key)) && !store.state.playing) {
-      say(() => summary(store, tabs));
-    }
+    if (SAID.some((key) => changed.has(key)) && !store.state.playing) say(() => summary(store, tabs));
+    return undefined;
   }, signal);
-  refresh();
+  draw();
+  numbers.now();
   return () => {
     abort.abort();
     stage.dispose();
     tabs.dispose();
     root.replaceChildren();
+  };
+}
+
+// Bring all parts up to date now; or soon, one after the other, so that no frame has to wait for all of them.
+function inTurn(pace, signal, parts, store) {
+  let timer = null;
+  let due = 0; // parts that are behind
+  let next = 0;
+  const stop = () => {
+    clearTimeout(timer);
+    timer = null;
+  };
+  const tick = () => {
+    timer = null;
+    parts[next](store);
+    next = (next + 1) % parts.length;
+    if (--due) timer = setTimeout(tick, pace);
+  };
+  signal.addEventListener("abort", stop);
+  return {
+    now: () => (stop(), (due = 0), parts.forEach((part) => part(store))),
+    soon: () => ((due = parts.length), (timer ??= setTimeout(tick, pace))),
   };
 }
 

@@ -47,11 +47,31 @@ export const inUse = () => ({
 /** Take the context away, as a busy graphics processor may; for the tests. */
 export const loseContext = () => shared?.getContext().getExtension("WEBGL_lose_context");
 
+const steps = new Set();
+
+/**
+ * Act once, right before the next pictures are drawn, so that a motion is seen in the frame in which it was computed.
+ * @param {() => void} act
+ */
+export function beforeDrawing(act) {
+  steps.add(act);
+  frame ??= requestAnimationFrame(drawDirty);
+}
+
+// Whether it was still to come, and no longer does.
+export const forget = (act) => steps.delete(act);
+
 function drawDirty() {
-  frame = null;
-  if (!shared || shared.getContext().isContextLost()) return;
-  for (const figure of figures) {
-    if (figure.dirty && figure.visible) figure.draw(shared);
+  const now = [...steps];
+  steps.clear();
+  try {
+    now.forEach((act) => act());
+    if (!shared || shared.getContext().isContextLost()) return;
+    for (const figure of figures) {
+      if (figure.dirty && figure.visible) figure.draw(shared);
+    }
+  } finally {
+    frame = steps.size ? requestAnimationFrame(drawDirty) : null;
   }
 }
 
@@ -71,6 +91,7 @@ const near =
         { rootMargin: "200px" },
       );
 
+const SPOT = new Vector3();
 // Where the camera stands first, seen from the arm; the still picture's too.
 const VIEW = new Vector3(0.687, -0.639, 0.344);
 
@@ -90,6 +111,8 @@ export class Figure {
     this.visible = true;
     this.abort = new AbortController();
     this.points = null;
+    this.width = 0; // the host's size, kept: asking for it lays the page out
+    this.height = 0;
     this.canvas = document.createElement("canvas");
     this.canvas.figure = this;
     this.context = this.canvas.getContext("2d");
@@ -157,6 +180,7 @@ export class Figure {
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
+    Object.assign(this, { width, height });
     if (!width || !height) return;
     const ratio = Math.min(devicePixelRatio, 2);
     const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
@@ -174,7 +198,7 @@ export class Figure {
 
   draw(gl) {
     const { width, height } = this.canvas;
-    if (!width || !height || !this.host.clientWidth) return;
+    if (!width || !height || !this.width) return;
     const size = gl.getSize(new Vector2());
     if (width > size.x || height > size.y)
       gl.setSize(Math.max(width, size.x), Math.max(height, size.y), false);
@@ -227,22 +251,20 @@ export class Figure {
     this.request();
   }
 
-  // A point of the world in CSS pixels from the picture's top left corner; with its depth where it is asked for.
+  // A point of the world in CSS pixels from the picture's top left corner.
   pixel(point) {
-    const p = new Vector3(...point).project(this.camera);
-    const { clientWidth: width, clientHeight: height } = this.host;
-    return [((p.x + 1) * width) / 2, ((1 - p.y) * height) / 2];
+    const p = SPOT.fromArray(point).project(this.camera);
+    return [((p.x + 1) * this.width) / 2, ((1 - p.y) * this.height) / 2];
   }
 
-  // Where a pointer is, in the same pixels.
-  place({ clientX, clientY }) {
-    const box = this.canvas.getBoundingClientRect();
+  // Where a pointer is, in the same pixels; from where the canvas was, if that is known.
+  place({ clientX, clientY }, box = this.canvas.getBoundingClientRect()) {
     return [clientX - box.left, clientY - box.top];
   }
 
   // The ray of sight through a pixel.
   ray([x, y]) {
-    const { clientWidth: width, clientHeight: height } = this.host;
+    const { width, height } = this;
     const caster = new Raycaster();
     caster.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
     return caster;
@@ -279,6 +301,7 @@ export class Figure {
 export function freed(object) {
   object.traverse((part) => {
     part.material?.dispose();
+    if (part.isInstancedMesh) part.dispose();
     if (part.geometry && !isShared(part.geometry)) part.geometry.dispose();
   });
   object.removeFromParent();

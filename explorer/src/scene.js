@@ -1,7 +1,7 @@
 // The explorer's picture: draws the state when it has changed.
 
 import {
-  DoubleSide, Group, MeshBasicMaterial, MeshStandardMaterial, ShadowMaterial, Vector3,
+  Color, DoubleSide, Group, MeshBasicMaterial, MeshStandardMaterial, ShadowMaterial, Vector3,
 } from "three"; // prettier-ignore
 import { outside, reachOf } from "./arm.js";
 import { joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
@@ -18,7 +18,7 @@ import {
   ghostMaterial,
   rod,
   square,
-  Triad,
+  Triads,
   tube,
   wall,
 } from "./shapes.js";
@@ -60,6 +60,8 @@ export class ArmPicture {
     this.world = null;
     this.arm = null;
     this.frames = null;
+    /** @type {boolean[]} */
+    this.drawn = []; // which frames have their axes drawn
     this.shown = /** @type {any} */ ({});
   }
 
@@ -76,16 +78,14 @@ export class ArmPicture {
     const { size } = this;
     this.figure.scene.add(this.world);
     const link = new MeshStandardMaterial({ color: look.link, roughness: 0.45, metalness: 0.02 });
-    const joint = new MeshStandardMaterial({ color: look.joint, roughness: 0.4, metalness: 0.1 });
-    this.body = new ArmShape(arm, { link, joint });
-    this.tints = { lit: joint.clone(), bad: joint.clone() };
-    this.tints.lit.color.set(look.lit);
-    this.tints.bad.color.set(look.bad);
+    const joint = new MeshStandardMaterial({ roughness: 0.4, metalness: 0.1 }); // white: each joint has its colour
+    this.body = new ArmShape(arm, { link, joint, hue: new Color(look.joint) });
+    this.tints = { lit: new Color(look.lit), bad: new Color(look.bad) };
     this.axis = rod(new MeshBasicMaterial({ color: look.lit, transparent: true, opacity: 0.75 }));
     this.shade = square(4 * size, new ShadowMaterial({ opacity: look.shadow }));
     this.shade.receiveShadow = true;
     this.shade.position.z = -0.001 * size;
-    this.triads = Array.from({ length: arm.rows.length + 1 }, () => new Triad(dark));
+    this.triads = new Triads(dark, arm.rows.length + 1);
     this.ellipsoid = new Ellipsoid(look.ellipsoid);
     const force = new MeshBasicMaterial({ color: look.force });
     this.force = new Arrow(force);
@@ -96,7 +96,7 @@ export class ArmPicture {
     this.ghosts = new Group();
     this.reference = new Group();
     this.world.add(
-      this.body, floor(size, look.grid, look.gridStrength), this.shade, ...this.triads, this.axis, this.ellipsoid,
+      this.body, floor(size, look.grid, look.gridStrength), this.shade, this.triads, this.axis, this.ellipsoid,
       this.force, this.handle, this.barrier, this.path, this.ghosts, this.reference,
     ); // prettier-ignore
     this.figure.resetLights({ size, sky: look.sky, sun: look.sun });
@@ -104,7 +104,6 @@ export class ArmPicture {
 
   emptyWorld() {
     if (this.world) freed(this.world);
-    Object.values(this.tints ?? {}).forEach((material) => material.dispose());
   }
 
   // What stands between a dragged tip and the pointer: a wall across the way, and the way that is missing.
@@ -135,8 +134,8 @@ export class ArmPicture {
     this.drawAxis(frames[state.lit]);
     this.drawFrames(frames, state.frames);
     this.ellipsoid.visible = state.view === "jacobian";
-    this.scale = (0.15 * this.size) / Math.max(derived.linear.values[0], 1e-6);
     if (this.ellipsoid.visible) {
+      this.scale = (0.15 * this.size) / Math.max(derived.linear.values[0], 1e-6);
       this.ellipsoid.pose(frames.at(-1).o, derived.linear, this.scale, 0.003 * this.size);
     }
     this.drawForce(frames.at(-1).o, state);
@@ -150,6 +149,9 @@ export class ArmPicture {
 
   tintJoints({ lit, q, arm }) {
     const past = joints(arm).filter((row, k) => outside(arm.rows[row], q[k]));
+    const tinted = [lit, ...past].join();
+    if (this.shown.tinted === tinted) return;
+    this.shown.tinted = tinted;
     this.body.tint((row) => (row === lit ? this.tints.lit : past.includes(row) ? this.tints.bad : null));
   }
 
@@ -163,15 +165,15 @@ export class ArmPicture {
   drawFrames(frames, which) {
     const length = 0.1 * this.size;
     const shared = new Map();
-    this.triads.forEach((triad, i) => {
-      triad.visible = which === "all" || i === 0 || i === frames.length - 1;
-      if (!triad.visible) return;
-      triad.pose(frames[i], length);
+    this.drawn = frames.map((_, i) => which === "all" || i === 0 || i === frames.length - 1);
+    this.triads.pose(frames, length, this.drawn);
+    frames.forEach((frame, i) => {
+      if (!this.drawn[i]) return;
       for (const axis of ["x", "z"]) {
-        const tip = plus(frames[i].o, scaled(1.22 * length, frames[i][axis]));
+        const tip = plus(frame.o, scaled(1.22 * length, frame[axis]));
         const key = axis + tip.map((v) => Math.round((v / this.size) * 500)).join();
         const indices = [...(shared.get(key)?.indices ?? []), i];
-        shared.set(key, { tip, root: frames[i].o, letter: axis, index: indices.join(",") });
+        shared.set(key, { tip, root: frame.o, letter: axis, index: indices.join(",") });
       }
     });
     this.labels.set([...shared.values()].reverse());
@@ -299,16 +301,15 @@ export class ArmPicture {
 
   // Labels and handles, after each drawing.
   place() {
-    const { clientWidth: width, clientHeight: height } = this.figure.host;
+    const { width, height } = this.figure;
     this.labels.place((p) => this.figure.pixel(p), width, height);
     if (this.frames) this.onPlace(this.figure.pixel(this.frames.at(-1).o));
   }
 
   // What can be taken by the hand: the links, and the x axes of the frames drawn, each with the row that carries it.
   grips() {
-    const axes = this.triads.flatMap((triad, i) => {
-      if (!triad.visible || i === 0) return [];
-      const { o, x } = this.frames[i];
+    const axes = this.frames.flatMap(({ o, x }, i) => {
+      if (!this.drawn[i] || i === 0) return [];
       const [from, to] = [0.05, 0.1].map((share) => plus(o, scaled(share * this.size, x)));
       return [{ row: i - 1, from, to }];
     });

@@ -5,7 +5,9 @@ import {
   ConeGeometry,
   CylinderGeometry,
   DoubleSide,
+  DynamicDrawUsage,
   Group,
+  InstancedBufferAttribute,
   LineBasicMaterial,
   LineLoop,
   Mesh,
@@ -23,7 +25,7 @@ import {
   Matrix4,
 } from "three";
 import { reachOf } from "./arm.js";
-import { minus, norm, plus, scaled } from "./kinematics.js";
+import { cross, minus, norm, plus, scaled } from "./kinematics.js";
 
 const UP = new Vector3(0, 1, 0); // along which three.js builds its cylinders
 const ROD = new CylinderGeometry(1, 1, 1, 28, 1, true);
@@ -61,6 +63,72 @@ export function square(size, material) {
 
 const vector = (v) => new Vector3().fromArray(v);
 
+const NOWHERE = [0, 0, 0];
+const WHITE = new Color(1, 1, 1);
+
+/**
+ * Solids of one shape and material that are drawn in one call, however many there are. Each takes its place by its
+ * number; one without a size is not seen.
+ */
+class Solids extends Mesh {
+  isInstancedMesh = true; // what the renderer asks; three.js' own class has rays and spheres that nobody needs here
+  instanceColor = null;
+  morphTexture = null;
+
+  constructor(geometry, material, count) {
+    super(geometry, material);
+    this.count = count;
+    this.instanceMatrix = new InstancedBufferAttribute(new Float32Array(16 * count), 16);
+    this.frustumCulled = false; // they move, and no sphere around them is kept up to date
+    this.matrixAutoUpdate = false;
+    this.instanceMatrix.setUsage(DynamicDrawUsage);
+    for (let i = 0; i < count; i++) this.hide(i);
+  }
+
+  // The place of one: where its x, y and z axes lead to, and its middle.
+  put(i, x, y, z, middle) {
+    [x, y, z, middle].forEach((column, k) => this.instanceMatrix.array.set(column, 16 * i + 4 * k));
+    this.instanceMatrix.array[16 * i + 15] = 1;
+    this.instanceMatrix.needsUpdate = true;
+  }
+
+  // Between two points; of what lies across the way, `side` leads towards x.
+  between(i, start, end, radius, side = null) {
+    const way = minus(end, start);
+    const length = norm(way);
+    const seen = length > 1e-6;
+    if (!seen) return (this.hide(i), false);
+    const x = side ?? across(way, length);
+    const size = radius / norm(x);
+    this.put(i, scaled(size, x), way, scaled(size / length, cross(x, way)), plus(start, scaled(0.5, way)));
+    return true;
+  }
+
+  ball(i, middle, radius) {
+    this.put(i, [radius, 0, 0], [0, radius, 0], [0, 0, radius], middle);
+  }
+
+  hide(i) {
+    this.ball(i, NOWHERE, 0);
+  }
+
+  /** @param {(i: number) => Color} pick */
+  colour(pick) {
+    this.instanceColor ??= new InstancedBufferAttribute(new Float32Array(3 * this.count), 3);
+    for (let i = 0; i < this.count; i++) pick(i).toArray(this.instanceColor.array, 3 * i);
+    this.instanceColor.needsUpdate = true;
+  }
+
+  dispose() {
+    this.dispatchEvent(/** @type {any} */ ({ type: "dispose" }));
+  }
+}
+
+// A vector across another one: away from the axis of the base along which that one leads least.
+function across(way, length) {
+  return cross(way, Math.abs(way[2]) < 0.7 * length ? [0, 0, 1] : [1, 0, 0]);
+}
+
 // Put a rod of unit length between two points.
 export function along(mesh, start, end, radius) {
   const way = vector(minus(end, start));
@@ -72,67 +140,71 @@ export function along(mesh, start, end, radius) {
   mesh.scale.set(radius, length, radius);
 }
 
-function at(mesh, point, radius) {
-  mesh.position.fromArray(point);
-  mesh.scale.setScalar(radius);
-}
-
-// An arm as capsules along d and a of each row, with a barrel where a joint turns and a box where it slides.
+/**
+ * An arm as capsules along d and a of each row, with a barrel where a joint turns and a box where it slides. `hue` is
+ * the colour of its joints where they are to be tinted one by one; their material is white then.
+ */
 export class ArmShape extends Group {
-  constructor(arm, { link, joint, ghost = false, girth = ghost ? 0.97 : 1 }) {
+  constructor(arm, { link, joint, ghost = false, girth = ghost ? 0.97 : 1, hue = null }) {
     super();
     this.arm = arm;
     this.size = reachOf(arm);
     this.girth = girth * this.size; // a ghost hides inside the arm where both are
-    const add = (geometry, material) => {
-      const mesh = new Mesh(geometry, material);
-      mesh.castShadow = mesh.receiveShadow = !ghost;
-      this.add(mesh);
-      return mesh;
-    };
-    this.parts = arm.rows.map((row) => ({
-      rise: add(ROD, link),
-      bend: add(BALL, link),
-      reach: add(ROD, link),
-      end: add(BALL, link),
-      joint: row.kind === "fixed" ? null : add(row.kind === "prismatic" ? BOX : BARREL, joint),
-    }));
-    this.pedestal = add(BARREL, joint);
-    this.pedestal.scale.setScalar(0);
     this.stands = !ghost;
-    this.joint = joint;
+    this.hue = hue;
+    const n = arm.rows.length;
+    const add = (geometry, material, count) => {
+      const solids = new Solids(geometry, material, count);
+      solids.castShadow = solids.receiveShadow = !ghost;
+      this.add(solids);
+      return solids;
+    };
+    this.rods = add(ROD, link, 2 * n);
+    this.balls = add(BALL, link, 2 * n);
+    this.barrels = add(BARREL, joint, n + 1); // the last is the pedestal
+    this.boxes = arm.rows.some((row) => row.kind === "prismatic") ? add(BOX, joint, n) : null;
+    if (this.stands)
+      this.barrels.between(n, [0, 0, -0.004 * this.size], [0, 0, 0.012 * this.size], 0.05 * this.size);
+    if (!hue) return;
+    for (const solids of [this.rods, this.balls]) solids.colour(() => WHITE); // or shadows change programs midway
+    this.tint(() => null);
   }
 
-  // Joints in the material that `pick` gives for their row, or in their own.
+  // Joints in the colour that `pick` gives for their row, or in their own.
   tint(pick) {
-    this.parts.forEach((part, i) => part.joint && (part.joint.material = pick(i) ?? this.joint));
+    const colour = (i) => pick(i) ?? this.hue;
+    this.barrels.colour(colour);
+    this.boxes?.colour(colour);
   }
 
   pose(frames) {
-    const { arm, size, parts } = this;
-    parts.forEach((part, i) => {
+    this.arm.rows.forEach((row, i) => {
       const [before, after] = [frames[i], frames[i + 1]];
-      const corner = minus(after.o, scaled(arm.rows[i].a, after.x));
+      const corner = minus(after.o, scaled(row.a, after.x));
       const radius = this.radius(i);
-      const slides = arm.rows[i].kind === "prismatic";
-      along(part.rise, before.o, corner, slides ? 0.6 * radius : radius);
-      along(part.reach, corner, after.o, radius);
-      at(part.bend, corner, slides ? 0.6 * radius : radius);
-      at(part.end, after.o, i === parts.length - 1 ? 0.8 * radius : radius);
-      part.end.visible = part.bend.visible = part.rise.visible || part.reach.visible;
-      if (part.joint) this.barrel(part.joint, before, radius, slides);
+      const slides = row.kind === "prismatic";
+      const rises = this.rods.between(2 * i, before.o, corner, slides ? 0.6 * radius : radius);
+      const reaches = this.rods.between(2 * i + 1, corner, after.o, radius);
+      const ends = [corner, after.o];
+      const widths = [slides ? 0.6 : 1, i === this.arm.rows.length - 1 ? 0.8 : 1];
+      ends.forEach((end, k) => {
+        if (rises || reaches) this.balls.ball(2 * i + k, end, widths[k] * radius);
+        else this.balls.hide(2 * i + k);
+      });
+      if (row.kind !== "fixed") this.joint(i, before, radius, slides);
     });
-    if (this.stands) along(this.pedestal, [0, 0, -0.004 * size], [0, 0, 0.012 * size], 0.05 * size);
   }
 
-  barrel(mesh, { o, z }, radius, slides) {
+  joint(i, { o, x, z }, radius, slides) {
     const half = scaled(slides ? 2.2 * radius : 1.45 * radius, z);
-    along(mesh, minus(o, half), plus(o, half), slides ? 2 * radius : 1.28 * radius);
+    const [from, to] = [minus(o, half), plus(o, half)];
+    if (slides) this.boxes.between(i, from, to, 2 * radius, x);
+    else this.barrels.between(i, from, to, 1.28 * radius);
   }
 
   // Links grow thinner towards the tip, and the last one is a pen.
   radius(i) {
-    const n = this.parts.length;
+    const n = this.arm.rows.length;
     return this.girth * (i === n - 1 ? 0.008 : 0.021 - (0.008 * i) / n);
   }
 }
@@ -159,18 +231,33 @@ export class Arrow extends Group {
 export const AXES = { x: "#D55E00", y: "#009E73", z: "#0072B2" };
 const AXES_DARK = { x: "#F58A3C", y: "#3CC79B", z: "#5AB4EC" };
 
-// The three axes of a frame.
-export class Triad extends Group {
-  constructor(dark) {
+// The three axes of each of some frames.
+export class Triads extends Group {
+  constructor(dark, count) {
     super();
-    const colours = dark ? AXES_DARK : AXES;
-    this.arrows = ["x", "y", "z"].map((axis) => new Arrow(new MeshBasicMaterial({ color: colours[axis] })));
-    this.add(...this.arrows);
+    const colours = Object.values(dark ? AXES_DARK : AXES).map((colour) => new Color(colour));
+    this.shafts = new Solids(BARREL, new MeshBasicMaterial(), 3 * count);
+    this.heads = new Solids(POINT, new MeshBasicMaterial(), 3 * count);
+    for (const solids of [this.shafts, this.heads]) solids.colour((i) => colours[i % 3]);
+    this.add(this.shafts, this.heads);
   }
 
-  pose(frame, length) {
-    ["x", "y", "z"].forEach((axis, i) =>
-      this.arrows[i].point(frame.o, scaled(length, frame[axis]), 0.022 * length),
+  /** @param {boolean[] | null} drawn which of the frames are */
+  pose(frames, length, drawn = null) {
+    const thickness = 0.022 * length;
+    frames.forEach((frame, i) =>
+      ["x", "y", "z"].forEach((axis, k) => {
+        const [neck, tip] = [length - 5 * thickness, length].map((far) =>
+          plus(frame.o, scaled(far, frame[axis])),
+        );
+        for (const [solids, from, to, radius] of [
+          [this.shafts, frame.o, neck, thickness],
+          [this.heads, neck, tip, 2.4 * thickness],
+        ]) {
+          if (!drawn || drawn[i]) solids.between(3 * i + k, from, to, radius);
+          else solids.hide(3 * i + k);
+        }
+      }),
     );
   }
 }

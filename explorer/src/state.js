@@ -37,6 +37,7 @@ import { asked, rankOf } from "./verdicts.js";
  * @property {Ways | null} ways
  * @property {number | null} highlighted the way under the reader's hand
  * @property {number | null} lit the row under the reader's hand
+ * @property {boolean} dragging whether the picture is held by a pointer
  * @property {any} hold what is being dragged, and why it stops
  * @property {boolean} keepTurn whether a dragged tip keeps its orientation
  * @property {object[]} past
@@ -97,9 +98,12 @@ export function transition(state, event) {
 
 function remembered(state, next, { type, gesture = null }) {
   if (["undo", "redo", "play"].includes(type) || KEPT.every((key) => state[key] === next[key])) return next;
-  const same = gesture !== null && state.past.at(-1)?.gesture === gesture;
+  if (gesture !== null && state.past.at(-1)?.gesture === gesture) {
+    next.future = [];
+    return next;
+  }
   const step = { gesture, ...Object.fromEntries(KEPT.map((key) => [key, state[key]])) };
-  return { ...next, past: same ? state.past : [...state.past, step].slice(-STEPS), future: [] };
+  return { ...next, past: [...state.past, step].slice(-STEPS), future: [] };
 }
 
 function travel(state, from, to) {
@@ -138,7 +142,8 @@ function along({ trace, arm }, at) {
  */
 export const startingState = (given) => ({
   base: given.arm, reference: given.arm, wrench: [0, 0, 0, 0, 0, 0], unit: "deg", view: "pose", frames: "ends",
-  circle: { normal: "x", radius: 0.1 }, keepTurn: false, runs: [], past: [], future: [], ...EMPTY, ...given,
+  circle: { normal: "x", radius: 0.1 }, keepTurn: false, dragging: false, runs: [], past: [], future: [],
+  ...EMPTY, ...given,
 }); // prettier-ignore
 
 // Everything that follows from an arm, a joint vector and a wrench, each computed when it is first asked for.

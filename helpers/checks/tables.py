@@ -43,6 +43,9 @@ _COARSEST = 1e-3  # m: lengths typed to the millimetre are still lengths
 class Table:
     """A student's table in numbers: as typed, in SI units where they were said, with the units of
     the last places.
+
+    In the modified convention a and alpha stand one row further down than in `rows`; `added` is 1
+    where a fixed row before the typed ones holds the first of them.
     """
 
     name: str
@@ -52,6 +55,17 @@ class Table:
     angle_unit: float
     angle_scale: float
     said: tuple[str, ...]
+    modified: bool = False
+    added: int = 0
+
+    def row_of(self, row: int, column: str) -> int:
+        """The typed row, from 1, that holds an entry of a row of `rows`."""
+        return row - self.added + int(self.modified and column in ("a", "alpha"))
+
+    def text(self, row: int, column: str) -> str | None:
+        """What was typed as an entry of a row of `rows`; None where no row holds it."""
+        at = self.row_of(row, column)
+        return self.texts[at - 1].get(column) if 0 < at <= len(self.texts) else None
 
 
 def compare_tables(
@@ -117,14 +131,16 @@ def _tables(
 
 def _of_typed(typed: reading.TypedTable, reference: Arm) -> Table:
     meant = reading.meant(typed, [r.kind for r in numeric(reference)])
-    none: list[Any] = [{}]
-    texts = none * (len(meant.rows) - len(typed.rows)) + [r.texts for r in typed.rows]
-    table = _table(say("your table"), meant.rows, texts, meant.said)
+    table = _table(say("your table"), meant.rows, [r.texts for r in typed.rows], meant.said)
+    modified = typed.convention == "craig"
+    first = typed.rows[0].numbers
     return replace(
         table,
         length_unit=table.length_unit * meant.length,
         angle_unit=table.angle_unit * meant.angle,
         angle_scale=meant.angle,
+        modified=modified,
+        added=int(modified and bool(first["a"] or first["alpha"])),
     )
 
 
@@ -154,17 +170,15 @@ def _meant(table: Table) -> list[Numbers]:
     they are near: 1.57 is meant as pi/2.
     """
     rows = []
-    for row, texts in zip(table.rows, table.texts, strict=True):
-        alpha, theta = (
-            _square(getattr(row, c), _own_unit(table, texts.get(c, ""))) for c in _ANGLES
-        )
+    for i, row in enumerate(table.rows, 1):
+        alpha, theta = (_square(getattr(row, c), _own_unit(table, i, c)) for c in _ANGLES)
         rows.append(row._replace(alpha=alpha, theta=theta))
     return rows
 
 
-def _own_unit(table: Table, text: str) -> float:
+def _own_unit(table: Table, row: int, column: str) -> float:
     """The unit of the last decimal in one angle, where it has two or more."""
-    found = _DECIMAL.findall(text)
+    found = _DECIMAL.findall(table.text(row, column) or "")
     places = len(found[-1].partition(".")[2]) if found else 0
     return table.angle_scale * 10.0**-places if places >= 2 else 0.0
 
@@ -271,7 +285,8 @@ def _base(mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[st
 def _tool(found: Compared) -> Iterator[str]:
     m, r = found.tilts
     if angle_between(m, r) > _ANGLE:
-        yield say("tool", mine=size(math.degrees(m), 4), reference=size(math.degrees(r), 4))
+        mine, reference = (size(round(math.degrees(x), 4), 4) for x in (m, r))
+        yield say("tool", mine=mine, reference=reference)
 
 
 def _written(table: Table) -> Iterator[str]:
@@ -282,21 +297,22 @@ def _written(table: Table) -> Iterator[str]:
     for i, row in enumerate(table.rows, 1):
         for column in ("alpha", "theta"):
             x = getattr(row, column)
-            right = _square(x, _own_unit(table, table.texts[i - 1].get(column, "")))
+            right = _square(x, _own_unit(table, i, column))
             if abs(x - right) > 1e-9:
                 turns = round(right / (math.pi / 2))
                 wanted = names.get(turns, "0" if not turns else f"{turns} pi/2")
                 yield say(
                     "write right angle",
                     column=column,
-                    row=i,
+                    row=table.row_of(i, column),
                     typed=_typed(table, i, column),
                     wanted=wanted,
                 )
 
 
 def _typed(table: Table, row: int, column: str) -> str:
-    return table.texts[row - 1].get(column, size(getattr(table.rows[row - 1], column), 6))
+    text = table.text(row, column)
+    return size(getattr(table.rows[row - 1], column), 6) if text is None else text
 
 
 # What differs, and why
@@ -456,11 +472,9 @@ def _entry(table: Table, t: _Try, k: int, column: str) -> Finding:
     mine, wanted = getattr(t.rows[k], column), getattr(t.reference[k], column)
     craig = t.cause is not None and "table.craig" in t.cause.keys
     shift = int(craig and bool(table.rows[0].a or table.rows[0].alpha))
-    row = k + 1 - shift + int(craig and column in ("a", "alpha"))
+    row = table.row_of(k + 1, column) - shift + int(craig and column in ("a", "alpha"))
     key, fields = _kind_of_error(column, row, mine, wanted)
-    typed = (
-        _typed(table, row, column) if t.cause is None or len(t.cause.keys) == 0 else size(mine, 6)
-    )
+    typed = _typed(table, k + 1, column) if t.cause is None else size(mine, 6)
     said = say("table entry", row=row, column=column, typed=typed, words=lower(say(key, **fields)))
     return Finding(cause(key, **fields).name, f"row {row}, {column}", typed, None, said)
 
@@ -526,28 +540,16 @@ def _amount(d: Difference, what: str) -> str:
         return say("table other", what=what, mine=d.mine, reference=d.reference)
     if d.key in ("table between", "table held"):
         x, y = (d.mine, d.reference) if d.mine >= 0 else (-d.mine, -d.reference)
-        off = size(math.degrees(angle_between(x, y)), 6)
-        return say(
-            "table angle",
-            what=what,
-            mine=size(math.degrees(x), 6),
-            reference=size(math.degrees(y), 6),
-            off=off,
-        )
-    if d.mine * d.reference < 0:
-        return say(
-            "table other way", what=what, mine=size(d.mine, 6), reference=size(d.reference, 6)
-        )
-    way = say("long") if abs(d.mine) > abs(d.reference) else say("short")
+        angles = (round(math.degrees(angle), 4) for angle in (x, y, angle_between(x, y)))
+        mine, reference, off = (size(angle, 6) for angle in angles)
+        return say("table angle", what=what, mine=mine, reference=reference, off=off)
+    x, y = round(d.mine, 9), round(d.reference, 9)  # what is left of a zero is none
+    if x * y < 0:
+        return say("table other way", what=what, mine=size(x, 6), reference=size(y, 6))
+    way = say("long") if abs(x) > abs(y) else say("short")
     off = size(1000 * abs(d.mine - d.reference), 4)
-    return say(
-        "table length",
-        what=what,
-        mine=size(abs(d.mine), 6),
-        reference=size(abs(d.reference), 6),
-        off=off,
-        way=way,
-    )
+    mine, reference = size(abs(x), 6), size(abs(y), 6)
+    return say("table length", what=what, mine=mine, reference=reference, off=off, way=way)
 
 
 def _bad(table: Table, reference: Arm, causes: list[Cause], findings, notes) -> Report:

@@ -76,7 +76,8 @@ def _latex(text: str) -> Cells:
 
 
 def _markdown(text: str) -> Cells:
-    lines = [line.strip() for line in text.splitlines() if "|" in line and not _RULE.match(line)]
+    lines = [line.strip() for line in text.splitlines() if "|" in line]
+    lines = [line for line in lines if not re.fullmatch(r"[\s:|+=_-]*[-=_][\s:|+=_-]*", line)]
     return [re.sub(r"^\||\|$", "", line).replace("$", " ").split("|") for line in lines]
 
 

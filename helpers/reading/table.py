@@ -44,6 +44,8 @@ _WORDS = {
         ("i", "link", "joint", "j", "n", "frame", "row", "#", "no", "linki", "jointi", "k"), "i"
     ),
 }
+MOST_ROWS = 32
+_BOX = re.compile(r"^[^\n]*│[^\n]*(?:\n[^\n]*[│├┼╪][^\n]*)*", re.M)  # a table drawn with lines
 _JOINT = re.compile(r"(?:q|th|theta|t|phi)_?\{?\d+\}?'?")
 _VARIABLE = re.compile(r"(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?", re.I)
 
@@ -110,6 +112,7 @@ def read(
     cells, heads, said = _cells(source)
     known = {_simple(k): float(v) for k, v in (values or {}).items()}
     if matrices := _matrices(cells):
+        _few(len(matrices))
         return [
             TypedTable(
                 _from_matrices(matrices, known),
@@ -121,6 +124,7 @@ def read(
             )
         ]
     cells, heads = _without_index(cells, heads)
+    _few(len(cells))
     orders, sure = _orders(cells, heads, columns)
     unit, angle, modified = _from_heads(heads)
     lengths, angles, convention = (
@@ -250,6 +254,11 @@ def _cells(source: Any) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     return _strings(rows), [], ()
 
 
+def _few(count: int) -> None:
+    if count > MOST_ROWS:
+        raise ArmError(say("many rows", count=count, most=MOST_ROWS))
+
+
 def _strings(rows: list) -> Any:
     if not rows or not all(isinstance(row, list | tuple) for row in rows):
         raise ArmError(say("no rows", given=shown(rows)))
@@ -282,13 +291,15 @@ def _parallel(lists: Mapping[str, Any]) -> tuple[grid.Cells, list[str], tuple[st
 
 def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     """Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has
-    a_{i-1} and alpha_{i-1}.
+    a_{i-1} and alpha_{i-1}: a last one with nothing else in it is the tool's.
     """
     craig = any(c in ("a", "alpha") and i == 0 for c, i, _ in entries)
     held = {(c, i + 1 if craig and c in ("a", "alpha") else i): text for c, i, text in entries}
     last = max(i for _, i in held)
+    _few(last)
+    moving = max((i for c, i in held if c in ("d", "theta")), default=last) if craig else last
     cells = [
-        [held.get((c, i), "0" if c != "theta" else f"q_{i}") for c in ENTRIES]
+        [held.get((c, i), f"q_{i}" if c == "theta" and i <= moving else "0") for c in ENTRIES]
         for i in range(1, last + 1)
     ]
     heads = ["a_{i-1}", "alpha_{i-1}", "d", "theta"] if craig else list(ENTRIES)
@@ -296,13 +307,17 @@ def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str
 
 
 def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+    text = _unboxed(text)
     if links := re.findall(
-        r"(?:Link|Revolute\w*|Prismatic\w*|DHLink|RevoluteDH|PrismaticDH)\s*\(((?:[^()]|\([^()]*\))*)\)",
+        r"(?:Link|(?:Revolute|Prismatic)\w*|DHLink)\s*\(((?:[^()]|\([^()]*\))*)\)",
         text,
     ):
         return _links(links)
+    if records := _records(text):
+        return records
     named = re.findall(
-        r"^\s*([A-Za-z_]\w*|[αθ])\s*=\s*(?:np\.array|array|sp\.Matrix|Matrix)?\s*\(?\s*(\[[^\]]*\]|\{[^}]*\})",
+        r"(?:^|[{,(])\s*['\"]?([A-Za-z_]\w*|[αθ])['\"]?\s*[=:]\s*(?:np\.array|array|sp\.Matrix|Matrix)?"
+        r"\s*\(?\s*(\[[^\]]*\]|\{[^}]*\})",
         text,
         re.M,
     )
@@ -325,8 +340,45 @@ def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
         )
     rows = grid.cells(re.sub(r"^\s*#", "", text))
     if _heading(rows[0]):
-        return rows[1:], rows[0], ()
+        return rows[1:], _with_units(rows[0]), ()
     return rows, [], ()
+
+
+def _with_units(heads: list[str]) -> list[str]:
+    """The heads with a unit that stands apart, as in ``a (mm)``, joined to its own."""
+    found: list[str] = []
+    for head in heads:
+        if found and re.fullmatch(r"[(\[].*[)\]]", head):
+            found[-1] += f" {head}"
+        else:
+            found.append(head)
+    return found
+
+
+def _unboxed(text: str) -> str:
+    """The first table drawn with lines, as robotics toolboxes print it, with plain bars."""
+    box = _BOX.search(text)
+    if not box:
+        return text
+    rows = [line for line in box[0].splitlines() if "│" in line]
+    return "\n".join(rows).replace("│", "|").replace("⍺", "α").replace("ⱼ", "")
+
+
+def _records(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]] | None:
+    """A dictionary for each row, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...)."""
+    found = []
+    for braced, called in re.findall(r"\{([^{}]*)\}|\bdict\(((?:[^()]|\([^()]*\))*)\)", text):
+        pairs = re.findall(r"['\"]?([A-Za-zαθ]+)['\"]?\s*[:=]\s*([^,\[]+)", braced or called)
+        row = {_head(name): x.strip().strip("'\"") for name, x in pairs}
+        if len(row.keys() & set(ENTRIES)) >= 3:
+            found.append(row)
+    if len(found) < 2:
+        return None
+    cells = [
+        [row.get(e, f"q_{i}" if e == "theta" else "0") for e in ENTRIES]
+        for i, row in enumerate(found, 1)
+    ]
+    return cells, list(ENTRIES), ()
 
 
 def _links(links: list[str]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
@@ -336,7 +388,7 @@ def _links(links: list[str]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     rows = []
     for i, body in enumerate(links, 1):
         if body.strip().startswith("["):
-            entries = grid.cells(body[: body.index("]") + 1])[0]
+            entries = grid.cells(body.partition("]")[0] + "]")[0]
             slides = len(entries) > 4 and formula.number(entries[4]) == 1
             row = dict(zip(("theta", "d", "a", "alpha"), entries, strict=False))
         else:
@@ -396,7 +448,8 @@ def _without_index(cells: grid.Cells, heads: list[str]) -> tuple[grid.Cells, lis
     counted = all(
         re.fullmatch(rf"(?:link|joint|l|j|i=)?\s*_?{i}\.?", x, re.I) for i, x in enumerate(first, 1)
     )
-    if all(len(row) > 4 for row in cells) and counted:
+    from_zero = list(map(formula.number, first)) == list(range(len(cells)))  # as pandas does
+    if all(len(row) > 4 for row in cells) and (counted or from_zero):
         return [row[1:] for row in cells], heads[1:] if len(heads) > 4 else heads
     return cells, heads
 
@@ -410,7 +463,7 @@ def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | 
         _wide(cells)
         return [order], True
     words = [_head(h) for h in heads]
-    if set(words) >= set(ENTRIES):
+    if set(words) >= set(ENTRIES) and all(0 <= len(heads) - len(row) <= 1 for row in cells):
         keep = [words.index(e) for e in ENTRIES]
         for k, row in enumerate(cells):
             cells[k] = [row[i] if i < len(row) else "0" for i in keep]
@@ -475,7 +528,7 @@ def _row(i: int, entries: Mapping[str, str], known: Mapping[str, float]) -> Type
             text = f"q_{i}"
         tree = formula.parse(text.rstrip("*") or "0", f"{name} in row {i}")
         parsed[name] = tree
-        free[name] = [n for n in formula.symbols(tree) if _simple(n) not in known]
+        free[name] = sorted(n for n in formula.symbols(tree) if _simple(n) not in known)
     mover = _mover(free)
     stray = [
         n for name in ENTRIES for n in free[name] if name != mover or n != _joint_of(free[mover])
@@ -513,7 +566,7 @@ def _mover(free: Mapping[str, list[str]]) -> str | None:
 def _joint_of(names: list[str]) -> str | None:
     """The joint's variable among the symbols of an entry: the one called like a joint."""
     named = [n for n in names if re.match(r"q|th|t_?\d|x_?\d|phi", n)]
-    return (named or sorted(names))[0] if names else None
+    return (named or names)[0] if names else None
 
 
 def _slope(rate: float, i: int, name: str) -> int:
@@ -536,7 +589,8 @@ def _matrices(cells: grid.Cells) -> list | None:
         [formula.number(x) for x in row] if all(isinstance(x, str) for x in row) else []
         for row in cells[3::4]
     ]
-    if len(cells) >= 8 and len(cells) % 4 == 0 and all(row == [0, 0, 0, 1] for row in last):
+    square = len(cells) >= 8 and len(cells) % 4 == 0 and all(len(row) == 4 for row in cells)
+    if square and all(row == [0, 0, 0, 1] for row in last):
         return [cells[k : k + 4] for k in range(0, len(cells), 4)]
     return None
 
@@ -572,7 +626,7 @@ def _from_matrix(i: int, A: list, known: Mapping[str, float]) -> TypedRow:
         else math.sin(math.atan2(one[1][0], one[0][0]) - numbers["theta"]) < 0
     )
     return TypedRow(
-        kind, numbers, {n: f"{x:g}" for n, x in numbers.items()}, bool(names) and backwards
+        kind, numbers, {n: size(x, 6) for n, x in numbers.items()}, bool(names) and backwards
     )
 
 

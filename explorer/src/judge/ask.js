@@ -16,12 +16,15 @@ const LONGEST = { table: 2000, q: 500, wrench: 300, answer: 8000, target: 1000 }
 export const LONGEST_ANSWER = 20_000; // characters that are judged while typing
 export const OWN = "own"; // the arm whose table is typed
 export const UNITS = ["rad", "deg"];
-// What stands in a field that offers few values.
+// The fields with few values; where the empty one is among them, what is not said is guessed.
 export const CHOICES = {
   unit: UNITS,
   first: ["v", "omega"],
   plane: ["zy", "yz", "zx", "xz"],
   pace: ["even", "rest"],
+  lengths: ["", "m", "cm", "mm"],
+  angles: ["", ...UNITS],
+  convention: ["", "standard", "craig"],
 };
 
 /**
@@ -35,6 +38,10 @@ export const CHOICES = {
  * @property {string} first the half that stands first: "v" or "omega"
  * @property {string} wrench
  * @property {string} answer
+ * @property {string} columns of a table: their order, or empty where it is to be guessed; so the next three
+ * @property {string} lengths
+ * @property {string} angles
+ * @property {string} convention
  * @property {string} target a point or a pose
  * @property {string} radius of the circle that hangs below the tip at q
  * @property {string} plane its base axes in their order
@@ -46,6 +53,7 @@ export const CHOICES = {
 /** @type {Question} */
 export const EMPTY = {
   ask: "jacobian", arm: "", table: "", q: "", unit: "rad", frame: "0", first: "v", wrench: "", answer: "",
+  columns: "", lengths: "", angles: "", convention: "",
   target: "", radius: "0.1", plane: "zy", period: "5", steps: "", pace: "even",
 }; // prettier-ignore
 

@@ -7,6 +7,9 @@
 export const ASKED = {
   jacobian: { title: "Jacobian at a pose", fields: ["q", "unit", "frame", "first"], script: "jacobian" },
   torques: { title: "Joint torques at a pose", fields: ["q", "unit", "wrench"], script: "jacobian" },
+  table: {
+    title: "Denavit-Hartenberg table", fields: ["columns", "lengths", "angles", "convention"], script: "table",
+  },
   branches: { title: "All joint angles for a target", fields: ["target", "unit"], script: "motion" },
   pose: { title: "Joint angles for one pose", fields: ["target", "unit"], script: "motion" },
   trace: {

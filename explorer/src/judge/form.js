@@ -9,12 +9,16 @@ import { turning } from "./door.js";
  * @typedef {object} Field
  * @property {string} label
  * @property {string} [hint]
- * @property {string} [about] where there is no place for a label, what is read out instead
  * @property {[string, string][]} [choices] values and their words; none yet where the arm decides
  * @property {number} [rows] of a field that takes several lines
  * @property {boolean} [whole] as wide as the form
  */
 
+/** @type {(values: string[]) => [string, string][]} */
+const guessedOr = (values) => [
+  ["", "as it looks"],
+  ...values.map((x) => /** @type {[string, string]} */ ([x, x])),
+];
 const PLAIN = { spellcheck: "false", autocomplete: "off", autocapitalize: "off" };
 /** @type {Record<string, Field>} */
 const FIELDS = {
@@ -23,12 +27,19 @@ const FIELDS = {
     hint: "A row for each joint: a, α, d, θ, with θ or d as “q1” or “θ1 + π/2”. In m; angles as chosen.",
   },
   q: { label: "Pose q", hint: "", whole: true },
-  unit: { label: "", about: "Unit of the angles", choices: UNITS.map((unit) => [unit, unit]) },
+  unit: { label: "Angles in", choices: UNITS.map((unit) => [unit, unit]) },
   frame: { label: "Rows in the axes of", choices: [] },
   first: { label: "Order of the rows", choices: [["v", "v, then ω"], ["omega", "ω, then v"]] },
   wrench: {
     label: "Wrench on the tool, by the world", whole: true,
     hint: "Fx, Fy, Fz in N, Mx, My, Mz in N m, in base axes; empty for none. Gravity is 9.81 m/s² down.",
+  },
+  columns: { label: "Order of the columns", hint: "As in “theta d a alpha”; guessed where it is empty." },
+  lengths: { label: "Lengths in", choices: guessedOr(["m", "cm", "mm"]) },
+  angles: { label: "Angles in", choices: guessedOr(UNITS) },
+  convention: {
+    label: "Convention",
+    choices: [["", "as it looks"], ["standard", "standard"], ["craig", "modified (Craig)"]],
   },
   target: {
     label: "Where the tip should be", rows: 4, whole: true,
@@ -47,6 +58,8 @@ const FIELDS = {
 const HINTS = {
   jacobian:
     "Numbers or formulas in q_1, c_1, s_23, …: NumPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet cells.",
+  table:
+    "A row for each link, with heads or without: lists, Link(…) lines, MATLAB, LaTeX, Markdown, CSV or cells.",
   branches:
     "A row for each answer, angles in the joints' order; names such as theta1 = may stand before them.",
   pose: "One value for each joint, in the joints' order; names such as theta1 = may stand before them.",
@@ -55,25 +68,25 @@ const HINTS = {
     "One torque for each joint in N m (N where it slides), from NumPy, MATLAB, LaTeX, CSV or a spreadsheet.",
 };
 
-const FURTHER = ["frame", "first"]; // what a small judge leaves to the whole one
+// What a small judge leaves to the whole one.
+const FURTHER = ["frame", "first", "columns", "lengths", "angles", "convention"];
 
 const option = ([value, words]) => h("option", { value }, words);
 
 /** @param {Field} field @param {string} id @param {string[]} others */
-function control({ about, choices, rows, hint }, id, others) {
+function control({ choices, rows, hint }, id, others) {
   const described = hint === undefined ? {} : { "aria-describedby": [`${id}-hint`, ...others].join(" ") };
-  const shared = { id, ...described, ...(about ? { "aria-label": about } : {}) };
+  const shared = { id, ...described };
   if (choices) return h("select", shared, choices.map(option));
   return rows
     ? h("textarea", { rows, wrap: "off", ...PLAIN, ...shared })
     : h("input", { ...PLAIN, ...shared });
 }
 
-function box(field, id, made, ...beside) {
+function box(field, id, made) {
   const name = h("label", { for: id }, field.label);
   const hint = field.hint === undefined ? [] : [h("p.about", { id: `${id}-hint` }, field.hint)];
-  const line = beside.length ? h("div.pair", {}, made, ...beside) : made;
-  return h(field.whole ? "div.field.whole" : "div.field", {}, name, line, ...hint);
+  return h(field.whole ? "div.field.whole" : "div.field", {}, name, made, ...hint);
 }
 
 /**
@@ -88,7 +101,10 @@ export function buildForm(id, arms, given) {
     ask: { label: "Question", choices: Object.entries(ASKED).map(([key, { title }]) => [key, title]) },
     arm: {
       label: "Arm",
-      choices: [...arms.map(({ key, title }) => [key, title]), ...(given ? [] : [[OWN, "My own table"]])],
+      choices: [
+        ...arms.map(({ key, title }) => [key, title]),
+        ...(arms.length > 1 && given ? [] : [[OWN, "My own table"]]),
+      ],
     },
     ...FIELDS,
   };
@@ -99,12 +115,9 @@ export function buildForm(id, arms, given) {
     ]),
   ); // prettier-ignore
   const boxes = Object.fromEntries(
-    Object.entries(all)
-      .filter(([key]) => key !== "unit")
-      .map(([key, one]) => [key, box(one, idOf(key), fields[key], ...(key === "q" ? [fields.unit] : []))]),
+    Object.entries(all).map(([key, one]) => [key, box(one, idOf(key), fields[key])]),
   );
-  const hidden = given ? [...Object.keys(given), ...FURTHER, ...(arms.length === 1 ? ["arm"] : [])] : [];
-  for (const key of hidden) boxes[key]?.classList.add("given");
+  for (const key of given ? hiddenBy(given, arms) : []) boxes[key]?.classList.add("given");
   const asked = given ? titleOf(given, arms) : "";
   if (given) fields.answer.rows = 6;
   const form = h(
@@ -113,6 +126,11 @@ export function buildForm(id, arms, given) {
   ); // prettier-ignore
   return { form, fields, boxes };
 }
+
+// What a small judge need not ask, since the chapter says it.
+const hiddenBy = (given, arms) => [
+  ...Object.keys(given), ...FURTHER, ...(arms.length < 2 ? ["arm"] : []), ...("q" in given ? ["unit"] : []),
+]; // prettier-ignore
 
 // What a chapter asks, in a line.
 function titleOf({ ask, q, wrench }, arms) {

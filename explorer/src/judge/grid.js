@@ -72,7 +72,7 @@ function latex(text) {
 const markdown = (text) =>
   lines(text)
     .map((line) => line.trim())
-    .filter((line) => line.includes("|") && !RULE.test(line))
+    .filter((line) => line.includes("|") && !/^[\s:|+=_-]*[-=_][\s:|+=_-]*$/.test(line))
     .map((line) => line.replace(/^\||\|$/g, "").replaceAll("$", " ").split("|")); // prettier-ignore
 
 // Brackets

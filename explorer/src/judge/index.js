@@ -2,5 +2,6 @@
 
 export { compareJacobian } from "./jacobian.js";
 export { compareTorques } from "./torques.js";
+export { compareTables } from "./tables.js";
 export { linesOf, MARKS, textOf } from "./ranking.js";
 export { ArmError, learn } from "./say.js";

@@ -5,7 +5,8 @@ import { h, indexed, write } from "../dom.js";
 import { joints } from "../kinematics.js";
 import { sameArm } from "../same.js";
 import { branchColour } from "../scene.js";
-import { along, ArmShape, Arrow, ball, paint, rod, Triad } from "../shapes.js";
+import { freed } from "../renderer.js";
+import { along, ArmShape, Arrow, ball, paint, rod, Triads } from "../shapes.js";
 import { entryText, fixed } from "../text.js";
 import { plus, scaled } from "../kinematics.js";
 import { armOf, makeLive } from "./live.js";
@@ -137,16 +138,13 @@ export function trainer(host, spec) {
     return book ? "A table of this arm, and the book’s own." : FREE;
   }
 
-  let things = null;
+  let things = [];
   live.follow(() => draw());
   function draw() {
     if (!picture?.world || !bare) return;
-    for (const triad of picture.triads) triad.visible = false;
+    picture.triads.visible = false;
     picture.labels.set([]);
-    if (things)
-      things.forEach(
-        (thing) => (thing.traverse((part) => part.material?.dispose()), thing.removeFromParent()),
-      );
+    things.forEach(freed);
     const { size } = picture;
     const ink = paint(branchColour(7));
     picture.body.visible = false; // thin links, so that what is chosen can be seen
@@ -157,11 +155,8 @@ export function trainer(host, spec) {
       along(line, plus(o, scaled(-0.2 * size, z)), plus(o, scaled(0.2 * size, z)), 0.002 * size);
       return line;
     });
-    const frames = placed.map((frame) => {
-      const triad = new Triad(picture.dark);
-      triad.pose(frame, 0.1 * size);
-      return triad;
-    });
+    const frames = new Triads(picture.dark, placed.length);
+    frames.pose(placed, 0.1 * size);
     const spots = offered().map(({ at, value }) => {
       const colour = paint(branchColour(1));
       const from = step() === "o" ? null : step() === "z" ? choices(bare, placed).axis.o : now.o;
@@ -175,7 +170,7 @@ export function trainer(host, spec) {
       arrow.point(from, scaled(reach(), value), 0.005 * size);
       return arrow;
     });
-    things = [thin, ...lines, ...frames, ...spots];
+    things = [thin, ...lines, frames, ...spots];
     things.forEach((thing) => picture.world.add(thing));
     picture.labels.set(offered().map(({ at, label }) => ({ tip: at, letter: label, index: "", tone: "y" })));
   }

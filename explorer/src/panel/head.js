@@ -1,7 +1,7 @@
 // The line above the picture: which arm, units, and what may be done with the whole instrument.
 
 import { homeOf } from "../arm.js";
-import { h, svg } from "../dom.js";
+import { h, svg, whereNew } from "../dom.js";
 import { randomPose } from "../motion.js";
 
 export function makeHead(store, { arms, link, goTo, stage, card, say }) {
@@ -87,7 +87,10 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   }
   return {
     root: h("header", {}, name, h("div.buttons", { role: "group", "aria-label": "Settings" }, buttons)),
-    update,
+    update: whereNew(
+      ({ unit, frames, past, future, arm, base }) => [unit, frames, !past.length, !future.length, arm, base],
+      update,
+    ),
   };
 }
 

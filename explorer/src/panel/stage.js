@@ -1,6 +1,6 @@
 // The picture with what one can do to it, or a still picture that follows where the browser has no WebGL.
 
-import { h, write } from "../dom.js";
+import { h, whereNew, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../grab.js";
 import { asked, stopVerdict } from "../verdicts.js";
 import { joints } from "../kinematics.js";
@@ -74,8 +74,10 @@ export function makeStage(store, { goTo, id, say }) {
   return {
     root,
     draw(state, derived, theme) {
-      hold.update(state);
       picture?.draw(state, derived, theme);
+    },
+    update(state) {
+      hold.update(state);
       grip.hidden =
         !picture ||
         !joints(state.arm).length ||
@@ -123,7 +125,8 @@ function makeHoldBar(store) {
     pin.textContent = pinned ? pinWords(hold) : "Pin the tip";
     swing.forEach((button) => (button.hidden = !pinned || !hold.free));
   }
-  return { root, update };
+  const shows = ({ keepTurn, hold, arm }) => [keepTurn, arm, hold?.pinned, hold?.free, hold?.turns];
+  return { root, update: whereNew(shows, update) };
 }
 
 const pinWords = ({ free, turns }) => {

@@ -41,9 +41,9 @@ export function makeTransport(store, { signal, begin }) {
     const pace = 1000 * SECONDS * (calm() ? 2 : 1);
     const share = Math.min(1, at + Math.max(0, Math.min(100, now - last)) / pace);
     last = now;
+    timer = requestAnimationFrame(tick); // before the state changes: who hears of that would ask for a frame too
     store.dispatch({ type: "play", at: share });
     if (share === 1) store.dispatch({ type: "playing", on: false });
-    else timer = requestAnimationFrame(tick);
   }
 
   function update({ playing, trace, at }) {

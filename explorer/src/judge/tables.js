@@ -1,0 +1,466 @@
+// Is my table wrong, or only different? The port of helpers/checks/tables.py.
+
+import { angleBetween, combinations, compared, placesBase, side } from "../axes.js";
+import { RIGHT, ROUNDED, units, WRONG } from "./digits.js";
+import { equations, isIdentity, jointMap } from "./joint_map.js";
+import { cause, nameOf, several } from "./ranking.js";
+import { ArmError, lower, say, size } from "./say.js";
+import { ENTRIES, meant, read } from "./table_reading.js";
+import * as usual from "./tables_causes.js";
+
+const CHEAP = ["table.millimetres", "table.centimetres", "table.degrees", "table.twists in degrees"];
+const ENTRY = 0.7; // what a wrong entry costs, where a cause costs 1
+const BY_AXES = 0.5; // what it costs besides that entries still differ though the axes agree
+const ANGLE = 1e-4; // rad: angles are often written with four decimals
+const LENGTH = 1e-6; // m
+const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
+const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
+const DEGREES = 180 / Math.PI;
+
+/** @typedef {import("../axes.js").Numbers} Numbers */
+/** @typedef {import("../axes.js").Compared} Compared */
+/** @typedef {import("../axes.js").Difference} Difference */
+/** @typedef {import("./ranking.js").Cause} Cause */
+/** @typedef {import("./ranking.js").Finding} Finding */
+/** @typedef {import("./ranking.js").Report} Report */
+
+/**
+ * How the table is to be read; what is empty or not said is guessed.
+ * @typedef {object} Options
+ * @property {string} [columns] their order, as "theta d a alpha"
+ * @property {string} [lengths] "m", "cm" or "mm"
+ * @property {string} [angles] "rad" or "deg"
+ * @property {string} [convention] "standard" or "craig"
+ * @property {number} [tolerance] the largest deviation of a length (m)
+ */
+
+/**
+ * A student's table in numbers, in SI units where they were said, with the units of the last places. In the modified
+ * convention a and alpha stand one row further down than in `rows`; `added` is 1 where a fixed row before the typed
+ * ones holds the first of them.
+ * @typedef {object} Table
+ * @property {string} name
+ * @property {Numbers[]} rows
+ * @property {Record<string, string>[]} texts
+ * @property {number} lengthUnit
+ * @property {number} angleUnit
+ * @property {number} lengthScale
+ * @property {number} angleScale
+ * @property {string[]} said
+ * @property {boolean} modified
+ * @property {number} added
+ */
+
+/**
+ * Whether a typed table describes the reference, and if not, where they differ and why.
+ * @param {string} mine
+ * @param {any} reference
+ * @param {Options} options
+ * @returns {Report}
+ */
+export function compareTables(mine, reference, options = {}) {
+  const kinds = reference.rows.map(({ kind }) => kind);
+  let first = null;
+  for (const typed of read(mine, options, reference.values)) {
+    const table = tableOf(typed, meant(typed, kinds));
+    const report = judged(table, reference, options.tolerance ?? null);
+    const whole = { ...report, table: { rows: table.rows, ...shown(typed, table, report.findings) } };
+    if (whole.grade !== WRONG) return whole;
+    first ??= whole;
+  }
+  return first;
+}
+
+// The table as it was read, a row of cells for each that was typed, and which of them are wrong.
+function shown(typed, { lengthScale, angleScale }, findings) {
+  const wheres = findings.map(({ where }) => where);
+  const cells = typed.rows.map(({ kind, numbers, radians, backwards }, k) =>
+    ENTRIES.map((column) => {
+      const scale = DEGREES * (radians.has(column) ? 1 : angleScale);
+      const text = angular(column)
+        ? `${size(numbers[column] * scale, 6)}°`
+        : size(numbers[column] * lengthScale, 6);
+      if (column !== variableOf(kind)) return text;
+      const variable = `${backwards ? "-" : ""}q_${k + 1}`;
+      return numbers[column]
+        ? `${variable} ${text.replace(/^-?/, (sign) => (sign ? "- " : "+ "))}`
+        : variable;
+    }),
+  );
+  const wrong = cells.map((_, k) => ENTRIES.map((column) => wheres.includes(`row ${k + 1}, ${column}`)));
+  return { cells, wrong };
+}
+
+// The entry that a joint changes.
+const variableOf = (kind) => ({ revolute: "theta", prismatic: "d" })[kind];
+
+// What was typed
+
+/** @returns {Table} */
+function tableOf(typed, found) {
+  const texts = typed.rows.map((row) => row.texts);
+  const modified = typed.convention === "craig";
+  const { a, alpha } = typed.rows[0].numbers;
+  return {
+    name: say("your table"),
+    rows: found.rows,
+    texts,
+    lengthUnit: unitOf(texts, ["a", "d"]) * found.length,
+    angleUnit: unitOf(texts, ["alpha", "theta"]) * found.angle,
+    lengthScale: found.length,
+    angleScale: found.angle,
+    said: found.said,
+    modified,
+    added: Number(modified && Boolean(a || alpha)),
+  };
+}
+
+// The unit of the last place of the decimals in some columns; 0 where there are none.
+function unitOf(texts, columns) {
+  const found = texts.flatMap((row) => columns.flatMap((column) => row[column].match(DECIMAL) ?? []));
+  return Math.max(0, ...units(found));
+}
+
+// The typed row, from 1, that holds an entry of a row of the table.
+const rowOf = ({ added, modified }, row, column) =>
+  row - added + Number(modified && (column === "a" || column === "alpha"));
+
+// What was typed as an entry of a row; undefined where no row holds it.
+const textOf = (table, row, column) => table.texts[rowOf(table, row, column) - 1]?.[column];
+
+const squared = (rows) => rows.map((row) => ({ ...row, alpha: square(row.alpha), theta: square(row.theta) }));
+
+// An angle near a multiple of a right angle is taken as that.
+function square(angle, unit = 0) {
+  const right = (Math.round(angle / (Math.PI / 2)) * Math.PI) / 2;
+  return Math.abs(angle - right) < Math.max(ANGLE, 0.51 * unit) ? right : angle;
+}
+
+// The rows with angles that were cut to two decimals or more taken as the right angles that they are near: 1.57 is
+// meant as pi/2.
+const meantRows = (table) =>
+  table.rows.map((row, k) => {
+    const [alpha, theta] = ["alpha", "theta"].map((c) => square(row[c], ownUnit(table, k + 1, c)));
+    return { ...row, alpha, theta };
+  });
+
+// The unit of the last decimal in one angle, where it has two or more.
+function ownUnit(table, row, column) {
+  const last = (textOf(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
+  const places = last.slice(last.indexOf(".") + 1).length;
+  return places >= 2 ? table.angleScale * 10 ** -places : 0;
+}
+
+// The verdict
+
+/**
+ * One reading of what was meant: its causes, the rows, the arm they are held against, and how many entries differ.
+ * @typedef {{ cause: Cause | null, rows: Numbers[], reference: Numbers[], entries: number }} Try
+ */
+
+const moves = (rows) => rows.some(({ kind }) => kind !== "fixed");
+const compare = ({ rows, reference }, length) => compared(side(rows), side(reference), length, ANGLE);
+
+/** @param {Table} table @returns {Report} */
+function judged(table, reference, tolerance) {
+  const wanted = squared(reference.rows);
+  const rows = meantRows(table);
+  if (!moves(rows)) throw new ArmError(say("table no joint", { name: table.name }));
+  const [mine, ref] = [side(rows), side(wanted)];
+  let exact = tolerance === null ? LENGTH : Math.max(tolerance, 1e-12);
+  const found = compared(mine, ref, exact);
+  if (!found.differences.length) return same(RIGHT, table, reference, mine, ref, found);
+  if (tolerance === null) {
+    const [length, angle] = [table.lengthUnit, table.angleUnit].map((unit) =>
+      0.51 * unit <= 0.51 * COARSEST ? 0.51 * unit : 0,
+    );
+    const reach = Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
+    const wide = Math.max(exact, 2 * length, 2.5 * angle * reach); // a turned axis meets the next one elsewhere
+    const near = compared(mine, ref, wide, Math.max(ANGLE, 4 * angle));
+    if (!near.differences.length) return same(ROUNDED, table, reference, mine, ref, near);
+    exact = Math.max(exact, length);
+  }
+  return different(table, reference, rows, wanted, found, exact);
+}
+
+/** @returns {Report} */
+function same(grade, table, reference, mine, ref, found) {
+  const loose = grade === RIGHT ? LENGTH : 10 * table.lengthUnit;
+  const mapped = jointMap(mine, ref, found, loose);
+  const key = grade === RIGHT ? "table same" : "table rounded";
+  return {
+    topic: "table",
+    arm: reference.name,
+    grade,
+    headline: say(key, { mine: table.name, reference: reference.name }),
+    findings: [],
+    causes: [],
+    taken: table.said,
+    ...(mapped ? { map: mapped } : {}),
+    notes: [...zeros(mapped, mine, ref), ...base(mine, found, mapped), ...tool(found), ...written(table)],
+  };
+}
+
+function zeros(mapped, mine, ref) {
+  if (!mapped) return [say("map unknown")];
+  return isIdentity(mapped) ? [] : [say("map", { equations: equations(mapped, mine, ref).join("; ") })];
+}
+
+// A word on where the base's frame stands on axis 1.
+function base(mine, found, mapped = null) {
+  const higher = mapped ? mapped.base.o[2] : found.baseHigher;
+  if (found.signs[0] < 0) return [say("base upside down")];
+  if (Math.abs(higher) <= LENGTH) return [];
+  const way = higher > 0 ? say("higher") : say("lower");
+  const row = mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0];
+  return [say("base", { height: size(1000 * Math.abs(higher), 4), way, row })];
+}
+
+function tool({ tilts }) {
+  const [mine, reference] = tilts.map((tilt) => size(rounded(tilt * DEGREES, 4), 4));
+  return angleBetween(...tilts) > ANGLE ? [say("tool", { mine, reference })] : [];
+}
+
+const NAMES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
+
+// A word on each angle that was taken as a multiple of a right angle though it is not quite one.
+const written = (table) =>
+  table.rows.flatMap((row, k) =>
+    ["alpha", "theta"].flatMap((column) => {
+      const right = square(row[column], ownUnit(table, k + 1, column));
+      if (Math.abs(row[column] - right) <= 1e-9) return [];
+      const turns = Math.round(right / (Math.PI / 2));
+      const wanted = NAMES[turns] ?? `${turns} pi/2`;
+      const fields = {
+        column,
+        row: rowOf(table, k + 1, column),
+        typed: typedAs(table, k + 1, column),
+        wanted,
+      };
+      return [say("write right angle", fields)];
+    }),
+  );
+
+const typedAs = (table, row, column) => textOf(table, row, column) ?? size(table.rows[row - 1][column], 6);
+
+// What differs, and why
+
+// Why a table is another arm, the simplest first: causes after which every entry agrees, one or two wrong entries,
+// causes and single signs after which the axes agree, more wrong entries, or what is left of the axes.
+/** @param {Table} table @param {Compared} found @returns {Report} */
+function different(table, reference, rows, wanted, found, length) {
+  const all = tries(rows, reference, wanted);
+  const equal = all.filter((t) => t.cause && !t.entries);
+  if (equal.length) {
+    const alike = equal.filter((t) => edits(t.cause) === edits(equal[0].cause));
+    return bad(table, reference, alike.map((t) => t.cause)); // prettier-ignore
+  }
+  const notes = found.signs.length ? base(side(rows), found) : [];
+  const local = fewEntries(all, wanted.length, length);
+  let whole = agreeing(all, length, local ? local.cost : Infinity);
+  if (!local && !whole) whole = oneSign(rows, wanted, length);
+  if (whole?.cause) return bad(table, reference, [whole.cause]);
+  if (local) {
+    const entries = local.needed.map(([k, column]) => entry(table, local.best, k, column));
+    const why = local.best.cause;
+    return bad(table, reference, why ? [why] : [], entries, why ? [] : notes);
+  }
+  const { first, left } = fewest(all, length, found);
+  return bad(table, reference, first ? [first] : [], left.map(geometry), first ? [] : notes);
+}
+
+// The reading that needs least besides a few entries: its cost, and the entries.
+function fewEntries(all, rows, length) {
+  const most = Math.max(3, Math.floor(rows / 2) + 1);
+  const close = all.filter((t) => t.entries > 0 && t.entries <= most);
+  if (!close.length) return null;
+  const best = cheapest(close, (t) => cost(t.cause) + ENTRY * t.entries);
+  const needed = neededOf(best, length);
+  return { cost: cost(best.cause) + ENTRY * needed.length, best, needed };
+}
+
+const cheapest = (list, costOf) =>
+  list.reduce((best, one) => (best === null || costOf(one) < costOf(best) ? one : best), null);
+
+// What a reading costs; units go wrong so often that they are cheap.
+const cost = (why) => (why?.keys ?? []).reduce((sum, key) => sum + (CHEAP.includes(key) ? 0.5 : 1), 0);
+
+const edits = (why) => why?.keys.length ?? 0;
+
+// Every reading with up to two causes, fewest first, each with how many entries differ from the reference's.
+/** @returns {Try[]} */
+function tries(rows, reference, wanted) {
+  const others = [[null, wanted], ...usual.references(reference).map(([why, arm]) => [why, squared(arm)])];
+  const mends = usual.structures(rows.length);
+  /** @type {[Cause | null, Numbers[], Numbers[]][]} */
+  const found = [];
+  for (const [first, read] of usual.units(rows, wanted)) {
+    for (const [other, arm] of others) {
+      const both = usual.joined(first, other);
+      found.push([both, squared(read), arm]);
+      for (const [second, mend] of edits(both) < 2 ? mends : [])
+        found.push([usual.joined(both, second), squared(mend(read)), arm]);
+    }
+    if (first) continue;
+    const whole = mends.filter(([why]) => why.keys[0] !== usual.EXCHANGED);
+    for (const [[second, mend], [third, then]] of combinations(whole, 2))
+      found.push([usual.joined(second, third), squared(then(mend(read))), wanted]);
+  }
+  found.sort((p, q) => edits(p[0]) - edits(q[0]));
+  return found.map(([why, read, arm]) => ({
+    cause: why, rows: read, reference: arm, entries: alike(read, arm) ? unequal(read, arm).length : 99,
+  })); // prettier-ignore
+}
+
+const alike = (rows, wanted) =>
+  rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
+
+// The entries that differ, the zeros of joints not counted.
+/** @returns {[number, string][]} */
+function unequal(rows, wanted, length = LENGTH) {
+  return rows.flatMap((row, k) =>
+    ENTRIES.filter((column) => {
+      const [x, y] = [row[column], wanted[k][column]];
+      const free = column === variableOf(row.kind);
+      return !free && (angular(column) ? angleBetween(x, y) > ANGLE : Math.abs(x - y) > length);
+    }).map((column) => /** @type {[number, string]} */ ([k, column])),
+  );
+}
+
+const angular = (column) => column === "alpha" || column === "theta";
+
+// The cheapest reading after which the axes agree, though entries differ, below a cost; or null.
+function agreeing(all, length, most) {
+  for (const t of [...all].sort((p, q) => cost(p.cause) - cost(q.cause))) {
+    if (cost(t.cause) + BY_AXES >= most) return null;
+    if (t.cause && likely(t) && !compare(t, length).differences.length) return t;
+  }
+  return null;
+}
+
+// Whether a reading is worth a comparison of the axes.
+function likely(t) {
+  const single = edits(t.cause) === 1 || t.entries <= 2 * t.reference.length;
+  return moves(t.rows) && (t.entries === 0 || (single && t.cause.keys.at(-1) !== usual.EXCHANGED));
+}
+
+function oneSign(rows, wanted, length) {
+  const all = usual.flips(rows).map(([why, mended]) => ({
+    cause: why, rows: mended, reference: wanted, entries: alike(mended, wanted) ? unequal(mended, wanted).length : 99,
+  })); // prettier-ignore
+  return cheapest(all.filter((t) => !compare(t, length).differences.length), (t) => t.entries); // prettier-ignore
+}
+
+// The fewest of the entries that differ after whose mending the axes agree.
+function neededOf(t, length) {
+  const wrong = unequal(t.rows, t.reference, length);
+  for (let count = 1; count < wrong.length; count++) {
+    for (const chosen of combinations(wrong, count)) {
+      const rows = [...t.rows];
+      for (const [k, column] of chosen) rows[k] = { ...rows[k], [column]: t.reference[k][column] };
+      if (!compare({ rows, reference: t.reference }, length).differences.length) return chosen;
+    }
+  }
+  return wrong;
+}
+
+// One wrong entry in the student's numbers; its row is the student's, also where a and alpha were read one row on.
+/** @param {Table} table @returns {Finding} */
+function entry(table, t, k, column) {
+  const [mine, wanted] = [t.rows[k][column], t.reference[k][column]];
+  const craig = Boolean(t.cause?.keys.includes("table.craig"));
+  const shift = Number(craig && Boolean(table.rows[0].a || table.rows[0].alpha));
+  const lowered = Number(craig && (column === "a" || column === "alpha"));
+  const row = rowOf(table, k + 1, column) - shift + lowered;
+  const why = kindOfError(column, row, mine, wanted);
+  const typed = t.cause ? size(mine, 6) : typedAs(table, k + 1, column);
+  const words = say("table entry", { row, column, typed, words: lower(say(why.keys[0], why.fields[0])) });
+  return { what: nameOf(why), where: `row ${row}, ${column}`, words };
+}
+
+/** @returns {Cause} */
+function kindOfError(column, row, mine, wanted) {
+  const negative = angular(column) ? angleBetween(mine, -wanted) < ANGLE : Math.abs(mine + wanted) < LENGTH;
+  const twist = column === "alpha";
+  if (negative) return twist ? cause("table.twist", { row }) : cause("table.sign", { column, row });
+  if (!mine) return twist ? cause("table.no twist", { row }) : cause("table.missing", { column, row });
+  if (!wanted) return cause("table.too much", { column, row });
+  if (angular(column))
+    return cause("table.angle", { column, row, _off: size(angleBetween(mine, wanted) * DEGREES, 4) });
+  if (mine * wanted < 0) return cause("table.number and sign", { column, row });
+  const _way = Math.abs(mine) > Math.abs(wanted) ? say("long") : say("short");
+  return cause("table.number", { column, row, _off: size(1000 * Math.abs(mine - wanted), 4), _way });
+}
+
+// The single cause that leaves much less than none does, and what it leaves.
+function fewest(all, length, { differences }) {
+  let best = { cost: 0.7 * differences.length, first: /** @type {Cause | null} */ (null), left: differences };
+  for (const t of all) {
+    if (edits(t.cause) !== 1 || t.cause.keys[0] === usual.EXCHANGED || !moves(t.rows)) continue;
+    const left = compare(t, length).differences;
+    const total = 1 + 0.7 * left.length;
+    if (left.length && total < best.cost) best = { cost: total, first: t.cause, left };
+  }
+  return best;
+}
+
+const WHAT = {
+  "table distance": "table distance what", "table between": "table between what", "table held": "table held what",
+  "table along": "table along what", "table base": "table base what", "table count": "table count what",
+  "table kind": "table kind what",
+}; // prettier-ignore
+
+/** @param {Difference} d @returns {Finding} */
+function geometry(d) {
+  const [i, j] = [...d.ends, 0, 0];
+  const end = d.key === "table distance" && !j ? say("the tip") : say("axis", { i: j });
+  const along = i === j ? say("axis", { i }) : say("parallel axes", { i, j });
+  const what = say(WHAT[d.key], { start: i, end, along, j });
+  const words = say("table at", { row: d.row, entry: d.entry, words: amount(d, what) });
+  return { what: "row", where: `row ${d.row}, ${d.entry}`, words };
+}
+
+/** @param {Difference} d @param {string} what */
+function amount({ key, mine, reference }, what) {
+  if (key === "table kind" || key === "table count") return say("table other", { what, mine, reference });
+  if (key === "table between" || key === "table held") {
+    const [x, y] = mine >= 0 ? [mine, reference] : [-mine, -reference];
+    const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEGREES, 4), 6));
+    return say("table angle", { what, mine: spelt[0], reference: spelt[1], off: spelt[2] });
+  }
+  const [x, y] = [rounded(mine, 9), rounded(reference, 9)]; // what is left of a zero is none
+  if (x * y < 0) return say("table other way", { what, mine: size(x, 6), reference: size(y, 6) });
+  const way = Math.abs(x) > Math.abs(y) ? say("long") : say("short");
+  const off = size(1000 * Math.abs(mine - reference), 4);
+  const [ours, theirs] = [x, y].map((length) => size(Math.abs(length), 6));
+  return say("table length", { what, mine: ours, reference: theirs, off, way });
+}
+
+const rounded = (x, decimals) => Number(x.toFixed(decimals));
+
+// `causes` explain the same; of the findings those with a cause of their own add to it.
+/** @param {Table} table @param {Cause[]} causes @param {Finding[]} findings @returns {Report} */
+function bad(table, reference, causes, findings = [], notes = []) {
+  const own = findings.map(({ what }) => what).filter((what) => what.includes("."));
+  const added = own.length === findings.length ? own : [];
+  const names = causes.length
+    ? causes.map((why) => [nameOf(why), ...added].join(" + "))
+    : added.length
+      ? [added.join(" + ")]
+      : [];
+  const fields = { mine: table.name, reference: reference.name };
+  const report = {
+    topic: "table", arm: reference.name, grade: WRONG, headline: say("table other arm", fields), findings,
+    causes: names, taken: table.said, notes,
+  }; // prettier-ignore
+  if (causes.length) {
+    const words = several(causes);
+    const rest = findings.length ? say("and what remains") : "";
+    const headline = say("table wrong", { cause: lower(words) + rest, ...fields });
+    return { ...report, headline, findings: [{ what: "cause", where: "", words: `${words}.` }, ...findings] };
+  }
+  if (findings.length !== 1 || own.length !== 1) return report;
+  const [only] = findings;
+  const headline = say("table wrong", { cause: lower(only.words).replace(/\.+$/, ""), ...fields });
+  return { ...report, headline, findings: [{ ...only, what: "cause" }] };
+}
