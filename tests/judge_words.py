@@ -31,6 +31,7 @@ from tests.corpus.typing_ import typed
 ROOT = Path(__file__).parents[1]
 KNOWN = {
     "PANDA": PANDA,
+    "UR10E": UR10E,
     "UR10E_HOMEWORK": UR10E_HOMEWORK,
     "STANFORD": STANFORD,
     "ELBOW": ELBOW,
@@ -150,7 +151,7 @@ QUESTIONS = {
     "pose": judge_motion.pose_questions,
     "corpus's poses": lambda rng, count: judge_motion.stored_poses(rng, count, arm_of),
     "trace": judge_motion.trace_questions,
-    "corpus's traces": judge_motion.stored_traces,
+    "corpus's traces": lambda rng, count: judge_motion.stored_traces(rng, count, arm_of),
 }
 SHARES = {
     "jacobian": 0.2,
