@@ -10,6 +10,13 @@ function few(formulas, characters = 40) {
 const pause = () => new Promise((done) => setTimeout(done));
 const frame = () => new Promise((due) => (document.hidden ? due() : requestAnimationFrame(due)));
 
+// The text is on the screen; in a tab that is not shown it never will be, until it is.
+const painted = () => new Promise((done) => {
+  if (document.hidden || !PerformanceObserver.supportedEntryTypes.includes("paint")) return done();
+  new PerformanceObserver(() => done()).observe({ type: "paint", buffered: true });
+  setTimeout(done, 3000);
+});
+
 const watch = new IntersectionObserver((changes) => {
   for (const { isIntersecting, target, boundingClientRect: box } of changes) {
     if (isIntersecting && unset.has(target)) near.set(target, Math.abs(box.top + box.bottom - innerHeight));
@@ -64,8 +71,7 @@ if (window.MathJax) {
     typeset: false,
     pageReady: setFormulas,
     async ready() {
-      await frame();
-      await pause(); // the text is painted
+      await painted();
       await MathJax.loader.load(...parts);
       MathJax.startup.defaultReady();
     },
