@@ -64,7 +64,8 @@ class LiveJudge(SphinxDirective):
     """
 
     has_content = True
-    option_spec = dict.fromkeys(("ask", "arm", "pose", "unit", "wrench"), directives.unchanged)
+    fields = ("ask", "arm", "table", "pose", "unit", "wrench", "target")
+    option_spec = dict.fromkeys(fields, directives.unchanged)
 
     def run(self) -> list[nodes.Node]:
         given = {"q" if key == "pose" else key: text for key, text in self.options.items()}

@@ -101,7 +101,10 @@ export function buildForm(id, arms, given) {
     ask: { label: "Question", choices: Object.entries(ASKED).map(([key, { title }]) => [key, title]) },
     arm: {
       label: "Arm",
-      choices: [...arms.map(({ key, title }) => [key, title]), ...(given ? [] : [[OWN, "My own table"]])],
+      choices: [
+        ...arms.map(({ key, title }) => [key, title]),
+        ...(arms.length > 1 && given ? [] : [[OWN, "My own table"]]),
+      ],
     },
     ...FIELDS,
   };
@@ -126,7 +129,7 @@ export function buildForm(id, arms, given) {
 
 // What a small judge need not ask, since the chapter says it.
 const hiddenBy = (given, arms) => [
-  ...Object.keys(given), ...FURTHER, ...(arms.length === 1 ? ["arm"] : []), ...("q" in given ? ["unit"] : []),
+  ...Object.keys(given), ...FURTHER, ...(arms.length < 2 ? ["arm"] : []), ...("q" in given ? ["unit"] : []),
 ]; // prettier-ignore
 
 // What a chapter asks, in a line.

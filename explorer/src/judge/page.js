@@ -41,7 +41,7 @@ export function mount(stub) {
   const { form, fields } = made;
   const parts = buildParts(id, given);
   const followers = [];
-  let question = { ...EMPTY, arm: arms[0].key, ...(given ?? examples[0]) };
+  let question = { ...EMPTY, arm: arms[0]?.key, ...(given ?? examples[0]) };
   let verdict;
   let timer = 0;
 

@@ -4,7 +4,7 @@
 import { calm, h } from "../dom.js";
 import { joints, linkFrames, minus, plus, scaled } from "../kinematics.js";
 import { freed } from "../renderer.js";
-import { along, ArmShape, ball, ghostMaterial, paint, rod, Triad, tube } from "../shapes.js";
+import { along, ArmShape, ball, ghostMaterial, paint, rod, Triads, tube } from "../shapes.js";
 import { claimWords, moved } from "./claim.js";
 import { makeLever, makeLive } from "./live.js";
 
@@ -127,8 +127,8 @@ class Overlay {
   claim({ arm, q }, claim, share, bad, ghost) {
     const { picture } = this;
     const ways = Array.from({ length: STEPS + 1 }, (_, i) => moved(arm, q, claim, (share * i) / STEPS));
-    const tip = new Triad(picture.dark);
-    tip.pose(ways.at(-1).claimed, 0.1 * picture.size);
+    const tip = new Triads(picture.dark, 1);
+    tip.pose([ways.at(-1).claimed], 0.1 * picture.size);
     const spot = ball(paint(bad));
     spot.scale.setScalar(0.016 * picture.size);
     spot.position.fromArray(ways.at(-1).claimed.o);
