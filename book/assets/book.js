@@ -107,6 +107,15 @@ function share(box) {
   return box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1;
 }
 
+// Checks that hold: each begins at the edge, and what does not fit its line goes on further in.
+function proven(output) {
+  output.classList.add("proof");
+  for (const text of output.querySelectorAll("pre")) {
+    const lines = text.textContent.trimEnd().split("\n");
+    text.replaceChildren(...lines.map((line) => Object.assign(document.createElement("span"), { textContent: `${line}\n` })));
+  }
+}
+
 function scrollable(box, wide) {
   if (!wide && !box.matches(".scrolls")) return;
   box.classList.toggle("scrolls", wide);
@@ -174,7 +183,7 @@ document.addEventListener("DOMContentLoaded", () => {
   each("div.cell_output", (output) => {
     const texts = [...output.querySelectorAll("pre")].map((pre) => pre.textContent.trim());
     const lines = texts.join("\n").split("\n");
-    if (lines.every((line) => line.startsWith("✔"))) output.classList.add("proof");
+    if (lines.every((line) => line.startsWith("✔"))) proven(output);
     else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(texts.join("\n"))) output.classList.add("columns");
   });
 
