@@ -32,7 +32,8 @@ def cut_to(left, top, right, bottom):
     """What is drawn in an axes and cut to it, though it reaches far beyond."""
     return (
         f'<clipPath id="p{left}"><rect x="{left}" y="{top}" width="{right - left}" '
-        f'height="{bottom - top}"/></clipPath><path clip-path="url(#p{left})" d="M -9999 50L 9999 60"/>'
+        f'height="{bottom - top}"/></clipPath>'
+        f'<path clip-path="url(#p{left})" d="M -9999 50L 9999 60"/>'
     )
 
 
