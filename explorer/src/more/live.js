@@ -11,7 +11,7 @@ import { startingState, Store } from "../state.js";
 import { poseText, stillSvg } from "../still.js";
 import { jointText, spokenJoint } from "../text.js";
 import { watchTheme } from "../theme.js";
-import { stopVerdict } from "../verdicts.js";
+import { holdVerdict } from "../verdicts.js";
 import ARMS from "./arms.json";
 
 /** @param {string} name of an arm of the book */
@@ -92,7 +92,7 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     const { state: now, derived } = store;
     for (const one of levers) one.show(now);
     write(said, words(now, derived));
-    const stopped = now.hold?.target && !now.hold.moving ? stopVerdict(now.hold) : "";
+    const stopped = holdVerdict(now.hold);
     write(why, stopped);
     why.hidden = !stopped;
     if (picture) picture.draw(now, derived, theme);

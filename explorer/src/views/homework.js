@@ -10,15 +10,13 @@ import { fixed, listed } from "../text.js";
 import { makePlots } from "./plots.js";
 import { makeTransport } from "./transport.js";
 
-export const title = "Play the homework";
-
 const NAMES = {
   euler: "Euler", rk4: "Runge-Kutta 4", exact: "exact inverse kinematics",
   inverse: "J⁻¹", pseudo: "pseudo-inverse", damped: "damped",
 }; // prettier-ignore
 const SLIPS = {
   "": "none", angular: "z_i in the angular rows", z_i: "z_i and o_i throughout",
-  o_i: "o_i instead of o_i−1", sign: "rates with the wrong sign",
+  o_i: "o_i instead of o_i−1", sign: "rates with the wrong sign", next: "velocity of the next step",
 }; // prettier-ignore
 const MODELS = { "": "none", wrench: "wrong sign of F", centres: "centres of mass not converted" };
 const WIDE = 260; // of the wall's picture
