@@ -182,9 +182,12 @@ def test_tables_read_as_they_were_not_meant_are_judged_in_the_same_words(options
 
 # The page's questions
 
+ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]
+
 OWN = "0, pi/2, 0.5, q1\n0.4, 0, 0, q2\n0.3, 0, 0, q3"
 BY_LINK = [
-    *({**example} for example in judge.EXAMPLES),
+    *judge.EXAMPLES,
+    judge.traced(),
     {"ask": "jacobian", "arm": "ELBOW", "q": "30, 40, -20", "unit": "deg",
      "answer": PASTES["bmatrix"]},
     {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": PASTES["csv"]},
@@ -227,9 +230,18 @@ def test_the_call_in_python_says_what_the_page_says():
 @needs_node
 def test_the_examples_name_their_mistakes():
     arms = [judge.listed(call) for call in judge.CALLS]
-    asked = [{"topic": "page", "fields": fields} for fields in judge.EXAMPLES]
+    examples = [*judge.EXAMPLES, judge.traced()]
+    asked = [{"topic": "page", "fields": fields} for fields in examples]
     named = [causes for _, causes, *_ in in_node(arms, asked)]
-    assert named == [["J.z_i angular"], ["tau.force sign"], ["table.craig"]]
+    assert [fields["ask"] for fields in examples] == ASKED
+    assert named == [
+        ["J.z_i angular"],
+        ["tau.force sign"],
+        ["table.craig"],
+        ["ik.plus for minus", "ik.sign:q_3"],
+        ["ik.offset:q_4"],
+        ["trace.backwards"],
+    ]
 
 
 def test_the_stub_holds_its_arms_and_what_is_given():

@@ -395,7 +395,10 @@ def same_jacobian(arm, q):
     return jacobian(arm, q)
 
 
+ELBOW_OUT = PANDA.lock(3, at=np.radians(70))
+OUT = np.radians([-107.7, 44.5, 81.8, 100.0, 147.4, 50.9])  # Newton's first sweep overshoots
 RUNS = {
+    "elbow out": (ELBOW_OUT, OUT, circle_below(ELBOW_OUT, OUT, 0.1, "zy", 5.0, 300)),
     "Panda": (HOMEWORK, HOMEWORK.home, panda_circle(300)),
     "UR10e": (UR10E, [0.4, -1.2, 1.6, -0.9, 1.2, 0.3], None),
     "Stanford": (STANFORD, [0.3, 0.8, 0.5, 0.4, 0.9, -0.6], None),

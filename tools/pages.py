@@ -11,6 +11,7 @@ from pathlib import Path
 from zlib import crc32
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 from pygments.formatters import HtmlFormatter
 from pygments.token import Name, Punctuation, Text
 from sphinx.application import Sphinx
@@ -63,7 +64,8 @@ class LiveJudge(SphinxDirective):
     """
 
     has_content = True
-    option_spec = dict.fromkeys(("ask", "arm", "pose", "unit", "wrench"), str)
+    fields = ("ask", "arm", "table", "pose", "unit", "wrench", "target")
+    option_spec = dict.fromkeys(fields, directives.unchanged)
 
     def run(self) -> list[nodes.Node]:
         given = {"q" if key == "pose" else key: text for key, text in self.options.items()}

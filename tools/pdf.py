@@ -37,16 +37,30 @@ def names() -> list[str]:
     return [name for name in found if name not in ALONE]
 
 
-def whole(browser: Browser) -> str:
-    """All pages as one HTML document."""
-    articles, styles = [], {}
+def reader(browser: Browser) -> Page:
+    """A page of paper's width on which no arm comes to life."""
     page = browser.new_page(viewport=SHEET)
     page.add_init_script("localStorage.mode = 'light'")
     page.emulate_media(media="print", color_scheme="light")
+    page.route(re.compile(r"_static/(explorer|judge)[-a-z]*\.js$"), lambda route: route.abort())
+    return page
+
+
+def part(page: Page, name: str) -> tuple[str, list[str]]:
+    """A page of the book as a part of the whole, and the style sheets that it made for itself."""
+    page.goto((HTML / f"{name}.html").as_uri())
+    page.wait_for_function(SET)
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    article, sheets = page.evaluate(f"(name) => {SCRIPT}.take(name)", name)
+    return article, sheets
+
+
+def whole(browser: Browser) -> str:
+    """All pages as one HTML document."""
+    articles, styles = [], {}
+    page = reader(browser)
     for name in names():
-        page.goto((HTML / f"{name}.html").as_uri())
-        page.wait_for_function(SET)
-        article, sheets = page.evaluate(f"(name) => {SCRIPT}.take(name)", name)
+        article, sheets = part(page, name)
         articles.append(article)
         styles |= dict.fromkeys(sheets)
     page.close()

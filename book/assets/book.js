@@ -1,5 +1,8 @@
-// Formulas are set a few at a time, always those in view first, so that the page answers while the rest are still being set.
-function few(formulas, characters = 100) {
+// Formulas are set when the reader comes near them, a few at a time so that the page answers meanwhile, the nearest first.
+const unset = new Set(), near = new Map(); // near: how far from the middle of the screen they were
+let setting;
+
+function few(formulas, characters = 40) {
   const ends = formulas.findIndex((formula) => (characters -= formula.textContent.length + 20) < 0);
   return formulas.slice(0, ends < 0 ? formulas.length : Math.max(ends, 1));
 }
@@ -7,26 +10,52 @@ function few(formulas, characters = 100) {
 const pause = () => new Promise((done) => setTimeout(done));
 const frame = () => new Promise((due) => (document.hidden ? due() : requestAnimationFrame(due)));
 
-async function setFormulas() {
-  const inView = new Set(), left = new Set(document.querySelectorAll("span.math, div.math"));
-  const watch = new IntersectionObserver((changes) => changes.forEach(({ isIntersecting, target }) => {
-    inView[isIntersecting ? "add" : "delete"](target);
-  }));
-  left.forEach((formula) => watch.observe(formula));
-  await Promise.all([frame(), document.fonts.ready]); // by then it is known which are in view, and how large letters are
-  while (left.size) {
-    await pause();
-    const next = few([...(inView.size ? inView : left)]);
-    next.forEach((formula) => formula.classList.add("set")); // of full size, which MathJax measures
-    await MathJax.typesetPromise(next);
-    for (const formula of next) {
-      watch.unobserve(formula);
-      inView.delete(formula);
-      left.delete(formula);
-    }
+const watch = new IntersectionObserver((changes) => {
+  for (const { isIntersecting, target, boundingClientRect: box } of changes) {
+    if (isIntersecting && unset.has(target)) near.set(target, Math.abs(box.top + box.bottom - innerHeight));
+    else near.delete(target);
   }
-  reachable();
+  if (near.size && setting === null) setting = setNear();
+}, { rootMargin: "150% 0px" });
+
+// The formulas are of full size from here on, which MathJax measures.
+function taken(formulas) {
+  for (const formula of formulas) {
+    formula.classList.add("set");
+    watch.unobserve(formula);
+    near.delete(formula);
+    unset.delete(formula);
+  }
+  return formulas;
 }
+
+async function setNear() {
+  const done = [];
+  await pause(); // the observer has told what is near
+  while (near.size) {
+    const next = taken(few([...near.keys()].sort((one, other) => near.get(one) - near.get(other))));
+    await MathJax.typesetPromise(next);
+    done.push(...next);
+    await pause();
+  }
+  setting = null;
+  done.forEach((formula) => formula.querySelectorAll(WIDE).forEach((box) => measure.observe(box)));
+}
+
+async function setFormulas() {
+  for (const formula of document.querySelectorAll("span.math, div.math")) {
+    unset.add(formula);
+    watch.observe(formula);
+  }
+  await Promise.all([frame(), document.fonts.ready]); // by then it is known which are near, and how large letters are
+  await (setting = setNear());
+}
+
+// On paper everything is seen.
+window.addEventListener("beforeprint", () => {
+  if (setting !== undefined && unset.size) MathJax.typeset(taken([...unset]));
+  reachable(all());
+});
 
 if (window.MathJax) {
   const parts = MathJax.loader.load;
@@ -47,9 +76,15 @@ if (window.MathJax) {
 const WIDE = "div.math > mjx-container, span.math > mjx-container, div.table, .highlight pre";
 const SMALLEST = 0.8; // of a formula's size, before it scrolls
 
-// All boxes are measured before any is changed, so that the page is laid out once.
-function reachable() {
-  const boxes = [...document.querySelectorAll(WIDE)];
+const all = () => [...document.querySelectorAll(WIDE)];
+
+// Boxes are measured when they come near, so that what is far need not be laid out.
+const measure = new IntersectionObserver((changes) => {
+  reachable(changes.filter(({ isIntersecting }) => isIntersecting).map(({ target }) => target));
+}, { rootMargin: "150% 0px" });
+
+// All are measured before any is changed, so that the page is laid out once.
+function reachable(boxes) {
   boxes.filter((box) => box.dataset.size).forEach((box) => (box.style.fontSize = box.dataset.size));
   const shares = boxes.map(share);
   const tight = boxes.filter((box, k) => shares[k] < 1 && shares[k] > SMALLEST && box.matches("div.math > *"));
@@ -95,14 +130,18 @@ function tell(box) {
   box.classList.toggle("more-left", box.scrollLeft > 2);
 }
 
-window.addEventListener("load", reachable);
+// Whatever is near is told of anew, and the rest when the reader comes near.
+function look() {
+  measure.disconnect();
+  all().forEach((box) => measure.observe(box));
+}
+
+window.addEventListener("load", look);
+document.fonts.addEventListener("loadingdone", look);
 let later;
 window.addEventListener("resize", () => {
   clearTimeout(later);
-  later = setTimeout(() => {
-    reachable();
-    dispatchEvent(new Event("fitted"));
-  }, 100);
+  later = setTimeout(look, 100);
 });
 
 document.addEventListener("DOMContentLoaded", () => {
@@ -144,7 +183,6 @@ document.addEventListener("DOMContentLoaded", () => {
     code.append(button);
   });
 
-  each("details", (box) => box.addEventListener("toggle", reachable)); // what was folded had no width
   each(".contents", (list) => list.addEventListener("click", ({ target }) => {
     if (target.closest("a") && list.matches(":popover-open")) list.hidePopover();
   }));

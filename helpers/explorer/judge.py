@@ -4,7 +4,7 @@ that usual mistakes about lengths would give."""
 import json
 from collections.abc import Mapping
 
-from helpers import robots
+from helpers import motion, robots
 from helpers.arm import Arm
 from helpers.checks.lengths import alike
 from helpers.explorer.data import Data, arm_data
@@ -54,7 +54,34 @@ EXAMPLES = (
 7      0.088    0      pi/2   q7
 tool   0        0.207  0      0""",
     },
+    {
+        "ask": "branches",
+        "arm": "ELBOW",
+        "target": "0.52, 0.2841, 0.8463",
+        "answer": """ 0.5000  0.7000 -0.4002
+ 0.5000  0.3578 -0.4002
+-2.6416  2.4416  0.4002
+-2.6416  2.7838 -0.4002""",
+    },
+    {
+        "ask": "pose",
+        "arm": "UR10E",
+        "target": """ 0.8286  0.2994 -0.4730 -0.8930
+-0.5473  0.2555 -0.7970 -0.5994
+-0.1177  0.9193  0.3755  0.5340""",
+        "answer": "[0.3, -1.1, 1.4, -2.3708, 0.9, 0.2]",
+    },
 )
+
+
+def traced() -> dict[str, str]:
+    """The example of a run: the circle in a plane that lets it be drawn the other way round."""
+    q = (0.3, -0.6, 1.4, -0.8, 0.9, 0.2)
+    path = motion.circle_below(robots.UR10E_HOMEWORK, q, 0.1, "yz", 5.0, 24)
+    run = motion.trace(robots.UR10E_HOMEWORK, q, path, method="exact")
+    rows = ["  ".join(f"{x:7.4f}" for x in row) for row in run.q]
+    asked = {"ask": "trace", "arm": "UR10E_HOMEWORK", "q": ", ".join(map(str, q))}
+    return {**asked, "answer": "\n".join(rows)}
 
 
 def catalogue_arm(call: str) -> Arm:
@@ -71,13 +98,15 @@ def stub(given: Mapping[str, str] | None = None) -> tuple[str, str]:
     script.
 
     `given` is what a chapter asks: `ask`, `arm` (a call such as ``PANDA.lock(3)``, or several with
-    commas), `q` and more fields of explorer/src/judge/ask.js. Raises ArmError for an arm that is
-    not in the catalogue.
+    commas) or the `table` of another arm, `q` and more fields of explorer/src/judge/ask.js. Raises
+    ArmError for an arm that is not in the catalogue.
     """
     given = dict(given or {})
-    calls = tuple(call.strip() for call in given.pop("arm", ",".join(CALLS)).split(","))
-    data = {"arms": [listed(call) for call in calls]}
-    data |= {"given": given} if given else {"examples": EXAMPLES}
+    calls = [call.strip() for call in given.pop("arm", ",".join(CALLS)).split(",")]
+    if "table" in given:
+        calls, given["arm"] = [], "own"
+    data: Data = {"arms": [listed(call) for call in calls]}
+    data |= {"given": given} if given else {"examples": [*EXAMPLES, traced()]}
     script = json.dumps(data, separators=(",", ":")).replace("</", "<\\/")
     name = "arm-judge small" if given else "arm-judge"
     end = f'<script type="application/json">{script}</script></div>'

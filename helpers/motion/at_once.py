@@ -66,7 +66,7 @@ def _by_rule(
         rate = rates.many(J, course.twists[0.0])
         off = RULES[method](slope, course.h, q[:-1], rate) - q[1:]
         size = np.abs(off).max()
-        if not size < 0.9 * before:
+        if _goes_astray(sweep, size, before):
             return None
         displaced = np.cumsum((J @ off[..., None])[..., 0], axis=0)
         q[1:] += np.linalg.solve(J, displaced[..., None])[..., 0]
@@ -82,16 +82,22 @@ def _exact(
 ) -> tuple[Array, Array] | None:
     """Newton's method at every step, on the branch that the steps lead to."""
     before = np.inf
-    for _ in range(_SWEEPS):
+    for sweep in range(_SWEEPS):
         error = tip_error(forward_kinematics(arm, q[1:]), course.positions[1.0], course.rotation)
         size = np.abs(error).max()
         if size < 1e-13:
             return (q, np.diff(q, axis=0) / course.h) if _on_branch(arm, q, course, rates) else None
-        if not size < 0.9 * before:
+        if _goes_astray(sweep, size, before):
             return None
         before = size
         q[1:] += rates.many(jacobian(arm, q[1:]), error)
     return None
+
+
+def _goes_astray(sweep: int, size: float, before: float) -> bool:
+    """Whether a sweep brought less than Newton's method should; the first, from a rough guess, may
+    overshoot."""
+    return not (sweep == 1 or size < 0.9 * before)
 
 
 def _on_branch(arm: Arm, q: Array, course: Course, rates: PlainInverse) -> bool:

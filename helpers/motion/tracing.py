@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -45,7 +45,7 @@ class Trace:
         """The times of the path, in s."""
         return self.path.times
 
-    @property
+    @cached_property
     def report(self) -> Report:
         """What went well and what did not."""
         return run_report(self.arm, self.path, self.q, self.q_dot, self.poses)

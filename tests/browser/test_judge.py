@@ -17,6 +17,12 @@ ELBOW = """-0.2841 -0.3039 -0.0778
 OUTSIDE = """() => [...document.querySelectorAll(".arm-judge, .arm-judge :not(.scroll *)")]
   .filter((part) => part.getBoundingClientRect().right > innerWidth).map((part) => part.outerHTML.slice(0, 80))"""
 
+PASTE = """(cell, text) => {
+  const clipboardData = new DataTransfer();
+  clipboardData.setData("text/plain", text);
+  cell.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+}"""
+
 
 @pytest.fixture(params=[("light", 1280), ("dark", 390)], ids=str)
 def page(request, browser):
@@ -122,4 +128,56 @@ def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(browser):
     place.get_by_role("link", name="More room").click()
     verdict(page, "olumn 1 (joint 1): wrong in vx")
     assert page.get_by_label("Pose q").input_value() == "0, pi/2, 0.5, 0, 0, 0"
+    context.close()
+
+
+def test_an_answer_is_filled_in_cell_by_cell(page):
+    ask(page, "")
+    page.get_by_role("button", name="Fill in a grid").click()
+    cells = page.locator(".filling input")
+    assert cells.count() == 18
+    assert cells.nth(7).get_attribute("aria-label") == "vz, joint 2"
+    page.keyboard.type("-0.2841")
+    page.keyboard.press("ArrowRight")
+    page.keyboard.type("-0.3039")
+    page.keyboard.press("ArrowDown")
+    assert page.evaluate("document.activeElement.ariaLabel") == "vy, joint 2"
+    page.get_by_text("2 of 18 cells are filled in.").wait_for()
+    cells.nth(4).evaluate(PASTE, ELBOW)
+    verdict(page, "The Jacobian of Elbow arm is right at this pose to the 4 decimals you gave.")
+    cells.nth(8).fill("0.3866")
+    verdict(page, "wrong in vz")
+    assert page.locator(".filling [aria-invalid=true]").count() == 1
+    page.add_script_tag(path=AXE)
+    assert page.evaluate(BAD) == []
+    assert page.evaluate(OUTSIDE) == []
+    page.get_by_role("button", name="Type or paste instead").click()
+    assert "0.3866" in page.get_by_label("Your answer", exact=True).input_value()
+
+
+def test_the_arm_stands_beside_and_turns_as_a_wrong_column_says(page):
+    ask(page, ELBOW.replace("0.5200", "0.2200"))
+    verdict(page, "wrong in vy")
+    page.mouse.move(1, 1)
+    beside = page.locator(".beside")
+    beside.scroll_into_view_if_needed()
+    beside.get_by_text("In red: the axis of joint 1, whose column is wrong.").wait_for()
+    beside.get_by_role("button", name="Turn joint 1").click()
+    beside.get_by_text("Joint 1 turned by 29°: your column takes the tip").wait_for()
+    ask(page, ELBOW)
+    beside.get_by_text("The arm at the pose of the question.", exact=True).wait_for()
+    assert beside.get_by_role("button", name="Turn joint 1").count() == 0
+
+
+def test_chapter_4_judges_its_torques(browser):
+    context = browser.new_context(offline=True)
+    page = context.new_page()
+    page.goto((HTML / "04_static_torque.html").as_uri())
+    place = page.locator(".arm-judge").first
+    place.scroll_into_view_if_needed()
+    answer = place.get_by_label("Your answer", exact=True)
+    answer.fill("0, 21.81431, 0, -16.702654, 0.696491, 0.235249, -0.03068")  # as the chapter checks
+    place.locator(".verdict", has_text="The torques of Panda are right").wait_for()
+    answer.fill("0, 26.67931, 0, -18.407654, 0.696491, 1.115249, -0.03068")
+    place.locator(".verdict", has_text="the force has the wrong sign").wait_for()
     context.close()

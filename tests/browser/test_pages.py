@@ -67,6 +67,8 @@ TYPE = """() => {
     const paragraphs = [...document.querySelectorAll("article > section p")].filter((p) => p.parentElement.matches("section") && p.textContent.length > 300 && !p.querySelector(".math, code"));
     return [paragraphs.map(letters), [...document.querySelectorAll(".highlight pre")].map(size)];
 }"""
+# Formulas are set, and boxes fitted, when the reader comes near; for a printer, all at once.
+EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 BAD = """() => axe.run(document, {resultTypes: ["violations"]}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))
@@ -107,6 +109,10 @@ class Reader:
             "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)",
             polling=100,
         )
+        self.page.evaluate(EVERYTHING)
+        self.page.mouse.move(
+            1, 1
+        )  # a reader is there: live figures come to life, and all is laid out
         return self.page
 
 
@@ -137,9 +143,7 @@ def test_the_page_is_whole(visit):
 def resized(page, size):
     """The page in another window, once it has looked again at what is too wide."""
     page.set_viewport_size(WINDOWS[size])
-    page.evaluate(
-        "new Promise((done) => { addEventListener('fitted', done, { once: true }); dispatchEvent(new Event('resize')); })"
-    )
+    page.evaluate(EVERYTHING)
 
 
 @pytest.mark.parametrize("size", WINDOWS)
@@ -236,8 +240,13 @@ STATE = """() => {
     const unset = [...document.querySelectorAll("span.math, div.math")].filter(m => !m.querySelector("mjx-container"))
         .filter(m => m.checkVisibility()); // one in a folded solution has a box, but nobody sees it
     const boxes = unset.map(m => m.getBoundingClientRect());
-    return [boxes.filter(m => m.bottom > 0 && m.top < innerHeight).length, boxes.filter(m => m.bottom < 0).length];
+    return [boxes.filter(m => m.bottom > 0 && m.top < innerHeight).length, boxes.filter(m => m.bottom < 0).length, unset.length];
 }"""
+# On the screen, and wider than its place without saying so.
+UNSAID = """() => [...document.querySelectorAll("div.math > mjx-container, div.table, .highlight pre")].filter((box) => {
+    const { top, bottom } = box.getBoundingClientRect();
+    return box.checkVisibility() && bottom > 0 && top < innerHeight && box.scrollWidth > box.clientWidth + 1 && !box.matches(".scrolls");
+})"""
 
 
 def test_what_the_reader_scrolls_to_is_set_before_what_was_passed_over(browser):
@@ -250,6 +259,52 @@ def test_what_the_reader_scrolls_to_is_set_before_what_was_passed_over(browser):
     left = f"() => {{ const [near, over] = ({STATE})(); return near === 0 && {{ over }}; }}"
     over = reader.page.wait_for_function(left, polling=20).json_value()["over"]
     assert over > 50, "the formulas between are still to be set"
+    reader.context.close()
+
+
+def test_formulas_and_boxes_are_ready_where_the_reader_scrolls(browser):
+    """Without the order to make everything ready at once, which the other tests give."""
+    reader = Reader(browser, "light", "phone", "file:")
+    page = reader.page
+    page.goto((HTML / "05_inverse_kinematics.html").as_uri())
+    page.wait_for_selector("mjx-container", state="attached")
+    places = page.locator("article > section > section").count()
+    assert places > 5
+    for k in range(places):
+        page.evaluate(
+            f"document.querySelectorAll('article > section > section')[{k}].scrollIntoView()"
+        )
+        page.wait_for_function(f"!({STATE})()[0]", polling=50)
+        page.wait_for_function(f"!({UNSAID})().length", polling=50)
+    assert page.evaluate(f"({STATE})()[2]") > 0, "formulas that nobody came near are not set"
+    assert reader.troubles == []
+    reader.context.close()
+
+
+def test_a_page_is_laid_out_where_it_is_opened(browser):
+    """What waits for a reader never moves the place at which a page is opened, or comes back to."""
+    reader = Reader(browser, "light", "phone", "file:")
+    page, fresh = reader.page, "'fresh' in document.documentElement.dataset"
+    page.goto((HTML / "02_jacobian.html").as_uri())
+    assert page.evaluate(fresh)
+    page.mouse.move(5, 5)
+    page.wait_for_function(f"!({fresh})")
+    page.goto((HTML / "05_inverse_kinematics.html").as_uri() + "#sec-ur-inverse")
+    assert not page.evaluate(fresh)
+    page.reload()
+    assert not page.evaluate(fresh)
+    reader.context.close()
+
+
+def test_an_arm_comes_to_life_at_the_first_sign_of_a_reader(browser):
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.page
+    page.goto((HTML / "intro.html").as_uri(), wait_until="networkidle")
+    page.wait_for_timeout(300)
+    assert not any(url.endswith("explorer.js") for url in reader.asked)
+    page.mouse.move(400, 400)
+    page.locator("section.explorer").wait_for()
+    assert reader.troubles == []
     reader.context.close()
 
 

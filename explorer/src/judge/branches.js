@@ -38,8 +38,11 @@ export function compareBranches(mine, arm, target, options = {}) {
   const form = formOf(arm);
   const right = apart(arm, inverse(arm, form, asksPose(form) ? frameOf(target) : target));
   const { answers: given, taken, typed } = answers(mine, arm, angles);
-  const report = judged(right, given, angles, tolerance, taken);
-  return { ...report, typed };
+  const { astray, ...report } = judged(right, given, angles, tolerance, taken);
+  const dof = joints(arm).length;
+  const asRows = !taken.length && typed.shape.at(-1) === dof;
+  const wrong = asRows && given.flatMap((one, i) => one.values.map(() => astray.includes(i + 1)));
+  return wrong ? { ...report, typed, wrong } : { ...report, typed };
 }
 
 const frameOf = (rows) => {
@@ -55,7 +58,6 @@ function apart(arm, branches) {
   return { arm, branches: once, count: branches.length };
 }
 
-/** @returns {import("./ranking.js").Report} */
 function judged(right, given, angles, tolerance, taken) {
   const degrees = angles === "rad" ? onlyAsDegrees(right, given, tolerance) : null;
   return degrees
@@ -202,15 +204,17 @@ export function angleBetween(here, there) {
 
 function gapOf(arm, q, other) {
   const turns = turning(arm);
-  return q.map((x, k) => {
-    const gap = Math.abs(x - other[k]);
-    return turns[k] ? Math.abs(gap - 2 * Math.PI * rint(gap / (2 * Math.PI))) : gap;
-  });
+  return q.map((x, k) => gapBetween(turns[k], x, other[k]));
+}
+
+function gapBetween(turns, x, y) {
+  const gap = Math.abs(x - y);
+  return turns ? Math.abs(gap - 2 * Math.PI * rint(gap / (2 * Math.PI))) : gap;
 }
 
 // The report
 
-/** @returns {import("./ranking.js").Report} */
+/** @returns {import("./ranking.js").Report & { astray: number[] }} */
 function reported(right, given, tolerance, taken, everywhere) {
   const { arm, branches } = right;
   const { hits, astray, sharp } = hitsOf(right, given, tolerance);
@@ -234,6 +238,7 @@ function reported(right, given, tolerance, taken, everywhere) {
   const grade = everywhere || astray.length ? WRONG : unfinished ? SO_FAR : sharp ? RIGHT : ROUNDED;
   if (everywhere) findings.unshift({ what: "cause", where: "", words: `${wordsOf(everywhere)}.` });
   return {
+    astray: everywhere ? given.map((_, i) => i + 1) : astray,
     topic: "branches",
     arm: arm.name,
     grade,
@@ -320,7 +325,10 @@ function why(right, q, margin) {
     yield* whole(arm, q);
     yield* kept(arm, q, branches.map((branch) => branch.q)); // prettier-ignore
   };
-  for (const slips of [first(), double(arm, q)]) {
+  // A slip in two joints can help where all the others are in one branch.
+  const near = branches.map((branch) => gapOf(arm, q, branch.q).map((x, k) => x <= 1.5 * margin[k]));
+  const worth = (i, j) => near.some((row) => row.every((is, k) => is || k === i || k === j));
+  for (const slips of [first(), double(arm, q, worth)]) {
     const found = fitting(right, q, slips, margin);
     if (found.length) return slipped(right, found, mixed);
     if (mixed) return { causes: [mixed.cause], words: mixed.words };
@@ -344,16 +352,27 @@ function slipped({ branches }, found, mixed) {
 // zero would fit as well.
 /** @returns {[Cause, number][]} */
 function fitting({ arm, branches }, q, slips, margin) {
-  const fits = (gap) => gap.every((x, k) => x <= 1.5 * margin[k]);
-  const before = branches.map((branch) => Math.max(...gapOf(arm, q, branch.q)));
+  const turns = turning(arm);
+  const before = branches.map((branch) => gapOf(arm, q, branch.q));
+  const largest = before.map((gaps) => Math.max(...gaps));
+  // The largest gap left of a branch, or null where one is too large.
+  const left = (mended, b) => {
+    let most = 0;
+    for (let k = 0; k < q.length; k++) {
+      const gap = mended[k] === q[k] ? before[b][k] : gapBetween(turns[k], mended[k], branches[b].q[k]);
+      if (!(gap <= 1.5 * margin[k])) return null;
+      most = Math.max(most, gap);
+    }
+    return most;
+  };
   const found = [];
   for (const [one, mended] of slips) {
-    branches.forEach((branch, b) => {
-      const gap = gapOf(arm, mended, branch.q);
-      if (!fits(gap) || Math.max(...gap) > 0.5 * before[b]) return;
+    for (let b = 0; b < branches.length; b++) {
+      const gap = left(mended, b);
+      if (gap === null || gap > 0.5 * largest[b]) continue;
       const zero = () => mended.map((x, k) => (x === q[k] ? x : 0));
-      if (!scales(one) || !fits(gapOf(arm, zero(), branch.q))) found.push([one, b]);
-    });
+      if (!scales(one) || left(zero(), b) === null) found.push([one, b]);
+    }
   }
   return found;
 }

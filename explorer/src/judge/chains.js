@@ -57,11 +57,11 @@ export const seenFrom = (J, frame) => turned(J, (u) => fromAxes(frame, u), [0, 1
 
 function turned(J, turn, halves) {
   const dof = J.length / 6;
-  const made = [...J];
+  const made = J.slice();
   for (const half of halves) {
-    for (let k = 0; k < dof; k++) {
-      const at = [0, 1, 2].map((i) => (3 * half + i) * dof + k);
-      turn(at.map((i) => J[i])).forEach((x, i) => (made[at[i]] = x));
+    for (let i = 3 * half * dof; i < (3 * half + 1) * dof; i++) {
+      const u = turn([J[i], J[i + dof], J[i + 2 * dof]]);
+      for (let k = 0; k < 3; k++) made[i + k * dof] = u[k];
     }
   }
   return made;

@@ -9,7 +9,6 @@ import { turning } from "./door.js";
  * @typedef {object} Field
  * @property {string} label
  * @property {string} [hint]
- * @property {string} [about] where there is no place for a label, what is read out instead
  * @property {[string, string][]} [choices] values and their words; none yet where the arm decides
  * @property {number} [rows] of a field that takes several lines
  * @property {boolean} [whole] as wide as the form
@@ -28,7 +27,7 @@ const FIELDS = {
     hint: "A row for each joint: a, α, d, θ, with θ or d as “q1” or “θ1 + π/2”. In m; angles as chosen.",
   },
   q: { label: "Pose q", hint: "", whole: true },
-  unit: { label: "", about: "Unit of the angles", choices: UNITS.map((unit) => [unit, unit]) },
+  unit: { label: "Angles in", choices: UNITS.map((unit) => [unit, unit]) },
   frame: { label: "Rows in the axes of", choices: [] },
   first: { label: "Order of the rows", choices: [["v", "v, then ω"], ["omega", "ω, then v"]] },
   wrench: {
@@ -75,20 +74,19 @@ const FURTHER = ["frame", "first", "columns", "lengths", "angles", "convention"]
 const option = ([value, words]) => h("option", { value }, words);
 
 /** @param {Field} field @param {string} id @param {string[]} others */
-function control({ about, choices, rows, hint }, id, others) {
+function control({ choices, rows, hint }, id, others) {
   const described = hint === undefined ? {} : { "aria-describedby": [`${id}-hint`, ...others].join(" ") };
-  const shared = { id, ...described, ...(about ? { "aria-label": about } : {}) };
+  const shared = { id, ...described };
   if (choices) return h("select", shared, choices.map(option));
   return rows
     ? h("textarea", { rows, wrap: "off", ...PLAIN, ...shared })
     : h("input", { ...PLAIN, ...shared });
 }
 
-function box(field, id, made, ...beside) {
+function box(field, id, made) {
   const name = h("label", { for: id }, field.label);
   const hint = field.hint === undefined ? [] : [h("p.about", { id: `${id}-hint` }, field.hint)];
-  const line = beside.length ? h("div.pair", {}, made, ...beside) : made;
-  return h(field.whole ? "div.field.whole" : "div.field", {}, name, line, ...hint);
+  return h(field.whole ? "div.field.whole" : "div.field", {}, name, made, ...hint);
 }
 
 /**
@@ -103,7 +101,10 @@ export function buildForm(id, arms, given) {
     ask: { label: "Question", choices: Object.entries(ASKED).map(([key, { title }]) => [key, title]) },
     arm: {
       label: "Arm",
-      choices: [...arms.map(({ key, title }) => [key, title]), ...(given ? [] : [[OWN, "My own table"]])],
+      choices: [
+        ...arms.map(({ key, title }) => [key, title]),
+        ...(arms.length > 1 && given ? [] : [[OWN, "My own table"]]),
+      ],
     },
     ...FIELDS,
   };
@@ -114,12 +115,9 @@ export function buildForm(id, arms, given) {
     ]),
   ); // prettier-ignore
   const boxes = Object.fromEntries(
-    Object.entries(all)
-      .filter(([key]) => key !== "unit")
-      .map(([key, one]) => [key, box(one, idOf(key), fields[key], ...(key === "q" ? [fields.unit] : []))]),
+    Object.entries(all).map(([key, one]) => [key, box(one, idOf(key), fields[key])]),
   );
-  const hidden = given ? [...Object.keys(given), ...FURTHER, ...(arms.length === 1 ? ["arm"] : [])] : [];
-  for (const key of hidden) boxes[key]?.classList.add("given");
+  for (const key of given ? hiddenBy(given, arms) : []) boxes[key]?.classList.add("given");
   const asked = given ? titleOf(given, arms) : "";
   if (given) fields.answer.rows = 6;
   const form = h(
@@ -128,6 +126,11 @@ export function buildForm(id, arms, given) {
   ); // prettier-ignore
   return { form, fields, boxes };
 }
+
+// What a small judge need not ask, since the chapter says it.
+const hiddenBy = (given, arms) => [
+  ...Object.keys(given), ...FURTHER, ...(arms.length < 2 ? ["arm"] : []), ...("q" in given ? ["unit"] : []),
+]; // prettier-ignore
 
 // What a chapter asks, in a line.
 function titleOf({ ask, q, wrench }, arms) {

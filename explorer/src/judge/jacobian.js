@@ -15,7 +15,7 @@ import {
 } from "./digits.js";
 import { lookup, numbered, numbers, pose } from "./door.js";
 import { pairs, setting, singles } from "./jacobian_causes.js";
-import { better, both, cause, complete, explain, nameOf, several, wordsOf } from "./ranking.js";
+import { better, both, cause, complete, explain, explainAll, nameOf, several, wordsOf } from "./ranking.js";
 import { ArmError, listed, lower, say, tuple } from "./say.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
@@ -170,13 +170,16 @@ function bad(found, symptoms, arm, taken) {
 // What explains the whole, then both halves apart, then each column.
 function causesOf(M, right, m, known, part, where, from) {
   const made = known.made.map(part);
-  const others = [once(() => pairs(where)), once(() => otherWays(where))];
-  for (const band of bands(m)) {
+  const all = bands(m);
+  const others = [pairs, otherWays].map((make) => once(() => explainAll(M, right, all, parts(make(where)))));
+  /** @returns {Generator<[import("./ranking.js").Cause[], number[]]>} */
+  const parts = function* (candidates) {
+    for (const [causes, J] of candidates) yield [causes, part(J)];
+  };
+  for (const [k, band] of all.entries()) {
     let found = explain(M, right, band, known.causes, made);
     if (!complete(found)) {
-      const [two, turned] = others.map((other) =>
-        explain(M, right, band, other().causes, other().made.map(part)),
-      );
+      const [two, turned] = others.map((other) => other()[k]);
       found = better([found, two, complete(turned) ? turned : null]);
     }
     if (found) return [found.causes, oddColumns(found, where)];
@@ -210,17 +213,18 @@ function byHalves(M, right, band, known) {
 }
 
 // Joints counted the other way, in the matrix and in q; fewest first.
-function otherWays({ arm, frame, here }) {
-  const sets = chains.signSets(here.dof);
-  const made = sets.map((signs) => {
+/** @returns {Generator<[import("./ranking.js").Cause[], number[]]>} */
+function* otherWays({ arm, frame, here }) {
+  const names = (signs) => numbered(arm).flatMap((i, k) => (signs[k] < 0 ? [`q_${i}`] : []));
+  for (const signs of chains.signSets(here.dof)) {
     const other = { ...here, q: here.q.map((x, k) => signs[k] * x) };
     const T = chains.framesOf(other);
     const J = chains.columns(other, T).map((x, i) => x * signs[i % here.dof]);
-    return frame ? chains.seenIn(J, T[frame]) : J;
-  });
-  const names = (signs) => numbered(arm).flatMap((i, k) => (signs[k] < 0 ? [`q_${i}`] : []));
-  const causes = sets.map((signs) => cause("joints reversed", { joints: listed(names(signs)) }));
-  return { causes, made };
+    yield [
+      [cause("joints reversed", { joints: listed(names(signs)) })],
+      frame ? chains.seenIn(J, T[frame]) : J,
+    ];
+  }
 }
 
 function oddColumns({ odd }, { arm, here: { dof } }) {

@@ -3,7 +3,7 @@
 
 import * as chains from "./chains.js";
 import { numbered } from "./door.js";
-import { both, cause } from "./ranking.js";
+import { cause } from "./ranking.js";
 
 const RAD = Math.PI / 180;
 const WRITING = [
@@ -39,29 +39,28 @@ export function singles(at) {
   return { right: at.seen(at.right), causes: [...at.befores, ...at.afters].map(([one]) => one), made };
 }
 
-// Every pair of a mistake before and one in the writing; of two in the writing; and of a table with a recipe.
-export function pairs(at) {
-  const [causes, made] = [[], []];
-  const put = (one, J) => {
-    causes.push(one);
-    made.push(J);
-  };
+/**
+ * Every pair of a mistake before and one in the writing; of two in the writing; and of a table with a recipe.
+ * @returns {Generator<[Cause[], number[]]>}
+ */
+export function* pairs(at) {
   for (const [second, after] of at.afters) {
-    for (const [first, J] of at.befores) put(both(first, second), after(J));
+    for (const [first, J] of at.befores) yield [[first, second], after(J)];
   }
   const written = at.afters.filter(([one]) => WRITING.includes(one.keys[0]));
-  written.forEach(([first, one], i) => {
+  for (const [i, [first, one]] of written.entries()) {
     for (const [second, two] of written.slice(i + 1)) {
-      put(both(first, second), one(at.unseen(two(at.right))));
-      put(both(first, second), two(at.unseen(one(at.right))));
+      yield [[first, second], one(at.unseen(two(at.right)))];
+      yield [[first, second], two(at.unseen(one(at.right)))];
     }
-  });
+  }
   const wrong = [...degrees(at.here), ...wrongTables(at.arm, at.here)];
   const all = wrong.map(([, other]) => [...recipes(other)]);
-  all[0].forEach((_, second) => {
-    wrong.forEach(([first], k) => put(both(first, all[k][second][0]), at.seen(all[k][second][1])));
-  });
-  return { right: at.seen(at.right), causes, made };
+  for (const second of all[0].keys()) {
+    for (const [k, [first]] of wrong.entries()) {
+      yield [[first, all[k][second][0]], at.seen(all[k][second][1])];
+    }
+  }
 }
 
 // The recipe

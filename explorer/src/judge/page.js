@@ -23,6 +23,7 @@ let count = 0; // of judges on the page, for ids
  * @property {Record<string, any>} parts
  * @property {HTMLElement} form
  * @property {() => import("./ask.js").Question} question
+ * @property {() => any} verdict on it
  * @property {(patch: object) => void} put change the question, and judge it
  * @property {(act: (question: any, verdict: any) => void) => void} follow called with each verdict
  * @property {(words: string) => void} say
@@ -40,7 +41,7 @@ export function mount(stub) {
   const { form, fields } = made;
   const parts = buildParts(id, given);
   const followers = [];
-  let question = { ...EMPTY, arm: arms[0].key, ...(given ?? examples[0]) };
+  let question = { ...EMPTY, arm: arms[0]?.key, ...(given ?? examples[0]) };
   let verdict;
   let timer = 0;
 
@@ -100,7 +101,19 @@ export function mount(stub) {
     followers.push(act);
     act(question, verdict);
   };
-  return { stub, arms, examples, given, ...made, parts, question: () => question, put, follow, say };
+  return {
+    stub,
+    arms,
+    examples,
+    given,
+    ...made,
+    parts,
+    question: () => question,
+    verdict: () => verdict,
+    put,
+    follow,
+    say,
+  };
 }
 
 function buildParts(id, given) {

@@ -33,33 +33,58 @@ export function wordsOf({ keys, fields }) {
   return second === undefined ? first : say("and also", { first, second: lower(second) });
 }
 
-// The causes that explain mine within the band, best first, and the entries that the best leaves; null where none does.
-export function explain(mine, right, band, causes, made, weight = ODD) {
-  const n = mine.length;
-  const wrong = mine.map((x, i) => Math.abs(x - right[i]) > band[i]);
-  const count = wrong.filter(Boolean).length;
-  const named = [];
-  made.forEach((A, k) => {
-    let [gained, odd] = [0, 0];
-    for (let i = 0; i < n; i++) {
-      if (Math.abs(mine[i] - A[i]) <= band[i]) gained += wrong[i] ? 1 : 0;
-      else {
-        odd++;
-        if (!wrong[i]) gained--;
-      }
-    }
-    const edits = causes[k].keys.length;
-    const least = edits > 1 ? Math.max(4, PAIR_SHARE * count) : Math.max(3, SHARE * count);
-    if ((!odd && count) || gained >= least) named.push({ k, cost: edits + weight * odd });
+/** @typedef {{ causes: Cause[], odd: boolean[] }} Found causes, best first, and the entries that the best leaves */
+
+// The causes that explain mine within the band; null where none does.
+/** @returns {Found | null} */
+export const explain = (mine, right, band, causes, made, weight = ODD) =>
+  explainAll(mine, right, [band], causes.map((one, k) => [[one], made[k]]), weight)[0]; // prettier-ignore
+
+/**
+ * The same for several bands at once, of candidates that are made one after another: a cause, or the two of a pair, and
+ * what the answer would be. Thousands of them are looked at and dropped.
+ * @param {number[]} mine @param {number[]} right @param {number[][]} bands
+ * @param {Iterable<[Cause[], number[]]>} candidates
+ * @returns {(Found | null)[]}
+ */
+export function explainAll(mine, right, bands, candidates, weight = ODD) {
+  const tests = bands.map((band) => {
+    const count = mine.filter((x, i) => Math.abs(x - right[i]) > band[i]).length;
+    const least = [Math.max(3, SHARE * count), Math.max(4, PAIR_SHARE * count)];
+    return { band, count, least, named: [] };
   });
+  let k = 0;
+  for (const [parts, A] of candidates) {
+    const edits = parts.length > 1 ? 2 : parts[0].keys.length;
+    for (const { band, count, least, named } of tests) {
+      const odd = misfits(mine, A, band, count, least[edits - 1]);
+      const fits = odd ? count - odd >= least[edits - 1] : count > 0;
+      if (fits) named.push({ k, cost: edits + weight * odd, parts, A });
+    }
+    k++;
+  }
+  return tests.map((test) => best(mine, test));
+}
+
+// How many entries differ, counted until they are too many. An answer gains the wrong entries that it explains and
+// loses the right ones that it spoils, which is what is wrong less all that differ.
+function misfits(mine, other, band, count, least) {
+  let odd = 0;
+  for (let i = 0; i < mine.length; i++) {
+    if (Math.abs(mine[i] - other[i]) <= band[i]) continue;
+    odd++;
+    if (count - odd < least) return odd;
+  }
+  return odd;
+}
+
+function best(mine, { band, named }) {
   if (!named.length) return null;
   const rounded = (x) => Math.round(x * 1e6);
   named.sort((p, q) => rounded(p.cost) - rounded(q.cost) || p.k - q.k);
-  const best = made[named[0].k];
-  return {
-    causes: named.filter(({ cost }) => cost === named[0].cost).map(({ k }) => causes[k]),
-    odd: mine.map((x, i) => Math.abs(x - best[i]) > band[i]),
-  };
+  const [{ cost, A }] = named;
+  const causes = named.filter((one) => one.cost === cost).map(({ parts }) => parts.reduce(both));
+  return { causes, odd: mine.map((x, i) => !(Math.abs(x - A[i]) <= band[i])) };
 }
 
 export const complete = (found) => Boolean(found) && !found.odd.includes(true);
@@ -80,6 +105,12 @@ export function better(all, weight = ODD) {
 export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
 
 /**
+ * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and degrees for each,
+ * and which of them are wrong.
+ * @typedef {{ rows: import("../axes.js").Numbers[], cells: string[][], wrong: boolean[][] }} ReadTable
+ */
+
+/**
  * One report for all topics, as helpers/checks/verdict.py.
  * @typedef {{ what: string, where: string, words: string }} Finding
  * @typedef {object} Report
@@ -93,6 +124,9 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {string[]} notes
  * @property {import("./door.js").Typed} [typed] what was read, in its own order
  * @property {boolean[]} [wrong] which of its entries are wrong
+ * @property {ReadTable} [table] a Denavit-Hartenberg table as it was read
+ * @property {{ signs: number[], offsets: number[] }} [map] from the joints of that table to those of the reference:
+ *   q_k = signs[k] * yours + offsets[k]
  * @property {Record<string, any>} [figures] measured numbers by name
  */
 

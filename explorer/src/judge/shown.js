@@ -43,26 +43,46 @@ export function matrixOf(question, { report, arm }) {
 
 // What stands in the answer as it is understood; wrong cells are marked.
 export function showRead(place, question, verdict) {
-  const found = matrixOf(question, verdict);
+  const { table } = verdict.report ?? {};
+  const found = table ? tableRead(table) : matrixRead(matrixOf(question, verdict));
   place.hidden = !found;
   if (!found) return;
-  const { typed, wrong, shape, columns, rows } = found;
+  const { columns, rows, cell } = found;
   const head = h("tr", {}, h("td"), columns.map((name) => h("th", { scope: "col" }, name))); // prettier-ignore
   const body = rows.slice(0, MOST_ROWS).map((name, i) =>
     h(
       "tr", {}, h("th", { scope: "row" }, name),
-      columns.map((_, k) => cell(typed, i * shape[1] + k, wrong)),
+      columns.map((_, k) => cell(i, k)),
     ),
   ); // prettier-ignore
   const words = "How your answer is read";
   place.replaceChildren(h("table", {}, h("caption", {}, words), h("thead", {}, head), h("tbody", {}, body)));
 }
 
-function cell({ values, units }, i, wrong) {
+/** @param {import("./ranking.js").ReadTable} table */
+const tableRead = ({ cells, wrong }) => ({
+  columns: ["a (m)", "α", "d (m)", "θ"],
+  rows: cells.map((_, i) => String(i + 1)),
+  cell: (i, k) => marked(typeset(cells[i][k].replaceAll("-", "−")), wrong[i][k]),
+});
+
+/** @param {ReturnType<typeof matrixOf>} found */
+const matrixRead = (found) =>
+  found && {
+    ...found,
+    cell(i, k) {
+      const at = i * found.shape[1] + k;
+      return marked(spelt(found.typed, at), found.wrong[at]);
+    },
+  };
+
+function spelt({ values, units }, i) {
   const decimals = Math.min(6, units[i] ? Math.max(0, Math.round(-Math.log10(units[i]))) : 4);
-  const text = (Number(values[i].toFixed(decimals)) + 0).toFixed(decimals).replace("-", "−");
-  return wrong[i] ? h("td.off", {}, h("span.unseen", {}, "wrong: "), text) : h("td", {}, text);
+  return (Number(values[i].toFixed(decimals)) + 0).toFixed(decimals).replace("-", "−");
 }
+
+const marked = (words, wrong) =>
+  wrong ? h("td.off", {}, h("span.unseen", {}, "wrong: "), words) : h("td", {}, words);
 
 // The verdict, or why there is none yet.
 export function tell(box, { report, error }) {

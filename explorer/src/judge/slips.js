@@ -95,12 +95,16 @@ function* elbowFormula({ rows }, q) {
   yield [cause("ik.plus for minus"), changed(q, 1, q[1] - 2 * lean)];
 }
 
-/** Slips in two joints. @returns {Generator<Slip>} */
-export function* double(arm, q) {
+/**
+ * Slips in two joints, of those pairs of them that are worth a try.
+ * @param {(i: number, j: number) => boolean} worth
+ * @returns {Generator<Slip>}
+ */
+export function* double(arm, q, worth = () => true) {
   const turns = turning(arm);
   const names = variable(arm);
   for (const [i, j] of choices(q.length, 2)) {
-    if (!turns[i] || !turns[j]) continue;
+    if (!turns[i] || !turns[j] || !worth(i, j)) continue;
     for (const [key, change] of JOINT) {
       for (const [other, then] of JOINT) {
         const mended = changed(changed(q, i, change(q[i])), j, then(q[j]));

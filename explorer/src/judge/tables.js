@@ -44,6 +44,7 @@ const DEGREES = 180 / Math.PI;
  * @property {Record<string, string>[]} texts
  * @property {number} lengthUnit
  * @property {number} angleUnit
+ * @property {number} lengthScale
  * @property {number} angleScale
  * @property {string[]} said
  * @property {boolean} modified
@@ -58,21 +59,45 @@ const DEGREES = 180 / Math.PI;
  * @returns {Report}
  */
 export function compareTables(mine, reference, options = {}) {
-  const tables = read(mine, options, reference.values).map((typed) => tableOf(typed, reference));
+  const kinds = reference.rows.map(({ kind }) => kind);
   let first = null;
-  for (const table of tables) {
+  for (const typed of read(mine, options, reference.values)) {
+    const table = tableOf(typed, meant(typed, kinds));
     const report = judged(table, reference, options.tolerance ?? null);
-    if (report.grade !== WRONG) return report;
-    first ??= report;
+    const whole = { ...report, table: { rows: table.rows, ...shown(typed, table, report.findings) } };
+    if (whole.grade !== WRONG) return whole;
+    first ??= whole;
   }
   return first;
 }
 
+// The table as it was read, a row of cells for each that was typed, and which of them are wrong.
+function shown(typed, { lengthScale, angleScale }, findings) {
+  const wheres = findings.map(({ where }) => where);
+  const cells = typed.rows.map(({ kind, numbers, radians, backwards }, k) =>
+    ENTRIES.map((column) => {
+      const scale = DEGREES * (radians.has(column) ? 1 : angleScale);
+      const text = angular(column)
+        ? `${size(numbers[column] * scale, 6)}°`
+        : size(numbers[column] * lengthScale, 6);
+      if (column !== variableOf(kind)) return text;
+      const variable = `${backwards ? "-" : ""}q_${k + 1}`;
+      return numbers[column]
+        ? `${variable} ${text.replace(/^-?/, (sign) => (sign ? "- " : "+ "))}`
+        : variable;
+    }),
+  );
+  const wrong = cells.map((_, k) => ENTRIES.map((column) => wheres.includes(`row ${k + 1}, ${column}`)));
+  return { cells, wrong };
+}
+
+// The entry that a joint changes.
+const variableOf = (kind) => ({ revolute: "theta", prismatic: "d" })[kind];
+
 // What was typed
 
 /** @returns {Table} */
-function tableOf(typed, reference) {
-  const found = meant(typed, reference.rows.map(({ kind }) => kind)); // prettier-ignore
+function tableOf(typed, found) {
   const texts = typed.rows.map((row) => row.texts);
   const modified = typed.convention === "craig";
   const { a, alpha } = typed.rows[0].numbers;
@@ -82,6 +107,7 @@ function tableOf(typed, reference) {
     texts,
     lengthUnit: unitOf(texts, ["a", "d"]) * found.length,
     angleUnit: unitOf(texts, ["alpha", "theta"]) * found.angle,
+    lengthScale: found.length,
     angleScale: found.angle,
     said: found.said,
     modified,
@@ -170,6 +196,7 @@ function same(grade, table, reference, mine, ref, found) {
     findings: [],
     causes: [],
     taken: table.said,
+    ...(mapped ? { map: mapped } : {}),
     notes: [...zeros(mapped, mine, ref), ...base(mine, found, mapped), ...tool(found), ...written(table)],
   };
 }
@@ -294,7 +321,7 @@ function unequal(rows, wanted, length = LENGTH) {
   return rows.flatMap((row, k) =>
     ENTRIES.filter((column) => {
       const [x, y] = [row[column], wanted[k][column]];
-      const free = column === { revolute: "theta", prismatic: "d" }[row.kind];
+      const free = column === variableOf(row.kind);
       return !free && (angular(column) ? angleBetween(x, y) > ANGLE : Math.abs(x - y) > length);
     }).map((column) => /** @type {[number, string]} */ ([k, column])),
   );

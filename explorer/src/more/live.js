@@ -30,7 +30,7 @@ let drags = 0;
 export function makeLive(host, spec, { state = {}, hold = true, words, side = [] }) {
   const abort = new AbortController();
   const { signal } = abort;
-  const arm = armOf(spec.arm);
+  const arm = typeof spec.arm === "object" ? spec.arm : armOf(spec.arm);
   const store = new Store(startingState({ arm, q: spec.q ?? homeOf(arm), ...state }));
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const labels = h("div.labels", { "aria-hidden": "true" });
