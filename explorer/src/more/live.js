@@ -1,6 +1,7 @@
 // What every small figure is made of: a picture of an arm that can be held, words that follow, and a few levers.
 
 import css from "./figure.css";
+import { common } from "../common.js";
 import { homeOf, range } from "../arm.js";
 import { h, indexed, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../grab.js";
@@ -48,7 +49,7 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     stage,
     h("div.side", {}, ...side, ...levers.map((one) => one.root), said, why),
   );
-  root.replaceChildren(h("style", {}, css), card, h("div.paper", {}, h("slot")));
+  root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
   let picture = null;
   try {
     picture = new ArmPicture(stage, labels, {

@@ -1,5 +1,6 @@
 // The homework's circle played, and its mistakes: any number of runs at once on the wall, each with its own method.
 
+import css from "./homework.css";
 import { outside } from "../arm.js";
 import { attribute, h, svg, write } from "../dom.js";
 import { ask, latest } from "../jobs.js";
@@ -67,6 +68,7 @@ export function build(store, { say, signal }) {
     () => ((start = store.state.q), results.clear(), compute()),
   );
   const root = h("div.homework", {},
+    h("style", {}, css),
     h("div.row", {}, list, add, remove, here),
     fields.root, verdict, transport.root,
     h("div.walls", {},
