@@ -641,7 +641,7 @@ def test_the_homeworks_runs_come_with_the_second_script(visit):
     assert any(url.endswith("explorer-more.js") for url in here.asked)
     runs = here.page.get_by_role("radiogroup", name="Runs").get_by_role("radio")
     expect(runs.nth(0)).to_contain_text("0.127 mm", timeout=20_000)
-    expect(runs.nth(1)).to_contain_text("1.1 mm", timeout=20_000)
+    expect(runs.nth(1)).to_contain_text("1.145 mm", timeout=20_000)
 
 
 def test_nothing_grows_with_switches_keystrokes_and_views(visit):

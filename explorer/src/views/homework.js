@@ -261,7 +261,7 @@ const startingRun = (arm) =>
 
 function millimetres(v) {
   if (v < 1e-12) return "under 1e−9 mm";
-  return `${v < 1e-5 ? (1000 * v).toExponential(1).replace("-", "−") : fixed(1000 * v, v < 1e-3 ? 3 : 1)} mm`;
+  return `${v < 1e-5 ? (1000 * v).toExponential(1).replace("-", "−") : fixed(1000 * v, v < 1e-2 ? 3 : 1)} mm`;
 }
 const named = ({ method, rates, steps, gain, slip }) => {
   const how = method === "exact" ? NAMES.exact : `${NAMES[method]}, ${NAMES[rates]}, N = ${steps}`;
