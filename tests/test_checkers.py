@@ -290,6 +290,20 @@ def test_a_modified_table_is_quoted_as_it_was_typed(typed, instead, place, cause
     assert report.causes == (cause,)
 
 
+@pytest.mark.parametrize(
+    ("first", "words"),
+    [
+        ("0 pi/2 0 0", "Row 1, alpha: the angle from z_0 to axis 2 is 90° in yours and 0°"),
+        ("0.1 0 0 0", "Row 1, a: the distance from z_0 to axis 2 is 0.1 m in yours and 0 m"),
+    ],
+)
+def test_an_arm_that_lies_on_its_side_is_another(first, words):
+    rows = f"a alpha d theta\n{first}\n0 pi/2 0.5 q2\n0.4 0 0 q3\n0.3 0 0 q4"
+    report = checks.compare_tables(rows, ELBOW)
+    assert report.grade == "wrong"
+    assert report.lines[0].startswith(words)
+
+
 def test_a_table_says_how_it_was_taken():
     arm = Arm.from_table("0 -90 128 q1\n612.7 180 0 q2-90", columns="a alpha d theta")
     assert arm.source == "lengths in millimetres; angles in degrees"

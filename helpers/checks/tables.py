@@ -538,7 +538,7 @@ def _geometry(d: Difference) -> Finding:
 def _amount(d: Difference, what: str) -> str:
     if isinstance(d.mine, str) or d.key == "table count":
         return say("table other", what=what, mine=d.mine, reference=d.reference)
-    if d.key in ("table between", "table held"):
+    if d.key in ("table between", "table held", "table lean"):
         x, y = (d.mine, d.reference) if d.mine >= 0 else (-d.mine, -d.reference)
         angles = (round(math.degrees(angle), 4) for angle in (x, y, angle_between(x, y)))
         mine, reference, off = (size(angle, 6) for angle in angles)

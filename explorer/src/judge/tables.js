@@ -406,6 +406,7 @@ function fewest(all, length, { differences }) {
 
 const WHAT = {
   "table distance": "table distance what", "table between": "table between what", "table held": "table held what",
+  "table lean": "table lean what", "table foot": "table foot what",
   "table along": "table along what", "table base": "table base what", "table count": "table count what",
   "table kind": "table kind what",
 }; // prettier-ignore
@@ -423,7 +424,7 @@ function geometry(d) {
 /** @param {Difference} d @param {string} what */
 function amount({ key, mine, reference }, what) {
   if (key === "table kind" || key === "table count") return say("table other", { what, mine, reference });
-  if (key === "table between" || key === "table held") {
+  if (["table between", "table held", "table lean"].includes(key)) {
     const [x, y] = mine >= 0 ? [mine, reference] : [-mine, -reference];
     const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEGREES, 4), 6));
     return say("table angle", { what, mine: spelt[0], reference: spelt[1], off: spelt[2] });
