@@ -290,6 +290,27 @@ def test_a_modified_table_is_quoted_as_it_was_typed(typed, instead, place, cause
     assert report.causes == (cause,)
 
 
+def test_a_forgotten_pen_is_named_in_other_frames_too():
+    rows = [*([a, math.radians(t), d] for a, t, d in ROWS[:5]), [88, math.pi / 2, 0]]
+    rows = [*rows, [0, 0, -107]]
+    mine = [[a / 1000, t, d / 1000, f"q{i}"] for i, (a, t, d) in enumerate(rows, 1)]
+    assert checks.compare_tables(mine, PANDA, columns="a alpha d theta").causes == ("table.pen",)
+
+
+@pytest.mark.parametrize(
+    ("first", "words"),
+    [
+        ("0 pi/2 0 0", "Row 1, alpha: the angle from z_0 to axis 2 is 90° in yours and 0°"),
+        ("0.1 0 0 0", "Row 1, a: the distance from z_0 to axis 2 is 0.1 m in yours and 0 m"),
+    ],
+)
+def test_an_arm_that_lies_on_its_side_is_another(first, words):
+    rows = f"a alpha d theta\n{first}\n0 pi/2 0.5 q2\n0.4 0 0 q3\n0.3 0 0 q4"
+    report = checks.compare_tables(rows, ELBOW)
+    assert report.grade == "wrong"
+    assert report.lines[0].startswith(words)
+
+
 def test_a_table_says_how_it_was_taken():
     arm = Arm.from_table("0 -90 128 q1\n612.7 180 0 q2-90", columns="a alpha d theta")
     assert arm.source == "lengths in millimetres; angles in degrees"
