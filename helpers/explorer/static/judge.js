@@ -45,6 +45,7 @@ var ArmJudge=(()=>{var ue=Object.defineProperty;var hn=Object.getOwnPropertyDesc
   color: var(--text);
   background: var(--ground);
   font: inherit;
+  font-weight: 400;
   font-size: max(1em, 16px);
   min-width: 0;
   max-width: 100%;
@@ -196,8 +197,8 @@ var ArmJudge=(()=>{var ue=Object.defineProperty;var hn=Object.getOwnPropertyDesc
 .arm-judge .choice input {
   width: 7rem;
 }
-.arm-judge .problem:focus-visible {
-  outline-offset: 4px;
+.arm-judge .problem {
+  margin: 0.6rem 4px;
 }
 .arm-judge .problem :is(p, pre) {
   max-width: none;

@@ -146,13 +146,16 @@ const grid = (caption, heads, rows) =>
     h("tbody", {}, rows.map((row) => h("tr", {}, cells(row)))),
   ); // prettier-ignore
 
+const length = (value) => String(Number(value.toFixed(6)) + 0);
+const set = (text) => text.replaceAll("+ -", "− ").replaceAll("-", "−").replaceAll("pi", "π");
+
 // The arm's table and, where it has them, its masses.
 function tableOf(arm) {
   const masses = arm.rows.every(({ body }) => body);
   const heads = ["i", "a (m)", "α", "d (m)", "θ"];
   if (masses) heads.push("mass (kg)", "centre (m)");
   const rows = arm.rows.map(({ kind, a, alpha, d, theta, body }, i) => {
-    const shown = [String(a), angle(alpha), String(d), angle(theta)];
+    const shown = [length(a), angle(alpha), length(d), angle(theta)];
     const at = { revolute: 3, prismatic: 2 }[kind];
     if (at) shown[at] = Number(at === 3 ? theta : d) ? `q${i + 1} + ${shown[at]}` : `q${i + 1}`;
     const load = masses ? [String(body[0]), numbers(body.slice(1))] : [];

@@ -39,7 +39,7 @@ export function addTools(judge, root) {
     judge.put({ ...EMPTY, ...(same.find((one) => one.arm === arm) ?? same[0]) });
   };
   const links = judge.given ? [more] : [explorer];
-  const first = judge.given ? [] : [button("Show an example", example)];
+  const first = judge.examples.length ? [button("Show an example", example)] : [];
   parts.tools.append(...first, button("Copy link", link), button("Copy as Python", python), ...links);
   parts.said.after(closed);
 
