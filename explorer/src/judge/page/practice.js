@@ -159,9 +159,7 @@ function tableOf(arm) {
     const at = { revolute: 3, prismatic: 2 }[kind];
     if (at) shown[at] = Number(at === 3 ? theta : d) ? `q${i + 1} + ${shown[at]}` : `q${i + 1}`;
     const load = masses ? [String(body[0]), numbers(body.slice(1))] : [];
-    return [String(i + 1), ...shown, ...load].map((text) =>
-      text.replaceAll("+ -", "− ").replaceAll("-", "−"),
-    );
+    return [String(i + 1), ...shown, ...load].map(set);
   });
   return grid("Its table", heads, rows);
 }
