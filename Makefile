@@ -40,14 +40,14 @@ book: $(BOOK) ## build the book and say where it is
 	@echo "file://$(CURDIR)/$(BOOK)"
 
 test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and the built book's
-	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
 
 # Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
-	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
+	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
-	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)
+	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)
 
 # Other kernels of OpenBLAS and NumPy round the last digit differently; no stored output may show it.
 elsewhere: export OPENBLAS_CORETYPE = Nehalem

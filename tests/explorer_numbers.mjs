@@ -12,7 +12,7 @@ import { sameArm } from "../explorer/src/same.js";
 import { derive } from "../explorer/src/state.js";
 import { stillShapes } from "../explorer/src/still.js";
 import { entryText } from "../explorer/src/text.js";
-import { rankVerdict, waysVerdict } from "../explorer/src/verdicts.js";
+import { rankVerdict, tableVerdict, waysVerdict } from "../explorer/src/verdicts.js";
 
 const VIEWS = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"];
 
@@ -31,6 +31,13 @@ function verdicts(arm, q) {
   return { rank: derived.rank, said: rankVerdict(derived), ways, counted: waysVerdict(arm, ways) };
 }
 
+// What a link opens: its state, the tip's pose there, what is said of the table, and what gravity asks.
+function opened(fragment, arms) {
+  const { patch, words } = fromFragment(fragment, arms, VIEWS);
+  const { frames, energy, gravity } = derive(patch.arm, patch.q);
+  return { patch, words, pose: matrix(frames.at(-1)), table: tableVerdict(patch, { frames }), energy, gravity };
+}
+
 const jobs = {
   numbers: ({ arm, qs, wrench }) => qs.map((q) => numbers(arm, q, wrench)),
   circle: ({ arm, q, ...circle }) => traceCircle(arm, q, circle),
@@ -43,7 +50,7 @@ const jobs = {
   entries: ({ typed }) => typed.map(([text, quantity, unit]) => readEntry(text, quantity, unit)),
   written: ({ values }) => values.map(([value, angle, unit]) => entryText(value, angle, unit)),
   still: ({ arm, q }) => stillShapes(arm, linkFrames(arm, q)),
-  links: ({ arms, fragments }) => fragments.map((one) => fromFragment(one, arms, VIEWS)),
+  links: ({ arms, fragments }) => fragments.map((one) => opened(one, arms)),
   exported: ({ arm, q, format }) => exported(format, { arm, q }),
 };
 

@@ -65,10 +65,12 @@ def stored_poses(rng, count: int, arm_of) -> Asked:
         yield arm_of(case["machine"]), _question("pose", case["typed"], {}, target=case["T"])
 
 
-def stored_traces(rng, count: int) -> Asked:
+def stored_traces(rng, count: int, arm_of) -> Asked:
     """The corpus's runs."""
     for case in traces.cases(rng, count):
-        yield PANDA.lock(3), _question("trace", case["typed"], {}, path=case["path"])
+        options = {"angles": case["angles"]} if case["angles"] else {}
+        arm = arm_of(case["machine"])
+        yield arm, _question("trace", case["typed"], options, path=case["path"])
 
 
 # Branches and poses of all arms

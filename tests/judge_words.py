@@ -24,13 +24,14 @@ from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
-from tests import judge_motion
-from tests.corpus import jacobians, tables, torques
+from tests import judge_motion, judge_tables
+from tests.corpus import jacobians, torques
 from tests.corpus.typing_ import typed
 
 ROOT = Path(__file__).parents[1]
 KNOWN = {
     "PANDA": PANDA,
+    "UR10E": UR10E,
     "UR10E_HOMEWORK": UR10E_HOMEWORK,
     "STANFORD": STANFORD,
     "ELBOW": ELBOW,
@@ -137,45 +138,29 @@ def stored_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
         yield arm, {"topic": "torques", "typed": case["typed"], "q": case["q"], "options": options}
 
 
-def table_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
-    """The corpus's tables: some without their heads, with their order or units said, or within a
-    tolerance.
-    """
-    for case in tables.cases(rng, count):
-        options = {}
-        if rng.random() < 0.5:
-            options |= {"lengths": "m", "angles": "rad"}
-        if rng.random() < 0.05:
-            options["tolerance"] = float(rng.choice([0, 1e-4, 5e-3]))
-        if rng.random() < 0.05:
-            options["convention"] = "craig"
-        typed = case["typed"]
-        if case["form"] in ("csv", "columns") and rng.random() < 0.3:
-            head, typed = typed.split("\n", 1)
-            if rng.random() < 0.5:
-                options["columns"] = head.replace("\t", " ")
-        yield arm_of(case["machine"]), {"topic": "table", "typed": typed, "options": options}
-
-
 QUESTIONS = {
     "jacobian": jacobian_questions,
     "torques": torque_questions,
     "corpus's torques": stored_questions,
     "formula": formula_questions,
-    "table": table_questions,
+    "table": lambda rng, count: judge_tables.corpus_questions(rng, count, arm_of),
+    "table's forms": lambda rng, count: judge_tables.form_questions(rng, count, arm_of),
+    "table's slips": lambda rng, count: judge_tables.slip_questions(rng, count, arm_of),
     "branches": judge_motion.branch_questions,
     "corpus's branches": judge_motion.stored_branches,
     "pose": judge_motion.pose_questions,
     "corpus's poses": lambda rng, count: judge_motion.stored_poses(rng, count, arm_of),
     "trace": judge_motion.trace_questions,
-    "corpus's traces": judge_motion.stored_traces,
+    "corpus's traces": lambda rng, count: judge_motion.stored_traces(rng, count, arm_of),
 }
 SHARES = {
-    "jacobian": 0.25,
-    "torques": 0.08,
-    "corpus's torques": 0.07,
+    "jacobian": 0.2,
+    "torques": 0.05,
+    "corpus's torques": 0.05,
     "formula": 0.03,
-    "table": 0.25,
+    "table": 0.15,
+    "table's forms": 0.1,
+    "table's slips": 0.1,
     "branches": 0.1,
     "corpus's branches": 0.05,
     "pose": 0.08,

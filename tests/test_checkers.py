@@ -20,6 +20,7 @@ from helpers.motion import circle
 from helpers.reading import formula, grid
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import static_torque
+from tests import table_pastes
 from tests.corpus.arms import KNOWN
 from tests.corpus.jacobians import recipe
 
@@ -260,6 +261,47 @@ def test_a_table_is_taken_as_it_is_held(table):
             r[2] for r in ROWS
         ],  # (q, x, y, alpha) without heads: a and d are told apart only against a reference
     )
+
+
+@pytest.mark.parametrize("name", table_pastes.RIGHT)
+def test_a_pasted_table_is_read_as_it_was_meant(name):
+    assert checks.compare_tables(table_pastes.RIGHT[name], ELBOW).agrees
+
+
+@pytest.mark.parametrize("text", table_pastes.REFUSED)
+def test_what_is_no_table_is_refused_in_words(text):
+    with pytest.raises(ArmError, match=table_pastes.REFUSED[text]):
+        checks.compare_tables(text, ELBOW)
+
+
+@pytest.mark.parametrize(
+    ("typed", "instead", "place", "cause"),
+    [
+        ("0.4 0 0 q3", "0.2 0 0 q3", "row 3, a (you have 0.2)", "table.number:a:3"),
+        ("0.4 0 0 q3", "0.4 0.3 0 q3", "row 3, alpha (you have 0.3)", "table.too much:alpha:3"),
+        ("0.3 0 0 0", "0.1 0 0 0", "row 4, a (you have 0.1)", "table.number:a:4"),
+    ],
+)
+def test_a_modified_table_is_quoted_as_it_was_typed(typed, instead, place, cause):
+    """a and alpha stand in the row after the one that they have in the standard convention."""
+    text = table_pastes.RIGHT["craig"].replace(typed, instead)
+    report = checks.compare_tables(text, ELBOW)
+    assert place in report.headline
+    assert report.causes == (cause,)
+
+
+@pytest.mark.parametrize(
+    ("first", "words"),
+    [
+        ("0 pi/2 0 0", "Row 1, alpha: the angle from z_0 to axis 2 is 90° in yours and 0°"),
+        ("0.1 0 0 0", "Row 1, a: the distance from z_0 to axis 2 is 0.1 m in yours and 0 m"),
+    ],
+)
+def test_an_arm_that_lies_on_its_side_is_another(first, words):
+    rows = f"a alpha d theta\n{first}\n0 pi/2 0.5 q2\n0.4 0 0 q3\n0.3 0 0 q4"
+    report = checks.compare_tables(rows, ELBOW)
+    assert report.grade == "wrong"
+    assert report.lines[0].startswith(words)
 
 
 def test_a_table_says_how_it_was_taken():

@@ -24,7 +24,7 @@ from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.statics import gravity_torque, static_torque
+from helpers.statics import gravity_torque, potential_energy, static_torque
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "explorer"
@@ -116,18 +116,110 @@ def test_the_sources_keep_their_own_rules():
     assert int(re.search(r"^# pass (\d+)", done.stdout, re.M)[1]) >= 20
 
 
-@needs_node
-def test_the_links_of_the_errata_open_what_they_say():
-    """Each fragment is read without complaint."""
-    text = (ROOT / "book" / "errata.md").read_text(encoding="utf-8")
-    fragments = [f.replace("&amp;", "&") for f in re.findall(r'explorer\.html(#[^"]*)"', text)]
-    assert len(fragments) >= 12
+ERRATA = (ROOT / "book" / "errata.md").read_text(encoding="utf-8")
+LINKED = {
+    int(number): [f.replace("&amp;", "&") for f in re.findall(r'explorer\.html(#[^"]*)"', entry)]
+    for number, entry in re.findall(r"^### (\d+) ·(.*?)(?=^##)", ERRATA, re.S | re.M)
+}
+
+
+@pytest.fixture(scope="module")
+def opened():
+    """What each erratum's link opens, by its number."""
+    fragments = {number: links[0] for number, links in LINKED.items() if links}
     arms = [arm_data(arm) for arm in ARMS]
-    for fragment, answer in zip(
-        fragments, ask("links", arms=arms, fragments=fragments), strict=True
-    ):
-        assert answer["words"] == "", fragment
-        assert {"arm", "q", "view"} <= set(answer["patch"]), fragment
+    answers = ask("links", arms=arms, fragments=list(fragments.values()))
+    return dict(zip(fragments, answers, strict=True))
+
+
+def distance(answer):
+    return 1000 * math.dist(np.array(answer["pose"])[:3, 3], answer["patch"]["mark"])
+
+
+@needs_node
+def test_every_erratum_but_two_opens_the_explorer(opened):
+    """A dot too many (5) and a rounder g (8) are nothing that a picture could show."""
+    assert {number for number, links in LINKED.items() if len(links) != 1} == {5, 8}
+    for number, answer in opened.items():
+        assert answer["words"] == "", number
+        assert {"arm", "q", "view"} <= set(answer["patch"]), number
+
+
+@needs_node
+def test_links_put_the_tip_where_the_errata_say(opened):
+    """The place of the tip beside a mark, or an entry of its pose."""
+    assert distance(opened[12]) == pytest.approx(582.5, abs=0.05)  # "58 cm from its target"
+    behind, front = np.array(opened[13]["patch"]["mark"]), np.array(opened[13]["pose"])[:3, 3]
+    np.testing.assert_allclose(front, behind * (-1, -1, 1), atol=1e-5)
+    assert behind[0] < 0 < front[0]
+    assert distance(opened[20]) == pytest.approx(0.63, abs=0.005)
+    above, below = np.array(opened[23]["pose"])[2, 3], opened[23]["patch"]["mark"][2]
+    assert above - 0.5 == pytest.approx(0.5 - below, abs=1e-5)  # the shoulder is at 0.5 m
+    poses = {number: np.array(answer["pose"]) for number, answer in opened.items()}
+    np.testing.assert_allclose(poses[1][:3, 3], (0, -0.679, 0.649), atol=1e-6)
+    assert not opened[1]["patch"]["q"], "the arm of the headings has no joint"
+    np.testing.assert_allclose(poses[17][:3, 1], (-1, 0, 0), atol=1e-6)
+    assert poses[27][0, 3] == pytest.approx(0, abs=1e-6)
+    np.testing.assert_allclose(poses[18][:, 0], (1, 0, 0, 0), atol=1e-6)
+    np.testing.assert_allclose(poses[26][:3, 3], (0.679, 0, 0.825), atol=1e-6)
+    np.testing.assert_allclose(poses[4][3], (0, 0, 0, 1))
+    assert np.linalg.norm(poses[4][:3, 3]) > 0.5, "the fourth column is the place"
+    centre = poses[11][:3, 3] - (0, 0, 0.1)  # below the start, where the arm draws its circle
+    np.testing.assert_allclose(centre, (0, 0.3561, 1.328), atol=1e-4)
+    _, phi = opened[16]["patch"]["q"][0], math.pi - opened[16]["patch"]["q"][1]
+    squared = 0.4**2 + 0.3**2 - 2 * 0.4 * 0.3 * math.cos(phi)
+    assert np.sum(poses[16][:3, 3] ** 2) == pytest.approx(squared, abs=1e-6)
+
+
+@needs_node
+def test_links_show_the_tables_torques_and_columns_that_the_errata_name(opened):
+    assert "its tip is 7.8 mm and" in opened[2]["table"]
+    tips = [ask("numbers", arm=arm, qs=[UR10E_HOMEWORK.home], wrench=[0] * 6)[0]["frames"][-1]
+            for arm in (opened[9]["patch"]["arm"], arm_data(UR10E_HOMEWORK))]  # fmt: skip
+    apart = 1000 * (np.array(tips[0]) - tips[1])[:3, 3]
+    assert np.abs(apart[1:]).round(1) == pytest.approx([34.6, 56.8])
+    assert opened[9]["patch"]["view"] == opened[2]["patch"]["view"] == "table"
+    for number in (6, 24):
+        assert opened[number]["patch"]["view"] == "torque"
+        assert opened[number]["energy"] == pytest.approx(
+            potential_energy(PANDA, PANDA.home), abs=1e-9
+        )
+        assert opened[number]["energy"] > 0
+        assert len(opened[number]["gravity"]) == 7
+    kinds = [row["kind"] for row in opened[25]["patch"]["arm"]["rows"]]
+    assert [k + 1 for k, kind in enumerate(kinds) if kind == "revolute"] == [1, 2, 4, 5, 6, 7]
+    assert opened[25]["patch"]["view"] == opened[3]["patch"]["view"] == "jacobian"
+    assert opened[3]["patch"]["arm"]["name"] == "Panda (homework)"
+
+
+@needs_node
+def test_links_lead_to_the_ways_that_the_errata_count(opened):
+    """Four for slip 22, infinitely many for 14; two shoulders, at angles of no quarter turn, for
+    15."""
+    said = {}
+    for number in (14, 15, 22):
+        patch = opened[number]["patch"]
+        assert patch["view"] == "branches"
+        said[number] = ask("verdicts", arm=patch["arm"], qs=[patch["q"]])[0]
+    assert said[22]["counted"].startswith("Four ways")
+    assert said[14]["counted"].startswith("Infinitely many ways")
+    shoulders = {round(way["q"][0], 3) for way in said[15]["ways"]["list"]}
+    assert len(said[15]["ways"]["list"]) == 4
+    assert len(shoulders) == 2
+    assert all(abs(abs(angle) - math.pi / 2) > 0.1 for angle in shoulders)
+
+
+@needs_node
+def test_links_play_the_runs_that_the_errata_tell_of(opened):
+    runs = {
+        number: ask("runs", arm=patch["arm"], start=patch["q"], runs=patch["runs"])
+        for number, patch in ((n, opened[n]["patch"]) for n in (10, 19, 21))
+    }
+    assert runs[10][0]["failed"] == 0
+    assert runs[10][1]["failed"] is None
+    off = {number: [round(1000 * run["largest"], 3) for run in runs[number]] for number in (19, 21)}
+    assert off == {19: [0.127, 0.654], 21: [0.127, 1.145]}
+    assert all(opened[n]["patch"]["view"] == "homework" for n in (7, 10, 11, 19, 21))
 
 
 @needs_node

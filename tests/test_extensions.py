@@ -28,6 +28,15 @@ def axes(number, left, top, right, bottom, more=""):
     return f'<g id="axes_{number}">{line}{more}</g>'
 
 
+def cut_to(left, top, right, bottom):
+    """What is drawn in an axes and cut to it, though it reaches far beyond."""
+    return (
+        f'<clipPath id="p{left}"><rect x="{left}" y="{top}" width="{right - left}" '
+        f'height="{bottom - top}"/></clipPath>'
+        f'<path clip-path="url(#p{left})" d="M -9999 50L 9999 60"/>'
+    )
+
+
 TWO = (axes(1, 10, 20, 190, 180), axes(2, 210, 20, 390, 180))
 
 
@@ -45,7 +54,7 @@ def test_panels_that_stand_above_each_other_stay_one_drawing():
 def test_a_label_belongs_to_its_panel_and_what_is_cut_off_does_not():
     letters = '<use transform="translate(100 0)"/>'
     turned_label = f'<g transform="translate(8 150) rotate(-90) scale(0.1 -0.1)">{letters}</g>'
-    outside = '<path clip-path="url(#p)" d="M 0 0L 400 0" style="stroke: #000000"/>'
+    outside = cut_to(20, 20, 190, 180)
     unseen = '<path d="M 0 0L 400 0" style="fill: none"/>'
     more = turned_label + outside + unseen + '<defs><path d="M -99 -99L 999 999"/></defs>'
     first, second = panels(ET.fromstring(figure(axes(1, 20, 20, 190, 180, more), TWO[1])))
@@ -53,9 +62,19 @@ def test_a_label_belongs_to_its_panel_and_what_is_cut_off_does_not():
     assert second == (210, 20, 390, 180)
 
 
+def test_axes_without_a_frame_reach_as_far_as_what_is_drawn_in_them():
+    """A title, and below it what is cut to a rectangle that nobody sees."""
+    two = [
+        f'<g id="axes_{k}">{cut_to(20 + 200 * k, 30, 190 + 200 * k, 180)}'
+        f'<path d="M {80 + 200 * k} 5L {120 + 200 * k} 15"/></g>'
+        for k in range(2)
+    ]
+    assert panels(ET.fromstring(figure(*two))) == [(20, 5, 190, 60), (220, 5, 390, 60)]
+
+
 def test_walls_a_twin_and_a_colour_bar_belong_to_their_panel():
     walls = '<g id="pane3d_1"><path d="M 205 10L 300 30" style="fill: #808080"/></g>'
-    twin, bar = axes(3, 10, 20, 190, 180), axes(4, 192, 20, 200, 180)
+    twin, bar = axes(3, 10, 20, 190, 180), axes(4, 192, 20, 200, 180, cut_to(192, 20, 198, 180))
     found = panels(ET.fromstring(figure(TWO[0], walls, TWO[1], twin, bar)))
     assert found == [(10, 20, 200, 180), (205, 10, 390, 180)]
 

@@ -5,18 +5,24 @@ import io
 import json
 import os
 import shutil
+from functools import partial
 
 import numpy as np
 import pytest
 import sympy as sp
 
+<<<<<<< HEAD
 from helpers import checks, symbolic
 from helpers.checks.door import numbers
+=======
+from helpers import checks, inverse, symbolic
+>>>>>>> main
 from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, STANFORD
-from tests import table_pastes
+from tests import motion_pastes, table_pastes
+from tests.judge_motion import path_of
 from tests.judge_words import different, in_node, page_words, python_words, questions
 from tests.pastes import FORMATS, pastes
 
@@ -197,6 +203,48 @@ def test_tables_read_as_they_were_not_meant_are_judged_in_the_same_words(options
     assert not different(asked)
 
 
+# Joint angles and runs
+
+
+def pose(typed, **options):
+    question = {"topic": "pose", "typed": typed, "target": motion_pastes.POINT, "options": options}
+    return ELBOW, question
+
+
+@needs_node
+@pytest.mark.parametrize("options", [{}, {"angles": "deg"}], ids=str)
+def test_joint_angles_are_read_as_they_were_meant_in_both_languages(options):
+    pastes = motion_pastes.IN_DEGREES if options else motion_pastes.ANGLES
+    said = page_words([pose(text, **options) for text in pastes.values()])
+    for (name, text), theirs in zip(pastes.items(), said, strict=True):
+        assert theirs[2].startswith("The joints take the tip of Elbow arm there."), (name, theirs)
+        assert python_words(*pose(text, **options)) == theirs, name
+
+
+@needs_node
+def test_what_are_no_joint_angles_is_refused_in_the_same_words():
+    said = page_words([pose(text) for text in motion_pastes.UNREAD])
+    for text, theirs in zip(motion_pastes.UNREAD, said, strict=True):
+        assert theirs[0] == "refused", text
+        assert len(theirs[2]) > 20, text
+        assert python_words(*pose(text)) == theirs, text
+
+
+@needs_node
+def test_runs_are_read_as_they_were_meant_in_both_languages():
+    asked = dict(start=Q, radius=0.02, plane="zy", period=5.0, steps=40)
+    path = path_of(ELBOW, asked)
+    q = inverse.follow(partial(inverse.elbow, ELBOW), path.positions, Q)
+    runs = [
+        (ELBOW, {"topic": "trace", "typed": make(q), "path": asked, "options": {}})
+        for make in motion_pastes.RUNS.values()
+    ]
+    said = page_words(runs)
+    for name, (arm, question), theirs in zip(motion_pastes.RUNS, runs, said, strict=True):
+        assert theirs[2].startswith("Elbow arm draws the path."), (name, theirs)
+        assert python_words(arm, question) == theirs, name
+
+
 # The page's questions
 
 ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]
@@ -217,6 +265,8 @@ BY_LINK = [
      "answer": "theta1 = 0.3, theta2 = 1.2, theta3 = -1.5"},
     {"ask": "branches", "arm": "UR10E", "unit": "deg", "answer": "0 0 0 0 0 0",
      "target": "[[1, 0, 0, 0.5], [0, 0, -1, -0.3], [0, 1, 0, 0.4]]"},
+    {"ask": "branches", "arm": "STANFORD", "answer": "0.4 0.7 0.3 0.2 0.5 0.1",
+     "target": "0.707 0.707 0 0.3\n-0.707 0.707 0 0.2\n0 0 1 0.4"},
     {"ask": "pose", "arm": "ELBOW", "target": "0.3, 0.1, 0.7",
      "answer": "('Theta1', 0.3), ('Theta2', -1.12 + pi/2), ('Theta3', 0.2)"},
     {"ask": "pose", "arm": "own", "table": OWN, "unit": "deg", "answer": "10, 20, 30",

@@ -147,6 +147,11 @@ def assets(folder: Path, config) -> list[int]:
     return [crc32(path.read_bytes()) for path in sorted(paths)]
 
 
+def authors(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
+    """Who wrote the book, for the foot of each page."""
+    context["author"] = app.config.author
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     PygmentsBridge.html_formatter = LightFormatter
     app.add_config_value("assets", lambda config: assets(Path(app.srcdir), config), "html")
@@ -159,4 +164,5 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("doctree-resolved", prepare, priority=900)
+    app.connect("html-page-context", authors)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -55,8 +55,9 @@ def panels(root: ET.Element) -> list[Box]:
     figure = next((g for g in root.iter(f"{SVG}g") if g.get("id") == "figure_1"), None)
     if figure is None:
         return []
-    wide = float(root.get("viewBox").split()[2])
-    found = _with_bars(_united(_axes(figure[1:])), 0.13 * wide)
+    parts, clips = figure[1:], _clips(root)
+    bars = [box for part in parts if _is_bar(part, clips) and (box := _box(part, clips))]
+    found = _with_bars(_united(_axes(parts, clips)), bars)
     rows: list[list[Box]] = []
     for box in sorted(found, key=lambda box: box[1]):
         if rows and box[1] < (rows[-1][0][1] + rows[-1][0][3]) / 2:
@@ -68,13 +69,30 @@ def panels(root: ET.Element) -> list[Box]:
     return [box for row in rows for box in sorted(row)]
 
 
-def _axes(parts: list[ET.Element]) -> list[Box]:
+def _clips(root: ET.Element) -> dict[str, Box]:
+    """The rectangles to which a drawing's parts are cut, by the words that ask for it."""
+    rectangles = ((clip.get("id"), clip.find(f"{SVG}rect")) for clip in root.iter(f"{SVG}clipPath"))
+    sides = {
+        name: [float(rect.get(side)) for side in ("x", "y", "width", "height")]
+        for name, rect in rectangles
+        if rect is not None
+    }
+    return {f"url(#{name})": (x, y, x + w, y + h) for name, (x, y, w, h) in sides.items()}
+
+
+def _is_bar(part: ET.Element, clips: dict[str, Box]) -> bool:
+    """Whether an axes is a colour bar: what it cuts its content to is far higher than wide."""
+    cuts = (clips.get(child.get("clip-path", "")) for child in part.iter())
+    return any(cut and cut[2] - cut[0] < 0.15 * (cut[3] - cut[1]) for cut in cuts)
+
+
+def _axes(parts: list[ET.Element], clips: dict[str, Box]) -> list[Box]:
     """A box for each axes, with the walls that are drawn before those in space, and one for each
     legend or title of all."""
     boxes: list[Box] = []
     walls: list[Box] = []
     for part in parts:
-        if box := _box(part):
+        if box := _box(part, clips):
             walls.append(box)
         if walls and part.get("id", "").startswith("axes_"):
             boxes.append(reduce(_join, walls))
@@ -93,17 +111,15 @@ def _united(boxes: list[Box]) -> list[Box]:
     return boxes
 
 
-def _with_bars(boxes: list[Box], narrow: float) -> list[Box]:
-    """Colour bars, which are narrow, joined with the panel on their left."""
-    bars = [box for box in boxes if box[2] - box[0] < narrow]
-    others = [box for box in boxes if box not in bars]
+def _with_bars(boxes: list[Box], bars: list[Box]) -> list[Box]:
+    """Colour bars joined with the panel on their left, where they are not yet."""
     for bar in bars:
-        left = [box for box in others if box[0] < bar[0] and box[1] < bar[3] and bar[1] < box[3]]
-        if not left:
-            return boxes
-        panel = max(left, key=lambda box: box[2])
-        others[others.index(panel)] = _join(panel, bar)
-    return others
+        alone = next((box for box in boxes if _shared(bar, box) > 0.9 * _area(box)), None)
+        left = [box for box in boxes if box[0] < bar[0] and box[1] < bar[3] and bar[1] < box[3]]
+        if alone and left:
+            panel = max(left, key=lambda box: box[2])
+            boxes = [box for box in boxes if box not in (alone, panel)] + [_join(panel, bar)]
+    return boxes
 
 
 def _join(one: Box, other: Box) -> Box:
@@ -120,22 +136,28 @@ def _area(box: Box) -> float:
     return max((box[2] - box[0]) * (box[3] - box[1]), 1e-6)
 
 
-def _box(part: ET.Element) -> Box | None:
-    points = list(_points(part))
+def _box(part: ET.Element, clips: dict[str, Box]) -> Box | None:
+    points = list(_points(part, clips))
     if not points:
         return None
     x, y = zip(*points, strict=True)
     return min(x), min(y), max(x), max(y)
 
 
-def _points(part: ET.Element) -> Iterator[tuple[float, float]]:
-    """Points that span what a part draws; what is cut off at its axes, only defined or invisible
-    does not count."""
-    place = PLACE.match(part.get("transform", ""))
-    unseen = part.get("style") == "fill: none"
-    if part.tag == f"{SVG}defs" or part.get("clip-path") or unseen:
+def _points(part: ET.Element, clips: dict[str, Box]) -> Iterator[tuple[float, float]]:
+    """Points that span what a part draws, as far as it is not cut off; what is only defined or
+    invisible does not count."""
+    if part.tag == f"{SVG}defs" or part.get("style") == "fill: none":
         return
-    if place:
+    points = _drawn(part, clips)
+    if clip := clips.get(part.get("clip-path", "")):
+        left, top, right, bottom = clip
+        points = ((min(max(x, left), right), min(max(y, top), bottom)) for x, y in points)
+    yield from points
+
+
+def _drawn(part: ET.Element, clips: dict[str, Box]) -> Iterator[tuple[float, float]]:
+    if place := PLACE.match(part.get("transform", "")):
         yield from _text(part, *(float(number or 0) for number in place.groups()))
     elif part.tag == f"{SVG}path":
         numbers = [float(number) for number in NUMBER.findall(part.get("d", ""))]
@@ -144,7 +166,7 @@ def _points(part: ET.Element) -> Iterator[tuple[float, float]]:
         yield float(part.get("x")), float(part.get("y"))
     else:
         for child in part:
-            yield from _points(child)
+            yield from _points(child, clips)
 
 
 def _text(part, x: float, y: float, turn: float, scale: float) -> Iterator[tuple[float, float]]:

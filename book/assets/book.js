@@ -10,6 +10,13 @@ function few(formulas, characters = 40) {
 const pause = () => new Promise((done) => setTimeout(done));
 const frame = () => new Promise((due) => (document.hidden ? due() : requestAnimationFrame(due)));
 
+// The text is on the screen; in a tab that is not shown it never will be, until it is.
+const painted = () => new Promise((done) => {
+  if (document.hidden || !PerformanceObserver.supportedEntryTypes.includes("paint")) return done();
+  new PerformanceObserver(() => done()).observe({ type: "paint", buffered: true });
+  setTimeout(done, 3000);
+});
+
 const watch = new IntersectionObserver((changes) => {
   for (const { isIntersecting, target, boundingClientRect: box } of changes) {
     if (isIntersecting && unset.has(target)) near.set(target, Math.abs(box.top + box.bottom - innerHeight));
@@ -64,8 +71,7 @@ if (window.MathJax) {
     typeset: false,
     pageReady: setFormulas,
     async ready() {
-      await frame();
-      await pause(); // the text is painted
+      await painted();
       await MathJax.loader.load(...parts);
       MathJax.startup.defaultReady();
     },
@@ -99,6 +105,15 @@ function reachable(boxes) {
 function share(box) {
   if (box.matches("span.math > *")) return box.closest("p, li, td, dd, div").clientWidth / Math.max(box.offsetWidth, box.scrollWidth);
   return box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1;
+}
+
+// Checks that hold: each begins at the edge, and what does not fit its line goes on further in.
+function proven(output) {
+  output.classList.add("proof");
+  for (const text of output.querySelectorAll("pre")) {
+    const lines = text.textContent.trimEnd().split("\n");
+    text.replaceChildren(...lines.map((line) => Object.assign(document.createElement("span"), { textContent: `${line}\n` })));
+  }
 }
 
 function scrollable(box, wide) {
@@ -168,7 +183,7 @@ document.addEventListener("DOMContentLoaded", () => {
   each("div.cell_output", (output) => {
     const texts = [...output.querySelectorAll("pre")].map((pre) => pre.textContent.trim());
     const lines = texts.join("\n").split("\n");
-    if (lines.every((line) => line.startsWith("✔"))) output.classList.add("proof");
+    if (lines.every((line) => line.startsWith("✔"))) proven(output);
     else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(texts.join("\n"))) output.classList.add("columns");
   });
 

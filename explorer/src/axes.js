@@ -7,7 +7,7 @@ import { cross, dot, joints, linkFrames, minus, norm, plus, scaled } from "./kin
 import { singular } from "./linear.js";
 
 const TINY = 1e-9; // m, or the sine of an angle: closer than this, axes meet or are parallel
-const NORMAL = -1; // stands for the common normal where joints are listed by position
+export const NORMAL = -1; // stands for the common normal where joints are listed by position
 
 /**
  * A row of a table in m and rad.
@@ -29,7 +29,11 @@ const NORMAL = -1; // stands for the common normal where joints are listed by po
  * @property {boolean} toTip
  */
 
-/** @typedef {{ rows: Numbers[], joints: number[], gaps: Gap[], tilt: number }} Side joints: rows, counted from 1 */
+/**
+ * One table's walk, ready to be compared: `joints` are the rows that move, counted from 1; `foot` is how far axis 1
+ * passes from z_0 and how far it leans from it, none but where fixed rows come first.
+ * @typedef {{ rows: Numbers[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number] }} Side
+ */
 
 /**
  * What differs in a gap: the key of its sentence, the row and entry it shows in, the joints it lies between, and what
@@ -43,7 +47,22 @@ const NORMAL = -1; // stands for the common normal where joints are listed by po
 /** @param {Numbers[]} rows @returns {Side} */
 export function side(rows) {
   const moving = joints({ rows });
-  return { rows, joints: moving.map((i) => i + 1), gaps: gaps({ rows }), tilt: tilt({ rows }, moving) };
+  const numbers = moving.map((i) => i + 1);
+  return {
+    rows,
+    joints: numbers,
+    gaps: gaps({ rows }),
+    tilt: tilt({ rows }, moving),
+    foot: foot(rows, moving[0]),
+  };
+}
+
+/** @returns {[number, number]} */
+function foot(rows, first) {
+  const { z, o } = linkFrames({ rows: rows.slice(0, first) }, []).at(-1);
+  const n = cross([0, 0, 1], z);
+  const far = norm(n) > TINY ? Math.abs(dot(o, n)) / norm(n) : Math.hypot(o[0], o[1]);
+  return [rows[first].kind === "revolute" ? far : 0, arc(Math.abs(z[2]))];
 }
 
 // The cosine of the angle between the last joint axis and the z axis of the last frame.
@@ -163,7 +182,9 @@ const parallel = (u, v) => norm(cross(u, v)) < TINY;
 export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
   const unlike = unlikeJoints(mine, reference);
   if (unlike.length) return { differences: unlike, signs: [], baseHigher: 0, tilts: [0, 0] };
-  let best = new Map([1, -1].map((s) => [s, { cost: [0, 0, 0], signs: [s], found: [] }]));
+  const feet = stands(mine, reference, length, angle);
+  const far = feet.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), 0);
+  let best = new Map([1, -1].map((s) => [s, { cost: [feet.length, far, 0], signs: [s], found: feet }]));
   mine.gaps.forEach((m, i) => (best = step(mine, m, reference.gaps[i], best, length, angle)));
   const ends = [...best].map(([last, { cost, signs, found }]) => {
     /** @type {[number, number]} */
@@ -239,6 +260,16 @@ function unlikeJoints(mine, reference) {
   });
 }
 
+// Where axis 1 stands to z_0; the other way along it is free.
+function stands(mine, reference, length, angle) {
+  const [[far, lean], [other, wanted]] = [mine.foot, reference.foot];
+  const ends = [0, mine.joints[0]];
+  const found = [];
+  if (Math.abs(lean - wanted) > angle) found.push(difference("table lean", 1, "alpha", ends, lean, wanted));
+  if (Math.abs(far - other) > length) found.push(difference("table foot", 1, "a", ends, far, other));
+  return found;
+}
+
 function differences(mine, m, r, signs, length, angle) {
   const found = [];
   const first = mine.joints[m.joints[0]];
@@ -299,7 +330,7 @@ function inOrder(p, q) {
 }
 
 // The angle with this cosine, rounding past 1 forgiven.
-const arc = (cosine) => Math.acos(Math.max(-1, Math.min(1, cosine)));
+export const arc = (cosine) => Math.acos(Math.max(-1, Math.min(1, cosine)));
 
 // How far two angles are apart, whole turns aside.
 export function angleBetween(left, right) {

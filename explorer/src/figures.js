@@ -1,5 +1,5 @@
-// Small figures that stand beside a sentence, by name. They are in a script of their own, loaded when the first of them
-// is near.
+// What comes in a second script, loaded when the first of it is asked for: small figures that stand beside a sentence,
+// and views of the instrument, by name.
 
 /**
  * @typedef {(host: HTMLElement, spec: any) => () => void} MakeFigure builds into the host, returns what takes it away
@@ -7,12 +7,24 @@
 
 /** @type {Record<string, MakeFigure>} */
 const FIGURES = {};
+const VIEWS = {};
 const here = typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
 let loading = null;
 
 /** @param {string} name @param {MakeFigure} make */
 export function registerFigure(name, make) {
   FIGURES[name] = make;
+}
+
+/** @param {string} name @param {{ build: Function }} view */
+export function registerView(name, view) {
+  VIEWS[name] = view;
+}
+
+/** A view of the second script, when that has come. */
+export async function lateView(name) {
+  if (!Object.hasOwn(VIEWS, name)) await load();
+  return VIEWS[name];
 }
 
 function load() {

@@ -1,9 +1,9 @@
 // Pointers on the picture: a link turns its joint, the tip is followed, the ball of the force pushes, and what is
 // nothing of these turns the view. One solve for each frame that is drawn, however many times the pointer moves.
 
-import { joints, cross, minus, norm } from "./kinematics.js";
+import { cross, jacobianColumns, joints, linkFrames, minus, norm } from "./kinematics.js";
 import { beforeDrawing, forget } from "./renderer.js";
-import { dragLink, dragTip, inFrame, swingElbow, whyStopped } from "./hold.js";
+import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "./hold.js";
 
 const BALL = 22; // px around the ball of the force
 const HAND = { mouse: 11, touch: 20, pen: 16 }; // px around a link
@@ -176,7 +176,8 @@ export function followTip(store, { arm, q, keepTurn }, target, rest, gesture) {
   const still = next.every((v, i) => Math.abs(v - q[i]) < 1e-5);
   const done = arrived || still;
   const why = done ? whyStopped(arm, next, target.o) : { stops: [], short: 0 };
-  const hold = { kind: "tip", target: target.o, moving: !done, ...why };
+  const fading = fadingWays(jacobianColumns(arm, linkFrames(arm, next)), keepTurn);
+  const hold = { kind: "tip", target: target.o, moving: !done, fading, ...why };
   store.dispatch({ type: "move", q: next, hold, gesture });
   return done;
 }

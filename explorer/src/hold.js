@@ -169,6 +169,28 @@ export function whyStopped(arm, q, target) {
   return { short, stops };
 }
 
+const NEAR = 0.1; // share of the quickest direction's speed below which a direction counts as fading
+
+/**
+ * The directions in which the tip hardly moves, or not at all, however fast the joints turn: { way, share }, the share
+ * being its speed beside that in the quickest direction. With `turns` the tool keeps its direction meanwhile.
+ * @param {number[][]} columns of the Jacobian
+ */
+export function fadingWays(columns, turns = false) {
+  const moves = turns
+    ? rightNull(columns.map((c) => c.slice(3))).map((rates) =>
+        rates.reduce((sum, rate, k) => plus(sum, scaled(rate, columns[k])), [0, 0, 0]),
+      )
+    : columns.map((c) => c.slice(0, 3));
+  if (moves.length < 3) return []; // it never could go everywhere
+  const { values, vectors } = singular(moves, 3);
+  const shares = values.map((value) => value / values[0]);
+  return vectors.flatMap((way, i) => (shares[i] < NEAR ? [{ way, share: shares[i] }] : []));
+}
+
+// How plainly a fading direction is shown: 0 where it begins to fade, 1 where it is gone.
+export const goneness = ({ share }) => 1 - share / NEAR;
+
 // The joint at which the arm is stretched straight or folded flat, in words; null where it is bent.
 function bentJoint(arm, q, frames) {
   const moving = joints(arm);

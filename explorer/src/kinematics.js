@@ -68,7 +68,7 @@ export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
 
 // dP/dq, the torque or force with which each joint holds the arm up; masses and centres are row.body = [m, x, y, z].
 export function gravityTorque(arm, frames, gravity = GRAVITY) {
-  const loads = arm.rows.flatMap((row, k) => (row.body ? [load(row.body, frames[k + 1], k)] : []));
+  const loads = loadsOf(arm, frames);
   return joints(arm).map((i) => {
     const { z, o } = frames[i];
     const lift = (c) => (arm.rows[i].kind === "revolute" ? cross(z, minus(c, o))[2] : z[2]);
@@ -78,6 +78,13 @@ export function gravityTorque(arm, frames, gravity = GRAVITY) {
     );
   });
 }
+
+// The potential energy of the links, which is 0 at the base's height.
+export const liftedEnergy = (arm, frames, gravity = GRAVITY) =>
+  loadsOf(arm, frames).reduce((sum, { mass, centre }) => sum + mass * gravity * centre[2], 0);
+
+const loadsOf = (arm, frames) =>
+  arm.rows.flatMap((row, k) => (row.body ? [load(row.body, frames[k + 1], k)] : []));
 
 function load([mass, ...com], { x, y, z, o }, row) {
   return { mass, row, centre: plus(o, plus(mixed(com[0], x, com[1], y), scaled(com[2], z))) };

@@ -1,6 +1,6 @@
 // The explorer's state in the fragment of a link, and back.
 
-import { fits, homeOf, KINDS, rowsFault, typedArm } from "./arm.js";
+import { fits, homeOf, KINDS, LONGEST as FARTHEST, rowsFault, typedArm } from "./arm.js";
 import { joints } from "./kinematics.js";
 import { runFrom, runText } from "./runs.js";
 
@@ -14,13 +14,14 @@ const written = (values) => values.map((v) => Number(v.toFixed(6)) + 0).join(","
 const oneOf = (text, known) => (known.includes(text) ? text : null);
 
 /** @param {import("./state.js").State} state */
-export function toFragment({ arm, base, q, wrench, unit, view, frames, runs = [] }) {
+export function toFragment({ arm, base, q, wrench, unit, view, frames, mark, runs = [] }) {
   const fields = { arm: base.name, q: written(q), view, unit, frames };
   if (wrench.some(Boolean)) fields.wrench = written(wrench);
   if (arm !== base) {
     const row = (r) => `${r.kind[0].toUpperCase()},${written([r.a, r.alpha, r.d, r.theta])}`;
     fields.rows = arm.rows.map(row).join(";");
   }
+  if (mark) fields.mark = written(mark);
   if (view === "homework" && runs.length) fields.runs = runs.map(runText).join(";");
   return `#${new URLSearchParams(fields)}`;
 }
@@ -50,6 +51,9 @@ export function fromFragment(fragment, arms, views) {
   const wrench = numbers(fields.get("wrench"));
   if (wrench.length === 6 && wrench.every((v) => Math.abs(v) <= MOST_FORCE)) patch.wrench = wrench;
   else if (fields.has("wrench")) words.push("its wrench is not six numbers in N and N m");
+  const mark = numbers(fields.get("mark"));
+  patch.mark = mark.length === 3 && mark.every((v) => Math.abs(v) <= FARTHEST) ? mark : null;
+  if (!patch.mark && fields.has("mark")) words.push("its mark is no place in metres");
   const runs = (fields.get("runs")?.split(";") ?? []).map(runFrom);
   if (runs.length > MOST_RUNS || runs.includes(null))
     words.push("its runs are none that the homework could make");

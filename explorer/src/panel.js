@@ -1,6 +1,7 @@
 // The instrument: picture, sliders, and the views in tabs below, inside a shadow root of its own.
 
 import css from "./panel.css";
+import { common } from "./common.js";
 import { calm, h } from "./dom.js";
 import { makeHead } from "./panel/head.js";
 import { makeSliders } from "./panel/sliders.js";
@@ -47,7 +48,7 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   const head = makeHead(store, { ...tools, arms, link, stage, card });
   card.append(head.root, notice, h("div.bench", {}, stage.root, sliders.root), tabs.root, region);
   card.classList.toggle("wide", wide);
-  root.replaceChildren(h("style", {}, css), card, h("div.paper", {}, h("slot")));
+  root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
 
   let theme = "light";
   const draw = () => stage.draw(store.state, store.derived, theme);

@@ -37,9 +37,10 @@ function renderer() {
   return shared;
 }
 
-/** What the renderer holds on the graphics processor, for the tests: { geometries, textures }, and the figures. */
+/** For the tests: what the renderer holds on the graphics processor, the calls that drew the last picture, figures. */
 export const inUse = () => ({
   ...shared?.info.memory,
+  calls: shared?.info.render.calls,
   programs: shared?.info.programs?.length,
   figures: figures.size,
 });
@@ -91,7 +92,11 @@ const near =
         { rootMargin: "200px" },
       );
 
+// Used again and again, so that a frame leaves nothing behind.
 const SPOT = new Vector3();
+const PLACE = new Vector2();
+const SIGHT = new Raycaster();
+
 // Where the camera stands first, seen from the arm; the still picture's too.
 const VIEW = new Vector3(0.687, -0.639, 0.344);
 
@@ -262,12 +267,10 @@ export class Figure {
     return [clientX - box.left, clientY - box.top];
   }
 
-  // The ray of sight through a pixel.
+  // The ray of sight through a pixel; until the next one is asked for.
   ray([x, y]) {
-    const { width, height } = this;
-    const caster = new Raycaster();
-    caster.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
-    return caster;
+    SIGHT.setFromCamera(PLACE.set((2 * x) / this.width - 1, 1 - (2 * y) / this.height), this.camera);
+    return SIGHT;
   }
 
   // The point under a pixel on the plane through `through` that faces the camera.

@@ -20,7 +20,7 @@ import { reach } from "./motion.js";
  * @property {number} cutoff share of the largest singular value below which the pseudo-inverse gives up
  * @property {number} damping
  * @property {number} locked the joint, as its index in q, that stays; -1 for none
- * @property {"" | "angular" | "z_i" | "o_i" | "sign"} slip
+ * @property {"" | "angular" | "z_i" | "o_i" | "sign" | "next"} slip
  */
 
 /** @type {Run} */
@@ -115,7 +115,7 @@ export function runCircle(arm, start, asked = {}) {
   for (let n = 0; n < run.steps && failed === null; n++) {
     const [share, next] = [n / run.steps, (n + 1) / run.steps];
     try {
-      const k1 = slope(share, q);
+      const k1 = slope(run.slip === "next" ? next : share, q);
       fastest = Math.max(fastest, ...k1.map(Math.abs));
       if (run.method === "exact") {
         q = reach(arm, q, { ...first, o: onCircle(first.o, run, next).o }, { held: run.locked, steps: 40 }).q;
@@ -198,7 +198,7 @@ const CHOICES = {
   method: ["euler", "rk4", "exact"],
   rates: ["inverse", "pseudo", "damped"],
   normal: ["x", "y"],
-  slip: ["", "angular", "z_i", "o_i", "sign"],
+  slip: ["", "angular", "z_i", "o_i", "sign", "next"],
 };
 export const BOUNDS = {
   steps: [10, 10000], seconds: [1, 60], radius: [0.01, 0.1], gain: [0, 20], cutoff: [1e-9, 0.1], damping: [1e-3, 0.2],

@@ -4,6 +4,7 @@ import {
   Color, DoubleSide, Group, MeshBasicMaterial, MeshStandardMaterial, ShadowMaterial, Vector3,
 } from "three"; // prettier-ignore
 import { outside, reachOf } from "./arm.js";
+import { goneness } from "./hold.js";
 import { joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
 import { Labels } from "./labels.js";
 import { isThere } from "./motion.js";
@@ -91,13 +92,18 @@ export class ArmPicture {
     this.force = new Arrow(force);
     this.handle = ball(force);
     this.handle.scale.setScalar(0.022 * size);
+    this.spot = ball(new MeshBasicMaterial({ color: look.bad }));
+    this.spot.scale.setScalar(0.014 * size);
+    this.fading = new Group();
+    const lost = new MeshBasicMaterial({ color: look.bad });
+    for (let i = 0; i < 6; i++) this.fading.add(new Arrow(lost));
     this.barrier = this.makeBarrier();
     this.path = new Group();
     this.ghosts = new Group();
     this.reference = new Group();
     this.world.add(
       this.body, floor(size, look.grid, look.gridStrength), this.shade, this.triads, this.axis, this.ellipsoid,
-      this.force, this.handle, this.barrier, this.path, this.ghosts, this.reference,
+      this.force, this.handle, this.spot, this.fading, this.barrier, this.path, this.ghosts, this.reference,
     ); // prettier-ignore
     this.figure.resetLights({ size, sky: look.sky, sun: look.sun });
   }
@@ -143,6 +149,8 @@ export class ArmPicture {
     this.drawGhosts(state, derived);
     this.drawReference(state);
     this.drawBarrier(frames.at(-1).o, state.hold);
+    this.drawFading(frames.at(-1).o, state.hold?.fading ?? []);
+    this.drawMark(state.mark);
     if (first) this.fit();
     this.figure.request();
   }
@@ -266,6 +274,24 @@ export class ArmPicture {
     if (shown) /** @type {any} */ (this.reference.children[0]).pose(linkFrames(shown, q));
   }
 
+  // To and fro along each direction that a dragged tip is losing, the longer the more of it is lost.
+  drawFading(tip, fading) {
+    this.fading.children.forEach((/** @type {any} */ arrow, i) => {
+      const lost = fading[Math.floor(i / 2)];
+      const side = i % 2 ? -this.size : this.size;
+      const way = lost ? scaled(side * (0.04 + 0.1 * goneness(lost)), lost.way) : [0, 0, 0];
+      arrow.point(lost ? plus(tip, scaled(0.03 * side, lost.way)) : tip, way, 0.004 * this.size);
+    });
+  }
+
+  drawMark(mark) {
+    this.spot.visible = Boolean(mark);
+    if (this.shown.mark === mark) return;
+    this.shown.mark = mark;
+    if (mark) this.spot.position.fromArray(mark);
+    if (mark) this.fit();
+  }
+
   drawBarrier(tip, hold) {
     const short = hold?.target ? norm(minus(hold.target, tip)) : 0;
     const { barrier } = this;
@@ -288,8 +314,8 @@ export class ArmPicture {
     const ghosts = (this.shown.ways?.list ?? []).flatMap(({ q }) =>
       linkFrames(this.arm, q).map((frame) => frame.o),
     );
-    const handle = this.handle.visible ? [this.handle.position.toArray()] : [];
-    this.figure.fit([...ends, ...ghosts, ...handle, [0, 0, 0], [0, 0, 0.3 * this.size]]);
+    const seen = [this.handle, this.spot].filter((one) => one.visible).map((one) => one.position.toArray());
+    this.figure.fit([...ends, ...ghosts, ...seen, [0, 0, 0], [0, 0, 0.3 * this.size]]);
   }
 
   // The picture's axes in the world: right, up, and towards the eye.

@@ -2,7 +2,15 @@
 // transition, which drops what depends on what changed.
 
 import { carriedOver, fits, homeOf, rowsFault, sameRow, typedArm } from "./arm.js";
-import { gravityTorque, jacobianColumns, linkFrames, minus, norm, wrenchTorque } from "./kinematics.js";
+import {
+  gravityTorque,
+  jacobianColumns,
+  liftedEnergy,
+  linkFrames,
+  minus,
+  norm,
+  wrenchTorque,
+} from "./kinematics.js";
 import { determinant, plainBasis, singular } from "./linear.js";
 import { asked, rankOf } from "./verdicts.js";
 
@@ -39,6 +47,7 @@ import { asked, rankOf } from "./verdicts.js";
  * @property {number | null} lit the row under the reader's hand
  * @property {boolean} dragging whether the picture is held by a pointer
  * @property {any} hold what is being dragged, and why it stops
+ * @property {number[] | null} mark a point that a link asks the reader to compare the tip with
  * @property {boolean} keepTurn whether a dragged tip keeps its orientation
  * @property {object[]} past
  * @property {object[]} future
@@ -46,7 +55,7 @@ import { asked, rankOf } from "./verdicts.js";
 
 // What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets them.
 export const DROPS = {
-  arm: ["trace", "stray", "wanted", "at", "playing", "paths", "ways", "highlighted", "lit", "hold"],
+  arm: ["trace", "stray", "wanted", "at", "playing", "paths", "ways", "highlighted", "lit", "hold", "mark"],
   circle: ["trace", "stray", "wanted", "at", "playing"],
   trace: ["stray", "wanted", "at", "playing"],
   ways: ["highlighted"],
@@ -54,7 +63,7 @@ export const DROPS = {
 };
 export const EMPTY = {
   trace: null, stray: 0, wanted: null, paths: null, at: 0, playing: false,
-  ways: null, highlighted: null, lit: null, hold: null,
+  ways: null, highlighted: null, lit: null, hold: null, mark: null,
 }; // prettier-ignore
 
 const KEPT = ["arm", "base", "reference", "q", "wrench"]; // what undo brings back
@@ -206,6 +215,10 @@ class Derived {
   }
   get gravity() {
     return this.#once("gravity", () => gravityTorque(this.arm, this.frames));
+  }
+  // Potential energy of the links, J.
+  get energy() {
+    return liftedEnergy(this.arm, this.frames);
   }
   get push() {
     return this.#once("push", () => wrenchTorque(this.columns, this.wrench));

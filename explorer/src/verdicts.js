@@ -83,6 +83,16 @@ export function stopVerdict({ stops = [], short = 0 }) {
   return `${reason[0].toUpperCase()}${reason.slice(1)}: ${fixed(1000 * short, 0)} mm short.`;
 }
 
+// What a dragged tip has to say: why it stops, or that it is about to.
+export function holdVerdict(hold) {
+  if (!hold?.target) return "";
+  const stopped = hold.moving ? "" : stopVerdict(hold);
+  if (stopped || !hold.fading?.length) return stopped;
+  const arrows = hold.fading.length > 1 ? "the arrows" : "the arrow";
+  const gone = hold.fading.every(({ share }) => share < 1e-3);
+  return gone ? `Singular: the tip cannot move along ${arrows}.` : `Nearly singular along ${arrows}.`;
+}
+
 const HOW_TO =
   "Type into any entry: 0.333, −90°, pi/2, or paste a whole table. " +
   "The arm follows, and the first one stays as a ghost.";

@@ -235,12 +235,15 @@ class Difference(NamedTuple):
 
 @dataclass(frozen=True)
 class Side:
-    """One table's walk, ready to be compared."""
+    """One table's walk, ready to be compared: `foot` is how far axis 1 passes from z_0 and how far
+    it leans from it, none but where fixed rows come first.
+    """
 
     rows: tuple[Numbers, ...]
     joints: list[int]
     gaps: list[Gap]
     tilt: float
+    foot: tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -257,7 +260,16 @@ class Compared:
 
 def side(rows: Rows) -> Side:
     """A table's walk; it needs a joint."""
-    return Side(tuple(rows), joints(rows), gaps(rows), tool_tilt(rows))
+    return Side(tuple(rows), joints(rows), gaps(rows), tool_tilt(rows), _foot(rows))
+
+
+def _foot(rows: Rows) -> tuple[float, float]:
+    first = joints(rows)[0]
+    axis = frames(rows[: first - 1], ())[-1]
+    n = cross(BASE.z, axis.z)
+    size = math.sqrt(dot(n, n))
+    far = abs(dot(axis.o, n)) / size if size > _TINY else math.hypot(*axis.o[:2])
+    return (far if rows[first - 1].kind == "R" else 0.0), _arc(abs(axis.z[2]))
 
 
 def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1e-4) -> Compared:
@@ -269,7 +281,9 @@ def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1
     unlike = tuple(_unlike(mine, reference))
     if unlike:
         return Compared(unlike, (), 0.0, (0.0, 0.0))
-    best: dict[int, tuple] = {s: ((0, 0.0, 0), (s,), ()) for s in (1, -1)}
+    feet = tuple(_stands(mine, reference, length, angle))
+    far = sum(abs(x.mine - x.reference) for x in feet)
+    best: dict[int, tuple] = {s: ((len(feet), far, 0), (s,), feet) for s in (1, -1)}
     for m, r in zip(mine.gaps, reference.gaps, strict=True):
         best = _step(mine, m, r, best, length, angle)
     ends = []
@@ -332,6 +346,16 @@ def _unlike(mine: Side, reference: Side) -> Iterator[Difference]:
         kind, wanted = names[mine.rows[i - 1].kind], names[reference.rows[j - 1].kind]
         if kind != wanted:
             yield Difference("table kind", i, "joint", (), kind, wanted)
+
+
+def _stands(mine: Side, reference: Side, length: float, angle: float) -> Iterator[Difference]:
+    """Where axis 1 stands to z_0; the other way along it is free."""
+    (far, lean), (other, wanted) = mine.foot, reference.foot
+    ends = (0, mine.joints[0])
+    if abs(lean - wanted) > angle:
+        yield Difference("table lean", 1, "alpha", ends, lean, wanted)
+    if abs(far - other) > length:
+        yield Difference("table foot", 1, "a", ends, far, other)
 
 
 def _differences(

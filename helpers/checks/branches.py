@@ -222,7 +222,7 @@ def _miss(arm: Arm, q: Array, target: Array, margin: Array) -> tuple[float, floa
 
 def _gap(arm: Arm, q: Array, other: Array) -> Array:
     gap = np.abs(q - other)
-    return np.where(arm.turning, np.abs(np.angle(np.exp(1j * gap))), gap)
+    return np.where(arm.turning, np.abs(gap - 2 * np.pi * np.rint(gap / (2 * np.pi))), gap)
 
 
 # The report

@@ -285,7 +285,8 @@ def _base(mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[st
 def _tool(found: Compared) -> Iterator[str]:
     m, r = found.tilts
     if angle_between(m, r) > _ANGLE:
-        yield say("tool", mine=size(math.degrees(m), 4), reference=size(math.degrees(r), 4))
+        mine, reference = (size(round(math.degrees(x), 4), 4) for x in (m, r))
+        yield say("tool", mine=mine, reference=reference)
 
 
 def _written(table: Table) -> Iterator[str]:
@@ -537,30 +538,18 @@ def _geometry(d: Difference) -> Finding:
 def _amount(d: Difference, what: str) -> str:
     if isinstance(d.mine, str) or d.key == "table count":
         return say("table other", what=what, mine=d.mine, reference=d.reference)
-    if d.key in ("table between", "table held"):
+    if d.key in ("table between", "table held", "table lean"):
         x, y = (d.mine, d.reference) if d.mine >= 0 else (-d.mine, -d.reference)
-        off = size(math.degrees(angle_between(x, y)), 6)
-        return say(
-            "table angle",
-            what=what,
-            mine=size(math.degrees(x), 6),
-            reference=size(math.degrees(y), 6),
-            off=off,
-        )
-    if d.mine * d.reference < 0:
-        return say(
-            "table other way", what=what, mine=size(d.mine, 6), reference=size(d.reference, 6)
-        )
-    way = say("long") if abs(d.mine) > abs(d.reference) else say("short")
+        angles = (round(math.degrees(angle), 4) for angle in (x, y, angle_between(x, y)))
+        mine, reference, off = (size(angle, 6) for angle in angles)
+        return say("table angle", what=what, mine=mine, reference=reference, off=off)
+    x, y = round(d.mine, 9), round(d.reference, 9)  # what is left of a zero is none
+    if x * y < 0:
+        return say("table other way", what=what, mine=size(x, 6), reference=size(y, 6))
+    way = say("long") if abs(x) > abs(y) else say("short")
     off = size(1000 * abs(d.mine - d.reference), 4)
-    return say(
-        "table length",
-        what=what,
-        mine=size(abs(d.mine), 6),
-        reference=size(abs(d.reference), 6),
-        off=off,
-        way=way,
-    )
+    mine, reference = size(abs(x), 6), size(abs(y), 6)
+    return say("table length", what=what, mine=mine, reference=reference, off=off, way=way)
 
 
 def _bad(table: Table, reference: Arm, causes: list[Cause], findings, notes) -> Report:

@@ -12,10 +12,10 @@ from helpers.arm import Arm
 from helpers.checks import door
 from helpers.checks.digits import RIGHT, WRONG, Typed
 from helpers.checks.ranking import Cause, lower
-from helpers.checks.traces_causes import loop_cause, path_cause
+from helpers.checks.traces_causes import holds, loop_cause, near, path_cause, table_cause
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import must_be
-from helpers.kinematics import forward_kinematics
+from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion.paths import Path
 from helpers.motion.report import run_report
 from helpers.reading.sentences import listed, millimetres, say, size
@@ -24,6 +24,7 @@ Array = NDArray[Any]
 
 TILT = np.radians(1.0)  # a tool that leans or spins more than this no longer counts as held
 _USUAL = 2e-3  # m: Euler's method on the homework's circle stays well below
+_BESIDES = ("trace.one more", "trace.jump")  # mistakes of their own, whatever else is wrong
 _JUMP = 0.3  # rad or m in one step, and ten times the usual one: another branch
 _ALIKE = 1e-9  # m: errors nearer to each other than this are the same
 
@@ -39,10 +40,10 @@ def compare_trace(
             such as CSV.
         arm: whose joints they are.
         path: what the tip should draw, at held orientation.
-        tolerance: the largest distance (m) from where the tip should be, 2 mm unless given; the
-            tool may lean or spin by 1 degree, or as it likes where fewer than six joints hold it.
-            Unless given, a run within 2 mm that shows a slip (other lengths, the velocity of the
-            next step) is wrong all the same.
+        tolerance: the largest distance (m) from where the tip should be; 2 mm, and what the digits
+            of the joints leave open, unless given. The tool may lean or spin by 1 degree, or as it
+            likes where fewer than six joints hold it. Unless a tolerance is given, a run so near
+            that shows a slip (other lengths, the velocity of the next step) is wrong all the same.
         angles: "deg" where yours are in degrees.
 
     Limits of range and speed are notes: the homework's own circle breaks them. Raises ArmError
@@ -60,7 +61,7 @@ def compare_trace(
         typed = _radians(typed, arm)
     q = typed.values
     path = Path(path.times[: len(q)], path.position, path.velocity, path.normal)
-    allowed = _USUAL if tolerance is None else tolerance
+    allowed = _USUAL + _blur(typed, arm) if tolerance is None else tolerance
     if angles == "rad" and _only_as_degrees(typed, arm, path, allowed):
         return _degrees(arm, taken)
     return _judged(typed, arm, path, allowed, tolerance is not None, taken, extra)
@@ -91,12 +92,17 @@ def _radians(typed: Typed, arm: Arm) -> Typed:
 
 
 def _only_as_degrees(typed: Typed, arm: Arm, path: Path, allowed: float) -> bool:
-    """Whether joints follow the path in degrees, and not in radians."""
+    """Whether joints follow the path in degrees, as nearly as Euler's method does, and not in
+    radians.
+    """
     as_typed, degrees = (
-        _off(path, forward_kinematics(arm, q)[:, :3, 3]).max()
+        float(_off(path, forward_kinematics(arm, q)[:, :3, 3]).max())
         for q in (typed.values, _radians(typed, arm).values)
     )
-    return bool(degrees <= allowed < as_typed)
+    if as_typed <= allowed or degrees > as_typed:
+        return False
+    in_radians = _radians(typed, arm)
+    return degrees <= near(path, as_typed, allowed) or holds(in_radians, arm, path)
 
 
 def _misshapen(M: Array, arm: Arm, path: Path) -> Report:
@@ -168,9 +174,8 @@ def _judged(
         findings = [Finding("cause", first.where, None, None, first.words), *rest]
         return _report(arm, WRONG, words, findings, causes, taken, notes, figures)
     findings = [Finding("cause", "", None, None, f"{named.words}."), *symptoms]
-    return _report(
-        arm, WRONG, f"{lower(named.words)}.", findings, (named.name,), taken, notes, figures
-    )
+    causes = (named.name, *(f.what for f in symptoms if f.what in _BESIDES))
+    return _report(arm, WRONG, f"{lower(named.words)}.", findings, causes, taken, notes, figures)
 
 
 def _named(
@@ -179,11 +184,22 @@ def _named(
     """What explains a run that fails; or, where no tolerance was given, a slip that one within 2 mm
     shows.
     """
+    tip, turn = poses[:, :3, 3], _turns(poses).max() if arm.dof >= 6 else 0.0
+    off = run.position_error > allowed
     if wrong:
-        tip = poses[:, :3, 3]
-        found = path_cause(path, tip, allowed) if run.position_error > allowed else None
-        return found or loop_cause(typed, arm, path)
+        started = _off(path, tip)[0] <= 0.25 * run.position_error
+        loop = loop_cause(typed, arm, path, (off and started) or bool(turn > TILT))
+        if not off or (loop and loop.name == "trace.coarse"):
+            return loop
+        shape = path_cause(path, tip, allowed, _blur(typed, arm))
+        return shape or table_cause(typed.values, arm, path, allowed) or loop
     return None if given else loop_cause(typed, arm, path)
+
+
+def _blur(typed: Typed, arm: Arm) -> float:
+    """What the digits of the joints leave of the tip's place (m)."""
+    J = jacobian(arm, typed.values[:: max(1, len(typed.values) // 20)])[:, :3]
+    return float(np.linalg.norm(np.abs(J) @ (0.51 * typed.units.max(axis=0)), axis=-1).max())
 
 
 def _turns(poses: Array) -> Array:

@@ -1,6 +1,8 @@
 """Why a run misses its path: by the shape that the tip drew, by the loop that made it."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -16,7 +18,13 @@ from helpers.reading.sentences import size
 
 Array = NDArray[Any]
 
+_ALIKE = 1e-9  # m: misses nearer to each other than this are the same
 _SAMPLE = 100
+_ALONG = 40  # windows in a run: few enough for many steps each, enough to see a circle's turns
+_PLAIN = 0.1  # of the miss: what another path without a free number in it may leave
+_HOLDS = 1.5  # times the noise: what a rule that holds may leave
+_LOOSE = 4.0  # times the noise: what one may leave that is ten times better than the right one
+_NICE = tuple(1 / n for n in (2, 3, 4, 5, 8, 10, 20, 40, 50, 100))
 _CLEARLY = 0.7  # of what the right loop leaves: what another must stay below to be named
 
 
@@ -27,73 +35,101 @@ def _off(path: Path, points: Array) -> Array:
 # By the shape
 
 
-def path_cause(path: Path, tip: Array, allowed: float) -> Cause | None:
-    """What would explain every point, the likelier first."""
-    return next(_shapes(path, tip, allowed), None)
+def path_cause(path: Path, tip: Array, allowed: float, blur: float = 0.0) -> Cause | None:
+    """What would explain every point; of those that leave as little, the likelier.
+
+    A run by Euler's method is off its own path by a step or two, so as much may be left, but no
+    more than a quarter of the miss; of a path drawn smaller, less in proportion. `blur` is what the
+    digits of the joints leave of each point (m).
+    """
+    miss = float(_off(path, tip).max())
+    usual = near(path, miss, allowed)
+    found = [
+        (c, left)
+        for c, left in _shapes(path, tip, blur)
+        if left <= (max(usual, _PLAIN * miss) if _plain(c) else usual)
+    ]
+    if not found:
+        return None
+    least = min(left for _, left in found)
+    return next(c for c, left in found if left <= 1.5 * least + 0.1 * allowed)
 
 
-def _shapes(path: Path, tip: Array, allowed: float) -> Iterator[Cause]:
-    def follows(points: Array) -> bool:
-        return bool(_off(path, points).max() <= allowed)
+def _plain(c: Cause) -> bool:
+    return c.keys[0] in ("trace.backwards", "trace.other side", "trace.axes exchanged")
 
-    if follows(tip[::-1]):
-        yield cause("trace.backwards")
-    mirrored = 2 * path.positions[0] - tip
+
+def near(path: Path, miss: float, allowed: float) -> float:
+    """How much a cause may leave of a miss (m): two of the path's steps, a quarter of the miss."""
+    step = float(np.linalg.norm(np.diff(path.positions, axis=0), axis=1).max())
+    return min(max(allowed, 2 * step), miss / 4)
+
+
+def _shapes(path: Path, tip: Array, blur: float) -> Iterator[tuple[Cause, float]]:
+    """Other paths than the one asked for, the likelier first, each with what it leaves (m)."""
+
+    def left(points: Array) -> float:
+        return float(_off(path, points).max())
+
+    yield cause("trace.backwards"), left(tip[::-1])
     shift = (tip - path.positions).mean(axis=0)
-    if np.linalg.norm(shift) > allowed and follows(tip - shift):
-        yield cause("trace.displaced", _by=_vector(shift))
-    fraction = _fraction(path, tip, allowed)
-    if fraction:
-        yield cause("trace.fraction", _share=size(100 * fraction), _over=size(1 / fraction))
-    middle = tip.mean(axis=0)
-    wanted = path.positions - path.positions.mean(axis=0)
+    yield cause("trace.displaced", _by=_vector(shift)), left(tip - shift)
+    share, rest = _fraction(path, tip, blur)
+    if share:
+        yield cause("trace.fraction", _share=size(100 * share), _over=size(1 / share)), rest
+    middle, centre = tip.mean(axis=0), path.positions.mean(axis=0)
+    wanted = path.positions - centre
     scale = float(np.linalg.norm(tip - middle)) / max(float(np.linalg.norm(wanted)), 1e-12)
-    if abs(scale - 1) > 0.02:
+    if abs(scale - 1) > 0.02 and scale > 1e-3:
         shape = scale * wanted
         off = (tip - middle - shape, tip - tip[0] - (shape - shape[0]))
-        if min(np.linalg.norm(x, axis=1).max() for x in off) <= allowed * min(1.0, max(scale, 0.1)):
-            yield cause("trace.scaled", _scale=size(round(scale, 6), 4))
-    if follows(mirrored):
-        yield cause("trace.other side")
+        rest = min(float(np.linalg.norm(x, axis=1).max()) for x in off)
+        yield cause("trace.scaled", _scale=size(round(scale, 6), 4)), _share(rest, scale, blur)
+    yield cause("trace.other side"), left(2 * path.positions[0] - tip)
     for i, j in ((0, 1), (0, 2), (1, 2)):
         order = [0, 1, 2]
         order[i], order[j] = j, i
-        centre = path.positions.mean(axis=0)
-        if follows(centre + (tip - middle)[:, order]):
-            yield cause("trace.axes exchanged", first="xyz"[i], second="xyz"[j])
-    if _phase(path, tip, allowed):
-        yield cause("trace.phase")
+        points = centre + (tip - middle)[:, order]
+        yield cause("trace.axes exchanged", first="xyz"[i], second="xyz"[j]), left(points)
+    yield cause("trace.phase"), _phase(path, tip)
 
 
-def _fraction(path: Path, tip: Array, allowed: float) -> float | None:
-    """The share of the path that was drawn at even pace, where that is all: half speed, a quarter,
+def _share(rest: float, scale: float, blur: float) -> float:
+    """What a path drawn smaller leaves, as if it had its size."""
+    return max(0.0, rest - blur) / min(1.0, scale)
+
+
+def _fraction(path: Path, tip: Array, blur: float) -> tuple[float | None, float]:
+    """The share of the path that was drawn at even pace, and what it leaves: half speed, a quarter,
     dt against T.
     """
     drawn = float(np.linalg.norm(np.diff(tip, axis=0), axis=1).sum())
     whole = float(np.linalg.norm(np.diff(path.positions, axis=0), axis=1).sum())
     share = drawn / whole if whole else 1.0
+    shares = [f for f in (*_NICE, share, float(round(share))) if f and abs(f - 1) > 0.02]
     if not 1e-3 < abs(share) < 50 or abs(share - 1) < 0.02:
-        return None
-    nice = min((1 / n for n in (2, 3, 4, 5, 8, 10, 20, 40, 50, 100)), key=lambda x: abs(x - share))
-    for f in (nice, share, round(share) or share):
-        start = path.times[0]
+        return None, np.inf
+    found = []
+    start = path.times[0]
+    for f in shares:
         points = path.position(start + f * (path.times - start))
-        if np.linalg.norm(tip - points, axis=1).max() <= allowed * max(1.0, 2 * f):
-            return f
-    return None
+        left = float(np.linalg.norm(tip - points, axis=1).max())
+        found.append((_share(left / max(1.0, 2 * f), f, blur), f))
+    left, share = min(found)
+    return share, left
 
 
-def _phase(path: Path, tip: Array, allowed: float) -> bool:
-    """Whether a closed path is drawn from another point on: its last point equals its first."""
+def _phase(path: Path, tip: Array) -> float:
+    """What is left where a closed path is drawn from another point on: its last point equals its
+    first.
+    """
     once = tip[:-1]
     wanted = path.positions[:-1]
-    if np.linalg.norm(once[0] - wanted[0]) <= 2 * allowed:
-        return False
-    near = np.linalg.norm(once - wanted[0], axis=1).argmin()
-    return any(
-        np.linalg.norm(np.roll(once, -k, axis=0) - wanted, axis=1).max() <= allowed
-        for k in range(int(near) - 2, int(near) + 3)
-        if k % len(once)
+    near = int(np.linalg.norm(once - wanted[0], axis=1).argmin())
+    turns = [k for k in range(near - 2, near + 3) if k % len(once)]
+    return min(
+        (float(np.linalg.norm(np.roll(once, -k, axis=0) - wanted, axis=1).max()) for k in turns),
+        default=np.inf,
     )
 
 
@@ -101,58 +137,153 @@ def _vector(metres: Array) -> str:
     return "(" + ", ".join(size(float(x) + 0.0) for x in np.round(1e3 * metres, 3)) + ")"
 
 
+# By the table
+
+
+def table_cause(q: Array, arm: Arm, path: Path, allowed: float) -> Cause | None:
+    """The wrong table by which these joints do follow the path, as joints from inverse kinematics
+    do; none where it leaves more than a quarter of the miss.
+    """
+    right = chain(arm, q)
+    most = min(allowed, float(_off(path, right.frames[:, -1, :3, 3]).max()) / 4)
+    found = [
+        (c, float(_off(path, other.frames[:, -1, :3, 3]).max()))
+        for c, other in wrong_tables(arm, right)
+    ]
+    least = min((left for _, left in found), default=np.inf)
+    return next((c for c, left in found if left <= least + _ALIKE), None) if least <= most else None
+
+
 # By the loop
 
 
-def loop_cause(typed: Typed, arm: Arm, path: Path) -> Cause | None:
+def loop_cause(typed: Typed, arm: Arm, path: Path, wrong: bool = False) -> Cause | None:
     """The rule by which each step's joints follow from the one before: another Jacobian, or another
     step's velocity.
 
-    For a step of Euler's method J(q_k) (q_{k+1} - q_k) / dt is the velocity of step k; a wrong J or
-    a wrong velocity makes it so in its own way. What a rule leaves is counted in units of what the
-    digits of q leave; the best one is named if the right one leaves clearly more.
+    For a step of Euler's method J(q_k) (q_{k+1} - q_k) / dt is the velocity of step k, for Runge's
+    and Kutta's the one in the middle of the step; a wrong J or a wrong velocity makes it so in its
+    own way. What a rule leaves is counted in units of what the digits of q leave; the best one is
+    named if the right one leaves clearly more. Where the right one holds in a run that is `wrong`,
+    its steps are too long.
     """
-    q, dt = typed.values, np.diff(path.times)
-    if len(q) < 4:
+    if len(typed.values) < 4:
         return None
-    pick = np.unique(np.linspace(0, len(q) - 3, _SAMPLE).astype(int))
-    rate = (q[pick + 1] - q[pick]) / dt[pick, None]
-    at = chain(arm, q[pick])
-    J = columns(at)
-    speed = float(np.abs(path.velocities).max())
-    # Two roundings, each even within a unit, through each row of J.
-    digits = float(typed.units.max(initial=0.0)) / float(dt.min()) / np.sqrt(6)
-    noise = digits * np.sqrt((J**2).sum(axis=2).mean(axis=0)) + 1e-4 * speed
-    (_, right), *rules = _rules(arm, at, J, rate, path.velocities, pick, noise)
-    best, left = min(rules, key=lambda rule: rule[1])
-    fits = left < 1.5 or left * float(noise.max()) < 0.02 * speed
+    euler, middle = (_Steps.of(typed, arm, path, share) for share in (0.0, 0.5))
+    right = min(euler.right, middle.right)
+    if right < _HOLDS:
+        coarse = wrong and euler.right < _HOLDS and euler.clear
+        return cause("trace.coarse", _steps=len(path.times) - 1) if coarse else None
+    rules = [rule for steps in (euler, middle) for rule in steps.rules()]
+    least = min(left for _, left, _ in rules)
+    best, left, fits = next(rule for rule in rules if rule[1] <= 1.05 * least)
+    fits = fits or left < min(_LOOSE, 0.1 * right)
     return best if fits and right > 1.8 and left < _CLEARLY * right else None
 
 
-def _rules(
-    arm: Arm, at: Chain, J: Array, rate: Array, v: Array, pick: Array, noise: Array
-) -> Iterator[tuple[Cause | None, float]]:
-    """Each rule with the largest of the six velocities by which it fails on the whole, in units of
-    the noise.
+def holds(typed: Typed, arm: Arm, path: Path) -> bool:
+    """Whether joints begin on the path and each step of them is right by Euler's method."""
+    steps = _Steps.of(typed, arm, path, 0.0)
+    start = chain(arm, typed.values[0]).frames[-1, :3, 3]
+    reach = float(np.linalg.norm(np.ptp(path.positions, axis=0)))
+    return bool(
+        steps.clear
+        and steps.right < _HOLDS
+        and np.linalg.norm(start - path.positions[0]) < _PLAIN * reach
+    )
+
+
+@dataclass(frozen=True)
+class _Steps:
+    """A sample of a run's steps, in windows of neighbours over which what a rule leaves is
+    averaged, for there the roundings cancel.
+
+    Each is looked at from a share of the way on: the arm and J there, the joints' rates, the
+    velocities asked for, and what the digits leave of the tip's six velocities and of the joints'
+    own.
     """
 
-    def fails(K: Array, linear: Array) -> float:
-        got = np.einsum("nij,nj->ni", K, rate)
-        off = np.hstack([got[:, :3] - linear, got[:, 3:]])
-        return float((np.sqrt((off**2).mean(axis=0)) / noise).max())
+    arm: Arm
+    at: Chain
+    J: Array
+    rate: Array
+    velocity: Array
+    later: Array
+    noise: Array
+    own: Array
+    speed: float
+    window: int
 
-    def differs(wanted: Array) -> float:
-        off = np.abs(np.einsum("nij,nj->ni", np.abs(J), np.abs(rate - wanted)))
-        return float((np.sqrt((off**2).mean(axis=0)) / noise).max())
+    @classmethod
+    def of(cls, typed: Typed, arm: Arm, path: Path, share: float) -> "_Steps":
+        q, dt = typed.values, np.diff(path.times)
+        window = max(1, (len(q) - 2) // _ALONG)
+        first = np.unique(
+            np.linspace(0, len(q) - 2 - window, max(12, _SAMPLE // window)).astype(int)
+        )
+        pick = (first[:, None] + np.arange(window)).ravel()
+        step = q[pick + 1] - q[pick]
+        at = chain(arm, q[pick] + share * step)
+        J = columns(at)
+        times = path.times[pick] + share * dt[pick]
+        velocity, later = (path.velocity(t) for t in (times, times + dt[pick]))
+        speed = float(np.abs(path.velocities).max())
+        # Two roundings, each even within a unit, through each row of J; and what a step's own
+        # curvature leaves of its middle.
+        digits = typed.units.max(axis=0) / float(dt.min()) / np.sqrt(6) / window
+        bend = float(np.abs(later - velocity).max()) / max(speed, 1e-12)
+        near = 1e-4 + (0.5 * bend**2 if share else 0.0)
+        noise = np.sqrt(((J * digits) ** 2).sum(axis=2).mean(axis=0)) + near * speed
+        rate = step / dt[pick, None]
+        own = digits + near * np.sqrt((rate**2).mean()) + 1e-12
+        return cls(arm, at, J, rate, velocity, later, noise, own, speed, window)
 
-    yield None, fails(J, v[pick])
-    if len(v) > pick.max() + 1:
-        yield cause("trace.next velocity"), fails(J, v[pick + 1])
-    for c, K in wrong_recipes(at):
-        yield c, fails(K, v[pick])
-    for c, other in wrong_tables(arm, at):
-        yield c, fails(columns(other), v[pick])
-    if J.shape[-1] > 3:
-        free = np.einsum("nij,nj->ni", np.linalg.pinv(J[:, :3]), v[pick])
-        yield cause("trace.position only"), differs(free)
-        yield cause("trace.transpose"), differs(np.einsum("nji,nj->ni", J[:, :3], v[pick]))
+    @cached_property
+    def right(self) -> float:
+        return self._fails(self.J, self.velocity)
+
+    @property
+    def clear(self) -> bool:
+        """Whether the digits show the velocities at all."""
+        return float(self.noise.max()) < 0.1 * self.speed
+
+    def rules(self) -> Iterator[tuple[Cause, float, bool]]:
+        """Each wrong rule, by how much it fails on the whole in units of the noise, and whether
+        that is little.
+        """
+        v = self.velocity
+        yield cause("trace.other side"), *self._held(self.J, -v)
+        yield cause("trace.next velocity"), *self._held(self.J, self.later)
+        for c, K in wrong_recipes(self.at):
+            yield c, *self._held(K, v)
+        for c, other in wrong_tables(self.arm, self.at):
+            yield c, *self._held(columns(other), v)
+        if self._rows == 6:
+            linear = self.J[:, :3]
+            free = np.einsum("nij,nj->ni", np.linalg.pinv(linear), v)
+            yield cause("trace.position only"), *self._moves(free)
+            yield cause("trace.transpose"), *self._moves(np.einsum("nji,nj->ni", linear, v))
+
+    def _fails(self, K: Array, linear: Array) -> float:
+        got = np.einsum("nij,nj->ni", K, self.rate)
+        off = np.hstack([got[:, :3] - linear, got[:, 3:]])[:, : self._rows]
+        return float((self._size(off) / self.noise[: self._rows]).max())
+
+    def _size(self, off: Array) -> Array:
+        """The root mean square of each column over the windows' averages."""
+        mean = off.reshape(-1, self.window, off.shape[1]).mean(axis=1)
+        return np.sqrt((mean**2).mean(axis=0))
+
+    def _held(self, K: Array, linear: Array) -> tuple[float, bool]:
+        left = self._fails(K, linear)
+        return left, left < _HOLDS or left * float(self.noise.max()) < 0.02 * self.speed
+
+    def _moves(self, wanted: Array) -> tuple[float, bool]:
+        """How far the joints' rates are from those of another rule."""
+        off = self._size(self.rate - wanted)
+        left = float((off / self.own).max())
+        return left, left < _HOLDS or bool(off.max() < 0.02 * self._size(wanted).max())
+
+    @property
+    def _rows(self) -> int:
+        return 6 if self.arm.dof >= 6 else 3

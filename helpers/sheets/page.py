@@ -134,7 +134,8 @@ def _numbers(item: Item, at: tuple[str, Array]) -> str:
     of, numbers = at
     label = f"In numbers{f', {escape(of)}' if of else ''}:"
     if item.is_number:
-        return f"<p>{label} {title(item)} = {_digits(float(numbers[0, 0]), 6)}</p>\n"
+        value = _together(f"{title(item)} = {_digits(float(numbers[0, 0]), 6)}")
+        return f"<p>{label} {value}</p>\n"
     rows = [[_digits(float(x)) for x in row] for row in numbers]
     return f"<p>{label}</p>{_matrix(title(item), rows, ' numbers')}"
 
@@ -318,7 +319,7 @@ def _given(sheet: Sheet, others: tuple[Sheet, ...]) -> str:
     """The values of the letters, the pose of the numbers, and the short names, in words."""
     arm = sheet.arm
     home = ", ".join(
-        f"{html_name(name)} = {_joint_value(value)}"
+        _together(f"{html_name(name)} = {_joint_value(value)}")
         for name, value in zip(arm.variables, arm.home, strict=True)
     )
     lines = [f"{escape(s.arm.name)}: {_values(s)}." for s in (sheet, *others) if s.arm.values]
@@ -331,10 +332,16 @@ def _given(sheet: Sheet, others: tuple[Sheet, ...]) -> str:
     return "".join(f"<p>{line}</p>\n" for line in lines) + masses
 
 
+def _together(words: str) -> str:
+    """What no line may part."""
+    return words.replace(" ", "\N{NO-BREAK SPACE}")
+
+
 def _values(sheet: Sheet) -> str:
     """The arm's own letters, lengths and odd angles."""
     return ", ".join(
-        f"{html_name(name)} = {_plain(value)}" for name, value in sheet.arm.values.items()
+        _together(f"{html_name(name)} = {_plain(value)}")
+        for name, value in sheet.arm.values.items()
     )
 
 

@@ -578,6 +578,72 @@ def test_the_arm_is_held_by_its_links_and_its_tip(visit):
     assert forward_kinematics(PANDA, here.q())[2, 3] == pytest.approx(0.5, abs=1e-3)
 
 
+def test_a_dragged_tip_is_drawn_in_few_calls_and_its_numbers_follow(visit):
+    here = visit("#arm=Panda&view=pose")
+    page = here.page
+    before = here.pose()[:3, 3]
+    told = page.evaluate(
+        """async () => {
+        const { shadowRoot, explorer } = document.querySelector('.arm-explorer');
+        const grip = shadowRoot.querySelector('.grip'), { store } = explorer;
+        const { x, y, width, height } = grip.getBoundingClientRect();
+        const at = (far) => ({ pointerId: 1, bubbles: true, composed: true, buttons: 1,
+            clientX: x + width / 2 + far, clientY: y + height / 2 });
+        grip.setPointerCapture = () => {};
+        grip.dispatchEvent(new PointerEvent('pointerdown', at(0)));
+        const frame = () => new Promise((done) => requestAnimationFrame(done));
+        let frames = 0, most = 0;
+        for (; frames < 40; frames++) {
+            grip.dispatchEvent(new PointerEvent('pointermove', at(frames)));
+            await frame();
+            most = Math.max(most, ArmExplorer.inUse().calls);
+        }
+        const dragging = store.state.dragging;
+        grip.dispatchEvent(new PointerEvent('pointerup', at(39)));
+        await frame();
+        return { most, dragging, after: store.state.dragging, cells: [...shadowRoot.querySelectorAll('.matrix td')].map((td) => td.textContent) };
+    }"""
+    )
+    assert told["dragging"] is True
+    assert told["after"] is False
+    assert 5 <= told["most"] <= 16
+    shown = np.array([float(cell.replace(MINUS, "-")) for cell in told["cells"]]).reshape(4, 4)
+    np.testing.assert_allclose(shown, forward_kinematics(PANDA, here.q()), atol=5.1e-5)
+    assert np.linalg.norm(shown[:3, 3] - before) > 0.02
+
+
+def test_playing_asks_for_one_frame_a_frame(visit):
+    """Two of them, each asking for two more, brought the page to a stand."""
+    here = visit("#arm=Panda (homework)&view=trace")
+    page = here.page
+    page.get_by_role("button", name="Draw a circle from here").click()
+    expect(page.locator(".trace .verdict")).to_contain_text("would have to pass their limits")
+    most = page.evaluate(
+        """async () => {
+        const raf = window.requestAnimationFrame.bind(window);
+        let asked = 0, most = 0;
+        window.requestAnimationFrame = (act) => { asked++; return raf(act); };
+        document.querySelector('.arm-explorer').explorer.store.dispatch({ type: 'playing', on: true });
+        for (let n = 0; n < 12; n++) {
+            asked = 0;
+            await new Promise(raf);
+            most = Math.max(most, asked);
+        }
+        return most;
+    }"""
+    )
+    assert most <= 2, "one for the motion and one for the picture"
+
+
+def test_the_homeworks_runs_come_with_the_second_script(visit):
+    link = "#arm=Panda (homework)&view=homework&runs=euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_;"
+    here = visit(link + "euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_next")
+    assert any(url.endswith("explorer-more.js") for url in here.asked)
+    runs = here.page.get_by_role("radiogroup", name="Runs").get_by_role("radio")
+    expect(runs.nth(0)).to_contain_text("0.127 mm", timeout=20_000)
+    expect(runs.nth(1)).to_contain_text("1.145 mm", timeout=20_000)
+
+
 def test_nothing_grows_with_switches_keystrokes_and_views(visit):
     """Twenty explorers share one context, survive its loss, and leave nothing behind."""
     here = visit("#arm=Panda&view=table")
@@ -586,6 +652,11 @@ def test_nothing_grows_with_switches_keystrokes_and_views(visit):
     answer = page.evaluate(
         """async () => {
         const store = document.querySelector('.arm-explorer').explorer.store;
+        let buffers = 0;
+        for (const [name, step] of [['createBuffer', 1], ['deleteBuffer', -1], ['createVertexArray', 1], ['deleteVertexArray', -1]]) {
+            const own = WebGL2RenderingContext.prototype[name];
+            WebGL2RenderingContext.prototype[name] = function (...given) { buffers += step; return own.apply(this, given); };
+        }
         const still = () => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)));
         const until = async (holds) => { for (let n = 0; n < 900 && !holds(); n++) await still(); };
         const spec = document.querySelector('.arm-explorer script').textContent;
@@ -599,7 +670,7 @@ def test_nothing_grows_with_switches_keystrokes_and_views(visit):
             }
             store.dispatch({ type: 'select', arm: arms[0] });
             await still();
-            return ArmExplorer.inUse();
+            return { ...ArmExplorer.inUse(), buffers };
         };
         const [first, later] = [await round(8), await round(60)];
         const hosts = Array.from({ length: 19 }, () => {
@@ -630,6 +701,7 @@ def test_nothing_grows_with_switches_keystrokes_and_views(visit):
     )
     assert answer["later"]["geometries"] == answer["first"]["geometries"]
     assert answer["later"]["textures"] == answer["first"]["textures"]
+    assert answer["later"]["buffers"] == answer["first"]["buffers"]
     assert answer["many"] == 20
     assert answer["told"]
     assert answer["back"]
@@ -694,19 +766,21 @@ def test_a_pasted_table_and_one_summary_for_the_ear(visit):
     )
     assert here.state("arm.name") == "Your arm"
     assert here.state("arm.rows.length") == 3
-    slider = page.get_by_role("slider", name="Joint 1, angle")
-    slider.focus()
-    slider.evaluate(
-        """(slider) => {  // thirty keys with no time between them, however slow the machine
+    page.evaluate(
+        """() => {
         window.heard = [];
-        const region = slider.getRootNode().querySelector('[aria-live]');
+        const region = document.querySelector('.arm-explorer').shadowRoot.querySelector('[aria-live]');
         new MutationObserver(() => region.textContent && heard.push(region.textContent)).observe(region, { childList: true });
-        for (let k = 0; k < 30; k++) slider.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }));
+        window.due = new Map();  // no time passes between the keys, however slow the machine
+        window.setTimeout = (then) => (due.set(-due.size - 1, then), -due.size);
+        const clear = window.clearTimeout;
+        window.clearTimeout = (timer) => due.set(timer, null) && clear(timer);
     }"""
     )
-    page.wait_for_function("heard.length")
-    page.evaluate(FRAMES, 12)
-    assert here.q()[0] == pytest.approx(np.radians(30))
+    page.get_by_role("slider", name="Joint 1, angle").focus()
+    for _ in range(30):
+        page.keyboard.press("ArrowRight")
+    page.evaluate("(async () => { for (const [, then] of [...due]) { then?.(); await null; } })()")
     heard = page.evaluate("heard")
     assert len(heard) == 1
     assert heard[0].startswith("Tip at x ")

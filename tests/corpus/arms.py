@@ -24,6 +24,14 @@ _UR_HOMEWORK = [
     ("R", 0, -H, 0.1157, 0),
     ("R", 0, 0, 0.1922, 0),
 ]
+_UR = [
+    ("R", 0, H, 0.1807, 0),
+    ("R", -0.6127, 0, 0, 0),
+    ("R", -0.57155, 0, 0, 0),
+    ("R", 0, H, 0.17415, 0),
+    ("R", 0, -H, 0.11985, 0),
+    ("R", 0, 0, 0.21655, 0),
+]
 _STANFORD = [
     ("R", 0, -H, 0, 0),
     ("R", 0, H, 0.154, 0),
@@ -38,6 +46,7 @@ _LOCKED = [("F", *row[1:]) if i == 2 else row for i, row in enumerate(_PANDA)]
 KNOWN = {
     "PANDA": Machine(_PANDA, "PANDA"),
     "UR10E_HOMEWORK": Machine(_UR_HOMEWORK, "UR10E_HOMEWORK"),
+    "UR10E": Machine(_UR, "UR10E"),
     "STANFORD": Machine(_STANFORD, "STANFORD"),
     "ELBOW": Machine(_ELBOW, "ELBOW"),
     "PANDA.lock(3)": Machine(_LOCKED, "PANDA.lock(3)"),

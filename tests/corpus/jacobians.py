@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from tests.corpus.arms import pose, some_machine
+from tests.corpus.machine import cross
 from tests.corpus.typing_ import typed
 
 
@@ -33,7 +34,7 @@ def recipe(
         p = np.zeros(3) if rows else T[point][:3, 3]
         r = {"tip": p - o, "o_n": p, "o": o, "link": T[i + 1][:3, 3] - o, "back": o - p}[lever]
         turns = kind == "R" or not slides
-        columns.append([*np.cross(z, r), *z] if turns else [*z, 0, 0, 0])
+        columns.append([*cross(z, r), *z] if turns else [*z, 0, 0, 0])
     return np.array(columns, dtype=float).T
 
 

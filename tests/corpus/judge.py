@@ -45,8 +45,8 @@ def report(case, arms):
         found = elbow(robots.ELBOW.with_values(**case["values"]), case["target"])
         return checks.compare_branches(case["typed"], found)
     if topic == "trace":
-        path = dict(case["path"])
-        return checks.compare_trace(case["typed"], known(case["arm"]), circle(**path))
+        its, path = arm(arms[case["arm"]]), circle(**case["path"])
+        return checks.compare_trace(case["typed"], its, path, angles=case.get("angles", "rad"))
     its = arm(arms[case["arm"]])
     if topic == "jacobian":
         return checks.compare_jacobian(case["typed"], its, case["q"])

@@ -25,6 +25,23 @@ def move(x=0.0, y=0.0, z=0.0):
     return T
 
 
+def step(a, alpha, d, theta):
+    """Rot_z(theta) Trans_z(d) Trans_x(a) Rot_x(alpha), multiplied out."""
+    c, s, ca, sa = math.cos(theta), math.sin(theta), math.cos(alpha), math.sin(alpha)
+    return np.array(
+        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1.0]]
+    )
+
+
+def cross(u, v):
+    """u x v of vectors of three; NumPy's takes ten times as long."""
+    return [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ]
+
+
 class Machine:
     """A table of standard rows (kind, a, alpha, d, theta), with kind "R", "P" or "F"."""
 
@@ -40,7 +57,7 @@ class Machine:
         for kind, a, alpha, d, theta in self.rows:
             x = next(at) if kind != "F" else 0.0
             turn, slide = (theta + x, d) if kind == "R" else (theta, d + x)
-            T = T @ rot_z(turn) @ move(z=slide) @ move(x=a) @ rot_x(alpha)
+            T = T @ step(a, alpha, slide, turn)
             found.append(T)
         return found
 
@@ -53,7 +70,7 @@ class Machine:
         columns = []
         for i, kind in zip(self.joints, self.kinds, strict=True):
             z, o = T[i][:3, 2], T[i][:3, 3]
-            columns.append([*np.cross(z, p - o), *z] if kind == "R" else [*z, 0, 0, 0])
+            columns.append([*cross(z, p - o), *z] if kind == "R" else [*z, 0, 0, 0])
         return np.array(columns).T
 
     def with_rows(self, rows):

@@ -20,9 +20,9 @@ TOPICS = {
     "torques": (torques.cases, 500),
     "branches": (answers.branches, 300),
     "pose": (answers.poses, 250),
-    "trace": (traces.cases, 44),
+    "trace": (traces.cases, 60),
 }
-KNOWN = ("PANDA", "UR10E_HOMEWORK", "STANFORD", "ELBOW", "PANDA.lock(3)")
+KNOWN = ("PANDA", "UR10E", "UR10E_HOMEWORK", "STANFORD", "ELBOW", "PANDA.lock(3)")
 
 
 def plain(case, arms):

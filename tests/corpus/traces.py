@@ -1,96 +1,392 @@
-"""Runs along the homework's circle by Euler's method, right and steered by mistakes."""
+"""Runs along circles: by Euler's method, by Runge and Kutta's, with the miss fed back, or by exact
+joints at every step; right ones, and ones steered by a mistake.
+
+Each is made as a student's program makes it: the mistake stands in the Jacobian, in the table, in
+the velocity or in what is handed in, and the run is what comes of it.
+"""
 
 import math
 
 import numpy as np
 
-from tests.corpus.arms import KNOWN
+from tests.corpus.arms import KNOWN, random_machine
 from tests.corpus.jacobians import recipe
 
-ARM = KNOWN["PANDA.lock(3)"]
-HOME = [0, 0, math.pi / 2, 0, math.pi, 0]
-TOP = ARM.tip(HOME)[:3, 3]
+HOMES = {
+    "PANDA.lock(3)": [0, 0, math.pi / 2, 0, math.pi, 0],
+    "UR10E": [0.3, -1.2, 1.3, -1.5, -1.2, 0.4],
+    "UR10E_HOMEWORK": [0.2, 0.7, 1.1, 0.5, -1.2, 0.4],
+    "STANFORD": [0.4, 0.9, 0.45, 0.6, 0.8, -0.3],
+    "PANDA": [0.2, 0.4, -0.3, 1.4, 0.3, 1.5, 0.5],
+}
+PLANES = ("zy", "yz", "xy", "zx", "xz")
 
 
-def circle(t, radius, period, phase=0.0):
-    """Velocities of the circle in y and z that begins at its top and moves towards +y."""
+def velocity(plane, t, radius, period, phase=0.0):
+    """Velocity of a circle whose two axes are named in order; it sets out along the second."""
     w = 2 * math.pi / period
-    return radius * w * np.array([0, math.cos(w * t + phase), -math.sin(w * t + phase)])
+    v = np.zeros(3)
+    v["xyz".index(plane[0])] = -math.sin(w * t + phase)
+    v["xyz".index(plane[1])] = math.cos(w * t + phase)
+    return radius * w * v
 
 
-def run(
-    steps, period=5.0, machine=ARM, radius=0.1, start=HOME, late=0, rate=1.0, plain=True, **how
-):
-    """Joints (steps + 1, 6); `how` spoils the Jacobian's recipe."""
-    dt, q = period / steps, np.array(start, float)
-    rows = [q]
-    for k in range(steps):
-        J = recipe(machine, q, **how)
-        if not plain:
-            J = np.vstack([recipe(machine, q)[:3], J[3:]])
-        v = rate * circle((k + late) * dt, radius, period)
-        q = q + dt * np.linalg.solve(J, [*v, 0, 0, 0])
-        rows.append(q)
-    return np.array(rows)
+def point(plane, t, radius, period):
+    """Where the circle is at t, from its first point."""
+    w = 2 * math.pi / period
+    p = np.zeros(3)
+    p["xyz".index(plane[0])] = math.cos(w * t) - 1
+    p["xyz".index(plane[1])] = math.sin(w * t)
+    return radius * p
 
 
-def mistakes(steps, rng):
-    longer = ARM.with_rows([(k, math.copysign(0.088, a) if a else 0, *r) for k, a, *r in ARM.rows])
-    yield "J.z_i angular", lambda: run(steps, axis=1, origin=1, plain=False)
-    yield "table.length:a_3:a_6", lambda: run(steps, machine=longer)
-    yield "trace.next velocity", lambda: run(steps, late=1)
-    yield "trace.backwards", lambda: run(steps)[::-1]
-    yield "trace.degrees", lambda: np.degrees(run(steps))
-    yield "trace.scaled", lambda: run(steps, radius=float(rng.choice([0.05, 0.08, 0.12])))
-    yield "trace.scaled", lambda: run(steps, rate=5 / 200)
-    yield "trace.one more", lambda: run(steps + 1, period=5.0 * (steps + 1) / steps)
+def inverse(J):
+    return np.linalg.inv(J) if J.shape[0] == J.shape[1] else np.linalg.pinv(J)
+
+
+def solved(J, twist):
+    """Joint rates of a twist; a Jacobian that cannot give it makes no run."""
+    rates = inverse(J) @ twist
+    if np.abs(J @ rates - twist).max() > 1e-6:
+        raise np.linalg.LinAlgError
+    return rates
+
+
+def turn_off(R, R0):
+    """The small turn that takes R to R0, in base axes."""
+    E = R0 @ R.T
+    return 0.5 * np.array([E[2, 1] - E[1, 2], E[0, 2] - E[2, 0], E[1, 0] - E[0, 1]])
+
+
+class Task:
+    """A circle to be drawn by a machine from a start."""
+
+    def __init__(self, machine, start, plane, radius, period, steps):
+        self.machine, self.start = machine, np.array(start, float)
+        self.plane, self.radius, self.period, self.steps = plane, radius, period, steps
+        self.first = machine.tip(self.start)
+
+    def path(self):
+        centre = self.first[:3, 3].copy()
+        centre["xyz".index(self.plane[0])] -= self.radius
+        return dict(
+            centre=[float(x) for x in centre],
+            radius=self.radius,
+            plane=self.plane,
+            period=self.period,
+            steps=self.steps,
+        )
+
+    def run(
+        self,
+        method="euler",
+        machine=None,
+        radius=None,
+        late=0,
+        rate=1.0,
+        signs=(1, 1, 1),
+        order=(0, 1, 2),
+        phase=0.0,
+        J=None,
+        steps=None,
+        dt=None,
+        rule=None,
+        plane=None,
+        gain=0.0,
+    ):
+        """Joints (steps + 1, dof)."""
+        machine = machine or self.machine
+        radius, steps = radius or self.radius, steps or self.steps
+        plane = plane or self.plane
+        dt = dt or self.period / self.steps
+        J = J or (lambda q: machine.jacobian(q))
+        R0, p0 = self.first[:3, :3], self.first[:3, 3]
+
+        def slope(q, t):
+            v = rate * velocity(plane, t + late * dt, radius, self.period, phase)
+            v = (v * signs)[list(order)]
+            w = np.zeros(3)
+            if gain:
+                T = self.machine.tip(q)
+                v = v + gain * (p0 + point(plane, t, radius, self.period) - T[:3, 3])
+                w = gain * turn_off(T[:3, :3], R0)
+            return rule(q, v) if rule else solved(J(q), [*v, *w])
+
+        q, rows = self.start, [self.start]
+        for k in range(steps):
+            t = k * dt
+            if method == "rk4":
+                a = slope(q, t)
+                b = slope(q + dt / 2 * a, t + dt / 2)
+                c = slope(q + dt / 2 * b, t + dt / 2)
+                q = q + dt / 6 * (a + 2 * b + 2 * c + slope(q + dt * c, t + dt))
+            else:
+                q = q + dt * slope(q, t)
+            rows.append(q)
+        return np.array(rows)
+
+    def exact(self, machine=None):
+        """Joints that are on the path at every time, by Newton's method from the step before."""
+        machine = machine or self.machine
+        q, rows = self.start.copy(), []
+        R0, p0 = machine.tip(q)[:3, :3], machine.tip(q)[:3, 3]
+        for k in range(self.steps + 1):
+            goal = p0 + point(self.plane, k * self.period / self.steps, self.radius, self.period)
+            for _ in range(8):
+                T = machine.tip(q)
+                off = [*(goal - T[:3, 3]), *turn_off(T[:3, :3], R0)]
+                q = q + inverse(machine.jacobian(q)) @ off
+                if np.abs(off).max() < 1e-11:
+                    break
+            rows.append(q)
+        return np.array(rows)
+
+
+def changed(m, k, **entries):
+    row = dict(zip(("kind", "a", "alpha", "d", "theta"), m.rows[k], strict=True))
+    return m.with_rows([*m.rows[:k], tuple({**row, **entries}.values()), *m.rows[k + 1 :]])
+
+
+def in_the_loop(task, rng, method):
+    """Mistakes in the recipe, the table or the velocity; (name, run)."""
+    m, k = task.machine, int(rng.integers(len(task.machine.rows)))
+
+    def with_J(J):
+        return lambda: task.run(method, J=J)
+
+    def halves(q):
+        late = recipe(m, q, axis=1, origin=1)
+        return np.vstack([recipe(m, q)[:3], late[3:]])
+
+    yield "J.z_i angular", with_J(halves)
+    yield "J.z_i", with_J(lambda q: recipe(m, q, axis=1))
+    yield "J.one frame late", with_J(lambda q: recipe(m, q, axis=1, origin=1))
+    yield "J.origin late", with_J(lambda q: recipe(m, q, origin=1))
+    yield "J.lever tip", with_J(lambda q: recipe(m, q, lever="o_n"))
+    yield "J.lever link", with_J(lambda q: recipe(m, q, lever="link"))
+    yield "J.rows of T", with_J(lambda q: recipe(m, q, rows=True))
+    if m.joints != list(range(m.dof)):
+        yield "J.z counted on", with_J(lambda q: recipe(m, q, count=True))
+    if "P" in m.kinds:
+        yield "J.slide turns", with_J(lambda q: recipe(m, q, slides=False))
+    kind, a, alpha, d, _ = m.rows[k]
+    if abs(math.sin(alpha)) > 0.1:
+        yield (
+            f"table.twist:{k + 1}",
+            lambda: task.run(method, machine=changed(m, k, alpha=-alpha)),
+        )
+    for name, x in (("a", a), ("d", d)):
+        if x and kind != "P":
+            wrong = {name: -x}
+            yield (
+                f"table.sign:{name}:{k + 1}",
+                lambda wrong=wrong: task.run(method, machine=changed(m, k, **wrong)),
+            )
+    if m.name.startswith("PANDA"):
+        longer = m.with_rows([(k, math.copysign(0.088, a) if a else 0, *r) for k, a, *r in m.rows])
+        yield "table.length:a_3:a_6", lambda: task.run(method, machine=longer)
+    if m.name in ("PANDA", "PANDA.lock(3)", "UR10E", "UR10E_HOMEWORK"):
+        shorter = m.rows[-1][3] + (0.1 if m.name.startswith("P") else -0.1)
+        pen = changed(m, len(m.rows) - 1, d=shorter)
+        # At held orientation the pen moves as the flange does: only another turn would show it.
+        yield "harmless pen", lambda: task.run(method, machine=pen)
+    if method == "euler":
+        yield "trace.next velocity", lambda: task.run(late=1)
     yield (
-        "trace.spins",
-        lambda: run(steps) + np.outer(np.linspace(0, 2 * math.pi, steps + 1), np.eye(6)[5]),
+        "trace.position only",
+        lambda: task.run(method, rule=lambda q, v: np.linalg.pinv(m.jacobian(q)[:3]) @ v),
     )
-    k = int(rng.integers(steps // 3, 2 * steps // 3))
-    flip = np.array([0, 0, 0, math.pi, 0, math.pi])
-    yield "trace.jump", lambda: run(steps) + np.where(np.arange(steps + 1)[:, None] >= k, flip, 0)
-    yield "trace.fraction", lambda: quarter(steps)
+    yield (
+        "trace.transpose",
+        lambda: task.run(method, rule=lambda q, v: m.jacobian(q)[:3].T @ v),
+    )
 
 
-def quarter(steps):
-    """The circle's first quarter in the whole time."""
-    return run(4 * steps, period=5.0)[: steps + 1]
+def of_the_path(task, rng, method):
+    """Another path than the one asked for, rightly followed; (name, run)."""
+    i, j = ("xyz".index(axis) for axis in task.plane)
+    mirror = np.ones(3)
+    mirror[i] = -1
+    swap = [0, 1, 2]
+    swap[i], swap[j] = j, i
+    yield "trace.backwards", lambda: task.run(method, signs=tuple(1.0 - 2 * (np.arange(3) == j)))
+    yield "trace.other side", lambda: task.run(method, rate=-1.0)
+    factor = float(rng.choice([0.5, 0.8, 1.2]))
+    yield "trace.scaled", lambda: task.run(method, radius=factor * task.radius)
+    yield "trace.scaled", lambda: task.run(method, rate=task.period / 200)
+    share = int(rng.choice([2, 4]))
+    yield (
+        "trace.fraction",
+        lambda: task.run(method, dt=task.period / task.steps / share),
+    )
+    yield "trace.displaced", lambda: displaced(task, rng)
 
 
-def cases(rng, count):
-    made = 0
+def displaced(task, rng):
+    """The whole circle somewhere else: another start."""
+    by = rng.uniform(-0.03, 0.03, 3)
+    q = task.start.copy()
+    goal = task.first[:3, 3] + by
+    for _ in range(12):
+        T = task.machine.tip(q)
+        off = [*(goal - T[:3, 3]), *turn_off(T[:3, :3], task.first[:3, :3])]
+        q = q + inverse(task.machine.jacobian(q)) @ off
+    other = Task(task.machine, q, task.plane, task.radius, task.period, task.steps)
+    return other.run()
+
+
+def of_the_rows(task, rng, method):
+    """What is handed in; (name, run)."""
+    m, steps = task.machine, task.steps
+    turns = np.array([kind == "R" for kind in m.kinds])
+
+    def right():
+        return task.run(method)
+
+    yield "trace.backwards", lambda: right()[::-1]
+    yield "trace.degrees", lambda: np.where(turns, np.degrees(right()), right())
+    yield "trace.one more", lambda: task.run(method, steps=steps + 1)
+    yield "trace.shape", lambda: right()[: steps // 2]
+    if m.name != "random":
+        last = np.eye(m.dof)[-1]
+        round_ = np.linspace(0, 2 * math.pi, steps + 1)
+        yield "trace.spins", lambda: right() + np.outer(round_, last)
+    if m.name == "PANDA.lock(3)":
+        k = int(rng.integers(steps // 3, 2 * steps // 3))
+        flip = np.array([0, 0, 0, math.pi, 0, math.pi])
+        yield "trace.jump", lambda: right() + np.where(np.arange(steps + 1)[:, None] >= k, flip, 0)
+
+
+METHODS = {"euler": 0.6, "rk4": 0.25, "gain": 0.15}
+
+
+def some_task(rng):
+    while True:
+        name = str(rng.choice([*HOMES, "random"], p=[0.3, 0.13, 0.13, 0.13, 0.11, 0.2]))
+        if name == "random":
+            m = random_machine(rng, 6)
+            if m.dof != 6:
+                continue
+            start = rng.uniform(0.3, 1.2, 6) * rng.choice([-1, 1], 6)
+            start = np.where(np.array(m.kinds) == "P", np.abs(start) / 2, start)
+        else:
+            m, start = KNOWN[name], np.array(HOMES[name])
+            if name != "PANDA.lock(3)" or rng.random() < 0.4:
+                start = start + rng.uniform(-0.2, 0.2, m.dof)
+        start = np.round(start, 4)
+        if np.linalg.svd(m.jacobian(start))[1][5] < 0.05:
+            continue
+        radius = float(rng.choice([0.05, 0.08, 0.1]))
+        steps = int(rng.choice([100, 150, 250, 500], p=[0.3, 0.3, 0.3, 0.1]))
+        period = float(rng.choice([5.0, 2.0, 200.0]))
+        return Task(m, start, str(rng.choice(PLANES)), radius, period, steps)
+
+
+def smooth(q):
+    return np.isfinite(q).all() and np.abs(np.diff(q, axis=0)).max() < 0.25
+
+
+def miss(task, q):
+    """The largest distance from the path (m) and turn from the first pose (rad)."""
+    far = turned = 0.0
+    for k in range(min(len(q), task.steps + 1)):
+        T = task.machine.tip(q[k])
+        goal = task.first[:3, 3] + point(
+            task.plane, k * task.period / task.steps, task.radius, task.period
+        )
+        R = task.first[:3, :3].T @ T[:3, :3]
+        far = max(far, float(np.linalg.norm(T[:3, 3] - goal)))
+        turned = max(turned, math.acos(max(-1.0, min(1.0, (np.trace(R) - 1) / 2))))
+    return far, turned
+
+
+def written(q, m, d, rng, degrees):
+    """The run as text or lists; some with a line of names or a column of times."""
+    turns = np.array([kind == "R" for kind in m.kinds])
+    q = np.where(turns, np.degrees(q), q) if degrees else q
+    cut = [max(1, d - 2) if degrees and turn else d for turn in turns]
+    rows = [[f"{x:.{n}f}" for x, n in zip(row, cut, strict=True)] for row in q]
+    form = str(rng.choice(["array", "csv", "headed", "matlab", "tabs", "print", "per joint"]))
+    if form == "array":
+        return [[float(x) for x in row] for row in rows], form
+    if form == "per joint":
+        return [[float(x) for x in row] for row in zip(*rows, strict=True)], form
+    head = ",".join(f"q{i + 1}" for i in m.joints) + "\n" if form == "headed" else ""
+    return {
+        "csv": lambda: "\n".join(",".join(row) for row in rows),
+        "headed": lambda: head + "\n".join(",".join(row) for row in rows),
+        "matlab": lambda: "[" + ";\n".join(" ".join(row) for row in rows) + "]",
+        "tabs": lambda: "\n".join("\t".join(row) for row in rows),
+        "print": lambda: "[" + "\n ".join("[" + " ".join(row) + "]" for row in rows) + "]",
+    }[form](), form
+
+
+def right_run(task, rng):
+    how = str(rng.choice(["euler", "rk4", "gain", "exact"]))
+    if how == "exact":
+        return how, task.exact()
+    return how, task.run(
+        "rk4" if how == "rk4" else "euler", gain=2.0 / task.period if how == "gain" else 0.0
+    )
+
+
+def cases(rng, count, share=0.25):
+    made = turn = 0
     while made < count:
-        steps, d = int(rng.choice([150, 250])), int(rng.choice([5, 6, 7]))
-        options = list(mistakes(steps, rng))
-        right = rng.random() < 0.25
-        cause, q = (
-            (None, run(steps))
-            if right
-            else (lambda o: (o[0], o[1]()))(options[made % len(options)])
-        )
-        rows = [[f"{x:.{d}f}" for x in row] for row in q]
-        form = str(rng.choice(["array", "csv"]))
-        typed = (
-            [[float(x) for x in row] for row in rows]
-            if form == "array"
-            else "\n".join(",".join(r) for r in rows)
-        )
+        task, d = some_task(rng), int(rng.choice([3, 4, 5, 6]))
+        kind = "right" if rng.random() < share else "single"
+        cause = None
+        with np.errstate(all="ignore"):
+            try:
+                how, q = right_run(task, rng)
+                if not smooth(q) or max(miss(task, q)) > 1.2e-3:
+                    continue
+                if kind == "single":
+                    how = "rk4" if rng.random() < 0.25 else "euler"
+                    rules = (in_the_loop, of_the_path, of_the_rows)[turn % 3]
+                    options = list(rules(task, rng, how))
+                    cause, make = options[int(rng.integers(len(options)))]
+                    q = make()
+            except np.linalg.LinAlgError:
+                continue
+        if not np.isfinite(q).all() or np.abs(q).max() > 1e4:
+            continue
+        if shows(cause) and (not smooth(q) or apart(task, q, task.run(how)) < 8e-3):
+            continue
+        turn += 1
+        declared = rng.random() < 0.2 and cause != "trace.degrees"
+        text, form = written(q, task.machine, d, rng, declared)
         yield dict(
             topic="trace",
-            arm="PANDA.lock(3)",
-            typed=typed,
+            machine=task.machine,
+            typed=text,
             form=form,
             digits=d,
-            kind="right" if right else "single",
+            kind=kind,
+            how=how,
             cause=cause,
-            path=dict(
-                centre=[float(TOP[0]), float(TOP[1]), float(TOP[2]) - 0.1],
-                radius=0.1,
-                plane="zy",
-                period=5.0,
-                steps=steps,
-            ),
+            angles="deg" if declared else None,
+            path=task.path(),
         )
         made += 1
+
+
+def apart(task, q, right):
+    """The largest distance (m) or turn (rad) between the tips of two runs."""
+    found = 0.0
+    for x, y in zip(q[::5], right[::5], strict=False):
+        A, B = task.machine.tip(x), task.machine.tip(y)
+        turn = np.linalg.norm(A[:3, :3] - B[:3, :3]) / math.sqrt(2)
+        found = max(found, float(np.linalg.norm(A[:3, 3] - B[:3, 3])), float(turn))
+    return found
+
+
+def shows(cause):
+    """Whether a mistake is one that a run may hide: then it is kept only where the tip shows it."""
+    return cause is not None and cause not in (
+        "trace.degrees",
+        "trace.one more",
+        "trace.shape",
+        "trace.jump",
+        "trace.spins",
+    )

@@ -34,6 +34,8 @@ const cases = {
   "a wrench that is none": "#arm=Panda&wrench=1",
   "joint values that do not fit": "#arm=Panda&q=1,2",
   "an empty joint value": "#arm=Elbow+arm&q=1,,2",
+  "a mark that is no place": "#arm=Panda&mark=1,2",
+  "a mark too far away": "#arm=Panda&mark=0,0,1e9",
 };
 for (const [name, fragment] of Object.entries(cases)) {
   test(`refused in words: ${name}`, () => {
@@ -43,6 +45,13 @@ for (const [name, fragment] of Object.entries(cases)) {
     assert.equal(patch.wrench, undefined);
   });
 }
+
+test("a link carries a mark for the tip, and another arm is without it", () => {
+  const state = startingState({ arm: PANDA, q: PANDA.home, mark: [0.1, -0.2, 0.3] });
+  assert.deepEqual(read(toFragment(state)).patch.mark, state.mark);
+  assert.equal(read("#arm=Panda").patch.mark, null);
+  assert.equal(transition(state, { type: "select", arm: ELBOW }).mark, null);
+});
 
 test("a link carries the homework's runs, and refuses what is none", () => {
   const runs = [{ ...HOMEWORK }, { ...HOMEWORK, method: "rk4", slip: "z_i", steps: 100, radius: 0.05, gain: 5 }];

@@ -1,8 +1,12 @@
 // A pasted text as rows of cells, the port of helpers/reading/grid.py: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or
 // spreadsheet cells.
 
+<<<<<<< HEAD
 import { bare as withoutSurroundings, bareLatex } from "./around.js";
 import { number, plain } from "./formula.js";
+=======
+import { isNumber, number, plain } from "./formula.js";
+>>>>>>> main
 import { ArmError } from "./say.js";
 
 const LONGEST = 5_000_000; // characters of a paste: a trace of 20 000 steps
@@ -131,6 +135,8 @@ function itemsOf(text) {
 
 // Split at commas outside brackets, or at blanks where there are none, as MATLAB and NumPy print.
 function split(text) {
+  const words = text.trim().split(/\s+/);
+  if (words.every(isNumber)) return words;
   const pieces = [];
   let [depth, piece] = [0, ""];
   const comma = topComma(text);

@@ -217,7 +217,7 @@ function base(mine, found, mapped = null) {
 }
 
 function tool({ tilts }) {
-  const [mine, reference] = tilts.map((tilt) => size(tilt * DEGREES, 4));
+  const [mine, reference] = tilts.map((tilt) => size(rounded(tilt * DEGREES, 4), 4));
   return angleBetween(...tilts) > ANGLE ? [say("tool", { mine, reference })] : [];
 }
 
@@ -406,6 +406,7 @@ function fewest(all, length, { differences }) {
 
 const WHAT = {
   "table distance": "table distance what", "table between": "table between what", "table held": "table held what",
+  "table lean": "table lean what", "table foot": "table foot what",
   "table along": "table along what", "table base": "table base what", "table count": "table count what",
   "table kind": "table kind what",
 }; // prettier-ignore
@@ -423,18 +424,20 @@ function geometry(d) {
 /** @param {Difference} d @param {string} what */
 function amount({ key, mine, reference }, what) {
   if (key === "table kind" || key === "table count") return say("table other", { what, mine, reference });
-  if (key === "table between" || key === "table held") {
+  if (["table between", "table held", "table lean"].includes(key)) {
     const [x, y] = mine >= 0 ? [mine, reference] : [-mine, -reference];
-    const shown = [x, y, angleBetween(x, y)].map((angle) => size(angle * DEGREES, 6));
-    return say("table angle", { what, mine: shown[0], reference: shown[1], off: shown[2] });
+    const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEGREES, 4), 6));
+    return say("table angle", { what, mine: spelt[0], reference: spelt[1], off: spelt[2] });
   }
-  if (mine * reference < 0)
-    return say("table other way", { what, mine: size(mine, 6), reference: size(reference, 6) });
-  const way = Math.abs(mine) > Math.abs(reference) ? say("long") : say("short");
+  const [x, y] = [rounded(mine, 9), rounded(reference, 9)]; // what is left of a zero is none
+  if (x * y < 0) return say("table other way", { what, mine: size(x, 6), reference: size(y, 6) });
+  const way = Math.abs(x) > Math.abs(y) ? say("long") : say("short");
   const off = size(1000 * Math.abs(mine - reference), 4);
-  const [ours, theirs] = [mine, reference].map((x) => size(Math.abs(x), 6));
+  const [ours, theirs] = [x, y].map((length) => size(Math.abs(length), 6));
   return say("table length", { what, mine: ours, reference: theirs, off, way });
 }
+
+const rounded = (x, decimals) => Number(x.toFixed(decimals));
 
 // `causes` explain the same; of the findings those with a cause of their own add to it.
 /** @param {Table} table @param {Cause[]} causes @param {Finding[]} findings @returns {Report} */

@@ -3,23 +3,25 @@
 
 import { dot, joints, linkFrames, norm } from "../kinematics.js";
 import { angleBetween, millimetres } from "./branches.js";
+import { chain, columns, framesOf } from "./chains.js";
 import { RIGHT, WRONG } from "./digits.js";
 import { inRadians, numbered, numbers } from "./door.js";
 import { nameOf, wordsOf } from "./ranking.js";
 import { listed, lower, say, size } from "./say.js";
-import { loopCause, offs, pathCause } from "./trace_causes.js";
+import { holds, loopCause, near, offs, pathCause, tableCause } from "./trace_causes.js";
 
 const DEGREES = 180 / Math.PI;
 const TILT = 1 / DEGREES; // rad: a tool that leans or spins more no longer counts as held
 const USUAL = 2e-3; // m: Euler's method on the homework's circle stays well below
+const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
 const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another branch
 const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 
 /** @typedef {import("./path.js").Path} Path */
 /** @typedef {import("./ranking.js").Finding} Finding */
 /**
- * Rows of joints, and the largest unit of their last places.
- * @typedef {{ q: number[][], unit: number, taken: string[], extra: boolean }} Run
+ * Rows of joints, and the largest unit of each joint's last places.
+ * @typedef {{ q: number[][], units: number[], taken: string[], extra: boolean }} Run
  */
 
 /**
@@ -41,21 +43,37 @@ export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null
   const run = upright(typed, arm, path.times.length, angles);
   if (!run) return misshapen(typed, arm, path);
   const cut = { ...path, times: path.times.slice(0, run.q.length) };
-  const allowed = tolerance ?? USUAL;
+  const blur = blurOf(run, arm);
+  const allowed = tolerance ?? USUAL + blur;
   if (angles === "rad" && onlyAsDegrees(run, arm, cut, allowed)) {
     const words = say("trace.degrees");
     const findings = [{ what: "cause", where: "", words }];
     return reported(arm, WRONG, lower(words), run.taken, { findings, causes: ["trace.degrees"] });
   }
-  return judged(run, arm, cut, allowed, tolerance !== null);
+  return judged(run, arm, cut, allowed, tolerance !== null, blur);
 }
 
-// Whether joints follow the path in degrees, and not in radians.
-function onlyAsDegrees({ q }, arm, path, allowed) {
+// Whether joints follow the path in degrees, as nearly as Euler's method does, and not in radians.
+function onlyAsDegrees({ q, units }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
-  const follows = (rows) =>
-    Math.max(...offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o))) <= allowed; // prettier-ignore
-  return follows(q.map((row) => inRadians({ values: row, units: row }, arm, "deg").values)) && !follows(q);
+  const miss = (rows) => Math.max(...offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o))); // prettier-ignore
+  const turned = (row) => inRadians({ values: row, units: row }, arm, "deg").values;
+  const rows = q.map(turned);
+  const [asTyped, degrees] = [miss(q), miss(rows)];
+  if (asTyped <= allowed || degrees > asTyped) return false;
+  return degrees <= near(path, asTyped, allowed) || holds(rows, turned(units), arm, path);
+}
+
+// What the digits of the joints leave of the tip's place (m).
+function blurOf({ q, units }, arm) {
+  const each = Math.max(1, Math.floor(q.length / 20));
+  const left = (row) => {
+    const at = chain(arm, row);
+    const J = columns(at, framesOf(at));
+    const over = (i) => units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
+    return norm([0, 1, 2].map(over));
+  };
+  return Math.max(...q.filter((_, k) => k % each === 0).map(left));
 }
 
 // A row per step: columns turned round, a leading column of times or zeros dropped, one step too many cut, and said.
@@ -81,8 +99,8 @@ function upright(typed, arm, count, angles) {
   const [q, steps] = [rows, units].map((list) =>
     list.slice(0, count).map((row) => inRadians({ values: row, units: row }, arm, angles).values),
   );
-  const unit = steps.reduce((top, row) => Math.max(top, ...row), 0);
-  return { q, unit, taken, extra: rows.length === count + 1 };
+  const most = steps[0].map((_, k) => steps.reduce((top, row) => Math.max(top, row[k]), 0));
+  return { q, units: most, taken, extra: rows.length === count + 1 };
 }
 
 const rowsOf = (flat, width) =>
@@ -114,7 +132,7 @@ function misshapen({ shape }, arm, { times }) {
 // The verdict
 
 /** @param {Run} run @param {Path} path @returns {import("./ranking.js").Report} */
-function judged(run, arm, path, allowed, given) {
+function judged(run, arm, path, allowed, given, blur) {
   const { q, taken } = run;
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
@@ -122,9 +140,14 @@ function judged(run, arm, path, allowed, given) {
   const error = Math.max(...errors);
   const turn = joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
   const symptoms = [...symptomsOf(run, arm, errors, frames, turn, allowed)];
-  const slip = () => loopCause(q, run.unit, arm, path);
-  const byShape = () => (error > allowed ? pathCause(path, tip, allowed) : null);
-  const named = symptoms.length ? (byShape() ?? slip()) : given ? null : slip();
+  const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
+  const why = () => {
+    const off = error > allowed;
+    const loop = slip((off && errors[0] <= 0.25 * error) || turn > TILT);
+    if (!off || loop?.keys[0] === "trace.coarse") return loop;
+    return pathCause(path, tip, allowed, blur) ?? tableCause(q, arm, path, allowed) ?? loop;
+  };
+  const named = symptoms.length ? why() : given ? null : slip(false);
   const notes = [...notesOf(arm, path, q)];
   const figures = { position_error: error, tool_turn: turn };
   const wrong = (words, findings, causes) =>
@@ -132,7 +155,8 @@ function judged(run, arm, path, allowed, given) {
   if (named) {
     const words = wordsOf(named);
     const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
-    return wrong(`${lower(words)}.`, findings, [nameOf(named)]);
+    const besides = symptoms.map(({ what }) => what).filter((what) => BESIDES.includes(what));
+    return wrong(`${lower(words)}.`, findings, [nameOf(named), ...besides]);
   }
   if (!symptoms.length) return reported(arm, RIGHT, "", taken, { notes, figures });
   const [first, ...rest] = symptoms;

@@ -1,6 +1,7 @@
 // What every small figure is made of: a picture of an arm that can be held, words that follow, and a few levers.
 
 import css from "./figure.css";
+import { common } from "../common.js";
 import { homeOf, range } from "../arm.js";
 import { h, indexed, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../grab.js";
@@ -11,7 +12,7 @@ import { startingState, Store } from "../state.js";
 import { poseText, stillSvg } from "../still.js";
 import { jointText, spokenJoint } from "../text.js";
 import { watchTheme } from "../theme.js";
-import { stopVerdict } from "../verdicts.js";
+import { holdVerdict } from "../verdicts.js";
 import ARMS from "./arms.json";
 
 /** @param {string} name of an arm of the book */
@@ -48,7 +49,7 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     stage,
     h("div.side", {}, ...side, ...levers.map((one) => one.root), said, why),
   );
-  root.replaceChildren(h("style", {}, css), card, h("div.paper", {}, h("slot")));
+  root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
   let picture = null;
   try {
     picture = new ArmPicture(stage, labels, {
@@ -92,7 +93,7 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     const { state: now, derived } = store;
     for (const one of levers) one.show(now);
     write(said, words(now, derived));
-    const stopped = now.hold?.target && !now.hold.moving ? stopVerdict(now.hold) : "";
+    const stopped = holdVerdict(now.hold);
     write(why, stopped);
     why.hidden = !stopped;
     if (picture) picture.draw(now, derived, theme);

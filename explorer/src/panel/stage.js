@@ -2,7 +2,7 @@
 
 import { h, whereNew, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../grab.js";
-import { asked, stopVerdict } from "../verdicts.js";
+import { asked, holdVerdict } from "../verdicts.js";
 import { joints } from "../kinematics.js";
 import { rightNull } from "../linear.js";
 import { reach } from "../motion.js";
@@ -67,8 +67,7 @@ export function makeStage(store, { goTo, id, say }) {
   }
 
   function tipKeys(event) {
-    if (picture && moveTipByKey(picture, store, event))
-      say(() => stopVerdict(store.state.hold ?? { stops: [], short: 0 }));
+    if (picture && moveTipByKey(picture, store, event)) say(() => holdVerdict(store.state.hold));
   }
 
   return {
@@ -82,7 +81,7 @@ export function makeStage(store, { goTo, id, say }) {
         !picture ||
         !joints(state.arm).length ||
         (state.view === "torque" && !state.wrench.slice(0, 3).some(Boolean));
-      const words = state.hold && !state.hold.moving && state.hold.target ? stopVerdict(state.hold) : "";
+      const words = holdVerdict(state.hold);
       write(why, words);
       why.hidden = !words;
     },

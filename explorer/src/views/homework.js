@@ -1,5 +1,6 @@
 // The homework's circle played, and its mistakes: any number of runs at once on the wall, each with its own method.
 
+import css from "./homework.css";
 import { outside } from "../arm.js";
 import { attribute, h, svg, write } from "../dom.js";
 import { ask, latest } from "../jobs.js";
@@ -10,15 +11,13 @@ import { fixed, listed } from "../text.js";
 import { makePlots } from "./plots.js";
 import { makeTransport } from "./transport.js";
 
-export const title = "Play the homework";
-
 const NAMES = {
   euler: "Euler", rk4: "Runge-Kutta 4", exact: "exact inverse kinematics",
   inverse: "J⁻¹", pseudo: "pseudo-inverse", damped: "damped",
 }; // prettier-ignore
 const SLIPS = {
   "": "none", angular: "z_i in the angular rows", z_i: "z_i and o_i throughout",
-  o_i: "o_i instead of o_i−1", sign: "rates with the wrong sign",
+  o_i: "o_i instead of o_i−1", sign: "rates with the wrong sign", next: "velocity of the next step",
 }; // prettier-ignore
 const MODELS = { "": "none", wrench: "wrong sign of F", centres: "centres of mass not converted" };
 const WIDE = 260; // of the wall's picture
@@ -69,6 +68,7 @@ export function build(store, { say, signal }) {
     () => ((start = store.state.q), results.clear(), compute()),
   );
   const root = h("div.homework", {},
+    h("style", {}, css),
     h("div.row", {}, list, add, remove, here),
     fields.root, verdict, transport.root,
     h("div.walls", {},
@@ -261,7 +261,7 @@ const startingRun = (arm) =>
 
 function millimetres(v) {
   if (v < 1e-12) return "under 1e−9 mm";
-  return `${v < 1e-5 ? (1000 * v).toExponential(1).replace("-", "−") : fixed(1000 * v, v < 1e-3 ? 3 : 1)} mm`;
+  return `${v < 1e-5 ? (1000 * v).toExponential(1).replace("-", "−") : fixed(1000 * v, v < 1e-2 ? 3 : 1)} mm`;
 }
 const named = ({ method, rates, steps, gain, slip }) => {
   const how = method === "exact" ? NAMES.exact : `${NAMES[method]}, ${NAMES[rates]}, N = ${steps}`;

@@ -3,7 +3,7 @@
 import { attribute, h, indexed, write } from "../dom.js";
 import { readEntry, unfinished } from "../entry.js";
 import { moveTip } from "../grab.js";
-import { matrix } from "../kinematics.js";
+import { matrix, minus, norm } from "../kinematics.js";
 import { fixed, sparse } from "../text.js";
 import { stopVerdict } from "../verdicts.js";
 
@@ -65,7 +65,13 @@ export function build(store, { say }) {
     const [x, y, z] = o.map((v) => fixed(1000 * v, 1));
     const place =
       "The first three columns are the tip’s axes, the fourth its place, in the base frame and in metres.";
-    write(words, `Tip at (${x}, ${y}, ${z}) mm. ${place}`);
+    write(words, `Tip at (${x}, ${y}, ${z}) mm. ${place}${markWords(state.mark, o)}`);
   }
   return { root, update, summary: () => error.textContent };
+}
+
+function markWords(mark, o) {
+  if (!mark) return "";
+  const place = mark.map((v) => fixed(v, 3)).join(", ");
+  return ` It is ${fixed(1000 * norm(minus(o, mark)), 2)} mm from the mark at (${place}) m.`;
 }

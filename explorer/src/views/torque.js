@@ -24,6 +24,7 @@ export function build(store, { point, say }) {
   const error = h("p.error");
   const body = h("tbody");
   const verdict = h("p.verdict");
+  const height = h("p.words");
   const heads = ["joint", "gravity", "−Jᵀ F", "torque", "share of the limit"];
   const root = h(
     "div.torque",
@@ -59,6 +60,7 @@ export function build(store, { point, say }) {
       ),
     ),
     verdict,
+    height,
   );
   let [lines, arm] = [[], null];
 
@@ -95,7 +97,7 @@ export function build(store, { point, say }) {
     body.replaceChildren(...lines.map(({ line }) => line));
   }
 
-  function update(state, { gravity, push, torque }) {
+  function update(state, { gravity, push, torque, energy }) {
     if (arm !== state.arm) lay();
     inputs.forEach((input, i) => {
       if (input.getRootNode().activeElement !== input) input.value = short(state.wrench[i], 2);
@@ -118,6 +120,11 @@ export function build(store, { point, say }) {
       .map(({ row }) => `joint ${row + 1}`);
     verdict.classList.toggle("warning", over.length > 0);
     write(verdict, verdictText(arm, over, gravity));
+    const weighs = arm.rows.some((row) => row.body);
+    write(
+      height,
+      weighs ? `Gravity’s torques are the slopes of one energy, ${fixed(energy, 1)} J here.` : "",
+    );
   }
   return { root, update, summary: () => verdict.textContent };
 }

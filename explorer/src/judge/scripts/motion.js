@@ -1,6 +1,6 @@
 // The script that judges joint angles, one pose or all branches, and runs along a path.
 
-import { joints } from "../../kinematics.js";
+import { cross, dot, joints } from "../../kinematics.js";
 import { compareBranches } from "../branches.js";
 import { numbers, pose } from "../door.js";
 import { asksPose, formOf } from "../inverse.js";
@@ -13,6 +13,7 @@ import { judgedTrace, readTrace } from "../trace.js";
 /** @typedef {import("../ask.js").Question} Question */
 
 const MOST_STEPS = 20_000;
+const ROUNDED = 0.02; // of the lengths of axes and their cosines: what a pose of two decimals is off
 const inDegrees = ({ unit }) => (unit === "deg" ? ['angles="deg"'] : []);
 
 // One joint vector
@@ -63,8 +64,23 @@ function rowsOf(question, arm, form) {
     throw new ArmError(`${arm.name}: the target has shape ${found || "1"}; expected ${words}`);
   }
   const rows = [0, 1, 2].map((i) => values.slice(4 * i, 4 * i + 4));
-  if (asksPose(form)) return [...rows, [0, 0, 0, 1]];
+  if (asksPose(form)) return [...exact(rows), [0, 0, 0, 1]];
   return found === "3" ? values : rows.map((row) => row[3]);
+}
+
+// A pose typed with a few decimals, its axes made perpendicular and of length 1 again: the nearest rotation, by
+// Newton's steps R <- (R + R^-T) / 2. What is farther off stays as it is, and is refused.
+function exact(rows) {
+  const off = (u, v, wanted) => Math.abs(dot(u, v) - wanted);
+  let R = rows.map((row) => row.slice(0, 3));
+  if (R.some((u, i) => R.some((v, j) => off(u, v, Number(i === j)) > ROUNDED))) return rows;
+  for (let step = 0; step < 6; step++) {
+    const [a, b, c] = R;
+    const size = dot(a, cross(b, c));
+    const back = [cross(b, c), cross(c, a), cross(a, b)];
+    R = R.map((row, i) => row.map((x, k) => (x + back[i][k] / size) / 2));
+  }
+  return rows.map((row, i) => [...R[i], row[3]]);
 }
 
 // Runs
