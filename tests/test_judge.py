@@ -11,12 +11,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-<<<<<<< HEAD
-from helpers import checks, symbolic
-from helpers.checks.door import numbers
-=======
 from helpers import checks, inverse, symbolic
->>>>>>> main
+from helpers.checks.door import numbers
 from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.reading.sentences import templates

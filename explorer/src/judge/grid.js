@@ -1,12 +1,8 @@
 // A pasted text as rows of cells, the port of helpers/reading/grid.py: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or
 // spreadsheet cells.
 
-<<<<<<< HEAD
 import { bare as withoutSurroundings, bareLatex } from "./around.js";
-import { number, plain } from "./formula.js";
-=======
 import { isNumber, number, plain } from "./formula.js";
->>>>>>> main
 import { ArmError } from "./say.js";
 
 const LONGEST = 5_000_000; // characters of a paste: a trace of 20 000 steps
