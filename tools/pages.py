@@ -72,6 +72,7 @@ class LiveJudge(SphinxDirective):
         given = {"q" if key == "pose" else key: text for key, text in self.options.items()}
         if "table" in given:
             given["table"] = given["table"].replace("; ", "\n")
+        self.env.note_dependency(judge.__file__)
         place = nodes.container()
         self.state.nested_parse(self.content, self.content_offset, place)
         start, end = (nodes.raw("", html, format="html") for html in judge.stub(given))
