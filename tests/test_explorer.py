@@ -1,6 +1,7 @@
 """The explorer: its JavaScript against Python, its bundle against its sources, its stub and its
 traits."""
 
+import atexit
 import json
 import math
 import os
@@ -8,7 +9,11 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
+<<<<<<< HEAD
 from html import unescape
+=======
+from functools import cache
+>>>>>>> main
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -44,13 +49,24 @@ needs_node = pytest.mark.skipif(
 )
 
 
-def ask(job, **given):
-    asked = json.dumps({"job": job, **given})
+@cache
+def node():
+    """One Node.js for all questions: it takes longer to start than to answer."""
     assert NODE, "Node.js is not installed"
     command = [NODE, str(ROOT / "tests" / "explorer_numbers.mjs")]
-    return json.loads(
-        subprocess.run(command, input=asked, capture_output=True, text=True, check=True).stdout
-    )
+    pipe = subprocess.PIPE
+    process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, encoding="utf-8")
+    atexit.register(process.kill)
+    return process
+
+
+def ask(job, **given):
+    process = node()
+    process.stdin.write(json.dumps({"job": job, **given}) + "\n")
+    process.stdin.flush()
+    answer = process.stdout.readline()
+    assert answer, f"Node.js broke off at {job}"
+    return json.loads(answer)
 
 
 def some(arm, count=1000):
