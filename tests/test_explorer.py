@@ -9,11 +9,8 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
-<<<<<<< HEAD
-from html import unescape
-=======
 from functools import cache
->>>>>>> main
+from html import unescape
 from pathlib import Path
 from xml.etree import ElementTree
 
