@@ -421,6 +421,17 @@ def test_without_scripts_the_page_is_there_in_the_systems_colours(browser):
     context.close()
 
 
+def test_no_page_is_wider_than_a_phone_before_a_script_has_measured_it(browser):
+    context = browser.new_context(
+        java_script_enabled=False, offline=True, viewport=WINDOWS["small"]
+    )
+    page = context.new_page()
+    for name in NAMES:
+        page.goto((HTML / f"{name}.html").as_uri())
+        assert page.evaluate("document.documentElement.scrollWidth") == 320, name
+    context.close()
+
+
 def test_the_contents_open_on_a_phone_and_close_after_use(browser):
     reader = Reader(browser, "light", "phone", "file:")
     page = reader.open((HTML / "04_static_torque.html").as_uri())
