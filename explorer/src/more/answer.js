@@ -22,6 +22,7 @@ const PLAYED = 1600; // ms, from the pose to the farthest
  * @property {number[]} [wrench]
  * @property {{ arm: import("../arm.js").Arm, q: number[] }[]} ghosts
  * @property {number[][]} [path] of the tip
+ * @property {number[][]} points that the tip should reach
  * @property {{ k: number, twist: number[] }[]} claims of wrong columns
  * @property {string} words
  */
@@ -119,6 +120,7 @@ class Overlay {
       shape.pose(linkFrames(arm, q));
       made.push(shape);
     }
+    for (const point of shown.points) made.push(this.spot(point, bad));
     if (shown.path) made.push(tube(shown.path, 0.003 * picture.size, bad));
     return claim && share ? [...made, ...this.claim(shown, claim, share, bad, ghost)] : made;
   }
@@ -129,12 +131,17 @@ class Overlay {
     const ways = Array.from({ length: STEPS + 1 }, (_, i) => moved(arm, q, claim, (share * i) / STEPS));
     const tip = new Triads(picture.dark, 1);
     tip.pose([ways.at(-1).claimed], 0.1 * picture.size);
-    const spot = ball(paint(bad));
-    spot.scale.setScalar(0.016 * picture.size);
-    spot.position.fromArray(ways.at(-1).claimed.o);
+    const spot = this.spot(ways.at(-1).claimed.o, bad);
     const thick = 0.005 * picture.size;
     return [tip, spot, tube(ways.map(({ claimed }) => claimed.o), thick, bad),
       tube(ways.map(({ truly }) => truly.o), thick, ghost)]; // prettier-ignore
+  }
+
+  spot(point, colour) {
+    const made = ball(paint(colour));
+    made.scale.setScalar(0.016 * this.picture.size);
+    made.position.fromArray(point);
+    return made;
   }
 
   line({ start, end }, thickness, colour) {
