@@ -2,6 +2,7 @@
 // wrong, its joint moves a little, the arm truly and a ghost of its tip as the column claims.
 
 import { calm, h } from "../dom.js";
+import { reachOf } from "../arm.js";
 import { joints, linkFrames, minus, plus, scaled } from "../kinematics.js";
 import { freed } from "../renderer.js";
 import { along, ArmShape, ball, ghostMaterial, paint, rod, Triads, tube } from "../shapes.js";
@@ -77,11 +78,20 @@ export function answer(host) {
       }),
     );
     lever.move(0);
+    picture?.figure.fit(extent(shown));
   }
   live.follow(() => overlay?.draw(shown, claim, share));
   host.addEventListener("answer", () => ((shown = host.answer), show()), { signal: abort.signal });
   show();
   return () => (cancelAnimationFrame(frame), abort.abort(), live.dispose());
+}
+
+// The points that should be in view, with room for the axes at the tip.
+function extent({ arm, q, ghosts, points, path = [] }) {
+  const arms = [{ arm, q }, ...ghosts].map((one) => linkFrames(one.arm, one.q));
+  const room = 0.12 * reachOf(arm);
+  const ends = ["x", "z"].map((axis) => plus(arms[0].at(-1).o, scaled(room, arms[0].at(-1)[axis])));
+  return [...arms.flat().map(({ o }) => o), ...ends, ...points, ...path, [0, 0, 0], [0, 0, 3 * room]];
 }
 
 // What is drawn over the explorer's picture.
