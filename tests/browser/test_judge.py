@@ -78,6 +78,21 @@ def test_torques_by_keys_alone(page):
     assert page.get_by_label("Wrench on the tool").is_visible()
 
 
+def test_a_table_is_judged_and_shown_as_it_is_read(page):
+    page.get_by_label("Question", exact=True).select_option(label="Denavit-Hartenberg table")
+    page.get_by_label("Arm", exact=True).select_option(label="Elbow arm")
+    heads = "a (mm) alpha (deg) d (mm) theta"
+    typed = f"{heads}\n0 90 500 q1\n400 0 0 q2+90\n200 0 0 q3"
+    page.get_by_label("Your answer", exact=True).fill(typed)
+    verdict(page, "row 3, a (you have 200): a in row 3 is 100 mm too short.")
+    assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.2"]
+    assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
+    page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))
+    verdict(page, "Your table describes the same arm as Elbow arm.")
+    page.get_by_label("Convention", exact=True).select_option("craig")
+    verdict(page, "the modified (Craig) convention, turned into the standard one")
+
+
 def test_what_cannot_be_read_is_said(page):
     ask(page, "1 2\n3")
     verdict(page, "expected rows of one length")
