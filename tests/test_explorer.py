@@ -10,6 +10,7 @@ import shutil
 import subprocess
 from dataclasses import replace
 from functools import cache
+from html import unescape
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -18,8 +19,9 @@ import pytest
 
 from helpers.arm import Arm, ArmError, Row, fixed, prismatic, revolute
 from helpers.checks import compare_tables
-from helpers.explorer import ArmExplorer
+from helpers.explorer import ArmExplorer, ArmFigure
 from helpers.explorer.data import arm_data, arm_from
+from helpers.explorer.figure import ANY_ARM, ONE_ARM
 from helpers.explorer.stub import still
 from helpers.explorer.widget import BUNDLE, MORE
 from helpers.inverse import elbow, stanford, ur
@@ -641,6 +643,23 @@ def test_the_stub_holds_the_arm_and_words_for_its_picture(explorer):
     assert spec["q"] == list(PANDA.home)
     assert 'role="img" aria-label="Still picture of the Panda at q_1 = 0' in html
     assert html.count("<") == html.count(">")
+
+
+def test_a_small_figure_is_a_widget_and_the_stub_that_a_chapter_writes():
+    figure = ArmFigure("ellipsoid", q=UR10E_HOMEWORK.home, joints=[3, 5])
+    shown = figure._repr_mimebundle_()
+    assert "application/vnd.jupyter.widget-view+json" in shown
+    assert shown["text/plain"] == "<ArmFigure ellipsoid of the UR10e (homework)>"
+    kind, options = re.search(
+        r'data-figure="(\w+)" data-options="([^"]*)"', shown["text/html"]
+    ).groups()
+    assert kind == "ellipsoid"
+    options = json.loads(unescape(options))
+    assert options == {"joints": [3, 5], "arm": arm_data(UR10E_HOMEWORK), "q": [0.0] * 6}
+    assert ArmFigure("swing")._spec == {"figure": "swing", "joints": [], "arm": "Panda"}
+    kinds = (SOURCES / "src" / "more" / "index.js").read_text(encoding="utf-8")
+    for name in ANY_ARM | ONE_ARM:
+        assert re.search(rf"^  {name},$", kinds, re.M), name
 
 
 def test_stored_notebooks_hold_stubs_and_no_widgets():

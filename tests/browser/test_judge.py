@@ -3,7 +3,7 @@ typed is judged, wrong cells are marked, and a link brings it back."""
 
 import pytest
 
-from tests.browser.test_pages import AXE, BAD
+from tests.browser.test_pages import AXE, BAD, EVERYTHING
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"
@@ -46,6 +46,13 @@ def ask(page, answer, q="0.5, 0.7, -0.4"):
     page.get_by_label("Your answer", exact=True).fill(answer)
 
 
+def serious(page):
+    """What axe finds that is serious, on a page that is set to its end."""
+    page.evaluate(EVERYTHING)
+    page.add_script_tag(path=AXE)
+    return page.evaluate(BAD)
+
+
 def verdict(page, words):
     page.locator(".arm-judge .verdict", has_text=words).wait_for()
 
@@ -78,6 +85,21 @@ def test_torques_by_keys_alone(page):
     assert page.get_by_label("Wrench on the tool").is_visible()
 
 
+def test_a_table_is_judged_and_shown_as_it_is_read(page):
+    page.get_by_label("Question", exact=True).select_option(label="Denavit-Hartenberg table")
+    page.get_by_label("Arm", exact=True).select_option(label="Elbow arm")
+    heads = "a (mm) alpha (deg) d (mm) theta"
+    typed = f"{heads}\n0 90 500 q1\n400 0 0 q2+90\n200 0 0 q3"
+    page.get_by_label("Your answer", exact=True).fill(typed)
+    verdict(page, "row 3, a (you have 200): a in row 3 is 100 mm too short.")
+    assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.2"]
+    assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
+    page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))
+    verdict(page, "Your table describes the same arm as Elbow arm.")
+    page.get_by_label("Convention", exact=True).select_option("craig")
+    verdict(page, "the modified (Craig) convention, turned into the standard one")
+
+
 def test_what_cannot_be_read_is_said(page):
     ask(page, "1 2\n3")
     verdict(page, "expected rows of one length")
@@ -91,8 +113,7 @@ def test_it_fits_and_axe_finds_nothing_serious(page):
     assert (
         page.get_by_role("region", name="How your answer is read").evaluate("e => e.tabIndex") == 0
     )
-    page.add_script_tag(path=AXE)
-    assert page.evaluate(BAD) == []
+    assert serious(page) == []
 
 
 def test_without_a_script_the_page_reads_well(browser):
@@ -155,8 +176,7 @@ def test_an_answer_is_filled_in_cell_by_cell(page):
     cells.nth(8).fill("0.3866")
     verdict(page, "wrong in vz")
     assert page.locator(".filling [aria-invalid=true]").count() == 1
-    page.add_script_tag(path=AXE)
-    assert page.evaluate(BAD) == []
+    assert serious(page) == []
     assert page.evaluate(OUTSIDE) == []
     page.get_by_role("button", name="Type or paste instead").click()
     assert "0.3866" in page.get_by_label("Your answer", exact=True).input_value()
@@ -230,8 +250,7 @@ def test_a_practice_question_comes_by_link_and_is_solved(page):
     page.get_by_role("button", name="Copy link").click()
     page.get_by_text("The link").first.wait_for()
     assert "#practice=table:3&answer=" in page.url
-    page.add_script_tag(path=AXE)
-    assert page.evaluate(BAD) == []
+    assert serious(page) == []
     assert page.evaluate(OUTSIDE) == []
     page.get_by_role("button", name="Next question").click()
     page.get_by_text("question 4").wait_for()
@@ -246,7 +265,7 @@ def test_a_run_comes_from_a_file(page, tmp_path):
     verdict(page, "the path is drawn the other way round")
     rows = page.get_by_label("Your answer", exact=True).input_value().split("\n")
     file = tmp_path / "run.csv"
-    file.write_text("\n".join(",".join(row.split()) for row in rows[::-1]))
+    file.write_text("\n".join(",".join(row.split()) for row in rows[::-1]), "utf-8")
     page.locator("input[type=file]").set_input_files(file)
     page.get_by_text("From run.csv, 25 lines.").wait_for()
     verdict(page, "UR10e (homework) draws the path")

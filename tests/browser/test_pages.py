@@ -109,7 +109,7 @@ class Reader:
         self.page.on("pageerror", lambda error: self.troubles.append(f"error: {error}"))
         self.page.on("console", self._said)
         self.page.on("request", lambda r: self._asked(r.url, allowed))
-        self.page.on("requestfailed", lambda r: self.troubles.append(f"failed: {r.url}"))
+        self.page.on("requestfailed", self._failed)
 
     def _said(self, message):
         if (
@@ -118,6 +118,10 @@ class Reader:
             return
         if message.type in ("error", "warning"):
             self.troubles.append(f"{message.type}: {message.text}")
+
+    def _failed(self, request):
+        if request.failure != "net::ERR_ABORTED":  # given up by a reader who went on
+            self.troubles.append(f"failed: {request.url}")
 
     def _asked(self, url, allowed):
         self.asked.add(url)
