@@ -42,7 +42,7 @@ def corpus_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
 def form_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
     """The corpus's arms, right and mistaken, in other forms, units and conventions."""
     for case in tables.cases(rng, count):
-        rows = case["rows"]
+        rows = tables.rechosen(case["rows"], rng) if rng.random() < 0.4 else case["rows"]
         if rng.random() < 0.25:
             rows = tables.to_craig(rows)
         cells = [_cells(i, row, rng) for i, row in enumerate(_in_units(rows, rng), 1)]

@@ -290,6 +290,13 @@ def test_a_modified_table_is_quoted_as_it_was_typed(typed, instead, place, cause
     assert report.causes == (cause,)
 
 
+def test_a_forgotten_pen_is_named_in_other_frames_too():
+    rows = [*([a, math.radians(t), d] for a, t, d in ROWS[:5]), [88, math.pi / 2, 0]]
+    rows = [*rows, [0, 0, -107]]
+    mine = [[a / 1000, t, d / 1000, f"q{i}"] for i, (a, t, d) in enumerate(rows, 1)]
+    assert checks.compare_tables(mine, PANDA, columns="a alpha d theta").causes == ("table.pen",)
+
+
 @pytest.mark.parametrize(
     ("first", "words"),
     [

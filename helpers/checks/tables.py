@@ -30,6 +30,7 @@ from helpers.reading import table as reading
 from helpers.reading.sentences import say, size
 
 _UNITS = ("table.millimetres", "table.centimetres", "table.degrees", "table.twists in degrees")
+_ONE_ENTRY = ("table.pen", "table.length")  # a wrong entry whose reason is known
 _ENTRY = 0.7  # what a wrong entry costs, where a cause costs 1
 _BY_AXES = 0.5  # what it costs besides that entries still differ though the axes agree
 _ANGLES = ("alpha", "theta")
@@ -367,7 +368,13 @@ def _local(
 
 def _cost(c: Cause | None) -> float:
     """What a reading costs; units go wrong so often that they are cheap."""
-    return 0 if c is None else sum(0.5 if key in _UNITS else 1 for key in c.keys)
+    cheap = dict.fromkeys(_UNITS, 0.5) | dict.fromkeys(_ONE_ENTRY, 0.6)
+    return 0 if c is None else sum(cheap.get(key, 1) for key in c.keys)
+
+
+def _apart(c: Cause) -> float:
+    """What it costs besides that entries still differ: nothing where the cause is one entry."""
+    return 0 if len(c.keys) == 1 and c.keys[0] in _ONE_ENTRY else _BY_AXES
 
 
 def _edits(c: Cause | None) -> int:
@@ -431,9 +438,9 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
 def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
     """The cheapest reading after which the axes agree, though entries differ, below a cost."""
     for t in sorted(tries, key=lambda t: _cost(t.cause)):
-        if _cost(t.cause) + _BY_AXES >= most:
-            return None
-        if t.cause is not None and _likely(t) and not t.found(length).differences:
+        if t.cause is None or _cost(t.cause) + _apart(t.cause) >= most:
+            continue
+        if _likely(t) and not t.found(length).differences:
             return t
     return None
 

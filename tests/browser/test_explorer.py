@@ -54,7 +54,15 @@ class Visit(Reader):
         self, browser, fragment="", theme="light", size="wide", name="explorer", **context
     ):
         super().__init__(browser, theme, size, "file:", **context)
-        self.open((HTML / f"{name}.html").as_uri() + fragment)
+        self.visits = 0
+        self.enter(fragment, name)
+
+    def enter(self, fragment="", name="explorer"):
+        """Formulas are set where the reader is, and not waited for."""
+        self.page.emulate_media(media="screen")
+        self.visits += 1  # in the address, since another fragment alone would open no new page
+        self.page.goto(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
+        self.page.mouse.move(1, 1)
         self.page.locator(INSTRUMENT).scroll_into_view_if_needed()
         self.page.locator("section.explorer").wait_for()
 
@@ -80,18 +88,33 @@ class Visit(Reader):
         return self.page.evaluate("location.hash")
 
 
+@pytest.fixture(scope="module")
+def usual(browser):
+    """A reader by day, on a wide screen, who comes again and again."""
+    here = Visit(browser)
+    yield here
+    here.context.close()
+
+
 @pytest.fixture
-def visit(browser):
+def visit(browser, usual):
     visits = []
 
-    def enter(*args, **kwargs):
-        visits.append(Visit(browser, *args, **kwargs))
+    def enter(fragment="", name="explorer", **kwargs):
+        if kwargs or usual in visits:
+            visits.append(Visit(browser, fragment, name=name, **kwargs))
+        else:
+            usual.enter(fragment, name)
+            visits.append(usual)
         return visits[-1]
 
     yield enter
+    troubles = [trouble for one in visits for trouble in one.troubles]
+    usual.troubles.clear()
+    assert troubles == []
     for one in visits:
-        assert one.troubles == []
-        one.context.close()
+        if one is not usual:
+            one.context.close()
 
 
 def test_a_page_without_an_explorer_loads_no_bundle(browser):
@@ -336,6 +359,18 @@ def test_ik_branches_are_found_and_clicked(visit):
         )
 
 
+# Where in the picture the hand becomes a finger.
+POINTED = """(canvas) => {
+    const { left, top, width, height } = canvas.getBoundingClientRect(), found = [];
+    for (let y = 10; y < height; y += 32)
+        for (let x = 10; x < width; x += 32) {
+            canvas.dispatchEvent(new PointerEvent("pointermove", { clientX: left + x, clientY: top + y, bubbles: true }));
+            if (canvas.style.cursor === "pointer") found.push([x, y]);
+        }
+    return found;
+}"""
+
+
 def test_a_ghost_in_the_picture_is_clicked(visit):
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
@@ -343,16 +378,9 @@ def test_a_ghost_in_the_picture_is_clicked(visit):
     canvas = here.page.locator(".stage canvas")
     canvas.scroll_into_view_if_needed()
     box = canvas.bounding_box()
-    spots = [
-        (x, y) for y in range(10, int(box["height"]), 32) for x in range(10, int(box["width"]), 32)
-    ]
-
-    def pointed(spot):
-        here.page.mouse.move(box["x"] + spot[0], box["y"] + spot[1])
-        return canvas.evaluate("e => e.style.cursor") == "pointer"
-
-    ghosts = [spot for spot in spots if pointed(spot)]
-    assert 0.01 < len(ghosts) / len(spots) < 0.3, "the ghosts, and nothing around them"
+    ghosts = canvas.evaluate(POINTED)
+    share = len(ghosts) * 32**2 / (box["width"] * box["height"])
+    assert 0.01 < share < 0.3, "the ghosts, and nothing around them"
     x, y = ghosts[len(ghosts) // 2]
     here.page.mouse.click(box["x"] + x, box["y"] + y)
     wanted = forward_kinematics(UR10E, q)
@@ -363,7 +391,7 @@ def test_a_ghost_in_the_picture_is_clicked(visit):
 def test_the_numbers_in_the_page_are_pythons(visit):
     here = visit()
     for arm in ARMS:
-        qs = some(arm, 1000)
+        qs = some(arm, 50)
         ask = """([arm, qs]) => qs.map((q) => {
             const { frames, columns, gravity } = ArmExplorer.derive(arm, q, [0, 0, 0, 0, 0, 0]);
             return [ArmExplorer.kinematics.matrix(frames.at(-1)), columns, gravity];
@@ -384,7 +412,9 @@ def typed(page, label, text):
     field.press("Enter")
 
 
-def test_chapter_1_an_offset_may_slide_along_parallel_axes(visit):
+def test_chapter_1_an_offset_may_slide_along_parallel_axes_and_only_joint_3_tells_a_reversed_one(
+    visit,
+):
     page = visit(name="01_dh_tables").page
     verdict = page.locator(".dh .verdict")
     page.locator("[data-cell='2-d']").fill("0.1639")
@@ -394,10 +424,8 @@ def test_chapter_1_an_offset_may_slide_along_parallel_axes(visit):
     typed(page, "Joint 5, angle, typed", "-40")
     assert "0.0 mm and 0.0°" in verdict.inner_text()
 
-
-def test_chapter_1_only_joint_3_tells_a_reversed_axis(visit):
-    page = visit(name="01_dh_tables").page
-    verdict = page.locator(".dh .verdict")
+    page.get_by_role("button", name="Back to the first table").click()
+    typed(page, "Joint 3, angle, typed", "0")
     for row in (2, 3):
         page.locator(f"[data-cell='{row}-alpha']").fill("0")
     for joint in (1, 2, 4, 5, 6):
@@ -421,7 +449,7 @@ def test_chapter_2_rank_comes_back_with_joints_3_and_5(visit):
     assert verdict.inner_text().startswith("Rank 6")
 
 
-def test_chapter_3_one_circle_winds_and_the_other_does_not(visit):
+def test_chapter_3_one_circle_winds_and_two_others_do_not(visit):
     page = visit(name="03_circle_tracing").page
     verdict = page.locator(".trace .verdict")
     assert verdict.inner_text().startswith("Joint 5 and joint 7 would have to pass their limits")
@@ -432,13 +460,10 @@ def test_chapter_3_one_circle_winds_and_the_other_does_not(visit):
     page.get_by_role("button", name="Draw a circle from here").click()
     expect(verdict).to_have_text("All joints stay within their limits.")
     assert page.locator(".plots .past").count() == 0
-
-
-def test_chapter_3_the_elbow_out_draws_the_homework_s_circle(visit):
-    page = visit(name="03_circle_tracing").page
     page.get_by_label("Arm", exact=True).select_option("Panda, elbow out")
+    expect(verdict).not_to_have_text("All joints stay within their limits.")
     page.get_by_role("button", name="Draw a circle from here").click()
-    expect(page.locator(".trace .verdict")).to_have_text("All joints stay within their limits.")
+    expect(verdict).to_have_text("All joints stay within their limits.")
     assert page.locator(".plots .past").count() == 0
 
 
@@ -459,9 +484,13 @@ def test_chapter_4_the_pen_pushed_down_is_too_much_for_joint_6(visit):
     assert page.locator(".plots figure").count() == 7
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_it_wears_the_pages_theme_and_fits_the_page(visit, theme, size):
+NAMELESS = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']")]
+    .filter(c => !(c.getAttribute("aria-label") || c.textContent.trim() || c.labels?.length))
+    .map(c => c.outerHTML.slice(0, 120))"""
+
+
+@pytest.mark.parametrize(("theme", "size"), [("light", "wide"), ("dark", "phone")])
+def test_every_tab_fits_the_page_and_wears_its_theme_and_all_in_it_has_a_name(visit, theme, size):
     here = visit(theme=theme, size=size)
     card = here.page.locator("section.explorer")
     assert card.get_attribute("data-theme") == theme
@@ -469,19 +498,10 @@ def test_it_wears_the_pages_theme_and_fits_the_page(visit, theme, size):
         here.tab(name)
         assert here.page.evaluate("document.documentElement.scrollWidth") <= SIZES[size]["width"]
         assert card.evaluate("e => e.scrollWidth <= e.clientWidth + 1")
+        assert card.evaluate(NAMELESS) == []
     other = "dark" if theme == "light" else "light"
     here.page.evaluate(f"document.documentElement.dataset.theme = '{other}'")
     expect(card).to_have_attribute("data-theme", other)
-
-
-def test_everything_that_can_be_worked_has_a_name(visit):
-    here = visit()
-    nameless = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']")]
-        .filter(c => !(c.getAttribute("aria-label") || c.textContent.trim() || c.labels?.length))
-        .map(c => c.outerHTML.slice(0, 120))"""
-    for name in ("DH table", "Circle trace", "Static torque", "IK branches"):
-        here.tab(name)
-        assert here.page.locator("section.explorer").evaluate(nameless) == []
 
 
 def test_where_motion_is_unwelcome_the_arm_is_there_at_once(visit):
@@ -672,7 +692,7 @@ def test_nothing_grows_with_switches_keystrokes_and_views(visit):
             await still();
             return { ...ArmExplorer.inUse(), buffers };
         };
-        const [first, later] = [await round(8), await round(60)];
+        const [first, later] = [await round(8), await round(16)];
         const hosts = Array.from({ length: 19 }, () => {
             const host = document.createElement('div');
             host.innerHTML = '<script type="application/json"></' + 'script>';

@@ -74,8 +74,14 @@ const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]
 const RUN = /^(?:[cs]_?(?:\d|\{[\d+-]+\})+){2,}$/;
 const SHORT = /[cs]_?(?:\d|\{[\d+-]+\})+/g;
 
+const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
+
+// Whether a text is one number in plain signs, as nearly every cell of a long paste is.
+export const isNumber = (text) => NUMBER.test(text);
+
 // The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
+  if (isNumber(text)) return text;
   text = [...text].map((sign) => SAME.get(sign) ?? sign).join("");
   for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
   for (let before = ""; before !== text;) [before, text] = [text, text.replace(FRACTION, "(($1)/($2))")];

@@ -1,7 +1,7 @@
 // A pasted text as rows of cells, the port of helpers/reading/grid.py: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or
 // spreadsheet cells.
 
-import { number, plain } from "./formula.js";
+import { isNumber, number, plain } from "./formula.js";
 import { ArmError } from "./say.js";
 
 const LONGEST = 5_000_000; // characters of a paste: a trace of 20 000 steps
@@ -130,6 +130,8 @@ function itemsOf(text) {
 
 // Split at commas outside brackets, or at blanks where there are none, as MATLAB and NumPy print.
 function split(text) {
+  const words = text.trim().split(/\s+/);
+  if (words.every(isNumber)) return words;
   const pieces = [];
   let [depth, piece] = [0, ""];
   const comma = topComma(text);

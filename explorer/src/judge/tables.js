@@ -9,6 +9,7 @@ import { ENTRIES, meant, read } from "./table_reading.js";
 import * as usual from "./tables_causes.js";
 
 const CHEAP = ["table.millimetres", "table.centimetres", "table.degrees", "table.twists in degrees"];
+const ONE_ENTRY = ["table.pen", "table.length"]; // a wrong entry whose reason is known
 const ENTRY = 0.7; // what a wrong entry costs, where a cause costs 1
 const BY_AXES = 0.5; // what it costs besides that entries still differ though the axes agree
 const ANGLE = 1e-4; // rad: angles are often written with four decimals
@@ -279,11 +280,16 @@ function fewEntries(all, rows, length) {
   return { cost: cost(best.cause) + ENTRY * needed.length, best, needed };
 }
 
-const cheapest = (list, costOf) =>
-  list.reduce((best, one) => (best === null || costOf(one) < costOf(best) ? one : best), null);
+const cheapest = (list, price) =>
+  list.reduce((best, one) => (best === null || price(one) < price(best) ? one : best), null);
 
 // What a reading costs; units go wrong so often that they are cheap.
-const cost = (why) => (why?.keys ?? []).reduce((sum, key) => sum + (CHEAP.includes(key) ? 0.5 : 1), 0);
+const cost = (why) => (why?.keys ?? []).reduce((sum, key) => sum + costOf(key), 0);
+
+const costOf = (key) => (CHEAP.includes(key) ? 0.5 : ONE_ENTRY.includes(key) ? 0.6 : 1);
+
+// What it costs besides that entries still differ: nothing where the cause is one entry.
+const apart = ({ keys }) => (keys.length === 1 && ONE_ENTRY.includes(keys[0]) ? 0 : BY_AXES);
 
 const edits = (why) => why?.keys.length ?? 0;
 
@@ -332,8 +338,8 @@ const angular = (column) => column === "alpha" || column === "theta";
 // The cheapest reading after which the axes agree, though entries differ, below a cost; or null.
 function agreeing(all, length, most) {
   for (const t of [...all].sort((p, q) => cost(p.cause) - cost(q.cause))) {
-    if (cost(t.cause) + BY_AXES >= most) return null;
-    if (t.cause && likely(t) && !compare(t, length).differences.length) return t;
+    if (!t.cause || cost(t.cause) + apart(t.cause) >= most) continue;
+    if (likely(t) && !compare(t, length).differences.length) return t;
   }
   return null;
 }

@@ -11,6 +11,7 @@ import { size } from "./say.js";
 
 const ALIKE = 1e-9; // m: misses nearer to each other than this are the same
 const SAMPLE = 100;
+const STRIDE = 50;
 const ALONG = 40; // windows in a run: few enough for many steps each, enough to see a circle's turns
 const PLAIN = 0.1; // of the miss: what another path without a free number in it may leave
 const PLAIN_PATHS = ["trace.backwards", "trace.other side", "trace.axes exchanged"];
@@ -136,12 +137,20 @@ const vector = (metres) => `(${metres.map((x) => size(rint(1e3 * x * 1e3) / 1e3 
  */
 export function tableCause(q, arm, path, allowed) {
   const wanted = path.times.map(path.position);
-  const chains = q.map((row) => chain(arm, row));
-  const left = (all) => farthest(all.map((one) => framesOf(one).at(-1).o), wanted); // prettier-ignore
-  const most = Math.min(allowed, left(chains) / 4);
-  const others = chains.map((one) => wrongTables(arm, one));
+  const here = chain(arm, q[0]);
+  // Points far from each other first, so that a table that does not fit is soon dropped.
+  const order = [...q.keys()].sort((a, b) => (a % STRIDE) - (b % STRIDE) || a - b);
+  const left = (table, enough) => {
+    let top = 0;
+    for (const k of order) {
+      top = Math.max(top, norm(minus(framesOf({ ...table, q: q[k] }).at(-1).o, wanted[k])));
+      if (top > enough) return Infinity;
+    }
+    return top;
+  };
+  const most = Math.min(allowed, left(here, Infinity) / 4);
   /** @type {[Cause, number][]} */
-  const found = others[0].map(([one], k) => [one, left(others.map((tables) => tables[k][1]))]);
+  const found = wrongTables(arm, here).map(([one, table]) => [one, left(table, most + ALIKE)]);
   const least = Math.min(...found.map(([, rest]) => rest));
   if (!(least <= most)) return null;
   return found.find(([, rest]) => rest <= least + ALIKE)?.[0] ?? null;
@@ -252,12 +261,13 @@ function* rulesOf(steps) {
   const own = (sample) => sample.J;
   yield held(steps, cause("trace.other side"), own, (sample) => scaled(-1, sample.now));
   yield held(steps, cause("trace.next velocity"), own, (sample) => sample.later);
-  const wrong = samples.map(({ at }) => [
-    ...recipes(at),
-    ...wrongTables(arm, at).map(([one, other]) => [one, columns(other, framesOf(other))]),
-  ]);
-  for (const k of wrong[0].keys()) {
-    yield held(steps, /** @type {Cause} */ (wrong[0][k][0]), (_, i) => wrong[i][k][1], now);
+  const wrong = samples.map(({ at }) => [...recipes(at)]);
+  for (const [k, [one]] of wrong[0].entries()) {
+    yield held(steps, /** @type {Cause} */ (one), (_, i) => wrong[i][k][1], now);
+  }
+  for (const [one, table] of wrongTables(arm, samples[0].at)) {
+    const by = ({ at: { q } }) => columns(table, framesOf({ ...table, q }));
+    yield held(steps, /** @type {Cause} */ (one), by, now);
   }
   if (steps.rows < 6) return;
   const dof = steps.own.length;
@@ -268,21 +278,32 @@ function* rulesOf(steps) {
 }
 
 function fails({ samples, window, noise, rows }, J, linear) {
-  const off = samples.map((sample, i) => {
-    const got = times(J(sample, i), sample.rate);
-    const wanted = linear(sample);
-    return got.map((x, row) => (row < 3 ? x - wanted[row] : x)).slice(0, rows);
-  });
+  const off = samples.map((sample, i) => failed(J(sample, i), sample.rate, linear(sample), rows));
   return Math.max(...sizes(off, window).map((x, row) => x / noise[row]));
+}
+
+// The first rows of K u - (v, 0), with the rows of K one after another.
+function failed(K, u, v, rows) {
+  const off = new Array(rows);
+  for (let row = 0; row < rows; row++) {
+    let sum = row < 3 ? -v[row] : 0;
+    for (let k = 0; k < u.length; k++) sum += K[row * u.length + k] * u[k];
+    off[row] = sum;
+  }
+  return off;
 }
 
 // The root mean square of each column over the windows' averages.
 function sizes(off, window) {
-  const means = Array.from({ length: off.length / window }, (_, i) => {
-    const part = off.slice(i * window, (i + 1) * window);
-    return off[0].map((_, k) => average(part.map((row) => row[k])));
+  return off[0].map((_, k) => {
+    let squares = 0;
+    for (let from = 0; from < off.length; from += window) {
+      let sum = 0;
+      for (let i = from; i < from + window; i++) sum += off[i][k];
+      squares += (sum / window) ** 2;
+    }
+    return Math.sqrt((squares * window) / off.length);
   });
-  return off[0].map((_, k) => Math.sqrt(average(means.map((row) => row[k] ** 2))));
 }
 
 /** @param {Steps} steps @param {Cause} one */
@@ -299,10 +320,6 @@ function moves({ samples, window, own }, one, wanted) {
   const fits = left < HOLDS || Math.max(...off) < 0.02 * Math.max(...sizes(wanted, window));
   return { one, left, fits };
 }
-
-// K u, with the rows of K one after another.
-const times = (K, u) =>
-  [0, 1, 2, 3, 4, 5].map((row) => u.reduce((sum, x, k) => sum + K[row * u.length + k] * x, 0));
 
 // J^T v with the first three rows of J.
 const upwards = (J, dof, v) =>
