@@ -6,6 +6,9 @@ NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 BOOK := book/_build/html/index.html
 SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/* book/answers/*.md) $(shell find helpers -name '*.py')
 
+# Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
+unexport PYTHONDONTWRITEBYTECODE
+
 .PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean explorer answers sheet coverage mutants
 
 help: ## list the targets
@@ -39,8 +42,9 @@ book: $(BOOK) ## build the book and say where it is
 	@echo "The book: $(CURDIR)/$(BOOK)"
 	@echo "file://$(CURDIR)/$(BOOK)"
 
+# In the order in which they are found, browser first: by the number of their tests, the longest files would come last.
 test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and the built book's
-	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
 
 # Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails

@@ -1,6 +1,7 @@
-// Computes with the explorer's JavaScript what tests/test_explorer.py compares with Python: JSON in, JSON out.
+// Computes with the explorer's JavaScript what tests/test_explorer.py compares with Python: a line of JSON in, a
+// line of JSON out, until nobody asks.
 
-import { readFileSync } from "node:fs";
+import { createInterface } from "node:readline";
 import { readEntry } from "../explorer/src/entry.js";
 import { exported } from "../explorer/src/exports.js";
 import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../explorer/src/kinematics.js";
@@ -54,5 +55,7 @@ const jobs = {
   exported: ({ arm, q, format }) => exported(format, { arm, q }),
 };
 
-const { job, ...given } = JSON.parse(readFileSync(0, "utf8"));
-process.stdout.write(JSON.stringify(jobs[job](given)));
+for await (const line of createInterface({ input: process.stdin })) {
+  const { job, ...given } = JSON.parse(line);
+  process.stdout.write(`${JSON.stringify(jobs[job](given))}\n`);
+}

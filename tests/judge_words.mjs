@@ -2,6 +2,7 @@
 
 import { readFileSync } from "node:fs";
 import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../explorer/src/judge/ask.js";
+import { numbers } from "../explorer/src/judge/door.js";
 import * as judge from "../explorer/src/judge/index.js";
 import { compareBranches } from "../explorer/src/judge/branches.js";
 import { circle, circleBelow, restToRest } from "../explorer/src/judge/path.js";
@@ -15,6 +16,7 @@ const { sentences, arms, questions } = JSON.parse(readFileSync(0, "utf8"));
 judge.learn(sentences);
 
 const JUDGES = {
+  read: ({ typed }) => read(typed),
   branches: ({ typed, arm, target, options }) => compareBranches(typed, arms[arm], target, options),
   jacobian: ({ typed, arm, q, options }) => judge.compareJacobian(typed, arms[arm], q, options),
   table: ({ typed, arm, options }) => judge.compareTables(typed, arms[arm], options),
@@ -36,6 +38,12 @@ function throughLink(asked) {
   const { report, error } = verdict(question, arms);
   if (error) throw new judge.ArmError(error);
   return { ...report, call: asPython(question, arms) };
+}
+
+// What a paste is read as, in the place of words.
+function read(text) {
+  const { values, shape } = numbers(text, "your matrix");
+  return { grade: "read", causes: shape, headline: values.join(" "), findings: [], taken: [], notes: [] };
 }
 
 function words(question) {

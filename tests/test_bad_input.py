@@ -216,6 +216,7 @@ RIGHT = {
     "explorer.ArmExplorer": dict(arm=PANDA, q=PANDA.home, views=["table"], wrench=[0] * 6,
         trace=[PANDA.home] * 3, branches=[PANDA.home], reference=PANDA, arms=(), unit="deg",
         link=False),
+    "explorer.ArmFigure": dict(kind="columns", arm=PANDA, q=PANDA.home, joints=[2]),
     "symbolic.joint_symbols": dict(arm=ELBOW),
     "symbolic.link_transforms": dict(arm=ELBOW),
     "symbolic.link_frames": dict(arm=ELBOW),
@@ -254,6 +255,8 @@ EXPECTED = {
     "base": "a link, one of a, b", "derive.derive base": "a rigid motion, 4x4, in m",
     "below": "a finite number > 0", "bodies": "one Body for each row",
     "branches": "joint vectors (2, 3)",
+    "explorer.ArmFigure joints": "numbers of joints, from 1",
+    "explorer.ArmFigure kind": "one of columns",
     "explorer.ArmExplorer branches": "a closed form's answer, a mapping from names",
     "centre": "three finite coordinates in m", "centres": "points of shape (2, 3) in m",
     "statics.centres_in centres": "points (n, 3)", "com": "three coordinates (x, y, z)",
@@ -494,6 +497,8 @@ SPECIAL = [
     ("plotting.moving_picture", dict(planes="xz"), "planes are 'xz'; expected two planes such as"),
     ("explorer.ArmExplorer", dict(trace=PANDA.home), 'Panda: the trace has shape (7,); expected'
                                                      ' (N, 7)'),
+    ("explorer.ArmFigure", dict(joints=[9]), 'joints has 9; the Panda has 1, 2, 3, 4, 5, 6, 7'),
+    ("explorer.ArmFigure", dict(kind="triangles"), 'the figure triangles shows the Elbow arm'),
     ("explorer.ArmExplorer", dict(branches=[[0] * 6]), 'Panda: q has shape (6,); expected (...,'
                                                        ' 7)'),
 ]

@@ -1,6 +1,7 @@
 """The explorer: its JavaScript against Python, its bundle against its sources, its stub and its
 traits."""
 
+import atexit
 import json
 import math
 import os
@@ -8,6 +9,8 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
+from functools import cache
+from html import unescape
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -16,8 +19,9 @@ import pytest
 
 from helpers.arm import Arm, ArmError, Row, fixed, prismatic, revolute
 from helpers.checks import compare_tables
-from helpers.explorer import ArmExplorer
+from helpers.explorer import ArmExplorer, ArmFigure
 from helpers.explorer.data import arm_data, arm_from
+from helpers.explorer.figure import ANY_ARM, ONE_ARM
 from helpers.explorer.stub import still
 from helpers.explorer.widget import BUNDLE, MORE
 from helpers.inverse import elbow, stanford, ur
@@ -42,13 +46,24 @@ needs_node = pytest.mark.skipif(
 )
 
 
-def ask(job, **given):
-    asked = json.dumps({"job": job, **given})
+@cache
+def node():
+    """One Node.js for all questions: it takes longer to start than to answer."""
     assert NODE, "Node.js is not installed"
     command = [NODE, str(ROOT / "tests" / "explorer_numbers.mjs")]
-    return json.loads(
-        subprocess.run(command, input=asked, capture_output=True, text=True, check=True).stdout
-    )
+    pipe = subprocess.PIPE
+    process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, encoding="utf-8")
+    atexit.register(process.kill)
+    return process
+
+
+def ask(job, **given):
+    process = node()
+    process.stdin.write(json.dumps({"job": job, **given}) + "\n")
+    process.stdin.flush()
+    answer = process.stdout.readline()
+    assert answer, f"Node.js broke off at {job}"
+    return json.loads(answer)
 
 
 def some(arm, count=1000):
@@ -628,6 +643,23 @@ def test_the_stub_holds_the_arm_and_words_for_its_picture(explorer):
     assert spec["q"] == list(PANDA.home)
     assert 'role="img" aria-label="Still picture of the Panda at q_1 = 0' in html
     assert html.count("<") == html.count(">")
+
+
+def test_a_small_figure_is_a_widget_and_the_stub_that_a_chapter_writes():
+    figure = ArmFigure("ellipsoid", q=UR10E_HOMEWORK.home, joints=[3, 5])
+    shown = figure._repr_mimebundle_()
+    assert "application/vnd.jupyter.widget-view+json" in shown
+    assert shown["text/plain"] == "<ArmFigure ellipsoid of the UR10e (homework)>"
+    kind, options = re.search(
+        r'data-figure="(\w+)" data-options="([^"]*)"', shown["text/html"]
+    ).groups()
+    assert kind == "ellipsoid"
+    options = json.loads(unescape(options))
+    assert options == {"joints": [3, 5], "arm": arm_data(UR10E_HOMEWORK), "q": [0.0] * 6}
+    assert ArmFigure("swing")._spec == {"figure": "swing", "joints": [], "arm": "Panda"}
+    kinds = (SOURCES / "src" / "more" / "index.js").read_text(encoding="utf-8")
+    for name in ANY_ARM | ONE_ARM:
+        assert re.search(rf"^  {name},$", kinds, re.M), name
 
 
 def test_stored_notebooks_hold_stubs_and_no_widgets():

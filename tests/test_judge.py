@@ -12,6 +12,7 @@ import pytest
 import sympy as sp
 
 from helpers import checks, inverse, symbolic
+from helpers.checks.door import numbers
 from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
@@ -19,6 +20,7 @@ from helpers.robots import ELBOW, PANDA, STANFORD
 from tests import motion_pastes, table_pastes
 from tests.judge_motion import path_of
 from tests.judge_words import different, in_node, page_words, python_words, questions
+from tests.pastes import FORMATS, pastes
 
 needs_node = pytest.mark.skipif(
     shutil.which("node") is None and not os.environ.get("CI"), reason="Node.js is not installed"
@@ -118,6 +120,21 @@ def test_pastes_are_read_as_they_were_meant_in_both_languages():
     for name, (_, _, words) in read:
         assert words.startswith(wanted), (name, words)
         assert python_words(*asked(PASTES[name]))[2] == words, name
+
+
+@needs_node
+@pytest.mark.parametrize("format_", FORMATS)
+def test_a_hundred_pastes_of_each_format_are_read_as_they_were_meant(format_):
+    given = list(pastes(format_))
+    assert len(given) >= 100
+    asked = [
+        (ELBOW, {"topic": "read", "typed": text, "q": Q, "options": {}}) for _, text, _ in given
+    ]
+    for (name, text, wanted), (_, shape, words) in zip(given, page_words(asked), strict=True):
+        ours = numbers(text, "your matrix")
+        np.testing.assert_allclose(ours.values, wanted, rtol=1e-9, atol=1e-12, err_msg=name)
+        np.testing.assert_array_equal(shape, ours.values.shape, err_msg=name)
+        np.testing.assert_array_equal([float(x) for x in words.split()], ours.values.ravel(), name)
 
 
 @needs_node

@@ -61,7 +61,8 @@ class LiveArm(SphinxDirective):
 class LiveJudge(SphinxDirective):
     """The judge of answers; its content is what a page without a script shows.
 
-    In a chapter its options say what is asked, and the judge is small; `pose` is the joint values.
+    In a chapter its options say what is asked, and the judge is small; `pose` is the joint values,
+    semicolons end the rows of a `table`.
     """
 
     has_content = True
@@ -70,6 +71,9 @@ class LiveJudge(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         given = {"q" if key == "pose" else key: text for key, text in self.options.items()}
+        if "table" in given:
+            given["table"] = given["table"].replace("; ", "\n")
+        self.env.note_dependency(judge.__file__)
         place = nodes.container()
         self.state.nested_parse(self.content, self.content_offset, place)
         start, end = (nodes.raw("", html, format="html") for html in judge.stub(given))

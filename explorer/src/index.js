@@ -140,3 +140,17 @@ export function widget() {
   }
   return { initialize, render };
 }
+
+// A small figure as an object of a notebook, where a text cell's stub would stay what it is.
+export const figureWidget = () => ({
+  render({ model, el }) {
+    const host = document.createElement("div");
+    host.dataset.lmSuppressShortcuts = "true";
+    el.append(host);
+    const dispose = mountFigure(host, model.get("_spec"));
+    return () => {
+      dispose();
+      host.remove();
+    };
+  },
+});

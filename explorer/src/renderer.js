@@ -236,7 +236,7 @@ export class Figure {
       const [right, up] = [0, 1].map((i) => new Vector3().setFromMatrixColumn(camera.matrixWorld, i));
       controls.target.addScaledVector(right, ((min.x + max.x) / 2) * half * camera.aspect);
       controls.target.addScaledVector(up, ((min.y + max.y) / 2) * half);
-      away.multiplyScalar(Math.max((max.x - min.x) / 2, (max.y - min.y) / 2) / 0.84);
+      away.multiplyScalar(Math.max((max.x - min.x) / 2, (max.y - min.y) / 2) / 0.81);
       camera.position.copy(controls.target).add(away);
     }
     controls.update();

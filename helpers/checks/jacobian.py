@@ -204,7 +204,7 @@ def _checked_frame(frame: int, arm: Arm) -> int:
 
 def _rows_meant(M: Array, right: Array) -> slice:
     """Which half three rows are: the one they are nearer to."""
-    off = [np.abs(M - right[rows]).max() for _, rows in _HALVES]
+    off = [np.linalg.norm(M - right[rows]) for _, rows in _HALVES]
     return _HALVES[int(off[1] < off[0])][1]
 
 

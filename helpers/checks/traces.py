@@ -174,7 +174,7 @@ def _judged(
         findings = [Finding("cause", first.where, None, None, first.words), *rest]
         return _report(arm, WRONG, words, findings, causes, taken, notes, figures)
     findings = [Finding("cause", "", None, None, f"{named.words}."), *symptoms]
-    causes = (named.name, *(f.what for f in symptoms if f.what in _BESIDES))
+    causes = [named.name, *(f.what for f in symptoms if f.what in _BESIDES)]
     return _report(arm, WRONG, f"{lower(named.words)}.", findings, causes, taken, notes, figures)
 
 

@@ -2,6 +2,7 @@
 book."""
 
 try:
+    from helpers.explorer.figure import ArmFigure
     from helpers.explorer.widget import ArmExplorer
 except ModuleNotFoundError as error:
     if error.name not in ("anywidget", "traitlets"):
@@ -10,4 +11,4 @@ except ModuleNotFoundError as error:
         'the explorer needs anywidget; say: pip install "manipulator-homework-helpers[explorer]"'
     ) from None
 
-__all__ = ["ArmExplorer"]
+__all__ = ["ArmExplorer", "ArmFigure"]

@@ -24,7 +24,7 @@ BUNDLE = Path(__file__).parent / "static" / "explorer.js"
 MORE = BUNDLE.with_name("explorer-more.js")  # the small figures, which need the first
 
 
-def esm() -> str:
+def esm(widget: str = "widget") -> str:
     """The script as the module that a widget loads: each widget of a page takes the same one, with
     one renderer."""
     script = "\n".join(path.read_text(encoding="utf-8") for path in (BUNDLE, MORE))
@@ -32,7 +32,7 @@ def esm() -> str:
     return (
         f"const key = Symbol.for({key!r});\n"
         f"globalThis[key] ??= (() => {{ {script}\nreturn ArmExplorer; }})();\n"
-        "export default () => globalThis[key].widget();\n"
+        f"export default () => globalThis[key].{widget}();\n"
     )
 
 

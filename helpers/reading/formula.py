@@ -36,6 +36,9 @@ FUNCTIONS: dict[str, Callable[[float], float]] = {
     "float": float,
     "Float": float,
     "Integer": float,
+    "float64": float,
+    "float32": float,
+    "int64": float,
 }
 _CONSTANTS = {"pi": math.pi, "deg": math.pi / 180, "rad": 1.0}
 _GREEK = dict(

@@ -5,6 +5,8 @@ cells.
 import re
 
 from helpers.inputs import ArmError
+from helpers.reading.around import bare as without_surroundings
+from helpers.reading.around import bare_latex
 from helpers.reading.formula import is_number, number, plain
 
 Cells = list[list[str]]
@@ -13,7 +15,7 @@ LONGEST = 5_000_000  # characters of a paste: a trace of 20 000 steps
 _WRAPPER = re.compile(
     r"^\s*(?:[\w.]+\s*(?:\(\w+\))?\s*=\s*)?(?:[\w.]*(?:Matrix|array|asarray|matrix|tensor|vpa|simplify|round|double|sym)\s*\(\s*)+"
 )
-_TAIL = re.compile(r"(?:,\s*(?:dtype\s*=\s*[\w.']+|\d+)\s*)?\)+\s*;?\s*$")
+_TAIL = re.compile(r"\)?(?:,\s*(?:dtype\s*=\s*[\w.']+|\d+)\s*)?\)+\s*;?\s*$")
 _ENVIRONMENT = re.compile(
     r"\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?"
 )
@@ -30,7 +32,7 @@ def cells(text: str) -> Cells:
     """
     if len(text) > LONGEST:
         raise ArmError(f"the text has {len(text)} characters; expected at most {LONGEST}")
-    rows = _rows(text.strip().strip("`$").strip())
+    rows = _rows(without_surroundings(text).strip().strip("`$").strip())
     rows = [[cell.strip() for cell in row] for row in rows if any(cell.strip() for cell in row)]
     if not rows:
         raise ArmError("the text is empty; expected rows of numbers or formulas")
@@ -59,6 +61,7 @@ def _rows(text: str) -> Cells:
 
 
 def _latex(text: str) -> Cells:
+    text = bare_latex(text)
     text = re.sub(r"\\left\s*[\[(.|]\s*(?=\\begin)", " ", text)
     text = re.sub(
         r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b",
@@ -226,7 +229,12 @@ def _by_commas(lines: list[str]) -> Cells:
 
 
 def _pointed(cell: str) -> str:
-    """A cell with a decimal comma written with a point."""
+    """A cell with a decimal comma written with a point, and without a spreadsheet's quotes or
+    sign of equality.
+    """
+    if (inner := cell.strip())[:1] == inner[-1:] == '"':
+        cell = inner[1:-1]
+    cell = re.sub(r"^[ \t]*=", "", cell)
     return (
         re.sub(r"(?<=\d),(?=\d)", ".", cell) if cell.count(",") == 1 and "(" not in cell else cell
     )

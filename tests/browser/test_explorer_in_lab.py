@@ -24,6 +24,7 @@ CELLS = (
     "explorer",
     "explorer.arm_name = 'Elbow arm'",
     "print(explorer.arm.name, 'with', len(explorer.q), 'joints,', explorer.q[0])",
+    "from helpers.explorer import ArmFigure\nArmFigure('ellipsoid', PANDA, joints=[4])",
 )
 
 
@@ -131,4 +132,12 @@ def test_sliders_and_python_move_the_same_arm(browser, lab):
     views.last.get_by_label("Joint 1, angle, typed").fill("0.25 rad")
     views.last.get_by_label("Joint 1, angle, typed").press("Enter")
     comes_to_say(6, "Panda with 7 joints, 0.25")
+
+    run(7)  # a chapter's small figure, of which a text cell shows only the words
+    figure = page.locator("figure.live")
+    expect(figure.locator(".words")).to_contain_text("Rank 6", timeout=60_000)
+    figure.get_by_role("slider", name="Joint 4").focus()
+    before = figure.locator("output").inner_text()
+    page.keyboard.press("PageUp")
+    expect(figure.locator("output")).not_to_have_text(before)
     page.close()

@@ -78,6 +78,21 @@ def test_torques_by_keys_alone(page):
     assert page.get_by_label("Wrench on the tool").is_visible()
 
 
+def test_a_table_is_judged_and_shown_as_it_is_read(page):
+    page.get_by_label("Question", exact=True).select_option(label="Denavit-Hartenberg table")
+    page.get_by_label("Arm", exact=True).select_option(label="Elbow arm")
+    heads = "a (mm) alpha (deg) d (mm) theta"
+    typed = f"{heads}\n0 90 500 q1\n400 0 0 q2+90\n200 0 0 q3"
+    page.get_by_label("Your answer", exact=True).fill(typed)
+    verdict(page, "row 3, a (you have 200): a in row 3 is 100 mm too short.")
+    assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.2"]
+    assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
+    page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))
+    verdict(page, "Your table describes the same arm as Elbow arm.")
+    page.get_by_label("Convention", exact=True).select_option("craig")
+    verdict(page, "the modified (Craig) convention, turned into the standard one")
+
+
 def test_what_cannot_be_read_is_said(page):
     ask(page, "1 2\n3")
     verdict(page, "expected rows of one length")
@@ -111,14 +126,21 @@ SIX_COLUMNS = """-0.154 0 1 0 0 0
 1 0 0 0 0 0"""  # the Stanford arm with its boom level, by hand
 
 
+def near(place):
+    """Scroll until a small judge is there: formulas that are set on the way move the page."""
+    place.scroll_into_view_if_needed()
+    while not place.locator("form").count():
+        place.page.wait_for_timeout(100)
+        place.scroll_into_view_if_needed()
+    return place
+
+
 def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(browser):
     context = browser.new_context(viewport={"width": 390, "height": 800}, offline=True)
     page = context.new_page()
     page.goto((HTML / "02_jacobian.html").as_uri())
     assert page.locator("script[src$='judge.js']").count() == 0  # far away
-    place = page.locator(".arm-judge").nth(1)
-    place.scroll_into_view_if_needed()
-    place.locator(".verdict").wait_for()
+    place = near(page.locator(".arm-judge").nth(2))
     assert place.locator("label:visible").all_text_contents() == ["Your answer"]
     answer = place.get_by_label("Your answer", exact=True)
     answer.fill(SIX_COLUMNS)
@@ -173,11 +195,89 @@ def test_chapter_4_judges_its_torques(browser):
     context = browser.new_context(offline=True)
     page = context.new_page()
     page.goto((HTML / "04_static_torque.html").as_uri())
-    place = page.locator(".arm-judge").first
-    place.scroll_into_view_if_needed()
+    place = near(page.locator(".arm-judge").first)
     answer = place.get_by_label("Your answer", exact=True)
     answer.fill("0, 21.81431, 0, -16.702654, 0.696491, 0.235249, -0.03068")  # as the chapter checks
     place.locator(".verdict", has_text="The torques of Panda are right").wait_for()
     answer.fill("0, 26.67931, 0, -18.407654, 0.696491, 1.115249, -0.03068")
     place.locator(".verdict", has_text="the force has the wrong sign").wait_for()
     context.close()
+
+
+@pytest.mark.parametrize(
+    ("chapter", "number", "answer", "words"),
+    [
+        ("01_dh_tables", 1, "0.325 0 0.4 q1\n0.225 pi 0 q2\n0 0 q3 0\n0 0 0 q4", "same arm"),
+        ("02_jacobian", 1, "1 2 3", "Type the pose"),
+        ("03_circle_tracing", 0, "0 0 1.57 0 3.14 0\n" * 9, "does not draw the path"),
+        ("05_inverse_kinematics", 0, "0.1 0.2 0.3", "joint angles for"),
+    ],
+)
+def test_a_chapter_judges_what_it_asks(browser, chapter, number, answer, words):
+    context = browser.new_context(offline=True)
+    page = context.new_page()
+    page.goto((HTML / f"{chapter}.html").as_uri())
+    place = near(page.locator(".arm-judge").nth(number))
+    place.get_by_label("Your answer", exact=True).fill(answer)
+    place.locator(".verdict", has_text=words).wait_for()
+    context.close()
+
+
+TABLE_3 = """0.3, 0, 0, q1+pi/2
+0, pi/2, 0, q2+pi/2
+0.4, pi/2, q3+0.1, pi/2
+0.4, 0, 0, q4"""  # practice: the axes' distances and angles, read off by hand
+
+
+def test_a_practice_question_comes_by_link_and_is_solved(page):
+    page.goto(f"{PAGE.as_uri()}#practice=table:3")
+    page.reload()
+    page.get_by_text("Denavit-Hartenberg table, question 3").wait_for()
+    assert not page.get_by_label("Table", exact=True).is_visible()  # it would be the solution
+    page.get_by_role("button", name="Copy as Python").click()
+    page.get_by_text("would show the solution").wait_for()
+    page.get_by_label("Your answer", exact=True).fill(TABLE_3)
+    page.get_by_text("Solved in a row: 1.").wait_for()
+    stored = "localStorage.getItem('practice-streak')"
+    assert page.evaluate(stored) is None
+    page.get_by_label("Keep how many I solved").check()
+    assert page.evaluate(stored) == "1"
+    page.get_by_role("button", name="Copy link").click()
+    page.get_by_text("The link").first.wait_for()
+    assert "#practice=table:3&answer=" in page.url
+    page.add_script_tag(path=AXE)
+    assert page.evaluate(BAD) == []
+    assert page.evaluate(OUTSIDE) == []
+    page.get_by_role("button", name="Next question").click()
+    page.get_by_text("question 4").wait_for()
+    page.get_by_role("button", name="Next question").click()
+    page.get_by_text("question 5").wait_for()
+    assert page.evaluate(stored) is None
+
+
+def test_a_run_comes_from_a_file(page, tmp_path):
+    page.get_by_label("Question").select_option("trace")
+    page.get_by_role("button", name="Show an example").click()
+    verdict(page, "the path is drawn the other way round")
+    rows = page.get_by_label("Your answer", exact=True).input_value().split("\n")
+    file = tmp_path / "run.csv"
+    file.write_text("\n".join(",".join(row.split()) for row in rows[::-1]))
+    page.locator("input[type=file]").set_input_files(file)
+    page.get_by_text("From run.csv, 25 lines.").wait_for()
+    verdict(page, "UR10e (homework) draws the path")
+
+
+def test_a_pose_that_hides_mistakes_has_a_way_to_one_that_shows_them(page):
+    formula = """-s_1*(0.4*c_2+0.3*c_23) -c_1*(0.4*s_2+0.3*s_23) -0.3*c_1*s_23
+c_1*(0.4*c_2+0.3*c_23) -s_1*(0.4*s_2+0.3*s_23) -0.3*s_1*s_23
+0 0.4*c_2+0.3*c_23 0.3*c_23
+0 s_1 s_1
+0 -c_1 -c_1
+1 0 0"""
+    ask(page, "0 0 0\n0.7 0 0\n0 0.7 0.3\n0 0 0\n0 -1 -1\n1 0 0", "0, 0, 0")
+    verdict(page, "usual mistakes leave the Jacobian unchanged")
+    page.get_by_role("button", name="Go to a pose that shows them").click()
+    page.get_by_text("compute your matrix there").wait_for()
+    assert page.get_by_label("Pose q").input_value() != "0, 0, 0"
+    page.get_by_label("Your answer", exact=True).fill(formula)
+    verdict(page, "is right")

@@ -109,7 +109,7 @@ class Reader:
         self.page.on("pageerror", lambda error: self.troubles.append(f"error: {error}"))
         self.page.on("console", self._said)
         self.page.on("request", lambda r: self._asked(r.url, allowed))
-        self.page.on("requestfailed", lambda r: self.troubles.append(f"failed: {r.url}"))
+        self.page.on("requestfailed", self._failed)
 
     def _said(self, message):
         if (
@@ -118,6 +118,10 @@ class Reader:
             return
         if message.type in ("error", "warning"):
             self.troubles.append(f"{message.type}: {message.text}")
+
+    def _failed(self, request):
+        if request.failure != "net::ERR_ABORTED":  # given up by a reader who went on
+            self.troubles.append(f"failed: {request.url}")
 
     def _asked(self, url, allowed):
         self.asked.add(url)
@@ -418,6 +422,17 @@ def test_without_scripts_the_page_is_there_in_the_systems_colours(browser):
     solution = page.locator("details.solution").first
     solution.locator("summary").click()
     assert solution.locator(".cell_output").first.is_visible()
+    context.close()
+
+
+def test_no_page_is_wider_than_a_phone_before_a_script_has_measured_it(browser):
+    context = browser.new_context(
+        java_script_enabled=False, offline=True, viewport=WINDOWS["small"]
+    )
+    page = context.new_page()
+    for name in NAMES:
+        page.goto((HTML / f"{name}.html").as_uri())
+        assert page.evaluate("document.documentElement.scrollWidth") == 320, name
     context.close()
 
 

@@ -10,10 +10,10 @@ import { cause, nameOf, several, wordsOf } from "./ranking.js";
 import { ArmError, listed, lower, say, size } from "./say.js";
 import { double, kept, scales, single, variable, whole } from "./slips.js";
 
-const EXACT = 1e-4; // rad or m: answers copied from paper with four decimals still count
+const EXACT = 1.01e-4; // rad or m: answers copied from paper with four decimals still count
 const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
 const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
-const BY_HAND = 0.03; // rad or m: the most that rounding on the way is allowed
+const BY_HAND = 0.0301; // rad or m: the most that rounding on the way is allowed
 const OF_ONE_STEP = ["ik.sign", "ik.plus for minus"]; // told rather than that joints of two branches are mixed
 const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are not told apart
 const LABEL = /['"][^'"]*['"]\s*[,:]\s*|(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t)_?\p{Nd}\s*[=:]\s*/giu;

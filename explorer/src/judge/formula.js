@@ -28,6 +28,9 @@ const FUNCTIONS = {
   float: (x) => x,
   Float: (x) => x,
   Integer: (x) => x,
+  float64: (x) => x,
+  float32: (x) => x,
+  int64: (x) => x,
 };
 const CONSTANTS = { pi: Math.PI, deg: RAD, rad: 1 };
 const isFunction = (word) => Object.hasOwn(FUNCTIONS, word);

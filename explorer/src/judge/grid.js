@@ -1,6 +1,7 @@
 // A pasted text as rows of cells, the port of helpers/reading/grid.py: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or
 // spreadsheet cells.
 
+import { bare as withoutSurroundings, bareLatex } from "./around.js";
 import { isNumber, number, plain } from "./formula.js";
 import { ArmError } from "./say.js";
 
@@ -10,7 +11,7 @@ const WORD = String.raw`[\p{L}\p{N}_.]`;
 const BEFORE = String.raw`^\s*(?:${WORD}+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*)?`;
 const MAKERS = "Matrix|array|asarray|matrix|tensor|vpa|simplify|round|double|sym";
 const WRAPPER = new RegExp(String.raw`${BEFORE}(?:${WORD}*(?:${MAKERS})\s*\(\s*)+`, "u");
-const TAIL = /(?:,\s*(?:dtype\s*=\s*[\p{L}\p{N}_.']+|\d+)\s*)?\)+\s*;?\s*$/u;
+const TAIL = /\)?(?:,\s*(?:dtype\s*=\s*[\p{L}\p{N}_.']+|\d+)\s*)?\)+\s*;?\s*$/u;
 const NAMED = /^\s*[\p{L}\p{N}_.]+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*(?=[[({\n\d-]|$)/u;
 const ENVIRONMENT = /\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?/g;
 const LATEX_REST =
@@ -41,7 +42,7 @@ export function cells(text) {
   if (text.length > LONGEST) {
     throw new ArmError(`the text has ${text.length} characters; expected at most ${LONGEST}`);
   }
-  const rows = rowsOf(stripped(text.trim(), "`$").trim())
+  const rows = rowsOf(stripped(withoutSurroundings(text).trim(), "`$").trim())
     .filter((row) => row.some((cell) => cell.trim()))
     .map((row) => row.map((cell) => cell.trim()));
   if (!rows.length) throw new ArmError("the text is empty; expected rows of numbers or formulas");
@@ -57,7 +58,7 @@ function rowsOf(text) {
 }
 
 function latex(text) {
-  text = text
+  text = bareLatex(text)
     .replace(/\\left\s*[[(.|]\s*(?=\\begin)/g, " ")
     .replace(ENVIRONMENT, " ")
     .replace(LATEX_REST, " ")
@@ -199,9 +200,13 @@ function byCommas(kept) {
   return kept.map((line) => split(decimal ? line.replaceAll(",", ".") : strippedEnd(line, ",")));
 }
 
-// A cell with a decimal comma written with a point.
-const pointed = (cell) =>
-  cell.split(",").length === 2 && !cell.includes("(") ? cell.replace(/(?<=\d),(?=\d)/g, ".") : cell;
+// A cell with a decimal comma written with a point, and without a spreadsheet's quotes or sign of equality.
+function pointed(cell) {
+  const inner = cell.trim();
+  if (inner[0] === '"' && inner.at(-1) === '"') cell = inner.slice(1, -1);
+  cell = cell.replace(/^[ \t]*=/, "");
+  return cell.split(",").length === 2 && !cell.includes("(") ? cell.replace(/(?<=\d),(?=\d)/g, ".") : cell;
+}
 
 // Whether every cell is a number without symbols.
 const numeric = (rows) => rows.every((row) => row.every((cell) => number(cell) !== null));

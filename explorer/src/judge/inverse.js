@@ -263,7 +263,7 @@ function withinReach(shape, x, y, found, sine) {
   const needed = length !== wanted && Math.abs(length - wanted) <= arc * uncertain;
   if (!needed || !(Math.abs(turn) <= 2 * uncertain)) return { ...found, phi6: wrapped(found.phi6) };
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
-  const along = side * rows[3].sa * Math.cos(found.phi5);
+  const along = side * rows[4].sa * Math.cos(found.phi5);
   return {
     ...found,
     u: [c * ux - s * uy, s * ux + c * uy],

@@ -1,5 +1,6 @@
 // Is a Jacobian wrong, and how? The port of helpers/checks/jacobian.py.
 
+import { norm } from "../kinematics.js";
 import * as chains from "./chains.js";
 import {
   bands,
@@ -103,7 +104,7 @@ const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 0)
 
 // Which half three rows are: the one they are nearer to.
 function rowsMeant(M, right) {
-  const off = [0, 1].map((half) => largest(M.map((x, i) => x - right[half * M.length + i])));
+  const off = [0, 1].map((half) => norm(M.map((x, i) => x - right[half * M.length + i])));
   return off[1] < off[0] ? 3 : 0;
 }
 

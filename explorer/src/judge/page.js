@@ -1,11 +1,12 @@
 // The judge in the page: the question, what is typed, how it is read, and the verdict in words. Nothing leaves it.
 
 import { h, write } from "../dom.js";
-import { EMPTY, fromFragment, judge } from "./ask.js";
+import { EMPTY, fromFragment, judge, toFragment } from "./ask.js";
 import { adapt, buildForm } from "./form.js";
 import { ready } from "./registry.js";
 import { showRead, tell } from "./shown.js";
 
+const MOST_SHOWN = 50_000; // characters of an answer, such as a file's, that stand in its field
 const PAUSE = 350; // ms without a key before the verdict is spoken
 const PRIVATE = "Nothing that you type leaves this page: a script in it judges, without a network too.";
 const SILENT = "It names the mistake and does not print the solution.";
@@ -27,6 +28,7 @@ let count = 0; // of judges on the page, for ids
  * @property {(patch: object) => void} put change the question, and judge it
  * @property {(act: (question: any, verdict: any) => void) => void} follow called with each verdict
  * @property {(words: string) => void} say
+ * @property {{ fragment: () => string, open: () => boolean }} links a link's fragment, and whether Python may be shown
  */
 
 /**
@@ -45,9 +47,10 @@ export function mount(stub) {
   let verdict;
   let timer = 0;
 
+  const shownAs = (key) => (question[key].length > MOST_SHOWN ? "" : question[key]);
   const show = () => {
     for (const [key, field] of Object.entries(fields))
-      if (field.value !== question[key]) field.value = question[key];
+      if (field.value !== shownAs(key)) field.value = shownAs(key);
     adapt(made, question, arms);
   };
   const say = (words) => write(parts.said, words);
@@ -101,19 +104,9 @@ export function mount(stub) {
     followers.push(act);
     act(question, verdict);
   };
-  return {
-    stub,
-    arms,
-    examples,
-    given,
-    ...made,
-    parts,
-    question: () => question,
-    verdict: () => verdict,
-    put,
-    follow,
-    say,
-  };
+  const links = { fragment: () => toFragment(question), open: () => true };
+  const now = { question: () => question, verdict: () => verdict };
+  return { stub, arms, examples, given, ...made, parts, ...now, put, follow, say, links };
 }
 
 function buildParts(id, given) {

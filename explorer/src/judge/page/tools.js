@@ -19,13 +19,14 @@ export function addTools(judge, root) {
   const button = (words, onclick) => h("button", { type: "button", onclick }, words);
 
   const link = async () => {
-    const fragment = toFragment(judge.question());
+    const fragment = judge.links.fragment();
     if (!judge.given) history.replaceState(null, "", fragment);
     const copying = await copied(judge.given ? whole + fragment : location.href);
     say(copying ? "The link is copied." : judge.given ? CLOSED : "The link stands in the address bar.");
   };
   const python = async () => {
     await ready(judge.question().ask);
+    if (!judge.links.open()) return say("A call in Python would show the solution of this question.");
     const text = pythonOf(judge, say);
     if (text && (await copied(text))) return say("The call is copied.");
     call.textContent = text;
@@ -38,7 +39,7 @@ export function addTools(judge, root) {
     judge.put({ ...EMPTY, ...(same.find((one) => one.arm === arm) ?? same[0]) });
   };
   const links = judge.given ? [more] : [explorer];
-  const first = judge.given ? [] : [button("Show an example", example)];
+  const first = judge.examples.length ? [button("Show an example", example)] : [];
   parts.tools.append(...first, button("Copy link", link), button("Copy as Python", python), ...links);
   parts.said.after(closed);
 

@@ -12,7 +12,7 @@ import { judgedTrace, readTrace } from "../trace.js";
 
 /** @typedef {import("../ask.js").Question} Question */
 
-const MOST_STEPS = 20_000;
+const [FEWEST_STEPS, MOST_STEPS] = [8, 20_000]; // with fewer, a run that stays at the start would pass
 const ROUNDED = 0.02; // of the lengths of axes and their cosines: what a pose of two decimals is off
 const inDegrees = ({ unit }) => (unit === "deg" ? ['angles="deg"'] : []);
 
@@ -114,8 +114,9 @@ function asked(question, arm, typed) {
     throw new ArmError(`${what} is ${quoted(question[key])}; expected a number of ${unit} above 0`);
   };
   const steps = question.steps.trim() ? above("steps", "the number of steps", "steps") : guessed(typed, arm);
-  if (!Number.isInteger(steps) || steps > MOST_STEPS) {
-    throw new ArmError(`the number of steps is ${steps}; expected a whole number up to ${MOST_STEPS}`);
+  if (!Number.isInteger(steps) || steps < FEWEST_STEPS || steps > MOST_STEPS) {
+    const wanted = `a whole number from ${FEWEST_STEPS} to ${MOST_STEPS}`;
+    throw new ArmError(`the number of steps is ${steps}; expected ${wanted}`);
   }
   return {
     start: pose(question.q, arm, question.unit).values,

@@ -1,0 +1,102 @@
+"""What a frame of the explorer costs while the Panda's tip is dragged: all script between two
+frames, with the processor at a quarter of its speed. Build the book first, then say
+`python benchmarks/frames.py`.
+
+The picture is drawn into one pixel, since a machine without a graphics card would else be measured
+by how it rasters; every call that draws is made.
+"""
+
+import statistics
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT))
+
+from playwright.sync_api import Browser, sync_playwright  # noqa: E402
+
+from tools.browser import launched  # noqa: E402
+
+RUNS, SLOWER = 5, 4
+
+# Time in callbacks, timers and the pointer's events, added up from frame to frame.
+CLOCK = """(() => {
+    const spent = (window.spent = []);
+    const raf = (window.unclocked = requestAnimationFrame.bind(window));
+    const timeout = setTimeout.bind(window), listen = EventTarget.prototype.addEventListener;
+    let [sum, last] = [0, 0];
+    const clocked = (act) => function (...given) {
+        const start = performance.now();
+        try { return act.apply(this, given); } finally { sum += performance.now() - start; }
+    };
+    window.requestAnimationFrame = (act) => raf((now) => {
+        if (now !== last) { spent.push(sum); [sum, last] = [0, now]; }
+        clocked(act)(now);
+    });
+    window.setTimeout = (act, ...more) => timeout(clocked(act), ...more);
+    EventTarget.prototype.addEventListener = function (type, act, how) {
+        const moved = type === "pointermove" && typeof act === "function";
+        return listen.call(this, type, moved ? clocked(act) : act, how);
+    };
+    const { viewport } = WebGL2RenderingContext.prototype;
+    const { drawImage } = CanvasRenderingContext2D.prototype;
+    WebGL2RenderingContext.prototype.viewport = function () { viewport.call(this, 0, 0, 1, 1); };
+    CanvasRenderingContext2D.prototype.drawImage = function (image, ...place) {
+        const gl = image.getContext?.("webgl2");
+        return gl ? gl.flush() : drawImage.call(this, image, ...place);
+    };
+})()"""
+
+# The tip goes round a circle, a step each frame.
+DRAG = """(frames) => new Promise((done) => {
+    const grip = document.querySelector(".arm-explorer").shadowRoot.querySelector(".grip");
+    const { x, y, width, height } = grip.getBoundingClientRect();
+    const at = (angle) => ({
+        pointerId: 1, bubbles: true, composed: true, buttons: 1,
+        clientX: x + width / 2 + 40 * Math.sin(angle),
+        clientY: y + height / 2 + 40 * (1 - Math.cos(angle)),
+    });
+    grip.setPointerCapture = () => {};
+    grip.dispatchEvent(new PointerEvent("pointerdown", at(0)));
+    spent.length = 0;
+    const step = (k) => {
+        if (k > frames) {
+            grip.dispatchEvent(new PointerEvent("pointerup", at(0)));
+            return done(spent.slice(2));
+        }
+        grip.dispatchEvent(new PointerEvent("pointermove", at((2 * Math.PI * k) / frames)));
+        return unclocked(() => step(k + 1));
+    };
+    unclocked(() => step(1));
+})"""
+
+
+def dragged(browser: Browser) -> list[float]:
+    """Milliseconds of script in each frame of a drag; one drag before it is not counted."""
+    page = browser.new_page(viewport={"width": 1280, "height": 720})
+    page.add_init_script(CLOCK)
+    page.goto((ROOT / "book/_build/html/explorer.html").as_uri() + "#arm=Panda&view=pose")
+    page.mouse.move(1, 1)
+    page.locator("section.explorer").wait_for()
+    page.wait_for_timeout(1000)
+    page.context.new_cdp_session(page).send("Emulation.setCPUThrottlingRate", {"rate": SLOWER})
+    page.evaluate(DRAG, 60)
+    spent = page.evaluate(DRAG, 150)
+    page.close()
+    return sorted(spent)
+
+
+def main() -> None:
+    with sync_playwright() as playwright:
+        browser = launched(playwright)
+        runs = [dragged(browser) for _ in range(RUNS)]
+        browser.close()
+    for share in (0.5, 0.95):
+        found = [run[int(share * len(run))] for run in runs]
+        name = "median" if share == 0.5 else "95 % under"
+        each = ", ".join(f"{ms:.1f}" for ms in found)
+        print(f"{name}: {statistics.median(found):.1f} ms (runs: {each})")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,56 @@
+// What stands around the numbers of a paste and says nothing about them, the port of helpers/reading/around.py:
+// prompts, comments, fences, names, and what LaTeX sets beside a matrix.
+
+const FENCE = /(?<![^\n])[ \t]*```[^\n\r]*/g;
+const PROMPT = String.raw`(?<![^\n])[ \t]*(?:>>>?|(?:In|Out) ?\[[0-9]*\]:)[ \t]*`;
+const ASKED = new RegExp(
+  PROMPT + String.raw`(?:[A-Za-z_][A-Za-z0-9_]*|(?:print|disp|display)\([A-Za-z0-9_]*\))[ \t]*(?![^\n\r])`,
+  "g",
+);
+const PROMPTED = new RegExp(PROMPT, "g");
+const COMMENT = /((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*[#%][^\n\r]*/g;
+const LABEL = /^[ \t\r\n]*[A-Za-z_][A-Za-z0-9_]*[ \t]*:[ \t\r\n]*(?=[[({])/;
+const SIGN = /^[ \t\r\n]*=[ \t]*(?=[[({])/;
+
+const INNER = String.raw`\{(?:[A-Za-z]*matrix\*?|array|tabular)\}`;
+const [BEGIN, END] = ["begin", "end"].map((word) => new RegExp(String.raw`\\${word}${INNER}`, "g"));
+const SET_BEFORE = new RegExp(
+  String.raw`\\begin\{[a-z]+\*?\}|\\label\{[^{}]*\}` +
+    String.raw`|\\(?:displaystyle|scriptsize|footnotesize|small|tiny|boxed|left[ \t]*[\[(|.]|\[|\()` +
+    String.raw`|[$&{ \t\r\n]`,
+  "g",
+);
+const SET_AFTER = /\\end\{[a-z]+\*?\}|\\label\{[^{}]*\}|\\(?:right[ \t]*[\])|.]|\]|\))|[$}.,; \t\r\n]/g;
+const NAME = /^[^=0-9][^=]*=$/;
+/** @type {[RegExp, string][]} */
+const LATEX = [
+  [/\\[hv]?phantom\{[^{}]*\}/g, " "],
+  [/\\num\{([^{}]*)\}/g, "$1"],
+  [/\{([-+])\}/g, "$1"],
+  [/(?<=[0-9])\{,\}(?=[0-9])/g, "."],
+];
+
+// A paste without what only stands around it.
+export const bare = (text) =>
+  text
+    .replace(FENCE, "")
+    .replace(COMMENT, "$1")
+    .replace(ASKED, "")
+    .replace(PROMPTED, "")
+    .replace(LABEL, "")
+    .replace(SIGN, "");
+
+// LaTeX without what is set beside its one matrix, and with its numbers as they are elsewhere. A name before it goes, a
+// factor stays.
+export function bareLatex(text) {
+  const [begins, ends] = [BEGIN, END].map((pattern) => [...text.matchAll(pattern)]);
+  if (begins.length === 1 && ends.length === 1) {
+    const [start, end] = [begins[0].index, ends[0].index + ends[0][0].length];
+    const before = text.slice(0, start).replace(SET_BEFORE, "");
+    const after = text.slice(end).replace(SET_AFTER, "");
+    const named = !before || (NAME.test(before) && !before.includes("frac"));
+    text = text.slice(named ? start : 0, after ? text.length : end);
+  }
+  for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
+  return text;
+}

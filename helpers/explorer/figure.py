@@ -1,0 +1,97 @@
+"""The small figures that stand beside the chapters' sentences, as objects: JupyterLab runs no
+scripts of a text cell."""
+
+import json
+from collections.abc import Iterable
+from html import escape
+from typing import Any
+
+import anywidget
+import traitlets
+from numpy.typing import ArrayLike
+
+from helpers.arm import Arm
+from helpers.explorer.data import arm_data
+from helpers.explorer.widget import esm
+from helpers.inputs import ArmError, listed, must_be, shown
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
+
+#: The figures that take any arm, with the arm that each shows unless told otherwise,
+ANY_ARM = {
+    "columns": UR10E_HOMEWORK,
+    "ellipsoid": UR10E_HOMEWORK,
+    "hand": UR10E_HOMEWORK,
+    "loads": PANDA,
+    "matrix": ELBOW,
+    "row": UR10E_HOMEWORK,
+    "ways": STANFORD,
+}
+#: and those about one arm of the homework.
+ONE_ARM = {"swing": PANDA, "trainer": ELBOW, "triangles": ELBOW, "winds": PANDA_HOMEWORK}
+
+
+class ArmFigure(anywidget.AnyWidget):
+    """A small live figure, as the chapters show them beside a sentence.
+
+    Args:
+        kind: which figure: any arm's columns, ellipsoid, hand, loads, matrix, row or ways; or
+            swing, trainer, triangles or winds, which show an arm of their own.
+        arm: the arm to show.
+        q: where it stands first, shape (dof,), rad or m; its home unless given.
+        joints: numbers of the joints, from 1, that get a lever.
+
+    Raises:
+        ArmError: there is no such figure, or it does not show this arm, place or joint.
+    """
+
+    _esm = esm("figureWidget")
+
+    _spec = traitlets.Dict().tag(sync=True)
+
+    def __init__(
+        self,
+        kind: str,
+        arm: Arm | None = None,
+        *,
+        q: ArrayLike | None = None,
+        joints: Iterable[int] = (),
+    ) -> None:
+        known = ANY_ARM | ONE_ARM
+        if not isinstance(kind, str) or kind not in known:
+            raise ArmError(f"kind is {shown(kind)}; expected one of {', '.join(sorted(known))}")
+        arm = known[kind] if arm is None else arm
+        must_be(arm, Arm, "arm")
+        own = ONE_ARM.get(kind, arm)
+        if arm != own:
+            raise ArmError(f"arm is the {arm.name}; the figure {kind} shows the {own.name}")
+        joints = listed(joints, "joints", "numbers of joints, from 1")
+        strange = [shown(number) for number in joints if number not in arm.joints]
+        if strange:
+            own_joints = ", ".join(map(str, arm.joints))
+            raise ArmError(f"joints has {', '.join(strange)}; the {arm.name} has {own_joints}")
+        spec: dict[str, Any] = {"figure": kind, "joints": [int(number) for number in joints]}
+        spec["arm"] = arm.name if kind in ONE_ARM else arm_data(arm)
+        if q is not None:
+            spec["q"] = arm.joint_vector(q).tolist()
+        self._arm_name = arm.name
+        super().__init__(_spec=spec)
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        """The live figure for a running notebook, and beside it a stub that a static page brings
+        to life."""
+        live: Any = super()._repr_mimebundle_(**kwargs)
+        live = live[0] if isinstance(live, tuple) else live
+        return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
+
+    @property
+    def _stub(self) -> str:
+        options = {key: value for key, value in self._spec.items() if key != "figure"}
+        data = escape(json.dumps(options, separators=(",", ":"), ensure_ascii=False))
+        words = f"<p>A live figure of the {escape(self._arm_name)}.</p>"
+        figure = self._spec["figure"]
+        return (
+            f'<div class="arm-explorer" data-figure="{figure}" data-options="{data}">{words}</div>'
+        )
+
+    def __repr__(self) -> str:
+        return f"<ArmFigure {self._spec['figure']} of the {self._arm_name}>"
