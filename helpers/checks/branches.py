@@ -75,7 +75,7 @@ def compare_branches(
     typed, taken = answers(mine, arm, angles)
     right = _apart(found)
     if angles == "rad" and _only_as_degrees(right, typed, tolerance):
-        degrees = _in_degrees(typed, arm)
+        degrees = door.in_radians(typed, arm)
         return _report(right, degrees, tolerance, taken, inverse_causes.cause("ik.degrees"))
     return _report(right, typed, tolerance, taken, None)
 
@@ -99,7 +99,7 @@ def _only_as_degrees(right: _Branches, typed: Typed, tolerance: float | None) ->
     arm = right.arm
     if not len(right.q) or not len(typed.values) or _hits(right, typed, tolerance)[0]:
         return False
-    degrees = _in_degrees(typed, arm)
+    degrees = door.in_radians(typed, arm)
     hits = _hits(right, degrees, tolerance)[0]
     zero = np.where(arm.turning, 0.0, typed.values)
     return any(
@@ -127,7 +127,7 @@ def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]
         shape = "x".join(map(str, typed.values.shape))
         raise ArmError(say("answers shape", arm=arm.name, shape=shape, dof=arm.dof))
     found = Typed(values, units)
-    return (_in_degrees(found, arm) if angles == "deg" else found), said
+    return (door.in_radians(found, arm) if angles == "deg" else found), said
 
 
 def _unlabelled(mine: object) -> object:
@@ -143,11 +143,6 @@ def _unlabelled(mine: object) -> object:
             return _unlabelled(mine[1])
         return [_unlabelled(item) for item in mine]
     return mine
-
-
-def _in_degrees(typed: Typed, arm: Arm) -> Typed:
-    factor = np.where(arm.turning, np.pi / 180, 1.0)
-    return Typed(typed.values * factor, typed.units * factor)
 
 
 # Which branch an answer is

@@ -238,6 +238,22 @@ def of_sympy(expression: Any, known: dict[str, float], what: str) -> float:
 # Joint values
 
 
+def in_radians(typed: Typed, arm: Arm) -> Typed:
+    """Joint vectors (rows, dof) that were typed in degrees.
+
+    Where some joints slide, those that turn have decimals of their own, for metres need more.
+    """
+    turning, steps = arm.turning, typed.units
+    if turning.any() and not turning.all():
+        own = of_floats(typed.values[:, turning])
+        steps = steps.copy()
+        steps[:, turning] = np.where(
+            steps[:, turning] > 0, np.maximum(own, steps[:, turning]), steps[:, turning]
+        )
+    factor = np.where(turning, np.pi / 180, 1.0)
+    return Typed(typed.values * factor, steps * factor)
+
+
 def _one_value_each(arm: Arm) -> str:
     return f"one value for each of {', '.join(arm.variables)}"
 

@@ -149,7 +149,7 @@ def _causes(
         if len(c.keys) > 1 and found:
             break
         least: Sequence[float] = [
-            min(m, max(off / 2, _EXACT)) for m, off in zip(margin, miss, strict=True)
+            m if off <= m else min(m, off / 2) for m, off in zip(margin, miss, strict=True)
         ]
         if inverse_causes.scales(c):
             typed = Typed(values, q.units * inverse_causes.scale(c, arm))

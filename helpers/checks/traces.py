@@ -58,7 +58,7 @@ def compare_trace(
         return _misshapen(typed.values, arm, path)
     typed = upright
     if angles == "deg":
-        typed = _radians(typed, arm)
+        typed = door.in_radians(typed, arm)
     q = typed.values
     path = Path(path.times[: len(q)], path.position, path.velocity, path.normal)
     allowed = _USUAL + _blur(typed, arm) if tolerance is None else tolerance
@@ -86,23 +86,18 @@ def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed | None, tuple[st
     return Typed(M[: len(path.times)], steps[: len(path.times)]), said, extra
 
 
-def _radians(typed: Typed, arm: Arm) -> Typed:
-    factor = np.where(arm.turning, np.pi / 180, 1.0)
-    return Typed(typed.values * factor, typed.units * factor)
-
-
 def _only_as_degrees(typed: Typed, arm: Arm, path: Path, allowed: float) -> bool:
     """Whether joints follow the path in degrees, as nearly as Euler's method does, and not in
     radians.
     """
+    turned = door.in_radians(typed, arm)
     as_typed, degrees = (
         float(_off(path, forward_kinematics(arm, q)[:, :3, 3]).max())
-        for q in (typed.values, _radians(typed, arm).values)
+        for q in (typed.values, turned.values)
     )
     if as_typed <= allowed or degrees > as_typed:
         return False
-    in_radians = _radians(typed, arm)
-    return degrees <= near(path, as_typed, allowed) or holds(in_radians, arm, path)
+    return degrees <= near(path, as_typed, allowed) or holds(turned, arm, path)
 
 
 def _misshapen(M: Array, arm: Arm, path: Path) -> Report:
@@ -192,7 +187,9 @@ def _named(
         if not off or (loop and loop.name == "trace.coarse"):
             return loop
         shape = path_cause(path, tip, allowed, _blur(typed, arm))
-        return shape or table_cause(typed.values, arm, path, allowed) or loop
+        if shape and shape.name != "trace.displaced":
+            return shape
+        return table_cause(typed.values, arm, path, allowed) or shape or loop
     return None if given else loop_cause(typed, arm, path)
 
 

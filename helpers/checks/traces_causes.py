@@ -21,7 +21,7 @@ Array = NDArray[Any]
 _ALIKE = 1e-9  # m: misses nearer to each other than this are the same
 _SAMPLE = 100
 _ALONG = 40  # windows in a run: few enough for many steps each, enough to see a circle's turns
-_PLAIN = 0.1  # of the miss: what another path without a free number in it may leave
+_PLAIN = 0.1  # of the miss or the path: what another path without a free number may leave
 _HOLDS = 1.5  # times the noise: what a rule that holds may leave
 _LOOSE = 4.0  # times the noise: what one may leave that is ten times better than the right one
 _NICE = tuple(1 / n for n in (2, 3, 4, 5, 8, 10, 20, 40, 50, 100))
@@ -47,7 +47,7 @@ def path_cause(path: Path, tip: Array, allowed: float, blur: float = 0.0) -> Cau
     found = [
         (c, left)
         for c, left in _shapes(path, tip, blur)
-        if left <= (max(usual, _PLAIN * miss) if _plain(c) else usual)
+        if left <= (max(usual, _PLAIN * min(miss, _reach(path))) if _plain(c) else usual)
     ]
     if not found:
         return None
@@ -56,7 +56,11 @@ def path_cause(path: Path, tip: Array, allowed: float, blur: float = 0.0) -> Cau
 
 
 def _plain(c: Cause) -> bool:
-    return c.keys[0] in ("trace.backwards", "trace.other side", "trace.axes exchanged")
+    return c.keys[0] in ("trace.backwards", "trace.other side")
+
+
+def _reach(path: Path) -> float:
+    return float(np.linalg.norm(np.ptp(path.positions, axis=0)))
 
 
 def near(path: Path, miss: float, allowed: float) -> float:
@@ -185,11 +189,10 @@ def holds(typed: Typed, arm: Arm, path: Path) -> bool:
     """Whether joints begin on the path and each step of them is right by Euler's method."""
     steps = _Steps.of(typed, arm, path, 0.0)
     start = chain(arm, typed.values[0]).frames[-1, :3, 3]
-    reach = float(np.linalg.norm(np.ptp(path.positions, axis=0)))
     return bool(
         steps.clear
         and steps.right < _HOLDS
-        and np.linalg.norm(start - path.positions[0]) < _PLAIN * reach
+        and np.linalg.norm(start - path.positions[0]) < _PLAIN * _reach(path)
     )
 
 

@@ -469,9 +469,10 @@ def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | 
             cells[k] = [row[i] if i < len(row) else "0" for i in keep]
         return [ENTRIES], True
     _wide(cells)
-    fits = [order for order in KNOWN_ORDERS if _possible(cells, order)]
-    others = [o for o in permutations(ENTRIES) if o not in fits and _possible(cells, o)]
-    return (fits + others) or [KNOWN_ORDERS[0]], False
+    usual = [*KNOWN_ORDERS, *(o for o in permutations(ENTRIES) if o not in KNOWN_ORDERS)]
+    fits = [order for order in usual if _possible(cells, order, looks=True)]
+    fits = fits or [order for order in usual if _possible(cells, order, looks=False)]
+    return fits or [KNOWN_ORDERS[0]], False
 
 
 def _words(columns: Any) -> list[str]:
@@ -486,8 +487,10 @@ def _wide(cells: grid.Cells) -> None:
         raise ArmError(say("row width", widths=", ".join(map(str, widths))))
 
 
-def _possible(cells: grid.Cells, order: tuple[str, ...]) -> bool:
-    """Whether the variables stand in theta (or d), and no length or angle looks like the other."""
+def _possible(cells: grid.Cells, order: tuple[str, ...], looks: bool) -> bool:
+    """Whether the variables stand in theta (or d), and, where `looks` count, no length or angle
+    looks like the other; those of an arm with skew axes do.
+    """
     at = {name: [row[order.index(name)] for row in cells] for name in ENTRIES}
     if any(
         _is_variable(x) or re.search(r"\bd_?\d", x) for name in ("a", "alpha") for x in at[name]
@@ -495,6 +498,8 @@ def _possible(cells: grid.Cells, order: tuple[str, ...]) -> bool:
         return False
     turns = sum(map(_is_variable, at["theta"])) >= sum(map(_is_variable, at["d"]))
     angular = any(re.search(r"pi|deg|°|π", x) for name in ("a", "d") for x in at[name])
+    if not looks:
+        return turns and not angular
     alphas = [formula.number(x) for x in at["alpha"]]
     right = all(x is None or _angle_like(x) for x in alphas)
     lengths = [formula.number(x) for name in ("a", "d") for x in at[name]]

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from tests.corpus.arms import pose, some_machine
+from tests.corpus.arms import KNOWN, pose, some_machine
 
 H = math.pi / 2
 
@@ -49,7 +49,11 @@ def slips(q, a2, a3, rng):
 
 def shown(answers, d, rng, degrees):
     rows = [[math.degrees(x) if degrees else x for x in q] for q in answers]
-    words = [[f"{x:.{d}f}" for x in q] for q in rows]
+    return written([[f"{x:.{d}f}" for x in q] for q in rows], rng)
+
+
+def written(words, rng):
+    """Joint vectors as people hold them."""
     form = str(rng.choice(["array", "list", "matlab", "csv", "named"]))
     if form == "array":
         return [[float(x) for x in q] for q in words], form
@@ -102,6 +106,177 @@ def branches(rng, count):
             cause=cause,
         )
         made += 1
+
+
+WRISTED = {"STANFORD": 8, "UR10E": 8, "UR10E_HOMEWORK": 8}
+
+
+def solved(m, T, start):
+    """Joints that take the tip to T, by Newton's method from a start; None where it fails."""
+    q = np.array(start, float)
+    for _ in range(25):
+        here = m.tip(q)
+        E = T[:3, :3] @ here[:3, :3].T
+        w = 0.5 * np.array([E[2, 1] - E[1, 2], E[0, 2] - E[2, 0], E[1, 0] - E[0, 1]])
+        off = np.array([*(T[:3, 3] - here[:3, 3]), *w])
+        if np.abs(off).max() < 1e-12:
+            break
+        q = q + np.clip(np.linalg.lstsq(m.jacobian(q), off, rcond=None)[0], -0.5, 0.5)
+    ok = np.abs(off).max() < 1e-10 and np.abs(here - T).max() < 1e-9
+    return q if ok else None
+
+
+def all_of(m, T, expected, rng):
+    """Every set of joints that reaches T, by many starts; None unless as many are found as there
+    should be.
+    """
+    turns = np.array([kind == "R" for kind in m.kinds])
+    found = []
+    for _ in range(40 * expected):
+        start = np.where(
+            turns, rng.uniform(-math.pi, math.pi, m.dof), rng.uniform(-0.8, 0.8, m.dof)
+        )
+        q = solved(m, T, start)
+        if q is None:
+            continue
+        q = np.where(turns, np.remainder(q + math.pi, 2 * math.pi) - math.pi, q)
+        if all(gap(q, other) > 1e-6 for other in found):
+            found.append(q)
+        if len(found) == expected:
+            return found
+    return None
+
+
+def in_one_joint(q, m, right, rng):
+    """One answer of six joints spoiled by one slip."""
+    k = int(rng.integers(m.dof))
+    joint, turns = f"q_{m.joints[k] + 1}", np.array([kind == "R" for kind in m.kinds])
+    one = np.arange(m.dof) == k
+    yield "ik.sign:" + joint, np.where(one, -q, q)
+    yield "ik.all signs", -q
+    yield "ik.reversed order", q[::-1]
+    if turns[k]:
+        yield "ik.half turn:" + joint, np.where(one, q + math.pi, q)
+        yield "ik.offset:" + joint, np.where(one, q - H, q)
+        yield "ik.other axis:" + joint, np.where(one, H - q, q)
+    other = right[int(rng.integers(len(right)))]
+    yield "ik.mixed", np.array([*q[:3], *other[3:]])
+    if not turns.all():
+        yield "ik.slide in millimetres", np.where(turns, q, 1000 * q)
+
+
+def rounded(q, m, digits, degrees):
+    """Joints as typed; in degrees those that turn have two decimals less."""
+    turns = np.array([k == "R" for k in m.kinds])
+    cut = [max(1, digits - 2) if t and degrees else digits for t in turns]
+    q = np.where(turns, np.degrees(q), q) if degrees else q
+    return [f"{x:.{d}f}" for x, d in zip(q, cut, strict=True)]
+
+
+def of_six(rng):
+    """A target of an arm of six joints with all that reaches it."""
+    name = str(rng.choice(list(WRISTED)))
+    m = KNOWN[name]
+    q = np.array(pose(m, rng))
+    if name == "STANFORD":
+        q[2] = abs(q[2]) + 0.1
+    T = m.tip(q)
+    found = all_of(m, T, WRISTED[name], rng)
+    return (name, m, T, found) if found else None
+
+
+def long_branches(rng, count):
+    made = 0
+    while made < count:
+        task = of_six(rng)
+        if task is None:
+            continue
+        name, m, T, right = task
+        digits = int(rng.choice([3, 4, 5, 6]))
+        kind = str(rng.choice(["right", "part", "single", "degrees"], p=[0.3, 0.15, 0.45, 0.1]))
+        cause, answers = None, [right[k] for k in rng.permutation(len(right))]
+        if kind == "part":
+            answers = answers[: int(rng.integers(1, len(right)))]
+        if kind == "degrees":
+            cause = "ik.degrees"
+        if kind == "single":
+            options = list(in_one_joint(answers[0], m, right, rng))
+            cause, wrong = options[int(rng.integers(len(options)))]
+            if any(gap(wrong, q) < 0.05 for q in right):
+                continue
+            answers = [wrong, *answers[1 : int(rng.integers(1, len(right) + 1))]]
+        declared = kind != "degrees" and rng.random() < 0.15
+        turns = np.array([k == "R" for k in m.kinds])
+        rows = [
+            np.where(turns, np.degrees(q), q) if kind == "degrees" or declared else q
+            for q in answers
+        ]
+        cut = [
+            max(1, digits - 2) if t and (kind == "degrees" or declared) else digits for t in turns
+        ]
+        words = [[f"{x:.{d}f}" for x, d in zip(q, cut, strict=True)] for q in rows]
+        text, form = written(words, rng)
+        yield dict(
+            topic="branches",
+            arm=name,
+            target=[[float(x) for x in row] for row in T],
+            typed=text,
+            form=form,
+            digits=digits,
+            kind=kind,
+            cause=cause,
+            angles="deg" if declared else None,
+        )
+        made += 1
+
+
+def every_branch(rng, count):
+    """The elbow arm's and those of arms with six joints."""
+    six = count // 2
+    yield from branches(rng, count - six)
+    yield from long_branches(rng, six)
+
+
+def locked(rng, count):
+    """Poses of the Panda, with a joint locked too, and of arms with a wrist, for `compare_pose`."""
+    made = 0
+    while made < count:
+        m = KNOWN[
+            str(rng.choice(["PANDA", "UR10E", "UR10E_HOMEWORK", "STANFORD", "PANDA.lock(3)"]))
+        ]
+        q = np.array(pose(m, rng, 5))
+        digits = int(rng.choice([3, 4, 5, 6]))
+        T = np.round(m.tip(q), digits)
+        kind = str(rng.choice(["right", "single"], p=[0.4, 0.6]))
+        options = [x for x in in_one_joint(q, m, [q], rng) if x[0] != "ik.mixed"]
+        cause, given = (None, q) if kind == "right" else options[int(rng.integers(len(options)))]
+        if kind == "single" and np.abs(m.tip(given) - m.tip(q)).max() < 0.02:
+            continue
+        declared = rng.random() < 0.2
+        turns = np.array([k == "R" for k in m.kinds])
+        rows = np.where(turns, np.degrees(given), given) if declared else given
+        typed = [
+            float(f"{x:.{max(1, digits - 2) if declared and t else digits}f}")
+            for x, t in zip(rows, turns, strict=True)
+        ]
+        yield dict(
+            topic="pose",
+            machine=m,
+            T=[[float(x) for x in row] for row in T],
+            typed=typed,
+            form="array",
+            digits=digits,
+            kind=kind,
+            cause=cause,
+            angles="deg" if declared else None,
+        )
+        made += 1
+
+
+def every_pose(rng, count):
+    half = count // 2
+    yield from poses(rng, count - half)
+    yield from locked(rng, half)
 
 
 def poses(rng, count):

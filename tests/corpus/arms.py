@@ -54,7 +54,7 @@ KNOWN = {
 
 
 def random_machine(rng, rows=None):
-    """Mixed joints, right and skew angles, now and then a joint that is locked."""
+    """Mixed joints, right and skew angles; now and then a locked joint, a base or a tool."""
     rows = rows or int(rng.integers(3, 8))
     table = []
     for k in range(rows):
@@ -75,6 +75,10 @@ def random_machine(rng, rows=None):
         if not a and not d and kind == "R":
             a = round(float(rng.uniform(0.05, 0.6)), 4)
         table.append((kind, a, float(alpha), d, float(theta)))
+    if rng.random() < 0.08:
+        table = [("F", 0.1, float(rng.choice([0, H, -H])), 0.25, float(rng.choice([0, H]))), *table]
+    if rng.random() < 0.08:
+        table = [*table, ("F", 0.05, float(rng.choice([0, H, -H])), 0.12, 0.0)]
     return Machine(table, "random")
 
 

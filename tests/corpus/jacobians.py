@@ -127,6 +127,15 @@ def after(m, q, rng):
 WRITING = ("J.halves", "J.millimetres", "J.per degree", "J.all signs", "J.frame:", "J.transposed")
 
 
+BY_FRAME = ("J.frame", "J.frame angular", "J.transposed")  # named by the frame themselves
+
+
+def in_frame(m, q, J, k):
+    """The rows in the axes of frame k."""
+    R = m.frames(q)[k][:3, :3].T
+    return np.vstack([R @ J[:3], R @ J[3:]])
+
+
 def apart(A, B, d):
     """Whether two matrices differ by more than their roundings in some entry, and by what shows at
     all.
@@ -177,6 +186,17 @@ def cases(rng, count):
                     continue
             if J.shape != right.shape or not apart(J, right, d):
                 continue
+        how = {}
+        if rng.random() < 0.12 and what in ("right", "single"):
+            k, one = int(rng.integers(1, len(m.rows) + 1)), (cause or "").split(":")[0]
+            if one not in BY_FRAME:
+                how, J = dict(frame=k), in_frame(m, q, J, k)
+        if (
+            rng.random() < 0.1
+            and J.shape == right.shape
+            and cause not in ("J.halves", "J.transposed")
+        ):
+            how, J = {**how, "angular_first": True}, np.vstack([J[3:], J[:3]])
         scale = 1000 if cause and "J.millimetres" in cause else 1
         text, form = typed(J, d if scale == 1 else max(0, d - 3), rng)
         yield dict(
@@ -188,5 +208,6 @@ def cases(rng, count):
             digits=d,
             kind=str(what),
             cause=cause,
+            **how,
         )
         made += 1

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from helpers import checks, robots
+from helpers import checks, inverse, robots
 from helpers.arm import Arm
-from helpers.inverse import elbow
 from helpers.motion import circle
 from helpers.rows import Body, Joint, Row
 from tests.corpus.machine import Machine
@@ -42,19 +41,35 @@ def report(case, arms):
     """What the checker says of a case."""
     topic = case["topic"]
     if topic == "branches":
-        found = elbow(robots.ELBOW.with_values(**case["values"]), case["target"])
-        return checks.compare_branches(case["typed"], found)
+        return checks.compare_branches(
+            case["typed"], _found(case), angles=case.get("angles", "rad")
+        )
     if topic == "trace":
         its, path = arm(arms[case["arm"]]), circle(**case["path"])
         return checks.compare_trace(case["typed"], its, path, angles=case.get("angles", "rad"))
     its = arm(arms[case["arm"]])
     if topic == "jacobian":
-        return checks.compare_jacobian(case["typed"], its, case["q"])
+        how = {key: case[key] for key in ("frame", "angular_first") if key in case}
+        return checks.compare_jacobian(case["typed"], its, case["q"], **how)
     if topic == "table":
         return checks.compare_tables(case["typed"], its, lengths="m", angles="rad")
     if topic == "torques":
         return checks.compare_torques(case["typed"], its, case["q"], case["wrench"])
-    return checks.compare_pose(case["typed"], its, case["T"])
+    return checks.compare_pose(case["typed"], its, case["T"], angles=case.get("angles", "rad"))
+
+
+def _found(case):
+    """The branches that the closed form of the case's arm gives."""
+    its = known(case["arm"])
+    if case["arm"] == "ELBOW":
+        its = its.with_values(**case["values"])
+    solver = {
+        "ELBOW": inverse.elbow,
+        "STANFORD": inverse.stanford,
+        "UR10E": inverse.ur,
+        "UR10E_HOMEWORK": inverse.ur,
+    }[case["arm"]]
+    return solver(its, case["target"])
 
 
 def outcome(case, arms, found):

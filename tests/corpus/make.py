@@ -18,8 +18,8 @@ TOPICS = {
     "jacobian": (jacobians.cases, 1000),
     "table": (tables.cases, 800),
     "torques": (torques.cases, 500),
-    "branches": (answers.branches, 300),
-    "pose": (answers.poses, 250),
+    "branches": (answers.every_branch, 300),
+    "pose": (answers.every_pose, 250),
     "trace": (traces.cases, 60),
 }
 KNOWN = ("PANDA", "UR10E", "UR10E_HOMEWORK", "STANFORD", "ELBOW", "PANDA.lock(3)")

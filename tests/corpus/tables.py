@@ -126,7 +126,7 @@ def _length(x):
     return f"{round(x, 6):.6f}".rstrip("0").rstrip(".") or "0"
 
 
-def typed(rows, rng, d, degrees=False):
+def typed(rows, rng, d, degrees=False, heads=False):
     """A table with heads as text; the variable stands in theta or d."""
     exact = rng.random() < 0.6
     cells = []
@@ -149,7 +149,18 @@ def typed(rows, rng, d, degrees=False):
         int(rng.integers(3))
     ]
     lines = [[row[n] for n in order] for row in cells]
-    form = str(rng.choice(["markdown", "latex", "csv", "columns"]))
+    forms = ["markdown", "latex", "csv", "columns", "bare", "bare csv", "list", "matlab"]
+    share = 0.25 if heads else 0.17
+    form = str(rng.choice(forms, p=[share] * 4 + [0.25 - share] * 4))
+    if form == "bare":
+        return "\n".join("   ".join(x.replace(" ", "") for x in row) for row in lines), form
+    if form == "bare csv":
+        return "\n".join(",".join(row) for row in lines), form
+    if form == "list":
+        quoted = [[x if _is_float(x) else f"'{x}'" for x in row] for row in lines]
+        return "[" + ",\n ".join("[" + ", ".join(row) + "]" for row in quoted) + "]", form
+    if form == "matlab":
+        return "[" + ";\n".join(" ".join(x.replace(" ", "") for x in r) for r in lines) + "]", form
     if form == "markdown":
         head = "| " + " | ".join(order) + " |\n|" + "--|" * 4 + "\n"
         return head + "\n".join("| " + " | ".join(row) + " |" for row in lines), form
@@ -161,6 +172,14 @@ def typed(rows, rng, d, degrees=False):
     if form == "csv":
         return "\n".join(",".join(row) for row in [order, *lines]), form
     return "\n".join("\t".join(row) for row in [order, *lines]), form
+
+
+def _is_float(text):
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _in_craig(name):
@@ -197,7 +216,9 @@ def cases(rng, count):
         if cause and rows == m.rows:
             continue
         degrees = bool(cause and "table.degrees" in cause)
-        text, form = typed(rows, rng, d, degrees)
+        # Without heads exchanged columns are another order of them, and right.
+        exchanged = bool(cause) and (" and d" in cause or "alpha and theta" in cause)
+        text, form = typed(rows, rng, d, degrees, heads=exchanged)
         yield dict(
             topic="table",
             machine=m,

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from tests.corpus.arms import KNOWN, pose, some_machine
-from tests.corpus.machine import rot_x
+from tests.corpus.machine import cross, rot_x
 from tests.corpus.typing_ import typed
 
 # Masses and centres of the Panda's links (Gaz et al. 2019) in the table's frames, typed anew.
@@ -41,7 +41,7 @@ def weight(m, links, q, g=9.81):
         for j, (i, kind) in enumerate(zip(m.joints, m.kinds, strict=True)):
             if i <= k:
                 z, o = T[i][:3, 2], T[i][:3, 3]
-                tau[j] += mass * g * (np.cross(z, p - o)[2] if kind == "R" else z[2])
+                tau[j] += mass * g * (cross(z, p - o)[2] if kind == "R" else z[2])
     return tau
 
 
@@ -120,14 +120,17 @@ def cases(rng, count):
         F = np.zeros(6)
         F[: 6 if rng.random() < 0.3 else 3] = 1
         F = F * rng.uniform(-12, 12, 6).round(1)
+        along = many and rng.random() < 0.4
+        forces = [(F * rng.uniform(0.3, 1.5)).round(2) if along else F for _ in poses]
         d = int(rng.choice([2, 3, 4, 5]))
         kind = str(rng.choice(["right", "single", "pair"], p=[0.3, 0.5, 0.2]))
-        right = np.array([weight(m, links, q) - force(m, F, q) for q in poses])
+        each = list(zip(poses, forces, strict=True))
+        right = np.array([weight(m, links, q) - force(m, F, q) for q, F in each])
         cause, tau = None, right
         if kind != "right":
             seed = int(rng.integers(1 << 30))
             rule = mistakes if kind == "single" else pairs
-            tables = [list(rule(m, links, q, F, np.random.default_rng(seed))) for q in poses]
+            tables = [list(rule(m, links, q, F, np.random.default_rng(seed))) for q, F in each]
             k = int(rng.integers(len(tables[0])))
             cause, tau = tables[0][k][0], np.array([table[k][1] for table in tables])
             others = (
@@ -135,7 +138,7 @@ def cases(rng, count):
                 if kind == "single"
                 else list(
                     zip(
-                        *(mistakes(m, links, q, F, np.random.default_rng(seed)) for q in poses),
+                        *(mistakes(m, links, q, F, np.random.default_rng(seed)) for q, F in each),
                         strict=True,
                     )
                 )
@@ -150,7 +153,7 @@ def cases(rng, count):
             machine=m,
             bodies=links,
             q=poses if many else poses[0],
-            wrench=[float(x) for x in F],
+            wrench=np.array(forces if along else F).tolist(),
             typed=text,
             form=form,
             digits=d,

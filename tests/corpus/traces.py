@@ -129,15 +129,17 @@ class Task:
         """Joints that are on the path at every time, by Newton's method from the step before."""
         machine = machine or self.machine
         q, rows = self.start.copy(), []
-        R0, p0 = machine.tip(q)[:3, :3], machine.tip(q)[:3, 3]
+        R0, p0 = machine.tip(q)[:3, :3], self.first[:3, 3]
         for k in range(self.steps + 1):
             goal = p0 + point(self.plane, k * self.period / self.steps, self.radius, self.period)
-            for _ in range(8):
+            for _ in range(12 if k else 60):
                 T = machine.tip(q)
-                off = [*(goal - T[:3, 3]), *turn_off(T[:3, :3], R0)]
-                q = q + inverse(machine.jacobian(q)) @ off
+                off = np.array([*(goal - T[:3, 3]), *turn_off(T[:3, :3], R0)])
+                q = q + np.clip(inverse(machine.jacobian(q)) @ off, -0.3, 0.3)
                 if np.abs(off).max() < 1e-11:
                     break
+            else:
+                raise np.linalg.LinAlgError
             rows.append(q)
         return np.array(rows)
 
@@ -202,6 +204,21 @@ def in_the_loop(task, rng, method):
     )
 
 
+def by_the_table(task, rng, method):
+    """Inverse kinematics at every step, with a wrong table; (name, run)."""
+    m = task.machine
+    # Not the last row: there a sign of d draws the same points as one of the twist before it.
+    for k, (kind, a, _, d, _) in enumerate(m.rows[:-1]):
+        for name, x in (("a", a), ("d", d)):
+            if x and kind != "P":
+                for key, wrong in (("sign", -x), ("missing", 0)):
+                    other = changed(m, k, **{name: wrong})
+                    yield f"table.{key}:{name}:{k + 1}", lambda other=other: task.exact(other)
+    if m.name in ("PANDA", "PANDA.lock(3)", "UR10E", "UR10E_HOMEWORK"):
+        pen = changed(m, len(m.rows) - 1, d=m.rows[-1][3] + (0.1 if m.name[0] == "P" else -0.1))
+        yield "table.pen", lambda: task.exact(pen)
+
+
 def of_the_path(task, rng, method):
     """Another path than the one asked for, rightly followed; (name, run)."""
     i, j = ("xyz".index(axis) for axis in task.plane)
@@ -224,7 +241,7 @@ def of_the_path(task, rng, method):
 
 def displaced(task, rng):
     """The whole circle somewhere else: another start."""
-    by = rng.uniform(-0.03, 0.03, 3)
+    by = rng.uniform(0.02, 0.03, 3) * rng.choice([-1, 1], 3)
     q = task.start.copy()
     goal = task.first[:3, 3] + by
     for _ in range(12):
@@ -343,7 +360,7 @@ def cases(rng, count, share=0.25):
                     continue
                 if kind == "single":
                     how = "rk4" if rng.random() < 0.25 else "euler"
-                    rules = (in_the_loop, of_the_path, of_the_rows)[turn % 3]
+                    rules = (in_the_loop, of_the_path, of_the_rows, by_the_table)[turn % 7 % 4]
                     options = list(rules(task, rng, how))
                     cause, make = options[int(rng.integers(len(options)))]
                     q = make()

@@ -4,7 +4,7 @@
 import { jacobianColumns, joints, linkFrames, matrix } from "../kinematics.js";
 import { singular } from "../linear.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { inRadians, numbers, turning } from "./door.js";
+import { numbers, rowsInRadians, turning } from "./door.js";
 import { asksPose, formOf, inverse, rint } from "./inverse.js";
 import { cause, nameOf, several, wordsOf } from "./ranking.js";
 import { ArmError, listed, lower, say, size } from "./say.js";
@@ -71,7 +71,7 @@ function judged(right, given, angles, tolerance, taken) {
 function onlyAsDegrees(right, given, tolerance) {
   const { arm, branches } = right;
   if (!branches.length || !given.length || hitsOf(right, given, tolerance).hits.size) return null;
-  const degrees = given.map((one) => inRadians(one, arm, "deg"));
+  const degrees = rowsInRadians(given, arm);
   const turns = turning(arm);
   const tells = ([k, number]) => {
     const zero = given[number - 1].values.map((x, i) => (turns[i] ? 0 : x));
@@ -106,7 +106,7 @@ export function answers(mine, arm, angles) {
   }
   const rows = (list) => Array.from({ length: shape[0] }, (_, i) => list.slice(i * dof, (i + 1) * dof));
   const both = rows(values).map((row, i) => ({ values: row, units: rows(units)[i] }));
-  return { answers: both.map((one) => inRadians(one, arm, angles)), taken, typed: read };
+  return { answers: angles === "deg" ? rowsInRadians(both, arm) : both, taken, typed: read };
 }
 
 /** @param {number[]} flat @param {number[]} shape */

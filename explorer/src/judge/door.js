@@ -100,6 +100,23 @@ export function inRadians(typed, arm, angles) {
   };
 }
 
+// Joint vectors that were typed in degrees, each with its units. Where some joints slide, those that turn have decimals
+// of their own, for metres need more.
+export function rowsInRadians(rows, arm) {
+  const turns = turning(arm);
+  const mixed = turns.some(Boolean) && !turns.every(Boolean);
+  const own = mixed
+    ? units(rows.flatMap(({ values }) => values.filter((_, k) => turns[k])).map(spelled))
+    : [];
+  let at = 0;
+  const widened = (u, k) => {
+    if (!mixed || !turns[k]) return u;
+    const mine = own[at++];
+    return u > 0 ? Math.max(mine, u) : u;
+  };
+  return rows.map((row) => inRadians({ ...row, units: row.units.map(widened) }, arm, "deg"));
+}
+
 // Names
 
 // A name without underscores, braces, primes and (t), in lower case.

@@ -98,7 +98,7 @@ const within = (miss, margin) => miss[0] <= margin[0] && miss[1] <= margin[1];
 // scale where zero would fit as well.
 function causesOf(q, arm, T, margin, miss, tolerance) {
   const found = [];
-  const half = margin.map((most, i) => Math.min(most, Math.max(miss[i] / 2, EXACT)));
+  const half = margin.map((most, i) => (miss[i] <= most ? most : Math.min(most, miss[i] / 2)));
   for (const [one, other, values, target] of slips(q.values, arm, T)) {
     const pair = one.keys.length > 1;
     if (pair && found.length) break;

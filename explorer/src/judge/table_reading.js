@@ -346,11 +346,10 @@ function ordered(cells, heads, columns) {
     return { orders: [ENTRIES], sure: true, rows: cells.map((row) => keep.map((i) => row[i] ?? "0")) };
   wide(cells);
   const looks = cells.map((row) => row.map(lookOf));
-  const fits = KNOWN_ORDERS.filter((order) => possible(looks, order));
-  const others = permutations(ENTRIES).filter(
-    (order) => !fits.some((one) => one.join() === order.join()) && possible(looks, order),
-  );
-  const orders = [...fits, ...others];
+  const known = KNOWN_ORDERS.map((order) => order.join());
+  const usual = [...KNOWN_ORDERS, ...permutations(ENTRIES).filter((order) => !known.includes(order.join()))];
+  const strict = usual.filter((order) => possible(looks, order, true));
+  const orders = strict.length ? strict : usual.filter((order) => possible(looks, order, false));
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], sure: false, rows: cells };
 }
 
@@ -375,15 +374,18 @@ function lookOf(text) {
   };
 }
 
-// Whether the variables stand in theta (or d), and no length or angle looks like the other.
-function possible(looks, order) {
+// Whether the variables stand in theta (or d), and, if strict, no length or angle looks like the other; those of an arm
+// with skew axes do.
+function possible(looks, order, strict) {
   const [a, alpha, d, theta] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
   if ([...a, ...alpha].some(({ variable, offset }) => variable || offset)) return false;
   const count = (list) => list.filter(({ variable }) => variable).length;
+  const stands = count(theta) >= count(d) && ![...a, ...d].some(({ angular }) => angular);
+  if (!strict || !stands) return stands;
   const lengths = [...a, ...d].map((look) => look.number);
   const right = alpha.every((look) => look.number === null || angleLike(look.number));
   const spread = !lengths.every((x) => x === null || (x && angleLike(x))) || !lengths.some(Boolean);
-  return count(theta) >= count(d) && ![...a, ...d].some(({ angular }) => angular) && right && spread;
+  return right && spread;
 }
 
 function isVariable(text) {

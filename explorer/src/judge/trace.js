@@ -5,7 +5,7 @@ import { dot, joints, linkFrames, norm } from "../kinematics.js";
 import { angleBetween, millimetres } from "./branches.js";
 import { chain, columns, framesOf } from "./chains.js";
 import { RIGHT, WRONG } from "./digits.js";
-import { inRadians, numbered, numbers } from "./door.js";
+import { numbered, numbers, rowsInRadians } from "./door.js";
 import { nameOf, wordsOf } from "./ranking.js";
 import { listed, lower, say, size } from "./say.js";
 import { holds, loopCause, near, offs, pathCause, tableCause } from "./trace_causes.js";
@@ -20,8 +20,8 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 /** @typedef {import("./path.js").Path} Path */
 /** @typedef {import("./ranking.js").Finding} Finding */
 /**
- * Rows of joints, and the largest unit of each joint's last places.
- * @typedef {{ q: number[][], units: number[], taken: string[], extra: boolean }} Run
+ * Rows of joints, the units of their last places, and the largest of each joint's.
+ * @typedef {{ q: number[][], steps: number[][], units: number[], taken: string[], extra: boolean }} Run
  */
 
 /**
@@ -54,14 +54,14 @@ export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null
 }
 
 // Whether joints follow the path in degrees, as nearly as Euler's method does, and not in radians.
-function onlyAsDegrees({ q, units }, arm, path, allowed) {
+function onlyAsDegrees({ q, steps }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
   const miss = (rows) => Math.max(...offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o))); // prettier-ignore
-  const turned = (row) => inRadians({ values: row, units: row }, arm, "deg").values;
-  const rows = q.map(turned);
+  const turned = rowsInRadians(q.map((values, k) => ({ values, units: steps[k] })), arm); // prettier-ignore
+  const rows = turned.map(({ values }) => values);
   const [asTyped, degrees] = [miss(q), miss(rows)];
   if (asTyped <= allowed || degrees > asTyped) return false;
-  return degrees <= near(path, asTyped, allowed) || holds(rows, turned(units), arm, path);
+  return degrees <= near(path, asTyped, allowed) || holds(rows, most(turned), arm, path);
 }
 
 // What the digits of the joints leave of the tip's place (m).
@@ -96,12 +96,14 @@ function upright(typed, arm, count, angles) {
     taken.push(say("taken: times"));
   }
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
-  const [q, steps] = [rows, units].map((list) =>
-    list.slice(0, count).map((row) => inRadians({ values: row, units: row }, arm, angles).values),
-  );
-  const most = steps[0].map((_, k) => steps.reduce((top, row) => Math.max(top, row[k]), 0));
-  return { q, units: most, taken, extra: rows.length === count + 1 };
+  const held = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
+  const meant = angles === "deg" ? rowsInRadians(held, arm) : held;
+  const [q, steps] = [meant.map((row) => row.values), meant.map((row) => row.units)];
+  return { q, steps, units: most(meant), taken, extra: rows.length === count + 1 };
 }
+
+// The largest unit of each joint's last places.
+const most = (rows) => rows[0].units.map((_, k) => rows.reduce((top, row) => Math.max(top, row.units[k]), 0));
 
 const rowsOf = (flat, width) =>
   Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
@@ -145,7 +147,9 @@ function judged(run, arm, path, allowed, given, blur) {
     const off = error > allowed;
     const loop = slip((off && errors[0] <= 0.25 * error) || turn > TILT);
     if (!off || loop?.keys[0] === "trace.coarse") return loop;
-    return pathCause(path, tip, allowed, blur) ?? tableCause(q, arm, path, allowed) ?? loop;
+    const shape = pathCause(path, tip, allowed, blur);
+    if (shape && shape.keys[0] !== "trace.displaced") return shape;
+    return tableCause(q, arm, path, allowed) ?? shape ?? loop;
   };
   const named = symptoms.length ? why() : given ? null : slip(false);
   const notes = [...notesOf(arm, path, q)];

@@ -13,8 +13,8 @@ const ALIKE = 1e-9; // m: misses nearer to each other than this are the same
 const SAMPLE = 100;
 const STRIDE = 50;
 const ALONG = 40; // windows in a run: few enough for many steps each, enough to see a circle's turns
-const PLAIN = 0.1; // of the miss: what another path without a free number in it may leave
-const PLAIN_PATHS = ["trace.backwards", "trace.other side", "trace.axes exchanged"];
+const PLAIN = 0.1; // of the miss or the path: what another path without a free number may leave
+const PLAIN_PATHS = ["trace.backwards", "trace.other side"];
 const HOLDS = 1.5; // times the noise: what a rule that holds may leave
 const LOOSE = 4; // times the noise: what one may leave that is ten times better than the right one
 const NICE = [2, 3, 4, 5, 8, 10, 20, 40, 50, 100].map((n) => 1 / n);
@@ -48,10 +48,20 @@ const drawn = (points) => points.slice(1).reduce((sum, p, k) => sum + norm(minus
 export function pathCause(path, tip, allowed, blur = 0) {
   const miss = farthest(tip, path.times.map(path.position));
   const usual = near(path, miss, allowed);
-  const most = ({ keys }) => (PLAIN_PATHS.includes(keys[0]) ? Math.max(usual, PLAIN * miss) : usual);
+  const plain = Math.max(usual, PLAIN * Math.min(miss, reachOf(path)));
+  const most = ({ keys }) => (PLAIN_PATHS.includes(keys[0]) ? plain : usual);
   const found = [...shapes(path, tip, blur)].filter(([one, left]) => left <= most(one));
   const least = Math.min(...found.map(([, left]) => left));
   return found.find(([, left]) => left <= 1.5 * least + 0.1 * allowed)?.[0] ?? null;
+}
+
+function reachOf(path) {
+  const wanted = path.times.map(path.position);
+  const spread = [0, 1, 2].map((i) => {
+    const all = wanted.map((p) => p[i]);
+    return all.reduce((a, x) => Math.max(a, x)) - all.reduce((a, x) => Math.min(a, x));
+  });
+  return norm(spread);
 }
 
 // How much a cause may leave of a miss (m): two of the path's steps, a quarter of the miss.
@@ -187,12 +197,8 @@ export function loopCause(q, units, arm, path, wrong = false) {
 export function holds(q, units, arm, path) {
   const steps = stepsOf(q, units, arm, path, 0);
   const start = framesOf(chain(arm, q[0])).at(-1).o;
-  const wanted = path.times.map(path.position);
-  const spread = [0, 1, 2].map((i) => {
-    const all = wanted.map((p) => p[i]);
-    return all.reduce((a, x) => Math.max(a, x)) - all.reduce((a, x) => Math.min(a, x));
-  });
-  return steps.clear && steps.right < HOLDS && norm(minus(start, wanted[0])) < PLAIN * norm(spread);
+  const first = path.position(path.times[0]);
+  return steps.clear && steps.right < HOLDS && norm(minus(start, first)) < PLAIN * reachOf(path);
 }
 
 /**
