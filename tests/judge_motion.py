@@ -33,7 +33,7 @@ _WRIST = Arm(
 )
 _ROD = Arm("Rod arm", [revolute(alpha=-H, d=0.3), revolute(alpha=H, d=0.1), prismatic(d=0.2)])
 _OFFSET = ELBOW.with_values(d=0.12)
-_FORMS = (
+FORMS = (
     (ELBOW, inverse.elbow),
     (_OFFSET, inverse.elbow),
     (_ROD, inverse.rod),
@@ -42,8 +42,8 @@ _FORMS = (
     (UR10E, inverse.ur),
     (UR10E_HOMEWORK, inverse.ur),
 )
-_SOLVERS = {id(arm): solver for arm, solver in _FORMS}
-_ARMS = (PANDA, PANDA_HOMEWORK, PANDA.lock(3), *(arm for arm, _ in _FORMS))
+_SOLVERS = {id(arm): solver for arm, solver in FORMS}
+_ARMS = (PANDA, PANDA_HOMEWORK, PANDA.lock(3), *(arm for arm, _ in FORMS))
 Asked = Iterator[tuple[Arm, dict]]
 
 
@@ -81,7 +81,7 @@ def branch_questions(rng, count: int) -> Asked:
     reach too.
     """
     for _ in range(count):
-        arm, solver = _FORMS[int(rng.integers(len(_FORMS)))]
+        arm, solver = FORMS[int(rng.integers(len(FORMS)))]
         q = _somewhere(rng, arm)
         T = forward_kinematics(arm, q)
         if rng.random() < 0.03:

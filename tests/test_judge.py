@@ -15,10 +15,11 @@ from helpers import checks, inverse, symbolic
 from helpers.checks.door import numbers
 from helpers.explorer import judge
 from helpers.inputs import ArmError
+from helpers.kinematics import forward_kinematics
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests import motion_pastes, table_pastes
-from tests.judge_motion import path_of
+from tests.judge_motion import FORMS, path_of
 from tests.judge_words import different, in_node, page_words, python_words, questions
 from tests.pastes import FORMATS, pastes
 
@@ -224,6 +225,24 @@ def test_what_are_no_joint_angles_is_refused_in_the_same_words():
         assert theirs[0] == "refused", text
         assert len(theirs[2]) > 20, text
         assert python_words(*pose(text)) == theirs, text
+
+
+@needs_node
+def test_the_branches_at_singular_poses_are_pythons():
+    """Stretched, folded or with a straight wrist: joints are free, and branches merge."""
+    rng, asked = np.random.default_rng(5), []
+    for arm, solver in FORMS * 4:
+        q = np.where(arm.turning, rng.uniform(-1.4, 1.4, arm.dof), 0.3)
+        q[rng.choice(np.flatnonzero(arm.turning), 2, replace=False)] = 0
+        T = forward_kinematics(arm, q)
+        target = T if arm.dof == 6 else T[:3, 3]
+        found = solver(arm, target)
+        mine = found.q[found.valid].tolist()
+        question = {"topic": "branches", "typed": mine, "target": target.tolist(), "options": {}}
+        asked.append((arm, question))
+    assert not different(asked)
+    right = [python_words(*one)[0] for one in asked]
+    assert right.count("right") > 0.8 * len(right)
 
 
 @needs_node
