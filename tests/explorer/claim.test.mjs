@@ -54,3 +54,23 @@ test("wrong columns are in red, in the base's axes whatever they were written in
   near(claims[0].twist, columns[1]);
   assert.match(words, /In red: the axis of joint 2, whose column is wrong\.$/);
 });
+
+test("a wrong table, wrong angles and a wrong run are seen as ghosts and ways", () => {
+  const wrong = { grade: "wrong", findings: [{ where: "row 2, a" }, { where: "row 9, d" }] };
+  const rows = ARM.rows.map((row, i) => (i === 1 ? { ...row, a: 0.9 } : row));
+  const table = pictureOf({ ask: "table" }, { arm: ARM, report: { ...wrong, table: { rows } } });
+  assert.deepEqual(table.links, [1]);
+  near(linkFrames(table.ghosts[0].arm, table.ghosts[0].q).at(-1).o, linkFrames({ rows }, ARM.home).at(-1).o);
+
+  const typed = { values: [90, 0, 0.1, 10, 20, 0.2], shape: [2, 3] };
+  const asked = { ask: "branches", unit: "deg", target: "0.1, 0.2, 0.3" };
+  const marks = [true, true, true, false, false, false];
+  const ways = pictureOf(asked, { arm: ARM, report: { ...wrong, typed, wrong: marks } });
+  near(ways.q, [Math.PI / 2, 0, 0.1]);
+  assert.deepEqual([ways.ghosts.length, ways.points], [0, [[0.1, 0.2, 0.3]]]);
+
+  const run = { ask: "trace", unit: "rad", answer: "0 0 0\n0.1 0 0\n0.2 0 0" };
+  const { path } = pictureOf(run, { arm: ARM, q: [0, 0, 0], report: wrong });
+  assert.equal(path.length, 3);
+  near(path[1], linkFrames(ARM, [0.1, 0, 0]).at(-1).o);
+});

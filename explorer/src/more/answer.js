@@ -2,6 +2,7 @@
 // wrong, its joint moves a little, the arm truly and a ghost of its tip as the column claims.
 
 import { calm, h } from "../dom.js";
+import { reachOf } from "../arm.js";
 import { joints, linkFrames, minus, plus, scaled } from "../kinematics.js";
 import { freed } from "../renderer.js";
 import { along, ArmShape, ball, ghostMaterial, paint, rod, Triads, tube } from "../shapes.js";
@@ -22,6 +23,7 @@ const PLAYED = 1600; // ms, from the pose to the farthest
  * @property {number[]} [wrench]
  * @property {{ arm: import("../arm.js").Arm, q: number[] }[]} ghosts
  * @property {number[][]} [path] of the tip
+ * @property {number[][]} points that the tip should reach
  * @property {{ k: number, twist: number[] }[]} claims of wrong columns
  * @property {string} words
  */
@@ -76,11 +78,20 @@ export function answer(host) {
       }),
     );
     lever.move(0);
+    picture?.figure.fit(extent(shown));
   }
   live.follow(() => overlay?.draw(shown, claim, share));
   host.addEventListener("answer", () => ((shown = host.answer), show()), { signal: abort.signal });
   show();
   return () => (cancelAnimationFrame(frame), abort.abort(), live.dispose());
+}
+
+// The points that should be in view, with room for the axes at the tip.
+function extent({ arm, q, ghosts, points, path = [] }) {
+  const arms = [{ arm, q }, ...ghosts].map((one) => linkFrames(one.arm, one.q));
+  const room = 0.12 * reachOf(arm);
+  const ends = ["x", "z"].map((axis) => plus(arms[0].at(-1).o, scaled(room, arms[0].at(-1)[axis])));
+  return [...arms.flat().map(({ o }) => o), ...ends, ...points, ...path, [0, 0, 0], [0, 0, 3 * room]];
 }
 
 // What is drawn over the explorer's picture.
@@ -119,6 +130,7 @@ class Overlay {
       shape.pose(linkFrames(arm, q));
       made.push(shape);
     }
+    for (const point of shown.points) made.push(this.spot(point, bad));
     if (shown.path) made.push(tube(shown.path, 0.003 * picture.size, bad));
     return claim && share ? [...made, ...this.claim(shown, claim, share, bad, ghost)] : made;
   }
@@ -129,12 +141,17 @@ class Overlay {
     const ways = Array.from({ length: STEPS + 1 }, (_, i) => moved(arm, q, claim, (share * i) / STEPS));
     const tip = new Triads(picture.dark, 1);
     tip.pose([ways.at(-1).claimed], 0.1 * picture.size);
-    const spot = ball(paint(bad));
-    spot.scale.setScalar(0.016 * picture.size);
-    spot.position.fromArray(ways.at(-1).claimed.o);
+    const spot = this.spot(ways.at(-1).claimed.o, bad);
     const thick = 0.005 * picture.size;
     return [tip, spot, tube(ways.map(({ claimed }) => claimed.o), thick, bad),
       tube(ways.map(({ truly }) => truly.o), thick, ghost)]; // prettier-ignore
+  }
+
+  spot(point, colour) {
+    const made = ball(paint(colour));
+    made.scale.setScalar(0.016 * this.picture.size);
+    made.position.fromArray(point);
+    return made;
   }
 
   line({ start, end }, thickness, colour) {

@@ -12,6 +12,9 @@ import { textsOf } from "./filling.js";
  */
 
 const POSED = "The arm at the pose of the question.";
+const MOST_GHOSTS = 4;
+const LONGEST_RUN = 300_000; // characters of a run that is drawn
+const STEPS = 200; // of its way
 const HOME = "The arm at home.";
 
 /**
@@ -31,6 +34,7 @@ export function pictureOf(question, verdict) {
     links: [],
     ghosts: [],
     claims: [],
+    points: [],
     words: posed ? POSED : HOME,
   };
   if (question.ask === "torques") Object.assign(shown, { wrench: wrenchOf(question.wrench) });
@@ -92,11 +96,66 @@ function inRed(arm, positions, what) {
   return axes.length ? { axes, words: `${POSED} ${words}` } : {};
 }
 
+// The arm of a wrong table as a ghost at the same joint values, and the rows that are named.
 function ofTable(_, { arm, report }) {
   const named = report.findings.map(({ where }) => /^row (\d+)/.exec(where)?.[1] ?? 0);
   const links = [...new Set(named.map((number) => number - 1))].filter((row) => arm.rows[row]);
-  const words = `${HOME} In red: what row ${listed(links.map((row) => row + 1))} describes.`;
-  return links.length ? { links, words } : {};
+  const mine = { name: "", home: [], rows: report.table?.rows ?? [] };
+  const ghosts = fits(mine, homeOf(arm)) ? [{ arm: mine, q: homeOf(arm) }] : [];
+  const rows = links.length ? ` In full red: what row ${listed(links.map((row) => row + 1))} describes.` : "";
+  const ghost = ghosts.length ? ` The red ghost: the arm of your table, at the same joint values.` : "";
+  return { links, ghosts, words: `${HOME}${ghost}${rows}` };
 }
 
-const OF = { jacobian: ofJacobian, torques: ofTorques, table: ofTable };
+// The joint vectors of an answer, in rad.
+function vectorsOf({ unit }, arm, { values, shape }) {
+  const moving = joints(arm);
+  const width = moving.length;
+  if (values.length % width || (shape.at(-1) !== width && values.length !== width)) return [];
+  const factors = moving.map((row) =>
+    unit === "deg" && arm.rows[row].kind === "revolute" ? Math.PI / 180 : 1,
+  );
+  return Array.from({ length: values.length / width }, (_, i) =>
+    factors.map((factor, k) => factor * values[i * width + k]),
+  );
+}
+
+// Where the tip should be: the last column of a pose, or a point.
+function pointOf({ target }) {
+  const rows = textsOf(target).map((row) => row.map(Number));
+  const point = rows.length >= 3 ? rows.slice(0, 3).map((row) => row.at(-1)) : rows.flat();
+  return point.length === 3 && point.every(Number.isFinite) ? [point] : [];
+}
+
+// The arm as it stands at the first answer that misses, others that miss as ghosts, and the target.
+function ofAngles(question, { arm, report }) {
+  const all = report.typed ? vectorsOf(question, arm, report.typed) : [];
+  const width = joints(arm).length;
+  const wrong = all.filter((_, i) => report.wrong?.[i * width] ?? true);
+  if (!wrong.length) return {};
+  const ghosts = wrong.slice(1, MOST_GHOSTS).map((q) => ({ arm, q }));
+  const words = `The arm at ${ghosts.length ? "your first wrong answer, others as ghosts" : "your answer"}.`;
+  const points = pointOf(question);
+  return { q: wrong[0], ghosts, points, words: points.length ? `${words} The red ball: the target.` : words };
+}
+
+// The way of the tip along a run.
+function ofTrace(question, { arm }) {
+  if (question.answer.length > LONGEST_RUN) return {};
+  const rows = textsOf(question.answer).map((row) => row.map(Number));
+  const flat = rows.flat();
+  if (!flat.every(Number.isFinite)) return {};
+  const all = vectorsOf(question, arm, { values: flat, shape: [rows.length, rows[0]?.length] });
+  const step = Math.max(1, Math.floor(all.length / STEPS));
+  const path = all.filter((_, i) => i % step === 0).map((q) => linkFrames(arm, q).at(-1).o);
+  return path.length > 1 ? { path, words: `${POSED} In red: the way of the tip in your run.` } : {};
+}
+
+const OF = {
+  jacobian: ofJacobian,
+  torques: ofTorques,
+  table: ofTable,
+  branches: ofAngles,
+  pose: ofAngles,
+  trace: ofTrace,
+};
