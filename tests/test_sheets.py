@@ -104,6 +104,12 @@ def moved(text, arm, q):
     return text
 
 
+@cache
+def given(language, sheet, item):
+    """What the page gives for an answer: the same block is read by several tests."""
+    return language(sheet, item)
+
+
 def run(text):
     names = {}
     exec(compile(text, "pasted", "exec"), names)
@@ -116,7 +122,7 @@ def run(text):
 @every_arm
 def test_numpy_blocks_run_as_they_are(sheet, capsys):
     for item in sheet.items:
-        names = run(as_numpy(sheet, item))
+        names = run(given(as_numpy, sheet, item))
         check(sheet, item.name, names[item.name], sheet.home)
         assert capsys.readouterr().out
 
@@ -124,14 +130,14 @@ def test_numpy_blocks_run_as_they_are(sheet, capsys):
 @every_arm
 def test_numpy_blocks_at_another_pose(sheet, capsys):
     for item in sheet.items:
-        names = run(moved(as_numpy(sheet, item), sheet.arm, pose(sheet)))
+        names = run(moved(given(as_numpy, sheet, item), sheet.arm, pose(sheet)))
         check(sheet, item.name, names[item.name], pose(sheet))
 
 
 @every_arm
 def test_sympy_blocks(sheet):
     for item in sheet.items:
-        names = run(as_sympy(sheet, item))
+        names = run(given(as_sympy, sheet, item))
         letters = [sp.Symbol(name) for name in (*sheet.values, *sheet.arm.variables)]
         value = sp.Matrix([names[item.name]]) if item.is_number else names[item.name]
         got = sp.lambdify(letters, value)(*sheet.values.values(), *pose(sheet))
@@ -151,7 +157,7 @@ def test_matlab_blocks_run_under_octave(tmp_path):
     ]
     lines = ["1;"]
     for sheet, item, q in cases:
-        block = as_matlab(sheet, item)
+        block = given(as_matlab, sheet, item)
         block = block if q is sheet.home else moved(block, sheet.arm, q)
         shown = f"value = reshape({item.name}.', 1, []);"
         lines += ["clear all", block, shown, 'printf("= %s\\n", sprintf("%.17g ", value));']
@@ -168,7 +174,7 @@ def test_no_line_of_a_program_is_long():
     answers = [(sheet, item) for sheet in SHEETS.values() for item in sheet.items]
     for sheet, item in answers:
         for language in (as_sympy, as_numpy, as_matlab):
-            assert max(map(len, language(sheet, item).splitlines())) <= 160, (
+            assert max(map(len, given(language, sheet, item).splitlines())) <= 160, (
                 sheet.arm.name,
                 item.name,
             )
@@ -191,6 +197,7 @@ def formula(text, powers):
     return joined
 
 
+@cache
 def readable(sheet, q):
     """A number for every letter of a formula, the short names as they are read off the page."""
     names = {**sheet.values, **dict(zip(sheet.arm.variables, q, strict=True))}
@@ -240,7 +247,7 @@ def indices(text):
 @every_arm
 def test_what_the_page_shows(sheet):
     for item in sheet.items:
-        shown = Entries(answer(sheet, item)).entries
+        shown = Entries(given(answer, sheet, item)).entries
         names = readable(sheet, pose(sheet))
         values = [eval(formula(indices(text), r"\^<(\d+)>"), {}, names) for text in shown]
         check(sheet, item.name, values, pose(sheet))
@@ -249,7 +256,7 @@ def test_what_the_page_shows(sheet):
 @every_arm
 def test_latex_blocks(sheet):
     for item in sheet.items:
-        block = as_latex(sheet, item)
+        block = given(as_latex, sheet, item)
         assert block.count("{") == block.count("}")
         assert block.isascii()
         body = "\n".join(line for line in block.splitlines() if not line.startswith("%"))
@@ -281,7 +288,7 @@ def test_latex_compiles_and_fits_the_page(tmp_path):
     if not latex:
         pytest.skip("LaTeX is not installed here")
     sheets = [SHEETS[name] for name in SHEETS if name not in ("skewed", "numbers only")]
-    blocks = "\n\n".join(as_latex(sheet, item) for sheet in sheets for item in sheet.items)
+    blocks = "\n\n".join(given(as_latex, sheet, item) for sheet in sheets for item in sheet.items)
     head = r"\documentclass[a4paper]{article}\usepackage{amsmath}\begin{document}"
     text = "\n".join([head, blocks, r"\end{document}"])
     (tmp_path / "answers.tex").write_text(text, encoding="utf-8")
@@ -296,7 +303,12 @@ def test_latex_compiles_and_fits_the_page(tmp_path):
 def test_the_numbers_on_the_page(sheet):
     """Rounded to four digits, at the home pose."""
     for item in sheet.items:
-        html = answer(sheet, item).split("In numbers")[1].split("<template")[0].replace("−", "-")
+        html = (
+            given(answer, sheet, item)
+            .split("In numbers")[1]
+            .split("<template")[0]
+            .replace("−", "-")
+        )
         if item.is_number:
             numbers = [float(html.split("=")[-1].split("<")[0])]
         else:

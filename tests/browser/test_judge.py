@@ -265,7 +265,7 @@ def test_a_run_comes_from_a_file(page, tmp_path):
     verdict(page, "the path is drawn the other way round")
     rows = page.get_by_label("Your answer", exact=True).input_value().split("\n")
     file = tmp_path / "run.csv"
-    file.write_text("\n".join(",".join(row.split()) for row in rows[::-1]))
+    file.write_text("\n".join(",".join(row.split()) for row in rows[::-1]), "utf-8")
     page.locator("input[type=file]").set_input_files(file)
     page.get_by_text("From run.csv, 25 lines.").wait_for()
     verdict(page, "UR10e (homework) draws the path")
