@@ -12,11 +12,15 @@ from helpers.sheets import markdown
 FOLDER = Path(__file__).parents[1] / "book" / "answers"
 
 _HOW = """
+:::{container} screen
 Every answer is folded under its question: try first, then open it. The buttons copy an answer as a
 block that needs no editing: LaTeX for a document with `amsmath`, Python for SymPy (everything a
-symbol) or NumPy (numbers), and MATLAB, which GNU Octave reads too. The formulas and the numbers of
-this page are computed, and tested against each other. To see whether your own answer is another
-way of writing the same, give it to {doc}`the checkers <../check_your_homework>`.
+symbol) or NumPy (numbers), and MATLAB, which GNU Octave reads too.
+:::
+
+The formulas and the numbers of this page are computed, and tested against each other. To see
+whether your own answer is another way of writing the same, give it to
+{doc}`the checkers <../check_your_homework>`.
 """
 
 

@@ -23,6 +23,7 @@ from helpers import robots
 from helpers.explorer import ArmExplorer, judge
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
+AFTER = re.compile(r"[.,;:!?)\]’”]+(?!\w)")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
 
 
@@ -131,12 +132,24 @@ def fold(box: nodes.Element) -> None:
     ]
 
 
+def keep_together(formula: nodes.math) -> None:
+    """No line begins with the comma behind a formula."""
+    after = formula.next_node(descend=False, siblings=True)
+    if not isinstance(after, nodes.Text) or not (mark := AFTER.match(after)):
+        return
+    both = nodes.inline("", "", formula.deepcopy(), nodes.Text(mark[0]), classes=["together"])
+    after.parent.replace(after, nodes.Text(after[mark.end() :]))
+    formula.replace_self(both)
+
+
 def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
-    """Fold what is to be folded, and give tables a box."""
+    """Fold what is to be folded, keep formulas and their commas together, and give tables a box."""
     for box in list(
         doctree.findall(lambda n: "dropdown" in getattr(n, "attributes", {}).get("classes", ()))
     ):
         fold(box)
+    for formula in list(doctree.findall(nodes.math)):
+        keep_together(formula)
     for table in list(doctree.findall(nodes.table)):
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
 

@@ -163,7 +163,7 @@ def words(found: Map, mine: Side, reference: Side) -> list[str]:
     said = []
     for s, c, i, j in zip(found.signs, found.offsets, mine.joints, reference.joints, strict=True):
         turns = reference.rows[j - 1].kind == "R"
-        shift = math.degrees(c) if turns else 1000 * c
+        shift = round(math.degrees(c) if turns else 1000 * c, 6)
         if s < 0 or abs(shift) > 1e-3:
             unit = "°" if turns else " mm"
             tail = (

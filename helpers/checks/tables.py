@@ -280,7 +280,7 @@ def _base(mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[st
         way = say("higher") if higher > 0 else say("lower")
         first = next((g for g in mine.gaps if g.places_base), None)
         row = mine.joints[first.bunch[-1] if first else 0]
-        yield say("base", height=size(1000 * abs(higher), 4), way=way, row=row)
+        yield say("base", height=size(round(1000 * abs(higher), 6), 4), way=way, row=row)
 
 
 def _tool(found: Compared) -> Iterator[str]:
@@ -501,13 +501,15 @@ def _kind_of_error(column: str, row: int, mine: float, wanted: float) -> tuple[s
         return "table.too much", dict(column=column, row=row)
     if angular:
         return "table.angle", dict(
-            column=column, row=row, _off=size(math.degrees(angle_between(mine, wanted)), 4)
+            column=column,
+            row=row,
+            _off=size(round(math.degrees(angle_between(mine, wanted)), 6), 4),
         )
     if mine * wanted < 0:
         return "table.number and sign", dict(column=column, row=row)
     way = say("long") if abs(mine) > abs(wanted) else say("short")
     return "table.number", dict(
-        column=column, row=row, _off=size(1000 * abs(mine - wanted), 4), _way=way
+        column=column, row=row, _off=size(round(1000 * abs(mine - wanted), 6), 4), _way=way
     )
 
 
@@ -554,7 +556,7 @@ def _amount(d: Difference, what: str) -> str:
     if x * y < 0:
         return say("table other way", what=what, mine=size(x, 6), reference=size(y, 6))
     way = say("long") if abs(x) > abs(y) else say("short")
-    off = size(1000 * abs(d.mine - d.reference), 4)
+    off = size(round(1000 * abs(d.mine - d.reference), 6), 4)
     mine, reference = size(abs(x), 6), size(abs(y), 6)
     return say("table length", what=what, mine=mine, reference=reference, off=off, way=way)
 

@@ -4,8 +4,9 @@ One step after the other, a run takes a thousand small computations; all at once
 batches. A first guess, from few long steps, breaks the method's rule by a misfit at each step. To
 the plain inverse a misfit is a displacement of the tip that stays what it is along the rest of the
 path: so the misfits are summed up as displacements, and each joint vector is moved back by its sum.
-A handful of such sweeps leaves rounding. They are Newton's method for all steps together; source:
-Bellen and Zennaro (1989), Journal of Computational and Applied Mathematics 25.
+A handful of such sweeps leaves rounding. They are Newton's method for all steps together, which is
+multiple shooting for an initial value; source: Bellen and Zennaro (1989), Journal of Computational
+and Applied Mathematics 25, for difference equations in general.
 
 Whatever is in doubt, such as a pose that is nearly singular, is left to the loop, which knows how
 to tell it.

@@ -9,7 +9,7 @@ from tools import pdf
 
 SCREEN = re.compile(
     r"[^.\n]*\b(JavaScript|mouse|click\w*|slider\w*|[Dd]rag(?! at)\w*|hover|scroll\w*|[Uu]nfold\w*"
-    r"|type over|live in this page|[Pp]ress (?:Play|Draw|Back|Find)|Point at)[^.\n]*"
+    r"|type over|[Cc]opy (?:all|LaTeX|SymPy|NumPy|MATLAB)|buttons? |folded under|live in this page|[Pp]ress (?:Play|Draw|Back|Find)|Point at)[^.\n]*"
 )
 
 

@@ -14,6 +14,7 @@ export { ASKED };
 const LONGEST_LINK = 12_000; // characters of a fragment
 const LONGEST = { table: 2000, q: 500, wrench: 300, answer: 8000, target: 1000 };
 export const LONGEST_ANSWER = 20_000; // characters that are judged while typing
+const ASKED_ABOUT = "the arm asked about"; // an arm that has no name
 export const OWN = "own"; // the arm whose table is typed
 export const UNITS = ["rad", "deg"];
 // The fields with few values; where the empty one is among them, what is not said is guessed.
@@ -105,7 +106,7 @@ export function armOf(question, arms) {
     .map((row, i) => rowOf(row.length === 5 ? row.slice(1) : row, i + 1, question.unit));
   const fault = rowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
-  return typedArm(rows, { name: "", home: [], rows: [] });
+  return { ...typedArm(rows, { name: "", home: [], rows: [] }), name: ASKED_ABOUT };
 }
 
 const COLUMNS = ["a", "alpha", "d", "theta"];

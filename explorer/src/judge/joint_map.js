@@ -131,7 +131,7 @@ export function equations({ signs, offsets }, mine, reference) {
   return signs.flatMap((s, k) => {
     const [i, j] = [mine.joints[k], reference.joints[k]];
     const turns = reference.rows[j - 1].kind === "revolute";
-    const shift = turns ? offsets[k] * (180 / Math.PI) : 1000 * offsets[k];
+    const shift = Number((offsets[k] * (turns ? 180 / Math.PI : 1000)).toFixed(6));
     const counted = Math.abs(shift) > 1e-3;
     if (s > 0 && !counted) return [];
     const tail = counted ? ` ${shift < 0 ? "-" : "+"} ${size(Math.abs(shift), 5)}${turns ? "°" : " mm"}` : "";

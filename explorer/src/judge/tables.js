@@ -214,7 +214,7 @@ function base(mine, found, mapped = null) {
   if (Math.abs(higher) <= LENGTH) return [];
   const way = higher > 0 ? say("higher") : say("lower");
   const row = mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0];
-  return [say("base", { height: size(1000 * Math.abs(higher), 4), way, row })];
+  return [say("base", { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
 }
 
 function tool({ tilts }) {
@@ -392,10 +392,19 @@ function kindOfError(column, row, mine, wanted) {
   if (!mine) return twist ? cause("table.no twist", { row }) : cause("table.missing", { column, row });
   if (!wanted) return cause("table.too much", { column, row });
   if (angular(column))
-    return cause("table.angle", { column, row, _off: size(angleBetween(mine, wanted) * DEGREES, 4) });
+    return cause("table.angle", {
+      column,
+      row,
+      _off: size(rounded(angleBetween(mine, wanted) * DEGREES, 6), 4),
+    });
   if (mine * wanted < 0) return cause("table.number and sign", { column, row });
   const _way = Math.abs(mine) > Math.abs(wanted) ? say("long") : say("short");
-  return cause("table.number", { column, row, _off: size(1000 * Math.abs(mine - wanted), 4), _way });
+  return cause("table.number", {
+    column,
+    row,
+    _off: size(rounded(1000 * Math.abs(mine - wanted), 6), 4),
+    _way,
+  });
 }
 
 // The single cause that leaves much less than none does, and what it leaves.
@@ -438,7 +447,7 @@ function amount({ key, mine, reference }, what) {
   const [x, y] = [rounded(mine, 9), rounded(reference, 9)]; // what is left of a zero is none
   if (x * y < 0) return say("table other way", { what, mine: size(x, 6), reference: size(y, 6) });
   const way = Math.abs(x) > Math.abs(y) ? say("long") : say("short");
-  const off = size(1000 * Math.abs(mine - reference), 4);
+  const off = size(rounded(1000 * Math.abs(mine - reference), 6), 4);
   const [ours, theirs] = [x, y].map((length) => size(Math.abs(length), 6));
   return say("table length", { what, mine: ours, reference: theirs, off, way });
 }

@@ -40,7 +40,9 @@ export function addTools(judge, root) {
   };
   const links = judge.given ? [more] : [explorer];
   const first = judge.examples.length ? [button("Show an example", example)] : [];
-  parts.tools.append(...first, button("Copy link", link), button("Copy as Python", python), ...links);
+  // Of an exercise's own arm all of them would show the table, which is the solution.
+  if (!judge.given?.table)
+    parts.tools.append(...first, button("Copy link", link), button("Copy as Python", python), ...links);
   parts.said.after(closed);
 
   judge.follow((question, { arm, q }) => {
