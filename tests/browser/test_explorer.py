@@ -133,7 +133,7 @@ def test_the_bundle_waits_until_its_stub_is_near(browser):
     reader.open((HTML / "explorer.html").as_uri())
     reader.page.wait_for_timeout(300)
     assert not any(url.endswith("explorer.js") for url in reader.asked)
-    reader.page.locator(".arm-explorer").scroll_into_view_if_needed()
+    reader.page.locator(INSTRUMENT).scroll_into_view_if_needed()
     reader.page.locator("section.explorer").wait_for()
     assert sum(url.endswith("explorer.js") for url in reader.asked) == 1
     reader.context.close()
