@@ -23,6 +23,7 @@ from helpers import robots
 from helpers.explorer import ArmExplorer, judge
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
+LINE = 25  # signs of a formula that any phone has room for
 AFTER = re.compile(r"[.,;:!?)\]’”]+(?!\w)")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
 
@@ -133,7 +134,9 @@ def fold(box: nodes.Element) -> None:
 
 
 def keep_together(formula: nodes.math) -> None:
-    """No line begins with the comma behind a formula."""
+    """No line begins with the comma behind a formula, unless it may be as long as a line."""
+    if len(SIGN.findall(formula.astext())) > LINE:
+        return
     after = formula.next_node(descend=False, siblings=True)
     if not isinstance(after, nodes.Text) or not (mark := AFTER.match(after)):
         return
