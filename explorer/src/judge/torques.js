@@ -37,7 +37,8 @@ export function compareTorques(mine, arm, q, options = {}) {
   }
   const dof = joints(arm).length;
   const list = rowsOf(at.values, dof);
-  const load = loadOf(arm, list, list.map(() => wrench), gravity); // prettier-ignore
+  const wrenches = Array.isArray(wrench[0]) ? wrench : list.map(() => wrench);
+  const load = loadOf(arm, list, wrenches, gravity); // prettier-ignore
   const right = torques(load).flat();
   const typed = numbers(mine, `${arm.name}: your torques`);
   const found = upright(typed, right, dof);
