@@ -21,29 +21,18 @@ from helpers.robots import ELBOW, PANDA, STANFORD
 from tests import motion_pastes, table_pastes
 from tests.judge_motion import FORMS, path_of
 from tests.judge_words import different, in_node, page_words, python_words, questions
-from tests.pastes import FORMATS, pastes
+from tests.pastes import FORMATS, MATRICES, lines, pastes, wide
 
 needs_node = pytest.mark.skipif(
     shutil.which("node") is None and not os.environ.get("CI"), reason="Node.js is not installed"
 )
 Q = [0.5, 0.7, -0.4]
 # The elbow arm's Jacobian at Q by hand: c_1, s_1 of 0.5; r = 0.4 cos 0.7 + 0.3 cos 0.3, and so on.
-ROWS = [
-    ["-0.2841", "-0.3039", "-0.0778"],
-    ["0.5200", "-0.1660", "-0.0425"],
-    ["0.0000", "0.5925", "0.2866"],
-    ["0.0000", "0.4794", "0.4794"],
-    ["0.0000", "-0.8776", "-0.8776"],
-    ["1.0000", "0.0000", "0.0000"],
-]
+ROWS = MATRICES[0]
 
 
-def joined(cell, row, start="", end=""):
-    return start + row.join(cell.join(line) for line in ROWS) + end
-
-
-def printed(line, width=10):
-    return "".join(f"{x:>{width}}" for x in line)
+def joined(*between):
+    return lines(*between)(ROWS)
 
 
 LATEX = joined(" & ", r" \\ ")
@@ -62,11 +51,11 @@ PASTES = {
     "matlab commas": joined(", ", ";\n     ", "J = [", "]"),
     "matlab lines": joined("   ", "\n", "J = [\n", "\n];"),
     "matlab dots": joined(" ", "; ...\n", "[", "]"),
-    "matlab print": "\nJ =\n\n" + "\n".join(printed(line) for line in ROWS) + "\n",
+    "matlab print": "\nJ =\n\n" + wide(ROWS) + "\n",
     "matlab columns": "J =\n\n  Columns 1 through 2\n\n"
-    + "\n".join(printed(line[:2]) for line in ROWS)
+    + wide([line[:2] for line in ROWS])
     + "\n\n  Column 3\n\n"
-    + "\n".join(printed(line[2:]) for line in ROWS),
+    + wide([line[2:] for line in ROWS]),
     "bmatrix": rf"\begin{{bmatrix}} {LATEX} \end{{bmatrix}}",
     "pmatrix": rf"$$J = \begin{{pmatrix}} {LATEX} \\ \end{{pmatrix}}$$",
     "left matrix": rf"\left[\begin{{matrix}}{LATEX}\end{{matrix}}\right]",

@@ -130,16 +130,15 @@ def all_of(m, T, expected, rng):
     """Every set of joints that reaches T, by many starts; None unless as many are found as there
     should be.
     """
-    turns = np.array([kind == "R" for kind in m.kinds])
     found = []
     for _ in range(40 * expected):
         start = np.where(
-            turns, rng.uniform(-math.pi, math.pi, m.dof), rng.uniform(-0.8, 0.8, m.dof)
+            m.turns, rng.uniform(-math.pi, math.pi, m.dof), rng.uniform(-0.8, 0.8, m.dof)
         )
         q = solved(m, T, start)
         if q is None:
             continue
-        q = np.where(turns, np.remainder(q + math.pi, 2 * math.pi) - math.pi, q)
+        q = np.where(m.turns, np.remainder(q + math.pi, 2 * math.pi) - math.pi, q)
         if all(gap(q, other) > 1e-6 for other in found):
             found.append(q)
         if len(found) == expected:
@@ -150,27 +149,19 @@ def all_of(m, T, expected, rng):
 def in_one_joint(q, m, right, rng):
     """One answer of six joints spoiled by one slip."""
     k = int(rng.integers(m.dof))
-    joint, turns = f"q_{m.joints[k] + 1}", np.array([kind == "R" for kind in m.kinds])
+    joint = f"q_{m.joints[k] + 1}"
     one = np.arange(m.dof) == k
     yield "ik.sign:" + joint, np.where(one, -q, q)
     yield "ik.all signs", -q
     yield "ik.reversed order", q[::-1]
-    if turns[k]:
+    if m.turns[k]:
         yield "ik.half turn:" + joint, np.where(one, q + math.pi, q)
         yield "ik.offset:" + joint, np.where(one, q - H, q)
         yield "ik.other axis:" + joint, np.where(one, H - q, q)
     other = right[int(rng.integers(len(right)))]
     yield "ik.mixed", np.array([*q[:3], *other[3:]])
-    if not turns.all():
-        yield "ik.slide in millimetres", np.where(turns, q, 1000 * q)
-
-
-def rounded(q, m, digits, degrees):
-    """Joints as typed; in degrees those that turn have two decimals less."""
-    turns = np.array([k == "R" for k in m.kinds])
-    cut = [max(1, digits - 2) if t and degrees else digits for t in turns]
-    q = np.where(turns, np.degrees(q), q) if degrees else q
-    return [f"{x:.{d}f}" for x, d in zip(q, cut, strict=True)]
+    if not m.turns.all():
+        yield "ik.slide in millimetres", np.where(m.turns, q, 1000 * q)
 
 
 def of_six(rng):
@@ -206,16 +197,8 @@ def long_branches(rng, count):
                 continue
             answers = [wrong, *answers[1 : int(rng.integers(1, len(right) + 1))]]
         declared = kind != "degrees" and rng.random() < 0.15
-        turns = np.array([k == "R" for k in m.kinds])
-        rows = [
-            np.where(turns, np.degrees(q), q) if kind == "degrees" or declared else q
-            for q in answers
-        ]
-        cut = [
-            max(1, digits - 2) if t and (kind == "degrees" or declared) else digits for t in turns
-        ]
-        words = [[f"{x:.{d}f}" for x, d in zip(q, cut, strict=True)] for q in rows]
-        text, form = written(words, rng)
+        degrees = kind == "degrees" or declared
+        text, form = written([m.as_typed(q, digits, degrees) for q in answers], rng)
         yield dict(
             topic="branches",
             arm=name,
@@ -237,6 +220,20 @@ def every_branch(rng, count):
     yield from long_branches(rng, six)
 
 
+def pose_case(m, T, q, digits, kind, cause, degrees=False):
+    """A case of joints for a pose."""
+    return dict(
+        topic="pose",
+        machine=m,
+        T=[[float(x) for x in row] for row in T],
+        typed=[float(x) for x in m.as_typed(q, digits, degrees)],
+        form="array",
+        digits=digits,
+        kind=kind,
+        cause=cause,
+    )
+
+
 def locked(rng, count):
     """Poses of the Panda, with a joint locked too, and of arms with a wrist, for `compare_pose`."""
     made = 0
@@ -253,23 +250,8 @@ def locked(rng, count):
         if kind == "single" and np.abs(m.tip(given) - m.tip(q)).max() < 0.02:
             continue
         declared = rng.random() < 0.2
-        turns = np.array([k == "R" for k in m.kinds])
-        rows = np.where(turns, np.degrees(given), given) if declared else given
-        typed = [
-            float(f"{x:.{max(1, digits - 2) if declared and t else digits}f}")
-            for x, t in zip(rows, turns, strict=True)
-        ]
-        yield dict(
-            topic="pose",
-            machine=m,
-            T=[[float(x) for x in row] for row in T],
-            typed=typed,
-            form="array",
-            digits=digits,
-            kind=kind,
-            cause=cause,
-            angles="deg" if declared else None,
-        )
+        found = pose_case(m, T, given, digits, kind, cause, declared)
+        yield dict(**found, angles="deg" if declared else None)
         made += 1
 
 
@@ -288,12 +270,11 @@ def poses(rng, count):
             continue
         digits = int(rng.choice([3, 4, 5]))
         T = np.round(m.tip(q), digits)
-        turns = np.array([k == "R" for k in m.kinds])
         options = [
-            ("ik.degrees", np.where(turns, np.degrees(q), q)),
+            ("ik.degrees", np.where(m.turns, np.degrees(q), q)),
             ("ik.all signs", -q),
         ]
-        for k in np.flatnonzero(turns)[:2]:
+        for k in np.flatnonzero(m.turns)[:2]:
             one = np.arange(m.dof) == k
             options += [
                 (f"ik.sign:q_{m.joints[k] + 1}", np.where(one, -q, q)),
@@ -304,15 +285,5 @@ def poses(rng, count):
         here = m.tip(given)
         if kind == "single" and np.abs(here - m.tip(q)).max() < 0.02:
             continue
-        typed = [float(f"{x:.{digits}f}") for x in given]
-        yield dict(
-            topic="pose",
-            machine=m,
-            T=[[float(x) for x in row] for row in T],
-            typed=typed,
-            form="array",
-            digits=digits,
-            kind=kind,
-            cause=cause,
-        )
+        yield pose_case(m, T, given, digits, kind, cause)
         made += 1

@@ -96,7 +96,6 @@ def tables(m, q, rng):
 
 def after(m, q, rng):
     """Mistakes of writing: functions of a matrix."""
-    turns = np.array([k == "R" for k in m.kinds])
     T = m.frames(q)
 
     def scaled(v, w):
@@ -108,7 +107,7 @@ def after(m, q, rng):
     yield "J.millimetres", scaled(1000, 1)
     yield "J.centimetres", scaled(100, 1)
     yield "J.angular zero", scaled(1, 0)
-    yield "J.per degree", lambda J: np.where(turns, J * math.pi / 180, J)
+    yield "J.per degree", lambda J: np.where(m.turns, J * math.pi / 180, J)
     if m.dof == 6:
         yield "J.transposed", lambda J: J.T
     yield "J.reversed order", lambda J: J[:, ::-1]

@@ -50,7 +50,14 @@ class Machine:
         self.name, self.bodies, self.values = name, bodies, values
         self.joints = [i for i, row in enumerate(self.rows) if row[0] != "F"]
         self.kinds = [self.rows[i][0] for i in self.joints]
+        self.turns = np.array([kind == "R" for kind in self.kinds])
         self.dof = len(self.joints)
+
+    def as_typed(self, q, digits, degrees):
+        """Joints as people write them; in degrees those that turn have two decimals less."""
+        cut = [max(1, digits - 2) if turns and degrees else digits for turns in self.turns]
+        q = np.where(self.turns, np.degrees(q), q) if degrees else q
+        return [f"{x:.{d}f}" for x, d in zip(q, cut, strict=True)]
 
     def frames(self, q):
         T, found, at = EYE, [EYE], iter(q)

@@ -255,13 +255,12 @@ def displaced(task, rng):
 def of_the_rows(task, rng, method):
     """What is handed in; (name, run)."""
     m, steps = task.machine, task.steps
-    turns = np.array([kind == "R" for kind in m.kinds])
 
     def right():
         return task.run(method)
 
     yield "trace.backwards", lambda: right()[::-1]
-    yield "trace.degrees", lambda: np.where(turns, np.degrees(right()), right())
+    yield "trace.degrees", lambda: np.where(m.turns, np.degrees(right()), right())
     yield "trace.one more", lambda: task.run(method, steps=steps + 1)
     yield "trace.shape", lambda: right()[: steps // 2]
     if m.name != "random":
@@ -319,10 +318,7 @@ def miss(task, q):
 
 def written(q, m, d, rng, degrees):
     """The run as text or lists; some with a line of names or a column of times."""
-    turns = np.array([kind == "R" for kind in m.kinds])
-    q = np.where(turns, np.degrees(q), q) if degrees else q
-    cut = [max(1, d - 2) if degrees and turn else d for turn in turns]
-    rows = [[f"{x:.{n}f}" for x, n in zip(row, cut, strict=True)] for row in q]
+    rows = [m.as_typed(row, d, degrees) for row in q]
     form = str(rng.choice(["array", "csv", "headed", "matlab", "tabs", "print", "per joint"]))
     if form == "array":
         return [[float(x) for x in row] for row in rows], form
