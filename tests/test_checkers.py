@@ -533,7 +533,7 @@ SLIPS = {
 
 
 # Told elsewhere in this file: 5, 10, 11, 19, 20, 21 by runs, 14 below as a free joint.
-# WORDS are no mistakes of method as the reports write them; fed is what they would make of a method.
+# WORDS are no mistakes of method as the reports write them; fed is what would become of a method.
 IN_RUNS = {"5", "10", "11", "19", "20", "21"}
 NO_MISTAKE = {"14": "any value of a free joint is right: the report says that it is free"}
 WORDS = {
