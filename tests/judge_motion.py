@@ -259,7 +259,7 @@ def _run(rng, arm: Arm, path, start: np.ndarray) -> np.ndarray:
     elif what < 0.45:
         late = 1
     elif what < 0.55:
-        rate = float(rng.choice([-1.0, 0.5, 0.25, 1.2, 2.0, 0.8]))
+        rate = float(rng.choice([-1.0, 0.5, 0.25, 1.2, 2.0, 0.8, 1e3, 1e-3]))
     elif what < 0.75:
         changes = [
             lambda q: q[::-1],
@@ -272,6 +272,7 @@ def _run(rng, arm: Arm, path, start: np.ndarray) -> np.ndarray:
             lambda q: q[: len(q) // 2],
             lambda q: q * [-1, *[1] * (arm.dof - 1)],
             lambda q: np.vstack([q[7:-1], q[:8]]),
+            lambda q: np.vstack([0 * q[:1], q[1:]]),  # many arms have no inverse at 0
         ]
         change = changes[int(rng.integers(len(changes)))]
     v, dt, exact = path.velocities, np.diff(path.times), rng.random() < 0.5

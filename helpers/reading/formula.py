@@ -72,6 +72,7 @@ _SAME = {
     **{letter: f" {name}" for letter, name in _GREEK.items()},
     "π": " pi ",
     "𝜋": " pi ",
+    "$": " ",
     "°": " deg",
     "º": " deg",
     "²": "^2",
