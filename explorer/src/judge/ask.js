@@ -143,11 +143,12 @@ function rowOf(entries, row, unit, known) {
  * @returns {{ report?: import("./ranking.js").Report, error?: string, waiting?: boolean, arm?: any, q?: number[] }}
  */
 export function judge(question, arms) {
+  let arm, q;
   try {
-    const arm = armOf(question, arms);
+    arm = armOf(question, arms);
     const asked = missing(question, arm);
     if (asked) return { error: asked, arm };
-    const q = posed(question) ? pose(question.q, arm, question.unit).values : undefined;
+    q = posed(question) ? pose(question.q, arm, question.unit).values : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
     const most = ASKED[question.ask].longest ?? LONGEST_ANSWER;
     if (question.answer.length > most) {
@@ -157,7 +158,7 @@ export function judge(question, arms) {
     if (!checker) return { error: "The checker is being loaded.", waiting: true, arm, q };
     return { report: checker.verdict(question, arm), arm, q };
   } catch (error) {
-    if (error instanceof ArmError) return { error: capital(error.message) };
+    if (error instanceof ArmError) return { error: capital(error.message), arm, q };
     throw error;
   }
 }

@@ -1,8 +1,8 @@
 // A formula in MathML, made of the tree that the judge reads: what is set is what was understood.
 
 /**
- * An element before it is made: its tag, and its text or its parts.
- * @typedef {[string, string | any[]]} Piece
+ * An element before it is made: its tag, its text or its parts, and its attributes.
+ * @typedef {[string, string | any[], Record<string, string>?]} Piece
  */
 
 const SPACE = "http://www.w3.org/1998/Math/MathML";
@@ -19,17 +19,21 @@ const IN_DEGREES = /^(?:radians|deg2rad)$/;
 const sign = (text) => /** @type {Piece} */ (["mo", text]);
 const row = (pieces) => (pieces.length === 1 ? pieces[0] : ["mrow", pieces]);
 
+const FENCE = { stretchy: "false", lspace: "0", rspace: "0" };
+const inBrackets = (pieces, open = "(", close = ")") =>
+  row([["mo", open, { form: "prefix", ...FENCE }], ...pieces, ["mo", close, { form: "postfix", ...FENCE }]]);
+
 /** @returns {Piece} */
-export const mathOf = (tree) => ["math", [row(set(tree).pieces)]];
+export const mathOf = (tree) => ["math", [row(set(tree).pieces)], { displaystyle: "true" }];
 
 /**
  * The elements of a formula.
  * @param {Piece} piece
  * @returns {Element}
  */
-export function made([tag, content]) {
+export function made([tag, content, attributes = {}]) {
   const element = document.createElementNS(SPACE, tag);
-  if (tag === "math") element.setAttribute("displaystyle", "true");
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
   element.append(...(typeof content === "string" ? [content] : content.map(made)));
   return element;
 }
@@ -55,7 +59,7 @@ function set(tree) {
 // The pieces of a part, in brackets where it holds together less than is needed.
 function within(tree, least) {
   const { level, pieces } = set(tree);
-  return level < least ? [row([sign("("), ...pieces, sign(")")])] : pieces;
+  return level < least ? [inBrackets(pieces)] : pieces;
 }
 
 function numeral(x) {
@@ -85,12 +89,12 @@ function named(name) {
 function called(name, inner) {
   if (UNWRITTEN.test(name)) return set(inner);
   if (name === "sqrt") return { level: ATOM, pieces: [["msqrt", [row(set(inner).pieces)]]] };
-  if (name === "abs") return { level: ATOM, pieces: [row([sign("|"), ...set(inner).pieces, sign("|")])] };
+  if (name === "abs") return { level: ATOM, pieces: [inBrackets(set(inner).pieces, "|", "|")] };
   if (IN_DEGREES.test(name)) return { level: PRODUCT, pieces: [...within(inner, ATOM), ["mi", "°"]] };
   const degrees = name.endsWith("d") ? [["mi", "°"]] : [];
   const taken = within(inner, ATOM);
-  const bare = inner[0] === "name" || inner[0] === "num" || taken[0][0] === "mrow";
-  const argument = bare ? taken : [row([sign("("), ...taken, sign(")")])];
+  const bracketed = taken[0][0] === "mrow";
+  const argument = bracketed ? taken : [["mspace", "", { width: "0.17em" }], ...taken];
   return { level: CALL, pieces: [["mi", FUNCTIONS[name] ?? name], sign(APPLIED), ...argument, ...degrees] };
 }
 

@@ -98,21 +98,22 @@ function matrixRead({ answer }, found) {
     ...found,
     cell(i, k) {
       const at = i * shape[1] + k;
-      const set = trees[at] && !isPlain(trees[at]);
-      return marked(set ? formula(trees[at], spelt(typed, at)) : signed(spelt(typed, at)), wrong[at]);
+      const tree = trees[at];
+      if (!tree || (isPlain(tree) && typed.units[at])) return marked(signed(spelt(typed, at)), wrong[at]);
+      return marked(formula(tree, isPlain(tree) ? "" : spelt(typed, at)), wrong[at]);
     },
   };
 }
 
 // What can be read of an answer that could not be judged, cell by cell.
-function partlyRead({ ask, answer }, { error, waiting, arm, q }) {
+function partlyRead(question, { error, waiting, arm, q }) {
+  const { ask, answer } = question;
   if (!error || waiting || !arm || !answer.trim() || ask === "trace" || answer.length > LONGEST_SET)
     return null;
   const rows = rowsOf(ask, answer).map((row) => row.map((text) => treeOf(ask, text, arm, q)));
   const width = Math.max(0, ...rows.map((row) => row.length));
   return {
-    columns: Array.from({ length: width }, (_, k) => String(k + 1)),
-    rows: rows.map((_, i) => `row ${i + 1}`),
+    ...namesOf(question, arm, [rows.length, width]),
     unread: rows.flat().filter(({ tree }) => !tree).length,
     cell(i, k) {
       const { tree, text } = rows[i][k] ?? {};

@@ -70,7 +70,7 @@ const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
  */
 export function compareTables(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
-  const known = new Map([...reference.values, ...(options.values ?? [])]);
+  const known = new Map([...(reference.values ?? []), ...(options.values ?? [])]);
   const typed = read(mine, options, [...known]).flatMap((one) => sizes(one, reference.rows));
   const tables = typed.map((one) => tableOf(one, meant(one, kinds)));
   const readings = tables.map((table) => judgedTable(table, reference, options.tolerance ?? null));
