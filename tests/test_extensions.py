@@ -137,8 +137,10 @@ def test_a_picture_stands_twice_and_says_its_size(tmp_path):
     assert 'class="picture" style="width: 70%"' in html
 
 
-@pytest.mark.parametrize(("count", "wide", "kind"),
-    [(4, 150, "picture many small"), (3, 150, "picture many"), (4, 180, "picture many")])  # fmt: skip
+@pytest.mark.parametrize(
+    ("count", "wide", "kind"),
+    [(4, 150, "picture many small"), (3, 150, "picture many"), (4, 180, "picture many")],
+)
 def test_four_small_panels_or_more_stand_in_pairs(tmp_path, count, wide, kind):
     parts = [axes(k, 200 * k, 20, 200 * k + wide, 180) for k in range(count)]
     assert f'class="{kind}"' in shown(tmp_path, figure(*parts, wide=200 * count))

@@ -68,7 +68,10 @@ def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str, 
 
 
 def _arrows(ax: Axes3D, frame: np.ndarray, index: str, length: float) -> None:
-    for name, axis, away in (("x", frame[:3, 0], 0.12 if index == "i" else 0.3), ("z", frame[:3, 2], 0.1)):
+    for name, axis, away in (
+        ("x", frame[:3, 0], 0.12 if index == "i" else 0.3),
+        ("z", frame[:3, 2], 0.1),
+    ):
         look = dict(color="black", lw=1.6, arrow_length_ratio=0.15, clip_on=False)
         ax.quiver(*frame[:3, 3], *length * axis, **look)
         tip = frame[:3, 3] + (length + away) * axis
