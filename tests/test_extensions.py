@@ -225,6 +225,7 @@ HERE = "https://owner.github.io/book/"
     [
         ("see {ref}`sec-a`", f"see [1.4 Alpha]({HERE}one.html#a)"),
         ("see {ref}`slip 1 <slip-1>`", f"see [slip 1]({HERE}one.html#slip-1)"),
+        ("see [Fig. 9.9](#fig-a)", f"see [Fig. 1.2]({HERE}one.html#fig-a)"),
         ("{numref}`fig-a` by {eq}`eq-a`", f"[Fig. 1.2]({HERE}one.html#fig-a) by (1.3)"),
         ("{doc}`one`", f"[First]({HERE}one.html)"),
         ("a {term}`tip`", f"a [tip]({HERE}glossary.html#term-tip)"),
