@@ -20,7 +20,7 @@ from helpers.expressions import latex
 from helpers.inputs import ArmError, listed, must_be, number, numbers, plane_axes, shown, whole
 from helpers.kinematics import skeleton
 from helpers.plotting.arms import pose_frames
-from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, RED, SLATE
+from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
 
 Array = NDArray[np.float64]
 View = str | tuple[float, float]
@@ -171,7 +171,8 @@ def angle(
     ax.add_patch(Arc((x, y), size, size, theta1=start, theta2=end, color=colour, lw=1.4, zorder=4))
     middle = np.radians((start + end) / 2)
     place = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
-    ax.text(place[0], place[1], text, color=colour, ha="center", va="center")
+    ink = "black" if colour == ORANGE else colour  # orange letters are too pale to read
+    ax.text(place[0], place[1], text, color=ink, ha="center", va="center")
 
 
 _DEGREES = "a finite angle in degrees"
