@@ -121,14 +121,24 @@ def test_the_homework_starts_where_the_reports_say():
 
 
 @needs_node
-def test_the_sources_keep_their_own_rules():
-    """States, links, drags, pastes: asserted in JavaScript, since nothing of it exists in
-    Python."""
+@pytest.mark.parametrize(
+    "file", sorted((ROOT / "tests" / "explorer").glob("*.test.mjs")), ids=lambda file: file.stem
+)
+def test_the_sources_keep_their_own_rules(file):
+    """States, links, drags, pastes: asserted in JavaScript, since nothing of it exists in Python.
+
+    Each file by itself: `node --test` gathers the results of its processes over a pipe, and on a
+    busy machine it now and then takes a whole file for failed (nodejs/node issue 64061).
+    """
     assert NODE, "Node.js is not installed"
-    files = sorted(map(str, (ROOT / "tests" / "explorer").glob("*.test.mjs")))
-    done = subprocess.run([NODE, "--test", *files], capture_output=True, text=True, timeout=300)
+    done = subprocess.run(
+        [NODE, "--test-reporter=spec", str(file)],
+        capture_output=True,
+        encoding="utf-8",
+        timeout=300,
+    )
     assert done.returncode == 0, done.stdout[-6000:]
-    assert int(re.search(r"^# pass (\d+)", done.stdout, re.M)[1]) >= 20
+    assert int(re.search(r"^ℹ pass (\d+)", done.stdout, re.M)[1]) >= 2
 
 
 ERRATA = (ROOT / "book" / "errata.md").read_text(encoding="utf-8")
