@@ -240,11 +240,11 @@ def _in_page(options: dict) -> dict:
     return {names.get(key, key): value for key, value in options.items()}
 
 
-def different(questions: list[tuple[Arm, dict]]) -> list[tuple[dict, list, list]]:
-    """The questions to which the two do not say the same."""
+def different(questions: list[tuple[Arm, dict]]) -> Iterator[tuple[dict, list, list]]:
+    """The questions to which the two do not say the same, as they are found."""
     both = zip(questions, page_words(questions), strict=True)
     found = ((q, python_words(arm, q), theirs) for (arm, q), theirs in both)
-    return [(q, ours, theirs) for q, ours, theirs in found if ours != theirs]
+    return ((q, ours, theirs) for q, ours, theirs in found if ours != theirs)
 
 
 # Many, on all cores
@@ -266,7 +266,7 @@ def compared(seed: int, part: tuple[str, int, int]) -> tuple[set[str], list[tupl
     kind, number, size = part
     rng = np.random.default_rng([seed, list(QUESTIONS).index(kind), number])
     asked = questions(rng, size, kind)
-    return {_digest(arm, question) for arm, question in asked}, different(asked)
+    return {_digest(arm, question) for arm, question in asked}, [*different(asked)]
 
 
 def _digest(arm: Arm, question: dict) -> str:
