@@ -45,7 +45,9 @@ def main() -> None:
     parser.add_argument("--sample", type=int, default=1000, help="how many to draw; 0 for all")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--seconds", type=float, default=30, help="of tests for a mutant")
-    parser.add_argument("--again", action="store_true", help="try survivors anew")
+    parser.add_argument(
+        "--again", action="store_true", help="survivors meet tests that they have not met"
+    )
     options = parser.parse_args()
     files = {n: p for n, p in made().items() if any(fnmatch(n, x) for x in options.names)}
     names = sorted(files)
@@ -114,12 +116,14 @@ class Driver:
         cost, reach = json.loads(REACH.read_text(encoding="utf-8"))
         done = outcomes()
         for name, lines in self.sample:
+            met = done[name]["met"] if name in done else []
             if name not in done or (self.again and done[name]["outcome"] == "survived"):
-                tests = sorted(reach.get(name.split("__mutmut_")[0], []), key=cost.__getitem__)
-                spent = accumulate(cost[test] for test in tests)
-                pairs = zip(tests, spent, strict=True)
-                tests = [items[test] for test, total in pairs if total < self.seconds]
-                done[name] = outcome(name, tests, cost) | {"tests": len(tests), "change": lines}
+                tests = set(reach.get(name.split("__mutmut_")[0], [])) & set(items)
+                tests = sorted(tests - set(met), key=cost.__getitem__)
+                spent = zip(tests, accumulate(cost[test] for test in tests), strict=True)
+                tests = [test for test, total in spent if total < self.seconds]
+                done[name] = outcome(name, [items[test] for test in tests], cost)
+                done[name] |= {"change": lines, "met": met + tests}
                 with OUTCOMES.open("a", encoding="utf-8") as file:
                     print(json.dumps(done[name]), file=file)
             self.decided[name] = done[name]
@@ -217,7 +221,7 @@ def report(decided: dict[str, dict]) -> None:
     for name, row in decided.items():
         counts[name.rsplit(".", 1)[0]][row["outcome"]] += 1
         if row["outcome"] == "survived":
-            print(f"{name}, {row['tests']} tests", *row["change"], sep="\n    ")
+            print(f"{name}, {len(row['met'])} tests", *row["change"], sep="\n    ")
     for module, count in [*sorted(counts.items()), ("all", sum(counts.values(), Counter()))]:
         print(f"{module:32}", *(f"{n} {what}" for what, n in count.most_common()), sep="  ")
     low, high = interval(count.total() - count["survived"], count.total())
