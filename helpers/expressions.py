@@ -156,6 +156,7 @@ def latex(text: Entry) -> str:
     return text.replace("*", r"\,")
 
 
+@cache
 def _parse(text: str, what: str) -> ast.expr:
     text = plain(text, what) if len(text) <= _LONGEST else text
     if len(text) > _LONGEST:
