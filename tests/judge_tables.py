@@ -3,6 +3,7 @@ which people hold a table, and texts with slips of the finger.
 """
 
 import math
+import re
 from collections.abc import Iterator
 
 from helpers.arm import Arm
@@ -67,8 +68,17 @@ def slip_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
 def _in_units(rows, rng):
     length, angle = rng.choice([1, 1, 1, 100, 1000]), rng.choice([1, 1, 180 / math.pi])
     decimals = int(rng.choice([2, 4, 6]))
+    other = float(
+        rng.choice([1, 1, 1, 1, 0.001, 1000])
+    )  # of the sizes in one column of the lengths
     return [
-        (k, *(round(float(x), decimals) for x in (length * a, angle * al, length * d, angle * th)))
+        (
+            k,
+            *(
+                round(float(x), decimals)
+                for x in (length * a, angle * al, length * other * d, angle * th)
+            ),
+        )
         for k, a, al, d, th in rows
     ]
 
@@ -113,13 +123,20 @@ def _headed(cells, rng):
     order = _order(rng)
     heads = [str(rng.choice(HEADS[name])) for name in order]
     lines = _plain(cells, order)
+    if rng.random() < 0.1:
+        k, n = order.index("alpha"), order.index("theta")
+        heads[k], heads[n] = heads[n], heads[k]
     if rng.random() < 0.4:
         heads, lines = ["i", *heads], [[str(i), *line] for i, line in enumerate(lines, 1)]
     if rng.random() < 0.2:
         heads = [h.replace("_i", "") + ("_{i-1}" if h in ("a", "alpha") else "") for h in heads]
     if rng.random() < 0.2:
         heads = [h + (" (deg)" if h in ("alpha", "theta") else " (mm)") for h in heads]
-    sign = str(rng.choice([",", "\t", " | "]))
+    sign = str(rng.choice([",", "\t", " | ", "  "]))
+    if sign.isspace() and rng.random() < 0.5:
+        lines = [
+            [re.sub(r"^(θ|q_?)(\d)$", r"\1\2*", x.replace(" ", "")) for x in row] for row in lines
+        ]
     return "\n".join(sign.join(line) for line in [heads, *lines])
 
 

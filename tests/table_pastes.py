@@ -43,6 +43,13 @@ PRINTED = """+---+-----------+-----------+-----------+-----------+-----------+
 CRAIG = ("0 0 0.5 q1", "0 pi/2 0 q2", "0.4 0 0 q3", "0.3 0 0 0")
 
 RIGHT = {
+    "stars first": "theta a alpha d\nθ_1* 0 pi/2 0.5\nθ_2* 0.4 0 0\nθ_3* 0.3 0 0",
+    "stars raised": "theta^* a alpha d\nq_1^* 0 pi/2 0.5\nq_2^* 0.4 0 0\nq_3^* 0.3 0 0",
+    "stars alone": "theta a alpha d\n* 0 pi/2 0.5\n* 0.4 0 0\n* 0.3 0 0",
+    "LaTeX in CSV": "$\\theta_1^*$, 0, $\\pi/2$, 0.5\n"
+    "$\\theta_2^*$, 0.4, 0, 0\n$\\theta_3^*$, 0.3, 0, 0",
+    "centimetres": "q1 50 0 pi/2\nq2 0 40 0\nq3 0 30 0",
+    "centimetres, numbers alone": "50 0 90 0\n0 40 0 0\n0 30 0 0",
     "tuples": joined(ROWS, ", ", "), (", "[(", ")]"),
     "tuples of numpy": "dh = [(0, np.pi/2, 0.5, q1),\n (0.4, 0, 0, q2),\n (0.3, 0, 0, q3)]",
     "lists": joined(ROWS, ", ", "], [", "[[", "]]"),

@@ -398,7 +398,60 @@ def slip_12(q):
     return (q[0], q[1] + 2 * lean, q[2])
 
 
+# Slip 1: the Panda's table with the heads of alpha and theta exchanged, as in the report.
+HEADS = """Link  a  alpha  theta  d
+1  0      θ_1^*  pi/2   0.333
+2  0      θ_2^*  -pi/2  0
+3  0.0825 θ_3^*  -pi/2  0.316
+4 -0.0825 θ_4^*  pi/2   0
+5  0      θ_5^*  pi/2   0.384
+6  0.088  θ_6^*  -pi/2  0
+7  0      θ_7^*  0      -0.207"""
+# Slip 9: the maker's lengths of the UR10, in the directions of the UR10e's table and without a pen.
+UR10 = """theta  d         a        alpha
+q1     0.1273    0        pi/2
+q2     0         -0.612   0
+q3     0         -0.5723  0
+q4     0.163941  0        pi/2
+q5     0.1157    0        -pi/2
+q6     0.0922    0        0"""
+# Slip 26: the pen's row in metres under a table in millimetres.
+PAGES = """theta  d     a      alpha
+q1     333   0      pi/2
+q2     0     0      -pi/2
+q3     316   82.5   -pi/2
+q4     0     -82.5  pi/2
+q5     384   0      pi/2
+q6     0     88     -pi/2
+q7    -0.207 0      0"""
+# Slip 27: the point o_3 of the homework's UR10e by hand, its first entry with 1 and 3 exchanged.
+THREE = Arm("three joints", UR10E_HOMEWORK.rows[:3], UR10E_HOMEWORK.values)
+O_3 = "[0.6127*s2*c1 + 0.5716*{}, 0.6127*s1*s2 + 0.5716*s1*(s2*c3 - c2*s3), {}]"
+O_3 = O_3.format("{}", "0.128 + 0.6127*c2 + 0.5716*(c2*c3 + s2*s3)")
+
+
 SLIPS = {
+    "1": (lambda: checks.compare_tables(HEADS, PANDA), "table.alpha and theta"),
+    "9": (lambda: checks.compare_tables(UR10E_HOMEWORK, UR10E), "table.robot:UR10"),
+    "9, the maker's numbers": (
+        lambda: checks.compare_tables(UR10, UR10E),
+        "table.robot:UR10 + table.pen",
+    ),
+    "9, the other way": (
+        lambda: checks.compare_tables(UR10E, UR10E_HOMEWORK),
+        "table.robot:UR10e",
+    ),
+    "25": (
+        lambda: checks.compare_jacobian(
+            np.delete(KNOWN["PANDA"].jacobian(BENT), 2, axis=1).round(4), PANDA, BENT
+        ),
+        "J.column missing:3",
+    ),
+    "26": (lambda: checks.compare_tables(PAGES, PANDA), "table.mixed units"),
+    "27": (
+        lambda: checks.compare_pose(Q, THREE, O_3.format("c1*s2*c3 - s1*c2*c3")),
+        "pose.coordinate",
+    ),
     "2": (lambda: checks.compare_tables(PANDA_HOMEWORK, PANDA), "table.length:a_3:a_6"),
     "3": (
         lambda: checks.compare_jacobian(
@@ -479,6 +532,35 @@ SLIPS = {
 }
 
 
+# Told elsewhere in this file: 5, 10, 11, 19, 20, 21 by runs, 14 below as a free joint.
+# WORDS are no mistakes of method as the reports write them; fed is what would become of a method.
+IN_RUNS = {"5", "10", "11", "19", "20", "21"}
+NO_MISTAKE = {"14": "any value of a free joint is right: the report says that it is free"}
+WORDS = {
+    "5": "mm/s in a report in mm are consistent, and the second dot changes no number: fed are "
+    "velocities in mm/s beside a Jacobian in metres",
+    "11": "only the derivatives of the circle about the origin are used: fed is a run that draws "
+    "it there",
+    "25": "labels and a q of 6 entries beside one of 7: fed is the matrix without a joint's column",
+    "26": "a sentence on units: fed is the table that it makes, in two units",
+}
+
+
+def test_every_slip_of_the_errata_is_decided():
+    told = {slip.split(",")[0] for slip in SLIPS if slip[0].isdigit()} | IN_RUNS | set(NO_MISTAKE)
+    assert told == {str(n) for n in range(1, 28)}
+    assert set(WORDS) <= told
+
+
+@pytest.mark.parametrize("q", [BENT, np.delete(BENT, 2)])
+def test_six_entries_of_q_beside_seven_are_refused_in_words(q):
+    """Slip 25: which joints there should be is said."""
+    arm = PANDA.lock(3) if len(q) == 7 else PANDA
+    names = "q_1, q_2, q_4, q_5" if len(q) == 7 else "q_1, q_2, q_3, q_4"
+    with pytest.raises(ArmError, match=rf"shape \({len(q)},\).*{names}"):
+        checks.compare_jacobian(np.zeros((6, len(q))), arm, q)
+
+
 @pytest.mark.parametrize("slip", SLIPS)
 def test_the_slips_are_named(slip):
     report, name = SLIPS[slip][0](), SLIPS[slip][1]
@@ -505,8 +587,8 @@ class Runs:
     def __init__(self, steps=400):
         self.path = circle(self.top - [0, 0, 0.1], 0.1, "zy", 5, steps)
 
-    def euler(self, machine=KNOWN["PANDA.lock(3)"], late=0, **changes):
-        dt, v = 5 / (len(self.path.times) - 1), self.path.velocities
+    def euler(self, machine=KNOWN["PANDA.lock(3)"], late=0, velocity=1.0, **changes):
+        dt, v = 5 / (len(self.path.times) - 1), velocity * self.path.velocities
         q = np.delete(HOME, 2)
         rows = [q]
         for k in range(len(v) - 1):
@@ -543,6 +625,8 @@ def test_a_run_is_taken_as_it_is_held():
         (np.vstack([GOOD, GOOD[1]]), "trace.one more"),  # slip 20
         (RUNS.euler(late=1), "trace.next velocity"),  # slip 21
         (RUNS.euler(axis=1, origin=1), "J.z_i angular"),  # slip 19
+        (RUNS.euler(velocity=1e3), "trace.millimetres"),  # slip 5
+        (RUNS.euler(velocity=1e-3).round(8), "J.millimetres"),  # a Jacobian in mm
         (GOOD[0:1] + 0 * GOOD, None),
         (GOOD[:0], "trace.shape"),
     ],
@@ -551,6 +635,53 @@ def test_a_wrong_run_is_named(q, cause):
     report = traced(q)
     assert report.grade == "wrong"
     assert cause is None or report.causes[:1] == (cause,), str(report)
+
+
+# Slip 11: joints from inverse kinematics, the centre added in some coordinates only; slip 10: the
+# plain inverse at q = 0, where the homework's UR10e has rank 3, as floating point gives it.
+
+CIRCLE = circle((0.3, 0.2, 0.6), 0.1, "zx", 5, 200)
+ABOVE_UR = circle(SIX.tip([0] * 6)[:3, 3] - [0, 0, 0.1], 0.1, "zy", 5, 200)
+
+
+def elbow_run(missing):
+    q, rows = None, []
+    for point in CIRCLE.positions - np.multiply(missing, (0.3, 0.2, 0.6)):
+        found = np.array(elbow(ELBOW, point).q)
+        turns = found - (found[0] if q is None else q)
+        turns -= 2 * math.pi * np.round(turns / (2 * math.pi))
+        q = (found[0] if q is None else q) + turns[np.abs(turns).sum(axis=1).argmin()]
+        rows.append(q)
+    return np.array(rows)
+
+
+def plain_inverse():
+    q, rows = np.zeros(6), [np.zeros(6)]
+    for v in ABOVE_UR.velocities[:-1]:
+        q = q + 5 / 200 * np.linalg.inv(SIX.jacobian(q)) @ [*v, 0, 0, 0]
+        rows.append(q)
+    return np.array(rows)
+
+
+@pytest.mark.parametrize(
+    ("missing", "cause"),
+    [
+        ((1, 0, 0), "trace.centre:x"),
+        ((0, 1, 0), "trace.centre:y"),
+        ((0, 0.7, 0), "trace.displaced"),
+    ],
+)
+def test_a_circle_about_the_origin_is_named(missing, cause):
+    report = checks.compare_trace(elbow_run(missing), ELBOW, CIRCLE)
+    assert report.causes == (cause,), str(report)
+    assert checks.compare_trace(elbow_run((0, 0, 0)), ELBOW, CIRCLE).agrees
+
+
+def test_an_inverse_that_does_not_exist_is_named():
+    report = checks.compare_trace(plain_inverse(), UR10E_HOMEWORK, ABOVE_UR)
+    assert report.causes == ("trace.no inverse:0",), str(report)
+    assert "rank 3 of 6" in report.headline
+    assert not report.notes
 
 
 def test_another_arms_run_is_told_by_what_it_leaves():

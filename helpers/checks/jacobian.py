@@ -12,7 +12,16 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm, Joint
 from helpers.checks import door
 from helpers.checks.chains import chain, columns
-from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, TELLING, WRONG, Typed
+from helpers.checks.digits import (
+    HAND,
+    RIGHT,
+    ROUNDED,
+    SLOPPY,
+    SO_FAR,
+    TELLING,
+    WRONG,
+    Typed,
+)
 from helpers.checks.entries import Margins, graded, margins
 from helpers.checks.functions import best, results
 from helpers.checks.jacobian_causes import Catalogue, pairs, singles
@@ -78,7 +87,7 @@ def _reported(
     why: bool,
 ) -> Report:
     if typed.values.shape not in ((6, arm.dof), (3, arm.dof)):
-        return _misshapen(typed.values, arm, taken)
+        return _misshapen(typed, arm, at.values, frame, taken)
     if angular_first and len(typed.values) == 6:
         typed = typed.at([3, 4, 5, 0, 1, 2])
         taken = (*taken, say("taken: angular first"))
@@ -126,9 +135,11 @@ def _matrix(typed: Typed, arm: Arm, what: str) -> Typed:
 # The shape
 
 
-def _misshapen(M: Array, arm: Arm, taken: tuple[str, ...]) -> Report:
-    key = _shape_cause(M, arm)
-    words = say(key, shape="x".join(map(str, M.shape)), dof=arm.dof)
+def _misshapen(typed: Typed, arm: Arm, q: Array, frame: int, taken: tuple[str, ...]) -> Report:
+    M = typed.values
+    key, joint = _shape_cause(M, arm), _left_out(typed, arm, q, frame)
+    key = "J.column missing" if joint else key
+    words = say(key, shape="x".join(map(str, M.shape)), dof=arm.dof, joint=joint)
     finding = Finding("shape", "", M.shape, (6, arm.dof), words)
     return Report(
         "Jacobian",
@@ -136,9 +147,20 @@ def _misshapen(M: Array, arm: Arm, taken: tuple[str, ...]) -> Report:
         WRONG,
         say("J wrong", arm=arm.name, cause=lower(words)),
         (finding,),
-        (key,),
+        (f"{key}:{joint}" if joint else key,),
         taken,
     )
+
+
+def _left_out(typed: Typed, arm: Arm, q: Array, frame: int) -> int:
+    """The joint without which the columns are right; 0 where there is none."""
+    if typed.values.shape != (6, arm.dof - 1):
+        return 0
+    right = np.stack([column for _, column in _all_columns(arm, q, frame)][: arm.dof], axis=1)
+    band = np.maximum(HAND * typed.units, SLOPPY)
+    without = (np.delete(right, k, axis=1) for k in range(arm.dof))
+    fits = [bool((np.abs(typed.values - J) <= band).all()) for J in without]
+    return arm.joints[fits.index(True)] if True in fits else 0
 
 
 def _shape_cause(M: Array, arm: Arm) -> str:

@@ -1,9 +1,20 @@
-"""Arms with one length wrong: the pen forgotten, or one of two near lengths taken for the other."""
+"""Arms with wrong lengths: the pen forgotten, one of two near lengths taken for the other, or those
+of another robot.
+"""
 
 from collections.abc import Iterator
 
 from helpers.arm import Arm
 from helpers.checks.ranking import Cause, cause
+
+_UR10 = dict(d_1=0.128, a_2=0.6127, a_3=0.5716, d_4=0.1639, d_5=0.1157, d_6=0.0922)
+# Robots of nearly one name: the UR10 as its manual's drawing has it and as its maker's table of
+# Denavit-Hartenberg parameters does, and the UR10e.
+_ROBOTS = (
+    ("UR10", _UR10),
+    ("UR10", dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)),
+    ("UR10e", dict(d_1=0.1807, a_2=0.6127, a_3=0.57155, d_4=0.17415, d_5=0.11985, d_6=0.11655)),
+)
 
 
 def alike(arm: Arm) -> list[tuple[str, str]]:
@@ -15,6 +26,12 @@ def alike(arm: Arm) -> list[tuple[str, str]]:
         for n, y in a
         if m != n and x != y and abs(x - y) < 0.1 * max(abs(x), abs(y))
     ]
+
+
+def other_robots(arm: Arm) -> list[tuple[str, Arm]]:
+    """The arm with the lengths of a robot that is called nearly as it is, and that robot's name."""
+    own = next((name for name, lengths in _ROBOTS if lengths.items() <= arm.values.items()), None)
+    return [(name, arm.with_values(**x)) for name, x in _ROBOTS if own and name != own]
 
 
 def wrong_lengths(arm: Arm) -> Iterator[tuple[Cause, Arm]]:

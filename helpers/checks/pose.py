@@ -1,6 +1,7 @@
 """Do these joint angles reach that pose? For any arm, also where the book has no closed form."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -47,13 +48,15 @@ def compare_pose(
         raise ArmError(say("one answer", arm=arm.name, count=len(typed.values)))
     lookup = door.Joints(arm, typed.values[0])
     target = door.numbers(T, f"{arm.name}: T", lookup, wanted="a pose (4, 4) or a point (3,)")
-    if target.symbolic:
+    formulas = target.symbolic
+    if formulas:
         typed = Typed(typed.values, 0 * typed.units)
     target = Typed(np.squeeze(target.values), np.squeeze(target.units))
     if target.values.shape not in ((4, 4), (3, 4), (3,)):
         raise ArmError(
             say("pose shape", arm=arm.name, shape="x".join(map(str, target.values.shape)))
         )
+    target = replace(target, symbolic=formulas)
     return _judged(Typed(typed.values[0], typed.units[0]), arm, target, tolerance, taken)
 
 
@@ -91,9 +94,7 @@ def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Rep
             figures,
         )
     if not found:
-        findings = (
-            tuple(_entries(forward_kinematics(arm, q.values), T)) if T.values.ndim == 2 else ()
-        )
+        findings = tuple(_entries(forward_kinematics(arm, q.values), T))
         causes = tuple(dict.fromkeys(f.what for f in findings))
         words = say("pose wrong", arm=arm.name, off=off)
         return Report("pose", arm.name, WRONG, words, findings, causes, taken, (), figures)
@@ -187,9 +188,18 @@ def _rotated(T: Array, R: Array) -> Array:
 
 
 def _entries(here: Array, T: Typed) -> Iterator[Finding]:
-    """The entries of T that differ, where they are few: then T is wrong, not q."""
+    """The entries of T that differ, where they are few: then T is wrong, not q. Of a point in
+    numbers they do not tell which of the two it is.
+    """
+    if T.values.ndim == 1:
+        wrong = np.flatnonzero(np.abs(here[:3, 3] - T.values) > _COARSE)
+        if T.symbolic and wrong.size == 1:
+            axis = "xyz"[wrong[0]]
+            words = say("pose.coordinate", axis=axis)
+            yield Finding("pose.coordinate", axis, float(T.values[wrong[0]]), None, words)
+        return
     off = np.abs(here[:3] - T.values[:3]) > np.maximum(HAND * T.units[:3], _COARSE)
-    if T.values.ndim == 2 and off.sum() <= 3:
+    if off.sum() <= 3:
         for i, j in np.argwhere(off):
             where = f"entry ({i + 1}, {j + 1})"
             yield Finding(

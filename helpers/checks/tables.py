@@ -4,6 +4,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import combinations
 from typing import Any
 
@@ -29,7 +30,13 @@ from helpers.inputs import ArmError, must_be, shown
 from helpers.reading import table as reading
 from helpers.reading.sentences import say, size
 
-_UNITS = ("table.millimetres", "table.centimetres", "table.degrees", "table.twists in degrees")
+_UNITS = (
+    "table.millimetres",
+    "table.centimetres",
+    "table.mixed units",
+    "table.degrees",
+    "table.twists in degrees",
+)
 _ONE_ENTRY = ("table.pen", "table.length")  # a wrong entry whose reason is known
 _ENTRY = 0.7  # what a wrong entry costs, where a cause costs 1
 _BY_AXES = 0.5  # what it costs besides that entries still differ though the axes agree
@@ -37,6 +44,7 @@ _ANGLES = ("alpha", "theta")
 _ANGLE = 1e-4  # rad: angles are often written with four decimals
 _LENGTH = 1e-6  # m
 _DECIMAL = re.compile(r"\d*\.\d+(?:[eE][+-]?\d+)?")
+_SHORT = 1e3 / math.sqrt(10)  # mm for each m: less is nearer to the arm's size in centimetres
 _COARSEST = 1e-3  # m: lengths typed to the millimetre are still lengths
 
 
@@ -46,7 +54,8 @@ class Table:
     the last places.
 
     In the modified convention a and alpha stand one row further down than in `rows`; `added` is 1
-    where a fixed row before the typed ones holds the first of them.
+    where a fixed row before the typed ones holds the first of them. `exchanged` where the heads of
+    alpha and theta are, `other_size` where it is the table before with lengths of another size.
     """
 
     name: str
@@ -58,6 +67,8 @@ class Table:
     said: tuple[str, ...]
     modified: bool = False
     added: int = 0
+    exchanged: bool = False
+    other_size: bool = False
 
     def row_of(self, row: int, column: str) -> int:
         """The typed row, from 1, that holds an entry of a row of `rows`."""
@@ -107,10 +118,15 @@ def compare_tables(
         raise ArmError(
             f"cannot compare {shown(mine)} with {reference!r}; expected arms with one joint or more"
         )
-    tables = _tables(mine, reference, columns, lengths, angles, convention, values)
-    reports = (_judged(table, reference, tolerance) for table in tables)
-    first = next(reports)
-    return first if first.grade != WRONG else next((r for r in reports if r.grade != WRONG), first)
+    readings = _tables(mine, reference, columns, lengths, angles, convention, values)
+    tables = [_Judged.of(table, reference, tolerance) for table in readings]
+    if good := next(filter(None, (t.good() for t in tables)), None):
+        return good
+    first = tables[0].bad()
+    if not first.causes and len(tables) > 1 and tables[1].table.other_size:
+        other = tables[1].bad()
+        return other if other.causes else first
+    return first
 
 
 # What was typed
@@ -126,12 +142,27 @@ def _tables(
         yield _table(mine.name, list(numeric(mine)), texts, ())
         return
     known = {**dict(reference.values), **(values or {})}
-    for typed in reading.read(mine, columns, lengths, angles, convention, known):
-        yield _of_typed(typed, reference)
+    wanted = numeric(reference)
+    for typed in reading.read(mine, columns, lengths, angles, convention, known, mend=True):
+        for n, one in enumerate(_sizes(typed, wanted)):
+            yield replace(_of_typed(one, wanted), other_size=bool(n))
 
 
-def _of_typed(typed: reading.TypedTable, reference: Arm) -> Table:
-    meant = reading.meant(typed, [r.kind for r in numeric(reference)])
+def _sizes(typed: reading.TypedTable, wanted: Rows) -> Iterator[reading.TypedTable]:
+    """The sizes that large lengths may have where nobody said it: millimetres, or centimetres; that
+    which is nearer to the reference's first.
+    """
+    if not typed.in_millimetres:
+        yield typed
+        return
+    said = (*typed.said, say("taken: centimetres"))
+    both = (typed, replace(typed, lengths="cm", said=said))
+    lengths = (abs(row.numbers[c]) for row in typed.rows for c in ("a", "d"))
+    yield from both[:: -1 if sum(lengths) < _SHORT * usual.total_length(wanted) else 1]
+
+
+def _of_typed(typed: reading.TypedTable, wanted: Rows) -> Table:
+    meant = reading.meant(typed, [r.kind for r in wanted])
     table = _table(say("your table"), meant.rows, [r.texts for r in typed.rows], meant.said)
     modified = typed.convention == "craig"
     first = typed.rows[0].numbers
@@ -142,6 +173,7 @@ def _of_typed(typed: reading.TypedTable, reference: Arm) -> Table:
         angle_scale=meant.angle,
         modified=modified,
         added=int(modified and bool(first["a"] or first["alpha"])),
+        exchanged=typed.exchanged,
     )
 
 
@@ -202,27 +234,57 @@ class _Try:
         return compared(side(self.rows), side(self.reference), length, _ANGLE)
 
 
-def _judged(table: Table, reference: Arm, tolerance: float | None) -> Report:
-    wanted = tuple(_squared(numeric(reference)))
-    rows = _meant(table)
-    mine, ref = side(rows) if any(r.kind != "F" for r in rows) else None, side(wanted)
-    if mine is None:
-        raise ArmError(say("table no joint", name=table.name))
-    exact = _LENGTH if tolerance is None else max(tolerance, 1e-12)
-    found = compared(mine, ref, exact)
-    if not found.differences:
-        return _same(RIGHT, table, reference, mine, ref, found, rows)
-    if tolerance is None:
-        length, angle = _rounding(table)
-        reach = max(abs(x) for r in rows for x in (r.a, r.d))
-        wide = max(
-            exact, 2 * length, 2.5 * angle * reach
-        )  # a turned axis meets the next one elsewhere
-        near = compared(mine, ref, wide, max(_ANGLE, 4 * angle))
-        if not near.differences:
-            return _same(ROUNDED, table, reference, mine, ref, near, rows)
-        exact = max(exact, length)
-    return _different(table, reference, rows, wanted, found, exact)
+@dataclass(frozen=True)
+class _Judged:
+    """One reading of a table beside the reference."""
+
+    table: Table
+    reference: Arm
+    tolerance: float | None
+    rows: list[Numbers]
+    wanted: tuple[Numbers, ...]
+    mine: Side
+    ref: Side
+
+    @classmethod
+    def of(cls, table: Table, reference: Arm, tolerance: float | None) -> "_Judged":
+        rows, wanted = _meant(table), tuple(_squared(numeric(reference)))
+        if all(r.kind == "F" for r in rows):
+            raise ArmError(say("table no joint", name=table.name))
+        return cls(table, reference, tolerance, rows, wanted, side(rows), side(wanted))
+
+    @property
+    def exact(self) -> float:
+        return _LENGTH if self.tolerance is None else max(self.tolerance, 1e-12)
+
+    @cached_property
+    def found(self) -> Compared:
+        return compared(self.mine, self.ref, self.exact)
+
+    def good(self) -> Report | None:
+        """The report on the same arm; None where it is another."""
+        if not self.found.differences:
+            return self._same(RIGHT, self.found)
+        if self.tolerance is None:
+            length, angle = _rounding(self.table)
+            reach = max(abs(x) for r in self.rows for x in (r.a, r.d))
+            # A turned axis meets the next one elsewhere.
+            wide = max(self.exact, 2 * length, 2.5 * angle * reach)
+            near = compared(self.mine, self.ref, wide, max(_ANGLE, 4 * angle))
+            if not near.differences:
+                return self._same(ROUNDED, near)
+        return None
+
+    def _same(self, grade: str, found: Compared) -> Report:
+        if self.table.exchanged:
+            return _bad(self.table, self.reference, [cause("table.alpha and theta")], (), ())
+        return _same(grade, self.table, self.reference, self.mine, self.ref, found, self.rows)
+
+    def bad(self) -> Report:
+        """The report on another arm."""
+        length = _rounding(self.table)[0] if self.tolerance is None else 0.0
+        exact = max(self.exact, length)
+        return _different(self.table, self.reference, self.rows, self.wanted, self.found, exact)
 
 
 def _rounding(table: Table) -> tuple[float, float]:

@@ -8,11 +8,12 @@ from itertools import combinations
 
 from helpers.arm import Arm
 from helpers.checks.axes import Rows, numeric
-from helpers.checks.lengths import wrong_lengths
+from helpers.checks.lengths import other_robots, wrong_lengths
 from helpers.checks.ranking import Cause, cause
 from helpers.reading.table import Numbers, from_craig
 
 RAD = math.pi / 180
+_SMALL, _LARGE = 1e-2, 10.0  # m: lengths beyond these were meant in the other unit
 Mend = Callable[[list[Numbers]], list[Numbers]]
 
 
@@ -20,28 +21,51 @@ def units(rows: Rows, reference: Rows) -> list[tuple[Cause | None, list[Numbers]
     """The readings of the numbers that their sizes allow: lengths in m, cm or mm, angles in radians
     or degrees.
     """
-    total, wanted = (sum(abs(r.a) + abs(r.d) for r in table) or 1.0 for table in (rows, reference))
-    lengths: list[tuple[Cause | None, float]] = [(None, 1.0)]
-    for key, factor in (("table.millimetres", 1e-3), ("table.centimetres", 1e-2)):
-        if 0.2 < total * factor / wanted < 5:
-            lengths.append((cause(key), factor))
+    lengths: list[tuple[Cause | None, list[Numbers]]] = [(None, list(rows))]
+    for key, read in (
+        ("table.millimetres", _scaled(rows, 1e-3)),
+        ("table.centimetres", _scaled(rows, 1e-2)),
+        ("table.mixed units", _of_one_size(rows)),
+    ):
+        if read and 0.2 < total_length(read) / (total_length(reference) or 1.0) < 5:
+            lengths.append((cause(key), read))
     angles: list[tuple[Cause | None, float, float]] = [(None, 1.0, 1.0)]
     if max(abs(r.alpha) for r in rows) > 6.4 or max(abs(r.theta) for r in rows) > 6.4:
         angles += [(cause("table.degrees"), RAD, RAD), (cause("table.twists in degrees"), RAD, 1.0)]
     found = []
-    for first, f in lengths:
+    for first, read in lengths:
         for second, t, o in angles:
             both = first + second if first and second else first or second
             found.append(
                 (
                     both,
-                    [
-                        r._replace(a=r.a * f, d=r.d * f, alpha=r.alpha * t, theta=r.theta * o)
-                        for r in rows
-                    ],
+                    [r._replace(alpha=r.alpha * t, theta=r.theta * o) for r in read],
                 )
             )
     return found
+
+
+def total_length(rows: Rows) -> float:
+    """All lengths of a table added up."""
+    return sum(abs(r.a) + abs(r.d) for r in rows)
+
+
+def _scaled(rows: Rows, factor: float) -> list[Numbers]:
+    return [r._replace(a=r.a * factor, d=r.d * factor) for r in rows]
+
+
+def _of_one_size(rows: Rows) -> list[Numbers] | None:
+    """Lengths of which some were typed in metres and some in millimetres, all in metres; None where
+    they are of one size.
+    """
+
+    def read(x: float) -> float:
+        return x * 1e3 if abs(x) < _SMALL else x * 1e-3 if abs(x) >= _LARGE else x
+
+    found = [r._replace(a=read(r.a), d=read(r.d)) for r in rows]
+    pairs = [(x, y) for r, f in zip(rows, found, strict=True) for x, y in ((r.a, f.a), (r.d, f.d))]
+    changed = {x == y for x, y in pairs if x}
+    return found if changed == {True, False} else None
 
 
 def structures(count: int) -> list[tuple[Cause, Mend]]:
@@ -85,11 +109,16 @@ def to_craig(rows: list[Numbers]) -> list[Numbers]:
 
 
 def references(arm: Arm) -> Iterator[tuple[Cause, tuple[Numbers, ...]]]:
-    """Other arms that a student may have described: without the pen, or one length taken for
-    another.
+    """Other arms that a student may have described: without the pen, one length taken for another,
+    or another robot of a like name.
     """
     for found, other in wrong_lengths(arm):
         yield found, numeric(other)
+    for name, other in other_robots(arm):
+        found = cause("table.robot", name=name)
+        yield found, numeric(other)
+        if arm.values.get("l_pen"):
+            yield found + cause("table.pen"), numeric(other.with_values(l_pen=0))
 
 
 def flips(rows: Rows) -> Iterator[tuple[Cause, list[Numbers]]]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.checks import door
 from helpers.checks.digits import RIGHT, WRONG, Typed
-from helpers.checks.ranking import Cause, lower
+from helpers.checks.ranking import Cause, cause, lower
 from helpers.checks.traces_causes import holds, loop_cause, near, path_cause, table_cause
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import must_be
@@ -25,7 +25,9 @@ Array = NDArray[Any]
 TILT = np.radians(1.0)  # a tool that leans or spins more than this no longer counts as held
 _USUAL = 2e-3  # m: Euler's method on the homework's circle stays well below
 _BESIDES = ("trace.one more", "trace.jump")  # mistakes of their own, whatever else is wrong
+_LOOP_FIRST = ("trace.coarse", "trace.millimetres", "J.millimetres")  # whatever shape it gives
 _JUMP = 0.3  # rad or m in one step, and ten times the usual one: another branch
+_NO_INVERSE = 1e-9  # of the largest singular value: a smaller one is a zero
 _ALIKE = 1e-9  # m: errors nearer to each other than this are the same
 
 
@@ -154,12 +156,15 @@ def _judged(
     q_dot = np.diff(q, axis=0) / np.diff(path.times)[:, None]
     run = run_report(arm, path, q, np.vstack([q_dot, q_dot[-1:]]), poses)
     turn = _turns(poses) if arm.dof >= 6 else np.zeros(len(q))
-    symptoms = list(_symptoms(typed, arm, path, run, poses, turn, allowed))
+    jumps = _jumps(q)
+    stuck = _no_inverse(q, arm, jumps)
+    jump = [] if stuck or not jumps.size else [_jump(q, arm, jumps)]
+    symptoms = list(_symptoms(arm, path, run, poses, turn, allowed, jump))
     if extra:
         symptoms.append(Finding("trace.one more", "", None, None, say("trace.one more")))
-    named = _named(typed, arm, path, poses, run, bool(symptoms), given, allowed)
+    named = stuck or _named(typed, arm, path, poses, run, bool(symptoms), given, allowed)
     figures = {"run": run, "position_error": run.position_error, "tool_turn": float(turn.max())}
-    notes = list(_notes(run))
+    notes = [] if stuck else list(_notes(run))
     if named is None and not symptoms:
         return _report(arm, RIGHT, "", (), (), taken, notes, figures)
     if named is None:
@@ -168,6 +173,10 @@ def _judged(
         first, *rest = symptoms
         findings = [Finding("cause", first.where, None, None, first.words), *rest]
         return _report(arm, WRONG, words, findings, causes, taken, notes, figures)
+    if named.name == "trace.millimetres":
+        symptoms = [
+            f for f in symptoms if f not in jump
+        ]  # steps as long as these jump of themselves
     findings = [Finding("cause", "", None, None, f"{named.words}."), *symptoms]
     causes = [named.name, *(f.what for f in symptoms if f.what in _BESIDES)]
     return _report(arm, WRONG, f"{lower(named.words)}.", findings, causes, taken, notes, figures)
@@ -184,7 +193,7 @@ def _named(
     if wrong:
         started = _off(path, tip)[0] <= 0.25 * run.position_error
         loop = loop_cause(typed, arm, path, (off and started) or bool(turn > TILT))
-        if not off or (loop and loop.name == "trace.coarse"):
+        if not off or (loop and loop.name in _LOOP_FIRST):
             return loop
         shape = path_cause(path, tip, allowed, _blur(typed, arm))
         if shape and shape.name != "trace.displaced":
@@ -207,12 +216,11 @@ def _turns(poses: Array) -> Array:
 
 
 def _symptoms(
-    typed: Typed, arm: Arm, path: Path, run, poses: Array, turn: Array, allowed: float
+    arm: Arm, path: Path, run, poses: Array, turn: Array, allowed: float, jump: list[Finding]
 ) -> Iterator[Finding]:
-    q = typed.values
     if run.position_error > allowed:
         yield Finding("step", "", None, None, _where(path, poses[:, :3, 3]))
-    yield from _jumps(q, arm)
+    yield from jump
     if arm.dof >= 6 and run.pen_tilt > TILT:
         words = say("trace leans", degrees=size(float(np.degrees(run.pen_tilt))))
         yield Finding("trace.leans", "", None, None, words)
@@ -221,18 +229,39 @@ def _symptoms(
         yield Finding("trace.spins", "", None, None, words)
 
 
-def _jumps(q: Array, arm: Arm) -> Iterator[Finding]:
+def _jumps(q: Array) -> Array:
+    """The steps that change a joint by far more than usual, or all large ones where many do."""
     change = np.abs(np.diff(q, axis=0)).max(axis=1)
     far = np.flatnonzero((change > _JUMP) & (change > 10 * np.median(change)))
     if not far.size and np.median(change) > _JUMP:
         far = np.flatnonzero(change > _JUMP)
-    if far.size:
-        k = int(far[0])
-        joint = arm.joints[int(np.abs(q[k + 1] - q[k]).argmax())]
-        words = say(
-            "trace.jump", step=k, to=k + 1, joint=joint, by=size(float(change[k])), count=far.size
-        )
-        yield Finding("trace.jump", f"step {k}", None, None, words)
+    return far
+
+
+def _jump(q: Array, arm: Arm, jumps: Array) -> Finding:
+    fields = _jumping(q, arm, int(jumps[0]))
+    words = say("trace.jump", to=fields["step"] + 1, count=jumps.size, **fields)
+    return Finding("trace.jump", f"step {fields['step']}", None, None, words)
+
+
+def _jumping(q: Array, arm: Arm, k: int) -> dict[str, Any]:
+    change = np.abs(q[k + 1] - q[k])
+    return dict(step=k, joint=arm.joints[int(change.argmax())], by=size(float(change.max())))
+
+
+def _no_inverse(q: Array, arm: Arm, jumps: Array) -> Cause | None:
+    """The first jump, where it begins at a pose whose Jacobian has no inverse."""
+    if not jumps.size:
+        return None
+    k = int(jumps[0])
+    J = jacobian(arm, q[k])[: 6 if arm.dof >= 6 else 3]
+    sizes = np.linalg.svd(J, compute_uv=False)
+    rank = int((sizes > _NO_INVERSE * sizes[0]).sum())
+    if rank == len(J) or arm.dof < len(J):
+        return None
+    fields = _jumping(q, arm, k)
+    step, words = fields.pop("step"), {f"_{n}": x for n, x in fields.items()}
+    return cause("trace.no inverse", step=step, _rank=rank, _rows=len(J), **words)
 
 
 def _off(path: Path, points: Array) -> Array:

@@ -14,7 +14,7 @@ from helpers.checks.digits import Typed
 from helpers.checks.jacobian_causes import wrong_recipes, wrong_tables
 from helpers.checks.ranking import Cause, cause
 from helpers.motion.paths import Path
-from helpers.reading.sentences import size
+from helpers.reading.sentences import listed, size
 
 Array = NDArray[Any]
 
@@ -77,6 +77,9 @@ def _shapes(path: Path, tip: Array, blur: float) -> Iterator[tuple[Cause, float]
 
     yield cause("trace.backwards"), left(tip[::-1])
     shift = (tip - path.positions).mean(axis=0)
+    missing = _left_out(path, shift, near(path, left(tip), blur))
+    if missing:
+        yield cause("trace.centre", axes=missing), left(tip - shift)
     yield cause("trace.displaced", _by=_vector(shift)), left(tip - shift)
     share, rest = _fraction(path, tip, blur)
     if share:
@@ -96,6 +99,16 @@ def _shapes(path: Path, tip: Array, blur: float) -> Iterator[tuple[Cause, float]
         points = centre + (tip - middle)[:, order]
         yield cause("trace.axes exchanged", first="xyz"[i], second="xyz"[j]), left(points)
     yield cause("trace.phase"), _phase(path, tip)
+
+
+def _left_out(path: Path, shift: Array, much: float) -> str:
+    """The coordinates of the path's centre that are left out, where a path's displacement is just
+    theirs; none where it is another.
+    """
+    centre = path.positions.mean(axis=0)
+    kept, gone = (np.abs(x) <= much for x in (shift, shift + centre))
+    out = [name for name, k in zip("xyz", kept, strict=True) if not k]
+    return listed(out) if out and (kept | gone).all() else ""
 
 
 def _share(rest: float, scale: float, blur: float) -> float:
@@ -256,6 +269,8 @@ class _Steps:
         """
         v = self.velocity
         yield cause("trace.other side"), *self._held(self.J, -v)
+        yield cause("trace.millimetres"), *self._held(self.J, 1e3 * v)
+        yield cause("J.millimetres"), *self._held(self.J, 1e-3 * v)
         yield cause("trace.next velocity"), *self._held(self.J, self.later)
         for c, K in wrong_recipes(self.at):
             yield c, *self._held(K, v)

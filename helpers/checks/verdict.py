@@ -65,9 +65,12 @@ class Report:
 
     @property
     def lines(self) -> list[str]:
-        """Everything below the headline, a sentence each; the cause stands in the headline."""
+        """Everything below the headline, a sentence each; what stands in the headline is not
+        repeated.
+        """
         notes = [f"Note: {note}" for note in self.notes]
         symptoms = [f.words for f in self.findings if f.what != "cause"]
+        symptoms = [words for words in symptoms if words[1:] not in self.headline]
         return [*symptoms, *(f"Taken as {t}" for t in self.taken), *notes]
 
     def __str__(self) -> str:

@@ -8,6 +8,7 @@ A tree is ("num", x), ("name", n), ("neg", t), ("call", function, t) or ("+" | "
 import math
 import re
 from collections.abc import Callable
+from functools import lru_cache
 
 from helpers.inputs import ArmError, shown
 
@@ -71,6 +72,7 @@ _SAME = {
     **{letter: f" {name}" for letter, name in _GREEK.items()},
     "π": " pi ",
     "𝜋": " pi ",
+    "$": " ",
     "°": " deg",
     "º": " deg",
     "²": "^2",
@@ -107,6 +109,7 @@ def is_number(text: str) -> bool:
     return _NUMBER.fullmatch(text) is not None
 
 
+@lru_cache(maxsize=1024)
 def plain(text: str) -> str:
     """The text in plain signs: unicode and LaTeX spelled out, prefixes such as ``np.`` dropped."""
     if is_number(text):
@@ -129,20 +132,29 @@ def parse(text: str, what: str = "the formula") -> Tree:
     """The tree of one formula; raises ArmError, quoting it, where it is none."""
     if len(text) > LONGEST:
         raise ArmError(f"{what} has {len(text)} characters; expected at most {LONGEST}")
-    tokens = _tokens(plain(text))
-    if tokens is None:
+    tree = _tree(plain(text))
+    if tree is None:
         raise ArmError(
             f"{what} is {shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )"
         )
-    try:
-        tree, rest = _sum(tokens, 0, 0)
-    except (IndexError, SyntaxError):
-        tree, rest = (), -1
-    if rest != len(tokens):
+    if not tree:
         raise ArmError(
             f"{what} is {shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'"
         )
     return tree
+
+
+@lru_cache(maxsize=1024)
+def _tree(text: str) -> Tree | None:
+    """The tree of a text in plain signs: empty where it is no formula, None where a sign is odd."""
+    tokens = _tokens(text)
+    if tokens is None:
+        return None
+    try:
+        tree, rest = _sum(tokens, 0, 0)
+    except (IndexError, SyntaxError):
+        return ()
+    return tree if rest == len(tokens) else ()
 
 
 def _tokens(text: str) -> list[tuple[str, str]] | None:

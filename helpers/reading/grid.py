@@ -23,6 +23,7 @@ _SCALE = re.compile(r"^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$", re.M)
 _MATLAB_BLOCK = re.compile(
     r"^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$", re.M | re.I
 )
+_STARRED = re.compile(r"(?:^|[\s\[(])-?(?:θ|\\?theta|th|q)_?\{?(?:\d+|i)?\}?\^?\*$|^\s*\*$")
 _RULE = re.compile(r"^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$")
 
 
@@ -173,9 +174,11 @@ def _split(text: str) -> list[str]:
 
 def _joins(text: str, k: int) -> bool:
     """Whether the blank at k stands beside a sign that joins its neighbours: ``a - b`` is one cell,
-    ``a -b`` are two.
+    ``a -b`` are two, and so are a joint's variable that is marked by a star and what follows it.
     """
     before, after = text[:k].rstrip(), text[k:].lstrip()
+    if before[-1:] == "*" and after and after[0] not in "*/^)=" and _STARRED.search(before):
+        return False
     if not before or not after or before[-1] in "+-*/^=(" or after[0] in "*/^)=":
         return True
     return (

@@ -33,6 +33,7 @@ KNOWN_ORDERS = (
     ("theta", "a", "d", "alpha"),
     ("d", "a", "alpha", "theta"),
 )
+_EXCHANGED = {"alpha": "theta", "theta": "alpha"}
 _WORDS = {
     **dict.fromkeys(
         ("theta", "th", "q", "jointangle", "angle", "tht", "thetai", "qi", "thi"), "theta"
@@ -77,7 +78,11 @@ class TypedRow:
 
 @dataclass(frozen=True)
 class TypedTable:
-    """The rows in the units typed, and what was said or guessed of them; None where nothing was."""
+    """The rows in the units typed, and what was said or guessed of them; None where nothing was.
+
+    `exchanged` where the heads of alpha and theta stand over one another's entries, as the joints'
+    variables show.
+    """
 
     rows: tuple[TypedRow, ...]
     columns: tuple[str, ...] | None
@@ -85,6 +90,13 @@ class TypedTable:
     angles: str | None
     convention: str | None
     said: tuple[str, ...]
+    exchanged: bool = False
+
+    @property
+    def in_millimetres(self) -> bool:
+        """Whether the lengths are taken as millimetres though nobody said so."""
+        sizes = [abs(row.numbers[c]) for row in self.rows for c in ("a", "d")]
+        return self.lengths is None and max(sizes) >= _MILLIMETRES
 
 
 def read(
@@ -94,9 +106,11 @@ def read(
     angles: str | None = None,
     convention: str | None = None,
     values: Mapping[str, float] | None = None,
+    mend: bool = False,
 ) -> list[TypedTable]:
     """The readings of a table, the likeliest first: more than one only where the order of the
-    columns had to be guessed.
+    columns had to be guessed. Where `mend`, one whose heads of alpha and theta are exchanged is
+    read too.
 
     Raises ArmError, in words, for what is no table.
     """
@@ -136,17 +150,28 @@ def read(
     for order in orders:
         words = (*said, *(() if sure else (say("taken: columns", columns=" ".join(order)),)))
         try:
-            rows = tuple(
-                _row(i, dict(zip(order, row, strict=False)), known)
-                for i, row in enumerate(cells, 1)
-            )
+            rows = _rows(cells, order, known)
         except ArmError as error:
             errors.append(error)
         else:
             tables.append(TypedTable(rows, order, lengths, angles, convention, words))
+    if not tables and mend and sure and _variables_in_alpha(cells, orders[0]):
+        order = tuple(_EXCHANGED.get(name, name) for name in orders[0])
+        rows = _rows(cells, order, known)
+        return [TypedTable(rows, order, lengths, angles, convention, said, exchanged=True)]
     if not tables:
         raise errors[0]
     return tables
+
+
+def _rows(cells: grid.Cells, order: tuple[str, ...], known: Mapping) -> tuple[TypedRow, ...]:
+    entries = (dict(zip(order, row, strict=False)) for row in cells)
+    return tuple(_row(i, row, known) for i, row in enumerate(entries, 1))
+
+
+def _variables_in_alpha(cells: grid.Cells, order: tuple[str, ...]) -> bool:
+    alphas, thetas = ([row[order.index(name)] for row in cells] for name in _EXCHANGED)
+    return any(map(_is_variable, alphas)) and not any(map(_is_variable, thetas))
 
 
 class Meant(NamedTuple):
@@ -183,9 +208,8 @@ def meant(table: TypedTable, kinds: Iterable[str] = ()) -> Meant:
     `kinds` are taken where no row holds a variable and there are as many; all turn otherwise.
     """
     said = list(table.said)
-    numbers = [row.numbers for row in table.rows]
     unit, angle = table.lengths, table.angles
-    if unit is None and max(abs(n[c]) for n in numbers for c in ("a", "d")) >= _MILLIMETRES:
+    if table.in_millimetres:
         unit = "mm"
         said.append(say("taken: millimetres"))
     open_ = [

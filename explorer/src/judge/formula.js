@@ -51,6 +51,7 @@ const SAME = new Map([
   ...[..."αβγδθϑφϕψωλ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
   ...each("π𝜋", " pi "),
   ...each("°º", " deg"),
+  ["$", " "],
   ["²", "^2"],
   ["√", "sqrt"],
   ["⅓", "(1/3)"],

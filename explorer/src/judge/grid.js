@@ -16,6 +16,7 @@ const NAMED = /^\s*[\p{L}\p{N}_.]+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*(?=[[({\n\d-]
 const ENVIRONMENT = /\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?/g;
 const LATEX_REST =
   /\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b/g;
+const STARRED = /(?:^|[\s[(])-?(?:θ|\\?theta|th|q)_?\{?(?:\d+|i)?\}?\^?\*$|^\s*\*$/;
 const SCALE = /^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$/m;
 const MATLAB_BLOCK = /^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$/im;
 const RULE = /^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$/;
@@ -153,9 +154,11 @@ function split(text) {
   return pieces.filter((one) => one.trim()).map((one) => stripped(one.trim(), "'\""));
 }
 
-// Whether the blank at k stands beside a sign that joins its neighbours: "a - b" is one cell, "a -b" are two.
+// Whether the blank at k stands beside a sign that joins its neighbours: "a - b" is one cell, "a -b" are two, and so
+// are a joint's variable that is marked by a star and what follows it.
 function joins(text, k) {
   const [before, after] = [text.slice(0, k).trimEnd(), text.slice(k).trimStart()];
+  if (before.endsWith("*") && after && !"*/^)=".includes(after[0]) && STARRED.test(before)) return false;
   if (!before || !after || "+-*/^=(".includes(before.at(-1)) || "*/^)=".includes(after[0])) return true;
   return (
     ("+-".includes(after[0]) && after.length > 1 && /\s/.test(after[1])) ||

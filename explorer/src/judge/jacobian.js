@@ -7,9 +7,11 @@ import {
   beyond,
   decimalsOf,
   graded,
+  HAND,
   margins,
   RIGHT,
   ROUNDED,
+  SLOPPY,
   SO_FAR,
   TELLING,
   WRONG,
@@ -39,7 +41,9 @@ export function compareJacobian(mine, arm, q, options = {}) {
   }
   if (typed.shape.length !== 2) throw new ArmError(say("no matrix", { what, shape: tuple(typed.shape) }));
   const [rows, width] = typed.shape;
-  if (width !== dof || (rows !== 6 && rows !== 3)) return { ...misshapen(typed.shape, arm, said), typed };
+  if (width !== dof || (rows !== 6 && rows !== 3)) {
+    return { ...misshapen(typed, arm, at.values, frame, said), typed };
+  }
   if (!angularFirst || rows !== 6) return { ...judged(typed, arm, at, frame, tolerance, said), typed };
   const exchanged = (list) => [...list.slice(3 * dof), ...list.slice(0, 3 * dof)];
   const linearFirst = { ...typed, values: exchanged(typed.values), units: exchanged(typed.units) };
@@ -55,12 +59,29 @@ const reported = (arm, grade, headline, rest = {}) => ({
 
 // The shape
 
-function misshapen(shape, arm, taken) {
-  const key = shapeCause(shape, arm);
-  const words = say(key, { shape: shape.join("x"), dof: numbered(arm).length });
+function misshapen(typed, arm, q, frame, taken) {
+  const { shape } = typed;
+  const joint = leftOut(typed, arm, q, frame);
+  const key = joint ? "J.column missing" : shapeCause(shape, arm);
+  const words = say(key, { shape: shape.join("x"), dof: numbered(arm).length, joint });
   const findings = [{ what: "shape", where: "", words }];
   const headline = say("J wrong", { arm: arm.name, cause: lower(words) });
-  return reported(arm, WRONG, headline, { findings, causes: [key], taken });
+  return reported(arm, WRONG, headline, { findings, causes: [joint ? `${key}:${joint}` : key], taken });
+}
+
+// The joint without which the columns are right; 0 where there is none.
+function leftOut({ values, units, shape: [rows, width] }, arm, q, frame) {
+  const dof = numbered(arm).length;
+  if (rows !== 6 || width !== dof - 1) return 0;
+  const right = allColumns(setting(arm, q, frame)).slice(0, dof);
+  const fits = (k) => {
+    const others = right.filter((_, i) => i !== k);
+    return values.every((x, n) => {
+      const wanted = others[n % width][1][Math.floor(n / width)];
+      return Math.abs(x - wanted) <= Math.max(HAND * units[n], SLOPPY);
+    });
+  };
+  return right.find((_, k) => fits(k))?.[0] ?? 0;
 }
 
 function shapeCause([rows, width], arm) {

@@ -13,7 +13,10 @@ const COARSE = 2e-3; // rad or m: angles with fewer decimals are taken as meant,
 const SHAPES = ["4x4", "3x4", "3"];
 
 /** @typedef {import("./branches.js").Answer} Answer */
-/** @typedef {{ values: number[][], units: number[][], pose: boolean }} Target rows of a pose, or one row of a point */
+/**
+ * Rows of a pose, or one row of a point; whether there are formulas among them.
+ * @typedef {{ values: number[][], units: number[][], pose: boolean, formulas: boolean }} Target
+ */
 
 /**
  * Whether a joint vector, a text or nested lists, takes an arm's tip to T: a pose (4, 4) or a point (3,).
@@ -32,10 +35,10 @@ export function comparePose(q, arm, T, options = {}) {
 }
 
 /** @returns {Target} */
-function targetOf({ values, units }, shape) {
+function targetOf({ values, units, symbolic }, shape) {
   const pose = shape !== "3";
   const rows = (list) => (pose ? [0, 1, 2].map((i) => list.slice(4 * i, 4 * i + 4)) : [list]);
-  return { values: rows(values), units: rows(units), pose };
+  return { values: rows(values), units: rows(units), pose, formulas: symbolic };
 }
 
 /** @returns {import("./ranking.js").Report} */
@@ -61,7 +64,7 @@ function judged(q, arm, T, tolerance, taken) {
     return reported(WRONG, headline, { findings, causes: found.map(nameOf) });
   }
   if (within(miss, marginsOf(q, arm, T, HALF, tolerance))) return good(SO_FAR, "pose so far");
-  const findings = T.pose ? entries(here, T) : [];
+  const findings = T.pose ? entries(here, T) : coordinates(here, T);
   const causes = [...new Set(findings.map(({ what }) => what))];
   return reported(WRONG, say("pose wrong", { arm: arm.name, off }), { findings, causes });
 }
@@ -156,6 +159,14 @@ function entries(frame, T) {
     }),
   );
   return findings.length <= 3 ? findings : [];
+}
+
+// The coordinate of a point in formulas that differs, where it is one; in numbers it could be q as well.
+function coordinates({ o }, T) {
+  const wrong = [0, 1, 2].filter((i) => Math.abs(o[i] - T.values[0][i]) > COARSE);
+  if (!T.formulas || wrong.length !== 1) return [];
+  const axis = "xyz"[wrong[0]];
+  return [{ what: "pose.coordinate", where: axis, words: say("pose.coordinate", { axis }) }];
 }
 
 function* limits(arm, { values }) {

@@ -130,9 +130,11 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {Record<string, any>} [figures] measured numbers by name
  */
 
-// Everything below the headline, a sentence each.
-export const linesOf = ({ findings, taken, notes }) => [
-  ...findings.filter(({ what }) => what !== "cause").map(({ words }) => words),
+// Everything below the headline, a sentence each; what stands in the headline is not repeated.
+export const linesOf = ({ headline, findings, taken, notes }) => [
+  ...findings
+    .filter(({ what, words }) => what !== "cause" && !headline.includes(words.slice(1)))
+    .map(({ words }) => words),
   ...taken.map((words) => `Taken as ${words}`),
   ...notes.map((words) => `Note: ${words}`),
 ];

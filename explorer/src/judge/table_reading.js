@@ -10,6 +10,7 @@ export const ENTRIES = ["a", "alpha", "d", "theta"];
 const UNITS = { m: 1, cm: 1e-2, mm: 1e-3, in: 0.0254 };
 const MILLIMETRES = 10; // a length this large is no number of metres
 const DEGREES = 2 * Math.PI + 0.1; // an angle this large is no number of radians
+const EXCHANGED = { alpha: "theta", theta: "alpha" };
 const MOST_ROWS = 32;
 const KNOWN_ORDERS = [
   "theta d a alpha",
@@ -65,13 +66,15 @@ const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/
  */
 
 /**
- * The rows in the units typed, and what was said or guessed of them; null where nothing was.
+ * The rows in the units typed, and what was said or guessed of them; null where nothing was. `exchanged` where the
+ * heads of alpha and theta stand over one another's entries, as the joints' variables show.
  * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string | null,
- *   said: string[] }} TypedTable
+ *   said: string[], exchanged?: boolean }} TypedTable
  */
 
 /**
  * The readings of a table, the likeliest first: more than one only where the order of the columns had to be guessed.
+ * One whose heads of alpha and theta are exchanged is read too.
  * @param {string} text
  * @param {{ columns?: string, lengths?: string, angles?: string, convention?: string }} options
  * @param {[string, number][]} values of its symbols
@@ -101,9 +104,21 @@ export function read(text, { columns, lengths, angles, convention } = {}, values
   const tables = attempts.flatMap(({ rows: made, said }) =>
     made ? [{ ...units, rows: made, said: [...typed.said, ...said] }] : [],
   );
-  if (!tables.length) throw attempts[0].error;
-  return tables;
+  if (tables.length) return tables;
+  if (!sure || !variablesInAlpha(rows, orders[0])) throw attempts[0].error;
+  const swapped = attempted(rows, orders[0].map((name) => EXCHANGED[name] ?? name), known, sure); // prettier-ignore
+  if (!swapped.rows) throw swapped.error;
+  return [{ ...units, rows: swapped.rows, said: typed.said, exchanged: true }];
 }
+
+function variablesInAlpha(rows, order) {
+  const [alphas, thetas] = ["alpha", "theta"].map((name) => rows.map((row) => row[order.indexOf(name)]));
+  return alphas.some(isVariable) && !thetas.some(isVariable);
+}
+
+// Whether the lengths are taken as millimetres though nobody said so.
+export const inMillimetres = ({ lengths, rows }) =>
+  lengths === null && rows.some(({ numbers: n }) => Math.max(Math.abs(n.a), Math.abs(n.d)) >= MILLIMETRES);
 
 function few(count) {
   if (count > MOST_ROWS) throw new ArmError(say("many rows", { count, most: MOST_ROWS }));
@@ -133,7 +148,7 @@ export function meant(table, kinds) {
   const said = [...table.said];
   const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 0);
   let { lengths: unit, angles: angle } = table;
-  if (unit === null && largest(table.rows.flatMap(({ numbers: n }) => [n.a, n.d])) >= MILLIMETRES) {
+  if (inMillimetres(table)) {
     unit = "mm";
     said.push(say("taken: millimetres"));
   }

@@ -5,15 +5,22 @@ import { RIGHT, ROUNDED, units, WRONG } from "./digits.js";
 import { equations, isIdentity, jointMap } from "./joint_map.js";
 import { cause, nameOf, several } from "./ranking.js";
 import { ArmError, lower, say, size } from "./say.js";
-import { ENTRIES, meant, read } from "./table_reading.js";
+import { ENTRIES, inMillimetres, meant, read } from "./table_reading.js";
 import * as usual from "./tables_causes.js";
 
-const CHEAP = ["table.millimetres", "table.centimetres", "table.degrees", "table.twists in degrees"];
+const CHEAP = [
+  "table.millimetres",
+  "table.centimetres",
+  "table.mixed units",
+  "table.degrees",
+  "table.twists in degrees",
+];
 const ONE_ENTRY = ["table.pen", "table.length"]; // a wrong entry whose reason is known
 const ENTRY = 0.7; // what a wrong entry costs, where a cause costs 1
 const BY_AXES = 0.5; // what it costs besides that entries still differ though the axes agree
 const ANGLE = 1e-4; // rad: angles are often written with four decimals
 const LENGTH = 1e-6; // m
+const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 const DEGREES = 180 / Math.PI;
@@ -50,6 +57,7 @@ const DEGREES = 180 / Math.PI;
  * @property {string[]} said
  * @property {boolean} modified
  * @property {number} added
+ * @property {boolean} exchanged whether the heads of alpha and theta are
  */
 
 /**
@@ -61,15 +69,31 @@ const DEGREES = 180 / Math.PI;
  */
 export function compareTables(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
-  let first = null;
-  for (const typed of read(mine, options, reference.values)) {
-    const table = tableOf(typed, meant(typed, kinds));
-    const report = judged(table, reference, options.tolerance ?? null);
-    const whole = { ...report, table: { rows: table.rows, ...shown(typed, table, report.findings) } };
-    if (whole.grade !== WRONG) return whole;
-    first ??= whole;
+  const typed = read(mine, options, reference.values).flatMap((one) => sizes(one, reference.rows));
+  const tables = typed.map((one) => tableOf(one, meant(one, kinds)));
+  const readings = tables.map((table) => judgedTable(table, reference, options.tolerance ?? null));
+  const whole = (report, k) => {
+    const cells = shown(typed[k], tables[k], report.findings);
+    return { ...report, table: { rows: tables[k].rows, ...cells } };
+  };
+  for (const [k, { good }] of readings.entries()) {
+    const report = good();
+    if (report) return whole(report, k);
   }
-  return first;
+  const first = readings[0].bad();
+  if (first.causes.length || !typed[1]?.otherSize) return whole(first, 0);
+  const other = readings[1].bad();
+  return other.causes.length ? whole(other, 1) : whole(first, 0);
+}
+
+// The sizes that large lengths may have where nobody said it: millimetres, or centimetres, first that which is nearer
+// to the reference's.
+function sizes(typed, wanted) {
+  if (!inMillimetres(typed)) return [typed];
+  const both = [typed, { ...typed, lengths: "cm", said: [...typed.said, say("taken: centimetres")] }];
+  const total = usual.totalLength(typed.rows.map(({ numbers }) => numbers));
+  if (total < SHORT * usual.totalLength(wanted)) both.reverse();
+  return both.map((one, n) => ({ ...one, otherSize: n > 0 }));
 }
 
 // The table as it was read, a row of cells for each that was typed, and which of them are wrong.
@@ -112,6 +136,7 @@ function tableOf(typed, found) {
     angleScale: found.angle,
     said: found.said,
     modified,
+    exchanged: Boolean(typed.exchanged),
     added: Number(modified && Boolean(a || alpha)),
   };
 }
@@ -162,26 +187,35 @@ function ownUnit(table, row, column) {
 const moves = (rows) => rows.some(({ kind }) => kind !== "fixed");
 const compare = ({ rows, reference }, length) => compared(side(rows), side(reference), length, ANGLE);
 
-/** @param {Table} table @returns {Report} */
-function judged(table, reference, tolerance) {
+/**
+ * One reading of a table beside the reference: the report on the same arm, null where it is another, and that on
+ * another.
+ * @param {Table} table
+ * @returns {{ good: () => Report | null, bad: () => Report }}
+ */
+function judgedTable(table, reference, tolerance) {
   const wanted = squared(reference.rows);
   const rows = meantRows(table);
   if (!moves(rows)) throw new ArmError(say("table no joint", { name: table.name }));
   const [mine, ref] = [side(rows), side(wanted)];
-  let exact = tolerance === null ? LENGTH : Math.max(tolerance, 1e-12);
+  const exact = tolerance === null ? LENGTH : Math.max(tolerance, 1e-12);
+  const [length, angle] = [table.lengthUnit, table.angleUnit].map((unit) =>
+    tolerance === null && 0.51 * unit <= 0.51 * COARSEST ? 0.51 * unit : 0,
+  );
   const found = compared(mine, ref, exact);
-  if (!found.differences.length) return same(RIGHT, table, reference, mine, ref, found);
-  if (tolerance === null) {
-    const [length, angle] = [table.lengthUnit, table.angleUnit].map((unit) =>
-      0.51 * unit <= 0.51 * COARSEST ? 0.51 * unit : 0,
-    );
+  const agrees = (grade, by) =>
+    table.exchanged
+      ? bad(table, reference, [cause("table.alpha and theta")])
+      : same(grade, table, reference, mine, ref, by);
+  const good = () => {
+    if (!found.differences.length) return agrees(RIGHT, found);
+    if (tolerance !== null) return null;
     const reach = Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
     const wide = Math.max(exact, 2 * length, 2.5 * angle * reach); // a turned axis meets the next one elsewhere
     const near = compared(mine, ref, wide, Math.max(ANGLE, 4 * angle));
-    if (!near.differences.length) return same(ROUNDED, table, reference, mine, ref, near);
-    exact = Math.max(exact, length);
-  }
-  return different(table, reference, rows, wanted, found, exact);
+    return near.differences.length ? null : agrees(ROUNDED, near);
+  };
+  return { good, bad: () => different(table, reference, rows, wanted, found, Math.max(exact, length)) };
 }
 
 /** @returns {Report} */

@@ -6,6 +6,7 @@ import { both, cause } from "./ranking.js";
 import { fromCraig } from "./table_reading.js";
 
 const RAD = Math.PI / 180;
+const [SMALL, LARGE] = [1e-2, 10]; // m: lengths beyond these were meant in the other unit
 
 /** @typedef {import("../axes.js").Numbers} Numbers */
 /** @typedef {import("./ranking.js").Cause} Cause */
@@ -17,29 +18,44 @@ export const joined = (first, second) => (first && second ? both(first, second) 
 // The readings of the numbers that their sizes allow: lengths in m, cm or mm, angles in radians or degrees.
 /** @returns {[Cause | null, Numbers[]][]} */
 export function units(rows, reference) {
-  const size = (table) => table.reduce((sum, r) => sum + (Math.abs(r.a) + Math.abs(r.d)), 0) || 1;
-  const [total, wanted] = [size(rows), size(reference)];
-  const near = (factor) => 0.2 < (total * factor) / wanted && (total * factor) / wanted < 5;
-  /** @type {[Cause | null, number][]} */
-  const lengths = [[null, 1]];
-  if (near(1e-3)) lengths.push([cause("table.millimetres"), 1e-3]);
-  if (near(1e-2)) lengths.push([cause("table.centimetres"), 1e-2]);
+  const wanted = totalLength(reference) || 1;
+  /** @type {[Cause, Numbers[] | null][]} */
+  const sizes = [
+    [cause("table.millimetres"), scaledBy(rows, 1e-3)],
+    [cause("table.centimetres"), scaledBy(rows, 1e-2)],
+    [cause("table.mixed units"), ofOneSize(rows)],
+  ];
+  /** @type {[Cause | null, Numbers[]][]} */
+  const lengths = [[null, rows]];
+  for (const [why, read] of sizes) {
+    const share = read ? totalLength(read) / wanted : 0;
+    if (0.2 < share && share < 5) lengths.push([why, read ?? []]);
+  }
   /** @type {[Cause | null, number, number][]} */
   const angles = [[null, 1, 1]];
   if (rows.some((r) => Math.abs(r.alpha) > 6.4 || Math.abs(r.theta) > 6.4))
     angles.push([cause("table.degrees"), RAD, RAD], [cause("table.twists in degrees"), RAD, 1]);
-  return lengths.flatMap(([first, f]) =>
+  return lengths.flatMap(([first, read]) =>
     angles.map(([second, t, o]) => {
-      const read = rows.map((r) => ({
-        ...r,
-        a: r.a * f,
-        d: r.d * f,
-        alpha: r.alpha * t,
-        theta: r.theta * o,
-      }));
-      return /** @type {[Cause | null, Numbers[]]} */ ([joined(first, second), read]);
+      const turned = read.map((r) => ({ ...r, alpha: r.alpha * t, theta: r.theta * o }));
+      return /** @type {[Cause | null, Numbers[]]} */ ([joined(first, second), turned]);
     }),
   );
+}
+
+// All lengths of a table added up.
+export const totalLength = (rows) => rows.reduce((sum, r) => sum + (Math.abs(r.a) + Math.abs(r.d)), 0);
+
+const scaledBy = (rows, factor) => rows.map((r) => ({ ...r, a: r.a * factor, d: r.d * factor }));
+
+// Lengths of which some were typed in metres and some in millimetres, all in metres; null where they are of one size.
+function ofOneSize(rows) {
+  const read = (x) => (Math.abs(x) < SMALL ? x * 1e3 : Math.abs(x) >= LARGE ? x * 1e-3 : x);
+  const found = rows.map((r) => ({ ...r, a: read(r.a), d: read(r.d) }));
+  const changed = new Set(
+    rows.flatMap((r, k) => ["a", "d"].filter((c) => r[c]).map((c) => r[c] === found[k][c])),
+  );
+  return changed.size === 2 ? found : null;
 }
 
 const swap = (one, other) => (rows) => rows.map((r) => ({ ...r, [one]: r[other], [other]: r[one] }));
@@ -70,11 +86,16 @@ const exchanged = (i, j) => (rows) =>
 const toCraig = (rows) =>
   rows.map((row, k) => ({ ...row, a: rows[k - 1]?.a ?? 0, alpha: rows[k - 1]?.alpha ?? 0 }));
 
-// Other arms that a student may have described: without the pen, or one length taken for another.
+// Other arms that a student may have described: without the pen, one length taken for another, or another robot of a
+// like name.
 /** @returns {[Cause, Numbers[]][]} */
 export const references = (arm) => [
   ...(arm.penless ? [[cause("table.pen"), arm.penless.rows]] : []),
   ...(arm.alike ?? []).map(({ name, other, rows }) => [cause("table.length", { name, other }), rows]),
+  ...(arm.robots ?? []).flatMap(({ name, rows, penless }) => {
+    const why = cause("table.robot", { name });
+    return penless ? [[why, rows], [both(why, cause("table.pen")), penless]] : [[why, rows]]; // prettier-ignore
+  }),
 ];
 
 // One sign turned.

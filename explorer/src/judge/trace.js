@@ -2,11 +2,12 @@
 // move.
 
 import { dot, joints, linkFrames, norm } from "../kinematics.js";
+import { singular } from "../linear.js";
 import { angleBetween, millimetres } from "./branches.js";
 import { chain, columns, framesOf } from "./chains.js";
 import { RIGHT, WRONG } from "./digits.js";
 import { numbered, numbers, rowsInRadians } from "./door.js";
-import { nameOf, wordsOf } from "./ranking.js";
+import { cause, nameOf, wordsOf } from "./ranking.js";
 import { listed, lower, say, size } from "./say.js";
 import { holds, loopCause, near, offs, pathCause, tableCause } from "./trace_causes.js";
 
@@ -14,6 +15,8 @@ const DEGREES = 180 / Math.PI;
 const TILT = 1 / DEGREES; // rad: a tool that leans or spins more no longer counts as held
 const USUAL = 2e-3; // m: Euler's method on the homework's circle stays well below
 const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
+const LOOP_FIRST = ["trace.coarse", "trace.millimetres", "J.millimetres"]; // whatever shape it gives
+const NO_INVERSE = 1e-9; // of the largest singular value: a smaller one is a zero
 const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another branch
 const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 
@@ -141,25 +144,30 @@ function judged(run, arm, path, allowed, given, blur) {
   const errors = offs(path.times.map(path.position), tip);
   const error = Math.max(...errors);
   const turn = joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
-  const symptoms = [...symptomsOf(run, arm, errors, frames, turn, allowed)];
+  const far = jumps(q);
+  const stuck = noInverse(q, arm, far);
+  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far)];
+  const symptoms = [...symptomsOf(run, arm, errors, frames, turn, allowed, jump)];
   const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
   const why = () => {
     const off = error > allowed;
     const loop = slip((off && errors[0] <= 0.25 * error) || turn > TILT);
-    if (!off || loop?.keys[0] === "trace.coarse") return loop;
+    if (!off || LOOP_FIRST.includes(loop?.keys[0] ?? "")) return loop;
     const shape = pathCause(path, tip, allowed, blur);
     if (shape && shape.keys[0] !== "trace.displaced") return shape;
     return tableCause(q, arm, path, allowed) ?? shape ?? loop;
   };
-  const named = symptoms.length ? why() : given ? null : slip(false);
-  const notes = [...notesOf(arm, path, q)];
+  const named = stuck ?? (symptoms.length ? why() : given ? null : slip(false));
+  const notes = stuck ? [] : [...notesOf(arm, path, q)];
   const figures = { position_error: error, tool_turn: turn };
   const wrong = (words, findings, causes) =>
     reported(arm, WRONG, words, taken, { findings, causes, notes, figures });
   if (named) {
     const words = wordsOf(named);
-    const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
-    const besides = symptoms.map(({ what }) => what).filter((what) => BESIDES.includes(what));
+    // Steps as long as these jump of themselves.
+    const rest = symptoms.filter((one) => nameOf(named) !== "trace.millimetres" || !jump.includes(one));
+    const findings = [{ what: "cause", where: "", words: `${words}.` }, ...rest];
+    const besides = rest.map(({ what }) => what).filter((what) => BESIDES.includes(what));
     return wrong(`${lower(words)}.`, findings, [nameOf(named), ...besides]);
   }
   if (!symptoms.length) return reported(arm, RIGHT, "", taken, { notes, figures });
@@ -169,10 +177,10 @@ function judged(run, arm, path, allowed, given, blur) {
 }
 
 /** @param {Run} run @returns {Generator<Finding>} */
-function* symptomsOf({ q, extra }, arm, errors, frames, turn, allowed) {
+function* symptomsOf({ extra }, arm, errors, frames, turn, allowed, jump) {
   const finding = (what, words, where = "") => ({ what, where, words });
   if (Math.max(...errors) > allowed) yield finding("step", whereOf(errors));
-  yield* jumps(q, arm);
+  yield* jump;
   const held = joints(arm).length >= 6;
   const lean = held ? Math.max(...frames.map(({ z }) => between(z, frames[0].z))) : 0;
   const degrees = (angle) => ({ degrees: size(angle * DEGREES) });
@@ -188,19 +196,42 @@ const between = (u, v) =>
     dot(u, v),
   );
 
-/** @returns {Generator<Finding>} */
-function* jumps(q, arm) {
-  const steps = q.slice(1).map((row, k) => minusEach(row, q[k]).map(Math.abs));
-  const change = steps.map((step) => Math.max(...step));
+// The steps that change a joint by far more than usual, or all large ones where that is usual.
+function jumps(q) {
+  const change = q.slice(1).map((row, k) => Math.max(...minusEach(row, q[k]).map(Math.abs)));
   const usual = median(change);
   const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
-  let far = over(10 * usual);
-  if (!far.length && usual > JUMP) far = over(JUMP);
-  if (!far.length) return;
-  const [k] = far;
-  const joint = numbered(arm)[steps[k].indexOf(change[k])];
-  const fields = { step: k, to: k + 1, joint, by: size(change[k]), count: far.length };
-  yield { what: "trace.jump", where: `step ${k}`, words: say("trace.jump", fields) };
+  const far = over(10 * usual);
+  return far.length || usual <= JUMP ? far : over(JUMP);
+}
+
+/** @returns {Finding} */
+function jumpOf(q, arm, far) {
+  const { step, ...fields } = jumping(q, arm, far[0]);
+  const words = say("trace.jump", { step, to: step + 1, count: far.length, ...fields });
+  return { what: "trace.jump", where: `step ${step}`, words };
+}
+
+function jumping(q, arm, k) {
+  const change = minusEach(q[k + 1], q[k]).map(Math.abs);
+  const most = Math.max(...change);
+  return { step: k, joint: numbered(arm)[change.indexOf(most)], by: size(most) };
+}
+
+// The first jump, where it begins at a pose whose Jacobian has no inverse.
+/** @returns {import("./ranking.js").Cause | null} */
+function noInverse(q, arm, [k]) {
+  const dof = joints(arm).length;
+  const rows = dof >= 6 ? 6 : 3;
+  if (k === undefined || dof < rows) return null;
+  const at = chain(arm, q[k]);
+  const J = columns(at, framesOf(at));
+  const each = Array.from({ length: dof }, (_, i) => Array.from({ length: rows }, (_, r) => J[r * dof + i]));
+  const { values } = singular(each, rows);
+  const rank = values.filter((x) => x > NO_INVERSE * values[0]).length;
+  if (rank === rows) return null;
+  const { step, joint, by } = jumping(q, arm, k);
+  return cause("trace.no inverse", { step, _rank: rank, _rows: rows, _joint: joint, _by: by });
 }
 
 const minusEach = (u, v) => u.map((x, i) => x - v[i]);

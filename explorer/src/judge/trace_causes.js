@@ -7,7 +7,7 @@ import { chain, columns, framesOf } from "./chains.js";
 import { rint } from "./inverse.js";
 import { recipes, wrongTables } from "./jacobian_causes.js";
 import { cause } from "./ranking.js";
-import { size } from "./say.js";
+import { listed, size } from "./say.js";
 
 const ALIKE = 1e-9; // m: misses nearer to each other than this are the same
 const SAMPLE = 100;
@@ -78,6 +78,8 @@ function* shapes(path, tip, blur) {
   const left = (points) => farthest(points, wanted);
   yield [cause("trace.backwards"), left([...tip].reverse())];
   const shift = mean(tip.map((p, k) => minus(p, wanted[k])));
+  const missing = leftOut(wanted, shift, near(path, left(tip), blur));
+  if (missing) yield [cause("trace.centre", { axes: missing }), left(shifted(tip, shift))];
   yield [cause("trace.displaced", { _by: vector(shift) }), left(shifted(tip, shift))];
   const fraction = fractionOf(path, wanted, tip, blur);
   if (fraction) {
@@ -103,6 +105,16 @@ function* shapes(path, tip, blur) {
     yield [cause("trace.axes exchanged", words), left(tip.map(exchanged))];
   }
   yield [cause("trace.phase"), otherPhase(wanted, tip)];
+}
+
+// The coordinates of the path's centre that are left out, where a path's displacement is just theirs; none where it is
+// another.
+function leftOut(wanted, shift, much) {
+  const centre = mean(wanted);
+  const kept = shift.map((x) => Math.abs(x) <= much);
+  const gone = shift.map((x, i) => Math.abs(x + centre[i]) <= much);
+  const out = ["x", "y", "z"].filter((_, i) => !kept[i]);
+  return out.length && kept.every((is, i) => is || gone[i]) ? listed(out) : "";
 }
 
 // What a path drawn smaller leaves, as if it had its size.
@@ -266,6 +278,8 @@ function* rulesOf(steps) {
   const now = (sample) => sample.now;
   const own = (sample) => sample.J;
   yield held(steps, cause("trace.other side"), own, (sample) => scaled(-1, sample.now));
+  yield held(steps, cause("trace.millimetres"), own, (sample) => scaled(1e3, sample.now));
+  yield held(steps, cause("J.millimetres"), own, (sample) => scaled(1e-3, sample.now));
   yield held(steps, cause("trace.next velocity"), own, (sample) => sample.later);
   const wrong = samples.map(({ at }) => [...recipes(at)]);
   for (const [k, [one]] of wrong[0].entries()) {
