@@ -10,7 +10,7 @@ import operator
 import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 
 from helpers.inputs import ArmError, must_be
 
@@ -161,7 +161,7 @@ def latex(text: Entry) -> str:
     return text.replace("*", r"\,")
 
 
-@cache
+@lru_cache(maxsize=1024)
 def _parse(text: str, what: str) -> ast.expr:
     text = plain(text, what) if len(text) <= _LONGEST else text
     if len(text) > _LONGEST:

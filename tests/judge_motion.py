@@ -3,15 +3,16 @@ and those of the catalogues.
 """
 
 import math
-from collections.abc import Iterator
-from functools import cache
+from collections.abc import Callable, Iterator
+from functools import cache, partial
+from itertools import islice
 
 import numpy as np
 
 from helpers import checks, inverse
 from helpers.arm import Arm, prismatic, revolute
 from helpers.checks import inverse_causes
-from helpers.checks.chains import chain, columns
+from helpers.checks.chains import Chain, chain, columns
 from helpers.checks.jacobian_causes import wrong_recipes, wrong_tables
 from helpers.checks.lengths import wrong_lengths
 from helpers.kinematics import forward_kinematics, jacobian
@@ -250,11 +251,11 @@ def _circle_data(arm: Arm, asked: dict) -> dict:
 
 
 def _run(rng, arm: Arm, path, start: np.ndarray) -> np.ndarray:
-    steer, change, what = None, lambda q: q, rng.random()
+    steer, change, what = partial(jacobian, arm), lambda q: q, rng.random()
     q, rows, late, rate = start.copy(), [start], 0, 1.0
     if what < 0.35:
-        rules = [*wrong_recipes(chain(arm, start)), *wrong_tables(arm, chain(arm, start))]
-        steer = int(rng.integers(len(rules)))
+        rules = _spoiled(arm)
+        steer = rules[int(rng.integers(len(rules)))]
     elif what < 0.45:
         late = 1
     elif what < 0.55:
@@ -277,8 +278,7 @@ def _run(rng, arm: Arm, path, start: np.ndarray) -> np.ndarray:
     v, dt, exact = path.velocities, np.diff(path.times), rng.random() < 0.5
 
     def rates(at: np.ndarray, k: int) -> np.ndarray:
-        J = jacobian(arm, at) if steer is None else _spoiled(arm, at, steer)
-        wanted = np.zeros(6)
+        J, wanted = steer(at), np.zeros(6)
         wanted[:3] = rate * v[min(k + late, len(v) - 1)]
         part = slice(0, 6 if arm.dof >= 6 else 3)
         return np.linalg.pinv(J[part], rcond=1e-3) @ wanted[part]
@@ -292,12 +292,20 @@ def _run(rng, arm: Arm, path, start: np.ndarray) -> np.ndarray:
     return change(np.array(rows))
 
 
-def _spoiled(arm: Arm, q: np.ndarray, rule: int) -> np.ndarray:
-    at = chain(arm, q)
-    recipes = list(wrong_recipes(at))
-    if rule < len(recipes):
-        return recipes[rule][1]
-    return columns(wrong_tables(arm, at)[rule - len(recipes)][1])
+@cache
+def _spoiled(arm: Arm) -> list[Callable[[np.ndarray], np.ndarray]]:
+    """The Jacobians of an arm by every wrong recipe and table; tables are read once."""
+    right = chain(arm, np.zeros(arm.dof))
+
+    def by_recipe(k: int, q: np.ndarray) -> np.ndarray:
+        return next(islice(wrong_recipes(right.with_(q=q)), k, None))[1]
+
+    def by_table(table: Chain, q: np.ndarray) -> np.ndarray:
+        return columns(table.with_(q=q))
+
+    recipes = range(len(list(wrong_recipes(right))))
+    tables = [table for _, table in wrong_tables(arm, right)]
+    return [*(partial(by_recipe, k) for k in recipes), *(partial(by_table, t) for t in tables)]
 
 
 def _typed_run(rng, arm: Arm, q: np.ndarray, options: dict):

@@ -1,16 +1,23 @@
 """The page's judge against the checkers: the same questions to both, their words compared letter by
 letter.
 
-As a command: ``python -m tests.judge_words --seed 18 --cases 20000``.
+As a command, which ``make judge`` is: ``python -m tests.judge_words --cases 20000``. It needs
+Node.js, and as many cores as it may have.
 """
 
 import argparse
+import difflib
+import hashlib
 import json
+import os
 import shutil
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from functools import cache
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -38,7 +45,6 @@ KNOWN = {
     "PANDA.lock(3)": PANDA.lock(3),
 }
 HEAVY = tuple(arm for arm in (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK) if arm.bodies)
-_AT_ONCE = 500  # questions, of those that the command asks
 _ROWS = {"R": revolute, "P": prismatic, "F": fixed}
 
 
@@ -153,21 +159,34 @@ QUESTIONS = {
     "trace": judge_motion.trace_questions,
     "corpus's traces": lambda rng, count: judge_motion.stored_traces(rng, count, arm_of),
 }
+# The kinds of each checker, the dearest first: a run takes the time of twenty tables.
+CHECKERS = {
+    "trace": ("corpus's traces", "trace"),
+    "torques": ("corpus's torques", "torques"),
+    "Jacobian": ("formula", "jacobian"),
+    "table": ("table's forms", "table's slips", "table"),
+    "pose": ("corpus's poses", "pose"),
+    "branches": ("corpus's branches", "branches"),
+}
 SHARES = {
     "jacobian": 0.2,
-    "torques": 0.05,
-    "corpus's torques": 0.05,
+    "torques": 0.06,
+    "corpus's torques": 0.06,
     "formula": 0.03,
-    "table": 0.15,
+    "table": 0.16,
     "table's forms": 0.1,
     "table's slips": 0.1,
-    "branches": 0.1,
+    "branches": 0.08,
     "corpus's branches": 0.05,
     "pose": 0.08,
     "corpus's poses": 0.04,
-    "trace": 0.04,
-    "corpus's traces": 0.01,
+    "trace": 0.035,
+    "corpus's traces": 0.005,
 }
+_AT_ONCE = 600  # questions of a part: Node.js is fast only after a while
+_DEAR = {"trace": 100, "corpus's traces": 50}
+_TWICE = 1.03  # some questions come twice, and do not count
+_TOLD = 10  # of those with different words
 
 
 def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]]:
@@ -228,23 +247,84 @@ def different(questions: list[tuple[Arm, dict]]) -> list[tuple[dict, list, list]
     return [(q, ours, theirs) for q, ours, theirs in found if ours != theirs]
 
 
+# Many, on all cores
+
+
+def parts_of(cases: int, only: str | None = None) -> list[tuple[str, int, int]]:
+    """The work in parts that do not depend on how many cores there are: kind, number, questions."""
+    kinds = [only] if only else [kind for of_one in CHECKERS.values() for kind in of_one]
+    found = []
+    for kind in kinds:
+        count = round(cases * _TWICE * (1 if only else SHARES[kind]))
+        size = _DEAR.get(kind, _AT_ONCE)
+        found += [(kind, k // size, min(size, count - k)) for k in range(0, count, size)]
+    return found
+
+
+def compared(seed: int, part: tuple[str, int, int]) -> tuple[set[str], list[tuple]]:
+    """The questions of a part, by their hashes, and those to which the two do not say the same."""
+    kind, number, size = part
+    rng = np.random.default_rng([seed, list(QUESTIONS).index(kind), number])
+    asked = questions(rng, size, kind)
+    return {_digest(arm, question) for arm, question in asked}, different(asked)
+
+
+def _digest(arm: Arm, question: dict) -> str:
+    given = repr((arm.name, arm.rows, arm.bodies, sorted(question.items())))
+    return hashlib.blake2b(given.encode(), digest_size=12).hexdigest()
+
+
+def readable(kind: str, question: dict, ours: list, theirs: list) -> str:
+    """A question on which the two differ, and the lines in which they do."""
+    asked = {key: value for key, value in question.items() if key != "typed"}
+    typed = question["typed"] if isinstance(question["typed"], str) else str(question["typed"])
+    said = [f"{grade} {causes}\n{words}".splitlines() for grade, causes, words in (ours, theirs)]
+    lines = difflib.unified_diff(*said, "helpers.checks", "explorer/src/judge", lineterm="", n=0)
+    return "\n".join([f"{kind}: {str(asked)[:600]}", typed[:800], *lines, ""])
+
+
 def main() -> None:
     """Compare many, and say how many differ."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--seed", type=int, default=18)
-    parser.add_argument("--cases", type=int, default=1000)
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("--seed", type=int, default=2026)
+    parser.add_argument("--cases", type=int, default=1000, help="different questions at least")
     parser.add_argument("--only", choices=QUESTIONS)
+    parser.add_argument("--processes", type=int, default=os.cpu_count())
     given = parser.parse_args()
-    rng = np.random.default_rng(given.seed)
-    asked, odd = 0, 0
-    while asked < given.cases:
-        some = questions(rng, min(_AT_ONCE, given.cases - asked), given.only)
-        found = different(some)
-        asked, odd = asked + len(some), odd + len(found)
-        print(f"{asked} questions, {odd} with different words", flush=True)
-        for question, ours, theirs in found[:5]:
-            print(json.dumps(question)[:600], "\nPython:", ours, "\npage:  ", theirs, "\n")
-    sys.exit(bool(odd))
+    os.environ |= {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+    asked: dict[str, set] = {kind: set() for kind in QUESTIONS}
+    odd = dict.fromkeys(QUESTIONS, 0)
+    started, told = time.monotonic(), 0
+    with ProcessPoolExecutor(given.processes, get_context("spawn")) as pool:
+        parts = parts_of(given.cases, given.only)
+        tasks = {pool.submit(compared, given.seed, part): part[0] for part in parts}
+        for task in as_completed(tasks):
+            kind, (hashes, found) = tasks[task], task.result()
+            asked[kind] |= hashes
+            odd[kind] += len(found)
+            for one in found[: max(0, _TOLD - told)]:
+                print(readable(kind, *one), flush=True)
+            told += len(found)
+    total = _table(asked, odd)
+    print(f"seed {given.seed}, {time.monotonic() - started:.0f} s, {given.processes} processes")
+    if total < given.cases:
+        print(f"These are {total} different questions; expected {given.cases} at least.")
+    sys.exit(bool(any(odd.values()) or total < given.cases))
+
+
+def _table(asked: dict[str, set], odd: dict[str, int]) -> int:
+    """Print how many questions each checker was asked; their sum."""
+    row = "{:10} {:>9} {:>16}".format
+    print(row("checker", "questions", "different words"))
+    counted = {
+        checker: (sum(len(asked[kind]) for kind in kinds), sum(odd[kind] for kind in kinds))
+        for checker, kinds in CHECKERS.items()
+    }
+    for checker, numbers in counted.items():
+        print(row(checker, *numbers))
+    total = sum(count for count, _ in counted.values())
+    print(row("all", total, sum(odd.values())), flush=True)
+    return total
 
 
 if __name__ == "__main__":

@@ -106,6 +106,18 @@ def test_no_markup_is_left_unrendered(name):
     assert not re.search(r"```\{", body)
 
 
+@every_page
+def test_figures_are_called_by_their_numbers(name):
+    """A chapter writes them out, for JupyterLab; `tools/refresh.py` keeps them."""
+    text = (HTML / f"{name}.html").read_text(encoding="utf-8")
+    for place, figure, number in re.findall(
+        r'href="([\w.]*)#(fig-[\w-]+)">(?:<span[^>]*>)?Fig\. ([\d.]+)<', text
+    ):
+        other = (HTML / (place or f"{name}.html")).read_text(encoding="utf-8")
+        shown = re.search(rf'(?s)id="{figure}".*?class="caption-number">Fig\. ([\d.]+) ?<', other)
+        assert shown[1] == number, f"{figure} is figure {shown[1]}: `make refresh`"
+
+
 def test_the_stylesheets_load_nothing_from_elsewhere():
     for sheet in HTML.rglob("*.css"):
         for url in re.findall(r"url\(['\"]?([^'\")]+)", sheet.read_text(encoding="utf-8")):

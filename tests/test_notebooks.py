@@ -12,7 +12,7 @@ from statistics import median
 import nbformat
 import pytest
 
-from tools.refresh import dress
+from tools.refresh import dress, figure_numbers, number_figures
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 PICTURES = {"image/svg+xml", "image/png", "image/jpeg"}
@@ -148,6 +148,20 @@ def test_cells_that_only_draw_and_solutions_are_folded(path):
     notebook = read(path)
     dress(notebook)
     assert notebook == read(path), f"say: python tools/refresh.py {path.name}"
+
+
+@every_notebook
+def test_figures_are_called_by_their_numbers(path):
+    notebook = read(path)
+    number_figures(notebook, figure_numbers(path.parent))
+    assert notebook == read(path), f"say: python tools/refresh.py {path.name}"
+
+
+def test_a_link_says_the_figures_number_and_leaves_what_it_does_not_know():
+    text = "[Fig. 1.1](#fig-a), [Fig. 1.1](#fig-b), [as drawn](#fig-a)"
+    cell = nbformat.v4.new_markdown_cell(text)
+    number_figures(nbformat.v4.new_notebook(cells=[cell]), {"fig-a": "2.10"})
+    assert cell.source == text.replace("1.1", "2.10", 1)
 
 
 def test_what_is_folded():

@@ -14,6 +14,7 @@ import nbformat
 from sphinx.application import Sphinx
 
 from tools.address import pages
+from tools.refresh import FIGURE
 
 BLOCK = re.compile(r"(?ms)^(`{3,}|:{3,})\{([\w-]+)\}[ \t]*([^\n]*)\n(.*?)^\1[ \t]*$\n?")
 OPTION = re.compile(r"(?m)\A(?::([\w-]+):[ \t]*([^\n]*)\n)+\s*")
@@ -83,6 +84,7 @@ ROLES: dict[str, Callable[[Book, str, str], str]] = {
 def plain(text: str, book: Book) -> str:
     """Markdown that any reader shows, from the book's own."""
     text = BLOCK.sub(lambda block: _block(block[2], block[3], block[4], book), text)
+    text = FIGURE.sub(lambda link: book.figure(link[1]), text)
     text = EQUATION.sub(lambda label: rf"\tag{{{book.equation_number(label[1])}}}$$", text)
     return ROLE.sub(lambda role: _role(role, book), TARGET.sub("", text))
 

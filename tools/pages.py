@@ -18,13 +18,18 @@ from sphinx.application import Sphinx
 from sphinx.highlighting import PygmentsBridge
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
+from sphinx_exercise.nodes import exercise_enumerable_node, exercise_node, solution_node
 
 from helpers import robots
 from helpers.explorer import ArmExplorer, judge
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
 LINE = 25  # signs of a formula that any phone has room for
-AFTER = re.compile(r"[.,;:!?)\]’”]+(?!\w)")
+UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
+MEASURED = re.compile(rf"(?<=\d) (?={UNIT})")
+AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
+SPACE = "\N{NO-BREAK SPACE}"
+TIME = re.compile(r"(.*\S) \(([^()]+)\)")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
 
 
@@ -134,25 +139,57 @@ def fold(box: nodes.Element) -> None:
 
 
 def keep_together(formula: nodes.math) -> None:
-    """No line begins with the comma behind a formula, unless it may be as long as a line."""
+    """No line begins with the unit or the comma behind a formula, unless it may be as long as a
+    line."""
     if len(SIGN.findall(formula.astext())) > LINE:
         return
     after = formula.next_node(descend=False, siblings=True)
-    if not isinstance(after, nodes.Text) or not (mark := AFTER.match(after)):
+    if not isinstance(after, nodes.Text) or not (mark := AFTER.match(after)) or not mark[0]:
         return
-    both = nodes.inline("", "", formula.deepcopy(), nodes.Text(mark[0]), classes=["together"])
+    behind = nodes.Text(mark[0].replace(" ", SPACE))
+    both = nodes.inline("", "", formula.deepcopy(), behind, classes=["together"])
     after.parent.replace(after, nodes.Text(after[mark.end() :]))
     formula.replace_self(both)
 
 
+def keep_units(text: nodes.Text) -> None:
+    """No line begins with the unit of a number."""
+    if isinstance(text.parent, nodes.literal | nodes.FixedTextElement | nodes.math):
+        return
+    kept = MEASURED.sub(SPACE, text).replace("N m", f"N{SPACE}m")
+    if kept != text:
+        text.parent.replace(text, nodes.Text(kept))
+
+
+def say_plainly(title: nodes.title) -> None:
+    """An exercise's title without the brackets that sphinx_exercise puts about it: its time, which
+    stands in brackets too, follows quietly; that of a solution has been read already."""
+    first = title.next_node(lambda n: isinstance(n, nodes.Text) and n == " (")
+    if first is None:
+        return
+    of, last = first.parent, first.parent[-2]
+    solution = of is not title
+    of.remove(of[-1])
+    of.replace(first, nodes.Text(": " if solution else " "))
+    if isinstance(last, nodes.Text) and (timed := TIME.fullmatch(last)):
+        time = [] if solution else [nodes.inline("", f", {timed[2]}", classes=["time"])]
+        of.replace(last, [nodes.Text(timed[1]), *time])
+
+
 def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
-    """Fold what is to be folded, keep formulas and their commas together, and give tables a box."""
+    """Fold what is to be folded, keep formulas and numbers with what follows them, and give tables
+    a box."""
+    for title in list(doctree.findall(nodes.title)):
+        if isinstance(title.parent, exercise_node | exercise_enumerable_node | solution_node):
+            say_plainly(title)
     for box in list(
         doctree.findall(lambda n: "dropdown" in getattr(n, "attributes", {}).get("classes", ()))
     ):
         fold(box)
     for formula in list(doctree.findall(nodes.math)):
         keep_together(formula)
+    for text in list(doctree.findall(nodes.Text)):
+        keep_units(text)
     for table in list(doctree.findall(nodes.table)):
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
 

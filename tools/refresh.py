@@ -13,6 +13,7 @@ KERNEL = {
     "language_info": {"name": "python"},
 }
 WIDGET = "application/vnd.jupyter.widget-view+json"
+FIGURE = re.compile(r"\[Fig\. [\d.]+\]\(#(fig-[\w-]+)\)")
 
 
 def dress(notebook: nbformat.NotebookNode) -> None:
@@ -37,6 +38,28 @@ def draws_only(cell: nbformat.NotebookNode) -> bool:
     return "figure" in cell.metadata.get("mystnb", {}) and not says
 
 
+def figure_numbers(folder: Path) -> dict[str, str]:
+    """The numbers that the built book gives the chapters' figures."""
+    numbers = {}
+    for path in sorted(folder.glob("[0-9][0-9]_*.ipynb")):
+        cells = nbformat.read(path, as_version=4).cells
+        figures = [cell.metadata.get("mystnb", {}).get("figure") for cell in cells]
+        for place, figure in enumerate(filter(None, figures), start=1):
+            numbers[figure.get("name")] = f"{int(path.name[:2])}.{place}"
+    return numbers
+
+
+def number_figures(notebook: nbformat.NotebookNode, numbers: dict[str, str]) -> None:
+    """Write figures' numbers into the links to them: JupyterLab cannot count them."""
+
+    def link(found: re.Match) -> str:
+        return f"[Fig. {numbers[found[1]]}](#{found[1]})" if found[1] in numbers else found[0]
+
+    for cell in notebook.cells:
+        if cell.cell_type == "markdown":
+            cell.source = FIGURE.sub(link, cell.source)
+
+
 def refresh(path: Path) -> None:
     """Run one notebook in its own folder and write it back, its metadata as in every other one."""
     notebook = nbformat.read(path, as_version=4)
@@ -53,6 +76,7 @@ def refresh(path: Path) -> None:
             if "metadata" in output:
                 output["metadata"] = {}
     dress(notebook)
+    number_figures(notebook, figure_numbers(path.parent))
     nbformat.write(notebook, path)
 
 

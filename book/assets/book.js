@@ -2,7 +2,9 @@
 const unset = new Set(), near = new Map(); // near: how far from the middle of the screen they were
 let setting;
 
-function few(formulas, characters = 40) {
+// Before anybody reads, the page must stay quick; who reads on waits for formulas.
+function few(formulas) {
+  let characters = "fresh" in document.documentElement.dataset ? 40 : 120;
   const ends = formulas.findIndex((formula) => (characters -= formula.textContent.length + 20) < 0);
   return formulas.slice(0, ends < 0 ? formulas.length : Math.max(ends, 1));
 }
@@ -107,12 +109,16 @@ function share(box) {
   return box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1;
 }
 
-// Checks that hold: each begins at the edge, and what does not fit its line goes on further in.
+// Checks that hold stand out, among other lines too: each begins at the edge, and what does not fit its line goes on
+// further in. A unit stays with its number.
 function proven(output) {
-  output.classList.add("proof");
   for (const text of output.querySelectorAll("pre")) {
     const lines = text.textContent.trimEnd().split("\n");
-    text.replaceChildren(...lines.map((line) => Object.assign(document.createElement("span"), { textContent: `${line}\n` })));
+    text.replaceChildren(...lines.map((line) => {
+      const holds = line.startsWith("✔"), textContent = `${line}\n`;
+      if (!holds) return Object.assign(document.createElement("span"), { textContent });
+      return Object.assign(document.createElement("span"), { className: "holds", textContent: textContent.replaceAll("N m", "N\u00a0m") });
+    }));
   }
 }
 
@@ -183,8 +189,10 @@ document.addEventListener("DOMContentLoaded", () => {
   each("div.cell_output", (output) => {
     const texts = [...output.querySelectorAll("pre")].map((pre) => pre.textContent.trim());
     const lines = texts.join("\n").split("\n");
-    if (lines.every((line) => line.startsWith("✔"))) proven(output);
-    else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(texts.join("\n"))) output.classList.add("columns");
+    const told = lines.filter((line) => !line.startsWith("✔"));
+    if (!told.length) output.classList.add("proof");
+    else if (/\S {2,}\S.*\n.*\S {2,}\S/.test(told.join("\n"))) output.classList.add("columns");
+    if (told.length < lines.length) proven(output);
   });
 
   each("div.cell_input .highlight, div[class*='highlight-python'] > .highlight", (code) => {

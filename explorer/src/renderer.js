@@ -118,6 +118,7 @@ export class Figure {
     this.points = null;
     this.width = 0; // the host's size, kept: asking for it lays the page out
     this.height = 0;
+    this.foot = () => 0; // how high (CSS pixels) the buttons at the picture's foot stand
     this.canvas = document.createElement("canvas");
     this.canvas.figure = this;
     this.context = this.canvas.getContext("2d");
@@ -218,10 +219,11 @@ export class Figure {
     this.onDraw(this);
   }
 
-  // Stand where all these points are in view.
+  // Stand where all these points are in view, above the buttons at the picture's foot.
   fit(points) {
     this.points = points;
     const { camera, controls, size } = this;
+    const foot = Math.min(0.2, this.foot() / (this.height || Infinity));
     const held = points.map((p) => new Vector3(...p));
     new Box3().setFromPoints(held).getCenter(controls.target);
     camera.position.copy(controls.target).addScaledVector(this.look, 3 * size);
@@ -232,11 +234,13 @@ export class Figure {
       camera.updateMatrixWorld();
       const { min, max } = new Box3().setFromPoints(held.map((p) => p.clone().project(camera)));
       const away = camera.position.clone().sub(controls.target);
+      const lift = Math.max(0, Math.min(foot, (max.y - min.y) / 2 - 1 + 2 * foot));
       const half = away.length() * Math.tan((camera.fov * Math.PI) / 360);
       const [right, up] = [0, 1].map((i) => new Vector3().setFromMatrixColumn(camera.matrixWorld, i));
       controls.target.addScaledVector(right, ((min.x + max.x) / 2) * half * camera.aspect);
-      controls.target.addScaledVector(up, ((min.y + max.y) / 2) * half);
-      away.multiplyScalar(Math.max((max.x - min.x) / 2, (max.y - min.y) / 2) / 0.81);
+      controls.target.addScaledVector(up, ((min.y + max.y) / 2 - lift) * half);
+      const [wide, high] = [(max.x - min.x) / 2 / 0.81, (max.y - min.y) / 2 / Math.min(0.81, 0.96 - foot)];
+      away.multiplyScalar(Math.max(wide, high));
       camera.position.copy(controls.target).add(away);
     }
     controls.update();

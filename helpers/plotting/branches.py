@@ -45,8 +45,8 @@ def shoulder_triangles(
             ((2 * foot + 3 * point) / 5, letters[1], across),
         ):
             x, y = spot + 0.07 * far * way_off
-            ax.text(x, y, text, color=colour, ha="center", va="center")
-        ax.text(1.3 * foot[0], 1.3 * foot[1], name, color=colour, ha="center", va="center")
+            ax.text(x, y, text, ha="center", va="center")
+        ax.text(*1.3 * foot, name, ha="center", va="center")
     ax.plot(0, 0, "o", color=SLATE, ms=7)
     ax.plot(*point, "*", color=RED, ms=11)
     ax.set_aspect("equal")
@@ -158,4 +158,4 @@ def regions(
         inside = (which == value).astype(float)
         ax.contourf(x, y, inside, levels=[0.5, 1.5], colors=[colour], alpha=0.45, hatches=[hatch])
         key.append(Patch(facecolor=colour, alpha=0.45, hatch=hatch, label=name))
-    ax.legend(handles=key, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    ax.legend(handles=key, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)

@@ -31,9 +31,11 @@ def torques(
         axes.flat, arm.joints, np.transpose(tau), arm.effort_limits, strict=False
     ):
         # A joint that gravity leaves alone has a torque of 1e-17 N m or so, which must not set the
-        # scale.
+        # scale; nor must a thousandth of what the motor can give.
         ax.plot(t[some], values[some].round(9) + 0.0, label=label, **{"color": BLUE, **line})
         ax.set(title=f"joint {i} (limit ±{limit:g})", ylabel="N m")
+        if np.isfinite(limit):
+            _at_least(ax, 1e-3 * limit)
         if limits and np.isfinite(limit):
             ax.axhspan(-limit, limit, color=GREEN, alpha=0.12, lw=0)
             for end in (-limit, limit):
@@ -42,16 +44,23 @@ def torques(
         time_axis(ax)
 
 
+def _at_least(ax: Axes, span: float) -> None:
+    """Widen what an axes shows to `span`, on both sides alike."""
+    low, high = ax.get_ylim()
+    if high - low < span:
+        ax.set_ylim((low + high - span) / 2, (low + high + span) / 2)
+
+
 def pen_and_wall(ax: Axes) -> None:
     """The free body that settles the sign: the pen cut loose from the wall, each pushing the
     other."""
-    ax.fill_between([1.0, 1.3], -0.5, 0.5, color=SKY, alpha=0.35, lw=0)
+    ax.fill_between([1.0, 1.8], -0.42, 0.42, color=SKY, alpha=0.35, lw=0)
     ax.plot([-0.2, 0.7], [0, 0], color=GREY, lw=9, solid_capstyle="round")
-    arrow_2d(ax, (0.72, 0.16), (-0.45, 0), RED)
-    arrow_2d(ax, (1.02, -0.16), (0.45, 0), BLUE)
-    ax.text(0.2, 0.3, "the wall on the pen\n$F = (-5, 0, 0)$ N", color=RED, ha="center")
-    ax.text(1.15, -0.42, "the pen on the wall\n$(+5, 0, 0)$ N", color=BLUE, ha="center")
-    ax.text(-0.15, -0.12, "pen", ha="center", va="top")
-    ax.text(1.15, 0.4, "wall", ha="center")
-    ax.set(xlim=(-0.4, 1.7), ylim=(-0.55, 0.55), aspect="equal")
+    arrow_2d(ax, (0.72, 0.14), (-0.45, 0), RED)
+    arrow_2d(ax, (1.02, -0.06), (0.45, 0), BLUE)
+    ax.text(0.3, 0.2, "the wall on the pen\n$F = (-5, 0, 0)$ N", color=RED, ha="center")
+    ax.text(1.4, -0.33, "the pen on the wall\n$(+5, 0, 0)$ N", color=BLUE, ha="center")
+    ax.text(-0.15, -0.08, "pen", ha="center", va="top")
+    ax.text(1.4, 0.28, "wall", ha="center")
+    ax.set(xlim=(-0.3, 1.82), ylim=(-0.44, 0.44), aspect="equal")
     ax.set_axis_off()

@@ -133,20 +133,29 @@ def parse(text: str, what: str = "the formula") -> Tree:
     """The tree of one formula; raises ArmError, quoting it, where it is none."""
     if len(text) > LONGEST:
         raise ArmError(f"{what} has {len(text)} characters; expected at most {LONGEST}")
-    tokens = _tokens(plain(text))
-    if tokens is None:
+    tree = _tree(plain(text))
+    if tree is None:
         raise ArmError(
             f"{what} is {shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )"
         )
-    try:
-        tree, rest = _sum(tokens, 0, 0)
-    except (IndexError, SyntaxError):
-        tree, rest = (), -1
-    if rest != len(tokens):
+    if not tree:
         raise ArmError(
             f"{what} is {shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'"
         )
     return tree
+
+
+@lru_cache(maxsize=1024)
+def _tree(text: str) -> Tree | None:
+    """The tree of a text in plain signs: empty where it is no formula, None where a sign is odd."""
+    tokens = _tokens(text)
+    if tokens is None:
+        return None
+    try:
+        tree, rest = _sum(tokens, 0, 0)
+    except (IndexError, SyntaxError):
+        return ()
+    return tree if rest == len(tokens) else ()
 
 
 def _tokens(text: str) -> list[tuple[str, str]] | None:

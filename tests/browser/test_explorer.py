@@ -365,7 +365,8 @@ POINTED = """(canvas) => {
     for (let y = 10; y < height; y += 32)
         for (let x = 10; x < width; x += 32) {
             canvas.dispatchEvent(new PointerEvent("pointermove", { clientX: left + x, clientY: top + y, bubbles: true }));
-            if (canvas.style.cursor === "pointer") found.push([x, y]);
+            const hit = canvas.getRootNode().elementFromPoint(left + x, top + y);
+            if (canvas.style.cursor === "pointer" && hit === canvas) found.push([x, y]);
         }
     return found;
 }"""
