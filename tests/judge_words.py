@@ -99,7 +99,7 @@ def _mistaken(rng, load: Load) -> np.ndarray:
     if what < 0.2:
         return right
     if what < 0.65:
-        made = catalogue(load)[1]
+        made = np.concatenate([catalogue(load, count)[1] for count in (1, 2)])
         return made[int(rng.integers(len(made)))]
     if what < 0.75:
         made = (reversed_joints(load, right) if rng.random() < 0.5 else paper_centres(load))[1]
@@ -240,11 +240,11 @@ def _in_page(options: dict) -> dict:
     return {names.get(key, key): value for key, value in options.items()}
 
 
-def different(questions: list[tuple[Arm, dict]]) -> list[tuple[dict, list, list]]:
-    """The questions to which the two do not say the same."""
+def different(questions: list[tuple[Arm, dict]]) -> Iterator[tuple[dict, list, list]]:
+    """The questions to which the two do not say the same, as they are found."""
     both = zip(questions, page_words(questions), strict=True)
     found = ((q, python_words(arm, q), theirs) for (arm, q), theirs in both)
-    return [(q, ours, theirs) for q, ours, theirs in found if ours != theirs]
+    return ((q, ours, theirs) for q, ours, theirs in found if ours != theirs)
 
 
 # Many, on all cores
@@ -266,7 +266,7 @@ def compared(seed: int, part: tuple[str, int, int]) -> tuple[set[str], list[tupl
     kind, number, size = part
     rng = np.random.default_rng([seed, list(QUESTIONS).index(kind), number])
     asked = questions(rng, size, kind)
-    return {_digest(arm, question) for arm, question in asked}, different(asked)
+    return {_digest(arm, question) for arm, question in asked}, [*different(asked)]
 
 
 def _digest(arm: Arm, question: dict) -> str:
