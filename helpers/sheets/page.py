@@ -186,7 +186,8 @@ def sections(arm: Arm, also: tuple[Arm, ...] = ()) -> list[Section]:
         Section(heading, question, "".join(answer(sheet, item, others) for item in items))
         for heading, question, items in found
     ]
-    return [Section("Table", _given(sheet, others), table(arm)), *answers]
+    masses = "".join(_masses(s) for s in (sheet, *others) if s.arm.bodies)
+    return [Section("Table", _given(sheet, others), table(arm) + masses), *answers]
 
 
 def markdown(
@@ -239,7 +240,10 @@ _ASSETS = (
     '<link rel="stylesheet" href="{root}/answers.css">'
     '<script defer src="{root}/answers.js"></script>\n'
 )
-_TOOLS = '<p class="answer-tools"></p>\n'
+# Buttons that hold the place of those that the script makes, so that nothing moves when it does.
+_WORDS = ("Open all answers", *(f"Copy all as {language}" for language in LANGUAGES))
+_BUTTONS = "".join(f'<button type="button" disabled>{words}</button>' for words in _WORDS)
+_TOOLS = f'<p class="answer-tools">{_BUTTONS}</p>\n'
 
 _ASK_LINKS = (
     "<p><strong>First try.</strong> Put each row of the table into <i>A<sub>i</sub></i> ="
@@ -328,8 +332,7 @@ def _given(sheet: Sheet, others: tuple[Sheet, ...]) -> str:
         lines.append(f"What is 0, here {', '.join(zero)}, is left out of the formulas.")
     lines.append(f"Numbers are given at {home} (rad; m where a joint slides), rounded.")
     lines.append(f"Short names: {_legend(sheet)}.")
-    masses = "".join(_masses(s) for s in (sheet, *others) if s.arm.bodies)
-    return "".join(f"<p>{line}</p>\n" for line in lines) + masses
+    return "".join(f"<p>{line}</p>\n" for line in lines)
 
 
 def _together(words: str) -> str:
