@@ -72,6 +72,14 @@ def test_axes_without_a_frame_reach_as_far_as_what_is_drawn_in_them():
     assert panels(ET.fromstring(figure(*two))) == [(20, 5, 190, 60), (220, 5, 390, 60)]
 
 
+def test_a_marker_is_as_large_as_it_is_drawn():
+    star = '<defs><path id="star" d="M -8 6L 8 -6"/></defs>'
+    put = '<use xlink:href="#star" x="190" y="180"/>'
+    svg = figure(axes(1, 10, 20, 190, 180, star + put), TWO[1])
+    svg = svg.replace("<svg ", '<svg xmlns:xlink="http://www.w3.org/1999/xlink" ')
+    assert panels(ET.fromstring(svg))[0] == (10, 20, 198, 186)
+
+
 def test_walls_a_twin_and_a_colour_bar_belong_to_their_panel():
     walls = '<g id="pane3d_1"><path d="M 205 10L 300 30" style="fill: #808080"/></g>'
     twin, bar = axes(3, 10, 20, 190, 180), axes(4, 192, 20, 200, 180, cut_to(192, 20, 198, 180))
@@ -127,6 +135,15 @@ def test_a_picture_stands_twice_and_says_its_size(tmp_path):
     assert re.findall('src="(.*?)"', html) == ["_images/b.svg", "_images/dark/b.svg"]
     assert html.count('alt="A &quot;b&quot;" width="533" height="267" loading="lazy"') == 2
     assert 'class="picture" style="width: 70%"' in html
+
+
+@pytest.mark.parametrize(
+    ("count", "wide", "kind"),
+    [(4, 150, "picture many small"), (3, 150, "picture many"), (4, 180, "picture many")],
+)
+def test_four_small_panels_or_more_stand_in_pairs(tmp_path, count, wide, kind):
+    parts = [axes(k, 200 * k, 20, 200 * k + wide, 180) for k in range(count)]
+    assert f'class="{kind}"' in shown(tmp_path, figure(*parts, wide=200 * count))
 
 
 def test_each_panel_is_a_window_on_the_whole(tmp_path):

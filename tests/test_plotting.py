@@ -476,6 +476,9 @@ def test_frames_that_share_an_arrow_share_its_name():
     _, ax = plt.subplots()
     frames(ax, PANDA, PANDA.home, (-60, 18), 0.1, [0, 7])
     assert texts(ax) == ["$x_{0}$", "$z_{0}$", "$x_{7}$", "$z_{7}$"]
+    _, ax = plt.subplots()
+    frames(ax, PANDA, PANDA.home, (-60, 18), 0.1, [0, 7], "x")
+    assert texts(ax) == ["$x_{0}$", "$x_{7}$"]
 
 
 AXES = [Axis((0, 0, 0), (0, 0, 1)), Axis((0, 0, 0.3), (0, 1, 0)), Axis((0, 0, 0.8), (0, 1, 0)),
@@ -485,11 +488,16 @@ AXES = [Axis((0, 0, 0), (0, 0, 1)), Axis((0, 0, 0.3), (0, 1, 0)), Axis((0, 0, 0.
 def test_axes_alone_have_their_names():
     _, ax = plt.subplots()
     axis_lines(ax, derive(AXES, (0.1, 0, 1)), (-60, 18), 0.2)
-    assert texts(ax) == ["$z_{0}$", "$z_{1}$", "$z_{2}$", "$z_{3}$"]
+    assert texts(ax) == ["$z_{0}$", "$z_{1}$", "$z_{2}$", "$z_{3,4}$"]
+    ends = [text.xy for text in ax.texts if text.get_text() == "$z_{0}$"]
+    assert ends[0][1] > seen([0, 0, 0.3], (-60, 18))[1], "beyond the axis that it meets"
     one_line = [AXES[0], Axis((0, 0, 0.5), (0, 0, 1))]
     _, ax = plt.subplots()
     axis_lines(ax, derive(one_line, (0, 0, 1)), (-60, 18), 0.2)
-    assert texts(ax) == ["$z_{0,1}$"]
+    assert texts(ax) == ["$z_{0,1,2}$"]
+    _, ax = plt.subplots()
+    axis_lines(ax, derive(one_line, np.diag([1, -1, -1, 1])), (-60, 18), 0.2)
+    assert texts(ax) == ["$z_{0,1}$"], "z_2 points the other way"
 
 
 @pytest.mark.parametrize(
@@ -522,7 +530,9 @@ def test_postures_have_one_scale_and_end_in_their_star():
     _, axes = plt.subplots(1, 2)
     poses = np.radians([[0, 90, 0], [0, 0, 0]])
     postures(axes, ELBOW, poses, ("up", "level"), "xz")
-    assert axes[0].get_xlim() == axes[1].get_xlim()
+    spans = [ax.get_xlim() for ax in axes]
+    np.testing.assert_allclose(np.diff(spans), np.full((2, 1), 0.7 + 0.24 * 1.2))
+    np.testing.assert_allclose(np.mean(spans, axis=1), [0, 0.35], err_msg="in the middle")
     assert axes[0].get_ylim() == axes[1].get_ylim()
     stars = [line.get_xydata()[0] for ax in axes for line in ax.lines if line.get_marker() == "*"]
     np.testing.assert_allclose(stars, [[0, 1.2], [0.7, 0.5]], atol=1e-12)

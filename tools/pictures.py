@@ -15,6 +15,7 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 SVG = "{http://www.w3.org/2000/svg}"
+LINK = "{http://www.w3.org/1999/xlink}"
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 INK = {
     "#0072b2",
@@ -70,14 +71,18 @@ def panels(root: ET.Element) -> list[Box]:
 
 
 def _clips(root: ET.Element) -> dict[str, Box]:
-    """The rectangles to which a drawing's parts are cut, by the words that ask for it."""
+    """The rectangles to which a drawing's parts are cut, by the words that ask for it, and the
+    boxes of its markers, which are drawn once and put in many places."""
+    marks = (path for defs in root.iter(f"{SVG}defs") for path in defs.iter(f"{SVG}path"))
+    boxes = {f"#{path.get('id')}": box for path in marks if (box := _box(path, {}))}
     rectangles = ((clip.get("id"), clip.find(f"{SVG}rect")) for clip in root.iter(f"{SVG}clipPath"))
     sides = {
         name: [float(rect.get(side)) for side in ("x", "y", "width", "height")]
         for name, rect in rectangles
         if rect is not None
     }
-    return {f"url(#{name})": (x, y, x + w, y + h) for name, (x, y, w, h) in sides.items()}
+    cuts = {f"url(#{name})": (x, y, x + w, y + h) for name, (x, y, w, h) in sides.items()}
+    return boxes | cuts
 
 
 def _is_bar(part: ET.Element, clips: dict[str, Box]) -> bool:
@@ -163,7 +168,9 @@ def _drawn(part: ET.Element, clips: dict[str, Box]) -> Iterator[tuple[float, flo
         numbers = [float(number) for number in NUMBER.findall(part.get("d", ""))]
         yield from zip(numbers[::2], numbers[1::2], strict=False)
     elif part.get("x"):
-        yield float(part.get("x")), float(part.get("y"))
+        x, y = float(part.get("x")), float(part.get("y"))
+        left, top, right, bottom = clips.get(part.get(f"{LINK}href", ""), (0, 0, 0, 0))
+        yield from ((x + left, y + top), (x + right, y + bottom))
     else:
         for child in part:
             yield from _points(child, clips)
@@ -244,7 +251,8 @@ def visit_image(translator, node) -> None:
         return type(translator).visit_image(translator, node)
     root = drawing(path)
     boxes = panels(root)
-    classes = " ".join(["picture", *(["many"] if boxes else []), *node["classes"]])
+    kinds = [*(["many"] if boxes else []), *(["small"] if _small(boxes) else [])]
+    classes = " ".join(["picture", *kinds, *node["classes"]])
     style = f' style="width: {node["width"]}"' if "width" in node else ""
     translator.body.append(f'<span class="{classes}"{style}>')
     for mode, folder in (("light", builder.imgpath), ("dark", f"{builder.imgpath}/dark")):
@@ -255,6 +263,12 @@ def visit_image(translator, node) -> None:
         translator.body += [_cut(mode, one, box, root) for one, box in cuts]
     translator.body.append("</span>")
     raise nodes.SkipNode
+
+
+def _small(boxes: list[Box]) -> bool:
+    """Whether there are so many panels, each so small, that two fit beside each other on a phone
+    with their words at no less than their own size."""
+    return len(boxes) > 3 and max(box[2] - box[0] for box in boxes) <= 170
 
 
 def _img(source: str, words: str, sides: tuple[int, int] | None) -> str:

@@ -63,6 +63,7 @@ export class ArmPicture {
     this.frames = null;
     /** @type {boolean[]} */
     this.drawn = []; // which frames have their axes drawn
+    this.first = options.first ?? 0; // the number of the first of them
     this.shown = /** @type {any} */ ({});
   }
 
@@ -180,7 +181,7 @@ export class ArmPicture {
       for (const axis of ["x", "z"]) {
         const tip = plus(frame.o, scaled(1.22 * length, frame[axis]));
         const key = axis + tip.map((v) => Math.round((v / this.size) * 500)).join();
-        const indices = [...(shared.get(key)?.indices ?? []), i];
+        const indices = [...(shared.get(key)?.indices ?? []), i + this.first];
         shared.set(key, { tip, root: frame.o, letter: axis, index: indices.join(",") });
       }
     });

@@ -39,7 +39,7 @@ def dh_numbers(
     ax.set_axis_off()
     ax.set_proj_type("ortho")
     ax.set(xlim=(-0.3, 1.5), ylim=(-0.5, 1.4), zlim=(-0.1, 1.9))
-    ax.set_box_aspect((1.8, 1.9, 2.0), zoom=1.18)
+    ax.set_box_aspect((1.8, 1.9, 2.0), zoom=1.2)
     ax.view_init(elev=22, azim=-27)
 
 
@@ -63,13 +63,17 @@ def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str, 
     start = np.stack([frame[:3, 3], frame[:3, 3] + 1.25 * radius * frame[:3, 0]])
     ax.plot(*start.T, color=_COLOURS[name], lw=1.2, ls="--")
     ax.plot(*ring, color=_COLOURS[name], lw=2.2)
-    middle = frame[:3, 3] + 1.22 * radius * frame[:3, :2] @ [np.cos(angle / 2), np.sin(angle / 2)]
+    middle = frame[:3, 3] + 1.3 * radius * frame[:3, :2] @ [np.cos(angle / 2), np.sin(angle / 2)]
     ax.text(*middle, text, color=_COLOURS[name], fontsize=14, ha="center", va="center")
 
 
 def _arrows(ax: Axes3D, frame: np.ndarray, index: str, length: float) -> None:
-    for name, axis, away in (("x", frame[:3, 0], 0.22), ("z", frame[:3, 2], 0.1)):
-        ax.quiver(*frame[:3, 3], *length * axis, color="black", lw=1.6, arrow_length_ratio=0.15)
+    for name, axis, away in (
+        ("x", frame[:3, 0], 0.12 if index == "i" else 0.3),
+        ("z", frame[:3, 2], 0.1),
+    ):
+        look = dict(color="black", lw=1.6, arrow_length_ratio=0.15, clip_on=False)
+        ax.quiver(*frame[:3, 3], *length * axis, **look)
         tip = frame[:3, 3] + (length + away) * axis
         text, side = f"${name}_{{{index}}}\\;\\;$", "right" if name == "z" else "center"
         ax.text(*tip, text, fontsize=14, ha=side)

@@ -179,15 +179,20 @@ _DEGREES = "a finite angle in degrees"
 
 
 def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
-    """Draw the joint axes of a derivation as dash-dotted lines of a length (m), each through the
-    point where its frame will stand, with an arrow and its name."""
+    """Draw the joint axes of a derivation as dash-dotted lines, a length (m) longer than what the
+    table uses of them, each with an arrow and its name; z_n of the tip shares its axis' line."""
     must_be(found, Derivation, "found")
     number(length, "length", "a finite length > 0 in m", above=0)
     shared = defaultdict(list)
     for k, (line, frame) in enumerate(zip(found.lines, found.frames, strict=False)):
         foot = line.point - (line.point @ line.z) * line.z
-        along = [float(point @ line.z) for point in (line.point, frame[:3, 3])]
+        used = [line.point, frame[:3, 3], found.steps[k].normal[0]]
+        along = [float(point @ line.z) for point in used]
         shared[tuple(np.round([*foot, *line.z], 6) + 0.0)].append((k, along))
+    last = found.steps[-1]
+    if last.case == "coincident" and not last.opposite:
+        next(reversed(shared.values())).append((last.number, []))
+    middle = seen([line.point for line in found.lines], view)[:, 0].mean()
     for where, group in shared.items():
         foot, z = np.array(where[:3]), np.array(where[3:])
         used = [value for _, along in group for value in along]
@@ -195,7 +200,9 @@ def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
         start, end = seen(ends, view)[:, :2]
         ax.plot(*np.stack([start, end], axis=1), color=BLUE, lw=1, ls=_DASHED, zorder=4)
         name = f"$z_{{{','.join(str(k) for k, _ in group)}}}$"
-        _arrow(ax, end - 0.01 * (end - start), end, BLUE, name)
+        outwards = 16 if end[0] < middle else -16
+        side = outwards if len(group) > 1 else 0  # a long name stands beside its arrow
+        _arrow(ax, end - 0.01 * (end - start), end, BLUE, name, side)
     bare(ax)
 
 
@@ -206,8 +213,11 @@ def _arrow(ax: Axes, start: Array, end: Array, colour: str, text: str, side: flo
     step = end - start
     way = step / max(float(np.linalg.norm(step)), 1e-12)
     place = 2 * way + side * np.array([-way[1], way[0]]) if side else 9 * way
-    ax.annotate(text, tuple(end), xytext=tuple(place), textcoords="offset points", color=colour,
-                ha="center", va="center", zorder=7)  # fmt: skip
+    ax.annotate(
+        text, tuple(end), xytext=tuple(place), textcoords="offset points", color=colour,
+        ha="center", va="center", zorder=7,
+        bbox=dict(facecolor="white", edgecolor="none", alpha=0.7, pad=0.3),
+    )  # fmt: skip
     ax.update_datalim([start, end + 0.35 * step])
 
 
@@ -218,22 +228,26 @@ def frames(
     view: View,
     length: float,
     which: Iterable[int] | None = None,
+    names: str = "xz",
 ) -> None:
-    """Draw the frames of an arm at q, shape (dof,), all or those asked for, as arrows x and z of a
-    length (m) with their names; arrows that coincide share one."""
+    """Draw the frames of an arm at q, shape (dof,), all or those asked for, as arrows x and z (or
+    one of them) of a length (m) with their names; arrows that coincide share one."""
     T = pose_frames(arm, q)
     number(length, "length", "a finite length > 0 in m", above=0)
     shared = defaultdict(list)
     for i in range(len(T)) if which is None else listed(which, "which", _INDICES):
         if whole(i, "which") >= len(T):
             raise ArmError(f"which holds {i}; expected {_INDICES}, here 0 to {len(T) - 1}")
-        for name, axis in (("x", T[i, :3, 0]), ("z", T[i, :3, 2])):
+        for name in names:
+            axis = T[i, :3, "xyz".index(name)]
             shared[name, *np.round([*T[i, :3, 3], *axis], 6) + 0.0].append(i)
     for (name, *place), same in shared.items():
         start, axis = np.array(place[:3]), np.array(place[3:])
         ends = seen([start, start + length * axis], view)[:, :2]
         text = f"${name}_{{{','.join(map(str, same))}}}$"
-        _arrow(ax, ends[0], ends[1], AXIS_COLOURS[name], text, 10)
+        partner = T[same[0], :3, 2 if name == "x" else 0]
+        side = _away(axis, partner, view, 10)
+        _arrow(ax, ends[0], ends[1], AXIS_COLOURS[name], text, side)
 
 
 _INDICES = "numbers of frames"
@@ -252,7 +266,8 @@ def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
         colour = "black" if row in which else SLATE
         ends = seen([start, end], view)[:, :2]
         ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
-        side = {"z": 0, "x": 9 if row in which else -8}[name]
+        frame = step.frame if row in which else step.before
+        side = _away(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
         _arrow(ax, ends[1] - 0.01 * (ends[1] - ends[0]), ends[1], colour, text, side)
     for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
         ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
@@ -260,6 +275,12 @@ def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
     ax.set(xlim=middle[0] + half * _SPAN, ylim=middle[1] + half * _SPAN)
     ax.set_title(f"row {row}", fontsize=10)
     bare(ax)
+
+
+def _away(axis: Array, other: Array, view: View, side: float) -> float:
+    """To which side of an axis (pt, left is positive) its name is clear of another axis."""
+    one, two = seen([axis, other], view)[:, :2]
+    return -side if one[0] * two[1] > one[1] * two[0] else side
 
 
 _DASHED = (0, (8, 3, 2, 3))
@@ -306,21 +327,22 @@ def _line(found: Derivation) -> Array:
 def postures(
     axes: Iterable[Axes], arm: Arm, poses: ArrayLike, titles: Iterable[str], view: View
 ) -> None:
-    """Draw an arm in several poses, shape (k, dof), each as a line with dots at its joints, on axes
-    of its own and all at one scale; a star marks the tip."""
+    """Draw an arm in several poses, shape (k, dof), each as a line with dots at its joints, in the
+    middle of axes of its own and all at one scale; a star marks the tip."""
     must_be(arm, Arm, "arm")
     poses = numbers(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
     T = [pose_frames(arm, q) for q in poses]
     lines = [seen(skeleton(arm, frames_of_q), view)[:, :2] for frames_of_q in T]
     low, high = np.vstack(lines).min(axis=0), np.vstack(lines).max(axis=0)
-    rim = 0.1 * float((high - low).max())
-    limits = np.stack([low - rim, high + rim], axis=1)
+    rim = 0.12 * float((high - low).max())
+    half = max(np.ptp(line[:, 0]) for line in lines) / 2 + rim
     origins = [i - 1 for i in arm.joints]
     for ax, pose, line, title in zip(axes, T, lines, titles, strict=True):
         _ground(ax, line[0], rim)
         ax.plot(*line.T, color=GREY, lw=4, solid_joinstyle="round", zorder=2)
         ax.plot(*seen(pose[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3)
         ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)
-        ax.set(xlim=limits[0], ylim=limits[1])
+        middle = (line[:, 0].min() + line[:, 0].max()) / 2
+        ax.set(xlim=(middle - half, middle + half), ylim=(low[1] - rim, high[1] + rim))
         ax.set_title(title, fontsize=9)
         bare(ax)

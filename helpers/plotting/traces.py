@@ -117,7 +117,7 @@ def _panel(
     drawn = f'<animate attributeName="stroke-dashoffset" values="{hidden}" {repeat}/>'
     moved = f'<animate attributeName="points" values="{";".join(poses)}" {repeat}/>'
     return (
-        f'<text x="{left}" y="300" font-size="13">{plane[0]}–{plane[1]} plane</text>'
+        f'<text x="{left}" y="302" font-size="19">{plane[0]}–{plane[1]} plane</text>'
         f'<polyline points="{path}" {look} stroke="{GREY}" stroke-width="1" stroke-dasharray="3'
         ' 3"/>'
         f'<g class="moving"><polyline points="{poses[0]}" {arm}>{moved}</polyline>'

@@ -29,6 +29,7 @@ export function row(host, spec) {
   let share = 4;
   const live = makeLive(host, spec, {
     hold: false,
+    first: (spec.row ?? 1) - 1,
     state: { frames: "all" },
     words: ({ arm }) => {
       const { theta, d, a, alpha } = arm.rows[0];

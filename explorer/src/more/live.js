@@ -28,7 +28,7 @@ let drags = 0;
  * @param {any} spec options of the figure: arm, q, joints (numbers of those that get a lever)
  * @param {{ state?: object, hold?: boolean, words: (state: any, derived: any) => string, side?: HTMLElement[] }} made
  */
-export function makeLive(host, spec, { state = {}, hold = true, words, side = [] }) {
+export function makeLive(host, spec, { state = {}, hold = true, words, side = [], first = 0 }) {
   const abort = new AbortController();
   const { signal } = abort;
   const arm = typeof spec.arm === "object" ? spec.arm : armOf(spec.arm);
@@ -53,6 +53,7 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   let picture = null;
   try {
     picture = new ArmPicture(stage, labels, {
+      first,
       onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
     });
     if (hold) makeGrabbable(picture, store, { grip, goTo: (q) => store.dispatch({ type: "glide", q }) });
