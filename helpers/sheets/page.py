@@ -74,7 +74,7 @@ def _formula(sheet: Sheet, item: Item) -> str:
         return _matrix(title(item), [[_spans(entry) for entry in row] for row in entries])
     lines = [
         f"<p>{label} = {_spans(entry)}</p>"
-        for label, entry in zip(_labels(item), chain(*entries), strict=True)
+        for label, entry in zip(_labels(sheet, item), chain(*entries), strict=True)
     ]
     return f'<div class="entries">{"".join(lines)}</div>\n'
 
@@ -104,12 +104,14 @@ def _spans(entry: list[str]) -> str:
     return " ".join(f"<span>{term}</span>" for term in entry)
 
 
-def _labels(item: Item) -> list[str]:
-    """The names of its entries: by row and column, by component, or the number's own."""
+def _labels(sheet: Sheet, item: Item) -> list[str]:
+    """The names of its entries: by row and column, by component, by joint, or the number's own."""
     name, (rows, columns) = title(item), item.value.shape
     if item.is_number:
         return [name]
-    name = {"J": name, "G": "<i>g</i>"}.get(item.name, f"({name})")
+    if item.name == "G":
+        return [f"<i>g</i><sub>{joint}</sub>" for joint in sheet.arm.joints]
+    name = name if item.name == "J" else f"({name})"
     if not item.is_matrix:
         return [f"{name}<sub>{programs.component(item, i + 1)}</sub>" for i in range(rows)]
     return [f"{name}<sub>{i + 1}{k + 1}</sub>" for i in range(rows) for k in range(columns)]
