@@ -42,9 +42,16 @@ book: $(BOOK) ## build the book and say where it is
 	@echo "The book: $(CURDIR)/$(BOOK)"
 	@echo "file://$(CURDIR)/$(BOOK)"
 
-# In the order in which they are found, browser first: by the number of their tests, the longest files would come last.
-test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and the built book's
-	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+# The book is built while the tests are installed and the notebooks run; what looks at it waits for this file, which
+# says how that ended. Files go in the order given: by the number of their tests, the longest would come last.
+BUILT := book/_build/built
+
+test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built book's
+	@mkdir -p $(dir $(BUILT)) && rm -f $(BUILT)
+	{ $(MAKE) --no-print-directory book; echo $$? > $(BUILT); } & \
+	$(MAKE) --no-print-directory $(BIN)/.installed-dev && \
+	BUILT=$(BUILT) $(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS) tests; \
+	tests=$$?; wait; exit $$((tests + $$(cat $(BUILT))))
 
 # Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails

@@ -38,6 +38,7 @@ _SIGNS = (
 _ANGLES = {"°": "*pi/180", "deg": "*pi/180", "rad": ""}
 _LENGTHS = {"mm": "/1000", "cm": "/100", "m": ""}
 
+_PLAIN = 1e15  # a number below is its own float, as nearly every entry is
 _LONGEST = 200  # characters, so that no formula is nested deeper than Python can follow
 
 
@@ -122,8 +123,11 @@ def _converted(term: str, unit: re.Pattern[str], units: Mapping[str, str]) -> st
 def names(text: Entry, what: str = "the entry") -> frozenset[str]:
     """The symbols of an entry, `pi` not counted."""
     text = text if isinstance(text, str) else entry(text, what)
-    if not isinstance(text, str):
-        return frozenset()
+    return _names(text, what) if isinstance(text, str) else frozenset()
+
+
+@cache
+def _names(text: str, what: str) -> frozenset[str]:
     return frozenset(n.id for n in ast.walk(_parse(text, what)) if isinstance(n, ast.Name)) - {"pi"}
 
 
@@ -133,11 +137,12 @@ def evaluate(text: Entry, values: Mapping[str, float]) -> float:
     Raises ArmError where a symbol has no value, or the formula divides by zero or is too large.
     """
     must_be(values, Mapping, "values")
+    if type(text) in (int, float) and abs(text) < _PLAIN:  # type: ignore[arg-type]
+        return float(text)
     text = text if isinstance(text, str) else entry(text, "the entry")
-    known = {**values, "pi": math.pi}
     try:
         found = float(
-            _evaluate(_parse(text, "the entry"), known) if isinstance(text, str) else text
+            _evaluate(_parse(text, "the entry"), values) if isinstance(text, str) else text
         )
     except ArithmeticError:
         found = math.nan
@@ -187,9 +192,11 @@ _ALLOWED = (ast.Name, ast.Load, ast.BinOp, ast.UnaryOp, *_BINARY, *_UNARY)
 
 def _evaluate(node: ast.expr, values: Mapping[str, float]) -> float:
     match node:
+        case ast.Name("pi"):
+            return math.pi
         case ast.Name(name):
             if name not in values:
-                raise ArmError(f"no value for {name}; there are {', '.join(values)}")
+                raise ArmError(f"no value for {name}; there are {', '.join([*values, 'pi'])}")
             return values[name]
         case ast.UnaryOp(op, operand):
             return _UNARY[type(op)](_evaluate(operand, values))

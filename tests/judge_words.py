@@ -99,7 +99,7 @@ def _mistaken(rng, load: Load) -> np.ndarray:
     if what < 0.2:
         return right
     if what < 0.65:
-        made = catalogue(load)[1]
+        made = np.concatenate([catalogue(load, count)[1] for count in (1, 2)])
         return made[int(rng.integers(len(made)))]
     if what < 0.75:
         made = (reversed_joints(load, right) if rng.random() < 0.5 else paper_centres(load))[1]

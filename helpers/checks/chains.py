@@ -118,8 +118,14 @@ def columns(
     own = points[..., usual + 1, :]
     arm = {"tip - o": tip - o, "tip": tip + 0 * o, "o": o, "link": own - o}[lever]
     turns = (chain.turning | (not slides))[:, None]
-    linear, angular = np.where(turns, np.cross(z, arm), z), np.where(turns, z, 0.0)
+    linear, angular = np.where(turns, cross(z, arm), z), np.where(turns, z, 0.0)
     return np.swapaxes(np.concatenate([linear, angular], axis=-1), -1, -2)
+
+
+def cross(u: Array, v: Array) -> Array:
+    """The vector products of u and v (..., 3), several times as fast as NumPy's for a few."""
+    (a, b, c), (x, y, z) = (np.moveaxis(w, -1, 0) for w in (u, v))
+    return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=-1)
 
 
 def weights(
@@ -135,5 +141,5 @@ def weights(
     at = np.array(chain.joints) - 1
     z, o = T[..., :3, 2][..., at, :], T[..., :3, 3][..., at, :]
     lever = moment[..., at, :] - mass[..., at, None] * o
-    turning = -np.einsum("...i,...i->...", z, np.cross(lever, gravity))
+    turning = -np.einsum("...i,...i->...", z, cross(lever, gravity))
     return np.where(chain.turning, turning, -(z @ gravity) * mass[..., at])

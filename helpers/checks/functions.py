@@ -7,7 +7,6 @@ import inspect
 import re
 import time
 from collections.abc import Callable, Iterator
-from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -61,14 +60,20 @@ def results(function: Callable, arm: Arm, q: Array, what: str) -> Iterator[tuple
 
 
 def best(reports: Iterator[Report]) -> Report:
-    """The first report that is not "wrong", or else the first: another way to call a function is
-    only of use where it makes the answer right.
+    """The first report that is not "wrong", or else the first that one mistake explains altogether,
+    or else the first.
     """
-    first = next(reports)
+    held: list[Report] = []
     try:
-        return next((r for r in chain([first], reports) if r.grade != WRONG), first)
+        for report in reports:
+            if report.grade != WRONG:
+                return report
+            held.append(report)
     except ArmError:
-        return first
+        if not held:
+            raise
+    explained = (r for r in held if r.causes and [f.what for f in r.findings] == ["cause"])
+    return next(explained, held[0])
 
 
 def _ways(function: Callable, arm: Arm, q: Array) -> Iterator[Way]:

@@ -1,8 +1,8 @@
 """Is my Jacobian wrong, and how? The answer names the mistake and gives no numbers away."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
-from functools import cache, partial
+from dataclasses import dataclass, replace
+from functools import cache, cached_property, partial
 from itertools import product
 from typing import Any
 
@@ -68,31 +68,59 @@ def compare_jacobian(
     frame = _checked_frame(frame, arm)
     at = Typed(_generic_pose(arm), np.zeros(arm.dof)) if q is None else door.pose(q, arm, angles)
     held = _held(mine, arm, at.values, q is not None, values)
+    where = _Where(arm, at, frame)
     reports = (
-        _reported(typed, arm, at, frame, angular_first, tolerance, taken, callable(mine), not n)
+        _reported(typed, where, angular_first, tolerance, taken, callable(mine), not n)
         for n, (typed, taken) in enumerate(held)
     )
     return best(reports)
 
 
+@dataclass(frozen=True)
+class _Where:
+    """An arm at one pose, its rows in the axes of one frame: what is right there, and what mistakes
+    make of it, the same for each way of calling a function.
+    """
+
+    arm: Arm
+    at: Typed
+    frame: int
+
+    @property
+    def q(self) -> Array:
+        return self.at.values
+
+    @cached_property
+    def known(self) -> Catalogue:
+        return singles(self.arm, self.q, self.frame)
+
+    @cached_property
+    def slop(self) -> Array:
+        """What the unwritten digits of q may change in each entry: those of q with three decimals
+        or more.
+        """
+        units = np.where((self.at.units > 0) & (self.at.units < 2e-3), self.at.units, 0.0)
+        if not units.any():
+            return np.zeros((6, self.arm.dof))
+        step = 1e-6
+        beside = self.q + step * np.eye(self.arm.dof)
+        there, here = (columns(chain(self.arm, q)) for q in (beside, self.q))
+        rates = np.abs(there - here) / step
+        if self.frame:
+            rates = np.broadcast_to(rates.max(axis=1, keepdims=True), rates.shape)
+        return 0.51 * np.einsum("k,kij->ij", units, rates)
+
+
 def _reported(
-    typed: Typed,
-    arm: Arm,
-    at: Typed,
-    frame: int,
-    angular_first: bool,
-    tolerance,
-    taken,
-    function,
-    why: bool,
+    typed: Typed, where: _Where, angular_first: bool, tolerance, taken, function, why: bool
 ) -> Report:
-    if typed.values.shape not in ((6, arm.dof), (3, arm.dof)):
-        return _misshapen(typed, arm, at.values, frame, taken)
+    if typed.values.shape not in ((6, where.arm.dof), (3, where.arm.dof)):
+        return _misshapen(typed, where, taken)
     if angular_first and len(typed.values) == 6:
         typed = typed.at([3, 4, 5, 0, 1, 2])
         taken = (*taken, say("taken: angular first"))
     at_pose = not (typed.symbolic or function)
-    return _judged(typed, arm, at, frame, tolerance, taken, at_pose, why)
+    return _judged(typed, where, tolerance, taken, at_pose, why)
 
 
 def _generic_pose(arm: Arm) -> Array:
@@ -135,9 +163,9 @@ def _matrix(typed: Typed, arm: Arm, what: str) -> Typed:
 # The shape
 
 
-def _misshapen(typed: Typed, arm: Arm, q: Array, frame: int, taken: tuple[str, ...]) -> Report:
-    M = typed.values
-    key, joint = _shape_cause(M, arm), _left_out(typed, arm, q, frame)
+def _misshapen(typed: Typed, where: _Where, taken: tuple[str, ...]) -> Report:
+    M, arm = typed.values, where.arm
+    key, joint = _shape_cause(M, arm), _left_out(typed, where)
     key = "J.column missing" if joint else key
     words = say(key, shape="x".join(map(str, M.shape)), dof=arm.dof, joint=joint)
     finding = Finding("shape", "", M.shape, (6, arm.dof), words)
@@ -152,11 +180,12 @@ def _misshapen(typed: Typed, arm: Arm, q: Array, frame: int, taken: tuple[str, .
     )
 
 
-def _left_out(typed: Typed, arm: Arm, q: Array, frame: int) -> int:
+def _left_out(typed: Typed, where: _Where) -> int:
     """The joint without which the columns are right; 0 where there is none."""
+    arm = where.arm
     if typed.values.shape != (6, arm.dof - 1):
         return 0
-    right = np.stack([column for _, column in _all_columns(arm, q, frame)][: arm.dof], axis=1)
+    right = np.stack([column for _, column in _all_columns(where)][: arm.dof], axis=1)
     band = np.maximum(HAND * typed.units, SLOPPY)
     without = (np.delete(right, k, axis=1) for k in range(arm.dof))
     fits = [bool((np.abs(typed.values - J) <= band).all()) for J in without]
@@ -186,16 +215,13 @@ def _unlocked(arm: Arm) -> Arm:
 
 def _judged(
     typed: Typed,
-    arm: Arm,
-    at: Typed,
-    frame: int,
+    where: _Where,
     tolerance: float | None,
     taken: tuple[str, ...],
     at_pose: bool,
     why: bool,
 ) -> Report:
-    q = at.values
-    known = singles(arm, q, frame)
+    arm, known = where.arm, where.known
     rows = slice(0, 6)
     if len(typed.values) == 3:
         rows = _rows_meant(typed.values, known.right)
@@ -204,14 +230,17 @@ def _judged(
     scale = np.repeat([max(1e-3, np.abs(known.right[half]).max()) for _, half in _HALVES], 3)[
         rows, None
     ]
-    m = margins(typed.units, scale * np.ones_like(right), _slop(arm, at, frame)[rows], tolerance)
+    m = margins(typed.units, scale * np.ones_like(right), where.slop[rows], tolerance)
     grade, _ = graded(typed.values, right, m, made)
     hidden = tuple(_hidden(known)) if at_pose and grade != WRONG else ()
     if grade != WRONG:
         return _good(grade, typed, arm, rows, taken, hidden, at_pose)
     if not why:
-        return Report("Jacobian", arm.name, WRONG, "", (), (), taken)
-    found, more = _causes(typed.values, right, m, known, rows, arm, q, frame)
+        one = explain(typed.values, right, m.band, known.causes, made)
+        if one is None or one.odd.any():
+            return Report("Jacobian", arm.name, WRONG, "", (), (), taken)
+        return _bad(one.causes, (), arm, taken)
+    found, more = _causes(typed.values, right, m, rows, where)
     return _bad(found, more, arm, taken)
 
 
@@ -228,21 +257,6 @@ def _rows_meant(M: Array, right: Array) -> slice:
     """Which half three rows are: the one they are nearer to."""
     off = [np.linalg.norm(M - right[rows]) for _, rows in _HALVES]
     return _HALVES[int(off[1] < off[0])][1]
-
-
-def _slop(arm: Arm, at: Typed, frame: int) -> Array:
-    """What the unwritten digits of q may change in each entry: those of q with three decimals or
-    more.
-    """
-    units = np.where((at.units > 0) & (at.units < 2e-3), at.units, 0.0)
-    if not units.any():
-        return np.zeros((6, arm.dof))
-    step = 1e-6
-    there, here = (columns(chain(arm, q)) for q in (at.values + step * np.eye(arm.dof), at.values))
-    rates = np.abs(there - here) / step
-    if frame:
-        rates = np.broadcast_to(rates.max(axis=1, keepdims=True), rates.shape)
-    return 0.51 * np.einsum("k,kij->ij", units, rates)
 
 
 def _hidden(known: Catalogue) -> Iterator[str]:
@@ -302,9 +316,10 @@ def _bad(found: tuple[Cause, ...], symptoms: tuple[Finding, ...], arm: Arm, take
 # The causes
 
 
-def _causes(M, right, m: Margins, known: Catalogue, rows: slice, arm: Arm, q: Array, frame: int):
+def _causes(M, right, m: Margins, rows: slice, where: _Where):
     """What explains the whole, then both halves apart, then each column."""
-    two, ways = (cache(partial(make, arm, q, frame)) for make in (pairs, _other_ways))
+    known, arm, at = where.known, where.arm, (where.arm, where.q, where.frame)
+    two, ways = (cache(partial(make, *at)) for make in (pairs, _other_ways))
     for band in m.bands:
         found = explain(M, right, band, known.causes, known.made[:, rows])
         if found is None or found.odd.any():
@@ -316,7 +331,7 @@ def _causes(M, right, m: Margins, known: Catalogue, rows: slice, arm: Arm, q: Ar
         if len(M) == 6 and (halves := _by_halves(M, right, band, known)):
             return halves, ()
     band = m.band if (np.abs(M - right) > m.band).any() else m.allowed
-    return (), tuple(_columns(M, right, band, known, rows, arm, q, frame))
+    return (), tuple(_columns(M, right, band, rows, where))
 
 
 def _by_halves(M, right, band, known: Catalogue) -> tuple[Cause, ...]:
@@ -359,20 +374,17 @@ def _odd_columns(found: Found, arm: Arm) -> Iterator[Finding]:
         yield Finding("column", where, None, None, words)
 
 
-def _columns(
-    M, right, band, known: Catalogue, rows: slice, arm: Arm, q: Array, frame: int
-) -> Iterator[Finding]:
-    others = list(_all_columns(arm, q, frame))
+def _columns(M, right, band, rows: slice, where: _Where) -> Iterator[Finding]:
+    arm, others = where.arm, list(_all_columns(where))
     for k in range(arm.dof):
         if (np.abs(M[:, k] - right[:, k]) > band[:, k]).any():
-            key, words = _column(k, M, right, band, known, rows, arm, others)
+            key, words = _column(k, M, right, band, rows, where, others)
             said = say("J column", column=k + 1, joint=arm.joints[k], words=words)
             yield Finding(key, f"column {k + 1}", None, None, said)
 
 
-def _column(
-    k: int, M, right, band, known: Catalogue, rows: slice, arm: Arm, others: list
-) -> tuple[str, str]:
+def _column(k: int, M, right, band, rows: slice, where: _Where, others: list) -> tuple[str, str]:
+    arm, known = where.arm, where.known
     mine, wanted, width = M[:, k], right[:, k], band[:, k]
 
     def same(other: Array) -> bool:
@@ -395,10 +407,10 @@ def _column(
     return "column", say("J.entries", rows=listed(names))
 
 
-def _all_columns(arm: Arm, q: Array, frame: int) -> Iterator[tuple[int, Array]]:
+def _all_columns(where: _Where) -> Iterator[tuple[int, Array]]:
     """Each joint's column in the declared frame, then those that locked joints would have."""
-    at = chain(arm, q)
-    R = at.frames[frame, :3, :3].T
+    arm, at = where.arm, chain(where.arm, where.q)
+    R = at.frames[where.frame, :3, :3].T
     free = [i for i, row in enumerate(arm.rows, 1) if row.joint.kind == "fixed"]
     parts = [(list(arm.joints), columns(at))]
     if free:

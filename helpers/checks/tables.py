@@ -4,7 +4,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import combinations
 from typing import Any
 
@@ -190,7 +190,12 @@ def _unit(texts: list[Mapping[str, str]], columns: tuple[str, str]) -> float:
 
 def _squared(rows: Rows) -> list[Numbers]:
     """The rows with angles near a multiple of a right angle taken as that."""
-    return [r._replace(alpha=_square(r.alpha), theta=_square(r.theta)) for r in rows]
+    return list(map(_squared_row, rows))
+
+
+@lru_cache(1024)
+def _squared_row(row: Numbers) -> Numbers:
+    return row._replace(alpha=_square(row.alpha), theta=_square(row.theta))
 
 
 def _square(angle: float, unit: float = 0.0) -> float:
@@ -484,16 +489,15 @@ def _alike(rows: Rows, wanted: Rows) -> bool:
 def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[tuple[int, str]]:
     found = []
     for k, (row, other) in enumerate(zip(rows, wanted, strict=True)):
-        for column in ("a", "alpha", "d", "theta"):
-            x, y = getattr(row, column), getattr(other, column)
-            free = (column == "theta" and row.kind == "R") or (column == "d" and row.kind == "P")
-            off = (
-                angle_between(x, y) > _ANGLE
-                if column in ("alpha", "theta")
-                else abs(x - y) > length
-            )
-            if off and not free:
-                found.append((k, column))
+        kind, a, alpha, d, theta = row
+        if abs(a - other.a) > length:
+            found.append((k, "a"))
+        if alpha != other.alpha and angle_between(alpha, other.alpha) > _ANGLE:
+            found.append((k, "alpha"))
+        if kind != "P" and abs(d - other.d) > length:
+            found.append((k, "d"))
+        if kind != "R" and angle_between(theta, other.theta) > _ANGLE:
+            found.append((k, "theta"))
     return found
 
 

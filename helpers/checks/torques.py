@@ -1,6 +1,8 @@
 """Are my joint torques wrong, and how? One torque vector or a whole run of them."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache, cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +13,7 @@ from helpers.checks import door
 from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG, Typed, of_floats
 from helpers.checks.entries import Margins, graded, margins
 from helpers.checks.functions import best, results
-from helpers.checks.ranking import Found, better, explain, lower, several
+from helpers.checks.ranking import Cause, Found, better, explain, lower, several
 from helpers.checks.torques_causes import Load, catalogue, paper_centres, reversed_joints
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
@@ -56,12 +58,55 @@ def compare_torques(
     at = _poses(q, arm, angles)
     right = np.atleast_2d(static_torque(arm, at.values, wrench, gravity))
     what = f"{arm.name}: your torques"
-    load = (np.array(wrench, float), np.array(gravity, float))
+    where = _Where(arm, at, np.array(wrench, float), np.array(gravity, float), right)
     reports = (
-        _reported(typed, right, arm, at, *load, tolerance, said)
-        for typed, said in _held(mine, arm, at.values, what)
+        _reported(typed, where, tolerance, said, not n)
+        for n, (typed, said) in enumerate(_held(mine, arm, at.values, what))
     )
     return best(reports)
+
+
+@dataclass(frozen=True)
+class _Where:
+    """An arm under its load at some poses: what is right there, and what mistakes make of it, the
+    same for each way of calling a function.
+    """
+
+    arm: Arm
+    at: Typed
+    wrench: Array
+    gravity: Array
+    right: Array
+
+    @cached_property
+    def pick(self) -> Array:
+        """The poses on which causes are tried."""
+        return np.unique(np.linspace(0, len(self.right) - 1, _SAMPLE).astype(int))
+
+    @cached_property
+    def load(self) -> Load:
+        wrench = np.broadcast_to(self.wrench, (len(self.right), 6))[self.pick]
+        return Load(self.arm, np.atleast_2d(self.at.values)[self.pick], wrench, self.gravity)
+
+    @cached_property
+    def singles(self) -> tuple[list[Cause], Array]:
+        return catalogue(self.load, 1)
+
+    @cached_property
+    def slop(self) -> Array | float:
+        """What the unwritten digits of q may change in each torque: those of q with three decimals
+        or more.
+        """
+        units = np.where((self.at.units > 0) & (self.at.units < 2e-3), self.at.units, 0.0)
+        if not units.any():
+            return 0.0
+        q, units, step = np.atleast_2d(self.at.values), np.atleast_2d(units), 1e-6
+        here, *there = (
+            static_torque(self.arm, q + x, self.wrench, self.gravity)
+            for x in (0.0, *(step * np.eye(self.arm.dof)))
+        )
+        rates = (np.abs(torques - here) / step for torques in there)
+        return 0.51 * sum(rate * units[:, k, None] for k, rate in enumerate(rates))
 
 
 def _held(mine: object, arm: Arm, q: Array, what: str) -> Iterator[tuple[Typed, tuple[str, ...]]]:
@@ -84,13 +129,11 @@ def _held(mine: object, arm: Arm, q: Array, what: str) -> Iterator[tuple[Typed, 
         yield Typed(values, of_floats(values)), found[0][1]
 
 
-def _reported(
-    typed: Typed, right: Array, arm: Arm, at: Typed, wrench: Array, gravity: Array, tolerance, said
-) -> Report:
-    upright, taken = _upright(typed, right)
-    if upright is None or upright.values.shape != right.shape:
-        return _misshapen(typed.values, right, arm)
-    return _judged(upright, right, arm, at, wrench, gravity, tolerance, (*said, *taken))
+def _reported(typed: Typed, where: _Where, tolerance, said, why: bool) -> Report:
+    upright, taken = _upright(typed, where.right)
+    if upright is None or upright.values.shape != where.right.shape:
+        return _misshapen(typed.values, where.right, where.arm)
+    return _judged(upright, where, tolerance, (*said, *taken), why)
 
 
 def _poses(q: ArrayLike | str, arm: Arm, angles: str) -> Typed:
@@ -149,27 +192,27 @@ def _misshapen(M: Array, right: Array, arm: Arm) -> Report:
     )
 
 
-def _judged(
-    typed: Typed, right: Array, arm: Arm, at: Typed, wrench: Array, gravity: Array, tolerance, taken
-) -> Report:
-    pick = np.unique(np.linspace(0, len(right) - 1, _SAMPLE).astype(int))
-    load = Load(
-        arm, np.atleast_2d(at.values)[pick], np.broadcast_to(wrench, (len(right), 6))[pick], gravity
-    )
-    causes, made = catalogue(load)
+def _judged(typed: Typed, where: _Where, tolerance, taken, why: bool) -> Report:
+    arm, right, pick = where.arm, where.right, where.pick
+    causes, made = where.singles
     scale = max(float(np.abs(right).max()), 1e-3)
-    slop = _slop(arm, at, wrench, gravity)
-    m = margins(typed.units, np.full(right.shape, scale), slop, tolerance)
+    m = margins(typed.units, np.full(right.shape, scale), where.slop, tolerance)
     part = m.at(pick)
-    single = np.array([len(c.keys) == 1 for c in causes])
-    grade, _ = graded(typed.values[pick], right[pick], part, made[single])
+    grade, _ = graded(typed.values[pick], right[pick], part, made)
     grade = _whole(grade, typed.values, right, m)
     off = np.abs(typed.values - right)
     good = int((off <= m.band).all(axis=0).sum())
     figures = {"worst": float(off.max(initial=0.0)), "right": good, "of": arm.dof}
     if grade != WRONG:
         return _good(grade, typed, arm, taken, figures)
-    found = _found(typed.values[pick], right[pick], part, causes, made, load)
+    if not why:
+        one = explain(typed.values[pick], right[pick], part.band, causes, made, _ODD)
+        if one is None or one.odd.any():
+            return Report("torques", arm.name, WRONG, "", (), (), taken, (), figures)
+        return _bad(one, (), arm, taken, figures)
+    more, also = catalogue(where.load, 2)
+    known = (causes + more, np.concatenate([made, also]))
+    found = _found(typed.values[pick], right[pick], part, known, where.load)
     symptoms = tuple(_joints(typed.values, right, m, arm, found))
     return _bad(found, symptoms, arm, taken, figures)
 
@@ -186,23 +229,6 @@ def _whole(grade: str, mine: Array, right: Array, m: Margins) -> str:
     )
 
 
-def _slop(arm: Arm, at: Typed, wrench: Array, gravity: Array) -> Array | float:
-    """What the unwritten digits of q may change in each torque: those of q with three decimals or
-    more.
-    """
-    units = np.where((at.units > 0) & (at.units < 2e-3), at.units, 0.0)
-    if not units.any():
-        return 0.0
-    q, step = np.atleast_2d(at.values), 1e-6
-    units = np.atleast_2d(units)
-    here = static_torque(arm, q, wrench, gravity)
-    rates = [
-        np.abs(static_torque(arm, q + step * e, wrench, gravity) - here) / step
-        for e in np.eye(arm.dof)
-    ]
-    return 0.51 * sum(rate * units[:, k, None] for k, rate in enumerate(rates))
-
-
 def _good(grade: str, typed: Typed, arm: Arm, taken, figures) -> Report:
     digits = typed.decimals
     precision = "" if digits is None or digits > 6 else say("to decimals", digits=digits)
@@ -211,15 +237,19 @@ def _good(grade: str, typed: Typed, arm: Arm, taken, figures) -> Report:
     return Report("torques", arm.name, grade, words, (), (), taken, (), figures)
 
 
-def _found(mine, right, m: Margins, causes, made, load: Load) -> Found | None:
+def _found(mine, right, m: Margins, known, load: Load) -> Found | None:
+    others, papers = (
+        cache(partial(reversed_joints, load, right)),
+        cache(partial(paper_centres, load)),
+    )
     for band in m.bands:
-        found = explain(mine, right, band, causes, made, _ODD)
+        found = explain(mine, right, band, *known, odd=_ODD)
         if found is None or found.odd.any():
-            turned = explain(mine, right, band, *reversed_joints(load, right))
+            turned = explain(mine, right, band, *others())
             whole = (
                 Found(turned.causes[:1], turned.odd) if turned and not turned.odd.any() else None
             )
-            paper = explain(mine, right, band, *paper_centres(load))
+            paper = explain(mine, right, band, *papers())
             paper = Found(paper.causes[:1], paper.odd) if paper and not paper.odd.any() else None
             found = better(found, whole, paper, odd=_ODD)
         if found:

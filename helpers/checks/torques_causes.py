@@ -3,7 +3,8 @@ in how they are written.
 """
 
 from collections.abc import Iterator
-from itertools import product
+from functools import cached_property
+from itertools import islice, product
 from typing import Any
 
 import numpy as np
@@ -42,26 +43,34 @@ class Load:
         """J^T F."""
         return _through(self.J, self.wrench if wrench is None else wrench)
 
+    @cached_property
+    def others(self) -> list[tuple[Cause | None, "Load"]]:
+        """The load itself, and what a wrong arm or q makes of it."""
+        return list(_loads(self))
+
     def torques(self) -> Array:
         """g(q) - J^T F."""
         return self.weight() - self.force()
 
 
-def catalogue(load: Load) -> tuple[list[Cause], Array]:
-    """Every combination of up to two causes, fewest first, and the torques (causes, poses, dof)
-    that they give.
+def catalogue(load: Load, count: int) -> tuple[list[Cause], Array]:
+    """Every single cause, or every pair of them, and the torques (causes, poses, dof) that they
+    give.
     """
-    found: list[tuple[Cause, Array]] = []
-    for whole, other in _loads(load):
-        heavy, pushed = list(_weights(other)), list(_forces(other))
+    causes, torques = [], []
+    for whole, other in load.others:
+        free = count - (whole is not None)
+        heavy, pushed = (
+            list(islice(parts(other), None if free else 1)) for parts in (_weights, _forces)
+        )
         for (first, weight), (second, force) in product(heavy, pushed):
             named = [c for c in (whole, first, second) if c is not None]
             for third, write in _WRITINGS:
-                causes = [*named, third] if third else named
-                if 0 < len(causes) <= 2:
-                    found.append((sum(causes[1:], causes[0]), write(weight - force)))
-    found.sort(key=lambda f: len(f[0].keys))
-    return [c for c, _ in found], np.stack([tau for _, tau in found])
+                made = [*named, third] if third else named
+                if len(made) == count:
+                    causes.append(sum(made[1:], made[0]))
+                    torques.append(write(weight - force))
+    return causes, np.stack(torques)
 
 
 def reversed_joints(load: Load, right: Array) -> tuple[list[Cause], Array]:

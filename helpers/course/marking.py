@@ -260,7 +260,7 @@ def unseen(question: Question, part: Part) -> set[str]:
     elif part.kind == "torques":
         force = question.given["force"] if part.name == "tau" else [0, 0, 0]
         load = Load(arm, q[None], np.r_[force, 0, 0, 0], np.array(GRAVITY))
-        causes, made = torques_causes.catalogue(load)
+        causes, made = torques_causes.catalogue(load, 1)
         right = load.torques()
     else:
         return set()

@@ -13,6 +13,7 @@ from functools import lru_cache
 from helpers.inputs import ArmError, shown
 
 Tree = tuple
+KEPT = 4096  # texts whose reading is kept, for a table's cells are asked for in every order
 LONGEST = 20_000  # characters of one formula
 DEEPEST = 60  # brackets in brackets
 
@@ -109,7 +110,7 @@ def is_number(text: str) -> bool:
     return _NUMBER.fullmatch(text) is not None
 
 
-@lru_cache(maxsize=1024)
+@lru_cache(KEPT)
 def plain(text: str) -> str:
     """The text in plain signs: unicode and LaTeX spelled out, prefixes such as ``np.`` dropped."""
     if is_number(text):

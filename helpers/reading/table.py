@@ -8,6 +8,7 @@ import math
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import permutations
 from typing import Any, NamedTuple
 
@@ -531,6 +532,7 @@ def _possible(cells: grid.Cells, order: tuple[str, ...], looks: bool) -> bool:
     return turns and not angular and right and spread
 
 
+@lru_cache(formula.KEPT)
 def _is_variable(text: str) -> bool:
     plain = formula.plain(text)
     if _VARIABLE.fullmatch(plain.strip()):
