@@ -106,11 +106,13 @@ bench: ## time the helpers against their peers, in an environment of its own
 	.venv-bench/bin/python -m pip install --quiet --disable-pip-version-check -r benchmarks/requirements.txt -e .
 	.venv-bench/bin/python benchmarks/bench.py
 
-mutants: ## make one thing wrong in the helpers at a time; make mutants ARGS="helpers.inverse.* --sample 60"
+mutants: SAMPLE = 1000
+mutants: SEED = 0
+mutants: ## make one thing wrong in the helpers at a time; make mutants SAMPLE=60 SEED=1 ARGS="helpers.inverse.*"
 	test -d .venv-mutants || $(PYTHON) -m venv .venv-mutants
 	.venv-mutants/bin/python -m pip install --quiet --disable-pip-version-check mutmut==3.8.1 -r requirements-dev.txt -c requirements.lock
 	.venv-mutants/bin/python tools/breaks.py
-	.venv-mutants/bin/python tools/mutants.py $(ARGS)
+	.venv-mutants/bin/python tools/mutants.py --sample $(SAMPLE) --seed $(SEED) $(ARGS)
 
 answers: $(BIN)/.installed ## write the answer sheets, book/answers/*.md, anew
 	$(BIN)/python tools/answers.py
