@@ -137,6 +137,10 @@ def test_one_setting_says_everywhere_where_the_repository_is(root):
     assert [(root / name).read_text("utf-8") for name in names] == before
 
 
+def test_an_owners_own_site_has_no_folder():
+    assert address.pages("https://github.com/Owner/owner.github.io") == "https://owner.github.io/"
+
+
 def test_the_files_that_name_the_repository_agree():
     url = address.setting()
     citation = yaml.safe_load((pdf.ROOT / "CITATION.cff").read_text("utf-8"))
