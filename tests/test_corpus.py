@@ -5,6 +5,7 @@ tables of the book's page on how the checkers judge.
 """
 
 import json
+import re
 from collections import Counter
 from itertools import islice
 
@@ -13,13 +14,31 @@ import pytest
 from tests.corpus.judge import load, outcome, report
 from tests.corpus.make import TOPICS, as_plain_number, corpus
 
+# What a finding may be about, or the catalogue's name of a mistake; and where.
+KINDS = {"cause", "shape", "column", "row", "joint", "answer", "missing", "step", "found"}
+CAUSE = r"(J|tau|table|ik|pose|trace)\.[a-z].*"
+WHERE = (
+    r"|((column|joint|answer|step) \d+|row \d+(, (a|alpha|d|theta))?|(linear|angular) rows"
+    r"|(front|back|elbow|rod)[^X]*|[xyz]|.*entry.*)"
+)
+
+
+def well_formed(said, topic):
+    assert said.topic == {"jacobian": "Jacobian"}.get(topic, topic)
+    assert isinstance(said.arm, str)
+    for finding in said.findings:
+        assert finding.what in KINDS or re.fullmatch(CAUSE, finding.what), finding
+        assert re.fullmatch(WHERE, finding.where), finding
+
 
 def counted(topic, step):
     found = load(topic)
     for case in found["cases"][::step]:
         digits = "rough" if case["digits"] <= 2 else "fine"
         kind = "pair" if " + " in (case.get("cause") or "") else "single"
-        how = outcome(case, found["arms"], report(case, found["arms"]))
+        said = report(case, found["arms"])
+        well_formed(said, topic)
+        how = outcome(case, found["arms"], said)
         yield (kind if case.get("cause") else case["kind"], digits, how)
 
 

@@ -21,7 +21,7 @@ from collections.abc import Callable, Iterable
 from contextlib import chdir, suppress
 from fnmatch import fnmatch
 from functools import _lru_cache_wrapper, partial
-from itertools import accumulate, islice
+from itertools import accumulate, islice, zip_longest
 from pathlib import Path
 from typing import IO
 
@@ -175,7 +175,7 @@ def attempt(name: str, tests: list, cost: dict[str, float], patience: int) -> tu
     """killed, survived, timeout or crashed, and the last test that ran."""
 
     def run(out: IO[str]) -> None:
-        for item, following in zip(tests, [*tests[1:], None], strict=True):
+        for item, following in zip_longest(tests, tests[1:]):
             print(item.nodeid, file=out)
             limit = patience * (GRACE + 5 * cost[item.nodeid])
             signal.setitimer(signal.ITIMER_PROF, limit)
@@ -200,7 +200,7 @@ def record(items: dict[str, pytest.Item], caches: list, out: IO[str]) -> None:
     hits, cost, reach, file = set(), known[0], defaultdict(list, known[1]), None
     trampoline.record_trampoline_hit = lambda name, caller=None: hits.add(name)
     new = [item for name, item in items.items() if name not in cost]
-    for item, following in zip(new, [*new[1:], None], strict=True):
+    for item, following in zip_longest(new, new[1:]):
         if item.path != file:
             forget(caches)
             file = item.path
