@@ -42,9 +42,16 @@ book: $(BOOK) ## build the book and say where it is
 	@echo "The book: $(CURDIR)/$(BOOK)"
 	@echo "file://$(CURDIR)/$(BOOK)"
 
-# In the order in which they are found, browser first: by the number of their tests, the longest files would come last.
-test: $(BIN)/.installed-dev $(BOOK) ## run the notebooks, the helpers' tests and the built book's
-	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 tests $(NOTEBOOKS)
+# The book is built while the tests are installed and the notebooks run; what looks at it waits for this file, which
+# says how that ended. Files go in the order given: by the number of their tests, the longest would come last.
+BUILT := book/_build/built
+
+test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built book's
+	@mkdir -p $(dir $(BUILT)) && rm -f $(BUILT)
+	{ $(MAKE) --no-print-directory book; echo $$? > $(BUILT); } & \
+	$(MAKE) --no-print-directory $(BIN)/.installed-dev && \
+	BUILT=$(BUILT) $(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS) tests; \
+	tests=$$?; wait; exit $$((tests + $$(cat $(BUILT))))
 
 # Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
@@ -99,11 +106,13 @@ bench: ## time the helpers against their peers, in an environment of its own
 	.venv-bench/bin/python -m pip install --quiet --disable-pip-version-check -r benchmarks/requirements.txt -e .
 	.venv-bench/bin/python benchmarks/bench.py
 
-mutants: ## make one thing wrong in the helpers at a time; make mutants ARGS="helpers.inverse.* --sample 60"
+mutants: SAMPLE = 1000
+mutants: SEED = 0
+mutants: ## make one thing wrong in the helpers at a time; make mutants SAMPLE=60 SEED=1 ARGS="helpers.inverse.*"
 	test -d .venv-mutants || $(PYTHON) -m venv .venv-mutants
 	.venv-mutants/bin/python -m pip install --quiet --disable-pip-version-check mutmut==3.8.1 -r requirements-dev.txt -c requirements.lock
 	.venv-mutants/bin/python tools/breaks.py
-	.venv-mutants/bin/python tools/mutants.py $(ARGS)
+	.venv-mutants/bin/python tools/mutants.py --sample $(SAMPLE) --seed $(SEED) $(ARGS)
 
 answers: $(BIN)/.installed ## write the answer sheets, book/answers/*.md, anew
 	$(BIN)/python tools/answers.py

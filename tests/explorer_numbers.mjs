@@ -26,10 +26,14 @@ function numbers(arm, q, wrench) {
   };
 }
 
+function ranks(arm, q) {
+  const derived = derive(arm, q);
+  return { rank: derived.rank, said: rankVerdict(derived) };
+}
+
 function verdicts(arm, q) {
   const ways = otherWays(arm, q);
-  const derived = derive(arm, q);
-  return { rank: derived.rank, said: rankVerdict(derived), ways, counted: waysVerdict(arm, ways) };
+  return { ...ranks(arm, q), ways, counted: waysVerdict(arm, ways) };
 }
 
 // What a link opens: its state, the tip's pose there, what is said of the table, and what gravity asks.
@@ -43,6 +47,7 @@ const jobs = {
   numbers: ({ arm, qs, wrench }) => qs.map((q) => numbers(arm, q, wrench)),
   circle: ({ arm, q, ...circle }) => traceCircle(arm, q, circle),
   ways: ({ arm, q }) => otherWays(arm, q).list.map((way) => way.q),
+  ranks: ({ arm, qs }) => qs.map((q) => ranks(arm, q)),
   verdicts: ({ arm, qs }) => qs.map((q) => verdicts(arm, q)),
   runs: ({ arm, start, runs }) => runs.map((run) => runCircle(arm, start, run)),
   winding: ({ arm, start, radii }) => windingByRadius(arm, start, {}, radii),

@@ -41,14 +41,20 @@ def corpus_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
 
 
 def form_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
-    """The corpus's arms, right and mistaken, in other forms, units and conventions."""
+    """The corpus's arms, right and mistaken, in other forms, units and conventions; in some one
+    length has a letter.
+    """
     for case in tables.cases(rng, count):
         rows = tables.rechosen(case["rows"], rng) if rng.random() < 0.4 else case["rows"]
         if rng.random() < 0.25:
             rows = tables.to_craig(rows)
         cells = [_cells(i, row, rng) for i, row in enumerate(_in_units(rows, rng), 1)]
-        typed = FORMS[int(rng.integers(len(FORMS)))](cells, rng)
         options = {"convention": "craig"} if rng.random() < 0.2 else {}
+        row, column = cells[int(rng.integers(len(cells)))], str(rng.choice(["a", "d"]))
+        if rng.random() < 0.15 and row[column].replace(".", "").isdigit():
+            options["values"] = {"h": float(row[column])}
+            row[column] = "h"
+        typed = FORMS[int(rng.integers(len(FORMS)))](cells, rng)
         yield arm_of(case["machine"]), {"topic": "table", "typed": typed, "options": options}
 
 

@@ -121,17 +121,25 @@ def _formulas() -> list[tuple[Arm, str]]:
 
 
 def formula_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
-    """Jacobians in symbols, with a slip in some: another function, another sign, another joint."""
+    """Jacobians in symbols, some with letters of their own, with a slip in some: another function,
+    another sign, another joint.
+    """
     slips = [("sin", "cos"), ("cos", "sin"), ("+", "-"), (" - ", " + "), ("q_1", "q_2"),
              ("q_{2}", "q_{1}"), ("q_", "theta_"), ("q_4", "q_9"), ("d_", "e_")]  # fmt: skip
     for _ in range(count):
         arm, text = _formulas()[int(rng.integers(len(_formulas())))]
+        options = {}
+        if rng.random() < 0.25:
+            own = str(rng.choice(["h_", "w_", "D_", "beta_"]))
+            text = text.replace("d_", own)
+            named = [(own + name[2:], x) for name, x in arm.values.items() if name[:2] == "d_"]
+            options["values"] = {name: x + 0.01 * (rng.random() < 0.2) for name, x in named}
         for old, new in slips:
             if rng.random() < 0.07:
                 at = text.find(old, int(rng.integers(len(text))))
                 text = text if at < 0 else text[:at] + new + text[at + len(old) :]
         q = [float(x) for x in np.round(rng.uniform(0.2, 1.4, arm.dof), 3)]
-        yield arm, {"topic": "jacobian", "typed": text, "q": q, "options": {}}
+        yield arm, {"topic": "jacobian", "typed": text, "q": q, "options": options}
 
 
 def stored_questions(rng, count: int) -> Iterator[tuple[Arm, dict]]:
@@ -237,14 +245,15 @@ def in_node(arms: list[dict], questions: list[dict], sentences: dict | None = No
 
 def _in_page(options: dict) -> dict:
     names = {"angular_first": "angularFirst"}
-    return {names.get(key, key): value for key, value in options.items()}
+    found = {names.get(key, key): value for key, value in options.items()}
+    return found | {"values": list(found["values"].items())} if "values" in found else found
 
 
-def different(questions: list[tuple[Arm, dict]]) -> list[tuple[dict, list, list]]:
-    """The questions to which the two do not say the same."""
+def different(questions: list[tuple[Arm, dict]]) -> Iterator[tuple[dict, list, list]]:
+    """The questions to which the two do not say the same, as they are found."""
     both = zip(questions, page_words(questions), strict=True)
     found = ((q, python_words(arm, q), theirs) for (arm, q), theirs in both)
-    return [(q, ours, theirs) for q, ours, theirs in found if ours != theirs]
+    return ((q, ours, theirs) for q, ours, theirs in found if ours != theirs)
 
 
 # Many, on all cores
@@ -266,7 +275,7 @@ def compared(seed: int, part: tuple[str, int, int]) -> tuple[set[str], list[tupl
     kind, number, size = part
     rng = np.random.default_rng([seed, list(QUESTIONS).index(kind), number])
     asked = questions(rng, size, kind)
-    return {_digest(arm, question) for arm, question in asked}, different(asked)
+    return {_digest(arm, question) for arm, question in asked}, [*different(asked)]
 
 
 def _digest(arm: Arm, question: dict) -> str:

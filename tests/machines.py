@@ -29,11 +29,11 @@ def same_machine(mine: Arm, reference: Arm) -> bool:
 def _fits(mine: Arm, q: np.ndarray, wanted: np.ndarray, rng: np.random.Generator) -> bool:
     x = rng.uniform(-np.pi, np.pi, (_TRIES, mine.dof + 3))
     misfit, damping = _misfit(mine, q, wanted, x), np.full((_TRIES, 1, 1), 1e-2)
+    nudges = 1e-7 * np.eye(x.shape[1])[:, None]
     for _ in range(_STEPS):
-        nudges = 1e-7 * np.eye(x.shape[1])
-        rates = [(_misfit(mine, q, wanted, x + nudge) - misfit) / 1e-7 for nudge in nudges]
-        J = np.stack(rates, axis=2)
-        JT = np.swapaxes(J, 1, 2)
+        nudged = _misfit(mine, q, wanted, (x + nudges).reshape(-1, x.shape[1]))
+        rates = (nudged.reshape(-1, *misfit.shape) - misfit) / 1e-7
+        J, JT = rates.transpose(1, 2, 0), rates.transpose(1, 0, 2)
         step = np.linalg.solve(JT @ J + damping * np.eye(x.shape[1]), JT @ misfit[..., None])
         trial = x - step[..., 0]
         tried = _misfit(mine, q, wanted, trial)

@@ -1,6 +1,8 @@
 """The built pages: whole, linked, and needing nothing from elsewhere."""
 
+import os
 import re
+import time
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
@@ -50,9 +52,18 @@ def local(url: str) -> str:
     return unquote(urldefrag(url)[0].split("?")[0])
 
 
+def wait_until_built():
+    """`make test` builds the book beside the first tests, and then writes how that ended."""
+    ended = os.environ.get("BUILT")
+    while ended and not (ROOT / ended).exists():
+        time.sleep(0.2)
+    assert not ended or (ROOT / ended).read_text("utf-8").strip() == "0", "`make book` has failed"
+    assert (HTML / "index.html").exists(), "the book is not built: run `make book` first"
+
+
 @pytest.fixture(scope="module", autouse=True)
 def _built():
-    assert (HTML / "index.html").exists(), "the book is not built: run `make book` first"
+    wait_until_built()
 
 
 @every_page

@@ -17,7 +17,6 @@ NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 # Checks of the reader's own algebra or of a slip's arithmetic, which have no helper to ask.
 BY_HAND = {
     "the appendix's 40 pi, in mm/s",
-    "at q_1 = 90° apart by (mm)",
     "at rest only dP/dq is left",
     "determinant of the plane part",
     "no friction at rest (N m)",

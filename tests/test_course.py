@@ -276,6 +276,42 @@ def test_a_kernel_that_dies_or_floods_gives_no_answers_and_words(tmp_path, cell)
     assert "running it gave no result" in found.trouble
 
 
+def cells(*printed, error=False):
+    failing = [{"outputs": [{"output_type": "error"}]}] if error else []
+    last = {"outputs": [{"name": "stdout", "text": [*printed]}, {"name": "stderr", "text": "x"}]}
+    return json.dumps({"cells": [*failing, *failing, last]}).encode()
+
+
+@pytest.mark.parametrize(
+    ("executed", "ran"),
+    [
+        (cells("1\n", f"{sandbox._MARK} ", '{"p": 1}'), ({"p": 1}, "")),
+        (cells(f'{sandbox._MARK}{{"p": 1}}', error=True), ({"p": 1}, "2 of its cells raised an")),
+        (cells(f"{sandbox._MARK}[1]"), (None, "its answers could not be read")),
+        (cells(f"{sandbox._MARK}{{"), (None, "its answers could not be read")),
+        (cells("1"), (None, "its kernel stopped before the end")),
+        (b"{", (None, "running it gave no result")),
+        (b'{"cells": []}', (None, "running it gave no result")),
+    ],
+)
+def test_the_answers_stand_in_the_last_cell(executed, ran):
+    found = sandbox._read(executed)
+    assert found.answers == ran[0]
+    assert found.trouble.startswith(ran[1])
+    assert bool(found.trouble) == bool(ran[1])
+
+
+def test_progress_is_counted_on_a_terminal_alone(monkeypatch, capsys):
+    assert list(commands._progress("ab", "sheets")) == ["a", "b"]
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    assert list(commands._progress(iter("abc"), "students", 3)) == ["a", "b", "c"]
+    ten, dot = "#" * 10, "." * 10
+    bars = (f"{ten}{dot}{dot}] 1", f"{ten}{ten}{dot}] 2", f"{ten}{ten}{ten}] 3")
+    told = "".join(f"\r[{bar} of 3 students" for bar in bars) + "\n"
+    assert capsys.readouterr().err == told
+
+
 @needs_bubblewrap
 @pytest.mark.parametrize("apart", ["bubblewrap", "process"])
 def test_a_notebook_gets_a_few_hundred_processes_and_no_more(tmp_path, apart):
@@ -423,6 +459,68 @@ def test_nbgraders_cells_carry_what_it_reads_and_give_the_credit(course):
         space = dict(names)
         exec("\n".join(lines), space)
         assert eval(last, space) == 1
+    part = next(cell for cell in book["cells"] if "answer_p: " in cell["source"])
+    assert part["metadata"]["nbgrader"] == {
+        "grade": False, "solution": True, "task": False, "locked": False, "schema_version": 3,
+        "grade_id": part["id"],
+    }  # fmt: skip
+    first, *lines = part["source"].splitlines()
+    assert first.startswith("# answer_p: ")
+    assert lines == ["### BEGIN SOLUTION", "answer_p = None", "### END SOLUTION"]
+
+
+NEEDED = {
+    "new": "--roster r.csv --secret s --arm Panda --out hw",
+    "key": "--secret s --id ab12",
+    "grade": "hw --secret s --out o",
+    "gradescope": "hw --secret s --out o",
+    "nbgrader": "hw --secret s --id ab12 --out o",
+    "look": "hw",
+    "classroom": "--out o",
+}
+
+
+@pytest.mark.parametrize(
+    ("line", "read"),
+    [
+        ("new", {"lock": [], "title": "Homework", "topic": None, "digits": 0.9, "columns": 1.0,
+                 "cause": [], "roster": "r.csv", "secret": "s", "arm": "Panda",
+                 "out": Path("hw")}),
+        ("new --lock 3 --lock 5 --title T --digits 0.5 --columns 0 --cause a=1 --cause b=0"
+         " --topic Jacobian", {"lock": [3, 5], "title": "T", "digits": 0.5, "columns": 0.0,
+                               "cause": ["a=1", "b=0"], "topic": ["Jacobian"]}),
+        ("key", {"secret": "s", "id": "ab12", "course": Path("hw")}),
+        ("key --course c", {"course": Path("c")}),
+        ("grade", {"course": Path("hw"), "secret": "s", "out": Path("o"), "jobs": 1, "seconds": 120,
+                   "unprotected": False, "as_root": False, "canvas": None, "moodle": None}),
+        ("grade --jobs 2 --seconds 5 --unprotected --as-root --canvas c --moodle m",
+         {"jobs": 2, "seconds": 5, "unprotected": True, "as_root": True, "canvas": Path("c"),
+          "moodle": Path("m")}),
+        ("gradescope", {"course": Path("hw"), "secret": "s", "out": Path("o")}),
+        ("nbgrader", {"course": Path("hw"), "secret": "s", "id": "ab12", "out": Path("o")}),
+        ("look", {"folder": Path("hw")}),
+        ("classroom", {"out": Path("o")}),
+    ],
+)  # fmt: skip
+def test_the_command_line_is_read(line, read):
+    command, *more = line.split()
+    found = vars(commands._parser().parse_args([command, *NEEDED[command].split(), *more]))
+    assert {name: found[name] for name in read} == read
+    assert found["run"] is getattr(commands, f"_{command}")
+
+
+@pytest.mark.parametrize("command", NEEDED)
+def test_each_command_asks_for_what_it_needs_and_explains_it(command, capsys):
+    words = NEEDED[command].split()
+    needed = [k for k, word in enumerate(words) if word.startswith("--")]
+    for without in (words[:k] + words[k + 2 :] for k in needed):
+        with pytest.raises(SystemExit, match="2"):
+            commands._parser().parse_args([command, *without])
+    with pytest.raises(SystemExit, match="0"):
+        commands._parser().parse_args([command, "--help"])
+    told = capsys.readouterr().out.partition("\n\n")[2]
+    assert not re.findall(r"^  \S+( [A-Z=]+)?\n(?! {10})", told, re.M)
+    assert not {"None", "XX"} & {*re.findall(r"None|XX", told)}
 
 
 def test_the_words_of_the_command_line(course, tmp_path, capsys):

@@ -257,14 +257,14 @@ def test_the_rank_said_is_that_of_the_rows_the_arm_is_for(arm):
     qs = np.vstack([np.zeros(arm.dof), turns, some(arm, 12)])
     rows = 6 if arm.dof >= 6 else 3
     ranks = np.linalg.matrix_rank(jacobian(arm, qs)[:, :rows], rtol=1e-6)
-    for answer, rank in zip(ask("verdicts", arm=arm_data(arm), qs=qs.tolist()), ranks, strict=True):
+    for answer, rank in zip(ask("ranks", arm=arm_data(arm), qs=qs.tolist()), ranks, strict=True):
         assert answer["rank"] == rank
         assert answer["said"]["singular"] == (rank < min(rows, arm.dof))
 
 
 @needs_node
 def test_a_stretched_elbow_is_singular():
-    said = ask("verdicts", arm=arm_data(ELBOW), qs=[[0.3, 0.5, 0]])[0]["said"]
+    said = ask("ranks", arm=arm_data(ELBOW), qs=[[0.3, 0.5, 0]])[0]["said"]
     assert said["singular"]
     assert said["text"].startswith("Singular: rank 2 of 3. Here the tip cannot")
 

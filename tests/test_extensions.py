@@ -74,9 +74,8 @@ def test_axes_without_a_frame_reach_as_far_as_what_is_drawn_in_them():
 
 def test_a_marker_is_as_large_as_it_is_drawn():
     star = '<defs><path id="star" d="M -8 6L 8 -6"/></defs>'
-    put = '<use xlink:href="#star" x="190" y="180"/>'
+    put = '<use href="#star" x="190" y="180"/>'
     svg = figure(axes(1, 10, 20, 190, 180, star + put), TWO[1])
-    svg = svg.replace("<svg ", '<svg xmlns:xlink="http://www.w3.org/1999/xlink" ')
     assert panels(ET.fromstring(svg))[0] == (10, 20, 198, 186)
 
 

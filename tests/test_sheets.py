@@ -24,7 +24,7 @@ from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 from helpers.command_line import read_arm
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.sheets import block, document, markdown
+from helpers.sheets import block, document, formulas, markdown
 from helpers.sheets.__main__ import main
 from helpers.sheets.content import Sheet
 from helpers.sheets.page import answer, sections
@@ -448,3 +448,31 @@ def test_short_names_that_would_say_two_things_are_not_used():
 def test_masses_of_zero_leave_an_empty_row():
     arm = Arm("light", [revolute(a=1)], bodies=[Body(0, (0, 0, 0))])
     assert "<td>0</td>" in document(arm)
+
+
+@pytest.mark.parametrize(
+    ("formula", "html", "latex", "numpy", "matlab"),
+    [
+        ("3*pi/4", "3 π/4", r"3 \pi/4", "3*np.pi/4", "3*pi/4"),
+        ("-pi/2", "−π/2", r"-\pi/2", "-np.pi/2", "-pi/2"),
+        ("a*(b - 2)**2", "<i>a</i> (<i>b</i> − 2)<sup>2</sup>", "a (b - 2)^{2}", "a*(b - 2)**2",
+         "a*(b - 2)^2"),
+        ("-a/3", "−1/3 <i>a</i>", r"-\tfrac{1}{3} a", "-1/3*a", "-1/3*a"),
+        ("5*a_2/2", "2.5 <i>a</i><sub>2</sub>", "2.5 a_{2}", "2.5*a_2", "2.5*a_2"),
+        ("d_3*sin(q - 2)", "<i>d</i><sub>3</sub> sin(<i>q</i> − 2)",
+         r"d_{3} \sin(q - 2)", "d_3*np.sin(q - 2)", "d_3*sin(q - 2)"),
+        ("sqrt(2)*alpha_k**2", "√(2) <i>α</i><sub>k</sub><sup>2</sup>",
+         r"\sqrt{2} \alpha_{\mathrm{k}}^{2}", "np.sqrt(2)*alpha_k**2", "sqrt(2)*alpha_k^2"),
+        ("-1", "−1", "-1", "-1", "-1"),
+        ("1 - a", "1 − <i>a</i>", "1 - a", "1 - a", "1 - a"),
+    ],
+)  # fmt: skip
+def test_a_formula_in_each_language(formula, html, latex, numpy, matlab):
+    expression = sp.sympify(formula)
+    written = [formulas.written(expression, getattr(formulas, x)) for x in LANGUAGES]
+    assert [x.replace("\u2009", " ") for x in written] == [
+        html, latex, numpy.replace("np.", "sp.").replace("1/3", "sp.Rational(1, 3)"), numpy, matlab
+    ]  # fmt: skip
+
+
+LANGUAGES = ("HTML", "LATEX", "SYMPY", "NUMPY", "MATLAB")

@@ -98,6 +98,20 @@ def test_the_tests_weigh_less_than_what_they_test():
     assert lines("tests/**/*.py", "tests/**/*.mjs") < 0.8 * code
 
 
+def test_mutants_are_made_in_a_copy_that_holds_all_that_its_tests_read():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["mutmut"]
+    options = settings["pytest_add_cli_args_test_selection"]
+    left_out = [ROOT / x.removeprefix("--ignore=") for x in options if x.startswith("--ignore=")]
+    assert all(path.exists() for path in left_out)
+    copied = {"tests", "pyproject.toml", *settings["source_paths"], *settings["also_copy"]}
+    copied = {name.rstrip("/") for name in copied}
+    name = re.compile(r'^\s*(?:from|import) (\w+)|(?:ROOT|parents\[1\]) / "([^"/]+)', re.M)
+    for path in ROOT.glob("tests/**/*.py"):
+        if not {path, *path.parents} & {*left_out}:
+            named = {x for pair in name.findall(path.read_text("utf-8")) for x in pair if x}
+            assert {x for x in named if (ROOT / x).exists()} <= copied, path
+
+
 @pytest.fixture
 def root(tmp_path):
     """A copy of the files in which the repository's address stands."""
@@ -121,6 +135,10 @@ def test_one_setting_says_everywhere_where_the_repository_is(root):
     assert urls == {"Book": citation["url"], "Source": citation["repository-code"]}
     address.write("", root)
     assert [(root / name).read_text("utf-8") for name in names] == before
+
+
+def test_an_owners_own_site_has_no_folder():
+    assert address.pages("https://github.com/Owner/owner.github.io") == "https://owner.github.io/"
 
 
 def test_the_files_that_name_the_repository_agree():

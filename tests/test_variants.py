@@ -155,6 +155,8 @@ def test_branches_in_the_key_reach_the_target_within_the_limits_and_newton_finds
             error = (product(found.arm, q)[:3, -wanted.shape[1] :] - wanted).ravel()
             slope = differences(lambda q: product(found.arm, q)[:3, -wanted.shape[1] :].ravel(), q)
             q = q - np.linalg.pinv(slope, rcond=1e-6) @ error
+            if np.abs(error).max() < 1e-9:
+                break
         turned = np.where(found.arm.turning, (q + np.pi) % (2 * np.pi) - np.pi, q)
         if np.abs(error).max() > 1e-5 or ((turned < lower) | (turned > upper)).any():
             continue

@@ -20,7 +20,8 @@ def setting(root: Path = ROOT) -> str:
 def pages(address: str) -> str:
     """Where GitHub publishes the book of this repository."""
     owner, name = re.fullmatch(r"https://github\.com/([\w.-]+)/([\w.-]+)", address).groups()
-    return f"https://{owner.lower()}.github.io/{name}/"
+    site = f"{owner.lower()}.github.io"
+    return f"https://{site}/" if name.lower() == site else f"https://{site}/{name}/"
 
 
 def write(address: str, root: Path = ROOT) -> None:

@@ -4,7 +4,17 @@ import shutil
 
 from playwright.sync_api import Browser, Playwright
 
+# In every new window two search boxes that nobody sees are drawn, by a process each. Chromium
+# heeds the last list of features only, so what Playwright turns off stands here too.
+OFF = (
+    "WebUIOmniboxPopup,WebUIOmniboxAimPopup,"
+    "AimEnabled,AvoidCorsURLLoaderRestartOnRedirect,AvoidUnnecessaryBeforeUnloadCheckSync,"
+    "DestroyProfileOnBrowserClose,HttpsFirstBalancedModeAutoEnable,HttpsUpgrades,LensOverlay,"
+    "MediaRouter,NetworkTimeServiceQuerying,OptimizationHints,PaintHolding,PreconnectToSearch,"
+    "ThirdPartyStoragePartitioning"
+)
 FLAGS = [
+    f"--disable-features={OFF}",
     "--no-sandbox",
     "--disable-gpu",
     "--disable-quic",
@@ -19,8 +29,9 @@ FLAGS = [
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
 
 
-def launched(playwright: Playwright) -> Browser:
-    """Chromium, Chrome or Edge; on macOS and Windows Playwright knows where Chrome is installed."""
+def launched(playwright: Playwright, *more: str) -> Browser:
+    """Chromium, Chrome or Edge, with `more` flags; on macOS and Windows Playwright knows where
+    Chrome is installed."""
     path = next(filter(None, map(shutil.which, NAMES)), None)
     where = {"executable_path": path} if path else {"channel": "chrome"}
-    return playwright.chromium.launch(**where, args=FLAGS)
+    return playwright.chromium.launch(**where, args=[*FLAGS, *more])

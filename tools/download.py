@@ -103,7 +103,7 @@ def _block(kind: str, title: str, body: str, book: Book) -> str:
             return f"#### Exercise: {title}\n{body}"
         case "solution-start":
             return "#### Solution\n"
-        case "solution-end" | "footbibliography" | "bibliography":
+        case "solution-end" | "bibliography":
             return ""
         case _:
             quoted = "\n".join(f"> {line}".rstrip() for line in body.strip().split("\n"))

@@ -7,6 +7,7 @@ will be, so that lines hardly move when it is set. Pictures are in `pictures.py`
 """
 
 import re
+import sys
 from pathlib import Path
 from zlib import crc32
 
@@ -19,6 +20,8 @@ from sphinx.highlighting import PygmentsBridge
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
 from sphinx_exercise.nodes import exercise_enumerable_node, exercise_node, solution_node
+from sphinxcontrib.bibtex.directives import BibliographyDirective
+from sphinxcontrib.bibtex.foot_directives import FootBibliographyDirective
 
 from helpers import robots
 from helpers.explorer import ArmExplorer, judge
@@ -65,7 +68,8 @@ class LiveArm(SphinxDirective):
 
 
 class LiveJudge(SphinxDirective):
-    """The judge of answers; its content is what a page without a script shows.
+    """A `{div}` of class `judge`: the judge of answers; its content is what a page without a script
+    shows, and JupyterLab, which knows a `div` and would show any name of our own as an error.
 
     In a chapter its options say what is asked, and the judge is small; `pose` is the joint values,
     semicolons end the rows of a `table`.
@@ -73,17 +77,31 @@ class LiveJudge(SphinxDirective):
 
     has_content = True
     fields = ("ask", "arm", "table", "pose", "unit", "wrench", "target")
-    option_spec = dict.fromkeys(fields, directives.unchanged)
+    option_spec = {  # noqa: RUF012
+        "class": lambda name: directives.choice(name, ("judge",)),
+        **dict.fromkeys(fields, directives.unchanged),
+    }
 
     def run(self) -> list[nodes.Node]:
         given = {"q" if key == "pose" else key: text for key, text in self.options.items()}
+        del given["class"]
         if "table" in given:
             given["table"] = given["table"].replace("; ", "\n")
-        self.env.note_dependency(judge.__file__)
+        for name, module in list(sys.modules.items()):
+            if name.startswith("helpers."):  # the arms and their numbers stand in the page
+                self.env.note_dependency(module.__file__)
         place = nodes.container()
         self.state.nested_parse(self.content, self.content_offset, place)
         start, end = (nodes.raw("", html, format="html") for html in judge.stub(given))
         return [start, *place.children, end]
+
+
+class Sources(BibliographyDirective):
+    """What a chapter cites, in the numbers of its text: `{bibliography}` without options, which
+    JupyterLab leaves out."""
+
+    def run(self) -> list[nodes.Node]:
+        return super().run() if self.options else FootBibliographyDirective.run(self)
 
 
 def size_unset(tex: str) -> str:
@@ -214,7 +232,8 @@ def setup(app: Sphinx) -> dict[str, bool]:
     )  # Jupyter Book sets it for an extension not used here
     app.add_directive("margin", Margin)
     app.add_directive("arm", LiveArm)
-    app.add_directive("judge", LiveJudge)
+    app.add_directive("div", LiveJudge)
+    app.add_directive("bibliography", Sources, override=True)
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("doctree-resolved", prepare, priority=900)

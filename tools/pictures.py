@@ -15,7 +15,6 @@ from docutils import nodes
 from sphinx.application import Sphinx
 
 SVG = "{http://www.w3.org/2000/svg}"
-LINK = "{http://www.w3.org/1999/xlink}"
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
 INK = {
     "#0072b2",
@@ -169,7 +168,7 @@ def _drawn(part: ET.Element, clips: dict[str, Box]) -> Iterator[tuple[float, flo
         yield from zip(numbers[::2], numbers[1::2], strict=False)
     elif part.get("x"):
         x, y = float(part.get("x")), float(part.get("y"))
-        left, top, right, bottom = clips.get(part.get(f"{LINK}href", ""), (0, 0, 0, 0))
+        left, top, right, bottom = clips.get(part.get("href", ""), (0, 0, 0, 0))
         yield from ((x + left, y + top), (x + right, y + bottom))
     else:
         for child in part:

@@ -17,7 +17,17 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.derive import Derivation, Step
 from helpers.expressions import latex
-from helpers.inputs import ArmError, listed, must_be, number, numbers, plane_axes, shown, whole
+from helpers.inputs import (
+    ArmError,
+    listed,
+    must_be,
+    number,
+    numbers,
+    one_of,
+    plane_axes,
+    shown,
+    whole,
+)
 from helpers.kinematics import skeleton
 from helpers.plotting.arms import pose_frames
 from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
@@ -234,6 +244,7 @@ def frames(
     one of them) of a length (m) with their names; arrows that coincide share one."""
     T = pose_frames(arm, q)
     number(length, "length", "a finite length > 0 in m", above=0)
+    one_of(names, "names", ("xz", "x", "z"))
     shared = defaultdict(list)
     for i in range(len(T)) if which is None else listed(which, "which", _INDICES):
         if whole(i, "which") >= len(T):

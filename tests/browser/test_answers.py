@@ -14,26 +14,25 @@ CUT = """() => [...document.querySelectorAll(".answer span, .answer td, .answer 
 }).map((part) => part.textContent.slice(0, 60))"""
 
 
-@pytest.fixture(params=[("light", 1280), ("dark", 390), ("dark", 320)], ids=str)
-def context(request, browser):
-    scheme, width = request.param
+@pytest.mark.parametrize("name", PAGES)
+def test_nothing_is_cut(browser, name):
+    """Opened bright and wide or dark and narrow, in turn, and then seen at every width."""
+    looks = [("light", 1280), ("dark", 390), ("dark", 320)][:: (-1) ** PAGES.index(name)]
+    scheme, width = looks[0]
     context = browser.new_context(
         viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True
     )
-    yield context
-    context.close()
-
-
-@pytest.mark.parametrize("name", PAGES)
-def test_nothing_is_cut(context, name):
     page = context.new_page()
     page.goto((HTML / f"{name}.html").as_uri())
     assert page.locator("details.answer[open]").count() == 0
     page.get_by_role("button", name="Open all answers").click()
     assert page.locator("details.answer:not([open])").count() == 0
-    assert page.evaluate(CUT) == []
-    width = page.evaluate("[document.documentElement.scrollWidth, innerWidth]")
-    assert width[0] <= width[1]
+    for _, width in looks:
+        page.set_viewport_size({"width": width, "height": 800})
+        assert page.evaluate(CUT) == [], width
+        seen = page.evaluate("[document.documentElement.scrollWidth, innerWidth]")
+        assert seen[0] <= seen[1] == width
+    context.close()
 
 
 @pytest.fixture(scope="module")

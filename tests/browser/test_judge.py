@@ -100,6 +100,68 @@ def test_a_table_is_judged_and_shown_as_it_is_read(page):
     verdict(page, "the modified (Craig) convention, turned into the standard one")
 
 
+FORMULAS = """-s_1*(L*c_2+a_3*c_23), -c_1*(L*s_2+a_3*s_23), -a_3*c_1*s_23
+c_1*(L*c_2+a_3*c_23), -s_1*(L*s_2+a_3*s_23), -a_3*s_1*s_23
+0, L*c_2+a_3*c_23, a_3*c_23
+0, sin(q_1), s_1
+0, -cos(q_1), -c_1
+1, 0, 0"""
+
+SPOKEN = """() => {
+  window.spoken = 0;
+  new MutationObserver(() => window.spoken++)
+    .observe(document.querySelector(".arm-judge .verdict"), { childList: true });
+}"""
+
+
+def test_formulas_are_set_while_they_are_typed(page):
+    ask(page, FORMULAS)
+    verdict(page, "no value for L")
+    read = page.locator(".arm-judge .read")
+    assert read.locator("caption").inner_text().endswith("; 5 entries could not be")
+    assert read.locator("td.off").first.text_content() == "not read: -s_1*(L*c_2+a_3*c_23)"
+    page.get_by_label("Your own symbols").fill("L = 0.4")
+    verdict(page, "The Jacobian of Elbow arm is right.")
+    assert read.locator("math").count() == 18
+    set_ = (
+        read.locator("td", has_text="= 0.2866").locator("math").evaluate("math => math.innerHTML")
+    )
+    assert set_ == (
+        "<mrow><msub><mi>a</mi><mn>3</mn></msub><mo>\u2062</mo><msub><mi>c</mi><mn>23</mn></msub></mrow>"
+    )
+    page.set_viewport_size({"width": 320, "height": 700})
+    assert page.evaluate(OUTSIDE) == []
+    assert serious(page) == []
+    page.get_by_role("button", name="Copy link").click()
+    page.get_by_text("The link").first.wait_for()
+    assert "values=L+%3D+0.4" in page.url
+
+
+def test_the_verdict_is_spoken_once_a_pause(page):
+    ask(page, "")
+    verdict(page, "Type or paste your answer.")
+    page.evaluate(SPOKEN)
+    page.get_by_label("Your answer", exact=True).press_sequentially("[0.5 1 2; 3 4 5]", delay=5)
+    verdict(page, "expected")
+    assert page.evaluate("window.spoken") <= 2  # of 16 keys; the machine may rest once
+
+
+def test_what_is_typed_never_becomes_part_of_the_page(page):
+    hostile = "<img src=x onerror=window.hit=1>, 1, a_{<script>window.hit=2</script>}"
+    ask(page, f"{hostile}\n1, 2, 3")
+    read = page.locator(".arm-judge .read")
+    read.locator("td", has_text="<img src=x").wait_for()
+    assert read.locator("img, script").count() == 0
+    assert page.evaluate("window.hit") is None
+
+
+def test_a_run_says_that_its_circle_begins_at_q(page):
+    page.get_by_label("Question").select_option("trace")
+    assert page.get_by_label("Pose q at which the circle begins", exact=True).is_visible()
+    page.get_by_label("Question").select_option("torques")
+    assert page.get_by_label("Pose q", exact=True).is_visible()
+
+
 def test_what_cannot_be_read_is_said(page):
     ask(page, "1 2\n3")
     verdict(page, "expected rows of one length")

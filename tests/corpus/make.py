@@ -7,6 +7,7 @@ helper is used.
 
 import argparse
 import json
+from itertools import islice
 from pathlib import Path
 
 import numpy as np
@@ -50,12 +51,13 @@ def plain(case, arms):
     return found
 
 
-def corpus(topic, seed, scale=1.0):
-    """Arms and cases of one topic."""
+def corpus(topic, seed, scale=1.0, first=None):
+    """Arms and cases of one topic, or its first cases only."""
     rule, count = TOPICS[topic]
     arms = []
     rng = np.random.default_rng([seed, list(TOPICS).index(topic)])
-    cases = [plain(case, arms) for case in rule(rng, max(1, round(count * scale)))]
+    made = islice(rule(rng, max(1, round(count * scale))), first)
+    cases = [plain(case, arms) for case in made]
     return dict(seed=seed, topic=topic, arms=arms, cases=cases)
 
 

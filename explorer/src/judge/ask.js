@@ -2,17 +2,19 @@
 
 import { rowsFault, typedArm } from "../arm.js";
 import { joints } from "../kinematics.js";
+import { RAD } from "./angles.js";
 import { ASKED } from "./asked.js";
 import { pose } from "./door.js";
 import { parse, symbols, value } from "./formula.js";
 import { cells } from "./grid.js";
+import { ownValues } from "./own_values.js";
 import { checkerOf } from "./registry.js";
 import { ArmError, quoted } from "./say.js";
 
 export { ASKED };
 
 const LONGEST_LINK = 12_000; // characters of a fragment
-const LONGEST = { table: 2000, q: 500, wrench: 300, answer: 8000, target: 1000 };
+const LONGEST = { table: 2000, q: 500, wrench: 300, values: 500, answer: 8000, target: 1000 };
 export const LONGEST_ANSWER = 20_000; // characters that are judged while typing
 const ASKED_ABOUT = "the arm asked about"; // an arm that has no name
 export const OWN = "own"; // the arm whose table is typed
@@ -38,6 +40,7 @@ export const CHOICES = {
  * @property {string} frame the number of the frame in whose axes the rows are
  * @property {string} first the half that stands first: "v" or "omega"
  * @property {string} wrench
+ * @property {string} values of one's own symbols, as in "h = 0.3"
  * @property {string} answer
  * @property {string} columns of a table: their order, or empty where it is to be guessed; so the next three
  * @property {string} lengths
@@ -53,7 +56,7 @@ export const CHOICES = {
 
 /** @type {Question} */
 export const EMPTY = {
-  ask: "jacobian", arm: "", table: "", q: "", unit: "rad", frame: "0", first: "v", wrench: "", answer: "",
+  ask: "jacobian", arm: "", table: "", q: "", unit: "rad", frame: "0", first: "v", wrench: "", values: "", answer: "",
   columns: "", lengths: "", angles: "", convention: "",
   target: "", radius: "0.1", plane: "zy", period: "5", steps: "", pace: "even",
 }; // prettier-ignore
@@ -101,9 +104,10 @@ export function armOf(question, arms) {
   if (question.arm !== OWN) return arms.find(({ key }) => key === question.arm);
   if (!question.table.trim())
     throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
+  const known = new Map(ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : []);
   const rows = cells(question.table)
     .filter((row, i) => i || !row.some((cell) => /^\W*(a|alpha|α|d|theta|θ)(_?\{?i.*)?\W*$/i.test(cell)))
-    .map((row, i) => rowOf(row.length === 5 ? row.slice(1) : row, i + 1, question.unit));
+    .map((row, i) => rowOf(row.length === 5 ? row.slice(1) : row, i + 1, question.unit, known));
   const fault = rowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
   return { ...typedArm(rows, { name: "", home: [], rows: [] }), name: ASKED_ABOUT };
@@ -113,12 +117,13 @@ const COLUMNS = ["a", "alpha", "d", "theta"];
 const JOINT = /^(q|th|theta|phi|d|s|x)_?\{?\d{1,2}\}?$/;
 
 // A row of a α d θ; its joint turns unless a variable stands with d.
-function rowOf(entries, row, unit) {
+/** @param {Map<string, number>} known numbers for symbols */
+function rowOf(entries, row, unit, known) {
   if (entries.length !== 4) {
     throw new ArmError(`Row ${row} of the table has ${entries.length} entries; expected four: a α d θ.`);
   }
   const trees = entries.map((text, k) => parse(text || "0", `row ${row}, ${COLUMNS[k]}`));
-  const names = trees.map((tree) => [...symbols(tree)]);
+  const names = trees.map((tree) => [...symbols(tree)].filter((name) => !known.has(name)));
   const odd = names.flatMap((found, k) => found.filter((name) => k < 2 || !JOINT.test(name)));
   if (odd.length) {
     throw new ArmError(
@@ -127,7 +132,7 @@ function rowOf(entries, row, unit) {
   }
   const [a, alpha, d, theta] = trees.map((tree, k) => {
     const bare = unit === "deg" && k % 2 && !/deg|°|pi|π/.test(entries[k]);
-    return value(tree, () => 0) * (bare ? Math.PI / 180 : 1);
+    return value(tree, (name) => known.get(name) ?? 0) * (bare ? RAD : 1);
   });
   return { kind: names[2].length ? "prismatic" : "revolute", a, alpha, d, theta };
 }
@@ -138,11 +143,12 @@ function rowOf(entries, row, unit) {
  * @returns {{ report?: import("./ranking.js").Report, error?: string, waiting?: boolean, arm?: any, q?: number[] }}
  */
 export function judge(question, arms) {
+  let arm, q;
   try {
-    const arm = armOf(question, arms);
+    arm = armOf(question, arms);
     const asked = missing(question, arm);
     if (asked) return { error: asked, arm };
-    const q = posed(question) ? pose(question.q, arm, question.unit).values : undefined;
+    q = posed(question) ? pose(question.q, arm, question.unit).values : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
     const most = ASKED[question.ask].longest ?? LONGEST_ANSWER;
     if (question.answer.length > most) {
@@ -152,7 +158,7 @@ export function judge(question, arms) {
     if (!checker) return { error: "The checker is being loaded.", waiting: true, arm, q };
     return { report: checker.verdict(question, arm), arm, q };
   } catch (error) {
-    if (error instanceof ArmError) return { error: capital(error.message) };
+    if (error instanceof ArmError) return { error: capital(error.message), arm, q };
     throw error;
   }
 }

@@ -5,10 +5,12 @@
  * @type {Record<string, { title: string, fields: string[], script: string, longest?: number }>}
  */
 export const ASKED = {
-  jacobian: { title: "Jacobian at a pose", fields: ["q", "unit", "frame", "first"], script: "jacobian" },
+  jacobian: { title: "Jacobian at a pose", fields: ["q", "unit", "frame", "first", "values"], script: "jacobian" },
   torques: { title: "Joint torques at a pose", fields: ["q", "unit", "wrench"], script: "jacobian" },
   table: {
-    title: "Denavit-Hartenberg table", fields: ["columns", "lengths", "angles", "convention"], script: "table",
+    title: "Denavit-Hartenberg table",
+    fields: ["columns", "lengths", "angles", "convention", "values"],
+    script: "table",
   },
   branches: { title: "All joint angles for a target", fields: ["target", "unit"], script: "motion" },
   pose: { title: "Joint angles for one pose", fields: ["target", "unit"], script: "motion" },

@@ -3,6 +3,7 @@
 
 import { jacobianColumns, joints, linkFrames, matrix } from "../kinematics.js";
 import { singular } from "../linear.js";
+import { DEG } from "./angles.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
 import { numbers, rowsInRadians, turning } from "./door.js";
 import { asksPose, formOf, inverse, rint } from "./inverse.js";
@@ -321,8 +322,7 @@ function wrongAnswer(right, { values, units }, number, tolerance) {
 // A length in m as so many digits of mm, not below a thousandth of one.
 export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).toFixed(3)), digits);
 
-const DEGREES = 180 / Math.PI;
-export const turnOf = (angle) => say("ik turn", { degrees: size(Number((angle * DEGREES).toFixed(3))) });
+export const turnOf = (angle) => say("ik turn", { degrees: size(Number((angle * DEG).toFixed(3))) });
 
 // What explains an answer: one slip, joints of two branches mixed, or two slips; or else the joints in no branch.
 /** @returns {{ causes: Cause[], words: string }} */

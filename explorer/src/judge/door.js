@@ -1,8 +1,9 @@
 // What a reader types, taken as numbers: the port of helpers/checks/door.py and names.py for text and for lists.
 
 import { joints } from "../kinematics.js";
+import { RAD } from "./angles.js";
 import { units } from "./digits.js";
-import { parse, plain, symbols, value } from "./formula.js";
+import { isNumber, parse, plain, symbols, value } from "./formula.js";
 import { cells, withoutHeader } from "./grid.js";
 import { ArmError, say, spelled, tuple } from "./say.js";
 
@@ -11,8 +12,8 @@ const SHORT = /^([cs])((?:[+-]?\d)+)$/i;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
- * Numbers as they were handed in, row by row, with the unit of each one's last place.
- * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean }} Typed
+ * Numbers as they were handed in, row by row, with the unit of each one's last place; of a text the formulas too.
+ * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[] }} Typed
  */
 
 // An arm that can be judged is the explorer's, with its symbols: values [[name, number]], and the tables with other
@@ -24,12 +25,13 @@ export const variables = (arm) => numbered(arm).map((i) => `q_${i}`);
 /**
  * Looks symbols up for one arm at one pose, and remembers what it had to say about them.
  * @param {number[]} q
+ * @param {[string, number][]} values of symbols that the arm does not have
  * @returns {{ known: (names: Set<string>) => Map<string, number>, said: string[] }}
  */
-export function lookup(arm, q) {
+export function lookup(arm, q, values = []) {
   const said = [];
   const known = (names) => {
-    const [found, words] = meanings([...names].sort(), arm, q);
+    const [found, words] = meanings([...names].sort(), arm, q, values);
     for (const one of words) if (!said.includes(one)) said.push(one);
     return found;
   };
@@ -58,14 +60,17 @@ function ofText(text, what, known) {
   const widths = [...new Set(rows.map((row) => row.length))].sort((a, b) => a - b);
   if (widths.length > 1) throw new ArmError(say("ragged", { what, widths: widths.join(", ") }));
   const texts = rows.flat().map(plain);
-  const trees = texts.map((cell) => parse(cell, `an entry of ${what}`));
+  const trees = texts.map((cell) =>
+    isNumber(cell) ? ["num", Number(cell)] : parse(cell, `an entry of ${what}`),
+  );
   const names = new Set();
   for (const tree of trees) symbols(tree, names);
   const found = known(names);
   const values = trees.map((tree) => value(tree, (name) => found.get(name)));
   const scaled = texts.map(scaling);
   const steps = units(scaled.map(([first]) => first)).map((u, i) => u * scaled[i][1]);
-  return { values, units: steps, shape: [rows.length, widths[0]], symbolic: names.size > 0 };
+  const shown = trees.map((tree, i) => (scaled[i][1] === 1 ? tree : ["num", values[i]]));
+  return { values, units: steps, shape: [rows.length, widths[0]], symbolic: names.size > 0, trees: shown };
 }
 
 // A number and the power of ten that MATLAB's heading gave it.
@@ -92,7 +97,7 @@ export function poseFault(arm, shape, wanted) {
 
 export function inRadians(typed, arm, angles) {
   const turns = turning(arm);
-  const factor = (i) => (angles === "deg" && turns[i % turns.length] ? Math.PI / 180 : 1);
+  const factor = (i) => (angles === "deg" && turns[i % turns.length] ? RAD : 1);
   return {
     ...typed,
     values: typed.values.map((x, i) => x * factor(i)),
@@ -124,8 +129,9 @@ const simple = (name) =>
   name.replace(/\(t\)|[_{}'*^\\ ]/g, "").replace(/[ϑθ]/g, "theta").toLowerCase(); // prettier-ignore
 
 /** @returns {[Map<string, number>, string[]]} */
-function meanings(names, arm, q) {
-  const values = new Map((arm.values ?? []).map(([name, number]) => [simple(name), number]));
+function meanings(names, arm, q, own) {
+  const all = new Map([...(arm.values ?? []), ...own]); // one name once, where it first stood, as in Python
+  const values = new Map([...all].map(([name, number]) => [simple(name), number]));
   const found = new Map(names.filter((n) => values.has(simple(n))).map((n) => [n, values.get(simple(n))]));
   const used = new Map(names.filter((n) => !found.has(n)).map((n) => [n, indices(n)]));
   const [order, said] = orderOf([...new Set([...used.values()].flatMap((i) => i ?? []))], arm);

@@ -34,6 +34,10 @@ const FIELDS = {
     label: "Wrench on the tool, by the world", whole: true,
     hint: "Fx, Fy, Fz in N, Mx, My, Mz in N m, in base axes; empty for none. Gravity is 9.81 m/s² down.",
   },
+  values: {
+    label: "Your own symbols", whole: true,
+    hint: "Numbers for those that the arm does not have, in m and rad, as in “h = 0.333, l = 0.1”.",
+  },
   columns: { label: "Order of the columns", hint: "As in “theta d a alpha”; guessed where it is empty." },
   lengths: { label: "Lengths in", choices: guessedOr(["m", "cm", "mm"]) },
   angles: { label: "Angles in", choices: guessedOr(UNITS) },
@@ -68,8 +72,10 @@ const HINTS = {
     "One torque for each joint in N m (N where it slides), from NumPy, MATLAB, LaTeX, CSV or a spreadsheet.",
 };
 
+const BEGINS = "Pose q at which the circle begins";
+
 // What a small judge leaves to the whole one.
-const FURTHER = ["frame", "first", "columns", "lengths", "angles", "convention"];
+const FURTHER = ["frame", "first", "values", "columns", "lengths", "angles", "convention"];
 
 const option = ([value, words]) => h("option", { value }, words);
 
@@ -147,6 +153,7 @@ export function adapt({ fields, boxes }, question, arms) {
   for (const [key, one] of Object.entries(boxes)) one.hidden = !asked.has(key);
   hint(boxes.answer, HINTS[question.ask] ?? "");
   const arm = arms.find(({ key }) => key === question.arm);
+  write(boxes.q.querySelector("label"), question.ask === "trace" ? BEGINS : FIELDS.q.label);
   hint(boxes.q, arm ? namesOf(arm) : "One value for each joint, in the table's order.");
   const frames = arm ? arm.rows.length : 16;
   if (fields.frame.options.length !== frames + 1) {

@@ -1,11 +1,11 @@
 // Formulas as people type them, the port of helpers/reading/formula.py: a tree is ["num", x], ["name", n], ["neg", t],
 // ["call", function, t] or [sign, left, right]. No text is ever run.
 
+import { DEG, RAD } from "./angles.js";
 import { ArmError, shown } from "./say.js";
 
 const LONGEST = 20_000; // characters of one formula
 const DEEPEST = 60; // brackets in brackets
-const RAD = Math.PI / 180;
 
 const FUNCTIONS = {
   sin: Math.sin,
@@ -21,8 +21,8 @@ const FUNCTIONS = {
   abs: Math.abs,
   radians: (x) => x * RAD,
   deg2rad: (x) => x * RAD,
-  degrees: (x) => x * (180 / Math.PI),
-  rad2deg: (x) => x * (180 / Math.PI),
+  degrees: (x) => x * DEG,
+  rad2deg: (x) => x * DEG,
   sind: (x) => Math.sin(x * RAD),
   cosd: (x) => Math.cos(x * RAD),
   float: (x) => x,

@@ -30,11 +30,11 @@ const HALVES = ["linear", "angular"];
  * @returns {import("./ranking.js").Report}
  */
 export function compareJacobian(mine, arm, q, options = {}) {
-  const { angularFirst = false, frame = 0, angles = "rad", tolerance = null } = options;
+  const { angularFirst = false, frame = 0, angles = "rad", tolerance = null, values = [] } = options;
   const at = pose(q, arm, angles);
   const dof = at.values.length;
   const what = `${arm.name}: your Jacobian`;
-  const { known, said } = lookup(arm, at.values);
+  const { known, said } = lookup(arm, at.values, values);
   let typed = numbers(mine, what, known);
   const count = typed.values.length;
   if (typed.shape.length === 2 && count === 6 * dof && count === Math.max(...typed.shape)) {

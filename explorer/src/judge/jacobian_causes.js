@@ -1,11 +1,11 @@
 // What mistakes make of a right Jacobian, the port of helpers/checks/jacobian_causes.py: in the table or q (before), in
 // the recipe, and in how it is written down (after).
 
+import { DEG, RAD } from "./angles.js";
 import * as chains from "./chains.js";
 import { numbered } from "./door.js";
 import { cause } from "./ranking.js";
 
-const RAD = Math.PI / 180;
 const WRITING = [
   "J.halves",
   "J.millimetres",
@@ -89,7 +89,7 @@ export function* recipes(c) {
 
 // q taken in degrees, and in radians where degrees were meant.
 const degrees = (c) =>
-  [(x) => x * RAD, (x) => x * (180 / Math.PI)].map((change) => {
+  [(x) => x * RAD, (x) => x * DEG].map((change) => {
     return [cause("J.degrees"), { ...c, q: c.q.map((x, k) => (c.turns[k] ? change(x) : x)) }];
   });
 

@@ -2,6 +2,7 @@
 // is found from where it carries the next axis, or at the end the tip and the tool.
 
 import { cross, dot, joints, linkFrames, minus, plus, scaled } from "../kinematics.js";
+import { DEG } from "./angles.js";
 import { say, size } from "./say.js";
 
 const SEEN = 1e-6; // m, or the sine of an angle: less than this fixes no direction
@@ -131,7 +132,7 @@ export function equations({ signs, offsets }, mine, reference) {
   return signs.flatMap((s, k) => {
     const [i, j] = [mine.joints[k], reference.joints[k]];
     const turns = reference.rows[j - 1].kind === "revolute";
-    const shift = Number((offsets[k] * (turns ? 180 / Math.PI : 1000)).toFixed(6));
+    const shift = Number((offsets[k] * (turns ? DEG : 1000)).toFixed(6));
     const counted = Math.abs(shift) > 1e-3;
     if (s > 0 && !counted) return [];
     const tail = counted ? ` ${shift < 0 ? "-" : "+"} ${size(Math.abs(shift), 5)}${turns ? "°" : " mm"}` : "";

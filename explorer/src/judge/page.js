@@ -7,7 +7,8 @@ import { ready } from "./registry.js";
 import { showRead, tell } from "./shown.js";
 
 const MOST_SHOWN = 50_000; // characters of an answer, such as a file's, that stand in its field
-const PAUSE = 350; // ms without a key before the verdict is spoken
+const SOON = 120; // ms without a key before the answer is read
+const PAUSE = 350; // and before the verdict is spoken
 const PRIVATE = "Nothing that you type leaves this page: a script in it judges, without a network too.";
 const SILENT = "It names the mistake and does not print the solution.";
 let count = 0; // of judges on the page, for ids
@@ -46,6 +47,7 @@ export function mount(stub) {
   let question = { ...EMPTY, arm: arms[0]?.key, ...(given ?? examples[0]) };
   let verdict;
   let timer = 0;
+  let stale = false; // whether something was typed since the verdict
 
   const shownAs = (key) => (question[key].length > MOST_SHOWN ? "" : question[key]);
   const show = () => {
@@ -54,15 +56,18 @@ export function mount(stub) {
     adapt(made, question, arms);
   };
   const say = (words) => write(parts.said, words);
-  const speak = () => {
-    clearTimeout(timer);
-    tell(parts.verdict, verdict);
-  };
+  const speak = () => tell(parts.verdict, verdict);
   const again = () => {
     read();
     speak();
   };
+  const soon = () => {
+    read();
+    timer = setTimeout(speak, PAUSE - SOON);
+  };
   const read = () => {
+    clearTimeout(timer);
+    stale = false;
     verdict = judge(question, arms);
     if (verdict.waiting) ready(question.ask).then(again, ({ message }) => say(message));
     fields.answer.setAttribute("aria-invalid", String(verdict.report?.grade === "wrong"));
@@ -81,10 +86,10 @@ export function mount(stub) {
     if (key === "arm") question.frame = "0";
     if (key === "arm" || key === "ask") question.q = exampleOf(question, examples)?.q ?? question.q;
     show();
-    read();
+    stale = true;
     clearTimeout(timer);
-    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") speak();
-    else timer = setTimeout(speak, PAUSE);
+    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") again();
+    else timer = setTimeout(soon, SOON);
   });
   form.addEventListener("submit", (event) => event.preventDefault());
 
@@ -105,7 +110,7 @@ export function mount(stub) {
     act(question, verdict);
   };
   const links = { fragment: () => toFragment(question), open: () => true };
-  const now = { question: () => question, verdict: () => verdict };
+  const now = { question: () => question, verdict: () => (stale && again(), verdict) };
   return { stub, arms, examples, given, ...made, parts, ...now, put, follow, say, links };
 }
 

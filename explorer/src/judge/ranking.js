@@ -106,8 +106,8 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
 
 /**
  * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and degrees for each,
- * and which of them are wrong.
- * @typedef {{ rows: import("../axes.js").Numbers[], cells: string[][], wrong: boolean[][] }} ReadTable
+ * the formulas that stood there, and which of them are wrong.
+ * @typedef {{ rows: import("../axes.js").Numbers[], cells: string[][], trees: any[][], wrong: boolean[][] }} ReadTable
  */
 
 /**

@@ -2,13 +2,20 @@
 
 import { joints } from "../kinematics.js";
 import { h } from "../dom.js";
+import { lookup } from "./door.js";
+import { parse, plain, symbols } from "./formula.js";
+import { cells, withoutHeader } from "./grid.js";
+import { isPlain, made, mathOf } from "./mathml.js";
 import { linesOf, MARKS } from "./ranking.js";
+import { ArmError } from "./say.js";
 
 const ROWS = {
   v: ["vx", "vy", "vz", "ωx", "ωy", "ωz"],
   omega: ["ωx", "ωy", "ωz", "vx", "vy", "vz"],
 };
+const TABLE_HEADS = ["a (m)", "α", "d (m)", "θ"];
 const MOST_ROWS = 40;
+const LONGEST_SET = 8000; // characters of an answer whose formulas are set
 
 /** @typedef {import("./ask.js").Question} Question */
 
@@ -41,13 +48,16 @@ export function matrixOf(question, { report, arm }) {
   return { ...namesOf(question, arm, [rows, width]), typed, wrong, shape: [rows, width] };
 }
 
-// What stands in the answer as it is understood; wrong cells are marked.
+/**
+ * What stands in the answer as it is understood: formulas set, wrong cells marked, and those that could not be read.
+ * @param {Question} question
+ */
 export function showRead(place, question, verdict) {
-  const { table } = verdict.report ?? {};
-  const found = table ? tableRead(table) : matrixRead(matrixOf(question, verdict));
+  /** @type {any} */
+  const found = readOf(question, verdict);
   place.hidden = !found;
   if (!found) return;
-  const { columns, rows, cell } = found;
+  const { columns, rows, cell, unread = 0 } = found;
   const head = h("tr", {}, h("td"), columns.map((name) => h("th", { scope: "col" }, name))); // prettier-ignore
   const body = rows.slice(0, MOST_ROWS).map((name, i) =>
     h(
@@ -55,34 +65,100 @@ export function showRead(place, question, verdict) {
       columns.map((_, k) => cell(i, k)),
     ),
   ); // prettier-ignore
-  const words = "How your answer is read";
-  place.replaceChildren(h("table", {}, h("caption", {}, words), h("thead", {}, head), h("tbody", {}, body)));
+  const first = rows.length > MOST_ROWS ? `, its first ${MOST_ROWS} of ${rows.length} rows` : "";
+  const odd = unread ? `; ${unread === 1 ? "1 entry" : `${unread} entries`} could not be` : "";
+  const caption = h("caption", {}, `How your answer is read${first}${odd}`);
+  const kind = question.ask === "table" ? "table.read" : "table.read.matrix";
+  place.replaceChildren(h(kind, {}, caption, h("thead", {}, head), h("tbody", {}, body)));
+}
+
+function readOf(question, verdict) {
+  const { table } = verdict.report ?? {};
+  if (table) return tableRead(table);
+  return matrixRead(question, matrixOf(question, verdict)) ?? partlyRead(question, verdict);
 }
 
 /** @param {import("./ranking.js").ReadTable} table */
-const tableRead = ({ cells, wrong }) => ({
-  columns: ["a (m)", "α", "d (m)", "θ"],
+const tableRead = ({ cells, trees, wrong }) => ({
+  columns: TABLE_HEADS,
   rows: cells.map((_, i) => String(i + 1)),
-  cell: (i, k) => marked(typeset(cells[i][k].replaceAll("-", "−")), wrong[i][k]),
+  cell(i, k) {
+    const [tree, words] = [trees[i][k], cells[i][k]];
+    const bare = /^-?q_\d+$/.test(words);
+    return marked(tree && !isPlain(tree) ? formula(tree, bare ? "" : words) : signed(words), wrong[i][k]);
+  },
 });
 
-/** @param {ReturnType<typeof matrixOf>} found */
-const matrixRead = (found) =>
-  found && {
+/** @param {Question} question @param {ReturnType<typeof matrixOf>} found */
+function matrixRead({ answer }, found) {
+  if (!found) return null;
+  const { typed, wrong, shape } = found;
+  const trees = answer.length > LONGEST_SET ? [] : (typed.trees ?? []);
+  return {
     ...found,
     cell(i, k) {
-      const at = i * found.shape[1] + k;
-      return marked(spelt(found.typed, at), found.wrong[at]);
+      const at = i * shape[1] + k;
+      const tree = trees[at];
+      if (!tree || (isPlain(tree) && typed.units[at])) return marked(signed(spelt(typed, at)), wrong[at]);
+      return marked(formula(tree, isPlain(tree) ? "" : spelt(typed, at)), wrong[at]);
     },
   };
+}
+
+// What can be read of an answer that could not be judged, cell by cell.
+function partlyRead(question, { error, waiting, arm, q }) {
+  const { ask, answer } = question;
+  if (!error || waiting || !arm || !answer.trim() || ask === "trace" || answer.length > LONGEST_SET)
+    return null;
+  const rows = rowsOf(ask, answer).map((row) => row.map((text) => treeOf(ask, text, arm, q)));
+  const width = Math.max(0, ...rows.map((row) => row.length));
+  return {
+    ...namesOf(question, arm, [rows.length, width]),
+    unread: rows.flat().filter(({ tree }) => !tree).length,
+    cell(i, k) {
+      const { tree, text } = rows[i][k] ?? {};
+      if (text === undefined) return h("td");
+      return tree ? h("td", {}, made(mathOf(tree))) : marked(text, true, "not read: ");
+    },
+  };
+}
+
+function rowsOf(ask, answer) {
+  try {
+    const rows = withoutHeader(cells(answer));
+    return ask === "table" && !rows[0].some((text) => /\d/.test(text)) ? rows.slice(1) : rows;
+  } catch (error) {
+    if (error instanceof ArmError) return [];
+    throw error;
+  }
+}
+
+// The formula of a cell, or none where it is no formula or means nothing to this arm.
+function treeOf(ask, text, arm, q) {
+  const named = ask === "branches" || ask === "pose";
+  try {
+    const tree = parse(plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "") || "0");
+    if (ask === "jacobian" && q) lookup(arm, q).known(symbols(tree));
+    return { tree, text };
+  } catch (error) {
+    if (error instanceof ArmError) return { tree: null, text };
+    throw error;
+  }
+}
 
 function spelt({ values, units }, i) {
   const decimals = Math.min(6, units[i] ? Math.max(0, Math.round(-Math.log10(units[i]))) : 4);
-  return (Number(values[i].toFixed(decimals)) + 0).toFixed(decimals).replace("-", "−");
+  return (Number(values[i].toFixed(decimals)) + 0).toFixed(decimals);
 }
 
-const marked = (words, wrong) =>
-  wrong ? h("td.off", {}, h("span.unseen", {}, "wrong: "), words) : h("td", {}, words);
+const signed = (words) => typeset(words.replaceAll("-", "−"));
+
+// A formula, and under it what it comes to, if that says more.
+const formula = (tree, words) =>
+  words ? [made(mathOf(tree)), h("span.value", {}, "= ", signed(words))] : [made(mathOf(tree))];
+
+const marked = (content, off, why = "wrong: ") =>
+  off ? h("td.off", {}, h("span.unseen", {}, why), content) : h("td", {}, content);
 
 // The verdict, or why there is none yet.
 export function tell(box, { report, error }) {

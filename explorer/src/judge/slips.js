@@ -2,6 +2,7 @@
 // the angles that would have come out without it.
 
 import { cosSin } from "../kinematics.js";
+import { RAD } from "./angles.js";
 import { numbered, turning } from "./door.js";
 import { both, cause } from "./ranking.js";
 
@@ -34,7 +35,7 @@ function* choices(n, count, from = 0) {
 export function* whole(arm, q) {
   const turns = turning(arm);
   const names = variable(arm);
-  const radians = (x) => x * (Math.PI / 180);
+  const radians = (x) => x * RAD;
   const eachOf = (turn, slide) => q.map((x, k) => (turns[k] ? turn(x) : slide(x)));
   const same = (x) => x;
   yield [cause("ik.degrees"), eachOf(radians, same)];
@@ -60,7 +61,7 @@ export const scales = ({ keys }) => keys.some((key) => key in SCALES || key === 
 /** @param {Cause} one */
 export function scale({ keys }, arm) {
   const slide = SCALES[keys.find((key) => key in SCALES)] ?? 1;
-  const turn = keys.includes("ik.degrees") ? Math.PI / 180 : 1;
+  const turn = keys.includes("ik.degrees") ? RAD : 1;
   return turning(arm).map((turns) => (turns ? turn : slide));
 }
 

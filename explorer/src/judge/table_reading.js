@@ -2,6 +2,7 @@
 // columns, parallel lists, dictionaries, Link(...) lines, A matrices. What is not said is guessed, and every guess is
 // told.
 
+import { RAD } from "./angles.js";
 import { number, parse, plain, symbols, value } from "./formula.js";
 import { cells as cellsOf } from "./grid.js";
 import { ArmError, listed, say, shown, size } from "./say.js";
@@ -9,7 +10,7 @@ import { ArmError, listed, say, shown, size } from "./say.js";
 export const ENTRIES = ["a", "alpha", "d", "theta"];
 const UNITS = { m: 1, cm: 1e-2, mm: 1e-3, in: 0.0254 };
 const MILLIMETRES = 10; // a length this large is no number of metres
-const DEGREES = 2 * Math.PI + 0.1; // an angle this large is no number of radians
+const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle this large is no number of radians
 const EXCHANGED = { alpha: "theta", theta: "alpha" };
 const MOST_ROWS = 32;
 const KNOWN_ORDERS = [
@@ -63,6 +64,7 @@ const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/
  * @property {Record<string, string>} texts
  * @property {boolean} backwards
  * @property {Set<string>} radians
+ * @property {Record<string, any>} [trees] the formulas of its entries; none where they were found by matrices
  */
 
 /**
@@ -154,12 +156,12 @@ export function meant(table, kinds) {
   }
   const open = ({ numbers, radians }) =>
     ["alpha", "theta"].filter((c) => !radians.has(c)).map((c) => numbers[c]);
-  if (angle === null && largest(table.rows.flatMap(open)) > DEGREES) {
+  if (angle === null && largest(table.rows.flatMap(open)) > MOST_RADIANS) {
     angle = "deg";
     said.push(say("taken: degrees"));
   }
   const f = UNITS[unit ?? "m"];
-  const t = angle === "deg" ? Math.PI / 180 : 1;
+  const t = angle === "deg" ? RAD : 1;
   const extra = table.rows.flatMap((_, k) => (k >= kinds.length ? [k + 1] : []));
   if (kinds.length && extra.length && table.rows.every(unknown))
     said.push(say("taken: fixed", { rows: namedRows(extra) }));
@@ -454,12 +456,12 @@ function rowOf(i, entries, known) {
   });
   const radians = new Set(ENTRIES.filter((name) => /\b(?:pi|deg|rad)\b/.test(plain(entries[name]))));
   const kind = mover ? { theta: "revolute", d: "prismatic" }[mover] : "unknown";
-  return { kind, numbers, texts: each((name) => entries[name].trim()), backwards, radians };
+  return { kind, numbers, texts: each((name) => entries[name].trim()), backwards, radians, trees };
 }
 
 function slope(rate, row, name) {
   const far = (from) => Math.abs(Math.abs(rate) - from) > 1e-6;
-  if (far(1) && far(Math.PI / 180)) throw new ArmError(say("row slope", { row, name, rate: size(rate) }));
+  if (far(1) && far(RAD)) throw new ArmError(say("row slope", { row, name, rate: size(rate) }));
   return rate > 0 ? 1 : -1;
 }
 

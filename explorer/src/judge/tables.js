@@ -1,6 +1,7 @@
 // Is my table wrong, or only different? The port of helpers/checks/tables.py.
 
 import { angleBetween, combinations, compared, placesBase, side } from "../axes.js";
+import { DEG } from "./angles.js";
 import { RIGHT, ROUNDED, units, WRONG } from "./digits.js";
 import { equations, isIdentity, jointMap } from "./joint_map.js";
 import { cause, nameOf, several } from "./ranking.js";
@@ -23,7 +24,6 @@ const LENGTH = 1e-6; // m
 const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
-const DEGREES = 180 / Math.PI;
 
 /** @typedef {import("../axes.js").Numbers} Numbers */
 /** @typedef {import("../axes.js").Compared} Compared */
@@ -40,6 +40,7 @@ const DEGREES = 180 / Math.PI;
  * @property {string} [angles] "rad" or "deg"
  * @property {string} [convention] "standard" or "craig"
  * @property {number} [tolerance] the largest deviation of a length (m)
+ * @property {[string, number][]} [values] of symbols that the arm does not have
  */
 
 /**
@@ -69,7 +70,8 @@ const DEGREES = 180 / Math.PI;
  */
 export function compareTables(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
-  const typed = read(mine, options, reference.values).flatMap((one) => sizes(one, reference.rows));
+  const known = new Map([...(reference.values ?? []), ...(options.values ?? [])]);
+  const typed = read(mine, options, [...known]).flatMap((one) => sizes(one, reference.rows));
   const tables = typed.map((one) => tableOf(one, meant(one, kinds)));
   const readings = tables.map((table) => judgedTable(table, reference, options.tolerance ?? null));
   const whole = (report, k) => {
@@ -99,9 +101,10 @@ function sizes(typed, wanted) {
 // The table as it was read, a row of cells for each that was typed, and which of them are wrong.
 function shown(typed, { lengthScale, angleScale }, findings) {
   const wheres = findings.map(({ where }) => where);
+  const trees = typed.rows.map((row) => ENTRIES.map((column) => row.trees?.[column]));
   const cells = typed.rows.map(({ kind, numbers, radians, backwards }, k) =>
     ENTRIES.map((column) => {
-      const scale = DEGREES * (radians.has(column) ? 1 : angleScale);
+      const scale = DEG * (radians.has(column) ? 1 : angleScale);
       const text = angular(column)
         ? `${size(numbers[column] * scale, 6)}°`
         : size(numbers[column] * lengthScale, 6);
@@ -113,7 +116,7 @@ function shown(typed, { lengthScale, angleScale }, findings) {
     }),
   );
   const wrong = cells.map((_, k) => ENTRIES.map((column) => wheres.includes(`row ${k + 1}, ${column}`)));
-  return { cells, wrong };
+  return { cells, trees, wrong };
 }
 
 // The entry that a joint changes.
@@ -252,7 +255,7 @@ function base(mine, found, mapped = null) {
 }
 
 function tool({ tilts }) {
-  const [mine, reference] = tilts.map((tilt) => size(rounded(tilt * DEGREES, 4), 4));
+  const [mine, reference] = tilts.map((tilt) => size(rounded(tilt * DEG, 4), 4));
   return angleBetween(...tilts) > ANGLE ? [say("tool", { mine, reference })] : [];
 }
 
@@ -429,7 +432,7 @@ function kindOfError(column, row, mine, wanted) {
     return cause("table.angle", {
       column,
       row,
-      _off: size(rounded(angleBetween(mine, wanted) * DEGREES, 6), 4),
+      _off: size(rounded(angleBetween(mine, wanted) * DEG, 6), 4),
     });
   if (mine * wanted < 0) return cause("table.number and sign", { column, row });
   const _way = Math.abs(mine) > Math.abs(wanted) ? say("long") : say("short");
@@ -480,7 +483,7 @@ function amount({ key, mine, reference }, what) {
   if (key === "table kind") return say("table other", { what, mine, reference });
   if (["table between", "table held", "table lean"].includes(key)) {
     const [x, y] = mine >= 0 ? [mine, reference] : [-mine, -reference];
-    const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEGREES, 4), 6));
+    const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEG, 4), 6));
     return say("table angle", { what, mine: spelt[0], reference: spelt[1], off: spelt[2] });
   }
   const [x, y] = [rounded(mine, 9), rounded(reference, 9)]; // what is left of a zero is none

@@ -2,10 +2,10 @@
 // as typed into what was meant.
 
 import { combinations } from "../axes.js";
+import { RAD } from "./angles.js";
 import { both, cause } from "./ranking.js";
 import { fromCraig } from "./table_reading.js";
 
-const RAD = Math.PI / 180;
 const [SMALL, LARGE] = [1e-2, 10]; // m: lengths beyond these were meant in the other unit
 
 /** @typedef {import("../axes.js").Numbers} Numbers */

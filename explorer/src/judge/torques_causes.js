@@ -1,12 +1,12 @@
 // What mistakes make of right torques tau = g(q) - J^T F, the port of helpers/checks/torques_causes.py. Torques are one
 // list for all poses, pose by pose.
 
+import { DEG, RAD } from "./angles.js";
 import * as chains from "./chains.js";
 import { numbered, turning } from "./door.js";
 import { both, cause } from "./ranking.js";
 import { listed, size } from "./say.js";
 
-const RAD = Math.PI / 180;
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @type {[Cause | null, (tau: number[][]) => number[][]][]} */
 const WRITINGS = [
@@ -126,7 +126,7 @@ function* loads(load) {
   yield [null, load];
   const { arm, q, wrenches, gravity } = load;
   const turns = turning(arm);
-  for (const change of [(x) => x * RAD, (x) => x * (180 / Math.PI)]) {
+  for (const change of [(x) => x * RAD, (x) => x * DEG]) {
     const other = q.map((one) => one.map((x, k) => (turns[k] ? change(x) : x)));
     yield [cause("tau.degrees"), loadOf(arm, other, wrenches, gravity)];
   }

@@ -3,6 +3,7 @@
 
 import { dot, joints, linkFrames, norm } from "../kinematics.js";
 import { singular } from "../linear.js";
+import { DEG } from "./angles.js";
 import { angleBetween, millimetres } from "./branches.js";
 import { chain, columns, framesOf } from "./chains.js";
 import { RIGHT, WRONG } from "./digits.js";
@@ -11,8 +12,7 @@ import { cause, nameOf, wordsOf } from "./ranking.js";
 import { listed, lower, say, size } from "./say.js";
 import { holds, loopCause, near, offs, pathCause, tableCause } from "./trace_causes.js";
 
-const DEGREES = 180 / Math.PI;
-const TILT = 1 / DEGREES; // rad: a tool that leans or spins more no longer counts as held
+const TILT = 1 / DEG; // rad: a tool that leans or spins more no longer counts as held
 const USUAL = 2e-3; // m: Euler's method on the homework's circle stays well below
 const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
 const LOOP_FIRST = ["trace.coarse", "trace.millimetres", "J.millimetres"]; // whatever shape it gives
@@ -183,7 +183,7 @@ function* symptomsOf({ extra }, arm, errors, frames, turn, allowed, jump) {
   yield* jump;
   const held = joints(arm).length >= 6;
   const lean = held ? Math.max(...frames.map(({ z }) => between(z, frames[0].z))) : 0;
-  const degrees = (angle) => ({ degrees: size(angle * DEGREES) });
+  const degrees = (angle) => ({ degrees: size(angle * DEG) });
   if (lean > TILT) yield finding("trace.leans", say("trace leans", degrees(lean)));
   else if (turn > TILT) yield finding("trace.spins", say("trace spins", degrees(turn)));
   if (extra) yield finding("trace.one more", say("trace.one more"));

@@ -135,7 +135,8 @@ export function addFilling(judge) {
     place.hidden = !used;
     control.hidden = used;
     write(button, used ? TEXT : GRID);
-    judge.parts.taken.hidden ||= used; // the grid shows the same
+    const { taken } = judge.parts;
+    taken.hidden ||= used && !taken.querySelector("math"); // the grid shows the same
     if (!used) return;
     const wanted = JSON.stringify([question.ask, question.first, verdict.arm.rows.length, size]);
     if (wanted !== shape) build(question, verdict.arm, size);

@@ -2,6 +2,7 @@
 
 import { fits, homeOf } from "../../arm.js";
 import { joints, jacobianColumns, linkFrames } from "../../kinematics.js";
+import { RAD } from "../angles.js";
 import { listed } from "../say.js";
 import { matrixOf } from "../shown.js";
 import { textsOf } from "./filling.js";
@@ -112,9 +113,7 @@ function vectorsOf({ unit }, arm, { values, shape }) {
   const moving = joints(arm);
   const width = moving.length;
   if (values.length % width || (shape.at(-1) !== width && values.length !== width)) return [];
-  const factors = moving.map((row) =>
-    unit === "deg" && arm.rows[row].kind === "revolute" ? Math.PI / 180 : 1,
-  );
+  const factors = moving.map((row) => (unit === "deg" && arm.rows[row].kind === "revolute" ? RAD : 1));
   return Array.from({ length: values.length / width }, (_, i) =>
     factors.map((factor, k) => factor * values[i * width + k]),
   );

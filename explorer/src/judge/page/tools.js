@@ -33,20 +33,20 @@ export function addTools(judge, root) {
     closed.hidden = !text;
     return text && say(`${CLOSED} The call stands below.`);
   };
-  const example = () => {
-    const { ask, arm } = judge.question();
-    const same = judge.examples.filter((one) => one.ask === ask);
-    judge.put({ ...EMPTY, ...(same.find((one) => one.arm === arm) ?? same[0]) });
-  };
+  const examples = () => judge.examples.filter((one) => one.ask === judge.question().ask);
+  const example = button("Show an example", () => {
+    const same = examples();
+    judge.put({ ...EMPTY, ...(same.find((one) => one.arm === judge.question().arm) ?? same[0]) });
+  });
   const links = judge.given ? [more] : [explorer];
-  const first = judge.examples.length ? [button("Show an example", example)] : [];
   // Of an exercise's own arm all of them would show the table, which is the solution.
   if (!judge.given?.table)
-    parts.tools.append(...first, button("Copy link", link), button("Copy as Python", python), ...links);
+    parts.tools.append(example, button("Copy link", link), button("Copy as Python", python), ...links);
   parts.said.after(closed);
 
   judge.follow((question, { arm, q }) => {
     more.href = whole + toFragment(question);
+    example.hidden = !examples().length;
     explorer.hidden = !arm || !q || question.arm === OWN || !arm.explorer;
     if (!explorer.hidden) explorer.href = `${explorer.href.split("#")[0]}#${poseOf(question, arm, q)}`;
   });

@@ -2,6 +2,7 @@
 
 import { numbers } from "../door.js";
 import { compareJacobian } from "../jacobian.js";
+import { ownValues, valuesCall } from "../own_values.js";
 import { register } from "../registry.js";
 import { ArmError, quoted } from "../say.js";
 import { compareTorques } from "../torques.js";
@@ -9,18 +10,18 @@ import { compareTorques } from "../torques.js";
 const inDegrees = ({ unit }) => (unit === "deg" ? ['angles="deg"'] : []);
 
 register("jacobian", {
-  verdict({ answer, q, unit, frame, first }, arm) {
+  verdict({ answer, q, unit, frame, first, values }, arm) {
     if (Number(frame) > arm.rows.length) {
       throw new ArmError(`frame is ${frame}; expected a whole number from 0 to ${arm.rows.length}`);
     }
-    const options = { angles: unit, frame: Number(frame), angularFirst: first === "omega" };
-    return compareJacobian(answer, arm, q, options);
+    const how = { angles: unit, frame: Number(frame), angularFirst: first === "omega" };
+    return compareJacobian(answer, arm, q, { ...how, values: ownValues(values) });
   },
   call(question, name) {
     const given = ["mine", name, quoted(question.q.trim()), ...inDegrees(question)];
     if (question.first === "omega") given.push("angular_first=True");
     if (question.frame !== "0") given.push(`frame=${Number(question.frame)}`);
-    return `checks.compare_jacobian(${given.join(", ")})`;
+    return `checks.compare_jacobian(${[...given, ...valuesCall(question.values)].join(", ")})`;
   },
 });
 
