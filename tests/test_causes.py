@@ -11,7 +11,7 @@ import pytest
 
 from helpers import checks, inverse, motion
 from helpers.arm import Arm, prismatic
-from helpers.robots import PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.corpus.arms import KNOWN
 from tests.corpus.torques import PANDA as LINKS
 from tests.corpus.torques import weight
@@ -146,3 +146,43 @@ def test_the_cause_is_named(name):
     assert name in keys, str(report)
     assert SAID.get(name, "") in report.headline
     assert report.grade == "wrong"
+
+
+def test_an_answer_where_there_is_no_branch():
+    report = checks.compare_branches([[0.1, 0.2, 0.3]], inverse.elbow(ELBOW, (5.0, 0.0, 0.5)))
+    (finding,) = report.findings
+    assert (finding.what, finding.where) == ("answer", "answer 1")
+    assert finding.words == "Answer 1 cannot be right: no joint angles reach this target."
+    assert report.headline == "No joint angles of Elbow arm reach this target."
+
+
+TORQUES = weight(KNOWN["PANDA"], LINKS, SEVEN)
+ASKED = {
+    ("Jacobian", "UR10e"): lambda n: checks.compare_jacobian(J.round(n), UR10E, BENT),
+    ("torques", "Panda"): lambda n: checks.compare_torques(TORQUES.round(n), PANDA, SEVEN),
+    ("pose", "UR10e"): lambda n: checks.compare_pose(BENT.round(n), UR10E, UR.tip(BENT)),
+}
+
+
+@pytest.mark.parametrize("about", ASKED)
+@pytest.mark.parametrize(("digits", "grade"), [(6, "right"), (1, "so far")])
+def test_what_and_whose_is_told_with_every_grade(about, digits, grade):
+    report = ASKED[about](digits)
+    assert (report.topic, report.arm, report.grade) == (*about, grade)
+    assert about[1] in report.headline
+
+
+@pytest.mark.parametrize(("half", "other"), [("linear", "angular"), ("angular", "linear")])
+def test_half_a_jacobian_is_right_so_far(half, other):
+    report = checks.compare_jacobian(J[:3] if half == "linear" else J[3:], UR10E, BENT)
+    assert report.grade == "so far"
+    assert report.headline == (
+        f"The {half} rows of the Jacobian of UR10e are right at this pose; the {other} ones are"
+        " missing."
+    )
+    (finding,) = report.findings
+    assert (finding.what, finding.where) == ("missing", f"{other} rows")
+    assert str(report).splitlines()[1:] == [
+        f"- Still to come: the three {other} rows.",
+        f"- Taken as the three {half} rows",
+    ]

@@ -52,6 +52,9 @@ class Robot:
         return by_rows(dh, q)
 
 
+KEYED = "f(table, q), called with the arm's entries 'a', 'alpha', 'd' and 'theta' in m and rad"
+
+
 @pytest.mark.parametrize(
     ("mine", "said"),
     [
@@ -60,8 +63,8 @@ class Robot:
         (lambda q, DH: by_rows(DH, q), "f(q, table), called with the arm's rows (a, alpha, d, th"),
         (lambda t, q: by_rows([(r[2], r[3], r[1], r[0]) for r in t], q), "(theta, d, a, alpha)"),
         (lambda t, q: by_rows([(r[0], r[2], r[1], r[3]) for r in t], q), "(a, d, alpha, theta)"),
-        (lambda dh, q: by_rows([[r[n] for n in NAMES] for r in dh], q), "'a', 'alpha', 'd' and"),
-        (lambda dh, q: by_rows(np.transpose([dh[n] for n in NAMES]), q), "'a', 'alpha', 'd' and"),
+        (lambda dh, q: by_rows([[r[n] for n in NAMES] for r in dh], q), KEYED),
+        (lambda dh, q: by_rows(np.transpose([dh[n] for n in NAMES]), q), KEYED),
         (Robot().of, "f(table, q)"),
         (Robot().jacobian, ""),
         (lambda *q: by_rows(Robot.dh, q), ""),

@@ -106,6 +106,16 @@ def test_few_digits_cost_a_little_and_joint_values_beyond_the_limits_count_for_n
     assert alone.credit == 0
 
 
+def test_a_column_is_six_formulas_each_by_itself_or_in_a_row_of_its_own(course):
+    sheet = store.load(course).sheet("ab12", SECRET)
+    six = right(sheet)["J_column"]
+    for answer, credit in ((six, 1), ([[x] for x in six], 1), ([*six[:5], "7"], 0), (six[:5], 0)):
+        marks = mark_sheet(sheet, {"J_column": answer}, store.Rules())
+        (found,) = (mark for mark in marks if mark.part == "J_column")
+        assert found.credit == credit
+    assert found.words == "Expected a list of six formulas."
+
+
 def test_what_has_not_changed_is_not_marked_again_and_what_has_is(course, tmp_path, monkeypatch):
     graded(course, tmp_path)
     calls = []

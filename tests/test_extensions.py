@@ -10,7 +10,15 @@ from docutils import nodes
 from pygments.lexers import PythonLexer
 
 from tools.download import Book, edition, plain
-from tools.pages import LightFormatter, assets, fold, size_unset
+from tools.pages import (
+    LightFormatter,
+    assets,
+    fold,
+    keep_together,
+    keep_units,
+    say_plainly,
+    size_unset,
+)
 from tools.pictures import for_dark, panels, size, turned, visit_image
 
 
@@ -198,6 +206,55 @@ def test_a_box_is_folded_at_its_title():
 def test_unset_tex_is_about_as_wide_as_its_formula():
     assert size_unset("a < b") == "0.43em"  # three signs, nine characters with the delimiters
     assert float(size_unset(r"\dot q = J^{-1}\xi")[:-2]) < float(size_unset("q = Jx")[:-2])
+
+
+@pytest.mark.parametrize(
+    ("words", "kept"),
+    [
+        ("in 5 s, 6 % of it", "in 5_s, 6_% of it"),
+        ("4.9 N m at 9.81 m/s² and 2 kg m²", "4.9_N_m at 9.81_m/s² and 2_kg_m²"),
+        ("2 springs and 3 masses, joint 2 grows", "2 springs and 3 masses, joint 2 grows"),
+    ],
+)
+def test_a_unit_stays_with_its_number(words, kept):
+    paragraph = nodes.paragraph("", "", nodes.Text(words), nodes.literal("", "5 s"))
+    for text in list(paragraph.findall(nodes.Text)):
+        keep_units(text)
+    assert paragraph.astext() == kept.replace("_", "\N{NO-BREAK SPACE}") + "5 s"
+
+
+@pytest.mark.parametrize(
+    ("behind", "kept"), [(" N, along", " N,"), (". So", "."), (" N m.", " N m.")]
+)
+def test_a_unit_or_a_stop_stays_with_its_formula(behind, kept):
+    formula = nodes.math("", "+5")
+    paragraph = nodes.paragraph("", "", formula, nodes.Text(behind))
+    keep_together(formula)
+    both = paragraph.children[0]
+    assert both["classes"] == ["together"]
+    assert both.astext() == "+5" + kept.replace(" ", "\N{NO-BREAK SPACE}")
+    assert "".join(child.astext() for child in paragraph.children[1:]) == behind[len(kept) :]
+
+
+def test_words_behind_a_formula_may_stand_on_the_next_line():
+    formula = nodes.math("", "+5")
+    paragraph = nodes.paragraph("", "", formula, nodes.Text(" apples"))
+    keep_together(formula)
+    assert paragraph.children[0] is formula
+
+
+def test_an_exercise_says_its_title_without_brackets_and_its_time_quietly():
+    exercise = nodes.title("", "", *map(nodes.Text, (" (", "Pull (ten minutes)", ")")))
+    say_plainly(exercise)
+    assert exercise.astext() == " Pull, ten minutes"
+    assert exercise.children[-1]["classes"] == ["time"]
+
+
+def test_a_solution_names_its_exercise_and_no_time():
+    words = map(nodes.Text, (" Exercise 4.1", " (", "Pull", " (ten minutes)", ")"))
+    solution = nodes.title("", "", nodes.Text("Solution to"), nodes.reference("", "", *words))
+    say_plainly(solution)
+    assert solution.astext() == "Solution to Exercise 4.1: Pull"
 
 
 def test_a_changed_asset_is_seen(tmp_path):

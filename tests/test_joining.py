@@ -65,5 +65,7 @@ def test_one_run_is_itself_and_more_must_fit():
         joined([])
     with pytest.raises(ArmError, match="expected the same"):
         joined([first, first])
+    with pytest.raises(ArmError, match="expected the same"):
+        joined([first, replace(second, q=second.q + 0.1)])
     with pytest.raises(ArmError, match="expected one arm"):
         joined([first, replace(second, arm=PANDA_HOMEWORK.lock(3, at=0.1))])

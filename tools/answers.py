@@ -48,8 +48,8 @@ PAGES = (
         "panda",
         "Panda",
         "The Panda with its pen and all seven joints. Homework and real arm share every formula;"
-        " they differ in the number"
-        " for <i>a</i><sub>3</sub> alone, so numbers are given for both."
+        " they differ in the number for <i>a</i><sub>3</sub>, and with it in where the"
+        " centres of mass of links 3 and 4 lie in their frames, so numbers are given for both."
         " {doc}`panda_joint_3_locked` is the arm that draws the circle.",
         (PANDA_HOMEWORK, PANDA),
     ),

@@ -162,8 +162,8 @@ def forked(mutant: str, run: Callable[[IO[str]], None]) -> tuple[list[str], int]
 
 
 def outcome(name: str, tests: list, cost: dict[str, float]) -> dict:
-    """What became of a mutant, and the last test that it met. One that ran out of time has that
-    test to itself once more, with five times the time: it is in an endless loop, or only slow."""
+    """What became of a mutant, and the last test that it met. One that ran out of time goes on from
+    that test with five times the time: it is in an endless loop, or only slow."""
     found, last = attempt(name, tests, cost, 1)
     if found == "timeout":
         again = next(i for i, test in enumerate(tests) if test.nodeid == last)

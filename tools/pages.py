@@ -29,10 +29,10 @@ from helpers.explorer import ArmExplorer, judge
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
 LINE = 25  # signs of a formula that any phone has room for
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
-MEASURED = re.compile(rf"(?<=\d) (?={UNIT})")
+MEASURED = re.compile(rf"(?<=\d) {UNIT}|N m(?!\w)")
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
 SPACE = "\N{NO-BREAK SPACE}"
-TIME = re.compile(r"(.*\S) \(([^()]+)\)")
+TIME = re.compile(r"(.*?)\s*\(([^()]+)\)")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
 
 
@@ -174,7 +174,7 @@ def keep_units(text: nodes.Text) -> None:
     """No line begins with the unit of a number."""
     if isinstance(text.parent, nodes.literal | nodes.FixedTextElement | nodes.math):
         return
-    kept = MEASURED.sub(SPACE, text).replace("N m", f"N{SPACE}m")
+    kept = MEASURED.sub(lambda found: found[0].replace(" ", SPACE), text)
     if kept != text:
         text.parent.replace(text, nodes.Text(kept))
 

@@ -1,7 +1,8 @@
 // What tools/pdf.py runs in the pages.
 ({
 // A page as a part of the whole: everything open, what only a screen can do left out with the words that lead to it, sections
-// that are only there to be moved left out but for their picture, wide formulas shrunk to the paper, ids and addresses its own.
+// that are only there to be moved left out but for their picture, wide formulas shrunk to the paper, ids and addresses its own;
+// its style sheets and its title.
 take: async (name) => {
   const part = name.replaceAll("/", "-");
     const article = document.querySelector("article"), all = (what) => article.querySelectorAll(what);
@@ -34,10 +35,17 @@ take: async (name) => {
         else link.removeAttribute("href");
     });
     function root() { return decodeURI(location.pathname).slice(0, -`${name}.html`.length); }
+    // A section begins at its title; its own box may begin at the foot of the page before, and its page number would be that.
+    all("section:has(> :is(h1, h2, h3, h4))").forEach((section) => {
+        const title = section.querySelector(":scope > :is(h1, h2, h3, h4)"), places = section.querySelectorAll(":scope > span[id]:empty");
+        if (section.id) title.prepend(Object.assign(document.createElement("span"), { id: section.id }));
+        title.prepend(...places);
+        section.removeAttribute("id");
+    });
     all("[id]").forEach((e) => (e.id = `${part}--${e.id}`));
     article.id = `${part}--`;
     const styles = [...document.querySelectorAll("style")].map(({ sheet }) => [...sheet.cssRules].map((rule) => rule.cssText).join("\n"));
-    return [article.outerHTML, styles];
+    return [article.outerHTML, styles, article.querySelector("h1").textContent];
 },
 
 // A reference says its page, and here which places are named; a first guess keeps the room that the right number will take.

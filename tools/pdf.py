@@ -6,6 +6,7 @@ leads to another page it says to which: the book is printed until these numbers 
 """
 
 import re
+from html import escape
 from io import BytesIO
 from pathlib import Path
 
@@ -46,24 +47,35 @@ def reader(browser: Browser) -> Page:
     return page
 
 
-def part(page: Page, name: str) -> tuple[str, list[str]]:
-    """A page of the book as a part of the whole, and the style sheets that it made for itself."""
+def part(page: Page, name: str) -> tuple[str, list[str], str]:
+    """A page of the book as a part of the whole, the style sheets that it made for itself, and its
+    title."""
     page.goto((HTML / f"{name}.html").as_uri())
     page.wait_for_function(SET)
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
-    article, sheets = page.evaluate(f"(name) => {SCRIPT}.take(name)", name)
-    return article, sheets
+    return tuple(page.evaluate(f"(name) => {SCRIPT}.take(name)", name))
+
+
+def contents(titles: dict[str, str]) -> str:
+    """What comes after the first page; `number` in pdf.js says where."""
+    _, *rest = titles
+    lines = (
+        f'<li><a href="#{name.replace("/", "-")}--">{escape(titles[name])}</a></li>'
+        for name in rest
+    )
+    return f"<section><h2>Contents</h2><ul>{''.join(lines)}</ul></section>"
 
 
 def whole(browser: Browser) -> str:
     """All pages as one HTML document."""
-    articles, styles = [], {}
+    articles, styles, titles = [], {}, {}
     page = reader(browser)
     for name in names():
-        article, sheets = part(page, name)
+        article, sheets, titles[name] = part(page, name)
         articles.append(article)
         styles |= dict.fromkeys(sheets)
     page.close()
+    articles[0] = articles[0].removesuffix("</article>") + contents(titles) + "</article>"
     sheets = ["book.css", *(["answers.css"] if (HTML / "_static/answers.css").exists() else [])]
     links = "".join(f'<link rel="stylesheet" href="_static/{sheet}">' for sheet in sheets)
     rules = "".join(f"<style>{style}</style>" for style in styles)

@@ -193,10 +193,9 @@ export class Figure {
     if (this.canvas.width === wide && this.canvas.height === high) return;
     Object.assign(this.canvas, { width: wide, height: high });
     Object.assign(this.canvas.style, { width: `${width}px`, height: `${height}px` });
-    const before = this.camera.aspect;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.points && Math.abs(before - this.camera.aspect) > 0.01) this.fit(this.points);
+    if (this.points && Math.abs(this.fitted - this.camera.aspect) > 0.01) this.fit(this.points);
     this.dirty = true;
     // At once: a canvas of another size is blank.
     if (shared && !shared.getContext().isContextLost()) this.draw(shared);
@@ -222,8 +221,9 @@ export class Figure {
   // Stand where all these points are in view, above the buttons at the picture's foot.
   fit(points) {
     this.points = points;
+    this.fitted = this.height ? this.camera.aspect : 0; // where it has no size yet, it fits nothing
     const { camera, controls, size } = this;
-    const foot = Math.min(0.2, this.foot() / (this.height || Infinity));
+    const foot = Math.min(0.3, this.foot() / (this.height || Infinity));
     const held = points.map((p) => new Vector3(...p));
     new Box3().setFromPoints(held).getCenter(controls.target);
     camera.position.copy(controls.target).addScaledVector(this.look, 3 * size);

@@ -238,12 +238,14 @@ def _good(grade: str, typed: Typed, arm: Arm, taken, figures) -> Report:
 
 
 def _found(mine, right, m: Margins, known, load: Load) -> Found | None:
+    causes, made = known
     others, papers = (
         cache(partial(reversed_joints, load, right)),
         cache(partial(paper_centres, load)),
     )
     for band in m.bands:
-        found = explain(mine, right, band, *known, odd=_ODD)
+        causes, made = known
+        found = explain(mine, right, band, causes, made, odd=_ODD)
         if found is None or found.odd.any():
             turned = explain(mine, right, band, *others())
             whole = (

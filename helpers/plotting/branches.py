@@ -46,7 +46,8 @@ def shoulder_triangles(
         ):
             x, y = spot + 0.07 * far * way_off
             ax.text(x, y, text, ha="center", va="center")
-        ax.text(*1.3 * foot, name, ha="center", va="center")
+        x, y = 1.3 * foot
+        ax.text(x, y, name, ha="center", va="center")
     ax.plot(0, 0, "o", color=SLATE, ms=7)
     ax.plot(*point, "*", color=RED, ms=11)
     ax.set_aspect("equal")

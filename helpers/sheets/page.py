@@ -74,7 +74,7 @@ def _formula(sheet: Sheet, item: Item) -> str:
         return _matrix(title(item), [[_spans(entry) for entry in row] for row in entries])
     lines = [
         f"<p>{label} = {_spans(entry)}</p>"
-        for label, entry in zip(_labels(item), chain(*entries), strict=True)
+        for label, entry in zip(_labels(sheet, item), chain(*entries), strict=True)
     ]
     return f'<div class="entries">{"".join(lines)}</div>\n'
 
@@ -104,12 +104,14 @@ def _spans(entry: list[str]) -> str:
     return " ".join(f"<span>{term}</span>" for term in entry)
 
 
-def _labels(item: Item) -> list[str]:
-    """The names of its entries: by row and column, by component, or the number's own."""
+def _labels(sheet: Sheet, item: Item) -> list[str]:
+    """The names of its entries: by row and column, by component, by joint, or the number's own."""
     name, (rows, columns) = title(item), item.value.shape
     if item.is_number:
         return [name]
-    name = {"J": name, "G": "<i>g</i>"}.get(item.name, f"({name})")
+    if item.name == "G":
+        return [f"<i>g</i><sub>{joint}</sub>" for joint in sheet.arm.joints]
+    name = name if item.name == "J" else f"({name})"
     if not item.is_matrix:
         return [f"{name}<sub>{programs.component(item, i + 1)}</sub>" for i in range(rows)]
     return [f"{name}<sub>{i + 1}{k + 1}</sub>" for i in range(rows) for k in range(columns)]
@@ -186,7 +188,8 @@ def sections(arm: Arm, also: tuple[Arm, ...] = ()) -> list[Section]:
         Section(heading, question, "".join(answer(sheet, item, others) for item in items))
         for heading, question, items in found
     ]
-    return [Section("Table", _given(sheet, others), table(arm)), *answers]
+    masses = "".join(_masses(s) for s in (sheet, *others) if s.arm.bodies)
+    return [Section("Table", _given(sheet, others), table(arm) + masses), *answers]
 
 
 def markdown(
@@ -239,7 +242,10 @@ _ASSETS = (
     '<link rel="stylesheet" href="{root}/answers.css">'
     '<script defer src="{root}/answers.js"></script>\n'
 )
-_TOOLS = '<p class="answer-tools"></p>\n'
+# Buttons that hold the place of those that the script makes, so that nothing moves when it does.
+_WORDS = ("Open all answers", *(f"Copy all as {language}" for language in LANGUAGES))
+_BUTTONS = "".join(f'<button type="button" disabled>{words}</button>' for words in _WORDS)
+_TOOLS = f'<p class="answer-tools">{_BUTTONS}</p>\n'
 
 _ASK_LINKS = (
     "<p><strong>First try.</strong> Put each row of the table into <i>A<sub>i</sub></i> ="
@@ -328,8 +334,7 @@ def _given(sheet: Sheet, others: tuple[Sheet, ...]) -> str:
         lines.append(f"What is 0, here {', '.join(zero)}, is left out of the formulas.")
     lines.append(f"Numbers are given at {home} (rad; m where a joint slides), rounded.")
     lines.append(f"Short names: {_legend(sheet)}.")
-    masses = "".join(_masses(s) for s in (sheet, *others) if s.arm.bodies)
-    return "".join(f"<p>{line}</p>\n" for line in lines) + masses
+    return "".join(f"<p>{line}</p>\n" for line in lines)
 
 
 def _together(words: str) -> str:

@@ -137,6 +137,22 @@ def test_formulas_are_set_while_they_are_typed(page):
     assert "values=L+%3D+0.4" in page.url
 
 
+PASTED = """(field, text) => {
+  field.value = text;
+  field.dispatchEvent(new InputEvent("input", { bubbles: true, inputType: "insertFromPaste" }));
+  return document.querySelector(".arm-judge .verdict").textContent;
+}"""
+
+
+def test_what_is_pasted_is_judged_at_once_and_set_after_it(page):
+    ask(page, "")
+    page.get_by_label("Your own symbols").fill("L = 0.4")
+    verdict(page, "Type or paste your answer.")
+    field = page.get_by_label("Your answer", exact=True)
+    assert "The Jacobian of Elbow arm is right." in field.evaluate(PASTED, FORMULAS)
+    page.locator(".arm-judge .read math").nth(17).wait_for()
+
+
 def test_the_verdict_is_spoken_once_a_pause(page):
     ask(page, "")
     verdict(page, "Type or paste your answer.")

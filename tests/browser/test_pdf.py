@@ -9,7 +9,7 @@ from tools import pdf
 
 SCREEN = re.compile(
     r"[^.\n]*\b(JavaScript|mouse|click\w*|slider\w*|[Dd]rag(?! at)\w*|hover|scroll\w*|[Uu]nfold\w*"
-    r"|type over|[Cc]opy (?:all|LaTeX|SymPy|NumPy|MATLAB)|buttons? |folded under|live in this page|[Pp]ress (?:Play|Draw|Back|Find)|Point at)[^.\n]*"
+    r"|type over|[Cc]opy (?:all|LaTeX|SymPy|NumPy|MATLAB)|buttons? |folded under|form below|live in this page|[Pp]ress (?:Play|Draw|Back|Find)|Point at)[^.\n]*"
 )
 
 
@@ -22,11 +22,26 @@ def paper(browser):
 
 @pytest.mark.parametrize("name", pdf.names())
 def test_no_sentence_asks_for_a_mouse_or_a_script(paper, name):
-    article, _ = pdf.part(paper, name)
+    article, *_ = pdf.part(paper, name)
     paper.evaluate("(html) => (document.querySelector('article').outerHTML = html)", article)
     text = paper.inner_text("article")
     assert len(text) > 500
     assert [found[0].strip() for found in SCREEN.finditer(text)] == []
+
+
+def test_a_reference_leads_to_a_title_and_not_to_the_page_before(browser):
+    """A title that is moved to the next page leaves the beginning of its section behind."""
+    page = browser.new_page()
+    page.set_content(
+        "<article><p style='height: 900px'></p><section id='a'><span id='b'></span>"
+        "<h2 style='margin-top: 3rem; break-after: avoid'>Title</h2>"
+        "<div style='height: 300px; break-inside: avoid'></div></section>"
+        "<a href='#t--a'>one</a> <a href='#t--b'>two</a></article><h1>T</h1>"
+    )
+    page.evaluate("document.querySelector('article').append(document.querySelector('h1'))")
+    page.evaluate(f"(name) => {pdf.SCRIPT}.take(name)", "t")
+    assert pdf.places(page.pdf(format="A4")) == {"t--a": 2, "t--b": 2}
+    page.close()
 
 
 def test_the_pages_that_are_printed_are_those_of_the_book():

@@ -34,10 +34,6 @@ const FIELDS = {
     label: "Wrench on the tool, by the world", whole: true,
     hint: "Fx, Fy, Fz in N, Mx, My, Mz in N m, in base axes; empty for none. Gravity is 9.81 m/s² down.",
   },
-  values: {
-    label: "Your own symbols", whole: true,
-    hint: "Numbers for those that the arm does not have, in m and rad, as in “h = 0.333, l = 0.1”.",
-  },
   columns: { label: "Order of the columns", hint: "As in “theta d a alpha”; guessed where it is empty." },
   lengths: { label: "Lengths in", choices: guessedOr(["m", "cm", "mm"]) },
   angles: { label: "Angles in", choices: guessedOr(UNITS) },
@@ -57,6 +53,10 @@ const FIELDS = {
   period: { label: "Time for it, in s" },
   steps: { label: "Steps", hint: "Empty: as many as your answer has." },
   pace: { label: "Pace", choices: [["even", "even"], ["rest", "from rest to rest"]] },
+  values: {
+    label: "Your own symbols", whole: true,
+    hint: "Numbers for those that the arm does not have, in m and rad, as in “h = 0.333, l = 0.1”.",
+  },
   answer: { label: "Your answer", hint: "", rows: 8, whole: true },
 }; // prettier-ignore
 const HINTS = {

@@ -49,6 +49,7 @@ function set(tree) {
   if (kind === "call") return called(first, second);
   if (kind === "^")
     return { level: CALL, pieces: [["msup", [row(within(first, ATOM)), row(set(second).pieces)]]] };
+  if (kind === "/" && first[0] === "neg") return sum(["neg", ["/", first[1], second]]);
   if (kind === "/") {
     const parts = [first, second].map((part) => row(set(part).pieces));
     return { level: PRODUCT, pieces: [["mfrac", parts]] };

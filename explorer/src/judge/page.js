@@ -57,12 +57,20 @@ export function mount(stub) {
   };
   const say = (words) => write(parts.said, words);
   const speak = () => tell(parts.verdict, verdict);
+  const set = () => showRead(parts.taken, question, verdict);
   const again = () => {
     read();
     speak();
+    set();
+  };
+  const atOnce = () => {
+    read();
+    speak();
+    timer = setTimeout(set); // long formulas take as long as their verdict
   };
   const soon = () => {
     read();
+    set();
     timer = setTimeout(speak, PAUSE - SOON);
   };
   const read = () => {
@@ -71,7 +79,6 @@ export function mount(stub) {
     verdict = judge(question, arms);
     if (verdict.waiting) ready(question.ask).then(again, ({ message }) => say(message));
     fields.answer.setAttribute("aria-invalid", String(verdict.report?.grade === "wrong"));
-    showRead(parts.taken, question, verdict);
     for (const act of followers) act(question, verdict);
   };
   const put = (patch) => {
@@ -88,7 +95,7 @@ export function mount(stub) {
     show();
     stale = true;
     clearTimeout(timer);
-    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") again();
+    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") atOnce();
     else timer = setTimeout(soon, SOON);
   });
   form.addEventListener("submit", (event) => event.preventDefault());
@@ -117,7 +124,7 @@ export function mount(stub) {
 function buildParts(id, given) {
   return {
     verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
-    taken: h("div.scroll", { role: "region", tabindex: "0", "aria-label": "How your answer is read" }),
+    taken: h("div.scroll.taken", { role: "region", tabindex: "0", "aria-label": "How your answer is read" }),
     tools: h("div.tools"),
     said: h("p.about", { role: "status" }),
     private: h("p.private", { id: `${id}-private` }, given ? PRIVATE : `${PRIVATE} ${SILENT}`),

@@ -26,7 +26,8 @@ let drags = 0;
 /**
  * @param {HTMLElement} host
  * @param {any} spec options of the figure: arm, q, joints (numbers of those that get a lever)
- * @param {{ state?: object, hold?: boolean, words: (state: any, derived: any) => string, side?: HTMLElement[] }} made
+ * @param {{ state?: object, hold?: boolean, words: (state: any, derived: any) => string, side?: HTMLElement[],
+ *   first?: number }} made
  */
 export function makeLive(host, spec, { state = {}, hold = true, words, side = [], first = 0 }) {
   const abort = new AbortController();

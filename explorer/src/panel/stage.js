@@ -44,7 +44,7 @@ export function makeStage(store, { goTo, id, say }) {
       onLost: (is) => (lost.hidden = !is),
       onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
     });
-    picture.figure.foot = () => hold.root.offsetHeight + 20;
+    picture.figure.foot = () => hold.root.offsetHeight + 40; // and the foot’s own disc and label
     makeGrabbable(picture, store, { grip, goTo });
   } catch {
     picture = null; // no WebGL here

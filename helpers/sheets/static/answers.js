@@ -56,7 +56,7 @@
       return "";
     });
     const languages = [...new Set([...document.querySelectorAll(".answer template")].map((t) => t.dataset.language))];
-    tools.append(fold, ...languages.map((language) => button(`Copy all as ${language}`, async () => {
+    tools.replaceChildren(fold, ...languages.map((language) => button(`Copy all as ${language}`, async () => {
       const blocks = document.querySelectorAll(`.answer template[data-language="${language}"]`);
       await copy([...blocks].map(text).join("\n\n"));
       return said(language);

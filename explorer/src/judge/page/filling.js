@@ -135,8 +135,7 @@ export function addFilling(judge) {
     place.hidden = !used;
     control.hidden = used;
     write(button, used ? TEXT : GRID);
-    const { taken } = judge.parts;
-    taken.hidden ||= used && !taken.querySelector("math"); // the grid shows the same
+    judge.stub.classList.toggle("in-grid", used);
     if (!used) return;
     const wanted = JSON.stringify([question.ask, question.first, verdict.arm.rows.length, size]);
     if (wanted !== shape) build(question, verdict.arm, size);
