@@ -277,9 +277,24 @@ def test_what_is_no_table_is_refused_in_words(text):
 @pytest.mark.parametrize(
     ("typed", "instead", "place", "cause"),
     [
-        ("0.4 0 0 q3", "0.2 0 0 q3", "row 3, a (you have 0.2)", "table.number:a:3"),
-        ("0.4 0 0 q3", "0.4 0.3 0 q3", "row 3, alpha (you have 0.3)", "table.too much:alpha:3"),
-        ("0.3 0 0 0", "0.1 0 0 0", "row 4, a (you have 0.1)", "table.number:a:4"),
+        (
+            "0.4 0 0 q3",
+            "0.2 0 0 q3",
+            "a in row 3 is 200 mm too short (you have 0.2)",
+            "table.number:a:3",
+        ),
+        (
+            "0.4 0 0 q3",
+            "0.4 0.3 0 q3",
+            "alpha in row 3 should be nothing (you have 0.3)",
+            "table.too much:alpha:3",
+        ),
+        (
+            "0.3 0 0 0",
+            "0.1 0 0 0",
+            "a in row 4 is 200 mm too short (you have 0.1)",
+            "table.number:a:4",
+        ),
     ],
 )
 def test_a_modified_table_is_quoted_as_it_was_typed(typed, instead, place, cause):
@@ -318,7 +333,7 @@ def test_a_table_says_how_it_was_taken():
     slide = Arm.from_table("q1 0 0 -pi/2\nth2 0 0 90\n0 -(d3+q3) 0 0", values={"d3": 0.2})
     assert [r.joint.kind for r in slide.rows] == ["revolute", "revolute", "prismatic"]
     assert slide.rows[2].d == -0.2
-    assert "backwards in rows 3" in slide.source
+    assert "backwards in row 3" in slide.source
     kuka = Arm.from_table(
         "{alpha0: 0, a0: 0, d1: 0.75, q1: q1, alpha1: -pi/2, a1: 0.35, d2: 0, q2: q2-pi/2}"
     )

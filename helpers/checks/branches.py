@@ -235,7 +235,7 @@ def _report(
     findings = [f for _, f in judged]
     if (found and len(found) < len(right.names)) or astray:
         findings[:0] = [Finding("found", n, None, None, say("ik found", name=n)) for n in found]
-    if missing:
+    if missing and (found or not astray):
         words = say("ik missing", names="; ".join(missing))
         findings.append(Finding("missing", "", None, None, words))
     one_sided = _one_sided(right, missing, found)
@@ -247,7 +247,7 @@ def _report(
         "of": len(right.names),
         "wrong": len(astray),
     }
-    notes = tuple(_notes(right))
+    notes = (*_notes(right), *_twice(arm, typed))
     coarse = tolerance is None and _coarse(right, typed)
     grade = (
         WRONG if whole or astray else SO_FAR if missing or coarse else RIGHT if sharp else ROUNDED
@@ -306,8 +306,17 @@ def _one_sided(right: _Branches, missing: list[str], found: list[str]) -> list[F
             and len(set(np.sign(q[there]))) == 1
             and (np.sign(q[~there]) == -np.sign(q[there][0])).all()
         ):
-            return [Finding("ik.one sign", "", None, None, say("ik.one sign", joint=f"q_{i}"))]
+            key = "ik.one sign" if k or not right.arm.turning[0] else "ik one side"
+            return [Finding("ik.one sign", "", None, None, say(key, joint=f"q_{i}"))]
     return []
+
+
+def _twice(arm: Arm, typed: Typed) -> Iterator[str]:
+    """A word on the first answers that are the same."""
+    for n, q in enumerate(typed.values):
+        alike = [k for k, x in enumerate(typed.values, 1) if (_gap(arm, x, q) <= _EXACT).all()]
+        if len(alike) > 1 and alike[0] == n + 1:
+            yield say("ik twice", numbers=listed(list(map(str, alike))))
 
 
 def _notes(right: _Branches) -> Iterator[str]:

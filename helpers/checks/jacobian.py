@@ -32,6 +32,7 @@ from helpers.reading.sentences import listed, say
 
 Array = NDArray[Any]
 
+_CLOSE = 0.05  # what columns may be off by, however few their digits, to be known as some joints'
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 _HALVES = (("linear", slice(0, 3)), ("angular", slice(3, 6)))
 
@@ -116,6 +117,8 @@ def _reported(
 ) -> Report:
     if typed.values.shape not in ((6, where.arm.dof), (3, where.arm.dof)):
         return _misshapen(typed, where, taken)
+    if not typed.values.any():
+        return _empty(where.arm, taken)
     if angular_first and len(typed.values) == 6:
         typed = typed.at([3, 4, 5, 0, 1, 2])
         taken = (*taken, say("taken: angular first"))
@@ -168,6 +171,7 @@ def _misshapen(typed: Typed, where: _Where, taken: tuple[str, ...]) -> Report:
     key, joint = _shape_cause(M, arm), _left_out(typed, where)
     key = "J.column missing" if joint else key
     words = say(key, shape="x".join(map(str, M.shape)), dof=arm.dof, joint=joint)
+    words = f"{words.rstrip('.')}."
     finding = Finding("shape", "", M.shape, (6, arm.dof), words)
     return Report(
         "Jacobian",
@@ -180,16 +184,23 @@ def _misshapen(typed: Typed, where: _Where, taken: tuple[str, ...]) -> Report:
     )
 
 
+def _empty(arm: Arm, taken: tuple[str, ...]) -> Report:
+    words = say("J.empty")
+    finding = Finding("cause", "", None, None, words)
+    headline = say("J wrong", arm=arm.name, cause=lower(words))
+    return Report("Jacobian", arm.name, WRONG, headline, (finding,), ("J.empty",), taken)
+
+
 def _left_out(typed: Typed, where: _Where) -> int:
-    """The joint without which the columns are right; 0 where there is none."""
+    """The only joint without which the columns are right; 0 where there is none."""
     arm = where.arm
     if typed.values.shape != (6, arm.dof - 1):
         return 0
     right = np.stack([column for _, column in _all_columns(where)][: arm.dof], axis=1)
-    band = np.maximum(HAND * typed.units, SLOPPY)
+    band = np.clip(HAND * typed.units, SLOPPY, _CLOSE)
     without = (np.delete(right, k, axis=1) for k in range(arm.dof))
     fits = [bool((np.abs(typed.values - J) <= band).all()) for J in without]
-    return arm.joints[fits.index(True)] if True in fits else 0
+    return arm.joints[fits.index(True)] if fits.count(True) == 1 else 0
 
 
 def _shape_cause(M: Array, arm: Arm) -> str:
@@ -304,6 +315,11 @@ def _bad(found: tuple[Cause, ...], symptoms: tuple[Finding, ...], arm: Arm, take
         return Report(
             "Jacobian", arm.name, WRONG, headline, findings, tuple(c.name for c in found), taken
         )
+    if all(_everything(f) for f in symptoms) and len(symptoms) == arm.dof:
+        key = "J turns" if arm.turning[0] else "J slides"
+        question = say(key, joint=arm.joints[0])
+        headline = say("J wrong everywhere", arm=arm.name, question=question)
+        return Report("Jacobian", arm.name, WRONG, headline, (), (), taken)
     headline = (
         say("J wrong place", arm=arm.name, words=lower(symptoms[0].words))
         if len(symptoms) == 1
@@ -311,6 +327,11 @@ def _bad(found: tuple[Cause, ...], symptoms: tuple[Finding, ...], arm: Arm, take
     )
     causes = tuple(dict.fromkeys(f.what for f in symptoms if "." in f.what))
     return Report("Jacobian", arm.name, WRONG, headline, symptoms, causes, taken)
+
+
+def _everything(f: Finding) -> bool:
+    """Whether a column is wrong in every row, for no reason that is known."""
+    return f.what == "column" and all(name in f.words for name in _ROWS)
 
 
 # The causes
@@ -404,7 +425,8 @@ def _column(k: int, M, right, band, rows: slice, where: _Where, others: list) ->
             return c.name, lower(c.words)
     off = np.abs(mine - wanted) > width
     names = [n for n, wrong in zip(_ROWS[rows], off, strict=True) if wrong]
-    return "column", say("J.entries", rows=listed(names))
+    turned = bool((np.abs(mine + wanted) <= width)[off].all())
+    return "column", say("J.entry signs" if turned else "J.entries", rows=listed(names))
 
 
 def _all_columns(where: _Where) -> Iterator[tuple[int, Array]]:

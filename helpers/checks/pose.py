@@ -79,7 +79,8 @@ def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Rep
                 notes,
                 figures,
             )
-    off = say("ik off", millimetres=millimetres(miss[0]), turn=_turn(T, miss[1]))
+    turn = _turn(T, miss[1]) if miss[1] > margin[1] else ""
+    off = say("ik off", millimetres=millimetres(miss[0]), turn=turn)
     found = _causes(q, arm, T, margin, miss, tolerance)
     if not found and _within(miss, _margins(q, arm, T, HALF, tolerance)):
         return Report(

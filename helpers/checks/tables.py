@@ -516,7 +516,7 @@ def _likely(t: _Try) -> bool:
     if all(r.kind == "F" for r in t.rows):
         return False
     keys = t.cause.keys if t.cause else ()
-    single = len(keys) == 1 or t.entries <= 2 * len(t.reference)
+    single = len(keys) == 1 or t.entries <= 2 * len(t.reference) or keys[1:] == ("table.craig",)
     return t.entries == 0 or (single and keys[-1:] != ("table.rows exchanged",))
 
 
@@ -548,7 +548,7 @@ def _entry(table: Table, t: _Try, k: int, column: str) -> Finding:
     row = table.row_of(k + 1, column) - shift + int(craig and column in ("a", "alpha"))
     key, fields = _kind_of_error(column, row, mine, wanted)
     typed = _typed(table, k + 1, column) if t.cause is None else size(mine, 6)
-    said = say("table entry", row=row, column=column, typed=typed, words=lower(say(key, **fields)))
+    said = say("table entry", typed=typed, words=say(key, **fields))
     return Finding(cause(key, **fields).name, f"row {row}, {column}", typed, None, said)
 
 
@@ -602,6 +602,9 @@ def _fewest(
 
 
 def _geometry(d: Difference) -> Finding:
+    if d.key == "table count":
+        said = say("table count words", mine=d.mine, reference=d.reference)
+        return Finding("row", f"row {d.row}, {d.entry}", d.mine, d.reference, said)
     i, j = (*d.ends, 0, 0)[:2]
     end = say("the tip") if d.key == "table distance" and not j else say("axis", i=j)
     along = say("axis", i=i) if i == j else say("parallel axes", i=i, j=j)
@@ -611,7 +614,7 @@ def _geometry(d: Difference) -> Finding:
 
 
 def _amount(d: Difference, what: str) -> str:
-    if isinstance(d.mine, str) or d.key == "table count":
+    if isinstance(d.mine, str):
         return say("table other", what=what, mine=d.mine, reference=d.reference)
     if d.key in ("table between", "table held", "table lean"):
         x, y = (d.mine, d.reference) if d.mine >= 0 else (-d.mine, -d.reference)

@@ -178,7 +178,7 @@ def _misshapen(M: Array, right: Array, arm: Arm) -> Report:
     poses, dof = right.shape
     one_each = M.size == poses and M.size != right.size
     key = "tau.energy" if one_each else "tau.shape"
-    shape = "x".join(map(str, M.shape)) or "1"
+    shape = "x".join(map(str, M.shape if poses > 1 else np.squeeze(M).shape)) or "1"
     wanted = f"{poses}x{dof}" if poses > 1 else str(dof)
     words = say(key, shape=shape, wanted=wanted, dof=dof)
     finding = Finding("shape", "", M.shape, right.shape, words)
@@ -238,6 +238,7 @@ def _good(grade: str, typed: Typed, arm: Arm, taken, figures) -> Report:
 
 
 def _found(mine, right, m: Margins, known, load: Load) -> Found | None:
+    causes, made = known
     others, papers = (
         cache(partial(reversed_joints, load, right)),
         cache(partial(paper_centres, load)),
@@ -271,7 +272,11 @@ def _joints(
         key = "tau other way" if (flipped <= m.band[:, k]).all() else "tau off"
         key = "tau besides" if found is not None else key
         said = say(
-            key, joint=arm.joints[k], off=size(off, 3), unit="N m" if arm.turning[k] else "N"
+            key,
+            joint=arm.joints[k],
+            most=say("up to") if len(mine) > 1 else "",
+            off=size(off, 3),
+            unit="N m" if arm.turning[k] else "N",
         )
         yield Finding("joint", f"joint {arm.joints[k]}", None, None, said)
 

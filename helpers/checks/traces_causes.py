@@ -151,7 +151,10 @@ def _phase(path: Path, tip: Array) -> float:
 
 
 def _vector(metres: Array) -> str:
-    return "(" + ", ".join(size(float(x) + 0.0) for x in np.round(1e3 * metres, 3)) + ")"
+    """A vector in mm, to three digits of its largest coordinate at most."""
+    far = 1e3 * float(np.abs(metres).max())
+    places = sum(far < least for least in (100, 10, 1))
+    return "(" + ", ".join(size(float(x) + 0.0) for x in np.round(1e3 * metres, places)) + ")"
 
 
 # By the table

@@ -4,6 +4,8 @@ import json
 from functools import cache
 from pathlib import Path
 
+_LONG = 9e6  # from here on numbers are told by a power of ten
+
 
 @cache
 def templates() -> dict[str, str]:
@@ -20,8 +22,11 @@ def say(key: str, **fields: object) -> str:
 
 
 def size(x: float, digits: int = 3) -> str:
-    """A number to so many significant digits, as C's %g; a minus sign only before what is not 0."""
-    return f"{x + 0.0:.{digits}g}" if f"{x:.{digits}g}" != "-0" else "0"
+    """A number to so many significant digits, as C's %g, but for whole ones of up to seven places;
+    a minus sign only before what is not 0.
+    """
+    text = f"{x:.{digits}g}" if f"{x:.{digits}g}" != "-0" else "0"
+    return f"{float(text):.0f}" if "e+0" in text and abs(x) < _LONG else text
 
 
 def millimetres(metres: float, digits: int = 3) -> str:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from helpers.inputs import ArmError, one_of, shown
 from helpers.reading import formula, grid
-from helpers.reading.sentences import say, size
+from helpers.reading.sentences import listed, say, size
 from helpers.rows import Joint, Kind, Row
 
 ENTRIES = ("a", "alpha", "d", "theta")
@@ -220,23 +220,34 @@ def meant(table: TypedTable, kinds: Iterable[str] = ()) -> Meant:
         angle = "deg"
         said.append(say("taken: degrees"))
     f, t = _UNITS[unit or "m"], math.pi / 180 if angle == "deg" else 1.0
+    wanted = tuple(kinds)
+    if wanted and len(wanted) < len(table.rows) and {r.kind for r in table.rows} == {"?"}:
+        fixed = list(range(len(wanted) + 1, len(table.rows) + 1))
+        said.append(say("taken: fixed", rows=_named(fixed)))
     rows = []
-    for kind, row in zip(_kinds(table, tuple(kinds)), table.rows, strict=True):
+    for kind, row in zip(_kinds(table, wanted), table.rows, strict=True):
         n = row.numbers
         alpha, theta = (n[c] * (1.0 if c in row.radians else t) for c in ("alpha", "theta"))
         rows.append(Numbers(kind, n["a"] * f, alpha, n["d"] * f, theta))
     if table.convention == "craig":
         rows = from_craig(rows)
         said.append(say("taken: craig"))
-    if backwards := [str(i) for i, row in enumerate(table.rows, 1) if row.backwards]:
-        said.append(say("taken: backwards", rows=", ".join(backwards)))
+    if backwards := [i for i, row in enumerate(table.rows, 1) if row.backwards]:
+        said.append(say("taken: backwards", rows=_named(backwards)))
     return Meant(rows, tuple(said), f, t)
+
+
+def _named(rows: list[int]) -> str:
+    if len(rows) == 1:
+        return say("row", row=rows[0])
+    return say("rows", rows=listed([str(i) for i in rows]))
 
 
 def _kinds(table: TypedTable, wanted: tuple[str, ...]) -> Iterable[str]:
     kinds = [row.kind for row in table.rows]
     if set(kinds) == {"?"}:
-        return wanted if len(wanted) == len(kinds) else ["R"] * len(kinds)
+        more = len(kinds) - len(wanted)
+        return (*wanted, *("F" * more)) if wanted and more >= 0 else ["R"] * len(kinds)
     return ["F" if kind == "?" else kind for kind in kinds]
 
 
@@ -455,7 +466,8 @@ def _heading(row: list) -> bool:
 def _from_heads(heads: list[str]) -> tuple[str | None, str | None, bool]:
     text = " ".join(heads)
     unit = next((u for u in ("mm", "cm") if re.search(rf"[(\[ ]{u}\b", text)), None)
-    unit = unit or ("m" if re.search(r"[(\[]\s*m\s*[)\]]", text) else None)
+    for own in ("m", "in"):
+        unit = unit or (own if re.search(rf"[(\[]\s*{own}\s*[)\]]", text) else None)
     angle = (
         "deg" if re.search(r"deg|°", text, re.I) else "rad" if re.search(r"\brad", text) else None
     )

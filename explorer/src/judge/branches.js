@@ -225,7 +225,7 @@ function reported(right, given, tolerance, taken, everywhere) {
   const oneSided = oneSign(right, hits, missing, found);
   const all = [...wrong.flatMap(({ causes }) => causes.map(nameOf)), ...oneSided.map(({ what }) => what)];
   const findings = [...wrong.map(({ finding }) => finding), ...oneSided];
-  if (missing.length) {
+  if (missing.length && (found.length || !astray.length)) {
     const words = say("ik missing", { names: missing.join("; ") });
     findings.splice(wrong.length, 0, { what: "missing", where: "", words });
   }
@@ -247,7 +247,7 @@ function reported(right, given, tolerance, taken, everywhere) {
     findings,
     causes: everywhere ? [nameOf(everywhere)] : [...new Set(all)],
     taken,
-    notes: [...notesOf(right)],
+    notes: [...notesOf(right), ...twice(arm, given)],
     figures: { found, right: found.length, of: branches.length, wrong: astray.length },
   };
 }
@@ -278,13 +278,23 @@ function oneSign({ arm, branches }, hits, missing, found) {
     return clear && there.size === 1 && others.every((sign) => there.has(-sign));
   });
   if (k < 0) return [];
-  return [{ what: "ik.one sign", where: "", words: say("ik.one sign", { joint: variable(arm)[k] }) }];
+  const key = k || !turns[0] ? "ik.one sign" : "ik one side";
+  return [{ what: "ik.one sign", where: "", words: say(key, { joint: variable(arm)[k] }) }];
 }
 
 // Whether an answer has too few digits to tell, and is not exact all the same, as whole degrees may be.
 function tooCoarse(right, given) {
   const exact = (values) => matches(right, values, values.map(() => REACHED)).length > 0; // prettier-ignore
   return given.some(({ values, units }) => Math.max(...units) > COARSE && !exact(values));
+}
+
+// A word on the first answers that are the same.
+function* twice(arm, given) {
+  for (const [n, { values }] of given.entries()) {
+    const same = given.map((other) => gapOf(arm, other.values, values).every((gap) => gap <= EXACT));
+    const alike = same.flatMap((is, k) => (is ? [k + 1] : []));
+    if (alike.length > 1 && alike[0] === n + 1) yield say("ik twice", { numbers: listed(alike.map(String)) });
+  }
 }
 
 function* notesOf({ arm, branches, count }) {

@@ -16,11 +16,12 @@ import {
   TELLING,
   WRONG,
 } from "./digits.js";
-import { lookup, numbered, numbers, pose } from "./door.js";
+import { lookup, numbered, numbers, pose, turning } from "./door.js";
 import { pairs, setting, singles } from "./jacobian_causes.js";
 import { better, both, cause, complete, explain, explainAll, nameOf, several, wordsOf } from "./ranking.js";
 import { ArmError, listed, lower, say, tuple } from "./say.js";
 
+const CLOSE = 0.05; // what columns may be off by, however few their digits, to be known as some joints'
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const HALVES = ["linear", "angular"];
 
@@ -44,6 +45,9 @@ export function compareJacobian(mine, arm, q, options = {}) {
   if (width !== dof || (rows !== 6 && rows !== 3)) {
     return { ...misshapen(typed, arm, at.values, frame, said), typed };
   }
+  if (!typed.values.some(Boolean)) {
+    return { ...empty(arm, said), typed, wrong: typed.values.map(() => true) };
+  }
   if (!angularFirst || rows !== 6) return { ...judged(typed, arm, at, frame, tolerance, said), typed };
   const exchanged = (list) => [...list.slice(3 * dof), ...list.slice(0, 3 * dof)];
   const linearFirst = { ...typed, values: exchanged(typed.values), units: exchanged(typed.units) };
@@ -63,13 +67,24 @@ function misshapen(typed, arm, q, frame, taken) {
   const { shape } = typed;
   const joint = leftOut(typed, arm, q, frame);
   const key = joint ? "J.column missing" : shapeCause(shape, arm);
-  const words = say(key, { shape: shape.join("x"), dof: numbered(arm).length, joint });
+  const said = say(key, { shape: shape.join("x"), dof: numbered(arm).length, joint });
+  const words = `${said.replace(/\.+$/, "")}.`;
   const findings = [{ what: "shape", where: "", words }];
   const headline = say("J wrong", { arm: arm.name, cause: lower(words) });
   return reported(arm, WRONG, headline, { findings, causes: [joint ? `${key}:${joint}` : key], taken });
 }
 
-// The joint without which the columns are right; 0 where there is none.
+function empty(arm, taken) {
+  const words = say("J.empty");
+  const headline = say("J wrong", { arm: arm.name, cause: lower(words) });
+  return reported(arm, WRONG, headline, {
+    findings: [{ what: "cause", where: "", words }],
+    causes: ["J.empty"],
+    taken,
+  });
+}
+
+// The only joint without which the columns are right; 0 where there is none.
 function leftOut({ values, units, shape: [rows, width] }, arm, q, frame) {
   const dof = numbered(arm).length;
   if (rows !== 6 || width !== dof - 1) return 0;
@@ -78,10 +93,11 @@ function leftOut({ values, units, shape: [rows, width] }, arm, q, frame) {
     const others = right.filter((_, i) => i !== k);
     return values.every((x, n) => {
       const wanted = others[n % width][1][Math.floor(n / width)];
-      return Math.abs(x - wanted) <= Math.max(HAND * units[n], SLOPPY);
+      return Math.abs(x - wanted) <= Math.min(Math.max(HAND * units[n], SLOPPY), CLOSE);
     });
   };
-  return right.find((_, k) => fits(k))?.[0] ?? 0;
+  const found = right.filter((_, k) => fits(k));
+  return found.length === 1 ? found[0][0] : 0;
 }
 
 function shapeCause([rows, width], arm) {
@@ -179,6 +195,11 @@ function bad(found, symptoms, arm, taken) {
     const headline = say("J wrong", { arm: arm.name, cause: `${lower(words)}.` });
     return reported(arm, WRONG, headline, { findings, causes: found.map(nameOf), taken });
   }
+  if (symptoms.every(everything) && symptoms.length === numbered(arm).length) {
+    const key = turning(arm)[0] ? "J turns" : "J slides";
+    const question = say(key, { joint: numbered(arm)[0] });
+    return reported(arm, WRONG, say("J wrong everywhere", { arm: arm.name, question }), { taken });
+  }
   const headline =
     symptoms.length === 1
       ? say("J wrong place", { arm: arm.name, words: lower(symptoms[0].words) })
@@ -186,6 +207,9 @@ function bad(found, symptoms, arm, taken) {
   const causes = [...new Set(symptoms.map(({ what }) => what).filter((what) => what.includes(".")))];
   return reported(arm, WRONG, headline, { findings: symptoms, causes, taken });
 }
+
+// Whether a column is wrong in every row, for no reason that is known.
+const everything = ({ what, words }) => what === "column" && ROWS.every((name) => words.includes(name));
 
 // The causes
 
@@ -286,8 +310,10 @@ function columnFinding(joint, mine, wanted, width, known, as, arm, others, from)
   }
   const one = known.causes.find(({ keys: [key] }, i) => key.startsWith("J.") && as(known.made[i]));
   if (one) return [nameOf(one), lower(wordsOf(one))];
-  const names = mine.flatMap((x, i) => (Math.abs(x - wanted[i]) > width[i] ? [ROWS[from + i]] : []));
-  return ["column", say("J.entries", { rows: listed(names) })];
+  const off = mine.flatMap((x, i) => (Math.abs(x - wanted[i]) > width[i] ? [i] : []));
+  const turned = off.every((i) => Math.abs(mine[i] + wanted[i]) <= width[i]);
+  const names = off.map((i) => ROWS[from + i]);
+  return ["column", say(turned ? "J.entry signs" : "J.entries", { rows: listed(names) })];
 }
 
 // Each joint's column in the declared frame, then those that locked joints would have.

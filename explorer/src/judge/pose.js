@@ -55,7 +55,8 @@ function judged(q, arm, T, tolerance, taken) {
   if (within(miss, marginsOf(fine, arm, T, HALF, tolerance))) return good(RIGHT, "pose right");
   const margin = marginsOf(fine, arm, T, HAND, tolerance);
   if (within(miss, margin)) return good(ROUNDED, "pose rounded");
-  const off = say("ik off", { millimetres: millimetres(miss[0]), turn: T.pose ? turnOf(miss[1]) : "" });
+  const turn = T.pose && miss[1] > margin[1] ? turnOf(miss[1]) : "";
+  const off = say("ik off", { millimetres: millimetres(miss[0]), turn });
   const found = causesOf(q, arm, T, margin, miss, tolerance);
   if (found.length) {
     const words = several(found);

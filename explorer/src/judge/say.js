@@ -25,13 +25,16 @@ export const listed = (words, last = "and") =>
 export const lower = (text) =>
   /^.(\p{Lu}|_)/su.test(text) ? text : text.slice(0, 1).toLowerCase() + text.slice(1);
 
-// A number to so many significant digits, as C's %g.
+const LONG = 9e6; // from here on numbers are told by a power of ten
+
+// A number to so many significant digits, as C's %g, but for whole ones of up to seven places.
 export function size(x, digits = 3) {
   if (!Number.isFinite(x)) return Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf";
   if (x === 0) return "0";
   const [mantissa, power] = evenly(x, digits).split("e");
   const exponent = Number(power);
   const trimmed = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
+  if (exponent >= digits && Math.abs(x) < LONG) return Number(`${mantissa}e${power}`).toFixed(0);
   if (exponent < -4 || exponent >= digits) return `${trimmed(mantissa)}e${signed(exponent)}`;
   return trimmed(Number(`${mantissa}e${power}`).toFixed(Math.max(0, digits - 1 - exponent)));
 }

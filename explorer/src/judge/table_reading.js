@@ -5,7 +5,7 @@
 import { RAD } from "./angles.js";
 import { number, parse, plain, symbols, value } from "./formula.js";
 import { cells as cellsOf } from "./grid.js";
-import { ArmError, say, shown, size } from "./say.js";
+import { ArmError, listed, say, shown, size } from "./say.js";
 
 export const ENTRIES = ["a", "alpha", "d", "theta"];
 const UNITS = { m: 1, cm: 1e-2, mm: 1e-3, in: 0.0254 };
@@ -162,6 +162,9 @@ export function meant(table, kinds) {
   }
   const f = UNITS[unit ?? "m"];
   const t = angle === "deg" ? RAD : 1;
+  const extra = table.rows.flatMap((_, k) => (k >= kinds.length ? [k + 1] : []));
+  if (kinds.length && extra.length && table.rows.every(unknown))
+    said.push(say("taken: fixed", { rows: namedRows(extra) }));
   const moving = kindsOf(table, kinds);
   let rows = table.rows.map(({ numbers: n, radians }, k) => {
     const [alpha, theta] = ["alpha", "theta"].map((c) => n[c] * (radians.has(c) ? 1 : t));
@@ -172,13 +175,21 @@ export function meant(table, kinds) {
     said.push(say("taken: craig"));
   }
   const backwards = table.rows.flatMap((row, k) => (row.backwards ? [k + 1] : []));
-  if (backwards.length) said.push(say("taken: backwards", { rows: backwards.join(", ") }));
+  if (backwards.length) said.push(say("taken: backwards", { rows: namedRows(backwards) }));
   return { rows, said, length: f, angle: t };
 }
 
+const namedRows = (rows) =>
+  rows.length === 1 ? say("row", { row: rows[0] }) : say("rows", { rows: listed(rows.map(String)) });
+
+const unknown = ({ kind }) => kind === "unknown";
+
 function kindsOf({ rows }, wanted) {
-  if (rows.every(({ kind }) => kind === "unknown"))
-    return wanted.length === rows.length ? wanted : rows.map(() => "revolute");
+  const more = rows.length - wanted.length;
+  if (rows.every(unknown))
+    return wanted.length && more >= 0
+      ? [...wanted, ...Array(more).fill("fixed")]
+      : rows.map(() => "revolute");
   return rows.map(({ kind }) => (kind === "unknown" ? "fixed" : kind));
 }
 
@@ -330,9 +341,9 @@ function headOf(cell) {
 function fromHeads(heads) {
   const text = heads.join(" ");
   const unit = ["mm", "cm"].find((u) => new RegExp(String.raw`[(\[ ]${u}\b`).test(text));
-  const metres = /[([]\s*m\s*[)\]]/.test(text) ? "m" : null;
+  const own = ["m", "in"].find((u) => new RegExp(String.raw`[(\[]\s*${u}\s*[)\]]`).test(text)) ?? null;
   const angles = /deg|°/i.test(text) ? "deg" : /\brad/.test(text) ? "rad" : null;
-  return { lengths: unit ?? metres, angles, convention: /-\s*1/.test(text) ? "craig" : null };
+  return { lengths: unit ?? own, angles, convention: /-\s*1/.test(text) ? "craig" : null };
 }
 
 // The cells without the column that numbers the rows.

@@ -417,7 +417,7 @@ function entry(table, t, k, column) {
   const row = rowOf(table, k + 1, column) - shift + lowered;
   const why = kindOfError(column, row, mine, wanted);
   const typed = t.cause ? size(mine, 6) : typedAs(table, k + 1, column);
-  const words = say("table entry", { row, column, typed, words: lower(say(why.keys[0], why.fields[0])) });
+  const words = say("table entry", { typed, words: say(why.keys[0], why.fields[0]) });
   return { what: nameOf(why), where: `row ${row}, ${column}`, words };
 }
 
@@ -459,23 +459,28 @@ function fewest(all, length, { differences }) {
 const WHAT = {
   "table distance": "table distance what", "table between": "table between what", "table held": "table held what",
   "table lean": "table lean what", "table foot": "table foot what",
-  "table along": "table along what", "table base": "table base what", "table count": "table count what",
+  "table along": "table along what", "table base": "table base what",
   "table kind": "table kind what",
 }; // prettier-ignore
 
 /** @param {Difference} d @returns {Finding} */
 function geometry(d) {
+  const where = `row ${d.row}, ${d.entry}`;
+  if (d.key === "table count") {
+    const { mine, reference } = d;
+    return { what: "row", where, words: say("table count words", { mine, reference }) };
+  }
   const [i, j] = [...d.ends, 0, 0];
   const end = d.key === "table distance" && !j ? say("the tip") : say("axis", { i: j });
   const along = i === j ? say("axis", { i }) : say("parallel axes", { i, j });
   const what = say(WHAT[d.key], { start: i, end, along, j });
   const words = say("table at", { row: d.row, entry: d.entry, words: amount(d, what) });
-  return { what: "row", where: `row ${d.row}, ${d.entry}`, words };
+  return { what: "row", where, words };
 }
 
 /** @param {Difference} d @param {string} what */
 function amount({ key, mine, reference }, what) {
-  if (key === "table kind" || key === "table count") return say("table other", { what, mine, reference });
+  if (key === "table kind") return say("table other", { what, mine, reference });
   if (["table between", "table held", "table lean"].includes(key)) {
     const [x, y] = mine >= 0 ? [mine, reference] : [-mine, -reference];
     const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEG, 4), 6));

@@ -100,7 +100,8 @@ function misshapen({ shape, values }, count, arm) {
   const dof = joints(arm).length;
   const key = values.length === count && values.length !== count * dof ? "tau.energy" : "tau.shape";
   const wanted = count > 1 ? `${count}x${dof}` : String(dof);
-  const words = say(key, { shape: shape.join("x") || "1", wanted, dof });
+  const sizes = count > 1 ? shape : shape.filter((n) => n !== 1);
+  const words = say(key, { shape: sizes.join("x") || "1", wanted, dof });
   const findings = [{ what: "shape", where: "", words }];
   const headline = say("tau wrong", { arm: arm.name, cause: lower(words) });
   return reported(arm, WRONG, headline, { findings, causes: [key] });
@@ -189,7 +190,8 @@ function jointFindings(mine, right, m, arm, found) {
     const off = Math.max(...x.map((one, i) => Math.abs(one - y[i])));
     const flipped = x.every((one, i) => Math.abs(one + y[i]) <= band[i]);
     const key = found ? "tau besides" : flipped ? "tau other way" : "tau off";
-    const words = say(key, { joint, off: size(off, 3), unit: turns[k] ? "N m" : "N" });
+    const most = x.length > 1 ? say("up to") : "";
+    const words = say(key, { joint, most, off: size(off, 3), unit: turns[k] ? "N m" : "N" });
     return [{ what: "joint", where: `joint ${joint}`, words }];
   });
 }

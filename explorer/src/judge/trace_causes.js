@@ -148,7 +148,12 @@ function otherPhase(wanted, tip) {
   return Math.min(...turns.map((k) => farthest([...once.slice(k), ...once.slice(0, k)], wanted)));
 }
 
-const vector = (metres) => `(${metres.map((x) => size(rint(1e3 * x * 1e3) / 1e3 + 0)).join(", ")})`;
+// A vector in mm, to three digits of its largest coordinate at most.
+function vector(metres) {
+  const far = 1e3 * Math.max(...metres.map(Math.abs));
+  const unit = 10 ** [100, 10, 1].filter((least) => far < least).length;
+  return `(${metres.map((x) => size(rint(1e3 * x * unit) / unit + 0)).join(", ")})`;
+}
 
 // By the table
 

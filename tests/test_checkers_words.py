@@ -1,0 +1,141 @@
+"""Verdicts read as a teacher would: brief, kind, in the student's numbers and units, with the next
+step, and without the solution.
+"""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from helpers import checks
+from helpers.arm import ArmError
+from helpers.inverse import elbow
+from helpers.kinematics import forward_kinematics, jacobian
+from helpers.motion import circle
+from helpers.reading.sentences import size
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
+from helpers.statics import static_torque
+from tests.corpus.arms import KNOWN
+
+BENT = [0.4, -0.3, 0.5, 0.9, -0.6, 0.8, 0.2]
+LOCKED = PANDA.lock(3)
+Q = np.delete(BENT, 2)
+J = KNOWN["PANDA.lock(3)"].jacobian(Q)
+FOUND = elbow(ELBOW, (0.3, 0.2, 0.7))
+WRONG_SIGN = """-s1*(0.4*c2+0.3*c23), c1*(0.4*s2+0.3*s23), -0.3*c1*s23
+c1*(0.4*c2+0.3*c23), -s1*(0.4*s2+0.3*s23), -0.3*s1*s23
+0, 0.4*c2+0.3*c23, 0.3*c23
+0, s1, s1\n0, -c1, -c1\n1, 0, 0"""
+# As the maker's documentation has it, in Craig's convention, up to the flange.
+FRANKA = """a d alpha theta
+0 0.333 0 θ1
+0 0 -π/2 θ2
+0 0.316 π/2 θ3
+0.0825 0 π/2 θ4
+-0.0825 0.384 -π/2 θ5
+0 0 π/2 θ6
+0.088 0 π/2 θ7
+0 0.107 0 0"""
+PEN_APART = """(0, 90, 333, 0), (0, -90, 0, 0), (82.5, -90, 316, 0), (-82.5, 90, 0, 0),
+(0, 90, 384, 0), (88, -90, 0, 0), (0, 0, -107, 0), (0, 0, -100, 0)"""
+PANDA_ROWS = """theta d a alpha
+q1 0.333 0 pi/2
+q2 0 0 -pi/2
+{} 0.316 0.0825 -pi/2
+q4 0 {} pi/2
+q5 0.384 0 pi/2
+q6 0 0.088 -pi/2
+q7 -0.207 0 0"""
+CIRCLE = circle((0.3, 0.2, 0.6), 0.1, "zx", 5, 5)
+SLIDE = "q1 0 0 -90\nq2 0.154 0 90\n0 -d3 0 0\nq4 0 0 -90\nq5 0 0 90\nq6 0.263 0 0"
+
+
+def table(text, arm):
+    return lambda: checks.compare_tables(text, arm)
+
+
+def J_of(mine, arm=LOCKED, q=Q, **how):
+    return lambda: checks.compare_jacobian(mine, arm, q, **how)
+
+
+def torques(mine):
+    return lambda: checks.compare_torques(mine, PANDA, BENT, [-5, 0, 0, 0, 0, 0])
+
+
+TAU = static_torque(PANDA, BENT, [-5, 0, 0, 0, 0, 0])
+UR = [0.1, -1.2, 0.8, -0.5, 0.3, 0.2]
+THERE = forward_kinematics(UR10E, UR).round(4)
+WITHOUT_PEN = forward_kinematics(UR10E.with_values(l_pen=0), UR).round(4)
+LIST = [
+    (table(PEN_APART, PANDA), "same arm as Panda.", "Taken as not moving: row 8"),
+    (table(FRANKA, PANDA), "the pen is forgotten", "and besides, the rows are in the modified"),
+    (table(PANDA_ROWS.format("q3", "0.0825"), PANDA), "row 4 has the wrong sign (you have 0.0825)"),
+    (table(PANDA_ROWS.format("0", "-0.0825"), PANDA), "6 in yours and 7 in the", "arm.lock(i)"),
+    (table("theta d(in) a(in) alpha\nq1 19.685 0 90\nq2 0 15.748 0\nq3 0 11.811 0", ELBOW), "same"),
+    (table(SLIDE, STANFORD), "counted backwards in row 3,"),
+    (J_of(WRONG_SIGN, ELBOW, None), "column 2 (joint 2): the sign is reversed in vx."),
+    (J_of(np.zeros((6, 6))), "every entry is 0"),
+    (J_of(np.cos(np.arange(36.0)).reshape(6, 6)), "in any column", "Begin with column 1: which"),
+    (J_of(J, q=np.degrees(Q)), 'where the q given here is in degrees, say angles="deg"'),
+    (J_of(jacobian(ELBOW, [0.5, 0.7, -0.4]).T, ELBOW, [0.5, 0.7, -0.4]), "it is transposed"),
+    (torques(TAU + np.eye(7)[3]), "Joint 4: it is off by 1 N m."),
+    (torques("1 2 3 4 5 6"), "its shape is 6; expected 7, one torque for each of 7 joints."),
+    (lambda: checks.compare_branches(FOUND.q[:2], FOUND), "q_1 on one side", "shoulder"),
+    (lambda: checks.compare_branches([FOUND.q[0]] * 2, FOUND), "Answers 1 and 2 are the same"),
+    (lambda: checks.compare_pose(np.degrees(UR), UR10E, THERE), "misses the target by 1820 mm"),
+    (lambda: checks.compare_pose(UR, UR10E, WITHOUT_PEN), "by 100 mm: the pen is forgotten"),
+]
+
+
+@pytest.mark.parametrize("case", LIST)
+def test_a_verdict_says_this(case):
+    asked, *words = case
+    said = str(asked())
+    assert all(some in said for some in words), said
+
+
+def test_what_is_wrong_everywhere_is_said_once():
+    report = J_of(np.cos(np.arange(36.0)).reshape(6, 6))()
+    assert report.grade == "wrong"
+    assert not report.lines
+    shape = checks.compare_jacobian(np.ones((6, 5)), LOCKED, Q)
+    assert not shape.lines
+    assert shape.causes == ("J.shape",)
+
+
+def test_what_is_missing_is_listed_only_beside_what_is_found():
+    lean = FOUND.q[0] + [0, 0.2, 0]
+    assert "Missing" not in str(checks.compare_branches([lean], FOUND))
+    assert "Missing" in str(checks.compare_branches([FOUND.q[0]], FOUND))
+
+
+def test_a_wrong_function_of_the_table_is_named_in_its_own_order_of_columns():
+    def late(dh, q):
+        """Slip 19, with rows (theta, d, a, alpha)."""
+        T, frames = np.eye(4), [np.eye(4)]
+        for (theta, d, a, alpha), x in zip(dh, q, strict=True):
+            c, s, ca, sa = (f(y) for y in (theta + x, alpha) for f in (math.cos, math.sin))
+            A = [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d]]
+            T = T @ np.array([*A, [0, 0, 0, 1]])
+            frames.append(T)
+        tip = T[:3, 3]
+        pairs = itertools.pairwise(frames)
+        return np.array([[*np.cross(F[:3, 2], tip - F[:3, 3]), *G[:3, 2]] for F, G in pairs]).T
+
+    report = checks.compare_jacobian(late, PANDA, BENT)
+    assert report.causes == ("J.z_i angular",), str(report)
+    assert "(theta, d, a, alpha)" in str(report)
+
+
+def test_no_numbers_are_refused_in_words():
+    with pytest.raises(ArmError, match="your joints: NaN or infinity stands among the numbers"):
+        checks.compare_trace(np.full((5, 6), np.nan), LOCKED, CIRCLE)
+
+
+@pytest.mark.parametrize(
+    ("x", "text"),
+    [(1826.4, "1830"), (1.35e6, "1350000"), (1.2e9, "1.2e+09"), (1e-9, "1e-09"), (-0.0, "0")],
+)
+def test_sizes_are_told_in_plain_digits(x, text):
+    assert size(x) == text
