@@ -613,6 +613,13 @@ class Runs:
         return np.array(rows)
 
 
+def test_steps_too_few_for_euler_are_told():
+    runs = Runs(24)
+    report = checks.compare_trace(runs.euler(), PANDA.lock(3), runs.path)
+    assert report.causes == ("trace.coarse",)
+    assert "but 24 steps of Euler's method are too few for this path" in report.headline
+
+
 RUNS = Runs()
 GOOD = RUNS.euler()
 ARM = PANDA.lock(3)
