@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from helpers import checks
-from helpers.arm import ArmError
+from helpers.arm import Arm, ArmError
 from helpers.inverse import elbow
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion import circle
@@ -139,3 +139,9 @@ def test_no_numbers_are_refused_in_words():
 )
 def test_sizes_are_told_in_plain_digits(x, text):
     assert size(x) == text
+
+
+def test_a_table_without_heads_may_have_more_slides_than_turns():
+    slides = Arm.from_table("alpha a theta d\npi/2 0.4 q1 0\n-pi/2 0.3 0 q2\n0 0.2 0 q3")
+    report = checks.compare_tables("1.5708,0.4,q1,0\n-1.5708,0.3,0,q2\n0,0.2,0,q3", slides)
+    assert report.agrees, str(report)

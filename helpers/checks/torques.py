@@ -244,7 +244,6 @@ def _found(mine, right, m: Margins, known, load: Load) -> Found | None:
         cache(partial(paper_centres, load)),
     )
     for band in m.bands:
-        causes, made = known
         found = explain(mine, right, band, causes, made, odd=_ODD)
         if found is None or found.odd.any():
             turned = explain(mine, right, band, *others())

@@ -509,6 +509,7 @@ def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | 
     usual = [*KNOWN_ORDERS, *(o for o in permutations(ENTRIES) if o not in KNOWN_ORDERS)]
     fits = [order for order in usual if _possible(cells, order, looks=True)]
     fits = fits or [order for order in usual if _possible(cells, order, looks=False)]
+    fits.sort(key=lambda order: not _turning(cells, order))
     return fits or [KNOWN_ORDERS[0]], False
 
 
@@ -533,15 +534,22 @@ def _possible(cells: grid.Cells, order: tuple[str, ...], looks: bool) -> bool:
         _is_variable(x) or re.search(r"\bd_?\d", x) for name in ("a", "alpha") for x in at[name]
     ):
         return False
-    turns = sum(map(_is_variable, at["theta"])) >= sum(map(_is_variable, at["d"]))
     angular = any(re.search(r"pi|deg|°|π", x) for name in ("a", "d") for x in at[name])
     if not looks:
-        return turns and not angular
+        return not angular
     alphas = [formula.number(x) for x in at["alpha"]]
     right = all(x is None or _angle_like(x) for x in alphas)
     lengths = [formula.number(x) for name in ("a", "d") for x in at[name]]
     spread = not all(x is None or (x and _angle_like(x)) for x in lengths) or not any(lengths)
-    return turns and not angular and right and spread
+    return not angular and right and spread
+
+
+def _turning(cells: grid.Cells, order: tuple[str, ...]) -> bool:
+    """Whether no fewer joints would turn than slide, as in most arms."""
+    turns, slides = (
+        sum(_is_variable(row[order.index(c)]) for row in cells) for c in ("theta", "d")
+    )
+    return turns >= slides
 
 
 @lru_cache(formula.KEPT)

@@ -377,7 +377,8 @@ function ordered(cells, heads, columns) {
   const known = KNOWN_ORDERS.map((order) => order.join());
   const usual = [...KNOWN_ORDERS, ...permutations(ENTRIES).filter((order) => !known.includes(order.join()))];
   const strict = usual.filter((order) => possible(looks, order, true));
-  const orders = strict.length ? strict : usual.filter((order) => possible(looks, order, false));
+  const fits = strict.length ? strict : usual.filter((order) => possible(looks, order, false));
+  const orders = [...fits.filter((o) => mostTurn(looks, o)), ...fits.filter((o) => !mostTurn(looks, o))];
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], sure: false, rows: cells };
 }
 
@@ -405,15 +406,20 @@ function lookOf(text) {
 // Whether the variables stand in theta (or d), and, if strict, no length or angle looks like the other; those of an arm
 // with skew axes do.
 function possible(looks, order, strict) {
-  const [a, alpha, d, theta] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
+  const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
   if ([...a, ...alpha].some(({ variable, offset }) => variable || offset)) return false;
-  const count = (list) => list.filter(({ variable }) => variable).length;
-  const stands = count(theta) >= count(d) && ![...a, ...d].some(({ angular }) => angular);
+  const stands = ![...a, ...d].some(({ angular }) => angular);
   if (!strict || !stands) return stands;
   const lengths = [...a, ...d].map((look) => look.number);
   const right = alpha.every((look) => look.number === null || angleLike(look.number));
   const spread = !lengths.every((x) => x === null || (x && angleLike(x))) || !lengths.some(Boolean);
   return right && spread;
+}
+
+// Whether no fewer joints would turn than slide, as in most arms.
+function mostTurn(looks, order) {
+  const count = (name) => looks.filter((row) => row[order.indexOf(name)].variable).length;
+  return count("theta") >= count("d");
 }
 
 function isVariable(text) {
