@@ -115,6 +115,8 @@ RIGHT = {
 }
 
 REFUSED = {
+    "a alpha d theta": "expected rows of four entries",
+    "| alpha_{i-1} | a_{i-1} | d | theta |": "expected rows of four entries",
     "": "empty",
     "hello": "rows have 1 entries",
     "0 1 2\n0 1 2 3": "rows have 3, 4 entries",

@@ -125,6 +125,8 @@ def read(
         )
         convention = "craig" if convention == "modified" else convention
     cells, heads, said = _cells(source)
+    if not cells:
+        raise ArmError(say("no rows", given=shown(source)))
     known = {_simple(k): float(v) for k, v in (values or {}).items()}
     if matrices := _matrices(cells):
         _few(len(matrices))

@@ -85,6 +85,7 @@ const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/
 export function read(text, { columns, lengths, angles, convention } = {}, values = []) {
   const given = { lengths: lengths || null, angles: angles || null, convention: convention || null };
   const typed = ofText(text);
+  if (!typed.cells.length) throw new ArmError(say("no rows", { given: shown(text) }));
   const known = new Map(values.map(([name, x]) => [simple(name), x]));
   const found = matrices(typed.cells);
   if (found) {
