@@ -220,6 +220,14 @@ def test_joint_angles_are_read_as_they_were_meant_in_both_languages(options):
 
 
 @needs_node
+def test_no_tolerance_leaves_nothing_to_the_last_bit():
+    """Two slips that give the same angles, of which rounding chose one."""
+    question = {"topic": "pose", "typed": "0, -90, 180", "target": [-0.7, 0.0, 0.5]}
+    asked = (ELBOW, {**question, "options": {"angles": "deg", "tolerance": 0.0}})
+    assert not [*different([asked])]
+
+
+@needs_node
 def test_what_are_no_joint_angles_is_refused_in_the_same_words():
     said = page_words([pose(text) for text in motion_pastes.UNREAD])
     for text, theirs in zip(motion_pastes.UNREAD, said, strict=True):

@@ -127,7 +127,7 @@ def _margins(
     q: Typed, arm: Arm, T: Typed, share: float, tolerance: float | None
 ) -> tuple[float, float]:
     if tolerance is not None:
-        return tolerance, tolerance
+        return max(tolerance, 1e-9), max(tolerance, 1e-9)  # below it rounding decides
     J = np.abs(jacobian(arm, q.values)) @ (share * q.units)
     last = T.units if T.values.ndim == 1 else T.units[:3, 3]
     turn = 0.0 if T.values.ndim == 1 else 2 * share * float(T.units[:3, :3].max())

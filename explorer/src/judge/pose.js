@@ -84,7 +84,7 @@ const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 
 /** @returns {[number, number]} */
 function marginsOf(q, arm, T, share, tolerance) {
-  if (tolerance !== null) return [tolerance, tolerance];
+  if (tolerance !== null) return [Math.max(tolerance, 1e-9), Math.max(tolerance, 1e-9)]; // below it rounding decides
   const columns = jacobianColumns(arm, linkFrames(arm, q.values));
   const spread = (i) =>
     columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * (share * q.units[k]), 0);
