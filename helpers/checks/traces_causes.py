@@ -25,6 +25,7 @@ _PLAIN = 0.1  # of the miss or the path: what another path without a free number
 _HOLDS = 1.5  # times the noise: what a rule that holds may leave
 _LOOSE = 4.0  # times the noise: what one may leave that is ten times better than the right one
 _NICE = tuple(1 / n for n in (2, 3, 4, 5, 8, 10, 20, 40, 50, 100))
+_FINE = 3e-4  # of the speed: below, the digits show a thousandth of it
 _CLEARLY = 0.7  # of what the right loop leaves: what another must stay below to be named
 
 
@@ -273,7 +274,9 @@ class _Steps:
         v = self.velocity
         yield cause("trace.other side"), *self._held(self.J, -v)
         yield cause("trace.millimetres"), *self._held(self.J, 1e3 * v)
-        yield cause("J.millimetres"), *self._held(self.J, 1e-3 * v)
+        if float(self.noise.max()) < _FINE * self.speed:
+            left = self._fails(self.J, 1e-3 * v)
+            yield cause("J.millimetres"), left, left < _HOLDS
         yield cause("trace.next velocity"), *self._held(self.J, self.later)
         for c, K in wrong_recipes(self.at):
             yield c, *self._held(K, v)

@@ -19,6 +19,7 @@ const HOLDS = 1.5; // times the noise: what a rule that holds may leave
 const LOOSE = 4; // times the noise: what one may leave that is ten times better than the right one
 const NICE = [2, 3, 4, 5, 8, 10, 20, 40, 50, 100].map((n) => 1 / n);
 const PAIRS = [[0, 1], [0, 2], [1, 2]]; // prettier-ignore
+const FINE = 3e-4; // of the speed: below, the digits show a thousandth of it
 const CLEARLY = 0.7; // of what the right loop leaves: what another must stay below to be named
 
 /** @typedef {import("./ranking.js").Cause} Cause */
@@ -284,7 +285,10 @@ function* rulesOf(steps) {
   const own = (sample) => sample.J;
   yield held(steps, cause("trace.other side"), own, (sample) => scaled(-1, sample.now));
   yield held(steps, cause("trace.millimetres"), own, (sample) => scaled(1e3, sample.now));
-  yield held(steps, cause("J.millimetres"), own, (sample) => scaled(1e-3, sample.now));
+  if (Math.max(...steps.noise) < FINE * steps.speed) {
+    const left = fails(steps, own, (sample) => scaled(1e-3, sample.now));
+    yield { one: cause("J.millimetres"), left, fits: left < HOLDS };
+  }
   yield held(steps, cause("trace.next velocity"), own, (sample) => sample.later);
   const wrong = samples.map(({ at }) => [...recipes(at)]);
   for (const [k, [one]] of wrong[0].entries()) {
