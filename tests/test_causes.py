@@ -132,8 +132,8 @@ SAID = {
     "J.frame linear": "the linear rows are in the axes of frame 3, not of the base.",
     "table.offset": "the offset of theta in row 2 is forgotten.",
     "tau.joints reversed": "joint 2, 4 and 7 counts the other way in yours",
-    "table.number and sign": "d in row 4 is wrong, and goes the other way.",
-    "table.angle": f"row 1, alpha (you have 1): alpha in row 1 is {90 - math.degrees(1):.1f}° off.",
+    "table.number and sign": "d in row 4 is wrong, and goes the other way (you have -0.3).",
+    "table.angle": f"alpha in row 1 is {90 - math.degrees(1):.1f}° off (you have 1).",
     "ik.signs": "q_1, q_3, q_5 have the wrong sign",
     "trace.axes exchanged": "the x and z coordinates are exchanged.",
 }

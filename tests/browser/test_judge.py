@@ -91,7 +91,7 @@ def test_a_table_is_judged_and_shown_as_it_is_read(page):
     heads = "a (mm) alpha (deg) d (mm) theta"
     typed = f"{heads}\n0 90 500 q1\n400 0 0 q2+90\n200 0 0 q3"
     page.get_by_label("Your answer", exact=True).fill(typed)
-    verdict(page, "row 3, a (you have 200): a in row 3 is 100 mm too short.")
+    verdict(page, "a in row 3 is 100 mm too short (you have 200).")
     assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.2"]
     assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
     page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))

