@@ -174,7 +174,8 @@ class _At:
                 yield cause("J.frame", **fields), lambda J, R=R: _turned(J, R.T)
                 yield cause("J.frame angular", **fields), self._one_half(R, slice(3, 6))
                 yield cause("J.frame linear", **fields), self._one_half(R, slice(0, 3))
-        yield cause("J.frame turned back"), lambda J: self.seen(_turned(J, self.T[-1, :3, :3]))
+        k = self.frame or rows
+        yield cause("J.frame turned back", _k=k), lambda J: _turned(J, self.T[k, :3, :3])
 
     def _one_half(self, R: Array, rows: slice):
         def half(J: Array) -> Array:

@@ -83,12 +83,10 @@ def reversed_joints(load: Load, right: Array) -> tuple[list[Cause], Array]:
     here = right * signs[:, None, :]
     turned = Load(load.arm, signs[:, None, :] * load.chain.q, load.wrench, load.gravity)
     there = turned.torques() * signs[:, None, :]
-    names = [
-        listed([str(i) for i, s in zip(load.arm.joints, row, strict=True) if s < 0])
+    causes = [
+        cause(key, joints=listed([f"{name}{load.arm.joints[k]}" for k in np.flatnonzero(row < 0)]))
+        for key, name in (("tau.signs", ""), ("tau.joints reversed", "q_"))
         for row in signs
-    ]
-    causes = [cause("tau.signs", joints=n) for n in names] + [
-        cause("tau.joints reversed", joints=n) for n in names
     ]
     return causes, np.concatenate([here, there])
 

@@ -97,7 +97,7 @@ def _only_as_degrees(typed: Typed, arm: Arm, path: Path, allowed: float) -> bool
         float(_off(path, forward_kinematics(arm, q)[:, :3, 3]).max())
         for q in (typed.values, turned.values)
     )
-    if as_typed <= allowed or degrees > as_typed:
+    if as_typed <= allowed or degrees >= as_typed:
         return False
     return degrees <= near(path, as_typed, allowed) or holds(turned, arm, path)
 

@@ -163,7 +163,8 @@ function* writings(at) {
     yield [cause("J.frame angular", fields), (J) => chains.halves(seen(J), chains.seenIn(J, T[k], [1]))];
     yield [cause("J.frame linear", fields), (J) => chains.halves(chains.seenIn(J, T[k], [0]), seen(J))];
   }
-  yield [cause("J.frame turned back"), (J) => seen(chains.seenFrom(J, T[last]))];
+  const back = frame || last;
+  yield [cause("J.frame turned back", { _k: back }), (J) => chains.seenFrom(J, T[back])];
   for (let i = 0; i < dof; i++) {
     for (let j = i + 1; j < dof; j++) {
       const exchanged = order((k) => (k === i ? j : k === j ? i : k));

@@ -85,10 +85,10 @@ export function reversedJoints(load, right) {
     const other = loadOf(load.arm, q, load.wrenches, load.gravity);
     return torques(other).flatMap((row) => row.map((x, k) => x * signs[k]));
   });
-  const joints = sets.map((signs) => listed(joint.filter((_, k) => signs[k] < 0).map(String)));
-  const causes = ["tau.signs", "tau.joints reversed"].flatMap((key) =>
-    joints.map((one) => cause(key, { joints: one })),
-  );
+  const joints = (signs, name) => listed(joint.filter((_, k) => signs[k] < 0).map((i) => `${name}${i}`));
+  const causes = [["tau.signs", ""], ["tau.joints reversed", "q_"]].flatMap(([key, name]) =>
+    sets.map((signs) => cause(key, { joints: joints(signs, name) })),
+  ); // prettier-ignore
   return { causes, made: [...here, ...there] };
 }
 

@@ -63,7 +63,7 @@ function onlyAsDegrees({ q, steps }, arm, path, allowed) {
   const turned = rowsInRadians(q.map((values, k) => ({ values, units: steps[k] })), arm); // prettier-ignore
   const rows = turned.map(({ values }) => values);
   const [asTyped, degrees] = [miss(q), miss(rows)];
-  if (asTyped <= allowed || degrees > asTyped) return false;
+  if (asTyped <= allowed || degrees >= asTyped) return false;
   return degrees <= near(path, asTyped, allowed) || holds(rows, most(turned), arm, path);
 }
 
