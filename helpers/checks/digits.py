@@ -44,6 +44,13 @@ class Typed:
         coarse = self.units[self.units > 0]
         return None if not coarse.size else max(0, round(-np.log10(coarse.min())))
 
+    @property
+    def unwritten(self) -> Array:
+        """The units of numbers with three decimals or more, whose unwritten digits may count; 0 for
+        the others.
+        """
+        return np.where((self.units > 0) & (self.units < 2e-3), self.units, 0.0)
+
     def at(self, *index) -> "Typed":
         """A part of it, or another order of its entries."""
         return replace(self, values=self.values[index], units=self.units[index])

@@ -100,7 +100,7 @@ class _Where:
         """What the unwritten digits of q may change in each entry: those of q with three decimals
         or more.
         """
-        units = np.where((self.at.units > 0) & (self.at.units < 2e-3), self.at.units, 0.0)
+        units = self.at.unwritten
         if not units.any():
             return np.zeros((6, self.arm.dof))
         step = 1e-6

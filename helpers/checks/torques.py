@@ -97,7 +97,7 @@ class _Where:
         """What the unwritten digits of q may change in each torque: those of q with three decimals
         or more.
         """
-        units = np.where((self.at.units > 0) & (self.at.units < 2e-3), self.at.units, 0.0)
+        units = self.at.unwritten
         if not units.any():
             return 0.0
         q, units, step = np.atleast_2d(self.at.values), np.atleast_2d(units), 1e-6
