@@ -6,14 +6,15 @@ from collections.abc import Iterator
 
 from helpers.arm import Arm
 from helpers.checks.ranking import Cause, cause
+from helpers.robots import UR10E, UR10E_HOMEWORK
 
-_UR10 = dict(d_1=0.128, a_2=0.6127, a_3=0.5716, d_4=0.1639, d_5=0.1157, d_6=0.0922)
+_NAMES = ("d_1", "a_2", "a_3", "d_4", "d_5", "d_6")
 # Robots of nearly one name: the UR10 as its manual's drawing has it and as its maker's table of
 # Denavit-Hartenberg parameters does, and the UR10e.
 _ROBOTS = (
-    ("UR10", _UR10),
+    ("UR10", {name: UR10E_HOMEWORK.values[name] for name in _NAMES}),
     ("UR10", dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)),
-    ("UR10e", dict(d_1=0.1807, a_2=0.6127, a_3=0.57155, d_4=0.17415, d_5=0.11985, d_6=0.11655)),
+    ("UR10e", {name: UR10E.values[name] for name in _NAMES}),
 )
 
 
