@@ -14,7 +14,7 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from functools import cache
 from multiprocessing import get_context
@@ -252,7 +252,12 @@ def _in_page(options: dict) -> dict:
 def different(questions: list[tuple[Arm, dict]]) -> Iterator[tuple[dict, list, list]]:
     """The questions to which the two do not say the same, as they are found."""
     both = zip(questions, page_words(questions), strict=True)
-    found = ((q, python_words(arm, q), theirs) for (arm, q), theirs in both)
+    return unlike((arm, question, words) for (arm, question), words in both)
+
+
+def unlike(answered: Iterable[tuple[Arm, dict, list]]) -> Iterator[tuple[dict, list, list]]:
+    """Those of questions that the page has answered to which the checkers say something else."""
+    found = ((q, python_words(arm, q), theirs) for arm, q, theirs in answered)
     return ((q, ours, theirs) for q, ours, theirs in found if ours != theirs)
 
 
@@ -270,12 +275,19 @@ def parts_of(cases: int, only: str | None = None) -> list[tuple[str, int, int]]:
     return found
 
 
-def compared(seed: int, part: tuple[str, int, int]) -> tuple[set[str], list[tuple]]:
-    """The questions of a part, by their hashes, and those to which the two do not say the same."""
+@cache
+def answered(seed: int, part: tuple[str, int, int]) -> list[tuple[Arm, dict, list]]:
+    """The questions of a part, and what the page says to each."""
     kind, number, size = part
     rng = np.random.default_rng([seed, list(QUESTIONS).index(kind), number])
     asked = questions(rng, size, kind)
-    return {_digest(arm, question) for arm, question in asked}, [*different(asked)]
+    return [(*pair, words) for pair, words in zip(asked, page_words(asked), strict=True)]
+
+
+def compared(seed: int, part: tuple[str, int, int]) -> tuple[set[str], list[tuple]]:
+    """The questions of a part, by their hashes, and those to which the two do not say the same."""
+    found = answered(seed, part)
+    return {_digest(arm, question) for arm, question, _ in found}, [*unlike(found)]
 
 
 def _digest(arm: Arm, question: dict) -> str:
