@@ -49,10 +49,11 @@ function read(text) {
 function words(question) {
   try {
     const report = JUDGES[question.topic](question);
-    const said = [report.grade, report.causes, judge.textOf(report)];
+    const found = report.findings.map(({ what, where }) => [what, where]);
+    const said = [report.grade, report.causes, judge.textOf(report), [report.topic, report.arm, found]];
     return report.call ? [...said, report.call] : said;
   } catch (error) {
-    if (error instanceof judge.ArmError) return ["refused", [], error.message];
+    if (error instanceof judge.ArmError) return ["refused", [], error.message, []];
     throw error;
   }
 }

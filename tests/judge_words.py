@@ -31,7 +31,7 @@ from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
-from tests import judge_motion, judge_tables
+from tests import judge_matrices, judge_motion, judge_tables
 from tests.corpus import jacobians, torques
 from tests.corpus.typing_ import typed
 
@@ -157,6 +157,8 @@ QUESTIONS = {
     "torques": torque_questions,
     "corpus's torques": stored_questions,
     "formula": formula_questions,
+    "Jacobian's slips": lambda rng, count: judge_matrices.jacobian_slips(rng, count, arm_of),
+    "torques' slips": lambda rng, count: judge_matrices.torque_slips(rng, count, arm_of, HEAVY),
     "table": lambda rng, count: judge_tables.corpus_questions(rng, count, arm_of),
     "table's forms": lambda rng, count: judge_tables.form_questions(rng, count, arm_of),
     "table's slips": lambda rng, count: judge_tables.slip_questions(rng, count, arm_of),
@@ -170,16 +172,18 @@ QUESTIONS = {
 # The kinds of each checker, the dearest first: a run takes the time of twenty tables.
 CHECKERS = {
     "trace": ("corpus's traces", "trace"),
-    "torques": ("corpus's torques", "torques"),
-    "Jacobian": ("formula", "jacobian"),
+    "torques": ("corpus's torques", "torques", "torques' slips"),
+    "Jacobian": ("formula", "jacobian", "Jacobian's slips"),
     "table": ("table's forms", "table's slips", "table"),
     "pose": ("corpus's poses", "pose"),
     "branches": ("corpus's branches", "branches"),
 }
 SHARES = {
-    "jacobian": 0.2,
-    "torques": 0.06,
-    "corpus's torques": 0.06,
+    "jacobian": 0.06,
+    "Jacobian's slips": 0.14,
+    "torques": 0.03,
+    "corpus's torques": 0.03,
+    "torques' slips": 0.06,
     "formula": 0.03,
     "table": 0.16,
     "table's forms": 0.1,
@@ -207,7 +211,8 @@ def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]
 
 
 def python_words(arm: Arm, question: dict) -> list:
-    """What the checkers say: grade, causes, words."""
+    """What the checkers say: grade, causes, words, and what is not in the words: about what and
+    whom, and the kind and the place of each finding."""
     calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
     topic = question["topic"]
     try:
@@ -218,8 +223,9 @@ def python_words(arm: Arm, question: dict) -> list:
         else:
             report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
-        return ["refused", [], str(error)]
-    return [report.grade, list(report.causes), str(report)]
+        return ["refused", [], str(error), []]
+    found = [[f.what, f.where] for f in report.findings]
+    return [report.grade, list(report.causes), str(report), [report.topic, report.arm, found]]
 
 
 def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None) -> list:
@@ -231,7 +237,7 @@ def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None)
 
 
 def in_node(arms: list[dict], questions: list[dict], sentences: dict | None = None) -> list:
-    """What tests/judge_words.mjs answers: grade, causes and words of each."""
+    """What tests/judge_words.mjs answers: what python_words does, of each."""
     given = {"sentences": sentences or templates(), "arms": arms, "questions": questions}
     node = shutil.which("node")
     assert node, "Node.js is not installed"
@@ -299,7 +305,7 @@ def readable(kind: str, question: dict, ours: list, theirs: list) -> str:
     """A question on which the two differ, and the lines in which they do."""
     asked = {key: value for key, value in question.items() if key != "typed"}
     typed = question["typed"] if isinstance(question["typed"], str) else str(question["typed"])
-    said = [f"{grade} {causes}\n{words}".splitlines() for grade, causes, words in (ours, theirs)]
+    said = ["\n".join(map(str, words)).splitlines() for words in (ours, theirs)]
     lines = difflib.unified_diff(*said, "helpers.checks", "explorer/src/judge", lineterm="", n=0)
     return "\n".join([f"{kind}: {str(asked)[:600]}", typed[:800], *lines, ""])
 
