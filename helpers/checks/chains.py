@@ -128,13 +128,11 @@ def cross(u: Array, v: Array) -> Array:
     return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=-1)
 
 
-def weights(
-    chain: Chain, masses: Array, centres: Array, gravity: Array, frames: Array | None = None
-) -> Array:
+def weights(chain: Chain, masses: Array, centres: Array, gravity: Array) -> Array:
     """g(q), shape (..., dof), for a mass and a centre (in its row's frame) for each row: -z . ((sum
     m c - o sum m) x gravity).
     """
-    T = chain.frames if frames is None else frames
+    T = chain.frames
     points = np.einsum("...kij,...kj->...ki", T[..., 1:, :3, :3], centres) + T[..., 1:, :3, 3]
     mass = np.cumsum(np.broadcast_to(masses, points.shape[:-1])[..., ::-1], axis=-1)[..., ::-1]
     moment = np.cumsum((points * masses[..., None])[..., ::-1, :], axis=-2)[..., ::-1, :]
