@@ -166,13 +166,14 @@ QUESTIONS = {
     "corpus's poses": lambda rng, count: judge_motion.stored_poses(rng, count, arm_of),
     "trace": judge_motion.trace_questions,
     "corpus's traces": lambda rng, count: judge_motion.stored_traces(rng, count, arm_of),
+    "table's geometry": lambda rng, count: judge_tables.geometry_questions(rng, count, arm_of),
 }
 # The kinds of each checker, the dearest first: a run takes the time of twenty tables.
 CHECKERS = {
     "trace": ("corpus's traces", "trace"),
     "torques": ("corpus's torques", "torques"),
     "Jacobian": ("formula", "jacobian"),
-    "table": ("table's forms", "table's slips", "table"),
+    "table": ("table's forms", "table's slips", "table", "table's geometry"),
     "pose": ("corpus's poses", "pose"),
     "branches": ("corpus's branches", "branches"),
 }
@@ -181,7 +182,8 @@ SHARES = {
     "torques": 0.06,
     "corpus's torques": 0.06,
     "formula": 0.03,
-    "table": 0.16,
+    "table": 0.1,
+    "table's geometry": 0.06,
     "table's forms": 0.1,
     "table's slips": 0.1,
     "branches": 0.08,
