@@ -207,7 +207,8 @@ def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]
 
 
 def python_words(arm: Arm, question: dict) -> list:
-    """What the checkers say: grade, causes, words."""
+    """What the checkers say: grade, causes, words; the topic and whose, and each finding's kind and
+    place."""
     calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
     topic = question["topic"]
     try:
@@ -219,7 +220,8 @@ def python_words(arm: Arm, question: dict) -> list:
             report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
         return ["refused", [], str(error)]
-    return [report.grade, list(report.causes), str(report)]
+    places = [[report.topic, report.arm], *([f.what, f.where] for f in report.findings)]
+    return [report.grade, list(report.causes), str(report), places]
 
 
 def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None) -> list:
@@ -231,7 +233,7 @@ def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None)
 
 
 def in_node(arms: list[dict], questions: list[dict], sentences: dict | None = None) -> list:
-    """What tests/judge_words.mjs answers: grade, causes and words of each."""
+    """What tests/judge_words.mjs answers: of each what `python_words` says."""
     given = {"sentences": sentences or templates(), "arms": arms, "questions": questions}
     node = shutil.which("node")
     assert node, "Node.js is not installed"
@@ -299,7 +301,7 @@ def readable(kind: str, question: dict, ours: list, theirs: list) -> str:
     """A question on which the two differ, and the lines in which they do."""
     asked = {key: value for key, value in question.items() if key != "typed"}
     typed = question["typed"] if isinstance(question["typed"], str) else str(question["typed"])
-    said = [f"{grade} {causes}\n{words}".splitlines() for grade, causes, words in (ours, theirs)]
+    said = ["\n".join(map(str, answer)).splitlines() for answer in (ours, theirs)]
     lines = difflib.unified_diff(*said, "helpers.checks", "explorer/src/judge", lineterm="", n=0)
     return "\n".join([f"{kind}: {str(asked)[:600]}", typed[:800], *lines, ""])
 

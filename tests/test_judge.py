@@ -114,7 +114,7 @@ def test_another_word_would_be_noticed():
 def test_pastes_are_read_as_they_were_meant_in_both_languages():
     wanted = "The Jacobian of Elbow arm is right at this pose to the 4 decimals you gave."
     read = zip(PASTES, page_words([asked(text) for text in PASTES.values()]), strict=True)
-    for name, (_, _, words) in read:
+    for name, (_, _, words, _) in read:
         assert words.startswith(wanted), (name, words)
         assert python_words(*asked(PASTES[name]))[2] == words, name
 
