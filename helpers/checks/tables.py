@@ -500,8 +500,8 @@ def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
     for t in sorted(tries, key=lambda t: _cost(t.cause)):
         if t.cause is None or _cost(t.cause) + _apart(t.cause) >= most:
             continue
-        # Two causes after which most entries differ, and exchanged rows, fit by chance only; Craig's
-        # rows may have one more than the reference.
+        # Two causes after which most entries differ, and exchanged rows, fit by chance only;
+        # Craig's rows may be one more than the reference's.
         few = _edits(t.cause) == 1 or t.entries <= 2 * len(t.reference)
         last = t.cause.keys[-1]
         likely = (few or last == "table.craig") and last != usual.EXCHANGED
