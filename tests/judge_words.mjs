@@ -46,14 +46,16 @@ function read(text) {
   return { grade: "read", causes: shape, headline: values.join(" "), findings: [], taken: [], notes: [] };
 }
 
+// Whose report it is, and each finding's kind and place.
+const places = ({ topic, arm, findings }) => [[topic, arm], ...findings.map(({ what, where }) => [what, where])];
+
 function words(question) {
   try {
     const report = JUDGES[question.topic](question);
-    const found = report.findings.map(({ what, where }) => [what, where]);
-    const said = [report.grade, report.causes, judge.textOf(report), [report.topic, report.arm, found]];
-    return report.call ? [...said, report.call] : said;
+    const said = [report.grade, report.causes, judge.textOf(report)];
+    return report.call ? [...said, report.call] : report.topic ? [...said, places(report)] : said;
   } catch (error) {
-    if (error instanceof judge.ArmError) return ["refused", [], error.message, []];
+    if (error instanceof judge.ArmError) return ["refused", [], error.message];
     throw error;
   }
 }

@@ -168,13 +168,14 @@ QUESTIONS = {
     "corpus's poses": lambda rng, count: judge_motion.stored_poses(rng, count, arm_of),
     "trace": judge_motion.trace_questions,
     "corpus's traces": lambda rng, count: judge_motion.stored_traces(rng, count, arm_of),
+    "table's geometry": lambda rng, count: judge_tables.geometry_questions(rng, count, arm_of),
 }
 # The kinds of each checker, the dearest first: a run takes the time of twenty tables.
 CHECKERS = {
     "trace": ("corpus's traces", "trace"),
     "torques": ("corpus's torques", "torques", "torques' slips"),
     "Jacobian": ("formula", "jacobian", "Jacobian's slips"),
-    "table": ("table's forms", "table's slips", "table"),
+    "table": ("table's forms", "table's slips", "table", "table's geometry"),
     "pose": ("corpus's poses", "pose"),
     "branches": ("corpus's branches", "branches"),
 }
@@ -185,7 +186,8 @@ SHARES = {
     "corpus's torques": 0.03,
     "torques' slips": 0.06,
     "formula": 0.03,
-    "table": 0.16,
+    "table": 0.1,
+    "table's geometry": 0.06,
     "table's forms": 0.1,
     "table's slips": 0.1,
     "branches": 0.08,
@@ -211,8 +213,8 @@ def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]
 
 
 def python_words(arm: Arm, question: dict) -> list:
-    """What the checkers say: grade, causes, words, and what is not in the words: about what and
-    whom, and the kind and the place of each finding."""
+    """What the checkers say: grade, causes, words; the topic and whose, and each finding's kind and
+    place."""
     calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
     topic = question["topic"]
     try:
@@ -223,9 +225,9 @@ def python_words(arm: Arm, question: dict) -> list:
         else:
             report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
-        return ["refused", [], str(error), []]
-    found = [[f.what, f.where] for f in report.findings]
-    return [report.grade, list(report.causes), str(report), [report.topic, report.arm, found]]
+        return ["refused", [], str(error)]
+    places = [[report.topic, report.arm], *([f.what, f.where] for f in report.findings)]
+    return [report.grade, list(report.causes), str(report), places]
 
 
 def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None) -> list:
@@ -237,7 +239,7 @@ def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None)
 
 
 def in_node(arms: list[dict], questions: list[dict], sentences: dict | None = None) -> list:
-    """What tests/judge_words.mjs answers: what python_words does, of each."""
+    """What tests/judge_words.mjs answers: of each what `python_words` says."""
     given = {"sentences": sentences or templates(), "arms": arms, "questions": questions}
     node = shutil.which("node")
     assert node, "Node.js is not installed"
@@ -305,7 +307,7 @@ def readable(kind: str, question: dict, ours: list, theirs: list) -> str:
     """A question on which the two differ, and the lines in which they do."""
     asked = {key: value for key, value in question.items() if key != "typed"}
     typed = question["typed"] if isinstance(question["typed"], str) else str(question["typed"])
-    said = ["\n".join(map(str, words)).splitlines() for words in (ours, theirs)]
+    said = ["\n".join(map(str, answer)).splitlines() for answer in (ours, theirs)]
     lines = difflib.unified_diff(*said, "helpers.checks", "explorer/src/judge", lineterm="", n=0)
     return "\n".join([f"{kind}: {str(asked)[:600]}", typed[:800], *lines, ""])
 

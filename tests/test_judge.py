@@ -127,7 +127,7 @@ def test_a_hundred_pastes_of_each_format_are_read_as_they_were_meant(format_):
     asked = [
         (ELBOW, {"topic": "read", "typed": text, "q": Q, "options": {}}) for _, text, _ in given
     ]
-    for (name, text, wanted), (_, shape, words, _) in zip(given, page_words(asked), strict=True):
+    for (name, text, wanted), (_, shape, words) in zip(given, page_words(asked), strict=True):
         ours = numbers(text, "your matrix")
         np.testing.assert_allclose(ours.values, wanted, rtol=1e-9, atol=1e-12, err_msg=name)
         np.testing.assert_array_equal(shape, ours.values.shape, err_msg=name)
@@ -315,7 +315,7 @@ def test_the_call_in_python_says_what_the_page_says():
     """Each question goes through a link first."""
     arms = [judge.listed(call) for call in judge.CALLS]
     answers = in_node(arms, [{"topic": "page", "fields": fields} for fields in BY_LINK])
-    for fields, (grade, _, words, _, *call) in zip(BY_LINK, answers, strict=True):
+    for fields, (grade, _, words, *call) in zip(BY_LINK, answers, strict=True):
         if grade == "refused":
             assert "Panda: your torques is" in words, words
             continue

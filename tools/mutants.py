@@ -26,6 +26,7 @@ from functools import _lru_cache_wrapper, partial
 from itertools import accumulate, islice, zip_longest
 from pathlib import Path
 from typing import IO
+from zlib import crc32
 
 import pytest
 from hypothesis import Phase, settings
@@ -135,12 +136,18 @@ class Driver:
 
 
 def kept(answered: Callable) -> Callable:
-    """What the page answers, from a file once it was asked: without a mutant, in the first run."""
+    """What the page answers, without a mutant: from a file once it was asked in this form."""
+    form = crc32((PLACE / "tests/judge_words.mjs").read_bytes())
 
     def again(seed: int, part: tuple[str, int, int]) -> list:
-        file = PLACE / f"answers-{seed}-{part[0]}-{part[1]}-{part[2]}.pickle"
+        file = PLACE / f"answers-{form:x}-{seed}-{part[0]}-{part[1]}-{part[2]}.pickle"
         if not file.exists():
-            file.write_bytes(pickle.dumps(answered(seed, part)))
+            mutant = trampoline.get_mutant_under_test()
+            trampoline.set_mutant_under_test("")
+            half = file.with_suffix(f".{os.getpid()}")
+            half.write_bytes(pickle.dumps(answered(seed, part)))
+            half.rename(file)
+            trampoline.set_mutant_under_test(mutant)
         return pickle.loads(file.read_bytes())
 
     return again

@@ -93,7 +93,7 @@ def _opened(mine: Any) -> Any:
 
 
 def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
-    rows = grid.without_header(grid.cells(text))[1]
+    rows = grid.without_header(grid.cells(text))
     widths = {len(row) for row in rows}
     if len(widths) > 1:
         raise ArmError(say("ragged", what=what, widths=", ".join(map(str, sorted(widths)))))
