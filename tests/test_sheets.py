@@ -25,7 +25,7 @@ from helpers.command_line import read_arm
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.sheets import block, document, formulas, markdown
-from helpers.sheets.__main__ import main
+from helpers.sheets.__main__ import main, slug
 from helpers.sheets.content import Sheet
 from helpers.sheets.page import answer, sections
 from helpers.sheets.programs import as_latex, as_matlab, as_numpy, as_sympy
@@ -379,6 +379,11 @@ def test_the_command_writes_a_file(tmp_path, capsys, monkeypatch):
     main(["elbow arm"])
     assert capsys.readouterr().out == "elbow_arm_answers.html\n"
     assert "Elbow arm" in (tmp_path / "elbow_arm_answers.html").read_text(encoding="utf-8")
+
+
+def test_a_files_name_is_made_of_words():
+    names = ["UR10e (homework)", " Panda, joint 3 ", "Ä-1", "…"]
+    assert [slug(name) for name in names] == ["ur10e_homework", "panda_joint_3", "ä_1", "arm"]
 
 
 def test_an_arm_out_of_a_python_file(tmp_path):
