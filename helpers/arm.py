@@ -16,7 +16,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, entry, evaluate, latex, names
 from helpers.inputs import ArmError, listed, must_be, numbers, shown
-from helpers.reading.table import meant, read
 from helpers.rows import (
     Body,
     Joint,
@@ -195,6 +194,8 @@ class Arm:
         What is not given is guessed, and the arm's `source` tells how the table was taken. Raises
         ArmError for what is no table, or holds a symbol without a value.
         """
+        from helpers.reading.table import meant, read  # no other arm needs it
+
         must_be(name, str, "an arm's name")
         if values is not None:
             must_be(values, Mapping, "values")

@@ -40,7 +40,7 @@ def collected(names: Mapping[str, Any]) -> str:
         for name, value in names.items()
         if name.startswith(_PREFIX) and value is not None and value is not ...
     }
-    return json.dumps(found, allow_nan=True)
+    return json.dumps(found)
 
 
 def as_typed(value: Any) -> Any:

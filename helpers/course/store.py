@@ -101,7 +101,7 @@ def text(course: Course) -> str:
         "rules": {"digits": rules.digits, "columns": rules.columns, "causes": dict(rules.causes)},
         "sheets": course.sheets,
     }
-    return json.dumps(data, indent=1) + "\n"
+    return as_json(data)
 
 
 def load(folder: Path) -> Course:
@@ -122,9 +122,14 @@ def load(folder: Path) -> Course:
         raise ArmError(f"{path} is no course that `new` made: {error!r}") from None
 
 
+def as_json(data: Mapping[str, Any]) -> str:
+    """Data as it is written to a file; raises ValueError for a number that JSON does not know."""
+    return json.dumps(data, indent=1, allow_nan=False) + "\n"
+
+
 def write(path: Path, text: str) -> None:
-    """Write a text file whole or not at all."""
+    """Write a text file whole or not at all; a file's name in it may be no text, and is escaped."""
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}")
-    beside.write_text(text, encoding="utf-8")
+    beside.write_text(text, encoding="utf-8", errors="backslashreplace")
     beside.replace(path)
