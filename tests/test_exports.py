@@ -341,3 +341,15 @@ def test_looking_says_every_part_in_words(course, tmp_path):
     )  # fmt: skip
     (tmp_path / "answers.json").unlink()
     assert autograders.look(tmp_path)[0].startswith("nothing was handed in (answers.json)\np: 0\n")
+    cells = [{"cell_type": "code", "source": "answer_p = 1"}]
+    (tmp_path / "a.ipynb").write_text(json.dumps({"cells": cells}), encoding="utf-8")
+    unasked = "it has no answers.json, and notebooks are not run without leave"
+    assert autograders.look(tmp_path)[0].startswith(f"{unasked} (answers.json)\np: 0\n")
+    (tmp_path / "source").mkdir()
+    store.save(course, tmp_path / "source")
+    (tmp_path / "submission").mkdir()
+    (tmp_path / "a.ipynb").rename(tmp_path / "submission/a.ipynb")
+    about = json.dumps({"users": [{"email": "b.7"}]})
+    (tmp_path / "submission_metadata.json").write_text(about, encoding="utf-8")
+    said = autograders.run_gradescope(tmp_path)["output"]
+    assert said == f"Marked as the sheet of b.7. {unasked}"

@@ -19,6 +19,7 @@ import helpers
 from helpers.arm import ArmError
 from helpers.course import sandbox
 from helpers.course.sandbox import Limits, Ran
+from tests.test_commands import a_machine_with_another_encoding_of_its_own  # noqa: F401
 
 BUBBLEWRAP = sandbox.best_apart() == "bubblewrap"
 LOOK = r"""#!/bin/bash
@@ -185,7 +186,7 @@ def test_output_is_cut_at_five_million_bytes_and_what_still_runs_is_ended(
     if pid.exists():
         for _ in range(1000):
             try:
-                os.kill(int(pid.read_text()), 0)
+                os.kill(int(pid.read_bytes()), 0)
             except ProcessLookupError:
                 return
             time.sleep(0.01)
@@ -194,6 +195,17 @@ def test_output_is_cut_at_five_million_bytes_and_what_still_runs_is_ended(
 
 def test_a_notebook_that_goes_on_after_its_time_is_killed_five_seconds_later():
     assert sandbox._limited(Limits(notebook=7))[:4] == ["timeout", "-k", "5", "7"]
+
+
+def test_what_lies_in_usr_is_mounted_once(monkeypatch):
+    package = str(Path(helpers.__file__).parent)
+    for prefix, base, expected in (
+        ("/usr", "/usr/local", [package]),
+        ("/usrs/a", "/a", sorted(["/usrs/a", "/a", package])),
+        ("/a", "/a", sorted(["/a", package])),
+    ):
+        monkeypatch.setattr(sandbox, "sys", SimpleNamespace(prefix=prefix, base_prefix=base))
+        assert sandbox._mounted() == expected
 
 
 def test_processes_of_this_user_are_counted(monkeypatch):
