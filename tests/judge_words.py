@@ -213,8 +213,7 @@ def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]
 
 
 def python_words(arm: Arm, question: dict) -> list:
-    """What the checkers say: grade, causes, words; the topic and whose, and each finding's kind and
-    place."""
+    """What the checkers say: grade, causes, words; the topic and whose, and each finding."""
     calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
     topic = question["topic"]
     try:
@@ -226,7 +225,7 @@ def python_words(arm: Arm, question: dict) -> list:
             report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
         return ["refused", [], str(error)]
-    places = [[report.topic, report.arm], *([f.what, f.where] for f in report.findings)]
+    places = [[report.topic, report.arm], *([f.what, f.where, f.words] for f in report.findings)]
     return [report.grade, list(report.causes), str(report), places]
 
 
