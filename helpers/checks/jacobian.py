@@ -242,7 +242,7 @@ def _judged(
     if not why:
         one = explain(typed.values, right, m.band, known.causes, made)
         if one is None or one.odd.any():
-            return Report("Jacobian", arm.name, WRONG, "", (), (), taken)
+            return Report("Jacobian", arm.name, WRONG, "")
         return _bad(one.causes, (), arm, taken)
     found, more = _causes(typed.values, right, m, rows, where)
     return _bad(found, more, arm, taken)

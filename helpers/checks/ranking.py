@@ -96,13 +96,11 @@ def explain(
     """The causes whose answers `made`, shape (causes, *mine.shape), explain mine within the band;
     None where none does.
     """
-    if not len(causes):
-        return None
     axes = tuple(range(1, made.ndim))
     wrong = np.abs(mine - right) > band
     fits = np.abs(mine - made) <= band
-    gained = (fits & wrong).sum(axes) - (~fits & ~wrong).sum(axes)
     left = (~fits).sum(axes)
+    gained = wrong.sum() - left  # what it explains of the wrong ones, less what it spoils
     edits = causes.edits if isinstance(causes, Pairs) else np.array([len(c.keys) for c in causes])
     least = np.where(
         edits > 1, np.maximum(4, PAIR_SHARE * wrong.sum()), np.maximum(3, SHARE * wrong.sum())
@@ -111,9 +109,8 @@ def explain(
     if not named.size:
         return None
     cost = edits + odd * left
-    best = sorted(named, key=lambda k: (round(float(cost[k]), 6), k))
-    same = [k for k in best if cost[k] == cost[best[0]]]
-    return Found(tuple(causes[int(k)] for k in same), ~fits[best[0]])
+    best = named[cost[named] == cost[named].min()]
+    return Found(tuple(causes[int(k)] for k in best), ~fits[best[0]])
 
 
 def several(found: Sequence[Cause], most: int = 3) -> str:

@@ -208,7 +208,7 @@ def _judged(typed: Typed, where: _Where, tolerance, taken, why: bool) -> Report:
     if not why:
         one = explain(typed.values[pick], right[pick], part.band, causes, made, _ODD)
         if one is None or one.odd.any():
-            return Report("torques", arm.name, WRONG, "", (), (), taken, (), figures)
+            return Report("torques", arm.name, WRONG, "")
         return _bad(one, (), arm, taken, figures)
     more, also = catalogue(where.load, 2)
     known = (causes + more, np.concatenate([made, also]))
@@ -267,7 +267,8 @@ def _joints(
         wrong = (np.abs(mine - right) > m.allowed).any(axis=0)
     odd = wrong if found is None else found.odd.any(axis=0)
     for k in np.flatnonzero(odd):
-        off, flipped = np.abs(mine - right)[:, k].max(), np.abs(mine + right)[:, k]
+        off = round(float(np.abs(mine - right)[:, k].max()), 9)  # ties in both languages alike
+        flipped = np.abs(mine + right)[:, k]
         key = "tau other way" if (flipped <= m.band[:, k]).all() else "tau off"
         key = "tau besides" if found is not None else key
         said = say(

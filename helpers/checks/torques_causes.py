@@ -4,7 +4,7 @@ in how they are written.
 
 from collections.abc import Iterator
 from functools import cached_property
-from itertools import islice, product
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -57,11 +57,7 @@ def catalogue(load: Load, count: int) -> tuple[list[Cause], Array]:
     """
     causes, torques = [], []
     for whole, other in load.others:
-        free = count - (whole is not None)
-        heavy, pushed = (
-            list(islice(parts(other), None if free else 1)) for parts in (_weights, _forces)
-        )
-        for (first, weight), (second, force) in product(heavy, pushed):
+        for (first, weight), (second, force) in product(_weights(other), _forces(other)):
             named = [c for c in (whole, first, second) if c is not None]
             for third, write in _WRITINGS:
                 made = [*named, third] if third else named
@@ -107,7 +103,7 @@ def paper_centres(load: Load) -> tuple[list[Cause], Array]:
         spread = [
             load.weight(alone, np.where(np.arange(count)[:, None] == i, way, 0.0)) for way in ways
         ]
-        parts.append(spread if mass else spread[:1])
+        parts.append(spread)
     weight = np.stack([sum(chosen) for chosen in product(*parts)])
     key, force = cause("tau.craig centres"), load.force()
     scaled = ((key, 1), (key + cause("tau.force sign"), -1), (key + cause("tau.force missing"), 0))

@@ -53,15 +53,13 @@ export function explainAll(mine, right, bands, candidates, weight = ODD) {
     const least = [Math.max(3, SHARE * count), Math.max(4, PAIR_SHARE * count)];
     return { band, count, least, named: [] };
   });
-  let k = 0;
   for (const [parts, A] of candidates) {
     const edits = parts.length > 1 ? 2 : parts[0].keys.length;
     for (const { band, count, least, named } of tests) {
       const odd = misfits(mine, A, band, count, least[edits - 1]);
       const fits = odd ? count - odd >= least[edits - 1] : count > 0;
-      if (fits) named.push({ k, cost: edits + weight * odd, parts, A });
+      if (fits) named.push({ cost: edits + weight * odd, parts, A });
     }
-    k++;
   }
   return tests.map((test) => best(mine, test));
 }
@@ -80,10 +78,10 @@ function misfits(mine, other, band, count, least) {
 
 function best(mine, { band, named }) {
   if (!named.length) return null;
-  const rounded = (x) => Math.round(x * 1e6);
-  named.sort((p, q) => rounded(p.cost) - rounded(q.cost) || p.k - q.k);
-  const [{ cost, A }] = named;
-  const causes = named.filter((one) => one.cost === cost).map(({ parts }) => parts.reduce(both));
+  const least = Math.min(...named.map(({ cost }) => cost));
+  const found = named.filter(({ cost }) => cost === least);
+  const causes = found.map(({ parts }) => parts.reduce(both));
+  const [{ A }] = found;
   return { causes, odd: mine.map((x, i) => !(Math.abs(x - A[i]) <= band[i])) };
 }
 

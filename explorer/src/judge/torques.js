@@ -187,7 +187,7 @@ function jointFindings(mine, right, m, arm, found) {
   return numbers.flatMap((joint, k) => {
     if (!odd[k]) return [];
     const [x, y, band] = [mine, right, m.band].map((list) => column(list, k));
-    const off = Math.max(...x.map((one, i) => Math.abs(one - y[i])));
+    const off = Number(Math.max(...x.map((one, i) => Math.abs(one - y[i]))).toFixed(9)); // ties as in Python
     const flipped = x.every((one, i) => Math.abs(one + y[i]) <= band[i]);
     const key = found ? "tau besides" : flipped ? "tau other way" : "tau off";
     const most = x.length > 1 ? say("up to") : "";

@@ -104,7 +104,7 @@ export function paperCentres(load) {
     const ways = [[x, y, z], [x, -y, -z]]; // prettier-ignore
     if (i === craig.length - 1 && last) ways.push([x, y, z + last], [x, -y, -z - last]);
     const masses = load.masses.map((_, k) => (k === i ? mass : 0));
-    const spread = (mass ? ways : ways.slice(0, 1)).map((way) =>
+    const spread = ways.map((way) =>
       weight(load, { masses, centres: none.map((zero, k) => (k === i ? way : zero)) }),
     );
     sums = sums.flatMap((sum) => spread.map((one) => less(sum, times(-1, one))));
