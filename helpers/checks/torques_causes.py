@@ -37,7 +37,7 @@ class Load:
             self.masses if masses is None else masses,
             self.centres if centres is None else centres,
         )
-        return weights(self.chain, m, c, self.gravity, self.T)
+        return weights(self.chain, m, c, self.gravity)
 
     def force(self, wrench: Array | None = None) -> Array:
         """J^T F."""
