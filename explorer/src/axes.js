@@ -41,7 +41,15 @@ export const NORMAL = -1; // stands for the common normal where joints are liste
  * @typedef {{ key: string, row: number, entry: string, mine: any, reference: any, ends: number[] }} Difference
  */
 
-/** @typedef {{ differences: Difference[], signs: number[], baseHigher: number, upsideDown: boolean, tilts: [number, number] }} Compared */
+/**
+ * The differences that are left, which way each axis points, and how the base and the last frame stand.
+ * @typedef {object} Compared
+ * @property {Difference[]} differences
+ * @property {number[]} signs
+ * @property {number} baseHigher
+ * @property {boolean} upsideDown whether z_0 points the other way
+ * @property {[number, number]} tilts
+ */
 
 // A table's walk; it needs a joint.
 /** @param {Numbers[]} rows @returns {Side} */

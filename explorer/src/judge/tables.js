@@ -350,12 +350,15 @@ function tries(rows, reference, wanted) {
       found.push([usual.joined(second, third), squared(then(mend(rows))), wanted]);
   }
   return found.map(([why, read, arm]) => ({
-    cause: why, rows: read, reference: arm, entries: alike(read, arm) ? unequal(read, arm).length : Infinity,
+    cause: why, rows: read, reference: arm, entries: differing(read, arm),
   })); // prettier-ignore
 }
 
-const alike = (rows, wanted) =>
-  rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
+// How many entries differ; all where the rows do not correspond.
+function differing(rows, wanted) {
+  const alike = rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
+  return alike ? unequal(rows, wanted).length : Infinity;
+}
 
 // The entries that differ, the zeros of joints not counted.
 /** @returns {[number, string][]} */
@@ -387,7 +390,7 @@ function agreeing(all, length, most) {
 
 function oneSign(rows, wanted, length) {
   const all = usual.flips(rows).map(([why, mended]) => ({
-    cause: why, rows: mended, reference: wanted, entries: alike(mended, wanted) ? unequal(mended, wanted).length : Infinity,
+    cause: why, rows: mended, reference: wanted, entries: differing(mended, wanted),
   })); // prettier-ignore
   return cheapest(all.filter((t) => !compare(t, length).differences.length), (t) => t.entries); // prettier-ignore
 }
