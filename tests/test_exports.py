@@ -141,6 +141,7 @@ MOODLE = "Identifier,Full name,Email address,Grade,Maximum Grade,Last modified (
         ("1,Bo,zz@x,,10,-", "1,Bo,zz@x,7.50,10,-"),
         ("1,Bo,,,,-", "1,Bo,,6.00,,-"),
         ("1,Nobody,x@y,5,20.00,-", "1,Nobody,x@y,5,20.00,-"),
+        ("1,Nobody", "1,Nobody"),
     ],
 )
 def test_moodle_is_filled_by_mail_then_its_first_half_then_name(line, filled):
@@ -341,3 +342,15 @@ def test_looking_says_every_part_in_words(course, tmp_path):
     )  # fmt: skip
     (tmp_path / "answers.json").unlink()
     assert autograders.look(tmp_path)[0].startswith("nothing was handed in (answers.json)\np: 0\n")
+    cells = [{"cell_type": "code", "source": "answer_p = 1"}]
+    (tmp_path / "a.ipynb").write_text(json.dumps({"cells": cells}), encoding="utf-8")
+    unasked = "it has no answers.json, and notebooks are not run without leave"
+    assert autograders.look(tmp_path)[0].startswith(f"{unasked} (answers.json)\np: 0\n")
+    (tmp_path / "source").mkdir()
+    store.save(course, tmp_path / "source")
+    (tmp_path / "submission").mkdir()
+    (tmp_path / "a.ipynb").rename(tmp_path / "submission/a.ipynb")
+    about = json.dumps({"users": [{"email": "b.7"}]})
+    (tmp_path / "submission_metadata.json").write_text(about, encoding="utf-8")
+    said = autograders.run_gradescope(tmp_path)["output"]
+    assert said == f"Marked as the sheet of b.7. {unasked}"

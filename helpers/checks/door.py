@@ -29,12 +29,10 @@ class Joints:
     def __init__(self, arm: Arm, q: Array, values: Mapping[str, float] | None = None) -> None:
         self.arm, self.q, self.values = arm, np.array(q), dict(values or {})
         self.said: tuple[str, ...] = ()
-        self.used: set[str] = set()
 
     def __call__(self, names: set[str]) -> dict[str, float]:
         found, said = meanings(names, self.arm, self.q, self.values)
         self.said = tuple(dict.fromkeys(self.said + said))
-        self.used |= names
         return found
 
 
@@ -156,11 +154,7 @@ def _spelled(x: Any, value: float) -> str:
 
 
 def _leaves(value: Any, what: str, wanted: str) -> Iterator[Any]:
-    if (
-        isinstance(value, np.ndarray)
-        or (hasattr(value, "tolist") and not hasattr(value, "free_symbols"))
-        or (hasattr(value, "shape") and hasattr(value, "tolist"))
-    ):
+    if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, list | tuple):
         for item in value:
@@ -264,6 +258,6 @@ def pose(q: Any, arm: Arm, angles: str = "rad") -> Typed:
     column = (typed.values.ndim == 2 and typed.values.shape[1] == 1) or isinstance(q, str)
     values, steps = (x.ravel() if column else x for x in (typed.values, typed.units))
     if angles == "deg":
-        factor = np.where(arm.turning, np.pi / 180, 1.0) if len(values) == arm.dof else 1.0
+        factor = np.where(arm.turning, np.pi / 180, 1.0) if values.shape == (arm.dof,) else 1.0
         values, steps = values * factor, steps * factor
     return Typed(arm.joint_vector(values, many=False), steps)

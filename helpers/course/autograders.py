@@ -130,8 +130,7 @@ def _gradescope_results(root: Path) -> dict[str, Any]:
 
 def _metadata(root: Path) -> list[Mapping[str, Any]]:
     try:
-        text = (root / "submission_metadata.json").read_text(encoding="utf-8")
-        return list(json.loads(text)["users"])
+        return list(json.loads((root / "submission_metadata.json").read_bytes())["users"])
     except (OSError, ValueError, KeyError, TypeError):
         return []
 
@@ -213,7 +212,7 @@ def look(folder: Path) -> tuple[str, tuple[Mark, ...]]:
     The words, and the marks. A student can change sheet.json: nothing that counts is decided by
     this.
     """
-    stored = json.loads((folder / sheets.FILE).read_text(encoding="utf-8"))
+    stored = json.loads((folder / sheets.FILE).read_bytes())
     sheet = Sheet(from_json(stored["arm"]), stored["drawn"])
     handed = read_hand_in(folder, "nothing")
     marks = mark_sheet(sheet, handed.answers, store.Rules())

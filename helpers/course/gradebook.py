@@ -129,7 +129,7 @@ def gradescope(marks: Sequence[Mark], trouble: str) -> dict[str, Any]:
 def read_results(folder: Path) -> dict[str, Any]:
     """results.json of a folder; empty where there is none or it cannot be read."""
     try:
-        found = json.loads((folder / "results.json").read_text(encoding="utf-8"))
+        found = json.loads((folder / "results.json").read_bytes())
     except (OSError, ValueError):
         return {}
     return found if isinstance(found, dict) else {}

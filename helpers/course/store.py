@@ -108,7 +108,7 @@ def load(folder: Path) -> Course:
     """The course in a folder; raises ArmError where there is none or it cannot be read."""
     path = folder / FILE
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(path.read_bytes())
         if data["version"] != _VERSION:
             raise ArmError(f"{path} is of version {data['version']}; expected {_VERSION}")
         rules = Rules(**data["rules"])
