@@ -125,11 +125,7 @@ def weights(chain: Chain, masses: Array, centres: Array, gravity: Array) -> Arra
     m c - o sum m) x gravity).
     """
     T = chain.frames
-<<<<<<< HEAD
     points = (T[..., 1:, :3, :3] @ centres[..., None])[..., 0] + T[..., 1:, :3, 3]
-=======
-    points = np.einsum("...kij,...kj->...ki", T[..., 1:, :3, :3], centres) + T[..., 1:, :3, 3]
->>>>>>> main
     mass = np.cumsum(np.broadcast_to(masses, points.shape[:-1])[..., ::-1], axis=-1)[..., ::-1]
     moment = np.cumsum((points * masses[..., None])[..., ::-1, :], axis=-2)[..., ::-1, :]
     at = np.array(chain.joints) - 1

@@ -33,15 +33,8 @@ class Load:
 
     def weight(self, masses: Array | None = None, centres: Array | None = None) -> Array:
         """g(q), with other masses or centres where given."""
-<<<<<<< HEAD
-        m, c = (
-            self.masses if masses is None else masses,
-            self.centres if centres is None else centres,
-        )
-=======
         m = self.masses if masses is None else masses
         c = self.centres if centres is None else centres
->>>>>>> main
         return weights(self.chain, m, c, self.gravity)
 
     def force(self, wrench: Array | None = None) -> Array:
