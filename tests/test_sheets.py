@@ -587,4 +587,20 @@ def test_a_formula_in_each_language(formula, html, latex, numpy, matlab):
     ]  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("formula", "words"),
+    [
+        ("1/a", "the formula 1/a is no product of powers; expected sums and products"),
+        ("a**b", "the formula a**b is no product of powers; expected sums and products"),
+        (
+            "tan(a)",
+            "the formula tan(a) is no cosine, sine, letter or number; expected one of these",
+        ),
+    ],
+)
+def test_a_formula_of_other_kinds_is_refused(formula, words):
+    with pytest.raises(ArmError, match=f"^{re.escape(words)}$"):
+        formulas.written(sp.sympify(formula), formulas.HTML)
+
+
 LANGUAGES = ("HTML", "LATEX", "SYMPY", "NUMPY", "MATLAB")
