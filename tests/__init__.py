@@ -9,4 +9,4 @@ def _with_words(error, *words):
     ValueError.__init__(error, *words)
 
 
-ArmError.__init__ = _with_words
+ArmError.__init__ = _with_words  # type: ignore[method-assign]
