@@ -5,6 +5,7 @@ import csv
 import io
 import json
 import re
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
@@ -191,6 +192,8 @@ def test_a_roster_grows_and_another_course_goes_elsewhere(here):
             quick("ab", **other)
         words = f"hw holds the course 'Homework' about {MINE.name}; choose another folder"
         assert str(told.value) == words
+    made = commands.new([Student("ab", "AB")], SECRET, MINE, Path("new"), topics=TOPICS[:1])
+    assert (made.title, made.rules) == ("Homework", Rules())
     Path("hw/ab/homework.html").unlink()
     quick("ab")
     assert Path("hw/ab/homework.html").exists()
@@ -326,6 +329,21 @@ def test_grading_writes_what_it_returns_and_marks_by_the_courses_rules(here, mon
     assert [(row["total"], row["note"]) for row in rows] == [(0.1235, trouble)] * 2
     with pytest.raises(ArmError, match="the secret is another"):
         commands.grade(Path("hw"), b"x" * 16, Path("q"))
+
+
+def test_several_at_a_time_are_as_many_as_asked(monkeypatch):
+    made = []
+
+    class Pool(ThreadPoolExecutor):
+        def __init__(self, workers):
+            made.append(workers)
+            super().__init__(workers)
+
+    monkeypatch.setattr(commands, "ProcessPoolExecutor", Pool)
+    monkeypatch.setattr(commands, "_grade_one", lambda task: task + 1)
+    assert sorted(commands._done([1, 2, 3], 2)) == [2, 3, 4]
+    assert list(commands._done([1, 2, 3], 1)) == [2, 3, 4]
+    assert made == [2]
 
 
 def test_a_mark_is_kept_until_something_that_it_depends_on_changes(here):

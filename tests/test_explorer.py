@@ -2,6 +2,7 @@
 traits."""
 
 import atexit
+import hashlib
 import json
 import math
 import os
@@ -23,7 +24,7 @@ from helpers.explorer import ArmExplorer, ArmFigure, judge
 from helpers.explorer.data import arm_data, arm_from
 from helpers.explorer.figure import ANY_ARM, ONE_ARM
 from helpers.explorer.stub import still
-from helpers.explorer.widget import BUNDLE, MORE
+from helpers.explorer.widget import BUNDLE, MORE, esm
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
@@ -880,6 +881,17 @@ def test_a_small_figures_place_is_html_that_says_what_it_shows():
     assert "Ä" in html
     assert ": " not in html.split("data-options")[1].split("><")[0]
     assert [(p.tag, p.text) for p in place] == [("p", 'A live figure of the Ä & "B".')]
+
+
+def test_widgets_share_one_script_under_a_key_of_what_it_says():
+    script = BUNDLE.read_text(encoding="utf-8") + "\n" + MORE.read_text(encoding="utf-8")
+    key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
+    for code, widget in [(esm(), "widget"), (esm("figureWidget"), "figureWidget")]:
+        first, rest = code.split("\n", 1)
+        assert first == f"const key = Symbol.for('{key}');"
+        assert rest.startswith(f"globalThis[key] ??= (() => {{ {script[:500]}")
+        ends = f"{script[-500:]}\nreturn ArmExplorer; }})();\n"
+        assert rest.endswith(f"{ends}export default () => globalThis[key].{widget}();\n")
 
 
 def judges_data(given=None):

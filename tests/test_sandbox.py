@@ -6,6 +6,7 @@ import io
 import json
 import os
 import re
+import shutil
 import stat
 import sys
 import time
@@ -36,6 +37,7 @@ say net cat /proc/net/dev
 say apart readlink /proc/self/ns/pid /proc/self/ns/net /proc/self/ns/ipc /proc/self/ns/uts
 say session ps -o pid=,sid= $$
 say seen ls /
+say links readlink /bin /lib /lib64
 say owned stat -c '%a %n' /run /tmp
 say input head -c 1 /dev/stdin
 say written touch /usr/x /x /dev/x
@@ -82,7 +84,15 @@ def limits(text):
 
 def looked(python, tmp_path, apart):
     script = python(LOOK)
-    out = sandbox._execute(copied(tmp_path), apart, Limits(77, 33, 3 * 2**30))
+    mine, (reading, writing) = os.dup(0), os.pipe()
+    os.write(writing, b"typed by whoever grades")
+    os.dup2(reading, 0)
+    try:
+        out = sandbox._execute(copied(tmp_path), apart, Limits(77, 33, 3 * 2**30))
+    finally:
+        os.dup2(mine, 0)
+        for number in (mine, reading, writing):
+            os.close(number)
     found = seen(out)
     assert found["words"].splitlines() == [
         "-m", "nbconvert", "--to", "notebook", "--execute", "--allow-errors", "--stdout",
@@ -109,11 +119,12 @@ def looked(python, tmp_path, apart):
 
 
 def test_a_process_of_its_own_has_limits_and_none_of_the_graders_environment(
-    python, tmp_path, monkeypatch
+    python, tmp_path, monkeypatch, capfd
 ):
     monkeypatch.setenv("COURSE_SECRET", "hidden")
     monkeypatch.setattr(sandbox, "_tasks_of_mine", lambda: 1000)
     found, rules, names = looked(python, tmp_path, "process")
+    assert capfd.readouterr() == ("", "")  # a stranger writes nothing to the grader's terminal
     home = found["here"].strip()
     assert names == {
         "HOME": home, "TMPDIR": home, "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg",
@@ -131,7 +142,16 @@ def test_bubblewrap_shows_the_notebook_and_what_runs_it_and_nothing_else(
     python, tmp_path, monkeypatch
 ):
     monkeypatch.setenv("COURSE_SECRET", "hidden")
+    tools = tmp_path / "tools"  # of whoever grades: his own PATH finds bubblewrap
+    tools.mkdir()
+    script = f'#!/bin/sh\ntouch {tmp_path}/met\nexec {shutil.which("bwrap")} "$@"\n'
+    (tools / "bwrap").write_text(script, encoding="utf-8")
+    (tools / "bwrap").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tools}:{os.environ['PATH']}")
     found, rules, names = looked(python, tmp_path, "bubblewrap")
+    assert (tmp_path / "met").exists()
+    links = [path for path in ("/bin", "/lib", "/lib64") if Path(path).is_symlink()]
+    assert found["links"].split() == [os.readlink(path) for path in links]
     assert names == {
         "HOME": "/run", "TMPDIR": "/tmp", "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg",
         "LANG": "C.UTF-8",
@@ -193,6 +213,32 @@ def test_output_is_cut_at_five_million_bytes_and_what_still_runs_is_ended(
         pytest.fail("it still runs")
 
 
+BOMB = """import os, time
+for count in range(1500):
+    try:
+        if not os.fork():
+            os.close(1)
+            time.sleep(60)
+            os._exit(0)
+    except BlockingIOError:
+        print(count)
+        break
+"""
+
+
+@pytest.mark.parametrize("apart", ["bubblewrap", "process"])
+def test_a_notebook_gets_a_few_hundred_processes_and_no_more(python, tmp_path, apart):
+    if apart == "process" and os.geteuid() == 0:
+        pytest.skip("no number of processes holds for the superuser; refused without a flag")
+    if not BUBBLEWRAP:
+        pytest.skip("bubblewrap is not installed or does not work here")
+    real = os.path.realpath(sys.executable)
+    script = python(f'#!/bin/sh\nexec {real} -I -S "$(dirname "$0")/bomb.py"\n')
+    (script.parent / "bomb.py").write_text(BOMB, encoding="utf-8")
+    sandbox.sys.base_prefix = sys.base_prefix
+    assert 100 < int(sandbox._execute(copied(tmp_path), apart, Limits())) < 256
+
+
 def test_a_notebook_that_goes_on_after_its_time_is_killed_five_seconds_later():
     assert sandbox._limited(Limits(notebook=7))[:4] == ["timeout", "-k", "5", "7"]
 
@@ -208,13 +254,13 @@ def test_what_lies_in_usr_is_mounted_once(monkeypatch):
         assert sandbox._mounted() == expected
 
 
-def test_processes_of_this_user_are_counted(monkeypatch):
-    before = sandbox._tasks_of_mine()
-    assert before >= 1
-    every = len([*Path("/proc").glob("[0-9]*/task/[0-9]*")])
-    assert before <= every + 50
+def test_processes_and_threads_of_this_user_are_counted(tmp_path, monkeypatch):
+    assert sandbox._tasks_of_mine() >= 1
+    for place in ("1/task/1", "1/task/2", "12/task/12", "self/task/12", "13"):  # 13 has ended
+        (tmp_path / place).mkdir(parents=True)
+    assert sandbox._tasks_of_mine(tmp_path) == 3
     monkeypatch.setattr(sandbox.os, "getuid", lambda: 4_000_000)
-    assert sandbox._tasks_of_mine() == 0
+    assert sandbox._tasks_of_mine(tmp_path) == 0
 
 
 def test_limits_need_their_programs(monkeypatch):
@@ -304,7 +350,8 @@ def test_what_is_run_is_a_copy_that_prints_its_names(
     nbformat.validate(run)
     assert run["cells"][:2] == [text, {**code, "outputs": []}]
     assert len(run["cells"]) == 3
-    assert run["metadata"]["kernelspec"]["name"] == "python3"
+    kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    assert run["metadata"] == {"kernelspec": kernel}
     space = {"answer_p": [1, 2]}
     printed = io.StringIO()
     monkeypatch.setattr(sys, "stdout", printed)

@@ -105,6 +105,30 @@ def test_a_sheet_is_its_numbers_and_another_seed_draws_others(arm, seed):
     assert sheet(arm, seed) == first
 
 
+def test_a_seed_draws_the_sheet_that_it_drew_before():
+    """On paper from last week; NumPy keeps its generators' streams within a version."""
+    old = sheet(UR10E, "ab12")
+    lengths = {"d_1": 0.168, "a_2": 0.658, "a_3": 0.6, "d_4": 0.19, "d_5": 0.116, "d_6": 0.115}
+    assert dict(old.arm.values) == lengths | {"l_pen": 0.103}
+    table = old.drawn["DH table"]
+    assert [list(row.values()) for row in table["rows"]] == [
+        ["revolute", 0, "-pi/2", 0, "-pi/2"], ["prismatic", 0.2, "pi/2", 0.2, "0"],
+        ["revolute", 0.5, "pi/2", 0.2, "0"], ["revolute", 0.5, "0", 0, "0"],
+    ]  # fmt: skip
+    assert table["along"] == [-0.15, 0.1, 0, 0.2]
+    assert old.drawn["forward kinematics"] == {"q": [-0.63, -1.73, 1.54, -1.21, -0.77, 1.3]}
+    assert old.drawn["Jacobian"] == {
+        "q": [-1.62, 0.56, 1.01, 0.78, 0.52, -1.82], "q_dot": [0.4, -0.5, 0.3, 0.5, 0.1, 0.7],
+        "column": 1,
+    }  # fmt: skip
+    circle = {"radius": 0.08, "plane": "yz", "duration": 30}
+    assert old.drawn["circle tracing"] == {"q": [0.18, 1.16, -1.57, -0.49, 1.75, -0.42]} | circle
+    torque = {"q": [0.99, 1.09, -1.35, -1.15, 0.47, 1.39], "force": [15, 0, 0]}
+    assert old.drawn["static torque"] == torque
+    target = old.drawn["inverse kinematics"]["target"]
+    assert target[0] == pytest.approx([0.197145, 0.954332, 0.224464, -0.233117], abs=2e-6)
+
+
 def test_lengths_are_the_arms_own_within_a_tenth():
     own = ELBOW.values
     found = [sheet(ELBOW, seed, ()).arm for seed in range(100)]

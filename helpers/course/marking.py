@@ -121,8 +121,6 @@ def _table(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
 
 def _with_kinds(answer: Any, drawn: Arm) -> Any:
     """Rows of four entries become an arm whose joints turn or slide as the sheet says."""
-    if not (isinstance(answer, list) and len(answer) == len(drawn.rows)):
-        return answer
     try:
         rows = [
             replace(row, **dict(zip(("a", "alpha", "d", "theta"), given, strict=True)))
@@ -217,11 +215,12 @@ def _beyond_limits(arm: Arm, answer: Any) -> str:
     rows = numbers(answer, "the joint values").values
     if rows.size % arm.dof:
         return ""  # another shape: the checker says so
-    for q in rows.reshape(-1, arm.dof):
-        for i, (name, low, high) in enumerate(zip(arm.variables, *arm.limits, strict=True)):
-            turns = 2 * np.pi * np.arange(-3, 4) if arm.turning[i] else np.zeros(1)
-            if not ((q[i] + turns >= low - _SLIGHT) & (q[i] + turns <= high + _SLIGHT)).any():
-                return f"{name} = {q[i]:.4g} lies beyond its limits, {low:g} to {high:g}."
+    q, (low, high) = rows.reshape(-1, arm.dof), arm.limits
+    turned = q + 2 * np.pi * np.arange(-3, 4)[:, None, None] * arm.turning
+    within = ((turned >= low - _SLIGHT) & (turned <= high + _SLIGHT)).any(axis=0)
+    for k, i in np.argwhere(~within)[:1]:
+        found = f"{arm.variables[i]} = {q[k, i]:.4g}"
+        return f"{found} lies beyond its limits, {low[i]:g} to {high[i]:g}."
     return ""
 
 

@@ -156,8 +156,7 @@ def _execute(copy: Path, apart: Apart, limits: Limits) -> bytes:
             out = process.stdout.read(_SIZE + 1)
         finally:
             process.stdout.close()
-            with contextlib.suppress(ProcessLookupError):
-                os.killpg(process.pid, signal.SIGKILL)
+            os.killpg(process.pid, signal.SIGKILL)  # one that has ended is there until `wait`
             process.wait()
     return out if len(out) <= _SIZE else b""
 
@@ -178,12 +177,13 @@ def _few_processes(others: int = 0) -> list[str]:
     return ["prlimit", f"--nproc={256 + others}"]
 
 
-def _tasks_of_mine() -> int:
+def _tasks_of_mine(processes: Path = Path("/proc")) -> int:
     """Processes and threads that run under this user's name, which count against the same limit."""
     count = 0
-    for task in Path("/proc").glob("[0-9]*/task/[0-9]*"):
+    for process in processes.glob("[0-9]*"):
         with contextlib.suppress(OSError):  # it has ended meanwhile
-            count += task.stat().st_uid == os.getuid()
+            if process.stat().st_uid == os.getuid():
+                count += len(os.listdir(process / "task"))
     return count
 
 
@@ -259,7 +259,8 @@ def _read(executed: bytes) -> Ran:
     """The answers in the last cell's output, or why there are none."""
     try:
         cells = json.loads(executed)["cells"]
-        text = "".join(_lines(cells[-1]))
+        printed = [o["text"] for o in cells[-1]["outputs"] if o.get("name") == "stdout"]
+        text = "".join("".join(lines) for lines in printed)
     except (ValueError, KeyError, TypeError, IndexError, RecursionError):
         return Ran(None, "running it gave no result: too long, too large, or stopped by itself")
     if _MARK not in text:
@@ -272,9 +273,3 @@ def _read(executed: bytes) -> Ran:
         return Ran(None, "its answers could not be read")
     failed = sum(any(o.get("output_type") == "error" for o in c.get("outputs", [])) for c in cells)
     return Ran(answers, f"{failed} of its cells raised an error" if failed else "")
-
-
-def _lines(cell: Any) -> list[str]:
-    return [
-        "".join(o.get("text", "")) for o in cell.get("outputs", []) if o.get("name") == "stdout"
-    ]
