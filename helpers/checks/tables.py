@@ -401,7 +401,7 @@ def _different(
     if equal:
         fewest = min(len(c.keys) for c in equal)
         return _bad(table, reference, [c for c in equal if len(c.keys) == fewest])
-    notes = tuple(_base(side(rows), found)) if found.signs else ()
+    notes = tuple(_base(side(rows), found))
     local = _local(tries, len(wanted), length)
     whole = _agreeing(tries, length, local[0] if local else math.inf)
     if local is None and whole is None:
