@@ -25,8 +25,17 @@ FLAGS = [
     "--use-gl=angle",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
+    "--font-render-hinting=none",  # letters as wide as in a window, where they are not fitted to whole pixels
 ]
-NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
+# First the one that has no window to draw: in the others its frame and its tab cost more than a page.
+NAMES = (
+    "chromium-headless-shell",
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "chrome",
+    "msedge",
+)
 
 
 def launched(playwright: Playwright, *more: str) -> Browser:
