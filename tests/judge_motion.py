@@ -3,13 +3,16 @@ and those of the catalogues.
 """
 
 import math
+from collections import defaultdict
 from collections.abc import Callable, Iterator
 from functools import cache, partial
+from itertools import chain as chained
 from itertools import islice
 
 import numpy as np
+import sympy as sp
 
-from helpers import checks, inverse
+from helpers import checks, inverse, symbolic
 from helpers.arm import Arm, prismatic, revolute
 from helpers.checks import inverse_causes
 from helpers.checks.chains import Chain, chain, columns
@@ -34,6 +37,7 @@ _WRIST = Arm(
 )
 _ROD = Arm("Rod arm", [revolute(alpha=-H, d=0.3), revolute(alpha=H, d=0.1), prismatic(d=0.2)])
 _OFFSET = ELBOW.with_values(d=0.12)
+_PLANAR = Arm("Planar arm", [revolute(a=0.4), revolute(a=0.3)])
 FORMS = (
     (ELBOW, inverse.elbow),
     (_OFFSET, inverse.elbow),
@@ -44,7 +48,8 @@ FORMS = (
     (UR10E_HOMEWORK, inverse.ur),
 )
 _SOLVERS = {id(arm): solver for arm, solver in FORMS}
-_ARMS = (PANDA, PANDA_HOMEWORK, PANDA.lock(3), *(arm for arm, _ in FORMS))
+_ARMS = (PANDA, PANDA_HOMEWORK, PANDA.lock(3), _PLANAR, *(arm for arm, _ in FORMS))
+_FORMULAS = (ELBOW, _PLANAR)
 Asked = Iterator[tuple[Arm, dict]]
 
 
@@ -87,58 +92,94 @@ def branch_questions(rng, count: int) -> Asked:
         T = forward_kinematics(arm, q)
         if rng.random() < 0.03:
             T[:3, 3] *= 4
-        target = T if arm.dof == 6 else np.round(T[:3, 3], 3)
-        found = solver(arm, target)
-        rows = found.q[found.valid]
-        rows = rows[rng.permutation(len(rows))][: int(rng.integers(1, 9))] if len(rows) else [q]
-        mine = [_slipped(rng, arm, row, rows) for row in rows]
+        target = T if arm.dof == 6 else np.round(T[:3, 3], int(rng.choice([3, 16])))
+        found = solver(arm, target, rng.uniform(-1, 1, arm.dof))  # where a joint is free
+        rows = found.q[found.valid] if found.valid.any() else q[None]
+        k = int(rng.integers(arm.dof))
+        if rng.random() < 0.15:
+            rows = rows[np.sign(rows[:, k]) == np.sign(rows[0, k])]
+        if rng.random() < 0.7:
+            rows = rows[rng.permutation(len(rows))][: int(rng.integers(1, 9))]
+        spoiled = rng.random(len(rows)) < rng.choice([0, 0.3, 1])
+        mine = [_slipped(rng, arm, *x, rows) for x in zip(rows, spoiled, strict=True)]
+        mine += mine[: int(rng.random() < 0.05)]
         options = _options(rng)
         typed = _typed(rng, arm, np.array(mine), options)
         yield arm, _question("branches", typed, options, target=np.asarray(target).tolist())
 
 
 def pose_questions(rng, count: int) -> Asked:
-    """One joint vector of some arm and a pose, or a point, and what slips make of either."""
+    """One joint vector of some arm and a pose, or a point, in numbers or formulas, and what slips
+    make of either.
+    """
     for _ in range(count):
         arm = _ARMS[int(rng.integers(len(_ARMS)))]
         q = _somewhere(rng, arm)
         others = [other for _, other in wrong_lengths(arm)]
         other = others[int(rng.integers(len(others)))] if others and rng.random() < 0.2 else arm
         T = _wrong_pose(rng, forward_kinematics(other, q))
-        d = int(rng.choice([2, 3, 4, 6, 16]))
-        target = np.round(T if rng.random() < 0.7 else T[:3, 3], d).tolist()
+        target = np.round(T if rng.random() < 0.7 else T[:3, 3], int(rng.choice([2, 3, 4, 6, 16])))
         options = _options(rng)
-        typed = _typed(rng, arm, np.array([_slipped(rng, arm, q, [q])]), options)
-        yield arm, _question("pose", typed, options, target=_as_text(rng, target))
+        slips = rng.random() < 0.5
+        mine = [_slipped(rng, arm, q, slips, [q])] * (1 + (rng.random() < 0.02))
+        typed = _typed(rng, arm, np.array(mine), options)
+        given = _in_formulas(rng, arm) if arm in _FORMULAS and rng.random() < 0.5 else None
+        target = given or _as_text(rng, target.tolist())
+        yield arm, _question("pose", typed, options, target=target)
 
 
 def _somewhere(rng, arm: Arm) -> np.ndarray:
     q = rng.uniform(-1.5, 1.5, arm.dof)
-    if rng.random() < 0.15:
-        q[int(rng.integers(arm.dof))] = float(rng.choice([0.0, H, -H]))
-    if rng.random() < 0.05:
+    what = rng.random()
+    if what < 0.25:
+        q[rng.random(arm.dof) < 0.4] = float(rng.choice([0.0, H, -H]))
+    elif what < 0.3:
         q = np.zeros(arm.dof)
+    elif what < 0.4:
+        q *= float(rng.choice([0.003, 3.0]))
+    elif what < 0.5:
+        q = np.radians(np.rint(np.degrees(q)))
     return np.where(arm.turning, q, 0.2 + 0.2 * np.abs(q))
 
 
-def _slipped(rng, arm: Arm, q: np.ndarray, branches) -> np.ndarray:
+def _slipped(rng, arm: Arm, q: np.ndarray, slips: bool, branches) -> np.ndarray:
     what = rng.random()
-    if what < 0.4:
-        return q
-    if what < 0.45:
-        return q + 2 * np.pi * rng.integers(-1, 2, arm.dof) * arm.turning
-    if what < 0.55:
+    if not slips:
+        return q + 2 * np.pi * rng.integers(-1, 2, arm.dof) * arm.turning * (what < 0.1)
+    if what < 0.2:
         other = branches[int(rng.integers(len(branches)))]
         return np.where(rng.random(arm.dof) < 0.4, other, q)
-    if what < 0.6:
+    if what < 0.3:
         return q + np.where(rng.random(arm.dof) < 0.3, rng.uniform(-0.5, 0.5, arm.dof), 0)
-    if what < 0.62:
-        return np.concatenate([[H], q[1:]])
-    makers = [inverse_causes.single, inverse_causes.whole]
-    if rng.random() < 0.2:
-        makers = [inverse_causes.double]
-    slips = [mended for make in makers for _, mended in make(arm, q)]
-    return slips[int(rng.integers(len(slips)))]
+    if what < 0.35:
+        return np.concatenate([[rng.choice([H, -H])], q[1:]])
+    if what < 0.45:  # in a joint of which the page does not think
+        change = inverse_causes._JOINT[int(rng.integers(6))][1]
+        return np.where(np.arange(arm.dof) == rng.integers(arm.dof), change(q), q)
+    kinds = defaultdict(list)
+    made = chained(inverse_causes.single(arm, q), inverse_causes.whole(arm, q))
+    for slip in inverse_causes.double(arm, q) if what < 0.6 else made:
+        kinds[slip[0].keys].append(slip)
+    kind = kinds[list(kinds)[int(rng.integers(len(kinds)))]]
+    cause, mended = kind[int(rng.integers(len(kind)))]
+    if inverse_causes.scales(cause):
+        return np.where(mended, q * q / np.where(mended, mended, 1), q)
+    return 2 * q - mended if cause.name == "ik.plus for minus" else mended
+
+
+@cache
+def _formulas(arm: Arm) -> sp.Matrix:
+    return symbolic.forward_kinematics(arm)
+
+
+def _in_formulas(rng, arm: Arm) -> str:
+    """The tip's pose or place in symbols, with another sign or another joint in some."""
+    T = _formulas(arm)[:3, :] if rng.random() < 0.3 else _formulas(arm)[:3, 3]
+    text = str(T.T.tolist() if T.shape[1] == 1 else T.tolist())
+    for old, new in ((" + ", " - "), ("q_2", "q_1"), ("sin(q_1)", "cos(q_1)")):
+        at = text.find(old, int(rng.integers(len(text)))) if rng.random() < 0.25 else -1
+        text = text if at < 0 else text[:at] + new + text[at + len(old) :]
+    return text
 
 
 def _wrong_pose(rng, T: np.ndarray) -> np.ndarray:
@@ -151,8 +192,11 @@ def _wrong_pose(rng, T: np.ndarray) -> np.ndarray:
         T[:3, :3] = T[:3, :3].T
     elif what < 0.2:
         T[:3, :2] *= -1
-    elif what < 0.3:
-        T[int(rng.integers(3)), int(rng.integers(4))] *= -1
+    elif what < 0.35:
+        for _ in range(int(rng.integers(1, 5))):
+            T[int(rng.integers(3)), int(rng.integers(4))] *= -1
+    elif what < 0.45:
+        T[:3, 3] += rng.uniform(-1, 1, 3) * float(rng.choice([1e-6, 1e-4, 1e-3, 1e-2]))
     return T
 
 
@@ -160,19 +204,23 @@ def _options(rng) -> dict:
     options = {}
     if rng.random() < 0.1:
         options["angles"] = "deg"
-    if rng.random() < 0.05:
-        options["tolerance"] = float(rng.choice([0.0, 1e-3, 0.02]))
+    if rng.random() < 0.12:
+        options["tolerance"] = float(rng.choice([0.0, 1e-3, 0.02, 0.2]))
     return options
 
 
 def _typed(rng, arm: Arm, mine: np.ndarray, options: dict):
     """Joint vectors in some form, with so many decimals."""
-    if options.get("angles") == "deg" or rng.random() < 0.04:
+    if options.get("angles") == "deg" or rng.random() < 0.1:
         mine = np.where(arm.turning, np.degrees(mine), mine)
-    d = int(rng.choice([1, 2, 3, 4, 5, 16]))
+    d = int(rng.choice([0, 1, 2, 3, 4, 5, 16]))
+    if rng.random() < 0.2:
+        mine = mine + rng.uniform(-1, 1, mine.shape) * 10.0**-d * float(rng.choice([1, 3, 5]))
     words = [[f"{x:.{d}f}" if d < 16 else repr(float(x)) for x in row] for row in mine]
     if rng.random() < 0.1 and len(words) != arm.dof:
         words = [list(column) for column in zip(*words, strict=True)]
+    if rng.random() < 0.06:
+        return _misshapen(rng, [[float(x) for x in row] for row in words])
     form = str(rng.choice(["array", "named", "text", "dict", "rows", "matlab", "latex", "tabs"]))
     if form == "array":
         return [[float(x) for x in row] for row in words]
@@ -196,8 +244,25 @@ def _typed(rng, arm: Arm, mine: np.ndarray, options: dict):
     return forms[form]()
 
 
+def _misshapen(rng, rows: list[list[float]]):
+    """Held in another way, or too little, too much, or nothing."""
+    return [
+        [row[:-1] for row in rows],
+        [[*row, 0.5] for row in rows],
+        [[row] for row in rows],
+        [[row, row] for row in rows],
+        [[[x] for x in row] for row in rows],
+        [[x] for x in rows[0]],
+        rows[0],
+        str(rows[0][0]),
+        [],
+    ][int(rng.integers(9))]
+
+
 def _as_text(rng, T):
     what = rng.random()
+    if what < 0.05:
+        return [T[:2], [T], T * 2, [[x] for x in T]][int(rng.integers(4))]
     if what < 0.6:
         return T
     if np.ndim(T) == 1:

@@ -7,8 +7,11 @@ import re
 from collections.abc import Iterator
 
 from helpers.arm import Arm
+from helpers.checks.tables_causes import references
 from tests import table_pastes
 from tests.corpus import tables
+from tests.corpus.arms import KNOWN, random_machine
+from tests.corpus.machine import Machine
 
 NAMES = ("a", "alpha", "d", "theta")
 HEADS = {
@@ -69,6 +72,141 @@ def slip_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
             sign = "" if rng.random() < 0.4 else SIGNS[int(rng.integers(len(SIGNS)))]
             text = text[:at] + sign + text[at + int(rng.random() < 0.6) :]
         yield arm, {**question, "typed": text}
+
+
+H = math.pi / 2
+LENGTHS = (0, 0, 0.3, 0.2, 0.5, -0.2, 0.055)
+TWISTS = (0, 0, H, -H, 2 * H, 0.7, -1.1)
+ANGLES = (0, 0, 0, H, -H, 2 * H, 0.4)
+
+
+def geometry_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
+    """Arms full of special cases, described by other frames, with entries mistaken, and rounded:
+    by everything that a comparison of axes can meet, alone and together.
+    """
+    for _ in range(count):
+        machine, rows = _described(rng, arm_of)
+        for _ in range(int(rng.choice([0, 1, 2, 3, 5], p=[0.05, 0.35, 0.3, 0.2, 0.1]))):
+            rows = CHANGES[int(rng.integers(len(CHANGES)))](list(rows), rng)
+        options = {}
+        length, angle = rng.choice([1, 1, 1, 1000, 100]), rng.choice([1, 1, 180 / math.pi])
+        if rng.random() < 0.4:
+            options["lengths"] = {1: "m", 100: "cm", 1000: "mm"}[int(length)]
+            options["angles"] = "rad" if angle == 1 else "deg"
+        if rng.random() < 0.08:
+            options["tolerance"] = float(rng.choice([0, 1e-3, 0.06]))
+        places = rng.choice([1, 2, 3, 6], 2)
+        cells = [
+            _cells(i, _rounded((k, length * a, angle * al, length * d, angle * th), places), rng)
+            for i, (k, a, al, d, th) in enumerate(rows, 1)
+        ]
+        typed = FORMS[int(rng.choice([0, 1, 2, 4, 6], p=[0.2, 0.3, 0.3, 0.1, 0.1]))](cells, rng)
+        yield arm_of(machine), {"topic": "table", "typed": typed, "options": options}
+
+
+def _described(rng, arm_of):
+    """An arm and the rows of one that may be meant by it."""
+    if rng.random() < 0.1:
+        machine = KNOWN[str(rng.choice(["PANDA", "UR10E", "UR10E_HOMEWORK"]))]
+        others = [rows for _, rows in references(arm_of(machine))]
+        return machine, others[int(rng.integers(len(others)))]
+    if rng.random() < 0.4:
+        machine = random_machine(rng)
+        return machine, machine.rows
+    one = lambda of: float(rng.choice(of))  # noqa: E731
+    rows = [
+        (str(rng.choice(list("RRRPF"))), one(LENGTHS), one(TWISTS), one(LENGTHS), one(ANGLES))
+        for _ in range(int(rng.integers(1, 6)))
+    ]
+    k = int(rng.integers(len(rows)))
+    rows[k] = ("R", *rows[k][1:])
+    return Machine(rows, "random"), rows
+
+
+def _rounded(row, places):
+    kind, a, alpha, d, theta = row
+    (a, d), (alpha, theta) = (
+        (round(float(x), int(n)) for x in two)
+        for two, n in zip(((a, d), (alpha, theta)), places, strict=True)
+    )
+    return kind, a, alpha, d, theta
+
+
+def _at(rows, rng):
+    return int(rng.integers(len(rows)))
+
+
+def _entry(rows, rng):
+    """One entry turned, left out, put in, or another number, by a little or by much."""
+    i, column = _at(rows, rng), str(rng.choice(NAMES))
+    x = rows[i][1 + NAMES.index(column)]
+    steps = (0.1, 0.011, 0.004, 1e-3, 4e-4, 2e-4, 3e-5, H, math.pi)
+    step = float(rng.choice(steps)) * int(rng.choice([-1, 1]))
+    return tables.changed(rows, i, **{column: float(rng.choice([-x, -x, 0, x + step, step - x]))})
+
+
+def _turned(rows, rng):
+    """A slide or a fixed row at another angle, which nothing makes up for."""
+    held = [i for i, row in enumerate(rows) if row[0] != "R"]
+    if not held:
+        return _entry(rows, rng)
+    i = held[_at(held, rng)]
+    theta = rows[i][4]
+    return tables.changed(rows, i, theta=float(rng.choice([-theta, 0, theta + H, theta - 0.3])))
+
+
+def _frames(rows, rng):
+    return tables.rechosen(rows, rng) if len(rows) > 1 else rows
+
+
+def _whole(rows, rng):
+    if len(rows) < 2:
+        return rows
+    made = [other for _, other in tables.whole(Machine(rows, "random"), rng)]
+    return made[int(rng.integers(len(made)))]
+
+
+def _free(rows, rng):
+    """A step that is a free choice in most arms: the base's height, the tool's turn, a zero."""
+    step = float(rng.choice([0.3, -0.2, H, 0.04]))
+    i, column = [(0, "d"), (-1, "alpha"), (-1, "theta"), (_at(rows, rng), "theta")][
+        int(rng.integers(4))
+    ]
+    i %= len(rows)
+    return tables.changed(rows, i, **{column: rows[i][1 + NAMES.index(column)] + step})
+
+
+def _along(rows, rng):
+    """A step along parallel axes, taken back on the next."""
+    i, step = _at(rows, rng), float(rng.choice([0.1, -0.3]))
+    if i + 1 == len(rows) or abs(math.sin(rows[i][2])) > 1e-9:
+        return rows
+    back = -step * math.cos(rows[i][2])
+    rows = tables.changed(rows, i, d=rows[i][3] + step)
+    return tables.changed(rows, i + 1, d=rows[i + 1][3] + back)
+
+
+def _other_rows(rows, rng):
+    """A row that does not move, one row fewer, or a joint of another kind."""
+    i, way = _at(rows, rng), rng.random()
+    if way < 0.4:
+        row = ("F", 0.0, 0.0, 0.0, 0.0) if rng.random() < 0.5 else ("F", *rows[i][1:])
+        return [*rows[:i], row, *rows[i:]]
+    if way < 0.6 and len(rows) > 1:
+        return [*rows[:i], *rows[i + 1 :]]
+    return tables.changed(rows, i, kind=str(rng.choice(list("RPF"))))
+
+
+def _measured(rows, rng):
+    """Lengths and angles off by what comes of rounding or measuring."""
+    off = float(rng.choice([3e-6, 3e-4, 7e-4, 2e-3]))
+    return [(kind, *(x + rng.uniform(-off, off) * (x != 0) for x in row)) for kind, *row in rows]
+
+
+CHANGES = (
+    *(_entry, _entry, _entry, _frames, _frames),
+    *(_measured, _turned, _whole, _free, _along, _other_rows),
+)
 
 
 def _in_units(rows, rng):

@@ -46,14 +46,17 @@ function read(text) {
   return { grade: "read", causes: shape, headline: values.join(" "), findings: [], taken: [], notes: [] };
 }
 
-// Whose report it is, and each finding's kind and place.
-const places = ({ topic, arm, findings }) => [[topic, arm], ...findings.map(({ what, where }) => [what, where])];
+// Whose report it is, and each finding.
+const whole = ({ topic, arm, findings }) => [
+  [topic, arm],
+  ...findings.map(({ what, where, words }) => [what, where, words]),
+];
 
 function words(question) {
   try {
     const report = JUDGES[question.topic](question);
     const said = [report.grade, report.causes, judge.textOf(report)];
-    return report.call ? [...said, report.call] : report.topic ? [...said, places(report)] : said;
+    return report.call ? [...said, report.call] : report.topic ? [...said, whole(report)] : said;
   } catch (error) {
     if (error instanceof judge.ArmError) return ["refused", [], error.message];
     throw error;

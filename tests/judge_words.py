@@ -31,7 +31,7 @@ from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
-from tests import judge_motion, judge_tables
+from tests import judge_matrices, judge_motion, judge_tables
 from tests.corpus import jacobians, torques
 from tests.corpus.typing_ import typed
 
@@ -157,6 +157,8 @@ QUESTIONS = {
     "torques": torque_questions,
     "corpus's torques": stored_questions,
     "formula": formula_questions,
+    "Jacobian's slips": lambda rng, count: judge_matrices.jacobian_slips(rng, count, arm_of),
+    "torques' slips": lambda rng, count: judge_matrices.torque_slips(rng, count, arm_of, HEAVY),
     "table": lambda rng, count: judge_tables.corpus_questions(rng, count, arm_of),
     "table's forms": lambda rng, count: judge_tables.form_questions(rng, count, arm_of),
     "table's slips": lambda rng, count: judge_tables.slip_questions(rng, count, arm_of),
@@ -166,22 +168,26 @@ QUESTIONS = {
     "corpus's poses": lambda rng, count: judge_motion.stored_poses(rng, count, arm_of),
     "trace": judge_motion.trace_questions,
     "corpus's traces": lambda rng, count: judge_motion.stored_traces(rng, count, arm_of),
+    "table's geometry": lambda rng, count: judge_tables.geometry_questions(rng, count, arm_of),
 }
 # The kinds of each checker, the dearest first: a run takes the time of twenty tables.
 CHECKERS = {
     "trace": ("corpus's traces", "trace"),
-    "torques": ("corpus's torques", "torques"),
-    "Jacobian": ("formula", "jacobian"),
-    "table": ("table's forms", "table's slips", "table"),
+    "torques": ("corpus's torques", "torques", "torques' slips"),
+    "Jacobian": ("formula", "jacobian", "Jacobian's slips"),
+    "table": ("table's forms", "table's slips", "table", "table's geometry"),
     "pose": ("corpus's poses", "pose"),
     "branches": ("corpus's branches", "branches"),
 }
 SHARES = {
-    "jacobian": 0.2,
-    "torques": 0.06,
-    "corpus's torques": 0.06,
+    "jacobian": 0.06,
+    "Jacobian's slips": 0.14,
+    "torques": 0.03,
+    "corpus's torques": 0.03,
+    "torques' slips": 0.06,
     "formula": 0.03,
-    "table": 0.16,
+    "table": 0.1,
+    "table's geometry": 0.06,
     "table's forms": 0.1,
     "table's slips": 0.1,
     "branches": 0.08,
@@ -207,8 +213,7 @@ def questions(rng, count: int, only: str | None = None) -> list[tuple[Arm, dict]
 
 
 def python_words(arm: Arm, question: dict) -> list:
-    """What the checkers say: grade, causes, words; the topic and whose, and each finding's kind and
-    place."""
+    """What the checkers say: grade, causes, words; the topic and whose, and each finding."""
     calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
     topic = question["topic"]
     try:
@@ -220,7 +225,7 @@ def python_words(arm: Arm, question: dict) -> list:
             report = calls[topic](question["typed"], arm, question["q"], **question["options"])
     except ArmError as error:
         return ["refused", [], str(error)]
-    places = [[report.topic, report.arm], *([f.what, f.where] for f in report.findings)]
+    places = [[report.topic, report.arm], *([f.what, f.where, f.words] for f in report.findings)]
     return [report.grade, list(report.causes), str(report), places]
 
 

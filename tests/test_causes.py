@@ -161,6 +161,17 @@ def test_slides_are_in_no_degrees():
     assert "trace.degrees" not in run(slides).causes
 
 
+@pytest.mark.parametrize(
+    "turn", [np.diag([1, 1, -1]), np.diag([-1, 1, 1]), -np.eye(3), np.eye(3)[::-1]]
+)
+def test_a_left_handed_target_is_reached_by_no_joints(turn):
+    """At 0 the elbow arm's tip has its y axis up and its x axis ahead, 0.7 m from the shoulder."""
+    T = np.array([[1, 0, 0, 0.7], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]])
+    assert checks.compare_pose([0, 0, 0], ELBOW, T).grade == "right"
+    T[:3, :3] = T[:3, :3] @ turn
+    assert checks.compare_pose([0, 0, 0], ELBOW, T).grade == "wrong"
+
+
 def test_an_answer_where_there_is_no_branch():
     report = checks.compare_branches([[0.1, 0.2, 0.3]], inverse.elbow(ELBOW, (5.0, 0.0, 0.5)))
     (finding,) = report.findings

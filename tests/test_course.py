@@ -5,7 +5,6 @@ only.
 import csv
 import io
 import json
-import os
 import re
 import subprocess
 import sys
@@ -252,36 +251,27 @@ LIMITS = sandbox.Limits(notebook=120, cell=8)  # a busy machine takes 3 s over a
 
 
 @needs_bubblewrap
-def test_a_renamed_notebook_is_run_apart_and_an_endless_or_failing_cell_costs_itself(tmp_path):
-    cells = ["answer_p = [1, 2]", "1 / 0", "answer_R = 3", "while True: pass", "answer_J = 4"]
-    found = read_hand_in(notebook(tmp_path, *cells), "bubblewrap", LIMITS)
-    assert dict(found.answers) == {"p": [1, 2], "R": 3, "J": 4}
-    assert found.trouble == "2 of its cells raised an error"
-
-
-@needs_bubblewrap
-def test_apart_sees_no_files_no_network_no_environment(tmp_path):
+def test_a_notebook_run_apart_sees_nothing_and_an_endless_or_failing_cell_costs_itself(tmp_path):
     (tmp_path / "secret.txt").write_text("key", encoding="utf-8")
     look = (
-        "import os, pathlib, socket\n"
+        "import os, pathlib, time\n"
         f"answer_files = os.path.exists({str(tmp_path)!r})\n"
         "answer_names = [n for n in os.environ if 'SECRET' in n]\n"
         "answer_net = len(os.listdir('/sys/class/net')) if os.path.exists('/sys') else 0\n"
         "try:\n    pathlib.Path('/usr/mark').write_text('x')\nexcept OSError as error:\n"
         "    answer_write = type(error).__name__"
     )
-    found = read_hand_in(
-        notebook(tmp_path / "s", look), "bubblewrap", sandbox.Limits(notebook=120, cell=60)
-    )
-    assert found.answers == {"files": False, "names": [], "net": 0, "write": "OSError"}
+    cells = ["answer_p = [1, 2]", look, "1 / 0", "time.sleep(1e6)", "answer_J = 4"]
+    found = read_hand_in(notebook(tmp_path / "s", *cells), "bubblewrap", LIMITS)
+    seen = {"files": False, "names": [], "net": 0, "write": "OSError"}
+    assert dict(found.answers) == {"p": [1, 2], **seen, "J": 4}
+    assert found.trouble == "2 of its cells raised an error"
 
 
 @needs_bubblewrap
-@pytest.mark.parametrize(
-    "cell", ["import os\nos._exit(0)", "print('x' * 30_000_000)"], ids=["exits", "floods"]
-)
-def test_a_kernel_that_dies_or_floods_gives_no_answers_and_words(tmp_path, cell):
-    found = read_hand_in(notebook(tmp_path, "answer_p = 1", cell), "bubblewrap", LIMITS)
+def test_a_kernel_that_dies_gives_no_answers_and_words(tmp_path):
+    cells = "answer_p = 1", "import os\nos._exit(0)"
+    found = read_hand_in(notebook(tmp_path, *cells), "bubblewrap", LIMITS)
     assert not found.answers
     assert "running it gave no result" in found.trouble
 
@@ -320,20 +310,6 @@ def test_progress_is_counted_on_a_terminal_alone(monkeypatch, capsys):
     bars = (f"{ten}{dot}{dot}] 1", f"{ten}{ten}{dot}] 2", f"{ten}{ten}{ten}] 3")
     told = "".join(f"\r[{bar} of 3 students" for bar in bars) + "\n"
     assert capsys.readouterr().err == told
-
-
-@needs_bubblewrap
-@pytest.mark.parametrize("apart", ["bubblewrap", "process"])
-def test_a_notebook_gets_a_few_hundred_processes_and_no_more(tmp_path, apart):
-    if apart == "process" and os.geteuid() == 0:
-        pytest.skip("no number of processes holds for the superuser; refused without a flag")
-    bomb = (
-        "import os, time\nanswer_p = 0\ntry:\n    for _ in range(1500):\n"
-        "        if not os.fork():\n            time.sleep(60)\n            os._exit(0)\n"
-        "        answer_p += 1\nexcept BlockingIOError:\n    answer_q = answer_p"
-    )
-    found = read_hand_in(notebook(tmp_path, bomb), apart, sandbox.Limits(notebook=60, cell=40))
-    assert 100 < found.answers["q"] < 256
 
 
 def test_what_other_systems_run_is_well_formed(course, tmp_path):

@@ -2,6 +2,7 @@
 traits."""
 
 import atexit
+import hashlib
 import json
 import math
 import os
@@ -19,11 +20,11 @@ import pytest
 
 from helpers.arm import Arm, ArmError, Row, fixed, prismatic, revolute
 from helpers.checks import compare_tables
-from helpers.explorer import ArmExplorer, ArmFigure
+from helpers.explorer import ArmExplorer, ArmFigure, judge
 from helpers.explorer.data import arm_data, arm_from
 from helpers.explorer.figure import ANY_ARM, ONE_ARM
 from helpers.explorer.stub import still
-from helpers.explorer.widget import BUNDLE, MORE
+from helpers.explorer.widget import BUNDLE, MORE, esm
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
@@ -440,16 +441,28 @@ def test_the_still_picture_is_pythons(arm):
     if len(arm.home) != arm.dof:
         pytest.skip("no home")
     shapes = ask("still", arm=arm_data(arm), q=list(arm.home))
-    drawn = [
-        float(x)
-        for x in re.findall(
-            r"-?\d+\.\d+", " ".join(re.findall(r'points="[^"]*"', still(arm, arm.home, "")))
-        )
-    ]
-    ours = [
-        float(x) for line in (shapes["shadow"], shapes["links"]) for point in line for x in point
-    ]
-    np.testing.assert_allclose(ours, drawn, atol=0.11)
+    picture = ElementTree.fromstring(still(arm, arm.home, 'an "arm" & <more>'))
+    words = 'an "arm" & <more>'
+    assert picture.attrib == {"viewBox": "0 0 480 320", "width": "480", "role": "img",
+        "style": "max-width:100%;height:auto", "aria-label": words}  # fmt: skip
+    polyline = {"fill": "none", "stroke": "currentColor", "stroke-width": "8",
+        "stroke-linejoin": "round", "stroke-linecap": "round"}  # fmt: skip
+    colours = {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
+    wanted = [
+        ("polyline", shapes["shadow"], polyline | {"stroke-opacity": "0.12"}),
+        ("polyline", shapes["links"], polyline | {"stroke-opacity": "0.5"}),
+        *(("circle", [spot], {"r": "7", "fill": "currentColor"}) for spot in shapes["spots"]),
+        *(("line", [axis["from"], axis["to"]], {"stroke": colours[axis["n"]], "stroke-width": "3"})
+          for axis in shapes["axes"]),
+    ]  # fmt: skip
+    for shape, (tag, points, look) in zip(picture, wanted, strict=True):
+        assert shape.tag == tag
+        places = ("points", "cx", "cy", "x1", "y1", "x2", "y2")
+        drawn = " ".join(shape.attrib.pop(key) for key in places if key in shape.attrib)
+        drawn = [float(x) for x in re.split("[ ,]", drawn)]
+        np.testing.assert_allclose(np.ravel(points), drawn, atol=0.11)
+        assert drawn == [round(x, 1) for x in drawn]
+        assert shape.attrib == look
 
 
 @needs_node
@@ -791,3 +804,161 @@ def test_a_table_typed_in_the_browser_becomes_an_arm(explorer):
     )
     explorer.set_state({"rows": [], "arm_name": "UR10e", "q": list(UR10E.home)})
     assert explorer.arm is UR10E
+
+
+def test_another_arm_stands_at_its_home_without_what_was_computed(explorer):
+    explorer.trace, explorer.branches = [[0] * 7, [1] * 7], {"up": [0] * 7}
+    explorer.arm_name = "Elbow arm"
+    assert (explorer.q, explorer.trace, explorer.branches) == (ELBOW.home, None, None)
+    rows = arm_data(STANFORD)["rows"]
+    explorer.rows = rows
+    assert (explorer.arm.name, explorer.q) == ("Your arm", (0.0,) * 6)
+    explorer.arm_name = "Panda"
+    assert (explorer.rows, explorer.arm, explorer.q) == ([], PANDA, PANDA.home)
+    with pytest.raises(ArmError, match=r"^arm_name is 'Puma'; expected one of Panda, "):
+        explorer.arm_name = "Puma"
+    told = {"arm_name": "Elbow arm", "q": [0.1, 0.2, 0.3], "trace": [[0] * 3, [1] * 3]}
+    explorer.set_state(told)  # the page says itself what goes with another arm
+    assert (explorer.q, explorer.trace) == ((0.1, 0.2, 0.3), told["trace"])
+    explorer.arm_name = "UR10e"
+    assert (explorer.q, explorer.trace) == (UR10E.home, None)
+
+
+@pytest.mark.parametrize(
+    ("count", "kept"),
+    [(2, [0, 1]), (181, range(181)), (182, [*range(91), *range(92, 182)]), (361, range(0, 361, 2))],
+)
+def test_a_path_is_thinned_to_181_places_one_for_each_two_degrees(count, kept):
+    explorer = ArmExplorer(ELBOW, trace=np.arange(count)[:, None] + [0, 0.000001, 0.12345678])
+    assert explorer.trace == [[k, k, k + 0.12346] for k in kept]
+    words = r"Elbow arm: the trace has shape \(1, 3\); expected \(N, 3\), N ≥ 2"
+    with pytest.raises(ArmError, match=words):
+        explorer.trace = [[0, 0, 0]]
+
+
+def test_branches_are_named_listed_or_a_browsers():
+    q = [0.123456, 0, -0.0000001]
+    rounded = [0.12346, 0, 0]
+    explorer = ArmExplorer(ELBOW, branches=np.array([q]))
+    assert str(explorer.branches) == str([{"q": [0.12346, 0.0, 0.0]}])
+    explorer.branches = [{"label": "up", "q": q}]
+    assert explorer.branches == [{"label": "up", "q": rounded}]
+    explorer.branches = {1: q}
+    assert explorer.branches == [{"label": "1", "q": rounded}]
+    words = "branches are 3; expected a closed form's answer, a mapping from names to joint vectors"
+    with pytest.raises(ArmError, match=words):
+        explorer.branches = 3
+    with pytest.raises(ArmError, match=r"the branches are those of \(2,\) poses; expected one"):
+        explorer.branches = elbow(ELBOW, [[0.3, 0.2, 0.6]] * 2)
+
+
+def test_an_arm_with_masses_on_some_links_only_has_none():
+    rows = arm_data(PANDA)["rows"]
+    assert len(arm_from("whole", rows).bodies) == 7
+    del rows[2]["body"]
+    assert arm_from("part", rows).bodies == ()
+
+
+def test_the_stub_says_where_the_arm_stands_in_a_page_of_its_own_or_not():
+    arm = Arm("Ä", (revolute(a=1), revolute(a=0.5)))
+    html = [ArmExplorer(arm, [0.12345, -1e-9], link=link)._stub for link in (True, False)]
+    assert html[0].startswith('<div class="arm-explorer whole"><svg ')
+    assert html[1].startswith('<div class="arm-explorer"><svg ')
+    for text in html:
+        assert '<p class="arm-explorer-caption">Ä at q_1 = 0.123, q_2 = 0.</p><script' in text
+        assert 'aria-label="Still picture of the Ä at q_1 = 0.123, q_2 = 0."' in text
+        assert '"arms":[{"name":"Ä","home":[0.0,0.0],' in text
+        assert '"q":[0.12345,-1e-09],"wrench":[0.0,0.0,0.0,0.0,0.0,0.0],"trace":null' in text
+
+
+def test_a_small_figures_place_is_html_that_says_what_it_shows():
+    arm = Arm('Ä & "B"', (revolute(a=1),))
+    html = ArmFigure("columns", arm)._stub
+    place = ElementTree.fromstring(html)
+    options = json.loads(place.attrib.pop("data-options"))
+    assert options == {"joints": [], "arm": arm_data(arm)}
+    assert place.attrib == {"class": "arm-explorer", "data-figure": "columns"}
+    assert "Ä" in html
+    assert ": " not in html.split("data-options")[1].split("><")[0]
+    assert [(p.tag, p.text) for p in place] == [("p", 'A live figure of the Ä & "B".')]
+
+
+def test_widgets_share_one_script_under_a_key_of_what_it_says():
+    script = BUNDLE.read_text(encoding="utf-8") + "\n" + MORE.read_text(encoding="utf-8")
+    key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
+    for code, widget in [(esm(), "widget"), (esm("figureWidget"), "figureWidget")]:
+        first, rest = code.split("\n", 1)
+        assert first == f"const key = Symbol.for('{key}');"
+        assert rest.startswith(f"globalThis[key] ??= (() => {{ {script[:500]}")
+        ends = f"{script[-500:]}\nreturn ArmExplorer; }})();\n"
+        assert rest.endswith(f"{ends}export default () => globalThis[key].{widget}();\n")
+
+
+def judges_data(given=None):
+    start, end = judge.stub(given)
+    script, tail = end[: end.index("</script>")], end[end.index("</script>") :]
+    assert tail == "</script></div>"
+    assert script.startswith('<script type="application/json">{"arms":[')
+    return start, json.loads(script.split(">", 1)[1])
+
+
+def test_the_judges_place_holds_the_arms_that_may_be_asked_about():
+    start, data = judges_data()
+    assert start == '<div class="arm-judge">'
+    assert set(data) == {"arms", "examples"}
+    assert [example["ask"] for example in data["examples"]] == [
+        "jacobian", "torques", "table", "branches", "pose", "trace"
+    ]  # fmt: skip
+    arms = [PANDA.lock(3), PANDA_HOMEWORK.lock(3), *ARMS]
+    for arm, told in zip(arms, data["arms"], strict=True):
+        assert told["rows"] == arm_data(arm)["rows"]
+        assert told["values"] == [[name, value] for name, value in arm.values.items()]
+        assert eval(told["python"], vars(judge.robots)) == arm
+        assert told["key"] == told["python"]
+        locked = "lock" in told["key"]
+        name = arm.name if not locked else "Panda" if arm is arms[0] else "Panda (homework)"
+        assert told["title"] == (f"{arm.name}, joint 3 locked" if locked else name)
+        assert told.get("explorer") == (None if locked else arm.name)
+
+
+def test_a_chapters_judge_asks_one_thing():
+    start, data = judges_data({"ask": "table", "arm": "UR10E, PANDA", "q": "</script>"})
+    assert start == '<div class="arm-judge small">'
+    assert [arm["title"] for arm in data.pop("arms")] == ["UR10e", "Panda"]
+    assert data == {"given": {"ask": "table", "q": "</script>"}}
+    _, data = judges_data({"ask": "table", "table": "0 0 1 q1"})
+    assert data == {"arms": [], "given": {"ask": "table", "table": "0 0 1 q1", "arm": "own"}}
+    for call in ("PUMA", "ARMS", "PUMA.lock(3)"):
+        words = f"no arm is called {call!r}; expected one of {', '.join(judge.CALLS)}"
+        with pytest.raises(ArmError, match=re.escape(words)):
+            judge.stub({"arm": call})
+
+
+def test_the_judge_knows_the_arms_that_wrong_lengths_make():
+    """Lengths of the UR10 and the UR10e by their maker's pages."""
+    known = judge.judged_data(UR10E)
+    assert set(known) == {"name", "home", "rows", "values", "penless", "alike", "robots"}
+    assert known["penless"]["rows"][-1]["d"] == 0.11655
+    swapped = [(x["name"], x["other"], *(r["a"] for r in x["rows"][1:3])) for x in known["alike"]]
+    assert swapped == [
+        ("a_2", "a_3", -0.57155, -0.57155), ("a_3", "a_2", -0.6127, -0.6127)
+    ]  # fmt: skip
+    assert [robot["name"] for robot in known["robots"]] == ["UR10", "UR10"]
+    lengths = [[robot["rows"][0]["d"], robot["rows"][5]["d"], robot["penless"][5]["d"]]
+               for robot in known["robots"]]  # fmt: skip
+    np.testing.assert_allclose(lengths, [[0.128, 0.1922, 0.0922], [0.1273, 0.1922, 0.0922]])
+    bare = judge.judged_data(UR10E.with_values(l_pen=0))
+    assert "penless" not in bare
+    assert all(set(robot) == {"name", "rows"} for robot in bare["robots"])
+    assert set(judge.judged_data(ELBOW)) == {"name", "home", "rows", "values"}
+
+
+def test_the_judges_example_of_a_run_is_the_circle_the_other_way_round():
+    asked = judge.traced()
+    q = np.array([[float(x) for x in row.split()] for row in asked.pop("answer").split("\n")])
+    assert asked == {"ask": "trace", "arm": "UR10E_HOMEWORK", "q": "0.3, -0.6, 1.4, -0.8, 0.9, 0.2"}
+    T = link_frames(UR10E_HOMEWORK, q)[:, -1]
+    angle = np.arange(25)[:, None] * np.pi / 12
+    circle = np.sin(angle) * [0, -0.1, 0] + (np.cos(angle) - 1) * [0, 0, 0.1]
+    np.testing.assert_allclose(T[:, :3, 3] - T[0, :3, 3], circle, atol=3e-4)
+    np.testing.assert_allclose(T[:, :3, :3], [T[0, :3, :3]] * 25, atol=3e-4)

@@ -8,11 +8,13 @@ import importlib.util
 import math
 import re
 import shutil
+import string
 import subprocess
 import sys
 from dataclasses import replace
 from functools import cache
 from html.parser import HTMLParser
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -24,11 +26,11 @@ from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 from helpers.command_line import read_arm
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.sheets import block, document, formulas, markdown
-from helpers.sheets.__main__ import main
-from helpers.sheets.content import Sheet
+from helpers.sheets import block, document, formulas, markdown, page
+from helpers.sheets.__main__ import main, slug
+from helpers.sheets.content import Item, Sheet
 from helpers.sheets.page import answer, sections
-from helpers.sheets.programs import as_latex, as_matlab, as_numpy, as_sympy
+from helpers.sheets.programs import as_latex, as_matlab, as_numpy, as_sympy, latex_title
 
 ROOT = Path(__file__).parents[1]
 TOLERANCE = 1e-10  # letters are printed with twelve digits
@@ -381,6 +383,11 @@ def test_the_command_writes_a_file(tmp_path, capsys, monkeypatch):
     assert "Elbow arm" in (tmp_path / "elbow_arm_answers.html").read_text(encoding="utf-8")
 
 
+def test_a_files_name_is_made_of_words():
+    names = ["UR10e (homework)", " Panda, joint 3 ", "Ä-1", "…"]
+    assert [slug(name) for name in names] == ["ur10e_homework", "panda_joint_3", "ä_1", "arm"]
+
+
 def test_an_arm_out_of_a_python_file(tmp_path):
     path = tmp_path / "mine.py"
     path.write_text(
@@ -443,6 +450,76 @@ def test_short_names_that_would_say_two_things_are_not_used():
     rows[1] = revolute(a="a", alpha="pi/2")
     names = [n.name for n in Sheet(Arm("twelve", rows, {"a": 1.0})).short_names.values()]
     assert len(names) == len(set(names))
+
+
+def test_a_table_has_letters_that_sympy_means_otherwise_and_exact_numbers():
+    rows = [revolute(a="beta", alpha="pi/2", d=0.1), prismatic(a="S", d="-2*N/3", theta=1.25)]
+    html = page.table(Arm("letters", rows, {"beta": 1.0, "S": 2.0, "N": 3.0}))
+    assert re.findall(r"<td>(.*?)</td>", html) == [
+        "1", "<i>β</i>", "π/2", "0.1", "<i>q</i><sub>1</sub>",
+        "2", "<i>S</i>", "0", "−2/3\u2009<i>N</i> + <i>q</i><sub>2</sub>", "1.25",
+    ]  # fmt: skip
+
+
+def letters(count):
+    return sp.Mul(*map(sp.Symbol, string.ascii_letters[:count]))
+
+
+@pytest.mark.parametrize(
+    ("counts", "whole"),
+    [((26, 26), True), ((26, 27), False), ((1,) * 10, True), ((1,) * 11, False)],
+)
+def test_a_matrix_of_56_signs_and_ten_columns_stays_one_in_latex(counts, whole):
+    """Two signs a column are what stands between."""
+    value = sp.ImmutableMatrix([[letters(count) for count in counts], [1] * len(counts)])
+    text = as_latex(Sheet(ELBOW), Item("A_1", value, np.zeros(value.shape)))
+    assert ("bmatrix" in text) == whole
+    assert ("align" in text) != whole
+
+
+@pytest.mark.parametrize(("count", "whole"), [(17, True), (18, False)])
+def test_a_matrix_of_19_em_stays_one_on_a_phone(count, whole):
+    """A letter and the space before it are 0.55 em each, a column 0.8 em more."""
+    value = sp.ImmutableMatrix([letters(count), 1])
+    html = answer(Sheet(ELBOW), Item("o_1", value, np.zeros(value.shape)))
+    assert ('<div class="matrix"><span>' in html) == whole
+    assert ("entries" in html) != whole
+
+
+def test_a_long_sum_is_broken_between_its_terms():
+    """Terms of five letters and a sign, of which eight have room in 50 signs of a line."""
+    terms = [sp.Mul(*(sp.Symbol(x) for x in group)) for group in combinations("abcdefg", 5)]
+    text = as_latex(Sheet(ELBOW), Item("P", sp.ImmutableMatrix([[sum(terms)]]), np.eye(1)))
+    shown = text.split(" &= ")[1].split("\\end")[0].replace("quad", "").split("\\\\")
+    assert [len(re.findall("[a-g]", line)) / 5 for line in shown] == [8, 8, 5]
+
+
+def test_answers_are_called_as_books_call_them():
+    called = {"A_1": "A_{1}", "T_03": "{}^{0}T_{3}", "o_0": "o_{0}", "z_2": "z_{2}", "J": "J",
+              "det_J": r"\det J", "P": "P", "G": "g(q)"}  # fmt: skip
+    item = SHEETS["Elbow arm"].jacobian
+    assert {name: latex_title(replace(item, name=name)) for name in called} == called
+
+
+def test_a_page_has_a_description_where_one_is_given():
+    assert markdown(ELBOW, "Elbow", "An arm.").startswith("# Elbow\n\nAn arm.\n\n```{raw} html\n")
+    head = '---\nmyst:\n  html_meta:\n    description: "Of \\"it\\""\n---\n\n# Elbow\n\nAn arm.\n'
+    assert markdown(ELBOW, "Elbow", "An arm.", description='Of "it"').startswith(head)
+
+
+def test_the_command_helps(capsys):
+    with pytest.raises(SystemExit, match="0"):
+        main(["--help"])
+    told = " ".join(capsys.readouterr().out.split())
+    for line in [
+        "usage: python -m helpers.sheets [-h] [--base BASE] [--tip TIP] [--out OUT] arm",
+        "arm a name of the catalogue, a robot description (arm.urdf), or my_arm.py:NAME",
+        "--base BASE a robot description's first link",
+        "--tip TIP a robot description's last link",
+        "--out OUT the file to write; named after the arm unless given",
+        "Write the answer sheet of any arm into one HTML file.",
+    ]:
+        assert line in told
 
 
 def test_masses_of_zero_leave_an_empty_row():

@@ -7,10 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from helpers.arm import Arm, prismatic, revolute
+from helpers.arm import Arm, Joint, prismatic, revolute
 from helpers.checks import compare_tables
-from helpers.kinematics import forward_kinematics
-from helpers.robots import ARMS, ELBOW
+from helpers.kinematics import forward_kinematics, link_frames
+from helpers.robots import ARMS, ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.statics import gravity_torque
 from tests.laws import instructors_arm
 from tests.machines import random_pair, same_machine
 
@@ -204,3 +205,64 @@ def test_slides_leave_lengths_free(mine, reference):
     mine, reference = Arm("mine", mine), Arm("reference", reference)
     assert same_machine(mine, reference)
     assert compare_tables(mine, reference).agrees
+
+
+# Their joints
+
+
+def turned_over(arm):
+    """z_0 the other way round: joint 1 counts backwards."""
+    row = arm.rows[0]
+    row = replace(row, alpha=_plus(row.alpha, "pi"), d=f"-({row.d})", theta=f"-({row.theta})")
+    return replace(arm, rows=[row, *arm.rows[1:]], bodies=())
+
+
+WITH_BODIES = tuple(arm for arm in (PANDA, UR10E, UR10E_HOMEWORK, PANDA.lock(3)) if arm.bodies)
+
+
+@pytest.mark.parametrize("reference", [*WITH_BODIES, STANFORD, SCARA, SKEW], ids=str)
+@pytest.mark.parametrize("seed", range(8))
+def test_the_arm_in_their_joints_is_the_reference_told_by_their_rows(reference, seed):
+    """By what it does: the same places, weights and limits at the joints that the map names."""
+    rng = np.random.default_rng(seed)
+    limited = [
+        replace(row, joint=replace(row.joint, lower=-1.0 - k, upper=2.0 + k, speed=k + 1.0))
+        if row.joint.kind != "fixed"
+        else row
+        for k, row in enumerate(reference.rows)
+    ]
+    home = np.round(rng.uniform(-0.5, 0.5, reference.dof), 2)
+    reference = replace(reference, rows=limited, home=tuple(home), source="a sheet")
+    mine = turned_over(reference) if seed % 3 == 0 else reference
+    for i in rng.integers(len(mine.rows) - 1, size=4):
+        moved = mine if mine.rows[i].joint.kind == "fixed" else shift_zero(mine, i, 0.4)
+        mine = (flip_x(mine, i), flip_z(mine, i)[0], moved)[rng.integers(3)]
+    if seed % 2:
+        last = replace(mine.rows[-1], a=0, alpha=0, d=0, theta=0.2, joint=Joint("fixed"))
+        mine = replace(mine, rows=[*mine.rows, last], home=(), bodies=())
+    report = compare_tables(mine, reference)
+    own, up = report.figures["arm"], report.figures["signs"][0]
+    signs, shifts = map(np.array, zip(*report.figures["joint_map"], strict=True))
+    assert (own.name, own.source) == (f"{reference.name}, in your joints", "a sheet")
+    q = rng.uniform(-3, 3, (5, own.dof))
+    np.testing.assert_allclose(link_frames(own, q), link_frames(mine, q), atol=1e-12)
+    there = forward_kinematics(reference, signs * q + shifts)[:, :3, 3]
+    here = forward_kinematics(own, q)[:, :3, 3] * [1, up, up]
+    off = there - here
+    assert off == pytest.approx(np.broadcast_to([0, 0, off[0, 2]], off.shape), abs=1e-9)
+    low, high = own.limits
+    for bound in (low, high):
+        at = signs * bound + shifts
+        assert np.minimum(abs(at - reference.limits[0]), abs(at - reference.limits[1])).max() < 1e-9
+    assert (low < high).all()
+    np.testing.assert_array_equal(own.speed_limits, reference.speed_limits)
+    np.testing.assert_array_equal(own.effort_limits, reference.effort_limits)
+    np.testing.assert_allclose(signs * own.home + shifts, home, atol=1e-12)
+    assert bool(own.bodies) == bool(reference.bodies)
+    if own.bodies:
+        down = np.array([1.0, 2.0, -9.0])
+        wanted = signs * gravity_torque(reference, signs * q + shifts, down)
+        np.testing.assert_allclose(gravity_torque(own, q, down * [1, up, up]), wanted, atol=1e-9)
+        assert sum(b.mass for b in own.bodies) == pytest.approx(
+            sum(b.mass for b in reference.bodies)
+        )

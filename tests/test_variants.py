@@ -4,17 +4,38 @@ of computing.
 
 import json
 import re
+from itertools import product as product_of
 
 import numpy as np
 import pytest
 import sympy as sp
 
-from helpers.arm import ArmError
+from helpers import inverse
+from helpers.arm import Arm, ArmError, revolute
 from helpers.motion import circle, trace
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.variants import TOPICS, question, sheet, variant
+from helpers.variants import (
+    TOPICS,
+    branches_of,
+    closed_form,
+    draw,
+    drawn_arm,
+    matrix,
+    one_way,
+    pose_of,
+    question,
+    sheet,
+    variant,
+)
 
 ARMS = [PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, UR10E_HOMEWORK, STANFORD, ELBOW]
+PLANE = Arm("plane", [revolute(a=0.5), revolute(a=0.4), revolute(a=0.3)])
+WRISTED = Arm(
+    "wristed",
+    [*ELBOW.rows[:2], revolute(a=0.01, alpha="pi/2"), revolute(alpha="-pi/2", d=0.3),
+     revolute(alpha="pi/2"), revolute(d=0.1)],
+    ELBOW.values,
+)  # fmt: skip
 every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
 
 
@@ -49,6 +70,14 @@ def differences(f, q, h=1e-6):
     return np.stack([(f(q + step) - f(q - step)) / (2 * h) for step in steps], axis=-1)
 
 
+def moves(arm, q):
+    """The Jacobian by the slopes of the tip's place and of its axes."""
+    linear = differences(lambda q: product(arm, q)[:3, 3], q)
+    slope = differences(lambda q: product(arm, q)[:3, :3], q)
+    turning = np.einsum("ijk,lj->ilk", slope, product(arm, q)[:3, :3])
+    return np.vstack([linear, turning[2, 1], turning[0, 2], turning[1, 0]])
+
+
 def energy(arm, q):
     """Weight times height, link by link, each height from the table's rows up to that link."""
     total, values = 0.0, dict(zip(arm.joints, q, strict=True))
@@ -76,10 +105,111 @@ def test_a_sheet_is_its_numbers_and_another_seed_draws_others(arm, seed):
     assert sheet(arm, seed) == first
 
 
-@every_arm
-def test_lengths_stay_near_the_arms_own(arm):
-    for name, new in sheet(arm, 9).arm.values.items():
-        assert abs(new - arm.values[name]) <= 0.1 * arm.values[name] + 5e-4, name
+def test_a_seed_draws_the_sheet_that_it_drew_before():
+    """On paper from last week; NumPy keeps its generators' streams within a version."""
+    old = sheet(UR10E, "ab12")
+    lengths = {"d_1": 0.168, "a_2": 0.658, "a_3": 0.6, "d_4": 0.19, "d_5": 0.116, "d_6": 0.115}
+    assert dict(old.arm.values) == lengths | {"l_pen": 0.103}
+    table = old.drawn["DH table"]
+    assert [list(row.values()) for row in table["rows"]] == [
+        ["revolute", 0, "-pi/2", 0, "-pi/2"], ["prismatic", 0.2, "pi/2", 0.2, "0"],
+        ["revolute", 0.5, "pi/2", 0.2, "0"], ["revolute", 0.5, "0", 0, "0"],
+    ]  # fmt: skip
+    assert table["along"] == [-0.15, 0.1, 0, 0.2]
+    assert old.drawn["forward kinematics"] == {"q": [-0.63, -1.73, 1.54, -1.21, -0.77, 1.3]}
+    assert old.drawn["Jacobian"] == {
+        "q": [-1.62, 0.56, 1.01, 0.78, 0.52, -1.82], "q_dot": [0.4, -0.5, 0.3, 0.5, 0.1, 0.7],
+        "column": 1,
+    }  # fmt: skip
+    circle = {"radius": 0.08, "plane": "yz", "duration": 30}
+    assert old.drawn["circle tracing"] == {"q": [0.18, 1.16, -1.57, -0.49, 1.75, -0.42]} | circle
+    torque = {"q": [0.99, 1.09, -1.35, -1.15, 0.47, 1.39], "force": [15, 0, 0]}
+    assert old.drawn["static torque"] == torque
+    target = old.drawn["inverse kinematics"]["target"]
+    assert target[0] == pytest.approx([0.197145, 0.954332, 0.224464, -0.233117], abs=2e-6)
+
+
+def test_lengths_are_the_arms_own_within_a_tenth():
+    own = ELBOW.values
+    found = [sheet(ELBOW, seed, ()).arm for seed in range(100)]
+    assert {arm.name for arm in found} == {"Elbow arm, lengths of your own"}
+    assert {arm.values["d"] for arm in found} == {0}
+    for name in ("d_1", "a_2", "a_3"):
+        new = np.array([arm.values[name] for arm in found])
+        np.testing.assert_array_equal(new, new.round(3))
+        assert new.min() == pytest.approx(0.9 * own[name], abs=0.005 * own[name])
+        assert new.max() == pytest.approx(1.1 * own[name], abs=0.01 * own[name])
+        assert (abs(new - own[name]) <= 0.1 * own[name] + 5e-4).all()
+    assert all(len({arm.values[n] / own[n] for n in ("d_1", "a_2", "a_3")}) == 3 for arm in found)
+
+
+@pytest.mark.parametrize("arm", [*ARMS, PANDA, PLANE], ids=lambda arm: arm.name)
+def test_poses_are_drawn_inside_the_limits_and_away_from_singular_ones(arm):
+    """The tip of a plane arm cannot leave its plane: two ways to go are all it has."""
+    q = np.array([draw("forward kinematics", arm, seed)["q"] for seed in range(80)])
+    lower, upper = np.clip(arm.limits, -2.4, 2.4)
+    share, rounding = (q - lower) / (upper - lower), 0.0051 / (upper - lower)
+    np.testing.assert_array_equal(q, q.round(2))
+    assert (abs(share - 0.5) <= 0.4 + rounding).all()
+    assert share.min() < 0.14
+    assert share.max() > 0.86
+    assert (np.ptp(share, axis=1) > 0.001).all()
+    ways = 2 if arm is PLANE else min(arm.dof, 6)
+    for pose in q[:25]:
+        J = moves(arm, pose)[: 6 if arm.dof >= 6 else 3]
+        assert np.linalg.svd(J, compute_uv=False)[ways - 1] > 0.0399
+
+
+def test_an_arm_that_is_always_near_singular_poses_is_refused():
+    tiny = Arm("tiny", [revolute(a=0.03), revolute(a=0.03)])
+    words = "tiny, lengths of your own: no pose away from a singular one was found in 500 tries"
+    with pytest.raises(ArmError, match=words):
+        sheet(tiny, 1)
+
+
+def test_tables_are_drawn_of_all_numbers_and_each_joint_tells_on_the_tip():
+    given = [draw("DH table", ELBOW, seed) for seed in range(100)]
+    rows = [row for one in given for row in one["rows"]]
+    turns = {"0", "pi/2", "-pi/2"}
+    assert {key: {row[key] for row in rows} for key in rows[0]} == {
+        "kind": {"revolute", "prismatic"}, "a": {0, 0.2, 0.3, 0.4, 0.5}, "alpha": turns,
+        "d": {0, 0.1, 0.2, 0.3}, "theta": turns,
+    }  # fmt: skip
+    assert {shift for one in given for shift in one["along"]} == {n / 20 for n in range(-4, 5)}
+    for one in given:
+        assert (len(one["rows"]), len(one["along"]), one["rows"][-1]["alpha"]) == (4, 4, "0")
+        assert [row["kind"] for row in one["rows"]].count("prismatic") <= 1
+        assert all(row["alpha"] != "0" or row["a"] for row in one["rows"])
+        J = moves(drawn_arm(one), np.array([0.3, 0.5, 0.7, 0.9]))
+        assert np.linalg.svd(J, compute_uv=False)[-1] > 0.0499
+
+
+def test_rates_columns_and_forces_are_drawn_of_all_that_they_may_be():
+    given = [draw("Jacobian", UR10E, seed) for seed in range(120)]
+    assert {one["column"] for one in given} == set(range(1, 7))
+    rates = np.array([one["q_dot"] for one in given])
+    assert set(rates.ravel()) == {n / 10 for n in range(-10, 11)}
+    assert not np.signbit(rates[rates == 0]).any()
+    forces = np.array([draw("static torque", UR10E, seed)["force"] for seed in range(250)])
+    assert (np.count_nonzero(forces, axis=1) == 1).all()
+    assert {tuple(np.sign(force)) for force in forces} == {
+        tuple(sign * axis) for sign in (-1, 1) for axis in np.eye(3)
+    }
+    assert set(abs(forces).max(axis=1)) == {n / 2 for n in range(10, 41)}
+
+
+def test_circles_are_drawn_that_the_arm_can_run_through():
+    given = [draw("circle tracing", UR10E, seed) for seed in range(30)]
+    assert {one["radius"] for one in given} == {n / 100 for n in range(5, 11)}
+    assert {one["plane"] for one in given} == {"xy", "yz", "zx"}
+    assert {one["duration"] for one in given} == {10, 15, 20, 25, 30}
+    for one in given:
+        top = product(UR10E, one["q"])[:3, 3]
+        centre = top - one["radius"] * np.eye(3)["xyz".index(one["plane"][0])]
+        path = circle(centre, one["radius"], one["plane"], one["duration"], 60)
+        report = trace(UR10E, one["q"], path, method="rk4").report
+        assert report.executable
+        assert report.smallest_singular_value > 0.0395
 
 
 @every_arm
@@ -92,10 +222,7 @@ def test_the_tip_and_the_jacobian_in_the_keys(arm, seed):
     assert values(found)["R"] == pytest.approx(T[:3, :3], abs=1e-12)
     found = variant("Jacobian", arm, seed)
     q, q_dot = matrices(found.text)
-    linear = differences(lambda q: product(found.arm, q)[:3, 3], q)
-    slope = differences(lambda q: product(found.arm, q)[:3, :3], q)
-    turning = np.einsum("ijk,lj->ilk", slope, product(found.arm, q)[:3, :3])
-    J = np.vstack([linear, turning[2, 1], turning[0, 2], turning[1, 0]])
+    J = moves(found.arm, q)
     key = {part.name: part.value for part in found.parts}
     assert key["J"] == pytest.approx(J, abs=1e-8)
     assert key["xi"] == pytest.approx(J @ q_dot, abs=1e-8)
@@ -201,3 +328,128 @@ def test_the_sheet_has_what_the_arm_can_do():
 def test_what_cannot_be_asked_is_said(topic, arm, seed, words):
     with pytest.raises(ArmError, match=words):
         variant(topic, arm, seed)
+
+
+def test_a_sheet_of_some_topics_and_what_is_no_topic_arm_or_seed():
+    assert list(sheet(ELBOW, 1, ("Jacobian", "DH table")).drawn) == ["Jacobian", "DH table"]
+    asked = f"expected some of {', '.join(TOPICS)}"
+    for call, words in [
+        (lambda: sheet(ELBOW, 1, 3), f"topics are 3; {asked}"),
+        (lambda: sheet(3, 1), "arm is 3; expected an Arm"),
+        (lambda: draw("Jacobian", 3, 1), "arm is 3; expected an Arm"),
+        (lambda: draw("statics", ELBOW, 1), "topic is 'statics'; expected one of"),
+        (lambda: question("statics", ELBOW, {}), "topic is 'statics'; expected one of"),
+        (lambda: question("Jacobian", 3, {}), "arm is 3; expected an Arm"),
+        (lambda: variant("Jacobian", 3, 1), "arm is 3; expected an Arm"),
+        (lambda: branches_of(PANDA, np.eye(4)[:3]), "Panda: the book has no closed form for it"),
+        (lambda: one_way(ELBOW, np.full((3, 1), 9)), "Elbow arm: no joint values within the lim"),
+    ]:
+        with pytest.raises(ArmError, match=f"^{words}"):
+            call()
+
+
+TOLERANCES = {
+    "table": ("table", 5e-4), "p": ("numbers", 1e-3), "R": ("numbers", 2e-3),
+    "J": ("jacobian", 2e-3), "xi": ("numbers", 5e-3), "J_column": ("column", 1e-6),
+    "centre": ("numbers", 1e-3), "quarter": ("numbers", 1e-2), "half": ("numbers", 1e-2),
+    "g": ("torques", 5e-3), "tau": ("torques", 5e-3),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("arm", [UR10E, ELBOW], ids=lambda arm: arm.name)
+def test_a_question_and_its_key_as_they_are_read(arm):
+    """What a student is told, and that the key's text holds the key's numbers."""
+    drawn = sheet(arm, 5)
+    own = f"{arm.name}, lengths of your own"
+    assert {name: (part.kind, part.tolerance) for name, part in drawn.parts.items()} == {
+        name: asked
+        for name, asked in TOLERANCES.items()
+        if arm is UR10E or name in "table p R J xi J_column"
+    } | {"q": ("branches", 1e-2)}
+    for found in drawn.questions:
+        title = found.topic[0].upper() + found.topic[1:]
+        assert repr(found) == f"<Question on {found.topic}: {own}>"
+        asked = [part.asked for part in found.parts]
+        assert found.markdown == "\n".join([f"## {title}", "", found.text, "", *asked])
+        table = f"\n\n{found.arm._repr_markdown_()}" if found.topic != "DH table" else ""
+        assert found._repr_markdown_() == found.markdown + table
+        assert found.key.startswith(f"**Key: {title}**\n\n- `{found.parts[0].name}`, ")
+        for part in found.parts:
+            end = {"table": "", "column": "; it is evaluated at poses of our choice"}.get(
+                part.kind, f"; {part.tolerance:g} off is forgiven"
+            )
+            assert part.asked == f"- `{part.name}`: {part.what}{end}"
+            head = f"- `{part.name}`, {part.what}: "
+            assert f"\n{part.key}" in found.key
+            if part.kind == "table":
+                assert part.key == f"{head[:-1]}\n\n{part.value._repr_markdown_()}"
+            elif part.kind == "column":
+                assert part.key == head + ", ".join(f"`{entry}`" for entry in part.value)
+            else:
+                assert part.key.startswith(f"{head}$\\begin")
+                (printed,) = matrices(part.key)
+                assert printed == pytest.approx(np.ravel(part.value), rel=6e-5, abs=6e-5)
+
+
+def test_a_matrix_has_four_digits_or_as_many_as_asked():
+    begin, end = "\\begin{bmatrix}", "\\end{bmatrix}"
+    assert matrix([1.23456789, -1e-5]) == f"{begin}1.2346 & 0{end}"
+    assert matrix([[123.456789], [2]]) == f"{begin}123.46 \\\\ 2{end}"
+    assert matrix([1.23456789], 6) == f"{begin}1.234568{end}"
+
+
+def test_the_closed_form_is_the_one_for_the_arm():
+    forms = [inverse.ur, inverse.ur, inverse.stanford, inverse.elbow, inverse.spherical_wrist]
+    arms = [UR10E, UR10E_HOMEWORK, STANFORD, ELBOW, WRISTED]
+    assert [closed_form(arm) for arm in arms] == forms
+    assert [closed_form(arm) for arm in (PANDA, PANDA.lock(3), PLANE)] == [None] * 3
+
+
+@pytest.mark.parametrize("arm", [UR10E, STANFORD, ELBOW, PANDA, WRISTED], ids=lambda arm: arm.name)
+def test_a_target_is_a_pose_of_the_arm_and_its_limits_are_told(arm):
+    found = variant("inverse kinematics", arm, 3)
+    target = np.array(found.given["target"])
+    assert target.shape == ((3, 4) if arm.dof >= 6 else (3, 1))
+    np.testing.assert_array_equal(target, target.round(6))
+    (printed,) = matrices(found.text)
+    assert printed == pytest.approx(target.ravel(), abs=1e-9)
+    asked = "pose $[R\\ p]$" if arm.dof >= 6 else "position $p$"
+    sought = "every set of joint values within the limits" if closed_form(arm) else "joint values"
+    assert found.text.startswith(f"Find {sought} that give the tip the {asked} $= ")
+    told = re.findall(r"\$q_\{(\d)\}\$ from (-?[\d.]*\d) to (-?[\d.]*\d)[;.]?", found.text)
+    limits = zip(arm.joints, *arm.limits, strict=True)
+    assert [(int(i), float(low), float(high)) for i, low, high in told] == [
+        (i, float(f"{low:g}"), float(f"{high:g}")) for i, low, high in limits if np.isfinite(low)
+    ]
+    assert found.text.endswith("; whole turns count as the same.") == bool(told)
+    (part,) = found.parts
+    assert part.kind == ("branches" if closed_form(arm) else "pose")
+    assert (part.name, part.tolerance) == ("q", 1e-2)
+    for q in np.atleast_2d(part.value):
+        assert product(found.arm, q)[:3, -target.shape[1] :] == pytest.approx(target, abs=5e-6)
+
+
+def test_a_pose_as_printed_is_taken_for_the_nearest_rigid_motion():
+    T = product(UR10E, [0.3, -1.1, 1.4, -0.8, 0.9, 0.2])
+    found = pose_of(T[:3].round(3))
+    np.testing.assert_allclose(found[:3, :3] @ found[:3, :3].T, np.eye(3), atol=1e-12)
+    np.testing.assert_allclose(found[:3, :3], T[:3, :3], atol=2e-3)
+    np.testing.assert_array_equal(found[:, 3], [*T[:3, 3].round(3), 1])
+    np.testing.assert_array_equal(found[3], [0, 0, 0, 1])
+    np.testing.assert_array_equal(pose_of(np.array([[1], [2], [3]])), [1, 2, 3])
+
+
+def test_branches_are_turned_into_the_limits_of_their_joints():
+    """Every branch of the arm without limits that a whole turn brings within, and no other."""
+    limits = [(0.5, 6.0), (-6.0, 0.4), (-3.1, 3.1)]
+    rows = [revolute(r.a, r.alpha, r.d, limits=x) for r, x in zip(ELBOW.rows, limits, strict=True)]
+    narrow = Arm("narrow", rows, ELBOW.values)
+    targets = [[[0.4], [0.1], [0.7]], [[-0.3], [0.3], [0.4]], [[0.3], [-0.35], [0.6]]]
+    for target in map(np.array, targets):
+        every = [q + 2 * np.pi * np.array(turns) for q in branches_of(ELBOW, target)
+                 for turns in product_of((-1, 0, 1), repeat=3)]  # fmt: skip
+        wanted = [q for q in every if all(a <= x <= b for x, (a, b) in zip(q, limits, strict=True))]
+        found = branches_of(narrow, target)
+        assert 0 < len(found) == len(wanted)
+        for q in wanted:
+            assert abs(found - q).max(axis=1).min() < 1e-9

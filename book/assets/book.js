@@ -110,14 +110,16 @@ function share(box) {
 }
 
 // Checks that hold stand out, among other lines too: each begins at the edge, and what does not fit its line goes on
-// further in. A unit stays with its number.
+// further in. A unit stays with its number, an exponent with its minus.
 function proven(output) {
   for (const text of output.querySelectorAll("pre")) {
     const lines = text.textContent.trimEnd().split("\n");
     text.replaceChildren(...lines.map((line) => {
-      const holds = line.startsWith("✔"), textContent = `${line}\n`;
-      if (!holds) return Object.assign(document.createElement("span"), { textContent });
-      return Object.assign(document.createElement("span"), { className: "holds", textContent: textContent.replaceAll("N m", "N\u00a0m") });
+      const holds = line.startsWith("✔"), span = document.createElement("span");
+      if (holds) span.className = "holds";
+      const parts = `${holds ? line.replaceAll("N m", "N\u00a0m") : line}\n`.split(/(\d[\d.]*e-\d+)/);
+      span.append(...parts.map((part, k) => (k % 2 ? Object.assign(document.createElement("span"), { className: "number", textContent: part }) : part)));
+      return span;
     }));
   }
 }

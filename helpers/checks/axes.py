@@ -121,8 +121,9 @@ def gaps(rows: Rows) -> list[Gap]:
 
 def tool_tilt(rows: Rows) -> float:
     """The cosine of the angle between the last joint axis and the z axis of the last frame."""
-    T = frames(rows, [0.0] * len(joints(rows)))
-    return dot(T[joints(rows)[-1] - 1].z, T[-1].z)
+    moving = joints(rows)
+    T = frames(rows, [0.0] * len(moving))
+    return dot(T[moving[-1] - 1].z, T[-1].z)
 
 
 def _lengths(walk: list[Gap]) -> list[float]:
@@ -158,7 +159,7 @@ def _gap(axes: list[Vector], between: range, normal: Vector, *rest) -> Gap:
     directions = {k: axes[k] for k in between}
     length = math.sqrt(dot(normal, normal))
     if length > _TINY:
-        directions[NORMAL] = mix(1 / length, normal, 0.0, normal)
+        directions[NORMAL] = scaled(1 / length, normal)
     shape: dict[tuple[int, ...], float] = {
         (i, j): dot(directions[i], directions[j]) for i, j in combinations(between, 2)
     }
@@ -169,7 +170,7 @@ def _gap(axes: list[Vector], between: range, normal: Vector, *rest) -> Gap:
 
 def _onto(p: Vector, u: Vector, point: Vector) -> Vector:
     """The foot of a point on the line (p, u)."""
-    return add(p, mix(dot(u, sub(point, p)), u, 0.0, u))
+    return add(p, scaled(dot(u, sub(point, p)), u))
 
 
 def _feet(p: Vector, u: Vector, q: Vector, v: Vector | None) -> tuple[Vector, Vector]:
@@ -185,7 +186,7 @@ def _feet(p: Vector, u: Vector, q: Vector, v: Vector | None) -> tuple[Vector, Ve
     below = 1.0 - uv * uv
     s = (dot(u, w) - uv * dot(v, w)) / below
     t = (uv * dot(u, w) - dot(v, w)) / below
-    return mix(1.0, p, s, u), mix(1.0, q, t, v)
+    return add(p, scaled(s, u)), add(q, scaled(t, v))
 
 
 def _parallel(u: Vector, v: Vector) -> bool:
@@ -211,6 +212,11 @@ def add(u: Vector, v: Vector) -> Vector:
 def sub(u: Vector, v: Vector) -> Vector:
     """u - v."""
     return u[0] - v[0], u[1] - v[1], u[2] - v[2]
+
+
+def scaled(a: float, u: Vector) -> Vector:
+    """a u."""
+    return a * u[0], a * u[1], a * u[2]
 
 
 def mix(a: float, u: Vector, b: float, v: Vector) -> Vector:
@@ -267,8 +273,8 @@ def _foot(rows: Rows) -> tuple[float, float]:
     first = joints(rows)[0]
     axis = frames(rows[: first - 1], ())[-1]
     n = cross(BASE.z, axis.z)
-    size = math.sqrt(dot(n, n))
-    far = abs(dot(axis.o, n)) / size if size > _TINY else math.hypot(*axis.o[:2])
+    sine = math.sqrt(dot(n, n))
+    far = abs(dot(axis.o, n)) / sine if sine > _TINY else math.hypot(*axis.o[:2])
     return (far if rows[first - 1].kind == "R" else 0.0), _arc(abs(axis.z[2]))
 
 
@@ -300,25 +306,18 @@ def _step(mine: Side, m: Gap, r: Gap, best: dict, length: float, angle: float) -
     with the last one's end.
     """
     found: dict[int, tuple] = {}
-    more = len(m.joints) - 1
+    alike = m.places_base and r.places_base and m.bunch == r.bunch
     for signs in product((1, -1), repeat=len(m.joints)):
         (count, far, notes), before, old = best[signs[0]]
         new = tuple(
             _differences(mine, m, r, dict(zip(m.joints, signs, strict=True)), length, angle)
         )
-        higher = (
-            0.0
-            if not (m.places_base and r.places_base and m.bunch == r.bunch)
-            else _height(m, r, signs[0])
-        )
-        note = abs(higher) > length
+        note = alike and abs(_height(m, r, signs[0])) > length
         if note and before[0] < 0 and mine.joints[0] == 1:
-            new += (
-                Difference("table base", mine.joints[0], "d", (), m.offset, -(r.offset or 0.0)),
-            )
+            new += (Difference("table base", 1, "d", (), m.offset, -(r.offset or 0.0)),)
         far += sum(abs(x.mine - x.reference) for x in new)
         cost = (count + len(new), round(far, 9), notes + note + (before[0] < 0))
-        choice = (cost, before + signs[1:] if more else before, old + new)
+        choice = (cost, before + signs[1:], old + new)
         last = signs[-1]
         if last not in found or choice[0] < found[last][0]:
             found[last] = choice

@@ -2,6 +2,7 @@
 is named.
 """
 
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -32,6 +33,7 @@ _OF_ONE_STEP = (
     "ik.plus for minus",
 )  # told rather than that joints of two branches are mixed
 _COARSE = 5.1e-3  # rad or m: with a larger unit than this, branches and slips are not told apart
+_LABEL = re.compile(r"['\"][^'\"]*['\"]\s*[,:]\s*|\b(?:q|theta|th|θ|t)_?\d\s*[=:]\s*", flags=re.I)
 
 
 @dataclass(frozen=True)
@@ -86,7 +88,7 @@ def _apart(found: Solutions) -> _Branches:
     once = [
         k
         for n, k in enumerate(valid)
-        if not (_gap(found.arm, found.q[k], found.q[valid[:n]]) < _REACHED).all(axis=-1).any()
+        if not (_gap(found.arm, found.q[k], found.q[valid[:n]]) < _REACHED).all(axis=1).any()
     ]
     names = tuple(str(found.branches[k]) for k in once)
     return _Branches(found.arm, found.q[once], names, found.free[once], len(valid))
@@ -97,7 +99,7 @@ def _only_as_degrees(right: _Branches, typed: Typed, tolerance: float | None) ->
     as near to the branch tell nothing.
     """
     arm = right.arm
-    if not len(right.q) or not len(typed.values) or _hits(right, typed, tolerance)[0]:
+    if _hits(right, typed, tolerance)[0]:
         return False
     degrees = door.in_radians(typed, arm)
     hits = _hits(right, degrees, tolerance)[0]
@@ -113,17 +115,13 @@ def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]
     what = f"{arm.name}: q"
     typed = door.numbers(_unlabelled(mine), what, wanted=f"joint vectors (answers, {arm.dof})")
     said: tuple[str, ...] = ()
-    values, units = typed.values, typed.units
-    if not values.size:
-        return Typed(np.zeros((0, arm.dof)), np.zeros((0, arm.dof))), ()
-    if values.ndim > 2:
-        values, units = np.squeeze(values), np.squeeze(units)
-    if values.ndim == 2 and values.shape[1] == 1 and values.shape[0] == arm.dof:
-        values, units = values.T, units.T
-    values, units = np.atleast_2d(values), np.atleast_2d(units)
-    if values.ndim == 2 and values.shape[1] != arm.dof == values.shape[0]:
+    if not typed.values.size:
+        none = np.zeros((0, arm.dof))
+        return Typed(none, none), ()
+    values, units = (np.atleast_2d(np.squeeze(x)) for x in (typed.values, typed.units))
+    if values.shape[1] != arm.dof == values.shape[0]:
         values, units, said = values.T, units.T, (say("taken: answer per column"),)
-    if values.ndim != 2 or values.shape[1] != arm.dof:
+    if values.shape[1:] != (arm.dof,):
         shape = "x".join(map(str, typed.values.shape))
         raise ArmError(say("answers shape", arm=arm.name, shape=shape, dof=arm.dof))
     found = Typed(values, units)
@@ -133,9 +131,7 @@ def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]
 def _unlabelled(mine: object) -> object:
     """Answers without the names of their joints: ('theta1', 0.3) is 0.3."""
     if isinstance(mine, str):
-        return re.sub(
-            r"['\"][^'\"]*['\"]\s*[,:]\s*|\b(?:q|theta|th|θ|t)_?\d\s*[=:]\s*", "", mine, flags=re.I
-        )
+        return _LABEL.sub("", mine)
     if isinstance(mine, Mapping):
         return [_unlabelled(v) for v in mine.values()]
     if isinstance(mine, list | tuple):
@@ -155,6 +151,11 @@ def _margins(units: Array, tolerance: float | None, hand: bool = False) -> Array
     return np.maximum(by_hand if hand else HALF * units, _EXACT)
 
 
+def _each(typed: Typed) -> Array:
+    """Each answer with its units, shape (answers, 2, dof)."""
+    return np.stack([typed.values, typed.units], axis=1)
+
+
 def _hits(
     right: _Branches, typed: Typed, tolerance: float | None
 ) -> tuple[dict[int, int], list[int], bool]:
@@ -163,12 +164,12 @@ def _hits(
     """
     hits: dict[int, int] = {}
     astray, sharp = [], True
-    for number, (q, units) in enumerate(zip(typed.values, typed.units, strict=True), 1):
+    for number, (q, units) in enumerate(_each(typed), 1):
         match = _matches(right, q, _margins(units, tolerance))
         if not match.size:
             match = _matches(right, q, _margins(units, tolerance, hand=True))
             sharp = sharp and not match.size
-        hits.update({int(k): number for k in match if int(k) not in hits})
+        hits = {int(k): number for k in match} | hits
         if not match.size:
             astray.append(number)
     return hits, astray, sharp
@@ -182,35 +183,29 @@ def _matches(right: _Branches, q: Array, margin: Array) -> Array:
     tip. Where two families share those (a UR's elbows), the nearer one counts.
     """
     arm = right.arm
-    if not len(right.q):
-        return np.zeros(0, int)
     gap = _gap(arm, q, right.q)
-    same = (gap <= margin).all(axis=-1)
-    family = right.free.any(axis=-1)
+    same = (gap <= margin).all(axis=1)
+    family = right.free.any(axis=1)
     if family.any() and _miss(arm, q, right.target, margin) is None:
-        family &= ((gap <= margin) | _moving_in_place(arm, right.q)).all(axis=-1)
-        far = np.where(right.free, 0.0, gap).sum(axis=-1)
+        family &= ((gap <= margin) | _moving_in_place(arm, right.q)).all(axis=1)
+        far = np.where(right.free, 0.0, gap).sum(axis=1)
         same |= family & (far < far[family].min(initial=np.inf) + margin.max())
     return np.flatnonzero(same)
 
 
 def _moving_in_place(arm: Arm, branches: Array) -> NDArray[np.bool_]:
     """Which joints can move while the tip stands still, by the Jacobian's null space, shape
-    (branches, dof).
+    (branches, dof). An arm with a closed form has three joints for a point or six for a pose.
     """
-    J = jacobian(arm, branches)[..., : 6 if arm.dof >= 6 else 3, :]
-    _, sizes, directions = np.linalg.svd(J)
-    sizes = np.concatenate(
-        [sizes, np.zeros((*sizes.shape[:-1], arm.dof - sizes.shape[-1]))], axis=-1
-    )
-    return (np.abs(directions) * (sizes < _NEAR)[..., None]).max(axis=-2) > _NEAR
+    _, sizes, directions = np.linalg.svd(jacobian(arm, branches)[:, : arm.dof])
+    return (np.abs(directions) * (sizes < _NEAR)[..., None]).max(axis=1) > _NEAR
 
 
 def _miss(arm: Arm, q: Array, target: Array, margin: Array) -> tuple[float, float] | None:
     """How far q's tip is from the target (m, rad), or None where the digits of q explain it."""
     here = solve(arm, target if arm.dof >= 6 else target[:3, 3], q, iterations=0, limits=False)
     errors = float(here.position_error), float(here.orientation_error)
-    J = np.abs(jacobian(arm, q)) @ np.broadcast_to(margin, q.shape)
+    J = np.abs(jacobian(arm, q)) @ margin
     far, turned = (max(_REACHED, float(np.linalg.norm(half))) for half in (J[:3], J[3:]))
     return None if errors[0] <= far and errors[1] <= turned else errors
 
@@ -269,7 +264,7 @@ def _coarse(right: _Branches, typed: Typed) -> bool:
     """
     return any(
         units.max() > _COARSE and not _matches(right, q, np.full(q.shape, _REACHED)).size
-        for q, units in zip(typed.values, typed.units, strict=True)
+        for q, units in _each(typed)
     )
 
 
@@ -338,14 +333,16 @@ def _wrong(
     miss = _miss(arm, q, right.target, np.zeros(arm.dof))
     if miss is None:
         return (), Finding("answer", where, None, None, say("ik unlisted", number=number))
-    off = say("ik off", millimetres=millimetres(miss[0]), turn=_turn(arm, miss[1]))
+    turn = turned(miss[1]) if arm.dof == 6 else ""
+    off = say("ik off", millimetres=millimetres(miss[0]), turn=turn)
     causes, words = _why(right, q, margin)
     said = say("ik answer", number=number, off=off, words=words)
     return causes, Finding(causes[0].name if causes else "answer", where, None, None, said)
 
 
-def _turn(arm: Arm, angle: float) -> str:
-    return say("ik turn", degrees=size(round(float(np.degrees(angle)), 3))) if arm.dof >= 6 else ""
+def turned(angle: float) -> str:
+    """How far a tip is turned, as a word after how far it is away."""
+    return say("ik turn", degrees=size(round(math.degrees(angle), 3)))
 
 
 def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], str]:
@@ -370,11 +367,7 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], 
             return named, words
         if mixed:
             return (mixed[0],), mixed[1]
-    astray = [
-        f"q_{i}"
-        for i, there in zip(arm.joints, np.asarray(fits.any(axis=0)), strict=True)
-        if not there
-    ]
+    astray = [f"q_{arm.joints[k]}" for k in np.flatnonzero(~fits.any(axis=0))]
     key = "ik in no branch" if len(astray) > 1 else "ik one in no branch"
     return (), say(key, joints=listed(astray or ["q"]))
 
@@ -383,18 +376,15 @@ def _fitting(right: _Branches, q: Array, slips, margin: Array) -> list[tuple[Cau
     """The slips without which an answer would be a branch, and which; none that helps by less than
     half, nor a scale where zero would fit as well.
     """
-    slips = list(slips)
-    if not slips:
-        return []
-    arm = right.arm
+    arm, slips = right.arm, list(slips)
     mended = np.stack([m for _, m in slips])[:, None, :]
     gap = _gap(arm, mended, right.q)
-    helps = gap.max(axis=-1) <= 0.5 * _gap(arm, q, right.q).max(axis=-1)
+    helps = gap.max(axis=2) <= 0.5 * _gap(arm, q, right.q).max(axis=1)
     scaled = np.array([inverse_causes.scales(c) for c, _ in slips])[:, None]
     zero = _gap(arm, np.where(mended == q, q, 0.0), right.q)
-    fits = helps & (gap <= 1.5 * margin).all(axis=-1)
-    fits &= ~(scaled & (zero <= 1.5 * margin).all(axis=-1))
-    return [(slips[k][0], int(b)) for k, b in zip(*np.nonzero(fits), strict=True)]
+    fits = helps & (gap <= 1.5 * margin).all(axis=2)
+    fits &= ~(scaled & (zero <= 1.5 * margin).all(axis=2))
+    return [(slips[k][0], int(b)) for k, b in np.argwhere(fits)]
 
 
 def _mixed(right: _Branches, fits: NDArray[np.bool_]) -> tuple[Cause, str] | None:

@@ -33,16 +33,10 @@ class Chain:
     @cached_property
     def frames(self) -> Array:
         """Base-to-link transforms, shape (..., rows + 1, 4, 4)."""
-        a, alpha, d, theta = np.broadcast_arrays(self.a, self.alpha, self.d, self.theta)
-        q = (
-            np.broadcast_to(self.q, (*a.shape[:-1], self.q.shape[-1]))
-            if a.ndim > self.q.ndim
-            else self.q
-        )
-        shape = (*q.shape[:-1], a.shape[-1])
-        theta, d = (np.broadcast_to(x, shape).copy() for x in (theta, d))
+        table = np.broadcast_arrays(self.a, self.alpha, self.d, self.theta, self.q[..., :1])[:4]
+        a, alpha, d, theta = map(np.array, table)
         for k, i in enumerate(self.joints):
-            (theta if self.turning[k] else d)[..., i - 1] += q[..., k]
+            (theta if self.turning[k] else d)[..., i - 1] += self.q[..., k]
         return chained(steps(a, alpha, d, theta))
 
     def with_(self, **changes: Any) -> "Chain":
@@ -62,16 +56,14 @@ def steps(a: Array, alpha: Array, d: Array, theta: Array) -> Array:
     4).
     """
     c, s, ca, sa = _cos(theta), _sin(theta), _cos(alpha), _sin(alpha)
-    zero, one = np.zeros_like(c * ca), np.ones_like(c * ca)
+    zero, one = np.zeros_like(c), np.ones_like(c)
     rows = [
         [c, -s * ca, s * sa, a * c],
         [s, c * ca, -c * sa, a * s],
         [zero, sa, ca, d],
         [zero, zero, zero, one],
     ]
-    return np.stack(
-        [np.stack([np.broadcast_to(x, zero.shape) for x in row], -1) for row in rows], -2
-    )
+    return np.stack([np.stack(row, -1) for row in rows], -2)
 
 
 def chained(A: Array) -> Array:
@@ -83,12 +75,12 @@ def chained(A: Array) -> Array:
 
 
 def _cos(angle: Array) -> Array:
-    return _sin(np.asarray(angle) + np.pi / 2)
+    return _sin(angle + np.pi / 2)
 
 
 def _sin(angle: Array) -> Array:
     """The sine, exact at multiples of a right angle."""
-    quarter = np.asarray(angle) / (np.pi / 2)
+    quarter = angle / (np.pi / 2)
     whole = np.rint(quarter)
     exact = np.array([0.0, 1.0, 0.0, -1.0])[np.mod(whole, 4).astype(int)]
     return np.where(np.abs(quarter - whole) < 1e-12, exact, np.sin(angle))
@@ -118,28 +110,26 @@ def columns(
     own = points[..., usual + 1, :]
     arm = {"tip - o": tip - o, "tip": tip + 0 * o, "o": o, "link": own - o}[lever]
     turns = (chain.turning | (not slides))[:, None]
-    linear, angular = np.where(turns, cross(z, arm), z), np.where(turns, z, 0.0)
+    linear, angular = np.where(turns, vector_products(z, arm), z), np.where(turns, z, 0.0)
     return np.swapaxes(np.concatenate([linear, angular], axis=-1), -1, -2)
 
 
-def cross(u: Array, v: Array) -> Array:
+def vector_products(u: Array, v: Array) -> Array:
     """The vector products of u and v (..., 3), several times as fast as NumPy's for a few."""
     (a, b, c), (x, y, z) = (np.moveaxis(w, -1, 0) for w in (u, v))
     return np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=-1)
 
 
-def weights(
-    chain: Chain, masses: Array, centres: Array, gravity: Array, frames: Array | None = None
-) -> Array:
+def weights(chain: Chain, masses: Array, centres: Array, gravity: Array) -> Array:
     """g(q), shape (..., dof), for a mass and a centre (in its row's frame) for each row: -z . ((sum
     m c - o sum m) x gravity).
     """
-    T = chain.frames if frames is None else frames
+    T = chain.frames
     points = np.einsum("...kij,...kj->...ki", T[..., 1:, :3, :3], centres) + T[..., 1:, :3, 3]
     mass = np.cumsum(np.broadcast_to(masses, points.shape[:-1])[..., ::-1], axis=-1)[..., ::-1]
     moment = np.cumsum((points * masses[..., None])[..., ::-1, :], axis=-2)[..., ::-1, :]
     at = np.array(chain.joints) - 1
     z, o = T[..., :3, 2][..., at, :], T[..., :3, 3][..., at, :]
     lever = moment[..., at, :] - mass[..., at, None] * o
-    turning = -np.einsum("...i,...i->...", z, cross(lever, gravity))
+    turning = -np.einsum("...i,...i->...", z, vector_products(lever, gravity))
     return np.where(chain.turning, turning, -(z @ gravity) * mass[..., at])

@@ -35,7 +35,6 @@ class Typed:
 
     values: Array
     units: Array
-    said: tuple[str, ...] = ()
     symbolic: bool = False
 
     @property
@@ -81,12 +80,12 @@ def units(texts: list[str]) -> list[float]:
     many significant digits, as 12.3, 0.456 and 0.0789 were. Whole numbers among formulas are exact.
     """
     found = [literal(text) for text in texts]
-    plain = [f for f in found if f and f[1] and f[2] > _NOISE]
-    decimals, most = (max((f[k] for f in plain), default=0) for k in (0, 1))
+    telling = [f for f in found if f and f[1] and f[2] > _NOISE]
+    decimals, most = (max((f[k] for f in telling), default=0) for k in (0, 1))
     if most >= _FULL or (None in found and decimals <= 0):
         return [0.0] * len(texts)
-    by_figures = all(f[0] <= most - 1 - f[2] for f in plain) and any(
-        f[1] == most and f[0] < decimals for f in plain
+    by_figures = all(f[0] <= most - 1 - f[2] for f in telling) and any(
+        f[1] == most and f[0] < decimals for f in telling
     )
     return [0.0 if f is None else _unit(f, decimals, most if by_figures else None) for f in found]
 

@@ -29,12 +29,10 @@ class Joints:
     def __init__(self, arm: Arm, q: Array, values: Mapping[str, float] | None = None) -> None:
         self.arm, self.q, self.values = arm, np.array(q), dict(values or {})
         self.said: tuple[str, ...] = ()
-        self.used: set[str] = set()
 
     def __call__(self, names: set[str]) -> dict[str, float]:
         found, said = meanings(names, self.arm, self.q, self.values)
         self.said = tuple(dict.fromkeys(self.said + said))
-        self.used |= names
         return found
 
 
@@ -95,7 +93,7 @@ def _opened(mine: Any) -> Any:
 
 
 def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
-    rows = grid.without_header(grid.cells(text))[1]
+    rows = grid.without_header(grid.cells(text))
     widths = {len(row) for row in rows}
     if len(widths) > 1:
         raise ArmError(say("ragged", what=what, widths=", ".join(map(str, sorted(widths)))))
@@ -156,11 +154,7 @@ def _spelled(x: Any, value: float) -> str:
 
 
 def _leaves(value: Any, what: str, wanted: str) -> Iterator[Any]:
-    if (
-        isinstance(value, np.ndarray)
-        or (hasattr(value, "tolist") and not hasattr(value, "free_symbols"))
-        or (hasattr(value, "shape") and hasattr(value, "tolist"))
-    ):
+    if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, list | tuple):
         for item in value:

@@ -25,10 +25,14 @@ class Margins:
     units: Array
     slop: Array
 
-    def at(self, pick: object) -> "Margins":
+    def at(self, pick: Any) -> "Margins":
         """Those of a part of the entries."""
         return Margins(
-            *(getattr(self, f)[pick] for f in ("allowed", "band", "loose", "units", "slop"))
+            self.allowed[pick],
+            self.band[pick],
+            self.loose[pick],
+            self.units[pick],
+            self.slop[pick],
         )
 
     @property
@@ -53,10 +57,8 @@ def margins(
     return Margins(allowed, band, np.maximum(band, SLOPPY * scale), units, slop)
 
 
-def graded(mine: Array, right: Array, m: Margins, made: Array) -> tuple[str, Array]:
-    """The grade, and which entries are wrong; `made` holds the answers of known mistakes, shape
-    (causes, *mine.shape).
-    """
+def graded(mine: Array, right: Array, m: Margins, made: Array) -> str:
+    """The grade; `made` holds the answers of known mistakes, shape (causes, *mine.shape)."""
     off = np.abs(mine - right)
     axes = tuple(range(1, made.ndim))
     telling = made[(np.abs(made - right) > TELLING).any(axes)] if len(made) else made
@@ -66,10 +68,10 @@ def graded(mine: Array, right: Array, m: Margins, made: Array) -> tuple[str, Arr
         if (off <= allowed).all():
             coarse = float(m.units.max(initial=0.0))
             gap = np.abs(telling - right).max(axes).min(initial=np.inf) if len(telling) else np.inf
-            return (SO_FAR if mistaken or coarse > gap / 2.1 else RIGHT), off > allowed
+            return SO_FAR if mistaken or coarse > gap / 2.1 else RIGHT
         if mistaken:
-            return WRONG, off > m.band
+            return WRONG
     if (off <= np.maximum(m.loose, m.band + 2 * m.slop)).all():
         nearer = bool((near.max(axes) <= off.max()).any())
-        return (SO_FAR if nearer else ROUNDED), off > m.allowed
-    return WRONG, off > m.band
+        return SO_FAR if nearer else ROUNDED
+    return WRONG

@@ -97,8 +97,8 @@ def _asked(function: Callable) -> tuple[list[str], bool]:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
         return [], False
-    plain = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-    names = [p.name for p in parameters if p.default is p.empty and p.kind in plain]
+    by_place = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    names = [p.name for p in parameters if p.default is p.empty and p.kind in by_place]
     return names, not names and any(p.kind is p.VAR_POSITIONAL for p in parameters)
 
 

@@ -61,8 +61,7 @@ def single(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
     yield from _elbow_formula(arm, q)
     for k, i in enumerate(arm.joints):
         for key, change in _JOINT:
-            fits = arm.turning[k] if k or key != "ik.supplement" else False
-            if fits or key == "ik.sign":
+            if key == "ik.sign" or (arm.turning[k] and (k or key != "ik.supplement")):
                 mended = q.copy()
                 mended[k] = change(q[k])
                 yield cause(key, joint=f"q_{i}"), mended
@@ -72,7 +71,7 @@ def kept(arm: Arm, q: Array, branches: Array) -> Iterator[tuple[Cause, Array]]:
     """theta_1 = +-pi/2 kept from the singular case where an offset shoulder has two general
     values.
     """
-    if arm.dof and arm.turning[0] and abs(abs(q[0]) - math.pi / 2) < 1e-4:
+    if abs(abs(q[0]) - math.pi / 2) < 1e-4:
         for branch in branches:
             mended = q.copy()
             mended[0] = branch[0]
@@ -82,12 +81,7 @@ def kept(arm: Arm, q: Array, branches: Array) -> Iterator[tuple[Cause, Array]]:
 def _elbow_formula(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
     """theta_2 = atan2(s, r) + ... for minus, where two parallel axes carry two links."""
     rows = arm.numeric
-    if (
-        arm.dof < 3
-        or len(rows) < 3
-        or abs(rows[1].sin_alpha) > 1e-9
-        or not (rows[1].a and rows[2].a)
-    ):
+    if arm.dof < 3 or abs(rows[1].sin_alpha) > 1e-9 or not (rows[1].a and rows[2].a):
         return
     bend = rows[1].cos_alpha * (q[2] + rows[2].theta)
     lean = math.atan2(rows[2].a * math.sin(bend), rows[1].a + rows[2].a * math.cos(bend))

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, Joint
+from helpers.arm import Arm
 from helpers.checks import door
 from helpers.checks.chains import chain, columns
 from helpers.checks.digits import (
@@ -155,9 +155,8 @@ def _matrix(typed: Typed, arm: Arm, what: str) -> Typed:
     if typed.values.ndim == 3 and 1 in typed.values.shape:
         typed = typed.at(*(0 if n == 1 else slice(None) for n in typed.values.shape))
     if typed.values.ndim == 2 and typed.values.size == 6 * arm.dof == max(typed.values.shape):
-        typed = Typed(
-            typed.values.reshape(6, -1), typed.units.reshape(6, -1), typed.said, typed.symbolic
-        )
+        values, units = (x.reshape(6, arm.dof) for x in (typed.values, typed.units))
+        typed = replace(typed, values=values, units=units)
     if typed.values.ndim != 2:
         raise ArmError(say("no matrix", what=what, shape=typed.values.shape))
     return typed
@@ -196,7 +195,7 @@ def _left_out(typed: Typed, where: _Where) -> int:
     arm = where.arm
     if typed.values.shape != (6, arm.dof - 1):
         return 0
-    right = np.stack([column for _, column in _all_columns(where)][: arm.dof], axis=1)
+    right = where.known.right
     band = np.clip(HAND * typed.units, SLOPPY, _CLOSE)
     without = (np.delete(right, k, axis=1) for k in range(arm.dof))
     fits = [bool((np.abs(typed.values - J) <= band).all()) for J in without]
@@ -204,21 +203,14 @@ def _left_out(typed: Typed, where: _Where) -> int:
 
 
 def _shape_cause(M: Array, arm: Arm) -> str:
-    loose = _unlocked(arm)
-    wide = loose.dof > arm.dof
+    rows = len(arm.rows)
     if M.shape == (arm.dof, 6):
         return "J.transposed"
-    if wide and M.shape == (5, loose.dof):
+    if rows > arm.dof and M.shape == (5, rows):
         return "J.row for column"
-    if wide and M.shape == (6, loose.dof):
+    if rows > arm.dof and M.shape == (6, rows):
         return "J.locked column kept"
     return "J.shape"
-
-
-def _unlocked(arm: Arm) -> Arm:
-    """The arm with every row that does not move free to turn."""
-    rows = [replace(row, joint=Joint()) if row.joint.kind == "fixed" else row for row in arm.rows]
-    return replace(arm, rows=rows, home=())
 
 
 # The verdict
@@ -238,14 +230,13 @@ def _judged(
         rows = _rows_meant(typed.values, known.right)
         taken = (*taken, say("taken: half", half="linear" if rows.start == 0 else "angular"))
     right, made = known.right[rows], known.made[:, rows]
-    scale = np.repeat([max(1e-3, np.abs(known.right[half]).max()) for _, half in _HALVES], 3)[
-        rows, None
-    ]
-    m = margins(typed.units, scale * np.ones_like(right), where.slop[rows], tolerance)
-    grade, _ = graded(typed.values, right, m, made)
-    hidden = tuple(_hidden(known)) if at_pose and grade != WRONG else ()
+    sizes = [max(1e-3, np.abs(known.right[half]).max()) for _, half in _HALVES]
+    scale = np.repeat(sizes, 3)[rows, None] + 0 * right
+    m = margins(typed.units, scale, where.slop[rows], tolerance)
+    grade = graded(typed.values, right, m, made)
     if grade != WRONG:
-        return _good(grade, typed, arm, rows, taken, hidden, at_pose)
+        notes = tuple(_hidden(known)) if at_pose else ()
+        return _good(grade, typed, arm, rows, taken, notes, at_pose)
     if not why:
         one = explain(typed.values, right, m.band, known.causes, made)
         if one is None or one.odd.any():

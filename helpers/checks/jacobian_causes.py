@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from helpers.arm import Arm
 from helpers.checks.chains import Chain, chain, columns
-from helpers.checks.lengths import alike
+from helpers.checks.lengths import wrong_lengths
 from helpers.checks.ranking import Cause, Pairs, cause
 
 Array = NDArray[Any]
@@ -36,8 +36,8 @@ def singles(arm: Arm, q: Array, frame: int) -> Catalogue:
     befores = [*at.recipes(), *at.tables()]
     afters = list(at.afters())
     causes = [c for c, _ in befores] + [c for c, _ in afters]
-    made = [at.seen(J) for _, J in befores] + [after(at.right)[..., :, :] for _, after in afters]
-    return Catalogue(at.seen(at.right), tuple(causes), np.stack([*made]))
+    made = [at.seen(J) for _, J in befores] + [after(at.right) for _, after in afters]
+    return Catalogue(at.seen(at.right), tuple(causes), np.stack(made))
 
 
 def pairs(arm: Arm, q: Array, frame: int) -> Catalogue:
@@ -80,28 +80,32 @@ class _At:
         self.arm, self.frame = arm, frame
         self.chain = chain(arm, q)
         self.T = self.chain.frames
-        self.right = columns(self.chain, frames=self.T)
+        self.axes = self.T[frame, :3, :3]
+        self.right = columns(self.chain)
         self.turning = arm.turning
 
     def seen(self, J: Array) -> Array:
         """A Jacobian in base axes as it reads in the declared frame."""
-        return J if not self.frame else _turned(J, self.T[self.frame, :3, :3].T)
+        return _turned(J, self.axes.T)
 
     def unseen(self, one, two) -> Array:
         """Two ways of writing it down, one upon the other; each takes base axes and gives the
         declared frame's.
         """
-        back = self.T[self.frame, :3, :3]
-        first = one(self.right)
-        return two(_turned(first, back) if self.frame else first)
+        return two(_turned(one(self.right), self.axes))
 
     # The recipe
 
     def recipes(self) -> Iterator[tuple[Cause, Array]]:
         yield from wrong_recipes(self.chain)
-        for degrees in (np.radians, np.degrees):
-            q = np.where(self.turning, degrees(self.chain.q), self.chain.q)
-            yield cause("J.degrees"), columns(self.chain.with_(q=q))
+        for found, wrong in self.degrees():
+            yield found, columns(wrong)
+
+    def degrees(self) -> Iterator[tuple[Cause, Chain]]:
+        """q taken in degrees, and in radians where degrees were meant."""
+        q = self.chain.q
+        for change in (np.radians, np.degrees):
+            yield cause("J.degrees"), self.chain.with_(q=np.where(self.turning, change(q), q))
 
     # The table
 
@@ -109,20 +113,13 @@ class _At:
         """The right recipe on a wrong table: one entry's sign, one entry forgotten, the pen, all
         the offsets of theta.
         """
-        wrong = list(wrong_tables(self.arm, self.chain))
-        if wrong:
-            J = columns(_stacked(self.chain, [c for _, c in wrong]))
-            yield from ((c, J[k]) for k, (c, _) in enumerate(wrong))
+        causes, wrong = zip(*wrong_tables(self.arm, self.chain), strict=True)
+        yield from zip(causes, columns(_stacked(wrong)), strict=True)
 
     def twice(self) -> Iterator[tuple[list[tuple[Cause, Cause]], Array]]:
         """The wrong recipes on the wrong tables, and on q in degrees."""
-        q = [
-            np.where(self.turning, f(self.chain.q), self.chain.q) for f in (np.radians, np.degrees)
-        ]
-        wrong = [(cause("J.degrees"), self.chain.with_(q=x)) for x in q]
-        wrong += wrong_tables(self.arm, self.chain)
-        stack = _stacked(self.chain, [c for _, c in wrong])
-        for second, J in wrong_recipes(stack):
+        wrong = [*self.degrees(), *wrong_tables(self.arm, self.chain)]
+        for second, J in wrong_recipes(_stacked([c for _, c in wrong])):
             yield [(first, second) for first, _ in wrong], J
 
     # The writing
@@ -191,84 +188,68 @@ def wrong_recipes(at: Chain) -> Iterator[tuple[Cause, Array]]:
     many.
     """
     T, usual = at.frames, np.array(at.joints) - 1
-    right = columns(at, frames=T)
-    late = columns(at, frames=T, axis=usual + 1, origin=usual + 1)
+    right = columns(at)
+    late = columns(at, axis=usual + 1, origin=usual + 1)
     v, w = slice(0, 3), slice(3, 6)
     yield cause("J.z_i angular"), _halves(right[..., v, :], late[..., w, :])
     yield cause("J.one frame late"), late
-    yield cause("J.z_i"), columns(at, frames=T, axis=usual + 1)
-    if at.joints != tuple(range(1, len(usual) + 1)):
-        count = np.arange(len(usual))
-        remaining = columns(at, frames=T, axis=count)
+    yield cause("J.z_i"), columns(at, axis=usual + 1)
+    count = np.arange(len(usual))
+    if (count != usual).any():
+        remaining = columns(at, axis=count)
         yield cause("J.z counted on angular"), _halves(right[..., v, :], remaining[..., w, :])
-        yield cause("J.z counted on"), columns(at, frames=T, axis=count, origin=count)
-    yield cause("J.origin late"), columns(at, frames=T, origin=usual + 1)
-    yield cause("J.lever tip"), columns(at, frames=T, lever="tip")
-    yield cause("J.lever origin"), columns(at, frames=T, lever="o")
-    yield cause("J.lever link"), columns(at, frames=T, lever="link")
+        yield cause("J.z counted on"), columns(at, axis=count, origin=count)
+    yield cause("J.origin late"), columns(at, origin=usual + 1)
+    yield cause("J.lever tip"), columns(at, lever="tip")
+    yield cause("J.lever origin"), columns(at, lever="o")
+    yield cause("J.lever link"), columns(at, lever="link")
     yield cause("J.rows of T"), columns(at, frames=_rows_read(T))
     if not at.turning.all():
-        yield cause("J.slide turns"), columns(at, frames=T, slides=False)
+        yield cause("J.slide turns"), columns(at, slides=False)
     for k in range(T.shape[-3] - 1):
-        yield cause("J.point", k=k), columns(at, frames=T, point=k)
+        yield cause("J.point", k=k), columns(at, point=k)
 
 
-def wrong_tables(arm: Arm, right: Chain) -> list[tuple[Cause, Chain]]:
-    """Usual mistakes in a table's numbers, whatever it is used for."""
-    found: list[tuple[Cause, Chain]] = []
-
-    def put(key: str, **fields) -> None:
-        changes = {n: v for n, v in fields.items() if isinstance(v, np.ndarray)}
-        words = {n: v for n, v in fields.items() if n not in changes}
-        found.append((cause(key, **words), right.with_(**changes)))
-
-    if arm.values.get("l_pen"):
-        put("table.pen", d=chain(arm.with_values(l_pen=0), right.q).d)
-    if (right.theta[[i - 1 for i in right.joints]] != 0).any():
-        put("table.offsets", theta=np.where(_moving(right), 0.0, right.theta))
-    put("table.twists", alpha=-right.alpha)
-    for name, other in alike(arm):
-        put(
-            "table.length",
-            name=name,
-            other=other,
-            a=chain(arm.with_values(**{name: arm.number(other)}), right.q).a,
-        )
-    for k in range(len(right.a)):
-        one = np.arange(len(right.a)) == k
-        if abs(np.sin(right.alpha[k])) > 1e-9:
-            put("table.twist", row=k + 1, alpha=np.where(one, -right.alpha, right.alpha))
-            put("table.no twist", row=k + 1, alpha=np.where(one, 0.0, right.alpha))
-        for column in ("a", "d"):
-            numbers = getattr(right, column)
-            if numbers[k]:
-                put(
-                    "table.sign",
-                    column=column,
-                    row=k + 1,
-                    **{column: np.where(one, -numbers, numbers)},
-                )
-                put(
-                    "table.missing",
-                    column=column,
-                    row=k + 1,
-                    **{column: np.where(one, 0.0, numbers)},
-                )
-        if right.theta[k]:
-            put("table.offset", row=k + 1, theta=np.where(one, 0.0, right.theta))
-    return found
+def wrong_tables(arm: Arm, right: Chain) -> Iterator[tuple[Cause, Chain]]:
+    """Usual mistakes in a table's numbers, whatever it is used for: in its lengths, in all its
+    offsets or twists, then in one entry, row by row.
+    """
+    for found, wrong in wrong_lengths(arm):
+        yield found, chain(wrong, right.q)
+    rows = np.arange(1, len(right.a) + 1)
+    turning = np.isin(rows, np.array(right.joints)[right.turning])
+    yield cause("table.offsets"), right.with_(theta=np.where(turning, 0.0, right.theta))
+    yield cause("table.twists"), right.with_(alpha=-right.alpha)
+    for row in rows:
+        yield from _wrong_row(right, int(row), rows == row)
 
 
-def _moving(right: Chain) -> NDArray[np.bool_]:
-    turning = {i for i, t in zip(right.joints, right.turning, strict=True) if t}
-    return np.isin(np.arange(1, len(right.theta) + 1), list(turning))
+def _wrong_row(right: Chain, row: int, one: NDArray[np.bool_]) -> Iterator[tuple[Cause, Chain]]:
+    """One entry of a row forgotten, or its sign; `one` is where this row is."""
+    if np.abs(np.sin(right.alpha[one])) > 1e-9:
+        twist = right.alpha
+        yield cause("table.twist", row=row), right.with_(alpha=np.where(one, -twist, twist))
+        yield cause("table.no twist", row=row), right.with_(alpha=np.where(one, 0.0, twist))
+    for column in ("a", "d"):
+        lengths = getattr(right, column)
+        if lengths[one]:
+            at = dict(column=column, row=row)
+            yield (
+                cause("table.sign", **at),
+                right.with_(**{column: np.where(one, -lengths, lengths)}),
+            )
+            yield (
+                cause("table.missing", **at),
+                right.with_(**{column: np.where(one, 0.0, lengths)}),
+            )
+    if right.theta[one]:
+        yield cause("table.offset", row=row), right.with_(theta=np.where(one, 0.0, right.theta))
 
 
-def _stacked(right: Chain, chains: list[Chain]) -> Chain:
-    table = {
-        n: np.stack([getattr(c, n) for c in chains]) for n in ("a", "alpha", "d", "theta", "q")
-    }
-    return right.with_(**table)
+def _stacked(chains: Sequence[Chain]) -> Chain:
+    """Tables of one arm as one of many."""
+    names = ("a", "alpha", "d", "theta", "q")
+    return chains[0].with_(**{n: np.stack([getattr(c, n) for c in chains]) for n in names})
 
 
 def frame_name(k: int) -> str:

@@ -6,6 +6,7 @@ end the tip and the tool.
 """
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,12 +25,18 @@ from helpers.checks.axes import (
     dot,
     frames,
     mix,
+    scaled,
     sub,
 )
 from helpers.reading.sentences import say, size
 from helpers.rows import Kind
 
 _SEEN = 1e-6  # m, or the sine of an angle: less than this fixes no direction
+_LEAST = _SEEN**2
+_POSES = (0.3, 0.7, 1.1, 1.9)  # joint k of each is the sine of k times this
+
+
+_UPSIDE_DOWN = Frame((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, 0.0))
 
 
 class Map(NamedTuple):
@@ -61,11 +68,11 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
     base = _base(found)
     ours = _features(mine.rows, [0.0] * len(mine.joints), base, found.signs)
     offsets = [0.0] * len(mine.joints)
-    plain = (1,) * len(mine.joints)
+    forward = (1,) * len(mine.joints)
     own = [_placed(base, F).o for F in frames(mine.rows, [0.0] * len(mine.joints))]
     for k, i in enumerate(reference.joints):
         T = frames(reference.rows, offsets)[i - 1]
-        theirs = _features(reference.rows, offsets, BASE, plain)
+        theirs = _features(reference.rows, offsets, BASE, forward)
         turns = reference.rows[i - 1].kind == "R"
         for m, r in zip(ours[k + 1 :], theirs[k + 1 :], strict=True):
             moved = _turn(T.z, own[mine.joints[k] - 1], m, T.o, r) if turns else _slide(T.z, m, r)
@@ -82,10 +89,7 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
 def _base(found: Compared) -> Frame:
     if found.signs[0] > 0:
         return BASE._replace(o=(0.0, 0.0, found.base_higher))
-    upside = Frame(
-        (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, -found.base_higher)
-    )
-    return upside
+    return _UPSIDE_DOWN._replace(o=(0.0, 0.0, -found.base_higher))
 
 
 def _features(rows: Rows, q, base: Frame, signs: tuple[int, ...]) -> list[_Feature]:
@@ -94,15 +98,20 @@ def _features(rows: Rows, q, base: Frame, signs: tuple[int, ...]) -> list[_Featu
     moving = [i for i, row in enumerate(rows, 1) if row.kind != "F"]
     found = []
     for k, i in enumerate(moving):
-        direction = mix(signs[k], T[i - 1].z, 0.0, T[i - 1].z)
+        direction = scaled(signs[k], T[i - 1].z)
         found.append(_Feature(T[i - 1].o if rows[i - 1].kind == "R" else None, direction))
     tip = T[-1]
     return [*found, _Feature(tip.o, None), _Feature(None, tip.z), _Feature(None, tip.x)]
 
 
 def _placed(base: Frame, F: Frame) -> Frame:
-    turned = [add(mix(v[0], base.x, v[1], base.y), mix(v[2], base.z, 0.0, base.z)) for v in F]
-    return Frame(turned[0], turned[1], turned[2], add(base.o, turned[3]))
+    x, y, z, o = (_from_axes(base, v) for v in F)
+    return Frame(x, y, z, add(base.o, o))
+
+
+def _from_axes(F: Frame, v: Sequence[float]) -> Vector:
+    """The vector with these parts along the axes of a frame."""
+    return add(mix(v[0], F.x, v[1], F.y), scaled(v[2], F.z))
 
 
 def _turn(z: Vector, p: Vector, m: _Feature, o: Vector, r: Any) -> float | None:
@@ -116,14 +125,14 @@ def _turn(z: Vector, p: Vector, m: _Feature, o: Vector, r: Any) -> float | None:
             arms = _across(arms[0], m.direction), _across(arms[1], r.direction)
         pairs.append(arms)
     for u, v in ((_across(u, z), _across(v, z)) for u, v in pairs):
-        if dot(u, u) > _SEEN**2 and dot(v, v) > _SEEN**2:
+        if dot(u, u) > _LEAST and dot(v, v) > _LEAST:
             return math.atan2(dot(z, cross(v, u)), dot(u, v))
     return None
 
 
 def _across(w: Vector, d: Vector) -> Vector:
     """What of w is perpendicular to the unit vector d."""
-    return sub(w, mix(dot(w, d), d, 0.0, d))
+    return sub(w, scaled(dot(w, d), d))
 
 
 def _slide(z: Vector, m: _Feature, r: Any) -> float | None:
@@ -134,14 +143,14 @@ def _slide(z: Vector, m: _Feature, r: Any) -> float | None:
     if m.direction is None:
         return dot(w, z)
     across, along = _across(w, r.direction), _across(z, r.direction)
-    return dot(across, along) / dot(along, along) if dot(along, along) > _SEEN**2 else None
+    return dot(across, along) / dot(along, along) if dot(along, along) > _LEAST else None
 
 
 def _confirmed(mine: Side, reference: Side, found: Map, tolerance: float) -> Map | None:
     """The map, if the tips of some poses agree by it, up to the height of the base on axis 1."""
     off = []
-    for seed in (0.3, 0.7, 1.1, 1.9):
-        q = [seed * math.sin(2.0 * k + seed) for k in range(1, len(mine.joints) + 1)]
+    for step in _POSES:
+        q = [math.sin(step * k) for k in range(1, len(mine.joints) + 1)]
         other = [s * x + c for s, x, c in zip(found.signs, q, found.offsets, strict=True)]
         here = _placed(found.base, frames(mine.rows, q)[-1]).o
         off.append(sub(frames(reference.rows, other)[-1].o, here))
@@ -164,14 +173,11 @@ def words(found: Map, mine: Side, reference: Side) -> list[str]:
     for s, c, i, j in zip(found.signs, found.offsets, mine.joints, reference.joints, strict=True):
         turns = reference.rows[j - 1].kind == "R"
         shift = round(math.degrees(c) if turns else 1000 * c, 6)
-        if s < 0 or abs(shift) > 1e-3:
-            unit = "°" if turns else " mm"
-            tail = (
-                ""
-                if abs(shift) <= 1e-3
-                else f" {'-' if shift < 0 else '+'} {size(abs(shift), 5)}{unit}"
-            )
-            said.append(say("map joint", joint=j, mine=f"{'-' if s < 0 else ''}q_{i}{tail}"))
+        unit = "°" if turns else " mm"
+        sign = "-" if shift < 0 else "+"
+        tail = f" {sign} {size(abs(shift), 5)}{unit}" if abs(shift) > 1e-3 else ""
+        if s < 0 or tail:
+            said.append(say("map back" if s < 0 else "map joint", joint=j, mine=i, tail=tail))
     return said
 
 
@@ -204,8 +210,7 @@ def _bodies(rows: Rows, arm: Arm, found: Map, reference: Side) -> tuple[Body, ..
         row = max((k for k, o in enumerate(owner) if o == joint), default=0)
         c = [arm.number(x) for x in body.com]
         F, G = theirs[i], ours[row + 1]
-        at = add(F.o, add(mix(c[0], F.x, c[1], F.y), mix(c[2], F.z, 0.0, F.z)))
-        w = sub(at, G.o)
+        w = sub(add(F.o, _from_axes(F, c)), G.o)
         mass = arm.number(body.mass)
         totals[row][0] += mass
         totals[row][1] += mass * np.array([dot(w, G.x), dot(w, G.y), dot(w, G.z)])

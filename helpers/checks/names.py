@@ -45,10 +45,10 @@ def meanings(
 
 
 def _indices(name: str) -> list[int] | None:
-    plain = simple(name)
-    if match := _JOINT.fullmatch(plain):
+    bare = simple(name)
+    if match := _JOINT.fullmatch(bare):
         return [int(match[2])]
-    if match := _SHORT.fullmatch(plain):
+    if match := _SHORT.fullmatch(bare):
         return [int(i) for i in re.findall(r"\d", match[2])]
     return None
 

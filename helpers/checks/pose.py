@@ -1,7 +1,6 @@
 """Do these joint angles reach that pose? For any arm, also where the book has no closed form."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -9,18 +8,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.checks import door, inverse_causes
-from helpers.checks.branches import answers
+from helpers.checks.branches import answers, turned
 from helpers.checks.digits import HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG, Typed
 from helpers.checks.lengths import wrong_lengths
 from helpers.checks.ranking import Cause, cause, lower, several
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.reading.sentences import listed, millimetres, say, size
+from helpers.reading.sentences import listed, millimetres, say
 
 Array = NDArray[Any]
 
 _EXACT = 1e-6  # m or rad
+_ROUGH = 0.1  # the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
 _COARSE = (
     2e-3  # rad or m: angles with fewer than three decimals are taken as meant, unless that fails
 )
@@ -48,79 +48,58 @@ def compare_pose(
         raise ArmError(say("one answer", arm=arm.name, count=len(typed.values)))
     lookup = door.Joints(arm, typed.values[0])
     target = door.numbers(T, f"{arm.name}: T", lookup, wanted="a pose (4, 4) or a point (3,)")
-    formulas = target.symbolic
-    if formulas:
+    if target.symbolic:
         typed = Typed(typed.values, 0 * typed.units)
-    target = Typed(np.squeeze(target.values), np.squeeze(target.units))
+    target = Typed(np.squeeze(target.values), np.squeeze(target.units), symbolic=target.symbolic)
     if target.values.shape not in ((4, 4), (3, 4), (3,)):
         raise ArmError(
             say("pose shape", arm=arm.name, shape="x".join(map(str, target.values.shape)))
         )
-    target = replace(target, symbolic=formulas)
     return _judged(Typed(typed.values[0], typed.units[0]), arm, target, tolerance, taken)
 
 
 def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Report:
-    miss = _miss(forward_kinematics(arm, q.values), T.values)
+    here = forward_kinematics(arm, q.values)
+    miss = _miss(here, T.values)
     figures = {"position_error": miss[0], "orientation_error": miss[1]}
-    notes = tuple(_limits(arm, q))
+
+    def reported(grade: str, words: str, findings=(), causes=(), notes=()) -> Report:
+        parts = tuple(findings), tuple(causes), taken, tuple(notes)
+        return Report("pose", arm.name, grade, words, *parts, figures)
+
+    def good(grade: str) -> Report:
+        return reported(grade, say(f"pose {grade}", arm=arm.name), notes=_limits(arm, q))
+
     fine = Typed(q.values, np.where(q.units > _COARSE, 0.0, q.units))
-    for grade, digits, share in ((RIGHT, fine, HALF), (ROUNDED, fine, HAND)):
-        margin = _margins(digits, arm, T, share, tolerance)
+    for grade, share in ((RIGHT, HALF), (ROUNDED, HAND)):
+        margin = _margins(fine, arm, T, share, tolerance)
         if _within(miss, margin):
-            return Report(
-                "pose",
-                arm.name,
-                grade,
-                say(f"pose {grade}", arm=arm.name),
-                (),
-                (),
-                taken,
-                notes,
-                figures,
-            )
-    turn = _turn(T, miss[1]) if miss[1] > margin[1] else ""
+            return good(grade)
+    turn = turned(miss[1]) if miss[1] > margin[1] else ""
     off = say("ik off", millimetres=millimetres(miss[0]), turn=turn)
     found = _causes(q, arm, T, margin, miss, tolerance)
-    if not found and _within(miss, _margins(q, arm, T, HALF, tolerance)):
-        return Report(
-            "pose",
-            arm.name,
-            SO_FAR,
-            say("pose so far", arm=arm.name),
-            (),
-            (),
-            taken,
-            notes,
-            figures,
-        )
-    if not found:
-        findings = tuple(_entries(forward_kinematics(arm, q.values), T))
-        causes = tuple(dict.fromkeys(f.what for f in findings))
-        words = say("pose wrong", arm=arm.name, off=off)
-        return Report("pose", arm.name, WRONG, words, findings, causes, taken, (), figures)
-    cause_words = several(found)
-    words = say("pose cause", arm=arm.name, off=off, cause=lower(cause_words))
-    finding = Finding("cause", "", None, None, f"{cause_words}.")
-    names = tuple(c.name for c in found)
-    return Report("pose", arm.name, WRONG, words, (finding,), names, taken, (), figures)
-
-
-def _turn(T: Typed, angle: float) -> str:
-    return (
-        say("ik turn", degrees=size(round(float(np.degrees(angle)), 3)))
-        if T.values.ndim == 2
-        else ""
-    )
+    if found:
+        words = several(found)
+        headline = say("pose cause", arm=arm.name, off=off, cause=lower(words))
+        finding = Finding("cause", "", None, None, f"{words}.")
+        return reported(WRONG, headline, [finding], [c.name for c in found])
+    if _within(miss, _margins(q, arm, T, HALF, tolerance)):
+        return good(SO_FAR)
+    findings = list(_entries(here, T))
+    causes = dict.fromkeys(f.what for f in findings)
+    return reported(WRONG, say("pose wrong", arm=arm.name, off=off), findings, causes)
 
 
 def _miss(here: Array, T: Array) -> tuple[float, float]:
-    """Distance (m) and angle (rad) between poses; no angle where T is a point."""
+    """Distance (m) and angle (rad) between poses; no angle where T is a point, half a turn where
+    its axes are left-handed.
+    """
     if T.ndim == 1:
         return float(np.linalg.norm(here[:3, 3] - T)), 0.0
     R = here[:3, :3].T @ T[:3, :3]
     off = np.linalg.norm([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-    return float(np.linalg.norm(here[:3, 3] - T[:3, 3])), float(np.arctan2(off, np.trace(R) - 1))
+    angle = np.arctan2(off, np.trace(R) - 1) if np.linalg.det(R) > 0 else np.pi
+    return float(np.linalg.norm(here[:3, 3] - T[:3, 3])), float(angle)
 
 
 def _margins(
@@ -130,13 +109,13 @@ def _margins(
         return max(tolerance, 1e-9), max(tolerance, 1e-9)  # below it rounding decides
     J = np.abs(jacobian(arm, q.values)) @ (share * q.units)
     last = T.units if T.values.ndim == 1 else T.units[:3, 3]
-    turn = 0.0 if T.values.ndim == 1 else 2 * share * float(T.units[:3, :3].max())
+    turn = 0.0 if T.values.ndim == 1 else 2 * share * min(float(T.units[:3, :3].max()), _ROUGH)
     return _EXACT + float(np.linalg.norm(J[:3]) + share * np.linalg.norm(last)), _EXACT + float(
         np.linalg.norm(J[3:])
     ) + turn
 
 
-def _within(miss: tuple[float, float], margin: Sequence[float]) -> bool:
+def _within(miss: tuple[float, float], margin) -> bool:
     return miss[0] <= margin[0] and miss[1] <= margin[1]
 
 
@@ -147,12 +126,11 @@ def _causes(
     less than half, nor a scale where zero would fit as well.
     """
     found: list[Any] = []
+    half = np.where(np.array(miss) <= margin, margin, np.minimum(margin, np.array(miss) / 2))
     for c, other, values, target in _slips(q.values, arm, T.values):
         if len(c.keys) > 1 and found:
             break
-        least: Sequence[float] = [
-            m if off <= m else min(m, off / 2) for m, off in zip(margin, miss, strict=True)
-        ]
+        least = half
         if inverse_causes.scales(c):
             typed = Typed(values, q.units * inverse_causes.scale(c, arm))
             least = _margins(typed, arm, T, HAND, tolerance)
@@ -197,19 +175,13 @@ def _entries(here: Array, T: Typed) -> Iterator[Finding]:
         if T.symbolic and wrong.size == 1:
             axis = "xyz"[wrong[0]]
             words = say("pose.coordinate", axis=axis)
-            yield Finding("pose.coordinate", axis, float(T.values[wrong[0]]), None, words)
+            yield Finding("pose.coordinate", axis, None, None, words)
         return
     off = np.abs(here[:3] - T.values[:3]) > np.maximum(HAND * T.units[:3], _COARSE)
     if off.sum() <= 3:
         for i, j in np.argwhere(off):
-            where = f"entry ({i + 1}, {j + 1})"
-            yield Finding(
-                "pose.entry",
-                where,
-                float(T.values[i, j]),
-                None,
-                say("pose.entry", row=i + 1, column=j + 1),
-            )
+            words = say("pose.entry", row=i + 1, column=j + 1)
+            yield Finding("pose.entry", f"entry ({i + 1}, {j + 1})", None, None, words)
 
 
 def _scaled(T: Array, factor: float) -> Array:
@@ -221,11 +193,7 @@ def _scaled(T: Array, factor: float) -> Array:
 
 
 def _limits(arm: Arm, q: Typed) -> Iterator[str]:
-    lower_, upper = arm.limits
-    beyond = [
-        f"q_{i}"
-        for i, x, a, b in zip(arm.joints, q.values, lower_, upper, strict=True)
-        if not a <= x <= b
-    ]
-    if beyond:
-        yield say("beyond limits", joints=listed(beyond))
+    least, most = arm.limits
+    beyond = np.flatnonzero((q.values < least) | (q.values > most))
+    if beyond.size:
+        yield say("beyond limits", joints=listed([f"q_{arm.joints[k]}" for k in beyond]))

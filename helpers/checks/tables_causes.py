@@ -13,6 +13,7 @@ from helpers.checks.ranking import Cause, cause
 from helpers.reading.table import Numbers, from_craig
 
 RAD = math.pi / 180
+EXCHANGED = "table.rows exchanged"
 _SMALL, _LARGE = 1e-2, 10.0  # m: lengths beyond these were meant in the other unit
 Mend = Callable[[list[Numbers]], list[Numbers]]
 
@@ -35,14 +36,14 @@ def units(rows: Rows, reference: Rows) -> list[tuple[Cause | None, list[Numbers]
     found = []
     for first, read in lengths:
         for second, t, o in angles:
-            both = first + second if first and second else first or second
-            found.append(
-                (
-                    both,
-                    [r._replace(alpha=r.alpha * t, theta=r.theta * o) for r in read],
-                )
-            )
+            turned = [r._replace(alpha=r.alpha * t, theta=r.theta * o) for r in read]
+            found.append((joined(first, second), turned))
     return found
+
+
+def joined(first: Cause | None, second: Cause | None) -> Cause | None:
+    """Both causes, or that which there is."""
+    return first + second if first and second else first or second
 
 
 def total_length(rows: Rows) -> float:
@@ -87,14 +88,12 @@ def structures(count: int) -> list[tuple[Cause, Mend]]:
         (cause("table.into craig"), to_craig),
     ]
     for i, j in combinations(range(count), 2):
-        found.append((cause("table.rows exchanged", i=i + 1, j=j + 1), _exchanged(i, j)))
+        found.append((cause(EXCHANGED, i=i + 1, j=j + 1), _exchanged(i, j)))
     return found
 
 
 def _exchanged(i: int, j: int) -> Mend:
     def mend(rows: list[Numbers]) -> list[Numbers]:
-        if j >= len(rows):
-            return rows
         new = list(rows)
         new[i], new[j] = rows[j], rows[i]
         return new

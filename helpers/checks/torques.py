@@ -198,7 +198,7 @@ def _judged(typed: Typed, where: _Where, tolerance, taken, why: bool) -> Report:
     scale = max(float(np.abs(right).max()), 1e-3)
     m = margins(typed.units, np.full(right.shape, scale), where.slop, tolerance)
     part = m.at(pick)
-    grade, _ = graded(typed.values[pick], right[pick], part, made)
+    grade = graded(typed.values[pick], right[pick], part, made)
     grade = _whole(grade, typed.values, right, m)
     off = np.abs(typed.values - right)
     good = int((off <= m.band).all(axis=0).sum())

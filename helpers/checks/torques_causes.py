@@ -27,17 +27,15 @@ class Load:
         self.arm, self.wrench, self.gravity = arm, wrench, gravity
         self.chain = chain(arm, q)
         self.T = self.chain.frames
-        self.J = columns(self.chain, frames=self.T)
+        self.J = columns(self.chain)
         self.masses = np.array([arm.number(b.mass) for b in arm.bodies])
         self.centres = np.array([[arm.number(c) for c in b.com] for b in arm.bodies])
 
     def weight(self, masses: Array | None = None, centres: Array | None = None) -> Array:
         """g(q), with other masses or centres where given."""
-        m, c = (
-            self.masses if masses is None else masses,
-            self.centres if centres is None else centres,
-        )
-        return weights(self.chain, m, c, self.gravity, self.T)
+        m = self.masses if masses is None else masses
+        c = self.centres if centres is None else centres
+        return weights(self.chain, m, c, self.gravity)
 
     def force(self, wrench: Array | None = None) -> Array:
         """J^T F."""
@@ -135,11 +133,11 @@ def _weights(load: Load) -> Iterator[Part]:
     yield None, right
     yield cause("tau.weight missing"), 0 * right
     yield cause("tau.weight sign"), -right
-    size = float(np.linalg.norm(load.gravity))
-    if size:
+    much = float(np.linalg.norm(load.gravity))
+    if much:
         for g in (9.8, 10.0, 9.80665, 1.0):
-            if abs(g - size) > 1e-9:
-                yield cause("tau.gravity", g=f"{g:g}"), right * g / size
+            if abs(g - much) > 1e-9:
+                yield cause("tau.gravity", g=f"{g:g}"), right * g / much
     yield cause("tau.craig centres"), load.weight(centres=_craig_centres(load.arm, load.centres))
     yield cause("tau.centres at origins"), load.weight(centres=0 * load.centres)
     tip = np.einsum("...ij,i->...j", load.J[..., :3, :], load.masses.sum() * load.gravity)
@@ -175,7 +173,7 @@ def _forces(load: Load) -> Iterator[Part]:
     late = np.array(load.chain.joints)
     yield (
         cause("J.one frame late"),
-        _through(columns(load.chain, axis=late, origin=late, frames=load.T), load.wrench),
+        _through(columns(load.chain, axis=late, origin=late), load.wrench),
     )
 
 

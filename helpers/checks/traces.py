@@ -3,6 +3,7 @@ picture.
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -55,27 +56,27 @@ def compare_trace(
     must_be(path, Path, "path")
     door.settings(angles, tolerance)
     typed = door.numbers(mine, f"{arm.name}: your joints")
-    upright, taken, extra = _upright(typed, arm, path)
-    if upright is None:
+    upright = _upright(typed, arm, path)
+    if not upright:
         return _misshapen(typed.values, arm, path)
-    typed = upright
+    typed, taken, extra = upright
     if angles == "deg":
         typed = door.in_radians(typed, arm)
     q = typed.values
-    path = Path(path.times[: len(q)], path.position, path.velocity, path.normal)
+    path = replace(path, times=path.times[: len(q)])
     allowed = _USUAL + _blur(typed, arm) if tolerance is None else tolerance
     if angles == "rad" and _only_as_degrees(typed, arm, path, allowed):
         return _degrees(arm, taken)
     return _judged(typed, arm, path, allowed, tolerance is not None, taken, extra)
 
 
-def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed | None, tuple[str, ...], bool]:
+def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed, tuple[str, ...], bool] | None:
     """A row per step: columns turned round, a leading column of times or zeros dropped, one step
-    too many cut, and said.
+    too many cut, and said; None for another shape.
     """
     M, steps = np.squeeze(typed.values), np.squeeze(typed.units)
     if M.ndim != 2:
-        return None, (), False
+        return None
     said: tuple[str, ...] = ()
     rows = (len(path.times) - 1, len(path.times), len(path.times) + 1)
     if M.shape[1] != arm.dof and M.shape[0] in (arm.dof, arm.dof + 1) and M.shape[1] in rows:
@@ -83,7 +84,7 @@ def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed | None, tuple[st
     if M.shape[1] == arm.dof + 1 and (not M[:, 0].any() or (np.diff(M[:, 0]) > 0).all()):
         M, steps, said = M[:, 1:], steps[:, 1:], (*said, say("taken: times"))
     if M.shape[1] != arm.dof or len(M) not in rows or len(M) < 2:
-        return None, said, False
+        return None
     extra = len(M) == len(path.times) + 1
     return Typed(M[: len(path.times)], steps[: len(path.times)]), said, extra
 
@@ -127,22 +128,10 @@ def _degrees(arm: Arm, taken: tuple[str, ...]) -> Report:
     )
 
 
-def _report(
-    arm: Arm, grade: str, words: str, findings, causes, taken, notes=(), figures=None
-) -> Report:
+def _report(arm: Arm, grade: str, words: str, findings, causes, taken, *rest) -> Report:
     key = "trace right" if grade == RIGHT else "trace wrong"
     headline = say(key, arm=arm.name, cause=words)
-    return Report(
-        "trace",
-        arm.name,
-        grade,
-        headline,
-        tuple(findings),
-        tuple(causes),
-        taken,
-        tuple(notes),
-        figures or {},
-    )
+    return Report("trace", arm.name, grade, headline, tuple(findings), tuple(causes), taken, *rest)
 
 
 # The verdict
@@ -162,9 +151,10 @@ def _judged(
     symptoms = list(_symptoms(arm, path, run, poses, turn, allowed, jump))
     if extra:
         symptoms.append(Finding("trace.one more", "", None, None, say("trace.one more")))
-    named = stuck or _named(typed, arm, path, poses, run, bool(symptoms), given, allowed)
+    reeled = bool(turn.max() > TILT)
+    named = stuck or _named(typed, arm, path, poses, run, reeled, bool(symptoms), given, allowed)
     figures = {"run": run, "position_error": run.position_error, "tool_turn": float(turn.max())}
-    notes = [] if stuck else list(_notes(run))
+    notes = () if stuck else tuple(_notes(run))
     if named is None and not symptoms:
         return _report(arm, RIGHT, "", (), (), taken, notes, figures)
     if named is None:
@@ -183,23 +173,31 @@ def _judged(
 
 
 def _named(
-    typed: Typed, arm: Arm, path: Path, poses: Array, run, wrong: bool, given: bool, allowed: float
+    typed: Typed,
+    arm: Arm,
+    path: Path,
+    poses: Array,
+    run,
+    reeled: bool,
+    wrong: bool,
+    given: bool,
+    allowed: float,
 ) -> Cause | None:
     """What explains a run that fails; or, where no tolerance was given, a slip that one within 2 mm
     shows.
     """
-    tip, turn = poses[:, :3, 3], _turns(poses).max() if arm.dof >= 6 else 0.0
+    tip = poses[:, :3, 3]
     off = run.position_error > allowed
     if wrong:
         started = _off(path, tip)[0] <= 0.25 * run.position_error
-        loop = loop_cause(typed, arm, path, (off and started) or bool(turn > TILT))
+        loop = loop_cause(typed, arm, path, (off and started) or reeled)
         if not off or (loop and loop.name in _LOOP_FIRST):
             return loop
         shape = path_cause(path, tip, allowed, _blur(typed, arm))
         if shape and shape.name != "trace.displaced":
             return shape
         return table_cause(typed.values, arm, path, allowed) or shape or loop
-    return None if given else loop_cause(typed, arm, path)
+    return None if given else loop_cause(typed, arm, path, False)
 
 
 def _blur(typed: Typed, arm: Arm) -> float:

@@ -36,7 +36,7 @@ def _off(path: Path, points: Array) -> Array:
 # By the shape
 
 
-def path_cause(path: Path, tip: Array, allowed: float, blur: float = 0.0) -> Cause | None:
+def path_cause(path: Path, tip: Array, allowed: float, blur: float) -> Cause | None:
     """What would explain every point; of those that leave as little, the likelier.
 
     A run by Euler's method is off its own path by a step or two, so as much may be left, but no
@@ -108,7 +108,7 @@ def _left_out(path: Path, shift: Array, much: float) -> str:
     """
     centre = path.positions.mean(axis=0)
     kept, gone = (np.abs(x) <= much for x in (shift, shift + centre))
-    out = [name for name, k in zip("xyz", kept, strict=True) if not k]
+    out = ["xyz"[k] for k in np.flatnonzero(~kept)]
     return listed(out) if out and (kept | gone).all() else ""
 
 
@@ -178,7 +178,7 @@ def table_cause(q: Array, arm: Arm, path: Path, allowed: float) -> Cause | None:
 # By the loop
 
 
-def loop_cause(typed: Typed, arm: Arm, path: Path, wrong: bool = False) -> Cause | None:
+def loop_cause(typed: Typed, arm: Arm, path: Path, wrong: bool) -> Cause | None:
     """The rule by which each step's joints follow from the one before: another Jacobian, or another
     step's velocity.
 

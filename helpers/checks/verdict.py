@@ -14,8 +14,10 @@ class Finding:
     """One thing that is to be said of an answer.
 
     Attributes:
-        what: its kind: "cause", "shape", "column", "row", "joint", "answer", "missing", "step",
-            "digits".
+        what: its kind: "cause" for what explains the whole; of what is wrong, "shape", "column",
+            "row", "joint", "answer" or "step"; "found" and "missing" branches or rows; or the
+            catalogue's key of a mistake in one place, such as "J.column sign:2", "table.sign:a:3",
+            "trace.jump" or "pose.entry".
         where: the place, such as "joint 3", "row 2, alpha" or "answer 1"; empty where it is the
             whole.
         mine, expected: what was typed and what it should be, where a sentence quotes them; None

@@ -40,7 +40,7 @@ def collected(names: Mapping[str, Any]) -> str:
         for name, value in names.items()
         if name.startswith(_PREFIX) and value is not None and value is not ...
     }
-    return json.dumps(found, allow_nan=True)
+    return json.dumps(found)
 
 
 def as_typed(value: Any) -> Any:
@@ -106,7 +106,7 @@ def _read_answers(path: Path) -> HandIn:
             raise ValueError("is no ordinary file")
         if path.stat().st_size > _SIZE:
             raise ValueError(f"has more than {_SIZE:,} bytes")
-        found = json.loads(path.read_text(encoding="utf-8"))
+        found = json.loads(path.read_bytes())
         if not isinstance(found, dict):
             raise ValueError("holds no names")
     except (OSError, ValueError, RecursionError) as error:

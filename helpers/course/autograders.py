@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import helpers
-from helpers.arm import Arm
 from helpers.course import gradebook, sheets, store
-from helpers.course.answers import FILE, read_hand_in
+from helpers.course.answers import FILE, collected, read_hand_in
 from helpers.course.arms import from_json, to_json
 from helpers.course.marking import Mark, mark, mark_sheet
 from helpers.course.store import Course
@@ -96,7 +95,7 @@ include = ["helpers*"]
 
 
 def _add(file: zipfile.ZipFile, name: str, text: str, mode: int) -> None:
-    entry = zipfile.ZipInfo(name, (2020, 1, 1, 0, 0, 0))
+    entry = zipfile.ZipInfo(name)
     entry.external_attr = (0o100000 | mode) << 16
     file.writestr(entry, text, zipfile.ZIP_DEFLATED)
 
@@ -131,8 +130,7 @@ def _gradescope_results(root: Path) -> dict[str, Any]:
 
 def _metadata(root: Path) -> list[Mapping[str, Any]]:
     try:
-        text = (root / "submission_metadata.json").read_text(encoding="utf-8")
-        return list(json.loads(text)["users"])
+        return list(json.loads((root / "submission_metadata.json").read_bytes())["users"])
     except (OSError, ValueError, KeyError, TypeError):
         return []
 
@@ -201,10 +199,10 @@ def _test(sheet: Sheet, part: Part) -> dict[str, Any]:
 
 
 def credit(name: str, answer: Any, stored: Mapping[str, Any]) -> float:
-    """The credit of one answer, for nbgrader's hidden tests."""
-    arm: Arm = from_json(stored["arm"])
-    sheet = Sheet(arm, stored["drawn"])
-    return round(mark(sheet, sheet.parts[name], answer, store.Rules()).credit, 4)
+    """The credit of one answer, for nbgrader's hidden tests: as if it had been handed in."""
+    sheet = Sheet(from_json(stored["arm"]), stored["drawn"])
+    typed = json.loads(collected({f"answer_{name}": answer}))
+    return round(mark(sheet, sheet.parts[name], typed.get(name), store.Rules()).credit, 4)
 
 
 def look(folder: Path) -> tuple[str, tuple[Mark, ...]]:
@@ -214,7 +212,7 @@ def look(folder: Path) -> tuple[str, tuple[Mark, ...]]:
     The words, and the marks. A student can change sheet.json: nothing that counts is decided by
     this.
     """
-    stored = json.loads((folder / sheets.FILE).read_text(encoding="utf-8"))
+    stored = json.loads((folder / sheets.FILE).read_bytes())
     sheet = Sheet(from_json(stored["arm"]), stored["drawn"])
     handed = read_hand_in(folder, "nothing")
     marks = mark_sheet(sheet, handed.answers, store.Rules())

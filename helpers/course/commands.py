@@ -2,6 +2,7 @@
 
 import argparse
 import hashlib
+import os
 import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
@@ -169,7 +170,7 @@ def _fingerprint(task: _Job) -> str:
     digest = hashlib.sha256(f"{entry['signature']} {rules} {task.apart} {task.limits}".encode())
     for path in sorted([*task.folder.glob("*.ipynb"), task.folder / ANSWERS]):
         if path.is_file() and not path.is_symlink():
-            digest.update(path.name.encode() + b"\0" + hashlib.sha256(path.read_bytes()).digest())
+            digest.update(os.fsencode(path.name) + hashlib.sha256(path.read_bytes()).digest())
     return digest.hexdigest()
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from helpers.course.marking import Mark
-from helpers.course.store import write
+from helpers.course.store import as_json, write
 from helpers.inputs import ArmError
 
 # A spreadsheet runs a cell that begins with one of these (OWASP, CSV injection).
@@ -25,7 +25,7 @@ def safe(text: str) -> str:
 def table(rows: Sequence[Mapping[str, Any]]) -> str:
     """CSV of rows with the same keys, line ends as RFC 4180 wants; every word made safe."""
     file = io.StringIO()
-    writer = csv.DictWriter(file, list(rows[0]), lineterminator="\r\n")
+    writer = csv.DictWriter(file, list(rows[0]))
     writer.writeheader()
     writer.writerows(
         {k: safe(v) if isinstance(v, str) else v for k, v in row.items()} for row in rows
@@ -102,7 +102,7 @@ def _read(export: str) -> list[list[str]]:
 
 def _written(rows: Sequence[Sequence[str]]) -> str:
     file = io.StringIO()
-    csv.writer(file, lineterminator="\r\n").writerows(rows)
+    csv.writer(file).writerows(rows)
     return file.getvalue()
 
 
@@ -129,12 +129,12 @@ def gradescope(marks: Sequence[Mark], trouble: str) -> dict[str, Any]:
 def read_results(folder: Path) -> dict[str, Any]:
     """results.json of a folder; empty where there is none or it cannot be read."""
     try:
-        found = json.loads((folder / "results.json").read_text(encoding="utf-8"))
+        found = json.loads((folder / "results.json").read_bytes())
     except (OSError, ValueError):
         return {}
     return found if isinstance(found, dict) else {}
 
 
 def write_results(folder: Path, results: Mapping[str, Any]) -> None:
-    """results.json into a folder; a number that JSON does not know is an error here, not there."""
-    write(folder / "results.json", json.dumps(results, indent=1, allow_nan=False) + "\n")
+    """results.json into a folder."""
+    write(folder / "results.json", as_json(results))

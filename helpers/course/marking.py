@@ -139,18 +139,18 @@ def _numbers(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
         return _none(part, f"It has shape {typed.values.shape}; expected {right.shape}.")
     mine, units = typed.values.reshape(right.shape), typed.units.reshape(right.shape)
     off = np.abs(mine - right)
+    far = off > np.maximum(part.tolerance, 0.51 * units)
     if (off <= part.tolerance).all():
         return Mark(part.name, 1.0, "Right.", "Right.")
-    if (off <= np.maximum(part.tolerance, 0.51 * units)).all():
+    if not far.any():
         words = "Right as far as it goes: give more digits."
         return Mark(part.name, rules.digits, words, words)
     for key, sentence, meant in _usual(mine):
-        if (np.abs(meant - right) <= np.maximum(part.tolerance, np.abs(right) * 1e-3)).all():
+        if (np.abs(meant - right) <= part.tolerance).all():
             credit = rules.causes.get(key, 0.0)
             return Mark(part.name, credit, sentence, sentence, (key,))
-    count = int((off > np.maximum(part.tolerance, 0.51 * units)).sum())
-    words = f"Not right: {count} of {right.size} entries are off, by up to {off.max():.3g}."
-    return Mark(part.name, 0.0, words, words)
+    words = f"Not right: {far.sum()} of {right.size} entries are off, by up to {off.max():.3g}."
+    return _none(part, words)
 
 
 def _usual(mine: Array) -> Iterator[tuple[str, str, Array]]:
@@ -217,11 +217,12 @@ def _beyond_limits(arm: Arm, answer: Any) -> str:
     rows = numbers(answer, "the joint values").values
     if rows.size % arm.dof:
         return ""  # another shape: the checker says so
-    for q in rows.reshape(-1, arm.dof):
-        for i, (name, low, high) in enumerate(zip(arm.variables, *arm.limits, strict=True)):
-            turns = 2 * np.pi * np.arange(-3, 4) if arm.turning[i] else np.zeros(1)
-            if not ((q[i] + turns >= low - _SLIGHT) & (q[i] + turns <= high + _SLIGHT)).any():
-                return f"{name} = {q[i]:.4g} lies beyond its limits, {low:g} to {high:g}."
+    q, (low, high) = rows.reshape(-1, arm.dof), arm.limits
+    turned = q + 2 * np.pi * np.arange(-3, 4)[:, None, None] * arm.turning
+    within = ((turned >= low - _SLIGHT) & (turned <= high + _SLIGHT)).any(axis=0)
+    for k, i in np.argwhere(~within)[:1]:
+        found = f"{arm.variables[i]} = {q[k, i]:.4g}"
+        return f"{found} lies beyond its limits, {low[i]:g} to {high[i]:g}."
     return ""
 
 

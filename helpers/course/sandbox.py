@@ -58,7 +58,7 @@ def best_apart() -> Apart:
     as_root = os.geteuid() == 0
     namespaces, nobody = (_ROOTS_NAMESPACES, _as_nobody()) if as_root else (_NAMESPACES, [])
     probe = ["bwrap", *namespaces, "--ro-bind", "/", "/", "--proc", "/proc", *nobody, "true"]
-    done = subprocess.run(probe, capture_output=True, timeout=20, check=False)
+    done = subprocess.run(probe, capture_output=True)
     return "bubblewrap" if done.returncode == 0 else "nothing"
 
 
@@ -88,7 +88,7 @@ def run(
         return Ran(None, str(error))
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder) / "handed_in.ipynb"
-        copy.write_text(json.dumps(book), encoding="utf-8")
+        copy.write_bytes(json.dumps(book).encode())
         copy.chmod(0o444)  # nobody reads it
         return _read(_execute(copy, apart, limits or Limits()))
 
@@ -102,7 +102,7 @@ def read_notebook(path: Path) -> dict[str, Any]:
     if path.stat().st_size > _SIZE:
         raise ValueError(f"{path.name} has more than {_SIZE:,} bytes")
     try:
-        book = json.loads(path.read_text(encoding="utf-8"))
+        book = json.loads(path.read_bytes())
         cells = [cell for cell in book["cells"] if cell["cell_type"] in ("code", "markdown", "raw")]
     except (ValueError, KeyError, TypeError, RecursionError):
         raise ValueError(f"{path.name} is no notebook") from None
@@ -178,12 +178,13 @@ def _few_processes(others: int = 0) -> list[str]:
     return ["prlimit", f"--nproc={256 + others}"]
 
 
-def _tasks_of_mine() -> int:
+def _tasks_of_mine(processes: Path = Path("/proc")) -> int:
     """Processes and threads that run under this user's name, which count against the same limit."""
     count = 0
-    for task in Path("/proc").glob("[0-9]*/task/[0-9]*"):
+    for process in processes.glob("[0-9]*"):
         with contextlib.suppress(OSError):  # it has ended meanwhile
-            count += task.stat().st_uid == os.getuid()
+            if process.stat().st_uid == os.getuid():
+                count += len(os.listdir(process / "task"))
     return count
 
 
@@ -239,8 +240,7 @@ def _mounted() -> Sequence[str]:
     """
     package = str(Path(helpers.__file__).parent)
     folders = {sys.base_prefix, sys.prefix, package}
-    system = {"/usr", "/usr/local"}
-    return [f for f in sorted(folders) if f not in system and not f.startswith("/usr/")]
+    return [f for f in sorted(folders) if not f"{f}/".startswith("/usr/")]
 
 
 def _environment(home: str) -> dict[str, str]:
@@ -260,7 +260,8 @@ def _read(executed: bytes) -> Ran:
     """The answers in the last cell's output, or why there are none."""
     try:
         cells = json.loads(executed)["cells"]
-        text = "".join(_lines(cells[-1]))
+        printed = [o["text"] for o in cells[-1]["outputs"] if o.get("name") == "stdout"]
+        text = "".join("".join(lines) for lines in printed)
     except (ValueError, KeyError, TypeError, IndexError, RecursionError):
         return Ran(None, "running it gave no result: too long, too large, or stopped by itself")
     if _MARK not in text:
@@ -273,9 +274,3 @@ def _read(executed: bytes) -> Ran:
         return Ran(None, "its answers could not be read")
     failed = sum(any(o.get("output_type") == "error" for o in c.get("outputs", [])) for c in cells)
     return Ran(answers, f"{failed} of its cells raised an error" if failed else "")
-
-
-def _lines(cell: Any) -> list[str]:
-    return [
-        "".join(o.get("text", "")) for o in cell.get("outputs", []) if o.get("name") == "stdout"
-    ]

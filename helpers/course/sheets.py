@@ -2,7 +2,6 @@
 
 import base64
 import io
-import json
 from html import escape
 from typing import Any
 
@@ -10,7 +9,7 @@ import numpy as np
 
 from helpers import variants
 from helpers.course.arms import to_json
-from helpers.course.store import Course
+from helpers.course.store import Course, as_json
 from helpers.variants import Part, Question, Sheet
 
 FILE = "sheet.json"
@@ -62,12 +61,12 @@ def notebook(sheet: Sheet, course: Course, student: str, name: str) -> dict[str,
 
 def notebook_text(book: dict[str, Any]) -> str:
     """A notebook as it is written to a file."""
-    return json.dumps(book, indent=1, ensure_ascii=False) + "\n"
+    return as_json(book)
 
 
 def numbers_text(sheet: Sheet) -> str:
     """The arm and the drawn numbers of a sheet, as sheet.json keeps them for `look`."""
-    return json.dumps({"arm": to_json(sheet.arm), "drawn": dict(sheet.drawn)}, indent=1) + "\n"
+    return as_json({"arm": to_json(sheet.arm), "drawn": dict(sheet.drawn)})
 
 
 _NAMES = (

@@ -101,14 +101,14 @@ def text(course: Course) -> str:
         "rules": {"digits": rules.digits, "columns": rules.columns, "causes": dict(rules.causes)},
         "sheets": course.sheets,
     }
-    return json.dumps(data, indent=1) + "\n"
+    return as_json(data)
 
 
 def load(folder: Path) -> Course:
     """The course in a folder; raises ArmError where there is none or it cannot be read."""
     path = folder / FILE
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(path.read_bytes())
         if data["version"] != _VERSION:
             raise ArmError(f"{path} is of version {data['version']}; expected {_VERSION}")
         rules = Rules(**data["rules"])
@@ -122,9 +122,14 @@ def load(folder: Path) -> Course:
         raise ArmError(f"{path} is no course that `new` made: {error!r}") from None
 
 
+def as_json(data: Mapping[str, Any]) -> str:
+    """Data as it is written to a file; raises ValueError for a number that JSON does not know."""
+    return json.dumps(data, indent=1, allow_nan=False) + "\n"
+
+
 def write(path: Path, text: str) -> None:
-    """Write a text file whole or not at all."""
+    """Write a text file whole or not at all; a file's name in it may be no text, and is escaped."""
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}")
-    beside.write_text(text, encoding="utf-8")
+    beside.write_text(text, encoding="utf-8", errors="backslashreplace")
     beside.replace(path)

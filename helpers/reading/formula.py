@@ -6,6 +6,7 @@ A tree is ("num", x), ("name", n), ("neg", t), ("call", function, t) or ("+" | "
 """
 
 import math
+import operator
 import re
 from collections.abc import Callable
 from functools import lru_cache
@@ -41,6 +42,13 @@ FUNCTIONS: dict[str, Callable[[float], float]] = {
     "float64": float,
     "float32": float,
     "int64": float,
+}
+_SIGNS: dict[str, Callable[[float, float], float]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "^": math.pow,
 }
 _CONSTANTS = {"pi": math.pi, "deg": math.pi / 180, "rad": 1.0}
 _GREEK = dict(
@@ -101,7 +109,8 @@ _NAME = r"[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?"
 _TOKEN = re.compile(
     rf"\s*(?:(\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|({_NAME})|(\*\*|[-+*/^()]))"
 )
-_RUN = re.compile(r"(?:[cs]_?(?:\d|\{[\d+-]+\})+){2,}")
+_SHORT = re.compile(r"[cs]_?(?:\d|\{[\d+-]+\})+")
+_RUN = re.compile(rf"(?:{_SHORT.pattern}){{2,}}$")  # such as c_1s_23, which is a product
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
@@ -164,23 +173,20 @@ def _tokens(text: str) -> list[tuple[str, str]] | None:
     while at < len(text):
         match = _TOKEN.match(text, at)
         if not match:
-            return None if text[at:].strip() else found
-        group = match.lastindex or 1
-        kind = ("num", "name", "sign")[group - 1]
-        word = "^" if match[group] == "**" else match[group]
-        found += _split(word) if kind == "name" and _RUN.fullmatch(word) else [(kind, word)]
+            return None
+        number, name, sign = match.groups()
+        if number:
+            found.append(("num", number))
+        elif sign:
+            found.append(("sign", "^" if sign == "**" else sign))
+        else:
+            names = _SHORT.findall(name) if _RUN.match(name) else [name]
+            found += [("name", one) for one in names]
         at = match.end()
     return found
 
 
-def _split(run: str) -> list[tuple[str, str]]:
-    """The names in a run such as ``c_1s_23``, which is a product."""
-    return [("name", name) for name in re.findall(r"[cs]_?(?:\d|\{[\d+-]+\})+", run)]
-
-
 def _sum(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
-    if depth > DEEPEST:
-        raise SyntaxError
     left, at = _product(tokens, at, depth)
     while at < len(tokens) and tokens[at][1] in ("+", "-"):
         right, after = _product(tokens, at + 1, depth)
@@ -226,7 +232,7 @@ def _atom(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
     if kind == "num":
         return ("num", float(word)), at + 1
     if kind == "name" and word in FUNCTIONS and at + 1 < len(tokens):
-        inner, at = _argument(tokens, at + 1, depth)
+        inner, at = _argument(tokens, at + 1, depth + 1)
         return ("call", word, inner), at
     if kind == "name":
         return ("name", word), at + 1
@@ -240,17 +246,23 @@ def _atom(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
 
 def _argument(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
     """What a function is taken of: a bracket, or the next factor, as in ``sin theta_1``."""
+    if depth > DEEPEST:
+        raise SyntaxError
     if tokens[at][1] == "-":
-        inner, at = _atom(tokens, at + 1, depth + 1)
+        inner, at = _atom(tokens, at + 1, depth)
         return ("neg", inner), at
     return _atom(tokens, at, depth)
 
 
 def symbols(tree: Tree) -> set[str]:
     """The names in a tree that are no constants."""
-    if tree[0] == "name":
-        return set() if tree[1] in _CONSTANTS else {tree[1]}
-    return set().union(*(symbols(part) for part in tree[1:] if isinstance(part, tuple)))
+    found, parts = set(), [tree]
+    while parts:  # a sum may have more terms than Python lets functions call one another
+        kind, *of = parts.pop()
+        if kind == "name":
+            found.update(of)
+        parts += [part for part in of if isinstance(part, tuple)]
+    return found - _CONSTANTS.keys()
 
 
 def value(tree: Tree, known: Callable[[str], float | None]) -> float:
@@ -261,7 +273,7 @@ def value(tree: Tree, known: Callable[[str], float | None]) -> float:
         found = float(_value(tree, known))
     except ArmError:
         raise
-    except (ArithmeticError, ValueError, RecursionError):
+    except (ArithmeticError, ValueError):
         found = math.nan
     if not math.isfinite(found):
         raise ArmError("a formula divides by zero or is too large; expected a finite value")
@@ -269,27 +281,28 @@ def value(tree: Tree, known: Callable[[str], float | None]) -> float:
 
 
 def _value(tree: Tree, known: Callable[[str], float | None]) -> float:
-    kind = tree[0]
+    later = []  # what is left to do from left to right, for a sum may have very many terms
+    while tree[0] in _SIGNS:
+        later.append((_SIGNS[tree[0]], tree[2]))
+        tree = tree[1]
+    found = _single(tree, known)
+    for sign, right in reversed(later):
+        found = sign(found, _value(right, known))
+    return found
+
+
+def _single(tree: Tree, known: Callable[[str], float | None]) -> float:
+    kind, first = tree[:2]
     if kind == "num":
-        return tree[1]
-    if kind == "name":
-        found = _CONSTANTS.get(tree[1])
-        found = known(tree[1]) if found is None else found
-        if found is None:
-            raise ArmError(f"no value for {tree[1]}")
-        return found
+        return first
     if kind == "neg":
-        return -_value(tree[1], known)
+        return -_value(first, known)
     if kind == "call":
-        return FUNCTIONS[tree[1]](_value(tree[2], known))
-    left, right = _value(tree[1], known), _value(tree[2], known)
-    if kind == "^":
-        return math.pow(left, right)
-    return (
-        {"+": left + right, "-": left - right, "*": left * right}[kind]
-        if kind != "/"
-        else left / right
-    )
+        return FUNCTIONS[first](_value(tree[2], known))
+    found = _CONSTANTS[first] if first in _CONSTANTS else known(first)
+    if found is None:
+        raise ArmError(f"no value for {first}")
+    return found
 
 
 def number(text: str) -> float | None:

@@ -43,11 +43,7 @@ def cells(text: str) -> Cells:
 def _rows(text: str) -> Cells:
     if "\\begin{" in text or "\\\\" in text:
         return _latex(text)
-    if (
-        text.count("|") >= 2
-        and re.search(r"^\s*\|?.*\|.*\|?\s*$", text, re.M)
-        and "[" not in text.split("|")[0]
-    ):
+    if text.count("|") >= 2 and "[" not in text.split("|")[0]:
         return _markdown(text)
     bare = _TAIL.sub("", _WRAPPER.sub("", text)) if _WRAPPER.match(text) else text
     bare = (
@@ -91,8 +87,6 @@ def _markdown(text: str) -> Cells:
 def _bracketed(text: str) -> Cells:
     """Nested lists, tuples or MATLAB's one bracket with semicolons."""
     items = _items(text)
-    if len(items) == 1 and not _is_list(items[0]):
-        return [items]
     if all(map(_is_list, items)):
         inner = [_items(item) for item in items]
         if any(any(map(_is_list, row)) for row in inner):
@@ -107,8 +101,8 @@ def _bracketed(text: str) -> Cells:
                 return flat
             return [row for item in items for row in _bracketed(item)]
         return inner
-    body = text.strip()[1:-1] if _is_list(text) else text
-    if _is_list(text) and re.search(r"[;\n]", body) and "[" not in body:
+    body = text.strip()[1:-1]
+    if _is_list(text) and "[" not in body:
         return [_split(row) for row in re.split(r"[;\n]", re.sub(r"\.\.\.[^\n]*\n", " ", body))]
     return [items]
 
@@ -118,7 +112,7 @@ def _is_list(text: str) -> bool:
     comma stands in them.
     """
     text = text.strip()
-    if text[:1] not in ("[", "(", "{") or not text or not _closes_at_end(text):
+    if text[:1] not in ("[", "(", "{") or not _closes_at_end(text):
         return False
     return text[0] != "(" or _top_comma(text[1:-1])
 
@@ -144,9 +138,7 @@ def _top_comma(text: str) -> bool:
 def _items(text: str) -> list[str]:
     """What a bracket holds, or a text without one, split where it is meant to be."""
     text = text.strip().rstrip(",")
-    return _split(
-        text[1:-1] if _is_list(text) or (text[:1] == "[" and _closes_at_end(text)) else text
-    )
+    return _split(text[1:-1] if _is_list(text) else text)
 
 
 def _split(text: str) -> list[str]:
@@ -194,14 +186,9 @@ def _joins(text: str, k: int) -> bool:
 def _lines(text: str) -> Cells:
     scale = _SCALE.search(text)
     text = _SCALE.sub("", text)
-    blocks = (
-        [b for b in _MATLAB_BLOCK.split(text) if b.strip()]
-        if _MATLAB_BLOCK.search(text)
-        else [text]
-    )
-    tables = [_block(block) for block in blocks]
+    tables = [_block(b) for b in _MATLAB_BLOCK.split(text) if b.strip()] or [[]]
     rows = tables[0]
-    if len(tables) > 1 and len({len(t) for t in tables}) == 1:
+    if len({len(t) for t in tables}) == 1:
         rows = [[cell for part in parts for cell in part] for parts in zip(*tables, strict=True)]
     if scale:
         rows = [[f"{cell}*{scale[1]}" if number(cell) else cell for cell in row] for row in rows]
@@ -248,11 +235,8 @@ def numeric(rows: Cells) -> bool:
     return all(number(cell) is not None for row in rows for cell in row)
 
 
-def without_header(rows: Cells) -> tuple[list[str], Cells]:
-    """The first row as words if it is a header, and the others: a header has a name where numbers
-    follow.
-    """
+def without_header(rows: Cells) -> Cells:
+    """The rows without the first if it is a header: one of names where numbers follow."""
     first, *rest = rows
-    words = [plain(cell) for cell in first]
-    is_header = bool(rest) and all(number(w) is None for w in words if w) and numeric(rest)
-    return (words, rest) if is_header else ([], rows)
+    words = filter(None, map(plain, first))
+    return rest if rest and all(number(w) is None for w in words) and numeric(rest) else rows

@@ -86,7 +86,6 @@ class TypedTable:
     """
 
     rows: tuple[TypedRow, ...]
-    columns: tuple[str, ...] | None
     lengths: str | None
     angles: str | None
     convention: str | None
@@ -125,21 +124,13 @@ def read(
         )
         convention = "craig" if convention == "modified" else convention
     cells, heads, said = _cells(source)
-    if not cells:
+    if not all([cells, *cells]):
         raise ArmError(say("no rows", given=shown(source)))
     known = {_simple(k): float(v) for k, v in (values or {}).items()}
     if matrices := _matrices(cells):
         _few(len(matrices))
-        return [
-            TypedTable(
-                _from_matrices(matrices, known),
-                None,
-                lengths,
-                angles,
-                convention,
-                (say("taken: matrices"),),
-            )
-        ]
+        rows = tuple(_from_matrix(i, A, known) for i, A in enumerate(matrices, 1))
+        return [TypedTable(rows, lengths, angles, convention, (say("taken: matrices"),))]
     cells, heads = _without_index(cells, heads)
     _few(len(cells))
     orders, sure = _orders(cells, heads, columns)
@@ -157,11 +148,11 @@ def read(
         except ArmError as error:
             errors.append(error)
         else:
-            tables.append(TypedTable(rows, order, lengths, angles, convention, words))
+            tables.append(TypedTable(rows, lengths, angles, convention, words))
     if not tables and mend and sure and _variables_in_alpha(cells, orders[0]):
         order = tuple(_EXCHANGED.get(name, name) for name in orders[0])
         rows = _rows(cells, order, known)
-        return [TypedTable(rows, order, lengths, angles, convention, said, exchanged=True)]
+        return [TypedTable(rows, lengths, angles, convention, said, exchanged=True)]
     if not tables:
         raise errors[0]
     return tables
@@ -298,7 +289,7 @@ def _few(count: int) -> None:
 
 
 def _strings(rows: list) -> Any:
-    if not rows or not all(isinstance(row, list | tuple) for row in rows):
+    if not all(isinstance(row, list | tuple) for row in rows):
         raise ArmError(say("no rows", given=shown(rows)))
     return [[x if isinstance(x, list | tuple) else _text(x) for x in row] for row in rows]
 
@@ -311,11 +302,11 @@ def _text(x: Any) -> str:
 
 def _of_mapping(held: dict[str, Any]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     lists = {k: v.tolist() if hasattr(v, "tolist") else v for k, v in held.items()}
-    if all(isinstance(v, list | tuple) for v in lists.values()):
+    if lists and all(isinstance(v, list | tuple) for v in lists.values()):
         return _parallel(lists)
     indexed = [(re.fullmatch(r"([A-Za-z]+)_?\{?(\d+)\}?", k), v) for k, v in held.items()]
     known = [(m[1].lower(), int(m[2]), v) for m, v in indexed if m and m[1].lower() in _WORDS]
-    if len(known) < len(indexed):
+    if len(known) < max(1, len(indexed)):
         raise ArmError(say("no entries", given=shown(held)))
     return _numbered([(_WORDS[word], row, _text(v)) for word, row, v in known])
 
@@ -437,11 +428,10 @@ def _links(links: list[str]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
                 or ("theta" in row and "d" not in row)
                 or re.search(r"sigma['\"]?\s*[,=]\s*1", body) is not None
             )
-        row = {"a": "0", "alpha": "0", "d": "0", "theta": "0", **row}
-        offset = row.pop("offset", "0")
+        row = dict.fromkeys((*ENTRIES, "offset"), "0") | row
         moves = "d" if slides else "theta"
-        still = row[moves] if slides or formula.number(row[moves]) is not None else "0"
-        row[moves] = f"q_{i} + ({offset if formula.number(still) in (0, None) else still})"
+        still = row[moves] if formula.number(row[moves]) else row["offset"]
+        row[moves] = f"q_{i} + ({still})"
         rows.append([row[k] for k in ENTRIES])
     return rows, list(ENTRIES), (say("taken: links"),)
 
@@ -480,9 +470,8 @@ def _without_index(cells: grid.Cells, heads: list[str]) -> tuple[grid.Cells, lis
     words = [_head(h) for h in heads]
     if "i" in words:
         at = words.index("i")
-        return [row[:at] + row[at + 1 :] if len(row) > at else row for row in cells], heads[
-            :at
-        ] + heads[at + 1 :]
+        *cells, heads = [row[:at] + row[at + 1 :] for row in (*cells, heads)]
+        return cells, heads
     first = [formula.plain(row[0]) for row in cells]
     counted = all(
         re.fullmatch(rf"(?:link|joint|l|j|i=)?\s*_?{i}\.?", x, re.I) for i, x in enumerate(first, 1)
@@ -570,13 +559,13 @@ def _angle_like(x: float) -> bool:
     in_radians = (
         abs(x) <= 2 * math.pi + 0.01 and abs(x / (math.pi / 12) - round(x / (math.pi / 12))) < 0.02
     )
-    return in_radians or (abs(x) >= 15 and x % 15 == 0 and abs(x) <= 360)
+    return in_radians or (x % 15 == 0 and abs(x) <= 360)
 
 
 def _row(i: int, entries: Mapping[str, str], known: Mapping[str, float]) -> TypedRow:
     parsed, free = {}, {}
     for name in ENTRIES:
-        text = formula.plain(entries[name]).strip()
+        text = formula.plain(entries[name])
         if name in ("theta", "d") and _VARIABLE.fullmatch(text) and _simple(text) not in known:
             text = f"q_{i}"
         tree = formula.parse(text.rstrip("*") or "0", f"{name} in row {i}")
@@ -593,20 +582,16 @@ def _row(i: int, entries: Mapping[str, str], known: Mapping[str, float]) -> Type
         n for n in ENTRIES if re.search(r"\b(?:pi|deg|rad)\b", formula.plain(entries[n]))
     )
     for name in ENTRIES:
-        look = {
-            **{n: 0.0 for n in free[name]},
-            **{n: known[_simple(n)] for n in formula.symbols(parsed[name]) if _simple(n) in known},
-        }
-        numbers[name] = formula.value(parsed[name], look.get)
+        numbers[name] = formula.value(parsed[name], lambda n: known.get(_simple(n), 0.0))
         if name == mover:
-            turned: dict[Any, float] = {**look, _joint_of(free[name]): 1.0}
-            there = formula.value(parsed[name], turned.get)
-            backwards = _slope(there - numbers[name], i, name) < 0
+            there = formula.value(parsed[name], lambda n: known.get(_simple(n), 1.0))
+            rate = there - numbers[name]
+            if min(abs(abs(rate) - slope) for slope in (1, math.pi / 180)) > 1e-6:
+                raise ArmError(say("row slope", row=i, name=name, rate=size(rate)))
+            backwards = rate < 0
     kinds: dict[str | None, str] = {"theta": "R", "d": "P", None: "?"}
     kind = kinds[mover]
-    return TypedRow(
-        kind, numbers, {n: str(entries[n]).strip() for n in ENTRIES}, backwards, radians
-    )
+    return TypedRow(kind, numbers, {n: entries[n].strip() for n in ENTRIES}, backwards, radians)
 
 
 def _mover(free: Mapping[str, list[str]]) -> str | None:
@@ -616,16 +601,9 @@ def _mover(free: Mapping[str, list[str]]) -> str | None:
     return "d" if free["d"] else None
 
 
-def _joint_of(names: list[str]) -> str | None:
+def _joint_of(names: list[str]) -> str:
     """The joint's variable among the symbols of an entry: the one called like a joint."""
-    named = [n for n in names if re.match(r"q|th|t_?\d|x_?\d|phi", n)]
-    return (named or names)[0] if names else None
-
-
-def _slope(rate: float, i: int, name: str) -> int:
-    if abs(abs(rate) - 1) > 1e-6 and abs(abs(rate) - math.pi / 180) > 1e-6:
-        raise ArmError(say("row slope", row=i, name=name, rate=size(rate)))
-    return 1 if rate > 0 else -1
+    return next((n for n in names if re.match(r"q|th|t_?\d|x_?\d|phi", n)), names[0])
 
 
 # 4 x 4 matrices
@@ -633,23 +611,14 @@ def _slope(rate: float, i: int, name: str) -> int:
 
 def _matrices(cells: grid.Cells) -> list | None:
     """The rows of cells as matrices A_i, where they are such."""
-    if cells and all(
-        isinstance(row, list) and len(row) == 4 and all(isinstance(x, list | tuple) for x in row)
-        for row in cells
-    ):
+    if any(isinstance(x, list | tuple) for row in cells for x in row):
+        if {len(x) if isinstance(x, list | tuple) else 0 for A in cells for x in (A, *A)} != {4}:
+            raise ArmError(say("no rows", given=shown(cells)))
         return [[[_text(x) for x in r] for r in A] for A in cells]
-    last = [
-        [formula.number(x) for x in row] if all(isinstance(x, str) for x in row) else []
-        for row in cells[3::4]
-    ]
-    square = len(cells) >= 8 and len(cells) % 4 == 0 and all(len(row) == 4 for row in cells)
-    if square and all(row == [0, 0, 0, 1] for row in last):
+    square = len(cells) >= 8 and len(cells) % 4 == 0 and {len(row) for row in cells} == {4}
+    if square and all([*map(formula.number, row)] == [0, 0, 0, 1] for row in cells[3::4]):
         return [cells[k : k + 4] for k in range(0, len(cells), 4)]
     return None
-
-
-def _from_matrices(matrices: list, known: Mapping[str, float]) -> tuple[TypedRow, ...]:
-    return tuple(_from_matrix(i, A, known) for i, A in enumerate(matrices, 1))
 
 
 def _from_matrix(i: int, A: list, known: Mapping[str, float]) -> TypedRow:
@@ -671,16 +640,12 @@ def _from_matrix(i: int, A: list, known: Mapping[str, float]) -> TypedRow:
         "d": zero[2][3],
         "theta": math.atan2(s, c),
     }
-    slides = abs(one[2][3] - zero[2][3]) > 1e-9
+    slid = one[2][3] - zero[2][3]
+    turned = math.sin(math.atan2(one[1][0], one[0][0]) - numbers["theta"])
+    slides = abs(slid) > 1e-9
     kind = "P" if slides else "R" if names else "?"
-    backwards = (
-        (one[2][3] < zero[2][3])
-        if slides
-        else math.sin(math.atan2(one[1][0], one[0][0]) - numbers["theta"]) < 0
-    )
-    return TypedRow(
-        kind, numbers, {n: size(x, 6) for n, x in numbers.items()}, bool(names) and backwards
-    )
+    backwards = (slid if slides else turned) < 0
+    return TypedRow(kind, numbers, {n: size(x, 6) for n, x in numbers.items()}, backwards)
 
 
 def _short(name: str, x: float) -> float:

@@ -32,9 +32,21 @@ const FUNCTIONS = {
   float32: (x) => x,
   int64: (x) => x,
 };
+const SIGNS = {
+  "+": (left, right) => left + right,
+  "-": (left, right) => left - right,
+  "*": (left, right) => left * right,
+  "/": (left, right) => (right === 0 ? NaN : left / right),
+  "^": raised,
+};
 const CONSTANTS = { pi: Math.PI, deg: RAD, rad: 1 };
 const isFunction = (word) => Object.hasOwn(FUNCTIONS, word);
 const isConstant = (word) => Object.hasOwn(CONSTANTS, word);
+
+function raised(left, right) {
+  const power = left ** right;
+  return Number.isFinite(power) || !Number.isFinite(left) ? power : NaN;
+}
 
 /** @returns {[string, string][]} */
 const each = (signs, instead) => [...signs].map((sign) => [sign, instead]);
@@ -132,7 +144,7 @@ function tokensOf(text) {
   for (let at = 0; at < text.length; at = TOKEN.lastIndex) {
     TOKEN.lastIndex = at;
     const match = TOKEN.exec(text);
-    if (!match) return text.slice(at).trim() ? null : found;
+    if (!match) return null;
     const [, number, name, sign] = match;
     if (number !== undefined) found.push(["num", number]);
     else if (sign !== undefined) found.push(["sign", sign === "**" ? "^" : sign]);
@@ -147,7 +159,6 @@ function at(tokens, k) {
 }
 
 function sum(tokens, k, depth) {
-  if (depth > DEEPEST) throw new NoFormula();
   let [left, next] = product(tokens, k, depth);
   while (next < tokens.length && ["+", "-"].includes(tokens[next][1])) {
     const [right, after] = product(tokens, next + 1, depth);
@@ -192,7 +203,7 @@ function atom(tokens, k, depth) {
   const [kind, word] = at(tokens, k);
   if (kind === "num") return [["num", Number(word)], k + 1];
   if (kind === "name" && isFunction(word) && k + 1 < tokens.length) {
-    const [inner, next] = argument(tokens, k + 1, depth);
+    const [inner, next] = argument(tokens, k + 1, depth + 1);
     return [["call", word, inner], next];
   }
   if (kind === "name") return [["name", word], k + 1];
@@ -204,6 +215,7 @@ function atom(tokens, k, depth) {
 
 // What a function is taken of: a bracket, or the next factor, as in "sin theta_1".
 function argument(tokens, k, depth) {
+  if (depth > DEEPEST) throw new NoFormula();
   if (at(tokens, k)[1] !== "-") return atom(tokens, k, depth);
   const [inner, next] = atom(tokens, k + 1, depth);
   return [["neg", inner], next];
@@ -211,8 +223,12 @@ function argument(tokens, k, depth) {
 
 // The names in a tree that are no constants.
 export function symbols(tree, found = new Set()) {
-  if (tree[0] === "name") return isConstant(tree[1]) ? found : found.add(tree[1]);
-  for (const part of tree.slice(1)) if (Array.isArray(part)) symbols(part, found);
+  // A sum may have more terms than functions can call one another.
+  for (const parts = [tree]; parts.length;) {
+    const [kind, ...of] = parts.pop();
+    if (kind === "name" && !isConstant(of[0])) found.add(of[0]);
+    parts.push(...of.filter(Array.isArray).reverse());
+  }
   return found;
 }
 
@@ -226,22 +242,19 @@ export function value(tree, known) {
 }
 
 function valueOf(tree, known) {
-  const [kind, first, second] = tree;
+  const later = []; // what is left to do from left to right, for a sum may have very many terms
+  for (; Object.hasOwn(SIGNS, tree[0]); tree = tree[1]) later.push(tree);
+  const first = single(tree, known);
+  return later.reduceRight((found, [sign, , right]) => SIGNS[sign](found, valueOf(right, known)), first);
+}
+
+function single([kind, first, second], known) {
   if (kind === "num") return first;
-  if (kind === "name") {
-    const found = isConstant(first) ? CONSTANTS[first] : known(first);
-    if (found === undefined) throw new ArmError(`no value for ${first}`);
-    return found;
-  }
   if (kind === "neg") return -valueOf(first, known);
   if (kind === "call") return FUNCTIONS[first](valueOf(second, known));
-  const [left, right] = [valueOf(first, known), valueOf(second, known)];
-  if (kind === "+") return left + right;
-  if (kind === "-") return left - right;
-  if (kind === "*") return left * right;
-  if (kind === "/") return right === 0 ? NaN : left / right;
-  const raised = left ** right;
-  return Number.isFinite(raised) || !Number.isFinite(left) ? raised : NaN;
+  const found = isConstant(first) ? CONSTANTS[first] : known(first);
+  if (found === undefined) throw new ArmError(`no value for ${first}`);
+  return found;
 }
 
 // The number a text stands for if it holds no symbols, else null.

@@ -82,7 +82,6 @@ const markdown = (text) =>
 // Nested lists, tuples or MATLAB's one bracket with semicolons.
 function bracketed(text) {
   const items = itemsOf(text);
-  if (items.length === 1 && !isList(items[0])) return [items];
   if (items.every(isList)) {
     const inner = items.map(itemsOf);
     if (!inner.some((row) => row.some(isList))) return inner;
@@ -90,8 +89,8 @@ function bracketed(text) {
     const flat = inner.map((row) => row.map(opened));
     return flat.some((row) => row.some(isList)) ? items.flatMap(bracketed) : flat;
   }
-  const body = isList(text) ? text.trim().slice(1, -1) : text;
-  if (isList(text) && /[;\n]/.test(body) && !body.includes("[")) {
+  const body = text.trim().slice(1, -1);
+  if (isList(text) && !body.includes("[")) {
     return body.replace(/\.\.\.[^\n]*\n/g, " ").split(/[;\n]/).map(split); // prettier-ignore
   }
   return [items];
@@ -127,7 +126,7 @@ function topComma(text) {
 // What a bracket holds, or a text without one, split where it is meant to be.
 function itemsOf(text) {
   text = strippedEnd(text.trim(), ",");
-  return split(isList(text) || (text[0] === "[" && closesAtEnd(text)) ? text.slice(1, -1) : text);
+  return split(isList(text) ? text.slice(1, -1) : text);
 }
 
 // Split at commas outside brackets, or at blanks where there are none, as MATLAB and NumPy print.
@@ -172,12 +171,10 @@ function joins(text, k) {
 function typedLines(text) {
   const scale = SCALE.exec(text);
   text = text.replace(new RegExp(SCALE, "gm"), "");
-  const blocks = MATLAB_BLOCK.test(text)
-    ? text.split(new RegExp(MATLAB_BLOCK, "gim")).filter((one) => one.trim())
-    : [text];
+  const blocks = text.split(MATLAB_BLOCK).filter((one) => one.trim());
   const tables = blocks.map(block);
-  let rows = tables[0];
-  if (tables.length > 1 && tables.every((table) => table.length === rows.length)) {
+  let rows = tables[0] ?? [];
+  if (tables.every((table) => table.length === rows.length)) {
     rows = rows.map((_, i) => tables.flatMap((table) => table[i]));
   }
   return scale ? rows.map((row) => row.map((cell) => (number(cell) ? `${cell}*${scale[1]}` : cell))) : rows;

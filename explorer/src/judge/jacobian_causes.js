@@ -106,14 +106,11 @@ export function wrongTables(arm, c) {
   const put = (key, fields, change) =>
     found.push([cause(key, fields), { ...c, rows: c.rows.map((row, i) => ({ ...row, ...change(row, i) })) }]);
   if (arm.penless) put("table.pen", {}, (_, i) => ({ d: arm.penless.rows[i].d }));
-  const moving = (row) => row.kind === "revolute";
-  if (c.at.some((i) => c.rows[i].theta !== 0)) {
-    put("table.offsets", {}, (row) => (moving(row) ? { theta: 0 } : {}));
-  }
-  put("table.twists", {}, (row) => ({ alpha: -row.alpha }));
   for (const { name, other, rows } of arm.alike ?? []) {
     put("table.length", { name, other }, (_, i) => ({ a: rows[i].a }));
   }
+  put("table.offsets", {}, (row) => (row.kind === "revolute" ? { theta: 0 } : {}));
+  put("table.twists", {}, (row) => ({ alpha: -row.alpha }));
   c.rows.forEach((row, k) => {
     const one = (key, fields, entries) => put(key, fields, (_, i) => (i === k ? entries : {}));
     const at = { row: k + 1 };

@@ -6,6 +6,7 @@ import { DEG } from "./angles.js";
 import { say, size } from "./say.js";
 
 const SEEN = 1e-6; // m, or the sine of an angle: less than this fixes no direction
+const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times this
 
 /** @typedef {import("../axes.js").Side} Side */
 
@@ -106,8 +107,8 @@ function slide(z, m, r) {
 
 // The map, if the tips of some poses agree by it, up to the height of the base on axis 1.
 function confirmed(mine, reference, found, tolerance) {
-  const off = [0.3, 0.7, 1.1, 1.9].map((seed) => {
-    const q = mine.joints.map((_, k) => seed * Math.sin(2 * (k + 1) + seed));
+  const off = POSES.map((step) => {
+    const q = mine.joints.map((_, k) => Math.sin(step * (k + 1)));
     const other = q.map((x, k) => found.signs[k] * x + found.offsets[k]);
     const here = placed(found.base, linkFrames(mine, q).at(-1)).o;
     return minus(linkFrames(reference, other).at(-1).o, here);
@@ -136,6 +137,6 @@ export function equations({ signs, offsets }, mine, reference) {
     const counted = Math.abs(shift) > 1e-3;
     if (s > 0 && !counted) return [];
     const tail = counted ? ` ${shift < 0 ? "-" : "+"} ${size(Math.abs(shift), 5)}${turns ? "°" : " mm"}` : "";
-    return [say("map joint", { joint: j, mine: `${s < 0 ? "-" : ""}q_${i}${tail}` })];
+    return [say(s < 0 ? "map back" : "map joint", { joint: j, mine: i, tail })];
   });
 }

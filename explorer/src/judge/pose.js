@@ -1,6 +1,6 @@
 // Do these joint angles reach that pose? The port of helpers/checks/pose.py.
 
-import { jacobianColumns, linkFrames, matrix } from "../kinematics.js";
+import { cross, dot, jacobianColumns, linkFrames, matrix } from "../kinematics.js";
 import { answers, angleBetween, millimetres, turnOf } from "./branches.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
 import { lookup, numbers, numbered } from "./door.js";
@@ -9,6 +9,7 @@ import { ArmError, listed, lower, say } from "./say.js";
 import { double, scale, scales, single, variable, whole } from "./slips.js";
 
 const EXACT = 1e-6; // m or rad
+const ROUGH = 0.1; // the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
 const COARSE = 2e-3; // rad or m: angles with fewer decimals are taken as meant, unless that fails
 const SHAPES = ["4x4", "3x4", "3"];
 
@@ -70,14 +71,15 @@ function judged(q, arm, T, tolerance, taken) {
   return reported(WRONG, say("pose wrong", { arm: arm.name, off }), { findings, causes });
 }
 
-// Distance (m) and angle (rad) between a frame and T; no angle where T is a point.
+// Distance (m) and angle (rad) between a frame and T; no angle where T is a point, half a turn where its axes are
+// left-handed.
 /** @returns {[number, number]} */
 function missOf(here, { values, pose }) {
   const o = pose ? values.map((row) => row[3]) : values[0];
   const away = length(here.o.map((x, i) => x - o[i]));
   if (!pose) return [away, 0];
-  const axis = (k) => values.map((row) => row[k]);
-  return [away, angleBetween(here, { x: axis(0), y: axis(1), z: axis(2), o })];
+  const [x, y, z] = [0, 1, 2].map((k) => values.map((row) => row[k]));
+  return [away, dot(cross(x, y), z) > 0 ? angleBetween(here, { x, y, z, o }) : Math.PI];
 }
 
 const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
@@ -89,7 +91,8 @@ function marginsOf(q, arm, T, share, tolerance) {
   const spread = (i) =>
     columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * (share * q.units[k]), 0);
   const last = T.pose ? T.units.map((row) => row[3]) : T.units[0];
-  const turn = T.pose ? 2 * share * Math.max(...T.units.flatMap((row) => row.slice(0, 3))) : 0;
+  const unit = Math.max(...T.units.flatMap((row) => row.slice(0, 3)));
+  const turn = T.pose ? 2 * share * Math.min(unit, ROUGH) : 0;
   return [
     EXACT + (length([0, 1, 2].map(spread)) + share * length(last)),
     EXACT + length([3, 4, 5].map(spread)) + turn,

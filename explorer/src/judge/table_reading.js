@@ -301,8 +301,8 @@ function ofLinks(links) {
   const cells = links.map((body, k) => {
     const { row, slides } = linkOf(body);
     const moves = slides ? "d" : "theta";
-    const still = slides || number(row[moves]) !== null ? row[moves] : "0";
-    row[moves] = `q_${k + 1} + (${number(still) ? still : row.offset})`;
+    const still = number(row[moves]) ? row[moves] : row.offset;
+    row[moves] = `q_${k + 1} + (${still})`;
     return ENTRIES.map((entry) => row[entry]);
   });
   return { ...plainly(cells), said: [say("taken: links")] };
@@ -437,14 +437,14 @@ function isVariable(text) {
 function angleLike(x) {
   const parts = x / (Math.PI / 12);
   const inRadians = Math.abs(x) <= 2 * Math.PI + 0.01 && Math.abs(parts - Math.round(parts)) < 0.02;
-  return inRadians || (Math.abs(x) >= 15 && x % 15 === 0 && Math.abs(x) <= 360);
+  return inRadians || (x % 15 === 0 && Math.abs(x) <= 360);
 }
 
 /** @returns {TypedRow} */
 function rowOf(i, entries, known) {
   const each = (make) => Object.fromEntries(ENTRIES.map((name) => [name, make(name)]));
   const trees = each((name) => {
-    const text = plain(entries[name]).trim();
+    const text = plain(entries[name]);
     const free = ["theta", "d"].includes(name) && VARIABLE.test(text) && !known.has(simple(text));
     return parse(free ? `q_${i}` : text.replace(/\*+$/, "") || "0", `${name} in row ${i}`);
   });
@@ -495,11 +495,12 @@ function fromMatrix(i, A, known) {
   const theta = Math.atan2(s, c);
   const alpha = Math.atan2(zero[2][1], zero[2][2]);
   const numbers = { a: zero[0][3] * c + zero[1][3] * s, alpha, d: zero[2][3], theta };
-  const slides = Math.abs(one[2][3] - zero[2][3]) > 1e-9;
-  const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - theta) < 0;
+  const slid = one[2][3] - zero[2][3];
+  const slides = Math.abs(slid) > 1e-9;
+  const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - theta);
   const texts = Object.fromEntries(ENTRIES.map((name) => [name, size(numbers[name], 6)]));
   const kind = slides ? "prismatic" : free.length ? "revolute" : "unknown";
-  const backwards = free.length > 0 && (slides ? one[2][3] < zero[2][3] : turned);
+  const backwards = (slides ? slid : turned) < 0;
   return { kind, numbers, texts, backwards, radians: new Set() };
 }
 

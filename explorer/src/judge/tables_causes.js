@@ -79,8 +79,7 @@ export function structures(count) {
 
 export const EXCHANGED = "table.rows exchanged";
 
-const exchanged = (i, j) => (rows) =>
-  j < rows.length ? rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row)) : rows;
+const exchanged = (i, j) => (rows) => rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row));
 
 // The other way: a and alpha stand one row too high.
 const toCraig = (rows) =>

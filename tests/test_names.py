@@ -1,0 +1,76 @@
+"""What a symbol in a student's formula stands for."""
+
+import math
+
+import numpy as np
+import pytest
+
+from helpers.checks.names import meanings, simple
+from helpers.inputs import ArmError
+from helpers.robots import ELBOW, PANDA, STANFORD
+
+Q3, Q6 = np.array([0.3, 0.5, -0.2]), np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+LOCKED = PANDA.lock(3)  # its joints are 1, 2, 4, 5, 6, 7
+COUNTED = ("symbols numbered on past what does not move: 1, 2, 3 ... are joints 1, 2, 4, 5, 6, 7",)
+FROM_ZERO = ("symbols numbered from 0: 0, 1, 2 ... are joints 1, 2, 4, 5, 6, 7",)
+
+
+@pytest.mark.parametrize(
+    ("typed", "plain"),
+    [
+        ("theta_{1}(t)", "theta1"), ("θ₁", "theta1"), (r"q_{12}^*", "q12"), ("Q_3'", "q3"),
+        (r"\theta_2", "theta2"), ("S_{23}", "s23"), ("c_{2-3}", "c2-3"), ("l_pen", "lpen"),
+    ],
+)  # fmt: skip
+def test_one_name_in_its_spellings(typed, plain):
+    assert simple(typed) == plain
+
+
+@pytest.mark.parametrize(
+    ("names", "arm", "q", "values", "found", "said"),
+    [
+        # Joints in all spellings, functions of sums and differences of them, lengths.
+        (["q_1", "th2", "theta_3", "t1", "phi2", "j3", "joint1", "x2", "d3", "u1"], ELBOW, Q3, {},
+         [0.3, 0.5, -0.2, 0.3, 0.5, -0.2, 0.3, 0.5, -0.2, 0.3], ()),
+        (["s1", "C2", "s_23", "c_{2-3}", "S_{123}", "c-1+2", "c22"], ELBOW, Q3, {},
+         [math.sin(0.3), math.cos(0.5), math.sin(0.3), math.cos(0.7), math.sin(0.6),
+          math.cos(0.2), 1 * math.cos(1.0)], ()),
+        (["a_2", "a3", "d_1", "h", "q1"], ELBOW, Q3, {"h": 7.0, "d_1": 9.0},
+         [0.4, 0.3, 9.0, 7.0, 0.3], ()),
+        (["d_3", "q_3"], STANFORD, Q6, {}, [0.3, 0.3], ()),
+        # Numbered by the rows, counted on past joint 3, and from 0.
+        (["q_1", "q_4", "q_7"], LOCKED, Q6, {}, [0.1, 0.3, 0.6], ()),
+        (["q_1", "q_3", "c_6"], LOCKED, Q6, {}, [0.1, 0.3, math.cos(0.6)], COUNTED),
+        (["q_0", "q_5"], LOCKED, Q6, {}, [0.1, 0.6], FROM_ZERO),
+        (["q_0", "q_2", "s_{01}"], ELBOW, Q3, {}, [0.3, -0.2, math.sin(0.8)],
+         ("symbols numbered from 0: 0, 1, 2 ... are joints 1, 2, 3",)),
+        (iter(["q_1", "q_1"]), ELBOW, Q3, None, [0.3], ()),
+    ],
+)  # fmt: skip
+def test_each_symbol_has_its_number(names, arm, q, values, found, said):
+    names = list(dict.fromkeys(names))
+    numbers, words = meanings(iter(names), arm, q, values)
+    assert [numbers[name] for name in names] == pytest.approx(found, rel=1e-15)
+    assert all(type(x) is float for x in numbers.values())
+    assert words == said
+
+
+@pytest.mark.parametrize(
+    ("names", "arm", "unknown"),
+    [
+        (["q_1", "q_4"], ELBOW, "q_4"),
+        (["q_0", "q_7"], LOCKED, "q_0"),
+        (["q_0", "q_6"], LOCKED, "q_0"),
+        (["q_1", "beta"], ELBOW, "beta"),
+        (["z1"], ELBOW, "z1"),
+        (["s"], ELBOW, "s"),
+        (["q_123"], ELBOW, "q_123"),
+        (["s_14"], ELBOW, "s_14"),
+    ],
+)
+def test_a_symbol_that_means_nothing_is_refused_with_those_that_do(names, arm, unknown):
+    known = ", ".join([f"q_{i}" for i in arm.joints] + list(arm.values))
+    said = f"{arm.name}: no value for {unknown}; known are {known}. Give "
+    with pytest.raises(ArmError) as error:
+        meanings(names, arm, np.zeros(arm.dof))
+    assert str(error.value).startswith(said)
