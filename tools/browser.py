@@ -25,9 +25,9 @@ FLAGS = [
     "--use-gl=angle",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    "--font-render-hinting=none",  # letters as wide as in a window, where they are not fitted to whole pixels
+    "--font-render-hinting=none",  # letters as wide as they are in a window
 ]
-# First the one that has no window to draw: in the others its frame and its tab cost more than a page.
+# First the one that has no window to draw: the others' frame and tab cost more than a page.
 NAMES = (
     "chromium-headless-shell",
     "chromium",

@@ -91,7 +91,7 @@ THINNED = """() => {
 # Formulas are set, and boxes fitted, when the reader comes near; for a printer, all at once.
 EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
-BAD = """() => axe.run(document, {resultTypes: ["violations"]}).then(found => found.violations
+BAD = """() => axe.run(document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))
     .map(v => `${v.id}: ` + v.nodes.slice(0, 3).map(n => n.html.slice(0, 160)).join(" | ")))"""
 
