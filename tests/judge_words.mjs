@@ -3,13 +3,17 @@
 import { readFileSync } from "node:fs";
 import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../explorer/src/judge/ask.js";
 import { numbers } from "../explorer/src/judge/door.js";
+import { number, parse, symbols, value } from "../explorer/src/judge/formula.js";
+import { cells as cellsOf, withoutHeader } from "../explorer/src/judge/grid.js";
 import * as judge from "../explorer/src/judge/index.js";
 import { compareBranches } from "../explorer/src/judge/branches.js";
 import { circle, circleBelow, restToRest } from "../explorer/src/judge/path.js";
 import { comparePose } from "../explorer/src/judge/pose.js";
+import { size } from "../explorer/src/judge/say.js";
 import "../explorer/src/judge/scripts/jacobian.js";
 import "../explorer/src/judge/scripts/table.js";
 import "../explorer/src/judge/scripts/motion.js";
+import { ENTRIES, meant, read as readTable } from "../explorer/src/judge/table_reading.js";
 import { compareTrace } from "../explorer/src/judge/trace.js";
 
 const { sentences, arms, questions } = JSON.parse(readFileSync(0, "utf8"));
@@ -52,7 +56,44 @@ const whole = ({ topic, arm, findings }) => [
   ...findings.map(({ what, where, words }) => [what, where, words]),
 ];
 
+// What tests/readings.py says of Python's reading: cells, formulas, tables.
+function reading({ typed, options: { values = [], ...said } }) {
+  const cells = tried(() => cellsOf(typed));
+  const rows = typeof cells === "string" ? [] : withoutHeader(cells);
+  const formulas = rows.flatMap((row) => row.slice(0, 9).map((cell) => tried(() => ofFormula(cell))));
+  const tables = tried(() => readTable(typed, said, values).slice(0, 3).map(ofTable)); // prettier-ignore
+  return ["read", [], [cells, rows.length, formulas.slice(0, 40), tables]];
+}
+
+function tried(ask) {
+  try {
+    return ask();
+  } catch (error) {
+    if (error instanceof judge.ArmError) return error.message;
+    throw error;
+  }
+}
+
+function ofFormula(text) {
+  const tree = parse(text, "a cell");
+  const x = value(tree, (name) => 0.3 + 0.1 * name.length);
+  return [tree, [...symbols(tree)].sort(), size(x, 9), number(text) === null];
+}
+
+function ofTable(table) {
+  const kinds = ["revolute", "revolute", "prismatic"];
+  const { rows, said, length, angle } = meant(table, kinds);
+  const sizes = (row) => ENTRIES.map((name) => size(row[name], 9));
+  const typed = table.rows.map(({ kind, numbers: n, texts, backwards, radians }) => [
+    kind, sizes(n), ENTRIES.map((name) => texts[name]), backwards, [...radians].sort(),
+  ]); // prettier-ignore
+  const { lengths, angles, convention, exchanged = false } = table;
+  const taken = [lengths, angles, convention, table.said, exchanged];
+  return [taken, typed, rows.map((row) => [row.kind, ...sizes(row)]), said, size(length, 9), size(angle, 9)];
+}
+
 function words(question) {
+  if (question.topic === "reading") return reading(question);
   try {
     const report = JUDGES[question.topic](question);
     const said = [report.grade, report.causes, judge.textOf(report)];

@@ -31,7 +31,7 @@ from helpers.inputs import ArmError
 from helpers.reading.sentences import templates
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import GRAVITY
-from tests import judge_matrices, judge_motion, judge_tables
+from tests import judge_matrices, judge_motion, judge_tables, readings
 from tests.corpus import jacobians, torques
 from tests.corpus.typing_ import typed
 
@@ -169,6 +169,7 @@ QUESTIONS = {
     "trace": judge_motion.trace_questions,
     "corpus's traces": lambda rng, count: judge_motion.stored_traces(rng, count, arm_of),
     "table's geometry": lambda rng, count: judge_tables.geometry_questions(rng, count, arm_of),
+    "readings": readings.questions,
 }
 # The kinds of each checker, the dearest first: a run takes the time of twenty tables.
 CHECKERS = {
@@ -178,6 +179,7 @@ CHECKERS = {
     "table": ("table's forms", "table's slips", "table", "table's geometry"),
     "pose": ("corpus's poses", "pose"),
     "branches": ("corpus's branches", "branches"),
+    "reading": ("readings",),
 }
 SHARES = {
     "jacobian": 0.06,
@@ -196,6 +198,7 @@ SHARES = {
     "corpus's poses": 0.04,
     "trace": 0.035,
     "corpus's traces": 0.005,
+    "readings": 0.3,
 }
 _AT_ONCE = 600  # questions of a part: Node.js is fast only after a while
 _DEAR = {"trace": 100, "corpus's traces": 50}
@@ -216,6 +219,8 @@ def python_words(arm: Arm, question: dict) -> list:
     """What the checkers say: grade, causes, words; the topic and whose, and each finding."""
     calls = {"jacobian": checks.compare_jacobian, "torques": checks.compare_torques}
     topic = question["topic"]
+    if topic == "reading":
+        return ["read", [], readings.words(question["typed"], question["options"])]
     try:
         if topic in judge_motion.SAYS:
             report = judge_motion.SAYS[topic](question["typed"], arm, question)

@@ -192,6 +192,8 @@ def test_a_roster_grows_and_another_course_goes_elsewhere(here):
             quick("ab", **other)
         words = f"hw holds the course 'Homework' about {MINE.name}; choose another folder"
         assert str(told.value) == words
+    made = commands.new([Student("ab", "AB")], SECRET, MINE, Path("new"), topics=TOPICS[:1])
+    assert (made.title, made.rules) == ("Homework", Rules())
     Path("hw/ab/homework.html").unlink()
     quick("ab")
     assert Path("hw/ab/homework.html").exists()

@@ -1,10 +1,13 @@
 """Formulas, grids and tables as people type and hold them, against what they were made from."""
 
+import math
+
 import numpy as np
 import pytest
 
 from helpers.inputs import ArmError
 from helpers.reading import formula, grid, table
+from tests import readings
 
 NO_ROWS = "expected rows of four entries"
 HELD = [
@@ -57,3 +60,41 @@ def test_a_column_of_matlabs_and_heads_alone():
     assert grid.cells("[0.5;0.7;-0.4]") == [["0.5"], ["0.7"], ["-0.4"]]
     with pytest.raises(ArmError, match="the text is empty"):
         grid.cells("Columns 1 through 2")
+
+
+# Tables and formulas made at random
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_tables_are_read_as_what_they_were_made_from(seed):
+    rng = np.random.default_rng(seed)
+    for _ in range(30):
+        text, options, wanted, sure = readings.made(rng)
+        read = table.read(text, **options)[: 1 if sure else None]
+        found = [table.meant(one).rows for one in read]
+        right = [
+            [r.kind for r in rows] == [w[0] for w in wanted]
+            and np.allclose([r[1:] for r in rows], [w[1:] for w in wanted], atol=2e-5)
+            for rows in found
+        ]
+        assert any(right), (text, options)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_formulas_have_the_values_that_they_were_made_with(seed):
+    rng = np.random.default_rng(seed)
+    for _ in range(60):
+        text, wanted = readings.formula_of(rng)
+        found = formula.value(formula.parse(text), {"x": 0.7, "q_1": 0.4}.get)
+        assert found == pytest.approx(wanted, rel=1e-9, abs=1e-12), text
+
+
+def test_right_angles_of_a_table_become_formulas_of_an_arm():
+    quarters = "-3 * pi / 2", "-pi", "-pi/2", 0, "pi/2", "pi", "3 * pi / 2"
+    for k, wanted in zip(range(-3, 4), quarters, strict=True):
+        for near, told in ((0.9e-4, True), (-0.9e-4, True), (1.1e-4, False)):
+            angle = k * math.pi / 2 + near
+            row = table.Numbers("P", 0.1, angle, 0.2, -angle)
+            [made] = table.Meant([row], (), 1.0, 1.0).as_rows()
+            assert made.alpha == (wanted if told else pytest.approx(angle))
+            assert made.joint.kind == "prismatic"

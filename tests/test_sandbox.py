@@ -6,6 +6,7 @@ import io
 import json
 import os
 import re
+import shutil
 import stat
 import sys
 import time
@@ -36,6 +37,7 @@ say net cat /proc/net/dev
 say apart readlink /proc/self/ns/pid /proc/self/ns/net /proc/self/ns/ipc /proc/self/ns/uts
 say session ps -o pid=,sid= $$
 say seen ls /
+say links readlink /bin /lib /lib64
 say owned stat -c '%a %n' /run /tmp
 say input head -c 1 /dev/stdin
 say written touch /usr/x /x /dev/x
@@ -82,7 +84,15 @@ def limits(text):
 
 def looked(python, tmp_path, apart):
     script = python(LOOK)
-    out = sandbox._execute(copied(tmp_path), apart, Limits(77, 33, 3 * 2**30))
+    mine, (reading, writing) = os.dup(0), os.pipe()
+    os.write(writing, b"typed by whoever grades")
+    os.dup2(reading, 0)
+    try:
+        out = sandbox._execute(copied(tmp_path), apart, Limits(77, 33, 3 * 2**30))
+    finally:
+        os.dup2(mine, 0)
+        for number in (mine, reading, writing):
+            os.close(number)
     found = seen(out)
     assert found["words"].splitlines() == [
         "-m", "nbconvert", "--to", "notebook", "--execute", "--allow-errors", "--stdout",
@@ -131,7 +141,16 @@ def test_bubblewrap_shows_the_notebook_and_what_runs_it_and_nothing_else(
     python, tmp_path, monkeypatch
 ):
     monkeypatch.setenv("COURSE_SECRET", "hidden")
+    tools = tmp_path / "tools"  # of whoever grades: his own PATH finds bubblewrap
+    tools.mkdir()
+    script = f'#!/bin/sh\ntouch {tmp_path}/met\nexec {shutil.which("bwrap")} "$@"\n'
+    (tools / "bwrap").write_text(script, encoding="utf-8")
+    (tools / "bwrap").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tools}:{os.environ['PATH']}")
     found, rules, names = looked(python, tmp_path, "bubblewrap")
+    assert (tmp_path / "met").exists()
+    links = [path for path in ("/bin", "/lib", "/lib64") if Path(path).is_symlink()]
+    assert found["links"].split() == [os.readlink(path) for path in links]
     assert names == {
         "HOME": "/run", "TMPDIR": "/tmp", "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg",
         "LANG": "C.UTF-8",

@@ -33,7 +33,7 @@ def cells(text: str) -> Cells:
     """
     if len(text) > LONGEST:
         raise ArmError(f"the text has {len(text)} characters; expected at most {LONGEST}")
-    rows = _rows(without_surroundings(text).strip().strip("`$").strip())
+    rows = _rows(without_surroundings(text).lstrip("\ufeff").strip().strip("`$").strip())
     rows = [[cell.strip() for cell in row] for row in rows if any(cell.strip() for cell in row)]
     if not rows:
         raise ArmError("the text is empty; expected rows of numbers or formulas")
@@ -43,7 +43,7 @@ def cells(text: str) -> Cells:
 def _rows(text: str) -> Cells:
     if "\\begin{" in text or "\\\\" in text:
         return _latex(text)
-    if text.count("|") >= 2 and "[" not in text.split("|")[0]:
+    if text.count("|") >= 2 and not re.match(r"[^|]*\[[^\]|]*\|", text):
         return _markdown(text)
     bare = _TAIL.sub("", _WRAPPER.sub("", text)) if _WRAPPER.match(text) else text
     bare = (

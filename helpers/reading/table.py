@@ -444,9 +444,8 @@ def _simple(name: str) -> str:
 
 
 def _head(cell: str) -> str | None:
-    word = re.sub(
-        r"\(.*?\)|\[.*?\]|\bin\b.*|,.*", "", formula.plain(cell.replace("-1", "")).replace("*", "")
-    )
+    word = formula.plain(re.sub(r"-\s*1", "", cell)).replace("*", "")
+    word = re.sub(r"\(.*?\)|\[.*?(?:\]|$)|\bin\b.*|,.*", "", word)
     word = re.sub(r"[\s_{}$\\^'\"().]", "", word).lower()
     return _WORDS.get(word) or _WORDS.get(re.sub(r"(?:i|j|k|n)$", "", word))
 
@@ -459,7 +458,7 @@ def _from_heads(heads: list[str]) -> tuple[str | None, str | None, bool]:
     text = " ".join(heads)
     unit = next((u for u in ("mm", "cm") if re.search(rf"[(\[ ]{u}\b", text)), None)
     for own in ("m", "in"):
-        unit = unit or (own if re.search(rf"[(\[]\s*{own}\s*[)\]]", text) else None)
+        unit = unit or (own if re.search(rf"[(\[]\s*{own}\s*(?:[)\]]|$)", text) else None)
     angle = (
         "deg" if re.search(r"deg|°", text, re.I) else "rad" if re.search(r"\brad", text) else None
     )

@@ -52,7 +52,7 @@ export function cells(text) {
 
 function rowsOf(text) {
   if (text.includes("\\begin{") || text.includes("\\\\")) return latex(text);
-  if (text.split("|").length > 2 && !text.split("|")[0].includes("[")) return markdown(text);
+  if (text.split("|").length > 2 && !/^[^|]*\[[^\]|]*\|/.test(text)) return markdown(text);
   let bare = WRAPPER.test(text) ? text.replace(WRAPPER, "").replace(TAIL, "") : text;
   bare = strippedEnd(bare.replace(NAMED, "").trim(), ";").trim();
   return bare && "[({".includes(bare[0]) ? bracketed(bare) : typedLines(bare);

@@ -331,9 +331,9 @@ const simple = (name) => name.replace(/[_{}\s*'^\\]/g, "").toLowerCase();
 
 // Which entry a head names, or "i" for the rows' numbers.
 function headOf(cell) {
-  const words = plain(cell.replaceAll("-1", "")).replaceAll("*", "");
+  const words = plain(cell.replace(/-\s*1/g, "")).replaceAll("*", "");
   const word = words
-    .replace(/\(.*?\)|\[.*?\]|\bin\b.*|,.*/g, "")
+    .replace(/\(.*?\)|\[.*?(?:\]|$)|\bin\b.*|,.*/g, "")
     .replace(/[\s_{}$\\^'"().]/g, "")
     .toLowerCase();
   return WORDS.get(word) ?? WORDS.get(word.replace(/[ijkn]$/, ""));
@@ -342,7 +342,7 @@ function headOf(cell) {
 function fromHeads(heads) {
   const text = heads.join(" ");
   const unit = ["mm", "cm"].find((u) => new RegExp(String.raw`[(\[ ]${u}\b`).test(text));
-  const own = ["m", "in"].find((u) => new RegExp(String.raw`[(\[]\s*${u}\s*[)\]]`).test(text)) ?? null;
+  const own = ["m", "in"].find((u) => new RegExp(String.raw`[(\[]\s*${u}\s*(?:[)\]]|$)`).test(text)) ?? null;
   const angles = /deg|°/i.test(text) ? "deg" : /\brad/.test(text) ? "rad" : null;
   return { lengths: unit ?? own, angles, convention: /-\s*1/.test(text) ? "craig" : null };
 }

@@ -1,0 +1,318 @@
+"""Tables and formulas made at random, in the forms in which people type them, with what went in."""
+
+import math
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from helpers.inputs import ArmError
+from helpers.reading import formula, grid, table
+from helpers.reading.sentences import size
+from helpers.robots import ELBOW
+from tests import motion_pastes, pastes, table_pastes
+
+NAMES = ("a", "alpha", "d", "theta")
+HEADS = {
+    "a": ["a", "a_i", "$a_i$", "a_{i}", "r", "Link length", "A", "*a*", "a_n", "r_i"],
+    "alpha": ["alpha", "α", r"$\alpha_i$", "twist", "Link Twist", "α_i", "al", "alpha_k", "αi"],
+    "d": ["d", "d_i", "$d_{i}$", "offset", "link offset", "D", "d_j", "**d**"],
+    "theta": ["theta", "θ_i", "th", "q", r"$\theta_i$", "θ", "Joint angle", "q_i^*", "thetai"],
+}
+CRAIG = {"a": ["a_{i-1}", "$a_{i-1}$", "a(i-1)", "a_i-1", "a i-1"],
+         "alpha": ["alpha_{i-1}", r"$\alpha_{i-1}$", "α(i-1)", "α_{i - 1}", "αi-1"]}  # fmt: skip
+COUNTED = ["i", "Link", "joint", "#", "n", "Joint i", "k", "Frame", "no.", "row"]
+NUMBERED = ["{}", "{}.", "Link {}", "joint {}", "J{}", "L{}", "i={}", "Joint_{}"]
+UNITS = {"m": 1, "cm": 100, "mm": 1000, "in": 1 / 0.0254}
+ORDERS = ["theta d a alpha", "a alpha d theta", "alpha a d theta", "d theta a alpha"]
+VARIABLES = ["q{}", "q_{}", "theta{}", "θ_{}", "th{}", r"\theta_{{{}}}", "q_{{{}}}", "t{}",
+             "θ{}(t)", r"\phi_{}", "-q{}", "−θ_{}", "q{}^*", "θ_{}*"]  # fmt: skip
+ALONE = ["*", "-", "?", "q", "θ", "var", "inf", "—", "variable", "θ*"]
+SIGNS = "0123456789.,;:-+*/^()[]{}|&\\ \t\n'\"=_qdaθαπ°piLink√−²₁s"
+
+
+def angle(k: int, unit: str, rng) -> str:
+    """k times 15 degrees."""
+    if unit == "deg":
+        return f"{15 * k}"
+    if unit == "sign":
+        return str(rng.choice(["{}°", "{} deg", r"${}^\circ$", "{}º", r"{}^{{\circ}}"])).format(
+            15 * k
+        )
+    if unit == "rad" or not k:
+        return f"{k * math.pi / 12:.6g}"
+    part = Fraction(k, 12)
+    sign, top, low = "-" * (k < 0), abs(part.numerator), part.denominator
+    pi = str(rng.choice(["pi", "π", "np.pi", r"\pi ", "math.pi"]))
+    times = pi if top == 1 else f"{top}*{pi}"
+    return sign + (times if low == 1 else f"{times}/{low}")
+
+
+def arm(rng) -> list[tuple]:
+    """Rows in m and multiples of 15 degrees; the first one moves."""
+    made = []
+    for i in range(int(rng.integers(2, 6))):
+        kind = str(rng.choice(list("RRRRRPPF"))) if i else str(rng.choice(["R", "R", "P"]))
+        a, d = (round(float(x), 3) * (rng.random() < 0.6) for x in rng.uniform(0.02, 1.9, 2))
+        alpha, theta = (
+            int(rng.choice([0, 6, -6, 12, *rng.integers(-24, 25, 2)])) for _ in range(2)
+        )
+        made.append((kind, a, alpha, d, theta if kind != "R" or rng.random() < 0.3 else 0))
+    return made
+
+
+def made(rng) -> tuple[str, dict, list, bool]:
+    """A table: as typed, what is said of it, the rows that went in, and whether its columns can be
+    told from one another."""
+    rows = arm(rng)
+    length, turn = str(rng.choice(list(UNITS))), str(rng.choice(["rad", "deg", "pi", "sign"]))
+    sizes = [abs(x) * UNITS[length] for r in rows for x in (r[1], r[3])]
+    largest = max(abs(15 * k) for r in rows for k in (r[2], r[4]))
+    guessed = {"m": max(sizes) < 10, "mm": max(sizes) >= 10}.get(length, False)
+    plain_angles = turn in ("pi", "sign") or (largest > 360 if turn == "rad" else largest > 6)
+    layout = str(rng.choice(list(LAYOUTS)))
+    headed, craig = layout in HEADED, rng.random() < 0.15
+    heads = {name: str(rng.choice(HEADS[name])) for name in NAMES}
+    options = {"convention": "craig"} if craig and not headed else {}
+    if craig and headed:
+        heads |= {name: str(rng.choice(CRAIG[name])) for name in CRAIG}
+    said = headed and (not guessed or rng.random() < 0.3), headed and rng.random() < 0.3
+    if said[0]:
+        shape = "({})" if length in ("m", "in") else str(rng.choice(["({})", "[{}]", "in {}"]))
+        heads |= {name: f"{heads[name]} {shape.format(length)}" for name in ("a", "d")}
+    elif not guessed:
+        options["lengths"] = length
+    if said[1] and turn in ("deg", "rad"):
+        shape = str(rng.choice([" ({})", " [{}]", " in {}", "({})"]))
+        unit = str(
+            rng.choice(["deg", "degrees", "°", "Deg"] if turn == "deg" else ["rad", "radians"])
+        )
+        heads |= {name: heads[name] + shape.format(unit) for name in ("alpha", "theta")}
+    elif not plain_angles or (turn == "rad" and largest > 360):
+        options["angles"] = {"rad": "rad", "deg": "deg"}[turn]
+    typed_rows = modified(rows) if craig else rows
+    cells = [cell_of(i, row, length, turn, rng) for i, row in enumerate(typed_rows, 1)]
+    order = str(rng.choice(ORDERS)).split() if not headed else [*rng.permutation(NAMES)]
+    if not headed and rng.random() < 0.6:
+        options["columns"] = str(rng.choice([" ", ", ", "|"])).join(order)
+    text = LAYOUTS[layout]([heads[n] for n in order], [[c[n] for n in order] for c in cells], rng)
+    wanted = [(k, a, al * math.pi / 12, d, th * math.pi / 12) for k, a, al, d, th in rows]
+    return text, options, wanted, headed or "columns" in options
+
+
+def modified(rows: list[tuple]) -> list[tuple]:
+    """The rows in Craig's convention; a last one is the tool's."""
+    before = [("", 0.0, 0, 0, 0), *rows]
+    after = [*rows, ("F", 0, 0, 0.0, 0)]
+    return [(k, b[1], b[2], d, th) for b, (k, _, _, d, th) in zip(before, after, strict=True)]
+
+
+def cell_of(i: int, row: tuple, length: str, turn: str, rng) -> dict[str, str]:
+    kind, a, alpha, d, theta = row
+    cells = {n: f"{x * UNITS[length]:.6g}" for n, x in (("a", a), ("d", d))}
+    cells |= {n: angle(k, turn, rng) for n, k in (("alpha", alpha), ("theta", theta))}
+    if mover := {"R": "theta", "P": "d"}.get(kind):
+        still, zero = cells[mover], not row[3 if kind == "P" else 4]
+        name = str(rng.choice(VARIABLES[:10] if not zero else VARIABLES)).format(i)
+        first, mark = (name, still) if rng.random() < 0.7 else (still, name)
+        joined = f"{first} + {mark}".replace("+ -", "- ")
+        cells[mover] = (str(rng.choice(ALONE)) if rng.random() < 0.1 else name) if zero else joined
+    return cells
+
+
+def tight(lines):
+    return [[x.replace(" ", "") if x[-1:] != "*" else x for x in line] for line in lines]
+
+
+def counted(heads, lines, rng):
+    """With a column that numbers the rows, under a head of its own or none."""
+    if rng.random() < 0.5:
+        return heads, lines
+    label, head = str(rng.choice(NUMBERED)), str(rng.choice(COUNTED))
+    return [head, *heads], [[label.format(i), *line] for i, line in enumerate(lines, 1)]
+
+
+def markdown(heads, lines, rng):
+    heads, lines = counted(heads, lines, rng)
+    rule = str(rng.choice(["---", ":-:", "--:", "-"]))
+    sign = str(rng.choice([" | ", "|"]))
+    rows = [heads, [rule] * len(heads), *lines]
+    start, end = ("| ", " |") if rng.random() < 0.8 else ("", "")
+    return "\n".join(start + sign.join(row) + end for row in rows)
+
+
+def sheet(heads, lines, rng):
+    heads, lines = counted(heads, tight(lines), rng)
+    sign = str(rng.choice(["\t", ";", ",", "\t "]))
+    rows = [sign.join(row) for row in (heads, *lines)]
+    if sign != "," and rng.random() < 0.5:
+        rows[1:] = [re.sub(r"(\d)\.(\d)", r"\1,\2", row.replace("(t)", "")) for row in rows[1:]]
+    return str(rng.choice(["\n", "\r\n"])).join(rows)
+
+
+def printed(heads, lines, rng):
+    """As pandas prints a data frame, and as people line columns up."""
+    heads = [re.sub(r" ?in (.*)", r"(\1)", h).replace(" (", "(").replace(" [", "[") for h in heads]
+    heads = [re.sub(r" (?=[-1])", "", re.sub(r"\^?\*", "", h)).replace(" ", "_") for h in heads]
+    lines = [
+        [re.sub(r"\^\*|^[-*]$", "" if "^" in x else "q", x) for x in row] for row in tight(lines)
+    ]
+    first = int(rng.random() < 0.5)
+    if rng.random() < 0.6:
+        heads, lines = ["", *heads], [[str(i), *x] for i, x in enumerate(lines, first)]
+    widths = [max(map(len, column)) + 2 for column in zip(heads, *lines, strict=True)]
+    rows = [
+        "".join(f"{x:>{w}}" for x, w in zip(row, widths, strict=True)) for row in (heads, *lines)
+    ]
+    return "\n".join(rows)
+
+
+def tabular(heads, lines, rng):
+    heads, lines = counted(heads, lines, rng)
+    rows = [" & ".join(f"${x.strip('$')}$" for x in line) for line in lines]
+    rule = str(rng.choice([r"\hline ", "", r"\midrule "]))
+    inner = (r" \\ " + rule).join([" & ".join(heads).replace("#", "i"), *rows])
+    kind = str(rng.choice(["tabular", "array"]))
+    return rf"\begin{{{kind}}}{{|{'c|' * len(heads)}}} {rule}{inner} \\ {rule}\end{{{kind}}}"
+
+
+def drawn(heads, lines, rng):
+    rows = ["│ " + " │ ".join(row) + " │" for row in (heads, *tight(lines))]
+    return "\n".join(["a robot", "┌───┐", rows[0], "├─┼─┤", *rows[1:], "└───┘", "tool", "│ 1 │"])
+
+
+def lists(heads, lines, rng):
+    start, end = [("[", "]"), ("np.array([", "])"), ("{", "}")][int(rng.integers(3))]
+    bare = [head.split(" ")[0].strip("$*\\").partition("_")[0] for head in heads]
+    columns = zip(bare, zip(*lines, strict=True), strict=True)
+    return "\n".join(f"{h} = {start}{', '.join(column)}{end}" for h, column in columns)
+
+
+def bracketed(heads, lines, rng):
+    cell, row, start, end = [
+        (", ", "], [", "[[", "]]"),
+        (", ", "), (", "[(", ")]"),
+        (" ", "; ", "DH = [", "];"),
+        (" ", "\n", "[", "]"),
+        (", ", "],\n       [", "array([[", "]])"),
+        (" & ", r" \\ ", r"\begin{pmatrix}", r"\end{pmatrix}"),
+        (",", "\n", "", ""),
+    ][int(rng.integers(7))]
+    lines = [["θ*" if x in "*-—" else x for x in line] for line in lines]
+    if rng.random() < 0.3:
+        lines = [[str(rng.choice(["{}", "L{}"])).format(i), *x] for i, x in enumerate(lines, 1)]
+    return start + row.join(cell.join(line) for line in tight(lines)) + end
+
+
+HEADED = {"markdown": markdown, "sheet": sheet, "printed": printed, "tabular": tabular,
+          "drawn": drawn}  # fmt: skip
+LAYOUTS = {**HEADED, "bracketed": bracketed}
+
+
+# Formulas with their values
+
+
+def formula_of(rng, depth: int = 3) -> tuple[str, float]:
+    """A formula in x = 0.7 and q_1 = 0.4, and its value."""
+    if not depth or rng.random() < 0.2:
+        x = round(float(rng.uniform(0.1, 9)), int(rng.integers(4)))
+        leaves = [(f"{x:g}", x), ("x", 0.7), ("q_1", 0.4), (r"q_{1}", 0.4), ("π", math.pi)]
+        leaves += [
+            (f"{x:.3e}", float(f"{x:.3e}")),
+            ("½", 0.5),
+            ("√(2)", 2**0.5),
+            ("np.pi", math.pi),
+        ]
+        return leaves[int(rng.integers(len(leaves)))]
+    (s, u), (t, v) = formula_of(rng, depth - 1), formula_of(rng, depth - 1)
+    forms = [
+        (f"({s}) + ({t}) - x + 3x", u + v + 1.4),
+        (f"({s}) - ({t})", u - v),
+        (f"({s})({t})", u * v),
+        (f"2({t})", 2 * v),
+        (f"({s}) · ({t})", u * v),
+        (rf"\frac{{{u:.4f}}}{{2.5}} \cdot ({t})", float(f"{u:.4f}") / 2.5 * v),
+        (f"({s})**2", u**2),
+        (f"({s})^2", u**2),
+        (f"-({s})²", -(u**2)),
+        (f"2^-sin({t})", 2 ** -math.sin(v)),
+        (f"sin({s})", math.sin(u)),
+        (rf"\cos\left({s}\right)", math.cos(u)),
+        (f"sin -({s}) cos x", -math.sin(u) * math.cos(0.7)),
+        (f"sqrt(abs({s})) ({t})", math.sqrt(abs(u)) * v),
+        (f"({s})/8 - ({t})/3/2", u / 8 - v / 6),
+        (f"np.deg2rad({s}) - +({t})", math.radians(u) - v),
+        (f"sind 30 * ({s})", 0.5 * u),
+    ]  # fmt: skip
+    return forms[int(rng.integers(len(forms)))]
+
+
+# The same questions to both languages
+
+
+def questions(rng, count: int) -> Iterator[tuple]:
+    """What is typed, some with slips of the finger, some with another paste's end."""
+    grids = [text for kind in pastes.FORMATS for _, text, _ in pastes.pastes(kind)]
+    grids += [*motion_pastes.ANGLES.values(), *motion_pastes.UNREAD]
+    tables = [*table_pastes.RIGHT.values(), *table_pastes.REFUSED]
+    for _ in range(count):
+        kind, options = rng.random(), {}
+        if kind < 0.5:
+            text, options, *_ = made(rng)
+        elif kind < 0.6:
+            lines = [[formula_of(rng)[0] for _ in range(4)] for _ in range(2)]
+            text = bracketed([], lines, rng)
+        else:
+            text = str(rng.choice(grids if kind < 0.8 else tables))
+        if rng.random() < 0.1:
+            other = str(rng.choice(tables))
+            text = (
+                text[: int(rng.integers(len(text) + 1))]
+                + other[int(rng.integers(len(other) + 1)) :]
+            )
+        for _ in range(int(rng.choice([0, 0, 1, 2]))):
+            at = int(rng.integers(len(text) + 1))
+            sign = "" if rng.random() < 0.5 else SIGNS[int(rng.integers(len(SIGNS)))]
+            text = text[:at] + sign + text[at + int(rng.random() < 0.6) :]
+        if rng.random() < 0.1:
+            options = options | {"values": {"x": 0.3, "L_1": 0.5}}
+        yield ELBOW, {"topic": "reading", "typed": text, "options": options}
+
+
+KINDS = {"R": "revolute", "P": "prismatic", "F": "fixed", "?": "unknown"}
+
+
+def words(typed: str, options: dict) -> list:
+    """What is read, cells, formulas and tables, as tests/judge_words.mjs says it of the page's."""
+    cells = tried(lambda: grid.cells(typed))
+    rows = [] if isinstance(cells, str) else grid.without_header(cells)
+    formulas = [tried(lambda c=c: of_formula(c)) for row in rows for c in row[:9]]
+    tables = tried(lambda: [*map(of_table, table.read(typed, **options, mend=True)[:3])])
+    return [cells, len(rows), formulas[:40], tables]
+
+
+def tried(ask):
+    try:
+        return ask()
+    except ArmError as error:
+        return str(error)
+
+
+def of_formula(text: str) -> list:
+    tree = formula.parse(text, "a cell")
+    x = formula.value(tree, lambda name: 0.3 + 0.1 * len(name))
+    return [listed(tree), sorted(formula.symbols(tree)), size(x, 9), formula.number(text) is None]
+
+
+def listed(tree):
+    return [listed(part) if isinstance(part, tuple) else part for part in tree]
+
+
+def of_table(read: table.TypedTable) -> list:
+    meant = table.meant(read, "RRP")
+    typed = [
+        [KINDS[r.kind], [size(r.numbers[n], 9) for n in NAMES], [r.texts[n] for n in NAMES],
+         r.backwards, sorted(r.radians)] for r in read.rows
+    ]  # fmt: skip
+    rows = [[KINDS[r.kind], *(size(x, 9) for x in r[1:])] for r in meant.rows]
+    said = [read.lengths, read.angles, read.convention, list(read.said), read.exchanged]
+    return [said, typed, rows, list(meant.said), size(meant.length, 9), size(meant.angle, 9)]
