@@ -46,7 +46,8 @@ book: $(BOOK) ## build the book and say where it is
 	@echo "file://$(CURDIR)/$(BOOK)"
 
 # The book is built while the tests are installed and the notebooks run; what looks at it waits for this file, which
-# says how that ended. Meanwhile SymPy is compiled once, and not by every process of the tests at its start. Three files at a time on two processors, since who looks at pages often waits for them; in the
+# says how that ended. Meanwhile SymPy is compiled once, and not by every process of the tests at its start. Three files
+# at a time on two processors, since who looks at pages often waits for them; in the
 # order given: by the number of their tests, the longest would come last.
 BUILT := book/_build/built
 

