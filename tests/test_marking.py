@@ -270,6 +270,18 @@ def test_the_first_joint_value_beyond_its_limits_is_told(rows, words):
     assert marking._beyond_limits(HALF_TURNS, rows) == words
 
 
+@pytest.mark.parametrize("count", [3, 5])
+def test_a_table_of_another_shape_is_not_filled_up_from_the_key(count):
+    rows = marking.rounded(ELBOWS.parts["table"])
+    other = [*rows, rows[3]][:count]
+    found = marked("table", other)
+    assert (found.credit, found.words) == (0, str(checks.compare_tables(other, value("table"))))
+    other = [[*entries, "0"][:count] for entries in rows]
+    with pytest.raises(ArmError) as told:
+        checks.compare_tables(other, value("table"))
+    assert marked("table", other) == plain("table", 0.0, f"Not read: {told.value}")
+
+
 def test_a_wrong_or_a_named_answer_keeps_its_own_words():
     far = [0.5, 9.0, 0.4]  # beyond the limits, and wrong
     found = marked("q", far, Rules(columns=0), SLIDER)

@@ -119,11 +119,12 @@ def looked(python, tmp_path, apart):
 
 
 def test_a_process_of_its_own_has_limits_and_none_of_the_graders_environment(
-    python, tmp_path, monkeypatch
+    python, tmp_path, monkeypatch, capfd
 ):
     monkeypatch.setenv("COURSE_SECRET", "hidden")
     monkeypatch.setattr(sandbox, "_tasks_of_mine", lambda: 1000)
     found, rules, names = looked(python, tmp_path, "process")
+    assert capfd.readouterr() == ("", "")  # a stranger writes nothing to the grader's terminal
     home = found["here"].strip()
     assert names == {
         "HOME": home, "TMPDIR": home, "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg",
@@ -349,7 +350,8 @@ def test_what_is_run_is_a_copy_that_prints_its_names(
     nbformat.validate(run)
     assert run["cells"][:2] == [text, {**code, "outputs": []}]
     assert len(run["cells"]) == 3
-    assert run["metadata"]["kernelspec"]["name"] == "python3"
+    kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    assert run["metadata"] == {"kernelspec": kernel}
     space = {"answer_p": [1, 2]}
     printed = io.StringIO()
     monkeypatch.setattr(sys, "stdout", printed)
