@@ -22,7 +22,8 @@ from helpers.course import sandbox
 from helpers.course.sandbox import Limits, Ran
 from tests.test_commands import a_machine_with_another_encoding_of_its_own  # noqa: F401
 
-BUBBLEWRAP = sandbox.best_apart() == "bubblewrap"
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="notebooks are run on Linux only")
+BUBBLEWRAP = sys.platform == "linux" and sandbox.best_apart() == "bubblewrap"
 LOOK = r"""#!/bin/bash
 say() { echo "<$1>"; shift; "$@" 2>&1; }
 say words printf '%s\n' "${@:1:$#-1}"
