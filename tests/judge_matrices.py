@@ -167,7 +167,7 @@ def _reshaped(rng, m: Machine, J, q) -> np.ndarray:
     loose = _unlocked(m, q, 0)
     return {
         "transposed": J.T,
-        "without a column": np.delete(J, int(rng.integers(m.dof)), axis=1),
+        "without a column": np.delete(J, int(rng.integers(m.dof)), axis=1) if m.dof > 1 else J,
         "locked too": loose,
         "a row for a column": loose[:5],
         "without a row": J[: int(rng.integers(1, 6))],
@@ -253,6 +253,6 @@ def _reshaped_torques(rng, tau: np.ndarray) -> np.ndarray:
         "zeros": np.c_[np.zeros(len(tau)), tau],
         "turned zeros": np.c_[np.zeros(len(tau)), tau].T,
         "one each": tau[:, 0],
-        "fewer": tau[:, 1:],
+        "fewer": tau[:, 1:] if tau.shape[1] > 1 else tau,
         "a pose less": tau[1:] if len(tau) > 1 else tau[:, :1],
     }[pick(rng, ["turned", "turned", "zeros", "turned zeros", "one each", "fewer", "a pose less"])]

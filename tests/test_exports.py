@@ -141,6 +141,7 @@ MOODLE = "Identifier,Full name,Email address,Grade,Maximum Grade,Last modified (
         ("1,Bo,zz@x,,10,-", "1,Bo,zz@x,7.50,10,-"),
         ("1,Bo,,,,-", "1,Bo,,6.00,,-"),
         ("1,Nobody,x@y,5,20.00,-", "1,Nobody,x@y,5,20.00,-"),
+        ("1,Nobody", "1,Nobody"),
     ],
 )
 def test_moodle_is_filled_by_mail_then_its_first_half_then_name(line, filled):

@@ -6,6 +6,7 @@ import io
 import json
 import os
 import re
+import shutil
 import stat
 import sys
 import time
@@ -21,7 +22,8 @@ from helpers.course import sandbox
 from helpers.course.sandbox import Limits, Ran
 from tests.test_commands import a_machine_with_another_encoding_of_its_own  # noqa: F401
 
-BUBBLEWRAP = sandbox.best_apart() == "bubblewrap"
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="notebooks are run on Linux only")
+BUBBLEWRAP = sys.platform == "linux" and sandbox.best_apart() == "bubblewrap"
 LOOK = r"""#!/bin/bash
 say() { echo "<$1>"; shift; "$@" 2>&1; }
 say words printf '%s\n' "${@:1:$#-1}"
@@ -36,6 +38,7 @@ say net cat /proc/net/dev
 say apart readlink /proc/self/ns/pid /proc/self/ns/net /proc/self/ns/ipc /proc/self/ns/uts
 say session ps -o pid=,sid= $$
 say seen ls /
+say links readlink /bin /lib /lib64
 say owned stat -c '%a %n' /run /tmp
 say input head -c 1 /dev/stdin
 say written touch /usr/x /x /dev/x
@@ -82,7 +85,15 @@ def limits(text):
 
 def looked(python, tmp_path, apart):
     script = python(LOOK)
-    out = sandbox._execute(copied(tmp_path), apart, Limits(77, 33, 3 * 2**30))
+    mine, (reading, writing) = os.dup(0), os.pipe()
+    os.write(writing, b"typed by whoever grades")
+    os.dup2(reading, 0)
+    try:
+        out = sandbox._execute(copied(tmp_path), apart, Limits(77, 33, 3 * 2**30))
+    finally:
+        os.dup2(mine, 0)
+        for number in (mine, reading, writing):
+            os.close(number)
     found = seen(out)
     assert found["words"].splitlines() == [
         "-m", "nbconvert", "--to", "notebook", "--execute", "--allow-errors", "--stdout",
@@ -109,11 +120,12 @@ def looked(python, tmp_path, apart):
 
 
 def test_a_process_of_its_own_has_limits_and_none_of_the_graders_environment(
-    python, tmp_path, monkeypatch
+    python, tmp_path, monkeypatch, capfd
 ):
     monkeypatch.setenv("COURSE_SECRET", "hidden")
     monkeypatch.setattr(sandbox, "_tasks_of_mine", lambda: 1000)
     found, rules, names = looked(python, tmp_path, "process")
+    assert capfd.readouterr() == ("", "")  # a stranger writes nothing to the grader's terminal
     home = found["here"].strip()
     assert names == {
         "HOME": home, "TMPDIR": home, "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg",
@@ -131,7 +143,16 @@ def test_bubblewrap_shows_the_notebook_and_what_runs_it_and_nothing_else(
     python, tmp_path, monkeypatch
 ):
     monkeypatch.setenv("COURSE_SECRET", "hidden")
+    tools = tmp_path / "tools"  # of whoever grades: his own PATH finds bubblewrap
+    tools.mkdir()
+    script = f'#!/bin/sh\ntouch {tmp_path}/met\nexec {shutil.which("bwrap")} "$@"\n'
+    (tools / "bwrap").write_text(script, encoding="utf-8")
+    (tools / "bwrap").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tools}:{os.environ['PATH']}")
     found, rules, names = looked(python, tmp_path, "bubblewrap")
+    assert (tmp_path / "met").exists()
+    links = [path for path in ("/bin", "/lib", "/lib64") if Path(path).is_symlink()]
+    assert found["links"].split() == [os.readlink(path) for path in links]
     assert names == {
         "HOME": "/run", "TMPDIR": "/tmp", "OPENBLAS_NUM_THREADS": "1", "MPLBACKEND": "Agg",
         "LANG": "C.UTF-8",
@@ -255,7 +276,7 @@ def test_limits_need_their_programs(monkeypatch):
 @pytest.mark.parametrize("missing", ["bwrap", "prlimit", "setpriv", None])
 @pytest.mark.parametrize("code", [0, 1])
 @pytest.mark.parametrize("user", [0, 1000])
-def test_bubblewrap_is_asked_whether_it_works(tmp_path, monkeypatch, missing, code, user):
+def test_bubblewrap_is_asked_whether_it_works(tmp_path, monkeypatch, capfd, missing, code, user):
     script = f'#!/bin/bash\nprintf "%s\\n" "$@" > {tmp_path}/asked\nprintf noise\nexit {code}\n'
     for name in {"bwrap", "prlimit", "setpriv"} - {missing}:
         (tmp_path / name).write_text(script, encoding="utf-8")
@@ -265,6 +286,7 @@ def test_bubblewrap_is_asked_whether_it_works(tmp_path, monkeypatch, missing, co
     works = missing is None and code == 0
     assert sandbox.best_apart() == ("bubblewrap" if works else "nothing")
     assert (tmp_path / "asked").exists() == (missing is None)
+    assert capfd.readouterr() == ("", "")
     if missing is None:
         asked = (tmp_path / "asked").read_text("utf-8").split()
         assert ("--unshare-user" in asked) == (user == 1000)
@@ -330,7 +352,8 @@ def test_what_is_run_is_a_copy_that_prints_its_names(
     nbformat.validate(run)
     assert run["cells"][:2] == [text, {**code, "outputs": []}]
     assert len(run["cells"]) == 3
-    assert run["metadata"]["kernelspec"]["name"] == "python3"
+    kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    assert run["metadata"] == {"kernelspec": kernel}
     space = {"answer_p": [1, 2]}
     printed = io.StringIO()
     monkeypatch.setattr(sys, "stdout", printed)

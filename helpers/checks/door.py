@@ -258,6 +258,6 @@ def pose(q: Any, arm: Arm, angles: str = "rad") -> Typed:
     column = (typed.values.ndim == 2 and typed.values.shape[1] == 1) or isinstance(q, str)
     values, steps = (x.ravel() if column else x for x in (typed.values, typed.units))
     if angles == "deg":
-        factor = np.where(arm.turning, np.pi / 180, 1.0) if len(values) == arm.dof else 1.0
+        factor = np.where(arm.turning, np.pi / 180, 1.0) if values.shape == (arm.dof,) else 1.0
         values, steps = values * factor, steps * factor
     return Typed(arm.joint_vector(values, many=False), steps)

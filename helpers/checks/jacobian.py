@@ -153,7 +153,9 @@ def _held(
 
 def _matrix(typed: Typed, arm: Arm, what: str) -> Typed:
     if typed.values.ndim == 3 and 1 in typed.values.shape:
-        typed = typed.at(*(0 if n == 1 else slice(None) for n in typed.values.shape))
+        axis = typed.values.shape.index(1)
+        values, units = (x.take(0, axis) for x in (typed.values, typed.units))
+        typed = replace(typed, values=values, units=units)
     if typed.values.ndim == 2 and typed.values.size == 6 * arm.dof == max(typed.values.shape):
         values, units = (x.reshape(6, arm.dof) for x in (typed.values, typed.units))
         typed = replace(typed, values=values, units=units)

@@ -156,8 +156,7 @@ def _execute(copy: Path, apart: Apart, limits: Limits) -> bytes:
             out = process.stdout.read(_SIZE + 1)
         finally:
             process.stdout.close()
-            with contextlib.suppress(ProcessLookupError):
-                os.killpg(process.pid, signal.SIGKILL)
+            os.killpg(process.pid, signal.SIGKILL)  # one that has ended is there until `wait`
             process.wait()
     return out if len(out) <= _SIZE else b""
 

@@ -1,0 +1,494 @@
+"""What a student holds, taken as numbers: the values, shapes and units that each form has by hand,
+the calls that a function gets, and the words in which the rest is refused.
+"""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
+from helpers.checks import compare_jacobian, compare_torques, door, functions
+from helpers.checks.digits import Typed
+from helpers.checks.jacobian import _generic_pose
+from helpers.checks.verdict import Finding, Report
+from helpers.kinematics import jacobian
+from helpers.reading.table import ENTRIES, KNOWN_ORDERS
+from helpers.robots import ELBOW, PANDA, STANFORD
+from helpers.statics import static_torque
+
+H = math.pi / 2
+Q3 = np.array([0.5, 0.7, -0.4])
+x, y, t = sp.symbols("x y t")
+
+
+# Numbers
+
+
+class Frame:
+    """As a table of pandas."""
+
+    def __init__(self, rows):
+        self.rows = np.array(rows)
+
+    def to_numpy(self):
+        return self.rows
+
+
+class Held:
+    """As what other packages hold: a list is all it gives."""
+
+    def tolist(self):
+        return [1.5, 2.0]
+
+
+@pytest.mark.parametrize(
+    ("mine", "values", "units"),
+    [
+        ([1, 2], [1, 2], [1, 1]),
+        (np.array([1, 2], dtype=np.int8), [1, 2], [1, 1]),
+        (np.array([1, 2], dtype=np.uint8), [1, 2], [1, 1]),
+        (7, 7, 1),
+        ([[1.5, 2], [3, 4.25]], [[1.5, 2], [3, 4.25]], [[0.01] * 2] * 2),
+        (((1.5, 2), [3, 4]), [[1.5, 2], [3, 4]], [[0.1] * 2] * 2),
+        (Frame([[1.5, 2]]), [[1.5, 2]], [[0.1] * 2]),
+        (Held(), [1.5, 2], [0.1, 0.1]),
+        ({"a": [1.5], "b": [2]}, [[1.5], [2]], [[0.1], [0.1]]),
+        (np.ma.array([1.5, 2.0]), [1.5, 2], [0.1, 0.1]),
+        (np.array([1.5, 2], dtype=object), [1.5, 2], [0.1, 0.1]),
+        (["1.50", 2], [1.5, 2], [0.01, 0.01]),
+        (["1.5", "pi"], [1.5, math.pi], [0.1, 0]),
+        ([np.float64(1.5), "2"], [1.5, 2], [0.1, 0.1]),
+        ([sp.Float(1.5), sp.Integer(2)], [1.5, 2], [0.1, 0.1]),
+        ([sp.Float(1.5), sp.Rational(1, 4)], [1.5, 0.25], [0.1, 0]),
+        ([sp.Float(1.5), sp.sin(sp.pi / 6)], [1.5, 0.5], [0.1, 0]),
+        (sp.Matrix([[1.5, 2]]), [[1.5, 2]], [[0.1] * 2]),
+        ([sp.Matrix([1.5]), [[2]]], [[[1.5]], [[2]]], [[[0.1]], [[0.1]]]),
+        ("1.50 2", [[1.5, 2]], [[0.01] * 2]),
+        ("1.5, pi", [[1.5, math.pi]], [[0.1, 0]]),
+        ("a b\n1.5 2\n3 4", [[1.5, 2], [3, 4]], [[0.1] * 2] * 2),
+        ("1.0e+03 *\n 0.125 -2.5\n 1 2", [[125, -2500], [1000, 2000]], [[1.0] * 2] * 2),
+        ("1e3*0.125 1.25*1e2", [[125, 125]], [[0, 1]]),
+    ],
+    ids=str,
+)
+def test_numbers_are_taken_as_they_are_held(mine, values, units):
+    typed = door.numbers(mine, "yours")
+    assert np.array_equal(typed.values, values) or typed.values == pytest.approx(np.array(values))
+    assert typed.values.shape == typed.units.shape == np.shape(values)
+    assert typed.values.dtype == float
+    assert typed.units == pytest.approx(np.array(units))
+    assert typed.symbolic is False
+
+
+def test_what_is_taken_is_a_copy():
+    mine = np.array([1.0, 2.0])
+    door.numbers(mine, "yours").values[:] = 0
+    assert mine.tolist() == [1, 2]
+
+
+@pytest.mark.parametrize(
+    ("mine", "words"),
+    [
+        ([1, math.nan], "yours: NaN or infinity stands among the numbers; expected heights"),
+        ([1, sp.oo], "yours: NaN or infinity stands among the numbers; expected heights"),
+        ("1 2\n3 4 5\n6", "yours has rows of 1, 2, 3 entries; expected rows of one length"),
+        ([[1, 2], [3]], "yours has rows of unequal length; expected rows of one length"),
+        ([[1, 2], [3, [4, 5]]], "yours has rows of unequal length; expected rows of one length"),
+        ([1, None], "yours is None; expected heights"),
+        (["1", True], "yours is True; expected heights"),
+        ([1, 2j], "yours is 2j; expected heights"),
+        ([1, {2}], "yours is {2}; expected heights"),
+        ([1, Fraction(1, 2)], "yours is Fraction(1, 2); expected heights"),
+        ([1, sp.sqrt(-1)], "yours is I; expected numbers"),
+        ([1, sp.log(0)], "yours is zoo; expected numbers"),
+        ([x + y, 1], "there is no value for x, y; expected numbers"),
+        ("1 x", "there is no value for x; expected numbers"),
+        ("1 )2", "an entry of yours"),
+        ([1, ")2"], "an entry of yours"),
+        ("1 1e999", "too large; expected a finite value"),
+    ],
+    ids=str,
+)
+def test_what_is_no_number_is_refused_in_words(mine, words):
+    with pytest.raises(ArmError) as refused:
+        door.numbers(mine, "yours", wanted="heights")
+    assert words in str(refused.value)
+
+
+def test_symbols_are_looked_up_once_for_all_entries():
+    asked = []
+
+    def lookup(names):
+        asked.append(names)
+        return {"x": 0.5, "y": 2.0}
+
+    for mine in ([x + y, 1], ["x + y", 1], "x+y 1"):
+        typed = door.numbers(mine, "yours", lookup)
+        assert typed.values.ravel().tolist() == [2.5, 1]
+        assert typed.units.ravel().tolist() == [0, 0]
+        assert typed.symbolic is True
+    assert asked == [{"x", "y"}] * 3
+
+
+q1 = sp.Function("q1")(t)
+
+
+@pytest.mark.parametrize(
+    ("expression", "value"),
+    [
+        (x + 2 * y - 1, 4.0 + 0.5 - 1),
+        (x**2 / y, 0.125),
+        (2**x, math.sqrt(2)),
+        (sp.sin(x) + sp.cos(y), math.sin(0.5) + math.cos(2)),
+        (sp.tan(x) * sp.exp(-y), math.tan(0.5) * math.exp(-2)),
+        (sp.acos(x) + sp.pi, math.acos(0.5) + math.pi),
+        (sp.atan2(x, y), math.atan2(0.5, 2)),
+        (sp.sin(q1) + sp.atan(q1), math.sin(0.25) + math.atan(0.25)),
+        (sp.Rational(1, 3), 1 / 3),
+    ],
+)
+def test_an_expression_has_the_value_of_its_tree(expression, value):
+    known = {"x": 0.5, "y": 2.0, "q1(t)": 0.25}
+    assert door.of_sympy(expression, known, "yours") == pytest.approx(value, rel=1e-15)
+    assert door.numbers([expression], "yours", lambda names: known).values == pytest.approx([value])
+
+
+@pytest.mark.parametrize("expression", [sp.sqrt(-x), sp.log(x - x), x / (y - 2), sp.sin(x) * sp.I])
+def test_what_has_no_real_value_is_refused(expression):
+    with pytest.raises(ArmError, match=r"^yours is .*; expected numbers"):
+        door.of_sympy(expression, {"x": 0.5, "y": 2.0}, "yours")
+
+
+def test_symbols_of_an_arm_are_remembered_with_what_was_said():
+    look = door.Joints(PANDA.lock(3), np.arange(1.0, 7.0), {"h": 0.25})
+    assert look({"q_4", "h", "d_1"}) == {"q_4": 3.0, "h": 0.25, "d_1": 0.333}
+    assert look.said == ()
+    assert look({"q_3"}) == {"q_3": 3.0}
+    assert look({"q_3", "q_1"})["q_1"] == 1.0
+    (said,) = look.said
+    assert "joints 1, 2, 4, 5, 6, 7" in said
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (("grad",), "angles is 'grad'"),
+        (("deg", -1), "tolerance is -1; expected a number of 0 or more"),
+        (("rad", "x"), "tolerance is 'x'; expected a number of 0 or more"),
+        (("rad", None, [1]), "values is [1]; expected a Mapping"),
+    ],
+)
+def test_settings_are_refused_by_their_names(given, words):
+    assert door.settings() is door.settings("deg", 0, {}) is door.settings("rad", 0.5) is None
+    with pytest.raises(ArmError) as refused:
+        door.settings(*given)
+    assert words in str(refused.value)
+
+
+# Joints
+
+SLED = Arm("sled", [revolute(a=0.3), prismatic(alpha=H), revolute(a=0.1)])
+
+
+@pytest.mark.parametrize(
+    ("q", "angles", "values", "units"),
+    [
+        (
+            [90, 0.25, 45.25],
+            "deg",
+            [H, 0.25, math.radians(45.25)],
+            [0.01 * H / 90, 0.01, 0.01 * H / 90],
+        ),
+        ([1.25, 0.25, 0.5], "rad", [1.25, 0.25, 0.5], [0.01] * 3),
+        ("1.25, 0.25, 0.5", "rad", [1.25, 0.25, 0.5], [0.01] * 3),
+        ("1.25\n0.25\n0.5", "rad", [1.25, 0.25, 0.5], [0.01] * 3),
+        ([[1.25], [0.25], [0.5]], "rad", [1.25, 0.25, 0.5], [0.01] * 3),
+    ],
+)
+def test_one_joint_vector(q, angles, values, units):
+    typed = door.pose(q, SLED, angles)
+    assert typed.values == pytest.approx(values)
+    assert typed.units == pytest.approx(units)
+
+
+@pytest.mark.parametrize(
+    ("q", "shape"), [([1, 2], "(2,)"), ([[1, 2, 3]], "(1, 3)"), ("1 2 3 4", "(4,)")]
+)
+@pytest.mark.parametrize("angles", ["rad", "deg"])
+def test_what_is_no_joint_vector_is_refused_by_its_shape(q, shape, angles):
+    with pytest.raises(ArmError) as refused:
+        door.pose(q, SLED, angles)
+    assert f"q has shape {shape}" in str(refused.value)
+    with pytest.raises(ArmError, match="sled: q is None; expected one value for each of q_1"):
+        door.pose([None], SLED)
+    with pytest.raises(ArmError, match="expected one pose"):
+        door.pose(1, SLED, angles)
+
+
+def test_turning_joints_have_decimals_of_their_own():
+    values, steps = np.array([[90.0, 0.25, 45.5]]), np.array([[0.01, 0.01, 0.01]])
+    typed = door.in_radians(Typed(values, steps), SLED)
+    assert typed.values == pytest.approx(np.array([[H, 0.25, math.radians(45.5)]]))
+    assert typed.units == pytest.approx(np.array([[0.1 * H / 90, 0.01, 0.1 * H / 90]]))
+    assert steps.tolist() == [[0.01] * 3]
+    exact = door.in_radians(Typed(values, 0 * steps), SLED)
+    assert not exact.units.any()
+    coarse = door.in_radians(Typed(values, 100 * steps), SLED)
+    assert coarse.units == pytest.approx(np.array([[H / 90, 1, H / 90]]))
+    turning = door.in_radians(Typed(values, steps), ELBOW)
+    assert turning.units == pytest.approx(np.full((1, 3), 0.01 * H / 90))
+
+
+# Functions
+
+
+def ways(function, arm=ELBOW, q=Q3):
+    return list(functions.results(function, arm, np.array(q), "yours"))
+
+
+def shapes(*given):
+    return [np.shape(one) for one in given]
+
+
+@pytest.mark.parametrize(
+    ("function", "expected"),
+    [
+        (lambda q: shapes(q), [(3,)]),
+        (lambda q, /: shapes(q), [(3,)]),
+        (lambda q, k=1: shapes(q), [(3,)]),
+        (lambda q, *more: shapes(q, *more), [(3,)]),
+        (lambda *q: shapes(*q), [(), (), ()]),
+        (lambda a, b, c: shapes(a, b, c), [(), (), ()]),
+        (lambda a, b, c, d=1: shapes(a, b, c), [(), (), ()]),
+        (lambda dh, q: shapes(dh, q), [(3, 4), (3,)]),
+        (lambda q, dh: shapes(q, dh), [(3,), (3, 4)]),
+        (lambda v, my_dh: shapes(v, my_dh), [(3,), (3, 4)]),
+        (lambda v, row: shapes(v, row), [(3,), (3, 4)]),
+        (lambda v, Links: shapes(v, Links), [(3,), (3, 4)]),
+        (lambda v, dh_params: shapes(v, dh_params), [(3,), (3, 4)]),
+        (lambda robot, joints: shapes(robot, joints), [(3, 4), (3,)]),
+        (lambda robot, th: shapes(robot, th), [(3, 4), (3,)]),
+    ],
+)
+def test_what_a_function_is_given(function, expected):
+    found, said = ways(function)[0]
+    assert found == expected
+    assert bool(said) == ((3, 4) in expected)
+
+
+def test_numbers_one_by_one_are_those_of_q():
+    assert ways(lambda a, b, c: (a, b, c)) == [((0.5, 0.7, -0.4), ())]
+    assert ways(lambda q: q.tolist()) == [([0.5, 0.7, -0.4], ())]
+    assert ways(max) == [(0.7, ())], "a function that has no signature"
+    one = Arm("one", [revolute(a=0.3)])
+    assert ways(lambda v: v.tolist(), one, [0.5]) == [([0.5], ())]
+    assert ways(lambda v: math.sin(v) if v.__class__ is float else v["no"], one, [0.5])[0][0] == (
+        math.sin(0.5)
+    )
+
+
+@pytest.mark.parametrize("function", [lambda th, q: 0, lambda a, b: 0, lambda q, *, k: 0])
+def test_what_asks_for_something_else_is_refused(function):
+    with pytest.raises(ArmError) as refused:
+        ways(function)
+    said = str(refused.value)
+    assert said.startswith("yours: your function failed (TypeError: ")
+    assert "it was called with q of 3 values. Wrap it" in said
+
+
+def test_two_arguments_of_two_joints_are_the_joints_and_then_a_table():
+    two = Arm("two", [revolute(a=0.3), revolute(a=0.2)])
+    for function in (lambda a, b: shapes(a, b), lambda robot, joints: shapes(robot, joints)):
+        assert ways(function, two, [0.5, 0.7]) == [([(), ()], ())]
+    assert ways(lambda a, b: shapes(a, b, a[0], b[0]), two, [0.5, 0.7])[0][0][:2] == [(2, 4), (2,)]
+    assert ways(lambda dh, q: shapes(dh, q), two, [0.5, 0.7])[0][0] == [(2, 4), (2,)]
+
+
+def test_a_table_comes_in_each_usual_order_and_then_as_dicts():
+    rows = {
+        "a": [0, 0.4, 0.3], "alpha": [H, 0, 0], "d": [0.5, 0, 0], "theta": [0, 0, 0],
+    }  # fmt: skip
+    orders = [ENTRIES, *(order for order in KNOWN_ORDERS if order != ENTRIES)]
+    found = ways(lambda dh, q: (dh, q))
+    assert len(found) == len(orders) + 2
+    for ((table, q), (said,)), order in zip(found, orders, strict=False):
+        np.testing.assert_allclose(table, np.transpose([rows[name] for name in order]))
+        assert q.tolist() == Q3.tolist()
+        assert said == f"f(table, q), called with the arm's rows ({', '.join(order)}) in m and rad"
+    ((by_row, _), (said,)), ((by_column, q), same) = found[-2:]
+    turned = zip(*rows.values(), strict=True)
+    assert by_row == [dict(zip(ENTRIES, row, strict=True)) for row in turned]
+    assert {name: column.tolist() for name, column in by_column.items()} == rows
+    assert q.tolist() == Q3.tolist()
+    keys = "'a', 'alpha', 'd' and 'theta'"
+    assert same == (said,) == (f"f(table, q), called with the arm's entries {keys} in m and rad",)
+    ((q, _), (said,)) = ways(lambda q, dh: (q, dh))[-1]
+    assert q.tolist() == Q3.tolist()
+    assert said.startswith("f(q, table), called with the arm's entries")
+
+
+def test_locked_rows_have_a_joint_of_0_where_the_function_wants_one():
+    arm = Arm("locked", [revolute(a=0.3), fixed(a=0.1), revolute(a=0.2)])
+    given = [q.tolist() for (_, q), _ in ways(lambda dh, q: (dh, q), arm, [0.5, 0.7])]
+    assert given == [[0.5, 0.7], [0.5, 0, 0.7]] * len(KNOWN_ORDERS) + [[0.5, 0.7]] * 2
+    run = np.array([[0.5, 0.7], [0.1, 0.2]])
+    many = [q.tolist() for (_, q), _ in ways(lambda dh, q: (dh, q), arm, run)]
+    assert many[1] == [[0.5, 0, 0.7], [0.1, 0, 0.2]]
+
+
+def test_each_call_gets_numbers_of_its_own():
+    def spoils(dh, q):
+        found = (np.array(dh), np.array(q)) if isinstance(dh, np.ndarray) else (0, np.array(q))
+        q[:] = 9
+        if isinstance(dh, np.ndarray):
+            dh[:] = 9
+        return found
+
+    q = Q3.copy()
+    assert all(given.tolist() == Q3.tolist() for (_, given), _ in ways(spoils, q=q))
+    assert q.tolist() == Q3.tolist()
+
+
+def test_further_orders_are_tried_for_half_a_second(monkeypatch):
+    clock = iter(np.arange(0, 100, 0.2))
+    monkeypatch.setattr(functions.time, "process_time", lambda: float(next(clock)))
+    assert len(ways(lambda dh, q: 0)) == 3
+    clock = iter(np.arange(0, 100, 0.2))
+    failing = iter([True] * 4 + [False] * 9)
+    monkeypatch.setattr(functions.time, "process_time", lambda: float(next(clock)))
+    assert len(ways(lambda dh, q: 1 / (not next(failing)))) == 3, "what fails takes no time"
+    clock = iter(np.arange(0, 100, 9))
+    assert len(ways(lambda dh, q: 0)) == 1, "the first is heard to its end"
+
+
+def test_a_function_that_fails_in_every_way_is_refused_by_its_first_fault():
+    count = iter(range(99))
+
+    def fails(dh, q):
+        raise KeyError(f"no. {next(count)}")
+
+    with pytest.raises(ArmError) as refused:
+        ways(fails)
+    assert str(refused.value).startswith("yours: your function failed (KeyError: 'no. 0')")
+    assert "with q of 3 values and the table. Wrap it" in str(refused.value)
+    assert isinstance(refused.value.__cause__, KeyError)
+
+    def refuses(dh, q):
+        raise ArmError("in its own words")
+
+    with pytest.raises(ArmError, match=r"^in its own words$"):
+        ways(refuses)
+
+
+def reports(*grades):
+    """Reports by their grades; "named" is wrong for one mistake, "partly" for more."""
+    cause, row = (Finding(what, "", None, None, what) for what in ("cause", "row"))
+    found = {"named": (cause,), "partly": (cause, row), "wrong": ()}
+    for n, grade in enumerate(grades):
+        if grade == "refused":
+            raise ArmError("no numbers")
+        causes = ("J.z_i",) if grade in ("named", "partly") else ()
+        graded = "wrong" if grade in found else grade
+        yield Report("Jacobian", "arm", graded, str(n), found.get(grade, ()), causes)
+
+
+@pytest.mark.parametrize(
+    ("grades", "taken"),
+    [
+        (["wrong", "rounded", "right"], 1),
+        (["named", "wrong", "so far"], 2),
+        (["wrong", "partly", "named", "named"], 2),
+        (["partly", "wrong"], 0),
+        (["wrong", "named", "refused", "right"], 1),
+        (["wrong", "refused"], 0),
+    ],
+)
+def test_the_best_of_several_reports(grades, taken):
+    assert functions.best(reports(*grades)).headline == str(taken)
+    with pytest.raises(ArmError, match="no numbers"):
+        functions.best(reports("refused", "right"))
+
+
+# What the two checkers take that the page does not
+
+
+def test_a_matrix_may_come_in_a_stack_of_one_and_in_one_line():
+    J = jacobian(ELBOW, Q3).round(4)
+    for mine in (J[None], J[:, None], J[:, :, None], J.ravel()[None], J.ravel()[:, None]):
+        report = compare_jacobian(mine, ELBOW, Q3)
+        assert report.agrees, np.shape(mine)
+        assert "4 decimals" in report.headline
+    assert compare_jacobian(J.ravel()[None][None], ELBOW, Q3).agrees
+    one = Arm("one", [revolute(a=0.3)])
+    assert compare_jacobian(jacobian(one, [0.5]).round(4)[None], one, [0.5]).agrees
+    for mine, shape in ((J.ravel(), "(18,)"), (np.array([J, J]), "(2, 6, 3)")):
+        with pytest.raises(ArmError) as refused:
+            compare_jacobian(mine, ELBOW, Q3)
+        assert f"has shape {shape}; expected a matrix" in str(refused.value)
+
+
+def test_what_is_no_matrix_of_the_arm_is_quoted_by_its_shape():
+    (finding,) = compare_jacobian(np.ones((5, 4)), ELBOW, Q3).findings
+    assert (finding.what, finding.mine, finding.expected) == ("shape", (5, 4), (6, 3))
+    (finding,) = compare_torques(np.ones((2, 6)), PANDA, np.ones((2, 7))).findings
+    assert (finding.what, finding.mine, finding.expected) == ("shape", (2, 6), (2, 7))
+
+
+def test_numbers_need_a_pose_and_formulas_none():
+    with pytest.raises(ArmError, match="say which: compare_jacobian"):
+        compare_jacobian(jacobian(ELBOW, Q3), ELBOW)
+    report = compare_jacobian(lambda q: jacobian(ELBOW, q), ELBOW)
+    assert report.agrees
+    assert "at this pose" not in report.headline
+    assert not report.notes
+    at = compare_jacobian(lambda q: jacobian(ELBOW, q), ELBOW, Q3)
+    assert at.agrees
+    assert "at this pose" not in at.headline
+
+
+@pytest.mark.parametrize("arm", [PANDA, STANFORD, ELBOW, PANDA.lock(3)], ids=str)
+def test_the_pose_of_formulas_lies_within_the_limits_and_has_no_symmetry(arm):
+    q = _generic_pose(arm)
+    low, high = (np.clip(limit, -1.5, 1.5) for limit in arm.limits)
+    low, high = np.where(np.isfinite(arm.limits[0]), low, -1.5), high
+    share = (q - low) / (high - low)
+    assert ((share >= 0.55) & (share <= 0.95)).all(), share
+    assert np.diff(np.sort(share)).min() > 1e-3
+    assert (_generic_pose(arm) == q).all()
+
+
+@pytest.mark.parametrize("frame", [8, -1, 1.5, "x", None])
+def test_a_frame_that_the_arm_has_not_is_refused(frame):
+    with pytest.raises(ArmError, match=r"Panda: frame is .*; expected a whole number"):
+        compare_jacobian(np.ones((6, 7)), PANDA, np.ones(7), frame=frame)
+    assert compare_jacobian(np.ones((6, 7)), PANDA, np.ones(7), frame=7)
+
+
+BENT = np.array([0.4, -0.3, 0.5, -0.9, -0.6, 0.8, 0.2])
+TAU = static_torque(PANDA, BENT, [0.0] * 6)
+OFF = np.eye(7)
+
+
+@pytest.mark.parametrize(
+    ("mine", "worst", "right"),
+    [
+        (TAU, 0.0, 7),
+        (TAU.round(2), None, 7),
+        (TAU + 2.5 * OFF[1], 2.5, 6),
+        (-TAU, 2 * np.abs(TAU).max(), None),
+        (lambda q: TAU + 2.5 * OFF[1] - OFF[2], 2.5, 5),
+        ([TAU, TAU - 3 * OFF[3] - 0.5 * OFF[6], TAU + OFF[3]], 3.0, 5),
+    ],
+)
+def test_how_far_torques_are_off_and_how_many_are_right(mine, worst, right):
+    q = np.array([BENT] * len(mine)) if isinstance(mine, list) else BENT
+    figures = compare_torques(mine, PANDA, q).figures
+    assert figures["of"] == 7
+    if worst is not None:
+        assert figures["worst"] == pytest.approx(worst)
+    if right is not None:
+        assert figures["right"] == right
+    assert set(figures) == {"worst", "right", "of"}
