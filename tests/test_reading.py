@@ -57,7 +57,7 @@ def test_a_formula_is_as_deep_as_may_be_and_no_deeper(form):
     start, _, end = form.partition("|")
     most = {"2^(|)/3": 30, "sin(|)": 30, "-cos -(|)": 20}.get(form, 60)
     assert formula.symbols(formula.parse(start * most + "x" + end * most)) == {"x"}
-    with pytest.raises(ArmError, match="y is '.*; expected one formula, such as"):
+    with pytest.raises(ArmError, match="; expected one formula, such as"):
         formula.parse(start * (most + 1) + "x" + end * (most + 1), "y")
 
 
@@ -117,7 +117,11 @@ def matrix(theta, alpha, a, d):
     return [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
 
 
-@pytest.mark.parametrize("as_held", [list, np.array, lambda made: sum(made, []), lambda m: m * 2])
+def stacked(matrices):
+    return [row for A in matrices for row in A]
+
+
+@pytest.mark.parametrize("as_held", [list, np.array, stacked, lambda matrices: matrices * 2])
 def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
     rows = [(0.7, -0.4, 0.3, 0.25), (-2.1, 2.2, 0.15, -0.6)]
     [read] = table.read(as_held([matrix(*row) for row in rows]), lengths="m", angles="rad")
