@@ -124,6 +124,8 @@ def _described(rng, arm_of):
     ]
     k = int(rng.integers(len(rows)))
     rows[k] = ("R", *rows[k][1:])
+    if rng.random() < 0.1:  # a base of two rows, in which axis 1 may lean
+        rows = [("F", *row[1:]) for row in rows[:2]] + rows
     return Machine(rows, "random"), rows
 
 

@@ -88,8 +88,8 @@ class Gap:
     shape: dict[tuple[int, ...], float]
     offset: float | None
     bunch: tuple[int, ...]
-    from_base: bool
-    to_tip: bool
+    from_base: bool = False
+    to_tip: bool = False
 
     @property
     def places_base(self) -> bool:
@@ -136,7 +136,7 @@ def _walk(rows: Rows, q: Sequence[float]) -> list[Gap]:
     dof = len(moving)
     turning = [k for k, i in enumerate(moving) if rows[i - 1].kind == "R"]
     first = [*turning, dof][0]
-    found = [_gap(axes, range(min(first + 1, dof)), (0.0, 0.0, 0.0), None, (), True, False)]
+    found = [_gap(axes, range(min(first + 1, dof)), (0.0, 0.0, 0.0), None, ())]
     bunch: tuple[int, ...] = ()
     foot = T[0].o
     for i, j in pairwise([*turning, dof]):

@@ -311,7 +311,7 @@ def _same(
 ) -> Report:
     loose = _LENGTH if grade == RIGHT else 10 * table.length_unit
     mapped = joint_map(mine, ref, found, loose)
-    figures: dict[str, Any] = {"signs": found.signs, "upside down": found.upside_down}
+    figures: dict[str, Any] = {"upside down": found.upside_down}
     notes = [
         *_zeros(mapped, mine, ref),
         *_base(mine, found, mapped),
@@ -399,9 +399,9 @@ def _different(
     tries = list(_tries(rows, reference, wanted))
     equal = [t.cause for t in tries if t.cause and not t.entries]
     if equal:
-        fewest = min(map(_edits, equal))
-        return _bad(table, reference, [c for c in equal if _edits(c) == fewest])
-    notes = tuple(_base(side(rows), found)) if found.signs else ()
+        fewest = min(len(c.keys) for c in equal)
+        return _bad(table, reference, [c for c in equal if len(c.keys) == fewest])
+    notes = tuple(_base(side(rows), found))
     local = _local(tries, len(wanted), length)
     whole = _agreeing(tries, length, local[0] if local else math.inf)
     if local is None and whole is None:
@@ -442,10 +442,6 @@ def _apart(c: Cause) -> float:
     return 0 if len(c.keys) == 1 and c.keys[0] in _ONE_ENTRY else _BY_AXES
 
 
-def _edits(c: Cause | None) -> int:
-    return 0 if c is None else len(c.keys)
-
-
 def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> Iterator[_Try]:
     """Every reading with up to two causes, each with how many entries differ from the arm's."""
     others = [
@@ -463,7 +459,7 @@ def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> 
         for other, arm in others:
             both = usual.joined(first, other)
             yield held(both, read, arm)
-            for second, mend in mends if _edits(both) < 2 else ():
+            for second, mend in mends if both is None or len(both.keys) == 1 else ():
                 yield held(usual.joined(both, second), mend(read), arm)
         for (second, mend), (third, then) in combinations(whole, 2) if first is None else ():
             yield held(second + third, then(mend(rows)), wanted)
@@ -499,7 +495,7 @@ def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
             continue
         # Two causes after which most entries differ, and exchanged rows, fit by chance only;
         # Craig's rows may be one more than the reference's.
-        few = _edits(t.cause) == 1 or t.entries <= 2 * len(t.reference)
+        few = len(t.cause.keys) == 1 or t.entries <= 2 * len(t.reference)
         last = t.cause.keys[-1]
         likely = (few or last == "table.craig") and last != usual.EXCHANGED
         if likely and not t.found(length).differences:
@@ -576,7 +572,7 @@ def _fewest(
         found.differences,
     )
     for t in tries:
-        if t.cause is not None and _edits(t.cause) == 1 and t.cause.keys[0] != usual.EXCHANGED:
+        if t.cause and len(t.cause.keys) == 1 and t.cause.keys[0] != usual.EXCHANGED:
             left = t.found(length).differences
             cost = 1 + 0.7 * len(left)
             if left and cost < best[0]:
