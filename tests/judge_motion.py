@@ -222,7 +222,7 @@ def _typed(rng, arm: Arm, mine: np.ndarray, options: dict):
     """Joint vectors in some form, with so many decimals."""
     if options.get("angles") == "deg" or rng.random() < 0.1:
         mine = np.where(arm.turning, np.degrees(mine), mine)
-    d = int(rng.choice([0, 1, 2, 3, 4, 5, 16]))
+    d = int(rng.choice([0, 1, 2, 3, 4, 5, 8, 16]))
     if rng.random() < 0.2:
         mine = mine + rng.uniform(-1, 1, mine.shape) * 10.0**-d * float(rng.choice([1, 3, 5]))
     words = [[f"{x:.{d}f}" if d < 16 else repr(float(x)) for x in row] for row in mine]

@@ -32,7 +32,8 @@ def test_it_agrees_with_the_arm_at_one_pose_and_at_many(arm):
         one = chain(arm, q)
         np.testing.assert_allclose(one.frames, link_frames(arm, q), atol=1e-14)
         np.testing.assert_allclose(columns(one), jacobian(arm, q), atol=1e-14)
-        np.testing.assert_allclose(columns(one, frames=one.frames[..., ::1, :, :]), columns(one))
+        elsewhere = columns(one, frames=chain(arm, 2 * q).frames)
+        np.testing.assert_allclose(elsewhere, jacobian(arm, 2 * q), atol=1e-14)
 
 
 @ARMS

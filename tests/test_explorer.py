@@ -55,7 +55,7 @@ def node():
     command = [NODE, str(ROOT / "tests" / "explorer_numbers.mjs")]
     pipe = subprocess.PIPE
     process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, encoding="utf-8")
-    atexit.register(process.kill)
+    atexit.register(lambda: (process.kill(), process.wait()))
     return process
 
 

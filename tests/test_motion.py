@@ -256,6 +256,8 @@ def test_the_plain_inverse_stops_at_a_ratio():
     J, one, last = np.diag([5.0, 5, 5, 5, 5, 4e-9]), np.eye(6)[0], np.eye(6)[5]
     with pytest.raises(SingularError, match="its smallest singular value is 4e-09, its largest 5;"):
         plain_inverse()(J, last, None)
+    with pytest.raises(SingularError, match="its smallest singular value is 4e-09, its largest 5;"):
+        plain_inverse()(J, 1e-9 * last, None)  # however little is asked
     np.testing.assert_allclose(plain_inverse(1e-10)(J, last, None), 2.5e8 * last)
     np.testing.assert_allclose(
         plain_inverse()(J, one, None), 0.2 * one
