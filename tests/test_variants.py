@@ -174,6 +174,8 @@ def test_tables_are_drawn_of_all_numbers_and_each_joint_tells_on_the_tip():
         "kind": {"revolute", "prismatic"}, "a": {0, 0.2, 0.3, 0.4, 0.5}, "alpha": turns,
         "d": {0, 0.1, 0.2, 0.3}, "theta": turns,
     }  # fmt: skip
+    zeros = [np.mean([row[key] in (0, "0") for row in rows]) for key in ("a", "d", "theta")]
+    assert zeros == pytest.approx([0.28, 0.4, 0.5], abs=0.08), "a zero counts double"
     assert {shift for one in given for shift in one["along"]} == {n / 20 for n in range(-4, 5)}
     for one in given:
         assert (len(one["rows"]), len(one["along"]), one["rows"][-1]["alpha"]) == (4, 4, "0")
