@@ -46,13 +46,15 @@ book: $(BOOK) ## build the book and say where it is
 	@echo "file://$(CURDIR)/$(BOOK)"
 
 # The book is built while the tests are installed and the notebooks run; what looks at it waits for this file, which
-# says how that ended. Three files at a time on two processors, since who looks at pages often waits for them; in the
+# says how that ended. Meanwhile SymPy is compiled once, and not by every process of the tests at its start. Three files
+# at a time on two processors, since who looks at pages often waits for them; in the
 # order given: by the number of their tests, the longest would come last.
 BUILT := book/_build/built
 
 test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built book's
 	@mkdir -p $(dir $(BUILT)) && rm -f $(BUILT)
 	{ $(MAKE) --no-print-directory book; echo $$? > $(BUILT); } & \
+	$(BIN)/python -c "import sympy, matplotlib.pyplot, ipykernel.kernelapp" & \
 	$(MAKE) --no-print-directory $(BIN)/.installed-dev && \
 	BUILT=$(BUILT) $(BIN)/python -m pytest -p tests.quick -n 3 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS) tests; \
 	tests=$$?; wait; exit $$((tests + $$(cat $(BUILT))))

@@ -386,10 +386,7 @@ def _crossed(frame: Array, line: Line, wish: Array, choices: _Choices) -> tuple[
     """Lines that meet or pass each other: which of the two, and x_i."""
     _, _, z, o = frame[:3].T
     along = np.cross(z, line.z)
-    along = along / np.linalg.norm(along)
-    along = (
-        along - (along @ z) * z
-    )  # what rounding leaves of it where the lines are nearly parallel
+    along = along - (along @ z) * z  # rounding leaves some of it where they are nearly parallel
     along = along / np.linalg.norm(along)
     gap = (line.point - o) @ along
     if abs(gap) < choices.tolerance:

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, Derivation, derive
-from helpers.inputs import must_be, number, shown
+from helpers.inputs import aligned, must_be, number, shown
 from helpers.rows import Kind, cos_sin
 
 __all__ = ["Chain", "from_urdf", "read_chain"]
@@ -258,9 +258,10 @@ class _Tree:
         links = robot.findall("link")
         if not links:
             raise ArmError(f"{name} has no links; expected a robot description with <link>s in it")
-        masses = {_name(link, "link"): _mass(link) for link in links}
+        names = [_name(link, "link") for link in links]
+        masses = {called: _mass(link, called) for called, link in aligned(names, links)}
         joints = [_joint(element) for element in robot.findall("joint")]
-        _once([_name(link, "link") for link in links], f"{name}: links called")
+        _once(names, f"{name}: links called")
         _once([joint.name for joint in joints], f"{name}: joints called")
         _once([joint.child for joint in joints], f"{name}: joints that carry link")
         found: dict[str, list[_Joint]] = {}
@@ -461,10 +462,10 @@ def _limits(element: ET.Element, name: str, kind: str) -> Joint:
     return Joint(_KINDS[kind], lower, upper, speed, effort)
 
 
-def _mass(link: ET.Element) -> tuple[float, Array]:
+def _mass(link: ET.Element, name: str) -> tuple[float, Array]:
     """A link's mass (kg) and centre of mass (m) in its own frame; no mass where the file gives
     none."""
-    name, inertial = _name(link, "link"), link.find("inertial")
+    inertial = link.find("inertial")
     if inertial is None:
         return 0.0, np.zeros(3)
     element = inertial.find("mass")

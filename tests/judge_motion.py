@@ -38,6 +38,15 @@ _WRIST = Arm(
 _ROD = Arm("Rod arm", [revolute(alpha=-H, d=0.3), revolute(alpha=H, d=0.1), prismatic(d=0.2)])
 _OFFSET = ELBOW.with_values(d=0.12)
 _PLANAR = Arm("Planar arm", [revolute(a=0.4), revolute(a=0.3)])
+_LIMITED = dict(limits=(-0.2, 0.8), speed=0.2)
+_GANTRY = Arm(
+    "Gantry",
+    [
+        prismatic(alpha=H, **_LIMITED),
+        prismatic(alpha=H, theta=H, **_LIMITED),
+        prismatic(),
+    ],
+)
 FORMS = (
     (ELBOW, inverse.elbow),
     (_OFFSET, inverse.elbow),
@@ -48,7 +57,7 @@ FORMS = (
     (UR10E_HOMEWORK, inverse.ur),
 )
 _SOLVERS = {id(arm): solver for arm, solver in FORMS}
-_ARMS = (PANDA, PANDA_HOMEWORK, PANDA.lock(3), _PLANAR, *(arm for arm, _ in FORMS))
+_ARMS = (PANDA, PANDA_HOMEWORK, PANDA.lock(3), _PLANAR, _GANTRY, *(arm for arm, _ in FORMS))
 _FORMULAS = (ELBOW, _PLANAR)
 Asked = Iterator[tuple[Arm, dict]]
 
@@ -158,7 +167,7 @@ def _slipped(rng, arm: Arm, q: np.ndarray, slips: bool, branches) -> np.ndarray:
         return np.where(np.arange(arm.dof) == rng.integers(arm.dof), change(q), q)
     kinds = defaultdict(list)
     made = chained(inverse_causes.single(arm, q), inverse_causes.whole(arm, q))
-    for slip in inverse_causes.double(arm, q) if what < 0.6 else made:
+    for slip in inverse_causes.double(arm, q) if what < 0.6 and arm.turning.any() else made:
         kinds[slip[0].keys].append(slip)
     kind = kinds[list(kinds)[int(rng.integers(len(kinds)))]]
     cause, mended = kind[int(rng.integers(len(kind)))]
@@ -213,7 +222,7 @@ def _typed(rng, arm: Arm, mine: np.ndarray, options: dict):
     """Joint vectors in some form, with so many decimals."""
     if options.get("angles") == "deg" or rng.random() < 0.1:
         mine = np.where(arm.turning, np.degrees(mine), mine)
-    d = int(rng.choice([0, 1, 2, 3, 4, 5, 16]))
+    d = int(rng.choice([0, 1, 2, 3, 4, 5, 8, 16]))
     if rng.random() < 0.2:
         mine = mine + rng.uniform(-1, 1, mine.shape) * 10.0**-d * float(rng.choice([1, 3, 5]))
     words = [[f"{x:.{d}f}" if d < 16 else repr(float(x)) for x in row] for row in mine]
@@ -276,17 +285,17 @@ def _as_text(rng, T):
 
 def trace_questions(rng, count: int) -> Asked:
     """Runs of Euler's method on circles, right and by mistakes of the catalogue, in any form."""
-    arms = (PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, ELBOW, STANFORD)
+    arms = (PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, ELBOW, STANFORD, _PLANAR)
     for _ in range(count):
-        arm = arms[int(rng.integers(len(arms)))]
-        steps = int(rng.choice([12, 60, 100, 160]))
+        arm = _GANTRY if rng.random() < 0.6 else arms[int(rng.integers(len(arms)))]
+        steps = int(rng.choice([3, 12, 20, 20, 40, 60, 100, 160])) if rng.random() < 0.98 else 1
         path = dict(
             radius=float(rng.choice([0.03, 0.1])),
             plane=str(rng.choice(["zy", "yz", "xz", "zx"])),
             period=5.0,
             steps=steps,
         )
-        start = np.array([0.3, 0.4, 0.9, 0.2, 0.8, 0.1])[: arm.dof]
+        start = np.array([0.3, 0.4, 0.9, 0.2, 0.8, 0.1])[: arm.dof] + rng.integers(2) / 10
         start = np.where(arm.turning, start, 0.4)
         asked = {"start": [float(x) for x in start], **path}
         if rng.random() < 0.1:
@@ -294,6 +303,11 @@ def trace_questions(rng, count: int) -> Asked:
         if rng.random() < 0.1:
             asked["rest"] = True
         q = _run(rng, arm, path_of(arm, asked), start)
+        if arm is _GANTRY and rng.random() < 0.8:
+            away = _shaped(rng, path_of(arm, asked)) - forward_kinematics(arm, start)[:3, 3]
+            q = start + away @ np.linalg.inv(jacobian(arm, start)[:3]).T
+        if rng.random() < 0.08:
+            q[int(rng.integers(len(q))) :, int(rng.integers(arm.dof))] += rng.uniform(0.1, 2)
         options = {}
         if rng.random() < 0.1:
             options["angles"] = "deg"
@@ -313,6 +327,29 @@ def _circle_data(arm: Arm, asked: dict) -> dict:
     top = forward_kinematics(arm, asked["start"])[:3, 3]
     rest = {key: value for key, value in asked.items() if key != "start"}
     return {"centre": [float(x) for x in top - [0, 0, 0.1]], **rest}
+
+
+def _shaped(rng, path) -> np.ndarray:
+    """Where a tip is that draws the path in some wrong way, nearly or exactly so."""
+    p, t = path.positions, path.times
+    middle, first, last = p.mean(axis=0), p[0], len(p) - 1
+    share = float(rng.choice([0.5, 0.25, 1.01, 1.05, 1.5, 2, 3, -1, rng.uniform(0.01, 2)]))
+    k = int(rng.integers(len(p)))
+    drawn = [
+        p,
+        p[::-1],
+        2 * first - p,
+        p + rng.uniform(-1, 1, 3) * float(rng.choice([3e-3, 0.02, 0.3, 2])),
+        p - middle * rng.integers(0, 2, 3),
+        path.position(t[0] + share * (t - t[0])),
+        middle + share * (p - middle),
+        first + share * (p - first),
+        middle + (p - middle)[:, rng.permutation(3)],
+        p[(np.arange(len(p)) + k) % max(1, last)],
+    ][int(rng.integers(10))]
+    stray = rng.normal(size=p.shape) * float(rng.choice([0, 0, 1e-5, 3e-4, 2e-3]))
+    drift = float(rng.choice([0, 0, 1e-3, 1e-2]))
+    return drawn + stray + drift * np.outer(t / t[-1], rng.integers(-1, 2, 3))
 
 
 def _run(rng, arm: Arm, path, start: np.ndarray) -> np.ndarray:
@@ -374,14 +411,20 @@ def _spoiled(arm: Arm) -> list[Callable[[np.ndarray], np.ndarray]]:
 
 
 def _typed_run(rng, arm: Arm, q: np.ndarray, options: dict):
-    if options.get("angles") == "deg" and rng.random() < 0.8:
+    if rng.random() < (0.8 if options.get("angles") == "deg" else 0.1):
         q = np.where(arm.turning, np.degrees(q), q)
     d = int(rng.choice([3, 4, 5, 6, 8, 16]))
     words = [[f"{x:.{d}f}" if d < 16 else repr(float(x)) for x in row] for row in q]
     if rng.random() < 0.15:
         words = [[f"{0.05 * k:.2f}", *row] for k, row in enumerate(words)]
     elif rng.random() < 0.1:
+        words = [[str(rng.choice(["0", "1"])), *row] for row in words]
+    if rng.random() < 0.1:
         words = [list(column) for column in zip(*words, strict=True)]
+    elif rng.random() < 0.1:
+        more = [*words, words[-1]]
+        others = [words * 2, words[:1], [row[1:] for row in words], more, [*more, more[-1]]]
+        words = others[int(rng.integers(5))]
     form = str(rng.choice(["array", "csv", "headed", "numpy", "matlab", "blanks"]))
     if form == "array":
         return [[float(x) for x in row] for row in words]

@@ -86,9 +86,13 @@ def geometry_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
     """
     for _ in range(count):
         machine, rows = _described(rng, arm_of)
-        for _ in range(int(rng.choice([0, 1, 2, 3, 5], p=[0.05, 0.35, 0.3, 0.2, 0.1]))):
+        for _ in range(int(rng.choice([0, 1, 2, 3, 5], p=[0.1, 0.35, 0.3, 0.15, 0.1]))):
             rows = CHANGES[int(rng.integers(len(CHANGES)))](list(rows), rng)
         options = {}
+        if rng.random() < 0.12:
+            options["convention"] = "craig"
+            still = rows[0][0] == "F" and len(rows) > 1
+            rows = tables.to_craig(rows)[int(still and rng.random() < 0.7) :]
         length, angle = rng.choice([1, 1, 1, 1000, 100]), rng.choice([1, 1, 180 / math.pi])
         if rng.random() < 0.4:
             options["lengths"] = {1: "m", 100: "cm", 1000: "mm"}[int(length)]
@@ -106,7 +110,7 @@ def geometry_questions(rng, count: int, arm_of) -> Iterator[tuple[Arm, dict]]:
 
 def _described(rng, arm_of):
     """An arm and the rows of one that may be meant by it."""
-    if rng.random() < 0.1:
+    if rng.random() < 0.15:
         machine = KNOWN[str(rng.choice(["PANDA", "UR10E", "UR10E_HOMEWORK"]))]
         others = [rows for _, rows in references(arm_of(machine))]
         return machine, others[int(rng.integers(len(others)))]
@@ -120,6 +124,8 @@ def _described(rng, arm_of):
     ]
     k = int(rng.integers(len(rows)))
     rows[k] = ("R", *rows[k][1:])
+    if rng.random() < 0.1:  # a base of two rows, in which axis 1 may lean
+        rows = [("F", *row[1:]) for row in rows[:2]] + rows
     return Machine(rows, "random"), rows
 
 
@@ -166,6 +172,13 @@ def _whole(rows, rng):
     return made[int(rng.integers(len(made)))]
 
 
+def _signs(rows, rng):
+    """Other frames, and one sign that is wrong in them."""
+    rows = _frames(_frames(_frames(rows, rng), rng), rng)
+    i, column = _at(rows, rng), str(rng.choice(["alpha", "a", "d"]))
+    return tables.changed(rows, i, **{column: -rows[i][1 + NAMES.index(column)]})
+
+
 def _free(rows, rng):
     """A step that is a free choice in most arms: the base's height, the tool's turn, a zero."""
     step = float(rng.choice([0.3, -0.2, H, 0.04]))
@@ -174,6 +187,12 @@ def _free(rows, rng):
     ]
     i %= len(rows)
     return tables.changed(rows, i, **{column: rows[i][1 + NAMES.index(column)] + step})
+
+
+def _over(rows, rng):
+    """z_0 turned over, with its height or without."""
+    kind, a, alpha, d, theta = rows[0]
+    return [(kind, a, alpha + math.pi, float(rng.choice([-1, 1, 0])) * d, -theta), *rows[1:]]
 
 
 def _along(rows, rng):
@@ -205,7 +224,7 @@ def _measured(rows, rng):
 
 CHANGES = (
     *(_entry, _entry, _entry, _frames, _frames),
-    *(_measured, _turned, _whole, _free, _along, _other_rows),
+    *(_measured, _turned, _signs, _whole, _free, _over, _along, _other_rows),
 )
 
 

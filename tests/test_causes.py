@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from helpers import checks, inverse, motion
-from helpers.arm import Arm, prismatic
+from helpers.arm import Arm, prismatic, revolute
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.corpus.arms import KNOWN
 from tests.corpus.torques import PANDA as LINKS
@@ -170,6 +170,40 @@ def test_a_left_handed_target_is_reached_by_no_joints(turn):
     assert checks.compare_pose([0, 0, 0], ELBOW, T).grade == "right"
     T[:3, :3] = T[:3, :3] @ turn
     assert checks.compare_pose([0, 0, 0], ELBOW, T).grade == "wrong"
+
+
+def test_what_was_measured_of_joint_angles_and_runs():
+    found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
+    typed = [*found.q[1:3], [9.0, 9.0, 9.0]]
+    wanted = {"found": tuple(found.branches[1:3]), "right": 2, "of": 4, "wrong": 1}
+    assert checks.compare_branches(typed, found).figures == wanted
+    degrees = checks.compare_branches(np.degrees(found.q).round(1), found)
+    assert (degrees.causes, degrees.figures["right"], degrees.figures["of"]) == (
+        ("ik.degrees",),
+        0,
+        4,
+    )
+    T = np.array([[1, 0, 0, 0.7], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]])
+    off = np.outer([0.03, 0.04, 0, 0], [0, 0, 0, 1])
+    far = checks.compare_pose([0, 0, 0], ELBOW, T + off)
+    assert far.figures == {"position_error": pytest.approx(0.05), "orientation_error": 0.0}
+    turned = checks.compare_pose([0.25, 0, 0], ELBOW, T).figures["orientation_error"]
+    assert turned == pytest.approx(0.25)
+    ahead = run(CIRCLE.positions[:, [2, 0]] + [0.03, 0.04])
+    assert ahead.figures["position_error"] == pytest.approx(0.05)
+    assert ahead.figures["run"].position_error == pytest.approx(0.05)
+    assert (ahead.topic, ahead.figures["tool_turn"]) == ("trace", 0.0)
+
+
+@pytest.mark.parametrize("typed", [{"theta1": 0.0, "theta2": 0.0, "theta3": 0.0}, ("0", "0", "0")])
+def test_joint_angles_may_be_held_by_name_or_as_text(typed):
+    assert checks.compare_pose(typed, ELBOW, [0.7, 0, 0.5]).grade == "right"
+
+
+def test_two_texts_are_two_joints():
+    two = Arm("Two joints", [revolute(a=0.4), revolute(a=0.3)])
+    assert checks.compare_pose(["0", "0"], two, [0.7, 0, 0]).grade == "right"
+    assert checks.compare_pose([["q1", 0], ["q2", 0]], two, [0.7, 0, 0]).grade == "right"
 
 
 def test_an_answer_where_there_is_no_branch():

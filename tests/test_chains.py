@@ -32,7 +32,8 @@ def test_it_agrees_with_the_arm_at_one_pose_and_at_many(arm):
         one = chain(arm, q)
         np.testing.assert_allclose(one.frames, link_frames(arm, q), atol=1e-14)
         np.testing.assert_allclose(columns(one), jacobian(arm, q), atol=1e-14)
-        np.testing.assert_allclose(columns(one, frames=one.frames[..., ::1, :, :]), columns(one))
+        elsewhere = columns(one, frames=chain(arm, 2 * q).frames)
+        np.testing.assert_allclose(elsewhere, jacobian(arm, 2 * q), atol=1e-14)
 
 
 @ARMS
@@ -85,10 +86,8 @@ def test_weights_are_those_of_statics(arm):
     masses, centres = np.array([b.mass for b in bodies]), np.array([b.com for b in bodies])
     for at in (q, q[0]):
         wanted = gravity_torque(arm.with_bodies(bodies), at, gravity)
-        one = chain(arm, at)
-        for frames in (None, one.frames):
-            found = weights(one, masses, centres, gravity, frames)
-            np.testing.assert_allclose(found, wanted, atol=1e-12)
+        found = weights(chain(arm, at), masses, centres, gravity)
+        np.testing.assert_allclose(found, wanted, atol=1e-12)
 
 
 def test_vector_products_are_numpys():

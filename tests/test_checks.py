@@ -13,12 +13,16 @@ def test_what_agrees_prints_one_line(capsys):
     check("formula", sp.Matrix([sp.Symbol("x")]), sp.Matrix([sp.Symbol("x")]))
     check("lists of unequal lengths", [[1], [1, 2]], [[1], [1, 2]])
     check("no solutions", np.zeros((0, 3)), np.zeros((0, 3)))
+    check("words", ["front", "back"], np.array(["front", "back"]), tolerance=1)
+    check("within", [True, 2, np.float32(0.5)], [0.75, 2, 0.5], tolerance=0.25)
     lines = [
         "✔ the tip (m) (within 1e-12)",
         "✔ rank",
         "✔ formula",
         "✔ lists of unequal lengths",
         "✔ no solutions",
+        "✔ words",
+        "✔ within (within 0.25)",
     ]
     assert capsys.readouterr().out.splitlines() == lines
 
@@ -33,6 +37,11 @@ def test_what_agrees_prints_one_line(capsys):
         (1.0, np.nan, 1, "off by nan"),
         (np.inf, 1.0, 1, "off by inf"),
         (True, False, 0, "off by 1"),
+        (np.uint8(1), np.uint8(2), 0, "off by 1, allowed 0"),
+        (1j, 2j, 5, "got 1j, expected 2j"),
+        (1, "1", 5, "got 1, expected 1"),
+        ("1", 1, 5, "got 1, expected 1"),
+        (1 / 3, 0, 0.25, "^the thing: off by 0.333, allowed 0.25$"),
         ("left", "right", 0, "got left, expected right"),
         (sp.Matrix([1, 2]), sp.Matrix([2, 1]), 0, "got Matrix"),
     ],

@@ -278,8 +278,10 @@ def test_a_kernel_that_dies_gives_no_answers_and_words(tmp_path):
 
 def cells(*printed, error=False):
     failing = [{"outputs": [{"output_type": "error"}]}] if error else []
-    last = {"outputs": [{"name": "stdout", "text": [*printed]}, {"name": "stderr", "text": "x"}]}
-    return json.dumps({"cells": [*failing, *failing, last]}).encode()
+    first, *more = [*printed, ""]
+    outputs = [{"name": "stdout", "text": text} for text in (first, more)]
+    outputs.insert(1, {"name": "stderr", "text": "x"})
+    return json.dumps({"cells": [*failing, *failing, {"outputs": outputs}]}).encode()
 
 
 @pytest.mark.parametrize(

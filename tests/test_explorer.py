@@ -17,6 +17,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from anywidget import AnyWidget
 
 from helpers.arm import Arm, ArmError, Row, fixed, prismatic, revolute
 from helpers.checks import compare_tables
@@ -54,7 +55,7 @@ def node():
     command = [NODE, str(ROOT / "tests" / "explorer_numbers.mjs")]
     pipe = subprocess.PIPE
     process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, encoding="utf-8")
-    atexit.register(process.kill)
+    atexit.register(lambda: (process.kill(), process.wait()))
     return process
 
 
@@ -892,6 +893,17 @@ def test_widgets_share_one_script_under_a_key_of_what_it_says():
         assert rest.startswith(f"globalThis[key] ??= (() => {{ {script[:500]}")
         ends = f"{script[-500:]}\nreturn ArmExplorer; }})();\n"
         assert rest.endswith(f"{ends}export default () => globalThis[key].{widget}();\n")
+
+
+@pytest.mark.parametrize("live", [({"live": 1}, {}), {"live": 1}, None])
+def test_a_display_is_live_however_the_widget_tells_of_itself(monkeypatch, live):
+    """As a bundle with its metadata, a bundle, or nothing where no front end can show it."""
+    for widget in (ArmExplorer(ELBOW), ArmFigure("matrix")):
+        monkeypatch.setattr(AnyWidget, "_repr_mimebundle_", lambda self, **_: live)
+        shown = widget._repr_mimebundle_()
+        assert shown.pop("text/html") == widget._stub
+        assert shown.pop("text/plain") == repr(widget)
+        assert shown == ({"live": 1} if live else {})
 
 
 def judges_data(given=None):

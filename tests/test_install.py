@@ -4,6 +4,7 @@ import shutil
 import subprocess
 import sys
 import venv
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -33,8 +34,11 @@ def python(tmp_path_factory):
         shutil.copy(ROOT / name, source)
     venv.create(place, with_pip=False)
     (python,) = [p for p in place.glob("*/python*") if p.stem == "python"]
-    pip = [sys.executable, "-m", "pip", "--python", python, "install", "-qq", "--no-compile"]
-    subprocess.run([*pip, "-c", ROOT / "requirements.lock", source], check=True)
+    pip = ["pip", "--python", python, "install", "-qq", "--no-compile"]
+    if find_spec("uv"):  # it links what `make` has unpacked before
+        pip = ["uv", "pip", "install", "-qq", "--python", python]
+    lock = ["-c", ROOT / "requirements.lock"]
+    subprocess.run([sys.executable, "-m", *pip, *lock, source], check=True)
     return python
 
 

@@ -713,6 +713,27 @@ def test_restarts_find_what_one_start_misses_and_repeat():
     np.testing.assert_array_equal(once.q[once.reached], often.q[once.reached])
 
 
+def test_restarts_begin_all_over_the_limits_or_half_a_turn_and_a_metre_where_there_are_none():
+    """No step is taken: where a second start is nearer to the target, it is the answer."""
+    rows = [
+        revolute(limits=(0.2, 0.7)), revolute(a=1, limits=(-np.inf, 0.5)), prismatic(),
+        revolute(a=1), prismatic(alpha="pi/2", limits=(0.1, np.inf)),
+    ]  # fmt: skip
+    targets = forward_kinematics(Arm("five", rows), np.random.default_rng(1).normal(size=(2000, 5)))
+    found = solve(
+        Arm("five", rows), targets[:, :3, 3], [0.3, 0, 0, 0, 0.2], iterations=0, restarts=1
+    )
+    moved = found.q[(found.q != [0.3, 0, 0, 0, 0.2]).any(axis=1)]
+    assert len(moved) > 200
+    lower, upper = [0.2, -np.pi, -1, -np.pi, 0.1], [0.7, 0.5, 1, np.pi, 1]
+    share = (moved - lower) / np.subtract(upper, lower)
+    np.testing.assert_allclose(
+        [share.min(axis=0), share.max(axis=0)], [[0] * 5, [1] * 5], atol=0.04
+    )
+    assert share.min() >= 0
+    assert share.max() <= 1
+
+
 def test_turn_between_is_undone_by_rodrigues():
     """Random turns, small ones, and half turns, whose axis cannot be read from the antisymmetric
     part."""

@@ -63,8 +63,12 @@ def test_one_run_is_itself_and_more_must_fit():
     assert joined([first]).q == pytest.approx(first.q)
     with pytest.raises(ArmError, match="runs are none"):
         joined([])
+    with pytest.raises(ArmError, match="runs are 3; expected one or more runs"):
+        joined(3)
     with pytest.raises(ArmError, match="expected the same"):
         joined([first, first])
+    with pytest.raises(ArmError, match="expected the same"):
+        joined([first, replace(second, q=second.q * 1.5)])
     with pytest.raises(ArmError, match="expected the same"):
         joined([first, replace(second, q=second.q + 0.1)])
     with pytest.raises(ArmError, match="expected one arm"):

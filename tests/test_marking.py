@@ -144,10 +144,11 @@ def pushed(force):
     return {"arm": HANGING, "q": WEIGHED.drawn["static torque"]["q"], "wrench": [*force, 0, 0, 0]}
 
 
-def judged_cases():
-    """Answers that the checkers judge: sheet, part, answer, credit, and the same checker's report,
-    with the sheet's tolerance (2e-3 and so on) where that lets it pass.
-    """
+# Answers that the checkers judge: sheet, part, answer, credit, and the same checker's report, with
+# the sheet's tolerance (2e-3 and so on) where that lets it pass.
+
+
+def jacobians():
     q, J = DRAWN["Jacobian"]["q"], value("J")
     rounded, halved = J.round(3), np.r_[J[3:], J[:3]]
     for answer, credit, how in (
@@ -158,11 +159,17 @@ def judged_cases():
         (halved.tolist(), 0.0, {}),
     ):
         yield ELBOWS, "J", answer, credit, checks.compare_jacobian(answer, ELBOW, q, **how)
+
+
+def columns():
     six = value("J_column")
     for answer, credit in ((six, 1.0), ([*six[:5], "7"], 0.0), ([*six[:2], "-a_3", *six[3:]], 0.0)):
         yield ELBOWS, "J_column", answer, credit, checks.compare_jacobian(columned(answer), ELBOW)
     in_rows = [[formula] for formula in six]
     yield ELBOWS, "J_column", in_rows, 1.0, checks.compare_jacobian(columned(six), ELBOW)
+
+
+def torques():
     for name, force in (("g", [0, 0, 0]), ("tau", [0, 0, -12.5])):
         tau = value(name, WEIGHED)
         for answer, credit, how in (
@@ -173,6 +180,9 @@ def judged_cases():
         ):
             report = checks.compare_torques(answer, **pushed(force), **how)
             yield WEIGHED, name, answer, credit, report
+
+
+def tables():
     drawn = value("table")
     rows = [[str(entry) for entry in row.entries] for row in drawn.rows]
     same = replace(drawn, name="the answer")
@@ -181,6 +191,16 @@ def judged_cases():
     slipped = [rows[0], rows[1], ["0.45", *rows[2][1:]], rows[3]]
     other = Arm("the answer", (*drawn.rows[:2], revolute(0.45, "pi/2", "0.0", "0"), drawn.rows[3]))
     yield ELBOWS, "table", slipped, 0.0, checks.compare_tables(other, drawn)
+    degrees = {"0": "0", "pi/2": "90", "-pi/2": "-90"}  # the sheet asks for radians
+    typed = [[a, degrees[alpha], d, degrees[theta]] for a, alpha, d, theta in rows]
+    turned = [
+        replace(row, alpha=e[1], theta=e[3]) for row, e in zip(drawn.rows, typed, strict=True)
+    ]
+    other = Arm("the answer", tuple(turned))
+    yield ELBOWS, "table", typed, 0.0, checks.compare_tables(other, drawn)
+
+
+def branches():
     four = value("q")
     known = variants.closed_form(ELBOW)(ELBOW, np.array([0.3, 0.2, 0.7]))
     for answer, credit, how in (
@@ -190,6 +210,9 @@ def judged_cases():
         (np.add(four, [[0.3], [0], [0], [0]]).tolist(), 0.75, {}),
     ):
         yield ELBOWS, "q", answer, credit, checks.compare_branches(answer, known, **how)
+
+
+def poses():
     one = value("q", SLIDER)
     for answer, credit, how in (
         (one.tolist(), 1.0, {"tolerance": 1e-2}),
@@ -198,8 +221,9 @@ def judged_cases():
         yield SLIDER, "q", answer, credit, checks.compare_pose(answer, HALF_TURNS, TARGET, **how)
 
 
-def test_the_checkers_words_stand_in_the_mark():
-    for sheet, name, answer, credit, report in judged_cases():
+@pytest.mark.parametrize("cases", [jacobians, columns, torques, tables, branches, poses])
+def test_the_checkers_words_stand_in_the_mark(cases):
+    for sheet, name, answer, credit, report in cases():
         found = marked(name, answer, None, sheet)
         assert found.credit == pytest.approx(credit), (name, answer)
         assert (found.part, found.headline, found.words) == (name, report.headline, str(report))
@@ -268,6 +292,18 @@ def test_joint_values_count_within_the_limits_whole_turns_aside(answer, credit, 
 )
 def test_the_first_joint_value_beyond_its_limits_is_told(rows, words):
     assert marking._beyond_limits(HALF_TURNS, rows) == words
+
+
+@pytest.mark.parametrize("count", [3, 5])
+def test_a_table_of_another_shape_is_not_filled_up_from_the_key(count):
+    rows = marking.rounded(ELBOWS.parts["table"])
+    other = [*rows, rows[3]][:count]
+    found = marked("table", other)
+    assert (found.credit, found.words) == (0, str(checks.compare_tables(other, value("table"))))
+    other = [[*entries, "0"][:count] for entries in rows]
+    with pytest.raises(ArmError) as told:
+        checks.compare_tables(other, value("table"))
+    assert marked("table", other) == plain("table", 0.0, f"Not read: {told.value}")
 
 
 def test_a_wrong_or_a_named_answer_keeps_its_own_words():

@@ -256,6 +256,8 @@ def test_the_plain_inverse_stops_at_a_ratio():
     J, one, last = np.diag([5.0, 5, 5, 5, 5, 4e-9]), np.eye(6)[0], np.eye(6)[5]
     with pytest.raises(SingularError, match="its smallest singular value is 4e-09, its largest 5;"):
         plain_inverse()(J, last, None)
+    with pytest.raises(SingularError, match="its smallest singular value is 4e-09, its largest 5;"):
+        plain_inverse()(J, 1e-9 * last, None)  # however little is asked
     np.testing.assert_allclose(plain_inverse(1e-10)(J, last, None), 2.5e8 * last)
     np.testing.assert_allclose(
         plain_inverse()(J, one, None), 0.2 * one
@@ -351,8 +353,8 @@ def test_every_line_of_the_report_by_hand():
         "3 mm",
         "14.32°",
         "3.5 rad/s, 161 % of the limit",
-        "joint 5 by 0.1, joint 6 by 0.15",
-        "joint 2 by 1.3",
+        "joint 5 by 0.1 rad, joint 6 by 0.15 rad",
+        "joint 2 by 1.3 rad/s",
         "7 rad/s²",
         "0.25 rad/s",
     ):
@@ -652,6 +654,7 @@ def test_a_report_in_the_units_people_read():
         closing_gap=1.2344e-3, joint_gap=1e-9, smallest_singular_value=0.04567,
         largest_condition=123.4, largest_speed=1.2344, speed_share=0.456, largest_acceleration=2.5,
         speed_from_rest=0.5, beyond_limits=((2, 0.125), (4, 1.0)), beyond_speed=(),
+        sliding=(4, 5),
     )  # fmt: skip
     told = {
         "largest position error": "2.5e-07 m",
@@ -664,7 +667,7 @@ def test_a_report_in_the_units_people_read():
         "largest joint speed": "1.23 rad/s, 46 % of the limit",
         "largest joint acceleration": "2.5 rad/s²",
         "joint speed to take on or lose at once": "0.5 rad/s",
-        "joints beyond their range": "joint 2 by 0.12, joint 4 by 1",
+        "joints beyond their range": "joint 2 by 0.12 rad, joint 4 by 1 m",
         "joints beyond their speed": "none",
     }
     assert dict(found.rows()) == told

@@ -84,6 +84,11 @@ def test_a_parallelogram_stays_one():
     crank = self_motion(LINKAGE, FLAT, [1, -1, 1, -1], 3.0)
     turned = crank.q - FLAT
     assert turned == pytest.approx(turned[:, :1] * [1, -1, 1, -1], abs=1e-12)
+    at = np.array([[0.0, 0.5], [1.0, 1.5]])
+    np.testing.assert_array_equal(crank.path.velocity(at), np.zeros((2, 2, 3)))
+    np.testing.assert_array_equal(
+        crank.path.position(at), np.full((2, 2, 3), tip(LINKAGE, FLAT)[:3, 3])
+    )
 
 
 def test_no_joint_to_spare_no_self_motion():

@@ -31,6 +31,7 @@ from helpers.sheets.__main__ import main, slug
 from helpers.sheets.content import Item, Sheet
 from helpers.sheets.page import answer, sections
 from helpers.sheets.programs import as_latex, as_matlab, as_numpy, as_sympy, latex_title
+from helpers.urdf import from_urdf
 
 ROOT = Path(__file__).parents[1]
 TOLERANCE = 1e-10  # letters are printed with twelve digits
@@ -360,11 +361,29 @@ def test_other_lengths_stand_beside():
 
 
 def test_one_file_for_an_arm_of_your_own():
-    html = document(SKEWED)
-    assert html.startswith("<!doctype html>")
+    html = document(NUMBERED)
+    css, js = (Path(page.__file__).parent / "static" / f"answers.{x}" for x in ("css", "js"))
+    head, rest = html.split(f"<style>\n{css.read_text(encoding='utf-8')}</style></head>\n")
+    assert head == (
+        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>numbers only: answers'
+        '</title>\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+    )
+    start = '<body class="sheet"><main>\n<h1>numbers only: answers</h1>\n<p class="answer-tools">'
+    assert rest.startswith(start)
+    assert rest.endswith(f"<script>\n{js.read_text(encoding='utf-8')}</script></body></html>\n")
     assert not re.search(r"""(?:src|href)=["']""", html)
     assert "Copy all as" in html
-    assert "<h1>skewed: answers</h1>" in html
+    parts = "".join(f"<h2>{s.heading}</h2>\n{s.question}{s.body}" for s in sections(NUMBERED))
+    assert f"</p>\n{parts}</main>\n<script>" in html
+    headings = [
+        "Table",
+        "Link matrices",
+        "Frames seen from the base",
+        "Origins",
+        "Axes",
+        "Jacobian",
+    ]
+    assert re.findall("<h2>(.*?)</h2>", html) == headings
 
 
 def test_a_name_is_escaped():
@@ -408,6 +427,22 @@ def test_an_arm_out_of_a_robot_description(tmp_path):
         encoding="utf-8",
     )
     assert read_arm(str(path)).name == "one"
+
+
+def test_the_command_takes_two_links_and_a_files_name(tmp_path, capsys):
+    kinds = zip("abcd", ["continuous"] * 3 + ["fixed"], "bcde", strict=True)
+    joints = "".join(
+        f'<joint name="{a}" type="{kind}"><parent link="{a}"/><child link="{b}"/>'
+        '<origin xyz="1 0 0"/></joint>'
+        for a, kind, b in kinds
+    )
+    links = "".join(f'<link name="{name}"/>' for name in "abcde")
+    (tmp_path / "one.urdf").write_text(f'<robot name="öne">{links}{joints}</robot>', "utf-8")
+    out, file = tmp_path / "sheet.html", str(tmp_path / "one.urdf")
+    main([file, "--base", "b", "--tip", "d", "--out", str(out)])
+    assert capsys.readouterr().out == f"{out}\n"
+    assert out.read_text(encoding="utf-8") == document(from_urdf(file, "b", "d"))
+    assert from_urdf(file, "b", "d") not in (from_urdf(file, "b"), from_urdf(file, None, "d"))
 
 
 def test_the_command_says_what_is_wrong(capsys):
@@ -550,6 +585,22 @@ def test_a_formula_in_each_language(formula, html, latex, numpy, matlab):
     assert [x.replace("\u2009", " ") for x in written] == [
         html, latex, numpy.replace("np.", "sp.").replace("1/3", "sp.Rational(1, 3)"), numpy, matlab
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("formula", "words"),
+    [
+        ("1/a", "the formula 1/a is no product of powers; expected sums and products"),
+        ("a**b", "the formula a**b is no product of powers; expected sums and products"),
+        (
+            "tan(a)",
+            "the formula tan(a) is no cosine, sine, letter or number; expected one of these",
+        ),
+    ],
+)
+def test_a_formula_of_other_kinds_is_refused(formula, words):
+    with pytest.raises(ArmError, match=f"^{re.escape(words)}$"):
+        formulas.written(sp.sympify(formula), formulas.HTML)
 
 
 LANGUAGES = ("HTML", "LATEX", "SYMPY", "NUMPY", "MATLAB")

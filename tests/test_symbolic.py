@@ -145,6 +145,12 @@ def test_odd_angles_stay_exact():
     assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
 
 
+def test_lengths_may_be_any_sums_of_products():
+    arm = Arm("powers", [revolute(a="u*u - 3*u*v*v*v/2 + 0.25")], {"u": 1.7, "v": 0.6})
+    u, v = sp.symbols("u v")
+    assert symbolic.jacobian(arm).subs({"q_1": 0})[1] == u**2 - 3 * u * v**3 / 2 + sp.Rational(1, 4)
+
+
 def test_a_length_that_is_no_polynomial_is_refused():
     with pytest.raises(ArmError, match="no polynomial"):
         symbolic.forward_kinematics(Arm("x", [revolute(a="1 / b")], {"b": 2}))

@@ -74,6 +74,15 @@ def test_fixed_links_ride_along():
     np.testing.assert_allclose(abs(gravity_torque(arm, [0, math.pi / 2])), [0, torque], atol=1e-12)
 
 
+def test_a_normal_that_points_back_makes_half_a_turn_or_where_asked_a_negative_length():
+    """And a link without a mass among others has its centre at 0."""
+    crossed = joint("k", "b", "c", xyz="-0.4 0.1 0", rpy=f"{RIGHT} 0 0")
+    text = robot(link("a"), link("b"), link("c", 1), joint("j", "a", "b"), crossed)
+    found = [from_urdf(text), from_urdf(text, negative=False), from_urdf(text, negative=True)]
+    assert [arm.number(arm.rows[0].a) for arm in found] == [0.4, 0.4, -0.4]
+    assert (read_chain(text).centres[0] == 0).all()
+
+
 def test_without_masses_there_are_no_bodies():
     links = [link(name) for name in ("base", "upper", "fore", "tool")]
     assert from_urdf(robot(*links, *JOINTS)).bodies == ()

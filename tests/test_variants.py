@@ -21,7 +21,6 @@ from helpers.variants import (
     draw,
     drawn_arm,
     matrix,
-    one_way,
     pose_of,
     question,
     sheet,
@@ -143,7 +142,7 @@ def test_lengths_are_the_arms_own_within_a_tenth():
     assert all(len({arm.values[n] / own[n] for n in ("d_1", "a_2", "a_3")}) == 3 for arm in found)
 
 
-@pytest.mark.parametrize("arm", [*ARMS, PANDA, PLANE], ids=lambda arm: arm.name)
+@pytest.mark.parametrize("arm", [UR10E, STANFORD, ELBOW, PANDA, PLANE], ids=lambda arm: arm.name)
 def test_poses_are_drawn_inside_the_limits_and_away_from_singular_ones(arm):
     """The tip of a plane arm cannot leave its plane: two ways to go are all it has."""
     q = np.array([draw("forward kinematics", arm, seed)["q"] for seed in range(80)])
@@ -155,7 +154,7 @@ def test_poses_are_drawn_inside_the_limits_and_away_from_singular_ones(arm):
     assert share.max() > 0.86
     assert (np.ptp(share, axis=1) > 0.001).all()
     ways = 2 if arm is PLANE else min(arm.dof, 6)
-    for pose in q[:25]:
+    for pose in q[:8]:
         J = moves(arm, pose)[: 6 if arm.dof >= 6 else 3]
         assert np.linalg.svd(J, compute_uv=False)[ways - 1] > 0.0399
 
@@ -168,13 +167,15 @@ def test_an_arm_that_is_always_near_singular_poses_is_refused():
 
 
 def test_tables_are_drawn_of_all_numbers_and_each_joint_tells_on_the_tip():
-    given = [draw("DH table", ELBOW, seed) for seed in range(100)]
+    given = [draw("DH table", ELBOW, seed) for seed in range(50)]
     rows = [row for one in given for row in one["rows"]]
     turns = {"0", "pi/2", "-pi/2"}
     assert {key: {row[key] for row in rows} for key in rows[0]} == {
         "kind": {"revolute", "prismatic"}, "a": {0, 0.2, 0.3, 0.4, 0.5}, "alpha": turns,
         "d": {0, 0.1, 0.2, 0.3}, "theta": turns,
     }  # fmt: skip
+    zeros = [np.mean([row[key] in (0, "0") for row in rows]) for key in ("a", "d", "theta")]
+    assert zeros == pytest.approx([0.28, 0.4, 0.5], abs=0.08), "a zero counts double"
     assert {shift for one in given for shift in one["along"]} == {n / 20 for n in range(-4, 5)}
     for one in given:
         assert (len(one["rows"]), len(one["along"]), one["rows"][-1]["alpha"]) == (4, 4, "0")
@@ -203,7 +204,7 @@ def test_circles_are_drawn_that_the_arm_can_run_through():
     assert {one["radius"] for one in given} == {n / 100 for n in range(5, 11)}
     assert {one["plane"] for one in given} == {"xy", "yz", "zx"}
     assert {one["duration"] for one in given} == {10, 15, 20, 25, 30}
-    for one in given:
+    for one in given[:12]:
         top = product(UR10E, one["q"])[:3, 3]
         centre = top - one["radius"] * np.eye(3)["xyz".index(one["plane"][0])]
         path = circle(centre, one["radius"], one["plane"], one["duration"], 60)
@@ -342,7 +343,6 @@ def test_a_sheet_of_some_topics_and_what_is_no_topic_arm_or_seed():
         (lambda: question("Jacobian", 3, {}), "arm is 3; expected an Arm"),
         (lambda: variant("Jacobian", 3, 1), "arm is 3; expected an Arm"),
         (lambda: branches_of(PANDA, np.eye(4)[:3]), "Panda: the book has no closed form for it"),
-        (lambda: one_way(ELBOW, np.full((3, 1), 9)), "Elbow arm: no joint values within the lim"),
     ]:
         with pytest.raises(ArmError, match=f"^{words}"):
             call()

@@ -129,6 +129,11 @@ def test_ellipsoids_hold_what_unit_joint_speeds_and_torques_do(arm):
         assert np.linalg.norm(J.T @ direction) == pytest.approx(1)
 
 
+def test_force_ellipsoid_of_three_directions_apart():
+    forces = [[0, 0.5, 0], [0.25, 0, 0], [0, 0, np.inf]]
+    np.testing.assert_array_equal(force_ellipsoid(np.diag([2.0, 4.0, 0.0])), forces)
+
+
 def test_a_direction_without_motion_carries_any_force():
     J = jacobian(UR10E_HOMEWORK, np.zeros(6))[:3]
     axes, forces = velocity_ellipsoid(J), force_ellipsoid(J)

@@ -39,7 +39,7 @@ from mutmut.mutation.diff_apply import get_diff_for_mutant
 PLACE = Path("mutants").absolute()
 OUTCOMES, REACH = PLACE / "outcomes.jsonl", PLACE / "reach.json"
 MEMORY, GRACE = 6 << 30, 5  # bytes, and seconds of processor on top of five times a test's own
-STRING = re.compile(r"""(["'])(.*?)\1""")
+STRING, GUARD = re.compile(r"""(["'])(.*?)\1"""), re.compile(r", (strict=\w+)?\)")
 
 
 def main() -> None:
@@ -56,7 +56,7 @@ def main() -> None:
     names = sorted(files)
     random.Random(options.seed).shuffle(names)
     changes = ((name, changed(name, files[name])) for name in names)
-    telling = ((name, lines) for name, lines in changes if not rewords(lines))
+    telling = ((name, lines) for name, lines in changes if not idle(lines))
     driver = Driver(islice(telling, options.sample or None), options.seconds, options.again)
     # To shrink a counterexample costs a hundred times what it cost to find it.
     phases = [Phase.explicit, Phase.generate]
@@ -91,9 +91,10 @@ def changed(name: str, path: Path) -> list[str]:
     return [line for line in lines if line[:1] in "-+"]
 
 
-def rewords(lines: list[str]) -> bool:
-    """Whether a mutant changes nothing but prose: a string with a space in it."""
-    bare = [STRING.sub(lambda m: "" if " " in m[2] else m[0], line) for line in lines]
+def idle(lines: list[str]) -> bool:
+    """Whether a mutant changes nothing but prose, a string with a space in it, or whether `zip`
+    refuses what is of equal length by construction."""
+    bare = [GUARD.sub(")", STRING.sub(lambda m: "" if " " in m[2] else m[0], x)) for x in lines]
     return [x[1:] for x in bare if x[0] == "-"] == [x[1:] for x in bare if x[0] == "+"]
 
 

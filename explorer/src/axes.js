@@ -32,16 +32,24 @@ export const NORMAL = -1; // stands for the common normal where joints are liste
 /**
  * One table's walk, ready to be compared: `joints` are the rows that move, counted from 1; `foot` is how far axis 1
  * passes from z_0 and how far it leans from it, none but where fixed rows come first.
- * @typedef {{ rows: Numbers[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number] }} Side
+ * @typedef {{ rows: Numbers[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number], up: number }} Side
  */
 
 /**
- * What differs in a gap: the key of its sentence, the row and entry it shows in, the joints it lies between, and what
- * it is in both tables (m, rad, or words).
- * @typedef {{ key: string, row: number, entry: string, ends: number[], mine: any, reference: any }} Difference
+ * What differs in a gap: the key of its sentence, the row and entry it shows in, what it is in both tables (m, rad, or
+ * words), and the joints it lies between, 0 for the base and the tip.
+ * @typedef {{ key: string, row: number, entry: string, mine: any, reference: any, ends: number[] }} Difference
  */
 
-/** @typedef {{ differences: Difference[], signs: number[], baseHigher: number, tilts: [number, number] }} Compared */
+/**
+ * The differences that are left, which way each axis points, and how the base and the last frame stand.
+ * @typedef {object} Compared
+ * @property {Difference[]} differences
+ * @property {number[]} signs
+ * @property {number} baseHigher
+ * @property {boolean} upsideDown whether z_0 points the other way
+ * @property {[number, number]} tilts
+ */
 
 // A table's walk; it needs a joint.
 /** @param {Numbers[]} rows @returns {Side} */
@@ -53,16 +61,20 @@ export function side(rows) {
     joints: numbers,
     gaps: gaps({ rows }),
     tilt: tilt({ rows }, moving),
-    foot: foot(rows, moving[0]),
+    ...foot(rows, moving[0]),
   };
 }
 
-/** @returns {[number, number]} */
+// How axis 1 stands to z_0; `up` is -1 where it points down.
+/** @returns {{ foot: [number, number], up: number }} */
 function foot(rows, first) {
   const { z, o } = linkFrames({ rows: rows.slice(0, first) }, []).at(-1);
   const n = cross([0, 0, 1], z);
   const far = norm(n) > TINY ? Math.abs(dot(o, n)) / norm(n) : Math.hypot(o[0], o[1]);
-  return [rows[first].kind === "revolute" ? far : 0, arc(Math.abs(z[2]))];
+  return {
+    foot: [rows[first].kind === "revolute" ? far : 0, arc(Math.abs(z[2]))],
+    up: z[2] < -TINY ? -1 : 1,
+  };
 }
 
 // The cosine of the angle between the last joint axis and the z axis of the last frame.
@@ -181,11 +193,12 @@ const parallel = (u, v) => norm(cross(u, v)) < TINY;
 /** @param {Side} mine @param {Side} reference @returns {Compared} */
 export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
   const unlike = unlikeJoints(mine, reference);
-  if (unlike.length) return { differences: unlike, signs: [], baseHigher: 0, tilts: [0, 0] };
+  if (unlike.length)
+    return { differences: unlike, signs: [], baseHigher: 0, upsideDown: false, tilts: [0, 0] };
   const feet = stands(mine, reference, length, angle);
   const far = feet.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), 0);
   let best = new Map([1, -1].map((s) => [s, { cost: [feet.length, far, 0], signs: [s], found: feet }]));
-  mine.gaps.forEach((m, i) => (best = step(mine, m, reference.gaps[i], best, length, angle)));
+  mine.gaps.forEach((m, i) => (best = step(mine, reference, m, reference.gaps[i], best, length, angle)));
   const ends = [...best].map(([last, { cost, signs, found }]) => {
     /** @type {[number, number]} */
     const tilts = [arc(mine.tilt), arc(last * reference.tilt)];
@@ -194,8 +207,15 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
     return { cost: [cost[0], cost[1], cost[2] + note, -total], signs, differences: found, tilts };
   });
   const { signs, differences, tilts } = ends.reduce((p, q) => (less(q.cost, p.cost) ? q : p));
-  return { differences, signs, baseHigher: baseHigher(mine, reference, signs), tilts };
+  const turned = {
+    baseHigher: baseHigher(mine, reference, signs),
+    upsideDown: upsideDown(mine, reference, signs),
+  };
+  return { differences, signs, ...turned, tilts };
 }
+
+// Whether z_0 points the other way.
+const upsideDown = (mine, reference, signs) => signs[0] * mine.up * reference.up < 0;
 
 // Whether one list of costs comes before another.
 function less(p, q) {
@@ -211,7 +231,7 @@ const signings = (count) =>
 
 // The cheapest choices up to the end of a gap, for each sign of its last joint; the gap begins with the last one's
 // end.
-function step(mine, m, r, best, length, angle) {
+function step(mine, reference, m, r, best, length, angle) {
   const found = new Map();
   for (const chosen of signings(m.joints.length)) {
     const { cost, signs: before, found: old } = best.get(chosen[0]);
@@ -219,10 +239,11 @@ function step(mine, m, r, best, length, angle) {
     const fresh = differences(mine, m, r, signs, length, angle);
     const alike = placesBase(m) && placesBase(r) && `${m.bunch}` === `${r.bunch}`;
     const note = alike && Math.abs(height(m, r, chosen[0])) > length;
-    if (note && before[0] < 0 && mine.joints[0] === 1)
-      fresh.push(difference("table base", 1, "d", [], m.offset, -(r.offset ?? 0)));
+    const over = upsideDown(mine, reference, before);
+    if (note && over && mine.joints[0] === 1)
+      fresh.push(difference("table base", 1, "d", m.offset, -(r.offset ?? 0)));
     const far = fresh.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), cost[1]);
-    const notes = cost[2] + Number(note) + Number(before[0] < 0);
+    const notes = cost[2] + Number(note) + Number(over);
     const choice = {
       cost: [cost[0] + fresh.length, Number(far.toFixed(9)), notes],
       signs: [...before, ...chosen.slice(1)],
@@ -235,7 +256,9 @@ function step(mine, m, r, best, length, angle) {
 }
 
 /** @returns {Difference} */
-const difference = (key, row, entry, ends, mine, reference) => ({ key, row, entry, ends, mine, reference });
+const difference = (key, row, entry, mine, reference, ends = [0, 0]) => ({
+  key, row, entry, mine, reference, ends,
+}); // prettier-ignore
 
 // Whether a gap's offset is the height of the base frame, with no slide to make up for it.
 export const placesBase = ({ fromBase, offset, bunch, joints: between, toTip }) =>
@@ -245,18 +268,18 @@ const height = (m, r, sign) => sign * (r.offset ?? 0) - (m.offset ?? 0);
 
 function baseHigher(mine, reference, signs) {
   const [m, r] = [mine, reference].map((s) => s.gaps.find(placesBase));
-  return m && r && `${m.bunch}` === `${r.bunch}` ? height(m, r, signs[m.bunch.at(-1)]) : 0;
+  return m && r && `${m.bunch}` === `${r.bunch}` ? mine.up * height(m, r, signs[m.bunch.at(-1)]) : 0;
 }
 
 function unlikeJoints(mine, reference) {
   const [ours, theirs] = [mine.joints, reference.joints];
   if (ours.length !== theirs.length) {
     const row = ours[Math.min(ours.length, theirs.length) - 1];
-    return [difference("table count", row, "joints", [], ours.length, theirs.length)];
+    return [difference("table count", row, "joints", ours.length, theirs.length)];
   }
   return ours.flatMap((i, k) => {
     const [kind, wanted] = [mine.rows[i - 1].kind, reference.rows[theirs[k] - 1].kind];
-    return kind === wanted ? [] : [difference("table kind", i, "joint", [], kind, wanted)];
+    return kind === wanted ? [] : [difference("table kind", i, "joint", kind, wanted)];
   });
 }
 
@@ -265,8 +288,8 @@ function stands(mine, reference, length, angle) {
   const [[far, lean], [other, wanted]] = [mine.foot, reference.foot];
   const ends = [0, mine.joints[0]];
   const found = [];
-  if (Math.abs(lean - wanted) > angle) found.push(difference("table lean", 1, "alpha", ends, lean, wanted));
-  if (Math.abs(far - other) > length) found.push(difference("table foot", 1, "a", ends, far, other));
+  if (Math.abs(lean - wanted) > angle) found.push(difference("table lean", 1, "alpha", lean, wanted, ends));
+  if (Math.abs(far - other) > length) found.push(difference("table foot", 1, "a", far, other, ends));
   return found;
 }
 
@@ -275,7 +298,7 @@ function differences(mine, m, r, signs, length, angle) {
   const first = mine.joints[m.joints[0]];
   if (Math.abs(m.length - r.length) > length) {
     const end = m.toTip ? 0 : mine.joints[m.joints.at(-1)];
-    found.push(difference("table distance", first, "a", [first, end], m.length, r.length));
+    found.push(difference("table distance", first, "a", m.length, r.length, [first, end]));
   }
   const turned = twists(mine, m, r, signs, angle);
   found.push(...(turned.length ? turned : slide(mine, m, r, signs, angle)));
@@ -283,7 +306,7 @@ function differences(mine, m, r, signs, length, angle) {
   const wanted = signs.get(m.joints[0]) * r.offset;
   if (Math.abs(m.offset - wanted) > length) {
     const ends = [mine.joints[m.bunch[0]], mine.joints[m.bunch.at(-1)]];
-    found.push(difference("table along", ends[1], "d", ends, m.offset, wanted));
+    found.push(difference("table along", ends[1], "d", m.offset, wanted, ends));
   }
   return found;
 }
@@ -296,7 +319,7 @@ function twists(mine, m, r, signs, angle) {
     const [x, y] = [twist(m, pair, sided, new Map()), twist(r, pair, sided, signs)];
     if (angleBetween(x, y) <= angle) return [];
     const ends = pair.map((i) => mine.joints[i]);
-    return [difference("table between", ends[0], "alpha", ends, x, y)];
+    return [difference("table between", ends[0], "alpha", x, y, ends)];
   });
 }
 
@@ -320,7 +343,7 @@ function slide(mine, m, r, signs, angle) {
     const [p, q] = [m.shape.get(`${which}`), product(r, which, signs)];
     if (Math.abs(p - q) > Math.abs(x - y)) [x, y] = [p, q];
   }
-  return Math.abs(x - y) > angle ? [difference("table held", slides[0], "theta", [], arc(x), arc(y))] : [];
+  return Math.abs(x - y) > angle ? [difference("table held", slides[0], "theta", arc(x), arc(y))] : [];
 }
 
 // Lists of numbers as a dictionary has words.

@@ -14,7 +14,7 @@ this.
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations, product
+from itertools import combinations, pairwise, product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -61,11 +61,10 @@ def frames(rows: Rows, q: Sequence[float]) -> list[Frame]:
     """The base's frame and each link's, joints at q."""
     found, values = [BASE], iter(q)
     for row in rows:
-        moved = 0.0 if row.kind == "F" else next(values)
-        c, s = cos_sin(row.theta + (moved if row.kind == "R" else 0.0))
+        c, s = cos_sin(row.theta + next(values) if row.kind == "R" else row.theta)
         ca, sa = cos_sin(row.alpha)
         x, y, z, o = found[-1]
-        d = row.d + (moved if row.kind == "P" else 0.0)
+        d = row.d + next(values) if row.kind == "P" else row.d
         new_x, turned = mix(c, x, s, y), mix(c, y, -s, x)
         o = add(o, mix(d, z, row.a, new_x))
         found.append(Frame(new_x, mix(ca, turned, sa, z), mix(ca, z, -sa, turned), o))
@@ -89,8 +88,8 @@ class Gap:
     shape: dict[tuple[int, ...], float]
     offset: float | None
     bunch: tuple[int, ...]
-    from_base: bool
-    to_tip: bool
+    from_base: bool = False
+    to_tip: bool = False
 
     @property
     def places_base(self) -> bool:
@@ -136,11 +135,11 @@ def _walk(rows: Rows, q: Sequence[float]) -> list[Gap]:
     axes, points = [T[i - 1].z for i in moving], [T[i - 1].o for i in moving]
     dof = len(moving)
     turning = [k for k, i in enumerate(moving) if rows[i - 1].kind == "R"]
-    first, *others = [*turning, dof]
-    found = [_gap(axes, range(min(first + 1, dof)), (0.0, 0.0, 0.0), None, (), True, False)]
+    first = [*turning, dof][0]
+    found = [_gap(axes, range(min(first + 1, dof)), (0.0, 0.0, 0.0), None, ())]
     bunch: tuple[int, ...] = ()
     foot = T[0].o
-    for i, j in zip(turning, others, strict=True):
+    for i, j in pairwise([*turning, dof]):
         end, other = (points[j], axes[j]) if j < dof else (T[-1].o, None)
         foot = foot if bunch else _onto(points[i], axes[i], foot)
         leave, arrive = _feet(foot, axes[i], end, other)
@@ -228,21 +227,21 @@ def mix(a: float, u: Vector, b: float, v: Vector) -> Vector:
 
 
 class Difference(NamedTuple):
-    """What differs in a gap: the key of its sentence, the row and entry it shows in, the joints it
-    lies between, and what it is in both tables (m, rad, or words)."""
+    """What differs in a gap: the key of its sentence, the row and entry it shows in, what it is in
+    both tables (m, rad, or words), and the joints it lies between, 0 for the base and the tip."""
 
     key: str
     row: int
     entry: str
-    ends: tuple[int, ...]
     mine: Any
     reference: Any
+    ends: tuple[int, int] = (0, 0)
 
 
 @dataclass(frozen=True)
 class Side:
     """One table's walk, ready to be compared: `foot` is how far axis 1 passes from z_0 and how far
-    it leans from it, none but where fixed rows come first.
+    it leans from it, none but where fixed rows come first; `up` is 1, or -1 where it points down.
     """
 
     rows: tuple[Numbers, ...]
@@ -250,32 +249,35 @@ class Side:
     gaps: list[Gap]
     tilt: float
     foot: tuple[float, float]
+    up: int
 
 
 @dataclass(frozen=True)
 class Compared:
     """The differences that are left once each axis of the reference is turned the way that makes
-    them fewest.
+    them fewest; those of the joints alone where they do not correspond.
     """
 
     differences: tuple[Difference, ...]
-    signs: tuple[int, ...]
-    base_higher: float
-    tilts: tuple[float, float]
+    signs: tuple[int, ...] = ()
+    base_higher: float = 0.0
+    upside_down: bool = False
+    tilts: tuple[float, float] = (0.0, 0.0)
 
 
 def side(rows: Rows) -> Side:
     """A table's walk; it needs a joint."""
-    return Side(tuple(rows), joints(rows), gaps(rows), tool_tilt(rows), _foot(rows))
+    axis = frames(rows[: joints(rows)[0] - 1], ())[-1]
+    up = -1 if axis.z[2] < -_TINY else 1
+    return Side(tuple(rows), joints(rows), gaps(rows), tool_tilt(rows), _foot(rows, axis), up)
 
 
-def _foot(rows: Rows) -> tuple[float, float]:
-    first = joints(rows)[0]
-    axis = frames(rows[: first - 1], ())[-1]
+def _foot(rows: Rows, axis: Frame) -> tuple[float, float]:
     n = cross(BASE.z, axis.z)
     sine = math.sqrt(dot(n, n))
     far = abs(dot(axis.o, n)) / sine if sine > _TINY else math.hypot(*axis.o[:2])
-    return (far if rows[first - 1].kind == "R" else 0.0), _arc(abs(axis.z[2]))
+    turns = rows[joints(rows)[0] - 1].kind == "R"
+    return far if turns else 0.0, _arc(abs(axis.z[2]))
 
 
 def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1e-4) -> Compared:
@@ -286,22 +288,30 @@ def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1
     """
     unlike = tuple(_unlike(mine, reference))
     if unlike:
-        return Compared(unlike, (), 0.0, (0.0, 0.0))
+        return Compared(unlike)
     feet = tuple(_stands(mine, reference, length, angle))
     far = sum(abs(x.mine - x.reference) for x in feet)
     best: dict[int, tuple] = {s: ((len(feet), far, 0), (s,), feet) for s in (1, -1)}
     for m, r in zip(mine.gaps, reference.gaps, strict=True):
-        best = _step(mine, m, r, best, length, angle)
+        best = _step(mine, reference, m, r, best, length, angle)
     ends = []
     for last, (cost, signs, found) in best.items():
         tilts = (_arc(mine.tilt), _arc(last * reference.tilt))
         note = angle_between(*tilts) > angle
         ends.append(((cost[0], cost[1], cost[2] + note, -sum(signs)), signs, found, tilts))
     _, signs, found, tilts = min(ends, key=lambda end: end[0])
-    return Compared(found, signs, _base_higher(mine, reference, signs), tilts)
+    upside_down = _upside_down(mine, reference, signs)
+    return Compared(found, signs, _base_higher(mine, reference, signs), upside_down, tilts)
 
 
-def _step(mine: Side, m: Gap, r: Gap, best: dict, length: float, angle: float) -> dict:
+def _upside_down(mine: Side, reference: Side, signs: tuple[int, ...]) -> bool:
+    """Whether z_0 points the other way."""
+    return signs[0] * mine.up * reference.up < 0
+
+
+def _step(
+    mine: Side, reference: Side, m: Gap, r: Gap, best: dict, length: float, angle: float
+) -> dict:
     """The cheapest choices up to the end of a gap, for each sign of its last joint; the gap begins
     with the last one's end.
     """
@@ -313,10 +323,11 @@ def _step(mine: Side, m: Gap, r: Gap, best: dict, length: float, angle: float) -
             _differences(mine, m, r, dict(zip(m.joints, signs, strict=True)), length, angle)
         )
         note = alike and abs(_height(m, r, signs[0])) > length
-        if note and before[0] < 0 and mine.joints[0] == 1:
-            new += (Difference("table base", 1, "d", (), m.offset, -(r.offset or 0.0)),)
+        over = _upside_down(mine, reference, before)
+        if note and over and mine.joints[0] == 1:
+            new += (Difference("table base", 1, "d", m.offset, -(r.offset or 0.0)),)
         far += sum(abs(x.mine - x.reference) for x in new)
-        cost = (count + len(new), round(far, 9), notes + note + (before[0] < 0))
+        cost = (count + len(new), round(far, 9), notes + note + over)
         choice = (cost, before + signs[1:], old + new)
         last = signs[-1]
         if last not in found or choice[0] < found[last][0]:
@@ -332,19 +343,19 @@ def _base_higher(mine: Side, reference: Side, signs: tuple[int, ...]) -> float:
     m, r = (next((g for g in s.gaps if g.places_base), None) for s in (mine, reference))
     if m is None or r is None or m.bunch != r.bunch:
         return 0.0
-    return _height(m, r, signs[m.bunch[-1]])
+    return mine.up * _height(m, r, signs[m.bunch[-1]])
 
 
 def _unlike(mine: Side, reference: Side) -> Iterator[Difference]:
     if len(mine.joints) != len(reference.joints):
         row = mine.joints[min(len(mine.joints), len(reference.joints)) - 1]
-        yield Difference("table count", row, "joints", (), len(mine.joints), len(reference.joints))
+        yield Difference("table count", row, "joints", len(mine.joints), len(reference.joints))
         return
     names = {"R": "revolute", "P": "prismatic"}
     for i, j in zip(mine.joints, reference.joints, strict=True):
         kind, wanted = names[mine.rows[i - 1].kind], names[reference.rows[j - 1].kind]
         if kind != wanted:
-            yield Difference("table kind", i, "joint", (), kind, wanted)
+            yield Difference("table kind", i, "joint", kind, wanted)
 
 
 def _stands(mine: Side, reference: Side, length: float, angle: float) -> Iterator[Difference]:
@@ -352,9 +363,9 @@ def _stands(mine: Side, reference: Side, length: float, angle: float) -> Iterato
     (far, lean), (other, wanted) = mine.foot, reference.foot
     ends = (0, mine.joints[0])
     if abs(lean - wanted) > angle:
-        yield Difference("table lean", 1, "alpha", ends, lean, wanted)
+        yield Difference("table lean", 1, "alpha", lean, wanted, ends)
     if abs(far - other) > length:
-        yield Difference("table foot", 1, "a", ends, far, other)
+        yield Difference("table foot", 1, "a", far, other, ends)
 
 
 def _differences(
@@ -363,7 +374,7 @@ def _differences(
     first = mine.joints[m.joints[0]]
     if abs(m.length - r.length) > length:
         end = 0 if m.to_tip else mine.joints[m.joints[-1]]
-        yield Difference("table distance", first, "a", (first, end), m.length, r.length)
+        yield Difference("table distance", first, "a", m.length, r.length, (first, end))
     twists = list(_twists(mine, m, r, signs, angle))
     yield from twists or _slide(mine, m, r, signs, angle)
     if m.from_base or m.bunch != r.bunch:
@@ -372,18 +383,18 @@ def _differences(
         wanted = signs[m.joints[0]] * r.offset
         if abs(m.offset - wanted) > length:
             ends = (mine.joints[m.bunch[0]], mine.joints[m.bunch[-1]])
-            yield Difference("table along", ends[1], "d", ends, m.offset, wanted)
+            yield Difference("table along", ends[1], "d", m.offset, wanted, ends)
 
 
 def _twists(
     mine: Side, m: Gap, r: Gap, signs: dict[int, int], angle: float
 ) -> Iterator[Difference]:
-    for i, j in zip(m.joints, m.joints[1:], strict=False):
+    for i, j in pairwise(m.joints):
         sided = len(m.joints) == 2 and (i, j, NORMAL) in m.shape and (i, j, NORMAL) in r.shape
         x, y = _twist(m, (i, j), sided, {}), _twist(r, (i, j), sided, signs)
         if angle_between(x, y) > angle:
             ends = (mine.joints[i], mine.joints[j])
-            yield Difference("table between", ends[0], "alpha", ends, x, y)
+            yield Difference("table between", ends[0], "alpha", x, y, ends)
 
 
 def _twist(gap: Gap, pair: tuple[int, int], sided: bool, signs: dict[int, int]) -> float:
@@ -407,7 +418,7 @@ def _slide(mine: Side, m: Gap, r: Gap, signs: dict[int, int], angle: float) -> I
     products = [(m.shape[which], _product(r, which, signs)) for which in both]
     x, y = max(products, key=lambda pair: abs(pair[0] - pair[1]), default=(0.0, 0.0))
     if abs(x - y) > angle:
-        yield Difference("table held", slides[0], "theta", (), _arc(x), _arc(y))
+        yield Difference("table held", slides[0], "theta", _arc(x), _arc(y))
 
 
 def _arc(cosine: float) -> float:

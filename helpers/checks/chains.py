@@ -125,11 +125,11 @@ def weights(chain: Chain, masses: Array, centres: Array, gravity: Array) -> Arra
     m c - o sum m) x gravity).
     """
     T = chain.frames
-    points = np.einsum("...kij,...kj->...ki", T[..., 1:, :3, :3], centres) + T[..., 1:, :3, 3]
+    points = (T[..., 1:, :3, :3] @ centres[..., None])[..., 0] + T[..., 1:, :3, 3]
     mass = np.cumsum(np.broadcast_to(masses, points.shape[:-1])[..., ::-1], axis=-1)[..., ::-1]
     moment = np.cumsum((points * masses[..., None])[..., ::-1, :], axis=-2)[..., ::-1, :]
     at = np.array(chain.joints) - 1
     z, o = T[..., :3, 2][..., at, :], T[..., :3, 3][..., at, :]
     lever = moment[..., at, :] - mass[..., at, None] * o
-    turning = -np.einsum("...i,...i->...", z, vector_products(lever, gravity))
+    turning = -(z * vector_products(lever, gravity)).sum(axis=-1)
     return np.where(chain.turning, turning, -(z @ gravity) * mass[..., at])

@@ -6,7 +6,7 @@ end the tip and the tool.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -53,6 +53,11 @@ class Map(NamedTuple):
         """Whether the same q means the same pose."""
         return all(s == 1 for s in self.signs) and all(abs(c) < _SEEN for c in self.offsets)
 
+    def yours(self, joints: Iterable[float]) -> list[float]:
+        """Your joints where the reference's have these values."""
+        both = zip(self.signs, self.offsets, joints, strict=True)
+        return [s * (x - c) for s, c, x in both]
+
 
 class _Feature(NamedTuple):
     """What a joint carries: a line (point, direction), a direction without place, or a point."""
@@ -87,9 +92,9 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
 
 
 def _base(found: Compared) -> Frame:
-    if found.signs[0] > 0:
-        return BASE._replace(o=(0.0, 0.0, found.base_higher))
-    return _UPSIDE_DOWN._replace(o=(0.0, 0.0, -found.base_higher))
+    if found.upside_down:
+        return _UPSIDE_DOWN._replace(o=(0.0, 0.0, -found.base_higher))
+    return BASE._replace(o=(0.0, 0.0, found.base_higher))
 
 
 def _features(rows: Rows, q, base: Frame, signs: tuple[int, ...]) -> list[_Feature]:
@@ -185,19 +190,18 @@ def in_own_joints(rows: Rows, arm: Arm, found: Map, reference: Side, name: str) 
     """The reference as an arm of the student's own table: its limits and bodies carried over to
     these rows.
     """
-    limits, speeds = arm.limits, arm.speed_limits
+    ends = [found.yours(x) for x in arm.limits]
     new, k = [], 0
     for row in rows:
         joint = Joint("fixed")
         if row.kind != "F":
-            low, high = sorted(found.signs[k] * (x[k] - found.offsets[k]) for x in limits)
+            low, high = sorted(end[k] for end in ends)
             kind: Kind = "revolute" if row.kind == "R" else "prismatic"
-            joint = Joint(kind, low, high, speeds[k], arm.effort_limits[k])
+            joint = Joint(kind, low, high, arm.speed_limits[k], arm.effort_limits[k])
             k += 1
         new.append(Row(row.a, row.alpha, row.d, row.theta, joint))
-    home = [s * (x - c) for s, x, c in zip(found.signs, arm.home, found.offsets, strict=True)]
     bodies = _bodies(rows, arm, found, reference) if arm.bodies else ()
-    return Arm(name, tuple(new), bodies=bodies, home=tuple(home), source=arm.source)
+    return Arm(name, tuple(new), bodies=bodies, home=found.yours(arm.home), source=arm.source)
 
 
 def _bodies(rows: Rows, arm: Arm, found: Map, reference: Side) -> tuple[Body, ...]:
@@ -207,7 +211,10 @@ def _bodies(rows: Rows, arm: Arm, found: Map, reference: Side) -> tuple[Body, ..
     totals: list[list[Any]] = [[0.0, np.zeros(3)] for _ in rows]
     owner = _owners(rows)
     for i, (body, joint) in enumerate(zip(arm.bodies, _owners(reference.rows), strict=True), 1):
-        row = max((k for k, o in enumerate(owner) if o == joint), default=0)
+        moved = [k for k, o in enumerate(owner) if o == joint]
+        if not moved:
+            continue  # it stands on the base, of which the student has no row
+        row = moved[-1]
         c = [arm.number(x) for x in body.com]
         F, G = theirs[i], ours[row + 1]
         w = sub(add(F.o, _from_axes(F, c)), G.o)

@@ -21,10 +21,10 @@ def check(label: str, actual: Any, expected: Any, tolerance: float = 0.0) -> Non
     if exact:
         difference, agrees = None, _equal(actual, expected)
     else:
-        actual, expected = np.asarray(actual, dtype=float), np.asarray(expected, dtype=float)
-        if actual.shape != expected.shape:
-            raise AssertionError(f"{label}: shape {actual.shape}, expected {expected.shape}")
-        difference = float(np.abs(actual - expected).max(initial=0.0))
+        got, wanted = np.shape(actual), np.shape(expected)
+        if got != wanted:
+            raise AssertionError(f"{label}: shape {got}, expected {wanted}")
+        difference = float(np.abs(np.subtract(actual, expected, dtype=float)).max(initial=0.0))
         agrees = difference <= tolerance
     if not agrees:
         detail = (

@@ -76,8 +76,8 @@ class Table:
 
     def text(self, row: int, column: str) -> str | None:
         """What was typed as an entry of a row of `rows`; None where no row holds it."""
-        at = self.row_of(row, column)
-        return self.texts[at - 1].get(column) if 0 < at <= len(self.texts) else None
+        typed = dict(enumerate(self.texts, 1))
+        return typed.get(self.row_of(row, column), {}).get(column)
 
 
 def compare_tables(
@@ -233,7 +233,7 @@ class _Try:
     cause: Cause | None
     rows: list[Numbers]
     reference: tuple[Numbers, ...]
-    entries: int
+    entries: float
 
     def found(self, length: float) -> Compared:
         return compared(side(self.rows), side(self.reference), length, _ANGLE)
@@ -311,7 +311,7 @@ def _same(
 ) -> Report:
     loose = _LENGTH if grade == RIGHT else 10 * table.length_unit
     mapped = joint_map(mine, ref, found, loose)
-    figures: dict[str, Any] = {"signs": found.signs}
+    figures: dict[str, Any] = {"upside down": found.upside_down}
     notes = [
         *_zeros(mapped, mine, ref),
         *_base(mine, found, mapped),
@@ -340,7 +340,7 @@ def _zeros(mapped: Map | None, mine: Side, ref: Side) -> Iterator[str]:
 def _base(mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[str]:
     """A word on where the base's frame stands on axis 1."""
     higher = found.base_higher if mapped is None else mapped.base.o[2]
-    if found.signs[0] < 0:
+    if found.upside_down:
         yield say("base upside down")
     elif abs(higher) > _LENGTH:
         way = say("higher") if higher > 0 else say("lower")
@@ -399,9 +399,9 @@ def _different(
     tries = list(_tries(rows, reference, wanted))
     equal = [t.cause for t in tries if t.cause and not t.entries]
     if equal:
-        fewest = [c for c in equal if _edits(c) == _edits(equal[0])]
-        return _bad(table, reference, fewest)
-    notes = tuple(_base(side(rows), found)) if found.signs else ()
+        fewest = min(len(c.keys) for c in equal)
+        return _bad(table, reference, [c for c in equal if len(c.keys) == fewest])
+    notes = tuple(_base(side(rows), found))
     local = _local(tries, len(wanted), length)
     whole = _agreeing(tries, length, local[0] if local else math.inf)
     if local is None and whole is None:
@@ -442,42 +442,35 @@ def _apart(c: Cause) -> float:
     return 0 if len(c.keys) == 1 and c.keys[0] in _ONE_ENTRY else _BY_AXES
 
 
-def _edits(c: Cause | None) -> int:
-    return 0 if c is None else len(c.keys)
-
-
 def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> Iterator[_Try]:
-    """Every reading with up to two causes, fewest first, each with how many entries differ from the
-    reference's.
-    """
+    """Every reading with up to two causes, each with how many entries differ from the arm's."""
     others = [
         (None, wanted),
         *((c, tuple(_squared(r))) for c, r in usual.references(reference)),
     ]
     mends = usual.structures(len(rows))
     whole = [(c, mend) for c, mend in mends if c.keys[0] != usual.EXCHANGED]
-    found: list[Any] = []
+
+    def held(why: Cause | None, read: list[Numbers], arm: tuple[Numbers, ...]) -> _Try:
+        squared = _squared(read)
+        return _Try(why, squared, arm, _unequal(squared, arm))
+
     for first, read in usual.units(rows, wanted):
         for other, arm in others:
             both = usual.joined(first, other)
-            found.append((both, _squared(read), arm))
-            for second, mend in mends if _edits(both) < 2 else ():
-                found.append((usual.joined(both, second), _squared(mend(read)), arm))
+            yield held(both, read, arm)
+            for second, mend in mends if both is None or len(both.keys) == 1 else ():
+                yield held(usual.joined(both, second), mend(read), arm)
         for (second, mend), (third, then) in combinations(whole, 2) if first is None else ():
-            found.append((second + third, _squared(then(mend(rows))), wanted))
-    for whole, read, arm in sorted(found, key=lambda f: _edits(f[0])):
-        yield _Try(whole, read, arm, _unequal(read, arm))
+            yield held(second + third, then(mend(rows)), wanted)
 
 
-def _unequal(rows: Rows, wanted: Rows) -> int:
-    """How many entries differ, the zeros of joints that turn not counted; many where the rows do
-    not correspond.
+def _unequal(rows: Rows, wanted: Rows) -> float:
+    """How many entries differ, the zeros of joints not counted; all where the rows do not
+    correspond.
     """
-    return len(_unequal_entries(rows, wanted)) if _alike(rows, wanted) else 99
-
-
-def _alike(rows: Rows, wanted: Rows) -> bool:
-    return [r.kind for r in rows] == [r.kind for r in wanted]
+    alike = [r.kind for r in rows] == [r.kind for r in wanted]
+    return len(_unequal_entries(rows, wanted)) if alike else math.inf
 
 
 def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[tuple[int, str]]:
@@ -502,7 +495,7 @@ def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
             continue
         # Two causes after which most entries differ, and exchanged rows, fit by chance only;
         # Craig's rows may be one more than the reference's.
-        few = _edits(t.cause) == 1 or t.entries <= 2 * len(t.reference)
+        few = len(t.cause.keys) == 1 or t.entries <= 2 * len(t.reference)
         last = t.cause.keys[-1]
         likely = (few or last == "table.craig") and last != usual.EXCHANGED
         if likely and not t.found(length).differences:
@@ -579,7 +572,7 @@ def _fewest(
         found.differences,
     )
     for t in tries:
-        if t.cause is not None and _edits(t.cause) == 1 and t.cause.keys[0] != usual.EXCHANGED:
+        if t.cause and len(t.cause.keys) == 1 and t.cause.keys[0] != usual.EXCHANGED:
             left = t.found(length).differences
             cost = 1 + 0.7 * len(left)
             if left and cost < best[0]:
@@ -591,7 +584,7 @@ def _geometry(d: Difference) -> Finding:
     if d.key == "table count":
         said = say("table count words", mine=d.mine, reference=d.reference)
         return Finding("row", f"row {d.row}, {d.entry}", d.mine, d.reference, said)
-    i, j = (*d.ends, 0, 0)[:2]
+    i, j = d.ends
     end = say("the tip") if d.key == "table distance" and not j else say("axis", i=j)
     along = say("axis", i=i) if i == j else say("parallel axes", i=i, j=j)
     what = say(f"{d.key} what", start=i, end=end, along=along, j=j)

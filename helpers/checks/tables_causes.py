@@ -63,10 +63,10 @@ def _of_one_size(rows: Rows) -> list[Numbers] | None:
     def read(x: float) -> float:
         return x * 1e3 if abs(x) < _SMALL else x * 1e-3 if abs(x) >= _LARGE else x
 
-    found = [r._replace(a=read(r.a), d=read(r.d)) for r in rows]
-    pairs = [(x, y) for r, f in zip(rows, found, strict=True) for x, y in ((r.a, f.a), (r.d, f.d))]
-    changed = {x == y for x, y in pairs if x}
-    return found if changed == {True, False} else None
+    kept = {read(x) == x for r in rows for x in (r.a, r.d) if x}
+    if kept != {True, False}:
+        return None
+    return [r._replace(a=read(r.a), d=read(r.d)) for r in rows]
 
 
 def structures(count: int) -> list[tuple[Cause, Mend]]:
@@ -103,7 +103,7 @@ def _exchanged(i: int, j: int) -> Mend:
 
 def to_craig(rows: list[Numbers]) -> list[Numbers]:
     """The other way: a and alpha stand one row too high."""
-    before = [Numbers("F", 0.0, 0.0, 0.0, 0.0), *rows[:-1]]
+    before = [rows[0]._replace(a=0.0, alpha=0.0), *rows[:-1]]
     return [r._replace(a=b.a, alpha=b.alpha) for r, b in zip(rows, before, strict=True)]
 
 

@@ -282,10 +282,7 @@ def _where(path: Path, tip: Array) -> str:
 
 
 def _notes(run) -> Iterator[str]:
-    for excess, what, unit in (
-        (run.beyond_limits, "range", "rad"),
-        (run.beyond_speed, "speed", "rad/s"),
-    ):
+    for excess, what, per in ((run.beyond_limits, "range", ""), (run.beyond_speed, "speed", "/s")):
         if excess:
-            joints = listed([say("joint by", joint=i, by=size(x, 2)) for i, x in excess])
-            yield say(f"trace beyond {what}", joints=joints, unit=unit)
+            fields = [dict(joint=i, by=size(x, 2), unit=run.unit(i) + per) for i, x in excess]
+            yield say(f"trace beyond {what}", joints=listed([say("joint by", **x) for x in fields]))

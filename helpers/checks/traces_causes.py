@@ -143,8 +143,8 @@ def _phase(path: Path, tip: Array) -> float:
     """
     once = tip[:-1]
     wanted = path.positions[:-1]
-    near = int(np.linalg.norm(once - wanted[0], axis=1).argmin())
-    turns = [k for k in range(near - 2, near + 3) if k % len(once)]
+    nearest = int(np.linalg.norm(once - wanted[0], axis=1).argmin())
+    turns = [k for k in range(nearest - 2, nearest + 3) if k % len(once)]
     return min(
         (float(np.linalg.norm(np.roll(once, -k, axis=0) - wanted, axis=1).max()) for k in turns),
         default=np.inf,
@@ -252,10 +252,10 @@ class _Steps:
         # curvature leaves of its middle.
         digits = typed.units.max(axis=0) / float(dt.min()) / np.sqrt(6) / window
         bend = float(np.abs(later - velocity).max()) / max(speed, 1e-12)
-        near = 1e-4 + (0.5 * bend**2 if share else 0.0)
-        noise = np.sqrt(((J * digits) ** 2).sum(axis=2).mean(axis=0)) + near * speed
+        rest = 1e-4 + (0.5 * bend**2 if share else 0.0)
+        noise = np.sqrt(((J * digits) ** 2).sum(axis=2).mean(axis=0)) + rest * speed
         rate = step / dt[pick, None]
-        own = digits + near * np.sqrt((rate**2).mean()) + 1e-12
+        own = digits + rest * np.sqrt((rate**2).mean()) + 1e-12
         return cls(arm, at, J, rate, velocity, later, noise, own, speed, window)
 
     @cached_property

@@ -121,8 +121,6 @@ def _table(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
 
 def _with_kinds(answer: Any, drawn: Arm) -> Any:
     """Rows of four entries become an arm whose joints turn or slide as the sheet says."""
-    if not (isinstance(answer, list) and len(answer) == len(drawn.rows)):
-        return answer
     try:
         rows = [
             replace(row, **dict(zip(("a", "alpha", "d", "theta"), given, strict=True)))

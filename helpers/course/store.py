@@ -131,5 +131,5 @@ def write(path: Path, text: str) -> None:
     """Write a text file whole or not at all; a file's name in it may be no text, and is escaped."""
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}")
-    beside.write_text(text, encoding="utf-8", errors="backslashreplace")
+    beside.write_bytes(text.encode(errors="backslashreplace"))
     beside.replace(path)

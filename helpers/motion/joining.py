@@ -51,14 +51,14 @@ def _path(paths: list[Path]) -> Path:
 
     def pieced(what: str):
         def value(t: ArrayLike) -> Array:
-            t = np.asarray(t, dtype=float)
+            t = np.asarray(t)
             which, out = np.searchsorted(ends[:-1], t), np.empty((*t.shape, 3))
-            for k, (path, begin) in enumerate(zip(paths, begins, strict=True)):
-                out[which == k] = getattr(path, what)(t[which == k] - begin + path.times[0])
+            for k, path in enumerate(paths):
+                out[which == k] = getattr(path, what)(t[which == k] - begins[k] + path.times[0])
             return out
 
         return value
 
-    later = [p.times[1:] - p.times[0] + begin for p, begin in zip(paths, begins, strict=True)]
+    later = [path.times[1:] - path.times[0] + begins[k] for k, path in enumerate(paths)]
     times = np.concatenate([[0.0], *later])
     return Path(times, pieced("position"), pieced("velocity"), paths[0].normal)

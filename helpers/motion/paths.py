@@ -69,11 +69,11 @@ def circle(
     rate = 2 * np.pi / period
 
     def position(t: ArrayLike) -> Array:
-        angle = phase + rate * np.asarray(t, dtype=float)[..., None]
+        angle = phase + rate * np.asarray(t)[..., None]
         return centre + radius * (np.cos(angle) * first + np.sin(angle) * second)
 
     def velocity(t: ArrayLike) -> Array:
-        angle = phase + rate * np.asarray(t, dtype=float)[..., None]
+        angle = phase + rate * np.asarray(t)[..., None]
         return radius * rate * (np.cos(angle) * second - np.sin(angle) * first)
 
     return Path(np.linspace(0.0, period, steps + 1), position, velocity, np.cross(first, second))
@@ -109,7 +109,7 @@ def rest_to_rest(path: Path) -> Path:
     begin, period = path.times[0], path.times[-1] - path.times[0]
 
     def share(t: ArrayLike) -> Array:
-        return (np.asarray(t, dtype=float) - begin) / period
+        return (np.asarray(t) - begin) / period
 
     def there(u: Array) -> Array:
         return begin + period * u**3 * (10 + u * (6 * u - 15))

@@ -18,7 +18,8 @@ class Report:
     """The standard report of every run; lengths in m, angles in rad, speeds in rad/s or m/s.
 
     `speed_from_rest` is the largest speed that a joint has in the first or the last step: an arm
-    that stands before and after would have to take it on, or lose it, at once.
+    that stands before and after would have to take it on, or lose it, at once. `sliding` are the
+    joints whose excess is in m or m/s.
     """
 
     arm: str
@@ -35,6 +36,7 @@ class Report:
     speed_from_rest: float
     beyond_limits: tuple[tuple[int, float], ...]
     beyond_speed: tuple[tuple[int, float], ...]
+    sliding: tuple[int, ...] = ()
 
     @property
     def executable(self) -> bool:
@@ -61,9 +63,17 @@ class Report:
             ),
             ("largest joint acceleration", f"{size(self.largest_acceleration)} rad/s²"),
             ("joint speed to take on or lose at once", f"{size(self.speed_from_rest)} rad/s"),
-            ("joints beyond their range", _joints(self.beyond_limits)),
-            ("joints beyond their speed", _joints(self.beyond_speed)),
+            ("joints beyond their range", self._joints(self.beyond_limits, "")),
+            ("joints beyond their speed", self._joints(self.beyond_speed, "/s")),
         ]
+
+    def unit(self, joint: int) -> str:
+        """What a joint's excess over its range is in."""
+        return "m" if joint in self.sliding else "rad"
+
+    def _joints(self, excess: tuple[tuple[int, float], ...], per: str) -> str:
+        told = (f"joint {i} by {x:.2g} {self.unit(i)}{per}" for i, x in excess)
+        return ", ".join(told) or "none"
 
     def __str__(self) -> str:
         return "\n".join(f"{what:<46}{value}" for what, value in self.rows())
@@ -98,6 +108,7 @@ def run_report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Re
         speed_from_rest=float(np.abs(q_dot[[0, -1]]).max()),
         beyond_limits=_over(arm, beyond),
         beyond_speed=_over(arm, speed - arm.speed_limits),
+        sliding=tuple(arm.joints[k] for k in np.flatnonzero(~arm.turning)),
     )
 
 
@@ -111,7 +122,7 @@ def _accelerations(path: Path, q_dot: Array) -> Array:
 
 
 def _over(arm: Arm, excess: Array) -> tuple[tuple[int, float], ...]:
-    return tuple((i, float(x)) for i, x in zip(arm.joints, excess, strict=True) if x > 1e-9)
+    return tuple((arm.joints[k], float(excess[k])) for k in np.flatnonzero(excess > 1e-9))
 
 
 def _length(value: float) -> str:
@@ -130,7 +141,3 @@ def _angle(value: float) -> str:
 def _condition(value: float) -> str:
     """A condition number with three digits; above 1e12 it is rounding."""
     return f"{value:.3g}" if value <= 1e12 else "above 1e12"
-
-
-def _joints(excess: tuple[tuple[int, float], ...]) -> str:
-    return ", ".join(f"joint {i} by {x:.2g}" for i, x in excess) or "none"

@@ -55,7 +55,8 @@ def self_motion(
             f"start is {start}, beyond the limits of {arm.name}; expected one within them"
         )
     pose, steps = forward_kinematics(arm, start), max(1, round(length / step))
-    ahead, q = _tangent(arm, start, direction), [start]
+    ahead = _tangent(arm, start, direction)
+    q: list[Array] = [start]
     for _ in range(steps):
         moved = _brought_back(arm, q[-1] + length / steps * ahead, pose)
         if not np.linalg.norm(moved - q[-1]) < 2 * length / steps:
@@ -65,7 +66,7 @@ def self_motion(
         if not _within_limits(arm, moved):
             break
         ahead = _tangent(arm, moved, ahead)
-        q.append(np.asarray(moved, dtype=float))
+        q.append(moved)
     if len(q) == 1:
         raise ArmError("start is at a limit that direction leads beyond; expected room for a step")
     return _at_rest(arm, np.array(q), length / steps / speed)

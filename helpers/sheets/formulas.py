@@ -30,12 +30,16 @@ class Language:
     """How one language writes what a formula is made of."""
 
     symbol: Callable[[str], str]
-    number: Callable[[sp.Rational], str]
+    fraction: str  # of p and q
     power: Callable[[str, int], str]
     call: Callable[[str, str], str]  # cos, sin or sqrt of something
     pi: str
     times: str
     minus: str = "-"
+
+    def number(self, number: sp.Rational) -> str:
+        """A number as a decimal, or else as a fraction."""
+        return decimal(number) or self.fraction.format(p=number.p, q=number.q)
 
 
 def pieces(expression: sp.Expr, language: Language) -> list[str]:
@@ -171,13 +175,9 @@ def decimal(number: sp.Rational) -> str | None:
     return f"{'-' if number < 0 else ''}{whole}" + (f".{digits}" if digits else "")
 
 
-def _fraction(form: str) -> Callable[[sp.Rational], str]:
-    return lambda number: decimal(number) or form.format(p=number.p, q=number.q)
-
-
 HTML = Language(
     symbol=html_name,
-    number=_fraction("{p}/{q}"),
+    fraction="{p}/{q}",
     power=lambda text, n: f"{text}<sup>{n}</sup>",
     call=lambda name, inner: f"{'√' if name == 'sqrt' else name}({inner})",
     pi="π",
@@ -186,7 +186,7 @@ HTML = Language(
 )
 LATEX = Language(
     symbol=latex_name,
-    number=_fraction(r"\tfrac{{{p}}}{{{q}}}"),
+    fraction=r"\tfrac{{{p}}}{{{q}}}",
     power=lambda text, n: f"{text}^{{{n}}}",
     call=lambda name, inner: rf"\sqrt{{{inner}}}" if name == "sqrt" else rf"\{name}({inner})",
     pi=r"\pi",
@@ -194,7 +194,7 @@ LATEX = Language(
 )
 SYMPY = Language(
     symbol=code_name,
-    number=_fraction("sp.Rational({p}, {q})"),
+    fraction="sp.Rational({p}, {q})",
     power=lambda text, n: f"{text}**{n}",
     call=lambda name, inner: f"sp.{name}({inner})",
     pi="sp.pi",
@@ -202,7 +202,7 @@ SYMPY = Language(
 )
 NUMPY = Language(
     symbol=code_name,
-    number=_fraction("{p}/{q}"),
+    fraction="{p}/{q}",
     power=lambda text, n: f"{text}**{n}",
     call=lambda name, inner: f"np.{name}({inner})",
     pi="np.pi",
@@ -210,7 +210,7 @@ NUMPY = Language(
 )
 MATLAB = Language(
     symbol=code_name,
-    number=_fraction("{p}/{q}"),
+    fraction="{p}/{q}",
     power=lambda text, n: f"{text}^{n}",
     call=lambda name, inner: f"{name}({inner})",
     pi="pi",

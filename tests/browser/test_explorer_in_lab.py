@@ -55,6 +55,7 @@ def lab(tmp_path_factory):
                 server.wait(10)
             except subprocess.TimeoutExpired:  # a busy machine takes long to end its kernels
                 server.kill()
+                server.wait()
 
 
 def _wait_for(address, server, log):

@@ -24,20 +24,30 @@ PASTE = """(cell, text) => {
 }"""
 
 
-@pytest.fixture(params=[("light", 1280), ("dark", 390)], ids=str)
-def page(request, browser):
+@pytest.fixture(scope="module", params=[("light", 1280), ("dark", 390)], ids=str)
+def window(request, browser):
+    """A window for all tests: the page is opened anew in it, by a reader who kept nothing."""
     scheme, width = request.param
     context = browser.new_context(
         viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True
     )
     page = context.new_page()
-    page.troubles = []
+    page.troubles, page.size = [], page.viewport_size
     page.on("pageerror", lambda error: page.troubles.append(str(error)))
-    page.goto(PAGE.as_uri())
-    page.locator(".arm-judge .verdict").wait_for()
     yield page
-    assert page.troubles == []
     context.close()
+
+
+@pytest.fixture
+def page(window):
+    window.set_viewport_size(window.size)
+    window.goto("about:blank")  # another fragment alone would open no new page
+    window.goto(PAGE.as_uri())
+    window.locator(".arm-judge .verdict").wait_for()
+    yield window
+    window.evaluate("localStorage.clear()")
+    troubles, window.troubles = window.troubles, []
+    assert troubles == []
 
 
 def ask(page, answer, q="0.5, 0.7, -0.4"):
@@ -74,6 +84,7 @@ def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
     assert other.get_by_label("Your answer", exact=True).input_value() == ELBOW.replace(
         "0.2866", "0.3866"
     )
+    other.close()
 
 
 def test_torques_by_keys_alone(page):

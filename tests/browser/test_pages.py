@@ -91,9 +91,13 @@ THINNED = """() => {
 # Formulas are set, and boxes fitted, when the reader comes near; for a printer, all at once.
 EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
-BAD = """() => axe.run(document, {resultTypes: ["violations"]}).then(found => found.violations
+BAD = """() => axe.run(document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))
     .map(v => `${v.id}: ` + v.nodes.slice(0, 3).map(n => n.html.slice(0, 160)).join(" | ")))"""
+
+
+# A browser without a window now and then tells a new page of a pointer in its corner, which no reader has moved there.
+NOBODY = """addEventListener("pointermove", (e) => e.clientX || e.clientY || e.stopImmediatePropagation(), true);"""
 
 
 class Reader:
@@ -105,7 +109,7 @@ class Reader:
         )
         self.page, self.theme = self.context.new_page(), theme
         self.troubles, self.asked = [], set()
-        self.page.add_init_script(f"localStorage.mode = localStorage.theme = '{theme}'")
+        self.page.add_init_script(NOBODY + f"localStorage.mode = localStorage.theme = '{theme}'")
         self.page.on("pageerror", lambda error: self.troubles.append(f"error: {error}"))
         self.page.on("console", self._said)
         self.page.on("request", lambda r: self._asked(r.url, allowed))

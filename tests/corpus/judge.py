@@ -100,7 +100,7 @@ def _same(case, arms, which):
     mine, theirs = Machine(rows), Machine(right)
     said = checks.compare_tables(arm(dict(rows=rows)), arm(dict(rows=right)))
     if found := said.figures.get("joint_map"):
-        return _moves_alike(mine, theirs, found, said.figures["signs"][0])
+        return _moves_alike(mine, theirs, found, -1 if said.figures["upside down"] else 1)
     return said.agrees and same_machine(arm(dict(rows=rows)), arm(dict(rows=right)))
 
 

@@ -47,8 +47,8 @@ export function jointMap(mine, reference, found, tolerance = 1e-6) {
 
 const BASE = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], o: [0, 0, 0] };
 
-function baseOf({ signs, baseHigher: higher }) {
-  if (signs[0] > 0) return { ...BASE, o: [0, 0, higher] };
+function baseOf({ upsideDown, baseHigher: higher }) {
+  if (!upsideDown) return { ...BASE, o: [0, 0, higher] };
   return { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, -1], o: [0, 0, -higher] };
 }
 

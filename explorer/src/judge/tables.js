@@ -247,7 +247,7 @@ function zeros(mapped, mine, ref) {
 // A word on where the base's frame stands on axis 1.
 function base(mine, found, mapped = null) {
   const higher = mapped ? mapped.base.o[2] : found.baseHigher;
-  if (found.signs[0] < 0) return [say("base upside down")];
+  if (found.upsideDown) return [say("base upside down")];
   if (Math.abs(higher) <= LENGTH) return [];
   const way = higher > 0 ? say("higher") : say("lower");
   const row = mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0];
@@ -290,7 +290,8 @@ function different(table, reference, rows, wanted, found, length) {
   const all = tries(rows, reference, wanted);
   const equal = all.filter((t) => t.cause && !t.entries);
   if (equal.length) {
-    const alike = equal.filter((t) => edits(t.cause) === edits(equal[0].cause));
+    const fewest = Math.min(...equal.map((t) => edits(t.cause)));
+    const alike = equal.filter((t) => edits(t.cause) === fewest);
     return bad(table, reference, alike.map((t) => t.cause)); // prettier-ignore
   }
   const notes = found.signs.length ? base(side(rows), found) : [];
@@ -330,7 +331,7 @@ const apart = ({ keys }) => (keys.length === 1 && ONE_ENTRY.includes(keys[0]) ? 
 
 const edits = (why) => why?.keys.length ?? 0;
 
-// Every reading with up to two causes, fewest first, each with how many entries differ from the reference's.
+// Every reading with up to two causes, each with how many entries differ from the reference's.
 /** @returns {Try[]} */
 function tries(rows, reference, wanted) {
   const others = [[null, wanted], ...usual.references(reference).map(([why, arm]) => [why, squared(arm)])];
@@ -348,14 +349,16 @@ function tries(rows, reference, wanted) {
     for (const [[second, mend], [third, then]] of first ? [] : combinations(whole, 2))
       found.push([usual.joined(second, third), squared(then(mend(rows))), wanted]);
   }
-  found.sort((p, q) => edits(p[0]) - edits(q[0]));
   return found.map(([why, read, arm]) => ({
-    cause: why, rows: read, reference: arm, entries: alike(read, arm) ? unequal(read, arm).length : 99,
+    cause: why, rows: read, reference: arm, entries: differing(read, arm),
   })); // prettier-ignore
 }
 
-const alike = (rows, wanted) =>
-  rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
+// How many entries differ; all where the rows do not correspond.
+function differing(rows, wanted) {
+  const alike = rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
+  return alike ? unequal(rows, wanted).length : Infinity;
+}
 
 // The entries that differ, the zeros of joints not counted.
 /** @returns {[number, string][]} */
@@ -387,7 +390,7 @@ function agreeing(all, length, most) {
 
 function oneSign(rows, wanted, length) {
   const all = usual.flips(rows).map(([why, mended]) => ({
-    cause: why, rows: mended, reference: wanted, entries: alike(mended, wanted) ? unequal(mended, wanted).length : 99,
+    cause: why, rows: mended, reference: wanted, entries: differing(mended, wanted),
   })); // prettier-ignore
   return cheapest(all.filter((t) => !compare(t, length).differences.length), (t) => t.entries); // prettier-ignore
 }
@@ -468,7 +471,7 @@ function geometry(d) {
     const { mine, reference } = d;
     return { what: "row", where, words: say("table count words", { mine, reference }) };
   }
-  const [i, j] = [...d.ends, 0, 0];
+  const [i, j] = d.ends;
   const end = d.key === "table distance" && !j ? say("the tip") : say("axis", { i: j });
   const along = i === j ? say("axis", { i }) : say("parallel axes", { i, j });
   const what = say(WHAT[d.key], { start: i, end, along, j });

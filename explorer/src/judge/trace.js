@@ -7,7 +7,7 @@ import { DEG } from "./angles.js";
 import { angleBetween, millimetres } from "./branches.js";
 import { chain, columns, framesOf } from "./chains.js";
 import { RIGHT, WRONG } from "./digits.js";
-import { numbered, numbers, rowsInRadians } from "./door.js";
+import { numbered, numbers, rowsInRadians, turning } from "./door.js";
 import { cause, nameOf, wordsOf } from "./ranking.js";
 import { listed, lower, say, size } from "./say.js";
 import { holds, loopCause, near, offs, pathCause, tableCause } from "./trace_causes.js";
@@ -253,15 +253,17 @@ function whereOf(errors) {
 function* notesOf(arm, path, q) {
   const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
   const rates = q.slice(1).map((row, k) => row.map((x, i) => (x - q[k][i]) / dt[k]));
-  const excess = (list, over) =>
+  const turns = turning(arm);
+  const excess = (list, per, over) =>
     numbered(arm).flatMap((joint, k) => {
       const by = list.reduce((top, row) => Math.max(top, over(row[k], arm.rows[joint - 1])), -Infinity);
-      return by > 1e-9 ? [say("joint by", { joint, by: size(by, 2) })] : [];
+      const unit = (turns[k] ? "rad" : "m") + per;
+      return by > 1e-9 ? [say("joint by", { joint, by: size(by, 2), unit })] : [];
     });
-  const range = excess(q, (x, { lower: least, upper: most }) =>
+  const range = excess(q, "", (x, { lower: least, upper: most }) =>
     Math.max(x - (most ?? Infinity), (least ?? -Infinity) - x),
   );
-  if (range.length) yield say("trace beyond range", { joints: listed(range), unit: "rad" });
-  const speed = excess(rates, (x, row) => Math.abs(x) - (row.speed ?? Infinity));
-  if (speed.length) yield say("trace beyond speed", { joints: listed(speed), unit: "rad/s" });
+  if (range.length) yield say("trace beyond range", { joints: listed(range) });
+  const speed = excess(rates, "/s", (x, row) => Math.abs(x) - (row.speed ?? Infinity));
+  if (speed.length) yield say("trace beyond speed", { joints: listed(speed) });
 }
