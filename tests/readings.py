@@ -9,7 +9,7 @@ from helpers.inputs import ArmError
 from helpers.reading import formula, grid, table
 from helpers.reading.sentences import size
 from helpers.robots import ELBOW
-from tests import motion_pastes, pastes, table_pastes
+from tests import judge_tables, motion_pastes, pastes, table_pastes
 
 NAMES = ("a", "alpha", "d", "theta")
 HEADS = {
@@ -249,14 +249,30 @@ def formula_of(rng, depth: int = 3) -> tuple[str, float]:
 # The same questions to both languages
 
 
+SAID = [
+    {"values": {"x": 0.3, "L_1": 0.5}},
+    {"lengths": "cm"},
+    {"angles": "deg"},
+    {"angles": "rad", "lengths": "mm"},
+    {"convention": "standard"},
+    {"columns": "θ, d, a, α"},
+    {"columns": "a b c d"},
+    {"convention": "craig", "columns": "alpha_i-1|a|theta|d"},
+]
+
+
 def questions(rng, count: int) -> Iterator[tuple]:
     """What is typed, some with slips of the finger, some with another paste's end."""
     grids = [text for kind in pastes.FORMATS for _, text, _ in pastes.pastes(kind)]
     grids += [*motion_pastes.ANGLES.values(), *motion_pastes.UNREAD]
     tables = [*table_pastes.RIGHT.values(), *table_pastes.REFUSED]
+    forms = [question for _, question in judge_tables.form_questions(rng, count // 4, lambda m: m)]
     for _ in range(count):
         kind, options = rng.random(), {}
-        if kind < 0.5:
+        if kind < 0.25 and forms:
+            question = forms.pop()
+            text, options = question["typed"], question["options"]
+        elif kind < 0.5:
             text, options, *_ = made(rng)
         elif kind < 0.6:
             lines = [[formula_of(rng)[0] for _ in range(4)] for _ in range(2)]
@@ -273,8 +289,8 @@ def questions(rng, count: int) -> Iterator[tuple]:
             at = int(rng.integers(len(text) + 1))
             sign = "" if rng.random() < 0.5 else SIGNS[int(rng.integers(len(SIGNS)))]
             text = text[:at] + sign + text[at + int(rng.random() < 0.6) :]
-        if rng.random() < 0.1:
-            options = options | {"values": {"x": 0.3, "L_1": 0.5}}
+        if rng.random() < 0.2:
+            options = options | SAID[int(rng.integers(len(SAID)))]
         yield ELBOW, {"topic": "reading", "typed": text, "options": options}
 
 

@@ -50,10 +50,114 @@ def test_a_formula_of_very_many_terms_has_its_value(sign):
     assert formula.value(tree, {"q": 5.0}.get) == wanted
 
 
-@pytest.mark.parametrize("text", ["sin " * 61 + "x", "-" * 62 + "x", "2^" * 61 + "x", "(" * 61])
-def test_a_formula_that_is_too_deep_is_refused(text):
-    with pytest.raises(ArmError, match="expected one formula"):
-        formula.parse(text)
+@pytest.mark.parametrize(
+    "form", ["sin ", "-", "+", "2^", "(|)", "2^(|)/3", "sin(|)", "-cos -(|)"], ids=str
+)
+def test_a_formula_is_as_deep_as_may_be_and_no_deeper(form):
+    start, _, end = form.partition("|")
+    most = {"2^(|)/3": 30, "sin(|)": 30, "-cos -(|)": 20}.get(form, 60)
+    assert formula.symbols(formula.parse(start * most + "x" + end * most)) == {"x"}
+    with pytest.raises(ArmError, match="; expected one formula, such as"):
+        formula.parse(start * (most + 1) + "x" + end * (most + 1), "y")
+
+
+def test_a_formula_has_so_many_characters_and_no_more():
+    assert formula.value(formula.parse("1+" * 9999 + "10"), {}.get) == 10_009
+    with pytest.raises(ArmError, match="y has 20001 characters; expected at most 20000"):
+        formula.parse("1+" * 10_000 + "1", "y")
+
+
+QUARTER = "1.5707963267948966"
+NUMBERS = np.array([[0, math.pi / 2, 0.5, 0], [0.4, 0, 0, 0], [0.3, 0, 0.25, 0]])
+A, ALPHA, D, _ = NUMBERS.T.tolist()
+Q = ["q1", "q_2", None]
+LINES = [[a, alpha, d, q] for a, alpha, d, q in zip(A, ALPHA, D, Q, strict=True)]
+ORDER = {"columns": ["a", "alpha", "d", "theta"]}
+
+
+class Frame:
+    """What is asked of a data frame of pandas."""
+
+    columns = ("theta", "d (m)", "a (m)", "alpha")
+
+    def to_numpy(self):
+        return np.array([[q, d, a, alpha] for a, alpha, d, q in LINES], dtype=object)
+
+
+@pytest.mark.parametrize(
+    ("held", "options"),
+    [
+        ({"a": A, "alpha": ALPHA, "d": D, "theta": Q}, {}),
+        ({"theta_i": Q, "d": np.array(D), "r": tuple(A), "α": np.array(ALPHA)}, {}),
+        ({"a_1": 0, "a2": 0.4, "a_{3}": 0.3, "Alpha1": math.pi / 2, "d1": 0.5, "d3": 0.25}, {}),
+        (Frame(), {}),
+        ([{"d": 0.5, "alpha": math.pi / 2, "theta": "q1"}, {"a": 0.4, "theta": "q2"},
+          {"a": 0.3, "d": 0.25, "theta": "q"}], {}),
+        (["a alpha d theta", f"0 {QUARTER} 0.5 q1", "0.4 0 0 q2", "0.3 0 0.25 *"], {}),
+        (LINES, ORDER),
+        (tuple(map(tuple, LINES)), ORDER),
+        (np.array(LINES, dtype=object), ORDER),
+        (NUMBERS, ORDER),
+        ([*NUMBERS], {"columns": "a; alpha,  d|theta", "convention": "Standard"}),
+        ([[1, *LINES[0]], [2, *LINES[1]], [3, *LINES[2]]], ORDER),
+        ([[0, *LINES[0]], [1, *LINES[1]], [2, *LINES[2]]], ORDER),
+    ],
+    ids=range(13),
+)  # fmt: skip
+def test_a_table_is_read_as_it_is_held(held, options):
+    [read] = table.read(held, **options)
+    np.testing.assert_array_equal([r[1:] for r in table.meant(read).rows], NUMBERS)
+    assert [r.kind for r in table.meant(read).rows] == ["R"] * 3
+    assert [(r.texts["a"], r.texts["alpha"], r.texts["d"]) for r in read.rows] == [
+        ("0", QUARTER, "0.5"), ("0.4", "0", "0"), ("0.3", "0", "0.25")]  # fmt: skip
+
+
+def matrix(theta, alpha, a, d):
+    c, s, ca, sa = math.cos(theta), math.sin(theta), math.cos(alpha), math.sin(alpha)
+    return [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+
+
+def stacked(matrices):
+    return [row for A in matrices for row in A]
+
+
+@pytest.mark.parametrize("as_held", [list, np.array, stacked, lambda matrices: matrices * 2])
+def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
+    rows = [(0.7, -0.4, 0.3, 0.25), (-2.1, 2.2, 0.15, -0.6)]
+    [read] = table.read(as_held([matrix(*row) for row in rows]), lengths="m", angles="rad")
+    found = [
+        (r.numbers["theta"], r.numbers["alpha"], r.numbers["a"], r.numbers["d"]) for r in read.rows
+    ]
+    np.testing.assert_allclose(found, rows * (len(found) // 2), atol=1e-12)
+    assert {(r.kind, r.backwards) for r in read.rows} == {("?", False)}
+    assert (read.lengths, read.angles) == ("m", "rad")
+    assert read.rows[0].texts == {"a": "0.3", "alpha": "-0.4", "d": "0.25", "theta": "0.7"}
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"lengths": "ft"}, "lengths is 'ft'; expected one of m, cm, mm, in"),
+        ({"angles": "mm"}, "angles is 'mm'; expected one of rad, deg"),
+        ({"convention": 5}, "convention is '5'; expected one of standard, craig, modified"),
+        ({"columns": "a b c d"}, "'a b c d'"),
+        ({"columns": 5}, "5"),
+    ],
+)
+def test_what_is_said_of_a_table_and_cannot_be_is_refused(options, words):
+    with pytest.raises(ArmError) as told:
+        table.read(NUMBERS, **options)
+    assert words in str(told.value)
+
+
+def test_exchanged_heads_are_mended_only_where_that_is_asked():
+    text = "a,alpha,d,theta\n0,q1,0.5,90\n0.4,q2,0,0\n0.3,q3,0,0"
+    with pytest.raises(ArmError, match="q1"):
+        table.read(text)
+    [read] = table.read(text, mend=True, lengths="m", angles="deg", convention="Modified")
+    assert read.exchanged
+    assert (read.lengths, read.angles, read.convention) == ("m", "deg", "craig")
+    assert [r.numbers["alpha"] for r in read.rows] == [90, 0, 0]
 
 
 def test_a_column_of_matlabs_and_heads_alone():

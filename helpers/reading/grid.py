@@ -117,10 +117,14 @@ def _is_list(text: str) -> bool:
     return text[0] != "(" or _top_comma(text[1:-1])
 
 
+def _deeper(sign: str) -> int:
+    return (sign in "[({") - (sign in "])}")
+
+
 def _closes_at_end(text: str) -> bool:
     depth = 0
     for k, sign in enumerate(text):
-        depth += (sign in "[({") - (sign in "])}")
+        depth += _deeper(sign)
         if not depth:
             return k == len(text) - 1
     return False
@@ -129,7 +133,7 @@ def _closes_at_end(text: str) -> bool:
 def _top_comma(text: str) -> bool:
     depth = 0
     for sign in text:
-        depth += (sign in "[({") - (sign in "])}")
+        depth += _deeper(sign)
         if sign == "," and not depth:
             return True
     return False
@@ -150,7 +154,7 @@ def _split(text: str) -> list[str]:
     pieces, depth, piece = [], 0, ""
     comma = _top_comma(text)
     for k, sign in enumerate(text):
-        depth += (sign in "[({") - (sign in "])}")
+        depth += _deeper(sign)
         ends = sign == "," if comma else sign.isspace()
         if ends and not depth and (comma or not _joins(text, k)):
             pieces.append(piece)
@@ -166,9 +170,12 @@ def _split(text: str) -> list[str]:
 
 def _joins(text: str, k: int) -> bool:
     """Whether the blank at k stands beside a sign that joins its neighbours: ``a - b`` is one cell,
-    ``a -b`` are two, and so are a joint's variable that is marked by a star and what follows it.
+    ``a -b`` are two, and so are a joint's variable that is marked by a star and what follows it. A
+    star at the end marks a joint's variable, or is one.
     """
-    before, after = text[:k].rstrip(), text[k:].lstrip()
+    before, after = text[:k].rstrip(), text[k:].strip()
+    if after == "*":
+        return _STARRED.search(f"{before}*") is not None
     if before[-1:] == "*" and after and after[0] not in "*/^)=" and _STARRED.search(before):
         return False
     if not before or not after or before[-1] in "+-*/^=(" or after[0] in "*/^)=":

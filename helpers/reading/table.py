@@ -209,7 +209,7 @@ def meant(table: TypedTable, kinds: Iterable[str] = ()) -> Meant:
     open_ = [
         abs(r.numbers[c]) for r in table.rows for c in ("alpha", "theta") if c not in r.radians
     ]
-    if angle is None and max(open_, default=0.0) > _DEGREES:
+    if angle is None and any(x > _DEGREES for x in open_):
         angle = "deg"
         said.append(say("taken: degrees"))
     f, t = _UNITS[unit or "m"], math.pi / 180 if angle == "deg" else 1.0
@@ -364,13 +364,15 @@ def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
         and all(p[0].lower() in _WORDS for p in pairs)
         and not text.lstrip().startswith("|")
     ):
-        return _numbered(
-            [(_WORDS[name.lower()], int(i), x.strip().strip("'\"")) for name, i, x in pairs]
-        )
+        return _numbered([(_WORDS[name.lower()], int(i), _unquoted(x)) for name, i, x in pairs])
     rows = grid.cells(re.sub(r"^\s*#", "", text))
     if _heading(rows[0]):
         return rows[1:], _with_units(rows[0]), ()
     return rows, [], ()
+
+
+def _unquoted(text: str) -> str:
+    return text.strip().strip("'\"")
 
 
 def _with_units(heads: list[str]) -> list[str]:
@@ -398,7 +400,7 @@ def _records(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]] | None:
     found = []
     for braced, called in re.findall(r"\{([^{}]*)\}|\bdict\(((?:[^()]|\([^()]*\))*)\)", text):
         pairs = re.findall(r"['\"]?([A-Za-zαθ]+)['\"]?\s*[:=]\s*([^,\[]+)", braced or called)
-        row = {_head(name): x.strip().strip("'\"") for name, x in pairs}
+        row = {_head(name): _unquoted(x) for name, x in pairs}
         if len(row.keys() & set(ENTRIES)) >= 3:
             found.append(row)
     if len(found) < 2:

@@ -154,9 +154,11 @@ function split(text) {
 }
 
 // Whether the blank at k stands beside a sign that joins its neighbours: "a - b" is one cell, "a -b" are two, and so
-// are a joint's variable that is marked by a star and what follows it.
+// are a joint's variable that is marked by a star and what follows it. A star at the end marks a joint's variable, or
+// is one.
 function joins(text, k) {
-  const [before, after] = [text.slice(0, k).trimEnd(), text.slice(k).trimStart()];
+  const [before, after] = [text.slice(0, k).trimEnd(), text.slice(k).trim()];
+  if (after === "*") return STARRED.test(`${before}*`);
   if (before.endsWith("*") && after && !"*/^)=".includes(after[0]) && STARRED.test(before)) return false;
   if (!before || !after || "+-*/^=(".includes(before.at(-1)) || "*/^)=".includes(after[0])) return true;
   return (
