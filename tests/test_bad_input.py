@@ -513,7 +513,8 @@ MADE = {
     "derive.Derivation", "derive.Line", "derive.Step", "urdf.Chain",
     "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Report",
     "inverse.NumericSolution", "inverse.Solutions", "motion.Report",
-    "motion.Report.rows", "motion.SingularError", "motion.Trace", "motion.UnreachableError",
+    "motion.Report.rows", "motion.Report.unit", "motion.SingularError", "motion.Trace",
+    "motion.UnreachableError",
     "motion.Rates", "variants.Part", "variants.Question", "variants.Sheet",
 }  # fmt: skip
 # The checks themselves, and what stands under arm, symbolic and kinematics.

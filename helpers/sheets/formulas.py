@@ -37,10 +37,6 @@ class Language:
     times: str
     minus: str = "-"
 
-    def number(self, number: sp.Rational) -> str:
-        """A number as a decimal, or else as a fraction."""
-        return decimal(number) or self.fraction.format(p=number.p, q=number.q)
-
 
 def pieces(expression: sp.Expr, language: Language) -> list[str]:
     """A formula in pieces between which a line may be broken: the terms of its sums, each with its
@@ -72,7 +68,7 @@ def _product(expression: sp.Expr, language: Language) -> list[str]:
     factors = sorted(sp.Mul.make_args(rest), key=_place)
     single = [_factor(f, language) for f in factors if not _is_sum(f) and f != 1]
     if abs(number) != 1 or not (single or any(map(_is_sum, factors))):
-        single.insert(0, language.number(abs(number)))
+        single.insert(0, _number(abs(number), language))
     found = [language.times.join(single)] if single else []
     for factor in filter(_is_sum, factors):
         base, power = factor.as_base_exp()
@@ -125,7 +121,7 @@ def _atom(atom: sp.Expr, language: Language) -> str:
     if atom is sp.pi:
         return language.pi
     if atom.is_Rational:
-        return language.number(atom)
+        return _number(atom, language)
     raise ArmError(
         f"the formula {atom} is no cosine, sine, letter or number; expected one of these"
     )
@@ -173,6 +169,10 @@ def decimal(number: sp.Rational) -> str | None:
     whole, rest = divmod(abs(scaled.numerator), 10**16)
     digits = f"{rest:016d}".rstrip("0")
     return f"{'-' if number < 0 else ''}{whole}" + (f".{digits}" if digits else "")
+
+
+def _number(number: sp.Rational, language: Language) -> str:
+    return decimal(number) or language.fraction.format(p=number.p, q=number.q)
 
 
 HTML = Language(
