@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, entry, evaluate, latex, names
-from helpers.inputs import ArmError, aligned, listed, must_be, numbers, shown
+from helpers.inputs import ArmError, listed, must_be, numbers, shown
 from helpers.rows import (
     Body,
     Joint,
@@ -259,7 +259,7 @@ class Arm:
         moved = "theta" if row.joint.kind == "revolute" else "d"
         offset = {**_entries(row), moved: _sum(getattr(row, moved), at)}
         locked = Row(**offset, joint=Joint("fixed", at=at))
-        keep = [x for i, x in aligned(self.joints, self.home) if i != joint]
+        keep = [x for i, x in zip(self.joints, self.home, strict=True) if i != joint]
         rows = (*self.rows[: joint - 1], locked, *self.rows[joint:])
         return replace(self, rows=rows, home=tuple(keep))
 
@@ -339,7 +339,7 @@ class Arm:
 
 
 def _entries(row: Row) -> dict[str, Entry]:
-    return dict(aligned(("a", "alpha", "d", "theta"), row.entries))
+    return dict(zip(("a", "alpha", "d", "theta"), row.entries, strict=True))
 
 
 def _sum(offset: Entry, at: Entry) -> Entry:

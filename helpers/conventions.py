@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, Row, fixed
-from helpers.inputs import ArmError, aligned, listed, must_be
+from helpers.inputs import ArmError, listed, must_be
 from helpers.kinematics import link_frames
 
 __all__ = [
@@ -31,7 +31,7 @@ def standard_from_modified(rows: Sequence[Row]) -> tuple[Row, ...]:
     """
     rows = _rows(rows, "modified")
     following = [*rows[1:], Row()]
-    shifted = [replace(row, a=n.a, alpha=n.alpha) for row, n in aligned(rows, following)]
+    shifted = [replace(row, a=n.a, alpha=n.alpha) for row, n in zip(rows, following, strict=True)]
     base = [] if rows[0].a == rows[0].alpha == 0 else [fixed(a=rows[0].a, alpha=rows[0].alpha)]
     return (*base, *shifted)
 
@@ -40,7 +40,7 @@ def modified_from_standard(rows: Sequence[Row]) -> tuple[Row, ...]:
     """Modified rows from standard ones; a last fixed row is added where a_n or alpha_n is not 0."""
     rows = _rows(rows, "standard")
     before = [Row(), *rows[:-1]]
-    shifted = [replace(row, a=b.a, alpha=b.alpha) for row, b in aligned(rows, before)]
+    shifted = [replace(row, a=b.a, alpha=b.alpha) for row, b in zip(rows, before, strict=True)]
     tip = [] if rows[-1].a == rows[-1].alpha == 0 else [fixed(a=rows[-1].a, alpha=rows[-1].alpha)]
     return (*shifted, *tip)
 
@@ -54,7 +54,7 @@ def modified_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
     """
     must_be(arm, Arm, "arm")
     steps = np.array([np.eye(4)] * len(arm.rows))
-    for step, row in aligned(steps, arm.numeric):
+    for step, row in zip(steps, arm.numeric, strict=True):
         step[:3, 1:3] = [[0, 0], [row.cos_alpha, -row.sin_alpha], [row.sin_alpha, row.cos_alpha]]
         step[0, 3] = row.a
     return link_frames(arm, q)[..., 1:, :, :] @ np.linalg.inv(steps)

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm, ArmError, Body, Joint, Row
 from helpers.conventions import modified_from_standard
 from helpers.expressions import Entry
-from helpers.inputs import aligned, floats, listed, must_be, number, numbers, shown
+from helpers.inputs import floats, listed, must_be, number, numbers, shown
 from helpers.kinematics import link_frames
 from helpers.rows import cos_sin, quarter_turns
 
@@ -155,7 +155,7 @@ class Derivation:
         """
         frames = link_frames(self.arm, np.zeros(self.arm.dof))
         found = [np.abs(frames[-1] - self.tip).max()]
-        for i, line, turns in aligned(self.arm.joints, self.lines, self.arm.turning):
+        for i, line, turns in zip(self.arm.joints, self.lines, self.arm.turning, strict=True):
             _, _, z, o = frames[i - 1, :3].T
             apart = np.cross(line.z, o - line.point) * turns
             found += [np.abs(z - line.z).max(), np.abs(apart).max()]
@@ -177,7 +177,7 @@ class Derivation:
         points = numbers(centres, "centres", f"points of shape ({n}, 3) in m", (n, 3))
         points = (points - self.base[:3, 3]) @ self.base[:3, :3]
         bodies = [Body(0, (0, 0, 0))] * len(self.arm.rows)
-        for i, mass, point in aligned(self.arm.joints, kilograms, points):
+        for i, mass, point in zip(self.arm.joints, kilograms, points, strict=True):
             R, o = self.steps[i - 1].frame[:3, :3], self.steps[i - 1].frame[:3, 3]
             bodies[i - 1] = Body(float(mass), tuple(map(_length, R.T @ (point - o))))
         return replace(self.arm, bodies=bodies)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, aligned, common_shape, must_be, numbers
+from helpers.inputs import ArmError, common_shape, must_be, numbers
 from helpers.kinematics import link_frames
 from helpers.statics import GRAVITY
 
@@ -68,7 +68,7 @@ def _outwards(
     """The force that each link's motion takes, and its moment about the base's origin."""
     still = np.zeros((*q_dot.shape[:-1], 3))
     omega, alpha, a, wrenches, joint = still, still, still + up, [], 0
-    for k, (row, body) in enumerate(aligned(arm.numeric, arm.bodies)):
+    for k, (row, body) in enumerate(zip(arm.numeric, arm.bodies, strict=True)):
         z, step = frames[k][..., :3, 2], frames[k + 1][..., :3, 3] - frames[k][..., :3, 3]
         slide = still
         if row.kind != "fixed":

@@ -3,21 +3,14 @@ with, or raises ArmError, which says what was given and what was expected."""
 
 import math
 from collections.abc import Iterable
-from functools import partial
 from itertools import permutations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 Size = int | None
 Array = NDArray[np.float64]
-
-#: Columns side by side, as `zip` has them; ones of different lengths are an error.
-if TYPE_CHECKING:
-    aligned = zip
-else:
-    aligned = partial(zip, strict=True)
 
 
 class ArmError(ValueError):
@@ -44,7 +37,7 @@ def numbers(
     axes."""
     array = floats(value, what, wanted)
     last = array.shape[max(0, array.ndim - len(shape)) :] if many else array.shape
-    fits = len(last) == len(shape) and all(n in (None, m) for n, m in aligned(shape, last))
+    fits = len(last) == len(shape) and all(n in (None, m) for n, m in zip(shape, last, strict=True))
     if not fits:
         given = f"has shape {array.shape}" if array.shape else f"is {shown(value)}"
         raise ArmError(f"{what} {given}; expected {wanted}")

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, aligned, must_be, one_of, whole
+from helpers.inputs import ArmError, must_be, one_of, whole
 from helpers.program import Program, Value, record, workspace
 from helpers.rows import NumericRow
 
@@ -122,7 +122,7 @@ def skeleton(arm: Arm, T: Array) -> Array:
     """The points o_0, o_0 + d z_0, o_1, o_1 + d z_1, ...: what the table's lengths draw, for T of
     shape (rows + 1, 4, 4)."""
     points = [T[0, :3, 3]]
-    for row, frame in aligned(arm.numeric, T[1:]):
+    for row, frame in zip(arm.numeric, T[1:], strict=True):
         points += [frame[:3, 3] - row.a * frame[:3, 0], frame[:3, 3]]
     return np.array(points)
 
@@ -157,7 +157,7 @@ def recorded(arm: Arm, recursion: Recursion, given: Sequence[float] = ()) -> Pro
 
         def compute(*terms: Value) -> Sequence[Value]:
             steps = list(row_motions(arm, terms[:n], terms[n : 2 * n], terms[2 * n : 3 * n]))
-            rest = (x if there else 0.0 for x, there in aligned(terms[3 * n :], present))
+            rest = (x if there else 0.0 for x, there in zip(terms[3 * n :], present, strict=True))
             return recursion(arm, steps, *rest)
 
         arm.programs[recursion, present] = record(compute, 3 * n + len(given))
@@ -237,7 +237,7 @@ def tilted(row: NumericRow, y: Vector, z: Vector) -> tuple[Vector, Vector]:
 
 def mixed(a: Value, u: Vector, b: Value, v: Vector) -> Vector:
     """a u + b v."""
-    return tuple(a * x + b * y for x, y in aligned(u, v))
+    return tuple(a * x + b * y for x, y in zip(u, v, strict=True))
 
 
 def cross(u: Vector, v: Vector) -> Vector:
@@ -256,7 +256,7 @@ def tip_entries(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
 
 
 def _entries(frame: tuple[Vector, Vector, Vector, Vector]) -> list[Value]:
-    return [x for line in aligned(*frame) for x in line] + [0.0, 0.0, 0.0, 1.0]
+    return [x for line in zip(*frame, strict=True) for x in line] + [0.0, 0.0, 0.0, 1.0]
 
 
 def jacobian_entries(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
@@ -269,4 +269,4 @@ def jacobian_entries(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
             columns.append((*cross(z, mixed(1.0, tip, -1.0, origin)), *z))
         else:
             columns.append((*z, 0.0, 0.0, 0.0))
-    return [x for line in aligned(*columns) for x in line]
+    return [x for line in zip(*columns, strict=True) for x in line]

@@ -16,7 +16,7 @@ from sympy.polys.rings import PolyElement, PolyRing
 
 from helpers.arm import Arm
 from helpers.expressions import Entry, names
-from helpers.inputs import ArmError, aligned, must_be
+from helpers.inputs import ArmError, must_be
 from helpers.rows import quarter_turns
 
 Matrix = sp.ImmutableMatrix
@@ -54,7 +54,7 @@ class Turn(NamedTuple):
 def turns_of(arm: Arm, joined: bool = True) -> list[Turn]:
     """How far each row has turned; unless `joined`, every joint starts a run of its own."""
     turns, held, formula, quarters = [], np.eye(3), sp.S.Zero, 0
-    for i, (row, numeric) in enumerate(aligned(arm.rows, arm.numeric), 1):
+    for i, (row, numeric) in enumerate(zip(arm.rows, arm.numeric, strict=True), 1):
         starts = numeric.kind == "revolute" and not (joined and abs(held[2, 2]) > 1 - 1e-12)
         if starts:
             held, formula, quarters = np.eye(3), sp.S.Zero, 0
@@ -93,8 +93,8 @@ class Ring:
         self._symbols = [f(angle) for f in (sp.sin, sp.cos) for angle in angles] + letters
         self._ring = PolyRing([sp.Dummy() for _ in self._symbols], sp.QQ, sp.lex)
         gens, n = self._ring.gens, len(angles)
-        self._pairs = dict(aligned(angles, aligned(gens[n : 2 * n], gens[:n])))
-        self._letters = dict(aligned(letters, gens[2 * n :]))
+        self._pairs = dict(zip(angles, zip(gens[n : 2 * n], gens[:n], strict=True), strict=True))
+        self._letters = dict(zip(letters, gens[2 * n :], strict=True))
         self._units = [c**2 + s**2 - 1 for c, s in self._pairs.values()]
         self.zero, self.one = self._ring.zero, self._ring.one
 
@@ -143,10 +143,10 @@ class Ring:
 
     def taken_over(self, poly: PolyElement, other: "Ring") -> PolyElement:
         """A polynomial of another ring of the same arm, in which every joint turned by itself."""
-        values = dict(aligned(self._symbols, self._ring.gens)) | self._single_joints()
+        values = dict(zip(self._symbols, self._ring.gens, strict=True)) | self._single_joints()
         powers = [values[symbol] for symbol in other._symbols]
         terms = (
-            reduce(mul, (g**n for g, n in aligned(powers, monomial)), self.one * number)
+            reduce(mul, (g**n for g, n in zip(powers, monomial, strict=True)), self.one * number)
             for monomial, number in poly.terms()
         )
         return self.reduced(sum(terms, self.zero))
@@ -176,7 +176,7 @@ def frames_of(arm: Arm, ring: Ring) -> list[Frame]:
     unit = _rotation_z(ring.one, ring.zero)
     start, held, rotation, origin = unit, unit, unit, [ring.zero] * 3
     frames = [_frame(unit, origin)]
-    for i, (row, turn) in enumerate(aligned(arm.rows, ring.turns), 1):
+    for i, (row, turn) in enumerate(zip(arm.rows, ring.turns, strict=True), 1):
         before, d = transposed(rotation)[2], ring.length(formula_of(arm, row.d))
         if turn.starts:
             start, held = rotation, unit
@@ -186,7 +186,7 @@ def frames_of(arm: Arm, ring: Ring) -> list[Frame]:
             held = _product(held, _rotation_z(*ring.cos_sin(angle_of(arm, row.theta))))
         turned = _product(start, _rotation_z(*ring.cos_sin(turn.angle)))
         x, a = transposed(_product(turned, held))[0], ring.length(formula_of(arm, row.a))
-        origin = [o + d * z + a * x for o, z, x in aligned(origin, before, x)]
+        origin = [o + d * z + a * x for o, z, x in zip(origin, before, x, strict=True)]
         held = _product(held, _rotation_x(*ring.cos_sin(angle_of(arm, row.alpha))))
         rotation = _product(turned, held)
         frames.append(_frame(rotation, origin))
@@ -214,7 +214,7 @@ def _product(left: list[list], right: list[list]) -> list[list]:
 
 
 def transposed(rows: Sequence[list]) -> list[list]:
-    return [list(column) for column in aligned(*rows)]
+    return [list(column) for column in zip(*rows, strict=True)]
 
 
 def cross(u: list, v: list) -> list:

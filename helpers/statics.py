@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, Body
-from helpers.inputs import ArmError, aligned, common_shape, must_be, number, numbers
+from helpers.inputs import ArmError, common_shape, must_be, number, numbers
 from helpers.kinematics import (
     Step,
     Vector,
@@ -106,15 +106,15 @@ def _energy(arm: Arm, steps: Sequence[Step], *lift: Value) -> Sequence[Value]:
     """Each mass times the lift of its centre."""
     total = 0.0
     _, *frames = frame_columns(steps)
-    for (x, y, z, origin), m, com in aligned(frames, *_bodies(arm)):
+    for (x, y, z, origin), m, com in zip(frames, *_bodies(arm), strict=True):
         point = mixed(1.0, mixed(com[0], x, com[1], y), 1.0, mixed(com[2], z, 1.0, origin))
-        total = total + m * sum(up * place for up, place in aligned(lift, point))
+        total = total + m * sum(up * place for up, place in zip(lift, point, strict=True))
     return [total]
 
 
 def _torques(arm: Arm, steps: Sequence[Step], *lift: Value) -> Sequence[Value]:
     mass, (x, y, z), torques = 0.0, (0.0, 0.0, 0.0), []
-    links = aligned(steps, _lifts(steps, lift), *_bodies(arm))
+    links = zip(steps, _lifts(steps, lift), *_bodies(arm), strict=True)
     for (row, c, s, d), up, m, com in reversed(list(links)):
         x, y, z, mass = x + m * com[0], y + m * com[1], z + m * com[2], mass + m
         y, z = row.cos_alpha * y - row.sin_alpha * z, row.cos_alpha * z + row.sin_alpha * y

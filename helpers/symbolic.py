@@ -13,7 +13,7 @@ from sympy.polys.matrices import DomainMatrix
 from sympy.polys.rings import PolyElement
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, aligned, must_be, number, shown
+from helpers.inputs import ArmError, must_be, number, shown
 from helpers.polynomials import Frame, Matrix, Ring, cross, formula_of, frames_of, transposed
 
 __all__ = [
@@ -72,7 +72,7 @@ def jacobian(arm: Arm) -> Matrix:
     for i in arm.joints:
         z, origin = frames[i - 1].z, frames[i - 1].origin
         if arm.rows[i - 1].joint.kind == "revolute":
-            columns.append(cross(z, [t - o for t, o in aligned(tip, origin)]) + z)
+            columns.append(cross(z, [t - o for t, o in zip(tip, origin, strict=True)]) + z)
         else:
             columns.append(z + [ring.zero] * 3)
     return ring.matrix(transposed(columns))
@@ -128,7 +128,7 @@ def determinant(arm: Arm) -> sp.Expr:
 def _column_in(frame: Frame, arm: Arm, ring: Ring, before: Frame, i: int) -> list[PolyElement]:
     """A Jacobian column for the point and the axes of a frame, reduced at once so that it stays
     short."""
-    lever = [t - o for t, o in aligned(frame.origin, before.origin)]
+    lever = [t - o for t, o in zip(frame.origin, before.origin, strict=True)]
     turns = arm.rows[i - 1].joint.kind == "revolute"
     halves = (cross(before.z, lever), before.z) if turns else (before.z, [ring.zero] * 3)
     return [ring.reduced(sum(map(mul, axis, half))) for half in halves for axis in frame[:3]]
@@ -158,7 +158,7 @@ def body_numbers(arm: Arm, gravity: float = 9.81) -> dict[sp.Symbol, float]:
     must_be(arm, Arm, "arm")
     numbers = {sp.Symbol("g"): number(gravity, "gravity", "a finite number of m/s^2")}
     for i, body in enumerate(arm.bodies, 1):
-        for name, entry in aligned("mxyz", (body.mass, *body.com)):
+        for name, entry in zip("mxyz", (body.mass, *body.com), strict=True):
             if value := arm.number(entry):
                 numbers[sp.Symbol(f"{name}_{i}")] = value
     return numbers
@@ -182,7 +182,7 @@ def _energy(arm: Arm, ring: Ring) -> PolyElement:
     total = ring.zero
     for i, frame in enumerate(frames_of(arm, ring)[1:], 1):
         height = frame.origin[2] + sum(
-            letter(f"{c}_{i}") * axis[2] for c, axis in aligned("xyz", frame[:3])
+            letter(f"{c}_{i}") * axis[2] for c, axis in zip("xyz", frame[:3], strict=True)
         )
         total += letter(f"m_{i}") * height
     return ring.reduced(ring.length(sp.Symbol("g")) * total)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, Derivation, derive
-from helpers.inputs import aligned, must_be, number, shown
+from helpers.inputs import must_be, number, shown
 from helpers.rows import Kind, cos_sin
 
 __all__ = ["Chain", "from_urdf", "read_chain"]
@@ -259,7 +259,7 @@ class _Tree:
         if not links:
             raise ArmError(f"{name} has no links; expected a robot description with <link>s in it")
         names = [_name(link, "link") for link in links]
-        masses = {called: _mass(link, called) for called, link in aligned(names, links)}
+        masses = {called: _mass(link, called) for called, link in zip(names, links, strict=True)}
         joints = [_joint(element) for element in robot.findall("joint")]
         _once(names, f"{name}: links called")
         _once([joint.name for joint in joints], f"{name}: joints called")

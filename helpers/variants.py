@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from helpers import inverse, symbolic
 from helpers.arm import Arm, prismatic, revolute
-from helpers.inputs import ArmError, aligned, listed, must_be, one_of, whole
+from helpers.inputs import ArmError, listed, must_be, one_of, whole
 from helpers.kinematics import forward_kinematics, jacobian, link_frames
 from helpers.motion import Path, SingularError, Trace, circle, plain_inverse, trace
 from helpers.statics import gravity_torque, static_torque
@@ -205,7 +205,7 @@ def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
     stays.
     """
     factors = _generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
-    pairs = aligned(arm.values.items(), factors)
+    pairs = zip(arm.values.items(), factors, strict=True)
     new = {name: round(value * float(factor), 3) for (name, value), factor in pairs}
     return replace(arm.with_values(**new), name=f"{arm.name}, lengths of your own")
 
@@ -296,7 +296,7 @@ def axes(arm: Arm, along: list[float]) -> list[tuple[int, str, Array, Array]]:
     """The moving joints' axes at q = 0: number, kind, a point moved `along` its axis, direction."""
     frames = link_frames(arm, np.zeros(arm.dof))
     found = []
-    for number, shift in aligned(arm.joints, along):
+    for number, shift in zip(arm.joints, along, strict=True):
         frame = frames[number - 1]
         kind = {"revolute": "turns", "prismatic": "slides"}[arm.rows[number - 1].joint.kind]
         found.append((number, kind, frame[:3, 3] + shift * frame[:3, 2], frame[:3, 2]))
@@ -425,7 +425,7 @@ def _ask_target(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     sought = "every set of joint values within the limits" if solver else "joint values"
     limits = "; ".join(
         f"${name.replace('q_', 'q_{')}}}$ from {low:g} to {high:g}"
-        for name, low, high in aligned(arm.variables, *arm.limits)
+        for name, low, high in zip(arm.variables, *arm.limits, strict=True)
         if np.isfinite([low, high]).all()
     )
     text = f"Find {sought} that give the tip the {asked} $= {matrix(target, _POSE_DIGITS)}$." + (

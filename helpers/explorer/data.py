@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm, Body, Joint, Row
-from helpers.inputs import ArmError, aligned, listed, must_be
+from helpers.inputs import ArmError, listed, must_be
 from helpers.inverse import Solutions
 
 _POINTS = 181  # of a path that is played back: one for each two degrees of a circle
@@ -21,7 +21,7 @@ def arm_data(arm: Arm) -> Data:
     """An arm with its values put in: SI units, null where no limit is known."""
     must_be(arm, Arm, "arm")
     bodies = arm.bodies or (None,) * len(arm.rows)
-    rows = [_row_data(arm, row, body) for row, body in aligned(arm.rows, bodies)]
+    rows = [_row_data(arm, row, body) for row, body in zip(arm.rows, bodies, strict=True)]
     return {"name": arm.name, "home": list(arm.home), "rows": rows}
 
 
@@ -94,7 +94,11 @@ def _named(found: Solutions) -> dict[str, np.ndarray]:
         raise ArmError(
             f"{found.arm.name}: the branches are those of {found.q.shape[:-2]} poses; expected one"
         )
-    return {name: q for name, q, valid in aligned(found.branches, found.q, found.valid) if valid}
+    return {
+        name: q
+        for name, q, valid in zip(found.branches, found.q, found.valid, strict=True)
+        if valid
+    }
 
 
 def _branch(arm: Arm, branch: Any) -> Data:

@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.explorer.data import Data
-from helpers.inputs import aligned
 from helpers.kinematics import link_frames, skeleton
 
 _WIDTH, _HEIGHT, _MARGIN = 480, 320, 36
@@ -34,7 +33,9 @@ def stub(arm: Arm, q: ArrayLike, spec: Data) -> str:
 
 def _pose_text(arm: Arm, q: ArrayLike) -> str:
     values = np.round(arm.joint_vector(q), 3) + 0.0
-    return ", ".join(f"{name} = {value:g}" for name, value in aligned(arm.variables, values))
+    return ", ".join(
+        f"{name} = {value:g}" for name, value in zip(arm.variables, values, strict=True)
+    )
 
 
 def still(arm: Arm, q: ArrayLike, words: str) -> str:

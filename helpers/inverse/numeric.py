@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import aligned, common_shape, floats, must_be, number, whole
+from helpers.inputs import common_shape, floats, must_be, number, whole
 from helpers.inverse.solutions import cross, dot, must_be_rigid, poses, positions
 from helpers.kinematics import Step, jacobian_entries, recorded, rows_of, tip_entries
 from helpers.program import Value
@@ -90,7 +90,7 @@ def solve(
         found = _descend(arm, goal[missed], again, bounds, tolerance, iterations)
         starts[missed] += 1
         better = found.worst < best.worst[missed]
-        for old, new in aligned(best, found):
+        for old, new in zip(best, found, strict=True):
             old[missed[better]] = new[better]
     results = (best.q, best.worst <= tolerance, best.position, best.orientation, best.steps, starts)
     return NumericSolution(*(x.reshape((*shape, *x.shape[1:])) for x in results))
@@ -121,7 +121,7 @@ def _descend(arm: Arm, goal: Array, start: Array, bounds, tolerance: float, most
         _descend_together(arm, goal[i : i + _CHUNK], start[i : i + _CHUNK], bounds, tolerance, most)
         for i in range(0, max(1, len(goal)), _CHUNK)
     ]
-    return _Descent(*map(np.concatenate, aligned(*ends)))
+    return _Descent(*map(np.concatenate, zip(*ends, strict=True)))
 
 
 def _descend_together(
@@ -202,7 +202,7 @@ def _tip_and_jacobian(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
 def turn_between(have: Sequence[Array], want: Sequence[Array]) -> Array:
     """Rotation vectors (3, batch), in rad and base axes, that turn frames, three axes (3, batch)
     each, into others."""
-    pairs = list(aligned(have, want))
+    pairs = list(zip(have, want, strict=True))
     axis = 0.5 * np.sum([cross(u, v) for u, v in pairs], axis=0)
     sine = np.sqrt(dot(axis, axis))
     cosine = 0.5 * (np.sum([dot(u, v) for u, v in pairs], axis=0) - 1.0)

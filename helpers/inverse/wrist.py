@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, fixed
-from helpers.inputs import ArmError, aligned, must_be
+from helpers.inputs import ArmError, must_be
 from helpers.inverse.geometry import SINGULAR, unwound, wrist_centre
 from helpers.inverse.shoulder import (
     ELBOW_BRANCHES,
@@ -117,7 +117,8 @@ def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...]
     flip = np.where(singular, 0.0, np.pi)
     pairs = (phi_4, phi_4 + flip), (phi_5, -phi_5), (phi_6, phi_6 + flip)
     wrist = (
-        wrapped(np.stack(pair, axis=2) - row.theta) for pair, row in aligned(pairs, arm.numeric[3:])
+        wrapped(np.stack(pair, axis=2) - row.theta)
+        for pair, row in zip(pairs, arm.numeric[3:], strict=True)
     )
     return tuple(wrist), singular
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from helpers import kinematics, statics, symbolic
 from helpers.arm import Arm
-from helpers.inputs import ArmError, aligned, must_be
+from helpers.inputs import ArmError, must_be
 
 Array = NDArray[np.float64]
 
@@ -83,13 +83,15 @@ class Sheet:
         frames = kinematics.link_frames(self.arm, self.home)
         steps = [np.linalg.inv(a) @ b for a, b in pairwise(frames)]
         found = symbolic.link_transforms(self.arm)
-        return [Item(f"A_{i}", A, at) for i, (A, at) in enumerate(aligned(found, steps), 1)]
+        return [
+            Item(f"A_{i}", A, at) for i, (A, at) in enumerate(zip(found, steps, strict=True), 1)
+        ]
 
     @cached_property
     def frames(self) -> list[Item]:
         """T_01 .. T_0n, each 4x4."""
         at_home = kinematics.link_frames(self.arm, self.home)
-        pairs = list(aligned(symbolic.link_frames(self.arm), at_home))
+        pairs = list(zip(symbolic.link_frames(self.arm), at_home, strict=True))
         return [Item(f"T_0{i}", T, at) for i, (T, at) in enumerate(pairs[1:], 1)]
 
     @cached_property

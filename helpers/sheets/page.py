@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sp
 
 from helpers.arm import Arm, Row
-from helpers.inputs import ArmError, aligned, listed, must_be
+from helpers.inputs import ArmError, listed, must_be
 from helpers.sheets import programs
 from helpers.sheets.content import Array, Item, Sheet
 from helpers.sheets.formulas import HTML, html_name, pieces, written
@@ -74,7 +74,7 @@ def _formula(sheet: Sheet, item: Item) -> str:
         return _matrix(title(item), [[_spans(entry) for entry in row] for row in entries])
     lines = [
         f"<p>{label} = {_spans(entry)}</p>"
-        for label, entry in aligned(_labels(sheet, item), chain(*entries))
+        for label, entry in zip(_labels(sheet, item), chain(*entries), strict=True)
     ]
     return f'<div class="entries">{"".join(lines)}</div>\n'
 
@@ -83,7 +83,7 @@ def _fits(entries: list[list[list[str]]]) -> bool:
     """Whether a phone shows them as a matrix: each column as wide as its longest term, no entry too
     tall.
     """
-    columns = aligned(*entries)
+    columns = zip(*entries, strict=True)
     width = sum(max(_em(term) for entry in column for term in entry) + 0.8 for column in columns)
     return width <= _WIDEST and all(len(entry) <= _TALLEST for row in entries for entry in row)
 
@@ -326,7 +326,7 @@ def _given(sheet: Sheet, others: tuple[Sheet, ...]) -> str:
     arm = sheet.arm
     home = ", ".join(
         _together(f"{html_name(name)} = {_joint_value(value)}")
-        for name, value in aligned(arm.variables, arm.home)
+        for name, value in zip(arm.variables, arm.home, strict=True)
     )
     lines = [f"{escape(s.arm.name)}: {_values(s)}." for s in (sheet, *others) if s.arm.values]
     zero = [html_name(name) for name, value in arm.values.items() if not value]

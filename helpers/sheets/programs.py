@@ -7,7 +7,6 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from helpers.inputs import aligned
 from helpers.sheets.content import Item, Sheet
 from helpers.sheets.formulas import (
     LATEX,
@@ -33,7 +32,7 @@ def as_latex(sheet: Sheet, item: Item) -> str:
     value, (_, _, short) = sheet.shortened(item), sheet.used(item)
     legend = [f"% ${latex_name(n.name)} = {written(f, LATEX)}$" for n, f in short]
     entries = [[pieces(e, LATEX) for e in value.row(i)] for i in range(value.rows)]
-    columns = aligned(*entries)
+    columns = zip(*entries, strict=True)
     width = sum(max(_seen(" ".join(entry)) for entry in column) + 2 for column in columns)
     if not item.is_number and width <= _ROW and value.cols <= 10:
         return "\n".join([*legend, rf"\[ {latex_title(item)} =", *_bmatrix(entries), r"\]"])
@@ -130,7 +129,7 @@ def as_matlab(sheet: Sheet, item: Item) -> str:
 def _given(sheet: Sheet, item: Item, language: Language, end: str = "") -> list[str]:
     """The lines that give every letter its number, and every cosine and sine its short name."""
     joints, letters, short = sheet.used(item)
-    home = dict(aligned(sheet.arm.variables, sheet.arm.home))
+    home = dict(zip(sheet.arm.variables, sheet.arm.home, strict=True))
     numbers = {name: angle(home[name], language) for name in joints}
     numbers |= {name: f"{sheet.values[name]:.12g}" for name in letters}
     functions = {n.name: written(f, language) for n, f in short}
