@@ -36,12 +36,18 @@ class Frame:
     def to_numpy(self):
         return self.rows
 
+    def __str__(self):
+        return "Frame"
+
 
 class Held:
     """As what other packages hold: a list is all it gives."""
 
     def tolist(self):
         return [1.5, 2.0]
+
+    def __str__(self):
+        return "Held"
 
 
 @pytest.mark.parametrize(
