@@ -160,6 +160,23 @@ def test_exchanged_heads_are_mended_only_where_that_is_asked():
     assert [r.numbers["alpha"] for r in read.rows] == [90, 0, 0]
 
 
+@pytest.mark.parametrize(
+    ("text", "kinds"),
+    [
+        ("PrismaticDH(a=0.3, alpha=pi/2), RevoluteMDH(d=0.2)", "PR"),
+        ("DHLink(d=0.1, a=0.3), Link(a=0.2, jointtype='prismatic')", "RP"),
+        (
+            "L1 = Link([0 0.1 0.2 0 1]); L2 = Link([0 0 0.4 pi/2]); L3 = Link('a', 1, 'sigma', 1);",
+            "PRP",
+        ),
+        ("Link('theta', 0.3, 'a', 0.1), Link('theta', 0.3, 'd', 0.1)", "PR"),
+    ],
+)
+def test_a_link_slides_where_that_is_said_or_its_angle_is_fixed(text, kinds):
+    [read] = table.read(text)
+    assert "".join(row.kind for row in read.rows) == kinds
+
+
 def test_a_column_of_matlabs_and_heads_alone():
     assert grid.cells("[0.5;0.7;-0.4]") == [["0.5"], ["0.7"], ["-0.4"]]
     with pytest.raises(ArmError, match="the text is empty"):

@@ -338,7 +338,7 @@ def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str
 def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     text = _unboxed(text)
     if links := re.findall(
-        r"(?:Link|(?:Revolute|Prismatic)\w*|DHLink)\s*\(((?:[^()]|\([^()]*\))*)\)",
+        r"(Link|(?:Revolute|Prismatic)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)",
         text,
     ):
         return _links(links)
@@ -412,12 +412,12 @@ def _records(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]] | None:
     return cells, list(ENTRIES), ()
 
 
-def _links(links: list[str]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+def _links(links: list[tuple[str, str]]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     """Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3,
     alpha=pi/2).
     """
     rows = []
-    for i, body in enumerate(links, 1):
+    for i, (kind, body) in enumerate(links, 1):
         if body.strip().startswith("["):
             entries = grid.cells(body.partition("]")[0] + "]")[0]
             slides = len(entries) > 4 and formula.number(entries[4]) == 1
@@ -426,7 +426,7 @@ def _links(links: list[str]) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
             found = re.findall(r"['\"]?\b(a|alpha|d|theta|offset)['\"]?\s*[,=]\s*([^,]+)", body)
             row = {k: x.strip() for k, x in found}
             slides = (
-                "prismatic" in body.lower()
+                "prismatic" in (kind + body).lower()
                 or ("theta" in row and "d" not in row)
                 or re.search(r"sigma['\"]?\s*[,=]\s*1", body) is not None
             )

@@ -37,7 +37,7 @@ const WORDS = new Map([
 const LETTER = String.raw`[\p{L}\p{N}_]`;
 const BOX = /^[^\n]*│[^\n]*(?:\n[^\n]*[│├┼╪][^\n]*)*/m; // a table drawn with lines
 const LINK = new RegExp(
-  String.raw`(?:Link|(?:Revolute|Prismatic)${LETTER}*|DHLink)\s*\(((?:[^()]|\([^()]*\))*)\)`,
+  String.raw`(Link|(?:Revolute|Prismatic)${LETTER}*)\s*\(((?:[^()]|\([^()]*\))*)\)`,
   "gu",
 );
 const LISTS = new RegExp(
@@ -222,7 +222,7 @@ const unquoted = (text) => text.trim().replace(/^['"]+|['"]+$/g, "");
 /** @returns {Cells} */
 function ofText(typed) {
   const text = unboxed(typed);
-  const links = [...text.matchAll(LINK)].map(([, body]) => body);
+  const links = [...text.matchAll(LINK)].map(([, kind, body]) => ({ kind, body }));
   if (links.length) return ofLinks(links);
   const records = ofRecords(text);
   if (records) return records;
@@ -298,8 +298,8 @@ function ofPairs(entries) {
 
 // Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3, alpha=pi/2).
 function ofLinks(links) {
-  const cells = links.map((body, k) => {
-    const { row, slides } = linkOf(body);
+  const cells = links.map((link, k) => {
+    const { row, slides } = linkOf(link);
     const moves = slides ? "d" : "theta";
     const still = number(row[moves]) ? row[moves] : row.offset;
     row[moves] = `q_${k + 1} + (${still})`;
@@ -308,7 +308,7 @@ function ofLinks(links) {
   return { ...plainly(cells), said: [say("taken: links")] };
 }
 
-function linkOf(body) {
+function linkOf({ kind, body }) {
   const none = { a: "0", alpha: "0", d: "0", theta: "0", offset: "0" };
   if (body.trim().startsWith("[")) {
     const entries = cellsOf(`${body.split("]")[0]}]`)[0];
@@ -319,7 +319,7 @@ function linkOf(body) {
   const pairs = body.matchAll(/['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset)['"]?\s*[,=]\s*([^,]+)/gu);
   const given = Object.fromEntries([...pairs].map(([, name, x]) => [name, x.trim()]));
   const slides =
-    body.toLowerCase().includes("prismatic") ||
+    `${kind}${body}`.toLowerCase().includes("prismatic") ||
     ("theta" in given && !("d" in given)) ||
     /sigma['"]?\s*[,=]\s*1/.test(body);
   return { row: { ...none, ...given }, slides };
