@@ -238,9 +238,8 @@ class _Steps:
     def of(cls, typed: Typed, arm: Arm, path: Path, share: float) -> "_Steps":
         q, dt = typed.values, np.diff(path.times)
         window = max(1, (len(q) - 2) // _ALONG)
-        first = np.unique(
-            np.linspace(0, len(q) - 2 - window, max(12, _SAMPLE // window)).astype(int)
-        )
+        last = max(0, len(q) - 2 - window)
+        first = np.unique(np.linspace(0, last, max(12, _SAMPLE // window)).astype(int))
         pick = (first[:, None] + np.arange(window)).ravel()
         step = q[pick + 1] - q[pick]
         at = chain(arm, q[pick] + share * step)

@@ -237,7 +237,7 @@ export function holds(q, units, arm, path) {
 function stepsOf(q, units, arm, path, share) {
   const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
   const window = Math.max(1, Math.floor((q.length - 2) / ALONG));
-  const samples = picked(q.length - 2 - window, Math.max(12, Math.floor(SAMPLE / window)))
+  const samples = picked(Math.max(0, q.length - 2 - window), Math.max(12, Math.floor(SAMPLE / window)))
     .flatMap((first) => Array.from({ length: window }, (_, i) => first + i))
     .map((k) => {
       const step = q[k].map((x, i) => q[k + 1][i] - x);
