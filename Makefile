@@ -47,8 +47,8 @@ book: $(BOOK) ## build the book and say where it is
 
 # The book is built while the tests are installed and the notebooks run; what looks at it waits for this file, which
 # says how that ended. Meanwhile SymPy is compiled once, and not by every process of the tests at its start. Three files
-# at a time on two processors, since who looks at pages often waits for them; in the
-# order given: by the number of their tests, the longest would come last.
+# at a time on two processors, since who looks at pages often waits for them; in the order given: by the number of their
+# tests, the longest would come last.
 BUILT := book/_build/built
 
 test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built book's
@@ -64,7 +64,7 @@ coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach;
 	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
 
 # The page judges in JavaScript, the checkers in Python: what a reader is told may not depend on where.
-judge: $(BIN)/.installed-dev ## ask the page's judge and the checkers 20 000 questions; every word must be equal (needs Node.js)
+judge: $(BIN)/.installed-dev ## ask the page's judge and the checkers 26 000 questions; every word must be equal (needs Node.js)
 	$(BIN)/python -m tests.judge_words --cases 20000
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
