@@ -196,7 +196,7 @@ def drawn(heads, lines, rng):
 
 
 def bracketed(heads, lines, rng):
-    cell, row, start, end = [
+    form = [
         (", ", "], [", "[[", "]]"),
         (", ", "), (", "[(", ")]"),
         (" ", "; ", "DH = [", "];"),
@@ -208,7 +208,7 @@ def bracketed(heads, lines, rng):
     lines = [["θ*" if x in "*-—" else x for x in line] for line in lines]
     if rng.random() < 0.3:
         lines = [[str(rng.choice(["{}", "L{}"])).format(i), *x] for i, x in enumerate(lines, 1)]
-    return start + row.join(cell.join(line) for line in spaced(lines, rng)) + end
+    return pastes.lines(*form)(spaced(lines, rng))
 
 
 def of_lists(names, lines, rng):
