@@ -188,7 +188,7 @@ def lists(heads, lines, rng):
 
 
 def bracketed(heads, lines, rng):
-    cell, row, start, end = [
+    form = [
         (", ", "], [", "[[", "]]"),
         (", ", "), (", "[(", ")]"),
         (" ", "; ", "DH = [", "];"),
@@ -200,7 +200,7 @@ def bracketed(heads, lines, rng):
     lines = [["θ*" if x in "*-—" else x for x in line] for line in lines]
     if rng.random() < 0.3:
         lines = [[str(rng.choice(["{}", "L{}"])).format(i), *x] for i, x in enumerate(lines, 1)]
-    return start + row.join(cell.join(line) for line in tight(lines)) + end
+    return pastes.lines(*form)(tight(lines))
 
 
 HEADED = {"markdown": markdown, "sheet": sheet, "printed": printed, "tabular": tabular,

@@ -396,6 +396,9 @@ def reports(*grades):
     for n, grade in enumerate(grades):
         if grade == "refused":
             raise ArmError("no numbers")
+        if grade == "none":
+            yield None
+            continue
         causes = ("J.z_i",) if grade in ("named", "partly") else ()
         graded = "wrong" if grade in found else grade
         yield Report("Jacobian", "arm", graded, str(n), found.get(grade, ()), causes)
@@ -410,6 +413,7 @@ def reports(*grades):
         (["partly", "wrong"], 0),
         (["wrong", "named", "refused", "right"], 1),
         (["wrong", "refused"], 0),
+        (["none", "partly", "none", "named"], 3),
     ],
 )
 def test_the_best_of_several_reports(grades, taken):
