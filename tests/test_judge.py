@@ -92,7 +92,7 @@ def asked(typed, **options):
 
 # As many as `make judge` asks where `make mutants` counts what the tests notice.
 CASES, SEED = int(os.environ.get("JUDGE_CASES", "300")), 2026
-SLICE = {"trace": 20, "corpus's traces": 5}  # of the others 100: it takes a second or two
+SLICE = {"trace": 20, "corpus's traces": 5, "readings": 30}  # of the others 100: they take a second
 SLICES = [(part, k) for part in parts_of(CASES) for k in range(0, part[2], SLICE.get(part[0], 100))]
 
 

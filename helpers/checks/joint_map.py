@@ -172,10 +172,10 @@ def _wrapped(angle: float) -> float:
     return math.pi if angle <= -math.pi + 1e-9 else angle
 
 
-def words(found: Map, mine: Side, reference: Side) -> list[str]:
-    """The joints that count otherwise, one equation each."""
+def words(found: Map, mine: Sequence[int], reference: Side) -> list[str]:
+    """The joints that count otherwise, one equation each; `mine` are the numbers of your joints."""
     said = []
-    for s, c, i, j in zip(found.signs, found.offsets, mine.joints, reference.joints, strict=True):
+    for s, c, i, j in zip(found.signs, found.offsets, mine, reference.joints, strict=True):
         turns = reference.rows[j - 1].kind == "R"
         shift = round(math.degrees(c) if turns else 1000 * c, 6)
         unit = "°" if turns else " mm"

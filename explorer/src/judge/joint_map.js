@@ -128,10 +128,10 @@ function wrap(angle) {
   return near <= -Math.PI + 1e-9 ? Math.PI : near;
 }
 
-// The joints that count otherwise, one equation each.
+// The joints that count otherwise, one equation each; `mine` are the numbers of your joints.
 export function equations({ signs, offsets }, mine, reference) {
   return signs.flatMap((s, k) => {
-    const [i, j] = [mine.joints[k], reference.joints[k]];
+    const [i, j] = [mine[k], reference.joints[k]];
     const turns = reference.rows[j - 1].kind === "revolute";
     const shift = Number((offsets[k] * (turns ? DEG : 1000)).toFixed(6));
     const counted = Math.abs(shift) > 1e-3;
