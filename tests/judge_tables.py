@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from helpers.arm import Arm
 from helpers.checks.tables_causes import references
-from tests import table_pastes
+from tests import pastes, table_pastes
 from tests.corpus import tables
 from tests.corpus.arms import KNOWN, random_machine
 from tests.corpus.machine import Machine
@@ -268,7 +268,7 @@ def _order(rng):
 
 
 def _joined(cells, rng):
-    cell, row, start, end = [
+    form = [
         (", ", "], [", "[[", "]]"),
         (", ", "), (", "((", "))"),
         (" ", "; ", "DH = [", "];"),
@@ -279,7 +279,7 @@ def _joined(cells, rng):
         (" | ", " |\n| ", "| ", " |"),
     ][int(rng.integers(8))]
     lines = [[x.replace(" ", "") for x in line] for line in _plain(cells, _order(rng))]
-    return start + row.join(cell.join(line) for line in lines) + end
+    return pastes.lines(*form)(lines)
 
 
 def _headed(cells, rng):

@@ -59,13 +59,13 @@ def results(function: Callable, arm: Arm, q: Array, what: str) -> Iterator[tuple
         raise ArmError(words) from failed
 
 
-def best(reports: Iterator[Report]) -> Report:
+def best(reports: Iterator[Report | None]) -> Report:
     """The first report that is not "wrong", or else the first that one mistake explains altogether,
-    or else the first.
+    or else the first; None is no report.
     """
     held: list[Report] = []
     try:
-        for report in reports:
+        for report in filter(None, reports):
             if report.grade != WRONG:
                 return report
             held.append(report)

@@ -25,7 +25,7 @@ from helpers.checks.digits import (
 from helpers.checks.entries import Margins, graded, margins
 from helpers.checks.functions import best, results
 from helpers.checks.jacobian_causes import Catalogue, pairs, singles
-from helpers.checks.ranking import Cause, Found, better, cause, explain, lower, several
+from helpers.checks.ranking import Cause, Found, better, cause, complete, explain, lower, several
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be, whole
 from helpers.reading.sentences import listed, say
@@ -114,7 +114,8 @@ class _Where:
 
 def _reported(
     typed: Typed, where: _Where, angular_first: bool, tolerance, taken, function, why: bool
-) -> Report:
+) -> Report | None:
+    """The report; None where no single mistake explains what is wrong, unless `why` is asked."""
     if typed.values.shape not in ((6, where.arm.dof), (3, where.arm.dof)):
         return _misshapen(typed, where, taken)
     if not typed.values.any():
@@ -225,7 +226,7 @@ def _judged(
     taken: tuple[str, ...],
     at_pose: bool,
     why: bool,
-) -> Report:
+) -> Report | None:
     arm, known = where.arm, where.known
     rows = slice(0, 6)
     if len(typed.values) == 3:
@@ -241,9 +242,7 @@ def _judged(
         return _good(grade, typed, arm, rows, taken, notes, at_pose)
     if not why:
         one = explain(typed.values, right, m.band, known.causes, made)
-        if one is None or one.odd.any():
-            return Report("Jacobian", arm.name, WRONG, "")
-        return _bad(one.causes, (), arm, taken)
+        return _bad(one.causes, (), arm, taken) if complete(one) else None
     found, more = _causes(typed.values, right, m, rows, where)
     return _bad(found, more, arm, taken)
 
@@ -336,10 +335,10 @@ def _causes(M, right, m: Margins, rows: slice, where: _Where):
     two, ways = (cache(partial(make, *at)) for make in (pairs, _other_ways))
     for band in m.bands:
         found = explain(M, right, band, known.causes, known.made[:, rows])
-        if found is None or found.odd.any():
+        if not complete(found):
             other = explain(M, right, band, two().causes, two().made[:, rows])
             turned = explain(M, right, band, ways().causes, ways().made[:, rows])
-            found = better(found, other, turned if turned and not turned.odd.any() else None)
+            found = better(found, other, turned if complete(turned) else None)
         if found:
             return found.causes, tuple(_odd_columns(found, arm))
         if len(M) == 6 and (halves := _by_halves(M, right, band, known)):
@@ -355,7 +354,7 @@ def _by_halves(M, right, band, known: Catalogue) -> tuple[Cause, ...]:
         if (np.abs(M[rows] - right[rows]) <= band[rows]).all():
             continue
         found = explain(M[rows], right[rows], band[rows], known.causes, known.made[:, rows])
-        if found is None or found.odd.any():
+        if not complete(found):
             return ()
         first = next((c for c in found.causes if half in c.keys[0]), found.causes[0])
         inside = f"{half} rows" in first.words

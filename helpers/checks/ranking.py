@@ -7,7 +7,7 @@ gains at least three and most of what is wrong.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -111,6 +111,11 @@ def explain(
     cost = edits + odd * left
     best = named[cost[named] == cost[named].min()]
     return Found(tuple(causes[int(k)] for k in best), ~fits[best[0]])
+
+
+def complete(found: Found | None) -> TypeGuard[Found]:
+    """Whether something is found that leaves nothing unexplained."""
+    return found is not None and not found.odd.any()
 
 
 def several(found: Sequence[Cause], most: int = 3) -> str:

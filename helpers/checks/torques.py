@@ -13,7 +13,7 @@ from helpers.checks import door
 from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG, Typed, of_floats
 from helpers.checks.entries import Margins, graded, margins
 from helpers.checks.functions import best, results
-from helpers.checks.ranking import Cause, Found, better, explain, lower, several
+from helpers.checks.ranking import Cause, Found, better, complete, explain, lower, several
 from helpers.checks.torques_causes import Load, catalogue, paper_centres, reversed_joints
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
@@ -129,10 +129,11 @@ def _held(mine: object, arm: Arm, q: Array, what: str) -> Iterator[tuple[Typed, 
         yield Typed(values, of_floats(values)), found[0][1]
 
 
-def _reported(typed: Typed, where: _Where, tolerance, said, why: bool) -> Report:
+def _reported(typed: Typed, where: _Where, tolerance, said, why: bool) -> Report | None:
+    """The report; None where no single mistake explains what is wrong, unless `why` is asked."""
     upright, taken = _upright(typed, where.right)
     if upright is None or upright.values.shape != where.right.shape:
-        return _misshapen(typed.values, where.right, where.arm)
+        return _misshapen(typed.values, where, said)
     return _judged(upright, where, tolerance, (*said, *taken), why)
 
 
@@ -143,6 +144,8 @@ def _poses(q: ArrayLike | str, arm: Arm, angles: str) -> Typed:
     values, units = typed.values, typed.units
     if values.ndim == 2 and values.shape[0] == arm.dof != values.shape[1]:
         values, units = values.T, units.T
+    if values.ndim > 2:
+        values, units = (x.reshape(-1, x.shape[-1]) for x in (values, units))
     if values.shape[:1] == (1,) and values.ndim == 2:
         values, units = values[0], units[0]
     if angles == "deg" and values.shape[-1:] == (arm.dof,):
@@ -174,7 +177,8 @@ def _fits_turned(M: Array, right: Array) -> bool:
     return bool(np.abs(M.T - right).max() < 0.05 * np.abs(M - right).max())
 
 
-def _misshapen(M: Array, right: Array, arm: Arm) -> Report:
+def _misshapen(M: Array, where: _Where, said: tuple[str, ...]) -> Report:
+    arm, right = where.arm, where.right
     poses, dof = right.shape
     one_each = M.size == poses and M.size != right.size
     key = "tau.energy" if one_each else "tau.shape"
@@ -189,10 +193,11 @@ def _misshapen(M: Array, right: Array, arm: Arm) -> Report:
         say("tau wrong", arm=arm.name, cause=lower(words)),
         (finding,),
         (key,),
+        said,
     )
 
 
-def _judged(typed: Typed, where: _Where, tolerance, taken, why: bool) -> Report:
+def _judged(typed: Typed, where: _Where, tolerance, taken, why: bool) -> Report | None:
     arm, right, pick = where.arm, where.right, where.pick
     causes, made = where.singles
     scale = max(float(np.abs(right).max()), 1e-3)
@@ -206,10 +211,8 @@ def _judged(typed: Typed, where: _Where, tolerance, taken, why: bool) -> Report:
     if grade != WRONG:
         return _good(grade, typed, arm, taken, figures)
     if not why:
-        one = explain(typed.values[pick], right[pick], part.band, causes, made, _ODD)
-        if one is None or one.odd.any():
-            return Report("torques", arm.name, WRONG, "")
-        return _bad(one, (), arm, taken, figures)
+        one = explain(typed.values[pick], right[pick], part.band, causes, made)
+        return _bad(one, (), arm, taken, figures) if complete(one) else None
     more, also = catalogue(where.load, 2)
     known = (causes + more, np.concatenate([made, also]))
     found = _found(typed.values[pick], right[pick], part, known, where.load)
@@ -245,14 +248,10 @@ def _found(mine, right, m: Margins, known, load: Load) -> Found | None:
     )
     for band in m.bands:
         found = explain(mine, right, band, causes, made, odd=_ODD)
-        if found is None or found.odd.any():
-            turned = explain(mine, right, band, *others())
-            whole = (
-                Found(turned.causes[:1], turned.odd) if turned and not turned.odd.any() else None
-            )
-            paper = explain(mine, right, band, *papers())
-            paper = Found(paper.causes[:1], paper.odd) if paper and not paper.odd.any() else None
-            found = better(found, whole, paper, odd=_ODD)
+        if not complete(found):
+            more = (explain(mine, right, band, *made()) for made in (others, papers))
+            simplest = (Found(f.causes[:1], f.odd) for f in more if complete(f))
+            found = better(found, *simplest, odd=_ODD)
         if found:
             return found
     return None

@@ -144,7 +144,7 @@ def _numbers(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
         words = "Right as far as it goes: give more digits."
         return Mark(part.name, rules.digits, words, words)
     for key, sentence, meant in _usual(mine):
-        if (np.abs(meant - right) <= part.tolerance).all():
+        if (np.abs(meant - right) <= np.maximum(part.tolerance, np.abs(right) * 1e-3)).all():
             credit = rules.causes.get(key, 0.0)
             return Mark(part.name, credit, sentence, sentence, (key,))
     words = f"Not right: {far.sum()} of {right.size} entries are off, by up to {off.max():.3g}."

@@ -58,7 +58,7 @@ def best_apart() -> Apart:
     as_root = os.geteuid() == 0
     namespaces, nobody = (_ROOTS_NAMESPACES, _as_nobody()) if as_root else (_NAMESPACES, [])
     probe = ["bwrap", *namespaces, "--ro-bind", "/", "/", "--proc", "/proc", *nobody, "true"]
-    done = subprocess.run(probe, capture_output=True)
+    done = subprocess.run(probe, capture_output=True, timeout=20)
     return "bubblewrap" if done.returncode == 0 else "nothing"
 
 

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from helpers.explorer.data import arm_data
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ARMS, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from tests.browser.test_pages import SIZES, Reader
+from tests.browser.test_pages import SIZES, UNDRAWN, UNSET, Reader
 from tests.test_book import HTML
 from tests.test_explorer import held_up, some
 
@@ -78,16 +78,16 @@ class Visit(Reader):
         self.page.add_init_script(KEPT + script)
         self.enter(fragment, name)
 
-    def enter(self, fragment="", name="explorer"):
-        """The page that is open gets an instrument as new; formulas are set where the reader is,
-        and not waited for."""
+    def enter(self, fragment="", name="explorer", drawn=False):
+        """The page that is open gets an instrument as new."""
         self.page.emulate_media(media="screen")
-        if name == self.opened:
-            self.page.evaluate(AFRESH, fragment)
-        else:
-            self.opened = name
+        again, self.opened = name == self.opened, name
+        if not again:
             self.visits += 1  # in the address, since a fragment alone would open no new page
             self.page.goto(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
+        self.page.evaluate("(drawn) => { window.undrawn = !drawn; }", drawn)
+        if again:
+            self.page.evaluate(AFRESH, fragment)
         self.page.mouse.move(1, 1)
         self.page.locator(INSTRUMENT).scroll_into_view_if_needed()
         self.page.locator("section.explorer").wait_for()
@@ -119,16 +119,18 @@ class Visit(Reader):
 
 
 # The page's small figure has words like the instrument's, and comes to life when the reader has stayed for long.
-USUAL = """Object.defineProperty(window, "devicePixelRatio", { value: 0.5 });
-document.addEventListener("DOMContentLoaded", () => {
+USUAL = f"""{UNDRAWN} {UNSET}
+Object.defineProperty(window, "devicePixelRatio", {{ value: 0.5 }});
+document.addEventListener("DOMContentLoaded", () => {{
     if (location.pathname.endsWith("/explorer.html")) document.querySelectorAll("[data-figure]").forEach((f) => f.remove());
-});"""
+}});"""
 
 
 @pytest.fixture(scope="module")
 def usual(browser):
-    """A reader by day, on a wide screen, who comes again and again. Pictures are drawn by the
-    processor, and cost it half at half the pixels; other readers see them all."""
+    """A reader by day, on a wide screen, who comes again and again, and reads no formulas. Pictures
+    are drawn by the processor: here where a test looks at them, at half the pixels; other readers
+    see them all."""
     here = Visit(browser, script=USUAL)
     yield here
     here.context.close()
@@ -138,11 +140,13 @@ def usual(browser):
 def visit(browser, usual):
     visits = []
 
-    def enter(fragment="", name="explorer", **kwargs):
-        if kwargs or usual in visits:
+    def enter(fragment="", name="explorer", drawn=False, **kwargs):
+        if usual in visits:
+            kwargs["script"] = USUAL
+        if kwargs:
             visits.append(Visit(browser, fragment, name=name, **kwargs))
         else:
-            usual.enter(fragment, name)
+            usual.enter(fragment, name, drawn)
             visits.append(usual)
         return visits[-1]
 
@@ -197,7 +201,7 @@ def test_a_dragged_slider_shows_the_pose_that_python_computes(visit):
 
 
 def test_keys_move_joints_tabs_and_the_view(visit):
-    here = visit("#arm=Panda&view=pose")
+    here = visit("#arm=Panda&view=pose", drawn=True)
     here.page.get_by_role("slider", name="Joint 1, angle").focus()
     here.page.keyboard.press("PageUp")
     here.page.keyboard.press("Shift+ArrowRight")
@@ -306,7 +310,7 @@ def test_the_jacobian_is_pythons_and_a_singular_home_is_named(visit):
 
 
 def test_static_torques_are_the_homeworks_and_follow_the_ball(visit):
-    here = visit("#arm=Panda&view=torque")
+    here = visit("#arm=Panda&view=torque", drawn=True)
     field = here.page.get_by_label("F x, N", exact=True)
     field.fill("-5")
     totals = here.page.locator(".bars .total").all_inner_texts()
@@ -477,7 +481,7 @@ def test_chapter_1_an_offset_may_slide_along_parallel_axes_and_only_joint_3_tell
 
 
 def test_live_figures_of_a_chapter_share_one_context(visit):
-    page = visit(name="01_dh_tables").page
+    page = visit(name="01_dh_tables", drawn=True).page
     figures = page.locator("[data-figure]")
     assert figures.count() >= 3
     for k in range(figures.count()):
@@ -563,7 +567,7 @@ def test_every_tab_fits_the_page_and_wears_its_theme_and_all_in_it_has_a_name(vi
 
 
 def test_where_motion_is_unwelcome_the_arm_is_there_at_once(visit):
-    here = visit("#arm=UR10e&view=pose", reduced_motion="reduce")
+    here = visit("#arm=UR10e&view=pose", reduced_motion="reduce", script=USUAL)
     here.page.get_by_label("Joint 1, angle, typed").fill("90")
     here.page.get_by_label("Joint 1, angle, typed").press("Enter")
     here.page.get_by_role("button", name="Home").click()
@@ -796,7 +800,9 @@ def test_nothing_grows_with_switches_keystrokes_and_views(visit):
 
 def test_a_thumb_may_swipe_past_a_slider(visit):
     """On a phone: large targets, a picture that stays, sliders that a vertical swipe leaves alone."""
-    here = visit("#arm=Panda&view=table", size="phone", has_touch=True, is_mobile=True)
+    here = visit(
+        "#arm=Panda&view=table", size="phone", script=USUAL, has_touch=True, is_mobile=True
+    )
     page = here.page
     small = page.evaluate(
         """() => [...document.querySelector('.arm-explorer').shadowRoot.querySelectorAll('button, select, input[type=text]')]

@@ -3,7 +3,7 @@ typed is judged, wrong cells are marked, and a link brings it back."""
 
 import pytest
 
-from tests.browser.test_pages import AXE, BAD, EVERYTHING
+from tests.browser.test_pages import AXE, BAD, EVERYTHING, UNDRAWN, UNSET
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"
@@ -24,15 +24,24 @@ PASTE = """(cell, text) => {
 }"""
 
 
-@pytest.fixture(scope="module", params=[("light", 1280), ("dark", 390)], ids=str)
+LOOKS = [("light", 1280), ("dark", 390)]
+wide, phone, both = (
+    pytest.mark.parametrize("window", looks, indirect=True, ids=str)
+    for looks in (LOOKS[:1], LOOKS[1:], LOOKS)
+)
+
+
+@pytest.fixture(scope="module")
 def window(request, browser):
-    """A window for all tests: the page is opened anew in it, by a reader who kept nothing."""
+    """A window for all tests of its look: the page is opened anew in it, by a reader who kept
+    nothing. Words are asked for, and no picture is drawn."""
     scheme, width = request.param
     context = browser.new_context(
         viewport={"width": width, "height": 800}, color_scheme=scheme, offline=True
     )
+    context.add_init_script(UNDRAWN)
     page = context.new_page()
-    page.troubles, page.size = [], page.viewport_size
+    page.troubles, page.size, page.visits = [], page.viewport_size, 0
     page.on("pageerror", lambda error: page.troubles.append(str(error)))
     yield page
     context.close()
@@ -41,13 +50,18 @@ def window(request, browser):
 @pytest.fixture
 def page(window):
     window.set_viewport_size(window.size)
-    window.goto("about:blank")  # another fragment alone would open no new page
-    window.goto(PAGE.as_uri())
+    enter(window)
     window.locator(".arm-judge .verdict").wait_for()
     yield window
     window.evaluate("localStorage.clear()")
     troubles, window.troubles = window.troubles, []
     assert troubles == []
+
+
+def enter(page, fragment=""):
+    """Open the page anew: its address changes, since a fragment alone would open no new page."""
+    page.visits += 1
+    page.goto(f"{PAGE.as_uri()}?{page.visits}{fragment}")
 
 
 def ask(page, answer, q="0.5, 0.7, -0.4"):
@@ -56,17 +70,17 @@ def ask(page, answer, q="0.5, 0.7, -0.4"):
     page.get_by_label("Your answer", exact=True).fill(answer)
 
 
-def serious(page):
-    """What axe finds that is serious, on a page that is set to its end."""
-    page.evaluate(EVERYTHING)
+def serious(page, part=".arm-judge"):
+    """What axe finds that is serious in a part of the page."""
     page.add_script_tag(path=AXE)
-    return page.evaluate(BAD)
+    return page.locator(part).first.evaluate(BAD)
 
 
 def verdict(page, words):
     page.locator(".arm-judge .verdict", has_text=words).wait_for()
 
 
+@wide
 def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
     verdict(page, "joint i turns about the axis of the frame before it")
     assert page.locator(".arm-judge td.off").count() == 15  # of 18: the last two axes are one
@@ -87,6 +101,7 @@ def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
     other.close()
 
 
+@phone
 def test_torques_by_keys_alone(page):
     page.get_by_label("Question").focus()
     page.keyboard.press("ArrowDown")
@@ -96,6 +111,7 @@ def test_torques_by_keys_alone(page):
     assert page.get_by_label("Wrench on the tool").is_visible()
 
 
+@wide
 def test_a_table_is_judged_and_shown_as_it_is_read(page):
     page.get_by_label("Question", exact=True).select_option(label="Denavit-Hartenberg table")
     page.get_by_label("Arm", exact=True).select_option(label="Elbow arm")
@@ -125,6 +141,7 @@ SPOKEN = """() => {
 }"""
 
 
+@both
 def test_formulas_are_set_while_they_are_typed(page):
     ask(page, FORMULAS)
     verdict(page, "no value for L")
@@ -155,6 +172,7 @@ PASTED = """(field, text) => {
 }"""
 
 
+@phone
 def test_what_is_pasted_is_judged_at_once_and_set_after_it(page):
     ask(page, "")
     page.get_by_label("Your own symbols").fill("L = 0.4")
@@ -164,6 +182,7 @@ def test_what_is_pasted_is_judged_at_once_and_set_after_it(page):
     page.locator(".arm-judge .read math").nth(17).wait_for()
 
 
+@wide
 def test_the_verdict_is_spoken_once_a_pause(page):
     ask(page, "")
     verdict(page, "Type or paste your answer.")
@@ -173,6 +192,7 @@ def test_the_verdict_is_spoken_once_a_pause(page):
     assert page.evaluate("window.spoken") <= 2  # of 16 keys; the machine may rest once
 
 
+@phone
 def test_what_is_typed_never_becomes_part_of_the_page(page):
     hostile = "<img src=x onerror=window.hit=1>, 1, a_{<script>window.hit=2</script>}"
     ask(page, f"{hostile}\n1, 2, 3")
@@ -182,6 +202,7 @@ def test_what_is_typed_never_becomes_part_of_the_page(page):
     assert page.evaluate("window.hit") is None
 
 
+@wide
 def test_a_run_says_that_its_circle_begins_at_q(page):
     page.get_by_label("Question").select_option("trace")
     assert page.get_by_label("Pose q at which the circle begins", exact=True).is_visible()
@@ -189,20 +210,22 @@ def test_a_run_says_that_its_circle_begins_at_q(page):
     assert page.get_by_label("Pose q", exact=True).is_visible()
 
 
+@phone
 def test_what_cannot_be_read_is_said(page):
     ask(page, "1 2\n3")
     verdict(page, "expected rows of one length")
-    page.goto(f"{PAGE.as_uri()}#ask=jacobian&arm=Nobody")
-    page.reload()
+    enter(page, "#ask=jacobian&arm=Nobody")
     page.get_by_text("there is no arm called “Nobody” here").wait_for()
 
 
+@both
 def test_it_fits_and_axe_finds_nothing_serious(page):
     assert page.evaluate(OUTSIDE) == []
     assert (
         page.get_by_role("region", name="How your answer is read").evaluate("e => e.tabIndex") == 0
     )
-    assert serious(page) == []
+    page.evaluate(EVERYTHING)
+    assert serious(page, "html") == []
 
 
 def test_without_a_script_the_page_reads_well(browser):
@@ -221,8 +244,18 @@ SIX_COLUMNS = """-0.154 0 1 0 0 0
 1 0 0 0 0 0"""  # the Stanford arm with its boom level, by hand
 
 
+@pytest.fixture
+def chapter(browser):
+    """A chapter's page on a phone, without its formulas."""
+    context = browser.new_context(viewport={"width": 390, "height": 800}, offline=True)
+    page = context.new_page()
+    page.add_init_script(UNDRAWN + UNSET)
+    yield lambda name: page.goto((HTML / f"{name}.html").as_uri()) and page
+    context.close()
+
+
 def near(place):
-    """Scroll until a small judge is there: formulas that are set on the way move the page."""
+    """Scroll until a small judge is there: what comes to life on the way moves the page."""
     place.scroll_into_view_if_needed()
     while not place.locator("form").count():
         place.page.wait_for_timeout(100)
@@ -230,10 +263,8 @@ def near(place):
     return place
 
 
-def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(browser):
-    context = browser.new_context(viewport={"width": 390, "height": 800}, offline=True)
-    page = context.new_page()
-    page.goto((HTML / "02_jacobian.html").as_uri())
+def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(chapter):
+    page = chapter("02_jacobian")
     assert page.locator("script[src$='judge.js']").count() == 0  # far away
     place = near(page.locator(".arm-judge").nth(2))
     assert place.locator("label:visible").all_text_contents() == ["Your answer"]
@@ -245,9 +276,9 @@ def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(browser):
     place.get_by_role("link", name="More room").click()
     verdict(page, "olumn 1 (joint 1): wrong in vx")
     assert page.get_by_label("Pose q").input_value() == "0, pi/2, 0.5, 0, 0, 0"
-    context.close()
 
 
+@both
 def test_an_answer_is_filled_in_cell_by_cell(page):
     ask(page, "")
     page.get_by_role("button", name="Fill in a grid").click()
@@ -271,6 +302,7 @@ def test_an_answer_is_filled_in_cell_by_cell(page):
     assert "0.3866" in page.get_by_label("Your answer", exact=True).input_value()
 
 
+@both
 def test_the_arm_stands_beside_and_turns_as_a_wrong_column_says(page):
     ask(page, ELBOW.replace("0.5200", "0.2200"))
     verdict(page, "wrong in vy")
@@ -285,21 +317,17 @@ def test_the_arm_stands_beside_and_turns_as_a_wrong_column_says(page):
     assert beside.get_by_role("button", name="Turn joint 1").count() == 0
 
 
-def test_chapter_4_judges_its_torques(browser):
-    context = browser.new_context(offline=True)
-    page = context.new_page()
-    page.goto((HTML / "04_static_torque.html").as_uri())
-    place = near(page.locator(".arm-judge").first)
+def test_chapter_4_judges_its_torques(chapter):
+    place = near(chapter("04_static_torque").locator(".arm-judge").first)
     answer = place.get_by_label("Your answer", exact=True)
     answer.fill("0, 21.81431, 0, -16.702654, 0.696491, 0.235249, -0.03068")  # as the chapter checks
     place.locator(".verdict", has_text="The torques of Panda are right").wait_for()
     answer.fill("0, 26.67931, 0, -18.407654, 0.696491, 1.115249, -0.03068")
     place.locator(".verdict", has_text="the force has the wrong sign").wait_for()
-    context.close()
 
 
 @pytest.mark.parametrize(
-    ("chapter", "number", "answer", "words"),
+    ("name", "number", "answer", "words"),
     [
         ("01_dh_tables", 1, "0.325 0 0.4 q1\n0.225 pi 0 q2\n0 0 q3 0\n0 0 0 q4", "same arm"),
         ("02_jacobian", 1, "1 2 3", "Type the pose"),
@@ -307,14 +335,10 @@ def test_chapter_4_judges_its_torques(browser):
         ("05_inverse_kinematics", 0, "0.1 0.2 0.3", "joint angles for"),
     ],
 )
-def test_a_chapter_judges_what_it_asks(browser, chapter, number, answer, words):
-    context = browser.new_context(offline=True)
-    page = context.new_page()
-    page.goto((HTML / f"{chapter}.html").as_uri())
-    place = near(page.locator(".arm-judge").nth(number))
+def test_a_chapter_judges_what_it_asks(chapter, name, number, answer, words):
+    place = near(chapter(name).locator(".arm-judge").nth(number))
     place.get_by_label("Your answer", exact=True).fill(answer)
     place.locator(".verdict", has_text=words).wait_for()
-    context.close()
 
 
 TABLE_3 = """0.3, 0, 0, q1+pi/2
@@ -323,9 +347,9 @@ TABLE_3 = """0.3, 0, 0, q1+pi/2
 0.4, 0, 0, q4"""  # practice: the axes' distances and angles, read off by hand
 
 
+@both
 def test_a_practice_question_comes_by_link_and_is_solved(page):
-    page.goto(f"{PAGE.as_uri()}#practice=table:3")
-    page.reload()
+    enter(page, "#practice=table:3")
     page.get_by_text("Denavit-Hartenberg table, question 3").wait_for()
     assert not page.get_by_label("Table", exact=True).is_visible()  # it would be the solution
     page.get_by_role("button", name="Copy as Python").click()
@@ -348,6 +372,7 @@ def test_a_practice_question_comes_by_link_and_is_solved(page):
     assert page.evaluate(stored) is None
 
 
+@phone
 def test_a_run_comes_from_a_file(page, tmp_path):
     page.get_by_label("Question").select_option("trace")
     page.get_by_role("button", name="Show an example").click()
@@ -360,6 +385,7 @@ def test_a_run_comes_from_a_file(page, tmp_path):
     verdict(page, "UR10e (homework) draws the path")
 
 
+@wide
 def test_a_pose_that_hides_mistakes_has_a_way_to_one_that_shows_them(page):
     formula = """-s_1*(0.4*c_2+0.3*c_23) -c_1*(0.4*s_2+0.3*s_23) -0.3*c_1*s_23
 c_1*(0.4*c_2+0.3*c_23) -s_1*(0.4*s_2+0.3*s_23) -0.3*s_1*s_23

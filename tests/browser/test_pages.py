@@ -91,9 +91,27 @@ THINNED = """() => {
 # Formulas are set, and boxes fitted, when the reader comes near; for a printer, all at once.
 EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
-BAD = """() => axe.run(document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
+BAD = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))
     .map(v => `${v.id}: ` + v.nodes.slice(0, 3).map(n => n.html.slice(0, 160)).join(" | ")))"""
+
+
+# Where only words and numbers are asked for. What a picture shows is drawn by the processor, which costs more than all
+# else of its page: the calls come to WebGL, and end there while `undrawn` holds.
+UNDRAWN = """window.undrawn = true;
+for (const name of ["drawArrays", "drawElements", "drawArraysInstanced", "drawElementsInstanced", "drawRangeElements"]) {
+    const own = WebGL2RenderingContext.prototype[name];
+    WebGL2RenderingContext.prototype[name] = function (...given) { if (!window.undrawn) own.apply(this, given); };
+}"""
+# MathJax is there, and never ready: formulas stay as they are written.
+UNSET = """{
+    let mathjax;
+    const startup = { typeset: false, ready() {} };
+    Object.defineProperty(window, "MathJax", {
+        get: () => mathjax,
+        set(given) { mathjax = Object.defineProperty(given, "startup", { value: startup }); },
+    });
+}"""
 
 
 # A browser without a window now and then tells a new page of a pointer in its corner, which no reader has moved there.

@@ -1,0 +1,238 @@
+"""Torques by the corpus: how they may be held, how far off is right at one pose and along a run,
+and what is said of each joint. The arm has joints 1, 3 and 4; joint 3 slides.
+"""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers.arm import ArmError
+from helpers.checks import compare_torques
+from tests.corpus.torques import force, weight
+from tests.test_catalogues import HEAVY, MIXED, heavy
+
+ARM = heavy(MIXED, HEAVY)
+F = np.array([3.0, -7, 11, 0.5, -2, 1.5])
+BENT = np.array([0.4137, 0.3281, -0.9452])
+Q2, Q3 = (BENT + np.outer(np.linspace(0, 1, n), [0.1, 0.2, 0.5]) for n in (2, 3))
+LEFT = "a list per joint, turned round: a row per pose"
+ZEROS = "torques behind a leading column of zeros"
+OFF = np.eye(3)
+
+
+def torques(q, F=F):
+    """At one pose or several."""
+    if np.ndim(q) > 1:
+        return np.array([torques(x, F) for x in q])
+    return weight(MIXED, HEAVY, q) - force(MIXED, F, q)
+
+
+TAU, TAU2, TAU3 = torques(BENT), torques(Q2), torques(Q3)
+
+
+def verdict(mine, q=BENT, **options):
+    report = compare_torques(mine, ARM, q, **({"wrench": F} | options))
+    assert (report.topic, report.arm) == ("torques", "your arm")
+    return report
+
+
+# As they are held
+
+
+@pytest.mark.parametrize(
+    ("mine", "q", "taken"),
+    [
+        (TAU3, Q3, ()),
+        (TAU3.T, Q3, (LEFT,)),
+        (TAU2.T, Q2.T, (LEFT,)),
+        (TAU2, Q2.T, ()),
+        (TAU2[:, None], Q2[:, None], ()),
+        (TAU2[..., None], Q2[None], ()),
+        (np.c_[np.zeros(2), TAU2], Q2, (ZEROS,)),
+        (np.c_[np.zeros(4), torques(np.r_[Q2, Q2])].T, np.r_[Q2, Q2], None),
+        (TAU2[:1], Q2[:1], ()),
+        (TAU[:, None], BENT, ()),
+        (TAU[:, None], BENT[None], ()),
+    ],
+)
+def test_torques_are_set_upright_and_that_is_said(mine, q, taken):
+    report = verdict(np.round(mine, 5), q)
+    if taken is None:
+        assert report.causes == ("tau.shape",)
+    else:
+        assert (report.grade, report.taken) == ("right", taken)
+        assert report.figures["right"] == 3
+        assert "to the 5 decimals" in report.headline
+
+
+@pytest.mark.parametrize(
+    ("by", "cause"),
+    [(-1, "tau.all signs"), (1000, "tau.newton millimetres"), (OFF[::-1], "tau.reversed order")],
+)
+def test_a_square_is_turned_only_where_that_brings_it_near(by, cause):
+    mine = (TAU3 @ by if np.ndim(by) else by * TAU3).round(4)
+    for some, causes in ((mine, (cause,)), (mine.T, ())):
+        report = verdict(some, Q3)
+        assert (report.taken, report.causes) == ((), causes)
+    nearly = verdict((TAU3 + 0.1 * OFF[2][:, None] * OFF[1]).T.round(4), Q3)
+    assert nearly.taken == (LEFT,)
+    assert str(nearly.findings[0]) == "Joint 3: it is off by up to 0.1 N."
+
+
+@pytest.mark.parametrize(
+    ("mine", "q", "shape", "wanted"),
+    [
+        (TAU2[:, :2], Q2, "2x2", "2x3"),
+        (TAU2[:1], Q2, "1x3", "2x3"),
+        (np.c_[np.ones(2), TAU2], Q2, "2x4", "2x3"),
+        (TAU2[:, 0], Q2, None, None),
+        (TAU2[:, :1], Q2, None, None),
+        (7.5, BENT, None, None),
+        (TAU[:2], BENT, "2", "3"),
+        (TAU[:2, None], BENT, "2", "3"),
+        (np.ones((2, 2, 3)), Q2, "2x2x3", "2x3"),
+    ],
+)
+def test_what_has_another_shape(mine, q, shape, wanted):
+    report = verdict(mine, q)
+    (finding,) = report.findings
+    key = "tau.energy" if shape is None else "tau.shape"
+    assert (report.grade, report.causes, finding.what) == ("wrong", (key,), "shape")
+    assert (finding.mine, finding.expected) == (np.shape(mine), (len(np.atleast_2d(q)), 3))
+    shape = "One number for a pose is the" if shape is None else f"Its shape is {shape};"
+    assert finding.words.startswith(shape)
+    assert wanted is None or f"expected {wanted}, one torque for each of 3 joints" in finding.words
+    assert report.headline.startswith(f"The torques of your arm are not right: {shape[:3].lower()}")
+
+
+def test_degrees_are_those_of_joints_that_turn():
+    q = np.array([[30.0, 0.25, -45.0], [10.0, 0.5, 60.0]])
+    turned = np.where([True, False, True], np.radians(q), q)
+    tau = torques(turned).round(5)
+    for mine, at in ((tau, q), (tau.T, q.T), (tau[0], q[0]), (tau[1], q[1:])):
+        assert verdict(mine, at, angles="deg").agrees
+    assert verdict(torques(q).round(5), q, angles="deg").causes == ("tau.degrees",)
+
+
+def test_loads_may_be_of_any_numbers():
+    load = {
+        "wrench": [Fraction(int(2 * x), 2) for x in F],
+        "gravity": (sp.Integer(0), 0, sp.Rational(-981, 100)),
+    }
+    for mine, agrees in ((TAU, True), (torques(BENT, 0 * F), False), (1.02 * TAU, False)):
+        assert verdict(mine.round(4), **load).agrees == agrees
+    mine = [torques(x, f) for x, f in zip(Q2, (F, 2 * F), strict=True)]
+    assert verdict(np.round(mine, 4), Q2, wrench=[F, 2 * F]).agrees
+    assert verdict(np.round(mine, 4), Q2).grade == "wrong"
+
+
+# Functions
+
+
+def failing(q):
+    raise KeyError("no such run")
+
+
+def one(q):
+    assert np.shape(q) == (3,)
+    return torques(q)
+
+
+def test_a_function_is_called_pose_by_pose_or_with_the_run():
+    def run(q):
+        return torques([q[0], q[1]])
+
+    for mine in (one, run, lambda q: one(q)[:, None], lambda a, b, c: one([a, b, c])):
+        assert verdict(mine, Q2).agrees
+    assert verdict(one).agrees
+    assert verdict(lambda q: one(q)[:2]).causes == ("tau.shape",)
+    for mine, words in (
+        (failing, "your arm: your torques: your function failed .KeyError: .no such run"),
+        (lambda q: None, "your arm: your torques"),
+    ):
+        for q in (Q2, BENT):
+            with pytest.raises(ArmError, match=words):
+                verdict(mine, q)
+
+
+def test_a_function_of_the_table_is_named_in_its_own_order_of_columns():
+    other = np.array([31.2514, -17.0625, 52.5783])
+
+    def turned(table, q):
+        """Its rows are (theta, d, a, alpha), and every sign is reversed."""
+        right = np.shape(table) == (4, 4) and np.allclose(table[0], [0, 0.3, 0.1, np.pi / 2])
+        return -TAU if right else other
+
+    report = verdict(turned)
+    assert report.causes == ("tau.all signs",), str(report)
+    assert [f.what for f in report.findings] == ["cause"]
+    assert report.figures["right"] == 0
+    assert "(theta, d, a, alpha)" in str(report)
+    for found, causes in ((other, ()), (np.arange(2.0), ("tau.shape",))):
+        wrong = verdict(lambda dh, q, found=found: found)
+        assert wrong.causes == causes
+        assert "(a, alpha, d, theta)" in str(wrong)
+
+
+# Grades, and what is said of a joint
+
+
+@pytest.mark.parametrize(
+    ("digits", "share", "grades"),
+    [(3, 0.49, ("right", "so far")), (3, 1.4, ("wrong",)), (2, 0.49, ("wrong",))],
+)
+def test_digits_of_q_that_are_not_written_may_change_the_torques(digits, share, grades):
+    """q is cut to three decimals; with two it is taken as it is written, with zeros behind."""
+    off = share * 10.0**-digits * np.array([1, -1, 1])
+    for q in (BENT.round(digits), BENT.round(digits)[None], Q3.round(digits)):
+        shown = "\n".join(", ".join(f"{x:.{digits}f}" for x in y) for y in np.atleast_2d(q))
+        assert verdict(torques(q + off).round(6), shown).grade in grades
+
+
+@pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.0012, "rounded"), (0.5, "wrong")])
+@pytest.mark.parametrize("at", [0, 1, 33, 59])
+def test_a_pose_between_those_that_are_tried_counts(off, grade, at):
+    """Of sixty poses 25 are tried, the second is none of them."""
+    q = np.linspace(BENT, 1.3 * BENT, 60)
+    mine = torques(q)
+    mine[at, 1] += off
+    report = verdict([[f"{x:.3f}" for x in row] for row in mine], q)
+    assert report.grade == grade
+    assert report.figures["right"] == (2 if grade == "wrong" else 3)
+    assert report.figures["worst"] == pytest.approx(off, abs=6e-4)
+    if grade == "wrong":
+        assert [f.where for f in report.findings] == ["joint 3"]
+        assert str(report.findings[0]).startswith("Joint 3: it is off by up to 0.")
+
+
+@pytest.mark.parametrize(
+    ("mine", "said", "options"),
+    [
+        (
+            TAU3 * (1 - 2 * OFF[2]) - 0.75 * OFF[1],
+            ["Joint 3: it is off by up to 0.75 N.",
+             "Joint 4: its sign is reversed, as if the joint counted the other way."],
+            {},
+        ),
+        (TAU3 + 0.3 * OFF[0] + 0.1, ["Joint 1: it is off by up to 0.4 N m."], {"tolerance": 0.2}),
+        (TAU3 + 0.3 * OFF[0] + 0.1, [], {"tolerance": 0.5}),
+    ],
+)  # fmt: skip
+def test_joints_that_are_wrong(mine, said, options):
+    report = verdict(mine.round(4), Q3, **options)
+    assert [f.words for f in report.findings] == said
+    assert (report.grade == "wrong") == bool(said)
+    alone = verdict(mine[0].round(4), **options)
+    assert [f.words for f in alone.findings] == [x.replace("up to ", "") for x in said]
+
+
+def test_what_is_besides_a_cause():
+    mine = -TAU3
+    mine[1] += 2 * OFF[0]
+    report = verdict(mine.round(4), Q3)
+    assert report.causes == ("tau.all signs",)
+    finding = report.findings[1]
+    assert finding.where == "joint 1"
+    assert finding.words.startswith("Joint 1 has something else besides: it is off by up to ")
