@@ -193,10 +193,11 @@ def _joins(text: str, k: int) -> bool:
 def _lines(text: str) -> Cells:
     scale = _SCALE.search(text)
     text = _SCALE.sub("", text)
-    tables = [_block(b) for b in _MATLAB_BLOCK.split(text) if b.strip()] or [[]]
-    rows = tables[0]
-    if len({len(t) for t in tables}) == 1:
-        rows = [[cell for part in parts for cell in part] for parts in zip(*tables, strict=True)]
+    tables = [rows for block in _MATLAB_BLOCK.split(text) if (rows := _block(block))]
+    if len(counts := sorted({len(table) for table in tables})) > 1:
+        given = ", ".join(map(str, counts))
+        raise ArmError(f"the blocks of columns have {given} rows; expected as many in each")
+    rows = [[cell for part in parts for cell in part] for parts in zip(*tables, strict=True)]
     if scale:
         rows = [[f"{cell}*{scale[1]}" if number(cell) else cell for cell in row] for row in rows]
     return rows

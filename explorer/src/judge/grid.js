@@ -173,12 +173,12 @@ function joins(text, k) {
 function typedLines(text) {
   const scale = SCALE.exec(text);
   text = text.replace(new RegExp(SCALE, "gm"), "");
-  const blocks = text.split(MATLAB_BLOCK).filter((one) => one.trim());
-  const tables = blocks.map(block);
-  let rows = tables[0] ?? [];
-  if (tables.every((table) => table.length === rows.length)) {
-    rows = rows.map((_, i) => tables.flatMap((table) => table[i]));
+  const tables = text.split(MATLAB_BLOCK).map(block).filter((table) => table.length); // prettier-ignore
+  const counts = [...new Set(tables.map((table) => table.length))].sort((p, q) => p - q);
+  if (counts.length > 1) {
+    throw new ArmError(`the blocks of columns have ${counts.join(", ")} rows; expected as many in each`);
   }
+  const rows = (tables[0] ?? []).map((_, i) => tables.flatMap((table) => table[i]));
   return scale ? rows.map((row) => row.map((cell) => (number(cell) ? `${cell}*${scale[1]}` : cell))) : rows;
 }
 
