@@ -152,6 +152,13 @@ def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
     assert read.rows[0].texts == {"a": "0.3", "alpha": "-0.4", "d": "0.25", "theta": "0.7"}
 
 
+def test_a_matrix_moves_where_it_has_symbols_itself():
+    [read] = table.read(
+        "1 0 0 .3\n0 0 -1 0\n0 1 0 .2\n0 0 0 1\nc1 -s1 0 0\ns1 c1 0 0\n0 0 1 0\n0 0 0 1"
+    )
+    assert [row.kind for row in read.rows] == ["?", "R"]
+
+
 @pytest.mark.parametrize(
     ("options", "words"),
     [
@@ -222,6 +229,7 @@ BESIDE = "beside the matrix stands {}; expected entries that hold it"
         (BLOCKS, "the blocks of columns have 1, 3 rows; expected as many in each"),
         (rf"J = \frac{{1}}{{2}} {MATRIX}", BESIDE.format(r"'J = \\frac{1}{2}'")),
         (rf"-{MATRIX}", BESIDE.format("'-'")),
+        ("J = 1e-3 * [1 2\n3 4]", BESIDE.format("'1e-3 *'")),
         (rf"2 J = {MATRIX}", BESIDE.format("'2 J ='")),
         (rf"J = a_{{2}} {MATRIX}", BESIDE.format("'J = a_{2}'")),
         (rf"{MATRIX} \cdot 10^{{-3}}", BESIDE.format(r"'\\cdot 10^{-3}'")),
