@@ -18,6 +18,8 @@ HEADS = {
     "d": ["d", "d_i", "$d_{i}$", "offset", "link offset", "D", "d_j", "**d**"],
     "theta": ["theta", "θ_i", "th", "q", r"$\theta_i$", "θ", "Joint angle", "q_i^*", "thetai"],
 }
+NAMES_OF = {"a": ["a", "A", "r"], "alpha": ["alpha", "Alpha", "al"], "d": ["d", "D"],
+            "theta": ["theta", "Theta", "th"]}  # fmt: skip
 CRAIG = {"a": ["a_{i-1}", "$a_{i-1}$", "a(i-1)", "a_i-1", "a i-1"],
          "alpha": ["alpha_{i-1}", r"$\alpha_{i-1}$", "α(i-1)", "α_{i - 1}", "αi-1"]}  # fmt: skip
 COUNTED = ["i", "Link", "joint", "#", "n", "Joint i", "k", "Frame", "no.", "row"]
@@ -71,8 +73,8 @@ def made(rng) -> tuple[str, dict, list, bool]:
     plain_angles = turn in ("pi", "sign") or (largest > 360 if turn == "rad" else largest > 6)
     layout = str(rng.choice(list(LAYOUTS)))
     headed, craig = layout in HEADED, rng.random() < 0.15
-    heads = {name: str(rng.choice(HEADS[name])) for name in NAMES}
-    options = {"convention": "craig"} if craig and not headed else {}
+    heads = {n: str(rng.choice((NAMES_OF if layout in NAMED else HEADS)[n])) for n in NAMES}
+    options = {"convention": "craig"} if craig and layout != "pairs" and not headed else {}
     if craig and headed:
         heads |= {name: str(rng.choice(CRAIG[name])) for name in CRAIG}
     said = headed and (not guessed or rng.random() < 0.3), headed and rng.random() < 0.3
@@ -91,12 +93,15 @@ def made(rng) -> tuple[str, dict, list, bool]:
         options["angles"] = {"rad": "rad", "deg": "deg"}[turn]
     typed_rows = modified(rows) if craig else rows
     cells = [cell_of(i, row, length, turn, rng) for i, row in enumerate(typed_rows, 1)]
-    order = str(rng.choice(ORDERS)).split() if not headed else [*rng.permutation(NAMES)]
-    if not headed and rng.random() < 0.6:
+    sure = layout != "bracketed"
+    order = [*rng.permutation(NAMES)] if sure else str(rng.choice(ORDERS)).split()
+    if not sure and rng.random() < 0.6:
         options["columns"] = str(rng.choice([" ", ", ", "|"])).join(order)
-    text = LAYOUTS[layout]([heads[n] for n in order], [[c[n] for n in order] for c in cells], rng)
+    more = {"before": 1} if craig and layout == "pairs" else {}
+    lines = [[c[n] for n in order] for c in cells]
+    text = LAYOUTS[layout]([heads[n] for n in order], lines, rng, **more)
     wanted = [(k, a, al * math.pi / 12, d, th * math.pi / 12) for k, a, al, d, th in rows]
-    return text, options, wanted, headed or "columns" in options
+    return text, options, wanted, sure or "columns" in options
 
 
 def modified(rows: list[tuple]) -> list[tuple]:
@@ -123,12 +128,20 @@ def tight(lines):
     return [[x.replace(" ", "") if x[-1:] != "*" else x for x in line] for line in lines]
 
 
+def spaced(lines, rng):
+    """Cells whose blanks stand beside a sign or a unit, or nowhere."""
+    return lines if rng.random() < 0.5 else tight(lines)
+
+
 def counted(heads, lines, rng):
-    """With a column that numbers the rows, under a head of its own or none."""
+    """With a column that numbers the rows, under a head of its own, or either alone."""
     if rng.random() < 0.5:
         return heads, lines
     label, head = str(rng.choice(NUMBERED)), str(rng.choice(COUNTED))
-    return [head, *heads], [[label.format(i), *line] for i, line in enumerate(lines, 1)]
+    numbered = any(line[0] in ("0", "1", "*") for line in lines[:1]) or rng.random() < 0.8
+    if numbered:
+        lines = [[label.format(i), *line] for i, line in enumerate(lines, 1)]
+    return [head, *heads], lines
 
 
 def markdown(heads, lines, rng):
@@ -143,6 +156,8 @@ def markdown(heads, lines, rng):
 def sheet(heads, lines, rng):
     heads, lines = counted(heads, tight(lines), rng)
     sign = str(rng.choice(["\t", ";", ",", "\t "]))
+    if sign == "\t" and rng.random() < 0.3:
+        lines = [[x if x != "0" else "" for x in line[:-1]] + line[-1:] for line in lines]
     rows = [sign.join(row) for row in (heads, *lines)]
     if sign != "," and rng.random() < 0.5:
         rows[1:] = [re.sub(r"(\d)\.(\d)", r"\1,\2", row.replace("(t)", "")) for row in rows[1:]]
@@ -180,13 +195,6 @@ def drawn(heads, lines, rng):
     return "\n".join(["a robot", "┌───┐", rows[0], "├─┼─┤", *rows[1:], "└───┘", "tool", "│ 1 │"])
 
 
-def lists(heads, lines, rng):
-    start, end = [("[", "]"), ("np.array([", "])"), ("{", "}")][int(rng.integers(3))]
-    bare = [head.split(" ")[0].strip("$*\\").partition("_")[0] for head in heads]
-    columns = zip(bare, zip(*lines, strict=True), strict=True)
-    return "\n".join(f"{h} = {start}{', '.join(column)}{end}" for h, column in columns)
-
-
 def bracketed(heads, lines, rng):
     form = [
         (", ", "], [", "[[", "]]"),
@@ -200,12 +208,40 @@ def bracketed(heads, lines, rng):
     lines = [["θ*" if x in "*-—" else x for x in line] for line in lines]
     if rng.random() < 0.3:
         lines = [[str(rng.choice(["{}", "L{}"])).format(i), *x] for i, x in enumerate(lines, 1)]
-    return pastes.lines(*form)(tight(lines))
+    return pastes.lines(*form)(spaced(lines, rng))
+
+
+def of_lists(names, lines, rng):
+    start, end = [("[", "]"), ("np.array([", "])"), ("{", "}")][int(rng.integers(3))]
+    lines = [[x if start != "{" else re.sub("[{}]", "", x) for x in line] for line in lines]
+    columns = zip(names, zip(*lines, strict=True), strict=True)
+    return "\n".join(f"{name} = {start}{', '.join(column)}{end}" for name, column in columns)
+
+
+def of_records(names, lines, rng):
+    start, sign, end = [("{'", "': ", "}"), ("dict(", "=", ")"), ('{"', '": ', "}")][
+        int(rng.integers(3))
+    ]
+    between = ", " + start[1:] * (start[0] == "{")
+    rows = [between.join(f"{n}{sign}{x}" for n, x in zip(names, row, strict=True)) for row in lines]
+    return "[" + ",\n ".join(start + row + end for row in rows) + "]"
+
+
+def of_pairs(names, lines, rng, before=0):
+    """a_1 = 0.3; ...: in Craig's convention a and alpha count from 0."""
+    form = str(rng.choice(["{}{} = {}", "{}_{}: {}", "'{}{}': {}"]))
+    pairs = [
+        form.format(n, i - before * (n.lower()[:1] in "ar"), x)
+        for i, row in enumerate(lines, 1)
+        for n, x in zip(names, row, strict=True)
+    ]
+    return str(rng.choice([", ", "; ", "\n"])).join(pairs)
 
 
 HEADED = {"markdown": markdown, "sheet": sheet, "printed": printed, "tabular": tabular,
           "drawn": drawn}  # fmt: skip
-LAYOUTS = {**HEADED, "bracketed": bracketed}
+NAMED = {"lists": of_lists, "records": of_records, "pairs": of_pairs}
+LAYOUTS = {**HEADED, **NAMED, "bracketed": bracketed}
 
 
 # Formulas with their values
@@ -248,6 +284,14 @@ def formula_of(rng, depth: int = 3) -> tuple[str, float]:
 
 # The same questions to both languages
 
+AROUND = [
+    (">>> T\n", ""), ("In [3]: print(A)\nOut[3]: ", ""), (">> ", "\n>> "), ("```python\n", "\n```"),
+    ("# mine\n", "  # done"), ("dh: ", ""), ("= ", ""), ("\ufeff", ""), ("$", "$"), ("J = -", ""),
+    ("1e3 * ", ""), ("", "^T"), (r"\frac{1}{2}", ""),
+    (r"\frac{dx}{dq} = ", "."), ("Column 1\n", "\nColumn 2\n1"),
+    ("   1.0e-03 *\n\n", ""), ("np.round(", ", 4)"), ("ans =\n\n", "\n"), ("J_v(q) = ", ";"),
+    ("{", "}"), ("(", ")"), ("|", "|"), ("[", "]"), (r"\left[", r"\right]"), ("[(", ",)]"),
+]  # fmt: skip
 
 SAID = [
     {"values": {"x": 0.3, "L_1": 0.5}},
@@ -285,6 +329,9 @@ def questions(rng, count: int) -> Iterator[tuple]:
                 text[: int(rng.integers(len(text) + 1))]
                 + other[int(rng.integers(len(other) + 1)) :]
             )
+        if rng.random() < 0.15:
+            before, after = AROUND[int(rng.integers(len(AROUND)))]
+            text = before + text + after
         for _ in range(int(rng.choice([0, 0, 1, 2]))):
             at = int(rng.integers(len(text) + 1))
             sign = "" if rng.random() < 0.5 else SIGNS[int(rng.integers(len(SIGNS)))]

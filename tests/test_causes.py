@@ -193,6 +193,7 @@ def test_what_was_measured_of_joint_angles_and_runs():
     assert ahead.figures["position_error"] == pytest.approx(0.05)
     assert ahead.figures["run"].position_error == pytest.approx(0.05)
     assert (ahead.topic, ahead.figures["tool_turn"]) == ("trace", 0.0)
+    assert run(CIRCLE.positions[:7]).findings[0].mine == (7, 3)
 
 
 @pytest.mark.parametrize("typed", [{"theta1": 0.0, "theta2": 0.0, "theta3": 0.0}, ("0", "0", "0")])

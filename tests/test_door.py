@@ -162,7 +162,9 @@ def test_an_expression_has_the_value_of_its_tree(expression, value):
     assert door.numbers([expression], "yours", lambda names: known).values == pytest.approx([value])
 
 
-@pytest.mark.parametrize("expression", [sp.sqrt(-x), sp.log(x - x), x / (y - 2), sp.sin(x) * sp.I])
+@pytest.mark.parametrize(
+    "expression", [sp.sqrt(-x), sp.log(x - x), x / (y - 2), sp.sin(x) * sp.I, t * q1]
+)
 def test_what_has_no_real_value_is_refused(expression):
     with pytest.raises(ArmError, match=r"^yours is .*; expected numbers"):
         door.of_sympy(expression, {"x": 0.5, "y": 2.0}, "yours")
@@ -502,3 +504,12 @@ def test_how_far_torques_are_off_and_how_many_are_right(mine, worst, right):
     if right is not None:
         assert figures["right"] == right
     assert set(figures) == {"worst", "right", "of"}
+
+
+@pytest.mark.parametrize(
+    "found", [np.zeros((6, 3)), np.ones((6, 2)), np.ones((4, 3)), np.arange(18.0).reshape(6, 3)]
+)
+def test_how_a_function_was_called_is_told_whatever_it_gave(found):
+    report = compare_jacobian(lambda dh, q: found, ELBOW, Q3)
+    assert (report.topic, report.arm, report.grade) == ("Jacobian", "Elbow arm", "wrong")
+    assert "Taken as f(table, q), called with the arm's rows (a, alpha, d, theta)" in str(report)

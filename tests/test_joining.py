@@ -65,11 +65,13 @@ def test_one_run_is_itself_and_more_must_fit():
         joined([])
     with pytest.raises(ArmError, match="runs are 3; expected one or more runs"):
         joined(3)
-    with pytest.raises(ArmError, match="expected the same"):
-        joined([first, first])
-    with pytest.raises(ArmError, match="expected the same"):
-        joined([first, replace(second, q=second.q * 1.5)])
-    with pytest.raises(ArmError, match="expected the same"):
-        joined([first, replace(second, q=second.q + 0.1)])
-    with pytest.raises(ArmError, match="expected one arm"):
-        joined([first, replace(second, arm=PANDA_HOMEWORK.lock(3, at=0.1))])
+    away = replace(second, q=second.q + 0.1)
+    other = replace(second, arm=PANDA_HOMEWORK.lock(3, at=0.1))
+    for runs, message in (
+        ([first, first], "run 1 ends at [^;]*; expected the same"),
+        ([first, replace(second, q=second.q * 1.5)], "run 1 ends at [^;]*; expected the same"),
+        ([first, second, away], "run 2 ends at [^;]*; expected the same"),
+        ([first, other], "run 1 is .* expected one arm"),
+    ):
+        with pytest.raises(ArmError, match=message):
+            joined(runs)

@@ -9,37 +9,45 @@ from helpers.inputs import ArmError
 from helpers.reading import formula, grid, table
 from tests import readings
 
-NO_ROWS = "expected rows of four entries"
+NO_ROWS = "the table is {}; expected rows of four entries"
+NO_ENTRIES = "the table is {}; expected lists such as 'a': [...], or entries such as 'd1': 0.3"
+ROW_WIDTH = "the table's rows have {} entries; expected four, a alpha d theta in some order"
+UNEVEN, MANY = (
+    "the table's lists have {} entries; expected as many in each",
+    "the table has {} rows; expected at most 32",
+)
+UNIT = "[[1, 0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0]"
 HELD = [
-    ([], NO_ROWS),
-    ([[]], NO_ROWS),
-    ([[], []], NO_ROWS),
-    ([{}], NO_ROWS),
-    ([1, 2], NO_ROWS),
-    (np.zeros(0), NO_ROWS),
-    (np.zeros(4), NO_ROWS),
-    ([[0, [1], 1, 2]], NO_ROWS),
-    ([[[], [], [], []]] * 2, NO_ROWS),
-    ([[[1, 0, 0, 0]] * 4, [1, 2, 3, 4]], NO_ROWS),
-    ([[[1, 0, 0, 0]] * 3], NO_ROWS),
-    ([[[1, 0, 0]] * 4], NO_ROWS),
-    ({"a": [], "alpha": [], "d": [], "theta": []}, NO_ROWS),
-    ({}, "the table is {}; expected"),
-    ({"a1": 0, "size": 2}, "expected"),
-    (5, "expected rows or text"),
-    (None, "expected rows or text"),
-    ([[0, 0, 0]], "rows have 3 entries"),
-    ({"a": [1], "alpha": [0, 0], "d": [1, 2], "theta": [1, 2, 3]}, "lists have 1, 2, 3 entries"),
-    ([[0, 0, 0, 0]] * 33, "33 rows; expected at most 32"),
-    (np.zeros((33, 4, 4)), "33 rows; expected at most 32"),
+    ([], NO_ROWS, "[]"),
+    ([[]], NO_ROWS, "[[]]"),
+    ([[], []], NO_ROWS, "[[], []]"),
+    ([{}], NO_ROWS, "[{}]"),
+    ([1, 2], NO_ROWS, "[1, 2]"),
+    ([[0, 0, 0, 0], "0 0 0 0"], NO_ROWS, "[[0, 0, 0, 0], '0 0 0 0']"),
+    (np.zeros(0), NO_ROWS, "array([], dtype=float64)"),
+    (np.zeros(4), NO_ROWS, "[0.0, 0.0, 0.0, 0.0]"),
+    ([[0, [1], 1, 2]], NO_ROWS, "[['0', [1], '1', '2']]"),
+    ([[[], [], [], []]] * 2, NO_ROWS, "[[[], [], [], []], [[], [], [], []]]"),
+    ([[[1, 0, 0, 0]] * 4, [10.5] * 4], NO_ROWS, f"[{UNIT}, [1, 0, 0, 0]], ['10.5', '10.5', '..."),
+    ([[[1, 0, 0, 0]] * 3], NO_ROWS, f"[{UNIT}]]"),
+    ([[[1, 0, 0]] * 4], NO_ROWS, f"[{UNIT.replace('0, 0, 0', '0, 0')}, [1, 0, 0]]]"),
+    ({"a": [], "d": []}, NO_ROWS, "{'a': [], 'd': []}"),
+    ({}, NO_ENTRIES, "{}"),
+    ({"a1": 0, "size": 2}, NO_ENTRIES, "{'a1': 0, 'size': 2}"),
+    (5, "the table is {}; expected rows or text", "5"),
+    (None, "the table is {}; expected rows or text", "None"),
+    ([[0, 0, 0]], ROW_WIDTH, "3"),
+    ({"a": [1], "alpha": [0, 0], "d": [1, 2], "theta": [1, 2, 3]}, UNEVEN, "1, 2, 3"),
+    ([[0, 0, 0, 0]] * 33, MANY, "33"),
+    (np.zeros((33, 4, 4)), MANY, "33"),
 ]
 
 
-@pytest.mark.parametrize(("held", "words"), HELD, ids=range(len(HELD)))
-def test_what_is_held_and_no_table_is_refused_in_words(held, words):
+@pytest.mark.parametrize(("held", "words", "given"), HELD, ids=range(len(HELD)))
+def test_what_is_held_and_no_table_is_refused_in_words(held, words, given):
     with pytest.raises(ArmError) as told:
         table.read(held)
-    assert words in str(told.value)
+    assert str(told.value) == words.replace("{}", given)
 
 
 @pytest.mark.parametrize("sign", "+-*/")
@@ -121,6 +129,16 @@ def stacked(matrices):
     return [row for A in matrices for row in A]
 
 
+def test_tables_at_the_edges_are_read():
+    [read] = table.read({"a1": 3})
+    assert read.rows[0].texts == {"a": "3", "alpha": "0", "d": "0", "theta": "q_1"}
+    assert len(table.read([[0, 0, 0, 0]] * 32)[0].rows) == 32
+    [still] = table.meant(table.read(["0 0 0 0"], convention="craig", **ORDER)[0], "F").rows
+    assert still == ("F", 0, 0, 0, 0)
+    [read] = table.read(["a_{i-1} alpha_{i-1} d theta", "0 0 0.5 q", "0.4 pi 0 0"])
+    assert table.meant(read).rows == [("R", 0.4, math.pi, 0.5, 0)]
+
+
 @pytest.mark.parametrize("as_held", [list, np.array, stacked, lambda matrices: matrices * 2])
 def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
     rows = [(0.7, -0.4, 0.3, 0.25), (-2.1, 2.2, 0.15, -0.6)]
@@ -132,6 +150,29 @@ def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
     assert {(r.kind, r.backwards) for r in read.rows} == {("?", False)}
     assert (read.lengths, read.angles) == ("m", "rad")
     assert read.rows[0].texts == {"a": "0.3", "alpha": "-0.4", "d": "0.25", "theta": "0.7"}
+
+
+def test_a_matrix_moves_where_it_has_symbols_itself():
+    still, moves = "1 0 0 .3\n0 0 -1 0\n0 1 0 .2\n", "C1 -S1 0 C1/2\nS1 C1 0 S1/2\n0 0 1 0\n"
+    [read] = table.read(f"{still}0 0 0 1\n{moves}0 0 0 1")
+    assert [(row.kind, row.numbers["a"]) for row in read.rows] == [("?", 0.3), ("R", 0.5)]
+
+
+@pytest.mark.parametrize(
+    ("heads", "said"),
+    [
+        ("a [mm] alpha (Deg) d theta", ("mm", "deg", None)),
+        ("a, α [°], d, theta", (None, "deg", None)),
+        ("a (m), alpha [rad], d, theta", ("m", "rad", None)),
+        ("a (in)\tα_{i-1} in radians\td\ttheta", ("in", "rad", "craig")),
+        ("r [ cm ] , twist , offset , q", ("cm", None, None)),
+        ("alpha,theta,a_i-1,d [m", ("m", None, "craig")),
+    ],
+)
+def test_heads_say_units_and_the_convention(heads, said):
+    sign = next((sign for sign in ",\t" if sign in heads), " ")
+    [read] = table.read(f"{heads}\n{sign.join('1111')}")
+    assert (read.lengths, read.angles, read.convention) == said
 
 
 @pytest.mark.parametrize(
@@ -177,10 +218,44 @@ def test_a_link_slides_where_that_is_said_or_its_angle_is_fixed(text, kinds):
     assert "".join(row.kind for row in read.rows) == kinds
 
 
-def test_a_column_of_matlabs_and_heads_alone():
-    assert grid.cells("[0.5;0.7;-0.4]") == [["0.5"], ["0.7"], ["-0.4"]]
-    with pytest.raises(ArmError, match="the text is empty"):
-        grid.cells("Columns 1 through 2")
+GRIDS = [
+    ("[0.5;0.7;-0.4]", ["0.5", "0.7", "-0.4"]),
+    ("[(0.5,), (0.7,)]", ["0.5", "0.7"]),
+    ("0.1|0.2|0.3", ["0.1|0.2|0.3"]),
+    ("a\t1\n\t2\n3", ["a|1", "|2", "3"]),
+    ("[0.4 * 0.5 90 deg θ_1* * 2]", ["0.4 * 0.5|90 deg|θ_1* * 2"]),
+    (" Columns 1 through 2\n\n 1 2\n 3 4\n\n Column 3\n\n 5\n 6\n", ["1|2|5", "3|4|6"]),
+]
+
+
+@pytest.mark.parametrize(("text", "rows"), GRIDS, ids=range(len(GRIDS)))
+def test_a_text_is_cut_into_its_cells(text, rows):
+    assert grid.cells(text) == [row.split("|") for row in rows]
+
+
+BLOCKS = " Columns 1 through 2\n\n 1 2\n 3 4\n 5 6\n\n Column 3\n\n 7\n"
+MATRIX = r"\begin{bmatrix} 2 & 4 \\ 6 & 8 \end{bmatrix}"
+BESIDE = "beside the matrix stands {}; expected entries that hold it"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("Columns 1 through 2", "the text is empty; expected rows of numbers or formulas"),
+        (BLOCKS, "the blocks of columns have 1, 3 rows; expected as many in each"),
+        (rf"J = \frac{{1}}{{2}} {MATRIX}", BESIDE.format(r"'J = \\frac{1}{2}'")),
+        (rf"-{MATRIX}", BESIDE.format("'-'")),
+        ("J = 1e-3 * [1 2\n3 4]", BESIDE.format("'1e-3 *'")),
+        (rf"2 J = {MATRIX}", BESIDE.format("'2 J ='")),
+        (rf"J = a_{{2}} {MATRIX}", BESIDE.format("'J = a_{2}'")),
+        (rf"{MATRIX} \cdot 10^{{-3}}", BESIDE.format(r"'\\cdot 10^{-3}'")),
+        (rf"${MATRIX}^T$", BESIDE.format("'^T'")),
+    ],
+)
+def test_what_cannot_be_cut_without_loss_is_refused(text, words):
+    with pytest.raises(ArmError) as told:
+        grid.cells(text)
+    assert str(told.value) == words
 
 
 # Tables and formulas made at random

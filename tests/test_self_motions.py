@@ -175,6 +175,12 @@ def test_a_step_that_is_too_long_is_refused():
 def test_more_freedom_than_it_can_sort_out_is_said():
     with pytest.raises(ArmError, match="3 null directions"):
         self_motion_directions(UR10E_HOMEWORK, np.zeros(6))
+    plenty = Arm("eight", [revolute(a=0.1, alpha=x, d=0.2) for x in np.linspace(0.2, 1.6, 8)])
+    with pytest.raises(ArmError, match="2 null directions and loses 0"):
+        self_motion_directions(plenty, np.linspace(0.3, 1.2, 8))
+    spindle = Arm("three joints about one axis", [revolute(), revolute(), revolute()])
+    with pytest.raises(ArmError, match=r"second order .* at q = \[0.1 0.2 0.3\];"):
+        self_motion_directions(spindle, [0.1, 0.2, 0.3])
 
 
 def test_links_beyond_the_third_stand_still_while_1_and_3_counter_rotate():

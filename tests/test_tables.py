@@ -234,6 +234,209 @@ def test_an_arms_own_entries_are_quoted():
             compare_tables(mine, reference)
 
 
+# What is said, each by hand
+
+
+GENERIC = "0.1 pi/3 0.4 q1; 0.3 -pi/4 0.25 q2; 0.2 pi/2 0.05 q3+0.3; 0.15 0.6 0.35 q4"
+ELBOWED = "0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4"
+SLIDING = "0 pi/2 0.2 q1; 0 1 0.1 q2; 0.2 0.5 d3+0.2 0.4; 0.1 0 0.3 q4"
+ROOTED = "0.1 0 0 0; 0.3 0 0.2 q2; 0.2 pi/2 0 q3; 0.25 0 0.1 q4"
+SHOULDERED = "0.35 -pi/2 0.75 q1; 1.25 0 0 q2; -0.054 -pi/2 0 q3; 0 0 1.5 q4"
+
+
+def said(typed, reference, **options):
+    arm = Arm.from_table(reference.replace(";", "\n"), columns="a alpha d theta", name="Ref")
+    options = {"columns": "a alpha d theta", "lengths": "m", "angles": "rad", **options}
+    return compare_tables(typed.replace(";", "\n"), arm, **options)
+
+
+@pytest.mark.parametrize(
+    ("typed", "causes"),
+    [
+        ("0.1 0 0.4 q1+pi/3; 0.3 0 0.25 q2-pi/4; 0.2 0.3 0.05 q3+pi/2; 0.15 0 0.35 q4+0.6",
+         "table.alpha and theta"),
+        ("0.4 pi/3 0.1 q1; 0.25 -pi/4 0.3 q2; 0.05 pi/2 0.2 q3+0.3; 0.35 0.6 0.15 q4",
+         "table.a and d"),
+        ("0.1 pi/3 0 q1+0.4; 0.3 -pi/4 0 q2+0.25; 0.2 pi/2 0.3 q3+0.05; 0.15 0.6 0 q4+0.35",
+         "table.d and theta"),
+        ("pi/3 0.1 0.4 q1; -pi/4 0.3 0.25 q2; pi/2 0.2 0.05 q3+0.3; 0.6 0.15 0.35 q4",
+         "table.a and alpha"),
+        ("0 0 0.4 q1; 0.1 pi/3 0.25 q2; 0.3 -pi/4 0.05 q3+0.3; 0.2 pi/2 0.35 q4; 0.15 0.6 0 0",
+         "table.craig"),
+        ("0.3 -pi/4 0.4 q1; 0.2 pi/2 0.25 q2; 0.15 0.6 0.05 q3+0.3; 0 0 0.35 q4",
+         "table.into craig + table.missing:a:1 + table.no twist:1"),
+        ("0.1 -pi/3 0.4 q1; 0.3 pi/4 0.25 q2; 0.2 -pi/2 0.05 q3+0.3; 0.15 -0.6 0.35 q4",
+         "table.twists"),
+        ("0.15 0.6 0.35 q1; 0.2 pi/2 0.05 q2+0.3; 0.3 -pi/4 0.25 q3; 0.1 pi/3 0.4 q4",
+         "table.rows reversed"),
+        ("0.1 pi/3 0.4 q1; 0.2 pi/2 0.05 q2+0.3; 0.3 -pi/4 0.25 q3; 0.15 0.6 0.35 q4",
+         "table.rows exchanged:2:3"),
+        ("100 pi/3 400 q1; 300 -pi/4 250 q2; 200 pi/2 50 q3+0.3; 150 0.6 350 q4",
+         "table.millimetres"),
+        ("10 pi/3 40 q1; 30 -pi/4 25 q2; 20 pi/2 5 q3+0.3; 15 0.6 35 q4", "table.centimetres"),
+        ("100 pi/3 0.4 q1; 300 -pi/4 0.25 q2; 200 pi/2 0.05 q3+0.3; 150 0.6 0.35 q4",
+         "table.mixed units"),
+        ("100 60 400 q1; 300 -45 250 q2; 210 90 50 q3; 150 34.377468 350 q4",
+         "table.millimetres + table.degrees + table.number:a:3"),
+        ("0.4 -pi/3 0.1 q1; 0.25 pi/4 0.3 q2; 0.05 -pi/2 0.2 q3+0.3; 0.35 -0.6 0.15 q4",
+         "table.a and d + table.twists"),
+    ],
+)  # fmt: skip
+def test_a_mistake_of_the_whole_table_is_named(typed, causes):
+    assert said(typed, GENERIC).causes == (causes,)
+
+
+@pytest.mark.parametrize(
+    ("entry", "instead", "words"),
+    [
+        (" -pi/4", " pi/4", "the twist alpha in row 2 has the wrong sign (you have pi/4)"),
+        (" -pi/4", " 0", "the twist alpha in row 2 is missing (you have 0)"),
+        (" -pi/4", " -1", "alpha in row 2 is 12.3° off (you have -1)"),
+        ("0.3 ", "-0.3 ", "a in row 2 has the wrong sign (you have -0.3)"),
+        ("0.25", "0", "d in row 2 is missing (you have 0)"),
+        ("0.3 ", "-0.31 ", "a in row 2 is wrong, and goes the other way (you have -0.31)"),
+        ("0.3 ", "0.3125 ", "a in row 2 is 12.5 mm too long (you have 0.3125)"),
+        ("0.25", "2/10", "d in row 2 is 50 mm too short (you have 2/10)"),
+    ],
+)
+def test_a_wrong_entry_is_quoted(entry, instead, words):
+    report = said(GENERIC.replace(entry, instead, 1), GENERIC)
+    assert report.headline == f"Your table is another arm than Ref: {words}."
+
+
+@pytest.mark.parametrize(
+    ("typed", "reference", "options", "lines"),
+    [
+        # Another fixed row, so that entries cannot be told one by one.
+        ("0 pi/2 0.4 q1; 0.35 0 0 q2; 0.2 1 0.05 q3; 0.1 0 0.3 q4; 0 0 0 0", ELBOWED, {}, [
+            "Row 2, a: the distance from axis 2 to axis 3 is 0.35 m in yours and 0.3 m in the "
+            "reference: 50 mm too long.",
+            "Row 3, alpha: the twist from axis 3 to axis 4 is 57.2958° in yours and 90° in the "
+            "reference: 32.7042° off.",
+            "Row 4, a: the distance from axis 4 to the tip is 0.1 m in yours and 0 m in the "
+            "reference: 100 mm too long.",
+            "Row 4, d: the offset along axis 4 is 0.3 m in yours and 0.25 m in the reference: "
+            "50 mm too long."]),
+        (GENERIC.replace("-pi/4", "-1") + "; 0 0 0 0", GENERIC, {}, [
+            "Row 2, alpha: the twist from axis 2 to axis 3 is 57.2958° in yours and 45° in the "
+            "reference: 12.2958° off."]),
+        (GENERIC.replace("-pi/4", "1") + "; 0 0 0 0", GENERIC, {}, [
+            "Row 2, alpha: the twist from axis 2 to axis 3 is 57.2958° in yours and -45° in the "
+            "reference: 102.296° off."]),
+        ("0 pi/2 0.4 q1; 0.3 0 -0.06 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4; 0 0 0 0", ELBOWED, {}, [
+            "Row 3, d: the offset along the parallel axes 2 to 3, added up, is -0.01 m in yours "
+            "and 0.05 m in the reference: it goes the other way, so a sign is wrong here or in a "
+            "row beside it."]),
+        ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0 q3; 0 0 0.25 q4; 0 0 0 0", ELBOWED, {}, [
+            "Row 3, d: the offset along the parallel axes 2 to 3, added up, is 0 m in yours and "
+            "0.05 m in the reference: 50 mm too short."]),
+        ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3", ELBOWED, {}, [
+            "The number of joints is 3 in yours and 4 in the reference: each joint needs a row "
+            "with its variable. Where one is locked on purpose, compare with arm.lock(i)."]),
+        ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 d3+0.05 0; 0 0 0.25 q4", ELBOWED, {}, [
+            "Row 3, joint: the joint is prismatic in yours and revolute in the reference."]),
+        ("0.1 0.4 0 0; 0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4", ELBOWED, {}, [
+            "Row 1, alpha: the angle from z_0 to axis 2 is 22.9183° in yours and 0° in the "
+            "reference: 22.9183° off.",
+            "Row 1, a: the distance from z_0 to axis 2 is 0.1 m in yours and 0 m in the "
+            "reference: 100 mm too long."]),
+        # Craig's a and alpha stand a row lower; the first are a row of their own when read.
+        ("0.1 0 0.1 q1; 0.4 0 0.1 q2; 0.3 pi/2 0.3 q3; 0.15 0 0 0; 0 0 0 0", ROOTED,
+         {"convention": "craig"}, [
+            "Row 2, a: the distance from axis 1 to axis 2 is 0.4 m in yours and 0.3 m in the "
+            "reference: 100 mm too long.",
+            "Row 3, a: the distance from axis 2 to axis 3 is 0.3 m in yours and 0.2 m in the "
+            "reference: 100 mm too long.",
+            "Row 4, a: the distance from axis 3 to the tip is 0.15 m in yours and 0.25 m in the "
+            "reference: 100 mm too short.",
+            "Row 3, d: the offset along axis 3 is 0.3 m in yours and 0.1 m in the reference: "
+            "200 mm too long."]),
+        ("0 0 0.2 q1; 0.3 0 0 q2; 0.2 pi/2 0.1 q3; 0.25 0 0 0; 0 0 0 0", ROOTED,
+         {"convention": "craig"}, [
+            "Row 1, a: the distance from z_0 to axis 1 is 0 m in yours and 0.1 m in the "
+            "reference: 100 mm too short."]),
+        # Only with z_0 down would the axes fit, and then the base would stand elsewhere.
+        ("0.35 pi/2 0.6 q1; 1.3 0 0 q2; -0.054 -pi/2 0 q3; 0 0 1.5 q4; 0 0 0 0", SHOULDERED, {}, [
+            "Row 1, d: the height of the base on axis 1, with z_0 up, is 0.6 m in yours and "
+            "-0.75 m in the reference: it goes the other way, so a sign is wrong here or in a "
+            "row beside it.",
+            "Row 2, a: the distance from axis 2 to axis 3 is 1.3 m in yours and 1.25 m in the "
+            "reference: 50 mm too long."]),
+    ],
+)  # fmt: skip
+def test_what_differs_between_the_axes_is_said(typed, reference, options, lines):
+    report = said(typed, reference, **options)
+    assert report.headline == "Your table is another arm than Ref."
+    assert [f.words for f in report.findings] == lines
+    places = [line.partition(":")[0].lower() for line in lines if line.startswith("Row")]
+    assert [f.where for f in report.findings] == (places or ["row 3, joints"])
+
+
+BASE = "your base frame stands {} on axis 1 (d in row {}) than the reference's. "
+JOINTS = "the same q is another pose. The reference counts its joints otherwise: {}. "
+
+
+@pytest.mark.parametrize(
+    ("typed", "reference", "options", "grade", "notes"),
+    [
+        ("0 pi/2 0.1 q1; 0.3 0 0.05 q2+0.3; 0.2 pi/2 0 q3-pi/2; 0 0 0.25 q4", ELBOWED, {}, "right",
+         [JOINTS.format("its q_2 is your q_2 + 17.189°; its q_3 is your q_3 - 90°"),
+          BASE.format("300 mm higher", 1)]),
+        ("0 -pi/2 0.5 q1+pi; 0.3 0 -0.05 q2; 0.2 -pi/2 0 q3; 0 0.5 0.25 q4", ELBOWED, {}, "right",
+         [JOINTS.format("its q_1 is your q_1 + 180°; its q_2 is -(your q_2); its q_3 is "
+                        "-(your q_3)"),
+          BASE.format("100 mm lower", 1),
+          "the last frame's z axis stands at 28.65° to the last joint axis in yours and at 0° "]),
+        # A zero is seen from the tool where the tip lies on the axis, and farther out than the next
+        # axis where that is the same or only slides; a height also beyond a slide.
+        ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0.5 0.25 q4+0.3",
+         ELBOWED.replace("0 0 0.25", "0 0.5 0.25"), {}, "right",
+         [JOINTS.format("its q_4 is your q_4 + 17.189°")]),
+        ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4-0.3", ELBOWED, {}, "right",
+         [JOINTS.format("its q_4 is your q_4 - 17.189°")]),
+        ("0.3 0 0 q1+0.5; 0.4 0 d2 pi/2; 0.2 0.3 0 q3; 0.1 0 0 q4",
+         "0.5 0 0 q1; 0 0 d2 0; 0.2 0.3 0 q3; 0.1 0 0 q4", {}, "right",
+         [JOINTS.format("its q_1 is your q_1 + 81.778°; its q_3 is your q_3 + 36.87°")]),
+        ("0 pi/2 0.5 q1; 0 pi/2 d2+0.1 pi/2; 0.2 0 0.1 q3",
+         "0 pi/2 0.4 q1; 0 pi/2 d2 pi/2; 0.2 0 0.1 q3", {}, "right",
+         [JOINTS.format("its q_2 is your q_2 + 100 mm"), BASE.format("100 mm lower", 1)]),
+        ("0.325 0 0.4 q1; 0.225 pi 0 q2; 0 0 d3+0.2 0; 0.1 0 0.25 q4-0.3",
+         "0.325 0 0.4 q1; 0.225 pi 0 q2; 0 0 d3 0; 0.1 0 0.05 q4", {}, "right",
+         [JOINTS.format("its q_3 is your q_3 + 400 mm; its q_4 is your q_4 - 17.189°")]),
+        ("0 pi/2 0.2 q1; 0 1 0.1 q2; -0.2 -0.5 d3+0.5 pi+0.4; 0.1 0 0.3 q4+pi", SLIDING, {},
+         "right", [JOINTS.format("its q_3 is your q_3 + 300 mm")]),
+        ("0.1 0 0.2 q1; 0.3 0 0 q2+0.3; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED,
+         {"convention": "craig"}, "right", [JOINTS.format("its q_3 is your q_2 + 17.189°")]),
+        ("0.1 0 0.7 q1; 0.3 0 0 q2; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED, {"convention": "craig"},
+         "right", [BASE.format("500 mm lower", 2)]),
+        ("0 1.5708 0.4 q1; 0.3 0.00005 0 q2; 0.2 1.57 0.05 q3; 0 -3.1416 0.25 q4+4.7124", ELBOWED,
+         {}, "right",
+         [JOINTS.format("its q_4 is your q_4 - 90°"),
+          "the last frame's z axis stands at 180° to the last joint axis in yours and at 0° in ",
+          "alpha in row 1, 1.5708, is taken as pi/2; write it so",
+          "alpha in row 2, 0.00005, is taken as 0; write it so",
+          "alpha in row 3, 1.57, is taken as pi/2; write it so",
+          "alpha in row 4, -3.1416, is taken as -pi; write it so",
+          "theta in row 4, q4+4.7124, is taken as 3 pi/2; write it so"]),
+        ("0 0 0.4 q1; 0 1.57 0 q2; 0.3 0 0 q3; 0.2 -4.71 0.05 q4+3.14; 0 0 0 0",
+         "0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0 q3; 0 0 0.05 q4",
+         {"convention": "craig"}, "right",
+         [JOINTS.format("its q_4 is your q_4 + 180°"),
+          "theta in row 4, q4+3.14, is taken as pi; write it so",
+          "alpha in row 2, 1.57, is taken as pi/2; write it so",
+          "alpha in row 4, -4.71, is taken as -3 pi/2; write it so"]),
+        ("0 pi/2 0.4 q1; 0.301 0 0 q2; 0.2 pi/2 0.050 q3; 0 0 0.250 q4",
+         ELBOWED.replace("0.3 ", "0.3006 "), {}, "rounded", []),
+    ],
+)  # fmt: skip
+def test_what_is_free_in_a_right_table_is_noted(typed, reference, options, grade, notes):
+    report = said(typed, reference, **options)
+    assert report.grade == grade, str(report)
+    assert len(report.notes) == len(notes)
+    for note, words in zip(sorted(report.notes), sorted(notes), strict=True):
+        assert note.startswith(words)
+
+
 # Their joints
 
 

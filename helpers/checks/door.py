@@ -145,11 +145,7 @@ def _of_entries(mine: Any, what: str, lookup: Lookup, wanted: str) -> Typed:
 
 def _spelled(x: Any, value: float) -> str:
     """A number's shortest spelling; an exact expression is spelled as a formula."""
-    is_number = (
-        isinstance(x, int | float | np.number)
-        or getattr(x, "is_Float", False)
-        or getattr(x, "is_Integer", False)
-    )
+    is_number = isinstance(x, int | float | np.number) or x.is_Float or x.is_Integer
     return repr(float(value)).removesuffix(".0") if is_number else "exact"
 
 
@@ -202,12 +198,13 @@ def _free(expression: Any) -> set:
 def of_sympy(expression: Any, known: dict[str, float], what: str) -> float:
     """The number of a SymPy expression, walked as a tree; nothing is compiled."""
     import sympy as sp
+    from sympy.core.function import AppliedUndef
 
     functions = {sp.sin: math.sin, sp.cos: math.cos, sp.tan: math.tan, sp.exp: math.exp}
 
     def walk(e: Any) -> float:
-        if (number := known.get(str(e)) if not e.args or e.is_Function else None) is not None:
-            return number
+        if isinstance(e, sp.Symbol | AppliedUndef):
+            return known[str(e)]
         if e.is_number and not e.args:
             return float(e)
         if e.is_Add:
@@ -223,7 +220,7 @@ def of_sympy(expression: Any, known: dict[str, float], what: str) -> float:
     try:
         found = walk(expression)
         return float(found)
-    except (TypeError, ValueError, ArithmeticError, RecursionError):
+    except (TypeError, ValueError, ArithmeticError, LookupError, RecursionError):
         raise ArmError(
             say("no numbers", what=what, given=shown(expression), wanted="numbers")
         ) from None

@@ -115,7 +115,7 @@ class _Where:
 def _reported(
     typed: Typed, where: _Where, angular_first: bool, tolerance, taken, function, why: bool
 ) -> Report | None:
-    """The report; without `why`, none of what is wrong for no single reason."""
+    """The report; None where no single mistake explains what is wrong, unless `why` is asked."""
     if typed.values.shape not in ((6, where.arm.dof), (3, where.arm.dof)):
         return _misshapen(typed, where, taken)
     if not typed.values.any():

@@ -203,7 +203,8 @@ def wrong_recipes(at: Chain) -> Iterator[tuple[Cause, Array]]:
     yield cause("J.lever tip"), columns(at, lever="tip")
     yield cause("J.lever origin"), columns(at, lever="o")
     yield cause("J.lever link"), columns(at, lever="link")
-    yield cause("J.rows of T"), columns(at, frames=_rows_read(T))
+    # Axes and origins along the rows of T, whose last row (0, 0, 0, 1) has the origin.
+    yield cause("J.rows of T"), columns(at, frames=np.swapaxes(T, -1, -2))
     if not at.turning.all():
         yield cause("J.slide turns"), columns(at, slides=False)
     for k in range(T.shape[-3] - 1):
@@ -267,12 +268,3 @@ def _swapped(J: Array) -> Array:
 
 def _turned(J: Array, R: Array) -> Array:
     return np.concatenate([R @ J[..., :3, :], R @ J[..., 3:, :]], axis=-2)
-
-
-def _rows_read(T: Array) -> Array:
-    """Frames whose axes and origins are read along the rows of T, its last row (0, 0, 0, 1) for the
-    origin.
-    """
-    read = np.swapaxes(T, -1, -2).copy()
-    read[..., :3, 3] = 0.0
-    return read

@@ -154,8 +154,8 @@ def _slips(q: Array, arm: Arm, T: Array) -> Iterator[tuple[Cause, Arm, Array, Ar
     if T.ndim == 2:
         yield cause("pose.transposed"), arm, q, _rotated(T, T[:3, :3].T)
         for axis in range(3):
-            signs = np.where(np.arange(3) == axis, 1.0, -1.0)
-            yield cause("pose.half turn", axis="xyz"[axis]), arm, q, _rotated(T, T[:3, :3] * signs)
+            R = np.where(np.arange(3) == axis, T[:3, :3], -T[:3, :3])
+            yield cause("pose.half turn", axis="xyz"[axis]), arm, q, _rotated(T, R)
     for c, mended in inverse_causes.double(arm, q):
         yield c, arm, mended, T
 

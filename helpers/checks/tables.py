@@ -232,11 +232,11 @@ class _Try:
 
     cause: Cause | None
     rows: list[Numbers]
-    reference: tuple[Numbers, ...]
+    reference: Side
     entries: float
 
     def found(self, length: float) -> Compared:
-        return compared(side(self.rows), side(self.reference), length, _ANGLE)
+        return compared(side(self.rows), self.reference, length, _ANGLE)
 
 
 @dataclass(frozen=True)
@@ -246,17 +246,15 @@ class _Judged:
     table: Table
     reference: Arm
     tolerance: float | None
-    rows: list[Numbers]
-    wanted: tuple[Numbers, ...]
     mine: Side
     ref: Side
 
     @classmethod
     def of(cls, table: Table, reference: Arm, tolerance: float | None) -> "_Judged":
-        rows, wanted = _meant(table), tuple(_squared(numeric(reference)))
+        rows = _meant(table)
         if all(r.kind == "F" for r in rows):
             raise ArmError(say("table no joint", name=table.name))
-        return cls(table, reference, tolerance, rows, wanted, side(rows), side(wanted))
+        return cls(table, reference, tolerance, side(rows), side(_squared(numeric(reference))))
 
     @property
     def exact(self) -> float:
@@ -272,7 +270,7 @@ class _Judged:
             return self._same(RIGHT, self.found)
         if self.tolerance is None:
             length, angle = _rounding(self.table)
-            reach = max(abs(x) for r in self.rows for x in (r.a, r.d))
+            reach = max(abs(x) for r in self.mine.rows for x in (r.a, r.d))
             # A turned axis meets the next one elsewhere.
             wide = max(self.exact, 2 * length, 2.5 * angle * reach)
             near = compared(self.mine, self.ref, wide, max(_ANGLE, 4 * angle))
@@ -283,13 +281,13 @@ class _Judged:
     def _same(self, grade: str, found: Compared) -> Report:
         if self.table.exchanged:
             return _bad(self.table, self.reference, [cause("table.alpha and theta")])
-        return _same(grade, self.table, self.reference, self.mine, self.ref, found, self.rows)
+        return _same(grade, self.table, self.reference, self.mine, self.ref, found)
 
     def bad(self) -> Report:
         """The report on another arm."""
         length = _rounding(self.table)[0] if self.tolerance is None else 0.0
         exact = max(self.exact, length)
-        return _different(self.table, self.reference, self.rows, self.wanted, self.found, exact)
+        return _different(self.table, self.reference, self.mine, self.ref, self.found, exact)
 
 
 def _rounding(table: Table) -> tuple[float, float]:
@@ -301,27 +299,21 @@ def _rounding(table: Table) -> tuple[float, float]:
 
 
 def _same(
-    grade: str,
-    table: Table,
-    reference: Arm,
-    mine: Side,
-    ref: Side,
-    found: Compared,
-    rows: list[Numbers],
+    grade: str, table: Table, reference: Arm, mine: Side, ref: Side, found: Compared
 ) -> Report:
     loose = _LENGTH if grade == RIGHT else 10 * table.length_unit
     mapped = joint_map(mine, ref, found, loose)
     figures: dict[str, Any] = {"upside down": found.upside_down}
     notes = [
-        *_zeros(mapped, mine, ref),
-        *_base(mine, found, mapped),
+        *_zeros(table, mapped, mine, ref),
+        *_base(table, mine, found, mapped),
         *_tool(found),
         *_written(table),
     ]
     if mapped is not None:
         figures["joint_map"] = tuple(zip(mapped.signs, mapped.offsets, strict=True))
         figures["arm"] = in_own_joints(
-            rows, reference, mapped, ref, say("own joints", arm=reference.name)
+            mine.rows, reference, mapped, ref, say("own joints", arm=reference.name)
         )
     key = "table same" if grade == RIGHT else "table rounded"
     headline = say(key, mine=table.name, reference=reference.name)
@@ -330,14 +322,15 @@ def _same(
     )
 
 
-def _zeros(mapped: Map | None, mine: Side, ref: Side) -> Iterator[str]:
+def _zeros(table: Table, mapped: Map | None, mine: Side, ref: Side) -> Iterator[str]:
     if mapped is None:
         yield say("map unknown")
     elif not mapped.is_identity:
-        yield say("map", equations="; ".join(words(mapped, mine, ref)))
+        own = [table.row_of(i, "d") for i in mine.joints]
+        yield say("map", equations="; ".join(words(mapped, own, ref)))
 
 
-def _base(mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[str]:
+def _base(table: Table, mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[str]:
     """A word on where the base's frame stands on axis 1."""
     higher = found.base_higher if mapped is None else mapped.base.o[2]
     if found.upside_down:
@@ -345,7 +338,7 @@ def _base(mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[st
     elif abs(higher) > _LENGTH:
         way = say("higher") if higher > 0 else say("lower")
         first = next((g for g in mine.gaps if g.places_base), None)
-        row = mine.joints[first.bunch[-1] if first else 0]
+        row = table.row_of(mine.joints[first.bunch[-1] if first else 0], "d")
         yield say("base", height=size(round(1000 * abs(higher), 6), 4), way=way, row=row)
 
 
@@ -385,27 +378,22 @@ def _typed(table: Table, row: int, column: str) -> str:
 
 
 def _different(
-    table: Table,
-    reference: Arm,
-    rows: list[Numbers],
-    wanted: tuple[Numbers, ...],
-    found: Compared,
-    length: float,
+    table: Table, reference: Arm, mine: Side, ref: Side, found: Compared, length: float
 ) -> Report:
     """Why a table is another arm, the simplest first: causes after which every entry agrees, one or
     two wrong entries, causes and single signs after which the axes agree, more wrong entries, or
     what is left of the axes.
     """
-    tries = list(_tries(rows, reference, wanted))
+    tries = list(_tries(list(mine.rows), reference, ref, table.modified))
     equal = [t.cause for t in tries if t.cause and not t.entries]
     if equal:
         fewest = min(len(c.keys) for c in equal)
         return _bad(table, reference, [c for c in equal if len(c.keys) == fewest])
-    notes = tuple(_base(side(rows), found))
-    local = _local(tries, len(wanted), length)
+    notes = tuple(_base(table, mine, found))
+    local = _local(tries, len(ref.rows), length)
     whole = _agreeing(tries, length, local[0] if local else math.inf)
     if local is None and whole is None:
-        whole = _one_sign(rows, wanted, length)
+        whole = _one_sign(mine.rows, ref, length)
     if whole is not None and whole.cause:
         return _bad(table, reference, [whole.cause])
     if local is not None:
@@ -415,7 +403,7 @@ def _different(
             table, reference, [t.cause] if t.cause else [], entries, () if t.cause else notes
         )
     first, left = _fewest(tries, length, found)
-    findings = [_geometry(d) for d in left]
+    findings = [_geometry(table, d) for d in left]
     return _bad(table, reference, [first] if first else [], findings, () if first else notes)
 
 
@@ -442,27 +430,27 @@ def _apart(c: Cause) -> float:
     return 0 if len(c.keys) == 1 and c.keys[0] in _ONE_ENTRY else _BY_AXES
 
 
-def _tries(rows: list[Numbers], reference: Arm, wanted: tuple[Numbers, ...]) -> Iterator[_Try]:
+def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> Iterator[_Try]:
     """Every reading with up to two causes, each with how many entries differ from the arm's."""
     others = [
-        (None, wanted),
-        *((c, tuple(_squared(r))) for c, r in usual.references(reference)),
+        (None, ref),
+        *((c, side(_squared(r))) for c, r in usual.references(reference)),
     ]
-    mends = usual.structures(len(rows))
+    mends = usual.structures(len(rows), modified)
     whole = [(c, mend) for c, mend in mends if c.keys[0] != usual.EXCHANGED]
 
-    def held(why: Cause | None, read: list[Numbers], arm: tuple[Numbers, ...]) -> _Try:
+    def held(why: Cause | None, read: list[Numbers], arm: Side) -> _Try:
         squared = _squared(read)
-        return _Try(why, squared, arm, _unequal(squared, arm))
+        return _Try(why, squared, arm, _unequal(squared, arm.rows))
 
-    for first, read in usual.units(rows, wanted):
+    for first, read in usual.units(rows, ref.rows):
         for other, arm in others:
             both = usual.joined(first, other)
             yield held(both, read, arm)
             for second, mend in mends if both is None or len(both.keys) == 1 else ():
                 yield held(usual.joined(both, second), mend(read), arm)
         for (second, mend), (third, then) in combinations(whole, 2) if first is None else ():
-            yield held(second + third, then(mend(rows)), wanted)
+            yield held(second + third, then(mend(rows)), ref)
 
 
 def _unequal(rows: Rows, wanted: Rows) -> float:
@@ -489,13 +477,13 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
 
 
 def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
-    """The cheapest reading after which the axes agree, though entries differ, below a cost."""
-    for t in sorted(tries, key=lambda t: _cost(t.cause)):
+    """The first reading after which the axes agree, though entries differ, below a cost."""
+    for t in tries:
         if t.cause is None or _cost(t.cause) + _apart(t.cause) >= most:
             continue
         # Two causes after which most entries differ, and exchanged rows, fit by chance only;
         # Craig's rows may be one more than the reference's.
-        few = len(t.cause.keys) == 1 or t.entries <= 2 * len(t.reference)
+        few = len(t.cause.keys) == 1 or t.entries <= 2 * len(t.reference.rows)
         last = t.cause.keys[-1]
         likely = (few or last == "table.craig") and last != usual.EXCHANGED
         if likely and not t.found(length).differences:
@@ -503,20 +491,21 @@ def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
     return None
 
 
-def _one_sign(rows: list[Numbers], wanted: tuple[Numbers, ...], length: float) -> _Try | None:
-    tries = (_Try(c, mended, wanted, _unequal(mended, wanted)) for c, mended in usual.flips(rows))
+def _one_sign(rows: Rows, ref: Side, length: float) -> _Try | None:
+    tries = (_Try(c, mended, ref, _unequal(mended, ref.rows)) for c, mended in usual.flips(rows))
     fits = [t for t in tries if not t.found(length).differences]
     return min(fits, key=lambda t: t.entries, default=None)
 
 
 def _needed(t: _Try, length: float) -> tuple[tuple[int, str], ...]:
-    wrong = _unequal_entries(t.rows, t.reference, length)
+    wanted = t.reference.rows
+    wrong = _unequal_entries(t.rows, wanted, length)
     for count in range(1, len(wrong)):
         for chosen in combinations(wrong, count):
             rows = list(t.rows)
             for k, column in chosen:
-                rows[k] = rows[k]._replace(**{column: getattr(t.reference[k], column)})
-            if not compared(side(rows), side(t.reference), length, _ANGLE).differences:
+                rows[k] = rows[k]._replace(**{column: getattr(wanted[k], column)})
+            if not compared(side(rows), t.reference, length, _ANGLE).differences:
                 return chosen
     return tuple(wrong)
 
@@ -525,7 +514,7 @@ def _entry(table: Table, t: _Try, k: int, column: str) -> Finding:
     """One wrong entry in the student's numbers; its row is the student's, also where a and alpha
     were read one row on.
     """
-    mine, wanted = getattr(t.rows[k], column), getattr(t.reference[k], column)
+    mine, wanted = getattr(t.rows[k], column), getattr(t.reference.rows[k], column)
     craig = t.cause is not None and "table.craig" in t.cause.keys
     shift = int(craig and bool(table.rows[0].a or table.rows[0].alpha))
     row = table.row_of(k + 1, column) - shift + int(craig and column in ("a", "alpha"))
@@ -565,7 +554,9 @@ def _kind_of_error(column: str, row: int, mine: float, wanted: float) -> tuple[s
 def _fewest(
     tries: list[_Try], length: float, found: Compared
 ) -> tuple[Cause | None, tuple[Difference, ...]]:
-    """The single cause that leaves much less than none does, and what it leaves."""
+    """The single cause that leaves much less than none does, and what it leaves: differences of
+    axes, for where joints do not correspond these are not seen.
+    """
     best: tuple[float, Cause | None, tuple[Difference, ...]] = (
         0.7 * len(found.differences),
         None,
@@ -573,23 +564,27 @@ def _fewest(
     )
     for t in tries:
         if t.cause and len(t.cause.keys) == 1 and t.cause.keys[0] != usual.EXCHANGED:
-            left = t.found(length).differences
-            cost = 1 + 0.7 * len(left)
-            if left and cost < best[0]:
-                best = (cost, t.cause, left)
+            left = t.found(length)
+            cost = 1 + 0.7 * len(left.differences)
+            if left.signs and left.differences and cost < best[0]:
+                best = (cost, t.cause, left.differences)
     return best[1:]
 
 
-def _geometry(d: Difference) -> Finding:
+def _geometry(table: Table, d: Difference) -> Finding:
+    """One difference, in the rows and axes of the table as typed."""
+    to_base = d.key in ("table lean", "table foot")
+    row = d.row if to_base else table.row_of(d.row, d.entry)
+    where = f"row {row}, {d.entry}"
     if d.key == "table count":
         said = say("table count words", mine=d.mine, reference=d.reference)
-        return Finding("row", f"row {d.row}, {d.entry}", d.mine, d.reference, said)
-    i, j = d.ends
+        return Finding("row", where, d.mine, d.reference, said)
+    i, j = (end and table.row_of(end, "d") for end in d.ends)
     end = say("the tip") if d.key == "table distance" and not j else say("axis", i=j)
     along = say("axis", i=i) if i == j else say("parallel axes", i=i, j=j)
     what = say(f"{d.key} what", start=i, end=end, along=along, j=j)
-    said = say("table at", row=d.row, entry=d.entry, words=_amount(d, what))
-    return Finding("row", f"row {d.row}, {d.entry}", d.mine, d.reference, said)
+    said = say("table at", row=row, entry=d.entry, words=_amount(d, what))
+    return Finding("row", where, d.mine, d.reference, said)
 
 
 def _amount(d: Difference, what: str) -> str:

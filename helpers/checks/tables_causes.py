@@ -69,8 +69,8 @@ def _of_one_size(rows: Rows) -> list[Numbers] | None:
     return [r._replace(a=read(r.a), d=read(r.d)) for r in rows]
 
 
-def structures(count: int) -> list[tuple[Cause, Mend]]:
-    """Mistakes in the arrangement: columns, rows, convention."""
+def structures(count: int, modified: bool) -> list[tuple[Cause, Mend]]:
+    """Mistakes in the arrangement: columns, rows, convention (where it is not the modified one)."""
 
     def swap(one: str, other: str) -> Mend:
         return lambda rows: [
@@ -80,7 +80,7 @@ def structures(count: int) -> list[tuple[Cause, Mend]]:
     found = [
         (cause("table.alpha and theta"), swap("alpha", "theta")),
         (cause("table.a and d"), swap("a", "d")),
-        (cause("table.craig"), from_craig),
+        *([] if modified else [(cause("table.craig"), from_craig)]),
         (cause("table.d and theta"), swap("d", "theta")),
         (cause("table.a and alpha"), swap("a", "alpha")),
         (cause("table.twists"), lambda rows: [r._replace(alpha=-r.alpha) for r in rows]),

@@ -130,7 +130,7 @@ def _held(mine: object, arm: Arm, q: Array, what: str) -> Iterator[tuple[Typed, 
 
 
 def _reported(typed: Typed, where: _Where, tolerance, said, why: bool) -> Report | None:
-    """The report; without `why`, none of what is wrong for no single reason."""
+    """The report; None where no single mistake explains what is wrong, unless `why` is asked."""
     upright, taken = _upright(typed, where.right)
     if upright is None or upright.values.shape != where.right.shape:
         return _misshapen(typed.values, where, said)

@@ -13,7 +13,7 @@ from helpers.arm import Arm
 from helpers.checks import door
 from helpers.checks.digits import RIGHT, WRONG, Typed
 from helpers.checks.ranking import Cause, cause, lower
-from helpers.checks.traces_causes import holds, loop_cause, near, path_cause, table_cause
+from helpers.checks.traces_causes import holds, loop_cause, near, offs, path_cause, table_cause
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import must_be
 from helpers.kinematics import forward_kinematics, jacobian
@@ -64,10 +64,11 @@ def compare_trace(
         typed = door.in_radians(typed, arm)
     q = typed.values
     path = replace(path, times=path.times[: len(q)])
-    allowed = _USUAL + _blur(typed, arm) if tolerance is None else tolerance
+    blur = _blur(typed, arm)
+    allowed = _USUAL + blur if tolerance is None else tolerance
     if angles == "rad" and _only_as_degrees(typed, arm, path, allowed):
         return _degrees(arm, taken)
-    return _judged(typed, arm, path, allowed, tolerance is not None, taken, extra)
+    return _judged(typed, arm, path, allowed, blur, tolerance is not None, taken, extra)
 
 
 def _upright(typed: Typed, arm: Arm, path: Path) -> tuple[Typed, tuple[str, ...], bool] | None:
@@ -94,13 +95,18 @@ def _only_as_degrees(typed: Typed, arm: Arm, path: Path, allowed: float) -> bool
     radians.
     """
     turned = door.in_radians(typed, arm)
-    as_typed, degrees = (
-        float(_off(path, forward_kinematics(arm, q)[:, :3, 3]).max())
-        for q in (typed.values, turned.values)
+    as_typed, in_degrees = (
+        offs(path, forward_kinematics(arm, q)[:, :3, 3]) for q in (typed.values, turned.values)
     )
-    if as_typed <= allowed or degrees >= as_typed:
+    most, left = float(as_typed.max()), float(in_degrees.max())
+    if most <= allowed or left >= most:
         return False
-    return degrees <= near(path, as_typed, allowed) or holds(turned, arm, path)
+    return left <= near(path, most, allowed) or (_begun(in_degrees) and holds(turned, arm, path))
+
+
+def _begun(off: Array) -> bool:
+    """Whether a run so far off its path begins on it: its other points are four times as far."""
+    return bool(off[0] <= off.max() / 4)
 
 
 def _misshapen(M: Array, arm: Arm, path: Path) -> Report:
@@ -138,7 +144,14 @@ def _report(arm: Arm, grade: str, words: str, findings, causes, taken, *rest) ->
 
 
 def _judged(
-    typed: Typed, arm: Arm, path: Path, allowed: float, given: bool, taken, extra: bool
+    typed: Typed,
+    arm: Arm,
+    path: Path,
+    allowed: float,
+    blur: float,
+    given: bool,
+    taken,
+    extra: bool,
 ) -> Report:
     q = typed.values
     poses = forward_kinematics(arm, q)
@@ -152,7 +165,11 @@ def _judged(
     if extra:
         symptoms.append(Finding("trace.one more", "", None, None, say("trace.one more")))
     reeled = bool(turn.max() > TILT)
-    named = stuck or _named(typed, arm, path, poses, run, reeled, bool(symptoms), given, allowed)
+    named = stuck
+    if symptoms and not stuck:
+        named = _named(typed, arm, path, poses[:, :3, 3], reeled, allowed, blur)
+    elif not given and not stuck:
+        named = loop_cause(typed, arm, path, False)
     figures = {"run": run, "position_error": run.position_error, "tool_turn": float(turn.max())}
     notes = () if stuck else tuple(_notes(run))
     if named is None and not symptoms:
@@ -173,37 +190,24 @@ def _judged(
 
 
 def _named(
-    typed: Typed,
-    arm: Arm,
-    path: Path,
-    poses: Array,
-    run,
-    reeled: bool,
-    wrong: bool,
-    given: bool,
-    allowed: float,
+    typed: Typed, arm: Arm, path: Path, tip: Array, reeled: bool, allowed: float, blur: float
 ) -> Cause | None:
-    """What explains a run that fails; or, where no tolerance was given, a slip that one within 2 mm
-    shows.
-    """
-    tip = poses[:, :3, 3]
-    off = run.position_error > allowed
-    if wrong:
-        started = _off(path, tip)[0] <= 0.25 * run.position_error
-        loop = loop_cause(typed, arm, path, (off and started) or reeled)
-        if not off or (loop and loop.name in _LOOP_FIRST):
-            return loop
-        shape = path_cause(path, tip, allowed, _blur(typed, arm))
-        if shape and shape.name != "trace.displaced":
-            return shape
-        return table_cause(typed.values, arm, path, allowed) or shape or loop
-    return None if given else loop_cause(typed, arm, path, False)
+    """What explains a run that fails."""
+    off = offs(path, tip)
+    away = bool(off.max() > allowed)
+    loop = loop_cause(typed, arm, path, (away and _begun(off)) or reeled)
+    if not away or (loop and loop.name in _LOOP_FIRST):
+        return loop
+    shape = path_cause(path, tip, allowed, blur)
+    if shape and shape.name != "trace.displaced":
+        return shape
+    return table_cause(typed.values, arm, path, allowed) or shape or loop
 
 
 def _blur(typed: Typed, arm: Arm) -> float:
     """What the digits of the joints leave of the tip's place (m)."""
     J = jacobian(arm, typed.values[:: max(1, len(typed.values) // 20)])[:, :3]
-    return float(np.linalg.norm(np.abs(J) @ (0.51 * typed.units.max(axis=0)), axis=-1).max())
+    return float(np.linalg.norm(np.abs(J) @ (0.51 * typed.units.max(axis=0)), axis=1).max())
 
 
 def _turns(poses: Array) -> Array:
@@ -262,14 +266,9 @@ def _no_inverse(q: Array, arm: Arm, jumps: Array) -> Cause | None:
     return cause("trace.no inverse", step=step, _rank=rank, _rows=len(J), **words)
 
 
-def _off(path: Path, points: Array) -> Array:
-    """How far each point is from where the path has it."""
-    return np.linalg.norm(points - path.positions, axis=1)
-
-
 def _where(path: Path, tip: Array) -> str:
     """The farthest point, the first of those that are equally far."""
-    error = _off(path, tip)
+    error = offs(path, tip)
     k = int((error >= error.max() - _ALIKE).argmax())
     start = say("already") if error[0] > 0.5 * error[k] else f"{millimetres(error[0])} mm"
     return say(

@@ -21,7 +21,8 @@ Array = NDArray[Any]
 _ALIKE = 1e-9  # m: misses nearer to each other than this are the same
 _SAMPLE = 100
 _ALONG = 40  # windows in a run: few enough for many steps each, enough to see a circle's turns
-_PLAIN = 0.1  # of the miss or the path: what another path without a free number may leave
+_PLAIN = 0.1  # of the miss: what another path without a free number may leave
+_PLAIN_PATHS = ("trace.backwards", "trace.other side")
 _HOLDS = 1.5  # times the noise: what a rule that holds may leave
 _LOOSE = 4.0  # times the noise: what one may leave that is ten times better than the right one
 _NICE = tuple(1 / n for n in (2, 3, 4, 5, 8, 10, 20, 40, 50, 100))
@@ -29,7 +30,8 @@ _FINE = 3e-4  # of the speed: below, the digits show a thousandth of it
 _CLEARLY = 0.7  # of what the right loop leaves: what another must stay below to be named
 
 
-def _off(path: Path, points: Array) -> Array:
+def offs(path: Path, points: Array) -> Array:
+    """How far each point is from where the path has it."""
     return np.linalg.norm(points - path.positions, axis=1)
 
 
@@ -43,25 +45,17 @@ def path_cause(path: Path, tip: Array, allowed: float, blur: float) -> Cause | N
     more than a quarter of the miss; of a path drawn smaller, less in proportion. `blur` is what the
     digits of the joints leave of each point (m).
     """
-    miss = float(_off(path, tip).max())
+    miss = float(offs(path, tip).max())
     usual = near(path, miss, allowed)
     found = [
         (c, left)
         for c, left in _shapes(path, tip, blur)
-        if left <= (max(usual, _PLAIN * min(miss, _reach(path))) if _plain(c) else usual)
+        if left <= (max(usual, _PLAIN * miss) if c.keys[0] in _PLAIN_PATHS else usual)
     ]
     if not found:
         return None
     least = min(left for _, left in found)
     return next(c for c, left in found if left <= 1.5 * least + 0.1 * allowed)
-
-
-def _plain(c: Cause) -> bool:
-    return c.keys[0] in ("trace.backwards", "trace.other side")
-
-
-def _reach(path: Path) -> float:
-    return float(np.linalg.norm(np.ptp(path.positions, axis=0)))
 
 
 def near(path: Path, miss: float, allowed: float) -> float:
@@ -74,7 +68,7 @@ def _shapes(path: Path, tip: Array, blur: float) -> Iterator[tuple[Cause, float]
     """Other paths than the one asked for, the likelier first, each with what it leaves (m)."""
 
     def left(points: Array) -> float:
-        return float(_off(path, points).max())
+        return float(offs(path, points).max())
 
     yield cause("trace.backwards"), left(tip[::-1])
     shift = (tip - path.positions).mean(axis=0)
@@ -89,9 +83,7 @@ def _shapes(path: Path, tip: Array, blur: float) -> Iterator[tuple[Cause, float]
     wanted = path.positions - centre
     scale = float(np.linalg.norm(tip - middle)) / max(float(np.linalg.norm(wanted)), 1e-12)
     if abs(scale - 1) > 0.02 and scale > 1e-3:
-        shape = scale * wanted
-        off = (tip - middle - shape, tip - tip[0] - (shape - shape[0]))
-        rest = min(float(np.linalg.norm(x, axis=1).max()) for x in off)
+        rest = float(np.linalg.norm(tip - middle - scale * wanted, axis=1).max())
         yield cause("trace.scaled", _scale=size(round(scale, 6), 4)), _share(rest, scale, blur)
     yield cause("trace.other side"), left(2 * path.positions[0] - tip)
     for i, j in ((0, 1), (0, 2), (1, 2)):
@@ -123,9 +115,9 @@ def _fraction(path: Path, tip: Array, blur: float) -> tuple[float | None, float]
     """
     drawn = float(np.linalg.norm(np.diff(tip, axis=0), axis=1).sum())
     whole = float(np.linalg.norm(np.diff(path.positions, axis=0), axis=1).sum())
-    share = drawn / whole if whole else 1.0
+    share = drawn / max(whole, 1e-12)
     shares = [f for f in (*_NICE, share, float(round(share))) if f and abs(f - 1) > 0.02]
-    if not 1e-3 < abs(share) < 50 or abs(share - 1) < 0.02:
+    if not 1e-3 < share < 50 or abs(share - 1) < 0.02:
         return None, np.inf
     found = []
     start = path.times[0]
@@ -166,13 +158,13 @@ def table_cause(q: Array, arm: Arm, path: Path, allowed: float) -> Cause | None:
     do; none where it leaves more than a quarter of the miss.
     """
     right = chain(arm, q)
-    most = min(allowed, float(_off(path, right.frames[:, -1, :3, 3]).max()) / 4)
+    most = min(allowed, float(offs(path, right.frames[:, -1, :3, 3]).max()) / 4)
     found = [
-        (c, float(_off(path, other.frames[:, -1, :3, 3]).max()))
+        (c, float(offs(path, other.frames[:, -1, :3, 3]).max()))
         for c, other in wrong_tables(arm, right)
     ]
     least = min((left for _, left in found), default=np.inf)
-    return next((c for c, left in found if left <= least + _ALIKE), None) if least <= most else None
+    return next(c for c, left in found if left <= least + _ALIKE) if least <= most else None
 
 
 # By the loop
@@ -203,14 +195,9 @@ def loop_cause(typed: Typed, arm: Arm, path: Path, wrong: bool) -> Cause | None:
 
 
 def holds(typed: Typed, arm: Arm, path: Path) -> bool:
-    """Whether joints begin on the path and each step of them is right by Euler's method."""
+    """Whether each step is clearly right by Euler's method."""
     steps = _Steps.of(typed, arm, path, 0.0)
-    start = chain(arm, typed.values[0]).frames[-1, :3, 3]
-    return bool(
-        steps.clear
-        and steps.right < _HOLDS
-        and np.linalg.norm(start - path.positions[0]) < _PLAIN * _reach(path)
-    )
+    return steps.clear and steps.right < _HOLDS
 
 
 @dataclass(frozen=True)

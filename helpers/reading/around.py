@@ -4,6 +4,8 @@ names, and what LaTeX sets beside a matrix. Written so that JavaScript has the s
 
 import re
 
+from helpers.inputs import ArmError, shown
+
 _FENCE = re.compile(r"(?<![^\n])[ \t]*```[^\n\r]*")
 _PROMPT = r"(?<![^\n])[ \t]*(?:>>>?|(?:In|Out) ?\[[0-9]*\]:)[ \t]*"
 _ASKED = re.compile(
@@ -24,7 +26,11 @@ _SET_BEFORE = re.compile(
 _SET_AFTER = re.compile(
     r"\\end\{[a-z]+\*?\}|\\label\{[^{}]*\}|\\(?:right[ \t]*[\])|.]|\]|\))|[$}.,; \t\r\n]"
 )
-_NAME = re.compile(r"[^=0-9][^=]*=")
+_NAME = re.compile(r"(?:(?!\\[dt]?frac[0-9])[^-=0-9][^=]*=)+")  # J =, or dx/dq = J =
+_FACTOR = re.compile(
+    r"(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi)|[-+*/^0-9.,(){}]"
+    r"|(?<![A-Za-z])[A-Za-z](?:_[0-9A-Za-z])?(?![A-Za-z]))+"
+)
 _LATEX = (
     (re.compile(r"\\[hv]?phantom\{[^{}]*\}"), " "),
     (re.compile(r"\\num\{([^{}]*)\}"), r"\1"),
@@ -41,16 +47,24 @@ def bare(text: str) -> str:
 
 
 def bare_latex(text: str) -> str:
-    """LaTeX without what is set beside its one matrix, and with its numbers as they are elsewhere.
-
-    A name before it goes, a factor stays.
+    """LaTeX without a name and what else is set beside its one matrix, and with its numbers as they
+    are elsewhere; raises ArmError for a factor beside it.
     """
     begins, ends = list(_BEGIN.finditer(text)), list(_END.finditer(text))
     if len(begins) == len(ends) == 1:
         start, end = begins[0].start(), ends[0].end()
         before, after = _SET_BEFORE.sub("", text[:start]), _SET_AFTER.sub("", text[end:])
-        named = not before or (_NAME.fullmatch(before) and "frac" not in before)
+        alone(text[:start], _NAME.sub("", before))
+        alone(text[end:], after)
+        named = not before or _NAME.fullmatch(before)
         text = text[start if named else 0 : len(text) if after else end]
     for pattern, instead in _LATEX:
         text = pattern.sub(instead, text)
     return text
+
+
+def alone(stands: str, factor: str) -> None:
+    """Raise ArmError where a factor stands beside a matrix: it is meant for every entry."""
+    if _FACTOR.fullmatch(factor):
+        beside = shown(stands.strip())
+        raise ArmError(f"beside the matrix stands {beside}; expected entries that hold it")

@@ -5,8 +5,8 @@ cells.
 import re
 
 from helpers.inputs import ArmError
+from helpers.reading.around import alone, bare_latex
 from helpers.reading.around import bare as without_surroundings
-from helpers.reading.around import bare_latex
 from helpers.reading.formula import is_number, number, plain
 
 Cells = list[list[str]]
@@ -19,6 +19,7 @@ _TAIL = re.compile(r"\)?(?:,\s*(?:dtype\s*=\s*[\w.']+|\d+)\s*)?\)+\s*;?\s*$")
 _ENVIRONMENT = re.compile(
     r"\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?"
 )
+_FACTOR = re.compile(r"[-+*/^.0-9e \t]+(?=\[)")
 _SCALE = re.compile(r"^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$", re.M)
 _MATLAB_BLOCK = re.compile(
     r"^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$", re.M | re.I
@@ -54,6 +55,8 @@ def _rows(text: str) -> Cells:
     )
     if bare[:1] in "[({":
         return _bracketed(bare)
+    if before := _FACTOR.match(bare):
+        alone(before[0], re.sub(r"[ \t]", "", before[0]))
     return _lines(bare)
 
 
@@ -193,10 +196,11 @@ def _joins(text: str, k: int) -> bool:
 def _lines(text: str) -> Cells:
     scale = _SCALE.search(text)
     text = _SCALE.sub("", text)
-    tables = [_block(b) for b in _MATLAB_BLOCK.split(text) if b.strip()] or [[]]
-    rows = tables[0]
-    if len({len(t) for t in tables}) == 1:
-        rows = [[cell for part in parts for cell in part] for parts in zip(*tables, strict=True)]
+    tables = [rows for block in _MATLAB_BLOCK.split(text) if (rows := _block(block))]
+    if len(counts := sorted({len(table) for table in tables})) > 1:
+        given = ", ".join(map(str, counts))
+        raise ArmError(f"the blocks of columns have {given} rows; expected as many in each")
+    rows = [[cell for part in parts for cell in part] for parts in zip(*tables, strict=True)]
     if scale:
         rows = [[f"{cell}*{scale[1]}" if number(cell) else cell for cell in row] for row in rows]
     return rows

@@ -48,6 +48,10 @@ _WORDS = {
 }
 MOST_ROWS = 32
 _BOX = re.compile(r"^[^\n]*│[^\n]*(?:\n[^\n]*[│├┼╪][^\n]*)*", re.M)  # a table drawn with lines
+_RECORDS = re.compile(
+    r"\{((?:[^{}]|\{[^{}:=,]*\})*)\}|\bdict\(((?:[^()]|\([^()]*\))*)\)"  # q_{1} may stand in one
+)
+_PAIRS = re.compile(r"['\"]?\b([A-Za-z]+)_?\{?(\d+)\}?['\"]?\s*[:=]\s*((?:[^,;\n{}]|\{[^{}]*\})+)")
 _JOINT = re.compile(r"(?:q|th|theta|t|phi)_?\{?\d+\}?'?")
 _VARIABLE = re.compile(r"(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?", re.I)
 
@@ -322,21 +326,22 @@ def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str
     """Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has
     a_{i-1} and alpha_{i-1}: a last one with nothing else in it is the tool's.
     """
-    craig = any(c in ("a", "alpha") and i == 0 for c, i, _ in entries)
-    held = {(c, i + 1 if craig and c in ("a", "alpha") else i): text for c, i, text in entries}
+    early = ("a", "alpha")
+    craig = any(c in early and i == 0 for c, i, _ in entries)
+    held = {(c, i + 1 if craig and c in early else i): text for c, i, text in entries}
     last = max(i for _, i in held)
     _few(last)
-    moving = max((i for c, i in held if c in ("d", "theta")), default=last) if craig else last
+    moving = max((i for c, i in held if c not in early), default=last) if craig else last
     cells = [
         [held.get((c, i), f"q_{i}" if c == "theta" and i <= moving else "0") for c in ENTRIES]
         for i in range(1, last + 1)
     ]
-    heads = ["a_{i-1}", "alpha_{i-1}", "d", "theta"] if craig else list(ENTRIES)
+    heads = [f"{c}_{{i-1}}" if craig and c in early else c for c in ENTRIES]
     return cells, heads, ()
 
 
 def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
-    text = _unboxed(text)
+    text = _unboxed(text.lstrip("\ufeff"))
     if links := re.findall(
         r"(Link|(?:Revolute|Prismatic)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)",
         text,
@@ -353,12 +358,9 @@ def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     words = [_head(name) or "" for name, _ in named]
     if len(named) >= 3 and set(words) <= set(ENTRIES):
         return _parallel(
-            {
-                w: grid.cells(body.replace("{", "[").replace("}", "]"))[0]
-                for w, (_, body) in zip(words, named, strict=True)
-            }
+            {w: grid.cells(f"[{body[1:-1]}]")[0] for w, (_, body) in zip(words, named, strict=True)}
         )
-    pairs = re.findall(r"['\"]?\b([A-Za-z]+)_?\{?(\d+)\}?['\"]?\s*[:=]\s*([^,;\n}]+)", text)
+    pairs = _PAIRS.findall(text)
     if (
         len(pairs) >= 6
         and all(p[0].lower() in _WORDS for p in pairs)
@@ -398,7 +400,7 @@ def _unboxed(text: str) -> str:
 def _records(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]] | None:
     """A dictionary for each row, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...)."""
     found = []
-    for braced, called in re.findall(r"\{([^{}]*)\}|\bdict\(((?:[^()]|\([^()]*\))*)\)", text):
+    for braced, called in _RECORDS.findall(text):
         pairs = re.findall(r"['\"]?([A-Za-zαθ]+)['\"]?\s*[:=]\s*([^,\[]+)", braced or called)
         row = {_head(name): _unquoted(x) for name, x in pairs}
         if len(row.keys() & set(ENTRIES)) >= 3:
@@ -468,17 +470,24 @@ def _from_heads(heads: list[str]) -> tuple[str | None, str | None, bool]:
 
 
 def _without_index(cells: grid.Cells, heads: list[str]) -> tuple[grid.Cells, list[str]]:
+    """The cells without the column that numbers the rows. Where they are not numbered and one
+    short, the first head goes alone: nobody typed its column, or it is half of ``Joint type``.
+    """
     words = [_head(h) for h in heads]
-    if "i" in words:
-        at = words.index("i")
-        *cells, heads = [row[:at] + row[at + 1 :] for row in (*cells, heads)]
-        return cells, heads
     first = [formula.plain(row[0]) for row in cells]
     counted = all(
         re.fullmatch(rf"(?:link|joint|l|j|i=)?\s*_?{i}\.?", x, re.I) for i, x in enumerate(first, 1)
     )
     from_zero = list(map(formula.number, first)) == list(range(len(cells)))  # as pandas does
-    if all(len(row) > 4 for row in cells) and (counted or from_zero):
+    counted = counted or from_zero
+    short = all(len(row) == len(heads) - 1 for row in cells) and words[0] not in ENTRIES
+    if short and not counted:
+        return cells, heads[1:]
+    if "i" in words:
+        at = words.index("i")
+        *cells, heads = [row[:at] + row[at + 1 :] for row in (*cells, heads)]
+        return cells, heads
+    if all(len(row) > 4 for row in cells) and counted:
         return [row[1:] for row in cells], heads[1:] if len(heads) > 4 else heads
     return cells, heads
 

@@ -1,6 +1,8 @@
 // What stands around the numbers of a paste and says nothing about them, the port of helpers/reading/around.py:
 // prompts, comments, fences, names, and what LaTeX sets beside a matrix.
 
+import { ArmError, shown } from "./say.js";
+
 const FENCE = /(?<![^\n])[ \t]*```[^\n\r]*/g;
 const PROMPT = String.raw`(?<![^\n])[ \t]*(?:>>>?|(?:In|Out) ?\[[0-9]*\]:)[ \t]*`;
 const ASKED = new RegExp(
@@ -21,7 +23,12 @@ const SET_BEFORE = new RegExp(
   "g",
 );
 const SET_AFTER = /\\end\{[a-z]+\*?\}|\\label\{[^{}]*\}|\\(?:right[ \t]*[\])|.]|\]|\))|[$}.,; \t\r\n]/g;
-const NAME = /^[^=0-9][^=]*=$/;
+const NAME = String.raw`(?:(?!\\[dt]?frac[0-9])[^-=0-9][^=]*=)+`; // J =, or dx/dq = J =
+const [NAMES, NAMED] = [new RegExp(NAME, "g"), new RegExp(`^${NAME}$`)];
+const FACTOR = new RegExp(
+  String.raw`^(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi)|[-+*/^0-9.,(){}]` +
+    String.raw`|(?<![A-Za-z])[A-Za-z](?:_[0-9A-Za-z])?(?![A-Za-z]))+$`,
+);
 /** @type {[RegExp, string][]} */
 const LATEX = [
   [/\\[hv]?phantom\{[^{}]*\}/g, " "],
@@ -40,17 +47,26 @@ export const bare = (text) =>
     .replace(LABEL, "")
     .replace(SIGN, "");
 
-// LaTeX without what is set beside its one matrix, and with its numbers as they are elsewhere. A name before it goes, a
-// factor stays.
+// LaTeX without a name and what else is set beside its one matrix, and with its numbers as they are elsewhere; an error
+// for a factor beside it.
 export function bareLatex(text) {
   const [begins, ends] = [BEGIN, END].map((pattern) => [...text.matchAll(pattern)]);
   if (begins.length === 1 && ends.length === 1) {
     const [start, end] = [begins[0].index, ends[0].index + ends[0][0].length];
     const before = text.slice(0, start).replace(SET_BEFORE, "");
     const after = text.slice(end).replace(SET_AFTER, "");
-    const named = !before || (NAME.test(before) && !before.includes("frac"));
+    alone(text.slice(0, start), before.replace(NAMES, ""));
+    alone(text.slice(end), after);
+    const named = !before || NAMED.test(before);
     text = text.slice(named ? start : 0, after ? text.length : end);
   }
   for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
   return text;
+}
+
+// An error where a factor stands beside a matrix: it is meant for every entry.
+export function alone(stands, factor) {
+  if (!FACTOR.test(factor)) return;
+  const beside = shown(stands.trim());
+  throw new ArmError(`beside the matrix stands ${beside}; expected entries that hold it`);
 }

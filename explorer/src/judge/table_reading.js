@@ -45,9 +45,12 @@ const LISTS = new RegExp(
     String.raw`(?:np\.array|array|sp\.Matrix|Matrix)?\s*\(?\s*(\[[^\]]*\]|\{[^}]*\})`,
   "gmu",
 );
-const RECORDS = new RegExp(String.raw`\{([^{}]*)\}|(?<!${LETTER})dict\(((?:[^()]|\([^()]*\))*)\)`, "gu");
+const RECORDS = new RegExp(
+  String.raw`\{((?:[^{}]|\{[^{}:=,]*\})*)\}|(?<!${LETTER})dict\(((?:[^()]|\([^()]*\))*)\)`,
+  "gu",
+);
 const PAIRS = new RegExp(
-  String.raw`['"]?(?<!${LETTER})([A-Za-z]+)_?\{?(\d+)\}?['"]?\s*[:=]\s*([^,;\n}]+)`,
+  String.raw`['"]?(?<!${LETTER})([A-Za-z]+)_?\{?(\d+)\}?['"]?\s*[:=]\s*((?:[^,;\n{}]|\{[^{}]*\})+)`,
   "gu",
 );
 const JOINT = /^(?:q|th|theta|t|phi)_?\{?\d+\}?'?$/;
@@ -271,8 +274,7 @@ const blank = (entry, i) => (entry === "theta" ? `q_${i}` : "0");
 
 // Four parallel lists.
 function ofLists(named) {
-  const bodies = [...named.values()].map((body) => body.replaceAll("{", "[").replaceAll("}", "]"));
-  const lists = bodies.map((body) => cellsOf(body)[0]);
+  const lists = [...named.values()].map((body) => cellsOf(`[${body.slice(1, -1)}]`)[0]);
   const counts = [...new Set(lists.map((list) => list.length))].sort((p, q) => p - q);
   if (counts.length !== 1) throw new ArmError(say("uneven lists", { counts: counts.join(", ") }));
   return plainly(lists[0].map((_, k) => lists.map((list) => list[k])), [...named.keys()]); // prettier-ignore
@@ -347,16 +349,20 @@ function fromHeads(heads) {
   return { lengths: unit ?? own, angles, convention: /-\s*1/.test(text) ? "craig" : null };
 }
 
-// The cells without the column that numbers the rows.
+// The cells without the column that numbers the rows. Where they are not numbered and one short, the first head goes
+// alone: nobody typed its column, or it is half of "Joint type".
 function withoutIndex({ cells, heads }) {
-  const at = heads.map(headOf).indexOf("i");
-  const cut = (row) => row.filter((_, k) => k !== at);
-  if (at >= 0) return { cells: cells.map(cut), heads: cut(heads) };
+  const words = heads.map(headOf);
   const first = cells.map((row) => plain(row[0]));
   const label = (i) => new RegExp(String.raw`^(?:link|joint|l|j|i=)?\s*_?${i}\.?$`, "i");
-  const counted = first.every((text, k) => label(k + 1).test(text));
   const fromZero = first.every((text, k) => number(text) === k);
-  if (cells.every((row) => row.length > 4) && (counted || fromZero))
+  const counted = fromZero || first.every((text, k) => label(k + 1).test(text));
+  const short = cells.every((row) => row.length === heads.length - 1) && !ENTRIES.includes(words[0]);
+  if (short && !counted) return { cells, heads: heads.slice(1) };
+  const at = words.indexOf("i");
+  const cut = (row) => row.filter((_, k) => k !== at);
+  if (at >= 0) return { cells: cells.map(cut), heads: cut(heads) };
+  if (cells.every((row) => row.length > 4) && counted)
     return { cells: cells.map((row) => row.slice(1)), heads: heads.length > 4 ? heads.slice(1) : heads };
   return { cells, heads };
 }

@@ -235,22 +235,28 @@ function same(grade, table, reference, mine, ref, found) {
     causes: [],
     taken: table.said,
     ...(mapped ? { map: mapped } : {}),
-    notes: [...zeros(mapped, mine, ref), ...base(mine, found, mapped), ...tool(found), ...written(table)],
+    notes: [
+      ...zeros(table, mapped, mine, ref),
+      ...base(table, mine, found, mapped),
+      ...tool(found),
+      ...written(table),
+    ],
   };
 }
 
-function zeros(mapped, mine, ref) {
+function zeros(table, mapped, mine, ref) {
   if (!mapped) return [say("map unknown")];
-  return isIdentity(mapped) ? [] : [say("map", { equations: equations(mapped, mine, ref).join("; ") })];
+  const own = mine.joints.map((i) => rowOf(table, i, "d"));
+  return isIdentity(mapped) ? [] : [say("map", { equations: equations(mapped, own, ref).join("; ") })];
 }
 
 // A word on where the base's frame stands on axis 1.
-function base(mine, found, mapped = null) {
+function base(table, mine, found, mapped = null) {
   const higher = mapped ? mapped.base.o[2] : found.baseHigher;
   if (found.upsideDown) return [say("base upside down")];
   if (Math.abs(higher) <= LENGTH) return [];
   const way = higher > 0 ? say("higher") : say("lower");
-  const row = mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0];
+  const row = rowOf(table, mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0], "d");
   return [say("base", { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
 }
 
@@ -287,14 +293,14 @@ const typedAs = (table, row, column) => textOf(table, row, column) ?? size(table
 // causes and single signs after which the axes agree, more wrong entries, or what is left of the axes.
 /** @param {Table} table @param {Compared} found @returns {Report} */
 function different(table, reference, rows, wanted, found, length) {
-  const all = tries(rows, reference, wanted);
+  const all = tries(rows, reference, wanted, table.modified);
   const equal = all.filter((t) => t.cause && !t.entries);
   if (equal.length) {
     const fewest = Math.min(...equal.map((t) => edits(t.cause)));
     const alike = equal.filter((t) => edits(t.cause) === fewest);
     return bad(table, reference, alike.map((t) => t.cause)); // prettier-ignore
   }
-  const notes = found.signs.length ? base(side(rows), found) : [];
+  const notes = found.signs.length ? base(table, side(rows), found) : [];
   const local = fewEntries(all, wanted.length, length);
   let whole = agreeing(all, length, local ? local.cost : Infinity);
   if (!local && !whole) whole = oneSign(rows, wanted, length);
@@ -305,7 +311,13 @@ function different(table, reference, rows, wanted, found, length) {
     return bad(table, reference, why ? [why] : [], entries, why ? [] : notes);
   }
   const { first, left } = fewest(all, length, found);
-  return bad(table, reference, first ? [first] : [], left.map(geometry), first ? [] : notes);
+  return bad(
+    table,
+    reference,
+    first ? [first] : [],
+    left.map((d) => geometry(table, d)),
+    first ? [] : notes,
+  );
 }
 
 // The reading that needs least besides a few entries: its cost, and the entries.
@@ -333,9 +345,9 @@ const edits = (why) => why?.keys.length ?? 0;
 
 // Every reading with up to two causes, each with how many entries differ from the reference's.
 /** @returns {Try[]} */
-function tries(rows, reference, wanted) {
+function tries(rows, reference, wanted, modified) {
   const others = [[null, wanted], ...usual.references(reference).map(([why, arm]) => [why, squared(arm)])];
-  const mends = usual.structures(rows.length);
+  const mends = usual.structures(rows.length, modified);
   const whole = mends.filter(([why]) => why.keys[0] !== usual.EXCHANGED);
   /** @type {[Cause | null, Numbers[], Numbers[]][]} */
   const found = [];
@@ -374,9 +386,9 @@ function unequal(rows, wanted, length = LENGTH) {
 
 const angular = (column) => column === "alpha" || column === "theta";
 
-// The cheapest reading after which the axes agree, though entries differ, below a cost; or null.
+// The first reading after which the axes agree, though entries differ, below a cost; or null.
 function agreeing(all, length, most) {
-  for (const t of [...all].sort((p, q) => cost(p.cause) - cost(q.cause))) {
+  for (const t of all) {
     if (!t.cause || cost(t.cause) + apart(t.cause) >= most) continue;
     // Two causes after which most entries differ, and exchanged rows, fit by chance only; Craig's rows may have one
     // more than the reference.
@@ -445,14 +457,15 @@ function kindOfError(column, row, mine, wanted) {
   });
 }
 
-// The single cause that leaves much less than none does, and what it leaves.
+// The single cause that leaves much less than none does, and what it leaves: differences of axes, for where joints do
+// not correspond these are not seen.
 function fewest(all, length, { differences }) {
   let best = { cost: 0.7 * differences.length, first: /** @type {Cause | null} */ (null), left: differences };
   for (const t of all) {
     if (edits(t.cause) !== 1 || t.cause.keys[0] === usual.EXCHANGED) continue;
-    const left = compare(t, length).differences;
+    const { signs, differences: left } = compare(t, length);
     const total = 1 + 0.7 * left.length;
-    if (left.length && total < best.cost) best = { cost: total, first: t.cause, left };
+    if (signs.length && left.length && total < best.cost) best = { cost: total, first: t.cause, left };
   }
   return best;
 }
@@ -464,18 +477,21 @@ const WHAT = {
   "table kind": "table kind what",
 }; // prettier-ignore
 
-/** @param {Difference} d @returns {Finding} */
-function geometry(d) {
-  const where = `row ${d.row}, ${d.entry}`;
+// One difference, in the rows and axes of the table as typed.
+/** @param {Table} table @param {Difference} d @returns {Finding} */
+function geometry(table, d) {
+  const toBase = d.key === "table lean" || d.key === "table foot";
+  const row = toBase ? d.row : rowOf(table, d.row, d.entry);
+  const where = `row ${row}, ${d.entry}`;
   if (d.key === "table count") {
     const { mine, reference } = d;
     return { what: "row", where, words: say("table count words", { mine, reference }) };
   }
-  const [i, j] = d.ends;
+  const [i, j] = d.ends.map((end) => end && rowOf(table, end, "d"));
   const end = d.key === "table distance" && !j ? say("the tip") : say("axis", { i: j });
   const along = i === j ? say("axis", { i }) : say("parallel axes", { i, j });
   const what = say(WHAT[d.key], { start: i, end, along, j });
-  const words = say("table at", { row: d.row, entry: d.entry, words: amount(d, what) });
+  const words = say("table at", { row, entry: d.entry, words: amount(d, what) });
   return { what: "row", where, words };
 }
 

@@ -60,14 +60,16 @@ function ofOneSize(rows) {
 
 const swap = (one, other) => (rows) => rows.map((r) => ({ ...r, [one]: r[other], [other]: r[one] }));
 
-// Mistakes in the arrangement: columns, rows, convention.
+// Mistakes in the arrangement: columns, rows, convention (where it is not the modified one).
 /** @returns {[Cause, Mend][]} */
-export function structures(count) {
+export function structures(count, modified) {
   const places = combinations([...Array(count).keys()], 2);
+  /** @type {[Cause, Mend][]} */
+  const craig = modified ? [] : [[cause("table.craig"), fromCraig]];
   return [
     [cause("table.alpha and theta"), swap("alpha", "theta")],
     [cause("table.a and d"), swap("a", "d")],
-    [cause("table.craig"), fromCraig],
+    ...craig,
     [cause("table.d and theta"), swap("d", "theta")],
     [cause("table.a and alpha"), swap("a", "alpha")],
     [cause("table.twists"), (rows) => rows.map((r) => ({ ...r, alpha: -r.alpha }))],

@@ -59,13 +59,17 @@ export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null
 // Whether joints follow the path in degrees, as nearly as Euler's method does, and not in radians.
 function onlyAsDegrees({ q, steps }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
-  const miss = (rows) => Math.max(...offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o))); // prettier-ignore
+  const away = (rows) => offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o)); // prettier-ignore
   const turned = rowsInRadians(q.map((values, k) => ({ values, units: steps[k] })), arm); // prettier-ignore
   const rows = turned.map(({ values }) => values);
-  const [asTyped, degrees] = [miss(q), miss(rows)];
-  if (asTyped <= allowed || degrees >= asTyped) return false;
-  return degrees <= near(path, asTyped, allowed) || holds(rows, most(turned), arm, path);
+  const inDegrees = away(rows);
+  const [top, left] = [Math.max(...away(q)), Math.max(...inDegrees)];
+  if (top <= allowed || left >= top) return false;
+  return left <= near(path, top, allowed) || (begun(inDegrees) && holds(rows, most(turned), arm, path));
 }
+
+// Whether a run so far off its path begins on it: its other points are four times as far.
+const begun = (errors) => errors[0] <= Math.max(...errors) / 4;
 
 // What the digits of the joints leave of the tip's place (m).
 function blurOf({ q, units }, arm) {
@@ -151,7 +155,7 @@ function judged(run, arm, path, allowed, given, blur) {
   const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
   const why = () => {
     const off = error > allowed;
-    const loop = slip((off && errors[0] <= 0.25 * error) || turn > TILT);
+    const loop = slip((off && begun(errors)) || turn > TILT);
     if (!off || LOOP_FIRST.includes(loop?.keys[0] ?? "")) return loop;
     const shape = pathCause(path, tip, allowed, blur);
     if (shape && shape.keys[0] !== "trace.displaced") return shape;

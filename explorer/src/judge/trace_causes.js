@@ -13,7 +13,7 @@ const ALIKE = 1e-9; // m: misses nearer to each other than this are the same
 const SAMPLE = 100;
 const STRIDE = 50;
 const ALONG = 40; // windows in a run: few enough for many steps each, enough to see a circle's turns
-const PLAIN = 0.1; // of the miss or the path: what another path without a free number may leave
+const PLAIN = 0.1; // of the miss: what another path without a free number may leave
 const PLAIN_PATHS = ["trace.backwards", "trace.other side"];
 const HOLDS = 1.5; // times the noise: what a rule that holds may leave
 const LOOSE = 4; // times the noise: what one may leave that is ten times better than the right one
@@ -49,20 +49,11 @@ const drawn = (points) => points.slice(1).reduce((sum, p, k) => sum + norm(minus
 export function pathCause(path, tip, allowed, blur = 0) {
   const miss = farthest(tip, path.times.map(path.position));
   const usual = near(path, miss, allowed);
-  const plain = Math.max(usual, PLAIN * Math.min(miss, reachOf(path)));
+  const plain = Math.max(usual, PLAIN * miss);
   const most = ({ keys }) => (PLAIN_PATHS.includes(keys[0]) ? plain : usual);
   const found = [...shapes(path, tip, blur)].filter(([one, left]) => left <= most(one));
   const least = Math.min(...found.map(([, left]) => left));
   return found.find(([, left]) => left <= 1.5 * least + 0.1 * allowed)?.[0] ?? null;
-}
-
-function reachOf(path) {
-  const wanted = path.times.map(path.position);
-  const spread = [0, 1, 2].map((i) => {
-    const all = wanted.map((p) => p[i]);
-    return all.reduce((a, x) => Math.max(a, x)) - all.reduce((a, x) => Math.min(a, x));
-  });
-  return norm(spread);
 }
 
 // How much a cause may leave of a miss (m): two of the path's steps, a quarter of the miss.
@@ -91,12 +82,9 @@ function* shapes(path, tip, blur) {
   const scale = size2(shifted(tip, middle)) / Math.max(size2(shifted(wanted, centre)), 1e-12);
   if (Math.abs(scale - 1) > 0.02 && scale > 1e-3) {
     const shape = shifted(wanted, centre).map((p) => scaled(scale, p));
-    const about = [
-      [middle, [0, 0, 0]],
-      [tip[0], shape[0]],
-    ].map(([from, to]) => farthest(shifted(tip, from), shifted(shape, to)));
+    const rest = farthest(shifted(tip, middle), shape);
     const words = { _scale: size(Number(scale.toFixed(6)), 4) };
-    yield [cause("trace.scaled", words), shareOf(Math.min(...about), scale, blur)];
+    yield [cause("trace.scaled", words), shareOf(rest, scale, blur)];
   }
   yield [cause("trace.other side"), left(tip.map((p) => minus(scaled(2, wanted[0]), p)))];
   for (const [i, j] of PAIRS) {
@@ -124,8 +112,7 @@ const shareOf = (rest, scale, blur) => Math.max(0, rest - blur) / Math.min(1, sc
 // The share of the path that was drawn at even pace, and what it leaves: half speed, a quarter, dt against T.
 /** @returns {[number, number] | null} */
 function fractionOf(path, wanted, tip, blur) {
-  const all = drawn(wanted);
-  const share = all ? drawn(tip) / all : 1;
+  const share = drawn(tip) / Math.max(drawn(wanted), 1e-12);
   if (!(share > 1e-3 && share < 50) || Math.abs(share - 1) < 0.02) return null;
   const shares = [...NICE, share, rint(share)].filter((f) => f && Math.abs(f - 1) > 0.02);
   const start = path.times[0];
@@ -211,12 +198,10 @@ export function loopCause(q, units, arm, path, wrong = false) {
   return fits && right > 1.8 && best.left < CLEARLY * right ? best.one : null;
 }
 
-// Whether joints begin on the path and each step of them is right by Euler's method.
+// Whether each step is clearly right by Euler's method.
 export function holds(q, units, arm, path) {
   const steps = stepsOf(q, units, arm, path, 0);
-  const start = framesOf(chain(arm, q[0])).at(-1).o;
-  const first = path.position(path.times[0]);
-  return steps.clear && steps.right < HOLDS && norm(minus(start, first)) < PLAIN * reachOf(path);
+  return steps.clear && steps.right < HOLDS;
 }
 
 /**
