@@ -24,11 +24,16 @@ INSTALL = { $(PIP) uv==0.13.9 && $(BIN)/python -m uv pip install --quiet --pytho
 # What comes with Pinocchio and is read by nobody here: C++ headers and the robots' meshes, 600 MB.
 CMEEL := $(VENV)/lib/python*/site-packages/cmeel.prefix
 
+# A grammar of all web addresses, which every process that reads a notebook would build in a second. Without it jsonschema
+# takes any text for an address.
+ADDRESSES := $(VENV)/lib/python*/site-packages/rfc3987_syntax
+
 $(BIN)/.installed: requirements.txt requirements.lock pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; say make PYTHON=python3.12, for instance")'
 	@$(BIN)/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV) || \
 	  { rm -rf $(VENV); echo "$(PYTHON) cannot make a virtual environment; on Debian and Ubuntu: sudo apt install python3-venv"; exit 1; }
 	$(call INSTALL,-r requirements.txt)
+	@rm -rf $(ADDRESSES)
 	@touch $@
 
 $(BIN)/.installed-dev: $(BIN)/.installed requirements-dev.txt
@@ -56,19 +61,19 @@ test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built b
 	{ $(MAKE) --no-print-directory book; echo $$? > $(BUILT); } & \
 	$(BIN)/python -c "import sympy, matplotlib.pyplot, ipykernel.kernelapp" & \
 	$(MAKE) --no-print-directory $(BIN)/.installed-dev && \
-	BUILT=$(BUILT) $(BIN)/python -m pytest -p tests.quick -n 3 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS) tests; \
+	BUILT=$(BUILT) $(BIN)/python -m pytest -n 3 --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS) tests; \
 	tests=$$?; wait; exit $$((tests + $$(cat $(BUILT))))
 
 # Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
-	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
+	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
 
 # The page judges in JavaScript, the checkers in Python: what a reader is told may not depend on where.
 judge: $(BIN)/.installed-dev ## ask the page's judge and the checkers 26 000 questions; every word must be equal (needs Node.js)
 	$(BIN)/python -m tests.judge_words --cases 20000
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
-	$(BIN)/python -m pytest -p tests.quick -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)
+	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)
 
 # Other kernels of OpenBLAS and NumPy round the last digit differently; no stored output may show it.
 elsewhere: export OPENBLAS_CORETYPE = Nehalem
