@@ -513,3 +513,23 @@ def test_how_a_function_was_called_is_told_whatever_it_gave(found):
     report = compare_jacobian(lambda dh, q: found, ELBOW, Q3)
     assert (report.topic, report.arm, report.grade) == ("Jacobian", "Elbow arm", "wrong")
     assert "Taken as f(table, q), called with the arm's rows (a, alpha, d, theta)" in str(report)
+
+
+@pytest.mark.parametrize(
+    ("digits", "off", "named"),
+    [
+        (1, 0, True),
+        (1, 0.1, False),
+        (2, 0.02, True),
+        (2, 0.04, False),
+        (6, 9e-4, True),
+        (6, 2e-3, False),
+    ],
+)
+def test_a_column_left_out_is_named_where_the_others_are_near(digits, off, named):
+    """Without column 2 and without column 3 the matrices are up to 0.28 apart here."""
+    q = [0.5, 0.8, -0.4]
+    mine = np.delete(jacobian(ELBOW, q), 1, axis=1)
+    mine[2, 1] += off
+    report = compare_jacobian(mine.round(digits), ELBOW, q)
+    assert report.causes == (("J.column missing:2",) if named else ("J.shape",))
