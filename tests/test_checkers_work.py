@@ -14,6 +14,7 @@ from helpers import checks
 from helpers.checks import jacobian_causes, tables, torques_causes
 from helpers.checks.axes import numeric
 from helpers.checks.digits import of_floats
+from helpers.checks.door import numbers
 from helpers.robots import PANDA
 from helpers.statics import GRAVITY
 from tests.corpus.judge import load, report
@@ -76,6 +77,12 @@ def test_a_run_of_a_thousand_torques_is_little_more_work_than_to_read_it():
     tau = np.arange(7000.0).reshape(1000, 7)
     read = calls(lambda: of_floats(tau))
     assert calls(lambda: checks.compare_torques(tau, PANDA, q)) <= 2 * read + MOST["torques"]
+
+
+def test_a_long_paste_of_numbers_is_read_at_once():
+    """Each of 350 as a formula takes twice as many calls."""
+    text = "\n".join(" ".join(f"{i + j / 7:.4f}" for j in range(7)) for i in range(50))
+    assert calls(lambda: numbers(text, "yours")) <= 14_000
 
 
 def test_hypotheses_are_counted():
