@@ -80,9 +80,9 @@ def test_a_run_of_a_thousand_torques_is_little_more_work_than_to_read_it():
 
 
 def test_a_long_paste_of_numbers_is_read_at_once():
-    """Each of 350 as a formula takes twice as many calls."""
+    """350 numbers; as formulas, each known already, they take 14 000 calls."""
     text = "\n".join(" ".join(f"{i + j / 7:.4f}" for j in range(7)) for i in range(50))
-    assert calls(lambda: numbers(text, "yours")) <= 14_000
+    assert calls(lambda: numbers(text, "yours")) <= 12_000
 
 
 def test_hypotheses_are_counted():
