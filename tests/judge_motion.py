@@ -57,7 +57,7 @@ FORMS = (
     (UR10E, inverse.ur),
     (UR10E_HOMEWORK, inverse.ur),
 )
-_SOLVERS = {id(arm): solver for arm, solver in FORMS}
+_SOLVERS = dict(FORMS)
 _ARMS = (PANDA, PANDA_HOMEWORK, PANDA.lock(3), _PLANAR, _GANTRY, *(arm for arm, _ in FORMS))
 _FORMULAS = (ELBOW, _PLANAR)
 Asked = Iterator[tuple[Arm, dict]]
@@ -71,7 +71,6 @@ def stored_branches(rng, count: int) -> Asked:
     """The corpus's elbow arms."""
     for case in answers.branches(rng, count):
         arm = ELBOW.with_values(**case["values"])
-        _SOLVERS[id(arm)] = inverse.elbow
         yield arm, _question("branches", case["typed"], {}, target=case["target"])
 
 
@@ -478,7 +477,8 @@ def _held(row):
 
 @cache
 def _found(_, arm: Arm, __, target):
-    return _SOLVERS[id(arm)](arm, np.array(target))
+    solver = _SOLVERS.get(arm, inverse.elbow)  # the corpus's are elbow arms with other lengths
+    return solver(arm, np.array(target))
 
 
 def pose(typed, arm: Arm, question: dict):

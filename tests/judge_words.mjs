@@ -1,6 +1,7 @@
-// Says in JavaScript what tests/judge_words.py asks for: JSON in (arms, sentences, questions), the words of each out.
+// Says in JavaScript what tests/judge_words.py asks for: a line of JSON in (arms, sentences, questions), the words of
+// each out, a line too.
 
-import { readFileSync } from "node:fs";
+import { createInterface } from "node:readline";
 import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../explorer/src/judge/ask.js";
 import { numbers } from "../explorer/src/judge/door.js";
 import { number, parse, symbols, value } from "../explorer/src/judge/formula.js";
@@ -16,8 +17,7 @@ import "../explorer/src/judge/scripts/motion.js";
 import { ENTRIES, meant, read as readTable } from "../explorer/src/judge/table_reading.js";
 import { compareTrace } from "../explorer/src/judge/trace.js";
 
-const { sentences, arms, questions } = JSON.parse(readFileSync(0, "utf8"));
-judge.learn(sentences);
+let arms = [];
 
 const JUDGES = {
   read: ({ typed }) => read(typed),
@@ -104,4 +104,9 @@ function words(question) {
   }
 }
 
-process.stdout.write(JSON.stringify(questions.map(words)));
+for await (const line of createInterface({ input: process.stdin })) {
+  const given = JSON.parse(line);
+  judge.learn(given.sentences);
+  arms = given.arms;
+  process.stdout.write(`${JSON.stringify(given.questions.map(words))}\n`);
+}

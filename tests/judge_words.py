@@ -8,10 +8,7 @@ Node.js, and as many cores as it may have.
 import argparse
 import difflib
 import hashlib
-import json
 import os
-import shutil
-import subprocess
 import sys
 import time
 from collections.abc import Iterable, Iterator
@@ -34,6 +31,7 @@ from helpers.statics import GRAVITY
 from tests import judge_matrices, judge_motion, judge_tables, readings
 from tests.corpus import jacobians, torques
 from tests.corpus.typing_ import typed
+from tests.node import ask_node
 
 ROOT = Path(__file__).parents[1]
 KNOWN = {
@@ -245,14 +243,7 @@ def page_words(questions: list[tuple[Arm, dict]], sentences: dict | None = None)
 def in_node(arms: list[dict], questions: list[dict], sentences: dict | None = None) -> list:
     """What tests/judge_words.mjs answers: of each what `python_words` says."""
     given = {"sentences": sentences or templates(), "arms": arms, "questions": questions}
-    node = shutil.which("node")
-    assert node, "Node.js is not installed"
-    command = [node, str(ROOT / "tests" / "judge_words.mjs")]
-    done = subprocess.run(
-        command, input=json.dumps(given), capture_output=True, text=True, check=False
-    )
-    assert not done.returncode, done.stderr
-    return json.loads(done.stdout)
+    return ask_node("judge_words.mjs", given)
 
 
 def _in_page(options: dict) -> dict:

@@ -32,6 +32,7 @@ def test_variables_are_named_by_row():
 
 def test_values_read_as_a_dict_and_cannot_be_changed():
     assert dict(ELBOW.values) == ELBOW.values
+    assert repr(ELBOW.values) == "{'d_1': 0.5, 'a_2': 0.4, 'a_3': 0.3, 'd': 0.0}"
     assert list(ELBOW.values) == ["d_1", "a_2", "a_3", "d"]
     with pytest.raises(TypeError):
         ELBOW.values["a_2"] = 1.0

@@ -453,6 +453,8 @@ SPECIAL = [
                                          " prismatic"),
     ("derive.derive", dict(axes=[]), 'axes are []; expected one Axis or more'),
     ("derive.derive", dict(tip=3 * np.eye(4)), 'tip is no rigid transform, by 8'),
+    ("derive.derive", dict(tip=np.eye(4) + np.eye(4, k=1) * [0, 0.02, 0, 0]),
+     'tip is no rigid transform, by 0.02'),
     ("derive.derive", dict(base=3 * np.eye(4)), 'base is no rigid transform, by 8'),
     ("derive.Derivation.with_bodies", dict(masses=[1, -1]), 'masses are [1, -1]; expected 2 masses'
                                                             ' in kg'),

@@ -187,17 +187,18 @@ def test_a_drawn_sheet_is_signed_over_all_that_was_drawn():
         ({"title": ...}, "is no course that `new` made: KeyError('title')"),
         ({"rules": {"digit": 1}}, "is no course that `new` made: TypeError("),
         ("{", "is no course that `new` made: JSONDecodeError("),
+        (b'{"title": "\xe9"}', "is no course that `new` made: UnicodeDecodeError("),
         ("[]", "is no course that `new` made: TypeError("),
     ],
 )
 def test_a_course_that_cannot_be_read_is_told(tmp_path, change, words):
     path = tmp_path / "course.json"
     if change is not None:
-        text = change if isinstance(change, str) else store.text(stored())
+        text = change
         if isinstance(change, dict):
-            data = {**json.loads(text), **change}
+            data = {**json.loads(store.text(stored())), **change}
             text = json.dumps({k: v for k, v in data.items() if v is not ...}, default=str)
-        path.write_text(text, encoding="utf-8")
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(ArmError) as told:
         store.load(tmp_path)
     assert str(told.value).startswith(f"{path} {words}")

@@ -203,6 +203,7 @@ def test_a_tip_turned_about_the_last_axis_costs_a_row():
     )
     assert entries(found.arm) == [[1, 0, 0.2, 0], [0, 0, 0, RIGHT]]
     assert found.arm.rows[1].joint.kind == "fixed"
+    assert found.steps[1].case == "coincident"
     assert "the last common normal to the tip" in found.steps[1].words
 
 

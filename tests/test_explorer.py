@@ -1,7 +1,6 @@
 """The explorer: its JavaScript against Python, its bundle against its sources, its stub and its
 traits."""
 
-import atexit
 import hashlib
 import json
 import math
@@ -10,7 +9,6 @@ import re
 import shutil
 import subprocess
 from dataclasses import replace
-from functools import cache
 from html import unescape
 from pathlib import Path
 from xml.etree import ElementTree
@@ -31,10 +29,10 @@ from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque, potential_energy, static_torque
+from tests.node import NODE, ask_node, needs_node
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "explorer"
-NODE = shutil.which("node")
 SKEW = Arm(
     "skew", (fixed(a=0.1, alpha=0.3), revolute(0.2, 1.1, 0.3, 0.4), prismatic(0.1, -0.7, 0.2, 2.0),
              revolute(0.3, 0.2, -0.1, -1.0), fixed(d=0.1, theta=0.9)),
@@ -43,29 +41,10 @@ SKEW = Arm(
 VIEWS = "table, pose, jacobian, homework, trace, torque, branches"
 
 every_arm = pytest.mark.parametrize("arm", [*ARMS, SKEW], ids=lambda arm: arm.name)
-needs_node = pytest.mark.skipif(
-    NODE is None and not os.environ.get("CI"), reason="Node.js is not installed"
-)
-
-
-@cache
-def node():
-    """One Node.js for all questions: it takes longer to start than to answer."""
-    assert NODE, "Node.js is not installed"
-    command = [NODE, str(ROOT / "tests" / "explorer_numbers.mjs")]
-    pipe = subprocess.PIPE
-    process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, encoding="utf-8")
-    atexit.register(lambda: (process.kill(), process.wait()))
-    return process
 
 
 def ask(job, **given):
-    process = node()
-    process.stdin.write(json.dumps({"job": job, **given}) + "\n")
-    process.stdin.flush()
-    answer = process.stdout.readline()
-    assert answer, f"Node.js broke off at {job}"
-    return json.loads(answer)
+    return ask_node("explorer_numbers.mjs", {"job": job, **given})
 
 
 def some(arm, count=1000):

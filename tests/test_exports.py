@@ -110,24 +110,19 @@ CANVAS = "Student,ID,SIS User ID,SIS Login ID,Homework 1 (7),Homework 10 (8),Hom
         ("Bo,1,x,y,9,,", "Bo,1,x,y,3,,"),
         ("Bo,1,ab,cd,9,,", "Bo,1,ab,cd,2,,"),
         ("Nobody,ab,x,y,9,8,7", "Nobody,ab,x,y,9,8,7"),
-        ("Bo,1", None),
+        ("Bo,1", "Bo,1,,,3,,"),
     ],
 )
 def test_canvas_is_filled_by_login_then_user_then_name(line, filled):
     totals = {"ab": 1 / 3, "cd": 2.0, "Bo": 3.0}
-    given = f"\ufeff{CANVAS}\r\n{line}\r\n"
-    if filled is None:
-        line = "Bo,1,,,,,"
-        filled = "Bo,1,,,3,,"
-        given = f"{CANVAS}\r\n{line}\r\n"
-    text = gradebook.fill_canvas(given, totals, "Homework 1")
+    text = gradebook.fill_canvas(f"\ufeff{CANVAS}\r\n{line}\r\n", totals, "Homework 1")
     assert text == f"{CANVAS}\r\n{filled}\r\n"
 
 
 def test_a_short_line_of_canvas_matches_nobody():
     text = "Student,ID,Homework 1,SIS Login ID\r\nNo,1\r\nAda,2,\r\n"
     found = gradebook.fill_canvas(text, {"Ada": 0.5, "": 9}, "Homework 1")
-    assert read(found)[1:] == [["No", "1"], ["Ada", "2", "0.5"]]
+    assert read(found)[1:] == [["No", "1"], ["Ada", "2", "0.5", ""]]
 
 
 MOODLE = "Identifier,Full name,Email address,Grade,Maximum Grade,Last modified (grade)"
@@ -140,6 +135,7 @@ MOODLE = "Identifier,Full name,Email address,Grade,Maximum Grade,Last modified (
         ("1,Ada,cd@x.y,,20.00,-", "1,Ada,cd@x.y,20.00,20.00,-"),
         ("1,Bo,zz@x,,10,-", "1,Bo,zz@x,7.50,10,-"),
         ("1,Bo,,,,-", "1,Bo,,6.00,,-"),
+        ("1,Bo", "1,Bo,,6.00,,"),
         ("1,Nobody,x@y,5,20.00,-", "1,Nobody,x@y,5,20.00,-"),
         ("1,Nobody", "1,Nobody"),
     ],

@@ -5,7 +5,6 @@ import io
 import json
 import os
 import re
-import shutil
 from functools import partial
 
 import numpy as np
@@ -22,11 +21,9 @@ from helpers.robots import ELBOW, PANDA, STANFORD
 from tests import judge_words, motion_pastes, table_pastes
 from tests.judge_motion import FORMS, path_of
 from tests.judge_words import ROOT, different, in_node, page_words, parts_of, python_words
+from tests.node import needs_node
 from tests.pastes import FORMATS, MATRICES, lines, pastes, wide
 
-needs_node = pytest.mark.skipif(
-    shutil.which("node") is None and not os.environ.get("CI"), reason="Node.js is not installed"
-)
 Q = [0.5, 0.7, -0.4]
 # The elbow arm's Jacobian at Q by hand: c_1, s_1 of 0.5; r = 0.4 cos 0.7 + 0.3 cos 0.3, and so on.
 ROWS = MATRICES[0]

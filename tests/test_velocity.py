@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from helpers import symbolic
-from helpers.arm import ArmError
+from helpers.arm import Arm, ArmError, revolute
 from helpers.ellipsoids import force_ellipsoid, lost_directions, velocity_ellipsoid
 from helpers.kinematics import (
     analytic_jacobian,
@@ -28,6 +28,9 @@ SOLVED = [
     UR10E,
     PANDA.lock(3),
     PANDA_HOMEWORK.lock(3),
+    Arm(
+        "Shares", [revolute(a="3*a", alpha="pi/2"), revolute(a="a"), revolute(a="2*a")], {"a": 0.3}
+    ),
 ]
 
 

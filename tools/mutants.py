@@ -1,10 +1,11 @@
 """Mutation testing: make one thing wrong in helpers/ at a time, and count how often the tests
 notice.
 
-mutmut makes the mutants, in a copy called `mutants/`. One process imports all tests there; a fork
-of it records which of them reach which function, and at what cost; a fork for each mutant of a
-random sample then runs those that reach it, the cheapest first, until one fails. Each outcome goes
-to mutants/outcomes.jsonl in the order drawn, so that a run can be broken off and gone on with.
+mutmut makes the mutants, in a copy called `mutants/`. One process imports all tests there; forks of
+it record which of them reach which function, and at what cost; a fork for each mutant of a random
+sample then runs those that reach it, the cheapest first, until one fails, on every processor. Each
+outcome goes to mutants/outcomes.jsonl, so that a run can be broken off and gone on with: the first
+of a random order that are all decided are a random sample.
 `make mutants` runs it; tests/mutants.md tells the figures and explains survivors.
 """
 
@@ -19,12 +20,14 @@ import resource
 import signal
 import sys
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import chdir, suppress
 from fnmatch import fnmatch
-from functools import _lru_cache_wrapper, partial
-from itertools import accumulate, islice, zip_longest
+from functools import _lru_cache_wrapper, partial, wraps
+from itertools import accumulate, groupby, islice, takewhile, zip_longest
+from multiprocessing import Value
 from pathlib import Path
+from shutil import which
 from typing import IO
 from zlib import crc32
 
@@ -35,10 +38,15 @@ from mutmut.configuration import config
 from mutmut.mutation import trampoline
 from mutmut.mutation.data import SourceFileMutationData
 from mutmut.mutation.diff_apply import get_diff_for_mutant
+from mutmut.mutation.file_mutation import mangle_function_name
 
 PLACE = Path("mutants").absolute()
-OUTCOMES, REACH = PLACE / "outcomes.jsonl", PLACE / "reach.json"
+OUTCOMES, REACH = PLACE / "outcomes.jsonl", PLACE / "reach.jsonl"
+PORTION = 25  # tests that are recorded in one process
 MEMORY, GRACE = 6 << 30, 5  # bytes, and seconds of processor on top of five times a test's own
+# What the page's answers depend on: its judge, and the questions.
+ASKED = ("explorer/src/judge/**/*.js", "helpers/reading/sentences.json", "tests/judge_*",
+         "tests/*pastes.py", "tests/readings.py", "tests/corpus/*.py")  # fmt: skip
 STRING, GUARD = re.compile(r"""(["'])(.*?)\1"""), re.compile(r", (strict=\w+)?\)")
 
 
@@ -51,23 +59,28 @@ def main() -> None:
     parser.add_argument(
         "--again", action="store_true", help="survivors meet tests that they have not met"
     )
+    parser.add_argument("--processes", type=int, default=os.cpu_count())
     options = parser.parse_args()
     files = {n: p for n, p in made().items() if any(fnmatch(n, x) for x in options.names)}
     names = sorted(files)
     random.Random(options.seed).shuffle(names)
     changes = ((name, changed(name, files[name])) for name in names)
     telling = ((name, lines) for name, lines in changes if not idle(lines))
-    driver = Driver(islice(telling, options.sample or None), options.seconds, options.again)
+    sample = dict(islice(telling, options.sample or None))
     # To shrink a counterexample costs a hundred times what it cost to find it.
     phases = [Phase.explicit, Phase.generate]
     settings.register_profile("mutants", settings.get_profile("ci"), phases=phases)
     os.environ |= {"OPENBLAS_NUM_THREADS": "1", "JUDGE_CASES": "20000"}
     os.chdir(PLACE)
     trampoline.set_mutant_under_test("")
+    trampoline.wrap_in_trampoline = switched
     arguments = ["-qq", "--tb=native", "--assert=plain", "--rootdir=.", "-p", "no:cacheprovider"]
     arguments += ["--hypothesis-profile=mutants", *config().pytest_add_cli_args_test_selection]
-    pytest.main(arguments, plugins=[driver])
-    report(driver.decided)
+    pytest.main(arguments, plugins=[Driver(sample, options)])
+    done = outcomes(sample)
+    first = {name: done[name] for name in takewhile(done.__contains__, sample)}
+    if first:
+        report(first)
 
 
 def made() -> dict[str, Path]:
@@ -98,69 +111,167 @@ def idle(lines: list[str]) -> bool:
     return [x[1:] for x in bare if x[0] == "-"] == [x[1:] for x in bare if x[0] == "+"]
 
 
-def outcomes() -> dict[str, dict]:
-    lines = OUTCOMES.read_text(encoding="utf-8").splitlines() if OUTCOMES.exists() else []
-    return {row["name"]: row for row in map(json.loads, lines)}
+CHOSEN: dict[str, str] = {}  # the mutant that stands for a function
+HITS: set[str] = set()
+
+
+def switched(variants: dict[str, Callable], is_classmethod: bool = False) -> Callable:
+    """In the place of mutmut's own decorator, which looks into the environment at each call; that
+    takes as long as many a function."""
+
+    def switch(function: Callable) -> Callable:
+        *inside, name = function.__qualname__.split(".")
+        mangled = mangle_function_name(name=name, class_name=inside[0] if inside else None)
+        name = f"{function.__module__}.{mangled}"
+
+        @wraps(function)
+        def called(*args, **kwargs):
+            HITS.add(name)
+            chosen = variants[CHOSEN.get(name, "_mutmut_orig")]
+            return chosen(*args[is_classmethod:], **kwargs)
+
+        return called
+
+    return switch
+
+
+def put(mutant: str) -> None:
+    """A mutant in its function's place, here and in the processes that a test starts."""
+    CHOSEN[mutant.split("__mutmut_")[0]] = mutant.rpartition(".")[2]
+    trampoline.set_mutant_under_test(mutant)
+
+
+def rows(path: Path) -> list[dict]:
+    return list(map(json.loads, path.read_text("utf-8").splitlines())) if path.exists() else []
+
+
+def append(path: Path, row: dict) -> None:
+    with path.open("ab", buffering=0) as file:  # a line at once, for others write there too
+        file.write(json.dumps(row).encode() + b"\n")
+
+
+def outcomes(sample: dict[str, list[str]]) -> dict[str, dict]:
+    """The mutants of a sample that are decided; one made anew may have an old one's name."""
+    return {row["name"]: row for row in rows(OUTCOMES) if row["change"] == sample.get(row["name"])}
 
 
 class Driver:
     """Runs what pytest has collected: once to record, then for each mutant in a fork."""
 
-    def __init__(self, sample: Iterable[tuple[str, list[str]]], seconds: float, again: bool):
-        self.sample, self.seconds, self.again, self.decided = sample, seconds, again, {}
+    def __init__(self, sample: dict[str, list[str]], options: argparse.Namespace):
+        self.sample, self.options = sample, options
+        self.each = partial(side_by_side, options.processes)
 
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
-        judge_words = sys.modules["tests.judge_words"]
-        judge_words.answered = kept(judge_words.answered)
-        items = {item.nodeid: item for item in session.items}
+        self.items = {item.nodeid: item for item in session.items}
+        if which("node"):
+            keep_answers(self.each)
         caches = [x for x in gc.get_objects() if isinstance(x, _lru_cache_wrapper) and ours(x)]
-        forget(caches)
+        for function in caches:
+            function.cache_clear()
         gc.freeze()
-        known = json.loads(REACH.read_text(encoding="utf-8"))[0] if REACH.exists() else {}
-        if any(test not in known for test in items):
-            forked("stats", partial(record, items, caches))
-        cost, reach = json.loads(REACH.read_text(encoding="utf-8"))
-        done = outcomes()
-        for name, lines in self.sample:
-            met = done[name]["met"] if name in done else []
-            if name not in done or (self.again and done[name]["outcome"] == "survived"):
-                tests = set(reach.get(name.split("__mutmut_")[0], [])) & set(items)
-                tests = sorted(tests - set(met), key=cost.__getitem__)
-                spent = zip(tests, accumulate(cost[test] for test in tests), strict=True)
-                tests = [test for test, total in spent if total < self.seconds]
-                done[name] = outcome(name, [items[test] for test in tests], cost)
-                done[name] |= {"change": lines, "met": met + tests}
-                with OUTCOMES.open("a", encoding="utf-8") as file:
-                    print(json.dumps(done[name]), file=file)
-            self.decided[name] = done[name]
-        return True
+        known = {row["test"] for row in rows(REACH)}
+        new = [item for name, item in self.items.items() if name not in known]
+        files = [list(items) for _, items in groupby(new, key=lambda item: item.path)]
+        self.each(recorded, [x[k : k + PORTION] for x in files for k in range(0, len(x), PORTION)])
+        while True:
+            known = {row["test"]: row for row in rows(REACH) if row["test"] in self.items}
+            self.cost, self.reach = {name: row["cost"] for name, row in known.items()}, {}
+            for name, row in known.items():
+                for function in row["reach"]:
+                    self.reach.setdefault(function, []).append(name)
+            self.done = outcomes(self.sample)
+            self.each(self.decide, list(enumerate(self.sample)))
+            if not self.unreliable():
+                return True
+
+    def decide(self, drawn: tuple[int, str]) -> None:
+        place, name = drawn
+        met = self.done[name]["met"] if name in self.done else []
+        if name in self.done and not (self.options.again and survived(self.done[name])):
+            return
+        tests = set(self.reach.get(name.split("__mutmut_")[0], [])) - set(met)
+        tests = sorted(tests, key=self.cost.__getitem__)
+        spent = zip(tests, accumulate(self.cost[test] for test in tests), strict=True)
+        tests = [test for test, total in spent if total < self.options.seconds]
+        found = outcome(name, [self.items[test] for test in tests], self.cost)
+        more = {"change": self.sample[name], "met": met + tests, "drawn": place}
+        append(OUTCOMES, found | more)
+
+    def unreliable(self) -> list[str]:
+        """The killers that fail without a mutant too: they are left out from now on, and what they
+        killed is undecided."""
+        done = outcomes(self.sample)
+        killers = {row["test"] for row in done.values() if not survived(row)} & {*self.cost}
+        killers, found = sorted(killers, key=self.cost.__getitem__), []
+        while killers:
+            said, last = attempt("", [self.items[test] for test in killers], self.cost, 5)
+            if said == "survived":
+                break
+            killers = killers[killers.index(last) + 1 :]
+            found.append(last)
+            append(REACH, {"test": last, "cost": self.cost[last], "reach": []})
+        left = [row for row in rows(OUTCOMES) if row["test"] not in found]
+        OUTCOMES.write_text("".join(json.dumps(row) + "\n" for row in left), encoding="utf-8")
+        return found
 
 
-def kept(answered: Callable) -> Callable:
-    """What the page answers, without a mutant: from a file once it was asked in this form."""
-    form = crc32((PLACE / "tests/judge_words.mjs").read_bytes())
+def survived(row: dict) -> bool:
+    return row["outcome"] == "survived"
 
-    def again(seed: int, part: tuple[str, int, int]) -> list:
-        file = PLACE / f"answers-{form:x}-{seed}-{part[0]}-{part[1]}-{part[2]}.pickle"
-        if not file.exists():
-            mutant = trampoline.get_mutant_under_test()
-            trampoline.set_mutant_under_test("")
-            half = file.with_suffix(f".{os.getpid()}")
-            half.write_bytes(pickle.dumps(answered(seed, part)))
-            half.rename(file)
-            trampoline.set_mutant_under_test(mutant)
-        return pickle.loads(file.read_bytes())
 
-    return again
+def side_by_side(processes: int, work: Callable, jobs: list) -> None:
+    """Each job in one of so many processes, in their order."""
+    turn, children = Value("i", 0), []
+    for _ in range(processes):
+        child = os.fork()
+        children.append(child)
+        if not child:
+            try:
+                while (n := following(turn)) < len(jobs):
+                    work(jobs[n])
+                os._exit(0)
+            finally:
+                os._exit(1)
+    try:
+        failed = [child for child in children if os.waitpid(child, 0)[1]]
+    except KeyboardInterrupt:
+        for child in children:
+            with suppress(ProcessLookupError):
+                os.kill(child, signal.SIGINT)
+        raise
+    assert not failed, f"{len(failed)} of {processes} processes broke off"
+
+
+def following(turn) -> int:
+    with turn.get_lock():
+        turn.value += 1
+        return turn.value - 1
+
+
+def keep_answers(each: Callable) -> None:
+    """What the page answers, without a mutant: from a file once it was asked in this form, and in
+    memory, where all forks find it."""
+    words, test = sys.modules["tests.judge_words"], sys.modules["tests.test_judge"]
+    asking = sorted(path for pattern in ASKED for path in PLACE.glob(pattern) if path.is_file())
+    form, ask = crc32(b"".join(path.read_bytes() for path in asking)), words.answered
+    parts = dict.fromkeys(part for part, _ in test.SLICES)
+    files = {x: PLACE / f"answers-{form:x}-{'-'.join(map(str, x))}.pickle" for x in parts}
+
+    def kept(part: tuple[str, int, int]) -> None:
+        half = files[part].with_suffix(".half")
+        half.write_bytes(pickle.dumps(ask(test.SEED, part)))
+        half.rename(files[part])
+
+    each(kept, [part for part, file in files.items() if not file.exists()])
+    for old in {*PLACE.glob("answers-*")} - {*files.values()}:
+        old.unlink()
+    known = {(test.SEED, part): pickle.loads(x.read_bytes()) for part, x in files.items()}
+    words.answered = lambda *asked: known[asked]
 
 
 def ours(function) -> bool:
     return function.__module__.split(".")[0] in ("helpers", "tests")
-
-
-def forget(caches) -> None:
-    for function in caches:
-        function.cache_clear()
 
 
 def forked(mutant: str, run: Callable[[IO[str]], None]) -> tuple[list[str], int]:
@@ -172,16 +283,18 @@ def forked(mutant: str, run: Callable[[IO[str]], None]) -> tuple[list[str], int]
         for stream in (1, 2):
             os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
         resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
-        trampoline.set_mutant_under_test(mutant)
+        put(mutant)
         with suppress(BaseException), open(writing, "w", buffering=1, encoding="utf-8") as out:
             run(out)
         os._exit(0)
     os.close(writing)
-    with open(reading, encoding="utf-8") as lines:
-        written = lines.read().splitlines()
-    status = os.waitpid(child, 0)[1]
-    with suppress(ProcessLookupError):
-        os.killpg(child, signal.SIGKILL)
+    try:
+        with open(reading, encoding="utf-8") as lines:
+            written = lines.read().splitlines()
+        status = os.waitpid(child, 0)[1]
+    finally:
+        with suppress(ProcessLookupError):
+            os.killpg(child, signal.SIGKILL)
     return written, os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
 
 
@@ -217,26 +330,21 @@ def attempt(name: str, tests: list, cost: dict[str, float], patience: int) -> tu
     return lines[-1] if lines and lines[-1] in ("killed", "survived") else "crashed", last
 
 
-def record(items: dict[str, pytest.Item], caches: list, out: IO[str]) -> None:
-    """Which tests reach which function, and seconds of processor for each test that is new; one
-    that fails here reaches nothing."""
-    known = json.loads(REACH.read_text(encoding="utf-8")) if REACH.exists() else [{}, {}]
-    hits, cost, reach, file = set(), known[0], defaultdict(list, known[1]), None
-    trampoline.record_trampoline_hit = lambda name, caller=None: hits.add(name)
-    new = [item for name, item in items.items() if name not in cost]
-    for item, following in zip_longest(new, new[1:]):
-        if item.path != file:
-            forget(caches)
-            file = item.path
-        hits.clear()
-        failed, before = item.session.testsfailed, sum(os.times()[:4])
-        item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
-        cost[item.nodeid] = sum(os.times()[:4]) - before
-        if item.session.testsfailed > failed:
-            continue
-        for function in hits:
-            reach[function].append(item.nodeid)
-    REACH.write_text(json.dumps([cost, reach]), encoding="utf-8")
+def recorded(items: list[pytest.Item]) -> None:
+    """Which functions each test reaches, and its seconds of processor; one that fails here reaches
+    nothing. In a fork, for what one file has computed and kept, another would not reach."""
+
+    def run(out: IO[str]) -> None:
+        for item, following in zip_longest(items, items[1:]):
+            HITS.clear()
+            failed, before = item.session.testsfailed, sum(os.times()[:4])
+            item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
+            reach = [] if item.session.testsfailed > failed else sorted(HITS)
+            cost = sum(os.times()[:4]) - before
+            print(json.dumps({"test": item.nodeid, "cost": cost, "reach": reach}), file=out)
+
+    for line in forked("", run)[0]:
+        append(REACH, json.loads(line))
 
 
 def report(decided: dict[str, dict]) -> None:

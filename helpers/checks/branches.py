@@ -168,7 +168,7 @@ def _hits(
         match = _matches(right, q, _margins(units, tolerance))
         if not match.size:
             match = _matches(right, q, _margins(units, tolerance, hand=True))
-            sharp = sharp and not match.size
+            sharp = False
         hits = {int(k): number for k in match} | hits
         if not match.size:
             astray.append(number)

@@ -75,14 +75,15 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
     offsets = [0.0] * len(mine.joints)
     forward = (1,) * len(mine.joints)
     own = [_placed(base, F).o for F in frames(mine.rows, [0.0] * len(mine.joints))]
-    for k, i in enumerate(reference.joints):
+    # Where the next axis tells nothing, one farther out does, once the zeros between are known.
+    for k, i in 2 * list(enumerate(reference.joints)):
         T = frames(reference.rows, offsets)[i - 1]
         theirs = _features(reference.rows, offsets, BASE, forward)
         turns = reference.rows[i - 1].kind == "R"
         for m, r in zip(ours[k + 1 :], theirs[k + 1 :], strict=True):
             moved = _turn(T.z, own[mine.joints[k] - 1], m, T.o, r) if turns else _slide(T.z, m, r)
             if moved is not None:
-                offsets[k] = moved
+                offsets[k] += moved
                 break
     wrapped = [
         _wrapped(c) if reference.rows[i - 1].kind == "R" else c
@@ -125,10 +126,7 @@ def _turn(z: Vector, p: Vector, m: _Feature, o: Vector, r: Any) -> float | None:
     if m.direction is not None:
         pairs.append((m.direction, r.direction))
     if m.point is not None:
-        arms = sub(m.point, p), sub(r.point, o)
-        if m.direction is not None:
-            arms = _across(arms[0], m.direction), _across(arms[1], r.direction)
-        pairs.append(arms)
+        pairs.append((sub(m.point, p), sub(r.point, o)))
     for u, v in ((_across(u, z), _across(v, z)) for u, v in pairs):
         if dot(u, u) > _LEAST and dot(v, v) > _LEAST:
             return math.atan2(dot(z, cross(v, u)), dot(u, v))
@@ -147,8 +145,8 @@ def _slide(z: Vector, m: _Feature, r: Any) -> float | None:
     w = sub(m.point, r.point)
     if m.direction is None:
         return dot(w, z)
-    across, along = _across(w, r.direction), _across(z, r.direction)
-    return dot(across, along) / dot(along, along) if dot(along, along) > _LEAST else None
+    along = _across(z, r.direction)
+    return dot(w, along) / dot(along, along) if dot(along, along) > _LEAST else None
 
 
 def _confirmed(mine: Side, reference: Side, found: Map, tolerance: float) -> Map | None:

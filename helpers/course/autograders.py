@@ -202,7 +202,7 @@ def credit(name: str, answer: Any, stored: Mapping[str, Any]) -> float:
     """The credit of one answer, for nbgrader's hidden tests: as if it had been handed in."""
     sheet = Sheet(from_json(stored["arm"]), stored["drawn"])
     typed = json.loads(collected({f"answer_{name}": answer}))
-    return round(mark(sheet, sheet.parts[name], typed.get(name), store.Rules()).credit, 4)
+    return mark(sheet, sheet.parts[name], typed.get(name), store.Rules()).credit
 
 
 def look(folder: Path) -> tuple[str, tuple[Mark, ...]]:

@@ -44,7 +44,8 @@ def fill_canvas(export: str, totals: Mapping[str, float], assignment: str) -> st
     """A Canvas gradebook export with one column filled, matched by SIS login, SIS user id or name.
 
     The column is the one whose heading begins with the assignment's name. Rows that match nobody
-    stay as they are. Raises ArmError where the export lacks a column, naming it.
+    stay as they are; one of a student that ends early gets empty cells. Raises ArmError where the
+    export lacks a column, naming it.
     """
     rows = _read(export)
     head = rows[0]
@@ -63,6 +64,7 @@ def fill_canvas(export: str, totals: Mapping[str, float], assignment: str) -> st
     for row in rows[1:]:
         for key in keys:
             if key < len(row) and row[key] in totals:
+                row += [""] * (len(head) - len(row))
                 row[columns[0]] = f"{totals[row[key]]:g}"
                 break
     return _written(rows)
@@ -70,9 +72,8 @@ def fill_canvas(export: str, totals: Mapping[str, float], assignment: str) -> st
 
 def fill_moodle(export: str, totals: Mapping[str, float], maximum: float) -> str:
     """A Moodle grading worksheet with grades filled, matched by the e-mail address, its part before
-    @, or
-    the full name; grades are scaled to the worksheet's maximum. Raises ArmError where a column is
-    missing.
+    @, or the full name; grades are scaled from `maximum` to the worksheet's where a row gives
+    one. Raises ArmError where a column is missing.
     """
     rows = _read(export)
     head = rows[0]
@@ -88,6 +89,7 @@ def fill_moodle(export: str, totals: Mapping[str, float], maximum: float) -> str
         mail = names.get("Email address", "")
         for key in (mail, mail.split("@")[0], names.get("Full name", "")):
             if key in totals:
+                row += [""] * (len(head) - len(row))
                 row[grade] = f"{totals[key] / maximum * float(row[most] or maximum):.2f}"
                 break
     return _written(rows)

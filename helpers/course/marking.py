@@ -152,14 +152,13 @@ def _numbers(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
 
 
 def _usual(mine: Array) -> Iterator[tuple[str, str, Array]]:
-    """Mistakes that any list of numbers may hold: its name, what is said, and the numbers with it
-    undone.
+    """Mistakes that any list of numbers, or square matrix, may hold: its name, what is said, and
+    the numbers with it undone.
     """
     yield "numbers.millimetres", "Right in millimetres; metres were asked.", mine / 1000
     yield "numbers.degrees", "Right in degrees; radians were asked.", np.radians(mine)
     yield "numbers.sign", "Every sign is the other way round.", -mine
-    if mine.ndim == 2 and mine.shape[0] == mine.shape[1]:
-        yield "numbers.transposed", "It is the transpose of what was asked.", mine.T
+    yield "numbers.transposed", "It is the transpose of what was asked.", mine.T
 
 
 def _jacobian(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:

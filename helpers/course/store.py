@@ -118,7 +118,7 @@ def load(folder: Path) -> Course:
         raise ArmError(
             f"{path} cannot be read ({error.strerror}); expected a course that `new` made"
         ) from None
-    except (KeyError, TypeError, json.JSONDecodeError) as error:
+    except (KeyError, TypeError, UnicodeDecodeError, json.JSONDecodeError) as error:
         raise ArmError(f"{path} is no course that `new` made: {error!r}") from None
 
 

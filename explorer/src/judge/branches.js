@@ -141,7 +141,7 @@ function hitsOf(right, given, tolerance) {
     let match = matches(right, values, marginsOf(units, tolerance));
     if (!match.length) {
       match = matches(right, values, marginsOf(units, tolerance, true));
-      if (match.length) sharp = false;
+      sharp = false;
     }
     for (const k of match) if (!hits.has(k)) hits.set(k, at + 1);
     if (!match.length) astray.push(at + 1);

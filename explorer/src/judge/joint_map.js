@@ -27,7 +27,9 @@ export function jointMap(mine, reference, found, tolerance = 1e-6) {
   const ours = features(mine.rows, still, base, found.signs);
   const own = linkFrames(mine, still).map((F) => placed(base, F).o);
   const offsets = [...still];
-  reference.joints.forEach((i, k) => {
+  const toCarry = [...reference.joints.entries()];
+  // Where the next axis tells nothing, one farther out does, once the zeros between are known.
+  for (const [k, i] of [...toCarry, ...toCarry]) {
     const { z, o } = linkFrames(reference, offsets)[i - 1];
     const theirs = features(reference.rows, offsets, BASE, plain);
     const turns = reference.rows[i - 1].kind === "revolute";
@@ -35,10 +37,10 @@ export function jointMap(mine, reference, found, tolerance = 1e-6) {
       const [m, r] = [ours[n], theirs[n]];
       const moved = turns ? turn(z, own[mine.joints[k] - 1], m, o, r) : slide(z, m, r);
       if (moved === null) continue;
-      offsets[k] = moved;
-      return;
+      offsets[k] += moved;
+      break;
     }
-  });
+  }
   const wrapped = offsets.map((c, k) =>
     reference.rows[reference.joints[k] - 1].kind === "revolute" ? wrap(c) : c,
   );
@@ -82,10 +84,7 @@ const placed = (base, { x, y, z, o }) => ({
 function turn(z, p, m, o, r) {
   const pairs = [];
   if (m.direction) pairs.push([m.direction, r.direction]);
-  if (m.point) {
-    const arms = [minus(m.point, p), minus(r.point, o)];
-    pairs.push(m.direction ? [across(arms[0], m.direction), across(arms[1], r.direction)] : arms);
-  }
+  if (m.point) pairs.push([minus(m.point, p), minus(r.point, o)]);
   for (const pair of pairs) {
     const [u, v] = pair.map((w) => across(w, z));
     if (dot(u, u) > SEEN ** 2 && dot(v, v) > SEEN ** 2) return Math.atan2(dot(z, cross(v, u)), dot(u, v));
@@ -102,7 +101,7 @@ function slide(z, m, r) {
   const w = minus(m.point, r.point);
   if (!m.direction) return dot(w, z);
   const along = across(z, r.direction);
-  return dot(along, along) > SEEN ** 2 ? dot(across(w, r.direction), along) / dot(along, along) : null;
+  return dot(along, along) > SEEN ** 2 ? dot(w, along) / dot(along, along) : null;
 }
 
 // The map, if the tips of some poses agree by it, up to the height of the base on axis 1.

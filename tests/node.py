@@ -1,0 +1,40 @@
+"""Node.js, asked one line of JSON at a time: it takes longer to start than to answer."""
+
+import atexit
+import json
+import os
+import shutil
+import subprocess
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+NODE = shutil.which("node")
+needs_node = pytest.mark.skipif(
+    NODE is None and not os.environ.get("CI"), reason="Node.js is not installed"
+)
+
+
+def ask_node(script: str, question: dict) -> Any:
+    """What this script of tests/ answers, by the one Node.js that each process keeps for it."""
+    process = _running(script, os.getpid())
+    process.stdin.write(json.dumps(question) + "\n")
+    process.stdin.flush()
+    line = process.stdout.readline()
+    if not line:
+        _running.cache_clear()
+        raise AssertionError(f"Node.js broke off in {script} at {str(question)[:300]}")
+    return json.loads(line)
+
+
+@cache
+def _running(script: str, pid: int) -> subprocess.Popen:
+    """By `pid`, since two processes that read one pipe would take each other's answers."""
+    assert NODE, "Node.js is not installed"
+    command = [NODE, str(Path(__file__).with_name(script))]
+    pipe = subprocess.PIPE
+    process = subprocess.Popen(command, stdin=pipe, stdout=pipe, text=True, encoding="utf-8")
+    atexit.register(lambda: (process.kill(), process.wait()))
+    return process
