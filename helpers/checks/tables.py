@@ -477,8 +477,8 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
 
 
 def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
-    """The cheapest reading after which the axes agree, though entries differ, below a cost."""
-    for t in sorted(tries, key=lambda t: _cost(t.cause)):
+    """The first reading after which the axes agree, though entries differ, below a cost."""
+    for t in tries:
         if t.cause is None or _cost(t.cause) + _apart(t.cause) >= most:
             continue
         # Two causes after which most entries differ, and exchanged rows, fit by chance only;

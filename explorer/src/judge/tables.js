@@ -386,9 +386,9 @@ function unequal(rows, wanted, length = LENGTH) {
 
 const angular = (column) => column === "alpha" || column === "theta";
 
-// The cheapest reading after which the axes agree, though entries differ, below a cost; or null.
+// The first reading after which the axes agree, though entries differ, below a cost; or null.
 function agreeing(all, length, most) {
-  for (const t of [...all].sort((p, q) => cost(p.cause) - cost(q.cause))) {
+  for (const t of all) {
     if (!t.cause || cost(t.cause) + apart(t.cause) >= most) continue;
     // Two causes after which most entries differ, and exchanged rows, fit by chance only; Craig's rows may have one
     // more than the reference.
