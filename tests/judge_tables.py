@@ -322,7 +322,13 @@ def _links(cells, rng):
     return "\n".join(made)
 
 
+def _in_python(cells):
+    """Variables without LaTeX's braces, which nobody types among Python's."""
+    return [{k: re.sub(r"_\{(\d)\}\^\*", r"_\1", x) for k, x in row.items()} for row in cells]
+
+
 def _lists(cells, rng):
+    cells = _in_python(cells)
     start, end = ("[", "]") if rng.random() < 0.6 else ("np.array([", "])")
     lists = {name: ", ".join(row[name] for row in cells) for name in _order(rng)}
     if rng.random() < 0.3:
@@ -331,6 +337,7 @@ def _lists(cells, rng):
 
 
 def _dictionaries(cells, rng):
+    cells = _in_python(cells)
     if rng.random() < 0.5:
         rows = ["{" + ", ".join(f"'{k}': {x}" for k, x in row.items()) + "}" for row in cells]
         return "[" + ",\n ".join(rows) + "]"

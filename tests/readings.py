@@ -287,7 +287,8 @@ def formula_of(rng, depth: int = 3) -> tuple[str, float]:
 AROUND = [
     (">>> T\n", ""), ("In [3]: print(A)\nOut[3]: ", ""), (">> ", "\n>> "), ("```python\n", "\n```"),
     ("# mine\n", "  # done"), ("dh: ", ""), ("= ", ""), ("\ufeff", ""), ("$", "$"), ("J = -", ""),
-    ("", "^T"), (r"\frac{1}{2}", ""), (r"\frac{dx}{dq} = ", "."), ("Column 1\n", "\nColumn 2\n1"),
+    ("1e3 * ", ""), ("", "^T"), (r"\frac{1}{2}", ""),
+    (r"\frac{dx}{dq} = ", "."), ("Column 1\n", "\nColumn 2\n1"),
     ("   1.0e-03 *\n\n", ""), ("np.round(", ", 4)"), ("ans =\n\n", "\n"), ("J_v(q) = ", ";"),
     ("{", "}"), ("(", ")"), ("|", "|"), ("[", "]"), (r"\left[", r"\right]"), ("[(", ",)]"),
 ]  # fmt: skip

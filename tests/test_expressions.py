@@ -181,6 +181,7 @@ def test_degrees_become_the_exact_angles_that_keep_zeros():
     assert entry("−90°", "alpha") == "-pi/2"
     assert entry("60 degrees", "theta") == "pi/3"
     assert entry("-180 deg", "alpha") == "-pi"
+    assert entry("75°", "theta") == "5*pi/12"
     assert entry("d_6 + 5 mm", "d") == "d_6 + 5/1000"
     with pytest.raises(ArmError, match=r"alpha is '1 \+ 20°', which mixes"):
         entry("1 + 20°", "alpha")

@@ -152,6 +152,29 @@ def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
     assert read.rows[0].texts == {"a": "0.3", "alpha": "-0.4", "d": "0.25", "theta": "0.7"}
 
 
+def test_a_matrix_moves_where_it_has_symbols_itself():
+    still, moves = "1 0 0 .3\n0 0 -1 0\n0 1 0 .2\n", "C1 -S1 0 C1/2\nS1 C1 0 S1/2\n0 0 1 0\n"
+    [read] = table.read(f"{still}0 0 0 1\n{moves}0 0 0 1")
+    assert [(row.kind, row.numbers["a"]) for row in read.rows] == [("?", 0.3), ("R", 0.5)]
+
+
+@pytest.mark.parametrize(
+    ("heads", "said"),
+    [
+        ("a [mm] alpha (Deg) d theta", ("mm", "deg", None)),
+        ("a, α [°], d, theta", (None, "deg", None)),
+        ("a (m), alpha [rad], d, theta", ("m", "rad", None)),
+        ("a (in)\tα_{i-1} in radians\td\ttheta", ("in", "rad", "craig")),
+        ("r [ cm ] , twist , offset , q", ("cm", None, None)),
+        ("alpha,theta,a_i-1,d [m", ("m", None, "craig")),
+    ],
+)
+def test_heads_say_units_and_the_convention(heads, said):
+    sign = next((sign for sign in ",\t" if sign in heads), " ")
+    [read] = table.read(f"{heads}\n{sign.join('1111')}")
+    assert (read.lengths, read.angles, read.convention) == said
+
+
 @pytest.mark.parametrize(
     ("options", "words"),
     [
@@ -222,6 +245,7 @@ BESIDE = "beside the matrix stands {}; expected entries that hold it"
         (BLOCKS, "the blocks of columns have 1, 3 rows; expected as many in each"),
         (rf"J = \frac{{1}}{{2}} {MATRIX}", BESIDE.format(r"'J = \\frac{1}{2}'")),
         (rf"-{MATRIX}", BESIDE.format("'-'")),
+        ("J = 1e-3 * [1 2\n3 4]", BESIDE.format("'1e-3 *'")),
         (rf"2 J = {MATRIX}", BESIDE.format("'2 J ='")),
         (rf"J = a_{{2}} {MATRIX}", BESIDE.format("'J = a_{2}'")),
         (rf"{MATRIX} \cdot 10^{{-3}}", BESIDE.format(r"'\\cdot 10^{-3}'")),

@@ -251,10 +251,8 @@ class _Judged:
 
     @classmethod
     def of(cls, table: Table, reference: Arm, tolerance: float | None) -> "_Judged":
-        rows = _meant(table)
-        if all(r.kind == "F" for r in rows):
-            raise ArmError(say("table no joint", name=table.name))
-        return cls(table, reference, tolerance, side(rows), side(_squared(numeric(reference))))
+        ref = side(_squared(numeric(reference)))
+        return cls(table, reference, tolerance, side(_meant(table)), ref)
 
     @property
     def exact(self) -> float:
@@ -477,8 +475,8 @@ def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[
 
 
 def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
-    """The cheapest reading after which the axes agree, though entries differ, below a cost."""
-    for t in sorted(tries, key=lambda t: _cost(t.cause)):
+    """The first reading after which the axes agree, though entries differ, below a cost."""
+    for t in tries:
         if t.cause is None or _cost(t.cause) + _apart(t.cause) >= most:
             continue
         # Two causes after which most entries differ, and exchanged rows, fit by chance only;

@@ -41,9 +41,9 @@ class PlainInverse:
             sizes = np.linalg.svd(J, compute_uv=False)
             if sizes[-1] <= self.cutoff * sizes[0]:
                 raise SingularError(
-                    f"J has no inverse here: its smallest singular value is {size(sizes[-1])}, its"
-                    f" largest {sizes[0]:.3g}; "
-                    "use pseudo_inverse(), damped() or another start"
+                    "J has no inverse here: its smallest singular value is"
+                    f" {magnitude(sizes[-1])}, its largest {sizes[0]:.3g}; use pseudo_inverse(),"
+                    " damped() or another start"
                 )
         return found
 
@@ -149,7 +149,7 @@ def away_from_limits(arm: Arm, gain: float) -> Callable[[Array], Array]:
     return lambda q: -gain * (q - middle) / half**2
 
 
-def size(value: float) -> str:
+def magnitude(value: float) -> str:
     """A singular value with three digits; below 1e-12 it is rounding."""
     return f"{value:.3g}" if value >= 1e-12 else "below 1e-12"
 

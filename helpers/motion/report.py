@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.kinematics import jacobian
 from helpers.motion.paths import Path
-from helpers.motion.rates import size
+from helpers.motion.rates import magnitude
 
 Array = NDArray[np.floating]
 
@@ -55,14 +55,14 @@ class Report:
             ("largest tilt of the pen", _angle(self.pen_tilt)),
             ("gap between the tip's start and end", _length(self.closing_gap)),
             ("largest change of a joint over the whole path", _angle(self.joint_gap)),
-            ("smallest singular value of J", size(self.smallest_singular_value)),
+            ("smallest singular value of J", magnitude(self.smallest_singular_value)),
             ("largest condition number of J", _condition(self.largest_condition)),
             (
                 "largest joint speed",
                 f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit",
             ),
-            ("largest joint acceleration", f"{size(self.largest_acceleration)} rad/s²"),
-            ("joint speed to take on or lose at once", f"{size(self.speed_from_rest)} rad/s"),
+            ("largest joint acceleration", f"{magnitude(self.largest_acceleration)} rad/s²"),
+            ("joint speed to take on or lose at once", f"{magnitude(self.speed_from_rest)} rad/s"),
             ("joints beyond their range", self._joints(self.beyond_limits, "")),
             ("joints beyond their speed", self._joints(self.beyond_speed, "/s")),
         ]

@@ -48,14 +48,14 @@ def bare(text: str) -> str:
 
 def bare_latex(text: str) -> str:
     """LaTeX without a name and what else is set beside its one matrix, and with its numbers as they
-    are elsewhere; raises ArmError for a factor beside it, which is meant for every entry.
+    are elsewhere; raises ArmError for a factor beside it.
     """
     begins, ends = list(_BEGIN.finditer(text)), list(_END.finditer(text))
     if len(begins) == len(ends) == 1:
         start, end = begins[0].start(), ends[0].end()
         before, after = _SET_BEFORE.sub("", text[:start]), _SET_AFTER.sub("", text[end:])
-        _alone(text[:start], _NAME.sub("", before))
-        _alone(text[end:], after)
+        alone(text[:start], _NAME.sub("", before))
+        alone(text[end:], after)
         named = not before or _NAME.fullmatch(before)
         text = text[start if named else 0 : len(text) if after else end]
     for pattern, instead in _LATEX:
@@ -63,7 +63,8 @@ def bare_latex(text: str) -> str:
     return text
 
 
-def _alone(stands: str, factor: str) -> None:
+def alone(stands: str, factor: str) -> None:
+    """Raise ArmError where a factor stands beside a matrix: it is meant for every entry."""
     if _FACTOR.fullmatch(factor):
         beside = shown(stands.strip())
         raise ArmError(f"beside the matrix stands {beside}; expected entries that hold it")

@@ -5,8 +5,8 @@ cells.
 import re
 
 from helpers.inputs import ArmError
+from helpers.reading.around import alone, bare_latex
 from helpers.reading.around import bare as without_surroundings
-from helpers.reading.around import bare_latex
 from helpers.reading.formula import is_number, number, plain
 
 Cells = list[list[str]]
@@ -19,6 +19,7 @@ _TAIL = re.compile(r"\)?(?:,\s*(?:dtype\s*=\s*[\w.']+|\d+)\s*)?\)+\s*;?\s*$")
 _ENVIRONMENT = re.compile(
     r"\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?"
 )
+_FACTOR = re.compile(r"[-+*/^.0-9e \t]+(?=\[)")
 _SCALE = re.compile(r"^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$", re.M)
 _MATLAB_BLOCK = re.compile(
     r"^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$", re.M | re.I
@@ -54,6 +55,8 @@ def _rows(text: str) -> Cells:
     )
     if bare[:1] in "[({":
         return _bracketed(bare)
+    if before := _FACTOR.match(bare):
+        alone(before[0], re.sub(r"[ \t]", "", before[0]))
     return _lines(bare)
 
 

@@ -326,16 +326,17 @@ def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str
     """Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has
     a_{i-1} and alpha_{i-1}: a last one with nothing else in it is the tool's.
     """
-    craig = any(c in ("a", "alpha") and i == 0 for c, i, _ in entries)
-    held = {(c, i + 1 if craig and c in ("a", "alpha") else i): text for c, i, text in entries}
+    early = ("a", "alpha")
+    craig = any(c in early and i == 0 for c, i, _ in entries)
+    held = {(c, i + 1 if craig and c in early else i): text for c, i, text in entries}
     last = max(i for _, i in held)
     _few(last)
-    moving = max((i for c, i in held if c in ("d", "theta")), default=last) if craig else last
+    moving = max((i for c, i in held if c not in early), default=last) if craig else last
     cells = [
         [held.get((c, i), f"q_{i}" if c == "theta" and i <= moving else "0") for c in ENTRIES]
         for i in range(1, last + 1)
     ]
-    heads = ["a_{i-1}", "alpha_{i-1}", "d", "theta"] if craig else list(ENTRIES)
+    heads = [f"{c}_{{i-1}}" if craig and c in early else c for c in ENTRIES]
     return cells, heads, ()
 
 

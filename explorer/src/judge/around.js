@@ -48,7 +48,7 @@ export const bare = (text) =>
     .replace(SIGN, "");
 
 // LaTeX without a name and what else is set beside its one matrix, and with its numbers as they are elsewhere; an error
-// for a factor beside it, which is meant for every entry.
+// for a factor beside it.
 export function bareLatex(text) {
   const [begins, ends] = [BEGIN, END].map((pattern) => [...text.matchAll(pattern)]);
   if (begins.length === 1 && ends.length === 1) {
@@ -64,7 +64,8 @@ export function bareLatex(text) {
   return text;
 }
 
-function alone(stands, factor) {
+// An error where a factor stands beside a matrix: it is meant for every entry.
+export function alone(stands, factor) {
   if (!FACTOR.test(factor)) return;
   const beside = shown(stands.trim());
   throw new ArmError(`beside the matrix stands ${beside}; expected entries that hold it`);

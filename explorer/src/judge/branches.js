@@ -141,7 +141,7 @@ function hitsOf(right, given, tolerance) {
     let match = matches(right, values, marginsOf(units, tolerance));
     if (!match.length) {
       match = matches(right, values, marginsOf(units, tolerance, true));
-      if (match.length) sharp = false;
+      sharp = false;
     }
     for (const k of match) if (!hits.has(k)) hits.set(k, at + 1);
     if (!match.length) astray.push(at + 1);
@@ -344,7 +344,7 @@ function why(right, q, margin) {
     if (mixed) return { causes: [mixed.cause], words: mixed.words };
   }
   const astray = variable(arm).filter((_, k) => !fits.some((row) => row[k]));
-  const fields = { joints: listed(astray.length ? astray : ["q"]) };
+  const fields = { joints: listed(astray) };
   const words = astray.length > 1 ? say("ik in no branch", fields) : say("ik one in no branch", fields);
   return { causes: [], words };
 }

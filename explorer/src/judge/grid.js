@@ -1,7 +1,7 @@
 // A pasted text as rows of cells, the port of helpers/reading/grid.py: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or
 // spreadsheet cells.
 
-import { bare as withoutSurroundings, bareLatex } from "./around.js";
+import { alone, bare as withoutSurroundings, bareLatex } from "./around.js";
 import { isNumber, number, plain } from "./formula.js";
 import { ArmError } from "./say.js";
 
@@ -17,6 +17,7 @@ const ENVIRONMENT = /\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\
 const LATEX_REST =
   /\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b/g;
 const STARRED = /(?:^|[\s[(])-?(?:θ|\\?theta|th|q)_?\{?(?:\d+|i)?\}?\^?\*$|^\s*\*$/;
+const FACTOR = /^[-+*/^.0-9e \t]+(?=\[)/;
 const SCALE = /^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$/m;
 const MATLAB_BLOCK = /^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$/im;
 const RULE = /^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$/;
@@ -55,7 +56,10 @@ function rowsOf(text) {
   if (text.split("|").length > 2 && !/^[^|]*\[[^\]|]*\|/.test(text)) return markdown(text);
   let bare = WRAPPER.test(text) ? text.replace(WRAPPER, "").replace(TAIL, "") : text;
   bare = strippedEnd(bare.replace(NAMED, "").trim(), ";").trim();
-  return bare && "[({".includes(bare[0]) ? bracketed(bare) : typedLines(bare);
+  if (bare && "[({".includes(bare[0])) return bracketed(bare);
+  const before = FACTOR.exec(bare);
+  if (before) alone(before[0], before[0].replace(/[ \t]/g, ""));
+  return typedLines(bare);
 }
 
 function latex(text) {
