@@ -542,7 +542,7 @@ SLIPS = {
         lambda: checks.compare_torques(
             (WEIGHT - FORCE) * [1, -1, 1, -1, 1, 1, -1], PANDA, HOME, PUSH
         ),
-        "tau.signs:2, 4 and 7",
+        "tau.signs:tau_2, tau_4 and tau_7",
     ),
 }
 

@@ -280,6 +280,9 @@ def said(typed, reference, **options):
          "table.millimetres + table.degrees + table.number:a:3"),
         ("0.4 -pi/3 0.1 q1; 0.25 pi/4 0.3 q2; 0.05 -pi/2 0.2 q3+0.3; 0.35 -0.6 0.15 q4",
          "table.a and d + table.twists"),
+        # With x_1 and x_3 the other way round, which is free, and a sign that is not.
+        ("-0.1 -pi/3 0.4 q1; 0.3 -pi/4 -0.25 q2; -0.2 -pi/2 0.05 q3; 0.15 0.6 0.35 q4",
+         "table.sign:d:2"),
     ],
 )  # fmt: skip
 def test_a_mistake_of_the_whole_table_is_named(typed, causes):
