@@ -20,6 +20,7 @@ from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford
 from helpers.inverse.numeric import turn_between
 from helpers.kinematics import forward_kinematics, jacobian, manipulability
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.laws import joint_vectors
 
 OFFSET = ELBOW.with_values(d=0.12)
 # The Puma 560's table, with a tool set askew so that the last row has all four numbers.
@@ -41,7 +42,6 @@ POSED = [
     (ur, UR10E, None),
     (ur, UR10E_HOMEWORK, None),
 ]
-from tests.laws import joint_vectors
 
 
 def random_q(arm, count, seed=0):
