@@ -290,6 +290,14 @@ def test_a_mistake_of_the_whole_table_is_named(typed, causes):
 
 
 @pytest.mark.parametrize(
+    ("theta", "cause"), [("0.4", "table.twists in degrees"), ("22.918312", "table.degrees")]
+)
+def test_degrees_are_those_of_all_angles_or_of_the_twists(theta, cause):
+    typed = f"0 90 0.2 q1; 0 57.29578 0.1 q2; 0.2 28.64789 d3+0.2 {theta}; 0.1 0 0.3 q4"
+    assert said(typed, SLIDING).causes == (cause,)
+
+
+@pytest.mark.parametrize(
     ("entry", "instead", "words"),
     [
         (" -pi/4", " pi/4", "the twist alpha in row 2 has the wrong sign (you have pi/4)"),

@@ -246,6 +246,18 @@ def test_joints_that_are_wrong(mine, said, options):
     assert [f.words for f in alone.findings] == [x.replace("up to ", "") for x in said]
 
 
+def test_what_is_nearer_to_a_known_mistake_than_the_digits_allow_is_wrong():
+    """Up to 1.9 units off, which might be rounding on the way, and fit for g = 9.8 m/s^2."""
+    right = torques([0.414, 0.328, -0.945])
+    mine = [-1.26, -7.04, -3.64]
+    report = verdict("-1.26, -7.04, -3.64", "0.414, 0.328, -0.945")
+    off = np.abs(right - mine)
+    assert (off > 0.0051).tolist() == [True, False, True]
+    assert [str(f) for f in report.findings] == [
+        f"Joint {joint}: it is off by {x:.3g} N m." for joint, x in ((1, off[0]), (4, off[2]))
+    ]
+
+
 def test_what_is_besides_a_cause():
     mine = -TAU3
     mine[1] += 2 * OFF[0]
