@@ -289,7 +289,7 @@ def test_every_choice_of_joints_that_are_reversed_in_the_torques():
         return listed([f"{sign}{(1, 3, 4)[k]}" for k in some])
 
     right = torques(1)
-    expected = [(f"tau.signs:{names('', some)}", s * right) for s, some in reversals(3)]
+    expected = [(f"tau.signs:{names('tau_', some)}", s * right) for s, some in reversals(3)]
     for s, some in reversals(3):
         expected.append((f"tau.joints reversed:{names('q_', some)}", s * torques(s)))
     causes, made = torques_causes.reversed_joints(at, right)

@@ -280,10 +280,21 @@ def said(typed, reference, **options):
          "table.millimetres + table.degrees + table.number:a:3"),
         ("0.4 -pi/3 0.1 q1; 0.25 pi/4 0.3 q2; 0.05 -pi/2 0.2 q3+0.3; 0.35 -0.6 0.15 q4",
          "table.a and d + table.twists"),
+        # With x_1 and x_3 the other way round, which is free, and a sign that is not.
+        ("-0.1 -pi/3 0.4 q1; 0.3 -pi/4 -0.25 q2; -0.2 -pi/2 0.05 q3; 0.15 0.6 0.35 q4",
+         "table.sign:d:2"),
     ],
 )  # fmt: skip
 def test_a_mistake_of_the_whole_table_is_named(typed, causes):
     assert said(typed, GENERIC).causes == (causes,)
+
+
+@pytest.mark.parametrize(
+    ("theta", "cause"), [("0.4", "table.twists in degrees"), ("22.918312", "table.degrees")]
+)
+def test_degrees_are_those_of_all_angles_or_of_the_twists(theta, cause):
+    typed = f"0 90 0.2 q1; 0 57.29578 0.1 q2; 0.2 28.64789 d3+0.2 {theta}; 0.1 0 0.3 q4"
+    assert said(typed, SLIDING).causes == (cause,)
 
 
 @pytest.mark.parametrize(

@@ -79,7 +79,7 @@ def reversed_joints(load: Load, right: Array) -> tuple[list[Cause], Array]:
     there = turned.torques() * signs[:, None, :]
     causes = [
         cause(key, joints=listed([f"{name}{load.arm.joints[k]}" for k in np.flatnonzero(row < 0)]))
-        for key, name in (("tau.signs", ""), ("tau.joints reversed", "q_"))
+        for key, name in (("tau.signs", "tau_"), ("tau.joints reversed", "q_"))
         for row in signs
     ]
     return causes, np.concatenate([here, there])

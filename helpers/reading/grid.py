@@ -34,7 +34,7 @@ def cells(text: str) -> Cells:
     """
     if len(text) > LONGEST:
         raise ArmError(f"the text has {len(text)} characters; expected at most {LONGEST}")
-    rows = _rows(without_surroundings(text).lstrip("\ufeff").strip().strip("`$").strip())
+    rows = _rows(without_surroundings(text).strip().strip("`$").strip())
     rows = [[cell.strip() for cell in row] for row in rows if any(cell.strip() for cell in row)]
     if not rows:
         raise ArmError("the text is empty; expected rows of numbers or formulas")

@@ -344,7 +344,7 @@ function why(right, q, margin) {
     if (mixed) return { causes: [mixed.cause], words: mixed.words };
   }
   const astray = variable(arm).filter((_, k) => !fits.some((row) => row[k]));
-  const fields = { joints: listed(astray.length ? astray : ["q"]) };
+  const fields = { joints: listed(astray) };
   const words = astray.length > 1 ? say("ik in no branch", fields) : say("ik one in no branch", fields);
   return { causes: [], words };
 }

@@ -86,7 +86,7 @@ export function reversedJoints(load, right) {
     return torques(other).flatMap((row) => row.map((x, k) => x * signs[k]));
   });
   const joints = (signs, name) => listed(joint.filter((_, k) => signs[k] < 0).map((i) => `${name}${i}`));
-  const causes = [["tau.signs", ""], ["tau.joints reversed", "q_"]].flatMap(([key, name]) =>
+  const causes = [["tau.signs", "tau_"], ["tau.joints reversed", "q_"]].flatMap(([key, name]) =>
     sets.map((signs) => cause(key, { joints: joints(signs, name) })),
   ); // prettier-ignore
   return { causes, made: [...here, ...there] };
