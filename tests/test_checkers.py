@@ -16,7 +16,7 @@ from helpers.arm import Arm, ArmError, Body
 from helpers.checks.digits import units
 from helpers.inverse import elbow
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.motion import circle
+from helpers.motion import circle, circle_below, trace
 from helpers.reading import formula, grid
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import static_torque
@@ -618,6 +618,15 @@ def test_steps_too_few_for_euler_are_told():
     report = checks.compare_trace(runs.euler(), PANDA.lock(3), runs.path)
     assert report.causes == ("trace.coarse",)
     assert "but 24 steps of Euler's method are too few for this path" in report.headline
+
+
+def test_steps_too_few_are_told_in_degrees_as_degrees():
+    """Near a singular pose, where Euler's method strays by more than two of the path's steps."""
+    start = [0.3, 0.4, 0.9, 0.2, 0.8, 0.1]
+    path = circle_below(UR10E, start, 0.1, "zx", 5, 20)
+    q = trace(UR10E, start, path).q
+    assert checks.compare_trace(q, UR10E, path).causes == ("trace.coarse",)
+    assert checks.compare_trace(np.degrees(q), UR10E, path).causes == ("trace.degrees",)
 
 
 RUNS = Runs()

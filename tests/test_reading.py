@@ -258,6 +258,11 @@ def test_what_cannot_be_cut_without_loss_is_refused(text, words):
     assert str(told.value) == words
 
 
+def test_a_length_with_a_letter_says_which_column_it_is():
+    best = table.read("d_1 pi/2 0 q1\n0 0 0.4 q2", values={"d_1": 0.5})[0]
+    assert [(r.texts["d"], r.texts["a"]) for r in best.rows] == [("d_1", "0"), ("0", "0.4")]
+
+
 # Tables and formulas made at random
 
 
