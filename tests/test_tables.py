@@ -221,7 +221,7 @@ def test_an_arms_own_entries_are_quoted():
     words = {f.where: f.words for f in report.findings}
     assert words["row 1, alpha"].endswith("(you have pi/3).")
     assert words["row 3, a"].endswith("82.5 mm too long (you have 2*a_3).")
-    assert report.topic == "table"
+    assert (report.topic, report.headline) == ("table", "mine is another arm than Panda.")
     for options, told in (
         ({"columns": "a alpha d theta", "lengths": "m"}, "needs no 'a alpha d theta', 'm'; "),
         ({"angles": "deg", "convention": "craig"}, "needs no 'deg', 'craig'; "),
@@ -287,6 +287,14 @@ def said(typed, reference, **options):
 )  # fmt: skip
 def test_a_mistake_of_the_whole_table_is_named(typed, causes):
     assert said(typed, GENERIC).causes == (causes,)
+
+
+@pytest.mark.parametrize(
+    ("theta", "cause"), [("0.4", "table.twists in degrees"), ("22.918312", "table.degrees")]
+)
+def test_degrees_are_those_of_all_angles_or_of_the_twists(theta, cause):
+    typed = f"0 90 0.2 q1; 0 57.29578 0.1 q2; 0.2 28.64789 d3+0.2 {theta}; 0.1 0 0.3 q4"
+    assert said(typed, SLIDING).causes == (cause,)
 
 
 @pytest.mark.parametrize(
