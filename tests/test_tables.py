@@ -221,7 +221,7 @@ def test_an_arms_own_entries_are_quoted():
     words = {f.where: f.words for f in report.findings}
     assert words["row 1, alpha"].endswith("(you have pi/3).")
     assert words["row 3, a"].endswith("82.5 mm too long (you have 2*a_3).")
-    assert report.topic == "table"
+    assert (report.topic, report.headline) == ("table", "mine is another arm than Panda.")
     for options, told in (
         ({"columns": "a alpha d theta", "lengths": "m"}, "needs no 'a alpha d theta', 'm'; "),
         ({"angles": "deg", "convention": "craig"}, "needs no 'deg', 'craig'; "),
