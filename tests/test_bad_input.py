@@ -426,6 +426,8 @@ SPECIAL = [
     ("motion.trace", dict(start=[SIX.home]), 'start has shape (1, 6); expected one pose, (6,)'),
     ("motion.circle_below", dict(start=[SIX.home]), 'start has shape (1, 6); expected one pose,'
                                                     ' (6,)'),
+    ("motion.self_motion", dict(direction=[PANDA.home]), 'direction has shape (1, 7); expected'),
+    ("motion.self_motion_directions", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one'),
     ("motion.self_motion", dict(start=[PANDA.home]), 'start has shape (1, 7); expected one pose,'
                                                      ' (7,)'),
     ("checks.compare_jacobian", dict(q=[SIX.home]), 'q has shape (1, 6); expected one pose, (6,)'),

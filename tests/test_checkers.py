@@ -713,6 +713,10 @@ def test_an_inverse_that_does_not_exist_is_named():
     assert report.causes == ("trace.no inverse:0",), str(report)
     assert "rank 3 of 6" in report.headline
     assert not report.notes
+    stretched = np.vstack([np.zeros(3), elbow_run((0, 0, 0))[1:]])
+    report = checks.compare_trace(stretched, ELBOW, CIRCLE)
+    assert report.causes == ("trace.no inverse:0",), str(report)
+    assert "rank 2 of 3" in report.headline
 
 
 def test_another_arms_run_is_told_by_what_it_leaves():

@@ -150,6 +150,7 @@ def test_the_panda_as_its_maker_writes_it():
     assert list(found.modified_rows) == table
     lengths = dict(d_1=0.333, d_3=0.316, a_3=0.0825, a_4=0.0825, d_5=0.384, a_6=0.088, d_7=0.107)
     assert dict(found.arm.values) == lengths
+    assert found.arm.source == "derived from its joint axes"
 
 
 def test_lengths_are_positive_unless_asked():
@@ -195,7 +196,7 @@ def test_a_tip_that_is_only_a_point():
     assert entries(found.arm) == [[0.4, 0, 0, 0], [0.3, 0, 0, RIGHT]]
     on_axis = derive([Axis((0, 0, 0), Z)], (0, 0, 0.5))
     assert entries(on_axis.arm) == [[0, 0, 0.5, 0]]
-    nearly = derive([Axis((0, 0, 0), Z), Axis((0, 0, 5e-10), Y)], (0.3, 0, 0))
+    nearly = derive([Axis((0, 0, 0), (0, 0, 1e200)), Axis((0, 0, 5e-10), Y)], (0.3, 0, 0))
     assert entries(nearly.arm) == [[0, -RIGHT, 0, 0], [0.3, 0, 0, 0]]
 
 

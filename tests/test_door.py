@@ -586,3 +586,17 @@ def test_a_column_that_is_wrong_beside_another(k, column, what, words, frame):
             assert (second.what, second.where) == (what, where)
             assert second.words.startswith(f"Column {k + 1} (joint {(1, 3, 4)[k]}): {words}")
             assert report.headline.endswith(f"is not right in column 1 and {where}.")
+
+
+def test_an_entry_that_is_wrong_besides_a_cause():
+    J = -MIXED.jacobian(Q3)
+    J[0, 1] += 0.3
+    cause, column = compare_jacobian(J.round(5), arm_of(MIXED), Q3).findings
+    assert (cause.words, column.what, column.where) == (
+        "Every sign is reversed.",
+        "column",
+        "column 2",
+    )
+    assert "joint 3" in column.words
+    assert "vx" in column.words
+    assert "vy" not in column.words

@@ -219,6 +219,7 @@ def test_a_link_slides_where_that_is_said_or_its_angle_is_fixed(text, kinds):
 
 
 GRIDS = [
+    (r"\begin{array}{cc}\hline1&2\\\hline\theta&4\cr5&6\end{array}", ["1|2", r"\theta|4", "5|6"]),
     ("[0.5;0.7;-0.4]", ["0.5", "0.7", "-0.4"]),
     ("[(0.5,), (0.7,)]", ["0.5", "0.7"]),
     ("0.1|0.2|0.3", ["0.1|0.2|0.3"]),

@@ -352,7 +352,7 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], 
     arm = right.arm
     fits = _gap(arm, q, right.q) <= margin
     single = [*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)]
-    single += inverse_causes.kept(arm, q, right.q)
+    single += inverse_causes.kept(q, right.q)
     mixed = _mixed(right, fits)
     for slips in (single, inverse_causes.double(arm, q)):
         found = _fitting(right, q, slips, margin)

@@ -64,7 +64,7 @@ def _latex(text: str) -> Cells:
     text = bare_latex(text)
     text = re.sub(r"\\left\s*[\[(.|]\s*(?=\\begin)", " ", text)
     text = re.sub(
-        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b",
+        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|(?:top|mid|bottom)rule|nonumber)(?![A-Za-z])",
         " ",
         _ENVIRONMENT.sub(" ", text),
     )
@@ -75,7 +75,7 @@ def _latex(text: str) -> Cells:
         .replace("\\[", " ")
         .replace("\\]", " ")
     )
-    return [row.split("&") for row in re.split(r"\\\\|\\cr\b", text)]
+    return [row.split("&") for row in re.split(r"\\\\|\\cr(?![A-Za-z])", text)]
 
 
 def _markdown(text: str) -> Cells:

@@ -333,7 +333,7 @@ function why(right, q, margin) {
   const first = function* () {
     yield* single(arm, q);
     yield* whole(arm, q);
-    yield* kept(arm, q, branches.map((branch) => branch.q)); // prettier-ignore
+    yield* kept(q, branches.map((branch) => branch.q)); // prettier-ignore
   };
   // A slip in two joints can help where all the others are in one branch.
   const near = branches.map((branch) => gapOf(arm, q, branch.q).map((x, k) => x <= 1.5 * margin[k]));
