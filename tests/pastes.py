@@ -251,6 +251,7 @@ LATEX: dict[str, Template] = {
     "braced comma": over(inside("bmatrix"), (".", "{,}")),
     "dollars in cells": each(lambda x: f"${x}$", inside("tabular}{rrrr")),
     "times ten": each(lambda x: rf"{float(x) * 10:.5f} \times 10^{{-1}}", inside("bmatrix")),
+    "times ten, tight": each(lambda x: rf"{float(x) * 10:.5f}\times10^{{-1}}", inside("bmatrix")),
     "dot ten": each(lambda x: rf"{float(x) * 100:.5f} \cdot 10^{{-2}}", inside("bmatrix")),
     "thin": over(inside("bmatrix"), (" & ", r"\, & \,")),
     "quad": over(inside("bmatrix"), (" & ", r" & \quad ")),

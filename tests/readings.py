@@ -27,7 +27,7 @@ NUMBERED = ["{}", "{}.", "Link {}", "joint {}", "J{}", "L{}", "i={}", "Joint_{}"
 UNITS = {"m": 1, "cm": 100, "mm": 1000, "in": 1 / 0.0254}
 ORDERS = ["theta d a alpha", "a alpha d theta", "alpha a d theta", "d theta a alpha"]
 VARIABLES = ["q{}", "q_{}", "theta{}", "θ_{}", "th{}", r"\theta_{{{}}}", "q_{{{}}}", "t{}",
-             "θ{}(t)", r"\phi_{}", "-q{}", "−θ_{}", "q{}^*", "θ_{}*"]  # fmt: skip
+             "θ{}(t)", r"\phi_{}", "-q{}", "−θ_{}", "q{}^*", "θ_{}*", "q{}°"]  # fmt: skip
 ALONE = ["*", "-", "?", "q", "θ", "var", "inf", "—", "variable", "θ*"]
 SIGNS = "0123456789.,;:-+*/^()[]{}|&\\ \t\n'\"=_qdaθαπ°piLink√−²₁s"
 
@@ -117,7 +117,7 @@ def cell_of(i: int, row: tuple, length: str, turn: str, rng) -> dict[str, str]:
     cells |= {n: angle(k, turn, rng) for n, k in (("alpha", alpha), ("theta", theta))}
     if mover := {"R": "theta", "P": "d"}.get(kind):
         still, zero = cells[mover], not row[3 if kind == "P" else 4]
-        name = str(rng.choice(VARIABLES[:10] if not zero else VARIABLES)).format(i)
+        name = str(rng.choice(VARIABLES[: 14 + (kind == "R") if zero else 10])).format(i)
         first, mark = (name, still) if rng.random() < 0.7 else (still, name)
         joined = f"{first} + {mark}".replace("+ -", "- ")
         cells[mover] = (str(rng.choice(ALONE)) if rng.random() < 0.1 else name) if zero else joined
@@ -267,6 +267,7 @@ def formula_of(rng, depth: int = 3) -> tuple[str, float]:
         (f"2({t})", 2 * v),
         (f"({s}) · ({t})", u * v),
         (rf"\frac{{{u:.4f}}}{{2.5}} \cdot ({t})", float(f"{u:.4f}") / 2.5 * v),
+        (rf"{v:.4f}\cdot2\quad({s})", float(f"{v:.4f}") * 2 * u),
         (f"({s})**2", u**2),
         (f"({s})^2", u**2),
         (f"-({s})²", -(u**2)),

@@ -426,6 +426,8 @@ SPECIAL = [
     ("motion.trace", dict(start=[SIX.home]), 'start has shape (1, 6); expected one pose, (6,)'),
     ("motion.circle_below", dict(start=[SIX.home]), 'start has shape (1, 6); expected one pose,'
                                                     ' (6,)'),
+    ("motion.self_motion", dict(direction=[PANDA.home]), 'direction has shape (1, 7); expected'),
+    ("motion.self_motion_directions", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one'),
     ("motion.self_motion", dict(start=[PANDA.home]), 'start has shape (1, 7); expected one pose,'
                                                      ' (7,)'),
     ("checks.compare_jacobian", dict(q=[SIX.home]), 'q has shape (1, 6); expected one pose, (6,)'),
@@ -453,6 +455,9 @@ SPECIAL = [
                                          " prismatic"),
     ("derive.derive", dict(axes=[]), 'axes are []; expected one Axis or more'),
     ("derive.derive", dict(tip=3 * np.eye(4)), 'tip is no rigid transform, by 8'),
+    ("derive.derive", dict(tip=(1, 2, np.nan)), 'tip holds NaN or infinity; expected a rigid'),
+    ("conventions.standard_from_modified", dict(rows=[]), 'the modified table has no rows;'),
+    ("conventions.modified_from_standard", dict(rows=[]), 'the standard table has no rows;'),
     ("derive.derive", dict(tip=np.eye(4) + np.eye(4, k=1) * [0, 0.02, 0, 0]),
      'tip is no rigid transform, by 0.02'),
     ("derive.derive", dict(base=3 * np.eye(4)), 'base is no rigid transform, by 8'),

@@ -127,7 +127,10 @@ CAUSES = {
     "pose.centimetres": lambda: pose(scaled(100)),
     "pose.transposed": lambda: pose(transposed),
     "trace.axes exchanged": lambda: run(CIRCLE.positions[:, [0, 2]]),
-    "trace.phase": lambda: run(np.roll(CIRCLE.positions[:-1, [2, 0]], 7, axis=0)[[*range(40), 0]]),
+    "trace.phase": lambda: run(
+        np.roll(CIRCLE.positions[:-1, [2, 0]], 7, axis=0)[[*range(40), 0]]
+        + 0.006 * np.outer((-1.0) ** np.arange(41), [1, 0])
+    ),
 }
 
 

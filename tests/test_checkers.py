@@ -16,7 +16,7 @@ from helpers.arm import Arm, ArmError, Body
 from helpers.checks.digits import units
 from helpers.inverse import elbow
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.motion import circle
+from helpers.motion import circle, circle_below, trace
 from helpers.reading import formula, grid
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import static_torque
@@ -620,6 +620,15 @@ def test_steps_too_few_for_euler_are_told():
     assert "but 24 steps of Euler's method are too few for this path" in report.headline
 
 
+def test_steps_too_few_are_told_in_degrees_as_degrees():
+    """Near a singular pose, where Euler's method strays by more than two of the path's steps."""
+    start = [0.3, 0.4, 0.9, 0.2, 0.8, 0.1]
+    path = circle_below(UR10E, start, 0.1, "zx", 5, 20)
+    q = trace(UR10E, start, path).q
+    assert checks.compare_trace(q, UR10E, path).causes == ("trace.coarse",)
+    assert checks.compare_trace(np.degrees(q), UR10E, path).causes == ("trace.degrees",)
+
+
 RUNS = Runs()
 GOOD = RUNS.euler()
 ARM = PANDA.lock(3)
@@ -704,6 +713,10 @@ def test_an_inverse_that_does_not_exist_is_named():
     assert report.causes == ("trace.no inverse:0",), str(report)
     assert "rank 3 of 6" in report.headline
     assert not report.notes
+    stretched = np.vstack([np.zeros(3), elbow_run((0, 0, 0))[1:]])
+    report = checks.compare_trace(stretched, ELBOW, CIRCLE)
+    assert report.causes == ("trace.no inverse:0",), str(report)
+    assert "rank 2 of 3" in report.headline
 
 
 def test_another_arms_run_is_told_by_what_it_leaves():

@@ -12,8 +12,9 @@ import pytest
 
 from helpers import checks
 from helpers.checks import jacobian_causes, tables, torques_causes
-from helpers.checks.axes import numeric
+from helpers.checks.axes import numeric, side
 from helpers.checks.digits import of_floats
+from helpers.checks.door import numbers
 from helpers.robots import PANDA
 from helpers.statics import GRAVITY
 from tests.corpus.judge import load, report
@@ -78,6 +79,12 @@ def test_a_run_of_a_thousand_torques_is_little_more_work_than_to_read_it():
     assert calls(lambda: checks.compare_torques(tau, PANDA, q)) <= 2 * read + MOST["torques"]
 
 
+def test_a_long_paste_of_numbers_is_read_at_once():
+    """350 numbers; as formulas, each known already, they take 14 000 calls."""
+    text = "\n".join(" ".join(f"{i + j / 7:.4f}" for j in range(7)) for i in range(50))
+    assert calls(lambda: numbers(text, "yours")) <= 12_000
+
+
 def test_hypotheses_are_counted():
     """So many are held against an answer: a catalogue that grows by the square shows here."""
     at = (PANDA, np.array(BENT), 0)
@@ -87,4 +94,4 @@ def test_hypotheses_are_counted():
     assert len(jacobian_causes.pairs(*at).causes) <= 4000
     assert len(torques_causes.catalogue(load_, 1)[0]) <= 40
     assert len(torques_causes.catalogue(load_, 2)[0]) <= 320
-    assert len(list(tables._tries(rows, PANDA, tuple(rows)))) <= 160
+    assert len(list(tables._tries(rows, PANDA, side(tuple(rows)), False))) <= 160

@@ -150,6 +150,7 @@ def test_the_panda_as_its_maker_writes_it():
     assert list(found.modified_rows) == table
     lengths = dict(d_1=0.333, d_3=0.316, a_3=0.0825, a_4=0.0825, d_5=0.384, a_6=0.088, d_7=0.107)
     assert dict(found.arm.values) == lengths
+    assert found.arm.source == "derived from its joint axes"
 
 
 def test_lengths_are_positive_unless_asked():
@@ -195,6 +196,8 @@ def test_a_tip_that_is_only_a_point():
     assert entries(found.arm) == [[0.4, 0, 0, 0], [0.3, 0, 0, RIGHT]]
     on_axis = derive([Axis((0, 0, 0), Z)], (0, 0, 0.5))
     assert entries(on_axis.arm) == [[0, 0, 0.5, 0]]
+    nearly = derive([Axis((0, 0, 0), (0, 0, 1e200)), Axis((0, 0, 5e-10), Y)], (0.3, 0, 0))
+    assert entries(nearly.arm) == [[0, -RIGHT, 0, 0], [0.3, 0, 0, 0]]
 
 
 def test_a_tip_turned_about_the_last_axis_costs_a_row():
@@ -203,7 +206,7 @@ def test_a_tip_turned_about_the_last_axis_costs_a_row():
     )
     assert entries(found.arm) == [[1, 0, 0.2, 0], [0, 0, 0, RIGHT]]
     assert found.arm.rows[1].joint.kind == "fixed"
-    assert found.steps[1].case == "coincident"
+    assert (found.steps[1].case, found.steps[1].opposite) == ("coincident", False)
     assert "the last common normal to the tip" in found.steps[1].words
 
 

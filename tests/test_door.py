@@ -18,6 +18,10 @@ from helpers.kinematics import jacobian
 from helpers.reading.table import ENTRIES, KNOWN_ORDERS
 from helpers.robots import ELBOW, PANDA, STANFORD
 from helpers.statics import static_torque
+from tests.corpus.jacobians import in_frame, recipe
+from tests.corpus.machine import Machine
+from tests.judge_words import arm_of
+from tests.test_catalogues import MIXED
 
 H = math.pi / 2
 Q3 = np.array([0.5, 0.7, -0.4])
@@ -104,6 +108,7 @@ def test_what_is_taken_is_a_copy():
         ([[1, 2], [3]], "yours has rows of unequal length; expected rows of one length"),
         ([[1, 2], [3, [4, 5]]], "yours has rows of unequal length; expected rows of one length"),
         ([1, None], "yours is None; expected heights"),
+        (np.ma.array([1.5, 2.0], mask=[False, True]), "yours is None; expected heights"),
         (["1", True], "yours is True; expected heights"),
         ([1, 2j], "yours is 2j; expected heights"),
         ([1, {2}], "yours is {2}; expected heights"),
@@ -513,3 +518,85 @@ def test_how_a_function_was_called_is_told_whatever_it_gave(found):
     report = compare_jacobian(lambda dh, q: found, ELBOW, Q3)
     assert (report.topic, report.arm, report.grade) == ("Jacobian", "Elbow arm", "wrong")
     assert "Taken as f(table, q), called with the arm's rows (a, alpha, d, theta)" in str(report)
+
+
+@pytest.mark.parametrize(
+    ("digits", "off", "named"),
+    [
+        (1, 0, True),
+        (1, 0.1, False),
+        (2, 0.02, True),
+        (2, 0.04, False),
+        (6, 9e-4, True),
+        (6, 2e-3, False),
+    ],
+)
+def test_a_column_left_out_is_named_where_the_others_are_near(digits, off, named):
+    """Without column 2 and without column 3 the matrices are up to 0.28 apart here."""
+    q = [0.5, 0.8, -0.4]
+    mine = np.delete(jacobian(ELBOW, q), 1, axis=1)
+    mine[2, 1] += off
+    report = compare_jacobian(mine.round(digits), ELBOW, q)
+    assert report.causes == (("J.column missing:2",) if named else ("J.shape",))
+
+
+# A Jacobian whose slips lie in columns: row 2 is locked, row 3 slides
+
+
+WHOLE = Machine([("R", *row[1:]) if row[0] == "F" else row for row in MIXED.rows], "whole")
+LOCKED_TOO = WHOLE.jacobian([Q3[0], 0.0, *Q3[1:]])
+
+
+@pytest.mark.parametrize(
+    ("k", "column", "what", "words"),
+    [
+        (2, lambda J: -J[:, 2], "J.column sign:4", "its sign is reversed, as if"),
+        (2, lambda J: np.roll(J[:, 2], 3), "J.column halves", "its linear and angular halves"),
+        (2, lambda J: J[:, 1], "J.column of", "this is the column of joint 3."),
+        (2, lambda J: LOCKED_TOO[:, 1], "J.column of locked", "this is the column of joint 2,"),
+        (2, lambda J: J[:, 2] + [0.1, 0, 0, 0, 0.2, 0], "column", "wrong in vx and wy."),
+        (2, lambda J: J[:, 2] * [-1, 1, 1, 1, 1, 1], "column", "the sign is reversed in vx."),
+        (
+            2,
+            lambda J: [-1, 1, 1, 1, 1, 1] * J[:, 2] + 0.3 * np.eye(6)[5],
+            "column",
+            "wrong in vx and wz.",
+        ),
+        (1, lambda J: recipe(MIXED, Q3, axis=1)[:, 1], "J.one frame late", "axes and origins"),
+    ],
+)
+@pytest.mark.parametrize("frame", [0, 3])
+def test_a_column_that_is_wrong_beside_another(k, column, what, words, frame):
+    J = in_frame(MIXED, Q3, MIXED.jacobian(Q3), frame)
+    mine = column(J)
+    if "locked" in what or "late" in what:
+        mine = in_frame(MIXED, Q3, np.c_[mine], frame)[:, 0]
+    J = np.c_[J[:, :k], mine, J[:, k + 1 :]]
+    J[:, 0] += np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+    where, every = (
+        f"column {k + 1}",
+        ["vx, vy, vz, wx, wy and wz", "vx, vy and vz", "wx, wy and wz"],
+    )
+    halves = what in ("J.column sign:4", "J.column of", "J.column of locked")
+    for rows, names in zip((slice(6), slice(3), slice(3, 6)), every, strict=True):
+        if rows == slice(6) or halves:
+            report = compare_jacobian(J[rows].round(5), arm_of(MIXED), Q3, frame=frame)
+            first, second = report.findings
+            assert first.words == f"Column 1 (joint 1): wrong in {names}."
+            assert (second.what, second.where) == (what, where)
+            assert second.words.startswith(f"Column {k + 1} (joint {(1, 3, 4)[k]}): {words}")
+            assert report.headline.endswith(f"is not right in column 1 and {where}.")
+
+
+def test_an_entry_that_is_wrong_besides_a_cause():
+    J = -MIXED.jacobian(Q3)
+    J[0, 1] += 0.3
+    cause, column = compare_jacobian(J.round(5), arm_of(MIXED), Q3).findings
+    assert (cause.words, column.what, column.where) == (
+        "Every sign is reversed.",
+        "column",
+        "column 2",
+    )
+    assert "joint 3" in column.words
+    assert "vx" in column.words
+    assert "vy" not in column.words

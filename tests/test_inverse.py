@@ -20,6 +20,7 @@ from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford
 from helpers.inverse.numeric import turn_between
 from helpers.kinematics import forward_kinematics, jacobian, manipulability
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from tests.laws import joint_vectors
 
 OFFSET = ELBOW.with_values(d=0.12)
 # The Puma 560's table, with a tool set askew so that the last row has all four numbers.
@@ -410,6 +411,9 @@ def test_nearest_counts_whole_turns_and_limits():
     found = elbow(arm, forward_kinematics(arm, (3.0, 0.4, 0.5))[:3, 3])
     for start in ((3.0, 0.4, 0.5), (3.0 - 2 * np.pi, 0.4, 0.5 + 4 * np.pi)):
         np.testing.assert_allclose(found.nearest(start), start, atol=1e-9)
+    starts = joint_vectors(ELBOW, (2, 3))
+    each = elbow(ELBOW, forward_kinematics(ELBOW, starts)[..., :3, 3])
+    np.testing.assert_allclose(each.nearest(starts), starts, atol=1e-9)
     # A turn further would be nearer, but is beyond the limit of joint 1.
     np.testing.assert_allclose(found.nearest((8.0, 0.4, 0.5))[0], 3.0, atol=1e-9)
     np.testing.assert_allclose(

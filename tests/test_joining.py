@@ -56,6 +56,9 @@ def test_position_and_velocity_are_taken_from_the_piece_that_a_time_belongs_to()
     assert path.position(7.5) == pytest.approx(TOP, abs=1e-12)
     there = circle(TOP - [0, 0, 0.1], 0.1, "zy", 20.0, 40)
     assert path.position([4.9, 5.1]) == pytest.approx(there.position([4.9, 4.8]), abs=1e-12)
+    twice = joined(2 * halves()).path
+    assert twice.times[-1] == pytest.approx(15)
+    assert twice.position([8.5, 14.5]) == pytest.approx(there.position([1.0, 1.0]), abs=1e-12)
 
 
 def test_one_run_is_itself_and_more_must_fit():

@@ -239,6 +239,12 @@ def test_the_null_space_moves_joints_and_not_the_tip():
         assert (both - plain) @ wish(start) > 0
 
 
+def test_rates_with_a_wish_added_see_the_joints():
+    J, q = np.eye(6, 7), np.arange(7.0)
+    both = with_null_space(lambda J, twist, q: 2 * q, lambda q: np.ones(7))
+    np.testing.assert_allclose(both(J, np.ones(6), q), 2 * q + np.eye(7)[6], atol=1e-12)
+
+
 def test_wishes_point_where_they_say():
     q = np.array([0.3, 0.4, -0.2, 1.8, 0.1, 2.2, 0.2])
     goal = np.array([0.1, 0.9, -0.2, 1.0, 0.0, 2.5, 0.4])

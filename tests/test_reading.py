@@ -219,6 +219,7 @@ def test_a_link_slides_where_that_is_said_or_its_angle_is_fixed(text, kinds):
 
 
 GRIDS = [
+    (r"\begin{array}{cc}\hline1&2\\\hline\theta&4\cr5&6\end{array}", ["1|2", r"\theta|4", "5|6"]),
     ("[0.5;0.7;-0.4]", ["0.5", "0.7", "-0.4"]),
     ("[(0.5,), (0.7,)]", ["0.5", "0.7"]),
     ("0.1|0.2|0.3", ["0.1|0.2|0.3"]),
@@ -256,6 +257,11 @@ def test_what_cannot_be_cut_without_loss_is_refused(text, words):
     with pytest.raises(ArmError) as told:
         grid.cells(text)
     assert str(told.value) == words
+
+
+def test_a_length_with_a_letter_says_which_column_it_is():
+    best = table.read("d_1 pi/2 0 q1\n0 0 0.4 q2", values={"d_1": 0.5})[0]
+    assert [(r.texts["d"], r.texts["a"]) for r in best.rows] == [("d_1", "0"), ("0", "0.4")]
 
 
 # Tables and formulas made at random

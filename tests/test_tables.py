@@ -221,7 +221,7 @@ def test_an_arms_own_entries_are_quoted():
     words = {f.where: f.words for f in report.findings}
     assert words["row 1, alpha"].endswith("(you have pi/3).")
     assert words["row 3, a"].endswith("82.5 mm too long (you have 2*a_3).")
-    assert report.topic == "table"
+    assert (report.topic, report.headline) == ("table", "mine is another arm than Panda.")
     for options, told in (
         ({"columns": "a alpha d theta", "lengths": "m"}, "needs no 'a alpha d theta', 'm'; "),
         ({"angles": "deg", "convention": "craig"}, "needs no 'deg', 'craig'; "),
@@ -280,10 +280,21 @@ def said(typed, reference, **options):
          "table.millimetres + table.degrees + table.number:a:3"),
         ("0.4 -pi/3 0.1 q1; 0.25 pi/4 0.3 q2; 0.05 -pi/2 0.2 q3+0.3; 0.35 -0.6 0.15 q4",
          "table.a and d + table.twists"),
+        # With x_1 and x_3 the other way round, which is free, and a sign that is not.
+        ("-0.1 -pi/3 0.4 q1; 0.3 -pi/4 -0.25 q2; -0.2 -pi/2 0.05 q3; 0.15 0.6 0.35 q4",
+         "table.sign:d:2"),
     ],
 )  # fmt: skip
 def test_a_mistake_of_the_whole_table_is_named(typed, causes):
     assert said(typed, GENERIC).causes == (causes,)
+
+
+@pytest.mark.parametrize(
+    ("theta", "cause"), [("0.4", "table.twists in degrees"), ("22.918312", "table.degrees")]
+)
+def test_degrees_are_those_of_all_angles_or_of_the_twists(theta, cause):
+    typed = f"0 90 0.2 q1; 0 57.29578 0.1 q2; 0.2 28.64789 d3+0.2 {theta}; 0.1 0 0.3 q4"
+    assert said(typed, SLIDING).causes == (cause,)
 
 
 @pytest.mark.parametrize(
@@ -448,10 +459,15 @@ def turned_over(arm):
 
 
 HEAVY_SCARA = SCARA.with_bodies([Body(k + 1.0, (0.1, 0.2, 0.3 * k)) for k in range(4)])
+BEYOND = Arm(  # the height of its base shows beyond a slide only
+    "beyond",
+    [revolute(0, "pi/2", 0.4), prismatic(0, "pi/2", 0, "pi/2"), revolute(0.2, 0, 0.1)],
+    bodies=[Body(k + 1.0, (0.1, 0.2, 0.3 * k)) for k in range(3)],
+)
 WITH_BODIES = tuple(arm for arm in (PANDA, UR10E, UR10E_HOMEWORK, PANDA.lock(3)) if arm.bodies)
 
 
-@pytest.mark.parametrize("reference", [*WITH_BODIES, BASED, STANFORD, HEAVY_SCARA, SKEW], ids=str)
+@pytest.mark.parametrize("reference", [*WITH_BODIES, BASED, STANFORD, HEAVY_SCARA, BEYOND], ids=str)
 @pytest.mark.parametrize("seed", range(8))
 def test_the_arm_in_their_joints_is_the_reference_told_by_their_rows(reference, seed):
     """By what it does: the same places, weights and limits at the joints that the map names."""

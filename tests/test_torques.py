@@ -116,6 +116,24 @@ def test_degrees_are_those_of_joints_that_turn():
     assert verdict(torques(q).round(5), q, angles="deg").causes == ("tau.degrees",)
 
 
+@pytest.mark.parametrize(
+    ("q", "shape"),
+    [
+        ("0.1, 0.2", (2,)),
+        ([[0.1, 0.2]], (2,)),
+        (np.ones((2, 4)), (2, 4)),
+        (np.ones((2, 3, 2)), (2, 3, 2)),
+    ],
+)
+@pytest.mark.parametrize("angles", ["rad", "deg"])
+def test_what_is_no_pose_is_refused_by_its_shape(q, shape, angles):
+    with pytest.raises(ArmError) as refused:
+        verdict(TAU, q, angles=angles)
+    assert str(refused.value) == (
+        f"your arm: q has shape {shape}; expected (..., 3), one value for each of q_1, q_3, q_4"
+    )
+
+
 def test_loads_may_be_of_any_numbers():
     load = {
         "wrench": [Fraction(int(2 * x), 2) for x in F],
@@ -226,6 +244,18 @@ def test_joints_that_are_wrong(mine, said, options):
     assert (report.grade == "wrong") == bool(said)
     alone = verdict(mine[0].round(4), **options)
     assert [f.words for f in alone.findings] == [x.replace("up to ", "") for x in said]
+
+
+def test_what_is_nearer_to_a_known_mistake_than_the_digits_allow_is_wrong():
+    """Up to 1.9 units off, which might be rounding on the way, and fit for g = 9.8 m/s^2."""
+    right = torques([0.414, 0.328, -0.945])
+    mine = [-1.26, -7.04, -3.64]
+    report = verdict("-1.26, -7.04, -3.64", "0.414, 0.328, -0.945")
+    off = np.abs(right - mine)
+    assert (off > 0.0051).tolist() == [True, False, True]
+    assert [str(f) for f in report.findings] == [
+        f"Joint {joint}: it is off by {x:.3g} N m." for joint, x in ((1, off[0]), (4, off[2]))
+    ]
 
 
 def test_what_is_besides_a_cause():

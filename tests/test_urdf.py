@@ -93,6 +93,7 @@ def test_a_file_is_read_as_its_text_is(tmp_path):
     path.write_text(TWO, encoding="utf-8")
     assert from_urdf(path) == from_urdf(str(path)) == from_urdf(TWO)
     latin = robot(*LINKS, *JOINTS, name="zwölf").replace("?>", ' encoding="iso-8859-1"?>')
+    assert from_urdf(robot(*LINKS, *JOINTS, "<a>" * 99 + "</a>" * 99)) == from_urdf(TWO)
     path.write_text(latin, encoding="iso-8859-1")
     assert from_urdf(path).name == from_urdf(latin).name == "zwölf"
 

@@ -20,7 +20,7 @@ import resource
 import signal
 import sys
 from collections import Counter, defaultdict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import chdir, suppress
 from fnmatch import fnmatch
 from functools import _lru_cache_wrapper, partial, wraps
@@ -71,12 +71,15 @@ def main() -> None:
     phases = [Phase.explicit, Phase.generate]
     settings.register_profile("mutants", settings.get_profile("ci"), phases=phases)
     os.environ |= {"OPENBLAS_NUM_THREADS": "1", "JUDGE_CASES": "20000"}
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     os.chdir(PLACE)
     trampoline.set_mutant_under_test("")
     trampoline.wrap_in_trampoline = switched
     arguments = ["-qq", "--tb=native", "--assert=plain", "--rootdir=.", "-p", "no:cacheprovider"]
     arguments += ["--hypothesis-profile=mutants", *config().pytest_add_cli_args_test_selection]
     pytest.main(arguments, plugins=[Driver(sample, options)])
+    known = {row["test"]: row["reach"] for row in rows(REACH)}
+    print("Failed without a mutant:", *(test for test, reach in known.items() if reach is None))
     done = outcomes(sample)
     first = {name: done[name] for name in takewhile(done.__contains__, sample)}
     if first:
@@ -87,6 +90,9 @@ def made() -> dict[str, Path]:
     """The name of each mutant and its file; they are made where the source is newer."""
     trampoline.set_mutant_under_test("mutant_generation")
     PLACE.mkdir(exist_ok=True)
+    for file in PLACE.glob("helpers/**/*.py"):
+        if not file.stat().st_size:  # begun when a run was broken off
+            file.unlink()
     mutmut.copy_src_dir()
     mutmut.copy_also_copy_files()
     mutmut.setup_source_paths()
@@ -162,10 +168,14 @@ class Driver:
         self.sample, self.options = sample, options
         self.each = partial(side_by_side, options.processes)
 
-    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+    def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
+        if session.testsfailed:
+            return None  # pytest says what it could not collect
         self.items = {item.nodeid: item for item in session.items}
         if which("node"):
-            keep_answers(self.each)
+            asked = [getattr(item, "callspec", None) for item in session.items]
+            parts = [spec.params["part"] for spec in asked if spec and "part" in spec.params]
+            keep_answers(self.each, dict.fromkeys(parts))
         caches = [x for x in gc.get_objects() if isinstance(x, _lru_cache_wrapper) and ours(x)]
         for function in caches:
             function.cache_clear()
@@ -178,7 +188,7 @@ class Driver:
             known = {row["test"]: row for row in rows(REACH) if row["test"] in self.items}
             self.cost, self.reach = {name: row["cost"] for name, row in known.items()}, {}
             for name, row in known.items():
-                for function in row["reach"]:
+                for function in row["reach"] or []:
                     self.reach.setdefault(function, []).append(name)
             self.done = outcomes(self.sample)
             self.each(self.decide, list(enumerate(self.sample)))
@@ -210,7 +220,7 @@ class Driver:
                 break
             killers = killers[killers.index(last) + 1 :]
             found.append(last)
-            append(REACH, {"test": last, "cost": self.cost[last], "reach": []})
+            append(REACH, {"test": last, "cost": self.cost[last], "reach": None})
         left = [row for row in rows(OUTCOMES) if row["test"] not in found]
         OUTCOMES.write_text("".join(json.dumps(row) + "\n" for row in left), encoding="utf-8")
         return found
@@ -238,7 +248,7 @@ def side_by_side(processes: int, work: Callable, jobs: list) -> None:
     except KeyboardInterrupt:
         for child in children:
             with suppress(ProcessLookupError):
-                os.kill(child, signal.SIGINT)
+                os.kill(child, signal.SIGTERM)
         raise
     assert not failed, f"{len(failed)} of {processes} processes broke off"
 
@@ -249,13 +259,12 @@ def following(turn) -> int:
         return turn.value - 1
 
 
-def keep_answers(each: Callable) -> None:
+def keep_answers(each: Callable, parts: Iterable[tuple[str, int, int]]) -> None:
     """What the page answers, without a mutant: from a file once it was asked in this form, and in
     memory, where all forks find it."""
     words, test = sys.modules["tests.judge_words"], sys.modules["tests.test_judge"]
     asking = sorted(path for pattern in ASKED for path in PLACE.glob(pattern) if path.is_file())
     form, ask = crc32(b"".join(path.read_bytes() for path in asking)), words.answered
-    parts = dict.fromkeys(part for part, _ in test.SLICES)
     files = {x: PLACE / f"answers-{form:x}-{'-'.join(map(str, x))}.pickle" for x in parts}
 
     def kept(part: tuple[str, int, int]) -> None:
@@ -264,8 +273,9 @@ def keep_answers(each: Callable) -> None:
         half.rename(files[part])
 
     each(kept, [part for part, file in files.items() if not file.exists()])
-    for old in {*PLACE.glob("answers-*")} - {*files.values()}:
-        old.unlink()
+    for old in PLACE.glob("answers-*"):
+        if f"-{form:x}-" not in old.name:
+            old.unlink()
     known = {(test.SEED, part): pickle.loads(x.read_bytes()) for part, x in files.items()}
     words.answered = lambda *asked: known[asked]
 
@@ -331,15 +341,15 @@ def attempt(name: str, tests: list, cost: dict[str, float], patience: int) -> tu
 
 
 def recorded(items: list[pytest.Item]) -> None:
-    """Which functions each test reaches, and its seconds of processor; one that fails here reaches
-    nothing. In a fork, for what one file has computed and kept, another would not reach."""
+    """Which functions each test reaches, or None where it fails, and its seconds of processor. In a
+    fork, for what one file has computed and kept, another would not reach."""
 
     def run(out: IO[str]) -> None:
         for item, following in zip_longest(items, items[1:]):
             HITS.clear()
             failed, before = item.session.testsfailed, sum(os.times()[:4])
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
-            reach = [] if item.session.testsfailed > failed else sorted(HITS)
+            reach = None if item.session.testsfailed > failed else sorted(HITS)
             cost = sum(os.times()[:4]) - before
             print(json.dumps({"test": item.nodeid, "cost": cost, "reach": reach}), file=out)
 

@@ -352,10 +352,10 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], 
     arm = right.arm
     fits = _gap(arm, q, right.q) <= margin
     single = [*inverse_causes.single(arm, q), *inverse_causes.whole(arm, q)]
-    single += inverse_causes.kept(arm, q, right.q)
+    single += inverse_causes.kept(q, right.q)
+    mixed = _mixed(right, fits)
     for slips in (single, inverse_causes.double(arm, q)):
         found = _fitting(right, q, slips, margin)
-        mixed = _mixed(right, fits)
         if found:
             causes = tuple(dict.fromkeys(c.name for c, _ in found))
             named = tuple(next(c for c, _ in found if c.name == n) for n in causes)
@@ -369,7 +369,7 @@ def _why(right: _Branches, q: Array, margin: Array) -> tuple[tuple[Cause, ...], 
             return (mixed[0],), mixed[1]
     astray = [f"q_{arm.joints[k]}" for k in np.flatnonzero(~fits.any(axis=0))]
     key = "ik in no branch" if len(astray) > 1 else "ik one in no branch"
-    return (), say(key, joints=listed(astray or ["q"]))
+    return (), say(key, joints=listed(astray))
 
 
 def _fitting(right: _Branches, q: Array, slips, margin: Array) -> list[tuple[Cause, int]]:

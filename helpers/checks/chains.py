@@ -108,7 +108,7 @@ def columns(
     axes, points = T[..., :3, 2], T[..., :3, 3]
     z, o, tip = axes[..., axis, :], points[..., origin, :], points[..., point, None, :]
     own = points[..., usual + 1, :]
-    arm = {"tip - o": tip - o, "tip": tip + 0 * o, "o": o, "link": own - o}[lever]
+    arm = {"tip - o": tip - o, "tip": np.broadcast_to(tip, o.shape), "o": o, "link": own - o}[lever]
     turns = (chain.turning | (not slides))[:, None]
     linear, angular = np.where(turns, vector_products(z, arm), z), np.where(turns, z, 0.0)
     return np.swapaxes(np.concatenate([linear, angular], axis=-1), -1, -2)

@@ -80,13 +80,13 @@ def _plain_array(mine: Any) -> Array | None:
 
 
 def _opened(mine: Any) -> Any:
-    """Tables of pandas and sparse or masked things as arrays, SymPy matrices as lists of lists,
-    dicts as their values.
+    """Arrays and SymPy's matrices as lists, where what is masked is None; tables of pandas as
+    arrays, dicts as their values.
     """
     if isinstance(mine, Mapping):
         return list(mine.values())
     if hasattr(mine, "tolist"):
-        return mine if isinstance(mine, np.ndarray) and mine.dtype.kind in "iuf" else mine.tolist()
+        return mine.tolist()
     if hasattr(mine, "to_numpy"):
         return mine.to_numpy()
     return mine

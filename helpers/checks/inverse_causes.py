@@ -67,7 +67,7 @@ def single(arm: Arm, q: Array) -> Iterator[tuple[Cause, Array]]:
                 yield cause(key, joint=f"q_{i}"), mended
 
 
-def kept(arm: Arm, q: Array, branches: Array) -> Iterator[tuple[Cause, Array]]:
+def kept(q: Array, branches: Array) -> Iterator[tuple[Cause, Array]]:
     """theta_1 = +-pi/2 kept from the singular case where an offset shoulder has two general
     values.
     """

@@ -251,10 +251,8 @@ class _Judged:
 
     @classmethod
     def of(cls, table: Table, reference: Arm, tolerance: float | None) -> "_Judged":
-        rows = _meant(table)
-        if all(r.kind == "F" for r in rows):
-            raise ArmError(say("table no joint", name=table.name))
-        return cls(table, reference, tolerance, side(rows), side(_squared(numeric(reference))))
+        ref = side(_squared(numeric(reference)))
+        return cls(table, reference, tolerance, side(_meant(table)), ref)
 
     @property
     def exact(self) -> float:

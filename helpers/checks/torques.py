@@ -144,14 +144,15 @@ def _poses(q: ArrayLike | str, arm: Arm, angles: str) -> Typed:
     values, units = typed.values, typed.units
     if values.ndim == 2 and values.shape[0] == arm.dof != values.shape[1]:
         values, units = values.T, units.T
-    if values.ndim > 2:
-        values, units = (x.reshape(-1, x.shape[-1]) for x in (values, units))
     if values.shape[:1] == (1,) and values.ndim == 2:
         values, units = values[0], units[0]
     if angles == "deg" and values.shape[-1:] == (arm.dof,):
         factor = np.where(arm.turning, np.pi / 180, 1.0)
         values, units = values * factor, units * factor
-    return Typed(arm.joint_vector(values), units)
+    values = arm.joint_vector(values)
+    if values.ndim > 2:
+        values, units = (x.reshape(-1, arm.dof) for x in (values, units))
+    return Typed(values, units)
 
 
 def _upright(typed: Typed, right: Array) -> tuple[Typed | None, tuple[str, ...]]:

@@ -210,7 +210,8 @@ def wrapped(angle: Array) -> Array:
     turns = angle * (0.5 / np.pi)
     np.rint(turns, out=turns)
     turns *= -2 * np.pi
-    return np.add(turns, angle, out=turns)
+    turns += angle
+    return turns
 
 
 def _turned_towards(arm: Arm, q: Array, start: Array, limits: bool = True) -> Array:

@@ -170,7 +170,7 @@ def _must_have_arrived(error: Array) -> None:
 
 def _must_not_leap(arm: Arm, step: Array) -> None:
     leaps = np.where(arm.turning, np.abs(step), 0.0)
-    if leaps.max(initial=0.0) > np.pi:
+    if leaps.max() > np.pi:
         joint, leap = arm.joints[leaps.argmax()], leaps.max()
         raise UnreachableError(
             f"joint {joint} would turn by {leap:.3g} rad at once; expected half a turn at most:"

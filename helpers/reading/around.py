@@ -41,7 +41,7 @@ _LATEX = (
 
 def bare(text: str) -> str:
     """A paste without what only stands around it."""
-    text = _COMMENT.sub(r"\1", _FENCE.sub("", text))
+    text = _COMMENT.sub(r"\1", _FENCE.sub("", text.replace("\ufeff", "")))
     text = _PROMPTED.sub("", _ASKED.sub("", text))
     return _SIGN.sub("", _LABEL.sub("", text))
 

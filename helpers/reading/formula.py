@@ -93,11 +93,11 @@ _SAME = {
 }
 _TABLE = str.maketrans(_SAME)
 _LATEX = (
-    (r"\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)\b", " "),
+    (r"\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)(?![A-Za-z])", " "),
     (r"\\[,;:! ]|~|\\hspace\{[^{}]*\}", " "),
     (r"\\(?:mathrm|text|mathit|mathbf|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}", r"\1"),
-    (r"\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)\b", " deg"),
-    (r"\\(?:cdot|times|ast)\b", "*"),
+    (r"\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)(?![A-Za-z])", " deg"),
+    (r"\\(?:cdot|times|ast)(?![A-Za-z])", "*"),
     (r"\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)", " "),
     (r"_\s*\{\s*(\w+)\s*\}", r"_\1"),
     (r"_\s*\{\s*([\w+-]+)\s*\}", r"_{\1}"),

@@ -34,7 +34,7 @@ def cells(text: str) -> Cells:
     """
     if len(text) > LONGEST:
         raise ArmError(f"the text has {len(text)} characters; expected at most {LONGEST}")
-    rows = _rows(without_surroundings(text).lstrip("\ufeff").strip().strip("`$").strip())
+    rows = _rows(without_surroundings(text).strip().strip("`$").strip())
     rows = [[cell.strip() for cell in row] for row in rows if any(cell.strip() for cell in row)]
     if not rows:
         raise ArmError("the text is empty; expected rows of numbers or formulas")
@@ -64,7 +64,7 @@ def _latex(text: str) -> Cells:
     text = bare_latex(text)
     text = re.sub(r"\\left\s*[\[(.|]\s*(?=\\begin)", " ", text)
     text = re.sub(
-        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b",
+        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|(?:top|mid|bottom)rule|nonumber)(?![A-Za-z])",
         " ",
         _ENVIRONMENT.sub(" ", text),
     )
@@ -75,7 +75,7 @@ def _latex(text: str) -> Cells:
         .replace("\\[", " ")
         .replace("\\]", " ")
     )
-    return [row.split("&") for row in re.split(r"\\\\|\\cr\b", text)]
+    return [row.split("&") for row in re.split(r"\\\\|\\cr(?![A-Za-z])", text)]
 
 
 def _markdown(text: str) -> Cells:

@@ -341,7 +341,7 @@ def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str
 
 
 def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
-    text = _unboxed(text.lstrip("\ufeff"))
+    text = _unboxed(text.replace("\ufeff", ""))
     if links := re.findall(
         r"(Link|(?:Revolute|Prismatic)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)",
         text,

@@ -217,7 +217,7 @@ def _gathered(entry: sp.Expr, turning: frozenset[sp.Symbol], by_angles: bool) ->
     """
     sums: dict[sp.Expr, sp.Expr] = {}
     for term in sp.Add.make_args(sp.expand(entry)):
-        lengths, angles = term.as_independent(*turning, as_Add=False)
+        lengths, angles = term.as_independent(*turning)
         key, part = (angles, lengths) if by_angles else (lengths, angles)
         number, key = key.as_coeff_Mul()
         sums[key] = sums.get(key, sp.S.Zero) + number * part

@@ -56,7 +56,7 @@ def _id(item: Item) -> str:
 def title(item: Item) -> str:
     """An answer's name in HTML."""
     letter, _, index = item.name.partition("_")
-    plain = {"J": "<i>J</i>", "det": "det <i>J</i>", "P": "<i>P</i>", "G": "<i>g</i>(<i>q</i>)"}
+    plain = {"det": "det <i>J</i>", "G": "<i>g</i>(<i>q</i>)"}
     if letter in plain:
         return plain[letter]
     if letter == "T":

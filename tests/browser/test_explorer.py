@@ -553,7 +553,7 @@ NAMELESS = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']
 
 @pytest.mark.parametrize(("theme", "size"), [("light", "wide"), ("dark", "phone")])
 def test_every_tab_fits_the_page_and_wears_its_theme_and_all_in_it_has_a_name(visit, theme, size):
-    here = visit(theme=theme, size=size)
+    here = visit(theme=theme, size=size, script=UNSET)
     card = here.page.locator("section.explorer")
     assert card.get_attribute("data-theme") == theme
     for name in ("DH table", "Pose", "Jacobian", "Circle trace", "Static torque", "IK branches"):

@@ -85,21 +85,23 @@ const ground = (e) => {
 const look = (e) => {
     const { color, fontSize, fontWeight, textShadow } = getComputedStyle(e);
     return [color, fontSize, fontWeight, textShadow, ground(e)].join();
-};"""
+};
+const own = (e) => [...e.childNodes].map((node) => (node.nodeType === Node.TEXT_NODE ? node.data : "")).join("");
+const legible = (e) => /[\\p{L}\\p{N}].*[\\p{L}\\p{N}]/su.test(own(e));"""
 # Axe finds one word of a program like the next of its look, judges no letter that stands alone, and reads no formula's
-# glyphs (no text, hidden from it): none of them is left to it ten thousand times. What could be focused in a formula is counted here.
+# glyphs (no text, hidden from it): none of them is left to it ten thousand times, and of each kind of empty formula one.
+# What could be focused in a formula is counted here.
 THINNED = f"""() => {{
     {LOOK}
     const formulas = [...document.querySelectorAll("mjx-math, mjx-assistive-mml")], seen = new Set();
     const focusable = formulas.filter(m => m.querySelector("a[href], button, input, [tabindex]")).length;
+    const again = (e, kind) => (seen.has(kind) ? e.remove() : seen.add(kind));
     formulas.forEach(m => m.replaceChildren());
-    const again = [...document.querySelectorAll("article :is(span, i, sub, em):not(a *, button *, summary *, label *, mjx-container *)")].filter(word => {{
-        if (word.childElementCount || word.matches("[role], [tabindex], [id], [aria-label]")) return false;
-        const {{ tagName, className }} = word.parentElement;
-        const kind = [word.tagName, word.className, tagName, className, look(word)].join();
-        return seen.has(kind) || !seen.add(kind);
-    }});
-    again.forEach(word => word.remove());
+    for (const set of document.querySelectorAll("mjx-container")) again(set, set.outerHTML.replace(/ style="[^"]*"/, [...set.style]));
+    const words = [...document.querySelectorAll("article :is(span, i, b, sub, sup, em):not(a *, button *, summary *, label *, mjx-container *)")];
+    const kinds = words.map((word) => [word.tagName, word.className, word.parentElement.tagName, word.parentElement.className, look(word), legible(word)].join());
+    for (let k = words.length; k--; )
+        if (!words[k].childElementCount && !words[k].matches("[role], [tabindex], [id], [aria-label]")) again(words[k], kinds[k]);
     return focusable;
 }}"""
 # Contrast costs axe the most, and is the same for all letters of a look: it judges two elements of each, of those that
@@ -111,11 +113,10 @@ MARKED = f"""() => {{
     const off = (e) => e.matches(":disabled, :disabled *, [aria-disabled=true], [aria-disabled=true] *") || e.closest("label")?.control?.disabled;
     for (const e of within(document)) {{
         delete e.dataset.look;
-        const own = [...e.childNodes].map((node) => (node.nodeType === Node.TEXT_NODE ? node.data : "")).join("");
-        if (!own.trim() && !e.matches("input, select, textarea")) continue;
+        if (!own(e).trim() && !e.matches("input, select, textarea")) continue;
         const {{ right, bottom, width, height }} = e.getBoundingClientRect();
         if (width < 2 || height < 2 || right < 0 || bottom + scrollY < 0 || !e.checkVisibility({{ visibilityProperty: true }})) continue;
-        const kind = [look(e), /[\\p{{L}}\\p{{N}}].*[\\p{{L}}\\p{{N}}]/su.test(own), off(e)].join();
+        const kind = [look(e), legible(e), off(e)].join();
         const times = (seen.get(kind) ?? 0) + 1;
         seen.set(kind, times);
         if (times <= 2) e.dataset.look = times;

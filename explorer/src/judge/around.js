@@ -40,6 +40,7 @@ const LATEX = [
 // A paste without what only stands around it.
 export const bare = (text) =>
   text
+    .replaceAll("\ufeff", "")
     .replace(FENCE, "")
     .replace(COMMENT, "$1")
     .replace(ASKED, "")

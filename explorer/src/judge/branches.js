@@ -333,7 +333,7 @@ function why(right, q, margin) {
   const first = function* () {
     yield* single(arm, q);
     yield* whole(arm, q);
-    yield* kept(arm, q, branches.map((branch) => branch.q)); // prettier-ignore
+    yield* kept(q, branches.map((branch) => branch.q)); // prettier-ignore
   };
   // A slip in two joints can help where all the others are in one branch.
   const near = branches.map((branch) => gapOf(arm, q, branch.q).map((x, k) => x <= 1.5 * margin[k]));
@@ -344,7 +344,7 @@ function why(right, q, margin) {
     if (mixed) return { causes: [mixed.cause], words: mixed.words };
   }
   const astray = variable(arm).filter((_, k) => !fits.some((row) => row[k]));
-  const fields = { joints: listed(astray.length ? astray : ["q"]) };
+  const fields = { joints: listed(astray) };
   const words = astray.length > 1 ? say("ik in no branch", fields) : say("ik one in no branch", fields);
   return { causes: [], words };
 }

@@ -73,11 +73,11 @@ const SAME = new Map([
 ]);
 /** @type {[RegExp, string][]} */
 const LATEX = [
-  [/\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)\b/g, " "],
+  [/\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)(?![A-Za-z])/g, " "],
   [/\\[,;:! ]|~|\\hspace\{[^{}]*\}/g, " "],
   [/\\(?:mathrm|text|mathit|mathbf|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g, "$1"],
-  [/\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)\b/g, " deg"],
-  [/\\(?:cdot|times|ast)\b/g, "*"],
+  [/\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)(?![A-Za-z])/g, " deg"],
+  [/\\(?:cdot|times|ast)(?![A-Za-z])/g, "*"],
   [/\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)/g, " "],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
   [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],

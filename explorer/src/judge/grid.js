@@ -15,7 +15,7 @@ const TAIL = /\)?(?:,\s*(?:dtype\s*=\s*[\p{L}\p{N}_.']+|\d+)\s*)?\)+\s*;?\s*$/u;
 const NAMED = /^\s*[\p{L}\p{N}_.]+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*(?=[[({\n\d-]|$)/u;
 const ENVIRONMENT = /\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?/g;
 const LATEX_REST =
-  /\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|toprule|midrule|bottomrule|nonumber)\b/g;
+  /\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|(?:top|mid|bottom)rule|nonumber)(?![A-Za-z])/g;
 const STARRED = /(?:^|[\s[(])-?(?:θ|\\?theta|th|q)_?\{?(?:\d+|i)?\}?\^?\*$|^\s*\*$/;
 const FACTOR = /^[-+*/^.0-9e \t]+(?=\[)/;
 const SCALE = /^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$/m;
@@ -72,7 +72,7 @@ function latex(text) {
     .replaceAll("$", " ")
     .replaceAll("\\[", " ")
     .replaceAll("\\]", " ");
-  return text.split(/\\\\|\\cr\b/).map((row) => row.split("&"));
+  return text.split(/\\\\|\\cr(?![A-Za-z])/).map((row) => row.split("&"));
 }
 
 const markdown = (text) =>

@@ -224,7 +224,7 @@ const unquoted = (text) => text.trim().replace(/^['"]+|['"]+$/g, "");
 
 /** @returns {Cells} */
 function ofText(typed) {
-  const text = unboxed(typed);
+  const text = unboxed(typed.replaceAll("\ufeff", ""));
   const links = [...text.matchAll(LINK)].map(([, kind, body]) => ({ kind, body }));
   if (links.length) return ofLinks(links);
   const records = ofRecords(text);
