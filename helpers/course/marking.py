@@ -158,7 +158,8 @@ def _usual(mine: Array) -> Iterator[tuple[str, str, Array]]:
     yield "numbers.millimetres", "Right in millimetres; metres were asked.", mine / 1000
     yield "numbers.degrees", "Right in degrees; radians were asked.", np.radians(mine)
     yield "numbers.sign", "Every sign is the other way round.", -mine
-    yield "numbers.transposed", "It is the transpose of what was asked.", mine.T
+    if mine.shape == mine.T.shape:
+        yield "numbers.transposed", "It is the transpose of what was asked.", mine.T
 
 
 def _jacobian(question: Question, part: Part, answer: Any, rules: Rules) -> Mark:
