@@ -223,7 +223,7 @@ def test_beyond_reach_there_is_no_branch_but_a_distance():
     np.testing.assert_allclose(elbow(OFFSET, (0.05, 0.0, 0.8)).distance, 0.07, atol=1e-12)
     assert np.isnan(elbow(OFFSET, (2.0, 0.0, 0.8)).distance)
     np.testing.assert_allclose(
-        rod(replace(STANFORD, rows=STANFORD.rows[:3], home=()), (0.1, 0, 0)).distance, 0.054
+        rod(replace(STANFORD, rows=STANFORD.rows[:3], home=()), (0.06, 0.08, 0.3)).distance, 0.054
     )
 
 
@@ -541,8 +541,11 @@ def test_out_of_a_urs_reach_the_distance_is_unknown_for_that_target_only():
 
 
 def test_a_ur_folded_onto_its_shoulder_has_joint_2_free():
-    twins = UR10E.with_values(a_3=0.6127)  # as a_2
-    q = np.array((0.4, 0.7, np.pi, 0.3, 1.1, -0.8))
+    """Its table counts joints 2 and 3 from elsewhere."""
+    first, second, third, *others = UR10E.with_values(a_3=0.6127).rows  # as a_2
+    offset = replace(second, theta=0.3), replace(third, theta=-0.5)
+    twins = UR10E.with_values(a_3=0.6127).with_rows([first, *offset, *others])
+    q = np.array((0.4, 0.7, np.pi + 0.5, 0.3, 1.1, -0.8))
     T = forward_kinematics(twins, q)
     found = ur(twins, T, start=q)
     folded = found.valid & found.free[:, 1]

@@ -69,10 +69,12 @@ def test_one_run_is_itself_and_more_must_fit():
     with pytest.raises(ArmError, match="runs are 3; expected one or more runs"):
         joined(3)
     away = replace(second, q=second.q + 0.1)
+    beside = replace(second, q=second.q + 2e-6 * (np.abs(second.q) > 1))
     other = replace(second, arm=PANDA_HOMEWORK.lock(3, at=0.1))
     for runs, message in (
         ([first, first], "run 1 ends at [^;]*; expected the same"),
         ([first, replace(second, q=second.q * 1.5)], "run 1 ends at [^;]*; expected the same"),
+        ([first, beside], "run 1 ends at [^;]*; expected the same"),
         ([first, second, away], "run 2 ends at [^;]*; expected the same"),
         ([first, other], "run 1 is .* expected one arm"),
     ):

@@ -248,6 +248,11 @@ REFUSED = {
         {"hold": {"wrist": 0}},
         "no joint 'wrist' can be held; expected one of shoulder, elbow",
     ),
+    "a hold among nine joints": (
+        robot(*map(link, "abcdefghij"), *map(joint, "123456789", "abcdefghi", "bcdefghij")),
+        {"hold": {"wrist": 0}},
+        "expected one of 1, 2, 3, 4, 5, 6, 7, 8 and 1 more",
+    ),
     "a hold for a fixed joint": (TWO, {"hold": {"flange": 0}}, "no joint 'flange' can be held"),
     "a hold beyond the limits": (
         TWO,

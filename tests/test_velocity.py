@@ -132,6 +132,12 @@ def test_ellipsoids_hold_what_unit_joint_speeds_and_torques_do(arm):
         assert np.linalg.norm(J.T @ direction) == pytest.approx(1)
 
 
+def test_an_axis_points_where_its_first_large_entry_is_positive():
+    along = np.array([0.5, -0.8, 0.33])
+    for J in (np.outer(along, [2, 0]), np.outer(-along, [0, 2])):
+        np.testing.assert_allclose(velocity_ellipsoid(J)[:, 0], 2 * along)
+
+
 def test_force_ellipsoid_of_three_directions_apart():
     forces = [[0, 0.5, 0], [0.25, 0, 0], [0, 0, np.inf]]
     np.testing.assert_array_equal(force_ellipsoid(np.diag([2.0, 4.0, 0.0])), forces)
