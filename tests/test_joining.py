@@ -42,9 +42,12 @@ def test_there_and_back_again():
 
 
 def test_rates_are_those_of_the_step_that_follows():
-    run = joined(halves())
+    first, second = halves()
+    run = joined([first, second, first])
     steps = np.diff(run.q, axis=0) / np.diff(run.t)[:, None]
     assert run.q_dot[:-1] == pytest.approx(steps)
+    changes = np.abs(np.diff(steps, axis=0)) / np.diff(run.t)[:-1, None]
+    assert run.report.largest_acceleration == pytest.approx(changes.max())
 
 
 def test_position_and_velocity_are_taken_from_the_piece_that_a_time_belongs_to():
