@@ -593,7 +593,9 @@ def _amount(d: Difference, what: str) -> str:
         angles = (round(math.degrees(angle), 4) for angle in (x, y, angle_between(x, y)))
         mine, reference, off = (size(angle, 6) for angle in angles)
         return say("table angle", what=what, mine=mine, reference=reference, off=off)
-    x, y = round(d.mine, 9), round(d.reference, 9)  # what is left of a zero is none
+    # To a micrometre: where axes are nearly parallel, rounding leaves no more of a distance. First
+    # to a nanometre, so that half a micrometre is one for the page's judge too.
+    x, y = (round(round(length, 9), 6) for length in (d.mine, d.reference))
     if x * y < 0:
         return say("table other way", what=what, mine=size(x, 6), reference=size(y, 6))
     way = say("long") if abs(x) > abs(y) else say("short")

@@ -501,7 +501,9 @@ function amount({ key, mine, reference }, what) {
     const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEG, 4), 6));
     return say("table angle", { what, mine: spelt[0], reference: spelt[1], off: spelt[2] });
   }
-  const [x, y] = [rounded(mine, 9), rounded(reference, 9)]; // what is left of a zero is none
+  // To a micrometre: where axes are nearly parallel, rounding leaves no more of a distance. First to a nanometre,
+  // so that half a micrometre is one for the checkers too.
+  const [x, y] = [mine, reference].map((length) => rounded(rounded(length, 9), 6));
   if (x * y < 0) return say("table other way", { what, mine: size(x, 6), reference: size(y, 6) });
   const way = Math.abs(x) > Math.abs(y) ? say("long") : say("short");
   const off = size(rounded(1000 * Math.abs(mine - reference), 6), 4);
