@@ -79,6 +79,13 @@ def test_no_cell_is_kept_from_being_checked(path):
 
 
 @every_notebook
+def test_no_cell_reads_a_clock(path):
+    """What lasts how long changes with what else the machine does, and so would the output."""
+    clock = r"(import|from) +(time|timeit|datetime)\b|^ *%%?time"
+    assert not [cell.source for cell in code_cells(path) if re.search(clock, cell.source, re.M)]
+
+
+@every_notebook
 def test_no_cell_failed(path):
     assert not [output for _, output in outputs(path) if output.output_type == "error"]
     assert not [output for _, output in outputs(path) if output.get("name") == "stderr"]
