@@ -102,8 +102,8 @@ def determinant(arm: Arm) -> sp.Expr:
 
     For an arm of six joints det J, for one of three the determinant of the tip's linear rows. Both
     are the same in the axes of any frame, and det J for any point of the last link too, so that it
-    is taken halfway up the arm, where entries are short. Raises ArmError for another number of joints. Source: Spong,
-    Hutchinson and Vidyasagar, section 4.9.
+    is taken halfway up the arm, where entries are short. Raises ArmError for another number of
+    joints. Source: Spong, Hutchinson and Vidyasagar, section 4.9.
     """
     must_be(arm, Arm, "arm")
     if arm.dof not in (3, 6):
