@@ -109,7 +109,7 @@ def test_the_choices_in_these_tests_are_choices(arm):
 
 
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(data=st.data())
 def test_every_valid_choice_is_accepted(arm, data):
     mine = arm

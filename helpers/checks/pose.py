@@ -42,7 +42,7 @@ def compare_pose(
     Raises ArmError for another shape.
     """
     must_be(arm, Arm, "arm")
-    door.settings(angles, tolerance)
+    tolerance = door.settings(angles, tolerance)
     typed, taken = answers(q, arm, angles)
     if len(typed.values) != 1:
         raise ArmError(say("one answer", arm=arm.name, count=len(typed.values)))

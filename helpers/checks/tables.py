@@ -113,7 +113,7 @@ def compare_tables(
     Robotics, section 2.8.2, on the free choices.
     """
     must_be(reference, Arm, "the reference")
-    door.settings("rad", tolerance, values)
+    tolerance = door.settings("rad", tolerance, values)
     if not reference.dof or (isinstance(mine, Arm) and not mine.dof):
         raise ArmError(
             f"cannot compare {shown(mine)} with {reference!r}; expected arms with one joint or more"

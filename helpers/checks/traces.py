@@ -54,7 +54,7 @@ def compare_trace(
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
-    door.settings(angles, tolerance)
+    tolerance = door.settings(angles, tolerance)
     typed = door.numbers(mine, f"{arm.name}: your joints")
     upright = _upright(typed, arm, path)
     if not upright:
