@@ -163,7 +163,7 @@ def _judged(
     jumps = _jumps(q)
     stuck = _no_inverse(q, arm, jumps)
     off = offs(path, poses[:, :3, 3])
-    jump = [] if stuck or not jumps.size else [_jump(q, arm, jumps, off <= allowed)]
+    jump = [] if stuck or not jumps.size else [_jump(q, arm, jumps, bool((off <= allowed).all()))]
     symptoms = list(_symptoms(arm, path, run, poses, turn, allowed, jump))
     if extra:
         symptoms.append(Finding("trace.one more", "", None, None, say("trace.one more")))
@@ -267,10 +267,10 @@ def _unwound(typed: Typed, arm: Arm) -> tuple[Typed, tuple[str, ...]]:
     return replace(typed, values=counted), (words,)
 
 
-def _jump(q: Array, arm: Arm, jumps: Array, on: Array) -> Finding:
-    """The first jump; to another branch only where the tip is `on` its path before and after it."""
+def _jump(q: Array, arm: Arm, jumps: Array, on: bool) -> Finding:
+    """The first jump; to another branch only where the tip stays `on` its path."""
     fields = _jumping(q, arm, int(jumps[0]))
-    key = "trace.jump" if on[jumps[0] : jumps[0] + 2].all() else "trace jump off"
+    key = "trace.jump" if on else "trace jump off"
     words = say(key, to=fields["step"] + 1, count=jumps.size, **fields)
     return Finding("trace.jump", f"step {fields['step']}", None, None, words)
 

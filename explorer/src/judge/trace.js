@@ -152,8 +152,7 @@ function judged(run, arm, path, allowed, given, blur) {
   const turn = joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
   const far = jumps(q);
   const stuck = noInverse(q, arm, far);
-  const onPath = errors.map((off) => off <= allowed);
-  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, onPath)];
+  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, error <= allowed)];
   const symptoms = [...symptomsOf(run, arm, errors, frames, turn, allowed, jump)];
   const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
   const why = () => {
@@ -233,11 +232,11 @@ function unwound(q, arm) {
   return [counted, [say("trace whole turn", { step, to: step + 1, joint, count: steps.length })]];
 }
 
-// The first jump; to another branch only where the tip is on its path before and after it.
+// The first jump; to another branch only where the tip stays on its path.
 /** @returns {Finding} */
 function jumpOf(q, arm, far, on) {
   const { step, ...fields } = jumping(q, arm, far[0]);
-  const key = on[step] && on[step + 1] ? "trace.jump" : "trace jump off";
+  const key = on ? "trace.jump" : "trace jump off";
   const words = say(key, { step, to: step + 1, count: far.length, ...fields });
   return { what: "trace.jump", where: `step ${step}`, words };
 }
