@@ -99,7 +99,9 @@ def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
     rows = grid.without_header(grid.cells(text))
     widths = {len(row) for row in rows}
     if len(widths) > 1:
-        raise ArmError(say("ragged", what=what, widths=", ".join(map(str, sorted(widths)))))
+        told = ", ".join(map(str, sorted(widths)))
+        row, count = next((i, len(row)) for i, row in enumerate(rows, 1) if len(row) < max(widths))
+        raise ArmError(say("ragged", what=what, widths=told, row=row, count=count))
     shape = (len(rows), widths.pop())
     if (found := _plain_numbers(rows)) is not None:
         texts = [cell for row in rows for cell in row]
