@@ -132,7 +132,7 @@ myst:
 
 How fast are the helpers, measured against programs that people use? Each block is one piece of work, and each line says how a program was
 called: as its users write it, and in the best way that we found. All did it in one run, in turn, each warm, and their results had to agree before
-anything was timed. Times are medians; a ratio below 1 means that the helpers were faster.
+anything was timed. Times are medians, but for a million poses, each timed once; a ratio below 1 means that the helpers were faster.
 
 {table}
 
@@ -146,12 +146,12 @@ How the best ways are called:
 - **JAX**: compiled (`jit`), in double precision, in two ways: `vmap` over 4 x 4 matrices, as it is usually written, and the entries of the whole batch one by
   one. Which is faster depends on the work.
 - **Pinocchio** and **MuJoCo** have no batches in Python for these works: a loop, with everything that does not change taken out of it. In traces the last
-  line also locks joint 3 in Pinocchio's own model and keeps its signs, which leaves one call and one `solve` in each step.
+  line of Pinocchio also locks joint 3 in its own model and keeps its signs, which leaves one call and one `solve` in each step of Euler.
 - **roboticstoolbox**: `ETS.eval` takes batches and arrays in C, `ETS.fkine` wraps each result in an object.
 
 The helpers are plain NumPy. They are quick where many configurations are computed in one call; a trace, too, is computed at all of its steps at once, wherever
-rates are the plain inverse of the arm's own Jacobian. One pose alone costs the interpreter ten to twenty microseconds, several times what a compiled
-library takes: a loop of your own around single poses is faster with one of those.
+rates are the plain inverse of the arm's own Jacobian. One pose alone costs the interpreter ten to twenty microseconds, several times what Pinocchio and
+MuJoCo take: a loop of your own around single poses is faster with one of those.
 """
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, entry, evaluate, latex, names
-from helpers.inputs import ArmError, listed, must_be, numbers, shown
+from helpers.inputs import ArmError, listed, must_be, named, numbers, shown
 from helpers.rows import (
     Body,
     Joint,
@@ -198,7 +198,7 @@ class Arm:
 
         must_be(name, str, "an arm's name")
         if values is not None:
-            must_be(values, Mapping, "values")
+            named(values, "values")
         taken = meant(read(source, columns, lengths, angles, convention, values)[0])
         return cls(name, taken.as_rows(), source="; ".join(taken.said))
 

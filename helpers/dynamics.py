@@ -2,7 +2,7 @@
 
 Motion is carried outwards from the base, forces inwards from the tip, everything in base axes.
 Gravity enters as an upward acceleration of the base.
-Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 7.6.
+Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 6.6.
 """
 
 import numpy as np

@@ -2,7 +2,7 @@
 with, or raises ArmError, which says what was given and what was expected."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from itertools import permutations
 from typing import Any
 
@@ -71,6 +71,14 @@ def number(
     if found.shape or not (np.isfinite(found) and found > above and found >= least):
         raise ArmError(f"{what} is {shown(value)}; expected {wanted}")
     return float(found)
+
+
+def named(values: Any, what: str) -> dict[str, float]:
+    """Numbers by name."""
+    must_be(values, Mapping, what)
+    for name in values:
+        must_be(name, str, f"a name in {what}")
+    return {name: number(x, f"{what}[{name!r}]") for name, x in values.items()}
 
 
 def whole(value: Any, what: str, least: int = 0) -> int:

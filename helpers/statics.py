@@ -64,10 +64,16 @@ def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike 
 
     Raises ArmError for a wrench of another shape or with NaN in it.
     """
-    F = numbers(wrench, "wrench", "six finite numbers (fx, fy, fz, mx, my, mz)", (6,), many=True)
+    F = forces(wrench)
     g = gravity_torque(arm, q, gravity)
     common_shape("poses and wrenches", g.shape[:-1], F.shape[:-1])
     return g - np.einsum("...ij,...i->...j", jacobian(arm, q), F)
+
+
+def forces(wrench: ArrayLike) -> Array:
+    """Wrenches of shape (..., 6); raises ArmError for another shape or NaN in it."""
+    wanted = "six finite numbers (fx, fy, fz, mx, my, mz)"
+    return numbers(wrench, "wrench", wanted, (6,), many=True)
 
 
 def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm:

@@ -100,10 +100,10 @@ def jacobian_by_differentiation(arm: Arm) -> Matrix:
 def determinant(arm: Arm) -> sp.Expr:
     """The determinant of the Jacobian, factored; singular poses are where a factor is 0.
 
-    For an arm of six joints det J, for one of three the determinant of the linear rows. It does not
-    depend on the frame nor on the point that the Jacobian is taken in, so it is taken halfway up
-    the arm, where entries are short. Raises ArmError for another number of joints. Source: Spong,
-    Hutchinson and Vidyasagar, section 4.9.
+    For an arm of six joints det J, for one of three the determinant of the tip's linear rows. Both
+    are the same in the axes of any frame, and det J for any point of the last link too, so that it
+    is taken halfway up the arm, where entries are short. Raises ArmError for another number of
+    joints. Source: Spong, Hutchinson and Vidyasagar, section 4.9.
     """
     must_be(arm, Arm, "arm")
     if arm.dof not in (3, 6):

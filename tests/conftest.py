@@ -1,6 +1,15 @@
-"""An ArmError without words helps nobody: in every test, each one that is raised has some."""
+"""An ArmError without words helps nobody: in every test, each one that is raised has some. And no
+law is broken by a slow machine.
+"""
+
+from hypothesis import HealthCheck, settings
 
 from helpers.inputs import ArmError
+
+settings.register_profile(
+    "unhurried", settings(), deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("unhurried")
 
 
 def _with_words(error, *words):

@@ -98,7 +98,8 @@ def _mistaken(rng, load: Load) -> np.ndarray:
         return right
     if what < 0.65:
         made = np.concatenate([catalogue(load, count)[1] for count in (1, 2)])
-        return made[int(rng.integers(len(made)))]
+        besides = np.arange(right.shape[1]) == rng.integers(3 * right.shape[1])
+        return made[int(rng.integers(len(made)))] + besides * rng.uniform(0.05, 5)
     if what < 0.75:
         made = (reversed_joints(load, right) if rng.random() < 0.5 else paper_centres(load))[1]
         return made[int(rng.integers(len(made)))]

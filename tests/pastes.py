@@ -141,6 +141,15 @@ NUMPY: dict[str, Template] = {
     "minus": over(NESTED, ("-", "−")),
     "no-break": over(lines("  ", "]\n [", "[[", "]]"), (" ", "\u00a0")),
     "plus": each(lambda x: x if x[0] == "-" else f"+{x}", NESTED),
+    "round brackets": lines("  ", "\n  ", "J = ( ", " )"),
+    "each row in round ones": lines(" ", ")\n(", "(", ")"),
+    "list in round ones": lines(", ", "],\n [", "([[", "]])"),
+    "full stop": lines(", ", "], [", "J = np.array([[", "]])."),
+    "curled quotes": each(lambda x: f"“{x}”", NESTED),
+    "curled once": each(lambda x: f"‘{x}’", NESTED),
+    "remarks": lines(" ", "  # a row\n", "", " # the last"),
+    "degrees": each(lambda x: f"{x}*180/pi", lines(", ", "], [", "np.deg2rad([[", "]])")),
+    "radians": each(lambda x: f"{x} rad", lines(" ", "]\n [", "[[", "]]")),
 }  # fmt: skip
 MATLAB: dict[str, Template] = {
     "typed": lines(" ", "; ", "[", "]"),
@@ -176,6 +185,8 @@ MATLAB: dict[str, Template] = {
     "round(": lines(" ", "; ", "round([", "], 4)"),
     "minus": over(lines(" ", "; ", "[", "]"), ("-", "−")),
     "windows": lines(" ", ";\r\n", "J = [", "];"),
+    "comma": lines(" ", "; ", "J = [", "],"),
+    "remarks": lines(" ", " % a row\n     ", "J = [", " % the last\n];"),
 }  # fmt: skip
 
 
@@ -258,6 +269,15 @@ LATEX: dict[str, Template] = {
     "comment": inside("bmatrix", rows=lines(" & ", " \\\\ % a row\n", "\n")),
     "scriptsize": inside("bmatrix", r"{\scriptsize ", "}"),
     "displaystyle": inside("bmatrix", r"\displaystyle J = "),
+    "round brackets": inside("bmatrix", "J = (\n", "\n)."),
+    "square brackets": in_array("c", "[", "]"),
+    "big brackets": inside("matrix", r"\bigl( ", r" \bigr)"),
+    "bigger brackets": inside("matrix", r"\Bigg[", r"\Bigg]"),
+    "about": inside("bmatrix", r"J \approx "),
+    "tag": inside("bmatrix", "J = ", r" \quad \tag{3}"),
+    "cline": inside("tabular}{cccc", rows=lines(" & ", r" \\ \cline{1-2} ")),
+    "textbf": each(lambda x: rf"\textbf{{{x}}}", inside("bmatrix")),
+    "decimal commas": over(inside("bmatrix"), COMMA),
 }  # fmt: skip
 CSV: dict[str, Template] = {
     "plain": lines(",", "\n"),
@@ -325,6 +345,14 @@ EXCEL: dict[str, Template] = {
     "array formula, backslash": over(lines(";", "\n"), COMMA),
     "Sheets array": lines(", ", "; ", "{", "}"),
     "comma and blank": over(lines("   ", "\n"), COMMA),
+    "thousands": each(lambda x: f"{float(x):,.4f}", TABS),
+    "thousands, commas": over(
+        each(lambda x: f"{float(x):,.4f}", TABS), (",", " "), COMMA, (" ", ".")
+    ),
+    "Markdown, commas": over(lines(" | ", " |\n| ", "| ", " |"), COMMA),
+    "bars": lines(" ", " |\n| ", "| ", " |"),
+    "bars around": lines(" ", "\n", "|", "|"),
+    "tall brackets": lines(" ", "⎞\n⎝", "⎛", "⎠"),
 }  # fmt: skip
 FORMATS = {"NumPy": NUMPY, "MATLAB": MATLAB, "LaTeX": LATEX, "CSV": CSV, "Excel": EXCEL}
 

@@ -97,6 +97,15 @@ RIGHT = {
     "q1\t500\t0\t90\nq2\t0\t400\t0\nq3\t0\t300\t0",
     "units apart": "a (mm) alpha (deg) d (mm) theta (deg)\n0 90 500 q1\n400 0 0 q2\n300 0 0 q3",
     "joints counted": "joint  theta  d  a  alpha\n1 q1 0.5 0 90\n2 q2 0 0.4 0\n3 q3 0 0.3 0",
+    "two blanks": "0   pi / 2   1 / 2   -q_1\n0.4   0   0   q_2\n0.3   0   0   q_3",
+    "two blanks, as many": "0  pi /2   0.5  q_1\n0.4  0 /2   0  q_2\n0.3  0 /2   0  q_3",
+    "captions": "Table 1: the elbow\n\n(by hand)\na  alpha  d  theta\n" + joined(ROWS, "  ", "\n"),
+    "cells left empty in CSV": "a,alpha,d,theta\n,pi/2,0.5,q1\n0.4,,,q2\n0.3,,0,q3",
+    "curled quotes": "[{‘a’: 0, ‘alpha’: pi/2, ‘d’: 0.5}, {“a”: 0.4, “alpha”: 0, “d”: 0}, "
+    "{‘a’: 0.3, ‘alpha’: 0, ‘d’: 0}]",
+    "degrees in words": "0, 90 degrees, 0.5, q1\n0.4, 0 degrees, 0, q2\n0.3, 0, 0, q3",
+    "degrees of siunitx": r"\begin{tabular}{cccc} 0 & \ang{90} & 0.5 & $q_1$ \\ "
+    r"0.4 & \SI{0}{\degree} & 0 & $q_2$ \\ 0.3 & \ang{0} & 0 & $q_3$ \end{tabular}",
     "pandas": "     a   alpha    d theta\n0  0.0  1.5708  0.5    q1\n1  0.4  0.0000  0.0    q2\n"
     "2  0.3  0.0000  0.0    q3",
     "pandas csv": ",a,alpha,d,theta\n0,0.0,1.5708,0.5,q1\n1,0.4,0,0,q2\n2,0.3,0,0,q3",
@@ -120,6 +129,7 @@ REFUSED = {
     "": "empty",
     "hello": "rows have 1 entries",
     "0 1 2\n0 1 2 3": "rows have 3, 4 entries",
+    "0\t90\t0.5\tq1\n0.4\t0\n0.3\t0\t0\tq3": "(row 2 has 2; an empty cell is written 0)",
     "a = [0, 0.4]\nalpha = [pi/2, 0, 0]\nd = [0.5, 0, 0]": "lists have 2, 3 entries",
     "a alpha d theta\n0 pi/2 l_9 q1\n0.4 0 0 q2\n0.3 0 0 q3": "no value for l_9",
     "a alpha d theta\n0 pi/2 0.5 q1 + q2\n0.4 0 0 q2\n0.3 0 0 q3": "no value for q2",

@@ -290,7 +290,7 @@ EXPECTED = {
     "angles": "one of rad, deg", "lengths": "one of m, cm, mm",
     "columns": "in your order", "convention": "one of standard, craig", "T": "a pose (4, 4)",
     "checks.compare_pose q": "joint vectors (answers, 7)",
-    "checks.compare_jacobian values": "a Mapping",
+    "angular_first": "True or False", "checks.compare_jacobian values": "a Mapping",
     "checks.compare_tables values": "a Mapping",
     **{f"checks.compare_{x} tolerance": "a number of 0 or more" for x in
        ("tables", "jacobian", "torques", "trace", "branches", "pose")},
@@ -345,7 +345,7 @@ EXPECTED = {
 
 # What is left to Python or to Matplotlib, and where any value will do.
 FREE = {
-    *("actual", "angular_first", "ax", "colour", "colours", "dashed", "expected", "link", "many"),
+    *("actual", "ax", "colour", "colours", "dashed", "expected", "link", "many"),
     *(
         "negative",
         "course.hand_in path",
@@ -503,6 +503,11 @@ SPECIAL = [
     ("inverse.follow", dict(targets=[0.1, 0.1]), 'targets have shape (2,); expected (n, 3) or (n,'
                                                  ' 4, 4)'),
     ("checks.compare_torques", dict(arm=MASSLESS), 'Panda has no masses; give bodies'),
+    ("checks.compare_torques", dict(q=[PANDA.home] * 2, wrench=np.zeros((3, 1, 6))),
+     'poses and wrenches have shapes (2,) and (3,); expected the same or one of one'),
+    ("checks.compare_torques", dict(mine=[10**400] * 7), 'your torques: NaN or infinity stands'),
+    ("checks.compare_tables", dict(values={"a": [1, 2]}), "values['a'] is [1, 2]; expected a"),
+    ("checks.compare_jacobian", dict(values={1: 2.0}), 'a name in values is 1; expected a str'),
     ("checks.compare_branches", dict(found=inverse.ur(UR10E, [REACH] * 2)), 'UR10e: found holds 2'
                                                                             ' targets; expected'),
     ("plotting.moving_picture", dict(planes="xz"), "planes are 'xz'; expected two planes such as"),

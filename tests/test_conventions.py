@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from helpers.arm import Arm, ArmError, fixed, revolute
 from helpers.conventions import modified_from_standard, standard_from_modified
@@ -27,7 +27,6 @@ def slow_modified(arm: Arm, rows, q) -> np.ndarray:
     return T
 
 
-@settings(max_examples=100, deadline=None)
 @given(arm=random_arms)
 def test_standard_from_modified_is_craigs_product(arm):
     q = joint_vectors(arm, ())
@@ -37,7 +36,6 @@ def test_standard_from_modified_is_craigs_product(arm):
     )
 
 
-@settings(max_examples=100, deadline=None)
 @given(arm=random_arms)
 def test_modified_from_standard_is_the_way_back(arm):
     q = joint_vectors(arm, ())

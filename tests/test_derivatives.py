@@ -8,7 +8,7 @@ forward kinematics as it is.
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from helpers.kinematics import forward_kinematics, jacobian
@@ -52,7 +52,6 @@ def test_at_home_too_where_axes_line_up(arm):
     np.testing.assert_allclose(jacobian(arm, home), by_complex_steps(arm, home), atol=1e-14)
 
 
-@settings(max_examples=100, deadline=None)
 @given(arm=random_arms, seed=st.integers(0, 99))
 def test_the_jacobian_of_random_arms(arm, seed):
     q = joint_vectors(arm, (), seed)

@@ -3,6 +3,7 @@ the calls that a function gets, and the words in which the rest is refused.
 """
 
 import math
+from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -192,10 +193,14 @@ def test_symbols_of_an_arm_are_remembered_with_what_was_said():
         (("deg", -1), "tolerance is -1; expected a number of 0 or more"),
         (("rad", "x"), "tolerance is 'x'; expected a number of 0 or more"),
         (("rad", None, [1]), "values is [1]; expected a Mapping"),
+        (("rad", None, {"b": [1]}), "values['b'] is [1]; expected a finite number"),
+        (("rad", None, {2: 1}), "a name in values is 2; expected a str"),
     ],
 )
 def test_settings_are_refused_by_their_names(given, words):
-    assert door.settings() is door.settings("deg", 0, {}) is door.settings("rad", 0.5) is None
+    assert door.settings() is door.settings("deg", None, {"a": 1}) is None
+    tolerance = door.settings("rad", Decimal("0.5"))
+    assert (tolerance, type(tolerance)) == (0.5, float)
     with pytest.raises(ArmError) as refused:
         door.settings(*given)
     assert words in str(refused.value)

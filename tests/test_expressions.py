@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from helpers.expressions import ArmError, entry, evaluate, latex, names
@@ -49,7 +49,6 @@ def test_a_formula_has_its_value(formula):
     assert evaluate(entry(text, "a"), VALUES) == pytest.approx(value, rel=1e-12, abs=1e-12)
 
 
-@settings(deadline=None)
 @given(formulas)
 def test_sympy_reads_the_same_formula(formula):
     text, value = formula

@@ -179,6 +179,7 @@ def test_what_explains_all_is_named_however_little_is_wrong():
     found = told([1, 0, 0, 0, 0, 0], [[1, 1, 1, 1, 1, 1], [1.05, 0, 0, 0, 0, 0]])
     assert found.causes == (TWO,)
     assert not found.odd.any()
+    assert found.rest.tolist() == pytest.approx([-0.05, 0, 0, 0, 0, 0])
     assert told([0.05, 0, 0, 0, 0, 0], [[0.05, 0, 0, 0, 0, 0]]) is None, "nothing is wrong"
     assert told([1, 0, 0, 0, 0, 0], [[0, 0, 0, 0, 0, 0]]) is None
     assert explain(np.ones(6), SIX, SIX, (), np.zeros((0, 6))) is None
@@ -230,7 +231,7 @@ def test_the_simplest_comes_first_and_what_costs_the_same_beside_it():
 
 
 def found(left, *causes):
-    return Found(causes, np.arange(6) < left)
+    return Found(causes, np.arange(6) < left, SIX)
 
 
 def test_the_better_costs_less():

@@ -96,7 +96,7 @@ def test_ur_branches_come_in_pairs_and_are_at_most_eight():
     assert set(found.valid.sum(axis=1)) <= {2, 4, 6, 8}
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.tuples(*[st.floats(0.1, 1)] * 3),
     st.tuples(*[st.sampled_from((-1, 1))] * 3),
@@ -122,7 +122,7 @@ def test_elbow_arms_of_any_signs_offsets_and_zeros(lengths, signs, zeros, offset
     assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.tuples(*[st.sampled_from((-1, 1))] * 8),
     st.tuples(*[st.booleans()] * 2),
@@ -148,7 +148,7 @@ def test_ur_arms_of_any_signs_offsets_and_zeros(signs, flips, zeros):
     assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.tuples(*[st.sampled_from((-1, 1))] * 2),
     st.tuples(*[st.floats(-3, 3)] * 3),

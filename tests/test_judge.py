@@ -80,7 +80,8 @@ PASTES = {
 }  # fmt: skip
 REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__import__('os')",
            "1/0 2 3", "{" * 80, "sin( 1 2", "\\begin{pmatrix}", "1 2 nan", "θ_7 1 1",
-           "'\"\\ \t", "1e400 1 1", "((1))" * 9]  # fmt: skip
+           "'\"\\ \t", "1e400 1 1", "((1))" * 9,
+           "[1 2; 3 4]'", "1,250\t0.5", "0,5 pi/2", "1.234.5 1", "1\t2\n3", "1,,2"]  # fmt: skip
 
 
 def asked(typed, **options):

@@ -69,7 +69,7 @@ def test_frames_are_the_product_of_elementary_motions(arm):
         np.testing.assert_allclose(link_frames(arm, q), slow_frames(arm, q), atol=1e-14)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(arm=random_arms, seed=st.integers(0, 99))
 def test_random_tables_too(arm, seed):
     q = joint_vectors(arm, (), seed)

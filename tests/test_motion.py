@@ -208,7 +208,7 @@ def test_the_wrong_axis_tilts_the_pen_and_the_circle_still_looks_right():
     assert np.degrees(report.pen_tilt) == pytest.approx(12.3, abs=0.05)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(
     bend=st.floats(-0.4, 0.4),
     turn=st.floats(-2, 2),

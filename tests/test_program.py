@@ -38,7 +38,7 @@ def rows_of(program, inputs):
     return program.of_rows(list(inputs), np.full((program.rows, batch), np.nan)).copy()
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(lines=lines, seed=st.integers(0, 99))
 def test_any_formula_is_what_it_was(lines, seed):
     inputs = np.random.default_rng(seed).uniform(-1, 1, (3, 5))

@@ -226,6 +226,23 @@ GRIDS = [
     ("a\t1\n\t2\n3", ["a|1", "|2", "3"]),
     ("[0.4 * 0.5 90 deg θ_1* * 2]", ["0.4 * 0.5|90 deg|θ_1* * 2"]),
     (" Columns 1 through 2\n\n 1 2\n 3 4\n\n Column 3\n\n 5\n 6\n", ["1|2|5", "3|4|6"]),
+    (
+        "q_4 -1.57   0   pi / 2   0.3\nq_5   0.1   0   0.2",
+        ["q_4 -1.57|0|pi / 2|0.3", "q_5|0.1|0|0.2"],
+    ),
+    ("-sin q_1   cos q_2\ncos q_1   sin q_2", ["-sin q_1|cos q_2", "cos q_1|sin q_2"]),
+    ("1  2 -3\n4  5 -6", ["1|2|-3", "4|5|-6"]),
+    ("(q_1\n+ 2 x)", ["(q_1\n+ 2 x)"]),
+    ("(c_1 -s_1\ns_1 c_1)", ["c_1|-s_1", "s_1|c_1"]),
+    ("(0.5)\n(0.7)", ["(0.5)|(0.7)"]),
+    ("1,,2\n3,4,5", ["1||2", "3|4|5"]),
+    ("0,5  pi/2\n0,3  0", ["0.5|pi/2", "0.3|0"]),
+    ("0,333\t0.5", ["0.333|0.5"]),
+    ("1,250\t1.234,5", ["1.250|1234.5"]),
+    ("50 % 20 %", ["50|%|20|%"]),
+    ("0.5 deg2rad(90)", ["0.5|deg2rad(90)"]),
+    ("0.5 radians(90)", ["0.5|radians(90)"]),
+    ("x rad 0.5 rad", ["x|rad|0.5 rad"]),
 ]
 
 
@@ -251,12 +268,54 @@ BESIDE = "beside the matrix stands {}; expected entries that hold it"
         (rf"J = a_{{2}} {MATRIX}", BESIDE.format("'J = a_{2}'")),
         (rf"{MATRIX} \cdot 10^{{-3}}", BESIDE.format(r"'\\cdot 10^{-3}'")),
         (rf"${MATRIX}^T$", BESIDE.format("'^T'")),
+        (f"2({MATRIX})", BESIDE.format("'2('")),
+        (f"({MATRIX})^T", BESIDE.format("')^T'")),
+        ("[1 2; 3 4]'", BESIDE.format('"\'"')),
+        ("np.array([[1, 2], [3, 4]]).T", BESIDE.format("'.T'")),
+        ("[1 2; 3 4] * 1e-3", BESIDE.format("'* 1e-3'")),
+        ("1,250\t0.5", "a cell is '1,250' beside '0.5'; expected 1.250 or 1250"),
+        ("0,5 pi/2", "a line is '0,5 pi/2'; expected decimal points, or commas between entries"),
     ],
 )
 def test_what_cannot_be_cut_without_loss_is_refused(text, words):
     with pytest.raises(ArmError) as told:
         grid.cells(text)
     assert str(told.value) == words
+
+
+@pytest.mark.parametrize(
+    ("rows", "kept"),
+    [
+        (["q1|x", "1|2"], 1),
+        (["6x3 of mine", "1|2"], 1),
+        (["0,5|1,5", "1|2"], 2),
+        (["sin(x)|x", "1|2"], 2),
+    ],
+)
+def test_a_row_of_entries_is_no_header(rows, kept):
+    cells = [row.split("|") for row in rows]
+    assert grid.without_header(cells) == cells[-kept:]
+
+
+FORMULAS = [
+    (r"\dfrac{\sqrt{3}}{2}", 3**0.5 / 2),
+    (r"\frac\pi2 + \frac{\pi}4", 0.75 * math.pi),
+    (r"\sin{\frac{\pi}{6}} + 2^{-1}", 1.0),
+    ("1.5×10⁻³ + 2²", 4.0015),
+    ("1½π", 1.5 * math.pi),
+    ("90 degrees + 0.5 radians", math.pi / 2 + 0.5),
+    ("degrees(0.5)", math.degrees(0.5)),
+    (r"1 + 2\ang{90}", 1 + math.pi),
+    ("1.234.5", None),
+    ("1 234.5", None),
+    ("2(3) 4", 24.0),
+]
+
+
+@pytest.mark.parametrize(("text", "wanted"), FORMULAS)
+def test_a_number_is_read_as_it_is_written_or_not_at_all(text, wanted):
+    found = formula.number(text)
+    assert found == (wanted if wanted is None else pytest.approx(wanted, rel=1e-12))
 
 
 def test_a_length_with_a_letter_says_which_column_it_is():

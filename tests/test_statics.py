@@ -93,7 +93,7 @@ def test_torques_are_the_slope_of_the_energy(arm, gravity):
     np.testing.assert_allclose(gravity_torque(arm, q, gravity), slope, atol=1e-7)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
 def test_random_arms_too(arm, seed):
     arm, gravity, h = loaded(arm, seed), (0.3, -0.2, -9.0), 1e-5

@@ -51,7 +51,7 @@ def test_the_jacobian_equals_the_numeric_one(arm):
     )
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
 def test_random_tables_too(arm, seed):
     q = joint_vectors(arm, (), seed)
@@ -70,7 +70,7 @@ _PARALLEL_ROWS = st.builds(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(rows=st.lists(_PARALLEL_ROWS, min_size=2, max_size=5))
 def test_runs_of_parallel_axes_that_point_both_ways(rows):
     arm = Arm("run", [*rows, revolute(0.1, "pi/2"), revolute(0.1)])

@@ -143,6 +143,12 @@ def test_loads_may_be_of_any_numbers():
         assert verdict(mine.round(4), **load).agrees == agrees
     mine = [torques(x, f) for x, f in zip(Q2, (F, 2 * F), strict=True)]
     assert verdict(np.round(mine, 4), Q2, wrench=[F, 2 * F]).agrees
+    assert verdict(np.round(mine, 4), Q2, wrench=[[F], [2 * F]]).agrees
+    mine = torques(BENT, F), torques(BENT, 2 * F)
+    assert verdict(np.round(mine, 4), BENT, wrench=[F, 2 * F]).agrees
+    mine = -mine[0], -mine[1]
+    assert verdict(np.round(mine, 4), BENT, wrench=[F, 2 * F]).causes == ("tau.all signs",)
+    mine = [torques(x, f) for x, f in zip(Q2, (F, 2 * F), strict=True)]
     assert verdict(np.round(mine, 4), Q2).grade == "wrong"
 
 
@@ -258,11 +264,23 @@ def test_what_is_nearer_to_a_known_mistake_than_the_digits_allow_is_wrong():
     ]
 
 
-def test_what_is_besides_a_cause():
-    mine = -TAU3
-    mine[1] += 2 * OFF[0]
-    report = verdict(mine.round(4), Q3)
-    assert report.causes == ("tau.all signs",)
-    finding = report.findings[1]
-    assert finding.where == "joint 1"
-    assert finding.words.startswith("Joint 1 has something else besides: it is off by up to ")
+@pytest.mark.parametrize(
+    ("cause", "slip", "poses", "off"),
+    [
+        ("tau.all signs", lambda tau: -tau, 3, "joint 1: up to 2 N m"),
+        ("tau.newton millimetres", lambda tau: 1000 * tau, 2, "joint 3: up to 2 N"),
+        ("tau.reversed order", lambda tau: tau[:, ::-1], 3, "joint 4: up to 2 N m"),
+        ("tau.all signs", lambda tau: -tau, 60, "joint 1: up to 2 N m at the 25 poses tried"),
+    ],
+)
+def test_what_is_besides_a_cause_is_counted_from_what_the_cause_gives(cause, slip, poses, off):
+    q = BENT + np.outer(np.linspace(0, 1, poses), [0.1, 0.2, 0.5])
+    where, by = off.split(": ")
+    mine = torques(q)
+    mine[0] += 2 * OFF[[1, 3, 4].index(int(where[-1]))]
+    report = verdict(slip(mine).round(4), q)
+    assert report.causes == (cause,)
+    [finding] = report.findings[1:]
+    besides = "has something else besides: once that is mended, it is still off by"
+    assert str(finding) == f"{where.capitalize()} {besides} {by}."
+    assert finding.where == where

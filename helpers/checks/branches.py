@@ -70,7 +70,7 @@ def compare_branches(
     Raises ArmError for another shape, or where `found` holds many targets.
     """
     must_be(found, Solutions, "found")
-    door.settings(angles, tolerance)
+    tolerance = door.settings(angles, tolerance)
     arm = found.arm
     if found.valid.ndim != 1:
         raise ArmError(say("one target", arm=arm.name, count=found.distance.size))

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from helpers.arm import Arm
 from helpers.checks.digits import Typed, of_floats, units
 from helpers.checks.names import meanings
-from helpers.inputs import ArmError, must_be, number, one_of, shown
+from helpers.inputs import ArmError, named, number, one_of, shown
 from helpers.reading import formula, grid
 from helpers.reading.sentences import say
 
@@ -38,13 +38,16 @@ class Joints:
 
 def settings(
     angles: str = "rad", tolerance: float | None = None, values: Mapping | None = None
-) -> None:
-    """Raise ArmError unless the arguments that all checkers share are what they should be."""
+) -> float | None:
+    """The tolerance, if there is one; raises ArmError unless the arguments that all checkers share
+    are what they should be.
+    """
     one_of(angles, "angles", ("rad", "deg"))
-    if tolerance is not None:
-        number(tolerance, "tolerance", "a number of 0 or more", least=0)
     if values is not None:
-        must_be(values, Mapping, "values")
+        named(values, "values")
+    if tolerance is None:
+        return None
+    return number(tolerance, "tolerance", "a number of 0 or more", least=0)
 
 
 def no_symbols(names: set[str]) -> dict[str, float]:
@@ -96,7 +99,9 @@ def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
     rows = grid.without_header(grid.cells(text))
     widths = {len(row) for row in rows}
     if len(widths) > 1:
-        raise ArmError(say("ragged", what=what, widths=", ".join(map(str, sorted(widths)))))
+        told = ", ".join(map(str, sorted(widths)))
+        row, count = next((i, len(row)) for i, row in enumerate(rows, 1) if len(row) < max(widths))
+        raise ArmError(say("ragged", what=what, widths=told, row=row, count=count))
     shape = (len(rows), widths.pop())
     if (found := _plain_numbers(rows)) is not None:
         texts = [cell for row in rows for cell in row]
@@ -183,7 +188,10 @@ def _entry(tree: Any, known: dict[str, float], what: str) -> float:
         return formula.value(tree, known.get)
     if hasattr(tree, "free_symbols"):
         return of_sympy(tree, known, what)
-    return float(tree)
+    try:
+        return float(tree)
+    except OverflowError:  # a whole number of more than 308 digits
+        return math.inf
 
 
 def _free(expression: Any) -> set:

@@ -27,7 +27,7 @@ from helpers.checks.functions import best, results
 from helpers.checks.jacobian_causes import Catalogue, pairs, singles
 from helpers.checks.ranking import Cause, Found, better, cause, complete, explain, lower, several
 from helpers.checks.verdict import Finding, Report
-from helpers.inputs import ArmError, must_be, whole
+from helpers.inputs import ArmError, must_be, shown, whole
 from helpers.reading.sentences import listed, say
 
 Array = NDArray[Any]
@@ -65,7 +65,9 @@ def compare_jacobian(
     Raises ArmError where `mine` gives no matrix of numbers, or holds numbers and q is missing.
     """
     must_be(arm, Arm, "arm")
-    door.settings(angles, tolerance, values)
+    tolerance = door.settings(angles, tolerance, values)
+    if not isinstance(angular_first, int | np.bool_):
+        raise ArmError(f"angular_first is {shown(angular_first)}; expected True or False")
     frame = _checked_frame(frame, arm)
     at = Typed(_generic_pose(arm), np.zeros(arm.dof)) if q is None else door.pose(q, arm, angles)
     held = _held(mine, arm, at.values, q is not None, values)

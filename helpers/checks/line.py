@@ -12,8 +12,8 @@ def check(label: str, actual: Any, expected: Any, tolerance: float = 0.0) -> Non
     by how much not.
 
     Numbers and arrays agree when no entry differs by more than `tolerance`; anything else, SymPy
-    matrices too, must be equal. This is the one function of the book that prints: its line is the
-    reader's proof.
+    matrices too, must be equal. Of the helpers it is the one that prints, commands apart: its line
+    is the reader's proof.
     """
     must_be(label, str, "label")
     number(tolerance, "tolerance", "a number of 0 or more", least=0)

@@ -77,12 +77,13 @@ def lower(sentence: str) -> str:
 
 @dataclass(frozen=True)
 class Found:
-    """Causes that explain an answer, best first, and the entries that the best leaves
-    unexplained.
+    """Causes that explain an answer, best first, the entries that the best leaves unexplained, and
+    what each entry is off by from what the best gives.
     """
 
     causes: tuple[Cause, ...]
     odd: NDArray[np.bool_]
+    rest: Array
 
 
 def explain(
@@ -110,7 +111,7 @@ def explain(
         return None
     cost = edits + odd * left
     best = named[cost[named] == cost[named].min()]
-    return Found(tuple(causes[int(k)] for k in best), ~fits[best[0]])
+    return Found(tuple(causes[int(k)] for k in best), ~fits[best[0]], mine - made[best[0]])
 
 
 def complete(found: Found | None) -> TypeGuard[Found]:

@@ -14,11 +14,11 @@ from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG, Typed, of_float
 from helpers.checks.entries import Margins, graded, margins
 from helpers.checks.functions import best, results
 from helpers.checks.ranking import Cause, Found, better, complete, explain, lower, several
-from helpers.checks.torques_causes import Load, catalogue, paper_centres, reversed_joints
+from helpers.checks.torques_causes import Load, catalogue, mended, paper_centres, reversed_joints
 from helpers.checks.verdict import Finding, Report
 from helpers.inputs import ArmError, must_be
 from helpers.reading.sentences import listed, say, size
-from helpers.statics import GRAVITY, static_torque
+from helpers.statics import GRAVITY, forces, static_torque
 
 Array = NDArray[Any]
 
@@ -45,7 +45,7 @@ def compare_torques(
             at each pose.
         arm: with masses.
         q: joints of shape (..., dof), or text.
-        wrench: on the tool, by the world, shape (6,) or (..., 6).
+        wrench: on the tool, by the world, shape (6,), or (..., 6) with one for each pose.
         gravity: the vector of its acceleration in base axes (m/s^2).
         angles: "deg" where `q` is in degrees.
         tolerance: the largest deviation (N m); inferred from the digits typed unless given.
@@ -54,11 +54,14 @@ def compare_torques(
     or the arm has no masses.
     """
     must_be(arm, Arm, "arm")
-    door.settings(angles, tolerance)
-    at = _poses(q, arm, angles)
-    right = np.atleast_2d(static_torque(arm, at.values, wrench, gravity))
+    tolerance = door.settings(angles, tolerance)
+    at, F = _poses(q, arm, angles), forces(wrench)
+    F = F.reshape(-1, 6) if F.ndim > 2 else F
+    right = np.atleast_2d(static_torque(arm, at.values, F, gravity))
+    if len(right) > len(np.atleast_2d(at.values)):  # one pose under several loads
+        at = Typed(np.tile(at.values, (len(right), 1)), np.tile(at.units, (len(right), 1)))
     what = f"{arm.name}: your torques"
-    where = _Where(arm, at, np.array(wrench, float), np.array(gravity, float), right)
+    where = _Where(arm, at, F, np.array(gravity, float), right)
     reports = (
         _reported(typed, where, tolerance, said, not n)
         for n, (typed, said) in enumerate(_held(mine, arm, at.values, what))
@@ -217,7 +220,10 @@ def _judged(typed: Typed, where: _Where, tolerance, taken, why: bool) -> Report 
     more, also = catalogue(where.load, 2)
     known = (causes + more, np.concatenate([made, also]))
     found = _found(typed.values[pick], right[pick], part, known, where.load)
-    symptoms = tuple(_joints(typed.values, right, m, arm, found))
+    if found:
+        symptoms = tuple(_besides(found, arm, len(right)))
+    else:
+        symptoms = tuple(_joints(typed.values, right, m, arm))
     return _bad(found, symptoms, arm, taken, figures)
 
 
@@ -251,34 +257,43 @@ def _found(mine, right, m: Margins, known, load: Load) -> Found | None:
         found = explain(mine, right, band, causes, made, odd=_ODD)
         if not complete(found):
             more = (explain(mine, right, band, *made()) for made in (others, papers))
-            simplest = (Found(f.causes[:1], f.odd) for f in more if complete(f))
+            simplest = (Found(f.causes[:1], f.odd, f.rest) for f in more if complete(f))
             found = better(found, *simplest, odd=_ODD)
         if found:
             return found
     return None
 
 
-def _joints(
-    mine: Array, right: Array, m: Margins, arm: Arm, found: Found | None
-) -> Iterator[Finding]:
-    """Each wrong joint, or, under a cause, each that it leaves unexplained."""
+def _joints(mine: Array, right: Array, m: Margins, arm: Arm) -> Iterator[Finding]:
+    """Each wrong joint."""
     wrong = (np.abs(mine - right) > m.band).any(axis=0)
     if not wrong.any():
         wrong = (np.abs(mine - right) > m.allowed).any(axis=0)
-    odd = wrong if found is None else found.odd.any(axis=0)
-    for k in np.flatnonzero(odd):
-        off = round(float(np.abs(mine - right)[:, k].max()), 9)  # ties in both languages alike
+    for k in np.flatnonzero(wrong):
         flipped = np.abs(mine + right)[:, k]
         key = "tau other way" if (flipped <= m.band[:, k]).all() else "tau off"
-        key = "tau besides" if found is not None else key
-        said = say(
-            key,
-            joint=arm.joints[k],
-            most=say("up to") if len(mine) > 1 else "",
-            off=size(off, 3),
-            unit="N m" if arm.turning[k] else "N",
-        )
-        yield Finding("joint", f"joint {arm.joints[k]}", None, None, said)
+        yield _off(key, arm, k, mine - right)
+
+
+def _besides(found: Found, arm: Arm, count: int) -> Iterator[Finding]:
+    """Each joint that a cause leaves unexplained, by how much once the cause is mended."""
+    rest = mended(found.causes[0], np.where(found.odd, found.rest, 0.0))
+    tried = say("at poses tried", count=len(rest)) if len(rest) < count else ""
+    for k in np.flatnonzero(rest.any(axis=0)):
+        yield _off("tau besides", arm, k, rest, tried=tried)
+
+
+def _off(key: str, arm: Arm, k: Any, off: Array, **fields: str) -> Finding:
+    most = round(float(np.abs(off[:, k]).max()), 9)  # ties in both languages alike
+    said = say(
+        key,
+        joint=arm.joints[k],
+        most=say("up to") if len(off) > 1 else "",
+        off=size(most, 3),
+        unit="N m" if arm.turning[k] else "N",
+        **fields,
+    )
+    return Finding("joint", f"joint {arm.joints[k]}", None, None, said)
 
 
 def _bad(found: Found | None, symptoms, arm: Arm, taken, figures) -> Report:

@@ -189,3 +189,11 @@ _WRITINGS = (
     (cause("tau.newton millimetres"), lambda tau: 1000 * tau),
     (cause("tau.reversed order"), lambda tau: tau[..., ::-1]),
 )
+
+
+def mended(c: Cause, off: Array) -> Array:
+    """What torques (poses, dof) are off by, in N m and by joint, however a mistake in how they are
+    written has scaled and ordered them.
+    """
+    scaled = off / 1000 if "tau.newton millimetres" in c.keys else off
+    return scaled[:, ::-1] if "tau.reversed order" in c.keys else scaled

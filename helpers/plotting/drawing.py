@@ -266,7 +266,7 @@ _INDICES = "numbers of frames"
 
 def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
     """Draw how one row of a table came about: the two axes, their common normal, the frame before
-    (grey) and the frame placed (black), the steps d (blue) and a (red)."""
+    (grey) and the frame placed (black), the steps d (blue) and a (orange)."""
     must_be(found, Derivation, "found")
     step = found.steps[_row_of(found, row) - 1]
     before, foot, origin = step.before[:3, 3], *step.normal

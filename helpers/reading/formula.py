@@ -84,7 +84,6 @@ _SAME = {
     "$": " ",
     "°": " deg",
     "º": " deg",
-    "²": "^2",
     "√": "sqrt",
     "⅓": "(1/3)",
     "½": "(1/2)",
@@ -95,15 +94,27 @@ _TABLE = str.maketrans(_SAME)
 _LATEX = (
     (r"\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)(?![A-Za-z])", " "),
     (r"\\[,;:! ]|~|\\hspace\{[^{}]*\}", " "),
-    (r"\\(?:mathrm|text|mathit|mathbf|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}", r"\1"),
+    (
+        r"\\(?:mathrm|text(?:bf|it|rm)?|math(?:it|bf|sf)|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}",
+        r"\1",
+    ),
+    (r"\\ang\s*\{([^{}]*)\}|\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*\\degree\s*\}", r"(\1\2 deg)"),
     (r"\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)(?![A-Za-z])", " deg"),
     (r"\\(?:cdot|times|ast)(?![A-Za-z])", "*"),
     (r"\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)", " "),
     (r"_\s*\{\s*(\w+)\s*\}", r"_\1"),
     (r"_\s*\{\s*([\w+-]+)\s*\}", r"_{\1}"),
-    (r"\\d?t?frac\s*(\d)\s*(\d)", r"((\1)/(\2))"),
+    (r"(\\[dt]?frac)\s*([0-9]|\\pi(?![A-Za-z]))", r"\1{\2}"),
+    (r"(\\[dt]?frac\s*\{[^{}]*\})\s*([0-9]|\\pi(?![A-Za-z]))", r"\1{\2}"),
+    (r"(?<=[0-9.)])\s*(deg|rad)(?:ree|ian)s?(?![A-Za-z0-9_]|\s*\()", r" \1"),
 )
-_FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_INNERMOST = (
+    (re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}"), r"((\1)/(\2))"),
+    (re.compile(r"(\\(?:sqrt|sin|cos|tan)|\^)\s*\{([^{}]*)\}"), r"\1(\2)"),
+)
+_RAISED = re.compile("[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+_POWERS = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+-0123456789")
+_MIXED = re.compile("(?<![A-Za-z0-9_.])([0-9]+) ?([⅓½¼])")
 _BRACES = re.compile(r"\{[\w+-]*\}|\}")  # an index such as {2-3}, or what closes a bracket
 _NAME = r"[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?"
 _TOKEN = re.compile(
@@ -124,11 +135,15 @@ def plain(text: str) -> str:
     """The text in plain signs: unicode and LaTeX spelled out, prefixes such as ``np.`` dropped."""
     if is_number(text):
         return text
-    text = text.translate(_TABLE)
+    text = _RAISED.sub(lambda match: f"^{match[0].translate(_POWERS)}", text)
+    text = _MIXED.sub(r"(\1+\2)", text).translate(_TABLE)
     for pattern, instead in _LATEX:
         text = re.sub(pattern, instead, text)
-    while (mended := _FRACTION.sub(r"((\1)/(\2))", text)) != text:
-        text = mended
+    before = ""
+    while before != text:
+        before = text
+        for innermost, opened in _INNERMOST:
+            text = innermost.sub(opened, text)
     text = re.sub(r"\\([A-Za-z]+)", r" \1 ", text)
     text = re.sub(r"\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\.", "", text)
     text = re.sub(r"(?<=\w)\s*\(t\)", "", text)
@@ -142,6 +157,8 @@ def parse(text: str, what: str = "the formula") -> Tree:
     """The tree of one formula; raises ArmError, quoting it, where it is none."""
     if len(text) > LONGEST:
         raise ArmError(f"{what} has {len(text)} characters; expected at most {LONGEST}")
+    if not text.strip():
+        raise ArmError(f"{what} is empty; expected a number or a formula, or 0")
     tree = _tree(plain(text))
     if tree is None:
         raise ArmError(
@@ -201,6 +218,8 @@ def _product(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
         if sign in ("*", "/"):
             right, after = _signed(tokens, at + 1, depth)
         elif sign == "(" or tokens[at][0] != "sign":
+            if tokens[at][0] == tokens[at - 1][0] == "num":  # 1 234.5 is no product
+                raise SyntaxError
             sign, (right, after) = "*", _power(tokens, at, depth)
         else:
             break

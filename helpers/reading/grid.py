@@ -4,10 +4,10 @@ cells.
 
 import re
 
-from helpers.inputs import ArmError
-from helpers.reading.around import alone, bare_latex
+from helpers.inputs import ArmError, shown
+from helpers.reading.around import alone, bare_latex, beside
 from helpers.reading.around import bare as without_surroundings
-from helpers.reading.formula import is_number, number, plain
+from helpers.reading.formula import FUNCTIONS, is_number, number, plain
 
 Cells = list[list[str]]
 LONGEST = 5_000_000  # characters of a paste: a trace of 20 000 steps
@@ -15,7 +15,13 @@ LONGEST = 5_000_000  # characters of a paste: a trace of 20 000 steps
 _WRAPPER = re.compile(
     r"^\s*(?:[\w.]+\s*(?:\(\w+\))?\s*=\s*)?(?:[\w.]*(?:Matrix|array|asarray|matrix|tensor|vpa|simplify|round|double|sym)\s*\(\s*)+"
 )
-_TAIL = re.compile(r"\)?(?:,\s*(?:dtype\s*=\s*[\w.']+|\d+)\s*)?\)+\s*;?\s*$")
+_TAIL = re.compile(r"\)?(?:,\s*(?:dtype\s*=\s*[\w.']+|\d+)\s*)?\)+\s*[;.,]?\s*$")
+_TURNED = re.compile(
+    r"\s*(?:[\w.]+\s*=\s*)?(?:\w+\.)?(deg2rad|radians|rad2deg|degrees)\s*(?=\(\s*(?:[\w.]*array\()?\s*\[)"
+)
+_ENDED = re.compile(r"(?<=[\])}])\s*[.,;]+$")
+_TAKEN = re.compile(r"\s*\)*\s*(?:[-+*/^']|\.[*/^'T])")  # what changes the matrix before it
+_CONTINUED = re.compile(r"\s*[-+*/^]\s|.*[-+*/^]\s*$")
 _ENVIRONMENT = re.compile(
     r"\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?"
 )
@@ -26,6 +32,15 @@ _MATLAB_BLOCK = re.compile(
 )
 _STARRED = re.compile(r"(?:^|[\s\[(])-?(?:θ|\\?theta|th|q)_?\{?(?:\d+|i)?\}?\^?\*$|^\s*\*$")
 _RULE = re.compile(r"^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$")
+_GAP = re.compile("(?<=[^ \u00a0\t\n])[ \u00a0]{2,}(?=[^ \u00a0\t\n])")
+_TIGHT = re.compile(r"(?<![0-9.,])[0-9]+,[0-9]+(?![0-9.,])")
+_DECIMAL = re.compile(r"\s*[-+−]?(?![1-9][0-9]{0,2},[0-9]{3}\s*$)[0-9]+,[0-9]+\s*")
+_THOUSANDS = re.compile(r"[-+−]?[0-9]{1,3}(?:,[0-9]{3})+\.[0-9]+")
+_DOTTED_THOUSANDS = re.compile(r"[-+−]?[0-9]{1,3}(?:\.[0-9]{3})+,[0-9]+")
+_EITHER = re.compile(r"[-+−]?[1-9][0-9]{0,2},[0-9]{3}")  # a decimal comma, or one of thousands
+_DEGREES = re.compile(r"°|deg(?:rees?)?(?![A-Za-z0-9_]|\s*\()")
+_RADIANS = re.compile(r"rad(?:ian)?s?(?![A-Za-z0-9_]|\s*\()")
+_NO_HEAD = re.compile(r"[-+]?[.0-9][-+.,%0-9 eEdD]*|-?(?:a?(?:sin|cos|tan)|sqrt)\(.*\)")
 
 
 def cells(text: str) -> Cells:
@@ -44,8 +59,14 @@ def cells(text: str) -> Cells:
 def _rows(text: str) -> Cells:
     if "\\begin{" in text or "\\\\" in text:
         return _latex(text)
+    if text.count("|") == 2 and "\n" in text and text[0] == text[-1] == "|":
+        text = text[1:-1].strip()  # the bars of a matrix
     if text.count("|") >= 2 and not re.match(r"[^|]*\[[^\]|]*\|", text):
         return _markdown(text)
+    if turned := _TURNED.match(text):
+        inner = text[turned.end() :].rstrip(" ;.,")
+        if _closes_at_end(inner):
+            return [[f"{turned[1]}({cell})" for cell in row] for row in _rows(inner[1:-1].strip())]
     bare = _TAIL.sub("", _WRAPPER.sub("", text)) if _WRAPPER.match(text) else text
     bare = (
         re.sub(r"^\s*[\w.]+\s*(?:\(\w+\))?\s*=\s*(?=[\[({\n\d-]|$)", "", bare)
@@ -53,6 +74,9 @@ def _rows(text: str) -> Cells:
         .rstrip(";")
         .strip()
     )
+    bare = _opened(_ENDED.sub("", bare))
+    if bare[:1] == "[":
+        _untouched(bare)
     if bare[:1] in "[({":
         return _bracketed(bare)
     if before := _FACTOR.match(bare):
@@ -64,7 +88,8 @@ def _latex(text: str) -> Cells:
     text = bare_latex(text)
     text = re.sub(r"\\left\s*[\[(.|]\s*(?=\\begin)", " ", text)
     text = re.sub(
-        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|(?:top|mid|bottom)rule|nonumber)(?![A-Za-z])",
+        r"\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\c(?:line|midrule)(?:\([^()]*\))?\{[^{}]*\}"
+        r"|\\(?:hline|(?:top|mid|bottom)rule|nonumber)(?![A-Za-z])",
         " ",
         _ENVIRONMENT.sub(" ", text),
     )
@@ -75,16 +100,65 @@ def _latex(text: str) -> Cells:
         .replace("\\[", " ")
         .replace("\\]", " ")
     )
-    return [row.split("&") for row in re.split(r"\\\\|\\cr(?![A-Za-z])", text)]
+    return [
+        [_decimal(cell) for cell in row.split("&")]
+        for row in re.split(r"\\\\|\\cr(?![A-Za-z])", text)
+    ]
 
 
 def _markdown(text: str) -> Cells:
     lines = [line.strip() for line in text.splitlines() if "|" in line]
     lines = [line for line in lines if not re.fullmatch(r"[\s:|+=_-]*[-=_][\s:|+=_-]*", line)]
-    return [re.sub(r"^\||\|$", "", line).replace("$", " ").split("|") for line in lines]
+    rows = [re.sub(r"^\||\|$", "", line).replace("$", " ").split("|") for line in lines]
+    if all(len(row) == 1 and _of_numbers(row[0]) for row in rows):  # bars on each line
+        return [_split(row[0]) for row in rows]
+    return [[_decimal(cell) for cell in row] for row in rows]
+
+
+def _of_numbers(line: str) -> bool:
+    return all(is_number(plain(word)) for word in line.split())
+
+
+def _decimal(cell: str) -> str:
+    """A number with a decimal comma with a point; as it is where the comma may part thousands."""
+    return cell.replace(",", ".") if _DECIMAL.fullmatch(cell) else cell
 
 
 # Brackets
+
+
+def _opened(text: str) -> str:
+    """Rows on lines in one pair of round brackets, or each in its own, and a list in one, without
+    them; any other text as it is.
+    """
+    inner = text[1:-1].strip()
+    if text[:1] == "(" and _closes_at_end(text):
+        if inner[:1] == "[" and _closes_at_end(inner):
+            return inner
+        return inner if _are_rows(inner.splitlines()) else text
+    lines = [line.strip() for line in text.splitlines()]
+    if all(line[:1] == "(" and _closes_at_end(line) for line in lines):
+        lines = [line[1:-1].strip() for line in lines]
+        return "\n".join(lines) if lines and " " in lines[0] and _are_rows(lines) else text
+    return text
+
+
+def _are_rows(lines: list[str]) -> bool:
+    """Whether lines of entries without commas are the rows of a matrix, not a formula's."""
+    lines = [line for line in lines if line.strip()]
+    if any("," in line or ";" in line or _CONTINUED.match(line) for line in lines):
+        return False
+    rows = [_split(line) for line in lines]
+    if len({len(row) for row in rows}) != 1 or len(rows) == len(rows[0]) == 1:
+        return False
+    return all(map(_of_numbers, lines)) or (len(rows) > 1 and len(rows[0]) > 1)
+
+
+def _untouched(text: str) -> None:
+    """Raise ArmError where something is done to a list after it is closed."""
+    end = _end(text)
+    if re.search(r"[0-9][\s,;\]]", text[:end]) and _TAKEN.match(text[end + 1 :]):
+        raise beside(text[end + 1 :].lstrip(" )"))
 
 
 def _bracketed(text: str) -> Cells:
@@ -124,13 +198,18 @@ def _deeper(sign: str) -> int:
     return (sign in "[({") - (sign in "])}")
 
 
-def _closes_at_end(text: str) -> bool:
+def _end(text: str) -> int:
+    """Where the bracket that a text begins with is closed, -1 where it is not."""
     depth = 0
     for k, sign in enumerate(text):
         depth += _deeper(sign)
         if not depth:
-            return k == len(text) - 1
-    return False
+            return k
+    return -1
+
+
+def _closes_at_end(text: str) -> bool:
+    return text != "" and _end(text) == len(text) - 1
 
 
 def _top_comma(text: str) -> bool:
@@ -168,7 +247,9 @@ def _split(text: str) -> list[str]:
             pieces.append(piece)
             piece = ""
     pieces.append(piece)
-    return [piece.strip().strip("'\"") for piece in pieces if piece.strip()]
+    if not pieces[-1].strip():
+        pieces.pop()
+    return [piece.strip().strip("'\"") for piece in pieces if comma or piece.strip()]
 
 
 def _joins(text: str, k: int) -> bool:
@@ -185,8 +266,8 @@ def _joins(text: str, k: int) -> bool:
         return True
     return (
         (after[0] in "+-" and len(after) > 1 and after[1].isspace())
-        or after[:3] == "deg"
-        or after[0] == "°"
+        or _DEGREES.match(after) is not None
+        or (before[-1] in "0123456789.)" and _RADIANS.match(after) is not None)
     )
 
 
@@ -213,20 +294,58 @@ def _block(text: str) -> Cells:
         (s for s in ("\t", ";") if any(s in line.strip().rstrip(";") for line in lines)), ""
     )
     if separator:
-        return [
-            [_pointed(cell) for cell in line.strip("\r\n ").rstrip(separator).split(separator)]
-            for line in lines
-        ]
+        return _pointed_rows(
+            [line.strip("\r\n ").rstrip(separator).split(separator) for line in lines]
+        )
     if any(_top_comma(line) for line in lines):
         return _by_commas(lines)
-    return [_split(re.sub(r"^\s*[\[|⎡⎢⎣]+|[\]|⎤⎥⎦]+\s*$", "", line)) for line in lines]
+    lines = [re.sub(r"^\s*[\[|⎡⎢⎣⎛⎜⎝]+|[\]|⎤⎥⎦⎞⎟⎠]+\s*$", "", line) for line in lines]
+    rows = [_split(line) for line in lines]
+    uneven = len({len(row) for row in rows}) > 1
+    torn = any(cell.lstrip("+-") in FUNCTIONS for row in rows for cell in row)
+    return (_by_gaps(lines) if uneven or torn else []) or rows
+
+
+def _by_gaps(lines: list[str]) -> Cells:
+    """Cells that stand two blanks apart or more, which single ones do not part, where each line has
+    as many; none where not.
+    """
+    rows = [apart(line.strip()).split("\t") for line in lines]
+    return rows if len({len(row) for row in rows}) == 1 and len(rows[0]) > 1 else []
+
+
+def apart(text: str) -> str:
+    """A text with a tab for each run of blanks within a line."""
+    return _GAP.sub("\t", text)
 
 
 def _by_commas(lines: list[str]) -> Cells:
-    """Commas part cells, unless they are decimal ones: then blanks do."""
+    """Commas part cells, unless they are decimal ones: then blanks do. Raises ArmError where both
+    may be meant.
+    """
     by_blank = [_split(line.replace(",", ".")) for line in lines]
-    decimal = all(re.fullmatch(r"\s*(?:-?\d+(?:,\d+)?(?:\s+|$)){2,}", line) for line in lines)
-    return by_blank if decimal else [_split(line.rstrip(",")) for line in lines]
+    if all(re.fullmatch(r"\s*(?:-?\d+(?:,\d+)?(?:\s+|$)){2,}", line) for line in lines):
+        return by_blank
+    if all(len(_TIGHT.findall(line)) == line.count(",") for line in lines):
+        if by_gaps := _by_gaps([line.replace(",", ".") for line in lines]):
+            return by_gaps
+        if all(len(row) > 1 for row in by_blank):
+            given = shown(lines[0].strip())
+            raise ArmError(f"a line is {given}; expected decimal points, or commas between entries")
+    return [_split(line.rstrip(",")) for line in lines]
+
+
+def _pointed_rows(rows: Cells) -> Cells:
+    """Cells with points for decimal commas; raises ArmError where a comma may part thousands."""
+    found = [[_pointed(cell) for cell in row] for row in rows]
+    texts = [cell.strip().strip('"') for row in rows for cell in row]
+    either = next(filter(_EITHER.fullmatch, texts), None)
+    pointed = next((x for x in texts if re.search(r"[0-9]\.[0-9]", x)), "")
+    if either and pointed and not _DOTTED_THOUSANDS.fullmatch(pointed):
+        decimal, whole = either.replace(",", "."), either.replace(",", "")
+        given = f"{shown(either)} beside {shown(pointed)}"
+        raise ArmError(f"a cell is {given}; expected {decimal} or {whole}")
+    return found
 
 
 def _pointed(cell: str) -> str:
@@ -236,6 +355,10 @@ def _pointed(cell: str) -> str:
     if (inner := cell.strip())[:1] == inner[-1:] == '"':
         cell = inner[1:-1]
     cell = re.sub(r"^[ \t]*=", "", cell)
+    if _THOUSANDS.fullmatch(cell.strip()):
+        return cell.replace(",", "")
+    if _DOTTED_THOUSANDS.fullmatch(cell.strip()):
+        return cell.replace(".", "").replace(",", ".")
     return (
         re.sub(r"(?<=\d),(?=\d)", ".", cell) if cell.count(",") == 1 and "(" not in cell else cell
     )
@@ -249,5 +372,8 @@ def numeric(rows: Cells) -> bool:
 def without_header(rows: Cells) -> Cells:
     """The rows without the first if it is a header: one of names where numbers follow."""
     first, *rest = rows
-    words = filter(None, map(plain, first))
-    return rest if rest and all(number(w) is None for w in words) and numeric(rest) else rows
+    words = [*filter(None, map(plain, first))]
+    named = all(number(word) is None for word in words)
+    if rest and len(first) == len(rest[0]):
+        named = named and not any(map(_NO_HEAD.fullmatch, words))
+    return rest if rest and named and numeric(rest) else rows

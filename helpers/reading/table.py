@@ -13,7 +13,7 @@ from itertools import permutations
 from typing import Any, NamedTuple
 
 from helpers.inputs import ArmError, one_of, shown
-from helpers.reading import formula, grid
+from helpers.reading import around, formula, grid
 from helpers.reading.sentences import listed, say, size
 from helpers.rows import Joint, Kind, Row
 
@@ -137,7 +137,13 @@ def read(
         return [TypedTable(rows, lengths, angles, convention, (say("taken: matrices"),))]
     cells, heads = _without_index(cells, heads)
     _few(len(cells))
-    orders, sure = _orders(cells, heads, columns)
+    try:
+        orders, sure = _orders(cells, heads, columns)
+    except ArmError:
+        if not isinstance(source, str) or not _even(source):
+            raise
+        apart = grid.apart(source)
+        return read(apart, columns, lengths, angles, convention, values, mend)
     unit, angle, modified = _from_heads(heads)
     lengths, angles, convention = (
         lengths or unit,
@@ -160,6 +166,14 @@ def read(
     if not tables:
         raise errors[0]
     return tables
+
+
+def _even(text: str) -> bool:
+    """Whether two blanks and more part the lines of a text into as many cells, and single ones
+    stand in some.
+    """
+    apart = grid.apart(text)
+    return apart != text and len({len(row) for row in grid.cells(apart)}) == 1
 
 
 def _rows(cells: grid.Cells, order: tuple[str, ...], known: Mapping) -> tuple[TypedRow, ...]:
@@ -341,7 +355,7 @@ def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str
 
 
 def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
-    text = _unboxed(text.replace("\ufeff", ""))
+    text = _unboxed(around.straight(text))
     if links := re.findall(
         r"(Link|(?:Revolute|Prismatic)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)",
         text,
@@ -368,8 +382,9 @@ def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     ):
         return _numbered([(_WORDS[name.lower()], int(i), _unquoted(x)) for name, i, x in pairs])
     rows = grid.cells(re.sub(r"^\s*#", "", text))
-    if _heading(rows[0]):
-        return rows[1:], _with_units(rows[0]), ()
+    for k, row in enumerate(rows[:3]):  # a caption may stand above the heads
+        if _heading(row):
+            return rows[k + 1 :], _with_units(row), ()
     return rows, [], ()
 
 
@@ -522,8 +537,12 @@ def _words(columns: Any) -> list[str]:
 
 def _wide(cells: grid.Cells) -> None:
     widths = sorted({len(row) for row in cells})
+    told = ", ".join(map(str, widths))
+    if len(widths) > 1:
+        row, count = next((i, len(row)) for i, row in enumerate(cells, 1) if len(row) != 4)
+        raise ArmError(say("row widths", widths=told, row=row, count=count))
     if widths != [4]:
-        raise ArmError(say("row width", widths=", ".join(map(str, widths))))
+        raise ArmError(say("row width", widths=told))
 
 
 def _possible(cells: grid.Cells, order: tuple[str, ...], looks: bool) -> bool:

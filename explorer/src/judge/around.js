@@ -11,6 +11,7 @@ const ASKED = new RegExp(
 );
 const PROMPTED = new RegExp(PROMPT, "g");
 const COMMENT = /((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*[#%][^\n\r]*/g;
+const REMARK = /(?<=[0-9.)])[ \t]+[#%][ \t]*[A-Za-z][^\n\r]*/g; // 50 % 20 % is none
 const LABEL = /^[ \t\r\n]*[A-Za-z_][A-Za-z0-9_]*[ \t]*:[ \t\r\n]*(?=[[({])/;
 const SIGN = /^[ \t\r\n]*=[ \t]*(?=[[({])/;
 
@@ -18,12 +19,17 @@ const INNER = String.raw`\{(?:[A-Za-z]*matrix\*?|array|tabular)\}`;
 const [BEGIN, END] = ["begin", "end"].map((word) => new RegExp(String.raw`\\${word}${INNER}`, "g"));
 const SET_BEFORE = new RegExp(
   String.raw`\\begin\{[a-z]+\*?\}|\\label\{[^{}]*\}` +
-    String.raw`|\\(?:displaystyle|scriptsize|footnotesize|small|tiny|boxed|left[ \t]*[\[(|.]|\[|\()` +
+    String.raw`|\\(?:displaystyle|scriptsize|footnotesize|small|tiny|boxed)` +
+    String.raw`|\\(?:(?:left|[bB]igg?l?)[ \t]*[\[(|.]|\[|\()` +
     String.raw`|[$&{ \t\r\n]`,
   "g",
 );
-const SET_AFTER = /\\end\{[a-z]+\*?\}|\\label\{[^{}]*\}|\\(?:right[ \t]*[\])|.]|\]|\))|[$}.,; \t\r\n]/g;
-const NAME = String.raw`(?:(?!\\[dt]?frac[0-9])[^-=0-9][^=]*=)+`; // J =, or dx/dq = J =
+const SET_AFTER = new RegExp(
+  String.raw`\\end\{[a-z]+\*?\}|\\(?:label|tag)\{[^{}]*\}|\\(?:q?quad|nonumber|notag)(?![A-Za-z])` +
+    String.raw`|\\(?:(?:right|[bB]igg?r?)[ \t]*[\])|.]|\]|\))|[$}.,; \t\r\n]`,
+  "g",
+);
+const NAME = String.raw`(?:(?!\\[dt]?frac[0-9])[^-=0-9](?:(?!\\approx)[^=])*(?:=|\\approx))+`; // J =, or dx/dq = J =
 const [NAMES, NAMED] = [new RegExp(NAME, "g"), new RegExp(`^${NAME}$`)];
 const FACTOR = new RegExp(
   String.raw`^(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi)|[-+*/^0-9.,(){}]` +
@@ -39,14 +45,21 @@ const LATEX = [
 
 // A paste without what only stands around it.
 export const bare = (text) =>
-  text
-    .replaceAll("\ufeff", "")
+  straight(text)
     .replace(FENCE, "")
     .replace(COMMENT, "$1")
+    .replace(REMARK, "")
     .replace(ASKED, "")
     .replace(PROMPTED, "")
     .replace(LABEL, "")
     .replace(SIGN, "");
+
+// A text with the quotes that programs know, and without byte order marks.
+export const straight = (text) =>
+  text
+    .replace(/[“”„‟]/g, '"')
+    .replaceAll("\ufeff", "")
+    .replace(/‘([^‘’\n]*)’/g, "'$1'");
 
 // LaTeX without a name and what else is set beside its one matrix, and with its numbers as they are elsewhere; an error
 // for a factor beside it.
@@ -54,8 +67,10 @@ export function bareLatex(text) {
   const [begins, ends] = [BEGIN, END].map((pattern) => [...text.matchAll(pattern)]);
   if (begins.length === 1 && ends.length === 1) {
     const [start, end] = [begins[0].index, ends[0].index + ends[0][0].length];
-    const before = text.slice(0, start).replace(SET_BEFORE, "");
-    const after = text.slice(end).replace(SET_AFTER, "");
+    let before = text.slice(0, start).replace(SET_BEFORE, "");
+    let after = text.slice(end).replace(SET_AFTER, "");
+    if (["()", "[]"].includes(before.slice(-1) + after.slice(0, 1)))
+      [before, after] = [before.slice(0, -1), after.slice(1)];
     alone(text.slice(0, start), before.replace(NAMES, ""));
     alone(text.slice(end), after);
     const named = !before || NAMED.test(before);
@@ -67,7 +82,9 @@ export function bareLatex(text) {
 
 // An error where a factor stands beside a matrix: it is meant for every entry.
 export function alone(stands, factor) {
-  if (!FACTOR.test(factor)) return;
-  const beside = shown(stands.trim());
-  throw new ArmError(`beside the matrix stands ${beside}; expected entries that hold it`);
+  if (FACTOR.test(factor)) throw beside(stands);
 }
+
+// What is said where something that matters stands beside a matrix.
+export const beside = (stands) =>
+  new ArmError(`beside the matrix stands ${shown(stands.trim())}; expected entries that hold it`);

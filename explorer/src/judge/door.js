@@ -58,7 +58,11 @@ const shapeOf = (list) =>
 function ofText(text, what, known) {
   const rows = withoutHeader(cells(text));
   const widths = [...new Set(rows.map((row) => row.length))].sort((a, b) => a - b);
-  if (widths.length > 1) throw new ArmError(say("ragged", { what, widths: widths.join(", ") }));
+  if (widths.length > 1) {
+    const row = rows.findIndex((one) => one.length < widths.at(-1));
+    const told = { what, widths: widths.join(", "), row: row + 1, count: rows[row].length };
+    throw new ArmError(say("ragged", told));
+  }
   const texts = rows.flat().map(plain);
   const trees = texts.map((cell) =>
     isNumber(cell) ? ["num", Number(cell)] : parse(cell, `an entry of ${what}`),

@@ -40,7 +40,7 @@ const SIGNS = {
   "^": raised,
 };
 const CONSTANTS = { pi: Math.PI, deg: RAD, rad: 1 };
-const isFunction = (word) => Object.hasOwn(FUNCTIONS, word);
+export const isFunction = (word) => Object.hasOwn(FUNCTIONS, word);
 const isConstant = (word) => Object.hasOwn(CONSTANTS, word);
 
 function raised(left, right) {
@@ -64,7 +64,6 @@ const SAME = new Map([
   ...each("π𝜋", " pi "),
   ...each("°º", " deg"),
   ["$", " "],
-  ["²", "^2"],
   ["√", "sqrt"],
   ["⅓", "(1/3)"],
   ["½", "(1/2)"],
@@ -75,15 +74,25 @@ const SAME = new Map([
 const LATEX = [
   [/\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)(?![A-Za-z])/g, " "],
   [/\\[,;:! ]|~|\\hspace\{[^{}]*\}/g, " "],
-  [/\\(?:mathrm|text|mathit|mathbf|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g, "$1"],
+  [/\\(?:mathrm|text(?:bf|it|rm)?|math(?:it|bf|sf)|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g, "$1"],
+  [/\\ang\s*\{([^{}]*)\}|\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*\\degree\s*\}/g, "($1$2 deg)"],
   [/\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)(?![A-Za-z])/g, " deg"],
   [/\\(?:cdot|times|ast)(?![A-Za-z])/g, "*"],
   [/\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)/g, " "],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
   [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],
-  [/\\d?t?frac\s*(\d)\s*(\d)/g, "(($1)/($2))"],
+  [/(\\[dt]?frac)\s*([0-9]|\\pi(?![A-Za-z]))/g, "$1{$2}"],
+  [/(\\[dt]?frac\s*\{[^{}]*\})\s*([0-9]|\\pi(?![A-Za-z]))/g, "$1{$2}"],
+  [/(?<=[0-9.)])\s*(deg|rad)(?:ree|ian)s?(?![A-Za-z0-9_]|\s*\()/g, " $1"],
 ];
-const FRACTION = /\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g;
+/** @type {[RegExp, string][]} */
+const INNERMOST = [
+  [/\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g, "(($1)/($2))"],
+  [/(\\(?:sqrt|sin|cos|tan)|\^)\s*\{([^{}]*)\}/g, "$1($2)"],
+];
+const POWERS = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹";
+const RAISED = new RegExp(`[${POWERS}]+`, "g");
+const MIXED = /(?<![A-Za-z0-9_.])([0-9]+) ?([⅓½¼])/g;
 const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
 const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
 const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]))`, "y");
@@ -98,9 +107,17 @@ export const isNumber = (text) => NUMBER.test(text);
 // The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
   if (isNumber(text)) return text;
+  text = text.replace(
+    RAISED,
+    (powers) => `^${[...powers].map((sign) => "+-0123456789"[POWERS.indexOf(sign)]).join("")}`,
+  );
+  text = text.replace(MIXED, "($1+$2)");
   text = [...text].map((sign) => SAME.get(sign) ?? sign).join("");
   for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
-  for (let before = ""; before !== text;) [before, text] = [text, text.replace(FRACTION, "(($1)/($2))")];
+  for (let before = ""; before !== text;) {
+    before = text;
+    for (const [innermost, opened] of INNERMOST) text = text.replace(innermost, opened);
+  }
   text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
   text = text.replace(/\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\./g, "");
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");
@@ -115,6 +132,7 @@ export function parse(text, what = "the formula") {
   if (text.length > LONGEST) {
     throw new ArmError(`${what} has ${text.length} characters; expected at most ${LONGEST}`);
   }
+  if (!text.trim()) throw new ArmError(`${what} is empty; expected a number or a formula, or 0`);
   const tokens = tokensOf(plain(text));
   if (!tokens) {
     throw new ArmError(
@@ -175,6 +193,7 @@ function product(tokens, k, depth) {
       const [right, after] = signed(tokens, next + 1, depth);
       [left, next] = [[word, left, right], after];
     } else if (word === "(" || kind !== "sign") {
+      if (kind === "num" && tokens[next - 1][0] === "num") throw new NoFormula(); // 1 234.5 is no product
       const [right, after] = power(tokens, next, depth);
       [left, next] = [["*", left, right], after];
     } else break;

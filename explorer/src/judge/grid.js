@@ -1,9 +1,9 @@
 // A pasted text as rows of cells, the port of helpers/reading/grid.py: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or
 // spreadsheet cells.
 
-import { alone, bare as withoutSurroundings, bareLatex } from "./around.js";
-import { isNumber, number, plain } from "./formula.js";
-import { ArmError } from "./say.js";
+import { alone, bare as withoutSurroundings, bareLatex, beside } from "./around.js";
+import { isFunction, isNumber, number, plain } from "./formula.js";
+import { ArmError, shown } from "./say.js";
 
 const LONGEST = 5_000_000; // characters of a paste: a trace of 20 000 steps
 
@@ -11,16 +11,37 @@ const WORD = String.raw`[\p{L}\p{N}_.]`;
 const BEFORE = String.raw`^\s*(?:${WORD}+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*)?`;
 const MAKERS = "Matrix|array|asarray|matrix|tensor|vpa|simplify|round|double|sym";
 const WRAPPER = new RegExp(String.raw`${BEFORE}(?:${WORD}*(?:${MAKERS})\s*\(\s*)+`, "u");
-const TAIL = /\)?(?:,\s*(?:dtype\s*=\s*[\p{L}\p{N}_.']+|\d+)\s*)?\)+\s*;?\s*$/u;
+const TAIL = /\)?(?:,\s*(?:dtype\s*=\s*[\p{L}\p{N}_.']+|\d+)\s*)?\)+\s*[;.,]?\s*$/u;
+const TURNED = new RegExp(
+  String.raw`^\s*(?:${WORD}+\s*=\s*)?(?:[\p{L}\p{N}_]+\.)?(deg2rad|radians|rad2deg|degrees)\s*` +
+    String.raw`(?=\(\s*(?:${WORD}*array\()?\s*\[)`,
+  "u",
+);
+const ENDED = /(?<=[\])}])\s*[.,;]+$/;
+const TAKEN = /^\s*\)*\s*(?:[-+*/^']|\.[*/^'T])/; // what changes the matrix before it
+const CONTINUED = /^(?:\s*[-+*/^]\s|.*[-+*/^]\s*$)/;
 const NAMED = /^\s*[\p{L}\p{N}_.]+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*(?=[[({\n\d-]|$)/u;
 const ENVIRONMENT = /\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?/g;
-const LATEX_REST =
-  /\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?|\\(?:hline|(?:top|mid|bottom)rule|nonumber)(?![A-Za-z])/g;
+const LATEX_REST = new RegExp(
+  String.raw`\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?` +
+    String.raw`|\\c(?:line|midrule)(?:\([^()]*\))?\{[^{}]*\}` +
+    String.raw`|\\(?:hline|(?:top|mid|bottom)rule|nonumber)(?![A-Za-z])`,
+  "g",
+);
 const STARRED = /(?:^|[\s[(])-?(?:θ|\\?theta|th|q)_?\{?(?:\d+|i)?\}?\^?\*$|^\s*\*$/;
 const FACTOR = /^[-+*/^.0-9e \t]+(?=\[)/;
 const SCALE = /^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$/m;
 const MATLAB_BLOCK = /^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$/im;
 const RULE = /^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$/;
+const GAP = /(?<=[^ \u00a0\t\n])[ \u00a0]{2,}(?=[^ \u00a0\t\n])/g;
+const TIGHT = /(?<![0-9.,])[0-9]+,[0-9]+(?![0-9.,])/g;
+const DECIMAL = /^\s*[-+−]?(?![1-9][0-9]{0,2},[0-9]{3}\s*$)[0-9]+,[0-9]+\s*$/;
+const THOUSANDS = /^[-+−]?[0-9]{1,3}(?:,[0-9]{3})+\.[0-9]+$/;
+const DOTTED_THOUSANDS = /^[-+−]?[0-9]{1,3}(?:\.[0-9]{3})+,[0-9]+$/;
+const EITHER = /^[-+−]?[1-9][0-9]{0,2},[0-9]{3}$/; // a decimal comma, or one of thousands
+const DEGREES = /^(?:°|deg(?:rees?)?(?![A-Za-z0-9_]|\s*\())/;
+const RADIANS = /^rad(?:ian)?s?(?![A-Za-z0-9_]|\s*\()/;
+const NO_HEAD = /^(?:[-+]?[.0-9][-+.,%0-9 eEdD]*|-?(?:a?(?:sin|cos|tan)|sqrt)\(.*\))$/;
 
 const lines = (text) => {
   const found = text.split(/\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]/);
@@ -53,9 +74,19 @@ export function cells(text) {
 
 function rowsOf(text) {
   if (text.includes("\\begin{") || text.includes("\\\\")) return latex(text);
+  if (text.split("|").length === 3 && text.includes("\n") && text[0] === "|" && text.at(-1) === "|")
+    text = text.slice(1, -1).trim(); // the bars of a matrix
   if (text.split("|").length > 2 && !/^[^|]*\[[^\]|]*\|/.test(text)) return markdown(text);
+  const turned = TURNED.exec(text);
+  if (turned) {
+    const inner = strippedEnd(text.slice(turned[0].length), " ;.,");
+    if (closesAtEnd(inner))
+      return rowsOf(inner.slice(1, -1).trim()).map((row) => row.map((cell) => `${turned[1]}(${cell})`));
+  }
   let bare = WRAPPER.test(text) ? text.replace(WRAPPER, "").replace(TAIL, "") : text;
   bare = strippedEnd(bare.replace(NAMED, "").trim(), ";").trim();
+  bare = opened(bare.replace(ENDED, ""));
+  if (bare[0] === "[") untouched(bare);
   if (bare && "[({".includes(bare[0])) return bracketed(bare);
   const before = FACTOR.exec(bare);
   if (before) alone(before[0], before[0].replace(/[ \t]/g, ""));
@@ -72,16 +103,57 @@ function latex(text) {
     .replaceAll("$", " ")
     .replaceAll("\\[", " ")
     .replaceAll("\\]", " ");
-  return text.split(/\\\\|\\cr(?![A-Za-z])/).map((row) => row.split("&"));
+  return text.split(/\\\\|\\cr(?![A-Za-z])/).map((row) => row.split("&").map(decimal));
 }
 
-const markdown = (text) =>
-  lines(text)
+function markdown(text) {
+  const rows = lines(text)
     .map((line) => line.trim())
     .filter((line) => line.includes("|") && !/^[\s:|+=_-]*[-=_][\s:|+=_-]*$/.test(line))
     .map((line) => line.replace(/^\||\|$/g, "").replaceAll("$", " ").split("|")); // prettier-ignore
+  const bars = rows.every((row) => row.length === 1 && ofNumbers(row[0])); // on each line
+  return rows.map((row) => (bars ? split(row[0]) : row.map(decimal)));
+}
+
+const words = (line) => line.trim().split(/\s+/).filter(Boolean);
+const ofNumbers = (line) => words(line).every((word) => isNumber(plain(word)));
+
+// A number with a decimal comma with a point; as it is where the comma may part thousands.
+const decimal = (cell) => (DECIMAL.test(cell) ? cell.replace(",", ".") : cell);
 
 // Brackets
+
+// Rows on lines in one pair of round brackets, or each in its own, and a list in one, without them; any other text as
+// it is.
+function opened(text) {
+  const inner = text.slice(1, -1).trim();
+  if (text[0] === "(" && closesAtEnd(text)) {
+    if (inner[0] === "[" && closesAtEnd(inner)) return inner;
+    return areRows(lines(inner)) ? inner : text;
+  }
+  const each = lines(text).map((line) => line.trim());
+  if (!each.length || !each.every((line) => line[0] === "(" && closesAtEnd(line))) return text;
+  const inside = each.map((line) => line.slice(1, -1).trim());
+  return inside[0].includes(" ") && areRows(inside) ? inside.join("\n") : text;
+}
+
+// Whether lines of entries without commas are the rows of a matrix, not a formula's.
+function areRows(given) {
+  const kept = given.filter((line) => line.trim());
+  if (kept.some((line) => line.includes(",") || line.includes(";") || CONTINUED.test(line))) return false;
+  const rows = kept.map(split);
+  if (new Set(rows.map((row) => row.length)).size !== 1) return false;
+  if (rows.length === 1 && rows[0].length === 1) return false;
+  return kept.every(ofNumbers) || (rows.length > 1 && rows[0].length > 1);
+}
+
+// An error where something is done to a list after it is closed.
+function untouched(text) {
+  const end = endOf(text);
+  const after = text.slice(end + 1);
+  if (/[0-9][\s,;\]]/.test(text.slice(0, end)) && TAKEN.test(after))
+    throw beside(after.replace(/^[ )]+/, ""));
+}
 
 // Nested lists, tuples or MATLAB's one bracket with semicolons.
 function bracketed(text) {
@@ -89,8 +161,8 @@ function bracketed(text) {
   if (items.every(isList)) {
     const inner = items.map(itemsOf);
     if (!inner.some((row) => row.some(isList))) return inner;
-    const opened = (cell) => (isList(cell) && itemsOf(cell).length === 1 ? itemsOf(cell)[0] : cell);
-    const flat = inner.map((row) => row.map(opened));
+    const single = (cell) => (isList(cell) && itemsOf(cell).length === 1 ? itemsOf(cell)[0] : cell);
+    const flat = inner.map((row) => row.map(single));
     return flat.some((row) => row.some(isList)) ? items.flatMap(bracketed) : flat;
   }
   const body = text.trim().slice(1, -1);
@@ -109,14 +181,17 @@ function isList(text) {
 
 const deeper = (sign) => ("[({".includes(sign) ? 1 : "])}".includes(sign) ? -1 : 0);
 
-function closesAtEnd(text) {
+// Where the bracket that a text begins with is closed, -1 where it is not.
+function endOf(text) {
   let depth = 0;
   for (let k = 0; k < text.length; k++) {
     depth += deeper(text[k]);
-    if (!depth) return k === text.length - 1;
+    if (!depth) return k;
   }
-  return false;
+  return -1;
 }
+
+const closesAtEnd = (text) => text !== "" && endOf(text) === text.length - 1;
 
 function topComma(text) {
   let depth = 0;
@@ -135,8 +210,8 @@ function itemsOf(text) {
 
 // Split at commas outside brackets, or at blanks where there are none, as MATLAB and NumPy print.
 function split(text) {
-  const words = text.trim().split(/\s+/);
-  if (words.every(isNumber)) return words;
+  const numerals = text.trim().split(/\s+/);
+  if (numerals.every(isNumber)) return numerals;
   const pieces = [];
   let [depth, piece] = [0, ""];
   const comma = topComma(text);
@@ -153,8 +228,8 @@ function split(text) {
       piece = "";
     }
   }
-  pieces.push(piece);
-  return pieces.filter((one) => one.trim()).map((one) => stripped(one.trim(), "'\""));
+  if (piece.trim()) pieces.push(piece);
+  return pieces.filter((one) => comma || one.trim()).map((one) => stripped(one.trim(), "'\""));
 }
 
 // Whether the blank at k stands beside a sign that joins its neighbours: "a - b" is one cell, "a -b" are two, and so
@@ -167,8 +242,8 @@ function joins(text, k) {
   if (!before || !after || "+-*/^=(".includes(before.at(-1)) || "*/^)=".includes(after[0])) return true;
   return (
     ("+-".includes(after[0]) && after.length > 1 && /\s/.test(after[1])) ||
-    after.startsWith("deg") ||
-    after[0] === "°"
+    DEGREES.test(after) ||
+    ("0123456789.)".includes(before.at(-1)) && RADIANS.test(after))
   );
 }
 
@@ -194,16 +269,56 @@ function block(text) {
   const separator = ["\t", ";"].find(parts);
   if (separator) {
     const end = (line) => strippedEnd(stripped(line, "\r\n "), separator);
-    return kept.map((line) => end(line).split(separator).map(pointed));
+    return pointedRows(kept.map((line) => end(line).split(separator)));
   }
   if (kept.some(topComma)) return byCommas(kept);
-  return kept.map((line) => split(line.replace(/^\s*[[|⎡⎢⎣]+|[\]|⎤⎥⎦]+\s*$/g, "")));
+  const inside = kept.map((line) => line.replace(/^\s*[[|⎡⎢⎣⎛⎜⎝]+|[\]|⎤⎥⎦⎞⎟⎠]+\s*$/g, ""));
+  const rows = inside.map(split);
+  const uneven = new Set(rows.map((row) => row.length)).size > 1;
+  const torn = rows.some((row) => row.some((cell) => isFunction(cell.replace(/^[-+]+/, ""))));
+  return (uneven || torn ? byGaps(inside) : null) ?? rows;
 }
 
-// Commas part cells, unless they are decimal ones: then blanks do.
+// Cells that stand two blanks apart or more, which single ones do not part, where each line has as many; null where
+// not.
+function byGaps(kept) {
+  const rows = kept.map((line) => apart(line.trim()).split("\t"));
+  return rows.length && rows[0].length > 1 && rows.every((row) => row.length === rows[0].length)
+    ? rows
+    : null;
+}
+
+// A text with a tab for each run of blanks within a line.
+export const apart = (text) => text.replace(GAP, "\t");
+
+// Commas part cells, unless they are decimal ones: then blanks do. An error where both may be meant.
 function byCommas(kept) {
-  const decimal = kept.every((line) => /^\s*(?:-?\d+(?:,\d+)?(?:\s+|$)){2,}$/.test(line));
-  return kept.map((line) => split(decimal ? line.replaceAll(",", ".") : strippedEnd(line, ",")));
+  const dotted = kept.map((line) => line.replaceAll(",", "."));
+  const byBlank = dotted.map(split);
+  if (kept.every((line) => /^\s*(?:-?\d+(?:,\d+)?(?:\s+|$)){2,}$/.test(line))) return byBlank;
+  if (kept.every((line) => (line.match(TIGHT) ?? []).length === line.split(",").length - 1)) {
+    const rows = byGaps(dotted);
+    if (rows) return rows;
+    if (byBlank.every((row) => row.length > 1)) {
+      const given = shown(kept[0].trim());
+      throw new ArmError(`a line is ${given}; expected decimal points, or commas between entries`);
+    }
+  }
+  return kept.map((line) => split(strippedEnd(line, ",")));
+}
+
+// Cells with points for decimal commas; an error where a comma may part thousands.
+function pointedRows(rows) {
+  const found = rows.map((row) => row.map(pointed));
+  const texts = rows.flat().map((cell) => stripped(cell.trim(), '"'));
+  const either = texts.find((text) => EITHER.test(text));
+  const point = texts.find((text) => /[0-9]\.[0-9]/.test(text));
+  if (either && point && !DOTTED_THOUSANDS.test(point)) {
+    const given = `${shown(either)} beside ${shown(point)}`;
+    const [decimal, whole] = [either.replaceAll(",", "."), either.replaceAll(",", "")];
+    throw new ArmError(`a cell is ${given}; expected ${decimal} or ${whole}`);
+  }
+  return found;
 }
 
 // A cell with a decimal comma written with a point, and without a spreadsheet's quotes or sign of equality.
@@ -211,6 +326,8 @@ function pointed(cell) {
   const inner = cell.trim();
   if (inner[0] === '"' && inner.at(-1) === '"') cell = inner.slice(1, -1);
   cell = cell.replace(/^[ \t]*=/, "");
+  if (THOUSANDS.test(cell.trim())) return cell.replaceAll(",", "");
+  if (DOTTED_THOUSANDS.test(cell.trim())) return cell.replaceAll(".", "").replace(",", ".");
   return cell.split(",").length === 2 && !cell.includes("(") ? cell.replace(/(?<=\d),(?=\d)/g, ".") : cell;
 }
 
@@ -220,7 +337,9 @@ const numeric = (rows) => rows.every((row) => row.every((cell) => number(cell) !
 // The rows without the first if it is a header: names where numbers follow.
 export function withoutHeader(rows) {
   const [first, ...rest] = rows;
-  const words = first.map(plain).filter(Boolean);
-  const isHeader = rest.length > 0 && words.every((word) => number(word) === null) && numeric(rest);
+  const heads = first.map(plain).filter(Boolean);
+  const asLong = rest.length > 0 && first.length === rest[0].length;
+  const named = heads.every((head) => number(head) === null && !(asLong && NO_HEAD.test(head)));
+  const isHeader = rest.length > 0 && named && numeric(rest);
   return isHeader ? rest : rows;
 }

@@ -33,7 +33,10 @@ export function wordsOf({ keys, fields }) {
   return second === undefined ? first : say("and also", { first, second: lower(second) });
 }
 
-/** @typedef {{ causes: Cause[], odd: boolean[] }} Found causes, best first, and the entries that the best leaves */
+/**
+ * Causes, best first, the entries that the best leaves, and what each entry is off by from what the best gives.
+ * @typedef {{ causes: Cause[], odd: boolean[], rest: number[] }} Found
+ */
 
 // The causes that explain mine within the band; null where none does.
 /** @returns {Found | null} */
@@ -82,7 +85,8 @@ function best(mine, { band, named }) {
   const found = named.filter(({ cost }) => cost === least);
   const causes = found.map(({ parts }) => parts.reduce(both));
   const [{ A }] = found;
-  return { causes, odd: mine.map((x, i) => !(Math.abs(x - A[i]) <= band[i])) };
+  const rest = mine.map((x, i) => x - A[i]);
+  return { causes, odd: rest.map((x, i) => !(Math.abs(x) <= band[i])), rest };
 }
 
 export const complete = (found) => Boolean(found) && !found.odd.includes(true);

@@ -3,8 +3,9 @@
 // told.
 
 import { RAD } from "./angles.js";
+import { straight } from "./around.js";
 import { number, parse, plain, symbols, value } from "./formula.js";
-import { cells as cellsOf } from "./grid.js";
+import { apart, cells as cellsOf } from "./grid.js";
 import { ArmError, listed, say, shown, size } from "./say.js";
 
 export const ENTRIES = ["a", "alpha", "d", "theta"];
@@ -99,7 +100,14 @@ export function read(text, { columns, lengths, angles, convention } = {}, values
   }
   const { cells, heads } = withoutIndex(typed);
   few(cells.length);
-  const { orders, sure, rows } = ordered(cells, heads, columns);
+  let order;
+  try {
+    order = ordered(cells, heads, columns);
+  } catch (error) {
+    if (!(error instanceof ArmError) || !isEven(text)) throw error;
+    return read(apart(text), { columns, ...given }, values);
+  }
+  const { orders, sure, rows } = order;
   const head = fromHeads(heads);
   const units = {
     lengths: given.lengths ?? head.lengths,
@@ -224,7 +232,7 @@ const unquoted = (text) => text.trim().replace(/^['"]+|['"]+$/g, "");
 
 /** @returns {Cells} */
 function ofText(typed) {
-  const text = unboxed(typed.replaceAll("\ufeff", ""));
+  const text = unboxed(straight(typed));
   const links = [...text.matchAll(LINK)].map(([, kind, body]) => ({ kind, body }));
   if (links.length) return ofLinks(links);
   const records = ofRecords(text);
@@ -237,9 +245,18 @@ function ofText(typed) {
   if (known && !text.trimStart().startsWith("|"))
     return ofPairs(pairs.map(([name, i, x]) => [WORDS.get(name), i, unquoted(x)]));
   const rows = cellsOf(text.replace(/^\s*#/, ""));
-  const heading = new Set(rows[0].map(headOf).filter((word) => ENTRIES.includes(word))).size >= 3;
-  return heading ? plainly(rows.slice(1), withUnits(rows[0])) : plainly(rows, []);
+  // A caption may stand above the heads.
+  const at = rows.slice(0, 3).findIndex(isHeading);
+  return at < 0 ? plainly(rows, []) : plainly(rows.slice(at + 1), withUnits(rows[at]));
 }
+
+// Whether two blanks and more part the lines of a text into as many cells, and single ones stand in some.
+function isEven(text) {
+  const wide = apart(text);
+  return wide !== text && new Set(cellsOf(wide).map((row) => row.length)).size === 1;
+}
+
+const isHeading = (row) => new Set(row.map(headOf).filter((word) => ENTRIES.includes(word))).size >= 3;
 
 // The heads with a unit that stands apart, as in "a (mm)", joined to its own.
 const withUnits = (heads) =>
@@ -395,9 +412,13 @@ const permutations = (list) =>
     : list.flatMap((one, k) => permutations(list.filter((_, j) => j !== k)).map((more) => [one, ...more]));
 
 function wide(cells) {
-  const widths = [...new Set(cells.map((row) => row.length))].sort((p, q) => p - q);
-  if (widths.length !== 1 || widths[0] !== 4)
-    throw new ArmError(say("row width", { widths: widths.join(", ") }));
+  const sorted = [...new Set(cells.map((row) => row.length))].sort((p, q) => p - q);
+  const widths = sorted.join(", ");
+  if (sorted.length > 1) {
+    const row = cells.findIndex((one) => one.length !== 4);
+    throw new ArmError(say("row widths", { widths, row: row + 1, count: cells[row].length }));
+  }
+  if (sorted[0] !== 4) throw new ArmError(say("row width", { widths }));
 }
 
 // What a cell looks like, apart from where it stands.

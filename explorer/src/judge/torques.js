@@ -17,7 +17,7 @@ import {
 import { eachJoint, inRadians, numbered, numbers, poseFault, turning } from "./door.js";
 import { better, complete, explain, nameOf, several } from "./ranking.js";
 import { ArmError, listed, lower, say, size } from "./say.js";
-import { catalogue, loadOf, paperCentres, reversedJoints, torques } from "./torques_causes.js";
+import { catalogue, loadOf, mended, paperCentres, reversedJoints, torques } from "./torques_causes.js";
 
 const GRAVITY = [0, 0, -9.81];
 const ODD = 1.2; // a torque that stays unexplained weighs more than a second mistake
@@ -127,7 +127,8 @@ function judged(typed, taken, right, load, at, tolerance) {
   const grade = whole(graded(mine, wanted, part, single), typed.values, right, m);
   if (grade !== WRONG) return good(grade, typed, arm, taken);
   const found = foundIn(mine, wanted, part, causes, made, sample);
-  const report = bad(found, jointFindings(typed.values, right, m, arm, found), arm, taken);
+  const symptoms = found ? besides(found, arm, count) : jointFindings(typed.values, right, m, arm);
+  const report = bad(found, symptoms, arm, taken);
   return { ...report, wrong: beyond(typed.values, right, m) };
 }
 
@@ -176,24 +177,40 @@ function foundIn(mine, right, m, causes, made, load) {
   return null;
 }
 
-// Each wrong joint, or, under a cause, each that it leaves unexplained.
-function jointFindings(mine, right, m, arm, found) {
-  const numbers = numbered(arm);
-  const dof = numbers.length;
-  const turns = turning(arm);
-  const column = (list, k) => list.filter((_, i) => i % dof === k);
-  const entries = found ? found.odd : beyond(mine, right, m);
-  const odd = numbers.map((_, k) => column(entries, k).includes(true));
-  return numbers.flatMap((joint, k) => {
-    if (!odd[k]) return [];
-    const [x, y, band] = [mine, right, m.band].map((list) => column(list, k));
-    const off = Number(Math.max(...x.map((one, i) => Math.abs(one - y[i]))).toFixed(9)); // ties as in Python
+const column = (list, k, dof) => list.filter((_, i) => i % dof === k);
+
+// Each wrong joint.
+function jointFindings(mine, right, m, arm) {
+  const dof = joints(arm).length;
+  const wrong = beyond(mine, right, m);
+  const away = mine.map((x, i) => x - right[i]);
+  return numbered(arm).flatMap((_, k) => {
+    if (!column(wrong, k, dof).includes(true)) return [];
+    const [x, y, band] = [mine, right, m.band].map((list) => column(list, k, dof));
     const flipped = x.every((one, i) => Math.abs(one + y[i]) <= band[i]);
-    const key = found ? "tau besides" : flipped ? "tau other way" : "tau off";
-    const most = x.length > 1 ? say("up to") : "";
-    const words = say(key, { joint, most, off: size(off, 3), unit: turns[k] ? "N m" : "N" });
-    return [{ what: "joint", where: `joint ${joint}`, words }];
+    return [offBy(flipped ? "tau other way" : "tau off", arm, k, away)];
   });
+}
+
+// Each joint that a cause leaves unexplained, by how much once the cause is mended.
+function besides(found, arm, count) {
+  const dof = joints(arm).length;
+  const left = found.rest.map((x, i) => (found.odd[i] ? x : 0));
+  const rest = mended(found.causes[0], left, dof);
+  const tries = rest.length / dof;
+  const tried = tries < count ? say("at poses tried", { count: tries }) : "";
+  return numbered(arm).flatMap((_, k) =>
+    column(rest, k, dof).some(Boolean) ? [offBy("tau besides", arm, k, rest, { tried })] : [],
+  );
+}
+
+function offBy(key, arm, k, away, fields = {}) {
+  const joint = numbered(arm)[k];
+  const off = column(away, k, joints(arm).length).map(Math.abs);
+  const said = size(Number(Math.max(...off).toFixed(9)), 3); // ties as in Python
+  const unit = turning(arm)[k] ? "N m" : "N";
+  const words = say(key, { joint, most: off.length > 1 ? say("up to") : "", off: said, unit, ...fields });
+  return { what: "joint", where: `joint ${joint}`, words };
 }
 
 function bad(found, symptoms, arm, taken) {

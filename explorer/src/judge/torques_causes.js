@@ -16,6 +16,14 @@ const WRITINGS = [
   [cause("tau.reversed order"), (tau) => tau.map((row) => [...row].reverse())],
 ];
 
+// What torques, a list for all poses, are off by in N m and by joint, however a mistake in how they are written has
+// scaled and ordered them.
+export function mended({ keys }, off, dof) {
+  const scaled = keys.includes("tau.newton millimetres") ? off.map((x) => x / 1000) : off;
+  const back = (_, i) => scaled[i - (i % dof) + dof - 1 - (i % dof)];
+  return keys.includes("tau.reversed order") ? scaled.map(back) : scaled;
+}
+
 /**
  * An arm with masses at some poses, under a wrench.
  * @typedef {object} Load
