@@ -306,8 +306,9 @@ def trace_questions(rng, count: int) -> Asked:
         if arm is _GANTRY and rng.random() < 0.8:
             away = _shaped(rng, path_of(arm, asked)) - forward_kinematics(arm, start)[:3, 3]
             q = start + away @ np.linalg.inv(jacobian(arm, start)[:3]).T
-        if rng.random() < 0.08:
-            q[int(rng.integers(len(q))) :, int(rng.integers(arm.dof))] += rng.uniform(0.1, 2)
+        if rng.random() < 0.1:
+            jump = float(rng.choice([rng.uniform(0.1, 2), 2 * np.pi, -4 * np.pi]))
+            q[int(rng.integers(len(q))) :, int(rng.integers(arm.dof))] += jump
         options = {}
         if rng.random() < 0.1:
             options["angles"] = "deg"
