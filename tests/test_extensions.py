@@ -15,7 +15,7 @@ from tools.pages import (
     assets,
     fold,
     keep_together,
-    keep_units,
+    keep_whole,
     say_plainly,
     size_unset,
 )
@@ -225,7 +225,7 @@ def test_unset_tex_is_about_as_wide_as_its_formula():
 def test_a_unit_stays_with_its_number(words, kept):
     paragraph = nodes.paragraph("", "", nodes.Text(words), nodes.literal("", "5 s"))
     for text in list(paragraph.findall(nodes.Text)):
-        keep_units(text)
+        keep_whole(text)
     assert paragraph.astext() == kept.replace("_", "\N{NO-BREAK SPACE}") + "5 s"
 
 
@@ -240,6 +240,23 @@ def test_a_unit_or_a_stop_stays_with_its_formula(behind, kept):
     assert both["classes"] == ["together"]
     assert both.astext() == "+5" + kept.replace(" ", "\N{NO-BREAK SPACE}")
     assert "".join(child.astext() for child in paragraph.children[1:]) == behind[len(kept) :]
+
+
+def test_what_opens_before_a_formula_stays_with_it():
+    paragraph = nodes.paragraph(
+        "", "", nodes.Text("tip (“"), nodes.math("", "x"), nodes.Text(" so)")
+    )
+    keep_together(paragraph[1])
+    assert [part.astext() for part in paragraph] == ["tip ", "(“x", " so)"]
+
+
+def test_an_index_is_not_parted_at_its_minus():
+    paragraph = nodes.paragraph("", "", nodes.Text("where z_{i-1}, 2 m-long, belongs"))
+    keep_whole(paragraph[0])
+    assert (
+        paragraph.astext().replace("\N{NO-BREAK SPACE}", " ") == "where z_{i-1}, 2 m-long, belongs"
+    )
+    assert [part.astext() for part in paragraph.findall(nodes.inline)] == ["z_{i-1},"]
 
 
 def test_words_behind_a_formula_may_stand_on_the_next_line():
