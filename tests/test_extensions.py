@@ -250,13 +250,25 @@ def test_what_opens_before_a_formula_stays_with_it():
     assert [part.astext() for part in paragraph] == ["tip ", "(“x", " so)"]
 
 
-def test_an_index_is_not_parted_at_its_minus():
-    paragraph = nodes.paragraph("", "", nodes.Text("where z_{i-1}, 2 m-long, belongs"))
+@pytest.mark.parametrize(
+    ("of", "words", "unbroken"),
+    [
+        (nodes.paragraph, "where z_{i-1}, 2 m-long, belongs", ["z_{i-1},"]),
+        (nodes.literal, "grade --as-root z_{i-1} -", ["--as-root"]),
+        (nodes.literal_block, "z_{i-1} --out", []),
+    ],
+)
+def test_an_index_and_an_option_are_not_parted_at_a_hyphen(of, words, unbroken):
+    paragraph = of("", "", nodes.Text(words))
     keep_whole(paragraph[0])
-    assert (
-        paragraph.astext().replace("\N{NO-BREAK SPACE}", " ") == "where z_{i-1}, 2 m-long, belongs"
-    )
-    assert [part.astext() for part in paragraph.findall(nodes.inline)] == ["z_{i-1},"]
+    assert paragraph.astext().replace("\N{NO-BREAK SPACE}", " ") == words
+    assert [part.astext() for part in paragraph.findall(nodes.inline)] == unbroken
+
+
+def test_what_is_to_be_typed_keeps_its_quotes():
+    paragraph = nodes.paragraph("", "", nodes.Text("“so”: x=”craig” or f[“arm”]"))
+    keep_whole(paragraph[0])
+    assert paragraph.astext() == '“so”: x="craig" or f["arm"]'
 
 
 def test_words_behind_a_formula_may_stand_on_the_next_line():

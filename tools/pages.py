@@ -45,6 +45,8 @@ MEASURED = re.compile(rf"(?<=\d) {UNIT}|N m(?!\w)")
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
 OPENED = re.compile(r"[(\[“‘]+$")
 INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
+OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
+TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
 TIME = re.compile(r"(.*?)\s*\(([^()]+)\)")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
@@ -200,13 +202,17 @@ def keep_together(formula: nodes.math) -> None:
 
 
 def keep_whole(text: nodes.Text) -> None:
-    """No line begins with the unit of a number, or inside of an index."""
-    if isinstance(text.parent, nodes.literal | nodes.FixedTextElement | nodes.math):
+    """No line begins with the unit of a number, or within an index or a command's option; what is
+    to be typed keeps its straight quotes."""
+    if isinstance(text.parent, nodes.FixedTextElement | nodes.math):
         return
-    kept = MEASURED.sub(lambda found: found[0].replace(" ", SPACE), text)
+    kept, whole = text, OPTION
+    if not isinstance(text.parent, nodes.literal):
+        kept = MEASURED.sub(lambda found: found[0].replace(" ", SPACE), TYPED.sub(r'"\1"', text))
+        whole = INDEXED
     parts = [
         nodes.inline("", part, classes=["unbroken"]) if k % 2 else nodes.Text(part)
-        for k, part in enumerate(INDEXED.split(kept))
+        for k, part in enumerate(whole.split(kept))
     ]
     if kept != text or len(parts) > 1:
         text.parent.replace(text, parts)

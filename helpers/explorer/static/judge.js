@@ -198,8 +198,10 @@ var ArmJudge=(()=>{var Le=Object.defineProperty;var hr=Object.getOwnPropertyDesc
   display: flex;
   flex-wrap: wrap;
   gap: 0.2rem 1rem;
-  justify-content: space-between;
   align-items: baseline;
+}
+.arm-judge .over label {
+  margin-right: auto;
 }
 .arm-judge .filling input {
   width: 5.2rem;
