@@ -220,6 +220,7 @@ def test_unset_tex_is_about_as_wide_as_its_formula():
         ("in 5 s, 6 % of it", "in 5_s, 6_% of it"),
         ("4.9 N m at 9.81 m/s² and 2 kg m²", "4.9_N_m at 9.81_m/s² and 2_kg_m²"),
         ("2 springs and 3 masses, joint 2 grows", "2 springs and 3 masses, joint 2 grows"),
+        ("FK, 1 000 000 poses, 2 at 100", "FK, 1_000_000 poses, 2 at 100"),
     ],
 )
 def test_a_unit_stays_with_its_number(words, kept):

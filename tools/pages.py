@@ -41,7 +41,7 @@ WIDTHS = {
 SMALL, USUAL, CHARACTER = 0.43, 0.58, 0.421
 LINE = 25  # signs of a formula that any phone has room for
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
-MEASURED = re.compile(rf"(?<=\d) {UNIT}|N m(?!\w)")
+MEASURED = re.compile(rf"(?<=\d) (?:{UNIT}|\d{{3}}(?!\w))|N m(?!\w)")  # and 1 000
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
 OPENED = re.compile(r"[(\[“‘]+$")
 INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
