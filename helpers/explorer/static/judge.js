@@ -111,6 +111,18 @@ var ArmJudge=(()=>{var Le=Object.defineProperty;var hr=Object.getOwnPropertyDesc
   position: relative;
   overflow-x: auto;
   margin-top: 0.8rem;
+  animation: judge-more linear both;
+  animation-timeline: scroll(self inline);
+}
+/* What goes on at the right fades there; where nothing can be scrolled, no time passes. */
+@keyframes judge-more {
+  0%,
+  98% {
+    mask-image: linear-gradient(to left, transparent, #000 2.2rem);
+  }
+  100% {
+    mask-image: none;
+  }
 }
 .arm-judge table {
   width: auto;
