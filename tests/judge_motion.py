@@ -160,6 +160,9 @@ def _slipped(rng, arm: Arm, q: np.ndarray, slips: bool, branches) -> np.ndarray:
         return np.where(rng.random(arm.dof) < 0.4, other, q)
     if what < 0.3:
         return q + np.where(rng.random(arm.dof) < 0.3, rng.uniform(-0.5, 0.5, arm.dof), 0)
+    if what < 0.32 and arm.dof > 1:  # two joints exchanged
+        k = int(rng.integers(1, arm.dof))
+        return np.concatenate([q[: k - 1], q[[k, k - 1]], q[k + 1 :]])
     if what < 0.35:
         return np.concatenate([[rng.choice([H, -H])], q[1:]])
     if what < 0.45:  # in a joint of which the page does not think
@@ -306,8 +309,9 @@ def trace_questions(rng, count: int) -> Asked:
         if arm is _GANTRY and rng.random() < 0.8:
             away = _shaped(rng, path_of(arm, asked)) - forward_kinematics(arm, start)[:3, 3]
             q = start + away @ np.linalg.inv(jacobian(arm, start)[:3]).T
-        if rng.random() < 0.08:
-            q[int(rng.integers(len(q))) :, int(rng.integers(arm.dof))] += rng.uniform(0.1, 2)
+        if rng.random() < 0.1:
+            jump = float(rng.choice([rng.uniform(0.1, 2), 2 * np.pi, -4 * np.pi]))
+            q[int(rng.integers(len(q))) :, int(rng.integers(arm.dof))] += jump
         options = {}
         if rng.random() < 0.1:
             options["angles"] = "deg"

@@ -652,7 +652,7 @@ def test_a_run_is_taken_as_it_is_held():
         (np.degrees(GOOD), "trace.degrees"),
         (GOOD[::-1], "trace.backwards"),
         (GOOD + np.outer(np.linspace(0, 2 * math.pi, 401), np.eye(6)[5]), "trace.spins"),
-        (np.where(np.arange(401)[:, None] == 200, GOOD + 2 * math.pi, GOOD), "trace.jump"),
+        (np.where(np.arange(401)[:, None] == 200, GOOD + 0.5, GOOD), "trace.jump"),
         (np.vstack([GOOD, GOOD[1]]), "trace.one more"),  # slip 20
         (RUNS.euler(late=1), "trace.next velocity"),  # slip 21
         (RUNS.euler(axis=1, origin=1), "J.z_i angular"),  # slip 19
@@ -692,6 +692,26 @@ def plain_inverse():
         q = q + 5 / 200 * np.linalg.inv(SIX.jacobian(q)) @ [*v, 0, 0, 0]
         rows.append(q)
     return np.array(rows)
+
+
+def test_whole_turns_are_counted_on_and_other_jumps_are_told_by_where_the_tip_is():
+    """As atan2 leaves them; on the path to another branch; and off it."""
+    q = elbow_run((0, 0, 0))
+    wound = q + 2 * math.pi * (np.arange(201)[:, None] >= 77) * [1, 0, -1]
+    report = checks.compare_trace(wound, ELBOW, CIRCLE)
+    assert report.agrees
+    assert "from step 76 to 77 joint 1 jumps by a whole turn (such steps: 1)" in report.notes[0]
+    lean = np.arctan2(0.3 * np.sin(q[:, 2]), 0.4 + 0.3 * np.cos(q[:, 2]))
+    flipped = np.stack([q[:, 0], q[:, 1] + 2 * lean, -q[:, 2]], axis=1)
+    for other, words in ((flipped, "another branch"), (1.5 * q, "look at J")):
+        mine = np.where(np.arange(201)[:, None] < 77, q, other)
+        report = checks.compare_trace(mine, ELBOW, CIRCLE)
+        assert report.causes == ("trace.jump",), str(report)
+        assert words in str(report)
+    few = Runs(24)  # astray, and so 24 times as long as the path
+    wild = np.cos(np.outer(np.arange(25), [1, 2, 3, 5, 7, 11]) + 1)
+    report = checks.compare_trace(wild, ARM, few.path)
+    assert report.causes == ("trace.jump", "trace.leans"), str(report)
 
 
 @pytest.mark.parametrize(

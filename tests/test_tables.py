@@ -283,6 +283,8 @@ def said(typed, reference, **options):
         # With x_1 and x_3 the other way round, which is free, and a sign that is not.
         ("-0.1 -pi/3 0.4 q1; 0.3 -pi/4 -0.25 q2; -0.2 -pi/2 0.05 q3; 0.15 0.6 0.35 q4",
          "table.sign:d:2"),
+        ("-0.1 -pi/3 0.4 q1; 0.3 pi/4 0.25 q2; -0.2 -pi/2 0.05 q3; 0.15 0.6 0.35 q4",
+         "table.twist:2"),
     ],
 )  # fmt: skip
 def test_a_mistake_of_the_whole_table_is_named(typed, causes):
@@ -290,11 +292,41 @@ def test_a_mistake_of_the_whole_table_is_named(typed, causes):
 
 
 @pytest.mark.parametrize(
-    ("theta", "cause"), [("0.4", "table.twists in degrees"), ("22.918312", "table.degrees")]
+    ("zero", "theta", "cause"),
+    [
+        ("0", "0.4", "table.twists in degrees"),
+        ("90", "0.4", "table.twists in degrees"),
+        ("0", "22.918312", "table.degrees"),
+        # A zero is free: without an angle that is not, its size tells.
+        ("0", "0", "table.degrees"),
+        ("90", "0", "table.degrees"),
+        ("pi/2", "0", "table.twists in degrees"),
+    ],
 )
-def test_degrees_are_those_of_all_angles_or_of_the_twists(theta, cause):
-    typed = f"0 90 0.2 q1; 0 57.29578 0.1 q2; 0.2 28.64789 d3+0.2 {theta}; 0.1 0 0.3 q4"
-    assert said(typed, SLIDING).causes == (cause,)
+def test_degrees_are_those_of_all_angles_or_of_the_twists(zero, theta, cause):
+    typed = f"0 90 0.2 q1; 0 57.29578 0.1 q2+{zero}; 0.2 28.64789 d3+0.2 {theta}; 0.1 0 0.3 q4"
+    reference = SLIDING if theta != "0" else SLIDING.replace("0.4;", "0;")
+    assert said(typed, reference).causes == (cause,)
+
+
+@pytest.mark.parametrize(
+    ("twist", "theta", "wanted", "angles"),
+    [
+        ("0.5", "0.9", "0.4", "51.5662° in yours and 22.9183° in the reference: 28.6479° off"),
+        ("-0.5", "-0.9", "-0.4", "-51.5662° in yours and -22.9183° in the reference: 28.6479° off"),
+        ("0.5", "pi", "pi-0.1", "180° in yours and 174.27° in the reference: 5.7296° off"),
+        # Two slides along one line hold by the sum.
+        ("0", "0.2; 0 0.5 d4 0.7", "0.1; 0 0.5 d4 0.3",
+         "51.5662° in yours and 22.9183° in the reference: 28.6479° off"),
+    ],
+)  # fmt: skip
+def test_the_angle_about_a_slide_is_told_as_theta_has_it(twist, theta, wanted, angles):
+    row = "0.3 pi/2 0.2 q1; 0 1 0 q2; 0 {} d3 {}; 0 0 0.3 q4"
+    report = said(row.format(twist, theta) + "; 0 0 0 0", row.format(twist, wanted))
+    told = next(f for f in report.findings if "slide" in f.words)
+    assert told.where == "row 3, theta"
+    before_to_after = "about the slide, from the common normal before it to the one after it, is "
+    assert told.words == f"Row 3, theta: the angle {before_to_after}{angles}."
 
 
 @pytest.mark.parametrize(
@@ -366,6 +398,13 @@ def test_a_wrong_entry_is_quoted(entry, instead, words):
          {"convention": "craig"}, [
             "Row 1, a: the distance from z_0 to axis 1 is 0 m in yours and 0.1 m in the "
             "reference: 100 mm too short."]),
+        # Across a slide two axes are as far apart and as skew as wanted, by a sign the other way.
+        ("0 pi/2 0.2 q1; 0 1 0.1 q2; -0.2 0.5 d3 0; 0.125 0 0.3 q4; 0 0 0 0",
+         SLIDING.replace("0.4;", "0;"), {}, [
+            "Row 2, a: the shortest way from axis 2 to axis 4 points another way than in the "
+            "reference: look at the signs here and in the rows beside it.",
+            "Row 4, a: the distance from axis 4 to the tip is 0.125 m in yours and 0.1 m in the "
+            "reference: 25 mm too long."]),
         # Only with z_0 down would the axes fit, and then the base would stand elsewhere.
         ("0.35 pi/2 0.6 q1; 1.3 0 0 q2; -0.054 -pi/2 0 q3; 0 0 1.5 q4; 0 0 0 0", SHOULDERED, {}, [
             "Row 1, d: the height of the base on axis 1, with z_0 up, is 0.6 m in yours and "

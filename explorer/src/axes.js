@@ -333,23 +333,41 @@ function twist(found, pair, sided, signs) {
 const product = (found, which, signs) =>
   which.reduce((x, k) => x * (signs.get(k) ?? 1), found.shape.get(`${which}`));
 
-// A slide does not turn: what lies before and after it is held at an angle about it.
+// A slide does not turn: it holds what comes before and after it at an angle about itself, and the shortest way across
+// it points one way.
 function slide(mine, m, r, signs, angle) {
-  const slides = m.joints.map((k) => mine.joints[k]).filter((i) => mine.rows[i - 1].kind === "prismatic");
-  const both = slides.length ? [...m.shape.keys()].filter((key) => r.shape.has(key)) : [];
-  const keys = both.map((key) => key.split(",").map(Number)).sort(inOrder);
-  let [x, y] = [0, 0];
-  for (const which of keys) {
-    const [p, q] = [m.shape.get(`${which}`), product(r, which, signs)];
-    if (Math.abs(p - q) > Math.abs(x - y)) [x, y] = [p, q];
-  }
-  return Math.abs(x - y) > angle ? [difference("table held", slides[0], "theta", arc(x), arc(y))] : [];
+  const slides = m.joints.some((k) => mine.rows[mine.joints[k] - 1].kind === "prismatic");
+  const both = slides ? [...m.shape.keys()].filter((key) => r.shape.has(key)) : [];
+  const off = (key) => Math.abs(m.shape.get(key) - product(r, key.split(",").map(Number), signs));
+  if (both.every((key) => off(key) <= angle)) return [];
+  const about = held(mine, m, r, signs).find(([, x, y]) => angleBetween(x, y) > angle);
+  if (about) return [difference("table held", about[0], "theta", about[1], about[2])];
+  const [start, end] = [0, -1].map((k) => mine.joints[m.joints.at(k)]);
+  return [difference("table side", start, "a", 0, Math.PI, [start, m.toTip ? 0 : end])];
 }
 
-// Lists of numbers as a dictionary has words.
-function inOrder(p, q) {
-  const k = p.findIndex((x, i) => x !== q[i]);
-  return k < 0 ? p.length - q.length : p[k] - (q[k] ?? -Infinity);
+// The row of each slide between axes that are not parallel to it, and the angle about it from the common normal before
+// it to the one after it, these taken the way that is nearer to theta.
+function held(mine, m, r, signs) {
+  const skew = (...pair) => 1 - m.shape.get(`${pair}`) ** 2 > TINY;
+  return m.joints.slice(1, -1).flatMap((k) => {
+    const before = m.joints.filter((i) => i < k && skew(i, k)).at(-1);
+    const after = m.joints.find((j) => j > k && skew(k, j));
+    if (before === undefined || after === undefined) return [];
+    const [three, row] = [[before, k, after], mine.joints[k]];
+    // Not at a right angle, where it would be left to rounding.
+    const back = angleBetween(aboutSecond(m, three, new Map(), 1), mine.rows[row - 1].theta) > 2;
+    const way = back ? -1 : 1;
+    return [[row, aboutSecond(m, three, new Map(), way), aboutSecond(r, three, signs, way)]];
+  });
+}
+
+// The angle about the second of three axes from the common normal of the first two to that of the last two.
+function aboutSecond(found, three, signs, way) {
+  const [i, k, j] = three;
+  const [u, v, w] = [[i, k], [k, j], [i, j]].map((pair) => product(found, pair, signs)); // prettier-ignore
+  const angle = Math.atan2(way * product(found, three, signs), way * (u * v - w));
+  return angle < TINY - Math.PI ? Math.PI : angle;
 }
 
 // The angle with this cosine, rounding past 1 forgiven.

@@ -412,13 +412,49 @@ def _product(gap: Gap, which: tuple[int, ...], signs: dict[int, int]) -> float:
 
 
 def _slide(mine: Side, m: Gap, r: Gap, signs: dict[int, int], angle: float) -> Iterator[Difference]:
-    """A slide does not turn: what lies before and after it is held at an angle about it."""
-    slides = [mine.joints[k] for k in m.joints if mine.rows[mine.joints[k] - 1].kind == "P"]
-    both = sorted(m.shape.keys() & r.shape.keys()) if slides else []
-    products = [(m.shape[which], _product(r, which, signs)) for which in both]
-    x, y = max(products, key=lambda pair: abs(pair[0] - pair[1]), default=(0.0, 0.0))
-    if abs(x - y) > angle:
-        yield Difference("table held", slides[0], "theta", _arc(x), _arc(y))
+    """A slide does not turn: it holds what comes before and after it at an angle about itself, and
+    the shortest way across it points one way.
+    """
+    slides = any(mine.rows[mine.joints[k] - 1].kind == "P" for k in m.joints)
+    both = m.shape.keys() & r.shape.keys() if slides else ()
+    if all(abs(m.shape[which] - _product(r, which, signs)) <= angle for which in both):
+        return
+    for row, x, y in _held(mine, m, r, signs):
+        if angle_between(x, y) > angle:
+            yield Difference("table held", row, "theta", x, y)
+            return
+    start, end = (mine.joints[m.joints[k]] for k in (0, -1))
+    ends = (start, 0 if m.to_tip else end)
+    yield Difference("table side", start, "a", 0.0, math.pi, ends)
+
+
+def _held(mine: Side, m: Gap, r: Gap, signs: dict[int, int]) -> Iterator[tuple[int, float, float]]:
+    """The row of each slide between axes that are not parallel to it, and the angle about it from
+    the common normal before it to the one after it, these taken the way that is nearer to theta.
+    """
+
+    def skew(i: int, k: int) -> bool:
+        return 1 - m.shape[i, k] ** 2 > _TINY
+
+    for k in m.joints[1:-1]:
+        before = [i for i in m.joints if i < k and skew(i, k)]
+        after = [j for j in m.joints if j > k and skew(k, j)]
+        if before and after:
+            three, row = (before[-1], k, after[0]), mine.joints[k]
+            # Not at a right angle, where it would be left to rounding.
+            back = angle_between(_about(m, three, {}, 1), mine.rows[row - 1].theta) > 2
+            way = -1 if back else 1
+            yield row, _about(m, three, {}, way), _about(r, three, signs, way)
+
+
+def _about(gap: Gap, three: tuple[int, int, int], signs: dict[int, int], way: int) -> float:
+    """The angle about the second of three axes from the common normal of the first two to that of
+    the last two.
+    """
+    i, k, j = three
+    u, v, w = (_product(gap, pair, signs) for pair in ((i, k), (k, j), (i, j)))
+    found = math.atan2(way * _product(gap, three, signs), way * (u * v - w))
+    return math.pi if found < _TINY - math.pi else found
 
 
 def _arc(cosine: float) -> float:

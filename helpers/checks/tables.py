@@ -389,8 +389,9 @@ def _different(
         return _bad(table, reference, [c for c in equal if len(c.keys) == fewest])
     notes = tuple(_base(table, mine, found))
     local = _local(tries, len(ref.rows), length)
-    whole = _agreeing(tries, length, local[0] if local else math.inf)
-    if local is None and whole is None:
+    most = local[0] if local else math.inf
+    whole = _agreeing(tries, length, most)
+    if whole is None and most > 1 + _BY_AXES:
         whole = _one_sign(mine.rows, ref, length)
     if whole is not None and whole.cause:
         return _bad(table, reference, [whole.cause])
@@ -578,18 +579,24 @@ def _geometry(table: Table, d: Difference) -> Finding:
         said = say("table count words", mine=d.mine, reference=d.reference)
         return Finding("row", where, d.mine, d.reference, said)
     i, j = (end and table.row_of(end, "d") for end in d.ends)
-    end = say("the tip") if d.key == "table distance" and not j else say("axis", i=j)
+    to_tip = d.key in ("table distance", "table side") and not j
+    end = say("the tip") if to_tip else say("axis", i=j)
     along = say("axis", i=i) if i == j else say("parallel axes", i=i, j=j)
     what = say(f"{d.key} what", start=i, end=end, along=along, j=j)
     said = say("table at", row=row, entry=d.entry, words=_amount(d, what))
+    if d.key == "table side":
+        return Finding("row", where, None, None, said)
     return Finding("row", where, d.mine, d.reference, said)
 
 
 def _amount(d: Difference, what: str) -> str:
     if isinstance(d.mine, str):
         return say("table other", what=what, mine=d.mine, reference=d.reference)
+    if d.key == "table side":
+        return say("table side", what=what)
     if d.key in ("table between", "table held", "table lean"):
-        x, y = (d.mine, d.reference) if d.mine >= 0 else (-d.mine, -d.reference)
+        signed = d.key == "table held" or d.mine >= 0  # held as theta is, about the student's axis
+        x, y = (d.mine, d.reference) if signed else (-d.mine, -d.reference)
         angles = (round(math.degrees(angle), 4) for angle in (x, y, angle_between(x, y)))
         mine, reference, off = (size(angle, 6) for angle in angles)
         return say("table angle", what=what, mine=mine, reference=reference, off=off)

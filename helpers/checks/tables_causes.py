@@ -15,6 +15,7 @@ from helpers.reading.table import Numbers, from_craig
 RAD = math.pi / 180
 EXCHANGED = "table.rows exchanged"
 _SMALL, _LARGE = 1e-2, 10.0  # m: lengths beyond these were meant in the other unit
+_TURN = 6.4  # rad: a larger angle was meant in degrees
 Mend = Callable[[list[Numbers]], list[Numbers]]
 
 
@@ -31,8 +32,14 @@ def units(rows: Rows, reference: Rows) -> list[tuple[Cause | None, list[Numbers]
         if read and 0.2 < total_length(read) / (total_length(reference) or 1.0) < 5:
             lengths.append((cause(key), read))
     angles: list[tuple[Cause | None, float, float]] = [(None, 1.0, 1.0)]
-    if max(abs(r.alpha) for r in rows) > 6.4 or max(abs(r.theta) for r in rows) > 6.4:
-        angles += [(cause("table.degrees"), RAD, RAD), (cause("table.twists in degrees"), RAD, 1.0)]
+    if max(max(abs(r.alpha), abs(r.theta)) for r in rows) > _TURN:
+        # The zero of a joint that turns is free: only its size tells in what unit it is.
+        held = any(r.theta for r in rows if r.kind != "R")
+        small = 0 < max(abs(r.theta) for r in rows) <= _TURN
+        if held or not small:
+            angles.append((cause("table.degrees"), RAD, RAD))
+        if held or small:
+            angles.append((cause("table.twists in degrees"), RAD, 1.0))
     found = []
     for first, read in lengths:
         for second, t, o in angles:

@@ -49,8 +49,9 @@ def compare_trace(
             that shows a slip (other lengths, the velocity of the next step) is wrong all the same.
         angles: "deg" where yours are in degrees.
 
-    Limits of range and speed are notes: the homework's own circle breaks them. Raises ArmError
-    where `mine` holds anything but finite numbers.
+    Limits of range and speed are notes: the homework's own circle breaks them. Where joints jump by
+    whole turns they are counted on, which is a note too. Raises ArmError where `mine` holds
+    anything but finite numbers.
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
@@ -153,6 +154,7 @@ def _judged(
     taken,
     extra: bool,
 ) -> Report:
+    typed, turned = _unwound(typed, arm)
     q = typed.values
     poses = forward_kinematics(arm, q)
     q_dot = np.diff(q, axis=0) / np.diff(path.times)[:, None]
@@ -160,18 +162,19 @@ def _judged(
     turn = _turns(poses) if arm.dof >= 6 else np.zeros(len(q))
     jumps = _jumps(q)
     stuck = _no_inverse(q, arm, jumps)
-    jump = [] if stuck or not jumps.size else [_jump(q, arm, jumps)]
+    off = offs(path, poses[:, :3, 3])
+    jump = [] if stuck or not jumps.size else [_jump(q, arm, jumps, bool((off <= allowed).all()))]
     symptoms = list(_symptoms(arm, path, run, poses, turn, allowed, jump))
     if extra:
         symptoms.append(Finding("trace.one more", "", None, None, say("trace.one more")))
     reeled = bool(turn.max() > TILT)
     named = stuck
     if symptoms and not stuck:
-        named = _named(typed, arm, path, poses[:, :3, 3], reeled, allowed, blur)
+        named = _named(typed, arm, path, poses[:, :3, 3], reeled, bool(jump), allowed, blur)
     elif not given and not stuck:
         named = loop_cause(typed, arm, path, False)
     figures = {"run": run, "position_error": run.position_error, "tool_turn": float(turn.max())}
-    notes = () if stuck else tuple(_notes(run))
+    notes = (*turned, *(() if stuck else _notes(run)))
     if named is None and not symptoms:
         return _report(arm, RIGHT, "", (), (), taken, notes, figures)
     if named is None:
@@ -190,12 +193,20 @@ def _judged(
 
 
 def _named(
-    typed: Typed, arm: Arm, path: Path, tip: Array, reeled: bool, allowed: float, blur: float
+    typed: Typed,
+    arm: Arm,
+    path: Path,
+    tip: Array,
+    reeled: bool,
+    jumped: bool,
+    allowed: float,
+    blur: float,
 ) -> Cause | None:
-    """What explains a run that fails."""
+    """What explains a run that fails; of one that jumps, never that each of its steps is right."""
     off = offs(path, tip)
     away = bool(off.max() > allowed)
-    loop = loop_cause(typed, arm, path, (away and _begun(off)) or reeled)
+    strays = (away and _begun(off)) or reeled
+    loop = loop_cause(typed, arm, path, strays and not jumped)
     if not away or (loop and loop.name in _LOOP_FIRST):
         return loop
     shape = path_cause(path, tip, allowed, blur)
@@ -240,9 +251,27 @@ def _jumps(q: Array) -> Array:
     return far
 
 
-def _jump(q: Array, arm: Arm, jumps: Array) -> Finding:
+def _unwound(typed: Typed, arm: Arm) -> tuple[Typed, tuple[str, ...]]:
+    """Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said;
+    untouched where other jumps are left.
+    """
+    q = typed.values
+    turns = np.where(arm.turning, np.round(np.diff(q, axis=0) / (2 * np.pi)), 0.0)
+    counted = q - 2 * np.pi * np.vstack([np.zeros(q.shape[1]), np.cumsum(turns, axis=0)])
+    steps = np.flatnonzero(turns.any(axis=1))
+    if not steps.size or _jumps(counted).size:
+        return typed, ()
+    k = int(steps[0])
+    joint = arm.joints[int(turns[k].nonzero()[0][0])]
+    words = say("trace whole turn", step=k, to=k + 1, joint=joint, count=steps.size)
+    return replace(typed, values=counted), (words,)
+
+
+def _jump(q: Array, arm: Arm, jumps: Array, on: bool) -> Finding:
+    """The first jump; to another branch only where the tip stays `on` its path."""
     fields = _jumping(q, arm, int(jumps[0]))
-    words = say("trace.jump", to=fields["step"] + 1, count=jumps.size, **fields)
+    key = "trace.jump" if on else "trace jump off"
+    words = say(key, to=fields["step"] + 1, count=jumps.size, **fields)
     return Finding("trace.jump", f"step {fields['step']}", None, None, words)
 
 

@@ -121,12 +121,14 @@ def _fraction(path: Path, tip: Array, blur: float) -> tuple[float | None, float]
         return None, np.inf
     found = []
     start = path.times[0]
+    most = float(offs(path, tip).max()) / 2  # a run astray is as long as many a share
     for f in shares:
         points = path.position(start + f * (path.times - start))
         left = float(np.linalg.norm(tip - points, axis=1).max())
-        found.append((_share(left / max(1.0, 2 * f), f, blur), f))
-    left, share = min(found)
-    return share, left
+        if left <= most:
+            found.append((_share(left / max(1.0, 2 * f), f, blur), f))
+    left, best = min(found, default=(np.inf, None))
+    return best, left
 
 
 def _phase(path: Path, tip: Array) -> float:

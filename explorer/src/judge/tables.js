@@ -300,8 +300,9 @@ function different(table, reference, rows, wanted, found, length) {
   }
   const notes = found.signs.length ? base(table, side(rows), found) : [];
   const local = fewEntries(all, wanted.length, length);
-  let whole = agreeing(all, length, local ? local.cost : Infinity);
-  if (!local && !whole) whole = oneSign(rows, wanted, length);
+  const most = local?.cost ?? Infinity;
+  let whole = agreeing(all, length, most);
+  if (!whole && 1 + BY_AXES < most) whole = oneSign(rows, wanted, length);
   if (whole?.cause) return bad(table, reference, [whole.cause]);
   if (local) {
     const entries = local.needed.map(([k, column]) => entry(table, local.best, k, column));
@@ -470,7 +471,7 @@ function fewest(all, length, { differences }) {
 
 const WHAT = {
   "table distance": "table distance what", "table between": "table between what", "table held": "table held what",
-  "table lean": "table lean what", "table foot": "table foot what",
+  "table side": "table side what", "table lean": "table lean what", "table foot": "table foot what",
   "table along": "table along what", "table base": "table base what",
   "table kind": "table kind what",
 }; // prettier-ignore
@@ -486,7 +487,8 @@ function geometry(table, d) {
     return { what: "row", where, words: say("table count words", { mine, reference }) };
   }
   const [i, j] = d.ends.map((end) => end && rowOf(table, end, "d"));
-  const end = d.key === "table distance" && !j ? say("the tip") : say("axis", { i: j });
+  const toTip = (d.key === "table distance" || d.key === "table side") && !j;
+  const end = toTip ? say("the tip") : say("axis", { i: j });
   const along = i === j ? say("axis", { i }) : say("parallel axes", { i, j });
   const what = say(WHAT[d.key], { start: i, end, along, j });
   const words = say("table at", { row, entry: d.entry, words: amount(d, what) });
@@ -496,8 +498,10 @@ function geometry(table, d) {
 /** @param {Difference} d @param {string} what */
 function amount({ key, mine, reference }, what) {
   if (key === "table kind") return say("table other", { what, mine, reference });
+  if (key === "table side") return say("table side", { what });
   if (["table between", "table held", "table lean"].includes(key)) {
-    const [x, y] = mine >= 0 ? [mine, reference] : [-mine, -reference];
+    const signed = key === "table held" || mine >= 0; // held as theta is, about the student's axis
+    const [x, y] = signed ? [mine, reference] : [-mine, -reference];
     const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEG, 4), 6));
     return say("table angle", { what, mine: spelt[0], reference: spelt[1], off: spelt[2] });
   }

@@ -7,6 +7,7 @@ import { both, cause } from "./ranking.js";
 import { fromCraig } from "./table_reading.js";
 
 const [SMALL, LARGE] = [1e-2, 10]; // m: lengths beyond these were meant in the other unit
+const TURN = 6.4; // rad: a larger angle was meant in degrees
 
 /** @typedef {import("../axes.js").Numbers} Numbers */
 /** @typedef {import("./ranking.js").Cause} Cause */
@@ -33,8 +34,14 @@ export function units(rows, reference) {
   }
   /** @type {[Cause | null, number, number][]} */
   const angles = [[null, 1, 1]];
-  if (rows.some((r) => Math.abs(r.alpha) > 6.4 || Math.abs(r.theta) > 6.4))
-    angles.push([cause("table.degrees"), RAD, RAD], [cause("table.twists in degrees"), RAD, 1]);
+  const largest = Math.max(...rows.map((r) => Math.abs(r.theta)));
+  if (largest > TURN || rows.some((r) => Math.abs(r.alpha) > TURN)) {
+    // The zero of a joint that turns is free: only its size tells in what unit it is.
+    const held = rows.some((r) => r.kind !== "revolute" && r.theta);
+    const small = 0 < largest && largest <= TURN;
+    if (held || !small) angles.push([cause("table.degrees"), RAD, RAD]);
+    if (held || small) angles.push([cause("table.twists in degrees"), RAD, 1]);
+  }
   return lengths.flatMap(([first, read]) =>
     angles.map(([second, t, o]) => {
       const turned = read.map((r) => ({ ...r, alpha: r.alpha * t, theta: r.theta * o }));

@@ -8,6 +8,7 @@ import { angleBetween, millimetres } from "./branches.js";
 import { chain, columns, framesOf } from "./chains.js";
 import { RIGHT, WRONG } from "./digits.js";
 import { numbered, numbers, rowsInRadians, turning } from "./door.js";
+import { rint } from "./inverse.js";
 import { cause, nameOf, wordsOf } from "./ranking.js";
 import { listed, lower, say, size } from "./say.js";
 import { holds, loopCause, near, offs, pathCause, tableCause } from "./trace_causes.js";
@@ -142,7 +143,8 @@ function misshapen({ shape }, arm, { times }) {
 
 /** @param {Run} run @param {Path} path @returns {import("./ranking.js").Report} */
 function judged(run, arm, path, allowed, given, blur) {
-  const { q, taken } = run;
+  const { taken } = run;
+  const [q, turned] = unwound(run.q, arm);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
   const errors = offs(path.times.map(path.position), tip);
@@ -150,19 +152,20 @@ function judged(run, arm, path, allowed, given, blur) {
   const turn = joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
   const far = jumps(q);
   const stuck = noInverse(q, arm, far);
-  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far)];
+  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, error <= allowed)];
   const symptoms = [...symptomsOf(run, arm, errors, frames, turn, allowed, jump)];
   const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
   const why = () => {
     const off = error > allowed;
-    const loop = slip((off && begun(errors)) || turn > TILT);
+    const strays = (off && begun(errors)) || turn > TILT;
+    const loop = slip(strays && !jump.length); // of a run that jumps, not each step is right
     if (!off || LOOP_FIRST.includes(loop?.keys[0] ?? "")) return loop;
     const shape = pathCause(path, tip, allowed, blur);
     if (shape && shape.keys[0] !== "trace.displaced") return shape;
     return tableCause(q, arm, path, allowed) ?? shape ?? loop;
   };
   const named = stuck ?? (symptoms.length ? why() : given ? null : slip(false));
-  const notes = stuck ? [] : [...notesOf(arm, path, q)];
+  const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
   const figures = { position_error: error, tool_turn: turn };
   const wrong = (words, findings, causes) =>
     reported(arm, WRONG, words, taken, { findings, causes, notes, figures });
@@ -209,10 +212,32 @@ function jumps(q) {
   return far.length || usual <= JUMP ? far : over(JUMP);
 }
 
+// Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said; untouched where other
+// jumps are left.
+/** @returns {[number[][], string[]]} */
+function unwound(q, arm) {
+  const turns = turning(arm);
+  const whole = q
+    .slice(1)
+    .map((row, k) => row.map((x, i) => (turns[i] ? rint((x - q[k][i]) / (2 * Math.PI)) : 0)));
+  const steps = whole.flatMap((row, k) => (row.some(Boolean) ? [k] : []));
+  if (!steps.length) return [q, []];
+  const sum = q[0].map(() => 0);
+  const counted = q.map((row, k) =>
+    row.map((x, i) => x - 2 * Math.PI * (k ? (sum[i] += whole[k - 1][i]) : 0)),
+  );
+  if (jumps(counted).length) return [q, []];
+  const step = steps[0];
+  const joint = numbered(arm)[whole[step].findIndex(Boolean)];
+  return [counted, [say("trace whole turn", { step, to: step + 1, joint, count: steps.length })]];
+}
+
+// The first jump; to another branch only where the tip stays on its path.
 /** @returns {Finding} */
-function jumpOf(q, arm, far) {
+function jumpOf(q, arm, far, on) {
   const { step, ...fields } = jumping(q, arm, far[0]);
-  const words = say("trace.jump", { step, to: step + 1, count: far.length, ...fields });
+  const key = on ? "trace.jump" : "trace jump off";
+  const words = say(key, { step, to: step + 1, count: far.length, ...fields });
   return { what: "trace.jump", where: `step ${step}`, words };
 }
 

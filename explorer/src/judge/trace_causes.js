@@ -116,13 +116,16 @@ function fractionOf(path, wanted, tip, blur) {
   if (!(share > 1e-3 && share < 50) || Math.abs(share - 1) < 0.02) return null;
   const shares = [...NICE, share, rint(share)].filter((f) => f && Math.abs(f - 1) > 0.02);
   const start = path.times[0];
+  const most = farthest(tip, wanted) / 2; // a run astray is as long as many a share
   /** @type {[number, number][]} */
-  const found = shares.map((f) => {
+  const found = shares.flatMap((f) => {
     const points = path.times.map((t) => path.position(start + f * (t - start)));
-    return [f, shareOf(farthest(tip, points) / Math.max(1, 2 * f), f, blur)];
+    const left = farthest(tip, points);
+    return left <= most ? [[f, shareOf(left / Math.max(1, 2 * f), f, blur)]] : [];
   });
-  return found.reduce((best, one) =>
-    one[1] < best[1] || (one[1] === best[1] && one[0] < best[0]) ? one : best,
+  return found.reduce(
+    (best, one) => (!best || one[1] < best[1] || (one[1] === best[1] && one[0] < best[0]) ? one : best),
+    /** @type {[number, number] | null} */ (null),
   );
 }
 
