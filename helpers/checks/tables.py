@@ -285,7 +285,8 @@ class _Judged:
         """The report on another arm."""
         length = _rounding(self.table)[0] if self.tolerance is None else 0.0
         exact = max(self.exact, length)
-        return _different(self.table, self.reference, self.mine, self.ref, self.found, exact)
+        found = compared(self.mine, self.ref, exact)  # as what a cause leaves will be
+        return _different(self.table, self.reference, self.mine, self.ref, found, exact)
 
 
 def _rounding(table: Table) -> tuple[float, float]:
@@ -382,7 +383,7 @@ def _different(
     two wrong entries, causes and single signs after which the axes agree, more wrong entries, or
     what is left of the axes.
     """
-    tries = list(_tries(list(mine.rows), reference, ref, table.modified))
+    tries = list(_tries(list(mine.rows), reference, ref, table.modified, length))
     equal = [t.cause for t in tries if t.cause and not t.entries]
     if equal:
         fewest = min(len(c.keys) for c in equal)
@@ -429,7 +430,9 @@ def _apart(c: Cause) -> float:
     return 0 if len(c.keys) == 1 and c.keys[0] in _ONE_ENTRY else _BY_AXES
 
 
-def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> Iterator[_Try]:
+def _tries(
+    rows: list[Numbers], reference: Arm, ref: Side, modified: bool, length: float
+) -> Iterator[_Try]:
     """Every reading with up to two causes, each with how many entries differ from the arm's."""
     others = [
         (None, ref),
@@ -440,7 +443,7 @@ def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> It
 
     def held(why: Cause | None, read: list[Numbers], arm: Side) -> _Try:
         squared = _squared(read)
-        return _Try(why, squared, arm, _unequal(squared, arm.rows))
+        return _Try(why, squared, arm, _unequal(squared, arm.rows, length))
 
     for first, read in usual.units(rows, ref.rows):
         for other, arm in others:
@@ -452,12 +455,12 @@ def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> It
             yield held(second + third, then(mend(rows)), ref)
 
 
-def _unequal(rows: Rows, wanted: Rows) -> float:
+def _unequal(rows: Rows, wanted: Rows, length: float = _LENGTH) -> float:
     """How many entries differ, the zeros of joints not counted; all where the rows do not
     correspond.
     """
     alike = [r.kind for r in rows] == [r.kind for r in wanted]
-    return len(_unequal_entries(rows, wanted)) if alike else math.inf
+    return len(_unequal_entries(rows, wanted, length)) if alike else math.inf
 
 
 def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[tuple[int, str]]:
