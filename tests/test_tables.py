@@ -1,5 +1,6 @@
 """compare_tables accepts every valid choice of frames, and nothing else."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -305,11 +306,13 @@ ROUNDED = """0 -pi/2 0.128 q1\n0.613 pi 0 q2-pi/2\n0.572 pi 0 q3
     ],
 )
 def test_one_slip_is_told_among_lengths_that_are_rounded(right, wrong, causes):
-    report = compare_tables(
-        ROUNDED.replace(right, wrong), UR10E_HOMEWORK, columns="a alpha d theta"
-    )
-    assert (report.grade, report.causes) == ("wrong", causes), str(report)
-    assert len(report.findings) == 1
+    mine = ROUNDED.replace(right, wrong)
+    for typed in (mine, re.sub(r"0\.(\d+)", lambda m: m[1].ljust(3, "0"), mine)):  # m, mm
+        report = compare_tables(typed, UR10E_HOMEWORK, columns="a alpha d theta")
+        assert (report.grade, report.causes) == ("wrong", causes), str(report)
+        assert len(report.findings) == 1
+    whole = re.sub(r"0\.", "", ROUNDED)
+    assert compare_tables(whole, UR10E_HOMEWORK, columns="a alpha d theta").grade == "rounded"
 
 
 @pytest.mark.parametrize(

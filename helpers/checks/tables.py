@@ -46,6 +46,7 @@ _LENGTH = 1e-6  # m
 _DECIMAL = re.compile(r"\d*\.\d+(?:[eE][+-]?\d+)?")
 _SHORT = 1e3 / math.sqrt(10)  # mm for each m: less is nearer to the arm's size in centimetres
 _COARSEST = 1e-3  # m: lengths typed to the millimetre are still lengths
+_WHOLE = 1.0  # the unit of lengths without decimals
 
 
 @dataclass(frozen=True)
@@ -168,7 +169,7 @@ def _of_typed(typed: reading.TypedTable, wanted: Rows) -> Table:
     first = typed.rows[0].numbers
     return replace(
         table,
-        length_unit=table.length_unit * meant.length,
+        length_unit=(table.length_unit or _WHOLE) * meant.length,
         angle_unit=table.angle_unit * meant.angle,
         angle_scale=meant.angle,
         modified=modified,

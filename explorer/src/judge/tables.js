@@ -23,6 +23,7 @@ const ANGLE = 1e-4; // rad: angles are often written with four decimals
 const LENGTH = 1e-6; // m
 const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
+const WHOLE = 1; // the unit of lengths without decimals
 const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
 /** @typedef {import("../axes.js").Numbers} Numbers */
@@ -133,7 +134,7 @@ function tableOf(typed, found) {
     name: say("your table"),
     rows: found.rows,
     texts,
-    lengthUnit: unitOf(texts, ["a", "d"]) * found.length,
+    lengthUnit: (unitOf(texts, ["a", "d"]) || WHOLE) * found.length,
     angleUnit: unitOf(texts, ["alpha", "theta"]) * found.angle,
     lengthScale: found.length,
     angleScale: found.angle,
