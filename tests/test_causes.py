@@ -20,6 +20,7 @@ H = math.pi / 2
 BENT = np.array([0.3127, -0.7214, 0.9053, 0.4128, 0.8061, 0.2093])
 SEVEN = np.array([0.4, -0.3, 0.5, -0.9, -0.6, 0.8, 0.2])
 UR, HOMEWORK = KNOWN["UR10E"], KNOWN["UR10E_HOMEWORK"]
+SLID = np.array([0.3, -0.4, 0.6, 0.5, 1.1, -0.2])
 FRAMES = [T[:3, :3] for T in UR.frames(BENT)]
 J = UR.jacobian(BENT)
 SLEDGE = Arm("sledge", [prismatic(alpha=H, theta=H), prismatic()])
@@ -104,6 +105,9 @@ CAUSES = {
         np.vstack([FRAMES[3] @ J[:3], FRAMES[3] @ J[3:]]), frame=3
     ),
     "J.linear zero": lambda: jacobian(J * [[0], [0], [0], [1], [1], [1]]),
+    "ik.slide in millimetres, of q": lambda: checks.compare_jacobian(
+        KNOWN["STANFORD"].jacobian(SLID).round(4), STANFORD, SLID * [1, 1, 1000, 1, 1, 1]
+    ),
     "table.offset": lambda: jacobian(of_rows(HOMEWORK, 2, theta=0), UR10E_HOMEWORK),
     "table.twists": lambda: jacobian(
         UR.with_rows([(k, a, -alpha, d, t) for k, a, alpha, d, t in UR.rows]).jacobian(BENT)
