@@ -247,6 +247,26 @@ def test_two_texts_are_two_joints():
     assert checks.compare_pose([["q1", 0], ["q2", 0]], two, [0.7, 0, 0]).grade == "right"
 
 
+def test_a_square_of_answers_is_by_columns_where_that_alone_is_right():
+    found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
+    three = found.q[:3].round(4)
+    by_rows, by_columns = (checks.compare_branches(x, found) for x in (three, three.T))
+    assert by_rows.figures == by_columns.figures
+    assert (by_rows.taken, by_columns.taken) == ((), ("an answer per column",))
+    three[0, 0] += 0.3
+    assert checks.compare_branches(three.T, found).taken == ()
+
+
+@pytest.mark.parametrize("taken", [[0, 1], [0, 1, 2, 3], [0, 1, 2, 3, 4]])
+def test_what_is_missing_beyond_the_range_of_a_slide_is_no_sign_forgotten(taken):
+    found = inverse.stanford(STANFORD, KNOWN["STANFORD"].tip(SLID))
+    mine = found.q[found.q[:, 2].argsort()[::-1]][taken]
+    report = checks.compare_branches(mine, found)
+    notes = ("what is missing lies beyond the range of q_3, where the arm cannot go",)
+    assert report.notes == (notes if len(taken) > 3 else ())
+    assert "ik.one sign" not in report.causes
+
+
 def test_an_answer_where_there_is_no_branch():
     report = checks.compare_branches([[0.1, 0.2, 0.3]], inverse.elbow(ELBOW, (5.0, 0.0, 0.5)))
     (finding,) = report.findings
