@@ -130,7 +130,7 @@ function walk(arm, q) {
   const found = [
     gap(axes, upTo(0, stops[0]), [0, 0, 0], { offset: null, bunch: [], fromBase: true, toTip: false }),
   ];
-  let foot = frames[0].o;
+  let foot = turning.length ? feet([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1] : [0, 0, 0];
   let bunch = [];
   turning.forEach((i, n) => {
     const j = stops[n + 1];
@@ -214,8 +214,11 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
   return { differences, signs, ...turned, tilts };
 }
 
-// Whether z_0 points the other way.
-const upsideDown = (mine, reference, signs) => signs[0] * mine.up * reference.up < 0;
+// Whether z_0 points the other way; axis 1 at a right angle to it does not tell.
+function upsideDown(mine, reference, signs) {
+  const level = Math.cos(mine.foot[1]) < TINY;
+  return !level && signs[0] * mine.up * reference.up < 0;
+}
 
 // Whether one list of costs comes before another.
 function less(p, q) {
@@ -268,7 +271,11 @@ const height = (m, r, sign) => sign * (r.offset ?? 0) - (m.offset ?? 0);
 
 function baseHigher(mine, reference, signs) {
   const [m, r] = [mine, reference].map((s) => s.gaps.find(placesBase));
-  return m && r && `${m.bunch}` === `${r.bunch}` ? mine.up * height(m, r, signs[m.bunch.at(-1)]) : 0;
+  if (!m || !r || `${m.bunch}` !== `${r.bunch}`) return 0;
+  // The height is along the last of parallel axes, which may point the other way than axis 1.
+  const within = mine.gaps.slice(1, m.bunch.length);
+  const turned = within.reduce((x, g) => x * g.shape.get(`${g.joints}`), 1);
+  return mine.up * Math.round(turned) * height(m, r, signs[m.bunch.at(-1)]);
 }
 
 function unlikeJoints(mine, reference) {

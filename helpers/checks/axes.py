@@ -138,7 +138,7 @@ def _walk(rows: Rows, q: Sequence[float]) -> list[Gap]:
     first = [*turning, dof][0]
     found = [_gap(axes, range(min(first + 1, dof)), (0.0, 0.0, 0.0), None, ())]
     bunch: tuple[int, ...] = ()
-    foot = T[0].o
+    foot = _feet(BASE.o, BASE.z, points[first], axes[first])[1] if turning else BASE.o
     for i, j in pairwise([*turning, dof]):
         end, other = (points[j], axes[j]) if j < dof else (T[-1].o, None)
         foot = foot if bunch else _onto(points[i], axes[i], foot)
@@ -305,8 +305,9 @@ def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1
 
 
 def _upside_down(mine: Side, reference: Side, signs: tuple[int, ...]) -> bool:
-    """Whether z_0 points the other way."""
-    return signs[0] * mine.up * reference.up < 0
+    """Whether z_0 points the other way; axis 1 at a right angle to it does not tell."""
+    level = math.cos(mine.foot[1]) < _TINY
+    return not level and signs[0] * mine.up * reference.up < 0
 
 
 def _step(
@@ -343,7 +344,9 @@ def _base_higher(mine: Side, reference: Side, signs: tuple[int, ...]) -> float:
     m, r = (next((g for g in s.gaps if g.places_base), None) for s in (mine, reference))
     if m is None or r is None or m.bunch != r.bunch:
         return 0.0
-    return mine.up * _height(m, r, signs[m.bunch[-1]])
+    # The height is along the last of parallel axes, which may point the other way than axis 1.
+    turned = math.prod(g.shape[g.joints] for g in mine.gaps[1 : len(m.bunch)])
+    return mine.up * round(turned) * _height(m, r, signs[m.bunch[-1]])
 
 
 def _unlike(mine: Side, reference: Side) -> Iterator[Difference]:
