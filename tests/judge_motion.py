@@ -160,6 +160,9 @@ def _slipped(rng, arm: Arm, q: np.ndarray, slips: bool, branches) -> np.ndarray:
         return np.where(rng.random(arm.dof) < 0.4, other, q)
     if what < 0.3:
         return q + np.where(rng.random(arm.dof) < 0.3, rng.uniform(-0.5, 0.5, arm.dof), 0)
+    if what < 0.32 and arm.dof > 1:  # two joints exchanged
+        k = int(rng.integers(1, arm.dof))
+        return np.concatenate([q[: k - 1], q[[k, k - 1]], q[k + 1 :]])
     if what < 0.35:
         return np.concatenate([[rng.choice([H, -H])], q[1:]])
     if what < 0.45:  # in a joint of which the page does not think

@@ -75,8 +75,9 @@ def times(*factors):
     return lambda q: q * factors
 
 
-def pose(change):
-    return checks.compare_pose(BENT.round(4), UR10E, change(UR.tip(BENT)))
+def pose(change=np.array, more=(0,) * 6, q=BENT):
+    """The UR10e's joints q, rounded, with something added, for the pose of BENT, changed."""
+    return checks.compare_pose(q.round(4) + more, UR10E, change(UR.tip(BENT)))
 
 
 def scaled(by):
@@ -126,6 +127,8 @@ CAUSES = {
     "pose.millimetres": lambda: pose(scaled(1000)),
     "pose.centimetres": lambda: pose(scaled(100)),
     "pose.transposed": lambda: pose(transposed),
+    "pose.joint": lambda: pose(more=[0, 0, 0, 0.3, 0, 0]),
+    "pose.exchanged": lambda: pose(q=BENT[[0, 1, 2, 5, 4, 3]]),
     "trace.axes exchanged": lambda: run(CIRCLE.positions[:, [0, 2]]),
     "trace.phase": lambda: run(
         np.roll(CIRCLE.positions[:-1, [2, 0]], 7, axis=0)[[*range(40), 0]]
@@ -144,7 +147,37 @@ SAID = {
     "table.angle": f"alpha in row 1 is {90 - math.degrees(1):.1f}° off (you have 1).",
     "ik.signs": "q_1, q_3, q_5 have the wrong sign",
     "trace.axes exchanged": "the x and z coordinates are exchanged.",
+    "pose.joint": "°: with another value of q_4 alone they would.",
+    "pose.exchanged": "°: with q_4 and q_6 exchanged they would.",
 }
+
+
+def put_in(*places):
+    def change(T):
+        for place in places:
+            T[place] += 0.1
+        return T
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("change", "more", "causes"),
+    [
+        (np.array, [0, 0.3, 0, 0.2, 0, 0], ()),
+        (np.array, [0, 0.3, 0, 0, 0, 0], ("pose.joint:q_2",)),
+        (lambda T: T[:3, 3], [0, 0.3, 0, 0, 0, 0], ()),  # a point leaves more to chance
+        (lambda T: T[:3], [0, 0, 0, 0, 0, 2.5], ("pose.joint:q_6",)),
+        (lambda T: T.round(3), [0, 0.3, 0, 0, 0, 0], ("pose.joint:q_2",)),
+        (lambda T: T.round(3), [0, 0.01, 0, 0, 0, 0], ()),  # may be a little of each joint
+        (put_in((0, 3), (2, 3)), [0] * 6, ("pose.entry",)),
+        (put_in((0, 1), (2, 2)), [0] * 6, ("pose.entry",)),
+        # Square axes, and three entries off: q is wrong, not T.
+        (np.array, [0.003, 0, 0, 0, 0, 0.003], ()),
+    ],
+)
+def test_one_joint_or_few_entries_are_named_only_where_they_explain_all(change, more, causes):
+    assert pose(change, more).causes == causes
 
 
 @pytest.mark.parametrize("name", CAUSES)

@@ -27,6 +27,18 @@ from helpers import robots
 from helpers.explorer import ArmExplorer, judge
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
+SCRIPT = re.compile(r"[_^](\{(?:[^{}]|\{[^{}]*\})*\}|\\[a-zA-Z]+|[^{}\\])")
+NO_SIGN = re.compile(
+    r"\\(?:math[a-z]+|text|operatorname|left|right|[dt]?frac|d?dot|hat|bar|vec)(?![a-zA-Z])"
+    r"|\\[,;! ]"
+)
+# In em: a sign of a formula, an index or exponent, and a character of TeX in the text's letters.
+WIDTHS = {
+    re.compile(r"\\(?:sin|cos|tan|det|max|min|[cld]?dots|q?quad)"): 1.54,
+    re.compile(r"[-+=<>]|\\(?:times|to|[lgn]eq?|pm|approx|in|cdot)"): 1.26,
+    re.compile(r"[,.()\[\]/|]"): 0.4,
+}
+SMALL, USUAL, CHARACTER = 0.43, 0.58, 0.421
 LINE = 25  # signs of a formula that any phone has room for
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
 MEASURED = re.compile(rf"(?<=\d) {UNIT}|N m(?!\w)")
@@ -104,10 +116,17 @@ class Sources(BibliographyDirective):
         return super().run() if self.options else FootBibliographyDirective.run(self)
 
 
+def wide(sign: str) -> float:
+    """How wide a sign of a formula is, in em."""
+    return next((width for kind, width in WIDTHS.items() if kind.fullmatch(sign)), USUAL)
+
+
 def size_unset(tex: str) -> str:
-    """The size at which TeX with its delimiters is about as wide as the formula: for so many signs,
-    so many characters."""
-    return f"{1.3 * len(SIGN.findall(tex)) / (len(tex) + 4):.2f}em"
+    """The size at which TeX with its delimiters is about as wide as the formula."""
+    signs = NO_SIGN.sub("", tex)
+    scripts = SIGN.findall(" ".join(SCRIPT.findall(signs)))
+    width = SMALL * len(scripts) + sum(map(wide, SIGN.findall(SCRIPT.sub(" ", signs))))
+    return f"{width / (CHARACTER * (len(tex) + 4)):.2f}em"
 
 
 def visit_math(translator, node) -> None:

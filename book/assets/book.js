@@ -57,6 +57,9 @@ async function setFormulas() {
     watch.observe(formula);
   }
   await Promise.all([frame(), document.fonts.ready]); // by then it is known which are near, and how large letters are
+  // The letters of formulas come before the first of them: until then others stand there, of other heights.
+  await MathJax.typesetPromise([]); // says where they are
+  await Promise.allSettled(["MJXZERO", "MJXTEX", "MJXTEX-I"].map((face) => document.fonts.load(`1em ${face}`)));
   await (setting = setNear());
 }
 

@@ -1,6 +1,7 @@
 """Do these joint angles reach that pose? For any arm, also where the book has no closed form."""
 
 from collections.abc import Iterator
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from helpers.reading.sentences import listed, millimetres, say
 Array = NDArray[Any]
 
 _EXACT = 1e-6  # m or rad
+_FAR = 10  # margins: what is missed by less may be several joints, each a little off
 _ROUGH = 0.1  # the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
 _COARSE = (
     2e-3  # rad or m: angles with fewer than three decimals are taken as meant, unless that fails
@@ -78,14 +80,15 @@ def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Rep
     turn = turned(miss[1]) if miss[1] > margin[1] else ""
     off = say("ik off", millimetres=millimetres(miss[0]), turn=turn)
     found = _causes(q, arm, T, margin, miss, tolerance)
+    if not found and _within(miss, _margins(q, arm, T, HALF, tolerance)):
+        return good(SO_FAR)
+    found = found or _alone(q.values, arm, T.values, margin, miss)
     if found:
         words = several(found)
         headline = say("pose cause", arm=arm.name, off=off, cause=lower(words))
         finding = Finding("cause", "", None, None, f"{words}.")
         return reported(WRONG, headline, [finding], [c.name for c in found])
-    if _within(miss, _margins(q, arm, T, HALF, tolerance)):
-        return good(SO_FAR)
-    findings = list(_entries(here, T))
+    findings = list(_entries(here, T, miss[1] <= margin[1]))
     causes = dict.fromkeys(f.what for f in findings)
     return reported(WRONG, say("pose wrong", arm=arm.name, off=off), findings, causes)
 
@@ -144,6 +147,40 @@ def _causes(
     return tuple(found)
 
 
+def _alone(
+    q: Array, arm: Arm, T: Array, margin: tuple[float, float], miss: tuple[float, float]
+) -> tuple[Cause, ...]:
+    """The one joint of which another value, or the one pair whose exchange, takes the tip to a pose
+    that it misses by far; nothing where more than one would, or for a point, which leaves more to
+    chance.
+    """
+    if T.ndim == 1 or _within(miss, _FAR * np.array(margin)):
+        return ()
+    found = tuple(
+        c
+        for c, mended in _other_values(q, arm, T)
+        if _within(_miss(forward_kinematics(arm, mended), T), margin)
+    )
+    return found if len(found) == 1 else ()
+
+
+def _other_values(q: Array, arm: Arm, T: Array) -> Iterator[tuple[Cause, Array]]:
+    """Each joint in turn moved as near to T as it can, then each pair exchanged."""
+    here, J = forward_kinematics(arm, q), jacobian(arm, q)
+    R = T[:3, :3] @ here[:3, :3].T
+    turn = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    names = [f"q_{i}" for i in arm.joints]
+    for k, joint in enumerate(names):
+        turned = np.arctan2(J[3:, k] @ turn, np.trace(R) - 1)
+        mended = q.copy()
+        mended[k] += turned if arm.turning[k] else J[:3, k] @ (T[:3, 3] - here[:3, 3])
+        yield cause("pose.joint", joint=joint), mended
+    for i, j in combinations(range(arm.dof), 2):
+        mended = q.copy()
+        mended[[i, j]] = q[[j, i]]
+        yield cause("pose.exchanged", first=names[i], second=names[j]), mended
+
+
 def _slips(q: Array, arm: Arm, T: Array) -> Iterator[tuple[Cause, Arm, Array, Array]]:
     for key, factor in (("pose.millimetres", 1e-3), ("pose.centimetres", 1e-2)):
         yield cause(key), arm, q, _scaled(T, factor)
@@ -166,8 +203,9 @@ def _rotated(T: Array, R: Array) -> Array:
     return turned
 
 
-def _entries(here: Array, T: Typed) -> Iterator[Finding]:
-    """The entries of T that differ, where they are few: then T is wrong, not q. Of a point in
+def _entries(here: Array, T: Typed, upright: bool) -> Iterator[Finding]:
+    """The entries of T that differ, where they are few and no joints give the others with them: its
+    axes are not square, or are `upright`, as they should be. Then T is wrong, not q; of a point in
     numbers they do not tell which of the two it is.
     """
     if T.values.ndim == 1:
@@ -178,10 +216,17 @@ def _entries(here: Array, T: Typed) -> Iterator[Finding]:
             yield Finding("pose.coordinate", axis, None, None, words)
         return
     off = np.abs(here[:3] - T.values[:3]) > np.maximum(HAND * T.units[:3], _COARSE)
-    if off.sum() <= 3:
+    if off.sum() <= 3 and (upright or not _square(T)):
         for i, j in np.argwhere(off):
             words = say("pose.entry", row=i + 1, column=j + 1)
             yield Finding("pose.entry", f"entry ({i + 1}, {j + 1})", None, None, words)
+
+
+def _square(T: Typed) -> bool:
+    """Whether the axes of a pose are those of a right-handed frame, to their digits."""
+    R, unit = T.values[:3, :3], float(T.units[:3, :3].max())
+    off = float(np.abs(R.T @ R - np.eye(3)).max())
+    return off <= 2 * unit + _EXACT and np.linalg.det(R) > 0
 
 
 def _scaled(T: Array, factor: float) -> Array:

@@ -17,6 +17,17 @@ ELBOW = """-0.2841 -0.3039 -0.0778
 OUTSIDE = """() => [...document.querySelectorAll(".arm-judge, .arm-judge :not(.scroll *)")]
   .filter((part) => part.getBoundingClientRect().right > innerWidth).map((part) => part.outerHTML.slice(0, 80))"""
 
+# Where no line has room for more than a word: on how many lines these stand.
+LINES = """(box, words) => {
+  box.style.width = 0;
+  const texts = document.createTreeWalker(box, NodeFilter.SHOW_TEXT), range = document.createRange();
+  while (!texts.nextNode().data.includes(words));
+  const node = texts.currentNode, at = node.data.indexOf(words);
+  range.setStart(node, at);
+  range.setEnd(node, at + words.length);
+  return new Set([...range.getClientRects()].map((one) => one.top)).size;
+}"""
+
 PASTE = """(cell, text) => {
   const clipboardData = new DataTransfer();
   clipboardData.setData("text/plain", text);
@@ -108,6 +119,7 @@ def test_torques_by_keys_alone(page):
     verdict(page, "The torques of")
     page.get_by_role("button", name="Show an example").press("Enter")
     verdict(page, "the force has the wrong sign")
+    assert page.locator(".arm-judge .verdict").evaluate(LINES, "g - J^T") == 1
     assert page.get_by_label("Wrench on the tool").is_visible()
 
 
@@ -377,6 +389,7 @@ def test_a_run_comes_from_a_file(page, tmp_path):
     page.get_by_label("Question").select_option("trace")
     page.get_by_role("button", name="Show an example").click()
     verdict(page, "the path is drawn the other way round")
+    assert page.locator(".arm-judge .verdict").evaluate(LINES, "200 mm") == 1
     rows = page.get_by_label("Your answer", exact=True).input_value().split("\n")
     file = tmp_path / "run.csv"
     file.write_text("\n".join(",".join(row.split()) for row in rows[::-1]), "utf-8")

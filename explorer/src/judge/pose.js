@@ -3,12 +3,13 @@
 import { cross, dot, jacobianColumns, linkFrames, matrix } from "../kinematics.js";
 import { answers, angleBetween, millimetres, turnOf } from "./branches.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { lookup, numbers, numbered } from "./door.js";
+import { lookup, numbers, numbered, turning } from "./door.js";
 import { cause, nameOf, several } from "./ranking.js";
 import { ArmError, listed, lower, say } from "./say.js";
-import { double, scale, scales, single, variable, whole } from "./slips.js";
+import { choices, double, scale, scales, single, variable, whole } from "./slips.js";
 
 const EXACT = 1e-6; // m or rad
+const FAR = 10; // margins: what is missed by less may be several joints, each a little off
 const ROUGH = 0.1; // the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
 const COARSE = 2e-3; // rad or m: angles with fewer decimals are taken as meant, unless that fails
 const SHAPES = ["4x4", "3x4", "3"];
@@ -58,15 +59,17 @@ function judged(q, arm, T, tolerance, taken) {
   if (within(miss, margin)) return good(ROUNDED, "pose rounded");
   const turn = T.pose && miss[1] > margin[1] ? turnOf(miss[1]) : "";
   const off = say("ik off", { millimetres: millimetres(miss[0]), turn });
-  const found = causesOf(q, arm, T, margin, miss, tolerance);
+  let found = causesOf(q, arm, T, margin, miss, tolerance);
+  if (!found.length && within(miss, marginsOf(q, arm, T, HALF, tolerance)))
+    return good(SO_FAR, "pose so far");
+  if (!found.length) found = alone(q.values, arm, T, margin, miss);
   if (found.length) {
     const words = several(found);
     const headline = say("pose cause", { arm: arm.name, off, cause: lower(words) });
     const findings = [{ what: "cause", where: "", words: `${words}.` }];
     return reported(WRONG, headline, { findings, causes: found.map(nameOf) });
   }
-  if (within(miss, marginsOf(q, arm, T, HALF, tolerance))) return good(SO_FAR, "pose so far");
-  const findings = T.pose ? entries(here, T) : coordinates(here, T);
+  const findings = T.pose ? entries(here, T, miss[1] <= margin[1]) : coordinates(here, T);
   const causes = [...new Set(findings.map(({ what }) => what))];
   return reported(WRONG, say("pose wrong", { arm: arm.name, off }), { findings, causes });
 }
@@ -125,6 +128,37 @@ function causesOf(q, arm, T, margin, miss, tolerance) {
   return found;
 }
 
+// The one joint of which another value, or the one pair whose exchange, takes the tip to a pose that it misses by far;
+// nothing where more than one would, or for a point, which leaves more to chance.
+function alone(q, arm, T, margin, miss) {
+  if (!T.pose || within(miss, margin.map((most) => FAR * most))) return []; // prettier-ignore
+  const found = [...otherValues(q, arm, T)].filter(([, mended]) =>
+    within(missOf(linkFrames(arm, mended).at(-1), T), margin),
+  );
+  return found.length === 1 ? [found[0][0]] : [];
+}
+
+// Each joint in turn moved as near to T as it can, then each pair exchanged.
+/** @returns {Generator<[import("./ranking.js").Cause, number[]]>} */
+function* otherValues(q, arm, { values }) {
+  const frames = linkFrames(arm, q);
+  const { x, y, z, o } = frames.at(-1);
+  const R = values.map((row) => [0, 1, 2].map((j) => row[0] * x[j] + row[1] * y[j] + row[2] * z[j]));
+  const turn = [R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]];
+  const step = values.map((row, i) => row[3] - o[i]);
+  const names = variable(arm);
+  const turns = turning(arm);
+  for (const [k, column] of jacobianColumns(arm, frames).entries()) {
+    const turned = Math.atan2(dot(column.slice(3), turn), R[0][0] + R[1][1] + R[2][2] - 1);
+    const most = turns[k] ? turned : dot(column.slice(0, 3), step);
+    yield [cause("pose.joint", { joint: names[k] }), q.map((value, i) => (i === k ? value + most : value))];
+  }
+  for (const [i, j] of choices(q.length, 2)) {
+    const mended = q.map((value, k) => q[k === i ? j : k === j ? i : k]);
+    yield [cause("pose.exchanged", { first: names[i], second: names[j] }), mended];
+  }
+}
+
 /** @returns {Generator<[import("./ranking.js").Cause, any, number[], Target]>} */
 function* slips(q, arm, T) {
   yield [cause("pose.millimetres"), arm, q, scaled(T, 1e-3)];
@@ -152,8 +186,9 @@ const scaled = (T, factor) => ({
   ...T, values: T.values.map((row) => row.map((x, j) => (!T.pose || j === 3 ? x * factor : x))),
 }); // prettier-ignore
 
-// The entries of T that differ, where they are few: then T is wrong, not q.
-function entries(frame, T) {
+// The entries of T that differ, where they are few and no joints give the others with them: its axes are not square, or
+// are upright, as they should be. Then T is wrong, not q.
+function entries(frame, T, upright) {
   const here = matrix(frame);
   const findings = T.values.flatMap((row, i) =>
     row.flatMap((x, j) => {
@@ -162,7 +197,15 @@ function entries(frame, T) {
       return [{ what: "pose.entry", where: `entry (${i + 1}, ${j + 1})`, words }];
     }),
   );
-  return findings.length <= 3 ? findings : [];
+  return findings.length <= 3 && (upright || !square(T)) ? findings : [];
+}
+
+// Whether the axes of a pose are those of a right-handed frame, to their digits.
+function square({ values, units }) {
+  const axes = [0, 1, 2].map((k) => values.map((row) => row[k]));
+  const unit = Math.max(...units.flatMap((row) => row.slice(0, 3)));
+  const off = axes.flatMap((a, i) => axes.map((b, j) => Math.abs(dot(a, b) - Number(i === j))));
+  return Math.max(...off) <= 2 * unit + EXACT && dot(cross(axes[0], axes[1]), axes[2]) > 0;
 }
 
 // The coordinate of a point in formulas that differs, where it is one; in numbers it could be q as well.

@@ -173,8 +173,28 @@ export function tell(box, { report, error }) {
 const SYMBOL = /(?<!\w)([A-Za-z]|theta|alpha)_(?:\{([^}]+)\}|(\w+))(?![\w=])/g;
 const LETTERS = { theta: "θ", alpha: "α" };
 
-// A sentence with its symbols set: z_{i-1} as a letter and an index.
-export function typeset(words) {
+// What no line parts: a number and its unit, short sums and comparisons, a sign and what it stands before or (elbow -)
+// behind. A line may end behind any hyphen, though behind no true minus.
+const UNIT = String.raw`(?:N m|N|mm|m\/s\^2|m\/s²|m|degrees|deg|rad)(?![\w/^])`;
+const NAME = String.raw`[-+±−]*[\w.^°]{1,8}(?:\{[^}\s]{1,5}\})?(?![\w^°({]|\.\w)`;
+const SHORT = String.raw`[^\s,;]{1,16}(?![^\s,;])`;
+const UNBROKEN = [
+  String.raw`(?<![\w.^°}])\(?${NAME} [-+−<>] ${NAME}(?: ${UNIT})?[)'’”",.;:]*`,
+  String.raw`(?<![\w.])[-+±−]*\d[\d.]*(?:(?:e-?\d+)? ${UNIT}|e-\d+)`,
+  String.raw`\p{L}+ [-+−]['’”",.;:)]+`,
+  String.raw`(?<![\w)\]}])[-+±]+(?:${SHORT}|${NAME})`,
+  String.raw`N m(?!\w)`,
+];
+const PARTS = new RegExp(`(${UNBROKEN.join("|")})`, "u");
+
+/**
+ * A sentence with its symbols set, z_{i-1} as a letter and an index, of which no line parts what belongs together.
+ * @param {string} words
+ */
+export const typeset = (words) =>
+  words.split(PARTS).flatMap((part, k) => (k % 2 ? h("span.unbroken", {}, set(part)) : set(part)));
+
+function set(words) {
   const parts = [];
   let at = 0;
   for (const match of words.matchAll(SYMBOL)) {

@@ -26,7 +26,7 @@ export const variable = (arm) => numbered(arm).map((i) => `q_${i}`);
 const changed = (q, k, x) => q.map((value, i) => (i === k ? x : value));
 
 // Every choice of so many of n things, in order.
-function* choices(n, count, from = 0) {
+export function* choices(n, count, from = 0) {
   if (!count) yield [];
   else for (let k = from; k < n; k++) for (const rest of choices(n, count - 1, k + 1)) yield [k, ...rest];
 }

@@ -4,6 +4,7 @@
 import { h, write } from "../../dom.js";
 import { joints, linkFrames } from "../../kinematics.js";
 import { ASKED, EMPTY, LONGEST_ANSWER, toFragment } from "../ask.js";
+import { typeset } from "../shown.js";
 import { angle, LAST, questionOf, TOPICS } from "./series.js";
 
 const KEPT = "practice-streak";
@@ -132,7 +133,7 @@ const SAID = {
 function wordsOf({ key, n, asked, arm, along }) {
   const head = h("p.asked", {}, `${ASKED[key].title}, question ${n}`);
   if (key === "table") return [head, ...describedByAxes(arm, along)];
-  const whose = h("p", {}, arm.title, ". ", SAID[key](asked));
+  const whose = h("p", {}, typeset(`${arm.title}. ${SAID[key](asked)}`));
   const target = asked.target ? [h("pre", {}, asked.target.replaceAll("-", "−"))] : [];
   const place = { role: "region", tabindex: "0", "aria-label": "The arm's table" };
   return [head, whose, ...target, h("div.scroll", place, tableOf(arm))];
