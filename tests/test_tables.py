@@ -469,6 +469,8 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
         (LEVEL.replace("pi/2 0.3 0; 0.3 pi/2 0.2", "-pi/2 0.3 0; 0.3 -pi/2 -0.1"), LEVEL, {},
          "right",
          [JOINTS.format("its q_2 is -(your q_2)"), BASE.format("100 mm lower", 2)]),
+        # A thousandth of a degree is no zero of its own.
+        (GENERIC.replace("q3+0.3", "q3+0.30001"), GENERIC, {}, "right", []),
         # Told along axis 1 also where the parallel axis 2 points the other way.
         ("0.3 pi 0.6 q1; 0.2 pi/2 0.1 q2; 0.2 0.5 0.2 q3; 0.1 0 0.3 q4",
          "0.3 pi 0.4 q1; 0.2 pi/2 0.1 q2; 0.2 0.5 0.1 q3; 0.1 0 0.3 q4", {}, "wrong",

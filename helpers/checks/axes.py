@@ -241,7 +241,8 @@ class Difference(NamedTuple):
 @dataclass(frozen=True)
 class Side:
     """One table's walk, ready to be compared: `foot` is how far axis 1 passes from z_0 and how far
-    it leans from it, none but where fixed rows come first; `up` is 1, or -1 where it points down.
+    it leans from it, none but where fixed rows come first; `axis` is its direction, and `up` is 1,
+    or -1 where it points down.
     """
 
     rows: tuple[Numbers, ...]
@@ -249,6 +250,7 @@ class Side:
     gaps: list[Gap]
     tilt: float
     foot: tuple[float, float]
+    axis: Vector
     up: int
 
 
@@ -269,7 +271,9 @@ def side(rows: Rows) -> Side:
     """A table's walk; it needs a joint."""
     axis = frames(rows[: joints(rows)[0] - 1], ())[-1]
     up = -1 if axis.z[2] < -_TINY else 1
-    return Side(tuple(rows), joints(rows), gaps(rows), tool_tilt(rows), _foot(rows, axis), up)
+    return Side(
+        tuple(rows), joints(rows), gaps(rows), tool_tilt(rows), _foot(rows, axis), axis.z, up
+    )
 
 
 def _foot(rows: Rows, axis: Frame) -> tuple[float, float]:
@@ -305,9 +309,13 @@ def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1
 
 
 def _upside_down(mine: Side, reference: Side, signs: tuple[int, ...]) -> bool:
-    """Whether z_0 points the other way; axis 1 at a right angle to it does not tell."""
-    level = math.cos(mine.foot[1]) < _TINY
-    return not level and signs[0] * mine.up * reference.up < 0
+    """Whether z_0 points the other way, where axis 1 tells."""
+    return not _level(mine) and signs[0] * mine.up * reference.up < 0
+
+
+def _level(one: Side) -> bool:
+    """Whether axis 1 points neither up nor down."""
+    return abs(one.axis[2]) < _TINY
 
 
 def _step(
@@ -325,10 +333,11 @@ def _step(
         )
         note = alike and abs(_height(m, r, signs[0])) > length
         over = _upside_down(mine, reference, before)
+        turned = over or (_level(mine) and before[0] * dot(mine.axis, reference.axis) < 0)
         if note and over and mine.joints[0] == 1:
             new += (Difference("table base", 1, "d", m.offset, -(r.offset or 0.0)),)
         far += sum(abs(x.mine - x.reference) for x in new)
-        cost = (count + len(new), round(far, 9), notes + note + over)
+        cost = (count + len(new), round(far, 9), notes + note + turned)
         choice = (cost, before + signs[1:], old + new)
         last = signs[-1]
         if last not in found or choice[0] < found[last][0]:

@@ -48,11 +48,6 @@ class Map(NamedTuple):
     offsets: tuple[float, ...]
     base: Frame
 
-    @property
-    def is_identity(self) -> bool:
-        """Whether the same q means the same pose."""
-        return all(s == 1 for s in self.signs) and all(abs(c) < _SEEN for c in self.offsets)
-
     def yours(self, joints: Iterable[float]) -> list[float]:
         """Your joints where the reference's have these values."""
         both = zip(self.signs, self.offsets, joints, strict=True)

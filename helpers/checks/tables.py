@@ -323,9 +323,8 @@ def _same(
 def _zeros(table: Table, mapped: Map | None, mine: Side, ref: Side) -> Iterator[str]:
     if mapped is None:
         yield say("map unknown")
-    elif not mapped.is_identity:
-        own = [table.row_of(i, "d") for i in mine.joints]
-        yield say("map", equations="; ".join(words(mapped, own, ref)))
+    elif told := words(mapped, [table.row_of(i, "d") for i in mine.joints], ref):
+        yield say("map", equations="; ".join(told))
 
 
 def _base(table: Table, mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[str]:

@@ -15,9 +15,6 @@ const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times th
  * @typedef {{ signs: number[], offsets: number[], base: any }} Map
  */
 
-export const isIdentity = ({ signs, offsets }) =>
-  signs.every((s) => s === 1) && offsets.every((c) => Math.abs(c) < SEEN);
-
 // The map between two tables that agree, or null where it cannot be confirmed by the tips of some poses.
 /** @param {Side} mine @param {Side} reference @returns {Map | null} */
 export function jointMap(mine, reference, found, tolerance = 1e-6) {

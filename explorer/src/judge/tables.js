@@ -3,7 +3,7 @@
 import { angleBetween, combinations, compared, placesBase, side } from "../axes.js";
 import { DEG } from "./angles.js";
 import { RIGHT, ROUNDED, units, WRONG } from "./digits.js";
-import { equations, isIdentity, jointMap } from "./joint_map.js";
+import { equations, jointMap } from "./joint_map.js";
 import { cause, nameOf, several } from "./ranking.js";
 import { lower, say, size } from "./say.js";
 import { ENTRIES, inMillimetres, meant, read } from "./table_reading.js";
@@ -245,7 +245,8 @@ function same(grade, table, reference, mine, ref, found) {
 function zeros(table, mapped, mine, ref) {
   if (!mapped) return [say("map unknown")];
   const own = mine.joints.map((i) => rowOf(table, i, "d"));
-  return isIdentity(mapped) ? [] : [say("map", { equations: equations(mapped, own, ref).join("; ") })];
+  const told = equations(mapped, own, ref);
+  return told.length ? [say("map", { equations: told.join("; ") })] : [];
 }
 
 // A word on where the base's frame stands on axis 1, and on z_0 where axis 1 leans from it.
