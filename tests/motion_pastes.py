@@ -23,6 +23,7 @@ ANGLES = {
     "matlab print column": "ans =\n\n    0.5000\n    0.7000\n   -0.4000\n",
     "latex": r"\begin{pmatrix} 0.5 & 0.7 & -0.4 \end{pmatrix}",
     "latex column": r"q = \begin{bmatrix} 0.5 \\ 0.7 \\ -0.4 \end{bmatrix}",
+    "latex named": r"\theta_1 = 0.5, \theta_{2} = 0.7, \theta_3 = -0.4",
     "csv": "0.5,0.7,-0.4\n",
     "csv headed": "q1,q2,q3\n0.5,0.7,-0.4\n",
     "semicolons": "0.5;0.7;-0.4",

@@ -3,8 +3,7 @@ is named.
 """
 
 import math
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -33,7 +32,6 @@ _OF_ONE_STEP = (
     "ik.plus for minus",
 )  # told rather than that joints of two branches are mixed
 _COARSE = 5.1e-3  # rad or m: with a larger unit than this, branches and slips are not told apart
-_LABEL = re.compile(r"['\"][^'\"]*['\"]\s*[,:]\s*|\b(?:q|theta|th|θ|t)_?\d\s*[=:]\s*", flags=re.I)
 
 
 @dataclass(frozen=True)
@@ -113,7 +111,7 @@ def _only_as_degrees(right: _Branches, typed: Typed, tolerance: float | None) ->
 def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]]:
     """Joint vectors (answers, dof) with their units, however they were held."""
     what = f"{arm.name}: q"
-    typed = door.numbers(_unlabelled(mine), what, wanted=f"joint vectors (answers, {arm.dof})")
+    typed = door.numbers(door.unnamed(mine), what, wanted=f"joint vectors (answers, {arm.dof})")
     said: tuple[str, ...] = ()
     if not typed.values.size:
         none = np.zeros((0, arm.dof))
@@ -126,19 +124,6 @@ def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]
         raise ArmError(say("answers shape", arm=arm.name, shape=shape, dof=arm.dof))
     found = Typed(values, units)
     return (door.in_radians(found, arm) if angles == "deg" else found), said
-
-
-def _unlabelled(mine: object) -> object:
-    """Answers without the names of their joints: ('theta1', 0.3) is 0.3."""
-    if isinstance(mine, str):
-        return _LABEL.sub("", mine)
-    if isinstance(mine, Mapping):
-        return [_unlabelled(v) for v in mine.values()]
-    if isinstance(mine, list | tuple):
-        if len(mine) == 2 and isinstance(mine[0], str) and not isinstance(mine[1], str):
-            return _unlabelled(mine[1])
-        return [_unlabelled(item) for item in mine]
-    return mine
 
 
 # Which branch an answer is

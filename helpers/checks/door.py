@@ -20,6 +20,10 @@ from helpers.reading.sentences import say
 
 Array = NDArray[Any]
 _SCALED = re.compile(r"(.*?)\*(1(?:\.0+)?e[+-]?\d+)")
+_NAMED = re.compile(
+    r"['\"][^'\"]*['\"]\s*[,:]\s*|\\?\b(?:q|theta|th|θ|t|tau|τ)_?(?:\d|\{\d\})\s*[=:]\s*",
+    flags=re.I,
+)
 Lookup = Callable[[set[str]], dict[str, float]]
 
 
@@ -72,6 +76,19 @@ def numbers(mine: Any, what: str, lookup: Lookup = no_symbols, wanted: str = "nu
     if not np.isfinite(array).all():
         raise ArmError(say("not finite", what=what, wanted=wanted))
     return Typed(array, of_floats(array))
+
+
+def unnamed(mine: object) -> object:
+    """One value for each joint without the names before them: ('theta1', 0.3) is 0.3."""
+    if isinstance(mine, str):
+        return _NAMED.sub("", mine)
+    if isinstance(mine, Mapping):
+        return [unnamed(v) for v in mine.values()]
+    if isinstance(mine, list | tuple):
+        if len(mine) == 2 and isinstance(mine[0], str) and not isinstance(mine[1], str):
+            return unnamed(mine[1])
+        return [unnamed(item) for item in mine]
+    return mine
 
 
 def _plain_array(mine: Any) -> Array | None:
@@ -253,13 +270,14 @@ def in_radians(typed: Typed, arm: Arm) -> Typed:
     return Typed(typed.values * factor, steps * factor)
 
 
-def _one_value_each(arm: Arm) -> str:
+def one_value_each(arm: Arm) -> str:
+    """What is expected of a joint vector."""
     return f"one value for each of {', '.join(arm.variables)}"
 
 
 def pose(q: Any, arm: Arm, angles: str = "rad") -> Typed:
     """One joint vector, with its units."""
-    typed = numbers(q, f"{arm.name}: q", wanted=_one_value_each(arm))
+    typed = numbers(unnamed(q), f"{arm.name}: q", wanted=one_value_each(arm))
     column = (typed.values.ndim == 2 and typed.values.shape[1] == 1) or isinstance(q, str)
     values, steps = (x.ravel() if column else x for x in (typed.values, typed.units))
     if angles == "deg":

@@ -117,7 +117,7 @@ def _held(mine: object, arm: Arm, q: Array, what: str) -> Iterator[tuple[Typed, 
     wants that.
     """
     if not callable(mine):
-        yield door.numbers(mine, what), ()
+        yield door.numbers(door.unnamed(mine), what), ()
         return
     poses = np.atleast_2d(q)
     try:
@@ -141,9 +141,7 @@ def _reported(typed: Typed, where: _Where, tolerance, said, why: bool) -> Report
 
 
 def _poses(q: ArrayLike | str, arm: Arm, angles: str) -> Typed:
-    typed = door.numbers(
-        q, f"{arm.name}: q", wanted=f"one value for each of {', '.join(arm.variables)}"
-    )
+    typed = door.numbers(door.unnamed(q), f"{arm.name}: q", wanted=door.one_value_each(arm))
     values, units = typed.values, typed.units
     if values.ndim == 2 and values.shape[0] == arm.dof != values.shape[1]:
         values, units = values.T, units.T

@@ -5,7 +5,7 @@ import { jacobianColumns, joints, linkFrames, matrix } from "../kinematics.js";
 import { singular } from "../linear.js";
 import { DEG } from "./angles.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { numbers, rowsInRadians, turning } from "./door.js";
+import { numbers, rowsInRadians, turning, unnamed } from "./door.js";
 import { asksPose, formOf, inverse, rint } from "./inverse.js";
 import { cause, nameOf, several, wordsOf } from "./ranking.js";
 import { ArmError, listed, lower, say, size } from "./say.js";
@@ -17,7 +17,6 @@ const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
 const BY_HAND = 0.0301; // rad or m: the most that rounding on the way is allowed
 const OF_ONE_STEP = ["ik.sign", "ik.plus for minus"]; // told rather than that joints of two branches are mixed
 const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are not told apart
-const LABEL = /['"][^'"]*['"]\s*[,:]\s*|(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t)_?\p{Nd}\s*[=:]\s*/giu;
 
 /** @typedef {{ values: number[], units: number[] }} Answer a joint vector with the units of its last places */
 /** @typedef {import("./ranking.js").Cause} Cause */
@@ -87,7 +86,7 @@ function onlyAsDegrees(right, given, tolerance) {
  */
 export function answers(mine, arm, angles) {
   const dof = joints(arm).length;
-  const read = numbers(unlabelled(mine), `${arm.name}: q`, undefined, `joint vectors (answers, ${dof})`);
+  const read = numbers(unnamed(mine), `${arm.name}: q`, undefined, `joint vectors (answers, ${dof})`);
   if (!read.values.length) return { answers: [], taken: [], typed: read };
   let shape = read.shape.length > 2 ? read.shape.filter((n) => n !== 1) : read.shape;
   let { values, units } = read;
@@ -113,16 +112,6 @@ export function answers(mine, arm, angles) {
 /** @param {number[]} flat @param {number[]} shape */
 const transposed = (flat, [rows, width]) =>
   flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
-
-// Answers without the names of their joints: ('theta1', 0.3) is 0.3.
-function unlabelled(mine) {
-  if (typeof mine === "string") return mine.replace(LABEL, "");
-  if (!Array.isArray(mine)) return mine;
-  if (mine.length === 2 && typeof mine[0] === "string" && typeof mine[1] !== "string") {
-    return unlabelled(mine[1]);
-  }
-  return mine.map(unlabelled);
-}
 
 // Which branch an answer is
 

@@ -52,6 +52,19 @@ export function numbers(mine, what, known = noSymbols, wanted = "numbers") {
   return { values, units: units(values.map(spelled)), shape, symbolic: false };
 }
 
+const NAMED =
+  /['"][^'"]*['"]\s*[,:]\s*|\\?(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t|tau|τ)_?(?:\p{Nd}|\{\p{Nd}\})\s*[=:]\s*/giu;
+
+// One value for each joint without the names before them: ('theta1', 0.3) is 0.3.
+export function unnamed(mine) {
+  if (typeof mine === "string") return mine.replace(NAMED, "");
+  if (!Array.isArray(mine)) return mine;
+  if (mine.length === 2 && typeof mine[0] === "string" && typeof mine[1] !== "string") {
+    return unnamed(mine[1]);
+  }
+  return mine.map(unnamed);
+}
+
 const shapeOf = (list) =>
   Array.isArray(list) ? [list.length, ...(list.length ? shapeOf(list[0]) : [])] : [];
 
@@ -87,7 +100,7 @@ export const eachJoint = (arm) => `one value for each of ${variables(arm).join("
 
 // One joint vector, with its units.
 export function pose(q, arm, angles = "rad") {
-  const typed = numbers(q, `${arm.name}: q`, undefined, eachJoint(arm));
+  const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
   const flat = typeof q === "string" ? [typed.values.length] : typed.shape;
   const dof = joints(arm).length;
   if (flat.length !== 1 || flat[0] !== dof) throw new ArmError(poseFault(arm, flat, `one pose, (${dof},)`));

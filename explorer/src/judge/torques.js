@@ -14,7 +14,7 @@ import {
   SO_FAR,
   WRONG,
 } from "./digits.js";
-import { eachJoint, inRadians, numbered, numbers, poseFault, turning } from "./door.js";
+import { eachJoint, inRadians, numbered, numbers, poseFault, turning, unnamed } from "./door.js";
 import { better, complete, explain, nameOf, several } from "./ranking.js";
 import { ArmError, listed, lower, say, size } from "./say.js";
 import { catalogue, loadOf, mended, paperCentres, reversedJoints, torques } from "./torques_causes.js";
@@ -40,7 +40,7 @@ export function compareTorques(mine, arm, q, options = {}) {
   const wrenches = Array.isArray(wrench[0]) ? wrench : list.map(() => wrench);
   const load = loadOf(arm, list, wrenches, gravity); // prettier-ignore
   const right = torques(load).flat();
-  const typed = numbers(mine, `${arm.name}: your torques`);
+  const typed = numbers(unnamed(mine), `${arm.name}: your torques`);
   const found = upright(typed, right, dof);
   if (!found) return { ...misshapen(typed, list.length, arm), typed };
   return { ...judged(...found, right, load, at, tolerance), typed };
@@ -53,7 +53,7 @@ const turned = (flat, [rows, width]) => flat.map((_, i) => flat[(i % rows) * wid
 
 function poses(q, arm, angles) {
   const dof = joints(arm).length;
-  let typed = numbers(q, `${arm.name}: q`, undefined, eachJoint(arm));
+  let typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
   let { shape } = typed;
   if (shape.length === 2 && shape[0] === dof && shape[1] !== dof) {
     typed = { ...typed, values: turned(typed.values, shape), units: turned(typed.units, shape) };
