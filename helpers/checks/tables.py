@@ -325,21 +325,24 @@ def _same(
 def _zeros(table: Table, mapped: Map | None, mine: Side, ref: Side) -> Iterator[str]:
     if mapped is None:
         yield say("map unknown")
-    elif not mapped.is_identity:
-        own = [table.row_of(i, "d") for i in mine.joints]
-        yield say("map", equations="; ".join(words(mapped, own, ref)))
+    elif told := words(mapped, [table.row_of(i, "d") for i in mine.joints], ref):
+        yield say("map", equations="; ".join(told))
 
 
 def _base(table: Table, mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[str]:
-    """A word on where the base's frame stands on axis 1."""
-    higher = found.base_higher if mapped is None else mapped.base.o[2]
+    """A word on where the base's frame stands on axis 1, and on z_0 where axis 1 leans from it."""
     if found.upside_down:
         yield say("base upside down")
-    elif abs(higher) > _LENGTH:
-        way = say("higher") if higher > 0 else say("lower")
-        first = next((g for g in mine.gaps if g.places_base), None)
-        row = table.row_of(mine.joints[first.bunch[-1] if first else 0], "d")
-        yield say("base", height=size(round(1000 * abs(higher), 6), 4), way=way, row=row)
+        return
+    along, lean = found.base_higher, mine.foot[1]
+    rest = 0.0 if mapped is None else mapped.base.o[2] - along * math.cos(lean)
+    first = next((g for g in mine.gaps if g.places_base), None)
+    row = table.row_of(mine.joints[first.bunch[-1] if first else 0], "d")
+    leaning = (("base", along), ("base on z_0", rest))
+    for key, higher in leaning if lean > _ANGLE else (("base", along + rest),):
+        if abs(higher) > _LENGTH:
+            way = say("higher") if higher > 0 else say("lower")
+            yield say(key, height=size(round(1000 * abs(higher), 6), 4), way=way, row=row)
 
 
 def _tool(found: Compared) -> Iterator[str]:

@@ -3,7 +3,7 @@
 import { angleBetween, combinations, compared, placesBase, side } from "../axes.js";
 import { DEG } from "./angles.js";
 import { RIGHT, ROUNDED, units, WRONG } from "./digits.js";
-import { equations, isIdentity, jointMap } from "./joint_map.js";
+import { equations, jointMap } from "./joint_map.js";
 import { cause, nameOf, several } from "./ranking.js";
 import { lower, say, size } from "./say.js";
 import { ENTRIES, inMillimetres, meant, read } from "./table_reading.js";
@@ -251,17 +251,23 @@ function same(grade, table, reference, mine, ref, found) {
 function zeros(table, mapped, mine, ref) {
   if (!mapped) return [say("map unknown")];
   const own = mine.joints.map((i) => rowOf(table, i, "d"));
-  return isIdentity(mapped) ? [] : [say("map", { equations: equations(mapped, own, ref).join("; ") })];
+  const told = equations(mapped, own, ref);
+  return told.length ? [say("map", { equations: told.join("; ") })] : [];
 }
 
-// A word on where the base's frame stands on axis 1.
+// A word on where the base's frame stands on axis 1, and on z_0 where axis 1 leans from it.
 function base(table, mine, found, mapped = null) {
-  const higher = mapped ? mapped.base.o[2] : found.baseHigher;
   if (found.upsideDown) return [say("base upside down")];
-  if (Math.abs(higher) <= LENGTH) return [];
-  const way = higher > 0 ? say("higher") : say("lower");
+  const [along, lean] = [found.baseHigher, mine.foot[1]];
+  const rest = mapped ? mapped.base.o[2] - along * Math.cos(lean) : 0;
   const row = rowOf(table, mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0], "d");
-  return [say("base", { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
+  const stands = (key, higher) => {
+    if (Math.abs(higher) <= LENGTH) return [];
+    const way = higher > 0 ? say("higher") : say("lower");
+    return [say(key, { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
+  };
+  if (lean <= ANGLE) return stands("base", along + rest);
+  return [...stands("base", along), ...stands("base on z_0", rest)];
 }
 
 function tool({ tilts }) {
