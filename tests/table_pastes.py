@@ -97,6 +97,12 @@ RIGHT = {
     "q1\t500\t0\t90\nq2\t0\t400\t0\nq3\t0\t300\t0",
     "units apart": "a (mm) alpha (deg) d (mm) theta (deg)\n0 90 500 q1\n400 0 0 q2\n300 0 0 q3",
     "joints counted": "joint  theta  d  a  alpha\n1 q1 0.5 0 90\n2 q2 0 0.4 0\n3 q3 0 0.3 0",
+    "joints in brackets": "[[0, pi/2, 0.5, q[0]], [0.4, 0, 0, q[1]], [0.3, 0, 0, q[2]]]",
+    "joints in round ones": "[0 deg2rad(90) 0.5 q(1); 0.4 0 0 q(2); 0.3 0 0 q(3)]",
+    "a row of units": "a\talpha\td\ttheta\n[mm]\t[deg]\t[mm]\t\n0\t90\t500\tq1\n400\t0\t0\tq2\n"
+    "300\t0\t0\tq3",
+    "rows numbered": "1) 0, 90°, 0.5, θ1\n2) 0.4, 0, 0, θ2\n3) 0.3, 0, 0, θ3",
+    "decimal commas": "a alpha d theta\n0 1,5708 0,5 q1\n0,4 0 0 q2\n0,3 0 0 q3",
     "two blanks": "0   pi / 2   1 / 2   -q_1\n0.4   0   0   q_2\n0.3   0   0   q_3",
     "two blanks, as many": "0  pi /2   0.5  q_1\n0.4  0 /2   0  q_2\n0.3  0 /2   0  q_3",
     "captions": "Table 1: the elbow\n\n(by hand)\na  alpha  d  theta\n" + joined(ROWS, "  ", "\n"),

@@ -167,6 +167,9 @@ def test_a_matrix_moves_where_it_has_symbols_itself():
         ("a (in)\tα_{i-1} in radians\td\ttheta", ("in", "rad", "craig")),
         ("r [ cm ] , twist , offset , q", ("cm", None, None)),
         ("alpha,theta,a_i-1,d [m", ("m", None, "craig")),
+        ("a/m,alpha/rad,d/m,theta/rad", ("m", "rad", None)),
+        ("a_mm,alpha_deg,d_mm,theta_deg", ("mm", "deg", None)),
+        ("a,alpha,d,theta\n(cm),deg,(cm),-", ("cm", "deg", None)),
     ],
 )
 def test_heads_say_units_and_the_convention(heads, said):
@@ -218,6 +221,20 @@ def test_a_link_slides_where_that_is_said_or_its_angle_is_fixed(text, kinds):
     assert "".join(row.kind for row in read.rows) == kinds
 
 
+@pytest.mark.parametrize(
+    ("text", "still"),
+    [
+        ("theta d a alpha offset\nq1 1 0 90 0\nq 1 2 0 90", [(0, 1), (90, 1)]),
+        ("i offset theta a alpha d\n1 30 q1 0 90 1\n2 -90 q2 2 0 1", [(30, 1), (-90, 1)]),
+        ("theta,d,a,alpha,joint offset\nq1,1,0,90,\n20,d2,2,0,3", [(0, 1), (20, 3)]),
+        ("theta offset a alpha\nq1 1 0 90\nq2 3 2 0", [(0, 1), (0, 3)]),
+    ],
+)
+def test_offsets_in_a_column_of_their_own_are_added_to_what_moves(text, still):
+    [read] = table.read(text)
+    assert [(r.numbers["theta"], r.numbers["d"]) for r in read.rows] == still
+
+
 GRIDS = [
     (r"\begin{array}{cc}\hline1&2\\\hline\theta&4\cr5&6\end{array}", ["1|2", r"\theta|4", "5|6"]),
     ("[0.5;0.7;-0.4]", ["0.5", "0.7", "-0.4"]),
@@ -234,7 +251,18 @@ GRIDS = [
     ("1  2 -3\n4  5 -6", ["1|2|-3", "4|5|-6"]),
     ("(q_1\n+ 2 x)", ["(q_1\n+ 2 x)"]),
     ("(c_1 -s_1\ns_1 c_1)", ["c_1|-s_1", "s_1|c_1"]),
-    ("(0.5)\n(0.7)", ["(0.5)|(0.7)"]),
+    ("(0.5)\n(0.7)", ["(0.5)", "(0.7)"]),
+    ("(q_1 + 1)\t2\n3\t4", ["(q_1 + 1)|2", "3|4"]),
+    ("(a + 1)*2, (b)\n3, 4", ["(a + 1)*2|(b)", "3|4"]),
+    ("(1, 2), (3, 4)", ["1|2", "3|4"]),
+    ("0 1,5 q1\n0,4 0 q2", ["0|1.5|q1", "0.4|0|q2"]),
+    ('"1,234.5","0,5"\n2,"a,b"', ["1234.5|0.5", "2|a|b"]),
+    (",5\t-,25\n3\t4", [".5|-.25", "3|4"]),
+    ("1) 1 2\n2) 3 4", ["1|2", "3|4"]),
+    ("Joint 1: 1, 2\nJoint 2: 3, 4", ["1|2", "3|4"]),
+    ("2: 1\n1: 3", ["2:|1", "1:|3"]),
+    ("#DIV/0!\t1\n2\t3", ["#DIV/0!|1", "2|3"]),
+    ("0.5 0.7 30°", ["0.5|0.7|30°"]),
     ("1,,2\n3,4,5", ["1||2", "3|4|5"]),
     ("0,5  pi/2\n0,3  0", ["0.5|pi/2", "0.3|0"]),
     ("0,333\t0.5", ["0.333|0.5"]),
@@ -273,6 +301,12 @@ BESIDE = "beside the matrix stands {}; expected entries that hold it"
         ("[1 2; 3 4]'", BESIDE.format('"\'"')),
         ("np.array([[1, 2], [3, 4]]).T", BESIDE.format("'.T'")),
         ("[1 2; 3 4] * 1e-3", BESIDE.format("'* 1e-3'")),
+        ('"1,250",2', "a cell is '1,250'; expected 1.250 or 1250"),
+        (
+            "- 1, 2\n- 3, 4",
+            "each line begins like '- 1, 2'; expected rows without a dash before them",
+        ),
+        ("90 -45 30°", "only '30°' is in degrees; expected the sign beside each angle"),
         ("1,250\t0.5", "a cell is '1,250' beside '0.5'; expected 1.250 or 1250"),
         ("0,5 pi/2", "a line is '0,5 pi/2'; expected decimal points, or commas between entries"),
     ],
@@ -290,6 +324,10 @@ def test_what_cannot_be_cut_without_loss_is_refused(text, words):
         (["6x3 of mine", "1|2"], 1),
         (["0,5|1,5", "1|2"], 2),
         (["sin(x)|x", "1|2"], 2),
+        (["2 sin(x)|x", "1|2"], 2),
+        (["-x|y", "1|2"], 2),
+        (["cos|(q_1)|x", "1|2"], 2),
+        (["|q1", "a|2", "a|3"], 3),
     ],
 )
 def test_a_row_of_entries_is_no_header(rows, kept):
@@ -297,7 +335,17 @@ def test_a_row_of_entries_is_no_header(rows, kept):
     assert grid.without_header(cells) == cells[-kept:]
 
 
+@pytest.mark.parametrize("labels", [("vx", "vy"), ("0", "1"), ("1", "2")])
+def test_a_column_of_labels_beside_heads_is_dropped(labels):
+    rows = [["", "q1", "q2"], [labels[0], "1", "2"], [labels[1], "3", "4"]]
+    assert grid.without_header(rows) == [["1", "2"], ["3", "4"]]
+
+
 FORMULAS = [
+    (r"\sin^{2}{\left(\frac{\pi}{6} \right)} + cos^2 0", 1.25),
+    ("sin^-1 0.5", None),
+    ("√2/2 + √ 4", 2 + 2**0.5 / 2),
+    ("１.５", 1.5),
     (r"\dfrac{\sqrt{3}}{2}", 3**0.5 / 2),
     (r"\frac\pi2 + \frac{\pi}4", 0.75 * math.pi),
     (r"\sin{\frac{\pi}{6}} + 2^{-1}", 1.0),

@@ -12,7 +12,7 @@ _ASKED = re.compile(
     _PROMPT + r"(?:[A-Za-z_][A-Za-z0-9_]*|(?:print|disp|display)\([A-Za-z0-9_]*\))[ \t]*(?![^\n\r])"
 )
 _PROMPTED = re.compile(_PROMPT)
-_COMMENT = re.compile(r"((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*[#%][^\n\r]*")
+_COMMENT = re.compile(r"((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*(?:%|#(?![A-Z]+[/!?]))[^\n\r]*")
 _REMARK = re.compile(r"(?<=[0-9.)])[ \t]+[#%][ \t]*[A-Za-z][^\n\r]*")  # 50 % 20 % is none
 _CURLED = str.maketrans("“”„‟", '""""', "\ufeff")
 _CURLED_ONCE = re.compile(r"‘([^‘’\n]*)’")

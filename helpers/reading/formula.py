@@ -82,6 +82,7 @@ _SAME = {
     "π": " pi ",
     "𝜋": " pi ",
     "$": " ",
+    **{chr(0xFF10 + i): str(i) for i in range(10)},  # as typed among Chinese signs
     "°": " deg",
     "º": " deg",
     "√": "sqrt",
@@ -114,11 +115,14 @@ _INNERMOST = (
 )
 _RAISED = re.compile("[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _POWERS = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+-0123456789")
+_ROOT = re.compile(r"√ ?([0-9]+(?:\.[0-9]+)?)")
+_COUNTED = re.compile(r"(?<![A-Za-z_])(q|th|theta) *(?:\[ *([0-9]{1,2}) *\]|\( *([0-9]{1,2}) *\))")
 _MIXED = re.compile("(?<![A-Za-z0-9_.])([0-9]+) ?([⅓½¼])")
 _BRACES = re.compile(r"\{[\w+-]*\}|\}")  # an index such as {2-3}, or what closes a bracket
 _NAME = r"[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?"
 _TOKEN = re.compile(
-    rf"\s*(?:(\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?)|({_NAME})|(\*\*|[-+*/^()]))"
+    r"\s*(?:([0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]+)?|\.[0-9]+(?:[eE][+-]?[0-9]+)?)"
+    rf"|({_NAME})|(\*\*|[-+*/^()]))"
 )
 _SHORT = re.compile(r"[cs]_?(?:\d|\{[\d+-]+\})+")
 _RUN = re.compile(rf"(?:{_SHORT.pattern}){{2,}}$")  # such as c_1s_23, which is a product
@@ -136,7 +140,7 @@ def plain(text: str) -> str:
     if is_number(text):
         return text
     text = _RAISED.sub(lambda match: f"^{match[0].translate(_POWERS)}", text)
-    text = _MIXED.sub(r"(\1+\2)", text).translate(_TABLE)
+    text = _ROOT.sub(r"sqrt(\1)", _MIXED.sub(r"(\1+\2)", text)).translate(_TABLE)
     for pattern, instead in _LATEX:
         text = re.sub(pattern, instead, text)
     before = ""
@@ -147,6 +151,7 @@ def plain(text: str) -> str:
     text = re.sub(r"\\([A-Za-z]+)", r" \1 ", text)
     text = re.sub(r"\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\.", "", text)
     text = re.sub(r"(?<=\w)\s*\(t\)", "", text)
+    text = _COUNTED.sub(r"\1_\2\3", text)
     text = re.sub(r"(\b[a-z]+) +_(?=[\w{])", r"\1_", text)
     text = re.sub(r"(?<![_\w])\{|(?<=[^\w+-])\{", "(", text)
     text = _BRACES.sub(lambda match: ")" if match[0] == "}" else match[0], text)
@@ -251,6 +256,12 @@ def _atom(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
     if kind == "num":
         return ("num", float(word)), at + 1
     if kind == "name" and word in FUNCTIONS and at + 1 < len(tokens):
+        if tokens[at + 1][1] == "^":  # sin^2 x
+            power, at = _atom(tokens, at + 2, depth + 1)
+            if power[0] != "num":  # sin^-1 is another function
+                raise SyntaxError
+            inner, at = _argument(tokens, at, depth + 1)
+            return ("^", ("call", word, inner), power), at
         inner, at = _argument(tokens, at + 1, depth + 1)
         return ("call", word, inner), at
     if kind == "name":

@@ -7,7 +7,7 @@ import re
 from helpers.inputs import ArmError, shown
 from helpers.reading.around import alone, bare_latex, beside
 from helpers.reading.around import bare as without_surroundings
-from helpers.reading.formula import FUNCTIONS, is_number, number, plain
+from helpers.reading.formula import FUNCTIONS, is_number, number, parse, plain
 
 Cells = list[list[str]]
 LONGEST = 5_000_000  # characters of a paste: a trace of 20 000 steps
@@ -40,7 +40,13 @@ _DOTTED_THOUSANDS = re.compile(r"[-+−]?[0-9]{1,3}(?:\.[0-9]{3})+,[0-9]+")
 _EITHER = re.compile(r"[-+−]?[1-9][0-9]{0,2},[0-9]{3}")  # a decimal comma, or one of thousands
 _DEGREES = re.compile(r"°|deg(?:rees?)?(?![A-Za-z0-9_]|\s*\()")
 _RADIANS = re.compile(r"rad(?:ian)?s?(?![A-Za-z0-9_]|\s*\()")
-_NO_HEAD = re.compile(r"[-+]?[.0-9][-+.,%0-9 eEdD]*|-?(?:a?(?:sin|cos|tan)|sqrt)\(.*\)")
+_NO_HEAD = re.compile(r"[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*")
+_NUMBERED = re.compile(r"\s*(?:(?:joint|link|row)\s*)?([0-9]+)[:)]\s+", re.I)
+_BULLET = re.compile(r"\s*[-–—]\s")
+_IN_DEGREES = re.compile(r".*[0-9.]\s*(?:°|º|deg(?:rees?)?)")
+_TURN = 6.3  # a number beyond is no angle in radians
+_QUOTED = re.compile(r'"[^"\n]*,[^"\n]*"')
+_JUXTAPOSED = re.compile(r"[0-9.]\s+[.0-9]")
 
 
 def cells(text: str) -> Cells:
@@ -53,7 +59,17 @@ def cells(text: str) -> Cells:
     rows = [[cell.strip() for cell in row] for row in rows if any(cell.strip() for cell in row)]
     if not rows:
         raise ArmError("the text is empty; expected rows of numbers or formulas")
+    if len(rows) == 1:
+        _each_in_degrees(*rows)
     return rows
+
+
+def _each_in_degrees(row: list[str]) -> None:
+    """Raise ArmError where the last of many angles alone has a sign that may be meant for all."""
+    *others, last = row
+    meant = _IN_DEGREES.fullmatch(last) and all(map(is_number, others))
+    if meant and any(abs(float(x)) > _TURN for x in others):
+        raise ArmError(f"only {shown(last)} is in degrees; expected the sign beside each angle")
 
 
 def _rows(text: str) -> Cells:
@@ -77,7 +93,7 @@ def _rows(text: str) -> Cells:
     bare = _opened(_ENDED.sub("", bare))
     if bare[:1] == "[":
         _untouched(bare)
-    if bare[:1] in "[({":
+    if bare[:1] in "[({" and not _begins_a_cell(bare):
         return _bracketed(bare)
     if before := _FACTOR.match(bare):
         alone(before[0], re.sub(r"[ \t]", "", before[0]))
@@ -141,6 +157,13 @@ def _opened(text: str) -> str:
         lines = [line[1:-1].strip() for line in lines]
         return "\n".join(lines) if lines and " " in lines[0] and _are_rows(lines) else text
     return text
+
+
+def _begins_a_cell(text: str) -> bool:
+    """Whether the round bracket that a text begins with is a part of its first entry."""
+    end = _end(text)
+    inner = text[1 : max(end, 1)]
+    return text[:1] == "(" and end < len(text) - 1 and not re.search(r"[,;\n]", inner)
 
 
 def _are_rows(lines: list[str]) -> bool:
@@ -289,7 +312,7 @@ def _lines(text: str) -> Cells:
 
 def _block(text: str) -> Cells:
     lines = [line for line in text.splitlines() if line.strip() and not _RULE.match(line)]
-    lines = [line for line in lines if not re.fullmatch(r"\s*\w+\s*=\s*", line)]
+    lines = _unnumbered([line for line in lines if not re.fullmatch(r"\s*\w+\s*=\s*", line)])
     separator = next(
         (s for s in ("\t", ";") if any(s in line.strip().rstrip(";") for line in lines)), ""
     )
@@ -297,6 +320,7 @@ def _block(text: str) -> Cells:
         return _pointed_rows(
             [line.strip("\r\n ").rstrip(separator).split(separator) for line in lines]
         )
+    lines = [_QUOTED.sub(_of_quotes, line) for line in lines]
     if any(_top_comma(line) for line in lines):
         return _by_commas(lines)
     lines = [re.sub(r"^\s*[\[|⎡⎢⎣⎛⎜⎝]+|[\]|⎤⎥⎦⎞⎟⎠]+\s*$", "", line) for line in lines]
@@ -304,6 +328,29 @@ def _block(text: str) -> Cells:
     uneven = len({len(row) for row in rows}) > 1
     torn = any(cell.lstrip("+-") in FUNCTIONS for row in rows for cell in row)
     return (_by_gaps(lines) if uneven or torn else []) or rows
+
+
+def _unnumbered(lines: list[str]) -> list[str]:
+    """Lines without the numbers ``1)``, ``1:`` or ``Joint 1:`` before them; raises ArmError where a
+    dash before each may be a minus sign.
+    """
+    if len(lines) > 1 and all(map(_BULLET.match, lines)):
+        given = shown(lines[0].strip())
+        raise ArmError(f"each line begins like {given}; expected rows without a dash before them")
+    numbers = [_NUMBERED.match(line) for line in lines]
+    if all(m is not None and int(m[1]) == i for i, m in enumerate(numbers, 1)):
+        return [_NUMBERED.sub("", line, count=1) for line in lines]
+    return lines
+
+
+def _of_quotes(match: re.Match[str]) -> str:
+    """A number in quotes with a point for its decimal comma."""
+    inner = match[0][1:-1].strip()
+    if _EITHER.fullmatch(inner):
+        decimal, whole = inner.replace(",", "."), inner.replace(",", "")
+        raise ArmError(f"a cell is {shown(inner)}; expected {decimal} or {whole}")
+    pointed = _pointed(inner)
+    return pointed if is_number(pointed) else match[0]
 
 
 def _by_gaps(lines: list[str]) -> Cells:
@@ -329,8 +376,11 @@ def _by_commas(lines: list[str]) -> Cells:
     if all(len(_TIGHT.findall(line)) == line.count(",") for line in lines):
         if by_gaps := _by_gaps([line.replace(",", ".") for line in lines]):
             return by_gaps
+        even = len({len(row) for row in by_blank}) == 1
         if all(len(row) > 1 for row in by_blank):
-            given = shown(lines[0].strip())
+            if even and any(_JUXTAPOSED.search(line) for line in lines):
+                return by_blank
+            given = shown(next(line for line in lines if "," in line).strip())
             raise ArmError(f"a line is {given}; expected decimal points, or commas between entries")
     return [_split(line.rstrip(",")) for line in lines]
 
@@ -355,6 +405,8 @@ def _pointed(cell: str) -> str:
     if (inner := cell.strip())[:1] == inner[-1:] == '"':
         cell = inner[1:-1]
     cell = re.sub(r"^[ \t]*=", "", cell)
+    if re.fullmatch(r"\s*[-+−]?,[0-9]+\s*", cell):
+        return cell.replace(",", ".")
     if _THOUSANDS.fullmatch(cell.strip()):
         return cell.replace(",", "")
     if _DOTTED_THOUSANDS.fullmatch(cell.strip()):
@@ -373,7 +425,32 @@ def without_header(rows: Cells) -> Cells:
     """The rows without the first if it is a header: one of names where numbers follow."""
     first, *rest = rows
     words = [*filter(None, map(plain, first))]
-    named = all(number(word) is None for word in words)
-    if rest and len(first) == len(rest[0]):
-        named = named and not any(map(_NO_HEAD.fullmatch, words))
-    return rest if rest and named and numeric(rest) else rows
+    if not rest or any(map(_is_entry, words)):
+        return rows
+    unnamed = [row[1:] for row in rest]
+    if not first[0] and len(words) == len(first) - 1 and _label_rows(rest) and numeric(unnamed):
+        return unnamed
+    return rest if numeric(rest) else rows
+
+
+def _is_entry(word: str) -> bool:
+    """Whether a word is a number, looks like one, or is a formula that no column is named by."""
+    if number(word) is not None or _NO_HEAD.fullmatch(word) or word.lstrip("+-") in FUNCTIONS:
+        return True
+    try:
+        parts: list = [parse(word)]
+    except ArmError:
+        return False
+    if parts[0][0] == "neg":
+        return True
+    for part in parts:  # grows by its own parts
+        parts += [inner for inner in part if isinstance(inner, tuple)]
+    return any(part[0] == "call" for part in parts)
+
+
+def _label_rows(rows: Cells) -> bool:
+    """Whether the first cells are different names, or count the rows."""
+    labels = [row[0] for row in rows]
+    counted = [str(i) for i in range(len(rows) + 1)]
+    named = len(set(labels)) == len(labels) and all(x and number(x) is None for x in labels)
+    return named or labels in (counted[:-1], counted[1:])

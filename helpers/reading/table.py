@@ -52,6 +52,7 @@ _RECORDS = re.compile(
     r"\{((?:[^{}]|\{[^{}:=,]*\})*)\}|\bdict\(((?:[^()]|\([^()]*\))*)\)"  # q_{1} may stand in one
 )
 _PAIRS = re.compile(r"['\"]?\b([A-Za-z]+)_?\{?(\d+)\}?['\"]?\s*[:=]\s*((?:[^,;\n{}]|\{[^{}]*\})+)")
+_UNIT = re.compile(r"[(\[]?\s*(?:(mm|cm|m|in|deg|degrees|rad|radians|°)|[-–—]?)\s*[)\]]?", re.I)
 _JOINT = re.compile(r"(?:q|th|theta|t|phi)_?\{?\d+\}?'?")
 _VARIABLE = re.compile(r"(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?", re.I)
 
@@ -384,8 +385,19 @@ def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     rows = grid.cells(re.sub(r"^\s*#", "", text))
     for k, row in enumerate(rows[:3]):  # a caption may stand above the heads
         if _heading(row):
-            return rows[k + 1 :], _with_units(row), ()
+            return _below(_with_units(row), rows[k + 1 :])
     return rows, [], ()
+
+
+def _below(heads: list[str], rows: grid.Cells) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
+    """The rows below the heads; one of units goes to the heads."""
+    units = [_UNIT.fullmatch(cell) for cell in rows[0]] if rows else []
+    last = len(heads) - len(units)  # a spreadsheet's last cell may be empty
+    if last not in (0, 1) or not all(units) or not any(m and m[1] for m in units):
+        return rows, heads, ()
+    units += [None] * last
+    heads = [f"{h} ({m[1]})" if m and m[1] else h for h, m in zip(heads, units, strict=True)]
+    return rows[1:], heads, ()
 
 
 def _unquoted(text: str) -> str:
@@ -464,7 +476,7 @@ def _simple(name: str) -> str:
 
 def _head(cell: str) -> str | None:
     word = formula.plain(re.sub(r"-\s*1", "", cell)).replace("*", "")
-    word = re.sub(r"\(.*?\)|\[.*?(?:\]|$)|\bin\b.*|,.*", "", word)
+    word = re.sub(r"\(.*?\)|\[.*?(?:\]|$)|\bin\b.*|[,/].*|_(?:mm|cm|deg|rad)$", "", word)
     word = re.sub(r"[\s_{}$\\^'\"().]", "", word).lower()
     return _WORDS.get(word) or _WORDS.get(re.sub(r"(?:i|j|k|n)$", "", word))
 
@@ -475,12 +487,11 @@ def _heading(row: list) -> bool:
 
 def _from_heads(heads: list[str]) -> tuple[str | None, str | None, bool]:
     text = " ".join(heads)
-    unit = next((u for u in ("mm", "cm") if re.search(rf"[(\[ ]{u}\b", text)), None)
+    unit = next((u for u in ("mm", "cm") if re.search(rf"[(\[ /_]{u}\b", text)), None)
     for own in ("m", "in"):
-        unit = unit or (own if re.search(rf"[(\[]\s*{own}\s*(?:[)\]]|$)", text) else None)
-    angle = (
-        "deg" if re.search(r"deg|°", text, re.I) else "rad" if re.search(r"\brad", text) else None
-    )
+        unit = unit or (own if re.search(rf"[(\[]\s*{own}\s*(?:[)\]]|$)|/{own}\b", text) else None)
+    radians = "rad" if re.search(r"(?:\b|_)rad", text) else None
+    angle = "deg" if re.search(r"deg|°", text, re.I) else radians
     return unit, angle, bool(re.search(r"-\s*1", text))
 
 
@@ -517,9 +528,15 @@ def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | 
         return [order], True
     words = [_head(h) for h in heads]
     if set(words) >= set(ENTRIES) and all(0 <= len(heads) - len(row) <= 1 for row in cells):
+        offsets = [i for i, head in enumerate(heads) if "offset" in head.lower()]
+        if words.count("d") > 1:
+            words = ["" if i in offsets else word for i, word in enumerate(words)]
         keep = [words.index(e) for e in ENTRIES]
+        added = next((i for i in offsets if i not in keep), None)
         for k, row in enumerate(cells):
-            cells[k] = [row[i] if i < len(row) else "0" for i in keep]
+            still = row[added] if added is not None and added < len(row) else "0"
+            kept = [row[i] if i < len(row) else "0" for i in keep]
+            cells[k] = kept if formula.number(still or "0") == 0 else _offset(k + 1, kept, still)
         return [ENTRIES], True
     _wide(cells)
     usual = [*KNOWN_ORDERS, *(o for o in permutations(ENTRIES) if o not in KNOWN_ORDERS)]
@@ -527,6 +544,14 @@ def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | 
     fits = fits or [order for order in usual if _possible(cells, order, looks=False)]
     fits.sort(key=lambda order: not _turning(cells, order))
     return fits or [KNOWN_ORDERS[0]], False
+
+
+def _offset(i: int, row: list[str], still: str) -> list[str]:
+    """A row whose joint's offset, in a column of its own, is added to what moves."""
+    d, theta = (formula.number(row[k] or "0") is None for k in (2, 3))
+    at = 2 if d and not theta else 3
+    moves = f"q_{i}" if _VARIABLE.fullmatch(formula.plain(row[at])) else row[at] or "0"
+    return [*row[:at], f"{moves} + ({still})", *row[at + 1 :]]
 
 
 def _words(columns: Any) -> list[str]:

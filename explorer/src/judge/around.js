@@ -10,7 +10,7 @@ const ASKED = new RegExp(
   "g",
 );
 const PROMPTED = new RegExp(PROMPT, "g");
-const COMMENT = /((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*[#%][^\n\r]*/g;
+const COMMENT = /((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*(?:%|#(?![A-Z]+[/!?]))[^\n\r]*/g;
 const REMARK = /(?<=[0-9.)])[ \t]+[#%][ \t]*[A-Za-z][^\n\r]*/g; // 50 % 20 % is none
 const LABEL = /^[ \t\r\n]*[A-Za-z_][A-Za-z0-9_]*[ \t]*:[ \t\r\n]*(?=[[({])/;
 const SIGN = /^[ \t\r\n]*=[ \t]*(?=[[({])/;

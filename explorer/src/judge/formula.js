@@ -63,6 +63,7 @@ const SAME = new Map([
   ...[..."αβγδθϑφϕψωλ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
   ...each("π𝜋", " pi "),
   ...each("°º", " deg"),
+  ...[..."０１２３４５６７８９"].flatMap((sign, i) => each(sign, `${i}`)), // as typed among Chinese signs
   ["$", " "],
   ["√", "sqrt"],
   ["⅓", "(1/3)"],
@@ -92,6 +93,8 @@ const INNERMOST = [
 ];
 const POWERS = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹";
 const RAISED = new RegExp(`[${POWERS}]+`, "g");
+const ROOT = /√ ?([0-9]+(?:\.[0-9]+)?)/g;
+const COUNTED = /(?<![A-Za-z_])(q|th|theta) *(?:\[ *([0-9]{1,2}) *\]|\( *([0-9]{1,2}) *\))/g;
 const MIXED = /(?<![A-Za-z0-9_.])([0-9]+) ?([⅓½¼])/g;
 const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
 const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
@@ -111,7 +114,7 @@ export function plain(text) {
     RAISED,
     (powers) => `^${[...powers].map((sign) => "+-0123456789"[POWERS.indexOf(sign)]).join("")}`,
   );
-  text = text.replace(MIXED, "($1+$2)");
+  text = text.replace(MIXED, "($1+$2)").replace(ROOT, "sqrt($1)");
   text = [...text].map((sign) => SAME.get(sign) ?? sign).join("");
   for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
   for (let before = ""; before !== text;) {
@@ -121,6 +124,7 @@ export function plain(text) {
   text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
   text = text.replace(/\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\./g, "");
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");
+  text = text.replace(COUNTED, "$1_$2$3");
   text = text.replace(/(\b[a-z]+) +_(?=[\w{])/g, "$1_");
   text = text.replace(/(?<![_\w])\{|(?<=[^\w+-])\{/g, "(");
   text = text.replace(/\{[\w+-]*\}|\}/g, (braces) => (braces === "}" ? ")" : braces));
@@ -222,6 +226,12 @@ function atom(tokens, k, depth) {
   const [kind, word] = at(tokens, k);
   if (kind === "num") return [["num", Number(word)], k + 1];
   if (kind === "name" && isFunction(word) && k + 1 < tokens.length) {
+    if (tokens[k + 1][1] === "^") {
+      const [exponent, after] = atom(tokens, k + 2, depth + 1); // sin^2 x
+      if (exponent[0] !== "num") throw new NoFormula(); // sin^-1 is another function
+      const [of, end] = argument(tokens, after, depth + 1);
+      return [["^", ["call", word, of], exponent], end];
+    }
     const [inner, next] = argument(tokens, k + 1, depth + 1);
     return [["call", word, inner], next];
   }

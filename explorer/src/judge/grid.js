@@ -2,7 +2,7 @@
 // spreadsheet cells.
 
 import { alone, bare as withoutSurroundings, bareLatex, beside } from "./around.js";
-import { isFunction, isNumber, number, plain } from "./formula.js";
+import { isFunction, isNumber, number, parse, plain } from "./formula.js";
 import { ArmError, shown } from "./say.js";
 
 const LONGEST = 5_000_000; // characters of a paste: a trace of 20 000 steps
@@ -41,7 +41,13 @@ const DOTTED_THOUSANDS = /^[-+−]?[0-9]{1,3}(?:\.[0-9]{3})+,[0-9]+$/;
 const EITHER = /^[-+−]?[1-9][0-9]{0,2},[0-9]{3}$/; // a decimal comma, or one of thousands
 const DEGREES = /^(?:°|deg(?:rees?)?(?![A-Za-z0-9_]|\s*\())/;
 const RADIANS = /^rad(?:ian)?s?(?![A-Za-z0-9_]|\s*\()/;
-const NO_HEAD = /^(?:[-+]?[.0-9][-+.,%0-9 eEdD]*|-?(?:a?(?:sin|cos|tan)|sqrt)\(.*\))$/;
+const NO_HEAD = /^[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*$/;
+const NUMBERED = /^\s*(?:(?:joint|link|row)\s*)?([0-9]+)[:)]\s+/i;
+const BULLET = /^\s*[-–—]\s/;
+const IN_DEGREES = /^.*[0-9.]\s*(?:°|º|deg(?:rees?)?)$/;
+const TURN = 6.3; // a number beyond is no angle in radians
+const QUOTED = /"[^"\n]*,[^"\n]*"/g;
+const JUXTAPOSED = /[0-9.]\s+[.0-9]/;
 
 const lines = (text) => {
   const found = text.split(/\r\n|[\n\r\v\f\x1c-\x1e\x85\u2028\u2029]/);
@@ -69,7 +75,16 @@ export function cells(text) {
     .filter((row) => row.some((cell) => cell.trim()))
     .map((row) => row.map((cell) => cell.trim()));
   if (!rows.length) throw new ArmError("the text is empty; expected rows of numbers or formulas");
+  if (rows.length === 1) eachInDegrees(rows[0]);
   return rows;
+}
+
+// An error where the last of many angles alone has a sign that may be meant for all.
+function eachInDegrees(row) {
+  const [others, last] = [row.slice(0, -1), row[row.length - 1]];
+  const meant = IN_DEGREES.test(last) && others.every(isNumber);
+  if (meant && others.some((x) => Math.abs(Number(x)) > TURN))
+    throw new ArmError(`only ${shown(last)} is in degrees; expected the sign beside each angle`);
 }
 
 function rowsOf(text) {
@@ -87,7 +102,7 @@ function rowsOf(text) {
   bare = strippedEnd(bare.replace(NAMED, "").trim(), ";").trim();
   bare = opened(bare.replace(ENDED, ""));
   if (bare[0] === "[") untouched(bare);
-  if (bare && "[({".includes(bare[0])) return bracketed(bare);
+  if (bare && "[({".includes(bare[0]) && !beginsACell(bare)) return bracketed(bare);
   const before = FACTOR.exec(bare);
   if (before) alone(before[0], before[0].replace(/[ \t]/g, ""));
   return typedLines(bare);
@@ -135,6 +150,13 @@ function opened(text) {
   if (!each.length || !each.every((line) => line[0] === "(" && closesAtEnd(line))) return text;
   const inside = each.map((line) => line.slice(1, -1).trim());
   return inside[0].includes(" ") && areRows(inside) ? inside.join("\n") : text;
+}
+
+// Whether the round bracket that a text begins with is a part of its first entry.
+function beginsACell(text) {
+  const end = endOf(text);
+  const inner = text.slice(1, Math.max(end, 1));
+  return text[0] === "(" && end < text.length - 1 && !/[,;\n]/.test(inner);
 }
 
 // Whether lines of entries without commas are the rows of a matrix, not a formula's.
@@ -262,21 +284,46 @@ function typedLines(text) {
 }
 
 function block(text) {
-  const kept = lines(text)
-    .filter((line) => line.trim() && !RULE.test(line))
-    .filter((line) => !/^\s*[\p{L}\p{N}_]+\s*=\s*$/u.test(line));
+  const kept = unnumbered(
+    lines(text)
+      .filter((line) => line.trim() && !RULE.test(line))
+      .filter((line) => !/^\s*[\p{L}\p{N}_]+\s*=\s*$/u.test(line)),
+  );
   const parts = (sign) => kept.some((line) => strippedEnd(line.trim(), ";").includes(sign));
   const separator = ["\t", ";"].find(parts);
   if (separator) {
     const end = (line) => strippedEnd(stripped(line, "\r\n "), separator);
     return pointedRows(kept.map((line) => end(line).split(separator)));
   }
-  if (kept.some(topComma)) return byCommas(kept);
-  const inside = kept.map((line) => line.replace(/^\s*[[|⎡⎢⎣⎛⎜⎝]+|[\]|⎤⎥⎦⎞⎟⎠]+\s*$/g, ""));
+  const plainly = kept.map((line) => line.replace(QUOTED, ofQuotes));
+  if (plainly.some(topComma)) return byCommas(plainly);
+  const inside = plainly.map((line) => line.replace(/^\s*[[|⎡⎢⎣⎛⎜⎝]+|[\]|⎤⎥⎦⎞⎟⎠]+\s*$/g, ""));
   const rows = inside.map(split);
   const uneven = new Set(rows.map((row) => row.length)).size > 1;
   const torn = rows.some((row) => row.some((cell) => isFunction(cell.replace(/^[-+]+/, ""))));
   return (uneven || torn ? byGaps(inside) : null) ?? rows;
+}
+
+// Lines without the numbers "1)", "1:" or "Joint 1:" before them; an error where a dash before each may be a minus
+// sign.
+function unnumbered(kept) {
+  if (kept.length > 1 && kept.every((line) => BULLET.test(line))) {
+    const given = shown(kept[0].trim());
+    throw new ArmError(`each line begins like ${given}; expected rows without a dash before them`);
+  }
+  const counted = kept.every((line, k) => Number(NUMBERED.exec(line)?.[1]) === k + 1);
+  return counted ? kept.map((line) => line.replace(NUMBERED, "")) : kept;
+}
+
+// A number in quotes with a point for its decimal comma.
+function ofQuotes(quoted) {
+  const inner = quoted.slice(1, -1).trim();
+  if (EITHER.test(inner)) {
+    const [decimal, whole] = [inner.replace(",", "."), inner.replace(",", "")];
+    throw new ArmError(`a cell is ${shown(inner)}; expected ${decimal} or ${whole}`);
+  }
+  const found = pointed(inner);
+  return isNumber(found) ? found : quoted;
 }
 
 // Cells that stand two blanks apart or more, which single ones do not part, where each line has as many; null where
@@ -299,8 +346,10 @@ function byCommas(kept) {
   if (kept.every((line) => (line.match(TIGHT) ?? []).length === line.split(",").length - 1)) {
     const rows = byGaps(dotted);
     if (rows) return rows;
+    const even = new Set(byBlank.map((row) => row.length)).size === 1;
     if (byBlank.every((row) => row.length > 1)) {
-      const given = shown(kept[0].trim());
+      if (even && kept.some((line) => JUXTAPOSED.test(line))) return byBlank;
+      const given = shown(kept.find((line) => line.includes(",")).trim());
       throw new ArmError(`a line is ${given}; expected decimal points, or commas between entries`);
     }
   }
@@ -326,6 +375,7 @@ function pointed(cell) {
   const inner = cell.trim();
   if (inner[0] === '"' && inner.at(-1) === '"') cell = inner.slice(1, -1);
   cell = cell.replace(/^[ \t]*=/, "");
+  if (/^\s*[-+−]?,[0-9]+\s*$/.test(cell)) return cell.replace(",", ".");
   if (THOUSANDS.test(cell.trim())) return cell.replaceAll(",", "");
   if (DOTTED_THOUSANDS.test(cell.trim())) return cell.replaceAll(".", "").replace(",", ".");
   return cell.split(",").length === 2 && !cell.includes("(") ? cell.replace(/(?<=\d),(?=\d)/g, ".") : cell;
@@ -338,8 +388,31 @@ const numeric = (rows) => rows.every((row) => row.every((cell) => number(cell) !
 export function withoutHeader(rows) {
   const [first, ...rest] = rows;
   const heads = first.map(plain).filter(Boolean);
-  const asLong = rest.length > 0 && first.length === rest[0].length;
-  const named = heads.every((head) => number(head) === null && !(asLong && NO_HEAD.test(head)));
-  const isHeader = rest.length > 0 && named && numeric(rest);
-  return isHeader ? rest : rows;
+  if (!rest.length || heads.some(isEntry)) return rows;
+  const unnamed = rest.map((row) => row.slice(1));
+  if (!first[0] && heads.length === first.length - 1 && labelRows(rest) && numeric(unnamed)) return unnamed;
+  return numeric(rest) ? rest : rows;
+}
+
+// Whether a word is a number, looks like one, or is a formula that no column is named by.
+function isEntry(word) {
+  if (number(word) !== null || NO_HEAD.test(word) || isFunction(word.replace(/^[-+]+/, ""))) return true;
+  const parts = [];
+  try {
+    parts.push(parse(word));
+  } catch (error) {
+    if (error instanceof ArmError) return false;
+    throw error;
+  }
+  if (parts[0][0] === "neg") return true;
+  for (const part of parts) parts.push(...part.filter(Array.isArray)); // grows by its own parts
+  return parts.some((part) => part[0] === "call");
+}
+
+// Whether the first cells are different names, or count the rows.
+function labelRows(rows) {
+  const labels = rows.map((row) => row[0]);
+  if (labels.every((label, k) => label === `${k}`) || labels.every((label, k) => label === `${k + 1}`))
+    return true;
+  return new Set(labels).size === labels.length && labels.every((label) => label && number(label) === null);
 }

@@ -55,6 +55,7 @@ const PAIRS = new RegExp(
   "gu",
 );
 const JOINT = /^(?:q|th|theta|t|phi)_?\{?\d+\}?'?$/;
+const UNIT = /^[(\[]?\s*(?:(mm|cm|m|in|deg|degrees|rad|radians|°)|[-–—]?)\s*[)\]]?$/i;
 const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/i;
 
 /** @typedef {import("../axes.js").Numbers} Numbers */
@@ -247,7 +248,19 @@ function ofText(typed) {
   const rows = cellsOf(text.replace(/^\s*#/, ""));
   // A caption may stand above the heads.
   const at = rows.slice(0, 3).findIndex(isHeading);
-  return at < 0 ? plainly(rows, []) : plainly(rows.slice(at + 1), withUnits(rows[at]));
+  return at < 0 ? plainly(rows, []) : below(withUnits(rows[at]), rows.slice(at + 1));
+}
+
+// The rows below the heads; one of units goes to the heads.
+function below(heads, rows) {
+  const units = (rows[0] ?? []).map((cell) => UNIT.exec(cell));
+  const last = heads.length - units.length; // a spreadsheet's last cell may be empty
+  if (![0, 1].includes(last) || !units.every(Boolean) || !units.some((unit) => unit?.[1]))
+    return plainly(rows, heads);
+  return plainly(
+    rows.slice(1),
+    heads.map((head, k) => (units[k]?.[1] ? `${head} (${units[k][1]})` : head)),
+  );
 }
 
 // Whether two blanks and more part the lines of a text into as many cells, and single ones stand in some.
@@ -352,7 +365,7 @@ const simple = (name) => name.replace(/[_{}\s*'^\\]/g, "").toLowerCase();
 function headOf(cell) {
   const words = plain(cell.replace(/-\s*1/g, "")).replaceAll("*", "");
   const word = words
-    .replace(/\(.*?\)|\[.*?(?:\]|$)|\bin\b.*|,.*/g, "")
+    .replace(/\(.*?\)|\[.*?(?:\]|$)|\bin\b.*|[,/].*|_(?:mm|cm|deg|rad)$/g, "")
     .replace(/[\s_{}$\\^'"().]/g, "")
     .toLowerCase();
   return WORDS.get(word) ?? WORDS.get(word.replace(/[ijkn]$/, ""));
@@ -360,9 +373,10 @@ function headOf(cell) {
 
 function fromHeads(heads) {
   const text = heads.join(" ");
-  const unit = ["mm", "cm"].find((u) => new RegExp(String.raw`[(\[ ]${u}\b`).test(text));
-  const own = ["m", "in"].find((u) => new RegExp(String.raw`[(\[]\s*${u}\s*(?:[)\]]|$)`).test(text)) ?? null;
-  const angles = /deg|°/i.test(text) ? "deg" : /\brad/.test(text) ? "rad" : null;
+  const unit = ["mm", "cm"].find((u) => new RegExp(String.raw`[(\[ /_]${u}\b`).test(text));
+  const own =
+    ["m", "in"].find((u) => new RegExp(String.raw`[(\[]\s*${u}\s*(?:[)\]]|$)|/${u}\b`).test(text)) ?? null;
+  const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
   return { lengths: unit ?? own, angles, convention: /-\s*1/.test(text) ? "craig" : null };
 }
 
@@ -393,9 +407,20 @@ function ordered(cells, heads, columns) {
     wide(cells);
     return { orders: [order], sure: true, rows: cells };
   }
-  const keep = ENTRIES.map((entry) => heads.map(headOf).indexOf(entry));
-  if (!keep.includes(-1) && cells.every((row) => [0, 1].includes(heads.length - row.length)))
-    return { orders: [ENTRIES], sure: true, rows: cells.map((row) => keep.map((i) => row[i] ?? "0")) };
+  const isOffset = (head) => head.toLowerCase().includes("offset");
+  const all = heads.map(headOf);
+  const twice = all.filter((word) => word === "d").length > 1;
+  const words = all.map((word, i) => (twice && isOffset(heads[i]) ? "" : word));
+  const keep = ENTRIES.map((entry) => words.indexOf(entry));
+  if (!keep.includes(-1) && cells.every((row) => [0, 1].includes(heads.length - row.length))) {
+    const added = heads.findIndex((head, i) => isOffset(head) && !keep.includes(i));
+    const rows = cells.map((row, k) => {
+      const kept = keep.map((i) => row[i] ?? "0");
+      const still = row[added] ?? "0";
+      return number(still || "0") === 0 ? kept : withOffset(k + 1, kept, still);
+    });
+    return { orders: [ENTRIES], sure: true, rows };
+  }
   wide(cells);
   const looks = cells.map((row) => row.map(lookOf));
   const known = KNOWN_ORDERS.map((order) => order.join());
@@ -404,6 +429,14 @@ function ordered(cells, heads, columns) {
   const fits = strict.length ? strict : usual.filter((order) => possible(looks, order, false));
   const orders = [...fits.filter((o) => mostTurn(looks, o)), ...fits.filter((o) => !mostTurn(looks, o))];
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], sure: false, rows: cells };
+}
+
+// A row whose joint's offset, in a column of its own, is added to what moves.
+function withOffset(i, row, still) {
+  const [d, theta] = [2, 3].map((k) => number(row[k] || "0") === null);
+  const at = d && !theta ? 2 : 3;
+  const moves = VARIABLE.test(plain(row[at])) ? `q_${i}` : row[at] || "0";
+  return row.map((cell, k) => (k === at ? `${moves} + (${still})` : cell));
 }
 
 const permutations = (list) =>
