@@ -31,6 +31,7 @@ _MATLAB_BLOCK = re.compile(
     r"^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$", re.M | re.I
 )
 _STARRED = re.compile(r"(?:^|[\s\[(])-?(?:θ|\\?theta|th|q)_?\{?(?:\d+|i)?\}?\^?\*$|^\s*\*$")
+_SLIDING = re.compile(r"(?:^|[\s\[(+-])d_?\{?(?:\d+|i)?\}?\^?\*$")
 _RULE = re.compile(r"^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$")
 _GAP = re.compile("(?<=[^ \u00a0\t\n])[ \u00a0]{2,}(?=[^ \u00a0\t\n])")
 _TIGHT = re.compile(r"(?<![0-9.,])[0-9]+,[0-9]+(?![0-9.,])")
@@ -278,13 +279,16 @@ def _split(text: str) -> list[str]:
 def _joins(text: str, k: int) -> bool:
     """Whether the blank at k stands beside a sign that joins its neighbours: ``a - b`` is one cell,
     ``a -b`` are two, and so are a joint's variable that is marked by a star and what follows it. A
-    star at the end marks a joint's variable, or is one.
+    star at the end marks a joint's variable, or is one. A ``d`` marked so may as well be a factor,
+    but not of a number behind it.
     """
     before, after = text[:k].rstrip(), text[k:].strip()
     if after == "*":
         return _STARRED.search(f"{before}*") is not None
-    if before[-1:] == "*" and after and after[0] not in "*/^)=" and _STARRED.search(before):
-        return False
+    if before[-1:] == "*" and after and after[0] not in "*/^)=":
+        slides = _SLIDING.search(before) and number(after.split()[0]) is not None
+        if slides or _STARRED.search(before):
+            return False
     if not before or not after or before[-1] in "+-*/^=(" or after[0] in "*/^)=":
         return True
     return (

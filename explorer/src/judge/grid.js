@@ -29,6 +29,7 @@ const LATEX_REST = new RegExp(
   "g",
 );
 const STARRED = /(?:^|[\s[(])-?(?:θ|\\?theta|th|q)_?\{?(?:\d+|i)?\}?\^?\*$|^\s*\*$/;
+const SLIDING = /(?:^|[\s[(+-])d_?\{?(?:\d+|i)?\}?\^?\*$/;
 const FACTOR = /^[-+*/^.0-9e \t]+(?=\[)/;
 const SCALE = /^\s*(1(?:\.0+)?e[+-]?\d+)\s*\*\s*$/m;
 const MATLAB_BLOCK = /^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*$/im;
@@ -260,7 +261,10 @@ function split(text) {
 function joins(text, k) {
   const [before, after] = [text.slice(0, k).trimEnd(), text.slice(k).trim()];
   if (after === "*") return STARRED.test(`${before}*`);
-  if (before.endsWith("*") && after && !"*/^)=".includes(after[0]) && STARRED.test(before)) return false;
+  if (before.endsWith("*") && after && !"*/^)=".includes(after[0])) {
+    if (SLIDING.test(before) && number(after.split(/\s/)[0]) !== null) return false;
+    if (STARRED.test(before)) return false;
+  }
   if (!before || !after || "+-*/^=(".includes(before.at(-1)) || "*/^)=".includes(after[0])) return true;
   return (
     ("+-".includes(after[0]) && after.length > 1 && /\s/.test(after[1])) ||
