@@ -318,6 +318,25 @@ def test_one_slip_is_told_among_lengths_that_are_rounded(right, wrong, causes):
 
 
 @pytest.mark.parametrize(
+    ("typed", "lengths", "grade"),
+    [
+        ("301", "mm", "rounded"),
+        ("$301$", "mm", "rounded"),
+        ("300.+1.", "mm", "rounded"),
+        ("302", "mm", "wrong"),
+        # Whole numbers among formulas and full floats are exact; those of centimetres are coarse.
+        ("3010/10", "mm", "wrong"),
+        ("301.0000000000001", "mm", "wrong"),
+        ("30.1", "cm", "rounded"),
+        ("30", "cm", "wrong"),
+        ("12", "in", "wrong"),
+    ],
+)
+def test_whole_millimetres_are_rounded_lengths(typed, lengths, grade):
+    assert said(f"{typed} 0 0 q1", "0.3006 0 0 q1", lengths=lengths).grade == grade
+
+
+@pytest.mark.parametrize(
     ("zero", "theta", "cause"),
     [
         ("0", "0.4", "table.twists in degrees"),
@@ -493,6 +512,11 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
         (LEVEL.replace("pi/2 0.3 0; 0.3 pi/2 0.2", "-pi/2 0.3 0; 0.3 -pi/2 -0.1"), LEVEL, {},
          "right",
          [JOINTS.format("its q_2 is -(your q_2)"), BASE.format("100 mm lower", 2)]),
+        (ELBOWED.replace("0.3 ", "300 ").replace("0.2 ", "200 ").replace("0.05", "50")
+         .replace("0.25", "250"), ELBOWED, {"lengths": "mm"}, "right",
+         [BASE.format("399.6 mm higher", 1), "in another unit, d in row 1 would put your base "]),
+        (ELBOWED.replace("0.4", "400"), ELBOWED, {}, "right",
+         [BASE.format("399600 mm lower", 1), "in another unit, d in row 1 would put your base "]),
         # A thousandth of a degree is no zero of its own.
         (GENERIC.replace("q3+0.3", "q3+0.30001"), GENERIC, {}, "right", []),
         # Told along axis 1 also where the parallel axis 2 points the other way.
@@ -517,6 +541,11 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
           "alpha in row 4, -4.71, is taken as -3 pi/2; write it so"]),
         ("0 pi/2 0.4 q1; 0.301 0 0 q2; 0.2 pi/2 0.050 q3; 0 0 0.250 q4",
          ELBOWED.replace("0.3 ", "0.3006 "), {}, "rounded", []),
+        # Rounded angles beside whole lengths.
+        ("20 1.1 -20 -q1+1.871; 30 0.7 -20 3.542; -20 0 50 q3",
+         "-0.2 -1.1 -0.2 q1-pi/2; 0.3 0.7 -0.2 0.4; -0.2 0 0.5 q3", {"lengths": "cm"}, "rounded",
+         [JOINTS.format("its q_1 is your q_1 + 17.179°; its q_3 is your q_3 + 0.018016°"),
+          BASE.format("0.2782 mm higher", 1)]),
     ],
 )  # fmt: skip
 def test_what_is_free_in_a_right_table_is_noted(typed, reference, options, grade, notes):

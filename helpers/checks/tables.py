@@ -44,9 +44,10 @@ _ANGLES = ("alpha", "theta")
 _ANGLE = 1e-4  # rad: angles are often written with four decimals
 _LENGTH = 1e-6  # m
 _DECIMAL = re.compile(r"\d*\.\d+(?:[eE][+-]?\d+)?")
+_LOW = 1e-2  # m: a base no higher tells no unit
 _SHORT = 1e3 / math.sqrt(10)  # mm for each m: less is nearer to the arm's size in centimetres
 _COARSEST = 1e-3  # m: lengths typed to the millimetre are still lengths
-_WHOLE = 1.0  # the unit of lengths without decimals
+_WHOLES = re.compile(r"(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*")  # and their sums
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,7 @@ class Table:
     texts: list[Mapping[str, str]]
     length_unit: float
     angle_unit: float
+    length_scale: float
     angle_scale: float
     said: tuple[str, ...]
     modified: bool = False
@@ -169,7 +171,8 @@ def _of_typed(typed: reading.TypedTable, wanted: Rows) -> Table:
     first = typed.rows[0].numbers
     return replace(
         table,
-        length_unit=(table.length_unit or _WHOLE) * meant.length,
+        length_unit=_whole_unit(typed, meant.length) or table.length_unit * meant.length,
+        length_scale=meant.length,
         angle_unit=table.angle_unit * meant.angle,
         angle_scale=meant.angle,
         modified=modified,
@@ -180,13 +183,23 @@ def _of_typed(typed: reading.TypedTable, wanted: Rows) -> Table:
 
 def _table(name: str, rows: list[Numbers], texts: list, said: tuple[str, ...]) -> Table:
     length, angle = (_unit(texts, columns) for columns in (("a", "d"), _ANGLES))
-    return Table(name, rows, texts, length, angle, 1.0, said)
+    return Table(name, rows, texts, length, angle, 1.0, 1.0, said)
 
 
 def _unit(texts: list[Mapping[str, str]], columns: tuple[str, str]) -> float:
     """The unit of the last place of the decimals in some columns; 0 where there are none."""
     found = [x for t in texts for c in columns for x in _DECIMAL.findall(t.get(c, ""))]
     return max(units(found), default=0.0)
+
+
+def _whole_unit(typed: reading.TypedTable, scale: float) -> float:
+    """The unit of lengths that are all whole numbers of a small size; 0 for others. Whole numbers
+    among formulas are exact.
+    """
+    lengths = (
+        row.texts[c] for row in typed.rows for c in ("a", "d") if (row.kind, c) != ("P", "d")
+    )
+    return scale if scale <= _COARSEST and all(map(_WHOLES.fullmatch, lengths)) else 0.0
 
 
 def _squared(rows: Rows) -> list[Numbers]:
@@ -269,9 +282,8 @@ class _Judged:
             return self._same(RIGHT, self.found)
         if self.tolerance is None:
             length, angle = _rounding(self.table)
-            reach = max(abs(x) for r in self.mine.rows for x in (r.a, r.d))
             # A turned axis meets the next one elsewhere.
-            wide = max(self.exact, 2 * length, 2.5 * angle * reach)
+            wide = max(self.exact, 2 * length, 2.5 * angle * _reach(self.mine.rows))
             near = compared(self.mine, self.ref, wide, max(_ANGLE, 4 * angle))
             if not near.differences:
                 return self._same(ROUNDED, near)
@@ -290,6 +302,10 @@ class _Judged:
         return _different(self.table, self.reference, self.mine, self.ref, found, exact)
 
 
+def _reach(rows: Rows) -> float:
+    return max(abs(x) for r in rows for x in (r.a, r.d))
+
+
 def _rounding(table: Table) -> tuple[float, float]:
     """Half a unit of the lengths and of the angles, where it is small enough to be a rounding."""
     length, angle = (
@@ -301,12 +317,14 @@ def _rounding(table: Table) -> tuple[float, float]:
 def _same(
     grade: str, table: Table, reference: Arm, mine: Side, ref: Side, found: Compared
 ) -> Report:
-    loose = _LENGTH if grade == RIGHT else 10 * table.length_unit
+    last = table.length_unit or table.angle_unit * _reach(mine.rows)
+    loose = _LENGTH if grade == RIGHT else 10 * last
     mapped = joint_map(mine, ref, found, loose)
     figures: dict[str, Any] = {"upside down": found.upside_down}
     notes = [
         *_zeros(table, mapped, mine, ref),
         *_base(table, mine, found, mapped),
+        *_two_units(table, mine, found),
         *_tool(found),
         *_written(table),
     ]
@@ -343,6 +361,18 @@ def _base(table: Table, mine: Side, found: Compared, mapped: Map | None = None) 
         if abs(higher) > _LENGTH:
             way = say("higher") if higher > 0 else say("lower")
             yield say(key, height=size(round(1000 * abs(higher), 6), 4), way=way, row=row)
+
+
+def _two_units(table: Table, mine: Side, found: Compared) -> Iterator[str]:
+    """A word on the row up to joint 1 whose d puts the base where the reference's is once it is
+    read in metres among smaller units, or in millimetres among metres.
+    """
+    factor = 1 / table.length_scale if table.length_scale < 1 else 1e-3
+    for row in range(1, mine.joints[0] + 1):
+        d = table.rows[row - 1].d
+        off = abs(abs(d * (factor - 1)) - abs(found.base_higher))
+        if abs(d * factor) >= _LOW and off < 0.51 * _COARSEST:
+            yield say("base unit", row=table.row_of(row, "d"))
 
 
 def _tool(found: Compared) -> Iterator[str]:

@@ -21,9 +21,10 @@ const ENTRY = 0.7; // what a wrong entry costs, where a cause costs 1
 const BY_AXES = 0.5; // what it costs besides that entries still differ though the axes agree
 const ANGLE = 1e-4; // rad: angles are often written with four decimals
 const LENGTH = 1e-6; // m
+const LOW = 1e-2; // m: a base no higher tells no unit
 const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
-const WHOLE = 1; // the unit of lengths without decimals
+const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
 /** @typedef {import("../axes.js").Numbers} Numbers */
@@ -134,7 +135,7 @@ function tableOf(typed, found) {
     name: say("your table"),
     rows: found.rows,
     texts,
-    lengthUnit: (unitOf(texts, ["a", "d"]) || WHOLE) * found.length,
+    lengthUnit: wholeUnit(typed, found.length) || unitOf(texts, ["a", "d"]) * found.length,
     angleUnit: unitOf(texts, ["alpha", "theta"]) * found.angle,
     lengthScale: found.length,
     angleScale: found.angle,
@@ -149,6 +150,14 @@ function tableOf(typed, found) {
 function unitOf(texts, columns) {
   const found = texts.flatMap((row) => columns.flatMap((column) => row[column].match(DECIMAL) ?? []));
   return Math.max(0, ...units(found));
+}
+
+// The unit of lengths that are all whole numbers of a small size; 0 for others. Whole numbers among formulas are exact.
+function wholeUnit(typed, scale) {
+  const lengths = typed.rows.flatMap(({ kind, texts }) =>
+    kind === "prismatic" ? [texts.a] : [texts.a, texts.d],
+  );
+  return scale <= COARSEST && lengths.every((text) => WHOLES.test(text)) ? scale : 0;
 }
 
 // The typed row, from 1, that holds an entry of a row of the table.
@@ -212,8 +221,7 @@ function judgedTable(table, reference, tolerance) {
   const good = () => {
     if (!found.differences.length) return agrees(RIGHT, found);
     if (tolerance !== null) return null;
-    const reach = Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
-    const wide = Math.max(exact, 2 * length, 2.5 * angle * reach); // a turned axis meets the next one elsewhere
+    const wide = Math.max(exact, 2 * length, 2.5 * angle * reach(rows)); // a turned axis meets the next one elsewhere
     const near = compared(mine, ref, wide, Math.max(ANGLE, 4 * angle));
     return near.differences.length ? null : agrees(ROUNDED, near);
   };
@@ -225,9 +233,12 @@ function judgedTable(table, reference, tolerance) {
   return { good, bad: other };
 }
 
+const reach = (rows) => Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
+
 /** @returns {Report} */
 function same(grade, table, reference, mine, ref, found) {
-  const loose = grade === RIGHT ? LENGTH : 10 * table.lengthUnit;
+  const last = table.lengthUnit || table.angleUnit * reach(mine.rows);
+  const loose = grade === RIGHT ? LENGTH : 10 * last;
   const mapped = jointMap(mine, ref, found, loose);
   const key = grade === RIGHT ? "table same" : "table rounded";
   return {
@@ -242,6 +253,7 @@ function same(grade, table, reference, mine, ref, found) {
     notes: [
       ...zeros(table, mapped, mine, ref),
       ...base(table, mine, found, mapped),
+      ...twoUnits(table, mine, found),
       ...tool(found),
       ...written(table),
     ],
@@ -268,6 +280,17 @@ function base(table, mine, found, mapped = null) {
   };
   if (lean <= ANGLE) return stands("base", along + rest);
   return [...stands("base", along), ...stands("base on z_0", rest)];
+}
+
+// A word on the row up to joint 1 whose d puts the base where the reference's is once it is read in metres among smaller
+// units, or in millimetres among metres.
+function twoUnits(table, mine, { baseHigher }) {
+  const factor = table.lengthScale < 1 ? 1 / table.lengthScale : 1e-3;
+  return table.rows.slice(0, mine.joints[0]).flatMap(({ d }, k) => {
+    const off = Math.abs(Math.abs(d * (factor - 1)) - Math.abs(baseHigher));
+    const near = Math.abs(d * factor) >= LOW && off < 0.51 * COARSEST;
+    return near ? [say("base unit", { row: rowOf(table, k + 1, "d") })] : [];
+  });
 }
 
 function tool({ tilts }) {
