@@ -229,7 +229,7 @@ def _typed(rng, arm: Arm, mine: np.ndarray, options: dict):
     if rng.random() < 0.2:
         mine = mine + rng.uniform(-1, 1, mine.shape) * 10.0**-d * float(rng.choice([1, 3, 5]))
     words = [[f"{x:.{d}f}" if d < 16 else repr(float(x)) for x in row] for row in mine]
-    if rng.random() < 0.1 and len(words) != arm.dof:
+    if rng.random() < 0.1:
         words = [list(column) for column in zip(*words, strict=True)]
     if rng.random() < 0.06:
         return _misshapen(rng, [[float(x) for x in row] for row in words])

@@ -83,6 +83,12 @@ def degrees(m, q):
         yield np.where(m.turns, factor * np.array(q), q)
 
 
+def other_units(m, q):
+    yield from (("J.degrees", x) for x in degrees(m, q))
+    if not all(m.turns):
+        yield "ik.slide in millimetres", np.where(m.turns, q, 1000 * np.array(q))
+
+
 # Jacobians
 
 
@@ -148,7 +154,7 @@ def test_every_mistaken_jacobian(m, frame):
         return in_frame(m, q, J, frame)
 
     right, writes = m.jacobian(q), list(writings(m, q, frame))
-    befores = [*recipes(m, q), *(("J.degrees", m.jacobian(x)) for x in degrees(m, q))]
+    befores = [*recipes(m, q), *((name, m.jacobian(x)) for name, x in other_units(m, q))]
     befores += [(name, wrong.jacobian(q)) for name, wrong in tables(m)]
     known = jacobian_causes.singles(arm, q, frame)
     np.testing.assert_allclose(known.right, seen(right), atol=1e-9)
@@ -162,7 +168,7 @@ def test_every_mistaken_jacobian(m, frame):
 def test_every_two_mistakes_of_a_jacobian(m, frame):
     q = Q[: m.dof]
     right, writes = m.jacobian(q), list(writings(m, q, frame))
-    wrong = [("J.degrees", m, x) for x in degrees(m, q)]
+    wrong = [(name, m, x) for name, x in other_units(m, q)]
     wrong += [(name, other, q) for name, other in tables(m)]
     befores = [*recipes(m, q), *((name, other.jacobian(x)) for name, other, x in wrong)]
     both = [(f"{b} + {a}", write(J)) for a, write in writes for b, J in befores]

@@ -20,6 +20,7 @@ H = math.pi / 2
 BENT = np.array([0.3127, -0.7214, 0.9053, 0.4128, 0.8061, 0.2093])
 SEVEN = np.array([0.4, -0.3, 0.5, -0.9, -0.6, 0.8, 0.2])
 UR, HOMEWORK = KNOWN["UR10E"], KNOWN["UR10E_HOMEWORK"]
+SLID = np.array([0.3, -0.4, 0.6, 0.5, 1.1, -0.2])
 FRAMES = [T[:3, :3] for T in UR.frames(BENT)]
 J = UR.jacobian(BENT)
 SLEDGE = Arm("sledge", [prismatic(alpha=H, theta=H), prismatic()])
@@ -104,6 +105,9 @@ CAUSES = {
         np.vstack([FRAMES[3] @ J[:3], FRAMES[3] @ J[3:]]), frame=3
     ),
     "J.linear zero": lambda: jacobian(J * [[0], [0], [0], [1], [1], [1]]),
+    "ik.slide in millimetres, of q": lambda: checks.compare_jacobian(
+        KNOWN["STANFORD"].jacobian(SLID).round(4), STANFORD, SLID * [1, 1, 1000, 1, 1, 1]
+    ),
     "table.offset": lambda: jacobian(of_rows(HOMEWORK, 2, theta=0), UR10E_HOMEWORK),
     "table.twists": lambda: jacobian(
         UR.with_rows([(k, a, -alpha, d, t) for k, a, alpha, d, t in UR.rows]).jacobian(BENT)
@@ -241,6 +245,26 @@ def test_two_texts_are_two_joints():
     two = Arm("Two joints", [revolute(a=0.4), revolute(a=0.3)])
     assert checks.compare_pose(["0", "0"], two, [0.7, 0, 0]).grade == "right"
     assert checks.compare_pose([["q1", 0], ["q2", 0]], two, [0.7, 0, 0]).grade == "right"
+
+
+def test_a_square_of_answers_is_by_columns_where_that_alone_is_right():
+    found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
+    three = found.q[:3].round(4)
+    by_rows, by_columns = (checks.compare_branches(x, found) for x in (three, three.T))
+    assert by_rows.figures == by_columns.figures
+    assert (by_rows.taken, by_columns.taken) == ((), ("an answer per column",))
+    three[0, 0] += 0.3
+    assert checks.compare_branches(three.T, found).taken == ()
+
+
+@pytest.mark.parametrize("taken", [[0, 1], [0, 1, 2, 3], [0, 1, 2, 3, 4]])
+def test_what_is_missing_beyond_the_range_of_a_slide_is_no_sign_forgotten(taken):
+    found = inverse.stanford(STANFORD, KNOWN["STANFORD"].tip(SLID))
+    mine = found.q[found.q[:, 2].argsort()[::-1]][taken]
+    report = checks.compare_branches(mine, found)
+    notes = ("what is missing lies beyond the range of q_3, where the arm cannot go",)
+    assert report.notes == (notes if len(taken) > 3 else ())
+    assert "ik.one sign" not in report.causes
 
 
 def test_an_answer_where_there_is_no_branch():

@@ -224,6 +224,9 @@ def test_the_simplest_comes_first_and_what_costs_the_same_beside_it():
     assert not found.odd.any()
     two = Pairs([(ONE, TWO), (TWO, THREE)])
     assert told(mine, [mine, mine], two).causes == (ONE + TWO, TWO + THREE)
+    # No two mistakes are needed for one wrong entry.
+    one = [1, 0, 0, 0, 0, 0]
+    assert told(one, [one, one], two) is None
     # One entry left costs 0.7, less than a second mistake; with a weight of 1.2 it costs more.
     causes, made = [ONE + TWO, THREE], [mine, [1, 1, 1, 1, 0, 0]]
     assert told(mine, made, causes).causes == (THREE,)

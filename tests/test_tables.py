@@ -1,5 +1,6 @@
 """compare_tables accepts every valid choice of frames, and nothing else."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -240,6 +241,8 @@ def test_an_arms_own_entries_are_quoted():
 GENERIC = "0.1 pi/3 0.4 q1; 0.3 -pi/4 0.25 q2; 0.2 pi/2 0.05 q3+0.3; 0.15 0.6 0.35 q4"
 ELBOWED = "0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4"
 SLIDING = "0 pi/2 0.2 q1; 0 1 0.1 q2; 0.2 0.5 d3+0.2 0.4; 0.1 0 0.3 q4"
+LEANING = "0.1 0.4 0.3 0; 0.3 pi/2 0.2 q1; 0.2 0 0.1 q2"
+LEVEL = "0 pi/2 0.3 0; 0.3 pi/2 0.2 q1; 0.2 0 0.1 q2"
 ROOTED = "0.1 0 0 0; 0.3 0 0.2 q2; 0.2 pi/2 0 q3; 0.25 0 0.1 q4"
 SHOULDERED = "0.35 -pi/2 0.75 q1; 1.25 0 0 q2; -0.054 -pi/2 0 q3; 0 0 1.5 q4"
 
@@ -289,6 +292,29 @@ def said(typed, reference, **options):
 )  # fmt: skip
 def test_a_mistake_of_the_whole_table_is_named(typed, causes):
     assert said(typed, GENERIC).causes == (causes,)
+
+
+ROUNDED = """0 -pi/2 0.128 q1\n0.613 pi 0 q2-pi/2\n0.572 pi 0 q3
+0 pi/2 0.164 q4+pi/2\n0 -pi/2 0.116 q5\n0 0 0.192 q6"""
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "causes"),
+    [
+        ("-pi/2 0.128", "0 0.128", ("table.no twist:1",)),
+        ("0.116", "0", ("table.missing:d:5",)),
+        ("0 -pi/2 0.128", "0.05 -pi/2 0.128", ("table.too much:a:1",)),
+        ("0.572 pi 0", "0.572 pi 0.3", ("table.too much:d:3",)),
+    ],
+)
+def test_one_slip_is_told_among_lengths_that_are_rounded(right, wrong, causes):
+    mine = ROUNDED.replace(right, wrong)
+    for typed in (mine, re.sub(r"0\.(\d+)", lambda m: m[1].ljust(3, "0"), mine)):  # m, mm
+        report = compare_tables(typed, UR10E_HOMEWORK, columns="a alpha d theta")
+        assert (report.grade, report.causes) == ("wrong", causes), str(report)
+        assert len(report.findings) == 1
+    whole = re.sub(r"0\.", "", ROUNDED)
+    assert compare_tables(whole, UR10E_HOMEWORK, columns="a alpha d theta").grade == "rounded"
 
 
 @pytest.mark.parametrize(
@@ -459,6 +485,20 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
          {"convention": "craig"}, "right", [JOINTS.format("its q_3 is your q_2 + 17.189°")]),
         ("0.1 0 0.7 q1; 0.3 0 0 q2; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED, {"convention": "craig"},
          "right", [BASE.format("500 mm lower", 2)]),
+        # Along axis 1 the base may stand anywhere, and along z_0, which here is another line.
+        (LEANING.replace("0.2 q1", "0.5 q1"), LEANING, {}, "right",
+         [BASE.format("300 mm lower", 2)]),
+        (LEANING.replace("0.3 0;", "0.5 0;"), LEANING, {}, "right",
+         ["your base frame stands 200 mm lower along z_0 than the reference's. "]),
+        (LEVEL.replace("pi/2 0.3 0; 0.3 pi/2 0.2", "-pi/2 0.3 0; 0.3 -pi/2 -0.1"), LEVEL, {},
+         "right",
+         [JOINTS.format("its q_2 is -(your q_2)"), BASE.format("100 mm lower", 2)]),
+        # A thousandth of a degree is no zero of its own.
+        (GENERIC.replace("q3+0.3", "q3+0.30001"), GENERIC, {}, "right", []),
+        # Told along axis 1 also where the parallel axis 2 points the other way.
+        ("0.3 pi 0.6 q1; 0.2 pi/2 0.1 q2; 0.2 0.5 0.2 q3; 0.1 0 0.3 q4",
+         "0.3 pi 0.4 q1; 0.2 pi/2 0.1 q2; 0.2 0.5 0.1 q3; 0.1 0 0.3 q4", {}, "wrong",
+         [BASE.format("200 mm lower", 2)]),
         ("0 1.5708 0.4 q1; 0.3 0.00005 0 q2; 0.2 1.57 0.05 q3; 0 -3.1416 0.25 q4+4.7124", ELBOWED,
          {}, "right",
          [JOINTS.format("its q_4 is your q_4 - 90°"),

@@ -31,8 +31,10 @@ export const NORMAL = -1; // stands for the common normal where joints are liste
 
 /**
  * One table's walk, ready to be compared: `joints` are the rows that move, counted from 1; `foot` is how far axis 1
- * passes from z_0 and how far it leans from it, none but where fixed rows come first.
- * @typedef {{ rows: Numbers[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number], up: number }} Side
+ * passes from z_0 and how far it leans from it, none but where fixed rows come first; `axis` is its direction.
+ * @typedef {{
+ *   rows: Numbers[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number], axis: number[], up: number,
+ * }} Side
  */
 
 /**
@@ -66,13 +68,14 @@ export function side(rows) {
 }
 
 // How axis 1 stands to z_0; `up` is -1 where it points down.
-/** @returns {{ foot: [number, number], up: number }} */
+/** @returns {{ foot: [number, number], axis: number[], up: number }} */
 function foot(rows, first) {
   const { z, o } = linkFrames({ rows: rows.slice(0, first) }, []).at(-1);
   const n = cross([0, 0, 1], z);
   const far = norm(n) > TINY ? Math.abs(dot(o, n)) / norm(n) : Math.hypot(o[0], o[1]);
   return {
     foot: [rows[first].kind === "revolute" ? far : 0, arc(Math.abs(z[2]))],
+    axis: z,
     up: z[2] < -TINY ? -1 : 1,
   };
 }
@@ -130,7 +133,7 @@ function walk(arm, q) {
   const found = [
     gap(axes, upTo(0, stops[0]), [0, 0, 0], { offset: null, bunch: [], fromBase: true, toTip: false }),
   ];
-  let foot = frames[0].o;
+  let foot = turning.length ? feet([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1] : [0, 0, 0];
   let bunch = [];
   turning.forEach((i, n) => {
     const j = stops[n + 1];
@@ -214,8 +217,11 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
   return { differences, signs, ...turned, tilts };
 }
 
-// Whether z_0 points the other way.
-const upsideDown = (mine, reference, signs) => signs[0] * mine.up * reference.up < 0;
+// Whether z_0 points the other way, where axis 1 tells.
+const upsideDown = (mine, reference, signs) => !isLevel(mine) && signs[0] * mine.up * reference.up < 0;
+
+// Whether axis 1 points neither up nor down.
+const isLevel = ({ axis }) => Math.abs(axis[2]) < TINY;
 
 // Whether one list of costs comes before another.
 function less(p, q) {
@@ -240,10 +246,11 @@ function step(mine, reference, m, r, best, length, angle) {
     const alike = placesBase(m) && placesBase(r) && `${m.bunch}` === `${r.bunch}`;
     const note = alike && Math.abs(height(m, r, chosen[0])) > length;
     const over = upsideDown(mine, reference, before);
+    const turned = over || (isLevel(mine) && before[0] * dot(mine.axis, reference.axis) < 0);
     if (note && over && mine.joints[0] === 1)
       fresh.push(difference("table base", 1, "d", m.offset, -(r.offset ?? 0)));
     const far = fresh.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), cost[1]);
-    const notes = cost[2] + Number(note) + Number(over);
+    const notes = cost[2] + Number(note) + Number(turned);
     const choice = {
       cost: [cost[0] + fresh.length, Number(far.toFixed(9)), notes],
       signs: [...before, ...chosen.slice(1)],
@@ -268,7 +275,11 @@ const height = (m, r, sign) => sign * (r.offset ?? 0) - (m.offset ?? 0);
 
 function baseHigher(mine, reference, signs) {
   const [m, r] = [mine, reference].map((s) => s.gaps.find(placesBase));
-  return m && r && `${m.bunch}` === `${r.bunch}` ? mine.up * height(m, r, signs[m.bunch.at(-1)]) : 0;
+  if (!m || !r || `${m.bunch}` !== `${r.bunch}`) return 0;
+  // The height is along the last of parallel axes, which may point the other way than axis 1.
+  const within = mine.gaps.slice(1, m.bunch.length);
+  const turned = within.reduce((x, g) => x * g.shape.get(`${g.joints}`), 1);
+  return mine.up * Math.round(turned) * height(m, r, signs[m.bunch.at(-1)]);
 }
 
 function unlikeJoints(mine, reference) {

@@ -138,7 +138,7 @@ def _walk(rows: Rows, q: Sequence[float]) -> list[Gap]:
     first = [*turning, dof][0]
     found = [_gap(axes, range(min(first + 1, dof)), (0.0, 0.0, 0.0), None, ())]
     bunch: tuple[int, ...] = ()
-    foot = T[0].o
+    foot = _feet(BASE.o, BASE.z, points[first], axes[first])[1] if turning else BASE.o
     for i, j in pairwise([*turning, dof]):
         end, other = (points[j], axes[j]) if j < dof else (T[-1].o, None)
         foot = foot if bunch else _onto(points[i], axes[i], foot)
@@ -241,7 +241,8 @@ class Difference(NamedTuple):
 @dataclass(frozen=True)
 class Side:
     """One table's walk, ready to be compared: `foot` is how far axis 1 passes from z_0 and how far
-    it leans from it, none but where fixed rows come first; `up` is 1, or -1 where it points down.
+    it leans from it, none but where fixed rows come first; `axis` is its direction, and `up` is 1,
+    or -1 where it points down.
     """
 
     rows: tuple[Numbers, ...]
@@ -249,6 +250,7 @@ class Side:
     gaps: list[Gap]
     tilt: float
     foot: tuple[float, float]
+    axis: Vector
     up: int
 
 
@@ -269,7 +271,9 @@ def side(rows: Rows) -> Side:
     """A table's walk; it needs a joint."""
     axis = frames(rows[: joints(rows)[0] - 1], ())[-1]
     up = -1 if axis.z[2] < -_TINY else 1
-    return Side(tuple(rows), joints(rows), gaps(rows), tool_tilt(rows), _foot(rows, axis), up)
+    return Side(
+        tuple(rows), joints(rows), gaps(rows), tool_tilt(rows), _foot(rows, axis), axis.z, up
+    )
 
 
 def _foot(rows: Rows, axis: Frame) -> tuple[float, float]:
@@ -305,8 +309,13 @@ def compared(mine: Side, reference: Side, length: float = 1e-6, angle: float = 1
 
 
 def _upside_down(mine: Side, reference: Side, signs: tuple[int, ...]) -> bool:
-    """Whether z_0 points the other way."""
-    return signs[0] * mine.up * reference.up < 0
+    """Whether z_0 points the other way, where axis 1 tells."""
+    return not _level(mine) and signs[0] * mine.up * reference.up < 0
+
+
+def _level(one: Side) -> bool:
+    """Whether axis 1 points neither up nor down."""
+    return abs(one.axis[2]) < _TINY
 
 
 def _step(
@@ -324,10 +333,11 @@ def _step(
         )
         note = alike and abs(_height(m, r, signs[0])) > length
         over = _upside_down(mine, reference, before)
+        turned = over or (_level(mine) and before[0] * dot(mine.axis, reference.axis) < 0)
         if note and over and mine.joints[0] == 1:
             new += (Difference("table base", 1, "d", m.offset, -(r.offset or 0.0)),)
         far += sum(abs(x.mine - x.reference) for x in new)
-        cost = (count + len(new), round(far, 9), notes + note + over)
+        cost = (count + len(new), round(far, 9), notes + note + turned)
         choice = (cost, before + signs[1:], old + new)
         last = signs[-1]
         if last not in found or choice[0] < found[last][0]:
@@ -343,7 +353,9 @@ def _base_higher(mine: Side, reference: Side, signs: tuple[int, ...]) -> float:
     m, r = (next((g for g in s.gaps if g.places_base), None) for s in (mine, reference))
     if m is None or r is None or m.bunch != r.bunch:
         return 0.0
-    return mine.up * _height(m, r, signs[m.bunch[-1]])
+    # The height is along the last of parallel axes, which may point the other way than axis 1.
+    turned = math.prod(g.shape[g.joints] for g in mine.gaps[1 : len(m.bunch)])
+    return mine.up * round(turned) * _height(m, r, signs[m.bunch[-1]])
 
 
 def _unlike(mine: Side, reference: Side) -> Iterator[Difference]:

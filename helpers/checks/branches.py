@@ -74,6 +74,10 @@ def compare_branches(
         raise ArmError(say("one target", arm=arm.name, count=found.distance.size))
     typed, taken = answers(mine, arm, angles)
     right = _apart(found)
+    if len(typed.values) == arm.dof > 1 and not _hits(right, typed, tolerance)[0]:
+        columns, said = answers(mine, arm, angles, by_columns=True)
+        if not _hits(right, columns, tolerance)[1]:
+            typed, taken = columns, said
     if angles == "rad" and _only_as_degrees(right, typed, tolerance):
         degrees = door.in_radians(typed, arm)
         return _report(right, degrees, tolerance, taken, inverse_causes.cause("ik.degrees"))
@@ -108,8 +112,12 @@ def _only_as_degrees(right: _Branches, typed: Typed, tolerance: float | None) ->
     )
 
 
-def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]]:
-    """Joint vectors (answers, dof) with their units, however they were held."""
+def answers(
+    mine: object, arm: Arm, angles: str, *, by_columns: bool = False
+) -> tuple[Typed, tuple[str, ...]]:
+    """Joint vectors (answers, dof) with their units, however they were held; a square is read by
+    rows unless told.
+    """
     what = f"{arm.name}: q"
     typed = door.numbers(door.unnamed(mine), what, wanted=f"joint vectors (answers, {arm.dof})")
     said: tuple[str, ...] = ()
@@ -117,7 +125,7 @@ def answers(mine: object, arm: Arm, angles: str) -> tuple[Typed, tuple[str, ...]
         none = np.zeros((0, arm.dof))
         return Typed(none, none), ()
     values, units = (np.atleast_2d(np.squeeze(x)) for x in (typed.values, typed.units))
-    if values.shape[1] != arm.dof == values.shape[0]:
+    if by_columns or values.shape[1] != arm.dof == values.shape[0]:
         values, units, said = values.T, units.T, (say("taken: answer per column"),)
     if values.shape[1:] != (arm.dof,):
         shape = "x".join(map(str, typed.values.shape))
@@ -218,7 +226,8 @@ def _report(
     if missing and (found or not astray):
         words = say("ik missing", names="; ".join(missing))
         findings.append(Finding("missing", "", None, None, words))
-    one_sided = _one_sided(right, missing, found)
+    unreachable = _out_of_range(right, missing, found)
+    one_sided = [] if unreachable else _one_sided(right, missing, found)
     findings += one_sided
     named += [f.what for f in one_sided]
     figures = {
@@ -227,7 +236,7 @@ def _report(
         "of": len(right.names),
         "wrong": len(astray),
     }
-    notes = (*_notes(right), *_twice(arm, typed))
+    notes = (*_notes(right), *_twice(arm, typed), *unreachable)
     coarse = tolerance is None and _coarse(right, typed)
     grade = (
         WRONG if whole or astray else SO_FAR if missing or coarse else RIGHT if sharp else ROUNDED
@@ -289,6 +298,16 @@ def _one_sided(right: _Branches, missing: list[str], found: list[str]) -> list[F
             key = "ik.one sign" if k or not right.arm.turning[0] else "ik one side"
             return [Finding("ik.one sign", "", None, None, say(key, joint=f"q_{i}"))]
     return []
+
+
+def _out_of_range(right: _Branches, missing: list[str], found: list[str]) -> list[str]:
+    """A word where what is missing has a slide beyond its range."""
+    if not (found and missing):
+        return []
+    q, (least, most) = right.q[np.isin(right.names, missing)], right.arm.limits
+    beyond = ((q < least) | (q > most)).all(axis=0) & ~right.arm.turning
+    joints = [f"q_{right.arm.joints[k]}" for k in np.flatnonzero(beyond)]
+    return [say("ik out of range", joints=listed(joints))] if joints else []
 
 
 def _twice(arm: Arm, typed: Typed) -> Iterator[str]:

@@ -17,6 +17,7 @@ from helpers.checks.ranking import Cause, Pairs, cause
 
 Array = NDArray[Any]
 RAD = np.pi / 180
+_MILLIMETRES = 10.0  # a slide this long is in no metres
 
 
 @dataclass(frozen=True)
@@ -98,14 +99,20 @@ class _At:
 
     def recipes(self) -> Iterator[tuple[Cause, Array]]:
         yield from wrong_recipes(self.chain)
-        for found, wrong in self.degrees():
+        for found, wrong in self.other_units():
             yield found, columns(wrong)
 
-    def degrees(self) -> Iterator[tuple[Cause, Chain]]:
-        """q taken in degrees, and in radians where degrees were meant."""
+    def other_units(self) -> Iterator[tuple[Cause, Chain]]:
+        """q taken in degrees, and in radians where degrees were meant; and its slides in
+        millimetres, or in metres where they are so long.
+        """
         q = self.chain.q
         for change in (np.radians, np.degrees):
             yield cause("J.degrees"), self.chain.with_(q=np.where(self.turning, change(q), q))
+        if not self.turning.all():
+            factor = 1e-3 if np.abs(q[~self.turning]).max() > _MILLIMETRES else 1e3
+            wrong = self.chain.with_(q=np.where(self.turning, q, factor * q))
+            yield cause("ik.slide in millimetres"), wrong
 
     # The table
 
@@ -117,8 +124,8 @@ class _At:
         yield from zip(causes, columns(_stacked(wrong)), strict=True)
 
     def twice(self) -> Iterator[tuple[list[tuple[Cause, Cause]], Array]]:
-        """The wrong recipes on the wrong tables, and on q in degrees."""
-        wrong = [*self.degrees(), *wrong_tables(self.arm, self.chain)]
+        """The wrong recipes on the wrong tables, and on q in other units."""
+        wrong = [*self.other_units(), *wrong_tables(self.arm, self.chain)]
         for second, J in wrong_recipes(_stacked([c for _, c in wrong])):
             yield [(first, second) for first, _ in wrong], J
 

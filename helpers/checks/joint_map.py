@@ -48,11 +48,6 @@ class Map(NamedTuple):
     offsets: tuple[float, ...]
     base: Frame
 
-    @property
-    def is_identity(self) -> bool:
-        """Whether the same q means the same pose."""
-        return all(s == 1 for s in self.signs) and all(abs(c) < _SEEN for c in self.offsets)
-
     def yours(self, joints: Iterable[float]) -> list[float]:
         """Your joints where the reference's have these values."""
         both = zip(self.signs, self.offsets, joints, strict=True)
@@ -70,7 +65,7 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
     """The map between two tables that agree, or None where it cannot be confirmed by the tips of
     some poses.
     """
-    base = _base(found)
+    base = _base(mine, reference, found)
     ours = _features(mine.rows, [0.0] * len(mine.joints), base, found.signs)
     offsets = [0.0] * len(mine.joints)
     forward = (1,) * len(mine.joints)
@@ -92,10 +87,12 @@ def joint_map(mine: Side, reference: Side, found: Compared, tolerance: float = 1
     return _confirmed(mine, reference, Map(found.signs, tuple(wrapped), base), tolerance)
 
 
-def _base(found: Compared) -> Frame:
-    if found.upside_down:
-        return _UPSIDE_DOWN._replace(o=(0.0, 0.0, -found.base_higher))
-    return BASE._replace(o=(0.0, 0.0, found.base_higher))
+def _base(mine: Side, reference: Side, found: Compared) -> Frame:
+    """Your base's frame in the reference's, as far as axis 1 tells."""
+    axis = frames(reference.rows[: reference.joints[0] - 1], ())[-1].z
+    up = mine.up * found.signs[0]
+    base = _UPSIDE_DOWN if found.upside_down else BASE
+    return base._replace(o=scaled(up * found.base_higher, axis))
 
 
 def _features(rows: Rows, q, base: Frame, signs: tuple[int, ...]) -> list[_Feature]:

@@ -1,8 +1,8 @@
 """Which mistakes explain an answer, the simplest and likeliest first.
 
 Each hypothesis is what an answer would be with one mistake, or two. It gains an entry where it
-explains a wrong one and loses one where it spoils a right one; it is named if it explains all, or
-gains at least three and most of what is wrong.
+explains a wrong one and loses one where it spoils a right one; it is named if it explains all, at
+least an entry for each mistake, or gains at least three and most of what is wrong.
 """
 
 from collections.abc import Sequence
@@ -106,7 +106,7 @@ def explain(
     least = np.where(
         edits > 1, np.maximum(4, PAIR_SHARE * wrong.sum()), np.maximum(3, SHARE * wrong.sum())
     )
-    named = np.flatnonzero(((left == 0) & wrong.any()) | (gained >= least))
+    named = np.flatnonzero(((left == 0) & (wrong.sum() >= edits)) | (gained >= least))
     if not named.size:
         return None
     cost = edits + odd * left

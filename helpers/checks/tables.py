@@ -46,6 +46,7 @@ _LENGTH = 1e-6  # m
 _DECIMAL = re.compile(r"\d*\.\d+(?:[eE][+-]?\d+)?")
 _SHORT = 1e3 / math.sqrt(10)  # mm for each m: less is nearer to the arm's size in centimetres
 _COARSEST = 1e-3  # m: lengths typed to the millimetre are still lengths
+_WHOLE = 1.0  # the unit of lengths without decimals
 
 
 @dataclass(frozen=True)
@@ -168,7 +169,7 @@ def _of_typed(typed: reading.TypedTable, wanted: Rows) -> Table:
     first = typed.rows[0].numbers
     return replace(
         table,
-        length_unit=table.length_unit * meant.length,
+        length_unit=(table.length_unit or _WHOLE) * meant.length,
         angle_unit=table.angle_unit * meant.angle,
         angle_scale=meant.angle,
         modified=modified,
@@ -285,7 +286,8 @@ class _Judged:
         """The report on another arm."""
         length = _rounding(self.table)[0] if self.tolerance is None else 0.0
         exact = max(self.exact, length)
-        return _different(self.table, self.reference, self.mine, self.ref, self.found, exact)
+        found = compared(self.mine, self.ref, exact)  # as what a cause leaves will be
+        return _different(self.table, self.reference, self.mine, self.ref, found, exact)
 
 
 def _rounding(table: Table) -> tuple[float, float]:
@@ -323,21 +325,24 @@ def _same(
 def _zeros(table: Table, mapped: Map | None, mine: Side, ref: Side) -> Iterator[str]:
     if mapped is None:
         yield say("map unknown")
-    elif not mapped.is_identity:
-        own = [table.row_of(i, "d") for i in mine.joints]
-        yield say("map", equations="; ".join(words(mapped, own, ref)))
+    elif told := words(mapped, [table.row_of(i, "d") for i in mine.joints], ref):
+        yield say("map", equations="; ".join(told))
 
 
 def _base(table: Table, mine: Side, found: Compared, mapped: Map | None = None) -> Iterator[str]:
-    """A word on where the base's frame stands on axis 1."""
-    higher = found.base_higher if mapped is None else mapped.base.o[2]
+    """A word on where the base's frame stands on axis 1, and on z_0 where axis 1 leans from it."""
     if found.upside_down:
         yield say("base upside down")
-    elif abs(higher) > _LENGTH:
-        way = say("higher") if higher > 0 else say("lower")
-        first = next((g for g in mine.gaps if g.places_base), None)
-        row = table.row_of(mine.joints[first.bunch[-1] if first else 0], "d")
-        yield say("base", height=size(round(1000 * abs(higher), 6), 4), way=way, row=row)
+        return
+    along, lean = found.base_higher, mine.foot[1]
+    rest = 0.0 if mapped is None else mapped.base.o[2] - along * math.cos(lean)
+    first = next((g for g in mine.gaps if g.places_base), None)
+    row = table.row_of(mine.joints[first.bunch[-1] if first else 0], "d")
+    leaning = (("base", along), ("base on z_0", rest))
+    for key, higher in leaning if lean > _ANGLE else (("base", along + rest),):
+        if abs(higher) > _LENGTH:
+            way = say("higher") if higher > 0 else say("lower")
+            yield say(key, height=size(round(1000 * abs(higher), 6), 4), way=way, row=row)
 
 
 def _tool(found: Compared) -> Iterator[str]:
@@ -382,7 +387,7 @@ def _different(
     two wrong entries, causes and single signs after which the axes agree, more wrong entries, or
     what is left of the axes.
     """
-    tries = list(_tries(list(mine.rows), reference, ref, table.modified))
+    tries = list(_tries(list(mine.rows), reference, ref, table.modified, length))
     equal = [t.cause for t in tries if t.cause and not t.entries]
     if equal:
         fewest = min(len(c.keys) for c in equal)
@@ -429,7 +434,9 @@ def _apart(c: Cause) -> float:
     return 0 if len(c.keys) == 1 and c.keys[0] in _ONE_ENTRY else _BY_AXES
 
 
-def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> Iterator[_Try]:
+def _tries(
+    rows: list[Numbers], reference: Arm, ref: Side, modified: bool, length: float
+) -> Iterator[_Try]:
     """Every reading with up to two causes, each with how many entries differ from the arm's."""
     others = [
         (None, ref),
@@ -440,7 +447,7 @@ def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> It
 
     def held(why: Cause | None, read: list[Numbers], arm: Side) -> _Try:
         squared = _squared(read)
-        return _Try(why, squared, arm, _unequal(squared, arm.rows))
+        return _Try(why, squared, arm, _unequal(squared, arm.rows, length))
 
     for first, read in usual.units(rows, ref.rows):
         for other, arm in others:
@@ -452,12 +459,12 @@ def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> It
             yield held(second + third, then(mend(rows)), ref)
 
 
-def _unequal(rows: Rows, wanted: Rows) -> float:
+def _unequal(rows: Rows, wanted: Rows, length: float = _LENGTH) -> float:
     """How many entries differ, the zeros of joints not counted; all where the rows do not
     correspond.
     """
     alike = [r.kind for r in rows] == [r.kind for r in wanted]
-    return len(_unequal_entries(rows, wanted)) if alike else math.inf
+    return len(_unequal_entries(rows, wanted, length)) if alike else math.inf
 
 
 def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[tuple[int, str]]:

@@ -37,7 +37,13 @@ export function compareBranches(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null } = options;
   const form = formOf(arm);
   const right = apart(arm, inverse(arm, form, asksPose(form) ? frameOf(target) : target));
-  const { answers: given, taken, typed } = answers(mine, arm, angles);
+  let { answers: given, taken, typed } = answers(mine, arm, angles);
+  if (given.length === joints(arm).length && given.length > 1 && !hitsOf(right, given, tolerance).hits.size) {
+    const columns = answers(mine, arm, angles, true);
+    if (!hitsOf(right, columns.answers, tolerance).astray.length) {
+      ({ answers: given, taken, typed } = columns);
+    }
+  }
   const { astray, ...report } = judged(right, given, angles, tolerance, taken);
   const dof = joints(arm).length;
   const asRows = !taken.length && typed.shape.at(-1) === dof;
@@ -81,10 +87,10 @@ function onlyAsDegrees(right, given, tolerance) {
 }
 
 /**
- * Joint vectors with their units, however they were held, and how they were read.
+ * Joint vectors with their units, however they were held, and how they were read; a square is read by rows unless told.
  * @returns {{ answers: Answer[], taken: string[], typed: import("./door.js").Typed }}
  */
-export function answers(mine, arm, angles) {
+export function answers(mine, arm, angles, byColumns = false) {
   const dof = joints(arm).length;
   const read = numbers(unnamed(mine), `${arm.name}: q`, undefined, `joint vectors (answers, ${dof})`);
   if (!read.values.length) return { answers: [], taken: [], typed: read };
@@ -97,7 +103,7 @@ export function answers(mine, arm, angles) {
   };
   if (shape.length === 2 && shape[1] === 1 && shape[0] === dof) turn();
   if (shape.length < 2) shape = [1, values.length];
-  if (shape.length === 2 && shape[1] !== dof && shape[0] === dof) {
+  if (shape.length === 2 && shape[0] === dof && (byColumns || shape[1] !== dof)) {
     turn();
     taken.push(say("taken: answer per column"));
   }
@@ -211,7 +217,8 @@ function reported(right, given, tolerance, taken, everywhere) {
   const wrong = astray.map((number) => wrongAnswer(right, given[number - 1], number, tolerance));
   const names = (there) => branches.flatMap(({ name }, k) => (hits.has(k) === there ? [name] : []));
   const [missing, found] = [names(false), names(true)];
-  const oneSided = oneSign(right, hits, missing, found);
+  const unreachable = outOfRange(right, hits, missing, found);
+  const oneSided = unreachable.length ? [] : oneSign(right, hits, missing, found);
   const all = [...wrong.flatMap(({ causes }) => causes.map(nameOf)), ...oneSided.map(({ what }) => what)];
   const findings = [...wrong.map(({ finding }) => finding), ...oneSided];
   if (missing.length && (found.length || !astray.length)) {
@@ -236,7 +243,7 @@ function reported(right, given, tolerance, taken, everywhere) {
     findings,
     causes: everywhere ? [nameOf(everywhere)] : [...new Set(all)],
     taken,
-    notes: [...notesOf(right), ...twice(arm, given)],
+    notes: [...notesOf(right), ...twice(arm, given), ...unreachable],
     figures: { found, right: found.length, of: branches.length, wrong: astray.length },
   };
 }
@@ -269,6 +276,19 @@ function oneSign({ arm, branches }, hits, missing, found) {
   if (k < 0) return [];
   const key = k || !turns[0] ? "ik.one sign" : "ik one side";
   return [{ what: "ik.one sign", where: "", words: say(key, { joint: variable(arm)[k] }) }];
+}
+
+// A word where what is missing has a slide beyond its range.
+function outOfRange({ arm, branches }, hits, missing, found) {
+  if (!found.length || !missing.length) return [];
+  const lacking = branches.filter((_, b) => !hits.has(b));
+  const turns = turning(arm);
+  const beyond = joints(arm).flatMap((row, k) => {
+    const { lower: least, upper: most } = arm.rows[row];
+    const inside = (x) => (least ?? -Infinity) <= x && x <= (most ?? Infinity);
+    return turns[k] || lacking.some(({ q }) => inside(q[k])) ? [] : [variable(arm)[k]];
+  });
+  return beyond.length ? [say("ik out of range", { joints: listed(beyond) })] : [];
 }
 
 // Whether an answer has too few digits to tell, and is not exact all the same, as whole degrees may be.

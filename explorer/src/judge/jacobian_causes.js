@@ -6,6 +6,7 @@ import * as chains from "./chains.js";
 import { numbered } from "./door.js";
 import { cause } from "./ranking.js";
 
+const MILLIMETRES = 10; // a slide this long is in no metres
 const WRITING = [
   "J.halves",
   "J.millimetres",
@@ -27,7 +28,7 @@ export function setting(arm, q, frame) {
   const right = chains.columns(here, T);
   const seen = (J) => (frame ? chains.seenIn(J, T[frame]) : J);
   const unseen = (J) => (frame ? chains.seenFrom(J, T[frame]) : J);
-  const befores = [...recipes(here), ...inDegrees(here), ...inTables(arm, here)];
+  const befores = [...recipes(here), ...inUnits(here), ...inTables(arm, here)];
   const at = { arm, frame, here, T, right, seen, unseen, befores, afters: [] };
   at.afters = [...writings(at)];
   return at;
@@ -54,7 +55,7 @@ export function* pairs(at) {
       yield [[first, second], two(at.unseen(one(at.right)))];
     }
   }
-  const wrong = [...degrees(at.here), ...wrongTables(at.arm, at.here)];
+  const wrong = [...otherUnits(at.here), ...wrongTables(at.arm, at.here)];
   const all = wrong.map(([, other]) => [...recipes(other)]);
   for (const second of all[0].keys()) {
     for (const [k, [first]] of wrong.entries()) {
@@ -87,14 +88,21 @@ export function* recipes(c) {
   for (let k = 0; k < T.length - 1; k++) yield [cause("J.point", { k }), chains.columns(c, T, { point: k })];
 }
 
-// q taken in degrees, and in radians where degrees were meant.
-const degrees = (c) =>
-  [(x) => x * RAD, (x) => x * DEG].map((change) => {
-    return [cause("J.degrees"), { ...c, q: c.q.map((x, k) => (c.turns[k] ? change(x) : x)) }];
-  });
+// q taken in degrees, and in radians where degrees were meant; and its slides in millimetres, or in metres where they
+// are so long.
+function otherUnits(c) {
+  const changed = (key, turns, change) => [
+    cause(key),
+    { ...c, q: c.q.map((x, k) => (c.turns[k] === turns ? change(x) : x)) },
+  ];
+  const found = [(x) => x * RAD, (x) => x * DEG].map((change) => changed("J.degrees", true, change));
+  if (c.turns.every(Boolean)) return found;
+  const factor = c.q.some((x, k) => !c.turns[k] && Math.abs(x) > MILLIMETRES) ? 1e-3 : 1e3;
+  return [...found, changed("ik.slide in millimetres", false, (x) => factor * x)];
+}
 
 const jacobian = (c) => chains.columns(c, chains.framesOf(c));
-const inDegrees = (c) => degrees(c).map(([one, other]) => [one, jacobian(other)]);
+const inUnits = (c) => otherUnits(c).map(([one, other]) => [one, jacobian(other)]);
 
 // The table
 

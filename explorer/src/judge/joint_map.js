@@ -15,13 +15,10 @@ const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times th
  * @typedef {{ signs: number[], offsets: number[], base: any }} Map
  */
 
-export const isIdentity = ({ signs, offsets }) =>
-  signs.every((s) => s === 1) && offsets.every((c) => Math.abs(c) < SEEN);
-
 // The map between two tables that agree, or null where it cannot be confirmed by the tips of some poses.
 /** @param {Side} mine @param {Side} reference @returns {Map | null} */
 export function jointMap(mine, reference, found, tolerance = 1e-6) {
-  const base = baseOf(found);
+  const base = baseOf(mine, reference, found);
   const still = mine.joints.map(() => 0);
   const plain = mine.joints.map(() => 1);
   const ours = features(mine.rows, still, base, found.signs);
@@ -49,9 +46,13 @@ export function jointMap(mine, reference, found, tolerance = 1e-6) {
 
 const BASE = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], o: [0, 0, 0] };
 
-function baseOf({ upsideDown, baseHigher: higher }) {
-  if (!upsideDown) return { ...BASE, o: [0, 0, higher] };
-  return { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, -1], o: [0, 0, -higher] };
+const UPSIDE_DOWN = { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, -1], o: [0, 0, 0] };
+
+// Your base's frame in the reference's, as far as axis 1 tells.
+function baseOf(mine, reference, { upsideDown, baseHigher, signs }) {
+  const axis = linkFrames({ rows: reference.rows.slice(0, reference.joints[0] - 1) }, []).at(-1).z;
+  const up = mine.up * signs[0];
+  return { ...(upsideDown ? UPSIDE_DOWN : BASE), o: scaled(up * baseHigher, axis) };
 }
 
 // What each joint carries, its axis: a line (point, direction), or for a slide a direction without place; then the tip

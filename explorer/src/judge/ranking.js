@@ -60,7 +60,7 @@ export function explainAll(mine, right, bands, candidates, weight = ODD) {
     const edits = parts.length > 1 ? 2 : parts[0].keys.length;
     for (const { band, count, least, named } of tests) {
       const odd = misfits(mine, A, band, count, least[edits - 1]);
-      const fits = odd ? count - odd >= least[edits - 1] : count > 0;
+      const fits = odd ? count - odd >= least[edits - 1] : count >= edits;
       if (fits) named.push({ cost: edits + weight * odd, parts, A });
     }
   }

@@ -3,7 +3,7 @@
 import { angleBetween, combinations, compared, placesBase, side } from "../axes.js";
 import { DEG } from "./angles.js";
 import { RIGHT, ROUNDED, units, WRONG } from "./digits.js";
-import { equations, isIdentity, jointMap } from "./joint_map.js";
+import { equations, jointMap } from "./joint_map.js";
 import { cause, nameOf, several } from "./ranking.js";
 import { lower, say, size } from "./say.js";
 import { ENTRIES, inMillimetres, meant, read } from "./table_reading.js";
@@ -23,6 +23,7 @@ const ANGLE = 1e-4; // rad: angles are often written with four decimals
 const LENGTH = 1e-6; // m
 const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
+const WHOLE = 1; // the unit of lengths without decimals
 const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
 /** @typedef {import("../axes.js").Numbers} Numbers */
@@ -133,7 +134,7 @@ function tableOf(typed, found) {
     name: say("your table"),
     rows: found.rows,
     texts,
-    lengthUnit: unitOf(texts, ["a", "d"]) * found.length,
+    lengthUnit: (unitOf(texts, ["a", "d"]) || WHOLE) * found.length,
     angleUnit: unitOf(texts, ["alpha", "theta"]) * found.angle,
     lengthScale: found.length,
     angleScale: found.angle,
@@ -216,7 +217,12 @@ function judgedTable(table, reference, tolerance) {
     const near = compared(mine, ref, wide, Math.max(ANGLE, 4 * angle));
     return near.differences.length ? null : agrees(ROUNDED, near);
   };
-  return { good, bad: () => different(table, reference, rows, wanted, found, Math.max(exact, length)) };
+  const other = () => {
+    const least = Math.max(exact, length);
+    // As what a cause leaves will be.
+    return different(table, reference, rows, wanted, compared(mine, ref, least), least);
+  };
+  return { good, bad: other };
 }
 
 /** @returns {Report} */
@@ -245,17 +251,23 @@ function same(grade, table, reference, mine, ref, found) {
 function zeros(table, mapped, mine, ref) {
   if (!mapped) return [say("map unknown")];
   const own = mine.joints.map((i) => rowOf(table, i, "d"));
-  return isIdentity(mapped) ? [] : [say("map", { equations: equations(mapped, own, ref).join("; ") })];
+  const told = equations(mapped, own, ref);
+  return told.length ? [say("map", { equations: told.join("; ") })] : [];
 }
 
-// A word on where the base's frame stands on axis 1.
+// A word on where the base's frame stands on axis 1, and on z_0 where axis 1 leans from it.
 function base(table, mine, found, mapped = null) {
-  const higher = mapped ? mapped.base.o[2] : found.baseHigher;
   if (found.upsideDown) return [say("base upside down")];
-  if (Math.abs(higher) <= LENGTH) return [];
-  const way = higher > 0 ? say("higher") : say("lower");
+  const [along, lean] = [found.baseHigher, mine.foot[1]];
+  const rest = mapped ? mapped.base.o[2] - along * Math.cos(lean) : 0;
   const row = rowOf(table, mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0], "d");
-  return [say("base", { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
+  const stands = (key, higher) => {
+    if (Math.abs(higher) <= LENGTH) return [];
+    const way = higher > 0 ? say("higher") : say("lower");
+    return [say(key, { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
+  };
+  if (lean <= ANGLE) return stands("base", along + rest);
+  return [...stands("base", along), ...stands("base on z_0", rest)];
 }
 
 function tool({ tilts }) {
@@ -291,7 +303,7 @@ const typedAs = (table, row, column) => textOf(table, row, column) ?? size(table
 // causes and single signs after which the axes agree, more wrong entries, or what is left of the axes.
 /** @param {Table} table @param {Compared} found @returns {Report} */
 function different(table, reference, rows, wanted, found, length) {
-  const all = tries(rows, reference, wanted, table.modified);
+  const all = tries(rows, reference, wanted, table.modified, length);
   const equal = all.filter((t) => t.cause && !t.entries);
   if (equal.length) {
     const fewest = Math.min(...equal.map((t) => edits(t.cause)));
@@ -344,7 +356,7 @@ const edits = (why) => why?.keys.length ?? 0;
 
 // Every reading with up to two causes, each with how many entries differ from the reference's.
 /** @returns {Try[]} */
-function tries(rows, reference, wanted, modified) {
+function tries(rows, reference, wanted, modified, length) {
   const others = [[null, wanted], ...usual.references(reference).map(([why, arm]) => [why, squared(arm)])];
   const mends = usual.structures(rows.length, modified);
   const whole = mends.filter(([why]) => why.keys[0] !== usual.EXCHANGED);
@@ -361,14 +373,14 @@ function tries(rows, reference, wanted, modified) {
       found.push([usual.joined(second, third), squared(then(mend(rows))), wanted]);
   }
   return found.map(([why, read, arm]) => ({
-    cause: why, rows: read, reference: arm, entries: differing(read, arm),
+    cause: why, rows: read, reference: arm, entries: differing(read, arm, length),
   })); // prettier-ignore
 }
 
 // How many entries differ; all where the rows do not correspond.
-function differing(rows, wanted) {
+function differing(rows, wanted, length = LENGTH) {
   const alike = rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
-  return alike ? unequal(rows, wanted).length : Infinity;
+  return alike ? unequal(rows, wanted, length).length : Infinity;
 }
 
 // The entries that differ, the zeros of joints not counted.
