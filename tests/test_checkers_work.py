@@ -94,4 +94,4 @@ def test_hypotheses_are_counted():
     assert len(jacobian_causes.pairs(*at).causes) <= 4000
     assert len(torques_causes.catalogue(load_, 1)[0]) <= 40
     assert len(torques_causes.catalogue(load_, 2)[0]) <= 320
-    assert len(list(tables._tries(rows, PANDA, side(tuple(rows)), False))) <= 160
+    assert len(list(tables._tries(rows, PANDA, side(tuple(rows)), False, 1e-6))) <= 160

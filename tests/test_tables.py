@@ -1,5 +1,6 @@
 """compare_tables accepts every valid choice of frames, and nothing else."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -291,6 +292,29 @@ def said(typed, reference, **options):
 )  # fmt: skip
 def test_a_mistake_of_the_whole_table_is_named(typed, causes):
     assert said(typed, GENERIC).causes == (causes,)
+
+
+ROUNDED = """0 -pi/2 0.128 q1\n0.613 pi 0 q2-pi/2\n0.572 pi 0 q3
+0 pi/2 0.164 q4+pi/2\n0 -pi/2 0.116 q5\n0 0 0.192 q6"""
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "causes"),
+    [
+        ("-pi/2 0.128", "0 0.128", ("table.no twist:1",)),
+        ("0.116", "0", ("table.missing:d:5",)),
+        ("0 -pi/2 0.128", "0.05 -pi/2 0.128", ("table.too much:a:1",)),
+        ("0.572 pi 0", "0.572 pi 0.3", ("table.too much:d:3",)),
+    ],
+)
+def test_one_slip_is_told_among_lengths_that_are_rounded(right, wrong, causes):
+    mine = ROUNDED.replace(right, wrong)
+    for typed in (mine, re.sub(r"0\.(\d+)", lambda m: m[1].ljust(3, "0"), mine)):  # m, mm
+        report = compare_tables(typed, UR10E_HOMEWORK, columns="a alpha d theta")
+        assert (report.grade, report.causes) == ("wrong", causes), str(report)
+        assert len(report.findings) == 1
+    whole = re.sub(r"0\.", "", ROUNDED)
+    assert compare_tables(whole, UR10E_HOMEWORK, columns="a alpha d theta").grade == "rounded"
 
 
 @pytest.mark.parametrize(

@@ -24,6 +24,11 @@ _NAMED = re.compile(
     r"['\"][^'\"]*['\"]\s*[,:]\s*|\\?\b(?:q|theta|th|θ|t|tau|τ)_?(?:\d|\{\d\})\s*[=:]\s*",
     flags=re.I,
 )
+# A vector that NumPy prints over several lines; a sign that stands one upright.
+_PRINTED = re.compile(r"[^\[\](){};,|&]*\[[^\[\](){};,|&]*\]\s*")
+_UPRIGHT = re.compile(
+    r"(?<=[\])}])\s*(?:\^\s*(?:T|\\top|\{\s*(?:T|\\top)\s*\})|\.T|\.?')\s*;?\s*\Z"
+)
 Lookup = Callable[[set[str]], dict[str, float]]
 
 
@@ -113,7 +118,7 @@ def _opened(mine: Any) -> Any:
 
 
 def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
-    rows = grid.without_header(grid.cells(text))
+    rows = _cells(text)
     widths = {len(row) for row in rows}
     if len(widths) > 1:
         told = ", ".join(map(str, sorted(widths)))
@@ -132,6 +137,17 @@ def _of_text(text: str, what: str, lookup: Lookup) -> Typed:
     steps = units([first for first, _ in scaled])
     steps = [u * factor for u, (_, factor) in zip(steps, scaled, strict=True)]
     return Typed(np.reshape(values, shape), np.reshape(steps, shape), symbolic=bool(names))
+
+
+def _cells(text: str) -> grid.Cells:
+    """The cells of a text; a vector is one however it is printed or stood upright."""
+    bare = _UPRIGHT.sub("", text)
+    rows = grid.without_header(grid.cells(bare))
+    if bare != text and len(rows) > 1 < len(rows[0]):
+        return grid.cells(text)  # which says that a matrix may not be
+    if _PRINTED.fullmatch(bare) and len({len(row) for row in rows}) > 1:
+        return [[cell for row in rows for cell in row]]
+    return rows
 
 
 def _plain_numbers(rows: grid.Cells) -> Array | None:

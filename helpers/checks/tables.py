@@ -46,6 +46,7 @@ _LENGTH = 1e-6  # m
 _DECIMAL = re.compile(r"\d*\.\d+(?:[eE][+-]?\d+)?")
 _SHORT = 1e3 / math.sqrt(10)  # mm for each m: less is nearer to the arm's size in centimetres
 _COARSEST = 1e-3  # m: lengths typed to the millimetre are still lengths
+_WHOLE = 1.0  # the unit of lengths without decimals
 
 
 @dataclass(frozen=True)
@@ -168,7 +169,7 @@ def _of_typed(typed: reading.TypedTable, wanted: Rows) -> Table:
     first = typed.rows[0].numbers
     return replace(
         table,
-        length_unit=table.length_unit * meant.length,
+        length_unit=(table.length_unit or _WHOLE) * meant.length,
         angle_unit=table.angle_unit * meant.angle,
         angle_scale=meant.angle,
         modified=modified,
@@ -285,7 +286,8 @@ class _Judged:
         """The report on another arm."""
         length = _rounding(self.table)[0] if self.tolerance is None else 0.0
         exact = max(self.exact, length)
-        return _different(self.table, self.reference, self.mine, self.ref, self.found, exact)
+        found = compared(self.mine, self.ref, exact)  # as what a cause leaves will be
+        return _different(self.table, self.reference, self.mine, self.ref, found, exact)
 
 
 def _rounding(table: Table) -> tuple[float, float]:
@@ -385,7 +387,7 @@ def _different(
     two wrong entries, causes and single signs after which the axes agree, more wrong entries, or
     what is left of the axes.
     """
-    tries = list(_tries(list(mine.rows), reference, ref, table.modified))
+    tries = list(_tries(list(mine.rows), reference, ref, table.modified, length))
     equal = [t.cause for t in tries if t.cause and not t.entries]
     if equal:
         fewest = min(len(c.keys) for c in equal)
@@ -432,7 +434,9 @@ def _apart(c: Cause) -> float:
     return 0 if len(c.keys) == 1 and c.keys[0] in _ONE_ENTRY else _BY_AXES
 
 
-def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> Iterator[_Try]:
+def _tries(
+    rows: list[Numbers], reference: Arm, ref: Side, modified: bool, length: float
+) -> Iterator[_Try]:
     """Every reading with up to two causes, each with how many entries differ from the arm's."""
     others = [
         (None, ref),
@@ -443,7 +447,7 @@ def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> It
 
     def held(why: Cause | None, read: list[Numbers], arm: Side) -> _Try:
         squared = _squared(read)
-        return _Try(why, squared, arm, _unequal(squared, arm.rows))
+        return _Try(why, squared, arm, _unequal(squared, arm.rows, length))
 
     for first, read in usual.units(rows, ref.rows):
         for other, arm in others:
@@ -455,12 +459,12 @@ def _tries(rows: list[Numbers], reference: Arm, ref: Side, modified: bool) -> It
             yield held(second + third, then(mend(rows)), ref)
 
 
-def _unequal(rows: Rows, wanted: Rows) -> float:
+def _unequal(rows: Rows, wanted: Rows, length: float = _LENGTH) -> float:
     """How many entries differ, the zeros of joints not counted; all where the rows do not
     correspond.
     """
     alike = [r.kind for r in rows] == [r.kind for r in wanted]
-    return len(_unequal_entries(rows, wanted)) if alike else math.inf
+    return len(_unequal_entries(rows, wanted, length)) if alike else math.inf
 
 
 def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[tuple[int, str]]:

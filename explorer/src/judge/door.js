@@ -68,8 +68,21 @@ export function unnamed(mine) {
 const shapeOf = (list) =>
   Array.isArray(list) ? [list.length, ...(list.length ? shapeOf(list[0]) : [])] : [];
 
+// A vector that NumPy prints over several lines; a sign that stands one upright.
+const PRINTED = /^[^[\](){};,|&]*\[[^[\](){};,|&]*\]\s*$/;
+const UPRIGHT = /(?<=[\])}])\s*(?:\^\s*(?:T|\\top|\{\s*(?:T|\\top)\s*\})|\.T|\.?')\s*;?\s*$/;
+
+// The cells of a text; a vector is one however it is printed or stood upright.
+function cellsOf(text) {
+  const bare = text.replace(UPRIGHT, "");
+  const rows = withoutHeader(cells(bare));
+  if (bare !== text && rows.length > 1 && rows[0].length > 1) return cells(text); // which says that a matrix may not be
+  const even = rows.every((row) => row.length === rows[0].length);
+  return PRINTED.test(bare) && !even ? [rows.flat()] : rows;
+}
+
 function ofText(text, what, known) {
-  const rows = withoutHeader(cells(text));
+  const rows = cellsOf(text);
   const widths = [...new Set(rows.map((row) => row.length))].sort((a, b) => a - b);
   if (widths.length > 1) {
     const row = rows.findIndex((one) => one.length < widths.at(-1));

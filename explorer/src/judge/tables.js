@@ -23,6 +23,7 @@ const ANGLE = 1e-4; // rad: angles are often written with four decimals
 const LENGTH = 1e-6; // m
 const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
+const WHOLE = 1; // the unit of lengths without decimals
 const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
 /** @typedef {import("../axes.js").Numbers} Numbers */
@@ -133,7 +134,7 @@ function tableOf(typed, found) {
     name: say("your table"),
     rows: found.rows,
     texts,
-    lengthUnit: unitOf(texts, ["a", "d"]) * found.length,
+    lengthUnit: (unitOf(texts, ["a", "d"]) || WHOLE) * found.length,
     angleUnit: unitOf(texts, ["alpha", "theta"]) * found.angle,
     lengthScale: found.length,
     angleScale: found.angle,
@@ -216,7 +217,12 @@ function judgedTable(table, reference, tolerance) {
     const near = compared(mine, ref, wide, Math.max(ANGLE, 4 * angle));
     return near.differences.length ? null : agrees(ROUNDED, near);
   };
-  return { good, bad: () => different(table, reference, rows, wanted, found, Math.max(exact, length)) };
+  const other = () => {
+    const least = Math.max(exact, length);
+    // As what a cause leaves will be.
+    return different(table, reference, rows, wanted, compared(mine, ref, least), least);
+  };
+  return { good, bad: other };
 }
 
 /** @returns {Report} */
@@ -297,7 +303,7 @@ const typedAs = (table, row, column) => textOf(table, row, column) ?? size(table
 // causes and single signs after which the axes agree, more wrong entries, or what is left of the axes.
 /** @param {Table} table @param {Compared} found @returns {Report} */
 function different(table, reference, rows, wanted, found, length) {
-  const all = tries(rows, reference, wanted, table.modified);
+  const all = tries(rows, reference, wanted, table.modified, length);
   const equal = all.filter((t) => t.cause && !t.entries);
   if (equal.length) {
     const fewest = Math.min(...equal.map((t) => edits(t.cause)));
@@ -350,7 +356,7 @@ const edits = (why) => why?.keys.length ?? 0;
 
 // Every reading with up to two causes, each with how many entries differ from the reference's.
 /** @returns {Try[]} */
-function tries(rows, reference, wanted, modified) {
+function tries(rows, reference, wanted, modified, length) {
   const others = [[null, wanted], ...usual.references(reference).map(([why, arm]) => [why, squared(arm)])];
   const mends = usual.structures(rows.length, modified);
   const whole = mends.filter(([why]) => why.keys[0] !== usual.EXCHANGED);
@@ -367,14 +373,14 @@ function tries(rows, reference, wanted, modified) {
       found.push([usual.joined(second, third), squared(then(mend(rows))), wanted]);
   }
   return found.map(([why, read, arm]) => ({
-    cause: why, rows: read, reference: arm, entries: differing(read, arm),
+    cause: why, rows: read, reference: arm, entries: differing(read, arm, length),
   })); // prettier-ignore
 }
 
 // How many entries differ; all where the rows do not correspond.
-function differing(rows, wanted) {
+function differing(rows, wanted, length = LENGTH) {
   const alike = rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
-  return alike ? unequal(rows, wanted).length : Infinity;
+  return alike ? unequal(rows, wanted, length).length : Infinity;
 }
 
 // The entries that differ, the zeros of joints not counted.
