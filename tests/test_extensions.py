@@ -15,7 +15,7 @@ from tools.pages import (
     assets,
     fold,
     keep_together,
-    keep_units,
+    keep_whole,
     say_plainly,
     size_unset,
 )
@@ -220,12 +220,13 @@ def test_unset_tex_is_about_as_wide_as_its_formula():
         ("in 5 s, 6 % of it", "in 5_s, 6_% of it"),
         ("4.9 N m at 9.81 m/s² and 2 kg m²", "4.9_N_m at 9.81_m/s² and 2_kg_m²"),
         ("2 springs and 3 masses, joint 2 grows", "2 springs and 3 masses, joint 2 grows"),
+        ("FK, 1 000 000 poses, 2 at 100", "FK, 1_000_000 poses, 2 at 100"),
     ],
 )
 def test_a_unit_stays_with_its_number(words, kept):
     paragraph = nodes.paragraph("", "", nodes.Text(words), nodes.literal("", "5 s"))
     for text in list(paragraph.findall(nodes.Text)):
-        keep_units(text)
+        keep_whole(text)
     assert paragraph.astext() == kept.replace("_", "\N{NO-BREAK SPACE}") + "5 s"
 
 
@@ -240,6 +241,35 @@ def test_a_unit_or_a_stop_stays_with_its_formula(behind, kept):
     assert both["classes"] == ["together"]
     assert both.astext() == "+5" + kept.replace(" ", "\N{NO-BREAK SPACE}")
     assert "".join(child.astext() for child in paragraph.children[1:]) == behind[len(kept) :]
+
+
+def test_what_opens_before_a_formula_stays_with_it():
+    paragraph = nodes.paragraph(
+        "", "", nodes.Text("tip (“"), nodes.math("", "x"), nodes.Text(" so)")
+    )
+    keep_together(paragraph[1])
+    assert [part.astext() for part in paragraph] == ["tip ", "(“x", " so)"]
+
+
+@pytest.mark.parametrize(
+    ("of", "words", "unbroken"),
+    [
+        (nodes.paragraph, "where z_{i-1}, 2 m-long, belongs", ["z_{i-1},"]),
+        (nodes.literal, "grade --as-root z_{i-1} -", ["--as-root"]),
+        (nodes.literal_block, "z_{i-1} --out", []),
+    ],
+)
+def test_an_index_and_an_option_are_not_parted_at_a_hyphen(of, words, unbroken):
+    paragraph = of("", "", nodes.Text(words))
+    keep_whole(paragraph[0])
+    assert paragraph.astext().replace("\N{NO-BREAK SPACE}", " ") == words
+    assert [part.astext() for part in paragraph.findall(nodes.inline)] == unbroken
+
+
+def test_what_is_to_be_typed_keeps_its_quotes():
+    paragraph = nodes.paragraph("", "", nodes.Text("“so”: x=”craig” or f[“arm”]"))
+    keep_whole(paragraph[0])
+    assert paragraph.astext() == '“so”: x="craig" or f["arm"]'
 
 
 def test_words_behind_a_formula_may_stand_on_the_next_line():

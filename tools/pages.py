@@ -41,8 +41,12 @@ WIDTHS = {
 SMALL, USUAL, CHARACTER = 0.43, 0.58, 0.421
 LINE = 25  # signs of a formula that any phone has room for
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
-MEASURED = re.compile(rf"(?<=\d) {UNIT}|N m(?!\w)")
+MEASURED = re.compile(rf"(?<=\d) (?:{UNIT}|\d{{3}}(?!\w))|N m(?!\w)")  # and 1 000
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
+OPENED = re.compile(r"[(\[“‘]+$")
+INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
+OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
+TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
 TIME = re.compile(r"(.*?)\s*\(([^()]+)\)")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
@@ -176,26 +180,42 @@ def fold(box: nodes.Element) -> None:
 
 
 def keep_together(formula: nodes.math) -> None:
-    """No line begins with the unit or the comma behind a formula, unless it may be as long as a
-    line."""
+    """No line begins with the unit or the comma behind a formula, and none ends with the bracket or
+    quote before it, unless it may be as long as a line."""
     if len(SIGN.findall(formula.astext())) > LINE:
         return
-    after = formula.next_node(descend=False, siblings=True)
-    if not isinstance(after, nodes.Text) or not (mark := AFTER.match(after)) or not mark[0]:
+    place, parent = formula.parent.index(formula), formula.parent
+    before, after = (
+        parent[k] if 0 <= k < len(parent) and isinstance(parent[k], nodes.Text) else nodes.Text("")
+        for k in (place - 1, place + 1)
+    )
+    opened, closed = OPENED.search(before), AFTER.match(after)
+    front, behind = opened[0] if opened else "", closed[0] if closed else ""
+    if not front and not behind:
         return
-    behind = nodes.Text(mark[0].replace(" ", SPACE))
-    both = nodes.inline("", "", formula.deepcopy(), behind, classes=["together"])
-    after.parent.replace(after, nodes.Text(after[mark.end() :]))
-    formula.replace_self(both)
+    kept = [nodes.Text(front), formula.deepcopy(), nodes.Text(behind.replace(" ", SPACE))]
+    formula.replace_self(nodes.inline("", "", *kept, classes=["together"]))
+    if front:
+        parent.replace(before, nodes.Text(before[: -len(front)]))
+    if behind:
+        parent.replace(after, nodes.Text(after[len(behind) :]))
 
 
-def keep_units(text: nodes.Text) -> None:
-    """No line begins with the unit of a number."""
-    if isinstance(text.parent, nodes.literal | nodes.FixedTextElement | nodes.math):
+def keep_whole(text: nodes.Text) -> None:
+    """No line begins with the unit of a number, or within an index or a command's option; what is
+    to be typed keeps its straight quotes."""
+    if isinstance(text.parent, nodes.FixedTextElement | nodes.math):
         return
-    kept = MEASURED.sub(lambda found: found[0].replace(" ", SPACE), text)
-    if kept != text:
-        text.parent.replace(text, nodes.Text(kept))
+    kept, whole = text, OPTION
+    if not isinstance(text.parent, nodes.literal):
+        kept = MEASURED.sub(lambda found: found[0].replace(" ", SPACE), TYPED.sub(r'"\1"', text))
+        whole = INDEXED
+    parts = [
+        nodes.inline("", part, classes=["unbroken"]) if k % 2 else nodes.Text(part)
+        for k, part in enumerate(whole.split(kept))
+    ]
+    if kept != text or len(parts) > 1:
+        text.parent.replace(text, parts)
 
 
 def say_plainly(title: nodes.title) -> None:
@@ -226,7 +246,7 @@ def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
     for formula in list(doctree.findall(nodes.math)):
         keep_together(formula)
     for text in list(doctree.findall(nodes.Text)):
-        keep_units(text)
+        keep_whole(text)
     for table in list(doctree.findall(nodes.table)):
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
 

@@ -175,7 +175,7 @@ def test_the_bundle_waits_until_its_stub_is_near(browser):
         "document.addEventListener('DOMContentLoaded', () => document.querySelector('article').style.paddingTop = '4000px')"
     )
     reader.open((HTML / "explorer.html").as_uri())
-    reader.page.wait_for_timeout(300)
+    reader.page.evaluate(FRAMES, 6)
     assert not any(url.endswith("explorer.js") for url in reader.asked)
     reader.page.locator(INSTRUMENT).scroll_into_view_if_needed()
     reader.page.locator("section.explorer").wait_for()

@@ -123,6 +123,8 @@ MARKED = f"""() => {{
     }}
     axe.configure({{ rules: [{{ id: "color-contrast", selector: "[data-look]" }}] }});
 }}"""
+# By then the browser has laid out what was changed, and told who watches what is near.
+TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Formulas are set, and boxes fitted, when the reader comes near; for a printer, all at once.
 EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
@@ -288,7 +290,7 @@ def serious(page):
         "(d => d.theme = d.theme === 'dark' ? 'light' : 'dark')(document.documentElement.dataset)"
     )
     page.evaluate(ONLY_COLOURS)
-    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    page.evaluate(TWO_FRAMES)
     page.evaluate(MARKED)
     return found + page.evaluate(BAD)
 
@@ -343,17 +345,22 @@ SHIFTS = """window.shifts = 0; new PerformanceObserver(list => {
 }).observe({ type: "layout-shift", buffered: true })"""
 
 
+# The text is on the screen, in its own letters.
+READ = "performance.getEntriesByName('first-contentful-paint').length && document.fonts.status === 'loaded'"
+
+
 def test_lines_hardly_move_when_late_formulas_are_set(browser):
     reader = Reader(browser, "light", "phone", "file:", device_scale_factor=1.75, is_mobile=True)
     reader.page.add_init_script(SHIFTS)
 
     def late(route):
-        reader.page.wait_for_timeout(500)
+        reader.page.wait_for_function(READ)
         route.continue_()
 
     reader.page.route("**/mathjax/startup.js*", late)
-    page = reader.open((HTML / "03_circle_tracing.html").as_uri())
-    assert page.evaluate("window.shifts") < 0.05
+    for name in ("03_circle_tracing", "notation"):
+        page = reader.open((HTML / f"{name}.html").as_uri())
+        assert page.evaluate("window.shifts") < 0.05, name
     reader.context.close()
 
 
@@ -419,7 +426,7 @@ def test_an_arm_comes_to_life_at_the_first_sign_of_a_reader(browser):
     reader = Reader(browser, "light", "wide", "file:")
     page = reader.page
     page.goto((HTML / "intro.html").as_uri(), wait_until="networkidle")
-    page.wait_for_timeout(300)
+    page.evaluate(TWO_FRAMES)  # by then it is known what is near
     assert not any(url.endswith("explorer.js") for url in reader.asked)
     page.mouse.move(400, 400)
     page.locator("section.explorer").wait_for()
