@@ -122,7 +122,7 @@ CAUSES = {
     "table.d and theta": lambda: table(columns(0, 1, 3, 2), HOMEWORK, UR10E_HOMEWORK),
     "table.a and alpha": lambda: table(columns(1, 0, 2, 3)),
     "table.into craig": lambda: table(craig),
-    "table.number and sign": lambda: table(put(4, 2, -0.3)),
+    "table.number and sign": lambda: table(put(3, 0, -0.1), KNOWN["PANDA"], PANDA),
     "table.angle": lambda: table(put(1, 1, 1.0)),
     "ik.signs": lambda: branches(times(-1, 1, -1, 1, -1, 1), BENT, UR10E, inverse.ur),
     "ik.slide in centimetres": lambda: branches(
@@ -147,7 +147,7 @@ SAID = {
     "J.frame linear": "the linear rows are in the axes of frame 3, not of the base.",
     "table.offset": "the offset of theta in row 2 is forgotten.",
     "tau.joints reversed": "yours counts q_2, q_4 and q_7 the other way",
-    "table.number and sign": "d in row 4 is wrong, and goes the other way (you have -0.3).",
+    "table.number and sign": "a in row 3 is wrong, and goes the other way (you have -0.1).",
     "table.angle": f"alpha in row 1 is {90 - math.degrees(1):.1f}° off (you have 1).",
     "ik.signs": "q_1, q_3, q_5 have the wrong sign",
     "trace.axes exchanged": "the x and z coordinates are exchanged.",

@@ -207,8 +207,8 @@ def test_links_show_the_tables_torques_and_columns_that_the_errata_name(opened):
 
 @needs_node
 def test_links_lead_to_the_ways_that_the_errata_count(opened):
-    """Four for slip 22, infinitely many for 14; two shoulders, at angles of no quarter turn, for
-    15."""
+    """Four for slip 22, infinitely many for 14, whose joint 1 is free; two shoulders, at angles of
+    no quarter turn, for 15."""
     said = {}
     for number in (14, 15, 22):
         patch = opened[number]["patch"]
@@ -216,6 +216,7 @@ def test_links_lead_to_the_ways_that_the_errata_count(opened):
         said[number] = ask("verdicts", arm=patch["arm"], qs=[patch["q"]])[0]
     assert said[22]["counted"].startswith("Four ways")
     assert said[14]["counted"].startswith("Infinitely many ways")
+    assert "joint 1 is free" in said[14]["counted"]
     shoulders = {round(way["q"][0], 3) for way in said[15]["ways"]["list"]}
     assert len(said[15]["ways"]["list"]) == 4
     assert len(shoulders) == 2

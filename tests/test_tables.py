@@ -337,6 +337,26 @@ def test_whole_millimetres_are_rounded_lengths(typed, lengths, grade):
 
 
 @pytest.mark.parametrize(
+    ("arm", "mine", "where"),
+    [
+        (PANDA, """0 -pi/2 0.333 q1\n0 -pi/2 0 q2\n0.0825 pi/2 0 q3\n-0.0825 pi/2 0 q4
+0 -pi/2 0.384 q5+pi\n0.088 -pi/2 0 q6+pi\n0 0 -0.207 q7""", "row 3, d"),
+        (UR10E, """0 -pi/2 0.181 q1+pi\n-0.613 pi 0 q2+pi\n-0.572 0 -0.174 q3\n0 pi/2 0 q4+pi
+0 pi/2 0.12 q5+pi\n0.05 pi -0.217 q6+pi""", "row 6, a"),
+        (UR10E_HOMEWORK, ROUNDED.replace("0.164", "-0.2"), "row 4, d"),
+        (STANFORD, """0 pi/2 0 q1+pi\n0 pi/2 0.154 q2+pi\n0 0 d3 0\n0 0 0 q4
+0 -pi/2 0 q5\n0 0 0.263 q6""", "row 4, alpha"),
+        (STANFORD, """0 pi/2 0.02 q1+pi\n0 -pi/2 0.154 q2+pi\n0.05 0 d3 pi\n0 pi/2 0 q4
+0 -pi/2 0 q5+pi\n0 0 0.263 q6+pi""", "row 2, a"),
+    ],
+)  # fmt: skip
+def test_one_slip_in_frames_of_ones_own_is_told_alone(arm, mine, where):
+    report = compare_tables(mine, arm, columns="a alpha d theta")
+    assert (report.grade, report.causes) == ("wrong", ()), str(report)
+    assert [f.where for f in report.findings] == [where]
+
+
+@pytest.mark.parametrize(
     ("zero", "theta", "cause"),
     [
         ("0", "0.4", "table.twists in degrees"),

@@ -82,7 +82,8 @@ def _judged(q: Typed, arm: Arm, T: Typed, tolerance: float | None, taken) -> Rep
     found = _causes(q, arm, T, margin, miss, tolerance)
     if not found and _within(miss, _margins(q, arm, T, HALF, tolerance)):
         return good(SO_FAR)
-    found = found or _alone(q.values, arm, T.values, margin, miss)
+    if not found and not _within(miss, _FAR * np.array(margin)):
+        found = _alone(q.values, arm, T.values, _margins(fine, arm, T, HALF, tolerance))
     if found:
         words = several(found)
         headline = say("pose cause", arm=arm.name, off=off, cause=lower(words))
@@ -147,14 +148,11 @@ def _causes(
     return tuple(found)
 
 
-def _alone(
-    q: Array, arm: Arm, T: Array, margin: tuple[float, float], miss: tuple[float, float]
-) -> tuple[Cause, ...]:
-    """The one joint of which another value, or the one pair whose exchange, takes the tip to a pose
-    that it misses by far; nothing where more than one would, or for a point, which leaves more to
-    chance.
+def _alone(q: Array, arm: Arm, T: Array, margin: tuple[float, float]) -> tuple[Cause, ...]:
+    """The one joint of which another value, or the one pair whose exchange, takes the tip to T;
+    nothing where more than one would, or for a point, which leaves more to chance.
     """
-    if T.ndim == 1 or _within(miss, _FAR * np.array(margin)):
+    if T.ndim == 1:
         return ()
     found = tuple(
         c

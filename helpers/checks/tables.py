@@ -297,9 +297,7 @@ class _Judged:
     def bad(self) -> Report:
         """The report on another arm."""
         length = _rounding(self.table)[0] if self.tolerance is None else 0.0
-        exact = max(self.exact, length)
-        found = compared(self.mine, self.ref, exact)  # as what a cause leaves will be
-        return _different(self.table, self.reference, self.mine, self.ref, found, exact)
+        return _different(self.table, self.reference, self.mine, self.ref, max(self.exact, length))
 
 
 def _reach(rows: Rows) -> float:
@@ -410,13 +408,12 @@ def _typed(table: Table, row: int, column: str) -> str:
 # What differs, and why
 
 
-def _different(
-    table: Table, reference: Arm, mine: Side, ref: Side, found: Compared, length: float
-) -> Report:
+def _different(table: Table, reference: Arm, mine: Side, ref: Side, length: float) -> Report:
     """Why a table is another arm, the simplest first: causes after which every entry agrees, one or
     two wrong entries, causes and single signs after which the axes agree, more wrong entries, or
     what is left of the axes.
     """
+    found = compared(mine, ref, length)
     tries = list(_tries(list(mine.rows), reference, ref, table.modified, length))
     equal = [t.cause for t in tries if t.cause and not t.entries]
     if equal:
@@ -430,9 +427,9 @@ def _different(
         whole = _one_sign(mine.rows, ref, length)
     if whole is not None and whole.cause:
         return _bad(table, reference, [whole.cause])
-    if local is not None:
+    if local is not None and most <= _by_axes(found, local[1].cause):
         _, t, needed = local
-        entries = [_entry(table, t, k, column) for k, column in needed]
+        entries = [_entry(table, t, k, column, length) for k, column in needed]
         return _bad(
             table, reference, [t.cause] if t.cause else [], entries, () if t.cause else notes
         )
@@ -450,7 +447,24 @@ def _local(
         return None
     best = min(close, key=lambda t: _cost(t.cause) + _ENTRY * t.entries)
     needed = _needed(best, length)
-    return _cost(best.cause) + _ENTRY * len(needed), best, needed
+    mistakes = sum(_mistakes(best, k, column, length) for k, column in needed)
+    return _cost(best.cause) + _ENTRY * mistakes, best, needed
+
+
+def _mistakes(t: _Try, k: int, column: str, length: float) -> int:
+    """How many mistakes a wrong entry is: two where neither number nor sign is right."""
+    mine, wanted = getattr(t.rows[k], column), getattr(t.reference.rows[k], column)
+    return 1 + (_kind_of_error(column, k, mine, wanted, length)[0] == "table.number and sign")
+
+
+def _by_axes(found: Compared, c: Cause | None) -> float:
+    """What the differences of the axes cost, by which a table in frames of its own is judged.
+
+    No bound where joints do not correspond, or against entries alone where a twist differs: axes
+    that are parallel, and should not be, hide lengths.
+    """
+    hidden = c is None and any(d.entry == "alpha" for d in found.differences)
+    return math.inf if hidden or not found.signs else _ENTRY * len(found.differences)
 
 
 def _cost(c: Cause | None) -> float:
@@ -489,7 +503,7 @@ def _tries(
             yield held(second + third, then(mend(rows)), ref)
 
 
-def _unequal(rows: Rows, wanted: Rows, length: float = _LENGTH) -> float:
+def _unequal(rows: Rows, wanted: Rows, length: float) -> float:
     """How many entries differ, the zeros of joints not counted; all where the rows do not
     correspond.
     """
@@ -497,7 +511,7 @@ def _unequal(rows: Rows, wanted: Rows, length: float = _LENGTH) -> float:
     return len(_unequal_entries(rows, wanted, length)) if alike else math.inf
 
 
-def _unequal_entries(rows: Rows, wanted: Rows, length: float = _LENGTH) -> list[tuple[int, str]]:
+def _unequal_entries(rows: Rows, wanted: Rows, length: float) -> list[tuple[int, str]]:
     found = []
     for k, (row, other) in enumerate(zip(rows, wanted, strict=True)):
         kind, a, alpha, d, theta = row
@@ -528,7 +542,9 @@ def _agreeing(tries: list[_Try], length: float, most: float) -> _Try | None:
 
 
 def _one_sign(rows: Rows, ref: Side, length: float) -> _Try | None:
-    tries = (_Try(c, mended, ref, _unequal(mended, ref.rows)) for c, mended in usual.flips(rows))
+    tries = (
+        _Try(c, mended, ref, _unequal(mended, ref.rows, length)) for c, mended in usual.flips(rows)
+    )
     fits = [t for t in tries if not t.found(length).differences]
     return min(fits, key=lambda t: t.entries, default=None)
 
@@ -546,7 +562,7 @@ def _needed(t: _Try, length: float) -> tuple[tuple[int, str], ...]:
     return tuple(wrong)
 
 
-def _entry(table: Table, t: _Try, k: int, column: str) -> Finding:
+def _entry(table: Table, t: _Try, k: int, column: str, length: float) -> Finding:
     """One wrong entry in the student's numbers; its row is the student's, also where a and alpha
     were read one row on.
     """
@@ -554,15 +570,17 @@ def _entry(table: Table, t: _Try, k: int, column: str) -> Finding:
     craig = t.cause is not None and "table.craig" in t.cause.keys
     shift = int(craig and bool(table.rows[0].a or table.rows[0].alpha))
     row = table.row_of(k + 1, column) - shift + int(craig and column in ("a", "alpha"))
-    key, fields = _kind_of_error(column, row, mine, wanted)
+    key, fields = _kind_of_error(column, row, mine, wanted, length)
     typed = _typed(table, k + 1, column) if t.cause is None else size(mine, 6)
     said = say("table entry", typed=typed, words=say(key, **fields))
     return Finding(cause(key, **fields).name, f"row {row}, {column}", typed, None, said)
 
 
-def _kind_of_error(column: str, row: int, mine: float, wanted: float) -> tuple[str, dict]:
+def _kind_of_error(
+    column: str, row: int, mine: float, wanted: float, length: float
+) -> tuple[str, dict]:
     angular = column in _ANGLES
-    same = angle_between(mine, -wanted) < _ANGLE if angular else abs(mine + wanted) < _LENGTH
+    same = angle_between(mine, -wanted) < _ANGLE if angular else abs(mine + wanted) <= length
     if same and column == "alpha":
         return "table.twist", dict(row=row)
     if same:

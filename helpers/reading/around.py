@@ -35,7 +35,7 @@ _NAME = re.compile(  # J =, or dx/dq = J =
     r"(?:(?!\\[dt]?frac[0-9])[^-=0-9](?:(?!\\approx)[^=])*(?:=|\\approx))+"
 )
 _FACTOR = re.compile(
-    r"(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi)|[-+*/^0-9.,(){}]"
+    r"(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi|circ|degree)|[-+*/^0-9.,(){}°]"
     r"|(?<![A-Za-z])[A-Za-z](?:_[0-9A-Za-z])?(?![A-Za-z]))+"
 )
 _LATEX = (

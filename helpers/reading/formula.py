@@ -16,6 +16,7 @@ from helpers.inputs import ArmError, shown
 Tree = tuple
 KEPT = 4096  # texts whose reading is kept, for a table's cells are asked for in every order
 LONGEST = 20_000  # characters of one formula
+_TEN = 10.0  # whose powers are meant, 10^0 too
 DEEPEST = 60  # brackets in brackets
 
 FUNCTIONS: dict[str, Callable[[float], float]] = {
@@ -84,7 +85,7 @@ _SAME = {
     "$": " ",
     **{chr(0xFF10 + i): str(i) for i in range(10)},  # as typed among Chinese signs
     "°": " deg",
-    "º": " deg",
+    **dict.fromkeys("º˚◦∘", " deg"),
     "√": "sqrt",
     "⅓": "(1/3)",
     "½": "(1/2)",
@@ -105,6 +106,7 @@ _LATEX = (
     (r"\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)", " "),
     (r"_\s*\{\s*(\w+)\s*\}", r"_\1"),
     (r"_\s*\{\s*([\w+-]+)\s*\}", r"_{\1}"),
+    (r"(?<=[0-9])\^\s*\{?\s*o\s*\}?(?![A-Za-z0-9])", " deg"),
     (r"(\\[dt]?frac)\s*([0-9]|\\pi(?![A-Za-z]))", r"\1{\2}"),
     (r"(\\[dt]?frac\s*\{[^{}]*\})\s*([0-9]|\\pi(?![A-Za-z]))", r"\1{\2}"),
     (r"(?<=[0-9.)])\s*(deg|rad)(?:ree|ian)s?(?![A-Za-z0-9_]|\s*\()", r" \1"),
@@ -247,6 +249,8 @@ def _power(tokens: list, at: int, depth: int) -> tuple[Tree, int]:
     base, at = _atom(tokens, at, depth)
     if at < len(tokens) and tokens[at][1] == "^":
         exponent, at = _signed(tokens, at + 1, depth + 1)
+        if base[0] == "num" and base[1] > _TEN and exponent == ("num", 0.0):  # 90^0 is no 1
+            raise SyntaxError
         return ("^", base, exponent), at
     return base, at
 

@@ -41,7 +41,7 @@ _DOTTED_THOUSANDS = re.compile(r"[-+−]?[0-9]{1,3}(?:\.[0-9]{3})+,[0-9]+")
 _EITHER = re.compile(r"[-+−]?[1-9][0-9]{0,2},[0-9]{3}")  # a decimal comma, or one of thousands
 _DEGREES = re.compile(r"°|deg(?:rees?)?(?![A-Za-z0-9_]|\s*\()")
 _RADIANS = re.compile(r"rad(?:ian)?s?(?![A-Za-z0-9_]|\s*\()")
-_NO_HEAD = re.compile(r"[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*")
+_NO_HEAD = re.compile(r"[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*|[-+]?[0-9]{2,}.*")
 _NUMBERED = re.compile(r"\s*(?:(?:joint|link|row)\s*)?([0-9]+)[:)]\s+", re.I)
 _BULLET = re.compile(r"\s*[-–—]\s")
 _IN_DEGREES = re.compile(r".*[0-9.]\s*(?:°|º|deg(?:rees?)?)")
@@ -324,7 +324,7 @@ def _block(text: str) -> Cells:
         return _pointed_rows(
             [line.strip("\r\n ").rstrip(separator).split(separator) for line in lines]
         )
-    lines = [_QUOTED.sub(_of_quotes, line) for line in lines]
+    lines = [re.sub(r"\s*;\s*$", "", _QUOTED.sub(_of_quotes, line)) for line in lines]
     if any(_top_comma(line) for line in lines):
         return _by_commas(lines)
     lines = [re.sub(r"^\s*[\[|⎡⎢⎣⎛⎜⎝]+|[\]|⎤⎥⎦⎞⎟⎠]+\s*$", "", line) for line in lines]

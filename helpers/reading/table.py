@@ -358,7 +358,7 @@ def _numbered(entries: list[tuple[str, int, str]]) -> tuple[grid.Cells, list[str
 def _of_text(text: str) -> tuple[grid.Cells, list[str], tuple[str, ...]]:
     text = _unboxed(around.straight(text))
     if links := re.findall(
-        r"(Link|(?:Revolute|Prismatic)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)",
+        r"((?<![A-Za-z])(?:DH)?Link|(?:Revolute|Prismatic)\w*)\s*\(((?:[^()]|\([^()]*\))*)\)",
         text,
     ):
         return _links(links)
@@ -450,7 +450,7 @@ def _links(links: list[tuple[str, str]]) -> tuple[grid.Cells, list[str], tuple[s
         if body.strip().startswith("["):
             entries = grid.cells(body.partition("]")[0] + "]")[0]
             slides = len(entries) > 4 and formula.number(entries[4]) == 1
-            row = dict(zip(("theta", "d", "a", "alpha"), entries, strict=False))
+            row = dict(zip(("theta", "d", "a", "alpha", "sigma", "offset"), entries, strict=False))
         else:
             found = re.findall(r"['\"]?\b(a|alpha|d|theta|offset)['\"]?\s*[,=]\s*([^,]+)", body)
             row = {k: x.strip() for k, x in found}
@@ -536,7 +536,8 @@ def _orders(cells: grid.Cells, heads: list[str], columns: str | Iterable[str] | 
         for k, row in enumerate(cells):
             still = row[added] if added is not None and added < len(row) else "0"
             kept = [row[i] if i < len(row) else "0" for i in keep]
-            cells[k] = kept if formula.number(still or "0") == 0 else _offset(k + 1, kept, still)
+            none = formula.number(still.strip("-–— ") or "0") == 0
+            cells[k] = kept if none else _offset(k + 1, kept, still)
         return [ENTRIES], True
     _wide(cells)
     usual = [*KNOWN_ORDERS, *(o for o in permutations(ENTRIES) if o not in KNOWN_ORDERS)]

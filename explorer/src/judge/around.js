@@ -32,7 +32,7 @@ const SET_AFTER = new RegExp(
 const NAME = String.raw`(?:(?!\\[dt]?frac[0-9])[^-=0-9](?:(?!\\approx)[^=])*(?:=|\\approx))+`; // J =, or dx/dq = J =
 const [NAMES, NAMED] = [new RegExp(NAME, "g"), new RegExp(`^${NAME}$`)];
 const FACTOR = new RegExp(
-  String.raw`^(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi)|[-+*/^0-9.,(){}]` +
+  String.raw`^(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi|circ|degree)|[-+*/^0-9.,(){}°]` +
     String.raw`|(?<![A-Za-z])[A-Za-z](?:_[0-9A-Za-z])?(?![A-Za-z]))+$`,
 );
 /** @type {[RegExp, string][]} */

@@ -5,6 +5,7 @@ import { DEG, RAD } from "./angles.js";
 import { ArmError, shown } from "./say.js";
 
 const LONGEST = 20_000; // characters of one formula
+const TEN = 10; // whose powers are meant, 10^0 too
 const DEEPEST = 60; // brackets in brackets
 
 const FUNCTIONS = {
@@ -62,7 +63,7 @@ const SAME = new Map([
   ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => each(sign, `_${i}`)),
   ...[..."αβγδθϑφϕψωλ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
   ...each("π𝜋", " pi "),
-  ...each("°º", " deg"),
+  ...each("°º˚◦∘", " deg"),
   ...[..."０１２３４５６７８９"].flatMap((sign, i) => each(sign, `${i}`)), // as typed among Chinese signs
   ["$", " "],
   ["√", "sqrt"],
@@ -82,6 +83,7 @@ const LATEX = [
   [/\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)/g, " "],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
   [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],
+  [/(?<=[0-9])\^\s*\{?\s*o\s*\}?(?![A-Za-z0-9])/g, " deg"],
   [/(\\[dt]?frac)\s*([0-9]|\\pi(?![A-Za-z]))/g, "$1{$2}"],
   [/(\\[dt]?frac\s*\{[^{}]*\})\s*([0-9]|\\pi(?![A-Za-z]))/g, "$1{$2}"],
   [/(?<=[0-9.)])\s*(deg|rad)(?:ree|ian)s?(?![A-Za-z0-9_]|\s*\()/g, " $1"],
@@ -219,6 +221,8 @@ function power(tokens, k, depth) {
   const [base, next] = atom(tokens, k, depth);
   if (next >= tokens.length || tokens[next][1] !== "^") return [base, next];
   const [exponent, after] = signed(tokens, next + 1, depth + 1);
+  const none = exponent[0] === "num" && exponent[1] === 0;
+  if (base[0] === "num" && base[1] > TEN && none) throw new NoFormula(); // 90^0 is no 1
   return [["^", base, exponent], after];
 }
 

@@ -42,7 +42,7 @@ const DOTTED_THOUSANDS = /^[-+−]?[0-9]{1,3}(?:\.[0-9]{3})+,[0-9]+$/;
 const EITHER = /^[-+−]?[1-9][0-9]{0,2},[0-9]{3}$/; // a decimal comma, or one of thousands
 const DEGREES = /^(?:°|deg(?:rees?)?(?![A-Za-z0-9_]|\s*\())/;
 const RADIANS = /^rad(?:ian)?s?(?![A-Za-z0-9_]|\s*\()/;
-const NO_HEAD = /^[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*$/;
+const NO_HEAD = /^(?:[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*|[-+]?[0-9]{2,}.*)$/;
 const NUMBERED = /^\s*(?:(?:joint|link|row)\s*)?([0-9]+)[:)]\s+/i;
 const BULLET = /^\s*[-–—]\s/;
 const IN_DEGREES = /^.*[0-9.]\s*(?:°|º|deg(?:rees?)?)$/;
@@ -299,7 +299,7 @@ function block(text) {
     const end = (line) => strippedEnd(stripped(line, "\r\n "), separator);
     return pointedRows(kept.map((line) => end(line).split(separator)));
   }
-  const plainly = kept.map((line) => line.replace(QUOTED, ofQuotes));
+  const plainly = kept.map((line) => line.replace(QUOTED, ofQuotes).replace(/\s*;\s*$/, ""));
   if (plainly.some(topComma)) return byCommas(plainly);
   const inside = plainly.map((line) => line.replace(/^\s*[[|⎡⎢⎣⎛⎜⎝]+|[\]|⎤⎥⎦⎞⎟⎠]+\s*$/g, ""));
   const rows = inside.map(split);

@@ -62,7 +62,15 @@ function judged(q, arm, T, tolerance, taken) {
   let found = causesOf(q, arm, T, margin, miss, tolerance);
   if (!found.length && within(miss, marginsOf(q, arm, T, HALF, tolerance)))
     return good(SO_FAR, "pose so far");
-  if (!found.length) found = alone(q.values, arm, T, margin, miss);
+  if (
+    !found.length &&
+    !within(
+      miss,
+      margin.map((most) => FAR * most),
+    )
+  ) {
+    found = alone(q.values, arm, T, marginsOf(fine, arm, T, HALF, tolerance));
+  }
   if (found.length) {
     const words = several(found);
     const headline = say("pose cause", { arm: arm.name, off, cause: lower(words) });
@@ -128,10 +136,10 @@ function causesOf(q, arm, T, margin, miss, tolerance) {
   return found;
 }
 
-// The one joint of which another value, or the one pair whose exchange, takes the tip to a pose that it misses by far;
-// nothing where more than one would, or for a point, which leaves more to chance.
-function alone(q, arm, T, margin, miss) {
-  if (!T.pose || within(miss, margin.map((most) => FAR * most))) return []; // prettier-ignore
+// The one joint of which another value, or the one pair whose exchange, takes the tip to a pose; nothing where more
+// than one would, or for a point, which leaves more to chance.
+function alone(q, arm, T, margin) {
+  if (!T.pose) return [];
   const found = [...otherValues(q, arm, T)].filter(([, mended]) =>
     within(missOf(linkFrames(arm, mended).at(-1), T), margin),
   );

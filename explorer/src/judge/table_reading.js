@@ -38,7 +38,7 @@ const WORDS = new Map([
 const LETTER = String.raw`[\p{L}\p{N}_]`;
 const BOX = /^[^\n]*│[^\n]*(?:\n[^\n]*[│├┼╪][^\n]*)*/m; // a table drawn with lines
 const LINK = new RegExp(
-  String.raw`(Link|(?:Revolute|Prismatic)${LETTER}*)\s*\(((?:[^()]|\([^()]*\))*)\)`,
+  String.raw`((?<![A-Za-z])(?:DH)?Link|(?:Revolute|Prismatic)${LETTER}*)\s*\(((?:[^()]|\([^()]*\))*)\)`,
   "gu",
 );
 const LISTS = new RegExp(
@@ -344,7 +344,7 @@ function linkOf({ kind, body }) {
   const none = { a: "0", alpha: "0", d: "0", theta: "0", offset: "0" };
   if (body.trim().startsWith("[")) {
     const entries = cellsOf(`${body.split("]")[0]}]`)[0];
-    const named = ["theta", "d", "a", "alpha"].slice(0, entries.length);
+    const named = ["theta", "d", "a", "alpha", "sigma", "offset"].slice(0, entries.length);
     const row = { ...none, ...Object.fromEntries(named.map((name, i) => [name, entries[i]])) };
     return { row, slides: entries.length > 4 && number(entries[4]) === 1 };
   }
@@ -417,7 +417,8 @@ function ordered(cells, heads, columns) {
     const rows = cells.map((row, k) => {
       const kept = keep.map((i) => row[i] ?? "0");
       const still = row[added] ?? "0";
-      return number(still || "0") === 0 ? kept : withOffset(k + 1, kept, still);
+      const none = number(still.replace(/^[-–— ]+|[-–— ]+$/g, "") || "0") === 0;
+      return none ? kept : withOffset(k + 1, kept, still);
     });
     return { orders: [ENTRIES], sure: true, rows };
   }

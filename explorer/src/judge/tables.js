@@ -225,12 +225,7 @@ function judgedTable(table, reference, tolerance) {
     const near = compared(mine, ref, wide, Math.max(ANGLE, 4 * angle));
     return near.differences.length ? null : agrees(ROUNDED, near);
   };
-  const other = () => {
-    const least = Math.max(exact, length);
-    // As what a cause leaves will be.
-    return different(table, reference, rows, wanted, compared(mine, ref, least), least);
-  };
-  return { good, bad: other };
+  return { good, bad: () => different(table, reference, rows, wanted, Math.max(exact, length)) };
 }
 
 const reach = (rows) => Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
@@ -282,8 +277,8 @@ function base(table, mine, found, mapped = null) {
   return [...stands("base", along), ...stands("base on z_0", rest)];
 }
 
-// A word on the row up to joint 1 whose d puts the base where the reference's is once it is read in metres among smaller
-// units, or in millimetres among metres.
+// A word on the row up to joint 1 whose d puts the base where the reference's is once it is read in metres among
+// smaller units, or in millimetres among metres.
 function twoUnits(table, mine, { baseHigher }) {
   const factor = table.lengthScale < 1 ? 1 / table.lengthScale : 1e-3;
   return table.rows.slice(0, mine.joints[0]).flatMap(({ d }, k) => {
@@ -324,8 +319,9 @@ const typedAs = (table, row, column) => textOf(table, row, column) ?? size(table
 
 // Why a table is another arm, the simplest first: causes after which every entry agrees, one or two wrong entries,
 // causes and single signs after which the axes agree, more wrong entries, or what is left of the axes.
-/** @param {Table} table @param {Compared} found @returns {Report} */
-function different(table, reference, rows, wanted, found, length) {
+/** @param {Table} table @returns {Report} */
+function different(table, reference, rows, wanted, length) {
+  const found = compared(side(rows), side(wanted), length);
   const all = tries(rows, reference, wanted, table.modified, length);
   const equal = all.filter((t) => t.cause && !t.entries);
   if (equal.length) {
@@ -339,8 +335,8 @@ function different(table, reference, rows, wanted, found, length) {
   let whole = agreeing(all, length, most);
   if (!whole && 1 + BY_AXES < most) whole = oneSign(rows, wanted, length);
   if (whole?.cause) return bad(table, reference, [whole.cause]);
-  if (local) {
-    const entries = local.needed.map(([k, column]) => entry(table, local.best, k, column));
+  if (local && most <= byAxes(found, local.best.cause)) {
+    const entries = local.needed.map(([k, column]) => entry(table, local.best, k, column, length));
     const why = local.best.cause;
     return bad(table, reference, why ? [why] : [], entries, why ? [] : notes);
   }
@@ -361,7 +357,21 @@ function fewEntries(all, rows, length) {
   if (!close.length) return null;
   const best = cheapest(close, (t) => cost(t.cause) + ENTRY * t.entries);
   const needed = neededOf(best, length);
-  return { cost: cost(best.cause) + ENTRY * needed.length, best, needed };
+  const count = needed.reduce((sum, [k, column]) => sum + mistakes(best, k, column, length), 0);
+  return { cost: cost(best.cause) + ENTRY * count, best, needed };
+}
+
+// How many mistakes a wrong entry is: two where neither number nor sign is right.
+function mistakes(t, k, column, length) {
+  const why = kindOfError(column, k, t.rows[k][column], t.reference[k][column], length);
+  return why.keys[0] === "table.number and sign" ? 2 : 1;
+}
+
+// What the differences of the axes cost, by which a table in frames of its own is judged. No bound where joints do not
+// correspond, or against entries alone where a twist differs: axes that are parallel, and should not be, hide lengths.
+function byAxes({ differences, signs }, why) {
+  const hidden = !why && differences.some((d) => d.entry === "alpha");
+  return hidden || !signs.length ? Infinity : ENTRY * differences.length;
 }
 
 const cheapest = (list, price) =>
@@ -401,14 +411,14 @@ function tries(rows, reference, wanted, modified, length) {
 }
 
 // How many entries differ; all where the rows do not correspond.
-function differing(rows, wanted, length = LENGTH) {
+function differing(rows, wanted, length) {
   const alike = rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
   return alike ? unequal(rows, wanted, length).length : Infinity;
 }
 
 // The entries that differ, the zeros of joints not counted.
 /** @returns {[number, string][]} */
-function unequal(rows, wanted, length = LENGTH) {
+function unequal(rows, wanted, length) {
   return rows.flatMap((row, k) =>
     ENTRIES.filter((column) => {
       const [x, y] = [row[column], wanted[k][column]];
@@ -436,7 +446,7 @@ function agreeing(all, length, most) {
 
 function oneSign(rows, wanted, length) {
   const all = usual.flips(rows).map(([why, mended]) => ({
-    cause: why, rows: mended, reference: wanted, entries: differing(mended, wanted),
+    cause: why, rows: mended, reference: wanted, entries: differing(mended, wanted, length),
   })); // prettier-ignore
   return cheapest(all.filter((t) => !compare(t, length).differences.length), (t) => t.entries); // prettier-ignore
 }
@@ -456,21 +466,21 @@ function neededOf(t, length) {
 
 // One wrong entry in the student's numbers; its row is the student's, also where a and alpha were read one row on.
 /** @param {Table} table @returns {Finding} */
-function entry(table, t, k, column) {
+function entry(table, t, k, column, length) {
   const [mine, wanted] = [t.rows[k][column], t.reference[k][column]];
   const craig = Boolean(t.cause?.keys.includes("table.craig"));
   const shift = Number(craig && Boolean(table.rows[0].a || table.rows[0].alpha));
   const lowered = Number(craig && (column === "a" || column === "alpha"));
   const row = rowOf(table, k + 1, column) - shift + lowered;
-  const why = kindOfError(column, row, mine, wanted);
+  const why = kindOfError(column, row, mine, wanted, length);
   const typed = t.cause ? size(mine, 6) : typedAs(table, k + 1, column);
   const words = say("table entry", { typed, words: say(why.keys[0], why.fields[0]) });
   return { what: nameOf(why), where: `row ${row}, ${column}`, words };
 }
 
 /** @returns {Cause} */
-function kindOfError(column, row, mine, wanted) {
-  const negative = angular(column) ? angleBetween(mine, -wanted) < ANGLE : Math.abs(mine + wanted) < LENGTH;
+function kindOfError(column, row, mine, wanted, length) {
+  const negative = angular(column) ? angleBetween(mine, -wanted) < ANGLE : Math.abs(mine + wanted) <= length;
   const twist = column === "alpha";
   if (negative) return twist ? cause("table.twist", { row }) : cause("table.sign", { column, row });
   if (!mine) return twist ? cause("table.no twist", { row }) : cause("table.missing", { column, row });
