@@ -266,6 +266,7 @@ def formula_of(rng, depth: int = 3) -> tuple[str, float]:
         (f"({s})({t})", u * v),
         (f"2({t})", 2 * v),
         (f"({s}) · ({t})", u * v),
+        (f"({s}).*({t}).^1", u * v),
         (rf"\frac{{{u:.4f}}}{{2.5}} \cdot ({t})", float(f"{u:.4f}") / 2.5 * v),
         (rf"{v:.4f}\cdot2\quad({s})", float(f"{v:.4f}") * 2 * u),
         (f"({s})**2", u**2),

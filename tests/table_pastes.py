@@ -138,6 +138,7 @@ REFUSED = {
     "0\t90\t0.5\tq1\n0.4\t0\n0.3\t0\t0\tq3": "(row 2 has 2; an empty cell is written 0)",
     "a = [0, 0.4]\nalpha = [pi/2, 0, 0]\nd = [0.5, 0, 0]": "lists have 2, 3 entries",
     "a alpha d theta\n0 pi/2 l_9 q1\n0.4 0 0 q2\n0.3 0 0 q3": "no value for l_9",
+    "a alpha d theta\n0 pi/2 500mm q1\n400mm 0 0 q2\n300mm 0 0 q3": "mm stands beside a number",
     "a alpha d theta\n0 pi/2 0.5 q1 + q2\n0.4 0 0 q2\n0.3 0 0 q3": "no value for q2",
     "a alpha d theta\n0 pi/2 0.5 q1/2\n0.4 0 0 q2\n0.3 0 0 q3": "theta grows by 0.5",
     "a alpha d theta\n0 pi/0 0.5 q1\n0.4 0 0 q2\n0.3 0 0 q3": "divides by zero",

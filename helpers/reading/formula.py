@@ -152,6 +152,7 @@ def plain(text: str) -> str:
             text = innermost.sub(opened, text)
     text = re.sub(r"\\([A-Za-z]+)", r" \1 ", text)
     text = re.sub(r"\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\.", "", text)
+    text = re.sub(r"\.(?=[*/^])", "", text)  # MATLAB's signs for entry by entry
     text = re.sub(r"(?<=\w)\s*\(t\)", "", text)
     text = _COUNTED.sub(r"\1_\2\3", text)
     text = re.sub(r"(\b[a-z]+) +_(?=[\w{])", r"\1_", text)

@@ -631,7 +631,8 @@ def _row(i: int, entries: Mapping[str, str], known: Mapping[str, float]) -> Type
         n for name in ENTRIES for n in free[name] if name != mover or n != _joint_of(free[mover])
     ]
     if stray:
-        raise ArmError(say("row symbol", row=i, name=stray[0]))
+        key = "row unit" if stray[0] in _UNITS else "row symbol"
+        raise ArmError(say(key, row=i, name=stray[0]))
     numbers, backwards = {}, False
     radians = frozenset(
         n for n in ENTRIES if re.search(r"\b(?:pi|deg|rad)\b", formula.plain(entries[n]))

@@ -125,6 +125,7 @@ export function plain(text) {
   }
   text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
   text = text.replace(/\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\./g, "");
+  text = text.replace(/\.(?=[*/^])/g, ""); // MATLAB's signs for entry by entry
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");
   text = text.replace(COUNTED, "$1_$2$3");
   text = text.replace(/(\b[a-z]+) +_(?=[\w{])/g, "$1_");

@@ -513,7 +513,10 @@ function rowOf(i, entries, known) {
   const mover = free.theta.length ? "theta" : free.d.length ? "d" : null;
   const joint = mover && (free[mover].find((one) => /^(?:q|th|t_?\d|x_?\d|phi)/.test(one)) ?? free[mover][0]);
   const stray = ENTRIES.flatMap((name) => free[name].filter((one) => name !== mover || one !== joint));
-  if (stray.length) throw new ArmError(say("row symbol", { row: i, name: stray[0] }));
+  if (stray.length) {
+    const key = Object.hasOwn(UNITS, stray[0]) ? "row unit" : "row symbol";
+    throw new ArmError(say(key, { row: i, name: stray[0] }));
+  }
   const at = (name, x) =>
     value(trees[name], (one) => (free[name].includes(one) ? x : known.get(simple(one))));
   let backwards = false;
