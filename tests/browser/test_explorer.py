@@ -846,6 +846,13 @@ def test_a_pasted_table_and_one_summary_for_the_ear(visit):
     cell.focus()
     cell.evaluate(
         """(e) => {
+        window.heard = [];
+        const region = document.querySelector('.arm-explorer').shadowRoot.querySelector('[aria-live]');
+        new MutationObserver(() => region.textContent && heard.push(region.textContent)).observe(region, { childList: true });
+        window.due = new Map();  // from here on no time passes, however slow the machine
+        window.setTimeout = (then) => (due.set(-due.size - 1, then), -due.size);
+        const clear = window.clearTimeout;
+        window.clearTimeout = (timer) => due.set(timer, null) && clear(timer);
         const clipboardData = new DataTransfer();
         clipboardData.setData('text/plain', '0\\tpi/2\\t0.5\\tq1\\n0.4\\t0\\t0\\tq2\\n0.3\\t0\\t0\\tq3');
         e.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
@@ -853,17 +860,6 @@ def test_a_pasted_table_and_one_summary_for_the_ear(visit):
     )
     assert here.state("arm.name") == "Your arm"
     assert here.state("arm.rows.length") == 3
-    page.evaluate(
-        """() => {
-        window.heard = [];
-        const region = document.querySelector('.arm-explorer').shadowRoot.querySelector('[aria-live]');
-        new MutationObserver(() => region.textContent && heard.push(region.textContent)).observe(region, { childList: true });
-        window.due = new Map();  // no time passes between the keys, however slow the machine
-        window.setTimeout = (then) => (due.set(-due.size - 1, then), -due.size);
-        const clear = window.clearTimeout;
-        window.clearTimeout = (timer) => due.set(timer, null) && clear(timer);
-    }"""
-    )
     page.get_by_role("slider", name="Joint 1, angle").focus()
     for _ in range(30):
         page.keyboard.press("ArrowRight")
