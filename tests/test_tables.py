@@ -537,6 +537,7 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
          [BASE.format("399.6 mm higher", 1), "in another unit, d in row 1 would put your base "]),
         (ELBOWED.replace("0.4", "400"), ELBOWED, {}, "right",
          [BASE.format("399600 mm lower", 1), "in another unit, d in row 1 would put your base "]),
+        ("0 pi/2 400 q1", "0 pi/2 0.4 q1", {}, "right", [BASE.format("399600 mm lower", 1)]),
         # A thousandth of a degree is no zero of its own.
         (GENERIC.replace("q3+0.3", "q3+0.30001"), GENERIC, {}, "right", []),
         # Told along axis 1 also where the parallel axis 2 points the other way.

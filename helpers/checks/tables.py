@@ -369,7 +369,8 @@ def _two_units(table: Table, mine: Side, found: Compared) -> Iterator[str]:
     for row in range(1, mine.joints[0] + 1):
         d = table.rows[row - 1].d
         off = abs(abs(d * (factor - 1)) - abs(found.base_higher))
-        if abs(d * factor) >= _LOW and off < 0.51 * _COARSEST:
+        others = usual.total_length(table.rows) > abs(d)
+        if others and abs(d * factor) >= _LOW and off < 0.51 * _COARSEST:
             yield say("base unit", row=table.row_of(row, "d"))
 
 

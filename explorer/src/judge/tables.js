@@ -283,8 +283,9 @@ function twoUnits(table, mine, { baseHigher }) {
   const factor = table.lengthScale < 1 ? 1 / table.lengthScale : 1e-3;
   return table.rows.slice(0, mine.joints[0]).flatMap(({ d }, k) => {
     const off = Math.abs(Math.abs(d * (factor - 1)) - Math.abs(baseHigher));
+    const others = usual.totalLength(table.rows) > Math.abs(d);
     const near = Math.abs(d * factor) >= LOW && off < 0.51 * COARSEST;
-    return near ? [say("base unit", { row: rowOf(table, k + 1, "d") })] : [];
+    return others && near ? [say("base unit", { row: rowOf(table, k + 1, "d") })] : [];
   });
 }
 
