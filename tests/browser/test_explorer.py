@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from helpers.explorer.data import arm_data
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ARMS, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from tests.browser.test_pages import SIZES, UNDRAWN, UNSET, Reader
+from tests.browser.reader import SIZES, UNDRAWN, UNSET, Reader
 from tests.test_book import HTML
 from tests.test_explorer import held_up, some
 

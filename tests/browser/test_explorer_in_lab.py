@@ -15,7 +15,7 @@ import pytest
 from nbformat.v4 import new_code_cell, new_notebook
 from playwright.sync_api import expect
 
-from tests.browser.test_pages import UNDRAWN
+from tests.browser.reader import UNDRAWN
 
 CELLS = (
     "from helpers.explorer import ArmExplorer\n"

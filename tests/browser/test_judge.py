@@ -3,7 +3,7 @@ typed is judged, wrong cells are marked, and a link brings it back."""
 
 import pytest
 
-from tests.browser.test_pages import AXE, BAD, EVERYTHING, UNDRAWN, UNSET
+from tests.browser.reader import AXE, BAD, EVERYTHING, UNDRAWN, UNSET
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"

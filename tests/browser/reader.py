@@ -1,0 +1,95 @@
+"""A reader of the built book: a page of the browser with a size, a look and no network."""
+
+from pathlib import Path
+
+SIZES = {
+    "wide": {"width": 1280, "height": 900},
+    "phone": {"width": 390, "height": 844},
+}
+WINDOWS = {**SIZES, "small": {"width": 320, "height": 640}}
+
+UNRENDERED = """() => {
+    const left = [...document.querySelectorAll("div.math, span.math")].filter(m => !m.querySelector("mjx-container"));
+    const wrong = [...document.querySelectorAll("mjx-merror, [data-mjx-error], .merror")];
+    const walker = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
+    const raw = [];
+    while (walker.nextNode()) {
+        const text = walker.currentNode;
+        if (/\\\\\\(|\\\\\\[|\\$\\$/.test(text.data) && !text.parentElement.closest("pre, code, script")) raw.push(text.data);
+    }
+    return [...left, ...wrong].map(e => e.outerHTML.slice(0, 200)).concat(raw);
+}"""
+TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+# Formulas are set, and boxes fitted, when the reader comes near; for a printer, all at once.
+EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
+AXE = Path(__file__).parent / "axe" / "axe.min.js"
+BAD = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
+    .filter(v => ["serious", "critical"].includes(v.impact))
+    .map(v => `${v.id}: ` + v.nodes.slice(0, 3).map(n => n.html.slice(0, 160)).join(" | ")))"""
+
+
+# Where only words and numbers are asked for. What a picture shows is drawn by the processor, which costs more than all
+# else of its page: the calls come to WebGL, and end there while `undrawn` holds.
+UNDRAWN = """window.undrawn = true;
+for (const name of ["drawArrays", "drawElements", "drawArraysInstanced", "drawElementsInstanced", "drawRangeElements"]) {
+    const own = WebGL2RenderingContext.prototype[name];
+    WebGL2RenderingContext.prototype[name] = function (...given) { if (!window.undrawn) own.apply(this, given); };
+}"""
+# MathJax is there, and never ready: formulas stay as they are written.
+UNSET = """{
+    let mathjax;
+    const startup = { typeset: false, ready() {} };
+    Object.defineProperty(window, "MathJax", {
+        get: () => mathjax,
+        set(given) { mathjax = Object.defineProperty(given, "startup", { value: startup }); },
+    });
+}"""
+
+
+# A browser without a window now and then tells a new page of a pointer in its corner, which no reader has moved there.
+NOBODY = """addEventListener("pointermove", (e) => e.clientX || e.clientY || e.stopImmediatePropagation(), true);"""
+
+
+class Reader:
+    """One visit to a page, with everything that went wrong on it."""
+
+    def __init__(self, browser, theme, size, allowed, **context):
+        self.context = browser.new_context(
+            viewport=SIZES[size], offline=allowed == "file:", **context
+        )
+        self.page, self.theme = self.context.new_page(), theme
+        self.troubles, self.asked = [], set()
+        self.page.add_init_script(NOBODY + f"localStorage.mode = localStorage.theme = '{theme}'")
+        self.page.on("pageerror", lambda error: self.troubles.append(f"error: {error}"))
+        self.page.on("console", self._said)
+        self.page.on("request", lambda r: self._asked(r.url, allowed))
+        self.page.on("requestfailed", self._failed)
+
+    def _said(self, message):
+        if (
+            "GPU stall due to ReadPixels" in message.text
+        ):  # of a machine that draws without a graphics card
+            return
+        if message.type in ("error", "warning"):
+            self.troubles.append(f"{message.type}: {message.text}")
+
+    def _failed(self, request):
+        if request.failure != "net::ERR_ABORTED":  # given up by a reader who went on
+            self.troubles.append(f"failed: {request.url}")
+
+    def _asked(self, url, allowed):
+        self.asked.add(url)
+        if not url.startswith((allowed, "data:", "blob:")):
+            self.troubles.append(f"asked for {url}")
+
+    def open(self, url):
+        self.page.goto(url)
+        self.page.wait_for_function(
+            "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)",
+            polling=100,
+        )
+        self.page.evaluate(EVERYTHING)
+        self.page.mouse.move(
+            1, 1
+        )  # a reader is there: live figures come to life, and all is laid out
+        return self.page

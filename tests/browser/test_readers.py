@@ -1,0 +1,214 @@
+"""What a reader does with the book: scrolls, searches, unfolds, chooses colours, comes by a slow
+line or by HTTP."""
+
+import re
+import threading
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+
+from tests.browser.reader import SIZES, TWO_FRAMES, UNRENDERED, WINDOWS, Reader
+from tests.test_book import HTML, NAMES
+
+
+def test_over_http_nothing_else_is_asked_for(browser):
+    handler = partial(SimpleHTTPRequestHandler, directory=HTML)
+    handler.log_message = lambda *_: None
+    SimpleHTTPRequestHandler.log_message = lambda *_: None
+    server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    address = f"http://127.0.0.1:{server.server_port}"
+    reader = Reader(browser, "light", "wide", address)
+    page = reader.open(f"{address}/04_static_torque.html")
+    page.wait_for_load_state("networkidle")
+    assert page.evaluate(UNRENDERED) == []
+    assert reader.troubles == []
+    reader.context.close()
+    server.shutdown()
+
+
+SHIFTS = """window.shifts = 0; new PerformanceObserver(list => {
+    for (const shift of list.getEntries()) window.shifts += shift.value;
+}).observe({ type: "layout-shift", buffered: true })"""
+
+
+# The text is on the screen, in its own letters.
+READ = "performance.getEntriesByName('first-contentful-paint').length && document.fonts.status === 'loaded'"
+
+
+def test_lines_hardly_move_when_late_formulas_are_set(browser):
+    reader = Reader(browser, "light", "phone", "file:", device_scale_factor=1.75, is_mobile=True)
+    reader.page.add_init_script(SHIFTS)
+
+    def late(route):
+        reader.page.wait_for_function(READ)
+        route.continue_()
+
+    reader.page.route("**/mathjax/startup.js*", late)
+    for name in ("03_circle_tracing", "notation"):
+        page = reader.open((HTML / f"{name}.html").as_uri())
+        assert page.evaluate("window.shifts") < 0.05, name
+    reader.context.close()
+
+
+STATE = """() => {
+    const unset = [...document.querySelectorAll("span.math, div.math")].filter(m => !m.querySelector("mjx-container"))
+        .filter(m => m.checkVisibility()); // one in a folded solution has a box, but nobody sees it
+    const boxes = unset.map(m => m.getBoundingClientRect());
+    return [boxes.filter(m => m.bottom > 0 && m.top < innerHeight).length, boxes.filter(m => m.bottom < 0).length, unset.length];
+}"""
+# On the screen, and wider than its place without saying so.
+UNSAID = """() => [...document.querySelectorAll("div.math > mjx-container, div.table, .highlight pre")].filter((box) => {
+    const { top, bottom } = box.getBoundingClientRect();
+    return box.checkVisibility() && bottom > 0 && top < innerHeight && box.scrollWidth > box.clientWidth + 1 && !box.matches(".scrolls");
+})"""
+
+
+def test_what_the_reader_scrolls_to_is_set_before_what_was_passed_over(browser):
+    reader = Reader(browser, "light", "phone", "file:")
+    reader.page.goto((HTML / "01_dh_tables.html").as_uri())
+    reader.page.wait_for_selector("mjx-container", state="attached")
+    reader.page.evaluate("[...document.querySelectorAll('span.math')].at(-1).scrollIntoView()")
+    left = f"() => {{ const [near, over] = ({STATE})(); return near === 0 && {{ over }}; }}"
+    over = reader.page.wait_for_function(left, polling=20).json_value()["over"]
+    assert over > 50, "the formulas between are still to be set"
+    reader.context.close()
+
+
+def test_formulas_and_boxes_are_ready_where_the_reader_scrolls(browser):
+    """Without the order to make everything ready at once, which the other tests give."""
+    reader = Reader(browser, "light", "phone", "file:")
+    page = reader.page
+    page.goto((HTML / "05_inverse_kinematics.html").as_uri())
+    page.wait_for_selector("mjx-container", state="attached")
+    places = page.locator("article > section > section").count()
+    assert places > 5
+    for k in range(places):
+        page.evaluate(
+            f"document.querySelectorAll('article > section > section')[{k}].scrollIntoView()"
+        )
+        page.wait_for_function(f"!({STATE})()[0]", polling=50)
+        page.wait_for_function(f"!({UNSAID})().length", polling=50)
+    assert page.evaluate(f"({STATE})()[2]") > 0, "formulas that nobody came near are not set"
+    assert reader.troubles == []
+    reader.context.close()
+
+
+def test_a_page_is_laid_out_where_it_is_opened(browser):
+    """What waits for a reader never moves the place at which a page is opened, or comes back to."""
+    reader = Reader(browser, "light", "phone", "file:")
+    page, fresh = reader.page, "'fresh' in document.documentElement.dataset"
+    page.goto((HTML / "02_jacobian.html").as_uri())
+    assert page.evaluate(fresh)
+    page.mouse.move(5, 5)
+    page.wait_for_function(f"!({fresh})")
+    page.goto((HTML / "05_inverse_kinematics.html").as_uri() + "#sec-ur-inverse")
+    assert not page.evaluate(fresh)
+    page.reload()
+    assert not page.evaluate(fresh)
+    reader.context.close()
+
+
+def test_an_arm_comes_to_life_at_the_first_sign_of_a_reader(browser):
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.page
+    page.goto((HTML / "intro.html").as_uri(), wait_until="networkidle")
+    page.evaluate(TWO_FRAMES)  # by then it is known what is near
+    assert not any(url.endswith("explorer.js") for url in reader.asked)
+    page.mouse.move(400, 400)
+    page.locator("section.explorer").wait_for()
+    assert reader.troubles == []
+    reader.context.close()
+
+
+def test_search_finds_a_word_without_a_network(browser):
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.open((HTML / "search.html").as_uri() + "?q=parallel")
+    page.wait_for_selector("#search-results li a")
+    titles = page.locator("#search-results li a").all_inner_texts()
+    assert any(re.search("table|arm", title, re.I) for title in titles)
+    assert reader.troubles == []
+    reader.context.close()
+
+
+def test_solutions_are_folded_and_open(browser):
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.open((HTML / "04_static_torque.html").as_uri())
+    solution = page.locator("details.solution").first
+    answer = solution.locator(".cell_output").first
+    assert not answer.is_visible()
+    solution.locator("summary").first.click()
+    answer.wait_for(state="visible")
+    reader.context.close()
+
+
+GROUND = "getComputedStyle(document.body).backgroundColor"
+
+
+def drawn(page):
+    """The folder of the first figure that is seen."""
+    pictures = page.locator("figure img").evaluate_all(
+        "all => all.filter(i => i.offsetWidth).map(i => i.src)"
+    )
+    return pictures[0].rpartition("/")[0].rpartition("/")[2]
+
+
+def test_colours_follow_the_system_until_the_reader_chooses_and_then_stay(browser):
+    context = browser.new_context(offline=True, color_scheme="dark")
+    page = context.new_page()
+    page.goto((HTML / "robot_data.html").as_uri())
+    dark = page.evaluate(GROUND)
+    assert drawn(page) == "dark"
+    page.emulate_media(color_scheme="light")
+    page.wait_for_function(f"{GROUND} !== '{dark}'")
+    light = page.evaluate(GROUND)
+    assert drawn(page) == "_images"
+    button = page.locator("button.colours")
+    for name in ("light", "dark"):
+        button.click()
+        assert button.get_attribute("aria-label") == f"Colours: {name}"
+    assert page.evaluate(GROUND) == dark, "chosen, whatever the system prefers"
+    for _ in range(20):  # Chromium writes it down in its own time
+        page.goto((HTML / "notation.html").as_uri())
+        if page.evaluate(GROUND) == dark:
+            break
+    assert page.evaluate(GROUND) == dark, "remembered on the next page"
+    button.click()
+    assert page.evaluate(GROUND) == light, "as the system again"
+    context.close()
+
+
+def test_without_scripts_the_page_is_there_in_the_systems_colours(browser):
+    context = browser.new_context(
+        java_script_enabled=False, color_scheme="dark", viewport=SIZES["wide"]
+    )
+    page = context.new_page()
+    page.goto((HTML / "04_static_torque.html").as_uri())
+    assert page.locator(".contents a", has_text="arm explorer").is_visible()
+    assert page.locator("figure img").first.is_visible()
+    solution = page.locator("details.solution").first
+    solution.locator("summary").click()
+    assert solution.locator(".cell_output").first.is_visible()
+    context.close()
+
+
+def test_no_page_is_wider_than_a_phone_before_a_script_has_measured_it(browser):
+    context = browser.new_context(
+        java_script_enabled=False, offline=True, viewport=WINDOWS["small"]
+    )
+    page = context.new_page()
+    for name in NAMES:
+        page.goto((HTML / f"{name}.html").as_uri())
+        assert page.evaluate("document.documentElement.scrollWidth") == 320, name
+    context.close()
+
+
+def test_the_contents_open_on_a_phone_and_close_after_use(browser):
+    reader = Reader(browser, "light", "phone", "file:")
+    page = reader.open((HTML / "04_static_torque.html").as_uri())
+    contents = page.locator("#contents")
+    assert not contents.is_visible()
+    page.locator("button.menu").click()
+    contents.locator(".sections a", has_text="Exercises").click()
+    assert not contents.is_visible()
+    assert page.evaluate("location.hash") == "#exercises"
+    reader.context.close()
