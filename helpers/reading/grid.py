@@ -351,8 +351,7 @@ def _of_quotes(match: re.Match[str]) -> str:
     """A number in quotes with a point for its decimal comma."""
     inner = match[0][1:-1].strip()
     if _EITHER.fullmatch(inner):
-        decimal, whole = inner.replace(",", "."), inner.replace(",", "")
-        raise ArmError(f"a cell is {shown(inner)}; expected {decimal} or {whole}")
+        raise _either(inner, shown(inner))
     pointed = _pointed(inner)
     return pointed if is_number(pointed) else match[0]
 
@@ -396,10 +395,14 @@ def _pointed_rows(rows: Cells) -> Cells:
     either = next(filter(_EITHER.fullmatch, texts), None)
     pointed = next((x for x in texts if re.search(r"[0-9]\.[0-9]", x)), "")
     if either and pointed and not _DOTTED_THOUSANDS.fullmatch(pointed):
-        decimal, whole = either.replace(",", "."), either.replace(",", "")
-        given = f"{shown(either)} beside {shown(pointed)}"
-        raise ArmError(f"a cell is {given}; expected {decimal} or {whole}")
+        raise _either(either, f"{shown(either)} beside {shown(pointed)}")
     return found
+
+
+def _either(cell: str, given: str) -> ArmError:
+    """What is said of a comma that may be a decimal one or part thousands."""
+    decimal, whole = cell.replace(",", "."), cell.replace(",", "")
+    return ArmError(f"a cell is {given}; expected {decimal} or {whole}")
 
 
 def _pointed(cell: str) -> str:

@@ -12,7 +12,6 @@ from tests.test_book import HTML, NAMES
 
 def test_over_http_nothing_else_is_asked_for(browser):
     handler = partial(SimpleHTTPRequestHandler, directory=HTML)
-    handler.log_message = lambda *_: None
     SimpleHTTPRequestHandler.log_message = lambda *_: None
     server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
     threading.Thread(target=server.serve_forever, daemon=True).start()

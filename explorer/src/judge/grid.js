@@ -322,10 +322,7 @@ function unnumbered(kept) {
 // A number in quotes with a point for its decimal comma.
 function ofQuotes(quoted) {
   const inner = quoted.slice(1, -1).trim();
-  if (EITHER.test(inner)) {
-    const [decimal, whole] = [inner.replace(",", "."), inner.replace(",", "")];
-    throw new ArmError(`a cell is ${shown(inner)}; expected ${decimal} or ${whole}`);
-  }
+  if (EITHER.test(inner)) throw eitherOf(inner, shown(inner));
   const found = pointed(inner);
   return isNumber(found) ? found : quoted;
 }
@@ -366,13 +363,14 @@ function pointedRows(rows) {
   const texts = rows.flat().map((cell) => stripped(cell.trim(), '"'));
   const either = texts.find((text) => EITHER.test(text));
   const point = texts.find((text) => /[0-9]\.[0-9]/.test(text));
-  if (either && point && !DOTTED_THOUSANDS.test(point)) {
-    const given = `${shown(either)} beside ${shown(point)}`;
-    const [decimal, whole] = [either.replaceAll(",", "."), either.replaceAll(",", "")];
-    throw new ArmError(`a cell is ${given}; expected ${decimal} or ${whole}`);
-  }
+  if (either && point && !DOTTED_THOUSANDS.test(point))
+    throw eitherOf(either, `${shown(either)} beside ${shown(point)}`);
   return found;
 }
+
+// What is said of a comma that may be a decimal one or part thousands.
+const eitherOf = (cell, given) =>
+  new ArmError(`a cell is ${given}; expected ${cell.replace(",", ".")} or ${cell.replace(",", "")}`);
 
 // A cell with a decimal comma written with a point, and without a spreadsheet's quotes or sign of equality.
 function pointed(cell) {
