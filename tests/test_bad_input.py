@@ -161,7 +161,7 @@ RIGHT = {
     "inverse.follow": dict(solver=partial(inverse.ur, UR10E), targets=REACH[None], start=[0.4, -1.2,
         1.3, -1.2, -1.2, 0.3]),
     "inverse.Solutions.nearest": dict(self=FOUND, q=[0.4] * 6, limits=True),
-    "checks.check": dict(label="one is one", actual=1, expected=1, tolerance=0.1),
+    "checks.check": dict(label="one is one", actual=1, expected=1, tolerance=0.1, book_only=False),
     "checks.compare_tables": dict(mine=[["q1", 0, 0, 0]], reference=PANDA,
         columns="theta d a alpha", lengths="m",
         angles="rad", convention="standard", values={}, tolerance=1e-6),
@@ -345,7 +345,7 @@ EXPECTED = {
 
 # What is left to Python or to Matplotlib, and where any value will do.
 FREE = {
-    *("actual", "ax", "colour", "colours", "dashed", "expected", "link", "many"),
+    *("actual", "ax", "book_only", "colour", "colours", "dashed", "expected", "link", "many"),
     *(
         "negative",
         "course.hand_in path",

@@ -127,6 +127,7 @@ def test_a_cell_that_asks_for_a_caption_draws(path):
 def test_its_results_are_checked_before_the_readers_eyes(path):
     lines = [line for _, output in outputs(path) for line in output.get("text", "").splitlines()]
     proofs = [line for line in lines if line.startswith("✔")]
+    assert not [line for line in lines if line.startswith("○")], "a number that is not the book's"
     calls = sum(len(re.findall(r"\bcheck\(", cell.source)) for cell in code_cells(path))
     assert calls
     assert len(proofs) >= calls
