@@ -9,7 +9,7 @@ SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/c
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean explorer answers sheet coverage mutants judge
+.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean bundles answers sheet coverage mutants judge
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -89,8 +89,8 @@ refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check the types (needs Node.js)
 	$(BIN)/pre-commit run --all-files
 	$(BIN)/mypy
-	npm ci --prefix explorer --silent
-	npm run lint --prefix explorer --silent
+	npm ci --silent
+	npm run lint --silent
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python -m tools.pdf
@@ -131,9 +131,9 @@ answers: $(BIN)/.installed ## write the answer sheets, book/answers/*.md, anew
 sheet: $(BIN)/.installed ## the answer sheet of any arm in one HTML file: make sheet ARM="Stanford arm", ARM=my_arm.py:MINE or ARM=arm.urdf ARGS="--tip tool0"
 	$(BIN)/python -m helpers.sheets "$(ARM)" $(ARGS)
 
-explorer: ## bundle the live explorer anew from its JavaScript (needs Node.js)
-	npm ci --prefix explorer --silent
-	npm run build --prefix explorer --silent
+bundles: ## bundle the page's scripts and the judge anew from page/ and judge/ (needs Node.js)
+	npm ci --silent
+	npm run build --silent
 
 lock: ## pin every dependency anew
 	$(PYTHON) -m venv .venv-lock

@@ -2,18 +2,18 @@
 // line of JSON out, until nobody asks.
 
 import { createInterface } from "node:readline";
-import { readEntry } from "../explorer/src/entry.js";
-import { exported } from "../explorer/src/exports.js";
-import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../explorer/src/kinematics.js";
-import { determinant, singular } from "../explorer/src/linear.js";
-import { fromFragment } from "../explorer/src/link.js";
-import { otherWays, traceCircle } from "../explorer/src/motion.js";
-import { runCircle, torquesAlong, windingByRadius } from "../explorer/src/runs.js";
-import { sameArm } from "../explorer/src/same.js";
-import { derive } from "../explorer/src/state.js";
-import { stillShapes } from "../explorer/src/still.js";
-import { entryText } from "../explorer/src/text.js";
-import { rankVerdict, tableVerdict, waysVerdict } from "../explorer/src/verdicts.js";
+import { readEntry } from "../page/src/entry.js";
+import { exported } from "../page/src/exports.js";
+import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../judge/geometry/kinematics.js";
+import { determinant, singular } from "../judge/geometry/linear.js";
+import { fromFragment } from "../page/src/link.js";
+import { otherWays, traceCircle } from "../page/src/motion.js";
+import { runCircle, torquesAlong, windingByRadius } from "../page/src/runs.js";
+import { sameArm } from "../page/src/same_arm.js";
+import { derive } from "../page/src/state.js";
+import { stillShapes } from "../page/src/still.js";
+import { entryText } from "../page/src/text.js";
+import { rankVerdict, tableVerdict, waysVerdict } from "../page/src/verdicts.js";
 
 const VIEWS = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"];
 

@@ -2,20 +2,20 @@
 // each out, a line too.
 
 import { createInterface } from "node:readline";
-import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../explorer/src/judge/ask.js";
-import { numbers } from "../explorer/src/judge/door.js";
-import { number, parse, symbols, value } from "../explorer/src/judge/formula.js";
-import { cells as cellsOf, withoutHeader } from "../explorer/src/judge/grid.js";
-import * as judge from "../explorer/src/judge/index.js";
-import { compareBranches } from "../explorer/src/judge/branches.js";
-import { circle, circleBelow, restToRest } from "../explorer/src/judge/path.js";
-import { comparePose } from "../explorer/src/judge/pose.js";
-import { size } from "../explorer/src/judge/say.js";
-import "../explorer/src/judge/scripts/jacobian.js";
-import "../explorer/src/judge/scripts/table.js";
-import "../explorer/src/judge/scripts/motion.js";
-import { ENTRIES, meant, read as readTable } from "../explorer/src/judge/table_reading.js";
-import { compareTrace } from "../explorer/src/judge/trace.js";
+import { asPython, EMPTY, fromFragment, judge as verdict, toFragment } from "../page/src/check/question.js";
+import { numbers } from "../judge/reading/numbers.js";
+import { number, parse, symbols, value } from "../judge/reading/formula.js";
+import { cells as cellsOf, withoutHeader } from "../judge/reading/grid.js";
+import * as judge from "../judge/index.js";
+import { compareBranches } from "../judge/topics/branches.js";
+import { circle, circleBelow, restToRest } from "../judge/geometry/path.js";
+import { comparePose } from "../judge/topics/pose.js";
+import { size } from "../judge/sentences.js";
+import "../page/src/check/scripts/jacobian.js";
+import "../page/src/check/scripts/table.js";
+import "../page/src/check/scripts/motion.js";
+import { ENTRIES, meant, read as readTable } from "../judge/reading/table.js";
+import { compareTrace } from "../judge/topics/trace.js";
 
 let arms = [];
 

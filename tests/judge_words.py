@@ -304,7 +304,7 @@ def readable(kind: str, question: dict, ours: list, theirs: list) -> str:
     asked = {key: value for key, value in question.items() if key != "typed"}
     typed = question["typed"] if isinstance(question["typed"], str) else str(question["typed"])
     said = ["\n".join(map(str, answer)).splitlines() for answer in (ours, theirs)]
-    lines = difflib.unified_diff(*said, "helpers.checks", "explorer/src/judge", lineterm="", n=0)
+    lines = difflib.unified_diff(*said, "helpers.checks", "judge", lineterm="", n=0)
     return "\n".join([f"{kind}: {str(asked)[:600]}", typed[:800], *lines, ""])
 
 

@@ -32,7 +32,7 @@ from helpers.statics import gravity_torque, potential_energy, static_torque
 from tests.node import NODE, ask_node, needs_node
 
 ROOT = Path(__file__).parents[1]
-SOURCES = ROOT / "explorer"
+SOURCES = ROOT / "page"
 SKEW = Arm(
     "skew", (fixed(a=0.1, alpha=0.3), revolute(0.2, 1.1, 0.3, 0.4), prismatic(0.1, -0.7, 0.2, 2.0),
              revolute(0.3, 0.2, -0.1, -1.0), fixed(d=0.1, theta=0.9)),
@@ -104,10 +104,10 @@ def test_the_homework_starts_where_the_reports_say():
 @pytest.fixture(scope="module")
 def packages():
     """What npm installs for the explorer, three.js among it."""
-    if not (SOURCES / "node_modules").exists():
+    if not ROOT.joinpath("node_modules").exists():
         if not os.environ.get("CI"):
-            pytest.skip("npm packages are not installed: npm ci --prefix explorer")
-        subprocess.run([shutil.which("npm"), "ci", "--silent"], cwd=SOURCES, check=True)
+            pytest.skip("npm packages are not installed: npm ci")
+        subprocess.run([shutil.which("npm"), "ci", "--silent"], cwd=ROOT, check=True)
 
 
 @needs_node
@@ -595,11 +595,13 @@ def test_what_is_written_in_an_entry_is_read_back_the_same():
 @needs_node
 def test_the_bundle_is_what_its_sources_make(tmp_path, packages):
     assert NODE, "Node.js is not installed"
-    subprocess.run([NODE, "build.js", str(tmp_path)], cwd=SOURCES, check=True, capture_output=True)
+    subprocess.run(
+        [NODE, "page/build.js", str(tmp_path)], cwd=ROOT, check=True, capture_output=True
+    )
     made = {script.name: script.read_bytes() for script in tmp_path.iterdir()}
     assert made.keys() == {script.name for script in BUNDLE.parent.glob("*.js")}
     for name, content in made.items():
-        assert content == BUNDLE.with_name(name).read_bytes(), "run `make explorer`"
+        assert content == BUNDLE.with_name(name).read_bytes(), "run `make bundles`"
 
 
 def test_the_small_figures_know_the_books_arms():
@@ -756,7 +758,7 @@ def test_unknown_choices_are_refused_in_words(given, words):
 
 
 def test_the_page_is_told_what_was_chosen():
-    """The keys are those that explorer/src reads."""
+    """The keys are those that page/src reads."""
     all_views = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"]
     panda = arm_data(PANDA)
     assert ArmExplorer(PANDA)._spec == {

@@ -94,7 +94,7 @@ def test_the_tests_weigh_less_than_what_they_test():
         files = [path for pattern in patterns for path in ROOT.glob(pattern)]
         return sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files)
 
-    code = lines("helpers/**/*.py", "tools/*.py", "explorer/src/**/*.js")
+    code = lines("helpers/**/*.py", "tools/*.py", "judge/**/*.js", "page/src/**/*.js")
     assert lines("tests/**/*.py", "tests/**/*.mjs") < 0.8 * code
 
 

@@ -45,7 +45,7 @@ OUTCOMES, REACH = PLACE / "outcomes.jsonl", PLACE / "reach.jsonl"
 PORTION = 25  # tests that are recorded in one process
 MEMORY, GRACE = 6 << 30, 5  # bytes, and seconds of processor on top of five times a test's own
 # What the page's answers depend on: its judge, and the questions.
-ASKED = ("explorer/src/judge/**/*.js", "helpers/reading/sentences.json", "tests/judge_*",
+ASKED = ("judge/**/*.js", "judge/sentences.json", "tests/judge_*",
          "tests/*pastes.py", "tests/readings.py", "tests/corpus/*.py")  # fmt: skip
 STRING, GUARD = re.compile(r"""(["'])(.*?)\1"""), re.compile(r", (strict=\w+)?\)")
 

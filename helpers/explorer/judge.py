@@ -98,7 +98,7 @@ def stub(given: Mapping[str, str] | None = None) -> tuple[str, str]:
     script.
 
     `given` is what a chapter asks: `ask`, `arm` (a call such as ``PANDA.lock(3)``, or several with
-    commas) or the `table` of another arm, `q` and more fields of explorer/src/judge/ask.js. Raises
+    commas) or the `table` of another arm, `q` and more fields of page/src/check/question.js. Raises
     ArmError for an arm that is not in the catalogue.
     """
     given = dict(given or {})
@@ -122,7 +122,7 @@ def listed(call: str) -> Data:
 
 
 def judged_data(arm: Arm) -> Data:
-    """An arm for explorer/src/judge: `arm_data`, its values by name, the arm without its pen, for
+    """An arm for judge/: `arm_data`, its values by name, the arm without its pen, for
     lengths that are near each other the arm with one taken for the other, and the arm with the
     lengths of robots of nearly its name.
     """

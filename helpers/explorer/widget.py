@@ -18,7 +18,7 @@ from helpers.inverse import Solutions
 VIEWS = ("table", "pose", "jacobian", "homework", "trace", "torque", "branches")
 UNITS = ("deg", "rad")
 
-TYPED = "Your arm"  # as explorer/src/arm.js calls an arm whose table was typed in
+TYPED = "Your arm"  # as judge/geometry/arm.js calls an arm whose table was typed in
 
 BUNDLE = Path(__file__).parent / "static" / "explorer.js"
 MORE = BUNDLE.with_name("explorer-more.js")  # the small figures, which need the first

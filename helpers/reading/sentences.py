@@ -10,7 +10,9 @@ _LONG = 9e6  # from here on numbers are told by a power of ten
 @cache
 def templates() -> dict[str, str]:
     """Every template by its key; fields stand in braces."""
-    return json.loads((Path(__file__).parent / "sentences.json").read_text(encoding="utf-8"))
+    return json.loads(
+        (Path(__file__).parents[2] / "judge" / "sentences.json").read_text(encoding="utf-8")
+    )
 
 
 def say(key: str, **fields: object) -> str:

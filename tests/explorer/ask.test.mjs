@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { armOf, asPython, EMPTY, fromFragment, toFragment } from "../../explorer/src/judge/ask.js";
-import { number } from "../../explorer/src/judge/formula.js";
-import "../../explorer/src/judge/scripts/jacobian.js";
-import { size, spelled } from "../../explorer/src/judge/say.js";
+import { armOf, asPython, EMPTY, fromFragment, toFragment } from "../../page/src/check/question.js";
+import { number } from "../../judge/reading/formula.js";
+import "../../page/src/check/scripts/jacobian.js";
+import { size, spelled } from "../../judge/sentences.js";
 
 const ARMS = ["PANDA", "ELBOW"];
 const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };

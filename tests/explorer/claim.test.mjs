@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { jacobianColumns, linkFrames } from "../../explorer/src/kinematics.js";
-import { pictureOf } from "../../explorer/src/judge/page/picture.js";
-import { carried, claimWords, moved } from "../../explorer/src/more/claim.js";
+import { jacobianColumns, linkFrames } from "../../judge/geometry/kinematics.js";
+import { pictureOf } from "../../page/src/check/extras/picture.js";
+import { carried, claimWords, moved } from "../../page/src/more/claim.js";
 
 const right = { kind: "revolute", a: 0, d: 0, alpha: 0, theta: 0 };
 const ARM = {

@@ -2,8 +2,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { range } from "../../explorer/src/arm.js";
-import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "../../explorer/src/hold.js";
+import { range } from "../../judge/geometry/arm.js";
+import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "../../page/src/hold.js";
 import {
   dot,
   jacobianColumns,
@@ -13,10 +13,10 @@ import {
   norm,
   plus,
   scaled,
-} from "../../explorer/src/kinematics.js";
-import { followTip } from "../../explorer/src/grab.js";
-import { startingState, Store } from "../../explorer/src/state.js";
-import { holdVerdict, stopVerdict } from "../../explorer/src/verdicts.js";
+} from "../../judge/geometry/kinematics.js";
+import { followTip } from "../../page/src/grab.js";
+import { startingState, Store } from "../../page/src/state.js";
+import { holdVerdict, stopVerdict } from "../../page/src/verdicts.js";
 import { ARMS, ELBOW, PANDA, STANFORD } from "./arms.mjs";
 
 const pixel = ([x, y, z]) => [300 * x + 120 * y, 400 - 300 * z + 60 * y]; // a camera far away

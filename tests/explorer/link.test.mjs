@@ -2,9 +2,9 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fromFragment, toFragment } from "../../explorer/src/link.js";
-import { HOMEWORK } from "../../explorer/src/runs.js";
-import { startingState, transition } from "../../explorer/src/state.js";
+import { fromFragment, toFragment } from "../../page/src/link.js";
+import { HOMEWORK } from "../../page/src/runs.js";
+import { startingState, transition } from "../../page/src/state.js";
 import { ARMS, ELBOW, PANDA } from "./arms.mjs";
 
 const VIEWS = ["table", "pose", "torque", "homework"];

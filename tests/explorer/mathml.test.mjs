@@ -2,8 +2,8 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { parse } from "../../explorer/src/judge/formula.js";
-import { isPlain, mathOf } from "../../explorer/src/judge/mathml.js";
+import { parse } from "../../judge/reading/formula.js";
+import { isPlain, mathOf } from "../../page/src/check/mathml.js";
 
 const markup = ([tag, content]) =>
   `<${tag}>${typeof content === "string" ? content : content.map(markup).join("")}</${tag}>`;

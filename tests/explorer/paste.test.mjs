@@ -2,8 +2,8 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { exported } from "../../explorer/src/exports.js";
-import { readTable } from "../../explorer/src/paste.js";
+import { exported } from "../../page/src/exports.js";
+import { readTable } from "../../page/src/paste.js";
 import { PANDA, STANFORD } from "./arms.mjs";
 
 const H = Math.PI / 2;

@@ -3,11 +3,11 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { linkFrames } from "../../explorer/src/kinematics.js";
-import { bareArm, choices, directions, frameOf, randomArm, tableOf, violation } from "../../explorer/src/more/placing.js";
-import { sameArm } from "../../explorer/src/same.js";
+import { linkFrames } from "../../judge/geometry/kinematics.js";
+import { bareArm, choices, directions, frameOf, randomArm, tableOf, violation } from "../../page/src/more/placing.js";
+import { sameArm } from "../../page/src/same_arm.js";
 
-const ARMS = JSON.parse(readFileSync(new URL("../../explorer/src/more/arms.json", import.meta.url), "utf8"));
+const ARMS = JSON.parse(readFileSync(new URL("../../page/src/more/arms.json", import.meta.url), "utf8"));
 
 // Every way to place the frames of an arm, cut off after `most` tables.
 function tables(arm, most = 60) {

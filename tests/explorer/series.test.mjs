@@ -3,20 +3,20 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import "../../explorer/src/judge/scripts/jacobian.js";
-import "../../explorer/src/judge/scripts/motion.js";
-import "../../explorer/src/judge/scripts/table.js";
-import { EMPTY, judge } from "../../explorer/src/judge/ask.js";
-import { learn } from "../../explorer/src/judge/say.js";
-import { fromLink } from "../../explorer/src/judge/page/practice.js";
-import { tellingPose } from "../../explorer/src/judge/page/poses.js";
-import { questionOf, rolls, TOPICS } from "../../explorer/src/judge/page/series.js";
-import { linkFrames } from "../../explorer/src/kinematics.js";
-import { traceCircle } from "../../explorer/src/motion.js";
+import "../../page/src/check/scripts/jacobian.js";
+import "../../page/src/check/scripts/motion.js";
+import "../../page/src/check/scripts/table.js";
+import { EMPTY, judge } from "../../page/src/check/question.js";
+import { learn } from "../../judge/sentences.js";
+import { fromLink } from "../../page/src/check/extras/practice.js";
+import { tellingPose } from "../../page/src/check/extras/poses.js";
+import { questionOf, rolls, TOPICS } from "../../page/src/check/extras/series.js";
+import { linkFrames } from "../../judge/geometry/kinematics.js";
+import { traceCircle } from "../../page/src/motion.js";
 
-learn(JSON.parse(readFileSync(new URL("../../helpers/reading/sentences.json", import.meta.url), "utf8")));
+learn(JSON.parse(readFileSync(new URL("../../judge/sentences.json", import.meta.url), "utf8")));
 const KEYS = { "Panda": "PANDA", "UR10e": "UR10E", "UR10e (homework)": "UR10E_HOMEWORK", "Stanford arm": "STANFORD", "Elbow arm": "ELBOW" }; // prettier-ignore
-const LIST = JSON.parse(readFileSync(new URL("../../explorer/src/more/arms.json", import.meta.url), "utf8"));
+const LIST = JSON.parse(readFileSync(new URL("../../page/src/more/arms.json", import.meta.url), "utf8"));
 const ARMS = LIST.filter(({ name }) => KEYS[name]).map((arm) => ({ ...arm, key: KEYS[arm.name], title: arm.name }));
 const FEW = Array.from({ length: 12 }, (_, i) => i + 1);
 const list = (text) => text.split(/[,\n]/).map(Number);

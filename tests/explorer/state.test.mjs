@@ -2,10 +2,10 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { MOST_ROWS, TYPED } from "../../explorer/src/arm.js";
-import { derive, DROPS, EMPTY, leftBehind, startingState, Store, transition } from "../../explorer/src/state.js";
-import { otherWays } from "../../explorer/src/motion.js";
-import { rankVerdict } from "../../explorer/src/verdicts.js";
+import { MOST_ROWS, TYPED } from "../../judge/geometry/arm.js";
+import { derive, DROPS, EMPTY, leftBehind, startingState, Store, transition } from "../../page/src/state.js";
+import { otherWays } from "../../page/src/motion.js";
+import { rankVerdict } from "../../page/src/verdicts.js";
 import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 
 const start = (arm = PANDA, more = {}) => startingState({ arm, q: [...arm.home], ...more });

@@ -1,0 +1,142 @@
+// How the joints of one valid table count in those of another: a joint's zero is found from where it
+// carries the next axis, or at the end the tip and the tool.
+
+import { cross, dot, joints, linkFrames, minus, plus, scaled } from "./kinematics.js";
+import { DEG } from "./angles.js";
+import { say, size } from "../sentences.js";
+
+const SEEN = 1e-6; // m, or the sine of an angle: less than this fixes no direction
+const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times this
+
+/** @typedef {import("./axes.js").Side} Side */
+
+/**
+ * The reference's joint k is signs[k] times yours plus offsets[k] (rad or m); your base's frame in the reference's.
+ * @typedef {{ signs: number[], offsets: number[], base: any }} Map
+ */
+
+// The map between two tables that agree, or null where it cannot be confirmed by the tips of some poses.
+/** @param {Side} mine @param {Side} reference @returns {Map | null} */
+export function jointMap(mine, reference, found, tolerance = 1e-6) {
+  const base = baseOf(mine, reference, found);
+  const still = mine.joints.map(() => 0);
+  const plain = mine.joints.map(() => 1);
+  const ours = features(mine.rows, still, base, found.signs);
+  const own = linkFrames(mine, still).map((F) => placed(base, F).o);
+  const offsets = [...still];
+  const toCarry = [...reference.joints.entries()];
+  // Where the next axis tells nothing, one farther out does, once the zeros between are known.
+  for (const [k, i] of [...toCarry, ...toCarry]) {
+    const { z, o } = linkFrames(reference, offsets)[i - 1];
+    const theirs = features(reference.rows, offsets, BASE, plain);
+    const turns = reference.rows[i - 1].kind === "revolute";
+    for (let n = k + 1; n < ours.length; n++) {
+      const [m, r] = [ours[n], theirs[n]];
+      const moved = turns ? turn(z, own[mine.joints[k] - 1], m, o, r) : slide(z, m, r);
+      if (moved === null) continue;
+      offsets[k] += moved;
+      break;
+    }
+  }
+  const wrapped = offsets.map((c, k) =>
+    reference.rows[reference.joints[k] - 1].kind === "revolute" ? wrap(c) : c,
+  );
+  return confirmed(mine, reference, { signs: found.signs, offsets: wrapped, base }, tolerance);
+}
+
+const BASE = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], o: [0, 0, 0] };
+
+const UPSIDE_DOWN = { x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, -1], o: [0, 0, 0] };
+
+// Your base's frame in the reference's, as far as axis 1 tells.
+function baseOf(mine, reference, { upsideDown, baseHigher, signs }) {
+  const axis = linkFrames({ rows: reference.rows.slice(0, reference.joints[0] - 1) }, []).at(-1).z;
+  const up = mine.up * signs[0];
+  return { ...(upsideDown ? UPSIDE_DOWN : BASE), o: scaled(up * baseHigher, axis) };
+}
+
+// What each joint carries, its axis: a line (point, direction), or for a slide a direction without place; then the tip
+// and the axes of the tool; in the reference's base.
+function features(rows, q, base, signs) {
+  const T = linkFrames({ rows }, q).map((F) => placed(base, F));
+  const axes = joints({ rows }).map((i, k) => ({
+    point: rows[i].kind === "revolute" ? T[i].o : null,
+    direction: scaled(signs[k], T[i].z),
+  }));
+  const { x, z, o } = T.at(-1);
+  return [
+    ...axes,
+    { point: o, direction: null },
+    { point: null, direction: z },
+    { point: null, direction: x },
+  ];
+}
+
+const turnedBy = (base, v) => plus(plus(scaled(v[0], base.x), scaled(v[1], base.y)), scaled(v[2], base.z));
+
+const placed = (base, { x, y, z, o }) => ({
+  x: turnedBy(base, x),
+  y: turnedBy(base, y),
+  z: turnedBy(base, z),
+  o: plus(base.o, turnedBy(base, o)),
+});
+
+// The angle about an axis along z, through p here and o there, that carries r to m; null where it does not show.
+function turn(z, p, m, o, r) {
+  const pairs = [];
+  if (m.direction) pairs.push([m.direction, r.direction]);
+  if (m.point) pairs.push([minus(m.point, p), minus(r.point, o)]);
+  for (const pair of pairs) {
+    const [u, v] = pair.map((w) => across(w, z));
+    if (dot(u, u) > SEEN ** 2 && dot(v, v) > SEEN ** 2) return Math.atan2(dot(z, cross(v, u)), dot(u, v));
+  }
+  return null;
+}
+
+// What of w is perpendicular to the unit vector d.
+const across = (w, d) => minus(w, scaled(dot(w, d), d));
+
+// How far along z r is carried to m; null where it does not show.
+function slide(z, m, r) {
+  if (!m.point) return null;
+  const w = minus(m.point, r.point);
+  if (!m.direction) return dot(w, z);
+  const along = across(z, r.direction);
+  return dot(along, along) > SEEN ** 2 ? dot(w, along) / dot(along, along) : null;
+}
+
+// The map, if the tips of some poses agree by it, up to the height of the base on axis 1.
+function confirmed(mine, reference, found, tolerance) {
+  const off = POSES.map((step) => {
+    const q = mine.joints.map((_, k) => Math.sin(step * (k + 1)));
+    const other = q.map((x, k) => found.signs[k] * x + found.offsets[k]);
+    const here = placed(found.base, linkFrames(mine, q).at(-1)).o;
+    return minus(linkFrames(reference, other).at(-1).o, here);
+  });
+  const allowed = 10 * Math.max(tolerance, 1e-6);
+  const height = off[0][2];
+  const far = ([x, y, z]) => Math.max(Math.abs(x), Math.abs(y), Math.abs(z - height)) > allowed;
+  if (off.some(far)) return null;
+  if (Math.abs(height) <= allowed) return found;
+  return { ...found, base: { ...found.base, o: plus(found.base.o, [0, 0, height]) } };
+}
+
+function wrap(angle) {
+  const turn = 2 * Math.PI;
+  const rest = angle % turn;
+  const near = Math.abs(rest) > Math.PI ? rest - Math.sign(rest) * turn : rest;
+  return near <= -Math.PI + 1e-9 ? Math.PI : near;
+}
+
+// The joints that count otherwise, one equation each; `mine` are the numbers of your joints.
+export function equations({ signs, offsets }, mine, reference) {
+  return signs.flatMap((s, k) => {
+    const [i, j] = [mine[k], reference.joints[k]];
+    const turns = reference.rows[j - 1].kind === "revolute";
+    const shift = Number((offsets[k] * (turns ? DEG : 1000)).toFixed(6));
+    const counted = Math.abs(shift) > 1e-3;
+    if (s > 0 && !counted) return [];
+    const tail = counted ? ` ${shift < 0 ? "-" : "+"} ${size(Math.abs(shift), 5)}${turns ? "°" : " mm"}` : "";
+    return [say(s < 0 ? "map back" : "map joint", { joint: j, mine: i, tail })];
+  });
+}

@@ -1,0 +1,302 @@
+// Formulas as people type them: a tree is ["num", x], ["name", n], ["neg", t], ["call", function, t] or
+// [sign, left, right]. No text is ever run.
+
+import { DEG, RAD } from "../geometry/angles.js";
+import { ArmError, shown } from "../sentences.js";
+
+const LONGEST = 20_000; // characters of one formula
+const TEN = 10; // whose powers are meant, 10^0 too
+const DEEPEST = 60; // brackets in brackets
+
+const FUNCTIONS = {
+  sin: Math.sin,
+  cos: Math.cos,
+  tan: Math.tan,
+  sqrt: Math.sqrt,
+  asin: Math.asin,
+  acos: Math.acos,
+  atan: Math.atan,
+  arcsin: Math.asin,
+  arccos: Math.acos,
+  arctan: Math.atan,
+  abs: Math.abs,
+  radians: (x) => x * RAD,
+  deg2rad: (x) => x * RAD,
+  degrees: (x) => x * DEG,
+  rad2deg: (x) => x * DEG,
+  sind: (x) => Math.sin(x * RAD),
+  cosd: (x) => Math.cos(x * RAD),
+  float: (x) => x,
+  Float: (x) => x,
+  Integer: (x) => x,
+  float64: (x) => x,
+  float32: (x) => x,
+  int64: (x) => x,
+};
+const SIGNS = {
+  "+": (left, right) => left + right,
+  "-": (left, right) => left - right,
+  "*": (left, right) => left * right,
+  "/": (left, right) => (right === 0 ? NaN : left / right),
+  "^": raised,
+};
+const CONSTANTS = { pi: Math.PI, deg: RAD, rad: 1 };
+export const isFunction = (word) => Object.hasOwn(FUNCTIONS, word);
+const isConstant = (word) => Object.hasOwn(CONSTANTS, word);
+
+function raised(left, right) {
+  const power = left ** right;
+  return Number.isFinite(power) || !Number.isFinite(left) ? power : NaN;
+}
+
+/** @returns {[string, string][]} */
+const each = (signs, instead) => [...signs].map((sign) => [sign, instead]);
+const GREEK = "alpha beta gamma delta theta theta phi phi psi omega lambda".split(" ");
+/** @type {Map<string, string>} */
+const SAME = new Map([
+  ...each("−–—‐‑‒﹣－", "-"),
+  ...each("×⋅·∙∗", "*"),
+  ...each("÷∕⁄", "/"),
+  ...each("\u00a0\u2009\u202f\u2007\u2002\u2003\u200a\u3000", " "),
+  ...each("\u200b\u2061\u2062\ufeff", ""),
+  ...each("′’‘", "'"),
+  ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => each(sign, `_${i}`)),
+  ...[..."αβγδθϑφϕψωλ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
+  ...each("π𝜋", " pi "),
+  ...each("°º˚◦∘", " deg"),
+  ...[..."０１２３４５６７８９"].flatMap((sign, i) => each(sign, `${i}`)), // as typed among Chinese signs
+  ["$", " "],
+  ["√", "sqrt"],
+  ["⅓", "(1/3)"],
+  ["½", "(1/2)"],
+  ["¼", "(1/4)"],
+  ["∞", " inf "],
+]);
+/** @type {[RegExp, string][]} */
+const LATEX = [
+  [/\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)(?![A-Za-z])/g, " "],
+  [/\\[,;:! ]|~|\\hspace\{[^{}]*\}/g, " "],
+  [/\\(?:mathrm|text(?:bf|it|rm)?|math(?:it|bf|sf)|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g, "$1"],
+  [/\\ang\s*\{([^{}]*)\}|\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*\\degree\s*\}/g, "($1$2 deg)"],
+  [/\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)(?![A-Za-z])/g, " deg"],
+  [/\\(?:cdot|times|ast)(?![A-Za-z])/g, "*"],
+  [/\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)/g, " "],
+  [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
+  [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],
+  [/(?<=[0-9])\^\s*\{?\s*o\s*\}?(?![A-Za-z0-9])/g, " deg"],
+  [/(\\[dt]?frac)\s*([0-9]|\\pi(?![A-Za-z]))/g, "$1{$2}"],
+  [/(\\[dt]?frac\s*\{[^{}]*\})\s*([0-9]|\\pi(?![A-Za-z]))/g, "$1{$2}"],
+  [/(?<=[0-9.)])\s*(deg|rad)(?:ree|ian)s?(?![A-Za-z0-9_]|\s*\()/g, " $1"],
+];
+/** @type {[RegExp, string][]} */
+const INNERMOST = [
+  [/\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g, "(($1)/($2))"],
+  [/(\\(?:sqrt|sin|cos|tan)|\^)\s*\{([^{}]*)\}/g, "$1($2)"],
+];
+const POWERS = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹";
+const RAISED = new RegExp(`[${POWERS}]+`, "g");
+const ROOT = /√ ?([0-9]+(?:\.[0-9]+)?)/g;
+const COUNTED = /(?<![A-Za-z_])(q|th|theta) *(?:\[ *([0-9]{1,2}) *\]|\( *([0-9]{1,2}) *\))/g;
+const MIXED = /(?<![A-Za-z0-9_.])([0-9]+) ?([⅓½¼])/g;
+const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
+const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
+const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]))`, "y");
+const RUN = /^(?:[cs]_?(?:\d|\{[\d+-]+\})+){2,}$/;
+const SHORT = /[cs]_?(?:\d|\{[\d+-]+\})+/g;
+
+const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
+
+// Whether a text is one number in plain signs, as nearly every cell of a long paste is.
+export const isNumber = (text) => NUMBER.test(text);
+
+// The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
+export function plain(text) {
+  if (isNumber(text)) return text;
+  text = text.replace(
+    RAISED,
+    (powers) => `^${[...powers].map((sign) => "+-0123456789"[POWERS.indexOf(sign)]).join("")}`,
+  );
+  text = text.replace(MIXED, "($1+$2)").replace(ROOT, "sqrt($1)");
+  text = [...text].map((sign) => SAME.get(sign) ?? sign).join("");
+  for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
+  for (let before = ""; before !== text;) {
+    before = text;
+    for (const [innermost, opened] of INNERMOST) text = text.replace(innermost, opened);
+  }
+  text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
+  text = text.replace(/\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\./g, "");
+  text = text.replace(/\.(?=[*/^])/g, ""); // MATLAB's signs for entry by entry
+  text = text.replace(/(?<=\w)\s*\(t\)/g, "");
+  text = text.replace(COUNTED, "$1_$2$3");
+  text = text.replace(/(\b[a-z]+) +_(?=[\w{])/g, "$1_");
+  text = text.replace(/(?<![_\w])\{|(?<=[^\w+-])\{/g, "(");
+  text = text.replace(/\{[\w+-]*\}|\}/g, (braces) => (braces === "}" ? ")" : braces));
+  return text.replace(/[ \t]+/g, " ").trim();
+}
+
+// The tree of one formula; an error that quotes it where it is none.
+export function parse(text, what = "the formula") {
+  if (text.length > LONGEST) {
+    throw new ArmError(`${what} has ${text.length} characters; expected at most ${LONGEST}`);
+  }
+  if (!text.trim()) throw new ArmError(`${what} is empty; expected a number or a formula, or 0`);
+  const tokens = tokensOf(plain(text));
+  if (!tokens) {
+    throw new ArmError(
+      `${what} is ${shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )`,
+    );
+  }
+  const found = attempted(tokens);
+  if (found?.[1] !== tokens.length) {
+    throw new ArmError(`${what} is ${shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'`);
+  }
+  return found[0];
+}
+
+class NoFormula extends Error {}
+
+function attempted(tokens) {
+  try {
+    return sum(tokens, 0, 0);
+  } catch (error) {
+    if (error instanceof NoFormula) return null;
+    throw error;
+  }
+}
+
+function tokensOf(text) {
+  const found = [];
+  for (let at = 0; at < text.length; at = TOKEN.lastIndex) {
+    TOKEN.lastIndex = at;
+    const match = TOKEN.exec(text);
+    if (!match) return null;
+    const [, number, name, sign] = match;
+    if (number !== undefined) found.push(["num", number]);
+    else if (sign !== undefined) found.push(["sign", sign === "**" ? "^" : sign]);
+    else for (const one of RUN.test(name) ? name.match(SHORT) : [name]) found.push(["name", one]);
+  }
+  return found;
+}
+
+function at(tokens, k) {
+  if (k >= tokens.length) throw new NoFormula();
+  return tokens[k];
+}
+
+function sum(tokens, k, depth) {
+  let [left, next] = product(tokens, k, depth);
+  while (next < tokens.length && ["+", "-"].includes(tokens[next][1])) {
+    const [right, after] = product(tokens, next + 1, depth);
+    [left, next] = [[tokens[next][1], left, right], after];
+  }
+  return [left, next];
+}
+
+function product(tokens, k, depth) {
+  let [left, next] = signed(tokens, k, depth);
+  while (next < tokens.length) {
+    const [kind, word] = tokens[next];
+    if (word === "*" || word === "/") {
+      const [right, after] = signed(tokens, next + 1, depth);
+      [left, next] = [[word, left, right], after];
+    } else if (word === "(" || kind !== "sign") {
+      if (kind === "num" && tokens[next - 1][0] === "num") throw new NoFormula(); // 1 234.5 is no product
+      const [right, after] = power(tokens, next, depth);
+      [left, next] = [["*", left, right], after];
+    } else break;
+  }
+  return [left, next];
+}
+
+function signed(tokens, k, depth) {
+  if (depth > DEEPEST) throw new NoFormula();
+  const word = at(tokens, k)[1];
+  if (word === "-") {
+    const [inner, next] = signed(tokens, k + 1, depth + 1);
+    return [["neg", inner], next];
+  }
+  return word === "+" ? signed(tokens, k + 1, depth + 1) : power(tokens, k, depth);
+}
+
+function power(tokens, k, depth) {
+  const [base, next] = atom(tokens, k, depth);
+  if (next >= tokens.length || tokens[next][1] !== "^") return [base, next];
+  const [exponent, after] = signed(tokens, next + 1, depth + 1);
+  const none = exponent[0] === "num" && exponent[1] === 0;
+  if (base[0] === "num" && base[1] > TEN && none) throw new NoFormula(); // 90^0 is no 1
+  return [["^", base, exponent], after];
+}
+
+function atom(tokens, k, depth) {
+  const [kind, word] = at(tokens, k);
+  if (kind === "num") return [["num", Number(word)], k + 1];
+  if (kind === "name" && isFunction(word) && k + 1 < tokens.length) {
+    if (tokens[k + 1][1] === "^") {
+      const [exponent, after] = atom(tokens, k + 2, depth + 1); // sin^2 x
+      if (exponent[0] !== "num") throw new NoFormula(); // sin^-1 is another function
+      const [of, end] = argument(tokens, after, depth + 1);
+      return [["^", ["call", word, of], exponent], end];
+    }
+    const [inner, next] = argument(tokens, k + 1, depth + 1);
+    return [["call", word, inner], next];
+  }
+  if (kind === "name") return [["name", word], k + 1];
+  if (word !== "(") throw new NoFormula();
+  const [inner, next] = sum(tokens, k + 1, depth + 1);
+  if (at(tokens, next)[1] !== ")") throw new NoFormula();
+  return [inner, next + 1];
+}
+
+// What a function is taken of: a bracket, or the next factor, as in "sin theta_1".
+function argument(tokens, k, depth) {
+  if (depth > DEEPEST) throw new NoFormula();
+  if (at(tokens, k)[1] !== "-") return atom(tokens, k, depth);
+  const [inner, next] = atom(tokens, k + 1, depth);
+  return [["neg", inner], next];
+}
+
+// The names in a tree that are no constants.
+export function symbols(tree, found = new Set()) {
+  // A sum may have more terms than functions can call one another.
+  for (const parts = [tree]; parts.length;) {
+    const [kind, ...of] = parts.pop();
+    if (kind === "name" && !isConstant(of[0])) found.add(of[0]);
+    parts.push(...of.filter(Array.isArray).reverse());
+  }
+  return found;
+}
+
+// The number of a tree, names looked up by `known`.
+export function value(tree, known) {
+  const found = valueOf(tree, known);
+  if (!Number.isFinite(found)) {
+    throw new ArmError("a formula divides by zero or is too large; expected a finite value");
+  }
+  return found;
+}
+
+function valueOf(tree, known) {
+  const later = []; // what is left to do from left to right, for a sum may have very many terms
+  for (; Object.hasOwn(SIGNS, tree[0]); tree = tree[1]) later.push(tree);
+  const first = single(tree, known);
+  return later.reduceRight((found, [sign, , right]) => SIGNS[sign](found, valueOf(right, known)), first);
+}
+
+function single([kind, first, second], known) {
+  if (kind === "num") return first;
+  if (kind === "neg") return -valueOf(first, known);
+  if (kind === "call") return FUNCTIONS[first](valueOf(second, known));
+  const found = isConstant(first) ? CONSTANTS[first] : known(first);
+  if (found === undefined) throw new ArmError(`no value for ${first}`);
+  return found;
+}
+
+// The number a text stands for if it holds no symbols, else null.
+export function number(text) {
+  try {
+    return value(parse(text), () => undefined);
+  } catch (error) {
+    if (error instanceof ArmError) return null;
+    throw error;
+  }
+}

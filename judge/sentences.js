@@ -1,0 +1,88 @@
+// The sentences of the checkers: templates by key, from sentences.json.
+
+/** @type {Record<string, string>} */
+let templates = {};
+
+// Every script brings the sentences that it says.
+export const learn = (sentences) => void (templates = { ...templates, ...sentences });
+
+// A sentence with its fields put in.
+export function say(key, fields = {}) {
+  let text = templates[key];
+  for (const [name, value] of Object.entries(fields))
+    text = text.replaceAll(`{${name}}`, () => String(value));
+  return text;
+}
+
+// What was asked for cannot be judged: how it was asked is wrong, not the answer.
+export class ArmError extends Error {}
+
+// A, b and c.
+export const listed = (words, last = "and") =>
+  words.length === 1 ? words[0] : `${words.slice(0, -1).join(", ")} ${last} ${words.at(-1)}`;
+
+// A sentence to stand inside another; a name such as N mm, q_1 or A_i keeps its capital.
+export const lower = (text) =>
+  /^.(\p{Lu}|_)/su.test(text) ? text : text.slice(0, 1).toLowerCase() + text.slice(1);
+
+const LONG = 9e6; // from here on numbers are told by a power of ten
+
+// A number to so many significant digits, as C's %g, but for whole ones of up to seven places.
+export function size(x, digits = 3) {
+  if (!Number.isFinite(x)) return Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf";
+  if (x === 0) return "0";
+  const [mantissa, power] = evenly(x, digits).split("e");
+  const exponent = Number(power);
+  const trimmed = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
+  if (exponent >= digits && Math.abs(x) < LONG) return Number(`${mantissa}e${power}`).toFixed(0);
+  if (exponent < -4 || exponent >= digits) return `${trimmed(mantissa)}e${signed(exponent)}`;
+  return trimmed(Number(`${mantissa}e${power}`).toFixed(Math.max(0, digits - 1 - exponent)));
+}
+
+// So many digits of a number; one that lies in the middle of two goes to the even one, where toExponential goes up.
+function evenly(x, digits) {
+  const up = x.toExponential(digits - 1);
+  const [mantissa, power] = x.toExponential(digits + 25).split("e");
+  const kept = digits === 1 ? mantissa.indexOf(".") : mantissa.indexOf(".") + digits;
+  const rest = mantissa.slice(kept).replace(".", "");
+  const down = mantissa.slice(0, kept);
+  return /^50*$/.test(rest) && "02468".includes(down.at(-1)) ? `${down}e${power}` : up;
+}
+
+const signed = (exponent) => `${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
+
+// A number as Python spells it: the shortest text that gives it back.
+export function spelled(x) {
+  const [mantissa, power] = x.toExponential().split("e");
+  const exponent = Number(power);
+  if (x !== 0 && (exponent < -4 || exponent >= 16)) return `${mantissa}e${signed(exponent)}`;
+  const text = BigInt(Math.trunc(x)).toString();
+  return exponent > 20 ? text : String(x).includes("e") ? x.toFixed(20).replace(/0+$/, "") : String(x);
+}
+
+// A text as Python's repr shows it, cut where it is long.
+export function shown(text) {
+  const mark = text.includes("'") && !text.includes('"') ? '"' : "'";
+  const escapes = { "\n": "\\n", "\r": "\\r", "\t": "\\t", "\\": "\\\\", [mark]: `\\${mark}` };
+  const inner = [...text].map((sign) => escapes[sign] ?? escaped(sign)).join("");
+  const signs = [...`${mark}${inner}${mark}`];
+  return signs.length <= 80 ? signs.join("") : `${signs.slice(0, 77).join("")}...`;
+}
+
+function escaped(sign) {
+  const code = sign.codePointAt(0);
+  if (!/[\p{C}\p{Z}]/u.test(sign) || sign === " ") return sign;
+  if (code < 0x100) return `\\x${code.toString(16).padStart(2, "0")}`;
+  return code < 0x10000
+    ? `\\u${code.toString(16).padStart(4, "0")}`
+    : `\\U${code.toString(16).padStart(8, "0")}`;
+}
+
+// A shape as Python shows a tuple.
+export const tuple = (shape) => (shape.length === 1 ? `(${shape[0]},)` : `(${shape.join(", ")})`);
+
+// A text as Python would write it: over several lines where it has them and nothing in it would end it.
+export function quoted(text) {
+  const plain = text.includes("\n") && !/"""|["\\]$/.test(text) && !/[\r\0]/.test(text);
+  return plain ? `r"""${text}"""` : JSON.stringify(text);
+}

@@ -1,0 +1,228 @@
+// Are joint torques wrong, and how? One torque vector or a whole run of them.
+
+import { joints } from "../geometry/kinematics.js";
+import {
+  bands,
+  beyond,
+  decimalsOf,
+  farthest,
+  generous,
+  graded,
+  margins,
+  RIGHT,
+  ROUNDED,
+  SO_FAR,
+  WRONG,
+} from "../digits.js";
+import { eachJoint, inRadians, numbered, numbers, poseFault, turning, unnamed } from "../reading/numbers.js";
+import { better, complete, explain, nameOf, several } from "../causes/ranking.js";
+import { ArmError, listed, lower, say, size } from "../sentences.js";
+import { catalogue, loadOf, mended, paperCentres, reversedJoints, torques } from "../causes/torques.js";
+
+const GRAVITY = [0, 0, -9.81];
+const ODD = 1.2; // a torque that stays unexplained weighs more than a second mistake
+const SAMPLE = 25; // poses of a run on which causes are tried
+
+/**
+ * The report on torques, a text or nested numbers, at q or along a list of q.
+ * @returns {import("../report.js").Report}
+ */
+export function compareTorques(mine, arm, q, options = {}) {
+  const { wrench = [0, 0, 0, 0, 0, 0], gravity = GRAVITY, angles = "rad", tolerance = null } = options;
+  const at = poses(q, arm, angles);
+  if (!arm.rows.every((row) => row.body)) {
+    throw new ArmError(
+      `${arm.name} has no masses; give bodies, one Body for each of its ${arm.rows.length} rows`,
+    );
+  }
+  const dof = joints(arm).length;
+  const list = rowsOf(at.values, dof);
+  const wrenches = Array.isArray(wrench[0]) ? wrench : list.map(() => wrench);
+  const load = loadOf(arm, list, wrenches, gravity); // prettier-ignore
+  const right = torques(load).flat();
+  const typed = numbers(unnamed(mine), `${arm.name}: your torques`);
+  const found = upright(typed, right, dof);
+  if (!found) return { ...misshapen(typed, list.length, arm), typed };
+  return { ...judged(...found, right, load, at, tolerance), typed };
+}
+
+const rowsOf = (flat, width) =>
+  Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
+/** @param {number[]} flat @param {number[]} shape */
+const turned = (flat, [rows, width]) => flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
+
+function poses(q, arm, angles) {
+  const dof = joints(arm).length;
+  let typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
+  let { shape } = typed;
+  if (shape.length === 2 && shape[0] === dof && shape[1] !== dof) {
+    typed = { ...typed, values: turned(typed.values, shape), units: turned(typed.units, shape) };
+    shape = [shape[1], dof];
+  }
+  if (shape.length === 2 && shape[0] === 1) shape = shape.slice(1);
+  if (shape.at(-1) !== dof) throw new ArmError(poseFault(arm, shape, `(..., ${dof})`));
+  return inRadians(typed, arm, angles);
+}
+
+// The torques with a row per pose: columns, lists per joint and a leading column of zeros are set right, and said.
+function upright(typed, right, dof) {
+  const count = right.length / dof;
+  let shape = typed.shape.filter((n) => n !== 1);
+  let { values, units } = typed;
+  const said = [];
+  if (shape.length === 1 && shape[0] === dof && count === 1) return [{ values, units }, said];
+  if (shape.length !== 2) return null;
+  const off = (list) => list.reduce((top, x, i) => Math.max(top, Math.abs(x - right[i])), 0);
+  if (
+    shape[0] === dof &&
+    shape[1] === count &&
+    (count !== dof || off(turned(values, shape)) < 0.05 * off(values))
+  ) {
+    [values, units] = [turned(values, shape), turned(units, shape)];
+    shape = [count, dof];
+    said.push(say("taken: list per joint"));
+  }
+  if (shape[0] === count && shape[1] === dof + 1 && rowsOf(values, dof + 1).every(([first]) => !first)) {
+    const rest = (list) => rowsOf(list, dof + 1).flatMap((row) => row.slice(1));
+    [values, units] = [rest(values), rest(units)];
+    shape = [count, dof];
+    said.push(say("taken: leading zeros"));
+  }
+  return shape[0] === count && shape[1] === dof ? [{ values, units }, said] : null;
+}
+
+/** @returns {import("../report.js").Report} */
+const reported = (arm, grade, headline, rest = {}) => ({
+  topic: "torques", arm: arm.name, grade, headline, findings: [], causes: [], taken: [], notes: [], ...rest,
+}); // prettier-ignore
+
+function misshapen({ shape, values }, count, arm) {
+  const dof = joints(arm).length;
+  const key = values.length === count && values.length !== count * dof ? "tau.energy" : "tau.shape";
+  const wanted = count > 1 ? `${count}x${dof}` : String(dof);
+  const sizes = count > 1 ? shape : shape.filter((n) => n !== 1);
+  const words = say(key, { shape: sizes.join("x") || "1", wanted, dof });
+  const findings = [{ what: "shape", where: "", words }];
+  const headline = say("tau wrong", { arm: arm.name, cause: lower(words) });
+  return reported(arm, WRONG, headline, { findings, causes: [key] });
+}
+
+/** @returns {import("../report.js").Report} */
+function judged(typed, taken, right, load, at, tolerance) {
+  const { arm } = load;
+  const dof = joints(arm).length;
+  const count = right.length / dof;
+  const step = (count - 1) / (SAMPLE - 1);
+  const picked = Array.from({ length: SAMPLE - 1 }, (_, i) => Math.trunc(i * step));
+  const pick = [...new Set([...picked, count - 1])];
+  const some = (list) => pick.flatMap((i) => list.slice(i * dof, (i + 1) * dof));
+  const of = (list) => pick.map((i) => list[i]);
+  const sample = loadOf(arm, of(load.q), of(load.wrenches), load.gravity);
+  const { causes, made } = catalogue(sample);
+  const scale = Math.max(1e-3, ...right.map(Math.abs));
+  const m = margins(typed.units, right.map(() => scale), slop(load, at, right), tolerance); // prettier-ignore
+  const part = Object.fromEntries(Object.entries(m).map(([key, list]) => [key, some(list)]));
+  const [mine, wanted] = [some(typed.values), some(right)];
+  const single = made.filter((_, k) => causes[k].keys.length === 1);
+  const grade = whole(graded(mine, wanted, part, single), typed.values, right, m);
+  if (grade !== WRONG) return good(grade, typed, arm, taken);
+  const found = foundIn(mine, wanted, part, causes, made, sample);
+  const symptoms = found ? besides(found, arm, count) : jointFindings(typed.values, right, m, arm);
+  const report = bad(found, symptoms, arm, taken);
+  return { ...report, wrong: beyond(typed.values, right, m) };
+}
+
+// The grade of the sample, unless a pose between its poses is worse.
+function whole(grade, mine, right, m) {
+  const worseThan = (most) => mine.some((x, i) => Math.abs(x - right[i]) > most[i]);
+  const worse = (grade === RIGHT || grade === SO_FAR) && worseThan(generous(m)) ? ROUNDED : grade;
+  return worse === ROUNDED && worseThan(farthest(m)) ? WRONG : worse;
+}
+
+// What the unwritten digits of q may change in each torque: those of q with three decimals or more.
+function slop({ arm, q, wrenches, gravity }, at, here) {
+  const steps = at.units.map((u) => (u > 0 && u < 2e-3 ? u : 0));
+  if (!steps.some(Boolean)) return null;
+  const dof = q[0].length;
+  const step = 1e-6;
+  const total = here.map(() => 0);
+  for (let k = 0; k < dof; k++) {
+    const moved = q.map((one) => one.map((x, i) => (i === k ? x + step : x)));
+    torques(loadOf(arm, moved, wrenches, gravity))
+      .flat()
+      .forEach((x, i) => (total[i] += (Math.abs(x - here[i]) / step) * steps[i - (i % dof) + k]));
+  }
+  return total.map((x) => 0.51 * x);
+}
+
+function good(grade, typed, arm, taken) {
+  const digits = decimalsOf(typed.units);
+  const precision = digits === null || digits > 6 ? "" : say("to decimals", { digits });
+  const key = { [RIGHT]: "tau right", [SO_FAR]: "tau so far", [ROUNDED]: "tau rounded" }[grade];
+  return reported(arm, grade, say(key, { arm: arm.name, precision, digits: digits ?? 0 }), { taken });
+}
+
+function foundIn(mine, right, m, causes, made, load) {
+  const simplest = (found) => (complete(found) ? { ...found, causes: found.causes.slice(0, 1) } : null);
+  for (const band of bands(m)) {
+    let found = explain(mine, right, band, causes, made, ODD);
+    if (!complete(found)) {
+      const [turned, paper] = [reversedJoints(load, right), paperCentres(load)].map((other) =>
+        simplest(explain(mine, right, band, other.causes, other.made)),
+      );
+      found = better([found, turned, paper], ODD);
+    }
+    if (found) return found;
+  }
+  return null;
+}
+
+const column = (list, k, dof) => list.filter((_, i) => i % dof === k);
+
+// Each wrong joint.
+function jointFindings(mine, right, m, arm) {
+  const dof = joints(arm).length;
+  const wrong = beyond(mine, right, m);
+  const away = mine.map((x, i) => x - right[i]);
+  return numbered(arm).flatMap((_, k) => {
+    if (!column(wrong, k, dof).includes(true)) return [];
+    const [x, y, band] = [mine, right, m.band].map((list) => column(list, k, dof));
+    const flipped = x.every((one, i) => Math.abs(one + y[i]) <= band[i]);
+    return [offBy(flipped ? "tau other way" : "tau off", arm, k, away)];
+  });
+}
+
+// Each joint that a cause leaves unexplained, by how much once the cause is mended.
+function besides(found, arm, count) {
+  const dof = joints(arm).length;
+  const left = found.rest.map((x, i) => (found.odd[i] ? x : 0));
+  const rest = mended(found.causes[0], left, dof);
+  const tries = rest.length / dof;
+  const tried = tries < count ? say("at poses tried", { count: tries }) : "";
+  return numbered(arm).flatMap((_, k) =>
+    column(rest, k, dof).some(Boolean) ? [offBy("tau besides", arm, k, rest, { tried })] : [],
+  );
+}
+
+function offBy(key, arm, k, away, fields = {}) {
+  const joint = numbered(arm)[k];
+  const off = column(away, k, joints(arm).length).map(Math.abs);
+  const said = size(Number(Math.max(...off).toFixed(9)), 3); // ties as in Python
+  const unit = turning(arm)[k] ? "N m" : "N";
+  const words = say(key, { joint, most: off.length > 1 ? say("up to") : "", off: said, unit, ...fields });
+  return { what: "joint", where: `joint ${joint}`, words };
+}
+
+function bad(found, symptoms, arm, taken) {
+  if (!found) {
+    const headline = say("tau wrong places", {
+      arm: arm.name,
+      places: listed(symptoms.map(({ where }) => where)),
+    });
+    return reported(arm, WRONG, headline, { findings: symptoms, taken });
+  }
+  const words = several(found.causes);
+  const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
+  const headline = say("tau wrong", { arm: arm.name, cause: `${lower(words)}.` });
+  return reported(arm, WRONG, headline, { findings, causes: found.causes.map(nameOf), taken });
+}

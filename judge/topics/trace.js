@@ -1,0 +1,297 @@
+// Did these joints draw the path? By the tip that they give, and by how they move.
+
+import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
+import { singular } from "../geometry/linear.js";
+import { DEG } from "../geometry/angles.js";
+import { angleBetween, millimetres } from "./branches.js";
+import { chain, columns, framesOf } from "../geometry/chains.js";
+import { RIGHT, WRONG } from "../digits.js";
+import { numbered, numbers, rowsInRadians, turning } from "../reading/numbers.js";
+import { rint } from "../geometry/inverse.js";
+import { cause, nameOf, wordsOf } from "../causes/ranking.js";
+import { listed, lower, say, size } from "../sentences.js";
+import { holds, loopCause, near, offs, pathCause, tableCause } from "../causes/trace.js";
+
+const TILT = 1 / DEG; // rad: a tool that leans or spins more no longer counts as held
+const USUAL = 2e-3; // m: Euler's method on the homework's circle stays well below
+const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
+const LOOP_FIRST = ["trace.coarse", "trace.millimetres", "J.millimetres"]; // whatever shape it gives
+const NO_INVERSE = 1e-9; // of the largest singular value: a smaller one is a zero
+const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another branch
+const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
+
+/** @typedef {import("../geometry/path.js").Path} Path */
+/** @typedef {import("../report.js").Finding} Finding */
+/**
+ * Rows of joints, the units of their last places, and the largest of each joint's.
+ * @typedef {{ q: number[][], steps: number[][], units: number[], taken: string[], extra: boolean }} Run
+ */
+
+/**
+ * The report on joint vectors along a path: a text such as CSV, or nested lists.
+ * @param {string | any[]} mine @param {any} arm @param {Path} path
+ * @returns {import("../report.js").Report}
+ */
+export const compareTrace = (mine, arm, path, options = {}) =>
+  judgedTrace(readTrace(mine, arm), arm, path, options);
+
+// The joints as they were handed in.
+export const readTrace = (mine, arm) => numbers(mine, `${arm.name}: your joints`);
+
+/**
+ * @param {import("../reading/numbers.js").Typed} typed @param {any} arm @param {Path} path
+ * @returns {import("../report.js").Report}
+ */
+export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null } = {}) {
+  const run = upright(typed, arm, path.times.length, angles);
+  if (!run) return misshapen(typed, arm, path);
+  const cut = { ...path, times: path.times.slice(0, run.q.length) };
+  const blur = blurOf(run, arm);
+  const allowed = tolerance ?? USUAL + blur;
+  if (angles === "rad" && onlyAsDegrees(run, arm, cut, allowed)) {
+    const words = say("trace.degrees");
+    const findings = [{ what: "cause", where: "", words }];
+    return reported(arm, WRONG, lower(words), run.taken, { findings, causes: ["trace.degrees"] });
+  }
+  return judged(run, arm, cut, allowed, tolerance !== null, blur);
+}
+
+// Whether joints follow the path in degrees, as nearly as Euler's method does, and not in radians.
+function onlyAsDegrees({ q, steps }, arm, path, allowed) {
+  const wanted = path.times.map(path.position);
+  const away = (rows) => offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o)); // prettier-ignore
+  const turned = rowsInRadians(q.map((values, k) => ({ values, units: steps[k] })), arm); // prettier-ignore
+  const rows = turned.map(({ values }) => values);
+  const inDegrees = away(rows);
+  const [top, left] = [Math.max(...away(q)), Math.max(...inDegrees)];
+  if (top <= allowed || left >= top) return false;
+  return left <= near(path, top, allowed) || (begun(inDegrees) && holds(rows, most(turned), arm, path));
+}
+
+// Whether a run so far off its path begins on it: its other points are four times as far.
+const begun = (errors) => errors[0] <= Math.max(...errors) / 4;
+
+// What the digits of the joints leave of the tip's place (m).
+function blurOf({ q, units }, arm) {
+  const each = Math.max(1, Math.floor(q.length / 20));
+  const left = (row) => {
+    const at = chain(arm, row);
+    const J = columns(at, framesOf(at));
+    const over = (i) => units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
+    return norm([0, 1, 2].map(over));
+  };
+  return Math.max(...q.filter((_, k) => k % each === 0).map(left));
+}
+
+// A row per step: columns turned round, a leading column of times or zeros dropped, one step too many cut, and said.
+/** @returns {Run | null} */
+function upright(typed, arm, count, angles) {
+  const dof = joints(arm).length;
+  const shape = typed.shape.filter((n) => n !== 1);
+  if (shape.length !== 2) return null;
+  const taken = [];
+  const lengths = [count - 1, count, count + 1];
+  let [rows, units] = [typed.values, typed.units].map((list) => rowsOf(list, shape[1]));
+  if (shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1])) {
+    [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
+    taken.push(say("taken: list per joint"));
+  }
+  const first = rows.map(([x]) => x);
+  const isTime = first.every((x) => !x) || first.slice(1).every((x, k) => x - first[k] > 0);
+  if (rows[0].length === dof + 1 && isTime) {
+    [rows, units] = [rows, units].map((list) => list.map((row) => row.slice(1)));
+    taken.push(say("taken: times"));
+  }
+  if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
+  const held = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
+  const meant = angles === "deg" ? rowsInRadians(held, arm) : held;
+  const [q, steps] = [meant.map((row) => row.values), meant.map((row) => row.units)];
+  return { q, steps, units: most(meant), taken, extra: rows.length === count + 1 };
+}
+
+// The largest unit of each joint's last places.
+const most = (rows) => rows[0].units.map((_, k) => rows.reduce((top, row) => Math.max(top, row.units[k]), 0));
+
+const rowsOf = (flat, width) =>
+  Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
+
+/** @returns {import("../report.js").Report} */
+function reported(arm, grade, words, taken, rest = {}) {
+  const headline = say(grade === RIGHT ? "trace right" : "trace wrong", { arm: arm.name, cause: words });
+  return {
+    topic: "trace",
+    arm: arm.name,
+    grade,
+    headline,
+    findings: [],
+    causes: [],
+    taken,
+    notes: [],
+    ...rest,
+  };
+}
+
+function misshapen({ shape }, arm, { times }) {
+  const fields = { shape: shape.join("x") || "1", rows: times.length, dof: joints(arm).length };
+  const words = say("trace.shape", fields);
+  const findings = [{ what: "shape", where: "", words }];
+  return reported(arm, WRONG, lower(words), [], { findings, causes: ["trace.shape"] });
+}
+
+// The verdict
+
+/** @param {Run} run @param {Path} path @returns {import("../report.js").Report} */
+function judged(run, arm, path, allowed, given, blur) {
+  const { taken } = run;
+  const [q, turned] = unwound(run.q, arm);
+  const frames = q.map((row) => linkFrames(arm, row).at(-1));
+  const tip = frames.map(({ o }) => o);
+  const errors = offs(path.times.map(path.position), tip);
+  const error = Math.max(...errors);
+  const turn = joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
+  const far = jumps(q);
+  const stuck = noInverse(q, arm, far);
+  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, error <= allowed)];
+  const symptoms = [...symptomsOf(run, arm, errors, frames, turn, allowed, jump)];
+  const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
+  const why = () => {
+    const off = error > allowed;
+    const strays = (off && begun(errors)) || turn > TILT;
+    const loop = slip(strays && !jump.length); // of a run that jumps, not each step is right
+    if (!off || LOOP_FIRST.includes(loop?.keys[0] ?? "")) return loop;
+    const shape = pathCause(path, tip, allowed, blur);
+    if (shape && shape.keys[0] !== "trace.displaced") return shape;
+    return tableCause(q, arm, path, allowed) ?? shape ?? loop;
+  };
+  const named = stuck ?? (symptoms.length ? why() : given ? null : slip(false));
+  const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
+  const figures = { position_error: error, tool_turn: turn };
+  const wrong = (words, findings, causes) =>
+    reported(arm, WRONG, words, taken, { findings, causes, notes, figures });
+  if (named) {
+    const words = wordsOf(named);
+    // Steps as long as these jump of themselves.
+    const rest = symptoms.filter((one) => nameOf(named) !== "trace.millimetres" || !jump.includes(one));
+    const findings = [{ what: "cause", where: "", words: `${words}.` }, ...rest];
+    const besides = rest.map(({ what }) => what).filter((what) => BESIDES.includes(what));
+    return wrong(`${lower(words)}.`, findings, [nameOf(named), ...besides]);
+  }
+  if (!symptoms.length) return reported(arm, RIGHT, "", taken, { notes, figures });
+  const [first, ...rest] = symptoms;
+  const causes = symptoms.map(({ what }) => what).filter((what) => what.includes("."));
+  return wrong(lower(first.words), [{ ...first, what: "cause" }, ...rest], causes);
+}
+
+/** @param {Run} run @returns {Generator<Finding>} */
+function* symptomsOf({ extra }, arm, errors, frames, turn, allowed, jump) {
+  const finding = (what, words, where = "") => ({ what, where, words });
+  if (Math.max(...errors) > allowed) yield finding("step", whereOf(errors));
+  yield* jump;
+  const held = joints(arm).length >= 6;
+  const lean = held ? Math.max(...frames.map(({ z }) => between(z, frames[0].z))) : 0;
+  const degrees = (angle) => ({ degrees: size(angle * DEG) });
+  if (lean > TILT) yield finding("trace.leans", say("trace leans", degrees(lean)));
+  else if (turn > TILT) yield finding("trace.spins", say("trace spins", degrees(turn)));
+  if (extra) yield finding("trace.one more", say("trace.one more"));
+}
+
+// The angle between two unit vectors.
+const between = (u, v) =>
+  Math.atan2(
+    norm([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]),
+    dot(u, v),
+  );
+
+// The steps that change a joint by far more than usual, or all large ones where that is usual.
+function jumps(q) {
+  const change = q.slice(1).map((row, k) => Math.max(...minusEach(row, q[k]).map(Math.abs)));
+  const usual = median(change);
+  const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
+  const far = over(10 * usual);
+  return far.length || usual <= JUMP ? far : over(JUMP);
+}
+
+// Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said; untouched where other
+// jumps are left.
+/** @returns {[number[][], string[]]} */
+function unwound(q, arm) {
+  const turns = turning(arm);
+  const whole = q
+    .slice(1)
+    .map((row, k) => row.map((x, i) => (turns[i] ? rint((x - q[k][i]) / (2 * Math.PI)) : 0)));
+  const steps = whole.flatMap((row, k) => (row.some(Boolean) ? [k] : []));
+  if (!steps.length) return [q, []];
+  const sum = q[0].map(() => 0);
+  const counted = q.map((row, k) =>
+    row.map((x, i) => x - 2 * Math.PI * (k ? (sum[i] += whole[k - 1][i]) : 0)),
+  );
+  if (jumps(counted).length) return [q, []];
+  const step = steps[0];
+  const joint = numbered(arm)[whole[step].findIndex(Boolean)];
+  return [counted, [say("trace whole turn", { step, to: step + 1, joint, count: steps.length })]];
+}
+
+// The first jump; to another branch only where the tip stays on its path.
+/** @returns {Finding} */
+function jumpOf(q, arm, far, on) {
+  const { step, ...fields } = jumping(q, arm, far[0]);
+  const key = on ? "trace.jump" : "trace jump off";
+  const words = say(key, { step, to: step + 1, count: far.length, ...fields });
+  return { what: "trace.jump", where: `step ${step}`, words };
+}
+
+function jumping(q, arm, k) {
+  const change = minusEach(q[k + 1], q[k]).map(Math.abs);
+  const most = Math.max(...change);
+  return { step: k, joint: numbered(arm)[change.indexOf(most)], by: size(most) };
+}
+
+// The first jump, where it begins at a pose whose Jacobian has no inverse.
+/** @returns {import("../causes/ranking.js").Cause | null} */
+function noInverse(q, arm, [k]) {
+  const dof = joints(arm).length;
+  const rows = dof >= 6 ? 6 : 3;
+  if (k === undefined || dof < rows) return null;
+  const at = chain(arm, q[k]);
+  const J = columns(at, framesOf(at));
+  const each = Array.from({ length: dof }, (_, i) => Array.from({ length: rows }, (_, r) => J[r * dof + i]));
+  const { values } = singular(each, rows);
+  const rank = values.filter((x) => x > NO_INVERSE * values[0]).length;
+  if (rank === rows) return null;
+  const { step, joint, by } = jumping(q, arm, k);
+  return cause("trace.no inverse", { step, _rank: rank, _rows: rows, _joint: joint, _by: by });
+}
+
+const minusEach = (u, v) => u.map((x, i) => x - v[i]);
+
+function median(list) {
+  const sorted = [...list].sort((x, y) => x - y);
+  const half = sorted.length >> 1;
+  return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+// Where the tip is farthest off, the first of the steps that are equally far.
+function whereOf(errors) {
+  const most = Math.max(...errors);
+  const step = errors.findIndex((error) => error >= most - ALIKE);
+  const start = errors[0] > 0.5 * most ? say("already") : `${millimetres(errors[0])} mm`;
+  return say("trace where", { error: millimetres(most, 4), step, steps: errors.length - 1, start });
+}
+
+function* notesOf(arm, path, q) {
+  const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
+  const rates = q.slice(1).map((row, k) => row.map((x, i) => (x - q[k][i]) / dt[k]));
+  const turns = turning(arm);
+  const excess = (list, per, over) =>
+    numbered(arm).flatMap((joint, k) => {
+      const by = list.reduce((top, row) => Math.max(top, over(row[k], arm.rows[joint - 1])), -Infinity);
+      const unit = (turns[k] ? "rad" : "m") + per;
+      return by > 1e-9 ? [say("joint by", { joint, by: size(by, 2), unit })] : [];
+    });
+  const range = excess(q, "", (x, { lower: least, upper: most }) =>
+    Math.max(x - (most ?? Infinity), (least ?? -Infinity) - x),
+  );
+  if (range.length) yield say("trace beyond range", { joints: listed(range) });
+  const speed = excess(rates, "/s", (x, row) => Math.abs(x) - (row.speed ?? Infinity));
+  if (speed.length) yield say("trace beyond speed", { joints: listed(speed) });
+}

@@ -1,0 +1,91 @@
+// Bundle the explorer into two classic scripts: explorer.js, which a page loads once an instrument is near, and
+// explorer-more.js, the small figures, which needs the first. The widget adds an export to both. A page that judges
+// answers loads judge.js, and with the question that is asked one of judge-jacobian.js and its like: src/check/scripts.
+
+import { build } from "esbuild";
+import { readdir, readFile } from "node:fs/promises";
+import { join, relative, resolve, sep } from "node:path";
+
+const folder = process.argv[2] ?? "helpers/explorer/static";
+const common = { bundle: true, minify: true, target: "es2022", charset: "utf8", legalComments: "eof" };
+
+// A worker inside the bundle, as the text of a script of its own.
+const worker = {
+  name: "worker",
+  setup(bundle) {
+    bundle.onResolve({ filter: /^worker:/ }, ({ path, resolveDir }) => ({
+      path: join(resolveDir, path.slice(7)),
+      namespace: "worker",
+    }));
+    bundle.onLoad({ filter: /.*/, namespace: "worker" }, async ({ path }) => {
+      const made = await build({ ...common, entryPoints: [path], format: "iife", write: false });
+      return { contents: made.outputFiles[0].text, loader: "text" };
+    });
+  },
+};
+
+// What a further script imports from the first one's sources it finds in `global`, by its path from the root: all
+// modules that the first one's shared.js lists.
+const kit = async (global, list) => {
+  const shared = new Set((await readFile(list, "utf8")).match(/(?<=")[\w/]+\.js(?=":)/g));
+  const pathOf = ({ path, resolveDir }) =>
+    relative(resolve("."), join(resolveDir, path)).replaceAll(sep, "/");
+  return {
+    name: "kit",
+    setup(bundle) {
+      bundle.onResolve({ filter: /^\.\.?\/.*\.js$/ }, (asked) =>
+        shared.has(pathOf(asked)) ? { path: pathOf(asked), namespace: "kit" } : null,
+      );
+      bundle.onLoad({ filter: /.*/, namespace: "kit" }, ({ path }) => ({
+        contents: `module.exports = ${global}.kit[${JSON.stringify(path)}];`,
+      }));
+    },
+  };
+};
+
+// One script of the judge, taught those of the checkers' sentences that its sources name.
+async function judgeScript(name, entry, options = {}) {
+  const made = (words) => ({
+    ...common,
+    ...options,
+    stdin: {
+      contents: [
+        `import { learn } from "../../../judge/sentences.js";`,
+        `learn(${JSON.stringify(words)});`,
+        `export * from "./${entry}";`,
+      ].join("\n"),
+      resolveDir: "page/src/check",
+    },
+    outfile: join(folder, name),
+    format: /** @type {"iife"} */ ("iife"),
+    loader: { ".css": /** @type {"text"} */ ("text") },
+  });
+  const { metafile } = await build({ ...made({}), write: false, metafile: true });
+  const files = Object.keys(metafile.inputs).filter((path) => /^(judge|page)\//.test(path));
+  const sources = await Promise.all(files.map((path) => readFile(path, "utf8")));
+  const all = Object.entries(JSON.parse(await readFile("judge/sentences.json", "utf8")));
+  const named = ([key]) => sources.some((source) => source.includes(`"${key}"`));
+  await build(made(Object.fromEntries(all.filter(named))));
+}
+
+await build({
+  ...common,
+  entryPoints: ["page/src/index.js"],
+  outfile: join(folder, "explorer.js"),
+  format: "iife",
+  globalName: "ArmExplorer",
+  loader: { ".css": "text" },
+  plugins: [worker],
+});
+await build({
+  ...common,
+  entryPoints: ["page/src/more/index.js"],
+  outfile: join(folder, "explorer-more.js"),
+  format: "iife",
+  loader: { ".css": "text" },
+  plugins: [await kit("ArmExplorer", "page/src/shared.js")],
+});
+await judgeScript("judge.js", "main.js", { globalName: "ArmJudge" });
+const parts = await kit("ArmJudge", "page/src/check/shared.js");
+for (const entry of await readdir("page/src/check/scripts"))
+  await judgeScript(`judge-${entry}`, `scripts/${entry}`, { plugins: [parts] });

@@ -1,0 +1,49 @@
+// The checkers of each kind of question: every script of them registers its own, and is loaded when it is first asked.
+
+import { ASKED } from "./questions.js";
+
+/**
+ * @typedef {import("./question.js").Question} Question
+ * @typedef {import("../../../judge/geometry/arm.js").Arm} Arm
+ * @typedef {import("../../../judge/report.js").Report} Report
+ * @typedef {object} Checker
+ * @property {(question: Question, arm: Arm) => Report} verdict on what is typed; throws ArmError
+ * @property {(question: Question, name: string, arm: Arm) => string} call in Python that says the same of `mine`, for
+ *   an arm that is called `name`
+ * @property {string[]} [imports] lines of Python that the call needs besides
+ */
+
+/** @type {Map<string, Checker>} */
+const checkers = new Map();
+/** @type {Map<string, Promise<void>>} */
+const coming = new Map();
+const here = typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
+
+/** @param {string} ask @param {Checker} checker */
+export const register = (ask, checker) => void checkers.set(ask, checker);
+
+// The checker of a question, or undefined while its script has not come.
+export const checkerOf = (ask) => checkers.get(ask);
+
+// When the checker of a question is there; its script is loaded if need be.
+export const ready = (ask) => (checkers.has(ask) ? Promise.resolve() : load(ASKED[ask].script));
+
+// When a script of the judge has run, once more where that failed.
+export function load(script) {
+  if (!coming.has(script)) coming.set(script, loaded(script));
+  return coming.get(script);
+}
+
+/** @returns {Promise<void>} */
+function loaded(script) {
+  return new Promise((done, failed) => {
+    const fault = () => {
+      coming.delete(script);
+      failed(new Error(`The script judge-${script}.js could not be loaded.`));
+    };
+    const src = new URL(`judge-${script}.js`, here).href;
+    document.head.append(
+      Object.assign(document.createElement("script"), { src, onload: () => done(), onerror: fault }),
+    );
+  });
+}

@@ -1,0 +1,60 @@
+// Files as answers, by a button and by drag and drop. They are read here and go nowhere.
+
+import { h, write } from "../../dom.js";
+import { ACCEPTED, textOfFile } from "../file.js";
+import { ArmError } from "../../../../judge/sentences.js";
+
+/** @param {import("../page.js").Judge} judge */
+export function addFiles(judge) {
+  const { stub, boxes, say } = judge;
+  const input = h("input", {
+    type: "file",
+    accept: ACCEPTED,
+    hidden: true,
+    onchange: () => take(input.files[0]),
+  });
+  const button = h("button", { type: "button", onclick: () => input.click() }, "Open a file");
+  const words = h("span");
+  const name = h(
+    "p.file",
+    { hidden: true },
+    words,
+    h("button", { type: "button", onclick: () => close() }, "Close it"),
+  );
+  let held = "";
+
+  async function take(file) {
+    if (!file) return;
+    input.value = "";
+    try {
+      held = await textOfFile(file);
+    } catch (error) {
+      if (!(error instanceof ArmError)) throw error;
+      say(error.message);
+      return;
+    }
+    say("");
+    write(words, `From ${file.name}, ${held.trim().split("\n").length} lines. `);
+    judge.put({ answer: held });
+  }
+  const close = () => judge.put({ answer: "" });
+
+  stub.addEventListener("dragover", (event) => {
+    if (![...event.dataTransfer.types].includes("Files")) return;
+    event.preventDefault();
+    stub.classList.add("over-it");
+  });
+  for (const type of ["dragleave", "drop"])
+    stub.addEventListener(type, () => stub.classList.remove("over-it"));
+  stub.addEventListener("drop", (event) => {
+    if (!event.dataTransfer.files.length) return;
+    event.preventDefault();
+    take(event.dataTransfer.files[0]);
+  });
+  boxes.answer.querySelector(".over").append(input, button);
+  boxes.answer.append(name);
+  judge.follow(({ answer, ask }) => {
+    name.hidden = !held || answer !== held;
+    button.hidden = ask !== "trace";
+  });
+}

@@ -1,0 +1,82 @@
+// What can be done with a question: a link to it, the call in Python, an example, the pose in the explorer.
+
+import { h } from "../../dom.js";
+import { asPython, EMPTY, OWN, toFragment } from "../question.js";
+import { ready } from "../checkers.js";
+import { ArmError } from "../../../../judge/sentences.js";
+
+/**
+ * @param {import("../page.js").Judge} judge
+ * @param {string} root the address of the book
+ */
+export function addTools(judge, root) {
+  const { parts, say } = judge;
+  const call = h("code");
+  const closed = h("pre", { hidden: true, tabindex: "0" }, call);
+  const whole = new URL("check_your_homework.html", root).href;
+  const explorer = h("a", { href: new URL("explorer.html", root).href }, "See this pose in the explorer");
+  const more = h("a", { href: whole }, "More room, and all options");
+  const button = (words, onclick) => h("button", { type: "button", onclick }, words);
+
+  const link = async () => {
+    const fragment = judge.links.fragment();
+    if (!judge.given) history.replaceState(null, "", fragment);
+    const copying = await copied(judge.given ? whole + fragment : location.href);
+    say(copying ? "The link is copied." : judge.given ? CLOSED : "The link stands in the address bar.");
+  };
+  const python = async () => {
+    await ready(judge.question().ask);
+    if (!judge.links.open()) return say("A call in Python would show the solution of this question.");
+    const text = pythonOf(judge, say);
+    if (text && (await copied(text))) return say("The call is copied.");
+    call.textContent = text;
+    closed.hidden = !text;
+    return text && say(`${CLOSED} The call stands below.`);
+  };
+  const examples = () => judge.examples.filter((one) => one.ask === judge.question().ask);
+  const example = button("Show an example", () => {
+    const same = examples();
+    judge.put({ ...EMPTY, ...(same.find((one) => one.arm === judge.question().arm) ?? same[0]) });
+  });
+  const links = judge.given ? [more] : [explorer];
+  // Of an exercise's own arm all of them would show the table, which is the solution.
+  if (!judge.given?.table)
+    parts.tools.append(example, button("Copy link", link), button("Copy as Python", python), ...links);
+  parts.said.after(closed);
+
+  judge.follow((question, { arm, q }) => {
+    more.href = whole + toFragment(question);
+    example.hidden = !examples().length;
+    explorer.hidden = !arm || !q || question.arm === OWN || !arm.explorer;
+    if (!explorer.hidden) explorer.href = `${explorer.href.split("#")[0]}#${poseOf(question, arm, q)}`;
+  });
+}
+
+const CLOSED = "The clipboard is closed to this page.";
+
+const poseOf = ({ ask }, arm, q) =>
+  new URLSearchParams({
+    arm: arm.explorer,
+    q: q.map((x) => Number(x.toFixed(6))).join(","),
+    view: ask === "torques" ? "torque" : "jacobian",
+  });
+
+// The call, or nothing where there is none, which is said.
+function pythonOf({ question, arms }, say) {
+  try {
+    return asPython(question(), arms);
+  } catch (error) {
+    if (!(error instanceof ArmError)) throw error;
+    say(error.message);
+    return "";
+  }
+}
+
+async function copied(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}

@@ -1,0 +1,16 @@
+// The judge's script of its own: loaded by a page that has an .arm-judge in it (book/assets/explorer-loader.js).
+
+import css from "./check.css";
+import { judges } from "./mounted.js";
+import { kit } from "./shared.js";
+import { mount } from "./page.js";
+import { load } from "./checkers.js";
+
+export { kit };
+document.head.append(Object.assign(document.createElement("style"), { textContent: css }));
+for (const stub of document.querySelectorAll(".arm-judge"))
+  judges.push(mount(/** @type {HTMLElement} */ (stub)));
+
+// What a whole page of it has besides comes at once, for a small one when it is used.
+if (judges.some(({ given }) => !given)) load("page");
+else for (const { stub } of judges) stub.addEventListener("focusin", () => load("page"), { once: true });

@@ -1,0 +1,195 @@
+// What is asked of the judge: its state in a link and back, the call in Python that says the same, and the verdict.
+
+import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
+import { joints } from "../../../judge/geometry/kinematics.js";
+import { RAD } from "../../../judge/geometry/angles.js";
+import { ASKED } from "./questions.js";
+import { pose } from "../../../judge/reading/numbers.js";
+import { parse, symbols, value } from "../../../judge/reading/formula.js";
+import { cells } from "../../../judge/reading/grid.js";
+import { ownValues } from "../../../judge/reading/values.js";
+import { checkerOf } from "./checkers.js";
+import { ArmError, quoted } from "../../../judge/sentences.js";
+
+export { ASKED };
+
+const LONGEST_LINK = 12_000; // characters of a fragment
+const LONGEST = { table: 2000, q: 500, wrench: 300, values: 500, answer: 8000, target: 1000 };
+export const LONGEST_ANSWER = 20_000; // characters that are judged while typing
+const ASKED_ABOUT = "the arm asked about"; // an arm that has no name
+export const OWN = "own"; // the arm whose table is typed
+export const UNITS = ["rad", "deg"];
+// The fields with few values; where the empty one is among them, what is not said is guessed.
+export const CHOICES = {
+  unit: UNITS,
+  first: ["v", "omega"],
+  plane: ["zy", "yz", "zx", "xz"],
+  pace: ["even", "rest"],
+  lengths: ["", "m", "cm", "mm"],
+  angles: ["", ...UNITS],
+  convention: ["", "standard", "craig"],
+};
+
+/** @typedef {import("../../../judge/report.js").Report} Report */
+/**
+ * @typedef {object} Question
+ * @property {string} ask its key in ASKED
+ * @property {string} arm its key in the page's list, or OWN
+ * @property {string} table what was typed as a table, where the arm is one's own
+ * @property {string} q
+ * @property {string} unit of q, and of bare angles in the table
+ * @property {string} frame the number of the frame in whose axes the rows are
+ * @property {string} first the half that stands first: "v" or "omega"
+ * @property {string} wrench
+ * @property {string} values of one's own symbols, as in "h = 0.3"
+ * @property {string} answer
+ * @property {string} columns of a table: their order, or empty where it is to be guessed; so the next three
+ * @property {string} lengths
+ * @property {string} angles
+ * @property {string} convention
+ * @property {string} target a point or a pose
+ * @property {string} radius of the circle that hangs below the tip at q
+ * @property {string} plane its base axes in their order
+ * @property {string} period the duration of the run
+ * @property {string} steps of the run; empty: as many as the answer has
+ * @property {string} pace "even" or "rest", from rest to rest
+ */
+
+/** @type {Question} */
+export const EMPTY = {
+  ask: "jacobian", arm: "", table: "", q: "", unit: "rad", frame: "0", first: "v", wrench: "", values: "", answer: "",
+  columns: "", lengths: "", angles: "", convention: "",
+  target: "", radius: "0.1", plane: "zy", period: "5", steps: "", pace: "even",
+}; // prettier-ignore
+
+/** @param {Question} question */
+export function toFragment(question) {
+  const fields = Object.entries(question).filter(
+    ([key, text]) => text !== EMPTY[key] || key === "ask" || key === "arm",
+  );
+  return `#${new URLSearchParams(fields)}`;
+}
+
+/**
+ * The question in a fragment, or null where there is none; what was refused, in words.
+ * @param {string} fragment
+ * @param {string[]} arms keys
+ * @returns {{ question: Question | null, words: string }}
+ */
+export function fromFragment(fragment, arms) {
+  const text = fragment.replace(/^#/, "");
+  if (!/^ask=/.test(text)) return { question: null, words: "" };
+  const refused = (why) => ({ question: null, words: `The link could not be read: ${why}.` });
+  if (text.length > LONGEST_LINK) {
+    return refused(`it has ${text.length} characters; ${LONGEST_LINK} are the most`);
+  }
+  const fields = new URLSearchParams(text);
+  const question = { ...EMPTY };
+  for (const [key, value] of fields) {
+    if (!Object.hasOwn(EMPTY, key)) return refused(`it has a field “${key.slice(0, 40)}”`);
+    if (value.length > (LONGEST[key] ?? 40)) return refused(`its ${key} is too long`);
+    question[key] = value;
+  }
+  if (!Object.hasOwn(ASKED, question.ask)) return refused("it asks what is not judged here");
+  if (question.arm !== OWN && !arms.includes(question.arm)) {
+    return refused(`there is no arm called “${question.arm}” here`);
+  }
+  const odd = Object.keys(CHOICES).find((key) => !CHOICES[key].includes(question[key]));
+  if (odd) return refused(`its ${odd} is none`);
+  if (!/^\d{1,2}$/.test(question.frame)) return refused("its frame is none");
+  return { question, words: "" };
+}
+
+// The arm that is asked about; an error in words where it is none.
+export function armOf(question, arms) {
+  if (question.arm !== OWN) return arms.find(({ key }) => key === question.arm);
+  if (!question.table.trim())
+    throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
+  const known = new Map(ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : []);
+  const rows = cells(question.table)
+    .filter((row, i) => i || !row.some((cell) => /^\W*(a|alpha|α|d|theta|θ)(_?\{?i.*)?\W*$/i.test(cell)))
+    .map((row, i) => rowOf(row.length === 5 ? row.slice(1) : row, i + 1, question.unit, known));
+  const fault = rowsFault(rows);
+  if (fault) throw new ArmError(`${fault}.`);
+  return { ...typedArm(rows, { name: "", home: [], rows: [] }), name: ASKED_ABOUT };
+}
+
+const COLUMNS = ["a", "alpha", "d", "theta"];
+const JOINT = /^(q|th|theta|phi|d|s|x)_?\{?\d{1,2}\}?$/;
+
+// A row of a α d θ; its joint turns unless a variable stands with d.
+/** @param {Map<string, number>} known numbers for symbols */
+function rowOf(entries, row, unit, known) {
+  if (entries.length !== 4) {
+    throw new ArmError(`Row ${row} of the table has ${entries.length} entries; expected four: a α d θ.`);
+  }
+  const trees = entries.map((text, k) => parse(text || "0", `row ${row}, ${COLUMNS[k]}`));
+  const names = trees.map((tree) => [...symbols(tree)].filter((name) => !known.has(name)));
+  const odd = names.flatMap((found, k) => found.filter((name) => k < 2 || !JOINT.test(name)));
+  if (odd.length) {
+    throw new ArmError(
+      `Row ${row} of the table: no value for ${odd[0]}; write numbers, and a variable such as q1.`,
+    );
+  }
+  const [a, alpha, d, theta] = trees.map((tree, k) => {
+    const bare = unit === "deg" && k % 2 && !/deg|°|pi|π/.test(entries[k]);
+    return value(tree, (name) => known.get(name) ?? 0) * (bare ? RAD : 1);
+  });
+  return { kind: names[2].length ? "prismatic" : "revolute", a, alpha, d, theta };
+}
+
+/**
+ * The verdict on an answer, or why there is none yet; `waiting` while the checker's script has not come.
+ * @param {Question} question
+ * @returns {{ report?: Report, error?: string, waiting?: boolean, arm?: any, q?: number[] }}
+ */
+export function judge(question, arms) {
+  let arm, q;
+  try {
+    arm = armOf(question, arms);
+    const asked = missing(question, arm);
+    if (asked) return { error: asked, arm };
+    q = posed(question) ? pose(question.q, arm, question.unit).values : undefined;
+    if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
+    const most = ASKED[question.ask].longest ?? LONGEST_ANSWER;
+    if (question.answer.length > most) {
+      return { error: `The answer is longer than ${most} characters.`, arm, q };
+    }
+    const checker = checkerOf(question.ask);
+    if (!checker) return { error: "The checker is being loaded.", waiting: true, arm, q };
+    return { report: checker.verdict(question, arm), arm, q };
+  } catch (error) {
+    if (error instanceof ArmError) return { error: capital(error.message), arm, q };
+    throw error;
+  }
+}
+
+const posed = ({ ask }) => ASKED[ask].fields.includes("q");
+const missing = (question, arm) =>
+  posed(question) && !question.q.trim() ? `Type the pose: ${joints(arm).length} joint values.` : null;
+const capital = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
+
+// The call in Python that says the same.
+export function asPython(question, arms) {
+  const arm = armOf(question, arms);
+  const [name, imports] = question.arm === OWN ? ["arm", ownArm(arm)] : [arm.python, fromRobots(arm.python)];
+  const { call, imports: more = [] } = checkerOf(question.ask);
+  const lines = [...imports, ...more, "from helpers import checks", ""];
+  if (question.arm === OWN) lines.push(...ownRows(arm), "");
+  lines.push(`mine = ${quoted(question.answer)}`, `print(${call(question, name, arm)})`);
+  return `${lines.join("\n")}\n`;
+}
+
+const fromRobots = (call) => [`from helpers.robots import ${/^\w+/.exec(call)[0]}`];
+const KIND = { revolute: "revolute", prismatic: "prismatic", fixed: "fixed" };
+const ownArm = (arm) => [
+  `from helpers.arm import Arm, ${[...new Set(arm.rows.map(({ kind }) => KIND[kind]))].sort().join(", ")}`,
+];
+const ownRows = (arm) => [
+  "rows = [",
+  ...arm.rows.map(
+    ({ kind, a, alpha, d, theta }) => `    ${KIND[kind]}(a=${a}, alpha=${alpha}, d=${d}, theta=${theta}),`,
+  ),
+  "]",
+  `arm = Arm("${arm.name}", rows)`,
+];

@@ -1,0 +1,135 @@
+// The script that judges joint angles, one pose or all branches, and runs along a path.
+
+import { cross, dot, joints } from "../../../../judge/geometry/kinematics.js";
+import { compareBranches } from "../../../../judge/topics/branches.js";
+import { numbers, pose } from "../../../../judge/reading/numbers.js";
+import { asksPose, formOf } from "../../../../judge/geometry/inverse.js";
+import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
+import { comparePose } from "../../../../judge/topics/pose.js";
+import { register } from "../checkers.js";
+import { ArmError, quoted } from "../../../../judge/sentences.js";
+import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
+
+/** @typedef {import("../question.js").Question} Question */
+
+const [FEWEST_STEPS, MOST_STEPS] = [8, 20_000]; // with fewer, a run that stays at the start would pass
+const ROUNDED = 0.02; // of the lengths of axes and their cosines: what a pose of two decimals is off
+const inDegrees = ({ unit }) => (unit === "deg" ? ['angles="deg"'] : []);
+
+// One joint vector
+
+register("pose", {
+  verdict: (question, arm) =>
+    comparePose(question.answer, arm, targetOf(question), { angles: question.unit }),
+  call: (question, name) =>
+    `checks.compare_pose(${["mine", name, quoted(targetOf(question)), ...inDegrees(question)].join(", ")})`,
+});
+
+function targetOf({ target }) {
+  if (!target.trim()) throw new ArmError("Say where the tip should be: a point x, y, z in m, or a pose.");
+  return target;
+}
+
+// All branches
+
+register("branches", {
+  verdict(question, arm) {
+    const form = formFor(arm);
+    return compareBranches(question.answer, arm, rowsOf(question, arm, form), { angles: question.unit });
+  },
+  call(question, name, arm) {
+    const form = formFor(arm);
+    const found = `inverse.${form}(${name}, ${JSON.stringify(rowsOf(question, arm, form))})`;
+    return `checks.compare_branches(${["mine", found, ...inDegrees(question)].join(", ")})`;
+  },
+  imports: ["from helpers import inverse"],
+});
+
+function formFor(arm) {
+  const form = formOf(arm);
+  if (form) return form;
+  throw new ArmError(
+    `${arm.name}: there is no formula for all of its branches here; ask for one joint vector at a pose`,
+  );
+}
+
+// The target as inverse kinematics take it: three coordinates, or the four rows of a pose.
+/** @param {Question} question @returns {any[]} */
+function rowsOf(question, arm, form) {
+  const { values, shape } = numbers(targetOf(question), `${arm.name}: the target`);
+  const found = shape.filter((n) => n !== 1).join("x");
+  const wanted = asksPose(form) ? ["4x4", "3x4"] : ["3", "4x4", "3x4"];
+  if (!wanted.includes(found)) {
+    const words = asksPose(form) ? "a pose (4, 4)" : "a point (3,)";
+    throw new ArmError(`${arm.name}: the target has shape ${found || "1"}; expected ${words}`);
+  }
+  const rows = [0, 1, 2].map((i) => values.slice(4 * i, 4 * i + 4));
+  if (asksPose(form)) return [...exact(rows), [0, 0, 0, 1]];
+  return found === "3" ? values : rows.map((row) => row[3]);
+}
+
+// A pose typed with a few decimals, its axes made perpendicular and of length 1 again: the nearest rotation, by
+// Newton's steps R <- (R + R^-T) / 2. What is farther off stays as it is, and is refused.
+function exact(rows) {
+  const off = (u, v, wanted) => Math.abs(dot(u, v) - wanted);
+  let R = rows.map((row) => row.slice(0, 3));
+  if (R.some((u, i) => R.some((v, j) => off(u, v, Number(i === j)) > ROUNDED))) return rows;
+  for (let step = 0; step < 6; step++) {
+    const [a, b, c] = R;
+    const size = dot(a, cross(b, c));
+    const back = [cross(b, c), cross(c, a), cross(a, b)];
+    R = R.map((row, i) => row.map((x, k) => (x + back[i][k] / size) / 2));
+  }
+  return rows.map((row, i) => [...R[i], row[3]]);
+}
+
+// Runs
+
+register("trace", {
+  verdict(question, arm) {
+    const typed = readTrace(question.answer, arm);
+    const path = pathOf(question, arm, typed);
+    return judgedTrace(typed, arm, path, { angles: question.unit });
+  },
+  call(question, name, arm) {
+    const { start, radius, plane, period, steps } = asked(question, arm, readTrace(question.answer, arm));
+    const given = [name, JSON.stringify(start), radius, `"${plane}"`, period, steps];
+    const circle = `motion.circle_below(${given.join(", ")})`;
+    const path = question.pace === "rest" ? `motion.rest_to_rest(${circle})` : circle;
+    return `checks.compare_trace(${["mine", name, path, ...inDegrees(question)].join(", ")})`;
+  },
+  imports: ["from helpers import motion"],
+});
+
+function pathOf(question, arm, typed) {
+  const path = circleBelow(arm, asked(question, arm, typed));
+  return question.pace === "rest" ? restToRest(path) : path;
+}
+
+/** @param {Question} question */
+function asked(question, arm, typed) {
+  const above = (key, what, unit) => {
+    const { values } = numbers(question[key], what);
+    if (values.length === 1 && values[0] > 0) return values[0];
+    throw new ArmError(`${what} is ${quoted(question[key])}; expected a number of ${unit} above 0`);
+  };
+  const steps = question.steps.trim() ? above("steps", "the number of steps", "steps") : guessed(typed, arm);
+  if (!Number.isInteger(steps) || steps < FEWEST_STEPS || steps > MOST_STEPS) {
+    const wanted = `a whole number from ${FEWEST_STEPS} to ${MOST_STEPS}`;
+    throw new ArmError(`the number of steps is ${steps}; expected ${wanted}`);
+  }
+  return {
+    start: pose(question.q, arm, question.unit).values,
+    radius: above("radius", "the radius", "m"),
+    plane: question.plane,
+    period: above("period", "the duration", "s"),
+    steps,
+  };
+}
+
+// A row for each time: one more than there are steps.
+function guessed({ shape: [rows, width = 1] }, arm) {
+  const dof = joints(arm).length;
+  const perJoint = width > dof + 1 && rows <= dof + 1;
+  return Math.max(1, (perJoint ? width : rows) - 1);
+}

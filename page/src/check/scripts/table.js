@@ -1,0 +1,18 @@
+// The script that judges Denavit-Hartenberg tables.
+
+import { ownValues, valuesCall } from "../../../../judge/reading/values.js";
+import { register } from "../checkers.js";
+import { compareTables } from "../../../../judge/topics/table.js";
+
+const OPTIONS = ["columns", "lengths", "angles", "convention"];
+
+register("table", {
+  verdict(question, arm) {
+    const values = ownValues(question.values);
+    return compareTables(question.answer, arm, { ...question, values });
+  },
+  call(question, name) {
+    const said = OPTIONS.filter((key) => question[key]).map((key) => `${key}="${question[key]}"`);
+    return `checks.compare_tables(${["mine", name, ...said, ...valuesCall(question.values)].join(", ")})`;
+  },
+});

@@ -1,0 +1,270 @@
+// An arm taken by the hand: a link that turns its joint, a tip that the arm follows, an elbow that swings while the tip
+// stays. Everything here keeps the joints within their limits, and says what stops them.
+
+import { range } from "../../judge/geometry/arm.js";
+import {
+  cross,
+  dot,
+  jacobianColumns,
+  joints,
+  linkFrames,
+  minus,
+  norm,
+  plus,
+  scaled,
+} from "../../judge/geometry/kinematics.js";
+import { rightNull, singular, solvePositive } from "../../judge/geometry/linear.js";
+import { reach } from "./motion.js";
+
+/** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
+/** @typedef {(point: number[]) => number[]} Pixel from a point of the world to CSS pixels */
+
+const limitsOf = (arm) => joints(arm).map((i) => range(arm.rows[i]));
+const clamped = (value, [lower, upper]) => Math.min(upper, Math.max(lower, value));
+
+// A point of a link's frame in the world, and back.
+export const inWorld = ({ x, y, z, o }, local) =>
+  plus(o, plus(plus(scaled(local[0], x), scaled(local[1], y)), scaled(local[2], z)));
+export const inFrame = ({ x, y, z, o }, p) => [x, y, z].map((axis) => dot(axis, minus(p, o)));
+
+const SOFT = 30; // px per rad: below it a link seen end-on hardly turns, instead of jumping
+const PIXEL_STEP = 1e-4; // rad or m, over which a pixel's motion is measured
+
+// How a point that moves with velocity v goes over the screen.
+function onScreen(pixel, p, v) {
+  const [a, b] = [pixel(p), pixel(plus(p, scaled(PIXEL_STEP, v)))];
+  return { at: a, rate: [(b[0] - a[0]) / PIXEL_STEP, (b[1] - a[1]) / PIXEL_STEP] };
+}
+
+/**
+ * Joint values after the point `local` of the frame that row `row` carries went towards the pointer `to`, by one joint
+ * alone: the one with this index in q.
+ * @param {Arm} arm
+ * @param {number[]} q
+ * @param {{ row: number, local: number[], to: number[], joint: number, pixel: Pixel }} grab
+ */
+export function dragLink(arm, q, { row, local, to, joint, pixel }) {
+  const index = joints(arm)[joint];
+  const turns = arm.rows[index].kind === "revolute";
+  const limits = range(arm.rows[index]);
+  const next = [...q];
+  for (let round = 0; round < 4; round++) {
+    const frames = linkFrames(arm, next);
+    const p = inWorld(frames[row + 1], local);
+    const { z, o } = frames[index];
+    const { at, rate } = onScreen(pixel, p, turns ? cross(z, minus(p, o)) : z);
+    const step =
+      (rate[0] * (to[0] - at[0]) + rate[1] * (to[1] - at[1])) / (rate[0] ** 2 + rate[1] ** 2 + SOFT ** 2);
+    next[joint] += Math.max(-0.2, Math.min(0.2, step));
+  }
+  next[joint] = clamped(next[joint], [Math.min(limits[0], q[joint]), Math.max(limits[1], q[joint])]);
+  return next;
+}
+
+const TURN = 0.3; // m that a radian of the tool's direction counts for, where it is to be kept
+
+function tipError(tip, target, turns) {
+  const away = minus(target.o, tip.o);
+  if (!turns) return away;
+  const turn = ["x", "y", "z"].reduce((sum, axis) => plus(sum, cross(tip[axis], target[axis])), [0, 0, 0]);
+  return [...away, ...scaled(0.5 * TURN, turn)];
+}
+
+const weighed = (columns, turns) =>
+  columns.map((c) => (turns ? [...c.slice(0, 3), ...c.slice(3).map((v) => TURN * v)] : c.slice(0, 3)));
+
+const inner = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
+
+/**
+ * One frame of a dragged tip: the joint values a little nearer to those that bring the tip to the target, never past a
+ * limit, and near `rest`, where the drag began, so that the way back is the way there. By Levenberg and Marquardt's
+ * steps; the cap on a frame's motion comes after the solution, since inside the loop it makes a stretched arm tremble.
+ * @param {Arm} arm
+ * @param {number[]} start
+ * @param {{ o: number[], x?: number[], y?: number[], z?: number[] }} target
+ * @param {number[]} rest
+ */
+export function dragTip(arm, start, target, rest, options = {}) {
+  const { turns = false, steps = 12, budget = 0.12, weight = 1e-4, nudge = 0.05 } = options;
+  const limits = limitsOf(arm);
+  const open = start.map((v, k) => [Math.min(limits[k][0], v), Math.max(limits[k][1], v)]);
+  const problem = { arm, target, rest, turns, weight, limits: open };
+  let best = descend(problem, start, steps);
+  const still = best.q.every((v, k) => Math.abs(v - start[k]) < 1e-4);
+  if (still && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3) best = besideStall(problem, best, nudge);
+  const most = Math.max(1e-12, ...best.q.map((v, k) => Math.abs(v - start[k])));
+  const share = Math.min(1, budget / most);
+  return { q: start.map((v, k) => v + share * (best.q[k] - v)), arrived: share === 1 };
+}
+
+function descend({ arm, target, rest, turns, weight, limits }, start, steps) {
+  const cost = (frames, q) =>
+    norm(tipError(frames.at(-1), target, turns)) ** 2 +
+    weight * q.reduce((s, v, k) => s + (v - rest[k]) ** 2, 0);
+  let [q, lambda] = [[...start], 1e-3];
+  let frames = linkFrames(arm, q);
+  let least = cost(frames, q);
+  for (let round = 0; round < steps; round++) {
+    const error = tipError(frames.at(-1), target, turns);
+    const J = weighed(jacobianColumns(arm, frames), turns);
+    const pull = J.map((column, k) => inner(column, error) - weight * (q[k] - rest[k]));
+    const free = [...q.keys()].filter(
+      (k) => !(q[k] <= limits[k][0] && pull[k] < 0) && !(q[k] >= limits[k][1] && pull[k] > 0),
+    );
+    if (!free.length) break;
+    const A = free.map((a) => free.map((b) => inner(J[a], J[b]) + (a === b ? weight + lambda : 0)));
+    const step = solvePositive(
+      A,
+      free.map((k) => pull[k]),
+    );
+    const next = [...q];
+    free.forEach((k, i) => (next[k] = clamped(q[k] + step[i], limits[k])));
+    const there = linkFrames(arm, next);
+    const found = cost(there, next);
+    if (found >= least) {
+      lambda *= 6;
+      continue;
+    }
+    const gain = least - found;
+    [q, frames, least, lambda] = [next, there, found, Math.max(1e-5, lambda / 4)];
+    if (gain < 1e-10) break;
+  }
+  return { q, frames, cost: least };
+}
+
+// A singular pose holds the arm although the tip is not there: look a little beside it, joint by joint.
+function besideStall(problem, stalled, nudge) {
+  let best = stalled;
+  for (const k of stalled.q.keys()) {
+    for (const way of [nudge, -nudge]) {
+      const start = stalled.q.map((v, i) => (i === k ? clamped(v + way, problem.limits[k]) : v));
+      const other = descend(problem, start, 6);
+      if (other.cost < 0.98 * best.cost) best = other;
+    }
+  }
+  return best;
+}
+
+/**
+ * What keeps the tip from the target: how far it is short of it (m), which joints stand at their limits there, and
+ * whether the arm is stretched out or folded at a joint.
+ * @param {Arm} arm
+ * @param {number[]} q
+ * @param {number[]} target
+ */
+export function whyStopped(arm, q, target) {
+  const frames = linkFrames(arm, q);
+  const tip = frames.at(-1).o;
+  const away = minus(target, tip);
+  const short = norm(away);
+  const stops = [];
+  if (short < 2e-3 || !q.length) return { short, stops };
+  const moving = joints(arm);
+  const columns = jacobianColumns(arm, frames).map((c) => c.slice(0, 3));
+  const limits = moving.map((row) => [arm.rows[row].lower ?? -Infinity, arm.rows[row].upper ?? Infinity]);
+  const pull = columns.map((c) => dot(c, away) / short);
+  const stuck = q.map(
+    (v, k) => (v <= limits[k][0] + 1e-6 && pull[k] < -1e-3) || (v >= limits[k][1] - 1e-6 && pull[k] > 1e-3),
+  );
+  stuck.forEach((is, k) => is && stops.push(`joint ${moving[k] + 1} at its limit`));
+  const bent = bentJoint(arm, q, frames);
+  const { values, vectors } = singular(
+    columns.filter((_, k) => !stuck[k]),
+    3,
+  );
+  const lost = vectors.filter((_, i) => !(values[i] > 0.05 * values[0]));
+  const along = lost.reduce((sum, v) => sum + (dot(v, away) / short) ** 2, 0);
+  if (along > 0.5 && bent) stops.push(bent);
+  else if (along > 0.5) stops.push("no joint moves the tip that way here");
+  return { short, stops };
+}
+
+const NEAR = 0.1; // share of the quickest direction's speed below which a direction counts as fading
+
+/**
+ * The directions in which the tip hardly moves, or not at all, however fast the joints turn: { way, share }, the share
+ * being its speed beside that in the quickest direction. With `turns` the tool keeps its direction meanwhile.
+ * @param {number[][]} columns of the Jacobian
+ */
+export function fadingWays(columns, turns = false) {
+  const moves = turns
+    ? rightNull(columns.map((c) => c.slice(3))).map((rates) =>
+        rates.reduce((sum, rate, k) => plus(sum, scaled(rate, columns[k])), [0, 0, 0]),
+      )
+    : columns.map((c) => c.slice(0, 3));
+  if (moves.length < 3) return []; // it never could go everywhere
+  const { values, vectors } = singular(moves, 3);
+  const shares = values.map((value) => value / values[0]);
+  return vectors.flatMap((way, i) => (shares[i] < NEAR ? [{ way, share: shares[i] }] : []));
+}
+
+// How plainly a fading direction is shown: 0 where it begins to fade, 1 where it is gone.
+export const goneness = ({ share }) => 1 - share / NEAR;
+
+// The joint at which the arm is stretched straight or folded flat, in words; null where it is bent.
+function bentJoint(arm, q, frames) {
+  const moving = joints(arm);
+  const base = frames[moving[1] ?? 0].o;
+  const far = (p) => norm(minus(linkFrames(arm, p).at(-1).o, base));
+  const here = far(q);
+  let [best, words] = [0.01 * Math.max(here, 0.1), null];
+  q.forEach((_, k) => {
+    if (k === 0 || arm.rows[moving[k]].kind !== "revolute") return;
+    const [less, more] = [-0.4, 0.4].map((step) => far(q.map((v, i) => (i === k ? v + step : v))) - here);
+    const bend = Math.min(Math.abs(less), Math.abs(more));
+    if (Math.sign(less) !== Math.sign(more) || bend < best) return;
+    [best, words] = [bend, less < 0 ? `joint ${moving[k] + 1} straight` : `joint ${moving[k] + 1} folded`];
+  });
+  return words;
+}
+
+/**
+ * Joint values after the grabbed point of a link went towards the pointer while the tip stays where `held` says: only
+ * through the null space. `free` says how many dimensions that has; 0 where the held tip leaves no freedom.
+ * @param {Arm} arm
+ * @param {number[]} q
+ * @param {{ row: number, local: number[], to: number[], pixel: Pixel }} grab
+ * @param {{ o: number[], x: number[], y: number[], z: number[] }} held
+ */
+export function swingElbow(arm, q, { row, local, to, pixel }, held, { turns = true } = {}) {
+  const limits = limitsOf(arm);
+  const moving = joints(arm);
+  let next = q;
+  let free = 0;
+  for (let round = 0; round < 4; round++) {
+    const frames = linkFrames(arm, next);
+    const columns = jacobianColumns(arm, frames);
+    const still = rightNull(columns.map((c) => c.slice(0, turns ? 6 : 3)));
+    free = still.length;
+    if (!free) break;
+    const p = inWorld(frames[row + 1], local);
+    const point = jacobianColumns(arm, frames, p);
+    const rates = still.map((direction) => {
+      const v = point.reduce(
+        (sum, c, k) => (moving[k] <= row ? plus(sum, scaled(direction[k], c)) : sum),
+        [0, 0, 0],
+      );
+      return onScreen(pixel, p, v);
+    });
+    const away = minus([...to, 0], [...rates[0].at, 0]);
+    const A = rates.map((a, i) => rates.map((b, j) => inner(a.rate, b.rate) + (i === j ? SOFT ** 2 : 0)));
+    const step = solvePositive(
+      A,
+      rates.map(({ rate }) => inner(rate, away.slice(0, 2))),
+    );
+    const most = Math.max(1e-12, ...step.map(Math.abs));
+    const share = Math.min(1, 0.12 / most);
+    const moved = next.map(
+      (v, k) => v + still.reduce((s, direction, i) => s + share * step[i] * direction[k], 0),
+    );
+    const there = turns
+      ? reach(arm, moved, held, { steps: 12 }).q
+      : dragTip(arm, moved, held, moved, { weight: 1e-9, budget: 1 }).q;
+    const inside = there.every(
+      (v, k) => v >= Math.min(limits[k][0], q[k]) - 1e-9 && v <= Math.max(limits[k][1], q[k]) + 1e-9,
+    );
+    if (!inside || norm(minus(linkFrames(arm, there).at(-1).o, held.o)) > 1e-4) break;
+    next = there;
+  }
+  return { q: next, free };
+}

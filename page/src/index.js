@@ -1,0 +1,156 @@
+// The ways in: a widget in a notebook that runs, and a stub in a page that does not.
+
+import { fits, TYPED } from "../../judge/geometry/arm.js";
+import * as kinematics from "../../judge/geometry/kinematics.js";
+import { linkFrames } from "../../judge/geometry/kinematics.js";
+import { keepLink } from "./link.js";
+import { asked } from "./verdicts.js";
+import { mountFigure, registerFigure } from "./figures.js";
+import { kit } from "./shared.js";
+import { buildPanel, VIEWS } from "./panel.js";
+import { Figure, inUse, loseContext } from "./renderer.js";
+import { derive, startingState, Store } from "./state.js";
+
+export { derive, Figure, inUse, kinematics, kit, loseContext, registerFigure };
+
+// Ways that Python or a page gives, with the pose that they lead to.
+function waysFrom(arm, branches) {
+  if (!branches) return null;
+  const list = branches.filter(({ q }) => fits(arm, q));
+  const target = linkFrames(arm, list[0]?.q ?? arm.rows.map(() => 0)).at(-1);
+  return { list, families: [], held: -1, target, whole: asked(arm) === 6 };
+}
+
+/** @returns {import("./state.js").State} */
+function initial(spec) {
+  const [arm] = spec.arms;
+  const views = spec.views.filter((name) => Object.hasOwn(VIEWS, name));
+  return startingState({
+    arm, reference: spec.reference ?? arm, q: spec.q, wrench: spec.wrench, unit: spec.unit, view: views[0],
+    frames: views[0] === "table" ? "all" : "ends", trace: spec.trace ?? null, ways: waysFrom(arm, spec.branches),
+  }); // prettier-ignore
+}
+
+// Bring a page's stub to life; the stub knows then its store and what takes it away.
+export function mount(stub) {
+  stub.explorer ??= brought(stub);
+  return stub.explorer;
+}
+
+function brought(stub) {
+  const { figure, options } = stub.dataset;
+  if (figure) return { dispose: mountFigure(stub, { ...JSON.parse(options ?? "{}"), figure }) };
+  const spec = JSON.parse(stub.querySelector("script[type='application/json']").textContent);
+  const store = new Store(initial(spec));
+  const makeLink = spec.link ? (tell, signal) => keepLink(store, spec.arms, spec.views, tell, signal) : null;
+  const dispose = buildPanel(stub, store, { ...spec, wide: spec.link, makeLink });
+  return { store, dispose };
+}
+
+// What goes over to Python when it changes here, and back: the trait, how it is read from the state, and the patch that
+// it makes of a state.
+const TRAITS = {
+  q: { from: (state) => state.q, field: "q" },
+  wrench: { from: (state) => state.wrench, field: "wrench" },
+  trace: { from: (state) => state.trace, field: "trace" },
+  branches: { from: (state) => state.ways?.list ?? null, field: "ways" },
+  arm_name: { from: (state) => state.base.name, field: "arm" },
+  rows: { from: (state) => (state.arm === state.base ? [] : state.arm.rows), field: "arm" },
+};
+const PACE = 50; // ms between two messages to the kernel
+
+// The state that the model asks for; arm first, since the others are said of it.
+function asModel(model, state) {
+  const { arms } = model.get("_spec");
+  const base = arms.find((arm) => arm.name === model.get("arm_name")) ?? state.base;
+  const rows = model.get("rows");
+  const typed = rows.length
+    ? sameRows(rows, state.arm.rows)
+      ? state.arm
+      : { name: TYPED, home: [], rows }
+    : null;
+  const arm = typed ?? (state.base.name === base.name ? state.base : base);
+  const reference = state.base.name === base.name ? state.reference : base;
+  const sent = model.get("branches");
+  const kept = sameJson(sent, state.ways?.list ?? null) && state.arm === arm;
+  const trace = sameJson(model.get("trace"), state.trace) ? state.trace : model.get("trace");
+  return {
+    arm, base: state.base.name === base.name ? state.base : base, reference, q: [...model.get("q")],
+    wrench: [...model.get("wrench")], trace, ways: kept ? state.ways : waysFrom(arm, sent),
+  }; // prettier-ignore
+}
+
+const sameJson = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+const sameRows = (a, b) => a === b || sameJson(a, b);
+
+// One store for each model: all its views, in whichever cells, show the same.
+export function widget() {
+  let store = null;
+
+  function initialize({ model }) {
+    const spec = model.get("_spec");
+    const given = Object.fromEntries(
+      ["q", "wrench", "trace", "branches"].map((name) => [name, model.get(name)]),
+    );
+    store = new Store(initial({ ...spec, ...given }));
+    let timer = null;
+    let sending = false;
+    const send = () => {
+      timer = null;
+      sending = true;
+      for (const [trait, { from }] of Object.entries(TRAITS)) {
+        const value = from(store.state);
+        if (!sameJson(model.get(trait), value)) model.set(trait, value);
+      }
+      sending = false;
+      model.save_changes();
+    };
+    const fields = new Set(Object.values(TRAITS).map(({ field }) => field));
+    const abort = new AbortController();
+    store.listen((changed, by) => {
+      if (by !== "python" && [...changed].some((key) => fields.has(key))) timer ??= setTimeout(send, PACE);
+    }, abort.signal);
+    // Python may set several traits one after the other: they are taken together once the last has come.
+    let hearing = null;
+    const hear = () => {
+      if (sending) return;
+      hearing ??= setTimeout(() => {
+        hearing = null;
+        store.dispatch({ type: "set", ...asModel(model, store.state) }, "python");
+      });
+    };
+    for (const trait of Object.keys(TRAITS)) model.on(`change:${trait}`, hear);
+    return () => {
+      abort.abort();
+      clearTimeout(timer);
+      clearTimeout(hearing);
+      for (const trait of Object.keys(TRAITS)) model.off(`change:${trait}`, hear);
+    };
+  }
+
+  function render({ model, el }) {
+    const host = document.createElement("div");
+    host.dataset.lmSuppressShortcuts = "true"; // keys typed here are no commands of JupyterLab's
+    el.append(host);
+    const dispose = buildPanel(host, store, model.get("_spec"));
+    return () => {
+      dispose();
+      host.remove();
+    };
+  }
+  return { initialize, render };
+}
+
+// A small figure as an object of a notebook, where a text cell's stub would stay what it is.
+export const figureWidget = () => ({
+  render({ model, el }) {
+    const host = document.createElement("div");
+    host.dataset.lmSuppressShortcuts = "true";
+    el.append(host);
+    const dispose = mountFigure(host, model.get("_spec"));
+    return () => {
+      dispose();
+      host.remove();
+    };
+  },
+});

@@ -1,0 +1,137 @@
+// What every small figure is made of: a picture of an arm that can be held, words that follow, and a few levers.
+
+import css from "./figure.css";
+import { common } from "../common.js";
+import { homeOf, range } from "../../../judge/geometry/arm.js";
+import { h, indexed, write } from "../dom.js";
+import { makeGrabbable, moveTipByKey } from "../grab.js";
+import { joints } from "../../../judge/geometry/kinematics.js";
+import { relativeRail } from "../rail.js";
+import { ArmPicture } from "../scene.js";
+import { startingState, Store } from "../state.js";
+import { poseText, stillSvg } from "../still.js";
+import { jointText, spokenJoint } from "../text.js";
+import { watchTheme } from "../theme.js";
+import { holdVerdict } from "../verdicts.js";
+import ARMS from "./arms.json";
+
+/** @param {string} name of an arm of the book */
+export const armOf = (name) =>
+  /** @type {import("../../../judge/geometry/arm.js").Arm} */ (
+    /** @type {any} */ (ARMS.find((arm) => arm.name === name) ?? ARMS[0])
+  );
+
+let drags = 0;
+
+/**
+ * @param {HTMLElement} host
+ * @param {any} spec options of the figure: arm, q, joints (numbers of those that get a lever)
+ * @param {{ state?: object, hold?: boolean, words: (state: any, derived: any) => string, side?: HTMLElement[],
+ *   first?: number }} made
+ */
+export function makeLive(host, spec, { state = {}, hold = true, words, side = [], first = 0 }) {
+  const abort = new AbortController();
+  const { signal } = abort;
+  const arm = typeof spec.arm === "object" ? spec.arm : armOf(spec.arm);
+  const store = new Store(startingState({ arm, q: spec.q ?? homeOf(arm), ...state }));
+  const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
+  const labels = h("div.labels", { "aria-hidden": "true" });
+  const grip = h("button.grip", {
+    type: "button", "aria-label": "Tip: drag it, or move it by arrow keys", hidden: !hold,
+    onkeydown: (event) => picture && moveTipByKey(picture, store, event),
+  }); // prettier-ignore
+  const stage = h("div.stage", { role: "group", "aria-label": `The ${arm.name}` }, labels, grip);
+  const said = h("p.words");
+  const why = h("p.why", { hidden: true });
+  const levers = (spec.joints ?? []).map((number) => lever(number));
+  const card = h(
+    "figure.live",
+    {},
+    stage,
+    h("div.side", {}, ...side, ...levers.map((one) => one.root), said, why),
+  );
+  root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
+  let picture = null;
+  try {
+    picture = new ArmPicture(stage, labels, {
+      first,
+      onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
+    });
+    if (hold) makeGrabbable(picture, store, { grip, goTo: (q) => store.dispatch({ type: "glide", q }) });
+  } catch {
+    grip.hidden = true; // no WebGL here: a still picture follows
+  }
+
+  function lever(number) {
+    const k = joints(arm).indexOf(number - 1);
+    const row = arm.rows[number - 1];
+    const [lower, upper] = range(row);
+    const put = (value, gesture = null) => {
+      store.dispatch({ type: "move", q: store.state.q.map((v, i) => (i === k ? value : v)), gesture });
+    };
+    const input = h("input", {
+      type: "range", min: lower, max: upper, step: "any", "aria-label": `Joint ${number}`,
+      oninput: (e) => put(Number(e.target.value), `keys ${number}`),
+    }); // prettier-ignore
+    const rail = h("div.rail", {}, input);
+    let gesture = null;
+    relativeRail(rail, input, {
+      start: () => (gesture = `lever ${++drags}`),
+      put: (v) => put(v, gesture),
+      signal,
+    });
+    const output = h("output");
+    const show = ({ q, unit }) => {
+      input.value = String(q[k]);
+      input.setAttribute("aria-valuetext", spokenJoint(row, q[k], unit));
+      write(output, jointText(row, q[k], unit));
+    };
+    return { root: h("div.lever", {}, h("span", {}, indexed("q", number)), rail, output), show };
+  }
+
+  let theme = "light";
+  const listeners = [];
+  function refresh() {
+    const { state: now, derived } = store;
+    for (const one of levers) one.show(now);
+    write(said, words(now, derived));
+    const stopped = holdVerdict(now.hold);
+    write(why, stopped);
+    why.hidden = !stopped;
+    if (picture) picture.draw(now, derived, theme);
+    else stage.replaceChildren(stillSvg(now.arm, derived.frames, poseText(now.arm, now.q)));
+    for (const listener of listeners) listener(now, derived);
+    stage.setAttribute("aria-label", poseText(now.arm, now.q));
+  }
+  watchTheme((now) => {
+    theme = now;
+    card.dataset.theme = now;
+    refresh();
+  }, signal);
+  store.listen(refresh, signal);
+  return {
+    store, picture, card, signal, refresh,
+    follow: (listener) => (listeners.push(listener), refresh()),
+    dispose() {
+      abort.abort();
+      picture?.dispose();
+      root.replaceChildren();
+    },
+  }; // prettier-ignore
+}
+
+// A lever for any number.
+export function makeLever(label, [low, high], value, { put, text, signal }) {
+  const input = h("input", { type: "range", min: low, max: high, step: "any", value, "aria-label": label });
+  const output = h("output", {}, text(value));
+  const move = (v) => {
+    input.value = String(v);
+    input.setAttribute("aria-valuetext", text(v));
+    write(output, text(v));
+    put(v);
+  };
+  input.addEventListener("input", () => move(Number(input.value)), { signal });
+  const rail = h("div.rail", {}, input);
+  relativeRail(rail, input, { put: move, signal });
+  return { root: h("div.lever", {}, h("span", {}, label), rail, output), move };
+}

@@ -1,0 +1,198 @@
+// Inverse kinematics by damped steps, for any table: circles traced from where the arm stands, and the other ways to
+// reach a pose. None of it touches the page, so that a worker can do it.
+
+import { fits, range } from "../../judge/geometry/arm.js";
+import {
+  cross,
+  jacobianColumns,
+  joints,
+  linkFrames,
+  minus,
+  norm,
+  plus,
+  scaled,
+} from "../../judge/geometry/kinematics.js";
+import { rightNull, singular, solve } from "../../judge/geometry/linear.js";
+import { asked } from "./verdicts.js";
+
+// How many joints are more than the pose (or, below six, the place) asks for.
+export const spareJoints = (arm) => Math.max(0, joints(arm).length - asked(arm));
+
+function poseError(tip, wanted) {
+  const turn = ["x", "y", "z"].reduce((sum, axis) => plus(sum, cross(tip[axis], wanted[axis])), [0, 0, 0]);
+  return [...minus(wanted.o, tip.o), ...scaled(0.5, turn)];
+}
+
+// The joint vector that brings the tip to the frame `wanted`, by Levenberg and Marquardt's steps damped by the error
+// (Sugihara 2011); `held` is the index of a joint that must not move.
+export function reach(arm, start, wanted, { held = -1, steps = 60 } = {}) {
+  let q = [...start];
+  const rows = asked(arm);
+  for (let step = 0; ; step++) {
+    const frames = linkFrames(arm, q);
+    const error = poseError(frames.at(-1), wanted).slice(0, rows);
+    const size = norm(error);
+    if (size < 1e-11 || step === steps || !q.length) return { q, error: size };
+    const columns = jacobianColumns(arm, frames).map((c, i) => (i === held ? c.map(() => 0) : c));
+    const damping = 0.02 * size * size + 1e-12;
+    const A = error.map((_, i) =>
+      error.map((_, j) => columns.reduce((s, c) => s + c[i] * c[j], i === j ? damping : 0)),
+    );
+    const y = solve(A, error);
+    const move = columns.map((c) => y.reduce((s, v, i) => s + c[i] * v, 0));
+    const most = Math.max(1e-12, ...move.map(Math.abs));
+    q = q.map((v, i) => v + move[i] * Math.min(1, 0.6 / most));
+  }
+}
+
+const PLANES = {
+  x: [[0, 1, 0], [0, 0, 1]],
+  y: [[1, 0, 0], [0, 0, 1]],
+  z: [[1, 0, 0], [0, 1, 0]],
+}; // prettier-ignore
+
+// Points of a circle that starts at `top` and hangs below it in the plane with this normal axis.
+export function circlePoints(top, { normal = "x", radius = 0.1, count = 181 } = {}) {
+  const [across, up] = PLANES[normal];
+  const centre = minus(top, scaled(radius, up));
+  return Array.from({ length: count }, (_, k) => {
+    const angle = (2 * Math.PI * k) / (count - 1);
+    return plus(centre, plus(scaled(radius * Math.sin(angle), across), scaled(radius * Math.cos(angle), up)));
+  });
+}
+
+const NUDGE = 0.05; // rad or m, out of a pose in which no small motion helps
+
+// `reach`, tried again from beside a singular pose that it cannot leave.
+function reachFrom(arm, start, wanted, options) {
+  let best = reach(arm, start, wanted, options);
+  if (best.error < 1e-6) return best;
+  const still = best.q.every((v, i) => Math.abs(v - start[i]) < 1e-6);
+  for (const k of still ? start.keys() : []) {
+    for (const way of [NUDGE, -NUDGE]) {
+      const other = reach(
+        arm,
+        start.map((v, i) => (i === k ? v + way : v)),
+        wanted,
+        options,
+      );
+      if (other.error < 0.98 * best.error) best = other;
+    }
+  }
+  return best;
+}
+
+// Joint vectors along such a circle below the tip, with the tool's orientation held; with the largest distance (m) that
+// the tip strays from it.
+export function traceCircle(arm, start, circle = {}) {
+  const tip = linkFrames(arm, start).at(-1);
+  const wanted = circlePoints(tip.o, circle);
+  const path = [];
+  let [q, stray] = [start, 0];
+  for (const o of wanted) {
+    q = reachFrom(arm, q, { ...tip, o }, { steps: 40 }).q;
+    stray = Math.max(stray, norm(minus(linkFrames(arm, q).at(-1).o, o)));
+    path.push(q);
+  }
+  return { path, stray, wanted };
+}
+
+// The same numbers on every machine and at every visit.
+function dice(seed) {
+  return () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;
+}
+
+export function randomPose(arm, roll = Math.random) {
+  return joints(arm).map((i) => {
+    const [lower, upper] = range(arm.rows[i]);
+    return lower + (upper - lower) * roll();
+  });
+}
+
+const MOST_WAYS = 16;
+
+/**
+ * Other joint vectors with the tip at the same pose, from many starts. Where the arm has a joint to spare, joint 3 is
+ * held, so that the ways can be counted. Where joints can move with the tip at rest, their ways are one family, of
+ * which the list holds one.
+ * @param {import("../../judge/geometry/arm.js").Arm} arm
+ * @param {number[]} q
+ */
+export function otherWays(arm, q, tries = 300) {
+  const target = linkFrames(arm, q).at(-1);
+  const whole = asked(arm) === 6;
+  if (!fits(arm, q) || !q.length) return { list: [], families: [], held: -1, target, whole };
+  const held = spareJoints(arm) ? 2 : -1;
+  const roll = dice(1);
+  const families = [];
+  const found = [];
+  const take = (way) => {
+    if (families.some((family) => sameFamily(arm, family, way))) return;
+    if (found.some((other) => apart(arm, other, way) < 1e-3)) return;
+    const moving = freeJoints(arm, way, target, held);
+    found.push(way);
+    if (moving.length) families.push({ moving, q: way });
+  };
+  take(turned(arm, q));
+  for (let n = 0; n < tries && found.length < MOST_WAYS; n++) {
+    const start = randomPose(arm, roll).map((v, i) => (i === held ? q[i] : v));
+    const { q: way, error } = reach(arm, start, target, { held });
+    if (error < 1e-9) take(turned(arm, way));
+  }
+  return { list: found.map((way) => ({ q: way })), families, held, target, whole };
+}
+
+const STEP = 0.1; // rad or m along the null space: small beside a turn, large beside what a double root gives way by
+
+// The joints that can move from here while the tip stays: those of a null direction along which a solution really lies.
+export function freeJoints(arm, q, target, held = -1) {
+  const rows = asked(arm);
+  const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) => (i === held ? c.map(() => 0) : c));
+  const { values } = singular(
+    columns.map((c) => c.slice(0, rows)),
+    rows,
+  );
+  const free = joints(arm).length - (held < 0 ? 0 : 1);
+  if (values.filter((v) => v > 1e-5 * values[0]).length >= Math.min(rows, free)) return [];
+  const moving = new Set();
+  for (const direction of rightNull(
+    columns.map((c) => c.slice(0, rows)),
+    held,
+  )) {
+    const there = reach(
+      arm,
+      q.map((v, i) => v + STEP * direction[i]),
+      target,
+      { held, steps: 200 },
+    );
+    if (there.error > 1e-9 || apart(arm, there.q, q) < 0.3 * STEP) continue;
+    there.q.forEach((v, i) => Math.abs(v - q[i]) > 1e-3 && moving.add(i));
+  }
+  return [...moving].sort((p, r) => p - r);
+}
+
+// Whether a way differs from a family's only in the joints that move along it.
+const sameFamily = (arm, { moving, q }, way) =>
+  apart(
+    arm,
+    q,
+    way.map((v, i) => (moving.includes(i) ? q[i] : v)),
+  ) < 1e-3;
+
+// Revolute joints brought to within half a turn, or into their limits where whole turns can do that.
+function turned(arm, q) {
+  return joints(arm).map((row, i) => {
+    if (arm.rows[row].kind !== "revolute") return q[i];
+    const [lower, upper] = range(arm.rows[row]);
+    const near = Math.atan2(Math.sin(q[i]), Math.cos(q[i]));
+    return [near, near + 2 * Math.PI, near - 2 * Math.PI].find((v) => v >= lower && v <= upper) ?? near;
+  });
+}
+
+function apart(arm, p, q) {
+  const gap = (row, i) => (arm.rows[row].kind === "revolute" ? 2 * Math.sin((p[i] - q[i]) / 2) : p[i] - q[i]);
+  return Math.max(...joints(arm).map((row, i) => Math.abs(gap(row, i))));
+}
+
+// Whether an arm at q stands at a joint vector that may have been rounded.
+export const isThere = (way, q) => way.length === q.length && way.every((v, i) => Math.abs(v - q[i]) < 1e-4);

@@ -1,0 +1,167 @@
+// The instrument: picture, sliders, and the views in tabs below, inside a shadow root of its own.
+
+import css from "./panel.css";
+import { common } from "./common.js";
+import { calm, h } from "./dom.js";
+import { makeHead } from "./panel/head.js";
+import { makeSliders } from "./panel/sliders.js";
+import { makeStage } from "./panel/stage.js";
+import { makeTabs } from "./panel/tabs.js";
+import { makeSpeech } from "./speech.js";
+import { poseText, stillSvg } from "./still.js";
+import { fixed } from "./text.js";
+import { watchTheme } from "./theme.js";
+import { VIEWS } from "./views/index.js";
+
+const GLIDE = 450; // ms that the arm takes to another place
+const STILL = 300; // ms after which the still picture follows
+const READ = 100; // ms in which the numbers follow while the picture is dragged: nobody reads faster
+
+const SAID = ["q", "arm", "wrench", "ways", "trace", "dragging"]; // a change of these is worth a word
+
+let count = 0;
+
+/**
+ * Build the instrument into a host; returns what takes it away again.
+ * @param {HTMLElement} host
+ * @param {import("./state.js").Store} store
+ * @typedef {import("../../judge/geometry/arm.js").Arm} Arm
+ * @param {{ views: string[], arms: Arm[], wide?: boolean, makeLink?: Function | null }} options
+ */
+export function buildPanel(host, store, { views, arms, wide = false, makeLink = null }) {
+  const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
+  const abort = new AbortController();
+  const { signal } = abort;
+  const id = `explorer-${++count}`;
+  const { region, say } = makeSpeech(root, signal);
+  const goTo = glider(store, signal);
+  const notice = h("p.notice", { role: "status", hidden: true });
+  const tell = (words) => {
+    notice.hidden = !words;
+    notice.textContent = words;
+  };
+  const link = makeLink?.(tell, signal) ?? null;
+  const tools = { id, goTo, say, signal, tell, point: (row) => store.dispatch({ type: "show", lit: row }) };
+  const stage = makeStage(store, tools);
+  const sliders = makeSliders(store, tools);
+  const tabs = makeTabs(store, views, tools);
+  const card = h("section.explorer");
+  const head = makeHead(store, { ...tools, arms, link, stage, card });
+  card.append(head.root, notice, h("div.bench", {}, stage.root, sliders.root), tabs.root, region);
+  card.classList.toggle("wide", wide);
+  root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
+
+  let theme = "light";
+  const draw = () => stage.draw(store.state, store.derived, theme);
+  const parts = [
+    ({ state }) => {
+      card.setAttribute("aria-label", `Explorer of the ${state.arm.name}`.replace("the Your", "your"));
+      head.update(state);
+      stage.update(state);
+    },
+    ({ state }) => sliders.update(state),
+    ({ state, derived }) => tabs.update(state, derived, stage.scale()),
+  ];
+  const numbers = inTurn(READ / parts.length, signal, parts, store);
+  watchTheme((now) => {
+    theme = now;
+    card.dataset.theme = now;
+    draw();
+  }, signal);
+  const still = keepStill(host, store, signal);
+  store.listen((changed) => {
+    draw();
+    if (store.state.dragging && !changed.has("dragging")) return numbers.soon();
+    numbers.now();
+    still();
+    if (SAID.some((key) => changed.has(key)) && !store.state.playing) say(() => summary(store, tabs));
+    return undefined;
+  }, signal);
+  draw();
+  numbers.now();
+  return () => {
+    abort.abort();
+    stage.dispose();
+    tabs.dispose();
+    root.replaceChildren();
+  };
+}
+
+// Bring all parts up to date now; or soon, one after the other, so that no frame has to wait for all of them.
+function inTurn(pace, signal, parts, store) {
+  let timer = null;
+  let due = 0; // parts that are behind
+  let next = 0;
+  const stop = () => {
+    clearTimeout(timer);
+    timer = null;
+  };
+  const tick = () => {
+    timer = null;
+    parts[next](store);
+    next = (next + 1) % parts.length;
+    if (--due) timer = setTimeout(tick, pace);
+  };
+  signal.addEventListener("abort", stop);
+  return {
+    now: () => (stop(), (due = 0), parts.forEach((part) => part(store))),
+    soon: () => ((due = parts.length), (timer ??= setTimeout(tick, pace))),
+  };
+}
+
+// Where the tip is, and what the open view says of it.
+function summary({ state, derived }, tabs) {
+  const [x, y, z] = derived.frames.at(-1).o.map((v) => fixed(v, 3).replace("−", "minus "));
+  return `Tip at x ${x}, y ${y}, z ${z} metres. ${tabs.summary(state, derived)}`.trim();
+}
+
+// Move to a joint vector at a pace the eye can follow, or at once where motion is unwelcome.
+function glider(store, signal) {
+  let moving = null;
+  const stop = () => {
+    if (moving) cancelAnimationFrame(moving);
+    moving = null;
+  };
+  signal.addEventListener("abort", stop);
+  store.listen((changed, by) => by !== "glide" && (changed.has("q") || changed.has("arm")) && stop(), signal);
+  return (q) => {
+    stop();
+    const { q: from, arm } = store.state;
+    const gesture = `glide ${performance.now()}`;
+    const go = (to) => store.dispatch({ type: "glide", q: to, gesture }, "glide");
+    if (calm() || q.length !== from.length) return go(q);
+    const start = performance.now();
+    const step = (now) => {
+      moving = null;
+      if (store.state.arm !== arm) return;
+      const t = Math.min(1, Math.max(0, now - start) / GLIDE);
+      const ease = t * t * (3 - 2 * t);
+      go(t === 1 ? q : from.map((v, i) => v + ease * (q[i] - v)));
+      if (t < 1) moving = requestAnimationFrame(step);
+    };
+    moving = requestAnimationFrame(step);
+    return true;
+  };
+}
+
+// The picture for paper, and for browsers without WebGL, follows the state.
+function keepStill(host, store, signal) {
+  let timer = null;
+  const put = () => {
+    clearTimeout(timer);
+    timer = null;
+    const { arm, q } = store.state;
+    const words = poseText(arm, q);
+    const picture = stillSvg(arm, store.derived.frames, `Still picture of the ${words}`);
+    const before = host.querySelector(":scope > svg");
+    if (before) before.replaceWith(picture);
+    else host.prepend(picture);
+    const caption = host.querySelector(":scope > .arm-explorer-caption");
+    if (caption) caption.textContent = words;
+  };
+  signal.addEventListener("abort", () => clearTimeout(timer));
+  window.addEventListener("beforeprint", put, { signal });
+  return () => (timer ??= setTimeout(put, STILL));
+}
+
+export { VIEWS };

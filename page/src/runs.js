@@ -1,0 +1,249 @@
+// The homework's circle on the wall, run as it is run there: by Euler's rule or a better one, by the inverse or one of
+// its stand-ins, with or without feedback, and with a mistake where one is asked for. tests/test_explorer.py holds it
+// against helpers.motion.
+
+import {
+  cross,
+  dot,
+  jacobianColumns,
+  joints,
+  linkFrames,
+  minus,
+  norm,
+  plus,
+  scaled,
+} from "../../judge/geometry/kinematics.js";
+import { gravityTorque, wrenchTorque } from "../../judge/geometry/kinematics.js";
+import { singular } from "../../judge/geometry/linear.js";
+import { reach } from "./motion.js";
+
+/** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
+/**
+ * @typedef {object} Run
+ * @property {"euler" | "rk4" | "exact"} method
+ * @property {"inverse" | "pseudo" | "damped"} rates
+ * @property {number} steps
+ * @property {number} seconds
+ * @property {number} radius m
+ * @property {"x" | "y"} normal of the wall
+ * @property {number} gain 1/s, of the feedback
+ * @property {number} cutoff share of the largest singular value below which the pseudo-inverse gives up
+ * @property {number} damping
+ * @property {number} locked the joint, as its index in q, that stays; -1 for none
+ * @property {"" | "angular" | "z_i" | "o_i" | "sign" | "next"} slip
+ */
+
+/** @type {Run} */
+export const HOMEWORK = {
+  method: "euler", rates: "inverse", steps: 1000, seconds: 5, radius: 0.1, normal: "x", gain: 0, cutoff: 1e-9,
+  damping: 0.02, locked: 2, slip: "",
+}; // prettier-ignore
+
+const ACROSS = { x: [0, 1, 0], y: [-1, 0, 0] };
+const UP = [0, 0, 1];
+
+// Where the tip should be at a share of the way round, and how fast it should go.
+export function onCircle(top, { radius, normal, seconds }, share) {
+  const angle = 2 * Math.PI * share;
+  const centre = minus(top, scaled(radius, UP));
+  const [s, c] = [Math.sin(angle), Math.cos(angle)];
+  const speed = (2 * Math.PI * radius) / seconds;
+  return {
+    o: plus(centre, plus(scaled(radius * s, ACROSS[normal]), scaled(radius * c, UP))),
+    v: plus(scaled(speed * c, ACROSS[normal]), scaled(-speed * s, UP)),
+  };
+}
+
+// The Jacobian's columns as a mistake makes them.
+function columnsOf(arm, frames, slip) {
+  if (slip === "angular") {
+    const after = joints(arm).map((row) =>
+      arm.rows[row].kind === "revolute" ? frames[row + 1].z : [0, 0, 0],
+    );
+    return jacobianColumns(arm, frames).map((column, k) => [...column.slice(0, 3), ...after[k]]);
+  }
+  if (slip !== "z_i" && slip !== "o_i") return jacobianColumns(arm, frames);
+  const tip = frames.at(-1).o;
+  return joints(arm).map((row) => {
+    const { z } = frames[slip === "z_i" ? row + 1 : row];
+    const { o } = frames[row + 1];
+    return arm.rows[row].kind === "revolute" ? [...cross(z, minus(tip, o)), ...z] : [...z, 0, 0, 0];
+  });
+}
+
+class Singular extends Error {}
+
+function jointRates(columns, twist, { rates, cutoff, damping, locked }) {
+  const free = columns.map((_, k) => k).filter((k) => k !== locked);
+  const { values, vectors } = singular(free.map((k) => columns[k]));
+  const least = rates === "pseudo" ? cutoff * values[0] : 0;
+  if (rates === "inverse" && values[Math.min(5, free.length - 1)] <= 1e-9 * values[0]) throw new Singular();
+  const found = columns.map(() => 0);
+  values.forEach((value, i) => {
+    if (value <= least || value < 1e-14) return;
+    const share = vectors[i].reduce((s, u, k) => s + u * twist[k], 0);
+    const weight = share / (rates === "damped" ? value * value + damping * damping : value * value);
+    for (const k of free) found[k] += weight * columns[k].reduce((s, v, r) => s + v * vectors[i][r], 0);
+  });
+  return { found, least: values[Math.min(5, free.length - 1)] };
+}
+
+function tipError(tip, wanted, turns) {
+  const turn = ["x", "y", "z"].reduce((sum, axis) => plus(sum, cross(tip[axis], turns[axis])), [0, 0, 0]);
+  return [...minus(wanted, tip.o), ...scaled(0.5, turn)];
+}
+
+const KEPT = 181; // poses that are shown
+
+/**
+ * What comes of a run: joint values along it (at most 181 of them), how far the tip is off, turns of the joints, the
+ * smallest singular value, the step at which the inverse did not exist.
+ * @param {Arm} arm
+ * @param {number[]} start
+ * @param {Partial<Run>} asked
+ */
+export function runCircle(arm, start, asked = {}) {
+  const run = { ...HOMEWORK, ...asked };
+  if (run.method === "exact") run.rates = "pseudo"; // nothing is inverted: only singular values are asked for
+  const first = linkFrames(arm, start).at(-1);
+  const h = run.seconds / run.steps;
+  const every = Math.max(1, Math.ceil(run.steps / (KEPT - 1)));
+  const kept = { path: [start], errors: [0], at: [0] };
+  let [q, least, largest, fastest, failed, tilt] = [[...start], Infinity, 0, 0, null, 0];
+
+  const slope = (share, at) => {
+    const frames = linkFrames(arm, at);
+    const { o, v } = onCircle(first.o, run, share);
+    const error = run.gain ? tipError(frames.at(-1), o, first) : [0, 0, 0, 0, 0, 0];
+    const twist = [...v, 0, 0, 0].map((x, i) => x + run.gain * error[i]);
+    const { found, least: size } = jointRates(columnsOf(arm, frames, run.slip), twist, run);
+    least = Math.min(least, size);
+    return run.slip === "sign" ? found.map((x) => -x) : found;
+  };
+  const moved = (p, k, by) => p.map((x, i) => x + by * k[i]);
+
+  for (let n = 0; n < run.steps && failed === null; n++) {
+    const [share, next] = [n / run.steps, (n + 1) / run.steps];
+    try {
+      const k1 = slope(run.slip === "next" ? next : share, q);
+      fastest = Math.max(fastest, ...k1.map(Math.abs));
+      if (run.method === "exact") {
+        q = reach(arm, q, { ...first, o: onCircle(first.o, run, next).o }, { held: run.locked, steps: 40 }).q;
+      } else if (run.method === "rk4") {
+        const k2 = slope(share + 0.5 / run.steps, moved(q, k1, h / 2));
+        const k3 = slope(share + 0.5 / run.steps, moved(q, k2, h / 2));
+        const k4 = slope(next, moved(q, k3, h));
+        q = q.map((x, i) => x + (h / 6) * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]));
+      } else {
+        q = moved(q, k1, h);
+      }
+    } catch (fault) {
+      if (!(fault instanceof Singular)) throw fault;
+      failed = n;
+      break;
+    }
+    const there = linkFrames(arm, q).at(-1);
+    const off = norm(minus(there.o, onCircle(first.o, run, next).o));
+    tilt = Math.max(tilt, Math.atan2(norm(cross(there.z, first.z)), dot(there.z, first.z)));
+    if (!Number.isFinite(off)) failed = n;
+    largest = Math.max(largest, off);
+    if ((n + 1) % every === 0 || n + 1 === run.steps) {
+      kept.path.push(q);
+      kept.errors.push(off);
+      kept.at.push(next);
+    }
+  }
+  return {
+    ...kept, run, largest, least, fastest, failed, tilt,
+    wound: q.map((x, i) => (arm.rows[joints(arm)[i]].kind === "revolute" ? (x - start[i]) / (2 * Math.PI) : 0)),
+  }; // prettier-ignore
+}
+
+/**
+ * How often a joint winds round, and how near the arm comes to a singular pose, for circles of each radius.
+ * @param {Arm} arm
+ * @param {number[]} start
+ * @param {Partial<Run>} asked
+ */
+export function windingByRadius(arm, start, asked = {}, radii = radiiTo(0.1)) {
+  return radii.map((radius) => {
+    const { wound, least, largest } = runCircle(arm, start, { ...asked, method: "exact", steps: 90, radius });
+    const turns = wound.reduce((best, v) => (Math.abs(v) > Math.abs(best) ? v : best), 0);
+    return { radius, turns: Math.round(turns), least, reached: largest < 1e-6 };
+  });
+}
+export const radiiTo = (most, count = 37) =>
+  Array.from({ length: count }, (_, k) => 0.01 + ((most - 0.01) * k) / (count - 1));
+
+// Static torques along a path, right or with a mistake in the model: the wrench's sign, or centres of mass that were
+// taken from the paper's frames as if they were the table's.
+export function torquesAlong(arm, path, wrench, slip = "") {
+  const model = slip === "centres" ? unconverted(arm) : arm;
+  const sign = slip === "wrench" ? -1 : 1;
+  return path.map((q) => {
+    const frames = linkFrames(arm, q);
+    const push = wrenchTorque(jacobianColumns(arm, frames), wrench);
+    return gravityTorque(model, frames).map((g, i) => g - sign * push[i]);
+  });
+}
+
+// The Panda's centres of mass as Gaz et al. 2019 print them, in frames of their own.
+const PRINTED = [
+  [0.003875, 0.002081, -0.04762], [-0.003141, -0.02872, 0.003495], [0.027518, 0.039252, -0.066502],
+  [-0.05317, 0.104419, 0.027454], [-0.011953, 0.041065, -0.038437], [0.060149, -0.014117, -0.010517],
+  [0.010517, -0.004252, 0.061597],
+]; // prettier-ignore
+
+// Whether the paper's centres of mass are those of this arm.
+export const isPanda = ({ name, rows }) =>
+  name.startsWith("Panda") && rows.length === 7 && rows.every((row) => row.body);
+
+// The arm with the printed centres taken over as they are, as if the frames were the table's.
+const unconverted = (arm) =>
+  isPanda(arm)
+    ? { ...arm, rows: arm.rows.map((row, i) => ({ ...row, body: [row.body[0], ...PRINTED[i]] })) }
+    : arm;
+
+const CHOICES = {
+  method: ["euler", "rk4", "exact"],
+  rates: ["inverse", "pseudo", "damped"],
+  normal: ["x", "y"],
+  slip: ["", "angular", "z_i", "o_i", "sign", "next"],
+};
+export const BOUNDS = {
+  steps: [10, 10000], seconds: [1, 60], radius: [0.01, 0.1], gain: [0, 20], cutoff: [1e-9, 0.1], damping: [1e-3, 0.2],
+  locked: [-1, 15],
+}; // prettier-ignore
+const KEYS = [
+  "method",
+  "rates",
+  "steps",
+  "seconds",
+  "radius",
+  "normal",
+  "gain",
+  "cutoff",
+  "damping",
+  "locked",
+  "slip",
+];
+
+// A run in a link, and back; null where the text is none.
+export const runText = (run) => KEYS.map((key) => run[key]).join("_");
+
+/** @returns {Run | null} */
+export function runFrom(text) {
+  const parts = text.split("_");
+  if (parts.length > KEYS.length && parts.at(-2) === "z") parts.splice(-2, 2, "z_i");
+  if (parts.length > KEYS.length && parts.at(-2) === "o") parts.splice(-2, 2, "o_i");
+  if (parts.length !== KEYS.length) return null;
+  const run = /** @type {any} */ ({});
+  for (const [i, key] of KEYS.entries()) {
+    const choices = CHOICES[key];
+    run[key] = choices ? parts[i] : parts[i].trim() ? Number(parts[i]) : NaN;
+    if (choices && !choices.includes(parts[i])) return null;
+    if (!choices && !(run[key] >= BOUNDS[key][0] && run[key] <= BOUNDS[key][1])) return null;
+  }
+  for (const key of ["steps", "locked"]) if (!Number.isInteger(run[key])) return null;
+  return run;
+}

@@ -1,0 +1,391 @@
+// The explorer's picture: draws the state when it has changed.
+
+import {
+  Color, DoubleSide, Group, MeshBasicMaterial, MeshStandardMaterial, ShadowMaterial, Vector3,
+} from "three"; // prettier-ignore
+import { outside, reachOf } from "../../judge/geometry/arm.js";
+import { goneness } from "./hold.js";
+import { joints, linkFrames, minus, norm, plus, scaled } from "../../judge/geometry/kinematics.js";
+import { Labels } from "./labels.js";
+import { isThere } from "./motion.js";
+import { emptied, Figure, freed } from "./renderer.js";
+import {
+  along,
+  ArmShape,
+  Arrow,
+  ball,
+  Ellipsoid,
+  floor,
+  ghostMaterial,
+  rod,
+  square,
+  Triads,
+  tube,
+  wall,
+} from "./shapes.js";
+import { leftBehind } from "./state.js";
+
+export const LOOK = {
+  light: {
+    lit: "#E69F00", link: "#e9edf2", joint: "#34506b", grid: "#8793a3", gridStrength: 0.34, shadow: 0.16, sky: 2.1,
+    sun: 1.5, path: "#D55E00", wanted: "#7a8290", force: "#C77E00", ghost: "#0072B2",
+    ellipsoid: "#9a4f86", bad: "#c0392b",
+  },
+  dark: {
+    lit: "#F0B429", link: "#c3ccd8", joint: "#5f86ad", grid: "#93a1b5", gridStrength: 0.26, shadow: 0.28, sky: 1.15,
+    sun: 1.7, path: "#F58A3C", wanted: "#a3adba", force: "#F0B429", ghost: "#56B4E9",
+    ellipsoid: "#d79bc3", bad: "#ff8a6b",
+  },
+}; // prettier-ignore
+const BRANCH_COLOURS = [
+  "#0072B2",
+  "#D55E00",
+  "#009E73",
+  "#E69F00",
+  "#CC79A7",
+  "#56B4E9",
+  "#882255",
+  "#7a8290",
+];
+export const branchColour = (i) => BRANCH_COLOURS[i % BRANCH_COLOURS.length];
+
+const FORCE_HALF = 10; // N: drawn half as long as the longest arrow,
+const FORCE_LONGEST = 0.36; // which is this share of the arm
+
+export class ArmPicture {
+  constructor(host, labels, options = {}) {
+    this.figure = new Figure(host, { onDraw: () => this.place(), onLost: options.onLost });
+    this.labels = new Labels(labels);
+    this.onPlace = options.onPlace ?? (() => {});
+    /** @type {any} */
+    this.world = null;
+    this.arm = null;
+    this.frames = null;
+    /** @type {boolean[]} */
+    this.drawn = []; // which frames have their axes drawn
+    this.first = options.first ?? 0; // the number of the first of them
+    this.shown = /** @type {any} */ ({});
+  }
+
+  // Build everything that does not move with the joints.
+  build(arm, dark) {
+    const look = LOOK[dark ? "dark" : "light"];
+    this.emptyWorld();
+    this.arm = arm;
+    this.dark = dark;
+    this.look = look;
+    this.size = reachOf(arm);
+    this.world = new Group();
+    this.shown = {};
+    const { size } = this;
+    this.figure.scene.add(this.world);
+    const link = new MeshStandardMaterial({ color: look.link, roughness: 0.45, metalness: 0.02 });
+    const joint = new MeshStandardMaterial({ roughness: 0.4, metalness: 0.1 }); // white: each joint has its colour
+    this.body = new ArmShape(arm, { link, joint, hue: new Color(look.joint) });
+    this.tints = { lit: new Color(look.lit), bad: new Color(look.bad) };
+    this.axis = rod(new MeshBasicMaterial({ color: look.lit, transparent: true, opacity: 0.75 }));
+    this.shade = square(4 * size, new ShadowMaterial({ opacity: look.shadow }));
+    this.shade.receiveShadow = true;
+    this.shade.position.z = -0.001 * size;
+    this.triads = new Triads(dark, arm.rows.length + 1);
+    this.ellipsoid = new Ellipsoid(look.ellipsoid);
+    const force = new MeshBasicMaterial({ color: look.force });
+    this.force = new Arrow(force);
+    this.handle = ball(force);
+    this.handle.scale.setScalar(0.022 * size);
+    this.spot = ball(new MeshBasicMaterial({ color: look.bad }));
+    this.spot.scale.setScalar(0.014 * size);
+    this.fading = new Group();
+    const lost = new MeshBasicMaterial({ color: look.bad });
+    for (let i = 0; i < 6; i++) this.fading.add(new Arrow(lost));
+    this.barrier = this.makeBarrier();
+    this.path = new Group();
+    this.ghosts = new Group();
+    this.reference = new Group();
+    this.world.add(
+      this.body, floor(size, look.grid, look.gridStrength), this.shade, this.triads, this.axis, this.ellipsoid,
+      this.force, this.handle, this.spot, this.fading, this.barrier, this.path, this.ghosts, this.reference,
+    ); // prettier-ignore
+    this.figure.resetLights({ size, sky: look.sky, sun: look.sun });
+  }
+
+  emptyWorld() {
+    if (this.world) freed(this.world);
+  }
+
+  // What stands between a dragged tip and the pointer: a wall across the way, and the way that is missing.
+  makeBarrier() {
+    const group = /** @type {any} */ (new Group());
+    const pane = new MeshBasicMaterial({
+      color: this.look.bad, transparent: true, opacity: 0.3, side: DoubleSide, depthWrite: false,
+    }); // prettier-ignore
+    const ink = new MeshBasicMaterial({ color: this.look.bad });
+    const [wallPart, way, spot] = [square(0.16 * this.size, pane), rod(ink), ball(ink)];
+    spot.scale.setScalar(0.01 * this.size);
+    Object.assign(group, { wallPart, way, spot });
+    group.add(wallPart, way, spot);
+    group.visible = false;
+    return group;
+  }
+
+  // Bring the picture up to date with the state; only what changed is built anew.
+  draw(state, derived, theme) {
+    const dark = theme === "dark";
+    const first = !this.body;
+    const other = this.arm !== state.arm;
+    if (other || this.dark !== dark) this.build(state.arm, dark);
+    const { frames } = derived;
+    this.frames = frames;
+    this.body.pose(frames);
+    this.tintJoints(state);
+    this.drawAxis(frames[state.lit]);
+    this.drawFrames(frames, state.frames);
+    this.ellipsoid.visible = state.view === "jacobian";
+    if (this.ellipsoid.visible) {
+      this.scale = (0.15 * this.size) / Math.max(derived.linear.values[0], 1e-6);
+      this.ellipsoid.pose(frames.at(-1).o, derived.linear, this.scale, 0.003 * this.size);
+    }
+    this.drawForce(frames.at(-1).o, state);
+    this.drawPath(state);
+    this.drawGhosts(state, derived);
+    this.drawReference(state);
+    this.drawBarrier(frames.at(-1).o, state.hold);
+    this.drawFading(frames.at(-1).o, state.hold?.fading ?? []);
+    this.drawMark(state.mark);
+    if (first) this.fit();
+    this.figure.request();
+  }
+
+  tintJoints({ lit, q, arm }) {
+    const past = joints(arm).filter((row, k) => outside(arm.rows[row], q[k]));
+    const tinted = [lit, ...past].join();
+    if (this.shown.tinted === tinted) return;
+    this.shown.tinted = tinted;
+    this.body.tint((row) => (row === lit ? this.tints.lit : past.includes(row) ? this.tints.bad : null));
+  }
+
+  // The axis about or along which the joint under the reader's hand moves.
+  drawAxis(frame) {
+    const half = frame ? scaled(0.16 * this.size, frame.z) : [0, 0, 0];
+    const [start, end] = frame ? [minus(frame.o, half), plus(frame.o, half)] : [half, half];
+    along(this.axis, start, end, 0.0025 * this.size);
+  }
+
+  drawFrames(frames, which) {
+    const length = 0.1 * this.size;
+    const shared = new Map();
+    this.drawn = frames.map((_, i) => which === "all" || i === 0 || i === frames.length - 1);
+    this.triads.pose(frames, length, this.drawn);
+    frames.forEach((frame, i) => {
+      if (!this.drawn[i]) return;
+      for (const axis of ["x", "z"]) {
+        const tip = plus(frame.o, scaled(1.22 * length, frame[axis]));
+        const key = axis + tip.map((v) => Math.round((v / this.size) * 500)).join();
+        const indices = [...(shared.get(key)?.indices ?? []), i + this.first];
+        shared.set(key, { tip, root: frame.o, letter: axis, index: indices.join(",") });
+      }
+    });
+    this.labels.set([...shared.values()].reverse());
+  }
+
+  drawForce(tip, { view, wrench }) {
+    const force = wrench.slice(0, 3);
+    const shown = view === "torque";
+    const size = norm(force);
+    const way = size ? scaled((FORCE_LONGEST * this.size) / (size + FORCE_HALF), force) : [0, 0, 0];
+    this.force.point(minus(tip, way), way, 0.007 * this.size);
+    this.force.visible &&= shown;
+    this.handle.visible = shown;
+    this.handle.position.fromArray(minus(tip, way));
+    this.tip = tip;
+    if (shown && !this.shown.force) this.fit();
+    this.shown.force = shown;
+  }
+
+  // The force whose arrow comes from a point.
+  forceFrom(point) {
+    const way = minus(this.tip, point);
+    const length = Math.min(norm(way), FORCE_LONGEST * this.size * (100 / (100 + FORCE_HALF)));
+    if (length < 0.015 * this.size) return [0, 0, 0];
+    const size = (FORCE_HALF * length) / (FORCE_LONGEST * this.size - length);
+    return scaled(size / norm(way), way);
+  }
+
+  drawPath({ view, trace, wanted, stray, arm, paths }) {
+    const path = ["trace", "torque", "homework"].includes(view) ? trace : null;
+    const others = view === "homework" ? paths : null;
+    if (this.shown.path === path && this.shown.paths === others) return;
+    Object.assign(this.shown, { path, paths: others });
+    emptied(this.path);
+    if (!path && !others) return;
+    const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? others[0]?.points ?? [];
+    const pieces = (others ?? []).map((one) => tube(one.points, 0.003 * this.size, one.colour));
+    if (!others) pieces.push(tube(points, 0.0035 * this.size, this.look.path));
+    if (wanted && stray > 1e-3) pieces.push(tube(wanted, 0.0018 * this.size, this.look.wanted));
+    const opacity = this.dark ? 0.16 : 0.1;
+    const pane = new MeshBasicMaterial({
+      color: this.look.ghost, transparent: true, opacity, side: DoubleSide, depthWrite: false,
+    }); // prettier-ignore
+    if (points.length > 2) pieces.push(wall(wanted ?? points, pane));
+    for (const piece of pieces.filter(Boolean)) this.path.add(piece);
+  }
+
+  // The other ways as thin arms of one colour each; the one under the hand is filled out.
+  drawGhosts(state, derived) {
+    const { view, ways, arm, q, highlighted } = state;
+    const wanted =
+      view === "branches" && ways && !(leftBehind(state, derived) && highlighted === null) ? ways : null;
+    if (this.shown.ways !== wanted) {
+      emptied(this.ghosts);
+      (wanted?.list ?? []).forEach((way, i) => {
+        const thin = new MeshStandardMaterial({ color: branchColour(i), roughness: 0.7 });
+        const full = ghostMaterial(branchColour(i), 0.45);
+        const frames = linkFrames(arm, way.q);
+        for (const { material, girth } of [
+          { material: thin, girth: 0.3 },
+          { material: full, girth: 0.97 },
+        ]) {
+          const shape = new ArmShape(arm, { link: material, joint: material, ghost: true, girth });
+          shape.pose(frames);
+          shape.userData = { way: i, full: girth > 0.5 };
+          this.ghosts.add(shape);
+        }
+      });
+      this.shown.ways = wanted;
+      if (wanted && !this.shown.fitted) this.fit();
+      this.shown.fitted = Boolean(wanted);
+    }
+    for (const shape of this.ghosts.children) {
+      const { way, full } = shape.userData;
+      shape.visible = !isThere(wanted.list[way].q, q) && (!full || way === highlighted);
+    }
+  }
+
+  drawReference({ view, reference, q, arm }) {
+    const differs = view === "table" && reference && reference !== arm;
+    const shown = differs && joints(reference).length === q.length ? reference : null;
+    if (this.shown.reference !== shown) {
+      emptied(this.reference);
+      this.shown.reference = shown;
+      if (shown) {
+        const material = ghostMaterial(this.look.ghost, 0.26);
+        this.reference.add(new ArmShape(shown, { link: material, joint: material, ghost: true }));
+      }
+    }
+    if (shown) /** @type {any} */ (this.reference.children[0]).pose(linkFrames(shown, q));
+  }
+
+  // To and fro along each direction that a dragged tip is losing, the longer the more of it is lost.
+  drawFading(tip, fading) {
+    this.fading.children.forEach((/** @type {any} */ arrow, i) => {
+      const lost = fading[Math.floor(i / 2)];
+      const side = i % 2 ? -this.size : this.size;
+      const way = lost ? scaled(side * (0.04 + 0.1 * goneness(lost)), lost.way) : [0, 0, 0];
+      arrow.point(lost ? plus(tip, scaled(0.03 * side, lost.way)) : tip, way, 0.004 * this.size);
+    });
+  }
+
+  drawMark(mark) {
+    this.spot.visible = Boolean(mark);
+    if (this.shown.mark === mark) return;
+    this.shown.mark = mark;
+    if (mark) this.spot.position.fromArray(mark);
+    if (mark) this.fit();
+  }
+
+  drawBarrier(tip, hold) {
+    const short = hold?.target ? norm(minus(hold.target, tip)) : 0;
+    const { barrier } = this;
+    barrier.visible = short > 0.004 * this.size && !hold.moving;
+    if (!barrier.visible) return;
+    const way = new Vector3(...minus(hold.target, tip)).normalize();
+    along(barrier.way, tip, hold.target, 0.002 * this.size);
+    barrier.spot.position.set(...hold.target);
+    barrier.wallPart.position.set(...plus(tip, scaled(0.006 * this.size, way.toArray())));
+    barrier.wallPart.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), way);
+  }
+
+  // Stand where the whole arm is in view, with the tips of its frames.
+  fit() {
+    const reach = 0.13 * this.size;
+    const ends = this.frames.flatMap(({ x, z, o }) => [
+      o,
+      ...[x, z].map((axis) => plus(o, scaled(reach, axis))),
+    ]);
+    const ghosts = (this.shown.ways?.list ?? []).flatMap(({ q }) =>
+      linkFrames(this.arm, q).map((frame) => frame.o),
+    );
+    const seen = [this.handle, this.spot].filter((one) => one.visible).map((one) => one.position.toArray());
+    this.figure.fit([...ends, ...ghosts, ...seen, [0, 0, 0], [0, 0, 0.3 * this.size]]);
+  }
+
+  // The picture's axes in the world: right, up, and towards the eye.
+  cameraAxes() {
+    return [0, 1, 2].map((i) =>
+      new Vector3().setFromMatrixColumn(this.figure.camera.matrixWorld, i).toArray(),
+    );
+  }
+
+  // Labels and handles, after each drawing.
+  place() {
+    const { width, height } = this.figure;
+    this.labels.place((p) => this.figure.pixel(p), width, height);
+    if (this.frames) this.onPlace(this.figure.pixel(this.frames.at(-1).o));
+  }
+
+  // What can be taken by the hand: the links, and the x axes of the frames drawn, each with the row that carries it.
+  grips() {
+    const axes = this.frames.flatMap(({ o, x }, i) => {
+      if (!this.drawn[i] || i === 0) return [];
+      const [from, to] = [0.05, 0.1].map((share) => plus(o, scaled(share * this.size, x)));
+      return [{ row: i - 1, from, to }];
+    });
+    return [...axes, ...this.pieces()];
+  }
+
+  // The line of the links, each piece with the row that it belongs to.
+  pieces(arm = this.arm, frames = this.frames) {
+    return arm.rows.flatMap((row, i) => {
+      const [before, after] = [frames[i].o, frames[i + 1].o];
+      const corner = minus(after, scaled(row.a, frames[i + 1].x));
+      return [
+        { row: i, from: before, to: corner },
+        { row: i, from: corner, to: after },
+      ];
+    });
+  }
+
+  // The place on the links nearest to a pixel, within `within` pixels: { row, point, gap }, or null.
+  linkAt(pixel, within = 14, pieces = this.pieces()) {
+    let best = null;
+    for (const { row, from, to } of pieces) {
+      const [a, b] = [this.figure.pixel(from), this.figure.pixel(to)];
+      const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+      const long = dx * dx + dy * dy;
+      const share =
+        long < 1 ? 1 : Math.min(1, Math.max(0, ((pixel[0] - a[0]) * dx + (pixel[1] - a[1]) * dy) / long));
+      const gap = Math.hypot(a[0] + share * dx - pixel[0], a[1] + share * dy - pixel[1]);
+      if (gap > within || (best && gap >= best.gap - 0.5)) continue;
+      best = { row, gap, point: plus(from, scaled(share, minus(to, from))) };
+    }
+    return best;
+  }
+
+  // The ghost of another way under a pixel, by its number, or null.
+  wayAt(pixel) {
+    const seen = this.ghosts?.children.filter((shape) => shape.visible && !shape.userData.full) ?? [];
+    const gaps = seen.map((shape) => {
+      const { way } = shape.userData;
+      const frames = linkFrames(this.arm, this.shown.ways.list[way].q);
+      return { way, gap: this.linkAt(pixel, 7, this.pieces(this.arm, frames))?.gap ?? Infinity };
+    });
+    const best = gaps.sort((p, q) => p.gap - q.gap)[0];
+    return best && best.gap < Infinity ? best.way : null;
+  }
+
+  dispose() {
+    this.labels.dispose();
+    this.emptyWorld();
+    this.figure.dispose();
+  }
+}

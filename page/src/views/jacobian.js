@@ -1,0 +1,100 @@
+// The Jacobian as a table of tinted numbers, and what it says: rank, lost directions, how well the tip can move.
+
+import { attribute, h, indexed, write } from "../dom.js";
+import { joints } from "../../../judge/geometry/kinematics.js";
+import { fixed, sparse } from "../text.js";
+import { asked, fullRank, rankVerdict } from "../verdicts.js";
+
+export const title = "Jacobian";
+
+const ROWS = [
+  ["v", "x"],
+  ["v", "y"],
+  ["v", "z"],
+  ["ω", "x"],
+  ["ω", "y"],
+  ["ω", "z"],
+];
+
+export function build(store, { point }) {
+  const head = h("tr");
+  const body = h("tbody");
+  const table = h(
+    "table.heat",
+    { "aria-label": "Jacobian of the tip: one column for each joint" },
+    h("thead", {}, head),
+    body,
+  );
+  const verdict = h("p.verdict");
+  const facts = h("dl.facts");
+  const note = h("p.words");
+  const root = h(
+    "div.jacobian",
+    {},
+    h("div.scroll", { tabindex: 0, role: "region", "aria-label": "Jacobian" }, table),
+    h("div", {}, verdict, facts, note),
+  );
+  let [cells, arm] = [[], null];
+
+  function lay() {
+    arm = store.state.arm;
+    const moving = joints(arm);
+    head.replaceChildren(
+      h("th", {}, h("span.hidden", {}, "row")),
+      ...moving.map((row) => h("th", { scope: "col" }, indexed("q", row + 1))),
+    );
+    cells = ROWS.map(() =>
+      moving.map((row) => h("td", { onpointerenter: () => point(row), onpointerleave: () => point(null) })),
+    );
+    body.replaceChildren(
+      ...cells.map((row, i) =>
+        h(i === 3 ? "tr.second" : "tr", {}, h("th", { scope: "row" }, indexed(...ROWS[i])), row),
+      ),
+    );
+  }
+
+  function update(state, derived, stage) {
+    if (arm !== state.arm) lay();
+    const { columns } = derived;
+    const shares = [0, 3].map((from) =>
+      Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),
+    );
+    cells.forEach((row, i) => row.forEach((cell, j) => {
+      const value = columns[j][i];
+      const share = Math.abs(value) / shares[i < 3 ? 0 : 1];
+      write(cell, sparse(value, 3));
+      attribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
+      cell.style.setProperty("--share", share.toFixed(2));
+    })); // prettier-ignore
+    const { singular, text } = rankVerdict(derived);
+    attribute(verdict, "class", singular ? "verdict warning" : "verdict");
+    write(verdict, text);
+    facts.replaceChildren(...factList(derived));
+    const scale = stage ? `, drawn at 1 : ${(1 / stage).toFixed(1).replace(".0", "")}` : "";
+    write(
+      note,
+      `The ellipsoid at the tip holds every velocity that joint rates of unit length give it${scale}; ` +
+        "where it is flat, the tip cannot go.",
+    );
+  }
+  return { root, update, summary: (_, derived) => rankVerdict(derived).text };
+}
+
+function factList(derived) {
+  const { arm, determinant, manipulability, values, linear } = derived;
+  const small = (v) => {
+    if (Math.abs(v) < 5e-7) return "0";
+    return Math.abs(v) < 1e-3 ? v.toExponential(2).replaceAll("-", "−") : fixed(v, 5);
+  };
+  const fact = (name, value) => [h("dt", {}, name), h("dd", {}, value)];
+  const three = asked(arm) === 3;
+  const name = ["det ", h("i", {}, "J"), ...(three ? [h("sub", {}, "v")] : [])];
+  const square = determinant === null ? [] : fact(name, small(determinant));
+  const least = fullRank(arm) ? fact("smallest σ", small(values[fullRank(arm) - 1])) : [];
+  return [
+    ...square,
+    ...fact("manipulability", small(manipulability)),
+    ...least,
+    ...fact("half axes", linear.values.map((v) => fixed(v, 2)).join(", ")),
+  ];
+}
