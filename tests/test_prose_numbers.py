@@ -1,0 +1,104 @@
+"""A number in a chapter's prose stands, rounded, in a cell of that chapter, as source or output:
+nobody else would notice when it is no longer true.
+
+Looked at is every number with a unit or with more than two digits. A report's own words (the block
+quotes of the slips) are not the book's numbers, nor are those of names, indices and exponents.
+"""
+
+import re
+from pathlib import Path
+
+import nbformat
+import numpy as np
+import pytest
+
+CHAPTERS = sorted((Path(__file__).parents[1] / "book").glob("0*.ipynb"))
+NOT_PROSE = re.compile(
+    r"^>.*$"  # the words of a report
+    r"|<[^>]*>|\]\([^)]*\)|\[Fig\. [\d.]+|Chapter \d"  # tags, links
+    r"|\{[a-z:]+\}`[^`]*`|^:\w+:.*$"  # roles, options
+    r"|10\^\{[^}]*\}|[_^]\{[^}]*\}|[_^]\w+|\(\w*-[\w-]+\)=",  # exponents, indices, labels
+    re.M,
+)
+NUMBER = r"(?<![\w.])(\d+(?:(?:\\,|[ \u00a0])\d{3}(?!\d))*(?:\.\d+)?)(?![\w.]*\w)"
+# A number in a cell is in the unit of the prose or in the SI unit that belongs to it.
+UNITS = {
+    "mm": (1, 1000),
+    "cm": (1, 100, 0.1),
+    "µm": (1, 1000, 1e6),
+    "°": (1, 180 / np.pi),
+    "degrees": (1, 180 / np.pi),
+    "%": (1, 100),
+    "kW": (1, 1e-3),
+    "mm/s": (1, 1000),
+    "mm/s²": (1, 1000),
+} | dict.fromkeys(["m", "s", "ms", "kg", "N", "J", "W", "Hz", "rad", "rad/s", "m/s"], (1,))
+UNIT = (
+    r"(?:\\,|[\s~$]|\\text\{|\\mathrm\{|&nbsp;)*("
+    + "|".join(
+        re.escape(unit) + (r"(?![\w/])" if unit[-1].isalpha() else "")
+        for unit in sorted(UNITS, key=len, reverse=True)
+    )
+    + ")"
+)
+
+
+def prose(cells):
+    text = "\n".join(cell.source for cell in cells if cell.cell_type == "markdown")
+    return NOT_PROSE.sub(" ", text.replace(r"\ ", " "))
+
+
+def numbers_of(cells):
+    """Every number in the code and in the printed outputs, as it stands or as Python reads it."""
+    texts = []
+    for cell in cells:
+        if cell.cell_type == "code":
+            texts.append(cell.source)
+            for output in cell.outputs:
+                texts.append(output.get("text", ""))
+                texts += [v for k, v in output.get("data", {}).items() if k.startswith("text/")]
+    found = re.findall(r"(?<![\w.])\d+\.?\d*(?:e-?\d+)?", "\n".join(texts))
+    return np.unique(np.array(found, float))
+
+
+def without_a_cell(cells):
+    have = numbers_of(cells)
+    missing = []
+    for match in re.finditer(NUMBER + f"(?:{UNIT})?", prose(cells)):
+        written, unit = re.sub(r"\\,|[ \u00a0]", "", match[1]), match[2]
+        digits = written.replace(".", "").lstrip("0")
+        if unit or len(digits) > 2:
+            half = 0.5 * 10.0 ** -len(written.partition(".")[2])
+            scaled = np.outer(UNITS.get(unit, (1, 1000, 180 / np.pi)), have)
+            if not (np.abs(scaled - float(written)) <= half * (1 + 1e-9)).any():
+                missing.append(match[0])
+    return missing
+
+
+def _cells(prose, source, output=""):
+    code = nbformat.v4.new_code_cell(source)
+    code.outputs = [nbformat.v4.new_output("stream", text=output)]
+    return [nbformat.v4.new_markdown_cell(prose), code]
+
+
+@pytest.mark.parametrize(
+    ("prose", "source", "output", "missing"),
+    [
+        ("It is 7.8 mm off.", "check('off', off, 0.0078)", "", []),
+        ("It is 7.9 mm off.", "check('off', off, 0.0078)", "", ["7.9 mm"]),
+        ("The tip is at $x = 0.679$ m.", "tip", "[0.6735 0. 0.8195]", ["0.679$ m"]),
+        ("The pen tilts by 12.3°.", "print(tilt)", "12.3412\n", []),
+        ("The pen tilts by 0.2154 rad.", "print(tilt)", "12.3412\n", ["0.2154 rad"]),
+        ("2\u00a0000 targets, 51 % in front", "n = 2000", "0.513", []),
+        ("$571.6\\sin\\theta_1$ and $10^{-6}$ m", "a_3 = 0.5716", "", []),
+        ("$x_{100}$ of 12 joints, {ref}`sec-100`, [Fig. 1.12](#fig-100)", "", "", []),
+        ("> 118 mm\n\nas the report says", "", "", []),
+    ],
+)
+def test_what_is_missed_and_what_is_not(prose, source, output, missing):
+    assert without_a_cell(_cells(prose, source, output)) == missing
+
+
+@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+def test_every_number_in_the_prose_has_a_cell(path):
+    assert without_a_cell(nbformat.read(path, as_version=4).cells) == []
