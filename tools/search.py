@@ -1,0 +1,105 @@
+"""A Sphinx extension: the words of every section, as a script that the search page loads.
+
+Sphinx's own search fetches each page for the words around a hit, which a browser forbids on pages
+opened from a file (sphinx-doc/sphinx#10407). Here the words come with the index. A section, a term
+of the glossary and a function of the package are one entry each: its page, its place there, its
+title, its words. What ranks them is `book/assets/search.js`.
+"""
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from docutils import nodes
+from sphinx import addnodes
+from sphinx.application import Sphinx
+from sphinx.builders.html import StandaloneHTMLBuilder
+from sphinx.environment import BuildEnvironment
+
+SCRIPT = "search-entries.js"
+PLAIN = re.compile(r"[\w+=.^-]{1,12}")  # a formula that can be read in a line of plain text
+UNREAD = (nodes.raw, nodes.comment, nodes.image, nodes.literal_block, nodes.footnote)
+Entries = dict[str, list[dict[str, str]]]
+
+
+def words(node: nodes.Node) -> Iterator[str]:
+    """What a reader reads of a node; code, outputs, long formulas and parts that are entries of
+    their own are left out."""
+    if isinstance(node, nodes.Text):
+        yield node.astext()
+    elif isinstance(node, nodes.math):
+        tex = node.astext()
+        yield tex if PLAIN.fullmatch(tex) else "…"
+    elif not isinstance(node, (*UNREAD, nodes.math_block, nodes.section, addnodes.desc)):
+        if "cell_output" not in node.get("classes", ()):
+            inside = " " if isinstance(node, nodes.TextElement) else ""
+            yield from (word for child in node.children for word in words(child))
+            yield inside
+
+
+def entry(title: nodes.Node, anchor: str, parts: list[nodes.Node]) -> dict[str, str]:
+    text = " ".join("".join(words(part)) for part in parts)
+    return {"anchor": anchor, "title": title.astext(), "text": " ".join(text.split())}
+
+
+def entries(doctree: nodes.document) -> Iterator[dict[str, str]]:
+    for section in doctree.findall(lambda node: type(node) is nodes.section):
+        title, *parts = section.children
+        if not isinstance(title, nodes.title):
+            continue
+        yield entry(title, section["ids"][0], parts)
+    for item in doctree.findall(nodes.definition_list_item):
+        terms = [term for term in item.findall(nodes.term) if term["ids"]]
+        for term in terms[:1]:
+            yield entry(term, term["ids"][0], [item.children[-1]])
+    for function in doctree.findall(addnodes.desc):
+        signature, content = function.children[0], function.children[-1]
+        if signature.get("ids"):
+            name = nodes.Text(signature.get("fullname") or signature["ids"][0])
+            yield entry(name, signature["ids"][0], [content])
+
+
+def collect(app: Sphinx, doctree: nodes.document) -> None:
+    kept(app.env)[app.env.docname] = list(entries(doctree))
+
+
+def kept(env: BuildEnvironment) -> Entries:
+    """The entries of each page; they are stored with what else Sphinx knows of unchanged pages."""
+    if not hasattr(env, "search_entries"):
+        env.search_entries = {}
+    return env.search_entries
+
+
+def forget(_app: Sphinx, env: BuildEnvironment, page: str) -> None:
+    kept(env).pop(page, None)
+
+
+def merge(_app: Sphinx, env: BuildEnvironment, pages: set[str], other: BuildEnvironment) -> None:
+    kept(env).update({page: kept(other)[page] for page in pages if page in kept(other)})
+
+
+def write(app: Sphinx, problem: Exception | None) -> None:
+    if problem or not isinstance(app.builder, StandaloneHTMLBuilder):
+        return
+    found = [
+        {"page": page, "of": app.env.titles[page].astext(), **each}
+        for page, of_page in sorted(kept(app.env).items())
+        for each in of_page
+    ]
+    script = Path(app.outdir, "_static", SCRIPT)
+    script.write_text(f"const ENTRIES = {json.dumps(found, ensure_ascii=False)};\n", "utf-8")
+
+
+def instead(app: Sphinx) -> None:
+    """Sphinx's own index is not made."""
+    app.builder.search = False
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    app.connect("builder-inited", instead)
+    app.connect("doctree-read", collect)
+    app.connect("env-purge-doc", forget)
+    app.connect("env-merge-info", merge)
+    app.connect("build-finished", write)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
