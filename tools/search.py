@@ -19,7 +19,10 @@ from sphinx.environment import BuildEnvironment
 
 SCRIPT = "search-entries.js"
 PLAIN = re.compile(r"[\w+=.^-]{1,12}")  # a formula that can be read in a line of plain text
-UNREAD = (nodes.raw, nodes.comment, nodes.image, nodes.literal_block, nodes.footnote)
+UNREAD = (
+    *(nodes.raw, nodes.comment, nodes.image, nodes.literal_block, nodes.footnote, nodes.math_block),
+    *(nodes.section, addnodes.desc),
+)
 Entries = dict[str, list[dict[str, str]]]
 
 
@@ -31,11 +34,9 @@ def words(node: nodes.Node) -> Iterator[str]:
     elif isinstance(node, nodes.math):
         tex = node.astext()
         yield tex if PLAIN.fullmatch(tex) else "…"
-    elif not isinstance(node, (*UNREAD, nodes.math_block, nodes.section, addnodes.desc)):
-        if "cell_output" not in node.get("classes", ()):
-            inside = " " if isinstance(node, nodes.TextElement) else ""
-            yield from (word for child in node.children for word in words(child))
-            yield inside
+    elif not isinstance(node, UNREAD) and "cell_output" not in node.get("classes", ()):
+        yield from (word for child in node.children for word in words(child))
+        yield " " if isinstance(node, nodes.TextElement) else ""
 
 
 def entry(title: nodes.Node, anchor: str, parts: list[nodes.Node]) -> dict[str, str]:
