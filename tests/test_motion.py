@@ -37,7 +37,7 @@ from helpers.motion.report import Report
 from helpers.motion.report import run_report as summary
 from helpers.motion.steps import charted
 from helpers.plotting import moving_picture
-from helpers.robots import PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
 HOMEWORK, REAL = PANDA_HOMEWORK.lock(3), PANDA.lock(3)
 TOP = np.array([0.679, 0, 0.825])
@@ -260,17 +260,93 @@ def test_wishes_point_where_they_say():
 
 def test_the_plain_inverse_stops_at_a_ratio():
     J, one, last = np.diag([5.0, 5, 5, 5, 5, 4e-9]), np.eye(6)[0], np.eye(6)[5]
-    with pytest.raises(SingularError, match="its smallest singular value is 4e-09, its largest 5;"):
-        plain_inverse()(J, last, None)
-    with pytest.raises(SingularError, match="its smallest singular value is 4e-09, its largest 5;"):
-        plain_inverse()(J, 1e-9 * last, None)  # however little is asked
-    np.testing.assert_allclose(plain_inverse(1e-10)(J, last, None), 2.5e8 * last)
-    np.testing.assert_allclose(
-        plain_inverse()(J, one, None), 0.2 * one
-    )  # nothing is asked of the lost direction
-    J, twists = np.array([np.eye(6), np.diag([1, 1, 1, 1, 1, 1e-5])]), np.ones((2, 6))
-    with pytest.raises(SingularError, match="must be seen"):  # 0.1 is much for what is asked there
-        plain_inverse().many(J, twists * [[1], [1e-6]])
+    words = "its smallest singular value is 4e-09, its largest 5;"
+    for twist in (last, 1e-9 * last, one, 0 * one):  # whatever is asked, however little
+        with pytest.raises(SingularError, match=words):
+            plain_inverse()(J, twist, None)
+    for cutoff in (7.9e-10, 1e-10, 0.0):
+        np.testing.assert_allclose(plain_inverse(cutoff)(J, last, None), 2.5e8 * last)
+    with pytest.raises(SingularError, match=words):
+        plain_inverse(8.1e-10)(J, last, None)
+    with pytest.raises(SingularError, match="its smallest singular value is below 1e-12"):
+        plain_inverse(0.0)(np.diag([1.0, 1, 1, 1, 1, 0]), one, None)
+
+
+def test_many_inverses_are_found_near_others_or_told_to_be_in_doubt():
+    J = np.array([np.eye(6), np.diag([5.0, 5, 5, 5, 5, 5e-8])])
+    turned = J @ np.linalg.qr(np.random.default_rng(3).normal(size=(6, 6)))[0]
+    known = np.linalg.inv(J)
+    for matrices in (J, 1.01 * J, 2.0 * J, turned):  # so near, and so far
+        for near in (None, known):
+            found = plain_inverse(1e-9).inverses(matrices, near)
+            assert np.abs(found @ matrices - np.eye(6)).max() < 1e-7
+    for lost in (5e-9, 1e-9, 0.0):
+        J[1, 5, 5] = lost
+        for near in (None, known):
+            with pytest.raises((SingularError, np.linalg.LinAlgError)):
+                plain_inverse(1e-9).inverses(J, near)
+
+
+def at_a_singular_pose(arm, joint):
+    """300 poses at which a joint stands at 0 and the Jacobian has lost a rank."""
+    q = np.random.default_rng(12).uniform(-np.pi, np.pi, (300, 6))
+    q[:, joint - 1] = 0.0
+    return q
+
+
+@pytest.mark.parametrize(
+    ("arm", "joint"), [(UR10E, 5), (UR10E, 3), (UR10E_HOMEWORK, 5), (STANFORD, 5)]
+)
+def test_the_plain_inverse_is_refused_at_every_singular_pose(arm, joint):
+    """Twists that the lost direction has no part in, for which moderate rates exist."""
+    q = at_a_singular_pose(arm, joint)
+    J = jacobian(arm, q)
+    twists = J @ np.random.default_rng(13).normal(size=(300, 6, 1))
+    for one, twist, where in zip(J, twists[..., 0], q, strict=True):
+        with pytest.raises(SingularError, match="its smallest singular value is"):
+            plain_inverse()(one, twist, where)
+        with pytest.raises((SingularError, np.linalg.LinAlgError)):
+            plain_inverse().inverses(one[None])
+
+
+@pytest.mark.parametrize("cutoff", [1e-9, 1e-3, 0.05])
+def test_the_plain_inverse_says_what_the_singular_values_say(cutoff):
+    """The bound that spares them never decides otherwise."""
+    q = np.random.default_rng(14).uniform(-np.pi, np.pi, (400, 6))
+    q[:200, 4] *= 1e-2
+    J = jacobian(UR10E_HOMEWORK, q)
+    sizes = np.linalg.svd(J, compute_uv=False)
+    refused = []
+    for one in J:
+        try:
+            plain_inverse(cutoff)(one, np.ones(6), None)
+        except SingularError:
+            refused.append(True)
+        else:
+            refused.append(False)
+    np.testing.assert_array_equal(refused, sizes[:, 5] <= cutoff * sizes[:, 0])
+
+
+@pytest.mark.parametrize("method", ["euler", "rk4", "exact"])
+def test_a_circle_from_a_singular_pose_is_refused_at_once(method):
+    """It lies in the plane of the arm, so that nothing is asked of the direction that is lost."""
+    start = np.array([0.4, -1.2, 1.4, 0.5, 0, 0.7])
+    out, up = np.array([np.cos(0.4), np.sin(0.4), 0]), np.eye(3)[2]
+    top = tip(UR10E, start)
+
+    def position(t):
+        t = 2 * np.pi * np.asarray(t)[..., None]
+        return top + 0.05 * (np.sin(t) * out + (np.cos(t) - 1) * up)
+
+    def velocity(t):
+        t = 2 * np.pi * np.asarray(t)[..., None]
+        return 0.1 * np.pi * (np.cos(t) * out - np.sin(t) * up)
+
+    path = Path(np.linspace(0, 1, 201), position, velocity, np.cross(out, up))
+    assert np.abs(np.linalg.svd(jacobian(UR10E, start))[0][:, 5] @ [*velocity(0), 0, 0, 0]) < 1e-12
+    for how in ({}, {"jacobian": same_jacobian}):
+        with pytest.raises(SingularError, match="step 0 of 200: J has no inverse here"):
+            trace(UR10E, start, path, method=method, **how)
 
 
 def test_adaptive_damping_as_in_its_formula():
@@ -600,6 +676,11 @@ def test_a_path_may_take_one_time_at_a_time(method):
             lambda: trace(PANDA, PANDA.home, panda_circle(10)),
             SingularError,
             "J is 6 x 7 and has no inverse; lock a joint",
+        ),
+        (
+            lambda: trace(ELBOW, [0.1, 0.4, -0.9], panda_circle(10)),
+            SingularError,
+            "J is 6 x 3 and has no inverse: 3 joints cannot give a tip any velocity",
         ),
     ],
 )

@@ -43,13 +43,17 @@ def all_steps(
 
 
 def _guess(arm: Arm, start: Array, course: Course, rates: PlainInverse) -> Array:
-    """Joints (steps + 1, dof) by few long steps of Euler's rule, and straight lines between
-    them."""
+    """Joints (steps + 1, dof) by few long steps of the rule of Adams and Bashforth of second
+    order, and straight lines between them."""
     marks = np.linspace(0, len(course.h), _LONG_STEPS + 1).round().astype(int)
-    times, q = course.times[marks], np.empty((len(marks), arm.dof))
+    times, twists = course.times[marks], course.twists[0.0][marks[:-1]]
+    q, steps, before = np.empty((len(marks), arm.dof)), np.diff(times), None
     q[0] = start
-    for k, twist in enumerate(course.twists[0.0][marks[:-1]]):
-        q[k + 1] = q[k] + (times[k + 1] - times[k]) * rates(jacobian(arm, q[k]), twist, q[k])
+    for k, (step, twist) in enumerate(zip(steps, twists, strict=True)):
+        rate = rates(jacobian(arm, q[k]), twist, q[k])
+        bend = 0.0 if before is None else (rate - before) / steps[k - 1]
+        q[k + 1] = q[k] + step * (rate + step / 2 * bend)
+        before = rate
     return np.stack([np.interp(course.times, times, joint) for joint in q.T], axis=1)
 
 
@@ -59,18 +63,19 @@ def _by_rule(
     """Sweeps until every step obeys the rule of "euler" or "rk4" to rounding."""
 
     def slope(share: float, q: Array) -> Array:
-        return rates.many(jacobian(arm, q), course.twists[share])
+        return _each(rates.inverses(jacobian(arm, q), inverse), course.twists[share])
 
     rounding, before = 1e-15 * max(1.0, np.abs(q).max()), np.inf
+    inverse = None
     for sweep in range(_SWEEPS):
         J = jacobian(arm, q[:-1])
-        rate = rates.many(J, course.twists[0.0])
+        inverse = rates.inverses(J, inverse)
+        rate = _each(inverse, course.twists[0.0])
         off = RULES[method](slope, course.h, q[:-1], rate) - q[1:]
         size = np.abs(off).max()
         if _goes_astray(sweep, size, before):
             return None
-        displaced = np.cumsum((J @ off[..., None])[..., 0], axis=0)
-        q[1:] += np.linalg.solve(J, displaced[..., None])[..., 0]
+        q[1:] += _each(inverse, np.cumsum(_each(J, off), axis=0))
         left = size * size / before  # if this sweep takes what the last one took
         if sweep and min(size, 10 * left) < rounding:
             return q, rate
@@ -82,7 +87,7 @@ def _exact(
     arm: Arm, q: Array, course: Course, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
     """Newton's method at every step, on the branch that the steps lead to."""
-    before = np.inf
+    before, inverse = np.inf, None
     for sweep in range(_SWEEPS):
         error = tip_error(forward_kinematics(arm, q[1:]), course.positions[1.0], course.rotation)
         size = np.abs(error).max()
@@ -91,8 +96,14 @@ def _exact(
         if _goes_astray(sweep, size, before):
             return None
         before = size
-        q[1:] += rates.many(jacobian(arm, q[1:]), error)
+        inverse = rates.inverses(jacobian(arm, q[1:]), inverse)
+        q[1:] += _each(inverse, error)
     return None
+
+
+def _each(matrices: Array, vectors: Array) -> Array:
+    """Each matrix (steps, 6, 6) times its vector (steps, 6)."""
+    return np.einsum("nij,nj->ni", matrices, vectors)
 
 
 def _goes_astray(sweep: int, size: float, before: float) -> bool:
@@ -106,6 +117,6 @@ def _on_branch(arm: Arm, q: Array, course: Course, rates: PlainInverse) -> bool:
     would take it too."""
     poses = forward_kinematics(arm, q[:-1])
     error = tip_error(poses, course.positions[1.0], course.rotation)
-    step, expected = np.diff(q, axis=0), rates.many(jacobian(arm, q[:-1]), error)
+    step, expected = np.diff(q, axis=0), _each(rates.inverses(jacobian(arm, q[:-1])), error)
     off = np.abs(step - expected).max(axis=1)
     return bool((off <= _BRANCH * np.abs(expected).max(axis=1) + 1e-9).all())
