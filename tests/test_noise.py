@@ -1,0 +1,114 @@
+"""The tool that runs notebooks as other processors would: it notices what a last digit moves, and
+nothing else."""
+
+import nbformat
+import numpy as np
+import pytest
+
+from tools.noise import SEEDS, Setting, outside, said, settings, tight
+from tools.rerun import difference, share, words
+from tools.rounding import Noise, Noisy
+
+QUIET = Setting("this processor", {})
+NOISES = [Setting(f"noise {seed}", {}, seed) for seed in (1, 2)]
+HEAD = """import numpy as np
+from helpers.checks import check
+long, many = np.linalg.norm([1.0, 2.0, 7.6]), np.arange(200.0)[:, None]"""
+
+
+@pytest.fixture(scope="module")
+def planted(tmp_path_factory):
+    """A notebook with one cell of each kind, its outputs as this processor gives them."""
+    cells = {
+        "rounded": ("print(f'{long:.4f}')", "7.9221\n"),
+        "all digits": ("print(long)", f"{np.sqrt(62.76)}\n"),
+        "a product": ("print(np.array([1.0, 2.0]) @ [0.1, 0.3])", "0.7\n"),
+        "a tight check": ("check('many', many @ [[1.0]], many, 8e-14)", "✔ many (within 8e-14)\n"),
+        "a fair check": ("check('long', long, np.sqrt(62.76), 1e-12)", "✔ long (within 1e-12)\n"),
+        "a quoted number": ("check('long', long, 7.922, 5e-4)", "✔ long (within 0.0005)\n"),
+        "an exact claim": ("print(long == np.sqrt(62.76))", "True\n"),
+    }
+    path = tmp_path_factory.mktemp("noise") / "planted.ipynb"
+    code = [nbformat.v4.new_code_cell(HEAD)]
+    for source, text in cells.values():
+        output = nbformat.v4.new_output("stream", name="stdout", text=text)
+        code.append(nbformat.v4.new_code_cell(source, outputs=[output]))
+    nbformat.write(nbformat.v4.new_notebook(cells=code), path)
+    return str(path), ["the imports", *cells]
+
+
+@pytest.fixture(scope="module")
+def runs(planted):
+    return [outside(setting, [planted[0]]) for setting in (QUIET, *NOISES)]
+
+
+def test_without_noise_nothing_changes(planted, runs):
+    assert not runs[0][planted[0]].changed
+
+
+def test_a_planted_last_digit_is_noticed(planted, runs):
+    path, names = planted
+    changed = {names[cell] for run in runs[1:] for cell, _ in run[path].changed}
+    assert changed == {"all digits", "a product", "an exact claim"}
+    assert all("planted.ipynb [" in line for line in said(NOISES[0], runs[1]))
+
+
+def test_a_tolerance_that_rounding_uses_up_is_told(planted, runs):
+    (line,) = tight(runs)
+    assert f"[{planted[1].index('a tight check')}] 'many': uses 0 to" in line
+
+
+def test_a_figure_is_compared_by_its_coordinates_and_not_by_the_ids_drawn_from_them():
+    def figure(point, name):
+        return words({"image/svg+xml": f'<path d="M{point}" clip-path="url(#f{name}-1)"/>'})
+
+    assert figure(2.25, "01234567") == figure(2.25, "89abcdef")
+    before, after = difference([figure(2.25, "0" * 8)], [figure(2.26, "0" * 8)]).split(" becomes ")
+    assert "M2.25" in before
+    assert "M2.26" in after
+
+
+def test_kernels_that_the_processor_lacks_are_left_out(monkeypatch):
+    from numpy._core import _multiarray_umath
+
+    monkeypatch.setattr(_multiarray_umath, "__cpu_features__", {"SSE3": True, "AVX2": False})
+    names = [setting.name for setting in settings()]
+    assert names[0].startswith("Prescott")
+    assert names[1:] == [f"noise {seed}" for seed in SEEDS]
+
+
+@pytest.mark.parametrize("value", [np.linspace(-2, 2, 500), np.geomspace(1e-300, 1e300, 500)])
+def test_noise_is_two_units_in_the_last_place_at_most(value):
+    for seed in range(50):
+        off = np.abs(Noise(seed)(value) - value) / np.spacing(np.abs(value))
+        assert 1 < off.max() <= 2
+        assert (off == 0).any()
+        both = Noise(seed)(value + 1j * value)
+        assert (both.real == Noise(seed)(value)).all()
+        assert (both.imag == both.real).all()
+
+
+def test_noise_leaves_alone_what_no_rounding_moves():
+    noise = Noise()
+    for exact in (3, True, -0.0, "text", None, np.arange(4), [1.0], 0.0, np.inf):
+        assert noise(exact) is exact or noise(exact) == exact
+    assert not noise(np.zeros(9)).any()
+
+
+def test_noise_goes_into_named_tuples_and_given_arrays():
+    factors = Noisy(np.linalg.svd)(np.diag([3.0, 2.0]))
+    assert type(factors).__name__ == "SVDResult"
+    out = np.empty(400)
+    assert Noisy(np.cos)(np.linspace(0.1, 1, 400), out=out) is out
+    assert (out != np.cos(np.linspace(0.1, 1, 400))).any()
+
+
+def test_the_same_computation_gives_the_same_number_twice_but_not_on_another_processor():
+    values = np.linspace(0.1, 1, 99)
+    assert (Noise(7)(values) == [Noise(7)(value) for value in values.tolist()]).all()
+    assert 30 < (Noise(7)(values) != Noise(8)(values)).sum() < 99
+
+
+def test_a_share_of_a_tolerance():
+    assert share([1.0, 2.0], [1.0, 2.5], 1.0) == 0.5
+    assert share([], [], 1.0) == 0.0
