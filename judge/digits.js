@@ -26,7 +26,8 @@ function literal(text) {
 export function units(texts) {
   const found = texts.map(literal);
   const plain = found.filter((f) => f && f.digits && f.first > NOISE);
-  const most = (key) => plain.reduce((top, f) => Math.max(top, f[key]), plain.length ? -Infinity : 0);
+  const most = (key) =>
+    plain.reduce((top, f) => Math.max(top, f[key]), plain.length ? -Infinity : 0);
   const [decimals, figures] = [most("decimals"), most("digits")];
   if (figures >= FULL || (found.includes(null) && decimals <= 0)) return texts.map(() => 0);
   const byFigures =
@@ -68,7 +69,8 @@ export function margins(steps, scale, slop = null, tolerance = null) {
 const plus = (p, q, k) => p.map((x, i) => x + k * q[i]);
 
 // The farthest that an answer may be off and still be right but for its digits.
-export const farthest = ({ loose, band, slop }) => plus(band, slop, 2).map((x, i) => Math.max(x, loose[i]));
+export const farthest = ({ loose, band, slop }) =>
+  plus(band, slop, 2).map((x, i) => Math.max(x, loose[i]));
 
 // What the digits of q allow, too.
 export const generous = ({ allowed, slop }) => plus(allowed, slop, 1);

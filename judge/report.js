@@ -41,4 +41,5 @@ export const linesOf = ({ headline, findings, taken, notes }) => [
 ];
 
 // The whole report in words, as str(report) says it in Python.
-export const textOf = (report) => [report.headline, ...linesOf(report).map((line) => `- ${line}`)].join("\n");
+export const textOf = (report) =>
+  [report.headline, ...linesOf(report).map((line) => `- ${line}`)].join("\n");

@@ -49,7 +49,8 @@ function evenly(x, digits) {
   return /^50*$/.test(rest) && "02468".includes(down.at(-1)) ? `${down}e${power}` : up;
 }
 
-const signed = (exponent) => `${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
+const signed = (exponent) =>
+  `${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
 
 // A number as Python spells it: the shortest text that gives it back.
 export function spelled(x) {
@@ -57,7 +58,11 @@ export function spelled(x) {
   const exponent = Number(power);
   if (x !== 0 && (exponent < -4 || exponent >= 16)) return `${mantissa}e${signed(exponent)}`;
   const text = BigInt(Math.trunc(x)).toString();
-  return exponent > 20 ? text : String(x).includes("e") ? x.toFixed(20).replace(/0+$/, "") : String(x);
+  return exponent > 20
+    ? text
+    : String(x).includes("e")
+      ? x.toFixed(20).replace(/0+$/, "")
+      : String(x);
 }
 
 // A text as Python's repr shows it, cut where it is long.

@@ -7,7 +7,13 @@ import { readdir, readFile } from "node:fs/promises";
 import { join, relative, resolve, sep } from "node:path";
 
 const folder = process.argv[2] ?? "helpers/explorer/static";
-const common = { bundle: true, minify: true, target: "es2022", charset: "utf8", legalComments: "eof" };
+const common = {
+  bundle: true,
+  minify: true,
+  target: "es2022",
+  charset: "utf8",
+  legalComments: "eof",
+};
 
 // A worker inside the bundle, as the text of a script of its own.
 const worker = {

@@ -36,8 +36,15 @@ export function setting(arm, q, frame) {
 
 /** @returns {Catalogue} */
 export function singles(at) {
-  const made = [...at.befores.map(([, J]) => at.seen(J)), ...at.afters.map(([, after]) => after(at.right))];
-  return { right: at.seen(at.right), causes: [...at.befores, ...at.afters].map(([one]) => one), made };
+  const made = [
+    ...at.befores.map(([, J]) => at.seen(J)),
+    ...at.afters.map(([, after]) => after(at.right)),
+  ];
+  return {
+    right: at.seen(at.right),
+    causes: [...at.befores, ...at.afters].map(([one]) => one),
+    made,
+  };
 }
 
 /**
@@ -70,13 +77,19 @@ export function* pairs(at) {
 export function* recipes(c) {
   const T = chains.framesOf(c);
   const late = c.at.map((i) => i + 1);
-  const [right, oneLate] = [chains.columns(c, T), chains.columns(c, T, { axis: late, origin: late })];
+  const [right, oneLate] = [
+    chains.columns(c, T),
+    chains.columns(c, T, { axis: late, origin: late }),
+  ];
   yield [cause("J.z_i angular"), chains.halves(right, oneLate)];
   yield [cause("J.one frame late"), oneLate];
   yield [cause("J.z_i"), chains.columns(c, T, { axis: late })];
   if (c.at.some((i, k) => i !== k)) {
     const count = c.at.map((_, k) => k);
-    yield [cause("J.z counted on angular"), chains.halves(right, chains.columns(c, T, { axis: count }))];
+    yield [
+      cause("J.z counted on angular"),
+      chains.halves(right, chains.columns(c, T, { axis: count })),
+    ];
     yield [cause("J.z counted on"), chains.columns(c, T, { axis: count, origin: count })];
   }
   yield [cause("J.origin late"), chains.columns(c, T, { origin: late })];
@@ -84,8 +97,10 @@ export function* recipes(c) {
   yield [cause("J.lever origin"), chains.columns(c, T, { lever: "o" })];
   yield [cause("J.lever link"), chains.columns(c, T, { lever: "link" })];
   yield [cause("J.rows of T"), chains.columns(c, chains.rowsRead(T))];
-  if (c.turns.includes(false)) yield [cause("J.slide turns"), chains.columns(c, T, { slides: false })];
-  for (let k = 0; k < T.length - 1; k++) yield [cause("J.point", { k }), chains.columns(c, T, { point: k })];
+  if (c.turns.includes(false))
+    yield [cause("J.slide turns"), chains.columns(c, T, { slides: false })];
+  for (let k = 0; k < T.length - 1; k++)
+    yield [cause("J.point", { k }), chains.columns(c, T, { point: k })];
 }
 
 // q taken in degrees, and in radians where degrees were meant; and its slides in millimetres, or in metres where they
@@ -95,7 +110,9 @@ function otherUnits(c) {
     cause(key),
     { ...c, q: c.q.map((x, k) => (c.turns[k] === turns ? change(x) : x)) },
   ];
-  const found = [(x) => x * RAD, (x) => x * DEG].map((change) => changed("J.degrees", true, change));
+  const found = [(x) => x * RAD, (x) => x * DEG].map((change) =>
+    changed("J.degrees", true, change),
+  );
   if (c.turns.every(Boolean)) return found;
   const factor = c.q.some((x, k) => !c.turns[k] && Math.abs(x) > MILLIMETRES) ? 1e-3 : 1e3;
   return [...found, changed("ik.slide in millimetres", false, (x) => factor * x)];
@@ -112,7 +129,10 @@ const inTables = (arm, c) => wrongTables(arm, c).map(([one, other]) => [one, jac
 export function wrongTables(arm, c) {
   const found = [];
   const put = (key, fields, change) =>
-    found.push([cause(key, fields), { ...c, rows: c.rows.map((row, i) => ({ ...row, ...change(row, i) })) }]);
+    found.push([
+      cause(key, fields),
+      { ...c, rows: c.rows.map((row, i) => ({ ...row, ...change(row, i) })) },
+    ]);
   if (arm.penless) put("table.pen", {}, (_, i) => ({ d: arm.penless.rows[i].d }));
   for (const { name, other, rows } of arm.alike ?? []) {
     put("table.length", { name, other }, (_, i) => ({ a: rows[i].a }));
@@ -165,8 +185,14 @@ function* writings(at) {
   for (const k of frames) {
     const fields = { k, _name: frameName(k), _wanted: frameName(frame) };
     yield [cause("J.frame", fields), (J) => chains.seenIn(J, T[k])];
-    yield [cause("J.frame angular", fields), (J) => chains.halves(seen(J), chains.seenIn(J, T[k], [1]))];
-    yield [cause("J.frame linear", fields), (J) => chains.halves(chains.seenIn(J, T[k], [0]), seen(J))];
+    yield [
+      cause("J.frame angular", fields),
+      (J) => chains.halves(seen(J), chains.seenIn(J, T[k], [1])),
+    ];
+    yield [
+      cause("J.frame linear", fields),
+      (J) => chains.halves(chains.seenIn(J, T[k], [0]), seen(J)),
+    ];
   }
   const back = frame || last;
   yield [cause("J.frame turned back", { _k: back }), (J) => chains.seenFrom(J, T[back])];

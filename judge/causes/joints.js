@@ -28,7 +28,9 @@ const changed = (q, k, x) => q.map((value, i) => (i === k ? x : value));
 // Every choice of so many of n things, in order.
 export function* choices(n, count, from = 0) {
   if (!count) yield [];
-  else for (let k = from; k < n; k++) for (const rest of choices(n, count - 1, k + 1)) yield [k, ...rest];
+  else
+    for (let k = from; k < n; k++)
+      for (const rest of choices(n, count - 1, k + 1)) yield [k, ...rest];
 }
 
 /** Slips in all joints at once. @returns {Generator<Slip>} */
@@ -73,7 +75,8 @@ export function* single(arm, q) {
   for (let k = 0; k < q.length; k++) {
     for (const [key, change] of JOINT) {
       const fits = turns[k] && (k > 0 || key !== "ik.supplement");
-      if (fits || key === "ik.sign") yield [cause(key, { joint: names[k] }), changed(q, k, change(q[k]))];
+      if (fits || key === "ik.sign")
+        yield [cause(key, { joint: names[k] }), changed(q, k, change(q[k]))];
     }
   }
 }

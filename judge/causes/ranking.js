@@ -18,7 +18,8 @@ export const both = (one, two) => ({
 });
 
 // How reports and the corpus call a cause, as "J.frame:3 + J.millimetres".
-export const nameOf = ({ keys, fields }) => keys.map((key, i) => partName(key, fields[i])).join(" + ");
+export const nameOf = ({ keys, fields }) =>
+  keys.map((key, i) => partName(key, fields[i])).join(" + ");
 
 function partName(key, fields) {
   if ("_of" in fields) return fields._of;

@@ -13,7 +13,8 @@ const TURN = 6.4; // rad: a larger angle was meant in degrees
 /** @typedef {(rows: Numbers[]) => Numbers[]} Mend */
 
 /** @returns {Cause | null} */
-export const joined = (first, second) => (first && second ? both(first, second) : (first ?? second));
+export const joined = (first, second) =>
+  first && second ? both(first, second) : (first ?? second);
 
 // The readings of the numbers that their sizes allow: lengths in m, cm or mm, angles in radians or degrees.
 /** @returns {[Cause | null, Numbers[]][]} */
@@ -50,7 +51,8 @@ export function units(rows, reference) {
 }
 
 // All lengths of a table added up.
-export const totalLength = (rows) => rows.reduce((sum, r) => sum + (Math.abs(r.a) + Math.abs(r.d)), 0);
+export const totalLength = (rows) =>
+  rows.reduce((sum, r) => sum + (Math.abs(r.a) + Math.abs(r.d)), 0);
 
 const scaledBy = (rows, factor) => rows.map((r) => ({ ...r, a: r.a * factor, d: r.d * factor }));
 
@@ -64,7 +66,8 @@ function ofOneSize(rows) {
   return changed.size === 2 ? found : null;
 }
 
-const swap = (one, other) => (rows) => rows.map((r) => ({ ...r, [one]: r[other], [other]: r[one] }));
+const swap = (one, other) => (rows) =>
+  rows.map((r) => ({ ...r, [one]: r[other], [other]: r[one] }));
 
 // Mistakes in the arrangement: columns, rows, convention (where it is not the modified one).
 /** @returns {[Cause, Mend][]} */
@@ -87,7 +90,8 @@ export function structures(count, modified) {
 
 export const EXCHANGED = "table.rows exchanged";
 
-const exchanged = (i, j) => (rows) => rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row));
+const exchanged = (i, j) => (rows) =>
+  rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row));
 
 // The other way: a and alpha stand one row too high.
 const toCraig = (rows) =>
@@ -98,7 +102,10 @@ const toCraig = (rows) =>
 /** @returns {[Cause, Numbers[]][]} */
 export const references = (arm) => [
   ...(arm.penless ? [[cause("table.pen"), arm.penless.rows]] : []),
-  ...(arm.alike ?? []).map(({ name, other, rows }) => [cause("table.length", { name, other }), rows]),
+  ...(arm.alike ?? []).map(({ name, other, rows }) => [
+    cause("table.length", { name, other }),
+    rows,
+  ]),
   ...(arm.robots ?? []).flatMap(({ name, rows, penless }) => {
     const why = cause("table.robot", { name });
     return penless ? [[why, rows], [both(why, cause("table.pen")), penless]] : [[why, rows]]; // prettier-ignore
@@ -112,7 +119,9 @@ export const flips = (rows) =>
     ["alpha", "a", "d"].flatMap((column) => {
       const twist = column === "alpha";
       if (!row[column] || (twist && Math.abs(Math.sin(row.alpha)) < 1e-9)) return [];
-      const why = twist ? cause("table.twist", { row: k + 1 }) : cause("table.sign", { column, row: k + 1 });
+      const why = twist
+        ? cause("table.twist", { row: k + 1 })
+        : cause("table.sign", { column, row: k + 1 });
       return [[why, rows.map((r, i) => (i === k ? { ...r, [column]: -r[column] } : r))]];
     }),
   );

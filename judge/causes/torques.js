@@ -72,7 +72,8 @@ export function catalogue(load) {
         const tau = less(heavy, push);
         for (const [third, write] of WRITINGS) {
           const causes = third ? [...named, third] : named;
-          if (causes.length && causes.length <= 2) found.push([causes.reduce(both), write(tau).flat()]);
+          if (causes.length && causes.length <= 2)
+            found.push([causes.reduce(both), write(tau).flat()]);
         }
       }
     }
@@ -92,7 +93,8 @@ export function reversedJoints(load, right) {
     const other = loadOf(load.arm, q, load.wrenches, load.gravity);
     return torques(other).flatMap((row) => row.map((x, k) => x * signs[k]));
   });
-  const joints = (signs, name) => listed(joint.filter((_, k) => signs[k] < 0).map((i) => `${name}${i}`));
+  const joints = (signs, name) =>
+    listed(joint.filter((_, k) => signs[k] < 0).map((i) => `${name}${i}`));
   const causes = [["tau.signs", "tau_"], ["tau.joints reversed", "q_"]].flatMap(([key, name]) =>
     sets.map((signs) => cause(key, { joints: joints(signs, name) })),
   ); // prettier-ignore
@@ -152,11 +154,20 @@ function* weights(load) {
   if (much) {
     for (const g of [9.8, 10, 9.80665, 1]) {
       if (Math.abs(g - much) <= 1e-9) continue;
-      yield [cause("tau.gravity", { g: size(g, 6) }), right.map((row) => row.map((x) => (x * g) / much))];
+      yield [
+        cause("tau.gravity", { g: size(g, 6) }),
+        right.map((row) => row.map((x) => (x * g) / much)),
+      ];
     }
   }
-  yield [cause("tau.craig centres"), weight(load, { centres: craigCentres(load.arm, load.centres) })];
-  yield [cause("tau.centres at origins"), weight(load, { centres: load.centres.map(() => [0, 0, 0]) })];
+  yield [
+    cause("tau.craig centres"),
+    weight(load, { centres: craigCentres(load.arm, load.centres) }),
+  ];
+  yield [
+    cause("tau.centres at origins"),
+    weight(load, { centres: load.centres.map(() => [0, 0, 0]) }),
+  ];
   const total = load.masses.reduce((sum, mass) => sum + mass, 0);
   const pull = [...load.gravity.map((g) => total * g), 0, 0, 0];
   yield [cause("tau.tip weights"), times(-1, load.at.map(({ J }) => chains.through(J, pull)))]; // prettier-ignore

@@ -123,7 +123,8 @@ function fractionOf(path, wanted, tip, blur) {
     return left <= most ? [[f, shareOf(left / Math.max(1, 2 * f), f, blur)]] : [];
   });
   return found.reduce(
-    (best, one) => (!best || one[1] < best[1] || (one[1] === best[1] && one[0] < best[0]) ? one : best),
+    (best, one) =>
+      !best || one[1] < best[1] || (one[1] === best[1] && one[0] < best[0]) ? one : best,
     /** @type {[number, number] | null} */ (null),
   );
 }
@@ -224,7 +225,10 @@ export function holds(q, units, arm, path) {
 function stepsOf(q, units, arm, path, share) {
   const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
   const window = Math.max(1, Math.floor((q.length - 2) / ALONG));
-  const samples = picked(Math.max(0, q.length - 2 - window), Math.max(12, Math.floor(SAMPLE / window)))
+  const samples = picked(
+    Math.max(0, q.length - 2 - window),
+    Math.max(12, Math.floor(SAMPLE / window)),
+  )
     .flatMap((first) => Array.from({ length: window }, (_, i) => first + i))
     .map((k) => {
       const step = q[k].map((x, i) => q[k + 1][i] - x);
@@ -238,7 +242,10 @@ function stepsOf(q, units, arm, path, share) {
   // Two roundings, each even within a unit, through each row of J; and what a step's own bend leaves of its middle.
   const shortest = dt.reduce((least, x) => Math.min(least, x), Infinity);
   const digits = units.map((unit) => unit / shortest / Math.sqrt(6) / window);
-  const turn = samples.reduce((top, one) => Math.max(top, ...minus(one.later, one.now).map(Math.abs)), 0);
+  const turn = samples.reduce(
+    (top, one) => Math.max(top, ...minus(one.later, one.now).map(Math.abs)),
+    0,
+  );
   const bend = turn / Math.max(speed, 1e-12);
   const rest = 1e-4 + (share ? 0.5 * bend ** 2 : 0);
   const noise = [0, 1, 2, 3, 4, 5].map((row) => {
@@ -249,7 +256,17 @@ function stepsOf(q, units, arm, path, share) {
   });
   const pace = Math.sqrt(average(samples.map(({ rate }) => average(rate.map((x) => x * x)))));
   const own = digits.map((digit) => digit + rest * pace + 1e-12);
-  const steps = { arm, samples, noise, own, speed, window, rows: dof >= 6 ? 6 : 3, right: 0, clear: true };
+  const steps = {
+    arm,
+    samples,
+    noise,
+    own,
+    speed,
+    window,
+    rows: dof >= 6 ? 6 : 3,
+    right: 0,
+    clear: true,
+  };
   steps.right = fails(steps, ({ J }) => J, ({ now }) => now); // prettier-ignore
   steps.clear = Math.max(...noise) < 0.1 * speed;
   return steps;
@@ -260,7 +277,9 @@ const average = (list) => list.reduce((sum, x) => sum + x, 0) / list.length;
 // So many whole numbers at most, evenly spread from 0 to the last.
 function picked(last, count) {
   const step = last / (count - 1);
-  const found = Array.from({ length: count }, (_, i) => (i === count - 1 ? last : Math.trunc(i * step)));
+  const found = Array.from({ length: count }, (_, i) =>
+    i === count - 1 ? last : Math.trunc(i * step),
+  );
   return [...new Set(found)];
 }
 

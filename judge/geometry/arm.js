@@ -35,12 +35,14 @@ const ENTRIES = [
 // What is wrong with rows that came from elsewhere, in words, or null where nothing is.
 export function rowsFault(rows) {
   if (!Array.isArray(rows) || !rows.length) return "the table has no rows";
-  if (rows.length > MOST_ROWS) return `the table has ${rows.length} rows; ${MOST_ROWS} are the most`;
+  if (rows.length > MOST_ROWS)
+    return `the table has ${rows.length} rows; ${MOST_ROWS} are the most`;
   for (const [i, row] of rows.entries()) {
     if (!KINDS.includes(row?.kind)) return `row ${i + 1} neither turns, slides nor is fixed`;
     for (const [key, most] of ENTRIES) {
       if (!Number.isFinite(row[key])) return `row ${i + 1} has no number for ${key}`;
-      if (Math.abs(row[key]) > most) return `row ${i + 1} has ${row[key]} for ${key}; ${most} is the most`;
+      if (Math.abs(row[key]) > most)
+        return `row ${i + 1} has ${row[key]} for ${key}; ${most} is the most`;
     }
   }
   return null;
@@ -57,7 +59,8 @@ export const sameRow = (p, q) =>
 
 // The arm that a typed table describes: the arm it began as while every entry is that arm's, else one of its own.
 export function typedArm(rows, base) {
-  if (rows.length === base.rows.length && rows.every((row, i) => sameRow(row, base.rows[i]))) return base;
+  if (rows.length === base.rows.length && rows.every((row, i) => sameRow(row, base.rows[i])))
+    return base;
   const typed = { name: TYPED, home: [], rows: rows.map(bare) };
   return { ...typed, home: carriedOver(base, base.home, typed, (row) => row) };
 }
@@ -94,6 +97,9 @@ export const limited = (arm) =>
 export const reachOf = (arm) =>
   arm.rows.reduce(
     (sum, row) =>
-      sum + Math.abs(row.a) + Math.abs(row.d) + (row.kind === "prismatic" ? Math.abs(row.upper ?? 0.3) : 0),
+      sum +
+      Math.abs(row.a) +
+      Math.abs(row.d) +
+      (row.kind === "prismatic" ? Math.abs(row.upper ?? 0.3) : 0),
     0,
   ) || 0.3;

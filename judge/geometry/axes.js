@@ -132,15 +132,27 @@ function walk(arm, q) {
   const upTo = (from, to) =>
     Array.from({ length: Math.max(0, Math.min(to + 1, dof) - from) }, (_, k) => from + k);
   const found = [
-    gap(axes, upTo(0, stops[0]), [0, 0, 0], { offset: null, bunch: [], fromBase: true, toTip: false }),
+    gap(axes, upTo(0, stops[0]), [0, 0, 0], {
+      offset: null,
+      bunch: [],
+      fromBase: true,
+      toTip: false,
+    }),
   ];
-  let foot = turning.length ? feet([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1] : [0, 0, 0];
+  let foot = turning.length
+    ? feet([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1]
+    : [0, 0, 0];
   let bunch = [];
   turning.forEach((i, n) => {
     const j = stops[n + 1];
     const toTip = j === dof;
     if (!bunch.length) foot = onto(points[i], axes[i], foot);
-    const [leave, arrive] = feet(foot, axes[i], toTip ? frames.at(-1).o : points[j], toTip ? null : axes[j]);
+    const [leave, arrive] = feet(
+      foot,
+      axes[i],
+      toTip ? frames.at(-1).o : points[j],
+      toTip ? null : axes[j],
+    );
     bunch = [...bunch, i];
     const goesOn = !toTip && parallel(axes[i], axes[j]);
     const offset = goesOn ? null : dot(axes[i], minus(leave, foot));
@@ -155,7 +167,9 @@ function walk(arm, q) {
 // All choices of so many of a list, in order.
 export function combinations(list, count) {
   if (!count) return [[]];
-  return list.flatMap((one, k) => combinations(list.slice(k + 1), count - 1).map((more) => [one, ...more]));
+  return list.flatMap((one, k) =>
+    combinations(list.slice(k + 1), count - 1).map((more) => [one, ...more]),
+  );
 }
 
 /** @returns {Gap} */
@@ -201,8 +215,12 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
     return { differences: unlike, signs: [], baseHigher: 0, upsideDown: false, tilts: [0, 0] };
   const feet = stands(mine, reference, length, angle);
   const far = feet.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), 0);
-  let best = new Map([1, -1].map((s) => [s, { cost: [feet.length, far, 0], signs: [s], found: feet }]));
-  mine.gaps.forEach((m, i) => (best = step(mine, reference, m, reference.gaps[i], best, length, angle)));
+  let best = new Map(
+    [1, -1].map((s) => [s, { cost: [feet.length, far, 0], signs: [s], found: feet }]),
+  );
+  mine.gaps.forEach(
+    (m, i) => (best = step(mine, reference, m, reference.gaps[i], best, length, angle)),
+  );
   const ends = [...best].map(([last, { cost, signs, found }]) => {
     /** @type {[number, number]} */
     const tilts = [arc(mine.tilt), arc(last * reference.tilt)];
@@ -219,7 +237,8 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
 }
 
 // Whether z_0 points the other way, where axis 1 tells.
-const upsideDown = (mine, reference, signs) => !isLevel(mine) && signs[0] * mine.up * reference.up < 0;
+const upsideDown = (mine, reference, signs) =>
+  !isLevel(mine) && signs[0] * mine.up * reference.up < 0;
 
 // Whether axis 1 points neither up nor down.
 const isLevel = ({ axis }) => Math.abs(axis[2]) < TINY;
@@ -270,7 +289,10 @@ const difference = (key, row, entry, mine, reference, ends = [0, 0]) => ({
 
 // Whether a gap's offset is the height of the base frame, with no slide to make up for it.
 export const placesBase = ({ fromBase, offset, bunch, joints: between, toTip }) =>
-  fromBase && offset !== null && bunch.every((k, i) => k === i) && between.length + Number(toTip) === 2;
+  fromBase &&
+  offset !== null &&
+  bunch.every((k, i) => k === i) &&
+  between.length + Number(toTip) === 2;
 
 const height = (m, r, sign) => sign * (r.offset ?? 0) - (m.offset ?? 0);
 
@@ -300,8 +322,10 @@ function stands(mine, reference, length, angle) {
   const [[far, lean], [other, wanted]] = [mine.foot, reference.foot];
   const ends = [0, mine.joints[0]];
   const found = [];
-  if (Math.abs(lean - wanted) > angle) found.push(difference("table lean", 1, "alpha", lean, wanted, ends));
-  if (Math.abs(far - other) > length) found.push(difference("table foot", 1, "a", far, other, ends));
+  if (Math.abs(lean - wanted) > angle)
+    found.push(difference("table lean", 1, "alpha", lean, wanted, ends));
+  if (Math.abs(far - other) > length)
+    found.push(difference("table foot", 1, "a", far, other, ends));
   return found;
 }
 
@@ -314,7 +338,8 @@ function differences(mine, m, r, signs, length, angle) {
   }
   const turned = twists(mine, m, r, signs, angle);
   found.push(...(turned.length ? turned : slide(mine, m, r, signs, angle)));
-  if (m.fromBase || `${m.bunch}` !== `${r.bunch}` || m.offset === null || r.offset === null) return found;
+  if (m.fromBase || `${m.bunch}` !== `${r.bunch}` || m.offset === null || r.offset === null)
+    return found;
   const wanted = signs.get(m.joints[0]) * r.offset;
   if (Math.abs(m.offset - wanted) > length) {
     const ends = [mine.joints[m.bunch[0]], mine.joints[m.bunch.at(-1)]];

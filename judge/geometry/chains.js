@@ -25,13 +25,20 @@ export const framesOf = (c) => linkFrames(c, c.q);
  * z and o serve each joint, `point` the frame whose origin moves.
  */
 export function columns(c, T, options = {}) {
-  const { axis = c.at, origin = c.at, lever = "tip - o", point = T.length - 1, slides = true } = options;
+  const {
+    axis = c.at,
+    origin = c.at,
+    lever = "tip - o",
+    point = T.length - 1,
+    slides = true,
+  } = options;
   const tip = T[point].o;
   const J = new Array(6 * c.dof);
   c.at.forEach((row, k) => {
     const [z, o] = [T[axis[k]].z, T[origin[k]].o];
     const turns = c.turns[k] || !slides;
-    const arm = lever === "tip - o" ? minus(tip, o) : { tip, o, link: minus(T[row + 1].o, o) }[lever];
+    const arm =
+      lever === "tip - o" ? minus(tip, o) : { tip, o, link: minus(T[row + 1].o, o) }[lever];
     const linear = turns ? cross(z, arm) : z;
     for (let i = 0; i < 3; i++) {
       J[i * c.dof + k] = linear[i];
@@ -78,7 +85,10 @@ export function weights(c, T, masses, centres, gravity) {
   let [mass, moment, k] = [0, ZERO, c.dof - 1];
   for (let row = c.rows.length - 1; row >= 0; row--) {
     mass += masses[row];
-    moment = plus(moment, scaled(masses[row], plus(fromAxes(T[row + 1], centres[row]), T[row + 1].o)));
+    moment = plus(
+      moment,
+      scaled(masses[row], plus(fromAxes(T[row + 1], centres[row]), T[row + 1].o)),
+    );
     if (c.at[k] !== row) continue;
     const { z, o } = T[row];
     const turning = -dot(z, cross(minus(moment, scaled(mass, o)), gravity));
@@ -89,8 +99,14 @@ export function weights(c, T, masses, centres, gravity) {
 }
 
 // A wrench as it reads in the axes of a frame (R^T F), or its numbers meant in them (R F).
-export const wrenchIn = (frame, F) => [...inAxes(frame, F.slice(0, 3)), ...inAxes(frame, F.slice(3))];
-export const wrenchFrom = (frame, F) => [...fromAxes(frame, F.slice(0, 3)), ...fromAxes(frame, F.slice(3))];
+export const wrenchIn = (frame, F) => [
+  ...inAxes(frame, F.slice(0, 3)),
+  ...inAxes(frame, F.slice(3)),
+];
+export const wrenchFrom = (frame, F) => [
+  ...fromAxes(frame, F.slice(0, 3)),
+  ...fromAxes(frame, F.slice(3)),
+];
 
 // J^T F.
 export const through = (J, F) =>

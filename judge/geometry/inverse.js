@@ -57,7 +57,8 @@ function facing(first, offset, p) {
 // The two angles of a planar pair of links that ends at (px, py); `sign` is that of sin(phi_3).
 function twoLinks(upper, fore, px, py, sign, chosen) {
   const ratio = (px * px + py * py - (upper ** 2 + fore ** 2)) * (0.5 / (upper * fore));
-  const exists = Math.abs(ratio) <= 1 + (REACH * (Math.abs(upper) + Math.abs(fore))) / Math.abs(upper * fore);
+  const exists =
+    Math.abs(ratio) <= 1 + (REACH * (Math.abs(upper) + Math.abs(fore))) / Math.abs(upper * fore);
   const cosine = clipped(ratio, -1, 1);
   const sine = Math.sqrt(1 - cosine * cosine);
   const [along, across] = [upper + fore * cosine, sign * (fore * sine)];
@@ -224,7 +225,12 @@ function urWrist(shape, plane, tool, side) {
   const half = phi6 < 0 || Object.is(phi6, -0) ? -Math.PI : Math.PI;
   const both = [
     { phi5, phi6, u, singular },
-    { phi5: -phi5, phi6: singular ? phi6 : phi6 - half, u: singular ? u : u.map((x) => -x), singular },
+    {
+      phi5: -phi5,
+      phi6: singular ? phi6 : phi6 - half,
+      u: singular ? u : u.map((x) => -x),
+      singular,
+    },
   ];
   const [x, y] = [plane.x[side], plane.y];
   return sine < UNCERTAIN ? both.map((one) => withinReach(shape, x, y, one, sine)) : both;
@@ -242,7 +248,8 @@ function isolated(rows, x, y) {
   const [upper, fore, arc] = [rows[1].a, rows[2].a, rows[4].d].map(Math.abs);
   const far = Math.hypot(x, y);
   const [nearest, farthest] = [Math.abs(far - arc), far + arc];
-  const touching = nearest >= upper + fore - 2 * REACH || farthest <= Math.abs(upper - fore) + 2 * REACH;
+  const touching =
+    nearest >= upper + fore - 2 * REACH || farthest <= Math.abs(upper - fore) + 2 * REACH;
   return touching && Math.min(far, arc) > REACH;
 }
 

@@ -72,7 +72,8 @@ function features(rows, q, base, signs) {
   ];
 }
 
-const turnedBy = (base, v) => plus(plus(scaled(v[0], base.x), scaled(v[1], base.y)), scaled(v[2], base.z));
+const turnedBy = (base, v) =>
+  plus(plus(scaled(v[0], base.x), scaled(v[1], base.y)), scaled(v[2], base.z));
 
 const placed = (base, { x, y, z, o }) => ({
   x: turnedBy(base, x),
@@ -88,7 +89,8 @@ function turn(z, p, m, o, r) {
   if (m.point) pairs.push([minus(m.point, p), minus(r.point, o)]);
   for (const pair of pairs) {
     const [u, v] = pair.map((w) => across(w, z));
-    if (dot(u, u) > SEEN ** 2 && dot(v, v) > SEEN ** 2) return Math.atan2(dot(z, cross(v, u)), dot(u, v));
+    if (dot(u, u) > SEEN ** 2 && dot(v, v) > SEEN ** 2)
+      return Math.atan2(dot(z, cross(v, u)), dot(u, v));
   }
   return null;
 }
@@ -136,7 +138,9 @@ export function equations({ signs, offsets }, mine, reference) {
     const shift = Number((offsets[k] * (turns ? DEG : 1000)).toFixed(6));
     const counted = Math.abs(shift) > 1e-3;
     if (s > 0 && !counted) return [];
-    const tail = counted ? ` ${shift < 0 ? "-" : "+"} ${size(Math.abs(shift), 5)}${turns ? "°" : " mm"}` : "";
+    const tail = counted
+      ? ` ${shift < 0 ? "-" : "+"} ${size(Math.abs(shift), 5)}${turns ? "°" : " mm"}`
+      : "";
     return [say(s < 0 ? "map back" : "map joint", { joint: j, mine: i, tail })];
   });
 }

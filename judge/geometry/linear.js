@@ -4,10 +4,13 @@
 // One-sided Jacobi on the rows: accurate for small singular values too.
 export function singular(columns, rows = 6) {
   const m = Array.from({ length: rows }, (_, i) => columns.map((column) => column[i]));
-  const u = Array.from({ length: rows }, (_, i) => Array.from({ length: rows }, (_, j) => Number(i === j)));
+  const u = Array.from({ length: rows }, (_, i) =>
+    Array.from({ length: rows }, (_, j) => Number(i === j)),
+  );
   for (let sweep = 0, turned = true; turned && sweep < 30; sweep++) {
     turned = false;
-    for (let i = 0; i < rows; i++) for (let j = i + 1; j < rows; j++) turned = rotate(m, u, i, j) || turned;
+    for (let i = 0; i < rows; i++)
+      for (let j = i + 1; j < rows; j++) turned = rotate(m, u, i, j) || turned;
   }
   const order = m.map((row, i) => [Math.hypot(...row), i]).sort((p, q) => q[0] - p[0]);
   return { values: order.map(([value]) => value), vectors: order.map(([, i]) => u[i]) };
@@ -78,7 +81,8 @@ export function plainBasis(vectors) {
 
 function pivot(m, from, column) {
   let best = from;
-  for (let i = from; i < m.length; i++) if (Math.abs(m[i][column]) > Math.abs(m[best][column])) best = i;
+  for (let i = from; i < m.length; i++)
+    if (Math.abs(m[i][column]) > Math.abs(m[best][column])) best = i;
   return best;
 }
 

@@ -29,7 +29,9 @@ export function circle({ centre, radius, plane, period, steps, phase = 0 }) {
     return [Math.cos(angle), Math.sin(angle)];
   };
   return {
-    times: Array.from({ length: steps + 1 }, (_, k) => (k === steps ? period : k * (period / steps))),
+    times: Array.from({ length: steps + 1 }, (_, k) =>
+      k === steps ? period : k * (period / steps),
+    ),
     position: (t) => {
       const [c, s] = at(t);
       return centre.map((x, i) => x + radius * (c * first[i] + s * second[i]));

@@ -76,7 +76,10 @@ const SAME = new Map([
 const LATEX = [
   [/\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)(?![A-Za-z])/g, " "],
   [/\\[,;:! ]|~|\\hspace\{[^{}]*\}/g, " "],
-  [/\\(?:mathrm|text(?:bf|it|rm)?|math(?:it|bf|sf)|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g, "$1"],
+  [
+    /\\(?:mathrm|text(?:bf|it|rm)?|math(?:it|bf|sf)|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g,
+    "$1",
+  ],
   [/\\ang\s*\{([^{}]*)\}|\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*\\degree\s*\}/g, "($1$2 deg)"],
   [/\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)(?![A-Za-z])/g, " deg"],
   [/\\(?:cdot|times|ast)(?![A-Za-z])/g, "*"],
@@ -148,7 +151,9 @@ export function parse(text, what = "the formula") {
   }
   const found = attempted(tokens);
   if (found?.[1] !== tokens.length) {
-    throw new ArmError(`${what} is ${shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'`);
+    throw new ArmError(
+      `${what} is ${shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'`,
+    );
   }
   return found[0];
 }
@@ -279,7 +284,10 @@ function valueOf(tree, known) {
   const later = []; // what is left to do from left to right, for a sum may have very many terms
   for (; Object.hasOwn(SIGNS, tree[0]); tree = tree[1]) later.push(tree);
   const first = single(tree, known);
-  return later.reduceRight((found, [sign, , right]) => SIGNS[sign](found, valueOf(right, known)), first);
+  return later.reduceRight(
+    (found, [sign, , right]) => SIGNS[sign](found, valueOf(right, known)),
+    first,
+  );
 }
 
 function single([kind, first, second], known) {

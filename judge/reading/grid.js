@@ -20,7 +20,8 @@ const ENDED = /(?<=[\])}])\s*[.,;]+$/;
 const TAKEN = /^\s*\)*\s*(?:[-+*/^']|\.[*/^'T])/; // what changes the matrix before it
 const CONTINUED = /^(?:\s*[-+*/^]\s|.*[-+*/^]\s*$)/;
 const NAMED = /^\s*[\p{L}\p{N}_.]+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*(?=[[({\n\d-]|$)/u;
-const ENVIRONMENT = /\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?/g;
+const ENVIRONMENT =
+  /\\begin\{(?:[a-zA-Z]*matrix\*?|array|tabular|aligned)\}(?:\[[^\]]*\])?(?:\{[^{}]*\})?/g;
 const LATEX_REST = new RegExp(
   String.raw`\\end\{[^{}]*\}(?:_\{[^{}]*\})?(?:\s*\\right\s*[\]).|])?` +
     String.raw`|\\c(?:line|midrule)(?:\([^()]*\))?\{[^{}]*\}` +
@@ -96,7 +97,9 @@ function rowsOf(text) {
   if (turned) {
     const inner = strippedEnd(text.slice(turned[0].length), " ;.,");
     if (closesAtEnd(inner))
-      return rowsOf(inner.slice(1, -1).trim()).map((row) => row.map((cell) => `${turned[1]}(${cell})`));
+      return rowsOf(inner.slice(1, -1).trim()).map((row) =>
+        row.map((cell) => `${turned[1]}(${cell})`),
+      );
   }
   let bare = WRAPPER.test(text) ? text.replace(WRAPPER, "").replace(TAIL, "") : text;
   bare = strippedEnd(bare.replace(NAMED, "").trim(), ";").trim();
@@ -162,7 +165,8 @@ function beginsACell(text) {
 // Whether lines of entries without commas are the rows of a matrix, not a formula's.
 function areRows(given) {
   const kept = given.filter((line) => line.trim());
-  if (kept.some((line) => line.includes(",") || line.includes(";") || CONTINUED.test(line))) return false;
+  if (kept.some((line) => line.includes(",") || line.includes(";") || CONTINUED.test(line)))
+    return false;
   const rows = kept.map(split);
   if (new Set(rows.map((row) => row.length)).size !== 1) return false;
   if (rows.length === 1 && rows[0].length === 1) return false;
@@ -264,7 +268,8 @@ function joins(text, k) {
     if (SLIDING.test(before) && number(after.split(/\s/)[0]) !== null) return false;
     if (STARRED.test(before)) return false;
   }
-  if (!before || !after || "+-*/^=(".includes(before.at(-1)) || "*/^)=".includes(after[0])) return true;
+  if (!before || !after || "+-*/^=(".includes(before.at(-1)) || "*/^)=".includes(after[0]))
+    return true;
   return (
     ("+-".includes(after[0]) && after.length > 1 && /\s/.test(after[1])) ||
     DEGREES.test(after) ||
@@ -280,10 +285,14 @@ function typedLines(text) {
   const tables = text.split(MATLAB_BLOCK).map(block).filter((table) => table.length); // prettier-ignore
   const counts = [...new Set(tables.map((table) => table.length))].sort((p, q) => p - q);
   if (counts.length > 1) {
-    throw new ArmError(`the blocks of columns have ${counts.join(", ")} rows; expected as many in each`);
+    throw new ArmError(
+      `the blocks of columns have ${counts.join(", ")} rows; expected as many in each`,
+    );
   }
   const rows = (tables[0] ?? []).map((_, i) => tables.flatMap((table) => table[i]));
-  return scale ? rows.map((row) => row.map((cell) => (number(cell) ? `${cell}*${scale[1]}` : cell))) : rows;
+  return scale
+    ? rows.map((row) => row.map((cell) => (number(cell) ? `${cell}*${scale[1]}` : cell)))
+    : rows;
 }
 
 function block(text) {
@@ -369,7 +378,9 @@ function pointedRows(rows) {
 
 // What is said of a comma that may be a decimal one or part thousands.
 const eitherOf = (cell, given) =>
-  new ArmError(`a cell is ${given}; expected ${cell.replace(",", ".")} or ${cell.replace(",", "")}`);
+  new ArmError(
+    `a cell is ${given}; expected ${cell.replace(",", ".")} or ${cell.replace(",", "")}`,
+  );
 
 // A cell with a decimal comma written with a point, and without a spreadsheet's quotes or sign of equality.
 function pointed(cell) {
@@ -379,7 +390,9 @@ function pointed(cell) {
   if (/^\s*[-+−]?,[0-9]+\s*$/.test(cell)) return cell.replace(",", ".");
   if (THOUSANDS.test(cell.trim())) return cell.replaceAll(",", "");
   if (DOTTED_THOUSANDS.test(cell.trim())) return cell.replaceAll(".", "").replace(",", ".");
-  return cell.split(",").length === 2 && !cell.includes("(") ? cell.replace(/(?<=\d),(?=\d)/g, ".") : cell;
+  return cell.split(",").length === 2 && !cell.includes("(")
+    ? cell.replace(/(?<=\d),(?=\d)/g, ".")
+    : cell;
 }
 
 // Whether every cell is a number without symbols.
@@ -391,13 +404,15 @@ export function withoutHeader(rows) {
   const heads = first.map(plain).filter(Boolean);
   if (!rest.length || heads.some(isEntry)) return rows;
   const unnamed = rest.map((row) => row.slice(1));
-  if (!first[0] && heads.length === first.length - 1 && labelRows(rest) && numeric(unnamed)) return unnamed;
+  if (!first[0] && heads.length === first.length - 1 && labelRows(rest) && numeric(unnamed))
+    return unnamed;
   return numeric(rest) ? rest : rows;
 }
 
 // Whether a word is a number, looks like one, or is a formula that no column is named by.
 function isEntry(word) {
-  if (number(word) !== null || NO_HEAD.test(word) || isFunction(word.replace(/^[-+]+/, ""))) return true;
+  if (number(word) !== null || NO_HEAD.test(word) || isFunction(word.replace(/^[-+]+/, "")))
+    return true;
   const parts = [];
   try {
     parts.push(parse(word));
@@ -413,7 +428,13 @@ function isEntry(word) {
 // Whether the first cells are different names, or count the rows.
 function labelRows(rows) {
   const labels = rows.map((row) => row[0]);
-  if (labels.every((label, k) => label === `${k}`) || labels.every((label, k) => label === `${k + 1}`))
+  if (
+    labels.every((label, k) => label === `${k}`) ||
+    labels.every((label, k) => label === `${k + 1}`)
+  )
     return true;
-  return new Set(labels).size === labels.length && labels.every((label) => label && number(label) === null);
+  return (
+    new Set(labels).size === labels.length &&
+    labels.every((label) => label && number(label) === null)
+  );
 }

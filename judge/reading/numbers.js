@@ -39,7 +39,8 @@ export function lookup(arm, q, values = []) {
 }
 
 const noSymbols = (names) => {
-  if (names.size) throw new ArmError(say("symbols for numbers", { names: [...names].sort().join(", ") }));
+  if (names.size)
+    throw new ArmError(say("symbols for numbers", { names: [...names].sort().join(", ") }));
   return new Map();
 };
 
@@ -100,7 +101,13 @@ function ofText(text, what, known) {
   const scaled = texts.map(scaling);
   const steps = units(scaled.map(([first]) => first)).map((u, i) => u * scaled[i][1]);
   const shown = trees.map((tree, i) => (scaled[i][1] === 1 ? tree : ["num", values[i]]));
-  return { values, units: steps, shape: [rows.length, widths[0]], symbolic: names.size > 0, trees: shown };
+  return {
+    values,
+    units: steps,
+    shape: [rows.length, widths[0]],
+    symbolic: names.size > 0,
+    trees: shown,
+  };
 }
 
 // A number and the power of ten that MATLAB's heading gave it.
@@ -116,7 +123,8 @@ export function pose(q, arm, angles = "rad") {
   const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
   const flat = typeof q === "string" ? [typed.values.length] : typed.shape;
   const dof = joints(arm).length;
-  if (flat.length !== 1 || flat[0] !== dof) throw new ArmError(poseFault(arm, flat, `one pose, (${dof},)`));
+  if (flat.length !== 1 || flat[0] !== dof)
+    throw new ArmError(poseFault(arm, flat, `one pose, (${dof},)`));
   return inRadians(typed, arm, angles);
 }
 
@@ -162,7 +170,9 @@ const simple = (name) =>
 function meanings(names, arm, q, own) {
   const all = new Map([...(arm.values ?? []), ...own]); // one name once, where it first stood, as in Python
   const values = new Map([...all].map(([name, number]) => [simple(name), number]));
-  const found = new Map(names.filter((n) => values.has(simple(n))).map((n) => [n, values.get(simple(n))]));
+  const found = new Map(
+    names.filter((n) => values.has(simple(n))).map((n) => [n, values.get(simple(n))]),
+  );
   const used = new Map(names.filter((n) => !found.has(n)).map((n) => [n, indices(n)]));
   const [order, said] = orderOf([...new Set([...used.values()].flatMap((i) => i ?? []))], arm);
   for (const [name, numbers] of used) {

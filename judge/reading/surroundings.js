@@ -6,7 +6,8 @@ import { ArmError, shown } from "../sentences.js";
 const FENCE = /(?<![^\n])[ \t]*```[^\n\r]*/g;
 const PROMPT = String.raw`(?<![^\n])[ \t]*(?:>>>?|(?:In|Out) ?\[[0-9]*\]:)[ \t]*`;
 const ASKED = new RegExp(
-  PROMPT + String.raw`(?:[A-Za-z_][A-Za-z0-9_]*|(?:print|disp|display)\([A-Za-z0-9_]*\))[ \t]*(?![^\n\r])`,
+  PROMPT +
+    String.raw`(?:[A-Za-z_][A-Za-z0-9_]*|(?:print|disp|display)\([A-Za-z0-9_]*\))[ \t]*(?![^\n\r])`,
   "g",
 );
 const PROMPTED = new RegExp(PROMPT, "g");

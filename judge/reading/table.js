@@ -87,7 +87,11 @@ const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/
  * @returns {TypedTable[]}
  */
 export function read(text, { columns, lengths, angles, convention } = {}, values = []) {
-  const given = { lengths: lengths || null, angles: angles || null, convention: convention || null };
+  const given = {
+    lengths: lengths || null,
+    angles: angles || null,
+    convention: convention || null,
+  };
   const typed = ofText(text);
   if (!typed.cells.length) throw new ArmError(say("no rows", { given: shown(text) }));
   const known = new Map(values.map(([name, x]) => [simple(name), x]));
@@ -95,7 +99,11 @@ export function read(text, { columns, lengths, angles, convention } = {}, values
   if (found) {
     few(found.length);
     return [
-      { ...given, rows: found.map((A, k) => fromMatrix(k + 1, A, known)), said: [say("taken: matrices")] },
+      {
+        ...given,
+        rows: found.map((A, k) => fromMatrix(k + 1, A, known)),
+        said: [say("taken: matrices")],
+      },
     ];
   }
   const { cells, heads } = withoutIndex(typed);
@@ -126,13 +134,16 @@ export function read(text, { columns, lengths, angles, convention } = {}, values
 }
 
 function variablesInAlpha(rows, order) {
-  const [alphas, thetas] = ["alpha", "theta"].map((name) => rows.map((row) => row[order.indexOf(name)]));
+  const [alphas, thetas] = ["alpha", "theta"].map((name) =>
+    rows.map((row) => row[order.indexOf(name)]),
+  );
   return alphas.some(isVariable) && !thetas.some(isVariable);
 }
 
 // Whether the lengths are taken as millimetres though nobody said so.
 export const inMillimetres = ({ lengths, rows }) =>
-  lengths === null && rows.some(({ numbers: n }) => Math.max(Math.abs(n.a), Math.abs(n.d)) >= MILLIMETRES);
+  lengths === null &&
+  rows.some(({ numbers: n }) => Math.max(Math.abs(n.a), Math.abs(n.d)) >= MILLIMETRES);
 
 function few(count) {
   if (count > MOST_ROWS) throw new ArmError(say("many rows", { count, most: MOST_ROWS }));
@@ -192,7 +203,9 @@ export function meant(table, kinds) {
 }
 
 const namedRows = (rows) =>
-  rows.length === 1 ? say("row", { row: rows[0] }) : say("rows", { rows: listed(rows.map(String)) });
+  rows.length === 1
+    ? say("row", { row: rows[0] })
+    : say("rows", { rows: listed(rows.map(String)) });
 
 const unknown = ({ kind }) => kind === "unknown";
 
@@ -239,8 +252,13 @@ function ofText(typed) {
   if (records) return records;
   /** @type {[string, string][]} */
   const named = [...text.matchAll(LISTS)].map(([, name, body]) => [headOf(name) ?? "", body]);
-  if (named.length >= 3 && named.every(([word]) => ENTRIES.includes(word))) return ofLists(new Map(named));
-  const pairs = [...text.matchAll(PAIRS)].map(([, name, i, x]) => [name.toLowerCase(), Number(i), x]);
+  if (named.length >= 3 && named.every(([word]) => ENTRIES.includes(word)))
+    return ofLists(new Map(named));
+  const pairs = [...text.matchAll(PAIRS)].map(([, name, i, x]) => [
+    name.toLowerCase(),
+    Number(i),
+    x,
+  ]);
   const known = pairs.length >= 6 && pairs.every(([name]) => WORDS.has(name));
   if (known && !text.trimStart().startsWith("|"))
     return ofPairs(pairs.map(([name, i, x]) => [WORDS.get(name), i, unquoted(x)]));
@@ -268,7 +286,8 @@ function isEven(text) {
   return wide !== text && new Set(cellsOf(wide).map((row) => row.length)).size === 1;
 }
 
-const isHeading = (row) => new Set(row.map(headOf).filter((word) => ENTRIES.includes(word))).size >= 3;
+const isHeading = (row) =>
+  new Set(row.map(headOf).filter((word) => ENTRIES.includes(word))).size >= 3;
 
 // The heads with a unit that stands apart, as in "a (mm)", joined to its own.
 const withUnits = (heads) =>
@@ -291,12 +310,16 @@ function unboxed(text) {
 // A dictionary for each row, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...).
 function ofRecords(text) {
   const found = [...text.matchAll(RECORDS)].flatMap(([, braced, called]) => {
-    const pairs = [...(braced || called || "").matchAll(/['"]?([A-Za-zαθ]+)['"]?\s*[:=]\s*([^,[]+)/g)];
+    const pairs = [
+      ...(braced || called || "").matchAll(/['"]?([A-Za-zαθ]+)['"]?\s*[:=]\s*([^,[]+)/g),
+    ];
     const row = new Map(pairs.map(([, name, x]) => [headOf(name), unquoted(x)]));
     return ENTRIES.filter((entry) => row.has(entry)).length >= 3 ? [row] : [];
   });
   if (found.length < 2) return null;
-  return plainly(found.map((row, k) => ENTRIES.map((entry) => row.get(entry) ?? blank(entry, k + 1))));
+  return plainly(
+    found.map((row, k) => ENTRIES.map((entry) => row.get(entry) ?? blank(entry, k + 1))),
+  );
 }
 
 const blank = (entry, i) => (entry === "theta" ? `q_${i}` : "0");
@@ -318,7 +341,9 @@ function ofPairs(entries) {
   const held = new Map(entries.map(([column, i, text]) => [`${column} ${row(column, i)}`, text]));
   const last = entries.reduce((top, [column, i]) => Math.max(top, row(column, i)), 0);
   few(last);
-  const others = entries.flatMap(([column, i]) => (column === "d" || column === "theta" ? [i] : []));
+  const others = entries.flatMap(([column, i]) =>
+    column === "d" || column === "theta" ? [i] : [],
+  );
   const moving = craig && others.length ? Math.max(...others) : last;
   const missing = (entry, i) => (i > moving ? "0" : blank(entry, i));
   const cells = Array.from({ length: last }, (_, k) =>
@@ -347,7 +372,9 @@ function linkOf({ kind, body }) {
     const row = { ...none, ...Object.fromEntries(named.map((name, i) => [name, entries[i]])) };
     return { row, slides: entries.length > 4 && number(entries[4]) === 1 };
   }
-  const pairs = body.matchAll(/['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset)['"]?\s*[,=]\s*([^,]+)/gu);
+  const pairs = body.matchAll(
+    /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset)['"]?\s*[,=]\s*([^,]+)/gu,
+  );
   const given = Object.fromEntries([...pairs].map(([, name, x]) => [name, x.trim()]));
   const slides =
     `${kind}${body}`.toLowerCase().includes("prismatic") ||
@@ -374,7 +401,9 @@ function fromHeads(heads) {
   const text = heads.join(" ");
   const unit = ["mm", "cm"].find((u) => new RegExp(String.raw`[(\[ /_]${u}\b`).test(text));
   const own =
-    ["m", "in"].find((u) => new RegExp(String.raw`[(\[]\s*${u}\s*(?:[)\]]|$)|/${u}\b`).test(text)) ?? null;
+    ["m", "in"].find((u) =>
+      new RegExp(String.raw`[(\[]\s*${u}\s*(?:[)\]]|$)|/${u}\b`).test(text),
+    ) ?? null;
   const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
   return { lengths: unit ?? own, angles, convention: /-\s*1/.test(text) ? "craig" : null };
 }
@@ -387,13 +416,17 @@ function withoutIndex({ cells, heads }) {
   const label = (i) => new RegExp(String.raw`^(?:link|joint|l|j|i=)?\s*_?${i}\.?$`, "i");
   const fromZero = first.every((text, k) => number(text) === k);
   const counted = fromZero || first.every((text, k) => label(k + 1).test(text));
-  const short = cells.every((row) => row.length === heads.length - 1) && !ENTRIES.includes(words[0]);
+  const short =
+    cells.every((row) => row.length === heads.length - 1) && !ENTRIES.includes(words[0]);
   if (short && !counted) return { cells, heads: heads.slice(1) };
   const at = words.indexOf("i");
   const cut = (row) => row.filter((_, k) => k !== at);
   if (at >= 0) return { cells: cells.map(cut), heads: cut(heads) };
   if (cells.every((row) => row.length > 4) && counted)
-    return { cells: cells.map((row) => row.slice(1)), heads: heads.length > 4 ? heads.slice(1) : heads };
+    return {
+      cells: cells.map((row) => row.slice(1)),
+      heads: heads.length > 4 ? heads.slice(1) : heads,
+    };
   return { cells, heads };
 }
 
@@ -424,10 +457,16 @@ function ordered(cells, heads, columns) {
   wide(cells);
   const looks = cells.map((row) => row.map(lookOf));
   const known = KNOWN_ORDERS.map((order) => order.join());
-  const usual = [...KNOWN_ORDERS, ...permutations(ENTRIES).filter((order) => !known.includes(order.join()))];
+  const usual = [
+    ...KNOWN_ORDERS,
+    ...permutations(ENTRIES).filter((order) => !known.includes(order.join())),
+  ];
   const strict = usual.filter((order) => possible(looks, order, true));
   const fits = strict.length ? strict : usual.filter((order) => possible(looks, order, false));
-  const orders = [...fits.filter((o) => mostTurn(looks, o)), ...fits.filter((o) => !mostTurn(looks, o))];
+  const orders = [
+    ...fits.filter((o) => mostTurn(looks, o)),
+    ...fits.filter((o) => !mostTurn(looks, o)),
+  ];
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], sure: false, rows: cells };
 }
 
@@ -442,7 +481,9 @@ function withOffset(i, row, still) {
 const permutations = (list) =>
   list.length < 2
     ? [list]
-    : list.flatMap((one, k) => permutations(list.filter((_, j) => j !== k)).map((more) => [one, ...more]));
+    : list.flatMap((one, k) =>
+        permutations(list.filter((_, j) => j !== k)).map((more) => [one, ...more]),
+      );
 
 function wide(cells) {
   const sorted = [...new Set(cells.map((row) => row.length))].sort((p, q) => p - q);
@@ -508,10 +549,15 @@ function rowOf(i, entries, known) {
     const free = ["theta", "d"].includes(name) && VARIABLE.test(text) && !known.has(simple(text));
     return parse(free ? `q_${i}` : text.replace(/\*+$/, "") || "0", `${name} in row ${i}`);
   });
-  const free = each((name) => [...symbols(trees[name])].filter((one) => !known.has(simple(one))).sort());
+  const free = each((name) =>
+    [...symbols(trees[name])].filter((one) => !known.has(simple(one))).sort(),
+  );
   const mover = free.theta.length ? "theta" : free.d.length ? "d" : null;
-  const joint = mover && (free[mover].find((one) => /^(?:q|th|t_?\d|x_?\d|phi)/.test(one)) ?? free[mover][0]);
-  const stray = ENTRIES.flatMap((name) => free[name].filter((one) => name !== mover || one !== joint));
+  const joint =
+    mover && (free[mover].find((one) => /^(?:q|th|t_?\d|x_?\d|phi)/.test(one)) ?? free[mover][0]);
+  const stray = ENTRIES.flatMap((name) =>
+    free[name].filter((one) => name !== mover || one !== joint),
+  );
   if (stray.length) {
     const key = Object.hasOwn(UNITS, stray[0]) ? "row unit" : "row symbol";
     throw new ArmError(say(key, { row: i, name: stray[0] }));
@@ -524,7 +570,9 @@ function rowOf(i, entries, known) {
     if (name === mover) backwards = slope(at(name, 1) - still, i, name) < 0;
     return still;
   });
-  const radians = new Set(ENTRIES.filter((name) => /\b(?:pi|deg|rad)\b/.test(plain(entries[name]))));
+  const radians = new Set(
+    ENTRIES.filter((name) => /\b(?:pi|deg|rad)\b/.test(plain(entries[name]))),
+  );
   const kind = mover ? { theta: "revolute", d: "prismatic" }[mover] : "unknown";
   return { kind, numbers, texts: each((name) => entries[name].trim()), backwards, radians, trees };
 }

@@ -19,7 +19,9 @@ export function ownValues(text) {
     const [, , name, typed] = PAIR.exec(part) ?? [];
     const [word, found] = name ? [plain(name), number(typed)] : ["", null];
     if (found !== null && NAME.test(word)) return [word, found];
-    throw new ArmError(`your own symbols: ${shown(part.trim())} is not read; expected such as h = 0.333`);
+    throw new ArmError(
+      `your own symbols: ${shown(part.trim())} is not read; expected such as h = 0.333`,
+    );
   });
 }
 

@@ -37,7 +37,11 @@ export function compareBranches(mine, arm, target, options = {}) {
   const form = formOf(arm);
   const right = apart(arm, inverse(arm, form, asksPose(form) ? frameOf(target) : target));
   let { answers: given, taken, typed } = answers(mine, arm, angles);
-  if (given.length === joints(arm).length && given.length > 1 && !hitsOf(right, given, tolerance).hits.size) {
+  if (
+    given.length === joints(arm).length &&
+    given.length > 1 &&
+    !hitsOf(right, given, tolerance).hits.size
+  ) {
     const columns = answers(mine, arm, angles, true);
     if (!hitsOf(right, columns.answers, tolerance).astray.length) {
       ({ answers: given, taken, typed } = columns);
@@ -59,7 +63,9 @@ const frameOf = (rows) => {
 /** @returns {Right} */
 function apart(arm, branches) {
   const same = (p, q) => gapOf(arm, p, q).every((x) => x < REACHED);
-  const once = branches.filter(({ q }, n) => !branches.slice(0, n).some((other) => same(q, other.q)));
+  const once = branches.filter(
+    ({ q }, n) => !branches.slice(0, n).some((other) => same(q, other.q)),
+  );
   return { arm, branches: once, count: branches.length };
 }
 
@@ -91,7 +97,12 @@ function onlyAsDegrees(right, given, tolerance) {
  */
 export function answers(mine, arm, angles, byColumns = false) {
   const dof = joints(arm).length;
-  const read = numbers(unnamed(mine), `${arm.name}: q`, undefined, `joint vectors (answers, ${dof})`);
+  const read = numbers(
+    unnamed(mine),
+    `${arm.name}: q`,
+    undefined,
+    `joint vectors (answers, ${dof})`,
+  );
   if (!read.values.length) return { answers: [], taken: [], typed: read };
   let shape = read.shape.length > 2 ? read.shape.filter((n) => n !== 1) : read.shape;
   let { values, units } = read;
@@ -109,7 +120,8 @@ export function answers(mine, arm, angles, byColumns = false) {
   if (shape.length !== 2 || shape[1] !== dof) {
     throw new ArmError(say("answers shape", { arm: arm.name, shape: read.shape.join("x"), dof }));
   }
-  const rows = (list) => Array.from({ length: shape[0] }, (_, i) => list.slice(i * dof, (i + 1) * dof));
+  const rows = (list) =>
+    Array.from({ length: shape[0] }, (_, i) => list.slice(i * dof, (i + 1) * dof));
   const both = rows(values).map((row, i) => ({ values: row, units: rows(units)[i] }));
   return { answers: angles === "deg" ? rowsInRadians(both, arm) : both, taken, typed: read };
 }
@@ -156,7 +168,9 @@ function matches(right, q, margin) {
       const loose = movingInPlace(arm, branches[b].q);
       return near(gaps[b]).every((fits, k) => fits || loose[k]);
     });
-    const far = gaps.map((gap, b) => gap.reduce((sum, x, k) => sum + (branches[b].free[k] ? 0 : x), 0));
+    const far = gaps.map((gap, b) =>
+      gap.reduce((sum, x, k) => sum + (branches[b].free[k] ? 0 : x), 0),
+    );
     const least = Math.min(...far.filter((_, b) => family[b])) + Math.max(...margin);
     family.forEach((is, b) => (same[b] ||= is && far[b] < least));
   }
@@ -167,7 +181,9 @@ function matches(right, q, margin) {
 function movingInPlace(arm, q) {
   const dof = q.length;
   const columns = jacobianColumns(arm, linkFrames(arm, q));
-  const rows = Array.from({ length: dof >= 6 ? 6 : 3 }, (_, i) => columns.map((column) => column[i]));
+  const rows = Array.from({ length: dof >= 6 ? 6 : 3 }, (_, i) =>
+    columns.map((column) => column[i]),
+  );
   const { values, vectors } = singular(rows, dof);
   return q.map((_, k) => vectors.some((v, i) => values[i] < NEAR && Math.abs(v[k]) > NEAR));
 }
@@ -180,7 +196,8 @@ function missOf(right, q, margin) {
   const away = length(target.at(-1).o.map((x, i) => x - frames.at(-1).o[i]));
   const turned = q.length >= 6 ? angleBetween(frames.at(-1), target.at(-1)) : 0;
   const columns = jacobianColumns(arm, frames);
-  const spread = (i) => columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * margin[k], 0);
+  const spread = (i) =>
+    columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * margin[k], 0);
   const most = (half) => Math.max(REACHED, length(half.map(spread)));
   const [far, wide] = [most([0, 1, 2]), most([3, 4, 5])];
   return away <= far && turned <= wide ? null : [away, turned];
@@ -218,7 +235,10 @@ function reported(right, given, tolerance, taken, everywhere) {
   const [missing, found] = [names(false), names(true)];
   const unreachable = outOfRange(right, hits, missing, found);
   const oneSided = unreachable.length ? [] : oneSign(right, hits, missing, found);
-  const all = [...wrong.flatMap(({ causes }) => causes.map(nameOf)), ...oneSided.map(({ what }) => what)];
+  const all = [
+    ...wrong.flatMap(({ causes }) => causes.map(nameOf)),
+    ...oneSided.map(({ what }) => what),
+  ];
   const findings = [...wrong.map(({ finding }) => finding), ...oneSided];
   if (missing.length && (found.length || !astray.length)) {
     const words = say("ik missing", { names: missing.join("; ") });
@@ -254,7 +274,9 @@ function headlineOf(grade, { arm, branches }, everywhere, wrong, count, coarse) 
   if (grade === WRONG) {
     const firsts = new Set(wrong.map(({ causes }) => (causes.length ? nameOf(causes[0]) : "")));
     const one = firsts.size === 1 && !firsts.has("") ? wrong[0].causes[0] : null;
-    return one ? say("ik wrong", { cause: lower(wordsOf(one)), ...fields }) : say("ik some wrong", fields);
+    return one
+      ? say("ik wrong", { cause: lower(wordsOf(one)), ...fields })
+      : say("ik some wrong", fields);
   }
   if (grade === SO_FAR) return say(coarse ? "ik so far digits" : "ik so far", fields);
   return say(grade === RIGHT ? "ik right" : "ik rounded", fields);
@@ -299,9 +321,12 @@ function tooCoarse(right, given) {
 // A word on the first answers that are the same.
 function* twice(arm, given) {
   for (const [n, { values }] of given.entries()) {
-    const same = given.map((other) => gapOf(arm, other.values, values).every((gap) => gap <= EXACT));
+    const same = given.map((other) =>
+      gapOf(arm, other.values, values).every((gap) => gap <= EXACT),
+    );
     const alike = same.flatMap((is, k) => (is ? [k + 1] : []));
-    if (alike.length > 1 && alike[0] === n + 1) yield say("ik twice", { numbers: listed(alike.map(String)) });
+    if (alike.length > 1 && alike[0] === n + 1)
+      yield say("ik twice", { numbers: listed(alike.map(String)) });
   }
 }
 
@@ -316,7 +341,10 @@ function* notesOf({ arm, branches, count }) {
 function wrongAnswer(right, { values, units }, number, tolerance) {
   const margin = marginsOf(units, tolerance, true);
   const where = `answer ${number}`;
-  const plainly = (key) => ({ causes: [], finding: { what: "answer", where, words: say(key, { number }) } });
+  const plainly = (key) => ({
+    causes: [],
+    finding: { what: "answer", where, words: say(key, { number }) },
+  });
   if (!right.branches.length) return plainly("ik no branch");
   const miss = missOf(right, values, units.map(() => 0)); // prettier-ignore
   if (!miss) return plainly("ik unlisted");
@@ -324,13 +352,17 @@ function wrongAnswer(right, { values, units }, number, tolerance) {
   const turn = values.length >= 6 ? turnOf(miss[1]) : "";
   const off = say("ik off", { millimetres: millimetres(miss[0]), turn });
   const said = say("ik answer", { number, off, words });
-  return { causes, finding: { what: causes.length ? nameOf(causes[0]) : "answer", where, words: said } };
+  return {
+    causes,
+    finding: { what: causes.length ? nameOf(causes[0]) : "answer", where, words: said },
+  };
 }
 
 // A length in m as so many digits of mm, not below a thousandth of one.
 export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).toFixed(3)), digits);
 
-export const turnOf = (angle) => say("ik turn", { degrees: size(Number((angle * DEG).toFixed(3))) });
+export const turnOf = (angle) =>
+  say("ik turn", { degrees: size(Number((angle * DEG).toFixed(3))) });
 
 // What explains an answer: one slip, joints of two branches mixed, or two slips; or else the joints in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
@@ -344,7 +376,9 @@ function why(right, q, margin) {
     yield* kept(q, branches.map((branch) => branch.q)); // prettier-ignore
   };
   // A slip in two joints can help where all the others are in one branch.
-  const near = branches.map((branch) => gapOf(arm, q, branch.q).map((x, k) => x <= 1.5 * margin[k]));
+  const near = branches.map((branch) =>
+    gapOf(arm, q, branch.q).map((x, k) => x <= 1.5 * margin[k]),
+  );
   const worth = (i, j) => near.some((row) => row.every((is, k) => is || k === i || k === j));
   for (const slips of [first(), double(arm, q, worth)]) {
     const found = fitting(right, q, slips, margin);
@@ -353,17 +387,26 @@ function why(right, q, margin) {
   }
   const astray = variable(arm).filter((_, k) => !fits.some((row) => row[k]));
   const fields = { joints: listed(astray) };
-  const words = astray.length > 1 ? say("ik in no branch", fields) : say("ik one in no branch", fields);
+  const words =
+    astray.length > 1 ? say("ik in no branch", fields) : say("ik one in no branch", fields);
   return { causes: [], words };
 }
 
 function slipped({ branches }, found, mixed) {
   const all = found.map(([one]) => one);
-  const causes = all.filter((one, i) => all.findIndex((other) => nameOf(other) === nameOf(one)) === i);
-  const words = say("ik slip", { cause: lower(several(causes, 2)), branch: branches[found[0][1]].name });
+  const causes = all.filter(
+    (one, i) => all.findIndex((other) => nameOf(other) === nameOf(one)) === i,
+  );
+  const words = say("ik slip", {
+    cause: lower(several(causes, 2)),
+    branch: branches[found[0][1]].name,
+  });
   const [key, second] = causes[0].keys;
   if (!mixed || OF_ONE_STEP.includes(key) || second !== undefined) return { causes, words };
-  return { causes: [...causes, mixed.cause], words: say("ik or mixed", { words, mixed: mixed.words }) };
+  return {
+    causes: [...causes, mixed.cause],
+    words: say("ik or mixed", { words, mixed: mixed.words }),
+  };
 }
 
 // The slips without which an answer would be a branch, and which; none that helps by less than half, nor a scale where
@@ -377,7 +420,8 @@ function fitting({ arm, branches }, q, slips, margin) {
   const left = (mended, b) => {
     let most = 0;
     for (let k = 0; k < q.length; k++) {
-      const gap = mended[k] === q[k] ? before[b][k] : gapBetween(turns[k], mended[k], branches[b].q[k]);
+      const gap =
+        mended[k] === q[k] ? before[b][k] : gapBetween(turns[k], mended[k], branches[b].q[k]);
       if (!(gap <= 1.5 * margin[k])) return null;
       most = Math.max(most, gap);
     }

@@ -40,7 +40,13 @@ const HALVES = ["linear", "angular"];
  * @returns {import("../report.js").Report}
  */
 export function compareJacobian(mine, arm, q, options = {}) {
-  const { angularFirst = false, frame = 0, angles = "rad", tolerance = null, values = [] } = options;
+  const {
+    angularFirst = false,
+    frame = 0,
+    angles = "rad",
+    tolerance = null,
+    values = [],
+  } = options;
   const at = pose(q, arm, angles);
   const dof = at.values.length;
   const what = `${arm.name}: your Jacobian`;
@@ -50,7 +56,8 @@ export function compareJacobian(mine, arm, q, options = {}) {
   if (typed.shape.length === 2 && count === 6 * dof && count === Math.max(...typed.shape)) {
     typed = { ...typed, shape: [6, dof] };
   }
-  if (typed.shape.length !== 2) throw new ArmError(say("no matrix", { what, shape: tuple(typed.shape) }));
+  if (typed.shape.length !== 2)
+    throw new ArmError(say("no matrix", { what, shape: tuple(typed.shape) }));
   const [rows, width] = typed.shape;
   if (width !== dof || (rows !== 6 && rows !== 3)) {
     return { ...misshapen(typed, arm, at.values, frame, said), typed };
@@ -58,7 +65,8 @@ export function compareJacobian(mine, arm, q, options = {}) {
   if (!typed.values.some(Boolean)) {
     return { ...empty(arm, said), typed, wrong: typed.values.map(() => true) };
   }
-  if (!angularFirst || rows !== 6) return { ...judged(typed, arm, at, frame, tolerance, said), typed };
+  if (!angularFirst || rows !== 6)
+    return { ...judged(typed, arm, at, frame, tolerance, said), typed };
   const exchanged = (list) => [...list.slice(3 * dof), ...list.slice(0, 3 * dof)];
   const linearFirst = { ...typed, values: exchanged(typed.values), units: exchanged(typed.units) };
   const taken = [...said, say("taken: angular first")];
@@ -81,7 +89,11 @@ function misshapen(typed, arm, q, frame, taken) {
   const words = `${said.replace(/\.+$/, "")}.`;
   const findings = [{ what: "shape", where: "", words }];
   const headline = say("J wrong", { arm: arm.name, cause: lower(words) });
-  return reported(arm, WRONG, headline, { findings, causes: [joint ? `${key}:${joint}` : key], taken });
+  return reported(arm, WRONG, headline, {
+    findings,
+    causes: [joint ? `${key}:${joint}` : key],
+    taken,
+  });
 }
 
 function empty(arm, taken) {
@@ -171,7 +183,9 @@ function slop(arm, at, frame) {
     const there = jacobian(at.values.map((x, i) => (i === k ? x + step : x)));
     let rates = there.map((x, i) => Math.abs(x - here[i]) / step);
     if (frame)
-      rates = rates.map((_, i) => Math.max(...[0, 1, 2, 3, 4, 5].map((r) => rates[r * dof + (i % dof)])));
+      rates = rates.map((_, i) =>
+        Math.max(...[0, 1, 2, 3, 4, 5].map((r) => rates[r * dof + (i % dof)])),
+      );
     rates.forEach((rate, i) => (total[i] += u * rate));
   });
   return total.map((x) => 0.51 * x);
@@ -180,7 +194,9 @@ function slop(arm, at, frame) {
 // A word on the mistakes that this pose does not show.
 function hidden({ right, causes, made }) {
   const effect = made.map((J) => largest(J.map((x, i) => x - right[i])));
-  const method = causes.map(({ keys: [key] }) => key.startsWith("J.") && key !== "J.columns exchanged");
+  const method = causes.map(
+    ({ keys: [key] }) => key.startsWith("J.") && key !== "J.columns exchanged",
+  );
   const blind = method.filter((is, k) => is && effect[k] < TELLING).length;
   return blind ? [say("J hidden", { count: blind, all: method.filter(Boolean).length })] : [];
 }
@@ -188,14 +204,33 @@ function hidden({ right, causes, made }) {
 function good(grade, typed, arm, count, from, taken, notes) {
   const whole = count === 6;
   const digits = decimalsOf(typed.units);
-  const keys = { [RIGHT]: whole ? "J right" : "J half right", [SO_FAR]: "J so far", [ROUNDED]: "J rounded" };
+  const keys = {
+    [RIGHT]: whole ? "J right" : "J half right",
+    [SO_FAR]: "J so far",
+    [ROUNDED]: "J rounded",
+  };
   const where = typed.symbolic ? "" : say("at this pose");
   const precision = digits === null || digits > 6 ? "" : say("to decimals", { digits });
   const [half, other] = from ? ["angular", "linear"] : HALVES;
-  const headline = say(keys[grade], { arm: arm.name, where, precision, digits: digits ?? 0, half, other });
-  const missing = { what: "missing", where: `${other} rows`, words: say("J half missing", { other }) };
+  const headline = say(keys[grade], {
+    arm: arm.name,
+    where,
+    precision,
+    digits: digits ?? 0,
+    half,
+    other,
+  });
+  const missing = {
+    what: "missing",
+    where: `${other} rows`,
+    words: say("J half missing", { other }),
+  };
   const findings = whole ? [] : [missing];
-  return reported(arm, whole || grade !== RIGHT ? grade : SO_FAR, headline, { findings, taken, notes });
+  return reported(arm, whole || grade !== RIGHT ? grade : SO_FAR, headline, {
+    findings,
+    taken,
+    notes,
+  });
 }
 
 function bad(found, symptoms, arm, taken) {
@@ -213,13 +248,19 @@ function bad(found, symptoms, arm, taken) {
   const headline =
     symptoms.length === 1
       ? say("J wrong place", { arm: arm.name, words: lower(symptoms[0].words) })
-      : say("J wrong places", { arm: arm.name, places: listed(symptoms.map(({ where }) => where)) });
-  const causes = [...new Set(symptoms.map(({ what }) => what).filter((what) => what.includes(".")))];
+      : say("J wrong places", {
+          arm: arm.name,
+          places: listed(symptoms.map(({ where }) => where)),
+        });
+  const causes = [
+    ...new Set(symptoms.map(({ what }) => what).filter((what) => what.includes("."))),
+  ];
   return reported(arm, WRONG, headline, { findings: symptoms, causes, taken });
 }
 
 // Whether a column is wrong in every row, for no reason that is known.
-const everything = ({ what, words }) => what === "column" && ROWS.every((name) => words.includes(name));
+const everything = ({ what, words }) =>
+  what === "column" && ROWS.every((name) => words.includes(name));
 
 // The causes
 
@@ -227,7 +268,9 @@ const everything = ({ what, words }) => what === "column" && ROWS.every((name) =
 function causesOf(M, right, m, known, part, where, from) {
   const made = known.made.map(part);
   const all = bands(m);
-  const others = [pairs, otherWays].map((make) => once(() => explainAll(M, right, all, parts(make(where)))));
+  const others = [pairs, otherWays].map((make) =>
+    once(() => explainAll(M, right, all, parts(make(where)))),
+  );
   /** @returns {Generator<[import("../causes/ranking.js").Cause[], number[]]>} */
   const parts = function* (candidates) {
     for (const [causes, J] of candidates) yield [causes, part(J)];
@@ -295,14 +338,31 @@ function oddColumns({ odd }, { arm, here: { dof } }) {
 function columnFindings(M, right, band, known, part, where, from) {
   const { dof } = where.here;
   const column = (J, k) => J.filter((_, i) => i % dof === k);
-  const others = allColumns(where).map(([joint, all]) => [joint, all.slice(from, from + M.length / dof)]);
+  const others = allColumns(where).map(([joint, all]) => [
+    joint,
+    all.slice(from, from + M.length / dof),
+  ]);
   return numbered(where.arm).flatMap((joint, k) => {
     const [mine, wanted, width] = [M, right, band].map((J) => column(J, k));
     if (mine.every((x, i) => Math.abs(x - wanted[i]) <= width[i])) return [];
     const as = (J) => mine.every((x, i) => Math.abs(x - column(part(J), k)[i]) <= width[i]);
-    const [what, said] = columnFinding(joint, mine, wanted, width, known, as, where.arm, others, from);
+    const [what, said] = columnFinding(
+      joint,
+      mine,
+      wanted,
+      width,
+      known,
+      as,
+      where.arm,
+      others,
+      from,
+    );
     return [
-      { what, where: `column ${k + 1}`, words: say("J column", { column: k + 1, joint, words: said }) },
+      {
+        what,
+        where: `column ${k + 1}`,
+        words: say("J column", { column: k + 1, joint, words: said }),
+      },
     ];
   });
 }

@@ -27,13 +27,17 @@ const SHAPES = ["4x4", "3x4", "3"];
 export function comparePose(q, arm, T, options = {}) {
   const { angles = "rad", tolerance = null } = options;
   const { answers: given, taken, typed } = answers(q, arm, angles);
-  if (given.length !== 1) throw new ArmError(say("one answer", { arm: arm.name, count: given.length }));
+  if (given.length !== 1)
+    throw new ArmError(say("one answer", { arm: arm.name, count: given.length }));
   const { known } = lookup(arm, given[0].values);
   const target = numbers(T, `${arm.name}: T`, known, "a pose (4, 4) or a point (3,)");
   const shape = target.shape.filter((n) => n !== 1).join("x");
   if (!SHAPES.includes(shape)) throw new ArmError(say("pose shape", { arm: arm.name, shape }));
   const units = target.symbolic ? given[0].units.map(() => 0) : given[0].units;
-  return { ...judged({ ...given[0], units }, arm, targetOf(target, shape), tolerance, taken), typed };
+  return {
+    ...judged({ ...given[0], units }, arm, targetOf(target, shape), tolerance, taken),
+    typed,
+  };
 }
 
 /** @returns {Target} */
@@ -52,7 +56,8 @@ function judged(q, arm, T, tolerance, taken) {
   const reported = (grade, headline, rest) => ({
     topic: "pose", arm: arm.name, grade, headline, findings: [], causes: [], taken, notes: [], figures, ...rest,
   }); // prettier-ignore
-  const good = (grade, key) => reported(grade, say(key, { arm: arm.name }), { notes: [...limits(arm, q)] });
+  const good = (grade, key) =>
+    reported(grade, say(key, { arm: arm.name }), { notes: [...limits(arm, q)] });
   const fine = { values: q.values, units: q.units.map((u) => (u > COARSE ? 0 : u)) };
   if (within(miss, marginsOf(fine, arm, T, HALF, tolerance))) return good(RIGHT, "pose right");
   const margin = marginsOf(fine, arm, T, HAND, tolerance);
@@ -151,7 +156,9 @@ function alone(q, arm, T, margin) {
 function* otherValues(q, arm, { values }) {
   const frames = linkFrames(arm, q);
   const { x, y, z, o } = frames.at(-1);
-  const R = values.map((row) => [0, 1, 2].map((j) => row[0] * x[j] + row[1] * y[j] + row[2] * z[j]));
+  const R = values.map((row) =>
+    [0, 1, 2].map((j) => row[0] * x[j] + row[1] * y[j] + row[2] * z[j]),
+  );
   const turn = [R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]];
   const step = values.map((row, i) => row[3] - o[i]);
   const names = variable(arm);
@@ -159,7 +166,10 @@ function* otherValues(q, arm, { values }) {
   for (const [k, column] of jacobianColumns(arm, frames).entries()) {
     const turned = Math.atan2(dot(column.slice(3), turn), R[0][0] + R[1][1] + R[2][2] - 1);
     const most = turns[k] ? turned : dot(column.slice(0, 3), step);
-    yield [cause("pose.joint", { joint: names[k] }), q.map((value, i) => (i === k ? value + most : value))];
+    yield [
+      cause("pose.joint", { joint: names[k] }),
+      q.map((value, i) => (i === k ? value + most : value)),
+    ];
   }
   for (const [i, j] of choices(q.length, 2)) {
     const mended = q.map((value, k) => q[k === i ? j : k === j ? i : k]);

@@ -94,7 +94,10 @@ export function compareTables(mine, reference, options = {}) {
 // to the reference's.
 function sizes(typed, wanted) {
   if (!inMillimetres(typed)) return [typed];
-  const both = [typed, { ...typed, lengths: "cm", said: [...typed.said, say("taken: centimetres")] }];
+  const both = [
+    typed,
+    { ...typed, lengths: "cm", said: [...typed.said, say("taken: centimetres")] },
+  ];
   const total = usual.totalLength(typed.rows.map(({ numbers }) => numbers));
   if (total < SHORT * usual.totalLength(wanted)) both.reverse();
   return both.map((one, n) => ({ ...one, otherSize: n > 0 }));
@@ -117,7 +120,9 @@ function shown(typed, { lengthScale, angleScale }, findings) {
         : variable;
     }),
   );
-  const wrong = cells.map((_, k) => ENTRIES.map((column) => wheres.includes(`row ${k + 1}, ${column}`)));
+  const wrong = cells.map((_, k) =>
+    ENTRIES.map((column) => wheres.includes(`row ${k + 1}, ${column}`)),
+  );
   return { cells, trees, wrong };
 }
 
@@ -148,7 +153,9 @@ function tableOf(typed, found) {
 
 // The unit of the last place of the decimals in some columns; 0 where there are none.
 function unitOf(texts, columns) {
-  const found = texts.flatMap((row) => columns.flatMap((column) => row[column].match(DECIMAL) ?? []));
+  const found = texts.flatMap((row) =>
+    columns.flatMap((column) => row[column].match(DECIMAL) ?? []),
+  );
   return Math.max(0, ...units(found));
 }
 
@@ -167,7 +174,8 @@ const rowOf = ({ added, modified }, row, column) =>
 // What was typed as an entry of a row; undefined where no row holds it.
 const textOf = (table, row, column) => table.texts[rowOf(table, row, column) - 1]?.[column];
 
-const squared = (rows) => rows.map((row) => ({ ...row, alpha: square(row.alpha), theta: square(row.theta) }));
+const squared = (rows) =>
+  rows.map((row) => ({ ...row, alpha: square(row.alpha), theta: square(row.theta) }));
 
 // An angle near a multiple of a right angle is taken as that.
 function square(angle, unit = 0) {
@@ -197,7 +205,8 @@ function ownUnit(table, row, column) {
  * @typedef {{ cause: Cause | null, rows: Numbers[], reference: Numbers[], entries: number }} Try
  */
 
-const compare = ({ rows, reference }, length) => compared(side(rows), side(reference), length, ANGLE);
+const compare = ({ rows, reference }, length) =>
+  compared(side(rows), side(reference), length, ANGLE);
 
 /**
  * One reading of a table beside the reference: the report on the same arm, null where it is another, and that on
@@ -314,7 +323,8 @@ const written = (table) =>
     }),
   );
 
-const typedAs = (table, row, column) => textOf(table, row, column) ?? size(table.rows[row - 1][column], 6);
+const typedAs = (table, row, column) =>
+  textOf(table, row, column) ?? size(table.rows[row - 1][column], 6);
 
 // What differs, and why
 
@@ -391,7 +401,10 @@ const edits = (why) => why?.keys.length ?? 0;
 // Every reading with up to two causes, each with how many entries differ from the reference's.
 /** @returns {Try[]} */
 function tries(rows, reference, wanted, modified, length) {
-  const others = [[null, wanted], ...usual.references(reference).map(([why, arm]) => [why, squared(arm)])];
+  const others = [
+    [null, wanted],
+    ...usual.references(reference).map(([why, arm]) => [why, squared(arm)]),
+  ];
   const mends = usual.structures(rows.length, modified);
   const whole = mends.filter(([why]) => why.keys[0] !== usual.EXCHANGED);
   /** @type {[Cause | null, Numbers[], Numbers[]][]} */
@@ -413,7 +426,8 @@ function tries(rows, reference, wanted, modified, length) {
 
 // How many entries differ; all where the rows do not correspond.
 function differing(rows, wanted, length) {
-  const alike = rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
+  const alike =
+    rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
   return alike ? unequal(rows, wanted, length).length : Infinity;
 }
 
@@ -481,10 +495,13 @@ function entry(table, t, k, column, length) {
 
 /** @returns {Cause} */
 function kindOfError(column, row, mine, wanted, length) {
-  const negative = angular(column) ? angleBetween(mine, -wanted) < ANGLE : Math.abs(mine + wanted) <= length;
+  const negative = angular(column)
+    ? angleBetween(mine, -wanted) < ANGLE
+    : Math.abs(mine + wanted) <= length;
   const twist = column === "alpha";
   if (negative) return twist ? cause("table.twist", { row }) : cause("table.sign", { column, row });
-  if (!mine) return twist ? cause("table.no twist", { row }) : cause("table.missing", { column, row });
+  if (!mine)
+    return twist ? cause("table.no twist", { row }) : cause("table.missing", { column, row });
   if (!wanted) return cause("table.too much", { column, row });
   if (angular(column))
     return cause("table.angle", {
@@ -505,12 +522,17 @@ function kindOfError(column, row, mine, wanted, length) {
 // The single cause that leaves much less than none does, and what it leaves: differences of axes, for where joints do
 // not correspond these are not seen.
 function fewest(all, length, { differences }) {
-  let best = { cost: 0.7 * differences.length, first: /** @type {Cause | null} */ (null), left: differences };
+  let best = {
+    cost: 0.7 * differences.length,
+    first: /** @type {Cause | null} */ (null),
+    left: differences,
+  };
   for (const t of all) {
     if (edits(t.cause) !== 1 || t.cause.keys[0] === usual.EXCHANGED) continue;
     const { signs, differences: left } = compare(t, length);
     const total = 1 + 0.7 * left.length;
-    if (signs.length && left.length && total < best.cost) best = { cost: total, first: t.cause, left };
+    if (signs.length && left.length && total < best.cost)
+      best = { cost: total, first: t.cause, left };
   }
   return best;
 }
@@ -582,7 +604,11 @@ function bad(table, reference, causes, findings = [], notes = []) {
     const words = several(causes);
     const rest = findings.length ? say("and what remains") : "";
     const headline = say("table wrong", { cause: lower(words) + rest, ...fields });
-    return { ...report, headline, findings: [{ what: "cause", where: "", words: `${words}.` }, ...findings] };
+    return {
+      ...report,
+      headline,
+      findings: [{ what: "cause", where: "", words: `${words}.` }, ...findings],
+    };
   }
   if (findings.length !== 1 || own.length !== 1) return report;
   const [only] = findings;

@@ -14,10 +14,25 @@ import {
   SO_FAR,
   WRONG,
 } from "../digits.js";
-import { eachJoint, inRadians, numbered, numbers, poseFault, turning, unnamed } from "../reading/numbers.js";
+import {
+  eachJoint,
+  inRadians,
+  numbered,
+  numbers,
+  poseFault,
+  turning,
+  unnamed,
+} from "../reading/numbers.js";
 import { better, complete, explain, nameOf, several } from "../causes/ranking.js";
 import { ArmError, listed, lower, say, size } from "../sentences.js";
-import { catalogue, loadOf, mended, paperCentres, reversedJoints, torques } from "../causes/torques.js";
+import {
+  catalogue,
+  loadOf,
+  mended,
+  paperCentres,
+  reversedJoints,
+  torques,
+} from "../causes/torques.js";
 
 const GRAVITY = [0, 0, -9.81];
 const ODD = 1.2; // a torque that stays unexplained weighs more than a second mistake
@@ -28,7 +43,12 @@ const SAMPLE = 25; // poses of a run on which causes are tried
  * @returns {import("../report.js").Report}
  */
 export function compareTorques(mine, arm, q, options = {}) {
-  const { wrench = [0, 0, 0, 0, 0, 0], gravity = GRAVITY, angles = "rad", tolerance = null } = options;
+  const {
+    wrench = [0, 0, 0, 0, 0, 0],
+    gravity = GRAVITY,
+    angles = "rad",
+    tolerance = null,
+  } = options;
   const at = poses(q, arm, angles);
   if (!arm.rows.every((row) => row.body)) {
     throw new ArmError(
@@ -49,7 +69,8 @@ export function compareTorques(mine, arm, q, options = {}) {
 const rowsOf = (flat, width) =>
   Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
 /** @param {number[]} flat @param {number[]} shape */
-const turned = (flat, [rows, width]) => flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
+const turned = (flat, [rows, width]) =>
+  flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
 function poses(q, arm, angles) {
   const dof = joints(arm).length;
@@ -82,7 +103,11 @@ function upright(typed, right, dof) {
     shape = [count, dof];
     said.push(say("taken: list per joint"));
   }
-  if (shape[0] === count && shape[1] === dof + 1 && rowsOf(values, dof + 1).every(([first]) => !first)) {
+  if (
+    shape[0] === count &&
+    shape[1] === dof + 1 &&
+    rowsOf(values, dof + 1).every(([first]) => !first)
+  ) {
     const rest = (list) => rowsOf(list, dof + 1).flatMap((row) => row.slice(1));
     [values, units] = [rest(values), rest(units)];
     shape = [count, dof];
@@ -159,11 +184,14 @@ function good(grade, typed, arm, taken) {
   const digits = decimalsOf(typed.units);
   const precision = digits === null || digits > 6 ? "" : say("to decimals", { digits });
   const key = { [RIGHT]: "tau right", [SO_FAR]: "tau so far", [ROUNDED]: "tau rounded" }[grade];
-  return reported(arm, grade, say(key, { arm: arm.name, precision, digits: digits ?? 0 }), { taken });
+  return reported(arm, grade, say(key, { arm: arm.name, precision, digits: digits ?? 0 }), {
+    taken,
+  });
 }
 
 function foundIn(mine, right, m, causes, made, load) {
-  const simplest = (found) => (complete(found) ? { ...found, causes: found.causes.slice(0, 1) } : null);
+  const simplest = (found) =>
+    complete(found) ? { ...found, causes: found.causes.slice(0, 1) } : null;
   for (const band of bands(m)) {
     let found = explain(mine, right, band, causes, made, ODD);
     if (!complete(found)) {
@@ -209,7 +237,13 @@ function offBy(key, arm, k, away, fields = {}) {
   const off = column(away, k, joints(arm).length).map(Math.abs);
   const said = size(Number(Math.max(...off).toFixed(9)), 3); // ties as in Python
   const unit = turning(arm)[k] ? "N m" : "N";
-  const words = say(key, { joint, most: off.length > 1 ? say("up to") : "", off: said, unit, ...fields });
+  const words = say(key, {
+    joint,
+    most: off.length > 1 ? say("up to") : "",
+    off: said,
+    unit,
+    ...fields,
+  });
   return { what: "joint", where: `joint ${joint}`, words };
 }
 

@@ -65,7 +65,9 @@ function onlyAsDegrees({ q, steps }, arm, path, allowed) {
   const inDegrees = away(rows);
   const [top, left] = [Math.max(...away(q)), Math.max(...inDegrees)];
   if (top <= allowed || left >= top) return false;
-  return left <= near(path, top, allowed) || (begun(inDegrees) && holds(rows, most(turned), arm, path));
+  return (
+    left <= near(path, top, allowed) || (begun(inDegrees) && holds(rows, most(turned), arm, path))
+  );
 }
 
 // Whether a run so far off its path begins on it: its other points are four times as far.
@@ -77,7 +79,8 @@ function blurOf({ q, units }, arm) {
   const left = (row) => {
     const at = chain(arm, row);
     const J = columns(at, framesOf(at));
-    const over = (i) => units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
+    const over = (i) =>
+      units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
     return norm([0, 1, 2].map(over));
   };
   return Math.max(...q.filter((_, k) => k % each === 0).map(left));
@@ -110,14 +113,18 @@ function upright(typed, arm, count, angles) {
 }
 
 // The largest unit of each joint's last places.
-const most = (rows) => rows[0].units.map((_, k) => rows.reduce((top, row) => Math.max(top, row.units[k]), 0));
+const most = (rows) =>
+  rows[0].units.map((_, k) => rows.reduce((top, row) => Math.max(top, row.units[k]), 0));
 
 const rowsOf = (flat, width) =>
   Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
 
 /** @returns {import("../report.js").Report} */
 function reported(arm, grade, words, taken, rest = {}) {
-  const headline = say(grade === RIGHT ? "trace right" : "trace wrong", { arm: arm.name, cause: words });
+  const headline = say(grade === RIGHT ? "trace right" : "trace wrong", {
+    arm: arm.name,
+    cause: words,
+  });
   return {
     topic: "trace",
     arm: arm.name,
@@ -148,7 +155,8 @@ function judged(run, arm, path, allowed, given, blur) {
   const tip = frames.map(({ o }) => o);
   const errors = offs(path.times.map(path.position), tip);
   const error = Math.max(...errors);
-  const turn = joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
+  const turn =
+    joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
   const far = jumps(q);
   const stuck = noInverse(q, arm, far);
   const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, error <= allowed)];
@@ -171,7 +179,9 @@ function judged(run, arm, path, allowed, given, blur) {
   if (named) {
     const words = wordsOf(named);
     // Steps as long as these jump of themselves.
-    const rest = symptoms.filter((one) => nameOf(named) !== "trace.millimetres" || !jump.includes(one));
+    const rest = symptoms.filter(
+      (one) => nameOf(named) !== "trace.millimetres" || !jump.includes(one),
+    );
     const findings = [{ what: "cause", where: "", words: `${words}.` }, ...rest];
     const besides = rest.map(({ what }) => what).filter((what) => BESIDES.includes(what));
     return wrong(`${lower(words)}.`, findings, [nameOf(named), ...besides]);
@@ -254,7 +264,9 @@ function noInverse(q, arm, [k]) {
   if (k === undefined || dof < rows) return null;
   const at = chain(arm, q[k]);
   const J = columns(at, framesOf(at));
-  const each = Array.from({ length: dof }, (_, i) => Array.from({ length: rows }, (_, r) => J[r * dof + i]));
+  const each = Array.from({ length: dof }, (_, i) =>
+    Array.from({ length: rows }, (_, r) => J[r * dof + i]),
+  );
   const { values } = singular(each, rows);
   const rank = values.filter((x) => x > NO_INVERSE * values[0]).length;
   if (rank === rows) return null;
@@ -284,7 +296,10 @@ function* notesOf(arm, path, q) {
   const turns = turning(arm);
   const excess = (list, per, over) =>
     numbered(arm).flatMap((joint, k) => {
-      const by = list.reduce((top, row) => Math.max(top, over(row[k], arm.rows[joint - 1])), -Infinity);
+      const by = list.reduce(
+        (top, row) => Math.max(top, over(row[k], arm.rows[joint - 1])),
+        -Infinity,
+      );
       const unit = (turns[k] ? "rad" : "m") + per;
       return by > 1e-9 ? [say("joint by", { joint, by: size(by, 2), unit })] : [];
     });

@@ -47,7 +47,8 @@ const SAME_SIGN = [
   [/\b(newtons?)\b/gi, "N"],
 ];
 const COMMA = /^([^,]*\d|[^,\d]*),(\d+[^,]*)$/;
-const TOKEN = /\s*(?:(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?)|(N mm?|[a-zA-Z]+|°)|([-+*/()]))/y;
+const TOKEN =
+  /\s*(?:(\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?)|(N mm?|[a-zA-Z]+|°)|([-+*/()]))/y;
 
 const UNITS = new Set(Object.values(QUANTITIES).flatMap(({ units }) => Object.keys(units)));
 
@@ -100,7 +101,8 @@ class Reader {
       if (!divided && !this.take("*") && !this.startsFactor()) break;
       const right = this.factor();
       if (divided && right.unit !== null && !right.pi) refuse("divides by a number with a unit");
-      if (left.unit !== null && right.unit !== null && !(left.pi && right.pi)) refuse("multiplies two units");
+      if (left.unit !== null && right.unit !== null && !(left.pi && right.pi))
+        refuse("multiplies two units");
       left = {
         value: divided ? left.value / right.value : left.value * right.value,
         unit: divided && right.pi ? left.unit : (left.unit ?? right.unit),
@@ -180,7 +182,8 @@ export function readEntry(typed, kind, unit) {
     if (reader.place < reader.tokens.length) refuse("");
     const si = value * (own ?? quantity.units[bare]);
     if (!Number.isFinite(si)) return { error: `${shown} divides by zero or is too large` };
-    if (Math.abs(si) > quantity.most) return { error: `${shown} is too large for ${quantity.of} here` };
+    if (Math.abs(si) > quantity.most)
+      return { error: `${shown} is too large for ${quantity.of} here` };
     return { value: si + 0 };
   } catch (fault) {
     if (!(fault instanceof Refused)) throw fault;
@@ -191,4 +194,5 @@ export function readEntry(typed, kind, unit) {
 }
 
 // Whether what is typed so far may still become an entry: no error is said while a reader is in the middle of one.
-export const unfinished = (typed) => /^\s*$|[-+*/(.,eE−–πp]\s*$/.test(typed) || /^[\s\d.,]*$/.test(typed);
+export const unfinished = (typed) =>
+  /^\s*$|[-+*/(.,eE−–πp]\s*$/.test(typed) || /^[\s\d.,]*$/.test(typed);

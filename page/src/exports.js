@@ -45,7 +45,9 @@ function matlab(arm, q) {
   const rows = arm.rows.map(
     (r) => `  ${number(r.a)}  ${angle(r.alpha)}  ${number(r.d)}  ${angle(r.theta)}  % ${r.kind}`,
   );
-  const kinds = arm.rows.map((r) => ({ revolute: "'R'", prismatic: "'P'", fixed: "'F'" })[r.kind]).join(" ");
+  const kinds = arm.rows
+    .map((r) => ({ revolute: "'R'", prismatic: "'P'", fixed: "'F'" })[r.kind])
+    .join(" ");
   return [
     `% ${arm.name}, standard convention: a (m), alpha (rad), d (m), theta (rad)`,
     "DH = [", ...rows, "];", `kind = [${kinds}];  % R turns, P slides, F is fixed`,
@@ -54,7 +56,9 @@ function matlab(arm, q) {
 }
 
 function csv(arm) {
-  const rows = arm.rows.map((r) => [r.a, r.alpha, r.d, r.theta].map(number).concat(r.kind).join(","));
+  const rows = arm.rows.map((r) =>
+    [r.a, r.alpha, r.d, r.theta].map(number).concat(r.kind).join(","),
+  );
   return ["a_m,alpha_rad,d_m,theta_rad,kind", ...rows, ""].join("\n");
 }
 
@@ -72,19 +76,26 @@ function urdf(arm) {
     if (moving.includes(i)) {
       const turns = row.kind === "revolute";
       const known =
-        row.lower !== null && row.lower !== undefined && row.upper !== null && row.upper !== undefined;
+        row.lower !== null &&
+        row.lower !== undefined &&
+        row.upper !== null &&
+        row.upper !== undefined;
       const [lower, upper] = known ? [row.lower, row.upper] : [-1, 1];
       const type = turns ? (known ? "revolute" : "continuous") : "prismatic";
       const limits = `lower="${number(lower)}" upper="${number(upper)}" `;
       const rest = `effort="${number(row.effort ?? 0)}" velocity="${number(row.speed ?? 0)}"`;
       const extra = `    <axis xyz="0 0 1"/>\n    <limit ${type === "continuous" ? "" : limits}${rest}/>\n`;
-      lines.push(joint(`joint_${i + 1}`, type, parent, `moved_${i + 1}`, [0, 0, 0, 0, 0, 0], extra));
+      lines.push(
+        joint(`joint_${i + 1}`, type, parent, `moved_${i + 1}`, [0, 0, 0, 0, 0, 0], extra),
+      );
       lines.push(`  <link name="moved_${i + 1}"/>`);
       parent = `moved_${i + 1}`;
     }
     // Rz(theta) Tz(d) Tx(a) Rx(alpha): the place is (a cos, a sin, d), the turn alpha about x, then theta about z.
     const place = [row.a * Math.cos(row.theta), row.a * Math.sin(row.theta), row.d];
-    lines.push(joint(`row_${i + 1}`, "fixed", parent, `link_${i + 1}`, [...place, row.alpha, 0, row.theta]));
+    lines.push(
+      joint(`row_${i + 1}`, "fixed", parent, `link_${i + 1}`, [...place, row.alpha, 0, row.theta]),
+    );
     lines.push(`  <link name="link_${i + 1}"/>`);
   });
   return [...lines, "</robot>", ""].join("\n");

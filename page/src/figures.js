@@ -8,7 +8,8 @@
 /** @type {Record<string, MakeFigure>} */
 const FIGURES = {};
 const VIEWS = {};
-const here = typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
+const here =
+  typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
 let loading = null;
 
 /** @param {string} name @param {MakeFigure} make */

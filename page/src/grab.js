@@ -1,7 +1,14 @@
 // Pointers on the picture: a link turns its joint, the tip is followed, the ball of the force pushes, and what is
 // nothing of these turns the view. One solve for each frame that is drawn, however many times the pointer moves.
 
-import { cross, jacobianColumns, joints, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
+import {
+  cross,
+  jacobianColumns,
+  joints,
+  linkFrames,
+  minus,
+  norm,
+} from "../../judge/geometry/kinematics.js";
 import { beforeDrawing, forget } from "./renderer.js";
 import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "./hold.js";
 
@@ -60,7 +67,11 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     };
     if (what.kind === "tip") drag.from = figure.onFacingPlane(pixel, tip.o);
     event.target.setPointerCapture(event.pointerId);
-    store.dispatch({ type: "show", dragging: true, ...(what.lit === undefined ? {} : { lit: what.lit }) });
+    store.dispatch({
+      type: "show",
+      dragging: true,
+      ...(what.lit === undefined ? {} : { lit: what.lit }),
+    });
     canvas.classList.add("held");
   }
 
@@ -123,7 +134,12 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     if (drag) {
       if (forget(step)) STEPS[drag.kind](store.state); // the pointer's last motion counts too
       const { hold } = store.state;
-      store.dispatch({ type: "show", dragging: false, lit: null, hold: hold?.pinned ? hold : null });
+      store.dispatch({
+        type: "show",
+        dragging: false,
+        lit: null,
+        hold: hold?.pinned ? hold : null,
+      });
     }
     [drag, down] = [null, null];
     canvas.classList.remove("held");
@@ -190,7 +206,8 @@ export function followTip(store, { arm, q, keepTurn }, target, rest, gesture) {
 export function moveTip(store, o, gesture = null) {
   const rest = store.state.q;
   const target = { ...store.derived.frames.at(-1), o };
-  for (let step = 0; step < 60; step++) if (followTip(store, store.state, target, rest, gesture)) break;
+  for (let step = 0; step < 60; step++)
+    if (followTip(store, store.state, target, rest, gesture)) break;
 }
 
 const TIP_KEYS = {

@@ -54,10 +54,14 @@ export function dragLink(arm, q, { row, local, to, joint, pixel }) {
     const { z, o } = frames[index];
     const { at, rate } = onScreen(pixel, p, turns ? cross(z, minus(p, o)) : z);
     const step =
-      (rate[0] * (to[0] - at[0]) + rate[1] * (to[1] - at[1])) / (rate[0] ** 2 + rate[1] ** 2 + SOFT ** 2);
+      (rate[0] * (to[0] - at[0]) + rate[1] * (to[1] - at[1])) /
+      (rate[0] ** 2 + rate[1] ** 2 + SOFT ** 2);
     next[joint] += Math.max(-0.2, Math.min(0.2, step));
   }
-  next[joint] = clamped(next[joint], [Math.min(limits[0], q[joint]), Math.max(limits[1], q[joint])]);
+  next[joint] = clamped(next[joint], [
+    Math.min(limits[0], q[joint]),
+    Math.max(limits[1], q[joint]),
+  ]);
   return next;
 }
 
@@ -66,12 +70,17 @@ const TURN = 0.3; // m that a radian of the tool's direction counts for, where i
 function tipError(tip, target, turns) {
   const away = minus(target.o, tip.o);
   if (!turns) return away;
-  const turn = ["x", "y", "z"].reduce((sum, axis) => plus(sum, cross(tip[axis], target[axis])), [0, 0, 0]);
+  const turn = ["x", "y", "z"].reduce(
+    (sum, axis) => plus(sum, cross(tip[axis], target[axis])),
+    [0, 0, 0],
+  );
   return [...away, ...scaled(0.5 * TURN, turn)];
 }
 
 const weighed = (columns, turns) =>
-  columns.map((c) => (turns ? [...c.slice(0, 3), ...c.slice(3).map((v) => TURN * v)] : c.slice(0, 3)));
+  columns.map((c) =>
+    turns ? [...c.slice(0, 3), ...c.slice(3).map((v) => TURN * v)] : c.slice(0, 3),
+  );
 
 const inner = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
 
@@ -91,7 +100,8 @@ export function dragTip(arm, start, target, rest, options = {}) {
   const problem = { arm, target, rest, turns, weight, limits: open };
   let best = descend(problem, start, steps);
   const still = best.q.every((v, k) => Math.abs(v - start[k]) < 1e-4);
-  if (still && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3) best = besideStall(problem, best, nudge);
+  if (still && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3)
+    best = besideStall(problem, best, nudge);
   const most = Math.max(1e-12, ...best.q.map((v, k) => Math.abs(v - start[k])));
   const share = Math.min(1, budget / most);
   return { q: start.map((v, k) => v + share * (best.q[k] - v)), arrived: share === 1 };
@@ -161,10 +171,14 @@ export function whyStopped(arm, q, target) {
   if (short < 2e-3 || !q.length) return { short, stops };
   const moving = joints(arm);
   const columns = jacobianColumns(arm, frames).map((c) => c.slice(0, 3));
-  const limits = moving.map((row) => [arm.rows[row].lower ?? -Infinity, arm.rows[row].upper ?? Infinity]);
+  const limits = moving.map((row) => [
+    arm.rows[row].lower ?? -Infinity,
+    arm.rows[row].upper ?? Infinity,
+  ]);
   const pull = columns.map((c) => dot(c, away) / short);
   const stuck = q.map(
-    (v, k) => (v <= limits[k][0] + 1e-6 && pull[k] < -1e-3) || (v >= limits[k][1] - 1e-6 && pull[k] > 1e-3),
+    (v, k) =>
+      (v <= limits[k][0] + 1e-6 && pull[k] < -1e-3) || (v >= limits[k][1] - 1e-6 && pull[k] > 1e-3),
   );
   stuck.forEach((is, k) => is && stops.push(`joint ${moving[k] + 1} at its limit`));
   const bent = bentJoint(arm, q, frames);
@@ -210,10 +224,15 @@ function bentJoint(arm, q, frames) {
   let [best, words] = [0.01 * Math.max(here, 0.1), null];
   q.forEach((_, k) => {
     if (k === 0 || arm.rows[moving[k]].kind !== "revolute") return;
-    const [less, more] = [-0.4, 0.4].map((step) => far(q.map((v, i) => (i === k ? v + step : v))) - here);
+    const [less, more] = [-0.4, 0.4].map(
+      (step) => far(q.map((v, i) => (i === k ? v + step : v))) - here,
+    );
     const bend = Math.min(Math.abs(less), Math.abs(more));
     if (Math.sign(less) !== Math.sign(more) || bend < best) return;
-    [best, words] = [bend, less < 0 ? `joint ${moving[k] + 1} straight` : `joint ${moving[k] + 1} folded`];
+    [best, words] = [
+      bend,
+      less < 0 ? `joint ${moving[k] + 1} straight` : `joint ${moving[k] + 1} folded`,
+    ];
   });
   return words;
 }
@@ -247,7 +266,9 @@ export function swingElbow(arm, q, { row, local, to, pixel }, held, { turns = tr
       return onScreen(pixel, p, v);
     });
     const away = minus([...to, 0], [...rates[0].at, 0]);
-    const A = rates.map((a, i) => rates.map((b, j) => inner(a.rate, b.rate) + (i === j ? SOFT ** 2 : 0)));
+    const A = rates.map((a, i) =>
+      rates.map((b, j) => inner(a.rate, b.rate) + (i === j ? SOFT ** 2 : 0)),
+    );
     const step = solvePositive(
       A,
       rates.map(({ rate }) => inner(rate, away.slice(0, 2))),
@@ -261,7 +282,8 @@ export function swingElbow(arm, q, { row, local, to, pixel }, held, { turns = tr
       ? reach(arm, moved, held, { steps: 12 }).q
       : dragTip(arm, moved, held, moved, { weight: 1e-9, budget: 1 }).q;
     const inside = there.every(
-      (v, k) => v >= Math.min(limits[k][0], q[k]) - 1e-9 && v <= Math.max(limits[k][1], q[k]) + 1e-9,
+      (v, k) =>
+        v >= Math.min(limits[k][0], q[k]) - 1e-9 && v <= Math.max(limits[k][1], q[k]) + 1e-9,
     );
     if (!inside || norm(minus(linkFrames(arm, there).at(-1).o, held.o)) > 1e-4) break;
     next = there;

@@ -42,7 +42,9 @@ function brought(stub) {
   if (figure) return { dispose: mountFigure(stub, { ...JSON.parse(options ?? "{}"), figure }) };
   const spec = JSON.parse(stub.querySelector("script[type='application/json']").textContent);
   const store = new Store(initial(spec));
-  const makeLink = spec.link ? (tell, signal) => keepLink(store, spec.arms, spec.views, tell, signal) : null;
+  const makeLink = spec.link
+    ? (tell, signal) => keepLink(store, spec.arms, spec.views, tell, signal)
+    : null;
   const dispose = buildPanel(stub, store, { ...spec, wide: spec.link, makeLink });
   return { store, dispose };
 }
@@ -108,7 +110,8 @@ export function widget() {
     const fields = new Set(Object.values(TRAITS).map(({ field }) => field));
     const abort = new AbortController();
     store.listen((changed, by) => {
-      if (by !== "python" && [...changed].some((key) => fields.has(key))) timer ??= setTimeout(send, PACE);
+      if (by !== "python" && [...changed].some((key) => fields.has(key)))
+        timer ??= setTimeout(send, PACE);
     }, abort.signal);
     // Python may set several traits one after the other: they are taken together once the last has come.
     let hearing = null;

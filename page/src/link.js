@@ -1,6 +1,13 @@
 // The explorer's state in the fragment of a link, and back.
 
-import { fits, homeOf, KINDS, LONGEST as FARTHEST, rowsFault, typedArm } from "../../judge/geometry/arm.js";
+import {
+  fits,
+  homeOf,
+  KINDS,
+  LONGEST as FARTHEST,
+  rowsFault,
+  typedArm,
+} from "../../judge/geometry/arm.js";
 import { joints } from "../../judge/geometry/kinematics.js";
 import { runFrom, runText } from "./runs.js";
 
@@ -9,7 +16,8 @@ const LETTERS = Object.fromEntries(KINDS.map((kind) => [kind[0].toUpperCase(), k
 const MOST_FORCE = 1e5;
 const MOST_RUNS = 8;
 
-const numbers = (text) => (text ? text.split(",").map((part) => (part.trim() ? Number(part) : NaN)) : []);
+const numbers = (text) =>
+  text ? text.split(",").map((part) => (part.trim() ? Number(part) : NaN)) : [];
 const written = (values) => values.map((v) => Number(v.toFixed(6)) + 0).join(",");
 const oneOf = (text, known) => (known.includes(text) ? text : null);
 
@@ -35,7 +43,8 @@ export function toFragment({ arm, base, q, wrench, unit, view, frames, mark, run
 export function fromFragment(fragment, arms, views) {
   const text = fragment.replace(/^#/, "");
   if (!text || !/(^|&)arm=/.test(text)) return { patch: {}, words: "" };
-  if (text.length > LONGEST) return refused(`it has ${text.length} characters; ${LONGEST} are the most`);
+  if (text.length > LONGEST)
+    return refused(`it has ${text.length} characters; ${LONGEST} are the most`);
   const fields = new URLSearchParams(text);
   const base = arms.find((arm) => arm.name === fields.get("arm"));
   if (!base) return refused(`there is no arm called “${fields.get("arm").slice(0, 40)}” here`);
@@ -92,7 +101,8 @@ export function keepLink(store, arms, views, tell, signal) {
   store.listen((_, by) => {
     if (store.state.dragging) return;
     clearTimeout(timer);
-    if (by !== "link") timer = setTimeout(() => history.replaceState(null, "", toFragment(store.state)), 400);
+    if (by !== "link")
+      timer = setTimeout(() => history.replaceState(null, "", toFragment(store.state)), 400);
   }, signal);
   signal.addEventListener("abort", () => clearTimeout(timer));
   return {

@@ -19,7 +19,10 @@ import { asked } from "./verdicts.js";
 export const spareJoints = (arm) => Math.max(0, joints(arm).length - asked(arm));
 
 function poseError(tip, wanted) {
-  const turn = ["x", "y", "z"].reduce((sum, axis) => plus(sum, cross(tip[axis], wanted[axis])), [0, 0, 0]);
+  const turn = ["x", "y", "z"].reduce(
+    (sum, axis) => plus(sum, cross(tip[axis], wanted[axis])),
+    [0, 0, 0],
+  );
   return [...minus(wanted.o, tip.o), ...scaled(0.5, turn)];
 }
 
@@ -57,7 +60,10 @@ export function circlePoints(top, { normal = "x", radius = 0.1, count = 181 } = 
   const centre = minus(top, scaled(radius, up));
   return Array.from({ length: count }, (_, k) => {
     const angle = (2 * Math.PI * k) / (count - 1);
-    return plus(centre, plus(scaled(radius * Math.sin(angle), across), scaled(radius * Math.cos(angle), up)));
+    return plus(
+      centre,
+      plus(scaled(radius * Math.sin(angle), across), scaled(radius * Math.cos(angle), up)),
+    );
   });
 }
 
@@ -147,7 +153,9 @@ const STEP = 0.1; // rad or m along the null space: small beside a turn, large b
 // The joints that can move from here while the tip stays: those of a null direction along which a solution really lies.
 export function freeJoints(arm, q, target, held = -1) {
   const rows = asked(arm);
-  const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) => (i === held ? c.map(() => 0) : c));
+  const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
+    i === held ? c.map(() => 0) : c,
+  );
   const { values } = singular(
     columns.map((c) => c.slice(0, rows)),
     rows,
@@ -185,14 +193,18 @@ function turned(arm, q) {
     if (arm.rows[row].kind !== "revolute") return q[i];
     const [lower, upper] = range(arm.rows[row]);
     const near = Math.atan2(Math.sin(q[i]), Math.cos(q[i]));
-    return [near, near + 2 * Math.PI, near - 2 * Math.PI].find((v) => v >= lower && v <= upper) ?? near;
+    return (
+      [near, near + 2 * Math.PI, near - 2 * Math.PI].find((v) => v >= lower && v <= upper) ?? near
+    );
   });
 }
 
 function apart(arm, p, q) {
-  const gap = (row, i) => (arm.rows[row].kind === "revolute" ? 2 * Math.sin((p[i] - q[i]) / 2) : p[i] - q[i]);
+  const gap = (row, i) =>
+    arm.rows[row].kind === "revolute" ? 2 * Math.sin((p[i] - q[i]) / 2) : p[i] - q[i];
   return Math.max(...joints(arm).map((row, i) => Math.abs(gap(row, i))));
 }
 
 // Whether an arm at q stands at a joint vector that may have been rounded.
-export const isThere = (way, q) => way.length === q.length && way.every((v, i) => Math.abs(v - q[i]) < 1e-4);
+export const isThere = (way, q) =>
+  way.length === q.length && way.every((v, i) => Math.abs(v - q[i]) < 1e-4);

@@ -41,7 +41,14 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
     notice.textContent = words;
   };
   const link = makeLink?.(tell, signal) ?? null;
-  const tools = { id, goTo, say, signal, tell, point: (row) => store.dispatch({ type: "show", lit: row }) };
+  const tools = {
+    id,
+    goTo,
+    say,
+    signal,
+    tell,
+    point: (row) => store.dispatch({ type: "show", lit: row }),
+  };
   const stage = makeStage(store, tools);
   const sliders = makeSliders(store, tools);
   const tabs = makeTabs(store, views, tools);
@@ -55,7 +62,10 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   const draw = () => stage.draw(store.state, store.derived, theme);
   const parts = [
     ({ state }) => {
-      card.setAttribute("aria-label", `Explorer of the ${state.arm.name}`.replace("the Your", "your"));
+      card.setAttribute(
+        "aria-label",
+        `Explorer of the ${state.arm.name}`.replace("the Your", "your"),
+      );
       head.update(state);
       stage.update(state);
     },
@@ -74,7 +84,8 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
     if (store.state.dragging && !changed.has("dragging")) return numbers.soon();
     numbers.now();
     still();
-    if (SAID.some((key) => changed.has(key)) && !store.state.playing) say(() => summary(store, tabs));
+    if (SAID.some((key) => changed.has(key)) && !store.state.playing)
+      say(() => summary(store, tabs));
     return undefined;
   }, signal);
   draw();
@@ -123,7 +134,10 @@ function glider(store, signal) {
     moving = null;
   };
   signal.addEventListener("abort", stop);
-  store.listen((changed, by) => by !== "glide" && (changed.has("q") || changed.has("arm")) && stop(), signal);
+  store.listen(
+    (changed, by) => by !== "glide" && (changed.has("q") || changed.has("arm")) && stop(),
+    signal,
+  );
   return (q) => {
     stop();
     const { q: from, arm } = store.state;

@@ -28,7 +28,8 @@ export function readTable(text, unit) {
   const cells = lines.map(cellsOf);
   if (cells.flat().length < 2) return null;
   const names = cells[0].map(
-    (cell) => NAMES[cell.replace(/[$ ()°]|_?rad|_?deg|_?m\b/g, "").replace(/_?\{?i\}?$/, "")] ?? null,
+    (cell) =>
+      NAMES[cell.replace(/[$ ()°]|_?rad|_?deg|_?m\b/g, "").replace(/_?\{?i\}?$/, "")] ?? null,
   );
   const headed = names.filter(Boolean).length >= 4;
   const body = headed ? cells.slice(1) : cells;
@@ -39,7 +40,9 @@ export function readTable(text, unit) {
   const rows = [];
   for (const [i, row] of body.entries()) {
     if (row.length !== body[0].length)
-      return { error: `has ${row.length} cells in row ${i + 1} and ${body[0].length} in the first` };
+      return {
+        error: `has ${row.length} cells in row ${i + 1} and ${body[0].length} in the first`,
+      };
     const read = readRow(row, columns, unit);
     if (read.error) return { error: `has in row ${i + 1}: ${read.error}` };
     rows.push(read.row);
@@ -54,7 +57,9 @@ const linesOf = (text) =>
     .replace(/^[^[=]*=\s*(?=\[)|(np\.)?array\(|[()]\s*;?\s*$/g, "")
     .split(/\r?\n|\\\\|;(?!\s*$)|\]\s*,/)
     .map((line) =>
-      line.replace(/[[\]{};]|^\s*\||\|\s*$/g, (sign) => (sign === "{" || sign === "}" ? sign : "")).trim(),
+      line
+        .replace(/[[\]{};]|^\s*\||\|\s*$/g, (sign) => (sign === "{" || sign === "}" ? sign : ""))
+        .trim(),
     )
     .filter((line) => line && !/^[\s|:+-]*$/.test(line));
 

@@ -105,7 +105,10 @@ const VIEW = new Vector3(0.687, -0.639, 0.344);
  * `onDraw(figure)` is called after each drawing, for labels. Throws where the browser has no WebGL.
  */
 export class Figure {
-  constructor(host, { size = 1, look = VIEW, turns = true, onDraw = (_) => {}, onLost = (_) => {} } = {}) {
+  constructor(
+    host,
+    { size = 1, look = VIEW, turns = true, onDraw = (_) => {}, onLost = (_) => {} } = {},
+  ) {
     renderer();
     this.host = host;
     this.size = size;
@@ -236,10 +239,15 @@ export class Figure {
       const away = camera.position.clone().sub(controls.target);
       const lift = Math.max(0, Math.min(foot, (max.y - min.y) / 2 - 1 + 2 * foot));
       const half = away.length() * Math.tan((camera.fov * Math.PI) / 360);
-      const [right, up] = [0, 1].map((i) => new Vector3().setFromMatrixColumn(camera.matrixWorld, i));
+      const [right, up] = [0, 1].map((i) =>
+        new Vector3().setFromMatrixColumn(camera.matrixWorld, i),
+      );
       controls.target.addScaledVector(right, ((min.x + max.x) / 2) * half * camera.aspect);
       controls.target.addScaledVector(up, ((min.y + max.y) / 2 - lift) * half);
-      const [wide, high] = [(max.x - min.x) / 2 / 0.81, (max.y - min.y) / 2 / Math.min(0.81, 0.96 - foot)];
+      const [wide, high] = [
+        (max.x - min.x) / 2 / 0.81,
+        (max.y - min.y) / 2 / Math.min(0.81, 0.96 - foot),
+      ];
       away.multiplyScalar(Math.max(wide, high));
       camera.position.copy(controls.target).add(away);
     }
@@ -273,7 +281,10 @@ export class Figure {
 
   // The ray of sight through a pixel; until the next one is asked for.
   ray([x, y]) {
-    SIGHT.setFromCamera(PLACE.set((2 * x) / this.width - 1, 1 - (2 * y) / this.height), this.camera);
+    SIGHT.setFromCamera(
+      PLACE.set((2 * x) / this.width - 1, 1 - (2 * y) / this.height),
+      this.camera,
+    );
     return SIGHT;
   }
 

@@ -77,19 +77,24 @@ function jointRates(columns, twist, { rates, cutoff, damping, locked }) {
   const free = columns.map((_, k) => k).filter((k) => k !== locked);
   const { values, vectors } = singular(free.map((k) => columns[k]));
   const least = rates === "pseudo" ? cutoff * values[0] : 0;
-  if (rates === "inverse" && values[Math.min(5, free.length - 1)] <= 1e-9 * values[0]) throw new Singular();
+  if (rates === "inverse" && values[Math.min(5, free.length - 1)] <= 1e-9 * values[0])
+    throw new Singular();
   const found = columns.map(() => 0);
   values.forEach((value, i) => {
     if (value <= least || value < 1e-14) return;
     const share = vectors[i].reduce((s, u, k) => s + u * twist[k], 0);
     const weight = share / (rates === "damped" ? value * value + damping * damping : value * value);
-    for (const k of free) found[k] += weight * columns[k].reduce((s, v, r) => s + v * vectors[i][r], 0);
+    for (const k of free)
+      found[k] += weight * columns[k].reduce((s, v, r) => s + v * vectors[i][r], 0);
   });
   return { found, least: values[Math.min(5, free.length - 1)] };
 }
 
 function tipError(tip, wanted, turns) {
-  const turn = ["x", "y", "z"].reduce((sum, axis) => plus(sum, cross(tip[axis], turns[axis])), [0, 0, 0]);
+  const turn = ["x", "y", "z"].reduce(
+    (sum, axis) => plus(sum, cross(tip[axis], turns[axis])),
+    [0, 0, 0],
+  );
   return [...minus(wanted, tip.o), ...scaled(0.5, turn)];
 }
 
@@ -128,7 +133,12 @@ export function runCircle(arm, start, asked = {}) {
       const k1 = slope(run.slip === "next" ? next : share, q);
       fastest = Math.max(fastest, ...k1.map(Math.abs));
       if (run.method === "exact") {
-        q = reach(arm, q, { ...first, o: onCircle(first.o, run, next).o }, { held: run.locked, steps: 40 }).q;
+        q = reach(
+          arm,
+          q,
+          { ...first, o: onCircle(first.o, run, next).o },
+          { held: run.locked, steps: 40 },
+        ).q;
       } else if (run.method === "rk4") {
         const k2 = slope(share + 0.5 / run.steps, moved(q, k1, h / 2));
         const k3 = slope(share + 0.5 / run.steps, moved(q, k2, h / 2));
@@ -167,7 +177,12 @@ export function runCircle(arm, start, asked = {}) {
  */
 export function windingByRadius(arm, start, asked = {}, radii = radiiTo(0.1)) {
   return radii.map((radius) => {
-    const { wound, least, largest } = runCircle(arm, start, { ...asked, method: "exact", steps: 90, radius });
+    const { wound, least, largest } = runCircle(arm, start, {
+      ...asked,
+      method: "exact",
+      steps: 90,
+      radius,
+    });
     const turns = wound.reduce((best, v) => (Math.abs(v) > Math.abs(best) ? v : best), 0);
     return { radius, turns: Math.round(turns), least, reached: largest < 1e-6 };
   });

@@ -14,12 +14,15 @@ export function sameArm(mine, reference) {
   const kinds = (arm) => joints(arm).map((row) => arm.rows[row].kind).join(); // prettier-ignore
   if (!joints(mine).length || kinds(mine) !== kinds(reference)) return false;
   const [ours, theirs] = [mine, reference].map(({ rows }) => side(rows.map(squared)));
-  if (!near(ours.foot[0], theirs.foot[0]) || !near(ours.foot[1], theirs.foot[1], WITHIN_ANGLE)) return false;
+  if (!near(ours.foot[0], theirs.foot[0]) || !near(ours.foot[1], theirs.foot[1], WITHIN_ANGLE))
+    return false;
   // Each joint of the reference may point either way; the signs of neighbours must fit in every gap.
   let signs = [[]];
   ours.gaps.forEach((gap, i) => {
     for (const k of gap.joints)
-      signs = signs.flatMap((s) => (s[k] ? [s] : [1, -1].map((x) => Object.assign([...s], { [k]: x }))));
+      signs = signs.flatMap((s) =>
+        s[k] ? [s] : [1, -1].map((x) => Object.assign([...s], { [k]: x })),
+      );
     signs = signs.filter((s) => agree(gap, theirs.gaps[i], s));
   });
   return signs.length > 0;

@@ -161,7 +161,9 @@ export class ArmPicture {
     const tinted = [lit, ...past].join();
     if (this.shown.tinted === tinted) return;
     this.shown.tinted = tinted;
-    this.body.tint((row) => (row === lit ? this.tints.lit : past.includes(row) ? this.tints.bad : null));
+    this.body.tint((row) =>
+      row === lit ? this.tints.lit : past.includes(row) ? this.tints.bad : null,
+    );
   }
 
   // The axis about or along which the joint under the reader's hand moves.
@@ -234,7 +236,9 @@ export class ArmPicture {
   drawGhosts(state, derived) {
     const { view, ways, arm, q, highlighted } = state;
     const wanted =
-      view === "branches" && ways && !(leftBehind(state, derived) && highlighted === null) ? ways : null;
+      view === "branches" && ways && !(leftBehind(state, derived) && highlighted === null)
+        ? ways
+        : null;
     if (this.shown.ways !== wanted) {
       emptied(this.ghosts);
       (wanted?.list ?? []).forEach((way, i) => {
@@ -315,7 +319,9 @@ export class ArmPicture {
     const ghosts = (this.shown.ways?.list ?? []).flatMap(({ q }) =>
       linkFrames(this.arm, q).map((frame) => frame.o),
     );
-    const seen = [this.handle, this.spot].filter((one) => one.visible).map((one) => one.position.toArray());
+    const seen = [this.handle, this.spot]
+      .filter((one) => one.visible)
+      .map((one) => one.position.toArray());
     this.figure.fit([...ends, ...ghosts, ...seen, [0, 0, 0], [0, 0, 0.3 * this.size]]);
   }
 
@@ -363,7 +369,9 @@ export class ArmPicture {
       const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
       const long = dx * dx + dy * dy;
       const share =
-        long < 1 ? 1 : Math.min(1, Math.max(0, ((pixel[0] - a[0]) * dx + (pixel[1] - a[1]) * dy) / long));
+        long < 1
+          ? 1
+          : Math.min(1, Math.max(0, ((pixel[0] - a[0]) * dx + (pixel[1] - a[1]) * dy) / long));
       const gap = Math.hypot(a[0] + share * dx - pixel[0], a[1] + share * dy - pixel[1]);
       if (gap > within || (best && gap >= best.gap - 0.5)) continue;
       best = { row, gap, point: plus(from, scaled(share, minus(to, from))) };
@@ -373,7 +381,8 @@ export class ArmPicture {
 
   // The ghost of another way under a pixel, by its number, or null.
   wayAt(pixel) {
-    const seen = this.ghosts?.children.filter((shape) => shape.visible && !shape.userData.full) ?? [];
+    const seen =
+      this.ghosts?.children.filter((shape) => shape.visible && !shape.userData.full) ?? [];
     const gaps = seen.map((shape) => {
       const { way } = shape.userData;
       const frames = linkFrames(this.arm, this.shown.ways.list[way].q);

@@ -100,7 +100,13 @@ class Solids extends Mesh {
     if (!seen) return (this.hide(i), false);
     const x = side ?? across(way, length);
     const size = radius / norm(x);
-    this.put(i, scaled(size, x), way, scaled(size / length, cross(x, way)), plus(start, scaled(0.5, way)));
+    this.put(
+      i,
+      scaled(size, x),
+      way,
+      scaled(size / length, cross(x, way)),
+      plus(start, scaled(0.5, way)),
+    );
     return true;
   }
 
@@ -164,7 +170,12 @@ export class ArmShape extends Group {
     this.barrels = add(BARREL, joint, n + 1); // the last is the pedestal
     this.boxes = arm.rows.some((row) => row.kind === "prismatic") ? add(BOX, joint, n) : null;
     if (this.stands)
-      this.barrels.between(n, [0, 0, -0.004 * this.size], [0, 0, 0.012 * this.size], 0.05 * this.size);
+      this.barrels.between(
+        n,
+        [0, 0, -0.004 * this.size],
+        [0, 0, 0.012 * this.size],
+        0.05 * this.size,
+      );
     if (!hue) return;
     for (const solids of [this.rods, this.balls]) solids.colour(() => WHITE); // or shadows change programs midway
     this.tint(() => null);

@@ -1,7 +1,14 @@
 // What the explorer shows now, what follows from it, and who wants to know. Every state is the result of one
 // transition, which drops what depends on what changed.
 
-import { carriedOver, fits, homeOf, rowsFault, sameRow, typedArm } from "../../judge/geometry/arm.js";
+import {
+  carriedOver,
+  fits,
+  homeOf,
+  rowsFault,
+  sameRow,
+  typedArm,
+} from "../../judge/geometry/arm.js";
 import {
   gravityTorque,
   jacobianColumns,
@@ -55,7 +62,19 @@ import { asked, rankOf } from "./verdicts.js";
 
 // What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets them.
 export const DROPS = {
-  arm: ["trace", "stray", "wanted", "at", "playing", "paths", "ways", "highlighted", "lit", "hold", "mark"],
+  arm: [
+    "trace",
+    "stray",
+    "wanted",
+    "at",
+    "playing",
+    "paths",
+    "ways",
+    "highlighted",
+    "lit",
+    "hold",
+    "mark",
+  ],
   circle: ["trace", "stray", "wanted", "at", "playing"],
   trace: ["stray", "wanted", "at", "playing"],
   ways: ["highlighted"],
@@ -77,13 +96,17 @@ const EVENTS = {
   glide: (state, { q }) => (fits(state.arm, q) ? { q } : null),
   play: (state, { at }) => along(state, at),
   playing: (state, { on }) => (on && !state.trace ? null : { playing: on }),
-  push: (state, { wrench }) => (wrench.length === 6 && wrench.every(Number.isFinite) ? { wrench } : null),
+  push: (state, { wrench }) =>
+    wrench.length === 6 && wrench.every(Number.isFinite) ? { wrench } : null,
   circle: (state, { type: _, ...circle }) => ({ circle: { ...state.circle, ...circle } }),
   traced: (state, { arm, circle, path, stray, wanted }) =>
-    arm === state.arm && circle === state.circle ? { trace: path, stray, wanted, at: 0, q: path[0] } : null,
+    arm === state.arm && circle === state.circle
+      ? { trace: path, stray, wanted, at: 0, q: path[0] }
+      : null,
   ways: (state, { arm, ways }) => (arm === state.arm ? { ways } : null),
   show: (state, { type: _, ...patch }) => patch,
-  set: (state, { type: _, ...patch }) => (fits(patch.arm ?? state.arm, patch.q ?? state.q) ? patch : null),
+  set: (state, { type: _, ...patch }) =>
+    fits(patch.arm ?? state.arm, patch.q ?? state.q) ? patch : null,
   undo: (state) => travel(state, "past", "future"),
   redo: (state) => travel(state, "future", "past"),
 };
@@ -101,12 +124,17 @@ export function transition(state, event) {
   const changed = Object.keys(patch).filter((key) => patch[key] !== state[key]);
   if (!changed.length) return state;
   const dropped = changed.flatMap((key) => DROPS[key] ?? []).filter((key) => !(key in patch));
-  const next = { ...state, ...Object.fromEntries(dropped.map((key) => [key, EMPTY[key]])), ...patch };
+  const next = {
+    ...state,
+    ...Object.fromEntries(dropped.map((key) => [key, EMPTY[key]])),
+    ...patch,
+  };
   return remembered(state, next, event);
 }
 
 function remembered(state, next, { type, gesture = null }) {
-  if (["undo", "redo", "play"].includes(type) || KEPT.every((key) => state[key] === next[key])) return next;
+  if (["undo", "redo", "play"].includes(type) || KEPT.every((key) => state[key] === next[key]))
+    return next;
   if (gesture !== null && state.past.at(-1)?.gesture === gesture) {
     next.future = [];
     return next;
@@ -138,7 +166,8 @@ function editTable(state, rows, q, rowBefore = (row) => row) {
 }
 
 function along({ trace, arm }, at) {
-  if (!trace || !trace.every((q) => q.length === trace[0].length) || !fits(arm, trace[0])) return null;
+  if (!trace || !trace.every((q) => q.length === trace[0].length) || !fits(arm, trace[0]))
+    return null;
   const k = Math.min(trace.length - 2, Math.floor(at * (trace.length - 1)));
   const rest = at * (trace.length - 1) - k;
   return { at, q: trace[k].map((v, i) => v + rest * (trace[k + 1][i] - v)) };

@@ -37,7 +37,9 @@ export function stillShapes(arm, frames) {
   );
   const shadow = corners.map(([x, y]) => [x, y, 0]);
   const held = [...corners, ...shadow, ...axes.map(({ tip }) => tip)].map(flat);
-  const [low, high] = [Math.min, Math.max].map((pick) => [0, 1].map((k) => pick(...held.map((p) => p[k]))));
+  const [low, high] = [Math.min, Math.max].map((pick) =>
+    [0, 1].map((k) => pick(...held.map((p) => p[k]))),
+  );
   const room = [WIDTH - 2 * MARGIN, HEIGHT - 2 * MARGIN];
   const scale = Math.min(...room.map((r, k) => r / Math.max(high[k] - low[k], 1e-9)));
   const shift = [WIDTH, HEIGHT].map((v, k) => v / 2 - (scale * (low[k] + high[k])) / 2);

@@ -60,14 +60,21 @@ const MOTIONS = [
 
 // A direction of (vx, vy, vz, wx, wy, wz) in words.
 export function motionText(direction) {
-  const parts = direction.flatMap((share, i) => (Math.abs(share) > 0.02 ? [[share, MOTIONS[i]]] : []));
+  const parts = direction.flatMap((share, i) =>
+    Math.abs(share) > 0.02 ? [[share, MOTIONS[i]]] : [],
+  );
   if (parts.length === 1) return parts[0][1];
   const sign = Math.sign(parts[0][0]);
   return parts
-    .map(([share, name]) => `${fixed(sign * share, 2)} ${name.replace("move ", "").replace("turn ", "")}`)
+    .map(
+      ([share, name]) =>
+        `${fixed(sign * share, 2)} ${name.replace("move ", "").replace("turn ", "")}`,
+    )
     .join(", ");
 }
 
 export function listed(items, last = "and") {
-  return items.length < 2 ? items.join("") : `${items.slice(0, -1).join(", ")} ${last} ${items.at(-1)}`;
+  return items.length < 2
+    ? items.join("")
+    : `${items.slice(0, -1).join(", ")} ${last} ${items.at(-1)}`;
 }

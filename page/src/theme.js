@@ -1,6 +1,7 @@
 // Light or dark, as the page around is: the book's switch, JupyterLab's and VS Code's themes, else the system's.
 
-const system = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-color-scheme: dark)");
+const system =
+  typeof matchMedia === "undefined" ? null : matchMedia("(prefers-color-scheme: dark)");
 
 function themeNow() {
   const { dataset } = document.documentElement;
@@ -8,7 +9,8 @@ function themeNow() {
   const lab = document.body.dataset.jpThemeLight;
   if (lab) return lab === "true" ? "light" : "dark";
   const { classList } = document.body;
-  if (classList.contains("vscode-dark") || classList.contains("vscode-high-contrast")) return "dark";
+  if (classList.contains("vscode-dark") || classList.contains("vscode-high-contrast"))
+    return "dark";
   if (classList.contains("vscode-light") || !system?.matches) return "light";
   return "dark";
 }
@@ -22,7 +24,10 @@ export function watchTheme(tell, signal) {
   };
   const observer = new MutationObserver(look);
   observer.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
-  observer.observe(document.body, { attributes: true, attributeFilter: ["class", "data-jp-theme-light"] });
+  observer.observe(document.body, {
+    attributes: true,
+    attributeFilter: ["class", "data-jp-theme-light"],
+  });
   system?.addEventListener("change", look, { signal });
   signal.addEventListener("abort", () => observer.disconnect());
   look();

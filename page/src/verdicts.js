@@ -19,9 +19,15 @@ export function rankVerdict({ arm, rank, lost }) {
   const [full, rows, dof] = [fullRank(arm), asked(arm), joints(arm).length];
   if (!dof) return { singular: false, text: "No joint moves this arm." };
   if (rank < full)
-    return { singular: true, text: `Singular: rank ${rank} of ${full}. ${cannot(lost, full < rows)}` };
+    return {
+      singular: true,
+      text: `Singular: rank ${rank} of ${full}. ${cannot(lost, full < rows)}`,
+    };
   if (full === 6)
-    return { singular: false, text: "Rank 6: the tip can move along and turn about every direction." };
+    return {
+      singular: false,
+      text: "Rank 6: the tip can move along and turn about every direction.",
+    };
   if (full < 3)
     return {
       singular: false,
@@ -69,7 +75,9 @@ export function waysVerdict(arm, { list, families = [], held = -1, whole = true 
   if (!families.length) return `${counted(list.length)} to this ${pose}${fixedJoint}.`;
   const free = families[0].moving;
   const how =
-    free.length === 1 ? `${named(arm, free)} is free` : `${named(arm, free)} are free to move together`;
+    free.length === 1
+      ? `${named(arm, free)} is free`
+      : `${named(arm, free)} are free to move together`;
   const kinds = families.length > 1 ? `, in ${families.length} families` : "";
   const rest = few ? ` and ${counted(few).toLowerCase()} more` : "";
   const still = held < 0 ? "" : `, joint ${joints(arm)[held] + 1} held`;
@@ -90,7 +98,9 @@ export function holdVerdict(hold) {
   if (stopped || !hold.fading?.length) return stopped;
   const arrows = hold.fading.length > 1 ? "the arrows" : "the arrow";
   const gone = hold.fading.every(({ share }) => share < 1e-3);
-  return gone ? `Singular: the tip cannot move along ${arrows}.` : `Nearly singular along ${arrows}.`;
+  return gone
+    ? `Singular: the tip cannot move along ${arrows}.`
+    : `Nearly singular along ${arrows}.`;
 }
 
 const HOW_TO =
@@ -106,7 +116,8 @@ const HOW_TO =
 export function tableVerdict({ arm, reference, q }, { frames }) {
   if (arm === reference) return HOW_TO;
   const counts = [arm, reference].map((one) => joints(one).length);
-  if (counts[0] !== counts[1]) return `Yours has ${counts[0]} joints, the ${reference.name} ${counts[1]}.`;
+  if (counts[0] !== counts[1])
+    return `Yours has ${counts[0]} joints, the ${reference.name} ${counts[1]}.`;
   const [mine, first] = [frames.at(-1), linkFrames(reference, q).at(-1)];
   const cosine = (dot(mine.x, first.x) + dot(mine.y, first.y) + dot(mine.z, first.z) - 1) / 2;
   const turn = (Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI;

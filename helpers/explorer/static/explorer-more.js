@@ -91,7 +91,12 @@ td.on {
 .track {
   height: 10px;
   background:
-    linear-gradient(to right, transparent calc(50% - 0.5px), var(--soft) 0 calc(50% + 0.5px), transparent 0),
+    linear-gradient(
+      to right,
+      transparent calc(50% - 0.5px),
+      var(--soft) 0 calc(50% + 0.5px),
+      transparent 0
+    ),
     var(--raised);
   position: relative;
 }

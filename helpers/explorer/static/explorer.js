@@ -4893,7 +4893,12 @@ td {
   height: 10px;
   border-radius: 3px;
   background:
-    linear-gradient(to right, transparent calc(50% - 0.5px), var(--soft) 0 calc(50% + 0.5px), transparent 0),
+    linear-gradient(
+      to right,
+      transparent calc(50% - 0.5px),
+      var(--soft) 0 calc(50% + 0.5px),
+      transparent 0
+    ),
     var(--raised);
   overflow: hidden;
 }

@@ -17,7 +17,8 @@ import { ASKED } from "./questions.js";
 const checkers = new Map();
 /** @type {Map<string, Promise<void>>} */
 const coming = new Map();
-const here = typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
+const here =
+  typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
 
 /** @param {string} ask @param {Checker} checker */
 export const register = (ask, checker) => void checkers.set(ask, checker);
@@ -43,7 +44,11 @@ function loaded(script) {
     };
     const src = new URL(`judge-${script}.js`, here).href;
     document.head.append(
-      Object.assign(document.createElement("script"), { src, onload: () => done(), onerror: fault }),
+      Object.assign(document.createElement("script"), {
+        src,
+        onload: () => done(),
+        onerror: fault,
+      }),
     );
   });
 }

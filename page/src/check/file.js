@@ -18,7 +18,9 @@ export async function textOfFile(file) {
   const bytes = await file.arrayBuffer();
   const text = ofNumpy(bytes) ?? decoded(bytes);
   if (text === null) {
-    throw refused("is neither text nor an array of NumPy; save it as CSV, by np.savetxt or writematrix");
+    throw refused(
+      "is neither text nor an array of NumPy; save it as CSV, by np.savetxt or writematrix",
+    );
   }
   if (!text.trim()) throw refused("is empty");
   return text;
@@ -62,7 +64,12 @@ function ofNumpy(bytes) {
   const shape = [...(/'shape':\s*\(([^)]*)\)/.exec(head)?.[1] ?? "").matchAll(/\d+/g)].map(Number);
   const [size, get] = TYPES[type] ?? [];
   const count = shape.reduce((product, n) => product * n, 1);
-  if (!size || !shape.length || shape.length > 2 || start + length + count * size > bytes.byteLength)
+  if (
+    !size ||
+    !shape.length ||
+    shape.length > 2 ||
+    start + length + count * size > bytes.byteLength
+  )
     return null;
   const [rows, width] = shape.length === 1 ? [1, shape[0]] : shape;
   const byColumns = head.includes("'fortran_order': True");

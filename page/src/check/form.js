@@ -81,7 +81,8 @@ const option = ([value, words]) => h("option", { value }, words);
 
 /** @param {Field} field @param {string} id @param {string[]} others */
 function control({ choices, rows, hint }, id, others) {
-  const described = hint === undefined ? {} : { "aria-describedby": [`${id}-hint`, ...others].join(" ") };
+  const described =
+    hint === undefined ? {} : { "aria-describedby": [`${id}-hint`, ...others].join(" ") };
   const shared = { id, ...described };
   if (choices) return h("select", shared, choices.map(option));
   return rows
@@ -104,7 +105,10 @@ function box(field, id, made) {
 export function buildForm(id, arms, given) {
   /** @type {Record<string, any>} */
   const all = {
-    ask: { label: "Question", choices: Object.entries(ASKED).map(([key, { title }]) => [key, title]) },
+    ask: {
+      label: "Question",
+      choices: Object.entries(ASKED).map(([key, { title }]) => [key, title]),
+    },
     arm: {
       label: "Arm",
       choices: [

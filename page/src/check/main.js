@@ -13,4 +13,6 @@ for (const stub of document.querySelectorAll(".arm-judge"))
 
 // What a whole page of it has besides comes at once, for a small one when it is used.
 if (judges.some(({ given }) => !given)) load("page");
-else for (const { stub } of judges) stub.addEventListener("focusin", () => load("page"), { once: true });
+else
+  for (const { stub } of judges)
+    stub.addEventListener("focusin", () => load("page"), { once: true });

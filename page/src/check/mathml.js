@@ -21,7 +21,11 @@ const row = (pieces) => (pieces.length === 1 ? pieces[0] : ["mrow", pieces]);
 
 const FENCE = { stretchy: "false", lspace: "0", rspace: "0" };
 const inBrackets = (pieces, open = "(", close = ")") =>
-  row([["mo", open, { form: "prefix", ...FENCE }], ...pieces, ["mo", close, { form: "postfix", ...FENCE }]]);
+  row([
+    ["mo", open, { form: "prefix", ...FENCE }],
+    ...pieces,
+    ["mo", close, { form: "postfix", ...FENCE }],
+  ]);
 
 /** @returns {Piece} */
 export const mathOf = (tree) => ["math", [row(set(tree).pieces)], { displaystyle: "true" }];
@@ -68,10 +72,15 @@ function numeral(x) {
   /** @type {Piece[]} */
   const pieces = [["mn", digits]];
   if (power) {
-    const raised = row([...(power[0] === "-" ? [sign("−")] : []), ["mn", power.replace(/^[+-]/, "")]]);
+    const raised = row([
+      ...(power[0] === "-" ? [sign("−")] : []),
+      ["mn", power.replace(/^[+-]/, "")],
+    ]);
     pieces.push(sign("⋅"), ["msup", [["mn", "10"], raised]]);
   }
-  return x < 0 ? { level: SUM, pieces: [sign("−"), ...pieces] } : { level: power ? PRODUCT : ATOM, pieces };
+  return x < 0
+    ? { level: SUM, pieces: [sign("−"), ...pieces] }
+    : { level: power ? PRODUCT : ATOM, pieces };
 }
 
 /** A letter with its index: q_1, theta1, l_pen, s_{2-3}, q'. @returns {Piece} */
@@ -91,12 +100,16 @@ function called(name, inner) {
   if (UNWRITTEN.test(name)) return set(inner);
   if (name === "sqrt") return { level: ATOM, pieces: [["msqrt", [row(set(inner).pieces)]]] };
   if (name === "abs") return { level: ATOM, pieces: [inBrackets(set(inner).pieces, "|", "|")] };
-  if (IN_DEGREES.test(name)) return { level: PRODUCT, pieces: [...within(inner, ATOM), ["mi", "°"]] };
+  if (IN_DEGREES.test(name))
+    return { level: PRODUCT, pieces: [...within(inner, ATOM), ["mi", "°"]] };
   const degrees = name.endsWith("d") ? [["mi", "°"]] : [];
   const taken = within(inner, ATOM);
   const bracketed = taken[0][0] === "mrow";
   const argument = bracketed ? taken : [["mspace", "", { width: "0.17em" }], ...taken];
-  return { level: CALL, pieces: [["mi", FUNCTIONS[name] ?? name], sign(APPLIED), ...argument, ...degrees] };
+  return {
+    level: CALL,
+    pieces: [["mi", FUNCTIONS[name] ?? name], sign(APPLIED), ...argument, ...degrees],
+  };
 }
 
 function product(tree) {
@@ -113,8 +126,10 @@ function product(tree) {
 
 // Whether a dot must part two factors: before a digit, and between sin x and what is no part of it.
 const dotted = (one, next) =>
-  digitFirst(next) || (one[0] === "call" && next[0] !== "call" && one[1] !== "sqrt" && one[1] !== "abs");
-const digitFirst = ([kind, first]) => kind === "num" || (["^", "*"].includes(kind) && digitFirst(first));
+  digitFirst(next) ||
+  (one[0] === "call" && next[0] !== "call" && one[1] !== "sqrt" && one[1] !== "abs");
+const digitFirst = ([kind, first]) =>
+  kind === "num" || (["^", "*"].includes(kind) && digitFirst(first));
 
 function sum(tree) {
   const pieces = [];

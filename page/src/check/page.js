@@ -9,7 +9,8 @@ import { showRead, tell } from "./shown.js";
 const MOST_SHOWN = 50_000; // characters of an answer, such as a file's, that stand in its field
 const SOON = 120; // ms without a key before the answer is read
 const PAUSE = 350; // and before the verdict is spoken
-const PRIVATE = "Nothing that you type leaves this page: a script in it judges, without a network too.";
+const PRIVATE =
+  "Nothing that you type leaves this page: a script in it judges, without a network too.";
 const SILENT = "It names the mistake and does not print the solution.";
 let count = 0; // of judges on the page, for ids
 
@@ -124,7 +125,11 @@ export function mount(stub) {
 function buildParts(id, given) {
   return {
     verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
-    taken: h("div.scroll.taken", { role: "region", tabindex: "0", "aria-label": "How your answer is read" }),
+    taken: h("div.scroll.taken", {
+      role: "region",
+      tabindex: "0",
+      "aria-label": "How your answer is read",
+    }),
     tools: h("div.tools"),
     said: h("p.about", { role: "status" }),
     private: h("p.private", { id: `${id}-private` }, given ? PRIVATE : `${PRIVATE} ${SILENT}`),

@@ -105,9 +105,13 @@ export function armOf(question, arms) {
   if (question.arm !== OWN) return arms.find(({ key }) => key === question.arm);
   if (!question.table.trim())
     throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
-  const known = new Map(ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : []);
+  const known = new Map(
+    ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : [],
+  );
   const rows = cells(question.table)
-    .filter((row, i) => i || !row.some((cell) => /^\W*(a|alpha|α|d|theta|θ)(_?\{?i.*)?\W*$/i.test(cell)))
+    .filter(
+      (row, i) => i || !row.some((cell) => /^\W*(a|alpha|α|d|theta|θ)(_?\{?i.*)?\W*$/i.test(cell)),
+    )
     .map((row, i) => rowOf(row.length === 5 ? row.slice(1) : row, i + 1, question.unit, known));
   const fault = rowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
@@ -121,7 +125,9 @@ const JOINT = /^(q|th|theta|phi|d|s|x)_?\{?\d{1,2}\}?$/;
 /** @param {Map<string, number>} known numbers for symbols */
 function rowOf(entries, row, unit, known) {
   if (entries.length !== 4) {
-    throw new ArmError(`Row ${row} of the table has ${entries.length} entries; expected four: a α d θ.`);
+    throw new ArmError(
+      `Row ${row} of the table has ${entries.length} entries; expected four: a α d θ.`,
+    );
   }
   const trees = entries.map((text, k) => parse(text || "0", `row ${row}, ${COLUMNS[k]}`));
   const names = trees.map((tree) => [...symbols(tree)].filter((name) => !known.has(name)));
@@ -166,13 +172,16 @@ export function judge(question, arms) {
 
 const posed = ({ ask }) => ASKED[ask].fields.includes("q");
 const missing = (question, arm) =>
-  posed(question) && !question.q.trim() ? `Type the pose: ${joints(arm).length} joint values.` : null;
+  posed(question) && !question.q.trim()
+    ? `Type the pose: ${joints(arm).length} joint values.`
+    : null;
 const capital = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 
 // The call in Python that says the same.
 export function asPython(question, arms) {
   const arm = armOf(question, arms);
-  const [name, imports] = question.arm === OWN ? ["arm", ownArm(arm)] : [arm.python, fromRobots(arm.python)];
+  const [name, imports] =
+    question.arm === OWN ? ["arm", ownArm(arm)] : [arm.python, fromRobots(arm.python)];
   const { call, imports: more = [] } = checkerOf(question.ask);
   const lines = [...imports, ...more, "from helpers import checks", ""];
   if (question.arm === OWN) lines.push(...ownRows(arm), "");
@@ -188,7 +197,8 @@ const ownArm = (arm) => [
 const ownRows = (arm) => [
   "rows = [",
   ...arm.rows.map(
-    ({ kind, a, alpha, d, theta }) => `    ${KIND[kind]}(a=${a}, alpha=${alpha}, d=${d}, theta=${theta}),`,
+    ({ kind, a, alpha, d, theta }) =>
+      `    ${KIND[kind]}(a=${a}, alpha=${alpha}, d=${d}, theta=${theta}),`,
   ),
   "]",
   `arm = Arm("${arm.name}", rows)`,

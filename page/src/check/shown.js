@@ -28,7 +28,8 @@ const LONGEST_SET = 8000; // characters of an answer whose formulas are set
 export function namesOf({ ask, first }, arm, [rows, width]) {
   const numbers = joints(arm).map((i) => i + 1);
   const above = (k) => (numbers.length === width ? `joint ${numbers[k]}` : String(k + 1));
-  const lines = { torques: rows === 1 ? ["τ"] : [], jacobian: rows === 6 ? ROWS[first] : [] }[ask] ?? [];
+  const lines =
+    { torques: rows === 1 ? ["τ"] : [], jacobian: rows === 6 ? ROWS[first] : [] }[ask] ?? [];
   return {
     columns: Array.from({ length: width }, (_, k) => above(k)),
     rows: Array.from({ length: rows }, (_, i) => lines[i] ?? `row ${i + 1}`),
@@ -85,7 +86,10 @@ const tableRead = ({ cells, trees, wrong }) => ({
   cell(i, k) {
     const [tree, words] = [trees[i][k], cells[i][k]];
     const bare = /^-?q_\d+$/.test(words);
-    return marked(tree && !isPlain(tree) ? formula(tree, bare ? "" : words) : signed(words), wrong[i][k]);
+    return marked(
+      tree && !isPlain(tree) ? formula(tree, bare ? "" : words) : signed(words),
+      wrong[i][k],
+    );
   },
 });
 
@@ -99,7 +103,8 @@ function matrixRead({ answer }, found) {
     cell(i, k) {
       const at = i * shape[1] + k;
       const tree = trees[at];
-      if (!tree || (isPlain(tree) && typed.units[at])) return marked(signed(spelt(typed, at)), wrong[at]);
+      if (!tree || (isPlain(tree) && typed.units[at]))
+        return marked(signed(spelt(typed, at)), wrong[at]);
       return marked(formula(tree, isPlain(tree) ? "" : spelt(typed, at)), wrong[at]);
     },
   };
@@ -137,7 +142,9 @@ function rowsOf(ask, answer) {
 function treeOf(ask, text, arm, q) {
   const named = ask === "branches" || ask === "pose";
   try {
-    const tree = parse(plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "") || "0");
+    const tree = parse(
+      plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "") || "0",
+    );
     if (ask === "jacobian" && q) lookup(arm, q).known(symbols(tree));
     return { tree, text };
   } catch (error) {

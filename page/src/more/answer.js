@@ -74,7 +74,11 @@ export function answer(host) {
     buttons.replaceChildren(
       ...claims.map((one) => {
         const verb = arm.rows[joints(arm)[one.k]].kind === "prismatic" ? "Slide" : "Turn";
-        return h("button", { type: "button", onclick: () => run(one) }, `${verb} joint ${numberOf(one)}`);
+        return h(
+          "button",
+          { type: "button", onclick: () => run(one) },
+          `${verb} joint ${numberOf(one)}`,
+        );
       }),
     );
     lever.move(0);
@@ -91,7 +95,14 @@ function extent({ arm, q, ghosts, points, path = [] }) {
   const arms = [{ arm, q }, ...ghosts].map((one) => linkFrames(one.arm, one.q));
   const room = 0.12 * reachOf(arm);
   const ends = ["x", "z"].map((axis) => plus(arms[0].at(-1).o, scaled(room, arms[0].at(-1)[axis])));
-  return [...arms.flat().map(({ o }) => o), ...ends, ...points, ...path, [0, 0, 0], [0, 0, 3 * room]];
+  return [
+    ...arms.flat().map(({ o }) => o),
+    ...ends,
+    ...points,
+    ...path,
+    [0, 0, 0],
+    [0, 0, 3 * room],
+  ];
 }
 
 // What is drawn over the explorer's picture.
@@ -122,7 +133,9 @@ class Overlay {
     const { picture } = this;
     const [bad, ghost] = [picture.look.bad, picture.look.ghost];
     const frames = picture.frames;
-    const made = shown.axes.map((row) => this.line(axisOf(frames[row], 0.3 * picture.size), 0.004, bad));
+    const made = shown.axes.map((row) =>
+      this.line(axisOf(frames[row], 0.3 * picture.size), 0.004, bad),
+    );
     made.push(...shown.links.map((row) => this.line(linkOf(frames, row), 0.02, bad)));
     for (const { arm, q } of shown.ghosts) {
       const material = ghostMaterial(bad, 0.4);
@@ -138,7 +151,9 @@ class Overlay {
   // The tip as the column claims, and the ways of both.
   claim({ arm, q }, claim, share, bad, ghost) {
     const { picture } = this;
-    const ways = Array.from({ length: STEPS + 1 }, (_, i) => moved(arm, q, claim, (share * i) / STEPS));
+    const ways = Array.from({ length: STEPS + 1 }, (_, i) =>
+      moved(arm, q, claim, (share * i) / STEPS),
+    );
     const tip = new Triads(picture.dark, 1);
     tip.pose([ways.at(-1).claimed], 0.1 * picture.size);
     const spot = this.spot(ways.at(-1).claimed.o, bad);
@@ -161,5 +176,8 @@ class Overlay {
   }
 }
 
-const axisOf = ({ o, z }, half) => ({ start: minus(o, scaled(half, z)), end: plus(o, scaled(half, z)) });
+const axisOf = ({ o, z }, half) => ({
+  start: minus(o, scaled(half, z)),
+  end: plus(o, scaled(half, z)),
+});
 const linkOf = (frames, row) => ({ start: frames[row].o, end: frames[row + 1].o });

@@ -1,6 +1,13 @@
 // What a column of a Jacobian claims: where the tip goes while one joint moves alone, and where it goes truly.
 
-import { joints, linkFrames, minus, norm, plus, scaled } from "../../../judge/geometry/kinematics.js";
+import {
+  joints,
+  linkFrames,
+  minus,
+  norm,
+  plus,
+  scaled,
+} from "../../../judge/geometry/kinematics.js";
 import { fixed } from "../text.js";
 
 const TURN = 0.5; // rad: far enough to see, near enough for the picture
@@ -8,7 +15,11 @@ const SLIDE = 0.15; // m
 
 /** @typedef {{ x: number[], y: number[], z: number[], o: number[] }} Frame */
 
-const wedge = (w, u) => [w[1] * u[2] - w[2] * u[1], w[2] * u[0] - w[0] * u[2], w[0] * u[1] - w[1] * u[0]];
+const wedge = (w, u) => [
+  w[1] * u[2] - w[2] * u[1],
+  w[2] * u[0] - w[0] * u[2],
+  w[0] * u[1] - w[1] * u[0],
+];
 
 // A vector turned by the angle |w| about w.
 function turned(w, u) {
@@ -24,7 +35,10 @@ function drawn(w, v) {
   const angle = norm(w);
   if (angle < 1e-9) return v;
   const about = wedge(w, v);
-  const [first, second] = [(1 - Math.cos(angle)) / angle ** 2, (angle - Math.sin(angle)) / angle ** 3];
+  const [first, second] = [
+    (1 - Math.cos(angle)) / angle ** 2,
+    (angle - Math.sin(angle)) / angle ** 3,
+  ];
   return plus(v, plus(scaled(first, about), scaled(second, wedge(w, about))));
 }
 
@@ -54,7 +68,14 @@ export function moved(arm, q, { k, twist }, share) {
   const by = share * (row.kind === "prismatic" ? SLIDE : TURN);
   const there = q.map((value, i) => (i === k ? value + by : value));
   const tip = linkFrames(arm, q).at(-1);
-  return { by, row, q: there, tip, truly: linkFrames(arm, there).at(-1), claimed: carried(tip, twist, by) };
+  return {
+    by,
+    row,
+    q: there,
+    tip,
+    truly: linkFrames(arm, there).at(-1),
+    claimed: carried(tip, twist, by),
+  };
 }
 
 const AXES = ["x", "y", "z"];
@@ -66,7 +87,10 @@ function way(d) {
 
 // How far apart two frames are turned, in degrees.
 function apart(one, other) {
-  const trace = AXES.reduce((sum, axis) => sum + one[axis].reduce((s, v, i) => s + v * other[axis][i], 0), 0);
+  const trace = AXES.reduce(
+    (sum, axis) => sum + one[axis].reduce((s, v, i) => s + v * other[axis][i], 0),
+    0,
+  );
   return (180 / Math.PI) * Math.acos(Math.min(1, Math.max(-1, (trace - 1) / 2)));
 }
 
@@ -88,6 +112,7 @@ export function claimWords({ by, row, tip, truly, claimed }, number) {
         still(right) ? "leaves it there" : `takes it ${way(right)}`
       }`; // prettier-ignore
   const angle = apart(claimed, truly);
-  const turn = angle > 0.5 ? ` The tool would end turned by ${fixed(angle, 0)}° from where it does.` : "";
+  const turn =
+    angle > 0.5 ? ` The tool would end turned by ${fixed(angle, 0)}° from where it does.` : "";
   return `${joint}: ${place}.${turn}`;
 }

@@ -1,7 +1,18 @@
 // The small figures of the chapters, by the names that the pages call them, and the instrument's largest view.
 
 import { answer } from "./answer.js";
-import { columns, ellipsoid, hand, loads, matrix, row, swing, triangles, ways, winds } from "./kinds.js";
+import {
+  columns,
+  ellipsoid,
+  hand,
+  loads,
+  matrix,
+  row,
+  swing,
+  triangles,
+  ways,
+  winds,
+} from "./kinds.js";
 import { trainer } from "./trainer.js";
 import { registerFigure, registerView } from "../figures.js";
 import * as homework from "../views/homework.js";

@@ -19,7 +19,8 @@ import { fixed, jointText, listed, sparse } from "../text.js";
 import { rankVerdict, waysVerdict } from "../verdicts.js";
 import { makeLever, makeLive } from "./live.js";
 
-const OF_A_ROW = "only the entries with its angle move; the last column goes round on a circle of radius a.";
+const OF_A_ROW =
+  "only the entries with its angle move; the last column goes round on a circle of radius a.";
 const mm = (p) => p.map((v) => fixed(1000 * v, 0)).join(", ");
 const deg = (v) => `${fixed((v * 180) / Math.PI, 0)}°`;
 
@@ -32,7 +33,12 @@ export function hand(host, spec) {
 
 // One row of the table in its four motions: the frame before it goes over into its own.
 export function row(host, spec) {
-  const NAMES = ["turn by θ about z", "slide by d along z", "slide by a along x", "turn by α about x"];
+  const NAMES = [
+    "turn by θ about z",
+    "slide by d along z",
+    "slide by a along x",
+    "turn by α about x",
+  ];
   const abort = new AbortController();
   let share = 4;
   const live = makeLive(host, spec, {
@@ -41,7 +47,12 @@ export function row(host, spec) {
     state: { frames: "all" },
     words: ({ arm }) => {
       const { theta, d, a, alpha } = arm.rows[0];
-      const values = [deg(theta), `${fixed(1000 * d, 0)} mm`, `${fixed(1000 * a, 0)} mm`, deg(alpha)];
+      const values = [
+        deg(theta),
+        `${fixed(1000 * d, 0)} mm`,
+        `${fixed(1000 * a, 0)} mm`,
+        deg(alpha),
+      ];
       const done = NAMES.slice(0, Math.ceil(share)).map((name, i) => `${name} (${values[i]})`);
       return done.length ? `${done.join(", then ")}.` : "The frame before the row.";
     },
@@ -127,7 +138,10 @@ export function columns(host, spec) {
     }, indexed("J", index + 1)),
   ); // prettier-ignore
   heads.replaceChildren(h("th"), ...buttons.map((button) => h("th", {}, button)));
-  const cells = ["vx", "vy", "vz", "ωx", "ωy", "ωz"].map((name) => [name, buttons.map(() => h("td"))]);
+  const cells = ["vx", "vy", "vz", "ωx", "ωy", "ωz"].map((name) => [
+    name,
+    buttons.map(() => h("td")),
+  ]);
   body.replaceChildren(
     ...cells.map(([name, line]) => h("tr", {}, h("th", {}, indexed(name[0], name[1])), line)),
   );
@@ -164,7 +178,10 @@ export function loads(host, spec) {
     state: { view: spec.push ? "torque" : "pose", wrench: spec.wrench ?? [0, 0, 0, 0, 0, 0] },
     side: [bars],
     words: (state, { torque }) => {
-      const worst = torque.reduce((best, v, i) => (Math.abs(v) > Math.abs(torque[best]) ? i : best), 0);
+      const worst = torque.reduce(
+        (best, v, i) => (Math.abs(v) > Math.abs(torque[best]) ? i : best),
+        0,
+      );
       const most = `joint ${joints(state.arm)[worst] + 1}: ${fixed(torque[worst], 1)} N m`;
       return `${spec.words ?? "Move the arm."} The most is asked of ${most}.`;
     },
@@ -174,7 +191,13 @@ export function loads(host, spec) {
     return {
       fill,
       value,
-      root: h("div.bar", {}, h("span", {}, indexed("τ", index + 1)), h("span.track", {}, fill), value),
+      root: h(
+        "div.bar",
+        {},
+        h("span", {}, indexed("τ", index + 1)),
+        h("span.track", {}, fill),
+        value,
+      ),
     };
   });
   bars.replaceChildren(...lines.map((one) => one.root));
@@ -213,7 +236,11 @@ export function swing(host, spec) {
     store.dispatch({ type: "move", q, hold: store.state.hold, gesture: "swing" });
   };
   const text = (v) => deg(path[Math.round(v)]?.[2] - path[middle][2]);
-  const lever = makeLever("elbow", [0, path.length - 1], middle, { put, text, signal: abort.signal });
+  const lever = makeLever("elbow", [0, path.length - 1], middle, {
+    put,
+    text,
+    signal: abort.signal,
+  });
   live.card.querySelector(".side").prepend(lever.root);
   return () => (abort.abort(), live.dispose());
 }
@@ -231,7 +258,9 @@ function swungBothWays(arm, start, held) {
       const columnsOf = linkColumns(arm, q);
       const [direction] = rightNull(columnsOf);
       if (!direction) break;
-      const along = before ? direction.reduce((s, v, k) => s + v * before[k], 0) : sign * direction[2];
+      const along = before
+        ? direction.reduce((s, v, k) => s + v * before[k], 0)
+        : sign * direction[2];
       const way = direction.map((v) => (along < 0 ? -v : v));
       const next = reach(
         arm,
@@ -303,7 +332,9 @@ export function winds(host, spec) {
     put: (v) => ((radius = v), run()),
     text: (v) => `${fixed(100 * v, 1)} cm`,
   });
-  live.card.querySelector(".side").prepend(...(spec.fixed ? [place.root] : [size.root, place.root]));
+  live.card
+    .querySelector(".side")
+    .prepend(...(spec.fixed ? [place.root] : [size.root, place.root]));
   run();
   return () => (abort.abort(), live.dispose());
 }

@@ -57,7 +57,8 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
       first,
       onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
     });
-    if (hold) makeGrabbable(picture, store, { grip, goTo: (q) => store.dispatch({ type: "glide", q }) });
+    if (hold)
+      makeGrabbable(picture, store, { grip, goTo: (q) => store.dispatch({ type: "glide", q }) });
   } catch {
     grip.hidden = true; // no WebGL here: a still picture follows
   }
@@ -67,7 +68,11 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     const row = arm.rows[number - 1];
     const [lower, upper] = range(row);
     const put = (value, gesture = null) => {
-      store.dispatch({ type: "move", q: store.state.q.map((v, i) => (i === k ? value : v)), gesture });
+      store.dispatch({
+        type: "move",
+        q: store.state.q.map((v, i) => (i === k ? value : v)),
+        gesture,
+      });
     };
     const input = h("input", {
       type: "range", min: lower, max: upper, step: "any", "aria-label": `Joint ${number}`,
@@ -122,7 +127,14 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
 
 // A lever for any number.
 export function makeLever(label, [low, high], value, { put, text, signal }) {
-  const input = h("input", { type: "range", min: low, max: high, step: "any", value, "aria-label": label });
+  const input = h("input", {
+    type: "range",
+    min: low,
+    max: high,
+    step: "any",
+    value,
+    "aria-label": label,
+  });
   const output = h("output", {}, text(value));
   const move = (v) => {
     input.value = String(v);

@@ -58,14 +58,16 @@ export function choices(bare, placed) {
     ? [bare.end.o]
     : [foot, axis.o, ...(next ? [feet(axis.o, axis.z, next.o, next.z)[0]] : [])];
   for (const p of wanted) if (isNew(points, p)) points.push(p);
-  if (!last) for (const p of [...points]) if (points.length < 3) points.push(plus(p, scaled(0.12, axis.z)));
+  if (!last)
+    for (const p of [...points]) if (points.length < 3) points.push(plus(p, scaled(0.12, axis.z)));
   return { zs: [axis.z, scaled(-1, axis.z)], points: points.slice(0, 4), axis };
 }
 
 // Directions for x at a frame with this z: along and across the common normal with the z before, both ways.
 export function directions(before, z, o) {
   let n = cross(before.z, z);
-  if (norm(n) < TINY) n = minus(minus(o, before.o), scaled(dot(minus(o, before.o), before.z), before.z));
+  if (norm(n) < TINY)
+    n = minus(minus(o, before.o), scaled(dot(minus(o, before.o), before.z), before.z));
   if (norm(n) < TINY) n = before.x;
   n = unit(n);
   const across = unit(cross(z, n));
@@ -121,5 +123,9 @@ export function randomArm(roll = Math.random) {
     const limits = { lower: null, upper: null, speed: null, effort: null };
     return { kind, a, alpha: last ? 0 : turn, d, theta: 0, ...limits };
   });
-  return { name: "An arm of its own", home: rows.map((row) => (row.kind === "prismatic" ? 0.3 : 0)), rows };
+  return {
+    name: "An arm of its own",
+    home: rows.map((row) => (row.kind === "prismatic" ? 0.3 : 0)),
+    rows,
+  };
 }

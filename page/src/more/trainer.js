@@ -30,11 +30,28 @@ export function trainer(host, spec) {
   const back = h("button", { type: "button", onclick: () => undo() }, "Back");
   const fault = h("p.why", { hidden: true, "aria-live": "polite" });
   const body = h("tbody");
-  const heads = ["i", "a (m)", "α (°)", "d (m)", "θ (°)"].map((text) => h("th", { scope: "col" }, text));
-  const table = h("table", { "aria-label": "The table so far" }, h("thead", {}, h("tr", {}, heads)), body);
-  const side = [h("div.row", {}, select, back), question, options, fault, h("div.scroll", {}, table)];
+  const heads = ["i", "a (m)", "α (°)", "d (m)", "θ (°)"].map((text) =>
+    h("th", { scope: "col" }, text),
+  );
+  const table = h(
+    "table",
+    { "aria-label": "The table so far" },
+    h("thead", {}, h("tr", {}, heads)),
+    body,
+  );
+  const side = [
+    h("div.row", {}, select, back),
+    question,
+    options,
+    fault,
+    h("div.scroll", {}, table),
+  ];
   let arm, bare, placed, now;
-  const live = makeLive(host, { arm: spec.arm ?? names[3] }, { hold: false, side, words: () => "" });
+  const live = makeLive(
+    host,
+    { arm: spec.arm ?? names[3] },
+    { hold: false, side, words: () => "" },
+  );
   const { store, picture } = live;
 
   function begin(name) {
@@ -81,7 +98,9 @@ export function trainer(host, spec) {
         now = /does not meet/.test(wrong) ? { z } : { z, o };
         write(
           fault,
-          wrong.replaceAll(/_(\d+)/g, (_, digits) => [...digits].map((d) => "₀₁₂₃₄₅₆₇₈₉"[d]).join("")),
+          wrong.replaceAll(/_(\d+)/g, (_, digits) =>
+            [...digits].map((d) => "₀₁₂₃₄₅₆₇₈₉"[d]).join(""),
+          ),
         );
         fault.hidden = false;
       } else {
@@ -133,7 +152,9 @@ export function trainer(host, spec) {
       return "The table is valid row by row, and yet not this arm: go back and look at the last frame.";
     const book = joints(arm).every((index, k) => {
       const theirs = arm.rows[index];
-      return ["a", "alpha", "d", "theta"].every((key) => Math.abs(rows[k][key] - theirs[key]) < 1e-6);
+      return ["a", "alpha", "d", "theta"].every(
+        (key) => Math.abs(rows[k][key] - theirs[key]) < 1e-6,
+      );
     });
     return book ? "A table of this arm, and the book’s own." : FREE;
   }
@@ -172,7 +193,9 @@ export function trainer(host, spec) {
     });
     things = [thin, ...lines, frames, ...spots];
     things.forEach((thing) => picture.world.add(thing));
-    picture.labels.set(offered().map(({ at, label }) => ({ tip: at, letter: label, index: "", tone: "y" })));
+    picture.labels.set(
+      offered().map(({ at, label }) => ({ tip: at, letter: label, index: "", tone: "y" })),
+    );
   }
 
   picture?.figure.listen(picture.figure.canvas, "click", (event) => {

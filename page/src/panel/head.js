@@ -6,7 +6,10 @@ import { randomPose } from "../motion.js";
 
 export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   const several = arms.length > 1;
-  const choice = h("select.name", { "aria-label": "Arm", onchange: (e) => choose(e.target.selectedIndex) });
+  const choice = h("select.name", {
+    "aria-label": "Arm",
+    onchange: (e) => choose(e.target.selectedIndex),
+  });
   const name = several ? choice : h("span.name");
   let listed = null;
   const button = (text, title, onclick) => h("button", { type: "button", title, onclick }, text);
@@ -17,9 +20,13 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
     const show = () => store.dispatch({ type: "show", unit });
     return h("button", { type: "button", title, "data-unit": unit, onclick: show }, unit);
   });
-  const frames = button("Frames", "Draw the frame of every link, or the first and the last only", () => {
-    store.dispatch({ type: "show", frames: store.state.frames === "all" ? "ends" : "all" });
-  });
+  const frames = button(
+    "Frames",
+    "Draw the frame of every link, or the first and the last only",
+    () => {
+      store.dispatch({ type: "show", frames: store.state.frames === "all" ? "ends" : "all" });
+    },
+  );
   const undo = button("↶", "Undo (Ctrl+Z)", () => store.dispatch({ type: "undo" }));
   const redo = button("↷", "Redo (Ctrl+Shift+Z)", () => store.dispatch({ type: "redo" }));
   undo.setAttribute("aria-label", "Undo");
@@ -29,7 +36,11 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   const corners = "M1 5V1h4M9 1h4v4M13 9v4H9M5 13H1V9";
   const ink = { d: corners, fill: "none", stroke: "currentColor", "stroke-width": 1.6 };
   full.append(
-    svg("svg", { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" }, svg("path", ink)),
+    svg(
+      "svg",
+      { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" },
+      svg("path", ink),
+    ),
   );
   const buttons = [
     h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units),
@@ -74,7 +85,9 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   }
 
   function update(state) {
-    units.forEach((unit) => unit.setAttribute("aria-pressed", String(unit.dataset.unit === state.unit)));
+    units.forEach((unit) =>
+      unit.setAttribute("aria-pressed", String(unit.dataset.unit === state.unit)),
+    );
     frames.setAttribute("aria-pressed", String(state.frames === "all"));
     undo.disabled = !state.past.length;
     redo.disabled = !state.future.length;
@@ -86,9 +99,21 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
     return undefined;
   }
   return {
-    root: h("header", {}, name, h("div.buttons", { role: "group", "aria-label": "Settings" }, buttons)),
+    root: h(
+      "header",
+      {},
+      name,
+      h("div.buttons", { role: "group", "aria-label": "Settings" }, buttons),
+    ),
     update: whereNew(
-      ({ unit, frames, past, future, arm, base }) => [unit, frames, !past.length, !future.length, arm, base],
+      ({ unit, frames, past, future, arm, base }) => [
+        unit,
+        frames,
+        !past.length,
+        !future.length,
+        arm,
+        base,
+      ],
       update,
     ),
   };

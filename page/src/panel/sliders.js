@@ -16,7 +16,11 @@ export function makeSliders(store, { say, signal }) {
   let shown = /** @type {any} */ ({});
 
   const put = (i, value, gesture = null) => {
-    store.dispatch({ type: "move", q: store.state.q.map((v, k) => (k === i ? value : v)), gesture });
+    store.dispatch({
+      type: "move",
+      q: store.state.q.map((v, k) => (k === i ? value : v)),
+      gesture,
+    });
   };
 
   function typed(i, row, input, last) {
@@ -53,7 +57,8 @@ export function makeSliders(store, { say, signal }) {
       type: "text", spellcheck: "false", autocomplete: "off", "aria-label": `${label}, typed`, "data-joint": label,
       oninput: (e) => typed(i, row, e.target, false), onchange: (e) => typed(i, row, e.target, true),
     }); // prettier-ignore
-    const limit = (value) => h("span", {}, (value ?? null) === null ? "" : limitText(row, value, unit));
+    const limit = (value) =>
+      h("span", {}, (value ?? null) === null ? "" : limitText(row, value, unit));
     const past = h("span.past");
     const bounds = h("span.bounds", {}, limit(row.lower), past, limit(row.upper));
     const light = (lit) => () => store.state.lit !== lit && store.dispatch({ type: "show", lit });
@@ -64,16 +69,27 @@ export function makeSliders(store, { say, signal }) {
     const lights = {
       onpointerenter: light(index), onpointerleave: light(null), onfocusin: light(index), onfocusout: light(null),
     }; // prettier-ignore
-    const lineRoot = h("div.joint", lights, h("span.label", {}, indexed("q", index + 1)), rail, field);
+    const lineRoot = h(
+      "div.joint",
+      lights,
+      h("span.label", {}, indexed("q", index + 1)),
+      rail,
+      field,
+    );
     return { root: lineRoot, slider, field, past, row, index };
   }
 
   // Native steps of a slider with step="any" are a hundredth of its range; these are whole degrees and millimetres.
   // Shift is finer.
   function nudge(event, row, i) {
-    const sign = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[
-      event.key
-    ];
+    const sign = {
+      ArrowLeft: -1,
+      ArrowDown: -1,
+      ArrowRight: 1,
+      ArrowUp: 1,
+      PageUp: 10,
+      PageDown: -10,
+    }[event.key];
     const [lower, upper] = range(row);
     const end = { Home: lower, End: upper }[event.key];
     if (!sign && end === undefined) return;

@@ -143,7 +143,10 @@ function swingBy(store, way) {
   if (!hold?.pinned) return;
   const [direction] = rightNull(stillColumns(store, hold.turns));
   if (!direction) return;
-  const lead = direction.reduce((best, v, k) => (Math.abs(v) > Math.abs(direction[best]) ? k : best), 0);
+  const lead = direction.reduce(
+    (best, v, k) => (Math.abs(v) > Math.abs(direction[best]) ? k : best),
+    0,
+  );
   const sign = way * Math.sign(direction[lead]);
   const moved = q.map((v, k) => v + sign * SWING * direction[k]);
   const there = hold.turns ? reach(arm, moved, hold.pinned).q : moved;

@@ -13,7 +13,10 @@ export function makeTabs(store, views, tools) {
       onclick: () => open(name), onkeydown: (e) => walk(e, i),
     }, VIEWS[name].title),
   ); // prettier-ignore
-  const panel = h("div.view", { id: `${tools.id}-panel`, ...(several ? { role: "tabpanel" } : {}) });
+  const panel = h("div.view", {
+    id: `${tools.id}-panel`,
+    ...(several ? { role: "tabpanel" } : {}),
+  });
   const strip = several ? h("div.tabs", { role: "tablist", "aria-label": "Views" }, tabs) : [];
   const root = h("div.views", {}, strip, panel);
 

@@ -31,7 +31,8 @@ export function build(store, { goTo, say }) {
   }
 
   function update(state, derived) {
-    if (shown?.ways !== state.ways || shown.unit !== state.unit || shown.arm !== state.arm) lay(state);
+    if (shown?.ways !== state.ways || shown.unit !== state.unit || shown.arm !== state.arm)
+      lay(state);
     const left = leftBehind(state, derived);
     root.classList.toggle("left", Boolean(left));
     write(words, summary(state, left));
@@ -75,14 +76,17 @@ export function build(store, { goTo, say }) {
 const named = (label) =>
   label
     .split(/\b([a-z]_\d+)\b/)
-    .map((part, i) => (i % 2 ? h("span", {}, indexed(...part.split("_"))) : part.replace(/-$/, "−")));
+    .map((part, i) =>
+      i % 2 ? h("span", {}, indexed(...part.split("_"))) : part.replace(/-$/, "−"),
+    );
 
 function summary({ ways, arm }, left) {
   if (!ways)
     return "Each way that the same pose can be reached is shown in a colour of its own; choose one to go there.";
   const choose = ways.list.length > 1 ? " Choose one, here or in the picture, to go there." : "";
   if (!left) return waysVerdict(arm, ways) + choose;
-  const gone = left.far > 5e-4 ? `${fixed(1000 * left.far, 0)} mm from there` : "turned away from it";
+  const gone =
+    left.far > 5e-4 ? `${fixed(1000 * left.far, 0)} mm from there` : "turned away from it";
   const back = "Choose one to go back, or find the ways to this pose.";
   return `These lead to the pose where the tip was before; it is now ${gone}. ${back}`;
 }

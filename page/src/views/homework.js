@@ -42,8 +42,10 @@ export function build(store, { say, signal }) {
   const curve = svg("svg", { viewBox: `0 0 ${CURVE[0]} ${CURVE[1]}`, role: "img" });
   const plots = makePlots();
   const transport = makeTransport(store, { signal, begin: () => show() });
-  const quantity = select("What the plots show", { joint: "joint values", torque: "static torques" }, () =>
-    lay(),
+  const quantity = select(
+    "What the plots show",
+    { joint: "joint values", torque: "static torques" },
+    () => lay(),
   );
   const slipOfModel = select("Mistake in the torques", MODELS, (value) => ((model = value), lay()));
   const fields = makeFields((patch) => edit(patch));
@@ -84,7 +86,8 @@ export function build(store, { say, signal }) {
   });
 
   const put = (runs) => store.dispatch({ type: "show", runs });
-  const edit = (patch) => put(store.state.runs.map((run, i) => (i === chosen ? { ...run, ...patch } : run)));
+  const edit = (patch) =>
+    put(store.state.runs.map((run, i) => (i === chosen ? { ...run, ...patch } : run)));
   const key = (run) => JSON.stringify([store.state.arm.rows, start, run]);
   const resultOf = (run) => results.get(key(run));
 
@@ -136,7 +139,8 @@ export function build(store, { say, signal }) {
     add.disabled = runs.length >= MOST_RUNS;
     const torques = quantity.value === "torque";
     slipOfModel.options[2].disabled = !isPanda(arm);
-    if (trace) plots.lay(store.state, torques ? torquesAlong(arm, trace, wrench, model) : trace, torques);
+    if (trace)
+      plots.lay(store.state, torques ? torquesAlong(arm, trace, wrench, model) : trace, torques);
     else plots.clear();
     plots.mark(store.state.at);
     drawWall();
@@ -154,7 +158,10 @@ export function build(store, { say, signal }) {
       type: "button", role: "radio", "aria-checked": String(i === chosen),
       onclick: () => ((chosen = i), compute()),
     }; // prettier-ignore
-    const swatch = h("span.swatch", { style: `background:${branchColour(i)}`, "aria-hidden": "true" });
+    const swatch = h("span.swatch", {
+      style: `background:${branchColour(i)}`,
+      "aria-hidden": "true",
+    });
     return h("button", attributes, swatch, h("span", {}, `${named(run)}:${error}`));
   }
 
@@ -200,7 +207,8 @@ export function build(store, { say, signal }) {
     const x = (radius) => (w * (radius - 0.01)) / 0.09;
     const most = Math.max(...points.map(({ least }) => least), 1e-6);
     const least = points.map(
-      ({ radius, least: v }) => `${x(radius).toFixed(1)},${(high - 8 - ((high - 16) * v) / most).toFixed(1)}`,
+      ({ radius, least: v }) =>
+        `${x(radius).toFixed(1)},${(high - 8 - ((high - 16) * v) / most).toFixed(1)}`,
     );
     const bars = points.map(({ radius, turns, reached }) => {
       const tall = Math.min(3, Math.abs(turns)) * 18;
@@ -214,7 +222,11 @@ export function build(store, { say, signal }) {
     });
     const now = store.state.runs[chosen]?.radius ?? 0.1;
     const mark = svg("line", { x1: x(now), x2: x(now), y1: 0, y2: high, class: "cursor" });
-    curve.replaceChildren(...bars, svg("polyline", { points: least.join(" "), class: "least" }), mark);
+    curve.replaceChildren(
+      ...bars,
+      svg("polyline", { points: least.join(" "), class: "least" }),
+      mark,
+    );
     attribute(curve, "aria-label", curveWords(points));
     return undefined;
   }
@@ -276,15 +288,19 @@ function said(run, result, arm) {
           "Choose the pseudo-inverse or damped rates."
       : `The run breaks at step ${result.failed} of ${run.steps}: no inverse there.`;
   }
-  const jointNames = (holds) => joints(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
+  const jointNames = (holds) =>
+    joints(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
   const winding = jointNames((_, k) => Math.abs(result.wound[k]) > 0.9);
   const past = jointNames((row, k) => result.path.some((q) => outside(arm.rows[row], q[k])));
   const turns = winding.length ? ` Once round: ${listed(winding)}.` : "";
   const limits = past.length ? ` Past its limits: ${listed(past)}.` : "";
-  const size = result.least < 1e-4 ? result.least.toExponential(1).replace("-", "−") : fixed(result.least, 4);
+  const size =
+    result.least < 1e-4 ? result.least.toExponential(1).replace("-", "−") : fixed(result.least, 4);
   const error = `Largest error ${millimetres(result.largest)}`;
-  const speed = result.run.method === "exact" ? "" : `, fastest joint ${fixed(result.fastest, 2)} rad/s`;
-  const tilt = result.tilt > 1e-3 ? `, the tool tilts by ${fixed((result.tilt * 180) / Math.PI, 1)}°` : "";
+  const speed =
+    result.run.method === "exact" ? "" : `, fastest joint ${fixed(result.fastest, 2)} rad/s`;
+  const tilt =
+    result.tilt > 1e-3 ? `, the tool tilts by ${fixed((result.tilt * 180) / Math.PI, 1)}°` : "";
   return `${error}${tilt}${speed}. Smallest σ on the way: ${size}.${turns}${limits}`;
 }
 
@@ -319,9 +335,14 @@ function makeFields(edit) {
     slider("cutoff", "Cut-off", true, (v) => v.toExponential(0).replace("-", "−"), (v) => Number(v.toPrecision(1))),
     slider("damping", "Damping", true, (v) => fixed(v, 3), (v) => Number(v.toPrecision(2))),
   ]; // prettier-ignore
-  const lock = h("input", { type: "checkbox", onchange: (e) => edit({ locked: e.target.checked ? 2 : -1 }) });
+  const lock = h("input", {
+    type: "checkbox",
+    onchange: (e) => edit({ locked: e.target.checked ? 2 : -1 }),
+  });
   const locked = h("label.check", {}, lock, " joint 3 locked");
-  const selects = [method, rates, slip].map(([label, element]) => h("label", {}, `${label} `, element));
+  const selects = [method, rates, slip].map(([label, element]) =>
+    h("label", {}, `${label} `, element),
+  );
   const root = h(
     "div.levers",
     {},
@@ -356,7 +377,9 @@ function makeFields(edit) {
       show(run[key]);
       const idle = run.method === "exact" && !["radius", "steps", "seconds"].includes(key);
       part.hidden =
-        idle || (key === "cutoff" && run.rates !== "pseudo") || (key === "damping" && run.rates !== "damped");
+        idle ||
+        (key === "cutoff" && run.rates !== "pseudo") ||
+        (key === "damping" && run.rates !== "damped");
     }
     selects[1].hidden = run.method === "exact";
     selects[2].hidden = run.method === "exact";

@@ -44,7 +44,9 @@ export function build(store, { point }) {
       ...moving.map((row) => h("th", { scope: "col" }, indexed("q", row + 1))),
     );
     cells = ROWS.map(() =>
-      moving.map((row) => h("td", { onpointerenter: () => point(row), onpointerleave: () => point(null) })),
+      moving.map((row) =>
+        h("td", { onpointerenter: () => point(row), onpointerleave: () => point(null) }),
+      ),
     );
     body.replaceChildren(
       ...cells.map((row, i) =>

@@ -20,7 +20,8 @@ export const later = (name, title) => ({
         root.replaceChildren(view.root);
         if (store.state.view === name) view.update(store.state, store.derived);
       },
-      () => (words.textContent = "This part could not be loaded; opening the page anew tries again."),
+      () =>
+        (words.textContent = "This part could not be loaded; opening the page anew tries again."),
     );
     return {
       root,

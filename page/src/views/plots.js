@@ -18,14 +18,20 @@ export function makePlots() {
   function lay({ arm, unit }, rows, torques) {
     cursors = [];
     const column = (i) => rows.map((row) => row[i]);
-    root.replaceChildren(...joints(arm).map((row, i) => plot(arm.rows[row], row, column(i), torques, unit)));
+    root.replaceChildren(
+      ...joints(arm).map((row, i) => plot(arm.rows[row], row, column(i), torques, unit)),
+    );
   }
 
   function plot(joint, row, values, torques, unit) {
     const text = (v) =>
-      torques ? `${fixed(v, 2)} ${joint.kind === "revolute" ? "N m" : "N"}` : jointText(joint, v, unit);
+      torques
+        ? `${fixed(v, 2)} ${joint.kind === "revolute" ? "N m" : "N"}`
+        : jointText(joint, v, unit);
     const effort = joint.effort ?? Infinity;
-    const [lower, upper] = torques ? [-effort, effort] : [joint.lower ?? -Infinity, joint.upper ?? Infinity];
+    const [lower, upper] = torques
+      ? [-effort, effort]
+      : [joint.lower ?? -Infinity, joint.upper ?? Infinity];
     const [low, high] = [Math.min(...values), Math.max(...values)];
     const least = torques ? 0.5 : isAngle(joint) ? 0.1 : 0.02;
     const middle = (low + high) / 2;
@@ -49,13 +55,27 @@ export function makePlots() {
       ...(upper < Infinity ? [beyond(-1, y(upper))] : []),
       ...(lower > -Infinity ? [beyond(y(lower), HEIGHT)] : []),
     ];
-    const box = { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", "aria-hidden": "true" };
+    const box = {
+      viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+      preserveAspectRatio: "none",
+      "aria-hidden": "true",
+    };
     const picture = svg("svg", box, ...bands, svg("polyline", { points: points.join(" ") }), line);
     const value = h("span.now");
-    cursors.push({ line, value, at: (share) => text(values[Math.round(share * (values.length - 1))]) });
+    cursors.push({
+      line,
+      value,
+      at: (share) => text(values[Math.round(share * (values.length - 1))]),
+    });
     const past = values.some((v) => v < lower - 1e-9 || v > upper + 1e-9);
     const name = h("b", {}, indexed(torques ? "τ" : "q", row + 1));
-    const caption = h("figcaption", {}, name, value, h("span.span", {}, `${text(low)} … ${text(high)}`));
+    const caption = h(
+      "figcaption",
+      {},
+      name,
+      value,
+      h("span.span", {}, `${text(low)} … ${text(high)}`),
+    );
     return h(past ? "figure.past" : "figure", {}, caption, picture);
   }
 

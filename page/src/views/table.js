@@ -27,7 +27,9 @@ export function build(store, { say }) {
   );
   const first = () => change(store.state.base.rows);
   const back = h("button", { type: "button", onclick: first }, "Back to the first table");
-  const formats = Object.entries(FORMATS).map(([name, { label }]) => h("option", { value: name }, label));
+  const formats = Object.entries(FORMATS).map(([name, { label }]) =>
+    h("option", { value: name }, label),
+  );
   const format = h("select", { "aria-label": "Format to copy" }, formats);
   const copy = h("button", { type: "button", onclick: copied }, "Copy as");
   const table = h(
@@ -51,7 +53,11 @@ export function build(store, { say }) {
   };
 
   function typed(i, [key, letter, angle], input, last) {
-    const { value, error: fault } = readEntry(input.value, angle ? "angle" : "length", store.state.unit);
+    const { value, error: fault } = readEntry(
+      input.value,
+      angle ? "angle" : "length",
+      store.state.unit,
+    );
     const wrong = fault && (last || !unfinished(input.value));
     attribute(input, "aria-invalid", String(Boolean(wrong)));
     complain(wrong ? `Row ${i + 1}, ${letter} ${fault}.` : "");
@@ -87,7 +93,12 @@ export function build(store, { say }) {
     units.replaceChildren(
       ...["row", "joint"].map((t) => h("th", { scope: "col" }, t)),
       ...COLUMNS.map(([, letter, turn]) =>
-        h("th", { scope: "col" }, h("i", {}, letter), h("small", {}, turn ? ` (${angle})` : " (m)")),
+        h(
+          "th",
+          { scope: "col" },
+          h("i", {}, letter),
+          h("small", {}, turn ? ` (${angle})` : " (m)"),
+        ),
       ),
       h("th", {}, h("span.hidden", {}, "remove")),
     );
@@ -106,7 +117,8 @@ export function build(store, { say }) {
     );
     const entry = (column) => {
       const [key, letter, angle] = column;
-      const moves = (row.kind === "revolute" && key === "theta") || (row.kind === "prismatic" && key === "d");
+      const moves =
+        (row.kind === "revolute" && key === "theta") || (row.kind === "prismatic" && key === "d");
       const input = h("input", {
         type: "text", spellcheck: "false", autocomplete: "off", value: entryText(row[key], angle, unit),
         "aria-label": `Row ${i + 1}, ${letter}`, "data-cell": `${i + 1}-${key}`,
@@ -146,7 +158,8 @@ export function build(store, { say }) {
 
   function update(state, derived) {
     const typing =
-      body.contains(root.getRootNode().activeElement) && root.getRootNode().activeElement.matches("input");
+      body.contains(root.getRootNode().activeElement) &&
+      root.getRootNode().activeElement.matches("input");
     const reshaped = shown.rows?.length !== state.arm.rows.length || shown.unit !== state.unit;
     if (reshaped || (shown.rows !== state.arm.rows && !typing)) lay(state);
     add.disabled = state.arm.rows.length >= MOST_ROWS;
@@ -155,7 +168,14 @@ export function build(store, { say }) {
   return { root, update, summary: () => error.textContent || verdict.textContent };
 }
 
-const newKind = (row, kind) => ({ ...row, kind, lower: null, upper: null, speed: null, effort: null });
+const newKind = (row, kind) => ({
+  ...row,
+  kind,
+  lower: null,
+  upper: null,
+  speed: null,
+  effort: null,
+});
 
 function download(text, name) {
   const address = URL.createObjectURL(new Blob([text], { type: "text/plain" }));

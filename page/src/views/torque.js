@@ -33,10 +33,15 @@ export function build(store, { point, say }) {
       "fieldset.wrench",
       {},
       h("legend", {}, "Wrench on the tool, by the world, at the tip (N, N m)"),
-      PARTS.map(([letter, index], i) => h("label", {}, h("span", {}, indexed(letter, index)), inputs[i])),
+      PARTS.map(([letter, index], i) =>
+        h("label", {}, h("span", {}, indexed(letter, index)), inputs[i]),
+      ),
       h(
         "button",
-        { type: "button", onclick: () => store.dispatch({ type: "push", wrench: [0, 0, 0, 0, 0, 0] }) },
+        {
+          type: "button",
+          onclick: () => store.dispatch({ type: "push", wrench: [0, 0, 0, 0, 0, 0] }),
+        },
         "No load",
       ),
     ),
@@ -68,7 +73,9 @@ export function build(store, { point, say }) {
     const { value, error: fault } = readEntry(input.value, i < 3 ? "force" : "moment");
     const wrong = fault && (last || !unfinished(input.value));
     attribute(input, "aria-invalid", String(Boolean(wrong)));
-    error.textContent = wrong ? `${PARTS[i][0]}${PARTS[i][1]} ${fault}. The last good wrench stays.` : "";
+    error.textContent = wrong
+      ? `${PARTS[i][0]}${PARTS[i][1]} ${fault}. The last good wrench stays.`
+      : "";
     if (wrong) say(() => error.textContent);
     if (!fault) {
       const wrench = store.state.wrench.map((v, k) => (k === i ? value : v));
@@ -90,7 +97,12 @@ export function build(store, { point, say }) {
         { onpointerenter: () => point(row), onpointerleave: () => point(null) },
         h("th", { scope: "row" }, indexed("τ", row + 1)),
         cells,
-        h("td.bar", {}, h("span.track", { "aria-hidden": true }, fill), h("span.share", {}, part, limit)),
+        h(
+          "td.bar",
+          {},
+          h("span.track", { "aria-hidden": true }, fill),
+          h("span.share", {}, part, limit),
+        ),
       );
       return { row, cells, fill, part, limit, line };
     });

@@ -59,12 +59,14 @@ export function build(store, { say, signal }) {
   function sized(input, whole) {
     const { value, error: fault } = readEntry(input.value, "length");
     const small = !fault && !(value > 0 && value <= MOST_RADIUS);
-    const words = fault ?? (small ? `“${input.value}” is no length above 0 and up to ${MOST_RADIUS} m` : "");
+    const words =
+      fault ?? (small ? `“${input.value}” is no length above 0 and up to ${MOST_RADIUS} m` : "");
     const wrong = words && (whole || !unfinished(input.value));
     attribute(input, "aria-invalid", String(Boolean(wrong)));
     error.textContent = wrong ? `The radius ${words}.` : "";
     if (wrong) say(() => error.textContent);
-    if (!words && value !== store.state.circle.radius) store.dispatch({ type: "circle", radius: value });
+    if (!words && value !== store.state.circle.radius)
+      store.dispatch({ type: "circle", radius: value });
     return !words;
   }
 

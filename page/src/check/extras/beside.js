@@ -9,7 +9,11 @@ import { pictureOf } from "./picture.js";
  */
 export function addArm(judge) {
   const host = /** @type {any} */ (
-    h("div.arm-explorer.beside", { "data-figure": "answer" }, h("p.about", {}, "A live picture of the arm."))
+    h(
+      "div.arm-explorer.beside",
+      { "data-figure": "answer" },
+      h("p.about", {}, "A live picture of the arm."),
+    )
   );
   let there = false;
   const show = () => {
@@ -18,7 +22,11 @@ export function addArm(judge) {
     host.dispatchEvent(new Event("arm-explorer", { bubbles: true }));
   };
   if (judge.given) {
-    const button = h("button", { type: "button", onclick: () => (button.remove(), show()) }, "Show the arm");
+    const button = h(
+      "button",
+      { type: "button", onclick: () => (button.remove(), show()) },
+      "Show the arm",
+    );
     judge.parts.tools.append(button);
   }
   judge.follow((question, verdict) => {

@@ -9,7 +9,13 @@ import { matrixOf, namesOf } from "../shown.js";
 
 const [GRID, TEXT] = ["Fill in a grid", "Type or paste instead"];
 const MOST = 12; // rows, of those that a reader adds
-const STEPS = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1], Enter: [1, 0] };
+const STEPS = {
+  ArrowUp: [-1, 0],
+  ArrowDown: [1, 0],
+  ArrowLeft: [0, -1],
+  ArrowRight: [0, 1],
+  Enter: [1, 0],
+};
 const SIZES = {
   jacobian: (dof) => [6, dof],
   torques: (dof) => [1, dof],
@@ -55,7 +61,8 @@ export function textOf(rows) {
  * @param {[number, number]} place
  */
 export function filled(rows, pasted, [row, column]) {
-  const whole = pasted.length === rows.length && pasted.every((line) => line.length === rows[0].length);
+  const whole =
+    pasted.length === rows.length && pasted.every((line) => line.length === rows[0].length);
   const [top, left] = whole ? [0, 0] : [row, column];
   return rows.map((line, i) => line.map((cell, k) => pasted[i - top]?.[k - left] ?? cell));
 }

@@ -103,8 +103,12 @@ function ofTable(_, { arm, report }) {
   const links = [...new Set(named.map((number) => number - 1))].filter((row) => arm.rows[row]);
   const mine = { name: "", home: [], rows: report.table?.rows ?? [] };
   const ghosts = fits(mine, homeOf(arm)) ? [{ arm: mine, q: homeOf(arm) }] : [];
-  const rows = links.length ? ` In full red: what row ${listed(links.map((row) => row + 1))} describes.` : "";
-  const ghost = ghosts.length ? ` The red ghost: the arm of your table, at the same joint values.` : "";
+  const rows = links.length
+    ? ` In full red: what row ${listed(links.map((row) => row + 1))} describes.`
+    : "";
+  const ghost = ghosts.length
+    ? ` The red ghost: the arm of your table, at the same joint values.`
+    : "";
   return { links, ghosts, words: `${HOME}${ghost}${rows}` };
 }
 
@@ -113,7 +117,9 @@ function vectorsOf({ unit }, arm, { values, shape }) {
   const moving = joints(arm);
   const width = moving.length;
   if (values.length % width || (shape.at(-1) !== width && values.length !== width)) return [];
-  const factors = moving.map((row) => (unit === "deg" && arm.rows[row].kind === "revolute" ? RAD : 1));
+  const factors = moving.map((row) =>
+    unit === "deg" && arm.rows[row].kind === "revolute" ? RAD : 1,
+  );
   return Array.from({ length: values.length / width }, (_, i) =>
     factors.map((factor, k) => factor * values[i * width + k]),
   );
@@ -135,7 +141,12 @@ function ofAngles(question, { arm, report }) {
   const ghosts = wrong.slice(1, MOST_GHOSTS).map((q) => ({ arm, q }));
   const words = `The arm at ${ghosts.length ? "your first wrong answer, others as ghosts" : "your answer"}.`;
   const points = pointOf(question);
-  return { q: wrong[0], ghosts, points, words: points.length ? `${words} The red ball: the target.` : words };
+  return {
+    q: wrong[0],
+    ghosts,
+    points,
+    words: points.length ? `${words} The red ball: the target.` : words,
+  };
 }
 
 // The way of the tip along a run.

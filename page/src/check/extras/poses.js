@@ -13,7 +13,9 @@ const TRIED = 12; // poses
  */
 function hiddenAt(question, arms, arm, q) {
   const columns = jacobianColumns(arm, linkFrames(arm, q));
-  const answer = [0, 1, 2, 3, 4, 5].map((i) => columns.map((column) => column[i]).join(", ")).join("\n");
+  const answer = [0, 1, 2, 3, 4, 5]
+    .map((i) => columns.map((column) => column[i]).join(", "))
+    .join("\n");
   const asked = { ...question, q: q.join(", "), unit: "rad", frame: "0", first: "v", answer };
   return Number(/^\d+/.exec(judged(asked, arms).report?.notes[0] ?? "0")?.[0] ?? 0);
 }
@@ -43,7 +45,9 @@ export function addPoses(judge) {
     const { q, hidden } = tellingPose(judge.question(), arms, arm);
     const text = q.join(", ");
     // A formula is judged there at once, numbers belong to the pose that they were computed at.
-    judge.put(report.typed?.symbolic ? { q: text, unit: "rad" } : { q: text, unit: "rad", answer: "" });
+    judge.put(
+      report.typed?.symbolic ? { q: text, unit: "rad" } : { q: text, unit: "rad", answer: "" },
+    );
     const left = hidden
       ? `${hidden} usual mistakes stay hidden at this pose`
       : "No usual mistake is hidden at this pose";

@@ -60,7 +60,8 @@ export function addPractice(judge) {
     judge.put({ ...EMPTY, ...posed.asked, answer });
     problem.focus();
   }
-  const changed = (question) => Object.entries(posed.asked).some(([key, value]) => question[key] !== value);
+  const changed = (question) =>
+    Object.entries(posed.asked).some(([key, value]) => question[key] !== value);
   judge.follow((question, { report }) => {
     if (posed && changed(question)) {
       posed = null;
@@ -118,7 +119,8 @@ const vector = (text) => `(${text.replaceAll("-", "−")})`;
 const numbers = (values) => vector(values.map((v) => String(Number(v.toFixed(4)) + 0)).join(", "));
 
 const SAID = {
-  jacobian: ({ q }) => `Write the Jacobian of the tip, rows (v, ω) in base axes, at q = ${vector(q)}.`,
+  jacobian: ({ q }) =>
+    `Write the Jacobian of the tip, rows (v, ω) in base axes, at q = ${vector(q)}.`,
   torques: ({ q, wrench }) =>
     `Which joint torques hold the arm at q = ${vector(q)} while the world acts on its tip with the wrench ` +
     `${vector(wrench)} (N and N m, base axes)? Take 9.81 m/s², down.`,
@@ -185,8 +187,16 @@ function describedByAxes(arm, along) {
     "convention allows is right.";
   const place = { role: "region", tabindex: "0", "aria-label": "The arm's axes" };
   return [
-    h("p", {}, "An arm of four joints, at q = 0 and in base axes, whose z axis is the first joint axis:"),
-    h("div.scroll", place, grid("Its axes", ["joint", "it", "a point on its axis (m)", "direction"], rows)),
+    h(
+      "p",
+      {},
+      "An arm of four joints, at q = 0 and in base axes, whose z axis is the first joint axis:",
+    ),
+    h(
+      "div.scroll",
+      place,
+      grid("Its axes", ["joint", "it", "a point on its axis (m)", "direction"], rows),
+    ),
     h("p", {}, words),
   ];
 }

@@ -49,7 +49,9 @@ function smallest(arm, q) {
 export function drawPose(arm, roll) {
   for (let i = 0; i < TRIES; i++) {
     const q = joints(arm).map((row) => {
-      const [low, high] = range(arm.rows[row]).map((limit) => Math.max(-WIDEST, Math.min(WIDEST, limit)));
+      const [low, high] = range(arm.rows[row]).map((limit) =>
+        Math.max(-WIDEST, Math.min(WIDEST, limit)),
+      );
       return rounded(low + (high - low) * between(roll, 0.1, 0.9), 2);
     });
     if (smallest(arm, q) > SMALLEST) return q;
@@ -58,7 +60,8 @@ export function drawPose(arm, roll) {
 }
 
 const text = (values) => values.join(", ");
-const rowsOf = ({ x, y, z, o }) => [0, 1, 2].map((i) => [x[i], y[i], z[i], o[i]].map((v) => rounded(v, 8)));
+const rowsOf = ({ x, y, z, o }) =>
+  [0, 1, 2].map((i) => [x[i], y[i], z[i], o[i]].map((v) => rounded(v, 8)));
 const tipOf = (arm, q) => linkFrames(arm, q).at(-1);
 
 // What each series asks: the arms that suit it, and how its fields are drawn.

@@ -14,7 +14,11 @@ export function addTools(judge, root) {
   const call = h("code");
   const closed = h("pre", { hidden: true, tabindex: "0" }, call);
   const whole = new URL("check_your_homework.html", root).href;
-  const explorer = h("a", { href: new URL("explorer.html", root).href }, "See this pose in the explorer");
+  const explorer = h(
+    "a",
+    { href: new URL("explorer.html", root).href },
+    "See this pose in the explorer",
+  );
   const more = h("a", { href: whole }, "More room, and all options");
   const button = (words, onclick) => h("button", { type: "button", onclick }, words);
 
@@ -22,11 +26,18 @@ export function addTools(judge, root) {
     const fragment = judge.links.fragment();
     if (!judge.given) history.replaceState(null, "", fragment);
     const copying = await copied(judge.given ? whole + fragment : location.href);
-    say(copying ? "The link is copied." : judge.given ? CLOSED : "The link stands in the address bar.");
+    say(
+      copying
+        ? "The link is copied."
+        : judge.given
+          ? CLOSED
+          : "The link stands in the address bar.",
+    );
   };
   const python = async () => {
     await ready(judge.question().ask);
-    if (!judge.links.open()) return say("A call in Python would show the solution of this question.");
+    if (!judge.links.open())
+      return say("A call in Python would show the solution of this question.");
     const text = pythonOf(judge, say);
     if (text && (await copied(text))) return say("The call is copied.");
     call.textContent = text;
@@ -41,14 +52,20 @@ export function addTools(judge, root) {
   const links = judge.given ? [more] : [explorer];
   // Of an exercise's own arm all of them would show the table, which is the solution.
   if (!judge.given?.table)
-    parts.tools.append(example, button("Copy link", link), button("Copy as Python", python), ...links);
+    parts.tools.append(
+      example,
+      button("Copy link", link),
+      button("Copy as Python", python),
+      ...links,
+    );
   parts.said.after(closed);
 
   judge.follow((question, { arm, q }) => {
     more.href = whole + toFragment(question);
     example.hidden = !examples().length;
     explorer.hidden = !arm || !q || question.arm === OWN || !arm.explorer;
-    if (!explorer.hidden) explorer.href = `${explorer.href.split("#")[0]}#${poseOf(question, arm, q)}`;
+    if (!explorer.hidden)
+      explorer.href = `${explorer.href.split("#")[0]}#${poseOf(question, arm, q)}`;
   });
 }
 

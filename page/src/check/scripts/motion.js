@@ -26,7 +26,8 @@ register("pose", {
 });
 
 function targetOf({ target }) {
-  if (!target.trim()) throw new ArmError("Say where the tip should be: a point x, y, z in m, or a pose.");
+  if (!target.trim())
+    throw new ArmError("Say where the tip should be: a point x, y, z in m, or a pose.");
   return target;
 }
 
@@ -35,7 +36,9 @@ function targetOf({ target }) {
 register("branches", {
   verdict(question, arm) {
     const form = formFor(arm);
-    return compareBranches(question.answer, arm, rowsOf(question, arm, form), { angles: question.unit });
+    return compareBranches(question.answer, arm, rowsOf(question, arm, form), {
+      angles: question.unit,
+    });
   },
   call(question, name, arm) {
     const form = formFor(arm);
@@ -92,7 +95,11 @@ register("trace", {
     return judgedTrace(typed, arm, path, { angles: question.unit });
   },
   call(question, name, arm) {
-    const { start, radius, plane, period, steps } = asked(question, arm, readTrace(question.answer, arm));
+    const { start, radius, plane, period, steps } = asked(
+      question,
+      arm,
+      readTrace(question.answer, arm),
+    );
     const given = [name, JSON.stringify(start), radius, `"${plane}"`, period, steps];
     const circle = `motion.circle_below(${given.join(", ")})`;
     const path = question.pace === "rest" ? `motion.rest_to_rest(${circle})` : circle;
@@ -113,7 +120,9 @@ function asked(question, arm, typed) {
     if (values.length === 1 && values[0] > 0) return values[0];
     throw new ArmError(`${what} is ${quoted(question[key])}; expected a number of ${unit} above 0`);
   };
-  const steps = question.steps.trim() ? above("steps", "the number of steps", "steps") : guessed(typed, arm);
+  const steps = question.steps.trim()
+    ? above("steps", "the number of steps", "steps")
+    : guessed(typed, arm);
   if (!Number.isInteger(steps) || steps < FEWEST_STEPS || steps > MOST_STEPS) {
     const wanted = `a whole number from ${FEWEST_STEPS} to ${MOST_STEPS}`;
     throw new ArmError(`the number of steps is ${steps}; expected ${wanted}`);
