@@ -3,7 +3,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
-BOOK := book/_build/html/index.html
+HTML := book/_build/html
 SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/* book/answers/*.md) $(shell find helpers -name '*.py')
 
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
@@ -42,13 +42,18 @@ $(BIN)/.installed-dev: $(BIN)/.installed requirements-dev.txt
 	@find $(CMEEL)/share/example-robot-data -iregex '.*\.\(stl\|dae\|obj\|mtl\|png\|jpg\)' -delete 2>/dev/null || true
 	@touch $@
 
+# Sphinx warns of a page only when it writes it: where the last build failed or broke off, every page is built anew,
+# until one build has nothing to warn of.
+BOOK := $(HTML)/.whole
+
 $(BOOK): $(BIN)/.installed $(SOURCES)
-	$(BIN)/jupyter-book build book -W -n --keep-going --quiet
+	@rm -f $@
+	$(BIN)/jupyter-book build book -W -n --keep-going --quiet $(if $(wildcard $@),,--all)
 	@touch $@
 
 book: $(BOOK) ## build the book and say where it is
-	@echo "The book: $(CURDIR)/$(BOOK)"
-	@echo "file://$(CURDIR)/$(BOOK)"
+	@echo "The book: $(CURDIR)/$(HTML)/index.html"
+	@$(BIN)/python -c 'import pathlib; print(pathlib.Path("$(HTML)/index.html").resolve().as_uri())'
 
 # The book is built while the tests are installed and the notebooks run; what looks at it waits for this file, which
 # says how that ended. Meanwhile SymPy is compiled once, and not by every process of the tests at its start. Three files
@@ -66,7 +71,7 @@ test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built b
 
 # Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
-	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
+	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_make.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
 
 # The page judges in JavaScript, the checkers in Python: what a reader is told may not depend on where.
 judge: $(BIN)/.installed-dev ## ask the page's judge and the checkers 26 000 questions; every word must be equal (needs Node.js)
@@ -79,8 +84,13 @@ notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output w
 elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would round; nothing stored may change
 	$(BIN)/python -m tools.noise $(NOTEBOOKS)
 
-lab: $(BIN)/.installed ## open the notebooks in JupyterLab
-	$(BIN)/jupyter lab book
+# What is there already is the reader's own work, and stays.
+lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder my, in JupyterLab
+	@mkdir -p my
+	@for notebook in $(NOTEBOOKS); do \
+	  test -e my/$${notebook##*/} || { cp $$notebook my/.copy && mv my/.copy my/$${notebook##*/}; } || exit 1; done
+	@echo "Your copies: $(CURDIR)/my. Delete one, and the next make lab copies it anew."
+	$(BIN)/jupyter lab my
 
 refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
 	$(BIN)/python tools/refresh.py $(NOTEBOOKS)
@@ -97,8 +107,8 @@ pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chro
 release: pdf ## the book as a zip to read offline, the PDF and the wheel, in dist
 	rm -rf dist && mkdir dist
 	$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --wheel-dir dist .
-	cp book/_build/html/book.pdf dist
-	cd book/_build/html && ../../../$(BIN)/python -m zipfile -c ../../../dist/book.zip *
+	cp $(HTML)/book.pdf dist
+	cd $(HTML) && ../../../$(BIN)/python -m zipfile -c ../../../dist/book.zip *
 
 address: ## say where the repository is: make address URL=https://github.com/OWNER/NAME
 	$(PYTHON) tools/address.py "$(URL)"
@@ -141,6 +151,6 @@ lock: ## pin every dependency anew
 	.venv-lock/bin/uv pip compile --universal --python-version 3.11 --no-header --no-annotate --no-emit-index-url --quiet requirements-dev.txt | grep -vE '^-e|python.check' >> requirements.lock
 	rm -r .venv-lock
 
-clean: ## remove what was built, the environment too
-	rm -rf $(VENV) .venv-lock .venv-bench .venv-lite .venv-mutants mutants book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
+clean: ## remove what was built, the environment too; your own copies in my stay
+	rm -rf $(VENV) .venv-lock .venv-bench .venv-lite .venv-mutants mutants dist build book/_build .pytest_cache .ruff_cache .hypothesis *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -r {} +

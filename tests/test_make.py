@@ -1,0 +1,99 @@
+"""What the Makefile promises: a failed build stays failed, a reader's copies stay a reader's."""
+
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+NOTEBOOK = "book/01_dh_tables.ipynb"
+# A book as Sphinx builds it: a warning fails the build, and is given only when the page is written.
+BUILDER = """#!/bin/sh
+echo build "$@" >> builds
+mkdir -p book/_build/html
+if test book/page.md -nt book/_build/html/index.html || echo "$@" | grep -q -- --all; then
+  touch book/_build/html/index.html
+  ! grep -q broken book/page.md
+fi
+"""
+
+pytestmark = pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")
+
+
+@pytest.fixture
+def project(tmp_path):
+    """The Makefile in a folder with a blank and an umlaut, its environment already installed."""
+    root = tmp_path / "my übung"
+    (root / ".venv/bin").mkdir(parents=True)
+    (root / "book").mkdir()
+    shutil.copy(ROOT / "Makefile", root)
+    for name in ("requirements.txt", "requirements.lock", "pyproject.toml", NOTEBOOK):
+        (root / name).write_text("{}", "utf-8")
+    (root / "book/page.md").write_text("fine", "utf-8")
+    (root / ".venv/bin/python").symlink_to(shutil.which("python3"))
+    program(root, "jupyter-book", BUILDER)
+    program(root, "jupyter", "#!/bin/sh\n")
+    (root / ".venv/bin/.installed").touch()
+    return root
+
+
+def program(root, name, text):
+    (root / ".venv/bin" / name).write_text(text, "utf-8")
+    (root / ".venv/bin" / name).chmod(0o755)
+
+
+def make(root, *what):
+    done = subprocess.run(
+        ["make", *what], cwd=root, capture_output=True, check=False, encoding="utf-8"
+    )
+    return done.returncode, done.stdout
+
+
+def test_a_build_that_failed_fails_until_it_is_mended(project):
+    page, builds = project / "book/page.md", project / "builds"
+    assert make(project, "book")[0] == 0
+    page.write_text("broken", "utf-8")
+    for _ in range(3):
+        code, said = make(project, "book")
+        assert code != 0
+        assert "The book" not in said
+    page.write_text("mended", "utf-8")
+    assert make(project, "book")[0] == 0
+    built = builds.read_text("utf-8")
+    assert make(project, "book")[0] == 0
+    assert builds.read_text("utf-8") == built, "what is up to date is not built again"
+
+
+def test_the_link_to_the_book_can_be_opened(project):
+    _, said = make(project, "book")
+    assert (project / "book/_build/html/index.html").as_uri() in said.splitlines()
+
+
+def test_a_readers_copies_are_made_where_missing_and_never_written_over(project):
+    reference, copy = project / NOTEBOOK, project / "my" / Path(NOTEBOOK).name
+    reference.write_text("the reference", "utf-8")
+    code, said = make(project, "lab")
+    assert (code, copy.read_text("utf-8")) == (0, "the reference")
+    assert str(project / "my") in said
+    assert "jupyter lab my" in said, "JupyterLab sees nothing but the copies"
+    copy.write_text("mine", "utf-8")
+    reference.write_text("the reference, newer", "utf-8")
+    assert make(project, "lab")[0] == 0
+    assert make(project, "clean")[0] == 0
+    assert copy.read_text("utf-8") == "mine"
+    assert [path.name for path in (project / "my").iterdir()] == [copy.name]
+
+
+def test_clean_leaves_nothing_that_was_built(project):
+    made = ["dist/book.zip", "build/lib/arm.py", "book/_build/html/index.html"]
+    for name in made:
+        (project / name).parent.mkdir(parents=True, exist_ok=True)
+        (project / name).touch()
+    assert make(project, "clean")[0] == 0
+    assert not any((project / Path(name).parent).exists() for name in made)
+    assert (project / NOTEBOOK).exists()
+
+
+def test_git_leaves_a_readers_copies_alone():
+    assert "my/" in (ROOT / ".gitignore").read_text("utf-8").splitlines()
