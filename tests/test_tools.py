@@ -3,12 +3,14 @@ on every machine."""
 
 import re
 import tomllib
+from contextlib import nullcontext
 from pathlib import Path
 from types import SimpleNamespace
 
 import nbformat
 import pytest
 import yaml
+from playwright.sync_api import Error
 
 from tools import address, pdf
 from tools.refresh import refresh
@@ -53,6 +55,18 @@ def test_references_are_printed_again_until_their_pages_hold(monkeypatch):
     page = SimpleNamespace(evaluate=evaluate, pdf=lambda **_: b"%PDF")
     assert pdf.printed(page) == b"%PDF"
     assert said == [{}, {"a": 3, "b": 1}, {"a": 3}]
+
+
+def test_without_a_browser_nothing_is_printed_and_a_sentence_says_why(monkeypatch):
+    def launch(**_):
+        raise Error("Chromium distribution 'chrome' is not found")
+
+    nothing = SimpleNamespace(chromium=SimpleNamespace(launch=launch))
+    monkeypatch.setattr(pdf, "sync_playwright", lambda: nullcontext(nothing))
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(SystemExit) as ended:
+        pdf.main()
+    assert re.fullmatch("no browser is on the PATH; expected one of chromium.*", ended.value.code)
 
 
 @pytest.fixture
@@ -135,6 +149,26 @@ def test_one_setting_says_everywhere_where_the_repository_is(root):
     assert urls == {"Book": citation["url"], "Source": citation["repository-code"]}
     address.write("", root)
     assert [(root / name).read_text("utf-8") for name in names] == before
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "https://github.com/Owner/book.git",
+        "https://github.com/Owner/....git",
+        "https://github.com/Owner/..",
+        "https://github.com/Owner/",
+        "https://github.com/Owner/book/tree/main",
+        "https://github.com/Öwner/book",
+        "http://github.com/Owner/book",
+        "book",
+    ],
+)
+def test_what_is_no_address_is_written_nowhere(root, wrong):
+    before = {path: path.read_bytes() for path in root.rglob("*") if path.is_file()}
+    with pytest.raises(ValueError, match="expected https://github"):
+        address.write(wrong, root)
+    assert {path: path.read_bytes() for path in root.rglob("*") if path.is_file()} == before
 
 
 def test_an_owners_own_site_has_no_folder():

@@ -9,6 +9,8 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
+# A name that ends in .git is how the repository is cloned, not where it is.
+ADDRESS = re.compile(r"https://github\.com/([\w-]+)/(?!\.+$)([\w.-]+)(?<!\.git)", re.ASCII)
 SETTING = re.compile(r'(?m)^(repository:\n  url: )"([^"]*)"')
 
 
@@ -19,13 +21,16 @@ def setting(root: Path = ROOT) -> str:
 
 def pages(address: str) -> str:
     """Where GitHub publishes the book of this repository."""
-    owner, name = re.fullmatch(r"https://github\.com/([\w.-]+)/([\w.-]+)", address).groups()
+    owner, name = ADDRESS.fullmatch(address).groups()
     site = f"{owner.lower()}.github.io"
     return f"https://{site}/" if name.lower() == site else f"https://{site}/{name}/"
 
 
 def write(address: str, root: Path = ROOT) -> None:
-    """Write the address wherever it must stand, in place of an earlier one."""
+    """Write the address wherever it must stand, in place of an earlier one; an empty one takes it
+    away. ValueError, with nothing written, for what is none."""
+    if address and not ADDRESS.fullmatch(address):
+        raise ValueError(f"{address!r}: expected https://github.com/OWNER/NAME, without .git")
     _change(root / "book/_config.yml", lambda text: SETTING.sub(rf'\g<1>"{address}"', text))
     lines = f"repository-code: {address}\nurl: {pages(address)}\n" if address else ""
     _change(root / "CITATION.cff", lambda text: _without(text, r"repository-code|url") + lines)
@@ -50,8 +55,9 @@ def _change(path: Path, change) -> None:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2 or not re.fullmatch(
-        r"(https://github\.com/[\w.-]+/[\w.-]+)?", sys.argv[1]
-    ):
+    if len(sys.argv) != 2:
         sys.exit("say: python tools/address.py https://github.com/OWNER/NAME")
-    write(sys.argv[1])
+    try:
+        write(sys.argv[1])
+    except ValueError as error:
+        sys.exit(str(error))

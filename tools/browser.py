@@ -2,7 +2,7 @@
 
 import shutil
 
-from playwright.sync_api import Browser, Playwright
+from playwright.sync_api import Browser, Error, Playwright
 
 # In every new window two search boxes that nobody sees are drawn, by a process each. Chromium
 # heeds the last list of features only, so what Playwright turns off stands here too.
@@ -40,7 +40,16 @@ NAMES = (
 
 def launched(playwright: Playwright, *more: str) -> Browser:
     """Chromium, Chrome or Edge, with `more` flags; on macOS and Windows Playwright knows where
-    Chrome is installed."""
+    Chrome is installed. Raises NoBrowser where there is none."""
     path = next(filter(None, map(shutil.which, NAMES)), None)
     where = {"executable_path": path} if path else {"channel": "chrome"}
-    return playwright.chromium.launch(**where, args=[*FLAGS, *more])
+    try:
+        return playwright.chromium.launch(**where, args=[*FLAGS, *more])
+    except Error as error:
+        if path:
+            raise
+        raise NoBrowser(f"no browser is on the PATH; expected one of {', '.join(NAMES)}") from error
+
+
+class NoBrowser(Exception):
+    """There is no Chromium, Chrome or Edge to look with."""

@@ -6,6 +6,7 @@ leads to another page it says to which: the book is printed until these numbers 
 """
 
 import re
+import sys
 from html import escape
 from io import BytesIO
 from pathlib import Path
@@ -13,7 +14,7 @@ from pathlib import Path
 from playwright.sync_api import Browser, Page, sync_playwright
 from pypdf import PdfReader
 
-from tools.browser import launched
+from tools.browser import NoBrowser, launched
 
 ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
@@ -128,17 +129,22 @@ def link(path: Path) -> None:
 
 
 def main() -> None:
-    together, result = HTML / "_whole.html", HTML / "book.pdf"
+    # Where the pages are, so that what they name is found, but only in the browser.
+    together, result = (HTML / "_whole.html").as_uri(), HTML / "book.pdf"
     with sync_playwright() as playwright:
-        browser = launched(playwright)
-        together.write_text(whole(browser), encoding="utf-8")
+        try:
+            browser = launched(playwright)
+        except NoBrowser as error:
+            sys.exit(str(error))
+        document = whole(browser)
         page = browser.new_page(viewport=SHEET)
-        page.goto(together.as_uri())
+        page.route(together, lambda route: route.fulfill(body="", content_type="text/html"))
+        page.goto(together)
+        page.set_content(document, timeout=0)
         page.emulate_media(media="print")
         page.evaluate("Promise.all([...document.images].map((i) => i.decode()))")
         result.write_bytes(printed(page))
         browser.close()
-    together.unlink()
     link(HTML / "intro.html")
     pages = len(PdfReader(result).pages)
     print(f"{result}: {pages} pages, {result.stat().st_size / 1e6:.1f} MB")

@@ -50,5 +50,5 @@ def test_the_pages_that_are_printed_are_those_of_the_book():
     assert {*pdf.names(), *pdf.ALONE} == {
         str(path.relative_to(HTML).with_suffix(""))
         for path in HTML.rglob("*.html")
-        if path.stem not in {"index", "search", "genindex", "_whole"}
+        if path.stem not in {"index", "search", "genindex"}
     }
