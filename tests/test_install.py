@@ -35,11 +35,13 @@ def python(tmp_path_factory):
         shutil.copy(ROOT / name, source)
     venv.create(place, with_pip=False)
     (python,) = [p for p in place.glob("*/python*") if p.stem == "python"]
+    uv = ["uv", "pip", "install", "-qq", "--python", python]  # links what `make` has unpacked
     pip = ["pip", "--python", python, "install", "-qq", "--no-compile"]
-    if find_spec("uv"):  # it links what `make` has unpacked before
-        pip = ["uv", "pip", "install", "-qq", "--python", python]
-    lock = ["-c", ROOT / "requirements.lock"]
-    subprocess.run([sys.executable, "-m", *pip, *lock, source], check=True)
+    what = ["-c", ROOT / "requirements.lock", source]
+    command = [sys.executable, "-m"]
+    done = find_spec("uv") and not subprocess.run([*command, *uv, *what], check=False).returncode
+    if not done:  # uv is not to be had everywhere, nor where pip's settings are not its own
+        subprocess.run([*command, *pip, *what], check=True)
     bare = sysconfig.get_path("purelib", vars={"base": place})
     share_bytecode(Path(sysconfig.get_path("purelib")), Path(bare))
     return python
