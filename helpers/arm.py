@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, entry, evaluate, latex, names
-from helpers.inputs import ArmError, listed, must_be, named, numbers, shown
+from helpers.inputs import LARGEST, ArmError, listed, must_be, named, numbers, shown
 from helpers.rows import (
     Body,
     Joint,
@@ -27,6 +27,7 @@ from helpers.rows import (
     prismatic,
     real,
     revolute,
+    warn_of_degrees,
 )
 
 __all__ = ["Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"]
@@ -109,11 +110,13 @@ class Arm:
 
     def _check_finite(self, formula: Entry) -> None:
         try:
-            self.number(formula)
+            fits = abs(self.number(formula)) <= LARGEST
         except ArmError:
+            fits = False
+        if not fits:
             raise ArmError(
                 f"{self.name}: {formula} divides by zero or is too large; give it other values"
-            ) from None
+            )
 
     def _entries(self) -> list[Entry]:
         table = [e for row in self.rows for e in row.entries]
@@ -238,6 +241,7 @@ class Arm:
         row = self._row(number, every, "number is {}; expected one of its rows,")
         if unknown := sorted(set(entries) - {"a", "alpha", "d", "theta"}):
             raise ArmError(f"{self.name}: a row has no {unknown[0]}; expected a, alpha, d or theta")
+        warn_of_degrees(entries.get("alpha", 0), entries.get("theta", 0))
         changed = Row(**{**_entries(row), **entries}, joint=row.joint)
         return replace(self, rows=[changed if r is row else r for r in self.rows])
 

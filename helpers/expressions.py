@@ -8,11 +8,12 @@ import ast
 import math
 import operator
 import re
+import sys
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache, lru_cache
 
-from helpers.inputs import ArmError, must_be
+from helpers.inputs import ArmError, must_be, shown
 
 Entry = str | float
 
@@ -50,8 +51,8 @@ def entry(value: object, what: str) -> Entry:
             f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
         )
     if isinstance(value, int | float):
-        if not abs(value) < math.inf:
-            raise ArmError(f"{what} is {value!r}; expected a finite number or a formula")
+        if not abs(value) <= sys.float_info.max:
+            raise ArmError(f"{what} is {shown(value)}; expected a finite number or a formula")
         return value if isinstance(value, int) else float(value)
     text = str(value).strip()
     names(text, what)

@@ -13,6 +13,9 @@ Size = int | None
 Array = NDArray[np.float64]
 
 
+LARGEST = 1e100  # products of three such numbers are finite
+
+
 class ArmError(ValueError):
     """Something about an arm, or about what it was given, is wrong."""
 
@@ -41,17 +44,18 @@ def numbers(
     if not fits:
         given = f"has shape {array.shape}" if array.shape else f"is {shown(value)}"
         raise ArmError(f"{what} {given}; expected {wanted}")
-    if not np.isfinite(array).all():
-        raise ArmError(f"{what} holds NaN or infinity; expected {wanted}")
+    if not (np.abs(array) <= LARGEST).all():
+        held = f"a number beyond {LARGEST:g}" if np.isfinite(array).all() else "NaN or infinity"
+        raise ArmError(f"{what} holds {held}; expected {wanted}")
     return array
 
 
 def floats(value: Any, what: str, wanted: str) -> Array:
-    """An array of real numbers, of any shape; words, None, complex numbers and ragged lists are
-    none."""
+    """An array of real numbers, of any shape; words, None, complex numbers, ragged lists and arrays
+    with masked entries are none."""
     try:
-        array = np.asarray(value)
-        if value is not None and array.dtype.kind in "iufO":
+        array = np.asanyarray(value)
+        if value is not None and array.dtype.kind in "iufO" and not np.ma.is_masked(array):
             return np.asarray(array, dtype=float)
     except (TypeError, ValueError, OverflowError):
         pass

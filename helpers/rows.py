@@ -2,12 +2,14 @@
 symbols."""
 
 import math
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
+from numbers import Real
 from typing import Any, Literal, NamedTuple
 
 from helpers.expressions import Entry, entry
-from helpers.inputs import ArmError, floats, listed, one_of, shown
+from helpers.inputs import LARGEST, ArmError, floats, listed, one_of, shown
 
 Kind = Literal["revolute", "prismatic", "fixed"]
 KINDS = ("revolute", "prismatic", "fixed")
@@ -82,7 +84,11 @@ def revolute(
     speed: float = math.inf,
     effort: float = math.inf,
 ) -> Row:
-    """A row whose joint turns by q: the row's angle is q + `theta`. Limits in rad, rad/s, N m."""
+    """A row whose joint turns by q: the row's angle is q + `theta`. Limits in rad, rad/s, N m.
+
+    Warns of an angle beyond a whole turn, which may be meant in degrees.
+    """
+    warn_of_degrees(alpha, theta)
     return Row(a, alpha, d, theta, _joint("revolute", limits, speed, effort))
 
 
@@ -96,7 +102,11 @@ def prismatic(
     speed: float = math.inf,
     effort: float = math.inf,
 ) -> Row:
-    """A row whose joint slides by q: the row's offset is q + `d`. Limits in m, m/s, N."""
+    """A row whose joint slides by q: the row's offset is q + `d`. Limits in m, m/s, N.
+
+    Warns of an angle beyond a whole turn, which may be meant in degrees.
+    """
+    warn_of_degrees(alpha, theta)
     return Row(a, alpha, d, theta, _joint("prismatic", limits, speed, effort))
 
 
@@ -109,8 +119,22 @@ def _joint(kind: Kind, limits: Sequence[float], speed: float, effort: float) -> 
 
 
 def fixed(a: Entry = 0, alpha: Entry = 0, d: Entry = 0, theta: Entry = 0) -> Row:
-    """A row that does not move: a tool, a bracket, or a locked joint."""
+    """A row that does not move: a tool, a bracket, or a locked joint.
+
+    Warns of an angle beyond a whole turn, which may be meant in degrees.
+    """
+    warn_of_degrees(alpha, theta)
     return Row(a, alpha, d, theta, Joint("fixed"))
+
+
+def warn_of_degrees(*angles: Entry) -> None:
+    """Warn whoever called the caller of a number for an angle that is more than a whole turn."""
+    for angle in angles:
+        if isinstance(angle, Real) and 2 * math.pi < abs(angle) <= LARGEST:
+            warnings.warn(
+                f"an angle is {angle:g}, in radians; for degrees write '{angle:g} deg'",
+                stacklevel=3,
+            )
 
 
 @dataclass(frozen=True)
@@ -119,8 +143,14 @@ class Body:
 
     mass: Entry
     com: Sequence[Entry]
+    inertia: InitVar[None] = None
 
-    def __post_init__(self) -> None:
+    def __post_init__(self, inertia: None) -> None:
+        if inertia is not None:
+            raise ArmError(
+                f"a body's inertia is {shown(inertia)}; expected None, for the tensors go to"
+                " dynamics.inverse_dynamics(..., inertias=...)"
+            )
         wanted = "three coordinates (x, y, z)"
         if len(listed(self.com, "the coordinates of the centre of mass", wanted)) != 3:
             raise ArmError(f"centre of mass is {self.com!r}; expected {wanted}")

@@ -6,7 +6,7 @@ from dataclasses import FrozenInstanceError, replace
 import numpy as np
 import pytest
 
-from helpers.arm import Arm, ArmError, Body, Joint, Row, prismatic, revolute
+from helpers.arm import Arm, ArmError, Body, Joint, Row, fixed, prismatic, revolute
 from helpers.expressions import evaluate
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, STANFORD
@@ -159,7 +159,7 @@ def test_the_table_reads_as_in_a_textbook():
             lambda: Arm("mine", [revolute("1e308 * 10")]),
             "mine: 1e308 * 10 divides by zero or is too large",
         ),
-        (lambda: Arm("mine", [revolute(10**400)]), "divides by zero or is too large"),
+        (lambda: Arm("mine", [revolute(1e200)]), "mine: 1e+200 divides by zero or is too large"),
         (lambda: Arm("mine", [revolute("a")], {"a": "1 m"}), "mine: a is '1 m'; expected a number"),
         (
             lambda: Arm("mine", [revolute("q_1")], {"q_1": 1}),
@@ -188,3 +188,25 @@ def test_bad_input_is_told_in_words(make, words):
         make()
     assert words in str(told.value)
     assert isinstance(told.value, ValueError)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: revolute(alpha=90),
+        lambda: prismatic(theta=-90.0),
+        lambda: fixed(theta=np.int64(180)),
+        lambda: PANDA.with_row(1, alpha=90),
+    ],
+)
+def test_an_angle_that_may_be_meant_in_degrees_is_warned_of_where_it_is_written(make):
+    with pytest.warns(
+        UserWarning, match=r"an angle is -?\d+, in radians; for degrees .* deg'$"
+    ) as told:
+        make()
+    assert [warning.filename for warning in told] == [__file__]
+
+
+@pytest.mark.parametrize("angle", [-2 * np.pi, "90 deg", "5*pi", 1.5])
+def test_an_angle_within_a_turn_or_in_words_is_taken_as_it_is(angle):
+    assert revolute(alpha=angle).alpha == fixed(alpha=angle).alpha

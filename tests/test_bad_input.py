@@ -81,7 +81,7 @@ RIGHT = {
     "arm.Arm.number": dict(self=PANDA, value="a_3"),
     "arm.Joint": dict(kind="revolute", lower=-1, upper=1, speed=1, effort=1, at=None),
     "arm.Row": dict(a=0.1, alpha="pi/2", d=0, theta=0, joint=arm.Joint()),
-    "arm.Body": dict(mass=1, com=(0, 0, 0)),
+    "arm.Body": dict(mass=1, com=(0, 0, 0), inertia=None),
     "arm.revolute": dict(a=0.1, alpha="pi/2", d=0, theta=0, limits=(-1, 1), speed=1, effort=1),
     "arm.prismatic": dict(a=0.1, alpha="pi/2", d=0, theta=0, limits=(-1, 1), speed=1, effort=1),
     "arm.fixed": dict(a=0.1, alpha="pi/2", d=0, theta=0),
@@ -252,7 +252,9 @@ EXPECTED = {
     "plotting.dh_numbers a": "a finite number of m or rad", "a_3": "a number",
     "alpha": "numbers, symbols, pi", "plotting.dh_numbers alpha": "a finite number of m or rad",
     "arm": "an Arm", "arms": "arms to choose from", "at": "numbers, symbols, pi",
-    "arm.Joint at": "None, for it is revolute", "axes": "one Axis or more, base to tip",
+    "arm.Joint at": "None, for it is revolute",
+    "inertia": "None, for the tensors go to dynamics.inverse_dynamics",
+    "axes": "one Axis or more, base to tip",
     "plotting.ellipsoid_3d axes": "three finite semi-axes as columns, (3, 3)",
     "base": "a link, one of a, b", "derive.derive base": "a rigid motion, 4x4, in m",
     "below": "a finite number > 0", "bodies": "one Body for each row",
@@ -584,6 +586,8 @@ def cases():
             yield name, argument, 1j
             if isinstance(value, np.ndarray):
                 yield name, argument, np.full_like(value, np.nan, dtype=float)
+                if not name.startswith("checks."):  # a number of any size gets a verdict
+                    yield name, argument, np.full_like(value, 1e308, dtype=float)
             if argument in VECTORS and f"{name} {argument}" not in ANY_LENGTH and np.ndim(value):
                 yield name, argument, np.asarray(value)[..., :-1]
             for number in said(OUTSIDE, name, argument, ()):

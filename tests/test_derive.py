@@ -196,7 +196,7 @@ def test_a_tip_that_is_only_a_point():
     assert entries(found.arm) == [[0.4, 0, 0, 0], [0.3, 0, 0, RIGHT]]
     on_axis = derive([Axis((0, 0, 0), Z)], (0, 0, 0.5))
     assert entries(on_axis.arm) == [[0, 0, 0.5, 0]]
-    nearly = derive([Axis((0, 0, 0), (0, 0, 1e200)), Axis((0, 0, 5e-10), Y)], (0.3, 0, 0))
+    nearly = derive([Axis((0, 0, 0), (0, 0, 1e100)), Axis((0, 0, 5e-10), Y)], (0.3, 0, 0))
     assert entries(nearly.arm) == [[0, -RIGHT, 0, 0], [0.3, 0, 0, 0]]
 
 

@@ -148,6 +148,10 @@ NO_ENTRY = "expected a number or a formula such as 'pi/2' or 'a_3'"
             "1/0 divides by zero or is too large; expected a finite value",
         ),
         (lambda: latex(None), f"the entry is None; {NO_ENTRY}"),
+        (
+            lambda: latex(10**400),
+            f"the entry is 1{'0' * 76}...; expected a finite number or a formula",
+        ),
         (lambda: latex("a +"), f"the entry is 'a +'; {NO_FORMULA}"),
     ],
 )

@@ -19,6 +19,8 @@ from helpers.inputs import (
     whole,
 )
 
+MASKED = np.ma.array([1, 2], mask=[0, 1])
+
 
 class Orange:
     """A kind whose name asks for another article than most."""
@@ -34,6 +36,7 @@ class Orange:
         (lambda: numbers(1, "q", "(3,)", (3,)), "q is 1; expected (3,)"),
         (lambda: numbers([[1, 2, 3]], "q", "(3,)", (3,)), "q has shape (1, 3); expected (3,)"),
         (lambda: numbers([1, np.nan, 3], "q", "x", (3,)), "q holds NaN or infinity; expected x"),
+        (lambda: numbers([-2e100], "q", "x", (1,)), "q holds a number beyond 1e+100; expected x"),
         (lambda: numbers([1, 2], "T", "4", (None, 4), True), "T has shape (2,); expected 4"),
         (lambda: floats(None, "q", "numbers"), "q is None; expected numbers"),
         (lambda: floats("up", "q", "numbers"), "q is 'up'; expected numbers"),
@@ -41,6 +44,7 @@ class Orange:
         (lambda: floats([True], "q", "numbers"), "q is [True]; expected numbers"),
         (lambda: floats([[1], [1, 2]], "q", "x"), "q is [[1], [1, 2]]; expected x"),
         (lambda: floats([10**400], "q", "x"), f"q is [1{'0' * 75}...; expected x"),
+        (lambda: floats(MASKED, "q", "x"), f"q is {shown(MASKED)}; expected x"),
         (lambda: number("a", "m"), "m is 'a'; expected a finite number"),
         (lambda: number([1], "m"), "m is [1]; expected a finite number"),
         (lambda: number(np.inf, "m"), "m is inf; expected a finite number"),
@@ -80,6 +84,7 @@ def test_what_is_let_in_is_ready_to_compute_with():
     assert numbers([1, 2, 3], "q", "(..., 3)", (3,), many=True).shape == (3,)
     assert numbers(np.zeros((5, 4)), "T", "(n, 4)", (None, 4)).shape == (5, 4)
     assert floats(np.array([1, 2], np.uint8), "q", "numbers").tolist() == [1.0, 2.0]
+    assert floats(np.ma.array([1, 2]), "q", "numbers").tolist() == [1.0, 2.0]
     assert number(0, "m", least=0) == 0.0
     assert type(number(np.int64(2), "m", above=1)) is float
     assert (whole(0, "n"), whole(3, "n", 3), type(whole(np.int64(3), "n"))) == (0, 3, int)
