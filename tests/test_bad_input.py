@@ -26,7 +26,6 @@ from helpers import (
     inverse,
     kinematics,
     motion,
-    urdf,
 )
 from helpers.arm import Arm, ArmError, Body, Row, revolute
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E
@@ -103,10 +102,8 @@ RIGHT = {
     "sheets.document": dict(arm=ELBOW),
     "sheets.markdown": dict(arm=ELBOW, heading="Elbow", lead="An arm.", also=(ELBOW,),
         description="Its answers."),
-    "urdf.read_chain": dict(source=ROBOT, base="a", tip="b", hold={}, name="mine"),
     "urdf.from_urdf": dict(source=ROBOT, base="a", tip="b", hold={}, name="mine", negative=False,
         tolerance=1e-9),
-    "urdf.Chain.derive": dict(self=urdf.read_chain(ROBOT), negative=False, tolerance=1e-9),
     "kinematics.link_frames": dict(arm=PANDA, q=PANDA.home),
     "kinematics.forward_kinematics": dict(arm=PANDA, q=PANDA.home),
     "kinematics.tip": dict(arm=PANDA, q=PANDA.home),
@@ -465,10 +462,10 @@ SPECIAL = [
     ("derive.derive", dict(base=3 * np.eye(4)), 'base is no rigid transform, by 8'),
     ("derive.Derivation.with_bodies", dict(masses=[1, -1]), 'masses are [1, -1]; expected 2 masses'
                                                             ' in kg'),
-    ("urdf.read_chain", dict(source="<sdf/>"), 'the text is a <sdf>; expected a robot description,'
+    ("urdf.from_urdf", dict(source="<sdf/>"), 'the text is a <sdf>; expected a robot description,'
                                                ' <robot>'),
-    ("urdf.read_chain", dict(source=ROBOT[:-9]), 'the text is no XML (unclosed token'),
-    ("urdf.read_chain", dict(hold={"k": 0}), "one: no joint 'k' can be held; expected one of j"),
+    ("urdf.from_urdf", dict(source=ROBOT[:-9]), 'the text is no XML (unclosed token'),
+    ("urdf.from_urdf", dict(hold={"k": 0}), "one: no joint 'k' can be held; expected one of j"),
     ("kinematics.analytic_jacobian", dict(q=np.zeros(7)), 'the ZYZ angles are singular here (theta'
                                                           ' is 0 or pi)'),
     ("ellipsoids.velocity_ellipsoid", dict(J=np.ones((6, 2))), 'J has shape (6, 2); expected (3,'
@@ -524,7 +521,7 @@ SPECIAL = [
 
 # What the helpers make and readers only read; and what gets what its callers have checked.
 MADE = {
-    "derive.Derivation", "derive.Line", "derive.Step", "urdf.Chain",
+    "derive.Derivation", "derive.Line", "derive.Step",
     "arm.ArmError", "explorer.ArmExplorer.set_state", "checks.Finding", "checks.Report",
     "inverse.NumericSolution", "inverse.Solutions", "motion.Report",
     "motion.Report.rows", "motion.Report.unit", "motion.SingularError", "motion.Trace",
