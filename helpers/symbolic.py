@@ -13,7 +13,8 @@ from sympy.polys.matrices import DomainMatrix
 from sympy.polys.rings import PolyElement
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, must_be, number, shown
+from helpers.formulas import must_be_expression, short
+from helpers.inputs import ArmError, must_be, number
 from helpers.polynomials import Frame, Matrix, Ring, cross, formula_of, frames_of, transposed
 
 __all__ = [
@@ -188,28 +189,14 @@ def _energy(arm: Arm, ring: Ring) -> PolyElement:
     return ring.reduced(ring.length(sp.Symbol("g")) * total)
 
 
-def short(expression):
-    """`expression` with cos(q_2 + q_3) written c_23 and sin(q_1) written s_1, as textbooks do."""
-    _must_be_expression(expression)
-    functions = {f: _index(f.args[0]) for f in expression.atoms(sp.cos, sp.sin)}
-    return expression.xreplace(
-        {f: sp.Symbol(f"{f.func.__name__[0]}_{index}") for f, index in functions.items() if index}
-    )
-
-
 def with_numbers(arm: Arm, expression):
     """`expression` with the arm's values (m, rad, kg) for its symbols; only joint variables are
     left."""
     must_be(arm, Arm, "arm")
-    _must_be_expression(expression)
+    must_be_expression(expression)
     return expression.xreplace(
         {sp.Symbol(name): sp.Float(value) for name, value in arm.values.items()}
     )
-
-
-def _must_be_expression(given: object) -> None:
-    if not isinstance(given, sp.Basic | sp.MatrixBase):
-        raise ArmError(f"expression is {shown(given)}; expected one of SymPy, or a matrix of them")
 
 
 def _link_transform(arm: Arm, i: int) -> Matrix:
@@ -222,17 +209,3 @@ def _link_transform(arm: Arm, i: int) -> Matrix:
     return Matrix(
         [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
     )
-
-
-def _index(angle: sp.Expr) -> str:
-    """The index of a short name: ``23`` for q_2 + q_3, ``{2-3+4}`` where signs differ, nothing if
-    it is no sum."""
-    terms = [term.as_coeff_Mul() for term in sorted(sp.Add.make_args(angle), key=_joint_number)]
-    if not all(c in (1, -1) and str(s).startswith("q_") for c, s in terms):
-        return ""
-    signs = "".join(("-" if c < 0 else "+") + str(s)[2:] for c, s in terms)
-    return signs.replace("+", "") if "-" not in signs else "{" + signs.removeprefix("+") + "}"
-
-
-def _joint_number(term: sp.Expr) -> str:
-    return str(term.as_coeff_Mul()[1])

@@ -91,16 +91,16 @@ def test_the_stanford_arms_second_transform_as_the_homework_has_it():
         ]
     )
     T_02, T_03 = symbolic.link_frames(STANFORD)[2:4]
-    assert symbolic.short(T_02) == wanted
+    assert symbolic.short(T_02).expand() == wanted
     q_3 = sp.Symbol("q_3")
-    assert symbolic.short(T_03[:3, 3]) == sp.Matrix(
+    assert symbolic.short(T_03[:3, 3]).expand() == sp.Matrix(
         [c1 * s2 * q_3 - d2 * s1, s1 * s2 * q_3 + d2 * c1, c2 * q_3]
     )
 
 
 def test_parallel_axes_add_their_angles():
     c1, c2, c23, s2, s23, a2, a3, d1 = sp.symbols("c_1 c_2 c_23 s_2 s_23 a_2 a_3 d_1")
-    position = symbolic.short(symbolic.forward_kinematics(ELBOW)[:3, 3])
+    position = symbolic.short(symbolic.forward_kinematics(ELBOW)[:3, 3]).expand()
     assert position[0] == a2 * c1 * c2 + a3 * c1 * c23
     assert position[2] == a2 * s2 + a3 * s23 + d1
     assert (
@@ -128,7 +128,7 @@ def test_formulas_are_short():
 
 def test_short_leaves_other_angles_alone():
     x, q_1 = sp.symbols("x q_1")
-    assert symbolic.short(sp.cos(x) + sp.sin(q_1)) == sp.cos(x) + sp.Symbol("s_1")
+    assert symbolic.short(sp.cos(x) + sp.sin(q_1)).atoms(sp.cos, sp.sin) == {sp.cos(x)}
     assert symbolic.short(sp.cos(2 * q_1)) == sp.cos(2 * q_1)
 
 

@@ -1,0 +1,166 @@
+"""The short form of a formula: the same value, and as a textbook writes it."""
+
+import re
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers import kinematics, statics, symbolic
+from helpers.arm import ArmError
+from helpers.formulas import short
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+
+ARMS = {
+    "Panda": PANDA,
+    "Panda, joint 3 locked": PANDA.lock(3),
+    "UR10e": UR10E,
+    "UR10e of the homework": UR10E_HOMEWORK,
+    "Stanford": STANFORD,
+    "elbow": ELBOW,
+    "elbow with an offset": ELBOW.with_values(d=0.1),
+}
+every_arm = pytest.mark.parametrize("arm", ARMS.values(), ids=ARMS)
+
+
+def value_of(letter, q):
+    """What a letter as c_{2-3} stands for, read off its name."""
+    function, _, index = letter.name.partition("_")
+    index = index.strip("{}")
+    joints = [int(x) for x in re.findall(r"[+-]?\d+", index if "-" in index else "+".join(index))]
+    angle = sum(np.sign(joint) * q[f"q_{abs(joint)}"] for joint in joints)
+    return {"c": np.cos, "s": np.sin}[function](angle)
+
+
+def numbers(arm, formula, q):
+    """The matrix of numbers that a short formula gives at a pose."""
+    known = {**arm.values, **dict(zip(arm.variables, q, strict=True))}
+    if arm.bodies:
+        known |= {symbol.name: value for symbol, value in symbolic.body_numbers(arm).items()}
+    letters = sorted(formula.free_symbols, key=str)
+    values = [known.get(x.name) if x.name in known else value_of(x, known) for x in letters]
+    return np.array(sp.lambdify(letters, formula)(*values), dtype=float)
+
+
+@every_arm
+def test_the_values_are_those_of_the_numeric_view(arm):
+    q = np.random.default_rng(4).uniform(-3, 3, arm.dof)
+    pairs = [
+        (symbolic.forward_kinematics(arm), kinematics.forward_kinematics(arm, q)),
+        (symbolic.jacobian(arm), kinematics.jacobian(arm, q)),
+    ]
+    if arm.bodies:
+        pairs.append((symbolic.gravity_torque(arm), statics.gravity_torque(arm, q)[:, None]))
+    if arm.dof in (3, 6):
+        det = np.linalg.det(kinematics.jacobian(arm, q)[: arm.dof])
+        pairs.append((sp.Matrix([symbolic.determinant(arm)]), [[det]]))
+    for formula, expected in pairs:
+        np.testing.assert_allclose(numbers(arm, short(formula), q), expected, rtol=0, atol=1e-10)
+
+
+@every_arm
+def test_it_is_shorter_and_the_same(arm):
+    J = symbolic.jacobian(arm)
+    named = J.xreplace({f: short(f) for f in J.atoms(sp.cos, sp.sin)})
+    assert sp.count_ops(short(J)) < sp.count_ops(named)
+    assert short(J).expand() == named.expand()
+
+
+def test_any_polynomial_stays_equal():
+    letters = sp.symbols("g a_2 d_6 l_pen m_6 c_1 s_1 c_23 s_5 q_3")
+    rng = np.random.default_rng(7)
+    for _ in range(200):
+        powers = rng.integers(0, 3, (rng.integers(2, 9), len(letters))) * (
+            rng.random(len(letters)) < 0.6
+        )
+        numbers = rng.integers(-3, 4, len(powers))
+        poly = sum(
+            int(n) * sp.Mul(*(x ** int(k) for x, k in zip(letters, row, strict=True)))
+            for n, row in zip(numbers, powers, strict=True)
+        )
+        poly = sp.sympify(poly) / int(rng.integers(1, 4))
+        assert short(poly).expand() == poly.expand()
+
+
+def test_textbooks_write_it_so():
+    """Spong, Hutchinson and Vidyasagar's r_11 of the Stanford arm (section 3.2.5 has joint 6 turn
+    the other way), an elbow arm's reach, a UR10e's height, a wrist's way out."""
+    r_11 = short(symbolic.forward_kinematics(STANFORD)[0, 0])
+    assert (
+        str(r_11) == "c_1*(c_2*(c_4*c_5*c_6 - s_4*s_6) - s_2*s_5*c_6) - s_1*(c_4*s_6 + s_4*c_5*c_6)"
+    )
+    assert [str(x) for x in short(symbolic.forward_kinematics(ELBOW)[:3, 3])] == [
+        "c_1*(a_2*c_2 + a_3*c_23)",
+        "s_1*(a_2*c_2 + a_3*c_23)",
+        "d_1 + a_2*s_2 + a_3*s_23",
+    ]
+    height = short(symbolic.forward_kinematics(UR10E)[2, 3])
+    assert str(height) == "d_1 - a_2*s_2 - a_3*s_23 - d_5*c_234 - (d_6 + l_pen)*s_234*s_5"
+    wrist = short(symbolic.gravity_torque(UR10E)[4])
+    assert str(wrist) == "-g*(m_5*z_5 + (d_6 + z_6 + l_pen)*m_6)*s_234*c_5"
+
+
+def test_every_printer_keeps_the_order():
+    x = short(symbolic.jacobian(UR10E_HOMEWORK)[2, 3])
+    assert str(x) == "-d_5*s_{2-3+4} + (d_6 + l_pen)*c_{2-3+4}*s_5"
+    assert sp.latex(x) == (r"- d_{5} s_{2-3+4} + \left(d_{6} + l_{pen}\right) c_{2-3+4} s_{5}")
+    assert (
+        sp.pycode(short(sp.sympify("2*b*a - 3*d_6*c_5*a_2")), order="none")
+        == "2*a*b - 3*a_2*d_6*c_5"
+    )
+    assert sp.latex(short(sp.sympify("-3*b*a*cos(q_1)/2"))) == r"- \frac{3 a b c_{1}}{2}"
+    assert sp.latex(short(sp.sympify("m*cos(q_1)*l/2 + a"))) == r"a + \frac{l m c_{1}}{2}"
+    assert sp.latex(short(sp.Matrix([symbolic.jacobian(ELBOW)[2, 1]]))) == (
+        r"\left[\begin{matrix}a_{2} c_{2} + a_{3} c_{23}\end{matrix}\right]"
+    )
+
+
+@pytest.mark.parametrize(
+    ("given", "shown"),
+    [
+        ("cos(q_2 - q_3 + q_4)", "c_{2-3+4}"),
+        ("cos(2*q_1) + sin(q_1 + 1)", "cos(2*q_1) + sin(q_1 + 1)"),
+        ("cos(x) + sin(q_1)", "s_1 + cos(x)"),
+        ("a*cos(q_1) - b*cos(q_1)", "(a - b)*c_1"),
+        ("-a*cos(q_1) - b*sin(q_1)", "-a*c_1 - b*s_1"),
+        ("2*a*cos(q_1) + 2*b*cos(q_1)", "2*(a + b)*c_1"),
+        ("(b - a)*(a_2 - 1)*cos(q_2)", "(a - b)*(1 - a_2)*c_2"),
+        ("(a + cos(q_1)*b)**2*a", "a*(a + b*c_1)**2"),
+        ("sqrt(2)*cos(q_1)/2 + a**2*q_3", "a**2*q_3 + sqrt(2)*c_1/2"),
+        ("m_2*(a_2*a_2*cos(q_1) + 2*a_2*cos(q_1))", "a_2*(2 + a_2)*m_2*c_1"),
+        ("(d_6 + l_pen)*cos(q_1) + (d_6 + l_pen)*sin(q_1)", "(d_6 + l_pen)*(c_1 + s_1)"),
+        ("3", "3"),
+        ("0", "0"),
+        ("x", "x"),
+        ("pi/2", "pi/2"),
+    ],
+)
+def test_a_formula_is_written_so(given, shown):
+    assert str(short(sp.sympify(given))) == shown
+
+
+def test_what_is_made_of_it_is_plain_sympy():
+    a, b, c_1 = sp.symbols("a b c_1")
+    formula = short((a + b) * sp.cos(sp.Symbol("q_1")))
+    assert formula.subs(b, 2) == (a + 2) * c_1
+    assert formula.diff(a) == c_1
+    assert type(sp.expand(formula)) is sp.Add
+    assert short(formula) == formula
+
+
+def test_a_matrix_stays_of_its_kind():
+    x = sp.cos(sp.Symbol("q_1"))
+    assert isinstance(short(sp.Matrix([x])), sp.MutableDenseMatrix)
+    assert isinstance(short(sp.ImmutableMatrix([x])), sp.ImmutableMatrix)
+
+
+def test_no_name_says_two_things():
+    """c_12 is cos(q_1 + q_2), so cos(q_12) stays as it is."""
+    q_1, q_2, q_12 = sp.symbols("q_1 q_2 q_12")
+    assert str(short(sp.cos(q_1 + q_2) * sp.cos(q_12))) == "c_12*cos(q_12)"
+
+
+@pytest.mark.parametrize("given", ["x", 3, None, np.eye(2)])
+def test_what_is_no_formula_is_refused(given):
+    with pytest.raises(ArmError, match="expected one of SymPy, or a matrix of them"):
+        short(given)
