@@ -13,7 +13,8 @@ const NUMBER = /^[+-]?\s*(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?$/;
 
 const ten = (power) => Number(`1e${power}`);
 
-// Decimals, significant digits and the exponent of the first one of a plain number as typed; null for a formula.
+// Decimals, significant digits and the exponent of the first one of a plain number as typed; null
+// for a formula.
 function literal(text) {
   const match = NUMBER.exec(text.trim());
   if (!match || !(match[1] || match[2])) return null;
@@ -22,7 +23,8 @@ function literal(text) {
   return { decimals, digits, first: digits - 1 - decimals };
 }
 
-// The unit of the last place of each of a set of numbers typed together; 0 for formulas and for full floats.
+// The unit of the last place of each of a set of numbers typed together; 0 for formulas and for
+// full floats.
 export function units(texts) {
   const found = texts.map(literal);
   const plain = found.filter((f) => f && f.digits && f.first > NOISE);
@@ -47,9 +49,10 @@ export function decimalsOf(steps) {
 }
 
 /**
- * Per entry: up to allowed it is right, up to band it was rounded on the way, up to loose perhaps; slop is what the
- * unwritten digits of q add, tried only where it fails without.
- * @typedef {{ allowed: number[], band: number[], loose: number[], units: number[], slop: number[] }} Margins
+ * Per entry: up to allowed it is right, up to band it was rounded on the way, up to loose perhaps;
+ * slop is what the unwritten digits of q add, tried only where it fails without.
+ * @typedef {{ allowed: number[], band: number[], loose: number[], units: number[], slop: number[]
+ *   }} Margins
  */
 
 /** @returns {Margins} */

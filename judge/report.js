@@ -5,8 +5,8 @@ import { RIGHT, ROUNDED, SO_FAR } from "./digits.js";
 export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
 
 /**
- * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and degrees for each,
- * the formulas that stood there, and which of them are wrong.
+ * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and
+ * degrees for each, the formulas that stood there, and which of them are wrong.
  * @typedef {import("./geometry/axes.js").Numbers} Numbers
  * @typedef {{ rows: Numbers[], cells: string[][], trees: any[][], wrong: boolean[][] }} ReadTable
  */
@@ -26,7 +26,8 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {import("./reading/numbers.js").Typed} [typed] what was read, in its own order
  * @property {boolean[]} [wrong] which of its entries are wrong
  * @property {ReadTable} [table] a Denavit-Hartenberg table as it was read
- * @property {{ signs: number[], offsets: number[] }} [map] from the joints of that table to those of the reference:
+ * @property {{ signs: number[], offsets: number[] }} [map] from the joints of that table to those
+ *   of the reference:
  *   q_k = signs[k] * yours + offsets[k]
  * @property {Record<string, any>} [figures] measured numbers by name
  */

@@ -39,7 +39,8 @@ export function size(x, digits = 3) {
   return trimmed(Number(`${mantissa}e${power}`).toFixed(Math.max(0, digits - 1 - exponent)));
 }
 
-// So many digits of a number; one that lies in the middle of two goes to the even one, where toExponential goes up.
+// So many digits of a number; one that lies in the middle of two goes to the even one, where
+// toExponential goes up.
 function evenly(x, digits) {
   const up = x.toExponential(digits - 1);
   const [mantissa, power] = x.toExponential(digits + 25).split("e");
@@ -86,7 +87,8 @@ function escaped(sign) {
 // A shape as Python shows a tuple.
 export const tuple = (shape) => (shape.length === 1 ? `(${shape[0]},)` : `(${shape.join(", ")})`);
 
-// A text as Python would write it: over several lines where it has them and nothing in it would end it.
+// A text as Python would write it: over several lines where it has them and nothing in it would end
+// it.
 export function quoted(text) {
   const plain = text.includes("\n") && !/"""|["\\]$/.test(text) && !/[\r\0]/.test(text);
   return plain ? `r"""${text}"""` : JSON.stringify(text);

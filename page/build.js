@@ -1,6 +1,7 @@
-// Bundle the explorer into two classic scripts: explorer.js, which a page loads once an instrument is near, and
-// explorer-more.js, the small figures, which needs the first. The widget adds an export to both. A page that judges
-// answers loads judge.js, and with the question that is asked one of judge-jacobian.js and its like: src/check/scripts.
+// Bundle the explorer into two classic scripts: explorer.js, which a page loads once an instrument
+// is near, and explorer-more.js, the small figures, which needs the first. The widget adds an
+// export to both. A page that judges answers loads judge.js, and with the question that is asked
+// one of judge-jacobian.js and its like: src/check/scripts.
 
 import { build } from "esbuild";
 import { readdir, readFile } from "node:fs/promises";
@@ -30,8 +31,8 @@ const worker = {
   },
 };
 
-// What a further script imports from the first one's sources it finds in `global`, by its path from the root: all
-// modules that the first one's shared.js lists.
+// What a further script imports from the first one's sources it finds in `global`, by its path from
+// the root: all modules that the first one's shared.js lists.
 const kit = async (global, list) => {
   const shared = new Set((await readFile(list, "utf8")).match(/(?<=")[\w/]+\.js(?=":)/g));
   const pathOf = ({ path, resolveDir }) =>

@@ -1,5 +1,5 @@
-// What mistakes make of a right Jacobian: in the table or q (before), in the recipe, and in how it is
-// written down (after).
+// What mistakes make of a right Jacobian: in the table or q (before), in the recipe, and in how it
+// is written down (after).
 
 import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
@@ -48,7 +48,8 @@ export function singles(at) {
 }
 
 /**
- * Every pair of a mistake before and one in the writing; of two in the writing; and of a table with a recipe.
+ * Every pair of a mistake before and one in the writing; of two in the writing; and of a table with
+ * a recipe.
  * @returns {Generator<[Cause[], number[]]>}
  */
 export function* pairs(at) {
@@ -103,8 +104,8 @@ export function* recipes(c) {
     yield [cause("J.point", { k }), chains.columns(c, T, { point: k })];
 }
 
-// q taken in degrees, and in radians where degrees were meant; and its slides in millimetres, or in metres where they
-// are so long.
+// q taken in degrees, and in radians where degrees were meant; and its slides in millimetres, or in
+// metres where they are so long.
 function otherUnits(c) {
   const changed = (key, turns, change) => [
     cause(key),

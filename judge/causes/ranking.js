@@ -34,18 +34,25 @@ export function wordsOf({ keys, fields }) {
 }
 
 /**
- * Causes, best first, the entries that the best leaves, and what each entry is off by from what the best gives.
+ * Causes, best first, the entries that the best leaves, and what each entry is off by from what the
+ * best gives.
  * @typedef {{ causes: Cause[], odd: boolean[], rest: number[] }} Found
  */
 
 // The causes that explain mine within the band; null where none does.
 /** @returns {Found | null} */
 export const explain = (mine, right, band, causes, made, weight = ODD) =>
-  explainAll(mine, right, [band], causes.map((one, k) => [[one], made[k]]), weight)[0]; // prettier-ignore
+  explainAll(
+    mine,
+    right,
+    [band],
+    causes.map((one, k) => [[one], made[k]]),
+    weight,
+  )[0];
 
 /**
- * The same for several bands at once, of candidates that are made one after another: a cause, or the two of a pair, and
- * what the answer would be. Thousands of them are looked at and dropped.
+ * The same for several bands at once, of candidates that are made one after another: a cause, or
+ * the two of a pair, and what the answer would be. Thousands of them are looked at and dropped.
  * @param {number[]} mine @param {number[]} right @param {number[][]} bands
  * @param {Iterable<[Cause[], number[]]>} candidates
  * @returns {(Found | null)[]}
@@ -67,8 +74,8 @@ export function explainAll(mine, right, bands, candidates, weight = ODD) {
   return tests.map((test) => best(mine, test));
 }
 
-// How many entries differ, counted until they are too many. An answer gains the wrong entries that it explains and
-// loses the right ones that it spoils, which is what is wrong less all that differ.
+// How many entries differ, counted until they are too many. An answer gains the wrong entries that
+// it explains and loses the right ones that it spoils, which is what is wrong less all that differ.
 function misfits(mine, other, band, count, least) {
   let odd = 0;
   for (let i = 0; i < mine.length; i++) {

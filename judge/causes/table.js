@@ -1,4 +1,5 @@
-// What students make of a right table, undone: each mend changes the rows as typed into what was meant.
+// What students make of a right table, undone: each mend changes the rows as typed into what was
+// meant.
 
 import { combinations } from "../geometry/axes.js";
 import { RAD } from "../geometry/angles.js";
@@ -16,7 +17,8 @@ const TURN = 6.4; // rad: a larger angle was meant in degrees
 export const joined = (first, second) =>
   first && second ? both(first, second) : (first ?? second);
 
-// The readings of the numbers that their sizes allow: lengths in m, cm or mm, angles in radians or degrees.
+// The readings of the numbers that their sizes allow: lengths in m, cm or mm, angles in radians or
+// degrees.
 /** @returns {[Cause | null, Numbers[]][]} */
 export function units(rows, reference) {
   const wanted = totalLength(reference) || 1;
@@ -56,7 +58,8 @@ export const totalLength = (rows) =>
 
 const scaledBy = (rows, factor) => rows.map((r) => ({ ...r, a: r.a * factor, d: r.d * factor }));
 
-// Lengths of which some were typed in metres and some in millimetres, all in metres; null where they are of one size.
+// Lengths of which some were typed in metres and some in millimetres, all in metres; null where
+// they are of one size.
 function ofOneSize(rows) {
   const read = (x) => (Math.abs(x) < SMALL ? x * 1e3 : Math.abs(x) >= LARGE ? x * 1e-3 : x);
   const found = rows.map((r) => ({ ...r, a: read(r.a), d: read(r.d) }));
@@ -97,8 +100,8 @@ const exchanged = (i, j) => (rows) =>
 const toCraig = (rows) =>
   rows.map((row, k) => ({ ...row, a: rows[k - 1]?.a ?? 0, alpha: rows[k - 1]?.alpha ?? 0 }));
 
-// Other arms that a student may have described: without the pen, one length taken for another, or another robot of a
-// like name.
+// Other arms that a student may have described: without the pen, one length taken for another, or
+// another robot of a like name.
 /** @returns {[Cause, Numbers[]][]} */
 export const references = (arm) => [
   ...(arm.penless ? [[cause("table.pen"), arm.penless.rows]] : []),
@@ -108,7 +111,12 @@ export const references = (arm) => [
   ]),
   ...(arm.robots ?? []).flatMap(({ name, rows, penless }) => {
     const why = cause("table.robot", { name });
-    return penless ? [[why, rows], [both(why, cause("table.pen")), penless]] : [[why, rows]]; // prettier-ignore
+    return penless
+      ? [
+          [why, rows],
+          [both(why, cause("table.pen")), penless],
+        ]
+      : [[why, rows]];
   }),
 ];
 

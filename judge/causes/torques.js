@@ -1,4 +1,5 @@
-// What mistakes make of right torques tau = g(q) - J^T F. Torques are one list for all poses, pose by pose.
+// What mistakes make of right torques tau = g(q) - J^T F. Torques are one list for all poses, pose
+// by pose.
 
 import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
@@ -15,8 +16,8 @@ const WRITINGS = [
   [cause("tau.reversed order"), (tau) => tau.map((row) => [...row].reverse())],
 ];
 
-// What torques, a list for all poses, are off by in N m and by joint, however a mistake in how they are written has
-// scaled and ordered them.
+// What torques, a list for all poses, are off by in N m and by joint, however a mistake in how they
+// are written has scaled and ordered them.
 export function mended({ keys }, off, dof) {
   const scaled = keys.includes("tau.newton millimetres") ? off.map((x) => x / 1000) : off;
   const back = (_, i) => scaled[i - (i % dof) + dof - 1 - (i % dof)];
@@ -95,14 +96,16 @@ export function reversedJoints(load, right) {
   });
   const joints = (signs, name) =>
     listed(joint.filter((_, k) => signs[k] < 0).map((i) => `${name}${i}`));
-  const causes = [["tau.signs", "tau_"], ["tau.joints reversed", "q_"]].flatMap(([key, name]) =>
-    sets.map((signs) => cause(key, { joints: joints(signs, name) })),
-  ); // prettier-ignore
+  const causes = [
+    ["tau.signs", "tau_"],
+    ["tau.joints reversed", "q_"],
+  ].flatMap(([key, name]) => sets.map((signs) => cause(key, { joints: joints(signs, name) })));
   return { causes, made: [...here, ...there] };
 }
 
-// Centres of mass as a paper gives them, unconverted: in the maker's Craig frames. Where the maker's joint counts the
-// other way, y and z point the other way; the last frame may stand before its offset d. All choices are tried.
+// Centres of mass as a paper gives them, unconverted: in the maker's Craig frames. Where the
+// maker's joint counts the other way, y and z point the other way; the last frame may stand before
+// its offset d. All choices are tried.
 export function paperCentres(load) {
   const craig = craigCentres(load.arm, load.centres);
   const last = load.arm.rows.at(-1).d;
@@ -110,7 +113,10 @@ export function paperCentres(load) {
   let sums = [times(0, force(load))];
   craig.forEach(([x, y, z], i) => {
     const mass = load.masses[i];
-    const ways = [[x, y, z], [x, -y, -z]]; // prettier-ignore
+    const ways = [
+      [x, y, z],
+      [x, -y, -z],
+    ];
     if (i === craig.length - 1 && last) ways.push([x, y, z + last], [x, -y, -z - last]);
     const masses = load.masses.map((_, k) => (k === i ? mass : 0));
     const spread = ways.map((way) =>
@@ -170,7 +176,13 @@ function* weights(load) {
   ];
   const total = load.masses.reduce((sum, mass) => sum + mass, 0);
   const pull = [...load.gravity.map((g) => total * g), 0, 0, 0];
-  yield [cause("tau.tip weights"), times(-1, load.at.map(({ J }) => chains.through(J, pull)))]; // prettier-ignore
+  yield [
+    cause("tau.tip weights"),
+    times(
+      -1,
+      load.at.map(({ J }) => chains.through(J, pull)),
+    ),
+  ];
   for (const [i, mass] of load.masses.entries()) {
     if (!mass) continue;
     const masses = load.masses.map((other, k) => (k === i ? 0 : other));
@@ -178,7 +190,8 @@ function* weights(load) {
   }
 }
 
-// Centres of mass given in Craig's frames, used as if they were in the table's: a turn by alpha and a step of a apart.
+// Centres of mass given in Craig's frames, used as if they were in the table's: a turn by alpha and
+// a step of a apart.
 const craigCentres = (arm, centres) =>
   arm.rows.map(({ a, alpha }, i) => {
     const [x, y, z] = centres[i];

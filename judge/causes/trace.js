@@ -11,13 +11,18 @@ import { listed, size } from "../sentences.js";
 const ALIKE = 1e-9; // m: misses nearer to each other than this are the same
 const SAMPLE = 100;
 const STRIDE = 50;
-const ALONG = 40; // windows in a run: few enough for many steps each, enough to see a circle's turns
+// windows in a run: few enough for many steps each, enough to see a circle's turns
+const ALONG = 40;
 const PLAIN = 0.1; // of the miss: what another path without a free number may leave
 const PLAIN_PATHS = ["trace.backwards", "trace.other side"];
 const HOLDS = 1.5; // times the noise: what a rule that holds may leave
 const LOOSE = 4; // times the noise: what one may leave that is ten times better than the right one
 const NICE = [2, 3, 4, 5, 8, 10, 20, 40, 50, 100].map((n) => 1 / n);
-const PAIRS = [[0, 1], [0, 2], [1, 2]]; // prettier-ignore
+const PAIRS = [
+  [0, 1],
+  [0, 2],
+  [1, 2],
+];
 const FINE = 3e-4; // of the speed: below, the digits show a thousandth of it
 const CLEARLY = 0.7; // of what the right loop leaves: what another must stay below to be named
 
@@ -41,8 +46,8 @@ const drawn = (points) => points.slice(1).reduce((sum, p, k) => sum + norm(minus
 // By the shape
 
 /**
- * What would explain every point; of those that leave as little, the likelier; null where nothing does. `blur` is what
- * the digits of the joints leave of each point (m).
+ * What would explain every point; of those that leave as little, the likelier; null where nothing
+ * does. `blur` is what the digits of the joints leave of each point (m).
  * @param {Path} path @param {number[][]} tip @returns {Cause | null}
  */
 export function pathCause(path, tip, allowed, blur = 0) {
@@ -88,15 +93,19 @@ function* shapes(path, tip, blur) {
   yield [cause("trace.other side"), left(tip.map((p) => minus(scaled(2, wanted[0]), p)))];
   for (const [i, j] of PAIRS) {
     const order = [0, 1, 2].map((k) => (k === i ? j : k === j ? i : k));
-    const exchanged = (p) => plus(centre, order.map((k) => p[k] - middle[k])); // prettier-ignore
+    const exchanged = (p) =>
+      plus(
+        centre,
+        order.map((k) => p[k] - middle[k]),
+      );
     const words = { first: "xyz"[i], second: "xyz"[j] };
     yield [cause("trace.axes exchanged", words), left(tip.map(exchanged))];
   }
   yield [cause("trace.phase"), otherPhase(wanted, tip)];
 }
 
-// The coordinates of the path's centre that are left out, where a path's displacement is just theirs; none where it is
-// another.
+// The coordinates of the path's centre that are left out, where a path's displacement is just
+// theirs; none where it is another.
 function leftOut(wanted, shift, much) {
   const centre = mean(wanted);
   const kept = shift.map((x) => Math.abs(x) <= much);
@@ -108,7 +117,8 @@ function leftOut(wanted, shift, much) {
 // What a path drawn smaller leaves, as if it had its size.
 const shareOf = (rest, scale, blur) => Math.max(0, rest - blur) / Math.min(1, scale);
 
-// The share of the path that was drawn at even pace, and what it leaves: half speed, a quarter, dt against T.
+// The share of the path that was drawn at even pace, and what it leaves: half speed, a quarter, dt
+// against T.
 /** @returns {[number, number] | null} */
 function fractionOf(path, wanted, tip, blur) {
   const share = drawn(tip) / Math.max(drawn(wanted), 1e-12);
@@ -149,8 +159,8 @@ function vector(metres) {
 // By the table
 
 /**
- * The wrong table by which these joints do follow the path, as joints from inverse kinematics do; null where it leaves
- * more than a quarter of the miss.
+ * The wrong table by which these joints do follow the path, as joints from inverse kinematics do;
+ * null where it leaves more than a quarter of the miss.
  * @param {Path} path @returns {Cause | null}
  */
 export function tableCause(q, arm, path, allowed) {
@@ -177,11 +187,12 @@ export function tableCause(q, arm, path, allowed) {
 // By the loop
 
 /**
- * The rule by which each step's joints follow from the one before: another Jacobian, or another step's velocity; null
- * where the right one explains them, or none clearly. For a step of Euler's method J(q_k) (q_{k+1} - q_k) / dt is the
- * velocity of step k, for Runge's and Kutta's the one in the middle. Where the right one holds in a run that is
- * `wrong`, its steps are too long.
- * @param {number[][]} q @param {number[]} units the largest unit of each joint's last places @param {Path} path
+ * The rule by which each step's joints follow from the one before: another Jacobian, or another
+ * step's velocity; null where the right one explains them, or none clearly. For a step of Euler's
+ * method J(q_k) (q_{k+1} - q_k) / dt is the velocity of step k, for Runge's and Kutta's the one in
+ * the middle. Where the right one holds in a run that is `wrong`, its steps are too long.
+ * @param {number[][]} q @param {number[]} units the largest unit of each joint's last places @param
+ *   {Path} path
  * @returns {Cause | null}
  */
 export function loopCause(q, units, arm, path, wrong = false) {
@@ -208,8 +219,9 @@ export function holds(q, units, arm, path) {
 }
 
 /**
- * @typedef {object} Steps a sample of a run's steps, in windows of neighbours over which what a rule leaves is
- * averaged, for there the roundings cancel; each looked at from a share of the way on
+ * @typedef {object} Steps a sample of a run's steps, in windows of neighbours over which what a
+ *   rule leaves is averaged, for there the roundings cancel; each looked at from a share of the way
+ *   on
  * @property {any} arm
  * @property {{ at: any, J: number[], rate: number[], now: number[], later: number[] }[]} samples
  * @property {number[]} noise what the digits leave of the tip's six velocities
@@ -232,14 +244,18 @@ function stepsOf(q, units, arm, path, share) {
     .flatMap((first) => Array.from({ length: window }, (_, i) => first + i))
     .map((k) => {
       const step = q[k].map((x, i) => q[k + 1][i] - x);
-      const at = chain(arm, q[k].map((x, i) => x + share * step[i])); // prettier-ignore
+      const at = chain(
+        arm,
+        q[k].map((x, i) => x + share * step[i]),
+      );
       const t = path.times[k] + share * dt[k];
       const [now, later] = [path.velocity(t), path.velocity(t + dt[k])];
       return { at, J: columns(at, framesOf(at)), rate: step.map((x) => x / dt[k]), now, later };
     });
   const speed = path.times.reduce((top, t) => Math.max(top, ...path.velocity(t).map(Math.abs)), 0);
   const dof = units.length;
-  // Two roundings, each even within a unit, through each row of J; and what a step's own bend leaves of its middle.
+  // Two roundings, each even within a unit, through each row of J; and what a step's own bend
+  // leaves of its middle.
   const shortest = dt.reduce((least, x) => Math.min(least, x), Infinity);
   const digits = units.map((unit) => unit / shortest / Math.sqrt(6) / window);
   const turn = samples.reduce(
@@ -267,7 +283,11 @@ function stepsOf(q, units, arm, path, share) {
     right: 0,
     clear: true,
   };
-  steps.right = fails(steps, ({ J }) => J, ({ now }) => now); // prettier-ignore
+  steps.right = fails(
+    steps,
+    ({ J }) => J,
+    ({ now }) => now,
+  );
   steps.clear = Math.max(...noise) < 0.1 * speed;
   return steps;
 }
@@ -283,7 +303,8 @@ function picked(last, count) {
   return [...new Set(found)];
 }
 
-// Each wrong rule, by how much it fails on the whole in units of the noise, and whether that is little.
+// Each wrong rule, by how much it fails on the whole in units of the noise, and whether that is
+// little.
 /** @param {Steps} steps @returns {Generator<{ one: Cause, left: number, fits: boolean }>} */
 function* rulesOf(steps) {
   const { samples, arm } = steps;
@@ -350,7 +371,10 @@ function held(steps, one, J, linear) {
 // How far the joints' rates are from those of another rule.
 /** @param {Steps} steps @param {Cause} one */
 function moves({ samples, window, own }, one, wanted) {
-  const off = sizes(samples.map(({ rate }, i) => rate.map((x, k) => x - wanted[i][k])), window); // prettier-ignore
+  const off = sizes(
+    samples.map(({ rate }, i) => rate.map((x, k) => x - wanted[i][k])),
+    window,
+  );
   const left = Math.max(...off.map((x, k) => x / own[k]));
   const fits = left < HOLDS || Math.max(...off) < 0.02 * Math.max(...sizes(wanted, window));
   return { one, left, fits };
@@ -364,9 +388,12 @@ const upwards = (J, dof, v) =>
 function leastRates(J, dof, v) {
   const each = Array.from({ length: dof }, (_, k) => [J[k], J[dof + k], J[2 * dof + k]]);
   const { values, vectors } = singular(each, 3);
-  const sum = vectors.reduce((total, u, i) => {
-    if (!(values[i] > 1e-15 * values[0])) return total;
-    return plus(total, scaled((u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / values[i] ** 2, u));
-  }, [0, 0, 0]); // prettier-ignore
+  const sum = vectors.reduce(
+    (total, u, i) => {
+      if (!(values[i] > 1e-15 * values[0])) return total;
+      return plus(total, scaled((u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / values[i] ** 2, u));
+    },
+    [0, 0, 0],
+  );
   return upwards(J, dof, sum);
 }

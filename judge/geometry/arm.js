@@ -50,14 +50,22 @@ export function rowsFault(rows) {
 
 // A row with nothing but what a table says: a typed arm has no limits and no masses.
 const bare = ({ kind, a, alpha, d, theta }) => ({
-  kind, a, alpha, d, theta,
-  lower: null, upper: null, speed: null, effort: null,
-}); // prettier-ignore
+  kind,
+  a,
+  alpha,
+  d,
+  theta,
+  lower: null,
+  upper: null,
+  speed: null,
+  effort: null,
+});
 
 export const sameRow = (p, q) =>
   p.kind === q.kind && ENTRIES.every(([key]) => Math.abs(p[key] - q[key]) < 1e-12);
 
-// The arm that a typed table describes: the arm it began as while every entry is that arm's, else one of its own.
+// The arm that a typed table describes: the arm it began as while every entry is that arm's, else
+// one of its own.
 export function typedArm(rows, base) {
   if (rows.length === base.rows.length && rows.every((row, i) => sameRow(row, base.rows[i])))
     return base;
@@ -65,7 +73,8 @@ export function typedArm(rows, base) {
   return { ...typed, home: carriedOver(base, base.home, typed, (row) => row) };
 }
 
-// The joint vector for an arm whose rows were changed: joints keep their values by row, new ones start at 0.
+// The joint vector for an arm whose rows were changed: joints keep their values by row, new ones
+// start at 0.
 export function carriedOver(from, q, to, rowBefore) {
   const byRow = new Map(joints(from).map((row, i) => [row, [from.rows[row].kind, q[i] ?? 0]]));
   return joints(to).map((row) => {

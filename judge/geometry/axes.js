@@ -1,8 +1,8 @@
-// What all Denavit-Hartenberg tables of one arm have in common: the axes that turn are lines in space,
-// with a distance and a twist from one to the next, and an offset on each between the feet of the two
-// common normals; along parallel axes only the sum of the offsets is fixed. An axis that slides has a
-// direction and no place. What is left open is which way each axis points: a sign per joint, which the
-// comparison chooses.
+// What all Denavit-Hartenberg tables of one arm have in common: the axes that turn are lines in
+// space, with a distance and a twist from one to the next, and an offset on each between the feet
+// of the two common normals; along parallel axes only the sum of the offsets is fixed. An axis that
+// slides has a direction and no place. What is left open is which way each axis points: a sign per
+// joint, which the comparison chooses.
 
 import { cross, dot, joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
 import { singular } from "./linear.js";
@@ -16,9 +16,9 @@ export const NORMAL = -1; // stands for the common normal where joints are liste
  */
 
 /**
- * From one turning axis to the next, or to the tip, across the slides between them. `joints` are listed by position,
- * from 0; `shape` holds the products that fix the directions in the gap, by their joints; `offset` is null while the
- * parallel axes `bunch` go on.
+ * From one turning axis to the next, or to the tip, across the slides between them. `joints` are
+ * listed by position, from 0; `shape` holds the products that fix the directions in the gap, by
+ * their joints; `offset` is null while the parallel axes `bunch` go on.
  * @typedef {object} Gap
  * @property {number[]} joints
  * @property {number[]} normal
@@ -31,21 +31,24 @@ export const NORMAL = -1; // stands for the common normal where joints are liste
  */
 
 /**
- * One table's walk, ready to be compared: `joints` are the rows that move, counted from 1; `foot` is how far axis 1
- * passes from z_0 and how far it leans from it, none but where fixed rows come first; `axis` is its direction.
+ * One table's walk, ready to be compared: `joints` are the rows that move, counted from 1; `foot`
+ * is how far axis 1 passes from z_0 and how far it leans from it, none but where fixed rows come
+ * first; `axis` is its direction.
  * @typedef {{
- *   rows: Numbers[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number], axis: number[], up: number,
- * }} Side
+ * rows: Numbers[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number], axis:
+ * number[], up: number, }} Side
  */
 
 /**
- * What differs in a gap: the key of its sentence, the row and entry it shows in, what it is in both tables (m, rad, or
- * words), and the joints it lies between, 0 for the base and the tip.
- * @typedef {{ key: string, row: number, entry: string, mine: any, reference: any, ends: number[] }} Difference
+ * What differs in a gap: the key of its sentence, the row and entry it shows in, what it is in both
+ * tables (m, rad, or words), and the joints it lies between, 0 for the base and the tip.
+ * @typedef {{ key: string, row: number, entry: string, mine: any, reference: any, ends: number[] }}
+ *   Difference
  */
 
 /**
- * The differences that are left, which way each axis points, and how the base and the last frame stand.
+ * The differences that are left, which way each axis points, and how the base and the last frame
+ * stand.
  * @typedef {object} Compared
  * @property {Difference[]} differences
  * @property {number[]} signs
@@ -83,7 +86,10 @@ function foot(rows, first) {
 
 // The cosine of the angle between the last joint axis and the z axis of the last frame.
 function tilt(arm, moving) {
-  const frames = linkFrames(arm, moving.map(() => 0)); // prettier-ignore
+  const frames = linkFrames(
+    arm,
+    moving.map(() => 0),
+  );
   return dot(frames[moving.at(-1)].z, frames.at(-1).z);
 }
 
@@ -95,7 +101,12 @@ function gaps(arm) {
   if (!slides.length) return walk(arm, q);
   const start = lengths(walk(arm, q));
   const rates = slides.map((k) => {
-    const moved = lengths(walk(arm, moving.map((_, j) => Number(j === k)))); // prettier-ignore
+    const moved = lengths(
+      walk(
+        arm,
+        moving.map((_, j) => Number(j === k)),
+      ),
+    );
     return moved.map((x, i) => (Math.abs(x - start[i]) < TINY ? 0 : x - start[i]));
   });
   leastSquares(rates, start).forEach((x, i) => (q[slides[i]] = -x));
@@ -189,8 +200,8 @@ function gap(axes, between, normal, rest) {
 // The foot of a point on the line (p, u).
 const onto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u));
 
-// The feet of the common normal from the line (p, u) to the line (q, v), or to the point q; from parallel axes it
-// starts at p.
+// The feet of the common normal from the line (p, u) to the line (q, v), or to the point q; from
+// parallel axes it starts at p.
 function feet(p, u, q, v) {
   if (!v) return [onto(p, u, q), q];
   if (parallel(u, v)) return [p, onto(q, v, p)];
@@ -206,8 +217,9 @@ const parallel = (u, v) => norm(cross(u, v)) < TINY;
 
 // Two walks side by side
 
-// Two arms, lengths compared to within `length` (m) and angles to within `angle` (rad); the signs of the axes are
-// chosen gap by gap from the base on, keeping for each sign of the last axis the cheapest choice.
+// Two arms, lengths compared to within `length` (m) and angles to within `angle` (rad); the signs
+// of the axes are chosen gap by gap from the base on, keeping for each sign of the last axis the
+// cheapest choice.
 /** @param {Side} mine @param {Side} reference @returns {Compared} */
 export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
   const unlike = unlikeJoints(mine, reference);
@@ -255,8 +267,8 @@ const signings = (count) =>
     Array.from({ length: count }, (__, i) => ((k >> (count - 1 - i)) & 1 ? -1 : 1)),
   );
 
-// The cheapest choices up to the end of a gap, for each sign of its last joint; the gap begins with the last one's
-// end.
+// The cheapest choices up to the end of a gap, for each sign of its last joint; the gap begins with
+// the last one's end.
 function step(mine, reference, m, r, best, length, angle) {
   const found = new Map();
   for (const chosen of signings(m.joints.length)) {
@@ -284,8 +296,13 @@ function step(mine, reference, m, r, best, length, angle) {
 
 /** @returns {Difference} */
 const difference = (key, row, entry, mine, reference, ends = [0, 0]) => ({
-  key, row, entry, mine, reference, ends,
-}); // prettier-ignore
+  key,
+  row,
+  entry,
+  mine,
+  reference,
+  ends,
+});
 
 // Whether a gap's offset is the height of the base frame, with no slide to make up for it.
 export const placesBase = ({ fromBase, offset, bunch, joints: between, toTip }) =>
@@ -370,8 +387,8 @@ function twist(found, pair, sided, signs) {
 const product = (found, which, signs) =>
   which.reduce((x, k) => x * (signs.get(k) ?? 1), found.shape.get(`${which}`));
 
-// A slide does not turn: it holds what comes before and after it at an angle about itself, and the shortest way across
-// it points one way.
+// A slide does not turn: it holds what comes before and after it at an angle about itself, and the
+// shortest way across it points one way.
 function slide(mine, m, r, signs, angle) {
   const slides = m.joints.some((k) => mine.rows[mine.joints[k] - 1].kind === "prismatic");
   const both = slides ? [...m.shape.keys()].filter((key) => r.shape.has(key)) : [];
@@ -383,8 +400,8 @@ function slide(mine, m, r, signs, angle) {
   return [difference("table side", start, "a", 0, Math.PI, [start, m.toTip ? 0 : end])];
 }
 
-// The row of each slide between axes that are not parallel to it, and the angle about it from the common normal before
-// it to the one after it, these taken the way that is nearer to theta.
+// The row of each slide between axes that are not parallel to it, and the angle about it from the
+// common normal before it to the one after it, these taken the way that is nearer to theta.
 function held(mine, m, r, signs) {
   const skew = (...pair) => 1 - m.shape.get(`${pair}`) ** 2 > TINY;
   return m.joints.slice(1, -1).flatMap((k) => {
@@ -399,10 +416,15 @@ function held(mine, m, r, signs) {
   });
 }
 
-// The angle about the second of three axes from the common normal of the first two to that of the last two.
+// The angle about the second of three axes from the common normal of the first two to that of the
+// last two.
 function aboutSecond(found, three, signs, way) {
   const [i, k, j] = three;
-  const [u, v, w] = [[i, k], [k, j], [i, j]].map((pair) => product(found, pair, signs)); // prettier-ignore
+  const [u, v, w] = [
+    [i, k],
+    [k, j],
+    [i, j],
+  ].map((pair) => product(found, pair, signs));
   const angle = Math.atan2(way * product(found, three, signs), way * (u * v - w));
   return angle < TINY - Math.PI ? Math.PI : angle;
 }

@@ -1,5 +1,5 @@
-// Jacobians and weights of mistaken tables and recipes. A Jacobian is a list of 6 x dof numbers, row by
-// row, as people write it.
+// Jacobians and weights of mistaken tables and recipes. A Jacobian is a list of 6 x dof numbers,
+// row by row, as people write it.
 
 import { cosSin, cross, dot, joints, linkFrames, minus, plus, scaled } from "./kinematics.js";
 import { turning } from "../reading/numbers.js";
@@ -10,19 +10,24 @@ export { cosSin };
 
 /**
  * An arm at a pose; mistakes give it another table or another pose.
- * @typedef {{ rows: import("./arm.js").Row[], q: number[], at: number[], turns: boolean[], dof: number }} Chain
+ * @typedef {{ rows: import("./arm.js").Row[], q: number[], at: number[], turns: boolean[], dof:
+ *   number }} Chain
  */
 
 /** @returns {Chain} */
 export const chain = (arm, q) => ({
-  rows: arm.rows, q, at: joints(arm), turns: turning(arm), dof: q.length,
-}); // prettier-ignore
+  rows: arm.rows,
+  q,
+  at: joints(arm),
+  turns: turning(arm),
+  dof: q.length,
+});
 
 export const framesOf = (c) => linkFrames(c, c.q);
 
 /**
- * A Jacobian built column by column, with a step of the recipe done otherwise: `axis` and `origin` are the frames whose
- * z and o serve each joint, `point` the frame whose origin moves.
+ * A Jacobian built column by column, with a step of the recipe done otherwise: `axis` and `origin`
+ * are the frames whose z and o serve each joint, `point` the frame whose origin moves.
  */
 export function columns(c, T, options = {}) {
   const {
@@ -48,7 +53,8 @@ export function columns(c, T, options = {}) {
   return J;
 }
 
-// Frames whose axes and origins are read along the rows of T, its last row (0, 0, 0, 1) for the origin.
+// Frames whose axes and origins are read along the rows of T, its last row (0, 0, 0, 1) for the
+// origin.
 export const rowsRead = (T) =>
   T.map(({ x, y, z }) => {
     const row = (i) => [x[i], y[i], z[i]];
@@ -58,7 +64,8 @@ export const rowsRead = (T) =>
 const inAxes = ({ x, y, z }, u) => [dot(x, u), dot(y, u), dot(z, u)];
 const fromAxes = ({ x, y, z }, u) => plus(plus(scaled(u[0], x), scaled(u[1], y)), scaled(u[2], z));
 
-// Both halves, or one of them (0 linear, 1 angular), of a Jacobian in the axes of a frame (R^T J), or back (R J).
+// Both halves, or one of them (0 linear, 1 angular), of a Jacobian in the axes of a frame (R^T J),
+// or back (R J).
 export const seenIn = (J, frame, halves = [0, 1]) => turned(J, (u) => inAxes(frame, u), halves);
 export const seenFrom = (J, frame) => turned(J, (u) => fromAxes(frame, u), [0, 1]);
 

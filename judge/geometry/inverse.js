@@ -1,5 +1,6 @@
-// Every joint vector that takes a tip to a target, where a formula gives them all: as helpers/inverse (elbow,
-// rod, stanford, spherical_wrist, ur) for one target, from joints at 0. Sources stand there.
+// Every joint vector that takes a tip to a target, where a formula gives them all: as
+// helpers/inverse (elbow, rod, stanford, spherical_wrist, ur) for one target, from joints at 0.
+// Sources stand there.
 
 import { cosSin, dot, linkFrames, minus, plus, scaled } from "./kinematics.js";
 import { ArmError, size } from "../sentences.js";
@@ -35,7 +36,8 @@ function numeric(row) {
 
 // Geometry
 
-// Joint 1's two angles that turn the plane, `offset` along z_1 beside the axis, to the target p, and p in its axes.
+// Joint 1's two angles that turn the plane, `offset` along z_1 beside the axis, to the target p,
+// and p in its axes.
 function facing(first, offset, p) {
   const [x, y, z] = p;
   const delta = first.sa * offset;
@@ -159,7 +161,8 @@ function decoupled(place, arm, target) {
   });
 }
 
-// Joints 4 to 6 both ways, from the tool's axes x and z in frame 3; joint 6 from what joint 4's turn leaves of x.
+// Joints 4 to 6 both ways, from the tool's axes x and z in frame 3; joint 6 from what joint 4's
+// turn leaves of x.
 function wrist(rows, x, z) {
   const [s4, s5] = [rows[3].sa, rows[4].sa];
   const [sine, cosine] = [Math.hypot(z[0], z[1]), -s4 * s5 * z[2]];
@@ -170,7 +173,14 @@ function wrist(rows, x, z) {
   const phi5 = Math.atan2(sine, cosine);
   const phi6 = Math.atan2(-s4 * s5 * aside, cosine * ahead + s4 * sine * x[2]);
   const flip = singular ? 0 : Math.PI;
-  return { pairs: [[phi4, phi4 + flip], [phi5, -phi5], [phi6, phi6 + flip]], singular }; // prettier-ignore
+  return {
+    pairs: [
+      [phi4, phi4 + flip],
+      [phi5, -phi5],
+      [phi6, phi6 + flip],
+    ],
+    singular,
+  };
 }
 
 // Three parallel axes in the middle, as Universal Robots builds them

@@ -1,5 +1,5 @@
-// How the joints of one valid table count in those of another: a joint's zero is found from where it
-// carries the next axis, or at the end the tip and the tool.
+// How the joints of one valid table count in those of another: a joint's zero is found from where
+// it carries the next axis, or at the end the tip and the tool.
 
 import { cross, dot, joints, linkFrames, minus, plus, scaled } from "./kinematics.js";
 import { DEG } from "./angles.js";
@@ -11,11 +11,13 @@ const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times th
 /** @typedef {import("./axes.js").Side} Side */
 
 /**
- * The reference's joint k is signs[k] times yours plus offsets[k] (rad or m); your base's frame in the reference's.
+ * The reference's joint k is signs[k] times yours plus offsets[k] (rad or m); your base's frame in
+ * the reference's.
  * @typedef {{ signs: number[], offsets: number[], base: any }} Map
  */
 
-// The map between two tables that agree, or null where it cannot be confirmed by the tips of some poses.
+// The map between two tables that agree, or null where it cannot be confirmed by the tips of some
+// poses.
 /** @param {Side} mine @param {Side} reference @returns {Map | null} */
 export function jointMap(mine, reference, found, tolerance = 1e-6) {
   const base = baseOf(mine, reference, found);
@@ -55,8 +57,8 @@ function baseOf(mine, reference, { upsideDown, baseHigher, signs }) {
   return { ...(upsideDown ? UPSIDE_DOWN : BASE), o: scaled(up * baseHigher, axis) };
 }
 
-// What each joint carries, its axis: a line (point, direction), or for a slide a direction without place; then the tip
-// and the axes of the tool; in the reference's base.
+// What each joint carries, its axis: a line (point, direction), or for a slide a direction without
+// place; then the tip and the axes of the tool; in the reference's base.
 function features(rows, q, base, signs) {
   const T = linkFrames({ rows }, q).map((F) => placed(base, F));
   const axes = joints({ rows }).map((i, k) => ({
@@ -82,7 +84,8 @@ const placed = (base, { x, y, z, o }) => ({
   o: plus(base.o, turnedBy(base, o)),
 });
 
-// The angle about an axis along z, through p here and o there, that carries r to m; null where it does not show.
+// The angle about an axis along z, through p here and o there, that carries r to m; null where it
+// does not show.
 function turn(z, p, m, o, r) {
   const pairs = [];
   if (m.direction) pairs.push([m.direction, r.direction]);

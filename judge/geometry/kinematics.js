@@ -1,5 +1,6 @@
-// The numeric view of an arm: the same small recursion as helpers/kinematics.py and helpers/statics.py, for one joint
-// vector. A test holds the two equal. Vectors are arrays of three; a frame is its columns { x, y, z, o }.
+// The numeric view of an arm: the same small recursion as helpers/kinematics.py and
+// helpers/statics.py, for one joint vector. A test holds the two equal. Vectors are arrays of
+// three; a frame is its columns { x, y, z, o }.
 
 export const GRAVITY = 9.81;
 
@@ -57,8 +58,8 @@ export function linkFrames(arm, q) {
 export const matrix = ({ x, y, z, o }) =>
   [0, 1, 2].map((i) => [x[i], y[i], z[i], o[i]]).concat([[0, 0, 0, 1]]);
 
-// The Jacobian's columns, one for each joint: (vx, vy, vz, wx, wy, wz) in the base frame, of the tip or of another
-// point that moves with it.
+// The Jacobian's columns, one for each joint: (vx, vy, vz, wx, wy, wz) in the base frame, of the
+// tip or of another point that moves with it.
 export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
   return joints(arm).map((i) => {
     const { z, o } = frames[i];
@@ -66,7 +67,8 @@ export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
   });
 }
 
-// dP/dq, the torque or force with which each joint holds the arm up; masses and centres are row.body = [m, x, y, z].
+// dP/dq, the torque or force with which each joint holds the arm up; masses and centres are
+// row.body = [m, x, y, z].
 export function gravityTorque(arm, frames, gravity = GRAVITY) {
   const loads = loadsOf(arm, frames);
   return joints(arm).map((i) => {

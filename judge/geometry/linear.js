@@ -65,7 +65,8 @@ export function solve(A, b) {
   return m.map((row, i) => row[n] / row[i]);
 }
 
-// A basis of the same space with as many zeros as elimination gives: directions that words can name.
+// A basis of the same space with as many zeros as elimination gives: directions that words can
+// name.
 export function plainBasis(vectors) {
   const m = vectors.map((v) => [...v]);
   let k = 0;
@@ -91,7 +92,8 @@ function reduce(row, by, column) {
   for (let j = 0; j < row.length; j++) row[j] -= factor * by[j];
 }
 
-// x with A x = b for a symmetric, positive definite A, by Cholesky's factors; A and b are overwritten.
+// x with A x = b for a symmetric, positive definite A, by Cholesky's factors; A and b are
+// overwritten.
 export function solvePositive(A, b) {
   const n = b.length;
   for (let i = 0; i < n; i++) {
@@ -112,8 +114,8 @@ export function solvePositive(A, b) {
   return b;
 }
 
-// Orthonormal joint rates that move nothing: a basis of the null space of the matrix with these columns, in which the
-// joint `held` does not take part.
+// Orthonormal joint rates that move nothing: a basis of the null space of the matrix with these
+// columns, in which the joint `held` does not take part.
 export function rightNull(columns, held = -1) {
   const free = columns.map((_, k) => k).filter((k) => k !== held);
   if (!free.length) return [];

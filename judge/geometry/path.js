@@ -1,4 +1,5 @@
-// Paths of the tip as helpers/motion/paths.py makes them: where it should be, and how fast, at any time.
+// Paths of the tip as helpers/motion/paths.py makes them: where it should be, and how fast, at any
+// time.
 
 import { cross, linkFrames } from "./kinematics.js";
 
@@ -17,8 +18,10 @@ const UNIT = [
 ];
 
 /**
- * A circle at even speed; `plane` names the base axes that it sets out from and towards, as in "zy".
- * @param {{ centre: number[], radius: number, plane: string, period: number, steps: number, phase?: number }} asked
+ * A circle at even speed; `plane` names the base axes that it sets out from and towards, as in
+ * "zy".
+ * @param {{ centre: number[], radius: number, plane: string, period: number, steps: number, phase?:
+ *   number }} asked
  * @returns {Path}
  */
 export function circle({ centre, radius, plane, period, steps, phase = 0 }) {

@@ -1,5 +1,5 @@
-// Formulas as people type them: a tree is ["num", x], ["name", n], ["neg", t], ["call", function, t] or
-// [sign, left, right]. No text is ever run.
+// Formulas as people type them: a tree is ["num", x], ["name", n], ["neg", t], ["call", function,
+// t] or [sign, left, right]. No text is ever run.
 
 import { DEG, RAD } from "../geometry/angles.js";
 import { ArmError, shown } from "../sentences.js";
@@ -205,7 +205,8 @@ function product(tokens, k, depth) {
       const [right, after] = signed(tokens, next + 1, depth);
       [left, next] = [[word, left, right], after];
     } else if (word === "(" || kind !== "sign") {
-      if (kind === "num" && tokens[next - 1][0] === "num") throw new NoFormula(); // 1 234.5 is no product
+      // 1 234.5 is no product
+      if (kind === "num" && tokens[next - 1][0] === "num") throw new NoFormula();
       const [right, after] = power(tokens, next, depth);
       [left, next] = [["*", left, right], after];
     } else break;

@@ -4,7 +4,8 @@ import { joints } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { isNumber, parse, plain, symbols, value } from "./formula.js";
-import { cells, withoutHeader } from "./grid.js";
+import { cells } from "./grid.js";
+import { withoutHeader } from "./heads.js";
 import { ArmError, say, spelled, tuple } from "../sentences.js";
 
 const JOINT = /^(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})$/;
@@ -12,12 +13,14 @@ const SHORT = /^([cs])((?:[+-]?\d)+)$/i;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
- * Numbers as they were handed in, row by row, with the unit of each one's last place; of a text the formulas too.
- * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[] }} Typed
+ * Numbers as they were handed in, row by row, with the unit of each one's last place; of a text the
+ * formulas too.
+ * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[]
+ *   }} Typed
  */
 
-// An arm that can be judged is the explorer's, with its symbols: values [[name, number]], and the tables with other
-// lengths that mistakes would give (see helpers/explorer/judge.py).
+// An arm that can be judged is the explorer's, with its symbols: values [[name, number]], and the
+// tables with other lengths that mistakes would give (see helpers/explorer/judge.py).
 export const numbered = (arm) => joints(arm).map((i) => i + 1);
 export const turning = (arm) => joints(arm).map((i) => arm.rows[i].kind === "revolute");
 export const variables = (arm) => numbered(arm).map((i) => `q_${i}`);
@@ -77,7 +80,8 @@ const UPRIGHT = /(?<=[\])}])\s*(?:\^\s*(?:T|\\top|\{\s*(?:T|\\top)\s*\})|\.T|\.?
 function cellsOf(text) {
   const bare = text.replace(UPRIGHT, "");
   const rows = withoutHeader(cells(bare));
-  if (bare !== text && rows.length > 1 && rows[0].length > 1) return cells(text); // which says that a matrix may not be
+  // which says that a matrix may not be
+  if (bare !== text && rows.length > 1 && rows[0].length > 1) return cells(text);
   const even = rows.every((row) => row.length === rows[0].length);
   return PRINTED.test(bare) && !even ? [rows.flat()] : rows;
 }
@@ -143,8 +147,8 @@ export function inRadians(typed, arm, angles) {
   };
 }
 
-// Joint vectors that were typed in degrees, each with its units. Where some joints slide, those that turn have decimals
-// of their own, for metres need more.
+// Joint vectors that were typed in degrees, each with its units. Where some joints slide, those
+// that turn have decimals of their own, for metres need more.
 export function rowsInRadians(rows, arm) {
   const turns = turning(arm);
   const mixed = turns.some(Boolean) && !turns.every(Boolean);
@@ -164,11 +168,15 @@ export function rowsInRadians(rows, arm) {
 
 // A name without underscores, braces, primes and (t), in lower case.
 const simple = (name) =>
-  name.replace(/\(t\)|[_{}'*^\\ ]/g, "").replace(/[ϑθ]/g, "theta").toLowerCase(); // prettier-ignore
+  name
+    .replace(/\(t\)|[_{}'*^\\ ]/g, "")
+    .replace(/[ϑθ]/g, "theta")
+    .toLowerCase();
 
 /** @returns {[Map<string, number>, string[]]} */
 function meanings(names, arm, q, own) {
-  const all = new Map([...(arm.values ?? []), ...own]); // one name once, where it first stood, as in Python
+  // one name once, where it first stood, as in Python
+  const all = new Map([...(arm.values ?? []), ...own]);
   const values = new Map([...all].map(([name, number]) => [simple(name), number]));
   const found = new Map(
     names.filter((n) => values.has(simple(n))).map((n) => [n, values.get(simple(n))]),
@@ -181,7 +189,13 @@ function meanings(names, arm, q, own) {
       const known = [...variables(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
       throw new ArmError(say("unknown symbol", { arm: arm.name, name, known }));
     }
-    found.set(name, angleOrShort(simple(name), at.map((k) => q[k]))); // prettier-ignore
+    found.set(
+      name,
+      angleOrShort(
+        simple(name),
+        at.map((k) => q[k]),
+      ),
+    );
   }
   return [found, said];
 }

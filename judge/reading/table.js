@@ -1,10 +1,11 @@
-// A Denavit-Hartenberg table as people type it: rows in any order of columns, parallel lists, dictionaries,
-// Link(...) lines, A matrices. What is not said is guessed, and every guess is told.
+// A Denavit-Hartenberg table as people type it: rows in any order of columns, parallel lists,
+// dictionaries, Link(...) lines, A matrices. What is not said is guessed, and every guess is told.
 
 import { RAD } from "../geometry/angles.js";
 import { straight } from "./surroundings.js";
 import { number, parse, plain, symbols, value } from "./formula.js";
-import { apart, cells as cellsOf } from "./grid.js";
+import { cells as cellsOf } from "./grid.js";
+import { apart } from "./lines.js";
 import { ArmError, listed, say, shown, size } from "../sentences.js";
 
 export const ENTRIES = ["a", "alpha", "d", "theta"];
@@ -60,27 +61,30 @@ const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/
 /** @typedef {import("../geometry/axes.js").Numbers} Numbers */
 
 /**
- * A row as it was meant; its numbers as typed, `radians` for entries with pi or a degree sign in them. The kind is
- * "unknown" where no variable stands in it.
+ * A row as it was meant; its numbers as typed, `radians` for entries with pi or a degree sign in
+ * them. The kind is "unknown" where no variable stands in it.
  * @typedef {object} TypedRow
  * @property {string} kind
  * @property {Record<string, number>} numbers
  * @property {Record<string, string>} texts
  * @property {boolean} backwards
  * @property {Set<string>} radians
- * @property {Record<string, any>} [trees] the formulas of its entries; none where they were found by matrices
+ * @property {Record<string, any>} [trees] the formulas of its entries; none where they were found
+ *   by matrices
  */
 
 /**
- * The rows in the units typed, and what was said or guessed of them; null where nothing was. `exchanged` where the
- * heads of alpha and theta stand over one another's entries, as the joints' variables show.
- * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string | null,
+ * The rows in the units typed, and what was said or guessed of them; null where nothing was.
+ * `exchanged` where the heads of alpha and theta stand over one another's entries, as the joints'
+ * variables show.
+ * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string |
+ *   null,
  *   said: string[], exchanged?: boolean }} TypedTable
  */
 
 /**
- * The readings of a table, the likeliest first: more than one only where the order of the columns had to be guessed.
- * One whose heads of alpha and theta are exchanged is read too.
+ * The readings of a table, the likeliest first: more than one only where the order of the columns
+ * had to be guessed. One whose heads of alpha and theta are exchanged is read too.
  * @param {string} text
  * @param {{ columns?: string, lengths?: string, angles?: string, convention?: string }} options
  * @param {[string, number][]} values of its symbols
@@ -128,7 +132,12 @@ export function read(text, { columns, lengths, angles, convention } = {}, values
   );
   if (tables.length) return tables;
   if (!sure || !variablesInAlpha(rows, orders[0])) throw attempts[0].error;
-  const swapped = attempted(rows, orders[0].map((name) => EXCHANGED[name] ?? name), known, sure); // prettier-ignore
+  const swapped = attempted(
+    rows,
+    orders[0].map((name) => EXCHANGED[name] ?? name),
+    known,
+    sure,
+  );
   if (!swapped.rows) throw swapped.error;
   return [{ ...units, rows: swapped.rows, said: typed.said, exchanged: true }];
 }
@@ -163,8 +172,8 @@ function attempted(cells, order, known, sure) {
 }
 
 /**
- * A table as it was meant: standard rows in m and rad, what was guessed, and the sizes of the units typed. `kinds` are
- * taken where no row holds a variable and there are as many; all turn otherwise.
+ * A table as it was meant: standard rows in m and rad, what was guessed, and the sizes of the units
+ * typed. `kinds` are taken where no row holds a variable and there are as many; all turn otherwise.
  * @param {TypedTable} table
  * @param {string[]} kinds
  * @returns {{ rows: Numbers[], said: string[], length: number, angle: number }}
@@ -221,8 +230,8 @@ function kindsOf({ rows }, wanted) {
 const EMPTY = { kind: "fixed", a: 0, alpha: 0, d: 0, theta: 0 };
 const isEmpty = (row) => row.kind === "fixed" && ENTRIES.every((name) => row[name] === 0);
 
-// Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}: a fixed row before them takes a_0 and
-// alpha_0; a last one that is left empty goes.
+// Standard rows from modified ones, which begin with a_{i-1}, alpha_{i-1}: a fixed row before them
+// takes a_0 and alpha_0; a last one that is left empty goes.
 /** @param {Numbers[]} rows @returns {Numbers[]} */
 export function fromCraig(rows) {
   const shifted = rows.map((row, k) => {
@@ -280,7 +289,8 @@ function below(heads, rows) {
   );
 }
 
-// Whether two blanks and more part the lines of a text into as many cells, and single ones stand in some.
+// Whether two blanks and more part the lines of a text into as many cells, and single ones stand in
+// some.
 function isEven(text) {
   const wide = apart(text);
   return wide !== text && new Set(cellsOf(wide).map((row) => row.length)).size === 1;
@@ -329,11 +339,14 @@ function ofLists(named) {
   const lists = [...named.values()].map((body) => cellsOf(`[${body.slice(1, -1)}]`)[0]);
   const counts = [...new Set(lists.map((list) => list.length))].sort((p, q) => p - q);
   if (counts.length !== 1) throw new ArmError(say("uneven lists", { counts: counts.join(", ") }));
-  return plainly(lists[0].map((_, k) => lists.map((list) => list[k])), [...named.keys()]); // prettier-ignore
+  return plainly(
+    lists[0].map((_, k) => lists.map((list) => list[k])),
+    [...named.keys()],
+  );
 }
 
-// Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has a_{i-1} and alpha_{i-1}: a
-// last one with nothing else in it is the tool's.
+// Entries by column and number; a_0 and alpha_0 tell Craig's convention, whose row i has a_{i-1}
+// and alpha_{i-1}: a last one with nothing else in it is the tool's.
 function ofPairs(entries) {
   const early = (column) => column === "a" || column === "alpha";
   const craig = entries.some(([column, i]) => early(column) && i === 0);
@@ -352,7 +365,8 @@ function ofPairs(entries) {
   return plainly(cells, craig ? ["a_{i-1}", "alpha_{i-1}", "d", "theta"] : ENTRIES);
 }
 
-// Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3, alpha=pi/2).
+// Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3,
+// alpha=pi/2).
 function ofLinks(links) {
   const cells = links.map((link, k) => {
     const { row, slides } = linkOf(link);
@@ -408,8 +422,8 @@ function fromHeads(heads) {
   return { lengths: unit ?? own, angles, convention: /-\s*1/.test(text) ? "craig" : null };
 }
 
-// The cells without the column that numbers the rows. Where they are not numbered and one short, the first head goes
-// alone: nobody typed its column, or it is half of "Joint type".
+// The cells without the column that numbers the rows. Where they are not numbered and one short,
+// the first head goes alone: nobody typed its column, or it is half of "Joint type".
 function withoutIndex({ cells, heads }) {
   const words = heads.map(headOf);
   const first = cells.map((row) => plain(row[0]));
@@ -433,7 +447,10 @@ function withoutIndex({ cells, heads }) {
 // The orders of the columns that are possible, whether it was said, and the rows in them.
 function ordered(cells, heads, columns) {
   if (columns) {
-    const order = columns.trim().split(/[\s,;|]+/).map(headOf); // prettier-ignore
+    const order = columns
+      .trim()
+      .split(/[\s,;|]+/)
+      .map(headOf);
     if ([...order].sort().join() !== ENTRIES.join())
       throw new ArmError(say("no columns", { given: shown(columns) }));
     wide(cells);
@@ -505,8 +522,8 @@ function lookOf(text) {
   };
 }
 
-// Whether the variables stand in theta (or d), and, if strict, no length or angle looks like the other; those of an arm
-// with skew axes do.
+// Whether the variables stand in theta (or d), and, if strict, no length or angle looks like the
+// other; those of an arm with skew axes do.
 function possible(looks, order, strict) {
   const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
   if ([...a, ...alpha].some(({ variable, offset }) => variable || offset)) return false;

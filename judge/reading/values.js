@@ -1,4 +1,5 @@
-// The numbers that a reader gives to symbols of their own: "h = 0.333, phi_0 = pi/4", or as Python's dictionary.
+// The numbers that a reader gives to symbols of their own: "h = 0.333, phi_0 = pi/4", or as
+// Python's dictionary.
 
 import { number, plain } from "./formula.js";
 import { ArmError, shown, spelled } from "../sentences.js";

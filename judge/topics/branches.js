@@ -14,7 +14,8 @@ const EXACT = 1.01e-4; // rad or m: answers copied from paper with four decimals
 const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
 const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
 const BY_HAND = 0.0301; // rad or m: the most that rounding on the way is allowed
-const OF_ONE_STEP = ["ik.sign", "ik.plus for minus"]; // told rather than that joints of two branches are mixed
+// told rather than that joints of two branches are mixed
+const OF_ONE_STEP = ["ik.sign", "ik.plus for minus"];
 const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are not told apart
 
 /** @typedef {{ values: number[], units: number[] }} Answer a joint vector with the units of its last places */
@@ -27,8 +28,8 @@ const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are n
  */
 
 /**
- * The report on joint vectors, a text or nested lists, for one target of an arm with a closed form: three coordinates,
- * or the rows of a pose where one is asked for.
+ * The report on joint vectors, a text or nested lists, for one target of an arm with a closed form:
+ * three coordinates, or the rows of a pose where one is asked for.
  * @param {string | any[]} mine @param {any} arm @param {any[]} target
  * @returns {import("../report.js").Report}
  */
@@ -76,8 +77,8 @@ function judged(right, given, angles, tolerance, taken) {
     : reported(right, given, tolerance, taken, null);
 }
 
-// The answers taken as degrees, where they are branches so and none is as typed; null where they are not, or are so
-// small that zero is as near to the branch.
+// The answers taken as degrees, where they are branches so and none is as typed; null where they
+// are not, or are so small that zero is as near to the branch.
 /** @returns {Answer[] | null} */
 function onlyAsDegrees(right, given, tolerance) {
   const { arm, branches } = right;
@@ -92,7 +93,8 @@ function onlyAsDegrees(right, given, tolerance) {
 }
 
 /**
- * Joint vectors with their units, however they were held, and how they were read; a square is read by rows unless told.
+ * Joint vectors with their units, however they were held, and how they were read; a square is read
+ * by rows unless told.
  * @returns {{ answers: Answer[], taken: string[], typed: import("../reading/numbers.js").Typed }}
  */
 export function answers(mine, arm, angles, byColumns = false) {
@@ -138,7 +140,8 @@ function marginsOf(units, tolerance, hand = false) {
   return units.map((u) => Math.max(hand ? byHand(u) : HALF * u, EXACT));
 }
 
-// The answer that gives each branch, the answers that give none, and whether all are right to their digits.
+// The answer that gives each branch, the answers that give none, and whether all are right to their
+// digits.
 function hitsOf(right, given, tolerance) {
   const hits = new Map();
   const astray = [];
@@ -155,7 +158,8 @@ function hitsOf(right, given, tolerance) {
   return { hits, astray, sharp };
 }
 
-// The branches that q is: the same joints, or, where a joint is free, another member of the branch's family.
+// The branches that q is: the same joints, or, where a joint is free, another member of the
+// branch's family.
 function matches(right, q, margin) {
   const { arm, branches } = right;
   const gaps = branches.map((branch) => gapOf(arm, q, branch.q));
@@ -282,7 +286,8 @@ function headlineOf(grade, { arm, branches }, everywhere, wrong, count, coarse) 
   return say(grade === RIGHT ? "ik right" : "ik rounded", fields);
 }
 
-// One sign of a root forgotten: a joint that has one sign in all that is there and the other in all that is missing.
+// One sign of a root forgotten: a joint that has one sign in all that is there and the other in all
+// that is missing.
 /** @returns {Finding[]} */
 function oneSign({ arm, branches }, hits, missing, found) {
   if (!found.length || !missing.length) return [];
@@ -312,9 +317,15 @@ function outOfRange({ arm, branches }, hits, missing, found) {
   return beyond.length ? [say("ik out of range", { joints: listed(beyond) })] : [];
 }
 
-// Whether an answer has too few digits to tell, and is not exact all the same, as whole degrees may be.
+// Whether an answer has too few digits to tell, and is not exact all the same, as whole degrees may
+// be.
 function tooCoarse(right, given) {
-  const exact = (values) => matches(right, values, values.map(() => REACHED)).length > 0; // prettier-ignore
+  const exact = (values) =>
+    matches(
+      right,
+      values,
+      values.map(() => REACHED),
+    ).length > 0;
   return given.some(({ values, units }) => Math.max(...units) > COARSE && !exact(values));
 }
 
@@ -346,7 +357,11 @@ function wrongAnswer(right, { values, units }, number, tolerance) {
     finding: { what: "answer", where, words: say(key, { number }) },
   });
   if (!right.branches.length) return plainly("ik no branch");
-  const miss = missOf(right, values, units.map(() => 0)); // prettier-ignore
+  const miss = missOf(
+    right,
+    values,
+    units.map(() => 0),
+  );
   if (!miss) return plainly("ik unlisted");
   const { causes, words } = why(right, values, margin);
   const turn = values.length >= 6 ? turnOf(miss[1]) : "";
@@ -364,7 +379,8 @@ export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).to
 export const turnOf = (angle) =>
   say("ik turn", { degrees: size(Number((angle * DEG).toFixed(3))) });
 
-// What explains an answer: one slip, joints of two branches mixed, or two slips; or else the joints in no branch.
+// What explains an answer: one slip, joints of two branches mixed, or two slips; or else the joints
+// in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
 function why(right, q, margin) {
   const { arm, branches } = right;
@@ -373,7 +389,10 @@ function why(right, q, margin) {
   const first = function* () {
     yield* single(arm, q);
     yield* whole(arm, q);
-    yield* kept(q, branches.map((branch) => branch.q)); // prettier-ignore
+    yield* kept(
+      q,
+      branches.map((branch) => branch.q),
+    );
   };
   // A slip in two joints can help where all the others are in one branch.
   const near = branches.map((branch) =>
@@ -409,8 +428,8 @@ function slipped({ branches }, found, mixed) {
   };
 }
 
-// The slips without which an answer would be a branch, and which; none that helps by less than half, nor a scale where
-// zero would fit as well.
+// The slips without which an answer would be a branch, and which; none that helps by less than
+// half, nor a scale where zero would fit as well.
 /** @returns {[Cause, number][]} */
 function fitting({ arm, branches }, q, slips, margin) {
   const turns = turning(arm);

@@ -31,7 +31,8 @@ import {
 } from "../causes/ranking.js";
 import { ArmError, listed, lower, say, tuple } from "../sentences.js";
 
-const CLOSE = 0.05; // what columns may be off by, however few their digits, to be known as some joints'
+// what columns may be off by, however few their digits, to be known as some joints'
+const CLOSE = 0.05;
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const HALVES = ["linear", "angular"];
 
@@ -76,8 +77,16 @@ export function compareJacobian(mine, arm, q, options = {}) {
 
 /** @returns {import("../report.js").Report} */
 const reported = (arm, grade, headline, rest = {}) => ({
-  topic: "Jacobian", arm: arm.name, grade, headline, findings: [], causes: [], taken: [], notes: [], ...rest,
-}); // prettier-ignore
+  topic: "Jacobian",
+  arm: arm.name,
+  grade,
+  headline,
+  findings: [],
+  causes: [],
+  taken: [],
+  notes: [],
+  ...rest,
+});
 
 // The shape
 

@@ -10,7 +10,8 @@ import { choices, double, scale, scales, single, variable, whole } from "../caus
 
 const EXACT = 1e-6; // m or rad
 const FAR = 10; // margins: what is missed by less may be several joints, each a little off
-const ROUGH = 0.1; // the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
+// the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
+const ROUGH = 0.1;
 const COARSE = 2e-3; // rad or m: angles with fewer decimals are taken as meant, unless that fails
 const SHAPES = ["4x4", "3x4", "3"];
 
@@ -21,7 +22,8 @@ const SHAPES = ["4x4", "3x4", "3"];
  */
 
 /**
- * Whether a joint vector, a text or nested lists, takes an arm's tip to T: a pose (4, 4) or a point (3,).
+ * Whether a joint vector, a text or nested lists, takes an arm's tip to T: a pose (4, 4) or a point
+ * (3,).
  * @returns {import("../report.js").Report}
  */
 export function comparePose(q, arm, T, options = {}) {
@@ -54,8 +56,17 @@ function judged(q, arm, T, tolerance, taken) {
   const figures = { position_error: miss[0], orientation_error: miss[1] };
   /** @returns {import("../report.js").Report} */
   const reported = (grade, headline, rest) => ({
-    topic: "pose", arm: arm.name, grade, headline, findings: [], causes: [], taken, notes: [], figures, ...rest,
-  }); // prettier-ignore
+    topic: "pose",
+    arm: arm.name,
+    grade,
+    headline,
+    findings: [],
+    causes: [],
+    taken,
+    notes: [],
+    figures,
+    ...rest,
+  });
   const good = (grade, key) =>
     reported(grade, say(key, { arm: arm.name }), { notes: [...limits(arm, q)] });
   const fine = { values: q.values, units: q.units.map((u) => (u > COARSE ? 0 : u)) };
@@ -87,8 +98,8 @@ function judged(q, arm, T, tolerance, taken) {
   return reported(WRONG, say("pose wrong", { arm: arm.name, off }), { findings, causes });
 }
 
-// Distance (m) and angle (rad) between a frame and T; no angle where T is a point, half a turn where its axes are
-// left-handed.
+// Distance (m) and angle (rad) between a frame and T; no angle where T is a point, half a turn
+// where its axes are left-handed.
 /** @returns {[number, number]} */
 function missOf(here, { values, pose }) {
   const o = pose ? values.map((row) => row[3]) : values[0];
@@ -102,7 +113,8 @@ const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 
 /** @returns {[number, number]} */
 function marginsOf(q, arm, T, share, tolerance) {
-  if (tolerance !== null) return [Math.max(tolerance, 1e-9), Math.max(tolerance, 1e-9)]; // below it rounding decides
+  // below it rounding decides
+  if (tolerance !== null) return [Math.max(tolerance, 1e-9), Math.max(tolerance, 1e-9)];
   const columns = jacobianColumns(arm, linkFrames(arm, q.values));
   const spread = (i) =>
     columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * (share * q.units[k]), 0);
@@ -117,8 +129,8 @@ function marginsOf(q, arm, T, share, tolerance) {
 
 const within = (miss, margin) => miss[0] <= margin[0] && miss[1] <= margin[1];
 
-// The single slips that explain a miss, or else the first pair that does; none that helps by less than half, nor a
-// scale where zero would fit as well.
+// The single slips that explain a miss, or else the first pair that does; none that helps by less
+// than half, nor a scale where zero would fit as well.
 function causesOf(q, arm, T, margin, miss, tolerance) {
   const found = [];
   const half = margin.map((most, i) => (miss[i] <= most ? most : Math.min(most, miss[i] / 2)));
@@ -141,8 +153,8 @@ function causesOf(q, arm, T, margin, miss, tolerance) {
   return found;
 }
 
-// The one joint of which another value, or the one pair whose exchange, takes the tip to a pose; nothing where more
-// than one would, or for a point, which leaves more to chance.
+// The one joint of which another value, or the one pair whose exchange, takes the tip to a pose;
+// nothing where more than one would, or for a point, which leaves more to chance.
 function alone(q, arm, T, margin) {
   if (!T.pose) return [];
   const found = [...otherValues(q, arm, T)].filter(([, mended]) =>
@@ -198,14 +210,16 @@ function* slips(q, arm, T) {
 }
 
 const rotated = (T, entry) => ({
-  ...T, values: T.values.map((row, i) => row.map((x, j) => (j < 3 ? entry(i, j) : x))),
-}); // prettier-ignore
+  ...T,
+  values: T.values.map((row, i) => row.map((x, j) => (j < 3 ? entry(i, j) : x))),
+});
 const scaled = (T, factor) => ({
-  ...T, values: T.values.map((row) => row.map((x, j) => (!T.pose || j === 3 ? x * factor : x))),
-}); // prettier-ignore
+  ...T,
+  values: T.values.map((row) => row.map((x, j) => (!T.pose || j === 3 ? x * factor : x))),
+});
 
-// The entries of T that differ, where they are few and no joints give the others with them: its axes are not square, or
-// are upright, as they should be. Then T is wrong, not q.
+// The entries of T that differ, where they are few and no joints give the others with them: its
+// axes are not square, or are upright, as they should be. Then T is wrong, not q.
 function entries(frame, T, upright) {
   const here = matrix(frame);
   const findings = T.values.flatMap((row, i) =>
@@ -226,7 +240,8 @@ function square({ values, units }) {
   return Math.max(...off) <= 2 * unit + EXACT && dot(cross(axes[0], axes[1]), axes[2]) > 0;
 }
 
-// The coordinate of a point in formulas that differs, where it is one; in numbers it could be q as well.
+// The coordinate of a point in formulas that differs, where it is one; in numbers it could be q as
+// well.
 function coordinates({ o }, T) {
   const wrong = [0, 1, 2].filter((i) => Math.abs(o[i] - T.values[0][i]) > COARSE);
   if (!T.formulas || wrong.length !== 1) return [];

@@ -46,9 +46,9 @@ const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
  */
 
 /**
- * A student's table in numbers, in SI units where they were said, with the units of the last places. In the modified
- * convention a and alpha stand one row further down than in `rows`; `added` is 1 where a fixed row before the typed
- * ones holds the first of them.
+ * A student's table in numbers, in SI units where they were said, with the units of the last
+ * places. In the modified convention a and alpha stand one row further down than in `rows`; `added`
+ * is 1 where a fixed row before the typed ones holds the first of them.
  * @typedef {object} Table
  * @property {string} name
  * @property {Numbers[]} rows
@@ -90,8 +90,8 @@ export function compareTables(mine, reference, options = {}) {
   return other.causes.length ? whole(other, 1) : whole(first, 0);
 }
 
-// The sizes that large lengths may have where nobody said it: millimetres, or centimetres, first that which is nearer
-// to the reference's.
+// The sizes that large lengths may have where nobody said it: millimetres, or centimetres, first
+// that which is nearer to the reference's.
 function sizes(typed, wanted) {
   if (!inMillimetres(typed)) return [typed];
   const both = [
@@ -159,7 +159,8 @@ function unitOf(texts, columns) {
   return Math.max(0, ...units(found));
 }
 
-// The unit of lengths that are all whole numbers of a small size; 0 for others. Whole numbers among formulas are exact.
+// The unit of lengths that are all whole numbers of a small size; 0 for others. Whole numbers among
+// formulas are exact.
 function wholeUnit(typed, scale) {
   const lengths = typed.rows.flatMap(({ kind, texts }) =>
     kind === "prismatic" ? [texts.a] : [texts.a, texts.d],
@@ -183,8 +184,8 @@ function square(angle, unit = 0) {
   return Math.abs(angle - right) < Math.max(ANGLE, 0.51 * unit) ? right : angle;
 }
 
-// The rows with angles that were cut to two decimals or more taken as the right angles that they are near: 1.57 is
-// meant as pi/2.
+// The rows with angles that were cut to two decimals or more taken as the right angles that they
+// are near: 1.57 is meant as pi/2.
 const meantRows = (table) =>
   table.rows.map((row, k) => {
     const [alpha, theta] = ["alpha", "theta"].map((c) => square(row[c], ownUnit(table, k + 1, c)));
@@ -201,7 +202,8 @@ function ownUnit(table, row, column) {
 // The verdict
 
 /**
- * One reading of what was meant: its causes, the rows, the arm they are held against, and how many entries differ.
+ * One reading of what was meant: its causes, the rows, the arm they are held against, and how many
+ * entries differ.
  * @typedef {{ cause: Cause | null, rows: Numbers[], reference: Numbers[], entries: number }} Try
  */
 
@@ -209,8 +211,8 @@ const compare = ({ rows, reference }, length) =>
   compared(side(rows), side(reference), length, ANGLE);
 
 /**
- * One reading of a table beside the reference: the report on the same arm, null where it is another, and that on
- * another.
+ * One reading of a table beside the reference: the report on the same arm, null where it is
+ * another, and that on another.
  * @param {Table} table
  * @returns {{ good: () => Report | null, bad: () => Report }}
  */
@@ -230,7 +232,8 @@ function judgedTable(table, reference, tolerance) {
   const good = () => {
     if (!found.differences.length) return agrees(RIGHT, found);
     if (tolerance !== null) return null;
-    const wide = Math.max(exact, 2 * length, 2.5 * angle * reach(rows)); // a turned axis meets the next one elsewhere
+    // a turned axis meets the next one elsewhere
+    const wide = Math.max(exact, 2 * length, 2.5 * angle * reach(rows));
     const near = compared(mine, ref, wide, Math.max(ANGLE, 4 * angle));
     return near.differences.length ? null : agrees(ROUNDED, near);
   };
@@ -286,8 +289,8 @@ function base(table, mine, found, mapped = null) {
   return [...stands("base", along), ...stands("base on z_0", rest)];
 }
 
-// A word on the row up to joint 1 whose d puts the base where the reference's is once it is read in metres among
-// smaller units, or in millimetres among metres.
+// A word on the row up to joint 1 whose d puts the base where the reference's is once it is read in
+// metres among smaller units, or in millimetres among metres.
 function twoUnits(table, mine, { baseHigher }) {
   const factor = table.lengthScale < 1 ? 1 / table.lengthScale : 1e-3;
   return table.rows.slice(0, mine.joints[0]).flatMap(({ d }, k) => {
@@ -328,8 +331,9 @@ const typedAs = (table, row, column) =>
 
 // What differs, and why
 
-// Why a table is another arm, the simplest first: causes after which every entry agrees, one or two wrong entries,
-// causes and single signs after which the axes agree, more wrong entries, or what is left of the axes.
+// Why a table is another arm, the simplest first: causes after which every entry agrees, one or two
+// wrong entries, causes and single signs after which the axes agree, more wrong entries, or what is
+// left of the axes.
 /** @param {Table} table @returns {Report} */
 function different(table, reference, rows, wanted, length) {
   const found = compared(side(rows), side(wanted), length);
@@ -338,7 +342,11 @@ function different(table, reference, rows, wanted, length) {
   if (equal.length) {
     const fewest = Math.min(...equal.map((t) => edits(t.cause)));
     const alike = equal.filter((t) => edits(t.cause) === fewest);
-    return bad(table, reference, alike.map((t) => t.cause)); // prettier-ignore
+    return bad(
+      table,
+      reference,
+      alike.map((t) => t.cause),
+    );
   }
   const notes = found.signs.length ? base(table, side(rows), found) : [];
   const local = fewEntries(all, wanted.length, length);
@@ -378,8 +386,9 @@ function mistakes(t, k, column, length) {
   return why.keys[0] === "table.number and sign" ? 2 : 1;
 }
 
-// What the differences of the axes cost, by which a table in frames of its own is judged. No bound where joints do not
-// correspond, or against entries alone where a twist differs: axes that are parallel, and should not be, hide lengths.
+// What the differences of the axes cost, by which a table in frames of its own is judged. No bound
+// where joints do not correspond, or against entries alone where a twist differs: axes that are
+// parallel, and should not be, hide lengths.
 function byAxes({ differences, signs }, why) {
   const hidden = !why && differences.some((d) => d.entry === "alpha");
   return hidden || !signs.length ? Infinity : ENTRY * differences.length;
@@ -420,8 +429,11 @@ function tries(rows, reference, wanted, modified, length) {
       found.push([usual.joined(second, third), squared(then(mend(rows))), wanted]);
   }
   return found.map(([why, read, arm]) => ({
-    cause: why, rows: read, reference: arm, entries: differing(read, arm, length),
-  })); // prettier-ignore
+    cause: why,
+    rows: read,
+    reference: arm,
+    entries: differing(read, arm, length),
+  }));
 }
 
 // How many entries differ; all where the rows do not correspond.
@@ -449,8 +461,8 @@ const angular = (column) => column === "alpha" || column === "theta";
 function agreeing(all, length, most) {
   for (const t of all) {
     if (!t.cause || cost(t.cause) + apart(t.cause) >= most) continue;
-    // Two causes after which most entries differ, and exchanged rows, fit by chance only; Craig's rows may have one
-    // more than the reference.
+    // Two causes after which most entries differ, and exchanged rows, fit by chance only; Craig's
+    // rows may have one more than the reference.
     const few = edits(t.cause) === 1 || t.entries <= 2 * t.reference.length;
     const last = t.cause.keys.at(-1);
     const likely = (few || last === "table.craig") && last !== usual.EXCHANGED;
@@ -461,9 +473,15 @@ function agreeing(all, length, most) {
 
 function oneSign(rows, wanted, length) {
   const all = usual.flips(rows).map(([why, mended]) => ({
-    cause: why, rows: mended, reference: wanted, entries: differing(mended, wanted, length),
-  })); // prettier-ignore
-  return cheapest(all.filter((t) => !compare(t, length).differences.length), (t) => t.entries); // prettier-ignore
+    cause: why,
+    rows: mended,
+    reference: wanted,
+    entries: differing(mended, wanted, length),
+  }));
+  return cheapest(
+    all.filter((t) => !compare(t, length).differences.length),
+    (t) => t.entries,
+  );
 }
 
 // The fewest of the entries that differ after whose mending the axes agree.
@@ -479,7 +497,8 @@ function neededOf(t, length) {
   return wrong;
 }
 
-// One wrong entry in the student's numbers; its row is the student's, also where a and alpha were read one row on.
+// One wrong entry in the student's numbers; its row is the student's, also where a and alpha were
+// read one row on.
 /** @param {Table} table @returns {Finding} */
 function entry(table, t, k, column, length) {
   const [mine, wanted] = [t.rows[k][column], t.reference[k][column]];
@@ -519,8 +538,8 @@ function kindOfError(column, row, mine, wanted, length) {
   });
 }
 
-// The single cause that leaves much less than none does, and what it leaves: differences of axes, for where joints do
-// not correspond these are not seen.
+// The single cause that leaves much less than none does, and what it leaves: differences of axes,
+// for where joints do not correspond these are not seen.
 function fewest(all, length, { differences }) {
   let best = {
     cost: 0.7 * differences.length,
@@ -538,11 +557,16 @@ function fewest(all, length, { differences }) {
 }
 
 const WHAT = {
-  "table distance": "table distance what", "table between": "table between what", "table held": "table held what",
-  "table side": "table side what", "table lean": "table lean what", "table foot": "table foot what",
-  "table along": "table along what", "table base": "table base what",
+  "table distance": "table distance what",
+  "table between": "table between what",
+  "table held": "table held what",
+  "table side": "table side what",
+  "table lean": "table lean what",
+  "table foot": "table foot what",
+  "table along": "table along what",
+  "table base": "table base what",
   "table kind": "table kind what",
-}; // prettier-ignore
+};
 
 // One difference, in the rows and axes of the table as typed.
 /** @param {Table} table @param {Difference} d @returns {Finding} */
@@ -573,8 +597,8 @@ function amount({ key, mine, reference }, what) {
     const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEG, 4), 6));
     return say("table angle", { what, mine: spelt[0], reference: spelt[1], off: spelt[2] });
   }
-  // To a micrometre: where axes are nearly parallel, rounding leaves no more of a distance. First to a nanometre,
-  // so that half a micrometre is one for the checkers too.
+  // To a micrometre: where axes are nearly parallel, rounding leaves no more of a distance. First
+  // to a nanometre, so that half a micrometre is one for the checkers too.
   const [x, y] = [mine, reference].map((length) => rounded(rounded(length, 9), 6));
   if (x * y < 0) return say("table other way", { what, mine: size(x, 6), reference: size(y, 6) });
   const way = Math.abs(x) > Math.abs(y) ? say("long") : say("short");
@@ -597,9 +621,15 @@ function bad(table, reference, causes, findings = [], notes = []) {
       : [];
   const fields = { mine: table.name, reference: reference.name };
   const report = {
-    topic: "table", arm: reference.name, grade: WRONG, headline: say("table other arm", fields), findings,
-    causes: names, taken: table.said, notes,
-  }; // prettier-ignore
+    topic: "table",
+    arm: reference.name,
+    grade: WRONG,
+    headline: say("table other arm", fields),
+    findings,
+    causes: names,
+    taken: table.said,
+    notes,
+  };
   if (causes.length) {
     const words = several(causes);
     const rest = findings.length ? say("and what remains") : "";

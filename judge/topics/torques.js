@@ -58,7 +58,7 @@ export function compareTorques(mine, arm, q, options = {}) {
   const dof = joints(arm).length;
   const list = rowsOf(at.values, dof);
   const wrenches = Array.isArray(wrench[0]) ? wrench : list.map(() => wrench);
-  const load = loadOf(arm, list, wrenches, gravity); // prettier-ignore
+  const load = loadOf(arm, list, wrenches, gravity);
   const right = torques(load).flat();
   const typed = numbers(unnamed(mine), `${arm.name}: your torques`);
   const found = upright(typed, right, dof);
@@ -85,7 +85,8 @@ function poses(q, arm, angles) {
   return inRadians(typed, arm, angles);
 }
 
-// The torques with a row per pose: columns, lists per joint and a leading column of zeros are set right, and said.
+// The torques with a row per pose: columns, lists per joint and a leading column of zeros are set
+// right, and said.
 function upright(typed, right, dof) {
   const count = right.length / dof;
   let shape = typed.shape.filter((n) => n !== 1);
@@ -118,8 +119,16 @@ function upright(typed, right, dof) {
 
 /** @returns {import("../report.js").Report} */
 const reported = (arm, grade, headline, rest = {}) => ({
-  topic: "torques", arm: arm.name, grade, headline, findings: [], causes: [], taken: [], notes: [], ...rest,
-}); // prettier-ignore
+  topic: "torques",
+  arm: arm.name,
+  grade,
+  headline,
+  findings: [],
+  causes: [],
+  taken: [],
+  notes: [],
+  ...rest,
+});
 
 function misshapen({ shape, values }, count, arm) {
   const dof = joints(arm).length;
@@ -145,7 +154,12 @@ function judged(typed, taken, right, load, at, tolerance) {
   const sample = loadOf(arm, of(load.q), of(load.wrenches), load.gravity);
   const { causes, made } = catalogue(sample);
   const scale = Math.max(1e-3, ...right.map(Math.abs));
-  const m = margins(typed.units, right.map(() => scale), slop(load, at, right), tolerance); // prettier-ignore
+  const m = margins(
+    typed.units,
+    right.map(() => scale),
+    slop(load, at, right),
+    tolerance,
+  );
   const part = Object.fromEntries(Object.entries(m).map(([key, list]) => [key, some(list)]));
   const [mine, wanted] = [some(typed.values), some(right)];
   const single = made.filter((_, k) => causes[k].keys.length === 1);

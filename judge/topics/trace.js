@@ -15,7 +15,8 @@ import { holds, loopCause, near, offs, pathCause, tableCause } from "../causes/t
 const TILT = 1 / DEG; // rad: a tool that leans or spins more no longer counts as held
 const USUAL = 2e-3; // m: Euler's method on the homework's circle stays well below
 const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
-const LOOP_FIRST = ["trace.coarse", "trace.millimetres", "J.millimetres"]; // whatever shape it gives
+// whatever shape it gives
+const LOOP_FIRST = ["trace.coarse", "trace.millimetres", "J.millimetres"];
 const NO_INVERSE = 1e-9; // of the largest singular value: a smaller one is a zero
 const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another branch
 const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
@@ -24,7 +25,8 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 /** @typedef {import("../report.js").Finding} Finding */
 /**
  * Rows of joints, the units of their last places, and the largest of each joint's.
- * @typedef {{ q: number[][], steps: number[][], units: number[], taken: string[], extra: boolean }} Run
+ * @typedef {{ q: number[][], steps: number[][], units: number[], taken: string[], extra: boolean }}
+ *   Run
  */
 
 /**
@@ -59,8 +61,15 @@ export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null
 // Whether joints follow the path in degrees, as nearly as Euler's method does, and not in radians.
 function onlyAsDegrees({ q, steps }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
-  const away = (rows) => offs(wanted, rows.map((row) => linkFrames(arm, row).at(-1).o)); // prettier-ignore
-  const turned = rowsInRadians(q.map((values, k) => ({ values, units: steps[k] })), arm); // prettier-ignore
+  const away = (rows) =>
+    offs(
+      wanted,
+      rows.map((row) => linkFrames(arm, row).at(-1).o),
+    );
+  const turned = rowsInRadians(
+    q.map((values, k) => ({ values, units: steps[k] })),
+    arm,
+  );
   const rows = turned.map(({ values }) => values);
   const inDegrees = away(rows);
   const [top, left] = [Math.max(...away(q)), Math.max(...inDegrees)];
@@ -86,7 +95,8 @@ function blurOf({ q, units }, arm) {
   return Math.max(...q.filter((_, k) => k % each === 0).map(left));
 }
 
-// A row per step: columns turned round, a leading column of times or zeros dropped, one step too many cut, and said.
+// A row per step: columns turned round, a leading column of times or zeros dropped, one step too
+// many cut, and said.
 /** @returns {Run | null} */
 function upright(typed, arm, count, angles) {
   const dof = joints(arm).length;
@@ -221,8 +231,8 @@ function jumps(q) {
   return far.length || usual <= JUMP ? far : over(JUMP);
 }
 
-// Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said; untouched where other
-// jumps are left.
+// Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said;
+// untouched where other jumps are left.
 /** @returns {[number[][], string[]]} */
 function unwound(q, arm) {
   const turns = turning(arm);

@@ -1,10 +1,11 @@
-// What an entry may look like: one grammar for every field, held against Python's by tests/entries.json.
+// What an entry may look like: one grammar for every field, held against Python's by
+// tests/entries.json.
 //
 //   sum  = term { ("+" | "-") term }        term = factor { ["*" | "/"] factor } [unit]
 //   factor = ["+" | "-"] (number | "pi" | "(" sum ")")
 //
-// A unit after the last of several bare terms is the unit of all of them, where it is the one they would have had;
-// otherwise each term says its own. In an angle π counts as radians.
+// A unit after the last of several bare terms is the unit of all of them, where it is the one they
+// would have had; otherwise each term says its own. In an angle π counts as radians.
 
 const DEGREE = Math.PI / 180;
 const LONGEST_TEXT = 200; // characters, so that no formula is nested too deep to follow
@@ -193,6 +194,7 @@ export function readEntry(typed, kind, unit) {
   }
 }
 
-// Whether what is typed so far may still become an entry: no error is said while a reader is in the middle of one.
+// Whether what is typed so far may still become an entry: no error is said while a reader is in the
+// middle of one.
 export const unfinished = (typed) =>
   /^\s*$|[-+*/(.,eE−–πp]\s*$/.test(typed) || /^[\s\d.,]*$/.test(typed);

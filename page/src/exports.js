@@ -36,9 +36,14 @@ function python(arm, q) {
       `d=${number(r.d)}, theta=${entry(angle(r.theta))}),`,
   );
   return [
-    "from helpers.arm import Arm, fixed, prismatic, revolute", "",
-    `arm = Arm(${JSON.stringify(arm.name)}, (`, ...rows, "))", `q = [${q.map(number).join(", ")}]`, "",
-  ].join("\n"); // prettier-ignore
+    "from helpers.arm import Arm, fixed, prismatic, revolute",
+    "",
+    `arm = Arm(${JSON.stringify(arm.name)}, (`,
+    ...rows,
+    "))",
+    `q = [${q.map(number).join(", ")}]`,
+    "",
+  ].join("\n");
 }
 
 function matlab(arm, q) {
@@ -50,9 +55,13 @@ function matlab(arm, q) {
     .join(" ");
   return [
     `% ${arm.name}, standard convention: a (m), alpha (rad), d (m), theta (rad)`,
-    "DH = [", ...rows, "];", `kind = [${kinds}];  % R turns, P slides, F is fixed`,
-    `q = [${q.map(number).join(" ")}];`, "",
-  ].join("\n"); // prettier-ignore
+    "DH = [",
+    ...rows,
+    "];",
+    `kind = [${kinds}];  % R turns, P slides, F is fixed`,
+    `q = [${q.map(number).join(" ")}];`,
+    "",
+  ].join("\n");
 }
 
 function csv(arm) {
@@ -62,7 +71,8 @@ function csv(arm) {
   return ["a_m,alpha_rad,d_m,theta_rad,kind", ...rows, ""].join("\n");
 }
 
-// Each row is a joint that turns about or slides along z of the frame before it, then a fixed step to its own frame.
+// Each row is a joint that turns about or slides along z of the frame before it, then a fixed step
+// to its own frame.
 function urdf(arm) {
   const name = identifier(arm.name);
   const lines = [`<?xml version="1.0"?>`, `<robot name="${name}">`, `  <link name="link_0"/>`];
@@ -91,7 +101,8 @@ function urdf(arm) {
       lines.push(`  <link name="moved_${i + 1}"/>`);
       parent = `moved_${i + 1}`;
     }
-    // Rz(theta) Tz(d) Tx(a) Rx(alpha): the place is (a cos, a sin, d), the turn alpha about x, then theta about z.
+    // Rz(theta) Tz(d) Tx(a) Rx(alpha): the place is (a cos, a sin, d), the turn alpha about x, then
+    // theta about z.
     const place = [row.a * Math.cos(row.theta), row.a * Math.sin(row.theta), row.d];
     lines.push(
       joint(`row_${i + 1}`, "fixed", parent, `link_${i + 1}`, [...place, row.alpha, 0, row.theta]),

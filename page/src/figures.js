@@ -1,8 +1,9 @@
-// What comes in a second script, loaded when the first of it is asked for: small figures that stand beside a sentence,
-// and views of the instrument, by name.
+// What comes in a second script, loaded when the first of it is asked for: small figures that stand
+// beside a sentence, and views of the instrument, by name.
 
 /**
- * @typedef {(host: HTMLElement, spec: any) => () => void} MakeFigure builds into the host, returns what takes it away
+ * @typedef {(host: HTMLElement, spec: any) => () => void} MakeFigure builds into the host, returns
+ *   what takes it away
  */
 
 /** @type {Record<string, MakeFigure>} */

@@ -1,5 +1,6 @@
-// Pointers on the picture: a link turns its joint, the tip is followed, the ball of the force pushes, and what is
-// nothing of these turns the view. One solve for each frame that is drawn, however many times the pointer moves.
+// Pointers on the picture: a link turns its joint, the tip is followed, the ball of the force
+// pushes, and what is nothing of these turns the view. One solve for each frame that is drawn,
+// however many times the pointer moves.
 
 import {
   cross,
@@ -145,14 +146,19 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     canvas.classList.remove("held");
   }
 
-  figure.listen(canvas, "pointerdown", (event) => {
-    if (event.button) return;
-    const what = under(event);
-    down = [event.clientX, event.clientY, what];
-    if (!what || what.kind === "way") return;
-    event.stopImmediatePropagation(); // the view does not turn
-    begin(event, what);
-  }, { capture: true }); // prettier-ignore
+  figure.listen(
+    canvas,
+    "pointerdown",
+    (event) => {
+      if (event.button) return;
+      const what = under(event);
+      down = [event.clientX, event.clientY, what];
+      if (!what || what.kind === "way") return;
+      event.stopImmediatePropagation(); // the view does not turn
+      begin(event, what);
+    },
+    { capture: true },
+  );
   figure.listen(grip, "pointerdown", (event) => {
     if (!event.button) begin(event, { kind: "tip" });
   });
@@ -163,17 +169,25 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
   }
   figure.listen(window, "scroll", () => drag && (drag.box = null), { capture: true });
   figure.listen(canvas, "pointerleave", () => drag || hover(null));
-  // A touch that takes hold of something drags it in every direction; the others may scroll the page.
-  figure.listen(canvas, "touchstart", (event) => {
-    const touch = event.touches[0];
-    if (event.touches.length === 1 && under({ ...point(touch), pointerType: "touch" })) event.preventDefault();
-  }, { passive: false }); // prettier-ignore
+  // A touch that takes hold of something drags it in every direction; the others may scroll the
+  // page.
+  figure.listen(
+    canvas,
+    "touchstart",
+    (event) => {
+      const touch = event.touches[0];
+      if (event.touches.length === 1 && under({ ...point(touch), pointerType: "touch" }))
+        event.preventDefault();
+    },
+    { passive: false },
+  );
   figure.signal.addEventListener("abort", () => forget(step));
 }
 
 const point = ({ clientX, clientY }) => ({ clientX, clientY });
 
-// The row of the joint that a grabbed point is turned by: the last one before it that moves it at all.
+// The row of the joint that a grabbed point is turned by: the last one before it that moves it at
+// all.
 function turnedBy(arm, frames, { row, point }, least) {
   const moving = joints(arm).filter((index) => index <= row);
   const moves = (index) => {
@@ -211,9 +225,13 @@ export function moveTip(store, o, gesture = null) {
 }
 
 const TIP_KEYS = {
-  ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0],
-  PageUp: [0, 0, -1], PageDown: [0, 0, 1],
-}; // prettier-ignore
+  ArrowLeft: [-1, 0, 0],
+  ArrowRight: [1, 0, 0],
+  ArrowUp: [0, 1, 0],
+  ArrowDown: [0, -1, 0],
+  PageUp: [0, 0, -1],
+  PageDown: [0, 0, 1],
+};
 const TIP_STEP = 0.01; // m; a tenth of it with Shift
 
 /**

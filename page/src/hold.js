@@ -1,5 +1,6 @@
-// An arm taken by the hand: a link that turns its joint, a tip that the arm follows, an elbow that swings while the tip
-// stays. Everything here keeps the joints within their limits, and says what stops them.
+// An arm taken by the hand: a link that turns its joint, a tip that the arm follows, an elbow that
+// swings while the tip stays. Everything here keeps the joints within their limits, and says what
+// stops them.
 
 import { range } from "../../judge/geometry/arm.js";
 import {
@@ -37,8 +38,8 @@ function onScreen(pixel, p, v) {
 }
 
 /**
- * Joint values after the point `local` of the frame that row `row` carries went towards the pointer `to`, by one joint
- * alone: the one with this index in q.
+ * Joint values after the point `local` of the frame that row `row` carries went towards the pointer
+ * `to`, by one joint alone: the one with this index in q.
  * @param {Arm} arm
  * @param {number[]} q
  * @param {{ row: number, local: number[], to: number[], joint: number, pixel: Pixel }} grab
@@ -85,9 +86,10 @@ const weighed = (columns, turns) =>
 const inner = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
 
 /**
- * One frame of a dragged tip: the joint values a little nearer to those that bring the tip to the target, never past a
- * limit, and near `rest`, where the drag began, so that the way back is the way there. By Levenberg and Marquardt's
- * steps; the cap on a frame's motion comes after the solution, since inside the loop it makes a stretched arm tremble.
+ * One frame of a dragged tip: the joint values a little nearer to those that bring the tip to the
+ * target, never past a limit, and near `rest`, where the drag began, so that the way back is the
+ * way there. By Levenberg and Marquardt's steps; the cap on a frame's motion comes after the
+ * solution, since inside the loop it makes a stretched arm tremble.
  * @param {Arm} arm
  * @param {number[]} start
  * @param {{ o: number[], x?: number[], y?: number[], z?: number[] }} target
@@ -142,7 +144,8 @@ function descend({ arm, target, rest, turns, weight, limits }, start, steps) {
   return { q, frames, cost: least };
 }
 
-// A singular pose holds the arm although the tip is not there: look a little beside it, joint by joint.
+// A singular pose holds the arm although the tip is not there: look a little beside it, joint by
+// joint.
 function besideStall(problem, stalled, nudge) {
   let best = stalled;
   for (const k of stalled.q.keys()) {
@@ -156,8 +159,8 @@ function besideStall(problem, stalled, nudge) {
 }
 
 /**
- * What keeps the tip from the target: how far it is short of it (m), which joints stand at their limits there, and
- * whether the arm is stretched out or folded at a joint.
+ * What keeps the tip from the target: how far it is short of it (m), which joints stand at their
+ * limits there, and whether the arm is stretched out or folded at a joint.
  * @param {Arm} arm
  * @param {number[]} q
  * @param {number[]} target
@@ -193,11 +196,13 @@ export function whyStopped(arm, q, target) {
   return { short, stops };
 }
 
-const NEAR = 0.1; // share of the quickest direction's speed below which a direction counts as fading
+// share of the quickest direction's speed below which a direction counts as fading
+const NEAR = 0.1;
 
 /**
- * The directions in which the tip hardly moves, or not at all, however fast the joints turn: { way, share }, the share
- * being its speed beside that in the quickest direction. With `turns` the tool keeps its direction meanwhile.
+ * The directions in which the tip hardly moves, or not at all, however fast the joints turn: { way,
+ * share }, the share being its speed beside that in the quickest direction. With `turns` the tool
+ * keeps its direction meanwhile.
  * @param {number[][]} columns of the Jacobian
  */
 export function fadingWays(columns, turns = false) {
@@ -238,8 +243,9 @@ function bentJoint(arm, q, frames) {
 }
 
 /**
- * Joint values after the grabbed point of a link went towards the pointer while the tip stays where `held` says: only
- * through the null space. `free` says how many dimensions that has; 0 where the held tip leaves no freedom.
+ * Joint values after the grabbed point of a link went towards the pointer while the tip stays where
+ * `held` says: only through the null space. `free` says how many dimensions that has; 0 where the
+ * held tip leaves no freedom.
  * @param {Arm} arm
  * @param {number[]} q
  * @param {{ row: number, local: number[], to: number[], pixel: Pixel }} grab

@@ -26,9 +26,16 @@ function initial(spec) {
   const [arm] = spec.arms;
   const views = spec.views.filter((name) => Object.hasOwn(VIEWS, name));
   return startingState({
-    arm, reference: spec.reference ?? arm, q: spec.q, wrench: spec.wrench, unit: spec.unit, view: views[0],
-    frames: views[0] === "table" ? "all" : "ends", trace: spec.trace ?? null, ways: waysFrom(arm, spec.branches),
-  }); // prettier-ignore
+    arm,
+    reference: spec.reference ?? arm,
+    q: spec.q,
+    wrench: spec.wrench,
+    unit: spec.unit,
+    view: views[0],
+    frames: views[0] === "table" ? "all" : "ends",
+    trace: spec.trace ?? null,
+    ways: waysFrom(arm, spec.branches),
+  });
 }
 
 // Bring a page's stub to life; the stub knows then its store and what takes it away.
@@ -49,8 +56,8 @@ function brought(stub) {
   return { store, dispose };
 }
 
-// What goes over to Python when it changes here, and back: the trait, how it is read from the state, and the patch that
-// it makes of a state.
+// What goes over to Python when it changes here, and back: the trait, how it is read from the
+// state, and the patch that it makes of a state.
 const TRAITS = {
   q: { from: (state) => state.q, field: "q" },
   wrench: { from: (state) => state.wrench, field: "wrench" },
@@ -77,9 +84,14 @@ function asModel(model, state) {
   const kept = sameJson(sent, state.ways?.list ?? null) && state.arm === arm;
   const trace = sameJson(model.get("trace"), state.trace) ? state.trace : model.get("trace");
   return {
-    arm, base: state.base.name === base.name ? state.base : base, reference, q: [...model.get("q")],
-    wrench: [...model.get("wrench")], trace, ways: kept ? state.ways : waysFrom(arm, sent),
-  }; // prettier-ignore
+    arm,
+    base: state.base.name === base.name ? state.base : base,
+    reference,
+    q: [...model.get("q")],
+    wrench: [...model.get("wrench")],
+    trace,
+    ways: kept ? state.ways : waysFrom(arm, sent),
+  };
 }
 
 const sameJson = (a, b) => JSON.stringify(a) === JSON.stringify(b);
@@ -113,7 +125,8 @@ export function widget() {
       if (by !== "python" && [...changed].some((key) => fields.has(key)))
         timer ??= setTimeout(send, PACE);
     }, abort.signal);
-    // Python may set several traits one after the other: they are taken together once the last has come.
+    // Python may set several traits one after the other: they are taken together once the last has
+    // come.
     let hearing = null;
     const hear = () => {
       if (sending) return;

@@ -1,4 +1,5 @@
-// Long work, done beside the page. Requests are numbered and an answer that came too late is dropped.
+// Long work, done beside the page. Requests are numbered and an answer that came too late is
+// dropped.
 
 import source from "worker:./worker.js";
 import { JOBS } from "./work.js";
@@ -7,7 +8,8 @@ let worker = null;
 let count = 0;
 const waiting = new Map();
 
-// One worker for all explorers of a page, out of the bundle itself, so that a page from a file has one too.
+// One worker for all explorers of a page, out of the bundle itself, so that a page from a file has
+// one too.
 function start() {
   const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
   worker = new Worker(address);

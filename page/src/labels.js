@@ -2,8 +2,18 @@
 
 const ROOM = [22, 15]; // px that a name takes
 const STEPS = [
-  [0, 0], [0, -14], [0, 14], [16, 0], [-16, 0], [14, -13], [-14, 13], [14, 13], [-14, -13], [0, -26], [0, 26],
-]; // prettier-ignore
+  [0, 0],
+  [0, -14],
+  [0, 14],
+  [16, 0],
+  [-16, 0],
+  [14, -13],
+  [-14, 13],
+  [14, 13],
+  [-14, -13],
+  [0, -26],
+  [0, 26],
+];
 
 export class Labels {
   #spans = [];
@@ -38,7 +48,8 @@ export class Labels {
     });
   }
 
-  // Put each at its place, or beside it where another stands already; one that finds no room stays away.
+  // Put each at its place, or beside it where another stands already; one that finds no room stays
+  // away.
   place(pixel, width, height) {
     const taken = [];
     this.tags.forEach(({ tip, index }, i) => {

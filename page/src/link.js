@@ -35,7 +35,8 @@ export function toFragment({ arm, base, q, wrench, unit, view, frames, mark, run
 }
 
 /**
- * What a fragment says, as { patch, words }: the fields of the state that it holds, and what was refused, in words.
+ * What a fragment says, as { patch, words }: the fields of the state that it holds, and what was
+ * refused, in words.
  * @param {string} fragment
  * @param {import("../../judge/geometry/arm.js").Arm[]} arms
  * @param {string[]} views

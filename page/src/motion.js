@@ -1,5 +1,5 @@
-// Inverse kinematics by damped steps, for any table: circles traced from where the arm stands, and the other ways to
-// reach a pose. None of it touches the page, so that a worker can do it.
+// Inverse kinematics by damped steps, for any table: circles traced from where the arm stands, and
+// the other ways to reach a pose. None of it touches the page, so that a worker can do it.
 
 import { fits, range } from "../../judge/geometry/arm.js";
 import {
@@ -26,8 +26,8 @@ function poseError(tip, wanted) {
   return [...minus(wanted.o, tip.o), ...scaled(0.5, turn)];
 }
 
-// The joint vector that brings the tip to the frame `wanted`, by Levenberg and Marquardt's steps damped by the error
-// (Sugihara 2011); `held` is the index of a joint that must not move.
+// The joint vector that brings the tip to the frame `wanted`, by Levenberg and Marquardt's steps
+// damped by the error (Sugihara 2011); `held` is the index of a joint that must not move.
 export function reach(arm, start, wanted, { held = -1, steps = 60 } = {}) {
   let q = [...start];
   const rows = asked(arm);
@@ -49,10 +49,19 @@ export function reach(arm, start, wanted, { held = -1, steps = 60 } = {}) {
 }
 
 const PLANES = {
-  x: [[0, 1, 0], [0, 0, 1]],
-  y: [[1, 0, 0], [0, 0, 1]],
-  z: [[1, 0, 0], [0, 1, 0]],
-}; // prettier-ignore
+  x: [
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  y: [
+    [1, 0, 0],
+    [0, 0, 1],
+  ],
+  z: [
+    [1, 0, 0],
+    [0, 1, 0],
+  ],
+};
 
 // Points of a circle that starts at `top` and hangs below it in the plane with this normal axis.
 export function circlePoints(top, { normal = "x", radius = 0.1, count = 181 } = {}) {
@@ -88,8 +97,8 @@ function reachFrom(arm, start, wanted, options) {
   return best;
 }
 
-// Joint vectors along such a circle below the tip, with the tool's orientation held; with the largest distance (m) that
-// the tip strays from it.
+// Joint vectors along such a circle below the tip, with the tool's orientation held; with the
+// largest distance (m) that the tip strays from it.
 export function traceCircle(arm, start, circle = {}) {
   const tip = linkFrames(arm, start).at(-1);
   const wanted = circlePoints(tip.o, circle);
@@ -118,9 +127,9 @@ export function randomPose(arm, roll = Math.random) {
 const MOST_WAYS = 16;
 
 /**
- * Other joint vectors with the tip at the same pose, from many starts. Where the arm has a joint to spare, joint 3 is
- * held, so that the ways can be counted. Where joints can move with the tip at rest, their ways are one family, of
- * which the list holds one.
+ * Other joint vectors with the tip at the same pose, from many starts. Where the arm has a joint to
+ * spare, joint 3 is held, so that the ways can be counted. Where joints can move with the tip at
+ * rest, their ways are one family, of which the list holds one.
  * @param {import("../../judge/geometry/arm.js").Arm} arm
  * @param {number[]} q
  */
@@ -148,9 +157,11 @@ export function otherWays(arm, q, tries = 300) {
   return { list: found.map((way) => ({ q: way })), families, held, target, whole };
 }
 
-const STEP = 0.1; // rad or m along the null space: small beside a turn, large beside what a double root gives way by
+// rad or m along the null space: small beside a turn, large beside what a double root gives way by
+const STEP = 0.1;
 
-// The joints that can move from here while the tip stays: those of a null direction along which a solution really lies.
+// The joints that can move from here while the tip stays: those of a null direction along which a
+// solution really lies.
 export function freeJoints(arm, q, target, held = -1) {
   const rows = asked(arm);
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
@@ -187,7 +198,8 @@ const sameFamily = (arm, { moving, q }, way) =>
     way.map((v, i) => (moving.includes(i) ? q[i] : v)),
   ) < 1e-3;
 
-// Revolute joints brought to within half a turn, or into their limits where whole turns can do that.
+// Revolute joints brought to within half a turn, or into their limits where whole turns can do
+// that.
 function turned(arm, q) {
   return joints(arm).map((row, i) => {
     if (arm.rows[row].kind !== "revolute") return q[i];

@@ -15,9 +15,11 @@ import { VIEWS } from "./views/index.js";
 
 const GLIDE = 450; // ms that the arm takes to another place
 const STILL = 300; // ms after which the still picture follows
-const READ = 100; // ms in which the numbers follow while the picture is dragged: nobody reads faster
+// ms in which the numbers follow while the picture is dragged: nobody reads faster
+const READ = 100;
 
-const SAID = ["q", "arm", "wrench", "ways", "trace", "dragging"]; // a change of these is worth a word
+// a change of these is worth a word
+const SAID = ["q", "arm", "wrench", "ways", "trace", "dragging"];
 
 let count = 0;
 
@@ -98,7 +100,8 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   };
 }
 
-// Bring all parts up to date now; or soon, one after the other, so that no frame has to wait for all of them.
+// Bring all parts up to date now; or soon, one after the other, so that no frame has to wait for
+// all of them.
 function inTurn(pace, signal, parts, store) {
   let timer = null;
   let due = 0; // parts that are behind

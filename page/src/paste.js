@@ -1,4 +1,5 @@
-// A DH table out of what is on a clipboard: cells of a spreadsheet, a matrix of MATLAB or NumPy, Markdown, LaTeX.
+// A DH table out of what is on a clipboard: cells of a spreadsheet, a matrix of MATLAB or NumPy,
+// Markdown, LaTeX.
 
 import { rowsFault } from "../../judge/geometry/arm.js";
 import { readEntry } from "./entry.js";

@@ -1,5 +1,6 @@
-// A slider on a rail that a thumb can swipe past: on a touch screen only a sideways motion moves it, from where it
-// stands; a mouse takes it as it is used to. The input keeps the keys and the speech.
+// A slider on a rail that a thumb can swipe past: on a touch screen only a sideways motion moves
+// it, from where it stands; a mouse takes it as it is used to. The input keeps the keys and the
+// speech.
 
 const SIDEWAYS = 6; // px before a touch counts as meant
 

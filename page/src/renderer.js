@@ -1,5 +1,6 @@
-// One renderer for all pictures of a page. Each figure is a 2D canvas into which the renderer's picture is copied, so
-// that twenty of them need one WebGL context, and a lost context leaves every picture standing.
+// One renderer for all pictures of a page. Each figure is a 2D canvas into which the renderer's
+// picture is copied, so that twenty of them need one WebGL context, and a lost context leaves every
+// picture standing.
 
 import {
   DirectionalLight,
@@ -51,7 +52,8 @@ export const loseContext = () => shared?.getContext().getExtension("WEBGL_lose_c
 const steps = new Set();
 
 /**
- * Act once, right before the next pictures are drawn, so that a motion is seen in the frame in which it was computed.
+ * Act once, right before the next pictures are drawn, so that a motion is seen in the frame in
+ * which it was computed.
  * @param {() => void} act
  */
 export function beforeDrawing(act) {
@@ -101,8 +103,9 @@ const SIGHT = new Raycaster();
 const VIEW = new Vector3(0.687, -0.639, 0.344);
 
 /**
- * A picture in 3D in a host element: scene, lights, a camera that can be turned, and pointers in pixels.
- * `onDraw(figure)` is called after each drawing, for labels. Throws where the browser has no WebGL.
+ * A picture in 3D in a host element: scene, lights, a camera that can be turned, and pointers in
+ * pixels. `onDraw(figure)` is called after each drawing, for labels. Throws where the browser has
+ * no WebGL.
  */
 export class Figure {
   constructor(
@@ -131,7 +134,8 @@ export class Figure {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener("change", () => this.request());
-    this.controls.enableZoom = false; // until the picture has the focus, so that a page scrolls past it
+    // until the picture has the focus, so that a page scrolls past it
+    this.controls.enableZoom = false;
     this.controls.enablePan = false;
     this.controls.enabled = turns;
     this.canvas.style.touchAction = "pan-y"; // after OrbitControls, which writes "none"

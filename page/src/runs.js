@@ -1,6 +1,6 @@
-// The homework's circle on the wall, run as it is run there: by Euler's rule or a better one, by the inverse or one of
-// its stand-ins, with or without feedback, and with a mistake where one is asked for. tests/test_explorer.py holds it
-// against helpers.motion.
+// The homework's circle on the wall, run as it is run there: by Euler's rule or a better one, by
+// the inverse or one of its stand-ins, with or without feedback, and with a mistake where one is
+// asked for. tests/test_explorer.py holds it against helpers.motion.
 
 import {
   cross,
@@ -27,7 +27,8 @@ import { reach } from "./motion.js";
  * @property {number} radius m
  * @property {"x" | "y"} normal of the wall
  * @property {number} gain 1/s, of the feedback
- * @property {number} cutoff share of the largest singular value below which the pseudo-inverse gives up
+ * @property {number} cutoff share of the largest singular value below which the pseudo-inverse
+ *   gives up
  * @property {number} damping
  * @property {number} locked the joint, as its index in q, that stays; -1 for none
  * @property {"" | "angular" | "z_i" | "o_i" | "sign" | "next"} slip
@@ -35,9 +36,18 @@ import { reach } from "./motion.js";
 
 /** @type {Run} */
 export const HOMEWORK = {
-  method: "euler", rates: "inverse", steps: 1000, seconds: 5, radius: 0.1, normal: "x", gain: 0, cutoff: 1e-9,
-  damping: 0.02, locked: 2, slip: "",
-}; // prettier-ignore
+  method: "euler",
+  rates: "inverse",
+  steps: 1000,
+  seconds: 5,
+  radius: 0.1,
+  normal: "x",
+  gain: 0,
+  cutoff: 1e-9,
+  damping: 0.02,
+  locked: 2,
+  slip: "",
+};
 
 const ACROSS = { x: [0, 1, 0], y: [-1, 0, 0] };
 const UP = [0, 0, 1];
@@ -101,15 +111,16 @@ function tipError(tip, wanted, turns) {
 const KEPT = 181; // poses that are shown
 
 /**
- * What comes of a run: joint values along it (at most 181 of them), how far the tip is off, turns of the joints, the
- * smallest singular value, the step at which the inverse did not exist.
+ * What comes of a run: joint values along it (at most 181 of them), how far the tip is off, turns
+ * of the joints, the smallest singular value, the step at which the inverse did not exist.
  * @param {Arm} arm
  * @param {number[]} start
  * @param {Partial<Run>} asked
  */
 export function runCircle(arm, start, asked = {}) {
   const run = { ...HOMEWORK, ...asked };
-  if (run.method === "exact") run.rates = "pseudo"; // nothing is inverted: only singular values are asked for
+  // nothing is inverted: only singular values are asked for
+  if (run.method === "exact") run.rates = "pseudo";
   const first = linkFrames(arm, start).at(-1);
   const h = run.seconds / run.steps;
   const every = Math.max(1, Math.ceil(run.steps / (KEPT - 1)));
@@ -164,13 +175,22 @@ export function runCircle(arm, start, asked = {}) {
     }
   }
   return {
-    ...kept, run, largest, least, fastest, failed, tilt,
-    wound: q.map((x, i) => (arm.rows[joints(arm)[i]].kind === "revolute" ? (x - start[i]) / (2 * Math.PI) : 0)),
-  }; // prettier-ignore
+    ...kept,
+    run,
+    largest,
+    least,
+    fastest,
+    failed,
+    tilt,
+    wound: q.map((x, i) =>
+      arm.rows[joints(arm)[i]].kind === "revolute" ? (x - start[i]) / (2 * Math.PI) : 0,
+    ),
+  };
 }
 
 /**
- * How often a joint winds round, and how near the arm comes to a singular pose, for circles of each radius.
+ * How often a joint winds round, and how near the arm comes to a singular pose, for circles of each
+ * radius.
  * @param {Arm} arm
  * @param {number[]} start
  * @param {Partial<Run>} asked
@@ -190,8 +210,8 @@ export function windingByRadius(arm, start, asked = {}, radii = radiiTo(0.1)) {
 export const radiiTo = (most, count = 37) =>
   Array.from({ length: count }, (_, k) => 0.01 + ((most - 0.01) * k) / (count - 1));
 
-// Static torques along a path, right or with a mistake in the model: the wrench's sign, or centres of mass that were
-// taken from the paper's frames as if they were the table's.
+// Static torques along a path, right or with a mistake in the model: the wrench's sign, or centres
+// of mass that were taken from the paper's frames as if they were the table's.
 export function torquesAlong(arm, path, wrench, slip = "") {
   const model = slip === "centres" ? unconverted(arm) : arm;
   const sign = slip === "wrench" ? -1 : 1;
@@ -204,10 +224,14 @@ export function torquesAlong(arm, path, wrench, slip = "") {
 
 // The Panda's centres of mass as Gaz et al. 2019 print them, in frames of their own.
 const PRINTED = [
-  [0.003875, 0.002081, -0.04762], [-0.003141, -0.02872, 0.003495], [0.027518, 0.039252, -0.066502],
-  [-0.05317, 0.104419, 0.027454], [-0.011953, 0.041065, -0.038437], [0.060149, -0.014117, -0.010517],
+  [0.003875, 0.002081, -0.04762],
+  [-0.003141, -0.02872, 0.003495],
+  [0.027518, 0.039252, -0.066502],
+  [-0.05317, 0.104419, 0.027454],
+  [-0.011953, 0.041065, -0.038437],
+  [0.060149, -0.014117, -0.010517],
   [0.010517, -0.004252, 0.061597],
-]; // prettier-ignore
+];
 
 // Whether the paper's centres of mass are those of this arm.
 export const isPanda = ({ name, rows }) =>
@@ -226,9 +250,14 @@ const CHOICES = {
   slip: ["", "angular", "z_i", "o_i", "sign", "next"],
 };
 export const BOUNDS = {
-  steps: [10, 10000], seconds: [1, 60], radius: [0.01, 0.1], gain: [0, 20], cutoff: [1e-9, 0.1], damping: [1e-3, 0.2],
+  steps: [10, 10000],
+  seconds: [1, 60],
+  radius: [0.01, 0.1],
+  gain: [0, 20],
+  cutoff: [1e-9, 0.1],
+  damping: [1e-3, 0.2],
   locked: [-1, 15],
-}; // prettier-ignore
+};
 const KEYS = [
   "method",
   "rates",

@@ -1,5 +1,5 @@
-// Whether two tables describe the same arm: what no choice of frames can change (axes.js) is the same in both. Yes or
-// no is all that the explorer asks; the judge says what differs.
+// Whether two tables describe the same arm: what no choice of frames can change (axes.js) is the
+// same in both. Yes or no is all that the explorer asks; the judge says what differs.
 
 import { arc, NORMAL, side } from "../../judge/geometry/axes.js";
 import { joints } from "../../judge/geometry/kinematics.js";
@@ -11,12 +11,16 @@ const WITHIN_ANGLE = 1e-4; // rad
 
 /** @param {Arm} mine @param {Arm} reference */
 export function sameArm(mine, reference) {
-  const kinds = (arm) => joints(arm).map((row) => arm.rows[row].kind).join(); // prettier-ignore
+  const kinds = (arm) =>
+    joints(arm)
+      .map((row) => arm.rows[row].kind)
+      .join();
   if (!joints(mine).length || kinds(mine) !== kinds(reference)) return false;
   const [ours, theirs] = [mine, reference].map(({ rows }) => side(rows.map(squared)));
   if (!near(ours.foot[0], theirs.foot[0]) || !near(ours.foot[1], theirs.foot[1], WITHIN_ANGLE))
     return false;
-  // Each joint of the reference may point either way; the signs of neighbours must fit in every gap.
+  // Each joint of the reference may point either way; the signs of neighbours must fit in every
+  // gap.
   let signs = [[]];
   ours.gaps.forEach((gap, i) => {
     for (const k of gap.joints)

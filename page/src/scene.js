@@ -1,8 +1,14 @@
 // The explorer's picture: draws the state when it has changed.
 
 import {
-  Color, DoubleSide, Group, MeshBasicMaterial, MeshStandardMaterial, ShadowMaterial, Vector3,
-} from "three"; // prettier-ignore
+  Color,
+  DoubleSide,
+  Group,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  ShadowMaterial,
+  Vector3,
+} from "three";
 import { outside, reachOf } from "../../judge/geometry/arm.js";
 import { goneness } from "./hold.js";
 import { joints, linkFrames, minus, norm, plus, scaled } from "../../judge/geometry/kinematics.js";
@@ -27,16 +33,38 @@ import { leftBehind } from "./state.js";
 
 export const LOOK = {
   light: {
-    lit: "#E69F00", link: "#e9edf2", joint: "#34506b", grid: "#8793a3", gridStrength: 0.34, shadow: 0.16, sky: 2.1,
-    sun: 1.5, path: "#D55E00", wanted: "#7a8290", force: "#C77E00", ghost: "#0072B2",
-    ellipsoid: "#9a4f86", bad: "#c0392b",
+    lit: "#E69F00",
+    link: "#e9edf2",
+    joint: "#34506b",
+    grid: "#8793a3",
+    gridStrength: 0.34,
+    shadow: 0.16,
+    sky: 2.1,
+    sun: 1.5,
+    path: "#D55E00",
+    wanted: "#7a8290",
+    force: "#C77E00",
+    ghost: "#0072B2",
+    ellipsoid: "#9a4f86",
+    bad: "#c0392b",
   },
   dark: {
-    lit: "#F0B429", link: "#c3ccd8", joint: "#5f86ad", grid: "#93a1b5", gridStrength: 0.26, shadow: 0.28, sky: 1.15,
-    sun: 1.7, path: "#F58A3C", wanted: "#a3adba", force: "#F0B429", ghost: "#56B4E9",
-    ellipsoid: "#d79bc3", bad: "#ff8a6b",
+    lit: "#F0B429",
+    link: "#c3ccd8",
+    joint: "#5f86ad",
+    grid: "#93a1b5",
+    gridStrength: 0.26,
+    shadow: 0.28,
+    sky: 1.15,
+    sun: 1.7,
+    path: "#F58A3C",
+    wanted: "#a3adba",
+    force: "#F0B429",
+    ghost: "#56B4E9",
+    ellipsoid: "#d79bc3",
+    bad: "#ff8a6b",
   },
-}; // prettier-ignore
+};
 const BRANCH_COLOURS = [
   "#0072B2",
   "#D55E00",
@@ -80,7 +108,8 @@ export class ArmPicture {
     const { size } = this;
     this.figure.scene.add(this.world);
     const link = new MeshStandardMaterial({ color: look.link, roughness: 0.45, metalness: 0.02 });
-    const joint = new MeshStandardMaterial({ roughness: 0.4, metalness: 0.1 }); // white: each joint has its colour
+    // white: each joint has its colour
+    const joint = new MeshStandardMaterial({ roughness: 0.4, metalness: 0.1 });
     this.body = new ArmShape(arm, { link, joint, hue: new Color(look.joint) });
     this.tints = { lit: new Color(look.lit), bad: new Color(look.bad) };
     this.axis = rod(new MeshBasicMaterial({ color: look.lit, transparent: true, opacity: 0.75 }));
@@ -103,9 +132,21 @@ export class ArmPicture {
     this.ghosts = new Group();
     this.reference = new Group();
     this.world.add(
-      this.body, floor(size, look.grid, look.gridStrength), this.shade, this.triads, this.axis, this.ellipsoid,
-      this.force, this.handle, this.spot, this.fading, this.barrier, this.path, this.ghosts, this.reference,
-    ); // prettier-ignore
+      this.body,
+      floor(size, look.grid, look.gridStrength),
+      this.shade,
+      this.triads,
+      this.axis,
+      this.ellipsoid,
+      this.force,
+      this.handle,
+      this.spot,
+      this.fading,
+      this.barrier,
+      this.path,
+      this.ghosts,
+      this.reference,
+    );
     this.figure.resetLights({ size, sky: look.sky, sun: look.sun });
   }
 
@@ -113,12 +154,17 @@ export class ArmPicture {
     if (this.world) freed(this.world);
   }
 
-  // What stands between a dragged tip and the pointer: a wall across the way, and the way that is missing.
+  // What stands between a dragged tip and the pointer: a wall across the way, and the way that is
+  // missing.
   makeBarrier() {
     const group = /** @type {any} */ (new Group());
     const pane = new MeshBasicMaterial({
-      color: this.look.bad, transparent: true, opacity: 0.3, side: DoubleSide, depthWrite: false,
-    }); // prettier-ignore
+      color: this.look.bad,
+      transparent: true,
+      opacity: 0.3,
+      side: DoubleSide,
+      depthWrite: false,
+    });
     const ink = new MeshBasicMaterial({ color: this.look.bad });
     const [wallPart, way, spot] = [square(0.16 * this.size, pane), rod(ink), ball(ink)];
     spot.scale.setScalar(0.01 * this.size);
@@ -226,8 +272,12 @@ export class ArmPicture {
     if (wanted && stray > 1e-3) pieces.push(tube(wanted, 0.0018 * this.size, this.look.wanted));
     const opacity = this.dark ? 0.16 : 0.1;
     const pane = new MeshBasicMaterial({
-      color: this.look.ghost, transparent: true, opacity, side: DoubleSide, depthWrite: false,
-    }); // prettier-ignore
+      color: this.look.ghost,
+      transparent: true,
+      opacity,
+      side: DoubleSide,
+      depthWrite: false,
+    });
     if (points.length > 2) pieces.push(wall(wanted ?? points, pane));
     for (const piece of pieces.filter(Boolean)) this.path.add(piece);
   }
@@ -279,7 +329,8 @@ export class ArmPicture {
     if (shown) /** @type {any} */ (this.reference.children[0]).pose(linkFrames(shown, q));
   }
 
-  // To and fro along each direction that a dragged tip is losing, the longer the more of it is lost.
+  // To and fro along each direction that a dragged tip is losing, the longer the more of it is
+  // lost.
   drawFading(tip, fading) {
     this.fading.children.forEach((/** @type {any} */ arrow, i) => {
       const lost = fading[Math.floor(i / 2)];
@@ -339,7 +390,8 @@ export class ArmPicture {
     if (this.frames) this.onPlace(this.figure.pixel(this.frames.at(-1).o));
   }
 
-  // What can be taken by the hand: the links, and the x axes of the frames drawn, each with the row that carries it.
+  // What can be taken by the hand: the links, and the x axes of the frames drawn, each with the row
+  // that carries it.
   grips() {
     const axes = this.frames.flatMap(({ o, x }, i) => {
       if (!this.drawn[i] || i === 0) return [];
@@ -361,7 +413,8 @@ export class ArmPicture {
     });
   }
 
-  // The place on the links nearest to a pixel, within `within` pixels: { row, point, gap }, or null.
+  // The place on the links nearest to a pixel, within `within` pixels: { row, point, gap }, or
+  // null.
   linkAt(pixel, within = 14, pieces = this.pieces()) {
     let best = null;
     for (const { row, from, to } of pieces) {

@@ -67,11 +67,12 @@ const NOWHERE = [0, 0, 0];
 const WHITE = new Color(1, 1, 1);
 
 /**
- * Solids of one shape and material that are drawn in one call, however many there are. Each takes its place by its
- * number; one without a size is not seen.
+ * Solids of one shape and material that are drawn in one call, however many there are. Each takes
+ * its place by its number; one without a size is not seen.
  */
 class Solids extends Mesh {
-  isInstancedMesh = true; // what the renderer asks; three.js' own class has rays and spheres that nobody needs here
+  // what the renderer asks; three.js' own class has rays and spheres that nobody needs here
+  isInstancedMesh = true;
   instanceColor = null;
   morphTexture = null;
 
@@ -147,8 +148,9 @@ export function along(mesh, start, end, radius) {
 }
 
 /**
- * An arm as capsules along d and a of each row, with a barrel where a joint turns and a box where it slides. `hue` is
- * the colour of its joints where they are to be tinted one by one; their material is white then.
+ * An arm as capsules along d and a of each row, with a barrel where a joint turns and a box where
+ * it slides. `hue` is the colour of its joints where they are to be tinted one by one; their
+ * material is white then.
  */
 export class ArmShape extends Group {
   constructor(arm, { link, joint, ghost = false, girth = ghost ? 0.97 : 1, hue = null }) {
@@ -177,7 +179,8 @@ export class ArmShape extends Group {
         0.05 * this.size,
       );
     if (!hue) return;
-    for (const solids of [this.rods, this.balls]) solids.colour(() => WHITE); // or shadows change programs midway
+    // or shadows change programs midway
+    for (const solids of [this.rods, this.balls]) solids.colour(() => WHITE);
     this.tint(() => null);
   }
 

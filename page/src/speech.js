@@ -1,5 +1,5 @@
-// What a screen reader hears of an explorer: one summary once all is still, the last one only, while the explorer has
-// the focus.
+// What a screen reader hears of an explorer: one summary once all is still, the last one only,
+// while the explorer has the focus.
 
 import { h } from "./dom.js";
 

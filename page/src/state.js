@@ -1,5 +1,5 @@
-// What the explorer shows now, what follows from it, and who wants to know. Every state is the result of one
-// transition, which drops what depends on what changed.
+// What the explorer shows now, what follows from it, and who wants to know. Every state is the
+// result of one transition, which drops what depends on what changed.
 
 import {
   carriedOver,
@@ -26,7 +26,8 @@ import { asked, rankOf } from "./verdicts.js";
 /**
  * @typedef {object} Ways
  * @property {{ q: number[], label?: string }[]} list
- * @property {{ moving: number[], q: number[] }[]} families those of the list that stand for infinitely many
+ * @property {{ moving: number[], q: number[] }[]} families those of the list that stand for
+ *   infinitely many
  * @property {number} held the joint, as its index in q, that was held; -1 for none
  * @property {Frame} target where they lead
  * @property {boolean} whole whether the tool's direction counts
@@ -47,7 +48,8 @@ import { asked, rankOf } from "./verdicts.js";
  * @property {number[][] | null} wanted the points that the tip was to go through
  * @property {number} at the place along the trace, 0 to 1
  * @property {import("./runs.js").Run[]} runs of the homework's circle
- * @property {{ points: number[][], colour: string }[] | null} paths of the tip, drawn beside the trace
+ * @property {{ points: number[][], colour: string }[] | null} paths of the tip, drawn beside the
+ *   trace
  * @property {boolean} playing
  * @property {Ways | null} ways
  * @property {number | null} highlighted the way under the reader's hand
@@ -60,7 +62,8 @@ import { asked, rankOf } from "./verdicts.js";
  * @property {object[]} future
  */
 
-// What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets them.
+// What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets
+// them.
 export const DROPS = {
   arm: [
     "trace",
@@ -81,9 +84,18 @@ export const DROPS = {
   view: ["playing", "highlighted", "lit"],
 };
 export const EMPTY = {
-  trace: null, stray: 0, wanted: null, paths: null, at: 0, playing: false,
-  ways: null, highlighted: null, lit: null, hold: null, mark: null,
-}; // prettier-ignore
+  trace: null,
+  stray: 0,
+  wanted: null,
+  paths: null,
+  at: 0,
+  playing: false,
+  ways: null,
+  highlighted: null,
+  lit: null,
+  hold: null,
+  mark: null,
+};
 
 const KEPT = ["arm", "base", "reference", "q", "wrench"]; // what undo brings back
 const STEPS = 200; // that can be undone
@@ -112,8 +124,8 @@ const EVENTS = {
 };
 
 /**
- * The state after an event { type, … }. What the reader can undo is remembered; events with the same `gesture` that
- * follow one another are one step.
+ * The state after an event { type, … }. What the reader can undo is remembered; events with the
+ * same `gesture` that follow one another are one step.
  * @param {State} state
  * @param {any} event
  * @returns {State}
@@ -179,12 +191,24 @@ function along({ trace, arm }, at) {
  * @returns {State}
  */
 export const startingState = (given) => ({
-  base: given.arm, reference: given.arm, wrench: [0, 0, 0, 0, 0, 0], unit: "deg", view: "pose", frames: "ends",
-  circle: { normal: "x", radius: 0.1 }, keepTurn: false, dragging: false, runs: [], past: [], future: [],
-  ...EMPTY, ...given,
-}); // prettier-ignore
+  base: given.arm,
+  reference: given.arm,
+  wrench: [0, 0, 0, 0, 0, 0],
+  unit: "deg",
+  view: "pose",
+  frames: "ends",
+  circle: { normal: "x", radius: 0.1 },
+  keepTurn: false,
+  dragging: false,
+  runs: [],
+  past: [],
+  future: [],
+  ...EMPTY,
+  ...given,
+});
 
-// Everything that follows from an arm, a joint vector and a wrench, each computed when it is first asked for.
+// Everything that follows from an arm, a joint vector and a wrench, each computed when it is first
+// asked for.
 class Derived {
   #known = new Map();
 
@@ -205,7 +229,8 @@ class Derived {
   get columns() {
     return this.#once("columns", () => jacobianColumns(this.arm, this.frames));
   }
-  // Singular values and left singular vectors of the rows that the arm is for: six, or v alone below six joints.
+  // Singular values and left singular vectors of the rows that the arm is for: six, or v alone
+  // below six joints.
   get task() {
     return this.#once("task", () =>
       singular(

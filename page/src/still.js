@@ -1,5 +1,5 @@
-// The arm as a small SVG in the ink of the page around it: for paper, and where there is no WebGL. The same picture as
-// helpers/explorer/stub.py makes; a test holds the two equal.
+// The arm as a small SVG in the ink of the page around it: for paper, and where there is no WebGL.
+// The same picture as helpers/explorer/stub.py makes; a test holds the two equal.
 
 import { minus, plus, scaled } from "../../judge/geometry/kinematics.js";
 

@@ -1,4 +1,5 @@
-// Light or dark, as the page around is: the book's switch, JupyterLab's and VS Code's themes, else the system's.
+// Light or dark, as the page around is: the book's switch, JupyterLab's and VS Code's themes, else
+// the system's.
 
 const system =
   typeof matchMedia === "undefined" ? null : matchMedia("(prefers-color-scheme: dark)");

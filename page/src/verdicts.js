@@ -1,4 +1,5 @@
-// What the explorer claims in words: rank, ways, same arm or not. The tests hold each against Python.
+// What the explorer claims in words: rank, ways, same arm or not. The tests hold each against
+// Python.
 
 import { dot, joints, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
 import { sameArm } from "./same_arm.js";
@@ -6,7 +7,8 @@ import { fixed, listed, motionText } from "./text.js";
 
 const RANK = 1e-6; // singular values below this share of the largest count as zero
 
-// How many rows of the Jacobian the arm is for: an arm with fewer than six joints is asked for the place only.
+// How many rows of the Jacobian the arm is for: an arm with fewer than six joints is asked for the
+// place only.
 export const asked = (arm) => (joints(arm).length < 6 ? 3 : 6);
 
 export const rankOf = (values) => values.filter((value) => value > RANK * values[0]).length;

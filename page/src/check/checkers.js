@@ -1,4 +1,5 @@
-// The checkers of each kind of question: every script of them registers its own, and is loaded when it is first asked.
+// The checkers of each kind of question: every script of them registers its own, and is loaded when
+// it is first asked.
 
 import { ASKED } from "./questions.js";
 
@@ -8,7 +9,8 @@ import { ASKED } from "./questions.js";
  * @typedef {import("../../../judge/report.js").Report} Report
  * @typedef {object} Checker
  * @property {(question: Question, arm: Arm) => Report} verdict on what is typed; throws ArmError
- * @property {(question: Question, name: string, arm: Arm) => string} call in Python that says the same of `mine`, for
+ * @property {(question: Question, name: string, arm: Arm) => string} call in Python that says the
+ *   same of `mine`, for
  *   an arm that is called `name`
  * @property {string[]} [imports] lines of Python that the call needs besides
  */

@@ -9,7 +9,8 @@ const NPY = "\x93NUMPY";
 export const ACCEPTED = ".csv,.tsv,.txt,.dat,.md,.npy,text/plain,text/csv";
 
 /**
- * The text of a file, or its numbers row by row where NumPy saved them; an error in words where it is neither.
+ * The text of a file, or its numbers row by row where NumPy saved them; an error in words where it
+ * is neither.
  * @param {{ name: string, size: number, arrayBuffer: () => Promise<ArrayBuffer> }} file
  */
 export async function textOfFile(file) {
@@ -26,7 +27,8 @@ export async function textOfFile(file) {
   return text;
 }
 
-// UTF-16 where its mark stands first, else UTF-8, else Latin letters; null where no text has such bytes.
+// UTF-16 where its mark stands first, else UTF-8, else Latin letters; null where no text has such
+// bytes.
 /** @param {ArrayBuffer} bytes */
 function decoded(bytes) {
   const [first, second] = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));

@@ -23,42 +23,72 @@ const PLAIN = { spellcheck: "false", autocomplete: "off", autocapitalize: "off" 
 /** @type {Record<string, Field>} */
 const FIELDS = {
   table: {
-    label: "Table", rows: 6, whole: true,
+    label: "Table",
+    rows: 6,
+    whole: true,
     hint: "A row for each joint: a, α, d, θ, with θ or d as “q1” or “θ1 + π/2”. In m; angles as chosen.",
   },
   q: { label: "Pose q", hint: "", whole: true },
   unit: { label: "Angles in", choices: UNITS.map((unit) => [unit, unit]) },
   frame: { label: "Rows in the axes of", choices: [] },
-  first: { label: "Order of the rows", choices: [["v", "v, then ω"], ["omega", "ω, then v"]] },
+  first: {
+    label: "Order of the rows",
+    choices: [
+      ["v", "v, then ω"],
+      ["omega", "ω, then v"],
+    ],
+  },
   wrench: {
-    label: "Wrench on the tool, by the world", whole: true,
+    label: "Wrench on the tool, by the world",
+    whole: true,
     hint: "Fx, Fy, Fz in N, Mx, My, Mz in N m, in base axes; empty for none. Gravity is 9.81 m/s² down.",
   },
-  columns: { label: "Order of the columns", hint: "As in “theta d a alpha”; guessed where it is empty." },
+  columns: {
+    label: "Order of the columns",
+    hint: "As in “theta d a alpha”; guessed where it is empty.",
+  },
   lengths: { label: "Lengths in", choices: guessedOr(["m", "cm", "mm"]) },
   angles: { label: "Angles in", choices: guessedOr(UNITS) },
   convention: {
     label: "Convention",
-    choices: [["", "as it looks"], ["standard", "standard"], ["craig", "modified (Craig)"]],
+    choices: [
+      ["", "as it looks"],
+      ["standard", "standard"],
+      ["craig", "modified (Craig)"],
+    ],
   },
   target: {
-    label: "Where the tip should be", rows: 4, whole: true,
+    label: "Where the tip should be",
+    rows: 4,
+    whole: true,
     hint: "A point x, y, z in m, or a pose: its three or four rows, in base axes.",
   },
   radius: { label: "Radius of the circle below the tip, in m" },
   plane: {
     label: "Its plane",
-    choices: [["zy", "towards +y first"], ["yz", "towards −y"], ["zx", "towards +x"], ["xz", "towards −x"]],
+    choices: [
+      ["zy", "towards +y first"],
+      ["yz", "towards −y"],
+      ["zx", "towards +x"],
+      ["xz", "towards −x"],
+    ],
   },
   period: { label: "Time for it, in s" },
   steps: { label: "Steps", hint: "Empty: as many as your answer has." },
-  pace: { label: "Pace", choices: [["even", "even"], ["rest", "from rest to rest"]] },
+  pace: {
+    label: "Pace",
+    choices: [
+      ["even", "even"],
+      ["rest", "from rest to rest"],
+    ],
+  },
   values: {
-    label: "Your own symbols", whole: true,
+    label: "Your own symbols",
+    whole: true,
     hint: "Numbers for those that the arm does not have, in m and rad, as in “h = 0.333, l = 0.1”.",
   },
   answer: { label: "Your answer", hint: "", rows: 8, whole: true },
-}; // prettier-ignore
+};
 const HINTS = {
   jacobian:
     "Numbers or formulas in q_1, c_1, s_23, …: NumPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet cells.",
@@ -121,9 +151,10 @@ export function buildForm(id, arms, given) {
   const idOf = (key) => `${id}-${key}`;
   const fields = Object.fromEntries(
     Object.entries(all).map(([key, one]) => [
-      key, control(one, idOf(key), key === "answer" ? [idOf("private")] : []),
+      key,
+      control(one, idOf(key), key === "answer" ? [idOf("private")] : []),
     ]),
-  ); // prettier-ignore
+  );
   const boxes = Object.fromEntries(
     Object.entries(all).map(([key, one]) => [key, box(one, idOf(key), fields[key])]),
   );
@@ -131,16 +162,21 @@ export function buildForm(id, arms, given) {
   const asked = given ? titleOf(given, arms) : "";
   if (given) fields.answer.rows = 6;
   const form = h(
-    "form", { "aria-label": `Check an answer${asked && `: ${asked}`}` },
-    asked ? h("p.asked", {}, "Judged here: ", asked) : [], Object.values(boxes),
-  ); // prettier-ignore
+    "form",
+    { "aria-label": `Check an answer${asked && `: ${asked}`}` },
+    asked ? h("p.asked", {}, "Judged here: ", asked) : [],
+    Object.values(boxes),
+  );
   return { form, fields, boxes };
 }
 
 // What a small judge need not ask, since the chapter says it.
 const hiddenBy = (given, arms) => [
-  ...Object.keys(given), ...FURTHER, ...(arms.length < 2 ? ["arm"] : []), ...("q" in given ? ["unit"] : []),
-]; // prettier-ignore
+  ...Object.keys(given),
+  ...FURTHER,
+  ...(arms.length < 2 ? ["arm"] : []),
+  ...("q" in given ? ["unit"] : []),
+];
 
 // What a chapter asks, in a line.
 function titleOf({ ask, q, wrench }, arms) {

@@ -1,4 +1,5 @@
-// The judge's script of its own: loaded by a page that has an .arm-judge in it (book/assets/explorer-loader.js).
+// The judge's script of its own: loaded by a page that has an .arm-judge in it
+// (book/assets/explorer-loader.js).
 
 import css from "./check.css";
 import { judges } from "./mounted.js";

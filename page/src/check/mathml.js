@@ -7,11 +7,22 @@
 
 const SPACE = "http://www.w3.org/1998/Math/MathML";
 const [SUM, PRODUCT, CALL, ATOM] = [1, 2, 3, 4]; // how tightly the parts of a formula hold together
-const [APPLIED, TIMES] = ["\u2061", "\u2062"]; // that a function is taken or factors multiplied: unseen, read aloud
+// that a function is taken or factors multiplied: unseen, read aloud
+const [APPLIED, TIMES] = ["\u2061", "\u2062"];
 const LETTERS = {
-  alpha: "α", beta: "β", gamma: "γ", delta: "δ", theta: "θ", th: "θ", phi: "φ", psi: "ψ", omega: "ω",
-  lambda: "λ", pi: "π", inf: "∞",
-}; // prettier-ignore
+  alpha: "α",
+  beta: "β",
+  gamma: "γ",
+  delta: "δ",
+  theta: "θ",
+  th: "θ",
+  phi: "φ",
+  psi: "ψ",
+  omega: "ω",
+  lambda: "λ",
+  pi: "π",
+  inf: "∞",
+};
 const FUNCTIONS = { asin: "arcsin", acos: "arccos", atan: "arctan", sind: "sin", cosd: "cos" };
 const UNWRITTEN = /^(?:[Ff]loat|Integer|float64|float32|int64)$/;
 const IN_DEGREES = /^(?:radians|deg2rad)$/;
@@ -142,7 +153,8 @@ function sum(tree) {
   return { level: SUM, pieces };
 }
 
-// The parts of a sum or a product that leans to the left, in their order, each with the sign before it.
+// The parts of a sum or a product that leans to the left, in their order, each with the sign before
+// it.
 function chain(tree, signs) {
   const parts = [];
   while (signs.includes(tree[0])) {

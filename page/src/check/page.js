@@ -1,4 +1,5 @@
-// The judge in the page: the question, what is typed, how it is read, and the verdict in words. Nothing leaves it.
+// The judge in the page: the question, what is typed, how it is read, and the verdict in words.
+// Nothing leaves it.
 
 import { h, write } from "../dom.js";
 import { EMPTY, fromFragment, judge, toFragment } from "./question.js";
@@ -30,7 +31,8 @@ let count = 0; // of judges on the page, for ids
  * @property {(patch: object) => void} put change the question, and judge it
  * @property {(act: (question: any, verdict: any) => void) => void} follow called with each verdict
  * @property {(words: string) => void} say
- * @property {{ fragment: () => string, open: () => boolean }} links a link's fragment, and whether Python may be shown
+ * @property {{ fragment: () => string, open: () => boolean }} links a link's fragment, and whether
+ *   Python may be shown
  */
 
 /**
@@ -102,7 +104,10 @@ export function mount(stub) {
   form.addEventListener("submit", (event) => event.preventDefault());
 
   const byLink = () => {
-    const { question: asked, words } = fromFragment(location.hash, arms.map(({ key }) => key)); // prettier-ignore
+    const { question: asked, words } = fromFragment(
+      location.hash,
+      arms.map(({ key }) => key),
+    );
     if (asked || words) stub.scrollIntoView({ block: "start" });
     say(words);
     if (asked) put(asked);

@@ -1,4 +1,5 @@
-// What is asked of the judge: its state in a link and back, the call in Python that says the same, and the verdict.
+// What is asked of the judge: its state in a link and back, the call in Python that says the same,
+// and the verdict.
 
 import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
@@ -43,7 +44,8 @@ export const CHOICES = {
  * @property {string} wrench
  * @property {string} values of one's own symbols, as in "h = 0.3"
  * @property {string} answer
- * @property {string} columns of a table: their order, or empty where it is to be guessed; so the next three
+ * @property {string} columns of a table: their order, or empty where it is to be guessed; so the
+ *   next three
  * @property {string} lengths
  * @property {string} angles
  * @property {string} convention
@@ -57,10 +59,27 @@ export const CHOICES = {
 
 /** @type {Question} */
 export const EMPTY = {
-  ask: "jacobian", arm: "", table: "", q: "", unit: "rad", frame: "0", first: "v", wrench: "", values: "", answer: "",
-  columns: "", lengths: "", angles: "", convention: "",
-  target: "", radius: "0.1", plane: "zy", period: "5", steps: "", pace: "even",
-}; // prettier-ignore
+  ask: "jacobian",
+  arm: "",
+  table: "",
+  q: "",
+  unit: "rad",
+  frame: "0",
+  first: "v",
+  wrench: "",
+  values: "",
+  answer: "",
+  columns: "",
+  lengths: "",
+  angles: "",
+  convention: "",
+  target: "",
+  radius: "0.1",
+  plane: "zy",
+  period: "5",
+  steps: "",
+  pace: "even",
+};
 
 /** @param {Question} question */
 export function toFragment(question) {
@@ -145,7 +164,8 @@ function rowOf(entries, row, unit, known) {
 }
 
 /**
- * The verdict on an answer, or why there is none yet; `waiting` while the checker's script has not come.
+ * The verdict on an answer, or why there is none yet; `waiting` while the checker's script has not
+ * come.
  * @param {Question} question
  * @returns {{ report?: Report, error?: string, waiting?: boolean, arm?: any, q?: number[] }}
  */

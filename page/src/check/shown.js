@@ -4,7 +4,8 @@ import { joints } from "../../../judge/geometry/kinematics.js";
 import { h } from "../dom.js";
 import { lookup } from "../../../judge/reading/numbers.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
-import { cells, withoutHeader } from "../../../judge/reading/grid.js";
+import { cells } from "../../../judge/reading/grid.js";
+import { withoutHeader } from "../../../judge/reading/heads.js";
 import { isPlain, made, mathOf } from "./mathml.js";
 import { linesOf, MARKS } from "../../../judge/report.js";
 import { ArmError } from "../../../judge/sentences.js";
@@ -50,7 +51,8 @@ export function matrixOf(question, { report, arm }) {
 }
 
 /**
- * What stands in the answer as it is understood: formulas set, wrong cells marked, and those that could not be read.
+ * What stands in the answer as it is understood: formulas set, wrong cells marked, and those that
+ * could not be read.
  * @param {Question} question
  */
 export function showRead(place, question, verdict) {
@@ -59,13 +61,20 @@ export function showRead(place, question, verdict) {
   place.hidden = !found;
   if (!found) return;
   const { columns, rows, cell, unread = 0 } = found;
-  const head = h("tr", {}, h("td"), columns.map((name) => h("th", { scope: "col" }, name))); // prettier-ignore
+  const head = h(
+    "tr",
+    {},
+    h("td"),
+    columns.map((name) => h("th", { scope: "col" }, name)),
+  );
   const body = rows.slice(0, MOST_ROWS).map((name, i) =>
     h(
-      "tr", {}, h("th", { scope: "row" }, name),
+      "tr",
+      {},
+      h("th", { scope: "row" }, name),
       columns.map((_, k) => cell(i, k)),
     ),
-  ); // prettier-ignore
+  );
   const first = rows.length > MOST_ROWS ? `, its first ${MOST_ROWS} of ${rows.length} rows` : "";
   const odd = unread ? `; ${unread === 1 ? "1 entry" : `${unread} entries`} could not be` : "";
   const caption = h("caption", {}, `How your answer is read${first}${odd}`);
@@ -172,7 +181,15 @@ export function tell(box, { report, error }) {
   box.className = `verdict ${report?.grade ?? ""}`;
   if (!report) return box.replaceChildren(h("p", {}, typeset(error)));
   const lines = linesOf(report).filter((line) => !report.headline.endsWith(line.slice(1)));
-  const list = lines.length ? [h("ul", {}, lines.map((line) => h("li", {}, typeset(line))))] : []; // prettier-ignore
+  const list = lines.length
+    ? [
+        h(
+          "ul",
+          {},
+          lines.map((line) => h("li", {}, typeset(line))),
+        ),
+      ]
+    : [];
   const mark = h("span", { "aria-hidden": "true" }, `${MARKS[report.grade]} `);
   return box.replaceChildren(h("p.headline", {}, mark, typeset(report.headline)), ...list);
 }
@@ -180,8 +197,8 @@ export function tell(box, { report, error }) {
 const SYMBOL = /(?<!\w)([A-Za-z]|theta|alpha)_(?:\{([^}]+)\}|(\w+))(?![\w=])/g;
 const LETTERS = { theta: "θ", alpha: "α" };
 
-// What no line parts: a number and its unit, short sums and comparisons, a sign and what it stands before or (elbow -)
-// behind. A line may end behind any hyphen, though behind no true minus.
+// What no line parts: a number and its unit, short sums and comparisons, a sign and what it stands
+// before or (elbow -) behind. A line may end behind any hyphen, though behind no true minus.
 const UNIT = String.raw`(?:N m|N|mm|m\/s\^2|m\/s²|m|degrees|deg|rad)(?![\w/^])`;
 const NAME = String.raw`[-+±−]*[\w.^°]{1,8}(?:\{[^}\s]{1,5}\})?(?![\w^°({]|\.\w)`;
 const SHORT = String.raw`[^\s,;]{1,16}(?![^\s,;])`;
@@ -195,7 +212,8 @@ const UNBROKEN = [
 const PARTS = new RegExp(`(${UNBROKEN.join("|")})`, "u");
 
 /**
- * A sentence with its symbols set, z_{i-1} as a letter and an index, of which no line parts what belongs together.
+ * A sentence with its symbols set, z_{i-1} as a letter and an index, of which no line parts what
+ * belongs together.
  * @param {string} words
  */
 export const typeset = (words) =>

@@ -1,5 +1,6 @@
-// The arm beside the judge: at the pose that is asked about, with what is wrong in red. Where a column of a Jacobian is
-// wrong, its joint moves a little, the arm truly and a ghost of its tip as the column claims.
+// The arm beside the judge: at the pose that is asked about, with what is wrong in red. Where a
+// column of a Jacobian is wrong, its joint moves a little, the arm truly and a ghost of its tip as
+// the column claims.
 
 import { calm, h } from "../dom.js";
 import { reachOf } from "../../../judge/geometry/arm.js";
@@ -14,7 +15,8 @@ const NONE = [0, 0, 0, 0, 0, 0];
 const PLAYED = 1600; // ms, from the pose to the farthest
 
 /**
- * What is shown. The page puts it on the host as `answer`, and sends it an event "answer" when it has changed.
+ * What is shown. The page puts it on the host as `answer`, and sends it an event "answer" when it
+ * has changed.
  * @typedef {object} Shown
  * @property {import("../../../judge/geometry/arm.js").Arm} arm
  * @property {number[]} q its pose
@@ -40,10 +42,18 @@ export function answer(host) {
   });
   const buttons = h("div.row", { role: "group", "aria-label": "See a column at work" });
   const side = h("div", {}, buttons, lever.root);
-  const live = makeLive(host, { arm: shown.arm, q: shown.q }, {
-    hold: false, side: [side],
-    words: () => (claim && share ? claimWords(moved(shown.arm, shown.q, claim, share), numberOf(claim)) : shown.words),
-  }); // prettier-ignore
+  const live = makeLive(
+    host,
+    { arm: shown.arm, q: shown.q },
+    {
+      hold: false,
+      side: [side],
+      words: () =>
+        claim && share
+          ? claimWords(moved(shown.arm, shown.q, claim, share), numberOf(claim))
+          : shown.words,
+    },
+  );
   const { store, picture } = live;
   const overlay = picture && new Overlay(picture);
   const numberOf = ({ k }) => joints(shown.arm)[k] + 1;
@@ -158,8 +168,20 @@ class Overlay {
     tip.pose([ways.at(-1).claimed], 0.1 * picture.size);
     const spot = this.spot(ways.at(-1).claimed.o, bad);
     const thick = 0.005 * picture.size;
-    return [tip, spot, tube(ways.map(({ claimed }) => claimed.o), thick, bad),
-      tube(ways.map(({ truly }) => truly.o), thick, ghost)]; // prettier-ignore
+    return [
+      tip,
+      spot,
+      tube(
+        ways.map(({ claimed }) => claimed.o),
+        thick,
+        bad,
+      ),
+      tube(
+        ways.map(({ truly }) => truly.o),
+        thick,
+        ghost,
+      ),
+    ];
   }
 
   spot(point, colour) {

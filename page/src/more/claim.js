@@ -1,4 +1,5 @@
-// What a column of a Jacobian claims: where the tip goes while one joint moves alone, and where it goes truly.
+// What a column of a Jacobian claims: where the tip goes while one joint moves alone, and where it
+// goes truly.
 
 import {
   joints,
@@ -43,8 +44,8 @@ function drawn(w, v) {
 }
 
 /**
- * A frame after a rigid body's motion for a time: its origin starts with v, and it turns with w all the while. Of the
- * true column of a joint it is where the joint takes the tip, however far.
+ * A frame after a rigid body's motion for a time: its origin starts with v, and it turns with w all
+ * the while. Of the true column of a joint it is where the joint takes the tip, however far.
  * @param {Frame} frame
  * @param {number[]} twist (v, w) in base axes
  * @param {number} time
@@ -57,7 +58,8 @@ export function carried({ x, y, z, o }, twist, time) {
 }
 
 /**
- * The joint of a claim moved by a share, -1 to 1, of what shows well: the arm's joints, and both tips.
+ * The joint of a claim moved by a share, -1 to 1, of what shows well: the arm's joints, and both
+ * tips.
  * @param {import("../../../judge/geometry/arm.js").Arm} arm
  * @param {number[]} q
  * @param {{ k: number, twist: number[] }} claim on the joint at position k of q
@@ -106,11 +108,12 @@ export function claimWords({ by, row, tip, truly, claimed }, number) {
       ? `Joint ${number} slid by ${fixed(1000 * by, 0)} mm`
       : `Joint ${number} turned by ${fixed((180 / Math.PI) * by, 0)}°`;
   const still = (d) => norm(d) < 1e-3;
-  const place = norm(minus(mine, right)) < 1e-3
-    ? "your column takes the tip where the arm takes it"
-    : `your column ${still(mine) ? "leaves the tip where it is" : `takes the tip ${way(mine)}`}; the arm ${
-        still(right) ? "leaves it there" : `takes it ${way(right)}`
-      }`; // prettier-ignore
+  const place =
+    norm(minus(mine, right)) < 1e-3
+      ? "your column takes the tip where the arm takes it"
+      : `your column ${still(mine) ? "leaves the tip where it is" : `takes the tip ${way(mine)}`}; the arm ${
+          still(right) ? "leaves it there" : `takes it ${way(right)}`
+        }`;
   const angle = apart(claimed, truly);
   const turn =
     angle > 0.5 ? ` The tool would end turned by ${fixed(angle, 0)}° from where it does.` : "";

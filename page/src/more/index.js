@@ -1,4 +1,5 @@
-// The small figures of the chapters, by the names that the pages call them, and the instrument's largest view.
+// The small figures of the chapters, by the names that the pages call them, and the instrument's
+// largest view.
 
 import { answer } from "./answer.js";
 import {

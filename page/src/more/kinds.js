@@ -95,11 +95,15 @@ export function matrix(host, spec) {
     cells.map((line) => h("tr", {}, line)),
   );
   const name = h("span", {}, indexed("A", number), " =");
-  const live = makeLive(host, { ...spec, joints: [number] }, {
-    state: { frames: "all" },
-    side: [h("div.row", {}, name, h("div.scroll", {}, table))],
-    words: () => spec.words ?? `Turn joint ${number}: ${OF_A_ROW}`,
-  }); // prettier-ignore
+  const live = makeLive(
+    host,
+    { ...spec, joints: [number] },
+    {
+      state: { frames: "all" },
+      side: [h("div.row", {}, name, h("div.scroll", {}, table))],
+      words: () => spec.words ?? `Turn joint ${number}: ${OF_A_ROW}`,
+    },
+  );
   live.follow((state) => {
     const frames = linkFrames({ rows: [state.arm.rows[number - 1]] }, [
       state.q[joints(state.arm).indexOf(number - 1)],
@@ -133,10 +137,18 @@ export function columns(host, spec) {
     live.refresh();
   };
   const buttons = joints(store.state.arm).map((index, k) =>
-    h("button", {
-      type: "button", "aria-pressed": "false", onpointerenter: choose(k), onfocus: choose(k), onclick: choose(k),
-    }, indexed("J", index + 1)),
-  ); // prettier-ignore
+    h(
+      "button",
+      {
+        type: "button",
+        "aria-pressed": "false",
+        onpointerenter: choose(k),
+        onfocus: choose(k),
+        onclick: choose(k),
+      },
+      indexed("J", index + 1),
+    ),
+  );
   heads.replaceChildren(h("th"), ...buttons.map((button) => h("th", {}, button)));
   const cells = ["vx", "vy", "vz", "ωx", "ωy", "ωz"].map((name) => [
     name,
@@ -354,13 +366,19 @@ export function ways(host, spec) {
     store.dispatch({ type: "ways", arm: store.state.arm, ways: found });
     list.replaceChildren(
       ...found.list.map(({ q }, i) =>
-        h("button", {
-          type: "button", role: "radio", "aria-label": `Way ${i + 1}`,
+        h(
+          "button",
+          {
+            type: "button",
+            role: "radio",
+            "aria-label": `Way ${i + 1}`,
             style: `border-left: 6px solid ${branchColour(i)}`,
-          onclick: () => store.dispatch({ type: "glide", q }),
-        }, String(i + 1)),
+            onclick: () => store.dispatch({ type: "glide", q }),
+          },
+          String(i + 1),
+        ),
       ),
-    ); // prettier-ignore
+    );
     live.refresh();
   });
   live.follow(({ q, ways: found }) => {
@@ -374,16 +392,20 @@ export function ways(host, spec) {
 
 // The elbow's two triangles: shoulder, elbow and tip; and the tip's place over the shoulder.
 export function triangles(host, spec) {
-  const live = makeLive(host, { arm: "Elbow arm", ...spec }, {
-    words: ({ arm, q }, { frames }) => {
-      const [shoulder, tip] = [frames[1].o, frames.at(-1).o];
-      const far = norm(minus(tip, shoulder));
-      const [a2, a3] = [arm.rows[1].a, arm.rows[2].a];
-      const D = (far * far - a2 * a2 - a3 * a3) / (2 * a2 * a3);
-      const reached = `Shoulder to tip ${fixed(1000 * far, 0)} mm`;
-      return `${reached}, so D = ${fixed(D, 3)} and θ₃ = ${deg(q[2])}; its cosine is D.`;
+  const live = makeLive(
+    host,
+    { arm: "Elbow arm", ...spec },
+    {
+      words: ({ arm, q }, { frames }) => {
+        const [shoulder, tip] = [frames[1].o, frames.at(-1).o];
+        const far = norm(minus(tip, shoulder));
+        const [a2, a3] = [arm.rows[1].a, arm.rows[2].a];
+        const D = (far * far - a2 * a2 - a3 * a3) / (2 * a2 * a3);
+        const reached = `Shoulder to tip ${fixed(1000 * far, 0)} mm`;
+        return `${reached}, so D = ${fixed(D, 3)} and θ₃ = ${deg(q[2])}; its cosine is D.`;
+      },
     },
-  }); // prettier-ignore
+  );
   const { picture } = live;
   let drawn = [];
   live.follow((state, { frames }) => {
@@ -400,8 +422,12 @@ export function triangles(host, spec) {
     const line = (p, q) => [p, plus(scaled(0.5, p), scaled(0.5, q)), q];
     const thin = 0.003 * picture.size;
     const sides = [
-      [shoulder, tip, 0], [shoulder, below, 2], [below, tip, 2], [shoulder, elbow, 1], [elbow, tip, 1],
-    ]; // prettier-ignore
+      [shoulder, tip, 0],
+      [shoulder, below, 2],
+      [below, tip, 2],
+      [shoulder, elbow, 1],
+      [elbow, tip, 1],
+    ];
     drawn = sides
       .filter(([p, q]) => norm(minus(p, q)) > 1e-3)
       .map(([p, q, colour]) => tube(line(p, q), thin, branchColour(colour)));

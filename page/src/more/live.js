@@ -1,4 +1,5 @@
-// What every small figure is made of: a picture of an arm that can be held, words that follow, and a few levers.
+// What every small figure is made of: a picture of an arm that can be held, words that follow, and
+// a few levers.
 
 import css from "./figure.css";
 import { common } from "../common.js";
@@ -26,7 +27,8 @@ let drags = 0;
 /**
  * @param {HTMLElement} host
  * @param {any} spec options of the figure: arm, q, joints (numbers of those that get a lever)
- * @param {{ state?: object, hold?: boolean, words: (state: any, derived: any) => string, side?: HTMLElement[],
+ * @param {{ state?: object, hold?: boolean, words: (state: any, derived: any) => string, side?:
+ *   HTMLElement[],
  *   first?: number }} made
  */
 export function makeLive(host, spec, { state = {}, hold = true, words, side = [], first = 0 }) {
@@ -37,9 +39,11 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const labels = h("div.labels", { "aria-hidden": "true" });
   const grip = h("button.grip", {
-    type: "button", "aria-label": "Tip: drag it, or move it by arrow keys", hidden: !hold,
+    type: "button",
+    "aria-label": "Tip: drag it, or move it by arrow keys",
+    hidden: !hold,
     onkeydown: (event) => picture && moveTipByKey(picture, store, event),
-  }); // prettier-ignore
+  });
   const stage = h("div.stage", { role: "group", "aria-label": `The ${arm.name}` }, labels, grip);
   const said = h("p.words");
   const why = h("p.why", { hidden: true });
@@ -75,9 +79,13 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
       });
     };
     const input = h("input", {
-      type: "range", min: lower, max: upper, step: "any", "aria-label": `Joint ${number}`,
+      type: "range",
+      min: lower,
+      max: upper,
+      step: "any",
+      "aria-label": `Joint ${number}`,
       oninput: (e) => put(Number(e.target.value), `keys ${number}`),
-    }); // prettier-ignore
+    });
     const rail = h("div.rail", {}, input);
     let gesture = null;
     relativeRail(rail, input, {
@@ -115,14 +123,18 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   }, signal);
   store.listen(refresh, signal);
   return {
-    store, picture, card, signal, refresh,
+    store,
+    picture,
+    card,
+    signal,
+    refresh,
     follow: (listener) => (listeners.push(listener), refresh()),
     dispose() {
       abort.abort();
       picture?.dispose();
       root.replaceChildren();
     },
-  }; // prettier-ignore
+  };
 }
 
 // A lever for any number.

@@ -1,5 +1,5 @@
-// Frames placed by hand, as the Denavit-Hartenberg convention wants them: what may be chosen, what a choice violates,
-// and the row that follows.
+// Frames placed by hand, as the Denavit-Hartenberg convention wants them: what may be chosen, what
+// a choice violates, and the row that follows.
 
 import {
   cross,
@@ -19,7 +19,8 @@ const unit = (v) => scaled(1 / norm(v), v);
 const angleAbout = (axis, from, to) => Math.atan2(dot(axis, cross(from, to)), dot(from, to));
 const isNew = (found, p) => found.every((q) => norm(minus(p, q)) > 1e-4);
 
-// The bare arm: the line of each joint, the tip, and the first frame, with slides drawn out so that they can be seen.
+// The bare arm: the line of each joint, the tip, and the first frame, with slides drawn out so that
+// they can be seen.
 export function bareArm(arm) {
   const q = joints(arm).map((row, k) =>
     arm.rows[row].kind === "prismatic" ? Math.max(0.3, arm.home[k] || 0) : 0,
@@ -29,7 +30,8 @@ export function bareArm(arm) {
   return { q, frames, axes, base: frames[0], end: frames.at(-1) };
 }
 
-// The feet of the common normal from the line (p, u) to the line (q, v); from parallel lines it starts at p.
+// The feet of the common normal from the line (p, u) to the line (q, v); from parallel lines it
+// starts at p.
 function feet(p, u, q, v) {
   const away = minus(q, p);
   const n = cross(u, v);
@@ -42,7 +44,8 @@ function feet(p, u, q, v) {
 }
 
 /**
- * The places and directions among which frame `i` is chosen, right ones and wrong ones, after the frames before it.
+ * The places and directions among which frame `i` is chosen, right ones and wrong ones, after the
+ * frames before it.
  * @param {ReturnType<typeof bareArm>} bare
  * @param {Frame[]} placed
  */
@@ -63,7 +66,8 @@ export function choices(bare, placed) {
   return { zs: [axis.z, scaled(-1, axis.z)], points: points.slice(0, 4), axis };
 }
 
-// Directions for x at a frame with this z: along and across the common normal with the z before, both ways.
+// Directions for x at a frame with this z: along and across the common normal with the z before,
+// both ways.
 export function directions(before, z, o) {
   let n = cross(before.z, z);
   if (norm(n) < TINY)

@@ -1,5 +1,5 @@
-// The frames trainer: bare axes, and frames that the reader places by clicking or by keys; the four numbers appear as
-// they follow, and a choice that breaks the convention is named.
+// The frames trainer: bare axes, and frames that the reader places by clicking or by keys; the four
+// numbers appear as they follow, and a choice that breaks the convention is named.
 
 import { h, indexed, write } from "../dom.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
@@ -23,8 +23,11 @@ const ASKED = {
 
 export function trainer(host, spec) {
   const names = ["UR10e (homework)", "Panda (homework)", "Stanford arm", "Elbow arm", OWN];
-  const select = h("select", { "aria-label": "Arm to place frames on", onchange: (e) => begin(e.target.value) },
-    names.map((name) => h("option", { value: name, selected: name === spec.arm }, name))); // prettier-ignore
+  const select = h(
+    "select",
+    { "aria-label": "Arm to place frames on", onchange: (e) => begin(e.target.value) },
+    names.map((name) => h("option", { value: name, selected: name === spec.arm }, name)),
+  );
   const question = h("p.words", { "aria-live": "polite" });
   const options = h("div.row", { role: "group", "aria-label": "Choices" });
   const back = h("button", { type: "button", onclick: () => undo() }, "Back");

@@ -50,13 +50,24 @@ export function makeSliders(store, { say, signal }) {
     const [lower, upper] = range(row);
     const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
     const slider = h("input", {
-      type: "range", min: lower, max: upper, step: "any", "aria-label": label, "data-joint": index + 1,
-      oninput: (e) => put(i, Number(e.target.value), `slider ${index}`), onkeydown: (e) => nudge(e, row, i),
-    }); // prettier-ignore
+      type: "range",
+      min: lower,
+      max: upper,
+      step: "any",
+      "aria-label": label,
+      "data-joint": index + 1,
+      oninput: (e) => put(i, Number(e.target.value), `slider ${index}`),
+      onkeydown: (e) => nudge(e, row, i),
+    });
     const field = h("input.value", {
-      type: "text", spellcheck: "false", autocomplete: "off", "aria-label": `${label}, typed`, "data-joint": label,
-      oninput: (e) => typed(i, row, e.target, false), onchange: (e) => typed(i, row, e.target, true),
-    }); // prettier-ignore
+      type: "text",
+      spellcheck: "false",
+      autocomplete: "off",
+      "aria-label": `${label}, typed`,
+      "data-joint": label,
+      oninput: (e) => typed(i, row, e.target, false),
+      onchange: (e) => typed(i, row, e.target, true),
+    });
     const limit = (value) =>
       h("span", {}, (value ?? null) === null ? "" : limitText(row, value, unit));
     const past = h("span.past");
@@ -67,8 +78,11 @@ export function makeSliders(store, { say, signal }) {
     const start = () => (gesture = `rail ${++drags}`);
     relativeRail(rail, slider, { start, put: (value) => put(i, value, gesture), signal: lifetime });
     const lights = {
-      onpointerenter: light(index), onpointerleave: light(null), onfocusin: light(index), onfocusout: light(null),
-    }; // prettier-ignore
+      onpointerenter: light(index),
+      onpointerleave: light(null),
+      onfocusin: light(index),
+      onfocusout: light(null),
+    };
     const lineRoot = h(
       "div.joint",
       lights,
@@ -79,8 +93,8 @@ export function makeSliders(store, { say, signal }) {
     return { root: lineRoot, slider, field, past, row, index };
   }
 
-  // Native steps of a slider with step="any" are a hundredth of its range; these are whole degrees and millimetres.
-  // Shift is finer.
+  // Native steps of a slider with step="any" are a hundredth of its range; these are whole degrees
+  // and millimetres. Shift is finer.
   function nudge(event, row, i) {
     const sign = {
       ArrowLeft: -1,

@@ -1,4 +1,5 @@
-// The picture with what one can do to it, or a still picture that follows where the browser has no WebGL.
+// The picture with what one can do to it, or a still picture that follows where the browser has no
+// WebGL.
 
 import { h, whereNew, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../grab.js";
@@ -12,17 +13,25 @@ const HELP =
   "Picture of the arm. Arrow keys turn the view, plus and minus bring it nearer and farther, 0 fits it. " +
   "The button at the tip moves the tip; the sliders turn the joints.";
 const VIEW_KEYS = {
-  ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1],
-  "+": [0, 0, 0.9], "=": [0, 0, 0.9], "-": [0, 0, 1.1],
-}; // prettier-ignore
+  ArrowLeft: [-0.12, 0],
+  ArrowRight: [0.12, 0],
+  ArrowUp: [0, -0.1],
+  ArrowDown: [0, 0.1],
+  "+": [0, 0, 0.9],
+  "=": [0, 0, 0.9],
+  "-": [0, 0, 1.1],
+};
 const SWING = 0.06; // rad along the null space for one press
 
 export function makeStage(store, { goTo, id, say }) {
   const labels = h("div.labels", { "aria-hidden": "true" });
   const grip = h("button.grip", {
-    type: "button", "aria-label": "Tip", "aria-describedby": `${id}-grip`, onkeydown: tipKeys,
+    type: "button",
+    "aria-label": "Tip",
+    "aria-describedby": `${id}-grip`,
+    onkeydown: tipKeys,
     title: "Drag the tip: the joints follow. Arrow keys move it too.",
-  }); // prettier-ignore
+  });
   const help = h(
     "span.hidden",
     { id: `${id}-grip` },
@@ -35,9 +44,22 @@ export function makeStage(store, { goTo, id, say }) {
     "The browser took the picture’s graphics away; it comes back when it can.",
   );
   const hold = makeHoldBar(store);
-  const root = h("div.stage", {
-    tabindex: 0, role: "application", "aria-label": HELP, onkeydown: viewKeys, ondblclick: () => picture?.fit(),
-  }, labels, grip, help, hold.root, why, lost); // prettier-ignore
+  const root = h(
+    "div.stage",
+    {
+      tabindex: 0,
+      role: "application",
+      "aria-label": HELP,
+      onkeydown: viewKeys,
+      ondblclick: () => picture?.fit(),
+    },
+    labels,
+    grip,
+    help,
+    hold.root,
+    why,
+    lost,
+  );
   let picture = null;
   try {
     picture = new ArmPicture(root, labels, {
@@ -92,20 +114,38 @@ export function makeStage(store, { goTo, id, say }) {
   };
 }
 
-// Below the picture: whether a dragged tip keeps its direction, and whether the tip is pinned so that the elbow swings.
+// Below the picture: whether a dragged tip keeps its direction, and whether the tip is pinned so
+// that the elbow swings.
 function makeHoldBar(store) {
-  const keep = h("button", {
-    type: "button", title: "A dragged tip keeps the direction of the tool too",
-    onclick: () => store.dispatch({ type: "show", keepTurn: !store.state.keepTurn }),
-  }, "Keep direction"); // prettier-ignore
-  const pin = h("button", {
-    type: "button", title: "Hold the tip where it is, and drag the elbow through what is left", onclick: togglePin,
-  }, "Pin the tip"); // prettier-ignore
+  const keep = h(
+    "button",
+    {
+      type: "button",
+      title: "A dragged tip keeps the direction of the tool too",
+      onclick: () => store.dispatch({ type: "show", keepTurn: !store.state.keepTurn }),
+    },
+    "Keep direction",
+  );
+  const pin = h(
+    "button",
+    {
+      type: "button",
+      title: "Hold the tip where it is, and drag the elbow through what is left",
+      onclick: togglePin,
+    },
+    "Pin the tip",
+  );
   const swing = [-1, 1].map((way) =>
-    h("button.swing", {
-      type: "button", "aria-label": `Swing ${way < 0 ? "one" : "the other"} way`, onclick: () => swingBy(store, way),
-    }, way < 0 ? "↺" : "↻"),
-  ); // prettier-ignore
+    h(
+      "button.swing",
+      {
+        type: "button",
+        "aria-label": `Swing ${way < 0 ? "one" : "the other"} way`,
+        onclick: () => swingBy(store, way),
+      },
+      way < 0 ? "↺" : "↻",
+    ),
+  );
   const root = h("div.hold", { role: "group", "aria-label": "The tip" }, keep, pin, swing);
 
   function togglePin() {

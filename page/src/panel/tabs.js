@@ -8,11 +8,19 @@ export function makeTabs(store, views, tools) {
   const open = (name) => store.dispatch({ type: "show", view: name });
   const several = views.length > 1;
   const tabs = views.map((name, i) =>
-    h("button", {
-      type: "button", role: "tab", id: `${tools.id}-${name}`, "aria-controls": `${tools.id}-panel`,
-      onclick: () => open(name), onkeydown: (e) => walk(e, i),
-    }, VIEWS[name].title),
-  ); // prettier-ignore
+    h(
+      "button",
+      {
+        type: "button",
+        role: "tab",
+        id: `${tools.id}-${name}`,
+        "aria-controls": `${tools.id}-panel`,
+        onclick: () => open(name),
+        onkeydown: (e) => walk(e, i),
+      },
+      VIEWS[name].title,
+    ),
+  );
   const panel = h("div.view", {
     id: `${tools.id}-panel`,
     ...(several ? { role: "tabpanel" } : {}),

@@ -60,11 +60,14 @@ export function build(store, { goTo, say }) {
         onfocus: light(true),
         onblur: light(false),
       };
-      return h("button", { type: "button", onclick: () => goTo(q), ...lights },
+      return h(
+        "button",
+        { type: "button", onclick: () => goTo(q), ...lights },
         h("span.swatch", { style: `background:${branchColour(i)}`, "aria-hidden": "true" }),
         h("span.name", {}, label ? named(label) : `way ${i + 1}`),
         h("span.values", {}, values),
-        h(past.length ? "span.note.past" : "span.note", {}, note)); // prettier-ignore
+        h(past.length ? "span.note.past" : "span.note", {}, note),
+      );
     });
     list.replaceChildren(...buttons.map((button) => h("li", {}, button)));
     shown = { ways, unit, arm, buttons };

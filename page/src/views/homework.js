@@ -1,4 +1,5 @@
-// The homework's circle played, and its mistakes: any number of runs at once on the wall, each with its own method.
+// The homework's circle played, and its mistakes: any number of runs at once on the wall, each with
+// its own method.
 
 import css from "./homework.css";
 import { outside } from "../../../judge/geometry/arm.js";
@@ -12,13 +13,21 @@ import { makePlots } from "./plots.js";
 import { makeTransport } from "./transport.js";
 
 const NAMES = {
-  euler: "Euler", rk4: "Runge-Kutta 4", exact: "exact inverse kinematics",
-  inverse: "J⁻¹", pseudo: "pseudo-inverse", damped: "damped",
-}; // prettier-ignore
+  euler: "Euler",
+  rk4: "Runge-Kutta 4",
+  exact: "exact inverse kinematics",
+  inverse: "J⁻¹",
+  pseudo: "pseudo-inverse",
+  damped: "damped",
+};
 const SLIPS = {
-  "": "none", angular: "z_i in the angular rows", z_i: "z_i and o_i throughout",
-  o_i: "o_i instead of o_i−1", sign: "rates with the wrong sign", next: "velocity of the next step",
-}; // prettier-ignore
+  "": "none",
+  angular: "z_i in the angular rows",
+  z_i: "z_i and o_i throughout",
+  o_i: "o_i instead of o_i−1",
+  sign: "rates with the wrong sign",
+  next: "velocity of the next step",
+};
 const MODELS = { "": "none", wrench: "wrong sign of F", centres: "centres of mass not converted" };
 const WIDE = 260; // of the wall's picture
 const CURVE = [260, 120]; // of the curves over the radius
@@ -51,9 +60,14 @@ export function build(store, { say, signal }) {
   const fields = makeFields((patch) => edit(patch));
   const button = (text, onclick) => h("button", { type: "button", onclick }, text);
   const zoom = h("input", {
-    type: "range", min: 0, max: 3, step: "any", value: Math.log10(magnify), "aria-label": "Magnify the errors",
+    type: "range",
+    min: 0,
+    max: 3,
+    step: "any",
+    value: Math.log10(magnify),
+    "aria-label": "Magnify the errors",
     oninput: (e) => ((magnify = 10 ** Number(e.target.value)), drawWall()),
-  }); // prettier-ignore
+  });
   const zoomed = h("output");
   const add = button("Add a run", () => {
     const { runs } = store.state;
@@ -69,15 +83,28 @@ export function build(store, { say, signal }) {
     "Start where the arm stands",
     () => ((start = store.state.q), results.clear(), compute()),
   );
-  const root = h("div.homework", {},
+  const root = h(
+    "div.homework",
+    {},
     h("style", {}, css),
     h("div.row", {}, list, add, remove, here),
-    fields.root, verdict, transport.root,
-    h("div.walls", {},
+    fields.root,
+    verdict,
+    transport.root,
+    h(
+      "div.walls",
+      {},
       h("figure", {}, wall, h("figcaption", {}, h("label", {}, "Errors magnified ", zoom, zoomed))),
-      h("figure", {}, curve, h("figcaption", {}, OVER_RADIUS))),
-    h("div.row", {}, h("label", {}, "Plots ", quantity), h("label", {}, "Mistake in the torques ", slipOfModel)),
-    plots.root); // prettier-ignore
+      h("figure", {}, curve, h("figcaption", {}, OVER_RADIUS)),
+    ),
+    h(
+      "div.row",
+      {},
+      h("label", {}, "Plots ", quantity),
+      h("label", {}, "Mistake in the torques ", slipOfModel),
+    ),
+    plots.root,
+  );
   const askWinding = latest("winding");
   curve.addEventListener("click", (event) => {
     const box = curve.getBoundingClientRect();
@@ -155,9 +182,11 @@ export function build(store, { say, signal }) {
         : " no inverse"
       : " …";
     const attributes = {
-      type: "button", role: "radio", "aria-checked": String(i === chosen),
+      type: "button",
+      role: "radio",
+      "aria-checked": String(i === chosen),
       onclick: () => ((chosen = i), compute()),
-    }; // prettier-ignore
+    };
     const swatch = h("span.swatch", {
       style: `background:${branchColour(i)}`,
       "aria-hidden": "true",
@@ -165,7 +194,8 @@ export function build(store, { say, signal }) {
     return h("button", attributes, swatch, h("span", {}, `${named(run)}:${error}`));
   }
 
-  // The wall seen from the arm: the circle that was asked for, and each run with its error made larger.
+  // The wall seen from the arm: the circle that was asked for, and each run with its error made
+  // larger.
   function drawWall() {
     const { runs, arm } = store.state;
     write(zoomed, `× ${fixed(magnify, magnify < 10 ? 1 : 0)}`);
@@ -238,7 +268,8 @@ export function build(store, { say, signal }) {
       chosen = 0;
       results.clear();
       shown = { arm: state.arm };
-      if (!state.runs.length || !first) return put([startingRun(state.arm)]); // which comes back here
+      // which comes back here
+      if (!state.runs.length || !first) return put([startingRun(state.arm)]);
     }
     if (shown.runs !== state.runs) {
       shown.runs = state.runs;
@@ -259,7 +290,8 @@ function select(label, options, onchoice) {
   return h("select", { "aria-label": label, onchange: (e) => onchoice(e.target.value) }, list);
 }
 
-// What the homework asks of this arm: the Panda with joint 3 locked, the UR10e in front of its wall.
+// What the homework asks of this arm: the Panda with joint 3 locked, the UR10e in front of its
+// wall.
 const startingRun = (arm) =>
   joints(arm).length === 7
     ? { ...HOMEWORK }
@@ -330,11 +362,35 @@ function makeFields(edit) {
   const sliders = [
     slider("steps", "N", true, (v) => String(v), Math.round),
     slider("seconds", "T", false, (v) => `${fixed(v, 0)} s`, Math.round),
-    slider("radius", "Radius", false, (v) => `${fixed(100 * v, 1)} cm`, (v) => Number(v.toFixed(3))),
-    slider("gain", "Feedback", false, (v) => `${fixed(v, 1)} /s`, (v) => Number(v.toFixed(1))),
-    slider("cutoff", "Cut-off", true, (v) => v.toExponential(0).replace("-", "−"), (v) => Number(v.toPrecision(1))),
-    slider("damping", "Damping", true, (v) => fixed(v, 3), (v) => Number(v.toPrecision(2))),
-  ]; // prettier-ignore
+    slider(
+      "radius",
+      "Radius",
+      false,
+      (v) => `${fixed(100 * v, 1)} cm`,
+      (v) => Number(v.toFixed(3)),
+    ),
+    slider(
+      "gain",
+      "Feedback",
+      false,
+      (v) => `${fixed(v, 1)} /s`,
+      (v) => Number(v.toFixed(1)),
+    ),
+    slider(
+      "cutoff",
+      "Cut-off",
+      true,
+      (v) => v.toExponential(0).replace("-", "−"),
+      (v) => Number(v.toPrecision(1)),
+    ),
+    slider(
+      "damping",
+      "Damping",
+      true,
+      (v) => fixed(v, 3),
+      (v) => Number(v.toPrecision(2)),
+    ),
+  ];
   const lock = h("input", {
     type: "checkbox",
     onchange: (e) => edit({ locked: e.target.checked ? 2 : -1 }),
@@ -355,15 +411,24 @@ function makeFields(edit) {
     const [low, high] = BOUNDS[key].map((v) => (logarithmic ? Math.log10(v) : v));
     const value = (input) => rounded(logarithmic ? 10 ** Number(input.value) : Number(input.value));
     const input = h("input", {
-      type: "range", min: low, max: high, step: "any", "aria-label": label,
-      oninput: (e) => write(output, text(value(e.target))), onchange: (e) => edit({ [key]: value(e.target) }),
-    }); // prettier-ignore
+      type: "range",
+      min: low,
+      max: high,
+      step: "any",
+      "aria-label": label,
+      oninput: (e) => write(output, text(value(e.target))),
+      onchange: (e) => edit({ [key]: value(e.target) }),
+    });
     const output = h("output");
-    return { key, root: h("label.lever", {}, `${label} `, input, output), show: (v) => {
-      input.value = String(logarithmic ? Math.log10(v) : v);
-      input.setAttribute("aria-valuetext", text(v));
-      write(output, text(v));
-    } }; // prettier-ignore
+    return {
+      key,
+      root: h("label.lever", {}, `${label} `, input, output),
+      show: (v) => {
+        input.value = String(logarithmic ? Math.log10(v) : v);
+        input.setAttribute("aria-valuetext", text(v));
+        write(output, text(v));
+      },
+    };
   }
 
   function update(run, arm) {

@@ -9,9 +9,15 @@ import * as torque from "./torque.js";
 import * as trace from "./trace.js";
 
 /**
- * A view: `title` of its tab, and `build(store, tools)`, which gives its `root`, `update(state, derived, scale)`, and
- * perhaps `summary(state, derived)`, a sentence for a screen reader.
+ * A view: `title` of its tab, and `build(store, tools)`, which gives its `root`, `update(state,
+ * derived, scale)`, and perhaps `summary(state, derived)`, a sentence for a screen reader.
  */
 export const VIEWS = {
-  table, pose, jacobian, trace, torque, branches, homework: later("homework", "Play the homework"),
-}; // prettier-ignore
+  table,
+  pose,
+  jacobian,
+  trace,
+  torque,
+  branches,
+  homework: later("homework", "Play the homework"),
+};

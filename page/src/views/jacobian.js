@@ -1,4 +1,5 @@
-// The Jacobian as a table of tinted numbers, and what it says: rank, lost directions, how well the tip can move.
+// The Jacobian as a table of tinted numbers, and what it says: rank, lost directions, how well the
+// tip can move.
 
 import { attribute, h, indexed, write } from "../dom.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
@@ -61,13 +62,15 @@ export function build(store, { point }) {
     const shares = [0, 3].map((from) =>
       Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),
     );
-    cells.forEach((row, i) => row.forEach((cell, j) => {
-      const value = columns[j][i];
-      const share = Math.abs(value) / shares[i < 3 ? 0 : 1];
-      write(cell, sparse(value, 3));
-      attribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
-      cell.style.setProperty("--share", share.toFixed(2));
-    })); // prettier-ignore
+    cells.forEach((row, i) =>
+      row.forEach((cell, j) => {
+        const value = columns[j][i];
+        const share = Math.abs(value) / shares[i < 3 ? 0 : 1];
+        write(cell, sparse(value, 3));
+        attribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
+        cell.style.setProperty("--share", share.toFixed(2));
+      }),
+    );
     const { singular, text } = rankVerdict(derived);
     attribute(verdict, "class", singular ? "verdict warning" : "verdict");
     write(verdict, text);

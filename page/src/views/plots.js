@@ -1,4 +1,5 @@
-// One small plot for each joint along a path, with a cursor where the arm is and a tint beyond the joint's limits.
+// One small plot for each joint along a path, with a cursor where the arm is and a tint beyond the
+// joint's limits.
 
 import { attribute, h, indexed, svg, write } from "../dom.js";
 import { joints } from "../../../judge/geometry/kinematics.js";

@@ -18,10 +18,14 @@ export function build(store, { say }) {
   const words = h("p.words");
   const fields = ["x", "y", "z"].map((axis, i) =>
     h("input.small", {
-      type: "text", spellcheck: "false", autocomplete: "off", "aria-label": `Tip ${axis}, typed`,
-      oninput: (e) => typed(i, e.target, false), onchange: (e) => typed(i, e.target, true),
+      type: "text",
+      spellcheck: "false",
+      autocomplete: "off",
+      "aria-label": `Tip ${axis}, typed`,
+      oninput: (e) => typed(i, e.target, false),
+      onchange: (e) => typed(i, e.target, true),
     }),
-  ); // prettier-ignore
+  );
   const error = h("p.error");
   const labels = fields.map((field, i) => h("label", {}, h("i", {}, "xyz"[i]), " ", field, " m"));
   const asked = h("fieldset.wrench", {}, h("legend", {}, "Bring the tip to"), labels);
@@ -41,7 +45,10 @@ export function build(store, { say }) {
     if (!last) return;
     if (!fault) {
       const { o } = store.derived.frames.at(-1);
-      moveTip(store, o.map((v, k) => (k === i ? value : v))); // prettier-ignore
+      moveTip(
+        store,
+        o.map((v, k) => (k === i ? value : v)),
+      );
       error.textContent = stopVerdict(store.state.hold ?? { stops: [], short: 0 });
     }
     attribute(input, "aria-invalid", "false");

@@ -1,4 +1,5 @@
-// The Denavit-Hartenberg table, to be typed in. A bad entry is said in words, and the last good arm stays.
+// The Denavit-Hartenberg table, to be typed in. A bad entry is said in words, and the last good arm
+// stays.
 
 import { KINDS as JOINTS, MOST_ROWS } from "../../../judge/geometry/arm.js";
 import { attribute, h, write } from "../dom.js";
@@ -10,7 +11,12 @@ import { tableVerdict } from "../verdicts.js";
 
 export const title = "DH table";
 
-const COLUMNS = [["a", "a", false], ["alpha", "α", true], ["d", "d", false], ["theta", "θ", true]]; // prettier-ignore
+const COLUMNS = [
+  ["a", "a", false],
+  ["alpha", "α", true],
+  ["d", "d", false],
+  ["theta", "θ", true],
+];
 const SAID = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
 const KINDS = JOINTS.map((kind) => [kind, SAID[kind]]);
 const NEW_ROW = { kind: "revolute", a: 0.2, alpha: 0, d: 0, theta: 0 };
@@ -38,11 +44,18 @@ export function build(store, { say }) {
     h("thead", {}, units),
     body,
   );
-  const root = h("div.dh", {},
-    h("div.scroll", { tabindex: 0, role: "region", "aria-label": "Denavit-Hartenberg table" }, table),
+  const root = h(
+    "div.dh",
+    {},
+    h(
+      "div.scroll",
+      { tabindex: 0, role: "region", "aria-label": "Denavit-Hartenberg table" },
+      table,
+    ),
     error,
     h("div.row", {}, add, back, h("span.right.pair", {}, copy, format)),
-    verdict); // prettier-ignore
+    verdict,
+  );
   let shown = {};
 
   const change = (rows, rowBefore, gesture = null) =>
@@ -120,10 +133,15 @@ export function build(store, { say }) {
       const moves =
         (row.kind === "revolute" && key === "theta") || (row.kind === "prismatic" && key === "d");
       const input = h("input", {
-        type: "text", spellcheck: "false", autocomplete: "off", value: entryText(row[key], angle, unit),
-        "aria-label": `Row ${i + 1}, ${letter}`, "data-cell": `${i + 1}-${key}`,
-        oninput: (e) => typed(i, column, e.target, false), onchange: (e) => typed(i, column, e.target, true),
-      }); // prettier-ignore
+        type: "text",
+        spellcheck: "false",
+        autocomplete: "off",
+        value: entryText(row[key], angle, unit),
+        "aria-label": `Row ${i + 1}, ${letter}`,
+        "data-cell": `${i + 1}-${key}`,
+        oninput: (e) => typed(i, column, e.target, false),
+        onchange: (e) => typed(i, column, e.target, true),
+      });
       return h(
         moves ? "td.moves" : "td",
         {},

@@ -1,4 +1,5 @@
-// What holding still takes: gravity less what the world's push on the tool gives back, beside each joint's limit.
+// What holding still takes: gravity less what the world's push on the tool gives back, beside each
+// joint's limit.
 
 import { attribute, h, indexed, write } from "../dom.js";
 import { readEntry, unfinished } from "../entry.js";

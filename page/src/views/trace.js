@@ -23,22 +23,40 @@ export function build(store, { say, signal }) {
     axes,
   );
   const radius = h("input.small", {
-    type: "text", spellcheck: "false", autocomplete: "off", "aria-label": "Radius of the circle, m",
-    oninput: (e) => sized(e.target, false), onchange: (e) => sized(e.target, true),
-  }); // prettier-ignore
-  const quantity = h("select", { "aria-label": "What the plots show", onchange: () => lay() },
+    type: "text",
+    spellcheck: "false",
+    autocomplete: "off",
+    "aria-label": "Radius of the circle, m",
+    oninput: (e) => sized(e.target, false),
+    onchange: (e) => sized(e.target, true),
+  });
+  const quantity = h(
+    "select",
+    { "aria-label": "What the plots show", onchange: () => lay() },
     h("option", { value: "joint" }, "joint values"),
-    h("option", { value: "torque" }, "static torques")); // prettier-ignore
+    h("option", { value: "torque" }, "static torques"),
+  );
   const drawing = h("button", { type: "button", onclick: () => draw() }, "Draw a circle from here");
   const verdict = h("p.verdict");
   const error = h("p.error");
   const plots = makePlots();
   const transport = makeTransport(store, { signal, begin: (then) => draw(then) });
-  const root = h("div.trace", {},
+  const root = h(
+    "div.trace",
+    {},
     transport.root,
-    h("div.row", {}, h("label", {}, "Plane ", plane), h("label", {}, "Radius ", radius, " m"), drawing,
-      h("label.right", {}, "Plots ", quantity)),
-    error, verdict, plots.root); // prettier-ignore
+    h(
+      "div.row",
+      {},
+      h("label", {}, "Plane ", plane),
+      h("label", {}, "Radius ", radius, " m"),
+      drawing,
+      h("label.right", {}, "Plots ", quantity),
+    ),
+    error,
+    verdict,
+    plots.root,
+  );
   const ask = latest("circle");
   let shown = null;
 

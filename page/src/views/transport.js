@@ -1,4 +1,5 @@
-// Play, pause and scrub along the state's trace; each frame takes the arm on, and the state says when it stops.
+// Play, pause and scrub along the state's trace; each frame takes the arm on, and the state says
+// when it stops.
 
 import { attribute, calm, h, write } from "../dom.js";
 
@@ -6,14 +7,19 @@ const SECONDS = 8; // for the whole path; twice that where motion is unwelcome
 
 /**
  * @param {import("../state.js").Store} store
- * @param {{ signal: AbortSignal, begin: (then: () => void) => void }} tools `begin` makes a trace where there is none
+ * @param {{ signal: AbortSignal, begin: (then: () => void) => void }} tools `begin` makes a trace
+ *   where there is none
  */
 export function makeTransport(store, { signal, begin }) {
   const play = h("button.main", { type: "button", onclick: toggle }, "Play");
   const scrub = h("input", {
-    type: "range", min: 0, max: 1000, value: 0, "aria-label": "Place along the path",
+    type: "range",
+    min: 0,
+    max: 1000,
+    value: 0,
+    "aria-label": "Place along the path",
     oninput: (e) => scrubTo(e.target.value / 1000),
-  }); // prettier-ignore
+  });
   const place = h("output.place");
   const root = h("div.row.transport", {}, play, scrub, place);
   let timer = null;
@@ -41,7 +47,8 @@ export function makeTransport(store, { signal, begin }) {
     const pace = 1000 * SECONDS * (calm() ? 2 : 1);
     const share = Math.min(1, at + Math.max(0, Math.min(100, now - last)) / pace);
     last = now;
-    timer = requestAnimationFrame(tick); // before the state changes: who hears of that would ask for a frame too
+    // before the state changes: who hears of that would ask for a frame too
+    timer = requestAnimationFrame(tick);
     store.dispatch({ type: "play", at: share });
     if (share === 1) store.dispatch({ type: "playing", on: false });
   }

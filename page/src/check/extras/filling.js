@@ -1,5 +1,5 @@
-// An answer filled in cell by cell instead of pasted. What is filled in becomes the text of the answer, which the judge
-// reads as it reads all others.
+// An answer filled in cell by cell instead of pasted. What is filled in becomes the text of the
+// answer, which the judge reads as it reads all others.
 
 import { h, write } from "../../dom.js";
 import { joints } from "../../../../judge/geometry/kinematics.js";
@@ -55,7 +55,8 @@ export function textOf(rows) {
 }
 
 /**
- * Pasted cells put into others, from a place on; those of the size of the whole fill it from its first one.
+ * Pasted cells put into others, from a place on; those of the size of the whole fill it from its
+ * first one.
  * @param {string[][]} rows
  * @param {string[][]} pasted
  * @param {[number, number]} place
@@ -112,10 +113,29 @@ export function addFilling(judge) {
       ),
     );
     table.replaceChildren(
-      h("thead", {}, h("tr", {}, h("td"), names.columns.map((name) => h("th", { scope: "col" }, name)))),
-      h("tbody", {}, names.rows.map((name, i) =>
-        h("tr", {}, h("th", { scope: "row" }, name), inputs[i].map((one) => h("td", {}, one))))),
-    ); // prettier-ignore
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          h("td"),
+          names.columns.map((name) => h("th", { scope: "col" }, name)),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        names.rows.map((name, i) =>
+          h(
+            "tr",
+            {},
+            h("th", { scope: "row" }, name),
+            inputs[i].map((one) => h("td", {}, one)),
+          ),
+        ),
+      ),
+    );
   }
   function press(event, i, k) {
     const step = STEPS[event.key];
@@ -160,8 +180,14 @@ export function addFilling(judge) {
 
 const cellInput = (name, onkeydown, onpaste) =>
   h("input", {
-    "aria-label": name, size: "7", inputmode: "text", autocomplete: "off", spellcheck: "false", onkeydown, onpaste,
-  }); // prettier-ignore
+    "aria-label": name,
+    size: "7",
+    inputmode: "text",
+    autocomplete: "off",
+    spellcheck: "false",
+    onkeydown,
+    onpaste,
+  });
 
 // Whether the caret is where the arrow leads out of the cell.
 const atEdge = ({ selectionStart, selectionEnd, value }, way) =>

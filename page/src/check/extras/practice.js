@@ -1,5 +1,5 @@
-// Practice: questions of the series by number, judged by the form below them. How many were solved in a row is kept in
-// this browser only where the reader asks for it.
+// Practice: questions of the series by number, judged by the form below them. How many were solved
+// in a row is kept in this browser only where the reader asks for it.
 
 import { h, write } from "../../dom.js";
 import { joints, linkFrames } from "../../../../judge/geometry/kinematics.js";
@@ -24,7 +24,11 @@ export function fromLink(hash) {
 /** @param {import("../page.js").Judge} judge */
 export function addPractice(judge) {
   const { boxes, stub, arms } = judge;
-  const topic = h("select", {}, TOPICS.map((key) => h("option", { value: key }, ASKED[key].title))); // prettier-ignore
+  const topic = h(
+    "select",
+    {},
+    TOPICS.map((key) => h("option", { value: key }, ASKED[key].title)),
+  );
   const number = h("input", { type: "number", min: "1", max: String(LAST), value: "1" });
   const keep = h("input", { type: "checkbox" });
   const problem = h("div.problem", { tabindex: "-1" });
@@ -32,13 +36,22 @@ export function addPractice(judge) {
   const named = (words, control) => h("label.field", {}, words, control);
   const button = (words, onclick) => h("button", { type: "button", onclick }, words);
   const place = h(
-    "details.practice", {}, h("summary", {}, "Practice without end"),
+    "details.practice",
+    {},
+    h("summary", {}, "Practice without end"),
     h("p.about", {}, ABOUT),
-    h("div.choice", {}, named("Topic", topic), named("Number", number),
+    h(
+      "div.choice",
+      {},
+      named("Topic", topic),
+      named("Number", number),
       button("Ask me", () => ask(topic.value, Number(number.value))),
-      button("Next question", () => ask(topic.value, Number(number.value) + 1))),
-    problem, streak, h("label.keep", {}, keep, " Keep how many I solved in a row in this browser"),
-  ); // prettier-ignore
+      button("Next question", () => ask(topic.value, Number(number.value) + 1)),
+    ),
+    problem,
+    streak,
+    h("label.keep", {}, keep, " Keep how many I solved in a row in this browser"),
+  );
   let posed = null;
   let solved = false;
   let row = kept();
@@ -144,10 +157,24 @@ function wordsOf({ key, n, asked, arm, along }) {
 const cells = (values) => values.map((value) => h("td", {}, value));
 const grid = (caption, heads, rows) =>
   h(
-    "table", {}, h("caption", {}, caption),
-    h("thead", {}, h("tr", {}, heads.map((name) => h("th", { scope: "col" }, name)))),
-    h("tbody", {}, rows.map((row) => h("tr", {}, cells(row)))),
-  ); // prettier-ignore
+    "table",
+    {},
+    h("caption", {}, caption),
+    h(
+      "thead",
+      {},
+      h(
+        "tr",
+        {},
+        heads.map((name) => h("th", { scope: "col" }, name)),
+      ),
+    ),
+    h(
+      "tbody",
+      {},
+      rows.map((row) => h("tr", {}, cells(row))),
+    ),
+  );
 
 const length = (value) => String(Number(value.toFixed(6)) + 0);
 const set = (text) => text.replaceAll("+ -", "− ").replaceAll("-", "−").replaceAll("pi", "π");

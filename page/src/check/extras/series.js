@@ -1,5 +1,6 @@
-// Questions without end, by number: question n of a series is the same for everybody, so that a link can name it. A
-// course's own questions and their keys are drawn from a secret in Python (helpers/course), never here.
+// Questions without end, by number: question n of a series is the same for everybody, so that a
+// link can name it. A course's own questions and their keys are drawn from a secret in Python
+// (helpers/course), never here.
 
 import { homeOf, range } from "../../../../judge/geometry/arm.js";
 import { joints, jacobianColumns, linkFrames } from "../../../../judge/geometry/kinematics.js";
@@ -11,10 +12,12 @@ export const LAST = 999_999; // the last question of a series
 const TRIES = 500;
 const SMALLEST = 0.06; // no question is asked nearer to a singular pose than this singular value
 const WIDEST = 2.4; // rad or m, of a joint
-const CLOSED = ["UR10E", "UR10E_HOMEWORK", "STANFORD", "ELBOW"]; // arms of which all branches are known
+// arms of which all branches are known
+const CLOSED = ["UR10E", "UR10E_HOMEWORK", "STANFORD", "ELBOW"];
 
 /**
- * The numbers in [0, 1) that belong to a text: mulberry32 (Tommy Ettinger), started with the text's 32-bit FNV-1a hash.
+ * The numbers in [0, 1) that belong to a text: mulberry32 (Tommy Ettinger), started with the text's
+ * 32-bit FNV-1a hash.
  * @param {string} text
  * @returns {() => number}
  */
@@ -34,7 +37,8 @@ const between = (roll, low, high) => low + (high - low) * roll();
 const whole = (roll, low, high) => Math.floor(between(roll, low, high + 1));
 const one = (roll, list) => list[whole(roll, 0, list.length - 1)];
 
-// The least that the joints can do in any direction that they are for: six rows, or the place alone.
+// The least that the joints can do in any direction that they are for: six rows, or the place
+// alone.
 function smallest(arm, q) {
   const columns = jacobianColumns(arm, linkFrames(arm, q));
   const rows = columns.length >= 6 ? 6 : 3;
@@ -99,7 +103,8 @@ function drawCircle(arm, roll) {
 }
 
 /**
- * Question n of a series: the fields of the judge's question, and where it is about an arm of its own, that arm.
+ * Question n of a series: the fields of the judge's question, and where it is about an arm of its
+ * own, that arm.
  * @param {string} ask
  * @param {number} n
  * @param {any[]} arms the judge's
@@ -109,7 +114,7 @@ export function questionOf(ask, n, arms) {
   const roll = rolls(`${ask} ${n}`);
   if (ask === "table") return drawTable(roll);
   const { suits, draw } = SERIES[ask];
-  const arm = one(roll, arms.filter(suits)); // prettier-ignore
+  const arm = one(roll, arms.filter(suits));
   return { asked: { ask, arm: arm.key, ...draw(arm, roll) }, arm };
 }
 

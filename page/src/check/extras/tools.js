@@ -1,4 +1,5 @@
-// What can be done with a question: a link to it, the call in Python, an example, the pose in the explorer.
+// What can be done with a question: a link to it, the call in Python, an example, the pose in the
+// explorer.
 
 import { h } from "../../dom.js";
 import { asPython, EMPTY, OWN, toFragment } from "../question.js";

@@ -12,8 +12,10 @@ import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
 
 /** @typedef {import("../question.js").Question} Question */
 
-const [FEWEST_STEPS, MOST_STEPS] = [8, 20_000]; // with fewer, a run that stays at the start would pass
-const ROUNDED = 0.02; // of the lengths of axes and their cosines: what a pose of two decimals is off
+// with fewer, a run that stays at the start would pass
+const [FEWEST_STEPS, MOST_STEPS] = [8, 20_000];
+// of the lengths of axes and their cosines: what a pose of two decimals is off
+const ROUNDED = 0.02;
 const inDegrees = ({ unit }) => (unit === "deg" ? ['angles="deg"'] : []);
 
 // One joint vector
@@ -71,8 +73,9 @@ function rowsOf(question, arm, form) {
   return found === "3" ? values : rows.map((row) => row[3]);
 }
 
-// A pose typed with a few decimals, its axes made perpendicular and of length 1 again: the nearest rotation, by
-// Newton's steps R <- (R + R^-T) / 2. What is farther off stays as it is, and is refused.
+// A pose typed with a few decimals, its axes made perpendicular and of length 1 again: the nearest
+// rotation, by Newton's steps R <- (R + R^-T) / 2. What is farther off stays as it is, and is
+// refused.
 function exact(rows) {
   const off = (u, v, wanted) => Math.abs(dot(u, v) - wanted);
   let R = rows.map((row) => row.slice(0, 3));

@@ -1,0 +1,110 @@
+// Nested lists and tuples, MATLAB's bracket with semicolons, rows in round brackets.
+
+import { isNumber, plain } from "./formula.js";
+import { split } from "./split.js";
+import { beside } from "./surroundings.js";
+import { lines, strippedEnd } from "./text.js";
+
+// What changes the list before it, ( ... )^T or [ ... ] * 2, and a line that a formula goes on in.
+
+const TAKEN = /^\s*\)*\s*(?:[-+*/^']|\.[*/^'T])/; // what changes the matrix before it
+const CONTINUED = /^(?:\s*[-+*/^]\s|.*[-+*/^]\s*$)/;
+export const deeper = (sign) => ("[({".includes(sign) ? 1 : "])}".includes(sign) ? -1 : 0);
+
+// Where the bracket that a text begins with is closed, -1 where it is not.
+function endOf(text) {
+  let depth = 0;
+  for (let k = 0; k < text.length; k++) {
+    depth += deeper(text[k]);
+    if (!depth) return k;
+  }
+  return -1;
+}
+
+export const closesAtEnd = (text) => text !== "" && endOf(text) === text.length - 1;
+
+export function topComma(text) {
+  let depth = 0;
+  for (let k = 0; k < text.length; k++) {
+    depth += deeper(text[k]);
+    if (text[k] === "," && !depth) return true;
+  }
+  return false;
+}
+
+// Whether a text is one bracket from end to end that holds a list; round ones only where a comma
+// stands in them.
+function isList(text) {
+  text = text.trim();
+  if (!text || !"[({".includes(text[0]) || !closesAtEnd(text)) return false;
+  return text[0] !== "(" || topComma(text.slice(1, -1));
+}
+
+// What a bracket holds, or a text without one, split where it is meant to be.
+function itemsOf(text) {
+  text = strippedEnd(text.trim(), ",");
+  return split(isList(text) ? text.slice(1, -1) : text);
+}
+
+// Nested lists, tuples or MATLAB's one bracket with semicolons.
+export function bracketed(text) {
+  const items = itemsOf(text);
+  if (items.every(isList)) {
+    const inner = items.map(itemsOf);
+    if (!inner.some((row) => row.some(isList))) return inner;
+    const single = (cell) => (isList(cell) && itemsOf(cell).length === 1 ? itemsOf(cell)[0] : cell);
+    const flat = inner.map((row) => row.map(single));
+    return flat.some((row) => row.some(isList)) ? items.flatMap(bracketed) : flat;
+  }
+  const body = text.trim().slice(1, -1);
+  if (isList(text) && !body.includes("[")) {
+    return body
+      .replace(/\.\.\.[^\n]*\n/g, " ")
+      .split(/[;\n]/)
+      .map(split);
+  }
+  return [items];
+}
+
+// An error where something is done to a list after it is closed.
+export function untouched(text) {
+  const end = endOf(text);
+  const after = text.slice(end + 1);
+  if (/[0-9][\s,;\]]/.test(text.slice(0, end)) && TAKEN.test(after))
+    throw beside(after.replace(/^[ )]+/, ""));
+}
+
+// Rows on lines in one pair of round brackets, or each in its own, and a list in one, without them;
+// any other text as it is.
+export function opened(text) {
+  const inner = text.slice(1, -1).trim();
+  if (text[0] === "(" && closesAtEnd(text)) {
+    if (inner[0] === "[" && closesAtEnd(inner)) return inner;
+    return areRows(lines(inner)) ? inner : text;
+  }
+  const each = lines(text).map((line) => line.trim());
+  if (!each.length || !each.every((line) => line[0] === "(" && closesAtEnd(line))) return text;
+  const inside = each.map((line) => line.slice(1, -1).trim());
+  return inside[0].includes(" ") && areRows(inside) ? inside.join("\n") : text;
+}
+
+// Whether the round bracket that a text begins with is a part of its first entry.
+export function beginsACell(text) {
+  const end = endOf(text);
+  const inner = text.slice(1, Math.max(end, 1));
+  return text[0] === "(" && end < text.length - 1 && !/[,;\n]/.test(inner);
+}
+
+// Whether lines of entries without commas are the rows of a matrix, not a formula's.
+function areRows(given) {
+  const kept = given.filter((line) => line.trim());
+  if (kept.some((line) => line.includes(",") || line.includes(";") || CONTINUED.test(line)))
+    return false;
+  const rows = kept.map(split);
+  if (new Set(rows.map((row) => row.length)).size !== 1) return false;
+  if (rows.length === 1 && rows[0].length === 1) return false;
+  return kept.every(ofNumbers) || (rows.length > 1 && rows[0].length > 1);
+}
+
+const words = (line) => line.trim().split(/\s+/).filter(Boolean);
+export const ofNumbers = (line) => words(line).every((word) => isNumber(plain(word)));
