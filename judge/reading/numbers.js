@@ -56,8 +56,12 @@ export function numbers(mine, what, known = noSymbols, wanted = "numbers") {
   return { values, units: units(values.map(spelled)), shape, symbolic: false };
 }
 
-const NAMED =
-  /['"][^'"]*['"]\s*[,:]\s*|\\?(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t|tau|τ)_?(?:\p{Nd}|\{\p{Nd}\})\s*[=:]\s*/giu;
+// A name before a value: a quoted one with a comma or colon, or q_1 = and theta_{2}:.
+const NAMED = new RegExp(
+  String.raw`['"][^'"]*['"]\s*[,:]\s*` +
+    String.raw`|\\?(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t|tau|τ)_?(?:\p{Nd}|\{\p{Nd}\})\s*[=:]\s*`,
+  "giu",
+);
 
 // One value for each joint without the names before them: ('theta1', 0.3) is 0.3.
 export function unnamed(mine) {

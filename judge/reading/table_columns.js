@@ -1,0 +1,186 @@
+// Which column of a table is which: by the heads above them, else by what stands in them.
+
+import { number, plain } from "./formula.js";
+import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
+import { ArmError, say, shown } from "../sentences.js";
+
+export { ENTRIES };
+
+// As textbooks and programs write them, the commonest first.
+export const KNOWN_ORDERS = [
+  "theta d a alpha",
+  "a alpha d theta",
+  "alpha a d theta",
+  "alpha a theta d",
+  "a d alpha theta",
+  "d theta a alpha",
+  "theta alpha a d",
+  "a alpha theta d",
+  "theta a d alpha",
+  "d a alpha theta",
+].map((order) => order.split(" "));
+
+const meaning = (words, entry) => words.split(" ").map((word) => [word, entry]);
+
+/** @type {Map<string, string>} */
+const WORDS = new Map([
+  ...meaning("theta th q jointangle angle tht thetai qi thi", "theta"),
+  ...meaning("d offset linkoffset di dm dmm", "d"),
+  ...meaning("a r linklength length ai ri", "a"),
+  ...meaning("alpha twist linktwist alphai al alp", "alpha"),
+  ...meaning("i link joint j n frame row # no linki jointi k", "i"),
+]);
+
+// Which entry a head names, or "i" for the rows' numbers.
+export function headOf(cell) {
+  const words = plain(cell.replace(/-\s*1/g, "")).replaceAll("*", "");
+  const word = words
+    .replace(/\(.*?\)|\[.*?(?:\]|$)|\bin\b.*|[,/].*|_(?:mm|cm|deg|rad)$/g, "")
+    .replace(/[\s_{}$\\^'"().]/g, "")
+    .toLowerCase();
+  return WORDS.get(word) ?? WORDS.get(word.replace(/[ijkn]$/, ""));
+}
+
+// Which entry a single name is, as in d_1.
+export const columnOf = (name) => WORDS.get(name.toLowerCase());
+
+export function fromHeads(heads) {
+  const text = heads.join(" ");
+  const unit = ["mm", "cm"].find((u) => new RegExp(String.raw`[(\[ /_]${u}\b`).test(text));
+  const own =
+    ["m", "in"].find((u) =>
+      new RegExp(String.raw`[(\[]\s*${u}\s*(?:[)\]]|$)|/${u}\b`).test(text),
+    ) ?? null;
+  const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
+  return { lengths: unit ?? own, angles, convention: /-\s*1/.test(text) ? "craig" : null };
+}
+
+// The cells without the column that numbers the rows. Where they are not numbered and one short,
+// the first head goes alone: nobody typed its column, or it is half of "Joint type".
+export function withoutIndex({ cells, heads }) {
+  const words = heads.map(headOf);
+  const counted = isCounted(cells.map((row) => plain(row[0])));
+  const short = cells.every((row) => row.length === heads.length - 1);
+  if (short && !counted && !ENTRIES.includes(words[0])) return { cells, heads: heads.slice(1) };
+  const at = words.indexOf("i");
+  const cut = (row) => row.filter((_, k) => k !== at);
+  if (at >= 0) return { cells: cells.map(cut), heads: cut(heads) };
+  if (!counted || cells.some((row) => row.length <= 4)) return { cells, heads };
+  return {
+    cells: cells.map((row) => row.slice(1)),
+    heads: heads.length > 4 ? heads.slice(1) : heads,
+  };
+}
+
+// Whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
+function isCounted(first) {
+  const label = (i) => new RegExp(String.raw`^(?:link|joint|l|j|i=)?\s*_?${i}\.?$`, "i");
+  const fromZero = first.every((text, k) => number(text) === k);
+  return fromZero || first.every((text, k) => label(k + 1).test(text));
+}
+
+// The orders of the columns that are possible, whether it was said, and the rows in them.
+export const ordered = (cells, heads, columns) =>
+  (columns ? byOption(cells, columns) : byHeads(cells, heads)) ?? byLooks(cells);
+
+function byOption(cells, columns) {
+  const words = columns.trim().split(/[\s,;|]+/);
+  const order = words.map(headOf);
+  if ([...order].sort().join() !== ENTRIES.join())
+    throw new ArmError(say("no columns", { given: shown(columns) }));
+  wide(cells);
+  return { orders: [order], sure: true, rows: cells };
+}
+
+// By heads that name all four entries; an offset of the joint in a column of its own is added.
+function byHeads(cells, heads) {
+  const isOffset = (head) => head.toLowerCase().includes("offset");
+  const all = heads.map(headOf);
+  const twice = all.filter((word) => word === "d").length > 1;
+  const words = all.map((word, i) => (twice && isOffset(heads[i]) ? "" : word));
+  const keep = ENTRIES.map((entry) => words.indexOf(entry));
+  const fits = cells.every((row) => [0, 1].includes(heads.length - row.length));
+  if (keep.includes(-1) || !fits) return null;
+  const added = heads.findIndex((head, i) => isOffset(head) && !keep.includes(i));
+  const rows = cells.map((row, k) => {
+    const kept = keep.map((i) => row[i] ?? "0");
+    const still = row[added] ?? "0";
+    const none = number(still.replace(/^[-–— ]+|[-–— ]+$/g, "") || "0") === 0;
+    return none ? kept : withOffset(k + 1, kept, still);
+  });
+  return { orders: [ENTRIES], sure: true, rows };
+}
+
+// Without heads: every order in which nothing looks out of its place, the likeliest first.
+function byLooks(cells) {
+  wide(cells);
+  const looks = cells.map((row) => row.map(lookOf));
+  const known = KNOWN_ORDERS.map((order) => order.join());
+  const others = permutations(ENTRIES).filter((order) => !known.includes(order.join()));
+  const usual = [...KNOWN_ORDERS, ...others];
+  const strict = usual.filter((order) => possible(looks, order, true));
+  const fits = strict.length ? strict : usual.filter((order) => possible(looks, order, false));
+  const turning = fits.filter((order) => mostTurn(looks, order));
+  const orders = [...turning, ...fits.filter((order) => !turning.includes(order))];
+  return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], sure: false, rows: cells };
+}
+
+// A row whose joint's offset, in a column of its own, is added to what moves.
+function withOffset(i, row, still) {
+  const [d, theta] = [2, 3].map((k) => number(row[k] || "0") === null);
+  const at = d && !theta ? 2 : 3;
+  const moves = VARIABLE.test(plain(row[at])) ? `q_${i}` : row[at] || "0";
+  return row.map((cell, k) => (k === at ? `${moves} + (${still})` : cell));
+}
+
+const permutations = (list) =>
+  list.length < 2
+    ? [list]
+    : list.flatMap((one, k) =>
+        permutations(list.filter((_, j) => j !== k)).map((more) => [one, ...more]),
+      );
+
+function wide(cells) {
+  const sorted = [...new Set(cells.map((row) => row.length))].sort((p, q) => p - q);
+  const widths = sorted.join(", ");
+  if (sorted.length > 1) {
+    const row = cells.findIndex((one) => one.length !== 4);
+    throw new ArmError(say("row widths", { widths, row: row + 1, count: cells[row].length }));
+  }
+  if (sorted[0] !== 4) throw new ArmError(say("row width", { widths }));
+}
+
+// What a cell looks like, apart from where it stands.
+function lookOf(text) {
+  return {
+    variable: isVariable(text),
+    offset: /\bd_?\d/.test(text),
+    angular: /pi|deg|°|π/.test(text),
+    number: number(text),
+  };
+}
+
+// Whether the variables stand in theta (or d), and, if strict, no length or angle looks like the
+// other; those of an arm with skew axes do.
+function possible(looks, order, strict) {
+  const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
+  if ([...a, ...alpha].some(({ variable, offset }) => variable || offset)) return false;
+  const stands = ![...a, ...d].some(({ angular }) => angular);
+  if (!strict || !stands) return stands;
+  const lengths = [...a, ...d].map((look) => look.number);
+  const right = alpha.every((look) => look.number === null || angleLike(look.number));
+  const spread = !lengths.every((x) => x === null || (x && angleLike(x))) || !lengths.some(Boolean);
+  return right && spread;
+}
+
+// Whether no fewer joints would turn than slide, as in most arms.
+function mostTurn(looks, order) {
+  const count = (name) => looks.filter((row) => row[order.indexOf(name)].variable).length;
+  return count("theta") >= count("d");
+}
+
+function angleLike(x) {
+  const parts = x / (Math.PI / 12);
+  const inRadians = Math.abs(x) <= 2 * Math.PI + 0.01 && Math.abs(parts - Math.round(parts)) < 0.02;
+  return inRadians || (x % 15 === 0 && Math.abs(x) <= 360);
+}

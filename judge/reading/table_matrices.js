@@ -1,0 +1,42 @@
+// A table given as the matrices A_1 ... A_n of its rows.
+
+import { number, parse, plain, symbols, value } from "./formula.js";
+import { ENTRIES, simple } from "./table_rows.js";
+import { size } from "../sentences.js";
+
+// The rows of cells as matrices A_i, where they are such.
+export function matrices(cells) {
+  const last = (row) => row.every((text, k) => number(text) === (k === 3 ? 1 : 0));
+  if (cells.length < 8 || cells.length % 4 || !cells.every((row) => row.length === 4)) return null;
+  if (!cells.every((row, i) => i % 4 !== 3 || last(row))) return null;
+  return Array.from({ length: cells.length / 4 }, (_, k) => cells.slice(4 * k, 4 * k + 4));
+}
+
+/** @returns {import("./table.js").TypedRow} */
+export function fromMatrix(i, A, known) {
+  const trees = A.map((row) => row.map((text) => parse(plain(text), `A_${i}`)));
+  const free = [...symbols(["all", ...trees.flat()])].filter((name) => !known.has(simple(name)));
+  const at = (x) => {
+    const look = (name) => (free.includes(name) ? short(name, x) : known.get(simple(name)));
+    return trees.map((row) => row.map((tree) => value(tree, look)));
+  };
+  const [zero, one] = [at(0), at(0.5)];
+  const [c, s] = [zero[0][0], zero[1][0]];
+  const theta = Math.atan2(s, c);
+  const alpha = Math.atan2(zero[2][1], zero[2][2]);
+  const numbers = { a: zero[0][3] * c + zero[1][3] * s, alpha, d: zero[2][3], theta };
+  const slid = one[2][3] - zero[2][3];
+  const slides = Math.abs(slid) > 1e-9;
+  const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - theta);
+  const texts = Object.fromEntries(ENTRIES.map((name) => [name, size(numbers[name], 6)]));
+  const kind = slides ? "prismatic" : free.length ? "revolute" : "unknown";
+  const backwards = (slides ? slid : turned) < 0;
+  return { kind, numbers, texts, backwards, radians: new Set() };
+}
+
+// A joint's value, or its cosine or sine where the name is c_1 or s1.
+function short(name, x) {
+  const match = /^([cs])(?:theta|th|q)?_?\{?\d+\}?$/i.exec(name);
+  if (!match) return x;
+  return match[1].toLowerCase() === "c" ? Math.cos(x) : Math.sin(x);
+}

@@ -1,0 +1,85 @@
+// One row of a table: its numbers, and the joint that moves in it.
+
+import { RAD } from "../geometry/angles.js";
+import { parse, plain, symbols, value } from "./formula.js";
+import { ArmError, say, size } from "../sentences.js";
+
+/** @typedef {import("./table.js").TypedRow} TypedRow */
+
+export const ENTRIES = ["a", "alpha", "d", "theta"];
+
+export const UNITS = { m: 1, cm: 1e-2, mm: 1e-3, in: 0.0254 };
+
+// Names of joints' variables, and what stands for one where nobody named it.
+const JOINT = /^(?:q|th|theta|t|phi)_?\{?\d+\}?'?$/;
+
+export const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/i;
+
+export const simple = (name) => name.replace(/[_{}\s*'^\\]/g, "").toLowerCase();
+
+export function isVariable(text) {
+  const bare = plain(text);
+  if (VARIABLE.test(bare.trim())) return true;
+  try {
+    return [...symbols(parse(bare.replace(/\*+$/, "")))].some((name) => JOINT.test(name));
+  } catch (error) {
+    if (error instanceof ArmError) return false;
+    throw error;
+  }
+}
+
+/**
+ * The row that cells make, by the name of their column; `known` are the symbols that have numbers.
+ * @param {number} i
+ * @param {Record<string, string>} entries
+ * @param {Map<string, number>} known
+ * @returns {TypedRow}
+ */
+export function rowOf(i, entries, known) {
+  const trees = each((name) => treeOf(entries[name], name, i, known));
+  const isFree = (one) => !known.has(simple(one));
+  const free = each((name) => [...symbols(trees[name])].filter(isFree).sort());
+  const mover = free.theta.length ? "theta" : free.d.length ? "d" : null;
+  oneSymbol(i, free, mover);
+  const at = (name, x) =>
+    value(trees[name], (one) => (free[name].includes(one) ? x : known.get(simple(one))));
+  const numbers = each((name) => at(name, 0));
+  const backwards = mover !== null && slope(at(mover, 1) - numbers[mover], i, mover) < 0;
+  const inRadians = (name) => /\b(?:pi|deg|rad)\b/.test(plain(entries[name]));
+  return {
+    kind: mover === null ? "unknown" : KIND[mover],
+    numbers,
+    texts: each((name) => entries[name].trim()),
+    backwards,
+    radians: new Set(ENTRIES.filter(inRadians)),
+    trees,
+  };
+}
+
+const KIND = { theta: "revolute", d: "prismatic" };
+const each = (make) => Object.fromEntries(ENTRIES.map((name) => [name, make(name)]));
+
+// The formula of a cell; a mere sign for the variable, such as a star, is the joint's own.
+function treeOf(cell, name, i, known) {
+  const text = plain(cell);
+  const moves = name === "theta" || name === "d";
+  const free = moves && VARIABLE.test(text) && !known.has(simple(text));
+  return parse(free ? `q_${i}` : text.replace(/\*+$/, "") || "0", `${name} in row ${i}`);
+}
+
+// An error where a row holds a symbol besides its joint's variable.
+function oneSymbol(i, free, mover) {
+  const moving = mover === null ? [] : free[mover];
+  const joint = moving.find((one) => /^(?:q|th|t_?\d|x_?\d|phi)/.test(one)) ?? moving[0];
+  const isStray = (name) => (one) => name !== mover || one !== joint;
+  const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
+  if (stray === undefined) return;
+  const key = Object.hasOwn(UNITS, stray) ? "row unit" : "row symbol";
+  throw new ArmError(say(key, { row: i, name: stray }));
+}
+
+function slope(rate, row, name) {
+  const far = (from) => Math.abs(Math.abs(rate) - from) > 1e-6;
+  if (far(1) && far(RAD)) throw new ArmError(say("row slope", { row, name, rate: size(rate) }));
+  return rate > 0 ? 1 : -1;
+}
