@@ -29,12 +29,14 @@ def planted(tmp_path_factory):
         "an exact claim": ("print(long == np.sqrt(62.76))", "True\n"),
     }
     path = tmp_path_factory.mktemp("noise") / "planted.ipynb"
+    value = nbformat.v4.new_output("execute_result", data={"text/plain": "'a last value'"})
     code = [nbformat.v4.new_code_cell(HEAD)]
     for source, text in cells.values():
         output = nbformat.v4.new_output("stream", name="stdout", text=text)
         code.append(nbformat.v4.new_code_cell(source, outputs=[output]))
+    code.append(nbformat.v4.new_code_cell("'a last value'", outputs=[value]))
     nbformat.write(nbformat.v4.new_notebook(cells=code), path)
-    return str(path), ["the imports", *cells]
+    return str(path), ["the imports", *cells, "a last value"]
 
 
 @pytest.fixture(scope="module")

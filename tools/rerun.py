@@ -68,7 +68,7 @@ class Shown(DisplayHook):
 
     def write_output_prompt(self) -> None: ...
 
-    def write_formatwords(self, format_dict: dict, md_dict: dict | None = None) -> None:
+    def write_format_data(self, format_dict: dict, md_dict: dict | None = None) -> None:
         self.shell.display_pub.publish(format_dict, md_dict)
 
     def finish_displayhook(self) -> None: ...
