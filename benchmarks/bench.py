@@ -145,8 +145,9 @@ How the best ways are called:
   machine code, which a book without a compiler cannot ask for.
 - **JAX**: compiled (`jit`), in double precision, in two ways: `vmap` over 4 x 4 matrices, as it is usually written, and the entries of the whole batch one by
   one. Which is faster depends on the work.
-- **Pinocchio** and **MuJoCo** have no batches in Python for these works: a loop, with everything that does not change taken out of it. In traces the last
-  line of Pinocchio also locks joint 3 in its own model and keeps its signs, which leaves one call and one `solve` in each step of Euler.
+- **Pinocchio** has a batch in Python for Newton and Euler's recursion, `rneaInParallel`, which at rest gives the gravity torques. Everything else of it, and
+  **MuJoCo**, is a loop, with all that does not change taken out. In traces the last lines of Pinocchio also lock joint 3 in its own model and keep its
+  signs, which leaves one call and one `solve` in each step of Euler. Newton's method takes the pose from the pass that gives the Jacobian.
 - **roboticstoolbox**: `ETS.eval` takes batches and arrays in C, `ETS.fkine` wraps each result in an object.
 
 The helpers are plain NumPy. They are quick where many configurations are computed in one call; a trace, too, is computed at all of its steps at once, wherever

@@ -120,9 +120,8 @@ def product(left, right) -> list[list]:
     return [[sum(x * y for x, y in zip(line, c, strict=True)) for c in columns] for line in left]
 
 
-def jax_ways() -> tuple[dict, dict]:
-    """Poses and Jacobians in JAX: 4 x 4 matrices, and entry by entry over the batch."""
-    jax.config.update("jax_enable_x64", True)
+def jax_of_matrices() -> tuple[Callable, Callable]:
+    """The pose and the Jacobian of one configuration, from 4 x 4 matrices."""
 
     def matrices(q):
         T = [jnp.eye(4)]
@@ -139,6 +138,12 @@ def jax_ways() -> tuple[dict, dict]:
         z = [F[:3, 2] for F in frames]
         arms = [jnp.cross(a, tip[:3, 3] - F[:3, 3]) for a, F in zip(z, frames, strict=True)]
         return jnp.concatenate([jnp.stack(arms, 1), jnp.stack(z, 1)])
+
+    return pose, jac
+
+
+def jax_of_entries() -> tuple[Callable, Callable]:
+    """The poses and the Jacobians of a batch, entry by entry."""
 
     def entries(q):
         T = [np.eye(4).tolist()]
@@ -161,6 +166,13 @@ def jax_ways() -> tuple[dict, dict]:
             columns.append([*turned, *z])
         return stacked(zip(*columns, strict=True), q)
 
+    return pose_entries, jac_entries
+
+
+def jax_ways() -> list[dict]:
+    """Poses and Jacobians in JAX: 4 x 4 matrices, and entry by entry over the batch."""
+    jax.config.update("jax_enable_x64", True)
+
     def plain(function):
         over = jax.jit(jax.vmap(function))
         return lambda q: np.asarray(over(q))
@@ -169,13 +181,14 @@ def jax_ways() -> tuple[dict, dict]:
         over = jax.jit(function)
         return lambda q: np.ascontiguousarray(over(q.T).T).reshape(-1, *shape)
 
-    return tuple(
+    shapes = (4, 4), (6, 7)
+    return [
         {
             "JAX, jit of vmap over 4 x 4 matrices": plain(slow),
             "JAX, jit, entry by entry over the batch": best(fast, shape),
         }
-        for slow, fast, shape in ((pose, pose_entries, (4, 4)), (jac, jac_entries, (6, 7)))
-    )
+        for slow, fast, shape in zip(jax_of_matrices(), jax_of_entries(), shapes, strict=True)
+    ]
 
 
 class Pinocchio:

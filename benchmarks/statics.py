@@ -30,8 +30,8 @@ def casadi_gravity() -> tuple[casadi.SX, casadi.SX]:
     return q, casadi.gradient(energy, q)
 
 
-def pinocchio_gravity(q: np.ndarray) -> np.ndarray:
-    """Pinocchio's Panda with the same masses, called once per configuration."""
+def pinocchio_panda() -> pinocchio.Model:
+    """Pinocchio's Panda with the same masses."""
     pin = Pinocchio()
     home = np.array(PANDA.home)
     frames = np.array([pin_frame.homogeneous for pin_frame in _placements(pin, home)])
@@ -39,13 +39,31 @@ def pinocchio_gravity(q: np.ndarray) -> np.ndarray:
         zip(MASSES, centres_in(frames, link_frames(PANDA, home)[1:], CENTRES), strict=True), 1
     ):
         pin.model.inertias[joint] = pinocchio.Inertia(mass, centre, np.zeros((3, 3)))
-    data = pin.model.createData()
+    return pin.model
+
+
+def pinocchio_gravity(q: np.ndarray) -> Callable[[], np.ndarray]:
+    """Called once per configuration."""
+    model = pinocchio_panda()
+    data = model.createData()
 
     def work():
         found = np.empty_like(q)
         for k, maker in enumerate(q * SIGNS):
-            found[k] = pinocchio.computeGeneralizedGravity(pin.model, data, maker)
+            found[k] = pinocchio.computeGeneralizedGravity(model, data, maker)
         return found * SIGNS
+
+    return work
+
+
+def pinocchio_at_rest(q: np.ndarray, threads: int) -> Callable[[], np.ndarray]:
+    """Newton and Euler at rest, of all configurations in one call."""
+    pool = pinocchio.ModelPool(pinocchio_panda(), threads)
+    still, found = np.zeros(q.T.shape, order="F"), np.empty(q.T.shape, order="F")
+
+    def work():
+        pinocchio.rneaInParallel(threads, pool, (q * SIGNS).T, still, still, found)
+        return found.T * SIGNS
 
     return work
 
@@ -126,6 +144,8 @@ def cases(Case):
         **of_casadi,
         **jax_ways(q),
         "Pinocchio, in a loop": pinocchio_gravity(q),
+        "Pinocchio, rneaInParallel at rest, 1 thread": pinocchio_at_rest(q, 1),
+        "Pinocchio, rneaInParallel at rest, 2 threads": pinocchio_at_rest(q, 2),
         "MuJoCo, in a loop": mujoco_gravity(q),
     }
     yield Case("gravity torque, 1 000 poses", partial(gravity_torque, PANDA, q), peers, 1e-9, 31)

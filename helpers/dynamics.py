@@ -49,7 +49,7 @@ def inverse_dynamics(
     tensors = _tensors(arm, inertias)
     q, q_dot, q_ddot = np.broadcast_arrays(q, q_dot, q_ddot)
     frames = np.moveaxis(link_frames(arm, q), -3, 0)
-    return _inwards(arm, frames, _outwards(arm, frames, q_dot, q_ddot, up, tensors))
+    return _inwards(arm, frames, _outwards(arm, frames, (q_dot, q_ddot), up, tensors))
 
 
 def _tensors(arm: Arm, inertias: ArrayLike | None) -> Array:
@@ -63,16 +63,17 @@ def _tensors(arm: Arm, inertias: ArrayLike | None) -> Array:
 
 
 def _outwards(
-    arm: Arm, frames: Array, q_dot: Array, q_ddot: Array, up: Array, tensors: Array
+    arm: Arm, frames: Array, motion: tuple[Array, Array], up: Array, tensors: Array
 ) -> list[tuple[Array, Array]]:
-    """The force that each link's motion takes, and its moment about the base's origin."""
-    still = np.zeros((*q_dot.shape[:-1], 3))
+    """The force that each link's motion, (q_dot, q_ddot), takes, and its moment about the base's
+    origin."""
+    still = np.zeros((*motion[0].shape[:-1], 3))
     omega, alpha, a, wrenches, joint = still, still, still + up, [], 0
     for k, (row, body) in enumerate(zip(arm.numeric, arm.bodies, strict=True)):
         z, step = frames[k][..., :3, 2], frames[k + 1][..., :3, 3] - frames[k][..., :3, 3]
         slide = still
         if row.kind != "fixed":
-            rate, spurt = (x[..., joint, None] * z for x in (q_dot, q_ddot))
+            rate, spurt = (x[..., joint, None] * z for x in motion)
             joint += 1
         if row.kind == "revolute":
             alpha = alpha + spurt + np.cross(omega, rate)

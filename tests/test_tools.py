@@ -12,7 +12,7 @@ import pytest
 import yaml
 from playwright.sync_api import Error
 
-from tools import address, pdf
+from tools import address, limits, pdf
 from tools.refresh import refresh
 
 ROOT = Path(__file__).parents[1]
@@ -124,6 +124,31 @@ def test_mutants_are_made_in_a_copy_that_holds_all_that_its_tests_read():
         if not {path, *path.parents} & {*left_out}:
             named = {x for pair in name.findall(path.read_text("utf-8")) for x in pair if x}
             assert {x for x in named if (ROOT / x).exists()} <= copied, path
+
+
+def test_what_is_too_long_is_named_with_its_place(tmp_path):
+    def function(head, lines=1, words=""):
+        return f"{head}:\n{words}" + "    x = 1\n" * lines
+
+    within = [
+        function("def public(a, b, c, d, e, *, f=1, g=2)", 40, '    """Words\n    and more."""\n'),
+        function("class A:\n  def __init__(self, a, b, c, d, e, *, f)"),
+    ]
+    beyond = [
+        function("def wide(a, b, c, d, e, f)"),
+        function("def _private(a, b, c, d, e, *, f)"),
+        function("async def long()", 41),
+    ]
+    path = tmp_path / "some.py"
+    path.write_text("".join(within), "utf-8")
+    assert list(limits.broken(path)) == []
+    path.write_text("".join(beyond) + "\n" * 400, "utf-8")
+    assert [line.removeprefix(str(path)) for line in limits.broken(path)] == [
+        ": 446 lines; at most 400",
+        ":1: wide takes 6 arguments; at most 5",
+        ":3: _private takes 6 arguments; at most 5",
+        ":5: long has 41 lines; at most 40",
+    ]
 
 
 @pytest.fixture

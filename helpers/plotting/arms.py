@@ -32,7 +32,13 @@ def arm_3d(
     Several arms may share the axes; the view grows to hold them all. Lengths in m.
     """
     T = pose_frames(arm, q)
-    _links(ax, arm, T, colour, alpha, label)
+    _links(ax, skeleton(arm, T), colour, alpha, label)
+    for i in arm.joints:
+        # An even number of sides leaves faces at equal depth, which rounding noise would then put
+        # in order.
+        sides = 13 if arm.rows[i - 1].joint.kind == "revolute" else 4
+        barrel(ax, T[i - 1], 0.032 * _reach(arm), sides, alpha)
+    ax.plot(*T[-1, :3, 3:], "o", color="black", alpha=alpha, ms=4)
     if frames:
         _triads(ax, T, 0.13 * _reach(arm))
     _fit(ax, 0.16 * _reach(arm))
@@ -68,10 +74,7 @@ def _reach(arm: Arm) -> float:
     return float(np.linalg.norm(steps, axis=1).sum())
 
 
-def _links(
-    ax: Axes3D, arm: Arm, T: np.ndarray, colour: str, alpha: float, label: str | None
-) -> None:
-    points = skeleton(arm, T)
+def _links(ax: Axes3D, points: np.ndarray, colour: str, alpha: float, label: str | None) -> None:
     ax.plot(
         *points.T[:2],
         0 * points[:, 0],
@@ -82,12 +85,6 @@ def _links(
     )
     ax.plot(*points.T, color=colour, alpha=0.75 * alpha, lw=_LINK, label=label,
             solid_joinstyle="round", solid_capstyle="round")  # fmt: skip
-    for i in arm.joints:
-        # An even number of sides leaves faces at equal depth, which rounding noise would then put
-        # in order.
-        sides = 13 if arm.rows[i - 1].joint.kind == "revolute" else 4
-        barrel(ax, T[i - 1], 0.032 * _reach(arm), sides, alpha)
-    ax.plot(*points[-1:].T, "o", color="black", alpha=alpha, ms=4)
 
 
 def barrel(ax: Axes3D, frame: np.ndarray, size: float, sides: int, alpha: float) -> None:

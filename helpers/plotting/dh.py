@@ -26,14 +26,14 @@ def dh_numbers(
     _axis(ax, second, -0.7, 1.0)
     for frame in (first, second):
         barrel(ax, frame, 0.13, 24, 0.9)
-    _number(ax, first[:3, 3], foot[:3, 3], "d", "$d_i$", (0, 0.1, 0.1))
-    _number(ax, foot[:3, 3], second[:3, 3], "a", "$a_i$", (0, 0, 0.12))
-    _arc(ax, foot, 0.55, theta, "theta", r"$\theta_i$")
+    _number(ax, first[:3, 3], foot[:3, 3], "d", (0, 0.1, 0.1))
+    _number(ax, foot[:3, 3], second[:3, 3], "a", (0, 0, 0.12))
+    _arc(ax, foot, 0.55, theta, "theta")
     tilted = second.copy()
     tilted[:3, :3] = np.stack(
         [first[:3, 2], np.cross(second[:3, 0], first[:3, 2]), second[:3, 0]], axis=1
     )
-    _arc(ax, tilted, 0.6, alpha, "alpha", r"$\alpha_i$")
+    _arc(ax, tilted, 0.6, alpha, "alpha")
     _arrows(ax, first, "i-1", 0.62)
     _arrows(ax, second, "i", 0.75)
     ax.set_axis_off()
@@ -48,14 +48,13 @@ def _axis(ax: Axes3D, frame: np.ndarray, low: float, high: float) -> None:
     ax.plot(*line.T, color=GREY, lw=1.2, ls=(0, (8, 3, 2, 3)))
 
 
-def _number(
-    ax: Axes3D, start: np.ndarray, end: np.ndarray, name: str, text: str, shift: tuple
-) -> None:
+def _number(ax: Axes3D, start: np.ndarray, end: np.ndarray, name: str, shift: tuple) -> None:
     ax.plot(*np.array([start, end]).T, color=_COLOURS[name], lw=4, solid_capstyle="butt")
-    ax.text(*((start + end) / 2 + shift), text, color=_COLOURS[name], fontsize=14, ha="center")
+    place = (start + end) / 2 + shift
+    ax.text(*place, f"${name}_i$", color=_COLOURS[name], fontsize=14, ha="center")
 
 
-def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str, text: str) -> None:
+def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str) -> None:
     """An angle turned about the frame's z axis from its x axis, with a dashed line where it
     starts."""
     turn = np.linspace(0, angle, 30)
@@ -64,7 +63,7 @@ def _arc(ax: Axes3D, frame: np.ndarray, radius: float, angle: float, name: str, 
     ax.plot(*start.T, color=_COLOURS[name], lw=1.2, ls="--")
     ax.plot(*ring, color=_COLOURS[name], lw=2.2)
     middle = frame[:3, 3] + 1.3 * radius * frame[:3, :2] @ [np.cos(angle / 2), np.sin(angle / 2)]
-    ax.text(*middle, text, color=_COLOURS[name], fontsize=14, ha="center", va="center")
+    ax.text(*middle, rf"$\{name}_i$", color=_COLOURS[name], fontsize=14, ha="center", va="center")
 
 
 def _arrows(ax: Axes3D, frame: np.ndarray, index: str, length: float) -> None:

@@ -212,12 +212,13 @@ def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
         name = f"$z_{{{','.join(str(k) for k, _ in group)}}}$"
         outwards = 16 if end[0] < middle else -16
         side = outwards if len(group) > 1 else 0  # a long name stands beside its arrow
-        _arrow(ax, end - 0.01 * (end - start), end, BLUE, name, side)
+        _arrow(ax, (end - 0.01 * (end - start), end), BLUE, name, side)
     bare(ax)
 
 
-def _arrow(ax: Axes, start: Array, end: Array, colour: str, text: str, side: float = 0) -> None:
+def _arrow(ax: Axes, ends: tuple[Array, Array], colour: str, text: str, side: float = 0) -> None:
     """An arrow with its name beyond its head, or to its left (pt) where `side` is not 0."""
+    start, end = ends
     look = dict(arrowstyle="-|>", color=colour, lw=1.4, shrinkA=0, shrinkB=0, mutation_scale=9)
     ax.annotate("", xy=tuple(end), xytext=tuple(start), arrowprops=look, zorder=6)
     step = end - start
@@ -258,7 +259,7 @@ def frames(
         text = f"${name}_{{{','.join(map(str, same))}}}$"
         partner = T[same[0], :3, 2 if name == "x" else 0]
         side = _away(axis, partner, view, 10)
-        _arrow(ax, ends[0], ends[1], AXIS_COLOURS[name], text, side)
+        _arrow(ax, (ends[0], ends[1]), AXIS_COLOURS[name], text, side)
 
 
 _INDICES = "numbers of frames"
@@ -279,7 +280,7 @@ def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
         ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
         frame = step.frame if row in which else step.before
         side = _away(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
-        _arrow(ax, ends[1] - 0.01 * (ends[1] - ends[0]), ends[1], colour, text, side)
+        _arrow(ax, (ends[1] - 0.01 * (ends[1] - ends[0]), ends[1]), colour, text, side)
     for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
         ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
     ax.plot(*seen(origin, view)[:2], "o", color="black", ms=4, zorder=7)

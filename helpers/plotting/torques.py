@@ -18,6 +18,7 @@ def torques(
     t: ArrayLike,
     tau: ArrayLike,
     label: str | None = None,
+    *,
     limits: bool = False,
     **line: object,
 ) -> None:

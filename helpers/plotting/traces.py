@@ -78,10 +78,8 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     tips = run.poses[steps, :3, 3]
     low, high = bones.min(axis=(0, 1)), bones.max(axis=(0, 1))
     scale, seconds = 240 / (high - low).max(), float(run.t[-1] - run.t[0])
-    parts = [
-        _panel(bones, tips, plane, low, scale, seconds, 20 + 300 * k)
-        for k, plane in enumerate(planes)
-    ]
+    bones, tips = scale * (bones - low), scale * (tips - low)
+    parts = [_panel(bones, tips, plane, seconds, 20 + 300 * k) for k, plane in enumerate(planes)]
     style = (
         "@media (prefers-reduced-motion: reduce) {.moving {display: none}} .still {display:"
         " none} @media (prefers-reduced-motion: reduce) {.still {display: inline}}"
@@ -93,14 +91,12 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     )
 
 
-def _panel(
-    bones: Array, tips: Array, plane: str, low: Array, scale: float, seconds: float, left: float
-) -> str:
+def _panel(bones: Array, tips: Array, plane: str, seconds: float, left: float) -> str:
+    """The arm's bones and the way of its tip, in pixels, as seen in a plane."""
     i, j = plane_axes(plane)
 
     def points(array: Array) -> list[str]:
-        x = left + scale * (array[..., i] - low[i])
-        y = 270 - scale * (array[..., j] - low[j])
+        x, y = left + array[..., i], 270 - array[..., j]
         return [
             " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(*line, strict=True))
             for line in zip(x, y, strict=True)
@@ -108,7 +104,7 @@ def _panel(
 
     poses, (path,) = points(bones), points(tips[None])
     repeat = f'dur="{seconds:g}s" repeatCount="indefinite"'
-    pieces = np.linalg.norm(scale * np.diff(tips[:, [i, j]], axis=0), axis=1)
+    pieces = np.linalg.norm(np.diff(tips[:, [i, j]], axis=0), axis=1)
     to_draw = np.append(pieces[::-1].cumsum()[::-1], 0.0)
     hidden = ";".join(f"{rest:.1f}" for rest in to_draw)
     look = 'fill="none" stroke-linejoin="round" stroke-linecap="round"'
