@@ -140,8 +140,10 @@ answers: $(BIN)/.installed ## write the answer sheets, book/answers/*.md, anew
 sheet: $(BIN)/.installed ## the answer sheet of any arm in one HTML file: make sheet ARM="Stanford arm", ARM=my_arm.py:MINE or ARM=arm.urdf ARGS="--tip tool0"
 	$(BIN)/python -m helpers.sheets "$(ARM)" $(ARGS)
 
-bundles: ## bundle the page's scripts and the judge anew from page/ and judge/ (needs Node.js)
+bundles: $(BIN)/.installed ## bundle the page's scripts and the judge anew from page/ and judge/ (needs Node.js)
 	npm ci --silent
+	$(BIN)/python -m tools.arms
+	npx prettier --log-level warn --write page/src/more/arms.json
 	npm run build --silent
 
 lock: ## pin every dependency anew

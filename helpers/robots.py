@@ -138,7 +138,7 @@ ELBOW = Arm(
     " are ours",
 )
 
-#: All six.
+#: All of them.
 ARMS = (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
 
 

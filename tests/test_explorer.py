@@ -922,7 +922,7 @@ def test_a_chapters_judge_asks_one_thing():
     assert data == {"given": {"ask": "table", "q": "</script>"}}
     _, data = judges_data({"ask": "table", "table": "0 0 1 q1"})
     assert data == {"arms": [], "given": {"ask": "table", "table": "0 0 1 q1", "arm": "own"}}
-    for call in ("PUMA", "ARMS", "PUMA.lock(3)"):
+    for call in ("NOBODY", "ARMS", "NOBODY.lock(3)"):
         words = f"no arm is called {call!r}; expected one of {', '.join(judge.CALLS)}"
         with pytest.raises(ArmError, match=re.escape(words)):
             judge.stub({"arm": call})

@@ -11,16 +11,8 @@ from helpers.explorer.data import Data, arm_data
 from helpers.inputs import ArmError
 
 # As a reader may ask of them: their names in helpers.robots, and what is locked.
-CALLS = (
-    "PANDA.lock(3)",
-    "PANDA_HOMEWORK.lock(3)",
-    "PANDA",
-    "PANDA_HOMEWORK",
-    "UR10E",
-    "UR10E_HOMEWORK",
-    "STANFORD",
-    "ELBOW",
-)
+_NAMES = (name for name, arm in vars(robots).items() if arm in robots.ARMS)
+CALLS = ("PANDA.lock(3)", "PANDA_HOMEWORK.lock(3)", *_NAMES)
 # What stands in the fields before a reader types: an answer with a known mistake to each question.
 EXAMPLES = (
     {
