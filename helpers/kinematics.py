@@ -18,7 +18,6 @@ from helpers.program import Program, Value, record, workspace
 from helpers.rows import NumericRow
 
 __all__ = [
-    "analytic_jacobian",
     "forward_kinematics",
     "jacobian",
     "jacobian_in_frame",
@@ -81,27 +80,6 @@ def jacobian_in_frame(arm: Arm, q: ArrayLike, frame: int) -> Array:
     return np.concatenate(
         [np.swapaxes(R, -1, -2) @ half for half in (J[..., :3, :], J[..., 3:, :])], axis=-2
     )
-
-
-def analytic_jacobian(arm: Arm, q: ArrayLike) -> Array:
-    """Rates of the tip's position and of its ZYZ Euler angles (phi, theta, psi), shape (..., 6,
-    dof).
-
-    Raises ArmError where theta is 0 or pi: there the angles' rates are not defined, whatever the
-    arm can do. Source: Spong, Hutchinson and Vidyasagar, section 4.8.
-    """
-    T, J = forward_kinematics(arm, q), jacobian(arm, q)
-    sine = np.hypot(T[..., 0, 2], T[..., 1, 2])
-    if (sine < 1e-9).any():
-        raise ArmError(
-            f"{arm.name}: the ZYZ angles are singular here (theta is 0 or pi); use the geometric"
-            " Jacobian"
-        )
-    c, s, cosine = T[..., 0, 2] / sine, T[..., 1, 2] / sine, T[..., 2, 2]
-    zero = np.zeros_like(sine)
-    rates = np.stack([zero, -s, c * sine, zero, c, s * sine, zero + 1, zero, cosine], axis=-1)
-    turning = np.linalg.solve(rates.reshape(*sine.shape, 3, 3), J[..., 3:, :])
-    return np.concatenate([J[..., :3, :], turning], axis=-2)
 
 
 def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:

@@ -23,11 +23,9 @@ from helpers.plotting import (
     arm_3d,
     arm_drawing,
     arrow_2d,
-    arrow_3d,
     axis_lines,
     dh_numbers,
     dimension,
-    ellipsoid_3d,
     frames,
     joints,
     law_of_cosines,
@@ -200,23 +198,6 @@ def test_arrows_go_from_the_start_by_the_step():
     arrow = next(child for child in ax.texts if isinstance(child, Annotation))
     assert tuple(arrow.xyann) == (1, 2)
     assert tuple(arrow.xy) == (4, 6)
-    space = axes_3d()
-    arrow_3d(space, (1, 2, 3), (0, 0, 2), "red", "F", dashed=True)
-    shaft = space.collections[0]._segments3d[0]
-    np.testing.assert_allclose(sorted(shaft[:, 2]), [3, 5])
-    assert space.texts[0].get_position_3d() == (1, 2, 5.5)
-
-
-def test_an_ellipsoids_rings_have_its_semi_axes():
-    ax = axes_3d()
-    ellipsoid_3d(ax, [1, 0, 0], np.diag([3.0, 2.0, 1.0]), scale=0.5)
-    drawn = [points(line) for line in ax.lines]
-    for line in drawn:
-        if len(line) > 2:
-            inside = (line - [1, 0, 0]) / [1.5, 1.0, 0.5]
-            np.testing.assert_allclose(np.linalg.norm(inside, axis=1), 1)
-    spokes = [np.linalg.norm(line[1] - line[0]) for line in drawn if len(line) == 2]
-    np.testing.assert_allclose(sorted(spokes), [1, 2, 3])
 
 
 def test_a_map_shows_its_values_with_a_scale():

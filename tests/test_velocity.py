@@ -9,8 +9,6 @@ from helpers import symbolic
 from helpers.arm import Arm, ArmError, revolute
 from helpers.ellipsoids import force_ellipsoid, lost_directions, velocity_ellipsoid
 from helpers.kinematics import (
-    analytic_jacobian,
-    forward_kinematics,
     jacobian,
     jacobian_in_frame,
     link_frames,
@@ -42,28 +40,6 @@ def test_another_frame_turns_the_rows(arm):
         np.testing.assert_allclose(R @ J[:, :3], jacobian(arm, q)[:, :3], atol=1e-14)
         np.testing.assert_allclose(R @ J[:, 3:], jacobian(arm, q)[:, 3:], atol=1e-14)
     np.testing.assert_allclose(jacobian_in_frame(arm, q, 0), jacobian(arm, q), atol=1e-15)
-
-
-def zyz(R):
-    return np.array(
-        [np.arctan2(R[1, 2], R[0, 2]), np.arccos(R[2, 2]), np.arctan2(R[2, 1], -R[2, 0])]
-    )
-
-
-@every_arm
-def test_the_analytic_jacobian_is_the_rate_of_the_euler_angles(arm):
-    q, h = joint_vectors(arm, (), 4), 1e-6
-    ahead, behind = (forward_kinematics(arm, q + step * np.eye(arm.dof)) for step in (h, -h))
-    if np.hypot(*forward_kinematics(arm, q)[:2, 2]) < 1e-3:
-        pytest.skip("this arm's tool always points up: its ZYZ angles are singular everywhere")
-    for k in range(arm.dof):
-        rate = (zyz(ahead[k, :3, :3]) - zyz(behind[k, :3, :3])) / (2 * h)
-        np.testing.assert_allclose(analytic_jacobian(arm, q)[3:, k], rate, atol=1e-6)
-
-
-def test_the_analytic_jacobian_says_where_it_is_singular():
-    with pytest.raises(ArmError, match="ZYZ angles are singular here"):
-        analytic_jacobian(STANFORD, STANFORD.home)
 
 
 @every_arm

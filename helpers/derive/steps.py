@@ -3,7 +3,7 @@
 import math
 import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +23,6 @@ _FAR = 10  # a common normal so many times as far off as anything drawn is no pa
 def derive(
     axes: Sequence[Axis],
     tip: ArrayLike,
-    base: ArrayLike | None = None,
     *,
     name: str = "arm",
     negative: bool = False,
@@ -35,7 +34,6 @@ def derive(
         axes: one `Axis` for each joint.
         tip: the tip's pose in the drawing, 4x4, or only its point (3,): then z_n runs along
             z_{n-1}.
-        base: the base frame's pose in the drawing, 4x4; the drawing's own axes unless given.
         name: the arm's name.
         negative: whether x_i may run against the common normal, from z_i to z_{i-1}, where that
             turns less from x_{i-1}; a_i is negative then, as a_4 in the usual table of the Panda.
@@ -52,10 +50,9 @@ def derive(
     """
     axes = _axes(axes)
     pose = _tip_pose(tip, axes[-1])
-    home = np.eye(4) if base is None else _pose(base, "base", _POSE)
     tolerance = number(tolerance, "tolerance", "a number above 0, as 1e-9", above=0)
-    lines = [_in_base(axis, home) for axis in _placed(axes, pose[:3, 3])]
-    goal = _Goal(np.linalg.inv(home) @ pose, free=np.ndim(tip) == 1)
+    lines = _lines(axes, pose[:3, 3])
+    goal = _Goal(pose, free=np.ndim(tip) == 1)
     choices = _Choices(bool(negative), tolerance)
     steps = _steps([axis.joint for axis in axes], lines, goal, choices)
     arm = Arm(name, *_lettered(steps), source="derived from its joint axes")
@@ -63,7 +60,7 @@ def derive(
     for step in steps:
         if abs(step.d) > _FAR * reach and (tilt := nearly_parallel(step)):
             warnings.warn(f"{name}: z_{step.number - 1} and z_{step.number} {tilt}", stacklevel=2)
-    return Derivation(arm, tuple(told(steps, axes)), tuple(lines), home)
+    return Derivation(arm, tuple(told(steps, axes)), tuple(lines))
 
 
 class _Choices(NamedTuple):
@@ -125,20 +122,16 @@ def _tip_pose(tip: ArrayLike, last: Axis) -> Array:
     return pose
 
 
-def _placed(axes: tuple[Axis, ...], place: Array) -> list[Axis]:
-    """The axes, each that slides and has no point laid through the next one that turns, or through
-    the tip."""
+def _lines(axes: tuple[Axis, ...], place: Array) -> list[Line]:
+    """The axes' lines, that of a slide without a point laid through the next axis that turns, or
+    through the tip."""
     found = []
     for axis in reversed(axes):
-        found.append(axis if axis.point is not None else replace(axis, point=tuple(place)))
+        point = place if axis.point is None else np.array(axis.point)
+        found.append(Line(point, np.array(axis.direction)))
         if axis.joint.kind == "revolute":
-            place = np.array(axis.point)
+            place = point
     return found[::-1]
-
-
-def _in_base(axis: Axis, base: Array) -> Line:
-    R, o = base[:3, :3], base[:3, 3]
-    return Line(R.T @ (np.array(axis.point) - o), R.T @ np.array(axis.direction))
 
 
 # Row by row

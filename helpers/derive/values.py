@@ -59,7 +59,7 @@ def _unit(direction: ArrayLike) -> tuple[float, ...]:
 
 
 class Line(NamedTuple):
-    """A line in space, in base axes: a point on it and the unit vector along it."""
+    """A line in space: a point on it and the unit vector along it."""
 
     point: Array
     z: Array
@@ -105,13 +105,11 @@ class Derivation:
         arm: the arm, its table in the standard convention.
         steps: one `Step` for each row of that table.
         lines: the joint axes, in base axes in the drawn pose.
-        base: the base frame's pose in the drawing, 4x4.
     """
 
     arm: Arm
     steps: tuple[Step, ...]
     lines: tuple[Line, ...]
-    base: Array
 
     @property
     def frames(self) -> Array:
@@ -132,7 +130,6 @@ class Derivation:
         if (kilograms < 0).any():
             raise ArmError(f"masses are {shown(masses)}; expected {wanted}")
         points = numbers(centres, "centres", f"points of shape ({n}, 3) in m", (n, 3))
-        points = (points - self.base[:3, 3]) @ self.base[:3, :3]
         bodies = [Body(0, (0, 0, 0))] * len(self.arm.rows)
         for i, mass, point in zip(self.arm.joints, kilograms, points, strict=True):
             R, o = self.steps[i - 1].frame[:3, :3], self.steps[i - 1].frame[:3, 3]

@@ -1,7 +1,7 @@
 """Matplotlib figures in one style. Every function draws on the axes it is given and returns
 None."""
 
-from helpers.plotting.arms import arm_3d, arrow_3d
+from helpers.plotting.arms import arm_3d
 from helpers.plotting.branches import (
     law_of_cosines,
     regions,
@@ -21,7 +21,7 @@ from helpers.plotting.drawing import (
     row_drawing,
     seen,
 )
-from helpers.plotting.ellipsoids import ellipsoid_3d, map_2d
+from helpers.plotting.maps import map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
 from helpers.plotting.torques import pen_and_wall, torques
@@ -40,11 +40,9 @@ __all__ = [
     "arm_3d",
     "arm_drawing",
     "arrow_2d",
-    "arrow_3d",
     "axis_lines",
     "dh_numbers",
     "dimension",
-    "ellipsoid_3d",
     "frames",
     "joints",
     "law_of_cosines",

@@ -9,7 +9,7 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
-from helpers.inputs import must_be, numbers
+from helpers.inputs import must_be
 from helpers.kinematics import link_frames, skeleton
 from helpers.plotting.style import AXIS_COLOURS, GREY, SLATE
 
@@ -42,24 +42,6 @@ def arm_3d(
     if frames:
         _triads(ax, T, 0.13 * _reach(arm))
     _fit(ax, 0.16 * _reach(arm))
-
-
-def arrow_3d(
-    ax: Axes3D,
-    start: ArrayLike,
-    step: ArrayLike,
-    colour: str,
-    text: str = "",
-    *,
-    dashed: bool = False,
-) -> None:
-    """Draw an arrow from a point by a step (m), with a text at its head."""
-    start = numbers(start, "start", "a point of three finite coordinates", (3,))
-    step = numbers(step, "step", "a step of three finite coordinates", (3,))
-    ax.quiver(
-        *start, *step, color=colour, ls="--" if dashed else "-", lw=2, arrow_length_ratio=0.12
-    )
-    ax.text(*(start + 1.25 * step), text, color=colour, ha="center", va="center")
 
 
 def pose_frames(arm: Arm, q: ArrayLike) -> np.ndarray:

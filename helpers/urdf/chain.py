@@ -21,7 +21,6 @@ def from_urdf(
     *,
     hold: Mapping[str, float] | None = None,
     name: str | None = None,
-    negative: bool = False,
     tolerance: float = 1e-9,
 ) -> Arm:
     """The arm from link `base` to link `tip` of a robot description, in standard Denavit-Hartenberg
@@ -34,7 +33,7 @@ def from_urdf(
         hold: joints by name that are held at a value (rad or m), as ``{"finger_joint": 0.02}``: on
             the chain they are locked, beside it their links' masses ride along.
         name: the arm's name; the robot's unless given.
-        negative, tolerance: as for `helpers.derive.derive`.
+        tolerance: as for `helpers.derive.derive`.
 
     The joints keep their own zeros and signs, so q is the file's. A limit of 0 for speed or effort
     is taken as not given, for many files write 0 there. Raises ArmError where the file is no robot
@@ -52,7 +51,6 @@ def from_urdf(
         chain.axes,
         chain.pose,
         name=tree.name if name is None else name,
-        negative=negative,
         tolerance=tolerance,
     )
     arm = found.with_bodies(chain.masses, chain.centres) if chain.masses.any() else found.arm
