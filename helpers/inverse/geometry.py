@@ -11,21 +11,30 @@ from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
 
-REACH = 1e-12  # m: a target this far beyond the boundary counts as on it
-SINGULAR = (
-    1e-11  # a sine this small counts as 0, which moves the tool by no more than as many radians
-)
+# Branches meet where a target lies on the boundary of what they reach: the two shoulders, the two
+# elbows. There the root of a distance tells them apart, so that rounding a pose in its last digit
+# moves them by 1e-8 rad. A target this close to the boundary, in m, on either side, therefore
+# counts as on it, and the two as one: a thousand times what rounding does, and less than anybody
+# can measure.
+REACH = 1e-12
+# A sine this small counts as 0, which moves the tool by no more than as many radians.
+SINGULAR = 1e-11
+# What rounding does to a point or to an axis: some last digits of a metre, or of 1.
+NOISE = 1e-15
 
 
 class Plane(NamedTuple):
     """Joint 1's two angles and the target in the plane's axes x_1, y_1, (2, batch), and what is
-    known of it, (batch,)."""
+    known of it, (batch,): whether it exists, whether both are one, whether joint 1 is free, and by
+    how much rounding may turn joint 1, in rad."""
 
     phi: Array
     x: Array
     y: Array
     exists: NDArray[np.bool_]
+    one: NDArray[np.bool_]
     free: NDArray[np.bool_]
+    blur: Array
 
 
 def facing(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
@@ -33,40 +42,75 @@ def facing(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
     offset, twice."""
     x, y, z = p[0], p[1], p[2]
     delta = first.sin_alpha * offset
-    square = x * x + y * y - delta * delta
-    reach = np.sqrt(np.maximum(square, 0.0))
+    square, edge = x * x + y * y - delta * delta, max(2 * abs(delta) * REACH, REACH**2)
+    one = np.abs(square) <= edge
+    reach = np.sqrt(np.where(square > edge, square, 0.0))
     both = np.stack([reach, -reach])
     phi = np.arctan2(y * both + x * delta, x * both - y * delta)
-    free = x * x + y * y < REACH**2
-    if not delta and free.any():
+    free = one & (delta == 0.0)
+    if free.any():
         phi = np.where(free, np.stack([chosen, chosen + np.pi]), phi)
-    exists = square >= -2 * abs(delta) * REACH
     height = np.broadcast_to(first.sin_alpha * (z - first.d), both.shape)
-    return Plane(phi, both, height, exists, free & (delta == 0.0))
+    blur = NOISE / np.where(one, np.inf, np.maximum(reach, REACH))
+    return Plane(phi, both, height, square >= -edge, one, free, blur)
+
+
+class Links(NamedTuple):
+    """Two links in a plane, by their lengths; a sign turns the axis that they count from."""
+
+    upper: float
+    fore: float
+
+    @property
+    def outer(self) -> float:
+        """How far they reach, stretched."""
+        return abs(self.upper) + abs(self.fore)
+
+    @property
+    def inner(self) -> float:
+        """How near they reach, folded."""
+        return abs(abs(self.upper) - abs(self.fore))
 
 
 class Bend(NamedTuple):
-    """The two angles of a planar pair of links, each (branches, batch)."""
+    """The two angles of a planar pair of links, each (branches, batch), whether they exist, whether
+    both bends are one, whether the first angle is free, and by how much rounding may turn them, in
+    rad."""
 
     phi_2: Array
     phi_3: Array
     exists: NDArray[np.bool_]
+    one: NDArray[np.bool_]
     free: NDArray[np.bool_]
+    blur: Array
 
 
-def two_links(upper: float, fore: float, px: Array, py: Array, sign: Array, chosen: Array) -> Bend:
-    """Angles of two links from the origin to (px, py), by the law of cosines; `sign` is that of
-    sin(phi_3)."""
-    cosine = (px * px + py * py - (upper**2 + fore**2)) * (0.5 / (upper * fore))
-    exists = np.abs(cosine) <= 1.0 + REACH * (abs(upper) + abs(fore)) / abs(upper * fore)
+def two_links(
+    links: Links,
+    end: tuple[Array, Array],
+    sign: Array,
+    chosen: Array,
+    blur: Array | float = 0.0,
+) -> Bend:
+    """Angles of two links from the origin to a point, by the law of cosines; `sign` is that of
+    sin(phi_3), `blur` by how much rounding may move the point, in m."""
+    upper, fore, (px, py) = *links, end
+    square = px * px + py * py
+    far = np.sqrt(square)
+    cosine = (square - (upper**2 + fore**2)) * (0.5 / (upper * fore))
     cosine = np.minimum(np.maximum(cosine, -1.0), 1.0)
+    off = np.minimum(np.abs(far - links.outer), np.abs(far - links.inner))
+    one = off <= REACH + blur
+    cosine = np.where(off <= REACH, np.rint(cosine), cosine)
     sine = np.sqrt(1.0 - cosine * cosine)
     along, across = upper + fore * cosine, sign * (fore * sine)
     phi_2 = np.arctan2(py * along - px * across, px * along + py * across)
-    free = np.maximum(np.abs(px), np.abs(py)) < REACH
+    free = one & (far <= REACH)
     if free.any():
         phi_2 = np.where(free, chosen, phi_2)
-    return Bend(phi_2, sign * np.arctan2(sine, cosine), exists, free)
+    exists = one | ((far < links.outer) & (far > links.inner))
+    turned = NOISE * links.outer / np.where(one | ~exists, np.inf, abs(upper * fore) * sine)
+    return Bend(phi_2, sign * np.arctan2(sine, cosine), exists, one, free, turned)
 
 
 class Tool(NamedTuple):

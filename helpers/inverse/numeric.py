@@ -80,14 +80,15 @@ def solve(
     number(tolerance, "tolerance", "a positive number of m and rad", above=0)
 
     bounds = arm.limits if limits else (np.full(arm.dof, -np.inf), np.full(arm.dof, np.inf))
-    best = _descend(arm, goal, start, bounds, tolerance, iterations)
+    rule = _Rule(bounds, tolerance, iterations)
+    best = _descend(arm, goal, start, rule)
     starts, random = np.ones(len(goal), int), np.random.default_rng(seed)
     for _ in range(restarts):
         missed = np.flatnonzero(best.worst > tolerance)
         if not missed.size:
             break
         again = random.uniform(*_range(arm), (missed.size, arm.dof))
-        found = _descend(arm, goal[missed], again, bounds, tolerance, iterations)
+        found = _descend(arm, goal[missed], again, rule)
         starts[missed] += 1
         better = found.worst < best.worst[missed]
         for old, new in zip(best, found, strict=True):
@@ -116,18 +117,26 @@ class _Descent(NamedTuple):
         return _worst(self.error)
 
 
-def _descend(arm: Arm, goal: Array, start: Array, bounds, tolerance: float, most: int) -> _Descent:
+class _Rule(NamedTuple):
+    """What a descent keeps to: the joints' lower and upper bounds, what counts as arrived, how many
+    steps it may take."""
+
+    bounds: tuple[Array, Array]
+    tolerance: float
+    most: int
+
+
+def _descend(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
     ends = [
-        _descend_together(arm, goal[i : i + _CHUNK], start[i : i + _CHUNK], bounds, tolerance, most)
+        _descend_together(arm, goal[i : i + _CHUNK], start[i : i + _CHUNK], rule)
         for i in range(0, max(1, len(goal)), _CHUNK)
     ]
     return _Descent(*map(np.concatenate, zip(*ends, strict=True)))
 
 
-def _descend_together(
-    arm: Arm, goal: Array, start: Array, bounds, tolerance: float, most: int
-) -> _Descent:
+def _descend_together(arm: Arm, goal: Array, start: Array, rule: _Rule) -> _Descent:
     """Step all at once; those that have arrived, or can no longer improve, leave the batch."""
+    bounds, tolerance, most = rule
     q = np.clip(start, *bounds)
     J, error = _look(arm, q, goal)
     end = _Descent(q.copy(), error.copy(), np.zeros(len(q), int))

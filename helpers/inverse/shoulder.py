@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be
-from helpers.inverse.geometry import REACH, Plane, facing, two_links
+from helpers.inverse.geometry import NOISE, REACH, Links, Plane, facing, two_links
 from helpers.inverse.solutions import Found, Solutions, each_branch, positions, shifted
 
 Array = NDArray[np.float64]
@@ -50,19 +50,20 @@ def rod(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutio
 def elbow_kernel(arm: Arm, p: Array, start: Array) -> Found:
     """Both shoulders with both elbows, for positions (3, batch)."""
     first, second, third, *tool = arm.numeric
-    links = _links(second, third, tool[0].d if tool else 0.0)
-    plane = facing(first, links.offset, p, start[0] + first.theta)
+    shape = _shape(second, third, tool[0].d if tool else 0.0)
+    plane = facing(first, shape.offset, p, start[0] + first.theta)
     up = first.sin_alpha * np.array([[[-1.0], [1.0]], [[1.0], [-1.0]]])
-    px, py = plane.x[:, None], plane.y[:, None]
-    bend = two_links(links.upper, links.fore, px, py, up, start[1] + second.theta)
+    end = plane.x[:, None], plane.y[:, None]
+    bend = two_links(shape.links, end, up, start[1] + second.theta)
     q = (
         shifted(plane.phi[:, None], first.theta),
         shifted(bend.phi_2, second.theta),
-        shifted(second.cos_alpha * bend.phi_3, links.beta + third.theta),
+        shifted(second.cos_alpha * bend.phi_3, shape.beta + third.theta),
     )
     valid = plane.exists & bend.exists
-    free = {0: plane.free, 1: bend.free}
-    return Found(q, free, valid, _elbow_distance(links, p, plane, valid))
+    free, merged = {0: plane.free, 1: bend.free}, (plane.one, bend.one)
+    distance = _elbow_distance(shape, p, plane, valid)
+    return Found(q, free, valid, merged, distance, plane.blur + bend.blur)
 
 
 def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:
@@ -74,40 +75,41 @@ def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:
     side = second.sin_alpha * out
     phi_2 = np.arctan2(side * plane.x[:, None], -side * plane.y[:, None])
     central = np.abs(length) < REACH
+    blur = (NOISE + np.hypot(p[0], p[1]) * plane.blur) / np.where(central, np.inf, np.abs(length))
     q = (
         shifted(plane.phi[:, None], first.theta),
         np.where(central, start[1], shifted(phi_2, second.theta)),
         length - third.d - (tool[0].d if tool else 0.0),
     )
     missing = np.where(plane.exists, 0.0, abs(second.d) - np.hypot(p[0], p[1]))
-    return Found(q, {0: plane.free, 1: central}, plane.exists, missing)
+    free = {0: plane.free, 1: central}
+    return Found(q, free, plane.exists, (plane.one, central), missing, plane.blur + blur)
 
 
-class Links(NamedTuple):
-    """An elbow arm in its plane: two lengths, the bend built into the second, the plane's offset
+class Shape(NamedTuple):
+    """An elbow arm in its plane: two links, the bend built into the second, the plane's offset
     along z_1."""
 
-    upper: float
-    fore: float
+    links: Links
     beta: float
     offset: float
 
 
-def _links(second, third, tool: float) -> Links:
+def _shape(second, third, tool: float) -> Shape:
     across = -tool * third.sin_alpha
     fore, beta = float(np.hypot(third.a, across)), float(np.arctan2(across, third.a))
     offset = second.d + second.cos_alpha * (third.d + tool * third.cos_alpha)
-    return Links(second.a, fore, beta, offset)
+    return Shape(Links(second.a, fore), beta, offset)
 
 
-def _elbow_distance(links: Links, p: Array, plane: Plane, valid: NDArray[np.bool_]) -> Array:
+def _elbow_distance(shape: Shape, p: Array, plane: Plane, valid: NDArray[np.bool_]) -> Array:
     """To the nearest reachable point: exact for an arm without offset, and sideways out of an
     offset arm's hole."""
-    outer, inner = abs(links.upper) + links.fore, abs(abs(links.upper) - links.fore)
-    if links.offset:
+    outer, inner = shape.links.outer, shape.links.inner
+    if shape.offset:
         height = np.abs(plane.y[0])
         beside = ~plane.exists & (inner <= height) & (height <= outer)
-        missing = np.where(beside, abs(links.offset) - np.hypot(p[0], p[1]), np.nan)
+        missing = np.where(beside, abs(shape.offset) - np.hypot(p[0], p[1]), np.nan)
     else:
         reach = np.hypot(plane.x[0], plane.y[0])
         missing = np.maximum(np.maximum(reach - outer, inner - reach), 0.0)
@@ -120,7 +122,7 @@ def must_be_elbow(arm: Arm) -> None:
     fits = kinds in (["revolute"] * 3, ["revolute"] * 3 + ["fixed"]) and (
         rows[0].a == rows[0].cos_alpha == rows[1].sin_alpha == 0.0
         and rows[1].a != 0.0
-        and _links(rows[1], rows[2], 0.0 if len(rows) == 3 else rows[3].d).fore > 0.0
+        and _shape(rows[1], rows[2], 0.0 if len(rows) == 3 else rows[3].d).links.fore > 0.0
         and (len(rows) == 3 or rows[3].a == 0.0)
     )
     if not fits:

@@ -27,9 +27,11 @@ class Solutions:
         arm: the arm.
         branches: a name for each branch, in the order of the arrays.
         q: shape (..., branches, dof), angles in (-pi, pi]; NaN where a branch does not exist.
-            Branches that merge at a singular pose are all listed.
         valid: whether the branch exists, shape (..., branches). Joint limits do not enter; see
-            `within_limits`.
+            `within_limits`. Branches that are one at this target, or of one family, exist once,
+            under the first of their names.
+        merged: whether a choice, such as that of an elbow, makes no difference to the branch,
+            shape (..., branches, choices), in the order in which the names have them.
         free: whether a joint's value was chosen, because any would do if the others follow, shape
             (..., branches, dof).
         distance: how far the target (for a wrist: its centre) is from the nearest point within
@@ -40,8 +42,26 @@ class Solutions:
     branches: tuple[str, ...]
     q: Array
     valid: NDArray[np.bool_]
+    merged: NDArray[np.bool_]
     free: NDArray[np.bool_]
     distance: Array
+
+    @property
+    def times(self) -> NDArray[np.int_]:
+        """How many branches each is, shape (..., branches): 1; 2 where two have become one, a
+        double solution; 4, 8; 0 where there is none."""
+        return np.where(self.valid, 2 ** self.merged.sum(axis=-1), 0)
+
+    @property
+    def ways(self) -> dict[str, Array]:
+        """The branches that exist for one target, each by its name without the choices that make
+        no difference, as "back" where both elbows are one. Raises ArmError for many targets."""
+        if self.q.ndim != 2:
+            raise ArmError(
+                f"{self.arm.name}: the targets are {self.q.shape[:-2]}; expected one target"
+            )
+        rows = zip(self.branches, self.q, self.valid, self.merged, strict=True)
+        return {_told(name, one): q for name, q, valid, one in rows if valid}
 
     @property
     def within_limits(self) -> NDArray[np.bool_]:
@@ -96,12 +116,15 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLik
 
 class Found(NamedTuple):
     """What a kernel finds: arrays that broadcast to (*branches, batch), one for each joint and for
-    what is known of it."""
+    what is known of it. `merged` tells for each choice where it makes no difference, `blur` by how
+    much rounding may turn what follows these joints, in rad."""
 
     q: tuple[Array, ...]
     free: Mapping[int, NDArray[Any]]
     valid: NDArray[np.bool_]
+    merged: tuple[NDArray[np.bool_], ...]
     distance: Array
+    blur: Array | float = 0.0
 
 
 def each_branch(
@@ -124,10 +147,12 @@ def each_branch(
     targets, start = _columns(targets, shape), _columns(start, shape)
     q, free = np.empty((*choices, dof, count)), np.zeros((*choices, dof, count), bool)
     valid, distance = np.empty((*choices, count), bool), np.empty(count)
+    merged = np.empty((*choices, len(choices), count), bool)
     for first in range(0, count, _CHUNK):
         part = np.s_[..., first : first + _CHUNK]
         found = kernel(arm, np.ascontiguousarray(targets[part]), start[part])
-        valid[part], distance[part] = found.valid, found.distance
+        valid[part], merged[part] = _merged(found, choices)
+        distance[part] = found.distance
         missing = np.where(valid[part], 0.0, np.nan)
         for joint, values in enumerate(found.q):
             np.add(values, missing, out=q[..., joint, :][part])
@@ -138,9 +163,27 @@ def each_branch(
         tuple(map(", ".join, product(*branches))),
         _by_target(q, shape, many, dof),
         _by_target(valid, shape, many),
+        _by_target(merged, shape, many, len(choices)),
         _by_target(free, shape, many, dof),
         _by_target(distance, shape),
     )
+
+
+def _told(name: str, merged: NDArray[np.bool_]) -> str:
+    kept = [choice for choice, one in zip(name.split(", "), merged, strict=True) if not one]
+    return ", ".join(kept) or "the only one"
+
+
+def _merged(found: Found, choices: tuple[int, ...]) -> tuple[NDArray[np.bool_], ...]:
+    """Which branches are listed, of those that are one the first, (*choices, batch), and which
+    choices make no difference to them, (*choices, number of choices, batch)."""
+    shape = (*choices, *found.distance.shape)
+    listed = np.broadcast_to(found.valid, shape).copy()
+    merged = np.stack([np.broadcast_to(one, shape) for one in found.merged], axis=-2)
+    for choice, one in enumerate(found.merged):
+        if one.any():
+            np.moveaxis(listed, choice, 0)[1] &= ~np.moveaxis(merged[..., choice, :], choice, 0)[1]
+    return listed, merged
 
 
 def _columns(values: Array, shape: tuple[int, ...]) -> Array:

@@ -26,7 +26,7 @@ Other twists of a right angle change signs, which `_shape` holds.
 Source: Hawkins (2013), derived anew from the axes so that any signs of the twists will do.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -34,8 +34,10 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be
 from helpers.inverse.geometry import (
+    NOISE,
     REACH,
     SINGULAR,
+    Links,
     Plane,
     Tool,
     facing,
@@ -80,63 +82,66 @@ def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
     rows, shape, tool = arm.numeric, _shape(arm), unwound(arm, columns)
     plane = facing(rows[0], shape.offset, wrist_centre(arm, tool), start[0] + rows[0].theta)
     wrist = _wrist(arm, shape, plane, tool, start[5])
-    px, py = _end_of_links(arm, shape, plane.x[:, None], plane.y[:, None], wrist.ux, wrist.uy)
-    px, py, chosen = px[:, :, None], py[:, :, None], start[1] + rows[1].theta
-    links = two_links(rows[1].a, rows[2].a, px, py, _SIGNS, chosen)
+    end = _end_of_links(shape, (plane.x[:, None], plane.y[:, None]), (wrist.ux, wrist.uy))
+    end, chosen = (end[0][:, :, None], end[1][:, :, None]), start[1] + rows[1].theta
+    bend = two_links(shape.links, end, _SIGNS, chosen, wrist.blur[:, None, None])
     heading = np.arctan2(wrist.uy, wrist.ux)[:, :, None]
     q = (
         shifted(plane.phi, rows[0].theta)[:, None, None],
-        shifted(links.phi_2, rows[1].theta),
-        shifted(rows[1].cos_alpha * links.phi_3, rows[2].theta),
-        wrapped(shape.turn_3 * (heading - links.phi_2 - links.phi_3) - rows[3].theta),
+        shifted(bend.phi_2, rows[1].theta),
+        shifted(rows[1].cos_alpha * bend.phi_3, rows[2].theta),
+        wrapped(shape.turn_3 * (heading - bend.phi_2 - bend.phi_3) - rows[3].theta),
         shifted(wrist.phi_5, rows[4].theta)[:, :, None],
         shifted(wrist.phi_6, rows[5].theta)[:, :, None],
     )
-    valid = plane.exists & links.exists
-    free = {
-        0: plane.free,
-        1: links.free,
-        5: (wrist.singular & ~_isolated(arm, plane))[:, None, None],
-    }
+    valid = plane.exists & bend.exists
+    one = wrist.singular[:, None, None]
+    loose = one & ~_isolated(shape, plane)[:, None, None]
+    free = {0: plane.free, 1: bend.free, 5: loose}
     distance = np.where(valid.reshape(-1, valid.shape[-1]).any(axis=0), 0.0, np.nan)
     return Found(
         q,
         {joint: np.asarray(where) for joint, where in free.items() if where.any()},
         valid,
+        (plane.one, one, bend.one),
         distance,
     )
 
 
 _SIGNS = np.array([1.0, -1.0])[:, None]
-# A greater sine of q_5 fixes joint 6 so well that rounding moves the wrist less than REACH.
-_UNCERTAIN = 1e-4
 
 
 class Shape(NamedTuple):
-    """What the twists say: the turn of axis 3 against z_1, z_4 against x_4 in the plane, the
-    plane's offset along z_1."""
+    """What the table says: the turn of axis 3 against z_1, z_4 against x_4 in the plane, the
+    plane's offset along z_1, the links, and the step d_5 that follows them, along x_4 turned by a
+    right angle."""
 
     turn_3: float
     side: float
     offset: float
+    links: Links
+    step: float
 
 
 def _shape(arm: Arm) -> Shape:
-    _, second, third, fourth, *_ = arm.numeric
+    _, second, third, fourth, fifth, _ = arm.numeric
     turn_3 = second.cos_alpha * third.cos_alpha
     offset = second.d + second.cos_alpha * third.d + turn_3 * fourth.d
-    return Shape(turn_3, -fourth.sin_alpha * turn_3, offset)
+    side = -fourth.sin_alpha * turn_3
+    return Shape(turn_3, side, offset, Links(second.a, third.a), side * fifth.d)
 
 
 class Wrist(NamedTuple):
     """Angles of joints 5 and 6 and the axis x_4 = (ux, uy) in the plane, each (2 shoulders, 2
-    wrists, batch)."""
+    wrists, batch); for each shoulder, whether both wrists are one, and by how much rounding may
+    move the links' end, in m."""
 
     phi_5: Array
     phi_6: Array
     ux: Array
     uy: Array
     singular: NDArray[np.bool_]
+    blur: Array
 
 
 def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wrist:
@@ -154,7 +159,8 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wr
     (xx, yx, zx), (xy, yy, zy) = c * axes_x + s * axes_y, first.sin_alpha * axes_z
     sine = np.sqrt(along[0] * along[0] + along[1] * along[1])
     cosine = shape.side * fifth.sin_alpha * along[2]
-    singular = sine < SINGULAR
+    singular = sine < SINGULAR + plane.blur
+    sine = np.where(singular, 0.0, sine)
     scale = shape.side / np.where(singular, 1.0, sine)
     c6, s6 = -scale * along[0], scale * along[1]
     phi_6 = np.arctan2(s6, c6)
@@ -167,27 +173,29 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wr
     phi_5 = np.arctan2(sine, cosine)
     flip = np.where(singular, 0.0, np.pi)
     sign = np.where(singular, 1.0, -1.0)
+    uncertain = (NOISE + plane.blur) / np.where(singular, np.inf, sine)
     wrist = Wrist(
         _pair(phi_5, -phi_5),
         _pair(phi_6, phi_6 - np.copysign(flip, phi_6)),
         _pair(ux, sign * ux),
         _pair(uy, sign * uy),
         singular,
+        abs(shape.step) * uncertain,
     )
-    if (sine < _UNCERTAIN).any():
-        _bring_within_reach(arm, shape, plane, wrist, sine)
+    loose = singular | (uncertain > REACH)
+    if loose.any():
+        _bring_within_reach(arm, shape, plane, wrist, np.nonzero(loose))
     return wrist
 
 
 def _end_of_links(
-    arm: Arm, shape: Shape, x: Array, y: Array, ux: Array, uy: Array
+    shape: Shape, centre: tuple[Array, Array], x_4: tuple[Array, Array]
 ) -> tuple[Array, Array]:
-    """Where the two links must end, in the plane: the wrist's centre (x, y) less d_5 along z_4."""
-    reach = shape.side * arm.numeric[4].d
-    return x + reach * uy, y - reach * ux
+    """Where the two links must end, in the plane: the wrist's centre less d_5 along z_4."""
+    return centre[0] + shape.step * x_4[1], centre[1] - shape.step * x_4[0]
 
 
-def _isolated(arm: Arm, plane: Plane) -> NDArray[np.bool_]:
+def _isolated(shape: Shape, plane: Plane) -> NDArray[np.bool_]:
     """Whether no turn about the wrist's centre but one leaves the links within reach, (2 shoulders,
     batch).
 
@@ -195,39 +203,42 @@ def _isolated(arm: Arm, plane: Plane) -> NDArray[np.bool_]:
     reach, r_min to r_max from the shoulder, in a single point where its nearest point is r_max
     away, or its farthest r_min.
     """
-    upper, fore, arc = abs(arm.numeric[1].a), abs(arm.numeric[2].a), abs(arm.numeric[4].d)
-    far = np.hypot(plane.x, plane.y)
-    nearest, farthest = np.abs(far - arc), far + arc
-    touching = (nearest >= upper + fore - 2 * REACH) | (farthest <= abs(upper - fore) + 2 * REACH)
-    return touching & (np.minimum(far, arc) > REACH)
+    far, arc = np.hypot(plane.x, plane.y), abs(shape.step)
+    stretched = np.abs(far - arc) >= shape.links.outer - 2 * REACH
+    folded = far + arc <= shape.links.inner + 2 * REACH
+    return (stretched | folded) & (np.minimum(far, arc) > REACH)
 
 
-def _bring_within_reach(arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, sine: Array) -> None:
-    """Turn joint 6 where the links cannot quite reach and it is free, or uncertain by enough; in
-    place.
+def _bring_within_reach(
+    arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, loose: tuple[NDArray[Any], ...]
+) -> None:
+    """Turn joint 6, in place, for these shoulders and poses, where the links do not reach and it is
+    free, or so uncertain that they may as well; and to the only angle where there is but one.
 
     Axes 4 and 6 being parallel, or nearly, x_4 turns against joint 6 without moving the tool.
     """
-    upper, fore = abs(arm.numeric[1].a), abs(arm.numeric[2].a)
-    shoulder, pose = np.nonzero(sine < _UNCERTAIN)
-    both = shoulder, slice(None), pose
-    small = sine[shoulder, pose, None]
-    uncertain = np.where(small < SINGULAR, np.inf, 1e-15 / np.maximum(small, SINGULAR))
-    x, y = plane.x[shoulder, pose, None], plane.y[shoulder, pose, None]
-    ux, uy = wrist.ux[both], wrist.uy[both]
-    px, py = _end_of_links(arm, shape, x, y, ux, uy)
-    far, length, arc = np.hypot(x, y), np.hypot(px, py), abs(arm.numeric[4].d)
-    wanted = np.clip(length, abs(upper - fore), upper + fore)
-    vx, vy = x - px, y - py
-    angle = np.arctan2(x * vy - y * vx, x * vx + y * vy)
+    both, at = (loose[0], slice(None), loose[1]), (*loose, None)
+    centre, u = (plane.x[at], plane.y[at]), (wrist.ux[both], wrist.uy[both])
+    end, arc = _end_of_links(shape, centre, u), abs(shape.step)
+    far, length = np.hypot(*centre), np.hypot(*end)
+    wanted = np.clip(length, shape.links.inner, shape.links.outer)
+    angle, isolated = _seen_from(centre, end), _isolated(shape, plane)[at]
     cosine = (far**2 + arc**2 - wanted**2) / np.maximum(2 * far * arc, 1e-300)
+    cosine = np.where(isolated, np.rint(cosine), cosine)
     turn = np.copysign(np.arccos(np.clip(cosine, -1.0, 1.0)), angle) - angle
-    needed = (length != wanted) & (np.abs(length - wanted) <= arc * uncertain)
-    turn = np.where(needed & (np.abs(turn) <= 2 * uncertain), turn, 0.0)
+    near = np.maximum(np.abs(length - wanted), arc * np.abs(turn) / 2) <= wrist.blur[at]
+    needed = np.where(wrist.singular[at], isolated | (length != wanted), near)
+    turn = np.where(needed, turn, 0.0)
     c, s = np.cos(turn), np.sin(turn)
-    wrist.ux[both], wrist.uy[both] = c * ux - s * uy, s * ux + c * uy
+    wrist.ux[both], wrist.uy[both] = c * u[0] - s * u[1], s * u[0] + c * u[1]
     along = shape.side * arm.numeric[4].sin_alpha * np.cos(wrist.phi_5[both])
     wrist.phi_6[both] = wrapped(wrist.phi_6[both] - np.sign(along) * turn)
+
+
+def _seen_from(centre: tuple[Array, Array], end: tuple[Array, Array]) -> Array:
+    """The angle at the wrist's centre from the way to the shoulder to that to the links' end."""
+    (x, y), (vx, vy) = centre, (centre[0] - end[0], centre[1] - end[1])
+    return np.arctan2(x * vy - y * vx, x * vx + y * vy)
 
 
 def _pair(one: Array, other: Array) -> Array:

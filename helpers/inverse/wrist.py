@@ -3,9 +3,10 @@
 Source: Pieper (1968); Spong, Hutchinson and Vidyasagar, section 5.3 (kinematic decoupling).
 """
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -44,7 +45,7 @@ def stanford(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> So
     joints 4 and 6 turn about one axis: joint 4 keeps its value of `start`, shape (..., 6), and
     joint 6 follows. Raises ArmError for another table or targets that are no poses.
     """
-    return _decoupled(arm, targets, start, rod_kernel, must_have_rod, ROD_BRANCHES)
+    return _decoupled(arm, targets, start, Shoulder(rod_kernel, must_have_rod, ROD_BRANCHES))
 
 
 def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
@@ -56,27 +57,36 @@ def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None
     Free joints as in `stanford` and `elbow`. Raises ArmError for another table or targets that are
     no poses.
     """
-    return _decoupled(arm, targets, start, elbow_kernel, must_be_elbow, ELBOW_BRANCHES)
+    return _decoupled(arm, targets, start, Shoulder(elbow_kernel, must_be_elbow, ELBOW_BRANCHES))
 
 
-def _decoupled(arm: Arm, targets: ArrayLike, start, place, must_fit, branches) -> Solutions:
+class Shoulder(NamedTuple):
+    """What places the wrist's centre, what refuses another arm, and the choices it leaves."""
+
+    place: Callable[[Arm, Array, Array], Found]
+    must_fit: Callable[[Arm], None]
+    choices: tuple[tuple[str, ...], ...]
+
+
+def _decoupled(arm: Arm, targets: ArrayLike, start: ArrayLike | None, by: Shoulder) -> Solutions:
     _must_have_wrist(arm)
     shoulder = _to_centre(arm)
-    must_fit(shoulder)
+    by.must_fit(shoulder)
 
     def kernel(arm: Arm, columns: Array, start: Array) -> Found:
         must_be_rigid(arm, columns)
         tool = unwound(arm, columns)
-        placed = place(shoulder, wrist_centre(arm, tool), start[:3])
+        placed = by.place(shoulder, wrist_centre(arm, tool), start[:3])
         first = np.stack(np.broadcast_arrays(*placed.q))
-        wrist, singular = _wrist(
-            arm, _seen_from(shoulder, first, tool.axes[:, 0], tool.axes[:, 2]), start
-        )
+        seen = _seen_from(shoulder, first, tool.axes[:, 0], tool.axes[:, 2])
+        wrist, singular = _wrist(arm, seen, start, placed.blur)
         free = {joint: _both(loose) for joint, loose in placed.free.items()}
         q = (*(_both(joint) for joint in placed.q), *wrist)
-        return Found(q, {**free, 3: _both(singular)}, _both(placed.valid), placed.distance)
+        merged = (*(_both(one) for one in placed.merged), _both(singular))
+        return Found(q, {**free, 3: _both(singular)}, _both(placed.valid), merged, placed.distance)
 
-    return each_branch(arm, poses(arm, targets), start, (*branches, ("q_5 > 0", "q_5 < 0")), kernel)
+    choices = (*by.choices, ("q_5 > 0", "q_5 < 0"))
+    return each_branch(arm, poses(arm, targets), start, choices, kernel)
 
 
 def _both(values: NDArray[Any]) -> NDArray[Any]:
@@ -98,8 +108,11 @@ def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
     return [np.stack([dot(axis, v[:, None, None]) for axis in axes]) for v in vectors]
 
 
-def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...], Array]:
-    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free.
+def _wrist(
+    arm: Arm, seen: list[Array], start: Array, blur: Array | float
+) -> tuple[tuple[Array, ...], Array]:
+    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free: where the
+    sine of joint 5's angle is no more than rounding may make of the first three joints.
 
     Joint 6 is found after joint 4, from what its turn leaves of x_6: near a straight wrist both are
     uncertain, and only together right.
@@ -107,7 +120,8 @@ def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...]
     x, z = seen
     s4, s5 = arm.numeric[3].sin_alpha, arm.numeric[4].sin_alpha
     sine, cosine = np.hypot(z[0], z[1]), -s4 * s5 * z[2]
-    singular = sine < SINGULAR
+    singular = sine < SINGULAR + blur
+    sine = np.where(singular, 0.0, sine)
     chosen = start[3] + arm.numeric[3].theta
     phi_4 = np.where(singular, chosen, np.arctan2(s5 * z[1], s5 * z[0]))
     c, s = cosines_and_sines(phi_4)

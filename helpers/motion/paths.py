@@ -51,7 +51,7 @@ class Path:
 
 
 def circle(
-    centre: ArrayLike, radius: float, plane: str, period: float, steps: int, phase: float = 0.0
+    centre: ArrayLike, radius: float, plane: str, period: float, steps: int, *, phase: float = 0.0
 ) -> Path:
     """A circle at even speed: centre + radius (cos(phi) e_1 + sin(phi) e_2) with phi = phase + 2 pi
     t / period.
@@ -95,7 +95,8 @@ def circle_below(
             f"plane is {plane!r}; expected one with z, such as 'zy', to be below the tip"
         )
     centre = top - [0, 0, number(radius, "radius", "a finite length > 0 in m", above=0)]
-    return circle(centre, radius, plane, period, steps, 0.0 if plane[0] == "z" else np.pi / 2)
+    phase = 0.0 if plane[0] == "z" else np.pi / 2
+    return circle(centre, radius, plane, period, steps, phase=phase)
 
 
 def rest_to_rest(path: Path) -> Path:

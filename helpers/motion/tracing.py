@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -93,7 +93,7 @@ def trace(
     if isinstance(rates, PlainInverse) and jacobian is kinematics.jacobian and not gain:
         run = all_steps(arm, start, course, method, rates)
     if run is None:
-        run = _one_by_one(arm, start, course, method, Steering(rates, gain, jacobian))
+        run = _one_by_one(arm, start, course, Steering(rates, gain, jacobian, RULES.get(method)))
     q, q_dot = run
     q_dot = np.concatenate([q_dot, q_dot[-1:]])
     return Trace(arm, path, q, q_dot, forward_kinematics(arm, q))
@@ -101,23 +101,22 @@ def trace(
 
 @dataclass(frozen=True)
 class Steering:
-    """How joint rates follow from a twist. Its functions may be a student's: they get copies, never
-    the run itself."""
+    """How joint rates follow from a twist, and joints from rates; no rule is Newton's method. Its
+    functions may be a student's: they get copies, never the run itself."""
 
     rates: Rates
     gain: float
     jacobian: Callable[[Arm, Array], Array]
+    rule: Rule | None
 
     def along(self, arm: Arm, q: Array, twist: Array) -> Array:
         """Joint rates (dof,) for a twist (6,) at q (dof,)."""
         return self.rates(self.jacobian(arm, q.copy()), twist.copy(), q.copy())
 
 
-def _one_by_one(
-    arm: Arm, start: Array, course: Course, method: str, steering: Steering
-) -> tuple[Array, Array]:
+def _one_by_one(arm: Arm, start: Array, course: Course, steering: Steering) -> tuple[Array, Array]:
     """Each step from the one before; joints (steps + 1, dof) and their rates (steps, dof)."""
-    step = _to_the_path if method == "exact" else partial(_by_rule, RULES[method])
+    step = _by_rule if steering.rule else _to_the_path
     steps = len(course.h)
     q, q_dot = np.empty((steps + 1, arm.dof)), np.empty((steps, arm.dof))
     q[0] = start
@@ -129,9 +128,9 @@ def _one_by_one(
     return q, q_dot
 
 
-def _by_rule(
-    rule: Rule, arm: Arm, q: Array, course: Course, k: int, steering: Steering
-) -> tuple[Array, Array]:
+def _by_rule(arm: Arm, q: Array, course: Course, k: int, steering: Steering) -> tuple[Array, Array]:
+    assert steering.rule  # or Newton's method would be asked
+
     def slope(share: float, q: Array) -> Array:
         twist = course.twists[share][k]
         if steering.gain:
@@ -140,7 +139,7 @@ def _by_rule(
         return steering.along(arm, q, twist)
 
     rate = slope(0.0, q)
-    return rate, rule(slope, course.h[k], q, rate)
+    return rate, steering.rule(slope, course.h[k], q, rate)
 
 
 def _to_the_path(
