@@ -5,16 +5,19 @@
 import { cosSin, dot, linkFrames, minus, plus, scaled } from "./kinematics.js";
 import { ArmError, size } from "../sentences.js";
 
-const REACH = 1e-12; // m: a target this far beyond the boundary counts as on it
+const REACH = 1e-12; // m: a target this near to the boundary counts as on it
 const SINGULAR = 1e-11; // a sine this small counts as 0
-const UNCERTAIN = 1e-4; // a greater sine of q_5 fixes joint 6 well enough
+const NOISE = 1e-15; // what rounding does to a point (m) or to an axis
 const SIDES = ["front", "back"];
 const ELBOWS = ["elbow up", "elbow down"];
 const RODS = ["rod out", "rod through"];
 const WRISTS = ["q_5 > 0", "q_5 < 0"];
 const BENDS = ["elbow +", "elbow -"];
 
-/** @typedef {{ name: string, q: number[], free: boolean[] }} Branch */
+/**
+ * `times`: 2 where two branches have become one, or are of one family; 4, 8.
+ * @typedef {{ name: string, q: number[], free: boolean[], times: number }} Branch
+ */
 /** @typedef {{ x: number[], y: number[], z: number[], o: number[] }} Frame */
 
 // Rounded to a whole number as NumPy does: halves to the even one.
@@ -41,32 +44,50 @@ function numeric(row) {
 function facing(first, offset, p) {
   const [x, y, z] = p;
   const delta = first.sa * offset;
-  const across = x * x + y * y;
-  const square = across - delta * delta;
-  const reach = Math.sqrt(Math.max(square, 0));
+  const square = x * x + y * y - delta * delta;
+  const edge = Math.max(2 * Math.abs(delta) * REACH, REACH ** 2);
+  const one = Math.abs(square) <= edge;
+  const reach = Math.sqrt(square > edge ? square : 0);
   const both = [reach, -reach];
-  const free = across < REACH ** 2 && delta === 0;
+  const free = one && delta === 0;
   const chosen = [first.theta, first.theta + Math.PI];
   return {
     phi: both.map((b, k) => (free ? chosen[k] : Math.atan2(y * b + x * delta, x * b - y * delta))),
     x: both,
     y: first.sa * (z - first.d),
-    exists: square >= -2 * Math.abs(delta) * REACH,
+    exists: square >= -edge,
+    one,
     free,
+    blur: one ? 0 : NOISE / Math.max(reach, REACH),
   };
 }
 
-// The two angles of a planar pair of links that ends at (px, py); `sign` is that of sin(phi_3).
-function twoLinks(upper, fore, px, py, sign, chosen) {
-  const ratio = (px * px + py * py - (upper ** 2 + fore ** 2)) * (0.5 / (upper * fore));
-  const exists =
-    Math.abs(ratio) <= 1 + (REACH * (Math.abs(upper) + Math.abs(fore))) / Math.abs(upper * fore);
-  const cosine = clipped(ratio, -1, 1);
+const outerOf = ({ upper, fore }) => Math.abs(upper) + Math.abs(fore);
+const innerOf = ({ upper, fore }) => Math.abs(Math.abs(upper) - Math.abs(fore));
+
+// The two angles of a planar pair of links that ends at (px, py); `sign` is that of sin(phi_3),
+// `blur` by how much rounding may move the point.
+/** @param {any} links @param {number[]} end @param {number} sign @param {number} chosen */
+function twoLinks(links, [px, py], sign, chosen, blur = 0) {
+  const { upper, fore } = links;
+  const [outer, inner, square] = [outerOf(links), innerOf(links), px * px + py * py];
+  const far = Math.sqrt(square);
+  const off = Math.min(Math.abs(far - outer), Math.abs(far - inner));
+  const one = off <= REACH + blur;
+  const ratio = clipped((square - (upper ** 2 + fore ** 2)) * (0.5 / (upper * fore)), -1, 1);
+  const cosine = off <= REACH ? Math.round(ratio) : ratio;
   const sine = Math.sqrt(1 - cosine * cosine);
   const [along, across] = [upper + fore * cosine, sign * (fore * sine)];
-  const free = Math.max(Math.abs(px), Math.abs(py)) < REACH;
-  const phi2 = free ? chosen : Math.atan2(py * along - px * across, px * along + py * across);
-  return { phi2, phi3: sign * Math.atan2(sine, cosine), exists, free };
+  const free = one && far <= REACH;
+  const exists = one || (inner < far && far < outer);
+  return {
+    phi2: free ? chosen : Math.atan2(py * along - px * across, px * along + py * across),
+    phi3: sign * Math.atan2(sine, cosine),
+    exists,
+    one,
+    free,
+    blur: one || !exists ? 0 : (NOISE * outer) / (Math.abs(upper * fore) * sine),
+  };
 }
 
 // The tool's frame with the last row's twist taken back, and the origin before that row's lengths.
@@ -86,14 +107,15 @@ function elbow(arm, p) {
   const plane = facing(first, links.offset, p);
   return each([SIDES, ELBOWS], (side, bend) => {
     const sign = first.sa * (side === bend ? -1 : 1);
-    const found = twoLinks(links.upper, links.fore, plane.x[side], plane.y, sign, second.theta);
+    const found = twoLinks(links, [plane.x[side], plane.y], sign, second.theta);
     if (!plane.exists || !found.exists) return null;
     const q = [
       shifted(plane.phi[side], first.theta),
       shifted(found.phi2, second.theta),
       shifted(second.ca * found.phi3, links.beta + third.theta),
     ];
-    return { q, free: [plane.free, found.free, false] };
+    const blur = plane.blur + found.blur;
+    return { q, free: [plane.free, found.free, false], merged: [plane.one, found.one], blur };
   });
 }
 
@@ -123,15 +145,22 @@ function rod(arm, p) {
       central ? 0 : shifted(phi2, second.theta),
       length - third.d - (tool?.d ?? 0),
     ];
-    return { q, free: [plane.free, central, false] };
+    const leaning = NOISE + Math.hypot(p[0], p[1]) * plane.blur;
+    const blur = plane.blur + (central ? 0 : leaning / Math.abs(length));
+    return { q, free: [plane.free, central, false], merged: [plane.one, central], blur };
   });
 }
+
+// How many branches one is, of choices that make no difference; of those that are one the first is.
+const timesOf = (merged, at) =>
+  merged.some((one, k) => one && at[k]) ? 0 : 2 ** merged.filter(Boolean).length;
 
 // Each choice of branches, named, where `make` finds one.
 function each(choices, make, names = [], at = []) {
   if (!choices.length) {
     const found = make(...at);
-    return found ? [{ name: names.join(", "), ...found }] : [];
+    const times = found ? timesOf(found.merged, at) : 0;
+    return times ? [{ name: names.join(", "), times, ...found }] : [];
   }
   const [first, ...rest] = choices;
   return first.flatMap((name, k) => each(rest, make, [...names, name], [...at, k]));
@@ -149,12 +178,13 @@ function decoupled(place, arm, target) {
   const rows = arm.rows.map(numeric);
   const tool = unwound(rows[5], target);
   const shoulder = toCentre(arm);
-  return place(shoulder, tool.centre).flatMap(({ name, q, free }) => {
+  return place(shoulder, tool.centre).flatMap(({ name, q, free, times, blur }) => {
     const frame = linkFrames(shoulder, q).at(-1);
     const seen = (v) => [dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)];
-    const { pairs, singular } = wrist(rows, seen(tool.x), seen(tool.z));
-    return WRISTS.map((which, k) => ({
+    const { pairs, singular } = wrist(rows, seen(tool.x), seen(tool.z), blur);
+    return WRISTS.slice(0, singular ? 1 : 2).map((which, k) => ({
       name: `${name}, ${which}`,
+      times: singular ? 2 * times : times,
       q: [...q, ...pairs.map((pair, j) => wrapped(pair[k] - rows[3 + j].theta))],
       free: [...free, singular, false, false],
     }));
@@ -162,11 +192,12 @@ function decoupled(place, arm, target) {
 }
 
 // Joints 4 to 6 both ways, from the tool's axes x and z in frame 3; joint 6 from what joint 4's
-// turn leaves of x.
-function wrist(rows, x, z) {
+// turn leaves of x. Rounding may turn the first three joints by `blur`.
+function wrist(rows, x, z, blur) {
   const [s4, s5] = [rows[3].sa, rows[4].sa];
-  const [sine, cosine] = [Math.hypot(z[0], z[1]), -s4 * s5 * z[2]];
-  const singular = sine < SINGULAR;
+  const cosine = -s4 * s5 * z[2];
+  const singular = Math.hypot(z[0], z[1]) < SINGULAR + blur;
+  const sine = singular ? 0 : Math.hypot(z[0], z[1]);
   const phi4 = singular ? rows[3].theta : Math.atan2(s5 * z[1], s5 * z[0]);
   const [c, s] = [Math.cos(phi4), Math.sin(phi4)];
   const [ahead, aside] = [c * x[0] + s * x[1], c * x[1] - s * x[0]];
@@ -191,26 +222,28 @@ function ur(arm, target) {
   const [, second, third, fourth] = rows;
   const turn3 = second.ca * third.ca;
   const offset = second.d + second.ca * third.d + turn3 * fourth.d;
-  const shape = { rows, turn3, side: -fourth.sa * turn3, offset };
+  const links = { upper: second.a, fore: third.a };
+  const shape = { rows, links, turn3, side: -fourth.sa * turn3, offset };
   const tool = unwound(rows[5], target);
   const plane = facing(rows[0], offset, tool.centre);
   const wrists = [0, 1].map((side) => urWrist(shape, plane, tool, side));
   return each([SIDES, WRISTS, BENDS], (side, flip, bend) => {
-    const { phi5, phi6, u, singular } = wrists[side][flip];
-    const [px, py] = endOfLinks(shape, plane.x[side], plane.y, u);
-    const links = twoLinks(second.a, third.a, px, py, bend ? -1 : 1, second.theta);
-    if (!plane.exists || !links.exists) return null;
+    const { phi5, phi6, u, singular, blur } = wrists[side][flip];
+    const end = endOfLinks(shape, plane.x[side], plane.y, u);
+    const bent = twoLinks(links, end, bend ? -1 : 1, second.theta, blur);
+    if (!plane.exists || !bent.exists) return null;
     const heading = Math.atan2(u[1], u[0]);
     const q = [
       shifted(plane.phi[side], rows[0].theta),
-      shifted(links.phi2, second.theta),
-      shifted(second.ca * links.phi3, third.theta),
-      wrapped(turn3 * (heading - links.phi2 - links.phi3) - fourth.theta),
+      shifted(bent.phi2, second.theta),
+      shifted(second.ca * bent.phi3, third.theta),
+      wrapped(turn3 * (heading - bent.phi2 - bent.phi3) - fourth.theta),
       shifted(phi5, rows[4].theta),
       shifted(phi6, rows[5].theta),
     ];
-    const loose = singular && !isolated(rows, plane.x[side], plane.y);
-    return { q, free: [plane.free, links.free, false, false, false, loose] };
+    const loose = singular && !isolated(shape, plane.x[side], plane.y);
+    const free = [plane.free, bent.free, false, false, false, loose];
+    return { q, free, merged: [plane.one, singular, bent.one] };
   });
 }
 
@@ -222,9 +255,12 @@ function urWrist(shape, plane, tool, side) {
   const along = [tool.x, tool.y, tool.z].map(([x, y]) => sa * (s * x - c * y));
   const inPlane = ([x, y, z]) => [c * x + s * y, sa * z];
   const [X, Y, Z] = [tool.x, tool.y, tool.z].map(inPlane);
-  const sine = Math.sqrt(along[0] * along[0] + along[1] * along[1]);
+  const across = Math.sqrt(along[0] * along[0] + along[1] * along[1]);
   const cosine = shape.side * rows[4].sa * along[2];
-  const singular = sine < SINGULAR;
+  const singular = across < SINGULAR + plane.blur;
+  const sine = singular ? 0 : across;
+  const uncertain = singular ? 0 : (NOISE + plane.blur) / sine;
+  const blur = Math.abs(rows[4].d) * uncertain;
   const scale = shape.side / (singular ? 1 : sine);
   let [c6, s6] = [-scale * along[0], scale * along[1]];
   const phi6 = singular ? rows[5].theta : Math.atan2(s6, c6);
@@ -234,16 +270,17 @@ function urWrist(shape, plane, tool, side) {
   const phi5 = Math.atan2(sine, cosine);
   const half = phi6 < 0 || Object.is(phi6, -0) ? -Math.PI : Math.PI;
   const both = [
-    { phi5, phi6, u, singular },
+    { phi5, phi6, u, singular, blur },
     {
       phi5: -phi5,
       phi6: singular ? phi6 : phi6 - half,
       u: singular ? u : u.map((x) => -x),
       singular,
+      blur,
     },
   ];
-  const [x, y] = [plane.x[side], plane.y];
-  return sine < UNCERTAIN ? both.map((one) => withinReach(shape, x, y, one, sine)) : both;
+  const loose = singular || uncertain > REACH;
+  return loose ? both.map((one) => withinReach(shape, plane.x[side], plane.y, one)) : both;
 }
 
 // Where the two links must end: the wrist's centre (x, y) in the plane less d_5 along z_4.
@@ -254,31 +291,31 @@ function endOfLinks({ side, rows }, x, y, u) {
 }
 
 // Whether no turn about the wrist's centre but one leaves the links within reach.
-function isolated(rows, x, y) {
-  const [upper, fore, arc] = [rows[1].a, rows[2].a, rows[4].d].map(Math.abs);
-  const far = Math.hypot(x, y);
+function isolated({ rows, links }, x, y) {
+  const [far, arc] = [Math.hypot(x, y), Math.abs(rows[4].d)];
   const [nearest, farthest] = [Math.abs(far - arc), far + arc];
-  const touching =
-    nearest >= upper + fore - 2 * REACH || farthest <= Math.abs(upper - fore) + 2 * REACH;
+  const touching = nearest >= outerOf(links) - 2 * REACH || farthest <= innerOf(links) + 2 * REACH;
   return touching && Math.min(far, arc) > REACH;
 }
 
-// Joint 6 turned where the links cannot quite reach and it is free, or uncertain by enough.
-function withinReach(shape, x, y, found, sine) {
-  const { rows, side } = shape;
-  const [upper, fore, arc] = [rows[1].a, rows[2].a, rows[4].d].map(Math.abs);
-  const uncertain = sine < SINGULAR ? Infinity : 1e-15 / Math.max(sine, SINGULAR);
+// Joint 6 turned where the links cannot quite reach and it is free, or uncertain by enough; and to
+// the only angle where there is but one.
+function withinReach(shape, x, y, found) {
+  const { rows, links, side } = shape;
+  const arc = Math.abs(rows[4].d);
   const [ux, uy] = found.u;
   const [px, py] = endOfLinks(shape, x, y, found.u);
   const [far, length] = [Math.hypot(x, y), Math.hypot(px, py)];
-  const wanted = clipped(length, Math.abs(upper - fore), upper + fore);
+  const wanted = clipped(length, innerOf(links), outerOf(links));
+  const alone = isolated(shape, x, y);
   const [vx, vy] = [x - px, y - py];
   const angle = Math.atan2(x * vy - y * vx, x * vx + y * vy);
-  const cosine = (far ** 2 + arc ** 2 - wanted ** 2) / Math.max(2 * far * arc, 1e-300);
-  const size = Math.acos(clipped(cosine, -1, 1));
+  const ratio = (far ** 2 + arc ** 2 - wanted ** 2) / Math.max(2 * far * arc, 1e-300);
+  const size = Math.acos(clipped(alone ? Math.round(ratio) : ratio, -1, 1));
   const turn = (angle < 0 || Object.is(angle, -0) ? -size : size) - angle;
-  const needed = length !== wanted && Math.abs(length - wanted) <= arc * uncertain;
-  if (!needed || !(Math.abs(turn) <= 2 * uncertain)) return { ...found, phi6: wrapped(found.phi6) };
+  const near = Math.max(Math.abs(length - wanted), (arc * Math.abs(turn)) / 2) <= found.blur;
+  const needed = found.singular ? alone || length !== wanted : near;
+  if (!needed) return { ...found, phi6: wrapped(found.phi6) };
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
   const along = side * rows[4].sa * Math.cos(found.phi5);
   return {
