@@ -1,9 +1,10 @@
-"""What leaves a course: tables for gradebooks, Gradescope's and nbgrader's files, read back."""
+"""What comes from learning platforms and goes to them: downloads, tables, packs."""
 
 import csv
 import io
 import json
-import tomllib
+import subprocess
+import sys
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -11,21 +12,245 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
-import sympy as sp
+import yaml
 
-import helpers
 from helpers.arm import ArmError
-from helpers.course import autograders, commands, gradebook, store
-from helpers.course.marking import Mark
+from helpers.course import autograders, collect, commands, gradebook, making, store
+from helpers.course.files import Found
+from helpers.course.gradebook import CANVAS, MOODLE, filled
+from helpers.course.marking import Mark, Rules
 from helpers.course.roster import Student
-from tests.test_commands import a_machine_with_another_encoding_of_its_own  # noqa: F401
-from tests.test_course import MINE, SECRET, right
+from helpers.robots import ELBOW
+from tests.test_course import SECRET, right
+
+FIRST = ["Ada", "Émile", "Jean-Luc", "Zoë", "Mary", "Chika", "José", "Wei", "Nguyễn", "Søren",
+         "Björn", "O'Neil"]  # fmt: skip
+LAST = ["Lovelace", "Dupont", "Picard", "Łukasz", "Jones", "Okafor", "García", "Zhang", "Văn",
+        "Øst", "Müller", "van"]  # fmt: skip
+CLASS = {f"s{n:03}": f"{FIRST[n % 12]} {LAST[n // 10]}" for n in range(118)}
+CLASS |= {"twin1": "Ada Twin", "twin2": "Ada Twin"}
+
+
+def answers(student):
+    return json.dumps({"sheet": student, "p": [1, 2, len(student)]})
+
+
+def as_canvas(student, name, n):
+    *first, last = name.split()
+    short = "".join(c for c in f"{last}{''.join(first)}".lower() if c.isalnum())
+    late = "_LATE" * (n % 3 == 0)
+    return {f"{short}{late}_{1000 + n}_{90000 + n}_answers-{n % 4}.json": answers(student)}
+
+
+def as_moodle(student, name, n):
+    folder = f"{name.replace(chr(39), '')}_{70000 + n}_assignsubmission_file" + "_" * (n % 2)
+    return {f"{folder}/my homework/Answers.JSON": answers(student)}
+
+
+def as_moodle_flat(student, name, n):
+    return {f"{name}_{70000 + n}_assignsubmission_file_answers.json": answers(student)}
+
+
+def as_gradescope(student, name, n):
+    return {f"assignment_5_export/submission_{3000 + n}/answers (1).json": answers(student)}
+
+
+def by_hand(student, name, n):
+    return {f"{student if n % 2 else student.upper()}/answers.json": answers(student)}
+
+
+def about_gradescope():
+    entries = {
+        f"submission_{3000 + n}": {
+            ":submitters": [{":name": name, ":sid": student if n % 2 else None,
+                             ":email": f"{student}@school.example"}],
+            ":status": "processed",
+        }
+        for n, (student, name) in enumerate(CLASS.items())
+    }  # fmt: skip
+    return {"assignment_5_export/submission_metadata.yml": yaml.safe_dump(entries)}
+
+
+@pytest.mark.parametrize("folder", [False, True], ids=["zip", "folder"])
+@pytest.mark.parametrize("platform", [as_canvas, as_moodle, as_moodle_flat, as_gradescope, by_hand])
+def test_a_class_of_120_is_sorted_whatever_the_platform_called_it(tmp_path, platform, folder):
+    files = about_gradescope() if platform is as_gradescope else {}
+    for n, (student, name) in enumerate(CLASS.items()):
+        files |= platform(student, name, n)
+    files |= {"__MACOSX/._x": "noise", ".DS_Store": "noise"}
+    download = tmp_path / "download"
+    with zipfile.ZipFile(f"{download}.zip", "w") as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+    if folder:
+        with zipfile.ZipFile(f"{download}.zip") as archive:
+            archive.extractall(download)
+    found = collect.sort(
+        collect.read_download(download if folder else Path(f"{download}.zip")), CLASS
+    )
+    assert found.doubtful == ()
+    assert found.placed.keys() == CLASS.keys()
+    collect.put(found, tmp_path / "hw")
+    collect.put(found, tmp_path / "hw")  # again, in place of the first
+    for student in CLASS:
+        (path,) = (tmp_path / "hw" / student / "handed_in").iterdir()
+        assert json.loads(path.read_bytes())["sheet"] == student
+
+
+def sort(**files):
+    names = {"ab": "Ada Twin", "cd": "Ada Twin", "ef": "Bo Berg", "gh": "Li Na"}
+    found = collect.sort([Found(n, c.encode()) for n, c in files.items()], names)
+    return {s: [f.name for f in group] for s, group in found.placed.items()}, found.doubtful
+
+
+def test_what_is_not_certain_is_listed_and_not_placed():
+    placed, doubtful = sort(**{
+        "twinada_1_2_answers.json": "{}",
+        "twinada_3_4_answers.json": answers("cd"),
+        "bergbo_5_6_answers.json": answers("gh"),  # another's sheet, in Bo's own name
+        "nobody_7_8_homework.pdf": "%PDF",
+        "anon_x_9_answers.json": answers("gh"),
+        "Participant_11_assignsubmission_file_x.json": "{}",
+    })  # fmt: skip
+    assert placed == {
+        "cd": ["twinada_3_4_answers.json"], "ef": ["bergbo_5_6_answers.json"],
+        "gh": ["anon_x_9_answers.json"],
+    }  # fmt: skip
+    assert [words.split(":")[0] for words in doubtful] == [
+        "twinada_1_2_answers.json", "nobody_7_8_homework.pdf",
+        "Participant_11_assignsubmission_file_x.json",
+    ]  # fmt: skip
+    assert "twinada may be ab or cd; the sheet in it does not tell" in doubtful[0]
+
+
+def test_the_sheet_speaks_from_a_notebook_too():
+    text = json.dumps({"cells": [{"source": "answer_sheet = 'ab'  # whose"}]})
+    assert sort(**{"anon_x_9_homework.ipynb": text})[0] == {"ab": ["anon_x_9_homework.ipynb"]}
+
+
+def test_collecting_is_told_on_one_screen(tmp_path, capsys):
+    roster = [Student("ab", "Ada Lovelace"), Student("cd", "Bo Berg")]
+    made = making.new(roster, SECRET, ELBOW, tmp_path / "hw", topics=("forward kinematics",))
+    download = tmp_path / "d"
+    (download / "x").mkdir(parents=True)
+    key = json.dumps(right(made.sheet("ab", SECRET)))
+    (download / "lovelaceada_1_2_answers-1.json").write_text(key, encoding="utf-8")
+    (download / "x" / "scan.pdf").write_bytes(b"%PDF")
+    assert commands.main(["collect", str(tmp_path / "hw"), str(download)]) == 0
+    said = capsys.readouterr().out.splitlines()
+    assert said[0] == "1 of 2 students handed in"
+    assert said[1].startswith("not placed: x/scan.pdf: x is nobody in the course")
+    (tmp_path / "s").write_bytes(SECRET)
+    words = ["grade", str(tmp_path / "hw"), "--secret", str(tmp_path / "s")]
+    assert commands.main([*words, "--out", str(tmp_path / "out")]) == 0
+    assert "ab,Ada Lovelace,2.0,1.0,1.0," in (tmp_path / "out" / "grades.csv").read_text("utf-8")
+    assert commands.main(["collect", str(tmp_path / "hw"), str(tmp_path / "none.zip")]) == 2
+    assert "none.zip cannot be read" in capsys.readouterr().err
+
+
+# Gradebooks
 
 MARKS = (
-    Mark("p", 1.0, "Right.", "Right."),
-    Mark("R", 0.12345678, "Wrong.", "Wrong. All of it.", ("a",)),
-    Mark("q_half", 0.9, "Rounded.", "Rounded."),
+    Mark("p", 1.0, "Right.", "Right."), Mark("R", 0.12345678, "Wrong.", "Wrong. All.", ("a",)),
+    Mark("q", 0.9, "Rounded.", "Rounded."),
+)  # fmt: skip
+NAMES = {"ab": "Ada Lovelace", "cd": "Bo Berg"}
+SHARES = {"ab": 0.65, "cd": 1.0}
+
+
+def read(text, comma=","):
+    return list(csv.reader(io.StringIO(text.removeprefix("\ufeff"), newline=""), delimiter=comma))
+
+
+def test_a_line_of_the_grades_rounds_adds_and_runs_no_formula():
+    row = gradebook.grade_row("ab", "Ada", MARKS, "late")
+    text = gradebook.table([row, {**row, "name": "=1", "note": "-"}])
+    assert text.count("\r\n") == text.count("\n") == 3
+    assert read(text) == [
+        ["id", "name", "total", "p", "R", "q", "note"],
+        ["ab", "Ada", "2.0235", "1.0", "0.1235", "0.9", "late"],
+        ["ab", "'=1", "2.0235", "1.0", "0.1235", "0.9", "'-"],
+    ]
+    for first in "=+-@\t\r\n|%":
+        assert read(gradebook.table([{"name": f"{first}1"}]))[1] == [f"'{first}1"]
+
+
+HEAD = "Student,ID,SIS User ID,SIS Login ID,Section,Homework (77),Other (78)\r\n"
+TOP = f'{HEAD}"    Points Possible",,,,,10,5\r\n'
+MOODLE_HEAD = (
+    "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Last modified (grade)\r\n"
 )
+
+
+@pytest.mark.parametrize(
+    ("export", "text", "points"),
+    [
+        (CANVAS, TOP + '"Lovelace, Ada",1,x,ab,A,,3\r\n"Berg, Bo",2,y,CD,A,4,\r\n',
+         ["6.50", "10.00"]),
+        (CANVAS, TOP + '"Lovelace, Ada",1,,,A\r\n"Berg, Bo",2,,,A,4,\r\n', ["6.50", "10.00"]),
+        (CANVAS, "\ufeff" + TOP + '"Student, Test",9,,,A,,\r\nBo,2,cd,,A,,\r\n', ["10.00"]),
+        (CANVAS, HEAD + " Points Possible,,,,,100,5\r\n,,,,,Manual Posting,\r\nA,1,,ab@x.y,A,,\r\n",
+         ["65.00"]),
+        (CANVAS, TOP.replace(",", ";").replace(";10;", ";20,0;") + "A;1;;ab;S;;\r\n", ["13,00"]),
+        (MOODLE, MOODLE_HEAD + "Participant 1,A,ab@x,,,20.00,-\r\nP 2,B,cd@x,,,20.00,-\r\n",
+         ["13.00", "20.00"]),
+        (MOODLE, MOODLE_HEAD + 'Participant 1,A,ab@x,,,"100,00",-\r\n', ["65,00"]),
+        (MOODLE, MOODLE_HEAD + "Participant 1,Ada LOVELACE,,,,20.00,-\r\n", ["13.00"]),
+    ],
+)  # fmt: skip
+def test_an_export_is_filled_where_every_row_is_certain(export, text, points):
+    comma = ";" if text.count(";") > text.count(",") else ","
+    before, after = read(text, comma), read(filled(text, export, SHARES, NAMES, "Homework"), comma)
+    column = 5 if export is CANVAS else 4
+    students = [
+        row for row in after[1:] if row[0].strip() not in ("", "Points Possible", "Student, Test")
+    ]
+    assert [row[column] for row in students] == points
+    for old, new in zip(before, after, strict=True):
+        old += [""] * (len(new) - len(old))
+        assert old[:column] + old[column + 1 :] == new[:column] + new[column + 1 :]
+    assert text.startswith("\ufeff") == filled(text, export, SHARES, NAMES, "Homework").startswith(
+        "\ufeff"
+    )
+
+
+@pytest.mark.parametrize(
+    ("export", "text", "words"),
+    [
+        (CANVAS, TOP + "Ada Twin,1,,,A,,\r\n", "Ada Twin: ab or cd"),
+        (CANVAS, TOP + "A,1,,ab,A,,\r\nAda Twin,2,,zz,A,,\r\n", "Ada Twin: nobody in the course"),
+        (CANVAS, TOP + "A,1,,ab@x,A,,\r\nB,2,,ab@y,A,,\r\n", "A: ab\nB: ab"),
+        (CANVAS, TOP + "A,1,cd,ab,A,,\r\n", "A: ab or cd"),
+        (CANVAS, TOP, "it has no rows"),
+        (CANVAS, HEAD + "A,1,,ab,A,,\r\n", "the export's maximum is ''; expected a number"),
+        (CANVAS, TOP.replace("10", "(read only)") + "A,1,,ab,A,,\r\n", "is '(read only)'"),
+        (CANVAS, TOP.replace("Homework", "X") + "A,1,,ab,A,,\r\n", "0 columns called 'Homework'"),
+        (CANVAS, "Name,Grade\r\n", "expected Student, ID"),
+        (CANVAS, "", "expected Student, ID"),
+        (MOODLE, "Kennung,Grade\r\n", "expected Identifier, Full name, Maximum Grade, Last"),
+        (MOODLE, MOODLE_HEAD + "P 1,A,ab@x,,,-,-\r\n", "the export's maximum is '-'"),
+    ],
+)  # fmt: skip
+def test_an_export_with_a_doubt_is_not_filled_and_the_doubt_is_told(export, text, words):
+    names = {"ab": "Ada Twin", "cd": "Ada Twin"}
+    with pytest.raises(ArmError) as told:
+        filled(text, export, SHARES, names, "Homework")
+    assert words in str(told.value)
+
+
+def test_grades_are_filled_into_exports_from_the_command_line(course, tmp_path, capsys):
+    (tmp_path / "s").write_bytes(SECRET)
+    (tmp_path / "c.csv").write_text(TOP + "A,1,,Ada@x.example,A,,\r\nB,2,,b.7,A,,\r\n", "utf-8")
+    (tmp_path / "m.csv").write_text(f"{MOODLE_HEAD}P 1,Zoe,zz@x,,,20.00,-\r\n", "utf-8")
+    words = ["grade", str(course[1]), "--secret", str(tmp_path / "s"), "--out", str(tmp_path / "o")]
+    assert commands.main([*words, "--canvas", str(tmp_path / "c.csv")]) == 0
+    assert f"filled: {tmp_path / 'o' / 'canvas.csv'}" in capsys.readouterr().out
+    assert commands.main([*words, "--moodle", str(tmp_path / "m.csv")]) == 2
+    assert "not certain are:\nZoe: nobody" in capsys.readouterr().err
+    assert not (tmp_path / "o" / "moodle.csv").exists()
+
+
+# Other systems
 
 
 @pytest.fixture(scope="module")
@@ -34,319 +259,113 @@ def course(tmp_path_factory):
     folder = tmp_path_factory.mktemp("exports") / "hw"
     students = [Student("Ada@x.example", "Ada L"), Student("b.7", "Bo Ü")]
     topics = ("forward kinematics", "Jacobian")
-    return commands.new(students, SECRET, MINE, folder, "Homework 1", topics)
+    return making.new(students, SECRET, ELBOW, folder, topics=topics), folder
 
 
-def read(text):
-    return list(csv.reader(io.StringIO(text, newline="")))
+@pytest.fixture(scope="module")
+def unpacked(course, tmp_path_factory):
+    """Gradescope's folder with the wheel installed, as setup.sh does but for what it needs."""
+    root = tmp_path_factory.mktemp("autograder")
+    autograders.gradescope_zip(course[0], root / "a.zip")
+    with zipfile.ZipFile(root / "a.zip") as file:
+        file.extractall(root / "source")
+        modes = {i.filename: i.external_attr >> 16 & 0o777 for i in file.infolist()}
+    (wheel,) = (root / "source").glob("*.whl")
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-index"]
+    pip += ["--disable-pip-version-check", "--target", str(root / "env"), str(wheel)]
+    subprocess.run(pip, check=True)
+    return root, modes
 
 
-def test_a_line_of_the_grades_rounds_and_adds():
-    row = gradebook.grade_row("ab", "Ada", MARKS, "late")
-    assert [*row.items()] == [
-        ("id", "ab"), ("name", "Ada"), ("total", 2.0235), ("p", 1.0), ("R", 0.1235),
-        ("q_half", 0.9), ("note", "late"),
-    ]  # fmt: skip
-    text = gradebook.table([row, {**row, "name": "=1", "note": "-"}])
-    assert text.count("\r\n") == text.count("\n") == 3
-    assert read(text) == [
-        ["id", "name", "total", "p", "R", "q_half", "note"],
-        ["ab", "Ada", "2.0235", "1.0", "0.1235", "0.9", "late"],
-        ["ab", "'=1", "2.0235", "1.0", "0.1235", "0.9", "'-"],
-    ]
+def test_the_zip_holds_the_course_a_wheel_and_no_secret(unpacked):
+    root, modes = unpacked
+    assert modes["setup.sh"] == modes["run_autograder"] == 0o755
+    assert {*modes} > {"setup.sh", "run_autograder", "course.json"}
+    assert SECRET not in (root / "a.zip").read_bytes()
+    (info,) = (root / "env").glob("*.dist-info")
+    needs = (info / "METADATA").read_text("utf-8")
+    assert "Requires-Dist: numpy" in needs
+    assert 'extra == "course"' in needs
+    source = Path(autograders.__file__).parents[1]
+    for path in source.rglob("*"):
+        if path.is_file() and "__pycache__" not in path.parts:
+            packed = root / "env" / "helpers" / path.relative_to(source)
+            assert packed.read_bytes() == path.read_bytes()
+    for script in ("setup.sh", "run_autograder"):
+        text = (root / "source" / script).read_bytes()
+        assert subprocess.run(["bash", "-n"], input=text, check=False).returncode == 0
 
 
-@pytest.mark.parametrize("first", ["=", "+", "-", "@", "\t", "\r", "\n", "|", "%"])
-def test_what_a_spreadsheet_would_run_is_quoted(first):
-    assert gradebook.safe(f"{first}1") == f"'{first}1"
-    assert gradebook.safe(f"a{first}1") == f"a{first}1"
+def handed_in(root, users, given):
+    folder = root / "submission"
+    folder.mkdir(exist_ok=True)
+    (folder / "answers (1).json").write_text(json.dumps(given), encoding="utf-8")
+    about = json.dumps({"users": users})
+    (root / "submission_metadata.json").write_text(about, encoding="utf-8")
 
 
-def test_gradescope_reads_a_score_a_test_each_and_words():
-    def test(name, number, score, status, output):
-        return {
-            "name": name, "number": number, "score": score, "max_score": 1.0, "status": status,
-            "output": output, "output_format": "text", "visibility": "visible",
-        }  # fmt: skip
-
-    expected = {
-        "score": 2.0235,
-        "output": "Every part is judged below.",
-        "output_format": "text",
-        "tests": [
-            test("p", "1", 1.0, "passed", "Right."),
-            test("R", "2", 0.1235, "failed", "Wrong. All of it."),
-            test("q_half", "3", 0.9, "failed", "Rounded."),
-        ],
-    }
-    assert gradebook.gradescope(MARKS, "") == expected
-    assert gradebook.gradescope(MARKS, "late") == {**expected, "output": "late"}
-
-
-@pytest.mark.parametrize("text", ["{", "[1]", b"\xff", None])
-def test_results_that_cannot_be_read_are_none(tmp_path, text):
-    if text is not None:
-        (tmp_path / "results.json").write_bytes(text.encode() if isinstance(text, str) else text)
-    assert gradebook.read_results(tmp_path) == {}
-
-
-def test_results_are_written_whole_and_read_back(tmp_path):
-    gradebook.write_results(tmp_path / "a" / "b", {"é": [1.5, None]})
-    assert gradebook.read_results(tmp_path / "a" / "b") == {"é": [1.5, None]}
-    with pytest.raises(ValueError, match="JSON compliant"):
-        gradebook.write_results(tmp_path / "a" / "b", {"score": float("nan")})
-    assert gradebook.read_results(tmp_path / "a" / "b") == {"é": [1.5, None]}
-    assert [path.name for path in (tmp_path / "a" / "b").iterdir()] == ["results.json"]
-
-
-CANVAS = "Student,ID,SIS User ID,SIS Login ID,Homework 1 (7),Homework 10 (8),Homework 1b (9)"
+def test_gradescope_marks_by_the_installed_wheel(course, unpacked):
+    root, _ = unpacked
+    given = right(course[0].sheet("b.7", SECRET))
+    handed_in(root, [{"email": "B.7@school.example", "name": "B", "id": 9}], given)
+    command = [sys.executable, "-m", "helpers.course.autograders", str(root)]
+    subprocess.run(command, cwd=root, env={"PYTHONPATH": str(root / "env")}, check=True)
+    results = json.loads((root / "results" / "results.json").read_text("utf-8"))
+    assert results["score"] == len(results["tests"]) == 5
+    assert results["output"] == "Marked as the sheet of b.7. Every part is judged below."
+    assert set(results["tests"][0]) == {
+        "name", "number", "score", "max_score", "status", "output", "output_format", "visibility",
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize(
-    ("line", "filled"),
+    ("users", "words"),
     [
-        ("Ada L,1,x,ab,,,", "Ada L,1,x,ab,0.333333,,"),
-        ("Ada L,1,cd,zz,,,", "Ada L,1,cd,zz,2,,"),
-        ("Bo,1,x,y,9,,", "Bo,1,x,y,3,,"),
-        ("Bo,1,ab,cd,9,,", "Bo,1,ab,cd,2,,"),
-        ("Nobody,ab,x,y,9,8,7", "Nobody,ab,x,y,9,8,7"),
-        ("Bo,1", "Bo,1,,,3,,"),
+        ([{"email": "ada@X.example"}], "Marked as the sheet of Ada@x.example."),
+        ([{"email": "x@y", "name": "bo ü"}], "Marked as the sheet of b.7."),
+        ([{"email": "x@y", "name": "Nobody"}], "No sheet of this course belongs to your name"),
+        ([{"email": "ada@x.example"}, {"email": "b.7@z"}], "More than one sheet of this course"),
+        ([{}], "No sheet of this course"),
+        (None, "Marking stopped (TypeError); please tell your instructor."),
     ],
 )
-def test_canvas_is_filled_by_login_then_user_then_name(line, filled):
-    totals = {"ab": 1 / 3, "cd": 2.0, "Bo": 3.0}
-    text = gradebook.fill_canvas(f"\ufeff{CANVAS}\r\n{line}\r\n", totals, "Homework 1")
-    assert text == f"{CANVAS}\r\n{filled}\r\n"
-
-
-def test_a_short_line_of_canvas_matches_nobody():
-    text = "Student,ID,Homework 1,SIS Login ID\r\nNo,1\r\nAda,2,\r\n"
-    found = gradebook.fill_canvas(text, {"Ada": 0.5, "": 9}, "Homework 1")
-    assert read(found)[1:] == [["No", "1"], ["Ada", "2", "0.5", ""]]
-
-
-MOODLE = "Identifier,Full name,Email address,Grade,Maximum Grade,Last modified (grade)"
-
-
-@pytest.mark.parametrize(
-    ("line", "filled"),
-    [
-        ("1,Ada,ab@x,,20.00,-", "1,Ada,ab@x,2.50,20.00,-"),
-        ("1,Ada,cd@x.y,,20.00,-", "1,Ada,cd@x.y,20.00,20.00,-"),
-        ("1,Bo,zz@x,,10,-", "1,Bo,zz@x,7.50,10,-"),
-        ("1,Bo,,,,-", "1,Bo,,6.00,,-"),
-        ("1,Bo", "1,Bo,,6.00,,"),
-        ("1,Nobody,x@y,5,20.00,-", "1,Nobody,x@y,5,20.00,-"),
-        ("1,Nobody", "1,Nobody"),
-    ],
-)
-def test_moodle_is_filled_by_mail_then_its_first_half_then_name(line, filled):
-    totals = {"ab": 1.0, "cd@x.y": 8.0, "cd": 1.0, "Bo": 6.0}
-    text = gradebook.fill_moodle(f"\ufeff{MOODLE}\r\n{line}\r\n", totals, 8.0)
-    assert text == f"{MOODLE}\r\n{filled}\r\n"
-    nameless = MOODLE.replace("Full name", "Name").replace("Email", "E-mail")
-    text = f"{nameless}\r\n{line}\r\n"
-    assert gradebook.fill_moodle(text, {**totals, "XXXX": 1.0}, 8.0) == text
-
-
-@pytest.mark.parametrize(
-    ("fill", "export", "words"),
-    [
-        ("canvas", "", "the export is empty; expected a line of headings"),
-        ("moodle", "", "the export is empty; expected a line of headings"),
-        ("canvas", "Name,ID", "the Canvas export has the columns Name, ID; expected Student"),
-        ("canvas", "Student,A", "the Canvas export has the columns Student, A; expected ID"),
-        ("canvas", "Student,ID,T (1),T (2)", "the Canvas export has 2 columns called 'T'; expected"
-         " one; it has Student, ID, T (1), T (2)"),
-        *(("moodle", MOODLE.replace(name, "X"), f"the Moodle worksheet has the columns "
-           f"{MOODLE.replace(name, 'X').replace(',', ', ')}; expected {name} (the importer wants"
-           " the language of the site to be English)")
-          for name in ("Identifier", "Maximum Grade", "Last modified (grade)")),
-        ("moodle", MOODLE.replace(",Grade", ",X"), "the Moodle worksheet has the columns Identifi"
-         "er, Full name, Email address, X, Maximum Grade, Last modified (grade); expected Grade"
-         " (the importer wants the language of the site to be English)"),
-    ],
-)  # fmt: skip
-def test_an_export_that_lacks_a_column_is_told(fill, export, words):
-    with pytest.raises(ArmError) as told:
-        getattr(gradebook, f"fill_{fill}")(export, {}, "T")
-    assert str(told.value) == words
-
-
-def test_the_zip_holds_the_course_the_helpers_and_no_secret(course, tmp_path):
-    (tmp_path / "a").mkdir()
-    for path in (tmp_path / "a/x.zip", tmp_path / "b/c/x.zip"):
-        autograders.gradescope_zip(course, path)
-    package = Path(helpers.__file__).parent
-    sources = {
-        f"package/helpers/{p.relative_to(package).as_posix()}": p
-        for p in package.rglob("*")
-        if p.is_file() and "__pycache__" not in p.parts
-    }
-    with zipfile.ZipFile(tmp_path / "b/c/x.zip") as file:
-        ours = ["setup.sh", "run_autograder", "course.json", "package/pyproject.toml"]
-        assert file.namelist() == [*ours, *sorted(sources)] or (
-            file.namelist()[:4] == ours and {*file.namelist()[4:]} == {*sources}
-        )
-        assert [file.getinfo(n).external_attr >> 16 for n in ours] == [0o100755] * 2 + [
-            0o100644
-        ] * 2
-        assert {info.compress_type for info in file.infolist()} == {zipfile.ZIP_DEFLATED}
-        for name in ("package/helpers/arm.py", "package/helpers/course/commands.py"):
-            assert file.read(name) == sources[name].read_bytes()
-        assert file.read("course.json").decode() == store.text(course)
-        project = tomllib.loads(file.read("package/pyproject.toml").decode())
-        assert "course" in project["project"]["optional-dependencies"]
-        assert file.read("setup.sh").startswith(b"#!/usr/bin/env bash\n")
-
-
-def handed_in(course, root, student, users, answers=None):
-    """A folder laid out like /autograder, with this student's right answers."""
-    store.save(course, root / "source")
-    (root / "submission").mkdir(parents=True)
-    found = right(course.sheet(student, SECRET)) if answers is None else answers
-    text = json.dumps(found)
-    (root / "submission" / "answers.json").write_text(text, encoding="utf-8")
-    if users is not None:
-        text = json.dumps({"users": users})
-        (root / "submission_metadata.json").write_text(text, encoding="utf-8")
-    found = autograders.run_gradescope(root)
-    assert json.loads((root / "results" / "results.json").read_text("utf-8")) == found
-    return found
-
-
-NOBODY = "No sheet of this course belongs to your name, e-mail address or id; tell your instructor."
-
-
-@pytest.mark.parametrize(
-    ("users", "student"),
-    [
-        ([{"email": "ada@X.example"}], "Ada@x.example"),
-        ([{"email": "B.7@school.example", "name": "?"}], "b.7"),
-        ([{"email": "", "name": "bo ü"}], "b.7"),
-        ([{}, {"name": "ada l"}], "Ada@x.example"),
-        ([{"email": "x.b.7", "name": "ada"}], None),
-        ([], None),
-        ([{}], None),
-        (None, None),
-        ({"a": 1}, "Marking stopped (AttributeError); please tell your instructor."),
-        (5, None),
-    ],
-)
-def test_gradescope_finds_the_sheet_by_mail_or_name(course, tmp_path, users, student):
-    found = handed_in(course, tmp_path, "b.7", users)
-    if student is None or student.startswith("Marking"):
-        assert found == {"score": 0, "output": student or NOBODY, "tests": []}
-        return
-    assert found["output"] == f"Marked as the sheet of {student}. Every part is judged below."
-    assert found["output_format"] == "text"
-    assert [test["name"] for test in found["tests"]] == ["p", "R", "J", "xi", "J_column"]
-    assert (found["score"] == 5) == (student == "b.7")
-
-
-def test_gradescope_marks_by_the_courses_rules_and_says_what_went_wrong(course, tmp_path):
-    ruled = replace(course, rules=store.Rules(causes={"numbers.millimetres": 0.625}))
-    p = (1000 * course.sheet("b.7", SECRET).parts["p"].value).tolist()
-    users = [{"email": "b.7"}]
-    found = handed_in(ruled, tmp_path / "a", "b.7", users, {"p": p})
-    assert [test["score"] for test in found["tests"]] == [0.625, 0, 0, 0, 0]
-    found = handed_in(ruled, tmp_path / "b", "b.7", users, [])
-    assert found["score"] == 0
-    said = "Marked as the sheet of b.7. answers.json could not be read: holds no names"
-    assert found["output"] == said
-    (tmp_path / "c").mkdir()
-    found = autograders.run_gradescope(tmp_path / "c")
-    words = "Marking stopped (ArmError); please tell your instructor."
-    assert found == {"score": 0, "output": words, "tests": []}
-    assert gradebook.read_results(tmp_path / "c" / "results") == found
-
-
-def about(cell):
-    return cell["metadata"].get("nbgrader")
+def test_gradescope_finds_whose_sheet_it_is_or_says_so(course, unpacked, users, words):
+    root, _ = unpacked
+    handed_in(root, users, {"p": [1, 2, 3]})
+    results = autograders.run_gradescope(root)
+    assert results["output"].startswith(words)
+    assert results["score"] == 0
+    assert json.loads((root / "results" / "results.json").read_bytes()) == results
 
 
 def test_an_nbgrader_notebook_has_a_solution_and_a_hidden_test_for_each_part(course):
-    sheet = course.sheet("b.7", SECRET)
-    book = autograders.nbgrader_notebook(course, sheet)
-    nbformat.validate(book)
-    parts = ["p", "R", "J", "xi", "J_column"]
-    dashed = [name.replace("_", "-") for name in parts]
-    pairs = [[f"answer-{name}", f"test-{name}"] for name in dashed]
-    ids = ["title", "arm", "setup", "question-1", *pairs[0], *pairs[1], "question-2"]
-    assert [cell["id"] for cell in book["cells"]] == [*ids, *pairs[2], *pairs[3], *pairs[4]]
-    assert book["cells"][0]["source"].startswith("# Homework 1\n\nOne sheet for everybody (all)\n")
-    kinds = {"setup": (False, False, True), "answer": (False, True, False)}
-    kinds["test"] = (True, False, True)
-    for cell in book["cells"]:
-        kind = cell["id"].split("-")[0]
-        if kind in ("title", "arm", "question"):
-            assert about(cell) is None
-            continue
-        grade, solution, locked = kinds[kind]
-        expected = {
-            "grade": grade, "solution": solution, "locked": locked, "task": False,
-            "schema_version": 3, "grade_id": cell["id"], **({"points": 1} if grade else {}),
-        }  # fmt: skip
-        assert about(cell) == expected
-        assert cell["cell_type"] == "code"
-        assert (cell["outputs"], cell["execution_count"]) == ([], None)
-    by_id = {cell["id"]: cell["source"] for cell in book["cells"]}
-    for name, dash in zip(parts, dashed, strict=True):
-        assert by_id[f"answer-{dash}"].splitlines() == [
-            f"# answer_{name}: {sheet.parts[name].what}",
-            "### BEGIN SOLUTION",
-            f"answer_{name} = None",
-            "### END SOLUTION",
-        ]
-        lines = by_id[f"test-{dash}"].splitlines()
-        assert lines[0] == "### BEGIN HIDDEN TESTS"
-        assert lines[-1] == "### END HIDDEN TESTS"
-        space = {f"answer_{name}": right(sheet)[name]}
-        exec("\n".join(lines[1:-2]), space)
-        assert eval(lines[-2], space) == 1
+    sheet = course[0].sheet("b.7", SECRET)
+    book = autograders.nbgrader_notebook(course[0], sheet)
+    nbformat.validate(nbformat.from_dict(book))
+    names = {"answer_" + name: value for name, value in right(sheet).items()}
+    cells = [cell for cell in book["cells"] if "nbgrader" in cell["metadata"]]
+    both = [f"{kind}-{n.replace('_', '-')}" for n in sheet.parts for kind in ("answer", "test")]
+    assert [cell["id"] for cell in cells] == ["setup", *both]
+    for answer, test in zip(cells[1::2], cells[2::2], strict=True):
+        about = answer["metadata"]["nbgrader"]
+        assert (about["solution"], about["grade"], about["locked"]) == (True, False, False)
+        _, begin, stub, end = answer["source"].splitlines()
+        assert (begin, end) == ("### BEGIN SOLUTION", "### END SOLUTION")
+        assert stub.endswith(" = None")
+        about = test["metadata"]["nbgrader"]
+        assert (about["grade"], about["locked"], about["points"]) == (True, True, 1)
+        begin, *lines, last, end = test["source"].splitlines()
+        assert (begin, end) == ("### BEGIN HIDDEN TESTS", "### END HIDDEN TESTS")
+        space = dict(names)
+        exec("\n".join(lines), space)
+        assert eval(last, space) == 1
+    assert autograders.credit("p", np.zeros(3), space["stored"]) == 0
 
 
-def test_nbgrader_takes_what_a_sheet_takes(course):
-    sheet = course.sheet("b.7", SECRET)
-    kept = {"arm": store.arms.to_json(sheet.arm), "drawn": sheet.drawn}
-    p, six = sheet.parts["p"].value, sheet.parts["J_column"].value
-    for name, answer, credit in (
-        ("p", p, 1), ("p", p.tolist(), 1), ("p", tuple(p), 1), ("p", sp.Matrix(p), 1),
-        ("p", None, 0), ("p", ..., 0), ("p", np.add(p, [0.002, 0, 0]), 0), ("p", object(), 0),
-        ("J_column", sp.Matrix([sp.sympify(f) for f in six]), 1),
-        ("J", sheet.parts["J"].value.round(1), 0.9),
-    ):  # fmt: skip
-        assert autograders.credit(name, answer, kept) == credit, (name, answer)
-    thirds = sheet.parts["J"].value.copy()
-    thirds[0] += 0.5
-    assert autograders.credit("J", thirds, kept) == 0
-
-
-def test_looking_says_every_part_in_words(course, tmp_path):
-    sheet = course.sheet("b.7", SECRET)
-    kept = {"arm": store.arms.to_json(sheet.arm), "drawn": sheet.drawn}
-    (tmp_path / "sheet.json").write_text(json.dumps(kept), encoding="utf-8")
-    answers = {"p": np.round(sheet.parts["p"].value, 4).tolist(), "R": "É"}
-    (tmp_path / "answers.json").write_text(
-        json.dumps(answers, ensure_ascii=False), encoding="utf-8"
-    )
-    words, marks = autograders.look(tmp_path)
-    assert [mark.part for mark in marks] == ["p", "R", "J", "xi", "J_column"]
-    assert words == "\n".join(
-        ["p: 1", "Right.", "", "R: 0", marks[1].words, "",
-         *(line for n in ("J", "xi", "J_column") for line in (f"{n}: 0", "Not answered.", ""))]
-    )  # fmt: skip
-    (tmp_path / "answers.json").unlink()
-    assert autograders.look(tmp_path)[0].startswith("nothing was handed in (answers.json)\np: 0\n")
-    cells = [{"cell_type": "code", "source": "answer_p = 1"}]
-    (tmp_path / "a.ipynb").write_text(json.dumps({"cells": cells}), encoding="utf-8")
-    unasked = "it has no answers.json, and notebooks are not run without leave"
-    assert autograders.look(tmp_path)[0].startswith(f"{unasked} (answers.json)\np: 0\n")
-    (tmp_path / "source").mkdir()
-    store.save(course, tmp_path / "source")
-    (tmp_path / "submission").mkdir()
-    (tmp_path / "a.ipynb").rename(tmp_path / "submission/a.ipynb")
-    about = json.dumps({"users": [{"email": "b.7"}]})
-    (tmp_path / "submission_metadata.json").write_text(about, encoding="utf-8")
-    said = autograders.run_gradescope(tmp_path)["output"]
-    assert said == f"Marked as the sheet of b.7. {unasked}"
+def test_a_named_mistake_is_worth_what_the_course_says_in_gradescope_too(course, unpacked):
+    root, _ = unpacked
+    ruled = replace(course[0], rules=Rules(causes={"numbers.millimetres": 0.625}))
+    store.save(ruled, root / "source")
+    p = (1000 * course[0].sheet("b.7", SECRET).parts["p"].value).tolist()
+    handed_in(root, [{"email": "b.7"}], {"p": p})
+    assert autograders.run_gradescope(root)["score"] == 0.625

@@ -11,21 +11,12 @@ import pytest
 import sympy as sp
 
 from helpers import inverse
-from helpers.arm import Arm, ArmError, revolute
+from helpers.arm import Arm, ArmError, Body, fixed, revolute
 from helpers.motion import circle, trace
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.variants import (
-    TOPICS,
-    branches_of,
-    closed_form,
-    draw,
-    drawn_arm,
-    matrix,
-    pose_of,
-    question,
-    sheet,
-    variant,
-)
+from helpers.statics import gravity_torque
+from helpers.variants import TOPICS, draw, question, sheet, variant
+from helpers.variants.topics import branches_of, closed_form, drawn_arm, matrix, pose_of
 
 ARMS = [PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, UR10E_HOMEWORK, STANFORD, ELBOW]
 PLANE = Arm("plane", [revolute(a=0.5), revolute(a=0.4), revolute(a=0.3)])
@@ -316,12 +307,44 @@ def test_the_sheet_has_what_the_arm_can_do():
     assert len(sheet(ELBOW, 1).drawn) == 4
 
 
+@every_arm
+def test_a_question_can_be_solved_from_what_it_prints(arm):
+    """The numbers in the text are those that are judged, to the last digit, centres of mass too."""
+    for seed in range(3):
+        printed = sheet(arm, seed)
+        told = re.findall(r"= (-?[\d.]+)\$", printed.arm._repr_markdown_())
+        assert {*map(float, told)} <= {*printed.arm.values.values()}
+        for asked in printed.questions:
+            for name in ("q", "q_dot", "force"):
+                if name in asked.given:
+                    assert any(
+                        np.array_equal(m, np.array(asked.given[name], dtype=float))
+                        for m in matrices(asked.text)
+                    )
+        if arm.bodies:
+            text = next(q.text for q in printed.questions if q.topic == "static torque")
+            assert "each in the frame of its own link" in text
+            lines = [numbers(line)[1:] for line in text.splitlines() if re.match(r"\| \d", line)]
+            told = printed.arm.with_bodies([Body(m, c) for m, *c in np.array(lines).tolist()])
+            q = np.full(arm.dof, 0.3)
+            np.testing.assert_array_equal(gravity_torque(told, q), gravity_torque(printed.arm, q))
+
+
+STIFF = Arm("stiff", [fixed(a=0.3)])
+
+
 @pytest.mark.parametrize(
     ("topic", "arm", "seed", "words"),
     [
         ("statics", PANDA, 1, "topic is 'statics'; expected one of DH table"),
         ("Jacobian", PANDA, -1, "seed is -1; expected a whole number"),
         ("Jacobian", PANDA, 1.5, "seed is 1.5; expected a whole number"),
+        (
+            "Jacobian",
+            STIFF,
+            1,
+            "stiff, lengths of your own does not suit Jacobian; it needs a joint",
+        ),
         ("static torque", ELBOW, 1, "does not suit static torque; it needs masses"),
         ("circle tracing", ELBOW, 1, "does not suit circle tracing; it needs six joints"),
     ],

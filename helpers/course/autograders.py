@@ -1,19 +1,29 @@
-"""The same marking inside other systems: Gradescope, nbgrader, GitHub Classroom."""
+"""The same marking inside other systems: Gradescope, nbgrader."""
 
+import base64
+import hashlib
+import io
 import json
 import sys
 import zipfile
 from collections.abc import Mapping
+from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 from typing import Any
 
 import helpers
 from helpers.course import gradebook, sheets, store
-from helpers.course.answers import FILE, collected, read_hand_in
+from helpers.course.answers import PREFIX, collected
 from helpers.course.arms import from_json, to_json
-from helpers.course.marking import Mark, mark, mark_sheet
+from helpers.course.files import within
+from helpers.course.handed_in import read_hand_in
+from helpers.course.marking import Rules, mark, mark_sheet
+from helpers.course.roster import People
 from helpers.course.store import Course
+from helpers.inputs import ArmError
 from helpers.variants import Part, Sheet
+
+_NAME = "manipulator-homework-helpers"
 
 # Gradescope (docs/specs.md of gradescope/autograder_samples): the zip's root holds setup.sh and the
 # executable run_autograder; what it must write is /autograder/results/results.json.
@@ -28,76 +38,61 @@ elif ! $python -c 'import ensurepip'; then
   apt-get update -qq && apt-get install -y -qq python3-venv
 fi
 $python -m venv /autograder/env
-/autograder/env/bin/pip install --quiet './package[course]'
+/autograder/env/bin/pip install --quiet ./*.whl
 """
 _RUN = """#!/usr/bin/env bash
-cd /autograder/source
 exec /autograder/env/bin/python -m helpers.course.autograders /autograder
-"""
-
-CLASSROOM = """# Judges answers.json at each push and says what it found, without a key of the
-# course: what counts is what the instructor's own `python -m helpers.course grade` says.
-name: Homework
-on: [push, workflow_dispatch]
-permissions:
-  contents: read
-jobs:
-  look:
-    runs-on: ubuntu-latest
-    timeout-minutes: 10
-    steps:
-      - uses: actions/checkout@v4
-      - uses: actions/setup-python@v5
-        with:
-          python-version: "3.12"
-      # Set HELPERS under Settings, Variables: what pip installs, such as the address of a wheel.
-      - run: python -m pip install "${{ vars.HELPERS }}"
-      - run: python -m helpers.course look .
 """
 
 
 def gradescope_zip(course: Course, path: Path) -> None:
-    """Gradescope's autograder: the course, the helpers, set-up and start; no secret and no key in
-    it.
+    """Gradescope's autograder: the course, the helpers as a wheel, set-up and start; no secret.
 
     Only answers.json is read there, so no student's program runs where the course lies.
     """
-    package = Path(helpers.__file__).parent
+    name, packed = wheel()
+    files = {name: packed, store.FILE: store.text(course).encode()}
+    scripts = {"setup.sh": _SETUP.encode(), "run_autograder": _RUN.encode()}
     path.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
-        _add(file, "setup.sh", _SETUP, 0o755)
-        _add(file, "run_autograder", _RUN, 0o755)
-        _add(file, store.FILE, store.text(course), 0o644)
-        _add(file, "package/pyproject.toml", _PROJECT, 0o644)
-        for source in sorted(package.rglob("*")):
-            if source.is_file() and "__pycache__" not in source.parts:
-                file.write(source, f"package/helpers/{source.relative_to(package).as_posix()}")
+        for name, content in {**scripts, **files}.items():
+            entry = zipfile.ZipInfo(name)
+            entry.external_attr = (0o100000 | (0o755 if name in scripts else 0o644)) << 16
+            file.writestr(entry, content, zipfile.ZIP_DEFLATED)
 
 
-_PROJECT = """[build-system]
-requires = ["setuptools>=77"]
-build-backend = "setuptools.build_meta"
+def wheel() -> tuple[str, bytes]:
+    """The helpers that run here as a wheel (PEP 427): its name and its content.
 
-[project]
-name = "manipulator-homework-helpers"
-version = "0"
-dependencies = ["numpy>=2.0", "sympy>=1.13", "matplotlib>=3.10"]
+    Raises ArmError where they are not installed, so that nothing says what they need.
+    """
+    try:
+        found = distribution(_NAME)
+    except PackageNotFoundError:
+        raise ArmError(f"{_NAME} is not installed; say pip install . in its folder") from None
+    package, stem = Path(helpers.__file__).parent, f"{_NAME.replace('-', '_')}-{found.version}"
+    info = f"{stem}.dist-info"
+    needs = "".join(f"Requires-Dist: {words}\n" for words in found.requires or ())
+    about = f"Metadata-Version: 2.1\nName: {_NAME}\nVersion: {found.version}\n{needs}"
+    kind = "Wheel-Version: 1.0\nGenerator: helpers.course\nRoot-Is-Purelib: true\n"
+    files = {
+        f"helpers/{path.relative_to(package).as_posix()}": path.read_bytes()
+        for path in sorted(package.rglob("*"))
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    files |= {f"{info}/METADATA": about.encode()}
+    files |= {f"{info}/WHEEL": f"{kind}Tag: py3-none-any\n".encode()}
+    record = [f"{name},sha256={_digest(content)},{len(content)}" for name, content in files.items()]
+    files[f"{info}/RECORD"] = "\n".join([*record, f"{info}/RECORD,,\n"]).encode()
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, content in files.items():
+            file.writestr(name, content)
+    return f"{stem}-py3-none-any.whl", packed.getvalue()
 
-[project.optional-dependencies]
-course = []
 
-[tool.setuptools.packages.find]
-include = ["helpers*"]
-
-[tool.setuptools.package-data]
-"*" = ["*"]
-"""
-
-
-def _add(file: zipfile.ZipFile, name: str, text: str, mode: int) -> None:
-    entry = zipfile.ZipInfo(name)
-    entry.external_attr = (0o100000 | mode) << 16
-    file.writestr(entry, text, zipfile.ZIP_DEFLATED)
+def _digest(content: bytes) -> str:
+    return base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
 
 
 def run_gradescope(root: Path) -> dict[str, Any]:
@@ -109,44 +104,27 @@ def run_gradescope(root: Path) -> dict[str, Any]:
     except Exception as error:  # Gradescope calls a crash its own failure; say it in words instead
         words = f"Marking stopped ({type(error).__name__}); please tell your instructor."
         results = {"score": 0, "output": words, "tests": []}
-    gradebook.write_results(root / "results", results)
+    store.write(root / "results" / "results.json", store.as_json(results))
     return results
 
 
 def _gradescope_results(root: Path) -> dict[str, Any]:
     course = store.load(root / "source")
-    handed = read_hand_in(root / "submission", "nothing")
-    student = _who(course, _metadata(root))
-    if student is None:
+    users = json.loads((root / "submission_metadata.json").read_bytes())["users"]
+    people = People(course.names)
+    meant = people.by_id(str(user.get("email", "")) for user in users)
+    meant = meant or {s for user in users for s in people.by_name(str(user.get("name", "")))}
+    if len(meant) != 1:
+        who = "No sheet" if not meant else "More than one sheet"
         words = (
-            "No sheet of this course belongs to your name, e-mail address or id;"
-            " tell your instructor."
+            f"{who} of this course belongs to your name and e-mail address; tell your instructor."
         )
         return {"score": 0, "output": words, "tests": []}
-    marks = mark_sheet(course.unsigned(student), handed.answers, course.rules)
-    results = gradebook.gradescope(marks, handed.trouble)
+    student = meant.pop()
+    sheet = course.unsigned(student)
+    handed = read_hand_in(within(root / "submission"), sheet.parts)
+    results = gradebook.gradescope(mark_sheet(sheet, handed.answers, course.rules), handed.trouble)
     return {**results, "output": f"Marked as the sheet of {student}. {results['output']}"}
-
-
-def _metadata(root: Path) -> list[Mapping[str, Any]]:
-    try:
-        return list(json.loads((root / "submission_metadata.json").read_bytes())["users"])
-    except (OSError, ValueError, KeyError, TypeError):
-        return []
-
-
-def _who(course: Course, users: list[Mapping[str, Any]]) -> str | None:
-    """The id in the course that belongs to whoever submitted: by e-mail, its part before @, or
-    name.
-    """
-    ids = {student.casefold(): student for student in course.sheets}
-    names = {str(e["name"]).casefold(): s for s, e in course.sheets.items()}
-    for user in users:
-        mail, name = str(user.get("email", "")).casefold(), str(user.get("name", "")).casefold()
-        for found in (ids.get(mail), ids.get(mail.split("@")[0]), names.get(name)):
-            if found:
-                return found
-    return None
 
 
 def nbgrader_notebook(course: Course, sheet: Sheet) -> dict[str, Any]:
@@ -155,33 +133,27 @@ def nbgrader_notebook(course: Course, sheet: Sheet) -> dict[str, Any]:
     Each answer cell is a solution; the locked cell after it holds a hidden test whose last line is
     the credit, which nbgrader takes as partial points.
     """
-    book = sheets.notebook(sheet, course, "all", "One sheet for everybody")
-    parts, cells = sheet.parts, []
+    book = sheets.notebook(sheet, course, "all")
+    cells = []
     for cell in book["cells"]:
         name = cell["id"].removeprefix("answer-").replace("-", "_")
-        if cell["cell_type"] != "code" or name not in parts:
-            cells.append(_marked(cell, locked=True) if cell["id"] in ("setup",) else cell)
-            continue
-        cells += [_solution(cell, parts[name]), _test(sheet, parts[name])]
-    return {**book, "cells": [cell for cell in cells if cell["id"] not in ("hand-in", "write")]}
+        if name in sheet.parts:
+            cells += [_solution(cell, sheet.parts[name]), _test(sheet, sheet.parts[name])]
+        elif cell["id"] not in ("hand-in", "write"):
+            cells.append(_marked(cell, locked=True) if cell["id"] == "setup" else cell)
+    return {**book, "cells": cells}
 
 
-def _marked(cell: dict[str, Any], *, locked: bool = False, **kind: Any) -> dict[str, Any]:
-    about = {
-        "grade": False,
-        "solution": False,
-        "task": False,
-        "locked": locked,
-        "schema_version": 3,
-    }
-    about |= {"grade_id": cell["id"], **kind}
+def _marked(cell: dict[str, Any], **kind: Any) -> dict[str, Any]:
+    about: dict[str, Any] = dict.fromkeys(("grade", "solution", "task", "locked"), False)
+    about |= {"schema_version": 3, "grade_id": cell["id"], **kind}
     return {**cell, "metadata": {**cell["metadata"], "nbgrader": about}}
 
 
 def _solution(cell: dict[str, Any], part: Part) -> dict[str, Any]:
     """nbgrader puts its stub in place of the solution; the line above it keeps the name."""
-    lines = [f"# answer_{part.name}: {part.what}", "### BEGIN SOLUTION"]
-    lines += [f"answer_{part.name} = None", "### END SOLUTION"]
+    lines = [f"# {PREFIX}{part.name}: {part.what}", "### BEGIN SOLUTION"]
+    lines += [f"{PREFIX}{part.name} = None", "### END SOLUTION"]
     return _marked({**cell, "source": "\n".join(lines)}, solution=True)
 
 
@@ -189,35 +161,18 @@ def _test(sheet: Sheet, part: Part) -> dict[str, Any]:
     stored = {"arm": to_json(sheet.arm), "drawn": dict(sheet.drawn)}
     code = (
         "### BEGIN HIDDEN TESTS\nfrom helpers.course.autograders import credit\n\n"
-        f"stored = {stored!r}\ncredit({part.name!r}, answer_{part.name}, stored)\n"
+        f"stored = {stored!r}\ncredit({part.name!r}, {PREFIX}{part.name}, stored)\n"
         "### END HIDDEN TESTS"
     )
-    name = part.name.replace("_", "-")
-    cell: dict[str, Any] = {"cell_type": "code", "id": f"test-{name}", "metadata": {}}
-    cell |= {"outputs": [], "execution_count": None, "source": code}
+    cell = sheets.code_cell(f"test-{part.name}", code)
     return _marked(cell, locked=True, grade=True, points=1)
 
 
 def credit(name: str, answer: Any, stored: Mapping[str, Any]) -> float:
     """The credit of one answer, for nbgrader's hidden tests: as if it had been handed in."""
     sheet = Sheet(from_json(stored["arm"]), stored["drawn"])
-    typed = json.loads(collected({f"answer_{name}": answer}))
-    return mark(sheet, sheet.parts[name], typed.get(name), store.Rules()).credit
-
-
-def look(folder: Path) -> tuple[str, tuple[Mark, ...]]:
-    """What the checkers say of a folder's answers.json, by the sheet.json beside it; no secret is
-    needed.
-
-    The words, and the marks. A student can change sheet.json: nothing that counts is decided by
-    this.
-    """
-    stored = json.loads((folder / sheets.FILE).read_bytes())
-    sheet = Sheet(from_json(stored["arm"]), stored["drawn"])
-    handed = read_hand_in(folder, "nothing")
-    marks = mark_sheet(sheet, handed.answers, store.Rules())
-    lines = [f"{m.part}: {m.credit:g}\n{m.words}\n" for m in marks]
-    return "\n".join([*([f"{handed.trouble} ({FILE})"] if handed.trouble else []), *lines]), marks
+    typed = json.loads(collected({f"{PREFIX}{name}": answer}))
+    return mark(sheet, sheet.parts[name], typed.get(name), Rules()).credit
 
 
 if __name__ == "__main__":

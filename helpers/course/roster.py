@@ -1,7 +1,10 @@
-"""Who takes the course, and the folder in which each student's homework lies."""
+"""Who takes the course, the folder of each, and whom other systems mean by a name."""
 
 import csv
 import re
+import unicodedata
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,7 +12,7 @@ from helpers.inputs import ArmError
 
 # An id becomes the name of a folder, on any system.
 _ID = re.compile(r"[A-Za-z0-9](?:[A-Za-z0-9._@-]{0,62}[A-Za-z0-9])?")
-_TAKEN = re.compile(r"(?i)con|prn|aux|nul|com\d|lpt\d")
+_TAKEN = re.compile(r"(?i)con|prn|aux|nul|com\d|lpt\d|course\.json")
 
 
 @dataclass(frozen=True)
@@ -30,7 +33,7 @@ def read_roster(path: str | Path) -> tuple[Student, ...]:
     try:
         with Path(path).open(encoding="utf-8-sig", newline="") as file:
             rows = list(csv.DictReader(file))
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ArmError(f"roster {str(path)!r} cannot be read: {error}") from None
     students, seen = [], dict[str, int]()
     for line, row in enumerate(rows, 2):
@@ -55,3 +58,30 @@ def must_name_a_folder(student: str, what: str) -> None:
             f"{what} is {student!r}; expected 1 to 64 letters, digits and . _ @ -, a letter or"
             " digit at either end, and no name that Windows keeps for itself"
         )
+
+
+class People:
+    """The students of a course, found by what other systems call them."""
+
+    def __init__(self, names: Mapping[str, str]) -> None:
+        self._ids = {student.casefold(): student for student in names}
+        self._names = defaultdict[str, set[str]](set)
+        for student, name in names.items():
+            words = _letters(name).split()
+            for turn in range(len(words)):  # some put the last name first, with or without a comma
+                self._names["".join(words[turn:] + words[:turn])].add(student)
+
+    def by_id(self, words: Iterable[str]) -> set[str]:
+        """Whose id, or mail address by its part before the @, one of the words is."""
+        every = {key for word in words for key in (word.casefold(), word.casefold().split("@")[0])}
+        return {self._ids[key.strip()] for key in every if key.strip() in self._ids}
+
+    def by_name(self, word: str) -> set[str]:
+        """All who have this name, in whatever order its parts stand."""
+        return set(self._names.get(_letters(word).replace(" ", ""), ()))
+
+
+def _letters(name: str) -> str:
+    """Letters and spaces alone, small and without accents."""
+    plain = unicodedata.normalize("NFKD", name).casefold()
+    return "".join(c for c in plain if c.isalnum() or c == " ")

@@ -9,13 +9,14 @@ then renamed, so that an interrupted command leaves the old file or the new one.
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from helpers import variants
 from helpers.arm import Arm
 from helpers.course import arms
+from helpers.course.marking import Rules
 from helpers.course.roster import must_name_a_folder
 from helpers.course.secrets import is_signed, seed, signature
 from helpers.inputs import ArmError
@@ -25,27 +26,19 @@ _VERSION = 1
 
 
 @dataclass(frozen=True)
-class Rules:
-    """What an answer is worth: right 1; short of digits; a named mistake by its cause; else the
-    right columns among all, times `columns`.
-    """
-
-    digits: float = 0.9
-    columns: float = 1.0
-    causes: Mapping[str, float] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
 class Course:
-    """An arm, a title, the topics asked, the rules, and each student's drawn sheet with its
-    name.
-    """
+    """An arm, a title, the topics asked, the rules, and each student's drawn sheet and name."""
 
     title: str
     arm: Arm
     topics: tuple[str, ...]
     rules: Rules
     sheets: Mapping[str, Mapping[str, Any]]
+
+    @property
+    def names(self) -> dict[str, str]:
+        """The students' names by their ids."""
+        return {student: str(entry["name"]) for student, entry in self.sheets.items()}
 
     def sheet(self, student: str, secret: bytes) -> variants.Sheet:
         """A student's sheet as it was drawn.
@@ -66,9 +59,10 @@ class Course:
         return self.unsigned(student)
 
     def unsigned(self, student: str) -> variants.Sheet:
-        """The same for who has no secret, as in a grader that others run: taken on trust."""
+        """The same where there is no secret, as in a grader that others run: taken on trust."""
         stored = self.sheets[student]
-        return variants.Sheet(self.arm.with_values(**stored["values"]), stored["drawn"])
+        arm = variants.with_lengths(self.arm, stored["values"])
+        return variants.Sheet(arm, stored["drawn"])
 
 
 def drawn_sheet(

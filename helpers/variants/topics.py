@@ -1,14 +1,11 @@
-"""Homework with numbers of its own: what is drawn, how it is asked, and the key to it.
+"""The topics of the homework: for each what is drawn, how it is asked, and what is right.
 
-Drawing and asking are apart. `draw` turns a seed into plain numbers, `question` turns an arm and
-those numbers into a text and its key. A sheet keeps the numbers, so a later NumPy, whose generators
-may draw others, asks the same questions still.
+Drawing and asking are apart, and what is drawn are plain numbers: a later NumPy, whose generators
+may draw others, asks the same questions of them still.
 """
 
-import hashlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -16,12 +13,10 @@ from numpy.typing import NDArray
 
 from helpers import inverse, symbolic
 from helpers.arm import Arm, prismatic, revolute
-from helpers.inputs import ArmError, listed, must_be, one_of, whole
+from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics, jacobian, link_frames
 from helpers.motion import Path, SingularError, Trace, circle, plain_inverse, trace
 from helpers.statics import gravity_torque, static_torque
-
-__all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
 
 Array = NDArray[np.float64]
 Rng = np.random.Generator
@@ -52,11 +47,9 @@ class Part:
     @property
     def asked(self) -> str:
         """The line on the sheet."""
-        if self.kind == "table":
-            return f"- `{self.name}`: {self.what}"
-        if self.kind == "column":
-            return f"- `{self.name}`: {self.what}; it is evaluated at poses of our choice"
-        return f"- `{self.name}`: {self.what}; {self.tolerance:g} off is forgiven"
+        told = {"table": "", "column": "; it is evaluated at poses of our choice"}
+        forgiven = told.get(self.kind, f"; {self.tolerance:g} off is forgiven")
+        return f"- `{self.name}`: {self.what}{forgiven}"
 
     @property
     def key(self) -> str:
@@ -67,147 +60,6 @@ class Part:
             entries = [f"`{entry}`" for entry in self.value]
             return f"- `{self.name}`, {self.what}: {', '.join(entries)}"
         return f"- `{self.name}`, {self.what}: ${matrix(self.value)}$"
-
-
-@dataclass(frozen=True, repr=False)
-class Question:
-    """One topic of the homework with numbers of its own: the arm, what was drawn, the text and the
-    key.
-    """
-
-    topic: str
-    arm: Arm
-    given: Given
-    text: str
-    parts: tuple[Part, ...]
-
-    @property
-    def markdown(self) -> str:
-        """The question and the names to answer by."""
-        lines = [f"## {self.title}", "", self.text, "", *(part.asked for part in self.parts)]
-        return "\n".join(lines)
-
-    @property
-    def key(self) -> str:
-        """The key as Markdown."""
-        return "\n".join([f"**Key: {self.title}**", "", *(part.key for part in self.parts)])
-
-    @property
-    def title(self) -> str:
-        """The topic with a capital."""
-        return self.topic[0].upper() + self.topic[1:]
-
-    def __repr__(self) -> str:
-        return f"<Question on {self.topic}: {self.arm.name}>"
-
-    def _repr_markdown_(self) -> str:
-        table = "" if self.topic == "DH table" else f"\n\n{self.arm._repr_markdown_()}"
-        return f"{self.markdown}{table}"
-
-
-@dataclass(frozen=True)
-class Sheet:
-    """All questions of one student about one arm, whose lengths are the student's own."""
-
-    arm: Arm
-    drawn: Mapping[str, Given]
-
-    @cached_property
-    def questions(self) -> tuple[Question, ...]:
-        """The questions, in the order of the topics."""
-        return tuple(question(topic, self.arm, given) for topic, given in self.drawn.items())
-
-    @property
-    def parts(self) -> dict[str, Part]:
-        """Every part of the sheet by its name."""
-        return {part.name: part for question in self.questions for part in question.parts}
-
-
-def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> Sheet:
-    """The sheet that a seed draws: a word or a number; the same seed draws the same sheet.
-
-    `topics` are those that suit the arm unless given. Raises ArmError for an unknown topic, for one
-    that does not suit the arm, and for an arm of which no pose away from singular ones can be
-    found.
-    """
-    must_be(arm, Arm, "arm")
-    suitable = tuple(topic for topic in TOPICS if suits(topic, arm))
-    asked = suitable if topics is None else listed(topics, "topics", f"some of {', '.join(TOPICS)}")
-    other = _with_other_lengths(arm, seed)
-    return Sheet(other, {topic: draw(topic, other, seed) for topic in asked})
-
-
-def draw(topic: str, arm: Arm, seed: int | str) -> dict[str, Any]:
-    """The numbers of a topic's question about an arm: plain lists and numbers, as JSON keeps
-    them.
-    """
-    one_of(topic, "topic", TOPICS)
-    must_be(arm, Arm, "arm")
-    if not suits(topic, arm):
-        raise ArmError(f"{arm.name} does not suit {topic}; {_NEEDS[topic]}")
-    return _TOPICS[topic].draw(arm, _generator(seed, topic))
-
-
-def question(topic: str, arm: Arm, given: Given) -> Question:
-    """The question and its key from an arm and the numbers that were drawn."""
-    one_of(topic, "topic", TOPICS)
-    must_be(arm, Arm, "arm")
-    text, parts = _TOPICS[topic].ask(arm, given)
-    return Question(topic, arm, given, text, parts)
-
-
-def variant(topic: str, arm: Arm, seed: int | str) -> Question:
-    """A topic's question about an arm with other lengths, as a seed draws them."""
-    must_be(arm, Arm, "arm")
-    other = _with_other_lengths(arm, seed)
-    return question(topic, other, draw(topic, other, seed))
-
-
-def suits(topic: str, arm: Arm) -> bool:
-    """Whether a topic can be asked about an arm: torques need masses, a held orientation six
-    joints.
-    """
-    return {"static torque": bool(arm.bodies), "circle tracing": arm.dof == 6}.get(topic, True)
-
-
-def closed_form(arm: Arm) -> Callable[..., inverse.Solutions] | None:
-    """The closed form that finds every branch of an arm, None where the book has none."""
-    probe = forward_kinematics(arm, np.full(arm.dof, 0.4))
-    for solver in (inverse.elbow, inverse.ur, inverse.stanford, inverse.spherical_wrist):
-        try:
-            solver(arm, probe[:3, 3] if solver is inverse.elbow else probe)
-        except ArmError:
-            continue
-        return solver
-    return None
-
-
-_NEEDS = {
-    "DH table": "any arm does",
-    "forward kinematics": "any arm does",
-    "Jacobian": "any arm does",
-    "circle tracing": "it needs six joints that move",
-    "static torque": "it needs masses",
-    "inverse kinematics": "any arm does",
-}
-
-
-def _generator(seed: int | str, label: str) -> Rng:
-    """A generator of its own for each label, from the bytes of the seed."""
-    if not isinstance(seed, str):
-        seed = str(whole(seed, "seed"))
-    digest = hashlib.sha256(f"{label}\n{seed}".encode()).digest()
-    return np.random.default_rng(list(digest))
-
-
-def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
-    """The arm with every value within a tenth of its own, to three decimals; one that is 0
-    stays.
-    """
-    factors = _generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
-    pairs = zip(arm.values.items(), factors, strict=True)
-    new = {name: round(value * float(factor), 3) for (name, value), factor in pairs}
-    return replace(arm.with_values(**new), name=f"{arm.name}, lengths of your own")
 
 
 def _pose(arm: Arm, rng: Rng) -> Array:
@@ -228,9 +80,6 @@ def _smallest(arm: Arm, q: Array) -> float:
     somewhere = np.random.default_rng(0).uniform(0.3, 0.9, arm.dof)
     rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[rows])  # 2 for an arm that is plane
     return float(np.linalg.svd(jacobian(arm, q)[rows], compute_uv=False)[rank - 1])
-
-
-# Each topic: what is drawn, and how it is asked. Answers are named after the topic's letter.
 
 
 def _draw_table(arm: Arm, rng: Rng) -> dict[str, Any]:
@@ -402,7 +251,8 @@ def _ask_torque(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     text = (
         f"At $q = {matrix(q)}$ the world acts on the tip with the force ${matrix(force)}$ N (base"
         " axes, no moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
-        f" Masses, and centres of mass in the frames of the table:\n\n{_bodies(arm)}"
+        " Masses, and centres of mass, each in the frame of its own link: that of row $i$ for"
+        f" link $i$.\n\n{_bodies(arm)}"
     )
     tau = static_torque(arm, q, np.r_[force, 0, 0, 0])
     return text, (
@@ -472,27 +322,26 @@ def branches_of(arm: Arm, target: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class _Topic:
+class Topic:
     draw: Callable[[Arm, Rng], dict[str, Any]]
     ask: Callable[[Arm, Given], tuple[str, tuple[Part, ...]]]
 
 
-_TOPICS = {
-    "DH table": _Topic(_draw_table, _ask_table),
-    "forward kinematics": _Topic(_draw_pose, _ask_pose),
-    "Jacobian": _Topic(_draw_jacobian, _ask_jacobian),
-    "circle tracing": _Topic(_draw_circle, _ask_circle),
-    "static torque": _Topic(_draw_torque, _ask_torque),
-    "inverse kinematics": _Topic(_draw_target, _ask_target),
+BY_NAME = {
+    "DH table": Topic(_draw_table, _ask_table),
+    "forward kinematics": Topic(_draw_pose, _ask_pose),
+    "Jacobian": Topic(_draw_jacobian, _ask_jacobian),
+    "circle tracing": Topic(_draw_circle, _ask_circle),
+    "static torque": Topic(_draw_torque, _ask_torque),
+    "inverse kinematics": Topic(_draw_target, _ask_target),
 }
-TOPICS = tuple(_TOPICS)
 
 
 def _bodies(arm: Arm) -> str:
     """The links' masses and centres of mass as a Markdown table."""
     lines = ["| link | mass (kg) | $x$ (m) | $y$ (m) | $z$ (m) |", "|:-:|:-:|:-:|:-:|:-:|"]
     for i, body in enumerate(arm.bodies, 1):
-        numbers = [f"{arm.number(entry):.10g}" for entry in (body.mass, *body.com)]
+        numbers = [repr(arm.number(entry)) for entry in (body.mass, *body.com)]
         lines.append(f"| {i} | {' | '.join(numbers)} |")
     return "\n".join(lines)
 
@@ -502,3 +351,23 @@ def matrix(values: Any, digits: int = 4) -> str:
     rows = np.atleast_2d(np.round(np.asarray(values, dtype=float), digits) + 0.0)
     lines = [" & ".join(f"{x:.{digits + 1}g}" for x in row) for row in rows]
     return "\\begin{bmatrix}" + " \\\\ ".join(lines) + "\\end{bmatrix}"
+
+
+def lacks(topic: str, arm: Arm) -> str:
+    if not arm.dof:
+        return "a joint that moves"
+    if topic == "circle tracing" and arm.dof != 6:
+        return "six joints that move"
+    return "masses" if topic == "static torque" and not arm.bodies else ""
+
+
+def closed_form(arm: Arm) -> Callable[..., inverse.Solutions] | None:
+    """The closed form that finds every branch of an arm, None where the book has none."""
+    probe = forward_kinematics(arm, np.full(arm.dof, 0.4))
+    for solver in (inverse.elbow, inverse.ur, inverse.stanford, inverse.spherical_wrist):
+        try:
+            solver(arm, probe[:3, 3] if solver is inverse.elbow else probe)
+        except ArmError:
+            continue
+        return solver
+    return None

@@ -1,0 +1,146 @@
+"""Homework with numbers of its own: what is drawn, how it is asked, and the key to it.
+
+`draw` turns a seed into plain numbers, `question` turns an arm and those numbers into a text and
+its key: exactly the numbers that the text prints are judged. A sheet keeps what was drawn.
+"""
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from helpers.arm import Arm, Body
+from helpers.inputs import ArmError, listed, must_be, one_of, whole
+from helpers.variants.topics import BY_NAME, Given, Part, Rng, lacks
+
+__all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
+
+TOPICS = tuple(BY_NAME)
+
+
+@dataclass(frozen=True, repr=False)
+class Question:
+    """One topic of the homework with numbers of its own: the arm, what was drawn, the text and the
+    key.
+    """
+
+    topic: str
+    arm: Arm
+    given: Given
+    text: str
+    parts: tuple[Part, ...]
+
+    @property
+    def markdown(self) -> str:
+        """The question and the names to answer by."""
+        lines = [f"## {self.title}", "", self.text, "", *(part.asked for part in self.parts)]
+        return "\n".join(lines)
+
+    @property
+    def key(self) -> str:
+        """The key as Markdown."""
+        return "\n".join([f"**Key: {self.title}**", "", *(part.key for part in self.parts)])
+
+    @property
+    def title(self) -> str:
+        """The topic with a capital."""
+        return self.topic[0].upper() + self.topic[1:]
+
+    def __repr__(self) -> str:
+        return f"<Question on {self.topic}: {self.arm.name}>"
+
+    def _repr_markdown_(self) -> str:
+        table = "" if self.topic == "DH table" else f"\n\n{self.arm._repr_markdown_()}"
+        return f"{self.markdown}{table}"
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """All questions of one student about one arm, whose lengths are the student's own."""
+
+    arm: Arm
+    drawn: Mapping[str, Given]
+
+    @cached_property
+    def questions(self) -> tuple[Question, ...]:
+        """The questions, in the order of the topics."""
+        return tuple(question(topic, self.arm, given) for topic, given in self.drawn.items())
+
+    @property
+    def parts(self) -> dict[str, Part]:
+        """Every part of the sheet by its name."""
+        return {part.name: part for question in self.questions for part in question.parts}
+
+
+def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> Sheet:
+    """The sheet that a seed draws: a word or a number; the same seed draws the same sheet.
+
+    `topics` are those that suit the arm unless given. Raises ArmError for an unknown topic, for one
+    that does not suit the arm, and for an arm of which no pose away from singular ones can be
+    found.
+    """
+    must_be(arm, Arm, "arm")
+    asked = suiting(arm) if topics is None else topics
+    asked = listed(asked, "topics", f"some of {', '.join(TOPICS)}")
+    other = _with_other_lengths(arm, seed)
+    return Sheet(other, {topic: draw(topic, other, seed) for topic in asked})
+
+
+def variant(topic: str, arm: Arm, seed: int | str) -> Question:
+    """A topic's question about an arm with other lengths, as a seed draws them."""
+    (found,) = sheet(arm, seed, (topic,)).questions
+    return found
+
+
+def draw(topic: str, arm: Arm, seed: int | str) -> dict[str, Any]:
+    """The numbers of a topic's question about an arm: plain lists and numbers, as JSON keeps
+    them.
+    """
+    one_of(topic, "topic", TOPICS)
+    must_be(arm, Arm, "arm")
+    if lacking := lacks(topic, arm):
+        raise ArmError(f"{arm.name} does not suit {topic}; it needs {lacking}")
+    return BY_NAME[topic].draw(arm, _generator(seed, topic))
+
+
+def question(topic: str, arm: Arm, given: Given) -> Question:
+    """The question and its key from an arm and the numbers that were drawn."""
+    one_of(topic, "topic", TOPICS)
+    must_be(arm, Arm, "arm")
+    text, parts = BY_NAME[topic].ask(arm, given)
+    return Question(topic, arm, given, text, parts)
+
+
+def suiting(arm: Arm) -> tuple[str, ...]:
+    """The topics that can be asked about an arm."""
+    return tuple(topic for topic in TOPICS if not lacks(topic, arm))
+
+
+def _generator(seed: int | str, label: str) -> Rng:
+    """A generator of its own for each label, from the bytes of the seed."""
+    if not isinstance(seed, str):
+        seed = str(whole(seed, "seed"))
+    digest = hashlib.sha256(f"{label}\n{seed}".encode()).digest()
+    return np.random.default_rng(list(digest))
+
+
+def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
+    """The arm with every value within a tenth of its own, to three decimals; one that is 0
+    stays.
+    """
+    factors = _generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
+    pairs = zip(arm.values.items(), factors, strict=True)
+    new = {name: round(value * float(factor), 3) for (name, value), factor in pairs}
+    return with_lengths(replace(arm, name=f"{arm.name}, lengths of your own"), new)
+
+
+def with_lengths(arm: Arm, values: Mapping[str, float]) -> Arm:
+    """An arm with other values, and bodies of just the numbers that a sheet prints: six
+    decimals.
+    """
+    arm = arm.with_values(**values)
+    bodies = [[round(arm.number(x), 6) + 0.0 for x in (b.mass, *b.com)] for b in arm.bodies]
+    return arm.with_bodies([Body(mass, com) for mass, *com in bodies])
