@@ -204,8 +204,8 @@ RIGHT = {
         names={0: "no", 1: "yes"}, colours=("k", "r")),
     "plotting.stick_3d": dict(ax=SPACE, arm=PANDA, q=PANDA.home, colour="k",
         title="anything"),
-    "plotting.torques": dict(axes=GRID, arm=PANDA, t=[0.0, 1.0], tau=np.zeros((2,
-        7)), label="anything", limits=True),
+    "plotting.torques": dict(axes=GRID, arm=PANDA, t=[0.0, 1.0], tau=np.zeros((2, 7))),
+    "plotting.torque_shares": dict(ax=FLAT, arm=PANDA, runs={"one": np.zeros((2, 7))}),
     "plotting.use_book_style": dict(),
     "explorer.ArmExplorer": dict(arm=PANDA, q=PANDA.home, views=["table"], wrench=[0] * 6,
         trace=[PANDA.home] * 3, branches=[PANDA.home], reference=PANDA, arms=(), unit="deg",
@@ -325,7 +325,8 @@ EXPECTED = {
     "course.hand_in names": "a Mapping",
     "trace": "one value for each", "unit": "deg, rad", "upper": "a number",
     "value": "numbers, symbols, pi", "values": "a number for each symbol, as in {'a_3': 0.0825}",
-    "expressions.evaluate values": "a Mapping", "plotting.map_2d values": "finite values (3, 3)",
+    "expressions.evaluate values": "a Mapping", "runs": "a Mapping",
+    "plotting.map_2d values": "finite values (3, 3)",
     "velocity": "a function of the time",
     "views": "some of table, pose, jacobian",
     "which": "whole numbers (3, 3)", "wish": "a function of q, as towards() makes",
@@ -359,10 +360,9 @@ FREE = {
         "plotting.joints axes",
         "plotting.torques axes",
     ),
-    "plotting.torques limits",
     *("plotting.angle text", "plotting.dimension text"),
     *("plotting.postures axes", "plotting.postures titles"),
-    *(f"plotting.{name} label" for name in ("arm_3d", "map_2d", "path_2d", "torques")),
+    *(f"plotting.{name} label" for name in ("arm_3d", "map_2d", "path_2d")),
 }
 
 # What a message calls an argument, where that is not its name.

@@ -18,9 +18,6 @@ NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 BY_HAND = {
     "the appendix's 40 pi, in mm/s",
     "at rest only dP/dq is left",
-    "determinant of the plane part",
-    "no friction at rest (N m)",
-    "the rates as in the textbook",
 }
 
 

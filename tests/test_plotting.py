@@ -40,6 +40,7 @@ from helpers.plotting import (
     shoulder_triangles,
     stick_3d,
     style,
+    torque_shares,
     torques,
     ur_triangle,
     use_book_style,
@@ -339,33 +340,31 @@ def test_the_moving_picture_draws_only_while_the_tip_moves():
     assert ink.get("dur") == "10s"
 
 
-def test_torques_are_drawn_per_joint_with_the_makers_limit():
-    arm = PANDA_HOMEWORK
-    _, grid = plt.subplots(2, 4)
+def test_torques_are_drawn_joint_below_joint_over_one_time():
+    _, axes = plt.subplots(7, 1, sharex=True)
     tau = np.arange(14.0).reshape(2, 7)
-    torques(grid, arm, [0.0, 1.0], tau, label="static")
-    for k, ax in enumerate(grid.flat[:7]):
+    torques(axes, PANDA_HOMEWORK, [0.0, 1.0], tau, ls="--")
+    for k, ax in enumerate(axes):
         np.testing.assert_array_equal(ax.lines[0].get_ydata(), tau[:, k])
-        assert ax.get_title() == f"joint {k + 1} (limit ±{87 if k < 4 else 12})"
-        assert (ax.get_xlabel(), len(ax.patches)) == ("$t$ (s)", 0)
+        assert (ax.get_ylabel(), ax.lines[0].get_linestyle()) == (f"joint {k + 1}\n(N m)", "--")
+    assert [ax.get_xlabel() for ax in axes] == [""] * 6 + ["$t$ (s)"]
 
 
-def test_every_panel_has_its_own_times_and_where_asked_its_limits():
-    _, grid = plt.subplots(2, 4, sharex=True)
-    torques(grid, PANDA_HOMEWORK, [0.0, 1.0], np.zeros((2, 7)), limits=True)
-    grid[0, 0].figure.canvas.draw()
-    for k, ax in enumerate(grid.flat[:7]):
-        most = 87 if k < 4 else 12
-        (band,) = ax.patches
-        assert [band.get_y(), band.get_y() + band.get_height()] == [-most, most]
-        assert through(ax, [[0, most], [1, most]])
-        assert through(ax, [[0, -most], [1, -most]])
-        assert ax.get_ylim()[1] > most
-        assert any(tick.label1.get_visible() for tick in ax.xaxis.get_major_ticks())
-    _, boundless = plt.subplots()
-    arm = _without_limits(PANDA_HOMEWORK).lock(1)
-    torques(np.array([boundless]), arm, [0.0, 1.0], np.zeros((2, 6)), limits=True)
-    assert not boundless.patches
+def test_shares_of_the_limits_run_from_the_least_to_the_most_torque():
+    _, ax = plt.subplots()
+    tau = np.array([[-8.7, 0, 0, 0, 0, 0, 0], [17.4, 43.5, 0, 0, 6, 12, 0], [0, 0, 0, 0, 0, 0, -6]])
+    torque_shares(ax, PANDA_HOMEWORK, {"one": tau, "half": tau / 2})
+    bars = np.array(
+        [[(bar.get_y(), bar.get_y() + bar.get_height()) for bar in run] for run in ax.containers]
+    )
+    wanted = np.array([(-10, 20), (0, 50), (0, 0.5), (0, 0.5), (0, 50), (0, 100), (-50, 0)])
+    np.testing.assert_allclose(bars[0], wanted, atol=1e-12)
+    np.testing.assert_allclose(bars[1, [0, 6]], [(-5, 10), (-25, 0)], atol=1e-12)
+    assert {line.get_ydata()[0] for line in ax.lines} == {-100, 100}
+    assert [words.get_text() for words in ax.get_legend().get_texts()] == ["one", "half"]
+    boundless = _without_limits(PANDA_HOMEWORK)
+    torque_shares(ax, boundless, {"none": tau})
+    assert {bar.get_height() for bar in ax.containers[2]} == {0.5}
 
 
 def test_the_pen_and_the_wall_push_each_other():

@@ -24,7 +24,7 @@ from helpers.plotting.drawing import (
 from helpers.plotting.maps import map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
-from helpers.plotting.torques import pen_and_wall, torques
+from helpers.plotting.torques import pen_and_wall, torque_shares, torques
 from helpers.plotting.traces import joints, moving_picture, path_2d
 
 __all__ = [
@@ -57,6 +57,7 @@ __all__ = [
     "seen",
     "shoulder_triangles",
     "stick_3d",
+    "torque_shares",
     "torques",
     "ur_triangle",
     "use_book_style",

@@ -1,29 +1,21 @@
 """Joint torques along a path, and the forces at the pen's tip."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import must_be, numbers
 from helpers.plotting.plane import arrow_2d
-from helpers.plotting.style import BLUE, GREEN, GREY, RED, SKY, time_axis
+from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, time_axis
 
 
-def torques(
-    axes: NDArray[Any],
-    arm: Arm,
-    t: ArrayLike,
-    tau: ArrayLike,
-    label: str | None = None,
-    *,
-    limits: bool = False,
-    **line: object,
-) -> None:
-    """Draw each joint's torque (N m) over time in its own axes, its limit in the title; with
-    `limits`, what the motor can give is drawn as well, shaded, and sets the scale."""
+def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: object) -> None:
+    """Draw each joint's torque (N m) over time in its own axes, one below the other."""
     must_be(arm, Arm, "arm")
     t = numbers(t, "t", "finite times (n,) in s", (None,))
     tau = numbers(tau, "tau", f"finite torques ({len(t)}, {arm.dof})", (len(t), arm.dof))
@@ -33,16 +25,35 @@ def torques(
     ):
         # A joint that gravity leaves alone has a torque of 1e-17 N m or so, which must not set the
         # scale; nor must a thousandth of what the motor can give.
-        ax.plot(t[some], values[some].round(9) + 0.0, label=label, **{"color": BLUE, **line})
-        ax.set(title=f"joint {i} (limit ±{limit:g})", ylabel="N m")
+        ax.plot(t[some], values[some].round(9) + 0.0, **{"color": BLUE, **line})
+        ax.set_ylabel(f"joint {i}\n(N m)", rotation=0, ha="right", va="center")
+        ax.yaxis.set_major_locator(MaxNLocator(3))
         if np.isfinite(limit):
             _at_least(ax, 1e-3 * limit)
-        if limits and np.isfinite(limit):
-            ax.axhspan(-limit, limit, color=GREEN, alpha=0.12, lw=0)
-            for end in (-limit, limit):
-                ax.axhline(end, color=RED, ls=":")
-            ax.set_ylim(-1.15 * limit, 1.15 * limit)
-        time_axis(ax)
+    time_axis(axes.flat[-1])
+
+
+def torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
+    """Draw from where to where each run's torques, N m of shape (n, dof), go in each joint, as a
+    share of what the motor can give, with the limits at 100 %.
+    """
+    must_be(arm, Arm, "arm")
+    must_be(runs, Mapping, "runs")
+    width = 0.8 / max(1, len(runs))
+    ax.axhspan(-100, 100, color=GREEN, alpha=0.12, lw=0)
+    for end in (-100, 100):
+        ax.axhline(end, color=RED, ls=":")
+    for k, (name, tau) in enumerate(runs.items()):
+        tau = numbers(tau, "runs", f"finite torques (n, {arm.dof})", (None, arm.dof))
+        share = 100 * tau / arm.effort_limits
+        low, high = share.min(axis=0), share.max(axis=0)
+        places = np.array(arm.joints) + (k - (len(runs) - 1) / 2) * width
+        colour, hatch = (BLUE, ORANGE, PURPLE)[k % 3], ("", "//", "..")[k % 3]
+        # Half a per cent at least, so that a joint that holds still is seen too.
+        height = np.maximum(high - low, 0.5)
+        ax.bar(places, height, width, low, label=name, color=colour, hatch=hatch, ec="white")
+    ax.legend(ncols=2, loc="lower right", bbox_to_anchor=(1, 0.1))
+    ax.set(xlabel="joint", ylabel="share of the limit (%)", xticks=arm.joints)
 
 
 def _at_least(ax: Axes, span: float) -> None:
