@@ -325,7 +325,7 @@ EXPECTED = {
     "course.hand_in names": "a Mapping",
     "trace": "one value for each", "unit": "deg, rad", "upper": "a number",
     "value": "numbers, symbols, pi", "values": "a number for each symbol, as in {'a_3': 0.0825}",
-    "expressions.evaluate values": "a Mapping", "runs": "a Mapping",
+    "expressions.evaluate values": "a Mapping", "plotting.torque_shares runs": "a Mapping",
     "plotting.map_2d values": "finite values (3, 3)",
     "velocity": "a function of the time",
     "views": "some of table, pose, jacobian",
