@@ -20,7 +20,7 @@ import pytest
 
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 from helpers.command_line import read_arm
-from helpers.course import arms, commands, making, secrets, store
+from helpers.course import arms, commands, making, sandbox, secrets, store
 from helpers.course.grading import Job, grade, mark_one
 from helpers.course.marking import Rules, mark_sheet
 from helpers.course.proof import rounded
@@ -257,6 +257,19 @@ def test_a_term_from_roster_to_grades(here, capsys):
 def test_what_goes_wrong_is_told_on_stderr(here, capsys, line, words):
     assert typed(line, capsys, 2).startswith(f"course: {words}")
     assert not Path("hw").exists()
+
+
+@pytest.mark.skipif(bool(sandbox.refusal()), reason="notebooks are not run here")
+def test_a_course_or_secret_that_notebooks_could_read_is_refused(here, capsys, monkeypatch):
+    making.new([Student("ab", "A")], SECRET, ELBOW, Path("hw"), topics=POSES)
+    (here / "lib").mkdir()
+    Path("lib/s").write_bytes(SECRET)
+    monkeypatch.setattr(
+        sandbox, "_mounted", lambda real=sandbox._mounted: [*real(), str(here / "lib")]
+    )
+    for line in ("grade hw --secret lib/s --out o", "grade hw --secret s --out lib/o"):
+        assert "lies where notebooks can read, beside Python" in typed(line, capsys, 2)
+    assert typed("grade hw --secret s --out o", capsys).startswith("1 students marked")
 
 
 def test_jobs_are_one_or_more(here):

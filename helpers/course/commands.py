@@ -130,6 +130,11 @@ def _collect(given: argparse.Namespace) -> None:
 def _grade(given: argparse.Namespace) -> None:
     refusal, seconds = sandbox.refusal(), whole(given.seconds, "seconds", least=1)
     limits = None if refusal else Limits(notebook=seconds)
+    for path in (given.course, Path(given.secret), given.out):
+        if limits and sandbox.exposed(path):
+            raise ArmError(
+                f"{path} lies where notebooks can read, beside Python; move it elsewhere"
+            )
     secret = read_secret(given.secret)
     rows = grade(given.course, secret, given.out, jobs=given.jobs, limits=limits)
     print(f"{len(rows)} students marked: {given.out / 'grades.csv'}")

@@ -168,6 +168,11 @@ def _mounted() -> list[str]:
     return [f for f in sorted(folders) if f and not f"{f}/".startswith("/usr/")]
 
 
+def exposed(path: Path) -> bool:
+    """Whether a path lies where notebooks can read."""
+    return any(path.resolve().is_relative_to(folder) for folder in ("/usr", *_mounted()))
+
+
 def _packages() -> str:
     """The folder of installed packages in which nbclient is; "" where it is not installed."""
     found = find_spec("nbclient")
