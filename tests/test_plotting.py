@@ -212,7 +212,7 @@ def test_a_map_shows_its_values_with_a_scale():
 
 def test_regions_are_told_apart_by_more_than_colour():
     _, ax = plt.subplots()
-    regions(ax, [0, 1, 2], [0, 1, 2], np.eye(3), {0: "no", 1: "yes"}, ("#000000", "#ffffff"))
+    regions(ax, [0, 1, 2], [0, 1, 2], np.eye(3), {0: "no", 1: "yes"}, colours=("#000", "#fff"))
     key = ax.get_legend()
     assert [text.get_text() for text in key.get_texts()] == ["no", "yes"]
     assert len({patch.get_hatch() for patch in key.get_patches()}) == 2
@@ -454,10 +454,10 @@ def test_frames_that_share_an_arrow_share_its_name():
     assert "$x_{1,2}$" in texts(ax)
     assert len(texts(ax)) == 2 * 8 - 1
     _, ax = plt.subplots()
-    frames(ax, PANDA, PANDA.home, (-60, 18), 0.1, [0, 7])
+    frames(ax, PANDA, PANDA.home, (-60, 18), 0.1, which=[0, 7])
     assert texts(ax) == ["$x_{0}$", "$z_{0}$", "$x_{7}$", "$z_{7}$"]
     _, ax = plt.subplots()
-    frames(ax, PANDA, PANDA.home, (-60, 18), 0.1, [0, 7], "x")
+    frames(ax, PANDA, PANDA.home, (-60, 18), 0.1, which=[0, 7], names="x")
     assert texts(ax) == ["$x_{0}$", "$x_{7}$"]
 
 
@@ -520,7 +520,7 @@ def test_postures_have_one_scale_and_end_in_their_star():
 
 def test_an_angle_has_its_name_beside_its_middle():
     _, ax = plt.subplots()
-    angle(ax, (1, 0), 0.1, 90, 0, "theta")
+    angle(ax, (1, 0), 0.1, (90, 0), "theta")
     (text,) = ax.texts
     np.testing.assert_allclose(
         np.subtract(text.get_position(), (1, 0)), 0.128 * np.sqrt([0.5, 0.5])

@@ -74,8 +74,8 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     ax.plot(*upright, color=GREY, lw=0.8, ls="--")
     ahead = elbow + 0.5 * (elbow - shoulder)
     ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
-    angle(ax, shoulder, 0.2, lean, 90, "$q_2$")
-    angle(ax, elbow, 0.15, fore, lean, "$q_3$")
+    angle(ax, shoulder, 0.2, (lean, 90), "$q_2$")
+    angle(ax, elbow, 0.15, (fore, lean), "$q_3$")
     for start, stop, text in (
         (shoulder, elbow, "$a_2$"), (elbow, end, "$a_3$"), (end, wrist, "$d_5$"),
         (corner, shoulder, "$r$"), (end, corner, "$s$"),
@@ -99,12 +99,13 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     ax.plot(*np.stack([shoulder, corner, tip], axis=1), color=GREY, lw=1, ls=":")
     bearing = np.degrees(np.arctan2(*(tip - shoulder)[::-1]))
     lift = np.degrees(q[1])
-    angle(ax, shoulder, 0.13, 0, lift, r"$\theta_2$", BLUE)
-    angle(ax, shoulder, 0.21, bearing, lift, r"$\beta$", ORANGE)
+    angle(ax, shoulder, 0.13, (0, lift), r"$\theta_2$")
+    angle(ax, shoulder, 0.21, (bearing, lift), r"$\beta$", colour=ORANGE)
     ahead = elbow + 0.6 * (elbow - shoulder)
     ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
-    angle(ax, elbow, 0.09, lift + np.degrees(q[2]), lift, r"$-\theta_3$", BLUE)
-    angle(ax, elbow, 0.06, lift + 180, lift + 360 + np.degrees(q[2]), r"$\varphi$", ORANGE)
+    angle(ax, elbow, 0.09, (lift + np.degrees(q[2]), lift), r"$-\theta_3$")
+    around = lift + 180, lift + 360 + np.degrees(q[2])
+    angle(ax, elbow, 0.06, around, r"$\varphi$", colour=ORANGE)
     for start, end, text in ((shoulder, elbow, "$a_2$"), (elbow, tip, "$a_3$")):
         across = np.array([start[1] - end[1], end[0] - start[0]])
         x, y = (start + end) / 2 + 0.12 * across
@@ -146,6 +147,7 @@ def regions(
     y: ArrayLike,
     which: ArrayLike,
     names: dict[int, str],
+    *,
     colours: tuple[str, ...],
 ) -> None:
     """Colour the points of a grid by `which`, whole numbers of shape (len(y), len(x)); `names` are

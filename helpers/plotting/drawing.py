@@ -167,25 +167,22 @@ def angle(
     ax: Axes,
     centre: ArrayLike,
     radius: float,
-    start: float,
-    end: float,
+    between: tuple[float, float],
     text: str,
+    *,
     colour: str = BLUE,
 ) -> None:
     """Draw an arc of a radius (m) about a centre between two directions (degrees) with its name
     beside its middle."""
     x, y = numbers(centre, "centre", "two finite coordinates in m", (2,))
     radius = number(radius, "radius", "a finite length > 0 in m", above=0)
-    start, end = sorted(number(v, n, _DEGREES) for v, n in ((start, "start"), (end, "end")))
+    start, end = np.sort(numbers(between, "between", "two finite angles in degrees", (2,)))
     size = 2 * radius
     ax.add_patch(Arc((x, y), size, size, theta1=start, theta2=end, color=colour, lw=1.4, zorder=4))
     middle = np.radians((start + end) / 2)
     place = x + 1.28 * radius * np.cos(middle), y + 1.28 * radius * np.sin(middle)
     ink = "black" if colour == ORANGE else colour  # orange letters are too pale to read
     ax.text(place[0], place[1], text, color=ink, ha="center", va="center")
-
-
-_DEGREES = "a finite angle in degrees"
 
 
 def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
@@ -238,6 +235,7 @@ def frames(
     q: ArrayLike,
     view: View,
     length: float,
+    *,
     which: Iterable[int] | None = None,
     names: str = "xz",
 ) -> None:
