@@ -1,15 +1,21 @@
-"""Write the book's answer sheets, book/answers/*.md, from the arms: `make answers`."""
+"""A Sphinx extension: the answer sheets of the book's arms, book/answers/*.md, are written before
+Sphinx looks for pages, and only when what makes them has changed.
+"""
 
 from dataclasses import replace
+from hashlib import sha256
 from math import pi
 from pathlib import Path
 from typing import NamedTuple
+
+import sympy as sp
+from sphinx.application import Sphinx
 
 from helpers.arm import Arm
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.sheets import markdown
 
-FOLDER = Path(__file__).parents[1] / "book" / "answers"
+ROOT = Path(__file__).parents[1]
 
 _HOW = """
 :::{container} screen
@@ -48,7 +54,7 @@ PAGES = (
         "panda",
         "Panda",
         "The Panda with its pen and all seven joints. Homework and real arm share every formula;"
-        " they differ in the number for <i>a</i><sub>3</sub>, and with it in where the"
+        " they differ in the number for $a_3$, and with it in where the"
         " centres of mass of links 3 and 4 lie in their frames, so numbers are given for both."
         " {doc}`panda_joint_3_locked` is the arm that draws the circle.",
         (PANDA_HOMEWORK, PANDA),
@@ -58,7 +64,7 @@ PAGES = (
         "Panda, joint 3 locked at 0",
         "The Panda as the homework uses it: joint 3 stays at 0, row 3 is fixed, and the Jacobian"
         " is square. Axes 2 and 4 are"
-        " parallel now, so their angles join: <i>q</i><sub>2</sub> − <i>q</i><sub>4</sub>.",
+        " parallel now, so their angles join: $q_2 - q_4$.",
         (PANDA_HOMEWORK.lock(3), PANDA.lock(3)),
     ),
     Page(
@@ -81,7 +87,7 @@ PAGES = (
         "stanford",
         "Stanford arm",
         "Two turns, a slide and a wrist. Joint 3 slides, so its column of the Jacobian is"
-        " <i>z</i><sub>2</sub> over 0. The"
+        " $z_2$ over 0. The"
         " homework gives it no masses, so there is no gravity here.",
         (STANFORD,),
     ),
@@ -95,31 +101,43 @@ PAGES = (
     Page(
         "elbow_with_offset",
         "Elbow arm with an offset",
-        "The arm of three joints whose shoulder stands out by <i>d</i>. With <i>d</i> = 0 it is"
+        "The arm of three joints whose shoulder stands out by $d$. With $d = 0$ it is"
         " {doc}`elbow`.",
         (replace(ELBOW.with_values(d=0.1), name="Elbow arm with an offset"),),
     ),
 )
 
 
-def written_page(page: Page) -> tuple[Path, str]:
-    """A page's path and text."""
+def text_of(page: Page) -> str:
+    """A page in Markdown."""
     arm, *also = page.arms
-    text = markdown(
-        arm,
-        page.heading,
-        f"{page.lead}\n{_HOW.rstrip()}",
-        tuple(also),
-        f"{page.heading}: {_WHAT}",
-    )
-    return FOLDER / f"{page.name}.md", text
+    lead = f"{page.lead}\n{_HOW.rstrip()}"
+    return markdown(arm, page.heading, lead, tuple(also), f"{page.heading}: {_WHAT}")
 
 
-def main() -> None:
-    FOLDER.mkdir(exist_ok=True)
-    for path, text in map(written_page, PAGES):
-        path.write_text(text, encoding="utf-8")
+def write(folder: Path, fingerprint: str) -> None:
+    """Write the pages that differ, unless the fingerprint is that of the last time."""
+    mark = folder / ".made"
+    paths = {page: folder / f"{page.name}.md" for page in PAGES}
+    there = all(path.exists() for path in (mark, *paths.values()))
+    if there and mark.read_text("utf-8") == fingerprint:
+        return
+    folder.mkdir(exist_ok=True)
+    for page, path in paths.items():
+        text = text_of(page)
+        if not path.exists() or path.read_text("utf-8") != text:  # a page that stays is not read
+            path.write_text(text, "utf-8")
+    mark.write_text(fingerprint, "utf-8")
 
 
-if __name__ == "__main__":
-    main()
+def fingerprint() -> str:
+    """What changes with anything that makes the pages."""
+    sources = [Path(__file__), *sorted((ROOT / "helpers").rglob("*.py"))]
+    return sha256(
+        b"".join([sp.__version__.encode(), *(p.read_bytes() for p in sources)])
+    ).hexdigest()
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    app.connect("builder-inited", lambda app: write(Path(app.srcdir, "answers"), fingerprint()))
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

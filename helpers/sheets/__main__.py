@@ -28,6 +28,8 @@ def main(arguments: list[str] | None = None) -> None:
         out.write_text(document(arm), encoding="utf-8")
     except (ArmError, OSError) as error:
         sys.exit(str(error))
+    except ModuleNotFoundError as error:
+        sys.exit(f"{error}; pip install 'manipulator-homework-helpers[course]' brings it")
     sys.stdout.write(f"{out}\n")
 
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from helpers import kinematics, statics, symbolic
 from helpers.arm import Arm
+from helpers.formulas import short, short_names
 from helpers.inputs import ArmError, must_be
 
 Array = NDArray[np.float64]
@@ -23,7 +24,7 @@ _TAKEN = frozenset(
         "np", "sp", "pi", "break", "case", "catch", "classdef", "continue", "else",
         "elseif", "end", "for", "function", "global", "if", "otherwise", "parfor",
         "persistent", "return", "spmd", "switch", "try", "while", "print", "disp", "det_J",
-        "G", "P", "J", "g", "cos", "sin", "sqrt", "q",
+        "G", "P", "J", "g", "cos", "sin", "sqrt", "q", "Matrix", "symbols", "Rational",
     )
 )  # fmt: skip
 _OURS = re.compile(r"[cs]_[\dmp]+|[AToz]_\d+|[mq]_\d+|[xyz]_c\d+")
@@ -36,18 +37,15 @@ class Item:
 
     Attributes:
         name: what programs call it, as ``T_03``, ``J`` or ``det_J``.
-        value: its entries in symbols; a vector is one column, a number one entry.
+        value: its entries in short symbols; a vector is one column, a number one entry.
         home: the same at the arm's home pose, in numbers.
+        letters: what its short symbols stand for, c_23 for cos(q_2 + q_3).
     """
 
     name: str
     value: sp.ImmutableMatrix
     home: Array
-
-    @property
-    def is_matrix(self) -> bool:
-        """Whether it has rows and columns."""
-        return self.value.cols > 1
+    letters: dict[sp.Symbol, sp.Expr]
 
     @property
     def is_number(self) -> bool:
@@ -59,12 +57,14 @@ class Sheet:
     """The answers of an arm. Numbers are taken at its home pose.
 
     Raises:
-        ArmError: no Arm, or one whose letters have names that a program cannot use, or needs for
-            something else.
+        ArmError: no Arm, one without joints, or one whose letters have names that a program cannot
+            use, or needs for something else.
     """
 
     def __init__(self, arm: Arm) -> None:
         must_be(arm, Arm, "arm")
+        if not arm.dof:
+            raise ArmError(f"{arm.name} has no joints; a sheet needs an arm that moves")
         for name in arm.values:
             if name in _TAKEN or _OURS.fullmatch(name) or not _NAME.fullmatch(name):
                 raise ArmError(
@@ -72,81 +72,71 @@ class Sheet:
                     " use, or needs for something else; expected another name, as a_2 or l_pen"
                 )
         self.arm = arm
-        self.home = np.array(arm.home)
-        self._short: dict[str, sp.ImmutableMatrix] = {}
+        self.home = at_home(arm)
 
     # The answers
 
     @cached_property
     def links(self) -> list[Item]:
         """A_1 .. A_n, each 4x4."""
-        frames = kinematics.link_frames(self.arm, self.home)
-        steps = [np.linalg.inv(a) @ b for a, b in pairwise(frames)]
-        found = symbolic.link_transforms(self.arm)
-        return [
-            Item(f"A_{i}", A, at) for i, (A, at) in enumerate(zip(found, steps, strict=True), 1)
-        ]
+        links = enumerate(symbolic.link_transforms(self.arm), 1)
+        return [self._item(f"A_{i}", A) for i, A in links]
 
     @cached_property
     def frames(self) -> list[Item]:
         """T_01 .. T_0n, each 4x4."""
-        at_home = kinematics.link_frames(self.arm, self.home)
-        pairs = list(zip(symbolic.link_frames(self.arm), at_home, strict=True))
-        return [Item(f"T_0{i}", T, at) for i, (T, at) in enumerate(pairs[1:], 1)]
+        return [self._item(f"T_0{i}", T) for i, T in enumerate(self._frames)][1:]
 
     @cached_property
     def origins(self) -> list[Item]:
         """o_0 .. o_n, each 3x1."""
-        return self._columns("o", 3)
+        return [self._item(f"o_{i}", T[:3, 3]) for i, T in enumerate(self._frames)]
 
     @cached_property
     def axes(self) -> list[Item]:
         """z_0 .. z_n, each 3x1."""
-        return self._columns("z", 2)
+        return [self._item(f"z_{i}", T[:3, 2]) for i, T in enumerate(self._frames)]
 
-    def _columns(self, letter: str, column: int) -> list[Item]:
-        base = Item("T_00", sp.ImmutableMatrix(sp.eye(4)), np.eye(4))
-        frames = enumerate([base, *self.frames])
-        return [Item(f"{letter}_{i}", T.value[:3, column], T.home[:3, [column]]) for i, T in frames]
+    @cached_property
+    def _frames(self) -> list[sp.ImmutableMatrix]:
+        return symbolic.link_frames(self.arm)
 
     @cached_property
     def jacobian(self) -> Item:
         """J, 6 x dof."""
-        return Item("J", symbolic.jacobian(self.arm), kinematics.jacobian(self.arm, self.home))
+        return self._item("J", symbolic.jacobian(self.arm))
 
     @cached_property
     def determinant(self) -> Item | None:
         """det J of a six-joint arm, or of the first three rows of J for three joints; else None."""
-        dof = self.arm.dof
-        if dof not in (3, 6):
+        if "det_J" not in self.home:
             return None
-        value = sp.ImmutableMatrix([[symbolic.determinant(self.arm)]])
-        return Item("det_J", value, np.array([[np.linalg.det(self.jacobian.home[:dof])]]))
+        return self._item("det_J", sp.ImmutableMatrix([[symbolic.determinant(self.arm)]]))
 
     @cached_property
-    def energy(self) -> Item | None:
-        """P, the potential energy (J), where the arm has masses."""
-        if not self.arm.bodies:
-            return None
-        value = sp.ImmutableMatrix([[self._named(symbolic.potential_energy(self.arm))]])
-        return Item("P", value, statics.potential_energy(self.arm, self.home).reshape(1, 1))
-
-    @cached_property
-    def torques(self) -> Item | None:
-        """g(q) = dP/dq, dof x 1 (N m, or N where a joint slides), where the arm has masses;
-        programs call it G.
+    def gravity(self) -> list[Item]:
+        """P, the potential energy (J), and g(q) = dP/dq, dof x 1 (N m, or N where a joint slides),
+        where the arm has masses; programs call the latter G.
         """
         if not self.arm.bodies:
-            return None
-        value = self._named(symbolic.gravity_torque(self.arm))
-        return Item("G", value, statics.gravity_torque(self.arm, self.home)[:, None])
+            return []
+        energy = sp.ImmutableMatrix([[symbolic.potential_energy(self.arm)]])
+        return [self._item("P", energy), self._item("G", symbolic.gravity_torque(self.arm))]
 
     @cached_property
     def items(self) -> list[Item]:
         """All answers, in the order of the homework."""
-        single = [self.jacobian, self.determinant, self.energy, self.torques]
-        several = [*self.links, *self.frames, *self.origins, *self.axes]
-        return [*several, *(item for item in single if item is not None)]
+        several = [*self.links, *self.frames, *self.origins, *self.axes, self.jacobian]
+        return [*several, *([self.determinant] if self.determinant else []), *self.gravity]
+
+    def _item(self, name: str, value: sp.ImmutableMatrix) -> Item:
+        """An answer in the short form, with decimals for fractions of powers of ten, and with x_c1
+        for the coordinate x_1 of a centre of mass, for z_1 is an axis here."""
+        decimals = {n: sp.Float(n) for n in value.atoms(sp.Rational) if _is_decimal(n)}
+        value = value.xreplace({**self._centres, **decimals})
+        pairs = [(letter, function) for function, letter in short_names(value).items()]
+        letters = dict(sorted(pairs, key=lambda pair: (str(pair[1].args), str(pair[0]))))
+        return Item(name, short(value), self.home[name], letters)
 
     # What their letters mean
 
@@ -161,68 +151,32 @@ class Sheet:
         bodies = symbolic.body_numbers(self.arm)
         # Twelve digits free a centre of mass from rounding: 0.02933 rather than
         # 0.029330000000000002.
-        return lengths | {self._centre(s).name: float(f"{v:.12g}") for s, v in bodies.items()}
-
-    def _named(self, expression):
-        """With x_c1 for the coordinate x_1 of a centre of mass, for z_1 is an axis here."""
-        bodies = symbolic.body_numbers(self.arm)
-        return expression.xreplace({symbol: self._centre(symbol) for symbol in bodies})
-
-    @staticmethod
-    def _centre(symbol: sp.Symbol) -> sp.Symbol:
-        return sp.Symbol(re.sub(r"^([xyz])_", r"\1_c", symbol.name))
+        return lengths | {
+            self._centres.get(symbol, symbol).name: float(f"{value:.12g}")
+            for symbol, value in bodies.items()
+        }
 
     @cached_property
-    def short_names(self) -> dict[sp.Expr, sp.Symbol]:
-        """The letters that stand for cosines and sines: c_23 for cos(q_2 + q_3)."""
-        functions = {f for item in self.items for f in item.value.atoms(sp.cos, sp.sin)}
-        pairs = {f: symbolic.short(f) for f in functions}
-        names = [name for name in pairs.values() if isinstance(name, sp.Symbol)]
-        return {f: n for f, n in pairs.items() if isinstance(n, sp.Symbol) and names.count(n) == 1}
-
-    def shortened(self, item: Item) -> sp.ImmutableMatrix:
-        """An answer with c_23 for cos(q_2 + q_3), its terms gathered: lengths by the angles, or
-        angles by the length.
-        """
-        if item.name not in self._short:
-            self._short[item.name] = self._short_form(item)
-        return self._short[item.name]
-
-    def _short_form(self, item: Item) -> sp.ImmutableMatrix:
-        short = item.value.xreplace(self.short_names)
-        if item.name == "det_J":
-            return short
-        turning = frozenset(self.short_names.values())
-        return short.applyfunc(lambda entry: _gathered(entry, turning, item.name in ("P", "G")))
-
-    def used(self, item: Item) -> tuple[list[str], list[str], list[tuple[sp.Symbol, sp.Expr]]]:
-        """What an answer is written with: joint variables, letters that have values, and cosines
-        and sines in short.
-        """
-        free = {symbol.name for symbol in item.value.free_symbols}
-        functions = item.value.atoms(sp.cos, sp.sin)
-        short = [(n, f) for f, n in self.short_names.items() if f in functions]
-        return (
-            [name for name in self.arm.variables if name in free],
-            [name for name in self.values if name in free],
-            sorted(short, key=lambda pair: (sp.default_sort_key(pair[1].args[0]), pair[0].name)),
-        )
+    def _centres(self) -> dict[sp.Symbol, sp.Symbol]:
+        bodies = symbolic.body_numbers(self.arm)
+        return {s: sp.Symbol(s.name.replace("_", "_c")) for s in bodies if s.name[0] in "xyz"}
 
 
-def _gathered(entry: sp.Expr, turning: frozenset[sp.Symbol], by_angles: bool) -> sp.Expr:
-    """A sum of products, gathered by what they have in common: their cosines and sines, or else
-    their lengths.
+def at_home(arm: Arm) -> dict[str, Array]:
+    """The numbers of all answers at the home pose, by their names."""
+    q = np.array(arm.home)
+    frames, J = kinematics.link_frames(arm, q), kinematics.jacobian(arm, q)
+    found = {f"A_{i}": np.linalg.inv(a) @ b for i, (a, b) in enumerate(pairwise(frames), 1)}
+    for i, T in enumerate(frames):
+        found |= {f"T_0{i}": T, f"o_{i}": T[:3, [3]], f"z_{i}": T[:3, [2]]}
+    found["J"] = J
+    if arm.dof in (3, 6):
+        found["det_J"] = np.array([[np.linalg.det(J[: arm.dof])]])
+    if arm.bodies:
+        found["P"] = statics.potential_energy(arm, q).reshape(1, 1)
+        found["G"] = statics.gravity_torque(arm, q)[:, None]
+    return found
 
-    What turns out to be multiplied by the same is put together: (d_6 + l_pen) c_1.
-    """
-    sums: dict[sp.Expr, sp.Expr] = {}
-    for term in sp.Add.make_args(sp.expand(entry)):
-        lengths, angles = term.as_independent(*turning)
-        key, part = (angles, lengths) if by_angles else (lengths, angles)
-        number, key = key.as_coeff_Mul()
-        sums[key] = sums.get(key, sp.S.Zero) + number * part
-    shared: dict[sp.Expr, sp.Expr] = {}
-    for key, total in sums.items():
-        total = sp.gcd_terms(total)
-        shared[total] = shared.get(total, sp.S.Zero) + key
-    return sp.Add(*(sp.Mul(key, total) for total, key in shared.items()))
+
+def _is_decimal(number: sp.Rational) -> bool:
+    return number.q > 1 and 10**9 % number.q == 0

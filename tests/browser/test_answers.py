@@ -1,22 +1,28 @@
-"""The answer sheets as a reader has them: nothing cut at any width, and blocks that are copied from
-a file and run.
+"""The answer sheets as a reader has them: nothing cut at any width or on paper, and blocks that are
+copied from a file and run.
 """
 
+from io import BytesIO
+
 import pytest
+from pypdf import PdfReader
 
 from tests.test_book import HTML, NAMES
 
 PAGES = [name for name in NAMES if name.startswith("answers/")]
-CUT = """() => [...document.querySelectorAll(".answer span, .answer td, .answer table, table.dh")].filter((part) => {
-  const box = (part.closest(".answer") ?? document.querySelector("article, main, body")).getBoundingClientRect();
+CUT = """() => [...document.querySelectorAll(".answer div.math, .answer div.math > *")].filter((part) => {
+  const box = part.closest(".answer").getBoundingClientRect();
   const { left, right } = part.getBoundingClientRect();
   return right > box.right + 0.5 || left < box.left - 0.5;
 }).map((part) => part.textContent.slice(0, 60))"""
+SCROLLED = """() => [...document.querySelectorAll("#j div.math > *")].map((part) =>
+  part.scrollWidth <= part.clientWidth + 1 || ["auto", "scroll"].includes(getComputedStyle(part).overflowX))"""
 
 
 @pytest.mark.parametrize("name", PAGES)
 def test_nothing_is_cut(browser, name):
-    """Opened bright and wide or dark and narrow, in turn, and then seen at every width."""
+    """Opened bright and wide or dark and narrow, in turn, and then seen at every width; what is too
+    wide scrolls in its own box."""
     looks = [("light", 1280), ("dark", 390), ("dark", 320)][:: (-1) ** PAGES.index(name)]
     scheme, width = looks[0]
     context = browser.new_context(
@@ -27,11 +33,29 @@ def test_nothing_is_cut(browser, name):
     assert page.locator("details.answer[open]").count() == 0
     page.get_by_role("button", name="Open all answers").click()
     assert page.locator("details.answer:not([open])").count() == 0
+    page.wait_for_function("!window.MathJax || MathJax.startup?.promise?.then(() => true)")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")  # sets what is far, too
     for _, width in looks:
         page.set_viewport_size({"width": width, "height": 800})
         assert page.evaluate(CUT) == [], width
+        shown = page.evaluate(SCROLLED)
+        assert len(shown) > 1
+        assert all(shown), width
         seen = page.evaluate("[document.documentElement.scrollWidth, innerWidth]")
         assert seen[0] <= seen[1] == width
+    context.close()
+
+
+@pytest.mark.parametrize("scripts", [True, False])
+def test_answers_are_printed_open_and_closed_again(browser, scripts):
+    context = browser.new_context(offline=True, java_script_enabled=scripts)
+    page = context.new_page()
+    page.goto((HTML / "answers/elbow.html").as_uri())
+    page.emulate_media(media="print")
+    text = "".join(sheet.extract_text() for sheet in PdfReader(BytesIO(page.pdf())).pages)
+    answers = page.locator("details.answer")
+    assert text.count("In numbers:") == answers.count() == 16
+    assert page.locator("details.answer[open]").count() == 0
     context.close()
 
 
@@ -74,5 +98,5 @@ def test_where_the_clipboard_is_closed_a_selection_is_copied(browser):
     page.locator("#a-1 summary").click()
     page.locator("#a-1").get_by_role("button", name="Copy MATLAB").click()
     page.get_by_text("MATLAB copied.").wait_for()
-    assert page.evaluate("window.copied").endswith("0, 0, 0, 1;\n]")
+    assert page.evaluate("window.copied").endswith("0, 0, 0, 1;\n];")
     context.close()

@@ -1,4 +1,5 @@
-// Buttons that copy an answer, or all of them, as a block of LaTeX, Python or MATLAB. They work from a file, with no network.
+// Buttons that copy an answer, or all of them, as a block of LaTeX, Python or MATLAB. They work
+// from a file, with no network.
 (() => {
   const announced = Object.assign(document.createElement("span"), { className: "answer-said" });
   announced.setAttribute("role", "status");
@@ -18,7 +19,8 @@
   }
 
   function button(label, act) {
-    const made = Object.assign(document.createElement("button"), { type: "button", textContent: label });
+    const made = document.createElement("button");
+    Object.assign(made, { type: "button", textContent: label });
     made.addEventListener("click", async () => {
       made.after(announced);
       announced.textContent = "";
@@ -31,35 +33,39 @@
     return made;
   }
 
-  const text = (template) => template.content.textContent;
-  const said = (language) => `${language} copied.`;
+  const text = (block) => block.textContent.trim();
+  const answers = [...document.querySelectorAll(".answer")];
+  const blocks = (of, language) => [...of.querySelectorAll(`script[data-language="${language}"]`)];
+  const found = document.querySelectorAll(".answer script[data-language]");
+  const languages = [...new Set([...found].map((block) => block.dataset.language))];
 
-  document.querySelectorAll(".answer").forEach((answer) => {
-    const row = Object.assign(document.createElement("div"), { className: "answer-copy" });
-    row.append(...[...answer.querySelectorAll("template")].map((template) => {
-      const { language } = template.dataset;
-      const made = button(`Copy ${language}`, async () => {
-        await copy(text(template));
-        return said(language);
-      });
-      return made;
-    }));
-    answer.append(row);
+  const copier = (label, of, language) => button(label, async () => {
+    await copy(blocks(of, language).map(text).join("\n\n"));
+    return `${language} copied.`;
   });
 
-  document.querySelectorAll(".answer-tools").forEach((tools) => {
-    const answers = [...document.querySelectorAll(".answer")];
+  for (const answer of answers) {
+    const row = Object.assign(document.createElement("div"), { className: "answer-copy" });
+    row.append(...languages.map((language) => copier(`Copy ${language}`, answer, language)));
+    answer.append(row);
+  }
+
+  for (const tools of document.querySelectorAll(".answer-tools")) {
     const fold = button("Open all answers", () => {
       const open = fold.textContent.startsWith("Open");
       answers.forEach((answer) => { answer.open = open; });
       fold.textContent = open ? "Close all answers" : "Open all answers";
       return "";
     });
-    const languages = [...new Set([...document.querySelectorAll(".answer template")].map((t) => t.dataset.language))];
-    tools.replaceChildren(fold, ...languages.map((language) => button(`Copy all as ${language}`, async () => {
-      const blocks = document.querySelectorAll(`.answer template[data-language="${language}"]`);
-      await copy([...blocks].map(text).join("\n\n"));
-      return said(language);
-    })));
+    const all = languages.map((name) => copier(`Copy all as ${name}`, document, name));
+    tools.replaceChildren(fold, ...all);
+  }
+
+  // What is folded would be an empty box on paper.
+  let opened = [];
+  addEventListener("beforeprint", () => {
+    opened = answers.filter((answer) => !answer.open);
+    opened.forEach((answer) => { answer.open = true; });
   });
+  addEventListener("afterprint", () => opened.forEach((answer) => { answer.open = false; }));
 })();
