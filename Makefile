@@ -4,12 +4,12 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 HTML := book/_build/html
-SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/* book/answers/*.md) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py tools/answers.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/*) $(shell find helpers -name '*.py')
 
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean bundles answers sheet coverage mutants judge
+.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean bundles sheet coverage mutants judge
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -133,9 +133,6 @@ mutants: ## make one thing wrong in the helpers at a time; make mutants SAMPLE=6
 	.venv-mutants/bin/python -m pip install --quiet --disable-pip-version-check mutmut==3.8.1 -r requirements-dev.txt -c requirements.lock
 	.venv-mutants/bin/python tools/breaks.py
 	.venv-mutants/bin/python tools/mutants.py --sample $(SAMPLE) --seed $(SEED) $(ARGS)
-
-answers: $(BIN)/.installed ## write the answer sheets, book/answers/*.md, anew
-	$(BIN)/python tools/answers.py
 
 sheet: $(BIN)/.installed ## the answer sheet of any arm in one HTML file: make sheet ARM="Stanford arm", ARM=my_arm.py:MINE or ARM=arm.urdf ARGS="--tip tool0"
 	$(BIN)/python -m helpers.sheets "$(ARM)" $(ARGS)
