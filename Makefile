@@ -9,7 +9,7 @@ SOURCES := $(NOTEBOOKS) $(wildcard tools/pages.py tools/pictures.py tools/answer
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean bundles sheet coverage mutants judge
+.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean bundles sheet coverage mutants
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -72,10 +72,6 @@ test: $(BIN)/.installed ## run the notebooks, the helpers' tests and the built b
 # Notebooks, subprocesses and the built book do not count.
 coverage: $(BIN)/.installed-dev ## how much of the helpers the unit tests reach; less than 95 % fails
 	$(BIN)/python -m pytest -n 2 --dist loadfile -q --cov $(filter-out %_book.py %_notebooks.py %_install.py %_extensions.py %_make.py %_tools.py %_elsewhere.py,$(wildcard tests/test_*.py))
-
-# The page judges in JavaScript, the checkers in Python: what a reader is told may not depend on where.
-judge: $(BIN)/.installed-dev ## ask the page's judge and the checkers 26 000 questions; every word must be equal (needs Node.js)
-	$(BIN)/python -m tests.judge_words --cases 20000
 
 notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output with the stored one
 	$(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 $(NOTEBOOKS)

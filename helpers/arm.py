@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, entry, evaluate, latex, names
-from helpers.inputs import LARGEST, ArmError, listed, must_be, named, numbers, shown
+from helpers.inputs import LARGEST, ArmError, listed, must_be, numbers, shown
 from helpers.rows import (
     Body,
     Joint,
@@ -197,13 +197,11 @@ class Arm:
         What is not given is guessed, and the arm's `source` tells how the table was taken. Raises
         ArmError for what is no table, or holds a symbol without a value.
         """
-        from helpers.reading.table import meant, read  # no other arm needs it
+        from helpers.checks.tables import rows_of  # no other arm needs it
 
         must_be(name, str, "an arm's name")
-        if values is not None:
-            named(values, "values")
-        taken = meant(read(source, columns, lengths, angles, convention, values)[0])
-        return cls(name, taken.as_rows(), source="; ".join(taken.said))
+        rows, said = rows_of(source, columns, lengths, angles, convention, values)
+        return cls(name, rows, source="; ".join(said))
 
     # The same arm, changed
 

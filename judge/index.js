@@ -1,7 +1,66 @@
 // The judge: what is said of an answer, in the page and, through helpers.checks, in Python.
 
-export { compareJacobian } from "./topics/jacobian.js";
-export { compareTorques } from "./topics/torques.js";
-export { compareTables } from "./topics/table.js";
+import { sampled } from "./geometry/path.js";
+import { meant, read } from "./reading/table.js";
+import { KNOWN_ORDERS } from "./reading/table_columns.js";
+import { numbers, pose } from "./reading/numbers.js";
+import { ArmError, keys, say } from "./sentences.js";
+import { compareBranches } from "./topics/branches.js";
+import { compareJacobian } from "./topics/jacobian.js";
+import { comparePose } from "./topics/pose.js";
+import { compareTables } from "./topics/table.js";
+import { compareTorques, poses } from "./topics/torques.js";
+import { compareTrace } from "./topics/trace.js";
+
+/**
+ * What Python asks, as plain data: an answer to be judged, or something to be read.
+ * @type {Record<string, (question: any) => any>}
+ */
+const ANSWERS = {
+  branches: ({ mine, arm, options }) => compareBranches(mine, arm, null, options),
+  jacobian: ({ mine, arm, q, options }) => compareJacobian(mine, arm, q, options),
+  pose: ({ mine, arm, target, options }) => comparePose(mine, arm, target, options),
+  table: ({ mine, arm, options }) => compareTables(mine, arm, options),
+  torques: ({ mine, arm, q, options }) => compareTorques(mine, arm, q, options),
+  trace: traced,
+  joints: ({ q, arm, angles }) => pose(q, arm, angles),
+  poses: ({ q, arm, angles }) => poses(q, arm, angles),
+  numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
+  rows: ({ mine, options }) => meant(read(mine, options, options.values)[0], []),
+  orders: () => KNOWN_ORDERS,
+  words: ({ key, fields }) => say(key, fields),
+  causes: () => keys().filter((key) => key.includes(".")),
+};
+
+// A run along a path that Python holds; the times at which the path is needed too, where some are.
+function traced({ mine, arm, path, options }) {
+  const wanted = new Set();
+  const report = compareTrace(mine, arm, sampled(path, wanted), options);
+  return wanted.size ? { wanted: [...wanted] } : report;
+}
+
+// A report as Python takes it: without what only a page shows.
+function told(report) {
+  const rest = { ...report, rows: report.table?.rows };
+  for (const key of ["typed", "wrong", "table"]) delete rest[key];
+  return rest;
+}
+
+/**
+ * The answer to a question, or why there is none in words.
+ * @param {string} text
+ */
+export function ask(text) {
+  const question = JSON.parse(text);
+  try {
+    const answer = ANSWERS[question.topic](question);
+    return JSON.stringify({ answer: answer?.grade ? told(answer) : answer });
+  } catch (error) {
+    if (error instanceof ArmError) return JSON.stringify({ refused: error.message });
+    throw error;
+  }
+}
+
+export { compareJacobian, compareTables, compareTorques };
 export { linesOf, MARKS, textOf } from "./report.js";
 export { ArmError, learn } from "./sentences.js";

@@ -6,6 +6,9 @@ let templates = {};
 // Every script brings the sentences that it says.
 export const learn = (sentences) => void (templates = { ...templates, ...sentences });
 
+// The keys of all sentences that were learnt.
+export const keys = () => Object.keys(templates);
+
 // A sentence with its fields put in.
 export function say(key, fields = {}) {
   let text = templates[key];

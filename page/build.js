@@ -7,7 +7,8 @@ import { build } from "esbuild";
 import { readdir, readFile } from "node:fs/promises";
 import { join, relative, resolve, sep } from "node:path";
 
-const folder = process.argv[2] ?? "helpers/explorer/static";
+const helpers = process.argv[2] ?? "helpers";
+const folder = join(helpers, "explorer/static");
 const common = {
   bundle: true,
   minify: true,
@@ -75,6 +76,22 @@ async function judgeScript(name, entry, options = {}) {
   await build(made(Object.fromEntries(all.filter(named))));
 }
 
+// The judge alone, with all of its sentences, for Python.
+await build({
+  ...common,
+  stdin: {
+    contents: [
+      `import sentences from "./sentences.json";`,
+      `import { learn } from "./sentences.js";`,
+      `learn(sentences);`,
+      `export { ask } from "./index.js";`,
+    ].join("\n"),
+    resolveDir: "judge",
+  },
+  outfile: join(helpers, "checks/judge.js"),
+  format: "iife",
+  globalName: "Judge",
+});
 await build({
   ...common,
   entryPoints: ["page/src/index.js"],

@@ -13,11 +13,10 @@ import sympy as sp
 
 from helpers import checks
 from helpers.arm import Arm, ArmError, Body
-from helpers.checks.digits import units
+from helpers.checks.compare import numbers
 from helpers.inverse import elbow
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion import circle, circle_below, trace
-from helpers.reading import formula, grid
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import static_torque
 from tests import table_pastes
@@ -45,7 +44,7 @@ q1, q2, q3 = sp.symbols("q_1 q_2 q_3")
     ],
 )
 def test_the_unit_of_the_last_place(texts, expected):
-    assert units(texts) == pytest.approx(expected)
+    assert numbers(texts, "yours").units == pytest.approx(np.array(expected))
 
 
 @pytest.mark.parametrize(
@@ -170,13 +169,13 @@ def test_text_is_never_run(text):
     ],
 )
 def test_formulas(text, value):
-    assert formula.number(text) == pytest.approx(value, abs=1e-15)
+    assert numbers(f"[{text}]", "yours").values == pytest.approx(np.array([[value]]), abs=1e-15)
 
 
 def test_matlab_prints():
     head = "J =\n\n   1.0e+03 *\n\n  Columns 1 through 2\n\n"
     blocks = head + "    0.1000   -0.2000\n\n  Column 3\n\n    0.5000\n"
-    assert [formula.number(x) for x in grid.cells(blocks)[0]] == pytest.approx([100, -200, 500])
+    assert numbers(blocks, "yours").values == pytest.approx(np.array([[100, -200, 500]]))
 
 
 ROWS = [

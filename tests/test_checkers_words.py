@@ -13,7 +13,6 @@ from helpers.arm import Arm, ArmError
 from helpers.inverse import elbow
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.motion import circle
-from helpers.reading.sentences import size
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from helpers.statics import static_torque
 from tests.corpus.arms import KNOWN
@@ -131,14 +130,6 @@ def test_a_wrong_function_of_the_table_is_named_in_its_own_order_of_columns():
 def test_no_numbers_are_refused_in_words():
     with pytest.raises(ArmError, match="your joints: NaN or infinity stands among the numbers"):
         checks.compare_trace(np.full((5, 6), np.nan), LOCKED, CIRCLE)
-
-
-@pytest.mark.parametrize(
-    ("x", "text"),
-    [(1826.4, "1830"), (1.35e6, "1350000"), (1.2e9, "1.2e+09"), (1e-9, "1e-09"), (-0.0, "0")],
-)
-def test_sizes_are_told_in_plain_digits(x, text):
-    assert size(x) == text
 
 
 def test_a_table_without_heads_may_have_more_slides_than_turns():

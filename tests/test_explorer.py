@@ -19,8 +19,9 @@ from anywidget import AnyWidget
 
 from helpers.arm import Arm, ArmError, Row, fixed, prismatic, revolute
 from helpers.checks import compare_tables
+from helpers.checks.arms import arm_data, judged_data
 from helpers.explorer import ArmExplorer, ArmFigure, judge
-from helpers.explorer.data import arm_data, arm_from
+from helpers.explorer.data import arm_from
 from helpers.explorer.figure import ANY_ARM, ONE_ARM
 from helpers.explorer.stub import still
 from helpers.explorer.widget import BUNDLE, MORE, esm
@@ -598,10 +599,12 @@ def test_the_bundle_is_what_its_sources_make(tmp_path, packages):
     subprocess.run(
         [NODE, "page/build.js", str(tmp_path)], cwd=ROOT, check=True, capture_output=True
     )
-    made = {script.name: script.read_bytes() for script in tmp_path.iterdir()}
-    assert made.keys() == {script.name for script in BUNDLE.parent.glob("*.js")}
-    for name, content in made.items():
-        assert content == BUNDLE.with_name(name).read_bytes(), "run `make bundles`"
+    made = {script.relative_to(tmp_path) for script in tmp_path.rglob("*.js")}
+    stored = {*BUNDLE.parent.glob("*.js"), ROOT / "helpers" / "checks" / "judge.js"}
+    assert {ROOT / "helpers" / name for name in made} == stored
+    for name in made:
+        same = (ROOT / "helpers" / name).read_bytes() == (tmp_path / name).read_bytes()
+        assert same, f"{name}: run `make bundles`"
 
 
 def test_the_small_figures_know_the_books_arms():
@@ -930,7 +933,7 @@ def test_a_chapters_judge_asks_one_thing():
 
 def test_the_judge_knows_the_arms_that_wrong_lengths_make():
     """Lengths of the UR10 and the UR10e by their maker's pages."""
-    known = judge.judged_data(UR10E)
+    known = judged_data(UR10E)
     assert set(known) == {"name", "home", "rows", "values", "penless", "alike", "robots"}
     assert known["penless"]["rows"][-1]["d"] == 0.11655
     swapped = [(x["name"], x["other"], *(r["a"] for r in x["rows"][1:3])) for x in known["alike"]]
@@ -941,10 +944,10 @@ def test_the_judge_knows_the_arms_that_wrong_lengths_make():
     lengths = [[robot["rows"][0]["d"], robot["rows"][5]["d"], robot["penless"][5]["d"]]
                for robot in known["robots"]]  # fmt: skip
     np.testing.assert_allclose(lengths, [[0.128, 0.1922, 0.0922], [0.1273, 0.1922, 0.0922]])
-    bare = judge.judged_data(UR10E.with_values(l_pen=0))
+    bare = judged_data(UR10E.with_values(l_pen=0))
     assert "penless" not in bare
     assert all(set(robot) == {"name", "rows"} for robot in bare["robots"])
-    assert set(judge.judged_data(ELBOW)) == {"name", "home", "rows", "values"}
+    assert set(judged_data(ELBOW)) == {"name", "home", "rows", "values"}
 
 
 def test_the_judges_example_of_a_run_is_the_circle_the_other_way_round():

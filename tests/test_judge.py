@@ -1,9 +1,8 @@
-"""The page's judge: in JavaScript it says what the checkers say in Python, letter by letter."""
+"""What people paste, through the judge's two doors: Python's, and the page's under Node.js."""
 
 import contextlib
 import io
 import json
-import os
 from functools import partial
 
 import numpy as np
@@ -11,16 +10,14 @@ import pytest
 import sympy as sp
 
 from helpers import checks, inverse, symbolic
-from helpers.checks.door import numbers
+from helpers.checks.compare import numbers
 from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics
-from helpers.reading.sentences import templates
-from helpers.robots import ELBOW, PANDA, STANFORD
-from tests import judge_words, motion_pastes, table_pastes
-from tests.judge_motion import FORMS, path_of
-from tests.judge_words import different, in_node, page_words, parts_of, python_words
-from tests.node import needs_node
+from helpers.motion import circle_below
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from tests import motion_pastes, table_pastes
+from tests.node import ask_node, needs_node
 from tests.pastes import FORMATS, MATRICES, lines, pastes, wide
 
 Q = [0.5, 0.7, -0.4]
@@ -77,6 +74,7 @@ PASTES = {
     "short": joined(" ", "\n").replace(".0000", ".0").replace("0.", "."),
     "code fence": "```\n" + joined(" ", "\n") + "\n```",
 }  # fmt: skip
+MISSHAPEN = ["((1))" * 9]
 REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__import__('os')",
            "1/0 2 3", "{" * 80, "sin( 1 2", "\\begin{pmatrix}", "1 2 nan", "θ_7 1 1",
            "'\"\\ \t", "1e400 1 1", "((1))" * 9,
@@ -84,61 +82,29 @@ REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__im
            '"1,250",2', "- 1, 2\n- 3, 4", "90 -45 30°", "#DIV/0!\t1", "sin^-1 1 2"]  # fmt: skip
 
 
-def asked(typed, **options):
-    return ELBOW, {"topic": "jacobian", "typed": typed, "q": Q, "options": options}
-
-
-# As many as `make judge` asks where `make mutants` counts what the tests notice.
-CASES, SEED = int(os.environ.get("JUDGE_CASES", "300")), 2026
-SLICE = {"trace": 20, "corpus's traces": 5, "readings": 30}  # of the others 100: they take a second
-SLICES = [(part, k) for part in parts_of(CASES) for k in range(0, part[2], SLICE.get(part[0], 100))]
-
-
-@needs_node
-@pytest.mark.parametrize(("part", "first"), SLICES, ids=str)
-def test_its_words_are_pythons(part, first):
-    asked = judge_words.answered(SEED, part)[first : first + SLICE.get(part[0], 100)]
-    assert next(judge_words.unlike(asked), None) is None
-
-
-@needs_node
-def test_another_word_would_be_noticed():
-    said = {**templates(), "J right": "The Jacobian of {arm} is good{where}{precision}."}
-    ours, theirs = python_words(*asked(PASTES["csv"])), page_words([asked(PASTES["csv"])], said)[0]
-    assert ours[:2] == theirs[:2] == ["right", []]
-    assert ours[2] != theirs[2]
-
-
-@needs_node
-def test_pastes_are_read_as_they_were_meant_in_both_languages():
+@pytest.mark.parametrize("name", PASTES)
+def test_a_paste_is_read_as_it_was_meant(name):
     wanted = "The Jacobian of Elbow arm is right at this pose to the 4 decimals you gave."
-    read = zip(PASTES, page_words([asked(text) for text in PASTES.values()]), strict=True)
-    for name, (_, _, words, _) in read:
-        assert words.startswith(wanted), (name, words)
-        assert python_words(*asked(PASTES[name]))[2] == words, name
+    assert str(checks.compare_jacobian(PASTES[name], ELBOW, Q)).startswith(wanted)
 
 
-@needs_node
 @pytest.mark.parametrize("format_", FORMATS)
 def test_a_hundred_pastes_of_each_format_are_read_as_they_were_meant(format_):
     given = list(pastes(format_))
     assert len(given) >= 100
-    asked = [
-        (ELBOW, {"topic": "read", "typed": text, "q": Q, "options": {}}) for _, text, _ in given
-    ]
-    for (name, text, wanted), (_, shape, words) in zip(given, page_words(asked), strict=True):
-        ours = numbers(text, "your matrix")
-        np.testing.assert_allclose(ours.values, wanted, rtol=1e-9, atol=1e-12, err_msg=name)
-        np.testing.assert_array_equal(shape, ours.values.shape, err_msg=name)
-        np.testing.assert_array_equal([float(x) for x in words.split()], ours.values.ravel(), name)
+    for name, text, wanted in given:
+        found = numbers(text, "your matrix").values
+        np.testing.assert_allclose(found, wanted, rtol=1e-9, atol=1e-12, err_msg=name)
 
 
-@needs_node
-def test_what_cannot_be_read_is_refused_in_the_same_words():
-    for text, said in zip(REFUSED, page_words([asked(text) for text in REFUSED]), strict=True):
-        assert said == python_words(*asked(text)), text
-        assert said[0] in ("refused", "wrong"), text
-        assert len(said[2]) > 20, text
+@pytest.mark.parametrize("text", REFUSED)
+def test_what_cannot_be_read_is_refused_in_words(text):
+    if text in MISSHAPEN:
+        assert checks.compare_jacobian(text, ELBOW, Q).grade == "wrong"
+        return
+    with pytest.raises(ArmError) as refused:
+        checks.compare_jacobian(text, ELBOW, Q)
+    assert len(str(refused.value)) > 20
 
 
 @pytest.mark.parametrize("arm", [ELBOW, STANFORD, PANDA.lock(3)], ids=str)
@@ -153,114 +119,49 @@ def test_a_factor_of_one_is_no_scale():
     assert report.causes == ("J.shape",)
 
 
-def table(typed, **options):
-    return ELBOW, {"topic": "table", "typed": typed, "options": options}
-
-
-@needs_node
-def test_tables_are_read_as_they_were_meant_in_both_languages():
-    pastes = table_pastes.RIGHT
-    said = page_words([table(text) for text in pastes.values()])
-    for (name, text), theirs in zip(pastes.items(), said, strict=True):
-        assert theirs[2].startswith("Your table describes the same arm as Elbow arm.\n") or (
-            theirs[2] == "Your table describes the same arm as Elbow arm."
-        ), (name, theirs[2])
-        assert python_words(*table(text)) == theirs, name
-
-
-@needs_node
-def test_what_is_no_table_is_refused_in_the_same_words():
-    refused = table_pastes.REFUSED
-    said = page_words([table(text) for text in refused])
-    for (text, words), theirs in zip(refused.items(), said, strict=True):
-        assert theirs[0] == "refused", text
-        assert words in theirs[2], text
-        assert python_words(*table(text)) == theirs, text
-
-
-@needs_node
-@pytest.mark.parametrize(
-    "options",
-    [
-        {"columns": "theta d a alpha"},
-        {"columns": "a b c d"},
-        {"lengths": "mm", "angles": "deg"},
-        {"convention": "craig"},
-        {"tolerance": 0.02},
-    ],
-    ids=str,
-)
-def test_tables_read_as_they_were_not_meant_are_judged_in_the_same_words(options):
-    asked = [table(text, **options) for text in table_pastes.RIGHT.values()]
-    assert not [*different(asked)]
-
-
 # Joint angles and runs
 
 
-def pose(typed, **options):
-    question = {"topic": "pose", "typed": typed, "target": motion_pastes.POINT, "options": options}
-    return ELBOW, question
+@pytest.mark.parametrize("name", motion_pastes.ANGLES)
+def test_joint_angles_are_read_as_they_were_meant(name):
+    report = checks.compare_pose(motion_pastes.ANGLES[name], ELBOW, motion_pastes.POINT)
+    assert report.headline.startswith("The joints take the tip of Elbow arm there.")
 
 
-@needs_node
-@pytest.mark.parametrize("options", [{}, {"angles": "deg"}], ids=str)
-def test_joint_angles_are_read_as_they_were_meant_in_both_languages(options):
-    pastes = motion_pastes.IN_DEGREES if options else motion_pastes.ANGLES
-    said = page_words([pose(text, **options) for text in pastes.values()])
-    for (name, text), theirs in zip(pastes.items(), said, strict=True):
-        assert theirs[2].startswith("The joints take the tip of Elbow arm there."), (name, theirs)
-        assert python_words(*pose(text, **options)) == theirs, name
+@pytest.mark.parametrize("name", motion_pastes.IN_DEGREES)
+def test_joint_angles_in_degrees_are_read_as_they_were_meant(name):
+    typed = motion_pastes.IN_DEGREES[name]
+    report = checks.compare_pose(typed, ELBOW, motion_pastes.POINT, angles="deg")
+    assert report.headline.startswith("The joints take the tip of Elbow arm there.")
 
 
-@needs_node
-def test_no_tolerance_leaves_nothing_to_the_last_bit():
-    """Two slips that give the same angles, of which rounding chose one."""
-    question = {"topic": "pose", "typed": "0, -90, 180", "target": [-0.7, 0.0, 0.5]}
-    asked = (ELBOW, {**question, "options": {"angles": "deg", "tolerance": 0.0}})
-    assert not [*different([asked])]
+@pytest.mark.parametrize("text", motion_pastes.UNREAD)
+def test_what_are_no_joint_angles_is_refused_in_words(text):
+    with pytest.raises(ArmError) as refused:
+        checks.compare_pose(text, ELBOW, motion_pastes.POINT)
+    assert len(str(refused.value)) > 20
 
 
-@needs_node
-def test_what_are_no_joint_angles_is_refused_in_the_same_words():
-    said = page_words([pose(text) for text in motion_pastes.UNREAD])
-    for text, theirs in zip(motion_pastes.UNREAD, said, strict=True):
-        assert theirs[0] == "refused", text
-        assert len(theirs[2]) > 20, text
-        assert python_words(*pose(text)) == theirs, text
-
-
-@needs_node
-def test_the_branches_at_singular_poses_are_pythons():
+def test_the_branches_at_singular_poses_are_right():
     """Stretched, folded or with a straight wrist: joints are free, and branches merge."""
-    rng, asked = np.random.default_rng(5), []
-    for arm, solver in FORMS * 4:
+    rng, grades = np.random.default_rng(5), []
+    forms = [(ELBOW, inverse.elbow), (STANFORD, inverse.stanford), (UR10E, inverse.ur),
+             (UR10E_HOMEWORK, inverse.ur)]  # fmt: skip
+    for arm, solver in forms * 5:
         q = np.where(arm.turning, rng.uniform(-1.4, 1.4, arm.dof), 0.3)
         q[rng.choice(np.flatnonzero(arm.turning), 2, replace=False)] = 0
         T = forward_kinematics(arm, q)
-        target = T if arm.dof == 6 else T[:3, 3]
-        found = solver(arm, target)
-        mine = found.q[found.valid].tolist()
-        question = {"topic": "branches", "typed": mine, "target": target.tolist(), "options": {}}
-        asked.append((arm, question))
-    assert not [*different(asked)]
-    right = [python_words(*one)[0] for one in asked]
-    assert right.count("right") > 0.8 * len(right)
+        found = solver(arm, T if arm.dof == 6 else T[:3, 3])
+        grades.append(checks.compare_branches(found.q[found.valid], found).grade)
+    assert grades.count("right") > 0.8 * len(grades)
 
 
-@needs_node
-def test_runs_are_read_as_they_were_meant_in_both_languages():
-    asked = dict(start=Q, radius=0.02, plane="zy", period=5.0, steps=40)
-    path = path_of(ELBOW, asked)
+@pytest.mark.parametrize("name", motion_pastes.RUNS)
+def test_a_run_is_read_as_it_was_meant(name):
+    path = circle_below(ELBOW, Q, 0.02, "zy", 5.0, 40)
     q = inverse.follow(partial(inverse.elbow, ELBOW), path.positions, Q)
-    runs = [
-        (ELBOW, {"topic": "trace", "typed": make(q), "path": asked, "options": {}})
-        for make in motion_pastes.RUNS.values()
-    ]
-    said = page_words(runs)
-    for name, (arm, question), theirs in zip(motion_pastes.RUNS, runs, said, strict=True):
-        assert theirs[2].startswith("Elbow arm draws the path."), (name, theirs)
-        assert python_words(arm, question) == theirs, name
+    report = checks.compare_trace(motion_pastes.RUNS[name](q), ELBOW, path)
+    assert report.headline.startswith("Elbow arm draws the path.")
 
 
 # The page's questions
@@ -309,29 +210,29 @@ BY_LINK = [
 ]  # fmt: skip
 
 
+def in_page(questions):
+    arms = [judge.listed(call) for call in judge.CALLS]
+    return ask_node("judge_page.mjs", {"arms": arms, "questions": questions})
+
+
 @needs_node
 def test_the_call_in_python_says_what_the_page_says():
     """Each question goes through a link first."""
-    arms = [judge.listed(call) for call in judge.CALLS]
-    answers = in_node(arms, [{"topic": "page", "fields": fields} for fields in BY_LINK])
-    for fields, (grade, _, words, *call) in zip(BY_LINK, answers, strict=True):
-        if grade == "refused":
-            assert "Panda: your torques is" in words, words
+    for fields, answer in zip(BY_LINK, in_page(BY_LINK), strict=True):
+        if "error" in answer:
+            assert "Panda: your torques is" in answer["error"], answer
             continue
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
-            exec(call[0], {})
-        assert said.getvalue() == f"{words}\n", fields
+            exec(answer["call"], {})
+        assert said.getvalue() == f"{answer['words']}\n", fields
 
 
 @needs_node
 def test_the_examples_name_their_mistakes():
-    arms = [judge.listed(call) for call in judge.CALLS]
     examples = [*judge.EXAMPLES, judge.traced()]
-    asked = [{"topic": "page", "fields": fields} for fields in examples]
-    named = [causes for _, causes, *_ in in_node(arms, asked)]
     assert [fields["ask"] for fields in examples] == ASKED
-    assert named == [
+    assert [answer["causes"] for answer in in_page(examples)] == [
         ["J.z_i angular"],
         ["tau.force sign"],
         ["table.craig"],

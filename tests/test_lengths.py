@@ -4,15 +4,16 @@ import pytest
 
 from helpers.arm import Arm, revolute
 from helpers.checks import compare_tables
-from helpers.checks.lengths import alike, other_robots, wrong_lengths
+from helpers.checks.arms import judged_data
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 
 
 def test_lengths_of_one_letter_within_a_tenth_are_taken_for_one_another():
     lengths = {"a_1": 1.0, "a_2": 0.91, "a_3": 0.8, "a_4": -0.95, "a_5": 0.8, "d_1": 0.99}
     arm = Arm("five", [revolute(name) for name in lengths], values=lengths)
-    assert alike(arm) == [("a_1", "a_2"), ("a_2", "a_1")]
-    assert [alike(one) for one in (STANFORD, ELBOW)] == [[], []]
+    found = [(one["name"], one["other"]) for one in judged_data(arm)["alike"]]
+    assert found == [("a_1", "a_2"), ("a_2", "a_1")]
+    assert not any("alike" in judged_data(one) for one in (STANFORD, ELBOW))
 
 
 @pytest.mark.parametrize(
@@ -28,19 +29,20 @@ def test_lengths_of_one_letter_within_a_tenth_are_taken_for_one_another():
     ids=str,
 )
 def test_robots_of_nearly_one_name(arm, robots):
-    found = other_robots(arm)
-    assert [(name, one.values["a_2"], one.values["d_1"]) for name, one in found] == robots
-    assert all(one.values["l_pen"] == arm.values["l_pen"] for _, one in found)
+    found = judged_data(arm).get("robots", [])
+    lengths = [(one["name"], abs(one["rows"][1]["a"]), one["rows"][0]["d"]) for one in found]
+    assert lengths == robots
+    pens = [one["rows"][5]["d"] - one["penless"][5]["d"] for one in found]
+    assert pens == pytest.approx([0.1] * len(robots))
 
 
 def test_the_pen_forgotten_and_a_length_taken_for_another():
-    found = [(c.name, a.values["l_pen"], a.values["a_2"]) for c, a in wrong_lengths(UR10E)]
-    assert found == [
-        ("table.pen", 0, 0.6127),
-        ("table.length:a_2:a_3", 0.1, 0.57155),
-        ("table.length:a_3:a_2", 0.1, 0.6127),
-    ]
-    assert not list(wrong_lengths(PANDA.with_values(l_pen=0, a_3=0.088)))
+    found = judged_data(UR10E)
+    assert found["rows"][5]["d"] - found["penless"]["rows"][5]["d"] == pytest.approx(0.1)
+    lengths = [(one["name"], one["other"], one["rows"][1]["a"]) for one in found["alike"]]
+    assert lengths == [("a_2", "a_3", -0.57155), ("a_3", "a_2", -0.6127)]
+    bare = judged_data(PANDA.with_values(l_pen=0, a_3=0.088))
+    assert not {"penless", "alike"} & bare.keys()
 
 
 @pytest.mark.parametrize("a", ["-a_2", "a_2"])

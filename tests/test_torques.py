@@ -11,7 +11,7 @@ import sympy as sp
 from helpers.arm import ArmError
 from helpers.checks import compare_torques
 from tests.corpus.torques import force, weight
-from tests.test_catalogues import HEAVY, MIXED, heavy
+from tests.mixed import HEAVY, MIXED, heavy
 
 ARM = heavy(MIXED, HEAVY)
 F = np.array([3.0, -7, 11, 0.5, -2, 1.5])

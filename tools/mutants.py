@@ -13,23 +13,19 @@ import argparse
 import gc
 import json
 import os
-import pickle
 import random
 import re
 import resource
 import signal
-import sys
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import chdir, suppress
 from fnmatch import fnmatch
 from functools import _lru_cache_wrapper, partial, wraps
 from itertools import accumulate, groupby, islice, takewhile, zip_longest
 from multiprocessing import Value
 from pathlib import Path
-from shutil import which
 from typing import IO
-from zlib import crc32
 
 import pytest
 from hypothesis import Phase, settings
@@ -44,9 +40,6 @@ PLACE = Path("mutants").absolute()
 OUTCOMES, REACH = PLACE / "outcomes.jsonl", PLACE / "reach.jsonl"
 PORTION = 25  # tests that are recorded in one process
 MEMORY, GRACE = 6 << 30, 5  # bytes, and seconds of processor on top of five times a test's own
-# What the page's answers depend on: its judge, and the questions.
-ASKED = ("judge/**/*.js", "judge/sentences.json", "tests/judge_*",
-         "tests/*pastes.py", "tests/readings.py", "tests/corpus/*.py")  # fmt: skip
 STRING, GUARD = re.compile(r"""(["'])(.*?)\1"""), re.compile(r", (strict=\w+)?\)")
 
 
@@ -70,7 +63,7 @@ def main() -> None:
     # To shrink a counterexample costs a hundred times what it cost to find it.
     phases = [Phase.explicit, Phase.generate]
     settings.register_profile("mutants", settings.get_profile("ci"), phases=phases)
-    os.environ |= {"OPENBLAS_NUM_THREADS": "1", "JUDGE_CASES": "20000"}
+    os.environ |= {"OPENBLAS_NUM_THREADS": "1"}
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     os.chdir(PLACE)
     trampoline.set_mutant_under_test("")
@@ -172,10 +165,6 @@ class Driver:
         if session.testsfailed:
             return None  # pytest says what it could not collect
         self.items = {item.nodeid: item for item in session.items}
-        if which("node"):
-            asked = [getattr(item, "callspec", None) for item in session.items]
-            parts = [spec.params["part"] for spec in asked if spec and "part" in spec.params]
-            keep_answers(self.each, dict.fromkeys(parts))
         caches = [x for x in gc.get_objects() if isinstance(x, _lru_cache_wrapper) and ours(x)]
         for function in caches:
             function.cache_clear()
@@ -257,27 +246,6 @@ def following(turn) -> int:
     with turn.get_lock():
         turn.value += 1
         return turn.value - 1
-
-
-def keep_answers(each: Callable, parts: Iterable[tuple[str, int, int]]) -> None:
-    """What the page answers, without a mutant: from a file once it was asked in this form, and in
-    memory, where all forks find it."""
-    words, test = sys.modules["tests.judge_words"], sys.modules["tests.test_judge"]
-    asking = sorted(path for pattern in ASKED for path in PLACE.glob(pattern) if path.is_file())
-    form, ask = crc32(b"".join(path.read_bytes() for path in asking)), words.answered
-    files = {x: PLACE / f"answers-{form:x}-{'-'.join(map(str, x))}.pickle" for x in parts}
-
-    def kept(part: tuple[str, int, int]) -> None:
-        half = files[part].with_suffix(".half")
-        half.write_bytes(pickle.dumps(ask(test.SEED, part)))
-        half.rename(files[part])
-
-    each(kept, [part for part, file in files.items() if not file.exists()])
-    for old in PLACE.glob("answers-*"):
-        if f"-{form:x}-" not in old.name:
-            old.unlink()
-    known = {(test.SEED, part): pickle.loads(x.read_bytes()) for part, x in files.items()}
-    words.answered = lambda *asked: known[asked]
 
 
 def ours(function) -> bool:

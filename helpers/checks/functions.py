@@ -5,25 +5,23 @@ It always gets copies, made anew for each call.
 
 import inspect
 import re
-import time
 from collections.abc import Callable, Iterator
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from helpers.arm import Arm
-from helpers.checks.digits import WRONG
-from helpers.checks.verdict import Report
+from helpers.checks.engine import asked, say
+from helpers.checks.report import WRONG, Report
 from helpers.inputs import ArmError
-from helpers.reading.sentences import listed, say
-from helpers.reading.table import ENTRIES, KNOWN_ORDERS
 
 Array = NDArray[Any]
 Said = tuple[str, ...]
 Way = tuple[Callable[[], Any], Said]
 
-_PATIENCE = 0.5  # s of processor time in calls: so long further orders of columns are tried
+_ENTRIES = ("a", "alpha", "d", "theta")
 _TABLE = re.compile(r"dh\w*|\w*_dh|\w*table|rows?|\w*params?|parameters|denavit\w*|links?", re.I)
 _JOINTS = re.compile(r"q\w*|joints?\w*|th\w*|angles?|config\w*", re.I)
 
@@ -35,11 +33,8 @@ def results(function: Callable, arm: Arm, q: Array, what: str) -> Iterator[tuple
     book's comes first. Raises ArmError where it fails in every way.
     """
     failed: Exception | None = None
-    taken, given = 0.0, 0
+    given = 0
     for call, said in _ways(function, arm, q):
-        if given and taken > _PATIENCE:
-            return
-        begun = time.process_time()
         try:
             found = call()
         except ArmError:
@@ -48,7 +43,6 @@ def results(function: Callable, arm: Arm, q: Array, what: str) -> Iterator[tuple
             failed = failed or error
         else:
             given += 1
-            taken += time.process_time() - begun
             yield found, said
             if not said:
                 return
@@ -122,15 +116,21 @@ def _with_table(function: Callable, arm: Arm, q: Array, place: int) -> Iterator[
     whole[..., [i - 1 for i in arm.joints]] = q
     joints = [q] if arm.dof == len(arm.rows) else [q, whole]
     form = "f(q, table)" if place else "f(table, q)"
-    for order in (ENTRIES, *(o for o in KNOWN_ORDERS if o != ENTRIES)):
+    for order in (_ENTRIES, *(o for o in _orders() if o != _ENTRIES)):
         said = say("taken: function", form=form, columns=", ".join(order))
         for values in joints:
             yield _call(function, place, _table(arm, order), values), (said,)
-    by_row = [dict(zip(ENTRIES, map(float, row), strict=True)) for row in _table(arm, ENTRIES)]
-    by_column = {name: _table(arm, (name,))[:, 0] for name in ENTRIES}
-    said = say("taken: function keyed", form=form, keys=listed([repr(name) for name in ENTRIES]))
+    by_row = [dict(zip(_ENTRIES, map(float, row), strict=True)) for row in _table(arm, _ENTRIES)]
+    by_column = {name: _table(arm, (name,))[:, 0] for name in _ENTRIES}
+    said = say("taken: function keyed", form=form, keys="'a', 'alpha', 'd' and 'theta'")
     for table in (by_row, by_column):
         yield _call(function, place, table, q), (said,)
+
+
+@cache
+def _orders() -> list[tuple[str, ...]]:
+    """The orders of a table's columns that people use."""
+    return [tuple(order) for order in asked("orders")]
 
 
 def _call(function: Callable, place: int, table: Any, q: Array) -> Callable[[], Any]:
@@ -141,4 +141,4 @@ def _call(function: Callable, place: int, table: Any, q: Array) -> Callable[[], 
 def _table(arm: Arm, order: tuple[str, ...]) -> Array:
     """The arm's rows in metres and radians, shape (rows, columns)."""
     entries = np.array([[arm.number(x) for x in row.entries] for row in arm.rows], dtype=float)
-    return entries[:, [ENTRIES.index(name) for name in order]]
+    return entries[:, [_ENTRIES.index(name) for name in order]]

@@ -18,9 +18,9 @@ from helpers.checks import (
     compare_tables,
     compare_torques,
 )
-from helpers.checks.door import numbers
+from helpers.checks.compare import numbers
+from helpers.checks.engine import cause_names
 from helpers.inputs import ArmError, number
-from helpers.reading.sentences import templates
 from helpers.variants import Part, Question, Sheet, topics
 
 Array = NDArray[np.float64]
@@ -133,7 +133,7 @@ def _keys(cause: str) -> Iterator[str]:
 def known_causes() -> set[str]:
     """The names of mistakes that the checkers and this module can find."""
     own = {cause for cause, _, _ in _usual(np.eye(2))}
-    return own | {key for key in templates() if "." in key}
+    return own | cause_names()
 
 
 def _typed(answer: Any, part: Part) -> Any:

@@ -8,36 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm, Body, Joint, Row
-from helpers.inputs import ArmError, listed, must_be
+from helpers.checks.arms import Data
+from helpers.inputs import ArmError, listed
 from helpers.inverse import Solutions
 
 _POINTS = 181  # of a path that is played back: one for each two degrees of a circle
 _DIGITS = 5  # of its joint values, so that the last digit of a machine's arithmetic does not show
-
-Data = dict[str, Any]
-
-
-def arm_data(arm: Arm) -> Data:
-    """An arm with its values put in: SI units, null where no limit is known."""
-    must_be(arm, Arm, "arm")
-    bodies = arm.bodies or (None,) * len(arm.rows)
-    rows = [_row_data(arm, row, body) for row, body in zip(arm.rows, bodies, strict=True)]
-    return {"name": arm.name, "home": list(arm.home), "rows": rows}
-
-
-def _row_data(arm: Arm, row: Row, body: Body | None) -> Data:
-    entries = {key: _number(arm, getattr(row, key)) for key in ("a", "alpha", "d", "theta")}
-    joint = {key: _finite(getattr(row.joint, key)) for key in ("lower", "upper", "speed", "effort")}
-    load = {"body": [_number(arm, e) for e in (body.mass, *body.com)]} if body else {}
-    return {"kind": row.joint.kind, **entries, **joint, **load}
-
-
-def _number(arm: Arm, entry: str | float) -> float:
-    return arm.number(entry) + 0.0  # no minus before a zero
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 def arm_from(name: str, rows: Sequence[Mapping[str, Any]]) -> Arm:

@@ -11,7 +11,7 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
-from helpers.explorer.data import arm_data
+from helpers.checks.arms import arm_data
 from helpers.explorer.widget import esm
 from helpers.inputs import ArmError, listed, must_be, shown
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK

@@ -2,12 +2,11 @@
 that usual mistakes about lengths would give."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from helpers import motion, robots
 from helpers.arm import Arm
-from helpers.checks.lengths import alike, other_robots
-from helpers.explorer.data import Data, arm_data
+from helpers.checks.arms import Data, judged_data
 from helpers.inputs import ArmError
 
 # As a reader may ask of them: their names in helpers.robots, and what is locked.
@@ -111,32 +110,3 @@ def listed(call: str) -> Data:
     locked = f", joint {call[-2]} locked" if "lock" in call else ""
     live = {} if locked else {"explorer": arm.name}
     return {**judged_data(arm), "key": call, "title": arm.name + locked, "python": call, **live}
-
-
-def judged_data(arm: Arm) -> Data:
-    """An arm for judge/: `arm_data`, its values by name, the arm without its pen, for
-    lengths that are near each other the arm with one taken for the other, and the arm with the
-    lengths of robots of nearly its name.
-    """
-    values = arm.values
-    found = {**arm_data(arm), "values": [[name, float(x)] for name, x in values.items()]}
-    if values.get("l_pen"):
-        found["penless"] = arm_data(arm.with_values(l_pen=0))
-    others = [
-        {"name": m, "other": n, "rows": arm_data(arm.with_values(**{m: values[n]}))["rows"]}
-        for m, n in alike(arm)
-    ]
-    if others:
-        found["alike"] = others
-    if robots := list(_robots(arm)):
-        found["robots"] = robots
-    return found
-
-
-def _robots(arm: Arm) -> Iterator[Data]:
-    """The rows with the lengths of robots of nearly the arm's name, and without the pen."""
-    for name, other in other_robots(arm):
-        without = {"penless": arm_data(other.with_values(l_pen=0))["rows"]}
-        yield {"name": name, "rows": arm_data(other)["rows"]} | (
-            without if arm.values.get("l_pen") else {}
-        )

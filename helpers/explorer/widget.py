@@ -10,7 +10,8 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
-from helpers.explorer.data import arm_data, arm_from, branches_data, path_data
+from helpers.checks.arms import arm_data
+from helpers.explorer.data import arm_from, branches_data, path_data
 from helpers.explorer.stub import stub
 from helpers.inputs import ArmError, floats, listed, must_be, numbers, shown
 from helpers.inverse import Solutions

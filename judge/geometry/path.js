@@ -18,6 +18,23 @@ const UNIT = [
 ];
 
 /**
+ * A path that Python holds, by where and how fast it is at some times; `wanted` collects the others
+ * that are asked for.
+ * @param {{ times: number[], at: [number, number[], number[]][], normal: number[] }} held
+ * @param {Set<number>} wanted
+ * @returns {Path}
+ */
+export function sampled({ times, at, normal }, wanted) {
+  const known = new Map(at.map(([t, ...both]) => [t, both]));
+  const nowhere = [NaN, NaN, NaN];
+  const one = (k) => (t) => {
+    if (!known.has(t)) wanted.add(t);
+    return known.get(t)?.[k] ?? nowhere;
+  };
+  return { times, position: one(0), velocity: one(1), normal };
+}
+
+/**
  * A circle at even speed; `plane` names the base axes that it sets out from and towards, as in
  * "zy".
  * @param {{ centre: number[], radius: number, plane: string, period: number, steps: number, phase?:

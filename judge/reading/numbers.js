@@ -51,9 +51,32 @@ const noSymbols = (names) => {
 export function numbers(mine, what, known = noSymbols, wanted = "numbers") {
   if (typeof mine === "string") return ofText(mine, what, known);
   const shape = shapeOf(mine);
-  const values = mine.flat(Infinity);
+  const leaves = [mine].flat(Infinity);
+  if (shape.reduce((product, n) => product * n, 1) !== leaves.length) {
+    throw new ArmError(say("ragged list", { what }));
+  }
+  const entries = leaves.map((leaf) => entryOf(leaf, what, wanted));
+  const names = new Set();
+  for (const { tree } of entries) symbols(tree, names);
+  const found = known(names);
+  const values = entries.map(({ tree }) =>
+    tree[0] === "num" ? tree[1] : value(tree, (n) => found.get(n)),
+  );
   if (!values.every(Number.isFinite)) throw new ArmError(say("not finite", { what, wanted }));
-  return { values, units: units(values.map(spelled)), shape, symbolic: false };
+  const steps = units(entries.map(({ text }, i) => text ?? spelled(values[i])));
+  return { values, units: steps, shape, symbolic: names.size > 0 };
+}
+
+/**
+ * An entry of a list: a number, a formula as text, or what Python made of one that it held, a tree; an error in words
+ * for anything else.
+ * @returns {{ tree: any[], text?: string }}
+ */
+function entryOf(leaf, what, wanted) {
+  if (typeof leaf === "string") return { tree: parse(leaf, `an entry of ${what}`), text: leaf };
+  if (leaf?.tree) return { tree: leaf.tree, text: "exact" };
+  if (leaf?.odd) throw new ArmError(say("no numbers", { what, given: leaf.odd, wanted }));
+  return { tree: ["num", leaf ?? NaN] };
 }
 
 // A name before a value: a quoted one with a comma or colon, or q_1 = and theta_{2}:.
@@ -73,8 +96,13 @@ export function unnamed(mine) {
   return mine.map(unnamed);
 }
 
-const shapeOf = (list) =>
-  Array.isArray(list) ? [list.length, ...(list.length ? shapeOf(list[0]) : [])] : [];
+// The shape of nested lists; that of lists of different lengths ends with them.
+function shapeOf(list) {
+  if (!Array.isArray(list)) return [];
+  const inner = list.map(shapeOf);
+  const even = inner.every((shape) => shape.join() === inner[0].join());
+  return [list.length, ...(even ? (inner[0] ?? []) : [])];
+}
 
 // A vector that NumPy prints over several lines; a sign that stands one upright.
 const PRINTED = /^[^[\](){};,|&]*\[[^[\](){};,|&]*\]\s*$/;
@@ -129,7 +157,8 @@ export const eachJoint = (arm) => `one value for each of ${variables(arm).join("
 // One joint vector, with its units.
 export function pose(q, arm, angles = "rad") {
   const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
-  const flat = typeof q === "string" ? [typed.values.length] : typed.shape;
+  const column = typed.shape.length === 2 && typed.shape[1] === 1;
+  const flat = column || typeof q === "string" ? [typed.values.length] : typed.shape;
   const dof = joints(arm).length;
   if (flat.length !== 1 || flat[0] !== dof)
     throw new ArmError(poseFault(arm, flat, `one pose, (${dof},)`));
@@ -172,9 +201,8 @@ export function rowsInRadians(rows, arm) {
 
 // A name without underscores, braces, primes and (t), in lower case.
 const simple = (name) =>
-  name
-    .replace(/\(t\)|[_{}'*^\\ ]/g, "")
-    .replace(/[ϑθ]/g, "theta")
+  plain(name)
+    .replace(/\(t\)|[_{}'*^\\\s]/g, "")
     .toLowerCase();
 
 /** @returns {[Map<string, number>, string[]]} */

@@ -34,9 +34,8 @@ const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are n
  * @returns {import("../report.js").Report}
  */
 export function compareBranches(mine, arm, target, options = {}) {
-  const { angles = "rad", tolerance = null } = options;
-  const form = formOf(arm);
-  const right = apart(arm, inverse(arm, form, asksPose(form) ? frameOf(target) : target));
+  const { angles = "rad", tolerance = null, found = null } = options;
+  const right = apart(arm, found ?? branchesOf(arm, target));
   let { answers: given, taken, typed } = answers(mine, arm, angles);
   if (
     given.length === joints(arm).length &&
@@ -53,6 +52,12 @@ export function compareBranches(mine, arm, target, options = {}) {
   const asRows = !taken.length && typed.shape.at(-1) === dof;
   const wrong = asRows && given.flatMap((one, i) => one.values.map(() => astray.includes(i + 1)));
   return wrong ? { ...report, typed, wrong } : { ...report, typed };
+}
+
+// All branches by the arm's own formula, where the asker has none.
+function branchesOf(arm, target) {
+  const form = formOf(arm);
+  return inverse(arm, form, asksPose(form) ? frameOf(target) : target);
 }
 
 const frameOf = (rows) => {
@@ -267,7 +272,12 @@ function reported(right, given, tolerance, taken, everywhere) {
     causes: everywhere ? [nameOf(everywhere)] : [...new Set(all)],
     taken,
     notes: [...notesOf(right), ...twice(arm, given), ...unreachable],
-    figures: { found, right: found.length, of: branches.length, wrong: astray.length },
+    figures: {
+      found,
+      right: everywhere ? 0 : found.length,
+      of: branches.length,
+      wrong: astray.length,
+    },
   };
 }
 

@@ -48,12 +48,18 @@ export function compareJacobian(mine, arm, q, options = {}) {
     tolerance = null,
     values = [],
   } = options;
+  const { generic = false, computed = false, briefly = false } = options;
   const at = pose(q, arm, angles);
   const dof = at.values.length;
   const what = `${arm.name}: your Jacobian`;
   const { known, said } = lookup(arm, at.values, values);
   let typed = numbers(mine, what, known);
+  if (generic && !typed.symbolic && !computed) throw new ArmError(say("J needs q"));
+  if (computed) typed = { ...typed, symbolic: true };
   const count = typed.values.length;
+  const flat = typed.shape.indexOf(1);
+  if (typed.shape.length === 3 && flat >= 0)
+    typed = { ...typed, shape: typed.shape.filter((_, i) => i !== flat) };
   if (typed.shape.length === 2 && count === 6 * dof && count === Math.max(...typed.shape)) {
     typed = { ...typed, shape: [6, dof] };
   }
@@ -66,13 +72,15 @@ export function compareJacobian(mine, arm, q, options = {}) {
   if (!typed.values.some(Boolean)) {
     return { ...empty(arm, said), typed, wrong: typed.values.map(() => true) };
   }
-  if (!angularFirst || rows !== 6)
-    return { ...judged(typed, arm, at, frame, tolerance, said), typed };
+  if (!angularFirst || rows !== 6) {
+    const report = judged(typed, arm, at, frame, tolerance, said, briefly);
+    return report && { ...report, typed };
+  }
   const exchanged = (list) => [...list.slice(3 * dof), ...list.slice(0, 3 * dof)];
   const linearFirst = { ...typed, values: exchanged(typed.values), units: exchanged(typed.units) };
   const taken = [...said, say("taken: angular first")];
-  const report = judged(linearFirst, arm, at, frame, tolerance, taken);
-  return { ...report, typed, wrong: report.wrong && exchanged(report.wrong) };
+  const report = judged(linearFirst, arm, at, frame, tolerance, taken, briefly);
+  return report && { ...report, typed, wrong: report.wrong && exchanged(report.wrong) };
 }
 
 /** @returns {import("../report.js").Report} */
@@ -96,7 +104,9 @@ function misshapen(typed, arm, q, frame, taken) {
   const key = joint ? "J.column missing" : shapeCause(shape, arm);
   const said = say(key, { shape: shape.join("x"), dof: numbered(arm).length, joint });
   const words = `${said.replace(/\.+$/, "")}.`;
-  const findings = [{ what: "shape", where: "", words }];
+  const findings = [
+    { what: "shape", where: "", mine: shape, expected: [6, numbered(arm).length], words },
+  ];
   const headline = say("J wrong", { arm: arm.name, cause: lower(words) });
   return reported(arm, WRONG, headline, {
     findings,
@@ -142,7 +152,7 @@ function shapeCause([rows, width], arm) {
 // The verdict
 
 /** @returns {import("../report.js").Report} */
-function judged(typed, arm, at, frame, tolerance, taken) {
+function judged(typed, arm, at, frame, tolerance, taken, briefly) {
   const q = at.values;
   const dof = q.length;
   const where = setting(arm, q, frame);
@@ -163,6 +173,10 @@ function judged(typed, arm, at, frame, tolerance, taken) {
   const grade = graded(typed.values, right, m, made);
   if (grade !== WRONG) {
     return good(grade, typed, arm, to - from, from, taken, typed.symbolic ? [] : hidden(known));
+  }
+  if (briefly) {
+    const one = explain(typed.values, right, m.band, known.causes, made);
+    return complete(one) ? bad(one.causes, [], arm, taken) : null;
   }
   const [found, symptoms] = causesOf(typed.values, right, m, known, part, where, from);
   return { ...bad(found, symptoms, arm, taken), wrong: beyond(typed.values, right, m) };

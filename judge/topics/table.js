@@ -65,7 +65,7 @@ const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
 /**
  * Whether a typed table describes the reference, and if not, where they differ and why.
- * @param {string} mine
+ * @param {any} mine text, or an arm that Python holds
  * @param {any} reference
  * @param {Options} options
  * @returns {Report}
@@ -73,10 +73,15 @@ const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 export function compareTables(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
   const known = new Map([...(reference.values ?? []), ...(options.values ?? [])]);
-  const typed = read(mine, options, [...known]).flatMap((one) => sizes(one, reference.rows));
-  const tables = typed.map((one) => tableOf(one, meant(one, kinds)));
+  const isText = typeof mine === "string";
+  const typed = isText
+    ? read(mine, options, [...known]).flatMap((one) => sizes(one, reference.rows))
+    : [];
+  const tables = isText ? typed.map((one) => tableOf(one, meant(one, kinds))) : [ofArm(mine)];
   const readings = tables.map((table) => judgedTable(table, reference, options.tolerance ?? null));
   const whole = (report, k) => {
+    if (!isText)
+      return { ...report, table: { rows: tables[k].rows, cells: [], trees: [], wrong: [] } };
     const cells = shown(typed[k], tables[k], report.findings);
     return { ...report, table: { rows: tables[k].rows, ...cells } };
   };
@@ -150,6 +155,25 @@ function tableOf(typed, found) {
     added: Number(modified && Boolean(a || alpha)),
   };
 }
+
+/**
+ * An arm that Python holds, as a table in m and rad.
+ * @param {{ name: string, rows: Numbers[], texts: Record<string, string>[] }} arm
+ * @returns {Table}
+ */
+const ofArm = ({ name, rows, texts }) => ({
+  name,
+  rows,
+  texts,
+  lengthUnit: unitOf(texts, ["a", "d"]),
+  angleUnit: unitOf(texts, ["alpha", "theta"]),
+  lengthScale: 1,
+  angleScale: 1,
+  said: [],
+  modified: false,
+  exchanged: false,
+  added: 0,
+});
 
 // The unit of the last place of the decimals in some columns; 0 where there are none.
 function unitOf(texts, columns) {
@@ -256,7 +280,8 @@ function same(grade, table, reference, mine, ref, found) {
     findings: [],
     causes: [],
     taken: table.said,
-    ...(mapped ? { map: mapped } : {}),
+    ...(mapped ? { map: { ...mapped, rows: mine.rows } } : {}),
+    figures: { "upside down": found.upsideDown },
     notes: [
       ...zeros(table, mapped, mine, ref),
       ...base(table, mine, found, mapped),

@@ -48,6 +48,7 @@ export function compareTorques(mine, arm, q, options = {}) {
     gravity = GRAVITY,
     angles = "rad",
     tolerance = null,
+    briefly = false,
   } = options;
   const at = poses(q, arm, angles);
   if (!arm.rows.every((row) => row.body)) {
@@ -56,14 +57,19 @@ export function compareTorques(mine, arm, q, options = {}) {
     );
   }
   const dof = joints(arm).length;
-  const list = rowsOf(at.values, dof);
+  let list = rowsOf(at.values, dof);
   const wrenches = Array.isArray(wrench[0]) ? wrench : list.map(() => wrench);
+  if (list.length === 1 && wrenches.length > 1) {
+    list = wrenches.map(() => list[0]); // one pose under several loads
+    at.units = list.flatMap(() => at.units);
+  }
   const load = loadOf(arm, list, wrenches, gravity);
   const right = torques(load).flat();
   const typed = numbers(unnamed(mine), `${arm.name}: your torques`);
   const found = upright(typed, right, dof);
   if (!found) return { ...misshapen(typed, list.length, arm), typed };
-  return { ...judged(...found, right, load, at, tolerance), typed };
+  const report = judged(...found, right, load, at, tolerance, briefly);
+  return report && { ...report, typed };
 }
 
 const rowsOf = (flat, width) =>
@@ -72,7 +78,8 @@ const rowsOf = (flat, width) =>
 const turned = (flat, [rows, width]) =>
   flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
-function poses(q, arm, angles) {
+// Joint vectors, a pose or a list of them.
+export function poses(q, arm, angles) {
   const dof = joints(arm).length;
   let typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
   let { shape } = typed;
@@ -136,13 +143,13 @@ function misshapen({ shape, values }, count, arm) {
   const wanted = count > 1 ? `${count}x${dof}` : String(dof);
   const sizes = count > 1 ? shape : shape.filter((n) => n !== 1);
   const words = say(key, { shape: sizes.join("x") || "1", wanted, dof });
-  const findings = [{ what: "shape", where: "", words }];
+  const findings = [{ what: "shape", where: "", mine: shape, expected: [count, dof], words }];
   const headline = say("tau wrong", { arm: arm.name, cause: lower(words) });
   return reported(arm, WRONG, headline, { findings, causes: [key] });
 }
 
 /** @returns {import("../report.js").Report} */
-function judged(typed, taken, right, load, at, tolerance) {
+function judged(typed, taken, right, load, at, tolerance, briefly) {
   const { arm } = load;
   const dof = joints(arm).length;
   const count = right.length / dof;
@@ -164,11 +171,29 @@ function judged(typed, taken, right, load, at, tolerance) {
   const [mine, wanted] = [some(typed.values), some(right)];
   const single = made.filter((_, k) => causes[k].keys.length === 1);
   const grade = whole(graded(mine, wanted, part, single), typed.values, right, m);
-  if (grade !== WRONG) return good(grade, typed, arm, taken);
+  const figures = figuresOf(typed.values, right, m.band, dof);
+  if (grade !== WRONG) return { ...good(grade, typed, arm, taken), figures };
+  if (briefly) {
+    const one = explain(mine, wanted, part.band, ...ofOne(causes, made));
+    return complete(one) ? { ...bad(one, [], arm, taken), figures } : null;
+  }
   const found = foundIn(mine, wanted, part, causes, made, sample);
   const symptoms = found ? besides(found, arm, count) : jointFindings(typed.values, right, m, arm);
   const report = bad(found, symptoms, arm, taken);
-  return { ...report, wrong: beyond(typed.values, right, m) };
+  return { ...report, figures, wrong: beyond(typed.values, right, m) };
+}
+
+// The single ones of a catalogue.
+function ofOne(causes, made) {
+  const single = causes.flatMap(({ keys }, k) => (keys.length === 1 ? [k] : []));
+  return [single.map((k) => causes[k]), single.map((k) => made[k])];
+}
+
+// By how much the worst torque is off, and how many joints are right at every pose.
+function figuresOf(mine, right, band, dof) {
+  const off = mine.map((x, i) => Math.abs(x - right[i]));
+  const wrong = new Set(off.flatMap((x, i) => (x <= band[i] ? [] : [i % dof])));
+  return { worst: Math.max(0, ...off), right: dof - wrong.size, of: dof };
 }
 
 // The grade of the sample, unless a pose between its poses is worse.

@@ -151,7 +151,7 @@ function reported(arm, grade, words, taken, rest = {}) {
 function misshapen({ shape }, arm, { times }) {
   const fields = { shape: shape.join("x") || "1", rows: times.length, dof: joints(arm).length };
   const words = say("trace.shape", fields);
-  const findings = [{ what: "shape", where: "", words }];
+  const findings = [{ what: "shape", where: "", mine: shape, words }];
   return reported(arm, WRONG, lower(words), [], { findings, causes: ["trace.shape"] });
 }
 
@@ -183,7 +183,7 @@ function judged(run, arm, path, allowed, given, blur) {
   };
   const named = stuck ?? (symptoms.length ? why() : given ? null : slip(false));
   const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
-  const figures = { position_error: error, tool_turn: turn };
+  const figures = { position_error: error, tool_turn: turn, q };
   const wrong = (words, findings, causes) =>
     reported(arm, WRONG, words, taken, { findings, causes, notes, figures });
   if (named) {

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from helpers.explorer.data import arm_data
+from helpers.checks.arms import arm_data
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ARMS, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.browser.reader import SIZES, UNDRAWN, UNSET, Reader

@@ -1,6 +1,5 @@
 // The modules that the checkers' scripts share with the first one, by their path.
 
-import * as ranking from "../../../judge/causes/ranking.js";
 import * as digits from "../../../judge/digits.js";
 import * as arm from "../../../judge/geometry/arm.js";
 import * as kinematics from "../../../judge/geometry/kinematics.js";
@@ -17,7 +16,6 @@ import * as shown from "./shown.js";
 import * as dom from "../dom.js";
 
 export const kit = {
-  "judge/causes/ranking.js": ranking,
   "judge/digits.js": digits,
   "judge/geometry/arm.js": arm,
   "judge/geometry/kinematics.js": kinematics,

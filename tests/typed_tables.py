@@ -2,14 +2,9 @@
 
 import math
 import re
-from collections.abc import Iterator
 from fractions import Fraction
 
-from helpers.inputs import ArmError
-from helpers.reading import formula, grid, table
-from helpers.reading.sentences import size
-from helpers.robots import ELBOW
-from tests import judge_tables, motion_pastes, pastes, table_pastes
+from tests import pastes
 
 NAMES = ("a", "alpha", "d", "theta")
 HEADS = {
@@ -29,7 +24,6 @@ ORDERS = ["theta d a alpha", "a alpha d theta", "alpha a d theta", "d theta a al
 VARIABLES = ["q{}", "q_{}", "theta{}", "θ_{}", "th{}", r"\theta_{{{}}}", "q_{{{}}}", "t{}",
              "θ{}(t)", r"\phi_{}", "-q{}", "−θ_{}", "q{}^*", "θ_{}*", "q{}°"]  # fmt: skip
 ALONE = ["*", "-", "?", "q", "θ", "var", "inf", "—", "variable", "θ*"]
-SIGNS = "0123456789.,;:-+*/^()[]{}|&\\ \t\n'\"=_qdaθαπ°piLink√−²₁s"
 
 
 def angle(k: int, unit: str, rng) -> str:
@@ -282,104 +276,3 @@ def formula_of(rng, depth: int = 3) -> tuple[str, float]:
         (f"sind 30 * ({s})", 0.5 * u),
     ]  # fmt: skip
     return forms[int(rng.integers(len(forms)))]
-
-
-# The same questions to both languages
-
-AROUND = [
-    (">>> T\n", ""), ("In [3]: print(A)\nOut[3]: ", ""), (">> ", "\n>> "), ("```python\n", "\n```"),
-    ("# mine\n", "  # done"), ("dh: ", ""), ("= ", ""), ("\ufeff", ""), ("$", "$"), ("J = -", ""),
-    ("1e3 * ", ""), ("", "^T"), (r"\frac{1}{2}", ""),
-    (r"\frac{dx}{dq} = ", "."), ("Column 1\n", "\nColumn 2\n1"),
-    ("   1.0e-03 *\n\n", ""), ("np.round(", ", 4)"), ("ans =\n\n", "\n"), ("J_v(q) = ", ";"),
-    ("{", "}"), ("(", ")"),
-    ("(\n", "\n)"), ("np.radians(", ")"), ("", " * 2"), ("A caption:\n", ""),
-    ("|", "|"), ("[", "]"), (r"\left[", r"\right]"), ("[(", ",)]"),
-]  # fmt: skip
-
-SAID = [
-    {"values": {"x": 0.3, "L_1": 0.5}},
-    {"lengths": "cm"},
-    {"angles": "deg"},
-    {"angles": "rad", "lengths": "mm"},
-    {"convention": "standard"},
-    {"columns": "θ, d, a, α"},
-    {"columns": "a b c d"},
-    {"convention": "craig", "columns": "alpha_i-1|a|theta|d"},
-]
-
-
-def questions(rng, count: int) -> Iterator[tuple]:
-    """What is typed, some with slips of the finger, some with another paste's end."""
-    grids = [text for kind in pastes.FORMATS for _, text, _ in pastes.pastes(kind)]
-    grids += [*motion_pastes.ANGLES.values(), *motion_pastes.UNREAD]
-    tables = [*table_pastes.RIGHT.values(), *table_pastes.REFUSED]
-    forms = [question for _, question in judge_tables.form_questions(rng, count // 4, lambda m: m)]
-    for _ in range(count):
-        kind, options = rng.random(), {}
-        if kind < 0.25 and forms:
-            question = forms.pop()
-            text, options = question["typed"], question["options"]
-        elif kind < 0.5:
-            text, options, *_ = made(rng)
-        elif kind < 0.6:
-            lines = [[formula_of(rng)[0] for _ in range(4)] for _ in range(2)]
-            text = bracketed([], lines, rng)
-        else:
-            text = str(rng.choice(grids if kind < 0.8 else tables))
-        if rng.random() < 0.1:
-            other = str(rng.choice(tables))
-            text = (
-                text[: int(rng.integers(len(text) + 1))]
-                + other[int(rng.integers(len(other) + 1)) :]
-            )
-        if rng.random() < 0.15:
-            before, after = AROUND[int(rng.integers(len(AROUND)))]
-            text = before + text + after
-        for _ in range(int(rng.choice([0, 0, 1, 2]))):
-            at = int(rng.integers(len(text) + 1))
-            sign = "" if rng.random() < 0.5 else SIGNS[int(rng.integers(len(SIGNS)))]
-            text = text[:at] + sign + text[at + int(rng.random() < 0.6) :]
-        if rng.random() < 0.2:
-            options = options | SAID[int(rng.integers(len(SAID)))]
-        yield ELBOW, {"topic": "reading", "typed": text, "options": options}
-
-
-KINDS = {"R": "revolute", "P": "prismatic", "F": "fixed", "?": "unknown"}
-
-
-def words(typed: str, options: dict) -> list:
-    """What is read, cells, formulas and tables, as tests/judge_words.mjs says it of the page's."""
-    cells = tried(lambda: grid.cells(typed))
-    rows = [] if isinstance(cells, str) else grid.without_header(cells)
-    formulas = [tried(lambda c=c: of_formula(c)) for row in rows for c in row[:9]]
-    tables = tried(lambda: [*map(of_table, table.read(typed, **options, mend=True)[:3])])
-    return [cells, len(rows), formulas[:40], tables]
-
-
-def tried(ask):
-    try:
-        return ask()
-    except ArmError as error:
-        return str(error)
-
-
-def of_formula(text: str) -> list:
-    tree = formula.parse(text, "a cell")
-    x = formula.value(tree, lambda name: 0.3 + 0.1 * len(name))
-    return [listed(tree), sorted(formula.symbols(tree)), size(x, 9), formula.number(text) is None]
-
-
-def listed(tree):
-    return [listed(part) if isinstance(part, tuple) else part for part in tree]
-
-
-def of_table(read: table.TypedTable) -> list:
-    meant = table.meant(read, "RRP")
-    typed = [
-        [KINDS[r.kind], [size(r.numbers[n], 9) for n in NAMES], [r.texts[n] for n in NAMES],
-         r.backwards, sorted(r.radians)] for r in read.rows
-    ]  # fmt: skip
-    rows = [[KINDS[r.kind], *(size(x, 9) for x in r[1:])] for r in meant.rows]
-    said = [read.lengths, read.angles, read.convention, list(read.said), read.exchanged]
-    return [said, typed, rows, list(meant.said), size(meant.length, 9), size(meant.angle, 9)]

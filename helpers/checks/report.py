@@ -1,12 +1,11 @@
 """The one report of all comparisons, and the one kind of finding."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from helpers.checks.digits import RIGHT, ROUNDED, SO_FAR, WRONG
-
-_MARKS = {RIGHT: "✔", SO_FAR: "◐", ROUNDED: "≈", WRONG: "✘"}
+RIGHT, WRONG = "right", "wrong"
+_MARKS = {RIGHT: "✔", "so far": "◐", "rounded": "≈", WRONG: "✘"}
 
 
 @dataclass(frozen=True)
@@ -83,3 +82,29 @@ class Report:
     def _repr_markdown_(self) -> str:
         head = f"{_MARKS[self.grade]} **{self.headline}**"
         return "\n".join([head, "", *(f"- {line}" for line in self.lines)])
+
+
+def report_of(said: Mapping[str, Any], taken: Iterable[str] = (), **figures: Any) -> Report:
+    """The report that the judge's answer is; how the answer was got and more figures come from
+    Python.
+    """
+    return Report(
+        said["topic"],
+        said["arm"],
+        said["grade"],
+        said["headline"],
+        tuple(map(_finding, said["findings"])),
+        tuple(said["causes"]),
+        (*taken, *said["taken"]),
+        tuple(said["notes"]),
+        {name: _held(x) for name, x in said.get("figures", {}).items()} | figures,
+    )
+
+
+def _finding(said: Mapping[str, Any]) -> Finding:
+    mine, expected = (_held(said.get(key)) for key in ("mine", "expected"))
+    return Finding(said["what"], said["where"], mine, expected, said["words"])
+
+
+def _held(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) else value

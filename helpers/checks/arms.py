@@ -1,0 +1,89 @@
+"""An arm as the judge needs it: plain data, and the tables that usual mistakes give."""
+
+import json
+import math
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+from typing import Any
+
+from helpers.arm import Arm, Body, Row
+from helpers.inputs import must_be
+from helpers.robots import UR10E, UR10E_HOMEWORK
+
+Data = dict[str, Any]
+
+_NAMES = ("d_1", "a_2", "a_3", "d_4", "d_5", "d_6")
+# Robots of nearly one name: the UR10 as its manual's drawing has it and as its maker's table of
+# Denavit-Hartenberg parameters does, and the UR10e.
+_ROBOTS = (
+    ("UR10", {name: UR10E_HOMEWORK.values[name] for name in _NAMES}),
+    ("UR10", dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)),
+    ("UR10e", {name: UR10E.values[name] for name in _NAMES}),
+)
+
+
+def arm_data(arm: Arm) -> Data:
+    """An arm with its values put in: SI units, null where no limit is known."""
+    must_be(arm, Arm, "arm")
+    bodies = arm.bodies or (None,) * len(arm.rows)
+    rows = [_row_data(arm, row, body) for row, body in zip(arm.rows, bodies, strict=True)]
+    return {"name": arm.name, "home": list(arm.home), "rows": rows}
+
+
+def _row_data(arm: Arm, row: Row, body: Body | None) -> Data:
+    entries = {key: _number(arm, getattr(row, key)) for key in ("a", "alpha", "d", "theta")}
+    joint = {key: _finite(getattr(row.joint, key)) for key in ("lower", "upper", "speed", "effort")}
+    load = {"body": [_number(arm, e) for e in (body.mass, *body.com)]} if body else {}
+    return {"kind": row.joint.kind, **entries, **joint, **load}
+
+
+def _number(arm: Arm, entry: str | float) -> float:
+    return arm.number(entry) + 0.0  # no minus before a zero
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+@lru_cache(maxsize=64)
+def judged_data(arm: Arm) -> Data:
+    """`arm_data`, the arm's values by name, the arm without its pen, for lengths that are near each
+    other the arm with one taken for the other, and the arm with the lengths of robots of nearly its
+    name. Not to be changed.
+    """
+    values = arm.values
+    found = {**arm_data(arm), "values": [[name, float(x)] for name, x in values.items()]}
+    if values.get("l_pen"):
+        found["penless"] = arm_data(arm.with_values(l_pen=0))
+    others = [
+        {"name": m, "other": n, "rows": arm_data(arm.with_values(**{m: values[n]}))["rows"]}
+        for m, n in _alike(values)
+    ]
+    if others:
+        found["alike"] = others
+    if robots := list(_robots(arm)):
+        found["robots"] = robots
+    return json.loads(json.dumps(found))
+
+
+def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:
+    """Names of lengths a_i that may be taken for one another: near, and not the same."""
+    a = [(name, x) for name, x in values.items() if name.startswith("a_")]
+    return [
+        (m, n)
+        for m, x in a
+        for n, y in a
+        if m != n and x != y and abs(x - y) < 0.1 * max(abs(x), abs(y))
+    ]
+
+
+def _robots(arm: Arm) -> Iterator[Data]:
+    """The rows with the lengths of robots of nearly the arm's name, and without the pen."""
+    own = next((name for name, lengths in _ROBOTS if lengths.items() <= arm.values.items()), None)
+    for name, lengths in _ROBOTS:
+        if own and name != own:
+            other = arm.with_values(**lengths)
+            without = {"penless": arm_data(other.with_values(l_pen=0))["rows"]}
+            yield {"name": name, "rows": arm_data(other)["rows"]} | (
+                without if arm.values.get("l_pen") else {}
+            )

@@ -1,0 +1,27 @@
+// What the page says to questions that came by a link, for tests/test_judge.py: a line of JSON in, a line of JSON out.
+
+import { readFileSync } from "node:fs";
+import { createInterface } from "node:readline";
+import { textOf } from "../judge/report.js";
+import { learn } from "../judge/sentences.js";
+import { asPython, EMPTY, fromFragment, judge, toFragment } from "../page/src/check/question.js";
+import "../page/src/check/scripts/jacobian.js";
+import "../page/src/check/scripts/motion.js";
+import "../page/src/check/scripts/table.js";
+
+learn(JSON.parse(readFileSync(new URL("../judge/sentences.json", import.meta.url), "utf8")));
+
+// The verdict, or why there is none; and the call in Python that says the same.
+function answered(fields, arms) {
+  const keys = arms.map(({ key }) => key);
+  const { question, words } = fromFragment(toFragment({ ...EMPTY, ...fields }), keys);
+  if (!question) return { error: words };
+  const { report, error } = judge(question, arms);
+  if (error) return { error };
+  return { grade: report.grade, causes: report.causes, words: textOf(report), call: asPython(question, arms) };
+}
+
+for await (const line of createInterface({ input: process.stdin })) {
+  const { arms, questions } = JSON.parse(line);
+  process.stdout.write(`${JSON.stringify(questions.map((fields) => answered(fields, arms)))}\n`);
+}

@@ -1,0 +1,46 @@
+// What judge/reading makes of a text, for tests/reading.py: a line of JSON in, a line of JSON out, until nobody asks.
+
+import { readFileSync } from "node:fs";
+import { createInterface } from "node:readline";
+import { number, parse, symbols, value } from "../judge/reading/formula.js";
+import { cells } from "../judge/reading/grid.js";
+import { withoutHeader } from "../judge/reading/heads.js";
+import { lookup } from "../judge/reading/numbers.js";
+import { meant, read } from "../judge/reading/table.js";
+import { ArmError, learn } from "../judge/sentences.js";
+
+learn(JSON.parse(readFileSync(new URL("../judge/sentences.json", import.meta.url), "utf8")));
+
+const tableOf = (kinds) => (table) => ({
+  ...table,
+  rows: table.rows.map((row) => ({ ...row, radians: [...row.radians] })),
+  meant: meant(table, kinds),
+});
+
+const JOBS = {
+  cells: ({ text }) => cells(text),
+  below_heads: ({ rows }) => withoutHeader(rows),
+  number: ({ text }) => number(text),
+  formula({ text, what, known }) {
+    const tree = parse(text, what);
+    return { names: [...symbols(tree)].sort(), value: known && value(tree, (name) => known[name]) };
+  },
+  tables: ({ text, options, values, kinds }) => read(text, options, values).map(tableOf(kinds)),
+  names({ names, arm, q, values }) {
+    const { known, said } = lookup(arm, q, values);
+    return { found: Object.fromEntries(known(new Set(names))), said };
+  },
+};
+
+function answered({ job, ...given }) {
+  try {
+    return { answer: JOBS[job](given) };
+  } catch (error) {
+    if (error instanceof ArmError) return { refused: error.message };
+    throw error;
+  }
+}
+
+for await (const line of createInterface({ input: process.stdin })) {
+  process.stdout.write(`${JSON.stringify(answered(JSON.parse(line)))}\n`);
+}
