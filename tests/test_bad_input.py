@@ -515,7 +515,7 @@ MADE = {
     "motion.Rates", "variants.Part", "variants.Question", "variants.Sheet",
 }  # fmt: skip
 # The checks themselves, and what stands under arm, symbolic and kinematics.
-DOOR = {"command_line", "inputs", "rows", "polynomials", "program"}
+DOOR = {"command_line", "formulas", "inputs", "rows", "polynomials", "program"}
 
 
 def public():

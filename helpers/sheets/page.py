@@ -38,6 +38,7 @@ def markdown(
     Raises ArmError for an arm of `also` with other rows, for letters that programs cannot use, and
     for an arm without joints.
     """
+    must_be(arm, Arm, "arm")
     must_be(description, str, "description")
     must_be(heading, str, "heading")
     must_be(lead, str, "lead")
@@ -51,6 +52,7 @@ def document(arm: Arm) -> str:
 
     Raises ArmError as `markdown` does.
     """
+    must_be(arm, Arm, "arm")
     from latex2mathml.converter import convert
     from markdown_it import MarkdownIt
     from mdit_py_plugins.dollarmath import dollarmath_plugin
