@@ -114,16 +114,17 @@ def _width(matrix: sp.Matrix) -> int:
 
 def _seen(text: str) -> int:
     """About how many letters and signs of TeX are seen."""
-    return len(re.sub(r"\\[a-z]+|[\s{}_^]", "", text))
+    return len(re.sub(r"\\[a-z]+|[\s{}_^~]", "", text))
 
 
 def _lines(formula: sp.Expr) -> list[str]:
-    """A formula broken between terms into lines of a page's width."""
+    """A formula broken between terms into lines of a page's width, not within short brackets."""
+    whole = re.sub(r"\([^()]{,60}\)", lambda short: short[0].replace(" ", "~"), tex(formula))
     lines = [""]
-    for piece in re.split(r" (?=[+-] )", tex(formula)):
+    for piece in re.split(r" (?=[+-] )", whole):
         inside = lines[-1].count("{") != lines[-1].count("}")
         if inside or _seen(lines[-1] + piece) <= _WIDTH:
             lines[-1] = f"{lines[-1]} {piece}".strip()
         else:
             lines.append(piece)
-    return lines
+    return [line.replace("~", " ") for line in lines]
