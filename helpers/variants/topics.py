@@ -118,7 +118,9 @@ def _tells_its_joints(given: Given) -> bool:
 def drawn_arm(given: Given) -> Arm:
     """The arm of a table question, from the rows that were drawn."""
     make = {"revolute": revolute, "prismatic": prismatic}
-    plain = [{key: 0 if x == "0" else x for key, x in row.items()} for row in given["rows"]]
+    plain: list[dict[str, Any]] = [
+        {key: 0 if x == "0" else x for key, x in row.items()} for row in given["rows"]
+    ]
     rows = [make[r["kind"]](r["a"], r["alpha"], r["d"], r["theta"]) for r in plain]
     return Arm("Arm of the drawing", tuple(rows))
 
