@@ -525,3 +525,12 @@ def test_an_angle_has_its_name_beside_its_middle():
     np.testing.assert_allclose(
         np.subtract(text.get_position(), (1, 0)), 0.128 * np.sqrt([0.5, 0.5])
     )
+
+
+def test_the_tools_axes_stand_at_the_tip_of_a_posture():
+    _, ax = plt.subplots()
+    postures([ax], ELBOW, [[0, 0, 0]], ("level",), "xz", tool=0.2)
+    arrows = [text for text in ax.texts if text.arrow_patch is not None]
+    ends = [[text.xyann, text.xy] for text in arrows]
+    np.testing.assert_allclose(ends, [[(0.7, 0.5), (0.9, 0.5)], [(0.7, 0.5)] * 2], atol=1e-12)
+    assert ax.get_xlim()[0] < 0 < 0.9 < ax.get_xlim()[1]

@@ -335,24 +335,34 @@ def _line(found: Derivation) -> Array:
 
 
 def postures(
-    axes: Iterable[Axes], arm: Arm, poses: ArrayLike, titles: Iterable[str], view: View
+    axes: Iterable[Axes],
+    arm: Arm,
+    poses: ArrayLike,
+    titles: Iterable[str],
+    view: View,
+    *,
+    tool: float = 0.0,
 ) -> None:
     """Draw an arm in several poses, shape (k, dof), each as a line with dots at its joints, in the
-    middle of axes of its own and all at one scale; a star marks the tip."""
+    middle of axes of its own and all at one scale; a star marks the tip, and arrows of a length
+    `tool` (m) the axes x and z of its frame."""
     must_be(arm, Arm, "arm")
     poses = numbers(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
     T = [pose_frames(arm, q) for q in poses]
     lines = [seen(skeleton(arm, frames_of_q), view)[:, :2] for frames_of_q in T]
     low, high = np.vstack(lines).min(axis=0), np.vstack(lines).max(axis=0)
-    rim = 0.12 * float((high - low).max())
+    number(tool, "tool", "a finite length of 0 or more in m", least=0)
+    rim = 0.12 * float((high - low).max()) + tool
     half = max(np.ptp(line[:, 0]) for line in lines) / 2 + rim
     origins = [i - 1 for i in arm.joints]
-    for ax, pose, line, title in zip(axes, T, lines, titles, strict=True):
-        _ground(ax, line[0], rim)
+    for ax, q, pose, line, title in zip(axes, poses, T, lines, titles, strict=True):
+        _ground(ax, line[0], rim - tool)
         ax.plot(*line.T, color=GREY, lw=4, solid_joinstyle="round", zorder=2)
         ax.plot(*seen(pose[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3)
         ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)
         middle = (line[:, 0].min() + line[:, 0].max()) / 2
         ax.set(xlim=(middle - half, middle + half), ylim=(low[1] - rim, high[1] + rim))
+        if tool:
+            frames(ax, arm, q, view, tool, which=[len(arm.rows)])
         ax.set_title(title, fontsize=9)
         bare(ax)

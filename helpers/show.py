@@ -1,0 +1,63 @@
+"""Matrices and frames as a page shows them: to look at, and to lay beside one's own."""
+
+from collections.abc import Mapping
+
+import numpy as np
+import sympy as sp
+from numpy.typing import ArrayLike
+
+from helpers.formulas import short
+from helpers.inputs import must_be, numbers
+
+__all__ = ["Shown", "frames", "matrices"]
+
+
+class Shown:
+    """Markdown that a notebook typesets."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def _repr_markdown_(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<Markdown of {len(self.text)} letters>"
+
+
+def matrices(named: Mapping[str, object]) -> Shown:
+    """Matrices beside each other, as many as a line holds, under their names in LaTeX.
+
+    Those of SymPy are written short, as `symbolic.short` does; numbers, shape (m, n), are rounded
+    to four decimals.
+    """
+    must_be(named, Mapping, "named")
+    return Shown("\n".join(f"${{{name} = {_latex(value)}}}$" for name, value in named.items()))
+
+
+def frames(T: ArrayLike) -> Shown:
+    """Frames, shape (k, 4, 4), as a table of their axes and origins, rounded to four decimals; the
+    first is frame 0."""
+    T = numbers(T, "T", "frames (k, 4, 4)", (None, 4, 4))
+    head = "| $i$ | $x_i$ | $y_i$ | $z_i$ | $o_i$ (m) |\n|:-:|:-:|:-:|:-:|:-:|\n"
+    rows = [[f"({', '.join(map(_number, column))})" for column in frame[:3].T] for frame in T]
+    lines = [f"| {i} | {' | '.join(row)} |" for i, row in enumerate(rows)]
+    return Shown(head + "\n".join(lines).replace("-", "−"))
+
+
+def _latex(value: object) -> str:
+    if isinstance(value, sp.MatrixBase):
+        return sp.latex(short(value)) + _room(value.rows)
+    array = numbers(value, "a matrix", "numbers (m, n), or a matrix of SymPy", (None, None))
+    rows = r"\\".join(" & ".join(map(_number, row)) for row in array)
+    return rf"\left[\begin{{matrix}}{rows}\end{{matrix}}\right]" + _room(len(array))
+
+
+def _room(rows: int) -> str:
+    """Air around a matrix: a rule without width, higher than it, and a space."""
+    high = 1.2 * rows + 0.7
+    return rf"\rule[-{high / 2:.1f}em]{{0em}}{{{high:.1f}em}}\quad"
+
+
+def _number(value: float) -> str:
+    return f"{np.round(value, 4) + 0.0:g}"

@@ -1,0 +1,32 @@
+"""What a page shows of matrices and frames."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from helpers import show
+from helpers.arm import ArmError
+
+
+def test_numbers_and_formulas_stand_beside_each_other_under_their_names():
+    q = sp.Symbol("q_1")
+    shown = show.matrices({"A_1": sp.Matrix([[sp.cos(q), 0]]), "T": np.array([[0.12344, -1e-17]])})
+    first, second = shown._repr_markdown_().splitlines()
+    assert first.startswith(r"${A_1 = \left[\begin{matrix}c_{1} & 0\end{matrix}\right]")
+    assert r"0.1234 & 0\end{matrix}" in second
+    assert all(line.endswith(r"\quad}$") for line in (first, second))
+
+
+def test_frames_are_told_by_their_columns():
+    T = np.eye(4)
+    T[:3, :] = [[0, 0, -1, 0.5], [0, 1, 0, 0], [1, 0, 0, 0.81954]]
+    text = show.frames([np.eye(4), T])._repr_markdown_()
+    assert text.splitlines()[-1] == "| 1 | (0, 0, 1) | (0, 1, 0) | (−1, 0, 0) | (0.5, 0, 0.8195) |"
+
+
+def test_what_is_no_matrix_or_no_frames_is_told():
+    for given in ("A", {"A": 1}, {"A": "x"}):
+        with pytest.raises(ArmError):
+            show.matrices(given)
+    with pytest.raises(ArmError, match="frames"):
+        show.frames(np.eye(3))

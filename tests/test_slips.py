@@ -1,0 +1,75 @@
+"""The census of a table's simple mistakes, against counts by hand and a chain multiplied here."""
+
+from itertools import combinations
+from math import pi
+
+import numpy as np
+import pytest
+
+from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
+from helpers.robots import ELBOW, PANDA, STANFORD, UR10E_HOMEWORK
+from helpers.slips import Slip, census, slips
+
+TURN = np.pi / 2
+
+
+def test_what_counts_as_a_slip():
+    arm = Arm("two", [revolute(a=0.3, alpha="pi"), fixed(d=-0.1), prismatic(theta="pi/2")])
+    assert list(slips(arm)) == [
+        Slip(1, "q", -1),
+        Slip(1, "a", 0),
+        Slip(1, "a", -0.3),
+        Slip(1, "alpha", 0),  # -180° is 180°
+        Slip(2, "d", 0),
+        Slip(2, "d", 0.1),
+        Slip(3, "q", -1),
+        Slip(3, "theta", 0),
+        Slip(3, "theta", -pi / 2),
+    ]
+
+
+def chain(arm, q, wrong):
+    rows = [[arm.number(entry) for entry in row.entries] for row in arm.rows]
+    signs = [1.0] * len(rows)
+    for row, entry, value in wrong:
+        if entry == "q":
+            signs[row - 1] = value
+        else:
+            rows[row - 1][["a", "alpha", "d", "theta"].index(entry)] = value
+    T = np.eye(4)
+    for (a, alpha, d, theta), row, sign, v in zip(rows, arm.rows, signs, q, strict=True):
+        slides = row.joint.kind == "prismatic"
+        d, theta = d + sign * v * slides, theta + sign * v * (not slides)
+        c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
+        T = T @ [
+            [c, -s * ca, s * sa, a * c],
+            [s, c * ca, -c * sa, a * s],
+            [0, sa, ca, d],
+            [0, 0, 0, 1],
+        ]
+    return T
+
+
+@pytest.mark.parametrize(
+    "arm", [UR10E_HOMEWORK, PANDA, STANFORD, ELBOW.with_values(d=0.12)], ids=str
+)
+def test_what_poses_do_not_see_is_what_another_chain_does_not_show(arm):
+    rng = np.random.default_rng(7)
+    poses = TURN * rng.integers(-1, 2, (2, arm.dof))  # right angles: many slips stay unseen
+    one = [(slip,) for slip in slips(arm)]
+    two = [a + b for a, b in combinations(one, 2) if a[0][:2] != b[0][:2]]
+    right = [chain(arm, q, ()) for q in poses]
+    off = {
+        w: [np.abs(chain(arm, q, w) - T) for q, T in zip(poses, right, strict=True)]
+        for w in one + two
+    }
+    found = census(arm, poses)
+    assert (found.one, found.two) == (len(one), len(two))
+    assert found.unseen_by_tip == [w for w, o in off.items() if np.max(o, 0)[:3, 3].max() < 1e-9]
+    assert found.unseen_by_pose == [w for w, o in off.items() if np.max(o) < 1e-9]
+    assert found.unseen_by_tip
+
+
+def test_a_pose_that_is_none_is_told():
+    with pytest.raises(ArmError, match="q"):
+        census(PANDA, [0, 1])
