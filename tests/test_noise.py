@@ -5,14 +5,19 @@ import nbformat
 import numpy as np
 import pytest
 
+from helpers.kinematics import tip
+from helpers.robots import PANDA
 from tools.noise import SEEDS, Setting, outside, said, settings, tight
 from tools.rerun import difference, share, words
 from tools.rounding import Noise, Noisy
 
 QUIET = Setting("this processor", {})
 NOISES = [Setting(f"noise {seed}", {}, seed) for seed in (1, 2)]
+INVERSE = np.linalg.inv(np.vander([1.1, 2.2, 3.3])).tolist()
 HEAD = """import numpy as np
 from helpers.checks import check
+from helpers.kinematics import tip
+from helpers.robots import PANDA
 long, many = np.linalg.norm([1.0, 2.0, 7.6]), np.arange(200.0)[:, None]"""
 
 
@@ -21,12 +26,16 @@ def planted(tmp_path_factory):
     """A notebook with one cell of each kind, its outputs as this processor gives them."""
     cells = {
         "rounded": ("print(f'{long:.4f}')", "7.9221\n"),
-        "all digits": ("print(long)", f"{np.sqrt(62.76)}\n"),
-        "a product": ("print(np.array([1.0, 2.0]) @ [0.1, 0.3])", "0.7\n"),
+        "all digits": ("print(np.linalg.inv(np.vander([1.1, 2.2, 3.3])).tolist())", f"{INVERSE}\n"),
+        "a product": ("print((many @ [[1.0]] == many).all())", "True\n"),
         "a tight check": ("check('many', many @ [[1.0]], many, 8e-14)", "✔ many (within 8e-14)\n"),
         "a fair check": ("check('long', long, np.sqrt(62.76), 1e-12)", "✔ long (within 1e-12)\n"),
         "a quoted number": ("check('long', long, 7.922, 5e-4)", "✔ long (within 0.0005)\n"),
-        "an exact claim": ("print(long == np.sqrt(62.76))", "True\n"),
+        "trigonometry": ("print(np.cos(many).sum())", f"{np.cos(np.arange(200.0)).sum()}\n"),
+        "a pose": (
+            "print(tip(PANDA, PANDA.home).tolist())",
+            f"{tip(PANDA, PANDA.home).tolist()}\n",
+        ),
     }
     path = tmp_path_factory.mktemp("noise") / "planted.ipynb"
     value = nbformat.v4.new_output("execute_result", data={"text/plain": "'a last value'"})
@@ -51,7 +60,7 @@ def test_without_noise_nothing_changes(planted, runs):
 def test_a_planted_last_digit_is_noticed(planted, runs):
     path, names = planted
     changed = {names[cell] for run in runs[1:] for cell, _ in run[path].changed}
-    assert changed == {"all digits", "a product", "an exact claim"}
+    assert changed == {"all digits", "a product", "trigonometry", "a pose"}
     assert all("planted.ipynb [" in line for line in said(NOISES[0], runs[1]))
 
 

@@ -79,7 +79,7 @@ def run(path: str, seed: int) -> Run:
     shell = InteractiveShell.instance()
     os.chdir(Path(path).parent)
     if seed:
-        NOISE.seed = seed
+        NOISE.reseed(seed)
         shell.ast_transformers.append(Products())
     used: list = []
     _record_checks(used)

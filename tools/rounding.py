@@ -41,7 +41,7 @@ LINALG = [
     "svdvals",
 ]
 GOLDEN = 0x9E3779B97F4A7C15  # 2**64 over the golden ratio
-NUMBERS = (float, complex, np.inexact, np.ndarray)
+TOP_BITS = np.uint64(62)
 MATMUL = "_noisy_matmul"
 
 
@@ -52,25 +52,27 @@ class Noise:
     """
 
     def __init__(self, seed: int = 0) -> None:
-        self.seed = seed
+        self.reseed(seed)
+
+    def reseed(self, seed: int) -> None:
+        """Take another processor."""
+        self._salt = np.uint64(pow(GOLDEN, 2 * seed + 1, 2**64))
 
     def __call__(self, value: Any) -> Any:
+        if isinstance(value, float):  # NumPy's too
+            return float(self(np.array([value]))[0])
         if isinstance(value, tuple):
             parts = map(self, value)
             return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
-        kind = np.asarray(value).dtype.kind if isinstance(value, NUMBERS) else ""
+        kind = value.dtype.kind if isinstance(value, np.ndarray | np.generic) else ""
         if kind == "c":
             return self(np.real(value)) + 1j * self(np.imag(value))
-        if kind == "f":
-            factors = FACTORS[self._drawn(np.atleast_1d(value))]
-            return value * (factors if np.ndim(value) else float(factors[0]))
-        return value
+        return value * FACTORS[self._drawn(value)] if kind == "f" else value
 
     def _drawn(self, value: NDArray) -> NDArray:
         """0 to 3, by Fibonacci hashing of the bits."""
-        bits = value.astype(float).view(np.uint64) ^ np.uint64((self.seed + 1) * GOLDEN % 2**64)
-        mixed = (bits ^ bits >> np.uint64(29)) * np.uint64(GOLDEN)
-        return (mixed ^ mixed >> np.uint64(32)) * np.uint64(GOLDEN) >> np.uint64(62)
+        bits = np.ascontiguousarray(value).view(np.uint64)
+        return (bits * self._salt >> TOP_BITS).reshape(value.shape)
 
 
 class Noisy:

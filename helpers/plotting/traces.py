@@ -86,7 +86,7 @@ def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: i
     )
     return (
         '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 310" width="600" height="310"'
-        ' font-family="sans-serif">'
+        ' font-family="DejaVu Sans, Verdana, sans-serif">'
         f"<style>{escape(style)}</style>{''.join(parts)}</svg>"
     )
 
@@ -113,7 +113,7 @@ def _panel(bones: Array, tips: Array, plane: str, seconds: float, left: float) -
     drawn = f'<animate attributeName="stroke-dashoffset" values="{hidden}" {repeat}/>'
     moved = f'<animate attributeName="points" values="{";".join(poses)}" {repeat}/>'
     return (
-        f'<text x="{left}" y="302" font-size="19">{plane[0]}–{plane[1]} plane</text>'
+        f'<text x="{left}" y="302" font-size="16">{plane[0]}–{plane[1]} plane</text>'
         f'<polyline points="{path}" {look} stroke="{GREY}" stroke-width="1" stroke-dasharray="3'
         ' 3"/>'
         f'<g class="moving"><polyline points="{poses[0]}" {arm}>{moved}</polyline>'
