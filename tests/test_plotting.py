@@ -357,14 +357,14 @@ def test_shares_of_the_limits_run_from_the_least_to_the_most_torque():
     bars = np.array(
         [[(bar.get_y(), bar.get_y() + bar.get_height()) for bar in run] for run in ax.containers]
     )
-    wanted = np.array([(-10, 20), (0, 50), (0, 0.5), (0, 0.5), (0, 50), (0, 100), (-50, 0)])
+    wanted = np.array([(-10, 20), (0, 50), (0, 2), (0, 2), (0, 50), (0, 100), (-50, 0)])
     np.testing.assert_allclose(bars[0], wanted, atol=1e-12)
     np.testing.assert_allclose(bars[1, [0, 6]], [(-5, 10), (-25, 0)], atol=1e-12)
     assert {line.get_ydata()[0] for line in ax.lines} == {-100, 100}
     assert [words.get_text() for words in ax.get_legend().get_texts()] == ["one", "half"]
     boundless = _without_limits(PANDA_HOMEWORK)
     torque_shares(ax, boundless, {"none": tau})
-    assert {bar.get_height() for bar in ax.containers[2]} == {0.5}
+    assert {bar.get_height() for bar in ax.containers[2]} == {2}
 
 
 def test_the_pen_and_the_wall_push_each_other():

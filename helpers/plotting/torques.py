@@ -27,6 +27,7 @@ def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: 
         # scale; nor must a thousandth of what the motor can give.
         ax.plot(t[some], values[some].round(9) + 0.0, **{"color": BLUE, **line})
         ax.set_ylabel(f"joint {i}\n(N m)", rotation=0, ha="right", va="center")
+        ax.yaxis.set_label_coords(-0.16, 0.5)
         ax.yaxis.set_major_locator(MaxNLocator(3))
         if np.isfinite(limit):
             _at_least(ax, 1e-3 * limit)
@@ -49,9 +50,9 @@ def torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
         low, high = share.min(axis=0), share.max(axis=0)
         places = np.array(arm.joints) + (k - (len(runs) - 1) / 2) * width
         colour, hatch = (BLUE, ORANGE, PURPLE)[k % 3], ("", "//", "..")[k % 3]
-        # Half a per cent at least, so that a joint that holds still is seen too.
-        height = np.maximum(high - low, 0.5)
-        ax.bar(places, height, width, low, label=name, color=colour, hatch=hatch, ec="white")
+        # Two per cent at least, so that a joint that holds still is seen too.
+        height = np.maximum(high - low, 2)
+        ax.bar(places, height, width, low, label=name, color=colour, hatch=hatch, ec="white", lw=0)
     ax.legend(ncols=2, loc="lower right", bbox_to_anchor=(1, 0.1))
     ax.set(xlabel="joint", ylabel="share of the limit (%)", xticks=arm.joints)
 
