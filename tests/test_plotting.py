@@ -216,6 +216,10 @@ def test_regions_are_told_apart_by_more_than_colour():
     key = ax.get_legend()
     assert [text.get_text() for text in key.get_texts()] == ["no", "yes"]
     assert len({patch.get_hatch() for patch in key.get_patches()}) == 2
+    for spot in np.random.default_rng(0).uniform(-0.5, 2.5, (200, 2)):  # no gap between them
+        drawn = [patch.get_path().contains_point(spot) for patch in ax.patches]
+        one, other = np.rint(spot)
+        assert drawn == [one != other, one == other]
 
 
 def test_the_stick_stands_on_its_joints_at_equal_scale():

@@ -3,9 +3,10 @@ regions of starts."""
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Circle, Patch
+from matplotlib.patches import Circle, PathPatch
+from matplotlib.path import Path
 from mpl_toolkits.mplot3d.axes3d import Axes3D
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, number, numbers
@@ -78,7 +79,7 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     angle(ax, elbow, 0.15, (fore, lean), "$q_3$")
     for start, stop, text in (
         (shoulder, elbow, "$a_2$"), (elbow, end, "$a_3$"), (end, wrist, "$d_5$"),
-        (corner, shoulder, "$r$"), (end, corner, "$s$"),
+        (corner, shoulder, "$r$"), (corner, end, "$s$"),
     ):  # fmt: skip
         across = np.array([start[1] - stop[1], stop[0] - start[0]])
         x, y = (start + stop) / 2 + 0.06 * across / np.linalg.norm(across)
@@ -150,15 +151,28 @@ def regions(
     *,
     colours: tuple[str, ...],
 ) -> None:
-    """Colour the points of a grid by `which`, whole numbers of shape (len(y), len(x)); `names` are
-    those in the legend."""
+    """Colour the cells around the points of an even grid by `which`, whole numbers of shape
+    (len(y), len(x)); `names` are those in the legend."""
     x, y = (numbers(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
     which = numbers(which, "which", f"whole numbers ({len(y)}, {len(x)})", (len(y), len(x)))
     must_be(names, dict, "names")
     hatches = ("", "//", "\\\\", "--", "||")
-    key = []
     for (value, name), colour, hatch in zip(names.items(), colours, hatches, strict=False):
-        inside = (which == value).astype(float)
-        ax.contourf(x, y, inside, levels=[0.5, 1.5], colors=[colour], alpha=0.45, hatches=[hatch])
-        key.append(Patch(facecolor=colour, alpha=0.45, hatch=hatch, label=name))
-    ax.legend(handles=key, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
+        patch = PathPatch(_cells(x, y, which == value), lw=0, label=name)
+        patch.set(facecolor=colour, alpha=0.45, hatch=hatch)
+        ax.add_patch(patch)
+    ax.autoscale_view()
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
+
+
+def _cells(x: NDArray, y: NDArray, inside: NDArray) -> Path:
+    """One rectangle for each run of grid points in a row that are inside."""
+    half_x, half_y = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
+    edge = np.diff(np.pad(inside.astype(int), ((0, 0), (1, 1))), axis=1)
+    rows, first = np.nonzero(edge == 1)
+    last = np.nonzero(edge == -1)[1] - 1
+    low, high = y[rows] - half_y, y[rows] + half_y
+    left, right = x[first] - half_x, x[last] + half_x
+    corners = np.array([[left, low], [right, low], [right, high], [left, high], [left, low]])
+    codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
+    return Path(corners.transpose(2, 0, 1).reshape(-1, 2), codes * len(rows))
