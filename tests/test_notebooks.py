@@ -185,3 +185,21 @@ def test_what_is_folded():
     dress(nbformat.v4.new_notebook(cells=cells))
     assert [cell.metadata.get("tags", []) for cell in cells[:2]] == [["hide-input"], []]
     assert ["jupyter" in cell.metadata for cell in cells] == [False] * 3 + [True] + [False] * 2
+
+
+@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+def test_the_intro_says_how_long_a_chapter_takes(path):
+    """At 200 words a minute and two minutes for each cell that prints a result, up to the
+    exercises."""
+    cells = read(path).cells
+    last = next(i for i, cell in enumerate(cells) if re.search(r"^## Exercises", cell.source, re.M))
+    text = "\n".join(cell.source for cell in cells[: last + 1] if cell.cell_type == "markdown")
+    text = re.sub(
+        r"^```.*$|\$\$.*?\$\$|\$[^$]*\$", " ", text.partition("## Exercises")[0], flags=re.M
+    )
+    prints = [c for c in cells[:last] if c.cell_type == "code" and c.outputs]
+    results = sum(not PICTURES & set(c.outputs[0].get("data", {})) for c in prints)
+    told = (path.parent / "intro.md").read_text(encoding="utf-8")
+    ((whole, part),) = re.findall(rf"{path.stem}` \|.*\| (\d)([¼½¾]?)&nbsp;h", told)
+    hours = int(whole) + {"": 0, "¼": 0.25, "½": 0.5, "¾": 0.75}[part]
+    assert hours == pytest.approx((len(text.split()) / 200 + 2 * results) / 60, abs=0.3)
