@@ -29,6 +29,16 @@ export default [
       "max-len": ["error", { code: 120, ignoreUrls: true }],
     },
   },
+  {
+    files: ["judge/**/*.js"],
+    rules: {
+      complexity: ["error", 12],
+      "max-lines-per-function": ["error", 40],
+      "max-params": ["error", 5],
+      "max-len": ["error", 100],
+      "max-lines": ["error", 400],
+    },
+  },
   { files: ["page/src/**/*.js"], languageOptions: { globals: globals.browser } },
   { files: ["page/build.js"], languageOptions: { globals: globals.node } },
 ];

@@ -26,7 +26,8 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {import("./reading/numbers.js").Typed} [typed] what was read, in its own order
  * @property {boolean[]} [wrong] which of its entries are wrong
  * @property {ReadTable} [table] a Denavit-Hartenberg table as it was read
- * @property {{ signs: number[], offsets: number[], rows: any[] }} [map] from the joints of that table to those
+ * @property {{ signs: number[], offsets: number[], rows: any[] }} [map] from the joints of that
+ *   table to those
  *   of the reference:
  *   q_k = signs[k] * yours + offsets[k]
  * @property {Record<string, any>} [figures] measured numbers by name

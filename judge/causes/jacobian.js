@@ -160,12 +160,16 @@ export function wrongTables(arm, c) {
 // The writing: each a function of a Jacobian in base axes to the declared frame's.
 
 function* writings(at) {
-  const { here, T, seen, frame } = at;
-  const { dof, turns } = here;
+  yield* entriesChanged(at);
+  yield* columnsMoved(at);
+  yield* framesMistaken(at);
+}
+
+// Each entry changed by its row and column.
+function* entriesChanged({ arm, here: { dof, turns }, seen }) {
   const after = (change) => (J) => seen(J.map((x, i) => change(x, Math.floor(i / dof), i % dof)));
   const half = (v, w) => after((x, i) => x * (i < 3 ? v : w));
-  const order = (from) => (J) => seen(J.map((_, i) => J[i - (i % dof) + from(i % dof)]));
-  const joint = numbered(at.arm);
+  const joint = numbered(arm);
   yield [cause("J.halves"), (J) => halvesExchanged(seen(J))];
   yield [cause("J.cross"), after((x, i, k) => (turns[k] && i < 3 ? -x : x))];
   yield [cause("J.all signs"), half(-1, -1)];
@@ -180,7 +184,21 @@ function* writings(at) {
   for (let one = 0; one < dof; one++) {
     yield [cause("J.column sign", { i: joint[one] }), after((x, _, k) => (k === one ? -x : x))];
   }
+}
+
+function* columnsMoved({ arm, here: { dof }, seen }) {
+  const order = (from) => (J) => seen(J.map((_, i) => J[i - (i % dof) + from(i % dof)]));
+  const joint = numbered(arm);
   yield [cause("J.reversed order"), order((k) => dof - 1 - k)];
+  for (let i = 0; i < dof; i++) {
+    for (let j = i + 1; j < dof; j++) {
+      const exchanged = order((k) => (k === i ? j : k === j ? i : k));
+      yield [cause("J.columns exchanged", { i: joint[i], j: joint[j] }), exchanged];
+    }
+  }
+}
+
+function* framesMistaken({ T, seen, frame }) {
   const last = T.length - 1;
   const frames = [last, ...T.keys()].filter((k, i) => (k !== last || !i) && k !== frame);
   for (const k of frames) {
@@ -197,12 +215,6 @@ function* writings(at) {
   }
   const back = frame || last;
   yield [cause("J.frame turned back", { _k: back }), (J) => chains.seenFrom(J, T[back])];
-  for (let i = 0; i < dof; i++) {
-    for (let j = i + 1; j < dof; j++) {
-      const exchanged = order((k) => (k === i ? j : k === j ? i : k));
-      yield [cause("J.columns exchanged", { i: joint[i], j: joint[j] }), exchanged];
-    }
-  }
 }
 
 const halvesExchanged = (J) => [...J.slice(J.length / 2), ...J.slice(0, J.length / 2)];

@@ -81,7 +81,10 @@ export function* single(arm, q) {
   }
 }
 
-/** theta_1 = +-pi/2 kept from the singular case of an offset shoulder. @returns {Generator<Slip>} */
+/**
+ * theta_1 = +-pi/2 kept from the singular case of an offset shoulder.
+ * @returns {Generator<Slip>}
+ */
 export function* kept(q, branches) {
   if (Math.abs(Math.abs(q[0]) - QUARTER) >= 1e-4) return;
   for (const branch of branches) yield [cause("ik.quarter turn"), changed(q, 0, branch[0])];

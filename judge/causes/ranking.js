@@ -41,14 +41,10 @@ export function wordsOf({ keys, fields }) {
 
 // The causes that explain mine within the band; null where none does.
 /** @returns {Found | null} */
-export const explain = (mine, right, band, causes, made, weight = ODD) =>
-  explainAll(
-    mine,
-    right,
-    [band],
-    causes.map((one, k) => [[one], made[k]]),
-    weight,
-  )[0];
+export function explain(mine, right, band, { causes, made }, weight = ODD) {
+  const candidates = causes.map((one, k) => [[one], made[k]]);
+  return explainAll(mine, right, [band], candidates, weight)[0];
+}
 
 /**
  * The same for several bands at once, of candidates that are made one after another: a cause, or

@@ -1,7 +1,7 @@
 // What students make of a right table, undone: each mend changes the rows as typed into what was
 // meant.
 
-import { combinations } from "../geometry/axes.js";
+import { combinations } from "../geometry/walk.js";
 import { RAD } from "../geometry/angles.js";
 import { both, cause } from "./ranking.js";
 import { fromCraig } from "../reading/table.js";
@@ -34,23 +34,31 @@ export function units(rows, reference) {
     const share = read ? totalLength(read) / wanted : 0;
     if (0.2 < share && share < 5) lengths.push([why, read ?? []]);
   }
-  /** @type {[Cause | null, number, number][]} */
-  const angles = [[null, 1, 1]];
-  const largest = Math.max(...rows.map((r) => Math.abs(r.theta)));
-  if (largest > TURN || rows.some((r) => Math.abs(r.alpha) > TURN)) {
-    // The zero of a joint that turns is free: only its size tells in what unit it is.
-    const held = rows.some((r) => r.kind !== "revolute" && r.theta);
-    const small = 0 < largest && largest <= TURN;
-    if (held || !small) angles.push([cause("table.degrees"), RAD, RAD]);
-    if (held || small) angles.push([cause("table.twists in degrees"), RAD, 1]);
-  }
   return lengths.flatMap(([first, read]) =>
-    angles.map(([second, t, o]) => {
+    angleUnits(rows).map(([second, t, o]) => {
       const turned = read.map((r) => ({ ...r, alpha: r.alpha * t, theta: r.theta * o }));
       return /** @type {[Cause | null, Numbers[]]} */ ([joined(first, second), turned]);
     }),
   );
 }
+
+// The units that twists and joint angles may have been typed in, as factors.
+/** @returns {[Cause | null, number, number][]} */
+function angleUnits(rows) {
+  const largest = Math.max(...rows.map((r) => Math.abs(r.theta)));
+  if (largest <= TURN && rows.every((r) => Math.abs(r.alpha) <= TURN)) return [[null, 1, 1]];
+  // The zero of a joint that turns is free: only its size tells in what unit it is.
+  const held = rows.some((r) => r.kind !== "revolute" && r.theta);
+  const small = 0 < largest && largest <= TURN;
+  return [
+    [null, 1, 1],
+    ...(held || !small ? [row(cause("table.degrees"), RAD, RAD)] : []),
+    ...(held || small ? [row(cause("table.twists in degrees"), RAD, 1)] : []),
+  ];
+}
+
+/** @returns {[Cause, number, number]} */
+const row = (why, twists, angles) => [why, twists, angles];
 
 // All lengths of a table added up.
 export const totalLength = (rows) =>

@@ -3,7 +3,7 @@
 import { minus, norm, plus, scaled } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
-import { rint } from "../geometry/inverse.js";
+import { rint } from "../geometry/planar.js";
 import { recipes, wrongTables } from "./jacobian.js";
 import { cause } from "./ranking.js";
 import { listed, size } from "../sentences.js";
@@ -237,10 +237,27 @@ export function holds(q, units, arm, path) {
 function stepsOf(q, units, arm, path, share) {
   const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
   const window = Math.max(1, Math.floor((q.length - 2) / ALONG));
-  const samples = picked(
-    Math.max(0, q.length - 2 - window),
-    Math.max(12, Math.floor(SAMPLE / window)),
-  )
+  const samples = samplesOf(q, arm, path, dt, { window, share });
+  const speed = path.times.reduce((top, t) => Math.max(top, ...path.velocity(t).map(Math.abs)), 0);
+  const digits = units.map((unit) => unit / Math.min(...dt) / Math.sqrt(6) / window);
+  const rest = 1e-4 + (share ? 0.5 * bendOf(samples, speed) ** 2 : 0);
+  const noise = noiseOf(samples, digits, rest * speed);
+  const pace = Math.sqrt(average(samples.map(({ rate }) => average(rate.map((x) => x * x)))));
+  const own = digits.map((digit) => digit + rest * pace + 1e-12);
+  const rows = units.length >= 6 ? 6 : 3;
+  const steps = { arm, samples, noise, own, speed, window, rows, right: 0, clear: true };
+  steps.right = fails(
+    steps,
+    ({ J }) => J,
+    ({ now }) => now,
+  );
+  steps.clear = Math.max(...noise) < 0.1 * speed;
+  return steps;
+}
+
+// What is looked at of some steps: the Jacobian a share of the step on, and the rates.
+function samplesOf(q, arm, path, dt, { window, share }) {
+  return picked(Math.max(0, q.length - 2 - window), Math.max(12, Math.floor(SAMPLE / window)))
     .flatMap((first) => Array.from({ length: window }, (_, i) => first + i))
     .map((k) => {
       const step = q[k].map((x, i) => q[k + 1][i] - x);
@@ -252,45 +269,22 @@ function stepsOf(q, units, arm, path, share) {
       const [now, later] = [path.velocity(t), path.velocity(t + dt[k])];
       return { at, J: columns(at, framesOf(at)), rate: step.map((x) => x / dt[k]), now, later };
     });
-  const speed = path.times.reduce((top, t) => Math.max(top, ...path.velocity(t).map(Math.abs)), 0);
-  const dof = units.length;
-  // Two roundings, each even within a unit, through each row of J; and what a step's own bend
-  // leaves of its middle.
-  const shortest = dt.reduce((least, x) => Math.min(least, x), Infinity);
-  const digits = units.map((unit) => unit / shortest / Math.sqrt(6) / window);
-  const turn = samples.reduce(
-    (top, one) => Math.max(top, ...minus(one.later, one.now).map(Math.abs)),
-    0,
-  );
-  const bend = turn / Math.max(speed, 1e-12);
-  const rest = 1e-4 + (share ? 0.5 * bend ** 2 : 0);
-  const noise = [0, 1, 2, 3, 4, 5].map((row) => {
-    const squares = samples.map(({ J }) =>
-      digits.reduce((sum, digit, k) => sum + (J[row * dof + k] * digit) ** 2, 0),
-    );
-    return Math.sqrt(average(squares)) + rest * speed;
-  });
-  const pace = Math.sqrt(average(samples.map(({ rate }) => average(rate.map((x) => x * x)))));
-  const own = digits.map((digit) => digit + rest * pace + 1e-12);
-  const steps = {
-    arm,
-    samples,
-    noise,
-    own,
-    speed,
-    window,
-    rows: dof >= 6 ? 6 : 3,
-    right: 0,
-    clear: true,
-  };
-  steps.right = fails(
-    steps,
-    ({ J }) => J,
-    ({ now }) => now,
-  );
-  steps.clear = Math.max(...noise) < 0.1 * speed;
-  return steps;
 }
+
+// By how much of itself the velocity turns in a step, which a step's middle leaves out.
+function bendOf(samples, speed) {
+  const turns = samples.map(({ later, now }) => Math.max(...minus(later, now).map(Math.abs)));
+  return Math.max(0, ...turns) / Math.max(speed, 1e-12);
+}
+
+// Two roundings, each even within a unit, through each row of J, and the rest.
+const noiseOf = (samples, digits, rest) =>
+  [0, 1, 2, 3, 4, 5].map((row) => {
+    const squares = samples.map(({ J }) =>
+      digits.reduce((sum, digit, k) => sum + (J[row * digits.length + k] * digit) ** 2, 0),
+    );
+    return Math.sqrt(average(squares)) + rest;
+  });
 
 const average = (list) => list.reduce((sum, x) => sum + x, 0) / list.length;
 

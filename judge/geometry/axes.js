@@ -4,11 +4,8 @@
 // slides has a direction and no place. What is left open is which way each axis points: a sign per
 // joint, which the comparison chooses.
 
-import { cross, dot, joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
-import { singular } from "./linear.js";
-
-const TINY = 1e-9; // m, or the sine of an angle: closer than this, axes meet or are parallel
-export const NORMAL = -1; // stands for the common normal where joints are listed by position
+import { cross, dot, joints, linkFrames, norm } from "./kinematics.js";
+import { gaps, NORMAL, TINY } from "./walk.js";
 
 /**
  * A row of a table in m and rad.
@@ -93,128 +90,6 @@ function tilt(arm, moving) {
   return dot(frames[moving.at(-1)].z, frames.at(-1).z);
 }
 
-// The gaps from base to tip, with the slides where they make the lengths least.
-function gaps(arm) {
-  const moving = joints(arm);
-  const slides = moving.flatMap((row, k) => (arm.rows[row].kind === "prismatic" ? [k] : []));
-  const q = moving.map(() => 0);
-  if (!slides.length) return walk(arm, q);
-  const start = lengths(walk(arm, q));
-  const rates = slides.map((k) => {
-    const moved = lengths(
-      walk(
-        arm,
-        moving.map((_, j) => Number(j === k)),
-      ),
-    );
-    return moved.map((x, i) => (Math.abs(x - start[i]) < TINY ? 0 : x - start[i]));
-  });
-  leastSquares(rates, start).forEach((x, i) => (q[slides[i]] = -x));
-  return walk(arm, q);
-}
-
-// The shortest x that makes the columns times x come nearest to b.
-function leastSquares(columns, b) {
-  const rows = b.map((_, i) => columns.map((column) => column[i]));
-  const { values, vectors } = singular(rows, columns.length);
-  const along = columns.map((column) => column.reduce((sum, x, i) => sum + x * b[i], 0));
-  const x = columns.map(() => 0);
-  values.forEach((value, k) => {
-    if (value <= TINY * values[0]) return;
-    const part = vectors[k].reduce((sum, u, i) => sum + u * along[i], 0) / (value * value);
-    vectors[k].forEach((u, i) => (x[i] += part * u));
-  });
-  return x;
-}
-
-const lengths = (found) => [
-  ...found.flatMap(({ normal }) => normal),
-  ...found.flatMap(({ offset, fromBase }) => (offset === null || fromBase ? [] : [offset])),
-];
-
-function walk(arm, q) {
-  const frames = linkFrames(arm, q);
-  const moving = joints(arm);
-  const dof = moving.length;
-  const axes = moving.map((row) => frames[row].z);
-  const points = moving.map((row) => frames[row].o);
-  const turning = moving.flatMap((row, k) => (arm.rows[row].kind === "revolute" ? [k] : []));
-  const stops = [...turning, dof];
-  const upTo = (from, to) =>
-    Array.from({ length: Math.max(0, Math.min(to + 1, dof) - from) }, (_, k) => from + k);
-  const found = [
-    gap(axes, upTo(0, stops[0]), [0, 0, 0], {
-      offset: null,
-      bunch: [],
-      fromBase: true,
-      toTip: false,
-    }),
-  ];
-  let foot = turning.length
-    ? feet([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1]
-    : [0, 0, 0];
-  let bunch = [];
-  turning.forEach((i, n) => {
-    const j = stops[n + 1];
-    const toTip = j === dof;
-    if (!bunch.length) foot = onto(points[i], axes[i], foot);
-    const [leave, arrive] = feet(
-      foot,
-      axes[i],
-      toTip ? frames.at(-1).o : points[j],
-      toTip ? null : axes[j],
-    );
-    bunch = [...bunch, i];
-    const goesOn = !toTip && parallel(axes[i], axes[j]);
-    const offset = goesOn ? null : dot(axes[i], minus(leave, foot));
-    const fromBase = bunch[0] === turning[0];
-    found.push(gap(axes, upTo(i, j), minus(arrive, leave), { offset, bunch, fromBase, toTip }));
-    foot = arrive;
-    if (!goesOn) bunch = [];
-  });
-  return found;
-}
-
-// All choices of so many of a list, in order.
-export function combinations(list, count) {
-  if (!count) return [[]];
-  return list.flatMap((one, k) =>
-    combinations(list.slice(k + 1), count - 1).map((more) => [one, ...more]),
-  );
-}
-
-/** @returns {Gap} */
-function gap(axes, between, normal, rest) {
-  const length = norm(normal);
-  const directions = new Map(between.map((k) => [k, axes[k]]));
-  if (length > TINY) directions.set(NORMAL, scaled(1 / length, normal));
-  const shape = new Map();
-  for (const [i, j] of combinations(between, 2)) shape.set(`${[i, j]}`, dot(axes[i], axes[j]));
-  for (const three of combinations([...directions.keys()], 3)) {
-    const [u, v, w] = three.map((k) => directions.get(k));
-    shape.set(`${three}`, dot(cross(u, v), w));
-  }
-  return { joints: between, normal, length, shape, ...rest };
-}
-
-// The foot of a point on the line (p, u).
-const onto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u));
-
-// The feet of the common normal from the line (p, u) to the line (q, v), or to the point q; from
-// parallel axes it starts at p.
-function feet(p, u, q, v) {
-  if (!v) return [onto(p, u, q), q];
-  if (parallel(u, v)) return [p, onto(q, v, p)];
-  const w = minus(q, p);
-  const uv = dot(u, v);
-  const below = 1 - uv * uv;
-  const s = (dot(u, w) - uv * dot(v, w)) / below;
-  const t = (uv * dot(u, w) - dot(v, w)) / below;
-  return [plus(p, scaled(s, u)), plus(q, scaled(t, v))];
-}
-
-const parallel = (u, v) => norm(cross(u, v)) < TINY;
-
 // Two walks side by side
 
 // Two arms, lengths compared to within `length` (m) and angles to within `angle` (rad); the signs
@@ -230,9 +105,8 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
   let best = new Map(
     [1, -1].map((s) => [s, { cost: [feet.length, far, 0], signs: [s], found: feet }]),
   );
-  mine.gaps.forEach(
-    (m, i) => (best = step(mine, reference, m, reference.gaps[i], best, length, angle)),
-  );
+  const sides = { mine, reference, within: { length, angle } };
+  for (const gap of mine.gaps.keys()) best = step(sides, gap, best);
   const ends = [...best].map(([last, { cost, signs, found }]) => {
     /** @type {[number, number]} */
     const tilts = [arc(mine.tilt), arc(last * reference.tilt)];
@@ -269,33 +143,43 @@ const signings = (count) =>
 
 // The cheapest choices up to the end of a gap, for each sign of its last joint; the gap begins with
 // the last one's end.
-function step(mine, reference, m, r, best, length, angle) {
+function step(sides, gap, best) {
+  const { joints: between } = sides.mine.gaps[gap];
   const found = new Map();
-  for (const chosen of signings(m.joints.length)) {
-    const { cost, signs: before, found: old } = best.get(chosen[0]);
-    const signs = new Map(m.joints.map((k, i) => [k, chosen[i]]));
-    const fresh = differences(mine, m, r, signs, length, angle);
-    const alike = placesBase(m) && placesBase(r) && `${m.bunch}` === `${r.bunch}`;
-    const note = alike && Math.abs(height(m, r, chosen[0])) > length;
-    const over = upsideDown(mine, reference, before);
-    const turned = over || (isLevel(mine) && before[0] * dot(mine.axis, reference.axis) < 0);
-    if (note && over && mine.joints[0] === 1)
-      fresh.push(difference("table base", 1, "d", m.offset, -(r.offset ?? 0)));
-    const far = fresh.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), cost[1]);
-    const notes = cost[2] + Number(note) + Number(turned);
-    const choice = {
-      cost: [cost[0] + fresh.length, Number(far.toFixed(9)), notes],
-      signs: [...before, ...chosen.slice(1)],
-      found: [...old, ...fresh],
-    };
+  for (const chosen of signings(between.length)) {
+    const choice = continued(sides, gap, chosen, best.get(chosen[0]));
     const last = chosen.at(-1);
     if (!found.has(last) || less(choice.cost, found.get(last).cost)) found.set(last, choice);
   }
   return found;
 }
 
+// The choice before a gap with the signs of its joints: what differs there counts, then by how
+// much.
+function continued({ mine, reference, within }, gap, chosen, { cost, signs: before, found: old }) {
+  const [m, r] = [mine.gaps[gap], reference.gaps[gap]];
+  const signs = new Map(m.joints.map((k, i) => [k, chosen[i]]));
+  const alike = placesBase(m) && placesBase(r) && `${m.bunch}` === `${r.bunch}`;
+  const note = alike && Math.abs(height(m, r, chosen[0])) > within.length;
+  const over = upsideDown(mine, reference, before);
+  const turned = over || (isLevel(mine) && before[0] * dot(mine.axis, reference.axis) < 0);
+  const fresh = [
+    ...differences(mine, m, r, signs, within),
+    ...(note && over && mine.joints[0] === 1
+      ? [difference("table base", [1, "d"], [m.offset, -(r.offset ?? 0)])]
+      : []),
+  ];
+  const far = fresh.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), cost[1]);
+  const notes = cost[2] + Number(note) + Number(turned);
+  return {
+    cost: [cost[0] + fresh.length, Number(far.toFixed(9)), notes],
+    signs: [...before, ...chosen.slice(1)],
+    found: [...old, ...fresh],
+  };
+}
+
 /** @returns {Difference} */
-const difference = (key, row, entry, mine, reference, ends = [0, 0]) => ({
+const difference = (key, [row, entry], [mine, reference], ends = [0, 0]) => ({
   key,
   row,
   entry,
@@ -326,11 +210,11 @@ function unlikeJoints(mine, reference) {
   const [ours, theirs] = [mine.joints, reference.joints];
   if (ours.length !== theirs.length) {
     const row = ours[Math.min(ours.length, theirs.length) - 1];
-    return [difference("table count", row, "joints", ours.length, theirs.length)];
+    return [difference("table count", [row, "joints"], [ours.length, theirs.length])];
   }
   return ours.flatMap((i, k) => {
     const [kind, wanted] = [mine.rows[i - 1].kind, reference.rows[theirs[k] - 1].kind];
-    return kind === wanted ? [] : [difference("table kind", i, "joint", kind, wanted)];
+    return kind === wanted ? [] : [difference("table kind", [i, "joint"], [kind, wanted])];
   });
 }
 
@@ -340,18 +224,18 @@ function stands(mine, reference, length, angle) {
   const ends = [0, mine.joints[0]];
   const found = [];
   if (Math.abs(lean - wanted) > angle)
-    found.push(difference("table lean", 1, "alpha", lean, wanted, ends));
+    found.push(difference("table lean", [1, "alpha"], [lean, wanted], ends));
   if (Math.abs(far - other) > length)
-    found.push(difference("table foot", 1, "a", far, other, ends));
+    found.push(difference("table foot", [1, "a"], [far, other], ends));
   return found;
 }
 
-function differences(mine, m, r, signs, length, angle) {
+function differences(mine, m, r, signs, { length, angle }) {
   const found = [];
   const first = mine.joints[m.joints[0]];
   if (Math.abs(m.length - r.length) > length) {
     const end = m.toTip ? 0 : mine.joints[m.joints.at(-1)];
-    found.push(difference("table distance", first, "a", m.length, r.length, [first, end]));
+    found.push(difference("table distance", [first, "a"], [m.length, r.length], [first, end]));
   }
   const turned = twists(mine, m, r, signs, angle);
   found.push(...(turned.length ? turned : slide(mine, m, r, signs, angle)));
@@ -360,7 +244,7 @@ function differences(mine, m, r, signs, length, angle) {
   const wanted = signs.get(m.joints[0]) * r.offset;
   if (Math.abs(m.offset - wanted) > length) {
     const ends = [mine.joints[m.bunch[0]], mine.joints[m.bunch.at(-1)]];
-    found.push(difference("table along", ends[1], "d", m.offset, wanted, ends));
+    found.push(difference("table along", [ends[1], "d"], [m.offset, wanted], ends));
   }
   return found;
 }
@@ -373,7 +257,7 @@ function twists(mine, m, r, signs, angle) {
     const [x, y] = [twist(m, pair, sided, new Map()), twist(r, pair, sided, signs)];
     if (angleBetween(x, y) <= angle) return [];
     const ends = pair.map((i) => mine.joints[i]);
-    return [difference("table between", ends[0], "alpha", x, y, ends)];
+    return [difference("table between", [ends[0], "alpha"], [x, y], ends)];
   });
 }
 
@@ -395,9 +279,9 @@ function slide(mine, m, r, signs, angle) {
   const off = (key) => Math.abs(m.shape.get(key) - product(r, key.split(",").map(Number), signs));
   if (both.every((key) => off(key) <= angle)) return [];
   const about = held(mine, m, r, signs).find(([, x, y]) => angleBetween(x, y) > angle);
-  if (about) return [difference("table held", about[0], "theta", about[1], about[2])];
+  if (about) return [difference("table held", [about[0], "theta"], about.slice(1))];
   const [start, end] = [0, -1].map((k) => mine.joints[m.joints.at(k)]);
-  return [difference("table side", start, "a", 0, Math.PI, [start, m.toTip ? 0 : end])];
+  return [difference("table side", [start, "a"], [0, Math.PI], [start, m.toTip ? 0 : end])];
 }
 
 // The row of each slide between axes that are not parallel to it, and the angle about it from the

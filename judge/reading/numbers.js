@@ -68,8 +68,8 @@ export function numbers(mine, what, known = noSymbols, wanted = "numbers") {
 }
 
 /**
- * An entry of a list: a number, a formula as text, or what Python made of one that it held, a tree; an error in words
- * for anything else.
+ * An entry of a list: a number, a formula as text, or what Python made of one that it held, a tree;
+ * an error in words for anything else.
  * @returns {{ tree: any[], text?: string }}
  */
 function entryOf(leaf, what, wanted) {

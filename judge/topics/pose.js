@@ -1,7 +1,8 @@
 // Do these joint angles reach that pose?
 
 import { cross, dot, jacobianColumns, linkFrames, matrix } from "../geometry/kinematics.js";
-import { answers, angleBetween, millimetres, turnOf } from "./branches.js";
+import { millimetres, turnOf } from "../causes/branches.js";
+import { turnBetween, answers } from "./branches_matching.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { lookup, numbers, numbered, turning } from "../reading/numbers.js";
 import { cause, nameOf, several } from "../causes/ranking.js";
@@ -53,50 +54,56 @@ function targetOf({ values, units, symbolic }, shape) {
 function judged(q, arm, T, tolerance, taken) {
   const here = linkFrames(arm, q.values).at(-1);
   const miss = missOf(here, T);
-  const figures = { position_error: miss[0], orientation_error: miss[1] };
-  /** @returns {import("../report.js").Report} */
-  const reported = (grade, headline, rest) => ({
-    topic: "pose",
-    arm: arm.name,
-    grade,
-    headline,
-    findings: [],
-    causes: [],
-    taken,
-    notes: [],
-    figures,
-    ...rest,
-  });
-  const good = (grade, key) =>
-    reported(grade, say(key, { arm: arm.name }), { notes: [...limits(arm, q)] });
   const fine = { values: q.values, units: q.units.map((u) => (u > COARSE ? 0 : u)) };
-  if (within(miss, marginsOf(fine, arm, T, HALF, tolerance))) return good(RIGHT, "pose right");
-  const margin = marginsOf(fine, arm, T, HAND, tolerance);
-  if (within(miss, margin)) return good(ROUNDED, "pose rounded");
+  const margins = (of, share) => marginsOf(of, arm, T, share, tolerance);
+  const [sharp, margin] = [margins(fine, HALF), margins(fine, HAND)];
+  const found = within(miss, margin) ? [] : causesOf({ q, arm, T, tolerance }, margin, miss);
+  const grade = found.length ? WRONG : gradeOf(miss, sharp, margin, margins(q, HALF));
+  const position = { position_error: miss[0], orientation_error: miss[1] };
+  const rest = { taken, notes: [], figures: position };
+  if (grade !== WRONG) {
+    const headline = say(GOOD[grade], { arm: arm.name });
+    return reported(arm, grade, headline, { ...rest, notes: [...limits(arm, q)] });
+  }
+  const far = !within(miss, [FAR * margin[0], FAR * margin[1]]);
+  const causes = !found.length && far ? alone(q.values, arm, T, sharp) : found;
   const turn = T.pose && miss[1] > margin[1] ? turnOf(miss[1]) : "";
   const off = say("ik off", { millimetres: millimetres(miss[0]), turn });
-  let found = causesOf(q, arm, T, margin, miss, tolerance);
-  if (!found.length && within(miss, marginsOf(q, arm, T, HALF, tolerance)))
-    return good(SO_FAR, "pose so far");
-  if (
-    !found.length &&
-    !within(
-      miss,
-      margin.map((most) => FAR * most),
-    )
-  ) {
-    found = alone(q.values, arm, T, marginsOf(fine, arm, T, HALF, tolerance));
-  }
-  if (found.length) {
-    const words = several(found);
-    const headline = say("pose cause", { arm: arm.name, off, cause: lower(words) });
-    const findings = [{ what: "cause", where: "", words: `${words}.` }];
-    return reported(WRONG, headline, { findings, causes: found.map(nameOf) });
-  }
+  if (causes.length) return explained(arm, causes, off, rest);
   const findings = T.pose ? entries(here, T, miss[1] <= margin[1]) : coordinates(here, T);
-  const causes = [...new Set(findings.map(({ what }) => what))];
-  return reported(WRONG, say("pose wrong", { arm: arm.name, off }), { findings, causes });
+  const whats = [...new Set(findings.map(({ what }) => what))];
+  const headline = say("pose wrong", { arm: arm.name, off });
+  return reported(arm, WRONG, headline, { ...rest, findings, causes: whats });
 }
+
+const GOOD = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
+
+// How near the tip comes, where no slip explains a miss; `coarse` is what few digits leave open.
+function gradeOf(miss, sharp, margin, coarse) {
+  if (within(miss, sharp)) return RIGHT;
+  if (within(miss, margin)) return ROUNDED;
+  return within(miss, coarse) ? SO_FAR : WRONG;
+}
+
+function explained(arm, causes, off, rest) {
+  const words = several(causes);
+  const headline = say("pose cause", { arm: arm.name, off, cause: lower(words) });
+  const findings = [{ what: "cause", where: "", words: `${words}.` }];
+  return reported(arm, WRONG, headline, { ...rest, findings, causes: causes.map(nameOf) });
+}
+
+/** @returns {import("../report.js").Report} */
+const reported = (arm, grade, headline, { taken, ...rest }) => ({
+  topic: "pose",
+  arm: arm.name,
+  grade,
+  headline,
+  findings: [],
+  causes: [],
+  taken,
+  notes: [],
+  ...rest,
+});
 
 // Distance (m) and angle (rad) between a frame and T; no angle where T is a point, half a turn
 // where its axes are left-handed.
@@ -106,7 +113,7 @@ function missOf(here, { values, pose }) {
   const away = length(here.o.map((x, i) => x - o[i]));
   if (!pose) return [away, 0];
   const [x, y, z] = [0, 1, 2].map((k) => values.map((row) => row[k]));
-  return [away, dot(cross(x, y), z) > 0 ? angleBetween(here, { x, y, z, o }) : Math.PI];
+  return [away, dot(cross(x, y), z) > 0 ? turnBetween(here, { x, y, z, o }) : Math.PI];
 }
 
 const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
@@ -131,7 +138,7 @@ const within = (miss, margin) => miss[0] <= margin[0] && miss[1] <= margin[1];
 
 // The single slips that explain a miss, or else the first pair that does; none that helps by less
 // than half, nor a scale where zero would fit as well.
-function causesOf(q, arm, T, margin, miss, tolerance) {
+function causesOf({ q, arm, T, tolerance }, margin, miss) {
   const found = [];
   const half = margin.map((most, i) => (miss[i] <= most ? most : Math.min(most, miss[i] / 2)));
   for (const [one, other, values, target] of slips(q.values, arm, T)) {

@@ -1,25 +1,17 @@
 // Is my table wrong, or only different?
 
-import { angleBetween, combinations, compared, placesBase, side } from "../geometry/axes.js";
-import { DEG } from "../geometry/angles.js";
-import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
-import { equations, jointMap } from "../geometry/joint_map.js";
 import { cause, nameOf, several } from "../causes/ranking.js";
-import { lower, say, size } from "../sentences.js";
-import { ENTRIES, inMillimetres, meant, read } from "../reading/table.js";
 import * as usual from "../causes/table.js";
+import { explaining, remaining, tries } from "../causes/table_search.js";
+import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
+import { DEG } from "../geometry/angles.js";
+import { angleBetween, compared, placesBase, side } from "../geometry/axes.js";
+import { equations, jointMap } from "../geometry/joint_map.js";
+import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
+import { ENTRIES, inMillimetres, meant, read } from "../reading/table.js";
+import { lower, say, size } from "../sentences.js";
+import { entry, geometry, rounded, typedAs, typedRow, typedText } from "./table_words.js";
 
-const CHEAP = [
-  "table.millimetres",
-  "table.centimetres",
-  "table.mixed units",
-  "table.degrees",
-  "table.twists in degrees",
-];
-const ONE_ENTRY = ["table.pen", "table.length"]; // a wrong entry whose reason is known
-const ENTRY = 0.7; // what a wrong entry costs, where a cause costs 1
-const BY_AXES = 0.5; // what it costs besides that entries still differ though the axes agree
-const ANGLE = 1e-4; // rad: angles are often written with four decimals
 const LENGTH = 1e-6; // m
 const LOW = 1e-2; // m: a base no higher tells no unit
 const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
@@ -131,9 +123,6 @@ function shown(typed, { lengthScale, angleScale }, findings) {
   return { cells, trees, wrong };
 }
 
-// The entry that a joint changes.
-const variableOf = (kind) => ({ revolute: "theta", prismatic: "d" })[kind];
-
 // What was typed
 
 /** @returns {Table} */
@@ -192,22 +181,6 @@ function wholeUnit(typed, scale) {
   return scale <= COARSEST && lengths.every((text) => WHOLES.test(text)) ? scale : 0;
 }
 
-// The typed row, from 1, that holds an entry of a row of the table.
-const rowOf = ({ added, modified }, row, column) =>
-  row - added + Number(modified && (column === "a" || column === "alpha"));
-
-// What was typed as an entry of a row; undefined where no row holds it.
-const textOf = (table, row, column) => table.texts[rowOf(table, row, column) - 1]?.[column];
-
-const squared = (rows) =>
-  rows.map((row) => ({ ...row, alpha: square(row.alpha), theta: square(row.theta) }));
-
-// An angle near a multiple of a right angle is taken as that.
-function square(angle, unit = 0) {
-  const right = (Math.round(angle / (Math.PI / 2)) * Math.PI) / 2;
-  return Math.abs(angle - right) < Math.max(ANGLE, 0.51 * unit) ? right : angle;
-}
-
 // The rows with angles that were cut to two decimals or more taken as the right angles that they
 // are near: 1.57 is meant as pi/2.
 const meantRows = (table) =>
@@ -218,21 +191,12 @@ const meantRows = (table) =>
 
 // The unit of the last decimal in one angle, where it has two or more.
 function ownUnit(table, row, column) {
-  const last = (textOf(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
+  const last = (typedText(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
   const places = last.slice(last.indexOf(".") + 1).length;
   return places >= 2 ? table.angleScale * 10 ** -places : 0;
 }
 
 // The verdict
-
-/**
- * One reading of what was meant: its causes, the rows, the arm they are held against, and how many
- * entries differ.
- * @typedef {{ cause: Cause | null, rows: Numbers[], reference: Numbers[], entries: number }} Try
- */
-
-const compare = ({ rows, reference }, length) =>
-  compared(side(rows), side(reference), length, ANGLE);
 
 /**
  * One reading of a table beside the reference: the report on the same arm, null where it is
@@ -252,7 +216,7 @@ function judgedTable(table, reference, tolerance) {
   const agrees = (grade, by) =>
     table.exchanged
       ? bad(table, reference, [cause("table.alpha and theta")])
-      : same(grade, table, reference, mine, ref, by);
+      : same(grade, table, reference, [mine, ref], by);
   const good = () => {
     if (!found.differences.length) return agrees(RIGHT, found);
     if (tolerance !== null) return null;
@@ -267,7 +231,7 @@ function judgedTable(table, reference, tolerance) {
 const reach = (rows) => Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
 
 /** @returns {Report} */
-function same(grade, table, reference, mine, ref, found) {
+function same(grade, table, reference, [mine, ref], found) {
   const last = table.lengthUnit || table.angleUnit * reach(mine.rows);
   const loose = grade === RIGHT ? LENGTH : 10 * last;
   const mapped = jointMap(mine, ref, found, loose);
@@ -294,7 +258,7 @@ function same(grade, table, reference, mine, ref, found) {
 
 function zeros(table, mapped, mine, ref) {
   if (!mapped) return [say("map unknown")];
-  const own = mine.joints.map((i) => rowOf(table, i, "d"));
+  const own = mine.joints.map((i) => typedRow(table, i, "d"));
   const told = equations(mapped, own, ref);
   return told.length ? [say("map", { equations: told.join("; ") })] : [];
 }
@@ -304,7 +268,7 @@ function base(table, mine, found, mapped = null) {
   if (found.upsideDown) return [say("base upside down")];
   const [along, lean] = [found.baseHigher, mine.foot[1]];
   const rest = mapped ? mapped.base.o[2] - along * Math.cos(lean) : 0;
-  const row = rowOf(table, mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0], "d");
+  const row = typedRow(table, mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0], "d");
   const stands = (key, higher) => {
     if (Math.abs(higher) <= LENGTH) return [];
     const way = higher > 0 ? say("higher") : say("lower");
@@ -322,7 +286,7 @@ function twoUnits(table, mine, { baseHigher }) {
     const off = Math.abs(Math.abs(d * (factor - 1)) - Math.abs(baseHigher));
     const others = usual.totalLength(table.rows) > Math.abs(d);
     const near = Math.abs(d * factor) >= LOW && off < 0.51 * COARSEST;
-    return others && near ? [say("base unit", { row: rowOf(table, k + 1, "d") })] : [];
+    return others && near ? [say("base unit", { row: typedRow(table, k + 1, "d") })] : [];
   });
 }
 
@@ -343,16 +307,13 @@ const written = (table) =>
       const wanted = NAMES[turns] ?? `${turns} pi/2`;
       const fields = {
         column,
-        row: rowOf(table, k + 1, column),
+        row: typedRow(table, k + 1, column),
         typed: typedAs(table, k + 1, column),
         wanted,
       };
       return [say("write right angle", fields)];
     }),
   );
-
-const typedAs = (table, row, column) =>
-  textOf(table, row, column) ?? size(table.rows[row - 1][column], 6);
 
 // What differs, and why
 
@@ -363,276 +324,15 @@ const typedAs = (table, row, column) =>
 function different(table, reference, rows, wanted, length) {
   const found = compared(side(rows), side(wanted), length);
   const all = tries(rows, reference, wanted, table.modified, length);
-  const equal = all.filter((t) => t.cause && !t.entries);
-  if (equal.length) {
-    const fewest = Math.min(...equal.map((t) => edits(t.cause)));
-    const alike = equal.filter((t) => edits(t.cause) === fewest);
-    return bad(
-      table,
-      reference,
-      alike.map((t) => t.cause),
-    );
-  }
+  const whole = explaining(all, rows, wanted, length);
+  if (whole.length) return bad(table, reference, whole);
   const notes = found.signs.length ? base(table, side(rows), found) : [];
-  const local = fewEntries(all, wanted.length, length);
-  const most = local?.cost ?? Infinity;
-  let whole = agreeing(all, length, most);
-  if (!whole && 1 + BY_AXES < most) whole = oneSign(rows, wanted, length);
-  if (whole?.cause) return bad(table, reference, [whole.cause]);
-  if (local && most <= byAxes(found, local.best.cause)) {
-    const entries = local.needed.map(([k, column]) => entry(table, local.best, k, column, length));
-    const why = local.best.cause;
-    return bad(table, reference, why ? [why] : [], entries, why ? [] : notes);
-  }
-  const { first, left } = fewest(all, length, found);
-  return bad(
-    table,
-    reference,
-    first ? [first] : [],
-    left.map((d) => geometry(table, d)),
-    first ? [] : notes,
-  );
+  const { why, entries, left } = remaining(all, wanted.length, length, found);
+  const findings = entries
+    ? entries.map(([t, k, column]) => entry(table, t, [k, column], length))
+    : left.map((d) => geometry(table, d));
+  return bad(table, reference, why ? [why] : [], findings, why ? [] : notes);
 }
-
-// The reading that needs least besides a few entries: its cost, and the entries.
-function fewEntries(all, rows, length) {
-  const most = Math.max(3, Math.floor(rows / 2) + 1);
-  const close = all.filter((t) => t.entries > 0 && t.entries <= most);
-  if (!close.length) return null;
-  const best = cheapest(close, (t) => cost(t.cause) + ENTRY * t.entries);
-  const needed = neededOf(best, length);
-  const count = needed.reduce((sum, [k, column]) => sum + mistakes(best, k, column, length), 0);
-  return { cost: cost(best.cause) + ENTRY * count, best, needed };
-}
-
-// How many mistakes a wrong entry is: two where neither number nor sign is right.
-function mistakes(t, k, column, length) {
-  const why = kindOfError(column, k, t.rows[k][column], t.reference[k][column], length);
-  return why.keys[0] === "table.number and sign" ? 2 : 1;
-}
-
-// What the differences of the axes cost, by which a table in frames of its own is judged. No bound
-// where joints do not correspond, or against entries alone where a twist differs: axes that are
-// parallel, and should not be, hide lengths.
-function byAxes({ differences, signs }, why) {
-  const hidden = !why && differences.some((d) => d.entry === "alpha");
-  return hidden || !signs.length ? Infinity : ENTRY * differences.length;
-}
-
-const cheapest = (list, price) =>
-  list.reduce((best, one) => (best === null || price(one) < price(best) ? one : best), null);
-
-// What a reading costs; units go wrong so often that they are cheap.
-const cost = (why) => (why?.keys ?? []).reduce((sum, key) => sum + costOf(key), 0);
-
-const costOf = (key) => (CHEAP.includes(key) ? 0.5 : ONE_ENTRY.includes(key) ? 0.6 : 1);
-
-// What it costs besides that entries still differ: nothing where the cause is one entry.
-const apart = ({ keys }) => (keys.length === 1 && ONE_ENTRY.includes(keys[0]) ? 0 : BY_AXES);
-
-const edits = (why) => why?.keys.length ?? 0;
-
-// Every reading with up to two causes, each with how many entries differ from the reference's.
-/** @returns {Try[]} */
-function tries(rows, reference, wanted, modified, length) {
-  const others = [
-    [null, wanted],
-    ...usual.references(reference).map(([why, arm]) => [why, squared(arm)]),
-  ];
-  const mends = usual.structures(rows.length, modified);
-  const whole = mends.filter(([why]) => why.keys[0] !== usual.EXCHANGED);
-  /** @type {[Cause | null, Numbers[], Numbers[]][]} */
-  const found = [];
-  for (const [first, read] of usual.units(rows, wanted)) {
-    for (const [other, arm] of others) {
-      const both = usual.joined(first, other);
-      found.push([both, squared(read), arm]);
-      for (const [second, mend] of edits(both) < 2 ? mends : [])
-        found.push([usual.joined(both, second), squared(mend(read)), arm]);
-    }
-    for (const [[second, mend], [third, then]] of first ? [] : combinations(whole, 2))
-      found.push([usual.joined(second, third), squared(then(mend(rows))), wanted]);
-  }
-  return found.map(([why, read, arm]) => ({
-    cause: why,
-    rows: read,
-    reference: arm,
-    entries: differing(read, arm, length),
-  }));
-}
-
-// How many entries differ; all where the rows do not correspond.
-function differing(rows, wanted, length) {
-  const alike =
-    rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
-  return alike ? unequal(rows, wanted, length).length : Infinity;
-}
-
-// The entries that differ, the zeros of joints not counted.
-/** @returns {[number, string][]} */
-function unequal(rows, wanted, length) {
-  return rows.flatMap((row, k) =>
-    ENTRIES.filter((column) => {
-      const [x, y] = [row[column], wanted[k][column]];
-      const free = column === variableOf(row.kind);
-      return !free && (angular(column) ? angleBetween(x, y) > ANGLE : Math.abs(x - y) > length);
-    }).map((column) => /** @type {[number, string]} */ ([k, column])),
-  );
-}
-
-const angular = (column) => column === "alpha" || column === "theta";
-
-// The first reading after which the axes agree, though entries differ, below a cost; or null.
-function agreeing(all, length, most) {
-  for (const t of all) {
-    if (!t.cause || cost(t.cause) + apart(t.cause) >= most) continue;
-    // Two causes after which most entries differ, and exchanged rows, fit by chance only; Craig's
-    // rows may have one more than the reference.
-    const few = edits(t.cause) === 1 || t.entries <= 2 * t.reference.length;
-    const last = t.cause.keys.at(-1);
-    const likely = (few || last === "table.craig") && last !== usual.EXCHANGED;
-    if (likely && !compare(t, length).differences.length) return t;
-  }
-  return null;
-}
-
-function oneSign(rows, wanted, length) {
-  const all = usual.flips(rows).map(([why, mended]) => ({
-    cause: why,
-    rows: mended,
-    reference: wanted,
-    entries: differing(mended, wanted, length),
-  }));
-  return cheapest(
-    all.filter((t) => !compare(t, length).differences.length),
-    (t) => t.entries,
-  );
-}
-
-// The fewest of the entries that differ after whose mending the axes agree.
-function neededOf(t, length) {
-  const wrong = unequal(t.rows, t.reference, length);
-  for (let count = 1; count < wrong.length; count++) {
-    for (const chosen of combinations(wrong, count)) {
-      const rows = [...t.rows];
-      for (const [k, column] of chosen) rows[k] = { ...rows[k], [column]: t.reference[k][column] };
-      if (!compare({ rows, reference: t.reference }, length).differences.length) return chosen;
-    }
-  }
-  return wrong;
-}
-
-// One wrong entry in the student's numbers; its row is the student's, also where a and alpha were
-// read one row on.
-/** @param {Table} table @returns {Finding} */
-function entry(table, t, k, column, length) {
-  const [mine, wanted] = [t.rows[k][column], t.reference[k][column]];
-  const craig = Boolean(t.cause?.keys.includes("table.craig"));
-  const shift = Number(craig && Boolean(table.rows[0].a || table.rows[0].alpha));
-  const lowered = Number(craig && (column === "a" || column === "alpha"));
-  const row = rowOf(table, k + 1, column) - shift + lowered;
-  const why = kindOfError(column, row, mine, wanted, length);
-  const typed = t.cause ? size(mine, 6) : typedAs(table, k + 1, column);
-  const words = say("table entry", { typed, words: say(why.keys[0], why.fields[0]) });
-  return { what: nameOf(why), where: `row ${row}, ${column}`, words };
-}
-
-/** @returns {Cause} */
-function kindOfError(column, row, mine, wanted, length) {
-  const negative = angular(column)
-    ? angleBetween(mine, -wanted) < ANGLE
-    : Math.abs(mine + wanted) <= length;
-  const twist = column === "alpha";
-  if (negative) return twist ? cause("table.twist", { row }) : cause("table.sign", { column, row });
-  if (!mine)
-    return twist ? cause("table.no twist", { row }) : cause("table.missing", { column, row });
-  if (!wanted) return cause("table.too much", { column, row });
-  if (angular(column))
-    return cause("table.angle", {
-      column,
-      row,
-      _off: size(rounded(angleBetween(mine, wanted) * DEG, 6), 4),
-    });
-  if (mine * wanted < 0) return cause("table.number and sign", { column, row });
-  const _way = Math.abs(mine) > Math.abs(wanted) ? say("long") : say("short");
-  return cause("table.number", {
-    column,
-    row,
-    _off: size(rounded(1000 * Math.abs(mine - wanted), 6), 4),
-    _way,
-  });
-}
-
-// The single cause that leaves much less than none does, and what it leaves: differences of axes,
-// for where joints do not correspond these are not seen.
-function fewest(all, length, { differences }) {
-  let best = {
-    cost: 0.7 * differences.length,
-    first: /** @type {Cause | null} */ (null),
-    left: differences,
-  };
-  for (const t of all) {
-    if (edits(t.cause) !== 1 || t.cause.keys[0] === usual.EXCHANGED) continue;
-    const { signs, differences: left } = compare(t, length);
-    const total = 1 + 0.7 * left.length;
-    if (signs.length && left.length && total < best.cost)
-      best = { cost: total, first: t.cause, left };
-  }
-  return best;
-}
-
-const WHAT = {
-  "table distance": "table distance what",
-  "table between": "table between what",
-  "table held": "table held what",
-  "table side": "table side what",
-  "table lean": "table lean what",
-  "table foot": "table foot what",
-  "table along": "table along what",
-  "table base": "table base what",
-  "table kind": "table kind what",
-};
-
-// One difference, in the rows and axes of the table as typed.
-/** @param {Table} table @param {Difference} d @returns {Finding} */
-function geometry(table, d) {
-  const toBase = d.key === "table lean" || d.key === "table foot";
-  const row = toBase ? d.row : rowOf(table, d.row, d.entry);
-  const where = `row ${row}, ${d.entry}`;
-  if (d.key === "table count") {
-    const { mine, reference } = d;
-    return { what: "row", where, words: say("table count words", { mine, reference }) };
-  }
-  const [i, j] = d.ends.map((end) => end && rowOf(table, end, "d"));
-  const toTip = (d.key === "table distance" || d.key === "table side") && !j;
-  const end = toTip ? say("the tip") : say("axis", { i: j });
-  const along = i === j ? say("axis", { i }) : say("parallel axes", { i, j });
-  const what = say(WHAT[d.key], { start: i, end, along, j });
-  const words = say("table at", { row, entry: d.entry, words: amount(d, what) });
-  return { what: "row", where, words };
-}
-
-/** @param {Difference} d @param {string} what */
-function amount({ key, mine, reference }, what) {
-  if (key === "table kind") return say("table other", { what, mine, reference });
-  if (key === "table side") return say("table side", { what });
-  if (["table between", "table held", "table lean"].includes(key)) {
-    const signed = key === "table held" || mine >= 0; // held as theta is, about the student's axis
-    const [x, y] = signed ? [mine, reference] : [-mine, -reference];
-    const spelt = [x, y, angleBetween(x, y)].map((angle) => size(rounded(angle * DEG, 4), 6));
-    return say("table angle", { what, mine: spelt[0], reference: spelt[1], off: spelt[2] });
-  }
-  // To a micrometre: where axes are nearly parallel, rounding leaves no more of a distance. First
-  // to a nanometre, so that half a micrometre is one for the checkers too.
-  const [x, y] = [mine, reference].map((length) => rounded(rounded(length, 9), 6));
-  if (x * y < 0) return say("table other way", { what, mine: size(x, 6), reference: size(y, 6) });
-  const way = Math.abs(x) > Math.abs(y) ? say("long") : say("short");
-  const off = size(rounded(1000 * Math.abs(mine - reference), 6), 4);
-  const [ours, theirs] = [x, y].map((length) => size(Math.abs(length), 6));
-  return say("table length", { what, mine: ours, reference: theirs, off, way });
-}
-
-const rounded = (x, decimals) => Number(x.toFixed(decimals));
 
 // `causes` explain the same; of the findings those with a cause of their own add to it.
 /** @param {Table} table @param {Cause[]} causes @param {Finding[]} findings @returns {Report} */

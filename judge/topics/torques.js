@@ -1,6 +1,14 @@
 // Are joint torques wrong, and how? One torque vector or a whole run of them.
 
-import { joints } from "../geometry/kinematics.js";
+import { better, complete, explain, nameOf, several } from "../causes/ranking.js";
+import {
+  catalogue,
+  loadOf,
+  mended,
+  paperCentres,
+  reversedJoints,
+  torques,
+} from "../causes/torques.js";
 import {
   bands,
   beyond,
@@ -14,6 +22,7 @@ import {
   SO_FAR,
   WRONG,
 } from "../digits.js";
+import { joints } from "../geometry/kinematics.js";
 import {
   eachJoint,
   inRadians,
@@ -23,16 +32,7 @@ import {
   turning,
   unnamed,
 } from "../reading/numbers.js";
-import { better, complete, explain, nameOf, several } from "../causes/ranking.js";
 import { ArmError, listed, lower, say, size } from "../sentences.js";
-import {
-  catalogue,
-  loadOf,
-  mended,
-  paperCentres,
-  reversedJoints,
-  torques,
-} from "../causes/torques.js";
 
 const GRAVITY = [0, 0, -9.81];
 const ODD = 1.2; // a torque that stays unexplained weighs more than a second mistake
@@ -43,33 +43,29 @@ const SAMPLE = 25; // poses of a run on which causes are tried
  * @returns {import("../report.js").Report}
  */
 export function compareTorques(mine, arm, q, options = {}) {
-  const {
-    wrench = [0, 0, 0, 0, 0, 0],
-    gravity = GRAVITY,
-    angles = "rad",
-    tolerance = null,
-    briefly = false,
-  } = options;
-  const at = poses(q, arm, angles);
+  const { tolerance = null, briefly = false } = options;
+  const at = poses(q, arm, options.angles);
   if (!arm.rows.every((row) => row.body)) {
     throw new ArmError(
       `${arm.name} has no masses; give bodies, one Body for each of its ${arm.rows.length} rows`,
     );
   }
   const dof = joints(arm).length;
-  let list = rowsOf(at.values, dof);
-  const wrenches = Array.isArray(wrench[0]) ? wrench : list.map(() => wrench);
-  if (list.length === 1 && wrenches.length > 1) {
-    list = wrenches.map(() => list[0]); // one pose under several loads
-    at.units = list.flatMap(() => at.units);
-  }
-  const load = loadOf(arm, list, wrenches, gravity);
+  const load = loaded(arm, rowsOf(at.values, dof), options);
+  if (load.q.length > at.values.length / dof) at.units = load.q.flatMap(() => at.units);
   const right = torques(load).flat();
   const typed = numbers(unnamed(mine), `${arm.name}: your torques`);
   const found = upright(typed, right, dof);
-  if (!found) return { ...misshapen(typed, list.length, arm), typed };
-  const report = judged(...found, right, load, at, tolerance, briefly);
+  if (!found) return { ...misshapen(typed, load.q.length, arm), typed };
+  const report = judged(found, right, load, at, { tolerance, briefly });
   return report && { ...report, typed };
+}
+
+// The poses with a wrench for each: one for all of them, or one pose under several.
+function loaded(arm, poses, { wrench = [0, 0, 0, 0, 0, 0], gravity = GRAVITY }) {
+  const wrenches = Array.isArray(wrench[0]) ? wrench : poses.map(() => wrench);
+  const all = poses.length === 1 ? wrenches.map(() => poses[0]) : poses;
+  return loadOf(arm, all, wrenches, gravity);
 }
 
 const rowsOf = (flat, width) =>
@@ -94,34 +90,28 @@ export function poses(q, arm, angles) {
 
 // The torques with a row per pose: columns, lists per joint and a leading column of zeros are set
 // right, and said.
-function upright(typed, right, dof) {
+function upright({ values, units, shape }, right, dof) {
   const count = right.length / dof;
-  let shape = typed.shape.filter((n) => n !== 1);
-  let { values, units } = typed;
-  const said = [];
-  if (shape.length === 1 && shape[0] === dof && count === 1) return [{ values, units }, said];
-  if (shape.length !== 2) return null;
+  const sizes = shape.filter((n) => n !== 1);
+  const as = (change, said) => ({ values: change(values), units: change(units), said });
+  if (values.length === dof && sizes.length === 1 && count === 1)
+    return { values, units, said: [] };
+  const is = (rows, width) => sizes.length === 2 && sizes[0] === rows && sizes[1] === width;
+  if (is(dof, count) && (count !== dof || liesTurned(values, right, sizes)))
+    return as((list) => turned(list, sizes), [say("taken: list per joint")]);
+  const padded = is(count, dof + 1) && rowsOf(values, dof + 1).every(([first]) => !first);
+  if (padded)
+    return as(
+      (list) => rowsOf(list, dof + 1).flatMap((row) => row.slice(1)),
+      [say("taken: leading zeros")],
+    );
+  return is(count, dof) ? { values, units, said: [] } : null;
+}
+
+// Whether a square is far nearer to the right torques when turned round.
+function liesTurned(values, right, shape) {
   const off = (list) => list.reduce((top, x, i) => Math.max(top, Math.abs(x - right[i])), 0);
-  if (
-    shape[0] === dof &&
-    shape[1] === count &&
-    (count !== dof || off(turned(values, shape)) < 0.05 * off(values))
-  ) {
-    [values, units] = [turned(values, shape), turned(units, shape)];
-    shape = [count, dof];
-    said.push(say("taken: list per joint"));
-  }
-  if (
-    shape[0] === count &&
-    shape[1] === dof + 1 &&
-    rowsOf(values, dof + 1).every(([first]) => !first)
-  ) {
-    const rest = (list) => rowsOf(list, dof + 1).flatMap((row) => row.slice(1));
-    [values, units] = [rest(values), rest(units)];
-    shape = [count, dof];
-    said.push(say("taken: leading zeros"));
-  }
-  return shape[0] === count && shape[1] === dof ? [{ values, units }, said] : null;
+  return off(turned(values, shape)) < 0.05 * off(values);
 }
 
 /** @returns {import("../report.js").Report} */
@@ -149,8 +139,9 @@ function misshapen({ shape, values }, count, arm) {
 }
 
 /** @returns {import("../report.js").Report} */
-function judged(typed, taken, right, load, at, tolerance, briefly) {
+function judged(typed, right, load, at, { tolerance, briefly }) {
   const { arm } = load;
+  const taken = typed.said;
   const dof = joints(arm).length;
   const count = right.length / dof;
   const step = (count - 1) / (SAMPLE - 1);
@@ -174,19 +165,18 @@ function judged(typed, taken, right, load, at, tolerance, briefly) {
   const figures = figuresOf(typed.values, right, m.band, dof);
   if (grade !== WRONG) return { ...good(grade, typed, arm, taken), figures };
   if (briefly) {
-    const one = explain(mine, wanted, part.band, ...ofOne(causes, made));
+    const one = explain(mine, wanted, part.band, singleOnes(causes, made));
     return complete(one) ? { ...bad(one, [], arm, taken), figures } : null;
   }
-  const found = foundIn(mine, wanted, part, causes, made, sample);
+  const found = foundIn(mine, wanted, part, sample, { causes, made });
   const symptoms = found ? besides(found, arm, count) : jointFindings(typed.values, right, m, arm);
   const report = bad(found, symptoms, arm, taken);
   return { ...report, figures, wrong: beyond(typed.values, right, m) };
 }
 
-// The single ones of a catalogue.
-function ofOne(causes, made) {
+function singleOnes(causes, made) {
   const single = causes.flatMap(({ keys }, k) => (keys.length === 1 ? [k] : []));
-  return [single.map((k) => causes[k]), single.map((k) => made[k])];
+  return { causes: single.map((k) => causes[k]), made: single.map((k) => made[k]) };
 }
 
 // By how much the worst torque is off, and how many joints are right at every pose.
@@ -228,14 +218,14 @@ function good(grade, typed, arm, taken) {
   });
 }
 
-function foundIn(mine, right, m, causes, made, load) {
+function foundIn(mine, right, m, load, known) {
   const simplest = (found) =>
     complete(found) ? { ...found, causes: found.causes.slice(0, 1) } : null;
   for (const band of bands(m)) {
-    let found = explain(mine, right, band, causes, made, ODD);
+    let found = explain(mine, right, band, known, ODD);
     if (!complete(found)) {
       const [turned, paper] = [reversedJoints(load, right), paperCentres(load)].map((other) =>
-        simplest(explain(mine, right, band, other.causes, other.made)),
+        simplest(explain(mine, right, band, other)),
       );
       found = better([found, turned, paper], ODD);
     }

@@ -3,11 +3,12 @@
 import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
-import { angleBetween, millimetres } from "./branches.js";
+import { millimetres } from "../causes/branches.js";
+import { turnBetween } from "./branches_matching.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { numbered, numbers, rowsInRadians, turning } from "../reading/numbers.js";
-import { rint } from "../geometry/inverse.js";
+import { rint } from "../geometry/planar.js";
 import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { listed, lower, say, size } from "../sentences.js";
 import { holds, loopCause, near, offs, pathCause, tableCause } from "../causes/trace.js";
@@ -55,7 +56,7 @@ export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null
     const findings = [{ what: "cause", where: "", words }];
     return reported(arm, WRONG, lower(words), run.taken, { findings, causes: ["trace.degrees"] });
   }
-  return judged(run, arm, cut, allowed, tolerance !== null, blur);
+  return judged(run, arm, cut, { allowed, blur, given: tolerance !== null });
 }
 
 // Whether joints follow the path in degrees, as nearly as Euler's method does, and not in radians.
@@ -158,19 +159,24 @@ function misshapen({ shape }, arm, { times }) {
 // The verdict
 
 /** @param {Run} run @param {Path} path @returns {import("../report.js").Report} */
-function judged(run, arm, path, allowed, given, blur) {
-  const { taken } = run;
+function judged(run, arm, path, { allowed, blur, given }) {
   const [q, turned] = unwound(run.q, arm);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
   const errors = offs(path.times.map(path.position), tip);
   const error = Math.max(...errors);
   const turn =
-    joints(arm).length >= 6 ? Math.max(...frames.map((one) => angleBetween(frames[0], one))) : 0;
+    joints(arm).length >= 6 ? Math.max(...frames.map((one) => turnBetween(frames[0], one))) : 0;
   const far = jumps(q);
   const stuck = noInverse(q, arm, far);
   const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, error <= allowed)];
-  const symptoms = [...symptomsOf(run, arm, errors, frames, turn, allowed, jump)];
+  const leans = joints(arm).length >= 6 ? leanOf(frames) : 0;
+  const symptoms = [
+    ...(error > allowed ? [finding("step", whereOf(errors))] : []),
+    ...jump,
+    ...turnsOf(leans, turn),
+    ...(run.extra ? [finding("trace.one more", say("trace.one more"))] : []),
+  ];
   const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
   const why = () => {
     const off = error > allowed;
@@ -181,38 +187,47 @@ function judged(run, arm, path, allowed, given, blur) {
     if (shape && shape.keys[0] !== "trace.displaced") return shape;
     return tableCause(q, arm, path, allowed) ?? shape ?? loop;
   };
-  const named = stuck ?? (symptoms.length ? why() : given ? null : slip(false));
+  const whole = () => (given ? null : slip(false)); // nothing is wrong with the tip
+  const named = stuck ?? (symptoms.length ? why() : whole());
   const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
   const figures = { position_error: error, tool_turn: turn, q };
-  const wrong = (words, findings, causes) =>
-    reported(arm, WRONG, words, taken, { findings, causes, notes, figures });
-  if (named) {
-    const words = wordsOf(named);
-    // Steps as long as these jump of themselves.
-    const rest = symptoms.filter(
-      (one) => nameOf(named) !== "trace.millimetres" || !jump.includes(one),
-    );
-    const findings = [{ what: "cause", where: "", words: `${words}.` }, ...rest];
-    const besides = rest.map(({ what }) => what).filter((what) => BESIDES.includes(what));
-    return wrong(`${lower(words)}.`, findings, [nameOf(named), ...besides]);
-  }
-  if (!symptoms.length) return reported(arm, RIGHT, "", taken, { notes, figures });
-  const [first, ...rest] = symptoms;
-  const causes = symptoms.map(({ what }) => what).filter((what) => what.includes("."));
-  return wrong(lower(first.words), [{ ...first, what: "cause" }, ...rest], causes);
+  const rest = { notes, figures };
+  if (named) return explained(arm, named, withoutJumps(named, symptoms, jump), run.taken, rest);
+  return symptoms.length
+    ? unexplained(arm, symptoms, run.taken, rest)
+    : reported(arm, RIGHT, "", run.taken, rest);
 }
 
-/** @param {Run} run @returns {Generator<Finding>} */
-function* symptomsOf({ extra }, arm, errors, frames, turn, allowed, jump) {
-  const finding = (what, words, where = "") => ({ what, where, words });
-  if (Math.max(...errors) > allowed) yield finding("step", whereOf(errors));
-  yield* jump;
-  const held = joints(arm).length >= 6;
-  const lean = held ? Math.max(...frames.map(({ z }) => between(z, frames[0].z))) : 0;
+// Steps that are too long in every place jump of themselves.
+const withoutJumps = (named, symptoms, jump) =>
+  nameOf(named) === "trace.millimetres" ? symptoms.filter((one) => !jump.includes(one)) : symptoms;
+
+function explained(arm, named, symptoms, taken, rest) {
+  const words = wordsOf(named);
+  const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
+  const besides = symptoms.map(({ what }) => what).filter((what) => BESIDES.includes(what));
+  const causes = [nameOf(named), ...besides];
+  return reported(arm, WRONG, `${lower(words)}.`, taken, { findings, causes, ...rest });
+}
+
+function unexplained(arm, symptoms, taken, rest) {
+  const [first, ...others] = symptoms;
+  const findings = [{ ...first, what: "cause" }, ...others];
+  const whats = symptoms.map(({ what }) => what);
+  const causes = whats.filter((what) => what.includes("."));
+  return reported(arm, WRONG, lower(first.words), taken, { findings, causes, ...rest });
+}
+
+/** @returns {Finding} */
+const finding = (what, words, where = "") => ({ what, where, words });
+
+// How far the tool's axis leans from where it was.
+const leanOf = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
+
+function turnsOf(lean, turn) {
   const degrees = (angle) => ({ degrees: size(angle * DEG) });
-  if (lean > TILT) yield finding("trace.leans", say("trace leans", degrees(lean)));
-  else if (turn > TILT) yield finding("trace.spins", say("trace spins", degrees(turn)));
-  if (extra) yield finding("trace.one more", say("trace.one more"));
+  if (lean > TILT) return [finding("trace.leans", say("trace leans", degrees(lean)))];
+  return turn > TILT ? [finding("trace.spins", say("trace spins", degrees(turn)))] : [];
 }
 
 // The angle between two unit vectors.

@@ -1,7 +1,8 @@
 // Whether two tables describe the same arm: what no choice of frames can change (axes.js) is the
 // same in both. Yes or no is all that the explorer asks; the judge says what differs.
 
-import { arc, NORMAL, side } from "../../judge/geometry/axes.js";
+import { arc, side } from "../../judge/geometry/axes.js";
+import { NORMAL } from "../../judge/geometry/walk.js";
 import { joints } from "../../judge/geometry/kinematics.js";
 
 const WITHIN_LENGTH = 1e-6; // m

@@ -1,0 +1,118 @@
+// A chain of axes walked from the base to the tip: each gap between them with its common normal.
+
+import { cross, dot, joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
+import { singular } from "./linear.js";
+
+/** @typedef {import("./axes.js").Gap} Gap */
+
+export const TINY = 1e-9; // m, or the sine of an angle: closer than this, axes meet or are parallel
+
+export const NORMAL = -1; // stands for the common normal where joints are listed by position
+
+// The gaps from base to tip, with the slides where they make the lengths least.
+export function gaps(arm) {
+  const moving = joints(arm);
+  const slides = moving.flatMap((row, k) => (arm.rows[row].kind === "prismatic" ? [k] : []));
+  const q = moving.map(() => 0);
+  if (!slides.length) return walk(arm, q);
+  const start = lengths(walk(arm, q));
+  const rates = slides.map((k) => {
+    const pushed = moving.map((_, j) => Number(j === k));
+    const moved = lengths(walk(arm, pushed));
+    return moved.map((x, i) => (Math.abs(x - start[i]) < TINY ? 0 : x - start[i]));
+  });
+  leastSquares(rates, start).forEach((x, i) => (q[slides[i]] = -x));
+  return walk(arm, q);
+}
+
+// The shortest x that makes the columns times x come nearest to b.
+function leastSquares(columns, b) {
+  const rows = b.map((_, i) => columns.map((column) => column[i]));
+  const { values, vectors } = singular(rows, columns.length);
+  const along = columns.map((column) => column.reduce((sum, x, i) => sum + x * b[i], 0));
+  const x = columns.map(() => 0);
+  values.forEach((value, k) => {
+    if (value <= TINY * values[0]) return;
+    const part = vectors[k].reduce((sum, u, i) => sum + u * along[i], 0) / (value * value);
+    vectors[k].forEach((u, i) => (x[i] += part * u));
+  });
+  return x;
+}
+
+const lengths = (found) => [
+  ...found.flatMap(({ normal }) => normal),
+  ...found.flatMap(({ offset, fromBase }) => (offset === null || fromBase ? [] : [offset])),
+];
+
+function walk(arm, q) {
+  const frames = linkFrames(arm, q);
+  const moving = joints(arm);
+  const dof = moving.length;
+  const axes = moving.map((row) => frames[row].z);
+  const points = moving.map((row) => frames[row].o);
+  const turning = moving.flatMap((row, k) => (arm.rows[row].kind === "revolute" ? [k] : []));
+  const stops = [...turning, dof];
+  const upTo = (from, to) =>
+    Array.from({ length: Math.max(0, Math.min(to + 1, dof) - from) }, (_, k) => from + k);
+  const atBase = { offset: null, bunch: [], fromBase: true, toTip: false };
+  const found = [gap(axes, upTo(0, stops[0]), [0, 0, 0], atBase)];
+  let foot = turning.length
+    ? feet([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1]
+    : [0, 0, 0];
+  let bunch = [];
+  turning.forEach((i, n) => {
+    const j = stops[n + 1];
+    const toTip = j === dof;
+    if (!bunch.length) foot = onto(points[i], axes[i], foot);
+    const [next, along] = toTip ? [frames.at(-1).o, null] : [points[j], axes[j]];
+    const [leave, arrive] = feet(foot, axes[i], next, along);
+    bunch = [...bunch, i];
+    const goesOn = !toTip && parallel(axes[i], axes[j]);
+    const offset = goesOn ? null : dot(axes[i], minus(leave, foot));
+    const fromBase = bunch[0] === turning[0];
+    found.push(gap(axes, upTo(i, j), minus(arrive, leave), { offset, bunch, fromBase, toTip }));
+    foot = arrive;
+    if (!goesOn) bunch = [];
+  });
+  return found;
+}
+
+// All choices of so many of a list, in order.
+export function combinations(list, count) {
+  if (!count) return [[]];
+  return list.flatMap((one, k) =>
+    combinations(list.slice(k + 1), count - 1).map((more) => [one, ...more]),
+  );
+}
+
+/** @returns {Gap} */
+function gap(axes, between, normal, rest) {
+  const length = norm(normal);
+  const directions = new Map(between.map((k) => [k, axes[k]]));
+  if (length > TINY) directions.set(NORMAL, scaled(1 / length, normal));
+  const shape = new Map();
+  for (const [i, j] of combinations(between, 2)) shape.set(`${[i, j]}`, dot(axes[i], axes[j]));
+  for (const three of combinations([...directions.keys()], 3)) {
+    const [u, v, w] = three.map((k) => directions.get(k));
+    shape.set(`${three}`, dot(cross(u, v), w));
+  }
+  return { joints: between, normal, length, shape, ...rest };
+}
+
+// The foot of a point on the line (p, u).
+export const onto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u));
+
+// The feet of the common normal from the line (p, u) to the line (q, v), or to the point q; from
+// parallel axes it starts at p.
+export function feet(p, u, q, v) {
+  if (!v) return [onto(p, u, q), q];
+  if (parallel(u, v)) return [p, onto(q, v, p)];
+  const w = minus(q, p);
+  const uv = dot(u, v);
+  const below = 1 - uv * uv;
+  const s = (dot(u, w) - uv * dot(v, w)) / below;
+  const t = (uv * dot(u, w) - dot(v, w)) / below;
+  return [plus(p, scaled(s, u)), plus(q, scaled(t, v))];
+}
+
+export const parallel = (u, v) => norm(cross(u, v)) < TINY;
