@@ -74,15 +74,14 @@ class Links(NamedTuple):
 
 class Bend(NamedTuple):
     """The two angles of a planar pair of links, each (branches, batch), whether they exist, whether
-    both bends are one, whether the first angle is free, and by how much rounding may turn them, in
-    rad."""
+    both bends are one, whether the first angle is free, and the sine of the bend's size."""
 
     phi_2: Array
     phi_3: Array
     exists: NDArray[np.bool_]
     one: NDArray[np.bool_]
     free: NDArray[np.bool_]
-    blur: Array
+    sine: Array
 
 
 def two_links(
@@ -101,7 +100,8 @@ def two_links(
     cosine = np.minimum(np.maximum(cosine, -1.0), 1.0)
     off = np.minimum(np.abs(far - links.outer), np.abs(far - links.inner))
     one = off <= REACH + blur
-    cosine = np.where(off <= REACH, np.rint(cosine), cosine)
+    if one.any():
+        cosine = np.where(off <= REACH, np.rint(cosine), cosine)
     sine = np.sqrt(1.0 - cosine * cosine)
     along, across = upper + fore * cosine, sign * (fore * sine)
     phi_2 = np.arctan2(py * along - px * across, px * along + py * across)
@@ -109,8 +109,7 @@ def two_links(
     if free.any():
         phi_2 = np.where(free, chosen, phi_2)
     exists = one | ((far < links.outer) & (far > links.inner))
-    turned = NOISE * links.outer / np.where(one | ~exists, np.inf, abs(upper * fore) * sine)
-    return Bend(phi_2, sign * np.arctan2(sine, cosine), exists, one, free, turned)
+    return Bend(phi_2, sign * np.arctan2(sine, cosine), exists, one, free, sine)
 
 
 class Tool(NamedTuple):

@@ -63,7 +63,9 @@ def elbow_kernel(arm: Arm, p: Array, start: Array) -> Found:
     valid = plane.exists & bend.exists
     free, merged = {0: plane.free, 1: bend.free}, (plane.one, bend.one)
     distance = _elbow_distance(shape, p, plane, valid)
-    return Found(q, free, valid, merged, distance, plane.blur + bend.blur)
+    certain = np.where(bend.one | ~bend.exists, np.inf, bend.sine)
+    turned = NOISE * shape.links.outer / (abs(shape.links.upper * shape.links.fore) * certain)
+    return Found(q, free, valid, merged, distance, plane.blur + turned)
 
 
 def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:

@@ -96,8 +96,9 @@ def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
     )
     valid = plane.exists & bend.exists
     one = wrist.singular[:, None, None]
-    loose = one & ~_isolated(shape, plane)[:, None, None]
-    free = {0: plane.free, 1: bend.free, 5: loose}
+    free = {0: plane.free, 1: bend.free}
+    if one.any():
+        free[5] = one & ~_isolated(shape, plane)[:, None, None]
     distance = np.where(valid.reshape(-1, valid.shape[-1]).any(axis=0), 0.0, np.nan)
     return Found(
         q,
