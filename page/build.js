@@ -51,7 +51,7 @@ const kit = async (global, list) => {
   };
 };
 
-// One script of the judge, taught those of the checkers' sentences that its sources name.
+// A script that reads or judges, taught those of the checkers' sentences that its sources name.
 async function judgeScript(name, entry, options = {}) {
   const made = (words) => ({
     ...common,
@@ -101,14 +101,16 @@ await build({
   loader: { ".css": "text" },
   plugins: [worker],
 });
+const explorers = await kit("ArmExplorer", "page/src/shared.js");
 await build({
   ...common,
   entryPoints: ["page/src/more/index.js"],
   outfile: join(folder, "explorer-more.js"),
   format: "iife",
   loader: { ".css": "text" },
-  plugins: [await kit("ArmExplorer", "page/src/shared.js")],
+  plugins: [explorers],
 });
+await judgeScript("explorer-table.js", "../paste.js", { plugins: [explorers] });
 await judgeScript("judge.js", "main.js", { globalName: "ArmJudge" });
 const parts = await kit("ArmJudge", "page/src/check/shared.js");
 for (const entry of await readdir("page/src/check/scripts"))

@@ -24,7 +24,7 @@ from helpers.explorer import ArmExplorer, ArmFigure, judge
 from helpers.explorer.data import arm_from
 from helpers.explorer.figure import ANY_ARM, ONE_ARM
 from helpers.explorer.stub import still
-from helpers.explorer.widget import BUNDLE, MORE, esm
+from helpers.explorer.widget import BUNDLE, MORE, PASTE, esm
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
 from helpers.motion import circle_below, damped, plain_inverse, trace
@@ -618,6 +618,7 @@ def test_the_bundle_is_light():
     assert BUNDLE.stat().st_size <= 740_000
     assert len(gzip.compress(BUNDLE.read_bytes(), 9)) <= 200_000
     assert len(gzip.compress(MORE.read_bytes(), 9)) <= 25_000
+    assert len(gzip.compress(PASTE.read_bytes(), 9)) <= 25_000
     for script in BUNDLE.parent.glob("judge*.js"):
         assert len(gzip.compress(script.read_bytes(), 9)) <= 25_000, script.name
 
@@ -870,7 +871,7 @@ def test_a_small_figures_place_is_html_that_says_what_it_shows():
 
 
 def test_widgets_share_one_script_under_a_key_of_what_it_says():
-    script = BUNDLE.read_text(encoding="utf-8") + "\n" + MORE.read_text(encoding="utf-8")
+    script = "\n".join(path.read_text(encoding="utf-8") for path in (BUNDLE, MORE, PASTE))
     key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
     for code, widget in [(esm(), "widget"), (esm("figureWidget"), "figureWidget")]:
         first, rest = code.split("\n", 1)

@@ -23,12 +23,13 @@ TYPED = "Your arm"  # as judge/geometry/arm.js calls an arm whose table was type
 
 BUNDLE = Path(__file__).parent / "static" / "explorer.js"
 MORE = BUNDLE.with_name("explorer-more.js")  # the small figures, which need the first
+PASTE = BUNDLE.with_name("explorer-table.js")  # the reader of pasted tables, which needs it too
 
 
 def esm(widget: str = "widget") -> str:
     """The script as the module that a widget loads: each widget of a page takes the same one, with
     one renderer."""
-    script = "\n".join(path.read_text(encoding="utf-8") for path in (BUNDLE, MORE))
+    script = "\n".join(path.read_text(encoding="utf-8") for path in (BUNDLE, MORE, PASTE))
     key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
     return (
         f"const key = Symbol.for({key!r});\n"

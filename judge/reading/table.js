@@ -36,7 +36,7 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * variables show.
  * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string |
  *   null,
- *   said: string[], exchanged?: boolean }} TypedTable
+ *   said: string[], exchanged?: boolean, guessed?: boolean }} TypedTable
  */
 
 /**
@@ -123,7 +123,8 @@ function attempted(cells, order, known, sure) {
       const entries = Object.fromEntries(order.map((name, i) => [name, row[i]]));
       return rowOf(k + 1, entries, known);
     });
-    return { rows, said: sure ? [] : [say("taken: columns", { columns: order.join(" ") })] };
+    const said = sure ? [] : [say("taken: columns", { columns: order.join(" ") })];
+    return { rows, said, guessed: !sure };
   } catch (error) {
     if (error instanceof ArmError) return { error };
     throw error;

@@ -1,5 +1,5 @@
-// What comes in a second script, loaded when the first of it is asked for: small figures that stand
-// beside a sentence, and views of the instrument, by name.
+// What comes in further scripts, loaded when the first of it is asked for: small figures that stand
+// beside a sentence, views of the instrument, by name, and the reader of pasted tables.
 
 /**
  * @typedef {(host: HTMLElement, spec: any) => () => void} MakeFigure builds into the host, returns
@@ -11,7 +11,11 @@ const FIGURES = {};
 const VIEWS = {};
 const here =
   typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
-let loading = null;
+const MORE = "explorer-more.js";
+/** @type {Record<string, Promise<void>>} */
+const loading = {};
+/** @type {typeof import("./paste.js").readTable | null} */
+let reader = null;
 
 /** @param {string} name @param {MakeFigure} make */
 export function registerFigure(name, make) {
@@ -25,18 +29,27 @@ export function registerView(name, view) {
 
 /** A view of the second script, when that has come. */
 export async function lateView(name) {
-  if (!Object.hasOwn(VIEWS, name)) await load();
+  if (!Object.hasOwn(VIEWS, name)) await load(MORE);
   return VIEWS[name];
 }
 
-function load() {
-  loading ??= new Promise((done, failed) => {
-    const src = new URL("explorer-more.js", here).href;
+export const registerReader = (read) => void (reader = read);
+
+/** The reader of pasted tables, when its script has come. */
+export async function lateReader() {
+  if (!reader) await load("explorer-table.js");
+  return reader;
+}
+
+function load(script) {
+  loading[script] ??= new Promise((done, failed) => {
+    const src = new URL(script, here).href;
+    const onload = () => done();
     document.head.append(
-      Object.assign(document.createElement("script"), { src, onload: done, onerror: failed }),
+      Object.assign(document.createElement("script"), { src, onload, onerror: failed }),
     );
   });
-  return loading;
+  return loading[script];
 }
 
 // Bring a figure to life, at once or when its script has come; returns what takes it away.
@@ -47,7 +60,7 @@ export function mountFigure(host, spec) {
     if (!gone && Object.hasOwn(FIGURES, spec.figure)) dispose = FIGURES[spec.figure](host, spec);
   };
   if (Object.hasOwn(FIGURES, spec.figure)) make();
-  else if (here) load().then(make, () => {});
+  else if (here) load(MORE).then(make, () => {});
   return () => {
     gone = true;
     dispose();

@@ -858,7 +858,7 @@ def test_a_pasted_table_and_one_summary_for_the_ear(visit):
         e.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
     }"""
     )
-    assert here.state("arm.name") == "Your arm"
+    page.wait_for_function(f"{STORE}.state.arm.name === 'Your arm'")  # the reader comes with it
     assert here.state("arm.rows.length") == 3
     page.get_by_role("slider", name="Joint 1, angle").focus()
     for _ in range(30):

@@ -1,11 +1,15 @@
 // The page's questions: links that are read or refused in words, one's own table, and the call in Python.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import test from "node:test";
 import { armOf, asPython, EMPTY, fromFragment, toFragment } from "../../page/src/check/question.js";
 import { number } from "../../judge/reading/formula.js";
 import "../../page/src/check/scripts/jacobian.js";
-import { size, spelled } from "../../judge/sentences.js";
+import "../../page/src/check/scripts/table.js";
+import { learn, size, spelled } from "../../judge/sentences.js";
+
+learn(JSON.parse(readFileSync(new URL("../../judge/sentences.json", import.meta.url), "utf8")));
 
 const ARMS = ["PANDA", "ELBOW"];
 const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
@@ -41,8 +45,10 @@ test("one's own table turns or slides by its variable", () => {
   assert.deepEqual(rows.map(({ kind }) => kind), ["revolute", "prismatic"]); // prettier-ignore
   assert.equal(rows[1].alpha, -Math.PI / 2);
   assert.equal(armOf({ ...own, table: "0, 90, 0.5, q1 + 90", unit: "deg" }, []).rows[0].theta, Math.PI / 2);
-  for (const table of ["", "1, 2, 3", "0, q1, 0, 0", "0, 0, l_1, q1", "0, 0, 1000, q1"]) {
-    assert.throws(() => armOf({ ...own, table }, []), /Type the table|entries|no value for|100 is the most/);
+  const headed = "theta d(mm) a alpha(deg)\nq1 500 0 90\nq2 0 400 0"; // as its heads say, in their units
+  assert.deepEqual(armOf({ ...own, table: headed }, []).rows.map(({ a, d }) => [a, d]), [[0, 0.5], [0.4, 0]]);
+  for (const table of ["", "1, 2, 3", "0, 0, l_1, q1", "0, 0, 1000, q1", "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0"]) {
+    assert.throws(() => armOf({ ...own, table }, []), /Type the table|entries|no value for|100 is the most|Are these the columns theta d a alpha/);
   }
 });
 

@@ -25,6 +25,13 @@ const here =
 /** @param {string} ask @param {Checker} checker */
 export const register = (ask, checker) => void checkers.set(ask, checker);
 
+/** @type {typeof import("../../../judge/reading/own_table.js").rowsOf | null} */
+let rowsOf = null;
+export const registerTable = (read) => void (rowsOf = read);
+
+// The reader of one's own table, which comes with the script that judges tables; null until then.
+export const ownTable = () => rowsOf;
+
 // The checker of a question, or undefined while its script has not come.
 export const checkerOf = (ask) => checkers.get(ask);
 

@@ -80,7 +80,7 @@ export function mount(stub) {
     clearTimeout(timer);
     stale = false;
     verdict = judge(question, arms);
-    if (verdict.waiting) ready(question.ask).then(again, ({ message }) => say(message));
+    if (verdict.waiting) ready(verdict.waiting).then(again, ({ message }) => say(message));
     fields.answer.setAttribute("aria-invalid", String(verdict.report?.grade === "wrong"));
     for (const act of followers) act(question, verdict);
   };

@@ -3,13 +3,10 @@
 
 import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
-import { RAD } from "../../../judge/geometry/angles.js";
 import { ASKED } from "./questions.js";
 import { pose } from "../../../judge/reading/numbers.js";
-import { parse, symbols, value } from "../../../judge/reading/formula.js";
-import { cells } from "../../../judge/reading/grid.js";
 import { ownValues } from "../../../judge/reading/values.js";
-import { checkerOf } from "./checkers.js";
+import { checkerOf, ownTable } from "./checkers.js";
 import { ArmError, quoted } from "../../../judge/sentences.js";
 
 export { ASKED };
@@ -17,6 +14,9 @@ export { ASKED };
 const LONGEST_LINK = 12_000; // characters of a fragment
 const LONGEST = { table: 2000, q: 500, wrench: 300, values: 500, answer: 8000, target: 1000 };
 export const LONGEST_ANSWER = 20_000; // characters that are judged while typing
+const LOADING = "The checker is being loaded.";
+const HEADS =
+  "Write a row with the names of its columns first, such as a, alpha (deg), d (mm), theta";
 const ASKED_ABOUT = "the arm asked about"; // an arm that has no name
 export const OWN = "own"; // the arm whose table is typed
 export const UNITS = ["rad", "deg"];
@@ -119,55 +119,28 @@ export function fromFragment(fragment, arms) {
   return { question, words: "" };
 }
 
+class Waiting extends Error {}
+
 // The arm that is asked about; an error in words where it is none.
 export function armOf(question, arms) {
   if (question.arm !== OWN) return arms.find(({ key }) => key === question.arm);
   if (!question.table.trim())
     throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
-  const known = new Map(
-    ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : [],
-  );
-  const rows = cells(question.table)
-    .filter(
-      (row, i) => i || !row.some((cell) => /^\W*(a|alpha|α|d|theta|θ)(_?\{?i.*)?\W*$/i.test(cell)),
-    )
-    .map((row, i) => rowOf(row.length === 5 ? row.slice(1) : row, i + 1, question.unit, known));
+  const rowsOf = ownTable();
+  if (!rowsOf) throw new Waiting();
+  const symbols = ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : [];
+  const { rows, said, guessed } = rowsOf(question.table, question.unit, symbols, "m");
+  if (guessed) throw new ArmError(`Are these the ${said[0]}? ${HEADS}.`);
   const fault = rowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
   return { ...typedArm(rows, { name: "", home: [], rows: [] }), name: ASKED_ABOUT };
 }
 
-const COLUMNS = ["a", "alpha", "d", "theta"];
-const JOINT = /^(q|th|theta|phi|d|s|x)_?\{?\d{1,2}\}?$/;
-
-// A row of a α d θ; its joint turns unless a variable stands with d.
-/** @param {Map<string, number>} known numbers for symbols */
-function rowOf(entries, row, unit, known) {
-  if (entries.length !== 4) {
-    throw new ArmError(
-      `Row ${row} of the table has ${entries.length} entries; expected four: a α d θ.`,
-    );
-  }
-  const trees = entries.map((text, k) => parse(text || "0", `row ${row}, ${COLUMNS[k]}`));
-  const names = trees.map((tree) => [...symbols(tree)].filter((name) => !known.has(name)));
-  const odd = names.flatMap((found, k) => found.filter((name) => k < 2 || !JOINT.test(name)));
-  if (odd.length) {
-    throw new ArmError(
-      `Row ${row} of the table: no value for ${odd[0]}; write numbers, and a variable such as q1.`,
-    );
-  }
-  const [a, alpha, d, theta] = trees.map((tree, k) => {
-    const bare = unit === "deg" && k % 2 && !/deg|°|pi|π/.test(entries[k]);
-    return value(tree, (name) => known.get(name) ?? 0) * (bare ? RAD : 1);
-  });
-  return { kind: names[2].length ? "prismatic" : "revolute", a, alpha, d, theta };
-}
-
 /**
- * The verdict on an answer, or why there is none yet; `waiting` while the checker's script has not
- * come.
+ * The verdict on an answer, or why there is none yet; `waiting` is the kind of question whose script
+ * has not come.
  * @param {Question} question
- * @returns {{ report?: Report, error?: string, waiting?: boolean, arm?: any, q?: number[] }}
+ * @returns {{ report?: Report, error?: string, waiting?: string, arm?: any, q?: number[] }}
  */
 export function judge(question, arms) {
   let arm, q;
@@ -182,9 +155,10 @@ export function judge(question, arms) {
       return { error: `The answer is longer than ${most} characters.`, arm, q };
     }
     const checker = checkerOf(question.ask);
-    if (!checker) return { error: "The checker is being loaded.", waiting: true, arm, q };
+    if (!checker) return { error: LOADING, waiting: question.ask, arm, q };
     return { report: checker.verdict(question, arm), arm, q };
   } catch (error) {
+    if (error instanceof Waiting) return { error: LOADING, waiting: "table" };
     if (error instanceof ArmError) return { error: capital(error.message), arm, q };
     throw error;
   }

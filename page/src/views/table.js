@@ -5,7 +5,7 @@ import { KINDS as JOINTS, MOST_ROWS } from "../../../judge/geometry/arm.js";
 import { attribute, h, write } from "../dom.js";
 import { readEntry, unfinished } from "../entry.js";
 import { FORMATS, exported } from "../exports.js";
-import { readTable } from "../paste.js";
+import { lateReader } from "../figures.js";
 import { entryText } from "../text.js";
 import { tableVerdict } from "../verdicts.js";
 
@@ -19,6 +19,7 @@ const COLUMNS = [
 ];
 const SAID = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
 const KINDS = JOINTS.map((kind) => [kind, SAID[kind]]);
+const SEVERAL = /[\n\t;&|]|\]\s*,|,\s*\[/; // a table has them, an entry has none
 const NEW_ROW = { kind: "revolute", a: 0.2, alpha: 0, d: 0, theta: 0 };
 
 export function build(store, { say }) {
@@ -80,13 +81,16 @@ export function build(store, { say }) {
   }
 
   // A whole table from a spreadsheet, a matrix or a page, wherever in the table it is pasted.
-  function pasted(event) {
+  async function pasted(event) {
     const text = event.clipboardData?.getData("text/plain") ?? "";
-    const table = readTable(text, store.state.unit);
-    if (!table) return;
+    if (!SEVERAL.test(text.trim())) return;
     event.preventDefault();
-    complain("error" in table ? `What was pasted ${table.error}.` : "");
-    if ("rows" in table) change(table.rows);
+    const readTable = await lateReader();
+    const table = readTable(text, store.state.unit) ?? { error: "it is a single entry." };
+    complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
+    if ("error" in table) return;
+    change(table.rows);
+    if (table.said.length) say(() => `Taken as ${table.said.join("; ")}`, true);
   }
 
   async function copied() {

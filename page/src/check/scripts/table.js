@@ -1,10 +1,13 @@
 // The script that judges Denavit-Hartenberg tables.
 
 import { ownValues, valuesCall } from "../../../../judge/reading/values.js";
-import { register } from "../checkers.js";
+import { rowsOf } from "../../../../judge/reading/own_table.js";
+import { register, registerTable } from "../checkers.js";
 import { compareTables } from "../../../../judge/topics/table.js";
 
 const OPTIONS = ["columns", "lengths", "angles", "convention"];
+
+registerTable(rowsOf);
 
 register("table", {
   verdict(question, arm) {
