@@ -104,6 +104,9 @@ def test_noise_leaves_alone_what_no_rounding_moves():
     for exact in (3, True, -0.0, "text", None, np.arange(4), [1.0], 0.0, np.inf):
         assert noise(exact) is exact or noise(exact) == exact
     assert not noise(np.zeros(9)).any()
+    for kind in (float, np.float64, np.array):
+        assert type(noise(kind(0.7))) in (type(kind(0.7)), np.float64)
+    assert type(noise(0.7)) is float
 
 
 def test_noise_goes_into_named_tuples_and_given_arrays():

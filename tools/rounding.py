@@ -59,8 +59,8 @@ class Noise:
         self._salt = np.uint64(pow(GOLDEN, 2 * seed + 1, 2**64))
 
     def __call__(self, value: Any) -> Any:
-        if isinstance(value, float):  # NumPy's too
-            return float(self(np.array([value]))[0])
+        if type(value) is float:
+            return float(self(np.float64(value)))
         if isinstance(value, tuple):
             parts = map(self, value)
             return type(value)(*parts) if hasattr(value, "_fields") else tuple(parts)
