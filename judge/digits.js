@@ -8,6 +8,7 @@ const EXACT = 1e-6; // of the scale
 export const SLOPPY = 1e-3; // of the scale: full floats from inputs that were rounded on the way
 export const TELLING = 2.1e-3; // a mistake that changes less cannot be asked for
 const FULL = 13; // significant digits from which a float was never rounded
+const LEFT = 5; // times a unit that no number may be smaller than
 const NOISE = -12; // the power of ten below which a number is a rounded zero
 const NUMBER = /^[+-]?\s*(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?$/;
 
@@ -37,10 +38,13 @@ export function units(texts) {
     plain.some((f) => f.digits === figures && f.decimals < decimals);
   return found.map((f) => {
     if (!f) return 0;
-    if (!byFigures || !f.digits || f.first <= NOISE) return ten(-decimals);
-    return ten(Math.max(-decimals, f.first - figures + 1));
+    if (!byFigures || !f.digits || f.first <= NOISE) return bounded(-decimals, f);
+    return bounded(Math.max(-decimals, f.first - figures + 1), f);
   });
 }
+
+// A place left of the point is rounded away only in a larger number: 1e9 is no torque of 56 N m.
+const bounded = (place, { first }) => Math.min(ten(place), Math.max(1, ten(first) / LEFT));
 
 // How many decimals the entries show, or null where they show all a computer has.
 export function decimalsOf(steps) {

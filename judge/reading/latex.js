@@ -72,6 +72,6 @@ function between(text, start, end) {
     [before, after] = [before.slice(0, -1), after.slice(1)];
   alone(text.slice(0, start), before.replace(NAMES, ""));
   alone(text.slice(end), after);
-  const named = !before || NAMED.test(before);
+  const named = NAMED.test(before) || !/\d/.test(before); // "J =", or words above
   return text.slice(named ? start : 0, after ? text.length : end);
 }

@@ -140,7 +140,10 @@ export function gapOf(arm, q, other) {
   return q.map((x, k) => gapBetween(turns[k], x, other[k]));
 }
 
+// rad: in a larger angle rounding has eaten the turn's parts, and whole turns cannot be counted off
+const COUNTED = 1e6;
+
 export function gapBetween(turns, x, y) {
   const gap = Math.abs(x - y);
-  return turns ? Math.abs(gap - 2 * Math.PI * rint(gap / (2 * Math.PI))) : gap;
+  return turns && gap < COUNTED ? Math.abs(gap - 2 * Math.PI * rint(gap / (2 * Math.PI))) : gap;
 }
