@@ -585,7 +585,7 @@ def test_the_slips_are_named(slip):
 def test_a_free_joint_is_told_and_right():
     """Slip 14: theta_1 = pi/2 straight above the shoulder is one of infinitely many."""
     found = elbow(ELBOW, (0, 0, 0.7))
-    report = checks.compare_branches(np.add(found.q, [H, 0, 0]), found)
+    report = checks.compare_branches(np.add(found.q[found.valid], [H, 0, 0]), found)
     assert report.agrees
     assert "q_1 is free here" in str(report)
 

@@ -288,11 +288,11 @@ def compare_branches(
     if found.valid.ndim != 1:
         raise ArmError(say("one target", arm=found.arm.name, count=found.distance.size))
     options["found"] = [
-        {"name": str(name), "q": q.tolist(), "free": free.tolist()}
-        for name, q, free, valid in zip(
-            found.branches, found.q, found.free, found.valid, strict=True
+        {"name": str(name), "q": q.tolist(), "free": free.tolist(), "times": int(times)}
+        for name, q, free, times in zip(
+            found.branches, found.q, found.free, found.times, strict=True
         )
-        if valid
+        if times
     ]
     given = dict(arm=judged_data(found.arm), mine=array_data(mine))
     return report_of(asked("branches", options=options, **given))

@@ -4,8 +4,8 @@ import { say } from "../sentences.js";
 import { meant, read } from "./table.js";
 
 /**
- * Standard rows in m and rad, what was guessed of them, and whether the columns' order was. Where no
- * heads say otherwise the columns are in the field's order, if they can be; bare angles are in
+ * Standard rows in m and rad, what was guessed of them, and whether the columns' order was. Where
+ * no heads say otherwise the columns are in the field's order, if they can be; bare angles are in
  * degrees where that is the unit.
  * @param {string} text
  * @param {string} unit "deg" or "rad"

@@ -41,7 +41,7 @@ const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are n
  */
 export function compareBranches(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null, found = null } = options;
-  const right = apart(arm, found ?? branchesOf(arm, target));
+  const right = rightOf(arm, found ?? branchesOf(arm, target));
   const { answers: given, taken, typed } = upright(mine, right, angles, tolerance);
   const { astray, ...report } = judged(right, given, angles, tolerance, taken);
   const dof = joints(arm).length;
@@ -72,15 +72,13 @@ const frameOf = (rows) => {
   return { x, y, z, o };
 };
 
-// The branches that there are, those that fall together taken once.
+// The branches that there are, and how many they were before some became one.
 /** @returns {Right} */
-function apart(arm, branches) {
-  const same = (p, q) => gapOf(arm, p, q).every((x) => x < REACHED);
-  const once = branches.filter(
-    ({ q }, n) => !branches.slice(0, n).some((other) => same(q, other.q)),
-  );
-  return { arm, branches: once, count: branches.length };
-}
+const rightOf = (arm, branches) => ({
+  arm,
+  branches,
+  count: branches.reduce((sum, { times }) => sum + times, 0),
+});
 
 function judged(right, given, angles, tolerance, taken) {
   const degrees = angles === "rad" ? onlyAsDegrees(right, given, tolerance) : null;
