@@ -142,6 +142,65 @@ def apart(A, B, d):
     return np.abs(A - B).max() > max(8 * 10.0**-d, 5e-3)
 
 
+def noisy(right, rng):
+    """Some entries off by chance; None where none is."""
+    wrong = rng.random(right.shape) < 0.25
+    J = right + np.where(wrong, rng.uniform(0.05, 0.4, right.shape), 0)
+    return (None, J) if wrong.any() else None
+
+
+def pair(right, firsts, seconds, rng):
+    """Two mistakes, the second made in writing the first's matrix down."""
+    (one, A), (two, f) = (
+        firsts[int(rng.integers(len(firsts)))],
+        seconds[int(rng.integers(len(seconds)))],
+    )
+    if rng.random() < 0.3:
+        writings = [x for x in seconds if x[0].startswith(WRITING)]
+        (one, g), (two, f) = (writings[k] for k in rng.choice(len(writings), 2, replace=False))
+        A = g(right)
+    return f"{one} + {two}", f(A)
+
+
+def mistaken(what, m, q, d, rng):
+    """The cause and the matrix of a mistake, or of two; None where they do not show."""
+    right = m.jacobian(q)
+    firsts, seconds = [*before(m, q, rng), *tables(m, q, rng)], list(after(m, q, rng))
+    singles = [*firsts, *((name, f(right)) for name, f in seconds)]
+    if what == "single":
+        cause, J = singles[int(rng.integers(len(singles)))]
+    else:
+        cause, J = pair(right, firsts, seconds, rng)
+        if J.shape != right.shape:
+            return None
+        if not all(apart(J, S, d) for _, S in singles if S.shape == J.shape):
+            return None
+    return (cause, J) if J.shape == right.shape and apart(J, right, d) else None
+
+
+def handed_in(what, m, q, d, rng):
+    """The cause and the matrix of an answer of one kind; None where it came to nothing."""
+    right = m.jacobian(q)
+    if what == "right":
+        return None, right
+    if what == "hand":
+        return None, right + rng.uniform(-1.5, 1.5, right.shape) * 10.0**-d
+    return noisy(right, rng) if what == "noise" else mistaken(what, m, q, d, rng)
+
+
+def written(what, cause, J, m, q, rng):
+    """How it is said to be written, and the matrix so: in another frame, or with (omega, v)."""
+    how = {}
+    if rng.random() < 0.12 and what in ("right", "single"):
+        k, one = int(rng.integers(1, len(m.rows) + 1)), (cause or "").split(":")[0]
+        if one not in BY_FRAME:
+            how, J = dict(frame=k), in_frame(m, q, J, k)
+    whole = J.shape == m.jacobian(q).shape and cause not in ("J.halves", "J.transposed")
+    if rng.random() < 0.1 and whole:
+        how, J = {**how, "angular_first": True}, np.vstack([J[3:], J[:3]])
+    return how, J
+
+
 def cases(rng, count):
     """(case, right matrix) for right work, single mistakes and pairs, in turn."""
     made = 0
@@ -149,64 +208,15 @@ def cases(rng, count):
         m = some_machine(rng)
         q = pose(m, rng)
         d = int(rng.choice([2, 3, 4, 5, 6], p=[0.1, 0.25, 0.35, 0.15, 0.15]))
-        right = m.jacobian(q)
-        what = rng.choice(
-            ["right", "hand", "single", "pair", "noise"], p=[0.25, 0.05, 0.45, 0.2, 0.05]
-        )
-        cause, J = None, right
-        if what == "hand":
-            J = right + rng.uniform(-1.5, 1.5, right.shape) * 10.0**-d
-        if what == "noise":
-            wrong = rng.random(right.shape) < 0.25
-            J = right + np.where(wrong, rng.uniform(0.05, 0.4, right.shape), 0)
-            if not wrong.any():
-                continue
-        if what in ("single", "pair"):
-            firsts = [*before(m, q, rng), *tables(m, q, rng)]
-            seconds = list(after(m, q, rng))
-            singles = [*firsts, *((n, f(right)) for n, f in seconds)]
-            if what == "single":
-                cause, J = singles[int(rng.integers(len(singles)))]
-            else:
-                (one, A), (two, f) = (
-                    firsts[int(rng.integers(len(firsts)))],
-                    seconds[int(rng.integers(len(seconds)))],
-                )
-                if rng.random() < 0.3:
-                    writings = [x for x in seconds if x[0].startswith(WRITING)]
-                    (one, g), (two, f) = (
-                        writings[k] for k in rng.choice(len(writings), 2, replace=False)
-                    )
-                    A = g(right)
-                if f(A).shape != right.shape:
-                    continue
-                cause, J = f"{one} + {two}", f(A)
-                if not all(apart(J, S, d) for _, S in singles if S.shape == J.shape):
-                    continue
-            if J.shape != right.shape or not apart(J, right, d):
-                continue
-        how = {}
-        if rng.random() < 0.12 and what in ("right", "single"):
-            k, one = int(rng.integers(1, len(m.rows) + 1)), (cause or "").split(":")[0]
-            if one not in BY_FRAME:
-                how, J = dict(frame=k), in_frame(m, q, J, k)
-        if (
-            rng.random() < 0.1
-            and J.shape == right.shape
-            and cause not in ("J.halves", "J.transposed")
-        ):
-            how, J = {**how, "angular_first": True}, np.vstack([J[3:], J[:3]])
+        kinds = ["right", "hand", "single", "pair", "noise"]
+        what = rng.choice(kinds, p=[0.25, 0.05, 0.45, 0.2, 0.05])
+        found = handed_in(what, m, q, d, rng)
+        if found is None:
+            continue
+        cause, J = found
+        how, J = written(what, cause, J, m, q, rng)
         scale = 1000 if cause and "J.millimetres" in cause else 1
         text, form = typed(J, d if scale == 1 else max(0, d - 3), rng)
-        yield dict(
-            topic="jacobian",
-            machine=m,
-            q=q,
-            typed=text,
-            form=form,
-            digits=d,
-            kind=str(what),
-            cause=cause,
-            **how,
-        )
+        told = dict(topic="jacobian", machine=m, q=q, typed=text, form=form, digits=d)
+        yield dict(**told, kind=str(what), cause=cause, **how)
         made += 1
