@@ -51,22 +51,26 @@ class PlainInverse:
 
         X + X (I - J X) has the square of X's error. Source: Schulz (1933).
         """
-        X, one = np.linalg.inv(J) if near is None else near, np.eye(J.shape[-1])
+        X = np.linalg.inv(J) if near is None else self._refined(J, near)
+        if not self._proved(J, X):
+            raise SingularError(
+                "a Jacobian is so nearly singular that its singular values must be seen"
+            )
+        return X
+
+    @staticmethod
+    def _refined(J: Array, X: Array) -> Array:
+        one = np.eye(J.shape[-1])
         for _ in range(_REFINEMENTS):
             error = J @ X
             np.subtract(one, error, out=error)
             size = max(error.max(), -error.min())
             if not size < 0.3:  # too far to gain by it
-                X = np.linalg.inv(J)
-                continue
+                break
             X = X + X @ error
             if size < _ROOT:
-                break
-        if not (size < _ROOT and self._proved(J, X)):
-            raise SingularError(
-                "a Jacobian is so nearly singular that its singular values must be seen"
-            )
-        return X
+                return X
+        return np.linalg.inv(J)
 
     def _proved(self, J: Array, inverse: Array) -> bool:
         least = 2 * max(self.cutoff, _TRUSTED)
