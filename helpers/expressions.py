@@ -10,7 +10,6 @@ import operator
 import re
 import sys
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 from functools import cache, lru_cache
 
 from helpers.inputs import ArmError, must_be, shown
@@ -25,22 +24,12 @@ _BINARY: dict[type, Callable[[float, float], float]] = {
 }
 _UNARY: dict[type, Callable[[float], float]] = {ast.UAdd: operator.pos, ast.USub: operator.neg}
 
-# Signs that are printed, and the ones that a formula is written in.
-_SIGNS = (
-    ("[−–—‐‑﹣－]", "-"),
-    ("[·×⋅∙]", "*"),
-    ("÷", "/"),
-    ("π", " pi "),
-    ("[º˚]", "°"),
-    (r"(?i:\bdegrees?\b|(?<=\d)degrees?\b)", "deg"),
-    (r"(?i:\bradians?\b)", "rad"),
-    (r"(?i:\bmet(?:re|er)s?\b)", "m"),
-)
-_ANGLES = {"°": "*pi/180", "deg": "*pi/180", "rad": ""}
-_LENGTHS = {"mm": "/1000", "cm": "/100", "m": ""}
-
 _PLAIN = 1e15  # a number below is its own float, as nearly every entry is
 _LONGEST = 200  # characters, so that no formula is nested deeper than Python can follow
+# An entry that holds no more than these is in plain signs already.
+_SIGNS = re.compile(r"[A-Za-z0-9_+\-*/(). ]+")
+_SPELLED = re.compile(r"\b\d+_|\b0[xob]|\b(?:deg|rad)\b", re.IGNORECASE)
+_KINDS = {"alpha": ["angle"], "theta": ["angle"], "a": ["length"], "d": ["length"]}
 
 
 def entry(value: object, what: str) -> Entry:
@@ -64,61 +53,25 @@ def plain(written: str, what: str = "the entry") -> str:
     """An entry as it is printed or typed, in plain signs: ``"−π/2"``, ``"0,333"``, ``"333 mm"``.
 
     `what` says which units may follow a number: those of an angle for alpha and theta, of a length
-    for a and d. The explorer's fields read the same: tests/entries.json holds both to it.
+    for a and d. What is not in plain signs is read by the judge, as the page's fields are.
     """
     must_be(written, str, "what is written")
+    if len(written) > _LONGEST:
+        raise ArmError(f"{what} has {len(written)} characters; expected at most {_LONGEST}")
     text = written.strip()
-    for signs, sign in _SIGNS:
-        text = re.sub(signs, sign, text)
-    if "." not in text:
-        text = re.sub(r"^([^,]*\d),(\d[^,]*)$", r"\1.\2", text)
-    text = re.sub(
-        r"(?<![\w.])(\d+\.?\d*|\.\d+)\s*(?=\(|pi\b)|(?<=\bpi)\s*(?=\()", r"\1*", text
-    ).strip()
-    units = (
-        _ANGLES
-        if what in ("alpha", "theta")
-        else _LENGTHS
-        if what in ("a", "d")
-        else _ANGLES | _LENGTHS
-    )
-    unit = re.compile(rf"(?P<number>[\d.)])\s*(?P<unit>{'|'.join(units)})(?![\w°])")
-    if not unit.search(text):
+    if _tree(text) is not None:
         return text
-    terms = _terms(text)
-    bare = [
-        term for term in terms if not unit.search(term) and not re.fullmatch(r"[-+\s0.]*", term)
-    ]
-    spelled = [
-        term for term in bare if not re.search(r"[^\W\d]", term)
-    ]  # a symbol and π have their own
-    own = {match["unit"] for match in unit.finditer(text)}
-    if spelled and not own <= {"rad", "m"}:
-        mixed = "which mixes numbers with and without a unit; expected the unit of each"
-        raise ArmError(f"{what} is {written!r}, {mixed}")
-    if any("pi" in term and unit.search(term) and own & {"°", "deg"} for term in terms):
-        raise ArmError(f"{what} is {written!r}; expected π or degrees, not both")
-    return "".join(_converted(term, unit, units) for term in terms)
+    from helpers.checks.engine import asked  # no entry of the catalogue needs it
 
-
-def _terms(text: str) -> list[str]:
-    """The terms of a sum, each with its sign; what stands in brackets belongs to one term."""
-    terms, depth = [""], 0
-    for sign in text:
-        depth += (sign == "(") - (sign == ")")
-        if sign in "+-" and not depth and terms[-1].strip() and terms[-1].rstrip()[-1] not in "*/e":
-            terms.append("")
-        terms[-1] += sign
-    return terms
-
-
-def _converted(term: str, unit: re.Pattern[str], units: Mapping[str, str]) -> str:
-    degrees = re.fullmatch(r"(?P<sign>[-+\s]*)(?P<whole>\d+)\s*(°|deg)", term)
-    if degrees and int(degrees["whole"]) % 15 == 0 and int(degrees["whole"]):
-        turn = Fraction(int(degrees["whole"]), 180)  # a quarter turn stays one, not 1.5708
-        top = "pi" if turn.numerator == 1 else f"{turn.numerator}*pi"
-        return degrees["sign"] + (top if turn.denominator == 1 else f"{top}/{turn.denominator}")
-    return unit.sub(lambda match: match["number"] + units[match["unit"]], term)
+    found = asked("entry", text=text, kinds=_KINDS.get(what, ["angle", "length"]))
+    if found.get("fault"):
+        raise ArmError(f"{what} is {written!r}, which {found['fault']}")
+    if _tree(found.get("text", "")) is None:
+        raise ArmError(
+            f"{what} is {written!r}; expected numbers, symbols, pi and + - * / ( ), such as"
+            " '-pi/2' or 'd_6 + l_pen'"
+        )
+    return found["text"]
 
 
 def names(text: Entry, what: str = "the entry") -> frozenset[str]:
@@ -162,25 +115,23 @@ def latex(text: Entry) -> str:
     return text.replace("*", r"\,")
 
 
-@lru_cache(maxsize=1024)
 def _parse(text: str, what: str) -> ast.expr:
-    text = plain(text, what) if len(text) <= _LONGEST else text
-    if len(text) > _LONGEST:
-        raise ArmError(f"{what} has {len(text)} characters; expected at most {_LONGEST}")
-    if re.search(r"\b\d+_|\b0[xob]", text, re.IGNORECASE):
-        raise ArmError(f"{what} is {text!r}; expected numbers in plain digits")
-    wrong = (
-        f"{what} is {text!r}; expected numbers, symbols, pi and + - * / ( ), such as '-pi/2'"
-        " or 'd_6 + l_pen'"
-    )
+    tree = _tree(plain(text, what))
+    assert tree is not None, "what is plain is a formula"
+    return tree
+
+
+@lru_cache(maxsize=1024)
+def _tree(text: str) -> ast.expr | None:
+    """The formula that a text in plain signs is; None for any other."""
+    if not _SIGNS.fullmatch(text) or _SPELLED.search(text):
+        return None
     try:
         tree = ast.parse(text, mode="eval").body
     except SyntaxError:
-        raise ArmError(wrong) from None
-    for node in ast.walk(tree):
-        if not (_is_number(node) or isinstance(node, _ALLOWED)):
-            raise ArmError(wrong)
-    return tree
+        return None
+    allowed = (_is_number(node) or isinstance(node, _ALLOWED) for node in ast.walk(tree))
+    return tree if all(allowed) else None
 
 
 def _is_number(node: ast.AST) -> bool:

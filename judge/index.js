@@ -1,6 +1,7 @@
 // The judge: what is said of an answer, in the page and, through helpers.checks, in Python.
 
 import { sampled } from "./geometry/path.js";
+import { formulaOf } from "./reading/entry.js";
 import { meant, read } from "./reading/table.js";
 import { KNOWN_ORDERS } from "./reading/table_columns.js";
 import { numbers, pose } from "./reading/numbers.js";
@@ -27,6 +28,7 @@ const ANSWERS = {
   poses: ({ q, arm, angles }) => poses(q, arm, angles),
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
   rows: ({ mine, options }) => meant(read(mine, options, options.values)[0], []),
+  entry: ({ text, kinds }) => formulaOf(text, kinds),
   orders: () => KNOWN_ORDERS,
   words: ({ key, fields }) => say(key, fields),
   causes: () => keys().filter((key) => key.includes(".")),

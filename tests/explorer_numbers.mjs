@@ -2,7 +2,7 @@
 // line of JSON out, until nobody asks.
 
 import { createInterface } from "node:readline";
-import { readEntry } from "../page/src/entry.js";
+import { readEntry } from "../judge/reading/entry.js";
 import { exported } from "../page/src/exports.js";
 import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../judge/geometry/kinematics.js";
 import { determinant, singular } from "../judge/geometry/linear.js";

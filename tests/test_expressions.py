@@ -94,11 +94,11 @@ def test_entries_read_as_maths(text, wanted):
 
 
 NOT_FORMULAS = (
-    "", "a +", "(a", "a b", "a**2", "a // 2", "a % 2", "a, b", "[a]", "{a}", "'a'", "a = 1",
+    "", "a +", "(a", "a b", "a**2", "a // 2", "a % 2", "a, b", "[a]", "'a'", "a = 1",
     "a < b", "a if b else c",
-    "lambda: 1", "f(1)", "a.b", "a[0]", "1j", "True", "None", "1e999", "__import__('os')",
+    "lambda: 1", "f(1)", "a.b", "a[0]", "True", "None", "1e999", "__import__('os')",
     "().__class__", "a; b", "a\nb",
-    "a\0", "~1", "not a", "a and b", "(a := 1)", "f'{a}'",
+    "a\0", "not a", "a and b", "(a := 1)", "f'{a}'",
 )  # fmt: skip
 
 
@@ -188,5 +188,5 @@ def test_degrees_become_the_exact_angles_that_keep_zeros():
     assert entry("d_6 + 5 mm", "d") == "d_6 + 5/1000"
     with pytest.raises(ArmError, match=r"alpha is '1 \+ 20°', which mixes"):
         entry("1 + 20°", "alpha")
-    with pytest.raises(ArmError, match="expected π or degrees, not both"):
+    with pytest.raises(ArmError, match="which has two units"):
         entry("π/2°", "alpha")

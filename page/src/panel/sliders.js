@@ -2,7 +2,7 @@
 
 import { outside, range } from "../../../judge/geometry/arm.js";
 import { attribute, h, indexed, write } from "../dom.js";
-import { readEntry, unfinished } from "../entry.js";
+import { readEntry, unfinished } from "../../../judge/reading/entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { relativeRail } from "../rail.js";
 import { isAngle, jointText, limitText, quantityOf, spokenJoint } from "../text.js";

@@ -1,7 +1,7 @@
 // The tip's pose: T0n in numbers, and a place to type where the tip should go.
 
 import { attribute, h, indexed, write } from "../dom.js";
-import { readEntry, unfinished } from "../entry.js";
+import { readEntry, unfinished } from "../../../judge/reading/entry.js";
 import { moveTip } from "../grab.js";
 import { matrix, minus, norm } from "../../../judge/geometry/kinematics.js";
 import { fixed, sparse } from "../text.js";

@@ -3,7 +3,7 @@
 
 import { KINDS as JOINTS, MOST_ROWS } from "../../../judge/geometry/arm.js";
 import { attribute, h, write } from "../dom.js";
-import { readEntry, unfinished } from "../entry.js";
+import { readEntry, unfinished } from "../../../judge/reading/entry.js";
 import { FORMATS, exported } from "../exports.js";
 import { lateReader } from "../figures.js";
 import { entryText } from "../text.js";

@@ -2,7 +2,7 @@
 // joint's limit.
 
 import { attribute, h, indexed, write } from "../dom.js";
-import { readEntry, unfinished } from "../entry.js";
+import { readEntry, unfinished } from "../../../judge/reading/entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { fixed, listed, short } from "../text.js";
 

@@ -2,7 +2,7 @@
 
 import { outside } from "../../../judge/geometry/arm.js";
 import { attribute, h, write } from "../dom.js";
-import { readEntry, unfinished } from "../entry.js";
+import { readEntry, unfinished } from "../../../judge/reading/entry.js";
 import { latest } from "../jobs.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { torquesAlong } from "../runs.js";
