@@ -3,23 +3,15 @@
 import json
 import math
 from collections.abc import Iterator, Mapping
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 from helpers.arm import Arm, Body, Row
 from helpers.inputs import must_be
-from helpers.robots import UR10E, UR10E_HOMEWORK
 
 Data = dict[str, Any]
 
 _NAMES = ("d_1", "a_2", "a_3", "d_4", "d_5", "d_6")
-# Robots of nearly one name: the UR10 as its manual's drawing has it and as its maker's table of
-# Denavit-Hartenberg parameters does, and the UR10e.
-_ROBOTS = (
-    ("UR10", {name: UR10E_HOMEWORK.values[name] for name in _NAMES}),
-    ("UR10", dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)),
-    ("UR10e", {name: UR10E.values[name] for name in _NAMES}),
-)
 
 
 def arm_data(arm: Arm) -> Data:
@@ -77,10 +69,24 @@ def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:
     ]
 
 
+@cache
+def _namesakes() -> tuple[tuple[str, dict[str, float]], ...]:
+    """Robots of nearly one name: the UR10 as its manual's drawing has it and as its maker's table
+    of Denavit-Hartenberg parameters does, and the UR10e.
+    """
+    from helpers.robots import UR10E, UR10E_HOMEWORK  # the checkers themselves need no catalogue
+
+    table = dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)
+    drawn, new = ({n: arm.values[n] for n in _NAMES} for arm in (UR10E_HOMEWORK, UR10E))
+    return ("UR10", drawn), ("UR10", table), ("UR10e", new)
+
+
 def _robots(arm: Arm) -> Iterator[Data]:
     """The rows with the lengths of robots of nearly the arm's name, and without the pen."""
-    own = next((name for name, lengths in _ROBOTS if lengths.items() <= arm.values.items()), None)
-    for name, lengths in _ROBOTS:
+    own = next(
+        (name for name, lengths in _namesakes() if lengths.items() <= arm.values.items()), None
+    )
+    for name, lengths in _namesakes():
         if own and name != own:
             other = arm.with_values(**lengths)
             without = {"penless": arm_data(other.with_values(l_pen=0))["rows"]}

@@ -48,10 +48,10 @@ def _in_quickjs(script: str) -> Callable[[str], str]:
     import quickjs
 
     context = quickjs.Context()
-    context.set_memory_limit(_MEMORY)
-    context.set_time_limit(_SECONDS)
     context.eval(script)
     ask = context.eval("(text) => Judge.ask(text)")
+    context.set_memory_limit(_MEMORY)
+    context.set_time_limit(_SECONDS)
 
     def limited(text: str) -> str:
         try:

@@ -1,0 +1,62 @@
+"""The engine that runs the judge: asked from any thread, started late, and limited."""
+
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from helpers import checks
+from helpers.checks import engine
+from helpers.inputs import ArmError
+from helpers.kinematics import jacobian
+from helpers.robots import ELBOW
+
+Q = [0.5, 0.7, -0.4]
+J = jacobian(ELBOW, Q).round(4)
+
+
+def fresh(monkeypatch, **limits):
+    """A new engine with these limits; the old one comes back after the test."""
+    for name, value in limits.items():
+        monkeypatch.setattr(engine, name, value)
+    monkeypatch.setattr(engine, "_engines", engine.threading.local())
+
+
+def test_import_starts_neither_the_engine_nor_sympy():
+    code = "import sys, helpers.checks; print({'quickjs', 'sympy'} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "set()\n"
+
+
+def test_each_thread_has_an_engine_of_its_own():
+    def asked(k):
+        return checks.compare_jacobian(J if k % 2 else -J, ELBOW, Q).causes
+
+    with ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(asked, range(8))) == [("J.all signs",), ()] * 4
+
+
+@pytest.mark.parametrize("limits", [{"_SECONDS": 0.001}, {"_MEMORY": 1_000_000}], ids=str)
+def test_what_takes_too_much_is_refused_and_the_next_question_is_answered(monkeypatch, limits):
+    def wrong():
+        return checks.compare_jacobian(J * [1.7, 0.3, -2] + 1, ELBOW, Q)
+
+    headline = wrong().headline
+    fresh(monkeypatch, **limits)
+    with pytest.raises(ArmError, match="the judge gave up"):
+        wrong()
+    monkeypatch.undo()
+    assert wrong().headline == headline
+
+
+def test_numbers_keep_every_bit_on_their_way():
+    numbers = np.random.default_rng(3).uniform(-1, 1, 200) * 10.0 ** np.arange(-100, 100)
+    found = engine.asked("numbers", mine=numbers.tolist(), what="mine", wanted="numbers")
+    assert list(map(float, found["values"])) == numbers.tolist()
+
+
+def test_what_no_json_can_hold_reaches_no_engine():
+    with pytest.raises(ValueError, match="Out of range"):
+        engine.asked("numbers", mine=[float("nan")], what="mine", wanted="numbers")
