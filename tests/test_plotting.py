@@ -538,3 +538,18 @@ def test_the_tools_axes_stand_at_the_tip_of_a_posture():
     ends = [[text.xyann, text.xy] for text in arrows]
     np.testing.assert_allclose(ends, [[(0.7, 0.5), (0.9, 0.5)], [(0.7, 0.5)] * 2], atol=1e-12)
     assert ax.get_xlim()[0] < 0 < 0.9 < ax.get_xlim()[1]
+
+
+@pytest.mark.parametrize("view", ["xz", "xy", (-40, 35)])
+def test_a_joints_outline_begins_at_one_corner_whatever_the_last_digit(view):
+    def corners(q):
+        _, ax = plt.subplots()
+        arm_drawing(ax, ELBOW, q, view)
+        plt.close(ax.figure)
+        return [np.round(patch.get_xy(), 6) + 0.0 for patch in ax.patches]
+
+    q = np.radians([0, 50, -75])
+    rng = np.random.default_rng(0)
+    for _ in range(20):
+        for once, again in zip(corners(q), corners(q + rng.uniform(-2e-16, 2e-16, 3)), strict=True):
+            np.testing.assert_array_equal(once, again)

@@ -97,8 +97,9 @@ def _joint(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) -> No
     both = np.hstack([near, far])
     # Corners in one line are equally far; rounded, the first of them is taken on every processor.
     outline = both[:, np.unique(np.argmax(np.round(_ROUND @ both, 9), axis=1))]
-    middle = outline.mean(axis=1, keepdims=True)
-    order = np.argsort(np.arctan2(*(outline - middle)[::-1]))
+    # A corner level with the middle is at 180°, not at -180°, however its last digit rounds.
+    from_middle = np.round(outline - outline.mean(axis=1, keepdims=True), 9) + 0.0
+    order = np.argsort(np.arctan2(*from_middle[::-1]))
     look: dict[str, Any] = dict(edgecolor=SLATE, lw=0.8, zorder=3)
     ax.add_patch(Polygon(outline[:, order].T, facecolor=_PALE, **look))
     ax.add_patch(Polygon(near.T, facecolor="white", **look))
