@@ -25,7 +25,7 @@
 
   document.addEventListener("DOMContentLoaded", () => {
     for (const stub of document.querySelectorAll(".arm-explorer, .arm-judge")) near.observe(stub);
-    if (/^#(ask|practice)=/.test(location.hash)) for (const stub of document.querySelectorAll(".arm-judge")) wake(stub);
+    if (/^#ask=/.test(location.hash)) for (const stub of document.querySelectorAll(".arm-judge")) wake(stub);
   });
   // A picture that a script of the page has put in.
   document.addEventListener("arm-explorer", ({ target }) => near.observe(target));

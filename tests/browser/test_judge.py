@@ -28,12 +28,6 @@ LINES = """(box, words) => {
   return new Set([...range.getClientRects()].map((one) => one.top)).size;
 }"""
 
-PASTE = """(cell, text) => {
-  const clipboardData = new DataTransfer();
-  clipboardData.setData("text/plain", text);
-  cell.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
-}"""
-
 
 LOOKS = [("light", 1280), ("dark", 390)]
 wide, phone, both = (
@@ -291,30 +285,6 @@ def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(chapter):
 
 
 @both
-def test_an_answer_is_filled_in_cell_by_cell(page):
-    ask(page, "")
-    page.get_by_role("button", name="Fill in a grid").click()
-    cells = page.locator(".filling input")
-    assert cells.count() == 18
-    assert cells.nth(7).get_attribute("aria-label") == "vz, joint 2"
-    page.keyboard.type("-0.2841")
-    page.keyboard.press("ArrowRight")
-    page.keyboard.type("-0.3039")
-    page.keyboard.press("ArrowDown")
-    assert page.evaluate("document.activeElement.ariaLabel") == "vy, joint 2"
-    page.get_by_text("2 of 18 cells are filled in.").wait_for()
-    cells.nth(4).evaluate(PASTE, ELBOW)
-    verdict(page, "The Jacobian of Elbow arm is right at this pose to the 4 decimals you gave.")
-    cells.nth(8).fill("0.3866")
-    verdict(page, "wrong in vz")
-    assert page.locator(".filling [aria-invalid=true]").count() == 1
-    assert serious(page) == []
-    assert page.evaluate(OUTSIDE) == []
-    page.get_by_role("button", name="Type or paste instead").click()
-    assert "0.3866" in page.get_by_label("Your answer", exact=True).input_value()
-
-
-@both
 def test_the_arm_stands_beside_and_turns_as_a_wrong_column_says(page):
     ask(page, ELBOW.replace("0.5200", "0.2200"))
     verdict(page, "wrong in vy")
@@ -351,37 +321,6 @@ def test_a_chapter_judges_what_it_asks(chapter, name, number, answer, words):
     place = near(chapter(name).locator(".arm-judge").nth(number))
     place.get_by_label("Your answer", exact=True).fill(answer)
     place.locator(".verdict", has_text=words).wait_for()
-
-
-TABLE_3 = """0.3, 0, 0, q1+pi/2
-0, pi/2, 0, q2+pi/2
-0.4, pi/2, q3+0.1, pi/2
-0.4, 0, 0, q4"""  # practice: the axes' distances and angles, read off by hand
-
-
-@both
-def test_a_practice_question_comes_by_link_and_is_solved(page):
-    enter(page, "#practice=table:3")
-    page.get_by_text("Denavit-Hartenberg table, question 3").wait_for()
-    assert not page.get_by_label("Table", exact=True).is_visible()  # it would be the solution
-    page.get_by_role("button", name="Copy as Python").click()
-    page.get_by_text("would show the solution").wait_for()
-    page.get_by_label("Your answer", exact=True).fill(TABLE_3)
-    page.get_by_text("Solved in a row: 1.").wait_for()
-    stored = "localStorage.getItem('practice-streak')"
-    assert page.evaluate(stored) is None
-    page.get_by_label("Keep how many I solved").check()
-    assert page.evaluate(stored) == "1"
-    page.get_by_role("button", name="Copy link").click()
-    page.get_by_text("The link").first.wait_for()
-    assert "#practice=table:3&answer=" in page.url
-    assert serious(page) == []
-    assert page.evaluate(OUTSIDE) == []
-    page.get_by_role("button", name="Next question").click()
-    page.get_by_text("question 4").wait_for()
-    page.get_by_role("button", name="Next question").click()
-    page.get_by_text("question 5").wait_for()
-    assert page.evaluate(stored) is None
 
 
 @phone

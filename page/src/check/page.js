@@ -2,7 +2,7 @@
 // Nothing leaves it.
 
 import { h, write } from "../dom.js";
-import { EMPTY, fromFragment, judge, toFragment } from "./question.js";
+import { EMPTY, fromFragment, judge } from "./question.js";
 import { adapt, buildForm } from "./form.js";
 import { ready } from "./checkers.js";
 import { showRead, tell } from "./shown.js";
@@ -31,8 +31,6 @@ let count = 0; // of judges on the page, for ids
  * @property {(patch: object) => void} put change the question, and judge it
  * @property {(act: (question: any, verdict: any) => void) => void} follow called with each verdict
  * @property {(words: string) => void} say
- * @property {{ fragment: () => string, open: () => boolean }} links a link's fragment, and whether
- *   Python may be shown
  */
 
 /**
@@ -122,9 +120,8 @@ export function mount(stub) {
     followers.push(act);
     act(question, verdict);
   };
-  const links = { fragment: () => toFragment(question), open: () => true };
   const now = { question: () => question, verdict: () => (stale && again(), verdict) };
-  return { stub, arms, examples, given, ...made, parts, ...now, put, follow, say, links };
+  return { stub, arms, examples, given, ...made, parts, ...now, put, follow, say };
 }
 
 function buildParts(id, given) {

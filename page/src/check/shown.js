@@ -137,10 +137,18 @@ function partlyRead(question, { error, waiting, arm, q }) {
   };
 }
 
-function rowsOf(ask, answer) {
-  try {
+// The cells of a text as typed; none where it cannot be read.
+export const textsOf = (text) => readOrNone(() => (text.trim() ? cells(text) : []));
+
+const rowsOf = (ask, answer) =>
+  readOrNone(() => {
     const rows = withoutHeader(cells(answer));
     return ask === "table" && !rows[0].some((text) => /\d/.test(text)) ? rows.slice(1) : rows;
+  });
+
+function readOrNone(read) {
+  try {
+    return read();
   } catch (error) {
     if (error instanceof ArmError) return [];
     throw error;

@@ -51,7 +51,7 @@ export function addFiles(judge) {
     event.preventDefault();
     take(event.dataTransfer.files[0]);
   });
-  boxes.answer.querySelector(".over").append(input, button);
+  boxes.answer.prepend(h("div.over", {}, boxes.answer.firstChild, input, button));
   boxes.answer.append(name);
   judge.follow(({ answer, ask }) => {
     name.hidden = !held || answer !== held;

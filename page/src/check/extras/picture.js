@@ -4,8 +4,7 @@ import { fits, homeOf } from "../../../../judge/geometry/arm.js";
 import { joints, jacobianColumns, linkFrames } from "../../../../judge/geometry/kinematics.js";
 import { RAD } from "../../../../judge/geometry/angles.js";
 import { listed } from "../../../../judge/sentences.js";
-import { matrixOf } from "../shown.js";
-import { textsOf } from "./filling.js";
+import { matrixOf, textsOf } from "../shown.js";
 
 /**
  * @typedef {import("../../more/answer.js").Shown} Shown

@@ -24,7 +24,7 @@ export function addTools(judge, root) {
   const button = (words, onclick) => h("button", { type: "button", onclick }, words);
 
   const link = async () => {
-    const fragment = judge.links.fragment();
+    const fragment = toFragment(judge.question());
     if (!judge.given) history.replaceState(null, "", fragment);
     const copying = await copied(judge.given ? whole + fragment : location.href);
     say(
@@ -37,8 +37,6 @@ export function addTools(judge, root) {
   };
   const python = async () => {
     await ready(judge.question().ask);
-    if (!judge.links.open())
-      return say("A call in Python would show the solution of this question.");
     const text = pythonOf(judge, say);
     if (text && (await copied(text))) return say("The call is copied.");
     call.textContent = text;
