@@ -26,12 +26,6 @@ export default [
         "error",
         { property: "innerHTML", message: "Text that a reader typed must never become HTML." },
       ],
-      "max-len": ["error", { code: 120, ignoreUrls: true }],
-    },
-  },
-  {
-    files: ["judge/**/*.js"],
-    rules: {
       complexity: ["error", 12],
       "max-lines-per-function": ["error", 40],
       "max-params": ["error", 5],

@@ -9,12 +9,29 @@ import { join, relative, resolve, sep } from "node:path";
 
 const helpers = process.argv[2] ?? "helpers";
 const folder = join(helpers, "explorer/static");
+// A style sheet inside a script, as text.
+const css = {
+  name: "css",
+  setup(bundle) {
+    bundle.onLoad({ filter: /\.css$/ }, async ({ path }) => {
+      const made = await build({
+        entryPoints: [path],
+        minify: true,
+        charset: "utf8",
+        write: false,
+      });
+      return { contents: made.outputFiles[0].text, loader: "text" };
+    });
+  },
+};
+
 const common = {
   bundle: true,
   minify: true,
   target: "es2022",
   charset: "utf8",
   legalComments: "eof",
+  plugins: [css],
 };
 
 // A worker inside the bundle, as the text of a script of its own.
@@ -66,7 +83,6 @@ async function judgeScript(name, entry, options = {}) {
     },
     outfile: join(folder, name),
     format: /** @type {"iife"} */ ("iife"),
-    loader: { ".css": /** @type {"text"} */ ("text") },
   });
   const { metafile } = await build({ ...made({}), write: false, metafile: true });
   const files = Object.keys(metafile.inputs).filter((path) => /^(judge|page)\//.test(path));
@@ -98,8 +114,7 @@ await build({
   outfile: join(folder, "explorer.js"),
   format: "iife",
   globalName: "ArmExplorer",
-  loader: { ".css": "text" },
-  plugins: [worker],
+  plugins: [css, worker],
 });
 const explorers = await kit("ArmExplorer", "page/src/shared.js");
 await build({
@@ -107,11 +122,10 @@ await build({
   entryPoints: ["page/src/more/index.js"],
   outfile: join(folder, "explorer-more.js"),
   format: "iife",
-  loader: { ".css": "text" },
-  plugins: [explorers],
+  plugins: [css, explorers],
 });
 await judgeScript("explorer-table.js", "../paste.js", { plugins: [explorers] });
 await judgeScript("judge.js", "main.js", { globalName: "ArmJudge" });
 const parts = await kit("ArmJudge", "page/src/check/shared.js");
 for (const entry of await readdir("page/src/check/scripts"))
-  await judgeScript(`judge-${entry}`, `scripts/${entry}`, { plugins: [parts] });
+  await judgeScript(`judge-${entry}`, `scripts/${entry}`, { plugins: [css, parts] });

@@ -48,3 +48,14 @@ export function whereNew(shows, update) {
 export const indexed = (letter, index) => [h("i", {}, letter), h("sub", {}, String(index))];
 
 export const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+/**
+ * A choice by its options' values and words.
+ * @param {string} label
+ * @param {Record<string, string>} options
+ * @param {(value: string) => void} onchoice
+ */
+export function select(label, options, onchoice) {
+  const list = Object.entries(options).map(([value, text]) => h("option", { value }, text));
+  return h("select", { "aria-label": label, onchange: (e) => onchoice(e.target.value) }, list);
+}

@@ -77,37 +77,47 @@ function urdf(arm) {
   const name = identifier(arm.name);
   const lines = [`<?xml version="1.0"?>`, `<robot name="${name}">`, `  <link name="link_0"/>`];
   const moving = joints(arm);
-  const joint = (title, type, parent, child, origin, extra = "") =>
-    `  <joint name="${title}" type="${type}">\n    <parent link="${parent}"/>\n    <child link="${child}"/>\n` +
-    `    <origin xyz="${origin.slice(0, 3).map(number).join(" ")}" ` +
-    `rpy="${origin.slice(3).map(number).join(" ")}"/>\n${extra}  </joint>`;
   arm.rows.forEach((row, i) => {
-    let parent = `link_${i}`;
-    if (moving.includes(i)) {
-      const turns = row.kind === "revolute";
-      const known =
-        row.lower !== null &&
-        row.lower !== undefined &&
-        row.upper !== null &&
-        row.upper !== undefined;
-      const [lower, upper] = known ? [row.lower, row.upper] : [-1, 1];
-      const type = turns ? (known ? "revolute" : "continuous") : "prismatic";
-      const limits = `lower="${number(lower)}" upper="${number(upper)}" `;
-      const rest = `effort="${number(row.effort ?? 0)}" velocity="${number(row.speed ?? 0)}"`;
-      const extra = `    <axis xyz="0 0 1"/>\n    <limit ${type === "continuous" ? "" : limits}${rest}/>\n`;
-      lines.push(
-        joint(`joint_${i + 1}`, type, parent, `moved_${i + 1}`, [0, 0, 0, 0, 0, 0], extra),
-      );
-      lines.push(`  <link name="moved_${i + 1}"/>`);
-      parent = `moved_${i + 1}`;
-    }
-    // Rz(theta) Tz(d) Tx(a) Rx(alpha): the place is (a cos, a sin, d), the turn alpha about x, then
-    // theta about z.
-    const place = [row.a * Math.cos(row.theta), row.a * Math.sin(row.theta), row.d];
-    lines.push(
-      joint(`row_${i + 1}`, "fixed", parent, `link_${i + 1}`, [...place, row.alpha, 0, row.theta]),
-    );
-    lines.push(`  <link name="link_${i + 1}"/>`);
+    const moves = moving.includes(i);
+    if (moves) lines.push(...movingJoint(row, i + 1));
+    lines.push(...rowStep(row, i + 1, moves ? `moved_${i + 1}` : `link_${i}`));
   });
   return [...lines, "</robot>", ""].join("\n");
+}
+
+function joint({ name, type, parent, child, origin }, extra = "") {
+  const [xyz, rpy] = [0, 3].map((from) =>
+    origin
+      .slice(from, from + 3)
+      .map(number)
+      .join(" "),
+  );
+  return [
+    `  <joint name="${name}" type="${type}">`,
+    `    <parent link="${parent}"/>`,
+    `    <child link="${child}"/>`,
+    `    <origin xyz="${xyz}" rpy="${rpy}"/>\n${extra}  </joint>`,
+    `  <link name="${child}"/>`,
+  ];
+}
+
+function movingJoint(row, i) {
+  const known = (row.lower ?? null) !== null && (row.upper ?? null) !== null;
+  const [lower, upper] = known ? [row.lower, row.upper] : [-1, 1];
+  const type = row.kind !== "revolute" ? "prismatic" : known ? "revolute" : "continuous";
+  const range = `lower="${number(lower)}" upper="${number(upper)}" `;
+  const most = `effort="${number(row.effort ?? 0)}" velocity="${number(row.speed ?? 0)}"`;
+  const limit = `<limit ${type === "continuous" ? "" : range}${most}/>`;
+  const [parent, child] = [`link_${i - 1}`, `moved_${i}`];
+  return joint(
+    { name: `joint_${i}`, type, parent, child, origin: [0, 0, 0, 0, 0, 0] },
+    `    <axis xyz="0 0 1"/>\n    ${limit}\n`,
+  );
+}
+
+// Rz(theta) Tz(d) Tx(a) Rx(alpha): the place is (a cos, a sin, d), the turn alpha about x, then
+// theta about z.
+function rowStep({ a, alpha, d, theta }, i, parent) {
+  const origin = [a * Math.cos(theta), a * Math.sin(theta), d, alpha, 0, theta];
+  return joint({ name: `row_${i}`, type: "fixed", parent, child: `link_${i}`, origin });
 }

@@ -25,166 +25,170 @@ let count = 0;
  * @param {{ grip: HTMLElement, goTo: (q: number[]) => void }} tools
  */
 export function makeGrabbable(picture, store, { grip, goTo }) {
+  const hand = new Hand(picture, store, goTo);
   const { figure } = picture;
   const { canvas } = figure;
-  let drag = null;
-  let down = null;
-
-  const ballAt = (pixel) => {
-    if (!picture.handle?.visible) return false;
-    const [x, y] = figure.pixel(picture.handle.position.toArray());
-    return Math.hypot(x - pixel[0], y - pixel[1]) < BALL;
+  const begins = (event) => hand.takes(event);
+  figure.listen(canvas, "pointerdown", begins, { capture: true });
+  figure.listen(grip, "pointerdown", (event) => {
+    if (!event.button) hand.begin(event, { kind: "tip" });
+  });
+  for (const target of [canvas, grip]) {
+    figure.listen(target, "pointermove", (event) => hand.move(event));
+    figure.listen(target, "pointerup", (event) => hand.release(event));
+    figure.listen(target, "pointercancel", (event) => hand.release(event));
+  }
+  figure.listen(window, "scroll", () => hand.drag && (hand.drag.box = null), { capture: true });
+  figure.listen(canvas, "pointerleave", () => hand.drag || hand.hover(null));
+  // A touch that takes hold of something drags it in every direction; the others may scroll the
+  // page.
+  const touched = (event) => {
+    const [{ clientX, clientY }] = event.touches;
+    if (event.touches.length === 1 && hand.under({ clientX, clientY, pointerType: "touch" }))
+      event.preventDefault();
   };
+  figure.listen(canvas, "touchstart", touched, { passive: false });
+  figure.signal.addEventListener("abort", () => forget(hand.step));
+}
+
+/** What a pointer holds, and what one frame of its drag does. */
+class Hand {
+  constructor(picture, store, goTo) {
+    this.picture = picture;
+    this.figure = picture.figure;
+    this.store = store;
+    this.goTo = goTo;
+    /** @type {any} */
+    this.drag = null;
+    this.down = null; // where the pointer went down, and on what
+    this.step = () => {
+      if (this.drag && !this[this.drag.kind](store.state)) beforeDrawing(this.step);
+    };
+  }
+
+  ballAt(pixel) {
+    const { handle } = this.picture;
+    if (!handle?.visible) return false;
+    const [x, y] = this.figure.pixel(handle.position.toArray());
+    return Math.hypot(x - pixel[0], y - pixel[1]) < BALL;
+  }
 
   // What a pointer would take hold of.
-  function under(event) {
-    const pixel = figure.place(event);
+  under(event) {
+    const { picture, store } = this;
+    const pixel = this.figure.place(event);
     const { state, derived } = store;
-    if (ballAt(pixel)) return { kind: "force" };
+    if (this.ballAt(pixel)) return { kind: "force" };
     const way = state.view === "branches" ? picture.wayAt(pixel) : null;
     if (way !== null) return { kind: "way", way };
     const hit = picture.linkAt(pixel, HAND[event.pointerType] ?? HAND.touch, picture.grips());
     if (!hit) return null;
-    if (state.hold?.pinned) return { kind: "elbow", ...held(hit, derived.frames) };
-    const row = turnedBy(state.arm, derived.frames, hit, 0.02 * picture.size);
-    return row === null ? null : { kind: "link", lit: row, ...held(hit, derived.frames) };
+    const { frames } = derived;
+    const held = { row: hit.row, local: inFrame(frames[hit.row + 1], hit.point) };
+    if (state.hold?.pinned) return { kind: "elbow", ...held };
+    const row = turnedBy(state.arm, frames, hit, 0.02 * picture.size);
+    return row === null ? null : { kind: "link", lit: row, ...held };
   }
 
-  const held = ({ row, point }, frames) => ({ row, local: inFrame(frames[row + 1], point) });
+  takes(event) {
+    if (event.button) return;
+    const what = this.under(event);
+    this.down = [event.clientX, event.clientY, what];
+    if (!what || what.kind === "way") return;
+    event.stopImmediatePropagation(); // the view does not turn
+    this.begin(event, what);
+  }
 
-  function begin(event, what) {
+  begin(event, what) {
+    const { figure, store } = this;
     const pixel = figure.place(event);
-    const { state, derived } = store;
-    const tip = derived.frames.at(-1);
-    drag = {
+    const tip = store.derived.frames.at(-1);
+    this.drag = {
       ...what,
       id: event.pointerId,
       box: null, // where the canvas is, asked for once: the answer lays the page out
       to: pixel,
       gesture: `drag ${++count}`,
-      rest: state.q,
+      rest: store.state.q,
       tip,
       point: tip.o,
     };
-    if (what.kind === "tip") drag.from = figure.onFacingPlane(pixel, tip.o);
+    if (what.kind === "tip") this.drag.from = figure.onFacingPlane(pixel, tip.o);
     event.target.setPointerCapture(event.pointerId);
-    store.dispatch({
-      type: "show",
-      dragging: true,
-      ...(what.lit === undefined ? {} : { lit: what.lit }),
-    });
-    canvas.classList.add("held");
-  }
-
-  function step() {
-    if (drag && !STEPS[drag.kind](store.state)) beforeDrawing(step);
+    const lit = what.lit === undefined ? {} : { lit: what.lit };
+    store.dispatch({ type: "show", dragging: true, ...lit });
+    figure.canvas.classList.add("held");
   }
 
   // One frame of each kind of drag; false where another frame is needed with the pointer at rest.
-  const STEPS = {
-    force: () => {
-      const point = figure.onFacingPlane(drag.to, picture.handle.position.toArray());
-      const wrench = point && [...picture.forceFrom(point), ...store.state.wrench.slice(3)];
-      if (wrench) store.dispatch({ type: "push", wrench, gesture: drag.gesture });
-      return true;
-    },
-    link: ({ arm, q }) => {
-      const { row, local, to, lit } = drag;
-      const joint = joints(arm).indexOf(lit);
-      const next = dragLink(arm, q, { row, local, to, joint, pixel: (p) => figure.pixel(p) });
-      store.dispatch({ type: "move", q: next, gesture: drag.gesture });
-      return true;
-    },
-    elbow: ({ arm, q, hold }) => {
-      const { row, local, to } = drag;
-      const grab = { row, local, to, pixel: (p) => figure.pixel(p) };
-      const { q: next, free } = swingElbow(arm, q, grab, hold.pinned, { turns: hold.turns });
-      store.dispatch({ type: "move", q: next, hold: { ...hold, free }, gesture: drag.gesture });
-      return true;
-    },
-    tip: (state) => {
-      const point = figure.onFacingPlane(drag.to, drag.point);
-      if (!point) return true;
-      const target = drag.tip.o.map((v, i) => v + point[i] - drag.from[i]);
-      return followTip(store, state, { ...drag.tip, o: target }, drag.rest, drag.gesture);
-    },
-  };
 
-  const move = (event) => {
+  force() {
+    const { picture, figure, store, drag } = this;
+    const point = figure.onFacingPlane(drag.to, picture.handle.position.toArray());
+    const wrench = point && [...picture.forceFrom(point), ...store.state.wrench.slice(3)];
+    if (wrench) store.dispatch({ type: "push", wrench, gesture: drag.gesture });
+    return true;
+  }
+
+  link({ arm, q }) {
+    const { row, local, to, lit, gesture } = this.drag;
+    const joint = joints(arm).indexOf(lit);
+    const pixel = (p) => this.figure.pixel(p);
+    const next = dragLink(arm, q, { row, local, to, joint, pixel });
+    this.store.dispatch({ type: "move", q: next, gesture });
+    return true;
+  }
+
+  elbow({ arm, q, hold }) {
+    const { row, local, to, gesture } = this.drag;
+    const grab = { row, local, to, pixel: (p) => this.figure.pixel(p) };
+    const { q: next, free } = swingElbow(arm, q, grab, hold.pinned, { turns: hold.turns });
+    this.store.dispatch({ type: "move", q: next, hold: { ...hold, free }, gesture });
+    return true;
+  }
+
+  tip(state) {
+    const { to, from, point: start, tip, rest, gesture } = this.drag;
+    const point = this.figure.onFacingPlane(to, start);
+    if (!point) return true;
+    const o = tip.o.map((v, i) => v + point[i] - from[i]);
+    return followTip(this.store, state, { ...tip, o }, { rest, gesture });
+  }
+
+  move(event) {
+    const { drag, figure } = this;
     if (drag && event.pointerId === drag.id) {
-      drag.box ??= canvas.getBoundingClientRect();
+      drag.box ??= figure.canvas.getBoundingClientRect();
       drag.to = figure.place(event, drag.box);
-      beforeDrawing(step);
-    } else if (!drag && event.buttons === 0 && event.target === canvas) {
-      hover(under(event));
+      beforeDrawing(this.step);
+    } else if (!drag && event.buttons === 0 && event.target === figure.canvas) {
+      this.hover(this.under(event));
     }
-  };
+  }
 
-  function hover(what) {
-    canvas.style.cursor = what ? "pointer" : "grab";
+  hover(what) {
+    const { store } = this;
+    this.figure.canvas.style.cursor = what ? "pointer" : "grab";
     const lit = what?.kind === "link" ? what.lit : null;
     if (store.state.lit !== lit) store.dispatch({ type: "show", lit });
     const highlighted = what?.kind === "way" ? what.way : null;
     if (store.state.highlighted !== highlighted) store.dispatch({ type: "show", highlighted });
   }
 
-  function release(event) {
+  release(event) {
+    const { drag, down, store } = this;
     if (drag && event.pointerId !== drag.id) return;
     const still = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < CLICK;
-    if (still && down[2]?.kind === "way") goTo(store.state.ways.list[down[2].way].q);
+    if (still && down[2]?.kind === "way") this.goTo(store.state.ways.list[down[2].way].q);
     if (drag) {
-      if (forget(step)) STEPS[drag.kind](store.state); // the pointer's last motion counts too
-      const { hold } = store.state;
-      store.dispatch({
-        type: "show",
-        dragging: false,
-        lit: null,
-        hold: hold?.pinned ? hold : null,
-      });
+      if (forget(this.step)) this[drag.kind](store.state); // the pointer's last motion counts too
+      const hold = store.state.hold?.pinned ? store.state.hold : null;
+      store.dispatch({ type: "show", dragging: false, lit: null, hold });
     }
-    [drag, down] = [null, null];
-    canvas.classList.remove("held");
+    [this.drag, this.down] = [null, null];
+    this.figure.canvas.classList.remove("held");
   }
-
-  figure.listen(
-    canvas,
-    "pointerdown",
-    (event) => {
-      if (event.button) return;
-      const what = under(event);
-      down = [event.clientX, event.clientY, what];
-      if (!what || what.kind === "way") return;
-      event.stopImmediatePropagation(); // the view does not turn
-      begin(event, what);
-    },
-    { capture: true },
-  );
-  figure.listen(grip, "pointerdown", (event) => {
-    if (!event.button) begin(event, { kind: "tip" });
-  });
-  for (const target of [canvas, grip]) {
-    figure.listen(target, "pointermove", move);
-    figure.listen(target, "pointerup", release);
-    figure.listen(target, "pointercancel", release);
-  }
-  figure.listen(window, "scroll", () => drag && (drag.box = null), { capture: true });
-  figure.listen(canvas, "pointerleave", () => drag || hover(null));
-  // A touch that takes hold of something drags it in every direction; the others may scroll the
-  // page.
-  figure.listen(
-    canvas,
-    "touchstart",
-    (event) => {
-      const touch = event.touches[0];
-      if (event.touches.length === 1 && under({ ...point(touch), pointerType: "touch" }))
-        event.preventDefault();
-    },
-    { passive: false },
-  );
-  figure.signal.addEventListener("abort", () => forget(step));
 }
-
-const point = ({ clientX, clientY }) => ({ clientX, clientY });
 
 // The row of the joint that a grabbed point is turned by: the last one before it that moves it at
 // all.
@@ -201,7 +205,7 @@ function turnedBy(arm, frames, { row, point }, least) {
  * One frame of a tip that follows a target; true where it has arrived, or is stopped.
  * @param {import("./state.js").Store} store
  */
-export function followTip(store, { arm, q, keepTurn }, target, rest, gesture) {
+export function followTip(store, { arm, q, keepTurn }, target, { rest, gesture }) {
   const { q: next, arrived } = dragTip(arm, q, target, rest, { turns: keepTurn });
   const still = next.every((v, i) => Math.abs(v - q[i]) < 1e-5);
   const done = arrived || still;
@@ -221,7 +225,7 @@ export function moveTip(store, o, gesture = null) {
   const rest = store.state.q;
   const target = { ...store.derived.frames.at(-1), o };
   for (let step = 0; step < 60; step++)
-    if (followTip(store, store.state, target, rest, gesture)) break;
+    if (followTip(store, store.state, target, { rest, gesture })) break;
 }
 
 const TIP_KEYS = {

@@ -251,48 +251,50 @@ function bentJoint(arm, q, frames) {
  * @param {{ row: number, local: number[], to: number[], pixel: Pixel }} grab
  * @param {{ o: number[], x: number[], y: number[], z: number[] }} held
  */
-export function swingElbow(arm, q, { row, local, to, pixel }, held, { turns = true } = {}) {
+export function swingElbow(arm, q, grab, held, { turns = true } = {}) {
   const limits = limitsOf(arm);
-  const moving = joints(arm);
+  const within = (v, k) =>
+    v >= Math.min(limits[k][0], q[k]) - 1e-9 && v <= Math.max(limits[k][1], q[k]) + 1e-9;
   let next = q;
   let free = 0;
   for (let round = 0; round < 4; round++) {
     const frames = linkFrames(arm, next);
-    const columns = jacobianColumns(arm, frames);
-    const still = rightNull(columns.map((c) => c.slice(0, turns ? 6 : 3)));
+    const still = rightNull(jacobianColumns(arm, frames).map((c) => c.slice(0, turns ? 6 : 3)));
     free = still.length;
     if (!free) break;
-    const p = inWorld(frames[row + 1], local);
-    const point = jacobianColumns(arm, frames, p);
-    const rates = still.map((direction) => {
-      const v = point.reduce(
-        (sum, c, k) => (moving[k] <= row ? plus(sum, scaled(direction[k], c)) : sum),
-        [0, 0, 0],
-      );
-      return onScreen(pixel, p, v);
-    });
-    const away = minus([...to, 0], [...rates[0].at, 0]);
-    const A = rates.map((a, i) =>
-      rates.map((b, j) => inner(a.rate, b.rate) + (i === j ? SOFT ** 2 : 0)),
-    );
-    const step = solvePositive(
-      A,
-      rates.map(({ rate }) => inner(rate, away.slice(0, 2))),
-    );
-    const most = Math.max(1e-12, ...step.map(Math.abs));
-    const share = Math.min(1, 0.12 / most);
-    const moved = next.map(
-      (v, k) => v + still.reduce((s, direction, i) => s + share * step[i] * direction[k], 0),
-    );
+    const moved = added(next, stepWithin(arm, frames, still, grab));
     const there = turns
       ? reach(arm, moved, held, { steps: 12 }).q
       : dragTip(arm, moved, held, moved, { weight: 1e-9, budget: 1 }).q;
-    const inside = there.every(
-      (v, k) =>
-        v >= Math.min(limits[k][0], q[k]) - 1e-9 && v <= Math.max(limits[k][1], q[k]) + 1e-9,
-    );
-    if (!inside || norm(minus(linkFrames(arm, there).at(-1).o, held.o)) > 1e-4) break;
+    const off = norm(minus(linkFrames(arm, there).at(-1).o, held.o));
+    if (!there.every(within) || off > 1e-4) break;
     next = there;
   }
   return { q: next, free };
+}
+
+const added = (p, q) => p.map((v, k) => v + q[k]);
+
+// The motion along the directions `still`, a short one, that takes the grabbed point nearest to
+// the pointer.
+function stepWithin(arm, frames, still, { row, local, to, pixel }) {
+  const p = inWorld(frames[row + 1], local);
+  const moving = joints(arm);
+  const columns = jacobianColumns(arm, frames, p).filter((_, k) => moving[k] <= row);
+  const rates = still.map((direction) => {
+    const v = columns.reduce((sum, c, k) => plus(sum, scaled(direction[k], c)), [0, 0, 0]);
+    return onScreen(pixel, p, v);
+  });
+  const away = minus([...to, 0], [...rates[0].at, 0]).slice(0, 2);
+  const A = rates.map((a, i) =>
+    rates.map((b, j) => inner(a.rate, b.rate) + (i === j ? SOFT ** 2 : 0)),
+  );
+  const step = solvePositive(
+    A,
+    rates.map(({ rate }) => inner(rate, away)),
+  );
+  const share = Math.min(1, 0.12 / Math.max(1e-12, ...step.map(Math.abs)));
+  return moving.map((_, k) =>
+    still.reduce((sum, direction, i) => sum + share * step[i] * direction[k], 0),
+  );
 }

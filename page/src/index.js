@@ -72,27 +72,26 @@ const PACE = 50; // ms between two messages to the kernel
 function asModel(model, state) {
   const { arms } = model.get("_spec");
   const base = arms.find((arm) => arm.name === model.get("arm_name")) ?? state.base;
+  const same = state.base.name === base.name;
   const rows = model.get("rows");
-  const typed = rows.length
-    ? sameRows(rows, state.arm.rows)
-      ? state.arm
-      : { name: TYPED, home: [], rows }
-    : null;
-  const arm = typed ?? (state.base.name === base.name ? state.base : base);
-  const reference = state.base.name === base.name ? state.reference : base;
+  const arm = rows.length ? typedBy(rows, state.arm) : same ? state.base : base;
   const sent = model.get("branches");
   const kept = sameJson(sent, state.ways?.list ?? null) && state.arm === arm;
-  const trace = sameJson(model.get("trace"), state.trace) ? state.trace : model.get("trace");
+  const trace = model.get("trace");
   return {
     arm,
-    base: state.base.name === base.name ? state.base : base,
-    reference,
+    base: same ? state.base : base,
+    reference: same ? state.reference : base,
     q: [...model.get("q")],
     wrench: [...model.get("wrench")],
-    trace,
+    trace: sameJson(trace, state.trace) ? state.trace : trace,
     ways: kept ? state.ways : waysFrom(arm, sent),
   };
 }
+
+// The arm of rows that Python typed: the one that is shown, where they are its own.
+const typedBy = (rows, shown) =>
+  sameRows(rows, shown.rows) ? shown : { name: TYPED, home: [], rows };
 
 const sameJson = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const sameRows = (a, b) => a === b || sameJson(a, b);
@@ -107,47 +106,11 @@ export function widget() {
       ["q", "wrench", "trace", "branches"].map((name) => [name, model.get(name)]),
     );
     store = new Store(initial({ ...spec, ...given }));
-    let timer = null;
-    let sending = false;
-    const send = () => {
-      timer = null;
-      sending = true;
-      for (const [trait, { from }] of Object.entries(TRAITS)) {
-        const value = from(store.state);
-        if (!sameJson(model.get(trait), value)) model.set(trait, value);
-      }
-      sending = false;
-      model.save_changes();
-    };
-    const fields = new Set(Object.values(TRAITS).map(({ field }) => field));
-    const abort = new AbortController();
-    store.listen((changed, by) => {
-      if (by !== "python" && [...changed].some((key) => fields.has(key)))
-        timer ??= setTimeout(send, PACE);
-    }, abort.signal);
-    // Python may set several traits one after the other: they are taken together once the last has
-    // come.
-    let hearing = null;
-    const hear = () => {
-      if (sending) return;
-      hearing ??= setTimeout(() => {
-        hearing = null;
-        store.dispatch({ type: "set", ...asModel(model, store.state) }, "python");
-      });
-    };
-    for (const trait of Object.keys(TRAITS)) model.on(`change:${trait}`, hear);
-    return () => {
-      abort.abort();
-      clearTimeout(timer);
-      clearTimeout(hearing);
-      for (const trait of Object.keys(TRAITS)) model.off(`change:${trait}`, hear);
-    };
+    return kept(model, store);
   }
 
   function render({ model, el }) {
-    const host = document.createElement("div");
-    host.dataset.lmSuppressShortcuts = "true"; // keys typed here are no commands of JupyterLab's
-    el.append(host);
+    const host = hostIn(el);
     const dispose = buildPanel(host, store, model.get("_spec"));
     return () => {
       dispose();
@@ -157,12 +120,55 @@ export function widget() {
   return { initialize, render };
 }
 
+function hostIn(el) {
+  const host = document.createElement("div");
+  host.dataset.lmSuppressShortcuts = "true"; // keys typed here are no commands of JupyterLab's
+  el.append(host);
+  return host;
+}
+
+// Keep a model and a store in step, until what is returned is called.
+function kept(model, store) {
+  const fields = new Set(Object.values(TRAITS).map(({ field }) => field));
+  const abort = new AbortController();
+  let [timer, hearing, sending] = [null, null, false];
+  const send = () => {
+    timer = null;
+    sending = true;
+    for (const [trait, { from }] of Object.entries(TRAITS)) {
+      const value = from(store.state);
+      if (!sameJson(model.get(trait), value)) model.set(trait, value);
+    }
+    sending = false;
+    model.save_changes();
+  };
+  store.listen((changed, by) => {
+    if (by !== "python" && [...changed].some((key) => fields.has(key)))
+      timer ??= setTimeout(send, PACE);
+  }, abort.signal);
+  // Python may set several traits one after the other: they are taken together once the last has
+  // come.
+  const hear = () => {
+    if (sending) return;
+    hearing ??= setTimeout(() => {
+      hearing = null;
+      store.dispatch({ type: "set", ...asModel(model, store.state) }, "python");
+    });
+  };
+  const traits = Object.keys(TRAITS).map((trait) => `change:${trait}`);
+  for (const change of traits) model.on(change, hear);
+  return () => {
+    abort.abort();
+    clearTimeout(timer);
+    clearTimeout(hearing);
+    for (const change of traits) model.off(change, hear);
+  };
+}
+
 // A small figure as an object of a notebook, where a text cell's stub would stay what it is.
 export const figureWidget = () => ({
   render({ model, el }) {
-    const host = document.createElement("div");
-    host.dataset.lmSuppressShortcuts = "true";
-    el.append(host);
+    const host = hostIn(el);
     const dispose = mountFigure(host, model.get("_spec"));
     return () => {
       dispose();

@@ -25,7 +25,10 @@ export class Labels {
     this.tags = [];
   }
 
-  /** @param {{ tip: number[], letter: string, index: string, tone?: string }[]} tags the most important first */
+  /**
+   * @param {{ tip: number[], letter: string, index: string, tone?: string }[]} tags the most
+   *   important first
+   */
   set(tags) {
     this.tags = tags;
     while (this.#spans.length < tags.length) {

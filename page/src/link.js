@@ -19,7 +19,6 @@ const MOST_RUNS = 8;
 const numbers = (text) =>
   text ? text.split(",").map((part) => (part.trim() ? Number(part) : NaN)) : [];
 const written = (values) => values.map((v) => Number(v.toFixed(6)) + 0).join(",");
-const oneOf = (text, known) => (known.includes(text) ? text : null);
 
 /** @param {import("./state.js").State} state */
 export function toFragment({ arm, base, q, wrench, unit, view, frames, mark, runs = [] }) {
@@ -52,29 +51,54 @@ export function fromFragment(fragment, arms, views) {
   const rows = rowsOf(fields.get("rows"));
   const fault = rows && rowsFault(rows);
   const arm = rows && !fault ? typedArm(rows, base) : base;
-  const words = fault ? [fault] : [];
-  const patch = { arm, base, reference: base };
+  const parts = [
+    { patch: { arm, base, reference: base }, fault },
+    jointsIn(fields, arm, Boolean(fault)),
+    wrenchIn(fields),
+    markIn(fields),
+    runsIn(fields),
+    { patch: chosenIn(fields, views) },
+  ];
+  const patch = Object.assign({}, ...parts.map((part) => part.patch));
+  const faults = parts.flatMap((part) => part.fault || []);
+  return faults.length ? { ...refused(faults.join("; ")), patch } : { patch, words: "" };
+}
+
+// What one field says: what it makes of the state, and what is wrong with it.
+
+function jointsIn(fields, arm, otherArm) {
   const q = numbers(fields.get("q"));
-  patch.q = fits(arm, q) ? q : homeOf(arm);
-  if (fields.has("q") && patch.q !== q && !fault)
-    words.push(`${arm.name} has ${joints(arm).length} joint values`);
+  if (fits(arm, q)) return { patch: { q } };
+  const wrong = fields.has("q") && !otherArm;
+  const fault = wrong && `${arm.name} has ${joints(arm).length} joint values`;
+  return { patch: { q: homeOf(arm) }, fault };
+}
+
+function wrenchIn(fields) {
+  if (!fields.has("wrench")) return {};
   const wrench = numbers(fields.get("wrench"));
-  if (wrench.length === 6 && wrench.every((v) => Math.abs(v) <= MOST_FORCE)) patch.wrench = wrench;
-  else if (fields.has("wrench")) words.push("its wrench is not six numbers in N and N m");
+  const good = wrench.length === 6 && wrench.every((v) => Math.abs(v) <= MOST_FORCE);
+  return good ? { patch: { wrench } } : { fault: "its wrench is not six numbers in N and N m" };
+}
+
+function markIn(fields) {
+  if (!fields.has("mark")) return { patch: { mark: null } };
   const mark = numbers(fields.get("mark"));
-  patch.mark = mark.length === 3 && mark.every((v) => Math.abs(v) <= FARTHEST) ? mark : null;
-  if (!patch.mark && fields.has("mark")) words.push("its mark is no place in metres");
-  const runs = (fields.get("runs")?.split(";") ?? []).map(runFrom);
-  if (runs.length > MOST_RUNS || runs.includes(null))
-    words.push("its runs are none that the homework could make");
-  else if (runs.length) patch.runs = runs;
-  const chosen = {
-    view: oneOf(fields.get("view"), views),
-    unit: oneOf(fields.get("unit"), ["deg", "rad"]),
-    frames: oneOf(fields.get("frames"), ["all", "ends"]),
-  };
-  for (const [key, value] of Object.entries(chosen)) if (value) patch[key] = value;
-  return words.length ? { ...refused(words.join("; ")), patch } : { patch, words: "" };
+  const good = mark.length === 3 && mark.every((v) => Math.abs(v) <= FARTHEST);
+  return { patch: { mark: good ? mark : null }, fault: !good && "its mark is no place in metres" };
+}
+
+function runsIn(fields) {
+  if (!fields.has("runs")) return {};
+  const runs = fields.get("runs").split(";").map(runFrom);
+  const good = runs.length <= MOST_RUNS && !runs.includes(null);
+  return good ? { patch: { runs } } : { fault: "its runs are none that the homework could make" };
+}
+
+function chosenIn(fields, views) {
+  const known = { view: views, unit: ["deg", "rad"], frames: ["all", "ends"] };
+  const keys = Object.keys(known).filter((key) => known[key].includes(fields.get(key)));
+  return Object.fromEntries(keys.map((key) => [key, fields.get(key)]));
 }
 
 const refused = (why) => ({ patch: {}, words: `Part of the link was left out: ${why}.` });

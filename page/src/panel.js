@@ -34,40 +34,53 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const abort = new AbortController();
   const { signal } = abort;
-  const id = `explorer-${++count}`;
   const { region, say } = makeSpeech(root, signal);
-  const goTo = glider(store, signal);
-  const notice = h("p.notice", { role: "status", hidden: true });
-  const tell = (words) => {
-    notice.hidden = !words;
-    notice.textContent = words;
-  };
-  const link = makeLink?.(tell, signal) ?? null;
+  const notice = makeNotice();
   const tools = {
-    id,
-    goTo,
+    id: `explorer-${++count}`,
+    goTo: glider(store, signal),
     say,
     signal,
-    tell,
+    tell: notice.tell,
     point: (row) => store.dispatch({ type: "show", lit: row }),
   };
+  const link = makeLink?.(notice.tell, signal) ?? null;
   const stage = makeStage(store, tools);
   const sliders = makeSliders(store, tools);
   const tabs = makeTabs(store, views, tools);
   const card = h("section.explorer");
   const head = makeHead(store, { ...tools, arms, link, stage, card });
-  card.append(head.root, notice, h("div.bench", {}, stage.root, sliders.root), tabs.root, region);
+  const bench = h("div.bench", {}, stage.root, sliders.root);
+  card.append(head.root, notice.root, bench, tabs.root, region);
   card.classList.toggle("wide", wide);
   root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
+  keepShown(store, { host, card, head, stage, sliders, tabs }, { say, signal });
+  return () => {
+    abort.abort();
+    stage.dispose();
+    tabs.dispose();
+    root.replaceChildren();
+  };
+}
 
+// What is to be said to every reader, above the picture.
+function makeNotice() {
+  const root = h("p.notice", { role: "status", hidden: true });
+  const tell = (words) => {
+    root.hidden = !words;
+    root.textContent = words;
+  };
+  return { root, tell };
+}
+
+// All that is shown follows the state: the picture at once, the numbers at a pace that can be read.
+function keepShown(store, { host, card, head, stage, sliders, tabs }, { say, signal }) {
   let theme = "light";
   const draw = () => stage.draw(store.state, store.derived, theme);
   const parts = [
     ({ state }) => {
-      card.setAttribute(
-        "aria-label",
-        `Explorer of the ${state.arm.name}`.replace("the Your", "your"),
-      );
+      const name = `Explorer of the ${state.arm.name}`.replace("the Your", "your");
+      card.setAttribute("aria-label", name);
       head.update(state);
       stage.update(state);
     },
@@ -92,12 +105,6 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   }, signal);
   draw();
   numbers.now();
-  return () => {
-    abort.abort();
-    stage.dispose();
-    tabs.dispose();
-    root.replaceChildren();
-  };
 }
 
 // Bring all parts up to date now; or soon, one after the other, so that no frame has to wait for

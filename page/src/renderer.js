@@ -38,7 +38,8 @@ function renderer() {
   return shared;
 }
 
-/** For the tests: what the renderer holds on the graphics processor, the calls that drew the last picture, figures. */
+// For the tests: what the renderer holds on the graphics processor, the calls that drew the last
+// picture, figures.
 export const inUse = () => ({
   ...shared?.info.memory,
   calls: shared?.info.render.calls,

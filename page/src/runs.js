@@ -110,6 +110,74 @@ function tipError(tip, wanted, turns) {
 
 const KEPT = 181; // poses that are shown
 
+/** One run around the circle: where it has come to, and the worst on its way. */
+class Walk {
+  /** @param {Arm} arm @param {number[]} start @param {Run} run */
+  constructor(arm, start, run) {
+    this.arm = arm;
+    this.run = run;
+    this.q = [...start];
+    this.first = linkFrames(arm, start).at(-1);
+    this.every = Math.max(1, Math.ceil(run.steps / (KEPT - 1)));
+    this.kept = { path: [start], errors: [0], at: [0] };
+    this.worst = { least: Infinity, largest: 0, fastest: 0, tilt: 0 };
+  }
+
+  // Joint rates at a share of the way, as the run finds them.
+  rates(share, q) {
+    const { arm, run, first, worst } = this;
+    const frames = linkFrames(arm, q);
+    const { o, v } = onCircle(first.o, run, share);
+    const error = run.gain ? tipError(frames.at(-1), o, first) : [0, 0, 0, 0, 0, 0];
+    const twist = [...v, 0, 0, 0].map((x, i) => x + run.gain * error[i]);
+    const { found, least } = jointRates(columnsOf(arm, frames, run.slip), twist, run);
+    worst.least = Math.min(worst.least, least);
+    return run.slip === "sign" ? found.map((x) => -x) : found;
+  }
+
+  // The joints a step on; throws where the Jacobian has no inverse.
+  stepped(share, next) {
+    const { arm, run, first, q, worst } = this;
+    const k1 = this.rates(run.slip === "next" ? next : share, q);
+    worst.fastest = Math.max(worst.fastest, ...k1.map(Math.abs));
+    if (run.method === "exact") {
+      const wanted = { ...first, o: onCircle(first.o, run, next).o };
+      return reach(arm, q, wanted, { held: run.locked, steps: 40 }).q;
+    }
+    const h = run.seconds / run.steps;
+    const moved = (k, by) => q.map((x, i) => x + by * k[i]);
+    if (run.method === "euler") return moved(k1, h);
+    const middle = share + 0.5 / run.steps;
+    const k2 = this.rates(middle, moved(k1, h / 2));
+    const k3 = this.rates(middle, moved(k2, h / 2));
+    const k4 = this.rates(next, moved(k3, h));
+    return q.map((x, i) => x + (h / 6) * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]));
+  }
+
+  // Go step n; false where the run breaks there.
+  go(n) {
+    const { arm, run, first, worst, kept } = this;
+    const next = (n + 1) / run.steps;
+    try {
+      this.q = this.stepped(n / run.steps, next);
+    } catch (fault) {
+      if (fault instanceof Singular) return false;
+      throw fault;
+    }
+    const there = linkFrames(arm, this.q).at(-1);
+    const off = norm(minus(there.o, onCircle(first.o, run, next).o));
+    const tilt = Math.atan2(norm(cross(there.z, first.z)), dot(there.z, first.z));
+    worst.tilt = Math.max(worst.tilt, tilt);
+    worst.largest = Math.max(worst.largest, off);
+    if ((n + 1) % this.every === 0 || n + 1 === run.steps) {
+      kept.path.push(this.q);
+      kept.errors.push(off);
+      kept.at.push(next);
+    }
+    return Number.isFinite(off);
+  }
+}
+
 /**
  * What comes of a run: joint values along it (at most 181 of them), how far the tip is off, turns
  * of the joints, the smallest singular value, the step at which the inverse did not exist.
@@ -121,71 +189,12 @@ export function runCircle(arm, start, asked = {}) {
   const run = { ...HOMEWORK, ...asked };
   // nothing is inverted: only singular values are asked for
   if (run.method === "exact") run.rates = "pseudo";
-  const first = linkFrames(arm, start).at(-1);
-  const h = run.seconds / run.steps;
-  const every = Math.max(1, Math.ceil(run.steps / (KEPT - 1)));
-  const kept = { path: [start], errors: [0], at: [0] };
-  let [q, least, largest, fastest, failed, tilt] = [[...start], Infinity, 0, 0, null, 0];
-
-  const slope = (share, at) => {
-    const frames = linkFrames(arm, at);
-    const { o, v } = onCircle(first.o, run, share);
-    const error = run.gain ? tipError(frames.at(-1), o, first) : [0, 0, 0, 0, 0, 0];
-    const twist = [...v, 0, 0, 0].map((x, i) => x + run.gain * error[i]);
-    const { found, least: size } = jointRates(columnsOf(arm, frames, run.slip), twist, run);
-    least = Math.min(least, size);
-    return run.slip === "sign" ? found.map((x) => -x) : found;
-  };
-  const moved = (p, k, by) => p.map((x, i) => x + by * k[i]);
-
-  for (let n = 0; n < run.steps && failed === null; n++) {
-    const [share, next] = [n / run.steps, (n + 1) / run.steps];
-    try {
-      const k1 = slope(run.slip === "next" ? next : share, q);
-      fastest = Math.max(fastest, ...k1.map(Math.abs));
-      if (run.method === "exact") {
-        q = reach(
-          arm,
-          q,
-          { ...first, o: onCircle(first.o, run, next).o },
-          { held: run.locked, steps: 40 },
-        ).q;
-      } else if (run.method === "rk4") {
-        const k2 = slope(share + 0.5 / run.steps, moved(q, k1, h / 2));
-        const k3 = slope(share + 0.5 / run.steps, moved(q, k2, h / 2));
-        const k4 = slope(next, moved(q, k3, h));
-        q = q.map((x, i) => x + (h / 6) * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]));
-      } else {
-        q = moved(q, k1, h);
-      }
-    } catch (fault) {
-      if (!(fault instanceof Singular)) throw fault;
-      failed = n;
-      break;
-    }
-    const there = linkFrames(arm, q).at(-1);
-    const off = norm(minus(there.o, onCircle(first.o, run, next).o));
-    tilt = Math.max(tilt, Math.atan2(norm(cross(there.z, first.z)), dot(there.z, first.z)));
-    if (!Number.isFinite(off)) failed = n;
-    largest = Math.max(largest, off);
-    if ((n + 1) % every === 0 || n + 1 === run.steps) {
-      kept.path.push(q);
-      kept.errors.push(off);
-      kept.at.push(next);
-    }
-  }
-  return {
-    ...kept,
-    run,
-    largest,
-    least,
-    fastest,
-    failed,
-    tilt,
-    wound: q.map((x, i) =>
-      arm.rows[joints(arm)[i]].kind === "revolute" ? (x - start[i]) / (2 * Math.PI) : 0,
-    ),
-  };
+  const walk = new Walk(arm, start, run);
+  let n = 0;
+  while (n < run.steps && walk.go(n)) n++;
+  const turns = joints(arm).map((row) => (arm.rows[row].kind === "revolute" ? 2 * Math.PI : 0));
+  const wound = walk.q.map((x, i) => (turns[i] ? (x - start[i]) / turns[i] : 0));
+  return { ...walk.kept, run, ...walk.worst, failed: n < run.steps ? n : null, wound };
 }
 
 /**
@@ -258,6 +267,7 @@ export const BOUNDS = {
   damping: [1e-3, 0.2],
   locked: [-1, 15],
 };
+const WHOLE = ["steps", "locked"];
 const KEYS = [
   "method",
   "rates",
@@ -277,17 +287,18 @@ export const runText = (run) => KEYS.map((key) => run[key]).join("_");
 
 /** @returns {Run | null} */
 export function runFrom(text) {
-  const parts = text.split("_");
-  if (parts.length > KEYS.length && parts.at(-2) === "z") parts.splice(-2, 2, "z_i");
-  if (parts.length > KEYS.length && parts.at(-2) === "o") parts.splice(-2, 2, "o_i");
+  const parts = text.replace(/_([zo])_i$/, "_$1-i").split("_");
   if (parts.length !== KEYS.length) return null;
-  const run = /** @type {any} */ ({});
-  for (const [i, key] of KEYS.entries()) {
-    const choices = CHOICES[key];
-    run[key] = choices ? parts[i] : parts[i].trim() ? Number(parts[i]) : NaN;
-    if (choices && !choices.includes(parts[i])) return null;
-    if (!choices && !(run[key] >= BOUNDS[key][0] && run[key] <= BOUNDS[key][1])) return null;
-  }
-  for (const key of ["steps", "locked"]) if (!Number.isInteger(run[key])) return null;
-  return run;
+  const entries = KEYS.map((key, i) => [key, fieldOf(key, parts[i].replace("-i", "_i"))]);
+  return entries.some(([, value]) => value === null) ? null : Object.fromEntries(entries);
+}
+
+// A field of a run from a link's text, or null where it is none.
+function fieldOf(key, text) {
+  const choices = CHOICES[key];
+  if (choices) return choices.includes(text) ? text : null;
+  const [low, high] = BOUNDS[key];
+  const value = text.trim() ? Number(text) : NaN;
+  if (WHOLE.includes(key) && !Number.isInteger(value)) return null;
+  return value >= low && value <= high ? value : null;
 }

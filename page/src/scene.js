@@ -14,6 +14,8 @@ import { goneness } from "./hold.js";
 import { joints, linkFrames, minus, norm, plus, scaled } from "../../judge/geometry/kinematics.js";
 import { Labels } from "./labels.js";
 import { isThere } from "./motion.js";
+import { branchColour, LOOK } from "./look.js";
+import { nearest, piecesOf } from "./picking.js";
 import { emptied, Figure, freed } from "./renderer.js";
 import {
   along,
@@ -30,52 +32,6 @@ import {
   wall,
 } from "./shapes.js";
 import { leftBehind } from "./state.js";
-
-export const LOOK = {
-  light: {
-    lit: "#E69F00",
-    link: "#e9edf2",
-    joint: "#34506b",
-    grid: "#8793a3",
-    gridStrength: 0.34,
-    shadow: 0.16,
-    sky: 2.1,
-    sun: 1.5,
-    path: "#D55E00",
-    wanted: "#7a8290",
-    force: "#C77E00",
-    ghost: "#0072B2",
-    ellipsoid: "#9a4f86",
-    bad: "#c0392b",
-  },
-  dark: {
-    lit: "#F0B429",
-    link: "#c3ccd8",
-    joint: "#5f86ad",
-    grid: "#93a1b5",
-    gridStrength: 0.26,
-    shadow: 0.28,
-    sky: 1.15,
-    sun: 1.7,
-    path: "#F58A3C",
-    wanted: "#a3adba",
-    force: "#F0B429",
-    ghost: "#56B4E9",
-    ellipsoid: "#d79bc3",
-    bad: "#ff8a6b",
-  },
-};
-const BRANCH_COLOURS = [
-  "#0072B2",
-  "#D55E00",
-  "#009E73",
-  "#E69F00",
-  "#CC79A7",
-  "#56B4E9",
-  "#882255",
-  "#7a8290",
-];
-export const branchColour = (i) => BRANCH_COLOURS[i % BRANCH_COLOURS.length];
 
 const FORCE_HALF = 10; // N: drawn half as long as the longest arrow,
 const FORCE_LONGEST = 0.36; // which is this share of the arm
@@ -103,75 +59,49 @@ export class ArmPicture {
     this.dark = dark;
     this.look = look;
     this.size = reachOf(arm);
-    this.world = new Group();
     this.shown = {};
-    const { size } = this;
-    this.figure.scene.add(this.world);
-    const link = new MeshStandardMaterial({ color: look.link, roughness: 0.45, metalness: 0.02 });
-    // white: each joint has its colour
-    const joint = new MeshStandardMaterial({ roughness: 0.4, metalness: 0.1 });
-    this.body = new ArmShape(arm, { link, joint, hue: new Color(look.joint) });
     this.tints = { lit: new Color(look.lit), bad: new Color(look.bad) };
+    this.body = bodyOf(arm, look);
     this.axis = rod(new MeshBasicMaterial({ color: look.lit, transparent: true, opacity: 0.75 }));
-    this.shade = square(4 * size, new ShadowMaterial({ opacity: look.shadow }));
-    this.shade.receiveShadow = true;
-    this.shade.position.z = -0.001 * size;
     this.triads = new Triads(dark, arm.rows.length + 1);
-    this.ellipsoid = new Ellipsoid(look.ellipsoid);
-    const force = new MeshBasicMaterial({ color: look.force });
-    this.force = new Arrow(force);
-    this.handle = ball(force);
-    this.handle.scale.setScalar(0.022 * size);
-    this.spot = ball(new MeshBasicMaterial({ color: look.bad }));
-    this.spot.scale.setScalar(0.014 * size);
-    this.fading = new Group();
-    const lost = new MeshBasicMaterial({ color: look.bad });
-    for (let i = 0; i < 6; i++) this.fading.add(new Arrow(lost));
-    this.barrier = this.makeBarrier();
+    this.barrier = barrierOf(this.size, look);
     this.path = new Group();
     this.ghosts = new Group();
     this.reference = new Group();
+    this.world = new Group();
     this.world.add(
       this.body,
-      floor(size, look.grid, look.gridStrength),
-      this.shade,
+      floor(this.size, look.grid, look.gridStrength),
+      shadeOf(this.size, look),
       this.triads,
       this.axis,
-      this.ellipsoid,
-      this.force,
-      this.handle,
-      this.spot,
-      this.fading,
+      ...this.marks(look),
       this.barrier,
       this.path,
       this.ghosts,
       this.reference,
     );
-    this.figure.resetLights({ size, sky: look.sky, sun: look.sun });
+    this.figure.scene.add(this.world);
+    this.figure.resetLights({ size: this.size, sky: look.sky, sun: look.sun });
+  }
+
+  // What shows forces, directions and places.
+  marks(look) {
+    const force = new MeshBasicMaterial({ color: look.force });
+    const bad = new MeshBasicMaterial({ color: look.bad });
+    this.ellipsoid = new Ellipsoid(look.ellipsoid);
+    this.force = new Arrow(force);
+    this.handle = ball(force);
+    this.handle.scale.setScalar(0.022 * this.size);
+    this.spot = ball(bad);
+    this.spot.scale.setScalar(0.014 * this.size);
+    this.fading = new Group();
+    for (let i = 0; i < 6; i++) this.fading.add(new Arrow(bad));
+    return [this.ellipsoid, this.force, this.handle, this.spot, this.fading];
   }
 
   emptyWorld() {
     if (this.world) freed(this.world);
-  }
-
-  // What stands between a dragged tip and the pointer: a wall across the way, and the way that is
-  // missing.
-  makeBarrier() {
-    const group = /** @type {any} */ (new Group());
-    const pane = new MeshBasicMaterial({
-      color: this.look.bad,
-      transparent: true,
-      opacity: 0.3,
-      side: DoubleSide,
-      depthWrite: false,
-    });
-    const ink = new MeshBasicMaterial({ color: this.look.bad });
-    const [wallPart, way, spot] = [square(0.16 * this.size, pane), rod(ink), ball(ink)];
-    spot.scale.setScalar(0.01 * this.size);
-    Object.assign(group, { wallPart, way, spot });
-    group.add(wallPart, way, spot);
-    group.visible = false;
-    return group;
   }
 
   // Bring the picture up to date with the state; only what changed is built anew.
@@ -259,60 +189,47 @@ export class ArmPicture {
     return scaled(size / norm(way), way);
   }
 
-  drawPath({ view, trace, wanted, stray, arm, paths }) {
+  drawPath(state) {
+    const { view, trace } = state;
     const path = ["trace", "torque", "homework"].includes(view) ? trace : null;
-    const others = view === "homework" ? paths : null;
-    if (this.shown.path === path && this.shown.paths === others) return;
-    Object.assign(this.shown, { path, paths: others });
+    const paths = view === "homework" ? state.paths : null;
+    if (this.shown.path === path && this.shown.paths === paths) return;
+    Object.assign(this.shown, { path, paths });
     emptied(this.path);
-    if (!path && !others) return;
-    const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? others[0]?.points ?? [];
-    const pieces = (others ?? []).map((one) => tube(one.points, 0.003 * this.size, one.colour));
-    if (!others) pieces.push(tube(points, 0.0035 * this.size, this.look.path));
-    if (wanted && stray > 1e-3) pieces.push(tube(wanted, 0.0018 * this.size, this.look.wanted));
-    const opacity = this.dark ? 0.16 : 0.1;
-    const pane = new MeshBasicMaterial({
-      color: this.look.ghost,
-      transparent: true,
-      opacity,
-      side: DoubleSide,
-      depthWrite: false,
-    });
+    if (path || paths) this.path.add(...this.waysOfTip(state, path, paths));
+  }
+
+  // The way of the tip along a path, those of other runs in their colours, and their plane.
+  waysOfTip({ arm, wanted, stray }, path, paths) {
+    const { size, look } = this;
+    const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? paths[0]?.points ?? [];
+    const pieces = paths
+      ? paths.map((one) => tube(one.points, 0.003 * size, one.colour))
+      : [tube(points, 0.0035 * size, look.path)];
+    if (wanted && stray > 1e-3) pieces.push(tube(wanted, 0.0018 * size, look.wanted));
+    const pane = paneOf(look.ghost, this.dark ? 0.16 : 0.1);
     if (points.length > 2) pieces.push(wall(wanted ?? points, pane));
-    for (const piece of pieces.filter(Boolean)) this.path.add(piece);
+    return pieces.filter(Boolean);
   }
 
   // The other ways as thin arms of one colour each; the one under the hand is filled out.
   drawGhosts(state, derived) {
-    const { view, ways, arm, q, highlighted } = state;
-    const wanted =
-      view === "branches" && ways && !(leftBehind(state, derived) && highlighted === null)
-        ? ways
-        : null;
-    if (this.shown.ways !== wanted) {
-      emptied(this.ghosts);
-      (wanted?.list ?? []).forEach((way, i) => {
-        const thin = new MeshStandardMaterial({ color: branchColour(i), roughness: 0.7 });
-        const full = ghostMaterial(branchColour(i), 0.45);
-        const frames = linkFrames(arm, way.q);
-        for (const { material, girth } of [
-          { material: thin, girth: 0.3 },
-          { material: full, girth: 0.97 },
-        ]) {
-          const shape = new ArmShape(arm, { link: material, joint: material, ghost: true, girth });
-          shape.pose(frames);
-          shape.userData = { way: i, full: girth > 0.5 };
-          this.ghosts.add(shape);
-        }
-      });
-      this.shown.ways = wanted;
-      if (wanted && !this.shown.fitted) this.fit();
-      this.shown.fitted = Boolean(wanted);
-    }
+    const { view, ways, q, highlighted } = state;
+    const hidden = leftBehind(state, derived) && highlighted === null;
+    const shown = view === "branches" && !hidden ? ways : null;
+    if (this.shown.ways !== shown) this.ghostArms(state.arm, shown);
     for (const shape of this.ghosts.children) {
       const { way, full } = shape.userData;
-      shape.visible = !isThere(wanted.list[way].q, q) && (!full || way === highlighted);
+      shape.visible = !isThere(shown.list[way].q, q) && (!full || way === highlighted);
     }
+  }
+
+  ghostArms(arm, ways) {
+    emptied(this.ghosts);
+    for (const [i, { q }] of (ways?.list ?? []).entries()) this.ghosts.add(...ghostsOf(arm, q, i));
+    this.shown.ways = ways;
+    if (ways && !this.shown.fitted) this.fit();
+    this.shown.fitted = Boolean(ways);
   }
 
   drawReference({ view, reference, q, arm }) {
@@ -398,38 +315,12 @@ export class ArmPicture {
       const [from, to] = [0.05, 0.1].map((share) => plus(o, scaled(share * this.size, x)));
       return [{ row: i - 1, from, to }];
     });
-    return [...axes, ...this.pieces()];
+    return [...axes, ...piecesOf(this.arm, this.frames)];
   }
 
-  // The line of the links, each piece with the row that it belongs to.
-  pieces(arm = this.arm, frames = this.frames) {
-    return arm.rows.flatMap((row, i) => {
-      const [before, after] = [frames[i].o, frames[i + 1].o];
-      const corner = minus(after, scaled(row.a, frames[i + 1].x));
-      return [
-        { row: i, from: before, to: corner },
-        { row: i, from: corner, to: after },
-      ];
-    });
-  }
-
-  // The place on the links nearest to a pixel, within `within` pixels: { row, point, gap }, or
-  // null.
-  linkAt(pixel, within = 14, pieces = this.pieces()) {
-    let best = null;
-    for (const { row, from, to } of pieces) {
-      const [a, b] = [this.figure.pixel(from), this.figure.pixel(to)];
-      const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
-      const long = dx * dx + dy * dy;
-      const share =
-        long < 1
-          ? 1
-          : Math.min(1, Math.max(0, ((pixel[0] - a[0]) * dx + (pixel[1] - a[1]) * dy) / long));
-      const gap = Math.hypot(a[0] + share * dx - pixel[0], a[1] + share * dy - pixel[1]);
-      if (gap > within || (best && gap >= best.gap - 0.5)) continue;
-      best = { row, gap, point: plus(from, scaled(share, minus(to, from))) };
-    }
-    return best;
+  // The place on the links nearest to a pixel, within `within` pixels, or null.
+  linkAt(pixel, within = 14, pieces = piecesOf(this.arm, this.frames)) {
+    return nearest(pieces, pixel, within, (point) => this.figure.pixel(point));
   }
 
   // The ghost of another way under a pixel, by its number, or null.
@@ -439,7 +330,7 @@ export class ArmPicture {
     const gaps = seen.map((shape) => {
       const { way } = shape.userData;
       const frames = linkFrames(this.arm, this.shown.ways.list[way].q);
-      return { way, gap: this.linkAt(pixel, 7, this.pieces(this.arm, frames))?.gap ?? Infinity };
+      return { way, gap: this.linkAt(pixel, 7, piecesOf(this.arm, frames))?.gap ?? Infinity };
     });
     const best = gaps.sort((p, q) => p.gap - q.gap)[0];
     return best && best.gap < Infinity ? best.way : null;
@@ -450,4 +341,50 @@ export class ArmPicture {
     this.emptyWorld();
     this.figure.dispose();
   }
+}
+
+function bodyOf(arm, look) {
+  const link = new MeshStandardMaterial({ color: look.link, roughness: 0.45, metalness: 0.02 });
+  // white: each joint has its colour
+  const joint = new MeshStandardMaterial({ roughness: 0.4, metalness: 0.1 });
+  return new ArmShape(arm, { link, joint, hue: new Color(look.joint) });
+}
+
+function shadeOf(size, look) {
+  const shade = square(4 * size, new ShadowMaterial({ opacity: look.shadow }));
+  shade.receiveShadow = true;
+  shade.position.z = -0.001 * size;
+  return shade;
+}
+
+// What stands between a dragged tip and the pointer: a wall across the way, and the way that is
+// missing.
+function barrierOf(size, look) {
+  const group = /** @type {any} */ (new Group());
+  const ink = new MeshBasicMaterial({ color: look.bad });
+  const wallPart = square(0.16 * size, paneOf(look.bad, 0.3));
+  const [way, spot] = [rod(ink), ball(ink)];
+  spot.scale.setScalar(0.01 * size);
+  Object.assign(group, { wallPart, way, spot, visible: false });
+  group.add(wallPart, way, spot);
+  return group;
+}
+
+const paneOf = (color, opacity) =>
+  new MeshBasicMaterial({ color, transparent: true, opacity, side: DoubleSide, depthWrite: false });
+
+// Another way as a thin arm, and as a full one for when the reader is at it.
+function ghostsOf(arm, q, way) {
+  const frames = linkFrames(arm, q);
+  const colour = branchColour(way);
+  const thin = new MeshStandardMaterial({ color: colour, roughness: 0.7 });
+  return [
+    { material: thin, girth: 0.3, full: false },
+    { material: ghostMaterial(colour, 0.45), girth: 0.97, full: true },
+  ].map(({ material, girth, full }) => {
+    const shape = new ArmShape(arm, { link: material, joint: material, ghost: true, girth });
+    shape.pose(frames);
+    shape.userData = { way, full };
+    return shape;
+  });
 }

@@ -352,7 +352,8 @@ export function floor(size, colour, strength) {
         gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
       }`,
     fragmentShader: `
-      varying vec2 p; uniform vec3 colour; uniform float size; uniform float step; uniform float strength;
+      varying vec2 p; uniform vec3 colour;
+      uniform float size; uniform float step; uniform float strength;
       void main() {
         vec2 g = abs(fract(p / step - 0.5) - 0.5) / fwidth(p / step);
         float line = 1.0 - min(min(g.x, g.y), 1.0);

@@ -63,7 +63,8 @@ export function stillSvg(arm, frames, words) {
     ...spots.map(([x, y]) => `<circle cx="${x}" cy="${y}" r="7" fill="currentColor"/>`),
     ...axes.map(
       ({ n, from, to }) =>
-        `<line x1="${from[0]}" y1="${from[1]}" x2="${to[0]}" y2="${to[1]}" stroke="${COLOURS[n]}" stroke-width="3"/>`,
+        `<line x1="${from[0]}" y1="${from[1]}" x2="${to[0]}" y2="${to[1]}" ` +
+        `stroke="${COLOURS[n]}" stroke-width="3"/>`,
     ),
   ];
   const picture = new DOMParser().parseFromString(

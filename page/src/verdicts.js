@@ -16,7 +16,9 @@ export const rankOf = (values) => values.filter((value) => value > RANK * values
 // The rank that the arm has where it is not singular, as far as its joints can give it.
 export const fullRank = (arm) => Math.min(asked(arm), joints(arm).length);
 
-/** @param {{ arm: import("../../judge/geometry/arm.js").Arm, rank: number, lost: number[][] }} derived */
+/**
+ * @param {{ arm: Arm, rank: number, lost: number[][] }} derived
+ */
 export function rankVerdict({ arm, rank, lost }) {
   const [full, rows, dof] = [fullRank(arm), asked(arm), joints(arm).length];
   if (!dof) return { singular: false, text: "No joint moves this arm." };
@@ -73,7 +75,8 @@ export function waysVerdict(arm, { list, families = [], held = -1, whole = true 
   const fixedJoint =
     held < 0
       ? ""
-      : ` with joint ${joints(arm)[held] + 1} held where it is; free, it makes them infinitely many`;
+      : ` with joint ${joints(arm)[held] + 1} held where it is; ` +
+        "free, it makes them infinitely many";
   if (!families.length) return `${counted(list.length)} to this ${pose}${fixedJoint}.`;
   const free = families[0].moving;
   const how =
@@ -83,7 +86,8 @@ export function waysVerdict(arm, { list, families = [], held = -1, whole = true 
   const kinds = families.length > 1 ? `, in ${families.length} families` : "";
   const rest = few ? ` and ${counted(few).toLowerCase()} more` : "";
   const still = held < 0 ? "" : `, joint ${joints(arm)[held] + 1} held`;
-  return `Infinitely many ways to this ${pose}: ${how}${kinds}; one of each is shown${rest}${still}.`;
+  const shown = `one of each is shown${rest}${still}`;
+  return `Infinitely many ways to this ${pose}: ${how}${kinds}; ${shown}.`;
 }
 
 // Why a dragged tip stops short of the pointer.
@@ -129,7 +133,8 @@ export function tableVerdict({ arm, reference, q }, { frames }) {
   if (!same(arm, reference)) return `Another arm than the ${reference.name}: ${here}.`;
   if (far < 0.05 && turn < 0.05) return `The same arm as the ${reference.name}: ${here}.`;
   return (
-    `The same arm as the ${reference.name}, with another zero, direction or frame that is free to choose: ` +
+    `The same arm as the ${reference.name}, ` +
+    `with another zero, direction or frame that is free to choose: ` +
     `${here}, but other joint values bring it there.`
   );
 }

@@ -193,7 +193,7 @@ test("a tip dragged outwards says what fades before it says why it stops", () =>
   const said = [];
   for (let far = 0; far < 0.06; far += 0.002) {
     const target = { ...axes, o: plus(o, scaled(far, way)) };
-    for (let frame = 0; frame < 30; frame++) if (followTip(store, store.state, target, start, "drag")) break;
+    for (let frame = 0; frame < 30; frame++) if (followTip(store, store.state, target, { rest: start, gesture: "drag" })) break;
     said.push(holdVerdict(store.state.hold));
   }
   assert.equal(said[0], "");

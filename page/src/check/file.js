@@ -60,23 +60,18 @@ function ofNumpy(bytes) {
   if (bytes.byteLength < 16 || word(0, NPY.length) !== NPY) return null;
   const [start, length] =
     view.getUint8(6) === 1 ? [10, view.getUint16(8, true)] : [12, view.getUint32(8, true)];
-  if (start + length > bytes.byteLength) return null;
-  const head = word(start, start + length);
+  const data = start + length;
+  if (data > bytes.byteLength) return null;
+  const head = word(start, data);
   const [, order, type] = /'descr':\s*'([<>|=])(\w+)'/.exec(head) ?? [];
   const shape = [...(/'shape':\s*\(([^)]*)\)/.exec(head)?.[1] ?? "").matchAll(/\d+/g)].map(Number);
-  const [size, get] = TYPES[type] ?? [];
-  const count = shape.reduce((product, n) => product * n, 1);
-  if (
-    !size ||
-    !shape.length ||
-    shape.length > 2 ||
-    start + length + count * size > bytes.byteLength
-  )
-    return null;
+  if (!TYPES[type] || ![1, 2].includes(shape.length)) return null;
+  const [size, get] = TYPES[type];
+  if (data + shape.reduce((product, n) => product * n, size) > bytes.byteLength) return null;
   const [rows, width] = shape.length === 1 ? [1, shape[0]] : shape;
   const byColumns = head.includes("'fortran_order': True");
   const entry = (i, k) =>
-    get(view, start + length + size * (byColumns ? k * rows + i : i * width + k), order !== ">");
+    get(view, data + size * (byColumns ? k * rows + i : i * width + k), order !== ">");
   const line = (_, i) => Array.from({ length: width }, (__, k) => entry(i, k)).join(",");
   return Array.from({ length: rows }, line).join("\n");
 }

@@ -26,7 +26,9 @@ const FIELDS = {
     label: "Table",
     rows: 6,
     whole: true,
-    hint: "A row for each joint: a, α, d, θ, with θ or d as “q1” or “θ1 + π/2”. In m; angles as chosen.",
+    hint:
+      "A row for each joint: a, α, d, θ, with θ or d as “q1” or “θ1 + π/2”. " +
+      "In m; angles as chosen.",
   },
   q: { label: "Pose q", hint: "", whole: true },
   unit: { label: "Angles in", choices: UNITS.map((unit) => [unit, unit]) },
@@ -41,7 +43,9 @@ const FIELDS = {
   wrench: {
     label: "Wrench on the tool, by the world",
     whole: true,
-    hint: "Fx, Fy, Fz in N, Mx, My, Mz in N m, in base axes; empty for none. Gravity is 9.81 m/s² down.",
+    hint:
+      "Fx, Fy, Fz in N, Mx, My, Mz in N m, in base axes; empty for none. " +
+      "Gravity is 9.81 m/s² down.",
   },
   columns: {
     label: "Order of the columns",
@@ -91,15 +95,21 @@ const FIELDS = {
 };
 const HINTS = {
   jacobian:
-    "Numbers or formulas in q_1, c_1, s_23, …: NumPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet cells.",
+    "Numbers or formulas in q_1, c_1, s_23, …: NumPy, MATLAB, LaTeX, " +
+    "Markdown, CSV or spreadsheet cells.",
   table:
-    "A row for each link, with heads or without: lists, Link(…) lines, MATLAB, LaTeX, Markdown, CSV or cells.",
+    "A row for each link, with heads or without: lists, Link(…) lines, " +
+    "MATLAB, LaTeX, Markdown, CSV or cells.",
   branches:
-    "A row for each answer, angles in the joints' order; names such as theta1 = may stand before them.",
-  pose: "One value for each joint, in the joints' order; names such as theta1 = may stand before them.",
+    "A row for each answer, angles in the joints' order; names such as " +
+    "theta1 = may stand before them.",
+  pose:
+    "One value for each joint, in the joints' order; names such as theta1 " +
+    "= may stand before them.",
   trace: "A row for each time, one value for each joint, from CSV, MATLAB, NumPy or a spreadsheet.",
   torques:
-    "One torque for each joint in N m (N where it slides), from NumPy, MATLAB, LaTeX, CSV or a spreadsheet.",
+    "One torque for each joint in N m (N where it slides), from NumPy, " +
+    "MATLAB, LaTeX, CSV or a spreadsheet.",
 };
 
 const BEGINS = "Pose q at which the circle begins";

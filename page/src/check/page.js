@@ -39,89 +39,142 @@ let count = 0; // of judges on the page, for ids
  * @returns {Judge}
  */
 export function mount(stub) {
-  const { arms, examples = [], given } = JSON.parse(stub.querySelector("script").textContent);
+  const spec = JSON.parse(stub.querySelector("script").textContent);
+  const { arms, examples = [], given } = spec;
   const id = `judge-${++count}`;
   const made = buildForm(id, arms, given);
-  const { form, fields } = made;
   const parts = buildParts(id, given);
-  const followers = [];
-  let question = { ...EMPTY, arm: arms[0]?.key, ...(given ?? examples[0]) };
-  let verdict;
-  let timer = 0;
-  let stale = false; // whether something was typed since the verdict
-
-  const shownAs = (key) => (question[key].length > MOST_SHOWN ? "" : question[key]);
-  const show = () => {
-    for (const [key, field] of Object.entries(fields))
-      if (field.value !== shownAs(key)) field.value = shownAs(key);
-    adapt(made, question, arms);
-  };
-  const say = (words) => write(parts.said, words);
-  const speak = () => tell(parts.verdict, verdict);
-  const set = () => showRead(parts.taken, question, verdict);
-  const again = () => {
-    read();
-    speak();
-    set();
-  };
-  const atOnce = () => {
-    read();
-    speak();
-    timer = setTimeout(set); // long formulas take as long as their verdict
-  };
-  const soon = () => {
-    read();
-    set();
-    timer = setTimeout(speak, PAUSE - SOON);
-  };
-  const read = () => {
-    clearTimeout(timer);
-    stale = false;
-    verdict = judge(question, arms);
-    if (verdict.waiting) ready(verdict.waiting).then(again, ({ message }) => say(message));
-    fields.answer.setAttribute("aria-invalid", String(verdict.report?.grade === "wrong"));
-    for (const act of followers) act(question, verdict);
-  };
-  const put = (patch) => {
-    question = { ...question, ...patch };
-    show();
-    again();
-  };
-  form.addEventListener("input", ({ target, inputType }) => {
-    const key = Object.keys(fields).find((one) => fields[one] === target);
-    if (!key) return;
-    question = { ...question, [key]: /** @type {any} */ (target).value };
-    if (key === "arm") question.frame = "0";
-    if (key === "arm" || key === "ask") question.q = exampleOf(question, examples)?.q ?? question.q;
-    show();
-    stale = true;
-    clearTimeout(timer);
-    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") atOnce();
-    else timer = setTimeout(soon, SOON);
-  });
-  form.addEventListener("submit", (event) => event.preventDefault());
-
+  const one = new Question(made, parts, { arms, examples, given });
+  made.form.addEventListener("input", (event) => one.typed(/** @type {any} */ (event)));
+  made.form.addEventListener("submit", (event) => event.preventDefault());
+  stub.replaceChildren(made.form, ...Object.values(parts));
+  one.put({});
   const byLink = () => {
-    const { question: asked, words } = fromFragment(
-      location.hash,
-      arms.map(({ key }) => key),
-    );
-    if (asked || words) stub.scrollIntoView({ block: "start" });
-    say(words);
-    if (asked) put(asked);
+    const keys = arms.map(({ key }) => key);
+    const { question, words } = fromFragment(location.hash, keys);
+    if (question || words) stub.scrollIntoView({ block: "start" });
+    one.say(words);
+    if (question) one.put(question);
   };
-  stub.replaceChildren(form, ...Object.values(parts));
-  put({});
   if (!given) {
     addEventListener("hashchange", byLink);
     byLink();
   }
-  const follow = (act) => {
-    followers.push(act);
-    act(question, verdict);
+  return {
+    stub,
+    arms,
+    examples,
+    given,
+    ...made,
+    parts,
+    question: () => one.question,
+    verdict: () => one.upToDate(),
+    put: (patch) => one.put(patch),
+    follow: (act) => one.follow(act),
+    say: (words) => one.say(words),
   };
-  const now = { question: () => question, verdict: () => (stale && again(), verdict) };
-  return { stub, arms, examples, given, ...made, parts, ...now, put, follow, say };
+}
+
+/** What is asked and answered in one form, and the verdict on it. */
+class Question {
+  constructor(made, parts, { arms, examples, given }) {
+    this.made = made;
+    this.parts = parts;
+    this.arms = arms;
+    this.examples = examples;
+    /** @type {import("./question.js").Question} */
+    this.question = { ...EMPTY, arm: arms[0]?.key, ...(given ?? examples[0]) };
+    /** @type {any} what judge() says */
+    this.verdict = {};
+    this.followers = [];
+    this.timer = /** @type {any} */ (0);
+    this.stale = false; // whether something was typed since the verdict
+  }
+
+  say(words) {
+    write(this.parts.said, words);
+  }
+
+  show() {
+    const { question, made } = this;
+    for (const [key, field] of Object.entries(made.fields)) {
+      const text = question[key].length > MOST_SHOWN ? "" : question[key];
+      if (field.value !== text) field.value = text;
+    }
+    adapt(made, question, this.arms);
+  }
+
+  read() {
+    clearTimeout(this.timer);
+    this.stale = false;
+    this.verdict = judge(this.question, this.arms);
+    const { waiting, report } = this.verdict;
+    if (waiting)
+      ready(waiting).then(
+        () => this.again(),
+        ({ message }) => this.say(message),
+      );
+    this.made.fields.answer.setAttribute("aria-invalid", String(report?.grade === "wrong"));
+    for (const act of this.followers) act(this.question, this.verdict);
+  }
+
+  speak() {
+    tell(this.parts.verdict, this.verdict);
+  }
+
+  set() {
+    showRead(this.parts.taken, this.question, this.verdict);
+  }
+
+  again() {
+    this.read();
+    this.speak();
+    this.set();
+  }
+
+  put(patch) {
+    this.question = { ...this.question, ...patch };
+    this.show();
+    this.again();
+  }
+
+  typed({ target, inputType }) {
+    const { fields } = this.made;
+    const key = Object.keys(fields).find((one) => fields[one] === target);
+    if (!key) return;
+    const question = { ...this.question, [key]: target.value };
+    if (key === "arm") question.frame = "0";
+    if (key === "arm" || key === "ask")
+      question.q = exampleOf(question, this.examples)?.q ?? question.q;
+    this.question = question;
+    this.show();
+    this.stale = true;
+    clearTimeout(this.timer);
+    if (inputType === "insertFromPaste" || inputType === "insertFromDrop") this.atOnce();
+    else this.timer = setTimeout(() => this.soon(), SOON);
+  }
+
+  atOnce() {
+    this.read();
+    this.speak();
+    this.timer = setTimeout(() => this.set()); // long formulas take as long as their verdict
+  }
+
+  soon() {
+    this.read();
+    this.set();
+    this.timer = setTimeout(() => this.speak(), PAUSE - SOON);
+  }
+
+  upToDate() {
+    if (this.stale) this.again();
+    return this.verdict;
+  }
+
+  follow(act) {
+    this.followers.push(act);
+    act(this.question, this.verdict);
+  }
 }
 
 function buildParts(id, given) {

@@ -137,8 +137,8 @@ export function armOf(question, arms) {
 }
 
 /**
- * The verdict on an answer, or why there is none yet; `waiting` is the kind of question whose script
- * has not come.
+ * The verdict on an answer, or why there is none yet; `waiting` is the kind of question whose
+ * script has not come.
  * @param {Question} question
  * @returns {{ report?: Report, error?: string, waiting?: string, arm?: any, q?: number[] }}
  */
@@ -185,9 +185,10 @@ export function asPython(question, arms) {
 
 const fromRobots = (call) => [`from helpers.robots import ${/^\w+/.exec(call)[0]}`];
 const KIND = { revolute: "revolute", prismatic: "prismatic", fixed: "fixed" };
-const ownArm = (arm) => [
-  `from helpers.arm import Arm, ${[...new Set(arm.rows.map(({ kind }) => KIND[kind]))].sort().join(", ")}`,
-];
+const ownArm = (arm) => {
+  const kinds = new Set(arm.rows.map(({ kind }) => KIND[kind]));
+  return [`from helpers.arm import Arm, ${[...kinds].sort().join(", ")}`];
+};
 const ownRows = (arm) => [
   "rows = [",
   ...arm.rows.map(

@@ -31,73 +31,94 @@ const PLAYED = 1600; // ms, from the pose to the farthest
  */
 
 export function answer(host) {
-  const abort = new AbortController();
-  /** @type {Shown} */
-  let shown = host.answer;
-  let [claim, share, frame] = [null, 0, 0];
-  const lever = makeLever("how far", [-1, 1], 0, {
-    put: (value) => (cancelAnimationFrame(frame), move(value)),
-    text: (value) => `${Math.round(100 * value)} %`,
-    signal: abort.signal,
-  });
-  const buttons = h("div.row", { role: "group", "aria-label": "See a column at work" });
-  const side = h("div", {}, buttons, lever.root);
-  const live = makeLive(
-    host,
-    { arm: shown.arm, q: shown.q },
-    {
-      hold: false,
-      side: [side],
-      words: () =>
-        claim && share
-          ? claimWords(moved(shown.arm, shown.q, claim, share), numberOf(claim))
-          : shown.words,
-    },
-  );
-  const { store, picture } = live;
-  const overlay = picture && new Overlay(picture);
-  const numberOf = ({ k }) => joints(shown.arm)[k] + 1;
+  const shown = new Answer(host);
+  return () => shown.dispose();
+}
 
-  function move(value) {
-    share = value;
-    store.dispatch({ type: "set", q: claim ? moved(shown.arm, shown.q, claim, share).q : shown.q });
-    live.refresh();
+/** The picture of one answer: which claim of it is at work, and how far. */
+class Answer {
+  constructor(host) {
+    this.abort = new AbortController();
+    const { signal } = this.abort;
+    /** @type {Shown} */
+    this.shown = host.answer;
+    this.claim = null;
+    this.share = 0;
+    this.frame = 0;
+    this.lever = makeLever("how far", [-1, 1], 0, {
+      put: (value) => (cancelAnimationFrame(this.frame), this.move(value)),
+      text: (value) => `${Math.round(100 * value)} %`,
+      signal,
+    });
+    this.buttons = h("div.row", { role: "group", "aria-label": "See a column at work" });
+    this.side = h("div", {}, this.buttons, this.lever.root);
+    const { arm, q } = this.shown;
+    const made = { hold: false, side: [this.side], words: () => this.words() };
+    this.live = makeLive(host, { arm, q }, made);
+    this.overlay = this.live.picture && new Overlay(this.live.picture);
+    this.live.follow(() => this.overlay?.draw(this.shown, this.claim, this.share));
+    const changed = () => ((this.shown = host.answer), this.show());
+    host.addEventListener("answer", changed, { signal });
+    this.show();
   }
-  function run(chosen) {
-    cancelAnimationFrame(frame);
-    claim = chosen;
+
+  // The arm where the claim takes it.
+  moved() {
+    const { arm, q } = this.shown;
+    return moved(arm, q, this.claim, this.share);
+  }
+
+  words() {
+    if (!this.claim || !this.share) return this.shown.words;
+    return claimWords(this.moved(), this.numberOf(this.claim));
+  }
+
+  numberOf({ k }) {
+    return joints(this.shown.arm)[k] + 1;
+  }
+
+  move(value) {
+    this.share = value;
+    this.live.store.dispatch({ type: "set", q: this.claim ? this.moved().q : this.shown.q });
+    this.live.refresh();
+  }
+
+  run(claim) {
+    cancelAnimationFrame(this.frame);
+    this.claim = claim;
     const begin = performance.now();
     const step = (now) => {
       const part = calm() ? 1 : Math.max(0, Math.min(1, (now - begin) / PLAYED));
-      lever.move((1 - Math.cos(Math.PI * part)) / 2);
-      if (part < 1) frame = requestAnimationFrame(step);
+      this.lever.move((1 - Math.cos(Math.PI * part)) / 2);
+      if (part < 1) this.frame = requestAnimationFrame(step);
     };
     step(begin);
   }
-  function show() {
-    cancelAnimationFrame(frame);
-    const { arm, q, wrench = NONE, claims } = shown;
-    claim = claims[0] ?? null;
+
+  show() {
+    cancelAnimationFrame(this.frame);
+    const { store, picture } = this.live;
+    const { arm, q, wrench = NONE, claims } = this.shown;
+    this.claim = claims[0] ?? null;
     if (arm !== store.state.arm) store.dispatch({ type: "select", arm, q });
     store.dispatch({ type: "set", wrench, view: wrench.some(Boolean) ? "torque" : "pose" });
-    side.hidden = !claim;
-    buttons.replaceChildren(
-      ...claims.map((one) => {
-        const verb = arm.rows[joints(arm)[one.k]].kind === "prismatic" ? "Slide" : "Turn";
-        return h(
-          "button",
-          { type: "button", onclick: () => run(one) },
-          `${verb} joint ${numberOf(one)}`,
-        );
-      }),
-    );
-    lever.move(0);
-    picture?.figure.fit(extent(shown));
+    this.side.hidden = !this.claim;
+    this.buttons.replaceChildren(...claims.map((claim) => this.button(claim)));
+    this.lever.move(0);
+    picture?.figure.fit(extent(this.shown));
   }
-  live.follow(() => overlay?.draw(shown, claim, share));
-  host.addEventListener("answer", () => ((shown = host.answer), show()), { signal: abort.signal });
-  show();
-  return () => (cancelAnimationFrame(frame), abort.abort(), live.dispose());
+
+  button(claim) {
+    const { kind } = this.shown.arm.rows[this.numberOf(claim) - 1];
+    const words = `${kind === "prismatic" ? "Slide" : "Turn"} joint ${this.numberOf(claim)}`;
+    return h("button", { type: "button", onclick: () => this.run(claim) }, words);
+  }
+
+  dispose() {
+    cancelAnimationFrame(this.frame);
+    this.abort.abort();
+    this.live.dispose();
+  }
 }
 
 // The points that should be in view, with room for the axes at the tip.

@@ -111,9 +111,9 @@ export function claimWords({ by, row, tip, truly, claimed }, number) {
   const place =
     norm(minus(mine, right)) < 1e-3
       ? "your column takes the tip where the arm takes it"
-      : `your column ${still(mine) ? "leaves the tip where it is" : `takes the tip ${way(mine)}`}; the arm ${
-          still(right) ? "leaves it there" : `takes it ${way(right)}`
-        }`;
+      : "your column " +
+        (still(mine) ? "leaves the tip where it is" : `takes the tip ${way(mine)}`) +
+        `; the arm ${still(right) ? "leaves it there" : `takes it ${way(right)}`}`;
   const angle = apart(claimed, truly);
   const turn =
     angle > 0.5 ? ` The tool would end turned by ${fixed(angle, 0)}° from where it does.` : "";

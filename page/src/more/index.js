@@ -1,22 +1,13 @@
 // The small figures of the chapters, by the names that the pages call them, and the instrument's
-// largest view.
+// views along a path.
 
 import { answer } from "./answer.js";
-import {
-  columns,
-  ellipsoid,
-  hand,
-  loads,
-  matrix,
-  row,
-  swing,
-  triangles,
-  ways,
-  winds,
-} from "./kinds.js";
+import { columns, ellipsoid, hand, loads, matrix, row, triangles, ways, winds } from "./kinds.js";
+import { swing } from "./swing.js";
 import { trainer } from "./trainer.js";
 import { registerFigure, registerView } from "../figures.js";
 import * as homework from "../views/homework.js";
+import * as trace from "../views/trace.js";
 
 const KINDS = {
   answer,
@@ -34,3 +25,4 @@ const KINDS = {
 };
 for (const [name, make] of Object.entries(KINDS)) registerFigure(name, make);
 registerView("homework", homework);
+registerView("trace", trace);

@@ -11,14 +11,15 @@ import {
   plus,
   scaled,
 } from "../../../judge/geometry/kinematics.js";
-import { rightNull } from "../../../judge/geometry/linear.js";
-import { reach } from "../motion.js";
-import { branchColour } from "../scene.js";
+import { freed } from "../renderer.js";
+import { branchColour } from "../look.js";
 import { Arrow, tube } from "../shapes.js";
-import { fixed, jointText, listed, sparse } from "../text.js";
+import { fixed, listed, sparse } from "../text.js";
 import { rankVerdict, waysVerdict } from "../verdicts.js";
 import { makeLever, makeLive } from "./live.js";
 
+/** @type {[string, string][]} */
+const ROWS = [..."vω"].flatMap((letter) => [..."xyz"].map((axis) => [letter, axis]));
 const OF_A_ROW =
   "only the entries with its angle move; the last column goes round on a circle of radius a.";
 const mm = (p) => p.map((v) => fixed(1000 * v, 0)).join(", ");
@@ -33,46 +34,20 @@ export function hand(host, spec) {
 
 // One row of the table in its four motions: the frame before it goes over into its own.
 export function row(host, spec) {
-  const NAMES = [
-    "turn by θ about z",
-    "slide by d along z",
-    "slide by a along x",
-    "turn by α about x",
-  ];
+  const number = spec.row ?? 1;
   const abort = new AbortController();
   let share = 4;
   const live = makeLive(host, spec, {
     hold: false,
-    first: (spec.row ?? 1) - 1,
+    first: number - 1,
     state: { frames: "all" },
-    words: ({ arm }) => {
-      const { theta, d, a, alpha } = arm.rows[0];
-      const values = [
-        deg(theta),
-        `${fixed(1000 * d, 0)} mm`,
-        `${fixed(1000 * a, 0)} mm`,
-        deg(alpha),
-      ];
-      const done = NAMES.slice(0, Math.ceil(share)).map((name, i) => `${name} (${values[i]})`);
-      return done.length ? `${done.join(", then ")}.` : "The frame before the row.";
-    },
+    words: ({ arm }) => motionsOf(arm.rows[0], share),
   });
-  const full = live.store.state.arm;
-  const given = full.rows[(spec.row ?? 1) - 1];
+  const given = live.store.state.arm.rows[number - 1];
   const put = (v) => {
     share = v;
-    const part = (i) => Math.min(1, Math.max(0, v - i));
-    const theta = given.theta + (given.kind === "revolute" ? (spec.angle ?? 0.7) : 0);
-    const d = given.d + (given.kind === "prismatic" ? (spec.slide ?? 0.3) : 0);
-    const one = {
-      kind: "fixed",
-      theta: part(0) * theta,
-      d: part(1) * d,
-      a: part(2) * given.a,
-      alpha: part(3) * given.alpha,
-    };
-    const arm = { name: `Row ${spec.row ?? 1}`, home: [], rows: [one] };
-    live.store.dispatch({ type: "select", arm, q: [] });
+    const rows = [partly(given, v, spec)];
+    live.store.dispatch({ type: "select", arm: { name: `Row ${number}`, home: [], rows }, q: [] });
   };
   const lever = makeLever("motions", [0, 4], 4, {
     put,
@@ -83,6 +58,26 @@ export function row(host, spec) {
   lever.move(4);
   live.picture?.fit();
   return () => (abort.abort(), live.dispose());
+}
+
+function motionsOf({ theta, d, a, alpha }, share) {
+  const slid = [d, a].map((v) => `${fixed(1000 * v, 0)} mm`);
+  const motions = [
+    `turn by θ about z (${deg(theta)})`,
+    `slide by d along z (${slid[0]})`,
+    `slide by a along x (${slid[1]})`,
+    `turn by α about x (${deg(alpha)})`,
+  ].slice(0, Math.ceil(share));
+  return motions.length ? `${motions.join(", then ")}.` : "The frame before the row.";
+}
+
+// A row of which so many of the four motions are made.
+function partly(row, count, { angle = 0.7, slide = 0.3 }) {
+  const part = (i) => Math.min(1, Math.max(0, count - i));
+  const theta = row.theta + (row.kind === "revolute" ? angle : 0);
+  const d = row.d + (row.kind === "prismatic" ? slide : 0);
+  const turns = { theta: part(0) * theta, alpha: part(3) * row.alpha };
+  return { kind: "fixed", ...turns, d: part(1) * d, a: part(2) * row.a };
 }
 
 // A_i in numbers, while its joint turns.
@@ -118,60 +113,63 @@ export function matrix(host, spec) {
 // The Jacobian's columns: each is the tip's velocity when one joint turns alone.
 export function columns(host, spec) {
   let chosen = 0;
-  const heads = h("tr");
-  const body = h("tbody");
-  const table = h("table", { "aria-label": "Jacobian of the tip" }, h("thead", {}, heads), body);
+  const table = makeColumns((k) => choose(k));
   const live = makeLive(host, spec, {
-    side: [h("div.scroll", {}, table)],
+    side: [h("div.scroll", {}, table.root)],
     words: ({ arm }) => {
       const index = joints(arm)[chosen];
       const moves = arm.rows[index].kind === "revolute" ? "turns about its axis" : "slides";
-      return `Column ${chosen + 1}: the tip moves along the arrow when joint ${index + 1} ${moves} alone.`;
+      const when = `when joint ${index + 1} ${moves} alone`;
+      return `Column ${chosen + 1}: the tip moves along the arrow ${when}.`;
     },
   });
   const { store, picture } = live;
-  const arrow = picture && new Arrow(picture.force.shaft.material);
-  const choose = (k) => () => {
+  const choose = (k) => {
     chosen = k;
     store.dispatch({ type: "show", lit: joints(store.state.arm)[k] });
     live.refresh();
   };
-  const buttons = joints(store.state.arm).map((index, k) =>
-    h(
-      "button",
-      {
-        type: "button",
-        "aria-pressed": "false",
-        onpointerenter: choose(k),
-        onfocus: choose(k),
-        onclick: choose(k),
-      },
-      indexed("J", index + 1),
-    ),
-  );
-  heads.replaceChildren(h("th"), ...buttons.map((button) => h("th", {}, button)));
-  const cells = ["vx", "vy", "vz", "ωx", "ωy", "ωz"].map((name) => [
-    name,
-    buttons.map(() => h("td")),
-  ]);
-  body.replaceChildren(
-    ...cells.map(([name, line]) => h("tr", {}, h("th", {}, indexed(name[0], name[1])), line)),
-  );
+  table.lay(store.state.arm);
+  const arrow = picture && new Arrow(picture.force.shaft.material);
   live.follow((state, derived) => {
-    cells.forEach(([, line], i) =>
-      line.forEach((cell, k) => {
-        write(cell, sparse(derived.columns[k][i], 2));
-        cell.classList.toggle("on", k === chosen);
-      }),
-    );
-    buttons.forEach((button, k) => button.setAttribute("aria-pressed", String(k === chosen)));
+    table.show(derived.columns, chosen);
     if (!arrow || !picture.world) return;
     if (arrow.parent !== picture.world) picture.world.add(arrow);
     const way = scaled(0.3, derived.columns[chosen].slice(0, 3));
     arrow.point(derived.frames.at(-1).o, way, 0.008 * picture.size);
   });
-  choose(spec.column ? spec.column - 1 : 0)();
+  choose(spec.column ? spec.column - 1 : 0);
   return live.dispose;
+}
+
+// The matrix, its columns headed by buttons.
+function makeColumns(choose) {
+  const heads = h("tr");
+  const body = h("tbody");
+  const name = { "aria-label": "Jacobian of the tip" };
+  const root = h("table", name, h("thead", {}, heads), body);
+  let [buttons, cells] = [[], []];
+  const lay = (arm) => {
+    buttons = joints(arm).map((index, k) => {
+      const on = () => choose(k);
+      const does = { type: "button", onpointerenter: on, onfocus: on, onclick: on };
+      return h("button", does, indexed("J", index + 1));
+    });
+    heads.replaceChildren(h("th"), ...buttons.map((button) => h("th", {}, button)));
+    cells = ROWS.map(() => buttons.map(() => h("td")));
+    const line = (row, i) => h("tr", {}, h("th", {}, indexed(...ROWS[i])), row);
+    body.replaceChildren(...cells.map(line));
+  };
+  const show = (columns, chosen) => {
+    cells.forEach((row, i) =>
+      row.forEach((cell, k) => {
+        write(cell, sparse(columns[k][i], 2));
+        cell.classList.toggle("on", k === chosen);
+      }),
+    );
+    buttons.forEach((button, k) => button.setAttribute("aria-pressed", String(k === chosen)));
+  };
+  return { root, lay, show };
 }
 
 // How fast the tip can go which way, as the arm is moved.
@@ -189,114 +187,32 @@ export function loads(host, spec) {
   const live = makeLive(host, spec, {
     state: { view: spec.push ? "torque" : "pose", wrench: spec.wrench ?? [0, 0, 0, 0, 0, 0] },
     side: [bars],
-    words: (state, { torque }) => {
-      const worst = torque.reduce(
-        (best, v, i) => (Math.abs(v) > Math.abs(torque[best]) ? i : best),
-        0,
-      );
-      const most = `joint ${joints(state.arm)[worst] + 1}: ${fixed(torque[worst], 1)} N m`;
+    words: ({ arm }, { torque }) => {
+      const sizes = torque.map(Math.abs);
+      const worst = sizes.indexOf(Math.max(...sizes));
+      const most = `joint ${joints(arm)[worst] + 1}: ${fixed(torque[worst], 1)} N m`;
       return `${spec.words ?? "Move the arm."} The most is asked of ${most}.`;
     },
   });
-  const lines = joints(live.store.state.arm).map((index) => {
-    const [fill, value] = [h("span.fill"), h("span")];
-    return {
-      fill,
-      value,
-      root: h(
-        "div.bar",
-        {},
-        h("span", {}, indexed("τ", index + 1)),
-        h("span.track", {}, fill),
-        value,
-      ),
-    };
-  });
+  const lines = joints(live.store.state.arm).map(torqueBar);
   bars.replaceChildren(...lines.map((one) => one.root));
-  live.follow((state, { torque }) => {
-    const most = Math.max(...joints(state.arm).map((index) => state.arm.rows[index].effort ?? 50));
-    lines.forEach(({ fill, value }, i) => {
-      const share = Math.max(-1, Math.min(1, torque[i] / most));
-      Object.assign(fill.style, {
-        left: `${50 + 50 * Math.min(0, share)}%`,
-        width: `${50 * Math.abs(share)}%`,
-      });
-      write(value, `${fixed(torque[i], 1)} N m`);
-    });
+  live.follow(({ arm }, { torque }) => {
+    const most = Math.max(...joints(arm).map((index) => arm.rows[index].effort ?? 50));
+    lines.forEach((line, i) => line.show(torque[i], most));
   });
   return live.dispose;
 }
 
-// The elbow swings while the tip stays: the freedom that a seventh joint gives.
-export function swing(host, spec) {
-  const abort = new AbortController();
-  const live = makeLive(host, spec, {
-    words: (state) => {
-      const values = joints(state.arm).map(
-        (index, k) => `q${index + 1} ${jointText(state.arm.rows[index], state.q[k], "deg")}`,
-      );
-      return `The tip stays; ${values.join(", ")}.`;
-    },
-  });
-  const { store } = live;
-  const held = store.derived.frames.at(-1);
-  store.dispatch({ type: "show", hold: { pinned: held, turns: true, free: 1 } });
-  const path = swungBothWays(store.state.arm, store.state.q, held);
-  const middle = path.findIndex((q) => q === store.state.q);
-  const put = (v) => {
-    const q = path[Math.max(0, Math.min(path.length - 1, Math.round(v)))];
-    store.dispatch({ type: "move", q, hold: store.state.hold, gesture: "swing" });
+function torqueBar(index) {
+  const [fill, value] = [h("span.fill"), h("span")];
+  const name = h("span", {}, indexed("τ", index + 1));
+  const show = (torque, most) => {
+    const share = Math.max(-1, Math.min(1, torque / most));
+    const [left, width] = [50 + 50 * Math.min(0, share), 50 * Math.abs(share)];
+    Object.assign(fill.style, { left: `${left}%`, width: `${width}%` });
+    write(value, `${fixed(torque, 1)} N m`);
   };
-  const text = (v) => deg(path[Math.round(v)]?.[2] - path[middle][2]);
-  const lever = makeLever("elbow", [0, path.length - 1], middle, {
-    put,
-    text,
-    signal: abort.signal,
-  });
-  live.card.querySelector(".side").prepend(lever.root);
-  return () => (abort.abort(), live.dispose());
-}
-
-// Joint vectors with the tip at rest, in small steps both ways, within limits.
-function swungBothWays(arm, start, held) {
-  const limits = joints(arm).map((index) => [
-    arm.rows[index].lower ?? -Infinity,
-    arm.rows[index].upper ?? Infinity,
-  ]);
-  const walk = (sign) => {
-    const found = [];
-    let [q, before] = [start, null];
-    for (let step = 0; step < 80; step++) {
-      const columnsOf = linkColumns(arm, q);
-      const [direction] = rightNull(columnsOf);
-      if (!direction) break;
-      const along = before
-        ? direction.reduce((s, v, k) => s + v * before[k], 0)
-        : sign * direction[2];
-      const way = direction.map((v) => (along < 0 ? -v : v));
-      const next = reach(
-        arm,
-        q.map((v, k) => v + 0.03 * way[k]),
-        held,
-      ).q;
-      if (next.some((v, k) => v < limits[k][0] || v > limits[k][1])) break;
-      found.push(next);
-      [q, before] = [next, way];
-    }
-    return found;
-  };
-  return [...walk(-1).reverse(), start, ...walk(1)];
-}
-
-function linkColumns(arm, q) {
-  const frames = linkFrames(arm, q);
-  const tip = frames.at(-1).o;
-  return joints(arm).map((index) => {
-    const { z, o } = frames[index];
-    const r = minus(tip, o);
-    const v = [z[1] * r[2] - z[2] * r[1], z[2] * r[0] - z[0] * r[2], z[0] * r[1] - z[1] * r[0]];
-    return [...v, ...z];
-  });
+  return { root: h("div.bar", {}, name, h("span.track", {}, fill), value), show };
 }
 
 // The circle on the wall for a radius: below a certain one the joints swing, above they wind.
@@ -306,16 +222,7 @@ export function winds(host, spec) {
   const live = makeLive(host, spec, {
     hold: false,
     state: { view: "trace", lit: spec.lit ? spec.lit - 1 : null },
-    words: ({ arm }) => {
-      if (!result) return "Computing …";
-      const size = `Radius ${fixed(100 * radius, 1)} cm`;
-      if (result.largest > 1e-4)
-        return `${size}: no run gets round; the arm would have to pass a singular pose.`;
-      const wound = joints(arm).flatMap((index, k) =>
-        Math.abs(result.wound[k]) > 0.9 ? [`joint ${index + 1}`] : [],
-      );
-      return `${size}: ${wound.length ? `${listed(wound)} wind once round` : "the joints swing and come back"}.`;
-    },
+    words: ({ arm }) => (result ? windingOf(arm, result, radius) : "Computing …"),
   });
   const { store } = live;
   const start = store.state.q;
@@ -333,22 +240,26 @@ export function winds(host, spec) {
     show();
     live.refresh();
   };
-  const options = { signal: abort.signal };
-  const place = makeLever("round", [0, 1], 0, {
-    ...options,
-    put: (v) => ((at = v), result && show()),
-    text: (v) => `${fixed(100 * v, 0)} %`,
-  });
-  const size = makeLever("radius", [0.01, 0.1], radius, {
-    ...options,
-    put: (v) => ((radius = v), run()),
-    text: (v) => `${fixed(100 * v, 1)} cm`,
-  });
-  live.card
-    .querySelector(".side")
-    .prepend(...(spec.fixed ? [place.root] : [size.root, place.root]));
+  const lever = (name, range, value, put, text) =>
+    makeLever(name, range, value, { put, text, signal: abort.signal }).root;
+  const goTo = (v) => ((at = v), result && show());
+  const place = lever("round", [0, 1], 0, goTo, (v) => `${fixed(100 * v, 0)} %`);
+  const resize = (v) => ((radius = v), run());
+  const size = lever("radius", [0.01, 0.1], radius, resize, (v) => `${fixed(100 * v, 1)} cm`);
+  live.card.querySelector(".side").prepend(...(spec.fixed ? [place] : [size, place]));
   run();
   return () => (abort.abort(), live.dispose());
+}
+
+function windingOf(arm, { largest, wound }, radius) {
+  const size = `Radius ${fixed(100 * radius, 1)} cm`;
+  if (largest > 1e-4)
+    return `${size}: no run gets round; the arm would have to pass a singular pose.`;
+  const round = joints(arm).flatMap((index, k) =>
+    Math.abs(wound[k]) > 0.9 ? [`joint ${index + 1}`] : [],
+  );
+  const swing = "the joints swing and come back";
+  return `${size}: ${round.length ? `${listed(round)} wind once round` : swing}.`;
 }
 
 // Every way to the pose, to be clicked through.
@@ -392,46 +303,38 @@ export function ways(host, spec) {
 
 // The elbow's two triangles: shoulder, elbow and tip; and the tip's place over the shoulder.
 export function triangles(host, spec) {
-  const live = makeLive(
-    host,
-    { arm: "Elbow arm", ...spec },
-    {
-      words: ({ arm, q }, { frames }) => {
-        const [shoulder, tip] = [frames[1].o, frames.at(-1).o];
-        const far = norm(minus(tip, shoulder));
-        const [a2, a3] = [arm.rows[1].a, arm.rows[2].a];
-        const D = (far * far - a2 * a2 - a3 * a3) / (2 * a2 * a3);
-        const reached = `Shoulder to tip ${fixed(1000 * far, 0)} mm`;
-        return `${reached}, so D = ${fixed(D, 3)} and θ₃ = ${deg(q[2])}; its cosine is D.`;
-      },
-    },
-  );
+  const words = ({ arm, q }, { frames }) => {
+    const far = norm(minus(frames.at(-1).o, frames[1].o));
+    const [a2, a3] = [arm.rows[1].a, arm.rows[2].a];
+    const D = (far * far - a2 * a2 - a3 * a3) / (2 * a2 * a3);
+    const reached = `Shoulder to tip ${fixed(1000 * far, 0)} mm`;
+    return `${reached}, so D = ${fixed(D, 3)} and θ₃ = ${deg(q[2])}; its cosine is D.`;
+  };
+  const live = makeLive(host, { arm: "Elbow arm", ...spec }, { words });
   const { picture } = live;
   let drawn = [];
   live.follow((state, { frames }) => {
     if (!picture?.world) return;
-    for (const piece of drawn) {
-      piece.traverse((part) => {
-        part.material?.dispose();
-        part.geometry?.dispose();
-      });
-      piece.removeFromParent();
-    }
-    const [shoulder, elbow, tip] = frames.slice(1).map((frame) => frame.o);
-    const below = [tip[0], tip[1], shoulder[2]];
-    const line = (p, q) => [p, plus(scaled(0.5, p), scaled(0.5, q)), q];
-    const thin = 0.003 * picture.size;
-    const sides = [
-      [shoulder, tip, 0],
-      [shoulder, below, 2],
-      [below, tip, 2],
-      [shoulder, elbow, 1],
-      [elbow, tip, 1],
-    ];
-    drawn = sides
+    drawn.forEach(freed);
+    drawn = sidesOf(frames.slice(1).map((frame) => frame.o))
       .filter(([p, q]) => norm(minus(p, q)) > 1e-3)
-      .map(([p, q, colour]) => tube(line(p, q), thin, branchColour(colour)));
+      .map(([p, q, colour]) => {
+        const middle = plus(scaled(0.5, p), scaled(0.5, q));
+        return tube([p, middle, q], 0.003 * picture.size, branchColour(colour));
+      });
     drawn.forEach((piece) => picture.world.add(piece));
   });
   return live.dispose;
+}
+
+// The triangles' sides, each with the number of its colour.
+function sidesOf([shoulder, elbow, tip]) {
+  const below = [tip[0], tip[1], shoulder[2]];
+  return [
+    [shoulder, tip, 0],
+    [shoulder, below, 2],
+    [below, tip, 2],
+    [shoulder, elbow, 1],
+    [elbow, tip, 1],
+  ];
 }

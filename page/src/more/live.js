@@ -11,7 +11,7 @@ import { relativeRail } from "../rail.js";
 import { ArmPicture } from "../scene.js";
 import { startingState, Store } from "../state.js";
 import { poseText, stillSvg } from "../still.js";
-import { jointText, spokenJoint } from "../text.js";
+import { jointText, replaced, spokenJoint } from "../text.js";
 import { watchTheme } from "../theme.js";
 import { holdVerdict } from "../verdicts.js";
 import ARMS from "./arms.json";
@@ -37,70 +37,13 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   const arm = typeof spec.arm === "object" ? spec.arm : armOf(spec.arm);
   const store = new Store(startingState({ arm, q: spec.q ?? homeOf(arm), ...state }));
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
-  const labels = h("div.labels", { "aria-hidden": "true" });
-  const grip = h("button.grip", {
-    type: "button",
-    "aria-label": "Tip: drag it, or move it by arrow keys",
-    hidden: !hold,
-    onkeydown: (event) => picture && moveTipByKey(picture, store, event),
-  });
-  const stage = h("div.stage", { role: "group", "aria-label": `The ${arm.name}` }, labels, grip);
+  const stage = makeStage(store, { hold, first });
   const said = h("p.words");
   const why = h("p.why", { hidden: true });
-  const levers = (spec.joints ?? []).map((number) => lever(number));
-  const card = h(
-    "figure.live",
-    {},
-    stage,
-    h("div.side", {}, ...side, ...levers.map((one) => one.root), said, why),
-  );
+  const levers = (spec.joints ?? []).map((number) => jointLever(store, number, signal));
+  const beside = h("div.side", {}, ...side, ...levers.map((one) => one.root), said, why);
+  const card = h("figure.live", {}, stage.root, beside);
   root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
-  let picture = null;
-  try {
-    picture = new ArmPicture(stage, labels, {
-      first,
-      onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
-    });
-    if (hold)
-      makeGrabbable(picture, store, { grip, goTo: (q) => store.dispatch({ type: "glide", q }) });
-  } catch {
-    grip.hidden = true; // no WebGL here: a still picture follows
-  }
-
-  function lever(number) {
-    const k = joints(arm).indexOf(number - 1);
-    const row = arm.rows[number - 1];
-    const [lower, upper] = range(row);
-    const put = (value, gesture = null) => {
-      store.dispatch({
-        type: "move",
-        q: store.state.q.map((v, i) => (i === k ? value : v)),
-        gesture,
-      });
-    };
-    const input = h("input", {
-      type: "range",
-      min: lower,
-      max: upper,
-      step: "any",
-      "aria-label": `Joint ${number}`,
-      oninput: (e) => put(Number(e.target.value), `keys ${number}`),
-    });
-    const rail = h("div.rail", {}, input);
-    let gesture = null;
-    relativeRail(rail, input, {
-      start: () => (gesture = `lever ${++drags}`),
-      put: (v) => put(v, gesture),
-      signal,
-    });
-    const output = h("output");
-    const show = ({ q, unit }) => {
-      input.value = String(q[k]);
-      input.setAttribute("aria-valuetext", spokenJoint(row, q[k], unit));
-      write(output, jointText(row, q[k], unit));
-    };
-    return { root: h("div.lever", {}, h("span", {}, indexed("q", number)), rail, output), show };
-  }
 
   let theme = "light";
   const listeners = [];
@@ -111,10 +54,8 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     const stopped = holdVerdict(now.hold);
     write(why, stopped);
     why.hidden = !stopped;
-    if (picture) picture.draw(now, derived, theme);
-    else stage.replaceChildren(stillSvg(now.arm, derived.frames, poseText(now.arm, now.q)));
+    stage.draw(now, derived, theme);
     for (const listener of listeners) listener(now, derived);
-    stage.setAttribute("aria-label", poseText(now.arm, now.q));
   }
   watchTheme((now) => {
     theme = now;
@@ -122,19 +63,68 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     refresh();
   }, signal);
   store.listen(refresh, signal);
-  return {
-    store,
-    picture,
-    card,
-    signal,
-    refresh,
-    follow: (listener) => (listeners.push(listener), refresh()),
-    dispose() {
-      abort.abort();
-      picture?.dispose();
-      root.replaceChildren();
-    },
+  const { picture } = stage;
+  const follow = (listener) => (listeners.push(listener), refresh());
+  const dispose = () => (abort.abort(), picture?.dispose(), root.replaceChildren());
+  return { store, picture, card, signal, refresh, follow, dispose };
+}
+
+// The picture and what holds it; a still one where there is no WebGL.
+function makeStage(store, { hold, first }) {
+  const labels = h("div.labels", { "aria-hidden": "true" });
+  const grip = h("button.grip", {
+    type: "button",
+    "aria-label": "Tip: drag it, or move it by arrow keys",
+    hidden: !hold,
+    onkeydown: (event) => picture && moveTipByKey(picture, store, event),
+  });
+  const name = `The ${store.state.arm.name}`;
+  const root = h("div.stage", { role: "group", "aria-label": name }, labels, grip);
+  let picture = null;
+  try {
+    const onPlace = ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`);
+    picture = new ArmPicture(root, labels, { first, onPlace });
+    if (hold)
+      makeGrabbable(picture, store, { grip, goTo: (q) => store.dispatch({ type: "glide", q }) });
+  } catch {
+    grip.hidden = true; // no WebGL here: a still picture follows
+  }
+  const draw = (state, derived, theme) => {
+    const words = poseText(state.arm, state.q);
+    if (picture) picture.draw(state, derived, theme);
+    else root.replaceChildren(stillSvg(state.arm, derived.frames, words));
+    root.setAttribute("aria-label", words);
   };
+  return { root, picture, draw };
+}
+
+// A lever for the joint of a row, by its number from 1.
+function jointLever(store, number, signal) {
+  const { arm } = store.state;
+  const k = joints(arm).indexOf(number - 1);
+  const row = arm.rows[number - 1];
+  const [lower, upper] = range(row);
+  const put = (value, gesture = null) =>
+    store.dispatch({ type: "move", q: replaced(store.state.q, k, value), gesture });
+  const input = h("input", {
+    type: "range",
+    min: lower,
+    max: upper,
+    step: "any",
+    "aria-label": `Joint ${number}`,
+    oninput: (e) => put(Number(e.target.value), `keys ${number}`),
+  });
+  const rail = h("div.rail", {}, input);
+  let gesture = null;
+  const start = () => (gesture = `lever ${++drags}`);
+  relativeRail(rail, input, { start, put: (v) => put(v, gesture), signal });
+  const output = h("output");
+  const show = ({ q, unit }) => {
+    input.value = String(q[k]);
+    input.setAttribute("aria-valuetext", spokenJoint(row, q[k], unit));
+    write(output, jointText(row, q[k], unit));
+  };
+  return { root: h("div.lever", {}, h("span", {}, indexed("q", number)), rail, output), show };
 }
 
 // A lever for any number.

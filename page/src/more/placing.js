@@ -82,11 +82,17 @@ export function directions(before, z, o) {
 export function violation(before, { x, z, o }, i) {
   if (Math.abs(dot(x, z)) > 1e-4) return `x_${i} is not at a right angle to z_${i}.`;
   if (Math.abs(dot(x, before.z)) > 1e-4)
-    return `x_${i} is not at a right angle to z_${i - 1}: no α about x_${i} can then turn z_${i - 1} into z_${i}.`;
+    return (
+      `x_${i} is not at a right angle to z_${i - 1}: ` +
+      `no α about x_${i} can then turn z_${i - 1} into z_${i}.`
+    );
   const away = minus(o, before.o);
   const rest = minus(minus(away, scaled(dot(away, before.z), before.z)), scaled(dot(away, x), x));
   if (norm(rest) > 1e-4)
-    return `The line of x_${i} does not meet the axis z_${i - 1}: no slide a along x_${i} can then bring o_${i} there.`;
+    return (
+      `The line of x_${i} does not meet the axis z_${i - 1}: ` +
+      `no slide a along x_${i} can then bring o_${i} there.`
+    );
   return null;
 }
 

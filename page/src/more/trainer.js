@@ -4,7 +4,7 @@
 import { h, indexed, write } from "../dom.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { sameArm } from "../same_arm.js";
-import { branchColour } from "../scene.js";
+import { branchColour } from "../look.js";
 import { freed } from "../renderer.js";
 import { along, ArmShape, Arrow, ball, paint, rod, Triads } from "../shapes.js";
 import { entryText, fixed } from "../text.js";
@@ -15,6 +15,10 @@ import { bareArm, choices, directions, frameOf, randomArm, tableOf, violation } 
 const NEAR = 22; // px
 const OWN = "An arm of its own";
 const FREE = "A table of this arm; the book chose other directions or zeros, which are free.";
+const NOT_THIS =
+  "The table is valid row by row, and yet not this arm: go back and look at the last frame.";
+const NAMES = ["UR10e (homework)", "Panda (homework)", "Stanford arm", "Elbow arm", OWN];
+const HEADS = ["i", "a (m)", "α (°)", "d (m)", "θ (°)"];
 const ASKED = {
   z: (i) => `Frame ${i}: which way shall z point along its axis?`,
   o: (i) => `Frame ${i}: where on that axis is its origin?`,
@@ -22,196 +26,198 @@ const ASKED = {
 };
 
 export function trainer(host, spec) {
-  const names = ["UR10e (homework)", "Panda (homework)", "Stanford arm", "Elbow arm", OWN];
-  const select = h(
-    "select",
-    { "aria-label": "Arm to place frames on", onchange: (e) => begin(e.target.value) },
-    names.map((name) => h("option", { value: name, selected: name === spec.arm }, name)),
-  );
-  const question = h("p.words", { "aria-live": "polite" });
-  const options = h("div.row", { role: "group", "aria-label": "Choices" });
-  const back = h("button", { type: "button", onclick: () => undo() }, "Back");
-  const fault = h("p.why", { hidden: true, "aria-live": "polite" });
-  const body = h("tbody");
-  const heads = ["i", "a (m)", "α (°)", "d (m)", "θ (°)"].map((text) =>
-    h("th", { scope: "col" }, text),
-  );
-  const table = h(
-    "table",
-    { "aria-label": "The table so far" },
-    h("thead", {}, h("tr", {}, heads)),
-    body,
-  );
-  const side = [
-    h("div.row", {}, select, back),
-    question,
-    options,
-    fault,
-    h("div.scroll", {}, table),
-  ];
-  let arm, bare, placed, now;
-  const live = makeLive(
-    host,
-    { arm: spec.arm ?? names[3] },
-    { hold: false, side, words: () => "" },
-  );
-  const { store, picture } = live;
+  const made = new Trainer(host, spec);
+  return made.live.dispose;
+}
 
-  function begin(name) {
-    arm = name === OWN ? randomArm() : armOf(name);
-    bare = bareArm(arm);
-    placed = [bare.base];
-    now = {};
-    store.dispatch({ type: "select", arm, q: bare.q });
-    const ends = bare.axes.flatMap(({ z, o }) =>
-      [-1, 1].map((way) => plus(o, scaled(way * 1.3 * reach(), z))),
-    );
-    picture?.figure.fit([...ends, bare.end.o, plus(bare.end.o, [0, 0, reach()]), [0, 0, 0]]);
-    show();
+/** The frames placed so far, what of the next one is chosen, and how both are shown. */
+class Trainer {
+  constructor(host, spec) {
+    this.select = this.makeSelect(spec.arm);
+    this.question = h("p.words", { "aria-live": "polite" });
+    this.options = h("div.row", { role: "group", "aria-label": "Choices" });
+    this.back = h("button", { type: "button", onclick: () => this.undo() }, "Back");
+    this.fault = h("p.why", { hidden: true, "aria-live": "polite" });
+    this.body = h("tbody");
+    const heads = HEADS.map((text) => h("th", { scope: "col" }, text));
+    const head = h("thead", {}, h("tr", {}, heads));
+    const table = h("table", { "aria-label": "The table so far" }, head, this.body);
+    const row = h("div.row", {}, this.select, this.back);
+    const side = [row, this.question, this.options, this.fault, h("div.scroll", {}, table)];
+    /** @type {any[]} */
+    this.things = []; // that are drawn
+    const arm = spec.arm ?? NAMES[3];
+    this.live = makeLive(host, { arm }, { hold: false, side, words: () => "" });
+    this.picture = this.live.picture;
+    this.live.follow(() => this.draw());
+    const { figure } = this.picture ?? {};
+    figure?.listen(figure.canvas, "click", (event) => this.click(figure.place(event)));
+    this.begin(arm);
   }
 
-  const step = () => (!now.z ? "z" : !now.o ? "o" : "x");
-  const done = () => placed.length > bare.axes.length;
+  makeSelect(chosen) {
+    return h(
+      "select",
+      { "aria-label": "Arm to place frames on", onchange: (e) => this.begin(e.target.value) },
+      NAMES.map((name) => h("option", { value: name, selected: name === chosen }, name)),
+    );
+  }
+
+  begin(name) {
+    this.arm = /** @type {any} */ (name === OWN ? randomArm() : armOf(name));
+    this.bare = bareArm(this.arm);
+    this.placed = [this.bare.base];
+    this.now = /** @type {any} */ ({});
+    const { axes, end, q } = this.bare;
+    this.live.store.dispatch({ type: "select", arm: this.arm, q });
+    const ends = axes.flatMap(({ z, o }) =>
+      [-1, 1].map((way) => plus(o, scaled(way * 1.3 * this.reach, z))),
+    );
+    const above = plus(end.o, [0, 0, this.reach]);
+    this.picture?.figure.fit([...ends, end.o, above, [0, 0, 0]]);
+    this.show();
+  }
+
+  get step() {
+    return !this.now.z ? "z" : !this.now.o ? "o" : "x";
+  }
+
+  get done() {
+    return this.placed.length > this.bare.axes.length;
+  }
+
+  get reach() {
+    return 0.16 * (this.picture?.size ?? 1);
+  }
 
   // What can be chosen in this step: { value, at, label }.
-  function offered() {
-    if (done()) return [];
-    const before = placed.at(-1);
-    const { zs, points, axis } = choices(bare, placed);
-    if (step() === "z")
-      return zs.map((z) => ({ value: z, at: plus(axis.o, scaled(reach(), z)), label: said(z) }));
-    if (step() === "o") return points.map((o, k) => ({ value: o, at: o, label: "ABCD"[k] }));
-    return directions(before, now.z, now.o).map((x) => ({
-      value: x,
-      at: plus(now.o, scaled(reach(), x)),
-      label: said(x),
-    }));
+  offered() {
+    if (this.done) return [];
+    const { now, reach } = this;
+    const { zs, points, axis } = choices(this.bare, this.placed);
+    if (this.step === "o") return points.map((o, k) => ({ value: o, at: o, label: "ABCD"[k] }));
+    const [from, ways] =
+      this.step === "z" ? [axis.o, zs] : [now.o, directions(this.placed.at(-1), now.z, now.o)];
+    return ways.map((v) => ({ value: v, at: plus(from, scaled(reach, v)), label: said(v) }));
   }
 
-  const reach = () => 0.16 * (picture?.size ?? 1);
+  choose({ value }) {
+    this.now = { ...this.now, [this.step]: value };
+    this.fault.hidden = true;
+    if (this.now.x) this.place();
+    this.show();
+  }
 
-  function choose({ value }) {
-    now = { ...now, [step()]: value };
-    fault.hidden = true;
-    if (now.x) {
-      const frame = frameOf(now.z, now.x, now.o);
-      const wrong = violation(placed.at(-1), frame, placed.length);
-      if (wrong) {
-        const { z, o } = now;
-        now = /does not meet/.test(wrong) ? { z } : { z, o };
-        write(
-          fault,
-          wrong.replaceAll(/_(\d+)/g, (_, digits) =>
-            [...digits].map((d) => "₀₁₂₃₄₅₆₇₈₉"[d]).join(""),
-          ),
-        );
-        fault.hidden = false;
-      } else {
-        placed = [...placed, frame];
-        now = {};
-      }
+  // Place the frame that is chosen, or say what is wrong with it and keep what may be right.
+  place() {
+    const { z, x, o } = this.now;
+    const frame = frameOf(z, x, o);
+    const wrong = violation(this.placed.at(-1), frame, this.placed.length);
+    if (!wrong) {
+      this.placed = [...this.placed, frame];
+      this.now = {};
+      return;
     }
-    show();
+    this.now = /does not meet/.test(wrong) ? { z } : { z, o };
+    const lowered = (_, digits) => [...digits].map((d) => "₀₁₂₃₄₅₆₇₈₉"[d]).join("");
+    write(this.fault, wrong.replaceAll(/_(\d+)/g, lowered));
+    this.fault.hidden = false;
   }
 
-  function undo() {
-    if (now.o) now = { z: now.z };
-    else if (now.z) now = {};
-    else if (placed.length > 1) placed = placed.slice(0, -1);
-    fault.hidden = true;
-    show();
+  undo() {
+    if (this.now.o) this.now = { z: this.now.z };
+    else if (this.now.z) this.now = {};
+    else if (this.placed.length > 1) this.placed = this.placed.slice(0, -1);
+    this.fault.hidden = true;
+    this.show();
   }
 
-  function show() {
-    const found = offered();
-    const buttons = found.map((one) =>
-      h("button", { type: "button", onclick: () => choose(one) }, one.label),
+  show() {
+    const choose = (one) => () => this.choose(one);
+    const buttons = this.offered().map((one) =>
+      h("button", { type: "button", onclick: choose(one) }, one.label),
     );
-    options.replaceChildren(...buttons);
-    write(question, done() ? verdict() : ASKED[step()](placed.length));
-    back.disabled = placed.length === 1 && !now.z;
-    const rows = tableOf(arm, bare, placed);
-    body.replaceChildren(
-      ...rows.map((row, k) => {
-        const moving = row.kind === "revolute" ? "theta" : "d";
-        const cell = (key, text) =>
-          h("td", {}, text, ...(key === moving ? [" + ", ...indexed("q", k + 1)] : []));
-        const angle = (v) => entryText(v, true, "deg");
-        const lengths = (key) => cell(key, entryText(row[key], false, "deg"));
-        const angles = (key) => cell(key, angle(row[key]));
-        const four = [lengths("a"), angles("alpha"), lengths("d"), angles("theta")];
-        return h("tr", {}, h("th", { scope: "row" }, String(k + 1)), four);
-      }),
-    );
-    live.refresh();
+    this.options.replaceChildren(...buttons);
+    write(this.question, this.done ? this.verdict() : ASKED[this.step](this.placed.length));
+    this.back.disabled = this.placed.length === 1 && !this.now.z;
+    this.body.replaceChildren(...tableOf(this.arm, this.bare, this.placed).map(tableRow));
+    this.live.refresh();
   }
 
   // The table is judged by what no choice of frames can change.
-  function verdict() {
+  verdict() {
+    const { arm } = this;
     const free = { lower: null, upper: null, speed: null, effort: null };
-    const rows = tableOf(arm, bare, placed).map((row) => ({ ...free, ...row }));
-    const same = sameArm({ name: "yours", home: [], rows }, arm);
-    if (!same)
-      return "The table is valid row by row, and yet not this arm: go back and look at the last frame.";
-    const book = joints(arm).every((index, k) => {
-      const theirs = arm.rows[index];
-      return ["a", "alpha", "d", "theta"].every(
-        (key) => Math.abs(rows[k][key] - theirs[key]) < 1e-6,
-      );
-    });
+    const rows = tableOf(arm, this.bare, this.placed).map((row) => ({ ...free, ...row }));
+    if (!sameArm({ name: "yours", home: [], rows }, arm)) return NOT_THIS;
+    const near = (row, theirs) =>
+      ["a", "alpha", "d", "theta"].every((key) => Math.abs(row[key] - theirs[key]) < 1e-6);
+    const book = joints(arm).every((index, k) => near(rows[k], arm.rows[index]));
     return book ? "A table of this arm, and the book’s own." : FREE;
   }
 
-  let things = [];
-  live.follow(() => draw());
-  function draw() {
+  draw() {
+    const { picture, bare } = this;
     if (!picture?.world || !bare) return;
     picture.triads.visible = false;
-    picture.labels.set([]);
-    things.forEach(freed);
+    picture.body.visible = false; // thin links, so that what is chosen can be seen
+    this.things.forEach(freed);
     const { size } = picture;
     const ink = paint(branchColour(7));
-    picture.body.visible = false; // thin links, so that what is chosen can be seen
-    const thin = new ArmShape(arm, { link: ink, joint: ink, ghost: true, girth: 0.2 });
+    const thin = new ArmShape(this.arm, { link: ink, joint: ink, ghost: true, girth: 0.2 });
     thin.pose(bare.frames);
     const lines = bare.axes.map(({ z, o }) => {
       const line = rod(ink);
       along(line, plus(o, scaled(-0.2 * size, z)), plus(o, scaled(0.2 * size, z)), 0.002 * size);
       return line;
     });
-    const frames = new Triads(picture.dark, placed.length);
-    frames.pose(placed, 0.1 * size);
-    const spots = offered().map(({ at, value }) => {
-      const colour = paint(branchColour(1));
-      const from = step() === "o" ? null : step() === "z" ? choices(bare, placed).axis.o : now.o;
-      if (!from) {
-        const spot = ball(colour);
-        spot.position.fromArray(at);
-        spot.scale.setScalar(0.014 * size);
-        return spot;
-      }
-      const arrow = new Arrow(colour);
-      arrow.point(from, scaled(reach(), value), 0.005 * size);
-      return arrow;
-    });
-    things = [thin, ...lines, frames, ...spots];
-    things.forEach((thing) => picture.world.add(thing));
+    const frames = new Triads(picture.dark, this.placed.length);
+    frames.pose(this.placed, 0.1 * size);
+    const offered = this.offered();
+    this.things = [thin, ...lines, frames, ...offered.map((one) => this.spot(one))];
+    this.things.forEach((thing) => picture.world.add(thing));
     picture.labels.set(
-      offered().map(({ at, label }) => ({ tip: at, letter: label, index: "", tone: "y" })),
+      offered.map(({ at, label }) => ({ tip: at, letter: label, index: "", tone: "y" })),
     );
   }
 
-  picture?.figure.listen(picture.figure.canvas, "click", (event) => {
-    const [x, y] = picture.figure.place(event);
-    const gaps = offered().map((one) => {
-      const [px, py] = picture.figure.pixel(one.at);
+  // A place or a direction that can be chosen.
+  spot({ at, value }) {
+    const colour = paint(branchColour(1));
+    const { size } = this.picture;
+    if (this.step === "o") {
+      const spot = ball(colour);
+      spot.position.fromArray(at);
+      spot.scale.setScalar(0.014 * size);
+      return spot;
+    }
+    const arrow = new Arrow(colour);
+    const from = this.step === "z" ? choices(this.bare, this.placed).axis.o : this.now.o;
+    arrow.point(from, scaled(this.reach, value), 0.005 * size);
+    return arrow;
+  }
+
+  click([x, y]) {
+    const gaps = this.offered().map((one) => {
+      const [px, py] = this.picture.figure.pixel(one.at);
       return { one, gap: Math.hypot(px - x, py - y) };
     });
     const best = gaps.sort((p, q) => p.gap - q.gap)[0];
-    if (best && best.gap < NEAR) choose(best.one);
-  });
-  begin(spec.arm ?? names[3]);
-  return live.dispose;
+    if (best && best.gap < NEAR) this.choose(best.one);
+  }
+}
+
+function tableRow(row, k) {
+  const moving = row.kind === "revolute" ? "theta" : "d";
+  const cell = (key, angle) =>
+    h(
+      "td",
+      {},
+      entryText(row[key], angle, "deg"),
+      ...(key === moving ? [" + ", ...indexed("q", k + 1)] : []),
+    );
+  const four = [cell("a", false), cell("alpha", true), cell("d", false), cell("theta", true)];
+  return h("tr", {}, h("th", { scope: "row" }, String(k + 1)), four);
 }
 
 // A direction in words: along a base axis where it is one, else by its numbers.

@@ -1,123 +1,132 @@
 // The line above the picture: which arm, units, and what may be done with the whole instrument.
 
 import { homeOf } from "../../../judge/geometry/arm.js";
-import { h, svg, whereNew } from "../dom.js";
+import { h, svg, whereNew, write } from "../dom.js";
 import { randomPose } from "../motion.js";
 
 export function makeHead(store, { arms, link, goTo, stage, card, say }) {
-  const several = arms.length > 1;
-  const choice = h("select.name", {
-    "aria-label": "Arm",
-    onchange: (e) => choose(e.target.selectedIndex),
-  });
-  const name = several ? choice : h("span.name");
-  let listed = null;
-  const button = (text, title, onclick) => h("button", { type: "button", title, onclick }, text);
-  const units = [
-    ["deg", "degrees"],
-    ["rad", "radians"],
-  ].map(([unit, title]) => {
-    const show = () => store.dispatch({ type: "show", unit });
-    return h("button", { type: "button", title, "data-unit": unit, onclick: show }, unit);
-  });
-  const frames = button(
-    "Frames",
-    "Draw the frame of every link, or the first and the last only",
-    () => {
-      store.dispatch({ type: "show", frames: store.state.frames === "all" ? "ends" : "all" });
-    },
-  );
-  const undo = button("↶", "Undo (Ctrl+Z)", () => store.dispatch({ type: "undo" }));
-  const redo = button("↷", "Redo (Ctrl+Shift+Z)", () => store.dispatch({ type: "redo" }));
-  undo.setAttribute("aria-label", "Undo");
-  redo.setAttribute("aria-label", "Redo");
-  const full = button("", "Full screen", () => toggleFull(card));
-  full.setAttribute("aria-label", "Full screen");
-  const corners = "M1 5V1h4M9 1h4v4M13 9v4H9M5 13H1V9";
-  const ink = { d: corners, fill: "none", stroke: "currentColor", "stroke-width": 1.6 };
-  full.append(
-    svg(
-      "svg",
-      { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" },
-      svg("path", ink),
-    ),
-  );
+  const name = arms.length > 1 ? makeChoice(store, arms, stage) : makeName();
+  const units = makeUnits(store);
+  const frames = makeFrames(store);
+  const steps = makeSteps(store);
   const buttons = [
-    h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units),
-    frames,
+    units.root,
+    frames.root,
     button("Home", "Where this arm stands first", () => goTo(homeOf(store.state.arm))),
     button("Random", "Somewhere within its limits", () => goTo(randomPose(store.state.arm))),
     button("Fit", "The whole arm into the picture", () => stage.fit()),
-    h("span.pair", { role: "group", "aria-label": "Undo and redo" }, undo, redo),
+    steps.root,
+    ...(document.fullscreenEnabled ? [makeFull(card)] : []),
+    ...(link ? [makeCopy(link, say)] : []),
   ];
-  if (document.fullscreenEnabled) buttons.push(full);
-  if (link) {
-    buttons.push(
-      button("Copy link", "An address that opens this arm in this place", async (event) => {
-        const copied = await link.copy();
-        event.target.textContent = copied ? "Copied" : "In the address bar";
-        say(() => event.target.textContent);
-        setTimeout(() => (event.target.textContent = "Copy link"), 1600);
-      }),
-    );
-  }
-
   card.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
     if (event.target.matches("input[type=text], textarea") && !event.target.dataset.cell) return;
     event.preventDefault();
     store.dispatch({ type: event.shiftKey ? "redo" : "undo" });
   });
-
-  function choose(index) {
-    if (!arms[index]) return;
-    store.dispatch({ type: "select", arm: arms[index] });
-    stage.fit();
-  }
-
-  // An arm that was typed stands in the list by its own name.
-  function list({ arm, base }) {
-    const own = arm === base ? null : arm.name;
-    if (listed === own && choice.options.length) return;
-    listed = own;
-    const options = arms.map((one) => h("option", {}, one.name));
-    choice.replaceChildren(...options, ...(own ? [h("option", {}, own)] : []));
-  }
-
-  function update(state) {
-    units.forEach((unit) =>
-      unit.setAttribute("aria-pressed", String(unit.dataset.unit === state.unit)),
-    );
-    frames.setAttribute("aria-pressed", String(state.frames === "all"));
-    undo.disabled = !state.past.length;
-    redo.disabled = !state.future.length;
-    if (!several) return void (name.textContent = state.arm.name);
-    list(state);
-    const index =
-      state.arm === state.base ? arms.findIndex((arm) => arm.name === state.arm.name) : arms.length;
-    choice.selectedIndex = Math.max(0, index);
-    return undefined;
-  }
+  const group = h("div.buttons", { role: "group", "aria-label": "Settings" }, buttons);
+  const parts = [name, units, frames, steps];
   return {
-    root: h(
-      "header",
-      {},
-      name,
-      h("div.buttons", { role: "group", "aria-label": "Settings" }, buttons),
-    ),
-    update: whereNew(
-      ({ unit, frames, past, future, arm, base }) => [
-        unit,
-        frames,
-        !past.length,
-        !future.length,
-        arm,
-        base,
-      ],
-      update,
-    ),
+    root: h("header", {}, name.root, group),
+    update: whereNew(SHOWS, (state) => parts.forEach((part) => part.update(state))),
   };
 }
+
+// What the line shows of a state.
+const SHOWS = ({ unit, frames, past, future, arm, base }) => [
+  unit,
+  frames,
+  !past.length,
+  !future.length,
+  arm,
+  base,
+];
+
+const button = (text, title, onclick) => h("button", { type: "button", title, onclick }, text);
+const press = (one, is) => one.setAttribute("aria-pressed", String(is));
+
+function makeName() {
+  const root = h("span.name");
+  return { root, update: ({ arm }) => write(root, arm.name) };
+}
+
+// The list of arms; one that was typed stands in it by its own name.
+function makeChoice(store, arms, stage) {
+  const choose = (arm) => {
+    if (!arm) return;
+    store.dispatch({ type: "select", arm });
+    stage.fit();
+  };
+  const root = h("select.name", {
+    "aria-label": "Arm",
+    onchange: () => choose(arms[root.selectedIndex]),
+  });
+  let listed = null;
+  function list({ arm, base }) {
+    const own = arm === base ? null : arm.name;
+    if (listed === own && root.options.length) return;
+    listed = own;
+    const names = [...arms.map((one) => one.name), ...(own ? [own] : [])];
+    root.replaceChildren(...names.map((text) => h("option", {}, text)));
+  }
+  function update(state) {
+    const { arm, base } = state;
+    list(state);
+    const index = arm === base ? arms.findIndex((one) => one.name === arm.name) : arms.length;
+    root.selectedIndex = Math.max(0, index);
+  }
+  return { root, update };
+}
+
+function makeUnits(store) {
+  const units = Object.entries({ deg: "degrees", rad: "radians" }).map(([unit, title]) => {
+    const onclick = () => store.dispatch({ type: "show", unit });
+    return h("button", { type: "button", title, "data-unit": unit, onclick }, unit);
+  });
+  return {
+    root: h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units),
+    update: ({ unit }) => units.forEach((one) => press(one, one.dataset.unit === unit)),
+  };
+}
+
+function makeFrames(store) {
+  const title = "Draw the frame of every link, or the first and the last only";
+  const other = () => (store.state.frames === "all" ? "ends" : "all");
+  const root = button("Frames", title, () => store.dispatch({ type: "show", frames: other() }));
+  return { root, update: ({ frames }) => press(root, frames === "all") };
+}
+
+function makeSteps(store) {
+  const undo = button("↶", "Undo (Ctrl+Z)", () => store.dispatch({ type: "undo" }));
+  const redo = button("↷", "Redo (Ctrl+Shift+Z)", () => store.dispatch({ type: "redo" }));
+  undo.setAttribute("aria-label", "Undo");
+  redo.setAttribute("aria-label", "Redo");
+  return {
+    root: h("span.pair", { role: "group", "aria-label": "Undo and redo" }, undo, redo),
+    update({ past, future }) {
+      undo.disabled = !past.length;
+      redo.disabled = !future.length;
+    },
+  };
+}
+
+function makeFull(card) {
+  const root = button("", "Full screen", () => toggleFull(card));
+  root.setAttribute("aria-label", "Full screen");
+  const corners = "M1 5V1h4M9 1h4v4M13 9v4H9M5 13H1V9";
+  const ink = { d: corners, fill: "none", stroke: "currentColor", "stroke-width": 1.6 };
+  const box = { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" };
+  root.append(svg("svg", box, svg("path", ink)));
+  return root;
+}
+
+const makeCopy = (link, say) =>
+  button("Copy link", "An address that opens this arm in this place", async ({ target }) => {
+    target.textContent = (await link.copy()) ? "Copied" : "In the address bar";
+    say(() => target.textContent);
+    setTimeout(() => (target.textContent = "Copy link"), 1600);
+  });
 
 function toggleFull(card) {
   const { host } = card.getRootNode();

@@ -2,11 +2,19 @@
 
 import { outside, range } from "../../../judge/geometry/arm.js";
 import { attribute, h, indexed, write } from "../dom.js";
-import { readEntry, unfinished } from "../../../judge/reading/entry.js";
+import { entered } from "../entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { relativeRail } from "../rail.js";
-import { isAngle, jointText, limitText, quantityOf, spokenJoint } from "../text.js";
+import { isAngle, jointText, limitText, quantityOf, replaced, spokenJoint } from "../text.js";
 
+const KEYS = {
+  ArrowLeft: -1,
+  ArrowDown: -1,
+  ArrowRight: 1,
+  ArrowUp: 1,
+  PageUp: 10,
+  PageDown: -10,
+};
 let drags = 0;
 
 export function makeSliders(store, { say, signal }) {
@@ -15,124 +23,118 @@ export function makeSliders(store, { say, signal }) {
   let lines = [];
   let shown = /** @type {any} */ ({});
 
-  const put = (i, value, gesture = null) => {
-    store.dispatch({
-      type: "move",
-      q: store.state.q.map((v, k) => (k === i ? value : v)),
-      gesture,
-    });
-  };
-
-  function typed(i, row, input, last) {
-    const { unit, q } = store.state;
-    const { value, error: fault } = readEntry(input.value, quantityOf(row), unit);
-    const wrong = fault && (last || !unfinished(input.value));
-    attribute(input, "aria-invalid", String(Boolean(wrong)));
-    error.textContent = wrong ? `${input.dataset.joint} ${fault}.` : "";
-    if (wrong) say(() => error.textContent);
-    if (!last) return;
-    if (!fault) put(i, value);
-    input.value = jointText(row, fault ? q[i] : value, unit);
-    input.setAttribute("aria-invalid", "false");
-  }
+  const acts = actsOf(store, error, say);
 
   function lay({ arm, unit }) {
     shown.abort?.abort();
     const abort = new AbortController();
     signal.addEventListener("abort", () => abort.abort(), { signal: abort.signal });
-    lines = joints(arm).map((index, i) => line(arm.rows[index], index, i, unit, abort.signal));
+    lines = joints(arm).map((index, i) =>
+      makeLine(arm.rows[index], { index, i, unit, signal: abort.signal }, acts),
+    );
     const none = h("p.words", {}, "No joint moves this arm.");
     root.replaceChildren(...(lines.length ? lines.map((one) => one.root) : [none]), error);
     shown = { rows: arm.rows, unit, abort };
   }
 
-  function line(row, index, i, unit, lifetime) {
-    const [lower, upper] = range(row);
-    const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
-    const slider = h("input", {
-      type: "range",
-      min: lower,
-      max: upper,
-      step: "any",
-      "aria-label": label,
-      "data-joint": index + 1,
-      oninput: (e) => put(i, Number(e.target.value), `slider ${index}`),
-      onkeydown: (e) => nudge(e, row, i),
-    });
-    const field = h("input.value", {
-      type: "text",
-      spellcheck: "false",
-      autocomplete: "off",
-      "aria-label": `${label}, typed`,
-      "data-joint": label,
-      oninput: (e) => typed(i, row, e.target, false),
-      onchange: (e) => typed(i, row, e.target, true),
-    });
-    const limit = (value) =>
-      h("span", {}, (value ?? null) === null ? "" : limitText(row, value, unit));
-    const past = h("span.past");
-    const bounds = h("span.bounds", {}, limit(row.lower), past, limit(row.upper));
-    const light = (lit) => () => store.state.lit !== lit && store.dispatch({ type: "show", lit });
-    const rail = h("div.rail", {}, slider, bounds);
-    let gesture = null;
-    const start = () => (gesture = `rail ${++drags}`);
-    relativeRail(rail, slider, { start, put: (value) => put(i, value, gesture), signal: lifetime });
-    const lights = {
-      onpointerenter: light(index),
-      onpointerleave: light(null),
-      onfocusin: light(index),
-      onfocusout: light(null),
-    };
-    const lineRoot = h(
-      "div.joint",
-      lights,
-      h("span.label", {}, indexed("q", index + 1)),
-      rail,
-      field,
-    );
-    return { root: lineRoot, slider, field, past, row, index };
-  }
-
-  // Native steps of a slider with step="any" are a hundredth of its range; these are whole degrees
-  // and millimetres. Shift is finer.
-  function nudge(event, row, i) {
-    const sign = {
-      ArrowLeft: -1,
-      ArrowDown: -1,
-      ArrowRight: 1,
-      ArrowUp: 1,
-      PageUp: 10,
-      PageDown: -10,
-    }[event.key];
-    const [lower, upper] = range(row);
-    const end = { Home: lower, End: upper }[event.key];
-    if (!sign && end === undefined) return;
-    event.preventDefault();
-    const step = (isAngle(row) ? Math.PI / 180 : 0.005) * (event.shiftKey ? 0.1 : 1);
-    put(i, end ?? Math.min(upper, Math.max(lower, store.state.q[i] + sign * step)), `keys ${i}`);
-  }
-
   function update(state) {
     if (shown.rows !== state.arm.rows || shown.unit !== state.unit) lay(state);
-    lines.forEach(({ root: part, slider, field, past, row, index }, i) => {
-      part.classList.toggle("lit", state.lit === index);
-      const value = state.q[i];
-      const [lower, upper] = range(row);
-      slider.value = String(value);
-      attribute(slider, "aria-valuetext", spokenJoint(row, value, state.unit));
-      const [at, zero] = [value, 0].map(
-        (v) => 100 * Math.min(1, Math.max(0, (v - lower) / (upper - lower || 1))),
-      );
-      slider.style.setProperty("--low", `${Math.min(at, zero).toFixed(2)}%`);
-      slider.style.setProperty("--high", `${Math.max(at, zero).toFixed(2)}%`);
-      if (field.getRootNode().activeElement !== field) {
-        const text = jointText(row, value, state.unit);
-        if (field.value !== text) field.value = text;
-      }
-      const beyond = outside(row, value);
-      part.classList.toggle("past", beyond);
-      write(past, beyond ? "past its limit" : "");
-    });
+    lines.forEach((line, i) => showJoint(line, state.q[i], state));
   }
   return { root, update };
+}
+
+// What a line does with its joint, the i-th of q.
+function actsOf(store, error, say) {
+  const acts = {
+    put: (i, value, gesture = null) =>
+      store.dispatch({ type: "move", q: replaced(store.state.q, i, value), gesture }),
+    typed: (i, row, field, whole) => {
+      const { unit, q } = store.state;
+      const { value, words } = entered(field, quantityOf(row), { unit, whole });
+      write(error, words && `${field.dataset.joint} ${words}.`);
+      if (words) say(() => error.textContent);
+      if (!whole) return;
+      if (value !== undefined) acts.put(i, value);
+      field.value = jointText(row, value ?? q[i], unit);
+      field.setAttribute("aria-invalid", "false");
+    },
+    nudge: (event, row, i) => {
+      const value = nudged(event, row, store.state.q[i]);
+      if (value === null) return;
+      event.preventDefault();
+      acts.put(i, value, `keys ${i}`);
+    },
+    light: (lit) => store.state.lit !== lit && store.dispatch({ type: "show", lit }),
+  };
+  return acts;
+}
+
+// The line of one joint: `index` is its row, `i` its place in q.
+function makeLine(row, { index, i, unit, signal }, { put, typed, nudge, light }) {
+  const [lower, upper] = range(row);
+  const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
+  const slider = h("input", {
+    type: "range",
+    min: lower,
+    max: upper,
+    step: "any",
+    "aria-label": label,
+    "data-joint": index + 1,
+    oninput: (e) => put(i, Number(e.target.value), `slider ${index}`),
+    onkeydown: (e) => nudge(e, row, i),
+  });
+  const field = h("input.value", {
+    type: "text",
+    spellcheck: "false",
+    autocomplete: "off",
+    "aria-label": `${label}, typed`,
+    "data-joint": label,
+    oninput: (e) => typed(i, row, e.target, false),
+    onchange: (e) => typed(i, row, e.target, true),
+  });
+  const past = h("span.past");
+  const rail = h("div.rail", {}, slider, boundsOf(row, past, unit));
+  let gesture = null;
+  const start = () => (gesture = `rail ${++drags}`);
+  relativeRail(rail, slider, { start, put: (value) => put(i, value, gesture), signal });
+  const [on, off] = [() => light(index), () => light(null)];
+  const lights = { onpointerenter: on, onpointerleave: off, onfocusin: on, onfocusout: off };
+  const name = h("span.label", {}, indexed("q", index + 1));
+  return { root: h("div.joint", lights, name, rail, field), slider, field, past, row, index };
+}
+
+// The joint's limits, and between them whether it is past one.
+function boundsOf(row, past, unit) {
+  const limit = (value) =>
+    h("span", {}, (value ?? null) === null ? "" : limitText(row, value, unit));
+  return h("span.bounds", {}, limit(row.lower), past, limit(row.upper));
+}
+
+// Where a key takes a joint, or null for another key. Native steps of a slider with step="any" are
+// a hundredth of its range; these are whole degrees and millimetres. Shift is finer.
+function nudged({ key, shiftKey }, row, value) {
+  const [lower, upper] = range(row);
+  if (key === "Home") return lower;
+  if (key === "End") return upper;
+  if (!KEYS[key]) return null;
+  const step = (isAngle(row) ? Math.PI / 180 : 0.005) * (shiftKey ? 0.1 : 1);
+  return Math.min(upper, Math.max(lower, value + KEYS[key] * step));
+}
+
+function showJoint({ root, slider, field, past, row, index }, value, { lit, unit }) {
+  const [lower, upper] = range(row);
+  root.classList.toggle("lit", lit === index);
+  slider.value = String(value);
+  attribute(slider, "aria-valuetext", spokenJoint(row, value, unit));
+  const [at, zero] = [value, 0].map(
+    (v) => 100 * Math.min(1, Math.max(0, (v - lower) / (upper - lower || 1))),
+  );
+  slider.style.setProperty("--low", `${Math.min(at, zero).toFixed(2)}%`);
+  slider.style.setProperty("--high", `${Math.max(at, zero).toFixed(2)}%`);
+  const text = jointText(row, value, unit);
+  if (field.getRootNode().activeElement !== field && field.value !== text) field.value = text;
+  const beyond = outside(row, value);
+  root.classList.toggle("past", beyond);
+  write(past, beyond ? "past its limit" : "");
 }

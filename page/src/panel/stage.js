@@ -10,8 +10,11 @@ import { reach } from "../motion.js";
 import { ArmPicture } from "../scene.js";
 
 const HELP =
-  "Picture of the arm. Arrow keys turn the view, plus and minus bring it nearer and farther, 0 fits it. " +
-  "The button at the tip moves the tip; the sliders turn the joints.";
+  "Picture of the arm. Arrow keys turn the view, plus and minus bring it nearer and farther, " +
+  "0 fits it. The button at the tip moves the tip; the sliders turn the joints.";
+const GRIP_HELP = "Arrow keys move the tip across the picture, Page keys to and fro.";
+const LOST = "The browser took the picture’s graphics away; it comes back when it can.";
+const FLAT = "This browser gives no WebGL, so the picture is a still one that follows.";
 const VIEW_KEYS = {
   ArrowLeft: [-0.12, 0],
   ArrowRight: [0.12, 0],
@@ -24,75 +27,24 @@ const VIEW_KEYS = {
 const SWING = 0.06; // rad along the null space for one press
 
 export function makeStage(store, { goTo, id, say }) {
-  const labels = h("div.labels", { "aria-hidden": "true" });
-  const grip = h("button.grip", {
-    type: "button",
-    "aria-label": "Tip",
-    "aria-describedby": `${id}-grip`,
-    onkeydown: tipKeys,
-    title: "Drag the tip: the joints follow. Arrow keys move it too.",
+  const parts = {
+    labels: h("div.labels", { "aria-hidden": "true" }),
+    grip: makeGrip(id, (event) => {
+      if (picture && moveTipByKey(picture, store, event)) say(() => holdVerdict(store.state.hold));
+    }),
+    help: h("span.hidden", { id: `${id}-grip` }, GRIP_HELP),
+    hold: makeHoldBar(store),
+    why: h("p.why", { "aria-hidden": "true" }),
+    lost: h("p.lost", { hidden: true }, LOST),
+  };
+  const { labels, grip, help, hold, why, lost } = parts;
+  const root = h("div.stage", { tabindex: 0, role: "application", "aria-label": HELP });
+  root.append(labels, grip, help, hold.root, why, lost);
+  const picture = pictureIn(root, parts, store, goTo);
+  root.addEventListener("dblclick", () => picture?.fit());
+  root.addEventListener("keydown", (event) => {
+    if (event.target === root && turnedView(picture, event.key)) event.preventDefault();
   });
-  const help = h(
-    "span.hidden",
-    { id: `${id}-grip` },
-    "Arrow keys move the tip across the picture, Page keys to and fro.",
-  );
-  const why = h("p.why", { "aria-hidden": "true" });
-  const lost = h(
-    "p.lost",
-    { hidden: true },
-    "The browser took the picture’s graphics away; it comes back when it can.",
-  );
-  const hold = makeHoldBar(store);
-  const root = h(
-    "div.stage",
-    {
-      tabindex: 0,
-      role: "application",
-      "aria-label": HELP,
-      onkeydown: viewKeys,
-      ondblclick: () => picture?.fit(),
-    },
-    labels,
-    grip,
-    help,
-    hold.root,
-    why,
-    lost,
-  );
-  let picture = null;
-  try {
-    picture = new ArmPicture(root, labels, {
-      onLost: (is) => (lost.hidden = !is),
-      onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
-    });
-    picture.figure.foot = () => hold.root.offsetHeight + 40; // and the foot’s own disc and label
-    makeGrabbable(picture, store, { grip, goTo });
-  } catch {
-    picture = null; // no WebGL here
-    root.classList.add("flat");
-    root.setAttribute("role", "group");
-    root.setAttribute("aria-label", "Still picture of the arm, which follows the sliders");
-    root.removeAttribute("tabindex");
-    root.replaceChildren(
-      h("slot"),
-      h("p", {}, "This browser gives no WebGL, so the picture is a still one that follows."),
-    );
-  }
-
-  function viewKeys(event) {
-    if (event.target !== root) return;
-    const [turn, tilt, nearer] = VIEW_KEYS[event.key] ?? [];
-    if (event.key === "0") picture?.fit();
-    else if (turn === undefined) return;
-    else picture?.figure.orbit(turn, tilt, nearer);
-    event.preventDefault();
-  }
-
-  function tipKeys(event) {
-    if (picture && moveTipByKey(picture, store, event)) say(() => holdVerdict(store.state.hold));
-  }
-
   return {
     root,
     draw(state, derived, theme) {
@@ -100,10 +52,8 @@ export function makeStage(store, { goTo, id, say }) {
     },
     update(state) {
       hold.update(state);
-      grip.hidden =
-        !picture ||
-        !joints(state.arm).length ||
-        (state.view === "torque" && !state.wrench.slice(0, 3).some(Boolean));
+      const pushed = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
+      grip.hidden = !picture || !joints(state.arm).length || !pushed;
       const words = holdVerdict(state.hold);
       write(why, words);
       why.hidden = !words;
@@ -114,48 +64,59 @@ export function makeStage(store, { goTo, id, say }) {
   };
 }
 
+const makeGrip = (id, onkeydown) =>
+  h("button.grip", {
+    type: "button",
+    "aria-label": "Tip",
+    "aria-describedby": `${id}-grip`,
+    onkeydown,
+    title: "Drag the tip: the joints follow. Arrow keys move it too.",
+  });
+
+// The live picture, or null where there is no WebGL: then the stage holds the still one.
+function pictureIn(root, { labels, grip, hold, lost }, store, goTo) {
+  try {
+    const picture = new ArmPicture(root, labels, {
+      onLost: (is) => (lost.hidden = !is),
+      onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
+    });
+    picture.figure.foot = () => hold.root.offsetHeight + 40; // and the foot’s own disc and label
+    makeGrabbable(picture, store, { grip, goTo });
+    return picture;
+  } catch {
+    root.classList.add("flat");
+    root.setAttribute("role", "group");
+    root.setAttribute("aria-label", "Still picture of the arm, which follows the sliders");
+    root.removeAttribute("tabindex");
+    root.replaceChildren(h("slot"), h("p", {}, FLAT));
+    return null;
+  }
+}
+
+// Turn the view by a key; whether it was one.
+function turnedView(picture, key) {
+  const view = VIEW_KEYS[key];
+  if (key === "0") picture?.fit();
+  else if (view) picture?.figure.orbit(...view);
+  return key === "0" || Boolean(view);
+}
+
 // Below the picture: whether a dragged tip keeps its direction, and whether the tip is pinned so
 // that the elbow swings.
 function makeHoldBar(store) {
-  const keep = h(
-    "button",
-    {
-      type: "button",
-      title: "A dragged tip keeps the direction of the tool too",
-      onclick: () => store.dispatch({ type: "show", keepTurn: !store.state.keepTurn }),
-    },
-    "Keep direction",
+  const button = (text, title, onclick) => h("button", { type: "button", title, onclick }, text);
+  const keep = button("Keep direction", "A dragged tip keeps the direction of the tool too", () =>
+    store.dispatch({ type: "show", keepTurn: !store.state.keepTurn }),
   );
-  const pin = h(
-    "button",
-    {
-      type: "button",
-      title: "Hold the tip where it is, and drag the elbow through what is left",
-      onclick: togglePin,
-    },
-    "Pin the tip",
-  );
-  const swing = [-1, 1].map((way) =>
-    h(
-      "button.swing",
-      {
-        type: "button",
-        "aria-label": `Swing ${way < 0 ? "one" : "the other"} way`,
-        onclick: () => swingBy(store, way),
-      },
-      way < 0 ? "↺" : "↻",
-    ),
-  );
+  const title = "Hold the tip where it is, and drag the elbow through what is left";
+  const pin = button("Pin the tip", title, () => togglePin(store));
+  const swing = [-1, 1].map((way) => {
+    const label = `Swing ${way < 0 ? "one" : "the other"} way`;
+    const onclick = () => swingBy(store, way);
+    const attributes = { type: "button", "aria-label": label, onclick };
+    return h("button.swing", attributes, way < 0 ? "↺" : "↻");
+  });
   const root = h("div.hold", { role: "group", "aria-label": "The tip" }, keep, pin, swing);
-
-  function togglePin() {
-    const { state, derived } = store;
-    const turns = joints(state.arm).length > 6 || (state.keepTurn && asked(state.arm) === 6);
-    const pinned = state.hold?.pinned
-      ? null
-      : { pinned: derived.frames.at(-1), turns, free: freedom(store, turns) };
-    store.dispatch({ type: "show", hold: pinned });
-  }
 
   function update({ keepTurn, hold, arm }) {
     const pinned = Boolean(hold?.pinned);
@@ -163,10 +124,17 @@ function makeHoldBar(store) {
     keep.hidden = asked(arm) < 6;
     pin.setAttribute("aria-pressed", String(pinned));
     pin.textContent = pinned ? pinWords(hold) : "Pin the tip";
-    swing.forEach((button) => (button.hidden = !pinned || !hold.free));
+    swing.forEach((one) => (one.hidden = !pinned || !hold.free));
   }
   const shows = ({ keepTurn, hold, arm }) => [keepTurn, arm, hold?.pinned, hold?.free, hold?.turns];
   return { root, update: whereNew(shows, update) };
+}
+
+function togglePin(store) {
+  const { state, derived } = store;
+  const turns = joints(state.arm).length > 6 || (state.keepTurn && asked(state.arm) === 6);
+  const pinned = { pinned: derived.frames.at(-1), turns, free: freedom(store, turns) };
+  store.dispatch({ type: "show", hold: state.hold?.pinned ? null : pinned });
 }
 
 const pinWords = ({ free, turns }) => {

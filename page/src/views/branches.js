@@ -5,17 +5,22 @@ import { limited, outside } from "../../../judge/geometry/arm.js";
 import { latest } from "../jobs.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { isThere } from "../motion.js";
-import { branchColour } from "../scene.js";
+import { branchColour } from "../look.js";
 import { leftBehind } from "../state.js";
 import { fixed, jointText } from "../text.js";
 import { waysVerdict } from "../verdicts.js";
 
 export const title = "IK branches";
 
+const FIND = "Find the ways to this pose";
+const UNASKED =
+  "Each way that the same pose can be reached is shown in a colour of its own; " +
+  "choose one to go there.";
+
 export function build(store, { goTo, say }) {
   const words = h("p.verdict");
   const list = h("ol.ways");
-  const find = h("button.main", { type: "button", onclick: search }, "Find the ways to this pose");
+  const find = h("button.main", { type: "button", onclick: search }, FIND);
   const root = h("div.branches", {}, h("div.row", {}, find), words, list);
   const ask = latest("ways");
   let shown;
@@ -27,52 +32,46 @@ export function build(store, { goTo, say }) {
       store.dispatch({ type: "ways", arm, ways });
       say(() => words.textContent, true);
     });
-    find.textContent = "Find the ways to this pose";
+    find.textContent = FIND;
   }
 
   function update(state, derived) {
-    if (shown?.ways !== state.ways || shown.unit !== state.unit || shown.arm !== state.arm)
-      lay(state);
+    const { ways, unit, arm } = state;
+    if (shown?.ways !== ways || shown.unit !== unit || shown.arm !== arm) {
+      const light = (highlighted) => store.dispatch({ type: "show", highlighted });
+      const buttons = (ways?.list ?? []).map((way, i) => wayButton(way, i, state, { goTo, light }));
+      list.replaceChildren(...buttons.map((button) => h("li", {}, button)));
+      shown = { ways, unit, arm, buttons };
+    }
     const left = leftBehind(state, derived);
     root.classList.toggle("left", Boolean(left));
     write(words, summary(state, left));
     shown.buttons.forEach((button, i) => {
-      attribute(button, "aria-current", String(isThere(state.ways.list[i].q, state.q)));
+      attribute(button, "aria-current", String(isThere(ways.list[i].q, state.q)));
     });
-  }
-
-  function lay({ ways, arm, unit }) {
-    const moving = joints(arm);
-    const buttons = (ways?.list ?? []).map(({ q, label }, i) => {
-      const past = moving.flatMap((row, k) => (outside(arm.rows[row], q[k]) ? [row + 1] : []));
-      const light = (on) => () => store.dispatch({ type: "show", highlighted: on ? i : null });
-      const note = past.length
-        ? `past the limit of joint ${past.join(", ")}`
-        : limited(arm)
-          ? "within limits"
-          : "";
-      const values = moving.map((row, k) =>
-        h("span", {}, indexed("q", row + 1), ` ${jointText(arm.rows[row], q[k], unit)}`),
-      );
-      const lights = {
-        onpointerenter: light(true),
-        onpointerleave: light(false),
-        onfocus: light(true),
-        onblur: light(false),
-      };
-      return h(
-        "button",
-        { type: "button", onclick: () => goTo(q), ...lights },
-        h("span.swatch", { style: `background:${branchColour(i)}`, "aria-hidden": "true" }),
-        h("span.name", {}, label ? named(label) : `way ${i + 1}`),
-        h("span.values", {}, values),
-        h(past.length ? "span.note.past" : "span.note", {}, note),
-      );
-    });
-    list.replaceChildren(...buttons.map((button) => h("li", {}, button)));
-    shown = { ways, unit, arm, buttons };
   }
   return { root, update, summary: () => words.textContent };
+}
+
+function wayButton({ q, label }, i, { arm, unit }, { goTo, light }) {
+  const moving = joints(arm);
+  const past = moving.flatMap((row, k) => (outside(arm.rows[row], q[k]) ? [row + 1] : []));
+  const within = limited(arm) ? "within limits" : "";
+  const values = moving.map((row, k) =>
+    h("span", {}, indexed("q", row + 1), ` ${jointText(arm.rows[row], q[k], unit)}`),
+  );
+  const [on, off] = [() => light(i), () => light(null)];
+  const lights = { onpointerenter: on, onpointerleave: off, onfocus: on, onblur: off };
+  return h(
+    "button",
+    { type: "button", onclick: () => goTo(q), ...lights },
+    h("span.swatch", { style: `background:${branchColour(i)}`, "aria-hidden": "true" }),
+    h("span.name", {}, label ? named(label) : `way ${i + 1}`),
+    h("span.values", {}, values),
+    past.length
+      ? h("span.note.past", {}, `past the limit of joint ${past.join(", ")}`)
+      : h("span.note", {}, within),
+  );
 }
 
 // A branch's name as Python writes it, its q_5 and elbow - as they are printed.
@@ -84,8 +83,7 @@ const named = (label) =>
     );
 
 function summary({ ways, arm }, left) {
-  if (!ways)
-    return "Each way that the same pose can be reached is shown in a colour of its own; choose one to go there.";
+  if (!ways) return UNASKED;
   const choose = ways.list.length > 1 ? " Choose one, here or in the picture, to go there." : "";
   if (!left) return waysVerdict(arm, ways) + choose;
   const gone =

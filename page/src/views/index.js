@@ -6,7 +6,6 @@ import { later } from "./later.js";
 import * as pose from "./pose.js";
 import * as table from "./table.js";
 import * as torque from "./torque.js";
-import * as trace from "./trace.js";
 
 /**
  * A view: `title` of its tab, and `build(store, tools)`, which gives its `root`, `update(state,
@@ -16,7 +15,7 @@ export const VIEWS = {
   table,
   pose,
   jacobian,
-  trace,
+  trace: later("trace", "Circle trace"),
   torque,
   branches,
   homework: later("homework", "Play the homework"),

@@ -17,60 +17,15 @@ const ROWS = [
   ["ω", "z"],
 ];
 
-export function build(store, { point }) {
-  const head = h("tr");
-  const body = h("tbody");
-  const table = h(
-    "table.heat",
-    { "aria-label": "Jacobian of the tip: one column for each joint" },
-    h("thead", {}, head),
-    body,
-  );
+export function build(_store, { point }) {
+  const heat = makeHeat(point);
   const verdict = h("p.verdict");
   const facts = h("dl.facts");
   const note = h("p.words");
-  const root = h(
-    "div.jacobian",
-    {},
-    h("div.scroll", { tabindex: 0, role: "region", "aria-label": "Jacobian" }, table),
-    h("div", {}, verdict, facts, note),
-  );
-  let [cells, arm] = [[], null];
-
-  function lay() {
-    arm = store.state.arm;
-    const moving = joints(arm);
-    head.replaceChildren(
-      h("th", {}, h("span.hidden", {}, "row")),
-      ...moving.map((row) => h("th", { scope: "col" }, indexed("q", row + 1))),
-    );
-    cells = ROWS.map(() =>
-      moving.map((row) =>
-        h("td", { onpointerenter: () => point(row), onpointerleave: () => point(null) }),
-      ),
-    );
-    body.replaceChildren(
-      ...cells.map((row, i) =>
-        h(i === 3 ? "tr.second" : "tr", {}, h("th", { scope: "row" }, indexed(...ROWS[i])), row),
-      ),
-    );
-  }
+  const root = h("div.jacobian", {}, heat.root, h("div", {}, verdict, facts, note));
 
   function update(state, derived, stage) {
-    if (arm !== state.arm) lay();
-    const { columns } = derived;
-    const shares = [0, 3].map((from) =>
-      Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),
-    );
-    cells.forEach((row, i) =>
-      row.forEach((cell, j) => {
-        const value = columns[j][i];
-        const share = Math.abs(value) / shares[i < 3 ? 0 : 1];
-        write(cell, sparse(value, 3));
-        attribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
-        cell.style.setProperty("--share", share.toFixed(2));
-      }),
-    );
+    heat.update(state.arm, derived.columns);
     const { singular, text } = rankVerdict(derived);
     attribute(verdict, "class", singular ? "verdict warning" : "verdict");
     write(verdict, text);
@@ -78,11 +33,51 @@ export function build(store, { point }) {
     const scale = stage ? `, drawn at 1 : ${(1 / stage).toFixed(1).replace(".0", "")}` : "";
     write(
       note,
-      `The ellipsoid at the tip holds every velocity that joint rates of unit length give it${scale}; ` +
-        "where it is flat, the tip cannot go.",
+      `The ellipsoid at the tip holds every velocity that joint rates of unit length give it` +
+        `${scale}; where it is flat, the tip cannot go.`,
     );
   }
   return { root, update, summary: (_, derived) => rankVerdict(derived).text };
+}
+
+// The matrix, each number tinted by its share of the largest of its kind.
+function makeHeat(point) {
+  const head = h("tr");
+  const body = h("tbody");
+  const name = { "aria-label": "Jacobian of the tip: one column for each joint" };
+  const table = h("table.heat", name, h("thead", {}, head), body);
+  let [cells, shown] = [[], null];
+
+  function lay(arm) {
+    shown = arm;
+    const moving = joints(arm);
+    const heads = moving.map((row) => h("th", { scope: "col" }, indexed("q", row + 1)));
+    head.replaceChildren(h("th", {}, h("span.hidden", {}, "row")), ...heads);
+    const cell = (row) =>
+      h("td", { onpointerenter: () => point(row), onpointerleave: () => point(null) });
+    cells = ROWS.map(() => moving.map(cell));
+    const line = (row, i) =>
+      h(i === 3 ? "tr.second" : "tr", {}, h("th", { scope: "row" }, indexed(...ROWS[i])), row);
+    body.replaceChildren(...cells.map(line));
+  }
+
+  function update(arm, columns) {
+    if (shown !== arm) lay(arm);
+    const largest = [0, 3].map((from) =>
+      Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),
+    );
+    cells.forEach((row, i) =>
+      row.forEach((cell, j) => {
+        const value = columns[j][i];
+        const share = Math.abs(value) / largest[i < 3 ? 0 : 1];
+        write(cell, sparse(value, 3));
+        attribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
+        cell.style.setProperty("--share", share.toFixed(2));
+      }),
+    );
+  }
+  const place = { tabindex: 0, role: "region", "aria-label": "Jacobian" };
+  return { root: h("div.scroll", place, table), update };
 }
 
 function factList(derived) {

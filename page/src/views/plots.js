@@ -6,6 +6,7 @@ import { joints } from "../../../judge/geometry/kinematics.js";
 import { fixed, isAngle, jointText } from "../text.js";
 
 const [WIDTH, HEIGHT] = [220, 54];
+export const PLOTTED = { joint: "joint values", torque: "static torques" };
 
 export function makePlots() {
   const root = h("div.plots");
@@ -17,67 +18,12 @@ export function makePlots() {
    * @param {boolean} torques whether they are torques rather than joint values
    */
   function lay({ arm, unit }, rows, torques) {
-    cursors = [];
-    const column = (i) => rows.map((row) => row[i]);
-    root.replaceChildren(
-      ...joints(arm).map((row, i) => plot(arm.rows[row], row, column(i), torques, unit)),
-    );
-  }
-
-  function plot(joint, row, values, torques, unit) {
-    const text = (v) =>
-      torques
-        ? `${fixed(v, 2)} ${joint.kind === "revolute" ? "N m" : "N"}`
-        : jointText(joint, v, unit);
-    const effort = joint.effort ?? Infinity;
-    const [lower, upper] = torques
-      ? [-effort, effort]
-      : [joint.lower ?? -Infinity, joint.upper ?? Infinity];
-    const [low, high] = [Math.min(...values), Math.max(...values)];
-    const least = torques ? 0.5 : isAngle(joint) ? 0.1 : 0.02;
-    const middle = (low + high) / 2;
-    const half = Math.max((high - low) / 2, least) * 1.15;
-    const y = (v) => HEIGHT * (0.5 - (v - middle) / (2 * half));
-    const points = values.map(
-      (v, k) => `${((k * WIDTH) / (values.length - 1)).toFixed(1)},${y(v).toFixed(1)}`,
-    );
-    const beyond = (from, to) => {
-      const top = Math.max(0, from);
-      return svg("rect", {
-        x: 0,
-        width: WIDTH,
-        y: top,
-        height: Math.max(0, Math.min(HEIGHT, to) - top),
-        class: "beyond",
-      });
-    };
-    const line = svg("line", { y1: 0, y2: HEIGHT, x1: 0, x2: 0, class: "cursor" });
-    const bands = [
-      ...(upper < Infinity ? [beyond(-1, y(upper))] : []),
-      ...(lower > -Infinity ? [beyond(y(lower), HEIGHT)] : []),
-    ];
-    const box = {
-      viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
-      preserveAspectRatio: "none",
-      "aria-hidden": "true",
-    };
-    const picture = svg("svg", box, ...bands, svg("polyline", { points: points.join(" ") }), line);
-    const value = h("span.now");
-    cursors.push({
-      line,
-      value,
-      at: (share) => text(values[Math.round(share * (values.length - 1))]),
+    const made = joints(arm).map((row, i) => {
+      const values = rows.map((place) => place[i]);
+      return plot(row, values, torques ? ofTorque(arm.rows[row]) : ofJoint(arm.rows[row], unit));
     });
-    const past = values.some((v) => v < lower - 1e-9 || v > upper + 1e-9);
-    const name = h("b", {}, indexed(torques ? "τ" : "q", row + 1));
-    const caption = h(
-      "figcaption",
-      {},
-      name,
-      value,
-      h("span.span", {}, `${text(low)} … ${text(high)}`),
-    );
-    return h(past ? "figure.past" : "figure", {}, caption, picture);
+    cursors = made.map(({ cursor }) => cursor);
+    root.replaceChildren(...made.map(({ figure }) => figure));
   }
 
   function mark(at) {
@@ -88,4 +34,55 @@ export function makePlots() {
     }
   }
   return { root, lay, mark, clear: () => ((cursors = []), root.replaceChildren()) };
+}
+
+// What a plot is of: the symbol, how a value is written, the limits, and the least range shown.
+/** @param {import("../../../judge/geometry/arm.js").Row} joint */
+const ofTorque = ({ kind, effort }) => ({
+  letter: "τ",
+  text: (v) => `${fixed(v, 2)} ${kind === "revolute" ? "N m" : "N"}`,
+  limits: [-(effort ?? Infinity), effort ?? Infinity],
+  least: 0.5,
+});
+const ofJoint = (joint, unit) => ({
+  letter: "q",
+  text: (v) => jointText(joint, v, unit),
+  limits: [joint.lower ?? -Infinity, joint.upper ?? Infinity],
+  least: isAngle(joint) ? 0.1 : 0.02,
+});
+
+function plot(row, values, { letter, text, limits, least }) {
+  const [lower, upper] = limits;
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  const half = Math.max((high - low) / 2, least) * 1.15;
+  const y = (v) => HEIGHT * (0.5 - (v - (low + high) / 2) / (2 * half));
+  const last = values.length - 1;
+  const points = values.map((v, k) => `${((k * WIDTH) / last).toFixed(1)},${y(v).toFixed(1)}`);
+  const line = svg("line", { y1: 0, y2: HEIGHT, x1: 0, x2: 0, class: "cursor" });
+  const bands = [
+    ...(upper < Infinity ? [beyond(-1, y(upper))] : []),
+    ...(lower > -Infinity ? [beyond(y(lower), HEIGHT)] : []),
+  ];
+  const box = {
+    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    preserveAspectRatio: "none",
+    "aria-hidden": "true",
+  };
+  const picture = svg("svg", box, ...bands, svg("polyline", { points: points.join(" ") }), line);
+  const value = h("span.now");
+  const name = h("b", {}, indexed(letter, row + 1));
+  const span = h("span.span", {}, `${text(low)} … ${text(high)}`);
+  const past = values.some((v) => v < lower - 1e-9 || v > upper + 1e-9);
+  const caption = h("figcaption", {}, name, value, span);
+  return {
+    cursor: { line, value, at: (share) => text(values[Math.round(share * last)]) },
+    figure: h(past ? "figure.past" : "figure", {}, caption, picture),
+  };
+}
+
+// A band beyond a limit.
+function beyond(from, to) {
+  const y = Math.max(0, from);
+  const height = Math.max(0, Math.min(HEIGHT, to) - y);
+  return svg("rect", { x: 0, width: WIDTH, y, height, class: "beyond" });
 }

@@ -2,11 +2,11 @@
 // stays.
 
 import { KINDS as JOINTS, MOST_ROWS } from "../../../judge/geometry/arm.js";
-import { attribute, h, write } from "../dom.js";
-import { readEntry, unfinished } from "../../../judge/reading/entry.js";
+import { h, indexed, write } from "../dom.js";
+import { entered } from "../entry.js";
 import { FORMATS, exported } from "../exports.js";
 import { lateReader } from "../figures.js";
-import { entryText } from "../text.js";
+import { entryText, replaced } from "../text.js";
 import { tableVerdict } from "../verdicts.js";
 
 export const title = "DH table";
@@ -20,79 +20,39 @@ const COLUMNS = [
 const SAID = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
 const KINDS = JOINTS.map((kind) => [kind, SAID[kind]]);
 const SEVERAL = /[\n\t;&|]|\]\s*,|,\s*\[/; // a table has them, an entry has none
+const MOVING = { revolute: "theta", prismatic: "d" };
 const NEW_ROW = { kind: "revolute", a: 0.2, alpha: 0, d: 0, theta: 0 };
 
 export function build(store, { say }) {
-  const units = h("tr");
-  const body = h("tbody", { onpaste: pasted });
   const error = h("p.error");
   const verdict = h("p.verdict");
-  const add = h(
-    "button",
-    { type: "button", onclick: () => change([...store.state.arm.rows, NEW_ROW]) },
-    "Add a row",
-  );
-  const first = () => change(store.state.base.rows);
-  const back = h("button", { type: "button", onclick: first }, "Back to the first table");
-  const formats = Object.entries(FORMATS).map(([name, { label }]) =>
-    h("option", { value: name }, label),
-  );
-  const format = h("select", { "aria-label": "Format to copy" }, formats);
-  const copy = h("button", { type: "button", onclick: copied }, "Copy as");
-  const table = h(
-    "table.entries",
-    { "aria-label": "Denavit-Hartenberg table, standard convention" },
-    h("thead", {}, units),
-    body,
-  );
-  const root = h(
-    "div.dh",
-    {},
-    h(
-      "div.scroll",
-      { tabindex: 0, role: "region", "aria-label": "Denavit-Hartenberg table" },
-      table,
-    ),
-    error,
-    h("div.row", {}, add, back, h("span.right.pair", {}, copy, format)),
-    verdict,
-  );
-  let shown = {};
-
   const change = (rows, rowBefore, gesture = null) =>
     store.dispatch({ type: "edit", rows, rowBefore, gesture });
   const complain = (words) => {
     error.textContent = words ? `${words} The last good arm stays.` : "";
     if (words) say(() => error.textContent);
   };
+  const grid = makeGrid(store, { change, complain, say });
+  const button = (text, onclick) => h("button", { type: "button", onclick }, text);
+  const add = button("Add a row", () => change([...store.state.arm.rows, NEW_ROW]));
+  const back = button("Back to the first table", () => change(store.state.base.rows));
+  const row = h("div.row", {}, add, back, makeCopy(store, say));
+  const root = h("div.dh", {}, grid.root, error, row, verdict);
+  const update = (state, derived) => {
+    grid.update(state);
+    add.disabled = state.arm.rows.length >= MOST_ROWS;
+    write(verdict, tableVerdict(state, derived));
+  };
+  return { root, update, summary: () => error.textContent || verdict.textContent };
+}
 
-  function typed(i, [key, letter, angle], input, last) {
-    const { value, error: fault } = readEntry(
-      input.value,
-      angle ? "angle" : "length",
-      store.state.unit,
-    );
-    const wrong = fault && (last || !unfinished(input.value));
-    attribute(input, "aria-invalid", String(Boolean(wrong)));
-    complain(wrong ? `Row ${i + 1}, ${letter} ${fault}.` : "");
-    if (fault) return;
-    const rows = store.state.arm.rows.map((row, k) => (k === i ? { ...row, [key]: value } : row));
-    change(rows, undefined, `cell ${i} ${key}`);
-  }
-
-  // A whole table from a spreadsheet, a matrix or a page, wherever in the table it is pasted.
-  async function pasted(event) {
-    const text = event.clipboardData?.getData("text/plain") ?? "";
-    if (!SEVERAL.test(text.trim())) return;
-    event.preventDefault();
-    const readTable = await lateReader();
-    const table = readTable(text, store.state.unit) ?? { error: "it is a single entry." };
-    complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
-    if ("error" in table) return;
-    change(table.rows);
-    if (table.said.length) say(() => `Taken as ${table.said.join("; ")}`, true);
-  }
-
+// The table as text, in the format that the reader chooses.
+function makeCopy(store, say) {
+  const formats = Object.entries(FORMATS).map(([name, { label }]) =>
+    h("option", { value: name }, label),
+  );
+  const format = h("select", { "aria-label": "Format to copy" }, formats);
+  const copy = h("button", { type: "button", onclick: copied }, "Copy as");
   async function copied() {
     const text = exported(format.value, store.state);
     const done = await navigator.clipboard?.writeText(text).then(
@@ -104,90 +64,103 @@ export function build(store, { say }) {
     say(() => `${copy.textContent} as ${FORMATS[format.value].label}`, true);
     setTimeout(() => (copy.textContent = "Copy as"), 1600);
   }
+  return h("span.right.pair", {}, copy, format);
+}
 
-  function lay({ arm, unit }) {
-    const angle = unit === "deg" ? "°" : "rad";
-    units.replaceChildren(
-      ...["row", "joint"].map((t) => h("th", { scope: "col" }, t)),
-      ...COLUMNS.map(([, letter, turn]) =>
-        h(
-          "th",
-          { scope: "col" },
-          h("i", {}, letter),
-          h("small", {}, turn ? ` (${angle})` : " (m)"),
-        ),
-      ),
-      h("th", {}, h("span.hidden", {}, "remove")),
-    );
-    body.replaceChildren(...arm.rows.map((row, i) => line(row, i, arm, unit)));
+// The table itself: a line of fields for each row, which are not laid anew while one is typed in.
+function makeGrid(store, { change, complain, say }) {
+  const units = h("tr");
+  const body = h("tbody", { onpaste: (event) => pasted(event, store, { change, complain, say }) });
+  const name = { "aria-label": "Denavit-Hartenberg table, standard convention" };
+  const table = h("table.entries", name, h("thead", {}, units), body);
+  let shown = /** @type {any} */ ({});
+
+  function typed(i, [key, letter, angle], input, whole) {
+    const { unit, arm } = store.state;
+    const { value, words } = entered(input, angle ? "angle" : "length", { unit, whole });
+    complain(words && `Row ${i + 1}, ${letter} ${words}.`);
+    if (value === undefined) return;
+    change(replaced(arm.rows, i, { ...arm.rows[i], [key]: value }), undefined, `cell ${i} ${key}`);
+  }
+
+  function update({ arm, unit }) {
+    const root = /** @type {ShadowRoot} */ (body.getRootNode());
+    const typing = body.contains(root.activeElement) && root.activeElement.matches("input");
+    const reshaped = shown.rows?.length !== arm.rows.length || shown.unit !== unit;
+    if (!reshaped && (shown.rows === arm.rows || typing)) return;
+    units.replaceChildren(...headsOf(unit));
+    body.replaceChildren(...arm.rows.map((_, i) => tableLine(i, arm, unit, { change, typed })));
     shown = { rows: arm.rows, unit };
   }
+  const place = { tabindex: 0, role: "region", "aria-label": "Denavit-Hartenberg table" };
+  return { root: h("div.scroll", place, table), update };
+}
 
-  function line(row, i, arm, unit) {
-    const kind = h(
-      "select",
-      {
-        "aria-label": `Row ${i + 1}, kind of joint`,
-        onchange: (e) => change(arm.rows.map((r, k) => (k === i ? newKind(r, e.target.value) : r))),
-      },
-      KINDS.map(([value, text]) => h("option", { value, selected: row.kind === value }, text)),
-    );
-    const entry = (column) => {
-      const [key, letter, angle] = column;
-      const moves =
-        (row.kind === "revolute" && key === "theta") || (row.kind === "prismatic" && key === "d");
-      const input = h("input", {
-        type: "text",
-        spellcheck: "false",
-        autocomplete: "off",
-        value: entryText(row[key], angle, unit),
-        "aria-label": `Row ${i + 1}, ${letter}`,
-        "data-cell": `${i + 1}-${key}`,
-        oninput: (e) => typed(i, column, e.target, false),
-        onchange: (e) => typed(i, column, e.target, true),
-      });
-      return h(
-        moves ? "td.moves" : "td",
-        {},
-        input,
-        moves ? h("span", {}, "+ ", h("i", {}, "q"), h("sub", {}, String(i + 1))) : [],
-      );
-    };
-    const remove = h(
-      "button.remove",
-      {
-        type: "button",
-        "aria-label": `Remove row ${i + 1}`,
-        title: `Remove row ${i + 1}`,
-        disabled: arm.rows.length === 1,
-        onclick: () =>
-          change(
-            arm.rows.filter((_, k) => k !== i),
-            (k) => (k < i ? k : k + 1),
-          ),
-      },
-      "×",
-    );
-    return h(
-      "tr",
-      {},
-      h("th", { scope: "row" }, String(i + 1)),
-      h("td", {}, kind),
-      COLUMNS.map(entry),
-      h("td", {}, remove),
-    );
-  }
+// A whole table from a spreadsheet, a matrix or a page, wherever in the table it is pasted.
+async function pasted(event, store, { change, complain, say }) {
+  const text = event.clipboardData?.getData("text/plain") ?? "";
+  if (!SEVERAL.test(text.trim())) return;
+  event.preventDefault();
+  const readTable = await lateReader();
+  const table = readTable(text, store.state.unit) ?? { error: "it is a single entry." };
+  complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
+  if ("error" in table) return;
+  change(table.rows);
+  if (table.said.length) say(() => `Taken as ${table.said.join("; ")}`, true);
+}
 
-  function update(state, derived) {
-    const typing =
-      body.contains(root.getRootNode().activeElement) &&
-      root.getRootNode().activeElement.matches("input");
-    const reshaped = shown.rows?.length !== state.arm.rows.length || shown.unit !== state.unit;
-    if (reshaped || (shown.rows !== state.arm.rows && !typing)) lay(state);
-    add.disabled = state.arm.rows.length >= MOST_ROWS;
-    write(verdict, tableVerdict(state, derived));
-  }
-  return { root, update, summary: () => error.textContent || verdict.textContent };
+const headsOf = (unit) => [
+  ...["row", "joint"].map((text) => h("th", { scope: "col" }, text)),
+  ...COLUMNS.map(([, letter, turn]) => {
+    const small = h("small", {}, turn ? ` (${unit === "deg" ? "°" : "rad"})` : " (m)");
+    return h("th", { scope: "col" }, h("i", {}, letter), small);
+  }),
+  h("th", {}, h("span.hidden", {}, "remove")),
+];
+
+function tableLine(i, arm, unit, { change, typed }) {
+  const row = arm.rows[i];
+  const onchange = (e) => change(replaced(arm.rows, i, newKind(row, e.target.value)));
+  const kinds = KINDS.map(([value, text]) =>
+    h("option", { value, selected: row.kind === value }, text),
+  );
+  const kind = h("select", { "aria-label": `Row ${i + 1}, kind of joint`, onchange }, kinds);
+  const others = () => arm.rows.filter((_, k) => k !== i);
+  const remove = h(
+    "button.remove",
+    {
+      type: "button",
+      "aria-label": `Remove row ${i + 1}`,
+      title: `Remove row ${i + 1}`,
+      disabled: arm.rows.length === 1,
+      onclick: () => change(others(), (k) => (k < i ? k : k + 1)),
+    },
+    "×",
+  );
+  return h(
+    "tr",
+    {},
+    h("th", { scope: "row" }, String(i + 1)),
+    h("td", {}, kind),
+    COLUMNS.map((column) => entryCell(i, column, row, { unit, typed })),
+    h("td", {}, remove),
+  );
+}
+
+function entryCell(i, column, row, { unit, typed }) {
+  const [key, letter, angle] = column;
+  const input = h("input", {
+    type: "text",
+    spellcheck: "false",
+    autocomplete: "off",
+    value: entryText(row[key], angle, unit),
+    "aria-label": `Row ${i + 1}, ${letter}`,
+    "data-cell": `${i + 1}-${key}`,
+    oninput: (e) => typed(i, column, e.target, false),
+    onchange: (e) => typed(i, column, e.target, true),
+  });
+  if (key !== MOVING[row.kind]) return h("td", {}, input);
+  return h("td.moves", {}, input, h("span", {}, "+ ", indexed("q", i + 1)));
 }
 
 const newKind = (row, kind) => ({

@@ -2,9 +2,9 @@
 // joint's limit.
 
 import { attribute, h, indexed, write } from "../dom.js";
-import { readEntry, unfinished } from "../../../judge/reading/entry.js";
+import { entered } from "../entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
-import { fixed, listed, short } from "../text.js";
+import { fixed, listed, replaced, short } from "../text.js";
 
 export const title = "Static torque";
 
@@ -12,7 +12,42 @@ const PARTS = ["F", "M"].flatMap((letter) =>
   ["x", "y", "z"].map((index) => [letter, index, letter === "F" ? "N" : "N m"]),
 );
 
+const HEADS = ["joint", "gravity", "−Jᵀ F", "torque", "share of the limit"];
+
 export function build(store, { point, say }) {
+  const wrench = makeWrench(store, say);
+  const bars = makeBars(point);
+  const verdict = h("p.verdict");
+  const height = h("p.words");
+  const root = h("div.torque", {}, wrench.root, wrench.error, bars.root, verdict, height);
+
+  function update(state, derived) {
+    const { arm } = state;
+    wrench.update(state.wrench);
+    const over = bars.update(arm, derived);
+    verdict.classList.toggle("warning", over.length > 0);
+    write(verdict, verdictText(arm, over, derived.gravity));
+    const energy = `${fixed(derived.energy, 1)} J here.`;
+    const weighs = arm.rows.some((row) => row.body);
+    write(height, weighs ? `Gravity’s torques are the slopes of one energy, ${energy}` : "");
+  }
+  return { root, update, summary: () => verdict.textContent };
+}
+
+// The wrench, to be typed in: the last good one stays.
+function makeWrench(store, say) {
+  const error = h("p.error");
+  const typed = (i, input, whole) => {
+    const { value, words } = entered(input, i < 3 ? "force" : "moment", { whole });
+    const [letter, index] = PARTS[i];
+    write(error, words && `${letter}${index} ${words}. The last good wrench stays.`);
+    if (words) say(() => error.textContent);
+    if (value !== undefined) push(replaced(store.state.wrench, i, value), `wrench ${i}`);
+    if (!whole) return;
+    attribute(input, "aria-invalid", "false");
+    input.value = short(store.state.wrench[i], 2);
+  };
+  const push = (wrench, gesture) => store.dispatch({ type: "push", wrench, gesture });
   const inputs = PARTS.map(([letter, index, unit], i) =>
     h("input", {
       type: "text",
@@ -22,124 +57,68 @@ export function build(store, { point, say }) {
       onchange: (e) => typed(i, e.target, true),
     }),
   );
-  const error = h("p.error");
-  const body = h("tbody");
-  const verdict = h("p.verdict");
-  const height = h("p.words");
-  const heads = ["joint", "gravity", "−Jᵀ F", "torque", "share of the limit"];
-  const root = h(
-    "div.torque",
-    {},
-    h(
-      "fieldset.wrench",
-      {},
-      h("legend", {}, "Wrench on the tool, by the world, at the tip (N, N m)"),
-      PARTS.map(([letter, index], i) =>
-        h("label", {}, h("span", {}, indexed(letter, index)), inputs[i]),
-      ),
-      h(
-        "button",
-        {
-          type: "button",
-          onclick: () => store.dispatch({ type: "push", wrench: [0, 0, 0, 0, 0, 0] }),
-        },
-        "No load",
-      ),
-    ),
-    error,
-    h(
-      "div.scroll",
-      { tabindex: 0, role: "region", "aria-label": "Torques" },
-      h(
-        "table.bars",
-        { "aria-label": "Static torque of each joint" },
-        h(
-          "thead",
-          {},
-          h(
-            "tr",
-            {},
-            heads.map((t) => h("th", { scope: "col" }, t)),
-          ),
-        ),
-        body,
-      ),
-    ),
-    verdict,
-    height,
+  const none = h("button", { type: "button", onclick: () => push([0, 0, 0, 0, 0, 0]) }, "No load");
+  const labels = PARTS.map(([letter, index], i) =>
+    h("label", {}, h("span", {}, indexed(letter, index)), inputs[i]),
   );
-  let [lines, arm] = [[], null];
-
-  function typed(i, input, last) {
-    const { value, error: fault } = readEntry(input.value, i < 3 ? "force" : "moment");
-    const wrong = fault && (last || !unfinished(input.value));
-    attribute(input, "aria-invalid", String(Boolean(wrong)));
-    error.textContent = wrong
-      ? `${PARTS[i][0]}${PARTS[i][1]} ${fault}. The last good wrench stays.`
-      : "";
-    if (wrong) say(() => error.textContent);
-    if (!fault) {
-      const wrench = store.state.wrench.map((v, k) => (k === i ? value : v));
-      store.dispatch({ type: "push", wrench, gesture: `wrench ${i}` });
-    }
-    if (!last) return;
-    attribute(input, "aria-invalid", "false");
-    input.value = short(store.state.wrench[i], 2);
-  }
-
-  function lay() {
-    arm = store.state.arm;
-    lines = joints(arm).map((row) => {
-      const cells = ["gravity", "push", "total"].map((name) => h(`td.${name}`));
-      const fill = h("span.fill");
-      const [part, limit] = [h("span"), h("span.limit")];
-      const line = h(
-        "tr",
-        { onpointerenter: () => point(row), onpointerleave: () => point(null) },
-        h("th", { scope: "row" }, indexed("τ", row + 1)),
-        cells,
-        h(
-          "td.bar",
-          {},
-          h("span.track", { "aria-hidden": true }, fill),
-          h("span.share", {}, part, limit),
-        ),
-      );
-      return { row, cells, fill, part, limit, line };
-    });
-    body.replaceChildren(...lines.map(({ line }) => line));
-  }
-
-  function update(state, { gravity, push, torque, energy }) {
-    if (arm !== state.arm) lay();
+  const legend = h("legend", {}, "Wrench on the tool, by the world, at the tip (N, N m)");
+  const update = (wrench) =>
     inputs.forEach((input, i) => {
-      if (input.getRootNode().activeElement !== input) input.value = short(state.wrench[i], 2);
+      if (input.getRootNode().activeElement !== input) input.value = short(wrench[i], 2);
     });
+  return { root: h("fieldset.wrench", {}, legend, labels, none), error, update };
+}
+
+// A line for each joint: its torque in parts, and as a bar beside the joint's limit.
+function makeBars(point) {
+  const body = h("tbody");
+  const heads = HEADS.map((text) => h("th", { scope: "col" }, text));
+  const name = { "aria-label": "Static torque of each joint" };
+  const table = h("table.bars", name, h("thead", {}, h("tr", {}, heads)), body);
+  const place = { tabindex: 0, role: "region", "aria-label": "Torques" };
+  let [lines, shown] = [[], null];
+
+  // Returns the joints whose torque is beyond their limits.
+  function update(arm, { gravity, push, torque }) {
+    if (shown !== arm) {
+      shown = arm;
+      lines = joints(arm).map((row) => barLine(row, point));
+      body.replaceChildren(...lines.map(({ line }) => line));
+    }
     const largest = Math.max(1e-9, ...torque.map(Math.abs));
-    lines.forEach(({ row, cells, fill, part, limit, line }, i) => {
-      const { effort, kind } = arm.rows[row];
-      const unit = kind === "revolute" ? "N m" : "N";
-      [gravity[i], -push[i], torque[i]].forEach((v, k) => write(cells[k], fixed(v, 2)));
-      const share = torque[i] / (effort ?? largest);
-      fill.style.setProperty("--from", `${50 + 50 * Math.max(-1, Math.min(0, share))}%`);
-      fill.style.setProperty("--width", `${50 * Math.min(1, Math.abs(share))}%`);
-      line.classList.toggle("over", Boolean(effort) && Math.abs(share) > 1);
-      const percent = effort ? `${fixed(100 * Math.abs(share), 0)} %` : "";
-      write(part, percent);
-      write(limit, effort ? ` of ${effort} ${unit}` : unit);
+    lines.forEach((line, i) => {
+      [gravity[i], -push[i], torque[i]].forEach((v, k) => write(line.cells[k], fixed(v, 2)));
+      showShare(line, arm.rows[line.row], torque[i], largest);
     });
-    const over = lines
-      .filter(({ line }) => line.classList.contains("over"))
-      .map(({ row }) => `joint ${row + 1}`);
-    verdict.classList.toggle("warning", over.length > 0);
-    write(verdict, verdictText(arm, over, gravity));
-    const weighs = arm.rows.some((row) => row.body);
-    write(
-      height,
-      weighs ? `Gravity’s torques are the slopes of one energy, ${fixed(energy, 1)} J here.` : "",
-    );
+    const over = lines.filter(({ line }) => line.classList.contains("over"));
+    return over.map(({ row }) => `joint ${row + 1}`);
   }
-  return { root, update, summary: () => verdict.textContent };
+  return { root: h("div.scroll", place, table), update };
+}
+
+function barLine(row, point) {
+  const cells = ["gravity", "push", "total"].map((name) => h(`td.${name}`));
+  const fill = h("span.fill");
+  const [part, limit] = [h("span"), h("span.limit")];
+  const track = h("span.track", { "aria-hidden": true }, fill);
+  const line = h(
+    "tr",
+    { onpointerenter: () => point(row), onpointerleave: () => point(null) },
+    h("th", { scope: "row" }, indexed("τ", row + 1)),
+    cells,
+    h("td.bar", {}, track, h("span.share", {}, part, limit)),
+  );
+  return { row, cells, fill, part, limit, line };
+}
+
+function showShare({ fill, part, limit, line }, { effort, kind }, torque, largest) {
+  const unit = kind === "revolute" ? "N m" : "N";
+  const share = torque / (effort ?? largest);
+  fill.style.setProperty("--from", `${50 + 50 * Math.max(-1, Math.min(0, share))}%`);
+  fill.style.setProperty("--width", `${50 * Math.min(1, Math.abs(share))}%`);
+  line.classList.toggle("over", Boolean(effort) && Math.abs(share) > 1);
+  write(part, effort ? `${fixed(100 * Math.abs(share), 0)} %` : "");
+  write(limit, effort ? ` of ${effort} ${unit}` : unit);
 }
 
 function verdictText(arm, over, gravity) {

@@ -1,92 +1,29 @@
 // A path played back: where the tip goes, and what each joint does meanwhile.
 
 import { outside } from "../../../judge/geometry/arm.js";
-import { attribute, h, write } from "../dom.js";
-import { readEntry, unfinished } from "../../../judge/reading/entry.js";
+import { h, select, write } from "../dom.js";
+import { readEntry } from "../../../judge/reading/entry.js";
+import { marked } from "../entry.js";
 import { latest } from "../jobs.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { torquesAlong } from "../runs.js";
 import { fixed, listed, short } from "../text.js";
-import { makePlots } from "./plots.js";
+import { makePlots, PLOTTED } from "./plots.js";
 import { makeTransport } from "./transport.js";
-
-export const title = "Circle trace";
 
 const MOST_RADIUS = 5; // m
 
 export function build(store, { say, signal }) {
-  const axes = ["x", "y", "z"].map((axis) => h("option", { value: axis }, `${axis} = const`));
-  const chosen = (normal) => store.dispatch({ type: "circle", normal });
-  const plane = h(
-    "select",
-    { "aria-label": "Plane of the circle", onchange: (e) => chosen(e.target.value) },
-    axes,
-  );
-  const radius = h("input.small", {
-    type: "text",
-    spellcheck: "false",
-    autocomplete: "off",
-    "aria-label": "Radius of the circle, m",
-    oninput: (e) => sized(e.target, false),
-    onchange: (e) => sized(e.target, true),
-  });
-  const quantity = h(
-    "select",
-    { "aria-label": "What the plots show", onchange: () => lay() },
-    h("option", { value: "joint" }, "joint values"),
-    h("option", { value: "torque" }, "static torques"),
-  );
-  const drawing = h("button", { type: "button", onclick: () => draw() }, "Draw a circle from here");
   const verdict = h("p.verdict");
-  const error = h("p.error");
+  const asked = makeAsked(store, say);
+  const quantity = select("What the plots show", PLOTTED, () => lay());
   const plots = makePlots();
-  const transport = makeTransport(store, { signal, begin: (then) => draw(then) });
-  const root = h(
-    "div.trace",
-    {},
-    transport.root,
-    h(
-      "div.row",
-      {},
-      h("label", {}, "Plane ", plane),
-      h("label", {}, "Radius ", radius, " m"),
-      drawing,
-      h("label.right", {}, "Plots ", quantity),
-    ),
-    error,
-    verdict,
-    plots.root,
-  );
-  const ask = latest("circle");
+  const drawing = makeDrawing(store, asked, () => say(() => verdict.textContent, true));
+  const transport = makeTransport(store, { signal, begin: drawing.draw });
+  const plotted = h("label.right", {}, "Plots ", quantity);
+  const row = h("div.row", {}, asked.labels, drawing.root, plotted);
+  const root = h("div.trace", {}, transport.root, row, asked.error, verdict, plots.root);
   let shown = null;
-
-  // A circle from where the tip is; `then` once it is drawn.
-  async function draw(then = () => {}) {
-    const { arm, q, circle } = store.state;
-    if (!sized(radius, true)) return;
-    drawing.disabled = true;
-    await ask({ arm, q, circle }, ({ path, stray, wanted }) => {
-      store.dispatch({ type: "traced", arm, circle, path, stray, wanted });
-      say(() => verdict.textContent, true);
-      then();
-    });
-    drawing.disabled = false;
-  }
-
-  // Whether the radius that is typed is one; it goes into the state as soon as it is.
-  function sized(input, whole) {
-    const { value, error: fault } = readEntry(input.value, "length");
-    const small = !fault && !(value > 0 && value <= MOST_RADIUS);
-    const words =
-      fault ?? (small ? `“${input.value}” is no length above 0 and up to ${MOST_RADIUS} m` : "");
-    const wrong = words && (whole || !unfinished(input.value));
-    attribute(input, "aria-invalid", String(Boolean(wrong)));
-    error.textContent = wrong ? `The radius ${words}.` : "";
-    if (wrong) say(() => error.textContent);
-    if (!words && value !== store.state.circle.radius)
-      store.dispatch({ type: "circle", radius: value });
-    return !words;
-  }
 
   function lay() {
     const { arm, trace, unit, wrench } = store.state;
@@ -103,24 +40,81 @@ export function build(store, { say, signal }) {
     const changed = !shown || ["arm", "trace", "unit"].some((key) => shown[key] !== state[key]);
     if (changed || (quantity.value === "torque" && shown.wrench !== state.wrench)) lay();
     else if (state.trace) plots.mark(state.at);
-    plane.value = state.circle.normal;
-    const typing = radius.getRootNode().activeElement === radius;
-    if (!typing && !error.textContent) radius.value = short(state.circle.radius, 4);
+    asked.update(state.circle);
     transport.update(state);
   }
   return { root, update, summary: () => verdict.textContent };
 }
 
+// A circle from where the tip is; `then` once it is drawn.
+function makeDrawing(store, asked, tell) {
+  const root = h("button", { type: "button", onclick: () => draw() }, "Draw a circle from here");
+  const ask = latest("circle");
+  async function draw(then = () => {}) {
+    const { arm, q, circle } = store.state;
+    if (!asked.sized()) return;
+    root.disabled = true;
+    await ask({ arm, q, circle }, ({ path, stray, wanted }) => {
+      store.dispatch({ type: "traced", arm, circle, path, stray, wanted });
+      tell();
+      then();
+    });
+    root.disabled = false;
+  }
+  return { root, draw };
+}
+
+// The circle that is asked for: its plane and its radius.
+function makeAsked(store, say) {
+  const error = h("p.error");
+  const axes = ["x", "y", "z"].map((axis) => h("option", { value: axis }, `${axis} = const`));
+  const chosen = (event) => store.dispatch({ type: "circle", normal: event.target.value });
+  const plane = h("select", { "aria-label": "Plane of the circle", onchange: chosen }, axes);
+  const radius = h("input.small", {
+    type: "text",
+    spellcheck: "false",
+    autocomplete: "off",
+    "aria-label": "Radius of the circle, m",
+    oninput: () => sized(false),
+    onchange: () => sized(true),
+  });
+
+  // Whether the radius that is typed is one; it goes into the state as soon as it is.
+  function sized(whole = true) {
+    const { value, error: fault } = readEntry(radius.value, "length");
+    const good = value > 0 && value <= MOST_RADIUS;
+    const none = `“${radius.value}” is no length above 0 and up to ${MOST_RADIUS} m`;
+    const words = marked(radius, good ? "" : (fault ?? none), whole);
+    write(error, words && `The radius ${words}.`);
+    if (words) say(() => error.textContent);
+    if (good && value !== store.state.circle.radius)
+      store.dispatch({ type: "circle", radius: value });
+    return good;
+  }
+
+  function update(circle) {
+    plane.value = circle.normal;
+    const typing = radius.getRootNode().activeElement === radius;
+    if (!typing && !error.textContent) radius.value = short(circle.radius, 4);
+  }
+  const labels = [h("label", {}, "Plane ", plane), h("label", {}, "Radius ", radius, " m")];
+  return { labels, error, sized, update };
+}
+
+const UNDRAWN =
+  "Play draws a circle of this radius from where the tip is now; the tool keeps its orientation.";
+
 function verdictText({ arm, trace, stray }) {
-  if (!trace)
-    return "Play draws a circle of this radius from where the tip is now; the tool keeps its orientation.";
+  if (!trace) return UNDRAWN;
+  if (stray > 1e-3) {
+    const far = fixed(1000 * stray, 0);
+    return `The whole circle is not within reach: the tip strays by up to ${far} mm.`;
+  }
   const past = joints(arm).flatMap((row, i) =>
     trace.some((q) => outside(arm.rows[row], q[i])) ? [`joint ${row + 1}`] : [],
   );
-  const limits = past.length
-    ? `${listed(past)} would have to pass ${past.length > 1 ? "their limits" : "its limit"} (tinted).`
-    : "All joints stay within their limits.";
-  if (stray > 1e-3)
-    return `The whole circle is not within reach: the tip strays by up to ${fixed(1000 * stray, 0)} mm.`;
-  return limits[0].toUpperCase() + limits.slice(1);
+  if (!past.length) return "All joints stay within their limits.";
+  const whose = past.length > 1 ? "their limits" : "its limit";
+  const words = `${listed(past)} would have to pass ${whose} (tinted).`;
+  return words[0].toUpperCase() + words.slice(1);
 }

@@ -11,34 +11,18 @@ const SECONDS = 8; // for the whole path; twice that where motion is unwelcome
  *   where there is none
  */
 export function makeTransport(store, { signal, begin }) {
-  const play = h("button.main", { type: "button", onclick: toggle }, "Play");
-  const scrub = h("input", {
-    type: "range",
-    min: 0,
-    max: 1000,
-    value: 0,
-    "aria-label": "Place along the path",
-    oninput: (e) => scrubTo(e.target.value / 1000),
-  });
+  const go = (on) => store.dispatch({ type: "playing", on });
+  const play = h(
+    "button.main",
+    { type: "button", onclick: () => toggle(store, go, begin) },
+    "Play",
+  );
+  const scrub = makeScrub((at) => (go(false), store.dispatch({ type: "play", at })));
   const place = h("output.place");
   const root = h("div.row.transport", {}, play, scrub, place);
   let timer = null;
   let last = 0; // the time of the frame before, ms
   signal.addEventListener("abort", () => cancelAnimationFrame(timer));
-  const start = () => store.dispatch({ type: "playing", on: true });
-
-  function scrubTo(share) {
-    store.dispatch({ type: "playing", on: false });
-    store.dispatch({ type: "play", at: share });
-  }
-
-  function toggle() {
-    const { trace, playing, at } = store.state;
-    if (playing) return store.dispatch({ type: "playing", on: false });
-    if (!trace) return begin(start);
-    if (at >= 1) store.dispatch({ type: "play", at: 0 });
-    return start();
-  }
 
   function tick(now) {
     timer = null;
@@ -50,19 +34,41 @@ export function makeTransport(store, { signal, begin }) {
     // before the state changes: who hears of that would ask for a frame too
     timer = requestAnimationFrame(tick);
     store.dispatch({ type: "play", at: share });
-    if (share === 1) store.dispatch({ type: "playing", on: false });
+    if (share === 1) go(false);
   }
 
   function update({ playing, trace, at }) {
     write(play, playing ? "Pause" : "Play");
     scrub.disabled = !trace;
-    scrub.value = String(Math.round(1000 * at));
-    scrub.style.setProperty("--high", `${(100 * at).toFixed(1)}%`);
-    attribute(scrub, "aria-valuetext", `${Math.round(100 * at)} percent`);
-    write(place, `${Math.round(100 * at)} %`);
+    showPlace({ scrub, place }, at);
     if (!playing || timer) return;
     last = performance.now();
     timer = requestAnimationFrame(tick);
   }
   return { root, update };
 }
+
+function showPlace({ scrub, place }, at) {
+  scrub.value = String(Math.round(1000 * at));
+  scrub.style.setProperty("--high", `${(100 * at).toFixed(1)}%`);
+  attribute(scrub, "aria-valuetext", `${Math.round(100 * at)} percent`);
+  write(place, `${Math.round(100 * at)} %`);
+}
+
+function toggle(store, go, begin) {
+  const { trace, playing, at } = store.state;
+  if (playing) return go(false);
+  if (!trace) return begin(() => go(true));
+  if (at >= 1) store.dispatch({ type: "play", at: 0 });
+  return go(true);
+}
+
+const makeScrub = (put) =>
+  h("input", {
+    type: "range",
+    min: 0,
+    max: 1000,
+    value: 0,
+    "aria-label": "Place along the path",
+    oninput: (e) => put(e.target.value / 1000),
+  });

@@ -7,25 +7,8 @@ import { ArmError } from "../../../../judge/sentences.js";
 /** @param {import("../page.js").Judge} judge */
 export function addFiles(judge) {
   const { stub, boxes, say } = judge;
-  const input = h("input", {
-    type: "file",
-    accept: ACCEPTED,
-    hidden: true,
-    onchange: () => take(input.files[0]),
-  });
-  const button = h("button", { type: "button", onclick: () => input.click() }, "Open a file");
-  const words = h("span");
-  const name = h(
-    "p.file",
-    { hidden: true },
-    words,
-    h("button", { type: "button", onclick: () => close() }, "Close it"),
-  );
   let held = "";
-
-  async function take(file) {
-    if (!file) return;
-    input.value = "";
+  const take = async (file) => {
     try {
       held = await textOfFile(file);
     } catch (error) {
@@ -36,9 +19,33 @@ export function addFiles(judge) {
     say("");
     write(words, `From ${file.name}, ${held.trim().split("\n").length} lines. `);
     judge.put({ answer: held });
-  }
+  };
+  const { input, button } = makeButton(take);
   const close = () => judge.put({ answer: "" });
+  const words = h("span");
+  const closing = h("button", { type: "button", onclick: close }, "Close it");
+  const name = h("p.file", { hidden: true }, words, closing);
+  takeDrops(stub, take);
+  boxes.answer.prepend(h("div.over", {}, boxes.answer.firstChild, input, button));
+  boxes.answer.append(name);
+  judge.follow(({ answer, ask }) => {
+    name.hidden = !held || answer !== held;
+    button.hidden = ask !== "trace";
+  });
+}
 
+function makeButton(take) {
+  const onchange = () => {
+    const [file] = input.files;
+    if (file) take(file);
+    input.value = "";
+  };
+  const input = h("input", { type: "file", accept: ACCEPTED, hidden: true, onchange });
+  const button = h("button", { type: "button", onclick: () => input.click() }, "Open a file");
+  return { input, button };
+}
+
+function takeDrops(stub, take) {
   stub.addEventListener("dragover", (event) => {
     if (![...event.dataTransfer.types].includes("Files")) return;
     event.preventDefault();
@@ -47,14 +54,9 @@ export function addFiles(judge) {
   for (const type of ["dragleave", "drop"])
     stub.addEventListener(type, () => stub.classList.remove("over-it"));
   stub.addEventListener("drop", (event) => {
-    if (!event.dataTransfer.files.length) return;
+    const [file] = event.dataTransfer.files;
+    if (!file) return;
     event.preventDefault();
-    take(event.dataTransfer.files[0]);
-  });
-  boxes.answer.prepend(h("div.over", {}, boxes.answer.firstChild, input, button));
-  boxes.answer.append(name);
-  judge.follow(({ answer, ask }) => {
-    name.hidden = !held || answer !== held;
-    button.hidden = ask !== "trace";
+    take(file);
   });
 }

@@ -138,7 +138,8 @@ function ofAngles(question, { arm, report }) {
   const wrong = all.filter((_, i) => report.wrong?.[i * width] ?? true);
   if (!wrong.length) return {};
   const ghosts = wrong.slice(1, MOST_GHOSTS).map((q) => ({ arm, q }));
-  const words = `The arm at ${ghosts.length ? "your first wrong answer, others as ghosts" : "your answer"}.`;
+  const which = ghosts.length ? "your first wrong answer, others as ghosts" : "your answer";
+  const words = `The arm at ${which}.`;
   const points = pointOf(question);
   return {
     q: wrong[0],

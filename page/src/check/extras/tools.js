@@ -11,52 +11,22 @@ import { ArmError } from "../../../../judge/sentences.js";
  * @param {string} root the address of the book
  */
 export function addTools(judge, root) {
-  const { parts, say } = judge;
+  const { parts, given } = judge;
+  const whole = new URL("check_your_homework.html", root).href;
+  const more = h("a", { href: whole }, "More room, and all options");
+  const explorer = h("a", { href: "" }, "See this pose in the explorer");
+  const button = (words, onclick) => h("button", { type: "button", onclick }, words);
   const call = h("code");
   const closed = h("pre", { hidden: true, tabindex: "0" }, call);
-  const whole = new URL("check_your_homework.html", root).href;
-  const explorer = h(
-    "a",
-    { href: new URL("explorer.html", root).href },
-    "See this pose in the explorer",
-  );
-  const more = h("a", { href: whole }, "More room, and all options");
-  const button = (words, onclick) => h("button", { type: "button", onclick }, words);
-
-  const link = async () => {
-    const fragment = toFragment(judge.question());
-    if (!judge.given) history.replaceState(null, "", fragment);
-    const copying = await copied(judge.given ? whole + fragment : location.href);
-    say(
-      copying
-        ? "The link is copied."
-        : judge.given
-          ? CLOSED
-          : "The link stands in the address bar.",
-    );
-  };
-  const python = async () => {
-    await ready(judge.question().ask);
-    const text = pythonOf(judge, say);
-    if (text && (await copied(text))) return say("The call is copied.");
-    call.textContent = text;
-    closed.hidden = !text;
-    return text && say(`${CLOSED} The call stands below.`);
-  };
+  const python = button("Copy as Python", () => copyCall(judge, call, closed));
+  const link = button("Copy link", () => copyLink(judge, whole));
   const examples = () => judge.examples.filter((one) => one.ask === judge.question().ask);
   const example = button("Show an example", () => {
     const same = examples();
     judge.put({ ...EMPTY, ...(same.find((one) => one.arm === judge.question().arm) ?? same[0]) });
   });
-  const links = judge.given ? [more] : [explorer];
   // Of an exercise's own arm all of them would show the table, which is the solution.
-  if (!judge.given?.table)
-    parts.tools.append(
-      example,
-      button("Copy link", link),
-      button("Copy as Python", python),
-      ...links,
-    );
+  if (!given?.table) parts.tools.append(example, link, python, given ? more : explorer);
   parts.said.after(closed);
 
   judge.follow((question, { arm, q }) => {
@@ -64,8 +34,25 @@ export function addTools(judge, root) {
     example.hidden = !examples().length;
     explorer.hidden = !arm || !q || question.arm === OWN || !arm.explorer;
     if (!explorer.hidden)
-      explorer.href = `${explorer.href.split("#")[0]}#${poseOf(question, arm, q)}`;
+      explorer.href = new URL(`explorer.html#${poseOf(question, arm, q)}`, root).href;
   });
+}
+
+async function copyLink({ question, given, say }, whole) {
+  const fragment = toFragment(question());
+  if (!given) history.replaceState(null, "", fragment);
+  const copying = await copied(given ? whole + fragment : location.href);
+  const there = given ? CLOSED : "The link stands in the address bar.";
+  say(copying ? "The link is copied." : there);
+}
+
+async function copyCall(judge, call, closed) {
+  await ready(judge.question().ask);
+  const text = pythonOf(judge, judge.say);
+  if (text && (await copied(text))) return judge.say("The call is copied.");
+  call.textContent = text;
+  closed.hidden = !text;
+  return text && judge.say(`${CLOSED} The call stands below.`);
 }
 
 const CLOSED = "The clipboard is closed to this page.";

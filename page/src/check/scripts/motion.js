@@ -23,8 +23,10 @@ const inDegrees = ({ unit }) => (unit === "deg" ? ['angles="deg"'] : []);
 register("pose", {
   verdict: (question, arm) =>
     comparePose(question.answer, arm, targetOf(question), { angles: question.unit }),
-  call: (question, name) =>
-    `checks.compare_pose(${["mine", name, quoted(targetOf(question)), ...inDegrees(question)].join(", ")})`,
+  call(question, name) {
+    const given = ["mine", name, quoted(targetOf(question)), ...inDegrees(question)];
+    return `checks.compare_pose(${given.join(", ")})`;
+  },
 });
 
 function targetOf({ target }) {
@@ -54,7 +56,8 @@ function formFor(arm) {
   const form = formOf(arm);
   if (form) return form;
   throw new ArmError(
-    `${arm.name}: there is no formula for all of its branches here; ask for one joint vector at a pose`,
+    `${arm.name}: there is no formula for all of its branches here; ` +
+      "ask for one joint vector at a pose",
   );
 }
 

@@ -16,6 +16,7 @@ register("table", {
   },
   call(question, name) {
     const said = OPTIONS.filter((key) => question[key]).map((key) => `${key}="${question[key]}"`);
-    return `checks.compare_tables(${["mine", name, ...said, ...valuesCall(question.values)].join(", ")})`;
+    const given = ["mine", name, ...said, ...valuesCall(question.values)];
+    return `checks.compare_tables(${given.join(", ")})`;
   },
 });

@@ -1,0 +1,69 @@
+// The freedom that a seventh joint gives, as a small figure.
+
+import { jacobianColumns, joints, linkFrames } from "../../../judge/geometry/kinematics.js";
+import { rightNull } from "../../../judge/geometry/linear.js";
+import { reach } from "../motion.js";
+import { fixed, jointText } from "../text.js";
+import { makeLever, makeLive } from "./live.js";
+
+const deg = (v) => `${fixed((v * 180) / Math.PI, 0)}°`;
+
+// The elbow swings while the tip stays.
+export function swing(host, spec) {
+  const abort = new AbortController();
+  const live = makeLive(host, spec, {
+    words: (state) => {
+      const values = joints(state.arm).map(
+        (index, k) => `q${index + 1} ${jointText(state.arm.rows[index], state.q[k], "deg")}`,
+      );
+      return `The tip stays; ${values.join(", ")}.`;
+    },
+  });
+  const { store } = live;
+  const held = store.derived.frames.at(-1);
+  store.dispatch({ type: "show", hold: { pinned: held, turns: true, free: 1 } });
+  const path = swungBothWays(store.state.arm, store.state.q, held);
+  const middle = path.findIndex((q) => q === store.state.q);
+  const put = (v) => {
+    const q = path[Math.max(0, Math.min(path.length - 1, Math.round(v)))];
+    store.dispatch({ type: "move", q, hold: store.state.hold, gesture: "swing" });
+  };
+  const text = (v) => deg(path[Math.round(v)]?.[2] - path[middle][2]);
+  const lever = makeLever("elbow", [0, path.length - 1], middle, {
+    put,
+    text,
+    signal: abort.signal,
+  });
+  live.card.querySelector(".side").prepend(lever.root);
+  return () => (abort.abort(), live.dispose());
+}
+
+// Joint vectors with the tip at rest, in small steps both ways, within limits.
+function swungBothWays(arm, start, held) {
+  const limits = joints(arm).map((index) => [
+    arm.rows[index].lower ?? -Infinity,
+    arm.rows[index].upper ?? Infinity,
+  ]);
+  const walk = (sign) => {
+    const found = [];
+    let [q, before] = [start, null];
+    for (let step = 0; step < 80; step++) {
+      const [direction] = rightNull(jacobianColumns(arm, linkFrames(arm, q)));
+      if (!direction) break;
+      const along = before
+        ? direction.reduce((s, v, k) => s + v * before[k], 0)
+        : sign * direction[2];
+      const way = direction.map((v) => (along < 0 ? -v : v));
+      const next = reach(
+        arm,
+        q.map((v, k) => v + 0.03 * way[k]),
+        held,
+      ).q;
+      if (next.some((v, k) => v < limits[k][0] || v > limits[k][1])) break;
+      found.push(next);
+      [q, before] = [next, way];
+    }
+    return found;
+  };
+  return [...walk(-1).reverse(), start, ...walk(1)];
+}
