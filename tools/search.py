@@ -2,8 +2,8 @@
 
 Sphinx's own search fetches each page for the words around a hit, which a browser forbids on pages
 opened from a file (sphinx-doc/sphinx#10407). Here the words come with the index. A section, a term
-of the glossary and a function of the package are one entry each: its page, its place there, its
-title, its words. What ranks them is `book/assets/search.js`.
+of the glossary, a function of the package and a row of a table of class `entries` are one entry
+each: its page, its place there, its title, its words. What ranks them is `book/assets/search.js`.
 """
 
 import json
@@ -54,11 +54,23 @@ def entries(doctree: nodes.document) -> Iterator[dict[str, str]]:
         terms = [term for term in item.findall(nodes.term) if term["ids"]]
         for term in terms[:1]:
             yield entry(term, term["ids"][0], [item.children[-1]])
+    for table in doctree.findall(
+        lambda n: "entries" in getattr(n, "attributes", {}).get("classes", ())
+    ):
+        section = next(node for node in iter_parents(table) if isinstance(node, nodes.section))
+        for row in table.findall(nodes.row):
+            symptom = entry(row.children[0], section["ids"][0], row.children[1:])
+            yield {**symptom, "symptom": "yes"}
     for function in doctree.findall(addnodes.desc):
         signature, content = function.children[0], function.children[-1]
         if signature.get("ids"):
             name = nodes.Text(signature.get("fullname") or signature["ids"][0])
             yield entry(name, signature["ids"][0], [content])
+
+
+def iter_parents(node: nodes.Node) -> Iterator[nodes.Node]:
+    while node := node.parent:
+        yield node
 
 
 def collect(app: Sphinx, doctree: nodes.document) -> None:

@@ -16,7 +16,7 @@ const ALIKE = [
   ["pinv", "pseudo"],
   ["robot", "arm"],
   ["error", "wrong", "mistake", "slip"],
-  ["fail", "wrong", "symptom"],
+  ["fail", "wrong"],
   ["own", "another"],
   ["prismatic", "slide"],
   ["craig", "modified"],
@@ -29,6 +29,12 @@ const stem = (word) => (word.length > 3 ? word.replace(/(?<![su])s$/, "").replac
 
 // Signs that are one word in the book's language stay together: compare_jacobian is found by jacobian, and by its whole name.
 const split = (text) => text.normalize("NFKC").toLowerCase().split(/[^\p{L}\p{N}_]+/u).flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : [word])).filter(Boolean);
+
+// The arms: of their own section, not of one that names them among others.
+const NAMES = new Set(["panda", "ur10", "ur10e", "stanford", "elbow"]);
+
+// A row of the table of symptoms says what a reader asks.
+const SYMPTOM = 3;
 
 // Pages that list what others explain come after them.
 const LISTS = { api: 0.3, where: 0.5, intro: 0.5, judging: 0.6 };
@@ -49,11 +55,11 @@ function find(text) {
   const queries = words.map((word, k) => ({
     combineWith: "OR",
     queries: [
-      { queries: [word], prefix: k === words.length - 1, fuzzy: word.length > 4 ? 0.2 : false, boostTerm: (term) => (/^\d+$/.test(term) ? 3 : 1) },
+      { queries: [word], prefix: k === words.length - 1, fuzzy: word.length > 4 ? 0.2 : false, boostTerm: (term) => (/^\d+$/.test(term) ? 3 : NAMES.has(term) ? 2 : 1) },
       ...others(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 0.3 })),
     ],
   }));
-  const how = { bm25: { k: 1.2, b: 0.3, d: 0.5 }, boost: { title: 6, of: 5 }, boostDocument: (id) => (LISTS[ENTRIES[id].page] ?? 1) * together(ENTRIES[id], text) };
+  const how = { bm25: { k: 1.2, b: 0.3, d: 0.5 }, boost: { title: 6, of: 5 }, boostDocument: (id) => (ENTRIES[id].symptom ? SYMPTOM : (LISTS[ENTRIES[id].page] ?? 1)) * together(ENTRIES[id], text) };
   const all = index.search({ combineWith: "AND", queries }, how);
   return all.length ? all : index.search({ combineWith: "OR", queries }, how);
 }

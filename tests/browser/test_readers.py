@@ -7,6 +7,7 @@ from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 from tests.browser.reader import SIZES, TWO_FRAMES, UNRENDERED, WINDOWS, Reader
+from tests.searches import SEARCHES
 from tests.test_book import HTML, NAMES
 
 
@@ -125,6 +126,24 @@ def test_search_finds_a_word_without_a_network(browser):
     page.wait_for_selector("#search-results li a")
     titles = page.locator("#search-results li a").all_inner_texts()
     assert any(re.search("table|arm", title, re.I) for title in titles)
+    assert reader.troubles == []
+    reader.context.close()
+
+
+def test_forty_searches_find_their_section_first(browser):
+    """By section, symptom, term and function; nine of ten bring the right one first."""
+    reader = Reader(browser, "light", "wide", "file:")
+    page = reader.open((HTML / "search.html").as_uri())
+    field = page.locator("form.search input")
+    missed = {}
+    for typed, wanted in SEARCHES.items():
+        field.fill(typed)
+        first = page.locator("#search-results li a").first
+        found = f"{first.get_attribute('href').split('.html')[0]}: {first.inner_text()}"
+        if not re.match(wanted, found):
+            missed[typed] = found
+    assert len(missed) <= len(SEARCHES) // 10, missed
+    assert page.locator("#search-results mark").count() > 0
     assert reader.troubles == []
     reader.context.close()
 
