@@ -200,7 +200,14 @@ class Arm:
         from helpers.checks.tables import rows_of  # no other arm needs it
 
         must_be(name, str, "an arm's name")
-        rows, said = rows_of(source, columns, lengths, angles, convention, values)
+        rows, said = rows_of(
+            source,
+            columns=columns,
+            lengths=lengths,
+            angles=angles,
+            convention=convention,
+            values=values,
+        )
         return cls(name, rows, source="; ".join(said))
 
     # The same arm, changed

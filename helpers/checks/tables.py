@@ -13,6 +13,7 @@ _FORMULAS: dict[int, float | str] = {-2: "-pi", -1: "-pi/2", 0: 0, 1: "pi/2", 2:
 
 def rows_of(
     source: Any,
+    *,
     columns: Any,
     lengths: Any,
     angles: Any,

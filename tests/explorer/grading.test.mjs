@@ -131,8 +131,7 @@ const told = (mine, made, causes = [ONE, TWO, THREE], weight = undefined) =>
     mine,
     SIX,
     SIX.map(() => 0.1),
-    causes.slice(0, made.length),
-    made,
+    { causes: causes.slice(0, made.length), made },
     weight,
   );
 const oddOf = (found) => found && found.odd.flatMap((is, i) => (is ? [i] : []));
