@@ -78,7 +78,7 @@ notebooks: $(BIN)/.installed-dev ## run the notebooks and compare every output w
 
 # Other processors round the last digit differently; nothing that is stored may show it.
 elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would round; nothing stored may change
-	$(BIN)/python -m tools.noise $(NOTEBOOKS)
+	$(BIN)/python -m tools.noise $(ARGS) $(NOTEBOOKS)
 
 # What is there already is the reader's own work, and stays.
 lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder my, in JupyterLab
