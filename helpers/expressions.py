@@ -35,6 +35,8 @@ _KINDS = {"alpha": ["angle"], "theta": ["angle"], "a": ["length"], "d": ["length
 def entry(value: object, what: str) -> Entry:
     """`value` as a checked table entry; a number, a string, or anything whose ``str`` is a
     formula."""
+    if isinstance(value, complex):
+        raise ArmError(f"{what} is {str(value)!r}; expected numbers, symbols, pi and + - * / ( )")
     if isinstance(value, bool) or value is None:
         raise ArmError(
             f"{what} is {value!r}; expected a number or a formula such as 'pi/2' or 'a_3'"
