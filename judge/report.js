@@ -27,11 +27,25 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {boolean[]} [wrong] which of its entries are wrong
  * @property {ReadTable} [table] a Denavit-Hartenberg table as it was read
  * @property {{ signs: number[], offsets: number[], rows: any[] }} [map] from the joints of that
- *   table to those
- *   of the reference:
- *   q_k = signs[k] * yours + offsets[k]
+ *   table to those of the reference: q_k = signs[k] * yours + offsets[k]
  * @property {Record<string, any>} [figures] measured numbers by name
  */
+
+/**
+ * A report of which only what is given says anything.
+ * @returns {Report}
+ */
+export const reportOf = (topic, arm, grade, headline, rest = {}) => ({
+  topic,
+  arm: arm.name,
+  grade,
+  headline,
+  findings: [],
+  causes: [],
+  taken: [],
+  notes: [],
+  ...rest,
+});
 
 // Everything below the headline, a sentence each; what stands in the headline is not repeated.
 export const linesOf = ({ headline, findings, taken, notes }) => [

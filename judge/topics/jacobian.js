@@ -1,5 +1,6 @@
 // Is a Jacobian wrong, and how?
 
+import { reportOf } from "../report.js";
 import { setting, singles } from "../causes/jacobian.js";
 import { allColumns, causesOf, CLOSE, HALVES, ROWS } from "../causes/jacobian_search.js";
 import { complete, explain, nameOf, several } from "../causes/ranking.js";
@@ -66,18 +67,7 @@ function judgedAngularFirst(typed, asked, said) {
   return whole(report && { ...report, wrong: report.wrong && exchanged(report.wrong) }, typed);
 }
 
-/** @returns {import("../report.js").Report} */
-const reported = (arm, grade, headline, rest = {}) => ({
-  topic: "Jacobian",
-  arm: arm.name,
-  grade,
-  headline,
-  findings: [],
-  causes: [],
-  taken: [],
-  notes: [],
-  ...rest,
-});
+const reported = (...told) => reportOf("Jacobian", ...told);
 
 // The shape
 

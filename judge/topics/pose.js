@@ -1,5 +1,6 @@
 // Do these joint angles reach that pose?
 
+import { reportOf } from "../report.js";
 import { cross, dot, jacobianColumns, linkFrames, matrix } from "../geometry/kinematics.js";
 import { millimetres, turnOf } from "../causes/branches.js";
 import { turnBetween, answers } from "./branches_matching.js";
@@ -92,18 +93,7 @@ function explained(arm, causes, off, rest) {
   return reported(arm, WRONG, headline, { ...rest, findings, causes: causes.map(nameOf) });
 }
 
-/** @returns {import("../report.js").Report} */
-const reported = (arm, grade, headline, { taken, ...rest }) => ({
-  topic: "pose",
-  arm: arm.name,
-  grade,
-  headline,
-  findings: [],
-  causes: [],
-  taken,
-  notes: [],
-  ...rest,
-});
+const reported = (...told) => reportOf("pose", ...told);
 
 // Distance (m) and angle (rad) between a frame and T; no angle where T is a point, half a turn
 // where its axes are left-handed.

@@ -1,5 +1,6 @@
 // Are joint torques wrong, and how? One torque vector or a whole run of them.
 
+import { reportOf } from "../report.js";
 import { better, complete, explain, nameOf, several } from "../causes/ranking.js";
 import {
   catalogue,
@@ -114,18 +115,7 @@ function liesTurned(values, right, shape) {
   return off(turned(values, shape)) < 0.05 * off(values);
 }
 
-/** @returns {import("../report.js").Report} */
-const reported = (arm, grade, headline, rest = {}) => ({
-  topic: "torques",
-  arm: arm.name,
-  grade,
-  headline,
-  findings: [],
-  causes: [],
-  taken: [],
-  notes: [],
-  ...rest,
-});
+const reported = (...told) => reportOf("torques", ...told);
 
 function misshapen({ shape, values }, count, arm) {
   const dof = joints(arm).length;

@@ -1,5 +1,6 @@
 // Did these joints draw the path? By the tip that they give, and by how they move.
 
+import { reportOf } from "../report.js";
 import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
@@ -136,17 +137,7 @@ function reported(arm, grade, words, taken, rest = {}) {
     arm: arm.name,
     cause: words,
   });
-  return {
-    topic: "trace",
-    arm: arm.name,
-    grade,
-    headline,
-    findings: [],
-    causes: [],
-    taken,
-    notes: [],
-    ...rest,
-  };
+  return reportOf("trace", arm, grade, headline, { taken, ...rest });
 }
 
 function misshapen({ shape }, arm, { times }) {
