@@ -1,7 +1,7 @@
 """Do poses that were read off a drawing find the mistakes in a table? All simple ones are made, one
 and two at a time, and those are kept that the poses do not see."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import combinations
 from math import isclose, pi
 from typing import NamedTuple
@@ -37,25 +37,27 @@ class Census(NamedTuple):
     unseen_by_pose: Sequence[tuple[Slip, ...]]
 
 
-def slips(arm: Arm) -> Iterator[Slip]:
+def slips(arm: Arm) -> Sequence[Slip]:
     """Every single slip of three kinds: an entry forgotten, an entry with the other sign (but for
     180°, where that is none), a joint that counts the other way."""
     must_be(arm, Arm, "arm")
+    found = []
     for i, row in enumerate(arm.rows, 1):
         if i in arm.joints:
-            yield Slip(i, "q", -1.0)
+            found.append(Slip(i, "q", -1.0))
         for name, entry in zip(("a", "alpha", "d", "theta"), row.entries, strict=True):
             value = arm.number(entry)
             if value:
-                yield Slip(i, name, 0.0)
+                found.append(Slip(i, name, 0.0))
             if value and not (name in ("alpha", "theta") and isclose(abs(value), pi)):
-                yield Slip(i, name, -value)
+                found.append(Slip(i, name, -value))
+    return found
 
 
-def census(arm: Arm, poses: ArrayLike) -> Census:
-    """Every table with one slip or two, tried in poses of shape (k, dof) (rad or m)."""
+def census(arm: Arm, q: ArrayLike) -> Census:
+    """Every table with one slip or two, tried in poses q of shape (k, dof) (rad or m)."""
     must_be(arm, Arm, "arm")
-    q = arm.joint_vector(poses)
+    q = arm.joint_vector(q)
     one = [(slip,) for slip in slips(arm)]
     two = [first + second for first, second in combinations(one, 2) if _both(*first, *second)]
     right = forward_kinematics(arm, q)

@@ -181,7 +181,7 @@ RIGHT = {
                             names="x"),
     "plotting.lengths": dict(ax=FLAT, arm=PANDA, q=PANDA.home, view="xz", aside={"d_1": (0, 1)}),
     "plotting.postures": dict(axes=GRID[0][:2], arm=PANDA, poses=[PANDA.home] * 2,
-        titles=("one", "two"), view="xz"),
+        titles=("one", "two"), view="xz", tool=0.1),
     "plotting.row_drawing": dict(ax=FLAT, found=DERIVED, row=1, view=(30, 18)),
     "plotting.arm_2d": dict(ax=FLAT, arm=PANDA, q=PANDA.home, plane="xz", colour="k", alpha=1),
     "plotting.arm_3d": dict(ax=SPACE, arm=PANDA, q=PANDA.home, frames=True,
@@ -211,6 +211,10 @@ RIGHT = {
         trace=[PANDA.home] * 3, branches=[PANDA.home], reference=PANDA, arms=(), unit="deg",
         link=False),
     "explorer.ArmFigure": dict(kind="columns", arm=PANDA, q=PANDA.home, joints=[2]),
+    "show.frames": dict(T=FRAMES),
+    "show.matrices": dict(named={"A_1": np.eye(4)}),
+    "slips.census": dict(arm=ELBOW, q=[BEND]),
+    "slips.slips": dict(arm=ELBOW),
     "symbolic.joint_symbols": dict(arm=ELBOW),
     "symbolic.link_transforms": dict(arm=ELBOW),
     "symbolic.link_frames": dict(arm=ELBOW),
@@ -320,6 +324,8 @@ EXPECTED = {
     "tolerance": "a number above 0, as 1e-9",
     "inverse.solve tolerance": "a positive number of m and rad",
     "checks.check tolerance": "a number of 0 or more",
+    "show.frames T": "frames (k, 4, 4)", "show.matrices named": "a Mapping",
+    "plotting.postures tool": "a finite length of 0 or more in m",
     "topic": "one of DH table, forward kinematics, Jacobian, circle tracing, static torque",
     "topics": "some of DH table, forward kinematics", "plotting.frames names": "one of xz, x, z",
     "course.hand_in names": "a Mapping",
@@ -512,7 +518,8 @@ MADE = {
     "inverse.NumericSolution", "inverse.Solutions", "motion.Report",
     "motion.Report.rows", "motion.Report.unit", "motion.SingularError", "motion.Trace",
     "motion.UnreachableError",
-    "motion.Rates", "variants.Part", "variants.Question", "variants.Sheet",
+    "motion.Rates", "show.Shown", "slips.Census", "slips.Slip", "variants.Part",
+    "variants.Question", "variants.Sheet",
 }  # fmt: skip
 # The checks themselves, and what stands under arm, symbolic and kinematics.
 DOOR = {"command_line", "formulas", "inputs", "rows", "polynomials", "program"}

@@ -98,7 +98,7 @@ NOT_FORMULAS = (
     "a < b", "a if b else c",
     "lambda: 1", "f(1)", "a.b", "a[0]", "True", "None", "1e999", "__import__('os')",
     "().__class__", "a; b", "a\nb",
-    "a\0", "not a", "a and b", "(a := 1)", "f'{a}'",
+    "a\0", "not a", "a and b", "(a := 1)", "f'{a}'", "ä_1",
 )  # fmt: skip
 
 

@@ -187,11 +187,11 @@ def test_what_is_folded():
     assert ["jupyter" in cell.metadata for cell in cells] == [False] * 3 + [True] + [False] * 2
 
 
-@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
-def test_the_intro_says_how_long_a_chapter_takes(path):
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda path: path.stem)
+def test_the_intro_says_how_long_a_chapter_takes(chapter):
     """At 200 words a minute and two minutes for each cell that prints a result, up to the
     exercises."""
-    cells = read(path).cells
+    cells = read(chapter).cells
     last = next(i for i, cell in enumerate(cells) if re.search(r"^## Exercises", cell.source, re.M))
     text = "\n".join(cell.source for cell in cells[: last + 1] if cell.cell_type == "markdown")
     text = re.sub(
@@ -199,7 +199,7 @@ def test_the_intro_says_how_long_a_chapter_takes(path):
     )
     prints = [c for c in cells[:last] if c.cell_type == "code" and c.outputs]
     results = sum(not PICTURES & set(c.outputs[0].get("data", {})) for c in prints)
-    told = (path.parent / "intro.md").read_text(encoding="utf-8")
-    ((whole, part),) = re.findall(rf"{path.stem}` \|.*\| (\d)([¼½¾]?)&nbsp;h", told)
+    told = (chapter.parent / "intro.md").read_text(encoding="utf-8")
+    ((whole, part),) = re.findall(rf"{chapter.stem}` \|.*\| (\d)([¼½¾]?)&nbsp;h", told)
     hours = int(whole) + {"": 0, "¼": 0.25, "½": 0.5, "¾": 0.75}[part]
     assert hours == pytest.approx((len(text.split()) / 200 + 2 * results) / 60, abs=0.3)

@@ -6,16 +6,16 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import nbformat
-from nbclient import NotebookClient
-from nbclient.exceptions import DeadKernelError
-
 _LAST = "from helpers.course.answers import collected\nprint({mark!r} + collected(globals()))"
 _MARK = "the answers of this homework:"  # before the JSON in the last cell's output
 
 
 def main(path: str, seconds: int, cell_seconds: int, memory: int) -> None:
     """Print the answers and the number of cells that failed as JSON."""
+    import nbformat  # with nbclient an extra, which no other part of the kit needs
+    from nbclient import NotebookClient
+    from nbclient.exceptions import DeadKernelError
+
     limits = {"CPU": seconds, "AS": memory, "FSIZE": 2 * 10**7, "NOFILE": 256, "NPROC": 256}
     for name, most in {**limits, "CORE": 0}.items():
         resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (most, most))
