@@ -58,7 +58,8 @@ export function ask(text) {
     const answer = ANSWERS[question.topic](question);
     return JSON.stringify({ answer: answer?.grade ? told(answer) : answer });
   } catch (error) {
-    if (error instanceof ArmError) return JSON.stringify({ refused: error.message });
+    if (error instanceof ArmError)
+      return JSON.stringify({ refused: error.message, advice: error.advice });
     throw error;
   }
 }

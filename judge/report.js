@@ -1,5 +1,6 @@
 // What is said of an answer: one report for all topics, and its words.
 
+import { adviceOn } from "./advice.js";
 import { RIGHT, ROUNDED, SO_FAR } from "./digits.js";
 
 export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
@@ -23,6 +24,7 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {string[]} causes
  * @property {string[]} taken
  * @property {string[]} notes
+ * @property {import("./advice.js").Advice[]} [advice] what the reader may set
  * @property {import("./reading/numbers.js").Typed} [typed] what was read, in its own order
  * @property {boolean[]} [wrong] which of its entries are wrong
  * @property {ReadTable} [table] a Denavit-Hartenberg table as it was read
@@ -46,6 +48,24 @@ export const reportOf = (topic, arm, grade, headline, rest = {}) => ({
   notes: [],
   ...rest,
 });
+
+/**
+ * A judge whose reports advise what the reader may set; its options come last.
+ * @template {any[]} Asked
+ * @param {(...asked: Asked) => Report} judge @returns {(...asked: Asked) => Report}
+ */
+export const advising =
+  (judge) =>
+  (...asked) => {
+    const report = judge(...asked);
+    const options = asked[judge.length] ?? {};
+    return (
+      report && {
+        ...report,
+        advice: [...(report.advice ?? []), ...adviceOn(report.causes, options)],
+      }
+    );
+  };
 
 // Everything below the headline, a sentence each; what stands in the headline is not repeated.
 export const linesOf = ({ headline, findings, taken, notes }) => [

@@ -18,7 +18,13 @@ export function say(key, fields = {}) {
 }
 
 // What was asked for cannot be judged: how it was asked is wrong, not the answer.
-export class ArmError extends Error {}
+export class ArmError extends Error {
+  /** @param {string} message @param {import("./advice.js").Advice[]} advice */
+  constructor(message, advice = []) {
+    super(message);
+    this.advice = advice;
+  }
+}
 
 // A, b and c.
 export const listed = (words, last = "and") =>

@@ -143,8 +143,10 @@ def column(rng, x: np.ndarray, digits: int, name: str, unit: str) -> tuple[str, 
         "greek": lambda: ", ".join(f"τ{i} = {v}" for i, v in zip(n, values, strict=True)),
         "joint": lambda: "\n".join(f"Joint {i}: {v} Nm" for i, v in zip(n, values, strict=True)),
         "joint tab": lambda: "\n".join(f"Joint {i}\t{v}" for i, v in zip(n, values, strict=True)),
-        "series": lambda: "\n".join(f"{i - 1}    {v}" for i, v in zip(n, values, strict=True))
-        + "\ndtype: float64",
+        "series": lambda: (
+            "\n".join(f"{i - 1}    {v}" for i, v in zip(n, values, strict=True))
+            + "\ndtype: float64"
+        ),
         "matlab": lambda: f"{name} =\n\n" + "\n".join(f"   {v}" for v in values) + "\n",
         "matlab typed": lambda: f"{name} = [" + "; ".join(values) + "];",
         "numpy": lambda: "array([" + ", ".join(values) + "])",
@@ -205,7 +207,7 @@ def joints_text(rng, answers: np.ndarray, turns: list[bool], digits: int):
         + "\n" + "\n".join("\t".join(r) for r in values),
     }  # fmt: skip
     how = str(rng.choice(list(ways)))
-    text, more = around(rng, ways[how](), "rad")if not degrees else around(rng, ways[how](), "deg")
+    text, more = around(rng, ways[how](), "rad") if not degrees else around(rng, ways[how](), "deg")
     return text, {"angles": "deg" if degrees else "rad"}, f"{how}, {digits}, {more}"
 
 

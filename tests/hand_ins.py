@@ -206,6 +206,7 @@ def table_mistakes(m: Machine) -> dict[str, list]:
     """Rows with one thing done wrong, and the key of what would say so."""
     found = {}
     for i, (k, a, t, d, o) in enumerate(m.rows):
+
         def put(*row, at=i):
             return [*m.rows[:at], row, *m.rows[at + 1 :]]
 

@@ -70,13 +70,13 @@ LIST = [
     (table(PEN_APART, PANDA), "same arm as Panda.", "Taken as not moving: row 8"),
     (table(FRANKA, PANDA), "the pen is forgotten", "and besides, the rows are in the modified"),
     (table(PANDA_ROWS.format("q3", "0.0825"), PANDA), "row 4 has the wrong sign (you have 0.0825)"),
-    (table(PANDA_ROWS.format("0", "-0.0825"), PANDA), "6 in yours and 7 in the", "arm.lock(i)"),
+    (table(PANDA_ROWS.format("0", "-0.0825"), PANDA), "6 in yours and 7 in the", "locked"),
     (table("theta d(in) a(in) alpha\nq1 19.685 0 90\nq2 0 15.748 0\nq3 0 11.811 0", ELBOW), "same"),
     (table(SLIDE, STANFORD), "counted backwards in row 3,"),
     (J_of(WRONG_SIGN, ELBOW, None), "column 2 (joint 2): the sign is reversed in vx."),
     (J_of(np.zeros((6, 6))), "every entry is 0"),
     (J_of(np.cos(np.arange(36.0)).reshape(6, 6)), "in any column", "Begin with column 1: which"),
-    (J_of(J, q=np.degrees(Q)), 'where the q given here is in degrees, say angles="deg"'),
+    (J_of(J, q=np.degrees(Q)), 'say angles="deg"'),
     (J_of(jacobian(ELBOW, [0.5, 0.7, -0.4]).T, ELBOW, [0.5, 0.7, -0.4]), "it is transposed"),
     (torques(TAU + np.eye(7)[3]), "Joint 4: it is off by 1 N m."),
     (torques("1 2 3 4 5 6"), "its shape is 6; expected 7, one torque for each of 7 joints."),
@@ -136,3 +136,24 @@ def test_a_table_without_heads_may_have_more_slides_than_turns():
     slides = Arm.from_table("alpha a theta d\npi/2 0.4 q1 0\n-pi/2 0.3 0 q2\n0 0.2 0 q3")
     report = checks.compare_tables("1.5708,0.4,q1,0\n-1.5708,0.3,0,q2\n0,0.2,0,q3", slides)
     assert report.agrees, str(report)
+
+
+ADVICE = [
+    (J_of(np.vstack([J[3:], J[:3]])), "say angular_first=True"),
+    (lambda: checks.compare_jacobian(np.vstack([J[3:], J[:3]]), UR10E, Q, angular_first=True), ""),
+    (J_of(J, q=np.degrees(Q)), 'say angles="deg"'),
+    (table(FRANKA, PANDA.with_values(l_pen=0)), 'say convention="craig"'),
+    (
+        table("0 pi/2 0.5 q1; 0.4 0 0 q2+0.5; 0.3 0 0 q3", ELBOW),
+        'The arm in your joints is report.figures["arm"]',
+    ),
+]
+
+
+@pytest.mark.parametrize("case", ADVICE)
+def test_advice_names_the_argument_that_sets_it(case):
+    asked, words = case
+    advice = asked().advice
+    assert words in (advice or ("",))[0]
+    assert all(one in asked().lines for one in advice)
+    assert words or not advice

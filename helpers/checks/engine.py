@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from helpers.checks.report import advised
 from helpers.inputs import ArmError
 
 _SCRIPT = Path(__file__).with_name("judge.js")
@@ -25,7 +26,7 @@ def asked(topic: str, **question: Any) -> Any:
         _engines.ask = _started()
     answer = json.loads(_engines.ask(json.dumps({"topic": topic, **question}, allow_nan=False)))
     if "refused" in answer:
-        raise ArmError(answer["refused"])
+        raise ArmError(". ".join([answer["refused"], *map(advised, answer["advice"])]))
     return answer["answer"]
 
 

@@ -1,5 +1,6 @@
 """The one report of all comparisons, and the one kind of finding."""
 
+import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -45,6 +46,7 @@ class Report:
         findings: the cause first, then where it shows.
         causes: the catalogue's keys of what was named, the likeliest first, two joined by " + ".
         taken: how the answer was read.
+        advice: what to set, as an argument, where the answer is meant otherwise than asked.
         notes: what is no mistake and still worth knowing.
         figures: measured numbers, by name, such as worst or position_error.
     """
@@ -56,6 +58,7 @@ class Report:
     findings: tuple[Finding, ...] = ()
     causes: tuple[str, ...] = ()
     taken: tuple[str, ...] = ()
+    advice: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     figures: Mapping[str, Any] = field(default_factory=dict, compare=False)
 
@@ -72,7 +75,7 @@ class Report:
         notes = [f"Note: {note}" for note in self.notes]
         symptoms = [f.words for f in self.findings if f.what != "cause"]
         symptoms = [words for words in symptoms if words[1:] not in self.headline]
-        return [*symptoms, *(f"Taken as {t}" for t in self.taken), *notes]
+        return [*symptoms, *(f"Taken as {t}" for t in self.taken), *notes, *self.advice]
 
     def __str__(self) -> str:
         return "\n".join([self.headline, *(f"- {line}" for line in self.lines)])
@@ -96,9 +99,25 @@ def report_of(said: Mapping[str, Any], taken: Iterable[str] = (), **figures: Any
         tuple(map(_finding, said["findings"])),
         tuple(said["causes"]),
         (*taken, *said["taken"]),
+        tuple(map(advised, said.get("advice", ()))),
         tuple(said["notes"]),
         {name: _held(x) for name, x in said.get("figures", {}).items()} | figures,
     )
+
+
+def advised(said: Mapping[str, Any]) -> str:
+    """A piece of the judge's advice, a field of the question and its value, in Python's words."""
+    field, value = said["field"], said["value"]
+    if field == "ownJoints":
+        return 'The arm in your joints is report.figures["arm"]'
+    words = {
+        "arm": f"compare with robots.named({json.dumps(value)})",
+        "locked": f"compare with arm.lock({value})",
+        "values": f"say values={{{json.dumps(value)}: ...}}",
+        "angularFirst": f"say angular_first={bool(value)}",
+    }
+    setting = words.get(field, f"say {field}={json.dumps(value)}")
+    return f"If that is what you mean, {setting}"
 
 
 def _finding(said: Mapping[str, Any]) -> Finding:

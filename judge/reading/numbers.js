@@ -219,7 +219,9 @@ function meanings(names, arm, q, own) {
     const at = (numbers ?? []).map((i) => order.get(i));
     if (!at.length || at.includes(undefined)) {
       const known = [...variables(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
-      throw new ArmError(say("unknown symbol", { arm: arm.name, name, known }));
+      throw new ArmError(say("unknown symbol", { arm: arm.name, name, known }), [
+        { field: "values", value: name },
+      ]);
     }
     found.set(
       name,

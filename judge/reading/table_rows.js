@@ -75,7 +75,8 @@ function oneSymbol(i, free, mover) {
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
   if (stray === undefined) return;
   const key = Object.hasOwn(UNITS, stray) ? "row unit" : "row symbol";
-  throw new ArmError(say(key, { row: i, name: stray }));
+  const advice = key === "row symbol" ? [{ field: "values", value: stray }] : [];
+  throw new ArmError(say(key, { row: i, name: stray }), advice);
 }
 
 function slope(rate, row, name) {

@@ -7,6 +7,7 @@ import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { asksPose, formOf, inverse } from "../geometry/inverse.js";
 import { joints } from "../geometry/kinematics.js";
 import { rowsInRadians, turning } from "../reading/numbers.js";
+import { advising } from "../report.js";
 import { listed, lower, say } from "../sentences.js";
 import {
   answers,
@@ -39,7 +40,9 @@ const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are n
  * @param {string | any[]} mine @param {any} arm @param {any[]} target
  * @returns {import("../report.js").Report}
  */
-export function compareBranches(mine, arm, target, options = {}) {
+export const compareBranches = advising(branchesCompared);
+
+function branchesCompared(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null, found = null } = options;
   const right = rightOf(arm, found ?? branchesOf(arm, target));
   const { answers: given, taken, typed } = upright(mine, right, angles, tolerance);

@@ -1,6 +1,6 @@
 // Is a Jacobian wrong, and how?
 
-import { reportOf } from "../report.js";
+import { advising, reportOf } from "../report.js";
 import { setting, singles } from "../causes/jacobian.js";
 import { allColumns, causesOf, CLOSE, HALVES, ROWS } from "../causes/jacobian_search.js";
 import { complete, explain, nameOf, several } from "../causes/ranking.js";
@@ -26,7 +26,9 @@ import { ArmError, listed, lower, say, tuple } from "../sentences.js";
  * The report on a Jacobian, a text or nested numbers, of an arm's tip at q.
  * @returns {import("../report.js").Report}
  */
-export function compareJacobian(mine, arm, q, options = {}) {
+export const compareJacobian = advising(jacobianCompared);
+
+function jacobianCompared(mine, arm, q, options = {}) {
   const { angularFirst = false, frame = 0, angles = "rad" } = options;
   const at = pose(q, arm, angles);
   const dof = at.values.length;

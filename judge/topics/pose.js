@@ -1,6 +1,6 @@
 // Do these joint angles reach that pose?
 
-import { reportOf } from "../report.js";
+import { advising, reportOf } from "../report.js";
 import { cross, dot, jacobianColumns, linkFrames, matrix } from "../geometry/kinematics.js";
 import { millimetres, turnOf } from "../causes/branches.js";
 import { turnBetween, answers } from "./branches_matching.js";
@@ -28,7 +28,9 @@ const SHAPES = ["4x4", "3x4", "3"];
  * (3,).
  * @returns {import("../report.js").Report}
  */
-export function comparePose(q, arm, T, options = {}) {
+export const comparePose = advising(poseCompared);
+
+function poseCompared(q, arm, T, options = {}) {
   const { angles = "rad", tolerance = null } = options;
   const { answers: given, taken, typed } = answers(q, arm, angles);
   if (given.length !== 1)

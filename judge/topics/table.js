@@ -10,6 +10,7 @@ import { equations, jointMap } from "../geometry/joint_map.js";
 import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
 import { ENTRIES, inMillimetres, meant, read } from "../reading/table.js";
 import { lower, say, size } from "../sentences.js";
+import { advising } from "../report.js";
 import { entry, geometry, rounded, typedAs, typedRow, typedText } from "./table_words.js";
 
 const LENGTH = 1e-6; // m
@@ -62,7 +63,9 @@ const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
  * @param {Options} options
  * @returns {Report}
  */
-export function compareTables(mine, reference, options = {}) {
+export const compareTables = advising(tablesCompared);
+
+function tablesCompared(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
   const known = new Map([...(reference.values ?? []), ...(options.values ?? [])]);
   const isText = typeof mine === "string";
@@ -235,6 +238,7 @@ function same(grade, table, reference, [mine, ref], found) {
   const last = table.lengthUnit || table.angleUnit * reach(mine.rows);
   const loose = grade === RIGHT ? LENGTH : 10 * last;
   const mapped = jointMap(mine, ref, found, loose);
+  const told = zeros(table, mapped, mine, ref);
   const key = grade === RIGHT ? "table same" : "table rounded";
   return {
     topic: "table",
@@ -246,8 +250,9 @@ function same(grade, table, reference, [mine, ref], found) {
     taken: table.said,
     ...(mapped ? { map: { ...mapped, rows: mine.rows } } : {}),
     figures: { "upside down": found.upsideDown },
+    advice: mapped && told.length ? [{ field: "ownJoints", value: true }] : [],
     notes: [
-      ...zeros(table, mapped, mine, ref),
+      ...told,
       ...base(table, mine, found, mapped),
       ...twoUnits(table, mine, found),
       ...tool(found),

@@ -1,6 +1,6 @@
 // Are joint torques wrong, and how? One torque vector or a whole run of them.
 
-import { reportOf } from "../report.js";
+import { advising, reportOf } from "../report.js";
 import { better, complete, explain, nameOf, several } from "../causes/ranking.js";
 import {
   catalogue,
@@ -43,7 +43,9 @@ const SAMPLE = 25; // poses of a run on which causes are tried
  * The report on torques, a text or nested numbers, at q or along a list of q.
  * @returns {import("../report.js").Report}
  */
-export function compareTorques(mine, arm, q, options = {}) {
+export const compareTorques = advising(torquesCompared);
+
+function torquesCompared(mine, arm, q, options = {}) {
   const { tolerance = null, briefly = false } = options;
   const at = poses(q, arm, options.angles);
   if (!arm.rows.every((row) => row.body)) {

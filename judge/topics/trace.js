@@ -1,6 +1,6 @@
 // Did these joints draw the path? By the tip that they give, and by how they move.
 
-import { reportOf } from "../report.js";
+import { advising, reportOf } from "../report.js";
 import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
@@ -46,7 +46,9 @@ export const readTrace = (mine, arm) => numbers(mine, `${arm.name}: your joints`
  * @param {import("../reading/numbers.js").Typed} typed @param {any} arm @param {Path} path
  * @returns {import("../report.js").Report}
  */
-export function judgedTrace(typed, arm, path, { angles = "rad", tolerance = null } = {}) {
+export const judgedTrace = advising(traceJudged);
+
+function traceJudged(typed, arm, path, { angles = "rad", tolerance = null } = {}) {
   const run = upright(typed, arm, path.times.length, angles);
   if (!run) return misshapen(typed, arm, path);
   const cut = { ...path, times: path.times.slice(0, run.q.length) };
