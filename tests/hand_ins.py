@@ -14,10 +14,9 @@ from functools import partial
 
 import numpy as np
 
-from helpers import checks, robots
+from helpers import checks, inverse, robots
 from helpers.arm import Arm, Body, prismatic, revolute
 from helpers.inputs import ArmError
-from helpers import inverse
 from tests.dressing import around, column, jacobian_text, joints_text, number, table_text
 
 PARTS = {"worked": 0, "unread": 1}
@@ -141,7 +140,9 @@ def _row(rng) -> tuple:
 
 def a_pose(rng, machine: Machine) -> np.ndarray:
     q = rng.uniform(-1.4, 1.4, machine.dof).round(2)
-    return np.array([x if k == R else 0.2 + abs(x) / 3 for x, (k, *_) in zip(q, machine.rows)])
+    return np.array(
+        [x if k == R else 0.2 + abs(x) / 3 for x, (k, *_) in zip(q, machine.rows, strict=True)]
+    )
 
 
 # The mistakes, each a table from the cause's key to what it makes of the right numbers
@@ -151,7 +152,9 @@ def jacobian_mistakes(m: Machine, q) -> dict[str, np.ndarray]:
     J = jacobian(m.rows, q)
     rows = np.r_[np.ones(3), np.zeros(3)][:, None]
     linear, angular = J * rows, J * (1 - rows)
-    degrees = np.array([np.radians(x) if k == R else x for x, (k, *_) in zip(q, m.rows)])
+    degrees = np.array(
+        [np.radians(x) if k == R else x for x, (k, *_) in zip(q, m.rows, strict=True)]
+    )
     found = {
         "J.all signs": -J,
         "J.angular sign": linear - angular,
@@ -171,7 +174,7 @@ def jacobian_mistakes(m: Machine, q) -> dict[str, np.ndarray]:
     if {"a_2", "d_6"} <= set(m.arm.values) and len(m.rows) == 6 and "UR" in m.arm.name:
         swapped = ROWS["UR10e" if "home" in m.arm.name else "UR10e (homework)"]
         own = [(k, np.copysign(abs(s[1]), a), t, np.copysign(abs(s[3]), d), o)
-               for (k, a, t, d, o), s in zip(m.rows, swapped)]  # fmt: skip
+               for (k, a, t, d, o), s in zip(m.rows, swapped, strict=True)]  # fmt: skip
         found["J.robot"] = jacobian(own, q)
     return found
 
@@ -188,7 +191,7 @@ def torque_mistakes(m: Machine, q, F) -> dict[str, np.ndarray]:
         "tau.centres at origins": torques(m, q, F, centres=0),
         "tau.reversed order": right[::-1],
         "tau.degrees": torques(m, np.array([np.radians(x) if k == R else x for x, (k, *_) in
-                                            zip(q, m.rows)]), F),
+                                            zip(q, m.rows, strict=True)]), F),
         "tau.last link": torques(m, q, F, used=m.dof - 1),
     }  # fmt: skip
     if np.any(F):
