@@ -8,31 +8,11 @@ def joined(rows, cell, row, start="", end=""):
     return start + row.join(cell.join(line) for line in rows) + end
 
 
-LATEX = r" \\ ".join(
-    [
-        r"$i$ & $a_i$ & $\alpha_i$ & $d_i$ & $\theta_i$",
-        r"\hline 1 & 0 & $90^\circ$ & 0.5 & $\theta_1^*$",
-        r"2 & 0.4 & 0 & 0 & $\theta_2^*$",
-        r"3 & 0.3 & $0$ & 0 & $\theta_3^*$",
-    ]
-)
 MATRICES = (
     "[cos(q1), 0, sin(q1), 0], [sin(q1), 0, -cos(q1), 0], [0, 1, 0, 0.5], [0, 0, 0, 1]",
     "[c2, -s2, 0, 0.4*c2], [s2, c2, 0, 0.4*s2], [0, 0, 1, 0], [0, 0, 0, 1]",
     "[c3, -s3, 0, 0.3*c3], [s3, c3, 0, 0.3*s3], [0, 0, 1, 0], [0, 0, 0, 1]",
 )
-DRAWN = """DHRobot: elbow, 3 joints (RRR), dynamics, standard DH parameters
-┌─────┬─────┬─────┬───────┐
-│ θⱼ  │ dⱼ  │ aⱼ  │  ⍺ⱼ   │
-├─────┼─────┼─────┼───────┤
-│  q1 │ 0.5 │   0 │ 90.0° │
-│  q2 │   0 │ 0.4 │  0.0° │
-│  q3 │   0 │ 0.3 │  0.0° │
-└─────┴─────┴─────┴───────┘
-
-┌─────┬──────┐
-│tool │ None │
-└─────┴──────┘"""
 PRINTED = """+---+-----------+-----------+-----------+-----------+-----------+
 | j |     theta |         d |         a |     alpha |    offset |
 +---+-----------+-----------+-----------+-----------+-----------+
@@ -45,58 +25,29 @@ CRAIG = ("0 0 0.5 q1", "0 pi/2 0 q2", "0.4 0 0 q3", "0.3 0 0 0")
 RIGHT = {
     "stars first": "theta a alpha d\nθ_1* 0 pi/2 0.5\nθ_2* 0.4 0 0\nθ_3* 0.3 0 0",
     "stars raised": "theta^* a alpha d\nq_1^* 0 pi/2 0.5\nq_2^* 0.4 0 0\nq_3^* 0.3 0 0",
-    "stars alone": "theta a alpha d\n* 0 pi/2 0.5\n* 0.4 0 0\n* 0.3 0 0",
     "LaTeX in CSV": "$\\theta_1^*$, 0, $\\pi/2$, 0.5\n"
     "$\\theta_2^*$, 0.4, 0, 0\n$\\theta_3^*$, 0.3, 0, 0",
     "centimetres": "q1 50 0 pi/2\nq2 0 40 0\nq3 0 30 0",
     "centimetres, numbers alone": "50 0 90 0\n0 40 0 0\n0 30 0 0",
-    "tuples": joined(ROWS, ", ", "), (", "[(", ")]"),
     "tuples of numpy": "dh = [(0, np.pi/2, 0.5, q1),\n (0.4, 0, 0, q2),\n (0.3, 0, 0, q3)]",
-    "lists": joined(ROWS, ", ", "], [", "[[", "]]"),
     "quoted": "[[0, 'pi/2', 0.5, 'q1'], [0.4, 0, 0, 'q2'], [0.3, 0, 0, 'q3']]",
-    "numpy": "np.array([[0, np.pi/2, 0.5, 0],\n       [0.4, 0, 0, 0],\n       [0.3, 0, 0, 0]])",
     "sympy": "Matrix([[0, pi/2, 1/2, q_1(t)], [2/5, 0, 0, q_2(t)], [3/10, 0, 0, q_3(t)]])",
-    "matlab": joined(FIRST, " ", "; ", "DH = [", "];"),
     "matlab inf": "[0 pi/2 0.5 inf\n0.4 0 0 inf\n0.3 0 0 inf]",
     "matlab inf first": "DH = [inf 0.5 0 pi/2; inf 0 0.4 0; inf 0 0.3 0];",
     "matlab mm": "[0 90 500 0; 400 0 0 0; 300 0 0 0]",
-    "four lists": "a = [0, 0.4, 0.3]\nalpha = [pi/2, 0, 0]\nd = [0.5, 0, 0]\ntheta = [q1, q2, q3]",
-    "four arrays": "a = np.array([0, 0.4, 0.3])\nalpha = np.array([np.pi/2, 0, 0])\n"
-    "d = np.array([0.5, 0, 0])\ntheta = np.array([0, 0, 0])",
     "four of matlab": "a = [0 0.4 0.3];\nalpha = [pi/2 0 0];\nd = [0.5 0 0];\ntheta = [0 0 0];",
     "dictionary of lists": "{'a': [0, 0.4, 0.3], 'alpha': [pi/2, 0, 0],\n 'd': [0.5, 0, 0], "
     "'theta': ['q1', 'q2', 'q3']}",
-    "json": '{"a": [0, 0.4, 0.3], "alpha": [1.5708, 0, 0], "d": [0.5, 0, 0], "theta": [0, 0, 0]}',
-    "dictionaries": "[{'a': 0, 'alpha': pi/2, 'd': 0.5, 'theta': q1}, {'a': 0.4, 'alpha': 0, "
-    "'d': 0, 'theta': q2}, {'a': 0.3, 'alpha': 0, 'd': 0, 'theta': q3}]",
     "greek dictionaries": "[{'a': 0, 'α': 90°, 'd': 0.5, 'θ': q1}, {'a': 0.4, 'α': 0, 'd': 0, "
     "'θ': q2}, {'a': 0.3, 'α': 0, 'd': 0, 'θ': q3}]",
-    "dict calls": "[dict(a=0, alpha=np.pi/2, d=0.5), dict(a=0.4, alpha=0, d=0), "
-    "dict(a=0.3, alpha=0, d=0)]",
     "substitutions": "{a1: 0, alpha1: pi/2, d1: 0.5, a2: 0.4, d2: 0, a3: 0.3}",
-    "numbered": "a1 = 0; alpha1 = pi/2; d1 = 0.5\na2 = 0.4; d2 = 0\na3 = 0.3; alpha3 = 0",
     "links": "L(1) = Link('d', 0.5, 'a', 0, 'alpha', pi/2);\nL(2) = Link('d', 0, 'a', 0.4, "
     "'alpha', 0);\nL(3) = Link('d', 0, 'a', 0.3, 'alpha', 0);",
     "short links": "L1 = Link([0 0.5 0 pi/2]); L2 = Link([0 0 0.4 0]); L3 = Link([0 0 0.3 0]);",
     "links of python": "RevoluteDH(d=0.5, alpha=pi/2), RevoluteDH(a=0.4), RevoluteDH(a=0.3)",
     "matrices": "[[" + "], [".join(MATRICES) + "]]",
-    "markdown": joined(
-        [("a", "alpha", "d", "theta"), ("--",) * 4, *ROWS], " | ", " |\n| ", "| ", " |"
-    ),
-    "markdown short": "|a|alpha|d|theta|\n|:-:|-|-|-|\n" + joined(ROWS, "|", "|\n|", "|", "|"),
-    "markdown units": "| Link | a (mm) | α (°) | d (mm) | θ (°) |\n|:-:|:-:|:-:|:-:|:-:|\n"
-    "| 1 | 0 | 90 | 500 | θ₁ |\n| 2 | 400 | 0 | 0 | θ₂ |\n| 3 | 300 | 0 | 0 | θ₃ |",
-    "tabular": rf"\begin{{tabular}}{{|c|c|c|c|c|}} \hline {LATEX} \\ \hline \end{{tabular}}",
-    "array": r"\begin{array}{c|cccc} i & a_i & \alpha_i & d_i & \theta_i \\ 1 & 0 & \frac{\pi}{2} "
-    r"& 0.5 & \theta_1 \\ 2 & 0.4 & 0 & 0 & \theta_2 \\ 3 & 0.3 & 0 & 0 & \theta_3 \end{array}",
-    "pmatrix": joined(ROWS, " & ", r" \\ ", r"$$\begin{pmatrix} ", r" \end{pmatrix}$$"),
-    "csv": "a,alpha,d,theta\n" + joined(ROWS, ",", "\n"),
     "csv without heads": joined(FIRST, ",", "\n"),
-    "csv of excel": "a;alpha;d;theta\n0;1,5708;0,5;q1\n0,4;0;0;q2\n0,3;0;0;q3",
-    "cells": "theta (deg)\td (mm)\ta (mm)\talpha (deg)\n"
-    "q1\t500\t0\t90\nq2\t0\t400\t0\nq3\t0\t300\t0",
     "units apart": "a (mm) alpha (deg) d (mm) theta (deg)\n0 90 500 q1\n400 0 0 q2\n300 0 0 q3",
-    "joints counted": "joint  theta  d  a  alpha\n1 q1 0.5 0 90\n2 q2 0 0.4 0\n3 q3 0 0.3 0",
     "joints in brackets": "[[0, pi/2, 0.5, q[0]], [0.4, 0, 0, q[1]], [0.3, 0, 0, q[2]]]",
     "joints in round ones": "[0 deg2rad(90) 0.5 q(1); 0.4 0 0 q(2); 0.3 0 0 q(3)]",
     "a row of units": "a\talpha\td\ttheta\n[mm]\t[deg]\t[mm]\t\n0\t90\t500\tq1\n400\t0\t0\tq2\n"
@@ -106,20 +57,12 @@ RIGHT = {
     "two blanks": "0   pi / 2   1 / 2   -q_1\n0.4   0   0   q_2\n0.3   0   0   q_3",
     "two blanks, as many": "0  pi /2   0.5  q_1\n0.4  0 /2   0  q_2\n0.3  0 /2   0  q_3",
     "captions": "Table 1: the elbow\n\n(by hand)\na  alpha  d  theta\n" + joined(ROWS, "  ", "\n"),
-    "cells left empty in CSV": "a,alpha,d,theta\n,pi/2,0.5,q1\n0.4,,,q2\n0.3,,0,q3",
     "curled quotes": "[{‘a’: 0, ‘alpha’: pi/2, ‘d’: 0.5}, {“a”: 0.4, “alpha”: 0, “d”: 0}, "
     "{‘a’: 0.3, ‘alpha’: 0, ‘d’: 0}]",
     "degrees in words": "0, 90 degrees, 0.5, q1\n0.4, 0 degrees, 0, q2\n0.3, 0, 0, q3",
     "degrees of siunitx": r"\begin{tabular}{cccc} 0 & \ang{90} & 0.5 & $q_1$ \\ "
     r"0.4 & \SI{0}{\degree} & 0 & $q_2$ \\ 0.3 & \ang{0} & 0 & $q_3$ \end{tabular}",
-    "pandas": "     a   alpha    d theta\n0  0.0  1.5708  0.5    q1\n1  0.4  0.0000  0.0    q2\n"
-    "2  0.3  0.0000  0.0    q3",
-    "pandas csv": ",a,alpha,d,theta\n0,0.0,1.5708,0.5,q1\n1,0.4,0,0,q2\n2,0.3,0,0,q3",
-    "drawn": DRAWN,
     "printed": PRINTED,
-    "degrees": "0 90° 0.5 θ1\n0.4 0° 0 θ2\n0.3 0° 0 θ3",
-    "stars": "a alpha d theta\n0 pi/2 0.5 θ1*\n0.4 0 0 θ2*\n0.3 0 0 θ3*",
-    "dashes": "a alpha d theta\n0 pi/2 0.5 -\n0.4 0 0 -\n0.3 0 0 -",
     "two decimals": "a,alpha,d,theta\n0,1.57,0.5,q1\n0.4,0,0,q2\n0.3,0,0,q3",
     "craig": "a_{i-1} alpha_{i-1} d theta\n" + "\n".join(CRAIG),
     "craig in latex": r"\begin{tabular}{cccc} $a_{i-1}$ & $\alpha_{i-1}$ & $d_i$ & $\theta_i$ \\ "

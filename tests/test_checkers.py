@@ -12,13 +12,12 @@ import pytest
 import sympy as sp
 
 from helpers import checks
-from helpers.arm import Arm, ArmError, Body
+from helpers.arm import Arm, ArmError
 from helpers.checks.compare import numbers
 from helpers.inverse import elbow
-from helpers.kinematics import forward_kinematics, jacobian
+from helpers.kinematics import forward_kinematics
 from helpers.motion import circle, circle_below, trace
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.statics import static_torque
 from tests import table_pastes
 from tests.corpus.arms import KNOWN
 from tests.corpus.jacobians import recipe
@@ -45,15 +44,6 @@ q1, q2, q3 = sp.symbols("q_1 q_2 q_3")
 )
 def test_the_unit_of_the_last_place(texts, expected):
     assert numbers(texts, "yours").units == pytest.approx(np.array(expected))
-
-
-@pytest.mark.parametrize(
-    ("digits", "grade"), [(6, "right"), (4, "right"), (3, "right"), (1, "so far")]
-)
-def test_right_to_its_digits(digits, grade):
-    report = checks.compare_jacobian(J3.round(digits), ELBOW, Q)
-    assert (report.grade, report.agrees) == (grade, grade == "right")
-    assert f"{digits}" in report.headline
 
 
 def test_cut_digits_are_told_and_a_tolerance_is_obeyed():
@@ -87,7 +77,6 @@ def in_place(q):
 
 
 NUMBERS = np.array(planar(0.5, 0.7), dtype=float).round(5)
-TEXT_ROWS = [[f"{x:g}" for x in row] for row in NUMBERS]
 
 
 @pytest.mark.parametrize(
@@ -106,11 +95,6 @@ TEXT_ROWS = [[f"{x:g}" for x in row] for row in NUMBERS]
         NUMBERS.tolist(),
         [tuple(map(float, row)) for row in NUMBERS],
         planar(0.5, 0.7).evalf(5),
-        str(NUMBERS),
-        repr(NUMBERS),
-        "[" + "; ".join(" ".join(row) for row in TEXT_ROWS) + "]",
-        r"\begin{bmatrix}" + r"\\".join(" & ".join(row) for row in TEXT_ROWS) + r"\end{bmatrix}",
-        "j1;j2\n" + "\n".join(";".join(row) for row in TEXT_ROWS).replace(".", ","),
         "[[-0.4*s1 - 0.3*s12, -0.3*s12], [0.4 c_1 + 0.3 c_{12}, 0.3 cos(q1+q2)],"
         " [0,0],[0,0],[0,0],[1,1]]",
         r"\begin{pmatrix} -0.4 s_1 - 0.3 s_{12} & -0.3 s_{12} \\ 0.4\cos\theta_1 +"
@@ -134,44 +118,6 @@ def test_a_function_gets_copies_and_locked_joints_may_be_numbered_on():
     assert "joints 2" in str(counted)
 
 
-def test_one_joint_and_no_gravity():
-    one = Arm.from_table("q1 0 0.4 0")
-    a = sp.Symbol("a")
-    turn = sp.lambdify(a, sp.Matrix([-0.4 * s(a), 0.4 * c(a), 0, 0, 0, 1]))
-    assert checks.compare_jacobian(turn, one).agrees
-    assert checks.compare_torques([0] * 7, PANDA, BENT, gravity=(0, 0, 0)).agrees
-
-
-@pytest.mark.parametrize(
-    "text",
-    ["__import__('os').system('x')", "(lambda: 0)()", "q.real", "1e999", "9**9**9", "(" * 99],
-)
-def test_text_is_never_run(text):
-    with pytest.raises(ArmError):
-        checks.compare_jacobian(f"[[{text}, 0], [0, 0], [0, 0], [0, 0], [0, 0], [1, 1]]", PLANAR)
-
-
-@pytest.mark.parametrize(
-    ("text", "value"),
-    [
-        ("π/2", H),
-        ("−90°", -H),
-        (r"\frac{\pi}{2}", H),
-        (r"-90\degree", -H),
-        ("2pi", 2 * math.pi),
-        (r"\sin\frac{\pi}{6}", 0.5),
-        ("np.deg2rad(90)", H),
-        ("-2^2", -4),
-        ("1/2*3", 1.5),
-        ("sqrt(2)/2", math.sqrt(0.5)),
-        ("3.5e-1", 0.35),
-        ("2(3)", 6),
-    ],
-)
-def test_formulas(text, value):
-    assert numbers(f"[{text}]", "yours").values == pytest.approx(np.array([[value]]), abs=1e-15)
-
-
 def test_matlab_prints():
     head = "J =\n\n   1.0e+03 *\n\n  Columns 1 through 2\n\n"
     blocks = head + "    0.1000   -0.2000\n\n  Column 3\n\n    0.5000\n"
@@ -187,79 +133,6 @@ ROWS = [
     (88, -90, 0),
     (0, 0, -207),
 ]
-LATEX = r"\begin{tabular}{|c|c|} Link & $\theta_i$ & $d_i$ & $a_i$ & $\alpha_i$ \\ \hline "
-PI = {90: "pi/2", -90: "-pi/2", 0: "0"}
-TABLES = [
-    [(f"q{i}", d / 1000, a / 1000, math.radians(t)) for i, (a, t, d) in enumerate(ROWS, 1)],
-    [[a / 1000, PI[t], d / 1000, f"th{i}"] for i, (a, t, d) in enumerate(ROWS, 1)],
-    {
-        "a": [r[0] for r in ROWS],
-        "alpha": [r[1] for r in ROWS],
-        "d": [r[2] for r in ROWS],
-        "theta": [f"q{i}" for i in range(7)],
-    },
-    "\n".join(
-        f"L({i}) = Link('d', {d / 1000}, 'a', {a / 1000}, 'alpha', {PI[t]});"
-        for i, (a, t, d) in enumerate(ROWS, 1)
-    ),
-    "[" + "; ".join(f"inf {d} {a} {t}" for a, t, d in ROWS) + "]",
-    "| i | a_i (mm) | alpha_i (deg) | d_i | theta_i |\n|--|--|--|--|--|\n"
-    + "\n".join(f"| {i} | {a} | {t}° | {d} | θ{i} |" for i, (a, t, d) in enumerate(ROWS, 1)),
-    LATEX
-    + r" \\ ".join(
-        rf"{i} & $\theta_{i}^*$ & {d / 1000} & {a / 1000} & ${t}^\circ$"
-        for i, (a, t, d) in enumerate(ROWS, 1)
-    )
-    + r"\end{tabular}",
-    "a = [0, 0, 82.5, -82.5, 0, 88, 0]\n"
-    "alpha = [90, -90, -90, 90, 90, -90, 0]\nd = [333, 0, 316, 0, 384, 0, -207]\n"
-    "theta = [q1, q2, q3, q4, q5, q6, q7]",
-    "{"
-    + ", ".join(
-        f"'a{i}': {a}, 'alpha{i}': {PI[t]}, 'd{i}': {d}, 'q{i}': q{i}"
-        for i, (a, t, d) in enumerate(ROWS, 1)
-    )
-    + "}",
-    [
-        [[str(x) for x in row] for row in A]
-        for A in (
-            [
-                [
-                    f"cos(q{i})",
-                    f"-sin(q{i})*{math.cos(math.radians(t)):.0f}",
-                    f"sin(q{i})*{math.sin(math.radians(t)):.0f}",
-                    f"{a / 1000}*cos(q{i})",
-                ],
-                [
-                    f"sin(q{i})",
-                    f"cos(q{i})*{math.cos(math.radians(t)):.0f}",
-                    f"-cos(q{i})*{math.sin(math.radians(t)):.0f}",
-                    f"{a / 1000}*sin(q{i})",
-                ],
-                [
-                    "0",
-                    f"{math.sin(math.radians(t)):.0f}",
-                    f"{math.cos(math.radians(t)):.0f}",
-                    f"{d / 1000}",
-                ],
-                ["0", "0", "0", "1"],
-            ]
-            for i, (a, t, d) in enumerate(ROWS, 1)
-        )
-    ],
-]
-
-
-@pytest.mark.parametrize("table", TABLES, ids=range(len(TABLES)))
-def test_a_table_is_taken_as_it_is_held(table):
-    assert checks.compare_tables(table, PANDA).agrees
-    read = Arm.from_table(table)
-    assert [round(1000 * read.number(r.a), 6) for r in read.rows] in (
-        [r[0] for r in ROWS],
-        [
-            r[2] for r in ROWS
-        ],  # (q, x, y, alpha) without heads: a and d are told apart only against a reference
-    )
 
 
 @pytest.mark.parametrize("name", table_pastes.RIGHT)
@@ -341,15 +214,6 @@ def test_a_table_says_how_it_was_taken():
         Arm.from_table("q1 L1 0 0\nq2 0 0 0")
 
 
-def test_torques_are_turned_the_right_way():
-    q = np.linspace(0.1, 0.9, 4)[:, None] * np.ones(7)
-    tau = np.array([static_torque(PANDA, x, [0] * 6) for x in q]).round(4)
-    for mine in (tau, tau.T, tau[:, :, None], [list(x) for x in tau.T], np.c_[np.zeros(4), tau]):
-        assert checks.compare_torques(mine, PANDA, q).agrees
-    one = [sp.Matrix(tau[0]), tau[0][:, None], str(tau[0]), ", ".join(map(str, tau[0]))]
-    assert all(checks.compare_torques(x, PANDA, q[0]).agrees for x in one)
-
-
 # The slips of the errata that are mistakes of method. The elbow arm's links of 0.4 and 0.3 m are
 # the legs of a right angle
 # over (0.5, 0, 0.5), its shoulder at (0, 0, 0.5): the first leans by LOW = atan2(3, 4), the second
@@ -393,8 +257,6 @@ PAPER = [
 ]
 WEIGHT = gradient(lambda q: heights(PANDA, q, CENTRES), HOME)
 FORCE = KNOWN["PANDA"].jacobian(HOME).T @ PUSH
-ABOVE = elbow(ELBOW, (0.0, 0.0, 0.9))
-BELOW = elbow(ELBOW, (0.0, 0.0, 0.1))
 
 
 def branches(mine, found=OVER):
@@ -749,52 +611,6 @@ def test_another_arms_run_is_told_by_what_it_leaves():
     assert report.causes == ("table.length:a_3:a_6",), str(report)
 
 
-# Their joints
-
-
-def test_a_valid_other_table_gives_the_joint_map_and_the_arm_in_their_joints():
-    """The maker's UR10e turned its z_1 round: joint 2 counts backwards, from another zero, and all
-    that follows is theirs.
-    """
-    rows = list(UR10E.rows)
-    theirs = (
-        UR10E.with_rows(rows)
-        .with_row(1, alpha="-pi/2")
-        .with_row(2, alpha="pi", a="-a_2", theta="pi/2")
-    )
-    theirs = theirs.with_rows(theirs.rows, name="theirs").with_bodies([])
-    report = checks.compare_tables(theirs, UR10E)
-    assert report.agrees, str(report)
-    arm, q = report.figures["arm"], np.array(SKEW)
-    signs, shifts = map(np.array, zip(*report.figures["joint_map"], strict=True))
-    assert "The arm in your joints" in str(report)
-    assert forward_kinematics(arm, q)[:3, 3] == pytest.approx(
-        forward_kinematics(UR10E, signs * q + shifts)[:3, 3]
-    )
-    tau = static_torque(UR10E, signs * q + shifts, [0] * 6) * signs
-    assert checks.compare_torques(tau.round(4), arm, q).agrees
-    assert checks.compare_jacobian(
-        jacobian(UR10E, signs * q + shifts) * signs, arm, q, tolerance=1e-9
-    ).agrees
-
-
-def test_a_table_that_needs_z_0_down_is_wrong():
-    """With a_1 = 0.3 the sign of alpha_1 decides on which side the arm stands: turning z_0 over
-    would put its base lower.
-    """
-    rows = [
-        ("q1", 0.75, 0.35, "-pi/2"),
-        ("q2", 0, 1.25, 0),
-        ("q3", 0, -0.054, "-pi/2"),
-        ("q4", 1.5, 0, "pi/2"),
-        ("q5", 0, 0, "-pi/2"),
-        ("q6", 0.303, 0, 0),
-    ]
-    right = Arm.from_table(rows)
-    report = checks.compare_tables([(*rows[0][:3], "pi/2"), *rows[1:]], right)
-    assert report.causes == ("table.twist:1",), str(report)
-
-
 # The report
 
 
@@ -817,15 +633,7 @@ def test_a_report_reads_well_and_holds_what_it_says():
 
 
 def test_numbers_quoted_are_those_typed():
-    table = TABLES[4].replace("82.5 -90", "88 -90")
-    report = checks.compare_tables(table, PANDA)
+    wrong = "; ".join(f"inf {d} {88 if a == 82.5 else a} {t}" for a, t, d in ROWS)
+    report = checks.compare_tables(f"[{wrong}]", PANDA)
     assert "you have 88" in str(report)
     assert "5.5 mm too long" in str(report)
-
-
-def test_masses_at_the_tip_and_missing_ones_are_named():
-    bodies = [Body(0 if i == 3 else b.mass, b.com) for i, b in enumerate(PANDA.bodies)]
-    report = checks.compare_torques(
-        static_torque(PANDA.with_bodies(bodies), BENT, PUSH), PANDA, BENT, PUSH
-    )
-    assert report.causes == ("tau.mass missing:4",)

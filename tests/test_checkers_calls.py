@@ -3,18 +3,16 @@ cannot be told.
 """
 
 import numpy as np
-import pytest
 import sympy as sp
 
 from helpers import checks, inverse, motion, statics
-from helpers.arm import Arm, ArmError, prismatic
+from helpers.arm import Arm, prismatic
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, UR10E, UR10E_HOMEWORK
 from tests.corpus.arms import KNOWN
 
 H = np.pi / 2
 Q = [0.3, 0.5, -0.2, 0.7, -0.4, 0.9, 0.2]
-NAMES = ("a", "alpha", "d", "theta")
 
 
 def step(a, alpha, d, theta):
@@ -35,48 +33,6 @@ def by_rows(dh, q):
     return np.array([[*np.cross(z[k], T[:3, 3] - o[k]), *z[k]] for k in range(len(dh))]).T
 
 
-def spoils(dh, q):
-    found = by_rows(dh, q)
-    dh[:] = 0
-    q[:] = 0
-    return found
-
-
-class Robot:
-    dh = np.array([row[1:] for row in KNOWN["PANDA"].rows])
-
-    def jacobian(self, q):
-        return by_rows(self.dh, q)
-
-    def of(self, dh, q):
-        return by_rows(dh, q)
-
-
-KEYED = "f(table, q), called with the arm's entries 'a', 'alpha', 'd' and 'theta' in m and rad"
-
-
-@pytest.mark.parametrize(
-    ("mine", "said"),
-    [
-        (by_rows, "f(table, q), called with the arm's rows (a, alpha, d, theta) in m and rad"),
-        (spoils, "f(table, q), called with the arm's rows (a, alpha, d, theta)"),
-        (lambda q, DH: by_rows(DH, q), "f(q, table), called with the arm's rows (a, alpha, d, th"),
-        (lambda t, q: by_rows([(r[2], r[3], r[1], r[0]) for r in t], q), "(theta, d, a, alpha)"),
-        (lambda t, q: by_rows([(r[0], r[2], r[1], r[3]) for r in t], q), "(a, d, alpha, theta)"),
-        (lambda dh, q: by_rows([[r[n] for n in NAMES] for r in dh], q), KEYED),
-        (lambda dh, q: by_rows(np.transpose([dh[n] for n in NAMES]), q), KEYED),
-        (Robot().of, "f(table, q)"),
-        (Robot().jacobian, ""),
-        (lambda *q: by_rows(Robot.dh, q), ""),
-        (lambda q, dh=Robot.dh: by_rows(dh, q), ""),
-    ],
-)
-def test_a_function_is_called_as_it_asks(mine, said):
-    report = checks.compare_jacobian(mine, PANDA, Q)
-    assert report.agrees, str(report)
-    assert said in str(report)
-
-
 def test_a_function_of_the_table_is_judged_by_the_books_order_where_none_is_right():
     report = checks.compare_jacobian(lambda dh, q: -by_rows(dh, q), PANDA, Q)
     assert report.causes == ("J.all signs",)
@@ -94,35 +50,6 @@ def test_one_joint_by_itself():
     turn = sp.Matrix([-0.4 * sp.sin(x), 0.4 * sp.cos(x), 0, 0, 0, 1])
     for asked in (x, [x], [[x]]):
         assert checks.compare_jacobian(sp.lambdify(asked, turn), one).agrees
-
-
-@pytest.mark.parametrize("mine", [lambda q, speed: 0, lambda a, b, c: 0])
-def test_a_function_that_asks_for_more_is_refused_in_words(mine):
-    with pytest.raises(ArmError, match=r"your function failed .* Wrap it"):
-        checks.compare_jacobian(mine, PANDA, Q)
-
-
-def test_torques_by_a_function_of_one_pose():
-    run = np.linspace(Q, np.array(Q) + 0.3, 4)
-    right = PANDA_TORQUES(run)
-    poses = {tuple(np.round(q, 9)): tau for q, tau in zip(run, right, strict=True)}
-    report = checks.compare_torques(lambda q: poses[tuple(np.round(q, 9))], PANDA, run)
-    assert report.agrees, str(report)
-    assert checks.compare_torques(lambda q: right, PANDA, run).agrees
-    wrench = np.array([1.0, 2, 3, 0, 0, 0])
-
-    def greedy(q):
-        wrench[:] = 0
-        return poses[tuple(np.round(q, 9))]
-
-    assert not checks.compare_torques(greedy, PANDA, run, wrench).agrees
-
-
-def PANDA_TORQUES(run):
-    from tests.corpus.torques import PANDA as LINKS
-    from tests.corpus.torques import weight
-
-    return np.array([weight(KNOWN["PANDA"], LINKS, q) for q in run])
 
 
 # Near zero

@@ -3,7 +3,6 @@ the calls that a function gets, and the words in which the rest is refused.
 """
 
 import math
-from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -26,7 +25,6 @@ from helpers.checks.engine import asked
 from helpers.checks.held import array_data
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ELBOW, PANDA, STANFORD
-from helpers.statics import static_torque
 from tests.corpus.jacobians import in_frame, recipe
 from tests.corpus.machine import Machine
 from tests.mixed import MIXED, arm_of
@@ -165,24 +163,6 @@ def test_an_expression_has_the_value_of_its_tree(expression, value):
 def test_what_is_no_formula_is_refused(expression):
     with pytest.raises(ArmError, match=r"^yours is .*; expected numbers"):
         numbers([expression], "yours")
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        (dict(angles="grad"), "angles is 'grad'"),
-        (dict(angles="deg", tolerance=-1), "tolerance is -1; expected a number of 0 or more"),
-        (dict(tolerance="x"), "tolerance is 'x'; expected a number of 0 or more"),
-        (dict(values=[1]), "values is [1]; expected a Mapping"),
-        (dict(values={"b": [1]}), "values['b'] is [1]; expected a finite number"),
-        (dict(values={2: 1}), "a name in values is 2; expected a str"),
-    ],
-)
-def test_settings_are_refused_by_their_names(given, words):
-    with pytest.raises(ArmError) as refused:
-        compare_jacobian(np.ones((6, 3)), ELBOW, Q3, **given)
-    assert words in str(refused.value)
-    assert compare_jacobian(jacobian(ELBOW, Q3), ELBOW, Q3, tolerance=Decimal("1e-4")).agrees
 
 
 # Joints
@@ -462,34 +442,6 @@ def test_a_frame_that_the_arm_has_not_is_refused(frame):
     with pytest.raises(ArmError, match=r"Panda: frame is .*; expected a whole number"):
         compare_jacobian(np.ones((6, 7)), PANDA, np.ones(7), frame=frame)
     assert compare_jacobian(np.ones((6, 7)), PANDA, np.ones(7), frame=7)
-
-
-BENT = np.array([0.4, -0.3, 0.5, -0.9, -0.6, 0.8, 0.2])
-TAU = static_torque(PANDA, BENT, [0.0] * 6)
-OFF = np.eye(7)
-
-
-@pytest.mark.parametrize(
-    ("mine", "worst", "right"),
-    [
-        (TAU, 0.0, 7),
-        (TAU.round(2), None, 7),
-        ("\n".join(f"tau{i} = {x}" for i, x in enumerate(TAU.round(4), 1)), None, 7),
-        (TAU + 2.5 * OFF[1], 2.5, 6),
-        (-TAU, 2 * np.abs(TAU).max(), None),
-        (lambda q: TAU + 2.5 * OFF[1] - OFF[2], 2.5, 5),
-        ([TAU, TAU - 3 * OFF[3] - 0.5 * OFF[6], TAU + OFF[3]], 3.0, 5),
-    ],
-)
-def test_how_far_torques_are_off_and_how_many_are_right(mine, worst, right):
-    q = np.array([BENT] * len(mine)) if isinstance(mine, list) else BENT
-    figures = compare_torques(mine, PANDA, q).figures
-    assert figures["of"] == 7
-    if worst is not None:
-        assert figures["worst"] == pytest.approx(worst)
-    if right is not None:
-        assert figures["right"] == right
-    assert set(figures) == {"worst", "right", "of"}
 
 
 @pytest.mark.parametrize(

@@ -29,63 +29,11 @@ def joined(*between):
     return lines(*between)(ROWS)
 
 
-LATEX = joined(" & ", r" \\ ")
-SPACED = joined(" & ", r" \\[4pt] ")
-DECIMAL = joined("\t", "\n").replace(".", ",")
-PASTES = {
-    "numpy repr": joined(", ", "],\n       [", "array([[", "]])"),
-    "numpy named": joined(", ", "],\n [", "J = np.array([[", "]])"),
-    "numpy dtype": joined(", ", "], [", "array([[", "]], dtype=float32)"),
-    "numpy print": joined("  ", "]\n [", "[[", "]]"),
-    "numpy matrix": joined(", ", "], [", "np.matrix([[", "]])"),
-    "lists": joined(", ", "], [", "[[", "]]"),
-    "tuples": joined(", ", "), (", "((", "))"),
-    "sympy": joined(", ", "], [", "Matrix([[", "]])"),
-    "matlab typed": joined(" ", "; ", "J = [", "];"),
-    "matlab commas": joined(", ", ";\n     ", "J = [", "]"),
-    "matlab lines": joined("   ", "\n", "J = [\n", "\n];"),
-    "matlab dots": joined(" ", "; ...\n", "[", "]"),
-    "matlab print": "\nJ =\n\n" + wide(ROWS) + "\n",
-    "matlab columns": "J =\n\n  Columns 1 through 2\n\n"
-    + wide([line[:2] for line in ROWS])
-    + "\n\n  Column 3\n\n"
-    + wide([line[2:] for line in ROWS]),
-    "bmatrix": rf"\begin{{bmatrix}} {LATEX} \end{{bmatrix}}",
-    "pmatrix": rf"$$J = \begin{{pmatrix}} {LATEX} \\ \end{{pmatrix}}$$",
-    "left matrix": rf"\left[\begin{{matrix}}{LATEX}\end{{matrix}}\right]",
-    "array": rf"J(q) = \left( \begin{{array}}{{ccc}} {LATEX} \end{{array}} \right)",
-    "tabular": rf"\begin{{tabular}}{{rrr}} \hline {LATEX} \\ \hline \end{{tabular}}",
-    "latex spaced": rf"\begin{{bmatrix}} {SPACED} \end{{bmatrix}}",
-    "bare latex": LATEX,
-    "csv": joined(",", "\n"),
-    "csv spaced": joined(", ", "\n"),
-    "csv headed": "q1,q2,q3\n" + joined(",", "\n"),
-    "csv end": joined(",", ",\n", "", ","),
-    "semicolons": joined(";", "\n"),
-    "decimal semicolons": joined(";", "\n").replace(".", ","),
-    "windows": joined(",", "\r\n"),
-    "excel": joined("\t", "\n"),
-    "excel decimal": DECIMAL,
-    "excel headed": "q1\tq2\tq3\n" + joined("\t", "\n"),
-    "excel windows": DECIMAL.replace("\n", "\r\n") + "\r\n",
-    "markdown": "| a | b | c |\n|--:|--:|--:|\n| " + joined(" | ", " |\n| ", "", " |"),
-    "minus": joined("  ", "\n").replace("-", "−"),
-    "no-break": joined("\u00a0\u00a0", "\n"),
-    "short": joined(" ", "\n").replace(".0000", ".0").replace("0.", "."),
-    "code fence": "```\n" + joined(" ", "\n") + "\n```",
-}  # fmt: skip
-MISSHAPEN = ["((1))" * 9]
+CSV, LATEX = joined(",", "\n"), lines(" & ", r" \\ ", r"\begin{bmatrix}", r"\end{bmatrix}")(ROWS)
 REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__import__('os')",
            "1/0 2 3", "{" * 80, "sin( 1 2", "\\begin{pmatrix}", "1 2 nan", "θ_7 1 1",
-           "'\"\\ \t", "1e400 1 1", "((1))" * 9,
-           "[1 2; 3 4]'", "1,250\t0.5", "0,5 pi/2", "1.234.5 1", "1\t2\n3", "1,,2",
-           '"1,250",2', "- 1, 2\n- 3, 4", "90 -45 30°", "#DIV/0!\t1", "sin^-1 1 2"]  # fmt: skip
-
-
-@pytest.mark.parametrize("name", PASTES)
-def test_a_paste_is_read_as_it_was_meant(name):
-    wanted = "The Jacobian of Elbow arm is right at this pose to the 4 decimals you gave."
-    assert str(checks.compare_jacobian(PASTES[name], ELBOW, Q)).startswith(wanted)
+           "'\"\\ \t", "1e400 1 1", "1.234.5 1", "1\t2\n3", "1,,2", "#DIV/0!\t1",
+           "sin^-1 1 2"]  # fmt: skip
 
 
 @pytest.mark.parametrize("format_", FORMATS)
@@ -99,9 +47,6 @@ def test_a_hundred_pastes_of_each_format_are_read_as_they_were_meant(format_):
 
 @pytest.mark.parametrize("text", REFUSED)
 def test_what_cannot_be_read_is_refused_in_words(text):
-    if text in MISSHAPEN:
-        assert checks.compare_jacobian(text, ELBOW, Q).grade == "wrong"
-        return
     with pytest.raises(ArmError) as refused:
         checks.compare_jacobian(text, ELBOW, Q)
     assert len(str(refused.value)) > 20
@@ -179,10 +124,10 @@ BY_LINK = [
     *judge.EXAMPLES,
     judge.traced(),
     {"ask": "jacobian", "arm": "ELBOW", "q": "30, 40, -20", "unit": "deg",
-     "answer": PASTES["bmatrix"]},
-    {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": PASTES["csv"]},
+     "answer": LATEX},
+    {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": CSV},
     {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
-     "answer": PASTES["matlab print"]},
+     "answer": "J =\n\n" + wide(ROWS)},
     {"ask": "table", "arm": "ELBOW", "lengths": "m", "answer": table_pastes.RIGHT["craig"]},
     {"ask": "table", "arm": "ELBOW", "angles": "deg", "columns": "a alpha d theta",
      "convention": "standard", "answer": "0 90 0.5 q1\n0.4 0 0 q2\n0.2 0 0 q3"},
@@ -204,7 +149,7 @@ BY_LINK = [
     {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "answer": OWN_LETTERS,
      "values": "{'L₁': 4/10, \\ell: 0.3}"},
     {"ask": "jacobian", "arm": "own", "table": "0, pi/2, h, q1\nL1, 0, 0, q2\n0.3, 0, 0, q3",
-     "q": "0.5 0.7 -0.4", "answer": PASTES["csv"], "values": "h = 1/2; L1 = 0.4"},
+     "q": "0.5 0.7 -0.4", "answer": CSV, "values": "h = 1/2; L1 = 0.4"},
     {"ask": "table", "arm": "ELBOW", "answer": "0 pi/2 h q1\nb 0 0 q2\n0.3 0 0 q3 - phi",
      "values": "h = 0.5, b = 0.4, phi = -pi/3"},
 ]  # fmt: skip

@@ -253,47 +253,6 @@ def said(typed, reference, **options):
     return compare_tables(typed.replace(";", "\n"), arm, **options)
 
 
-@pytest.mark.parametrize(
-    ("typed", "causes"),
-    [
-        ("0.1 0 0.4 q1+pi/3; 0.3 0 0.25 q2-pi/4; 0.2 0.3 0.05 q3+pi/2; 0.15 0 0.35 q4+0.6",
-         "table.alpha and theta"),
-        ("0.4 pi/3 0.1 q1; 0.25 -pi/4 0.3 q2; 0.05 pi/2 0.2 q3+0.3; 0.35 0.6 0.15 q4",
-         "table.a and d"),
-        ("0.1 pi/3 0 q1+0.4; 0.3 -pi/4 0 q2+0.25; 0.2 pi/2 0.3 q3+0.05; 0.15 0.6 0 q4+0.35",
-         "table.d and theta"),
-        ("pi/3 0.1 0.4 q1; -pi/4 0.3 0.25 q2; pi/2 0.2 0.05 q3+0.3; 0.6 0.15 0.35 q4",
-         "table.a and alpha"),
-        ("0 0 0.4 q1; 0.1 pi/3 0.25 q2; 0.3 -pi/4 0.05 q3+0.3; 0.2 pi/2 0.35 q4; 0.15 0.6 0 0",
-         "table.craig"),
-        ("0.3 -pi/4 0.4 q1; 0.2 pi/2 0.25 q2; 0.15 0.6 0.05 q3+0.3; 0 0 0.35 q4",
-         "table.into craig + table.missing:a:1 + table.no twist:1"),
-        ("0.1 -pi/3 0.4 q1; 0.3 pi/4 0.25 q2; 0.2 -pi/2 0.05 q3+0.3; 0.15 -0.6 0.35 q4",
-         "table.twists"),
-        ("0.15 0.6 0.35 q1; 0.2 pi/2 0.05 q2+0.3; 0.3 -pi/4 0.25 q3; 0.1 pi/3 0.4 q4",
-         "table.rows reversed"),
-        ("0.1 pi/3 0.4 q1; 0.2 pi/2 0.05 q2+0.3; 0.3 -pi/4 0.25 q3; 0.15 0.6 0.35 q4",
-         "table.rows exchanged:2:3"),
-        ("100 pi/3 400 q1; 300 -pi/4 250 q2; 200 pi/2 50 q3+0.3; 150 0.6 350 q4",
-         "table.millimetres"),
-        ("10 pi/3 40 q1; 30 -pi/4 25 q2; 20 pi/2 5 q3+0.3; 15 0.6 35 q4", "table.centimetres"),
-        ("100 pi/3 0.4 q1; 300 -pi/4 0.25 q2; 200 pi/2 0.05 q3+0.3; 150 0.6 0.35 q4",
-         "table.mixed units"),
-        ("100 60 400 q1; 300 -45 250 q2; 210 90 50 q3; 150 34.377468 350 q4",
-         "table.millimetres + table.degrees + table.number:a:3"),
-        ("0.4 -pi/3 0.1 q1; 0.25 pi/4 0.3 q2; 0.05 -pi/2 0.2 q3+0.3; 0.35 -0.6 0.15 q4",
-         "table.a and d + table.twists"),
-        # With x_1 and x_3 the other way round, which is free, and a sign that is not.
-        ("-0.1 -pi/3 0.4 q1; 0.3 -pi/4 -0.25 q2; -0.2 -pi/2 0.05 q3; 0.15 0.6 0.35 q4",
-         "table.sign:d:2"),
-        ("-0.1 -pi/3 0.4 q1; 0.3 pi/4 0.25 q2; -0.2 -pi/2 0.05 q3; 0.15 0.6 0.35 q4",
-         "table.twist:2"),
-    ],
-)  # fmt: skip
-def test_a_mistake_of_the_whole_table_is_named(typed, causes):
-    assert said(typed, GENERIC).causes == (causes,)
-
-
 ROUNDED = """0 -pi/2 0.128 q1\n0.613 pi 0 q2-pi/2\n0.572 pi 0 q3
 0 pi/2 0.164 q4+pi/2\n0 -pi/2 0.116 q5\n0 0 0.192 q6"""
 

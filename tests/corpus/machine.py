@@ -9,11 +9,6 @@ import numpy as np
 EYE = np.eye(4)
 
 
-def rot_z(t):
-    c, s = math.cos(t), math.sin(t)
-    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
-
-
 def rot_x(t):
     c, s = math.cos(t), math.sin(t)
     return np.array([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1.0]])

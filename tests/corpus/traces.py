@@ -273,9 +273,6 @@ def of_the_rows(task, rng, method):
         yield "trace.jump", lambda: right() + np.where(np.arange(steps + 1)[:, None] >= k, flip, 0)
 
 
-METHODS = {"euler": 0.6, "rk4": 0.25, "gain": 0.15}
-
-
 def some_task(rng):
     while True:
         name = str(rng.choice([*HOMES, "random"], p=[0.3, 0.13, 0.13, 0.13, 0.11, 0.2]))
