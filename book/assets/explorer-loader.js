@@ -1,5 +1,5 @@
-// Brings the arm explorers of a page and its judges of answers to life when they are near, an arm once a reader is there
-// (layout.html says when), a judge at once where a link carries an answer; a page without one loads nothing.
+// Brings the live parts of a page to life when they are near; a judge at once where a link carries an answer. A page
+// without one loads nothing.
 {
   const folder = document.currentScript.src;
   const scripts = {};
@@ -10,7 +10,7 @@
       document.head.append(Object.assign(document.createElement("script"), { src, onload: done, onerror: failed }));
     }));
   const wake = (stub) =>
-    stub.matches(".arm-judge") ? load("judge.js") : reader.then(() => load("explorer.js")).then(() => ArmExplorer.mount(stub));
+    stub.matches(".arm-judge") ? load("judge.js") : load("explorer.js").then(() => ArmExplorer.mount(stub));
 
   const near = new IntersectionObserver(
     (entries) => {

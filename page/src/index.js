@@ -53,6 +53,7 @@ function brought(stub) {
     ? (tell, signal) => keepLink(store, spec.arms, spec.views, tell, signal)
     : null;
   const dispose = buildPanel(stub, store, { ...spec, wide: spec.link, makeLink });
+  stub.classList.add("live");
   return { store, dispose };
 }
 

@@ -17,6 +17,8 @@ import { isShared } from "./shapes.js";
 
 let shared = null;
 let frame = null;
+let warming = null; // the renderer that draws for the first time,
+let warm = null; // and that has done so
 const figures = new Set();
 
 function renderer() {
@@ -71,12 +73,35 @@ function drawDirty() {
   try {
     now.forEach((act) => act());
     if (!shared || shared.getContext().isContextLost()) return;
-    for (const figure of figures) {
-      if (figure.dirty && figure.visible) figure.draw(shared);
-    }
+    const due = [...figures].filter((figure) => figure.dirty && figure.visible);
+    if (warm === shared) due.forEach((figure) => figure.draw(shared));
+    else if (due.length) warmUp(shared, due[0]);
   } finally {
     frame = steps.size ? requestAnimationFrame(drawDirty) : null;
   }
+}
+
+const nextFrame = () => new Promise(requestAnimationFrame);
+
+// When the graphics processor has done what it was asked until now; meanwhile the page answers.
+async function done(gl) {
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  const waits = () => gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED;
+  do await nextFrame();
+  while (!gl.isContextLost() && waits());
+}
+
+// A first picture has to wait for its programs: it is drawn once unseen, and all are drawn then.
+async function warmUp(gl, { scene, camera }) {
+  if (warming === gl) return;
+  warming = gl;
+  gl.compile(scene, camera);
+  await done(gl.getContext());
+  gl.render(scene, camera);
+  await done(gl.getContext());
+  warm = gl;
+  figures.forEach((figure) => figure.request());
 }
 
 // Pictures near the window are drawn, the others when they come near.
@@ -206,7 +231,8 @@ export class Figure {
     if (this.points && Math.abs(this.fitted - this.camera.aspect) > 0.01) this.fit(this.points);
     this.dirty = true;
     // At once: a canvas of another size is blank.
-    if (shared && !shared.getContext().isContextLost()) this.draw(shared);
+    if (shared && warm === shared && !shared.getContext().isContextLost()) this.draw(shared);
+    else this.request();
   }
 
   draw(gl) {

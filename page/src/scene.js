@@ -40,6 +40,7 @@ export class ArmPicture {
   constructor(host, labels, options = {}) {
     this.figure = new Figure(host, { onDraw: () => this.place(), onLost: options.onLost });
     this.labels = new Labels(labels);
+    labels.hidden = true; // until the picture is there
     this.onPlace = options.onPlace ?? (() => {});
     /** @type {any} */
     this.world = null;
@@ -303,6 +304,7 @@ export class ArmPicture {
   // Labels and handles, after each drawing.
   place() {
     const { width, height } = this.figure;
+    this.labels.host.hidden = false;
     this.labels.place((p) => this.figure.pixel(p), width, height);
     if (this.frames) this.onPlace(this.figure.pixel(this.frames.at(-1).o));
   }

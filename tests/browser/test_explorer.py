@@ -91,6 +91,8 @@ class Visit(Reader):
         self.page.mouse.move(1, 1)
         self.page.locator(INSTRUMENT).scroll_into_view_if_needed()
         self.page.locator("section.explorer").wait_for()
+        if drawn:
+            self.page.locator(".stage .labels:not([hidden])").wait_for()
 
     def leave(self):
         """Nothing of this page stays: the next visit opens it anew."""
@@ -159,6 +161,105 @@ def visit(browser, usual):
     if troubles:
         usual.leave()
     assert troubles == []
+
+
+# What a link shows to somebody who touches nothing: its arm, its tab, the first fields of the joints, and in some tab
+# what else it asks for.
+HOME_OF_PANDA = ["0.0°", "0.0°", "0.0°", "90.0°", "0.0°", "180.0°", "0.0°"]
+POSED = "#arm=Panda&q=0.1,0.2,0.3,1.4,0.5,1.6,0.7"
+IN_DEGREES = ["5.7°", "11.5°", "17.2°", "80.2°", "28.6°", "91.7°", "40.1°"]
+TYPED = "#arm=Elbow arm&q=0.6,-1.1&view=table&rows=R,0.4,0,0,0;R,0.3,0,0,0"
+RUN = "euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_"
+LINKS = [
+    ("", "Panda", "DH table", HOME_OF_PANDA, ""),
+    ("#arm=Panda (homework)", "Panda (homework)", "DH table", HOME_OF_PANDA, ""),
+    ("#arm=UR10e", "UR10e", "DH table", ["0.0°", "−90.0°", "0.0°", "−90.0°", "0.0°", "0.0°"], ""),
+    ("#arm=UR10e+(homework)", "UR10e (homework)", "DH table", ["0.0°"] * 6, ""),
+    ("#arm=Stanford arm", "Stanford arm", "DH table", ["0.0°", "0.0°", "0.500 m", "0.0°"], ""),
+    ("#arm=Elbow arm", "Elbow arm", "DH table", ["0.0°", "45.0°", "−90.0°"], ""),
+    (POSED, "Panda", "DH table", IN_DEGREES, ""),
+    (POSED + "&view=pose", "Panda", "Pose", IN_DEGREES, "Tip at ("),
+    (POSED + "&view=jacobian", "Panda", "Jacobian", IN_DEGREES, "manipulability"),
+    (POSED + "&view=trace", "Panda", "Circle trace", IN_DEGREES, "Draw a circle from here"),
+    (POSED + "&view=torque", "Panda", "Static torque", IN_DEGREES, "Wrench"),
+    (POSED + "&view=branches", "Panda", "IK branches", IN_DEGREES, "Find the ways to this pose"),
+    (POSED + "&unit=rad", "Panda", "DH table", ["0.100 rad", "0.200 rad", "0.300 rad"], "(rad)"),
+    (POSED + "&frames=ends", "Panda", "DH table", IN_DEGREES, "unpressed Frames"),
+    (POSED + "&view=torque&wrench=-5,0,0,0,0,0", "Panda", "Static torque", IN_DEGREES, "−5"),
+    (TYPED, "Your arm", "DH table", ["34.4°", "−63.0°"], "Yours has 2 joints"),
+    ("#arm=Elbow arm&view=pose&mark=0.3,0.2,0.75", "Elbow arm", "Pose", ["0.0°"], "from the mark"),
+    (f"#arm=Panda (homework)&view=homework&runs={RUN}", "Panda (homework)", "Play the homework", HOME_OF_PANDA, "Euler"),
+    ("#arm=Nobody", "Panda", "DH table", HOME_OF_PANDA, "no arm called “Nobody”"),
+    ("#arm=Panda&q=1,2", "Panda", "DH table", HOME_OF_PANDA, "Panda has 7 joint values"),
+]  # fmt: skip
+
+UNTOUCHED = """window.moved = 0;
+new PerformanceObserver((list) => list.getEntries().forEach(({ value }) => { moved += value; }))
+    .observe({ type: "layout-shift", buffered: true });"""
+SEEN = """() => {
+    const { shadowRoot } = document.querySelector(".arm-explorer"), one = (name) => shadowRoot.querySelector(name);
+    const pressed = [...shadowRoot.querySelectorAll("header button")].find((b) => b.textContent === "Frames");
+    const fields = [...shadowRoot.querySelectorAll(".view input")].map((e) => e.value).join(" ");
+    return {
+        arm: one("select.name").selectedOptions[0].textContent,
+        tab: one("[role=tab][aria-selected=true]").textContent,
+        joints: [...shadowRoot.querySelectorAll(".joint .value")].map((e) => e.value),
+        words: `${one(".notice").textContent} ${one(".view").textContent} ${fields} `
+            + (pressed.ariaPressed === "true" ? "" : "unpressed Frames"),
+        moved,
+    };
+}"""
+
+
+@pytest.fixture(scope="module")
+def untouched(browser):
+    """A reader who opens pages and touches nothing."""
+    page = browser.new_page(viewport=SIZES["wide"], offline=True)
+    page.add_init_script(UNDRAWN + UNTOUCHED)
+    yield page
+    page.context.close()
+
+
+@pytest.mark.parametrize(
+    ("size", "link", "arm", "tab", "joints", "words"),
+    [("wide", *one) for one in LINKS] + [("phone", *one) for one in LINKS[::6]],
+    ids=lambda one: str(one)[:40],
+)
+def test_who_touches_nothing_sees_what_the_link_says_and_nothing_moves(
+    untouched, size, link, arm, tab, joints, words
+):
+    untouched.set_viewport_size(SIZES[size])
+    untouched.goto("about:blank")
+    untouched.goto(f"{(HTML / 'explorer.html').as_uri()}{link}")
+    untouched.locator("section.explorer .view > div").wait_for()
+    untouched.wait_for_function(f"({SEEN})().words.includes('{words}')")
+    untouched.evaluate(FRAMES, 6)
+    seen = untouched.evaluate(SEEN)
+    assert seen["arm"].split(":")[0] == arm
+    assert seen["tab"] == tab
+    assert seen["joints"][: len(joints)] == joints
+    assert seen["moved"] < 1e-3
+
+
+@pytest.mark.parametrize("size", ["wide", "phone"])
+def test_the_instrument_is_the_first_thing_on_its_page(browser, size):
+    page = browser.new_context(viewport=SIZES[size], offline=True).new_page()
+    page.add_init_script(UNDRAWN)
+    page.goto((HTML / "explorer.html").as_uri())
+    picture = page.locator("section.explorer .stage").bounding_box()
+    assert picture["y"] + picture["height"] / 2 < SIZES[size]["height"]
+    page.context.close()
+
+
+def test_a_small_figure_comes_alive_when_it_comes_into_view(browser):
+    page = browser.new_context(viewport=SIZES["wide"], offline=True).new_page()
+    page.add_init_script(UNDRAWN + UNTOUCHED)
+    page.goto((HTML / "02_jacobian.html").as_uri())
+    figure = page.locator("[data-figure=columns]")
+    assert page.locator("figure.live").count() == 0
+    page.evaluate("document.querySelector('[data-figure=columns]').scrollIntoView()")
+    figure.locator("figure.live").wait_for()
+    page.context.close()
 
 
 def test_a_page_without_an_explorer_loads_no_bundle(browser):
