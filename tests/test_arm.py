@@ -6,7 +6,7 @@ from dataclasses import FrozenInstanceError, replace
 import numpy as np
 import pytest
 
-from helpers.arm import Arm, ArmError, Body, Joint, Row, fixed, prismatic, revolute
+from helpers.arm import Arm, ArmError, Joint, fixed, prismatic, revolute
 from helpers.expressions import evaluate
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, STANFORD
@@ -119,68 +119,16 @@ def test_the_table_reads_as_in_a_textbook():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: revolute(a=float("nan")), "a is nan; expected a finite number or a formula"),
-        (lambda: revolute(alpha=float("inf")), "alpha is inf; expected a finite number"),
-        (lambda: revolute(d=True), "d is True; expected a number or a formula"),
-        (lambda: revolute(theta=None), "theta is None; expected a number or a formula"),
-        (lambda: revolute(a="__import__('os').getcwd()"), "expected numbers, symbols, pi"),
-        (lambda: revolute(a="a_3 +"), "a is 'a_3 +'; expected numbers, symbols"),
-        (lambda: revolute(a="a**2"), "expected numbers, symbols, pi and"),
-        (lambda: revolute(a="1e999"), "expected numbers, symbols"),
-        (lambda: revolute(a=""), "a is ''; expected numbers"),
-        (
-            lambda: Joint("helical"),
-            "joint kind is 'helical'; expected one of revolute, prismatic, fixed",
-        ),
-        (lambda: revolute(limits=(1, -1)), "joint limits are (1, -1); expected lower <= upper"),
-        (lambda: revolute(speed=0), "expected both > 0"),
-        (lambda: revolute(limits=(0,)), "joint limits are (0,); expected two numbers"),
         (lambda: revolute(limits=(-1, "1 rad")), "joint upper is '1 rad'; expected a number"),
-        (lambda: revolute(speed=-1), "joint speed and effort are -1, inf; expected both > 0"),
         (lambda: prismatic(effort=float("nan")), "expected both > 0"),
-        (lambda: Row(joint="revolute"), "joint is 'revolute'; expected a Joint"),
-        (lambda: Body(1, (0, 0)), "expected three coordinates"),
-        (lambda: Body("m + ", (0, 0, 0)), "mass is 'm +'"),
-        (lambda: Arm("mine", []), "mine: rows are (); expected one Row or more"),
-        (
-            lambda: Arm("mine", [[0, 0, 0, 0]]),
-            "mine: rows are ([0, 0, 0, 0],); expected one Row or more",
-        ),
-        (
-            lambda: Arm("mine", [revolute("a_1")]),
-            "mine: no value for a_1; give values={'a_1': ...}",
-        ),
-        (
-            lambda: Arm("mine", [revolute("a")], {"a": np.nan}),
-            "mine: a is nan; expected a finite number",
-        ),
+        (lambda: Arm("mine", [[0, 0, 0, 0]]), "mine: rows are ([0, 0, 0, 0],); expected one Row"),
+        (lambda: Arm("mine", [revolute("a")], {"a": np.nan}), "mine: a is nan; expected a finite"),
         (lambda: Arm("mine", [revolute("1 / a")], {"a": 0}), "mine: 1 / a divides by zero"),
-        (
-            lambda: Arm("mine", [revolute("1e308 * 10")]),
-            "mine: 1e308 * 10 divides by zero or is too large",
-        ),
+        (lambda: Arm("mine", [revolute("1e308 * 10")]), "mine: 1e308 * 10 divides by zero or is"),
         (lambda: Arm("mine", [revolute(1e200)]), "mine: 1e+200 divides by zero or is too large"),
-        (lambda: Arm("mine", [revolute("a")], {"a": "1 m"}), "mine: a is '1 m'; expected a number"),
-        (
-            lambda: Arm("mine", [revolute("q_1")], {"q_1": 1}),
-            "mine: q_1 is the variable of a joint",
-        ),
-        (lambda: Arm("mine", [revolute()], bodies=[1]), "mine: bodies are (1,); expected one Body"),
-        (
-            lambda: Arm("mine", [revolute()], home=["left"]),
-            "mine: home is 'left'; expected a number",
-        ),
-        (
-            lambda: PANDA.with_values(a_3=float("nan")),
-            "Panda: a_3 is nan; expected a finite number",
-        ),
+        (lambda: Arm("mine", [revolute("q_1")], {"q_1": 1}), "mine: q_1 is the variable of a"),
         (lambda: PANDA.lock(3, at=np.inf), "at is inf; expected a finite number"),
         (lambda: PANDA.lock(3).lock(3), "joint 3 cannot be locked; its free joints are 1, 2, 4"),
-        (
-            lambda: PANDA.lock(4, at=0),
-            "Panda: joint 4 locked at 0; its limits are 0.0698 to 3.0718",
-        ),
-        (lambda: PANDA.joint_vector(0.5), "Panda: q is 0.5; expected (..., 7)"),
     ],
 )
 def test_bad_input_is_told_in_words(make, words):

@@ -10,16 +10,10 @@ from helpers.arm import Arm, prismatic
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, UR10E, UR10E_HOMEWORK
 from tests.corpus.arms import KNOWN
+from tests.corpus.machine import step
 
 H = np.pi / 2
 Q = [0.3, 0.5, -0.2, 0.7, -0.4, 0.9, 0.2]
-
-
-def step(a, alpha, d, theta):
-    c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-    return np.array(
-        [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
-    )
 
 
 def by_rows(dh, q):

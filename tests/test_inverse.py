@@ -767,64 +767,6 @@ def test_solve_stays_within_limits_even_when_that_costs_the_target():
     assert repr(found) == "<NumericSolution: 0 of 1 targets reached, 1 missed>"
 
 
-def plain_descent(arm, target, q, limits, iterations):
-    """One target at a time, each damped step by least squares; the joints that a step would take
-    beyond their limits go there, and the others take what is left."""
-    lower, upper = limits
-    caution, rows = 0.1, slice(3 if target.ndim == 1 else 6)
-
-    def missing(q):
-        T = forward_kinematics(arm, q)
-        if target.ndim == 1:
-            return target - T[:3, 3]
-        turn = turn_between(T[:3, :3].T[..., None], target[:3, :3].T[..., None])[:, 0]
-        return np.r_[target[:3, 3] - T[:3, 3], turn]
-
-    q = np.clip(q, lower, upper)
-    for _ in range(iterations):
-        J, error = jacobian(arm, q)[rows], missing(q)
-        if max(np.linalg.norm(error[:3]), np.linalg.norm(error[3:])) <= 1e-10:
-            break
-        heavy = np.sqrt(caution * error @ error + 1e-14) * np.eye(arm.dof)
-
-        def least(J, error, heavy=heavy):
-            return np.linalg.lstsq(np.r_[J, heavy], np.r_[error, np.zeros(arm.dof)])[0]
-
-        step = least(J, error)
-        out = (q + step < lower) | (q + step > upper)
-        if out.any():
-            part = np.where(out, np.clip(step, lower - q, upper - q), 0.0)
-            step = part + least(np.where(out, 0.0, J), error - J @ part)
-        tried = np.clip(q + step, lower, upper)
-        before, after = error @ error, missing(tried) @ missing(tried)
-        if after < before:
-            q, caution = tried, caution * (0.1 if after < 0.1 * before else 1.0)
-        else:
-            caution = max(10 * caution, 0.3 / max((tried - q) @ (tried - q), 1e-18))
-    return q
-
-
-@pytest.mark.parametrize("iterations", [0, 1, 2, 4, 7])
-@pytest.mark.parametrize("arm", [ELBOW, PANDA], ids=lambda arm: arm.name)
-def test_the_descent_is_what_plain_least_squares_make_step_by_step(arm, iterations):
-    rng = np.random.default_rng(5)
-    bounds = np.array([np.full(arm.dof, -1.2), np.full(arm.dof, 1.2)])
-    rows = [replace(r, joint=replace(r.joint, lower=-1.2, upper=1.2)) for r in arm.rows]
-    narrow = Arm("narrow", tuple(rows), arm.values)
-    q = rng.uniform(*bounds, (12, arm.dof))
-    targets = forward_kinematics(arm, q + rng.uniform(-1, 1, q.shape))
-    targets = targets[:, :3, 3] if arm is ELBOW else targets
-    start = q + rng.uniform(-0.5, 0.5, q.shape)
-    for model, limits in [(narrow, bounds), (narrow.with_rows(arm.rows), bounds * np.inf)]:
-        found = solve(model, targets, start, iterations=iterations, limits=model is narrow)
-        plain = [
-            plain_descent(arm, *pair, limits, iterations)
-            for pair in zip(targets, start, strict=True)
-        ]
-        np.testing.assert_allclose(found.q, plain, atol=1e-7)
-        assert (found.iterations <= iterations).all()
-
-
 def test_near_the_target_each_step_squares_the_error():
     q = random_q(UR10E, 400, seed=6)
     q = q[np.linalg.svd(jacobian(UR10E, q), compute_uv=False)[:, 5] > 0.1]

@@ -2,7 +2,6 @@
 
 import contextlib
 import io
-import json
 from functools import partial
 
 import numpy as np
@@ -189,18 +188,3 @@ def test_the_examples_name_their_mistakes():
         ["ik.offset:q_4"],
         ["trace.backwards"],
     ]
-
-
-def test_the_stub_holds_its_arms_and_what_is_given():
-    start, end = judge.stub()
-    assert start == '<div class="arm-judge">'
-    assert end.count("</script>") == 1
-    start, end = judge.stub({"ask": "torques", "arm": "PANDA, UR10E", "q": "</script>"})
-    data = json.loads(
-        end.removeprefix('<script type="application/json">').partition("</script>")[0]
-    )
-    assert [arm["key"] for arm in data["arms"]] == ["PANDA", "UR10E"]
-    assert data["given"] == {"ask": "torques", "q": "</script>"}
-    assert start == '<div class="arm-judge small">'
-    with pytest.raises(ArmError, match="no arm is called 'HAL'"):
-        judge.stub({"arm": "HAL"})

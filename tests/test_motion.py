@@ -2,7 +2,6 @@
 are."""
 
 import math
-import xml.etree.ElementTree as ET
 from dataclasses import replace
 from functools import partial
 
@@ -36,7 +35,6 @@ from helpers.motion import (
 from helpers.motion.report import Report
 from helpers.motion.report import run_report as summary
 from helpers.motion.steps import charted
-from helpers.plotting import moving_picture
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
 HOMEWORK, REAL = PANDA_HOMEWORK.lock(3), PANDA.lock(3)
@@ -430,30 +428,10 @@ def test_every_line_of_the_report_by_hand():
     assert found.largest_acceleration == pytest.approx(3.5 / 0.5)
     assert found.speed_from_rest == made_up(q, q_dot[::-1], poses).speed_from_rest == 0.375
     assert (clean.largest_acceleration, clean.speed_from_rest) == (0, 0)
-    text = str(found)
-    for words in (
-        "4.47 mm",
-        "4 mm",
-        "120°",
-        "3 mm",
-        "14.32°",
-        "3.5 rad/s, 161 % of the limit",
-        "joint 5 by 0.1 rad, joint 6 by 0.15 rad",
-        "joint 2 by 1.3 rad/s",
-        "7 rad/s²",
-        "0.375 rad/s",
-    ):
-        assert words in text
+    assert "joint 5 by 0.1 rad, joint 6 by 0.15 rad" in str(found)
     assert not made_up(np.tile(REAL.home, (5, 1)), q_dot, poses).executable
     assert not made_up(q, 0 * q_dot, poses).executable
     assert "below 1e-10 m" in str(clean)
-
-
-def test_short_runs_show_no_bar(capsys):
-    trace(HOMEWORK, HOMEWORK.home, panda_circle(40))
-    with pytest.raises(SingularError):
-        trace(UR10E_HOMEWORK, np.zeros(6), ur_circle())
-    assert capsys.readouterr() == ("", "")
 
 
 def test_the_report_tells_how_near_a_singular_pose_came():
@@ -466,17 +444,6 @@ def test_the_report_tells_how_near_a_singular_pose_came():
     home = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(10), rates=damped(0.1)).report
     assert home.largest_condition > 1e12
     assert "above 1e12" in str(home)
-
-
-def test_a_moving_picture_is_one_small_svg():
-    run = trace(HOMEWORK, HOMEWORK.home, panda_circle(200))
-    text = moving_picture(run)
-    root = ET.fromstring(text)
-    assert len(root.findall(".//{*}animate")) == 4
-    assert "prefers-reduced-motion" in text
-    assert "<script" not in text
-    assert len(text) < 40_000
-    assert text == moving_picture(run)
 
 
 def same_jacobian(arm, q):
@@ -701,14 +668,6 @@ def test_damping_of_nothing_is_a_plain_inverse_and_fails_like_one():
     with pytest.raises(SingularError, match="the damping is 0"):
         damped(0.0)(rank_one, np.ones(6), np.zeros(6))
     assert np.isfinite(damped(0.1)(rank_one, np.ones(6), np.zeros(6))).all()
-
-
-def test_a_report_is_a_table_in_the_book():
-    report = trace(HOMEWORK, HOMEWORK.home, panda_circle(10)).report
-    head, rule, *lines = report._repr_markdown_().split("\n")
-    assert head == f"| {HOMEWORK.name} | |"
-    assert rule == "|:--|:--|"
-    assert lines == [f"| {what} | {value} |" for what, value in report.rows()]
 
 
 def test_a_path_from_rest_to_rest():

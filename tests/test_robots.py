@@ -67,18 +67,6 @@ def test_the_pandas_masses_are_where_gaz_found_them():
         np.testing.assert_allclose(centres(PANDA, q), np.array(wanted)[:, :3], atol=1e-14)
 
 
-def test_the_pandas_centres_of_mass_as_the_homework_has_them():
-    wanted = [
-        (0.003875, -0.04762, -0.002081), (-0.003141, 0.003495, 0.02872), (-0.054982, 0.066502,
-        0.039252),
-        (0.02933, -0.027454, 0.104419), (-0.011953, -0.038437, -0.041065), (-0.027851, 0.010517,
-        -0.014117),
-        (0.010517, 0.004252, 0.145403),
-    ]  # fmt: skip
-    ours = [[PANDA.number(c) for c in body.com] for body in PANDA.bodies]
-    np.testing.assert_allclose(ours, wanted, atol=1e-12)
-
-
 def test_the_pandas_limits_in_the_makers_signs():
     lower, upper = (SIGNS * limit for limit in PANDA.limits)
     wanted = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]

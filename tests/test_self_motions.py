@@ -10,6 +10,7 @@ from helpers.kinematics import jacobian, link_frames
 from helpers.motion import self_motion, self_motion_directions
 from helpers.motion.self_motions import _acceleration
 from helpers.robots import ARMS, ELBOW, PANDA, UR10E_HOMEWORK
+from tests.laws import slow_frames
 
 HOME = np.array(PANDA.home)
 IDLE = np.array([1, 0, -1, 0, 0, 0, 0])
@@ -18,19 +19,6 @@ TURNED = HOME - np.pi / 2 * IDLE
 # flat.
 LINKAGE = Arm("linkage", [revolute(a=1), revolute(a=2), revolute(a=1), revolute()])
 FLAT = [0, 0, np.pi, -np.pi]
-
-
-def tip(arm, q):
-    """The tip's pose as a product of the rows' matrices, typed in from the definition."""
-    T, joint = np.eye(4), iter(q)
-    for row in arm.numeric:
-        move = 0.0 if row.kind == "fixed" else next(joint)
-        theta = row.theta + (move if row.kind == "revolute" else 0.0)
-        d = row.d + (move if row.kind == "prismatic" else 0.0)
-        c, s, ca, sa = np.cos(theta), np.sin(theta), row.cos_alpha, row.sin_alpha
-        A = [[c, -s * ca, s * sa, row.a * c], [s, c * ca, -c * sa, row.a * s], [0, sa, ca, d]]
-        T = T @ np.vstack([A, [0, 0, 0, 1]])
-    return T
 
 
 @pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
@@ -61,10 +49,10 @@ def test_at_90_degrees_a_second_way_opens_by_the_levers_of_three_parallel_axes()
 
 def test_only_the_two_ways_keep_the_tip_to_third_order():
     lost = np.linalg.svd(jacobian(PANDA, TURNED))[0][:, -1]
-    start = tip(PANDA, TURNED)
+    start = slow_frames(PANDA, TURNED)[-1]
 
     def miss(direction, h):
-        there = tip(PANDA, TURNED + h * direction)
+        there = slow_frames(PANDA, TURNED + h * direction)[-1]
         turn = np.cross(start[:3, :3], there[:3, :3], axis=0).sum(axis=1) / 2
         return abs(lost @ np.r_[there[:3, 3] - start[:3, 3], turn])
 
@@ -87,7 +75,7 @@ def test_a_parallelogram_stays_one():
     at = np.array([[0.0, 0.5], [1.0, 1.5]])
     np.testing.assert_array_equal(crank.path.velocity(at), np.zeros((2, 2, 3)))
     np.testing.assert_array_equal(
-        crank.path.position(at), np.full((2, 2, 3), tip(LINKAGE, FLAT)[:3, 3])
+        crank.path.position(at), np.full((2, 2, 3), slow_frames(LINKAGE, FLAT)[-1][:3, 3])
     )
 
 
@@ -104,8 +92,9 @@ def test_a_wrist_that_is_singular_and_still_moves():
     assert way[[0, 4]] == pytest.approx(0, abs=1e-12)
     run = self_motion(UR10E_HOMEWORK, q, way, 0.5)
     assert abs(run.q[-1, 3] - q[3]) > 0.1
+    held = slow_frames(UR10E_HOMEWORK, q)[-1]
     for now in run.q[::10]:
-        assert tip(UR10E_HOMEWORK, now) == pytest.approx(tip(UR10E_HOMEWORK, q), abs=1e-12)
+        assert slow_frames(UR10E_HOMEWORK, now)[-1] == pytest.approx(held, abs=1e-12)
 
 
 def test_a_direction_that_second_order_forbids_is_left_out():
@@ -127,7 +116,7 @@ def test_the_way_out_holds_the_tip_and_the_limits_and_passes_the_known_start():
     assert (run.q > lower).all()
     assert (run.q < upper).all()
     for q in run.q:
-        assert tip(PANDA, q) == pytest.approx(tip(PANDA, HOME), abs=1e-12)
+        assert slow_frames(PANDA, q)[-1] == pytest.approx(slow_frames(PANDA, HOME)[-1], abs=1e-12)
     known = np.radians([-107.8, 44.5, 70.0, 81.8, 100.1, 147.4, 50.9])
     assert np.abs(run.q - known).max(axis=1).min() < 0.01
 

@@ -15,7 +15,6 @@ import sympy as sp
 
 from helpers import kinematics, statics
 from helpers.arm import Arm, ArmError, Body, fixed, prismatic, revolute
-from helpers.command_line import read_arm
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.sheets import block, displays, document, markdown
@@ -371,18 +370,6 @@ def test_the_command_writes_a_file(tmp_path, capsys, monkeypatch):
 def test_a_files_name_is_made_of_words():
     names = ["UR10e (homework)", " Panda, joint 3 ", "Ä-1", "…"]
     assert [slug(name) for name in names] == ["ur10e_homework", "panda_joint_3", "ä_1", "arm"]
-
-
-def test_an_arm_out_of_a_python_file(tmp_path):
-    path = tmp_path / "mine.py"
-    path.write_text(
-        "from helpers.robots import ELBOW\nMINE = ELBOW\nTHEIRS = 3\n", encoding="utf-8"
-    )
-    assert read_arm(f"{path}:MINE") == ELBOW
-    with pytest.raises(ArmError, match=r"THEIRS of .* is 3; expected an Arm"):
-        read_arm(f"{path}:THEIRS")
-    with pytest.raises(ArmError, match=r"none\.py is not there; expected a Python file"):
-        read_arm("none.py:ARM")
 
 
 def test_the_command_takes_two_links_and_a_files_name(tmp_path, capsys):

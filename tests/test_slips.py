@@ -9,6 +9,7 @@ import pytest
 from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E_HOMEWORK
 from helpers.slips import Slip, census, slips
+from tests.laws import slow_frames
 
 TURN = np.pi / 2
 
@@ -29,25 +30,14 @@ def test_what_counts_as_a_slip():
 
 
 def chain(arm, q, wrong):
-    rows = [[arm.number(entry) for entry in row.entries] for row in arm.rows]
-    signs = [1.0] * len(rows)
+    """The tip where entries of the table and signs of joints are wrong."""
+    q = np.array(q)
     for row, entry, value in wrong:
         if entry == "q":
-            signs[row - 1] = value
+            q[arm.joints.index(row)] *= value
         else:
-            rows[row - 1][["a", "alpha", "d", "theta"].index(entry)] = value
-    T = np.eye(4)
-    for (a, alpha, d, theta), row, sign, v in zip(rows, arm.rows, signs, q, strict=True):
-        slides = row.joint.kind == "prismatic"
-        d, theta = d + sign * v * slides, theta + sign * v * (not slides)
-        c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-        T = T @ [
-            [c, -s * ca, s * sa, a * c],
-            [s, c * ca, -c * sa, a * s],
-            [0, sa, ca, d],
-            [0, 0, 0, 1],
-        ]
-    return T
+            arm = arm.with_row(row, **{entry: value})
+    return slow_frames(arm, q)[-1]
 
 
 @pytest.mark.parametrize(

@@ -23,6 +23,7 @@ from helpers.statics import (
     with_payload,
 )
 from tests.laws import SHAPES, joint_vectors, random_arms
+from tests.test_robots import GAZ_CENTRES
 
 PUSH = [-5, 0, 0, 0, 0, 0]
 
@@ -167,13 +168,6 @@ def test_the_pandas_formula_is_short():
 
 def test_the_papers_centres_in_the_tables_frames():
     """The converted coordinates are those of the homework's page, worked out there by hand."""
-    paper = [
-        (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252,
-        -0.066502),
-        (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117,
-        -0.010517),
-        (0.010517, -0.004252, 0.061597),
-    ]  # fmt: skip
     wanted = [
         (0.003875, -0.04762, -0.002081), (-0.003141, 0.003495, 0.02872), (-0.054982, 0.066502,
         0.039252),
@@ -194,7 +188,7 @@ def test_the_papers_centres_in_the_tables_frames():
     )
     craig = modified_frames(maker, q * [1, -1, 1, -1, 1, 1, -1])
     np.testing.assert_allclose(
-        centres_in(link_frames(PANDA, q)[1:], craig, paper), wanted, atol=1e-12
+        centres_in(link_frames(PANDA, q)[1:], craig, GAZ_CENTRES), wanted, atol=1e-12
     )
     np.testing.assert_allclose(
         [[PANDA.number(c) for c in b.com] for b in PANDA.bodies], wanted, atol=1e-12

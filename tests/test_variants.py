@@ -17,6 +17,7 @@ from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_
 from helpers.statics import gravity_torque
 from helpers.variants import TOPICS, draw, question, sheet, variant
 from helpers.variants.topics import branches_of, closed_form, drawn_arm, matrix, pose_of
+from tests.laws import slow_frames
 
 ARMS = [PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, UR10E_HOMEWORK, STANFORD, ELBOW]
 PLANE = Arm("plane", [revolute(a=0.5), revolute(a=0.4), revolute(a=0.3)])
@@ -38,20 +39,8 @@ def matrices(text):
 
 
 def product(arm, q):
-    """The tip by plain 4 x 4 matrices, written out here."""
-    T, values = np.eye(4), dict(zip(arm.joints, q, strict=True))
-    for i, row in enumerate(arm.rows, 1):
-        a, alpha, d, theta = (arm.number(e) for e in (row.a, row.alpha, row.d, row.theta))
-        moved = values.get(i, 0.0)
-        theta, d = (theta + moved, d) if row.joint.kind != "prismatic" else (theta, d + moved)
-        c, s, ca, sa = np.cos(theta), np.sin(theta), np.cos(alpha), np.sin(alpha)
-        T = T @ [
-            [c, -s * ca, s * sa, a * c],
-            [s, c * ca, -c * sa, a * s],
-            [0, sa, ca, d],
-            [0, 0, 0, 1],
-        ]
-    return T
+    """The tip by plain 4 x 4 matrices."""
+    return slow_frames(arm, q)[-1]
 
 
 def differences(f, q, h=1e-6):
@@ -336,9 +325,6 @@ STIFF = Arm("stiff", [fixed(a=0.3)])
 @pytest.mark.parametrize(
     ("topic", "arm", "seed", "words"),
     [
-        ("statics", PANDA, 1, "topic is 'statics'; expected one of DH table"),
-        ("Jacobian", PANDA, -1, "seed is -1; expected a whole number"),
-        ("Jacobian", PANDA, 1.5, "seed is 1.5; expected a whole number"),
         (
             "Jacobian",
             STIFF,
@@ -354,17 +340,13 @@ def test_what_cannot_be_asked_is_said(topic, arm, seed, words):
         variant(topic, arm, seed)
 
 
-def test_a_sheet_of_some_topics_and_what_is_no_topic_arm_or_seed():
+def test_a_sheet_of_some_topics_and_what_is_no_topic_or_arm():
     assert list(sheet(ELBOW, 1, ("Jacobian", "DH table")).drawn) == ["Jacobian", "DH table"]
-    asked = f"expected some of {', '.join(TOPICS)}"
     for call, words in [
-        (lambda: sheet(ELBOW, 1, 3), f"topics are 3; {asked}"),
-        (lambda: sheet(3, 1), "arm is 3; expected an Arm"),
         (lambda: draw("Jacobian", 3, 1), "arm is 3; expected an Arm"),
         (lambda: draw("statics", ELBOW, 1), "topic is 'statics'; expected one of"),
         (lambda: question("statics", ELBOW, {}), "topic is 'statics'; expected one of"),
         (lambda: question("Jacobian", 3, {}), "arm is 3; expected an Arm"),
-        (lambda: variant("Jacobian", 3, 1), "arm is 3; expected an Arm"),
         (lambda: branches_of(PANDA, np.eye(4)[:3]), "Panda: the book has no closed form for it"),
     ]:
         with pytest.raises(ArmError, match=f"^{words}"):

@@ -27,7 +27,6 @@ else:
 ROBOTS = Path(sysconfig.get_paths()["purelib"], "cmeel.prefix/share/example-robot-data/robots")
 FINGERS = {"panda_finger_joint1": 0.03, "panda_finger_joint2": 0.01}
 
-JACO = [f"j2s6s200_joint_finger{suffix}" for suffix in ("_1", "_2", "_tip_1", "_tip_2")]
 UR = "ur_description/urdf/ur"
 
 # Its file writes a roll of 3.14159 between parallel axes, so that their common normal is 7 km away.
