@@ -169,14 +169,13 @@ def test_rods_of_any_signs_offsets_and_zeros(signs, zeros, offsets, tool):
     q = random_q(arm, 50)
     p = forward_kinematics(arm, q)[:, :3, 3]
     found = rod(arm, p)
-    assert found.valid.all()
+    assert (found.times.sum(axis=1) == 4).all()  # two that meet within rounding are listed once
     assert (found.distance == 0).all()
     assert misses(arm, found, p).max() < 1e-10
-    assert apart(arm, found.q, q[:, None]).min(axis=1).max() < 1e-5
+    assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
     # Out is where the rod's length from the shoulder, offset and tool counted, is positive.
-    length = found.q[..., 2] + offsets[2] + (0.2 if tool else 0.0)
-    assert (length[:, [0, 2]] > 0).all()
-    assert (length[:, [1, 3]] < 0).all()
+    out = found.q[..., 2] + offsets[2] + (0.2 if tool else 0.0) > 0
+    assert (out == [True, False, True, False])[found.valid].all()
 
 
 # By hand
