@@ -27,6 +27,4 @@
     for (const stub of document.querySelectorAll(".arm-explorer, .arm-judge")) near.observe(stub);
     if (/^#ask=/.test(location.hash)) for (const stub of document.querySelectorAll(".arm-judge")) wake(stub);
   });
-  // A picture that a script of the page has put in.
-  document.addEventListener("arm-explorer", ({ target }) => near.observe(target));
 }

@@ -81,3 +81,10 @@ export function listed(items, last = "and") {
 
 // A list with another value in one place.
 export const replaced = (list, at, value) => list.map((v, i) => (i === at ? value : v));
+
+// An arm's lengths in mm, each once and in the order of its rows, for a list of arms.
+export function lengthsOf({ rows }) {
+  const all = rows.flatMap(({ a, d }) => [d, a]).filter(Boolean);
+  const lengths = new Set(all.map((v) => short(1000 * Math.abs(v), 2)));
+  return lengths.size ? `: ${[...lengths].join(", ")} mm` : "";
+}

@@ -46,6 +46,12 @@ UNSET = """{
 }"""
 
 
+# How far a page has moved under a reader who touches nothing.
+UNTOUCHED = """window.moved = 0;
+new PerformanceObserver((list) => list.getEntries().forEach(({ value }) => { moved += value; }))
+    .observe({ type: "layout-shift", buffered: true });"""
+
+
 # A browser without a window now and then tells a new page of a pointer in its corner, which no reader has moved there.
 NOBODY = """addEventListener("pointermove", (e) => e.clientX || e.clientY || e.stopImmediatePropagation(), true);"""
 

@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from helpers.checks.arms import arm_data
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ARMS, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from tests.browser.reader import SIZES, UNDRAWN, UNSET, Reader
+from tests.browser.reader import SIZES, UNDRAWN, UNSET, UNTOUCHED, Reader
 from tests.test_book import HTML
 from tests.test_explorer import held_up, some
 
@@ -193,9 +193,6 @@ LINKS = [
     ("#arm=Panda&q=1,2", "Panda", "DH table", HOME_OF_PANDA, "Panda has 7 joint values"),
 ]  # fmt: skip
 
-UNTOUCHED = """window.moved = 0;
-new PerformanceObserver((list) => list.getEntries().forEach(({ value }) => { moved += value; }))
-    .observe({ type: "layout-shift", buffered: true });"""
 SEEN = """() => {
     const { shadowRoot } = document.querySelector(".arm-explorer"), one = (name) => shadowRoot.querySelector(name);
     const pressed = [...shadowRoot.querySelectorAll("header button")].find((b) => b.textContent === "Frames");

@@ -2,8 +2,8 @@
 // Nothing leaves it.
 
 import { h, write } from "../dom.js";
-import { EMPTY, fromFragment, judge } from "./question.js";
-import { adapt, buildForm } from "./form.js";
+import { EMPTY, fromFragment, judge, startOf } from "./question.js";
+import { adapt, buildForm, offerOf } from "./form.js";
 import { ready } from "./checkers.js";
 import { showRead, tell } from "./shown.js";
 
@@ -11,23 +11,23 @@ const MOST_SHOWN = 50_000; // characters of an answer, such as a file's, that st
 const SOON = 120; // ms without a key before the answer is read
 const PAUSE = 350; // and before the verdict is spoken
 const PRIVATE =
-  "Nothing that you type leaves this page: a script in it judges, without a network too.";
-const SILENT = "It names the mistake and does not print the solution.";
+  "Nothing that you type leaves this page: a script in it judges, without a network too. " +
+  "It names the mistake and does not print the solution.";
+const TURNS = ["ask", "arm", "unit"]; // on which what the page fills in depends
 let count = 0; // of judges on the page, for ids
 
 /**
- * A judge in the page, as its extras (page/) know it.
+ * A judge in the page, as its extras (scripts/page.js) know it.
  * @typedef {object} Judge
  * @property {HTMLElement} stub
  * @property {any[]} arms those of its list: each has a key, a title and the call in Python
  * @property {any[]} examples
  * @property {any} given what a chapter asks, if it does
- * @property {Record<string, any>} fields
  * @property {Record<string, any>} boxes
  * @property {Record<string, any>} parts
- * @property {HTMLElement} form
  * @property {() => import("./question.js").Question} question
  * @property {() => any} verdict on it
+ * @property {(question: import("./question.js").Question) => void} begin with what the page asks
  * @property {(patch: object) => void} put change the question, and judge it
  * @property {(act: (question: any, verdict: any) => void) => void} follow called with each verdict
  * @property {(words: string) => void} say
@@ -41,54 +41,79 @@ let count = 0; // of judges on the page, for ids
 export function mount(stub) {
   const spec = JSON.parse(stub.querySelector("script").textContent);
   const { arms, examples = [], given } = spec;
-  const id = `judge-${++count}`;
-  const made = buildForm(id, arms, given);
-  const parts = buildParts(id, given);
-  const one = new Question(made, parts, { arms, examples, given });
+  const made = buildForm(`judge-${++count}`, arms, given);
+  const parts = buildParts();
+  const one = new Asked(made, parts, { arms, examples, given });
   made.form.addEventListener("input", (event) => one.typed(/** @type {any} */ (event)));
   made.form.addEventListener("submit", (event) => event.preventDefault());
-  stub.replaceChildren(made.form, ...Object.values(parts));
+  const { verdict, taken, ...below } = parts;
+  const desk = h("div.desk", {}, made.form, h("div.told", {}, verdict, taken));
+  stub.replaceChildren(desk, ...Object.values(below));
+  if (!given) readLinks(one, stub);
   one.put({});
-  const byLink = () => {
-    const keys = arms.map(({ key }) => key);
-    const { question, words } = fromFragment(location.hash, keys);
-    if (question || words) stub.scrollIntoView({ block: "start" });
-    one.say(words);
-    if (question) one.put(question);
-  };
-  if (!given) {
-    addEventListener("hashchange", byLink);
-    byLink();
-  }
   return {
     stub,
     arms,
     examples,
     given,
-    ...made,
+    boxes: made.boxes,
     parts,
     question: () => one.question,
     verdict: () => one.upToDate(),
+    begin: (question) => one.begin(question),
     put: (patch) => one.put(patch),
     follow: (act) => one.follow(act),
     say: (words) => one.say(words),
   };
 }
 
+// A link brings its question, now and whenever the address changes.
+function readLinks(one, stub) {
+  const read = () => {
+    const keys = one.arms.map(({ key }) => key);
+    const { question, words } = fromFragment(location.hash, keys);
+    if (question || words) stub.scrollIntoView({ block: "start" });
+    one.say(words);
+    if (!question) return;
+    one.start = EMPTY; // of which nothing stands in the fields
+    one.put(question);
+  };
+  addEventListener("hashchange", read);
+  read();
+}
+
 /** What is asked and answered in one form, and the verdict on it. */
-class Question {
+class Asked {
   constructor(made, parts, { arms, examples, given }) {
     this.made = made;
     this.parts = parts;
     this.arms = arms;
     this.examples = examples;
+    this.given = given;
+    // What the page itself put into the fields.
     /** @type {import("./question.js").Question} */
-    this.question = { ...EMPTY, arm: arms[0]?.key, ...(given ?? examples[0]) };
+    this.start = { ...EMPTY, arm: arms[0]?.key, ...(given ?? examples[0]) };
+    this.question = this.start;
     /** @type {any} what judge() says */
     this.verdict = {};
     this.followers = [];
     this.timer = /** @type {any} */ (0);
     this.stale = false; // whether something was typed since the verdict
+    made.fields.answer.addEventListener("focus", () => this.hold());
+    globalThis.visualViewport?.addEventListener("resize", () => this.hold());
+  }
+
+  // An example is typed over; the field stands high enough for the verdict above a phone's keys.
+  hold() {
+    const { answer } = this.made.fields;
+    if (document.activeElement !== answer) return;
+    if (this.isExample()) answer.select();
+    if (matchMedia("(pointer: coarse)").matches)
+      this.made.boxes.answer.scrollIntoView({ block: "start" });
+  }
+
+  isExample() {
+    return Boolean(this.start.answer) && this.question.answer === this.start.answer;
   }
 
   say(words) {
@@ -114,12 +139,30 @@ class Question {
         () => this.again(),
         ({ message }) => this.say(message),
       );
-    this.made.fields.answer.setAttribute("aria-invalid", String(report?.grade === "wrong"));
+    const wrong = report?.grade === "wrong" && !this.isExample();
+    this.made.fields.answer.setAttribute("aria-invalid", String(wrong));
     for (const act of this.followers) act(this.question, this.verdict);
   }
 
   speak() {
-    tell(this.parts.verdict, this.verdict);
+    const advice = this.verdict.advice ?? [];
+    const offers = advice.map((one) => offerOf(one, this.question, this.arms));
+    const fixed = (key) => this.made.boxes[key].classList.contains("given");
+    const buttons = offers
+      .filter((offer) => offer && !fixed(offer.key))
+      .map((offer) =>
+        h("button", { type: "button", onclick: () => this.take(offer) }, offer.words),
+      );
+    tell(this.parts.verdict, this.verdict, { example: this.isExample(), buttons });
+  }
+
+  // Set what the judge advises; a symbol's number is still to be typed.
+  take({ key, value }) {
+    if (TURNS.includes(key)) this.turnTo({ [key]: value });
+    else this.put({ [key]: value });
+    if (key !== "values") return;
+    this.made.folded.open = true;
+    this.made.fields.values.focus();
   }
 
   set() {
@@ -138,15 +181,17 @@ class Question {
     this.again();
   }
 
+  begin(question) {
+    this.start = question;
+    this.put(question);
+  }
+
   typed({ target, inputType }) {
     const { fields } = this.made;
     const key = Object.keys(fields).find((one) => fields[one] === target);
     if (!key) return;
-    const question = { ...this.question, [key]: target.value };
-    if (key === "arm") question.frame = "0";
-    if (key === "arm" || key === "ask")
-      question.q = exampleOf(question, this.examples)?.q ?? question.q;
-    this.question = question;
+    if (TURNS.includes(key)) return this.turnTo({ [key]: target.value });
+    this.question = { ...this.question, [key]: target.value };
     this.show();
     this.stale = true;
     clearTimeout(this.timer);
@@ -154,10 +199,20 @@ class Question {
     else this.timer = setTimeout(() => this.soon(), SOON);
   }
 
+  // Another question, arm or unit: what the page had put into a field it puts anew, what was typed
+  // stays.
+  turnTo(patch) {
+    const { ask, arm, unit } = { ...this.question, ...patch };
+    const typed = Object.entries(this.question).filter(([key, text]) => text !== this.start[key]);
+    const own = Object.fromEntries(typed);
+    this.start = { ...startOf({ ask, arm, unit }, this), ...this.given, arm };
+    this.put({ ...this.start, ...own, ask, arm, unit, frame: "0" });
+  }
+
   atOnce() {
     this.read();
     this.speak();
-    this.timer = setTimeout(() => this.set()); // long formulas take as long as their verdict
+    this.timer = setTimeout(() => this.set()); // a long answer takes as long as its verdict
   }
 
   soon() {
@@ -177,20 +232,14 @@ class Question {
   }
 }
 
-function buildParts(id, given) {
-  return {
-    verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
-    taken: h("div.scroll.taken", {
-      role: "region",
-      tabindex: "0",
-      "aria-label": "How your answer is read",
-    }),
-    tools: h("div.tools"),
-    said: h("p.about", { role: "status" }),
-    private: h("p.private", { id: `${id}-private` }, given ? PRIVATE : `${PRIVATE} ${SILENT}`),
-  };
-}
-
-// The example of a question's kind and arm.
-export const exampleOf = (question, examples) =>
-  examples.find((one) => one.arm === question.arm && one.ask === question.ask);
+const buildParts = () => ({
+  verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
+  taken: h("div.scroll.taken", {
+    role: "region",
+    tabindex: "0",
+    "aria-label": "How your answer is read",
+  }),
+  tools: h("div.tools"),
+  said: h("p.about", { role: "status" }),
+  private: h("p.about", {}, PRIVATE),
+});

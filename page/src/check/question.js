@@ -3,6 +3,7 @@
 
 import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
+import { entryText, isAngle } from "../text.js";
 import { ASKED } from "./questions.js";
 import { pose } from "../../../judge/reading/numbers.js";
 import { ownValues } from "../../../judge/reading/values.js";
@@ -81,6 +82,20 @@ export const EMPTY = {
   pace: "even",
 };
 
+/**
+ * What the page puts into the fields of a question: its example, or the arm's home and no answer.
+ * @returns {Question}
+ */
+export function startOf({ ask, arm, unit }, { arms, examples }) {
+  const example = unit === EMPTY.unit && examples.find((one) => one.arm === arm && one.ask === ask);
+  if (example) return { ...EMPTY, ...example };
+  const own = arms.find(({ key }) => key === arm);
+  const home = own
+    ? joints(own).map((row, k) => entryText(own.home[k], isAngle(own.rows[row]), unit))
+    : [];
+  return { ...EMPTY, ask, arm, unit, q: home.join(", ") };
+}
+
 /** @param {Question} question */
 export function toFragment(question) {
   const fields = Object.entries(question).filter(
@@ -140,7 +155,9 @@ export function armOf(question, arms) {
  * The verdict on an answer, or why there is none yet; `waiting` is the kind of question whose
  * script has not come.
  * @param {Question} question
- * @returns {{ report?: Report, error?: string, waiting?: string, arm?: any, q?: number[] }}
+ * @typedef {import("../../../judge/advice.js").Advice} Advice
+ * @returns {{ report?: Report, error?: string, waiting?: string, advice?: Advice[], arm?: any,
+ *   q?: number[] }}
  */
 export function judge(question, arms) {
   let arm, q;
@@ -156,10 +173,12 @@ export function judge(question, arms) {
     }
     const checker = checkerOf(question.ask);
     if (!checker) return { error: LOADING, waiting: question.ask, arm, q };
-    return { report: checker.verdict(question, arm), arm, q };
+    const report = checker.verdict(question, arm);
+    return { report, arm, q, advice: report.advice };
   } catch (error) {
     if (error instanceof Waiting) return { error: LOADING, waiting: "table" };
-    if (error instanceof ArmError) return { error: capital(error.message), arm, q };
+    if (error instanceof ArmError)
+      return { error: capital(error.message), arm, q, advice: error.advice };
     throw error;
   }
 }

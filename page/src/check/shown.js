@@ -6,7 +6,6 @@ import { lookup } from "../../../judge/reading/numbers.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { cells } from "../../../judge/reading/grid.js";
 import { withoutHeader } from "../../../judge/reading/heads.js";
-import { isPlain, made, mathOf } from "./mathml.js";
 import { linesOf, MARKS } from "../../../judge/report.js";
 import { ArmError } from "../../../judge/sentences.js";
 
@@ -16,7 +15,7 @@ const ROWS = {
 };
 const TABLE_HEADS = ["a (m)", "α", "d (m)", "θ"];
 const MOST_ROWS = 40;
-const LONGEST_SET = 8000; // characters of an answer whose formulas are set
+const LONGEST_SHOWN = 8000; // characters of an answer that is shown cell by cell as it was typed
 
 /** @typedef {import("./question.js").Question} Question */
 
@@ -89,32 +88,26 @@ function readOf(question, verdict) {
 }
 
 /** @param {import("../../../judge/report.js").ReadTable} table */
-const tableRead = ({ cells, trees, wrong }) => ({
+const tableRead = ({ cells, wrong }) => ({
   columns: TABLE_HEADS,
   rows: cells.map((_, i) => String(i + 1)),
-  cell(i, k) {
-    const [tree, words] = [trees[i][k], cells[i][k]];
-    const bare = /^-?q_\d+$/.test(words);
-    return marked(
-      tree && !isPlain(tree) ? formula(tree, bare ? "" : words) : signed(words),
-      wrong[i][k],
-    );
-  },
+  cell: (i, k) => marked(signed(cells[i][k]), wrong[i][k]),
 });
 
 /** @param {Question} question @param {ReturnType<typeof matrixOf>} found */
 function matrixRead({ answer }, found) {
   if (!found) return null;
   const { typed, wrong, shape } = found;
-  const trees = answer.length > LONGEST_SET ? [] : (typed.trees ?? []);
+  const texts = answer.length > LONGEST_SHOWN ? [] : textsOf(answer);
+  const asTyped = texts.length === shape[0] && texts.every((row) => row.length === shape[1]);
   return {
     ...found,
     cell(i, k) {
       const at = i * shape[1] + k;
-      const tree = trees[at];
-      if (!tree || (isPlain(tree) && typed.units[at]))
-        return marked(signed(spelt(typed, at)), wrong[at]);
-      return marked(formula(tree, isPlain(tree) ? "" : spelt(typed, at)), wrong[at]);
+      const value = signed(spelt(typed, at));
+      const formula = asTyped && !/^[-+−\d.,\s]*$/.test(texts[i][k]);
+      const under = formula && [...typeset(texts[i][k]), h("span.value", {}, "= ", value)];
+      return marked(under || value, wrong[at]);
     },
   };
 }
@@ -122,17 +115,19 @@ function matrixRead({ answer }, found) {
 // What can be read of an answer that could not be judged, cell by cell.
 function partlyRead(question, { error, waiting, arm, q }) {
   const { ask, answer } = question;
-  if (!error || waiting || !arm || !answer.trim() || ask === "trace" || answer.length > LONGEST_SET)
-    return null;
-  const rows = rowsOf(ask, answer).map((row) => row.map((text) => treeOf(ask, text, arm, q)));
+  const long = answer.length > LONGEST_SHOWN;
+  if (!error || waiting || !arm || !answer.trim() || ask === "trace" || long) return null;
+  const rows = rowsOf(ask, answer);
   const width = Math.max(0, ...rows.map((row) => row.length));
+  const understood = rows.map((row) => row.map((text) => isRead(ask, text, arm, q)));
   return {
     ...namesOf(question, arm, [rows.length, width]),
-    unread: rows.flat().filter(({ tree }) => !tree).length,
+    unread: understood.flat().filter((is) => !is).length,
     cell(i, k) {
-      const { tree, text } = rows[i][k] ?? {};
+      const text = rows[i][k];
       if (text === undefined) return h("td");
-      return tree ? h("td", {}, made(mathOf(tree))) : marked(text, true, "not read: ");
+      const is = understood[i][k];
+      return marked(is ? typeset(text) : text, !is, "not read: ");
     },
   };
 }
@@ -155,17 +150,16 @@ function readOrNone(read) {
   }
 }
 
-// The formula of a cell, or none where it is no formula or means nothing to this arm.
-function treeOf(ask, text, arm, q) {
+// Whether a cell is a formula that means something to this arm.
+function isRead(ask, text, arm, q) {
   const named = ask === "branches" || ask === "pose";
+  const bare = plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "");
   try {
-    const tree = parse(
-      plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "") || "0",
-    );
+    const tree = parse(bare || "0");
     if (ask === "jacobian" && q) lookup(arm, q).known(symbols(tree));
-    return { tree, text };
+    return true;
   } catch (error) {
-    if (error instanceof ArmError) return { tree: null, text };
+    if (error instanceof ArmError) return false;
     throw error;
   }
 }
@@ -177,29 +171,28 @@ function spelt({ values, units }, i) {
 
 const signed = (words) => typeset(words.replaceAll("-", "−"));
 
-// A formula, and under it what it comes to, if that says more.
-const formula = (tree, words) =>
-  words ? [made(mathOf(tree)), h("span.value", {}, "= ", signed(words))] : [made(mathOf(tree))];
-
 const marked = (content, off, why = "wrong: ") =>
   off ? h("td.off", {}, h("span.unseen", {}, why), content) : h("td", {}, content);
 
-// The verdict, or why there is none yet.
-export function tell(box, { report, error }) {
-  box.className = `verdict ${report?.grade ?? ""}`;
-  if (!report) return box.replaceChildren(h("p", {}, typeset(error)));
-  const lines = linesOf(report).filter((line) => !report.headline.endsWith(line.slice(1)));
-  const list = lines.length
-    ? [
-        h(
-          "ul",
-          {},
-          lines.map((line) => h("li", {}, typeset(line))),
-        ),
-      ]
+const EXAMPLE = "An example, with a mistake in it. Paste or type your own over it.";
+
+/**
+ * The verdict, or why there is none yet; of an example it is none on the reader. `buttons` set what
+ * the judge advises.
+ */
+export function tell(box, { report, error }, { example, buttons }) {
+  box.className = `verdict ${example ? "example" : (report?.grade ?? "")}`;
+  const offer = buttons.length
+    ? [h("p.offer", {}, "If that is what you mean, set ", ...buttons)]
     : [];
+  const note = example ? [h("p.note", {}, EXAMPLE)] : [];
+  if (!report) return box.replaceChildren(...note, h("p", {}, typeset(error)), ...offer);
+  const lines = linesOf(report).filter((line) => !report.headline.endsWith(line.slice(1)));
+  const items = lines.map((line) => h("li", {}, typeset(line)));
+  const list = items.length ? [h("ul", {}, items)] : [];
   const mark = h("span", { "aria-hidden": "true" }, `${MARKS[report.grade]} `);
-  return box.replaceChildren(h("p.headline", {}, mark, typeset(report.headline)), ...list);
+  const headline = h("p.headline", {}, mark, typeset(report.headline));
+  return box.replaceChildren(...note, headline, ...list, ...offer);
 }
 
 const SYMBOL = /(?<!\w)([A-Za-z]|theta|alpha)_(?:\{([^}]+)\}|(\w+))(?![\w=])/g;

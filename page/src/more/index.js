@@ -1,7 +1,6 @@
 // The small figures of the chapters, by the names that the pages call them, and the instrument's
 // views along a path.
 
-import { answer } from "./answer.js";
 import { columns, ellipsoid, hand, loads, matrix, row, triangles, ways, winds } from "./kinds.js";
 import { swing } from "./swing.js";
 import { trainer } from "./trainer.js";
@@ -10,7 +9,6 @@ import * as homework from "../views/homework.js";
 import * as trace from "../views/trace.js";
 
 const KINDS = {
-  answer,
   columns,
   ellipsoid,
   hand,

@@ -23,7 +23,8 @@ export function addTools(judge, root) {
   const examples = () => judge.examples.filter((one) => one.ask === judge.question().ask);
   const example = button("Show an example", () => {
     const same = examples();
-    judge.put({ ...EMPTY, ...(same.find((one) => one.arm === judge.question().arm) ?? same[0]) });
+    const ours = same.find((one) => one.arm === judge.question().arm);
+    judge.begin({ ...EMPTY, ...(ours ?? same[0]) });
   });
   // Of an exercise's own arm all of them would show the table, which is the solution.
   if (!given?.table) parts.tools.append(example, link, python, given ? more : explorer);

@@ -1,9 +1,7 @@
 // What a judge has besides its form and its verdict.
 
 import { judges } from "../mounted.js";
-import { addArm } from "../extras/beside.js";
 import { addFiles } from "../extras/files.js";
-import { addPoses } from "../extras/poses.js";
 import { addTools } from "../extras/tools.js";
 import { ready } from "../checkers.js";
 
@@ -12,7 +10,5 @@ const root = new URL("..", script.src).href;
 for (const judge of judges) {
   addTools(judge, root);
   addFiles(judge);
-  addPoses(judge);
-  addArm(judge);
   ready(judge.question().ask).catch(() => {}); // said when something is typed
 }
