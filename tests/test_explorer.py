@@ -32,6 +32,7 @@ from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, 
 from helpers.statics import gravity_torque, potential_energy, static_torque
 from tests.node import NODE, ask_node, needs_node
 from tests.test_robots import GAZ_CENTRES
+from tools import arms
 
 ROOT = Path(__file__).parents[1]
 SOURCES = ROOT / "page"
@@ -544,8 +545,7 @@ def test_the_bundle_is_what_its_sources_make(tmp_path, packages):
 
 
 def test_the_small_figures_know_the_books_arms():
-    known = json.loads((SOURCES / "src" / "more" / "arms.json").read_text(encoding="utf-8"))
-    assert known == [arm_data(arm) for arm in ARMS]
+    assert json.loads(arms.PLACE.read_text(encoding="utf-8")) == json.loads(arms.text())
 
 
 def test_the_bundle_is_light():

@@ -3,10 +3,15 @@
 import json
 from pathlib import Path
 
-from helpers.explorer.data import arm_data
+from helpers.checks.arms import arm_data
 from helpers.robots import ARMS
 
 PLACE = Path(__file__).parents[1] / "page/src/more/arms.json"
 
+
+def text() -> str:
+    return json.dumps([arm_data(arm) for arm in ARMS], indent=2) + "\n"
+
+
 if __name__ == "__main__":
-    PLACE.write_text(json.dumps([arm_data(arm) for arm in ARMS], indent=2) + "\n", "utf-8")
+    PLACE.write_text(text(), "utf-8")
