@@ -9,22 +9,13 @@ from helpers.kinematics import link_frames
 from helpers.robots import PANDA
 from helpers.statics import gravity_torque, static_torque
 from tests.peers.test_pinocchio import SIGNS, panda, pinocchio  # noqa: F401
-
-MASSES = [4.970684, 0.646926, 3.228604, 3.587895, 1.225946, 1.666555, 0.735522]
-# Gaz et al. (2019), in the paper's own link frames, which are also those of the robot description.
-CENTRES = [
-    (0.003875, 0.002081, -0.04762), (-0.003141, -0.02872, 0.003495), (0.027518, 0.039252,
-    -0.066502),
-    (-0.05317, 0.104419, 0.027454), (-0.011953, 0.041065, -0.038437), (0.060149, -0.014117,
-    -0.010517),
-    (0.010517, -0.004252, 0.061597),
-]  # fmt: skip
+from tests.test_robots import GAZ_CENTRES, GAZ_MASSES
 
 
 @pytest.fixture(scope="module")
 def weighed(panda):  # noqa: F811
     model = panda.copy()
-    for joint, (mass, centre) in enumerate(zip(MASSES, CENTRES, strict=True), 1):
+    for joint, (mass, centre) in enumerate(zip(GAZ_MASSES, GAZ_CENTRES, strict=True), 1):
         model.inertias[joint] = pinocchio.Inertia(mass, np.array(centre), np.zeros((3, 3)))
     return model
 
