@@ -8,7 +8,7 @@ import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from
 import { determinant, singular } from "../judge/geometry/linear.js";
 import { fromFragment } from "../page/src/link.js";
 import { otherWays, traceCircle } from "../page/src/motion.js";
-import { runCircle, torquesAlong, windingByRadius } from "../page/src/runs.js";
+import { runCircle, torquesAlong } from "../page/src/runs.js";
 import { sameArm } from "../page/src/same_arm.js";
 import { derive } from "../page/src/state.js";
 import { stillShapes } from "../page/src/still.js";
@@ -50,8 +50,7 @@ const jobs = {
   ranks: ({ arm, qs }) => qs.map((q) => ranks(arm, q)),
   verdicts: ({ arm, qs }) => qs.map((q) => verdicts(arm, q)),
   runs: ({ arm, start, runs }) => runs.map((run) => runCircle(arm, start, run)),
-  winding: ({ arm, start, radii }) => windingByRadius(arm, start, {}, radii),
-  torques: ({ arm, path, wrench, slip }) => torquesAlong(arm, path, wrench, slip),
+  torques: ({ arm, path, wrench }) => torquesAlong(arm, path, wrench),
   same: ({ pairs }) => pairs.map(([mine, reference]) => sameArm(mine, reference)),
   entries: ({ typed }) => typed.map(([text, quantity, unit]) => readEntry(text, quantity, unit)),
   written: ({ values }) => values.map(([value, angle, unit]) => entryText(value, angle, unit)),

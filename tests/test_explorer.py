@@ -31,7 +31,6 @@ from helpers.motion import circle_below, damped, plain_inverse, trace
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque, potential_energy, static_torque
 from tests.node import NODE, ask_node, needs_node
-from tests.test_robots import GAZ_CENTRES
 from tools import arms
 
 ROOT = Path(__file__).parents[1]
@@ -326,27 +325,22 @@ def test_the_ur10e_breaks_jumps_and_is_damped_as_the_homework_says():
 
 
 @needs_node
-def test_small_circles_swing_large_ones_wind_and_between_none_is_drawn():
-    radii = [0.01, 0.029, 0.045, 0.06, 0.1]
-    found = ask("winding", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, radii=radii)
-    assert [one["turns"] for one in found if one["reached"]] == [0, 0, -1, -1]
-    assert [one["reached"] for one in found] == [True, True, False, True, True]
-    assert found[-1]["least"] == pytest.approx(0.0514, abs=5e-5)
+def test_torques_along_a_path_are_pythons():
+    path, push = [list(PANDA.home), [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4]], [-5, 0, 0, 0, 0, 0]
+    found = ask("torques", arm=arm_data(PANDA), path=path, wrench=push)
+    np.testing.assert_allclose(found, static_torque(PANDA, path, push), atol=1e-9)
 
 
 @needs_node
-def test_torques_along_a_path_and_with_the_classic_mistakes():
-    path, push = [list(PANDA.home), [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4]], [-5, 0, 0, 0, 0, 0]
-    right = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip=""))
-    np.testing.assert_allclose(right, static_torque(PANDA, path, push), atol=1e-9)
-    turned = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip="wrench"))
-    np.testing.assert_allclose(turned, static_torque(PANDA, path, -np.array(push)), atol=1e-9)
-    printed = zip(PANDA.bodies, GAZ_CENTRES, strict=True)
-    bodies = tuple(replace(body, com=com) for body, com in printed)
-    wrong = static_torque(replace(PANDA, bodies=bodies), path, push)
-    mistaken = np.array(ask("torques", arm=arm_data(PANDA), path=path, wrench=push, slip="centres"))
-    np.testing.assert_allclose(mistaken, wrong, atol=1e-9)
-    assert np.abs(mistaken - right).max() > 1
+def test_a_run_that_breaks_says_whether_the_arm_or_a_mistake_is_at_fault():
+    for arm, run, stuck in (
+        (PANDA_HOMEWORK, {"slip": "z_i"}, False),
+        (UR10E_HOMEWORK, {"normal": "y", "locked": -1}, True),
+    ):
+        (found,) = ask("runs", arm=arm_data(arm), start=arm.home, runs=[run])
+        assert (found["failed"], found["stuck"]) == (0, stuck)
+        kept = arm.lock(3) if arm is PANDA_HOMEWORK else arm
+        assert (np.linalg.matrix_rank(jacobian(kept, kept.home)) < 6) == stuck
 
 
 def alike(arm):

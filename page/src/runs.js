@@ -83,12 +83,20 @@ function columnsOf(arm, frames, slip) {
 
 class Singular extends Error {}
 
+const freeOf = (columns, locked) => columns.map((_, k) => k).filter((k) => k !== locked);
+const noInverse = (values) => values[Math.min(5, values.length - 1)] <= 1e-9 * values[0];
+
+// Whether the arm itself is singular there, whatever a mistake makes of its Jacobian.
+function isSingular(arm, q, locked) {
+  const columns = jacobianColumns(arm, linkFrames(arm, q));
+  return noInverse(singular(freeOf(columns, locked).map((k) => columns[k])).values);
+}
+
 function jointRates(columns, twist, { rates, cutoff, damping, locked }) {
-  const free = columns.map((_, k) => k).filter((k) => k !== locked);
+  const free = freeOf(columns, locked);
   const { values, vectors } = singular(free.map((k) => columns[k]));
   const least = rates === "pseudo" ? cutoff * values[0] : 0;
-  if (rates === "inverse" && values[Math.min(5, free.length - 1)] <= 1e-9 * values[0])
-    throw new Singular();
+  if (rates === "inverse" && noInverse(values)) throw new Singular();
   const found = columns.map(() => 0);
   values.forEach((value, i) => {
     if (value <= least || value < 1e-14) return;
@@ -180,7 +188,8 @@ class Walk {
 
 /**
  * What comes of a run: joint values along it (at most 181 of them), how far the tip is off, turns
- * of the joints, the smallest singular value, the step at which the inverse did not exist.
+ * of the joints, the smallest singular value, the step at which the inverse did not exist, and
+ * whether the arm is singular there.
  * @param {Arm} arm
  * @param {number[]} start
  * @param {Partial<Run>} asked
@@ -194,63 +203,18 @@ export function runCircle(arm, start, asked = {}) {
   while (n < run.steps && walk.go(n)) n++;
   const turns = joints(arm).map((row) => (arm.rows[row].kind === "revolute" ? 2 * Math.PI : 0));
   const wound = walk.q.map((x, i) => (turns[i] ? (x - start[i]) / turns[i] : 0));
-  return { ...walk.kept, run, ...walk.worst, failed: n < run.steps ? n : null, wound };
+  const failed = n < run.steps ? n : null;
+  const stuck = failed !== null && isSingular(arm, walk.q, run.locked);
+  return { ...walk.kept, run, ...walk.worst, failed, stuck, wound };
 }
 
-/**
- * How often a joint winds round, and how near the arm comes to a singular pose, for circles of each
- * radius.
- * @param {Arm} arm
- * @param {number[]} start
- * @param {Partial<Run>} asked
- */
-export function windingByRadius(arm, start, asked = {}, radii = radiiTo(0.1)) {
-  return radii.map((radius) => {
-    const { wound, least, largest } = runCircle(arm, start, {
-      ...asked,
-      method: "exact",
-      steps: 90,
-      radius,
-    });
-    const turns = wound.reduce((best, v) => (Math.abs(v) > Math.abs(best) ? v : best), 0);
-    return { radius, turns: Math.round(turns), least, reached: largest < 1e-6 };
-  });
-}
-export const radiiTo = (most, count = 37) =>
-  Array.from({ length: count }, (_, k) => 0.01 + ((most - 0.01) * k) / (count - 1));
-
-// Static torques along a path, right or with a mistake in the model: the wrench's sign, or centres
-// of mass that were taken from the paper's frames as if they were the table's.
-export function torquesAlong(arm, path, wrench, slip = "") {
-  const model = slip === "centres" ? unconverted(arm) : arm;
-  const sign = slip === "wrench" ? -1 : 1;
-  return path.map((q) => {
+// Static torques along a path.
+export const torquesAlong = (arm, path, wrench) =>
+  path.map((q) => {
     const frames = linkFrames(arm, q);
     const push = wrenchTorque(jacobianColumns(arm, frames), wrench);
-    return gravityTorque(model, frames).map((g, i) => g - sign * push[i]);
+    return gravityTorque(arm, frames).map((g, i) => g - push[i]);
   });
-}
-
-// The Panda's centres of mass as Gaz et al. 2019 print them, in frames of their own.
-const PRINTED = [
-  [0.003875, 0.002081, -0.04762],
-  [-0.003141, -0.02872, 0.003495],
-  [0.027518, 0.039252, -0.066502],
-  [-0.05317, 0.104419, 0.027454],
-  [-0.011953, 0.041065, -0.038437],
-  [0.060149, -0.014117, -0.010517],
-  [0.010517, -0.004252, 0.061597],
-];
-
-// Whether the paper's centres of mass are those of this arm.
-export const isPanda = ({ name, rows }) =>
-  name.startsWith("Panda") && rows.length === 7 && rows.every((row) => row.body);
-
-// The arm with the printed centres taken over as they are, as if the frames were the table's.
-const unconverted = (arm) =>
-  isPanda(arm)
-    ? { ...arm, rows: arm.rows.map((row, i) => ({ ...row, body: [row.body[0], ...PRINTED[i]] })) }
-    : arm;
 
 const CHOICES = {
   method: ["euler", "rk4", "exact"],

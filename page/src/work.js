@@ -1,11 +1,10 @@
 // The long work by name, for the worker and for a page that allows none.
 
 import { otherWays, traceCircle } from "./motion.js";
-import { runCircle, windingByRadius } from "./runs.js";
+import { runCircle } from "./runs.js";
 
 export const JOBS = {
   ways: ({ arm, q }) => otherWays(arm, q),
   circle: ({ arm, q, circle }) => traceCircle(arm, q, circle),
   run: ({ arm, q, run }) => runCircle(arm, q, run),
-  winding: ({ arm, q, run }) => windingByRadius(arm, q, run),
 };

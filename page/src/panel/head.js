@@ -3,6 +3,7 @@
 import { homeOf } from "../../../judge/geometry/arm.js";
 import { h, svg, whereNew, write } from "../dom.js";
 import { randomPose } from "../motion.js";
+import { lengthsOf } from "../text.js";
 
 export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   const name = arms.length > 1 ? makeChoice(store, arms, stage) : makeName();
@@ -10,11 +11,10 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   const frames = makeFrames(store);
   const steps = makeSteps(store);
   const buttons = [
-    units.root,
     frames.root,
     button("Home", "Where this arm stands first", () => goTo(homeOf(store.state.arm))),
     button("Random", "Somewhere within its limits", () => goTo(randomPose(store.state.arm))),
-    button("Fit", "The whole arm into the picture", () => stage.fit()),
+    makeFit(stage),
     steps.root,
     ...(document.fullscreenEnabled ? [makeFull(card)] : []),
     ...(link ? [makeCopy(link, say)] : []),
@@ -28,7 +28,7 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   const group = h("div.buttons", { role: "group", "aria-label": "Settings" }, buttons);
   const parts = [name, units, frames, steps];
   return {
-    root: h("header", {}, name.root, group),
+    root: h("header", {}, name.root, units.root, group),
     update: whereNew(SHOWS, (state) => parts.forEach((part) => part.update(state))),
   };
 }
@@ -67,8 +67,8 @@ function makeChoice(store, arms, stage) {
     const own = arm === base ? null : arm.name;
     if (listed === own && root.options.length) return;
     listed = own;
-    const names = [...arms.map((one) => one.name), ...(own ? [own] : [])];
-    root.replaceChildren(...names.map((text) => h("option", {}, text)));
+    const known = arms.map((one) => h("option", { value: one.name }, one.name + lengthsOf(one)));
+    root.replaceChildren(...known, ...(own ? [h("option", {}, own)] : []));
   }
   function update(state) {
     const { arm, base } = state;
@@ -111,8 +111,15 @@ function makeSteps(store) {
   };
 }
 
+function makeFit(stage) {
+  const root = button("Fit", "The whole arm into the picture", () => stage.fit());
+  root.className = "spare";
+  return root;
+}
+
 function makeFull(card) {
   const root = button("", "Full screen", () => toggleFull(card));
+  root.className = "spare";
   root.setAttribute("aria-label", "Full screen");
   const corners = "M1 5V1h4M9 1h4v4M13 9v4H9M5 13H1V9";
   const ink = { d: corners, fill: "none", stroke: "currentColor", "stroke-width": 1.6 };

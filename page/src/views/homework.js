@@ -3,18 +3,18 @@
 
 import css from "./homework.css";
 import { h, select, write } from "../dom.js";
-import { ask, latest } from "../jobs.js";
+import { ask } from "../jobs.js";
 import { linkFrames } from "../../../judge/geometry/kinematics.js";
-import { isPanda, torquesAlong } from "../runs.js";
+import { torquesAlong } from "../runs.js";
 import { branchColour } from "../look.js";
 import { makeFields } from "./homework_fields.js";
-import { makeCurve, makeWall } from "./homework_pictures.js";
+import { makeWall } from "./homework_pictures.js";
 import { millimetres, named, said, startingRun } from "./homework_words.js";
 import { makePlots, PLOTTED } from "./plots.js";
 import { makeTransport } from "./transport.js";
 
-const MODELS = { "": "none", wrench: "wrong sign of F", centres: "centres of mass not converted" };
-const MOST_RUNS = 8;
+const OTHERS =
+  "The homework’s circle is drawn by the Panda and the UR10e: choose one of them above.";
 
 export const build = (store, tools) => new Homework(store, tools);
 
@@ -32,35 +32,28 @@ class Homework {
     this.list = h("div.runs", { role: "radiogroup", "aria-label": "Runs" });
     this.verdict = h("p.verdict");
     this.wall = makeWall(() => this.drawWall());
-    this.curve = makeCurve((radius) => this.edit({ radius }));
     this.plots = makePlots();
     this.transport = makeTransport(store, { signal, begin: () => this.show() });
     this.quantity = select("What the plots show", PLOTTED, () => this.lay());
-    this.model = select("Mistake in the torques", MODELS, () => this.lay());
     this.fields = makeFields((patch) => this.edit(patch));
-    this.askWinding = latest("winding");
     this.root = this.laidOut();
   }
 
   laidOut() {
-    const button = (text, onclick) => h("button", { type: "button", onclick }, text);
-    this.add = button("Add a run", () => this.addRun());
-    this.remove = button("Remove it", () => this.removeRun());
-    const here = button("Start where the arm stands", () => this.startHere());
-    const plots = h("label", {}, "Plots ", this.quantity);
-    const model = h("label", {}, "Mistake in the torques ", this.model);
-    return h(
-      "div.homework",
+    const plotted = h("label.right", {}, "Plots ", this.quantity);
+    this.played = h(
+      "div",
       {},
-      h("style", {}, css),
-      h("div.row", {}, this.list, this.add, this.remove, here),
-      this.fields.root,
-      this.verdict,
+      this.list,
+      h("div.row", {}, this.fields.mistake, plotted),
       this.transport.root,
-      h("div.walls", {}, this.wall.root, this.curve.root),
-      h("div.row", {}, plots, model),
+      this.verdict,
+      this.fields.root,
+      this.wall.root,
       this.plots.root,
     );
+    this.others = h("p.words", {}, OTHERS);
+    return h("div.homework", {}, h("style", {}, css), this.played, this.others);
   }
 
   put(runs) {
@@ -70,25 +63,6 @@ class Homework {
   edit(patch) {
     const { runs } = this.store.state;
     this.put(runs.map((run, i) => (i === this.chosen ? { ...run, ...patch } : run)));
-  }
-
-  addRun() {
-    const { runs } = this.store.state;
-    const last = runs.at(-1);
-    this.chosen = runs.length;
-    this.put([...runs, { ...last, method: last.method === "euler" ? "rk4" : "euler" }]);
-  }
-
-  removeRun() {
-    const runs = this.store.state.runs.filter((_, i) => i !== this.chosen);
-    this.chosen = Math.max(0, this.chosen - 1);
-    this.put(runs);
-  }
-
-  startHere() {
-    this.start = this.store.state.q;
-    this.results.clear();
-    this.compute();
   }
 
   key(...of) {
@@ -111,21 +85,6 @@ class Homework {
       if (runs === store.state.runs) this.show();
     }
     this.show();
-    this.wind(runs[this.chosen]);
-  }
-
-  // The curves over the radius, for what they depend on in a run.
-  wind(run) {
-    if (!run) return;
-    const { normal, locked } = run;
-    const key = this.key(normal, locked);
-    if (this.shown.winding === key) return;
-    this.shown.winding = key;
-    const asked = { arm: this.store.state.arm, q: this.start, run: { normal, locked } };
-    this.askWinding(asked, (points) => {
-      this.shown.points = points;
-      this.drawCurve();
-    });
   }
 
   // The chosen run becomes the trace that is played; the others are lines beside it.
@@ -149,15 +108,14 @@ class Homework {
   lay() {
     const { runs, arm } = this.store.state;
     const run = runs[this.chosen];
+    this.played.hidden = !run;
+    this.others.hidden = Boolean(run);
+    this.list.hidden = runs.length < 2;
     this.list.replaceChildren(...runs.map((one, i) => this.line(one, i)));
-    this.fields.update(run, arm);
-    write(this.verdict, run ? said(run, this.resultOf(run), arm) : "");
-    this.remove.disabled = runs.length < 2;
-    this.add.disabled = runs.length >= MOST_RUNS;
-    this.model.options[2].disabled = !isPanda(arm);
+    this.fields.update(run);
+    write(this.verdict, run ? said(this.resultOf(run), arm) : "");
     this.plot();
-    this.drawWall();
-    this.drawCurve();
+    if (run) this.drawWall();
   }
 
   plot() {
@@ -165,9 +123,7 @@ class Homework {
     const { arm, wrench, trace } = state;
     const torques = this.quantity.value === "torque";
     if (!trace) this.plots.clear();
-    else if (torques)
-      this.plots.lay(state, torquesAlong(arm, trace, wrench, this.model.value), true);
-    else this.plots.lay(state, trace, false);
+    else this.plots.lay(state, torques ? torquesAlong(arm, trace, wrench) : trace, torques);
     this.plots.mark(state.at);
   }
 
@@ -189,8 +145,8 @@ class Homework {
     this.wall.draw(arm, this.start, known);
   }
 
-  drawCurve() {
-    this.curve.draw(this.shown.points, this.store.state.runs[this.chosen]?.radius ?? 0.1);
+  firstRuns({ arm, base }) {
+    return [startingRun(arm, base) ?? []].flat();
   }
 
   update(state) {
@@ -201,12 +157,12 @@ class Homework {
       this.results.clear();
       this.shown = { arm: state.arm };
       // which comes back here
-      if (!state.runs.length || !first) return this.put([startingRun(state.arm)]);
+      if (!state.runs.length || !first) return this.put(this.firstRuns(state));
     }
     const { runs, unit, wrench } = this.shown;
     Object.assign(this.shown, { runs: state.runs, unit: state.unit, wrench: state.wrench });
     if (runs !== state.runs) {
-      this.chosen = Math.min(this.chosen, state.runs.length - 1);
+      this.chosen = Math.max(0, Math.min(this.chosen, state.runs.length - 1));
       this.lay();
       this.compute();
     } else if (unit !== state.unit || wrench !== state.wrench) this.lay();

@@ -22,17 +22,12 @@ export const SLIPS = {
   next: "velocity of the next step",
 };
 // What the homework asks of this arm: the Panda with joint 3 locked, the UR10e in front of its
-// wall.
-export const startingRun = (arm) =>
-  joints(arm).length === 7
-    ? { ...HOMEWORK }
-    : {
-        ...HOMEWORK,
-        locked: -1,
-        normal: /** @type {"x" | "y"} */ (/UR10e/.test(arm.name) ? "y" : "x"),
-        seconds: /UR10e/.test(arm.name) ? 20 : 5,
-        rates: /** @type {"pseudo"} */ ("pseudo"),
-      };
+// wall; null where it asks nothing.
+export function startingRun(arm, base) {
+  if (/^Panda/.test(base.name) && joints(arm).length === 7) return { ...HOMEWORK };
+  if (!/^UR10e/.test(base.name) || joints(arm).length !== 6) return null;
+  return { ...HOMEWORK, locked: -1, normal: "y", seconds: 20, rates: "pseudo" };
+}
 
 export function millimetres(v) {
   if (v < 1e-12) return "under 1e−9 mm";
@@ -44,36 +39,34 @@ export const named = ({ method, rates, steps, gain, slip }) => {
   return how + (gain ? `, gain ${fixed(gain, 1)}` : "") + (slip ? `, ${SLIPS[slip]}` : "");
 };
 
-export function said(run, result, arm) {
+// Why a run breaks.
+function broken({ failed, stuck, run }) {
+  const where = failed ? `at step ${failed} of ${run.steps}` : "where the run starts";
+  if (stuck)
+    return `J has no inverse ${where}, where the arm is singular: choose another of the rates.`;
+  if (run.slip)
+    return `With this mistake the matrix has no inverse ${where}, though the arm could go on.`;
+  return `The run leaves all bounds ${where}.`;
+}
+
+function sigma(v) {
+  if (v < 1e-9) return "0";
+  return v < 1e-4 ? v.toExponential(1).replace("-", "−") : fixed(v, 4);
+}
+
+export function said(result, arm) {
   if (!result) return "Computing …";
-  if (result.failed !== null) {
-    return result.failed === 0
-      ? "The Jacobian has no inverse where the run starts: the pose is singular. " +
-          "Choose the pseudo-inverse or damped rates."
-      : `The run breaks at step ${result.failed} of ${run.steps}: no inverse there.`;
-  }
+  if (result.failed !== null) return broken(result);
   const jointNames = (holds) =>
     joints(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
   const winding = jointNames((_, k) => Math.abs(result.wound[k]) > 0.9);
   const past = jointNames((row, k) => result.path.some((q) => outside(arm.rows[row], q[k])));
   const turns = winding.length ? ` Once round: ${listed(winding)}.` : "";
   const limits = past.length ? ` Past its limits: ${listed(past)}.` : "";
-  const size =
-    result.least < 1e-4 ? result.least.toExponential(1).replace("-", "−") : fixed(result.least, 4);
   const error = `Largest error ${millimetres(result.largest)}`;
   const speed =
     result.run.method === "exact" ? "" : `, fastest joint ${fixed(result.fastest, 2)} rad/s`;
   const tilt =
     result.tilt > 1e-3 ? `, the tool tilts by ${fixed((result.tilt * 180) / Math.PI, 1)}°` : "";
-  return `${error}${tilt}${speed}. Smallest σ on the way: ${size}.${turns}${limits}`;
-}
-
-export function curveWords(points) {
-  const broken = points.filter(({ reached }) => !reached);
-  const wound = points.filter(({ turns, reached }) => reached && turns);
-  const cm = (one) => `${fixed(100 * one.radius, 1)} cm`;
-  const parts = [];
-  if (wound.length) parts.push(`a joint winds once round from ${cm(wound[0])} on`);
-  if (broken.length) parts.push(`no run from ${cm(broken[0])} to ${cm(broken.at(-1))}`);
-  return `Radius from 1 to 10 cm: ${parts.join("; ") || "the joints only swing"}.`;
+  return `${error}${tilt}${speed}. Smallest σ on the way: ${sigma(result.least)}.${turns}${limits}`;
 }
