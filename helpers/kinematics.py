@@ -35,8 +35,7 @@ _CACHE = 1 << 17  # so many numbers at a time, 1 MiB, stay in a level-2 cache
 
 
 def link_frames(arm: Arm, q: ArrayLike) -> Array:
-    """Base-to-link transforms ${}^0T_0 .. {}^0T_n$, shape (..., rows + 1, 4, 4), for q of shape
-    (..., dof).
+    """Base-to-link transforms T_00 .. T_0n, shape (..., rows + 1, 4, 4), for q of shape (..., dof).
 
     Raises ArmError for a q of another length, or with NaN or infinity in it.
     Source: Spong, Hutchinson and Vidyasagar, section 3.1.
@@ -46,7 +45,7 @@ def link_frames(arm: Arm, q: ArrayLike) -> Array:
 
 
 def forward_kinematics(arm: Arm, q: ArrayLike) -> Array:
-    """The tip's pose ${}^0T_n$ in the base frame, shape (..., 4, 4), for q of shape (..., dof)."""
+    """The tip's pose T_0n in the base frame, shape (..., 4, 4), for q of shape (..., dof)."""
     must_be(arm, Arm, "arm")
     return evaluated(arm, q, tip_entries, (4, 4))
 

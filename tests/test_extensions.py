@@ -17,7 +17,6 @@ from tools.pages import (
     keep_together,
     keep_whole,
     say_plainly,
-    size_unset,
 )
 from tools.pictures import for_dark, panels, size, turned, visit_image
 
@@ -201,17 +200,6 @@ def test_a_box_is_folded_at_its_title():
         "Four.",
         "</details>",
     )
-
-
-def test_unset_tex_is_about_as_wide_as_its_formula():
-    letters = 0.421  # em, a character of the text; set, MathJax says how wide: 2.5, 5.1 and 2.4 em
-    for tex, width in (
-        ("a < b", 2.5),
-        (r"c_\theta, s_\theta, c_\alpha, s_\alpha", 5.1),
-        (r"\sin q_7", 2.4),
-    ):
-        drawn = float(size_unset(tex)[:-2]) * letters * (len(tex) + 4)
-        assert drawn == pytest.approx(width, abs=0.3), tex
 
 
 @pytest.mark.parametrize(

@@ -2,12 +2,13 @@
 finished HTML.
 
 Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names
-and commas in code, which all have the colour of code, get no `<span>`; a formula says how large it
-will be, so that lines hardly move when it is set. Pictures are in `pictures.py`.
+and commas in code, which all have the colour of code, get no `<span>`; formulas are set here, and
+need no script. Pictures are in `pictures.py`.
 """
 
 import re
 import sys
+from html import escape
 from pathlib import Path
 from zlib import crc32
 
@@ -17,29 +18,21 @@ from pygments.formatters import HtmlFormatter
 from pygments.token import Name, Punctuation, Text
 from sphinx.application import Sphinx
 from sphinx.highlighting import PygmentsBridge
+from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
 from sphinx_exercise.nodes import exercise_enumerable_node, exercise_node, solution_node
 from sphinxcontrib.bibtex.directives import BibliographyDirective
 from sphinxcontrib.bibtex.foot_directives import FootBibliographyDirective
 
-from helpers import robots
+from helpers import robots, typeset
 from helpers.explorer import ArmExplorer, judge
+from helpers.inputs import ArmError
+
+LOGGER = logging.getLogger(__name__)
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
-SCRIPT = re.compile(r"[_^](\{(?:[^{}]|\{[^{}]*\})*\}|\\[a-zA-Z]+|[^{}\\])")
-NO_SIGN = re.compile(
-    r"\\(?:math[a-z]+|text|operatorname|left|right|[dt]?frac|d?dot|hat|bar|vec)(?![a-zA-Z])"
-    r"|\\[,;! ]"
-)
-# In em: a sign of a formula, an index or exponent, and a character of TeX in the text's letters.
-WIDTHS = {
-    re.compile(r"\\(?:sin|cos|tan|det|max|min|[cld]?dots|q?quad)"): 1.54,
-    re.compile(r"[-+=<>]|\\(?:times|to|[lgn]eq?|pm|approx|in|cdot)"): 1.26,
-    re.compile(r"[,.()\[\]/|]"): 0.4,
-}
-SMALL, USUAL, CHARACTER = 0.43, 0.58, 0.421
-LINE = 25  # signs of a formula that any phone has room for
+LINE = 18  # signs of a formula that any phone has room for
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
 MEASURED = re.compile(rf"(?<=\d) (?:{UNIT}|\d{{3}}(?!\w))|N m(?!\w)")  # and 1 000
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
@@ -120,41 +113,37 @@ class Sources(BibliographyDirective):
         return super().run() if self.options else FootBibliographyDirective.run(self)
 
 
-def wide(sign: str) -> float:
-    """How wide a sign of a formula is, in em."""
-    return next((width for kind, width in WIDTHS.items() if kind.fullmatch(sign)), USUAL)
-
-
-def size_unset(tex: str) -> str:
-    """The size at which TeX with its delimiters is about as wide as the formula."""
-    signs = NO_SIGN.sub("", tex)
-    scripts = SIGN.findall(" ".join(SCRIPT.findall(signs)))
-    width = SMALL * len(scripts) + sum(map(wide, SIGN.findall(SCRIPT.sub(" ", signs))))
-    return f"{width / (CHARACTER * (len(tex) + 4)):.2f}em"
+def formula(node: nodes.Element, tex: str, display: bool) -> str:
+    """A formula as the page shows it; one that cannot be set is told with its place, and stays
+    TeX."""
+    try:
+        return typeset.html(tex, display)
+    except ArmError as problem:
+        LOGGER.warning("%s", problem, location=node)
+        return escape(tex)
 
 
 def visit_math(translator, node) -> None:
-    tex = translator.encode(node.astext())
-    size = size_unset(node.astext())
-    translator.body.append(f'<span class="math" style="--unset:{size}">\\({tex}\\)</span>')
+    """What any line has room for stays in one."""
+    tex = node.astext()
+    kept = " together" if len(SIGN.findall(tex)) <= LINE else ""
+    html = formula(node, tex, False)
+    translator.body.append(f'<span class="math{kept}">{html}</span>')
     raise nodes.SkipNode
 
 
 def visit_math_block(translator, node) -> None:
-    """As Sphinx does it, and with the number of its rows: so high will it be."""
-    tex = translator.encode(node.astext().strip())
-    rows = 1 + tex.count(r"\\")
-    translator.body.append(
-        translator.starttag(node, "div", "", CLASS="math", style=f"--rows: {rows}")
-    )
+    """With its number and its link, as Sphinx has them."""
+    tex = node.astext().strip()
+    translator.body.append(translator.starttag(node, "div", "", CLASS="math"))
     if node.get("number"):
         number = get_node_equation_number(translator, node)
         translator.body.append(f'<span class="eqno">({number})')
         translator.add_permalink_ref(node, "Link to this equation")
         translator.body.append("</span>")
-    split = "\\begin{split}%s\\end{split}" if r"\\" in tex else "%s"
-    translator.body.append(tex if node.get("no-wrap") else rf"\[{split % tex}\]")
-    translator.body.append("</div>\n")
+    rows = r"\\" in tex and not node.get("no-wrap")
+    html = formula(node, rf"\begin{{split}}{tex}\end{{split}}" if rows else tex, True)
+    translator.body.append(html + "</div>\n")
     raise nodes.SkipNode
 
 

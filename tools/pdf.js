@@ -22,10 +22,11 @@ take: async (name) => {
         words.textContent = "On the book's pages this arm moves.";
         section.append(words);
     });
-    all(".mjx-scrolls, .scrolls").forEach((box) => box.classList.remove("scrolls", "more-left", "more-right"));
-    all("div.math > mjx-container").forEach((box) => {
-        const room = box.parentElement.clientWidth / (box.querySelector("mjx-math").getBoundingClientRect().width + 60);
-        if (room < 1) box.style.fontSize = `${Math.floor(room * parseFloat(box.style.fontSize))}%`;
+    all(".scrolls").forEach((box) => box.classList.remove("scrolls", "more-left", "more-right"));
+    all(".katex-display").forEach((box) => {
+        box.style.fontSize = "";
+        const room = box.clientWidth / box.scrollWidth;
+        if (room < 1) box.style.fontSize = `${Math.floor(room * 100)}%`;
     });
     all("img").forEach((picture) => { picture.loading = "eager"; picture.src = picture.src; });
     all("a[href]").forEach((link) => {

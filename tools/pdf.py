@@ -25,7 +25,6 @@ FOOT = (
     '<div style="font: 8px serif; width: 100%; text-align: center; color: #555">'
     'Robot homework companion · <span class="pageNumber"></span></div>'
 )
-SET = "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)"
 TRIES = 6
 PLACE, LINK = "<!-- link to the PDF -->", '<p><a href="book.pdf">The whole book as one PDF</a></p>'
 
@@ -52,7 +51,6 @@ def part(page: Page, name: str) -> tuple[str, list[str], str]:
     """A page of the book as a part of the whole, the style sheets that it made for itself, and its
     title."""
     page.goto((HTML / f"{name}.html").as_uri())
-    page.wait_for_function(SET)
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     return tuple(page.evaluate(f"(name) => {SCRIPT}.take(name)", name))
 

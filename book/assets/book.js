@@ -1,90 +1,5 @@
-// Formulas are set when the reader comes near them, a few at a time so that the page answers meanwhile, the nearest first.
-const unset = new Set(), near = new Map(); // near: how far from the middle of the screen they were
-let setting;
-
-// Before anybody reads, the page must stay quick; who reads on waits for formulas.
-function few(formulas) {
-  let characters = "fresh" in document.documentElement.dataset ? 40 : 120;
-  const ends = formulas.findIndex((formula) => (characters -= formula.textContent.length + 20) < 0);
-  return formulas.slice(0, ends < 0 ? formulas.length : Math.max(ends, 1));
-}
-
-const pause = () => new Promise((done) => setTimeout(done));
-const frame = () => new Promise((due) => (document.hidden ? due() : requestAnimationFrame(due)));
-
-// The text is on the screen; in a tab that is not shown it never will be, until it is.
-const painted = () => new Promise((done) => {
-  if (document.hidden || !PerformanceObserver.supportedEntryTypes.includes("paint")) return done();
-  new PerformanceObserver(() => done()).observe({ type: "paint", buffered: true });
-  setTimeout(done, 3000);
-});
-
-const watch = new IntersectionObserver((changes) => {
-  for (const { isIntersecting, target, boundingClientRect: box } of changes) {
-    if (isIntersecting && unset.has(target)) near.set(target, Math.abs(box.top + box.bottom - innerHeight));
-    else near.delete(target);
-  }
-  if (near.size && setting === null) setting = setNear();
-}, { rootMargin: "150% 0px" });
-
-// The formulas are of full size from here on, which MathJax measures.
-function taken(formulas) {
-  for (const formula of formulas) {
-    formula.classList.add("set");
-    watch.unobserve(formula);
-    near.delete(formula);
-    unset.delete(formula);
-  }
-  return formulas;
-}
-
-async function setNear() {
-  const done = [];
-  await pause(); // the observer has told what is near
-  while (near.size) {
-    const next = taken(few([...near.keys()].sort((one, other) => near.get(one) - near.get(other))));
-    await MathJax.typesetPromise(next);
-    done.push(...next);
-    await pause();
-  }
-  setting = null;
-  done.forEach((formula) => formula.querySelectorAll(WIDE).forEach((box) => measure.observe(box)));
-}
-
-async function setFormulas() {
-  for (const formula of document.querySelectorAll("span.math, div.math")) {
-    unset.add(formula);
-    watch.observe(formula);
-  }
-  await Promise.all([frame(), document.fonts.ready]); // by then it is known which are near, and how large letters are
-  // The letters of formulas come before the first of them: until then others stand there, of other heights.
-  await MathJax.typesetPromise([]); // says where they are
-  await Promise.allSettled(["MJXZERO", "MJXTEX", "MJXTEX-I"].map((face) => document.fonts.load(`1em ${face}`)));
-  await (setting = setNear());
-}
-
-// On paper everything is seen.
-window.addEventListener("beforeprint", () => {
-  if (setting !== undefined && unset.size) MathJax.typeset(taken([...unset]));
-  reachable(all());
-});
-
-if (window.MathJax) {
-  const parts = MathJax.loader.load;
-  MathJax.loader.load = [];
-  MathJax.startup = {
-    typeset: false,
-    pageReady: setFormulas,
-    async ready() {
-      await painted();
-      await MathJax.loader.load(...parts);
-      MathJax.startup.defaultReady();
-    },
-  };
-}
-
 // What is wider than its place scrolls in a box of its own, from the keyboard too, and says so.
-const WIDE = "div.math > mjx-container, span.math > mjx-container, div.table, .highlight pre";
+const WIDE = ".katex-display, span.math:has(.mtable), div.table, .highlight pre";
 const SMALLEST = 0.8; // of a formula's size, before it scrolls
 
 const all = () => [...document.querySelectorAll(WIDE)];
@@ -96,19 +11,17 @@ const measure = new IntersectionObserver((changes) => {
 
 // All are measured before any is changed, so that the page is laid out once.
 function reachable(boxes) {
-  boxes.filter((box) => box.dataset.size).forEach((box) => (box.style.fontSize = box.dataset.size));
+  boxes.forEach((box) => (box.style.fontSize = ""));
   const shares = boxes.map(share);
-  const tight = boxes.filter((box, k) => shares[k] < 1 && shares[k] > SMALLEST && box.matches("div.math > *"));
-  for (const box of tight) {
-    box.dataset.size ??= box.style.fontSize;
-    box.style.fontSize = `${parseFloat(box.dataset.size) * shares[boxes.indexOf(box)] * 0.985}%`;
-  }
-  boxes.forEach((box, k) => scrollable(box, shares[k] < 1 && !tight.includes(box)));
+  boxes.forEach((box, k) => {
+    const tight = box.matches(".katex-display") && shares[k] < 1 && shares[k] > SMALLEST;
+    if (tight) box.style.fontSize = `${shares[k] * 98.5}%`;
+    scrollable(box, shares[k] < 1 && !tight);
+  });
 }
 
-// How much of a box's content it shows at once; an inline formula grows with what is in it, so its text's column counts.
+// How much of a box's content it shows at once.
 function share(box) {
-  if (box.matches("span.math > *")) return box.closest("p, li, td, dd, div").clientWidth / Math.max(box.offsetWidth, box.scrollWidth);
   return box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1;
 }
 
@@ -144,7 +57,7 @@ function scrollable(box, wide) {
 }
 
 function hint(box) {
-  if (box.matches("pre, span *") || box.nextElementSibling?.matches(".hint")) return; // a fading edge says enough there
+  if (box.matches("pre, span.math") || box.nextElementSibling?.matches(".hint")) return; // a fading edge says enough there
   const words = Object.assign(document.createElement("span"), { className: "hint", textContent: "scroll sideways →" });
   words.ariaHidden = true;
   box.after(words);
@@ -152,8 +65,8 @@ function hint(box) {
 
 function tell(box) {
   const left = box.scrollWidth - box.clientWidth - box.scrollLeft;
-  box.classList.toggle("more-right", left > 2);
-  box.classList.toggle("more-left", box.scrollLeft > 2);
+  box.classList.toggle("more-right", left > 1);
+  box.classList.toggle("more-left", box.scrollLeft > 1);
 }
 
 // Whatever is near is told of anew, and the rest when the reader comes near.
@@ -162,6 +75,8 @@ function look() {
   all().forEach((box) => measure.observe(box));
 }
 
+// On paper everything is seen.
+window.addEventListener("beforeprint", () => reachable(all()));
 window.addEventListener("load", look);
 document.fonts.addEventListener("loadingdone", look);
 let later;

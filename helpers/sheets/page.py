@@ -15,6 +15,7 @@ from helpers.arm import Arm
 from helpers.inputs import ArmError, listed, must_be
 from helpers.sheets import displays, programs
 from helpers.sheets.content import Array, Item, Sheet
+from helpers.typeset import mathml
 
 LANGUAGES = {
     "LaTeX": displays.as_latex,
@@ -53,7 +54,6 @@ def document(arm: Arm) -> str:
     Raises ArmError as `markdown` does.
     """
     must_be(arm, Arm, "arm")
-    from latex2mathml.converter import convert
     from markdown_it import MarkdownIt
     from mdit_py_plugins.dollarmath import dollarmath_plugin
 
@@ -62,7 +62,7 @@ def document(arm: Arm) -> str:
         .enable("table")
         .use(
             dollarmath_plugin,
-            renderer=lambda tex, how: convert(tex, "block" if how["display_mode"] else "inline"),
+            renderer=lambda tex, how: mathml(tex, how["display_mode"]),
         )
     )
     style, script = ((_STATIC / f"answers.{kind}").read_text("utf-8") for kind in ("css", "js"))

@@ -8,19 +8,8 @@ SIZES = {
 }
 WINDOWS = {**SIZES, "small": {"width": 320, "height": 640}}
 
-UNRENDERED = """() => {
-    const left = [...document.querySelectorAll("div.math, span.math")].filter(m => !m.querySelector("mjx-container"));
-    const wrong = [...document.querySelectorAll("mjx-merror, [data-mjx-error], .merror")];
-    const walker = document.createTreeWalker(document.querySelector("main"), NodeFilter.SHOW_TEXT);
-    const raw = [];
-    while (walker.nextNode()) {
-        const text = walker.currentNode;
-        if (/\\\\\\(|\\\\\\[|\\$\\$/.test(text.data) && !text.parentElement.closest("pre, code, script")) raw.push(text.data);
-    }
-    return [...left, ...wrong].map(e => e.outerHTML.slice(0, 200)).concat(raw);
-}"""
 TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
-# Formulas are set, and boxes fitted, when the reader comes near; for a printer, all at once.
+# Boxes are fitted when the reader comes near; for a printer, all at once.
 EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 BAD = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
@@ -35,16 +24,6 @@ for (const name of ["drawArrays", "drawElements", "drawArraysInstanced", "drawEl
     const own = WebGL2RenderingContext.prototype[name];
     WebGL2RenderingContext.prototype[name] = function (...given) { if (!window.undrawn) own.apply(this, given); };
 }"""
-# MathJax is there, and never ready: formulas stay as they are written.
-UNSET = """{
-    let mathjax;
-    const startup = { typeset: false, ready() {} };
-    Object.defineProperty(window, "MathJax", {
-        get: () => mathjax,
-        set(given) { mathjax = Object.defineProperty(given, "startup", { value: startup }); },
-    });
-}"""
-
 
 # How far a page has moved under a reader who touches nothing.
 UNTOUCHED = """window.moved = 0;
@@ -90,10 +69,6 @@ class Reader:
 
     def open(self, url):
         self.page.goto(url)
-        self.page.wait_for_function(
-            "!window.MathJax || (window.MathJax.startup?.promise?.then(() => true) ?? false)",
-            polling=100,
-        )
         self.page.evaluate(EVERYTHING)
         self.page.mouse.move(
             1, 1

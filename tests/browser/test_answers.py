@@ -33,8 +33,7 @@ def test_nothing_is_cut(browser, name):
     assert page.locator("details.answer[open]").count() == 0
     page.get_by_role("button", name="Open all answers").click()
     assert page.locator("details.answer:not([open])").count() == 0
-    page.wait_for_function("!window.MathJax || MathJax.startup?.promise?.then(() => true)")
-    page.evaluate("dispatchEvent(new Event('beforeprint'))")  # sets what is far, too
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")  # what is far, too
     for _, width in looks:
         page.set_viewport_size({"width": width, "height": 800})
         assert page.evaluate(CUT) == [], width

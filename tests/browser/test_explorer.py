@@ -10,7 +10,7 @@ from playwright.sync_api import expect
 from helpers.checks.arms import arm_data
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ARMS, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from tests.browser.reader import SIZES, UNDRAWN, UNSET, UNTOUCHED, Reader
+from tests.browser.reader import SIZES, UNDRAWN, UNTOUCHED, Reader
 from tests.test_book import HTML
 from tests.test_explorer import held_up, some
 
@@ -121,7 +121,7 @@ class Visit(Reader):
 
 
 # The page's small figure has words like the instrument's, and comes to life when the reader has stayed for long.
-USUAL = f"""{UNDRAWN} {UNSET}
+USUAL = f"""{UNDRAWN}
 Object.defineProperty(window, "devicePixelRatio", {{ value: 0.5 }});
 document.addEventListener("DOMContentLoaded", () => {{
     if (location.pathname.endsWith("/explorer.html")) document.querySelectorAll("[data-figure]").forEach((f) => f.remove());
@@ -653,7 +653,7 @@ NAMELESS = """e => [...e.querySelectorAll("button, input, select, [tabindex='0']
 
 @pytest.mark.parametrize(("theme", "size"), [("light", "wide"), ("dark", "phone")])
 def test_every_tab_fits_the_page_and_wears_its_theme_and_all_in_it_has_a_name(visit, theme, size):
-    here = visit(theme=theme, size=size, script=UNSET)
+    here = visit(theme=theme, size=size)
     card = here.page.locator("section.explorer")
     assert card.get_attribute("data-theme") == theme
     for name in ("DH table", "Pose", "Jacobian", "Circle trace", "Static torque", "IK branches"):

@@ -3,7 +3,7 @@ typed is judged, wrong cells are marked, and a link brings it back."""
 
 import pytest
 
-from tests.browser.reader import AXE, BAD, EVERYTHING, UNDRAWN, UNSET, UNTOUCHED
+from tests.browser.reader import AXE, BAD, EVERYTHING, UNDRAWN, UNTOUCHED
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"
@@ -253,7 +253,7 @@ def chapter(browser):
     """A chapter's page on a phone, without its formulas."""
     context = browser.new_context(viewport={"width": 390, "height": 800}, offline=True)
     page = context.new_page()
-    page.add_init_script(UNDRAWN + UNSET)
+    page.add_init_script(UNDRAWN)
     yield lambda name: page.goto((HTML / f"{name}.html").as_uri()) and page
     context.close()
 
