@@ -79,7 +79,7 @@ def _built():
 def test_the_page_is_there_and_up_to_date(name):
     assert (HTML / f"{name}.html").exists()
     source = next(p for p in (ROOT / f"book/{name}.ipynb", ROOT / f"book/{name}.md") if p.exists())
-    assert (HTML / "index.html").stat().st_mtime >= source.stat().st_mtime, "run `make book`"
+    assert (HTML / ".whole").stat().st_mtime >= source.stat().st_mtime, "run `make book`"
 
 
 @every_page

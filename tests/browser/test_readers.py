@@ -6,7 +6,7 @@ import threading
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
-from tests.browser.reader import SIZES, TWO_FRAMES, WINDOWS, Reader
+from tests.browser.reader import SIZES, WINDOWS, Reader
 from tests.searches import SEARCHES
 from tests.test_book import HTML, NAMES
 
@@ -84,18 +84,6 @@ def test_a_page_is_laid_out_where_it_is_opened(browser):
     assert not page.evaluate(fresh)
     page.reload()
     assert not page.evaluate(fresh)
-    reader.context.close()
-
-
-def test_an_arm_comes_to_life_at_the_first_sign_of_a_reader(browser):
-    reader = Reader(browser, "light", "wide", "file:")
-    page = reader.page
-    page.goto((HTML / "intro.html").as_uri(), wait_until="networkidle")
-    page.evaluate(TWO_FRAMES)  # by then it is known what is near
-    assert not any(url.endswith("explorer.js") for url in reader.asked)
-    page.mouse.move(400, 400)
-    page.locator("section.explorer").wait_for()
-    assert reader.troubles == []
     reader.context.close()
 
 
