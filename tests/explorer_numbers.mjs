@@ -11,7 +11,6 @@ import { otherWays, traceCircle } from "../page/src/motion.js";
 import { runCircle, torquesAlong } from "../page/src/runs.js";
 import { sameArm } from "../page/src/same_arm.js";
 import { derive } from "../page/src/state.js";
-import { stillShapes } from "../page/src/still.js";
 import { entryText } from "../page/src/text.js";
 import { rankVerdict, tableVerdict, waysVerdict } from "../page/src/verdicts.js";
 
@@ -54,7 +53,6 @@ const jobs = {
   same: ({ pairs }) => pairs.map(([mine, reference]) => sameArm(mine, reference)),
   entries: ({ typed }) => typed.map(([text, quantity, unit]) => readEntry(text, quantity, unit)),
   written: ({ values }) => values.map(([value, angle, unit]) => entryText(value, angle, unit)),
-  still: ({ arm, q }) => stillShapes(arm, linkFrames(arm, q)),
   links: ({ arms, fragments }) => fragments.map((one) => opened(one, arms)),
   exported: ({ arm, q, format }) => exported(format, { arm, q }),
 };

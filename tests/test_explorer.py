@@ -23,7 +23,6 @@ from helpers.checks.arms import arm_data
 from helpers.explorer import ArmExplorer, ArmFigure, judge
 from helpers.explorer.data import arm_from
 from helpers.explorer.figure import ANY_ARM, ONE_ARM
-from helpers.explorer.stub import still
 from helpers.explorer.widget import BUNDLE, MORE, PASTE, esm
 from helpers.inverse import elbow, stanford, ur
 from helpers.kinematics import jacobian, link_frames
@@ -379,36 +378,6 @@ def with_row(arm, k, **entries):
     rows = list(arm.rows)
     rows[k] = replace(rows[k], **entries)
     return Arm("mine", tuple(rows))
-
-
-@needs_node
-@every_arm
-def test_the_still_picture_is_pythons(arm):
-    if len(arm.home) != arm.dof:
-        pytest.skip("no home")
-    shapes = ask("still", arm=arm_data(arm), q=list(arm.home))
-    picture = ElementTree.fromstring(still(arm, arm.home, 'an "arm" & <more>'))
-    words = 'an "arm" & <more>'
-    assert picture.attrib == {"viewBox": "0 0 480 320", "width": "480", "role": "img",
-        "style": "max-width:100%;height:auto", "aria-label": words}  # fmt: skip
-    polyline = {"fill": "none", "stroke": "currentColor", "stroke-width": "8",
-        "stroke-linejoin": "round", "stroke-linecap": "round"}  # fmt: skip
-    colours = {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
-    wanted = [
-        ("polyline", shapes["shadow"], polyline | {"stroke-opacity": "0.12"}),
-        ("polyline", shapes["links"], polyline | {"stroke-opacity": "0.5"}),
-        *(("circle", [spot], {"r": "7", "fill": "currentColor"}) for spot in shapes["spots"]),
-        *(("line", [axis["from"], axis["to"]], {"stroke": colours[axis["n"]], "stroke-width": "3"})
-          for axis in shapes["axes"]),
-    ]  # fmt: skip
-    for shape, (tag, points, look) in zip(picture, wanted, strict=True):
-        assert shape.tag == tag
-        places = ("points", "cx", "cy", "x1", "y1", "x2", "y2")
-        drawn = " ".join(shape.attrib.pop(key) for key in places if key in shape.attrib)
-        drawn = [float(x) for x in re.split("[ ,]", drawn)]
-        np.testing.assert_allclose(np.ravel(points), drawn, atol=0.11)
-        assert drawn == [round(x, 1) for x in drawn]
-        assert shape.attrib == look
 
 
 @needs_node

@@ -8,13 +8,11 @@ import { makeSliders } from "./panel/sliders.js";
 import { makeStage } from "./panel/stage.js";
 import { makeTabs } from "./panel/tabs.js";
 import { makeSpeech } from "./speech.js";
-import { poseText, stillSvg } from "./still.js";
 import { fixed } from "./text.js";
 import { watchTheme } from "./theme.js";
 import { VIEWS } from "./views/index.js";
 
 const GLIDE = 450; // ms that the arm takes to another place
-const STILL = 300; // ms after which the still picture follows
 // ms in which the numbers follow while the picture is dragged: nobody reads faster
 const READ = 100;
 
@@ -54,7 +52,7 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   card.append(head.root, notice.root, bench, tabs.root, region);
   card.classList.toggle("wide", wide);
   root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
-  keepShown(store, { host, card, head, stage, sliders, tabs }, { say, signal });
+  keepShown(store, { card, head, stage, sliders, tabs }, { say, signal });
   return () => {
     abort.abort();
     stage.dispose();
@@ -74,7 +72,7 @@ function makeNotice() {
 }
 
 // All that is shown follows the state: the picture at once, the numbers at a pace that can be read.
-function keepShown(store, { host, card, head, stage, sliders, tabs }, { say, signal }) {
+function keepShown(store, { card, head, stage, sliders, tabs }, { say, signal }) {
   let theme = "light";
   const draw = () => stage.draw(store.state, store.derived, theme);
   const parts = [
@@ -93,12 +91,10 @@ function keepShown(store, { host, card, head, stage, sliders, tabs }, { say, sig
     card.dataset.theme = now;
     draw();
   }, signal);
-  const still = keepStill(host, store, signal);
   store.listen((changed) => {
     draw();
     if (store.state.dragging && !changed.has("dragging")) return numbers.soon();
     numbers.now();
-    still();
     if (SAID.some((key) => changed.has(key)) && !store.state.playing)
       say(() => summary(store, tabs));
     return undefined;
@@ -166,26 +162,6 @@ function glider(store, signal) {
     moving = requestAnimationFrame(step);
     return true;
   };
-}
-
-// The picture for paper, and for browsers without WebGL, follows the state.
-function keepStill(host, store, signal) {
-  let timer = null;
-  const put = () => {
-    clearTimeout(timer);
-    timer = null;
-    const { arm, q } = store.state;
-    const words = poseText(arm, q);
-    const picture = stillSvg(arm, store.derived.frames, `Still picture of the ${words}`);
-    const before = host.querySelector(":scope > svg");
-    if (before) before.replaceWith(picture);
-    else host.prepend(picture);
-    const caption = host.querySelector(":scope > .arm-explorer-caption");
-    if (caption) caption.textContent = words;
-  };
-  signal.addEventListener("abort", () => clearTimeout(timer));
-  window.addEventListener("beforeprint", put, { signal });
-  return () => (timer ??= setTimeout(put, STILL));
 }
 
 export { VIEWS };

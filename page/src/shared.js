@@ -19,7 +19,6 @@ import * as sameArm from "./same_arm.js";
 import * as scene from "./scene.js";
 import * as shapes from "./shapes.js";
 import * as state from "./state.js";
-import * as still from "./still.js";
 import * as text from "./text.js";
 import * as theme from "./theme.js";
 import * as verdicts from "./verdicts.js";
@@ -44,7 +43,6 @@ export const kit = {
   "page/src/scene.js": scene,
   "page/src/shapes.js": shapes,
   "page/src/state.js": state,
-  "page/src/still.js": still,
   "page/src/text.js": text,
   "page/src/theme.js": theme,
   "page/src/verdicts.js": verdicts,

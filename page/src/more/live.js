@@ -10,7 +10,6 @@ import { joints } from "../../../judge/geometry/kinematics.js";
 import { relativeRail } from "../rail.js";
 import { ArmPicture } from "../scene.js";
 import { startingState, Store } from "../state.js";
-import { poseText, stillSvg } from "../still.js";
 import { jointText, replaced, spokenJoint } from "../text.js";
 import { watchTheme } from "../theme.js";
 import { holdVerdict } from "../verdicts.js";
@@ -78,8 +77,7 @@ function makeStage(store, { hold, first }) {
     hidden: !hold,
     onkeydown: (event) => picture && moveTipByKey(picture, store, event),
   });
-  const name = `The ${store.state.arm.name}`;
-  const root = h("div.stage", { role: "group", "aria-label": name }, labels, grip);
+  const root = h("div.stage", { role: "group" }, labels, grip);
   let picture = null;
   try {
     const onPlace = ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`);
@@ -87,13 +85,14 @@ function makeStage(store, { hold, first }) {
     if (hold)
       makeGrabbable(picture, store, { grip, goTo: (q) => store.dispatch({ type: "glide", q }) });
   } catch {
-    grip.hidden = true; // no WebGL here: a still picture follows
+    root.hidden = true; // no WebGL here: words and numbers follow
   }
   const draw = (state, derived, theme) => {
-    const words = poseText(state.arm, state.q);
-    if (picture) picture.draw(state, derived, theme);
-    else root.replaceChildren(stillSvg(state.arm, derived.frames, words));
-    root.setAttribute("aria-label", words);
+    picture?.draw(state, derived, theme);
+    const at = joints(state.arm).map((row, k) =>
+      spokenJoint(state.arm.rows[row], state.q[k], state.unit),
+    );
+    root.setAttribute("aria-label", `${state.arm.name} at ${at.join(", ")}`);
   };
   return { root, picture, draw };
 }

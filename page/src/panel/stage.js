@@ -14,7 +14,7 @@ const HELP =
   "0 fits it. The button at the tip moves the tip; the sliders turn the joints.";
 const GRIP_HELP = "Arrow keys move the tip across the picture, Page keys to and fro.";
 const LOST = "The browser took the picture’s graphics away; it comes back when it can.";
-const FLAT = "This browser gives no WebGL, so the picture is a still one that follows.";
+const FLAT = "This browser gives no WebGL: the picture stays as it is, the numbers follow.";
 const VIEW_KEYS = {
   ArrowLeft: [-0.12, 0],
   ArrowRight: [0.12, 0],
@@ -86,7 +86,7 @@ function pictureIn(root, { labels, grip, hold, lost }, store, goTo) {
   } catch {
     root.classList.add("flat");
     root.setAttribute("role", "group");
-    root.setAttribute("aria-label", "Still picture of the arm, which follows the sliders");
+    root.setAttribute("aria-label", "Still picture of the arm");
     root.removeAttribute("tabindex");
     root.replaceChildren(h("slot"), h("p", {}, FLAT));
     return null;
