@@ -766,6 +766,28 @@ def test_solve_stays_within_limits_even_when_that_costs_the_target():
     assert repr(found) == "<NumericSolution: 0 of 1 targets reached, 1 missed>"
 
 
+def test_a_step_is_least_squares_and_joints_that_would_leave_go_to_their_limits():
+    """The others take what is left; a step that does not help is not taken."""
+    rows = [replace(r, joint=replace(r.joint, lower=-1.2, upper=1.2)) for r in ELBOW.rows]
+    starts = np.random.default_rng(5).uniform(-1.2, 1.2, (60, 3))
+    goals = np.random.default_rng(6).uniform((-0.5, -0.5, 0), (0.5, 0.5, 1), (60, 3))
+    found, held = solve(Arm("narrow", rows, ELBOW.values), goals, starts, iterations=1), 0
+    for q, goal, stepped in zip(starts, goals, found.q, strict=True):
+        J, error = jacobian(ELBOW, q)[:3], goal - forward_kinematics(ELBOW, q)[:3, 3]
+        heavy = np.sqrt(0.1 * error @ error + 1e-14) * np.eye(3)
+
+        def least(J, error, heavy=heavy):
+            return np.linalg.lstsq(np.r_[J, heavy], np.r_[error, np.zeros(3)])[0]
+
+        out = np.abs(q + least(J, error)) > 1.2
+        part = np.where(out, np.clip(least(J, error), -1.2 - q, 1.2 - q), 0.0)
+        tried = np.clip(q + part + least(np.where(out, 0.0, J), error - J @ part), -1.2, 1.2)
+        left = goal - forward_kinematics(ELBOW, tried)[:3, 3]
+        held += out.any()
+        np.testing.assert_allclose(stepped, tried if left @ left < error @ error else q, atol=1e-9)
+    assert 10 < held < 50
+
+
 def test_near_the_target_each_step_squares_the_error():
     q = random_q(UR10E, 400, seed=6)
     q = q[np.linalg.svd(jacobian(UR10E, q), compute_uv=False)[:, 5] > 0.1]

@@ -63,14 +63,6 @@ def test_a_circle_is_round_even_and_closed():
     np.testing.assert_allclose(path.velocities, slope, atol=1e-9)
 
 
-def test_the_homeworks_circles_start_and_turn_as_described():
-    panda, ur = panda_circle(4), ur_circle(4)
-    np.testing.assert_allclose(panda.positions[:2], [TOP, [0.679, 0.1, 0.725]], atol=1e-15)
-    np.testing.assert_allclose(
-        ur.positions[:2], [[0, 0.3561, 1.428], [-0.1, 0.3561, 1.328]], atol=1e-15
-    )
-
-
 @pytest.mark.parametrize(
     ("plane", "aside"), [("zy", [0, 0.1]), ("yz", [0, -0.1]), ("zx", [0.1, 0]), ("xz", [-0.1, 0])]
 )
@@ -160,18 +152,6 @@ def test_the_pandas_joints_wind_and_the_report_says_by_how_much():
     assert set(beyond) == {5, 7}
     assert beyond[5] == pytest.approx(2 * np.pi - 2.8973, abs=1e-6)
     assert not run.report.executable
-
-
-def test_an_executable_circle():
-    start = np.radians([0, 25, 85, 0, 150, 0])
-    tip = forward_kinematics(REAL, start)[:3, 3]
-    run = trace(REAL, start, circle(tip - [0, 0, 0.1], 0.1, "zy", 5.0, 500), method="exact")
-    lower = np.array([-2.8973, -1.7628, 0.0698, -2.8973, -0.0175, -2.8973])
-    upper = np.array([2.8973, 1.7628, 3.0718, 2.8973, 3.7525, 2.8973])
-    assert ((run.q > lower) & (run.q < upper)).all()
-    assert (np.abs(np.diff(run.q, axis=0) / 0.01) < [2.175, 2.175, 2.175, 2.61, 2.61, 2.61]).all()
-    assert run.report.executable
-    np.testing.assert_allclose(run.q[-1], run.q[0], atol=1e-9)
 
 
 def test_the_homeworks_circle_with_the_elbow_out():
