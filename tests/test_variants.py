@@ -4,7 +4,6 @@ of computing.
 
 import json
 import re
-from itertools import product as product_of
 
 import numpy as np
 import pytest
@@ -15,8 +14,9 @@ from helpers.arm import Arm, ArmError, Body, fixed, revolute
 from helpers.motion import circle, trace
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque
-from helpers.variants import TOPICS, draw, question, sheet, variant
-from helpers.variants.topics import branches_of, closed_form, drawn_arm, matrix, pose_of
+from helpers.variants import TOPICS, question, sheet, variant
+from helpers.variants import _generator as generator
+from helpers.variants.topics import BY_NAME, closed_form, drawn_arm, matrix, pose_of
 from tests.laws import slow_frames
 
 ARMS = [PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, UR10E_HOMEWORK, STANFORD, ELBOW]
@@ -28,6 +28,11 @@ WRISTED = Arm(
     ELBOW.values,
 )  # fmt: skip
 every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
+
+
+def draw(topic, arm, seed):
+    """What is drawn about the arm itself, its own lengths unchanged."""
+    return BY_NAME[topic].draw(arm, generator(seed, topic))
 
 
 def numbers(text):
@@ -79,7 +84,8 @@ def test_a_sheet_is_its_numbers_and_another_seed_draws_others(arm, seed):
     stored = json.loads(json.dumps(first.drawn))
     for asked, elsewhere in zip(first.questions, other.questions, strict=True):
         again = question(asked.topic, first.arm, stored[asked.topic])
-        assert (again.markdown, again.key) == (asked.markdown, asked.key)
+        assert again.markdown == asked.markdown
+        assert list(map(repr, again.parts)) == list(map(repr, asked.parts))
         assert asked.text != elsewhere.text
     assert sheet(arm, seed) == first
 
@@ -329,7 +335,7 @@ STIFF = Arm("stiff", [fixed(a=0.3)])
             "Jacobian",
             STIFF,
             1,
-            "stiff, lengths of your own does not suit Jacobian; it needs a joint",
+            "stiff does not suit Jacobian; it needs a joint",
         ),
         ("static torque", ELBOW, 1, "does not suit static torque; it needs masses"),
         ("circle tracing", ELBOW, 1, "does not suit circle tracing; it needs six joints"),
@@ -340,17 +346,8 @@ def test_what_cannot_be_asked_is_said(topic, arm, seed, words):
         variant(topic, arm, seed)
 
 
-def test_a_sheet_of_some_topics_and_what_is_no_topic_or_arm():
+def test_a_sheet_of_some_topics():
     assert list(sheet(ELBOW, 1, ("Jacobian", "DH table")).drawn) == ["Jacobian", "DH table"]
-    for call, words in [
-        (lambda: draw("Jacobian", 3, 1), "arm is 3; expected an Arm"),
-        (lambda: draw("statics", ELBOW, 1), "topic is 'statics'; expected one of"),
-        (lambda: question("statics", ELBOW, {}), "topic is 'statics'; expected one of"),
-        (lambda: question("Jacobian", 3, {}), "arm is 3; expected an Arm"),
-        (lambda: branches_of(PANDA, np.eye(4)[:3]), "Panda: the book has no closed form for it"),
-    ]:
-        with pytest.raises(ArmError, match=f"^{words}"):
-            call()
 
 
 TOLERANCES = {
@@ -362,8 +359,7 @@ TOLERANCES = {
 
 
 @pytest.mark.parametrize("arm", [UR10E, ELBOW], ids=lambda arm: arm.name)
-def test_a_question_and_its_key_as_they_are_read(arm):
-    """What a student is told, and that the key's text holds the key's numbers."""
+def test_a_question_as_it_is_read(arm):
     drawn = sheet(arm, 5)
     own = f"{arm.name}, lengths of your own"
     assert {name: (part.kind, part.tolerance) for name, part in drawn.parts.items()} == {
@@ -374,26 +370,10 @@ def test_a_question_and_its_key_as_they_are_read(arm):
     for found in drawn.questions:
         title = found.topic[0].upper() + found.topic[1:]
         assert repr(found) == f"<Question on {found.topic}: {own}>"
-        asked = [part.asked for part in found.parts]
+        asked = [f"- `{p.name}`: {p.what}; {p.tolerance:g} off is forgiven" for p in found.parts]
         assert found.markdown == "\n".join([f"## {title}", "", found.text, "", *asked])
         table = f"\n\n{found.arm._repr_markdown_()}" if found.topic != "DH table" else ""
         assert found._repr_markdown_() == found.markdown + table
-        assert found.key.startswith(f"**Key: {title}**\n\n- `{found.parts[0].name}`, ")
-        for part in found.parts:
-            end = {"table": "", "column": "; it is evaluated at poses of our choice"}.get(
-                part.kind, f"; {part.tolerance:g} off is forgiven"
-            )
-            assert part.asked == f"- `{part.name}`: {part.what}{end}"
-            head = f"- `{part.name}`, {part.what}: "
-            assert f"\n{part.key}" in found.key
-            if part.kind == "table":
-                assert part.key == f"{head[:-1]}\n\n{part.value._repr_markdown_()}"
-            elif part.kind == "column":
-                assert part.key == head + ", ".join(f"`{entry}`" for entry in part.value)
-            else:
-                assert part.key.startswith(f"{head}$\\begin")
-                (printed,) = matrices(part.key)
-                assert printed == pytest.approx(np.ravel(part.value), rel=6e-5, abs=6e-5)
 
 
 def test_a_matrix_has_four_digits_or_as_many_as_asked():
@@ -442,19 +422,3 @@ def test_a_pose_as_printed_is_taken_for_the_nearest_rigid_motion():
     np.testing.assert_array_equal(found[:, 3], [*T[:3, 3].round(3), 1])
     np.testing.assert_array_equal(found[3], [0, 0, 0, 1])
     np.testing.assert_array_equal(pose_of(np.array([[1], [2], [3]])), [1, 2, 3])
-
-
-def test_branches_are_turned_into_the_limits_of_their_joints():
-    """Every branch of the arm without limits that a whole turn brings within, and no other."""
-    limits = [(0.5, 6.0), (-6.0, 0.4), (-3.1, 3.1)]
-    rows = [revolute(r.a, r.alpha, r.d, limits=x) for r, x in zip(ELBOW.rows, limits, strict=True)]
-    narrow = Arm("narrow", rows, ELBOW.values)
-    targets = [[[0.4], [0.1], [0.7]], [[-0.3], [0.3], [0.4]], [[0.3], [-0.35], [0.6]]]
-    for target in map(np.array, targets):
-        every = [q + 2 * np.pi * np.array(turns) for q in branches_of(ELBOW, target)
-                 for turns in product_of((-1, 0, 1), repeat=3)]  # fmt: skip
-        wanted = [q for q in every if all(a <= x <= b for x, (a, b) in zip(q, limits, strict=True))]
-        found = branches_of(narrow, target)
-        assert 0 < len(found) == len(wanted)
-        for q in wanted:
-            assert abs(found - q).max(axis=1).min() < 1e-9

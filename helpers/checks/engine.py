@@ -35,11 +35,6 @@ def say(key: str, **fields: object) -> str:
     return asked("words", key=key, fields=fields)
 
 
-def cause_names() -> set[str]:
-    """The mistakes that the judge can name, without their fields, as ``J.column missing``."""
-    return set(asked("causes"))
-
-
 def _started() -> Callable[[str], str]:
     script = _SCRIPT.read_text(encoding="utf-8")
     return _in_browser(script) if sys.platform == "emscripten" else _in_quickjs(script)

@@ -1,8 +1,118 @@
-"""Run the course commands."""
+"""Make a course, print a key, sort and mark what was handed in, make an autograder."""
 
+import argparse
+import json
 import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
 
-from helpers.course.commands import main
+from helpers import variants
+from helpers.command_line import read_arm
+from helpers.course import autograders, making, sandbox, store
+from helpers.course.collect import collect
+from helpers.course.grading import grade
+from helpers.course.roster import read_roster
+from helpers.inputs import ArmError
+
+_OPTIONS: dict[str, dict[str, Any]] = {
+    "course": {"type": Path, "help": "the folder that new made"},
+    "--secret": {"type": Path, "help": "a file of 16 letters or more; drawn unless given"},
+    "--roster": {"required": True, "help": "CSV with the columns id and name"},
+    "--arm": {"required": True, "help": "a name of the catalogue, arm.urdf, or my_arm.py:MINE"},
+    "--title": {"default": "Homework", "help": "what the sheets are headed; Homework unless given"},
+    "--topic": {
+        "action": "append", "default": [], "choices": variants.TOPICS, "metavar": "TOPIC",
+        "help": f"one of {', '.join(variants.TOPICS)}; may be given again; all that suit unless"
+        " given",
+    },
+    "--id": {"required": True, "help": "a student's id in the roster"},
+    "--jobs": {"type": int, "default": 1, "help": "students marked at a time; 1 unless given"},
+    "download": {
+        "type": Path, "help": "a zip or folder from Canvas, Moodle, Gradescope or by hand",
+    },
+    "--out": {"type": Path, "required": True, "help": "the folder or file to write"},
+}  # fmt: skip
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Run one command; 0 if all went well, 2 with words on stderr if not."""
+    parser = argparse.ArgumentParser(prog="python -m helpers.course", description=__doc__)
+    commands = parser.add_subparsers(required=True)
+    for name, (run, help_words, options) in COMMANDS.items():
+        command = commands.add_parser(name, help=help_words, description=help_words)
+        command.set_defaults(run=run)
+        for option in options.split():
+            command.add_argument(option, **_OPTIONS[option])
+    given = parser.parse_args(words)
+    try:
+        given.run(given)
+    except (ArmError, OSError, ModuleNotFoundError) as error:
+        print(f"course: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _new(given: argparse.Namespace) -> None:
+    arm, roster = read_arm(given.arm), read_roster(given.roster)
+    secret = given.secret.read_text(encoding="utf-8").strip() if given.secret else ""
+    if given.secret and len(secret) < 16:
+        raise ArmError(f"the secret in {given.secret} is too short; expected 16 letters or more")
+    course = making.new(
+        roster, arm, given.out, title=given.title, topics=tuple(given.topic), secret=secret
+    )
+    print(f"{len(course.sheets)} sheets in {given.out}")
+
+
+def _key(given: argparse.Namespace) -> None:
+    for name, answer in making.right_work(store.load(given.course).sheet(given.id)).items():
+        print(f"{name}: {json.dumps(answer)}")
+
+
+def _collect(given: argparse.Namespace) -> None:
+    course = store.load(given.course)
+    placed, doubtful = collect(given.download, course.names, given.course)
+    print(f"{len(placed)} of {len(course.sheets)} students handed in")
+    for words in doubtful:
+        print(f"not placed: {words}")
+
+
+def _grade(given: argparse.Namespace) -> None:
+    refusal = sandbox.refusal()
+    for path in (given.course, given.out):
+        if not refusal and sandbox.exposed(path):
+            raise ArmError(
+                f"{path} lies where notebooks can read, beside Python; move it elsewhere"
+            )
+    rows = grade(given.course, given.out, given.jobs, 0 if refusal else sandbox.SECONDS)
+    print(f"{len(rows)} students marked: {given.out / 'grades.csv'}")
+    if any(sandbox.NOT_RUN in row["note"] for row in rows):
+        print(f"notebooks were not run: {refusal}")
+
+
+def _gradescope(given: argparse.Namespace) -> None:
+    course = store.load(given.course)
+    autograders.gradescope_zip(course, given.out)
+    print(f"autograder for {len(course.sheets)} students: {given.out}")
+
+
+def _nbgrader(given: argparse.Namespace) -> None:
+    book = autograders.nbgrader_notebook(store.load(given.course), given.id)
+    store.write(given.out, store.as_json(book))
+    print(f"source notebook: {given.out}")
+
+
+COMMANDS = {
+    "new": (
+        _new, "make a sheet for each line of a roster",
+        "--roster --arm --title --topic --secret --out",
+    ),
+    "key": (_key, "print one student's key", "course --id"),
+    "collect": (_collect, "sort a download of hand-ins by student", "course download"),
+    "grade": (_grade, "mark every hand-in of a course", "course --out --jobs"),
+    "gradescope": (_gradescope, "make Gradescope's autograder", "course --out"),
+    "nbgrader": (_nbgrader, "make a source notebook for nbgrader", "course --id --out"),
+}  # fmt: skip
 
 if __name__ == "__main__":
     sys.exit(main())

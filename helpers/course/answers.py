@@ -5,11 +5,13 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from helpers.arm import Arm
+from helpers.arm import Arm, Row
 from helpers.inputs import must_be
 
 FILE = "answers.json"
+NOTEBOOK = "homework.ipynb"
 PREFIX = "answer_"
+SHEET = "sheet"  # the answer that says whose sheet it is
 
 
 def hand_in(names: Mapping[str, Any], path: str | Path = FILE) -> None:
@@ -34,14 +36,20 @@ def collected(names: Mapping[str, Any]) -> str:
 
 def as_typed(value: Any) -> Any:
     """A value as JSON keeps it: numbers, texts and lists; anything else as Python writes it."""
-    if isinstance(value, str | bool | int | float):
-        return value
     if isinstance(value, Arm):
-        return [[str(e) for e in row.entries] for row in value.rows]
+        value = [_row(number, row) for number, row in enumerate(value.rows, 1)]
     if hasattr(value, "tolist"):
-        return as_typed(value.tolist())  # arrays of NumPy and matrices of SymPy alike
+        value = value.tolist()  # arrays of NumPy and matrices of SymPy alike
     if isinstance(value, Mapping):
         return {str(key): as_typed(entry) for key, entry in value.items()}
     if isinstance(value, list | tuple):
         return [as_typed(entry) for entry in value]
-    return str(value)
+    return value if isinstance(value, str | bool | int | float) else str(value)
+
+
+def _row(number: int, row: Row) -> list[str]:
+    """A row's entries, the joint's variable among them."""
+    entries = dict(zip(("a", "alpha", "d", "theta"), map(str, row.entries), strict=True))
+    if moved := {"revolute": "theta", "prismatic": "d"}.get(row.joint.kind):
+        entries[moved] = f"q_{number} + {entries[moved]}"
+    return list(entries.values())

@@ -1,33 +1,30 @@
 """The same marking inside other systems: Gradescope, nbgrader."""
 
-import base64
-import hashlib
-import io
 import json
+import shutil
 import sys
-import zipfile
 from collections.abc import Mapping
-from importlib.metadata import PackageNotFoundError, distribution
+from dataclasses import replace
+from importlib.metadata import requires
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import helpers
-from helpers.course import gradebook, sheets, store
+from helpers.course import making, store
 from helpers.course.answers import PREFIX, collected
 from helpers.course.arms import from_json, to_json
 from helpers.course.files import within
 from helpers.course.handed_in import read_hand_in
-from helpers.course.marking import Rules, mark, mark_sheet
+from helpers.course.marking import mark, mark_sheet
 from helpers.course.roster import People
 from helpers.course.store import Course
-from helpers.inputs import ArmError
-from helpers.variants import Part, Sheet
-
-_NAME = "manipulator-homework-helpers"
+from helpers.variants import Sheet
 
 # Gradescope (docs/specs.md of gradescope/autograder_samples): the zip's root holds setup.sh and the
 # executable run_autograder; what it must write is /autograder/results/results.json.
-_SETUP = """#!/usr/bin/env bash
+_FILES = {
+    "setup.sh": """#!/usr/bin/env bash
 set -euo pipefail
 cd /autograder/source
 python=python3
@@ -38,107 +35,87 @@ elif ! $python -c 'import ensurepip'; then
   apt-get update -qq && apt-get install -y -qq python3-venv
 fi
 $python -m venv /autograder/env
-/autograder/env/bin/pip install --quiet ./*.whl
-"""
-_RUN = """#!/usr/bin/env bash
+/autograder/env/bin/pip install --quiet -r requirements.txt
+""",
+    "run_autograder": """#!/usr/bin/env bash
+cd /autograder/source
 exec /autograder/env/bin/python -m helpers.course.autograders /autograder
-"""
+""",
+    "requirements.txt": "{needed}\n",
+}
 
 
 def gradescope_zip(course: Course, path: Path) -> None:
-    """Gradescope's autograder: the course, the helpers as a wheel, set-up and start; no secret.
+    """Gradescope's autograder: the course, the helpers and what they need, set-up and start; no
+    secret.
 
-    Only answers.json is read there, so no student's program runs where the course lies.
+    Only answers.json is read there, so no student's program runs where the course lies. Raises
+    ModuleNotFoundError where the helpers are not installed, so that nothing says what they need.
     """
-    name, packed = wheel()
-    files = {name: packed, store.FILE: store.text(course).encode()}
-    scripts = {"setup.sh": _SETUP.encode(), "run_autograder": _RUN.encode()}
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
-        for name, content in {**scripts, **files}.items():
-            entry = zipfile.ZipInfo(name)
-            entry.external_attr = (0o100000 | (0o755 if name in scripts else 0o644)) << 16
-            file.writestr(entry, content, zipfile.ZIP_DEFLATED)
-
-
-def wheel() -> tuple[str, bytes]:
-    """The helpers that run here as a wheel (PEP 427): its name and its content.
-
-    Raises ArmError where they are not installed, so that nothing says what they need.
-    """
-    try:
-        found = distribution(_NAME)
-    except PackageNotFoundError:
-        raise ArmError(f"{_NAME} is not installed; say pip install . in its folder") from None
-    package, stem = Path(helpers.__file__).parent, f"{_NAME.replace('-', '_')}-{found.version}"
-    info = f"{stem}.dist-info"
-    needs = "".join(f"Requires-Dist: {words}\n" for words in found.requires or ())
-    about = f"Metadata-Version: 2.1\nName: {_NAME}\nVersion: {found.version}\n{needs}"
-    kind = "Wheel-Version: 1.0\nGenerator: helpers.course\nRoot-Is-Purelib: true\n"
-    files = {
-        f"helpers/{path.relative_to(package).as_posix()}": path.read_bytes()
-        for path in sorted(package.rglob("*"))
-        if path.is_file() and "__pycache__" not in path.parts
-    }
-    files |= {f"{info}/METADATA": about.encode()}
-    files |= {f"{info}/WHEEL": f"{kind}Tag: py3-none-any\n".encode()}
-    record = [f"{name},sha256={_digest(content)},{len(content)}" for name, content in files.items()]
-    files[f"{info}/RECORD"] = "\n".join([*record, f"{info}/RECORD,,\n"]).encode()
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as file:
-        for name, content in files.items():
-            file.writestr(name, content)
-    return f"{stem}-py3-none-any.whl", packed.getvalue()
-
-
-def _digest(content: bytes) -> str:
-    return base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+    needs = requires("manipulator-homework-helpers") or ()
+    needed = [need for need in needs if "extra ==" not in need]
+    with TemporaryDirectory() as folder:
+        root = Path(folder)
+        shutil.copytree(
+            Path(helpers.__file__).parent, root / "helpers",
+            ignore=shutil.ignore_patterns("__pycache__"),
+        )  # fmt: skip
+        store.write(root / store.FILE, store.text(replace(course, secret="")))
+        for name, text in _FILES.items():
+            store.write(root / name, text.format(needed="\n".join(needed)))
+            (root / name).chmod(0o755)
+        shutil.make_archive(str(path.with_suffix("")), "zip", root)
 
 
 def run_gradescope(root: Path) -> dict[str, Any]:
-    """Mark the one submission that lies under /autograder, and write results/results.json,
-    always.
-    """
+    """Mark the one submission under /autograder, and write results/results.json, always."""
     try:
-        results = _gradescope_results(root)
+        found = _gradescope_results(root)
     except Exception as error:  # Gradescope calls a crash its own failure; say it in words instead
         words = f"Marking stopped ({type(error).__name__}); please tell your instructor."
-        results = {"score": 0, "output": words, "tests": []}
-    store.write(root / "results" / "results.json", store.as_json(results))
-    return results
+        found = {"score": 0, "output": words, "tests": []}
+    store.write(root / "results" / "results.json", store.as_json(found))
+    return found
 
 
 def _gradescope_results(root: Path) -> dict[str, Any]:
     course = store.load(root / "source")
     users = json.loads((root / "submission_metadata.json").read_bytes())["users"]
-    people = People(course.names)
-    meant = people.by_id(str(user.get("email", "")) for user in users)
-    meant = meant or {s for user in users for s in people.by_name(str(user.get("name", "")))}
+    told = [str(user.get(key, "")) for user in users for key in ("email", "name")]
+    meant = People(course.names).called(told)
     if len(meant) != 1:
-        who = "No sheet" if not meant else "More than one sheet"
-        words = (
-            f"{who} of this course belongs to your name and e-mail address; tell your instructor."
-        )
-        return {"score": 0, "output": words, "tests": []}
+        who = "More than one sheet" if meant else "No sheet"
+        words = f"{who} of this course belongs to your name and e-mail address"
+        return {"score": 0, "output": f"{words}; tell your instructor.", "tests": []}
     student = meant.pop()
-    sheet = course.unsigned(student)
+    sheet = course.sheet(student)
     handed = read_hand_in(within(root / "submission"), sheet.parts)
-    results = gradebook.gradescope(mark_sheet(sheet, handed.answers, course.rules), handed.trouble)
-    return {**results, "output": f"Marked as the sheet of {student}. {results['output']}"}
+    marks = mark_sheet(sheet, handed.answers)
+    tests = [
+        {"name": m.part, "score": round(m.credit, 4), "max_score": 1.0, "output": m.words}
+        for m in marks
+    ]
+    words = f"Marked as the sheet of {student}. {handed.trouble or 'Every part is judged below.'}"
+    score = round(sum(m.credit for m in marks), 4)
+    return {"score": score, "output": words, "tests": tests}
 
 
-def nbgrader_notebook(course: Course, sheet: Sheet) -> dict[str, Any]:
-    """A source notebook for `nbgrader generate_assignment`: the same sheet for everybody.
+def nbgrader_notebook(course: Course, student: str) -> dict[str, Any]:
+    """A source notebook for `nbgrader generate_assignment`: one student's sheet for everybody.
 
     Each answer cell is a solution; the locked cell after it holds a hidden test whose last line is
     the credit, which nbgrader takes as partial points.
     """
-    book = sheets.notebook(sheet, course, "all")
-    cells = []
+    sheet, cells = course.sheet(student), list[dict[str, Any]]()
+    entry = {**course.sheets[student], "name": "One sheet for everybody"}
+    book = making.notebook(replace(course, sheets={"all": entry}), "all")
     for cell in book["cells"]:
         name = cell["id"].removeprefix("answer-").replace("-", "_")
         if name in sheet.parts:
-            cells += [_solution(cell, sheet.parts[name]), _test(sheet, sheet.parts[name])]
+            stub = f"### BEGIN SOLUTION\n{PREFIX}{name} = None\n### END SOLUTION"
+            comment = cell["source"].splitlines()[0]
+            cells.append(_marked({**cell, "source": f"{comment}\n{stub}"}, solution=True))
+            cells.append(_marked(_test(sheet, name), locked=True, grade=True, points=1))
         elif cell["id"] not in ("hand-in", "write"):
             cells.append(_marked(cell, locked=True) if cell["id"] == "setup" else cell)
     return {**book, "cells": cells}
@@ -150,29 +127,21 @@ def _marked(cell: dict[str, Any], **kind: Any) -> dict[str, Any]:
     return {**cell, "metadata": {**cell["metadata"], "nbgrader": about}}
 
 
-def _solution(cell: dict[str, Any], part: Part) -> dict[str, Any]:
-    """nbgrader puts its stub in place of the solution; the line above it keeps the name."""
-    lines = [f"# {PREFIX}{part.name}: {part.what}", "### BEGIN SOLUTION"]
-    lines += [f"{PREFIX}{part.name} = None", "### END SOLUTION"]
-    return _marked({**cell, "source": "\n".join(lines)}, solution=True)
-
-
-def _test(sheet: Sheet, part: Part) -> dict[str, Any]:
+def _test(sheet: Sheet, name: str) -> dict[str, Any]:
     stored = {"arm": to_json(sheet.arm), "drawn": dict(sheet.drawn)}
     code = (
         "### BEGIN HIDDEN TESTS\nfrom helpers.course.autograders import credit\n\n"
-        f"stored = {stored!r}\ncredit({part.name!r}, {PREFIX}{part.name}, stored)\n"
+        f"stored = {stored!r}\ncredit({name!r}, {PREFIX}{name}, stored)\n"
         "### END HIDDEN TESTS"
     )
-    cell = sheets.code_cell(f"test-{part.name}", code)
-    return _marked(cell, locked=True, grade=True, points=1)
+    return making.code_cell(f"test-{name}", code)
 
 
 def credit(name: str, answer: Any, stored: Mapping[str, Any]) -> float:
     """The credit of one answer, for nbgrader's hidden tests: as if it had been handed in."""
     sheet = Sheet(from_json(stored["arm"]), stored["drawn"])
     typed = json.loads(collected({f"{PREFIX}{name}": answer}))
-    return mark(sheet, sheet.parts[name], typed.get(name), Rules()).credit
+    return mark(sheet, name, typed.get(name)).credit
 
 
 if __name__ == "__main__":

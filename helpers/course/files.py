@@ -1,27 +1,18 @@
 """Files that strangers made, read so that none of them can stop the reader.
 
-Links are not followed, devices and pipes not opened; what is too large, too deep or too much is
-told instead of read. A zip counts as a folder.
+Links are not followed, devices and pipes not opened; what is too large or too much is told instead
+of read. A zip counts as a folder, one in a zip as well, and no deeper.
 """
 
 import io
-import lzma
 import os
 import stat
 import zipfile
-import zlib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import IO
 
 FILE = 5_000_000  # bytes of one file; larger ones are not read
-ALL = 50_000_000  # bytes of one student's files together
-_MOST = 200  # files of one student
-_DEEPEST = 8  # folders and zips within each other
-_BROKEN = (
-    zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError, RuntimeError,
-)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -42,85 +33,72 @@ class Found:
         return words.encode(errors="backslashreplace").decode()  # a name need not be text
 
 
-def within(place: Path) -> tuple[Found, ...]:
-    """The files of one student: all below a folder in order of their names, those in zips too."""
-    try:
-        inside = sorted(os.listdir(place))
-    except OSError as error:
-        return (Found(place.name, trouble=f"cannot be read: {error.strerror}"),)
-    return limited(found for name in inside for found in walk(place / name, name))
-
-
-def limited(files: Iterable[Found], count: int = _MOST, size: int = ALL) -> tuple[Found, ...]:
-    """As many of the files as one student may have; the rest is told."""
-    kept: list[Found] = []
-    for found in files:
-        size -= len(found.content)
-        if len(kept) == count or size < 0:
-            told = f"not read: there are more than {count} files or {ALL:,} bytes"
+def within(place: Path, most: int = 200, size: int = 50_000_000) -> tuple[Found, ...]:
+    """The files below a folder, or in a zip, in order of their names, those in zips too; what is
+    beyond so many, or so many bytes, is told.
+    """
+    kept, left = list[Found](), size
+    for found in _in_zip(place) if place.is_file() else _unpacked(_walked(place)):
+        left -= len(found.content)
+        if len(kept) == most or left < 0:
+            told = f"not read: there are more than {most} files or {size:,} bytes"
             return (*kept, Found(found.name, trouble=told))
         kept.append(found)
     return tuple(kept)
 
 
-def walk(path: Path, name: str, depth: int = 1) -> Iterator[Found]:
-    """A file, or all files below a folder or in a zip, by the name that it goes by."""
+def _walked(place: Path) -> Iterator[Found]:
+    troubles: list[OSError] = []
+    for folder, inside, names in os.walk(place, onerror=troubles.append):
+        inside.sort()
+        links = [name for name in inside if os.path.islink(os.path.join(folder, name))]
+        for path in (Path(folder, name) for name in sorted([*names, *links])):
+            yield _read(path, path.relative_to(place).as_posix())
+    for error in troubles:
+        name = os.path.relpath(error.filename, place.parent)
+        yield Found(name, trouble=f"cannot be read: {error.strerror}")
+
+
+def _read(path: Path, name: str) -> Found:
+    careful = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
     try:
         status = path.lstat()
-        if not stat.S_ISDIR(status.st_mode):
-            yield from _opened(Found(name, _read(path)), depth)
-        elif depth > _DEEPEST:
-            yield Found(name, trouble="lies too deep")
-        else:
-            for inside in sorted(os.listdir(path)):
-                yield from walk(path / inside, f"{name}/{inside}", depth + 1)
+        if not stat.S_ISREG(status.st_mode):
+            return Found(name, trouble="no ordinary file")
+        if status.st_size > FILE:
+            return Found(name, trouble=f"larger than {FILE:,} bytes")
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | careful)) as file:
+            return Found(name, file.read(FILE))
     except OSError as error:
-        yield Found(name, trouble=f"cannot be read: {error.strerror}")
-    except ValueError as error:
-        yield Found(name, trouble=str(error))
+        return Found(name, trouble=f"cannot be read: {error.strerror}")
 
 
-def _read(path: Path) -> bytes:
-    """The content of an ordinary file; raises ValueError, in words, or OSError."""
-    if not stat.S_ISREG(path.lstat().st_mode):
-        raise ValueError("no ordinary file")
-    careful = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
-    with open(path, "rb", opener=lambda name, flags: os.open(name, flags | careful)) as file:
-        return _bounded(file)
+def _unpacked(files: Iterable[Found], depth: int = 2) -> Iterator[Found]:
+    """The files, and in place of a zip what it holds."""
+    for found in files:
+        if found.kind != ".zip":
+            yield found
+        elif not depth:
+            yield replace(found, content=b"", trouble="lies too deep")
+        else:
+            for inside in _in_zip(io.BytesIO(found.content), depth - 1):
+                yield replace(inside, name=f"{found.name}/{inside.name}")
 
 
-def _bounded(file: IO[bytes]) -> bytes:
-    content = file.read(FILE + 1)
-    if len(content) > FILE:
-        raise ValueError(f"larger than {FILE:,} bytes")
-    return content
-
-
-def _opened(found: Found, depth: int) -> Iterator[Found]:
-    """A file itself, or what a zip holds."""
-    if found.kind != ".zip":
-        yield found
-    elif depth > _DEEPEST:
-        yield replace(found, content=b"", trouble="lies too deep")
-    else:
-        inside = in_zip(io.BytesIO(found.content), depth + 1)
-        yield from limited(replace(f, name=f"{found.name}/{f.name}") for f in inside)
-
-
-def in_zip(file: IO[bytes], depth: int = 1) -> Iterator[Found]:
+def _in_zip(file: Path | io.BytesIO, depth: int = 2) -> Iterator[Found]:
     """The files in a zip, however often packed; one that is broken is told."""
     try:
         with zipfile.ZipFile(file) as archive:
-            for entry in archive.infolist():
-                if not entry.is_dir():
-                    yield from _opened(_entry(archive, entry), depth)
-    except (*_BROKEN, OSError, ValueError) as error:
+            entries = (_entry(archive, e) for e in archive.infolist() if not e.is_dir())
+            yield from _unpacked(entries, depth)
+    except Exception as error:  # a broken zip raises what it likes
         yield Found("", trouble=f"no zip that can be read: {error}")
 
 
 def _entry(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> Found:
+    if entry.file_size > FILE:  # of which zipfile reads no more than it says
+        return Found(entry.filename, trouble=f"larger than {FILE:,} bytes")
     try:
-        with archive.open(entry) as file:
-            return Found(entry.filename, _bounded(file))
-    except (*_BROKEN, OSError, ValueError) as error:
+        return Found(entry.filename, archive.read(entry))
+    except Exception as error:  # so does what it holds
         return Found(entry.filename, trouble=str(error))

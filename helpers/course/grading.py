@@ -1,101 +1,74 @@
 """Every hand-in of a course marked, each in a process of its own: what breaks costs its author."""
 
-import hashlib
-import json
+import csv
+import io
 import multiprocessing
 import os
 import threading
-import time
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from multiprocessing.connection import wait
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from helpers.course import gradebook, store
-from helpers.course.feedback import feedback_page
-from helpers.course.files import Found, within
-from helpers.course.handed_in import SHEET, HandIn, read_hand_in
-from helpers.course.marking import Rules, mark_sheet
-from helpers.course.progress import counted
-from helpers.course.sandbox import Limits
+from helpers.course import store
+from helpers.course.answers import SHEET
+from helpers.course.files import within
+from helpers.course.handed_in import HandIn, read_hand_in
+from helpers.course.marking import mark_sheet
+from helpers.course.store import Course
 from helpers.inputs import whole
-from helpers.variants import Sheet
 
-_RESULTS = "results.json"
 _PATIENCE = 600  # seconds for a student beyond those of the notebook: then something hangs
 _HOW = "forkserver" if "forkserver" in multiprocessing.get_all_start_methods() else "spawn"
 _STOPPED = "marking it stopped; please look at it by hand"
+# A spreadsheet runs a cell that begins with one of these (OWASP, CSV injection).
+_FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
 
 
-@dataclass(frozen=True)
-class Job:
-    """What is needed to mark one student; no secret is."""
-
-    student: str
-    name: str
-    title: str
-    sheet: Sheet
-    rules: Rules
-    folder: Path
-    out: Path
-    limits: Limits | None
-
-
-def grade(
-    folder: Path, secret: bytes, out: Path, *, jobs: int = 1, limits: Limits | None = None
-) -> list[dict[str, Any]]:
+def grade(folder: Path, out: Path, jobs: int = 1, seconds: int = 0) -> list[dict[str, Any]]:
     """Mark what every student of a course handed in; the rows of grades.csv, in the course's order.
 
-    Writes `out/grades.csv`, and for each student `feedback.html` and `results.json`. One whose
-    hand-in has not changed since the last run is not marked again. Notebooks are run within the
-    `limits`, and not at all without. Raises ArmError where a sheet is not signed by the secret.
+    Writes `out/grades.csv`, and for each student `feedback.txt`. Notebooks are run for so many
+    seconds, and not at all for 0.
     """
     whole(jobs, "jobs", least=1)
     course = store.load(folder)
-    todo = [
-        Job(s, n, course.title, course.sheet(s, secret), course.rules, folder / s, out / s, limits)
-        for s, n in course.names.items()
+    alone = [
+        replace(course, secret="", sheets={student: sheet})
+        for student, sheet in course.sheets.items()
     ]
-    rows = {row["id"]: row for row in counted(_marked(todo, jobs), "students", len(todo))}
-    ordered = [rows[job.student] for job in todo]
-    store.write(out / "grades.csv", gradebook.table(ordered))
-    return ordered
-
-
-def _marked(todo: Sequence[Job], at_once: int) -> Iterator[dict[str, Any]]:
-    """The rows as they come, each from a process of its own that is ended when it hangs."""
-    context: Any = multiprocessing.get_context(_HOW)
     if _HOW == "forkserver":
-        context.set_forkserver_preload([__name__])  # NumPy and all are read once
-    waiting, running = list(reversed(todo)), dict[Any, tuple[Job, Any, float]]()
+        multiprocessing.set_forkserver_preload([__name__])  # NumPy and all are read once
+    with ThreadPoolExecutor(jobs) as threads:
+        rows = list(threads.map(partial(_marked, folder, out, seconds), alone))
+    store.write(out / "grades.csv", table(rows))
+    return rows
+
+
+def _marked(folder: Path, out: Path, seconds: int, course: Course) -> dict[str, Any]:
+    """The row of a course's only student, from a process of its own that is ended when it hangs."""
+    context: Any = multiprocessing.get_context(_HOW)
+    ours, theirs = context.Pipe(duplex=False)
+    process = context.Process(target=_alone, args=(theirs, folder, out, seconds, course))
+    process.start()
+    theirs.close()
     try:
-        while waiting or running:
-            while waiting and len(running) < at_once:
-                job = waiting.pop()
-                process = context.Process(target=_alone, args=(job,))
-                process.start()
-                seconds = _PATIENCE + (job.limits.notebook if job.limits else 0)
-                running[process.sentinel] = job, process, time.monotonic() + seconds
-            first = min(end for _, _, end in running.values())
-            wait(list(running), max(0, first - time.monotonic()))
-            for sentinel, (job, process, end) in list(running.items()):
-                if process.is_alive() and time.monotonic() < end:
-                    continue
-                process.kill()
-                process.join()
-                del running[sentinel]
-                done = _known(job).get("row") if process.exitcode == 0 else None
-                yield done or _write(job, HandIn({}, _STOPPED), "")
+        if ours.poll(_PATIENCE + seconds):
+            return dict(ours.recv())
+    except EOFError:
+        pass  # it ended without a word
     finally:
-        for _, process, _ in running.values():
-            process.kill()
+        process.kill()
+        process.join()
+    return _written(course, out, HandIn({}, _STOPPED))
 
 
-def _alone(job: Job) -> None:
+def _alone(answer: Any, *work: Any) -> None:
     """Mark in a process of its own, which ends when whoever began it does."""
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    mark_one(job)
+    answer.send(mark_one(*work))
 
 
 def _end_with_parent() -> None:
@@ -104,55 +77,43 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def mark_one(job: Job) -> dict[str, Any]:
-    """One student's row: the known one where nothing has changed, else a new one."""
-    files = within(job.folder)
-    print_of = _fingerprint(job, files)
-    known = _known(job)
-    if known.get("fingerprint") == print_of:
-        return known["row"]
+def mark_one(folder: Path, out: Path, seconds: int, course: Course) -> dict[str, Any]:
+    """The row of a course's only student."""
+    (student,) = course.sheets
     try:
-        handed = read_hand_in(files, job.sheet.parts, job.limits)
-        return _write(job, handed, print_of)
+        handed = read_hand_in(within(folder / student), course.sheet(student).parts, seconds)
+        return _written(course, out, handed)
     except Exception as error:  # a hand-in may break what reads it in ways nobody thought of
-        return _write(job, HandIn({}, f"{_STOPPED} ({type(error).__name__})"), "")
+        return _written(course, out, HandIn({}, f"{_STOPPED} ({type(error).__name__})"))
 
 
-def _write(job: Job, handed: HandIn, print_of: str) -> dict[str, Any]:
-    """Marks, words and row of a hand-in, into the student's folder of results."""
-    marks = mark_sheet(job.sheet, handed.answers, job.rules)
-    other = str(handed.answers.get(SHEET, job.student))
-    wrong = f"this answers the sheet of {other[:64]!r}, not of {job.student!r}"
-    trouble = "; ".join(filter(None, [wrong if other != job.student else "", handed.trouble]))
-    row = gradebook.grade_row(job.student, job.name, marks, trouble)
-    who = f"{job.name} ({job.student})"
-    page = feedback_page(job.title, who, job.sheet, marks, trouble)
-    store.write(job.out / "feedback.html", page)
-    about = {"fingerprint": print_of, "row": row}
-    results = {**gradebook.gradescope(marks, trouble), "extra_data": about}
-    store.write(job.out / _RESULTS, store.as_json(results))
-    return row
+def _written(course: Course, out: Path, handed: HandIn) -> dict[str, Any]:
+    """The row of a hand-in: id, name, total, a column for each part, and what went wrong; what
+    was asked and what the checkers say, no solution, goes into the student's feedback.
+    """
+    ((student, name),) = course.names.items()
+    sheet = course.sheet(student)
+    marks = mark_sheet(sheet, handed.answers)
+    other = str(handed.answers.get(SHEET, student))
+    wrong = f"this answers the sheet of {other[:64]!r}, not of {student!r}"
+    trouble = "; ".join(filter(None, [wrong if other != student else "", handed.trouble]))
+    credits = {mark.part: round(mark.credit, 4) for mark in marks}
+    total = round(sum(credits.values()), 4)
+    lines = [f"{course.title}, {name} ({student}): {total:g} of {len(marks)}"]
+    lines += [f"Note: {trouble}."] if trouble else []
+    for part, mark in zip(sheet.parts.values(), marks, strict=True):
+        lines += ["", f"{mark.part}: {mark.credit:g}  ({part.what})"]
+        lines += [f"    {line}" for line in mark.words.splitlines()]
+    store.write(out / student / "feedback.txt", "\n".join(lines) + "\n")
+    return {"id": student, "name": name, "total": total, **credits, "note": trouble}
 
 
-def _known(job: Job) -> Mapping[str, Any]:
-    """The fingerprint and the row of the last run; empty where there was none."""
-    try:
-        return dict(json.loads((job.out / _RESULTS).read_bytes())["extra_data"])
-    except (OSError, ValueError, KeyError, TypeError):
-        return {}
-
-
-def _fingerprint(job: Job, files: Sequence[Found]) -> str:
-    """Of everything a mark depends on: the files, the sheet, the rules, how notebooks are run."""
-    about = [
-        job.name,
-        job.title,
-        dict(job.sheet.arm.values),
-        job.sheet.drawn,
-        job.rules,
-        job.limits,
-    ]
-    digest = hashlib.sha256(repr(about).encode())
-    for found in files:
-        digest.update(f"{found}\n".encode() + hashlib.sha256(found.content).digest())
-    return digest.hexdigest()
+def table(rows: Sequence[Mapping[str, Any]]) -> str:
+    """CSV of rows with the same keys, line ends as RFC 4180 wants; no word is a formula."""
+    file = io.StringIO()
+    writer = csv.DictWriter(file, list(rows[0]))
+    writer.writeheader()
+    for row in rows:
+        risky = [key for key, v in row.items() if isinstance(v, str) and v.startswith(_FORMULA)]
+        writer.writerow({**row, **{key: f"'{row[key]}" for key in risky}})
+    return file.getvalue()

@@ -11,14 +11,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from helpers.course import sandbox
-from helpers.course.answers import PREFIX
+from helpers.course.answers import NOTEBOOK, PREFIX, SHEET
 from helpers.course.files import Found
-from helpers.course.sandbox import Limits
 
-NOTEBOOK = "homework.ipynb"
-PAGE = "homework.html"
-SHEET = "sheet"  # the answer that says whose sheet it is
 _WHOSE = re.compile(rf"\b{PREFIX}{SHEET} = '([^']+)'|\"{SHEET}\": \"([^\"]+)\"")
+_LINE = re.compile(rf"^\s*{PREFIX}(\w+)(.*)$", re.M)
 
 
 @dataclass(frozen=True)
@@ -29,28 +26,26 @@ class HandIn:
     trouble: str = ""
 
 
-def read_hand_in(
-    files: Sequence[Found], parts: Collection[str], limits: Limits | None = None
-) -> HandIn:
-    """The answers in a student's files; a notebook is run where `limits` are given."""
-    written = [(file, _answers(file, parts)) for file in files if file.kind == ".json"]
-    written = [(file, answers) for file, answers in written if answers]
+def read_hand_in(files: Sequence[Found], parts: Collection[str], seconds: int = 0) -> HandIn:
+    """The answers in a student's files; a notebook is run for so many seconds, not at all for 0."""
+    read = {file.name: _json(file) for file in files if file.kind in (".json", ".ipynb")}
+    written = {name: named for name, data in read.items() if (named := _answers(data, parts))}
     if written:
-        if any(answers != written[0][1] for _, answers in written):
-            return _several("answers files", [file for file, _ in written])
-        return HandIn(written[0][1])
-    books = [(file, _notebook(file)) for file in files if file.kind == ".ipynb"]
-    begun = {file.content: (file, book) for file, book in books if book and not _untouched(book)}
+        first, *others = written.values()
+        different = any(other != first for other in others)
+        return _several("answers files", written) if different else HandIn(first)
+    books = {name: code for name, data in read.items() if (code := _code(data)) is not None}
+    begun = {"\n".join(code): name for name, code in books.items() if not _untouched(code)}
     if len(begun) > 1:
-        return _several("notebooks", [file for file, _ in begun.values()])
-    if begun:
-        (file, book) = begun.popitem()[1]
-        if limits is None:
-            return HandIn({}, f"{file.name}: {sandbox.NOT_RUN}")
-        ran = sandbox.run(book, limits)
-        none = "" if ran.answers else f"{file.name} answers nothing"
-        return HandIn(_named(ran.answers), ran.trouble or none)
-    return HandIn({}, _nothing(files, any(book for _, book in books)))
+        return _several("notebooks", begun.values())
+    if not begun:
+        return HandIn({}, _nothing(files, bool(books)))
+    (name,) = begun.values()
+    if not seconds:
+        return HandIn({}, f"{name}: {sandbox.NOT_RUN}")
+    answers, trouble = sandbox.run(books[name], seconds)
+    none = "" if answers else f"{name} answers nothing"
+    return HandIn(_named(answers), trouble or none)
 
 
 def whose(file: Found) -> str:
@@ -59,14 +54,13 @@ def whose(file: Found) -> str:
     return (said[1] or said[2]) if said else ""
 
 
-def _several(what: str, files: Sequence[Found]) -> HandIn:
-    names = ", ".join(map(str, files))
-    return HandIn({}, f"there are {len(files)} different {what} ({names}); hand in one")
+def _several(what: str, names: Collection[str]) -> HandIn:
+    return HandIn({}, f"there are {len(names)} different {what} ({', '.join(names)}); hand in one")
 
 
 def _nothing(files: Sequence[Found], untouched: bool) -> str:
     told = sorted(files, key=lambda file: not file.trouble)
-    seen = [str(file) for file in told if file.trouble or file.name not in (NOTEBOOK, PAGE)]
+    seen = [str(file) for file in told if file.trouble or file.name != NOTEBOOK]
     words = "nothing was answered" if untouched else "nothing was handed in"
     if not seen:
         return words
@@ -74,13 +68,16 @@ def _nothing(files: Sequence[Found], untouched: bool) -> str:
     return f"{words} that can be marked; seen: {', '.join(seen[:5])}{more}"
 
 
-def _answers(file: Found, parts: Collection[str]) -> dict[str, Any]:
-    """The answers in a JSON file by the names of parts; empty for one that is something else."""
+def _json(file: Found) -> Any:
     try:
-        found = json.loads(file.content)
+        return json.loads(file.content)
     except (ValueError, RecursionError):
-        return {}
-    named = _named(found) if isinstance(found, dict) else {}
+        return None
+
+
+def _answers(data: Any, parts: Collection[str]) -> dict[str, Any]:
+    """The answers in data by the names of parts; empty for what is something else."""
+    named = _named(data) if isinstance(data, dict) else {}
     return named if any(named.get(part) is not None for part in parts) else {}
 
 
@@ -88,25 +85,15 @@ def _named(found: Mapping[str, Any]) -> dict[str, Any]:
     return {name.removeprefix(PREFIX): answer for name, answer in found.items()}
 
 
-def _notebook(file: Found) -> dict[str, Any]:
-    """A notebook as data, with the cells that Jupyter knows; empty where the file holds none."""
+def _code(data: Any) -> list[str] | None:
+    """The sources of a notebook's cells of code; None where data are no notebook."""
     try:
-        book = json.loads(file.content)
-        cells = [cell for cell in book["cells"] if cell["cell_type"] in ("code", "markdown", "raw")]
-        for cell in cells:
-            cell["source"] = "".join(cell["source"])
-    except (ValueError, KeyError, TypeError, RecursionError):
-        return {}
-    return {"cells": cells}
+        return ["".join(c["source"]) for c in data["cells"] if c["cell_type"] == "code"]
+    except (KeyError, TypeError):
+        return None
 
 
-def _untouched(book: Mapping[str, Any]) -> bool:
+def _untouched(code: Sequence[str]) -> bool:
     """Whether every answer cell still holds the dots that the sheet came with."""
-    lines = [
-        line.replace(" ", "")
-        for cell in book["cells"]
-        if cell["cell_type"] == "code"
-        for line in cell["source"].splitlines()
-        if line.lstrip().startswith(PREFIX) and f"{PREFIX}{SHEET} =" not in line
-    ]
-    return bool(lines) and all(line.endswith("=...") for line in lines)
+    lines = _LINE.findall("\n".join(code))
+    return {rest.replace(" ", "") for name, rest in lines if name != SHEET} == {"=..."}

@@ -1,90 +1,130 @@
-"""A course made from a roster: a proved sheet for each student, and the key to it."""
+"""A course made from a roster: a proved sheet for each student, as a notebook to answer in.
 
-from collections.abc import Mapping, Sequence
+The notebook holds nothing of the key: only what the questions print, and whose sheet it is.
+"""
+
+import pprint
+import secrets
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from helpers import variants
 from helpers.arm import Arm
-from helpers.course import sheets, store
-from helpers.course.handed_in import NOTEBOOK, PAGE
-from helpers.course.marking import Rules
-from helpers.course.progress import counted
-from helpers.course.proof import prove
+from helpers.course import store
+from helpers.course.answers import NOTEBOOK, PREFIX, SHEET, as_typed
+from helpers.course.arms import to_json
+from helpers.course.marking import mark_sheet
 from helpers.course.roster import Student
 from helpers.course.store import Course
 from helpers.inputs import ArmError
 
 _TRIES = 20
+_HOW = (
+    "Answer by the names that each question gives. SI units, angles in radians unless you"
+    " say otherwise."
+    " What is forgiven stands beside each answer; fewer digits than that cost a little.\n\n"
+    "Put each answer in place of the dots. A list, a NumPy array, a SymPy matrix or a text will"
+    " do. The functions of `helpers.checks` say whether a result is right and what to look at if"
+    " it is not."
+)
+_LAST = (
+    "## Hand in\n\nThe last cell writes `answers.json` beside this notebook. Hand in both files."
+    " Run *Restart and run all* first, so that what is written is what the notebook says."
+)
+_SETUP = """import numpy as np
+import sympy as sp
+
+from helpers import checks, kinematics, motion, statics, symbolic
+from helpers.course.arms import from_json
+
+{prefix}{sheet} = {student!r}  # whose sheet this is
+arm = from_json(
+{arm}
+)"""
 
 
 def new(
-    roster: Sequence[Student], secret: bytes, arm: Arm, out: Path, *,
-    title: str = "Homework", topics: tuple[str, ...] | None = None,
-    rules: Mapping[str, Any] | None = None,
+    roster: Sequence[Student], arm: Arm, out: Path, *,
+    title: str = "Homework", topics: tuple[str, ...] = (), secret: str = "",
 ) -> Course:  # fmt: skip
-    """Draw a sheet for each student, prove it, and write notebook, page and course.json under
-    `out`.
+    """Draw a sheet for each student, prove it, and write the notebooks and course.json under `out`.
 
     A course that is there grows: who has a sheet keeps it, a notebook that was changed is left
-    alone, a corrected name and the given `rules` (fields of `Rules`) are taken over. Raises
-    ArmError where `out` holds a course of another title, arm, topics or secret.
+    alone, a corrected name is taken over. Raises ArmError where `out` holds a course of another
+    title, arm, topics or secret.
     """
-    asked = topics or variants.suiting(arm)
-    before = Course(title, arm, asked, Rules(), {})
+    topics = topics or variants.suiting(arm)
+    before = Course(title, arm, topics, secret or secrets.token_hex(), {})
     if (out / store.FILE).exists():
-        before = _same(store.load(out), before, secret)
-    course = replace(before, rules=replace(before.rules, **(rules or {})))
-    for student in counted(roster, "sheets", len(roster)):
-        entry = course.sheets.get(student.id) or _proved(course, student, secret)
-        entries = {**course.sheets, student.id: {**entry, "name": student.name}}
-        course = replace(course, sheets=entries)
-        _write_sheet(course, before, student.id, out / student.id)
-    store.save(course, out)
+        old = store.load(out)
+        if replace(old, sheets={}) != replace(before, secret=secret or old.secret):
+            raise ArmError(
+                f"there is a course {old.title!r} about {old.arm.name} with the topics"
+                f" {', '.join(old.topics)}; expected the same and its secret, or another folder"
+            )
+        before = old
+    entries = {
+        s.id: {**(before.sheets.get(s.id) or _proved(before, s.id)), "name": s.name} for s in roster
+    }
+    course = replace(before, sheets={**before.sheets, **entries})
+    for student in entries:
+        given = out / student / NOTEBOOK
+        untouched = store.as_json(notebook(before, student)) if student in before.sheets else ""
+        if not given.exists() or given.read_bytes() == untouched.encode():
+            store.write(given, store.as_json(notebook(course, student)))
+    store.write(out / store.FILE, store.text(course))
     return course
 
 
-def _same(old: Course, given: Course, secret: bytes) -> Course:
-    """The course that is there; raises ArmError where it is not the one that is meant."""
-    about = (given.title, given.arm, given.topics)
-    if not old.topics or (old.title, old.arm, old.topics) != about:
-        raise ArmError(
-            f"there is a course {old.title!r} about {old.arm.name} with the topics"
-            f" {', '.join(old.topics)}; expected the same, or another folder"
-        )
-    for student in old.sheets:
-        old.sheet(student, secret)
-    return old
+def _proved(course: Course, student: str) -> dict[str, Any]:
+    """The values and drawn numbers of the first sheet whose own key gets full marks.
 
-
-def _proved(course: Course, student: Student, secret: bytes) -> dict[str, Any]:
-    """The first sheet of a student's that can be marked; a pose may hide a mistake, then another is
-    drawn. Raises ArmError where twenty in a row hide one.
+    Raises ArmError where twenty in a row do not.
     """
-    trouble = ArmError("no sheet was drawn")
     for attempt in range(_TRIES):
-        entry = store.drawn_sheet(course, student.id, student.name, secret, attempt)
-        try:
-            prove(replace(course, sheets={student.id: entry}).sheet(student.id, secret))
-        except ArmError as error:
-            trouble = error
-        else:
-            return entry
-    raise trouble
+        sheet = variants.sheet(course.arm, store.seed(course, student, attempt), course.topics)
+        marks = mark_sheet(sheet, right_work(sheet))
+        if all(mark.credit == 1 for mark in marks):
+            return {"values": dict(sheet.arm.values), "drawn": dict(sheet.drawn)}
+    wrong = next(mark for mark in marks if mark.credit != 1)
+    raise ArmError(f"`{wrong.part}` cannot be marked: its own key is judged {wrong.headline!r}")
 
 
-def _write_sheet(course: Course, before: Course, student: str, folder: Path) -> None:
-    """The notebook, unless it was changed since it was given out, and the page."""
-    book = sheets.notebook(course.unsigned(student), course, student)
-    given, page = folder / NOTEBOOK, folder / PAGE
-    old = sheets.notebook(course.unsigned(student), before, student)
-    if not given.exists() or given.read_bytes() == store.as_json(old).encode():
-        store.write(given, store.as_json(book))
-    store.write(page, sheets.sheet_page(book, f"{course.title}, {student}"))
+def right_work(sheet: variants.Sheet) -> dict[str, Any]:
+    """The key as a student would hand it in: four decimals, a table's rows, formulas."""
+    values = {name: part.value for name, part in sheet.parts.items()}
+    return {n: as_typed(x.round(4) if isinstance(x, np.ndarray) else x) for n, x in values.items()}
 
 
-def key(folder: Path, secret: bytes, student: str) -> str:
-    """The key to a student's sheet as Markdown."""
-    sheet = store.load(folder).sheet(student, secret)
-    return "\n\n".join(question.key for question in sheet.questions)
+def notebook(course: Course, student: str) -> dict[str, Any]:
+    """The sheet as a notebook, nbformat 4.5: questions, answer cells, and how to hand in."""
+    sheet, name = course.sheet(student), course.names[student]
+    arm = pprint.pformat(to_json(sheet.arm), width=96, sort_dicts=False)
+    cells = [
+        _text("title", f"# {course.title}\n\n{name} ({student})\n\n{_HOW}"),
+        _text("arm", f"## The arm\n\n{sheet.arm._repr_markdown_()}"),
+        code_cell("setup", _SETUP.format(prefix=PREFIX, sheet=SHEET, student=student, arm=arm)),
+    ]
+    for number, question in enumerate(sheet.questions, 1):
+        cells.append(_text(f"question-{number}", question.markdown))
+        for part in question.parts:
+            code = f"# {part.what}\n{PREFIX}{part.name} = ..."
+            cells.append(code_cell(f"answer-{part.name}", code))
+    cells.append(_text("hand-in", _LAST))
+    cells.append(code_cell("write", "from helpers.course import hand_in\n\nhand_in(globals())"))
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    return {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
+
+
+def _text(cell_id: str, source: str) -> dict[str, Any]:
+    return {"cell_type": "markdown", "id": cell_id, "metadata": {}, "source": source}
+
+
+def code_cell(cell_id: str, source: str) -> dict[str, Any]:
+    """A cell of code that was not run."""
+    empty: dict[str, Any] = {"execution_count": None, "metadata": {}, "outputs": []}
+    return {"cell_type": "code", "id": cell_id.replace("_", "-"), "source": source, **empty}

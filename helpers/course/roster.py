@@ -24,8 +24,7 @@ class Student:
 
 
 def read_roster(path: str | Path) -> tuple[Student, ...]:
-    """The students in a CSV file with the columns id and name, in UTF-8; other columns are left
-    alone.
+    """The students in a CSV file with the columns id and name, in UTF-8, beside any others.
 
     Raises ArmError, with the line, for a column that is missing, an id that can name no folder, and
     an id that stands twice (capitals count as small letters, as some disks see them).
@@ -33,31 +32,25 @@ def read_roster(path: str | Path) -> tuple[Student, ...]:
     try:
         with Path(path).open(encoding="utf-8-sig", newline="") as file:
             rows = list(csv.DictReader(file))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+    except (UnicodeDecodeError, csv.Error) as error:
         raise ArmError(f"roster {str(path)!r} cannot be read: {error}") from None
-    students, seen = [], dict[str, int]()
+    students = dict[str, Student]()
     for line, row in enumerate(rows, 2):
         if None in (row.get("id"), row.get("name")):
             columns = ", ".join(k for k in row if k) or "none"
             raise ArmError(f"roster line {line} has the columns {columns}; expected id and name")
         student = Student(row["id"].strip(), row["name"].strip())
-        must_name_a_folder(student.id, f"roster line {line}: id")
-        first = seen.setdefault(student.id.casefold(), line)
-        if first != line:
-            raise ArmError(f"roster line {line}: id {student.id!r} stands in line {first} already")
-        students.append(student)
+        if not _ID.fullmatch(student.id) or _TAKEN.fullmatch(student.id.split(".")[0]):
+            raise ArmError(
+                f"roster line {line}: id is {student.id!r}; expected 1 to 64 letters, digits and"
+                " . _ @ -, a letter or digit at either end, and no name that Windows keeps for"
+                " itself"
+            )
+        if students.setdefault(student.id.casefold(), student) is not student:
+            raise ArmError(f"roster line {line}: id {student.id!r} stands above already")
     if not students:
         raise ArmError(f"roster {str(path)!r} holds no student; expected lines under id,name")
-    return tuple(students)
-
-
-def must_name_a_folder(student: str, what: str) -> None:
-    """Raise ArmError unless an id is 1 to 64 letters, digits and . _ @ - that no system refuses."""
-    if not _ID.fullmatch(student) or _TAKEN.fullmatch(student.split(".")[0]):
-        raise ArmError(
-            f"{what} is {student!r}; expected 1 to 64 letters, digits and . _ @ -, a letter or"
-            " digit at either end, and no name that Windows keeps for itself"
-        )
+    return tuple(students.values())
 
 
 class People:
@@ -71,14 +64,15 @@ class People:
             for turn in range(len(words)):  # some put the last name first, with or without a comma
                 self._names["".join(words[turn:] + words[:turn])].add(student)
 
-    def by_id(self, words: Iterable[str]) -> set[str]:
-        """Whose id, or mail address by its part before the @, one of the words is."""
-        every = {key for word in words for key in (word.casefold(), word.casefold().split("@")[0])}
-        return {self._ids[key.strip()] for key in every if key.strip() in self._ids}
-
-    def by_name(self, word: str) -> set[str]:
-        """All who have this name, in whatever order its parts stand."""
-        return set(self._names.get(_letters(word).replace(" ", ""), ()))
+    def called(self, words: Iterable[str]) -> set[str]:
+        """Whose id, or mail address by its part before the @, one of the words is; if nobody's, all
+        who have one of them for a name, in whatever order its parts stand.
+        """
+        words = [word.strip().casefold() for word in words]
+        keys = {key for word in words for key in (word, word.split("@")[0])}
+        names = {_letters(word).replace(" ", "") for word in words}
+        by_id = {self._ids[key] for key in keys & self._ids.keys()}
+        return by_id or {s for name in names & self._names.keys() for s in self._names[name]}
 
 
 def _letters(name: str) -> str:

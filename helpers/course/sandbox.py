@@ -19,8 +19,7 @@ import struct
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -28,63 +27,49 @@ from typing import Any
 import helpers
 
 NOT_RUN = "notebooks are not run here; hand in answers.json, or install bubblewrap"
+SECONDS = 120  # for a notebook
 _SIZE = 5_000_000  # bytes of the answers that are read
-
-
-@dataclass(frozen=True)
-class Limits:
-    """Seconds for a notebook and for one of its cells, and bytes of memory for each process."""
-
-    notebook: int = 120
-    cell: int = 30
-    memory: int = 4 * 2**30
-
-
-@dataclass(frozen=True)
-class Ran:
-    """What came of a notebook: its answers, and words about what went wrong."""
-
-    answers: Mapping[str, Any]
-    trouble: str = ""
 
 
 def refusal() -> str:
     """Why no notebook can be run on this machine and what to do; "" where one can."""
     if sys.platform != "linux" or platform.machine() not in _CALLS:
         return "notebooks are run on Linux on x86-64 or ARM64 only"
-    if not all(map(shutil.which, ("bwrap", "setpriv"))):
+    if os.geteuid() == 0:  # no limit on the number of processes holds for the superuser's
+        return "notebooks are not run by the superuser; type the command as an ordinary user"
+    if not shutil.which("bwrap"):
         return "to run notebooks, install bubblewrap (on Debian and Ubuntu: apt install bubblewrap)"
-    if _execute([sys.executable, "-c", "import nbclient; print(1)"], {}, 60) != b"1\n":
+    if not find_spec("nbclient"):
+        return "to run notebooks, pip install 'manipulator-homework-helpers[course]'"
+    if _execute([sys.executable, "-c", "import nbclient; print(1)"], b"", 60) != b"1\n":
         return "bubblewrap is installed, but the system does not let it work; notebooks are not run"
     return ""
 
 
-def run(book: Mapping[str, Any], limits: Limits) -> Ran:
-    """Execute the code of a notebook and read the answers that its names hold at the end.
+def run(code: Sequence[str], seconds: int) -> tuple[Mapping[str, Any], str]:
+    """The answers that a notebook's names hold when its cells have run, and what went wrong.
 
-    One that is broken, endless or hostile raises nothing: the trouble is told in the result.
+    One that is broken, endless or hostile raises nothing.
     """
-    code = [cell["source"] for cell in book["cells"] if cell["cell_type"] == "code"]
-    numbers = map(str, (limits.notebook, limits.cell, limits.memory))
-    command = [sys.executable, "-m", "helpers.course.inside", "/in.json", *numbers]
-    printed = _execute(command, {"/in.json": json.dumps(code).encode()}, limits.notebook)
+    command = [sys.executable, "-m", "helpers.course.inside", str(seconds)]
+    printed = _execute(command, json.dumps(code).encode(), seconds)
     try:
         found = json.loads(printed.splitlines()[-1])
-        answers, trouble = found.get("answers", {}), str(found["trouble"])
-        return Ran({str(name): answer for name, answer in answers.items()}, trouble[:200])
-    except (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError):
-        return Ran({}, "running it gave no result: too long, too large, or stopped by itself")
+        return dict(found["answers"]), str(found["trouble"])[:200]
+    except (ValueError, KeyError, TypeError, IndexError, RecursionError):
+        return {}, "running it gave no result: too long, too large, or stopped by itself"
 
 
-def _execute(command: Sequence[str], given: Mapping[str, bytes], seconds: int) -> bytes:
+def _execute(command: Sequence[str], given: bytes, seconds: int) -> bytes:
     """What a command prints in the sandbox within its time; then all that it began is killed."""
     with contextlib.ExitStack() as stack:
-        data = {path: stack.enter_context(_readable(content)) for path, content in given.items()}
-        calls = stack.enter_context(_readable(_filter()))
-        out = stack.enter_context(tempfile.TemporaryFile())
+        read, calls, out = (stack.enter_context(tempfile.TemporaryFile()) for _ in range(3))
+        for file, content in ((read, given), (calls, _filter())):
+            file.write(content)
+            file.seek(0)
         process = subprocess.Popen(
-            [*_bubblewrap(data, calls), *command], stdin=subprocess.DEVNULL, stdout=out,
-            stderr=subprocess.DEVNULL, env={}, cwd="/", pass_fds=(*data.values(), calls),
+            [*_bubblewrap(calls.fileno()), *command], stdin=read, stdout=out,
+            stderr=subprocess.DEVNULL, env={}, cwd="/", pass_fds=[calls.fileno()],
             start_new_session=True,
         )  # fmt: skip
         try:
@@ -99,73 +84,32 @@ def _execute(command: Sequence[str], given: Mapping[str, bytes], seconds: int) -
         return out.read(_SIZE)
 
 
-@contextlib.contextmanager
-def _readable(content: bytes) -> Iterator[int]:
-    """A descriptor from which another process reads this."""
-    with tempfile.TemporaryFile() as file:
-        file.write(content)
-        file.seek(0)
-        yield file.fileno()
-
-
-def _bubblewrap(data: Mapping[str, int], calls: int) -> list[str]:
-    """The command that makes a root of its own: the system's programs, Python, the packages and
-    the given files, all read-only, and two folders in memory.
-    """
-    as_root = os.geteuid() == 0
-    words = [str(shutil.which("bwrap")), *(_ROOTS_NAMESPACES if as_root else _NAMESPACES)]
+def _bubblewrap(calls: int) -> list[str]:
+    """A root of its own: programs, Python and packages, read-only, and two folders in memory."""
+    words = [str(shutil.which("bwrap")), "--unshare-all", "--unshare-user", "--cap-drop", "ALL"]
     words += ["--die-with-parent", "--new-session", "--clearenv", "--seccomp", str(calls)]
     words += ["--ro-bind", "/usr", "/usr"]
     for folder in ("/lib", "/lib64", "/bin"):
-        if Path(folder).is_dir():
-            kind = (
-                ["--symlink", f"usr{folder}"]
-                if Path(folder).is_symlink()
-                else ["--ro-bind", folder]
-            )
-            words += [*kind, folder]
-    words += ["--proc", "/proc", "--ro-bind", "/dev/null", "/proc/keys", "--dev", "/dev"]
-    words += ["--remount-ro", "/dev"]
+        if Path(folder).is_symlink():
+            words += ["--symlink", f"usr{folder}", folder]
+        elif Path(folder).is_dir():
+            words += ["--ro-bind", folder, folder]
+    words += ["--proc", "/proc", "--ro-bind", "/dev/null", "/proc/keys"]
+    words += ["--dev", "/dev", "--remount-ro", "/dev"]
     for folder in ("/home", "/tmp"):
         words += ["--perms", "1777", "--size", "67108864", "--tmpfs", folder]
     for path in _mounted():
-        # Made by bubblewrap itself, the folders above would be for their owner only.
-        for above in [*reversed(Path(path).parents)][1:]:
-            words += ["--perms", "0755", "--dir", str(above)]
         words += ["--ro-bind", path, path]
-    for path, descriptor in data.items():
-        words += ["--perms", "0444", "--ro-bind-data", str(descriptor), path]
     words += ["--remount-ro", "/", "--chdir", "/home"]
     for name, value in _environment().items():
         words += ["--setenv", name, value]
-    return [*words, *(_as_nobody() if as_root else [])]
-
-
-# A namespace of users is what makes the others possible for an ordinary user, and the number of
-# processes is counted in it. For the superuser no such number holds, in whatever namespace: the
-# kernel asks who he is outside. So he needs none, and what he runs becomes nobody instead.
-_NAMESPACES = ["--unshare-all", "--unshare-user", "--cap-drop", "ALL"]
-_ROOTS_NAMESPACES = ["--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts"]
-_ROOTS_NAMESPACES += ["--unshare-cgroup-try", "--cap-drop", "ALL"]
-for _capability in ("CAP_SETUID", "CAP_SETGID", "CAP_SETPCAP"):
-    _ROOTS_NAMESPACES += ["--cap-add", _capability]
-
-
-def _as_nobody() -> list[str]:
-    """setpriv: a user without a name, rights or files, another one for each notebook that runs at
-    the same time, so that they do not count for each other.
-    """
-    user = 2**30 + os.getpid()
-    words = [str(shutil.which("setpriv")), f"--reuid={user}", f"--regid={user}", "--clear-groups"]
-    return [*words, "--no-new-privs", "--inh-caps=-all", "--bounding-set=-all"]
+    return words
 
 
 def _mounted() -> list[str]:
-    """Where Python, its packages and the helpers lie, each once; secrets and sheets lie
-    elsewhere.
-    """
+    """Where Python, its packages and the helpers lie, each once; sheets lie elsewhere."""
     folders = {sys.base_prefix, sys.prefix, str(Path(helpers.__file__).parent), _packages()}
-    return [f for f in sorted(folders) if f and not f"{f}/".startswith("/usr/")]
+    return [f for f in sorted(folders) if not f"{f}/".startswith("/usr/")]
 
 
 def exposed(path: Path) -> bool:
@@ -174,9 +118,8 @@ def exposed(path: Path) -> bool:
 
 
 def _packages() -> str:
-    """The folder of installed packages in which nbclient is; "" where it is not installed."""
-    found = find_spec("nbclient")
-    return str(Path(str(found.origin)).parents[1]) if found else ""
+    """The folder of installed packages in which nbclient is."""
+    return str(Path(str(getattr(find_spec("nbclient"), "origin", None))).parents[1])
 
 
 def _environment() -> dict[str, str]:

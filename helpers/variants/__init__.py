@@ -1,14 +1,13 @@
 """Homework with numbers of its own: what is drawn, how it is asked, and the key to it.
 
-`draw` turns a seed into plain numbers, `question` turns an arm and those numbers into a text and
-its key: exactly the numbers that the text prints are judged. A sheet keeps what was drawn.
+A seed draws plain numbers; an arm and those numbers make a text and its key, so that exactly the
+numbers that the text prints are judged. A sheet keeps what was drawn.
 """
 
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -23,9 +22,7 @@ TOPICS = tuple(BY_NAME)
 
 @dataclass(frozen=True, repr=False)
 class Question:
-    """One topic of the homework with numbers of its own: the arm, what was drawn, the text and the
-    key.
-    """
+    """One topic of the homework with numbers of its own: what was drawn, the text and the key."""
 
     topic: str
     arm: Arm
@@ -36,18 +33,9 @@ class Question:
     @property
     def markdown(self) -> str:
         """The question and the names to answer by."""
-        lines = [f"## {self.title}", "", self.text, "", *(part.asked for part in self.parts)]
-        return "\n".join(lines)
-
-    @property
-    def key(self) -> str:
-        """The key as Markdown."""
-        return "\n".join([f"**Key: {self.title}**", "", *(part.key for part in self.parts)])
-
-    @property
-    def title(self) -> str:
-        """The topic with a capital."""
-        return self.topic[0].upper() + self.topic[1:]
+        title = self.topic[0].upper() + self.topic[1:]
+        names = [f"- `{p.name}`: {p.what}; {p.tolerance:g} off is forgiven" for p in self.parts]
+        return "\n".join([f"## {title}", "", self.text, "", *names])
 
     def __repr__(self) -> str:
         return f"<Question on {self.topic}: {self.arm.name}>"
@@ -83,35 +71,24 @@ def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> S
     found.
     """
     must_be(arm, Arm, "arm")
-    asked = suiting(arm) if topics is None else topics
-    asked = listed(asked, "topics", f"some of {', '.join(TOPICS)}")
-    other = _with_other_lengths(arm, seed)
-    return Sheet(other, {topic: draw(topic, other, seed) for topic in asked})
+    if topics is None:
+        topics = suiting(arm)
+    for topic in listed(topics, "topics", f"some of {', '.join(TOPICS)}"):
+        if lacking := lacks(one_of(topic, "topic", TOPICS), arm):
+            raise ArmError(f"{arm.name} does not suit {topic}; it needs {lacking}")
+    own = _with_other_lengths(arm, seed)
+    drawn = {topic: BY_NAME[topic].draw(own, _generator(seed, topic)) for topic in topics}
+    return Sheet(own, drawn)
 
 
 def variant(topic: str, arm: Arm, seed: int | str) -> Question:
     """A topic's question about an arm with other lengths, as a seed draws them."""
-    (found,) = sheet(arm, seed, (topic,)).questions
-    return found
-
-
-def draw(topic: str, arm: Arm, seed: int | str) -> dict[str, Any]:
-    """The numbers of a topic's question about an arm: plain lists and numbers, as JSON keeps
-    them.
-    """
-    one_of(topic, "topic", TOPICS)
-    must_be(arm, Arm, "arm")
-    if lacking := lacks(topic, arm):
-        raise ArmError(f"{arm.name} does not suit {topic}; it needs {lacking}")
-    return BY_NAME[topic].draw(arm, _generator(seed, topic))
+    return sheet(arm, seed, (topic,)).questions[0]
 
 
 def question(topic: str, arm: Arm, given: Given) -> Question:
     """The question and its key from an arm and the numbers that were drawn."""
-    one_of(topic, "topic", TOPICS)
-    must_be(arm, Arm, "arm")
-    text, parts = BY_NAME[topic].ask(arm, given)
-    return Question(topic, arm, given, text, parts)
+    return Question(topic, arm, given, *BY_NAME[topic].ask(arm, given))
 
 
 def suiting(arm: Arm) -> tuple[str, ...]:
@@ -128,9 +105,7 @@ def _generator(seed: int | str, label: str) -> Rng:
 
 
 def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
-    """The arm with every value within a tenth of its own, to three decimals; one that is 0
-    stays.
-    """
+    """The arm with every value within a tenth of its own, to three decimals."""
     factors = _generator(seed, "lengths").uniform(0.9, 1.1, len(arm.values))
     pairs = zip(arm.values.items(), factors, strict=True)
     new = {name: round(value * float(factor), 3) for (name, value), factor in pairs}
@@ -138,9 +113,7 @@ def _with_other_lengths(arm: Arm, seed: int | str) -> Arm:
 
 
 def with_lengths(arm: Arm, values: Mapping[str, float]) -> Arm:
-    """An arm with other values, and bodies of just the numbers that a sheet prints: six
-    decimals.
-    """
+    """An arm with other values, and bodies of just the six decimals that a sheet prints."""
     arm = arm.with_values(**values)
     bodies = [[round(arm.number(x), 6) + 0.0 for x in (b.mass, *b.com)] for b in arm.bodies]
     return arm.with_bodies([Body(mass, com) for mass, *com in bodies])

@@ -6,16 +6,16 @@ may draw others, asks the same questions of them still.
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from helpers import inverse, symbolic
-from helpers.arm import Arm, prismatic, revolute
+from helpers.arm import Arm, Joint, Row
 from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics, jacobian, link_frames
-from helpers.motion import Path, SingularError, Trace, circle, plain_inverse, trace
+from helpers.motion import SingularError, Trace, circle, plain_inverse, trace
 from helpers.statics import gravity_torque, static_torque
 
 Array = NDArray[np.float64]
@@ -31,8 +31,7 @@ _POSE_DIGITS = 6  # of a target as printed: 1e-6 m moves a joint by 1e-6 / 0.04 
 
 @dataclass(frozen=True)
 class Part:
-    """One line of a key: the name to answer by, what is asked, the right value, and the tolerance
-    told.
+    """One line of a key: the name to answer by, what is asked, the right value, the tolerance told.
 
     `kind` says which checker judges it. `value` is an array, an `Arm` for a table, or the branches,
     shape (k, dof), for inverse kinematics.
@@ -44,47 +43,24 @@ class Part:
     value: Any
     tolerance: float
 
-    @property
-    def asked(self) -> str:
-        """The line on the sheet."""
-        told = {"table": "", "column": "; it is evaluated at poses of our choice"}
-        forgiven = told.get(self.kind, f"; {self.tolerance:g} off is forgiven")
-        return f"- `{self.name}`: {self.what}{forgiven}"
-
-    @property
-    def key(self) -> str:
-        """The line in the key."""
-        if isinstance(self.value, Arm):
-            return f"- `{self.name}`, {self.what}:\n\n{self.value._repr_markdown_()}"
-        if self.kind == "column":
-            entries = [f"`{entry}`" for entry in self.value]
-            return f"- `{self.name}`, {self.what}: {', '.join(entries)}"
-        return f"- `{self.name}`, {self.what}: ${matrix(self.value)}$"
-
 
 def _pose(arm: Arm, rng: Rng) -> Array:
-    """Joint values to two decimals, well inside their range and away from singular poses."""
+    """Joint values to two decimals, well inside their range and away from singular poses: where
+    the joints cannot hold all six rows, those of the tip's place alone count.
+    """
     lower, upper = (np.clip(limit, -2.4, 2.4) for limit in arm.limits)
+    rows, somewhere = 6 if arm.dof >= 6 else 3, np.linspace(0.3, 0.9, arm.dof)
+    rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[:rows])  # 2 for an arm that is plane
     for _ in range(_TRIES):
         q = (lower + (upper - lower) * rng.uniform(0.1, 0.9, arm.dof)).round(2) + 0.0
-        if _smallest(arm, q) > _SMALLEST:
+        if np.linalg.svd(jacobian(arm, q)[:rows], compute_uv=False)[rank - 1] > _SMALLEST:
             return q
     raise ArmError(f"{arm.name}: no pose away from a singular one was found in {_TRIES} tries")
 
 
-def _smallest(arm: Arm, q: Array) -> float:
-    """The smallest singular value of what the joints can command: all six rows, or the place
-    alone.
-    """
-    rows = slice(0, 6 if arm.dof >= 6 else 3)
-    somewhere = np.random.default_rng(0).uniform(0.3, 0.9, arm.dof)
-    rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[rows])  # 2 for an arm that is plane
-    return float(np.linalg.svd(jacobian(arm, q)[rows], compute_uv=False)[rank - 1])
-
-
 def _draw_table(arm: Arm, rng: Rng) -> dict[str, Any]:
     """An arm of four joints that no other question mentions, since their tables stand on the
-    sheet.
+    sheet; each of its joints moves the tip or turns it in a way of its own.
     """
     while True:
         rows = [_drawn_row(rng) for _ in range(4)]
@@ -93,7 +69,9 @@ def _draw_table(arm: Arm, rng: Rng) -> dict[str, Any]:
             continue
         along = (rng.integers(-4, 5, len(rows)) * 0.05).round(2).tolist()
         given = {"rows": rows, "along": along}
-        if all(row["alpha"] != "0" or row["a"] for row in rows) and _tells_its_joints(given):
+        J = jacobian(drawn_arm(given), [0.3, 0.5, 0.7, 0.9])
+        full_rank = np.linalg.svd(J, compute_uv=False)[-1] > 0.05
+        if full_rank and all(row["alpha"] != "0" or row["a"] for row in rows):
             return given
 
 
@@ -107,52 +85,35 @@ def _drawn_row(rng: Rng) -> dict[str, Any]:
     }
 
 
-def _tells_its_joints(given: Given) -> bool:
-    """Whether every joint moves the tip or turns it in a way of its own: the Jacobian has full
-    rank.
-    """
-    J = jacobian(drawn_arm(given), [0.3, 0.5, 0.7, 0.9])
-    return bool(np.linalg.svd(J, compute_uv=False)[-1] > 0.05)
-
-
 def drawn_arm(given: Given) -> Arm:
     """The arm of a table question, from the rows that were drawn."""
-    make = {"revolute": revolute, "prismatic": prismatic}
-    plain: list[dict[str, Any]] = [
-        {key: 0 if x == "0" else x for key, x in row.items()} for row in given["rows"]
+    rows = [
+        Row(row["a"], row["alpha"], row["d"], row["theta"], Joint(row["kind"]))
+        for row in given["rows"]
     ]
-    rows = [make[r["kind"]](r["a"], r["alpha"], r["d"], r["theta"]) for r in plain]
-    return Arm("Arm of the drawing", tuple(rows))
+    return Arm("Arm of the drawing", rows)
 
 
 def _ask_table(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     drawn = drawn_arm(given)
+    frames = link_frames(drawn, np.zeros(drawn.dof))
     lines = ["| joint | it | a point on its axis (m) | direction |", "|:-:|:--|:--|:--|"]
-    for number, verb, point, direction in axes(drawn, given["along"]):
-        lines.append(f"| {number} | {verb} | ${matrix(point)}$ | ${matrix(direction)}$ |")
-    tool = forward_kinematics(drawn, np.zeros(drawn.dof))
+    for i, (row, shift) in enumerate(zip(drawn.rows, given["along"], strict=True)):
+        verb = {"revolute": "turns", "prismatic": "slides"}[row.joint.kind]
+        point, z = frames[i, :3, 3] + shift * frames[i, :3, 2], frames[i, :3, 2]
+        lines.append(f"| {i + 1} | {verb} | ${matrix(point)}$ | ${matrix(z)}$ |")
+    tip = frames[-1]
     text = (
         "Another arm. Its joint axes at $q = 0$, in the base frame, whose $z$ axis is the"
         " first joint axis:\n\n"
         + "\n".join(lines)
-        + f"\n\nThe tip is at $p = {matrix(tool[:3, 3])}$; its frame has the axes"
-        f" $x = {matrix(tool[:3, 0])}$ and $z = {matrix(tool[:3, 2])}$. Write a table of this arm"
+        + f"\n\nThe tip is at $p = {matrix(tip[:3, 3])}$; its frame has the axes"
+        f" $x = {matrix(tip[:3, 0])}$ and $z = {matrix(tip[:3, 2])}$. Write a table of this arm"
         " in the standard convention. Every choice of frames that the convention allows is right."
     )
-    what = "the table, one row (a, alpha, d, theta) for each joint: m and rad, theta and d"
-    what += " without the joint variable"
+    what = "the table, one row (a, alpha, d, theta) for each joint: m and rad, the joint's"
+    what += " variable (q_1, q_2, ...) in theta or d"
     return text, (Part("table", what, "table", drawn, 5e-4),)
-
-
-def axes(arm: Arm, along: list[float]) -> list[tuple[int, str, Array, Array]]:
-    """The moving joints' axes at q = 0: number, kind, a point moved `along` its axis, direction."""
-    frames = link_frames(arm, np.zeros(arm.dof))
-    found = []
-    for number, shift in zip(arm.joints, along, strict=True):
-        frame = frames[number - 1]
-        kind = {"revolute": "turns", "prismatic": "slides"}[arm.rows[number - 1].joint.kind]
-        found.append((number, kind, frame[:3, 3] + shift * frame[:3, 2], frame[:3, 2]))
-    return found
 
 
 def _draw_pose(arm: Arm, rng: Rng) -> dict[str, Any]:
@@ -187,7 +148,7 @@ def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
         " How does the tip move?"
         f" Then column {column} of the Jacobian in symbols, for any $q$: write {names}."
     )
-    formula = f"column {column} in symbols, six formulas"
+    formula = f"column {column} in symbols, six formulas, evaluated at poses of our choice"
     return text, (
         Part("J", "the Jacobian, rows $(v, \\omega)$ in base axes", "jacobian", J, 2e-3),
         Part("xi", "the tip's velocity (m/s, rad/s)", "numbers", J @ q_dot, 5e-3),
@@ -212,16 +173,13 @@ def _draw_circle(arm: Arm, rng: Rng) -> dict[str, Any]:
     raise ArmError(f"{arm.name}: no circle that it can draw was found in {_TRIES} tries")
 
 
-def path_of(arm: Arm, given: Given, steps: int = _STEPS) -> Path:
-    """The circle that was drawn: its start is the farthest point along the plane's first axis."""
-    top = forward_kinematics(arm, given["q"])[:3, 3]
-    centre = top - given["radius"] * np.eye(3)["xyz".index(given["plane"][0])]
-    return circle(centre, given["radius"], given["plane"], given["duration"], steps)
-
-
 def traced(arm: Arm, given: Given, steps: int = _STEPS) -> Trace:
-    """The exact run along the circle that was drawn."""
-    path = path_of(arm, given, steps)
+    """The exact run along the circle that was drawn: its start is the farthest point along the
+    plane's first axis.
+    """
+    first = np.eye(3)["xyz".index(given["plane"][0])]
+    centre = forward_kinematics(arm, given["q"])[:3, 3] - given["radius"] * first
+    path = circle(centre, given["radius"], given["plane"], given["duration"], steps)
     return trace(arm, given["q"], path, method="exact", rates=plain_inverse(1e-4))
 
 
@@ -267,9 +225,9 @@ def _ask_torque(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
 
 
 def _draw_target(arm: Arm, rng: Rng) -> dict[str, Any]:
-    T = forward_kinematics(arm, _pose(arm, rng))
-    asked = T[:3] if arm.dof >= 6 else T[:3, 3:]
-    return {"target": (asked.round(_POSE_DIGITS) + 0.0).tolist()}
+    q = _pose(arm, rng)
+    asked = forward_kinematics(arm, q)[:3, 0 if arm.dof >= 6 else 3 :]
+    return {"target": (asked.round(_POSE_DIGITS) + 0.0).tolist(), "one way": q.tolist()}
 
 
 def _ask_target(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
@@ -281,14 +239,14 @@ def _ask_target(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
         for name, low, high in zip(arm.variables, *arm.limits, strict=True)
         if np.isfinite([low, high]).all()
     )
-    text = f"Find {sought} that give the tip the {asked} $= {matrix(target, _POSE_DIGITS)}$." + (
-        f" Limits: {limits}; whole turns count as the same." if limits else ""
-    )
-    if solver is None:
-        what = "joint values (rad; m where one slides) that give this"
-        return text, (Part("q", what, "pose", one_way(arm, target), 1e-2),)
-    what = "the branches, one row of joint values each (rad; m where one slides)"
-    return text, (Part("q", what, "branches", branches_of(arm, target), 1e-2),)
+    text = f"Find {sought} that give the tip the {asked} $= {matrix(target, _POSE_DIGITS)}$."
+    text += f" Limits: {limits}; whole turns count as the same." if limits else ""
+    if solver:
+        found = solver(arm, pose_of(target))
+        what = "the branches, one row of joint values each (rad; m where one slides)"
+        return text, (Part("q", what, "branches", found.q[found.within_limits], 1e-2),)
+    what = "joint values (rad; m where one slides) that give this"
+    return text, (Part("q", what, "pose", np.array(given["one way"]), 1e-2),)
 
 
 def pose_of(target: Array) -> Array:
@@ -301,31 +259,9 @@ def pose_of(target: Array) -> Array:
     return T
 
 
-def one_way(arm: Arm, target: Array) -> Array:
-    """Joint values within the limits that reach a target, shape (dof,).
+class Topic(NamedTuple):
+    """How the numbers of a topic are drawn, and how an arm and they make a question and its key."""
 
-    Raises ArmError where fifty random starts of the numeric search find none.
-    """
-    found = inverse.solve(arm, pose_of(target), tolerance=1e-9, restarts=50)
-    if not found.reached:
-        raise ArmError(f"{arm.name}: no joint values within the limits were found for the target")
-    return found.q
-
-
-def branches_of(arm: Arm, target: Array) -> Array:
-    """Every branch within the joint limits, shape (k, dof)."""
-    solver = closed_form(arm)
-    found = solver(arm, pose_of(target)) if solver else None
-    if found is None:
-        raise ArmError(f"{arm.name}: the book has no closed form for it")
-    lower, upper = arm.limits
-    q = found.q[found.within_limits]
-    turns = np.where(arm.turning, 2 * np.pi, 0.0)
-    return q + turns * ((q < lower - 1e-9).astype(float) - (q > upper + 1e-9))
-
-
-@dataclass(frozen=True)
-class Topic:
     draw: Callable[[Arm, Rng], dict[str, Any]]
     ask: Callable[[Arm, Given], tuple[str, tuple[Part, ...]]]
 
