@@ -21,6 +21,7 @@ from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 from helpers.command_line import read_arm
 from helpers.course import __main__ as commands
 from helpers.course import arms, grading, making, sandbox, store
+from helpers.course.answers import as_typed
 from helpers.course.grading import grade, mark_one
 from helpers.course.making import right_work
 from helpers.course.marking import Mark, mark_sheet
@@ -77,7 +78,7 @@ def inside(data):
 
 def same(first, second):
     try:
-        return [p.key for p in first] == [p.key for p in second]
+        return list(map(repr, first)) == list(map(repr, second))
     except (ArithmeticError, ValueError):
         return False
 
@@ -111,13 +112,10 @@ def recovered(files, mine, arm):
                 near = {f"{float(x):.4f}".rstrip("0") for x in numbers if len(x) < 25}
                 if key and key <= near:
                     found.add(asked.topic)
-        table = [
-            [str(e) for e in row.entries]
-            for p in asked.parts
-            if p.kind == "table"
-            for row in p.value.rows
-        ]
-        if table and table in [[[str(x) for x in row] for row in d] for d in data if rows(d)]:
+        tables = [p.value for p in asked.parts if p.kind == "table"]
+        plain = [[[str(e) for e in row.entries] for row in arm.rows] for arm in tables]
+        held = [[[str(x) for x in row] for row in d] for d in data if rows(d)]
+        if any(table in held for table in (*plain, *map(as_typed, tables))):
             found.add(asked.topic)
     return found
 
