@@ -220,22 +220,6 @@ class Arm:
             raise ArmError(f"{self.name} has no symbol {', '.join(unknown)}; it has {known}")
         return replace(self, values={**self.values, **values})
 
-    def with_rows(self, rows: Iterable[Row], name: str | None = None) -> "Arm":
-        """An arm with this one's values and other rows, as in ``PANDA.with_rows(PANDA.rows[:3])``.
-
-        Bodies stay if there are as many rows as before, home if as many joints; else they are
-        left out. Raises ArmError for what is no row.
-        """
-        rows = listed(rows, f"{self.name}: rows", "one Row or more")
-        other = Arm(self.name if name is None else name, rows, self.values)
-        bodies = self.bodies if len(rows) == len(self.rows) else ()
-        return replace(
-            other,
-            bodies=bodies,
-            home=self.home if other.dof == self.dof else (),
-            source=self.source,
-        )
-
     def with_row(self, number: int, **entries: Entry) -> "Arm":
         """The same arm with entries of one row, counted from 1, changed.
 

@@ -1,7 +1,7 @@
 """What a Jacobian can and cannot do at one pose: its ellipsoids and its lost directions.
 
-Source: Siciliano, Sciavicco, Villani and Oriolo, Robotics, section 3.9 (manipulability ellipsoids)
-    and 3.8 (duality).
+Source: Siciliano, Sciavicco, Villani and Oriolo, Robotics, section 3.9 (manipulability
+    ellipsoids).
 """
 
 import numpy as np
@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.inputs import ArmError, number, numbers
 
 __all__ = [
-    "force_ellipsoid",
     "lost_directions",
     "velocity_ellipsoid",
 ]
@@ -27,17 +26,6 @@ def velocity_ellipsoid(J: ArrayLike) -> Array:
     """
     U, sizes = _axes(J)
     return U * sizes
-
-
-def force_ellipsoid(J: ArrayLike) -> Array:
-    """The semi-axes, as columns, of the forces that joint torques of norm 1 can hold, shape (3, 3).
-
-    The same directions as in `velocity_ellipsoid`, with inverse lengths: infinite where the arm
-    cannot move, since there its structure carries the load.
-    """
-    U, sizes = _axes(J)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(np.abs(U) < 1e-12, 0.0, U / sizes)
 
 
 def lost_directions(J: ArrayLike, cutoff: float = 1e-9) -> Array:

@@ -71,7 +71,6 @@ RIGHT = {
         0))], home=(0.1,), source="anything"),
     "arm.Arm.with_values": dict(self=PANDA, a_3=0.1),
     "arm.Arm.lock": dict(self=PANDA, joint=3, at=0.1),
-    "arm.Arm.with_rows": dict(self=PANDA, rows=PANDA.rows[:2], name=None),
     "arm.Arm.with_row": dict(self=PANDA, number=3, a=0.1),
     "arm.Arm.with_bodies": dict(self=PANDA, bodies=PANDA.bodies, name=None),
     "arm.Arm.to_free": dict(self=PANDA.lock(3), q=PANDA.home[:6]),
@@ -111,7 +110,6 @@ RIGHT = {
     "kinematics.jacobian_in_frame": dict(arm=PANDA, q=PANDA.home, frame=7),
     "kinematics.manipulability": dict(arm=PANDA, q=PANDA.home, part="linear"),
     "ellipsoids.velocity_ellipsoid": dict(J=np.ones((3, 2))),
-    "ellipsoids.force_ellipsoid": dict(J=np.ones((3, 2))),
     "ellipsoids.lost_directions": dict(J=np.ones((3, 2)), cutoff=1e-9),
     "statics.potential_energy": dict(arm=PANDA, q=PANDA.home, gravity=(0, 0, -9.81)),
     "statics.gravity_torque": dict(arm=PANDA, q=PANDA.home, gravity=(0, 0, -9.81)),
@@ -138,7 +136,6 @@ RIGHT = {
     "motion.plain_inverse": dict(cutoff=1e-9),
     "motion.pseudo_inverse": dict(cutoff=1e-9),
     "motion.damped": dict(damping=0.1),
-    "motion.adaptive": dict(damping=0.1, below=0.1),
     "motion.levenberg": dict(scale=0.1),
     "motion.with_null_space": dict(rates=motion.plain_inverse(), wish=motion.towards([0] * 7, 1)),
     "motion.self_motion": dict(arm=PANDA, start=PANDA.home, direction=[1, 0, -1, 0, 0, 0, 0],
@@ -440,7 +437,6 @@ SPECIAL = [
                                                             ' in kg'),
     ("ellipsoids.velocity_ellipsoid", dict(J=np.ones((6, 2))), 'J has shape (6, 2); expected (3,'
                                                                ' n)'),
-    ("ellipsoids.force_ellipsoid", dict(J=np.ones((6, 2))), 'J has shape (6, 2); expected (3, n)'),
     ("statics.static_torque", dict(q=np.zeros((2, 7)), wrench=np.zeros((3, 6))), 'poses and'
                                                                                  ' wrenches have'
                                                                                  ' shapes (2,) and'

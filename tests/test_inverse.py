@@ -668,7 +668,7 @@ def test_a_ur_folded_onto_its_shoulder_has_joint_2_free():
     """Its table counts joints 2 and 3 from elsewhere."""
     first, second, third, *others = UR10E.with_values(a_3=0.6127).rows  # as a_2
     offset = replace(second, theta=0.3), replace(third, theta=-0.5)
-    twins = UR10E.with_values(a_3=0.6127).with_rows([first, *offset, *others])
+    twins = replace(UR10E.with_values(a_3=0.6127), rows=[first, *offset, *others])
     q = np.array((0.4, 0.7, np.pi + 0.5, 0.3, 1.1, -0.8))
     T = forward_kinematics(twins, q)
     found = ur(twins, T, start=q)

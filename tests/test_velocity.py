@@ -7,7 +7,7 @@ import sympy as sp
 
 from helpers import symbolic
 from helpers.arm import Arm, ArmError, revolute
-from helpers.ellipsoids import force_ellipsoid, lost_directions, velocity_ellipsoid
+from helpers.ellipsoids import lost_directions, velocity_ellipsoid
 from helpers.kinematics import (
     jacobian,
     jacobian_in_frame,
@@ -99,13 +99,10 @@ def test_the_locked_pandas_determinant_is_a_sine_of_the_shoulder_angle():
 
 
 @every_arm
-def test_ellipsoids_hold_what_unit_joint_speeds_and_torques_do(arm):
+def test_an_ellipsoid_holds_what_unit_joint_speeds_do(arm):
     J = jacobian(arm, joint_vectors(arm, ()))[:3]
     axes = velocity_ellipsoid(J)
     np.testing.assert_allclose(axes @ axes.T, J @ J.T, atol=1e-12)
-    forces = force_ellipsoid(J)
-    for direction in forces.T[np.isfinite(forces).all(axis=0)]:
-        assert np.linalg.norm(J.T @ direction) == pytest.approx(1)
 
 
 def test_an_axis_points_where_its_first_large_entry_is_positive():
@@ -114,26 +111,9 @@ def test_an_axis_points_where_its_first_large_entry_is_positive():
         np.testing.assert_allclose(velocity_ellipsoid(J)[:, 0], 2 * along)
 
 
-def test_force_ellipsoid_of_three_directions_apart():
-    forces = [[0, 0.5, 0], [0.25, 0, 0], [0, 0, np.inf]]
-    np.testing.assert_array_equal(force_ellipsoid(np.diag([2.0, 4.0, 0.0])), forces)
-
-
-def test_a_direction_without_motion_carries_any_force():
-    J = jacobian(UR10E_HOMEWORK, np.zeros(6))[:3]
-    axes, forces = velocity_ellipsoid(J), force_ellipsoid(J)
+def test_a_direction_without_motion_has_no_axis():
+    axes = velocity_ellipsoid(jacobian(UR10E_HOMEWORK, np.zeros(6))[:3])
     np.testing.assert_allclose(axes[:, 1:], 0, atol=1e-12)
-    np.testing.assert_array_equal(np.isinf(forces).sum(axis=1), [0, 1, 1])
-
-
-def test_a_lost_direction_is_infinite_along_itself_only():
-    q = np.array([0.7, 0.4, 0.0])
-    outwards = np.array([np.cos(0.7) * np.cos(0.4), np.sin(0.7) * np.cos(0.4), np.sin(0.4)])
-    forces = force_ellipsoid(jacobian(ELBOW, q)[:3])
-    assert np.isinf(forces[:, 2]).all()
-    sideways = np.array([-np.sin(0.7), np.cos(0.7), 0])
-    np.testing.assert_allclose(forces[:, :2].T @ outwards, 0, atol=1e-12)
-    assert np.abs(sideways @ forces[:, :2]).max() == pytest.approx(1 / (0.7 * np.cos(0.4)))
 
 
 def test_lost_directions_are_those_that_no_joint_gives():

@@ -46,8 +46,7 @@ exec /autograder/env/bin/python -m helpers.course.autograders /autograder
 
 
 def gradescope_zip(course: Course, path: Path) -> None:
-    """Gradescope's autograder: the course, the helpers and what they need, set-up and start; no
-    secret.
+    """Gradescope's autograder: the course without its secret, the helpers, set-up and start.
 
     Only answers.json is read there, so no student's program runs where the course lies. Raises
     ModuleNotFoundError where the helpers are not installed, so that nothing says what they need.

@@ -114,9 +114,7 @@ def _typed(part: Part, answer: Any) -> Typed | None:
 
 
 def _share(part: Part, typed: Typed | None, report: checks.Report) -> float:
-    """How much is right by itself, 0 to 1: columns of a Jacobian, torques that are not 0, branches
-    among those there are or the answers, if those are more.
-    """
+    """How much is right by itself, 0 to 1: columns of a Jacobian, torques but zeros, branches."""
     if part.kind == "jacobian" and typed and typed.values.size == part.value.size:
         off = np.abs(typed.values.reshape(part.value.shape) - part.value)
         return float((off <= part.tolerance).all(axis=0).mean())
@@ -133,18 +131,12 @@ def _beyond_limits(arm: Arm, part: Part, answer: Any) -> str:
     """Which joint value lies beyond its limits, whole turns aside; "" where none does."""
     if part.kind != "pose":
         return ""  # only branches within the limits are right
-    q, (low, high) = (
-        numbers(answer, part.name).values.ravel(),
-        np.clip(arm.limits, -1e6, 1e6),
-    )
-    low, high = low - part.tolerance, high + part.tolerance
+    low, high = np.add(np.clip(arm.limits, -1e6, 1e6), [[-part.tolerance], [part.tolerance]])
+    q = numbers(answer, part.name).values.ravel()
     turned = np.where(arm.turning, low + (q - low) % (2 * np.pi), q)
-    beyond = np.flatnonzero((turned < low) | (turned > high))
-    return (
-        ""
-        if not beyond.size
-        else (f"{arm.variables[beyond[0]]} = {q[beyond[0]]:.4g} lies beyond its limits.")
-    )
+    for i in np.flatnonzero((turned < low) | (turned > high)):
+        return f"{arm.variables[i]} = {q[i]:.4g} lies beyond its limits."
+    return ""
 
 
 # What no checker knows

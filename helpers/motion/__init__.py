@@ -5,7 +5,6 @@ from helpers.motion.paths import Path, circle, circle_below, rest_to_rest
 from helpers.motion.rates import (
     Rates,
     SingularError,
-    adaptive,
     away_from_limits,
     damped,
     levenberg,
@@ -26,7 +25,6 @@ __all__ = [
     "SingularError",
     "Trace",
     "UnreachableError",
-    "adaptive",
     "away_from_limits",
     "circle",
     "circle_below",

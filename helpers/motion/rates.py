@@ -128,19 +128,6 @@ def damped(damping: float) -> Rates:
     return lambda J, twist, q: _damped(J, twist, damping**2)
 
 
-def adaptive(damping: float, below: float) -> Rates:
-    """Damping only near a singular pose: damping^2 (1 - (s/below)^2) where the smallest singular
-    value s < `below`."""
-    _not_negative(damping=damping)
-    number(below, "below", "a finite number > 0", above=0)
-
-    def rates(J: Array, twist: Array, q: Array) -> Array:
-        smallest = np.linalg.svd(J, compute_uv=False)[-1]
-        return _damped(J, twist, damping**2 * max(0.0, 1 - (smallest / below) ** 2))
-
-    return rates
-
-
 def levenberg(scale: float = 0.1) -> Rates:
     """Damping that fades with what is left to do, damping^2 = scale times the size of xi: for
     method "exact", where xi is an error.

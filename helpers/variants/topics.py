@@ -45,11 +45,10 @@ class Part:
 
 
 def _pose(arm: Arm, rng: Rng) -> Array:
-    """Joint values to two decimals, well inside their range and away from singular poses: where
-    the joints cannot hold all six rows, those of the tip's place alone count.
-    """
+    """Joint values to two decimals, well inside their range and away from singular poses."""
     lower, upper = (np.clip(limit, -2.4, 2.4) for limit in arm.limits)
-    rows, somewhere = 6 if arm.dof >= 6 else 3, np.linspace(0.3, 0.9, arm.dof)
+    somewhere = np.linspace(0.3, 0.9, arm.dof)
+    rows = 6 if arm.dof >= 6 else 3  # fewer joints hold the tip's place alone
     rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[:rows])  # 2 for an arm that is plane
     for _ in range(_TRIES):
         q = (lower + (upper - lower) * rng.uniform(0.1, 0.9, arm.dof)).round(2) + 0.0
