@@ -25,10 +25,13 @@ for (const name of ["drawArrays", "drawElements", "drawArraysInstanced", "drawEl
     WebGL2RenderingContext.prototype[name] = function (...given) { if (!window.undrawn) own.apply(this, given); };
 }"""
 
-# How far a page has moved under a reader who touches nothing.
+# How far the text and what is live in it have moved under a reader who touches nothing; the list of pages beside it
+# unfolds while the page is read.
 UNTOUCHED = """window.moved = 0;
-new PerformanceObserver((list) => list.getEntries().forEach(({ value }) => { moved += value; }))
-    .observe({ type: "layout-shift", buffered: true });"""
+const beside = ({ node }) => node?.parentElement?.closest(".contents");
+new PerformanceObserver((list) => list.getEntries().forEach(({ value, sources }) => {
+    if (!sources.every(beside)) moved += value;
+})).observe({ type: "layout-shift", buffered: true });"""
 
 
 # A browser without a window now and then tells a new page of a pointer in its corner, which no reader has moved there.
