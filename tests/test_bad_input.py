@@ -212,6 +212,8 @@ RIGHT = {
     "show.matrices": dict(named={"A_1": np.eye(4)}),
     "slips.census": dict(arm=ELBOW, q=[BEND]),
     "slips.slips": dict(arm=ELBOW),
+    "typeset.html": dict(tex="x", display=True),
+    "typeset.mathml": dict(tex="x", display=True),
     "symbolic.joint_symbols": dict(arm=ELBOW),
     "symbolic.link_transforms": dict(arm=ELBOW),
     "symbolic.link_frames": dict(arm=ELBOW),
@@ -314,7 +316,8 @@ EXPECTED = {
     "targets": "(..., 4, 4), poses of finite numbers", "inverse.solve targets": "4, 4)",
     "inverse.elbow targets": "(..., 3), finite positions in m",
     "inverse.rod targets": "(..., 3), finite positions in m", "inverse.follow targets": "4, 4)",
-    "tau": "finite torques (2, 7)", "text": "numbers, symbols, pi", "theta": "numbers, symbols, pi",
+    "tau": "finite torques (2, 7)", "tex": "a str",
+    "text": "numbers, symbols, pi", "theta": "numbers, symbols, pi",
     "plotting.dh_numbers theta": "a finite number of m or rad",
     "times": "finite times (steps + 1,) in s", "tip": "a link, one of a, b",
     "derive.derive tip": "a rigid motion, 4x4, in m, or a point (x, y, z) in m",
@@ -341,7 +344,7 @@ EXPECTED = {
 # What is left to Python or to Matplotlib, and where any value will do.
 FREE = {
     *("actual", "ax", "book_only", "colour", "colours", "dashed", "expected", "link", "many"),
-    *("negative", "course.hand_in path", "self", "title", "what", "arm.Arm source"),
+    *("negative", "display", "course.hand_in path", "self", "title", "what", "arm.Arm source"),
     *("inverse.Solutions.nearest limits", "inverse.solve limits", "plotting.arm_2d alpha"),
     *("plotting.arm_3d alpha", "plotting.arm_3d frames", "plotting.arrow_2d text"),
     *("plotting.shoulder_triangles names", "plotting.shoulder_triangles letters"),
