@@ -9,7 +9,7 @@ SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/download.py tools/page
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean bundles sheet coverage mutants
+.PHONY: help book pdf lite release address test notebooks elsewhere lab refresh lint lock bench clean bundles sheet coverage mutants screenshots
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -99,6 +99,9 @@ lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check t
 
 pdf: $(BIN)/.installed-dev $(BOOK) ## print the whole book into one PDF, by Chromium
 	$(BIN)/python -m tools.pdf
+
+screenshots: $(BIN)/.installed-dev $(BOOK) ## take the README's pictures anew, by Chromium
+	$(BIN)/python -m tools.screenshots
 
 release: pdf ## the book as a zip to read offline, the PDF and the wheel, in dist
 	rm -rf dist && mkdir dist

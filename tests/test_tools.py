@@ -12,7 +12,7 @@ import pytest
 import yaml
 from playwright.sync_api import Error
 
-from tools import address, answers, limits, pdf
+from tools import address, answers, limits, pdf, screenshots
 from tools.refresh import refresh
 
 ROOT = Path(__file__).parents[1]
@@ -207,3 +207,10 @@ def test_the_files_that_name_the_repository_agree():
     project = tomllib.loads((pdf.ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     assert citation.get("repository-code", "") == project.get("urls", {}).get("Source", "") == url
     assert citation["version"] == project["version"]
+
+
+def test_the_readmes_pictures_are_of_this_theme():
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    shown = re.findall(r"\]\(docs/(\w+\.png)\)", readme)
+    assert shown == sorted(path.name for path in screenshots.DOCS.glob("*.png"))[::-1]
+    assert screenshots.DIGEST.read_text("utf-8").strip() == screenshots.theme(), "make screenshots"

@@ -1,7 +1,7 @@
 // What tools/pdf.py runs in the pages.
 ({
-// A page as a part of the whole: everything open, what only a screen can do left out with the words that lead to it, sections
-// that are only there to be moved left out but for their picture, wide formulas shrunk to the paper, ids and addresses its own;
+// A page as a part of the whole: everything open, what only a screen can do left out (most of it by book.css, as on any paper),
+// sections that are only there to be moved left out but for their picture, wide formulas shrunk to the paper, ids and addresses its own;
 // its style sheets and its title.
 take: async (name) => {
   const part = name.replaceAll("/", "-");
@@ -9,12 +9,6 @@ take: async (name) => {
     all("details").forEach((box) => (box.open = true));
     all("script, .tools, .copy, .hint, .headerlink, details.hide").forEach((e) => e.remove());
     all(".picture > :is(.dark, .panel)").forEach((e) => e.remove());
-    all(".arm-explorer[data-figure], .arm-judge").forEach((live) => {
-        const section = live.closest("section"), before = live.previousElementSibling;
-        if (!section.querySelector(":scope > :is(.cell, section, figure, .admonition)")) return void section.remove();
-        if (before?.matches("p")) before.remove();
-        live.remove();
-    });
     all("section:has(> .cell .arm-explorer)").forEach((section) => {
         if (section.querySelectorAll(".cell").length > 1) return;
         section.querySelectorAll(":scope > :is(p, ul, ol), .cell_input").forEach((e) => e.remove());

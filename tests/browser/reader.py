@@ -73,7 +73,5 @@ class Reader:
     def open(self, url):
         self.page.goto(url)
         self.page.evaluate(EVERYTHING)
-        self.page.mouse.move(
-            1, 1
-        )  # a reader is there: live figures come to life, and all is laid out
+        self.page.mouse.move(1, 1)
         return self.page

@@ -1,0 +1,66 @@
+"""Take the README's pictures anew from the built book: `python -m tools.screenshots`.
+
+Beside them it writes a digest of what frames every page, so that a test can tell when the pictures
+are of an older theme.
+"""
+
+from hashlib import sha256
+from pathlib import Path
+
+from playwright.sync_api import Browser, sync_playwright
+
+from tools.browser import launched
+
+ROOT = Path(__file__).parents[1]
+HTML = ROOT / "book" / "_build" / "html"
+DOCS = ROOT / "docs"
+DIGEST = DOCS / "screenshots.sha256"
+
+
+def theme() -> str:
+    """A digest of the theme's files, and of the style sheet as far as it says faces, colours and
+    bars."""
+    frame, text, _ = (ROOT / "book/assets/book.css").read_text("utf-8").partition("/* The text.")
+    if not text:
+        raise ValueError("book.css has no part that begins with /* The text.")
+    files = sorted((ROOT / "book/theme/companion").iterdir())
+    return sha256(
+        "".join([frame, *(path.read_text("utf-8") for path in files)]).encode()
+    ).hexdigest()
+
+
+def chapter(browser: Browser) -> None:
+    """The Panda's table with its picture."""
+    page = browser.new_page(viewport={"width": 1280, "height": 1000}, color_scheme="light")
+    page.goto((HTML / "01_dh_tables.html").as_uri())
+    page.locator("figure#fig-panda-home").scroll_into_view_if_needed()
+    page.evaluate("document.querySelector('#fig-panda-home').scrollIntoView()")
+    page.wait_for_function("document.fonts.status === 'loaded'")
+    page.screenshot(path=DOCS / "screenshot.png")
+    page.close()
+
+
+def explorer(browser: Browser) -> None:
+    """All ways to one pose, in the last chapter's instrument."""
+    page = browser.new_page(viewport={"width": 720, "height": 1000}, color_scheme="light")
+    page.goto((HTML / "05_inverse_kinematics.html").as_uri())
+    stub = page.locator(".cell .arm-explorer").first
+    stub.scroll_into_view_if_needed()
+    card = stub.locator("section.explorer")
+    card.get_by_role("button", name="Find the ways to this pose").click()
+    card.get_by_text("ways to this pose.").wait_for()
+    card.screenshot(path=DOCS / "explorer.png")
+    page.close()
+
+
+def main() -> None:
+    with sync_playwright() as playwright:
+        browser = launched(playwright)
+        chapter(browser)
+        explorer(browser)
+        browser.close()
+    DIGEST.write_text(f"{theme()}\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
