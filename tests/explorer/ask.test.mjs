@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import { armOf, asPython, EMPTY, fromFragment, toFragment } from "../../page/src/check/question.js";
+import { offerOf } from "../../page/src/check/form.js";
+import { armOf, asPython, EMPTY, fromFragment, startOf, toFragment } from "../../page/src/check/question.js";
 import { number } from "../../judge/reading/formula.js";
 import "../../page/src/check/scripts/jacobian.js";
 import "../../page/src/check/scripts/table.js";
@@ -68,4 +69,43 @@ test("numbers are written as Python writes them", () => {
 test("no number comes of what divides by nothing", () => {
   for (const text of ["1/0", "1/(1/0)", "0^-1", "sqrt(-1)", "1e400", "q"]) assert.equal(number(text), null);
   assert.equal(number("-2^2"), -4);
+});
+
+const LISTED = [
+  { key: "PANDA", title: "Panda" },
+  { key: "PANDA.lock(3)", title: "Panda, joint 3 locked" },
+];
+for (const [advice, patch, key, value, words] of [
+  [["angles", "deg"], {}, "unit", "deg", "Angles in: deg"],
+  [["angles", "deg"], { ask: "table" }, "angles", "deg", "Angles in: deg"],
+  [["angularFirst", true], {}, "first", "omega", "Order of the rows: ω, then v"],
+  [["frame", 6], {}, "frame", "6", "Rows in the axes of: frame 6"],
+  [["convention", "craig"], { ask: "table" }, "convention", "craig", "Convention: modified (Craig)"],
+  [["lengths", "mm"], { ask: "table" }, "lengths", "mm", "Lengths in: mm"],
+  [["locked", 3], {}, "arm", "PANDA.lock(3)", "Arm: Panda, joint 3 locked"],
+  [["arm", "Panda"], { arm: "PANDA.lock(3)" }, "arm", "PANDA", "Arm: Panda"],
+  [["values", "L"], { values: "h = 1" }, "values", "h = 1, L = ", "Your own symbols: h = 1, L = …"],
+]) {
+  test(`an advice names a field and sets it: ${words}`, () => {
+    const question = { ...EMPTY, arm: "PANDA", ...patch };
+    const offer = offerOf({ field: advice[0], value: advice[1] }, question, LISTED);
+    assert.deepEqual(offer, { key, value, words });
+    assert.equal(offerOf({ field: advice[0], value: advice[1] }, { ...question, [key]: value }, LISTED)?.value === value, false);
+  });
+}
+
+test("an advice that nothing here can follow is no button", () => {
+  const question = { ...EMPTY, arm: "PANDA" };
+  for (const [field, value] of [["ownJoints", true], ["locked", 5], ["arm", "Nobody"]])
+    assert.equal(offerOf({ field, value }, question, LISTED), null);
+});
+
+test("without an example a question begins at the arm's home, in its unit", () => {
+  const rows = [{ kind: "revolute" }, { kind: "prismatic" }];
+  const pages = { arms: [{ key: "MINE", home: [Math.PI / 2, 0.5], rows }], examples: [{ ask: "pose", arm: "MINE", answer: "1" }] };
+  const begun = (given) => startOf({ ask: "jacobian", arm: "MINE", unit: "rad", ...given }, pages);
+  assert.deepEqual([begun({}).q, begun({}).answer], ["π/2, 0.5", ""]);
+  assert.equal(begun({ unit: "deg" }).q, "90, 0.5");
+  assert.equal(begun({ ask: "pose" }).answer, "1");
+  assert.equal(begun({ ask: "pose", unit: "deg" }).answer, ""); // its angles are in rad
 });
