@@ -314,7 +314,8 @@ def test_answers_are_kept_as_they_were_typed(tmp_path, monkeypatch):
     kept = {
         "t": "Ä", "b": True, "i": 3, "f": 0.1, "z": "2j", "n": 0.5, "m": [["q_1"]],
         "l": [1, [2, [3]]], "d": {"1": 2, "x": {"y": "1j"}}, "s": "q_1 + 1",
-        "arm": [[str(e) for e in row.entries] for row in ELBOW.rows], "falsy": 0,
+        "falsy": 0,
+        "arm": [[*map(str, row.entries[:3]), f"q_{i} + 0"] for i, row in enumerate(ELBOW.rows, 1)],
     }  # fmt: skip
     for name, value in typed.items():
         assert as_typed(value) == kept[name]
