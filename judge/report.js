@@ -1,7 +1,9 @@
 // What is said of an answer: one report for all topics, and its words.
 
 import { adviceOn } from "./advice.js";
-import { RIGHT, ROUNDED, SO_FAR } from "./digits.js";
+import { RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
+import { holdsNumbers, setAside } from "./reading/aside.js";
+import { ArmError, say } from "./sentences.js";
 
 export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
 
@@ -20,6 +22,7 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {string} arm
  * @property {string} grade
  * @property {string} headline
+ * @property {string} [mark] the grade in whose colour it is shown, where that is another
  * @property {Finding[]} findings
  * @property {string[]} causes
  * @property {string[]} taken
@@ -50,22 +53,63 @@ export const reportOf = (topic, arm, grade, headline, rest = {}) => ({
 });
 
 /**
- * A judge whose reports advise what the reader may set; its options come last.
+ * A judge of a text that may have words around it, which are set aside and shown back; its reports
+ * advise what the reader may set. The judge's options come last.
  * @template {any[]} Asked
- * @param {(...asked: Asked) => Report} judge @returns {(...asked: Asked) => Report}
+ * @param {(mine: any, ...asked: Asked) => Report} judge
+ * @returns {(mine: any, ...asked: Asked) => Report}
  */
-export const advising =
+export const answering =
   (judge) =>
-  (...asked) => {
-    const report = judge(...asked);
-    const options = asked[judge.length] ?? {};
-    return (
-      report && {
-        ...report,
-        advice: [...(report.advice ?? []), ...adviceOn(report.causes, options)],
-      }
-    );
+  (mine, ...asked) => {
+    const { text, left } =
+      typeof mine === "string" ? setAside(mine) : { text: mine, left: mine?.left ?? [] };
+    const options = asked[judge.length - 1] ?? {};
+    const first = judge(text, ...asked);
+    if (!first) return first;
+    const named = first.topic === "table"; // which has causes for it
+    const report =
+      first.grade === WRONG && !named ? (ofFamily(judge, text, asked) ?? first) : first;
+    const advice = [...(report.advice ?? []), ...adviceOn(report.causes, options)];
+    return withLeft({ ...report, advice }, left);
   };
+
+// The report on an answer that is right for another arm of the same name; null where there is none.
+function ofFamily(judge, text, asked) {
+  const [arm, ...rest] = asked;
+  const other = (arm.family ?? []).find((one) => {
+    const grade = judgedFor(one, judge, text, rest)?.grade;
+    return grade === RIGHT || grade === ROUNDED;
+  });
+  if (!other) return null;
+  const names = { arm: arm.name, lengths: arm.lengths, other: other.name, others: other.lengths };
+  const words = say("arm.other", names);
+  return reportOf(judgedFor(other, judge, text, rest).topic, arm, WRONG, words, {
+    findings: [{ what: "cause", where: "", words }],
+    causes: [`arm.other:${other.name}`],
+    advice: [{ field: "arm", value: other.name }],
+  });
+}
+
+// Another arm's report, null where the question cannot be asked of it.
+function judgedFor(arm, judge, text, rest) {
+  try {
+    return judge(text, arm, ...rest);
+  } catch (error) {
+    if (error instanceof ArmError) return null;
+    throw error;
+  }
+}
+
+// A report that shows what was left out; none is right that left out numbers.
+function withLeft(report, left) {
+  if (!left.length) return report;
+  const texts = left.map((line) => `\`${line}\``).join(", ");
+  const notes = [...report.notes, say("left out", { texts })];
+  if (report.grade === WRONG || !holdsNumbers(left)) return { ...report, notes };
+  const headline = say("left numbers", { headline: report.headline.replace(/\.$/, "") });
+  return { ...report, notes, grade: SO_FAR, headline };
+}
 
 // Everything below the headline, a sentence each; what stands in the headline is not repeated.
 export const linesOf = ({ headline, findings, taken, notes }) => [

@@ -143,10 +143,7 @@ ADVICE = [
     (lambda: checks.compare_jacobian(np.vstack([J[3:], J[:3]]), UR10E, Q, angular_first=True), ""),
     (J_of(J, q=np.degrees(Q)), 'say angles="deg"'),
     (table(FRANKA, PANDA.with_values(l_pen=0)), 'say convention="craig"'),
-    (
-        table("0 pi/2 0.5 q1; 0.4 0 0 q2+0.5; 0.3 0 0 q3", ELBOW),
-        'The arm in your joints is report.figures["arm"]',
-    ),
+    (table("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0", ELBOW), 'is report.figures["arm"]'),
 ]
 
 

@@ -526,7 +526,7 @@ def test_an_entry_that_is_wrong_besides_a_cause():
     J[0, 1] += 0.3
     cause, column = compare_jacobian(J.round(5), arm_of(MIXED), Q3).findings
     assert (cause.words, column.what, column.where) == (
-        "Every sign is reversed.",
+        "Perhaps every sign is reversed.",
         "column",
         "column 2",
     )

@@ -55,7 +55,28 @@ def judged_data(arm: Arm) -> Data:
         found["alike"] = others
     if robots := list(_robots(arm)):
         found["robots"] = robots
+    if family := list(_family(arm)):
+        found |= {"lengths": _lengths(arm), "family": family}
     return json.loads(json.dumps(found))
+
+
+def _family(arm: Arm) -> Iterator[Data]:
+    """The catalogue's other arms of the name, with the joints locked that `arm` has locked."""
+    from helpers.robots import ARMS
+
+    if arm.values not in [one.values for one in ARMS if one.name == arm.name]:
+        return
+    for other in ARMS:
+        if other.name != arm.name and other.name.split()[0] == arm.name.split()[0]:
+            for joint, at in arm.locked.items():
+                other = other.lock(joint, at)
+            values = [[name, float(x)] for name, x in other.values.items()]
+            yield {**arm_data(other), "values": values, "lengths": _lengths(other)}
+
+
+def _lengths(arm: Arm) -> str:
+    """An arm's lengths (mm), to tell it from others of its name."""
+    return ", ".join(f"{1000 * x:g}" for name, x in arm.values.items() if name != "l_pen" and x)
 
 
 def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:

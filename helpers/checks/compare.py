@@ -80,8 +80,8 @@ def compare_tables(
 
     Compared is what no choice of frames can change: the kind of each joint, distance and twist
     between neighbouring axes, the offset along each axis (along parallel axes only the sum), and
-    where the tip is on the last link. Free are the directions of the axes but z_0, the places of
-    common normals between parallel axes, the zeros of the joints, the place of a sliding axis and
+    where the tip is on the last link. Free are the directions of the axes, the places of common
+    normals between parallel axes, the zeros of the joints, the place of a sliding axis and
     the number of fixed rows. Where the joints of a right table count otherwise, the report prints
     the map and holds the arm in your joints, ``report.figures["arm"]``.
 
@@ -287,13 +287,15 @@ def compare_branches(
     options = _settings(angles, tolerance)
     if found.valid.ndim != 1:
         raise ArmError(say("one target", arm=found.arm.name, count=found.distance.size))
-    options["found"] = [
+    branches = [
         {"name": str(name), "q": q.tolist(), "free": free.tolist(), "times": int(times)}
         for name, q, free, times in zip(
             found.branches, found.q, found.free, found.times, strict=True
         )
         if times
     ]
+    tip = forward_kinematics(found.arm, branches[0]["q"]).tolist() if branches else None
+    options["found"] = {"arm": found.arm.name, "branches": branches, "target": tip}
     given = dict(arm=judged_data(found.arm), mine=array_data(mine))
     return report_of(asked("branches", options=options, **given))
 

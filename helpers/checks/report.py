@@ -49,6 +49,8 @@ class Report:
         advice: what to set, as an argument, where the answer is meant otherwise than asked.
         notes: what is no mistake and still worth knowing.
         figures: measured numbers, by name, such as worst or position_error.
+        mark: the grade whose mark it is shown with, where that is another: "so far" for a right
+            table with other zeros.
     """
 
     topic: str
@@ -61,6 +63,7 @@ class Report:
     advice: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     figures: Mapping[str, Any] = field(default_factory=dict, compare=False)
+    mark: str = ""
 
     @property
     def agrees(self) -> bool:
@@ -83,7 +86,7 @@ class Report:
     __repr__ = __str__
 
     def _repr_markdown_(self) -> str:
-        head = f"{_MARKS[self.grade]} **{self.headline}**"
+        head = f"{_MARKS[self.mark or self.grade]} **{self.headline}**"
         return "\n".join([head, "", *(f"- {line}" for line in self.lines)])
 
 
@@ -102,6 +105,7 @@ def report_of(said: Mapping[str, Any], taken: Iterable[str] = (), **figures: Any
         tuple(map(advised, said.get("advice", ()))),
         tuple(said["notes"]),
         {name: _held(x) for name, x in said.get("figures", {}).items()} | figures,
+        said.get("mark", ""),
     )
 
 

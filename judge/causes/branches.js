@@ -13,6 +13,8 @@ import { cause, nameOf, several } from "./ranking.js";
 // told rather than that joints of two branches are mixed
 const OF_ONE_STEP = ["ik.sign", "ik.plus for minus"];
 
+const VAGUE = 0.025; // rad: with a wider margin any slip would explain anything
+
 /** @returns {{ causes: Cause[], finding: Finding }} */
 export function wrongAnswer(right, { values, units }, number, tolerance) {
   const margin = marginsOf(units, tolerance, true);
@@ -64,8 +66,9 @@ function why(right, q, margin) {
     gapOf(arm, q, branch.q).map((x, k) => x <= 1.5 * margin[k]),
   );
   const worth = (i, j) => near.some((row) => row.every((is, k) => is || k === i || k === j));
+  const vague = turning(arm).some((turns, k) => turns && margin[k] > VAGUE);
   for (const slips of [first(), double(arm, q, worth)]) {
-    const found = fitting(right, q, slips, margin);
+    const found = fitting(right, q, slips, margin).filter(([one]) => !vague || scales(one));
     if (found.length) return slipped(right, found, mixed);
     if (mixed) return { causes: [mixed.cause], words: mixed.words };
   }

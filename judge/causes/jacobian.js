@@ -138,6 +138,8 @@ export function wrongTables(arm, c) {
   for (const { name, other, rows } of arm.alike ?? []) {
     put("table.length", { name, other }, (_, i) => ({ a: rows[i].a }));
   }
+  for (const { name, rows } of arm.robots ?? [])
+    put("table.robot", { name }, (_, i) => ({ a: rows[i].a, d: rows[i].d }));
   put("table.offsets", {}, (row) => (row.kind === "revolute" ? { theta: 0 } : {}));
   put("table.twists", {}, (row) => ({ alpha: -row.alpha }));
   c.rows.forEach((row, k) => {
@@ -180,7 +182,7 @@ function* entriesChanged({ arm, here: { dof, turns }, seen }) {
   yield [cause("J.linear zero"), half(0, 1)];
   yield [cause("J.per degree"), after((x, _, k) => (turns[k] ? x * RAD : x))];
   yield [cause("J.per degree"), after((x, _, k) => (turns[k] ? x / RAD : x))];
-  if (dof === 6) yield [cause("J.transposed"), (J) => chains.transposed(seen(J), 6)];
+  if (dof === 6) yield [cause("J.transposed"), (J) => chains.transposed(seen(J), [6, 6])];
   for (let one = 0; one < dof; one++) {
     yield [cause("J.column sign", { i: joint[one] }), after((x, _, k) => (k === one ? -x : x))];
   }

@@ -101,6 +101,12 @@ export function several(found, most = 3) {
   return say("or", { first: words[0], others: listed(words.slice(1).map(lower), "or") });
 }
 
+// A cause that leaves something unexplained is no more than likely.
+export const perhaps = (words, left) =>
+  left.length ? upper(say("perhaps", { cause: lower(words) })) : words;
+
+const upper = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
+
 // The one with the least cost.
 export function better(all, weight = ODD) {
   const cost = (f) => f.causes[0].keys.length + weight * f.odd.filter(Boolean).length;

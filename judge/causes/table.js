@@ -95,10 +95,19 @@ export function structures(count, modified) {
     [cause("table.twists"), (rows) => rows.map((r) => ({ ...r, alpha: -r.alpha }))],
     [cause("table.rows reversed"), (rows) => [...rows].reverse()],
     [cause("table.into craig"), toCraig],
+    ...Array.from({ length: count }, (_, k) => aAndDOf(k)),
     ...places.map(([i, j]) => [cause(EXCHANGED, { i: i + 1, j: j + 1 }), exchanged(i, j)]),
   ];
 }
 
+// The lengths of one row.
+/** @returns {[Cause, Mend]} */
+const aAndDOf = (k) => [
+  cause(IN_ROW, { row: k + 1 }),
+  (rows) => rows.map((r, i) => (i === k && r.kind !== "prismatic" ? { ...r, a: r.d, d: r.a } : r)),
+];
+
+export const IN_ROW = "table.a and d in row";
 export const EXCHANGED = "table.rows exchanged";
 
 const exchanged = (i, j) => (rows) =>

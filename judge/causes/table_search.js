@@ -107,7 +107,7 @@ export function tries(rows, reference, wanted, modified, length) {
     ...usual.references(reference).map(([why, arm]) => [why, squared(arm)]),
   ];
   const mends = usual.structures(rows.length, modified);
-  const whole = mends.filter(([why]) => why.keys[0] !== usual.EXCHANGED);
+  const whole = mends.filter(([{ keys }]) => ![usual.EXCHANGED, usual.IN_ROW].includes(keys[0]));
   /** @type {[Cause | null, Numbers[], Numbers[]][]} */
   const found = [];
   for (const [first, read] of usual.units(rows, wanted)) {
@@ -120,12 +120,14 @@ export function tries(rows, reference, wanted, modified, length) {
     for (const [[second, mend], [third, then]] of first ? [] : combinations(whole, 2))
       found.push([usual.joined(second, third), squared(then(mend(rows))), wanted]);
   }
-  return found.map(([why, read, arm]) => ({
+  const all = found.map(([why, read, arm]) => ({
     cause: why,
     rows: read,
     reference: arm,
     entries: differing(read, arm, length),
   }));
+  // a and d of one row: where the axes alone agree, another frame may have been meant
+  return all.filter(({ cause, entries }) => !entries || !cause?.keys.includes(usual.IN_ROW));
 }
 
 // How many entries differ; all where the rows do not correspond.

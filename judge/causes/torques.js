@@ -149,6 +149,12 @@ function* loads(load) {
   for (const { name, other, rows } of arm.alike ?? []) {
     yield [cause("table.length", { name, other }), loadOf({ ...arm, rows }, q, wrenches, gravity)];
   }
+  yield* robots(load);
+}
+
+function* robots({ arm, q, wrenches, gravity }) {
+  for (const { name, rows } of arm.robots ?? [])
+    yield [cause("table.robot", { name }), loadOf({ ...arm, rows }, q, wrenches, gravity)];
 }
 
 function* weights(load) {
@@ -190,6 +196,26 @@ function* weights(load) {
   }
 }
 
+// The one mass that would give these torques, where another does: of each link, by least squares.
+export function otherMasses(load, mine, right) {
+  const found = load.masses.map((mass, i) => {
+    const masses = load.masses.map((_, k) => Number(k === i));
+    const each = weight(load, { masses }).flat();
+    const size = each.reduce((sum, x) => sum + x * x, 0);
+    const more = each.reduce((sum, x, k) => sum + x * (mine[k] - right[k]), 0) / (size || 1);
+    const fields = { link: i + 1, _mass: size3(mass + more), _wanted: size3(mass) };
+    return {
+      why: cause("tau.mass", fields),
+      made: right.map((x, k) => x + more * each[k]),
+      mass: mass + more,
+    };
+  });
+  const likely = found.filter(({ mass }) => mass > 0);
+  return { causes: likely.map(({ why }) => why), made: likely.map(({ made }) => made) };
+}
+
+const size3 = (x) => size(x, 3);
+
 // Centres of mass given in Craig's frames, used as if they were in the table's: a turn by alpha and
 // a step of a apart.
 const craigCentres = (arm, centres) =>
@@ -207,6 +233,8 @@ function* forces(load) {
   yield [cause("tau.force missing"), times(0, right)];
   yield [cause("tau.force in tool"), force(load, (F, tip) => chains.wrenchFrom(tip, F))];
   yield [cause("tau.force turned back"), force(load, (F, tip) => chains.wrenchIn(tip, F))];
+  if (load.wrenches.some((F) => F.slice(3).some(Boolean) && F.slice(0, 3).some(Boolean)))
+    yield [cause("tau.moment missing"), force(load, (F) => [...F.slice(0, 3), 0, 0, 0])];
   yield [cause("tau.force and moment"), force(load, (F) => [...F.slice(3), ...F.slice(0, 3)])];
   const late = load.at.map(({ c, T }, i) => {
     const next = c.at.map((row) => row + 1);

@@ -81,8 +81,10 @@ function turned(J, turn, halves) {
   return made;
 }
 
-// Rows as columns of a square matrix.
-export const transposed = (J, n) => J.map((_, i) => J[(i % n) * n + Math.floor(i / n)]);
+// Rows as columns of a matrix of this shape.
+/** @template T @param {T[]} flat @param {number[]} shape @returns {T[]} */
+export const transposed = (flat, [rows, width]) =>
+  flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
 export const halves = (v, w) => [...v.slice(0, v.length / 2), ...w.slice(w.length / 2)];
 

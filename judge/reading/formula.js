@@ -51,7 +51,7 @@ function raised(left, right) {
 
 /** @returns {[string, string][]} */
 const each = (signs, instead) => [...signs].map((sign) => [sign, instead]);
-const GREEK = "alpha beta gamma delta theta theta phi phi psi omega lambda".split(" ");
+const GREEK = "alpha beta gamma delta theta theta phi phi psi omega lambda theta".split(" ");
 /** @type {Map<string, string>} */
 const SAME = new Map([
   ...each("−–—‐‑‒﹣－", "-"),
@@ -61,7 +61,7 @@ const SAME = new Map([
   ...each("\u200b\u2061\u2062\ufeff", ""),
   ...each("′’‘", "'"),
   ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => each(sign, `_${i}`)),
-  ...[..."αβγδθϑφϕψωλ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
+  ...[..."αβγδθϑφϕψωλΘ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
   ...each("π𝜋", " pi "),
   ...each("°º˚◦∘", " deg"),
   ...[..."０１２３４５６７８９"].flatMap((sign, i) => each(sign, `${i}`)), // as typed among Chinese signs
@@ -104,8 +104,8 @@ const MIXED = /(?<![A-Za-z0-9_.])([0-9]+) ?([⅓½¼])/g;
 const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
 const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
 const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]))`, "y");
-const RUN = /^(?:[cs]_?(?:\d|\{[\d+-]+\})+){2,}$/;
-const SHORT = /[cs]_?(?:\d|\{[\d+-]+\})+/g;
+const RUN = /^(?:[acdls]_?(?:\d|\{[\d+-]+\})+){2,}$/; // c_1s_23 and a_2c_2
+const SHORT = /[acdls]_?(?:\d|\{[\d+-]+\})+/g;
 
 const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 
@@ -126,7 +126,9 @@ export function plain(text) {
     before = text;
     for (const [innermost, opened] of INNERMOST) text = text.replace(innermost, opened);
   }
-  text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
+  text = text.replace(/\\(theta|phi|alpha)(?=\d)|\\([A-Za-z]+)/g, (_, name, word) =>
+    name ? ` ${name}` : ` ${word} `,
+  );
   text = text.replace(/\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\./g, "");
   text = text.replace(/\.(?=[*/^])/g, ""); // MATLAB's signs for entry by entry
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");

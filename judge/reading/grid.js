@@ -8,10 +8,12 @@ import { typedLines } from "./lines.js";
 import { split } from "./split.js";
 import { alone, bare as withoutSurroundings } from "./surroundings.js";
 import { lines, stripped, strippedEnd } from "./text.js";
-import { ArmError, shown } from "../sentences.js";
+import { ArmError, say, shown } from "../sentences.js";
 
 const LONGEST = 5_000_000; // characters of a paste: a trace of 20 000 steps
 const IN_DEGREES = /^.*[0-9.]\s*(?:°|º|deg(?:rees?)?)$/;
+// NumPy's print of a large array, where MATLAB ends a line so.
+const CUT = /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m;
 const TURN = 6.3; // a number beyond is no angle in radians
 
 // The rows of cells in a text, each cell as typed; an error where it is far too long or empty.
@@ -19,6 +21,7 @@ export function cells(text) {
   if (text.length > LONGEST) {
     throw new ArmError(`the text has ${text.length} characters; expected at most ${LONGEST}`);
   }
+  if (CUT.test(text)) throw new ArmError(say("cut print"));
   const rows = rowsOf(stripped(withoutSurroundings(text).trim(), "`$").trim())
     .filter((row) => row.some((cell) => cell.trim()))
     .map((row) => row.map((cell) => cell.trim()));
@@ -53,11 +56,12 @@ function withoutBars(text) {
 // dtype=float).
 const WORD = String.raw`[\p{L}\p{N}_.]`;
 
-const BEFORE = String.raw`^\s*(?:${WORD}+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*)?`;
+const BEFORE = String.raw`^\s*(?:${WORD}+\s*(?:\([\p{L}\p{N}_]+\))?\s*(?:[:=]?=|:)\s*)?`;
 const MAKERS = "Matrix|array|asarray|matrix|tensor|vpa|simplify|round|double|sym";
 const WRAPPER = new RegExp(String.raw`${BEFORE}(?:${WORD}*(?:${MAKERS})\s*\(\s*)+`, "u");
 const TAIL = /\)?(?:,\s*(?:dtype\s*=\s*[\p{L}\p{N}_.']+|\d+)\s*)?\)+\s*[;.,]?\s*$/u;
-const NAMED = /^\s*[\p{L}\p{N}_.]+\s*(?:\([\p{L}\p{N}_]+\))?\s*=\s*(?=[[({\n\d-]|$)/u;
+const NAMED =
+  /^\s*[\p{L}_][\p{L}\p{N}_.]*\s*(?:\([\p{L}\p{N}_]+\))?\s*(?:[:=]?=|<<|:)\s*(?=[[({\n\d-]|$)/u;
 // A comma or full stop behind the last bracket, and a factor before the first.
 const ENDED = /(?<=[\])}])\s*[.,;]+$/;
 

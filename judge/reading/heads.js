@@ -10,15 +10,32 @@ const NO_HEAD = /^(?:[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*|[-+]?[0-9]{2,}.*)$/;
 // Whether every cell is a number without symbols.
 const numeric = (rows) => rows.every((row) => row.every((cell) => number(cell) !== null));
 
-// The rows without the first if it is a header: names where numbers follow.
+// The rows without heads above them and labels before them.
 export function withoutHeader(rows) {
+  const bodies = withoutHeads(rows);
+  const unnamed = bodies.map((row) => row.slice(1));
+  if (bodies.length < 2 || bodies[0].length < 2 || !numeric(unnamed)) return bodies;
+  const named = bodies.every(([label]) => number(label) === null && !isEntry(plain(label)));
+  return named || (bodies.length > 2 && isSeries(bodies)) ? unnamed : bodies;
+}
+
+// Whether numbers with decimals stand behind their counts, a pair on each line, as pandas prints.
+const isSeries = (rows) =>
+  [0, 1].some((from) => rows.every((row, k) => row.length === 2 && row[0] === `${k + from}`)) &&
+  rows.some(([, x]) => x.includes("."));
+
+// The rows without the first if it is a header: names where numbers follow.
+function withoutHeads(rows) {
   const [first, ...rest] = rows;
   const heads = first.map(plain).filter(Boolean);
-  if (!rest.length || heads.some(isEntry)) return rows;
+  const entries = heads.some(isEntry);
+  if (!rest.length || (entries && !counts(heads))) return rows;
   const unnamed = rest.map((row) => row.slice(1));
-  if (!first[0] && heads.length === first.length - 1 && labelRows(rest) && numeric(unnamed))
-    return unnamed;
-  return numeric(rest) ? rest : rows;
+  const labelled = rest.length > 1 && labelRows(rest) && numeric(unnamed);
+  if (labelled && heads.length === rest[0].length - 1) return unnamed;
+  if (entries) return rows;
+  if (numeric(rest)) return rest;
+  return labelled && first.length === rest[0].length ? unnamed : rows;
 }
 
 // Whether a word is a number, looks like one, or is a formula that no column is named by.
@@ -40,10 +57,13 @@ function isFormula(tree) {
   return tree[0] === "neg" || parts.some((part) => part[0] === "call");
 }
 
+const counts = (labels) =>
+  [0, 1].some((from) => labels.every((label, k) => label === `${k + from}`));
+
 // Whether the first cells are different names, or count the rows.
 function labelRows(rows) {
   const labels = rows.map((row) => row[0]);
-  if ([0, 1].some((from) => labels.every((label, k) => label === `${k + from}`))) return true;
+  if (counts(labels)) return true;
   const different = new Set(labels).size === labels.length;
   return different && labels.every((label) => label && number(label) === null);
 }

@@ -15,7 +15,7 @@ const MATLAB_BLOCK = /^\s*Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?\s*:?\s*
 // A line that is only drawn.
 const RULE = /^\s*\|?[\s:|+=_-]*[-=_]{2,}[\s:|+=_-]*\|?\s*$/;
 
-const NUMBERED = /^\s*(?:(?:joint|link|row)\s*)?([0-9]+)[:)]\s+/i;
+const NUMBERED = /^\s*(?:(?:joint|link|row)\s*([0-9]+)\s*[:)=]?|([0-9]+)[:)])\s+/i;
 const BULLET = /^\s*[-–—]\s/;
 // Two blanks or more within a line.
 const GAP = /(?<=[^ \u00a0\t\n])[ \u00a0]{2,}(?=[^ \u00a0\t\n])/g;
@@ -82,7 +82,10 @@ function unnumbered(kept) {
     const given = shown(kept[0].trim());
     throw new ArmError(`each line begins like ${given}; expected rows without a dash before them`);
   }
-  const counted = kept.every((line, k) => Number(NUMBERED.exec(line)?.[1]) === k + 1);
+  const counted = kept.every((line, k) => {
+    const [, labelled, bare] = NUMBERED.exec(line) ?? [];
+    return Number(labelled ?? bare) === k + 1;
+  });
   return counted ? kept.map((line) => line.replace(NUMBERED, "")) : kept;
 }
 
@@ -101,11 +104,26 @@ export const apart = (text) => text.replace(GAP, "\t");
 // Commas part cells, unless they are decimal ones: then blanks do. An error where both may be
 // meant.
 function byCommas(kept) {
+  if (kept.length > 1 && kept.every((line) => ALONE.test(line))) return oneColumn(kept);
   const dotted = kept.map((line) => line.replaceAll(",", "."));
   if (kept.every((line) => /^\s*(?:-?\d+(?:,\d+)?(?:\s+|$)){2,}$/.test(line)))
     return dotted.map(split);
   const rows = kept.every(onlyTight) ? byDecimalCommas(kept, dotted) : null;
   return rows ?? kept.map((line) => split(strippedEnd(line, ",")));
+}
+
+const ALONE = /^\s*[-+−]?\d+(?:,\d+)?\s*$/;
+
+// Lines of one number each with a decimal comma; two whole numbers on each where nothing says so.
+function oneColumn(kept) {
+  const rows = kept.map((line) => line.trim().split(","));
+  const places = rows.map(([, decimals = ""]) => decimals);
+  const long = places.every(
+    (decimals) => decimals.length === places[0].length && places[0].length > 2,
+  );
+  if (long || places.some((decimals) => /^$|^0\d/.test(decimals)))
+    return rows.map((parts) => [parts.join(".")]);
+  return rows;
 }
 
 const onlyTight = (line) => (line.match(TIGHT) ?? []).length === line.split(",").length - 1;

@@ -6,17 +6,22 @@ import { units } from "../digits.js";
 import { isNumber, parse, plain, symbols, value } from "./formula.js";
 import { cells } from "./grid.js";
 import { withoutHeader } from "./heads.js";
-import { ArmError, say, spelled, tuple } from "../sentences.js";
+import { ArmError, listed, say, spelled, tuple } from "../sentences.js";
 
 const JOINT = /^(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})$/;
 const SHORT = /^([cs])((?:[+-]?\d)+)$/i;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
+ * A number as typed, what one of it is worth where a unit or power of ten stands with it, and
+ * whether it says itself that it is an angle.
+ * @typedef {{ text: string, worth: number, angle: boolean }} Entry
+ */
+/**
  * Numbers as they were handed in, row by row, with the unit of each one's last place; of a text the
  * formulas too.
- * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[]
- *   }} Typed
+ * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
+ *   entries: Entry[] }} Typed
  */
 
 // An arm that can be judged is the explorer's, with its symbols: values [[name, number]], and the
@@ -63,8 +68,8 @@ export function numbers(mine, what, known = noSymbols, wanted = "numbers") {
     tree[0] === "num" ? tree[1] : value(tree, (n) => found.get(n)),
   );
   if (!values.every(Number.isFinite)) throw new ArmError(say("not finite", { what, wanted }));
-  const steps = units(entries.map(({ text }, i) => text ?? spelled(values[i])));
-  return { values, units: steps, shape, symbolic: names.size > 0 };
+  const typed = entries.map(({ text }, i) => ofCell(text ?? spelled(values[i])));
+  return { values, units: unitsOf(typed), shape, symbolic: names.size > 0, entries: typed };
 }
 
 /**
@@ -79,16 +84,24 @@ function entryOf(leaf, what, wanted) {
   return { tree: ["num", leaf ?? NaN] };
 }
 
-// A name before a value: a quoted one with a comma or colon, or q_1 = and theta_{2}:.
+// What stands before a value: a quoted name with a comma or colon, q_1 =, theta_{2}: or Joint 1:;
+// before a list: Solution 1: or 1); and behind a value the unit of torques and angles.
 const NAMED = new RegExp(
-  String.raw`['"][^'"]*['"]\s*[,:]\s*` +
-    String.raw`|\\?(?<![\p{L}\p{N}_])(?:q|theta|th|θ|t|tau|τ)_?(?:\p{Nd}|\{\p{Nd}\})\s*[=:]\s*`,
-  "giu",
+  String.raw`^[ \t]*(?:(?:solution|answer|branch|case|set|lösung)[ \t]*\d+[ \t]*[:.)]?|\d+\))` +
+    String.raw`(?=[ \t]*(?:$|\D))|['"][^'"]*['"]\s*[,:]\s*` +
+    String.raw`|\\?(?<![\p{L}\p{N}_])(?:q|theta|th|θ|Θ|t|tau|τ|g|d|joint ?)` +
+    String.raw`_?(?:\p{Nd}|[₀-₉]|\{\p{Nd}\})\s*(?:\([^()]*\)\s*)?[=:]\s*`,
+  "gimu",
+);
+const UNITS = new RegExp(
+  String.raw`(?<=\d\.?|[\])}])[ \t]*(?:\\(?:text|mathrm)\{\s*)?` +
+    String.raw`(?:N\s*[·*⋅.]?\s*m{1,2}|N|rad(?:ians)?)(?:\s*\})?(?![\p{L}\p{N}_(])`,
+  "gu",
 );
 
 // One value for each joint without the names before them: ('theta1', 0.3) is 0.3.
 export function unnamed(mine) {
-  if (typeof mine === "string") return mine.replace(NAMED, "");
+  if (typeof mine === "string") return mine.replace(NAMED, "").replace(UNITS, "").trim();
   if (!Array.isArray(mine)) return mine;
   if (mine.length === 2 && typeof mine[0] === "string" && typeof mine[1] !== "string") {
     return unnamed(mine[1]);
@@ -134,23 +147,28 @@ function ofText(text, what, known) {
   for (const tree of trees) symbols(tree, names);
   const found = known(names);
   const values = trees.map((tree) => value(tree, (name) => found.get(name)));
-  const scaled = texts.map(scaling);
-  const steps = units(scaled.map(([first]) => first)).map((u, i) => u * scaled[i][1]);
-  const shown = trees.map((tree, i) => (scaled[i][1] === 1 ? tree : ["num", values[i]]));
-  return {
-    values,
-    units: steps,
-    shape: [rows.length, widths[0]],
-    symbolic: names.size > 0,
-    trees: shown,
-  };
+  const entries = texts.map(ofCell);
+  const shown = trees.map((tree, i) =>
+    entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
+  );
+  const read = { values, units: unitsOf(entries), shape: [rows.length, widths[0]], trees: shown };
+  return { ...read, symbolic: names.size > 0, entries };
 }
 
-// A number and the power of ten that MATLAB's heading gave it.
-function scaling(cell) {
-  const match = SCALED.exec(cell);
-  return match ? [match[1], Number(match[2])] : [cell, 1];
+const IN_DEGREES = /^([-+]?[\d.]+) ?\*? ?deg$/;
+
+// A number without the power of ten that MATLAB's heading gave it, or its sign of degrees.
+/** @returns {Entry} */
+function ofCell(cell) {
+  const [, scaled, power] = SCALED.exec(cell) ?? [];
+  if (scaled) return { text: scaled, worth: Number(power), angle: false };
+  const turned = IN_DEGREES.exec(cell);
+  if (turned) return { text: turned[1], worth: RAD, angle: true };
+  return { text: cell, worth: 1, angle: /\b(?:deg|pi)\b/.test(cell) };
 }
+
+const unitsOf = (entries) =>
+  units(entries.map(({ text }) => text)).map((u, i) => u * entries[i].worth);
 
 export const eachJoint = (arm) => `one value for each of ${variables(arm).join(", ")}`;
 
@@ -167,34 +185,41 @@ export function pose(q, arm, angles = "rad") {
 
 export function poseFault(arm, shape, wanted) {
   const given = tuple(shape);
-  return `${arm.name}: q has shape ${given}; expected ${wanted}, ${eachJoint(arm)}`;
+  const out = tooMany(arm, shape.at(-1));
+  return `${arm.name}: q has shape ${given}; expected ${wanted}, ${eachJoint(arm)}${out}`;
 }
 
+// A word on joints that are locked, where so many values were given that these have some too.
+export function tooMany(arm, width) {
+  const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [`q_${i + 1}`] : []));
+  return locked.length && width === arm.rows.length
+    ? say("leave out", { joints: listed(locked) })
+    : "";
+}
+
+// Joint values, row by row, in SI. Angles and slides have decimals of their own, for metres need
+// more; an angle with a unit is in that.
 export function inRadians(typed, arm, angles) {
   const turns = turning(arm);
-  const factor = (i) => (angles === "deg" && turns[i % turns.length] ? RAD : 1);
+  const turn = (i) => turns[i % turns.length];
+  const mixed = turns.includes(true) && turns.includes(false);
+  const [angular, linear] = [true, false].map((kind) =>
+    mixed ? unitsOf(typed.entries.filter((_, i) => turn(i) === kind)) : [],
+  );
+  const own = (i) => (mixed ? (turn(i) ? angular : linear).shift() : typed.units[i]);
+  const factor = (i) => (angles === "deg" && turn(i) && !typed.entries[i].angle ? RAD : 1);
   return {
     ...typed,
     values: typed.values.map((x, i) => x * factor(i)),
-    units: typed.units.map((u, i) => u * factor(i)),
+    units: typed.units.map((_, i) => own(i) * factor(i)),
   };
 }
 
-// Joint vectors that were typed in degrees, each with its units. Where some joints slide, those
-// that turn have decimals of their own, for metres need more.
-export function rowsInRadians(rows, arm) {
-  const turns = turning(arm);
-  const mixed = turns.some(Boolean) && !turns.every(Boolean);
-  const own = mixed
-    ? units(rows.flatMap(({ values }) => values.filter((_, k) => turns[k])).map(spelled))
-    : [];
-  let at = 0;
-  const widened = (u, k) => {
-    if (!mixed || !turns[k]) return u;
-    const mine = own[at++];
-    return u > 0 ? Math.max(mine, u) : u;
-  };
-  return rows.map((row) => inRadians({ ...row, units: row.units.map(widened) }, arm, "deg"));
+// Joint vectors that were taken as radians, as degrees.
+export function asDegrees(rows, arm) {
+  const factors = turning(arm).map((turns) => (turns ? RAD : 1));
+  const scaled = (list) => list.map((x, k) => x * factors[k]);
+  return rows.map((row) => ({ ...row, values: scaled(row.values), units: scaled(row.units) }));
 }
 
 // Names

@@ -2,6 +2,8 @@
 // and names.
 import { ArmError, shown } from "../sentences.js";
 
+const ANONYMOUS = /@\([^()]*\)\s*|\blambda\s[^:\n]*:\s*/g; // MATLAB's and Python's functions
+const COUNTED = /^[ \t]*\[\d+,\][ \t]*/gm; // R's rows
 const FENCE = /(?<![^\n])[ \t]*```[^\n\r]*/g;
 const PROMPT = String.raw`(?<![^\n])[ \t]*(?:>>>?|(?:In|Out) ?\[[0-9]*\]:)[ \t]*`;
 
@@ -26,6 +28,8 @@ const FACTOR = new RegExp(
 export const bare = (text) =>
   straight(text)
     .replace(FENCE, "")
+    .replace(ANONYMOUS, "")
+    .replace(COUNTED, "")
     .replace(COMMENT, "$1")
     .replace(REMARK, "")
     .replace(ASKED, "")

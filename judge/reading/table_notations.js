@@ -9,6 +9,7 @@ import { ENTRIES } from "./table_rows.js";
 import { ArmError, say } from "../sentences.js";
 
 const MOST_ROWS = 32;
+const LABELLED = /^([ \t|]*)(?:joint|link|axis)[ \t]+(?=\d+\b)/gim;
 
 // Link(...) and its kin; a = [...] for a column; { ... } or dict(...) for a row; and a_1 = ...
 const LETTER = String.raw`[\p{L}\p{N}_]`;
@@ -58,7 +59,7 @@ export function ofText(typed) {
 
 /** @returns {Cells} */
 function ofRows(text) {
-  const rows = cellsOf(text.replace(/^\s*#/, ""));
+  const rows = cellsOf(text.replace(/^\s*#/, "").replace(LABELLED, "$1"));
   // A caption may stand above the heads.
   const at = rows.slice(0, 3).findIndex(isHeading);
   return at < 0 ? plainly(rows, []) : below(withUnits(rows[at]), rows.slice(at + 1));

@@ -15,6 +15,9 @@ const JOINT = /^(?:q|th|theta|t|phi)_?\{?\d+\}?'?$/;
 
 export const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/i;
 
+// That mark a variable, as in q_2* - pi/2.
+const STARS = /\*+(?=\s*(?:[-+]|$))/g;
+
 export const simple = (name) => name.replace(/[_{}\s*'^\\]/g, "").toLowerCase();
 
 export function isVariable(text) {
@@ -64,7 +67,7 @@ function treeOf(cell, name, i, known) {
   const text = plain(cell);
   const moves = name === "theta" || name === "d";
   const free = moves && VARIABLE.test(text) && !known.has(simple(text));
-  return parse(free ? `q_${i}` : text.replace(/\*+$/, "") || "0", `${name} in row ${i}`);
+  return parse(free ? `q_${i}` : text.replace(STARS, "") || "0", `${name} in row ${i}`);
 }
 
 // An error where a row holds a symbol besides its joint's variable.

@@ -6,8 +6,8 @@ import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { asksPose, formOf, inverse } from "../geometry/inverse.js";
 import { joints } from "../geometry/kinematics.js";
-import { rowsInRadians, turning } from "../reading/numbers.js";
-import { advising } from "../report.js";
+import { asDegrees, turning } from "../reading/numbers.js";
+import { answering } from "../report.js";
 import { listed, lower, say } from "../sentences.js";
 import {
   answers,
@@ -40,11 +40,12 @@ const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are n
  * @param {string | any[]} mine @param {any} arm @param {any[]} target
  * @returns {import("../report.js").Report}
  */
-export const compareBranches = advising(branchesCompared);
+export const compareBranches = answering(branchesCompared);
 
 function branchesCompared(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null, found = null } = options;
-  const right = rightOf(arm, found ?? branchesOf(arm, target));
+  const own = found && found.arm === arm.name;
+  const right = rightOf(arm, own ? found.branches : branchesOf(arm, found?.target ?? target));
   const { answers: given, taken, typed } = upright(mine, right, angles, tolerance);
   const { astray, ...report } = judged(right, given, angles, tolerance, taken);
   const dof = joints(arm).length;
@@ -67,7 +68,13 @@ function upright(mine, right, angles, tolerance) {
 // All branches by the arm's own formula, where the asker has none.
 function branchesOf(arm, target) {
   const form = formOf(arm);
-  return inverse(arm, form, asksPose(form) ? frameOf(target) : target);
+  if (!form) return [];
+  if (asksPose(form)) return inverse(arm, form, frameOf(target));
+  return inverse(
+    arm,
+    form,
+    Array.isArray(target[0]) ? target.slice(0, 3).map((x) => x[3]) : target,
+  );
 }
 
 const frameOf = (rows) => {
@@ -96,7 +103,7 @@ function judged(right, given, angles, tolerance, taken) {
 function onlyAsDegrees(right, given, tolerance) {
   const { arm, branches } = right;
   if (!branches.length || !given.length || hitsOf(right, given, tolerance).hits.size) return null;
-  const degrees = rowsInRadians(given, arm);
+  const degrees = asDegrees(given, arm);
   const turns = turning(arm);
   const tells = ([k, number]) => {
     const zero = given[number - 1].values.map((x, i) => (turns[i] ? 0 : x));

@@ -1,10 +1,11 @@
 // Which branch a typed joint vector is, within its digits.
 
 import { HALF, HAND } from "../digits.js";
+import { transposed } from "../geometry/chains.js";
 import { rint } from "../geometry/planar.js";
 import { jacobianColumns, joints, linkFrames, matrix } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
-import { numbers, rowsInRadians, turning, unnamed } from "../reading/numbers.js";
+import { numbers, inRadians, tooMany, turning, unnamed } from "../reading/numbers.js";
 import { ArmError, say } from "../sentences.js";
 
 /** @typedef {import("./branches.js").Answer} Answer */
@@ -27,29 +28,32 @@ export function answers(mine, arm, angles, byColumns = false) {
   const wanted = `joint vectors (answers, ${dof})`;
   const typed = numbers(unnamed(mine), `${arm.name}: q`, undefined, wanted);
   if (!typed.values.length) return { answers: [], taken: [], typed };
-  const shape = shapeOf(typed);
+  const shape = shapeOf(typed, dof);
   const lies = shape.length === 2 && shape[0] === dof && (byColumns || shape[1] !== dof);
   const [count, width] = lies ? [shape[1], shape[0]] : shape;
   if (shape.length !== 2 || width !== dof)
-    throw new ArmError(say("answers shape", { arm: arm.name, shape: typed.shape.join("x"), dof }));
+    throw new ArmError(
+      say("answers shape", { arm: arm.name, shape: typed.shape.join("x"), dof }) +
+        tooMany(arm, shape.at(-1)),
+    );
   const upright = (list) => (lies ? transposed(list, shape) : list);
-  const rows = (list) =>
-    Array.from({ length: count }, (_, i) => list.slice(i * dof, (i + 1) * dof));
-  const units = rows(upright(typed.units));
-  const both = rows(upright(typed.values)).map((values, i) => ({ values, units: units[i] }));
+  const [values, units, entries] = [typed.values, typed.units, typed.entries].map(upright);
+  const flat = inRadians({ values, units, entries }, arm, angles);
+  const part = (list, i) => list.slice(i * dof, (i + 1) * dof);
+  const both = Array.from({ length: count }, (_, i) => ({
+    values: part(flat.values, i),
+    units: part(flat.units, i),
+  }));
   const taken = lies && count > 1 ? [say("taken: answer per column")] : [];
-  return { answers: angles === "deg" ? rowsInRadians(both, arm) : both, taken, typed };
+  return { answers: both, taken, typed };
 }
 
 // Rows and columns: a list is one row, and a single one however deep it lies.
-export function shapeOf({ shape, values }) {
+export function shapeOf({ shape, values }, dof) {
+  if (shape[1] === 1 && shape[0] > dof && shape[0] % dof === 0) return [shape[0] / dof, dof];
   const flat = shape.length > 2 ? shape.filter((n) => n !== 1) : shape;
   return flat.length < 2 ? [1, values.length] : flat;
 }
-
-/** @param {number[]} flat @param {number[]} shape */
-export const transposed = (flat, [rows, width]) =>
-  flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
 export function marginsOf(units, tolerance, hand = false) {
   if (tolerance !== null) return units.map(() => Math.max(tolerance, 1e-9));

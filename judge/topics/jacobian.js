@@ -1,9 +1,9 @@
 // Is a Jacobian wrong, and how?
 
-import { advising, reportOf } from "../report.js";
+import { answering, reportOf } from "../report.js";
 import { setting, singles } from "../causes/jacobian.js";
 import { allColumns, causesOf, CLOSE, HALVES, ROWS } from "../causes/jacobian_search.js";
-import { complete, explain, nameOf, several } from "../causes/ranking.js";
+import { complete, explain, nameOf, perhaps, several } from "../causes/ranking.js";
 import {
   beyond,
   decimalsOf,
@@ -26,7 +26,7 @@ import { ArmError, listed, lower, say, tuple } from "../sentences.js";
  * The report on a Jacobian, a text or nested numbers, of an arm's tip at q.
  * @returns {import("../report.js").Report}
  */
-export const compareJacobian = advising(jacobianCompared);
+export const compareJacobian = answering(jacobianCompared);
 
 function jacobianCompared(mine, arm, q, options = {}) {
   const { angularFirst = false, frame = 0, angles = "rad" } = options;
@@ -231,7 +231,7 @@ function good(grade, typed, arm, half, said) {
 
 function bad(found, symptoms, arm, taken) {
   if (found.length) {
-    const words = several(found);
+    const words = perhaps(several(found), symptoms);
     const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
     const headline = say("J wrong", { arm: arm.name, cause: `${lower(words)}.` });
     return reported(arm, WRONG, headline, { findings, causes: found.map(nameOf), taken });

@@ -1,6 +1,6 @@
 // Do these joint angles reach that pose?
 
-import { advising, reportOf } from "../report.js";
+import { answering, reportOf } from "../report.js";
 import { cross, dot, jacobianColumns, linkFrames, matrix } from "../geometry/kinematics.js";
 import { millimetres, turnOf } from "../causes/branches.js";
 import { turnBetween, answers } from "./branches_matching.js";
@@ -28,7 +28,7 @@ const SHAPES = ["4x4", "3x4", "3"];
  * (3,).
  * @returns {import("../report.js").Report}
  */
-export const comparePose = advising(poseCompared);
+export const comparePose = answering(poseCompared);
 
 function poseCompared(q, arm, T, options = {}) {
   const { angles = "rad", tolerance = null } = options;
@@ -60,7 +60,7 @@ function judged(q, arm, T, tolerance, taken) {
   const fine = { values: q.values, units: q.units.map((u) => (u > COARSE ? 0 : u)) };
   const margins = (of, share) => marginsOf(of, arm, T, share, tolerance);
   const [sharp, margin] = [margins(fine, HALF), margins(fine, HAND)];
-  const found = within(miss, margin) ? [] : causesOf({ q, arm, T, tolerance }, margin, miss);
+  const found = within(miss, margin) ? [] : causesOf({ q, fine, arm, T, tolerance }, margin, miss);
   const grade = found.length ? WRONG : gradeOf(miss, sharp, margin, margins(q, HALF));
   const position = { position_error: miss[0], orientation_error: miss[1] };
   const rest = { taken, notes: [], figures: position };
@@ -130,22 +130,26 @@ const within = (miss, margin) => miss[0] <= margin[0] && miss[1] <= margin[1];
 
 // The single slips that explain a miss, or else the first pair that does; none that helps by less
 // than half, nor a scale where zero would fit as well.
-function causesOf({ q, arm, T, tolerance }, margin, miss) {
+function causesOf({ q, fine, arm, T, tolerance }, margin, miss) {
   const found = [];
-  const half = margin.map((most, i) => (miss[i] <= most ? most : Math.min(most, miss[i] / 2)));
+  const least = (at, goal) =>
+    marginsOf(at, arm, goal, HALF, tolerance).map((most, i) =>
+      miss[i] <= margin[i] ? Math.max(most, margin[i]) : Math.min(most, miss[i] / 2),
+    );
+  const usual = least(fine, T);
   for (const [one, other, values, target] of slips(q.values, arm, T)) {
     const pair = one.keys.length > 1;
     if (pair && found.length) break;
-    const reaches = (it, at, goal, least) => within(missOf(linkFrames(it, at).at(-1), goal), least);
-    let least = half;
+    const reaches = (it, at, goal, most) => within(missOf(linkFrames(it, at).at(-1), goal), most);
+    let most = target === T ? usual : least(fine, target);
     if (scales(one)) {
       const factor = scale(one, arm);
       const meant = { values, units: q.units.map((u, k) => u * factor[k]) };
-      least = marginsOf(meant, arm, T, HAND, tolerance);
+      most = marginsOf(meant, arm, T, HALF, tolerance);
       const zero = values.map((x, k) => (x === q.values[k] ? x : 0));
-      if (reaches(arm, zero, target, least)) continue;
+      if (reaches(arm, zero, target, most)) continue;
     }
-    if (!reaches(other, values, target, least)) continue;
+    if (!reaches(other, values, target, most)) continue;
     found.push(one);
     if (pair) break;
   }
@@ -198,6 +202,8 @@ function* slips(q, arm, T) {
   for (const { name, other, rows } of arm.alike ?? []) {
     yield [cause("table.length", { name, other }), { ...arm, rows }, q, T];
   }
+  for (const { name, rows } of arm.robots ?? [])
+    yield [cause("table.robot", { name }), { ...arm, rows }, q, T];
   if (T.pose) {
     yield [cause("pose.transposed"), arm, q, rotated(T, (i, j) => T.values[j][i])];
     for (const axis of [0, 1, 2]) {
@@ -212,10 +218,11 @@ const rotated = (T, entry) => ({
   ...T,
   values: T.values.map((row, i) => row.map((x, j) => (j < 3 ? entry(i, j) : x))),
 });
-const scaled = (T, factor) => ({
-  ...T,
-  values: T.values.map((row) => row.map((x, j) => (!T.pose || j === 3 ? x * factor : x))),
-});
+function scaled(T, factor) {
+  const each = (rows) =>
+    rows.map((row) => row.map((x, j) => (!T.pose || j === 3 ? x * factor : x)));
+  return { ...T, values: each(T.values), units: each(T.units) };
+}
 
 // The entries of T that differ, where they are few and no joints give the others with them: its
 // axes are not square, or are upright, as they should be. Then T is wrong, not q.

@@ -1,19 +1,22 @@
 // Is my table wrong, or only different?
 
-import { cause, nameOf, several } from "../causes/ranking.js";
+import { cause, nameOf, perhaps, several } from "../causes/ranking.js";
 import * as usual from "../causes/table.js";
 import { explaining, remaining, tries } from "../causes/table_search.js";
-import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
+import { RIGHT, ROUNDED, SO_FAR, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { angleBetween, compared, placesBase, side } from "../geometry/axes.js";
+import { linkFrames, norm } from "../geometry/kinematics.js";
+import { turnBetween } from "./branches_matching.js";
 import { equations, jointMap } from "../geometry/joint_map.js";
 import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
 import { ENTRIES, inMillimetres, meant, read } from "../reading/table.js";
 import { lower, say, size } from "../sentences.js";
-import { advising } from "../report.js";
+import { answering } from "../report.js";
 import { entry, geometry, rounded, typedAs, typedRow, typedText } from "./table_words.js";
 
 const LENGTH = 1e-6; // m
+const SEEN = 1e-4; // m: a tip no farther away stands there
 const LOW = 1e-2; // m: a base no higher tells no unit
 const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
@@ -63,7 +66,7 @@ const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
  * @param {Options} options
  * @returns {Report}
  */
-export const compareTables = advising(tablesCompared);
+export const compareTables = answering(tablesCompared);
 
 function tablesCompared(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
@@ -239,12 +242,14 @@ function same(grade, table, reference, [mine, ref], found) {
   const loose = grade === RIGHT ? LENGTH : 10 * last;
   const mapped = jointMap(mine, ref, found, loose);
   const told = zeros(table, mapped, mine, ref);
+  const elsewhere = mapped && reference.home ? otherZeros(table, mine.rows, reference) : null;
   const key = grade === RIGHT ? "table same" : "table rounded";
   return {
     topic: "table",
     arm: reference.name,
     grade,
-    headline: say(key, { mine: table.name, reference: reference.name }),
+    headline: elsewhere ?? say(key, { mine: table.name, reference: reference.name }),
+    ...(elsewhere ? { mark: SO_FAR } : {}),
     findings: [],
     causes: [],
     taken: table.said,
@@ -259,6 +264,21 @@ function same(grade, table, reference, [mine, ref], found) {
       ...written(table),
     ],
   };
+}
+
+// What is said where the same q, the reference's home, takes the tip elsewhere; null where it does
+// not.
+function otherZeros(table, rows, reference) {
+  const at = (arm) => linkFrames(arm, reference.home).at(-1);
+  const [mine, ref] = [at({ ...reference, rows }), at(reference)];
+  const away = norm(mine.o.map((x, i) => x - ref.o[i]));
+  const turn = turnBetween(mine, ref) * DEG;
+  if (away < SEEN && turn < 1) return null;
+  const place = ({ o }) => `(${o.map((x) => size(rounded(x, 4) + 0, 4)).join(", ")})`;
+  const home = `(${reference.home.map((x) => size(x, 4)).join(", ")})`;
+  const turned = turn < 1 ? "" : say("table tool turned", { degrees: size(turn, 3) });
+  const names = { mine: table.name, reference: reference.name };
+  return say("table other zeros", { ...names, home, tip: place(mine), wanted: place(ref), turned });
 }
 
 function zeros(table, mapped, mine, ref) {
@@ -361,7 +381,7 @@ function bad(table, reference, causes, findings = [], notes = []) {
     notes,
   };
   if (causes.length) {
-    const words = several(causes);
+    const words = perhaps(several(causes), findings);
     const rest = findings.length ? say("and what remains") : "";
     const headline = say("table wrong", { cause: lower(words) + rest, ...fields });
     return {

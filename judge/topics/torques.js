@@ -1,11 +1,12 @@
 // Are joint torques wrong, and how? One torque vector or a whole run of them.
 
-import { advising, reportOf } from "../report.js";
-import { better, complete, explain, nameOf, several } from "../causes/ranking.js";
+import { answering, reportOf } from "../report.js";
+import { better, complete, explain, nameOf, perhaps, several } from "../causes/ranking.js";
 import {
   catalogue,
   loadOf,
   mended,
+  otherMasses,
   paperCentres,
   reversedJoints,
   torques,
@@ -23,6 +24,7 @@ import {
   SO_FAR,
   WRONG,
 } from "../digits.js";
+import { transposed } from "../geometry/chains.js";
 import { joints } from "../geometry/kinematics.js";
 import {
   eachJoint,
@@ -37,13 +39,14 @@ import { ArmError, listed, lower, say, size } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81];
 const ODD = 1.2; // a torque that stays unexplained weighs more than a second mistake
+const EMPTY = 1e-3; // N m: larger torques are no zeros
 const SAMPLE = 25; // poses of a run on which causes are tried
 
 /**
  * The report on torques, a text or nested numbers, at q or along a list of q.
  * @returns {import("../report.js").Report}
  */
-export const compareTorques = advising(torquesCompared);
+export const compareTorques = answering(torquesCompared);
 
 function torquesCompared(mine, arm, q, options = {}) {
   const { tolerance = null, briefly = false } = options;
@@ -60,6 +63,8 @@ function torquesCompared(mine, arm, q, options = {}) {
   const typed = numbers(unnamed(mine), `${arm.name}: your torques`);
   const found = upright(typed, right, dof);
   if (!found) return { ...misshapen(typed, load.q.length, arm), typed };
+  if (!found.values.some(Boolean) && Math.max(...right.map(Math.abs)) > EMPTY)
+    return { ...empty(arm), typed, wrong: found.values.map(() => true) };
   const report = judged(found, right, load, at, { tolerance, briefly });
   return report && { ...report, typed };
 }
@@ -73,9 +78,6 @@ function loaded(arm, poses, { wrench = [0, 0, 0, 0, 0, 0], gravity = GRAVITY }) 
 
 const rowsOf = (flat, width) =>
   Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
-/** @param {number[]} flat @param {number[]} shape */
-const turned = (flat, [rows, width]) =>
-  flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
 // Joint vectors, a pose or a list of them.
 export function poses(q, arm, angles) {
@@ -83,7 +85,12 @@ export function poses(q, arm, angles) {
   let typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
   let { shape } = typed;
   if (shape.length === 2 && shape[0] === dof && shape[1] !== dof) {
-    typed = { ...typed, values: turned(typed.values, shape), units: turned(typed.units, shape) };
+    typed = {
+      ...typed,
+      values: transposed(typed.values, shape),
+      units: transposed(typed.units, shape),
+      entries: transposed(typed.entries, shape),
+    };
     shape = [shape[1], dof];
   }
   if (shape.length === 2 && shape[0] === 1) shape = shape.slice(1);
@@ -101,7 +108,7 @@ function upright({ values, units, shape }, right, dof) {
     return { values, units, said: [] };
   const is = (rows, width) => sizes.length === 2 && sizes[0] === rows && sizes[1] === width;
   if (is(dof, count) && (count !== dof || liesTurned(values, right, sizes)))
-    return as((list) => turned(list, sizes), [say("taken: list per joint")]);
+    return as((list) => transposed(list, sizes), [say("taken: list per joint")]);
   const padded = is(count, dof + 1) && rowsOf(values, dof + 1).every(([first]) => !first);
   if (padded)
     return as(
@@ -114,7 +121,7 @@ function upright({ values, units, shape }, right, dof) {
 // Whether a square is far nearer to the right torques when turned round.
 function liesTurned(values, right, shape) {
   const off = (list) => list.reduce((top, x, i) => Math.max(top, Math.abs(x - right[i])), 0);
-  return off(turned(values, shape)) < 0.05 * off(values);
+  return off(transposed(values, shape)) < 0.05 * off(values);
 }
 
 const reported = (...told) => reportOf("torques", ...told);
@@ -128,6 +135,13 @@ function misshapen({ shape, values }, count, arm) {
   const findings = [{ what: "shape", where: "", mine: shape, expected: [count, dof], words }];
   const headline = say("tau wrong", { arm: arm.name, cause: lower(words) });
   return reported(arm, WRONG, headline, { findings, causes: [key] });
+}
+
+function empty(arm) {
+  const words = say("tau.empty");
+  const findings = [{ what: "cause", where: "", words }];
+  const headline = say("tau wrong", { arm: arm.name, cause: lower(words) });
+  return reported(arm, WRONG, headline, { findings, causes: ["tau.empty"] });
 }
 
 /** @returns {import("../report.js").Report} */
@@ -216,10 +230,13 @@ function foundIn(mine, right, m, load, known) {
   for (const band of bands(m)) {
     let found = explain(mine, right, band, known, ODD);
     if (!complete(found)) {
-      const [turned, paper] = [reversedJoints(load, right), paperCentres(load)].map((other) =>
-        simplest(explain(mine, right, band, other)),
-      );
-      found = better([found, turned, paper], ODD);
+      const others = [
+        reversedJoints(load, right),
+        paperCentres(load),
+        otherMasses(load, mine, right),
+      ];
+      const whole = others.map((other) => simplest(explain(mine, right, band, other)));
+      found = better([found, ...whole], ODD);
     }
     if (found) return found;
   }
@@ -276,7 +293,7 @@ function bad(found, symptoms, arm, taken) {
     });
     return reported(arm, WRONG, headline, { findings: symptoms, taken });
   }
-  const words = several(found.causes);
+  const words = perhaps(several(found.causes), symptoms);
   const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
   const headline = say("tau wrong", { arm: arm.name, cause: `${lower(words)}.` });
   return reported(arm, WRONG, headline, { findings, causes: found.causes.map(nameOf), taken });

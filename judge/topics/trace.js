@@ -1,6 +1,6 @@
 // Did these joints draw the path? By the tip that they give, and by how they move.
 
-import { advising, reportOf } from "../report.js";
+import { answering, reportOf } from "../report.js";
 import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
@@ -8,7 +8,8 @@ import { millimetres } from "../causes/branches.js";
 import { turnBetween } from "./branches_matching.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
-import { numbered, numbers, rowsInRadians, turning } from "../reading/numbers.js";
+import { numbered, numbers, asDegrees, turning } from "../reading/numbers.js";
+import { setAside } from "../reading/aside.js";
 import { rint } from "../geometry/planar.js";
 import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { listed, lower, say, size } from "../sentences.js";
@@ -40,13 +41,16 @@ export const compareTrace = (mine, arm, path, options = {}) =>
   judgedTrace(readTrace(mine, arm), arm, path, options);
 
 // The joints as they were handed in.
-export const readTrace = (mine, arm) => numbers(mine, `${arm.name}: your joints`);
+export function readTrace(mine, arm) {
+  const { text, left = [] } = typeof mine === "string" ? setAside(mine) : { text: mine };
+  return { ...numbers(text, `${arm.name}: your joints`), left };
+}
 
 /**
  * @param {import("../reading/numbers.js").Typed} typed @param {any} arm @param {Path} path
  * @returns {import("../report.js").Report}
  */
-export const judgedTrace = advising(traceJudged);
+export const judgedTrace = answering(traceJudged);
 
 function traceJudged(typed, arm, path, { angles = "rad", tolerance = null } = {}) {
   const run = upright(typed, arm, path.times.length, angles);
@@ -70,7 +74,7 @@ function onlyAsDegrees({ q, steps }, arm, path, allowed) {
       wanted,
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
-  const turned = rowsInRadians(
+  const turned = asDegrees(
     q.map((values, k) => ({ values, units: steps[k] })),
     arm,
   );
@@ -121,7 +125,7 @@ function upright(typed, arm, count, angles) {
   }
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
   const held = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
-  const meant = angles === "deg" ? rowsInRadians(held, arm) : held;
+  const meant = angles === "deg" ? asDegrees(held, arm) : held;
   const [q, steps] = [meant.map((row) => row.values), meant.map((row) => row.units)];
   return { q, steps, units: most(meant), taken, extra: rows.length === count + 1 };
 }

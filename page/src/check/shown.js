@@ -181,7 +181,7 @@ const EXAMPLE = "An example, with a mistake in it. Paste or type your own over i
  * the judge advises.
  */
 export function tell(box, { report, error }, { example, buttons }) {
-  box.className = `verdict ${example ? "example" : (report?.grade ?? "")}`;
+  box.className = `verdict ${example ? "example" : (report?.mark ?? report?.grade ?? "")}`;
   const offer = buttons.length
     ? [h("p.offer", {}, "If that is what you mean, set ", ...buttons)]
     : [];
@@ -190,7 +190,7 @@ export function tell(box, { report, error }, { example, buttons }) {
   const lines = linesOf(report).filter((line) => !report.headline.endsWith(line.slice(1)));
   const items = lines.map((line) => h("li", {}, typeset(line)));
   const list = items.length ? [h("ul", {}, items)] : [];
-  const mark = h("span", { "aria-hidden": "true" }, `${MARKS[report.grade]} `);
+  const mark = h("span", { "aria-hidden": "true" }, `${MARKS[report.mark ?? report.grade]} `);
   const headline = h("p.headline", {}, mark, typeset(report.headline));
   return box.replaceChildren(...note, headline, ...list, ...offer);
 }

@@ -1,0 +1,230 @@
+"""What people bring: hand-ins with text around them, labels, units and single mistakes. The sample
+is small; `python -m tests.hand_ins` counts thousands."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+
+from helpers import checks, inverse
+from helpers.arm import ArmError
+from helpers.kinematics import forward_kinematics, jacobian
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.statics import static_torque
+from tests.hand_ins import hand_ins, verdict
+
+Q = np.array([0.3, -1.1, 1.4, -0.8, 0.9, 0.2])
+PUSH = [0, 0, -20, 0, 0, 0]
+TAU = static_torque(UR10E, Q, PUSH).round(4)
+COLUMN = " \\\\\n".join(map(str, TAU))
+LATEX = "\\begin{bmatrix}\n" + COLUMN + "\n\\end{bmatrix}"
+ELBOW_ROWS = "q1 0.5 0 90\nq2 0 0.4 0\nq3 0 0.3 0"
+LOCKED = PANDA.lock(3)
+
+
+def torques(text):
+    return checks.compare_torques(text, UR10E, Q, PUSH)
+
+
+@pytest.fixture(scope="module")
+def sample():
+    return [(h, *verdict(h)) for h in hand_ins("worked", 0, 200)]
+
+
+@pytest.mark.parametrize("word", ["called wrong", "called cut", "passed", "false cause", "refused"])
+def test_no_hand_in_of_the_sample_is(word, sample):
+    found = [f"{h.dressed}\n{h.text}\n{report}" for h, is_, report in sample if is_ == word]
+    assert not found, found[0]
+
+
+def test_planted_mistakes_are_named(sample):
+    counted = Counter(word for h, word, _ in sample if h.causes is not None)
+    assert counted["named"] >= 0.95 * counted.total()
+
+
+@pytest.mark.parametrize("extra", ["99", "My answer: 99", "99 is the first", "or 0.5 perhaps"])
+@pytest.mark.parametrize("above", [True, False])
+@pytest.mark.parametrize("paste", [LATEX, "\n".join(map(str, TAU)), str(TAU.tolist())])
+def test_no_number_vanishes(paste, above, extra):
+    """Refused, wrong, or shown back and then not right."""
+    try:
+        report = torques(f"{extra}\n{paste}" if above else f"{paste}\n{extra}")
+    except ArmError:
+        return
+    assert report.grade == "wrong" or (extra in str(report) and not report.agrees), report
+
+
+def test_what_was_set_aside_is_shown_back():
+    report = torques(f"Hi, is this right?\n\n{TAU.tolist()} N m\n\nMfG\nTom")
+    assert report.agrees
+    assert all(word in str(report) for word in ("`Hi, is this right?`", "`MfG`", "`Tom`"))
+
+
+def test_two_grids_are_asked_about():
+    with pytest.raises(ArmError, match="expected one set of numbers"):
+        torques(f"{TAU.tolist()}\nor rather this one\n{(2 * TAU).tolist()}")
+
+
+T = forward_kinematics(UR10E, Q)
+HOMEWORK = inverse.ur(UR10E_HOMEWORK, T)
+J_OF = [(UR10E, UR10E_HOMEWORK, Q), (UR10E_HOMEWORK, UR10E, Q)]
+J_OF += [(PANDA.lock(3), PANDA_HOMEWORK.lock(3), Q)]
+
+
+@pytest.mark.parametrize(("asked", "other", "q"), J_OF)
+def test_the_jacobian_of_the_other_arm_is_known(asked, other, q):
+    report = checks.compare_jacobian(jacobian(other, q).round(4), asked, q)
+    assert report.causes == (f"arm.other:{other.name}",)
+    assert f"robots.named({other.name!r})".replace("'", '"') in report.advice[0]
+
+
+def test_the_other_arm_is_known_in_every_question():
+    there = forward_kinematics(UR10E_HOMEWORK, Q)
+    panda = static_torque(PANDA_HOMEWORK.lock(3), Q, PUSH).round(4)
+    for report in (
+        checks.compare_pose(Q, UR10E, there),
+        checks.compare_branches(HOMEWORK.q[HOMEWORK.valid].round(4), inverse.ur(UR10E, T)),
+        checks.compare_torques(panda, LOCKED, Q, PUSH),
+    ):
+        assert report.causes[0].startswith("arm.other:"), report
+        assert not report.agrees
+
+
+LAYOUT = """         theta [rad] a [m] d [m] alpha [rad]
+Joint 1 0 0 0.1807 π/2
+Joint 2 0 -0.6127 0 0
+Joint 3 0 -0.57155 0 0
+Joint 4 0 0 0.17415 π/2
+Joint 5 0 0 0.11985 -π/2
+Joint 6 0 0 0.21655 0"""
+FRANKA = """Joint a (m) d (m) alpha (rad) theta (rad)
+Joint 1 0 0.333 0 θ1
+Joint 2 0 0 -π/2 θ2
+Joint 3 0 0.316 π/2 θ3
+Joint 4 0.0825 0 π/2 θ4
+Joint 5 -0.0825 0.384 -π/2 θ5
+Joint 6 0 0 π/2 θ6
+Joint 7 0.088 0 π/2 θ7
+Flange 0 0.107 0 0"""
+
+
+def test_the_makers_layout_is_read():
+    assert checks.compare_tables(LAYOUT, UR10E).agrees
+    rows = "\n".join(FRANKA.splitlines()[:-1])
+    report = checks.compare_tables(rows, PANDA.with_values(l_pen=0, d_7=0), convention="craig")
+    assert report.agrees, report
+
+
+def test_slides_have_decimals_of_their_own():
+    """Radians to three decimals beside a slide to four: ten poses."""
+    rng = np.random.default_rng(5)
+    for _ in range(10):
+        q = np.array([*rng.uniform(-1.4, 1.4, 2), 0.4, *rng.uniform(0.3, 1.4, 3)])
+        found = inverse.stanford(STANFORD, forward_kinematics(STANFORD, q))
+        typed = [f"{x:.4f}" if k == 2 else f"{x:.3f}" for k, x in enumerate(q)]
+        assert checks.compare_branches(", ".join(typed), found).grade in ("right", "so far")
+
+
+def test_a_column_with_decimal_commas_is_one_column():
+    assert torques("\n".join(f"{x:.3f}".replace(".", ",") for x in TAU)).agrees
+
+
+def test_degree_signs_are_not_taken_twice():
+    q = ", ".join(f"{x:.3f}°" for x in np.degrees(Q))
+    for angles in ("deg", "rad"):
+        assert checks.compare_pose(q, UR10E, T, angles=angles).agrees
+
+
+def test_no_cause_is_stated_that_leaves_something():
+    lost = checks.compare_pose([33.69, 65.831, 46.525], ELBOW, [0.12, 0.08, 0.15], angles="deg")
+    assert not lost.causes
+    assert not checks.compare_branches("1 2 3", inverse.elbow(ELBOW, (0.3, 0.2, 0.7))).causes
+    zeros = checks.compare_torques(np.zeros(6), UR10E, Q, PUSH)
+    assert zeros.causes == ("tau.empty",)
+    two = static_torque(UR10E, Q, PUSH)
+    rounded = [f"{x:.3g}" for x in two]
+    assert torques(", ".join(rounded)).grade in ("right", "so far")
+
+
+def test_a_and_d_of_one_row_are_named():
+    for row, typed in ((1, "q1 0 0.5 90"), (2, "q2 0.4 0 0"), (3, "q3 0.3 0 0")):
+        rows = ELBOW_ROWS.splitlines()
+        rows[row - 1] = typed
+        report = checks.compare_tables("theta d a alpha\n" + "\n".join(rows), ELBOW)
+        assert report.grade == "wrong" or report.mark, report
+
+
+def test_lengths_of_the_ur10_are_named_in_a_jacobian():
+    mine = UR10E.with_values(d_1=0.128, a_3=0.5716, d_4=0.1639, d_5=0.1157, d_6=0.0922)
+    assert (
+        "table.robot:UR10" in checks.compare_jacobian(jacobian(mine, Q).round(5), UR10E, Q).causes
+    )
+
+
+def test_a_target_in_millimetres_is_named():
+    target = 1000 * T[:3, 3]
+    report = checks.compare_pose(Q, UR10E, target.round(1))
+    assert report.causes == ("pose.millimetres",)
+
+
+def test_another_mass_and_a_missing_moment_are_named():
+    bodies = list(UR10E.bodies)
+    bodies[3] = type(bodies[3])(5.0, bodies[3].com)
+    other = UR10E.with_bodies(bodies)
+    assert torques(static_torque(other, Q, PUSH).round(5)).causes == ("tau.mass:4",)
+    F = [1, 2, 3, 4, 5, 6]
+    lost = static_torque(UR10E, Q, [1, 2, 3, 0, 0, 0]).round(4)
+    assert checks.compare_torques(lost, UR10E, Q, F).causes == ("tau.moment missing",)
+
+
+def test_other_zeros_are_told_and_not_green():
+    report = checks.compare_tables("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0", ELBOW)
+    assert (report.agrees, report.mark) == (True, "so far")
+    home = np.array(ELBOW.home)
+    for shift in (0, np.pi / 6):
+        x, y, z = forward_kinematics(ELBOW, home + np.array([0, shift, 0]))[:3, 3].round(4)
+        assert f"({x:.4g}, {y:.4g}, {z:.4g})" in report.headline
+    assert "with other zeros" in report.headline
+    assert "◐" in report._repr_markdown_()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Joint\ttau\n" + "\n".join(f"Joint {i}\t{x}" for i, x in enumerate(TAU, 1)),
+        "\n".join(f"Joint {i}: {x} N·m" for i, x in enumerate(TAU, 1)),
+        f"[{', '.join(map(str, TAU))}] Nm",
+        f"τ₁ = {TAU[0]}, τ₂ = {TAU[1]}, τ₃ = {TAU[2]}, τ₄ = {TAU[3]}, τ₅ = {TAU[4]}, τ₆ = {TAU[5]}",
+        "\n".join(f"{i}    {x:.4f}" for i, x in enumerate(TAU)) + "\ndtype: float64",
+        "tau =\n\n" + "\n".join(f"   {x}" for x in TAU),
+    ],
+)
+def test_torques_are_read_as_people_type_them(text):
+    assert torques(text).agrees
+
+
+def test_formulas_are_read_as_people_type_them():
+    rows = [
+        "-s1*(a_2c_2+a_3c_{23})", "-c1*(a_2s_2+a_3s_{23})", "-c_1a_3s_{23}",
+        "c1*(a_2c_2+a_3c_{23})", "-s1*(a_2s_2+a_3s_{23})", "-s_1a_3s_{23}",
+        "0", "a_2c_2+a_3c_{23}", "a_3c_{23}", "0", "s1", "s1", "0", "-c1", "-c1", "1", "0", "0",
+    ]  # fmt: skip
+    text = "; ".join(", ".join(rows[i : i + 3]) for i in range(0, 18, 3))
+    for typed in (f"[{text}]", f"J = @(q1,q2,q3) [{text}]"):
+        assert checks.compare_jacobian(typed, ELBOW).agrees, typed
+
+
+def test_answers_are_read_with_their_numbers():
+    found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
+    q = found.q[found.valid].round(4)
+    named = [f"Solution {i}: Θ₁ = {a}, Θ₂ = {b}, Θ₃ = {c}" for i, (a, b, c) in enumerate(q, 1)]
+    counted = [f"{i}) ({a}, {b}, {c})" for i, (a, b, c) in enumerate(q, 1)]
+    for lines in (named, counted):
+        assert checks.compare_branches("\n".join(lines), found).agrees, lines
+
+
+def test_what_was_cut_or_is_locked_is_said():
+    with pytest.raises(ArmError, match="the print was cut"):
+        torques("[0.1 0.2 ... 0.5 0.6]")
+    with pytest.raises(ArmError, match="leave out q_3, which is locked"):
+        checks.compare_jacobian(np.eye(6), LOCKED, np.zeros(7))
