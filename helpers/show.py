@@ -32,7 +32,8 @@ def matrices(named: Mapping[str, object]) -> Shown:
     to four decimals.
     """
     must_be(named, Mapping, "named")
-    return Shown("\n".join(f"${{{name} = {_latex(value)}}}$" for name, value in named.items()))
+    lines = [rf"${{{name} = {_latex(value)}\quad}}$" for name, value in named.items()]
+    return Shown("\n".join(lines))
 
 
 def frames(T: ArrayLike) -> Shown:
@@ -40,23 +41,17 @@ def frames(T: ArrayLike) -> Shown:
     first is frame 0."""
     T = numbers(T, "T", "frames (k, 4, 4)", (None, 4, 4))
     head = "| $i$ | $x_i$ | $y_i$ | $z_i$ | $o_i$ (m) |\n|:-:|:-:|:-:|:-:|:-:|\n"
-    rows = [[",\u202f".join(map(_number, column)) for column in frame[:3].T] for frame in T]
+    rows = [[",\u00a0".join(map(_number, column)) for column in frame[:3].T] for frame in T]
     lines = [f"| {i} | {' | '.join(row)} |" for i, row in enumerate(rows)]
     return Shown(head + "\n".join(lines).replace("-", "−"))
 
 
 def _latex(value: object) -> str:
     if isinstance(value, sp.MatrixBase):
-        return sp.latex(short(value)) + _room(value.rows)
+        return sp.latex(short(value))
     array = numbers(value, "a matrix", "numbers (m, n), or a matrix of SymPy", (None, None))
     rows = r"\\".join(" & ".join(map(_number, row)) for row in array)
-    return rf"\left[\begin{{matrix}}{rows}\end{{matrix}}\right]" + _room(len(array))
-
-
-def _room(rows: int) -> str:
-    """Air around a matrix: a rule without width, higher than it, and a space."""
-    high = 1.2 * rows + 0.7
-    return rf"\rule[-{high / 2:.1f}em]{{0em}}{{{high:.1f}em}}\quad"
+    return rf"\left[\begin{{matrix}}{rows}\end{{matrix}}\right]"
 
 
 def _number(value: float) -> str:
