@@ -129,9 +129,9 @@ def test_degrees_are_those_of_joints_that_turn():
 def test_what_is_no_pose_is_refused_by_its_shape(q, shape, angles):
     with pytest.raises(ArmError) as refused:
         verdict(TAU, q, angles=angles)
-    assert str(refused.value) == (
-        f"your arm: q has shape {shape}; expected (..., 3), one value for each of q_1, q_3, q_4"
-    )
+    words = f"your arm: q has shape {shape}; expected (..., 3), one value for each of q_1, q_3, q_4"
+    locked = "; leave out q_2, which is locked" if shape == (2, 4) else ""
+    assert str(refused.value) == words + locked
 
 
 def test_loads_may_be_of_any_numbers():
