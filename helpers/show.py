@@ -22,7 +22,7 @@ class Shown:
         return self.text
 
     def __repr__(self) -> str:
-        return f"<Markdown of {len(self.text)} letters>"
+        return "<Markdown>"
 
 
 def matrices(named: Mapping[str, object]) -> Shown:
@@ -41,7 +41,7 @@ def frames(T: ArrayLike) -> Shown:
     first is frame 0."""
     T = numbers(T, "T", "frames (k, 4, 4)", (None, 4, 4))
     head = "| $i$ | $x_i$ | $y_i$ | $z_i$ | $o_i$ (m) |\n|:-:|:-:|:-:|:-:|:-:|\n"
-    rows = [[",\u00a0".join(map(_number, column)) for column in frame[:3].T] for frame in T]
+    rows = [[",\u202f".join(map(_number, column)) for column in frame[:3].T] for frame in T]
     lines = [f"| {i} | {' | '.join(row)} |" for i, row in enumerate(rows)]
     return Shown(head + "\n".join(lines).replace("-", "−"))
 

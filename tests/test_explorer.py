@@ -519,7 +519,7 @@ def test_the_bundle_is_light():
     assert len(gzip.compress(MORE.read_bytes(), 9)) <= 25_000
     assert len(gzip.compress(PASTE.read_bytes(), 9)) <= 25_000
     for script in BUNDLE.parent.glob("judge*.js"):
-        assert len(gzip.compress(script.read_bytes(), 9)) <= 25_000, script.name
+        assert len(gzip.compress(script.read_bytes(), 9)) <= 28_000, script.name
 
 
 @every_arm

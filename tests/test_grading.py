@@ -57,12 +57,13 @@ def test_a_report_in_lines_and_in_markdown():
         "wrong",
         "Not right: row 3 is off.",
         findings,
-        (),
-        ("degrees",),
-        ("Mind.",),
+        taken=("degrees",),
+        notes=("Mind.",),
+        advice=("Write radians.",),
     )
-    assert report.lines == ["Row 2 is off.", "Taken as degrees", "Note: Mind."]
-    text = "Not right: row 3 is off.\n- Row 2 is off.\n- Taken as degrees\n- Note: Mind."
+    lines = ["Row 2 is off.", "Taken as degrees", "Note: Mind.", "Write radians."]
+    assert report.lines == lines
+    text = "\n- ".join(["Not right: row 3 is off.", *lines])
     assert str(report) == repr(report) == text
     head, rest = text.split("\n", 1)
     assert report._repr_markdown_() == f"✘ **{head}**\n\n{rest}"

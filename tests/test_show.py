@@ -21,7 +21,7 @@ def test_frames_are_told_by_their_columns():
     T = np.eye(4)
     T[:3, :] = [[0, 0, -1, 0.5], [0, 1, 0, 0], [1, 0, 0, 0.81954]]
     text = show.frames([np.eye(4), T])._repr_markdown_()
-    last = text.splitlines()[-1].replace("\u00a0", " ")  # no column breaks in two
+    last = text.splitlines()[-1].replace("\u202f", " ")  # no column breaks in two
     assert last == "| 1 | 0, 0, 1 | 0, 1, 0 | −1, 0, 0 | 0.5, 0, 0.8195 |"
 
 

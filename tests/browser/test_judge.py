@@ -128,7 +128,7 @@ def test_a_table_is_judged_and_shown_as_it_is_read(page):
     assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.2"]
     assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
     page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))
-    verdict(page, "Your table describes the same arm as Elbow arm.")
+    verdict(page, "the same arm as Elbow arm, with other zeros")
     page.locator(".arm-judge summary").click()
     page.get_by_label("Convention", exact=True).select_option("craig")
     verdict(page, "the modified (Craig) convention, turned into the standard one")
