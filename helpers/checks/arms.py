@@ -3,7 +3,7 @@
 import json
 import math
 from collections.abc import Iterator, Mapping
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any
 
 from helpers.arm import Arm, Body, Row
@@ -90,7 +90,6 @@ def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:
     ]
 
 
-@cache
 def _namesakes() -> tuple[tuple[str, dict[str, float]], ...]:
     """Robots of nearly one name: the UR10 as its manual's drawing has it and as its maker's table
     of Denavit-Hartenberg parameters does, and the UR10e.

@@ -14,6 +14,10 @@ _SET = """(tex, displayMode, output) =>
     JSON.stringify(katex.renderToString(tex, { displayMode, output, strict: "error" }))"""
 # The TeX once more, which no browser shows.
 _SOURCE = re.compile(r'<annotation[^>]*>[^<]*</annotation>|</?semantics>| xmlns="[^"]*"')
+# A cell's style that a cell has by itself.
+_CELL = re.compile(
+    r'<mtd><mstyle scriptlevel="0" displaystyle="false">((?:(?!</?mtd).)*)</mstyle></mtd>'
+)
 # What has no rule in the style sheet, around mere signs: it would be a third of a page's elements.
 _BARE = re.compile(
     r'<span class="(?:m(?:ord|bin|rel|open|close|punct|op|tight|athrm)[ "])+>([^<]*)</span>'
@@ -67,7 +71,8 @@ def _set(tex: str, display: bool, output: str) -> str:
 
 
 def _lighter(html: str) -> str:
-    """The same to the eye, in a third of the elements."""
+    """The same to the eye and the ear, in a third of the elements."""
+    html = _CELL.sub(r"<mtd>\1</mtd>", html)
     bare = 1
     while bare:
         html, bare = _BARE.subn(r"\1", html)
