@@ -5,7 +5,7 @@ import { formulaOf } from "./reading/entry.js";
 import { meant, read } from "./reading/table.js";
 import { KNOWN_ORDERS } from "./reading/table_columns.js";
 import { numbers, pose } from "./reading/numbers.js";
-import { ArmError, keys, say } from "./sentences.js";
+import { ArmError, say } from "./sentences.js";
 import { compareBranches } from "./topics/branches.js";
 import { compareJacobian } from "./topics/jacobian.js";
 import { comparePose } from "./topics/pose.js";
@@ -31,7 +31,6 @@ const ANSWERS = {
   entry: ({ text, kinds }) => formulaOf(text, kinds),
   orders: () => KNOWN_ORDERS,
   words: ({ key, fields }) => say(key, fields),
-  causes: () => keys().filter((key) => key.includes(".")),
 };
 
 // A run along a path that Python holds; the times at which the path is needed too, where some are.

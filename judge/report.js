@@ -69,13 +69,13 @@ export const answering =
     if (!first) return first;
     const named = first.topic === "table"; // which has causes for it
     const report =
-      first.grade === WRONG && !named ? (ofFamily(judge, text, asked) ?? first) : first;
+      first.grade === WRONG && !named ? (ofFamily(first, judge, text, asked) ?? first) : first;
     const advice = [...(report.advice ?? []), ...adviceOn(report.causes, options)];
     return withLeft({ ...report, advice }, left);
   };
 
 // The report on an answer that is right for another arm of the same name; null where there is none.
-function ofFamily(judge, text, asked) {
+function ofFamily({ topic }, judge, text, asked) {
   const [arm, ...rest] = asked;
   const other = (arm.family ?? []).find((one) => {
     const grade = judgedFor(one, judge, text, rest)?.grade;
@@ -84,7 +84,7 @@ function ofFamily(judge, text, asked) {
   if (!other) return null;
   const names = { arm: arm.name, lengths: arm.lengths, other: other.name, others: other.lengths };
   const words = say("arm.other", names);
-  return reportOf(judgedFor(other, judge, text, rest).topic, arm, WRONG, words, {
+  return reportOf(topic, arm, WRONG, words, {
     findings: [{ what: "cause", where: "", words }],
     causes: [`arm.other:${other.name}`],
     advice: [{ field: "arm", value: other.name }],

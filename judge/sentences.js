@@ -6,9 +6,6 @@ let templates = {};
 // Every script brings the sentences that it says.
 export const learn = (sentences) => void (templates = { ...templates, ...sentences });
 
-// The keys of all sentences that were learnt.
-export const keys = () => Object.keys(templates);
-
 // A sentence with its fields put in.
 export function say(key, fields = {}) {
   let text = templates[key];
@@ -28,7 +25,10 @@ export class ArmError extends Error {
 
 // A, b and c.
 export const listed = (words, last = "and") =>
-  words.length === 1 ? words[0] : `${words.slice(0, -1).join(", ")} ${last} ${words.at(-1)}`;
+  words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} ${last} ${words.at(-1)}`;
+
+// What stands inside a sentence, at the beginning of one.
+export const upper = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 
 // A sentence to stand inside another; a name such as N mm, q_1 or A_i keeps its capital.
 export const lower = (text) =>

@@ -54,23 +54,16 @@ def entries(doctree: nodes.document) -> Iterator[dict[str, str]]:
         terms = [term for term in item.findall(nodes.term) if term["ids"]]
         for term in terms[:1]:
             yield entry(term, term["ids"][0], [item.children[-1]])
-    for table in doctree.findall(
-        lambda n: "entries" in getattr(n, "attributes", {}).get("classes", ())
-    ):
-        section = next(node for node in iter_parents(table) if isinstance(node, nodes.section))
+    tables = (table for table in doctree.findall(nodes.table) if "entries" in table["classes"])
+    for table in tables:
         for row in table.findall(nodes.row):
-            symptom = entry(row.children[0], section["ids"][0], row.children[1:])
+            symptom = entry(row.children[0], table.parent["ids"][0], row.children[1:])
             yield {**symptom, "symptom": "yes"}
     for function in doctree.findall(addnodes.desc):
         signature, content = function.children[0], function.children[-1]
         if signature.get("ids"):
             name = nodes.Text(signature.get("fullname") or signature["ids"][0])
             yield entry(name, signature["ids"][0], [content])
-
-
-def iter_parents(node: nodes.Node) -> Iterator[nodes.Node]:
-    while node := node.parent:
-        yield node
 
 
 def collect(app: Sphinx, doctree: nodes.document) -> None:

@@ -1,6 +1,6 @@
 // Which mistakes explain an answer.
 
-import { listed, lower, say } from "../sentences.js";
+import { listed, lower, say, upper } from "../sentences.js";
 
 const SHARE = 0.6; // of the wrong entries that a single mistake must gain
 const PAIR_SHARE = 0.85;
@@ -104,8 +104,6 @@ export function several(found, most = 3) {
 // A cause that leaves something unexplained is no more than likely.
 export const perhaps = (words, left) =>
   left.length ? upper(say("perhaps", { cause: lower(words) })) : words;
-
-const upper = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 
 // The one with the least cost.
 export function better(all, weight = ODD) {

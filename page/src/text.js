@@ -73,12 +73,6 @@ export function motionText(direction) {
     .join(", ");
 }
 
-export function listed(items, last = "and") {
-  return items.length < 2
-    ? items.join("")
-    : `${items.slice(0, -1).join(", ")} ${last} ${items.at(-1)}`;
-}
-
 // A list with another value in one place.
 export const replaced = (list, at, value) => list.map((v, i) => (i === at ? value : v));
 

@@ -1,9 +1,11 @@
 // What the explorer claims in words: rank, ways, same arm or not. The tests hold each against
 // Python.
 
+import { outside } from "../../judge/geometry/arm.js";
 import { dot, joints, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
 import { sameArm } from "./same_arm.js";
-import { fixed, listed, motionText } from "./text.js";
+import { fixed, motionText } from "./text.js";
+import { listed, upper } from "../../judge/sentences.js";
 
 const RANK = 1e-6; // singular values below this share of the largest count as zero
 
@@ -90,11 +92,19 @@ export function waysVerdict(arm, { list, families = [], held = -1, whole = true 
   return `Infinitely many ways to this ${pose}: ${how}${kinds}; ${shown}.`;
 }
 
+// The joints of which something holds, by their rows in the table.
+export const jointNames = (arm, holds) =>
+  joints(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
+
+// The joints that pass a limit on a path.
+export const pastLimits = (arm, path) =>
+  jointNames(arm, (row, k) => path.some((q) => outside(arm.rows[row], q[k])));
+
 // Why a dragged tip stops short of the pointer.
 export function stopVerdict({ stops = [], short = 0 }) {
   if (short < 0.002) return "";
   const reason = stops.length ? listed(stops) : "out of reach";
-  return `${reason[0].toUpperCase()}${reason.slice(1)}: ${fixed(1000 * short, 0)} mm short.`;
+  return `${upper(reason)}: ${fixed(1000 * short, 0)} mm short.`;
 }
 
 // What a dragged tip has to say: why it stops, or that it is about to.

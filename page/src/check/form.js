@@ -4,7 +4,8 @@
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { h, write } from "../dom.js";
 import { ASKED, OWN, UNITS } from "./question.js";
-import { lengthsOf, listed } from "../text.js";
+import { lengthsOf } from "../text.js";
+import { listed } from "../../../judge/sentences.js";
 import { turning } from "../../../judge/reading/numbers.js";
 
 /**

@@ -8,7 +8,7 @@ import { ASKED } from "./questions.js";
 import { pose } from "../../../judge/reading/numbers.js";
 import { ownValues } from "../../../judge/reading/values.js";
 import { checkerOf, ownTable } from "./checkers.js";
-import { ArmError, quoted } from "../../../judge/sentences.js";
+import { ArmError, quoted, upper } from "../../../judge/sentences.js";
 
 export { ASKED };
 
@@ -178,7 +178,7 @@ export function judge(question, arms) {
   } catch (error) {
     if (error instanceof Waiting) return { error: LOADING, waiting: "table" };
     if (error instanceof ArmError)
-      return { error: capital(error.message), arm, q, advice: error.advice };
+      return { error: upper(error.message), arm, q, advice: error.advice };
     throw error;
   }
 }
@@ -188,7 +188,6 @@ const missing = (question, arm) =>
   posed(question) && !question.q.trim()
     ? `Type the pose: ${joints(arm).length} joint values.`
     : null;
-const capital = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 
 // The call in Python that says the same.
 export function asPython(question, arms) {

@@ -14,7 +14,8 @@ import {
 import { freed } from "../renderer.js";
 import { branchColour } from "../look.js";
 import { Arrow, tube } from "../shapes.js";
-import { fixed, listed, sparse } from "../text.js";
+import { fixed, sparse } from "../text.js";
+import { listed } from "../../../judge/sentences.js";
 import { rankVerdict, waysVerdict } from "../verdicts.js";
 import { makeLever, makeLive } from "./live.js";
 

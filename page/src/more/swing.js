@@ -1,5 +1,6 @@
 // The freedom that a seventh joint gives, as a small figure.
 
+import { outside } from "../../../judge/geometry/arm.js";
 import { jacobianColumns, joints, linkFrames } from "../../../judge/geometry/kinematics.js";
 import { rightNull } from "../../../judge/geometry/linear.js";
 import { reach } from "../motion.js";
@@ -40,10 +41,6 @@ export function swing(host, spec) {
 
 // Joint vectors with the tip at rest, in small steps both ways, within limits.
 function swungBothWays(arm, start, held) {
-  const limits = joints(arm).map((index) => [
-    arm.rows[index].lower ?? -Infinity,
-    arm.rows[index].upper ?? Infinity,
-  ]);
   const walk = (sign) => {
     const found = [];
     let [q, before] = [start, null];
@@ -59,7 +56,7 @@ function swungBothWays(arm, start, held) {
         q.map((v, k) => v + 0.03 * way[k]),
         held,
       ).q;
-      if (next.some((v, k) => v < limits[k][0] || v > limits[k][1])) break;
+      if (joints(arm).some((row, k) => outside(arm.rows[row], next[k]))) break;
       found.push(next);
       [q, before] = [next, way];
     }

@@ -1,9 +1,10 @@
 // The homework's runs in words.
 
-import { outside } from "../../../judge/geometry/arm.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { HOMEWORK } from "../runs.js";
-import { fixed, listed } from "../text.js";
+import { jointNames, pastLimits } from "../verdicts.js";
+import { fixed } from "../text.js";
+import { listed } from "../../../judge/sentences.js";
 
 export const NAMES = {
   euler: "Euler",
@@ -57,10 +58,8 @@ function sigma(v) {
 export function said(result, arm) {
   if (!result) return "Computing …";
   if (result.failed !== null) return broken(result);
-  const jointNames = (holds) =>
-    joints(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
-  const winding = jointNames((_, k) => Math.abs(result.wound[k]) > 0.9);
-  const past = jointNames((row, k) => result.path.some((q) => outside(arm.rows[row], q[k])));
+  const winding = jointNames(arm, (_, k) => Math.abs(result.wound[k]) > 0.9);
+  const past = pastLimits(arm, result.path);
   const turns = winding.length ? ` Once round: ${listed(winding)}.` : "";
   const limits = past.length ? ` Past its limits: ${listed(past)}.` : "";
   const error = `Largest error ${millimetres(result.largest)}`;

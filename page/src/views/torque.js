@@ -4,7 +4,8 @@
 import { attribute, h, indexed, write } from "../dom.js";
 import { entered } from "../entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
-import { fixed, listed, replaced, short } from "../text.js";
+import { fixed, replaced, short } from "../text.js";
+import { listed } from "../../../judge/sentences.js";
 
 export const title = "Static torque";
 

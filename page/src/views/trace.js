@@ -1,15 +1,15 @@
 // A path played back: where the tip goes, and what each joint does meanwhile.
 
-import { outside } from "../../../judge/geometry/arm.js";
 import { h, select, write } from "../dom.js";
 import { readEntry } from "../../../judge/reading/entry.js";
 import { marked } from "../entry.js";
 import { latest } from "../jobs.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
 import { torquesAlong } from "../runs.js";
-import { fixed, listed, short } from "../text.js";
+import { fixed, short } from "../text.js";
+import { listed, upper } from "../../../judge/sentences.js";
 import { makePlots, PLOTTED } from "./plots.js";
 import { makeTransport } from "./transport.js";
+import { pastLimits } from "../verdicts.js";
 
 const MOST_RADIUS = 5; // m
 
@@ -110,11 +110,9 @@ function verdictText({ arm, trace, stray }) {
     const far = fixed(1000 * stray, 0);
     return `The whole circle is not within reach: the tip strays by up to ${far} mm.`;
   }
-  const past = joints(arm).flatMap((row, i) =>
-    trace.some((q) => outside(arm.rows[row], q[i])) ? [`joint ${row + 1}`] : [],
-  );
+  const past = pastLimits(arm, trace);
   if (!past.length) return "All joints stay within their limits.";
   const whose = past.length > 1 ? "their limits" : "its limit";
   const words = `${listed(past)} would have to pass ${whose} (tinted).`;
-  return words[0].toUpperCase() + words.slice(1);
+  return upper(words);
 }
