@@ -19,7 +19,7 @@ from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.checks import compare_branches
 from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford, ur
 from helpers.inverse.numeric import turn_between
-from helpers.kinematics import forward_kinematics, jacobian, manipulability
+from helpers.kinematics import forward_kinematics, jacobian, manipulability, tip
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.laws import joint_vectors
 
@@ -69,113 +69,76 @@ def misses(arm, found, targets):
     return error[found.valid]
 
 
-@pytest.mark.parametrize(("solver", "arm", "number"), PLACED + POSED)
-def test_every_branch_of_10_000_random_targets(solver, arm, number):
-    q = random_q(arm, 10_000)
+def among(solver, arm, q, off=1e-5):
+    """What a solver finds for the poses of q, each branch proved and q among them."""
     T = forward_kinematics(arm, q)
     targets = T[:, :3, 3] if arm.dof == 3 else T
     found = solver(arm, targets)
     assert misses(arm, found, targets).max() < 1e-10
-    assert np.isfinite(found.q[found.valid]).all()
-    assert np.isnan(found.q[~found.valid]).all()
-    # The joint vector that made the target is one of them, and no two are the same.
-    gaps = np.where(found.valid, apart(arm, found.q, q[:, None]), np.inf)
-    assert gaps.min(axis=1).max() < 1e-6
-    for i in range(found.q.shape[1]):
+    assert np.where(found.valid, apart(arm, found.q, q[:, None]), np.inf).min(axis=1).max() < off
+    assert (found.distance == 0).all()
+    return found
+
+
+def all_differ(arm, found):
+    for i in range(found.q.shape[-2]):
         for j in range(i):
             both = found.valid[:, i] & found.valid[:, j]
-            assert (apart(arm, found.q[:, i], found.q[:, j])[both] > 1e-7).all()
+            assert (apart(arm, found.q[:, i], found.q[:, j])[both] > 1e-7).all(), (arm.name, i, j)
+
+
+@pytest.mark.parametrize(("solver", "arm", "number"), PLACED + POSED)
+def test_every_branch_of_10_000_random_targets(solver, arm, number):
+    found = among(solver, arm, random_q(arm, 10_000), off=1e-6)
+    assert np.isfinite(found.q[found.valid]).all()
+    assert np.isnan(found.q[~found.valid]).all()
+    all_differ(arm, found)
     if number:
         assert found.valid.all()
     assert not found.free.any()
-    assert (found.distance == 0).all()
     assert len(found.branches) == found.q.shape[1] == len(set(found.branches))
 
 
-def test_ur_branches_come_in_pairs_and_are_at_most_eight():
-    found = ur(UR10E, forward_kinematics(UR10E, random_q(UR10E, 2000)))
-    assert set(found.valid.sum(axis=1)) <= {2, 4, 6, 8}
-
-
-@settings(max_examples=60)
-@given(
-    st.tuples(*[st.floats(0.1, 1)] * 3),
-    st.tuples(*[st.sampled_from((-1, 1))] * 3),
-    st.tuples(*[st.floats(-3, 3)] * 3),
-    st.floats(-0.4, 0.4),
-    st.booleans(),
+LENGTH, SIGN, ZERO = st.floats(0.1, 1), st.sampled_from((-1, 1)), st.floats(-3, 3)
+STRAIGHT, SQUARE = st.sampled_from((0.0, np.pi)), st.sampled_from((-np.pi / 2, np.pi / 2))
+SIDE = st.sampled_from((-0.3, 0.0, 0.2))
+ELBOWS = st.tuples(
+    st.builds(revolute, d=LENGTH, alpha=SQUARE, theta=ZERO),
+    st.builds(lambda sign, a, d, alpha, theta: revolute(sign * a, alpha, d, theta),
+              SIGN, LENGTH, st.floats(-0.4, 0.4), STRAIGHT, ZERO),
+    st.builds(lambda sign, a, theta: revolute(sign * a, 0.7, 0.1, theta), SIGN, LENGTH, ZERO),
+    st.just(fixed(d=0.2)),
+)  # fmt: skip
+URS = st.tuples(
+    st.builds(revolute, d=st.just(0.2), alpha=SQUARE, theta=ZERO),
+    st.builds(revolute, a=SIGN.map(lambda s: 0.6 * s), d=st.just(0.02), alpha=STRAIGHT, theta=ZERO),
+    st.builds(
+        revolute, a=SIGN.map(lambda s: 0.5 * s), d=st.just(-0.05), alpha=STRAIGHT, theta=ZERO
+    ),
+    st.builds(revolute, d=SIGN.map(lambda s: 0.17 * s), alpha=SQUARE, theta=ZERO),
+    st.builds(revolute, d=SIGN.map(lambda s: 0.12 * s), alpha=SQUARE, theta=ZERO),
+    st.builds(lambda sign, theta: revolute(0.04, 0.5, sign * 0.1, theta), SIGN, ZERO),
 )
-def test_elbow_arms_of_any_signs_offsets_and_zeros(lengths, signs, zeros, offset, flipped):
-    d_1, a_2, a_3 = lengths
-    arm = Arm(
-        "random elbow",
-        (
-            revolute(alpha=signs[0] * np.pi / 2, d=d_1, theta=zeros[0]),
-            revolute(a=signs[1] * a_2, d=offset, alpha=np.pi if flipped else 0.0, theta=zeros[1]),
-            revolute(a=signs[2] * a_3, d=0.1, alpha=0.7, theta=zeros[2]),
-            fixed(d=0.2),
-        ),
-    )
-    q = random_q(arm, 50)
-    p = forward_kinematics(arm, q)[:, :3, 3]
-    found = elbow(arm, p)
-    assert misses(arm, found, p).max() < 1e-10
-    assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
-
-
-@settings(max_examples=60)
-@given(
-    st.tuples(*[st.sampled_from((-1, 1))] * 8),
-    st.tuples(*[st.booleans()] * 2),
-    st.tuples(*[st.floats(-3, 3)] * 6),
+RODS = st.tuples(
+    st.builds(revolute, d=SIDE, alpha=SQUARE, theta=ZERO),
+    st.builds(revolute, d=SIDE, alpha=SQUARE, theta=ZERO),
+    st.builds(prismatic, d=SIDE, theta=ZERO),
+    st.builds(fixed, d=st.sampled_from((0.0, 0.2))),
 )
-def test_ur_arms_of_any_signs_offsets_and_zeros(signs, flips, zeros):
-    s = signs
-    arm = Arm(
-        "random UR",
-        (
-            revolute(alpha=s[0] * np.pi / 2, d=0.2, theta=zeros[0]),
-            revolute(a=s[1] * 0.6, d=0.02, alpha=np.pi * flips[0], theta=zeros[1]),
-            revolute(a=s[2] * 0.5, d=-0.05, alpha=np.pi * flips[1], theta=zeros[2]),
-            revolute(alpha=s[3] * np.pi / 2, d=s[4] * 0.17, theta=zeros[3]),
-            revolute(alpha=s[5] * np.pi / 2, d=s[6] * 0.12, theta=zeros[4]),
-            revolute(a=0.04, alpha=0.5, d=s[7] * 0.1, theta=zeros[5]),
-        ),
-    )
-    q = random_q(arm, 50)
-    T = forward_kinematics(arm, q)
-    found = ur(arm, T)
-    assert misses(arm, found, T).max() < 1e-10
-    assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
 
 
+@pytest.mark.parametrize(("solver", "rows"), [(elbow, ELBOWS), (ur, URS), (rod, RODS)])
 @settings(max_examples=60)
-@given(
-    st.tuples(*[st.sampled_from((-1, 1))] * 2),
-    st.tuples(*[st.floats(-3, 3)] * 3),
-    st.tuples(*[st.sampled_from((-0.3, 0.0, 0.2))] * 3),
-    st.booleans(),
-)
-def test_rods_of_any_signs_offsets_and_zeros(signs, zeros, offsets, tool):
-    arm = Arm(
-        "random rod",
-        (
-            revolute(alpha=signs[0] * np.pi / 2, d=offsets[0], theta=zeros[0]),
-            revolute(alpha=signs[1] * np.pi / 2, d=offsets[1], theta=zeros[1]),
-            prismatic(d=offsets[2], theta=zeros[2]),
-            *([fixed(d=0.2)] if tool else []),
-        ),
-    )
-    q = random_q(arm, 50)
-    p = forward_kinematics(arm, q)[:, :3, 3]
-    found = rod(arm, p)
-    assert (found.times.sum(axis=1) == 4).all()  # two that meet within rounding are listed once
-    assert (found.distance == 0).all()
-    assert misses(arm, found, p).max() < 1e-10
-    assert np.where(found.valid, apart(arm, found.q, q[:, None]), 9).min(axis=1).max() < 1e-5
-    # Out is where the rod's length from the shoulder, offset and tool counted, is positive.
-    out = found.q[..., 2] + offsets[2] + (0.2 if tool else 0.0) > 0
-    assert (out == [True, False, True, False])[found.valid].all()
+@given(data=st.data())
+def test_arms_of_any_signs_offsets_and_zeros(solver, rows, data):
+    arm = Arm("random", data.draw(rows))
+    found = among(solver, arm, random_q(arm, 50))
+    if (
+        solver is rod
+    ):  # out is where its length from the shoulder, offset and tool counted, is positive
+        assert (found.times.sum(axis=1) == 4).all()  # two that meet within rounding are listed once
+        out = found.q[..., 2] + sum(row.d for row in arm.rows[2:]) > 0
+        assert (out == [True, False, True, False])[found.valid].all()
 
 
 # By hand
@@ -222,9 +185,10 @@ def test_beyond_reach_there_is_no_branch_but_a_distance():
     # The hole of an arm with offset: the axis is 0.12 away from everything that the arm can reach.
     np.testing.assert_allclose(elbow(OFFSET, (0.05, 0.0, 0.8)).distance, 0.07, atol=1e-12)
     assert np.isnan(elbow(OFFSET, (2.0, 0.0, 0.8)).distance)
-    np.testing.assert_allclose(
-        rod(replace(STANFORD, rows=STANFORD.rows[:3], home=()), (0.06, 0.08, 0.3)).distance, 0.054
-    )
+    T = forward_kinematics(UR10E, random_q(UR10E, 3))
+    T[1, :3, 3] = 5.0
+    np.testing.assert_array_equal(ur(UR10E, T).distance, (0, np.nan, 0))
+    np.testing.assert_allclose(rod(SHORT, (0.06, 0.08, 0.3)).distance, 0.054)
 
 
 def test_the_boundary_belongs_to_the_reach():
@@ -242,48 +206,34 @@ def test_the_boundary_belongs_to_the_reach():
 
 # Singular targets
 
-
-def test_above_the_shoulder_joint_1_is_free():
-    p = np.array((0.0, 0.0, 0.9))
-    for q1 in (0.0, 0.7, -2.0):
-        found = elbow(ELBOW, p, start=(q1, 0, 0))
-        assert list(found.ways) == ["elbow up", "elbow down"]  # back is front, turned half round
-        assert found.times.tolist() == [2, 2, 0, 0]
-        assert found.free[found.valid].tolist() == [[True, False, False]] * 2
-        assert misses(ELBOW, found, p).max() < 1e-12
-        assert apart(ELBOW, found.q[:2, :1], q1).max() < 1e-12
-    assert not elbow(OFFSET, p).valid.any()
+TWINS = ELBOW.with_values(a_3=0.4)
+SHORT = replace(STANFORD, rows=STANFORD.rows[:3], home=())
+MAST = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()))
 
 
-def test_a_folded_arm_has_joint_2_free():
-    twins = ELBOW.with_values(a_3=0.4)
-    found = elbow(twins, (0, 0, 0.5), start=(0.1, 0.2, 0.3))
-    assert found.times.tolist() == [4, 0, 0, 0]
-    assert found.free[0].tolist() == [True, True, False]
-    np.testing.assert_allclose(found.q[0, 1], 0.2)
-    assert misses(twins, found, np.array((0, 0, 0.5))).max() < 1e-12
+@pytest.mark.parametrize(
+    ("solver", "arm", "target", "ways", "free"),
+    [
+        (elbow, ELBOW, (0, 0, 0.9), ["elbow up", "elbow down"], [1]),  # back is front, turned round
+        (elbow, TWINS, (0, 0, 0.5), ["the only one"], [1, 2]),  # folded onto the shoulder
+        (rod, MAST, (0, 0, 0.6), ["rod out", "rod through"], [1]),  # upright
+        (rod, SHORT, tip(SHORT, (0.4, 0.9, 0)), ["the only one"], [2]),  # the tip in the shoulder
+    ],
+)
+@pytest.mark.parametrize("start", [(0.0, 0.3, 0.0), (-2.0, 0.7, 0.3)])
+def test_a_joint_that_is_free_keeps_its_value(solver, arm, target, ways, free, start):
+    found = solver(arm, target, start=start)
+    assert list(found.ways) == ways
+    assert found.times.sum() == 4
+    wanted = [joint in free for joint in (1, 2, 3)]
+    assert (found.free[found.valid] == wanted).all()
+    kept = np.where(wanted, found.q[found.valid] - start, 0)
+    np.testing.assert_allclose(kept, 0, atol=1e-12)
+    assert misses(arm, found, np.array(target)).max() < 1e-12
 
 
-def test_rod_with_its_tip_in_the_shoulder():
-    arm = replace(STANFORD, rows=STANFORD.rows[:3], home=())
-    p = forward_kinematics(arm, (0.4, 0.9, 0.0))[:3, 3]
-    found = rod(arm, p, start=(0, 0.3, 0))
-    assert found.times.tolist() == [4, 0, 0, 0]
-    assert found.free[0].tolist() == [False, True, False]
-    np.testing.assert_allclose(found.q[0, 1], 0.3)
-    assert misses(arm, found, p).max() < 1e-12
-
-
-def test_rod_above_its_shoulder_leaves_joint_1_free():
-    """Without an offset the target on joint 1's axis is reached with q_1 as it was, the rod
-    upright."""
-    arm = Arm("mast", (revolute(alpha="-pi/2"), revolute(alpha="pi/2"), prismatic()))
-    found = rod(arm, (0, 0, 0.6), start=(0.7, 0, 0))
-    assert list(found.ways) == ["rod out", "rod through"]
-    assert found.free[found.valid].tolist() == [[True, False, False]] * 2
-    assert apart(arm, found.q[:2, :1], 0.7).max() < 1e-12
-    np.testing.assert_allclose(found.q[:2, 2], [0.6, -0.6])
-    assert misses(arm, found, np.array((0, 0, 0.6))).max() < 1e-12
+def test_an_offset_keeps_the_tip_off_the_axis():
+    assert not elbow(OFFSET, (0.0, 0.0, 0.9)).valid.any()
 
 
 @pytest.mark.parametrize("flipped", [0.0, np.pi])
@@ -333,46 +283,30 @@ def test_a_stretched_ur_is_an_isolated_solution():
     nearest = solve(turned, T, np.zeros(5), limits=False)
     assert not nearest.reached
     assert max(nearest.position_error, nearest.orientation_error) > 1e-4
-    for others in (
-        np.zeros(5),
-        nearest.q,
-    ):  # the best that the other joints can do about it is 0.6 mm off
-        report = compare_branches([[*others, 0.1]], found)
-        assert not report.agrees
-        assert not report.agrees
+    for others in (np.zeros(5), nearest.q):  # the best that they can do about it is 0.6 mm off
+        assert not compare_branches([[*others, 0.1]], found).agrees
 
 
 @pytest.mark.parametrize(
-    ("q", "free"),
+    ("q", "free", "arm"),
     [
-        ((0, 0, 1e-3, 0, 0, 0), True),  # the elbow a little bent: the circle crosses the boundary
-        (
-            (0.3, -0.7, 0, 0, 0, 0.4),
-            False,
-        ),  # d_5 in line with the stretched links, wherever they point
-        ((0.3, -0.7, 0, 0.5, 0, 0.4), True),  # stretched, but d_5 is out of line
-        (
-            (0.3, -0.7, 0, np.pi, 0, 0.4),
-            True,
-        ),  # in line, back towards the shoulder: other q_6 bend the elbow
+        # The elbow a little bent: the circle crosses the boundary.
+        ((0, 0, 1e-3, 0, 0, 0), True, UR10E_HOMEWORK),
+        # d_5 in line with the stretched links, wherever they point; out of line; back towards the
+        # shoulder, where other q_6 bend the elbow.
+        ((0.3, -0.7, 0, 0, 0, 0.4), False, UR10E_HOMEWORK),
+        ((0.3, -0.7, 0, 0.5, 0, 0.4), True, UR10E_HOMEWORK),
+        ((0.3, -0.7, 0, np.pi, 0, 0.4), True, UR10E_HOMEWORK),
+        # Folded: the farthest point of the circle, of 0.1157 m, just reaches the inner boundary,
+        # |a_2 - a_3| = 0.3127 m.
+        ((0.2, 0.4, np.pi, 0, 0, 0.3), False, UR10E_HOMEWORK.with_values(a_3=0.3)),
     ],
 )
-def test_joint_6_of_a_ur_is_free_where_its_circle_lies_within_reach(q, free):
-    T = forward_kinematics(UR10E_HOMEWORK, np.array(q, float))
-    found = ur(UR10E_HOMEWORK, T)
+def test_joint_6_of_a_ur_is_free_where_its_circle_lies_within_reach(q, free, arm):
+    found = ur(arm, forward_kinematics(arm, np.array(q, float)))
     same_shoulder = found.valid & (np.abs(np.exp(1j * found.q[:, 0]) - np.exp(1j * q[0])) < 1e-5)
     assert same_shoulder.any()
     assert found.free[same_shoulder, 5].any() == free
-
-
-def test_a_ur_folded_inwards_is_an_isolated_solution():
-    """The farthest point of the circle just reaches the inner boundary: |a_2 - a_3| = d_5 + far."""
-    arm = UR10E_HOMEWORK.with_values(a_3=0.3)  # inner radius 0.3127, arc 0.1157
-    q = np.array([0.2, 0.4, np.pi, 0, 0, 0.3])
-    found = ur(arm, forward_kinematics(arm, q))
-    same_shoulder = found.valid & (np.abs(np.exp(1j * found.q[:, 0]) - np.exp(1j * q[0])) < 1e-5)
-    assert same_shoulder.any()
-    assert not found.free[same_shoulder, 5].any()
 
 
 @pytest.mark.parametrize(
@@ -484,28 +418,17 @@ def at_knife_edges():
 
 @pytest.mark.parametrize(("solver", "arm", "targets"), list(at_knife_edges()))
 def test_what_is_listed_does_not_hang_on_the_last_digit(solver, arm, targets):
+    """And branches that are one are listed once, and counted so."""
     rng, found = np.random.default_rng(21), solver(arm, targets)
     assert found.valid.any(axis=1).all()
+    all_differ(arm, found)
+    assert (found.times.sum(axis=1) <= len(found.branches)).all()
+    assert ((found.times >= 1) == found.valid).all()
     for _ in range(12):
         again = solver(arm, in_the_last_digits(targets, rng))
         np.testing.assert_array_equal(again.valid, found.valid)
         np.testing.assert_array_equal(again.times, found.times)
         np.testing.assert_array_equal(again.free, found.free)
-
-
-def test_branches_that_are_one_are_listed_once_and_told_so():
-    """No two of them are the same, and none is counted twice."""
-    for solver, arm, targets in at_knife_edges():
-        found = solver(arm, targets)
-        for i in range(found.q.shape[-2]):
-            for j in range(i):
-                both = found.valid[:, i] & found.valid[:, j]
-                near = apart(arm, found.q[:, i], found.q[:, j]) < 1e-7
-                assert not (both & near).any(), (arm.name, i, j)
-        whole = found.times.sum(axis=1)
-        assert (whole <= len(found.branches)).all()
-        assert (found.times[found.valid] >= 1).all()
-        assert (found.times[~found.valid] == 0).all()
 
 
 def test_a_family_is_told_as_one():
@@ -530,75 +453,61 @@ def test_a_family_is_told_as_one():
 # Choosing
 
 
-def test_nearest_counts_whole_turns_and_limits():
-    arm = Arm("pointer", (revolute(alpha="pi/2", limits=(-6, 6)), revolute(a=1), revolute(a=0.5)))
-    found = elbow(arm, forward_kinematics(arm, (3.0, 0.4, 0.5))[:3, 3])
-    for start in ((3.0, 0.4, 0.5), (3.0 - 2 * np.pi, 0.4, 0.5 + 4 * np.pi)):
-        np.testing.assert_allclose(found.nearest(start), start, atol=1e-9)
+def limited(arm, limits):
+    """The arm with these (lower, upper) limits and a home within them."""
+    rows = [
+        replace(row, joint=replace(row.joint, lower=low, upper=high))
+        for row, (low, high) in zip(arm.rows, limits, strict=True)
+    ]
+    return replace(arm, rows=rows, home=tuple(low for low, _ in limits))
+
+
+@pytest.mark.parametrize(("solver", "arm"), [(elbow, ELBOW), (stanford, STANFORD)])
+@settings(max_examples=60)
+@given(seed=st.integers(0, 9999), wide=st.floats(0.5, 12))
+def test_nearest_is_the_nearest_of_all_branches_and_turns_within_the_limits(
+    solver, arm, seed, wide
+):
+    """By trying every turn of every joint; a slide makes none."""
+    rng = np.random.default_rng(seed)
+    low = rng.uniform(-wide, 0, arm.dof)
+    arm = limited(arm, np.stack([low, low + wide], axis=1))
+    start = random_q(arm, 1, seed)[0] * rng.choice([1, 3])
+    T = forward_kinematics(arm, random_q(arm, 1, seed + 1)[0])
+    found = solver(arm, T[:3, 3] if arm.dof == 3 else T)
+    turns = np.array([row.joint.kind == "revolute" for row in arm.rows])[:, None]
+    tried = found.q[..., None] + 2 * np.pi * np.arange(-6, 7) * turns
+    inside = (tried >= low[:, None]) & (tried <= low[:, None] + wide)
+    gaps = np.abs(tried - start[:, None])
+    for limits, allowed in ((True, inside), (False, np.isfinite(tried))):
+        least = np.where(allowed, gaps, np.inf).min(axis=-1).max(axis=-1)
+        chosen = found.nearest(start, limits=limits)
+        assert np.isfinite(chosen).all() == np.isfinite(least).any()
+        if np.isfinite(least).any():
+            assert np.abs(chosen - start).max() == pytest.approx(least.min(), abs=1e-9)
+            assert apart(arm, found.q, chosen)[found.valid].min() < 1e-9
+    np.testing.assert_array_equal(found.within_limits, inside.any(axis=-1).all(axis=-1))
+
+
+def test_nearest_is_taken_target_by_target():
     starts = joint_vectors(ELBOW, (2, 3))
     each = elbow(ELBOW, forward_kinematics(ELBOW, starts)[..., :3, 3])
     np.testing.assert_allclose(each.nearest(starts), starts, atol=1e-9)
-    # A turn further would be nearer, but is beyond the limit of joint 1.
-    np.testing.assert_allclose(found.nearest((8.0, 0.4, 0.5))[0], 3.0, atol=1e-9)
-    np.testing.assert_allclose(
-        found.nearest((8.0, 0.4, 0.5), limits=False)[0], 3.0 + 2 * np.pi, atol=1e-9
-    )
 
 
-def test_limits_rule_branches_out():
-    T = forward_kinematics(STANFORD, (0.3, 0.8, 0.5, 0.4, 0.5, 0.6))
-    found = stanford(STANFORD, T)
-    assert found.valid.all()
-    out = np.array(["rod out" in name for name in found.branches])
-    np.testing.assert_array_equal(found.within_limits, out)
-    through = found.q[~out][0]
-    assert found.nearest(through)[2] > 0.1
-    np.testing.assert_allclose(found.nearest(through, limits=False), through, atol=1e-12)
-
-
-def test_limits_beyond_half_a_turn_are_met_by_whole_turns():
-    """q_1 = -1 of the list is 2 pi - 1 = 5.28 for a joint that goes from 3.5 to 6, and 2 is 8.28:
-    out."""
-    first = revolute(alpha="pi/2", limits=(3.5, 6))
-    arm = Arm("winder", (first, revolute(a=1), revolute(a=0.5)), home=(4, 0, 0))
-    for q1, inside in ((-1.0, True), (2.0, False)):
-        found = elbow(arm, forward_kinematics(arm, (q1, 0.4, 0.5))[:3, 3])
-        at = int(apart(arm, found.q, np.array((q1, 0.4, 0.5))).argmin())
-        assert found.within_limits[at] == inside
-    low = replace(
-        arm, rows=(revolute(alpha="pi/2", limits=(-6, -3.5)), *arm.rows[1:]), home=(-4, 0, 0)
-    )
-    found = elbow(low, forward_kinematics(low, (1.0, 0.4, 0.5))[:3, 3])
-    at = int(apart(low, found.q, np.array((1.0, 0.4, 0.5))).argmin())
-    assert found.within_limits[at]
-    np.testing.assert_allclose(found.nearest((-5, 0.4, 0.5)), (1 - 2 * np.pi, 0.4, 0.5), atol=1e-9)
-
-
-@pytest.mark.parametrize("limits", [(-2.0, 1.0), (1.0, 2.0)])
-def test_a_joint_at_its_limit_is_within(limits):
+@pytest.mark.parametrize("limits", [(-2.0, 1.0), (1.0, 2.0), (-6.0, 1.0)])
+def test_a_joint_at_its_limit_is_within_and_not_wound_back(limits):
     """A billionth of a radian over is rounding; a millionth is not."""
-    arm = Arm(
-        "stopped",
-        (revolute(alpha="pi/2", limits=limits), revolute(a=1), revolute(a=0.5)),
-        home=(1.0, 0, 0),
-    )
+    arm = Arm("stopped", (revolute(alpha="pi/2"), revolute(a=1), revolute(a=0.5)))
+    arm = limited(arm, [limits, (-9, 9), (-9, 9)])
     out = 1.0 if limits[1] == 1.0 else -1.0
-    for over, inside in ((0.0, True), (5e-10, True), (1e-6, False)):
-        q = (1.0 + out * over, 0.4, 0.5)
+    for over, inside in ((0.0, True), (5e-10, True), (1e-6, limits[0] == -6)):
+        q = np.array((1.0 + out * over, 0.4, 0.5))
         found = elbow(arm, forward_kinematics(arm, q)[:3, 3])
-        at = int(apart(arm, found.q, np.array(q)).argmin())
+        at = int(apart(arm, found.q, q).argmin())
         assert found.within_limits[at] == inside
-
-
-def test_a_joint_at_its_limit_is_not_wound_back():
-    """Where a turn back lies within the limits too, the joint still stays where it is."""
-    arm = Arm("winch", (revolute(alpha="pi/2", limits=(-6, 1)), revolute(a=1), revolute(a=0.5)))
-    found = elbow(arm, forward_kinematics(arm, (1.0, 0.4, 0.5))[:3, 3])
-    np.testing.assert_allclose(found.nearest((1.0, 0.4, 0.5)), (1.0, 0.4, 0.5), atol=1e-9)
-
-
-def test_nearest_is_nan_where_nothing_is():
-    assert np.isnan(elbow(ELBOW, (3, 0, 0)).nearest(ELBOW.home)).all()
+        if over < 1e-6:
+            np.testing.assert_allclose(found.nearest(q), q, atol=1e-9)
 
 
 def test_follow_keeps_its_branch_and_its_free_joint():
@@ -654,14 +563,6 @@ def test_near_is_taken_target_by_target_beyond_a_chunk_too():
         found = elbow(ELBOW, targets, start=near)
         assert found.free[:, :2, 0].all()
         np.testing.assert_allclose(found.q[:, :2, 0], np.column_stack([q1, q1]), atol=1e-12)
-
-
-def test_out_of_a_urs_reach_the_distance_is_unknown_for_that_target_only():
-    T = forward_kinematics(UR10E, random_q(UR10E, 3))
-    T[1, :3, 3] = 5.0
-    found = ur(UR10E, T)
-    np.testing.assert_array_equal(found.distance, (0, np.nan, 0))
-    assert found.valid.any(axis=1).tolist() == [True, False, True]
 
 
 def test_a_ur_folded_onto_its_shoulder_has_joint_2_free():
