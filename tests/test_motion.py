@@ -2,6 +2,7 @@
 are."""
 
 import math
+from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
 
@@ -80,26 +81,14 @@ def test_eulers_error_as_on_the_homeworks_page(steps, error):
     ).report.position_error == pytest.approx(error, rel=1e-3)
 
 
-def test_orders_of_convergence():
-    def order(method, coarse):
-        errors = [
-            trace(HOMEWORK, HOMEWORK.home, panda_circle(n), method=method).report.position_error
-            for n in (coarse, 2 * coarse)
-        ]
-        return np.log2(errors[0] / errors[1])
-
-    assert order("euler", 500) == pytest.approx(1, abs=0.05)
-    assert order("rk4", 50) == pytest.approx(4, abs=0.2)
-    assert (
-        trace(HOMEWORK, HOMEWORK.home, panda_circle(100), method="rk4").report.position_error < 1e-8
-    )
-
-
-def test_the_exact_method_is_exact():
-    run = trace(REAL, REAL.home, circle([0.6735, 0, 0.7195], 0.1, "zy", 5.0, 200), method="exact")
-    assert run.report.position_error < 1e-12
-    assert run.report.pen_tilt < 1e-12
-    np.testing.assert_allclose(run.q_dot[:-1], np.diff(run.q, axis=0) / 0.025, atol=1e-10)
+def test_runge_and_kuttas_error_goes_with_the_fourth_power_of_the_step():
+    """Euler's goes with the step itself: the rows above."""
+    error = [
+        trace(HOMEWORK, HOMEWORK.home, panda_circle(n), method="rk4").report.position_error
+        for n in (50, 100)
+    ]
+    assert error[0] / error[1] == pytest.approx(2**4, rel=0.15)
+    assert error[1] < 1e-8
 
 
 def test_the_period_does_not_matter_to_the_path():
@@ -199,6 +188,7 @@ def test_random_circles_within_reach_are_traced(bend, turn, radius, plane):
     run = trace(UR10E, start, circle(tip - radius * first, radius, plane, 4.0, 60), method="exact")
     assert run.report.position_error < 1e-11
     assert run.report.pen_tilt < 1e-10
+    np.testing.assert_allclose(run.q_dot[:-1], np.diff(run.q, axis=0) / (4 / 60), atol=1e-10)
     np.testing.assert_allclose(
         run.poses[:, :3, :3], np.broadcast_to(run.poses[0, :3, :3], (61, 3, 3)), atol=1e-10
     )
@@ -264,66 +254,21 @@ def test_many_inverses_are_found_near_others_or_told_to_be_in_doubt():
                 plain_inverse(1e-9).inverses(J, near)
 
 
-def at_a_singular_pose(arm, joint):
-    """300 poses at which a joint stands at 0 and the Jacobian has lost a rank."""
-    q = np.random.default_rng(12).uniform(-np.pi, np.pi, (300, 6))
-    q[:, joint - 1] = 0.0
-    return q
-
-
-@pytest.mark.parametrize(
-    ("arm", "joint"), [(UR10E, 5), (UR10E, 3), (UR10E_HOMEWORK, 5), (STANFORD, 5)]
-)
-def test_the_plain_inverse_is_refused_at_every_singular_pose(arm, joint):
-    """Twists that the lost direction has no part in, for which moderate rates exist."""
-    q = at_a_singular_pose(arm, joint)
-    J = jacobian(arm, q)
-    twists = J @ np.random.default_rng(13).normal(size=(300, 6, 1))
-    for one, twist, where in zip(J, twists[..., 0], q, strict=True):
-        with pytest.raises(SingularError, match="its smallest singular value is"):
-            plain_inverse()(one, twist, where)
-        with pytest.raises((SingularError, np.linalg.LinAlgError)):
-            plain_inverse().inverses(one[None])
-
-
 @pytest.mark.parametrize("cutoff", [1e-9, 1e-3, 0.05])
 def test_the_plain_inverse_says_what_the_singular_values_say(cutoff):
-    """The bound that spares them never decides otherwise."""
+    """The bound that spares them never decides otherwise, and no twist gets past it: these leave
+    out the direction that is lost where joint 5 stands at 0."""
     q = np.random.default_rng(14).uniform(-np.pi, np.pi, (400, 6))
     q[:200, 4] *= 1e-2
+    q[:50, 4] = 0.0
     J = jacobian(UR10E_HOMEWORK, q)
     sizes = np.linalg.svd(J, compute_uv=False)
-    refused = []
-    for one in J:
-        try:
-            plain_inverse(cutoff)(one, np.ones(6), None)
-        except SingularError:
-            refused.append(True)
-        else:
-            refused.append(False)
-    np.testing.assert_array_equal(refused, sizes[:, 5] <= cutoff * sizes[:, 0])
-
-
-@pytest.mark.parametrize("method", ["euler", "rk4", "exact"])
-def test_a_circle_from_a_singular_pose_is_refused_at_once(method):
-    """It lies in the plane of the arm, so that nothing is asked of the direction that is lost."""
-    start = np.array([0.4, -1.2, 1.4, 0.5, 0, 0.7])
-    out, up = np.array([np.cos(0.4), np.sin(0.4), 0]), np.eye(3)[2]
-    top = tip(UR10E, start)
-
-    def position(t):
-        t = 2 * np.pi * np.asarray(t)[..., None]
-        return top + 0.05 * (np.sin(t) * out + (np.cos(t) - 1) * up)
-
-    def velocity(t):
-        t = 2 * np.pi * np.asarray(t)[..., None]
-        return 0.1 * np.pi * (np.cos(t) * out - np.sin(t) * up)
-
-    path = Path(np.linspace(0, 1, 201), position, velocity, np.cross(out, up))
-    assert np.abs(np.linalg.svd(jacobian(UR10E, start))[0][:, 5] @ [*velocity(0), 0, 0, 0]) < 1e-12
-    for how in ({}, {"jacobian": same_jacobian}):
-        with pytest.raises(SingularError, match="step 0 of 200: J has no inverse here"):
-            trace(UR10E, start, path, method=method, **how)
+    for one, singular in zip(J, sizes[:, 5] <= cutoff * sizes[:, 0], strict=True):
+        with pytest.raises(SingularError) if singular else nullcontext():
+            plain_inverse(cutoff)(one, one @ np.ones(6), None)
+        if singular:
+            with pytest.raises((SingularError, np.linalg.LinAlgError)):
+                plain_inverse(cutoff).inverses(one[None])
 
 
 def test_levenbergs_damping_is_the_size_of_what_is_left():
