@@ -5,7 +5,7 @@
 
 import { build } from "esbuild";
 import { readdir, readFile } from "node:fs/promises";
-import { join, relative, resolve, sep } from "node:path";
+import { join, relative, sep } from "node:path";
 
 const helpers = process.argv[2] ?? "helpers";
 const folder = join(helpers, "explorer/static");
@@ -49,49 +49,6 @@ const worker = {
   },
 };
 
-// What a further script imports from the first one's sources it finds in `global`, by its path from
-// the root: all modules that the first one's shared.js lists.
-const kit = async (global, list) => {
-  const shared = new Set((await readFile(list, "utf8")).match(/(?<=")[\w/]+\.js(?=":)/g));
-  const pathOf = ({ path, resolveDir }) =>
-    relative(resolve("."), join(resolveDir, path)).replaceAll(sep, "/");
-  return {
-    name: "kit",
-    setup(bundle) {
-      bundle.onResolve({ filter: /^\.\.?\/.*\.js$/ }, (asked) =>
-        shared.has(pathOf(asked)) ? { path: pathOf(asked), namespace: "kit" } : null,
-      );
-      bundle.onLoad({ filter: /.*/, namespace: "kit" }, ({ path }) => ({
-        contents: `module.exports = ${global}.kit[${JSON.stringify(path)}];`,
-      }));
-    },
-  };
-};
-
-// A script that reads or judges, taught those of the checkers' sentences that its sources name.
-async function judgeScript(name, entry, options = {}) {
-  const made = (words) => ({
-    ...common,
-    ...options,
-    stdin: {
-      contents: [
-        `import { learn } from "../../../judge/sentences.js";`,
-        `learn(${JSON.stringify(words)});`,
-        `export * from "./${entry}";`,
-      ].join("\n"),
-      resolveDir: "page/src/check",
-    },
-    outfile: join(folder, name),
-    format: /** @type {"iife"} */ ("iife"),
-  });
-  const { metafile } = await build({ ...made({}), write: false, metafile: true });
-  const files = Object.keys(metafile.inputs).filter((path) => /^(judge|page)\//.test(path));
-  const sources = await Promise.all(files.map((path) => readFile(path, "utf8")));
-  const all = Object.entries(JSON.parse(await readFile("judge/sentences.json", "utf8")));
-  const named = ([key]) => sources.some((source) => source.includes(`"${key}"`));
-  await build(made(Object.fromEntries(all.filter(named))));
-}
-
 // The judge alone, with all of its sentences, for Python.
 await build({
   ...common,
@@ -108,24 +65,117 @@ await build({
   format: "iife",
   globalName: "Judge",
 });
-await build({
-  ...common,
-  entryPoints: ["page/src/index.js"],
-  outfile: join(folder, "explorer.js"),
-  format: "iife",
-  globalName: "ArmExplorer",
-  plugins: [css, worker],
+
+const SENTENCES = Object.entries(JSON.parse(await readFile("judge/sentences.json", "utf8")));
+const plugins = [css, worker];
+
+// What a script is made from: its entry, and those of the checkers' sentences that it says.
+const stdin = (entry, words = {}, more = []) => ({
+  contents: [
+    ...(Object.keys(words).length
+      ? [`import { learn } from "./judge/sentences.js";`, `learn(${JSON.stringify(words)});`]
+      : []),
+    `export * from "./${entry}";`,
+    ...more,
+  ].join("\n"),
+  resolveDir: ".",
 });
-const explorers = await kit("ArmExplorer", "page/src/shared.js");
-await build({
-  ...common,
-  entryPoints: ["page/src/more/index.js"],
-  outfile: join(folder, "explorer-more.js"),
-  format: "iife",
-  plugins: [css, explorers],
+
+// Modules of the first script, in a further one: left to `load`, by their path from the root.
+const elsewhere = (shared, load) => ({
+  name: "elsewhere",
+  setup(bundle) {
+    bundle.onResolve({ filter: /^\.\.?\/.*\.js$/ }, ({ path, resolveDir }) => {
+      const asked = relative(".", join(resolveDir, path)).replaceAll(sep, "/");
+      return shared.has(asked) ? { path: asked, ...load } : null;
+    });
+  },
 });
-await judgeScript("explorer-table.js", "../paste.js", { plugins: [explorers] });
-await judgeScript("judge.js", "main.js", { globalName: "ArmJudge" });
-const parts = await kit("ArmJudge", "page/src/check/shared.js");
-for (const entry of await readdir("page/src/check/scripts"))
-  await judgeScript(`judge-${entry}`, `scripts/${entry}`, { plugins: [css, parts] });
+
+// A script before it is made small: its text, its modules, and the sentences that it says.
+async function drafted(entry, shared = new Set()) {
+  const { outputFiles, metafile } = await build({
+    ...common,
+    minify: false,
+    format: "esm",
+    stdin: stdin(entry),
+    plugins: [...plugins, elsewhere(shared, { external: true })],
+    write: false,
+    metafile: true,
+  });
+  const { text } = outputFiles[0];
+  const modules = Object.keys(metafile.inputs).filter((path) =>
+    /^(judge|page)\/.*\.js$/.test(path),
+  );
+  return { text, modules, said: SENTENCES.filter(([key]) => text.includes(`"${key}"`)) };
+}
+
+// The names that drafts import from modules of the first script, by the modules' paths.
+function importsOf(drafts) {
+  const found = {};
+  for (const { text } of drafts)
+    for (const [, list, path] of text.matchAll(/^import \{([^}]*)\} from "([^"]+)";$/gm))
+      for (const name of list.split(","))
+        (found[path] ??= new Set()).add(name.trim().split(" ")[0]);
+  return found;
+}
+
+/**
+ * The first script of a page, and those that are loaded after it: what they share stands in the
+ * first one alone, whose global holds it by path and name as `kit`.
+ * @param {string} globalName
+ * @param {[string, string][]} scripts names and entries
+ */
+async function scriptsOf(globalName, [[name, entry], ...further]) {
+  const first = await drafted(entry);
+  const shared = new Set([...first.modules, "judge/sentences.js"]);
+  const drafts = await Promise.all(further.map(([, one]) => drafted(one, shared)));
+  const kit = importsOf([...drafts, { text: `import { learn } from "judge/sentences.js";` }]);
+  const names = (path) => [...kit[path]].join(", ");
+  const given = Object.keys(kit).map((path, i) => `import * as m${i} from "./${path}";`);
+  const held = Object.keys(kit).map(
+    (path, i) => `"${path}": { ${[...kit[path]].map((x) => `${x}: m${i}.${x}`).join(", ")} },`,
+  );
+  const made = { ...common, format: /** @type {"iife"} */ ("iife") };
+  await build({
+    ...made,
+    plugins,
+    globalName,
+    stdin: stdin(entry, Object.fromEntries(first.said), [
+      ...given,
+      `export const kit = { ${held.join(" ")} };`,
+    ]),
+    outfile: join(folder, name),
+  });
+  const taken = {
+    name: "taken",
+    setup(bundle) {
+      bundle.onLoad({ filter: /.*/, namespace: "kit" }, ({ path }) => ({
+        contents: `export const { ${names(path)} } = ${globalName}.kit["${path}"];`,
+      }));
+    },
+  };
+  const known = new Set(first.said.map(([key]) => key));
+  for (const [i, [file, one]] of further.entries()) {
+    const words = drafts[i].said.filter(([key]) => !known.has(key));
+    await build({
+      ...made,
+      plugins: [...plugins, elsewhere(shared, { namespace: "kit" }), taken],
+      stdin: stdin(one, Object.fromEntries(words)),
+      outfile: join(folder, file),
+    });
+  }
+}
+
+await scriptsOf("ArmExplorer", [
+  ["explorer.js", "page/src/index.js"],
+  ["explorer-more.js", "page/src/more/index.js"],
+  ["explorer-table.js", "page/src/paste.js"],
+]);
+const questions = await readdir("page/src/check/scripts");
+await scriptsOf("ArmJudge", [
+  ["judge.js", "page/src/check/main.js"],
+  ...questions.map(
+    (file) => /** @type {[string, string]} */ ([`judge-${file}`, `page/src/check/scripts/${file}`]),
+  ),
+]);

@@ -6,12 +6,11 @@ import { linkFrames } from "../../judge/geometry/kinematics.js";
 import { keepLink } from "./link.js";
 import { asked } from "./verdicts.js";
 import { mountFigure, registerFigure } from "./figures.js";
-import { kit } from "./shared.js";
 import { buildPanel, VIEWS } from "./panel.js";
 import { Figure, inUse, loseContext } from "./renderer.js";
 import { derive, startingState, Store } from "./state.js";
 
-export { derive, Figure, inUse, kinematics, kit, loseContext, registerFigure };
+export { derive, Figure, inUse, kinematics, loseContext, registerFigure };
 
 // Ways that Python or a page gives, with the pose that they lead to.
 function waysFrom(arm, branches) {

@@ -3,11 +3,9 @@
 
 import css from "./check.css";
 import { judges } from "./mounted.js";
-import { kit } from "./shared.js";
 import { mount } from "./page.js";
 import { load } from "./checkers.js";
 
-export { kit };
 document.head.append(Object.assign(document.createElement("style"), { textContent: css }));
 for (const stub of document.querySelectorAll(".arm-judge"))
   judges.push(mount(/** @type {HTMLElement} */ (stub)));
