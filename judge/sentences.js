@@ -95,10 +95,3 @@ function escaped(sign) {
 
 // A shape as Python shows a tuple.
 export const tuple = (shape) => (shape.length === 1 ? `(${shape[0]},)` : `(${shape.join(", ")})`);
-
-// A text as Python would write it: over several lines where it has them and nothing in it would end
-// it.
-export function quoted(text) {
-  const plain = text.includes("\n") && !/"""|["\\]$/.test(text) && !/[\r\0]/.test(text);
-  return plain ? `r"""${text}"""` : JSON.stringify(text);
-}

@@ -4,21 +4,21 @@ import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { textOf } from "../judge/report.js";
 import { learn } from "../judge/sentences.js";
-import { asPython, EMPTY, fromFragment, judge, toFragment } from "../page/src/check/question.js";
+import { EMPTY, fromFragment, judge, toFragment } from "../page/src/check/question.js";
 import "../page/src/check/scripts/jacobian.js";
 import "../page/src/check/scripts/motion.js";
 import "../page/src/check/scripts/table.js";
 
 learn(JSON.parse(readFileSync(new URL("../judge/sentences.json", import.meta.url), "utf8")));
 
-// The verdict, or why there is none; and the call in Python that says the same.
+// The verdict, or why there is none.
 function answered(fields, arms) {
   const keys = arms.map(({ key }) => key);
   const { question, words } = fromFragment(toFragment({ ...EMPTY, ...fields }), keys);
   if (!question) return { error: words };
   const { report, error } = judge(question, arms);
   if (error) return { error };
-  return { grade: report.grade, causes: report.causes, words: textOf(report), call: asPython(question, arms) };
+  return { grade: report.grade, causes: report.causes, words: textOf(report) };
 }
 
 for await (const line of createInterface({ input: process.stdin })) {

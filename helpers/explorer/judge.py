@@ -109,4 +109,4 @@ def listed(call: str) -> Data:
     arm = catalogue_arm(call)
     locked = f", joint {call[-2]} locked" if "lock" in call else ""
     live = {} if locked else {"explorer": arm.name}
-    return {**judged_data(arm), "key": call, "title": arm.name + locked, "python": call, **live}
+    return {**judged_data(arm), "key": call, "title": arm.name + locked, **live}

@@ -2,7 +2,7 @@
 // Python's dictionary.
 
 import { number, plain } from "./formula.js";
-import { ArmError, shown, spelled } from "../sentences.js";
+import { ArmError, shown } from "../sentences.js";
 
 const WHOLE = /^\s*(?:values\s*=\s*)?(?:dict\s*\(([^]*)\)|\{([^]*)\})\s*$/;
 const PAIR = /^\s*(["']?)(.+?)\1\s*[=:]\s*([^=:]+?)\s*$/s;
@@ -24,10 +24,4 @@ export function ownValues(text) {
       `your own symbols: ${shown(part.trim())} is not read; expected such as h = 0.333`,
     );
   });
-}
-
-// The argument of Python's call, if there is one.
-export function valuesCall(text) {
-  const pairs = ownValues(text).map(([name, x]) => `"${name}": ${spelled(x)}`);
-  return pairs.length ? [`values={${pairs.join(", ")}}`] : [];
 }

@@ -1,10 +1,10 @@
-// The page's questions: links that are read or refused in words, one's own table, and the call in Python.
+// The page's questions: links that are read or refused in words, and one's own table.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import { offerOf } from "../../page/src/check/form.js";
-import { armOf, asPython, EMPTY, fromFragment, startOf, toFragment } from "../../page/src/check/question.js";
+import { armOf, EMPTY, fromFragment, startOf, toFragment } from "../../page/src/check/question.js";
 import { number } from "../../judge/reading/formula.js";
 import "../../page/src/check/scripts/jacobian.js";
 import "../../page/src/check/scripts/table.js";
@@ -51,12 +51,6 @@ test("one's own table turns or slides by its variable", () => {
   for (const table of ["", "1, 2, 3", "0, 0, l_1, q1", "0, 0, 1000, q1", "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0"]) {
     assert.throws(() => armOf({ ...own, table }, []), /Type the table|entries|no value for|100 is the most|Are these the columns theta d a alpha/);
   }
-});
-
-test("a call quotes what would end its text", () => {
-  const arms = [{ key: "ELBOW", python: "ELBOW", rows: [{ kind: "revolute" }] }];
-  assert.match(asPython({ ...asked, answer: 'a"""\nb' }, arms), /mine = "a\\"\\"\\"\\nb"/);
-  assert.match(asPython({ ...asked, answer: "\\frac 1 2\n" }, arms), /mine = r"""\\frac 1 2\n"""/);
 });
 
 test("numbers are written as Python writes them", () => {

@@ -7,12 +7,8 @@ import { ASKED } from "./questions.js";
  * @typedef {import("./question.js").Question} Question
  * @typedef {import("../../../judge/geometry/arm.js").Arm} Arm
  * @typedef {import("../../../judge/report.js").Report} Report
- * @typedef {object} Checker
- * @property {(question: Question, arm: Arm) => Report} verdict on what is typed; throws ArmError
- * @property {(question: Question, name: string, arm: Arm) => string} call in Python that says the
- *   same of `mine`, for
- *   an arm that is called `name`
- * @property {string[]} [imports] lines of Python that the call needs besides
+ * @typedef {(question: Question, arm: Arm) => Report} Checker the verdict on what is typed; throws
+ *   ArmError
  */
 
 /** @type {Map<string, Checker>} */

@@ -20,7 +20,7 @@ let count = 0; // of judges on the page, for ids
  * A judge in the page, as its extras (scripts/page.js) know it.
  * @typedef {object} Judge
  * @property {HTMLElement} stub
- * @property {any[]} arms those of its list: each has a key, a title and the call in Python
+ * @property {any[]} arms those of its list: each has a key and a title
  * @property {any[]} examples
  * @property {any} given what a chapter asks, if it does
  * @property {Record<string, any>} boxes

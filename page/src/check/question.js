@@ -1,5 +1,4 @@
-// What is asked of the judge: its state in a link and back, the call in Python that says the same,
-// and the verdict.
+// What is asked of the judge: its state in a link and back, and the verdict.
 
 import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
@@ -8,7 +7,7 @@ import { ASKED } from "./questions.js";
 import { pose } from "../../../judge/reading/numbers.js";
 import { ownValues } from "../../../judge/reading/values.js";
 import { checkerOf, ownTable } from "./checkers.js";
-import { ArmError, quoted, upper } from "../../../judge/sentences.js";
+import { ArmError, upper } from "../../../judge/sentences.js";
 
 export { ASKED };
 
@@ -173,7 +172,7 @@ export function judge(question, arms) {
     }
     const checker = checkerOf(question.ask);
     if (!checker) return { error: LOADING, waiting: question.ask, arm, q };
-    const report = checker.verdict(question, arm);
+    const report = checker(question, arm);
     return { report, arm, q, advice: report.advice };
   } catch (error) {
     if (error instanceof Waiting) return { error: LOADING, waiting: "table" };
@@ -188,31 +187,3 @@ const missing = (question, arm) =>
   posed(question) && !question.q.trim()
     ? `Type the pose: ${joints(arm).length} joint values.`
     : null;
-
-// The call in Python that says the same.
-export function asPython(question, arms) {
-  const arm = armOf(question, arms);
-  const [name, imports] =
-    question.arm === OWN ? ["arm", ownArm(arm)] : [arm.python, fromRobots(arm.python)];
-  const { call, imports: more = [] } = checkerOf(question.ask);
-  const lines = [...imports, ...more, "from helpers import checks", ""];
-  if (question.arm === OWN) lines.push(...ownRows(arm), "");
-  lines.push(`mine = ${quoted(question.answer)}`, `print(${call(question, name, arm)})`);
-  return `${lines.join("\n")}\n`;
-}
-
-const fromRobots = (call) => [`from helpers.robots import ${/^\w+/.exec(call)[0]}`];
-const KIND = { revolute: "revolute", prismatic: "prismatic", fixed: "fixed" };
-const ownArm = (arm) => {
-  const kinds = new Set(arm.rows.map(({ kind }) => KIND[kind]));
-  return [`from helpers.arm import Arm, ${[...kinds].sort().join(", ")}`];
-};
-const ownRows = (arm) => [
-  "rows = [",
-  ...arm.rows.map(
-    ({ kind, a, alpha, d, theta }) =>
-      `    ${KIND[kind]}(a=${a}, alpha=${alpha}, d=${d}, theta=${theta}),`,
-  ),
-  "]",
-  `arm = Arm("${arm.name}", rows)`,
-];

@@ -1,10 +1,7 @@
-// What can be done with a question: a link to it, the call in Python, an example, the pose in the
-// explorer.
+// What can be done with a question: a link to it, an example, the pose in the explorer.
 
 import { h } from "../../dom.js";
-import { asPython, EMPTY, OWN, toFragment } from "../question.js";
-import { ready } from "../checkers.js";
-import { ArmError } from "../../../../judge/sentences.js";
+import { EMPTY, OWN, toFragment } from "../question.js";
 
 /**
  * @param {import("../page.js").Judge} judge
@@ -16,9 +13,6 @@ export function addTools(judge, root) {
   const more = h("a", { href: whole }, "More room, and all options");
   const explorer = h("a", { href: "" }, "See this pose in the explorer");
   const button = (words, onclick) => h("button", { type: "button", onclick }, words);
-  const call = h("code");
-  const closed = h("pre", { hidden: true, tabindex: "0" }, call);
-  const python = button("Copy as Python", () => copyCall(judge, call, closed));
   const link = button("Copy link", () => copyLink(judge, whole));
   const examples = () => judge.examples.filter((one) => one.ask === judge.question().ask);
   const example = button("Show an example", () => {
@@ -27,8 +21,7 @@ export function addTools(judge, root) {
     judge.begin({ ...EMPTY, ...(ours ?? same[0]) });
   });
   // Of an exercise's own arm all of them would show the table, which is the solution.
-  if (!given?.table) parts.tools.append(example, link, python, given ? more : explorer);
-  parts.said.after(closed);
+  if (!given?.table) parts.tools.append(example, link, given ? more : explorer);
 
   judge.follow((question, { arm, q }) => {
     more.href = whole + toFragment(question);
@@ -47,15 +40,6 @@ async function copyLink({ question, given, say }, whole) {
   say(copying ? "The link is copied." : there);
 }
 
-async function copyCall(judge, call, closed) {
-  await ready(judge.question().ask);
-  const text = pythonOf(judge, judge.say);
-  if (text && (await copied(text))) return judge.say("The call is copied.");
-  call.textContent = text;
-  closed.hidden = !text;
-  return text && judge.say(`${CLOSED} The call stands below.`);
-}
-
 const CLOSED = "The clipboard is closed to this page.";
 
 const poseOf = ({ ask }, arm, q) =>
@@ -64,17 +48,6 @@ const poseOf = ({ ask }, arm, q) =>
     q: q.map((x) => Number(x.toFixed(6))).join(","),
     view: ask === "torques" ? "torque" : "jacobian",
   });
-
-// The call, or nothing where there is none, which is said.
-function pythonOf({ question, arms }, say) {
-  try {
-    return asPython(question(), arms);
-  } catch (error) {
-    if (!(error instanceof ArmError)) throw error;
-    say(error.message);
-    return "";
-  }
-}
 
 async function copied(text) {
   try {

@@ -7,7 +7,7 @@ import { asksPose, formOf } from "../../../../judge/geometry/inverse.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
 import { comparePose } from "../../../../judge/topics/pose.js";
 import { register } from "../checkers.js";
-import { ArmError, quoted } from "../../../../judge/sentences.js";
+import { ArmError } from "../../../../judge/sentences.js";
 import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
 
 /** @typedef {import("../question.js").Question} Question */
@@ -16,18 +16,12 @@ import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
 const [FEWEST_STEPS, MOST_STEPS] = [8, 20_000];
 // of the lengths of axes and their cosines: what a pose of two decimals is off
 const ROUNDED = 0.02;
-const inDegrees = ({ unit }) => (unit === "deg" ? ['angles="deg"'] : []);
 
 // One joint vector
 
-register("pose", {
-  verdict: (question, arm) =>
-    comparePose(question.answer, arm, targetOf(question), { angles: question.unit }),
-  call(question, name) {
-    const given = ["mine", name, quoted(targetOf(question)), ...inDegrees(question)];
-    return `checks.compare_pose(${given.join(", ")})`;
-  },
-});
+register("pose", (question, arm) =>
+  comparePose(question.answer, arm, targetOf(question), { angles: question.unit }),
+);
 
 function targetOf({ target }) {
   if (!target.trim())
@@ -37,19 +31,9 @@ function targetOf({ target }) {
 
 // All branches
 
-register("branches", {
-  verdict(question, arm) {
-    const form = formFor(arm);
-    return compareBranches(question.answer, arm, rowsOf(question, arm, form), {
-      angles: question.unit,
-    });
-  },
-  call(question, name, arm) {
-    const form = formFor(arm);
-    const found = `inverse.${form}(${name}, ${JSON.stringify(rowsOf(question, arm, form))})`;
-    return `checks.compare_branches(${["mine", found, ...inDegrees(question)].join(", ")})`;
-  },
-  imports: ["from helpers import inverse"],
+register("branches", (question, arm) => {
+  const target = rowsOf(question, arm, formFor(arm));
+  return compareBranches(question.answer, arm, target, { angles: question.unit });
 });
 
 function formFor(arm) {
@@ -94,24 +78,10 @@ function exact(rows) {
 
 // Runs
 
-register("trace", {
-  verdict(question, arm) {
-    const typed = readTrace(question.answer, arm);
-    const path = pathOf(question, arm, typed);
-    return judgedTrace(typed, arm, path, { angles: question.unit });
-  },
-  call(question, name, arm) {
-    const { start, radius, plane, period, steps } = asked(
-      question,
-      arm,
-      readTrace(question.answer, arm),
-    );
-    const given = [name, JSON.stringify(start), radius, `"${plane}"`, period, steps];
-    const circle = `motion.circle_below(${given.join(", ")})`;
-    const path = question.pace === "rest" ? `motion.rest_to_rest(${circle})` : circle;
-    return `checks.compare_trace(${["mine", name, path, ...inDegrees(question)].join(", ")})`;
-  },
-  imports: ["from helpers import motion"],
+register("trace", (question, arm) => {
+  const typed = readTrace(question.answer, arm);
+  const path = pathOf(question, arm, typed);
+  return judgedTrace(typed, arm, path, { angles: question.unit });
 });
 
 function pathOf(question, arm, typed) {
@@ -124,7 +94,7 @@ function asked(question, arm, typed) {
   const above = (key, what, unit) => {
     const { values } = numbers(question[key], what);
     if (values.length === 1 && values[0] > 0) return values[0];
-    throw new ArmError(`${what} is ${quoted(question[key])}; expected a number of ${unit} above 0`);
+    throw new ArmError(`${what} is “${question[key]}”; expected a number of ${unit} above 0`);
   };
   const steps = question.steps.trim()
     ? above("steps", "the number of steps", "steps")
