@@ -25,54 +25,53 @@ else:
     pinocchio = pytest.importorskip("pinocchio", reason="Pinocchio is not installed here")
 
 ROBOTS = Path(sysconfig.get_paths()["purelib"], "cmeel.prefix/share/example-robot-data/robots")
-FINGERS = {"panda_finger_joint1": 0.03, "panda_finger_joint2": 0.01}
+FINGERS = ("panda_finger_joint1", "panda_finger_joint2")
 
 UR = "ur_description/urdf/ur"
 
 # Its file writes a roll of 3.14159 between parallel axes, so that their common normal is 7 km away.
 pytestmark = pytest.mark.filterwarnings("ignore:so_arm100. z_0 and z_1 are within 0.00036°")
 
-# File, base, tip, and the joints that are held.
+# File, base, tip, and the joints beside the chain, which stay at 0.
 ARMS = {
-    "UR3": (f"{UR}3_robot.urdf", "world", "tool0", {}),
-    "UR3, joints limited": (f"{UR}3_joint_limited_robot.urdf", "world", "ee_link", {}),
-    "UR3 with a gripper": (f"{UR}3_gripper.urdf", "world", "tool0", {}),
-    "UR5": (f"{UR}5_robot.urdf", "world", "tool0", {}),
-    "UR5, joints limited": (f"{UR}5_joint_limited_robot.urdf", "world", "ee_link", {}),
-    "UR5 with a gripper": (f"{UR}5_gripper.urdf", "world", "tool0", {}),
-    "UR10": (f"{UR}10_robot.urdf", "world", "tool0", {}),
-    "UR10, joints limited": (f"{UR}10_joint_limited_robot.urdf", "world", "ee_link", {}),
+    "UR3": (f"{UR}3_robot.urdf", "world", "tool0", ()),
+    "UR3, joints limited": (f"{UR}3_joint_limited_robot.urdf", "world", "ee_link", ()),
+    "UR3 with a gripper": (f"{UR}3_gripper.urdf", "world", "tool0", ()),
+    "UR5": (f"{UR}5_robot.urdf", "world", "tool0", ()),
+    "UR5, joints limited": (f"{UR}5_joint_limited_robot.urdf", "world", "ee_link", ()),
+    "UR5 with a gripper": (f"{UR}5_gripper.urdf", "world", "tool0", ()),
+    "UR10": (f"{UR}10_robot.urdf", "world", "tool0", ()),
+    "UR10, joints limited": (f"{UR}10_joint_limited_robot.urdf", "world", "ee_link", ()),
     "Panda": ("panda_description/urdf/panda.urdf", None, "panda_hand_tcp", FINGERS),
     "Panda's finger": (
         "panda_description/urdf/panda_collision.urdf",
         None,
         "panda_leftfinger",
-        {"panda_finger_joint1": 0.03, "panda_finger_joint2": 0.01},
+        FINGERS[1:],
     ),
-    "Jaco": ("kinova_description/robots/kinova.urdf", None, "j2s6s200_end_effector", {}),
-    "xArm7": ("xarm_description/urdf/xarm7.urdf", None, None, {}),
-    "Z1 with its gripper": ("z1_description/urdf/z1.urdf", None, None, {}),
-    "SO-100": ("so_arm_description/urdf/so100.urdf", None, None, {}),
-    "SO-101": ("so_arm_description/urdf/so101.urdf", None, "moving_jaw_so101_v1_link", {}),
-    "two joints": ("asr_twodof_description/urdf/TwoDofs.urdf", None, None, {}),
-    "double pendulum": ("double_pendulum_description/urdf/double_pendulum.urdf", None, None, {}),
+    "Jaco": ("kinova_description/robots/kinova.urdf", None, "j2s6s200_end_effector", ()),
+    "xArm7": ("xarm_description/urdf/xarm7.urdf", None, None, ()),
+    "Z1 with its gripper": ("z1_description/urdf/z1.urdf", None, None, ()),
+    "SO-100": ("so_arm_description/urdf/so100.urdf", None, None, ()),
+    "SO-101": ("so_arm_description/urdf/so101.urdf", None, "moving_jaw_so101_v1_link", ()),
+    "two joints": ("asr_twodof_description/urdf/TwoDofs.urdf", None, None, ()),
+    "double pendulum": ("double_pendulum_description/urdf/double_pendulum.urdf", None, None, ()),
     "simple double pendulum": (
-        "double_pendulum_description/urdf/double_pendulum_simple.urdf", None, None, {},
+        "double_pendulum_description/urdf/double_pendulum_simple.urdf", None, None, (),
     ),
     "continuous double pendulum": (
-        "double_pendulum_description/urdf/double_pendulum_continuous.urdf", None, None, {},
+        "double_pendulum_description/urdf/double_pendulum_continuous.urdf", None, None, (),
     ),
-    "finger": ("finger_edu_description/robots/finger_edu.urdf", None, None, {}),
+    "finger": ("finger_edu_description/robots/finger_edu.urdf", None, None, ()),
     "flying arm of five joints": (
-        "hextilt_description/urdf/hextilt_flying_arm_5.urdf", None, None, {},
+        "hextilt_description/urdf/hextilt_flying_arm_5.urdf", None, None, (),
     ),
     "flying arm of two joints": (
-        "borinot_description/urdf/borinot_flying_arm_2.urdf", None, None, {},
+        "borinot_description/urdf/borinot_flying_arm_2.urdf", None, None, (),
     ),
 }  # fmt: skip
 
-# Arms on robots that have more than one chain: everything else is held at 0, or at its nearest
-# limit.
+# Arms on robots that have more than one chain: everything else stays at 0.
 LIMBS = {
     "Talos": ("talos_data/robots/talos_reduced.urdf", "base_link", "gripper_left_base_link"),
     "Tiago": ("tiago_description/robots/tiago_no_hand.urdf", "base_footprint", "arm_tool_link"),
@@ -86,15 +85,11 @@ LIMBS = {
 }  # fmt: skip
 
 
-def peers(text, hold):
-    """Pinocchio's model of the arm, its other joints held."""
+def peers(text, others):
+    """Pinocchio's model of the arm, its other joints locked at 0."""
     model = pinocchio.buildModelFromXML(text)
-    start = pinocchio.neutral(model)
-    for name, value in hold.items():
-        if value:  # a continuous joint has two coordinates, and is held at 0
-            start[model.joints[model.getJointId(name)].idx_q] = value
-    if hold:
-        model = pinocchio.buildReducedModel(model, [model.getJointId(n) for n in hold], start)
+    if locked := [model.getJointId(name) for name in others]:
+        model = pinocchio.buildReducedModel(model, locked, pinocchio.neutral(model))
     return model, model.createData()
 
 
@@ -102,11 +97,11 @@ def frame_of(model, link):
     return model.getFrameId(link, pinocchio.FrameType.BODY)
 
 
-def compared(text, base, tip, hold):
+def compared(text, base, tip, others):
     """The largest differences of pose, Jacobian and torque over random poses, and the largest
     torque."""
-    arm = from_urdf(text, base, tip, hold=hold)
-    model, data = peers(text, hold)
+    arm = from_urdf(text, base, tip)
+    model, data = peers(text, others)
     rng, worst = np.random.default_rng(15), np.zeros(4)
     for q in rng.uniform(-3, 3, (40, arm.dof)):
         T, J, g = theirs(model, data, arm, q)
@@ -144,9 +139,9 @@ def filled_up(text):
 
 @pytest.mark.parametrize("name", ARMS)
 def test_serial_arms(name):
-    file, base, tip, hold = ARMS[name]
+    file, base, tip, others = ARMS[name]
     pose, J, torque, largest = compared(
-        (ROBOTS / file).read_text(encoding="utf-8"), base, tip, hold
+        (ROBOTS / file).read_text(encoding="utf-8"), base, tip, others
     )
     assert pose < 1e-10
     assert J < 1e-10
@@ -155,8 +150,8 @@ def test_serial_arms(name):
 
 @pytest.mark.parametrize("name", ARMS)
 def test_torques_to_1e_10_where_right_angles_are_written_in_full(name):
-    file, base, tip, hold = ARMS[name]
-    worst = compared(filled_up((ROBOTS / file).read_text(encoding="utf-8")), base, tip, hold)
+    file, base, tip, others = ARMS[name]
+    worst = compared(filled_up((ROBOTS / file).read_text(encoding="utf-8")), base, tip, others)
     assert max(worst[:3]) < 1e-10
 
 
@@ -166,24 +161,15 @@ def test_arms_of_larger_robots(name):
     text = (ROBOTS / file).read_text(encoding="utf-8")
     model = pinocchio.buildModelFromXML(text)
     chain = set(model.supports[model.frames[frame_of(model, tip)].parentJoint])
-    others = [model.joints[k] for k in range(1, model.njoints) if k not in chain]
-    hold = {model.names[joint.id]: nearest_to_zero(model, joint) for joint in others}
-    pose, J, torque, largest = compared(text, base, tip, hold)
+    others = [model.names[k] for k in range(1, model.njoints) if k not in chain]
+    pose, J, torque, largest = compared(text, base, tip, others)
     assert pose < 1e-10
     assert J < 1e-10
     assert torque < 1e-10 * max(1, largest)
 
 
-def nearest_to_zero(model, joint):
-    """The allowed value nearest to 0, for joints of one coordinate."""
-    if joint.nq > 1:
-        return 0.0
-    limits = model.lowerPositionLimit[joint.idx_q], model.upperPositionLimit[joint.idx_q]
-    return float(np.clip(0, *limits))
-
-
 @pytest.mark.parametrize("name", ["UR5", "Panda", "Jaco", "xArm7", "Z1 with its gripper"])
 def test_there_is_a_weight_to_compare(name):
     """So that nothing is compared with nothing."""
-    file, base, tip, hold = ARMS[name]
-    assert compared((ROBOTS / file).read_text(encoding="utf-8"), base, tip, hold)[3] > 1
+    file, base, tip, others = ARMS[name]
+    assert compared((ROBOTS / file).read_text(encoding="utf-8"), base, tip, others)[3] > 1
