@@ -1,5 +1,7 @@
 // What the digits of an answer promise.
 
+import { say } from "./sentences.js";
+
 export const [RIGHT, SO_FAR, ROUNDED, WRONG] = ["right", "so far", "rounded", "wrong"];
 
 export const HALF = 0.51; // units: a number rounded rightly, and a hair for the arithmetic
@@ -106,6 +108,16 @@ export function graded(mine, right, m, made) {
   if (!within(mine, right, farthest(m))) return WRONG;
   const off = apart(mine, right);
   return telling.some((A) => apart(mine, A) <= off) ? SO_FAR : ROUNDED;
+}
+
+// How the last digits came to be off: cut, where that explains all that are, and at least two.
+export function lastDigit(mine, right, steps) {
+  const off = mine.flatMap((x, i) => (Math.abs(x - right[i]) > HALF * steps[i] ? [i] : []));
+  const isCut = (i) => {
+    const lost = right[i] * Math.sign(mine[i] || right[i]) - Math.abs(mine[i]);
+    return lost > 0 && lost < steps[i];
+  };
+  return say(off.length > 1 && off.every(isCut) ? "cut" : "rounded on the way");
 }
 
 // Which entries are wrong: beyond the band, or, where none is, beyond what is right.

@@ -2,7 +2,7 @@
 
 import { adviceOn } from "./advice.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { holdsNumbers, setAside } from "./reading/aside.js";
+import { holdsNumbers, setAside, unread, unreadOf } from "./reading/aside.js";
 import { ArmError, say } from "./sentences.js";
 
 export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
@@ -11,7 +11,8 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and
  * degrees for each, the formulas that stood there, and which of them are wrong.
  * @typedef {import("./geometry/axes.js").Numbers} Numbers
- * @typedef {{ rows: Numbers[], cells: string[][], trees: any[][], wrong: boolean[][] }} ReadTable
+ * @typedef {{ rows: Numbers[], cells: string[][], trees: any[][], wrong: boolean[][],
+ *   entries?: string[] }} ReadTable with the entries as typed
  */
 
 /**
@@ -71,8 +72,16 @@ export const answering =
     const report =
       first.grade === WRONG && !named ? (ofFamily(first, judge, text, asked) ?? first) : first;
     const advice = [...(report.advice ?? []), ...adviceOn(report.causes, options)];
-    return withLeft({ ...report, advice }, left);
+    const lost = typeof text === "string" ? unreadIn(text, first) : [];
+    return withLeft({ ...report, advice }, [...left, ...lost]);
   };
+
+// The numbers of a text that its report does not judge.
+/** @param {string} text @param {Report} report */
+function unreadIn(text, { typed, table }) {
+  if (table) return unread(text, table.entries, [table.rows.length]);
+  return unreadOf(text, typed);
+}
 
 // The report on an answer that is right for another arm of the same name; null where there is none.
 function ofFamily({ topic }, judge, text, asked) {

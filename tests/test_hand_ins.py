@@ -5,6 +5,8 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from helpers import checks, inverse
 from helpers.arm import ArmError
@@ -52,6 +54,20 @@ def test_no_number_vanishes(paste, above, extra):
     except ArmError:
         return
     assert report.grade == "wrong" or (extra in str(report) and not report.agrees), report
+
+
+@settings(max_examples=60, deadline=None)
+@given(seed=st.integers(0, 10**6), place=st.floats(0, 1))
+def test_no_number_vanishes_wherever_it_stands(seed, place):
+    """Into right work, at any place: refused, wrong, part of an entry, or shown back."""
+    (found,) = (h for h in hand_ins("worked", seed, 1))
+    at = round(place * len(found.text))
+    try:
+        report = found.ask(f"{found.text[:at]} 99.125 {found.text[at:]}")
+    except ArmError:
+        return
+    assert not report.agrees or report.mark, report
+    assert report.grade == "wrong" or report.mark or "99.125" in str(report), report
 
 
 def test_what_was_set_aside_is_shown_back():
@@ -140,7 +156,10 @@ def test_no_cause_is_stated_that_leaves_something():
     assert not lost.causes
     assert not checks.compare_branches("1 2 3", inverse.elbow(ELBOW, (0.3, 0.2, 0.7))).causes
     zeros = checks.compare_torques(np.zeros(6), UR10E, Q, PUSH)
-    assert zeros.causes == ("tau.empty",)
+    assert (zeros.causes, zeros.grade) == ((), "wrong")
+    assert "or the load forgotten?" in zeros.headline
+    nothing = checks.compare_torques(np.zeros(6), UR10E, Q)
+    assert nothing.causes == ("tau.weight missing",)
     two = static_torque(UR10E, Q, PUSH)
     rounded = [f"{x:.3g}" for x in two]
     assert torques(", ".join(rounded)).grade in ("right", "so far")

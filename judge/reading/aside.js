@@ -2,6 +2,7 @@
 // prompts. It is set aside where the rest stands by itself, and shown back.
 
 import { ArmError, say, shown } from "../sentences.js";
+import { plain } from "./formula.js";
 import { headOf } from "./table_columns.js";
 import { lines } from "./text.js";
 
@@ -33,14 +34,27 @@ const UNITS_ALONE = new RegExp(
 const MARKUP = /[[\]{}\\&|│\t;]|=(?!.*[?!.]\s*$)/;
 const WORDS = /\p{L}[\p{L}’'-]+/gu;
 const NUMBERS = /(?<![\p{L}\p{N}_.])\d[\p{N}.,]*(?:e[-+]?\d+)?/giu;
-// Numbers that only count, as in "Exercise 2 b" and "Table 1".
+// Numbers that only count, as in "Exercise 2 b" and "Table 1", and in the labels "Answer 2:".
 const COUNTS = new RegExp(
   String.raw`(?:exercise|problem|tab(?:le)?|fig(?:ure)?|task|question|part|homework|hw|sheet|step` +
-    String.raw`|solution|assignment|aufgabe|tabelle|chapter|section|eq|equation|joint|link|no|nr` +
-    String.raw`|#)\.?\s*#?\d+(?:\.\d+)*|(?:In|Out) ?\[\d*\]:` +
-    String.raw`|\d+[- ]?(?:joints?|axes|dof|links?|digits|decimals)(?!\p{L})`,
+    String.raw`|solution|lösung|assignment|aufgabe|tabelle|chapter|section|eq|equation|joint|link` +
+    String.raw`|axis|row|no|nr)\.?\s*#?\d{1,2}(?:\.\d)?(?![\d.]*\d)|(?:In|Out) ?\[\d*\]:` +
+    String.raw`|(?:answer|branch|case|set)\s*\d+(?=\s*[:.)])` +
+    String.raw`|\d+[- ]?(?:joints?|axes|dof|links?|digits|decimals|element)(?!\p{L})`,
   "giu",
 );
+// Numbers that programs and LaTeX set beside a matrix: its size, its columns, a common factor; and
+// a_{i-1} in a table's heads.
+const SET = new RegExp(
+  String.raw`Columns?\s+\d+(?:\s+(?:through|to|and)\s+\d+)?|\[\d{1,2},\]|\[,\d{1,2}\]` +
+    String.raw`|\d+[×x]\d+(?!\d)|\bi\s*-\s*1\b|^[ \t]*1(?:\.0+)?e[+-]?\d+[ \t]*\*[ \t]*$` +
+    String.raw`|\\\\\s*\[[^\]]*\]` +
+    String.raw`|\\(?:c(?:line|midrule)(?:\([^()]*\))?|label|tag)\{[^{}]*\}`,
+  "gimu",
+);
+const DECIMALS = /(\bround\(.*),\s*\d+\s*\)+\s*[;.,]?\s*$/s; // that round() is given
+// Names hold digits, too.
+const TOKENS = /(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:(?<=_)\{[\w+-]*\})?/giu;
 
 const numbersIn = (text) => text.replace(COUNTS, " ").match(NUMBERS) ?? [];
 
@@ -81,6 +95,65 @@ export function setAside(text) {
     text: within.join("\n"),
     left: left.map((line) => line.trim()).filter((line) => !EMPTY.test(line)),
   };
+}
+
+/**
+ * The numbers of a text that stand in none of the entries that were read, and do not count its rows
+ * or columns: whatever lost them, they are not lost unsaid.
+ * @param {string} text
+ * @param {string[]} entries as typed
+ * @param {number[]} sizes how many rows and columns were read
+ */
+export function unread(text, entries, sizes) {
+  const held = entries.join(" ");
+  if (text.replace(/\D/g, "") === held.replace(/\D/g, "")) return [];
+  const typed = tokensOf(text.replace(DECIMALS, "$1").replace(COUNTS, " ").replace(SET, " "));
+  const [missing, over] = without(typed, tokensOf(held));
+  const [lost] = without(missing, over.flatMap(runsOf), runsOf);
+  return sizes.reduce((rest, size) => uncounted(uncounted(rest, size), size), lost);
+}
+
+/** Those that stand in no entry of a matrix. */
+export const unreadOf = (text, { entries, shape }) =>
+  unread(
+    text,
+    entries.map((entry) => entry.text),
+    shape,
+  );
+
+function tokensOf(text) {
+  const spelled = /[^\x20-\x7e\s]|[\\{]/.test(text) ? plain(text) : text;
+  const found = spelled.match(TOKENS) ?? [];
+  return found.filter((token) => !/^\p{L}/u.test(token)).map((token) => token.replace(/\.$/, ""));
+}
+
+const runsOf = (token) => token.match(/\d+/g);
+
+// What of a list is not in another, taken part by part and each part once, and what is left there.
+export function without(list, other, partsOf = (one) => [one]) {
+  const left = new Map();
+  for (const one of other) left.set(one, (left.get(one) ?? 0) + 1);
+  const lost = list.filter((one) => {
+    const taken = partsOf(one).filter((part) => {
+      const count = left.get(part) ?? 0;
+      left.set(part, count - 1);
+      return count > 0;
+    });
+    if (taken.length === partsOf(one).length) return false;
+    for (const part of partsOf(one)) left.set(part, left.get(part) + 1);
+    return true;
+  });
+  return [lost, [...left].flatMap(([one, count]) => Array(Math.max(0, count)).fill(one))];
+}
+
+// A list without the labels 1 to `size`, or 0 to size - 1, where all of them stand in it.
+function uncounted(list, size) {
+  for (const from of [1, 0]) {
+    const labels = Array.from({ length: size }, (_, k) => `${k + from}`);
+    const [absent] = without(labels, list);
+    if (!absent.length) return without(list, labels)[0];
+  }
+  return list;
 }
 
 // Whether numbers stand in what was set aside.

@@ -2,6 +2,7 @@
 // dictionaries, Link(...) lines, A matrices. What is not said is guessed, and every guess is told.
 
 import { RAD } from "../geometry/angles.js";
+import { without } from "./aside.js";
 import { apart } from "./lines.js";
 import { ENTRIES, fromHeads, ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices } from "./table_matrices.js";
@@ -35,8 +36,8 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * `exchanged` where the heads of alpha and theta stand over one another's entries, as the joints'
  * variables show.
  * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string |
- *   null,
- *   said: string[], exchanged?: boolean, guessed?: boolean }} TypedTable
+ *   null, said: string[], exchanged?: boolean, guessed?: boolean, entries?: string[] }} TypedTable
+ *   `entries` are all cells that were read, as typed
  */
 
 /**
@@ -52,15 +53,18 @@ export function read(text, { columns, ...options } = {}, values = []) {
   if (!typed.cells.length) throw new ArmError(say("no rows", { given: shown(text) }));
   const known = new Map(values.map(([name, x]) => [simple(name), x]));
   const found = matrices(typed.cells);
-  if (found) return [ofMatrices(found, known, options)];
+  if (found) return [{ ...ofMatrices(found, known, options), entries: typed.cells.flat() }];
   const { cells, heads } = withoutIndex(typed);
   few(cells.length);
   const order = orderOf(cells, heads, columns, text);
   if (!order) return read(apart(text), { columns, ...options }, values);
   const units = unitsOf(options, fromHeads(heads));
+  const [used] = without(cells.flat(), order.unused ?? []);
+  const entries = typed.entries ?? used;
   return readings(order, known).map((table) => ({
     ...units,
     ...table,
+    entries,
     said: [...typed.said, ...table.said],
   }));
 }

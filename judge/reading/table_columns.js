@@ -108,7 +108,9 @@ function byHeads(cells, heads) {
     const none = number(still.replace(/^[-–— ]+|[-–— ]+$/g, "") || "0") === 0;
     return none ? kept : withOffset(k + 1, kept, still);
   });
-  return { orders: [ENTRIES], sure: true, rows };
+  const isUsed = (k) => keep.includes(k) || k === added;
+  const unused = cells.flatMap((row) => row.filter((_, k) => !isUsed(k)));
+  return { orders: [ENTRIES], sure: true, rows, unused };
 }
 
 // Without heads: every order in which nothing looks out of its place, the likeliest first.

@@ -41,7 +41,10 @@ const PAIRS = new RegExp(
 // A cell below a head that holds only a unit.
 const UNIT = /^[(\[]?\s*(?:(mm|cm|m|in|deg|degrees|rad|radians|°)|[-–—]?)\s*[)\]]?$/i;
 
-/** @typedef {{ cells: string[][], heads: string[], said: string[] }} Cells */
+/**
+ * Rows of cells; `entries` as typed where the cells were put together from them.
+ * @typedef {{ cells: string[][], heads: string[], said: string[], entries?: string[] }} Cells
+ */
 
 /** @returns {Cells} */
 const plainly = (cells, heads = ENTRIES) => ({ cells, heads, said: [] });
@@ -174,7 +177,8 @@ function ofLinks(text) {
     const still = number(row[moves]) ? row[moves] : row.offset;
     return ENTRIES.map((entry) => (entry === moves ? `q_${k + 1} + (${still})` : row[entry]));
   });
-  return { ...plainly(cells), said: [say("taken: links")] };
+  const entries = links.flatMap(({ given }) => given);
+  return { ...plainly(cells), said: [say("taken: links")], entries };
 }
 
 function linkOf(kind, body) {
@@ -183,7 +187,8 @@ function linkOf(kind, body) {
     const entries = cellsOf(`${body.split("]")[0]}]`)[0];
     const named = ["theta", "d", "a", "alpha", "sigma", "offset"].slice(0, entries.length);
     const row = { ...none, ...Object.fromEntries(named.map((name, i) => [name, entries[i]])) };
-    return { row, slides: entries.length > 4 && number(entries[4]) === 1 };
+    const given = entries.slice(0, named.length);
+    return { row, slides: entries.length > 4 && number(entries[4]) === 1, given };
   }
   const pairs = body.matchAll(
     /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset)['"]?\s*[,=]\s*([^,]+)/gu,
@@ -193,7 +198,8 @@ function linkOf(kind, body) {
     `${kind}${body}`.toLowerCase().includes("prismatic") ||
     ("theta" in given && !("d" in given)) ||
     /sigma['"]?\s*[,=]\s*1/.test(body);
-  return { row: { ...none, ...given }, slides };
+  const sigma = /sigma['"]?\s*[,=]\s*[01]/.exec(body) ?? [];
+  return { row: { ...none, ...given }, slides, given: [...Object.values(given), ...sigma] };
 }
 
 export function few(count) {

@@ -9,6 +9,7 @@ import {
   decimalsOf,
   graded,
   HAND,
+  lastDigit,
   margins,
   RIGHT,
   ROUNDED,
@@ -137,8 +138,11 @@ function judged(typed, { arm, at, frame, tolerance, briefly = false }, said) {
   const left = slop(arm, at, frame);
   const m = margins(typed.units, part(scales(known.right)), left && part(left), tolerance);
   const grade = graded(typed.values, right, m, known.made.map(part));
-  if (grade !== WRONG)
-    return good(grade, typed, arm, half, { taken, notes: typed.symbolic ? [] : hidden(known) });
+  if (grade !== WRONG) {
+    const how = lastDigit(typed.values, right, typed.units);
+    const notes = typed.symbolic ? [] : hidden(known);
+    return good(grade, typed, arm, half, { taken, notes, how });
+  }
   if (briefly) {
     const made = known.made.map(part);
     const one = explain(typed.values, right, m.band, { causes: known.causes, made });
@@ -201,7 +205,7 @@ function hidden({ right, causes, made }) {
 }
 
 // `half` is which half three rows are, null where all six are there.
-function good(grade, typed, arm, half, said) {
+function good(grade, typed, arm, half, { how, ...said }) {
   const whole = half === null;
   const digits = decimalsOf(typed.units);
   const keys = {
@@ -217,6 +221,7 @@ function good(grade, typed, arm, half, said) {
     where,
     precision,
     digits: digits ?? 0,
+    how,
     half: own,
     other,
   });

@@ -81,7 +81,7 @@ function tablesCompared(mine, reference, options = {}) {
     if (!isText)
       return { ...report, table: { rows: tables[k].rows, cells: [], trees: [], wrong: [] } };
     const cells = shown(typed[k], tables[k], report.findings);
-    return { ...report, table: { rows: tables[k].rows, ...cells } };
+    return { ...report, table: { rows: tables[k].rows, entries: typed[k].entries, ...cells } };
   };
   for (const [k, { good }] of readings.entries()) {
     const report = good();

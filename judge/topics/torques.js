@@ -18,6 +18,7 @@ import {
   farthest,
   generous,
   graded,
+  lastDigit,
   margins,
   RIGHT,
   ROUNDED,
@@ -63,8 +64,6 @@ function torquesCompared(mine, arm, q, options = {}) {
   const typed = numbers(unnamed(mine), `${arm.name}: your torques`);
   const found = upright(typed, right, dof);
   if (!found) return { ...misshapen(typed, load.q.length, arm), typed };
-  if (!found.values.some(Boolean) && Math.max(...right.map(Math.abs)) > EMPTY)
-    return { ...empty(arm), typed, wrong: found.values.map(() => true) };
   const report = judged(found, right, load, at, { tolerance, briefly });
   return report && { ...report, typed };
 }
@@ -137,11 +136,14 @@ function misshapen({ shape, values }, count, arm) {
   return reported(arm, WRONG, headline, { findings, causes: [key] });
 }
 
-function empty(arm) {
-  const words = say("tau.empty");
-  const findings = [{ what: "cause", where: "", words }];
-  const headline = say("tau wrong", { arm: arm.name, cause: lower(words) });
-  return reported(arm, WRONG, headline, { findings, causes: ["tau.empty"] });
+// All zeros: an empty answer and a load forgotten look alike, so both are asked about.
+function empty(mine, right, single, arm) {
+  const band = mine.map(() => EMPTY);
+  const found = explain(mine, right, band, single);
+  const causes = complete(found) ? found.causes.slice(0, 1).map(nameOf) : [];
+  return reported(arm, WRONG, say("tau wrong", { arm: arm.name, cause: say("tau zero") }), {
+    causes,
+  });
 }
 
 /** @returns {import("../report.js").Report} */
@@ -157,7 +159,7 @@ function judged(typed, right, load, at, { tolerance, briefly }) {
   const of = (list) => pick.map((i) => list[i]);
   const sample = loadOf(arm, of(load.q), of(load.wrenches), load.gravity);
   const { causes, made } = catalogue(sample);
-  const scale = Math.max(1e-3, ...right.map(Math.abs));
+  const scale = Math.max(EMPTY, ...right.map(Math.abs));
   const m = margins(
     typed.units,
     right.map(() => scale),
@@ -166,12 +168,14 @@ function judged(typed, right, load, at, { tolerance, briefly }) {
   );
   const part = Object.fromEntries(Object.entries(m).map(([key, list]) => [key, some(list)]));
   const [mine, wanted] = [some(typed.values), some(right)];
-  const single = made.filter((_, k) => causes[k].keys.length === 1);
-  const grade = whole(graded(mine, wanted, part, single), typed.values, right, m);
+  const single = singleOnes(causes, made);
   const figures = figuresOf(typed.values, right, m.band, dof);
-  if (grade !== WRONG) return { ...good(grade, typed, arm, taken), figures };
+  if (!typed.values.some(Boolean) && scale > EMPTY)
+    return { ...empty(mine, wanted, single, arm), figures, wrong: right.map(() => true) };
+  const grade = whole(graded(mine, wanted, part, single.made), typed.values, right, m);
+  if (grade !== WRONG) return { ...good(grade, typed, right, arm), figures };
   if (briefly) {
-    const one = explain(mine, wanted, part.band, singleOnes(causes, made));
+    const one = explain(mine, wanted, part.band, single);
     return complete(one) ? { ...bad(one, [], arm, taken), figures } : null;
   }
   const found = foundIn(mine, wanted, part, sample, { causes, made });
@@ -215,11 +219,13 @@ function slop({ arm, q, wrenches, gravity }, at, here) {
   return total.map((x) => 0.51 * x);
 }
 
-function good(grade, typed, arm, taken) {
-  const digits = decimalsOf(typed.units);
+function good(grade, typed, right, arm) {
+  const { said: taken, units, values } = typed;
+  const how = lastDigit(values, right, units);
+  const digits = decimalsOf(units);
   const precision = digits === null || digits > 6 ? "" : say("to decimals", { digits });
   const key = { [RIGHT]: "tau right", [SO_FAR]: "tau so far", [ROUNDED]: "tau rounded" }[grade];
-  return reported(arm, grade, say(key, { arm: arm.name, precision, digits: digits ?? 0 }), {
+  return reported(arm, grade, say(key, { arm: arm.name, precision, digits: digits ?? 0, how }), {
     taken,
   });
 }

@@ -9,7 +9,7 @@ import { turnBetween } from "./branches_matching.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { numbered, numbers, asDegrees, turning } from "../reading/numbers.js";
-import { setAside } from "../reading/aside.js";
+import { setAside, unreadOf } from "../reading/aside.js";
 import { rint } from "../geometry/planar.js";
 import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { listed, lower, say, size } from "../sentences.js";
@@ -42,8 +42,9 @@ export const compareTrace = (mine, arm, path, options = {}) =>
 
 // The joints as they were handed in.
 export function readTrace(mine, arm) {
-  const { text, left = [] } = typeof mine === "string" ? setAside(mine) : { text: mine };
-  return { ...numbers(text, `${arm.name}: your joints`), left };
+  const { text, left } = typeof mine === "string" ? setAside(mine) : { text: mine, left: [] };
+  const typed = numbers(text, `${arm.name}: your joints`);
+  return { ...typed, left: typeof text === "string" ? [...left, ...unreadOf(text, typed)] : left };
 }
 
 /**
