@@ -29,23 +29,6 @@ J3 = KNOWN["ELBOW"].jacobian(Q)
 q1, q2, q3 = sp.symbols("q_1 q_2 q_3")
 
 
-# Digits
-
-
-@pytest.mark.parametrize(
-    ("texts", "expected"),
-    [
-        (["0.35", "0.1234", "-2.5"], [1e-4] * 3),  # trailing zeros are left out: four decimals
-        (["12.3", "0.456", "0.0789"], [0.1, 1e-3, 1e-4]),  # three significant digits each
-        (["0.3536e1", "1e-3"], [1e-3, 1e-3]),
-        (["pi/2", "0", "1"], [0, 0, 0]),  # whole numbers among formulas are exact
-        (["0.3535533905932738", "0.5"], [0, 0]),  # a full float
-    ],
-)
-def test_the_unit_of_the_last_place(texts, expected):
-    assert numbers(texts, "yours").units == pytest.approx(np.array(expected))
-
-
 def test_cut_digits_are_told_and_a_tolerance_is_obeyed():
     cut = np.trunc(J3 * 1e4) / 1e4
     assert checks.compare_jacobian(cut, ELBOW, Q).grade == "rounded"
@@ -627,9 +610,7 @@ def test_a_report_reads_well_and_holds_what_it_says():
     assert report == checks.compare_jacobian((-J3).round(4), ELBOW, Q)
     part = checks.compare_branches(FOUR[:2], OVER)
     assert (part.grade, part.figures["right"], part.figures["of"]) == ("so far", 2, 4)
-    assert str(part).startswith(
-        "Your joint angles for Elbow arm are right so far: 2 of 4 branches."
-    )
+    assert "are right so far: 2 of 4 branches." in str(part)
 
 
 def test_numbers_quoted_are_those_typed():

@@ -92,24 +92,6 @@ def slide_normal(arm, i, by):
 
 
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
-def test_the_choices_in_these_tests_are_choices(arm):
-    """Each change of frames leaves the tip where it was: so says forward kinematics, which shares
-    nothing with the checker.
-    """
-    q = np.random.default_rng(0).uniform(-1, 1, arm.dof)
-    tip = forward_kinematics(arm, q)[:3, 3]
-    for i in range(len(arm.rows) - 1):
-        changed, reversed_joint = flip_z(arm, i)
-        backwards = np.where(np.arange(arm.dof) == reversed_joint, -q, q)
-        np.testing.assert_allclose(forward_kinematics(changed, backwards)[:3, 3], tip, atol=1e-12)
-        np.testing.assert_allclose(forward_kinematics(flip_x(arm, i), q)[:3, 3], tip, atol=1e-12)
-        if arm.numeric[i].sin_alpha == 0:
-            np.testing.assert_allclose(
-                forward_kinematics(slide_normal(arm, i, 0.3), q)[:3, 3], tip, atol=1e-12
-            )
-
-
-@pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
 @settings(max_examples=30)
 @given(data=st.data())
 def test_every_valid_choice_is_accepted(arm, data):
@@ -174,44 +156,20 @@ def test_the_pairs_above_are_of_both_sorts():
     ("mine", "reference"),
     [
         # Reversed slides, moved sliding axes, and slides before the first axis that turns.
-        (
-            [
-                revolute(0.5, -1.1, 0.3),
-                prismatic(-0.3, "pi/2", -0.2, "pi/2"),
-                revolute(0, -1.1, 0.5),
-            ],
-            [
-                revolute(0.5, -1.1, 0.3),
-                prismatic(0.3, "pi/2", -0.2, "pi/2"),
-                revolute(0, -1.1, 0.5),
-            ],
-        ),
-        (
-            [prismatic(0.3, "-pi/2", 0.3), revolute(0.3, "pi", 0.4), revolute(-0.2, -1.1, 0.1)],
-            [prismatic(0.3, "-pi/2", 0.3), revolute(0.3, "pi", 0.5), revolute(-0.2, -1.1, 0.2)],
-        ),
-        (
-            [
-                revolute(0.3, "-pi/2"),
-                prismatic(-0.2, "-pi/2", 0.8, "pi/2"),
-                prismatic(0.3, -1.1, -0.3),
-            ],
-            [
-                revolute(0.3, "-pi/2"),
-                prismatic(-0.2, "-pi/2", 0.5, "pi/2"),
-                prismatic(0.3, -1.1, 0.3),
-            ],
-        ),
-        (
-            [prismatic(0.7, "pi/2"), prismatic(0, "-pi/2", 1), prismatic()],
-            [prismatic(0, "pi/2"), prismatic(0, "pi/2"), prismatic(0.1)],
-        ),
+        ("0.5 -1.1 0.3 q1; -0.3 pi/2 q2-0.2 pi/2; 0 -1.1 0.5 q3",
+         "0.5 -1.1 0.3 q1; 0.3 pi/2 q2-0.2 pi/2; 0 -1.1 0.5 q3"),
+        ("0.3 -pi/2 q1+0.3 0; 0.3 pi 0.4 q2; -0.2 -1.1 0.1 q3",
+         "0.3 -pi/2 q1+0.3 0; 0.3 pi 0.5 q2; -0.2 -1.1 0.2 q3"),
+        ("0.3 -pi/2 0 q1; -0.2 -pi/2 q2+0.8 pi/2; 0.3 -1.1 q3-0.3 0",
+         "0.3 -pi/2 0 q1; -0.2 -pi/2 q2+0.5 pi/2; 0.3 -1.1 q3+0.3 0"),
+        ("0.7 pi/2 q1 0; 0 -pi/2 q2+1 0; 0 0 q3 0", "0 pi/2 q1 0; 0 pi/2 q2 0; 0.1 0 q3 0"),
     ],
-)
+)  # fmt: skip
 def test_slides_leave_lengths_free(mine, reference):
-    mine, reference = Arm("mine", mine), Arm("reference", reference)
-    assert same_machine(mine, reference)
-    assert compare_tables(mine, reference).agrees
+    options = {"columns": "a alpha d theta", "lengths": "m", "angles": "rad"}
+    both = [Arm.from_table(text.replace(";", "\n"), **options) for text in (mine, reference)]
+    assert same_machine(*both)
+    assert compare_tables(*both).agrees
 
 
 def test_an_arms_own_entries_are_quoted():
@@ -242,7 +200,6 @@ GENERIC = "0.1 pi/3 0.4 q1; 0.3 -pi/4 0.25 q2; 0.2 pi/2 0.05 q3+0.3; 0.15 0.6 0.
 ELBOWED = "0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4"
 SLIDING = "0 pi/2 0.2 q1; 0 1 0.1 q2; 0.2 0.5 d3+0.2 0.4; 0.1 0 0.3 q4"
 LEANING = "0.1 0.4 0.3 0; 0.3 pi/2 0.2 q1; 0.2 0 0.1 q2"
-LEVEL = "0 pi/2 0.3 0; 0.3 pi/2 0.2 q1; 0.2 0 0.1 q2"
 ROOTED = "0.1 0 0 0; 0.3 0 0.2 q2; 0.2 pi/2 0 q3; 0.25 0 0.1 q4"
 SHOULDERED = "0.35 -pi/2 0.75 q1; 1.25 0 0 q2; -0.054 -pi/2 0 q3; 0 0 1.5 q4"
 
@@ -387,16 +344,10 @@ def test_a_wrong_entry_is_quoted(entry, instead, words):
         (GENERIC.replace("-pi/4", "-1") + "; 0 0 0 0", GENERIC, {}, [
             "Row 2, alpha: the twist from axis 2 to axis 3 is 57.2958° in yours and 45° in the "
             "reference: 12.2958° off."]),
-        (GENERIC.replace("-pi/4", "1") + "; 0 0 0 0", GENERIC, {}, [
-            "Row 2, alpha: the twist from axis 2 to axis 3 is 57.2958° in yours and -45° in the "
-            "reference: 102.296° off."]),
         ("0 pi/2 0.4 q1; 0.3 0 -0.06 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4; 0 0 0 0", ELBOWED, {}, [
             "Row 3, d: the offset along the parallel axes 2 to 3, added up, is -0.01 m in yours "
             "and 0.05 m in the reference: it goes the other way, so a sign is wrong here or in a "
             "row beside it."]),
-        ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0 q3; 0 0 0.25 q4; 0 0 0 0", ELBOWED, {}, [
-            "Row 3, d: the offset along the parallel axes 2 to 3, added up, is 0 m in yours and "
-            "0.05 m in the reference: 50 mm too short."]),
         ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3", ELBOWED, {}, [
             "The number of joints is 3 in yours and 4 in the reference: each joint needs a row "
             "with its variable. Where one is locked on purpose, compare with the arm that has it "
@@ -419,10 +370,6 @@ def test_a_wrong_entry_is_quoted(entry, instead, words):
             "reference: 100 mm too short.",
             "Row 3, d: the offset along axis 3 is 0.3 m in yours and 0.1 m in the reference: "
             "200 mm too long."]),
-        ("0 0 0.2 q1; 0.3 0 0 q2; 0.2 pi/2 0.1 q3; 0.25 0 0 0; 0 0 0 0", ROOTED,
-         {"convention": "craig"}, [
-            "Row 1, a: the distance from z_0 to axis 1 is 0 m in yours and 0.1 m in the "
-            "reference: 100 mm too short."]),
         # Across a slide two axes are as far apart and as skew as wanted, by a sign the other way.
         ("0 pi/2 0.2 q1; 0 1 0.1 q2; -0.2 0.5 d3 0; 0.125 0 0.3 q4; 0 0 0 0",
          SLIDING.replace("0.4;", "0;"), {}, [
@@ -467,19 +414,12 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
         ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0.5 0.25 q4+0.3",
          ELBOWED.replace("0 0 0.25", "0 0.5 0.25"), {}, "right",
          [JOINTS.format("its q_4 is your q_4 + 17.189°")]),
-        ("0 pi/2 0.4 q1; 0.3 0 0 q2; 0.2 pi/2 0.05 q3; 0 0 0.25 q4-0.3", ELBOWED, {}, "right",
-         [JOINTS.format("its q_4 is your q_4 - 17.189°")]),
         ("0.3 0 0 q1+0.5; 0.4 0 d2 pi/2; 0.2 0.3 0 q3; 0.1 0 0 q4",
          "0.5 0 0 q1; 0 0 d2 0; 0.2 0.3 0 q3; 0.1 0 0 q4", {}, "right",
          [JOINTS.format("its q_1 is your q_1 + 81.778°; its q_3 is your q_3 + 36.87°")]),
         ("0 pi/2 0.5 q1; 0 pi/2 d2+0.1 pi/2; 0.2 0 0.1 q3",
          "0 pi/2 0.4 q1; 0 pi/2 d2 pi/2; 0.2 0 0.1 q3", {}, "right",
          [JOINTS.format("its q_2 is your q_2 + 100 mm"), BASE.format("100 mm lower", 1)]),
-        ("0.325 0 0.4 q1; 0.225 pi 0 q2; 0 0 d3+0.2 0; 0.1 0 0.25 q4-0.3",
-         "0.325 0 0.4 q1; 0.225 pi 0 q2; 0 0 d3 0; 0.1 0 0.05 q4", {}, "right",
-         [JOINTS.format("its q_3 is your q_3 + 400 mm; its q_4 is your q_4 - 17.189°")]),
-        ("0 pi/2 0.2 q1; 0 1 0.1 q2; -0.2 -0.5 d3+0.5 pi+0.4; 0.1 0 0.3 q4+pi", SLIDING, {},
-         "right", [JOINTS.format("its q_3 is your q_3 + 300 mm")]),
         ("0.1 0 0.2 q1; 0.3 0 0 q2+0.3; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED,
          {"convention": "craig"}, "right", [JOINTS.format("its q_3 is your q_2 + 17.189°")]),
         ("0.1 0 0.7 q1; 0.3 0 0 q2; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED, {"convention": "craig"},
@@ -489,15 +429,11 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
          [BASE.format("300 mm lower", 2)]),
         (LEANING.replace("0.3 0;", "0.5 0;"), LEANING, {}, "right",
          ["your base frame stands 200 mm lower along z_0 than the reference's. "]),
-        (LEVEL.replace("pi/2 0.3 0; 0.3 pi/2 0.2", "-pi/2 0.3 0; 0.3 -pi/2 -0.1"), LEVEL, {},
-         "right",
-         [JOINTS.format("its q_2 is -(your q_2)"), BASE.format("100 mm lower", 2)]),
         (ELBOWED.replace("0.3 ", "300 ").replace("0.2 ", "200 ").replace("0.05", "50")
          .replace("0.25", "250"), ELBOWED, {"lengths": "mm"}, "right",
          [BASE.format("399.6 mm higher", 1), "in another unit, d in row 1 would put your base "]),
         (ELBOWED.replace("0.4", "400"), ELBOWED, {}, "right",
          [BASE.format("399600 mm lower", 1), "in another unit, d in row 1 would put your base "]),
-        ("0 pi/2 400 q1", "0 pi/2 0.4 q1", {}, "right", [BASE.format("399600 mm lower", 1)]),
         # A thousandth of a degree is no zero of its own.
         (GENERIC.replace("q3+0.3", "q3+0.30001"), GENERIC, {}, "right", []),
         # Told along axis 1 also where the parallel axis 2 points the other way.

@@ -181,25 +181,6 @@ def test_a_function_is_called_pose_by_pose_or_with_the_run():
                 verdict(mine, q)
 
 
-def test_a_function_of_the_table_is_named_in_its_own_order_of_columns():
-    other = np.array([31.2514, -17.0625, 52.5783])
-
-    def turned(table, q):
-        """Its rows are (theta, d, a, alpha), and every sign is reversed."""
-        right = np.shape(table) == (4, 4) and np.allclose(table[0], [0, 0.3, 0.1, np.pi / 2])
-        return -TAU if right else other
-
-    report = verdict(turned)
-    assert report.causes == ("tau.all signs",), str(report)
-    assert [f.what for f in report.findings] == ["cause"]
-    assert report.figures["right"] == 0
-    assert "(theta, d, a, alpha)" in str(report)
-    for found, causes in ((other, ()), (np.arange(2.0), ("tau.shape",))):
-        wrong = verdict(lambda dh, q, found=found: found)
-        assert wrong.causes == causes
-        assert "(a, alpha, d, theta)" in str(wrong)
-
-
 # Grades, and what is said of a joint
 
 
