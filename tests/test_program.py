@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.kinematics import jacobian, jacobian_entries, recorded
-from helpers.program import record, workspace
-from helpers.robots import PANDA, STANFORD, UR10E
+from helpers.program import record
+from helpers.robots import PANDA, UR10E
 from tests.laws import ALL_ARMS, ids, joint_vectors
 
 OPERATIONS = (operator.add, operator.sub, operator.mul, lambda x, y: -x)
@@ -103,17 +103,6 @@ def test_a_program_is_recorded_once():
     assert recorded(PANDA, jacobian_entries) is not recorded(UR10E, jacobian_entries)
 
 
-def test_structural_zeros_cost_nothing():
-    """The Stanford arm's third joint slides along z_2: its three lower entries, and z_0's first
-    two, are no steps."""
-    program = recorded(STANFORD, jacobian_entries)
-    computed = {to for *_, to in program.on_rows}
-    zeros = [program.places[row * 6 + 2] for row in (3, 4, 5)] + [
-        program.places[r * 6] for r in (2, 3, 4)
-    ]
-    assert not computed & set(zeros)
-
-
 @pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
 def test_threads_do_not_share_their_rows(arm):
     """Each thread works in memory of its own: eight at once give what each gives alone."""
@@ -132,14 +121,3 @@ def test_threads_do_not_share_their_rows(arm):
         thread.join()
     for q, J in zip(batches, found, strict=True):
         np.testing.assert_array_equal(J, jacobian(arm, q))
-
-
-def test_a_thread_keeps_its_workspace():
-    first = workspace(3, 4)
-    assert first.shape == (3, 4)
-    assert np.shares_memory(first, workspace(2, 5))
-    other = []
-    thread = threading.Thread(target=lambda: other.append(workspace(3, 4)))
-    thread.start()
-    thread.join()
-    assert not np.shares_memory(first, other[0])

@@ -43,14 +43,6 @@ def test_both_jacobians_are_one_and_the_same_expression(arm):
     assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
 
 
-@every_arm
-def test_the_jacobian_equals_the_numeric_one(arm):
-    q = joint_vectors(arm, (), 7)
-    np.testing.assert_allclose(
-        in_numbers(arm, symbolic.jacobian(arm), q), kinematics.jacobian(arm, q), atol=1e-13
-    )
-
-
 @settings(max_examples=25)
 @given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
 def test_random_tables_too(arm, seed):
@@ -118,31 +110,6 @@ def test_a_symbol_that_is_zero_is_left_out():
     d = sp.Symbol("d")
     assert d not in symbolic.forward_kinematics(ELBOW).free_symbols
     assert d in symbolic.forward_kinematics(ELBOW.with_values(d=0.1)).free_symbols
-
-
-def test_formulas_are_short():
-    """Shorter than what simplify makes of the product of the six matrices (3614 characters of
-    LaTeX)."""
-    assert len(sp.latex(symbolic.short(symbolic.forward_kinematics(UR10E_HOMEWORK)))) < 1100
-
-
-def test_short_leaves_other_angles_alone():
-    x, q_1 = sp.symbols("x q_1")
-    assert symbolic.short(sp.cos(x) + sp.sin(q_1)).atoms(sp.cos, sp.sin) == {sp.cos(x)}
-    assert symbolic.short(sp.cos(2 * q_1)) == sp.cos(2 * q_1)
-
-
-def test_odd_angles_stay_exact():
-    arm = Arm(
-        "tilted",
-        [revolute(a="a", alpha="pi/3"), prismatic(theta="pi/5", alpha=0.3), revolute(a="a")],
-        {"a": 1},
-    )
-    q = [0.4, 0.2, -0.6]
-    np.testing.assert_allclose(
-        in_numbers(arm, symbolic.forward_kinematics(arm), q), slow_frames(arm, q)[-1], atol=1e-14
-    )
-    assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
 
 
 def test_lengths_may_be_any_sums_of_products():
