@@ -415,8 +415,8 @@ def _undone(m: Machine, made, T, digits: int) -> frozenset[str]:
     undo = {}
     for key in joint_mistakes(m, made):
         kind, _, at = key.partition(":")
-        one = np.arange(m.dof) == int(at[2:] or 0) - 1
         turns = np.array([k == R for k, *_ in m.rows])
+        one = np.arange(m.dof) == int(at[2:]) - 1 if at else ~turns
         undo[key] = {
             "ik.degrees": np.where(turns, np.radians(made), made), "ik.all signs": -made,
             "ik.reversed order": made[::-1], "ik.sign": np.where(one, -made, made),

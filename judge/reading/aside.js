@@ -11,12 +11,8 @@ const OWN = new Set(
   (
     "alpha theta phi beta gamma psi joint joints link links row rows column columns through " +
     "to pi sin cos tan sind cosd asin acos atan arcsin arccos arctan sqrt abs deg rad degree " +
-    "degrees radians mm cm np numpy sp sympy math array asarray matrix matrices tensor begin " +
-    "end bmatrix pmatrix vmatrix smallmatrix tabular hline toprule midrule bottomrule left " +
-    "right frac dfrac tfrac cdot text mathrm quad dtype float int offset type kind revolute " +
-    "prismatic fixed twist length angle common normal inf nan nm dh variable var vx vy vz wx " +
-    "wy wz omega tau dhlink revolutedh prismaticdh seriallink dict list zeros eye vpa " +
-    "simplify round double sym display print disp lambda return function def"
+    "degrees radians mm cm np array matrix int offset type kind revolute prismatic fixed twist " +
+    "length angle common normal inf nan nm dh variable var vx vy vz wx wy wz omega tau"
   ).split(" "),
 );
 const COMMENT = /^\s*(?:%|#(?![A-Z]+[/!?])|\/\/)/;
@@ -53,8 +49,8 @@ const SET = new RegExp(
   "gimu",
 );
 const DECIMALS = /(\bround\(.*),\s*\d+\s*\)+\s*[;.,]?\s*$/s; // that round() is given
-// Names hold digits, too.
-const TOKENS = /(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|\p{L}[\p{L}\p{N}_]*(?:(?<=_)\{[\w+-]*\})?/giu;
+// Runs of digits, and names, which hold digits too.
+const TOKENS = /\d+|\p{L}[\p{L}\p{N}_]*(?:(?<=_)\{[\w+-]*\})?/giu;
 
 const numbersIn = (text) => text.replace(COUNTS, " ").match(NUMBERS) ?? [];
 
@@ -107,10 +103,13 @@ export function setAside(text) {
 export function unread(text, entries, sizes) {
   const held = entries.join(" ");
   if (text.replace(/\D/g, "") === held.replace(/\D/g, "")) return [];
-  const typed = tokensOf(text.replace(DECIMALS, "$1").replace(COUNTS, " ").replace(SET, " "));
-  const [missing, over] = without(typed, tokensOf(held));
-  const [lost] = without(missing, over.flatMap(runsOf), runsOf);
-  return sizes.reduce((rest, size) => uncounted(uncounted(rest, size), size), lost);
+  const bare = text.replace(DECIMALS, "$1").replace(COUNTS, " ").replace(SET, " ");
+  // as runs of digits, for commas may be decimal ones; shown are the numbers that hold them
+  const lost = sizes
+    .flatMap((size) => [size, size])
+    .reduce(uncounted, without(tokensOf(bare), tokensOf(held)));
+  const isOf = (run) => (number) => !held.includes(number) && number.split(/\D/).includes(run);
+  return [...new Set(lost.map((run) => bare.match(/[\d.]*\d/g).find(isOf(run)) ?? run))];
 }
 
 /** Those that stand in no entry of a matrix. */
@@ -121,39 +120,28 @@ export const unreadOf = (text, { entries, shape }) =>
     shape,
   );
 
-function tokensOf(text) {
-  const spelled = /[^\x20-\x7e\s]|[\\{]/.test(text) ? plain(text) : text;
-  const found = spelled.match(TOKENS) ?? [];
-  return found.filter((token) => !/^\p{L}/u.test(token)).map((token) => token.replace(/\.$/, ""));
-}
+const tokensOf = (text) =>
+  ((/[^\x20-\x7e\s]|[\\{]/.test(text) ? plain(text) : text).match(TOKENS) ?? []).filter((token) =>
+    /\d/.test(token[0]),
+  );
 
-const runsOf = (token) => token.match(/\d+/g);
-
-// What of a list is not in another, taken part by part and each part once, and what is left there.
-export function without(list, other, partsOf = (one) => [one]) {
+// What of a list is not in another, each taken once.
+export function without(list, other) {
   const left = new Map();
   for (const one of other) left.set(one, (left.get(one) ?? 0) + 1);
-  const lost = list.filter((one) => {
-    const taken = partsOf(one).filter((part) => {
-      const count = left.get(part) ?? 0;
-      left.set(part, count - 1);
-      return count > 0;
-    });
-    if (taken.length === partsOf(one).length) return false;
-    for (const part of partsOf(one)) left.set(part, left.get(part) + 1);
-    return true;
+  return list.filter((one) => {
+    const count = left.get(one) ?? 0;
+    left.set(one, count - 1);
+    return count <= 0;
   });
-  return [lost, [...left].flatMap(([one, count]) => Array(Math.max(0, count)).fill(one))];
 }
 
 // A list without the labels 1 to `size`, or 0 to size - 1, where all of them stand in it.
 function uncounted(list, size) {
-  for (const from of [1, 0]) {
-    const labels = Array.from({ length: size }, (_, k) => `${k + from}`);
-    const [absent] = without(labels, list);
-    if (!absent.length) return without(list, labels)[0];
-  }
-  return list;
+  const labels = [1, 0]
+    .map((from) => Array.from({ length: size }, (_, k) => `${k + from}`))
+    .find((all) => !without(all, list).length);
+  return labels ? without(list, labels) : list;
 }
 
 // Whether numbers stand in what was set aside.

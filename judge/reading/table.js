@@ -59,7 +59,7 @@ export function read(text, { columns, ...options } = {}, values = []) {
   const order = orderOf(cells, heads, columns, text);
   if (!order) return read(apart(text), { columns, ...options }, values);
   const units = unitsOf(options, fromHeads(heads));
-  const [used] = without(cells.flat(), order.unused ?? []);
+  const used = without(cells.flat(), order.unused ?? []);
   const entries = typed.entries ?? used;
   return readings(order, known).map((table) => ({
     ...units,
