@@ -7,7 +7,7 @@ import pytest
 
 from helpers.kinematics import tip
 from helpers.robots import PANDA
-from tools.noise import SEEDS, Setting, outside, said, settings, tight
+from tools.noise import KERNELS, SEEDS, Setting, outside, said, settings, tight
 from tools.rerun import difference, share, words
 from tools.rounding import Noise, Noisy
 
@@ -79,13 +79,19 @@ def test_a_figure_is_compared_by_its_coordinates_and_not_by_the_ids_drawn_from_t
     assert "M2.26" in after
 
 
-def test_kernels_that_the_processor_lacks_are_left_out(monkeypatch):
+def test_every_kernel_and_every_seed_has_its_run(monkeypatch):
     from numpy._core import _multiarray_umath
 
-    monkeypatch.setattr(_multiarray_umath, "__cpu_features__", {"SSE3": True, "AVX2": False})
-    names = [setting.name for setting in settings()]
-    assert names[0].startswith("Prescott")
-    assert names[1:] == [f"noise {seed}" for seed in SEEDS]
+    def found(**features):
+        monkeypatch.setattr(_multiarray_umath, "__cpu_features__", features)
+        return settings()
+
+    every = found(**{needs: True for needs, *_ in KERNELS.values()})
+    assert [one.environment["OPENBLAS_CORETYPE"] for one in every] == list(KERNELS)
+    assert [one.seed for one in every] == list(SEEDS)
+    old = found(SSE3=True, SSE42=True, AVX2=False)
+    assert [one.name.split(",")[0] for one in old] == ["Prescott", "Nehalem"] * 3
+    assert [(one.environment, one.seed) for one in found()] == [({}, seed) for seed in SEEDS]
 
 
 @pytest.mark.parametrize("value", [np.linspace(-2, 2, 500), np.geomspace(1e-300, 1e300, 500)])

@@ -49,6 +49,7 @@ def run_all(notebooks: list[str], seed: int) -> dict[str, Run]:
         install()
     for module in ("matplotlib.pyplot", "sympy", "helpers.inverse", "helpers.motion"):
         import_module(module)
+    sys.modules["matplotlib.pyplot"].uninstall_repl_displayhook()  # draws each figure for a screen
     return {path: _forked(path, seed) for path in notebooks}
 
 
