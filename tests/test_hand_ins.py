@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers import checks, inverse
-from helpers.arm import ArmError
+from helpers.arm import Arm, ArmError, prismatic, revolute
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import static_torque
@@ -143,6 +143,32 @@ def test_slides_have_decimals_of_their_own():
 
 def test_a_column_with_decimal_commas_is_one_column():
     assert torques("\n".join(f"{x:.3f}".replace(".", ",") for x in TAU)).agrees
+
+
+def test_a_column_with_decimals_of_several_lengths_is_one_or_is_asked_about():
+    column = "\n".join(f"{x:.4g}".replace(".", ",") for x in TAU)
+    assert any(len(x.partition(",")[2]) != 4 for x in column.splitlines())
+    assert torques("-0,0000\n" + column.partition("\n")[2]).grade != "wrong"
+    with pytest.raises(ArmError, match="a blank after a comma that parts"):
+        torques("1,25\n-97,53\n-54,78\n-6,32\n1,56\n2,34")
+
+
+def test_cutting_is_stated_only_where_it_explains_all():
+    cut, one = (np.trunc(TAU * 100) / 100, TAU.round(2))
+    one[1] += 0.01
+    told = "cut instead of rounded"
+    assert told in torques(cut).headline
+    assert told not in torques(one).headline
+    assert torques(one).grade == "rounded"
+
+
+def test_a_table_whose_tip_is_elsewhere_is_not_green():
+    """Two slides in a row: no map of the joints, and yet a_2 is wrong."""
+    mine = Arm("Two slides", [prismatic(alpha=np.pi / 2), prismatic(0.114, np.pi / 2), revolute()])
+    typed = "d theta a alpha\nd1 0 0 90\nd2 0 0.128 90\n0 q3 0 0"
+    report = checks.compare_tables(typed, mine)
+    assert report.mark == "so far"
+    assert "(0.128, 0, 0)" in report.headline
 
 
 def test_degree_signs_are_not_taken_twice():

@@ -74,8 +74,7 @@ export function* single(arm, q) {
   yield* elbowFormula(arm, q);
   for (let k = 0; k < q.length; k++) {
     for (const [key, change] of JOINT) {
-      const fits = turns[k] && (k > 0 || key !== "ik.supplement");
-      if (fits || key === "ik.sign")
+      if (turns[k] || key === "ik.sign")
         yield [cause(key, { joint: names[k] }), changed(q, k, change(q[k]))];
     }
   }

@@ -32,8 +32,8 @@ const WORDS = /\p{L}[\p{L}’'-]+/gu;
 const NUMBERS = /(?<![\p{L}\p{N}_.])\d[\p{N}.,]*(?:e[-+]?\d+)?/giu;
 // Numbers that only count, as in "Exercise 2 b" and "Table 1", and in the labels "Answer 2:".
 const COUNTS = new RegExp(
-  String.raw`(?:exercise|problem|tab(?:le)?|fig(?:ure)?|task|question|part|homework|hw|sheet|step` +
-    String.raw`|solution|lösung|assignment|aufgabe|tabelle|chapter|section|eq|equation|joint|link` +
+  String.raw`(?:exercise|problem|tab(?:le)?|fig(?:ure)?|task|question|part|homework|hw|step` +
+    String.raw`|solution|lösung|aufgabe|tabelle|eq|equation|joint|link` +
     String.raw`|axis|row|no|nr)\.?\s*#?\d{1,2}(?:\.\d)?(?![\d.]*\d)|(?:In|Out) ?\[\d*\]:` +
     String.raw`|(?:answer|branch|case|set)\s*\d+(?=\s*[:.)])` +
     String.raw`|\d+[- ]?(?:joints?|axes|dof|links?|digits|decimals|element)(?!\p{L})`,

@@ -114,17 +114,22 @@ function byCommas(kept) {
 
 const ALONE = /^\s*[-+−]?\d+(?:,\d+)?\s*$/;
 
-// Lines of one number each with a decimal comma; two whole numbers on each where nothing says so.
+// Lines of one number each with a decimal comma, or of two whole numbers of one digit; an error
+// where either may be meant.
 function oneColumn(kept) {
   const rows = kept.map((line) => line.trim().split(","));
-  const places = rows.map(([, decimals = ""]) => decimals);
-  const long = places.every(
-    (decimals) => decimals.length === places[0].length && places[0].length > 2,
-  );
-  if (long || places.some((decimals) => /^$|^0\d/.test(decimals)))
+  const sizes = rows.map(([, decimals = ""]) => decimals.length);
+  const even = sizes[0] > 2 && sizes.every((size) => size === sizes[0]);
+  if (even || kept.some((line) => /^[^,]*$|,0\d|,\d{4}|-0,/.test(line.trim())))
     return rows.map((parts) => [parts.join(".")]);
+  if (sizes.some((size) => size > 1)) throw undecided(kept[0]);
   return rows;
 }
+
+const undecided = (line) =>
+  new ArmError(
+    `a line is ${shown(line.trim())}; expected decimal points, or a blank after a comma that parts`,
+  );
 
 const onlyTight = (line) => (line.match(TIGHT) ?? []).length === line.split(",").length - 1;
 
@@ -135,6 +140,5 @@ function byDecimalCommas(kept, dotted) {
   const byBlank = dotted.map(split);
   if (!byBlank.every((row) => row.length > 1)) return null;
   if (!uneven(byBlank) && kept.some((line) => JUXTAPOSED.test(line))) return byBlank;
-  const given = shown(kept.find((line) => line.includes(",")).trim());
-  throw new ArmError(`a line is ${given}; expected decimal points, or commas between entries`);
+  throw undecided(kept.find((line) => line.includes(",")));
 }

@@ -242,7 +242,7 @@ function same(grade, table, reference, [mine, ref], found) {
   const loose = grade === RIGHT ? LENGTH : 10 * last;
   const mapped = jointMap(mine, ref, found, loose);
   const told = zeros(table, mapped, mine, ref);
-  const elsewhere = mapped && reference.home ? otherZeros(table, mine.rows, reference) : null;
+  const elsewhere = reference.home ? otherZeros(table, mine.rows, reference) : null;
   const key = grade === RIGHT ? "table same" : "table rounded";
   return {
     topic: "table",
