@@ -5,7 +5,7 @@ cannot be told.
 import numpy as np
 import sympy as sp
 
-from helpers import checks, inverse, motion, statics
+from helpers import checks, inverse, motion
 from helpers.arm import Arm, prismatic
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, UR10E, UR10E_HOMEWORK
@@ -116,14 +116,3 @@ def test_a_number_whose_digits_say_nothing_is_not_right():
         assert checks.compare_torques(mine, UR10E, q).grade == "wrong"
     found = inverse.elbow(ELBOW, [0.52, 0.2841, 0.8463])
     assert checks.compare_branches([[1e22] * 3], found).grade == "wrong"
-
-
-def test_words_above_a_column_of_latex_swallow_no_entry():
-    """C.1"""
-    q = [0.3, -1.1, 1.4, -0.8, 0.9, 0.2]
-    right = [f"{x:.3f}" for x in statics.gravity_torque(UR10E, q)]
-    column = r"My answer:" + "\n" + r"\begin{{bmatrix}} {} \end{{bmatrix}}"
-    assert checks.compare_torques(column.format(r" \\ ".join(right)), UR10E, q).grade == "right"
-    first = checks.compare_torques(column.format(r" \\ ".join(["99", *right[1:]])), UR10E, q)
-    assert first.grade == "wrong"
-    assert "joint 1" in str(first)

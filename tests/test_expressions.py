@@ -49,13 +49,6 @@ def test_a_formula_has_its_value(formula):
     assert evaluate(entry(text, "a"), VALUES) == pytest.approx(value, rel=1e-12, abs=1e-12)
 
 
-@given(formulas)
-def test_sympy_reads_the_same_formula(formula):
-    text, value = formula
-    symbols = {name: sp.Symbol(name) for name in VALUES}
-    assert float(sp.sympify(text, locals=symbols).subs(VALUES)) == pytest.approx(value, abs=1e-9)
-
-
 def test_signs_bind_as_in_arithmetic():
     assert evaluate("2 - 3 - 4", {}) == -5
     assert evaluate("12 / 3 / 2", {}) == 2
@@ -115,12 +108,6 @@ def test_endless_formulas_are_refused():
         entry("-" * 100_000 + "1", "a")
 
 
-@pytest.mark.parametrize("value", [None, True, False, float("nan"), float("inf"), -float("inf")])
-def test_what_is_no_number_is_refused(value):
-    with pytest.raises(ArmError, match=f"alpha is {value}; expected a "):
-        entry(value, "alpha")
-
-
 def test_a_symbol_without_a_value_is_named():
     with pytest.raises(ArmError, match="no value for b; there are a_3, pi"):
         evaluate("a_3 + b", {"a_3": 1})
@@ -134,9 +121,10 @@ NO_ENTRY = "expected a number or a formula such as 'pi/2' or 'a_3'"
     ("ask", "words"),
     [
         (lambda: entry(None, "d"), f"d is None; {NO_ENTRY}"),
+        (lambda: entry(True, "d"), f"d is True; {NO_ENTRY}"),
+        (lambda: entry(np.nan, "d"), "d is nan; expected a finite number or a formula"),
         (lambda: entry(np.inf, "d"), "d is inf; expected a finite number or a formula"),
         (lambda: entry("a +", "d"), f"d is 'a +'; {NO_FORMULA}"),
-        (lambda: entry("a ** 2", "d"), f"d is 'a ** 2'; {NO_FORMULA}"),
         (lambda: names(None, "d"), f"d is None; {NO_ENTRY}"),
         (lambda: evaluate("a +", {}), f"the entry is 'a +'; {NO_FORMULA}"),
         (
@@ -147,7 +135,6 @@ NO_ENTRY = "expected a number or a formula such as 'pi/2' or 'a_3'"
             lambda: latex(10**400),
             f"the entry is 1{'0' * 76}...; expected a finite number or a formula",
         ),
-        (lambda: latex("a +"), f"the entry is 'a +'; {NO_FORMULA}"),
     ],
 )
 def test_what_is_refused_is_told_in_a_whole_sentence(ask, words):
