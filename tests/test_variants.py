@@ -11,12 +11,13 @@ import sympy as sp
 
 from helpers import inverse
 from helpers.arm import Arm, ArmError, Body, fixed, revolute
+from helpers.course.marking import mark
 from helpers.motion import circle, trace
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque
 from helpers.variants import TOPICS, question, sheet, variant
 from helpers.variants import _generator as generator
-from helpers.variants.topics import BY_NAME, closed_form, drawn_arm, matrix, pose_of
+from helpers.variants.topics import BY_NAME, closed_form, drawn, drawn_arm, matrix, pose_of
 from tests.laws import slow_frames
 
 ARMS = [PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, UR10E_HOMEWORK, STANFORD, ELBOW]
@@ -32,7 +33,7 @@ every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
 
 def draw(topic, arm, seed):
     """What is drawn about the arm itself, its own lengths unchanged."""
-    return BY_NAME[topic].draw(arm, generator(seed, topic))
+    return drawn(topic, arm, generator(seed, topic))
 
 
 def numbers(text):
@@ -402,7 +403,7 @@ def test_a_target_is_a_pose_of_the_arm_and_its_limits_are_told(arm):
     sought = "every set of joint values within the limits" if closed_form(arm) else "joint values"
     assert found.text.startswith(f"Find {sought} that give the tip the {asked} $= ")
     told = re.findall(r"\$q_\{(\d)\}\$ from (-?[\d.]*\d) to (-?[\d.]*\d)[;.]?", found.text)
-    limits = zip(arm.joints, *arm.limits, strict=True)
+    limits = zip(arm.joints, *arm.limits, strict=True) if closed_form(arm) else ()
     assert [(int(i), float(low), float(high)) for i, low, high in told] == [
         (i, float(f"{low:g}"), float(f"{high:g}")) for i, low, high in limits if np.isfinite(low)
     ]
@@ -422,3 +423,55 @@ def test_a_pose_as_printed_is_taken_for_the_nearest_rigid_motion():
     np.testing.assert_array_equal(found[:, 3], [*T[:3, 3].round(3), 1])
     np.testing.assert_array_equal(found[3], [0, 0, 0, 1])
     np.testing.assert_array_equal(pose_of(np.array([[1], [2], [3]])), [1, 2, 3])
+
+
+def planted(arm):
+    """The arm, and the signs of its joint values, of whoever makes one slip."""
+    same = np.ones(arm.dof)
+    for i, row in enumerate(arm.rows, 1):
+        for name, entry in zip(("a", "alpha", "d", "theta"), row.entries, strict=True):
+            if value := arm.number(entry):
+                yield arm.with_row(i, **{name: 0}), same
+                yield arm.with_row(i, **{name: -value}), same
+    yield from ((arm, same - 2 * one) for one in np.eye(arm.dof))
+    for i, body in enumerate(arm.bodies):
+        bodies = [*arm.bodies[:i], Body(0, body.com), *arm.bodies[i + 1 :]]
+        yield arm.with_bodies(bodies), same
+
+
+def answers(topic, arm, given, q):
+    if topic == "static torque":
+        g = differences(lambda q: energy(arm, q), q)
+        linear = differences(lambda q: product(arm, q)[:3, 3], q)
+        return {"g": g, "tau": g - linear.T @ given["force"]}
+    T, J = product(arm, q), moves(arm, q)
+    if topic == "Jacobian":
+        return {"J": J, "xi": J @ given["q_dot"]}
+    return {"p": T[:3, 3], "R": T[:3, :3]}
+
+
+@pytest.mark.parametrize(
+    ("arm", "topic", "seed"),
+    [
+        (ELBOW, "Jacobian", 16), (ELBOW, "Jacobian", 19), (ELBOW, "Jacobian", 22),
+        (PANDA.lock(3), "Jacobian", 16), (PANDA, "static torque", 28), (PANDA, "static torque", 42),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_a_slip_that_the_first_draw_would_forgive_is_seen(arm, topic, seed):
+    """Of each of these seeds the first draw hides one. What shows at none of six other poses
+    changes nothing anywhere."""
+    mine = sheet(arm, f"fresh {seed}", (topic,))
+    arm, given = mine.arm, mine.drawn[topic]
+    elsewhere = np.random.default_rng(5).uniform(-2, 2, (6, arm.dof))
+    poses = [np.array(given["q"]), *elsewhere]
+    right = [answers(topic, arm, given, q) for q in poses]
+    first = BY_NAME[topic].draw(arm, generator(f"fresh {seed}", topic))
+    assert first != given
+    for other, signs in planted(arm):
+        wrong = [answers(topic, other, given, signs * q) for q in poses]
+        for name in right[0]:
+            off = [abs(w[name] - r[name]).max() for w, r in zip(wrong, right, strict=True)]
+            if max(off) > mine.parts[name].tolerance:
+                assert off[0] > mine.parts[name].tolerance
+                assert mark(mine, name, wrong[0][name].round(4).tolist()).credit < 1

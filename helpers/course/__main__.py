@@ -28,9 +28,7 @@ _OPTIONS: dict[str, dict[str, Any]] = {
     },
     "--id": {"required": True, "help": "a student's id in the roster"},
     "--jobs": {"type": int, "default": 1, "help": "students marked at a time; 1 unless given"},
-    "download": {
-        "type": Path, "help": "a zip or folder from Canvas, Moodle, Gradescope or by hand",
-    },
+    "download": {"type": Path, "help": "a zip or folder of Canvas, Moodle, Gradescope or by hand"},
     "--out": {"type": Path, "required": True, "help": "the folder or file to write"},
 }  # fmt: skip
 

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from helpers import checks, symbolic
-from helpers.arm import Arm
 from helpers.checks.compare import Typed, numbers
 from helpers.inputs import ArmError
 from helpers.variants import Part, Question, Sheet, topics
@@ -79,10 +78,8 @@ def _compared(question: Question, part: Part, answer: Any) -> Mark:
         fine = typed is None or (typed.units <= _COARSE * np.abs(part.value).max()).all()
         if report.grade != "wrong" and fine and (part.kind != "branches" or credit == 1):
             credit = _FEW_DIGITS
-    beyond = _beyond_limits(question.arm, part, answer) if credit else ""
     causes = () if credit == 1 else report.causes
-    mark = Mark(part.name, credit, report.headline, str(report), causes)
-    return _none(part.name, beyond) if beyond else mark
+    return Mark(part.name, credit, report.headline, str(report), causes)
 
 
 def _report(question: Question, part: Part, answer: Any, tolerance: float | None) -> checks.Report:
@@ -125,21 +122,6 @@ def _share(part: Part, typed: Typed | None, report: checks.Report) -> float:
         counting = np.abs(part.value) > part.tolerance
         return max(0.0, 1 - (every - right) / counting.sum())
     return right / max(every, right + report.figures["wrong"])
-
-
-def _beyond_limits(arm: Arm, part: Part, answer: Any) -> str:
-    """Which joint value lies beyond its limits, whole turns aside; "" where none does."""
-    if part.kind != "pose":
-        return ""  # only branches within the limits are right
-    low, high = np.add(np.clip(arm.limits, -1e6, 1e6), [[-part.tolerance], [part.tolerance]])
-    q = numbers(answer, part.name).values.ravel()
-    turned = np.where(arm.turning, low + (q - low) % (2 * np.pi), q)
-    for i in np.flatnonzero((turned < low) | (turned > high)):
-        return f"{arm.variables[i]} = {q[i]:.4g} lies beyond its limits."
-    return ""
-
-
-# What no checker knows
 
 
 def _column(question: Question, part: Part, answer: Any) -> Mark:

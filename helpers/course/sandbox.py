@@ -3,10 +3,7 @@
 It runs in bubblewrap: its own namespaces, no network, no files but Python's, an empty environment,
 a folder in memory to write to. A filter of system calls, as Flatpak has one, keeps the kernel's
 keys and further namespaces out of reach. `helpers.course.inside` sets the limits of a process.
-
-What that does not protect from: holes in the kernel, the sum of the memory of 256 processes (the
-limit is for each), reading whatever is mounted (Python, the packages), and a notebook that prints
-whatever it likes; its output is only ever read as JSON and judged outside, where the key is.
+Its output is only ever read as JSON and judged outside, where the key is.
 """
 
 import contextlib

@@ -13,7 +13,7 @@ import numpy as np
 
 from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, listed, must_be, one_of, whole
-from helpers.variants.topics import BY_NAME, Given, Part, Rng, lacks
+from helpers.variants.topics import BY_NAME, Given, Part, Rng, drawn, lacks
 
 __all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
 
@@ -67,8 +67,8 @@ def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> S
     """The sheet that a seed draws: a word or a number; the same seed draws the same sheet.
 
     `topics` are those that suit the arm unless given. Raises ArmError for an unknown topic, for one
-    that does not suit the arm, and for an arm of which no pose away from singular ones can be
-    found.
+    that does not suit the arm, and for an arm of which no pose can be found away from singular ones
+    at which every slip shows.
     """
     must_be(arm, Arm, "arm")
     if topics is None:
@@ -77,8 +77,7 @@ def sheet(arm: Arm, seed: int | str, topics: tuple[str, ...] | None = None) -> S
         if lacking := lacks(one_of(topic, "topic", TOPICS), arm):
             raise ArmError(f"{arm.name} does not suit {topic}; it needs {lacking}")
     own = _with_other_lengths(arm, seed)
-    drawn = {topic: BY_NAME[topic].draw(own, _generator(seed, topic)) for topic in topics}
-    return Sheet(own, drawn)
+    return Sheet(own, {topic: drawn(topic, own, _generator(seed, topic)) for topic in topics})
 
 
 def variant(topic: str, arm: Arm, seed: int | str) -> Question:

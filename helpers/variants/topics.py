@@ -5,7 +5,9 @@ may draw others, asks the same questions of them still.
 """
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -16,6 +18,7 @@ from helpers.arm import Arm, Joint, Row
 from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics, jacobian, link_frames
 from helpers.motion import SingularError, Trace, circle, plain_inverse, trace
+from helpers.slips import hidden
 from helpers.statics import gravity_torque, static_torque
 
 Array = NDArray[np.float64]
@@ -27,6 +30,9 @@ _TRIES = 500
 _STEPS = 1000  # of the key's own run; the sheet asks for as many or more
 _SMALLEST = 0.04  # no question is asked nearer to a singular pose than this singular value
 _POSE_DIGITS = 6  # of a target as printed: 1e-6 m moves a joint by 1e-6 / 0.04 rad at most
+_FORGIVEN = {"table": 5e-4, "p": 1e-3, "R": 2e-3, "J": 2e-3, "xi": 5e-3, "J_column": 1e-6}
+_FORGIVEN |= {"centre": 1e-3, "quarter": 1e-2, "half": 1e-2, "g": 5e-3, "tau": 5e-3, "q": 1e-2}
+_SEEN = {name: 1.1 * off for name, off in _FORGIVEN.items()}  # at four decimals, too
 
 
 @dataclass(frozen=True)
@@ -41,10 +47,13 @@ class Part:
     what: str
     kind: Kind
     value: Any
-    tolerance: float
+
+    @property
+    def tolerance(self) -> float:
+        return _FORGIVEN[self.name]
 
 
-def _pose(arm: Arm, rng: Rng) -> Array:
+def _pose(arm: Arm, rng: Rng) -> list[float]:
     """Joint values to two decimals, well inside their range and away from singular poses."""
     lower, upper = (np.clip(limit, -2.4, 2.4) for limit in arm.limits)
     somewhere = np.linspace(0.3, 0.9, arm.dof)
@@ -52,26 +61,25 @@ def _pose(arm: Arm, rng: Rng) -> Array:
     rank = np.linalg.matrix_rank(jacobian(arm, somewhere)[:rows])  # 2 for an arm that is plane
     for _ in range(_TRIES):
         q = (lower + (upper - lower) * rng.uniform(0.1, 0.9, arm.dof)).round(2) + 0.0
-        if np.linalg.svd(jacobian(arm, q)[:rows], compute_uv=False)[rank - 1] > _SMALLEST:
-            return q
+        smallest = np.linalg.svd(jacobian(arm, q)[:rows], compute_uv=False)[rank - 1]
+        if smallest > _SMALLEST and q.all():  # the sign of 0 shows nowhere
+            return list(q.tolist())
     raise ArmError(f"{arm.name}: no pose away from a singular one was found in {_TRIES} tries")
 
 
-def _draw_table(arm: Arm, rng: Rng) -> dict[str, Any]:
+def _draw_table(arm: Arm, rng: Rng) -> Given | None:
     """An arm of four joints that no other question mentions, since their tables stand on the
     sheet; each of its joints moves the tip or turns it in a way of its own.
     """
-    while True:
-        rows = [_drawn_row(rng) for _ in range(4)]
-        rows[-1]["alpha"] = "0"
-        if [row["kind"] for row in rows].count("prismatic") > 1:
-            continue
-        along = (rng.integers(-4, 5, len(rows)) * 0.05).round(2).tolist()
-        given = {"rows": rows, "along": along}
-        J = jacobian(drawn_arm(given), [0.3, 0.5, 0.7, 0.9])
-        full_rank = np.linalg.svd(J, compute_uv=False)[-1] > 0.05
-        if full_rank and all(row["alpha"] != "0" or row["a"] for row in rows):
-            return given
+    rows = [_drawn_row(rng) for _ in range(4)]
+    rows[-1]["alpha"] = "0"
+    if [row["kind"] for row in rows].count("prismatic") > 1:
+        return None
+    along = (rng.integers(-4, 5, len(rows)) * 0.05).round(2).tolist()
+    given = {"rows": rows, "along": along}
+    J = jacobian(drawn_arm(given), [0.3, 0.5, 0.7, 0.9])
+    full_rank = np.linalg.svd(J, compute_uv=False)[-1] > 0.05
+    return given if full_rank and all(row["alpha"] != "0" or row["a"] for row in rows) else None
 
 
 def _drawn_row(rng: Rng) -> dict[str, Any]:
@@ -94,10 +102,10 @@ def drawn_arm(given: Given) -> Arm:
 
 
 def _ask_table(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    drawn = drawn_arm(given)
-    frames = link_frames(drawn, np.zeros(drawn.dof))
+    right = drawn_arm(given)
+    frames = link_frames(right, np.zeros(right.dof))
     lines = ["| joint | it | a point on its axis (m) | direction |", "|:-:|:--|:--|:--|"]
-    for i, (row, shift) in enumerate(zip(drawn.rows, given["along"], strict=True)):
+    for i, (row, shift) in enumerate(zip(right.rows, given["along"], strict=True)):
         verb = {"revolute": "turns", "prismatic": "slides"}[row.joint.kind]
         point, z = frames[i, :3, 3] + shift * frames[i, :3, 2], frames[i, :3, 2]
         lines.append(f"| {i + 1} | {verb} | ${matrix(point)}$ | ${matrix(z)}$ |")
@@ -112,26 +120,21 @@ def _ask_table(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     )
     what = "the table, one row (a, alpha, d, theta) for each joint: m and rad, the joint's"
     what += " variable (q_1, q_2, ...) in theta or d"
-    return text, (Part("table", what, "table", drawn, 5e-4),)
-
-
-def _draw_pose(arm: Arm, rng: Rng) -> dict[str, Any]:
-    return {"q": _pose(arm, rng).tolist()}
+    return text, (Part("table", what, "table", right),)
 
 
 def _ask_pose(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    q = np.array(given["q"])
-    T = forward_kinematics(arm, q)
-    text = f"Where is the tip of this arm, and how is it turned, at $q = {matrix(q)}$?"
+    right, q = _results(given, arm, given["q"]), matrix(given["q"])
+    text = f"Where is the tip of this arm, and how is it turned, at $q = {q}$?"
     return text, (
-        Part("p", "the tip's position (m)", "numbers", T[:3, 3], 1e-3),
-        Part("R", "its rotation, a 3 × 3 matrix", "numbers", T[:3, :3], 2e-3),
+        Part("p", "the tip's position (m)", "numbers", right["p"]),
+        Part("R", "its rotation, a 3 × 3 matrix", "numbers", right["R"]),
     )
 
 
-def _draw_jacobian(arm: Arm, rng: Rng) -> dict[str, Any]:
+def _draw_jacobian(arm: Arm, rng: Rng) -> Given | None:
     return {
-        "q": _pose(arm, rng).tolist(),
+        "q": _pose(arm, rng),
         "q_dot": (rng.uniform(-1, 1, arm.dof).round(1) + 0.0).tolist(),
         "column": int(rng.integers(1, arm.dof + 1)),
     }
@@ -139,7 +142,7 @@ def _draw_jacobian(arm: Arm, rng: Rng) -> dict[str, Any]:
 
 def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     q, q_dot, column = np.array(given["q"]), np.array(given["q_dot"]), int(given["column"])
-    J = jacobian(arm, q)
+    right = _results(given, arm, q)
     entries = [str(entry) for entry in symbolic.jacobian(arm)[:, column - 1]]
     names = ", ".join(f"`{name}`" for name in (*arm.variables, *arm.values))
     text = (
@@ -149,27 +152,27 @@ def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     )
     formula = f"column {column} in symbols, six formulas, evaluated at poses of our choice"
     return text, (
-        Part("J", "the Jacobian, rows $(v, \\omega)$ in base axes", "jacobian", J, 2e-3),
-        Part("xi", "the tip's velocity (m/s, rad/s)", "numbers", J @ q_dot, 5e-3),
-        Part("J_column", formula, "column", entries, 1e-6),
+        Part("J", "the Jacobian, rows $(v, \\omega)$ in base axes", "jacobian", right["J"]),
+        Part("xi", "the tip's velocity (m/s, rad/s)", "numbers", right["xi"]),
+        Part("J_column", formula, "column", entries),
     )
 
 
-def _draw_circle(arm: Arm, rng: Rng) -> dict[str, Any]:
-    for _ in range(_TRIES):
-        given = {
-            "q": _pose(arm, rng).tolist(),
-            "radius": int(rng.integers(5, 11)) / 100,
-            "plane": str(rng.choice(["xy", "yz", "zx"])),
-            "duration": int(rng.integers(2, 7)) * 5,
-        }
-        try:
-            report = traced(arm, given, 100).report
-        except (SingularError, ArmError):
-            continue
-        if report.executable and report.smallest_singular_value > _SMALLEST:
-            return given
-    raise ArmError(f"{arm.name}: no circle that it can draw was found in {_TRIES} tries")
+def _draw_circle(arm: Arm, rng: Rng) -> Given | None:
+    """A circle that the arm can draw, along which each joint moves: a still one hides its sign."""
+    given = {
+        "q": _pose(arm, rng),
+        "radius": int(rng.integers(5, 11)) / 100,
+        "plane": str(rng.choice(["xy", "yz", "zx"])),
+        "duration": int(rng.integers(2, 7)) * 5,
+    }
+    try:
+        run = traced(arm, given, 100)
+    except (SingularError, ArmError):
+        return None
+    moved = np.abs(run.q[[25, 50]] - run.q[0]).max(axis=0).min() > _FORGIVEN["half"]
+    good = run.report.executable and run.report.smallest_singular_value > _SMALLEST
+    return given if good and moved else None
 
 
 def traced(arm: Arm, given: Given, steps: int = _STEPS) -> Trace:
@@ -194,58 +197,56 @@ def _ask_circle(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
     return text, (
-        Part("centre", "the circle's centre (m)", "numbers", centre, 1e-3),
-        Part("quarter", joints.format("a quarter"), "numbers", run.q[_STEPS // 4], 1e-2),
-        Part("half", joints.format("half"), "numbers", run.q[_STEPS // 2], 1e-2),
+        Part("centre", "the circle's centre (m)", "numbers", centre),
+        Part("quarter", joints.format("a quarter"), "numbers", run.q[_STEPS // 4]),
+        Part("half", joints.format("half"), "numbers", run.q[_STEPS // 2]),
     )
 
 
-def _draw_torque(arm: Arm, rng: Rng) -> dict[str, Any]:
+def _draw_torque(arm: Arm, rng: Rng) -> Given | None:
     q, force = _pose(arm, rng), np.zeros(3)
     force[rng.integers(3)] = float(rng.choice([-1, 1])) * float(rng.integers(10, 41)) / 2
-    return {"q": q.tolist(), "force": force.tolist()}
+    return {"q": q, "force": force.tolist()}
 
 
 def _ask_torque(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    q, force = np.array(given["q"]), np.array(given["force"])
+    q, force, right = matrix(given["q"]), matrix(given["force"]), _results(given, arm, given["q"])
     text = (
-        f"At $q = {matrix(q)}$ the world acts on the tip with the force ${matrix(force)}$ N (base"
+        f"At $q = {q}$ the world acts on the tip with the force ${force}$ N (base"
         " axes, no moment). Which torques hold the arm without it, which with it? Take 9.81 m/s²."
         " Masses, and centres of mass, each in the frame of its own link: that of row $i$ for"
         f" link $i$.\n\n{_bodies(arm)}"
     )
-    tau = static_torque(arm, q, np.r_[force, 0, 0, 0])
     return text, (
-        Part(
-            "g", "the torques that hold the weight (N m)", "torques", gravity_torque(arm, q), 5e-3
-        ),
-        Part("tau", "the torques with the force (N m)", "torques", tau, 5e-3),
+        Part("g", "the torques that hold the weight (N m)", "torques", right["g"]),
+        Part("tau", "the torques with the force (N m)", "torques", right["tau"]),
     )
 
 
-def _draw_target(arm: Arm, rng: Rng) -> dict[str, Any]:
+def _draw_target(arm: Arm, rng: Rng) -> Given | None:
     q = _pose(arm, rng)
     asked = forward_kinematics(arm, q)[:3, 0 if arm.dof >= 6 else 3 :]
-    return {"target": (asked.round(_POSE_DIGITS) + 0.0).tolist(), "one way": q.tolist()}
+    return {"target": (asked.round(_POSE_DIGITS) + 0.0).tolist(), "one way": q}
 
 
 def _ask_target(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     target, solver = np.array(given["target"]), closed_form(arm)
     asked = "pose $[R\\ p]$" if target.shape[1] == 4 else "position $p$"
-    sought = "every set of joint values within the limits" if solver else "joint values"
+    asked += f" $= {matrix(target, _POSE_DIGITS)}$."
+    if not solver:
+        what = "joint values (rad; m where one slides) that give this"
+        way = Part("q", what, "pose", np.array(given["one way"]))
+        return f"Find joint values that give the tip the {asked}", (way,)
+    text = f"Find every set of joint values within the limits that give the tip the {asked}"
     limits = "; ".join(
         f"${name.replace('q_', 'q_{')}}}$ from {low:g} to {high:g}"
         for name, low, high in zip(arm.variables, *arm.limits, strict=True)
         if np.isfinite([low, high]).all()
     )
-    text = f"Find {sought} that give the tip the {asked} $= {matrix(target, _POSE_DIGITS)}$."
     text += f" Limits: {limits}; whole turns count as the same." if limits else ""
-    if solver:
-        found = solver(arm, pose_of(target))
-        what = "the branches, one row of joint values each (rad; m where one slides)"
-        return text, (Part("q", what, "branches", found.q[found.within_limits], 1e-2),)
-    what = "joint values (rad; m where one slides) that give this"
-    return text, (Part("q", what, "pose", np.array(given["one way"]), 1e-2),)
+    found = solver(arm, pose_of(target))
+    what = "the branches, one row of joint values each (rad; m where one slides)"
+    return text, (Part("q", what, "branches", found.q[found.within_limits]),)
 
 
 def pose_of(target: Array) -> Array:
@@ -259,20 +260,45 @@ def pose_of(target: Array) -> Array:
 
 
 class Topic(NamedTuple):
-    """How the numbers of a topic are drawn, and how an arm and they make a question and its key."""
+    """How the numbers of a topic are drawn, None where a draw is of no use, and how an arm and
+    they make a question and its key."""
 
-    draw: Callable[[Arm, Rng], dict[str, Any]]
+    draw: Callable[[Arm, Rng], Given | None]
     ask: Callable[[Arm, Given], tuple[str, tuple[Part, ...]]]
 
 
 BY_NAME = {
     "DH table": Topic(_draw_table, _ask_table),
-    "forward kinematics": Topic(_draw_pose, _ask_pose),
+    "forward kinematics": Topic(lambda arm, rng: {"q": _pose(arm, rng)}, _ask_pose),
     "Jacobian": Topic(_draw_jacobian, _ask_jacobian),
     "circle tracing": Topic(_draw_circle, _ask_circle),
     "static torque": Topic(_draw_torque, _ask_torque),
     "inverse kinematics": Topic(_draw_target, _ask_target),
 }
+
+
+def drawn(topic: str, arm: Arm, rng: Rng) -> Given:
+    """What is drawn for a topic, anew until it can be asked and no single slip hides in it."""
+    elsewhere = np.random.default_rng(0).uniform(-2.4, 2.4, (30, arm.dof))
+    for _ in range(_TRIES):
+        given = BY_NAME[topic].draw(arm, rng) or {}
+        pose, answers = given.get("q"), partial(_results, given)
+        if given and not (pose and hidden(arm, pose, elsewhere, answers, _SEEN)):
+            return given
+    raise ArmError(f"{arm.name}: no {topic} that shows every slip was found in {_TRIES} tries")
+
+
+def _results(given: Given, arm: Arm, q: Array) -> dict[str, Array]:
+    """What follows at once from an arm and q, shape (..., dof), by the names of the parts."""
+    T = forward_kinematics(arm, q)
+    found = {"p": T[..., :3, 3], "R": T[..., :3, :3]}
+    if "q_dot" in given:
+        J = jacobian(arm, q)
+        found |= {"J": J, "xi": J @ np.array(given["q_dot"])}
+    if "force" in given:
+        tau = static_torque(arm, q, np.r_[given["force"], 0, 0, 0])
+        found |= {"g": gravity_torque(arm, q), "tau": tau}
+    return found
 
 
 def _bodies(arm: Arm) -> str:
@@ -303,9 +329,7 @@ def closed_form(arm: Arm) -> Callable[..., inverse.Solutions] | None:
     """The closed form that finds every branch of an arm, None where the book has none."""
     probe = forward_kinematics(arm, np.full(arm.dof, 0.4))
     for solver in (inverse.elbow, inverse.ur, inverse.stanford, inverse.spherical_wrist):
-        try:
+        with suppress(ArmError):
             solver(arm, probe[:3, 3] if solver is inverse.elbow else probe)
-        except ArmError:
-            continue
-        return solver
+            return solver
     return None
