@@ -122,7 +122,7 @@ function importsOf(drafts) {
 
 /**
  * The first script of a page, and those that are loaded after it: what they share stands in the
- * first one alone, whose global holds it by path and name as `kit`.
+ * first one alone, whose global has it by name.
  * @param {string} globalName
  * @param {[string, string][]} scripts names and entries
  */
@@ -130,40 +130,31 @@ async function scriptsOf(globalName, [[name, entry], ...further]) {
   const first = await drafted(entry);
   const shared = new Set([...first.modules, "judge/sentences.js"]);
   const drafts = await Promise.all(further.map(([, one]) => drafted(one, shared)));
-  const kit = importsOf([...drafts, { text: `import { learn } from "judge/sentences.js";` }]);
-  const names = (path) => [...kit[path]].join(", ");
-  const given = Object.keys(kit).map((path, i) => `import * as m${i} from "./${path}";`);
-  const held = Object.keys(kit).map(
-    (path, i) => `"${path}": { ${[...kit[path]].map((x) => `${x}: m${i}.${x}`).join(", ")} },`,
-  );
-  const made = { ...common, format: /** @type {"iife"} */ ("iife") };
-  await build({
-    ...made,
-    plugins,
-    globalName,
-    stdin: stdin(entry, Object.fromEntries(first.said), [
-      ...given,
-      `export const kit = { ${held.join(" ")} };`,
-    ]),
-    outfile: join(folder, name),
-  });
+  const asked = importsOf([...drafts, { text: `import { learn } from "judge/sentences.js";` }]);
+  const names = (path) => [...asked[path]].join(", ");
+  const given = Object.keys(asked).map((path) => `export { ${names(path)} } from "./${path}";`);
+  const script = (file, words, of, more = []) =>
+    build({
+      ...common,
+      ...of,
+      format: "iife",
+      stdin: stdin(words.entry, Object.fromEntries(words.said), more),
+      outfile: join(folder, file),
+    });
+  await script(name, { entry, said: first.said }, { plugins, globalName }, given);
   const taken = {
     name: "taken",
     setup(bundle) {
-      bundle.onLoad({ filter: /.*/, namespace: "kit" }, ({ path }) => ({
-        contents: `export const { ${names(path)} } = ${globalName}.kit["${path}"];`,
+      bundle.onLoad({ filter: /.*/, namespace: "first" }, ({ path }) => ({
+        contents: `export const { ${names(path)} } = ${globalName};`,
       }));
     },
   };
   const known = new Set(first.said.map(([key]) => key));
+  const later = [...plugins, elsewhere(shared, { namespace: "first" }), taken];
   for (const [i, [file, one]] of further.entries()) {
-    const words = drafts[i].said.filter(([key]) => !known.has(key));
-    await build({
-      ...made,
-      plugins: [...plugins, elsewhere(shared, { namespace: "kit" }), taken],
-      stdin: stdin(one, Object.fromEntries(words)),
-      outfile: join(folder, file),
-    });
+    const said = drafts[i].said.filter(([key]) => !known.has(key));
+    await script(file, { entry: one, said }, { plugins: later });
   }
 }
 

@@ -3,7 +3,6 @@
 
 import { createInterface } from "node:readline";
 import { readEntry } from "../judge/reading/entry.js";
-import { exported } from "../page/src/exports.js";
 import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../judge/geometry/kinematics.js";
 import { determinant, singular } from "../judge/geometry/linear.js";
 import { fromFragment } from "../page/src/link.js";
@@ -11,7 +10,7 @@ import { otherWays, traceCircle } from "../page/src/motion.js";
 import { runCircle, torquesAlong } from "../page/src/runs.js";
 import { sameArm } from "../page/src/same_arm.js";
 import { derive } from "../page/src/state.js";
-import { entryText } from "../page/src/text.js";
+import { entryText, tableText } from "../page/src/text.js";
 import { rankVerdict, tableVerdict, waysVerdict } from "../page/src/verdicts.js";
 
 const VIEWS = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"];
@@ -54,7 +53,7 @@ const jobs = {
   entries: ({ typed }) => typed.map(([text, quantity, unit]) => readEntry(text, quantity, unit)),
   written: ({ values }) => values.map(([value, angle, unit]) => entryText(value, angle, unit)),
   links: ({ arms, fragments }) => fragments.map((one) => opened(one, arms)),
-  exported: ({ arm, q, format }) => exported(format, { arm, q }),
+  copied: ({ arm }) => tableText(arm),
 };
 
 for await (const line of createInterface({ input: process.stdin })) {

@@ -27,7 +27,7 @@ ANY_ARM = {
     "ways": STANFORD,
 }
 #: and those about one arm of the homework.
-ONE_ARM = {"swing": PANDA, "trainer": ELBOW, "triangles": ELBOW, "winds": PANDA_HOMEWORK}
+ONE_ARM = {"swing": PANDA, "triangles": ELBOW, "winds": PANDA_HOMEWORK}
 
 
 class ArmFigure(anywidget.AnyWidget):
@@ -35,7 +35,7 @@ class ArmFigure(anywidget.AnyWidget):
 
     Args:
         kind: which figure: any arm's columns, ellipsoid, hand, loads, matrix, row or ways; or
-            swing, trainer, triangles or winds, which show an arm of their own.
+            swing, triangles or winds, which show an arm of their own.
         arm: the arm to show.
         q: where it stands first, shape (dof,), rad or m; its home unless given.
         joints: numbers of the joints, from 1, that get a lever.

@@ -3,7 +3,7 @@
 
 import { ArmError, say, shown } from "../sentences.js";
 import { plain } from "./formula.js";
-import { headOf } from "./table_columns.js";
+import { headOf } from "./heads.js";
 import { lines } from "./text.js";
 
 // Words that stand in answers themselves, in heads and labels, formulas and programs.

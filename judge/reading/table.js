@@ -4,13 +4,12 @@
 import { RAD } from "../geometry/angles.js";
 import { without } from "./aside.js";
 import { apart } from "./lines.js";
-import { ENTRIES, fromHeads, ordered, withoutIndex } from "./table_columns.js";
+import { fromHeads } from "./heads.js";
+import { ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices } from "./table_matrices.js";
 import { few, isEven, ofText } from "./table_notations.js";
-import { isVariable, rowOf, simple, UNITS } from "./table_rows.js";
+import { ENTRIES, isVariable, rowOf, simple, UNITS } from "./table_rows.js";
 import { ArmError, listed, say, shown } from "../sentences.js";
-
-export { ENTRIES };
 
 const MILLIMETRES = 10; // a length this large is no number of metres
 const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle this large is no number of radians

@@ -4,7 +4,7 @@ import { number } from "./formula.js";
 import { cells as cellsOf } from "./grid.js";
 import { apart } from "./lines.js";
 import { straight } from "./surroundings.js";
-import { columnOf, headOf } from "./table_columns.js";
+import { columnOf, headOf } from "./heads.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, say } from "../sentences.js";
 

@@ -47,6 +47,20 @@ export function whereNew(shows, update) {
 // A symbol with an index, as q₂.
 export const indexed = (letter, index) => [h("i", {}, letter), h("sub", {}, String(index))];
 
+// Whether a text could be put on the clipboard, which some pages have no access to.
+export async function copied(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+// A table that scrolls sideways where it is too wide, by keys too.
+export const scrolled = (label, table) =>
+  h("div.scroll", { tabindex: 0, role: "region", "aria-label": label }, table);
+
 export const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /**

@@ -1,6 +1,8 @@
 // What comes in further scripts, loaded when the first of it is asked for: small figures that stand
 // beside a sentence, views of the instrument, by name, and the reader of pasted tables.
 
+import { loaded } from "./scripts.js";
+
 /**
  * @typedef {(host: HTMLElement, spec: any) => () => void} MakeFigure builds into the host, returns
  *   what takes it away
@@ -9,11 +11,7 @@
 /** @type {Record<string, MakeFigure>} */
 const FIGURES = {};
 const VIEWS = {};
-const here =
-  typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
 const MORE = "explorer-more.js";
-/** @type {Record<string, Promise<void>>} */
-const loading = {};
 /** @type {typeof import("./paste.js").readTable | null} */
 let reader = null;
 
@@ -29,7 +27,7 @@ export function registerView(name, view) {
 
 /** A view of the second script, when that has come. */
 export async function lateView(name) {
-  if (!Object.hasOwn(VIEWS, name)) await load(MORE);
+  if (!Object.hasOwn(VIEWS, name)) await loaded(MORE);
   return VIEWS[name];
 }
 
@@ -37,19 +35,8 @@ export const registerReader = (read) => void (reader = read);
 
 /** The reader of pasted tables, when its script has come. */
 export async function lateReader() {
-  if (!reader) await load("explorer-table.js");
+  if (!reader) await loaded("explorer-table.js");
   return reader;
-}
-
-function load(script) {
-  loading[script] ??= new Promise((done, failed) => {
-    const src = new URL(script, here).href;
-    const onload = () => done();
-    document.head.append(
-      Object.assign(document.createElement("script"), { src, onload, onerror: failed }),
-    );
-  });
-  return loading[script];
 }
 
 // Bring a figure to life, at once or when its script has come; returns what takes it away.
@@ -60,7 +47,7 @@ export function mountFigure(host, spec) {
     if (!gone && Object.hasOwn(FIGURES, spec.figure)) dispose = FIGURES[spec.figure](host, spec);
   };
   if (Object.hasOwn(FIGURES, spec.figure)) make();
-  else if (here) load(MORE).then(make, () => {});
+  else loaded(MORE).then(make, () => {});
   return () => {
     gone = true;
     dispose();

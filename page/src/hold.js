@@ -15,7 +15,7 @@ import {
   scaled,
 } from "../../judge/geometry/kinematics.js";
 import { rightNull, singular, solvePositive } from "../../judge/geometry/linear.js";
-import { reach } from "./motion.js";
+import { poseError, reach } from "./motion.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /** @typedef {(point: number[]) => number[]} Pixel from a point of the world to CSS pixels */
@@ -24,7 +24,7 @@ const limitsOf = (arm) => joints(arm).map((i) => range(arm.rows[i]));
 const clamped = (value, [lower, upper]) => Math.min(upper, Math.max(lower, value));
 
 // A point of a link's frame in the world, and back.
-export const inWorld = ({ x, y, z, o }, local) =>
+const inWorld = ({ x, y, z, o }, local) =>
   plus(o, plus(plus(scaled(local[0], x), scaled(local[1], y)), scaled(local[2], z)));
 export const inFrame = ({ x, y, z, o }, p) => [x, y, z].map((axis) => dot(axis, minus(p, o)));
 
@@ -69,13 +69,9 @@ export function dragLink(arm, q, { row, local, to, joint, pixel }) {
 const TURN = 0.3; // m that a radian of the tool's direction counts for, where it is to be kept
 
 function tipError(tip, target, turns) {
-  const away = minus(target.o, tip.o);
-  if (!turns) return away;
-  const turn = ["x", "y", "z"].reduce(
-    (sum, axis) => plus(sum, cross(tip[axis], target[axis])),
-    [0, 0, 0],
-  );
-  return [...away, ...scaled(0.5 * TURN, turn)];
+  if (!turns) return minus(target.o, tip.o);
+  const error = poseError(tip, target);
+  return [...error.slice(0, 3), ...scaled(TURN, error.slice(3))];
 }
 
 const weighed = (columns, turns) =>

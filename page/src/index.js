@@ -5,12 +5,13 @@ import * as kinematics from "../../judge/geometry/kinematics.js";
 import { linkFrames } from "../../judge/geometry/kinematics.js";
 import { keepLink } from "./link.js";
 import { asked } from "./verdicts.js";
-import { mountFigure, registerFigure } from "./figures.js";
+import { mountFigure } from "./figures.js";
 import { buildPanel, VIEWS } from "./panel.js";
-import { Figure, inUse, loseContext } from "./renderer.js";
+import { inUse, loseContext } from "./renderer.js";
 import { derive, startingState, Store } from "./state.js";
 
-export { derive, Figure, inUse, kinematics, loseContext, registerFigure };
+// For the tests.
+export { derive, inUse, kinematics, loseContext };
 
 // Ways that Python or a page gives, with the pose that they lead to.
 function waysFrom(arm, branches) {

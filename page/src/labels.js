@@ -26,8 +26,8 @@ export class Labels {
   }
 
   /**
-   * @param {{ tip: number[], letter: string, index: string, tone?: string }[]} tags the most
-   *   important first
+   * @param {{ tip: number[], letter: string, index: string }[]} tags the most important
+   *   first
    */
   set(tags) {
     this.tags = tags;
@@ -41,11 +41,10 @@ export class Labels {
       const tag = tags[i];
       if (!tag) return (span.hidden = true);
       span.hidden = false;
-      const tone = `axis-${tag.tone ?? tag.letter}`;
-      const text = `${tone}|${tag.letter}|${tag.index}`;
+      const text = `${tag.letter}|${tag.index}`;
       if (this.#texts[i] === text) return undefined;
       this.#texts[i] = text;
-      span.className = tone;
+      span.className = `axis-${tag.letter}`;
       [span.children[0].textContent, span.children[1].textContent] = [tag.letter, tag.index];
       return undefined;
     });

@@ -9,6 +9,7 @@ import {
   typedArm,
 } from "../../judge/geometry/arm.js";
 import { joints } from "../../judge/geometry/kinematics.js";
+import { copied } from "./dom.js";
 import { runFrom, runText } from "./runs.js";
 
 const LONGEST = 4000; // characters of a fragment
@@ -132,13 +133,9 @@ export function keepLink(store, arms, views, tell, signal) {
   signal.addEventListener("abort", () => clearTimeout(timer));
   return {
     // Whether the link could be put on the clipboard; it stands in the address bar in any case.
-    async copy() {
+    copy() {
       history.replaceState(null, "", toFragment(store.state));
-      const copied = navigator.clipboard?.writeText(location.href).then(
-        () => true,
-        () => false,
-      );
-      return (await copied) ?? false;
+      return copied(location.href);
     },
   };
 }

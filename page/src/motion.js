@@ -16,9 +16,10 @@ import { rightNull, singular, solve } from "../../judge/geometry/linear.js";
 import { asked } from "./verdicts.js";
 
 // How many joints are more than the pose (or, below six, the place) asks for.
-export const spareJoints = (arm) => Math.max(0, joints(arm).length - asked(arm));
+const spareJoints = (arm) => Math.max(0, joints(arm).length - asked(arm));
 
-function poseError(tip, wanted) {
+// The small motion (v, then ω) that is missing from a tip to a frame.
+export function poseError(tip, wanted) {
   const turn = ["x", "y", "z"].reduce(
     (sum, axis) => plus(sum, cross(tip[axis], wanted[axis])),
     [0, 0, 0],
@@ -48,32 +49,28 @@ export function reach(arm, start, wanted, { held = -1, steps = 60 } = {}) {
   }
 }
 
+const UP = [0, 0, 1];
 const PLANES = {
-  x: [
-    [0, 1, 0],
-    [0, 0, 1],
-  ],
-  y: [
-    [1, 0, 0],
-    [0, 0, 1],
-  ],
+  x: [[0, 1, 0], UP],
+  y: [[-1, 0, 0], UP],
   z: [
     [1, 0, 0],
     [0, 1, 0],
   ],
 };
 
-// Points of a circle that starts at `top` and hangs below it in the plane with this normal axis.
-export function circlePoints(top, { normal = "x", radius = 0.1, count = 181 } = {}) {
+// Where the tip should be at a share of the way round a circle that begins at `top` and hangs below
+// it in the plane with this normal axis, and how fast it should go.
+export function onCircle(top, { normal = "x", radius = 0.1, seconds = 1 }, share) {
   const [across, up] = PLANES[normal];
   const centre = minus(top, scaled(radius, up));
-  return Array.from({ length: count }, (_, k) => {
-    const angle = (2 * Math.PI * k) / (count - 1);
-    return plus(
-      centre,
-      plus(scaled(radius * Math.sin(angle), across), scaled(radius * Math.cos(angle), up)),
-    );
-  });
+  const angle = 2 * Math.PI * share;
+  const [s, c] = [Math.sin(angle), Math.cos(angle)];
+  const speed = (2 * Math.PI * radius) / seconds;
+  return {
+    o: plus(centre, plus(scaled(radius * s, across), scaled(radius * c, up))),
+    v: plus(scaled(speed * c, across), scaled(-speed * s, up)),
+  };
 }
 
 const NUDGE = 0.05; // rad or m, out of a pose in which no small motion helps
@@ -101,7 +98,7 @@ function reachFrom(arm, start, wanted, options) {
 // largest distance (m) that the tip strays from it.
 export function traceCircle(arm, start, circle = {}) {
   const tip = linkFrames(arm, start).at(-1);
-  const wanted = circlePoints(tip.o, circle);
+  const wanted = Array.from({ length: 181 }, (_, k) => onCircle(tip.o, circle, k / 180).o);
   const path = [];
   let [q, stray] = [start, 0];
   for (const o of wanted) {
@@ -162,7 +159,7 @@ const STEP = 0.1;
 
 // The joints that can move from here while the tip stays: those of a null direction along which a
 // solution really lies.
-export function freeJoints(arm, q, target, held = -1) {
+function freeJoints(arm, q, target, held = -1) {
   const rows = asked(arm);
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
     i === held ? c.map(() => 0) : c,

@@ -122,7 +122,6 @@ const near =
 
 // Used again and again, so that a frame leaves nothing behind.
 const SPOT = new Vector3();
-const PLACE = new Vector2();
 const SIGHT = new Raycaster();
 
 // Where the camera stands first, seen from the arm; the still picture's too.
@@ -134,14 +133,10 @@ const VIEW = new Vector3(0.687, -0.639, 0.344);
  * no WebGL.
  */
 export class Figure {
-  constructor(
-    host,
-    { size = 1, look = VIEW, turns = true, onDraw = (_) => {}, onLost = (_) => {} } = {},
-  ) {
+  constructor(host, { onDraw, onLost = (_) => {} }) {
     renderer();
     this.host = host;
-    this.size = size;
-    this.look = look;
+    this.size = 1;
     this.onDraw = onDraw;
     this.onLost = onLost;
     this.dirty = true;
@@ -163,7 +158,6 @@ export class Figure {
     // until the picture has the focus, so that a page scrolls past it
     this.controls.enableZoom = false;
     this.controls.enablePan = false;
-    this.controls.enabled = turns;
     this.canvas.style.touchAction = "pan-y"; // after OrbitControls, which writes "none"
     this.listen(host, "focusin", () => (this.controls.enableZoom = true));
     this.listen(host, "focusout", () => (this.controls.enableZoom = false));
@@ -260,7 +254,7 @@ export class Figure {
     const foot = Math.min(0.3, this.foot() / (this.height || Infinity));
     const held = points.map((p) => new Vector3(...p));
     new Box3().setFromPoints(held).getCenter(controls.target);
-    camera.position.copy(controls.target).addScaledVector(this.look, 3 * size);
+    camera.position.copy(controls.target).addScaledVector(VIEW, 3 * size);
     Object.assign(camera, { near: size / 50, far: size * 40 });
     camera.updateProjectionMatrix();
     for (let step = 0; step < 4; step++) {
@@ -310,20 +304,13 @@ export class Figure {
     return [clientX - box.left, clientY - box.top];
   }
 
-  // The ray of sight through a pixel; until the next one is asked for.
-  ray([x, y]) {
-    SIGHT.setFromCamera(
-      PLACE.set((2 * x) / this.width - 1, 1 - (2 * y) / this.height),
-      this.camera,
-    );
-    return SIGHT;
-  }
-
   // The point under a pixel on the plane through `through` that faces the camera.
-  onFacingPlane(pixel, through) {
+  onFacingPlane([x, y], through) {
+    const place = new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height);
+    SIGHT.setFromCamera(place, this.camera);
     const normal = this.camera.getWorldDirection(new Vector3());
     const plane = new Plane().setFromNormalAndCoplanarPoint(normal, new Vector3(...through));
-    return this.ray(pixel).ray.intersectPlane(plane, new Vector3())?.toArray() ?? null;
+    return SIGHT.ray.intersectPlane(plane, new Vector3())?.toArray() ?? null;
   }
 
   dispose() {

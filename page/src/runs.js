@@ -10,12 +10,10 @@ import {
   linkFrames,
   minus,
   norm,
-  plus,
-  scaled,
 } from "../../judge/geometry/kinematics.js";
 import { gravityTorque, wrenchTorque } from "../../judge/geometry/kinematics.js";
 import { singular } from "../../judge/geometry/linear.js";
-import { reach } from "./motion.js";
+import { onCircle, poseError, reach } from "./motion.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /**
@@ -48,21 +46,6 @@ export const HOMEWORK = {
   locked: 2,
   slip: "",
 };
-
-const ACROSS = { x: [0, 1, 0], y: [-1, 0, 0] };
-const UP = [0, 0, 1];
-
-// Where the tip should be at a share of the way round, and how fast it should go.
-export function onCircle(top, { radius, normal, seconds }, share) {
-  const angle = 2 * Math.PI * share;
-  const centre = minus(top, scaled(radius, UP));
-  const [s, c] = [Math.sin(angle), Math.cos(angle)];
-  const speed = (2 * Math.PI * radius) / seconds;
-  return {
-    o: plus(centre, plus(scaled(radius * s, ACROSS[normal]), scaled(radius * c, UP))),
-    v: plus(scaled(speed * c, ACROSS[normal]), scaled(-speed * s, UP)),
-  };
-}
 
 // The Jacobian's columns as a mistake makes them.
 function columnsOf(arm, frames, slip) {
@@ -108,14 +91,6 @@ function jointRates(columns, twist, { rates, cutoff, damping, locked }) {
   return { found, least: values[Math.min(5, free.length - 1)] };
 }
 
-function tipError(tip, wanted, turns) {
-  const turn = ["x", "y", "z"].reduce(
-    (sum, axis) => plus(sum, cross(tip[axis], turns[axis])),
-    [0, 0, 0],
-  );
-  return [...minus(wanted, tip.o), ...scaled(0.5, turn)];
-}
-
 const KEPT = 181; // poses that are shown
 
 /** One run around the circle: where it has come to, and the worst on its way. */
@@ -136,7 +111,7 @@ class Walk {
     const { arm, run, first, worst } = this;
     const frames = linkFrames(arm, q);
     const { o, v } = onCircle(first.o, run, share);
-    const error = run.gain ? tipError(frames.at(-1), o, first) : [0, 0, 0, 0, 0, 0];
+    const error = run.gain ? poseError(frames.at(-1), { ...first, o }) : [0, 0, 0, 0, 0, 0];
     const twist = [...v, 0, 0, 0].map((x, i) => x + run.gain * error[i]);
     const { found, least } = jointRates(columnsOf(arm, frames, run.slip), twist, run);
     worst.least = Math.min(worst.least, least);

@@ -50,7 +50,6 @@ const SHARED = new Set([ROD, BARREL, BALL, BOX, POINT, SQUARE, RING]);
 // Whether a geometry belongs to all figures of the page, and so to none of them.
 export const isShared = (geometry) => SHARED.has(geometry);
 
-export const paint = (colour) => new MeshBasicMaterial({ color: colour });
 export const ball = (material) => new Mesh(BALL, material);
 export const rod = (material) => new Mesh(BARREL, material);
 
@@ -242,7 +241,7 @@ export class Arrow extends Group {
   }
 }
 
-export const AXES = { x: "#D55E00", y: "#009E73", z: "#0072B2" };
+const AXES = { x: "#D55E00", y: "#009E73", z: "#0072B2" };
 const AXES_DARK = { x: "#F58A3C", y: "#3CC79B", z: "#5AB4EC" };
 
 // The three axes of each of some frames.
@@ -256,8 +255,8 @@ export class Triads extends Group {
     this.add(this.shafts, this.heads);
   }
 
-  /** @param {boolean[] | null} drawn which of the frames are */
-  pose(frames, length, drawn = null) {
+  /** @param {boolean[]} drawn which of the frames are */
+  pose(frames, length, drawn) {
     const thickness = 0.022 * length;
     frames.forEach((frame, i) =>
       ["x", "y", "z"].forEach((axis, k) => {
@@ -268,7 +267,7 @@ export class Triads extends Group {
           [this.shafts, frame.o, neck, thickness],
           [this.heads, neck, tip, 2.4 * thickness],
         ]) {
-          if (!drawn || drawn[i]) solids.between(3 * i + k, from, to, radius);
+          if (drawn[i]) solids.between(3 * i + k, from, to, radius);
           else solids.hide(3 * i + k);
         }
       }),

@@ -6,7 +6,12 @@ export function fixed(value, digits) {
   return text.replace("-", "−");
 }
 
-// The same for tables, where an exact zero is a plain 0.
+// A small number by its power of ten, with true minus signs.
+export const powered = (value, digits) => value.toExponential(digits).replaceAll("-", "−");
+
+export const degrees = (value, digits) => `${fixed((value * 180) / Math.PI, digits)}°`;
+
+// Fixed digits for tables, where an exact zero is a plain 0.
 export const sparse = (value, digits) => (Math.abs(value) < 1e-12 ? "0" : fixed(value, digits));
 
 export const isAngle = (row) => row.kind !== "prismatic";
@@ -17,7 +22,7 @@ export const quantityOf = (row) => (isAngle(row) ? "angle" : "length");
 // A joint's value with its unit.
 export function jointText(row, value, unit) {
   if (!isAngle(row)) return `${fixed(value, 3)} m`;
-  return unit === "deg" ? `${fixed((value * 180) / Math.PI, 1)}°` : `${fixed(value, 3)} rad`;
+  return unit === "deg" ? degrees(value, 1) : `${fixed(value, 3)} rad`;
 }
 
 // The same as it is spoken.
@@ -31,7 +36,7 @@ export function spokenJoint(row, value, unit) {
 // The same in the small print under a slider.
 export const limitText = (row, value, unit) =>
   isAngle(row) && unit === "deg"
-    ? `${fixed((value * 180) / Math.PI, 0)}°`
+    ? degrees(value, 0)
     : `${short(value, 2)} ${isAngle(row) ? "rad" : "m"}`;
 
 // What stands in an entry field: as few digits as say the number, quarter turns by name.
@@ -71,6 +76,24 @@ export function motionText(direction) {
         `${fixed(sign * share, 2)} ${name.replace("move ", "").replace("turn ", "")}`,
     )
     .join(", ");
+}
+
+// A table in rad and m, its joints by their variables, as every reader of tables takes it back.
+export function tableText({ rows }) {
+  const number = (value) => String(Number(value.toFixed(9)) + 0);
+  const angle = (value) => {
+    const text = entryText(value, true, "rad").replace("−", "-").replace("π", "pi");
+    return text.includes("pi") ? text.replace(/(\d)pi/, "$1*pi") : number(value);
+  };
+  const moved = (i, text) => (text === "0" ? `q${i}` : `q${i} + ${text}`.replace("+ -", "- "));
+  const lines = rows.map(({ kind, a, alpha, d, theta }, k) => {
+    const [along, about] = [number(d), angle(theta)];
+    const entries = [number(a), angle(alpha), along, about];
+    if (kind === "prismatic") entries[2] = moved(k + 1, along);
+    if (kind === "revolute") entries[3] = moved(k + 1, about);
+    return [k + 1, ...entries].join("\t");
+  });
+  return ["i\ta (m)\talpha (rad)\td (m)\ttheta (rad)", ...lines, ""].join("\n");
 }
 
 // A list with another value in one place.

@@ -590,13 +590,6 @@ def test_live_figures_of_a_chapter_share_one_context(visit):
     for k in range(figures.count()):
         figures.nth(k).scroll_into_view_if_needed()
         expect(figures.nth(k).locator("figure.live")).to_be_visible(timeout=15_000)
-    trainer = page.locator("[data-figure='trainer']")
-    trainer.get_by_role("button", name="−y").click()
-    trainer.get_by_role("button", name="A", exact=True).click()
-    trainer.get_by_role("button", name="up").click()
-    expect(trainer.locator(".why").first).to_contain_text("x₁ is not at a right angle to z₀")
-    trainer.get_by_role("button", name="+x").click()
-    assert trainer.locator("tbody tr").count() == 1
     assert page.evaluate("ArmExplorer.inUse().figures") == figures.count() + 1
 
 

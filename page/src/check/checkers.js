@@ -1,6 +1,7 @@
 // The checkers of each kind of question: every script of them registers its own, and is loaded when
 // it is first asked.
 
+import { loaded } from "../scripts.js";
 import { ASKED } from "./questions.js";
 
 /**
@@ -13,10 +14,6 @@ import { ASKED } from "./questions.js";
 
 /** @type {Map<string, Checker>} */
 const checkers = new Map();
-/** @type {Map<string, Promise<void>>} */
-const coming = new Map();
-const here =
-  typeof document === "undefined" ? null : /** @type {any} */ (document.currentScript)?.src;
 
 /** @param {string} ask @param {Checker} checker */
 export const register = (ask, checker) => void checkers.set(ask, checker);
@@ -32,28 +29,5 @@ export const ownTable = () => rowsOf;
 export const checkerOf = (ask) => checkers.get(ask);
 
 // When the checker of a question is there; its script is loaded if need be.
-export const ready = (ask) => (checkers.has(ask) ? Promise.resolve() : load(ASKED[ask].script));
-
-// When a script of the judge has run, once more where that failed.
-export function load(script) {
-  if (!coming.has(script)) coming.set(script, loaded(script));
-  return coming.get(script);
-}
-
-/** @returns {Promise<void>} */
-function loaded(script) {
-  return new Promise((done, failed) => {
-    const fault = () => {
-      coming.delete(script);
-      failed(new Error(`The script judge-${script}.js could not be loaded.`));
-    };
-    const src = new URL(`judge-${script}.js`, here).href;
-    document.head.append(
-      Object.assign(document.createElement("script"), {
-        src,
-        onload: () => done(),
-        onerror: fault,
-      }),
-    );
-  });
-}
+export const ready = (ask) =>
+  checkers.has(ask) ? Promise.resolve() : loaded(`judge-${ASKED[ask].script}.js`);

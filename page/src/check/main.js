@@ -4,14 +4,14 @@
 import css from "./check.css";
 import { judges } from "./mounted.js";
 import { mount } from "./page.js";
-import { load } from "./checkers.js";
+import { loaded } from "../scripts.js";
 
 document.head.append(Object.assign(document.createElement("style"), { textContent: css }));
 for (const stub of document.querySelectorAll(".arm-judge"))
   judges.push(mount(/** @type {HTMLElement} */ (stub)));
 
 // What a whole page of it has besides comes at once, for a small one when it is used.
-if (judges.some(({ given }) => !given)) load("page");
+if (judges.some(({ given }) => !given)) loaded("judge-page.js");
 else
   for (const { stub } of judges)
-    stub.addEventListener("focusin", () => load("page"), { once: true });
+    stub.addEventListener("focusin", () => loaded("judge-page.js"), { once: true });

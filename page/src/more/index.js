@@ -3,7 +3,6 @@
 
 import { columns, ellipsoid, hand, loads, matrix, row, triangles, ways, winds } from "./kinds.js";
 import { swing } from "./swing.js";
-import { trainer } from "./trainer.js";
 import { registerFigure, registerView } from "../figures.js";
 import * as homework from "../views/homework.js";
 import * as trace from "../views/trace.js";
@@ -16,7 +15,6 @@ const KINDS = {
   matrix,
   row,
   swing,
-  trainer,
   triangles,
   ways,
   winds,

@@ -14,17 +14,16 @@ import {
 import { freed } from "../renderer.js";
 import { branchColour } from "../look.js";
 import { Arrow, tube } from "../shapes.js";
-import { fixed, sparse } from "../text.js";
+import { degrees, fixed, sparse } from "../text.js";
 import { listed } from "../../../judge/sentences.js";
 import { rankVerdict, waysVerdict } from "../verdicts.js";
+import { ROWS } from "../views/jacobian.js";
 import { makeLever, makeLive } from "./live.js";
 
-/** @type {[string, string][]} */
-const ROWS = [..."vω"].flatMap((letter) => [..."xyz"].map((axis) => [letter, axis]));
 const OF_A_ROW =
   "only the entries with its angle move; the last column goes round on a circle of radius a.";
 const mm = (p) => p.map((v) => fixed(1000 * v, 0)).join(", ");
-const deg = (v) => `${fixed((v * 180) / Math.PI, 0)}°`;
+export const deg = (v) => degrees(v, 0);
 
 // The arm in the hand: any link, or the tip.
 export function hand(host, spec) {

@@ -4,10 +4,9 @@ import { outside } from "../../../judge/geometry/arm.js";
 import { jacobianColumns, joints, linkFrames } from "../../../judge/geometry/kinematics.js";
 import { rightNull } from "../../../judge/geometry/linear.js";
 import { reach } from "../motion.js";
-import { fixed, jointText } from "../text.js";
+import { jointText } from "../text.js";
+import { deg } from "./kinds.js";
 import { makeLever, makeLive } from "./live.js";
-
-const deg = (v) => `${fixed((v * 180) / Math.PI, 0)}°`;
 
 // The elbow swings while the tip stays.
 export function swing(host, spec) {

@@ -2,7 +2,7 @@
 
 import { outside, range } from "../../../judge/geometry/arm.js";
 import { attribute, h, indexed, write } from "../dom.js";
-import { entered } from "../entry.js";
+import { entered, refill, textField } from "../entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { relativeRail } from "../rail.js";
 import { isAngle, jointText, limitText, quantityOf, replaced, spokenJoint } from "../text.js";
@@ -84,14 +84,9 @@ function makeLine(row, { index, i, unit, signal }, { put, typed, nudge, light })
     oninput: (e) => put(i, Number(e.target.value), `slider ${index}`),
     onkeydown: (e) => nudge(e, row, i),
   });
-  const field = h("input.value", {
-    type: "text",
-    spellcheck: "false",
-    autocomplete: "off",
-    "aria-label": `${label}, typed`,
+  const field = textField(`${label}, typed`, (...now) => typed(i, row, ...now), {
+    class: "value",
     "data-joint": label,
-    oninput: (e) => typed(i, row, e.target, false),
-    onchange: (e) => typed(i, row, e.target, true),
   });
   const past = h("span.past");
   const rail = h("div.rail", {}, slider, boundsOf(row, past, unit));
@@ -132,8 +127,7 @@ function showJoint({ root, slider, field, past, row, index }, value, { lit, unit
   );
   slider.style.setProperty("--low", `${Math.min(at, zero).toFixed(2)}%`);
   slider.style.setProperty("--high", `${Math.max(at, zero).toFixed(2)}%`);
-  const text = jointText(row, value, unit);
-  if (field.getRootNode().activeElement !== field && field.value !== text) field.value = text;
+  refill(field, jointText(row, value, unit));
   const beyond = outside(row, value);
   root.classList.toggle("past", beyond);
   write(past, beyond ? "past its limit" : "");

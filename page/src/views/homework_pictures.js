@@ -2,7 +2,7 @@
 
 import { linkFrames, minus } from "../../../judge/geometry/kinematics.js";
 import { h, svg, write } from "../dom.js";
-import { onCircle } from "../runs.js";
+import { onCircle } from "../motion.js";
 import { branchColour } from "../look.js";
 import { fixed } from "../text.js";
 

@@ -3,7 +3,7 @@
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { HOMEWORK } from "../runs.js";
 import { jointNames, pastLimits } from "../verdicts.js";
-import { fixed } from "../text.js";
+import { degrees, fixed, powered } from "../text.js";
 import { listed } from "../../../judge/sentences.js";
 
 export const NAMES = {
@@ -32,7 +32,7 @@ export function startingRun(arm, base) {
 
 export function millimetres(v) {
   if (v < 1e-12) return "under 1e−9 mm";
-  if (v < 1e-5) return `${(1000 * v).toExponential(1).replace("-", "−")} mm`;
+  if (v < 1e-5) return `${powered(1000 * v, 1)} mm`;
   return `${fixed(1000 * v, v < 1e-2 ? 3 : 1)} mm`;
 }
 export const named = ({ method, rates, steps, gain, slip }) => {
@@ -52,7 +52,7 @@ function broken({ failed, stuck, run }) {
 
 function sigma(v) {
   if (v < 1e-9) return "0";
-  return v < 1e-4 ? v.toExponential(1).replace("-", "−") : fixed(v, 4);
+  return v < 1e-4 ? powered(v, 1) : fixed(v, 4);
 }
 
 export function said(result, arm) {
@@ -65,7 +65,6 @@ export function said(result, arm) {
   const error = `Largest error ${millimetres(result.largest)}`;
   const speed =
     result.run.method === "exact" ? "" : `, fastest joint ${fixed(result.fastest, 2)} rad/s`;
-  const tilt =
-    result.tilt > 1e-3 ? `, the tool tilts by ${fixed((result.tilt * 180) / Math.PI, 1)}°` : "";
+  const tilt = result.tilt > 1e-3 ? `, the tool tilts by ${degrees(result.tilt, 1)}` : "";
   return `${error}${tilt}${speed}. Smallest σ on the way: ${sigma(result.least)}.${turns}${limits}`;
 }

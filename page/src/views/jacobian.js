@@ -1,21 +1,15 @@
 // The Jacobian as a table of tinted numbers, and what it says: rank, lost directions, how well the
 // tip can move.
 
-import { attribute, h, indexed, write } from "../dom.js";
+import { attribute, h, indexed, scrolled, write } from "../dom.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
-import { fixed, sparse } from "../text.js";
+import { fixed, powered, sparse } from "../text.js";
 import { asked, fullRank, rankVerdict } from "../verdicts.js";
 
 export const title = "Jacobian";
 
-const ROWS = [
-  ["v", "x"],
-  ["v", "y"],
-  ["v", "z"],
-  ["ω", "x"],
-  ["ω", "y"],
-  ["ω", "z"],
-];
+/** @type {[string, string][]} */
+export const ROWS = [..."vω"].flatMap((letter) => [..."xyz"].map((axis) => [letter, axis]));
 
 export function build(_store, { point }) {
   const heat = makeHeat(point);
@@ -76,15 +70,14 @@ function makeHeat(point) {
       }),
     );
   }
-  const place = { tabindex: 0, role: "region", "aria-label": "Jacobian" };
-  return { root: h("div.scroll", place, table), update };
+  return { root: scrolled("Jacobian", table), update };
 }
 
 function factList(derived) {
   const { arm, determinant, manipulability, values, linear } = derived;
   const small = (v) => {
     if (Math.abs(v) < 5e-7) return "0";
-    return Math.abs(v) < 1e-3 ? v.toExponential(2).replaceAll("-", "−") : fixed(v, 5);
+    return Math.abs(v) < 1e-3 ? powered(v, 2) : fixed(v, 5);
   };
   const fact = (name, value) => [h("dt", {}, name), h("dd", {}, value)];
   const three = asked(arm) === 3;

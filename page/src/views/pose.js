@@ -1,7 +1,7 @@
 // The tip's pose: T0n in numbers, and a place to type where the tip should go.
 
 import { attribute, h, indexed, write } from "../dom.js";
-import { entered } from "../entry.js";
+import { entered, refill, textField } from "../entry.js";
 import { moveTip } from "../grab.js";
 import { matrix as matrixOf, minus, norm } from "../../../judge/geometry/kinematics.js";
 import { fixed, replaced, sparse } from "../text.js";
@@ -66,21 +66,11 @@ function makeGoal(store, say) {
     input.value = fixed(tip()[i], 4);
   };
   const fields = ["x", "y", "z"].map((axis, i) =>
-    h("input.small", {
-      type: "text",
-      spellcheck: "false",
-      autocomplete: "off",
-      "aria-label": `Tip ${axis}, typed`,
-      oninput: (e) => typed(i, e.target, false),
-      onchange: (e) => typed(i, e.target, true),
-    }),
+    textField(`Tip ${axis}, typed`, (...now) => typed(i, ...now), { class: "small" }),
   );
   const labels = fields.map((field, i) => h("label", {}, h("i", {}, "xyz"[i]), " ", field, " m"));
   const root = h("fieldset.wrench", {}, h("legend", {}, "Bring the tip to"), labels);
-  const update = (o) =>
-    fields.forEach((field, i) => {
-      if (field.getRootNode().activeElement !== field) field.value = fixed(o[i], 4);
-    });
+  const update = (o) => fields.forEach((field, i) => refill(field, fixed(o[i], 4)));
   return { root, error, update };
 }
 

@@ -2,11 +2,10 @@
 // stays.
 
 import { KINDS as JOINTS, MOST_ROWS } from "../../../judge/geometry/arm.js";
-import { h, indexed, write } from "../dom.js";
-import { entered } from "../entry.js";
-import { FORMATS, exported } from "../exports.js";
+import { copied, h, indexed, scrolled, write } from "../dom.js";
+import { entered, textField } from "../entry.js";
 import { lateReader } from "../figures.js";
-import { entryText, replaced } from "../text.js";
+import { entryText, replaced, tableText } from "../text.js";
 import { tableVerdict } from "../verdicts.js";
 
 export const title = "DH table";
@@ -46,25 +45,19 @@ export function build(store, { say }) {
   return { root, update, summary: () => error.textContent || verdict.textContent };
 }
 
-// The table as text, in the format that the reader chooses.
+// The table for a spreadsheet, for MATLAB, and for every reader of tables here.
 function makeCopy(store, say) {
-  const formats = Object.entries(FORMATS).map(([name, { label }]) =>
-    h("option", { value: name }, label),
-  );
-  const format = h("select", { "aria-label": "Format to copy" }, formats);
-  const copy = h("button", { type: "button", onclick: copied }, "Copy as");
-  async function copied() {
-    const text = exported(format.value, store.state);
-    const done = await navigator.clipboard?.writeText(text).then(
-      () => true,
-      () => false,
-    );
-    if (!done) download(text, FORMATS[format.value].file);
-    copy.textContent = done ? "Copied" : "Saved";
-    say(() => `${copy.textContent} as ${FORMATS[format.value].label}`, true);
-    setTimeout(() => (copy.textContent = "Copy as"), 1600);
+  const words = "Copy the table";
+  const button = h("button.right", { type: "button", onclick: copy }, words);
+  async function copy() {
+    const text = tableText(store.state.arm);
+    const done = await copied(text);
+    if (!done) download(text, "table.tsv");
+    button.textContent = done ? "Copied" : "Saved";
+    say(() => `The table is ${done ? "copied" : "saved"}.`, true);
+    setTimeout(() => (button.textContent = words), 1600);
   }
-  return h("span.right.pair", {}, copy, format);
+  return button;
 }
 
 // The table itself: a line of fields for each row, which are not laid anew while one is typed in.
@@ -92,8 +85,7 @@ function makeGrid(store, { change, complain, say }) {
     body.replaceChildren(...arm.rows.map((_, i) => tableLine(i, arm, unit, { change, typed })));
     shown = { rows: arm.rows, unit };
   }
-  const place = { tabindex: 0, role: "region", "aria-label": "Denavit-Hartenberg table" };
-  return { root: h("div.scroll", place, table), update };
+  return { root: scrolled("Denavit-Hartenberg table", table), update };
 }
 
 // A whole table from a spreadsheet, a matrix or a page, wherever in the table it is pasted.
@@ -149,15 +141,9 @@ function tableLine(i, arm, unit, { change, typed }) {
 
 function entryCell(i, column, row, { unit, typed }) {
   const [key, letter, angle] = column;
-  const input = h("input", {
-    type: "text",
-    spellcheck: "false",
-    autocomplete: "off",
+  const input = textField(`Row ${i + 1}, ${letter}`, (...now) => typed(i, column, ...now), {
     value: entryText(row[key], angle, unit),
-    "aria-label": `Row ${i + 1}, ${letter}`,
     "data-cell": `${i + 1}-${key}`,
-    oninput: (e) => typed(i, column, e.target, false),
-    onchange: (e) => typed(i, column, e.target, true),
   });
   if (key !== MOVING[row.kind]) return h("td", {}, input);
   return h("td.moves", {}, input, h("span", {}, "+ ", indexed("q", i + 1)));

@@ -1,8 +1,8 @@
 // What holding still takes: gravity less what the world's push on the tool gives back, beside each
 // joint's limit.
 
-import { attribute, h, indexed, write } from "../dom.js";
-import { entered } from "../entry.js";
+import { attribute, h, indexed, scrolled, write } from "../dom.js";
+import { entered, refill, textField } from "../entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { fixed, replaced, short } from "../text.js";
 import { listed } from "../../../judge/sentences.js";
@@ -50,23 +50,14 @@ function makeWrench(store, say) {
   };
   const push = (wrench, gesture) => store.dispatch({ type: "push", wrench, gesture });
   const inputs = PARTS.map(([letter, index, unit], i) =>
-    h("input", {
-      type: "text",
-      "aria-label": `${letter} ${index}, ${unit}`,
-      spellcheck: "false",
-      oninput: (e) => typed(i, e.target, false),
-      onchange: (e) => typed(i, e.target, true),
-    }),
+    textField(`${letter} ${index}, ${unit}`, (...now) => typed(i, ...now)),
   );
   const none = h("button", { type: "button", onclick: () => push([0, 0, 0, 0, 0, 0]) }, "No load");
   const labels = PARTS.map(([letter, index], i) =>
     h("label", {}, h("span", {}, indexed(letter, index)), inputs[i]),
   );
   const legend = h("legend", {}, "Wrench on the tool, by the world, at the tip (N, N m)");
-  const update = (wrench) =>
-    inputs.forEach((input, i) => {
-      if (input.getRootNode().activeElement !== input) input.value = short(wrench[i], 2);
-    });
+  const update = (wrench) => inputs.forEach((input, i) => refill(input, short(wrench[i], 2)));
   return { root: h("fieldset.wrench", {}, legend, labels, none), error, update };
 }
 
@@ -76,7 +67,6 @@ function makeBars(point) {
   const heads = HEADS.map((text) => h("th", { scope: "col" }, text));
   const name = { "aria-label": "Static torque of each joint" };
   const table = h("table.bars", name, h("thead", {}, h("tr", {}, heads)), body);
-  const place = { tabindex: 0, role: "region", "aria-label": "Torques" };
   let [lines, shown] = [[], null];
 
   // Returns the joints whose torque is beyond their limits.
@@ -94,7 +84,7 @@ function makeBars(point) {
     const over = lines.filter(({ line }) => line.classList.contains("over"));
     return over.map(({ row }) => `joint ${row + 1}`);
   }
-  return { root: h("div.scroll", place, table), update };
+  return { root: scrolled("Torques", table), update };
 }
 
 function barLine(row, point) {

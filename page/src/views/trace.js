@@ -2,7 +2,7 @@
 
 import { h, select, write } from "../dom.js";
 import { readEntry } from "../../../judge/reading/entry.js";
-import { marked } from "../entry.js";
+import { marked, refill, textField } from "../entry.js";
 import { latest } from "../jobs.js";
 import { torquesAlong } from "../runs.js";
 import { fixed, short } from "../text.js";
@@ -70,14 +70,8 @@ function makeAsked(store, say) {
   const axes = ["x", "y", "z"].map((axis) => h("option", { value: axis }, `${axis} = const`));
   const chosen = (event) => store.dispatch({ type: "circle", normal: event.target.value });
   const plane = h("select", { "aria-label": "Plane of the circle", onchange: chosen }, axes);
-  const radius = h("input.small", {
-    type: "text",
-    spellcheck: "false",
-    autocomplete: "off",
-    "aria-label": "Radius of the circle, m",
-    oninput: () => sized(false),
-    onchange: () => sized(true),
-  });
+  const typed = (_, whole) => sized(whole);
+  const radius = textField("Radius of the circle, m", typed, { class: "small" });
 
   // Whether the radius that is typed is one; it goes into the state as soon as it is.
   function sized(whole = true) {
@@ -94,8 +88,7 @@ function makeAsked(store, say) {
 
   function update(circle) {
     plane.value = circle.normal;
-    const typing = radius.getRootNode().activeElement === radius;
-    if (!typing && !error.textContent) radius.value = short(circle.radius, 4);
+    if (!error.textContent) refill(radius, short(circle.radius, 4));
   }
   const labels = [h("label", {}, "Plane ", plane), h("label", {}, "Radius ", radius, " m")];
   return { labels, error, sized, update };

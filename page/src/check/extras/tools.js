@@ -1,6 +1,6 @@
 // What can be done with a question: a link to it, an example, the pose in the explorer.
 
-import { h } from "../../dom.js";
+import { copied, h } from "../../dom.js";
 import { EMPTY, OWN, toFragment } from "../question.js";
 
 /**
@@ -48,12 +48,3 @@ const poseOf = ({ ask }, arm, q) =>
     q: q.map((x) => Number(x.toFixed(6))).join(","),
     view: ask === "torques" ? "torque" : "jacobian",
   });
-
-async function copied(text) {
-  try {
-    await navigator.clipboard.writeText(text);
-    return true;
-  } catch {
-    return false;
-  }
-}
