@@ -18,12 +18,14 @@ const checkers = new Map();
 /** @param {string} ask @param {Checker} checker */
 export const register = (ask, checker) => void checkers.set(ask, checker);
 
-/** @type {typeof import("../../../judge/reading/own_table.js").rowsOf | null} */
-let rowsOf = null;
-export const registerTable = (read) => void (rowsOf = read);
-
-// The reader of one's own table, which comes with the script that judges tables; null until then.
-export const ownTable = () => rowsOf;
+/**
+ * Readers of what stands in other fields, which come with the scripts that need them: a table of
+ * one's own with that of tables, a pose and the symbols there with those that ask for a pose.
+ * @type {{ rowsOf?: typeof import("../../../judge/reading/own_table.js").rowsOf,
+ *   pose?: typeof import("../../../judge/reading/numbers.js").pose,
+ *   lookup?: typeof import("../../../judge/reading/numbers.js").lookup }}
+ */
+export const readers = {};
 
 // The checker of a question, or undefined while its script has not come.
 export const checkerOf = (ask) => checkers.get(ask);

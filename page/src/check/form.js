@@ -6,7 +6,6 @@ import { h, write } from "../dom.js";
 import { ASKED, OWN, UNITS } from "./question.js";
 import { lengthsOf } from "../text.js";
 import { listed } from "../../../judge/sentences.js";
-import { turning } from "../../../judge/reading/numbers.js";
 
 /**
  * @typedef {object} Field
@@ -215,7 +214,8 @@ const frameName = (k) => (k ? `frame ${k}` : "the base");
 
 const namesOf = (arm) => {
   const names = joints(arm).map((i) => `q_${i + 1}`);
-  return `${names.join(", ")}${turning(arm).includes(false) ? "; m where a joint slides" : ""}`;
+  const slides = arm.rows.some(({ kind }) => kind === "prismatic");
+  return `${names.join(", ")}${slides ? "; m where a joint slides" : ""}`;
 };
 
 /**

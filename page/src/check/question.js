@@ -4,16 +4,15 @@ import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { entryText, isAngle } from "../text.js";
 import { ASKED } from "./questions.js";
-import { pose } from "../../../judge/reading/numbers.js";
 import { ownValues } from "../../../judge/reading/values.js";
-import { checkerOf, ownTable } from "./checkers.js";
+import { checkerOf, readers } from "./checkers.js";
 import { ArmError, upper } from "../../../judge/sentences.js";
 
 export { ASKED };
 
 const LONGEST_LINK = 12_000; // characters of a fragment
 const LONGEST = { table: 2000, q: 500, wrench: 300, values: 500, answer: 8000, target: 1000 };
-export const LONGEST_ANSWER = 20_000; // characters that are judged while typing
+const LONGEST_ANSWER = 20_000; // characters that are judged while typing
 const LOADING = "The checker is being loaded.";
 const HEADS =
   "Write a row with the names of its columns first, such as a, alpha (deg), d (mm), theta";
@@ -140,7 +139,7 @@ export function armOf(question, arms) {
   if (question.arm !== OWN) return arms.find(({ key }) => key === question.arm);
   if (!question.table.trim())
     throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
-  const rowsOf = ownTable();
+  const { rowsOf } = readers;
   if (!rowsOf) throw new Waiting();
   const symbols = ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : [];
   const { rows, said, guessed } = rowsOf(question.table, question.unit, symbols, "m");
@@ -164,7 +163,7 @@ export function judge(question, arms) {
     arm = armOf(question, arms);
     const asked = missing(question, arm);
     if (asked) return { error: asked, arm };
-    q = posed(question) ? pose(question.q, arm, question.unit).values : undefined;
+    q = posed(question) ? readers.pose?.(question.q, arm, question.unit).values : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
     const most = ASKED[question.ask].longest ?? LONGEST_ANSWER;
     if (question.answer.length > most) {

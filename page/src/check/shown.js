@@ -2,12 +2,12 @@
 
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { h } from "../dom.js";
-import { lookup } from "../../../judge/reading/numbers.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { cells } from "../../../judge/reading/grid.js";
 import { withoutHeader } from "../../../judge/reading/heads.js";
 import { linesOf, MARKS } from "../../../judge/report.js";
 import { ArmError } from "../../../judge/sentences.js";
+import { readers } from "./checkers.js";
 
 const ROWS = {
   v: ["vx", "vy", "vz", "ωx", "ωy", "ωz"],
@@ -133,7 +133,7 @@ function partlyRead(question, { error, waiting, arm, q }) {
 }
 
 // The cells of a text as typed; none where it cannot be read.
-export const textsOf = (text) => readOrNone(() => (text.trim() ? cells(text) : []));
+const textsOf = (text) => readOrNone(() => (text.trim() ? cells(text) : []));
 
 const rowsOf = (ask, answer) =>
   readOrNone(() => {
@@ -156,7 +156,7 @@ function isRead(ask, text, arm, q) {
   const bare = plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "");
   try {
     const tree = parse(bare || "0");
-    if (ask === "jacobian" && q) lookup(arm, q).known(symbols(tree));
+    if (ask === "jacobian" && q) readers.lookup?.(arm, q).known(symbols(tree));
     return true;
   } catch (error) {
     if (error instanceof ArmError) return false;
@@ -217,7 +217,7 @@ const PARTS = new RegExp(`(${UNBROKEN.join("|")})`, "u");
  * belongs together.
  * @param {string} words
  */
-export const typeset = (words) =>
+const typeset = (words) =>
   words.split(PARTS).flatMap((part, k) => (k % 2 ? h("span.unbroken", {}, set(part)) : set(part)));
 
 function set(words) {

@@ -1,11 +1,13 @@
 // The script that judges Jacobians and torques.
 
-import { numbers } from "../../../../judge/reading/numbers.js";
+import { lookup, numbers, pose } from "../../../../judge/reading/numbers.js";
 import { compareJacobian } from "../../../../judge/topics/jacobian.js";
 import { ownValues } from "../../../../judge/reading/values.js";
-import { register } from "../checkers.js";
+import { readers, register } from "../checkers.js";
 import { ArmError } from "../../../../judge/sentences.js";
 import { compareTorques } from "../../../../judge/topics/torques.js";
+
+Object.assign(readers, { lookup, pose });
 
 register("jacobian", ({ answer, q, unit, frame, first, values }, arm) => {
   if (Number(frame) > arm.rows.length) {

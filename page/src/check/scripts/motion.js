@@ -6,7 +6,7 @@ import { numbers, pose } from "../../../../judge/reading/numbers.js";
 import { asksPose, formOf } from "../../../../judge/geometry/inverse.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
 import { comparePose } from "../../../../judge/topics/pose.js";
-import { register } from "../checkers.js";
+import { readers, register } from "../checkers.js";
 import { ArmError } from "../../../../judge/sentences.js";
 import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
 
@@ -16,6 +16,8 @@ import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
 const [FEWEST_STEPS, MOST_STEPS] = [8, 20_000];
 // of the lengths of axes and their cosines: what a pose of two decimals is off
 const ROUNDED = 0.02;
+
+readers.pose = pose;
 
 // One joint vector
 
