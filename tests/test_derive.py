@@ -153,29 +153,19 @@ def test_the_panda_as_its_maker_writes_it():
     assert found.arm.source == "derived from its joint axes"
 
 
-def test_the_words_of_each_case():
+def test_the_case_of_each_row():
     steps = derive(UR10E, UR10E_TIP).steps
     assert [step.case for step in steps] == [
         "intersecting", "parallel", "parallel", "intersecting", "intersecting", "coincident",
     ]  # fmt: skip
     assert [step.opposite for step in steps] == [False, True, True, False, False, False]
-    assert "Joint 2 turns about z_1. z_2 is laid on the axis of joint 3." in steps[1].words
-    assert "level with o_1, which makes d_2 = 0" in steps[1].words
-    assert "z_2 points against z_1" in steps[1].words
-    assert "a_2 = 0.6127 m, alpha_2 = 180°, d_2 = 0, theta_2 = q_2 - 90°." in steps[1].words
-    assert "It meets z_3 in o_4, so a_4 = 0" in steps[3].words
-    assert "the same line as z_5" in steps[5].words
-    skew = derive(PANDA, PANDA_FLANGE, negative=True).steps
-    assert "from z_2 to z_3, and o_3" in skew[2].words
-    assert "but the other way round" in skew[3].words
+    assert derive(PANDA, PANDA_FLANGE, negative=True).steps[2].case == "skew"
 
 
 def test_a_base_that_is_not_on_the_first_axis():
     found = derive([Axis((1, 0, 0), X)], np.eye(4))
     assert found.arm.rows[0].joint.kind == "fixed"
     assert found.arm.variables == ("q_2",)
-    assert "the base frame to the first axis" in found.steps[0].words
-    assert "the last common normal to the tip" not in found.steps[0].words
 
 
 def test_a_tip_that_is_only_a_point():
@@ -195,7 +185,6 @@ def test_a_tip_turned_about_the_last_axis_costs_a_row():
     assert entries(found.arm) == [[1, 0, 0.2, 0], [0, 0, 0, RIGHT]]
     assert found.arm.rows[1].joint.kind == "fixed"
     assert (found.steps[1].case, found.steps[1].opposite) == ("coincident", False)
-    assert "the last common normal to the tip" in found.steps[1].words
 
 
 def test_a_slide_without_a_place_runs_through_the_next_axis():
@@ -213,9 +202,6 @@ def test_a_slide_without_a_place_runs_through_the_next_axis():
         [0, 0, 0.263, 0],
     ]
     assert entries(found.arm) == table
-    assert "a slide has no place of its own" in found.steps[1].words
-    assert "through what comes after it" in found.steps[1].words
-    assert "d_3 = q_3," in found.steps[2].words
 
 
 def test_where_nothing_follows_a_slide_runs_through_the_tip():
@@ -233,7 +219,6 @@ def test_nearly_parallel_axes_are_kept_or_taken_for_parallel():
         exact = derive(axes, (0.5, 0, 0))
     flat = derive(axes, (0.5, 0, 0), tolerance=1e-4)
     assert exact.steps[0].d == pytest.approx(-1e4)
-    assert words in exact.steps[0].words
     assert flat.steps[0].d == 0
     z = [link_frames(found.arm, [0, 0])[1, :3, 2] for found in (exact, flat)]
     np.testing.assert_allclose(z, [(0, 1e-5, 1), (0, 0, 1)], atol=1e-9)

@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm, ArmError, Joint, Row
 from helpers.derive.values import POINT, Array, Axis, Case, Derivation, Line, Step, clean_length
-from helpers.derive.words import nearly_parallel, told
 from helpers.expressions import Entry
 from helpers.inputs import floats, listed, must_be, number, numbers
 from helpers.rows import cos_sin, quarter_turns
 
 _POSE = "a rigid motion, 4x4, in m"
+_NEARLY = 1e-3  # axes whose angle's sine is below this are called nearly parallel
 _FAR = 10  # a common normal so many times as far off as anything drawn is no part of the arm
 
 
@@ -58,9 +58,18 @@ def derive(
     arm = Arm(name, *_lettered(steps), source="derived from its joint axes")
     reach = max(np.linalg.norm(line.point) for line in [*lines, goal.line])
     for step in steps:
-        if abs(step.d) > _FAR * reach and (tilt := nearly_parallel(step)):
-            warnings.warn(f"{name}: z_{step.number - 1} and z_{step.number} {tilt}", stacklevel=2)
-    return Derivation(arm, tuple(told(steps, axes)), tuple(lines))
+        tilt = abs(math.sin(step.alpha)) if step.case in ("skew", "intersecting") else 0.0
+        if abs(step.d) > _FAR * reach and 0 < tilt <= _NEARLY:
+            warnings.warn(f"{name}: {_nearly_parallel(step, tilt)}", stacklevel=2)
+    return Derivation(arm, tuple(steps), tuple(lines))
+
+
+def _nearly_parallel(step: Step, tilt: float) -> str:
+    return (
+        f"z_{step.number - 1} and z_{step.number} are within {math.degrees(tilt):.2g}° of parallel,"
+        f" so the last digits of that angle say where their common normal is (d_{step.number} ="
+        f" {step.d:.6g} m); a tolerance above {tilt:.1g} takes them for parallel"
+    )
 
 
 class _Choices(NamedTuple):

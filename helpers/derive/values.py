@@ -80,7 +80,6 @@ class Step:
         before, frame: frames i-1 and i, each 4x4.
         a, alpha, d, theta: the four numbers (m, rad); q_i, which is 0 in the drawing, is added to
             theta or to d.
-        words: the row in words.
     """
 
     number: int
@@ -94,7 +93,6 @@ class Step:
     alpha: float
     d: float
     theta: float
-    words: str = ""
 
 
 @dataclass(frozen=True, eq=False)
