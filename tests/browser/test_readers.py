@@ -47,8 +47,8 @@ def test_lines_hardly_move_when_the_letters_of_formulas_come_late(browser):
 
     reader.page.route("**/katex/*.woff2", late)
     for name in ("03_circle_tracing", "notation"):
-        page = reader.open((HTML / f"{name}.html").as_uri())
-        assert page.evaluate("window.shifts") < 0.05, name
+        reader.page.goto((HTML / f"{name}.html").as_uri())
+        assert reader.page.evaluate("window.shifts") < 0.05, name
     reader.context.close()
 
 
@@ -72,6 +72,21 @@ def test_boxes_are_ready_where_the_reader_scrolls(browser):
         )
         page.wait_for_function(f"!({UNSAID})().length", polling=50)
     assert reader.troubles == []
+    reader.context.close()
+
+
+def test_a_link_and_a_reload_lead_where_they_should_on_a_page_not_laid_out_yet(browser):
+    """Opened at its top, a page lays out its far sections when a reader comes near."""
+    reader = Reader(browser, "light", "phone", "file:")
+    page, address = reader.page, (HTML / "01_dh_tables.html").as_uri()
+    for place in ("#the-maker-s-ur10e", "#the-elbow-arm"):
+        page.goto("about:blank")
+        page.goto(address)
+        page.evaluate(f"document.querySelector(`.sections a[href='{place}']`).click()")
+        page.evaluate(TWO_FRAMES)
+        assert 0 < page.locator(place).bounding_box()["y"] < 100, place
+        page.reload()
+        assert 0 < page.locator(place).bounding_box()["y"] < 100, place
     reader.context.close()
 
 
