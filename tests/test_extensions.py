@@ -10,7 +10,6 @@ from docutils import nodes
 
 from tools.download import Book, edition, plain
 from tools.pages import (
-    assets,
     fold,
     keep_together,
     keep_whole,
@@ -238,18 +237,6 @@ def test_a_solution_names_its_exercise_and_no_time():
     solution = nodes.title("", "", nodes.Text("Solution to"), nodes.reference("", "", *words))
     say_plainly(solution)
     assert solution.astext() == "Solution to Exercise 4.1: Pull"
-
-
-def test_a_changed_asset_is_seen(tmp_path):
-    for name in ("assets/vendor/a.js", "static/b.css"):
-        (tmp_path / name).parent.mkdir(parents=True)
-        (tmp_path / name).write_text("a", encoding="utf-8")
-    config = SimpleNamespace(html_static_path=["assets", "static"])
-    before = assets(tmp_path, config)
-    (tmp_path / "static/b.css").write_text("b", encoding="utf-8")
-    assert assets(tmp_path, config) != before
-    (tmp_path / "static/b.css").write_text("a", encoding="utf-8")
-    assert assets(tmp_path, config) == before
 
 
 @pytest.fixture

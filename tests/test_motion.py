@@ -464,61 +464,41 @@ def test_exact_steers_by_the_jacobian_that_is_given():
         trace(HOMEWORK, HOMEWORK.home, path, method="exact", jacobian=lambda arm, q: np.eye(6))
 
 
+def careless(function):
+    """The function, which spoils what it was given."""
+
+    def spoiling(*given):
+        found = function(*given)
+        for array in given:
+            if np.ndim(array):
+                array += 1.0
+        return found
+
+    return spoiling
+
+
 @pytest.mark.parametrize("method", ["euler", "rk4", "exact"])
 def test_what_callers_functions_write_into_is_theirs(method):
-    """A Jacobian, rates and a path that spoil their arguments change nothing."""
-    plain = plain_inverse()
-
-    def careless_jacobian(arm, q):
-        J = jacobian(arm, q)
-        q += 1.0
-        return J
-
-    def careless_rates(J, twist, q):
-        found = plain(J, twist, q)
-        q *= 2.0
-        twist += 1.0
-        return found
-
     path = panda_circle(30)
-
-    def careless_velocity(t):
-        found = path.velocity(t)
-        if np.ndim(t):
-            t += 1.0
-        return found
-
-    careless = replace(path, velocity=careless_velocity)
-    run = trace(
-        HOMEWORK,
-        HOMEWORK.home,
-        careless,
-        method=method,
-        jacobian=careless_jacobian,
-        rates=careless_rates,
-    )
+    spoilt = replace(path, velocity=careless(path.velocity), position=careless(path.position))
+    how = {"jacobian": careless(same_jacobian), "rates": careless(plain_inverse())}
+    run = trace(HOMEWORK, HOMEWORK.home, spoilt, method=method, **how)
     wanted = trace(HOMEWORK, HOMEWORK.home, path, method=method, jacobian=same_jacobian)
     np.testing.assert_array_equal(run.q, wanted.q)
-    np.testing.assert_array_equal(careless.times, path.times)
+    np.testing.assert_array_equal(spoilt.times, path.times)
 
 
 def test_a_path_keeps_its_own_copies():
     centre, times = np.array([0.5, 0.0, 0.6]), np.array([0.0, 1.0])
     round_it = circle(centre, 0.1, "yz", 5.0, 4)
-    path = Path(times, careless_clock, careless_clock, [1, 0, 0])
+    clock = careless(lambda t: np.stack([t, t, t], axis=-1))
+    path = Path(times, clock, clock, [1, 0, 0])
     wanted = round_it.positions
     centre += 1.0
     times += 1.0
     np.testing.assert_array_equal(round_it.positions, wanted)
-    np.testing.assert_array_equal(path.positions[:, 0], [0, 1])
-    np.testing.assert_array_equal(path.velocities[:, 0], [0, 1])
-
-
-def careless_clock(t):
-    """The times as positions, after which the times it was given are spoilt."""
-    found = np.stack([t, t, t], axis=-1)
-    t += 1.0
-    return found
+    for found in (path.positions, path.velocities):
+        np.testing.assert_array_equal(found[:, 0], [0, 1])
 
 
 @pytest.mark.parametrize("method", ["euler", "rk4"])

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from helpers import symbolic
 from helpers.arm import Arm, Body
-from helpers.conventions import modified_frames, standard_from_modified
 from helpers.kinematics import link_frames
 from helpers.motion import circle, trace
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
@@ -22,7 +21,6 @@ from helpers.statics import (
     with_payload,
 )
 from tests.laws import SHAPES, joint_vectors, random_arms
-from tests.test_robots import GAZ_CENTRES
 
 PUSH = [-5, 0, 0, 0, 0, 0]
 
@@ -146,33 +144,16 @@ def test_formulas_equal_numbers(arm):
     )
 
 
-def test_the_papers_centres_in_the_tables_frames():
-    """The converted coordinates are those of the homework's page, worked out there by hand."""
-    wanted = [
-        (0.003875, -0.04762, -0.002081), (-0.003141, 0.003495, 0.02872), (-0.054982, 0.066502,
-        0.039252),
-        (0.02933, -0.027454, 0.104419), (-0.011953, -0.038437, -0.041065), (-0.027851, 0.010517,
-        -0.014117),
-        (0.010517, 0.004252, 0.145403),
-    ]  # fmt: skip
-    from helpers.arm import revolute
-
-    rows = [
-        revolute(d=0.333), revolute(0, "-pi/2"), revolute(0, "pi/2", 0.316), revolute(0.0825,
-        "pi/2"),
-        revolute(-0.0825, "-pi/2", 0.384), revolute(0, "pi/2"), revolute(0.088, "pi/2"),
-    ]  # fmt: skip
-    maker, q = (
-        Arm("maker", standard_from_modified(rows)),
-        np.array([0.3, -0.5, 0.2, 1.9, 0.1, 2.0, -0.4]),
+def test_centres_in_other_frames_are_the_same_points():
+    """Each frame of the table against the frame before, both random."""
+    frames = link_frames(PANDA, joint_vectors(PANDA, (), 8))
+    centres = np.random.default_rng(8).uniform(-1, 1, (7, 3))
+    found = centres_in(frames[1:], frames[:-1], centres)
+    points, again = (
+        [T @ [*c, 1] for T, c in zip(of, some, strict=True)]
+        for of, some in ((frames[:-1], centres), (frames[1:], found))
     )
-    craig = modified_frames(maker, q * [1, -1, 1, -1, 1, 1, -1])
-    np.testing.assert_allclose(
-        centres_in(link_frames(PANDA, q)[1:], craig, GAZ_CENTRES), wanted, atol=1e-12
-    )
-    np.testing.assert_allclose(
-        [[PANDA.number(c) for c in b.com] for b in PANDA.bodies], wanted, atol=1e-12
-    )
+    np.testing.assert_allclose(again, points, atol=1e-14)
 
 
 @every_arm

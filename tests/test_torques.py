@@ -116,24 +116,6 @@ def test_degrees_are_those_of_joints_that_turn():
     assert verdict(torques(q).round(5), q, angles="deg").causes == ("tau.degrees",)
 
 
-@pytest.mark.parametrize(
-    ("q", "shape"),
-    [
-        ("0.1, 0.2", (2,)),
-        ([[0.1, 0.2]], (2,)),
-        (np.ones((2, 4)), (2, 4)),
-        (np.ones((2, 3, 2)), (2, 3, 2)),
-    ],
-)
-@pytest.mark.parametrize("angles", ["rad", "deg"])
-def test_what_is_no_pose_is_refused_by_its_shape(q, shape, angles):
-    with pytest.raises(ArmError) as refused:
-        verdict(TAU, q, angles=angles)
-    words = f"your arm: q has shape {shape}; expected (..., 3), one value for each of q_1, q_3, q_4"
-    locked = "; leave out q_2, which is locked" if shape == (2, 4) else ""
-    assert str(refused.value) == words + locked
-
-
 def test_loads_may_be_of_any_numbers():
     load = {
         "wrench": [Fraction(int(2 * x), 2) for x in F],
