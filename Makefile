@@ -82,9 +82,7 @@ elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would 
 
 # What is there already is the reader's own work, and stays.
 lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder my, in JupyterLab
-	@mkdir -p my
-	@for notebook in $(NOTEBOOKS); do \
-	  test -e my/$${notebook##*/} || { cp $$notebook my/.copy && mv my/.copy my/$${notebook##*/}; } || exit 1; done
+	@$(BIN)/python tools/lab.py my $(NOTEBOOKS)
 	@echo "Your copies: $(CURDIR)/my. Delete one, and the next make lab copies it anew."
 	$(BIN)/jupyter lab my
 

@@ -70,19 +70,19 @@ def test_the_link_to_the_book_can_be_opened(project):
     assert (project / "book/_build/html/index.html").as_uri() in said.splitlines()
 
 
-def test_a_readers_copies_are_made_where_missing_and_never_written_over(project):
-    reference, copy = project / NOTEBOOK, project / "my" / Path(NOTEBOOK).name
-    reference.write_text("the reference", "utf-8")
+def test_jupyterlab_opens_a_readers_copies_and_clean_leaves_them(project):
+    """`tests/test_lab.py` says what a copy is, and that one that is there stays."""
+    (project / "tools").mkdir()
+    told = "import sys; print('asked:', *sys.argv)"
+    (project / "tools/lab.py").write_text(told, "utf-8")
+    (project / "my").mkdir()
+    (project / "my/own.ipynb").write_text("mine", "utf-8")
     code, said = make(project, "lab")
-    assert (code, copy.read_text("utf-8")) == (0, "the reference")
+    assert (code, said.splitlines()[0]) == (0, f"asked: tools/lab.py my {NOTEBOOK}")
     assert str(project / "my") in said
     assert "jupyter lab my" in said, "JupyterLab sees nothing but the copies"
-    copy.write_text("mine", "utf-8")
-    reference.write_text("the reference, newer", "utf-8")
-    assert make(project, "lab")[0] == 0
     assert make(project, "clean")[0] == 0
-    assert copy.read_text("utf-8") == "mine"
-    assert [path.name for path in (project / "my").iterdir()] == [copy.name]
+    assert (project / "my/own.ipynb").read_text("utf-8") == "mine"
 
 
 def test_clean_leaves_nothing_that_was_built(project):

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from helpers.arm import Arm
 from helpers.checks.arms import arm_data
 from helpers.explorer.widget import esm
-from helpers.inputs import ArmError, listed, must_be, shown
+from helpers.inputs import ArmError, listed, must_be, one_of, shown
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 
 #: The figures that take any arm, with the arm that each shows unless told otherwise,
@@ -30,6 +30,10 @@ ANY_ARM = {
 ONE_ARM = {"swing": PANDA, "triangles": ELBOW, "winds": PANDA_HOMEWORK}
 
 
+#: What else a figure may be told, as the chapters' own are.
+SETTINGS = ("angle", "column", "fixed", "frames", "lit", "push", "row", "words", "wrench")
+
+
 class ArmFigure(anywidget.AnyWidget):
     """A small live figure, as the chapters show them beside a sentence.
 
@@ -39,9 +43,11 @@ class ArmFigure(anywidget.AnyWidget):
         arm: the arm to show.
         q: where it stands first, shape (dof,), rad or m; its home unless given.
         joints: numbers of the joints, from 1, that get a lever.
+        settings: what else one kind takes: the `row` or `column`, from 1, that it begins with, the
+            `wrench` that pushes, its `words`, and others of `SETTINGS`.
 
     Raises:
-        ArmError: there is no such figure, or it does not show this arm, place or joint.
+        ArmError: there is no such figure or setting, or it does not show this arm, place or joint.
     """
 
     _esm = esm("figureWidget")
@@ -55,6 +61,7 @@ class ArmFigure(anywidget.AnyWidget):
         *,
         q: ArrayLike | None = None,
         joints: Iterable[int] = (),
+        **settings: object,
     ) -> None:
         known = ANY_ARM | ONE_ARM
         if not isinstance(kind, str) or kind not in known:
@@ -69,7 +76,9 @@ class ArmFigure(anywidget.AnyWidget):
         if strange:
             own_joints = ", ".join(map(str, arm.joints))
             raise ArmError(f"joints has {', '.join(strange)}; the {arm.name} has {own_joints}")
-        spec: dict[str, Any] = {"figure": kind, "joints": [int(number) for number in joints]}
+        for name in settings:
+            one_of(name, "setting", SETTINGS)
+        spec: dict[str, Any] = {**settings, "figure": kind, "joints": [*map(int, joints)]}
         spec["arm"] = arm.name if kind in ONE_ARM else arm_data(arm)
         if q is not None:
             spec["q"] = arm.joint_vector(q).tolist()
