@@ -13,7 +13,7 @@ from helpers.arm import Arm, Body
 from helpers.inputs import must_be
 from helpers.kinematics import forward_kinematics
 
-__all__ = ["Census", "Slip", "census", "hidden", "slips"]
+__all__ = ["Census", "Slip", "census", "slips"]
 
 _SAME = 1e-9  # m, or the entries of a rotation
 
