@@ -93,12 +93,12 @@ const elsewhere = (shared, load) => ({
 });
 
 // A script before it is made small: its text, its modules, and the sentences that it says.
-async function drafted(entry, shared = new Set()) {
+async function drafted(entry, { shared = new Set(), more = [] } = {}) {
   const { outputFiles, metafile } = await build({
     ...common,
     minify: false,
     format: "esm",
-    stdin: stdin(entry),
+    stdin: stdin(entry, {}, more),
     plugins: [...plugins, elsewhere(shared, { external: true })],
     write: false,
     metafile: true,
@@ -127,9 +127,9 @@ function importsOf(drafts) {
  * @param {[string, string][]} scripts names and entries
  */
 async function scriptsOf(globalName, [[name, entry], ...further]) {
-  const first = await drafted(entry);
-  const shared = new Set([...first.modules, "judge/sentences.js"]);
-  const drafts = await Promise.all(further.map(([, one]) => drafted(one, shared)));
+  const { modules } = await drafted(entry);
+  const shared = new Set([...modules, "judge/sentences.js"]);
+  const drafts = await Promise.all(further.map(([, one]) => drafted(one, { shared })));
   const asked = importsOf([...drafts, { text: `import { learn } from "judge/sentences.js";` }]);
   const names = (path) => [...asked[path]].join(", ");
   const given = Object.keys(asked).map((path) => `export { ${names(path)} } from "./${path}";`);
@@ -141,6 +141,8 @@ async function scriptsOf(globalName, [[name, entry], ...further]) {
       stdin: stdin(words.entry, Object.fromEntries(words.said), more),
       outfile: join(folder, file),
     });
+  // with what it has for the others, which has sentences too
+  const first = await drafted(entry, { more: given });
   await script(name, { entry, said: first.said }, { plugins, globalName }, given);
   const taken = {
     name: "taken",

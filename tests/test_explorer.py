@@ -478,6 +478,17 @@ def test_the_small_figures_know_the_books_arms():
     assert json.loads(arms.PLACE.read_text(encoding="utf-8")) == json.loads(arms.text())
 
 
+def test_every_sentence_that_a_script_says_comes_with_it():
+    """Or with the one that is loaded before it, among whose words a script finds its own."""
+    keys = json.loads((ROOT / "judge" / "sentences.json").read_text(encoding="utf-8"))
+    scripts = {file.stem: file.read_text(encoding="utf-8") for file in BUNDLE.parent.glob("*.js")}
+    for name, script in scripts.items():
+        text = scripts[name.partition("-")[0]] + script
+        said = {key for key in keys if re.search(rf'"{re.escape(key)}"(?!:)', text)}
+        taught = [rf'[{{,](?:"{re.escape(key)}"|{re.escape(key)}):' for key in said]
+        assert [words for words in taught if not re.search(words, text)] == [], name
+
+
 def test_the_bundle_is_light():
     """Packed as a server sends it; a question about a table loads three of the judge's scripts."""
     packed = {
@@ -538,8 +549,8 @@ def test_a_small_figure_is_a_widget_and_the_stub_that_a_chapter_writes():
     assert options == {"joints": [3, 5], "arm": arm_data(UR10E_HOMEWORK), "q": [0.0] * 6}
     assert ArmFigure("swing")._spec == {"figure": "swing", "joints": [], "arm": "Panda"}
     kinds = (SOURCES / "src" / "more" / "index.js").read_text(encoding="utf-8")
-    for name in ANY_ARM | ONE_ARM:
-        assert re.search(rf"^  {name},$", kinds, re.M), name
+    known = re.search(r"^register\(\{ (columns.*) \}\);$", kinds, re.M)[1]
+    assert known.split(", ") == sorted(ANY_ARM | ONE_ARM)
 
 
 def test_stored_notebooks_hold_stubs_and_no_widgets():

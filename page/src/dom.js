@@ -3,6 +3,7 @@
 export function h(name, attributes = {}, ...children) {
   const [tag, ...classes] = name.split(".");
   const element = document.createElement(tag);
+  if (tag === "button") element.type = "button"; // which sends no form
   if (classes.length) element.className = classes.join(" ");
   for (const [key, value] of Object.entries(attributes)) {
     if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
@@ -19,6 +20,14 @@ export function svg(name, attributes = {}, ...children) {
   element.append(...children);
   return element;
 }
+
+/**
+ * A slider between two values.
+ * @param {string} label
+ * @param {number[]} bounds
+ */
+export const slider = (label, [min, max], attributes = {}) =>
+  h("input", { type: "range", min, max, step: "any", "aria-label": label, ...attributes });
 
 // Write only what differs: most of what a moving arm shows stays the same from frame to frame.
 export function write(element, text) {

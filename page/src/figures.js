@@ -1,53 +1,34 @@
 // What comes in further scripts, loaded when the first of it is asked for: small figures that stand
-// beside a sentence, views of the instrument, by name, and the reader of pasted tables.
+// beside a sentence, views of the instrument, and the reader of pasted tables, by name.
 
 import { loaded } from "./scripts.js";
 
-/**
- * @typedef {(host: HTMLElement, spec: any) => () => void} MakeFigure builds into the host, returns
- *   what takes it away
- */
-
-/** @type {Record<string, MakeFigure>} */
-const FIGURES = {};
-const VIEWS = {};
 const MORE = "explorer-more.js";
-/** @type {typeof import("./paste.js").readTable | null} */
-let reader = null;
+/** @type {Record<string, any>} */
+const known = {};
 
-/** @param {string} name @param {MakeFigure} make */
-export function registerFigure(name, make) {
-  FIGURES[name] = make;
+/** @param {Record<string, any>} things by their names */
+export const register = (things) => void Object.assign(known, things);
+
+/** What is called so, when its script has come. */
+export async function late(name, script = MORE) {
+  if (!Object.hasOwn(known, name)) await loaded(script);
+  return known[name];
 }
 
-/** @param {string} name @param {{ build: Function }} view */
-export function registerView(name, view) {
-  VIEWS[name] = view;
-}
-
-/** A view of the second script, when that has come. */
-export async function lateView(name) {
-  if (!Object.hasOwn(VIEWS, name)) await loaded(MORE);
-  return VIEWS[name];
-}
-
-export const registerReader = (read) => void (reader = read);
-
-/** The reader of pasted tables, when its script has come. */
-export async function lateReader() {
-  if (!reader) await loaded("explorer-table.js");
-  return reader;
-}
-
-// Bring a figure to life, at once or when its script has come; returns what takes it away.
+/**
+ * Bring a figure to life, at once or when its script has come: `make(host, spec)` builds into the
+ * host and returns what takes it away; so does this.
+ */
 export function mountFigure(host, spec) {
   let gone = false;
   let dispose = () => {};
-  const make = () => {
-    if (!gone && Object.hasOwn(FIGURES, spec.figure)) dispose = FIGURES[spec.figure](host, spec);
-  };
-  if (Object.hasOwn(FIGURES, spec.figure)) make();
-  else loaded(MORE).then(make, () => {});
+  late(spec.figure).then(
+    (make) => {
+      if (!gone && make) dispose = make(host, spec);
+    },
+    () => {},
+  );
   return () => {
     gone = true;
     dispose();

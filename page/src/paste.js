@@ -4,7 +4,7 @@ import { rowsFault } from "../../judge/geometry/arm.js";
 import { cells } from "../../judge/reading/grid.js";
 import { rowsOf } from "../../judge/reading/own_table.js";
 import { ArmError } from "../../judge/sentences.js";
-import { registerReader } from "./figures.js";
+import { register } from "./figures.js";
 
 /**
  * The rows that a text describes and what was guessed of them, or what is wrong with it, or null
@@ -25,4 +25,4 @@ export function readTable(text, unit) {
   }
 }
 
-registerReader(readTable);
+register({ readTable });

@@ -207,19 +207,7 @@ export const BOUNDS = {
   locked: [-1, 15],
 };
 const WHOLE = ["steps", "locked"];
-const KEYS = [
-  "method",
-  "rates",
-  "steps",
-  "seconds",
-  "radius",
-  "normal",
-  "gain",
-  "cutoff",
-  "damping",
-  "locked",
-  "slip",
-];
+const KEYS = Object.keys(HOMEWORK);
 
 // A run in a link, and back; null where the text is none.
 export const runText = (run) => KEYS.map((key) => run[key]).join("_");

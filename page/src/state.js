@@ -62,27 +62,6 @@ import { asked, rankOf } from "./verdicts.js";
  * @property {object[]} future
  */
 
-// What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets
-// them.
-export const DROPS = {
-  arm: [
-    "trace",
-    "stray",
-    "wanted",
-    "at",
-    "playing",
-    "paths",
-    "ways",
-    "highlighted",
-    "lit",
-    "hold",
-    "mark",
-  ],
-  circle: ["trace", "stray", "wanted", "at", "playing"],
-  trace: ["stray", "wanted", "at", "playing"],
-  ways: ["highlighted"],
-  view: ["playing", "highlighted", "lit"],
-};
 export const EMPTY = {
   trace: null,
   stray: 0,
@@ -95,6 +74,16 @@ export const EMPTY = {
   lit: null,
   hold: null,
   mark: null,
+};
+// What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets
+// them.
+const ALONG = ["stray", "wanted", "at", "playing"];
+export const DROPS = {
+  arm: Object.keys(EMPTY),
+  circle: ["trace", ...ALONG],
+  trace: ALONG,
+  ways: ["highlighted"],
+  view: ["playing", "highlighted", "lit"],
 };
 
 const KEPT = ["arm", "base", "reference", "q", "wrench"]; // what undo brings back

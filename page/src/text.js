@@ -54,14 +54,9 @@ export function entryText(value, angle, unit) {
 
 export const short = (value, digits) => String(Number(value.toFixed(digits)) + 0).replace("-", "−");
 
-const MOTIONS = [
-  "move along x",
-  "move along y",
-  "move along z",
-  "turn about x",
-  "turn about y",
-  "turn about z",
-];
+const MOTIONS = ["move along", "turn about"].flatMap((how) =>
+  [..."xyz"].map((axis) => `${how} ${axis}`),
+);
 
 // A direction of (vx, vy, vz, wx, wy, wz) in words.
 export function motionText(direction) {

@@ -52,18 +52,8 @@ function cannot(lost, never) {
   return `Here the tip cannot ${listed([...single, ...blends], "nor")}.`;
 }
 
-const COUNTS = [
-  "No way",
-  "One way",
-  "Two ways",
-  "Three ways",
-  "Four ways",
-  "Five ways",
-  "Six ways",
-  "Seven ways",
-  "Eight ways",
-];
-const counted = (n) => COUNTS[n] ?? `${n} ways`;
+const COUNTS = "No One Two Three Four Five Six Seven Eight".split(" ");
+const counted = (n) => `${COUNTS[n] ?? n} ${n === 1 ? "way" : "ways"}`;
 const named = (arm, moving) => listed(moving.map((k) => `joint ${joints(arm)[k] + 1}`));
 
 /**

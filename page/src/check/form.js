@@ -3,7 +3,7 @@
 
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { h, write } from "../dom.js";
-import { ASKED, OWN, UNITS } from "./question.js";
+import { ASKED, CHOICES, OWN } from "./question.js";
 import { lengthsOf } from "../text.js";
 import { listed } from "../../../judge/sentences.js";
 
@@ -11,17 +11,13 @@ import { listed } from "../../../judge/sentences.js";
  * @typedef {object} Field
  * @property {string} label
  * @property {string} [hint] below it, or in it where it takes several lines
- * @property {[string, string][]} [choices] values and their words; none yet where the arm decides
+ * @property {string[][]} [choices] values and their words, where CHOICES has none; none yet where
+ *   the arm decides
  * @property {number} [rows] of a field that takes several lines
  * @property {string} [told] how it is told in the line, before its value, where it is folded
  * @property {string} [name] in the list of what is guessed where it is empty
  */
 
-/** @type {(values: string[]) => [string, string][]} */
-const guessedOr = (values) => [
-  ["", "as it looks"],
-  ...values.map((x) => /** @type {[string, string]} */ ([x, x])),
-];
 const PLAIN = { spellcheck: "false", autocomplete: "off", autocapitalize: "off" };
 /** @type {Record<string, Field>} */
 const FIELDS = {
@@ -44,55 +40,18 @@ const FIELDS = {
       "Fx, Fy, Fz, Mx, My, Mz in N and N m, in base axes; empty for none. " +
       "Gravity is 9.81 m/s² down.",
   },
-  unit: { label: "Angles in", told: "angles in", choices: UNITS.map((unit) => [unit, unit]) },
-  first: {
-    label: "Order of the rows",
-    told: "rows",
-    choices: [
-      ["v", "v, then ω"],
-      ["omega", "ω, then v"],
-    ],
-  },
+  unit: { label: "Angles in", told: "angles in" },
+  first: { label: "Order of the rows", told: "rows" },
   frame: { label: "Rows in the axes of", told: "in the axes of", choices: [] },
   columns: { label: "Order of the columns", told: "columns", name: "columns" },
-  lengths: {
-    label: "Lengths in",
-    told: "lengths in",
-    name: "lengths",
-    choices: guessedOr(["m", "cm", "mm"]),
-  },
-  angles: { label: "Angles in", told: "angles in", name: "angles", choices: guessedOr(UNITS) },
-  convention: {
-    label: "Convention",
-    told: "convention",
-    name: "convention",
-    choices: [
-      ["", "as it looks"],
-      ["standard", "standard"],
-      ["craig", "modified (Craig)"],
-    ],
-  },
+  lengths: { label: "Lengths in", told: "lengths in", name: "lengths" },
+  angles: { label: "Angles in", told: "angles in", name: "angles" },
+  convention: { label: "Convention", told: "convention", name: "convention" },
   radius: { label: "Radius of the circle below the tip, in m", told: "radius in m" },
-  plane: {
-    label: "Its plane",
-    told: "first",
-    choices: [
-      ["zy", "towards +y"],
-      ["yz", "towards −y"],
-      ["zx", "towards +x"],
-      ["xz", "towards −x"],
-    ],
-  },
+  plane: { label: "Its plane", told: "first" },
   period: { label: "Time for it, in s", told: "seconds" },
   steps: { label: "Steps", told: "steps", name: "steps" },
-  pace: {
-    label: "Pace",
-    told: "pace",
-    choices: [
-      ["even", "even"],
-      ["rest", "from rest to rest"],
-    ],
-  },
+  pace: { label: "Pace", told: "pace" },
   values: { label: "Your own symbols, as in “h = 0.333, l = 0.1”, in m and rad", told: "with" },
   answer: { label: "Your answer", rows: 7, hint: "" },
 };
@@ -110,9 +69,10 @@ const FOLDED = Object.keys(FIELDS).filter((key) => FIELDS[key].told);
 const option = ([value, words]) => h("option", { value }, words);
 
 /** @param {Field} field @param {string} id */
-function control({ choices, rows, hint }, id) {
+function control({ choices, rows, hint }, id, words) {
   const shared = { id, "aria-describedby": hint === undefined || rows ? undefined : `${id}-hint` };
-  if (choices) return h("select", shared, choices.map(option));
+  const list = choices ?? (words && Object.entries(words));
+  if (list) return h("select", shared, list.map(option));
   const placeholder = rows ? hint : undefined;
   return rows
     ? h("textarea", { rows, wrap: "off", placeholder, ...PLAIN, ...shared })
@@ -143,7 +103,7 @@ export function buildForm(id, arms, given) {
   };
   const entries = Object.entries(all);
   const fields = Object.fromEntries(
-    entries.map(([key, one]) => [key, control(one, `${id}-${key}`)]),
+    entries.map(([key, one]) => [key, control(one, `${id}-${key}`, CHOICES[key])]),
   );
   const boxes = Object.fromEntries(
     entries.map(([key, one]) => [key, box(one, `${id}-${key}`, fields[key])]),
@@ -248,5 +208,5 @@ export function offerOf({ field, value }, question, arms) {
 function wordsOf(key, to, arms) {
   if (key === "arm") return arms.find((one) => one.key === to)?.title;
   if (key === "frame") return frameName(Number(to));
-  return FIELDS[key].choices?.find(([one]) => one === to)?.[1] ?? `${to}…`;
+  return CHOICES[key]?.[to] ?? `${to}…`;
 }

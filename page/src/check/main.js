@@ -2,9 +2,11 @@
 // (book/assets/explorer-loader.js).
 
 import css from "./check.css";
-import { judges } from "./mounted.js";
 import { mount } from "./page.js";
 import { loaded } from "../scripts.js";
+
+/** @type {import("./page.js").Judge[]} */
+export const judges = [];
 
 document.head.append(Object.assign(document.createElement("style"), { textContent: css }));
 for (const stub of document.querySelectorAll(".arm-judge"))

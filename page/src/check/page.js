@@ -150,9 +150,7 @@ class Asked {
     const fixed = (key) => this.made.boxes[key].classList.contains("given");
     const buttons = offers
       .filter((offer) => offer && !fixed(offer.key))
-      .map((offer) =>
-        h("button", { type: "button", onclick: () => this.take(offer) }, offer.words),
-      );
+      .map((offer) => h("button", { onclick: () => this.take(offer) }, offer.words));
     tell(this.parts.verdict, this.verdict, { example: this.isExample(), buttons });
   }
 

@@ -18,16 +18,21 @@ const HEADS =
   "Write a row with the names of its columns first, such as a, alpha (deg), d (mm), theta";
 const ASKED_ABOUT = "the arm asked about"; // an arm that has no name
 export const OWN = "own"; // the arm whose table is typed
-export const UNITS = ["rad", "deg"];
-// The fields with few values; where the empty one is among them, what is not said is guessed.
+const GUESSED = { "": "as it looks" };
+const UNITS = { rad: "rad", deg: "deg" };
+/**
+ * The fields with few values, and the values' words; where the empty one is among them, what is not
+ * said is guessed.
+ * @type {Record<string, Record<string, string>>}
+ */
 export const CHOICES = {
   unit: UNITS,
-  first: ["v", "omega"],
-  plane: ["zy", "yz", "zx", "xz"],
-  pace: ["even", "rest"],
-  lengths: ["", "m", "cm", "mm"],
-  angles: ["", ...UNITS],
-  convention: ["", "standard", "craig"],
+  first: { v: "v, then ω", omega: "ω, then v" },
+  plane: { zy: "towards +y", yz: "towards −y", zx: "towards +x", xz: "towards −x" },
+  pace: { even: "even", rest: "from rest to rest" },
+  lengths: { ...GUESSED, m: "m", cm: "cm", mm: "mm" },
+  angles: { ...GUESSED, ...UNITS },
+  convention: { ...GUESSED, standard: "standard", craig: "modified (Craig)" },
 };
 
 /** @typedef {import("../../../judge/report.js").Report} Report */
@@ -126,7 +131,7 @@ export function fromFragment(fragment, arms) {
   if (question.arm !== OWN && !arms.includes(question.arm)) {
     return refused(`there is no arm called “${question.arm}” here`);
   }
-  const odd = Object.keys(CHOICES).find((key) => !CHOICES[key].includes(question[key]));
+  const odd = Object.keys(CHOICES).find((key) => !Object.hasOwn(CHOICES[key], question[key]));
   if (odd) return refused(`its ${odd} is none`);
   if (!/^\d{1,2}$/.test(question.frame)) return refused("its frame is none");
   return { question, words: "" };

@@ -152,7 +152,7 @@ function makeColumns(choose) {
   const lay = (arm) => {
     buttons = joints(arm).map((index, k) => {
       const on = () => choose(k);
-      const does = { type: "button", onpointerenter: on, onfocus: on, onclick: on };
+      const does = { onpointerenter: on, onfocus: on, onclick: on };
       return h("button", does, indexed("J", index + 1));
     });
     heads.replaceChildren(h("th"), ...buttons.map((button) => h("th", {}, button)));
@@ -280,7 +280,6 @@ export function ways(host, spec) {
         h(
           "button",
           {
-            type: "button",
             role: "radio",
             "aria-label": `Way ${i + 1}`,
             style: `border-left: 6px solid ${branchColour(i)}`,

@@ -4,7 +4,7 @@
 import css from "./figure.css";
 import { common } from "../common.js";
 import { homeOf, range } from "../../../judge/geometry/arm.js";
-import { h, indexed, write } from "../dom.js";
+import { h, indexed, slider, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../grab.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { relativeRail } from "../rail.js";
@@ -72,7 +72,6 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
 function makeStage(store, { hold, first }) {
   const labels = h("div.labels", { "aria-hidden": "true" });
   const grip = h("button.grip", {
-    type: "button",
     "aria-label": "Tip: drag it, or move it by arrow keys",
     hidden: !hold,
     onkeydown: (event) => picture && moveTipByKey(picture, store, event),
@@ -102,15 +101,9 @@ function jointLever(store, number, signal) {
   const { arm } = store.state;
   const k = joints(arm).indexOf(number - 1);
   const row = arm.rows[number - 1];
-  const [lower, upper] = range(row);
   const put = (value, gesture = null) =>
     store.dispatch({ type: "move", q: replaced(store.state.q, k, value), gesture });
-  const input = h("input", {
-    type: "range",
-    min: lower,
-    max: upper,
-    step: "any",
-    "aria-label": `Joint ${number}`,
+  const input = slider(`Joint ${number}`, range(row), {
     oninput: (e) => put(Number(e.target.value), `keys ${number}`),
   });
   const rail = h("div.rail", {}, input);
@@ -127,15 +120,8 @@ function jointLever(store, number, signal) {
 }
 
 // A lever for any number.
-export function makeLever(label, [low, high], value, { put, text, signal }) {
-  const input = h("input", {
-    type: "range",
-    min: low,
-    max: high,
-    step: "any",
-    value,
-    "aria-label": label,
-  });
+export function makeLever(label, bounds, value, { put, text, signal }) {
+  const input = slider(label, bounds, { value });
   const output = h("output", {}, text(value));
   const move = (v) => {
     input.value = String(v);

@@ -1,7 +1,7 @@
 // The line above the picture: which arm, units, and what may be done with the whole instrument.
 
 import { homeOf } from "../../../judge/geometry/arm.js";
-import { h, svg, whereNew, write } from "../dom.js";
+import { h, whereNew, write } from "../dom.js";
 import { randomPose } from "../motion.js";
 import { lengthsOf } from "../text.js";
 
@@ -16,7 +16,6 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
     button("Random", "Somewhere within its limits", () => goTo(randomPose(store.state.arm))),
     makeFit(stage),
     steps.root,
-    ...(document.fullscreenEnabled ? [makeFull(card)] : []),
     ...(link ? [makeCopy(link, say)] : []),
   ];
   card.addEventListener("keydown", (event) => {
@@ -43,7 +42,7 @@ const SHOWS = ({ unit, frames, past, future, arm, base }) => [
   base,
 ];
 
-const button = (text, title, onclick) => h("button", { type: "button", title, onclick }, text);
+const button = (text, title, onclick) => h("button", { title, onclick }, text);
 const press = (one, is) => one.setAttribute("aria-pressed", String(is));
 
 function makeName() {
@@ -82,7 +81,7 @@ function makeChoice(store, arms, stage) {
 function makeUnits(store) {
   const units = Object.entries({ deg: "degrees", rad: "radians" }).map(([unit, title]) => {
     const onclick = () => store.dispatch({ type: "show", unit });
-    return h("button", { type: "button", title, "data-unit": unit, onclick }, unit);
+    return h("button", { title, "data-unit": unit, onclick }, unit);
   });
   return {
     root: h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units),
@@ -117,26 +116,9 @@ function makeFit(stage) {
   return root;
 }
 
-function makeFull(card) {
-  const root = button("", "Full screen", () => toggleFull(card));
-  root.className = "spare";
-  root.setAttribute("aria-label", "Full screen");
-  const corners = "M1 5V1h4M9 1h4v4M13 9v4H9M5 13H1V9";
-  const ink = { d: corners, fill: "none", stroke: "currentColor", "stroke-width": 1.6 };
-  const box = { viewBox: "0 0 14 14", width: 14, height: 14, "aria-hidden": "true" };
-  root.append(svg("svg", box, svg("path", ink)));
-  return root;
-}
-
 const makeCopy = (link, say) =>
   button("Copy link", "An address that opens this arm in this place", async ({ target }) => {
     target.textContent = (await link.copy()) ? "Copied" : "In the address bar";
     say(() => target.textContent);
     setTimeout(() => (target.textContent = "Copy link"), 1600);
   });
-
-function toggleFull(card) {
-  const { host } = card.getRootNode();
-  if (document.fullscreenElement === host) document.exitFullscreen();
-  else host.requestFullscreen().catch(() => {});
-}

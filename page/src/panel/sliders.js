@@ -1,7 +1,7 @@
 // One line for each joint: its name, a slider over its range, a field to type in, its limits.
 
 import { outside, range } from "../../../judge/geometry/arm.js";
-import { attribute, h, indexed, write } from "../dom.js";
+import { attribute, h, indexed, slider, write } from "../dom.js";
 import { entered, refill, textField } from "../entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { relativeRail } from "../rail.js";
@@ -72,14 +72,8 @@ function actsOf(store, error, say) {
 
 // The line of one joint: `index` is its row, `i` its place in q.
 function makeLine(row, { index, i, unit, signal }, { put, typed, nudge, light }) {
-  const [lower, upper] = range(row);
   const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
-  const slider = h("input", {
-    type: "range",
-    min: lower,
-    max: upper,
-    step: "any",
-    "aria-label": label,
+  const thumb = slider(label, range(row), {
     "data-joint": index + 1,
     oninput: (e) => put(i, Number(e.target.value), `slider ${index}`),
     onkeydown: (e) => nudge(e, row, i),
@@ -89,14 +83,14 @@ function makeLine(row, { index, i, unit, signal }, { put, typed, nudge, light })
     "data-joint": label,
   });
   const past = h("span.past");
-  const rail = h("div.rail", {}, slider, boundsOf(row, past, unit));
+  const rail = h("div.rail", {}, thumb, boundsOf(row, past, unit));
   let gesture = null;
   const start = () => (gesture = `rail ${++drags}`);
-  relativeRail(rail, slider, { start, put: (value) => put(i, value, gesture), signal });
+  relativeRail(rail, thumb, { start, put: (value) => put(i, value, gesture), signal });
   const [on, off] = [() => light(index), () => light(null)];
   const lights = { onpointerenter: on, onpointerleave: off, onfocusin: on, onfocusout: off };
   const name = h("span.label", {}, indexed("q", index + 1));
-  return { root: h("div.joint", lights, name, rail, field), slider, field, past, row, index };
+  return { root: h("div.joint", lights, name, rail, field), thumb, field, past, row, index };
 }
 
 // The joint's limits, and between them whether it is past one.
@@ -117,16 +111,16 @@ function nudged({ key, shiftKey }, row, value) {
   return Math.min(upper, Math.max(lower, value + KEYS[key] * step));
 }
 
-function showJoint({ root, slider, field, past, row, index }, value, { lit, unit }) {
+function showJoint({ root, thumb, field, past, row, index }, value, { lit, unit }) {
   const [lower, upper] = range(row);
   root.classList.toggle("lit", lit === index);
-  slider.value = String(value);
-  attribute(slider, "aria-valuetext", spokenJoint(row, value, unit));
+  thumb.value = String(value);
+  attribute(thumb, "aria-valuetext", spokenJoint(row, value, unit));
   const [at, zero] = [value, 0].map(
     (v) => 100 * Math.min(1, Math.max(0, (v - lower) / (upper - lower || 1))),
   );
-  slider.style.setProperty("--low", `${Math.min(at, zero).toFixed(2)}%`);
-  slider.style.setProperty("--high", `${Math.max(at, zero).toFixed(2)}%`);
+  thumb.style.setProperty("--low", `${Math.min(at, zero).toFixed(2)}%`);
+  thumb.style.setProperty("--high", `${Math.max(at, zero).toFixed(2)}%`);
   refill(field, jointText(row, value, unit));
   const beyond = outside(row, value);
   root.classList.toggle("past", beyond);

@@ -66,7 +66,6 @@ export function makeStage(store, { goTo, id, say }) {
 
 const makeGrip = (id, onkeydown) =>
   h("button.grip", {
-    type: "button",
     "aria-label": "Tip",
     "aria-describedby": `${id}-grip`,
     onkeydown,
@@ -104,7 +103,7 @@ function turnedView(picture, key) {
 // Below the picture: whether a dragged tip keeps its direction, and whether the tip is pinned so
 // that the elbow swings.
 function makeHoldBar(store) {
-  const button = (text, title, onclick) => h("button", { type: "button", title, onclick }, text);
+  const button = (text, title, onclick) => h("button", { title, onclick }, text);
   const keep = button("Keep direction", "A dragged tip keeps the direction of the tool too", () =>
     store.dispatch({ type: "show", keepTurn: !store.state.keepTurn }),
   );
@@ -113,7 +112,7 @@ function makeHoldBar(store) {
   const swing = [-1, 1].map((way) => {
     const label = `Swing ${way < 0 ? "one" : "the other"} way`;
     const onclick = () => swingBy(store, way);
-    const attributes = { type: "button", "aria-label": label, onclick };
+    const attributes = { "aria-label": label, onclick };
     return h("button.swing", attributes, way < 0 ? "↺" : "↻");
   });
   const root = h("div.hold", { role: "group", "aria-label": "The tip" }, keep, pin, swing);

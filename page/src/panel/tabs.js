@@ -46,7 +46,7 @@ export function makeTabs(store, views, tools) {
 const tabOf = (name, id) =>
   h(
     "button",
-    { type: "button", role: "tab", id: `${id}-${name}`, "aria-controls": `${id}-panel` },
+    { role: "tab", id: `${id}-${name}`, "aria-controls": `${id}-panel` },
     VIEWS[name].title,
   );
 

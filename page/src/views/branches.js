@@ -20,7 +20,7 @@ const UNASKED =
 export function build(store, { goTo, say }) {
   const words = h("p.verdict");
   const list = h("ol.ways");
-  const find = h("button.main", { type: "button", onclick: search }, FIND);
+  const find = h("button.main", { onclick: search }, FIND);
   const root = h("div.branches", {}, h("div.row", {}, find), words, list);
   const ask = latest("ways");
   let shown;
@@ -64,7 +64,7 @@ function wayButton({ q, label }, i, { arm, unit }, { goTo, light }) {
   const lights = { onpointerenter: on, onpointerleave: off, onfocus: on, onblur: off };
   return h(
     "button",
-    { type: "button", onclick: () => goTo(q), ...lights },
+    { onclick: () => goTo(q), ...lights },
     h("span.swatch", { style: `background:${branchColour(i)}`, "aria-hidden": "true" }),
     h("span.name", {}, label ? named(label) : `way ${i + 1}`),
     h("span.values", {}, values),

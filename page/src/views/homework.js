@@ -129,7 +129,6 @@ class Homework {
 
   line(run, i) {
     const attributes = {
-      type: "button",
       role: "radio",
       "aria-checked": String(i === this.chosen),
       onclick: () => ((this.chosen = i), this.compute()),

@@ -1,6 +1,6 @@
 // The levers of one run of the homework.
 
-import { h, select, write } from "../dom.js";
+import { h, select, slider, write } from "../dom.js";
 import { BOUNDS } from "../runs.js";
 import { fixed } from "../text.js";
 import { named, NAMES, SLIPS } from "./homework_words.js";
@@ -52,15 +52,10 @@ export function makeFields(edit) {
 const isIdle = (key, { method }) => method === "exact" && key === "gain";
 
 function makeSlider([key, label, logarithmic, text, rounded], edit) {
-  const [low, high] = BOUNDS[key].map((v) => (logarithmic ? Math.log10(v) : v));
+  const bounds = BOUNDS[key].map((v) => (logarithmic ? Math.log10(v) : v));
   const value = (input) => rounded(logarithmic ? 10 ** Number(input.value) : Number(input.value));
   const output = h("output");
-  const input = h("input", {
-    type: "range",
-    min: low,
-    max: high,
-    step: "any",
-    "aria-label": label,
+  const input = slider(label, bounds, {
     oninput: (e) => write(output, text(value(e.target))),
     onchange: (e) => edit({ [key]: value(e.target) }),
   });

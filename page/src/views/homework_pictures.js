@@ -1,7 +1,7 @@
 // The wall with the homework's runs on it.
 
 import { linkFrames, minus } from "../../../judge/geometry/kinematics.js";
-import { h, svg, write } from "../dom.js";
+import { h, slider, svg, write } from "../dom.js";
 import { onCircle } from "../motion.js";
 import { branchColour } from "../look.js";
 import { fixed } from "../text.js";
@@ -14,13 +14,8 @@ export function makeWall(changed) {
   let magnify = 30;
   const words = { role: "img", "aria-label": "The wall with the runs on it" };
   const wall = svg("svg", { viewBox: `0 0 ${WIDE} ${WIDE}`, ...words });
-  const zoom = h("input", {
-    type: "range",
-    min: 0,
-    max: 3,
-    step: "any",
+  const zoom = slider("Magnify the errors", [0, 3], {
     value: Math.log10(magnify),
-    "aria-label": "Magnify the errors",
     oninput: (e) => ((magnify = 10 ** Number(e.target.value)), changed()),
   });
   const zoomed = h("output");

@@ -1,7 +1,7 @@
 // A view that comes with the second script: until then its tab says so.
 
 import { h } from "../dom.js";
-import { lateView } from "../figures.js";
+import { late } from "../figures.js";
 
 /**
  * @param {string} name
@@ -13,10 +13,10 @@ export const later = (name, title) => ({
     const words = h("p.words", { role: "status" }, "Loading …");
     const root = h("div", {}, words);
     let view = null;
-    lateView(name).then(
-      (late) => {
+    late(name).then(
+      (found) => {
         if (tools.signal.aborted) return;
-        view = late.build(store, tools);
+        view = found.build(store, tools);
         root.replaceChildren(view.root);
         if (store.state.view === name) view.update(store.state, store.derived);
       },

@@ -4,7 +4,7 @@
 import { KINDS as JOINTS, MOST_ROWS } from "../../../judge/geometry/arm.js";
 import { copied, h, indexed, scrolled, write } from "../dom.js";
 import { entered, textField } from "../entry.js";
-import { lateReader } from "../figures.js";
+import { late } from "../figures.js";
 import { entryText, replaced, tableText } from "../text.js";
 import { tableVerdict } from "../verdicts.js";
 
@@ -32,7 +32,7 @@ export function build(store, { say }) {
     if (words) say(() => error.textContent);
   };
   const grid = makeGrid(store, { change, complain, say });
-  const button = (text, onclick) => h("button", { type: "button", onclick }, text);
+  const button = (text, onclick) => h("button", { onclick }, text);
   const add = button("Add a row", () => change([...store.state.arm.rows, NEW_ROW]));
   const back = button("Back to the first table", () => change(store.state.base.rows));
   const row = h("div.row", {}, add, back, makeCopy(store, say));
@@ -48,7 +48,7 @@ export function build(store, { say }) {
 // The table for a spreadsheet, for MATLAB, and for every reader of tables here.
 function makeCopy(store, say) {
   const words = "Copy the table";
-  const button = h("button.right", { type: "button", onclick: copy }, words);
+  const button = h("button.right", { onclick: copy }, words);
   async function copy() {
     const text = tableText(store.state.arm);
     const done = await copied(text);
@@ -93,7 +93,7 @@ async function pasted(event, store, { change, complain, say }) {
   const text = event.clipboardData?.getData("text/plain") ?? "";
   if (!SEVERAL.test(text.trim())) return;
   event.preventDefault();
-  const readTable = await lateReader();
+  const readTable = await late("readTable", "explorer-table.js");
   const table = readTable(text, store.state.unit) ?? { error: "it is a single entry." };
   complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
   if ("error" in table) return;
@@ -121,7 +121,6 @@ function tableLine(i, arm, unit, { change, typed }) {
   const remove = h(
     "button.remove",
     {
-      type: "button",
       "aria-label": `Remove row ${i + 1}`,
       title: `Remove row ${i + 1}`,
       disabled: arm.rows.length === 1,

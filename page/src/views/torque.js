@@ -52,7 +52,7 @@ function makeWrench(store, say) {
   const inputs = PARTS.map(([letter, index, unit], i) =>
     textField(`${letter} ${index}, ${unit}`, (...now) => typed(i, ...now)),
   );
-  const none = h("button", { type: "button", onclick: () => push([0, 0, 0, 0, 0, 0]) }, "No load");
+  const none = h("button", { onclick: () => push([0, 0, 0, 0, 0, 0]) }, "No load");
   const labels = PARTS.map(([letter, index], i) =>
     h("label", {}, h("span", {}, indexed(letter, index)), inputs[i]),
   );

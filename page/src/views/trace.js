@@ -48,7 +48,7 @@ export function build(store, { say, signal }) {
 
 // A circle from where the tip is; `then` once it is drawn.
 function makeDrawing(store, asked, tell) {
-  const root = h("button", { type: "button", onclick: () => draw() }, "Draw a circle from here");
+  const root = h("button", { onclick: () => draw() }, "Draw a circle from here");
   const ask = latest("circle");
   async function draw(then = () => {}) {
     const { arm, q, circle } = store.state;

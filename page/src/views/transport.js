@@ -1,7 +1,7 @@
 // Play, pause and scrub along the state's trace; each frame takes the arm on, and the state says
 // when it stops.
 
-import { attribute, calm, h, write } from "../dom.js";
+import { attribute, calm, h, slider, write } from "../dom.js";
 
 const SECONDS = 8; // for the whole path; twice that where motion is unwelcome
 
@@ -12,11 +12,7 @@ const SECONDS = 8; // for the whole path; twice that where motion is unwelcome
  */
 export function makeTransport(store, { signal, begin }) {
   const go = (on) => store.dispatch({ type: "playing", on });
-  const play = h(
-    "button.main",
-    { type: "button", onclick: () => toggle(store, go, begin) },
-    "Play",
-  );
+  const play = h("button.main", { onclick: () => toggle(store, go, begin) }, "Play");
   const scrub = makeScrub((at) => (go(false), store.dispatch({ type: "play", at })));
   const place = h("output.place");
   const root = h("div.row.transport", {}, play, scrub, place);
@@ -64,11 +60,8 @@ function toggle(store, go, begin) {
 }
 
 const makeScrub = (put) =>
-  h("input", {
-    type: "range",
-    min: 0,
-    max: 1000,
+  slider("Place along the path", [0, 1000], {
+    step: 1,
     value: 0,
-    "aria-label": "Place along the path",
     oninput: (e) => put(e.target.value / 1000),
   });

@@ -23,7 +23,7 @@ export function addFiles(judge) {
   const { input, button } = makeButton(take);
   const close = () => judge.put({ answer: "" });
   const words = h("span");
-  const closing = h("button", { type: "button", onclick: close }, "Close it");
+  const closing = h("button", { onclick: close }, "Close it");
   const name = h("p.file", { hidden: true }, words, closing);
   takeDrops(stub, take);
   boxes.answer.prepend(h("div.over", {}, boxes.answer.firstChild, input, button));
@@ -41,7 +41,7 @@ function makeButton(take) {
     input.value = "";
   };
   const input = h("input", { type: "file", accept: ACCEPTED, hidden: true, onchange });
-  const button = h("button", { type: "button", onclick: () => input.click() }, "Open a file");
+  const button = h("button", { onclick: () => input.click() }, "Open a file");
   return { input, button };
 }
 

@@ -12,7 +12,7 @@ export function addTools(judge, root) {
   const whole = new URL("check_your_homework.html", root).href;
   const more = h("a", { href: whole }, "More room, and all options");
   const explorer = h("a", { href: "" }, "See this pose in the explorer");
-  const button = (words, onclick) => h("button", { type: "button", onclick }, words);
+  const button = (words, onclick) => h("button", { onclick }, words);
   const link = button("Copy link", () => copyLink(judge, whole));
   const examples = () => judge.examples.filter((one) => one.ask === judge.question().ask);
   const example = button("Show an example", () => {

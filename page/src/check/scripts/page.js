@@ -1,6 +1,6 @@
 // What a judge has besides its form and its verdict.
 
-import { judges } from "../mounted.js";
+import { judges } from "../main.js";
 import { addFiles } from "../extras/files.js";
 import { addTools } from "../extras/tools.js";
 import { ready } from "../checkers.js";
