@@ -8,7 +8,6 @@ UR's number varies: it is counted against another program in peers/test_ssik.py.
 
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -360,26 +359,18 @@ def in_the_last_digits(targets, rng):
     return noisy
 
 
-def upright(arm, q):
-    """The wrist's centre over the axis of the shoulder's plane, so that both shoulders are one: the
-    second joint turned to where its distance from there changes its sign."""
-    angles = np.linspace(-np.pi, np.pi, 40)
-    for low, high in pairwise(angles):
-        ends = [_aside(arm, q, angle) for angle in (low, high)]
-        if ends[0] * ends[1] < 0:
-            for _ in range(60):
-                middle = (low + high) / 2
-                low, high = (
-                    (middle, high) if _aside(arm, q, middle) * ends[0] > 0 else (low, middle)
-                )
-            return [q[0], low, *q[2:]]
-    return None
-
-
-def _aside(arm, q, angle):
-    T = forward_kinematics(arm, [q[0], angle, *q[2:]])
-    centre = T[:3, 3] - arm.numeric[-1].d * T[:3, 2]
-    return centre[0] * np.cos(q[0]) + centre[1] * np.sin(q[0])
+def with_one_shoulder(arm, near, rng):
+    """Poses of a UR whose wrist centre is as far from axis 1 as its shoulder is wide, so that both
+    shoulders are one, and farther, so that they turn by twice `near`."""
+    width, hand = abs(arm.numeric[3].d), arm.numeric[5].d
+    poses = np.tile(np.eye(4), (12, len(near), 1, 1))
+    for some in poses:
+        R = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+        turn, height = rng.uniform((-np.pi, 0.5), (np.pi, 1.0))
+        some[:, :3, :3] = R * np.linalg.det(R)
+        out = np.outer(width / np.cos(near), [np.cos(turn), np.sin(turn), 0])
+        some[:, :3, 3] = out + [0, 0, height] + hand * some[:, :3, 2]
+    return poses.reshape(-1, 4, 4)
 
 
 def at_knife_edges():
@@ -400,14 +391,11 @@ def at_knife_edges():
             some[:, list(special)] = straight * (np.array(special) == 2)
             some[:, special[-1]] += np.tile(near, 4)
             q.append(some)
-        if solver is ur:
-            for one in random_q(arm, 12, seed=5):
-                one[4] = rng.choice([0.0, 1e-6, one[4]])
-                over = upright(arm, one)
-                if over:
-                    q.append(np.array(over) + np.outer(near, np.eye(6)[1]))
         q.append(np.zeros((1, 6)))
-        yield solver, arm, forward_kinematics(arm, np.concatenate(q))
+        poses = forward_kinematics(arm, np.concatenate(q))
+        if solver is ur:
+            poses = np.concatenate([poses, with_one_shoulder(arm, near, rng)])
+        yield solver, arm, poses
     turn = np.linspace(0, 2 * np.pi, 40)[:, None]
     around, high = np.hstack([np.cos(turn), np.sin(turn), 0 * turn]), np.array([0, 0, 0.5])
     for radius in (0.1, 0.7):

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from helpers import inverse
 from helpers.arm import Arm, ArmError, Body, fixed, revolute
 from helpers.course.marking import mark
 from helpers.motion import circle, trace
@@ -89,30 +88,6 @@ def test_a_sheet_is_its_numbers_and_another_seed_draws_others(arm, seed):
         assert list(map(repr, again.parts)) == list(map(repr, asked.parts))
         assert asked.text != elsewhere.text
     assert sheet(arm, seed) == first
-
-
-def test_a_seed_draws_the_sheet_that_it_drew_before():
-    """On paper from last week; NumPy keeps its generators' streams within a version."""
-    old = sheet(UR10E, "ab12")
-    lengths = {"d_1": 0.168, "a_2": 0.658, "a_3": 0.6, "d_4": 0.19, "d_5": 0.116, "d_6": 0.115}
-    assert dict(old.arm.values) == lengths | {"l_pen": 0.103}
-    table = old.drawn["DH table"]
-    assert [list(row.values()) for row in table["rows"]] == [
-        ["revolute", 0, "-pi/2", 0, "-pi/2"], ["prismatic", 0.2, "pi/2", 0.2, "0"],
-        ["revolute", 0.5, "pi/2", 0.2, "0"], ["revolute", 0.5, "0", 0, "0"],
-    ]  # fmt: skip
-    assert table["along"] == [-0.15, 0.1, 0, 0.2]
-    assert old.drawn["forward kinematics"] == {"q": [-0.63, -1.73, 1.54, -1.21, -0.77, 1.3]}
-    assert old.drawn["Jacobian"] == {
-        "q": [-1.62, 0.56, 1.01, 0.78, 0.52, -1.82], "q_dot": [0.4, -0.5, 0.3, 0.5, 0.1, 0.7],
-        "column": 1,
-    }  # fmt: skip
-    circle = {"radius": 0.08, "plane": "yz", "duration": 30}
-    assert old.drawn["circle tracing"] == {"q": [0.18, 1.16, -1.57, -0.49, 1.75, -0.42]} | circle
-    torque = {"q": [0.99, 1.09, -1.35, -1.15, 0.47, 1.39], "force": [15, 0, 0]}
-    assert old.drawn["static torque"] == torque
-    target = old.drawn["inverse kinematics"]["target"]
-    assert target[0] == pytest.approx([0.197145, 0.954332, 0.224464, -0.233117], abs=2e-6)
 
 
 def test_lengths_are_the_arms_own_within_a_tenth():
@@ -347,27 +322,10 @@ def test_what_cannot_be_asked_is_said(topic, arm, seed, words):
         variant(topic, arm, seed)
 
 
-def test_a_sheet_of_some_topics():
-    assert list(sheet(ELBOW, 1, ("Jacobian", "DH table")).drawn) == ["Jacobian", "DH table"]
-
-
-TOLERANCES = {
-    "table": ("table", 5e-4), "p": ("numbers", 1e-3), "R": ("numbers", 2e-3),
-    "J": ("jacobian", 2e-3), "xi": ("numbers", 5e-3), "J_column": ("column", 1e-6),
-    "centre": ("numbers", 1e-3), "quarter": ("numbers", 1e-2), "half": ("numbers", 1e-2),
-    "g": ("torques", 5e-3), "tau": ("torques", 5e-3),
-}  # fmt: skip
-
-
 @pytest.mark.parametrize("arm", [UR10E, ELBOW], ids=lambda arm: arm.name)
 def test_a_question_as_it_is_read(arm):
     drawn = sheet(arm, 5)
     own = f"{arm.name}, lengths of your own"
-    assert {name: (part.kind, part.tolerance) for name, part in drawn.parts.items()} == {
-        name: asked
-        for name, asked in TOLERANCES.items()
-        if arm is UR10E or name in "table p R J xi J_column"
-    } | {"q": ("branches", 1e-2)}
     for found in drawn.questions:
         title = found.topic[0].upper() + found.topic[1:]
         assert repr(found) == f"<Question on {found.topic}: {own}>"
@@ -382,13 +340,6 @@ def test_a_matrix_has_four_digits_or_as_many_as_asked():
     assert matrix([1.23456789, -1e-5]) == f"{begin}1.2346 & 0{end}"
     assert matrix([[123.456789], [2]]) == f"{begin}123.46 \\\\ 2{end}"
     assert matrix([1.23456789], 6) == f"{begin}1.234568{end}"
-
-
-def test_the_closed_form_is_the_one_for_the_arm():
-    forms = [inverse.ur, inverse.ur, inverse.stanford, inverse.elbow, inverse.spherical_wrist]
-    arms = [UR10E, UR10E_HOMEWORK, STANFORD, ELBOW, WRISTED]
-    assert [closed_form(arm) for arm in arms] == forms
-    assert [closed_form(arm) for arm in (PANDA, PANDA.lock(3), PLANE)] == [None] * 3
 
 
 @pytest.mark.parametrize("arm", [UR10E, STANFORD, ELBOW, PANDA, WRISTED], ids=lambda arm: arm.name)
