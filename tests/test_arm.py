@@ -23,13 +23,6 @@ def test_an_arm_is_a_value():
         PANDA.name = "mine"
 
 
-def test_variables_are_named_by_row():
-    assert PANDA.variables == ("q_1", "q_2", "q_3", "q_4", "q_5", "q_6", "q_7")
-    assert PANDA.lock(3).variables == ("q_1", "q_2", "q_4", "q_5", "q_6", "q_7")
-    assert PANDA.dof == 7
-    assert PANDA.lock(3).lock(7).dof == 5
-
-
 def test_values_read_as_a_dict_and_cannot_be_changed():
     assert dict(ELBOW.values) == ELBOW.values
     assert repr(ELBOW.values) == "{'d_1': 0.5, 'a_2': 0.4, 'a_3': 0.3, 'd': 0.0}"

@@ -70,11 +70,9 @@ NUMBERS = np.array(planar(0.5, 0.7), dtype=float).round(5)
         planar(t1, t2),
         planar(*sp.symbols("θ₁ θ₂")),
         planar(x1, x2),
-        planar(*sp.symbols("q_1 q_2")).tolist(),
         np.array(planar(t1, t2)),
         sp.lambdify(sp.symbols("a b"), planar(*sp.symbols("a b"))),
         lambda q: planar(*q).tolist(),
-        NUMBERS.tolist(),
         [tuple(map(float, row)) for row in NUMBERS],
         planar(0.5, 0.7).evalf(5),
         "[[-0.4*s1 - 0.3*s12, -0.3*s12], [0.4 c_1 + 0.3 c_{12}, 0.3 cos(q1+q2)],"

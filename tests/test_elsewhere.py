@@ -4,7 +4,6 @@ Windows does differently."""
 import ast
 import re
 import subprocess
-import sys
 from collections import Counter
 from pathlib import Path, PurePosixPath
 
@@ -13,7 +12,6 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "book").glob("*.ipynb"))
-CHAPTER = ROOT / "book" / "04_static_torque.ipynb"
 LISTED = subprocess.run(
     ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=False, encoding="utf-8"
 ).stdout.split("\0")[:-1]
@@ -46,21 +44,6 @@ def test_a_notebook_names_no_file(path):
     assert not re.search(
         r"\bopen\(|(?<![.\w])Path\(|savefig|np\.(load|save)|os\.|sys\.path|%cd", text
     )
-
-
-def test_a_chapter_runs_from_any_folder(tmp_path):
-    """As a plain script, in an empty folder with a blank in its name, and it leaves nothing
-    there."""
-    folder = tmp_path / "my course"
-    folder.mkdir()
-    script = tmp_path / "cells.py"
-    script.write_text(code(CHAPTER), encoding="utf-8")
-    command = [sys.executable, "-X", "utf8", str(script)]
-    done = subprocess.run(
-        command, cwd=folder, capture_output=True, check=False, text=True, encoding="utf-8"
-    )
-    assert done.returncode == 0, done.stderr
-    assert not list(folder.iterdir())
 
 
 def test_every_file_can_be_checked_out_on_windows():

@@ -15,7 +15,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
-from helpers.checks import compare_branches
 from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford, ur
 from helpers.inverse.numeric import turn_between
 from helpers.kinematics import forward_kinematics, jacobian, manipulability, tip
@@ -278,12 +277,6 @@ def test_a_stretched_ur_is_an_isolated_solution():
     assert found.times.tolist() == [8] + [0] * 7
     np.testing.assert_allclose(found.ways["the only one"], 0, atol=1e-12)
     assert not found.free.any()
-    turned = UR10E_HOMEWORK.lock(6, 0.1)
-    nearest = solve(turned, T, np.zeros(5), limits=False)
-    assert not nearest.reached
-    assert max(nearest.position_error, nearest.orientation_error) > 1e-4
-    for others in (np.zeros(5), nearest.q):  # the best that they can do about it is 0.6 mm off
-        assert not compare_branches([[*others, 0.1]], found).agrees
 
 
 @pytest.mark.parametrize(

@@ -23,18 +23,14 @@ UNIT = "[[1, 0, 0, 0], [1, 0, 0, 0], [1, 0, 0, 0]"
 HELD = [
     ([], NO_ROWS, "[]"),
     ([[]], NO_ROWS, "[[]]"),
-    ([[], []], NO_ROWS, "[[], []]"),
     ([1, 2], NO_ROWS, "[1, 2]"),
     ([[0, 0, 0, 0], "0 0 0 0"], NO_ROWS, "[[0, 0, 0, 0], '0 0 0 0']"),
-    (np.zeros(0), NO_ROWS, "array([], dtype=float64)"),
     (np.zeros(4), NO_ROWS, "array([0., 0., 0., 0.])"),
     ([[0, [1], 1, 2]], NO_ROWS, "[[0, [1], 1, 2]]"),
     ([[[1, 0, 0, 0]] * 3], NO_ROWS, f"[{UNIT}]]"),
-    ({"a": [], "d": []}, NO_ROWS, "{'a': [], 'd': []}"),
     ({}, NO_ENTRIES, "{}"),
     ({"a": [1], "d": 2}, NO_ENTRIES, "{'a': [1], 'd': 2}"),
     ({"a1": 0, "size": 2}, ROW_WIDTH, "2"),
-    (5, "the table is {}; expected rows or text", "5"),
     (None, "the table is {}; expected rows or text", "None"),
     ([[0, 0, 0]], ROW_WIDTH, "3"),
     ({"a": [1], "alpha": [0, 0], "d": [1, 2], "theta": [1, 2, 3]}, UNEVEN, "1, 2, 3"),
@@ -322,7 +318,10 @@ BESIDE = "beside the matrix stands {}; expected entries that hold it"
         ),
         ("90 -45 30°", "only '30°' is in degrees; expected the sign beside each angle"),
         ("1,250\t0.5", "a cell is '1,250' beside '0.5'; expected 1.250 or 1250"),
-        ("0,5 pi/2", "a line is '0,5 pi/2'; expected decimal points, or commas between entries"),
+        (
+            "0,5 pi/2",
+            "a line is '0,5 pi/2'; expected decimal points, or a blank after a comma that parts",
+        ),
     ],
 )
 def test_what_cannot_be_cut_without_loss_is_refused(text, words):

@@ -123,15 +123,12 @@ def test_loads_may_be_of_any_numbers():
     }
     for mine, agrees in ((TAU, True), (torques(BENT, 0 * F), False), (1.02 * TAU, False)):
         assert verdict(mine.round(4), **load).agrees == agrees
-    mine = [torques(x, f) for x, f in zip(Q2, (F, 2 * F), strict=True)]
-    assert verdict(np.round(mine, 4), Q2, wrench=[F, 2 * F]).agrees
-    assert verdict(np.round(mine, 4), Q2, wrench=[[F], [2 * F]]).agrees
-    mine = torques(BENT, F), torques(BENT, 2 * F)
-    assert verdict(np.round(mine, 4), BENT, wrench=[F, 2 * F]).agrees
-    mine = -mine[0], -mine[1]
-    assert verdict(np.round(mine, 4), BENT, wrench=[F, 2 * F]).causes == ("tau.all signs",)
-    mine = [torques(x, f) for x, f in zip(Q2, (F, 2 * F), strict=True)]
-    assert verdict(np.round(mine, 4), Q2).grade == "wrong"
+    mine = np.round([torques(x, f) for x, f in zip(Q2, (F, 2 * F), strict=True)], 4)
+    for wrench, agrees in (([F, 2 * F], True), ([[F], [2 * F]], True), (F, False)):
+        assert verdict(mine, Q2, wrench=wrench).agrees == agrees
+    mine = np.round([torques(BENT, F), torques(BENT, 2 * F)], 4)
+    assert verdict(mine, BENT, wrench=[F, 2 * F]).agrees
+    assert verdict(-mine, BENT, wrench=[F, 2 * F]).causes == ("tau.all signs",)
 
 
 # Functions
