@@ -214,10 +214,11 @@ def joints_text(rng, answers: np.ndarray, turns: list[bool], digits: int):
 # Tables
 
 
-def table_text(rng, rows: list) -> tuple[str, str]:
-    """A table with its joint variables, units and heads."""
-    unit = str(rng.choice(["m", "mm"]))
-    angle = str(rng.choice(["pi", "deg", "rad", "π", "°"]))
+def table_text(rng, rows: list, unitless: bool = False) -> tuple[str, str]:
+    """A table with its joint variables, units and heads; in m and rad without units in the heads
+    where asked for."""
+    unit = "m" if unitless else str(rng.choice(["m", "mm"]))
+    angle = "rad" if unitless else str(rng.choice(["pi", "deg", "rad", "π", "°"]))
     variable = str(rng.choice(["q{}", "theta{}", "θ{}", "θ_{}", "q_{}", "theta_{}*", "Θ{}"]))
     order = [list(NAMES), ["theta", "d", "a", "alpha"], ["alpha", "a", "theta", "d"],
              ["theta", "a", "d", "alpha"]][rng.integers(4)]  # fmt: skip
@@ -230,8 +231,8 @@ def table_text(rng, rows: list) -> tuple[str, str]:
         "indexed": [f"{n}_i" for n in order],
     }
     kind = str(rng.choice(list(heads)))
-    if unit == "mm" and kind not in ("units", "round"):
-        kind = "units"
+    if unitless or unit == "mm":
+        kind = "greek" if unitless else "units"
     body = [[row[n] for n in order] for row in cells]
     first = str(rng.choice(["", "", "i", "Joint", "Link", "Joint N", "Link N", "n."]))
     head = heads[kind]
@@ -272,15 +273,15 @@ def _tex(cell: str) -> str:
 
 def _row(i: int, row: tuple, unit: str, angle: str, variable: str) -> dict[str, str]:
     kind, a, alpha, d, theta = row
-    lengths = {n: _length(x, unit) for n, x in (("a", a), ("d", d))}
-    angles = {n: _angle(x, angle) for n, x in (("alpha", alpha), ("theta", theta))}
-    if kind == "revolute":
-        q, offset = variable.format(i), angles["theta"]
-        sign = "" if offset.startswith("-") else "+"
-        angles["theta"] = q if theta == 0 else f"{q}{sign}{offset}"
-    else:
-        lengths["d"] = f"d{i}" if "q" not in variable else variable.format(i)
-    return lengths | angles
+    cells = {n: _length(x, unit) for n, x in (("a", a), ("d", d))}
+    cells |= {n: _angle(x, angle) for n, x in (("alpha", alpha), ("theta", theta))}
+    if kind == "F":
+        return cells
+    moves = "theta" if kind == "R" else "d"
+    q = variable.format(i) if kind == "R" or "q" in variable else f"d{i}"
+    offset = cells[moves]
+    sign = "" if offset.startswith("-") else "+"
+    return cells | {moves: q if float(row[4 if kind == "R" else 3]) == 0 else f"{q}{sign}{offset}"}
 
 
 def _length(x: float, unit: str) -> str:

@@ -101,7 +101,7 @@ export function setAside(text) {
  * @param {number[]} sizes how many rows and columns were read
  */
 export function unread(text, entries, sizes) {
-  const held = entries.join(" ");
+  const held = entries.join(" & ");
   if (text.replace(/\D/g, "") === held.replace(/\D/g, "")) return [];
   const bare = text.replace(DECIMALS, "$1").replace(COUNTS, " ").replace(SET, " ");
   // as runs of digits, for commas may be decimal ones; shown are the numbers that hold them

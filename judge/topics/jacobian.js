@@ -90,15 +90,8 @@ function misshapen(typed, { arm, at, frame }, taken) {
   });
 }
 
-function empty(arm, taken) {
-  const words = say("J.empty");
-  const headline = say("J wrong", { arm: arm.name, cause: lower(words) });
-  return reported(arm, WRONG, headline, {
-    findings: [{ what: "cause", where: "", words }],
-    causes: ["J.empty"],
-    taken,
-  });
-}
+const empty = (arm, taken) =>
+  reported(arm, WRONG, say("J wrong", { arm: arm.name, cause: say("J zero") }), { taken });
 
 // The only joint without which the columns are right; 0 where there is none.
 function leftOut({ values, units, shape: [rows, width] }, where) {

@@ -6,9 +6,7 @@ import math
 
 import numpy as np
 
-from tests.corpus.arms import pose, some_machine
 from tests.corpus.machine import cross
-from tests.corpus.typing_ import typed
 
 
 def recipe(
@@ -123,100 +121,7 @@ def after(m, q, rng):
     yield f"J.column sign:{m.joints[i] + 1}", lambda J: J * sign
 
 
-WRITING = ("J.halves", "J.millimetres", "J.per degree", "J.all signs", "J.frame:", "J.transposed")
-
-
-BY_FRAME = ("J.frame", "J.frame angular", "J.transposed")  # named by the frame themselves
-
-
 def in_frame(m, q, J, k):
     """The rows in the axes of frame k."""
     R = m.frames(q)[k][:3, :3].T
     return np.vstack([R @ J[:3], R @ J[3:]])
-
-
-def apart(A, B, d):
-    """Whether two matrices differ by more than their roundings in some entry, and by what shows at
-    all.
-    """
-    return np.abs(A - B).max() > max(8 * 10.0**-d, 5e-3)
-
-
-def noisy(right, rng):
-    """Some entries off by chance; None where none is."""
-    wrong = rng.random(right.shape) < 0.25
-    J = right + np.where(wrong, rng.uniform(0.05, 0.4, right.shape), 0)
-    return (None, J) if wrong.any() else None
-
-
-def pair(right, firsts, seconds, rng):
-    """Two mistakes, the second made in writing the first's matrix down."""
-    (one, A), (two, f) = (
-        firsts[int(rng.integers(len(firsts)))],
-        seconds[int(rng.integers(len(seconds)))],
-    )
-    if rng.random() < 0.3:
-        writings = [x for x in seconds if x[0].startswith(WRITING)]
-        (one, g), (two, f) = (writings[k] for k in rng.choice(len(writings), 2, replace=False))
-        A = g(right)
-    return f"{one} + {two}", f(A)
-
-
-def mistaken(what, m, q, d, rng):
-    """The cause and the matrix of a mistake, or of two; None where they do not show."""
-    right = m.jacobian(q)
-    firsts, seconds = [*before(m, q, rng), *tables(m, q, rng)], list(after(m, q, rng))
-    singles = [*firsts, *((name, f(right)) for name, f in seconds)]
-    if what == "single":
-        cause, J = singles[int(rng.integers(len(singles)))]
-    else:
-        cause, J = pair(right, firsts, seconds, rng)
-        if J.shape != right.shape:
-            return None
-        if not all(apart(J, S, d) for _, S in singles if S.shape == J.shape):
-            return None
-    return (cause, J) if J.shape == right.shape and apart(J, right, d) else None
-
-
-def handed_in(what, m, q, d, rng):
-    """The cause and the matrix of an answer of one kind; None where it came to nothing."""
-    right = m.jacobian(q)
-    if what == "right":
-        return None, right
-    if what == "hand":
-        return None, right + rng.uniform(-1.5, 1.5, right.shape) * 10.0**-d
-    return noisy(right, rng) if what == "noise" else mistaken(what, m, q, d, rng)
-
-
-def written(what, cause, J, m, q, rng):
-    """How it is said to be written, and the matrix so: in another frame, or with (omega, v)."""
-    how = {}
-    if rng.random() < 0.12 and what in ("right", "single"):
-        k, one = int(rng.integers(1, len(m.rows) + 1)), (cause or "").split(":")[0]
-        if one not in BY_FRAME:
-            how, J = dict(frame=k), in_frame(m, q, J, k)
-    whole = J.shape == m.jacobian(q).shape and cause not in ("J.halves", "J.transposed")
-    if rng.random() < 0.1 and whole:
-        how, J = {**how, "angular_first": True}, np.vstack([J[3:], J[:3]])
-    return how, J
-
-
-def cases(rng, count):
-    """(case, right matrix) for right work, single mistakes and pairs, in turn."""
-    made = 0
-    while made < count:
-        m = some_machine(rng)
-        q = pose(m, rng)
-        d = int(rng.choice([2, 3, 4, 5, 6], p=[0.1, 0.25, 0.35, 0.15, 0.15]))
-        kinds = ["right", "hand", "single", "pair", "noise"]
-        what = rng.choice(kinds, p=[0.25, 0.05, 0.45, 0.2, 0.05])
-        found = handed_in(what, m, q, d, rng)
-        if found is None:
-            continue
-        cause, J = found
-        how, J = written(what, cause, J, m, q, rng)
-        scale = 1000 if cause and "J.millimetres" in cause else 1
-        text, form = typed(J, d if scale == 1 else max(0, d - 3), rng)
-        told = dict(topic="jacobian", machine=m, q=q, typed=text, form=form, digits=d)
-        yield dict(**told, kind=str(what), cause=cause, **how)
-        made += 1

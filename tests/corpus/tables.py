@@ -1,8 +1,8 @@
-"""Right tables in other frames and mistaken ones, each typed by rows with their heads."""
+"""Right tables in other frames, and mistaken ones."""
 
 import math
 
-from tests.corpus.arms import KNOWN, some_machine
+import numpy as np
 
 H = math.pi / 2
 NAMES = ("a", "alpha", "d", "theta")
@@ -95,139 +95,66 @@ def whole(m, rng):
         yield "table.pen", changed(rows, len(rows) - 1, d=-0.107 if m.name[0] == "P" else 0.0922)
 
 
-def single(m, rng):
-    """Mistakes of one entry."""
-    i = int(rng.integers(len(m.rows)))
-    kind, a, alpha, d, _ = m.rows[i]
-    if abs(math.sin(alpha)) > 0.1:
-        yield f"table.twist:{i + 1}", changed(m.rows, i, alpha=-alpha)
-        yield f"table.no twist:{i + 1}", changed(m.rows, i, alpha=0)
-    for name, x in (("a", a), ("d", d)):
-        if x and not (name == "d" and kind == "P"):
-            yield f"table.sign:{name}:{i + 1}", changed(m.rows, i, **{name: -x})
-            yield f"table.missing:{name}:{i + 1}", changed(m.rows, i, **{name: 0})
-            off = round(x + float(rng.choice([-1, 1])) * float(rng.uniform(0.004, 0.03)), 4)
-            yield f"table.number:{name}:{i + 1}", changed(m.rows, i, **{name: off})
+def in_rows(m):
+    """Mistakes of one entry or row, of each row."""
+    for i, (kind, a, alpha, d, _) in enumerate(m.rows):
+        if abs(math.sin(alpha)) > 0.1:
+            yield f"table.twist:{i + 1}", changed(m.rows, i, alpha=-alpha)
+            yield f"table.no twist:{i + 1}", changed(m.rows, i, alpha=0)
+        for name, x in (("a", a), ("d", d)):
+            if x and not (name == "d" and kind == "P"):
+                yield f"table.sign:{name}:{i + 1}", changed(m.rows, i, **{name: -x})
+                yield f"table.missing:{name}:{i + 1}", changed(m.rows, i, **{name: 0})
+                off = round(x * 1.13, 4)
+                yield f"table.number:{name}:{i + 1}", changed(m.rows, i, **{name: off})
+        if kind == "R" and a != d:
+            yield f"table.a and d:{i + 1}", changed(m.rows, i, a=d, d=a)
 
 
-WORDS = {0: "0", 1: "pi/2", -1: "-pi/2", 2: "pi", -2: "-pi"}
+def mistakes(m, rng):
+    """Each mistake by its cause's name; the rows that it makes."""
+    return dict([*whole(m, rng), *in_rows(m)])
 
 
-def _angle(x, d, exact, degrees):
-    if degrees:
-        return f"{x:.4f}".rstrip("0").rstrip(".")
-    turns = round(x / H)
-    if abs(x - turns * H) < 1e-9 and (exact or turns == 0):
-        return WORDS.get(turns, f"{turns}*pi/2")
-    return f"{x:.{max(d, 3)}f}" if abs(x - turns * H) > 1e-9 else f"{x:.{d}f}"
-
-
-def _length(x):
-    return f"{round(x, 6):.6f}".rstrip("0").rstrip(".") or "0"
-
-
-def typed(rows, rng, d, degrees=False, heads=False):
-    """A table with heads as text; the variable stands in theta or d."""
-    exact = rng.random() < 0.6
-    cells = []
-    for i, (kind, a, al, dd, th) in enumerate(rows, 1):
-        theta, offset = _angle(th, d, exact, degrees), _length(dd)
-        if kind == "R":
-            theta = f"q{i}" + (
-                "" if th == 0 else f" + {theta}" if theta[0] != "-" else f" - {theta[1:]}"
-            )
-        if kind == "P":
-            offset = f"q{i}" + (
-                "" if dd == 0 else f" + {offset}" if offset[0] != "-" else f" - {offset[1:]}"
-            )
-        cells.append(
-            dict(
-                zip(NAMES, (_length(a), _angle(al, d, exact, degrees), offset, theta), strict=True)
-            )
-        )
-    order = [list(NAMES), ["theta", "d", "a", "alpha"], ["alpha", "a", "theta", "d"]][
-        int(rng.integers(3))
-    ]
-    lines = [[row[n] for n in order] for row in cells]
-    forms = ["markdown", "latex", "csv", "columns", "bare", "bare csv", "list", "matlab"]
-    share = 0.25 if heads else 0.17
-    form = str(rng.choice(forms, p=[share] * 4 + [0.25 - share] * 4))
-    if form == "bare":
-        return "\n".join("   ".join(x.replace(" ", "") for x in row) for row in lines), form
-    if form == "bare csv":
-        return "\n".join(",".join(row) for row in lines), form
-    if form == "list":
-        quoted = [[x if _is_float(x) else f"'{x}'" for x in row] for row in lines]
-        return "[" + ",\n ".join("[" + ", ".join(row) + "]" for row in quoted) + "]", form
-    if form == "matlab":
-        return "[" + ";\n".join(" ".join(x.replace(" ", "") for x in r) for r in lines) + "]", form
-    if form == "markdown":
-        head = "| " + " | ".join(order) + " |\n|" + "--|" * 4 + "\n"
-        return head + "\n".join("| " + " | ".join(row) + " |" for row in lines), form
-    if form == "latex":
-        body = [order, *lines]
-        return r"\begin{array}{cccc} " + r" \\ ".join(
-            " & ".join(row) for row in body
-        ) + r" \end{array}", form
-    if form == "csv":
-        return "\n".join(",".join(row) for row in [order, *lines]), form
-    return "\n".join("\t".join(row) for row in [order, *lines]), form
-
-
-def _is_float(text):
-    try:
-        float(text)
-    except ValueError:
+def alike(mine, rows):
+    """Whether two tables hold the same numbers."""
+    if len(mine) != len(rows):
         return False
-    return True
+    return np.allclose([row[1:] for row in mine], [row[1:] for row in rows])
 
 
-def _in_craig(name):
-    """The name of an entry's mistake where a and alpha stand one row further down."""
-    *key, row = name.split(":")
-    return name if ":d:" in name else ":".join([*key, str(int(row) + 1)])
+def same_motion(m, rows):
+    """Whether other rows are the same arm, but for zeros and senses, or take the tip to the same
+    places; a mirrored arm counts as the same one."""
+    mine = m.with_rows(rows)
+    if mine.kinds != m.kinds:
+        return False
+    rng = np.random.default_rng(1)
+    q = rng.uniform(0.1, 1.3, (3, m.dof))
+    if np.allclose([mine.tip(x) for x in q], [m.tip(x) for x in q], atol=1e-3):
+        return True
+    return np.allclose(_invariants(mine), _invariants(m), atol=1e-6)
 
 
-def cases(rng, count):
-    made = 0
-    while made < count:
-        m = some_machine(rng) if rng.random() < 0.8 else KNOWN["PANDA"]
-        d = int(rng.choice([2, 3, 4, 6]))
-        kind = str(
-            rng.choice(
-                ["right", "rechosen", "single", "whole", "pair"], p=[0.15, 0.2, 0.3, 0.2, 0.15]
-            )
-        )
-        cause, rows, alone = None, m.rows, None
-        if kind == "rechosen":
-            rows = rechosen(m.rows, rng)
-        if kind in ("single", "whole"):
-            options = list(single(m, rng) if kind == "single" else whole(m, rng))
-            if not options:
-                continue
-            cause, rows = options[int(rng.integers(len(options)))]
-        if kind == "pair":
-            ones, units = list(single(m, rng)), list(whole(m, rng))[:5]
-            if not ones:
-                continue
-            (one, alone), k = ones[int(rng.integers(len(ones)))], int(rng.integers(5))
-            cause = f"{units[k][0]} + {_in_craig(one) if k == 2 else one}"
-            rows = list(whole(m.with_rows(alone), rng))[k][1]
-        if cause and rows == m.rows:
-            continue
-        degrees = bool(cause and "table.degrees" in cause)
-        # Without heads exchanged columns are another order of them, and right.
-        exchanged = bool(cause) and (" and d" in cause or "alpha and theta" in cause)
-        text, form = typed(rows, rng, d, degrees, heads=exchanged)
-        yield dict(
-            topic="table",
-            machine=m,
-            typed=text,
-            form=form,
-            digits=d,
-            kind=kind,
-            cause=cause,
-            rows=rows,
-            alone=alone,
-        )
-        made += 1
+def _invariants(m):
+    """Distances of each axis from the next two and of the tip from the last two, the joint between
+    going round, sorted: zeros and senses do not matter."""
+    i0, sin = m.joints[0], math.sin(m.rows[m.joints[0]][2])
+    values = [m.rows[i0][3] if sin else 0.0]
+    for i in range(m.dof):
+        for j in (i + 1, i + 2):
+            seen = []
+            for x in np.linspace(0, 2 * np.pi, 24, endpoint=False):
+                T = m.frames(np.where(np.arange(m.dof) == i + 1, x, 0))
+                B = T[m.joints[j]] if j < m.dof else T[-1]
+                seen.append(_between(T[m.joints[i]], B, line=j < m.dof))
+            values += sorted(np.round(seen, 9))
+    return np.array(values)
+
+
+def _between(A, B, line):
+    """The distance of two z axes (as lines), or of B's origin from A's."""
+    n, between = np.cross(A[:3, 2], B[:3, 2]), B[:3, 3] - A[:3, 3]
+    if not line or np.linalg.norm(n) < 1e-9:
+        return float(np.linalg.norm(np.cross(between, A[:3, 2])))
+    return float(abs(between @ n) / np.linalg.norm(n))

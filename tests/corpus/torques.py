@@ -4,9 +4,7 @@ import math
 
 import numpy as np
 
-from tests.corpus.arms import KNOWN, pose, some_machine
 from tests.corpus.machine import cross, rot_x
-from tests.corpus.typing_ import typed
 
 # Masses and centres of the Panda's links (Gaz et al. 2019) in the table's frames, typed anew.
 PANDA = [
@@ -72,6 +70,8 @@ def mistakes(m, links, q, F, rng):
     yield "tau.all signs", P - W
     yield "tau.newton millimetres", 1000 * (W - P)
     yield "tau.reversed order", (W - P)[::-1]
+    if F[3:].any() and F[:3].any():
+        yield "tau.moment missing", W - force(m, F * [1, 1, 1, 0, 0, 0], q)
     i = int(rng.integers(len(links)))
     without = [(0 if k == i else b[0], *b[1:]) for k, b in enumerate(links)]
     yield f"tau.mass missing:{i + 1}", weight(m, without, q) - P
@@ -106,58 +106,3 @@ def pairs(m, links, q, F, rng):
         yield f"{name} + tau.newton millimetres", 1000 * (W - P)
         yield f"{name} + tau.all signs", P - W
         yield f"{name} + tau.force missing", W
-
-
-def cases(rng, count):
-    made = 0
-    while made < count:
-        m = KNOWN["PANDA"] if rng.random() < 0.4 else some_machine(rng)
-        links = bodies(m, rng)
-        if len(links) != len(m.rows) or m.name == "PANDA.lock(3)":
-            continue
-        many = rng.random() < 0.3
-        poses = [pose(m, rng) for _ in range(int(rng.integers(3, 7)) if many else 1)]
-        F = np.zeros(6)
-        F[: 6 if rng.random() < 0.3 else 3] = 1
-        F = F * rng.uniform(-12, 12, 6).round(1)
-        along = many and rng.random() < 0.4
-        forces = [(F * rng.uniform(0.3, 1.5)).round(2) if along else F for _ in poses]
-        d = int(rng.choice([2, 3, 4, 5]))
-        kind = str(rng.choice(["right", "single", "pair"], p=[0.3, 0.5, 0.2]))
-        each = list(zip(poses, forces, strict=True))
-        right = np.array([weight(m, links, q) - force(m, F, q) for q, F in each])
-        cause, tau = None, right
-        if kind != "right":
-            seed = int(rng.integers(1 << 30))
-            rule = mistakes if kind == "single" else pairs
-            tables = [list(rule(m, links, q, F, np.random.default_rng(seed))) for q, F in each]
-            k = int(rng.integers(len(tables[0])))
-            cause, tau = tables[0][k][0], np.array([table[k][1] for table in tables])
-            others = (
-                []
-                if kind == "single"
-                else list(
-                    zip(
-                        *(mistakes(m, links, q, F, np.random.default_rng(seed)) for q, F in each),
-                        strict=True,
-                    )
-                )
-            )
-            alike = [np.array([t for _, t in rows]) for rows in others]
-            if not all(np.abs(tau - x).max() > 8 * 10.0**-d for x in (right, *alike)):
-                continue
-        digits = d if not cause or "milli" not in cause else max(0, d - 3)
-        text, form = typed(tau if many else tau[0], digits, rng)
-        yield dict(
-            topic="torques",
-            machine=m,
-            bodies=links,
-            q=poses if many else poses[0],
-            wrench=np.array(forces if along else F).tolist(),
-            typed=text,
-            form=form,
-            digits=d,
-            kind=kind,
-            cause=cause,
-        )
-        made += 1

@@ -313,24 +313,6 @@ def miss(task, q):
     return far, turned
 
 
-def written(q, m, d, rng, degrees):
-    """The run as text or lists; some with a line of names or a column of times."""
-    rows = [m.as_typed(row, d, degrees) for row in q]
-    form = str(rng.choice(["array", "csv", "headed", "matlab", "tabs", "print", "per joint"]))
-    if form == "array":
-        return [[float(x) for x in row] for row in rows], form
-    if form == "per joint":
-        return [[float(x) for x in row] for row in zip(*rows, strict=True)], form
-    head = ",".join(f"q{i + 1}" for i in m.joints) + "\n" if form == "headed" else ""
-    return {
-        "csv": lambda: "\n".join(",".join(row) for row in rows),
-        "headed": lambda: head + "\n".join(",".join(row) for row in rows),
-        "matlab": lambda: "[" + ";\n".join(" ".join(row) for row in rows) + "]",
-        "tabs": lambda: "\n".join("\t".join(row) for row in rows),
-        "print": lambda: "[" + "\n ".join("[" + " ".join(row) + "]" for row in rows) + "]",
-    }[form](), form
-
-
 def right_run(task, rng):
     how = str(rng.choice(["euler", "rk4", "gain", "exact"]))
     if how == "exact":
@@ -340,45 +322,28 @@ def right_run(task, rng):
     )
 
 
-def cases(rng, count, share=0.25):
-    made = turn = 0
-    while made < count:
-        task, d = some_task(rng), int(rng.choice([3, 4, 5, 6]))
-        kind = "right" if rng.random() < share else "single"
-        cause = None
-        with np.errstate(all="ignore"):
-            try:
-                how, q = right_run(task, rng)
-                if not smooth(q) or max(miss(task, q)) > 1.2e-3:
-                    continue
-                if kind == "single":
-                    how = "rk4" if rng.random() < 0.25 else "euler"
-                    rules = (in_the_loop, of_the_path, of_the_rows, by_the_table)[turn % 7 % 4]
-                    options = list(rules(task, rng, how))
-                    cause, make = options[int(rng.integers(len(options)))]
-                    q = make()
-            except np.linalg.LinAlgError:
-                continue
-        if not np.isfinite(q).all() or np.abs(q).max() > 1e4:
-            continue
-        if shows(cause) and (not smooth(q) or apart(task, q, task.run(how)) < 8e-3):
-            continue
-        turn += 1
-        declared = rng.random() < 0.2 and cause != "trace.degrees"
-        text, form = written(q, task.machine, d, rng, declared)
-        yield dict(
-            topic="trace",
-            machine=task.machine,
-            typed=text,
-            form=form,
-            digits=d,
-            kind=kind,
-            how=how,
-            cause=cause,
-            angles="deg" if declared else None,
-            path=task.path(),
-        )
-        made += 1
+def some_run(rng, wrong):
+    """A task, a run of it and what spoils that, None where nothing does; None where it came to
+    nothing."""
+    task = some_task(rng)
+    with np.errstate(all="ignore"):
+        try:
+            how, q = right_run(task, rng)
+            if not smooth(q) or max(miss(task, q)) > 1.2e-3:
+                return None
+            if not wrong:
+                return task, q, None
+            how = "rk4" if rng.random() < 0.25 else "euler"
+            rules = (in_the_loop, of_the_path, of_the_rows, by_the_table)
+            options = list(rules[rng.integers(7) % 4](task, rng, how))
+            cause, make = options[int(rng.integers(len(options)))]
+            q = make()
+        except np.linalg.LinAlgError:
+            return None
+    if not np.isfinite(q).all() or np.abs(q).max() > 1e4 or cause == "harmless pen":
+        return None
+    hidden = shows(cause) and (not smooth(q) or apart(task, q, task.run(how)) < 8e-3)
+    return None if hidden else (task, q, cause)
 
 
 def apart(task, q, right):
