@@ -146,86 +146,54 @@ def test_no_work_earns_no_marks(arm):
                 assert found.credit == 0, (part.name, guess, found)
 
 
-def pushed(force):
-    return {"arm": HANGING, "q": WEIGHED.drawn["static torque"]["q"], "wrench": [*force, 0, 0, 0]}
+ONE_WRONG = np.eye(6, 3, k=-1) * [0, 0, 0.3]
+SLIPPED = [*TABLE[:2], ["0.45", *TABLE[2][1:]], TABLE[3]]
+JUDGED = [
+    (ELBOWS, "J", lambda J: J, 1),
+    (ELBOWS, "J", lambda J: J + 1.9e-3, 1),
+    (ELBOWS, "J", lambda J: J.round(3), 1),
+    (ELBOWS, "J", lambda J: J.round(2), 0.9),
+    (ELBOWS, "J", lambda J: J + ONE_WRONG, 2 / 3),
+    (ELBOWS, "J", lambda J: np.r_[J[3:], J[:3]], 0),
+    *((WEIGHED, name, *case) for name in ("g", "tau") for case in (
+        (lambda tau: tau, 1),
+        (lambda tau: tau + 4.9e-3, 1),
+        (lambda tau: -tau, 0),
+        # The upright joint carries nothing, and counts for nothing.
+        (lambda tau: np.add(tau, [0, 0, 0, 0, 1, -1]), 3 / 5),
+    )),
+    (ELBOWS, "table", lambda _: np.array(TABLE), 1),
+    (ELBOWS, "table", lambda _: np.array(SLIPPED), 0),
+    (ELBOWS, "q", lambda four: four, 1),
+    (ELBOWS, "q", lambda four: four + 2 * np.pi, 1),
+    (ELBOWS, "q", lambda four: four[:2], 0.5),
+    (ELBOWS, "q", lambda four: four[1:], 0.75),
+    (ELBOWS, "q", lambda four: np.add(four, [[0.3], [0], [0], [0]]), 0.75),
+    (ELBOWS, "q", lambda four: np.r_[four, four[:1] + 0.3], 4 / 5),
+    (SLIDER, "q", lambda one: one, 1),
+    (SLIDER, "q", lambda one: one + 0.05, 0),
+]  # fmt: skip
 
 
-# Answers that the checkers judge: sheet, part, answer, credit, and the same checker's report, with
-# the sheet's tolerance (2e-3 and so on) where that lets it pass.
+@pytest.mark.parametrize(("of", "name", "change", "credit"), JUDGED)
+def test_the_checkers_words_stand_in_the_mark(of, name, change, credit, monkeypatch):
+    """Those of the last report: by the sheet's tolerance where that lets the answer pass, else by
+    its digits."""
+    reports = []
+    for question in ("tables", "jacobian", "torques", "branches", "pose"):
+        compare = getattr(checks, f"compare_{question}")
 
+        def noted(*asked, compare=compare, **how):
+            reports.append((how["tolerance"], compare(*asked, **how)))
+            return reports[-1][1]
 
-def jacobians():
-    q, J = DRAWN["Jacobian"]["q"], value("J")
-    one_wrong = J + np.eye(6, 3, k=-1) * [0, 0, 0.3]
-    for answer, credit, how in (
-        (J.tolist(), 1.0, {"tolerance": 2e-3}),
-        ((J + 1.9e-3).tolist(), 1.0, {"tolerance": 2e-3}),
-        (J.round(3).tolist(), 1.0, {"tolerance": 2e-3}),
-        (J.round(2).tolist(), 0.9, {}),
-        (one_wrong.tolist(), 2 / 3, {}),
-        (np.r_[J[3:], J[:3]].tolist(), 0.0, {}),
-    ):
-        yield ELBOWS, "J", answer, credit, checks.compare_jacobian(answer, ELBOW, q, **how)
-
-
-def torques():
-    for name, force in (("g", [0, 0, 0]), ("tau", [0, 0, -12.5])):
-        tau = value(name, WEIGHED)  # the upright joint carries nothing, and counts for nothing
-        for answer, credit, how in (
-            (tau.tolist(), 1.0, {"tolerance": 5e-3}),
-            ((tau + 4.9e-3).tolist(), 1.0, {"tolerance": 5e-3}),
-            ((-tau).tolist(), 0.0, {}),
-            ([*tau[:4], tau[4] + 1, tau[5] - 1], 3 / 5, {}),
-        ):
-            report = checks.compare_torques(answer, **pushed(force), **how)
-            yield WEIGHED, name, answer, credit, report
-
-
-def tables():
-    drawn = value("table")
-    how = {"columns": "a alpha d theta", "lengths": "m", "angles": "rad"}
-    how |= {"convention": "standard"}
-    right = checks.compare_tables(TABLE, drawn, tolerance=5e-4, **how)
-    yield ELBOWS, "table", TABLE, 1.0, right
-    slipped = [TABLE[0], TABLE[1], ["0.45", *TABLE[2][1:]], TABLE[3]]
-    yield ELBOWS, "table", slipped, 0.0, checks.compare_tables(slipped, drawn, **how)
-
-
-def branches():
-    four = value("q")
-    known = checks_of_branches()
-    for answer, credit, how in (
-        (four.tolist(), 1.0, {"tolerance": 1e-2}),
-        ((four + 2 * np.pi).tolist(), 1.0, {"tolerance": 1e-2}),
-        (four[:2].tolist(), 0.5, {}),
-        (four[1:].tolist(), 0.75, {}),
-        (np.add(four, [[0.3], [0], [0], [0]]).tolist(), 0.75, {}),
-    ):
-        yield ELBOWS, "q", answer, credit, checks.compare_branches(answer, known, **how)
-
-
-def checks_of_branches():
-    from helpers.inverse import elbow
-
-    return elbow(ELBOW, np.array([0.3, 0.2, 0.7]))
-
-
-def poses():
-    one = value("q", SLIDER)
-    for answer, credit, how in (
-        (one.tolist(), 1.0, {"tolerance": 1e-2}),
-        ((one + 0.05).tolist(), 0.0, {}),
-    ):
-        yield SLIDER, "q", answer, credit, checks.compare_pose(answer, RODS, TARGET, **how)
-
-
-@pytest.mark.parametrize("cases", [jacobians, torques, tables, branches, poses])
-def test_the_checkers_words_stand_in_the_mark(cases):
-    for of, name, answer, credit, report in cases():
-        found = marked(name, answer, of)
-        assert found.credit == pytest.approx(credit), (name, answer)
-        assert (found.part, found.headline, found.words) == (name, report.headline, str(report))
-        assert found.causes == (() if credit == 1 else report.causes)
+        monkeypatch.setattr(checks, f"compare_{question}", noted)
+    found = marked(name, change(value(name, of)).tolist(), of)
+    assert found.credit == pytest.approx(credit)
+    tolerance, report = reports[-1]
+    assert tolerance == (of.parts[name].tolerance if credit == 1 else None)
+    assert (found.part, found.headline, found.words) == (name, report.headline, str(report))
+    assert found.causes == (() if credit == 1 else report.causes)
 
 
 def test_a_column_is_six_formulas_each_by_itself_or_in_a_row_of_its_own():
