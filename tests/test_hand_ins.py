@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from helpers import checks, inverse
-from helpers.arm import Arm, ArmError, prismatic, revolute
+from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import static_torque
@@ -28,6 +28,7 @@ COLUMN = " \\\\\n".join(map(str, TAU))
 LATEX = "\\begin{bmatrix}\n" + COLUMN + "\n\\end{bmatrix}"
 ELBOW_ROWS = "q1 0.5 0 90\nq2 0 0.4 0\nq3 0 0.3 0"
 LOCKED = PANDA.lock(3)
+TWO = [Body(2.0, (0, 0, 0)), Body(3.0, (0.1, 0, 0))]
 
 
 def torques(text):
@@ -271,6 +272,13 @@ def test_another_mass_and_a_missing_moment_are_named():
     F = [1, 2, 3, 4, 5, 6]
     lost = static_torque(UR10E, Q, [1, 2, 3, 0, 0, 0]).round(4)
     assert checks.compare_torques(lost, UR10E, Q, F).causes == ("tau.moment missing",)
+
+
+def test_no_mass_is_named_from_one_torque():
+    """The first axis is upright and bears none."""
+    arm = Arm("One arm", [revolute(alpha=np.pi / 2), revolute(a=0.4)], bodies=TWO)
+    report = checks.compare_torques([0, 500.123], arm, [0.3, 0.4])
+    assert not report.causes, report
 
 
 def test_other_zeros_are_told_and_not_green():

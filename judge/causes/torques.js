@@ -7,6 +7,8 @@ import { numbered, turning } from "../reading/numbers.js";
 import { both, cause } from "./ranking.js";
 import { listed, size } from "../sentences.js";
 
+const SEEN = 1e-3; // N m
+
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @type {[Cause | null, (tau: number[][]) => number[][]][]} */
 const WRITINGS = [
@@ -208,9 +210,11 @@ export function otherMasses(load, mine, right) {
       why: cause("tau.mass", fields),
       made: right.map((x, k) => x + more * each[k]),
       mass: mass + more,
+      seen: each.filter((x) => Math.abs(x * more) > SEEN).length,
     };
   });
-  const likely = found.filter(({ mass }) => mass > 0);
+  // one torque alone fits any link's mass
+  const likely = found.filter(({ mass, seen }) => mass > 0 && seen > 1);
   return { causes: likely.map(({ why }) => why), made: likely.map(({ made }) => made) };
 }
 

@@ -107,6 +107,7 @@ export function unread(text, entries, sizes) {
   // as runs of digits, for commas may be decimal ones; shown are the numbers that hold them
   const lost = sizes
     .flatMap((size) => [size, size])
+    .sort((p, q) => q - p)
     .reduce(uncounted, without(tokensOf(bare), tokensOf(held)));
   const isOf = (run) => (number) => !held.includes(number) && number.split(/\D/).includes(run);
   return [...new Set(lost.map((run) => bare.match(/[\d.]*\d/g).find(isOf(run)) ?? run))];
@@ -136,9 +137,9 @@ export function without(list, other) {
   });
 }
 
-// A list without the labels 1 to `size`, or 0 to size - 1, where all of them stand in it.
+// A list without the labels 0 to `size` - 1, or 1 to size, where all of them stand in it.
 function uncounted(list, size) {
-  const labels = [1, 0]
+  const labels = [0, 1]
     .map((from) => Array.from({ length: size }, (_, k) => `${k + from}`))
     .find((all) => !without(all, list).length);
   return labels ? without(list, labels) : list;

@@ -8,13 +8,18 @@ H = math.pi / 2
 NAMES = ("a", "alpha", "d", "theta")
 
 
+def wrapped(x):
+    """An angle as people write it."""
+    return math.pi - (math.pi - x) % (2 * math.pi)
+
+
 def flip_x(rows, i):
     """x of frame i + 1 turned round."""
     (k, a, al, d, th), (k2, a2, al2, d2, th2) = rows[i], rows[i + 1]
     return [
         *rows[:i],
-        (k, -a, -al, d, th + math.pi),
-        (k2, a2, al2, d2, th2 + math.pi),
+        (k, -a, -al, d, wrapped(th + math.pi)),
+        (k2, a2, al2, d2, wrapped(th2 + math.pi)),
         *rows[i + 2 :],
     ]
 
@@ -24,8 +29,8 @@ def flip_z(rows, i):
     (k, a, al, d, th), (k2, a2, al2, d2, th2) = rows[i], rows[i + 1]
     return [
         *rows[:i],
-        (k, a, al + math.pi, d, th),
-        (k2, a2, al2 + math.pi, -d2, -th2),
+        (k, a, wrapped(al + math.pi), d, th),
+        (k2, a2, wrapped(al2 + math.pi), -d2, -th2),
         *rows[i + 2 :],
     ]
 
