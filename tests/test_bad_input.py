@@ -56,7 +56,7 @@ FOUND = inverse.ur(UR10E, REACH)
 POINT = kinematics.forward_kinematics(ELBOW, BEND)[:3, 3]
 FRAMES = kinematics.link_frames(PANDA, PANDA.home)
 
-FLAT, SPACE = Figure().add_subplot(), Figure().add_subplot(projection="3d")
+FLAT = Figure().add_subplot()
 GRID = Figure().subplots(2, 4)
 AXES = [derive.Axis((0, 0, 0), (0, 0, 1)), derive.Axis((1, 0, 0), (0, 1, 0))]
 ROBOT = """<robot name="one"><link name="a"/><link name="b"/><joint name="j" type="continuous">
@@ -161,16 +161,13 @@ RIGHT = {
     "plotting.postures": dict(axes=GRID[0][:2]),
     "plotting.row_drawing": dict(view=(30, 18)),
     "plotting.arm_2d": dict(plane="xz", alpha=1),
-    "plotting.arm_3d": dict(ax=SPACE, frames=True, alpha=1),
     "plotting.arrow_2d": dict(start=[0, 1], step=[0, 1]),
-    "plotting.dh_numbers": dict(ax=SPACE, a=1, alpha=1, d=1, theta=1),
     "plotting.shoulder_triangles": dict(point=[0.3, 0.2], names=("left", "right")),
     "plotting.ur_triangle": dict(arm=UR10E, q=UR10E.home),
     "plotting.law_of_cosines": dict(arm=ELBOW, q=BEND),
     "plotting.map_2d": dict(values=np.arange(9.0).reshape(3, 3)),
     "plotting.moving_picture": dict(frames=2),
     "plotting.regions": dict(which=np.eye(3), names={0: "no", 1: "yes"}),
-    "plotting.stick_3d": dict(ax=SPACE),
     "plotting.torque_shares": dict(runs={"one": np.zeros((2, 7))}),
     "explorer.ArmExplorer": dict(wrench=[0] * 6),
     "explorer.ArmFigure": dict(kind="columns"),
@@ -191,11 +188,11 @@ FREE = {
     *("actual", "ax", "book_only", "colour", "colours", "dashed", "expected", "link", "many"),
     *("negative", "display", "course.hand_in path", "self", "title", "what", "arm.Arm source"),
     *("inverse.Solutions.nearest limits", "inverse.solve limits", "plotting.arm_2d alpha"),
-    *("plotting.arm_3d alpha", "plotting.arm_3d frames", "plotting.arrow_2d text"),
+    "plotting.arrow_2d text",
     *("plotting.shoulder_triangles names", "plotting.shoulder_triangles letters"),
     *("plotting.joints axes", "plotting.torques axes", "plotting.postures axes"),
     *("plotting.angle text", "plotting.dimension text", "plotting.postures titles"),
-    *(f"plotting.{name} label" for name in ("arm_3d", "map_2d", "path_2d")),
+    *(f"plotting.{name} label" for name in ("map_2d", "path_2d")),
 }
 
 # What a message calls an argument, where that is not its name.
@@ -251,7 +248,6 @@ SPECIAL = [
                                                      ' (7,)'),
     ("checks.compare_jacobian", dict(q=[SIX.home]), 'q has shape (1, 6); expected one pose, (6,)'),
     ("plotting.arm_2d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
-    ("plotting.arm_3d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
     ("plotting.shoulder_triangles", dict(point=[0.01, 0]), "point is 0.01 m from the axis"),
     ("plotting.lengths", dict(aside={"b_1": (0, 1)}), "aside names 'b_1'; expected steps such as"),
     ("plotting.lengths", dict(aside={"d_8": (0, 1)}), "aside names 'd_8'; expected steps such as"),

@@ -18,7 +18,6 @@ from helpers.motion import circle, trace
 from helpers.plotting import (
     angle,
     arm_2d,
-    arm_3d,
     arm_drawing,
     arrow_2d,
     axis_lines,
@@ -33,7 +32,6 @@ from helpers.plotting import (
     regions,
     row_drawing,
     shoulder_triangles,
-    stick_3d,
     style,
     torque_shares,
     torques,
@@ -41,7 +39,7 @@ from helpers.plotting import (
 )
 from helpers.plotting.drawing import seen
 from helpers.plotting.style import RED, STYLE, svg
-from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 from tests.laws import ALL_ARMS, ids, joint_vectors
 
 every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
@@ -52,10 +50,6 @@ def _no_window():
     with mpl.rc_context({**STYLE, "backend": "agg"}):
         yield
         plt.close("all")
-
-
-def axes_3d():
-    return plt.figure().add_subplot(projection="3d")
 
 
 @every_arm
@@ -70,29 +64,6 @@ def test_the_drawn_line_goes_through_every_origin_by_the_tables_steps(arm):
     np.testing.assert_allclose(
         steps[::2][fixed_d], np.abs([arm.numeric[k].d for k in fixed_d]), atol=1e-12
     )
-
-
-@every_arm
-def test_an_arm_is_drawn_inside_its_axes(arm):
-    ax = axes_3d()
-    before = set(vars(ax))
-    assert arm_3d(ax, arm, arm.home) is None
-    assert set(vars(ax)) == before
-    points = link_frames(arm, arm.home)[:, :3, 3]
-    low, high = np.transpose([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()])
-    assert (points >= low - 1e-9).all()
-    assert (points <= high + 1e-9).all()
-    assert ax.get_zlabel() == "$z$ (m)"
-    np.testing.assert_allclose(ax._box_aspect / (high - low), (ax._box_aspect / (high - low))[0])
-
-
-def test_frames_that_coincide_share_a_label():
-    ax = axes_3d()
-    stanford = next(arm for arm in ALL_ARMS if arm.name == "Stanford arm")
-    arm_3d(ax, stanford, stanford.home)
-    labels = {text.get_text() for text in ax.texts}
-    assert "$x_{3,4,5}$" in labels
-    assert not any(label.startswith("$y") for label in labels)
 
 
 def test_a_stored_figure_is_short_and_the_same_picture(monkeypatch):
@@ -176,19 +147,6 @@ def test_regions_are_told_apart_by_more_than_colour():
         drawn = [patch.get_path().contains_point(spot) for patch in ax.patches]
         one, other = np.rint(spot)
         assert drawn == [one != other, one == other]
-
-
-def test_the_stick_stands_on_its_joints_at_equal_scale():
-    ax = axes_3d()
-    stick_3d(ax, UR10E, UR10E.home, title="home")
-    T = link_frames(UR10E, UR10E.home)
-    assert through(ax, T[:, :3, 3])
-    steps = np.array([np.ptp(points(line), axis=0) for line in ax.lines if len(points(line)) == 2])
-    tool = steps / np.linalg.norm(steps, axis=1, keepdims=True)
-    for axis in T[-1, :3, :3].T:
-        assert (np.abs(tool - np.abs(axis)) < 1e-12).all(axis=1).any()
-    spans = np.diff([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()]).ravel()
-    np.testing.assert_allclose(spans, spans[0])
 
 
 def test_both_shoulders_have_right_triangles_to_the_point():

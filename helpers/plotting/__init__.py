@@ -1,12 +1,10 @@
 """Matplotlib figures in one style. Every function draws on the axes it is given and returns
 None."""
 
-from helpers.plotting.arms import arm_3d
 from helpers.plotting.branches import (
     law_of_cosines,
     regions,
     shoulder_triangles,
-    stick_3d,
     ur_triangle,
 )
 from helpers.plotting.dh import dh_numbers
@@ -37,7 +35,6 @@ __all__ = [
     "SKY",
     "angle",
     "arm_2d",
-    "arm_3d",
     "arm_drawing",
     "arrow_2d",
     "axis_lines",
@@ -56,7 +53,6 @@ __all__ = [
     "row_drawing",
     "seen",
     "shoulder_triangles",
-    "stick_3d",
     "torque_shares",
     "torques",
     "ur_triangle",

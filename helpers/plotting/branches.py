@@ -1,20 +1,19 @@
-"""Pictures of inverse kinematics: the two views of an elbow arm, many poses in little space,
-regions of starts."""
+"""Pictures of inverse kinematics: the two views of an elbow arm, regions of starts."""
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle, PathPatch
 from matplotlib.path import Path
-from mpl_toolkits.mplot3d.axes3d import Axes3D
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be, number, numbers
-from helpers.kinematics import link_frames, skeleton
-from helpers.plotting.arms import pose_frames
+from helpers.kinematics import link_frames
 from helpers.plotting.drawing import angle
-from helpers.plotting.plane import arm_2d
-from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
+from helpers.plotting.plane import arm_2d, pose_frames
+from helpers.plotting.style import BLUE, GREY, ORANGE, RED, SLATE
+
+Array = NDArray[np.float64]
 
 
 def shoulder_triangles(
@@ -57,33 +56,20 @@ def shoulder_triangles(
 def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     """Draw a UR arm of the homework's table in its own plane, r to the right, z up, from the
     shoulder to the wrist, with the triangle of joints 2 and 3 and the step d_5."""
-    must_be(arm, Arm, "arm")
     T = pose_frames(arm, q)
-    forward = T[1, :3, 0]
-    points = np.stack([T[:, :3, 3] @ forward, T[:, 2, 3]], axis=1)[[1, 2, 3, 5]]
+    points = np.stack([T[:, :3, 3] @ T[1, :3, 0], T[:, 2, 3]], axis=1)[[1, 2, 3, 5]]
     shoulder, elbow, end, wrist = points
     ax.plot(*np.stack([(0, 0), shoulder], axis=1), color=GREY, lw=4, alpha=0.5)
     ax.plot(*points.T, color=GREY, lw=4, alpha=0.75, solid_joinstyle="round")
     ax.plot(*points[:3].T, "o", color=SLATE, ms=8)
     ax.plot(*wrist, "*", color=RED, ms=11)
-    corner = np.array([end[0], shoulder[1]])
-    ax.plot(*np.stack([shoulder, end], axis=1), color=RED, lw=1.2, ls="--")
-    ax.plot(*np.stack([shoulder, corner, end], axis=1), color=GREY, lw=1, ls=":")
-    lean = np.degrees(np.arctan2(*(elbow - shoulder)[::-1]))
-    fore = np.degrees(np.arctan2(*(end - elbow)[::-1]))
     upright = np.stack([shoulder, shoulder + np.array([0, 0.3])], axis=1)
     ax.plot(*upright, color=GREY, lw=0.8, ls="--")
-    ahead = elbow + 0.5 * (elbow - shoulder)
-    ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
+    _triangle(ax, points[:3], 0.06)
+    _beside(ax, end, wrist, "$d_5$", 0.06)
+    lean, fore = _bearing(shoulder, elbow), _bearing(elbow, end)
     angle(ax, shoulder, 0.2, (lean, 90), "$q_2$")
     angle(ax, elbow, 0.15, (fore, lean), "$q_3$")
-    for start, stop, text in (
-        (shoulder, elbow, "$a_2$"), (elbow, end, "$a_3$"), (end, wrist, "$d_5$"),
-        (corner, shoulder, "$r$"), (corner, end, "$s$"),
-    ):  # fmt: skip
-        across = np.array([start[1] - stop[1], stop[0] - start[0]])
-        x, y = (start + stop) / 2 + 0.06 * across / np.linalg.norm(across)
-        ax.text(x, y, text, ha="center", va="center")
     ax.text(wrist[0] + 0.05, wrist[1] + 0.03, "$o_5$", color=RED, ha="left")
     ax.set(xlabel="$r$ (m)", ylabel="$z$ (m)", aspect="equal")
 
@@ -93,53 +79,40 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     q_1 is taken as 0."""
     must_be(arm, Arm, "arm")
     q = np.array([0.0, *arm.joint_vector(q, many=False)[1:]])
-    shoulder, elbow, tip = (link_frames(arm, q)[i, [0, 2], 3] for i in (1, 2, 3))
+    shoulder, elbow, tip = points = link_frames(arm, q)[1:4, [0, 2], 3]
     arm_2d(ax, arm, q)
-    ax.plot(*np.stack([shoulder, tip], axis=1), color=RED, lw=1.2, ls="--")
-    corner = np.array([tip[0], shoulder[1]])
-    ax.plot(*np.stack([shoulder, corner, tip], axis=1), color=GREY, lw=1, ls=":")
-    bearing = np.degrees(np.arctan2(*(tip - shoulder)[::-1]))
-    lift = np.degrees(q[1])
+    _triangle(ax, points, 0.04)
+    lift, bend = np.degrees(q[1:3])
     angle(ax, shoulder, 0.13, (0, lift), r"$\theta_2$")
-    angle(ax, shoulder, 0.21, (bearing, lift), r"$\beta$", colour=ORANGE)
-    ahead = elbow + 0.6 * (elbow - shoulder)
-    ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
-    angle(ax, elbow, 0.09, (lift + np.degrees(q[2]), lift), r"$-\theta_3$")
-    around = lift + 180, lift + 360 + np.degrees(q[2])
-    angle(ax, elbow, 0.06, around, r"$\varphi$", colour=ORANGE)
-    for start, end, text in ((shoulder, elbow, "$a_2$"), (elbow, tip, "$a_3$")):
-        across = np.array([start[1] - end[1], end[0] - start[0]])
-        x, y = (start + end) / 2 + 0.12 * across
-        ax.text(x, y, text, ha="center", va="center")
-    x, y = (shoulder + corner) / 2
-    ax.text(x, y - 0.025, "$r$", ha="center", va="center")
-    x, y = (corner + tip) / 2
-    ax.text(x + 0.025, y, "$s$", ha="center", va="center")
+    angle(ax, shoulder, 0.21, (_bearing(shoulder, tip), lift), r"$\beta$", colour=ORANGE)
+    angle(ax, elbow, 0.09, (lift + bend, lift), r"$-\theta_3$")
+    angle(ax, elbow, 0.06, (lift + 180, lift + 360 + bend), r"$\varphi$", colour=ORANGE)
     ax.set(ylim=(shoulder[1] - 0.15, elbow[1] + 0.15))
 
 
-def stick_3d(ax: Axes3D, arm: Arm, q: ArrayLike, colour: str = BLUE, title: str = "") -> None:
-    """Draw an arm at q as one line with dots at its joints, on a square of floor: small enough to
-    set many side by side."""
-    T = pose_frames(arm, q)
-    points = skeleton(arm, T)
-    reach = 0.15 * np.ptp(points, axis=0).max()
-    tool = T[-1, :3, 3] + reach * T[-1, :3, :3].T
-    seen = np.vstack([points, tool, 0.2 * _SQUARE])
-    low, high = seen.min(axis=0), seen.max(axis=0)
-    half, middle = 0.5 * (high - low).max(), 0.5 * (low + high)
-    ax.plot(*0.2 * _SQUARE.T, color=GREY, lw=0.8)
-    ax.plot(*points.T, color=colour, lw=3, solid_joinstyle="round")
-    ax.plot(*T[[i - 1 for i in arm.joints], :3, 3].T, "o", color=SLATE, ms=4)
-    for end, shade in zip(tool, AXIS_COLOURS.values(), strict=True):
-        ax.plot(*np.stack([T[-1, :3, 3], end], axis=1), color=shade, lw=1.2)
-    limits = np.stack([middle - half, middle + half], axis=1)
-    ax.set(xlim=limits[0], ylim=limits[1], zlim=limits[2], title=title)
-    ax.set_box_aspect((1, 1, 1), zoom=1.2)
-    ax.set_axis_off()
+def _triangle(ax: Axes, points: Array, away: float) -> None:
+    """The triangle of shoulder, elbow and end, shape (3, 2), the end's place over the shoulder, and
+    where the first link points, with the sides' names so far (m) beside them."""
+    shoulder, elbow, end = points
+    corner, ahead = np.array([end[0], shoulder[1]]), elbow + 0.5 * (elbow - shoulder)
+    ax.plot(*np.stack([shoulder, end], axis=1), color=RED, lw=1.2, ls="--")
+    ax.plot(*np.stack([shoulder, corner, end], axis=1), color=GREY, lw=1, ls=":")
+    ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
+    _beside(ax, shoulder, elbow, "$a_2$", away)
+    _beside(ax, elbow, end, "$a_3$", away)
+    _beside(ax, corner, shoulder, "$r$", away)
+    _beside(ax, corner, end, "$s$", away)
 
 
-_SQUARE = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0), (-1, -1, 0)])
+def _beside(ax: Axes, start: Array, stop: Array, text: str, away: float) -> None:
+    """A text to the left of the middle of a way."""
+    step = stop - start
+    x, y = (start + stop) / 2 + away * np.array([-step[1], step[0]]) / np.linalg.norm(step)
+    ax.text(x, y, text, ha="center", va="center")
+
+
+def _bearing(start: Array, stop: Array) -> float:
+    return float(np.degrees(np.arctan2(*(stop - start)[::-1])))
 
 
 def regions(

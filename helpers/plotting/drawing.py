@@ -29,7 +29,7 @@ from helpers.inputs import (
     whole,
 )
 from helpers.kinematics import skeleton
-from helpers.plotting.arms import pose_frames
+from helpers.plotting.plane import pose_frames
 from helpers.plotting.style import AXIS_COLOURS, BLUE, GREY, ORANGE, RED, SLATE
 
 Array = NDArray[np.float64]
@@ -41,10 +41,10 @@ _PALE = "#C9CDD3"
 def seen(points: ArrayLike, view: View) -> Array:
     """Where points, shape (..., 3), stand in a drawing: to the right, up, and towards the eye."""
     points = numbers(points, "points", "points (..., 3), finite, in m", (3,), many=True)
-    return np.asarray(points @ _eye(view).T)
+    return np.asarray(points @ eye_of(view).T)
 
 
-def _eye(view: View) -> Array:
+def eye_of(view: View) -> Array:
     if isinstance(view, str):
         right, up = np.eye(3)[list(plane_axes(view, "view"))]
     else:
@@ -61,12 +61,12 @@ def arm_drawing(
 ) -> None:
     """Draw an arm at q, shape (dof,): a barrel about each axis that turns, a box along each that
     slides, the links between them as the table's steps, and the ground."""
-    T, eye = pose_frames(arm, q), _eye(view)
+    T, eye = pose_frames(arm, q), eye_of(view)
     points = skeleton(arm, T)
     radius = 0.028 * number(size, "size", "a finite number > 0", above=0) * _extent(points)
     ax.plot(*seen(points, view).T[:2], color=colour, lw=4, solid_joinstyle="round", zorder=2)
     for i in arm.joints:
-        _joint(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
+        joint_shape(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
     ax.plot(*seen(points[-1], view)[:2], "o", color="black", ms=4, zorder=5)
     _ground(ax, seen(T[0, :3, 3], view), 3 * radius)
     bare(ax)
@@ -87,7 +87,7 @@ def _ground(ax: Axes, place: Array, half: float) -> None:
     ax.plot([x - half, x + half], [y, y], color=SLATE, lw=1.6, zorder=1)
 
 
-def _joint(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) -> None:
+def joint_shape(ax: Axes, frame: Array, eye: Array, radius: float, turns: bool) -> None:
     """A barrel about z, or a box along it, as its outline and the face that is turned to us."""
     sides = 18 if turns else 4
     angle = 2 * np.pi * (np.arange(sides) + 0.5) / sides
@@ -210,11 +210,13 @@ def axis_lines(ax: Axes, found: Derivation, view: View, length: float) -> None:
         name = f"$z_{{{','.join(str(k) for k, _ in group)}}}$"
         outwards = 16 if end[0] < middle else -16
         side = outwards if len(group) > 1 else 0  # a long name stands beside its arrow
-        _arrow(ax, (end - 0.01 * (end - start), end), BLUE, name, side)
+        named_arrow(ax, (end - 0.01 * (end - start), end), BLUE, name, side)
     bare(ax)
 
 
-def _arrow(ax: Axes, ends: tuple[Array, Array], colour: str, text: str, side: float = 0) -> None:
+def named_arrow(
+    ax: Axes, ends: tuple[Array, Array], colour: str, text: str, side: float = 0
+) -> None:
     """An arrow with its name beyond its head, or to its left (pt) where `side` is not 0."""
     start, end = ends
     look = dict(arrowstyle="-|>", color=colour, lw=1.4, shrinkA=0, shrinkB=0, mutation_scale=9)
@@ -258,7 +260,7 @@ def frames(
         text = f"${name}_{{{','.join(map(str, same))}}}$"
         partner = T[same[0], :3, 2 if name == "x" else 0]
         side = _away(axis, partner, view, 10)
-        _arrow(ax, (ends[0], ends[1]), AXIS_COLOURS[name], text, side)
+        named_arrow(ax, (ends[0], ends[1]), AXIS_COLOURS[name], text, side)
 
 
 _INDICES = "numbers of frames"
@@ -279,7 +281,7 @@ def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
         ax.plot(*ends.T, color=colour, lw=1, ls=_DASHED if name == "z" else "-", zorder=2)
         frame = step.frame if row in which else step.before
         side = _away(frame[:3, 0], frame[:3, 2], view, 9) if name == "x" else 0
-        _arrow(ax, (ends[1] - 0.01 * (ends[1] - ends[0]), ends[1]), colour, text, side)
+        named_arrow(ax, (ends[1] - 0.01 * (ends[1] - ends[0]), ends[1]), colour, text, side)
     for pair, colour in (((before, foot), BLUE), ((foot, origin), RED)):
         ax.plot(*seen(pair, view).T[:2], color=colour, lw=4, solid_capstyle="butt", zorder=3)
     ax.plot(*seen(origin, view)[:2], "o", color="black", ms=4, zorder=7)

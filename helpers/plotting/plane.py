@@ -1,13 +1,19 @@
 """Arms that move in a plane, drawn flat."""
 
+import numpy as np
 from matplotlib.axes import Axes
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import numbers, plane_axes
-from helpers.kinematics import skeleton
-from helpers.plotting.arms import pose_frames
+from helpers.inputs import must_be, numbers, plane_axes
+from helpers.kinematics import link_frames, skeleton
 from helpers.plotting.style import GREY, SLATE
+
+
+def pose_frames(arm: Arm, q: ArrayLike) -> NDArray[np.float64]:
+    """The link frames at one pose, q of shape (dof,): what can be drawn."""
+    must_be(arm, Arm, "arm")
+    return link_frames(arm, arm.joint_vector(q, many=False))
 
 
 def arm_2d(

@@ -9,9 +9,8 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from helpers.inputs import listed, must_be, plane_axes, whole
-from helpers.kinematics import link_frames
+from helpers.kinematics import link_frames, skeleton
 from helpers.motion import Trace
-from helpers.plotting.arms import skeleton
 from helpers.plotting.style import BLUE, GREEN, GREY, RED, time_axis
 
 Array = NDArray[np.floating]
