@@ -162,12 +162,6 @@ def test_the_case_of_each_row():
     assert derive(PANDA, PANDA_FLANGE, negative=True).steps[2].case == "skew"
 
 
-def test_a_base_that_is_not_on_the_first_axis():
-    found = derive([Axis((1, 0, 0), X)], np.eye(4))
-    assert found.arm.rows[0].joint.kind == "fixed"
-    assert found.arm.variables == ("q_2",)
-
-
 def test_a_tip_that_is_only_a_point():
     """The elbow arm of two links: the last frame keeps the direction of z."""
     found = derive([Axis((0, 0, 0), Z), Axis((0.4, 0, 0), Z)], (0.4, 0.3, 0))
@@ -272,8 +266,9 @@ def test_masses_are_carried_into_the_frames():
     np.testing.assert_allclose(gravity_torque(arm, q), slopes, atol=1e-7)
 
 
-def test_rows_that_do_not_move_get_no_mass():
+def test_a_base_beside_the_first_axis_costs_a_row_that_has_no_mass():
     arm = derive([Axis((1, 0, 0), X)], np.eye(4)).with_bodies([2.0], [[0, 0, 0.1]])
     kinds = [row.joint.kind for row in arm.rows]
     assert kinds == ["fixed", "revolute", "fixed"]
+    assert arm.variables == ("q_2",)
     assert [body.mass for body in arm.bodies] == [0, 2.0, 0]

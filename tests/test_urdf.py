@@ -46,14 +46,8 @@ def test_a_chain_with_its_limits_and_names():
     arm = from_urdf(TWO)
     assert arm.name == "two"
     assert arm.source == "robot description: base to tool; joints shoulder, elbow"
-    shoulder, elbow = (row.joint for row in arm.rows if row.joint.kind != "fixed")
-    assert (shoulder.lower, shoulder.upper, shoulder.speed, shoulder.effort) == (-1, 2, 3, 4)
-    assert (elbow.lower, elbow.upper, elbow.speed, elbow.effort) == (
-        -math.inf,
-        math.inf,
-        math.inf,
-        math.inf,
-    )
+    found = (arm.limits[0], arm.limits[1], arm.speed_limits, arm.effort_limits)
+    assert np.transpose(found).tolist() == [[-1, 2, 3, 4], [-math.inf, *[math.inf] * 3]]
 
 
 def test_the_tip_where_the_lengths_put_it():
@@ -63,15 +57,6 @@ def test_the_tip_where_the_lengths_put_it():
     np.testing.assert_allclose(
         forward_kinematics(arm, [math.pi / 2, 0])[:3, 3], [0, 0.6, 1.4], atol=1e-15
     )
-
-
-def test_fixed_links_ride_along():
-    """The elbow holds the forearm's kilogram 0.2 m up and the tool's half 0.4 m up; turned to the
-    side they weigh."""
-    arm = from_urdf(TWO)
-    torque = 9.81 * (1 * 0.2 + 0.5 * 0.4)
-    np.testing.assert_allclose(gravity_torque(arm, [0, 0]), [0, 0], atol=1e-12)
-    np.testing.assert_allclose(abs(gravity_torque(arm, [0, math.pi / 2])), [0, torque], atol=1e-12)
 
 
 def test_without_masses_there_are_no_bodies():
@@ -94,18 +79,19 @@ def test_a_part_of_the_chain_and_a_name():
     assert (arm.name, arm.dof) == ("elbow only", 1)
 
 
-def test_zero_speed_and_effort_are_not_given():
-    limit = '<limit lower="-1" upper="2" velocity="0" effort="0"/>'
-    arm = from_urdf(robot(link("a"), link("b"), joint("j", "a", "b", inside=limit)))
-    assert (arm.speed_limits[0], arm.effort_limits[0]) == (math.inf, math.inf)
-
-
-def test_one_limit_left_out_is_zero_both_are_unknown():
-    one = joint("j", "a", "b", inside='<limit upper="2" velocity="1" effort="1"/>')
-    none = joint("j", "a", "b", inside='<limit velocity="1" effort="1"/>')
-    links = link("a"), link("b")
-    assert from_urdf(robot(*links, one)).limits[0][0] == 0
-    assert from_urdf(robot(*links, none)).limits[0][0] == -math.inf
+@pytest.mark.parametrize(
+    ("given", "limits"),
+    [
+        ('lower="-1" upper="2" velocity="3" effort="4"', (-1, 2, 3, 4)),
+        ('lower="-1" upper="2" velocity="0" effort="0"', (-1, 2, math.inf, math.inf)),
+        ('upper="2" velocity="1" effort="1"', (0, 2, 1, 1)),
+        ('velocity="1" effort="1"', (-math.inf, math.inf, 1, 1)),
+    ],
+)
+def test_a_limit_left_out_is_zero_and_what_is_zero_is_not_given(given, limits):
+    moved = joint("j", "a", "b", inside=f"<limit {given}/>")
+    arm = from_urdf(robot(link("a"), link("b"), moved))
+    assert (*np.ravel(arm.limits), *arm.speed_limits, *arm.effort_limits) == limits
 
 
 MIMIC = '<mimic joint="shoulder"/>'
