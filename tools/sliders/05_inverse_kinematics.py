@@ -15,5 +15,5 @@ def reached(x=0.4, y=0.3, z=0.6):
     print("within the arm's limits:", found.within_limits)
     ax = plt.figure(figsize=(4, 4)).add_subplot(projection="3d")
     for q in found.q[found.valid]:
-        plotting.arm_3d(ax, ELBOW, q)
+        plotting.arm_3d(ax, ELBOW, q, frames=False)
     plt.show()
