@@ -6,6 +6,7 @@ triangle named below.
 """
 
 import math
+from functools import partial
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_
 from tests import table_pastes
 from tests.corpus.arms import KNOWN
 from tests.corpus.jacobians import recipe
+from tests.test_robots import GAZ_CENTRES
 
 H = math.pi / 2
 Q = [0.5, -0.4, 0.7]
@@ -205,28 +207,26 @@ def gradient(f, q, step=1e-6):
 
 
 CENTRES = [[PANDA.number(x) for x in b.com] for b in PANDA.bodies]
-# As the paper prints them (Gaz et al. 2019), in Craig's frames.
-PAPER = [
-    (0.003875, 0.002081, -0.04762),
-    (-0.003141, -0.02872, 0.003495),
-    (0.027518, 0.039252, -0.066502),
-    (-0.05317, 0.104419, 0.027454),
-    (-0.011953, 0.041065, -0.038437),
-    (0.060149, -0.014117, -0.010517),
-    (0.010517, -0.004252, 0.061597),
-]
 WEIGHT = gradient(lambda q: heights(PANDA, q, CENTRES), HOME)
+PAPERS_WEIGHT = gradient(lambda q: heights(PANDA, q, GAZ_CENTRES), HOME)  # in Craig's frames
 FORCE = KNOWN["PANDA"].jacobian(HOME).T @ PUSH
+HALF_TURN = np.array(SIX.tip([0] * 6)) @ np.diag([-1, -1, 1, 1])
 
 
-def branches(mine, found=OVER):
-    return checks.compare_branches([mine], found)
+def table(mine, arm):
+    return partial(checks.compare_tables, mine, arm)
 
 
-def ur_pose(change):
-    T = np.array(SIX.tip([0] * 6))
-    T[:3, :3] = T[:3, :3] @ change
-    return checks.compare_pose([0] * 6, UR10E_HOMEWORK, T)
+def torques(mine):
+    return partial(checks.compare_torques, np.round(mine, 4), PANDA, HOME, PUSH)
+
+
+def jacobian(mine, arm, q):
+    return partial(checks.compare_jacobian, np.round(mine, 4), arm, q)
+
+
+def branches(*mine, found=OVER):
+    return partial(checks.compare_branches, mine, found)
 
 
 def slip_12(q):
@@ -266,106 +266,67 @@ O_3 = "[0.6127*s2*c1 + 0.5716*{}, 0.6127*s1*s2 + 0.5716*s1*(s2*c3 - c2*s3), {}]"
 O_3 = O_3.format("{}", "0.128 + 0.6127*c2 + 0.5716*(c2*c3 + s2*s3)")
 
 
+BY_HAND = """[[c1*c2, -s1*c2, c1*s2, q3*c1*s2-d2*s1],
+[s1*c2, c1, s1*s2, q3*s1*s2+d2*c1], [-s2, 0, c2, q3*c2], [0,0,0,1]]"""
+LEVEL, BENT_OVER = (
+    elbow(ELBOW, point)
+    for point in ((0.4, 0.2, 0.7), forward_kinematics(ELBOW, [0.1, 0.2, 0.8])[:3, 3])
+)
+WHOLE = KNOWN["PANDA"].jacobian(BENT)
+MAKERS = [1, -1, 1, -1, 1, 1, -1]
 SLIPS = {
-    "1": (lambda: checks.compare_tables(HEADS, PANDA), "table.alpha and theta"),
-    "9": (lambda: checks.compare_tables(UR10E_HOMEWORK, UR10E), "table.robot:UR10"),
-    "9, the maker's numbers": (
-        lambda: checks.compare_tables(UR10, UR10E),
-        "table.robot:UR10 + table.pen",
-    ),
-    "9, the other way": (
-        lambda: checks.compare_tables(UR10E, UR10E_HOMEWORK),
-        "table.robot:UR10e",
-    ),
-    "25": (
-        lambda: checks.compare_jacobian(
-            np.delete(KNOWN["PANDA"].jacobian(BENT), 2, axis=1).round(4), PANDA, BENT
-        ),
-        "J.column missing:3",
-    ),
-    "26": (lambda: checks.compare_tables(PAGES, PANDA), "table.mixed units"),
-    "27": (
-        lambda: checks.compare_pose(Q, THREE, O_3.format("c1*s2*c3 - s1*c2*c3")),
-        "pose.coordinate",
-    ),
-    "2": (lambda: checks.compare_tables(PANDA_HOMEWORK, PANDA), "table.length:a_3:a_6"),
+    "1": (table(HEADS, PANDA), "table.alpha and theta"),
+    "2": (table(PANDA_HOMEWORK, PANDA), "table.length:a_3:a_6"),
     "3": (
-        lambda: checks.compare_jacobian(
-            np.delete(KNOWN["PANDA"].jacobian(BENT), 2, axis=0)[:5],
-            PANDA.lock(3),
-            np.delete(BENT, 2),
-        ),
+        jacobian(np.delete(WHOLE, 2, axis=0)[:5], PANDA.lock(3), np.delete(BENT, 2)),
         "J.row for column",
     ),
-    "4": (
-        lambda: checks.compare_jacobian(recipe(SIX, SKEW, rows=True), UR10E_HOMEWORK, SKEW),
-        "J.rows of T",
+    "4": (jacobian(recipe(SIX, SKEW, rows=True), UR10E_HOMEWORK, SKEW), "J.rows of T"),
+    "6": (
+        partial(checks.compare_torques, heights(PANDA, HOME, CENTRES), PANDA, HOME),
+        "tau.energy",
     ),
-    "6": (lambda: checks.compare_torques(heights(PANDA, HOME, CENTRES), PANDA, HOME), "tau.energy"),
-    "7": (
-        lambda: checks.compare_torques(
-            gradient(lambda q: heights(PANDA, q, PAPER), HOME) - FORCE, PANDA, HOME, PUSH
-        ),
-        "tau.craig centres",
-    ),
+    "7": (torques(PAPERS_WEIGHT - FORCE), "tau.craig centres"),
     "7, the force reversed": (
-        lambda: checks.compare_torques(
-            (gradient(lambda q: heights(PANDA, q, PAPER), HOME) + FORCE).round(4), PANDA, HOME, PUSH
-        ),
+        torques(PAPERS_WEIGHT + FORCE),
         "tau.craig centres + tau.force sign",
     ),
-    "8": (
-        lambda: checks.compare_torques((WEIGHT * 9.8 / 9.81 - FORCE).round(4), PANDA, HOME, PUSH),
-        "tau.gravity:9.8",
-    ),
-    "12": (lambda: branches(slip_12(ASIDE.q[0]), ASIDE), "ik.plus for minus"),
+    "8": (torques(WEIGHT * 9.8 / 9.81 - FORCE), "tau.gravity:9.8"),
+    "9": (table(UR10E_HOMEWORK, UR10E), "table.robot:UR10"),
+    "9, the maker's numbers": (table(UR10, UR10E), "table.robot:UR10 + table.pen"),
+    "9, the other way": (table(UR10E, UR10E_HOMEWORK), "table.robot:UR10e"),
+    "12": (branches(slip_12(ASIDE.q[0]), found=ASIDE), "ik.plus for minus"),
     "13": (
-        lambda: branches(
-            (H - math.atan2(0.2, 0.4) + 0, *elbow(ELBOW, (0.4, 0.2, 0.7)).q[0, 1:]),
-            elbow(ELBOW, (0.4, 0.2, 0.7)),
-        ),
+        branches((H - math.atan2(0.2, 0.4), *LEVEL.q[0, 1:]), found=LEVEL),
         "ik.other axis:q_1",
     ),
-    "15": (lambda: branches((H, *ASIDE.q[0, 1:]), ASIDE), "ik.quarter turn"),
-    "16": (
-        lambda: branches(
-            (0.1, 0.2, math.pi - 0.8),
-            elbow(ELBOW, forward_kinematics(ELBOW, [0.1, 0.2, 0.8])[:3, 3]),
-        ),
-        "ik.supplement:q_3",
-    ),
+    "15": (branches((H, *ASIDE.q[0, 1:]), found=ASIDE), "ik.quarter turn"),
+    "16": (branches((0.1, 0.2, math.pi - 0.8), found=BENT_OVER), "ik.supplement:q_3"),
     "17": (
-        lambda: checks.compare_pose(
-            [0.3, 0.5, 0.2],
-            Arm("three", STANFORD.rows[:3], {"d_2": 0.154}),
-            "[[c1*c2, -s1*c2, c1*s2, q3*c1*s2-d2*s1], "
-            "[s1*c2, c1, s1*s2, q3*s1*s2+d2*c1], [-s2, 0, c2, q3*c2], [0,0,0,1]]",
+        partial(
+            checks.compare_pose, [0.3, 0.5, 0.2], Arm("three", STANFORD.rows[:3], {"d_2": 0.154}),
+            BY_HAND,
         ),
         "pose.entry",
     ),
-    "18": (lambda: ur_pose(np.diag([-1, -1, 1])), "pose.half turn:z"),
-    "22": (lambda: checks.compare_branches(FOUR[1:3], OVER), "ik.one sign"),
-    "23": (lambda: branches((0, H + LOW, -H - 0.0), elbow(ELBOW, (0, 0, 0.0))), "ik.half turn:q_2"),
-    "24": (
-        lambda: checks.compare_torques((-WEIGHT - FORCE).round(4), PANDA, HOME, PUSH),
-        "tau.weight sign",
+    "18": (partial(checks.compare_pose, [0] * 6, UR10E_HOMEWORK, HALF_TURN), "pose.half turn:z"),
+    "22": (branches(*FOUR[1:3]), "ik.one sign"),
+    "23": (branches((0, H + LOW, -H), found=elbow(ELBOW, (0, 0, 0.0))), "ik.half turn:q_2"),
+    "24": (torques(-WEIGHT - FORCE), "tau.weight sign"),
+    "25": (jacobian(np.delete(WHOLE, 2, axis=1), PANDA, BENT), "J.column missing:3"),
+    "26": (table(PAGES, PANDA), "table.mixed units"),
+    "27": (
+        partial(checks.compare_pose, Q, THREE, O_3.format("c1*s2*c3 - s1*c2*c3")),
+        "pose.coordinate",
     ),
-    "theta_1 + pi, the rest unchanged": (lambda: branches((math.pi, LOW, -H)), "ik.mixed"),
-    "force reversed": (
-        lambda: checks.compare_torques((WEIGHT + FORCE).round(2), PANDA, HOME, PUSH),
-        "tau.force sign",
-    ),
-    "N mm": (
-        lambda: checks.compare_torques((1000 * (WEIGHT - FORCE)).round(1), PANDA, HOME, PUSH),
-        "tau.newton millimetres",
-    ),
+    "theta_1 + pi, the rest unchanged": (branches((math.pi, LOW, -H)), "ik.mixed"),
+    "force reversed": (torques(WEIGHT + FORCE), "tau.force sign"),
+    "N mm": (torques(1000 * (WEIGHT - FORCE)), "tau.newton millimetres"),
     "the maker's directions": (
-        lambda: checks.compare_torques(
-            (WEIGHT - FORCE) * [1, -1, 1, -1, 1, 1, -1], PANDA, HOME, PUSH
-        ),
+        torques((WEIGHT - FORCE) * MAKERS),
         "tau.signs:tau_2, tau_4 and tau_7",
     ),
-}
+}  # fmt: skip
 
 
 # Told elsewhere in this file: 5, 10, 11, 19, 20, 21 by runs, 14 below as a free joint.

@@ -301,44 +301,6 @@ def test_joint_6_of_a_ur_is_free_where_its_circle_lies_within_reach(q, free, arm
     assert found.free[same_shoulder, 5].any() == free
 
 
-@pytest.mark.parametrize(
-    ("solver", "arm", "special", "off"),
-    [
-        (elbow, ELBOW, {2: 0.0}, 1e-10),
-        (elbow, ELBOW, {2: np.pi}, 1e-10),
-        (elbow, ELBOW, {1: np.pi / 2, 2: 0.0}, 1e-10),
-        (stanford, STANFORD, {4: 0.0}, 1e-10),
-        (stanford, STANFORD, {2: 0.0}, 1e-10),
-        (spherical_wrist, PUMA, {4: 0.0}, 1e-10),
-        (spherical_wrist, PUMA, {2: np.arctan2(0.4318, 0.0203)}, 1e-10),
-        (ur, UR10E, {4: 0.0}, 1e-10),
-        (ur, UR10E, {2: 0.0}, 1e-10),
-        (ur, UR10E, {2: 0.0, 4: 0.0}, 1e-10),
-        (
-            ur,
-            UR10E_HOMEWORK,
-            {1: 0.0, 2: 0.0, 3: 0.0, 4: 0.0},
-            2e-9,
-        ),  # as much as rounding turns joint 1 by
-    ],
-)
-def test_the_singular_set_approached_from_all_sides(solver, arm, special, off):
-    """The target is never lost, and no branch is off, from a thousandth of a radian away to the set
-    itself."""
-    rng = np.random.default_rng(6)
-    for size in (0.0, *10.0 ** -np.arange(3, 18)):
-        q = random_q(arm, 60, seed=7)
-        for joint, value in special.items():
-            q[:, joint] = value
-        q += size * rng.uniform(-1, 1, q.shape)
-        T = forward_kinematics(arm, q)
-        targets = T[:, :3, 3] if arm.dof == 3 else T
-        found = solver(arm, targets)
-        assert found.valid.any(axis=1).all(), size
-        assert np.isfinite(found.q[found.valid]).all()
-        assert misses(arm, found, targets).max() < off, size
-
-
 # Branches that are one
 
 
@@ -402,6 +364,8 @@ def test_what_is_listed_does_not_hang_on_the_last_digit(solver, arm, targets):
     """And branches that are one are listed once, and counted so."""
     rng, found = np.random.default_rng(21), solver(arm, targets)
     assert found.valid.any(axis=1).all()
+    # Rounding turns joint 1 of a stretched arm by 1e-8 rad.
+    assert misses(arm, found, targets).max() < (2e-9 if arm is UR10E_HOMEWORK else 1e-10)
     all_differ(arm, found)
     assert (found.times.sum(axis=1) <= len(found.branches)).all()
     assert ((found.times >= 1) == found.valid).all()
