@@ -35,7 +35,7 @@ from helpers.motion import (
 from helpers.motion.report import Report
 from helpers.motion.report import run_report as summary
 from helpers.motion.steps import charted
-from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK
 
 HOMEWORK, REAL = PANDA_HOMEWORK.lock(3), PANDA.lock(3)
 TOP = np.array([0.679, 0, 0.825])
@@ -365,9 +365,7 @@ ELBOW_OUT = PANDA.lock(3, at=np.radians(70))
 OUT = np.radians([-107.7, 44.5, 81.8, 100.0, 147.4, 50.9])  # Newton's first sweep overshoots
 RUNS = {
     "elbow out": (ELBOW_OUT, OUT, circle_below(ELBOW_OUT, OUT, 0.1, "zy", 5.0, 300)),
-    "Panda": (HOMEWORK, HOMEWORK.home, panda_circle(300)),
     "UR10e": (UR10E, [0.4, -1.2, 1.6, -0.9, 1.2, 0.3], None),
-    "Stanford": (STANFORD, [0.3, 0.8, 0.5, 0.4, 0.9, -0.6], None),
     "uneven": (HOMEWORK, HOMEWORK.home, replace(panda_circle(200), times=5 * np.linspace(0, 1,
     151) ** 2)),
 }  # fmt: skip
