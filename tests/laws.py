@@ -35,10 +35,10 @@ def joint_vectors(arm: Arm, shape: tuple[int, ...], seed: int = 0) -> np.ndarray
     return np.random.default_rng(seed).uniform(-1.5, 1.5, (*shape, arm.dof))
 
 
-def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
-    """T_00 .. T_0n as products of the four elementary motions, written out here and nowhere
-    else."""
-    frames, rest = [np.eye(4)], list(q)
+def motions(arm: Arm, q: np.ndarray):
+    """What each row says, written out here and nowhere else: a turn about z and a step along it,
+    then a tilt about x and a step along it, 4x4 each."""
+    rest = list(q)
     for row in arm.rows:
         a, alpha, d, theta = (arm.number(e) for e in (row.a, row.alpha, row.d, row.theta))
         if row.joint.kind == "revolute":
@@ -48,6 +48,13 @@ def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
         c, s = np.cos([theta, alpha]), np.sin([theta, alpha])
         turn = np.array([[c[0], -s[0], 0, 0], [s[0], c[0], 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
         tilt = np.array([[1, 0, 0, a], [0, c[1], -s[1], 0], [0, s[1], c[1], 0], [0, 0, 0, 1]])
+        yield turn, tilt
+
+
+def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
+    """T_00 .. T_0n as products of the elementary motions."""
+    frames = [np.eye(4)]
+    for turn, tilt in motions(arm, q):
         frames.append(frames[-1] @ turn @ tilt)
     return frames
 

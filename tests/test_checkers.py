@@ -186,7 +186,6 @@ OVER = elbow(ELBOW, (0.5, 0, 0.5))
 FOUR = [(0, LOW, -H), (0, -LOW, H), (math.pi, math.pi - LOW, H), (math.pi, math.pi + LOW, -H)]
 OFFSET = ELBOW.with_values(d=0.1)
 ASIDE = elbow(OFFSET, (0.4, 0.2, 0.7))
-LOCKED = PANDA_HOMEWORK.lock(3)
 HOME = np.array(PANDA.home)
 PUSH = [-5.0, 0, 0, 0, 0, 0]
 SIX = KNOWN["UR10E_HOMEWORK"]

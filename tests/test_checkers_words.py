@@ -12,7 +12,6 @@ from helpers import checks
 from helpers.arm import Arm
 from helpers.inverse import elbow
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.motion import circle
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from helpers.statics import static_torque
 from tests.corpus.arms import KNOWN
@@ -46,7 +45,6 @@ q4 0 {} pi/2
 q5 0.384 0 pi/2
 q6 0 0.088 -pi/2
 q7 -0.207 0 0"""
-CIRCLE = circle((0.3, 0.2, 0.6), 0.1, "zx", 5, 5)
 SLIDE = "q1 0 0 -90\nq2 0.154 0 90\n0 -d3 0 0\nq4 0 0 -90\nq5 0 0 90\nq6 0.263 0 0"
 
 
