@@ -215,6 +215,13 @@ CALLED = {
 VECTORS = ("centre", "direction", "normal", "point", "q", "start", "step", "wrench")
 ANY_LENGTH = {"inverse.follow start", "explorer.ArmExplorer q", "explorer.ArmExplorer wrench"}
 
+# One pose where others take many: a list of one is refused.
+ONE = {
+    *("motion.trace start", "motion.circle_below start", "motion.self_motion start"),
+    *("motion.self_motion direction", "motion.self_motion_directions q"),
+    *("checks.compare_jacobian q", "plotting.arm_2d q"),
+}
+
 # Numbers just out of an argument's range; the message is the same.
 OUTSIDE = {
     **dict.fromkeys(("below", "length", "period", "radius", "motion.self_motion speed"), (0, -1)),
@@ -241,13 +248,6 @@ SPECIAL = [
     ("arm.Arm.lock", dict(at="b"), 'no value for b; there are d_1'),
     ("arm.Arm.with_bodies", dict(bodies=PANDA.bodies[:2]), 'Panda: 2 bodies for 7 rows; expected'
                                                            ' one each'),
-    ("motion.trace", dict(start=[SIX.home]), 'start has shape (1, 6); expected one pose, (6,)'),
-    ("motion.self_motion", dict(direction=[PANDA.home]), 'direction has shape (1, 7); expected'),
-    ("motion.self_motion_directions", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one'),
-    ("motion.self_motion", dict(start=[PANDA.home]), 'start has shape (1, 7); expected one pose,'
-                                                     ' (7,)'),
-    ("checks.compare_jacobian", dict(q=[SIX.home]), 'q has shape (1, 6); expected one pose, (6,)'),
-    ("plotting.arm_2d", dict(q=[PANDA.home]), 'q has shape (1, 7); expected one pose, (7,)'),
     ("plotting.shoulder_triangles", dict(point=[0.01, 0]), "point is 0.01 m from the axis"),
     ("plotting.lengths", dict(aside={"b_1": (0, 1)}), "aside names 'b_1'; expected steps such as"),
     ("plotting.lengths", dict(aside={"d_8": (0, 1)}), "aside names 'd_8'; expected steps such as"),
@@ -393,6 +393,8 @@ def cases():
                     yield name, argument, np.full_like(value, 1e308, dtype=float)
             if argument in VECTORS and f"{name} {argument}" not in ANY_LENGTH and np.ndim(value):
                 yield name, argument, np.asarray(value)[..., :-1]
+            if f"{name} {argument}" in ONE:
+                yield name, argument, np.asarray(value)[None]
             for number in said(OUTSIDE, name, argument, ()):
                 yield name, argument, number
 

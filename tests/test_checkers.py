@@ -137,12 +137,6 @@ def test_what_is_no_table_is_refused_in_words(text):
             "alpha in row 3 should be nothing (you have 0.3)",
             "table.too much:alpha:3",
         ),
-        (
-            "0.3 0 0 0",
-            "0.1 0 0 0",
-            "a in row 4 is 200 mm too short (you have 0.1)",
-            "table.number:a:4",
-        ),
     ],
 )
 def test_a_modified_table_is_quoted_as_it_was_typed(typed, instead, place, cause):

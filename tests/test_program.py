@@ -60,15 +60,6 @@ def test_any_formula_is_what_it_was(lines, seed):
         (lambda x, y: [0.5 * x * y, -0.5 * x * y], 3),
         (lambda x, y: [x + y, (x * y, y)[1]], 1),
     ],
-    ids=[
-        "0 and 1",
-        "a value less itself",
-        "equal steps",
-        "signs",
-        "one sign",
-        "one half",
-        "unused",
-    ],
 )
 def test_no_step_too_many(compute, steps):
     assert len(record(compute, 2).on_rows) <= steps
