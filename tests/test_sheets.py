@@ -57,25 +57,19 @@ def pose(sheet):
 
 def true(sheet, what, q):
     """What the numeric view says of an answer at q."""
-    arm, letter, index = sheet.arm, what[0], int("0" + re.sub(r"\D", "", what))
+    arm, index = sheet.arm, int("0" + re.sub(r"\D", "", what))
     frames = kinematics.link_frames(arm, q)
-    match letter:
-        case "A":
-            return np.linalg.inv(frames[index - 1]) @ frames[index]
-        case "T":
-            return frames[index]
-        case "o":
-            return frames[index][:3, 3]
-        case "z":
-            return frames[index][:3, 2]
-        case "J":
-            return kinematics.jacobian(arm, q)
-        case "d":
-            return np.linalg.det(kinematics.jacobian(arm, q)[: arm.dof])
-        case "P":
-            return statics.potential_energy(arm, q)
-        case "G":
-            return statics.gravity_torque(arm, q)
+    answers_by_letter = {
+        "A": lambda: np.linalg.inv(frames[index - 1]) @ frames[index],
+        "T": lambda: frames[index],
+        "o": lambda: frames[index][:3, 3],
+        "z": lambda: frames[index][:3, 2],
+        "J": lambda: kinematics.jacobian(arm, q),
+        "d": lambda: np.linalg.det(kinematics.jacobian(arm, q)[: arm.dof]),
+        "P": lambda: statics.potential_energy(arm, q),
+        "G": lambda: statics.gravity_torque(arm, q),
+    }
+    return answers_by_letter[what[0]]()
 
 
 def check(sheet, what, got, q):
