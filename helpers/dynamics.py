@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, common_shape, must_be, numbers
+from helpers.inputs import ArmError, common_shape, numbers
 from helpers.kinematics import link_frames
-from helpers.statics import GRAVITY
+from helpers.statics import GRAVITY, must_have_bodies
 
 __all__ = ["inverse_dynamics"]
 
@@ -35,11 +35,7 @@ def inverse_dynamics(
     Raises ArmError where the arm has no masses, for tensors that are not symmetric, and for shapes
     that do not fit.
     """
-    must_be(arm, Arm, "arm")
-    if not arm.bodies:
-        raise ArmError(
-            f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows"
-        )
+    must_have_bodies(arm)
     q, q_dot, q_ddot = (
         arm.joint_vector(x, name) for x, name in ((q, "q"), (q_dot, "q_dot"), (q_ddot, "q_ddot"))
     )

@@ -24,8 +24,15 @@ def velocity_ellipsoid(J: ArrayLike) -> Array:
     length. A column of zeros is a direction in which the tip cannot move. Raises ArmError for
     another shape.
     """
-    U, sizes = _axes(J)
-    return U * sizes
+    block = _block(J)
+    if block.shape[0] != 3:
+        raise ArmError(
+            f"J has shape {block.shape}; expected (3, n), the linear or the angular rows"
+        )
+    U, found, _ = np.linalg.svd(block)
+    sizes = np.zeros(3)
+    sizes[: len(found)] = np.where(found > 1e-12 * found.max(initial=0.0), found, 0.0)
+    return _signed(U) * sizes
 
 
 def lost_directions(J: ArrayLike, cutoff: float = 1e-9) -> Array:
@@ -37,18 +44,6 @@ def lost_directions(J: ArrayLike, cutoff: float = 1e-9) -> Array:
     U, sizes, _ = np.linalg.svd(_block(J), full_matrices=True)
     rank = int((sizes > cutoff * sizes.max(initial=0.0)).sum())
     return U.T[rank:]
-
-
-def _axes(J: ArrayLike) -> tuple[Array, Array]:
-    block = _block(J)
-    if block.shape[0] != 3:
-        raise ArmError(
-            f"J has shape {block.shape}; expected (3, n), the linear or the angular rows"
-        )
-    U, found, _ = np.linalg.svd(block)
-    sizes = np.zeros(3)
-    sizes[: len(found)] = np.where(found > 1e-12 * found.max(initial=0.0), found, 0.0)
-    return _signed(U), sizes
 
 
 def _signed(U: Array) -> Array:

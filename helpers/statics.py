@@ -79,7 +79,7 @@ def forces(wrench: ArrayLike) -> Array:
 def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm:
     """The arm with a mass (kg) fixed to its last link, its centre in the last frame (m): a tool, a
     pen, a load."""
-    _must_have_bodies(arm)
+    must_have_bodies(arm)
     masses, coms = _bodies(arm)
     mass = number(mass, "mass", "a finite number of kg, 0 or more", least=0)
     added = numbers(com, "com", "three finite coordinates in m", (3,))
@@ -145,12 +145,13 @@ def _lifts(steps: Sequence[Step], lift: Vector) -> Iterator[Vector]:
 
 def _lift(arm: Arm, gravity: ArrayLike) -> list[float]:
     """-gravity, once both are known to be in order."""
-    _must_have_bodies(arm)
+    must_have_bodies(arm)
     wanted = "a vector of three finite numbers in m/s^2"
     return (-numbers(gravity, "gravity", wanted, (3,))).tolist()
 
 
-def _must_have_bodies(arm: Arm) -> None:
+def must_have_bodies(arm: Arm) -> None:
+    """Raise ArmError for an arm without masses."""
     must_be(arm, Arm, "arm")
     if not arm.bodies:
         raise ArmError(

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from helpers.arm import Arm, ArmError, Joint
 from helpers.derive import Axis, derive
-from helpers.inputs import must_be, shown
+from helpers.inputs import shown
 from helpers.rows import Kind, cos_sin
 
 __all__ = ["from_urdf"]
@@ -60,8 +60,6 @@ def from_urdf(
     angles put a row's common normal far off the arm, which a larger tolerance mends.
     """
     tree = _tree(_robot(source))
-    if name is not None:
-        must_be(name, str, "an arm's name")
     base = tree.only(tree.roots, "without a parent") if base is None else tree.link(base, "base")
     ends = tree.ends(base)
     tip = tree.only(ends, f"at the end beyond {base}") if tip is None else tree.link(tip, "tip")
@@ -147,7 +145,8 @@ class _Tree:
     @property
     def roots(self) -> list[str]:
         """The links without a parent."""
-        return [link for link in self.loads if link not in {joint.child for joint in self.joints}]
+        carried = {joint.child for joint in self.joints}
+        return [link for link in self.loads if link not in carried]
 
     def ends(self, base: str) -> list[str]:
         """The links beyond the base, or the base, on which nothing hangs."""

@@ -15,7 +15,7 @@ from helpers import kinematics, statics
 from helpers.arm import Arm, ArmError, Body, fixed, prismatic, revolute
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from helpers.sheets import block, displays, document, markdown
+from helpers.sheets import displays, document, markdown
 from helpers.sheets.__main__ import main, slug
 from helpers.sheets.content import Sheet
 from helpers.urdf import from_urdf
@@ -321,13 +321,6 @@ def test_the_command_takes_two_links_and_a_files_name(tmp_path, capsys):
 def test_the_command_says_what_is_wrong():
     with pytest.raises(SystemExit, match="no arm is called 'Puma'; expected one of"):
         main(["Puma"])
-
-
-def test_one_block_by_its_name():
-    sheet = SHEETS["Elbow arm"]
-    assert block(ELBOW, "det_J", "MATLAB") == given("MATLAB", sheet, sheet.determinant)
-    with pytest.raises(ArmError, match="answer is 'K'; expected one of A_1, A_2"):
-        block(ELBOW, "K", "MATLAB")
 
 
 # What is refused

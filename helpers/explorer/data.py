@@ -18,13 +18,9 @@ _DIGITS = 5  # of its joint values, so that the last digit of a machine's arithm
 
 def arm_from(name: str, rows: Sequence[Mapping[str, Any]]) -> Arm:
     """The arm whose rows a browser sends; raises ArmError where they make no arm."""
-    bodies = [Body(*_mass_and_centre(row["body"])) for row in rows if row.get("body")]
+    bodies = [Body(row["body"][0], tuple(row["body"][1:])) for row in rows if row.get("body")]
     complete = bodies if len(bodies) == len(rows) else []
     return Arm(name, tuple(_row(row) for row in rows), bodies=tuple(complete))
-
-
-def _mass_and_centre(body: Sequence[float]) -> tuple[float, tuple[float, ...]]:
-    return body[0], tuple(body[1:])
 
 
 def _row(row: Mapping[str, Any]) -> Row:
@@ -47,39 +43,22 @@ def path_data(arm: Arm, trace: ArrayLike | None) -> list[list[float]] | None:
     return _rounded(path[kept])
 
 
-def branches_data(
-    arm: Arm, branches: Solutions | Mapping[str, ArrayLike] | ArrayLike | None
-) -> list[Data] | None:
-    """Joint vectors of one pose: a closed form's, a mapping from names to them, or an array of
-    shape (k, dof)."""
+def branches_data(arm: Arm, branches: Solutions | Sequence[Any] | None) -> list[Data] | None:
+    """The joint vectors of one pose: what a closed form gives, or vectors, shape (k, dof); a
+    browser sends mappings."""
     if branches is None:
         return None
     if isinstance(branches, Solutions):
-        branches = _named(branches)
-    wanted = "a closed form's answer, a mapping from names to joint vectors, or (k, dof)"
-    branches = branches if isinstance(branches, Mapping) else listed(branches, "branches", wanted)
-    if isinstance(branches, Mapping):
-        return [
-            {"label": str(name), "q": _rounded(arm.joint_vector(q))} for name, q in branches.items()
-        ]
-    return [_branch(arm, branch) for branch in branches]
-
-
-def _named(found: Solutions) -> dict[str, np.ndarray]:
-    if found.q.ndim != 2:
-        raise ArmError(
-            f"{found.arm.name}: the branches are those of {found.q.shape[:-2]} poses; expected one"
-        )
-    return {
-        name: q
-        for name, q, valid in zip(found.branches, found.q, found.valid, strict=True)
-        if valid
-    }
-
-
-def _branch(arm: Arm, branch: Any) -> Data:
-    data = branch if isinstance(branch, Mapping) else {"q": branch}  # a browser sends mappings
-    return {**data, "q": _rounded(arm.joint_vector(data["q"]))}
+        if branches.q.ndim != 2:
+            raise ArmError(
+                f"{branches.arm.name}: the branches are those of {branches.q.shape[:-2]} poses;"
+                " expected one"
+            )
+        rows = zip(branches.branches, branches.q, branches.valid, strict=True)
+        branches = [{"label": name, "q": q} for name, q, valid in rows if valid]
+    items = listed(branches, "branches", "a closed form's answer, or joint vectors (k, dof)")
+    found = [item if isinstance(item, Mapping) else {"q": item} for item in items]
+    return [{**item, "q": _rounded(arm.joint_vector(item["q"]))} for item in found]
 
 
 def _rounded(values: np.ndarray) -> list:

@@ -6,13 +6,12 @@ from collections.abc import Iterable
 from html import escape
 from typing import Any
 
-import anywidget
 import traitlets
 from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.checks.arms import arm_data
-from helpers.explorer.widget import esm
+from helpers.explorer.widget import Live, esm
 from helpers.inputs import ArmError, listed, must_be, one_of, shown
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 
@@ -34,7 +33,7 @@ ONE_ARM = {"swing": PANDA, "triangles": ELBOW, "winds": PANDA_HOMEWORK}
 SETTINGS = ("angle", "column", "fixed", "frames", "lit", "push", "row", "words", "wrench")
 
 
-class ArmFigure(anywidget.AnyWidget):
+class ArmFigure(Live):
     """A small live figure, as the chapters show them beside a sentence.
 
     Args:
@@ -84,13 +83,6 @@ class ArmFigure(anywidget.AnyWidget):
             spec["q"] = arm.joint_vector(q).tolist()
         self._arm_name = arm.name
         super().__init__(_spec=spec)
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        """The live figure for a running notebook, and beside it a stub that a static page brings
-        to life."""
-        live: Any = super()._repr_mimebundle_(**kwargs)
-        live = live[0] if isinstance(live, tuple) else live
-        return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
 
     @property
     def _stub(self) -> str:

@@ -22,19 +22,13 @@ def stub(arm: Arm, q: ArrayLike, spec: Data) -> str:
     """A figure in HTML that any browser shows and the explorer's script brings to life; the same
     bytes each time."""
     data = json.dumps(spec, separators=(",", ":"), ensure_ascii=False).replace("</", "<\\/")
-    text = f"{arm.name} at {_pose_text(arm, q)}."
+    pairs = zip(arm.variables, np.round(arm.joint_vector(q), 3) + 0.0, strict=True)
+    text = f"{arm.name} at {', '.join(f'{name} = {value:g}' for name, value in pairs)}."
     name = "arm-explorer whole" if spec.get("link") else "arm-explorer"
     return (
         f'<div class="{name}">{still(arm, q, "Still picture of the " + text)}'
         f'<p class="arm-explorer-caption">{escape(text)}</p>'
         f'<script type="application/json">{data}</script></div>'
-    )
-
-
-def _pose_text(arm: Arm, q: ArrayLike) -> str:
-    values = np.round(arm.joint_vector(q), 3) + 0.0
-    return ", ".join(
-        f"{name} = {value:g}" for name, value in zip(arm.variables, values, strict=True)
     )
 
 

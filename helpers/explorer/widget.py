@@ -48,7 +48,19 @@ class Floats(traitlets.TraitType):
         return tuple(array.tolist())
 
 
-class ArmExplorer(anywidget.AnyWidget):
+class Live(anywidget.AnyWidget):
+    """What is live in a running notebook, and has beside it a stub that a static page brings to
+    life."""
+
+    _stub: Any
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        live: Any = super()._repr_mimebundle_(**kwargs)
+        live = live[0] if isinstance(live, tuple) else live
+        return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
+
+
+class ArmExplorer(Live):
     """A live instrument for an arm: `q`, `wrench` and `trace` may be read and set while a reader
     moves it.
 
@@ -60,7 +72,7 @@ class ArmExplorer(anywidget.AnyWidget):
             N m.
         trace: joint vectors along a path, shape (N, dof), or an object with such a `q`.
         branches: joint vectors that reach one pose: what a closed form of `helpers.inverse`
-            returns, a mapping from names to them, or an array of shape (k, dof).
+            returns, or an array of shape (k, dof).
         reference: the arm behind the table, as a ghost; the arm itself unless given.
         arms: more arms to choose from.
         unit: of the angles shown: deg or rad.
@@ -88,7 +100,7 @@ class ArmExplorer(anywidget.AnyWidget):
         views: Iterable[str] = VIEWS,
         wrench: ArrayLike = (0, 0, 0, 0, 0, 0),
         trace: Any = None,
-        branches: Solutions | Mapping[str, ArrayLike] | ArrayLike | None = None,
+        branches: Solutions | ArrayLike | None = None,
         reference: Arm | None = None,
         arms: Iterable[Arm] = (),
         unit: str = "deg",
@@ -160,13 +172,6 @@ class ArmExplorer(anywidget.AnyWidget):
     @traitlets.validate("branches")
     def _check_branches(self, proposal: Mapping[str, Any]) -> list[dict[str, Any]] | None:
         return branches_data(self.arm, proposal["value"])
-
-    def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        """The live view for a running notebook, and beside it a stub that a static page brings to
-        life."""
-        live: Any = super()._repr_mimebundle_(**kwargs)
-        live = live[0] if isinstance(live, tuple) else live
-        return {**(live or {}), "text/plain": repr(self), "text/html": self._stub}
 
     @property
     def _stub(self) -> str:

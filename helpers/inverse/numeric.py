@@ -40,13 +40,6 @@ class NumericSolution:
     iterations: NDArray[np.int_]
     starts: NDArray[np.int_]
 
-    def __repr__(self) -> str:
-        missed = self.reached.size - self.reached.sum()
-        return (
-            f"<NumericSolution: {self.reached.sum()} of {self.reached.size} targets reached,"
-            f" {missed} missed>"
-        )
-
 
 def solve(
     arm: Arm,

@@ -67,12 +67,9 @@ class Report:
             ("joints beyond their speed", self._joints(self.beyond_speed, "/s")),
         ]
 
-    def unit(self, joint: int) -> str:
-        """What a joint's excess over its range is in."""
-        return "m" if joint in self.sliding else "rad"
-
     def _joints(self, excess: tuple[tuple[int, float], ...], per: str) -> str:
-        told = (f"joint {i} by {x:.2g} {self.unit(i)}{per}" for i, x in excess)
+        unit = {i: "m" for i in self.sliding}
+        told = (f"joint {i} by {x:.2g} {unit.get(i, 'rad')}{per}" for i, x in excess)
         return ", ".join(told) or "none"
 
     def __str__(self) -> str:

@@ -22,7 +22,7 @@ from helpers.plotting.drawing import (
 from helpers.plotting.maps import map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
-from helpers.plotting.torques import pen_and_wall, torque_shares, torques
+from helpers.plotting.torques import torque_shares, torques
 from helpers.plotting.traces import joints, moving_picture, path_2d
 
 __all__ = [
@@ -47,7 +47,6 @@ __all__ = [
     "map_2d",
     "moving_picture",
     "path_2d",
-    "pen_and_wall",
     "postures",
     "regions",
     "row_drawing",

@@ -38,14 +38,8 @@ def shoulder_triangles(
         way = heading + side * half
         foot = offset * np.array([np.cos(way), np.sin(way)])
         ax.plot(*np.stack([(0, 0), foot, point], axis=1), color=colour, lw=2)
-        across = side * np.array([-np.sin(heading), np.cos(heading)])
-        back = -np.array([np.cos(heading), np.sin(heading)])
-        for spot, text, way_off in (
-            (foot / 2, letters[0], back),
-            ((2 * foot + 3 * point) / 5, letters[1], across),
-        ):
-            x, y = spot + 0.07 * far * way_off
-            ax.text(x, y, text, ha="center", va="center")
+        _beside(ax, 0 * foot, foot, letters[0], 0.07 * far * side)
+        _beside(ax, foot, point, letters[1], 0.07 * far * side)
         x, y = 1.3 * foot
         ax.text(x, y, name, ha="center", va="center")
     ax.plot(0, 0, "o", color=SLATE, ms=7)

@@ -270,7 +270,9 @@ def row_drawing(ax: Axes, found: Derivation, row: int, view: View) -> None:
     """Draw how one row of a table came about: the two axes, their common normal, the frame before
     (grey) and the frame placed (black), the steps d (blue) and a (orange)."""
     must_be(found, Derivation, "found")
-    step = found.steps[_row_of(found, row) - 1]
+    if whole(row, "row", 1) > len(found.steps):
+        raise ArmError(f"row is {row}; expected one of 1 to {len(found.steps)}")
+    step = found.steps[row - 1]
     before, foot, origin = step.before[:3, 3], *step.normal
     middle, half, reach = _window(found, seen([before, foot, origin], view)[:, :2])
     ax.plot(*seen(_line(found), view).T[:2], color=_PALE, lw=5, solid_joinstyle="round", zorder=1)
@@ -298,12 +300,6 @@ def _away(axis: Array, other: Array, view: View, side: float) -> float:
 
 _DASHED = (0, (8, 3, 2, 3))
 _SPAN = np.array([-1.35, 1.35])
-
-
-def _row_of(found: Derivation, row: int) -> int:
-    if whole(row, "row", 1) > len(found.steps):
-        raise ArmError(f"row is {row}; expected one of 1 to {len(found.steps)}")
-    return row
 
 
 def _window(found: Derivation, points: Array) -> tuple[Array, float, float]:

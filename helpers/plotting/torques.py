@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import must_be, numbers
-from helpers.plotting.plane import arrow_2d
-from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, time_axis
+from helpers.plotting.style import BLUE, GREEN, ORANGE, PURPLE, RED, time_axis
 
 
 def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: object) -> None:
@@ -29,8 +28,9 @@ def torques(axes: NDArray[Any], arm: Arm, t: ArrayLike, tau: ArrayLike, **line: 
         ax.set_ylabel(f"joint {i}\n(N m)", rotation=0, ha="right", va="center")
         ax.yaxis.set_label_coords(-0.16, 0.5)
         ax.yaxis.set_major_locator(MaxNLocator(3))
-        if np.isfinite(limit):
-            _at_least(ax, 1e-3 * limit)
+        low, high = ax.get_ylim()
+        if np.isfinite(limit) and high - low < 1e-3 * limit:
+            ax.set_ylim((low + high - 1e-3 * limit) / 2, (low + high + 1e-3 * limit) / 2)
     time_axis(axes.flat[-1])
 
 
@@ -55,25 +55,3 @@ def torque_shares(ax: Axes, arm: Arm, runs: Mapping[str, ArrayLike]) -> None:
         ax.bar(places, height, width, low, label=name, color=colour, hatch=hatch, ec="white", lw=0)
     ax.legend(ncols=2, loc="lower right", bbox_to_anchor=(1, 0.1))
     ax.set(xlabel="joint", ylabel="share of the limit (%)", xticks=arm.joints)
-
-
-def _at_least(ax: Axes, span: float) -> None:
-    """Widen what an axes shows to `span`, on both sides alike."""
-    low, high = ax.get_ylim()
-    if high - low < span:
-        ax.set_ylim((low + high - span) / 2, (low + high + span) / 2)
-
-
-def pen_and_wall(ax: Axes) -> None:
-    """The free body that settles the sign: the pen cut loose from the wall, each pushing the
-    other."""
-    ax.fill_between([1.0, 1.8], -0.42, 0.42, color=SKY, alpha=0.35, lw=0)
-    ax.plot([-0.2, 0.7], [0, 0], color=GREY, lw=9, solid_capstyle="round")
-    arrow_2d(ax, (0.72, 0.14), (-0.45, 0), RED)
-    arrow_2d(ax, (1.02, -0.06), (0.45, 0), BLUE)
-    ax.text(0.3, 0.2, "the wall on the pen\n$F = (-5, 0, 0)$ N", color=RED, ha="center")
-    ax.text(1.4, -0.33, "the pen on the wall\n$(+5, 0, 0)$ N", color=BLUE, ha="center")
-    ax.text(-0.15, -0.08, "pen", ha="center", va="top")
-    ax.text(1.4, 0.28, "wall", ha="center")
-    ax.set(xlim=(-0.3, 1.82), ylim=(-0.44, 0.44), aspect="equal")
-    ax.set_axis_off()

@@ -20,7 +20,8 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
     """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths
     in m."""
     must_be(run, Trace, "run")
-    i, j = _wall_axes(run)
+    out = int(np.abs(run.path.normal).argmax())
+    i, j = (k for k in range(3) if k != out)
     some = _some(run)
     wanted, traced = run.path.positions[some], run.poses[some, :3, 3]
     ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
@@ -53,12 +54,6 @@ def joints(axes: NDArray[Any], run: Trace) -> None:
 def _some(run: Trace) -> NDArray[np.intp]:
     """Steps enough for a smooth line, the first and the last among them."""
     return np.unique(np.linspace(0, len(run.t) - 1, 61).astype(int))
-
-
-def _wall_axes(run: Trace) -> tuple[int, int]:
-    out = int(np.abs(run.path.normal).argmax())
-    first, second = (k for k in range(3) if k != out)
-    return first, second
 
 
 def moving_picture(run: Trace, planes: tuple[str, str] = ("xz", "yz"), frames: int = 48) -> str:
