@@ -18,7 +18,7 @@ from helpers.kinematics import (
     link_frames,
     manipulability,
 )
-from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, UR10E_HOMEWORK
 from tests.laws import ALL_ARMS, SHAPES, ids, joint_vectors, random_arms, slow_frames
 
 every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
@@ -107,21 +107,6 @@ def test_the_homeworks_jacobians():
     J = jacobian(PANDA_HOMEWORK.lock(3), np.delete(PANDA_HOMEWORK.home, 2))
     assert np.linalg.det(J) == pytest.approx(0.0099968, abs=5e-8)
     assert np.linalg.svd(J, compute_uv=False)[-1] == pytest.approx(0.051424, abs=5e-7)
-
-
-def test_the_stanford_arm_by_hand():
-    q_1, q_2, q_3 = 0.3, -0.7, 0.6
-    T = link_frames(STANFORD, [q_1, q_2, q_3, 0, 0, 0])
-    c1, s1, c2, s2 = np.cos(q_1), np.sin(q_1), np.cos(q_2), np.sin(q_2)
-    d = 0.154
-    T_02 = [
-        [c1 * c2, -s1, c1 * s2, -d * s1],
-        [s1 * c2, c1, s1 * s2, d * c1],
-        [-s2, 0, c2, 0],
-        [0, 0, 0, 1],
-    ]
-    np.testing.assert_allclose(T[2], T_02, atol=1e-15)
-    np.testing.assert_allclose(T[3, :3, 3] - T[2, :3, 3], q_3 * T[2, :3, 2], atol=1e-15)
 
 
 def test_a_wrist_alone_turns_about_a_point():

@@ -8,8 +8,8 @@ import pytest
 from helpers.kinematics import tip
 from helpers.robots import PANDA
 from tools.noise import KERNELS, SEEDS, Setting, outside, said, settings, tight
-from tools.rerun import difference, share, words
-from tools.rounding import Noise, Noisy
+from tools.rerun import difference, words
+from tools.rounding import Noise
 
 QUIET = Setting("this processor", {})
 NOISES = [Setting(f"noise {seed}", {}, seed) for seed in (1, 2)]
@@ -115,20 +115,7 @@ def test_noise_leaves_alone_what_no_rounding_moves():
     assert type(noise(0.7)) is float
 
 
-def test_noise_goes_into_named_tuples_and_given_arrays():
-    factors = Noisy(np.linalg.svd)(np.diag([3.0, 2.0]))
-    assert type(factors).__name__ == "SVDResult"
-    out = np.empty(400)
-    assert Noisy(np.cos)(np.linspace(0.1, 1, 400), out=out) is out
-    assert (out != np.cos(np.linspace(0.1, 1, 400))).any()
-
-
 def test_the_same_computation_gives_the_same_number_twice_but_not_on_another_processor():
     values = np.linspace(0.1, 1, 99)
     assert (Noise(7)(values) == [Noise(7)(value) for value in values.tolist()]).all()
     assert 30 < (Noise(7)(values) != Noise(8)(values)).sum() < 99
-
-
-def test_a_share_of_a_tolerance():
-    assert share([1.0, 2.0], [1.0, 2.5], 1.0) == 0.5
-    assert share([], [], 1.0) == 0.0
