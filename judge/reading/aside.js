@@ -35,7 +35,7 @@ const COUNTS = new RegExp(
   String.raw`(?:exercise|problem|tab(?:le)?|fig(?:ure)?|task|question|part|homework|hw|step` +
     String.raw`|solution|lösung|aufgabe|tabelle|eq|equation|joint|link` +
     String.raw`|axis|row|no|nr)\.?\s*#?\d{1,2}(?:\.\d)?(?![\d.]*\d)|(?:In|Out) ?\[\d*\]:` +
-    String.raw`|(?:answer|branch|case|set)\s*\d+(?=\s*[:.)])` +
+    String.raw`|\bround\(\d+\)|(?:answer|branch|case|set)\s*\d+(?=\s*[:.)])` +
     String.raw`|\d+[- ]?(?:joints?|axes|dof|links?|digits|decimals|element)(?!\p{L})`,
   "giu",
 );

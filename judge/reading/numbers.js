@@ -85,16 +85,17 @@ function entryOf(leaf, what, wanted) {
 }
 
 // What stands before a value: a quoted name with a comma or colon, q_1 =, theta_{2}: or Joint 1:;
-// before a list: Solution 1: or 1); and behind a value the unit of torques and angles.
+// before a list: Solution 1:, 1) or elbow up:; and behind a value the unit of torques and angles.
 const NAMED = new RegExp(
   String.raw`^[ \t]*(?:(?:solution|answer|branch|case|set|lösung)[ \t]*\d+[ \t]*[:.)]?|\d+\))` +
-    String.raw`(?=[ \t]*(?:$|\D))|['"][^'"]*['"]\s*[,:]\s*` +
+    String.raw`(?=[ \t]*(?:$|\D))|^[ \t]*\p{L}[\p{L} ,+-]*:[ \t]*(?=[[(])` +
+    String.raw`|['"][^'"]*['"]\s*[,:]\s*` +
     String.raw`|\\?(?<![\p{L}\p{N}_])(?:q|theta|th|θ|Θ|t|tau|τ|g|d|joint ?)` +
     String.raw`_?(?:\p{Nd}|[₀-₉]|\{\p{Nd}\})\s*(?:\([^()]*\)\s*)?[=:]\s*`,
   "gimu",
 );
 const UNITS = new RegExp(
-  String.raw`(?<=\d\.?|[\])}])[ \t]*(?:\\(?:text|mathrm)\{\s*)?` +
+  String.raw`(?<=\d\.?|[\])}])(?:[ \t~]|\\[,;: ])*(?:\\(?:text|mathrm)\{\s*)?` +
     String.raw`(?:N\s*[·*⋅.]?\s*m{1,2}|N|rad(?:ians)?)(?:\s*\})?(?![\p{L}\p{N}_(])`,
   "gu",
 );
