@@ -1,0 +1,35 @@
+"""What a narrow screen squeezes: the bar's links stay apart, and an arm's name can be read."""
+
+from itertools import pairwise
+
+import pytest
+
+from tests.test_book import HTML
+
+GAPS = """() => [...document.querySelectorAll(".doors a")].map(link => {
+    const words = document.createRange();
+    words.selectNodeContents(link);
+    const { left, right } = words.getBoundingClientRect();
+    return [left, right];
+})"""
+
+
+@pytest.mark.parametrize("width", [320, 360, 390])
+def test_the_bars_links_stay_apart(browser, width):
+    page = browser.new_page(viewport={"width": width, "height": 700})
+    page.goto((HTML / "where.html").as_uri())
+    ends = page.evaluate(GAPS)
+    assert len(ends) == 3
+    assert all(right + 5 < left for (_, right), (left, _) in pairwise(ends))
+    assert ends[-1][1] < width
+    page.close()
+
+
+def test_the_list_of_arms_shows_a_name_on_a_phone(browser):
+    page = browser.new_page(viewport={"width": 390, "height": 844})
+    page.goto((HTML / "03_circle_tracing.html").as_uri())
+    page.locator(".cell .arm-explorer").first.scroll_into_view_if_needed()
+    arms = page.locator("section.explorer select.name").first
+    arms.wait_for()
+    assert arms.bounding_box()["width"] > 120
+    page.close()
