@@ -98,14 +98,14 @@ def show(h: HandIn, word: str, report) -> None:
 
 def main(arguments: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--count", type=int, default=5000)
+    parser.add_argument("--seed", type=int, nargs="+", default=[1])
+    parser.add_argument("--count", type=int, default=5000, help="of each seed")
     parser.add_argument("--part", choices=PARTS, default="unread")
     parser.add_argument("--show", action="store_true", help="print those that went astray")
     parser.add_argument("--write", action="store_true", help="write the tables of the book's page")
     said = parser.parse_args(arguments)
     cases = []
-    for h in hand_ins(said.part, said.seed, said.count):
+    for h in (h for seed in said.seed for h in hand_ins(said.part, seed, said.count)):
         word, report = verdict(h)
         cases.append((h.topic, h.kind, h.causes, word))
         if said.show and word in SHOWN:

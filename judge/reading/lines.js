@@ -114,16 +114,13 @@ function byCommas(kept) {
 
 const ALONE = /^\s*[-+−]?\d+(?:,\d+)?\s*$/;
 
-// Lines of one number each with a decimal comma, or of two whole numbers of one digit; an error
-// where either may be meant.
+// Lines of one number each with a decimal comma; an error where two whole numbers may be meant.
 function oneColumn(kept) {
-  const rows = kept.map((line) => line.trim().split(","));
-  const sizes = rows.map(([, decimals = ""]) => decimals.length);
+  const sizes = kept.map((line) => line.trim().split(",")[1]?.length ?? 0);
   const even = sizes[0] > 2 && sizes.every((size) => size === sizes[0]);
-  if (even || kept.some((line) => /^[^,]*$|,0\d|,\d{4}|-0,/.test(line.trim())))
-    return rows.map((parts) => [parts.join(".")]);
-  if (sizes.some((size) => size > 1)) throw undecided(kept[0]);
-  return rows;
+  if (!even && !kept.some((line) => /^[^,]*$|,0\d|,\d{4}|-0,/.test(line.trim())))
+    throw undecided(kept[0]);
+  return kept.map((line) => [line.trim().replace(",", ".")]);
 }
 
 const undecided = (line) =>
