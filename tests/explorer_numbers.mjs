@@ -7,7 +7,7 @@ import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from
 import { determinant, singular } from "../judge/geometry/linear.js";
 import { fromFragment } from "../page/src/link.js";
 import { otherWays, traceCircle } from "../page/src/motion.js";
-import { runCircle, torquesAlong } from "../page/src/runs.js";
+import { runCircle, torquesAlong } from "../page/src/homework_run.js";
 import { sameArm } from "../page/src/same_arm.js";
 import { derive } from "../page/src/state.js";
 import { entryText, tableText } from "../page/src/text.js";

@@ -108,7 +108,7 @@ def packages():
 def test_the_sources_keep_their_own_rules(file, request):
     """States, links, drags, pastes: asserted in JavaScript, as nothing of it exists in Python."""
     assert NODE, "Node.js is not installed"
-    if "/grab.js" in file.read_text(encoding="utf-8"):  # which draws, and so needs three.js
+    if "/pointers.js" in file.read_text(encoding="utf-8"):  # which draws, and so needs three.js
         request.getfixturevalue("packages")
     done = subprocess.run(
         [NODE, "--test-reporter=spec", str(file)],

@@ -10,7 +10,7 @@ import {
 } from "../../judge/geometry/arm.js";
 import { joints } from "../../judge/geometry/kinematics.js";
 import { copied } from "./dom.js";
-import { runFrom, runText } from "./runs.js";
+import { runFrom, runText } from "./homework_run.js";
 
 const LONGEST = 4000; // characters of a fragment
 const LETTERS = Object.fromEntries(KINDS.map((kind) => [kind[0].toUpperCase(), kind]));

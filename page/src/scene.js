@@ -10,7 +10,7 @@ import {
   Vector3,
 } from "three";
 import { outside, reachOf } from "../../judge/geometry/arm.js";
-import { goneness } from "./hold.js";
+import { goneness } from "./dragging.js";
 import { joints, linkFrames, minus, norm, plus, scaled } from "../../judge/geometry/kinematics.js";
 import { Labels } from "./labels.js";
 import { isThere } from "./motion.js";

@@ -47,7 +47,7 @@ import { asked, rankOf } from "./verdicts.js";
  * @property {number} stray how far the traced tip leaves the path, m
  * @property {number[][] | null} wanted the points that the tip was to go through
  * @property {number} at the place along the trace, 0 to 1
- * @property {import("./runs.js").Run[]} runs of the homework's circle
+ * @property {import("./homework_run.js").Run[]} runs of the homework's circle
  * @property {{ points: number[][], colour: string }[] | null} paths of the tip, drawn beside the
  *   trace
  * @property {boolean} playing

@@ -22,25 +22,20 @@ export const fullRank = (arm) => Math.min(asked(arm), joints(arm).length);
  * @param {{ arm: Arm, rank: number, lost: number[][] }} derived
  */
 export function rankVerdict({ arm, rank, lost }) {
-  const [full, rows, dof] = [fullRank(arm), asked(arm), joints(arm).length];
-  if (!dof) return { singular: false, text: "No joint moves this arm." };
-  if (rank < full)
-    return {
-      singular: true,
-      text: `Singular: rank ${rank} of ${full}. ${cannot(lost, full < rows)}`,
-    };
-  if (full === 6)
-    return {
-      singular: false,
-      text: "Rank 6: the tip can move along and turn about every direction.",
-    };
+  const [full, rows] = [fullRank(arm), asked(arm)];
+  const singular = rank < full;
+  if (!singular) return { singular, text: reachOf(rank, full, joints(arm).length) };
+  return { singular, text: `Singular: rank ${rank} of ${full}. ${cannot(lost, full < rows)}` };
+}
+
+// Where a tip of this rank can go.
+function reachOf(rank, full, dof) {
+  if (!dof) return "No joint moves this arm.";
+  if (full === 6) return "Rank 6: the tip can move along and turn about every direction.";
   if (full < 3)
-    return {
-      singular: false,
-      text: `Rank ${rank}, the most that ${dof === 1 ? "one joint" : `${dof} joints`} can have.`,
-    };
+    return `Rank ${rank}, the most that ${dof > 1 ? `${dof} joints` : "one joint"} can have.`;
   const turns = "with fewer than six joints it cannot be turned at will as well";
-  return { singular: false, text: `Rank 3: the tip can move along every direction; ${turns}.` };
+  return `Rank 3: the tip can move along every direction; ${turns}.`;
 }
 
 const strong = (direction) => direction.filter((v) => Math.abs(v) > 0.02).length;

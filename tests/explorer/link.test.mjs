@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fromFragment, toFragment } from "../../page/src/link.js";
-import { HOMEWORK } from "../../page/src/runs.js";
+import { HOMEWORK } from "../../page/src/homework_run.js";
 import { startingState, transition } from "../../page/src/state.js";
 import { ARMS, ELBOW, PANDA } from "./arms.mjs";
 

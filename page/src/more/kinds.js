@@ -35,7 +35,6 @@ export function hand(host, spec) {
 // One row of the table in its four motions: the frame before it goes over into its own.
 export function row(host, spec) {
   const number = spec.row ?? 1;
-  const abort = new AbortController();
   let share = 4;
   const live = makeLive(host, spec, {
     hold: false,
@@ -49,15 +48,12 @@ export function row(host, spec) {
     const rows = [partly(given, v, spec)];
     live.store.dispatch({ type: "select", arm: { name: `Row ${number}`, home: [], rows }, q: [] });
   };
-  const lever = makeLever("motions", [0, 4], 4, {
-    put,
-    text: (v) => `${fixed(v, 1)} of 4`,
-    signal: abort.signal,
-  });
+  const text = (v) => `${fixed(v, 1)} of 4`;
+  const lever = makeLever("motions", [0, 4], 4, { put, text, signal: live.signal });
   live.card.querySelector(".side").prepend(lever.root);
   lever.move(4);
   live.picture?.fit();
-  return () => (abort.abort(), live.dispose());
+  return live.dispose;
 }
 
 function motionsOf({ theta, d, a, alpha }, share) {
@@ -217,7 +213,6 @@ function torqueBar(index) {
 
 // The circle on the wall for a radius: below a certain one the joints swing, above they wind.
 export function winds(host, spec) {
-  const abort = new AbortController();
   let [result, at, radius, wanted] = [null, 0, spec.radius ?? 0.1, 0];
   const live = makeLive(host, spec, {
     hold: false,
@@ -235,20 +230,20 @@ export function winds(host, spec) {
     const mine = ++wanted;
     const { arm } = store.state;
     const found = await ask("run", { arm, q: start, run: { method: "exact", steps: 180, radius } });
-    if (mine !== wanted || abort.signal.aborted) return;
+    if (mine !== wanted || live.signal.aborted) return;
     result = found;
     show();
     live.refresh();
   };
   const lever = (name, range, value, put, text) =>
-    makeLever(name, range, value, { put, text, signal: abort.signal }).root;
+    makeLever(name, range, value, { put, text, signal: live.signal }).root;
   const goTo = (v) => ((at = v), result && show());
   const place = lever("round", [0, 1], 0, goTo, (v) => `${fixed(100 * v, 0)} %`);
   const resize = (v) => ((radius = v), run());
   const size = lever("radius", [0.01, 0.1], radius, resize, (v) => `${fixed(100 * v, 1)} cm`);
   live.card.querySelector(".side").prepend(...(spec.fixed ? [place] : [size, place]));
   run();
-  return () => (abort.abort(), live.dispose());
+  return live.dispose;
 }
 
 function windingOf(arm, { largest, wound }, radius) {

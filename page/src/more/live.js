@@ -5,7 +5,7 @@ import css from "./figure.css";
 import { common } from "../common.js";
 import { homeOf, range } from "../../../judge/geometry/arm.js";
 import { h, indexed, slider, write } from "../dom.js";
-import { makeGrabbable, moveTipByKey } from "../grab.js";
+import { makeGrabbable, moveTipByKey } from "../pointers.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { relativeRail } from "../rail.js";
 import { ArmPicture } from "../scene.js";

@@ -10,7 +10,6 @@ import { makeLever, makeLive } from "./live.js";
 
 // The elbow swings while the tip stays.
 export function swing(host, spec) {
-  const abort = new AbortController();
   const live = makeLive(host, spec, {
     words: (state) => {
       const values = joints(state.arm).map(
@@ -29,13 +28,10 @@ export function swing(host, spec) {
     store.dispatch({ type: "move", q, hold: store.state.hold, gesture: "swing" });
   };
   const text = (v) => deg(path[Math.round(v)]?.[2] - path[middle][2]);
-  const lever = makeLever("elbow", [0, path.length - 1], middle, {
-    put,
-    text,
-    signal: abort.signal,
-  });
+  const { signal } = live;
+  const lever = makeLever("elbow", [0, path.length - 1], middle, { put, text, signal });
   live.card.querySelector(".side").prepend(lever.root);
-  return () => (abort.abort(), live.dispose());
+  return live.dispose;
 }
 
 // Joint vectors with the tip at rest, in small steps both ways, within limits.

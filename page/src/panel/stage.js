@@ -2,7 +2,7 @@
 // WebGL.
 
 import { h, whereNew, write } from "../dom.js";
-import { makeGrabbable, moveTipByKey } from "../grab.js";
+import { makeGrabbable, moveTipByKey } from "../pointers.js";
 import { asked, holdVerdict } from "../verdicts.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { rightNull } from "../../../judge/geometry/linear.js";

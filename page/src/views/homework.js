@@ -5,7 +5,7 @@ import css from "./homework.css";
 import { h, select, write } from "../dom.js";
 import { ask } from "../jobs.js";
 import { linkFrames } from "../../../judge/geometry/kinematics.js";
-import { torquesAlong } from "../runs.js";
+import { torquesAlong } from "../homework_run.js";
 import { branchColour } from "../look.js";
 import { makeFields } from "./homework_fields.js";
 import { makeWall } from "./homework_pictures.js";

@@ -1,7 +1,7 @@
 // The levers of one run of the homework.
 
 import { h, select, slider, write } from "../dom.js";
-import { BOUNDS } from "../runs.js";
+import { BOUNDS } from "../homework_run.js";
 import { fixed } from "../text.js";
 import { named, NAMES, SLIPS } from "./homework_words.js";
 
@@ -17,7 +17,7 @@ const LEVERS = [
   ["gain", "Feedback", false, (v) => `${fixed(v, 1)} /s`, (v) => Number(v.toFixed(1))],
 ];
 
-/** @param {(patch: Partial<import("../runs.js").Run>) => void} edit */
+/** @param {(patch: Partial<import("../homework_run.js").Run>) => void} edit */
 export function makeFields(edit) {
   const choice = (label, key, words) => select(label, words, (v) => edit({ [key]: v }));
   const namesOf = (keys) => Object.fromEntries(keys.map((key) => [key, NAMES[key]]));

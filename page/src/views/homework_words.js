@@ -1,7 +1,7 @@
 // The homework's runs in words.
 
 import { joints } from "../../../judge/geometry/kinematics.js";
-import { HOMEWORK } from "../runs.js";
+import { HOMEWORK } from "../homework_run.js";
 import { jointNames, pastLimits } from "../verdicts.js";
 import { degrees, fixed, powered } from "../text.js";
 import { listed } from "../../../judge/sentences.js";

@@ -4,7 +4,7 @@ import { h, select, write } from "../dom.js";
 import { readEntry } from "../../../judge/reading/entry.js";
 import { marked, refill, textField } from "../entry.js";
 import { latest } from "../jobs.js";
-import { torquesAlong } from "../runs.js";
+import { torquesAlong } from "../homework_run.js";
 import { fixed, short } from "../text.js";
 import { listed, upper } from "../../../judge/sentences.js";
 import { makePlots, PLOTTED } from "./plots.js";

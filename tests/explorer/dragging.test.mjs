@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { range } from "../../judge/geometry/arm.js";
-import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "../../page/src/hold.js";
+import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "../../page/src/dragging.js";
 import {
   dot,
   jacobianColumns,
@@ -14,7 +14,7 @@ import {
   plus,
   scaled,
 } from "../../judge/geometry/kinematics.js";
-import { followTip } from "../../page/src/grab.js";
+import { followTip } from "../../page/src/pointers.js";
 import { startingState, Store } from "../../page/src/state.js";
 import { holdVerdict, stopVerdict } from "../../page/src/verdicts.js";
 import { ARMS, ELBOW, PANDA, STANFORD } from "./arms.mjs";

@@ -11,7 +11,7 @@ import {
   norm,
 } from "../../judge/geometry/kinematics.js";
 import { beforeDrawing, forget } from "./renderer.js";
-import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "./hold.js";
+import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "./dragging.js";
 
 const BALL = 22; // px around the ball of the force
 const HAND = { mouse: 11, touch: 20, pen: 16 }; // px around a link
