@@ -297,9 +297,10 @@ def verdict(h: HandIn) -> tuple[str, checks.Report | ArmError]:
         return "passed", report
     if report.mark or any(names(cause, true) for cause in report.causes for true in h.causes):
         return "named", report
-    told = [f for f in report.findings if f.what == "cause"]
-    stated = [f for f in told if "erhaps" not in f.words]
-    if stated:
+    told = [f for f in report.findings if f.what == "cause" and "erhaps" not in f.words]
+    planted = {part for cause in h.causes for part in cause.split(" + ")}
+    half = any({*cause.split(" + ")} <= planted for cause in report.causes)
+    if told and report.causes and not half:
         return "false cause", report
     return ("not named" if h.causes else "no cause"), report
 

@@ -8,6 +8,7 @@ import { both, cause } from "./ranking.js";
 import { listed, size } from "../sentences.js";
 
 const SEEN = 1e-3; // N m
+const LIGHT = 0.01; // kg: nobody types a lighter link
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @type {[Cause | null, (tau: number[][]) => number[][]][]} */
@@ -214,7 +215,7 @@ export function otherMasses(load, mine, right) {
     };
   });
   // one torque alone fits any link's mass
-  const likely = found.filter(({ mass, seen }) => mass > 0 && seen > 1);
+  const likely = found.filter(({ mass, seen }) => mass > LIGHT && seen > 1);
   return { causes: likely.map(({ why }) => why), made: likely.map(({ made }) => made) };
 }
 
