@@ -1,18 +1,15 @@
 """The explorer in the built page: from a file, with no network, by mouse, keyboard and phone."""
 
-import json
 import re
 
 import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from helpers.checks.arms import arm_data
 from helpers.kinematics import forward_kinematics, jacobian
-from helpers.robots import ARMS, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.robots import PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from tests.browser.reader import SIZES, UNDRAWN, UNTOUCHED, Reader
 from tests.test_book import HTML
-from tests.test_explorer import held_up, some
 
 MINUS = "−"
 INSTRUMENT = ".arm-explorer:not([data-figure])"
@@ -261,14 +258,6 @@ def test_a_small_figure_comes_alive_when_it_comes_into_view(browser):
     page.context.close()
 
 
-def test_a_page_without_an_explorer_loads_no_bundle(browser):
-    reader = Reader(browser, "light", "wide", "file:")
-    reader.open((HTML / "notation.html").as_uri())
-    reader.page.wait_for_load_state("networkidle")
-    assert not any(url.endswith("explorer.js") for url in reader.asked)
-    reader.context.close()
-
-
 def test_the_bundle_waits_until_its_stub_is_near(browser):
     reader = Reader(browser, "light", "wide", "file:")
     reader.page.add_init_script(
@@ -387,15 +376,6 @@ def test_a_link_carries_the_whole_state(visit):
     assert second.page.get_by_label("F x, N", exact=True).input_value() == "−5"
 
 
-@pytest.mark.parametrize(
-    "fragment", ["#arm=Nobody", "#arm=Panda&q=1,2", "#arm=Panda&q=a,b&rows=X,1;R&wrench=1&view=no"]
-)
-def test_a_broken_link_does_no_harm(visit, fragment):
-    np.testing.assert_allclose(
-        visit(fragment).pose(), forward_kinematics(PANDA, PANDA.home), atol=5.1e-5
-    )
-
-
 def test_the_jacobian_is_pythons_and_a_singular_home_is_named(visit):
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     here = visit(f"#arm=UR10e&view=jacobian&q={','.join(map(str, q))}")
@@ -487,22 +467,6 @@ def test_a_circle_is_traced_played_and_scrubbed(visit):
     assert "no length above 0" in here.page.locator(".trace .error").inner_text()
 
 
-def test_ik_branches_are_found_and_clicked(visit):
-    q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
-    here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
-    here.page.get_by_role("button", name="Find the ways to this pose").click()
-    ways = here.page.locator(".ways button")
-    expect(ways).to_have_count(8)
-    wanted = forward_kinematics(UR10E, q)
-    for i in (3, 6):
-        ways.nth(i).click()
-        expect(ways.nth(i)).to_have_attribute("aria-current", "true")
-        until(here.page, lambda: np.abs(here.q() - q).max() > 0.1)
-        until(
-            here.page, lambda: np.allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5)
-        )
-
-
 # Where in the picture the hand becomes a finger.
 POINTED = """(canvas) => {
     const { left, top, width, height } = canvas.getBoundingClientRect(), found = [];
@@ -516,11 +480,20 @@ POINTED = """(canvas) => {
 }"""
 
 
-def test_a_ghost_in_the_picture_is_clicked(visit):
+def test_ways_to_a_pose_are_chosen_in_the_picture_and_in_the_list(visit):
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     here = visit(f"#arm=UR10e&view=branches&q={','.join(map(str, q))}")
     here.page.get_by_role("button", name="Find the ways to this pose").click()
-    canvas = here.page.locator(".stage canvas")
+    ways, canvas = here.page.locator(".ways button"), here.page.locator(".stage canvas")
+    expect(ways).to_have_count(8)
+    wanted = forward_kinematics(UR10E, q)
+
+    def arrived():
+        until(here.page, lambda: np.abs(here.q() - q).max() > 0.1)
+        until(
+            here.page, lambda: np.allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5)
+        )
+
     canvas.scroll_into_view_if_needed()
     box = canvas.bounding_box()
     ghosts, before = canvas.evaluate(POINTED), None
@@ -531,24 +504,11 @@ def test_a_ghost_in_the_picture_is_clicked(visit):
     assert 0.01 < share < 0.3, "the ghosts, and nothing around them"
     x, y = ghosts[len(ghosts) // 2]
     canvas.click(position={"x": x, "y": y})
-    wanted = forward_kinematics(UR10E, q)
-    until(here.page, lambda: np.abs(here.q() - q).max() > 0.1)
-    until(here.page, lambda: np.allclose(forward_kinematics(UR10E, here.q()), wanted, atol=1e-5))
-
-
-def test_the_numbers_in_the_page_are_pythons(visit):
-    here = visit()
-    for arm in ARMS:
-        qs = some(arm, 50)
-        ask = """([arm, qs]) => qs.map((q) => {
-            const { frames, columns, gravity } = ArmExplorer.derive(arm, q, [0, 0, 0, 0, 0, 0]);
-            return [ArmExplorer.kinematics.matrix(frames.at(-1)), columns, gravity];
-        })"""
-        answers = here.page.evaluate(ask, [json.loads(json.dumps(arm_data(arm))), qs.tolist()])
-        poses, columns, gravity = (np.array(part) for part in zip(*answers, strict=True))
-        np.testing.assert_allclose(poses, forward_kinematics(arm, qs), atol=1e-10)
-        np.testing.assert_allclose(columns.swapaxes(1, 2), jacobian(arm, qs), atol=1e-10)
-        np.testing.assert_allclose(gravity, held_up(arm, qs), atol=1e-10)
+    arrived()
+    for i in (3, 6):
+        ways.nth(i).click()
+        expect(ways.nth(i)).to_have_attribute("aria-current", "true")
+        arrived()
 
 
 # What the chapters tell their readers to do, and what they say will be seen.
