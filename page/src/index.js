@@ -1,17 +1,16 @@
 // The ways in: a widget in a notebook that runs, and a stub in a page that does not.
 
 import { fits, TYPED } from "../../judge/geometry/arm.js";
-import * as kinematics from "../../judge/geometry/kinematics.js";
 import { linkFrames } from "../../judge/geometry/kinematics.js";
 import { keepLink } from "./link.js";
 import { asked } from "./verdicts.js";
 import { mountFigure } from "./figures.js";
 import { buildPanel, VIEWS } from "./panel.js";
 import { inUse, loseContext } from "./renderer.js";
-import { derive, startingState, Store } from "./state.js";
+import { startingState, Store } from "./state.js";
 
 // For the tests.
-export { derive, inUse, kinematics, loseContext };
+export { inUse, loseContext };
 
 // Ways that Python or a page gives, with the pose that they lead to.
 function waysFrom(arm, branches) {
