@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from tests.browser.reader import SIZES, UNDRAWN, UNTOUCHED, Reader
+from tests.browser.reader import LAID_OUT, SIZES, UNDRAWN, UNTOUCHED, Reader
 from tests.test_book import HTML
 
 MINUS = "−"
@@ -82,6 +82,7 @@ class Visit(Reader):
         if not again:
             self.visits += 1  # in the address, since a fragment alone would open no new page
             self.page.goto(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
+            self.page.evaluate(LAID_OUT)
         self.page.evaluate("(drawn) => { window.undrawn = !drawn; }", drawn)
         if again:
             self.page.evaluate(AFRESH, fragment)

@@ -3,7 +3,7 @@ typed is judged, wrong cells are marked, and a link brings it back."""
 
 import pytest
 
-from tests.browser.reader import AXE, BAD, EVERYTHING, UNDRAWN, UNTOUCHED
+from tests.browser.reader import AXE, BAD, EVERYTHING, LAID_OUT, UNDRAWN, UNTOUCHED
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"
@@ -254,17 +254,24 @@ def chapter(browser):
     context = browser.new_context(viewport={"width": 390, "height": 800}, offline=True)
     page = context.new_page()
     page.add_init_script(UNDRAWN)
-    yield lambda name: page.goto((HTML / f"{name}.html").as_uri()) and page
+
+    def opened(name):
+        page.goto((HTML / f"{name}.html").as_uri())
+        page.evaluate(LAID_OUT)
+        return page
+
+    yield opened
     context.close()
 
 
 def near(place):
     """Scroll until a small judge is there: what comes to life on the way moves the page."""
-    place.scroll_into_view_if_needed()
-    while not place.locator("form").count():
-        place.page.wait_for_timeout(100)
+    for _ in range(300):
         place.scroll_into_view_if_needed()
-    return place
+        if place.locator("form").count():
+            return place
+        place.page.wait_for_timeout(100)
+    raise AssertionError("no judge came to life")
 
 
 def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(chapter):
