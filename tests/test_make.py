@@ -78,7 +78,8 @@ def test_jupyterlab_opens_a_readers_copies_and_clean_leaves_them(project):
     (project / "my").mkdir()
     (project / "my/own.ipynb").write_text("mine", "utf-8")
     code, said = make(project, "lab")
-    assert (code, said.splitlines()[0]) == (0, f"asked: tools/lab.py my {NOTEBOOK}")
+    assert code == 0
+    assert f"asked: tools/lab.py my {NOTEBOOK}" in said.splitlines()
     assert str(project / "my") in said
     assert "jupyter lab my" in said, "JupyterLab sees nothing but the copies"
     assert make(project, "clean")[0] == 0
