@@ -100,7 +100,7 @@ function gap(axes, between, normal, rest) {
 }
 
 // The foot of a point on the line (p, u).
-export const onto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u));
+const onto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u));
 
 // The feet of the common normal from the line (p, u) to the line (q, v), or to the point q; from
 // parallel axes it starts at p.

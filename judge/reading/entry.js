@@ -9,7 +9,7 @@ import { isFunction, parse, plain, value } from "./formula.js";
 const LONGEST = 200; // characters
 
 /** What a quantity's units are worth in SI, what a bare number means, and how much is too much. */
-export const QUANTITIES = {
+const QUANTITIES = {
   angle: {
     units: { deg: RAD, rad: 1 },
     most: 1000,

@@ -16,7 +16,7 @@ export const REACHED = 1e-6; // m and rad: a pose this close is the target's, wh
 
 export const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
 
-export const BY_HAND = 0.0301; // rad or m: the most that rounding on the way is allowed
+const BY_HAND = 0.0301; // rad or m: the most that rounding on the way is allowed
 
 /**
  * Joint vectors with their units, however they were held, and how they were read; a square is read
@@ -103,7 +103,7 @@ export function matches(right, q, margin) {
 }
 
 // Which joints can move while the tip stands still, by the Jacobian's null space.
-export function movingInPlace(arm, q) {
+function movingInPlace(arm, q) {
   const dof = q.length;
   const columns = jacobianColumns(arm, linkFrames(arm, q));
   const rows = Array.from({ length: dof >= 6 ? 6 : 3 }, (_, i) =>
