@@ -64,14 +64,15 @@ def test_every_chapter_has_sliders_beside_its_figure():
 
 
 @pytest.mark.parametrize("path", SLIDERS, ids=lambda path: path.stem)
-def test_sliders_run_over_their_whole_range(path, capsys):
+def test_sliders_run_where_they_begin_and_end(path, capsys):
     names = runpy.run_path(str(path))
     (ranges,) = re.findall(r"@interact\((.*)\)", path.read_text("utf-8"))
     ends = eval(f"dict({ranges})")
     function = next(f for f in names.values() if list(ends) == list(_arguments(f)))
+    function()
     for end in (0, 1):
         function(**{name: span[end] for name, span in ends.items()})
-        plt.close("all")
+    plt.close("all")
     assert capsys.readouterr().out
 
 

@@ -13,7 +13,7 @@ def reached(x=0.4, y=0.3, z=0.6):
     found = inverse.elbow(ELBOW, [x, y, z])
     print(np.round(found.q, 4))
     print("within the arm's limits:", found.within_limits)
-    ax = plt.figure(figsize=(4, 4)).add_subplot(projection="3d")
+    ax = plt.figure(figsize=(4, 4)).add_subplot()
     for q in found.q[found.valid]:
-        plotting.arm_3d(ax, ELBOW, q, frames=False)
+        plotting.arm_drawing(ax, ELBOW, q, (30, 18))
     plt.show()
