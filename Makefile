@@ -4,7 +4,7 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 HTML := book/_build/html
-SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/download.py tools/pages.py tools/pictures.py tools/search.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/citations.py tools/download.py tools/pages.py tools/pictures.py tools/search.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/*) $(shell find helpers -name '*.py')
 
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
@@ -82,7 +82,7 @@ elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would 
 
 # What is there already is the reader's own work, and stays.
 lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder my, in JupyterLab
-	@$(BIN)/python tools/lab.py my $(NOTEBOOKS)
+	@$(BIN)/python -m tools.lab my $(NOTEBOOKS)
 	@echo "Your copies: $(CURDIR)/my. Delete one, and the next make lab copies it anew."
 	$(BIN)/jupyter lab my
 

@@ -49,8 +49,8 @@ def test_a_copy_says_what_the_book_says_and_every_figure_lives(path):
 
 def test_citations_stand_in_words():
     text = "\n".join(sources(lab.own_copy(ROOT / "book/01_dh_tables.ipynb"), "markdown"))
-    assert "[Spong and others 2020]" in text
-    assert "[Denavit and Hartenberg 1955]" in text
+    assert "(Spong and others 2020)" in text
+    assert "(Denavit and Hartenberg 1955)" in text
     assert "- Craig: *Introduction to Robotics: Mechanics and Control*, 2018." in text
 
 

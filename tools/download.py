@@ -14,6 +14,7 @@ import nbformat
 from sphinx.application import Sphinx
 
 from tools.address import pages
+from tools.citations import in_words
 from tools.refresh import FIGURE
 
 BLOCK = re.compile(r"(?ms)^(`{3,}|:{3,})\{([\w-]+)\}[ \t]*([^\n]*)\n(.*?)^\1[ \t]*$\n?")
@@ -63,8 +64,7 @@ class Book:
         return self.link(text or word, "glossary", f"term-{re.sub(r'[^A-Za-z]+', '-', word)}")
 
     def source(self, key: str, text: str) -> str:
-        words = re.sub(r"([a-z]+)(\d{4}).*", lambda k: f"{k[1].title()} {k[2]}", key)
-        return f"({self.link(words, 'references')})"
+        return f"({self.link(in_words(key), 'references')})"
 
     def _number(self, page: str, kind: str, anchor: str) -> str:
         return ".".join(map(str, self.env.toc_fignumbers[page][kind][anchor]))

@@ -1,4 +1,4 @@
-"""A reader's own copies of the notebooks, for JupyterLab: `python tools/lab.py my book/*.ipynb`.
+"""A reader's own copies of the notebooks, for JupyterLab: `python -m tools.lab my book/*.ipynb`.
 
 JupyterLab runs no script of a text cell and knows no bibliography. So in a copy each small live
 figure is a cell of code, a citation stands in words, and beside one figure of each chapter sliders
@@ -8,14 +8,13 @@ drive the chapter's own Python (`tools/sliders`). A copy that is there stays.
 import json
 import re
 import sys
-from collections.abc import Mapping
 from pathlib import Path
 
 import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell
-from pybtex.database import Entry, parse_file
 
 from helpers import robots
+from tools.citations import in_words, listed
 
 FIGURE = re.compile(
     r"<div class=\"arm-explorer\" data-figure=\"(\w+)\" data-options='(.*?)'>.*?</div>", re.S
@@ -28,14 +27,13 @@ SLIDERS = Path(__file__).parent / "sliders"
 def own_copy(path: Path) -> nbformat.NotebookNode:
     """A notebook of the book as a reader's own."""
     notebook = nbformat.read(path, as_version=4)
-    works = parse_file(path.with_name("references.bib")).entries
     texts = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     keys = dict.fromkeys(key for found in CITATION.findall(texts) for key in found.split(","))
-    cited = "\n".join(listed(works[key]) for key in keys)
+    cited = "\n".join(map(listed, keys))
     cells = []
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
-            cell.source = CITATION.sub(lambda found: in_words(found[1], works), cell.source)
+            cell.source = CITATION.sub(lambda found: f"({in_words(found[1])})", cell.source)
             cell.source = LIST.sub(lambda _: cited, cell.source)
         cells += alive(cell) if cell.cell_type == "markdown" else [cell]
     sliders = SLIDERS / f"{path.stem}.py"
@@ -67,29 +65,6 @@ def figure(kind: str, options: dict) -> str:
     imports = [f"from helpers.robots import {name}" for name in names]
     call = f"ArmFigure({', '.join(given)})"
     return "\n".join(["from helpers.explorer import ArmFigure", *imports, "", call])
-
-
-def in_words(keys: str, works: Mapping[str, Entry]) -> str:
-    """The works of a citation, as [Craig 2018]."""
-    return f"[{'; '.join(f'{authors(works[key])} {year(works[key])}' for key in keys.split(','))}]"
-
-
-def listed(work: Entry) -> str:
-    """A work as a line of a list."""
-    address = work.fields.get("url", "")
-    words = f"- {authors(work)}: *{work.fields['title']}*, {year(work)}. {address}"
-    return re.sub(r"[{}]", "", words).strip()
-
-
-def authors(work: Entry) -> str:
-    """The last names of up to two authors, or the first and others."""
-    names = [" ".join(who.last_names) for who in work.persons.get("author", [])]
-    words = f"{names[0]} and others" if len(names) > 2 else " and ".join(names)
-    return re.sub(r"[{}]", "", words)
-
-
-def year(work: Entry) -> str:
-    return work.fields["year"]
 
 
 def main(folder: Path, paths: list[Path]) -> None:
