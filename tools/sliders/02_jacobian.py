@@ -1,5 +1,5 @@
 # beside columns
-# The Jacobian of another arm in another pose, and how near it is to losing rank.
+# The Jacobian of another arm (m) in another pose (rad), and how near it is to losing rank.
 import numpy as np
 from IPython.display import display
 from ipywidgets import interact

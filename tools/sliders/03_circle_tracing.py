@@ -1,5 +1,5 @@
 # beside winds
-# Another circle from another start: its radius, and where joint 3 is locked.
+# Another circle from another start: its radius (m), and where joint 3 is locked (rad).
 import matplotlib.pyplot as plt
 import numpy as np
 from ipywidgets import interact
@@ -20,5 +20,8 @@ def round_a_circle(radius=0.1, q_3=0.0):
         return
     plotting.path_2d(plt.gca(), run)
     plt.show()
-    turned = np.degrees(run.q[-1] - run.q[0]).round(1)
-    print("off by at most", f"{1000 * run.report.position_error:.2g} mm; joints turned {turned}°")
+    print(f"off by at most {1000 * run.report.position_error:.2f} mm; ", end="")
+    print(f"smallest singular value {run.report.smallest_singular_value:.4f}")
+    moved = np.degrees(run.q[-1] - run.q[0]).round(1) + 0.0
+    for joint, turned in zip(arm.joints, moved, strict=True):
+        print(f"joint {joint} ends {turned:6.1f}° from where it began")
