@@ -7,7 +7,9 @@ from types import SimpleNamespace
 import nbformat
 import pytest
 from docutils import nodes
+from matplotlib.colors import to_hex
 
+from helpers.plotting.maps import COLOURS
 from tools.download import Book, edition, plain
 from tools.pages import (
     fold,
@@ -204,6 +206,17 @@ def test_what_stands_close_to_a_formula_stays_with_it(before, behind, shown):
     assert ("together" in str(paragraph)) == (behind != " apples")
 
 
+def test_a_long_formula_takes_in_the_mark_behind_it():
+    long = " + ".join(f"x_{i}" for i in range(9))
+    paragraph = nodes.paragraph("", "", nodes.math("", long), nodes.Text("), so"))
+    keep_together(paragraph[0])
+    assert [part.astext() for part in paragraph] == [long + "{),}", " so"]
+
+
+def test_a_scale_stays_a_scale_on_a_dark_page():
+    assert all(turned(to_hex(colour)) == to_hex(colour) for colour in COLOURS.colors)
+
+
 @pytest.mark.parametrize(
     ("of", "words", "unbroken"),
     [
@@ -226,14 +239,14 @@ def test_what_is_to_be_typed_keeps_its_quotes():
 
 
 def test_an_exercise_says_its_title_without_brackets_and_its_time_quietly():
-    exercise = nodes.title("", "", *map(nodes.Text, (" (", "Pull (ten minutes)", ")")))
+    exercise = nodes.title("", "", *map(nodes.Text, (" (", "Pull · ten minutes", ")")))
     say_plainly(exercise)
-    assert exercise.astext() == " Pull, ten minutes"
+    assert exercise.astext() == " Pull · ten minutes"
     assert exercise.children[-1]["classes"] == ["time"]
 
 
 def test_a_solution_names_its_exercise_and_no_time():
-    words = map(nodes.Text, (" Exercise 4.1", " (", "Pull", " (ten minutes)", ")"))
+    words = map(nodes.Text, (" Exercise 4.1", " (", "Pull · ten minutes", ")"))
     solution = nodes.title("", "", nodes.Text("Solution to"), nodes.reference("", "", *words))
     say_plainly(solution)
     assert solution.astext() == "Solution to Exercise 4.1: Pull"
@@ -272,7 +285,7 @@ HERE = "https://owner.github.io/book/"
         ("{numref}`fig-a` by {eq}`eq-a`", f"[Fig. 1.2]({HERE}one.html#fig-a) by (1.3)"),
         ("{doc}`one`", f"[First]({HERE}one.html)"),
         ("a {term}`tip`", f"a [tip]({HERE}glossary.html#term-tip)"),
-        ("so {footcite:p}`spong2020`", f"so ([Spong 2020]({HERE}references.html))"),
+        ("so {footcite:p}`craig2018`", f"so ([Craig 2018]({HERE}references.html))"),
         ("(sec-a)=\n\n## Alpha", "## Alpha"),
         ("$$\nx\n$$ (eq-a)", "$$\nx\n\\tag{1.3}$$"),
         (

@@ -36,12 +36,13 @@ LINE = 18  # signs of a formula that any phone has room for
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
 MEASURED = re.compile(rf"(?<=\d) (?:{UNIT}|\d{{3}}(?!\w))|N m(?!\w)")  # and 1 000
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
+MARK = re.compile(r"[.,;:!?)]+")
 OPENED = re.compile(r"[(\[“‘]+$")
 INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
 OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
-TIME = re.compile(r"(.*?)\s*\(([^()]+)\)")
+TIME = re.compile(r"(.*?)\s*· (.+)")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
 
 
@@ -170,14 +171,17 @@ def fold(box: nodes.Element) -> None:
 
 def keep_together(formula: nodes.math) -> None:
     """No line begins with the unit or the comma behind a formula, and none ends with the bracket or
-    quote before it, unless it may be as long as a line."""
-    if len(SIGN.findall(formula.astext())) > LINE:
-        return
+    quote before it; one that may be as long as a line takes in the comma."""
     place, parent = formula.parent.index(formula), formula.parent
     before, after = (
         parent[k] if 0 <= k < len(parent) and isinstance(parent[k], nodes.Text) else nodes.Text("")
         for k in (place - 1, place + 1)
     )
+    if len(SIGN.findall(formula.astext())) > LINE:
+        if mark := MARK.match(after):
+            formula[0] = nodes.Text(f"{formula.astext()}{{{mark[0]}}}")
+            parent.replace(after, nodes.Text(after[mark.end() :]))
+        return
     opened, closed = OPENED.search(before), AFTER.match(after)
     front, behind = opened[0] if opened else "", closed[0] if closed else ""
     if not front and not behind:
@@ -208,8 +212,8 @@ def keep_whole(text: nodes.Text) -> None:
 
 
 def say_plainly(title: nodes.title) -> None:
-    """An exercise's title without the brackets that sphinx_exercise puts about it: its time, which
-    stands in brackets too, follows quietly; that of a solution has been read already."""
+    """An exercise's title without the brackets that sphinx_exercise puts about it: its time, behind
+    a point, follows quietly; that of a solution has been read already."""
     first = title.next_node(lambda n: isinstance(n, nodes.Text) and n == " (")
     if first is None:
         return
@@ -218,7 +222,7 @@ def say_plainly(title: nodes.title) -> None:
     of.remove(of[-1])
     of.replace(first, nodes.Text(": " if solution else " "))
     if isinstance(last, nodes.Text) and (timed := TIME.fullmatch(last)):
-        time = [] if solution else [nodes.inline("", f", {timed[2]}", classes=["time"])]
+        time = [] if solution else [nodes.inline("", f" · {timed[2]}", classes=["time"])]
         of.replace(last, [nodes.Text(timed[1]), *time])
 
 
@@ -228,6 +232,8 @@ def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
     for title in list(doctree.findall(nodes.title)):
         if isinstance(title.parent, exercise_node | exercise_enumerable_node | solution_node):
             say_plainly(title)
+            for content in title.parent.findall(nodes.section):
+                content["ids"] = []  # sphinx_exercise has one for all
     for box in list(
         doctree.findall(lambda n: "dropdown" in getattr(n, "attributes", {}).get("classes", ()))
     ):

@@ -1,9 +1,15 @@
 """Maps of a measure over joint angles."""
 
+import numpy as np
+from matplotlib import colormaps
 from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap
 from numpy.typing import ArrayLike
 
 from helpers.inputs import numbers
+
+# Blues, without the palest: those are greys nearly, which change sides on a dark page.
+COLOURS = ListedColormap(colormaps["Blues"](np.linspace(0.35, 1, 256)))
 
 
 def map_2d(ax: Axes, x: ArrayLike, y: ArrayLike, values: ArrayLike, label: str) -> None:
@@ -12,7 +18,7 @@ def map_2d(ax: Axes, x: ArrayLike, y: ArrayLike, values: ArrayLike, label: str) 
     x, y = (numbers(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
     wanted = f"finite values ({len(y)}, {len(x)})"
     values = numbers(values, "values", wanted, (len(y), len(x)))
-    filled = ax.contourf(x, y, values, levels=9, cmap="Blues")
+    filled = ax.contourf(x, y, values, levels=9, cmap=COLOURS)
     bar = ax.figure.colorbar(filled, ax=ax)
     bar.set_label(label, labelpad=12)
     bar.outline.set_visible(False)
