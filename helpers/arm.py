@@ -142,7 +142,7 @@ class Arm:
 
     @property
     def variables(self) -> tuple[str, ...]:
-        """The joint variables, named by row: ``('q_1', 'q_2', 'q_4', ...)`` with joint 3 locked."""
+        """The joint variables, named by row; with joint 3 locked ``q_1``, ``q_2``, ``q_4``, ..."""
         return tuple(f"q_{i}" for i in self.joints)
 
     @property

@@ -50,7 +50,7 @@ PANDA = Arm(
     " hal-02265293, supplementary material hal-02265294",
 )
 
-#: The Panda as the homework's table has it: 88 mm for a_3 too.
+#: The Panda as the homework's table has it, with 88 mm for a_3 too.
 PANDA_HOMEWORK = replace(
     PANDA.with_values(a_3=0.088),
     name="Panda (homework)",
@@ -107,7 +107,7 @@ UR10E_HOMEWORK = Arm(
     " (0.118 there)",
 )
 
-#: The Stanford arm: a shoulder of two joints, a rod that slides, a spherical wrist.
+#: The Stanford arm, with a shoulder of two joints, a rod that slides, a spherical wrist.
 STANFORD = Arm(
     name="Stanford arm",
     rows=(

@@ -125,7 +125,7 @@ class ArmExplorer(Live):
 
     @property
     def arm(self) -> Arm:
-        """The arm shown now: the chosen one, or the one whose table was typed in, which is called
+        """The arm shown now, the chosen one, or the one whose table was typed in, which is called
         `Your arm`."""
         return arm_from(TYPED, self.rows) if self.rows else self._arms[self.arm_name]
 

@@ -48,7 +48,7 @@ class Solutions:
 
     @property
     def times(self) -> NDArray[np.int_]:
-        """How many branches each is, shape (..., branches): 1; 2 where two have become one, a
+        """How many branches each is, shape (..., branches), 1, or 2 where two have become one, a
         double solution; 4, 8; 0 where there is none."""
         return np.where(self.valid, 2 ** self.merged.sum(axis=-1), 0)
 

@@ -40,7 +40,7 @@ class Report:
 
     @property
     def executable(self) -> bool:
-        """Whether the real arm could do it: no joint beyond its range or its speed.
+        """Whether the real arm could do it, no joint beyond its range or its speed.
 
         Accelerations are told, not judged: the table has no limits for them. A run that begins at
         speed needs a run-up, or a path made by `rest_to_rest`.
