@@ -102,7 +102,7 @@ PAGES = (
         "elbow_with_offset",
         "Elbow arm with an offset",
         "The arm of three joints whose shoulder stands out by $d$. With $d = 0$ it is"
-        " {doc}`elbow`.",
+        " the {doc}`elbow arm <elbow>`.",
         (replace(ELBOW.with_values(d=0.1), name="Elbow arm with an offset"),),
     ),
 )

@@ -125,8 +125,7 @@ class ArmExplorer(Live):
 
     @property
     def arm(self) -> Arm:
-        """The arm shown now, the chosen one, or the one whose table was typed in, which is called
-        `Your arm`."""
+        """The arm shown now, the chosen one or that of a typed table, which is `Your arm`."""
         return arm_from(TYPED, self.rows) if self.rows else self._arms[self.arm_name]
 
     @traitlets.validate("arm_name")

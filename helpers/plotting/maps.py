@@ -1,20 +1,18 @@
 """Maps of a measure over joint angles."""
 
+import matplotlib as mpl
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
 from numpy.typing import ArrayLike
 
 from helpers.inputs import numbers
 
 # Blues, without the palest: those are greys nearly, which change sides on a dark page.
-COLOURS = ListedColormap(colormaps["Blues"](np.linspace(0.35, 1, 256)))
+COLOURS = mpl.colors.ListedColormap(mpl.colormaps["Blues"](np.linspace(0.35, 1, 256)))
 
 
 def map_2d(ax: Axes, x: ArrayLike, y: ArrayLike, values: ArrayLike, label: str) -> None:
-    """Draw `values`, shape (len(y), len(x)), as filled contours with a colour bar; darker is
-    more."""
+    """Draw `values` (len(y), len(x)) as filled contours with a colour bar; darker is more."""
     x, y = (numbers(v, n, "finite values (n,)", (None,)) for v, n in ((x, "x"), (y, "y")))
     wanted = f"finite values ({len(y)}, {len(x)})"
     values = numbers(values, "values", wanted, (len(y), len(x)))

@@ -35,6 +35,7 @@ _SCRIPT_TABLE = re.compile(
     r'<span class="vlist"[^>]*><span></span></span>)?</span></span></span>'
 )
 _SCRIPT_SIZE = 0.7
+_CROWDED = re.compile(r"\\begin\{\w*matrix\}(?:(?!\\end\{).)*\\frac", re.S)  # rows would touch
 _engines = threading.local()  # a context belongs to one thread
 
 
@@ -63,8 +64,9 @@ def _set(tex: str, display: bool, output: str) -> str:
         context = quickjs.Context()
         context.eval(_START + _SCRIPT.read_text(encoding="utf-8"))
         _engines.set = context.eval(_SET)
+    rows = r"\def\arraystretch{1.5}" if _CROWDED.search(tex) else ""
     try:
-        return _lighter(_SOURCE.sub("", json.loads(_engines.set(tex, display, output))))
+        return _lighter(_SOURCE.sub("", json.loads(_engines.set(rows + tex, display, output))))
     except quickjs.JSException as problem:
         first = str(problem).partition("\n")[0]
         raise ArmError(f"{tex} is no formula: {first}; expected TeX that KaTeX knows") from None
