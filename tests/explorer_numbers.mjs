@@ -2,15 +2,15 @@
 // line of JSON out, until nobody asks.
 
 import { createInterface } from "node:readline";
-import { readEntry } from "../judge/reading/entry.js";
 import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../judge/geometry/kinematics.js";
 import { determinant, singular } from "../judge/geometry/linear.js";
+import { fadingWays } from "../page/src/dragging.js";
 import { fromFragment } from "../page/src/link.js";
 import { otherWays, traceCircle } from "../page/src/motion.js";
 import { runCircle, torquesAlong } from "../page/src/homework_run.js";
 import { sameArm } from "../page/src/same_arm.js";
-import { derive } from "../page/src/state.js";
-import { entryText, tableText } from "../page/src/text.js";
+import { startingState, Store } from "../page/src/state.js";
+import { tableText } from "../page/src/text.js";
 import { rankVerdict, tableVerdict, waysVerdict } from "../page/src/verdicts.js";
 
 const VIEWS = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"];
@@ -25,7 +25,7 @@ function numbers(arm, q, wrench) {
 }
 
 function ranks(arm, q) {
-  const derived = derive(arm, q);
+  const { derived } = new Store(startingState({ arm, q }));
   return { rank: derived.rank, said: rankVerdict(derived) };
 }
 
@@ -37,7 +37,7 @@ function verdicts(arm, q) {
 // What a link opens: its state, the tip's pose there, what is said of the table, and what gravity asks.
 function opened(fragment, arms) {
   const { patch, words } = fromFragment(fragment, arms, VIEWS);
-  const { frames, energy, gravity } = derive(patch.arm, patch.q);
+  const { frames, energy, gravity } = new Store(startingState(patch)).derived;
   return { patch, words, pose: matrix(frames.at(-1)), table: tableVerdict(patch, { frames }), energy, gravity };
 }
 
@@ -49,9 +49,8 @@ const jobs = {
   verdicts: ({ arm, qs }) => qs.map((q) => verdicts(arm, q)),
   runs: ({ arm, start, runs }) => runs.map((run) => runCircle(arm, start, run)),
   torques: ({ arm, path, wrench }) => torquesAlong(arm, path, wrench),
+  fading: ({ arm, qs, turns }) => qs.map((q) => fadingWays(jacobianColumns(arm, linkFrames(arm, q)), turns)),
   same: ({ pairs }) => pairs.map(([mine, reference]) => sameArm(mine, reference)),
-  entries: ({ typed }) => typed.map(([text, quantity, unit]) => readEntry(text, quantity, unit)),
-  written: ({ values }) => values.map(([value, angle, unit]) => entryText(value, angle, unit)),
   links: ({ arms, fragments }) => fragments.map((one) => opened(one, arms)),
   copied: ({ arm }) => tableText(arm),
 };

@@ -250,6 +250,28 @@ def test_the_rank_said_is_that_of_the_rows_the_arm_is_for(arm):
 
 
 @needs_node
+@every_arm
+@pytest.mark.parametrize("turns", [False, True])
+def test_what_fades_is_what_no_rates_are_quick_along(arm, turns):
+    """By singular values of the tip's velocity; the tool may turn or keeps its direction. From
+    joint 3 on the arm is nearly straight in half of the poses."""
+    qs = some(arm, 60)
+    qs[::2, 2:] *= 0.02
+    asked = {"arm": arm_data(arm), "qs": qs.tolist(), "turns": turns}
+    for J, found in zip(jacobian(arm, qs), ask("fading", **asked), strict=True):
+        still = np.eye(arm.dof)
+        if turns:
+            _, size, rows = np.linalg.svd(J[3:])
+            still = rows[(size > 1e-9).sum() :].T
+        u, sizes, _ = np.linalg.svd(J[:3] @ still)
+        shares = sizes / sizes[0] if sizes.size == 3 else np.ones(3)
+        lost = u[:, shares < 0.1]
+        assert [one["share"] for one in found] == pytest.approx(shares[shares < 0.1], abs=1e-9)
+        ways = np.reshape([one["way"] for one in found], (-1, 3)).T
+        np.testing.assert_allclose(ways @ ways.T, lost @ lost.T, atol=1e-7)
+
+
+@needs_node
 @pytest.mark.parametrize(
     ("arm", "q", "isolated", "free"),
     [
@@ -426,30 +448,6 @@ def apart(arm, p, q):
     """The largest difference of two joint vectors, whole turns aside."""
     slides = [arm.rows[i - 1].joint.kind == "prismatic" for i in arm.joints]
     return np.where(slides, np.abs(p - q), np.abs(2 * np.sin((p - q) / 2))).max(axis=-1)
-
-
-ENTRIES = json.loads((ROOT / "tests" / "entries.json").read_text(encoding="utf-8"))
-
-
-@needs_node
-def test_entries_are_read_as_typed_or_refused_in_words():
-    """The fixture is helpers/expressions.py's too: what one reads, the other reads."""
-    typed = [[entry["text"], entry["quantity"], entry["unit"]] for entry in ENTRIES]
-    for entry, answer in zip(ENTRIES, ask("entries", typed=typed), strict=True):
-        if entry["value"] is None:
-            assert len(answer["error"]) > 10, entry
-            assert "value" not in answer, entry
-        else:
-            assert answer["value"] == pytest.approx(entry["value"], rel=1e-14), entry
-
-
-@needs_node
-def test_what_is_written_in_an_entry_is_read_back_the_same():
-    values = [0, math.pi / 2, -math.pi, 3 * math.pi / 4, -math.pi / 12, 0.25, 1.234567]
-    for unit in ("deg", "rad"):
-        written = ask("written", values=[[v, True, unit] for v in values])
-        back = ask("entries", typed=[[text, "angle", unit] for text in written])
-        np.testing.assert_allclose([b["value"] for b in back], values, atol=1e-6)
 
 
 @needs_node

@@ -152,7 +152,7 @@ ENTRIES = [
 
 @pytest.mark.parametrize("case", ENTRIES, ids=lambda case: case["text"][:12])
 def test_what_the_explorer_reads_python_reads(case):
-    """The fixture is the explorer's too, in tests/test_explorer.py."""
+    """The fixture is the explorer's too, in tests/explorer/entry.test.mjs."""
     what = "alpha" if case["quantity"] == "angle" else "a"
     if case["value"] is None:
         with pytest.raises(ArmError):

@@ -205,7 +205,7 @@ function turnedBy(arm, frames, { row, point }, least) {
  * One frame of a tip that follows a target; true where it has arrived, or is stopped.
  * @param {import("./state.js").Store} store
  */
-export function followTip(store, { arm, q, keepTurn }, target, { rest, gesture }) {
+function followTip(store, { arm, q, keepTurn }, target, { rest, gesture }) {
   const { q: next, arrived } = dragTip(arm, q, target, rest, { turns: keepTurn });
   const still = next.every((v, i) => Math.abs(v - q[i]) < 1e-5);
   const done = arrived || still;

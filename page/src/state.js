@@ -78,7 +78,7 @@ export const EMPTY = {
 // What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets
 // them.
 const ALONG = ["stray", "wanted", "at", "playing"];
-export const DROPS = {
+const DROPS = {
   arm: Object.keys(EMPTY),
   circle: ["trace", ...ALONG],
   trace: ALONG,
@@ -119,7 +119,7 @@ const EVENTS = {
  * @param {any} event
  * @returns {State}
  */
-export function transition(state, event) {
+function transition(state, event) {
   const patch = EVENTS[event.type](state, event);
   if (!patch) return state;
   const changed = Object.keys(patch).filter((key) => patch[key] !== state[key]);
@@ -271,7 +271,7 @@ class Derived {
   }
 }
 
-export const derive = (arm, q, wrench = [0, 0, 0, 0, 0, 0]) => new Derived(arm, q, wrench);
+const derive = (arm, q, wrench = [0, 0, 0, 0, 0, 0]) => new Derived(arm, q, wrench);
 
 // How far the tip is from the pose that the ways lead to (m, rad), or null where it is there.
 export function leftBehind({ ways }, { frames }) {

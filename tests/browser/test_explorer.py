@@ -681,20 +681,17 @@ def test_the_arm_is_held_by_its_links_and_its_tip(visit):
     page = here.page
     start = here.q()
     page.locator(".stage").scroll_into_view_if_needed()
-    dragged(page, pixel_of(page, 4), (30, 15))
-    page.mouse.up()
-    turned = np.flatnonzero(np.abs(here.q() - start) > 1e-6)
-    assert turned.tolist() == [3], "a link turns its joint, and no other"
-    page.get_by_role("button", name="Undo").click()
-    np.testing.assert_allclose(here.q(), start, atol=1e-12)
-
-    dragged(page, pixel_of(page, -1), (500, -80))
-    assert re.fullmatch(r".*: \d+ mm short\.", page.locator(".why").inner_text())
-    lower, upper = PANDA.limits
-    assert ((here.q() >= lower - 1e-9) & (here.q() <= upper + 1e-9)).all()
-    page.mouse.up()
-    page.get_by_role("button", name="Undo").click()
-    np.testing.assert_allclose(here.q(), start, atol=1e-12)
+    for frame, by in ((4, (30, 15)), (4, (300, 400)), (-1, (500, -80))):
+        dragged(page, pixel_of(page, frame), by)
+        lower, upper = PANDA.limits
+        assert ((here.q() >= lower - 1e-9) & (here.q() <= upper + 1e-9)).all()
+        turned = np.flatnonzero(np.abs(here.q() - start) > 1e-6)
+        assert frame == -1 or turned.tolist() == [3], "a link turns its joint, and no other"
+        why = page.locator(".why").text_content()
+        assert re.fullmatch(r".*: \d+ mm short\." if frame == -1 else "", why)
+        page.mouse.up()
+        page.get_by_role("button", name="Undo").click()
+        np.testing.assert_allclose(here.q(), start, atol=1e-12)
 
     page.get_by_role("button", name="Pin the tip").click()
     dragged(page, pixel_of(page, 3), (35, 20))
@@ -712,6 +709,22 @@ def test_the_arm_is_held_by_its_links_and_its_tip(visit):
     page.get_by_label("Tip z, typed").fill("0.5")
     page.get_by_label("Tip z, typed").press("Enter")
     assert forward_kinematics(PANDA, here.q())[2, 3] == pytest.approx(0.5, abs=1e-3)
+
+
+def test_a_tip_says_what_fades_and_then_why_it_stops(visit):
+    page = visit("#arm=Elbow arm&view=pose").page
+    said = []
+    for x in ("0.6", "0.69", "0.9"):
+        typed(page, "Tip x, typed", x)
+        said.append(page.locator(".why").text_content())
+    assert said[:2] == ["", "Nearly singular along the arrow."]
+    assert re.fullmatch(r"Joint 3 straight: 20\d mm short\.", said[2])
+    assert page.locator(".view .error").last.inner_text() == said[2]
+    page.get_by_role("button", name="Pin the tip").click()
+    page.get_by_role("button", name="Tip pinned (place): nothing is free").wait_for()
+    page = visit("#arm=Panda&view=pose").page
+    typed(page, "Tip z, typed", "-1")
+    assert "Joint 2 at its limit" in page.locator(".why").text_content()
 
 
 def test_a_dragged_tip_is_drawn_in_few_calls_and_its_numbers_follow(visit):

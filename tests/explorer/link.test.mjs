@@ -4,21 +4,23 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fromFragment, toFragment } from "../../page/src/link.js";
 import { HOMEWORK } from "../../page/src/homework_run.js";
-import { startingState, transition } from "../../page/src/state.js";
+import { startingState, Store } from "../../page/src/state.js";
 import { ARMS, ELBOW, PANDA } from "./arms.mjs";
 
 const VIEWS = ["table", "pose", "torque", "homework"];
 const read = (fragment) => fromFragment(fragment, ARMS, VIEWS);
 
-test("a link carries arm, table, joints, wrench and what is shown", () => {
-  let state = startingState({ arm: PANDA, q: [0.1, 0.2, 0.3, 1.4, 0.5, 1.6, 0.7], view: "torque", unit: "rad" });
-  state = transition(state, { type: "push", wrench: [-5, 0, 0, 0, 0, 0.5] });
-  state = transition(state, { type: "edit", rows: PANDA.rows.map((r, i) => (i ? r : { ...r, d: 0.4 })) });
-  const { patch, words } = read(toFragment(state));
+test("what is seen comes back by a link", () => {
+  const runs = [HOMEWORK, { ...HOMEWORK, method: "rk4", slip: "z_i", steps: 100, radius: 0.05, gain: 5 }];
+  const q = [0.1, 0.2, 0.3, 1.4, 0.5, 1.6, 0.7];
+  const store = new Store(startingState({ arm: PANDA, q, view: "homework", unit: "rad", frames: "all", runs }));
+  store.dispatch({ type: "edit", rows: PANDA.rows.map((r, i) => (i ? r : { ...r, d: 0.4 })) });
+  store.dispatch({ type: "show", mark: [0.1, -0.2, 0.3], wrench: [-5, 0, 0, 0, 0, 0.5] });
+  const { patch, words } = read(toFragment(store.state));
   assert.equal(words, "");
-  for (const key of ["q", "wrench", "view", "unit", "frames", "base"]) assert.deepEqual(patch[key], state[key], key);
-  assert.equal(patch.arm.name, state.arm.name);
-  assert.deepEqual(patch.arm.rows.map((r) => r.d), state.arm.rows.map((r) => r.d));
+  for (const key of ["q", "wrench", "view", "unit", "frames", "base", "mark", "runs"]) assert.deepEqual(patch[key], store.state[key], key);
+  const shown = ({ name, rows }) => [name, rows.map((r) => r.d)];
+  assert.deepEqual(shown(patch.arm), shown(store.state.arm));
 });
 
 const table = (...rows) => `#arm=Panda&rows=${rows.join(";")}`;
@@ -46,19 +48,7 @@ for (const [name, fragment] of Object.entries(cases)) {
   });
 }
 
-test("a link carries a mark for the tip, and another arm is without it", () => {
-  const state = startingState({ arm: PANDA, q: PANDA.home, mark: [0.1, -0.2, 0.3] });
-  assert.deepEqual(read(toFragment(state)).patch.mark, state.mark);
-  assert.equal(read("#arm=Panda").patch.mark, null);
-  assert.equal(transition(state, { type: "select", arm: ELBOW }).mark, null);
-});
-
-test("a link carries the homework's runs, and refuses what is none", () => {
-  const runs = [{ ...HOMEWORK }, { ...HOMEWORK, method: "rk4", slip: "z_i", steps: 100, radius: 0.05, gain: 5 }];
-  const state = startingState({ arm: PANDA, q: PANDA.home, view: "homework", runs });
-  const { patch, words } = read(toFragment(state));
-  assert.equal(words, "");
-  assert.deepEqual(patch.runs, runs);
+test("a link refuses runs that are none", () => {
   const fine = "euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_";
   for (const bad of ["euler", fine.replace("1000", "1e9"), fine.replace("inverse", "constructor"), fine.replace("0.1_", "_"), Array(9).fill(fine).join(";")]) {
     const told = read(`#arm=Panda&view=homework&runs=${bad}`);

@@ -1,119 +1,120 @@
-// One transition: whatever depends on what changed is dropped.
+// What the explorer shows after each event: whatever depends on what changed is dropped.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { MOST_ROWS, TYPED } from "../../judge/geometry/arm.js";
-import { derive, DROPS, EMPTY, leftBehind, startingState, Store, transition } from "../../page/src/state.js";
+import { EMPTY, leftBehind, startingState, Store } from "../../page/src/state.js";
 import { otherWays } from "../../page/src/motion.js";
 import { rankVerdict } from "../../page/src/verdicts.js";
 import { ELBOW, PANDA, STANFORD } from "./arms.mjs";
 
-const start = (arm = PANDA, more = {}) => startingState({ arm, q: [...arm.home], ...more });
-const circle = { normal: "x", radius: 0.1 };
-const traced = (state, path = [state.q, state.q.map((v) => v + 0.1)]) =>
-  transition(state, { type: "traced", arm: state.arm, circle: state.circle, path, stray: 0.01, wanted: [[0, 0, 0]] });
+const start = (arm = PANDA) => new Store(startingState({ arm, q: [...arm.home] }));
+const path = [PANDA.home, PANDA.home.map((v) => v + 0.1)];
 
-test("another arm drops what was said of the one before", () => {
-  let state = traced(start());
-  state = transition(state, { type: "ways", arm: PANDA, ways: otherWays(PANDA, PANDA.home, 20) });
-  state = transition(state, { type: "playing", on: true });
-  state = transition(state, { type: "show", lit: 6, highlighted: 0, hold: { kind: "tip" } });
-  const next = transition(state, { type: "select", arm: ELBOW });
-  for (const key of DROPS.arm) assert.deepEqual(next[key], EMPTY[key], key);
-  assert.equal(next.base, ELBOW);
-  assert.equal(next.reference, ELBOW);
-  assert.deepEqual(next.q, ELBOW.home);
-});
+// A Panda that plays a circle, with all that is said of it.
+function playing() {
+  const store = start();
+  const { arm, circle } = store.state;
+  store.dispatch({ type: "traced", arm, circle, path, stray: 0.01, wanted: [[0, 0, 0]] });
+  store.dispatch({ type: "ways", arm, ways: otherWays(PANDA, PANDA.home, 20) });
+  store.dispatch({ type: "playing", on: true });
+  store.dispatch({ type: "show", lit: 6, highlighted: 0, paths: [], mark: [0, 0, 1], at: 0.5, hold: { kind: "tip" } });
+  for (const [key, none] of Object.entries(EMPTY)) assert.notDeepEqual(store.state[key], none, key);
+  return store;
+}
 
-test("a link to another arm keeps neither ways nor trace", () => {
-  const state = transition(traced(start()), { type: "set", arm: ELBOW, base: ELBOW, reference: ELBOW, q: ELBOW.home });
-  assert.equal(state.trace, null);
-  assert.equal(state.ways, null);
-});
+const said = (state) => Object.fromEntries(Object.keys(EMPTY).map((key) => [key, state[key]]));
 
-test("a trace of another arm is not played", () => {
-  const state = { ...start(), trace: [[0, 0, 0], [1, 1, 1]] };
-  assert.equal(transition(state, { type: "play", at: 0.5 }), state);
-  assert.equal(transition(start(), { type: "playing", on: true }).playing, false, "nothing to play");
-});
-
-test("answers that come after another arm was chosen are not taken", () => {
-  const state = start(ELBOW);
-  const late = { type: "traced", arm: PANDA, circle: state.circle, path: [PANDA.home], stray: 0, wanted: [] };
-  assert.equal(transition(state, late), state);
-  assert.equal(transition(state, { type: "ways", arm: PANDA, ways: { list: [] } }), state);
-});
+for (const [how, event] of [
+  ["chosen", { type: "select", arm: ELBOW }],
+  ["linked to", { type: "set", arm: ELBOW, base: ELBOW, reference: ELBOW, q: ELBOW.home }],
+]) {
+  test(`another arm that is ${how} drops what was said of the one before`, () => {
+    const store = playing();
+    store.dispatch(event);
+    const { base, reference, q } = store.state;
+    assert.deepEqual(said(store.state), EMPTY);
+    assert.deepEqual([base, reference, q], [ELBOW, ELBOW, ELBOW.home]);
+  });
+}
 
 test("another radius drops the circle that was drawn with the old one", () => {
-  const state = transition(traced(start()), { type: "circle", radius: 0.2 });
-  assert.equal(state.trace, null);
-  assert.deepEqual(state.circle, { normal: "x", radius: 0.2 });
+  const store = playing();
+  store.dispatch({ type: "circle", radius: 0.2 });
+  const { trace, stray, wanted, at, playing: on } = store.state;
+  assert.deepEqual({ trace, stray, wanted, at, playing: on }, { trace: null, stray: 0, wanted: null, at: 0, playing: false });
+  assert.deepEqual(store.state.circle, { normal: "x", radius: 0.2 });
 });
 
-test("a joint that the reader moves stops the play", () => {
-  let state = transition(traced(start()), { type: "playing", on: true });
-  assert.equal(state.playing, true);
-  state = transition(state, { type: "move", q: state.q.map((v) => v + 0.2) });
-  assert.equal(state.playing, false);
-  assert.notEqual(state.trace, null, "the path stays, to be played again");
+test("a joint that the reader moves stops the play, and the path stays", () => {
+  const store = playing();
+  store.dispatch({ type: "move", q: PANDA.home.map((v) => v + 0.2) });
+  assert.deepEqual([store.state.playing, store.state.trace], [false, path]);
 });
 
-test("joint values that are none are refused", () => {
-  const state = start();
-  for (const q of [[1, 2], PANDA.home.map(() => NaN), null]) {
-    assert.equal(transition(state, { type: "move", q }), state);
-    assert.equal(transition(state, { type: "set", arm: ELBOW, q: PANDA.home }), state);
-  }
+test("what makes no sense here changes nothing", () => {
+  const { home, rows: [row, ...rows] } = PANDA; // prettier-ignore
+  const store = start();
+  const { circle } = store.state;
+  const tables = [[], [{ ...row, kind: "constructor" }, ...rows], [{ ...row, a: 1e308 }], [{ ...row, theta: NaN }], Array(MOST_ROWS + 1).fill(row)];
+  for (const event of [
+    { type: "playing", on: true },
+    { type: "traced", arm: ELBOW, circle, path: [ELBOW.home], stray: 0, wanted: [] }, // asked for before
+    { type: "ways", arm: ELBOW, ways: { list: [] } },
+    { type: "set", arm: ELBOW, q: home },
+    ...[[1, 2], home.map(() => NaN), null].map((q) => ({ type: "move", q })),
+    ...tables.map((table) => ({ type: "edit", rows: table })),
+    { type: "undo" },
+  ])
+    assert.equal(store.dispatch(event), false, event.type);
+  store.dispatch({ type: "set", trace: [[0, 0, 0], [1, 1, 1]] });
+  assert.equal(store.dispatch({ type: "play", at: 0.5 }), false, "a trace of another arm");
 });
 
 test("a typed arm has a name of its own and nothing that was not typed", () => {
-  const rows = PANDA.rows.map((row, i) => (i === 2 ? { ...row, a: 0.088 } : row));
-  const state = transition(start(), { type: "edit", rows });
-  assert.equal(state.arm.name, TYPED);
-  assert.equal(state.reference.name, "Panda");
-  for (const row of state.arm.rows) {
+  const store = start();
+  store.dispatch({ type: "edit", rows: PANDA.rows.map((row, i) => (i === 2 ? { ...row, a: 0.088 } : row)) });
+  const { arm, reference, q } = store.state;
+  assert.deepEqual([arm.name, reference.name, q], [TYPED, "Panda", PANDA.home]);
+  for (const row of arm.rows) {
     for (const key of ["lower", "upper", "effort", "speed"]) assert.equal(row[key], null);
     assert.equal(row.body, undefined);
   }
-  assert.deepEqual(state.q, PANDA.home, "it stands where the arm stood");
-  const back = transition(state, { type: "edit", rows: PANDA.rows.map((row) => ({ ...row })) });
-  assert.equal(back.arm, PANDA, "typed back it is the Panda again, limits and masses with it");
-});
-
-test("tables that are none are refused", () => {
-  const state = start();
-  const [row] = PANDA.rows;
-  const bad = [[], [{ ...row, kind: "constructor" }], [{ ...row, a: 1e308 }], [{ ...row, theta: NaN }], Array(MOST_ROWS + 1).fill(row)];
-  for (const rows of bad) assert.equal(transition(state, { type: "edit", rows }), state);
+  store.dispatch({ type: "edit", rows: PANDA.rows.map((row) => ({ ...row })) });
+  assert.equal(store.state.arm, PANDA, "typed back it is the Panda again, limits and masses with it");
 });
 
 test("ways are marked once the tip has left the pose, and come back with it", () => {
   const q = [0.2, 1.2, -0.9];
-  let state = transition(start(ELBOW), { type: "move", q });
-  state = transition(state, { type: "ways", arm: ELBOW, ways: otherWays(ELBOW, q) });
-  const left = (values) => leftBehind(state, derive(ELBOW, values));
-  assert.equal(left(q), null);
+  const store = start(ELBOW);
+  store.dispatch({ type: "move", q });
+  store.dispatch({ type: "ways", arm: ELBOW, ways: otherWays(ELBOW, q) });
+  const left = (values) => {
+    store.dispatch({ type: "move", q: values });
+    return leftBehind(store.state, store.derived);
+  };
   assert.ok(left([0.2, 1.2, -0.8]).far > 0.02);
-  for (const way of state.ways.list) assert.equal(left(way.q), null);
+  for (const way of store.state.ways.list) assert.equal(left(way.q), null);
 });
 
 test("undo and redo walk through what the reader did, a drag as one step", () => {
-  let state = start(ELBOW);
-  const at = (v) => [v, 0.8, -1.5];
-  for (const v of [0.1, 0.2, 0.3]) state = transition(state, { type: "move", q: at(v), gesture: "drag 1" });
-  state = transition(state, { type: "move", q: at(0.5), gesture: "drag 2" });
-  state = transition(state, { type: "select", arm: STANFORD });
-  const back = [0, 1, 2].map(() => (state = transition(state, { type: "undo" })));
-  assert.deepEqual(back.map(({ arm, q }) => [arm.name, q[0]]), [["Elbow arm", 0.5], ["Elbow arm", 0.3], ["Elbow arm", 0]]);
-  assert.equal(transition(state, { type: "undo" }), state, "nothing is left");
-  state = transition(state, { type: "redo" });
-  assert.equal(state.q[0], 0.3);
-  state = transition(state, { type: "move", q: at(9) });
-  assert.deepEqual(state.future, [], "another way was taken");
+  const store = start(ELBOW);
+  const move = (v, gesture) => store.dispatch({ type: "move", q: [v, 0.8, -1.5], gesture });
+  for (const v of [0.1, 0.2, 0.3]) move(v, "drag 1");
+  move(0.5, "drag 2");
+  store.dispatch({ type: "select", arm: STANFORD });
+  for (const first of [0.5, 0.3, 0]) {
+    store.dispatch({ type: "undo" });
+    assert.deepEqual([store.state.arm, store.state.q[0]], [ELBOW, first]);
+  }
+  store.dispatch({ type: "redo" });
+  assert.equal(store.state.q[0], 0.3);
+  move(9);
+  assert.deepEqual(store.state.future, [], "another way was taken");
 });
 
 test("views of one store hear the same, and no more once they are gone", () => {
-  const store = new Store(start());
+  const store = start();
   const heard = [];
   const [one, two] = [new AbortController(), new AbortController()];
   store.listen((changed) => heard.push(["one", ...changed]), one.signal);
@@ -126,11 +127,7 @@ test("views of one store hear the same, and no more once they are gone", () => {
 
 test("an arm without a joint has numbers too", () => {
   const still = { name: "post", home: [], rows: [{ ...ELBOW.rows[0], kind: "fixed" }] };
-  const store = new Store(startingState({ arm: still, q: [] }));
-  assert.equal(rankVerdict(store.derived).text, "No joint moves this arm.");
-  assert.deepEqual(store.derived.torque, []);
-  assert.equal(store.derived.manipulability, 1);
-  assert.deepEqual(otherWays(still, []).list, []);
+  const { derived } = start(still);
+  assert.equal(rankVerdict(derived).text, "No joint moves this arm.");
+  assert.deepEqual([derived.torque, derived.manipulability, otherWays(still, []).list], [[], 1, []]);
 });
-
-test("the circle of the state is the one that is asked for", () => assert.deepEqual(start().circle, circle));
