@@ -11,8 +11,6 @@ WINDOWS = {**SIZES, "small": {"width": 320, "height": 640}}
 TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Boxes are fitted when the reader comes near; for a printer, all at once.
 EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
-# A page opened at its top leaves what is far until a reader scrolls there, and a test does not scroll: it jumps.
-LAID_OUT = "delete document.documentElement.dataset.fresh"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 BAD = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))

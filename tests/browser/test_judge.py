@@ -3,7 +3,7 @@ typed is judged, wrong cells are marked, and a link brings it back."""
 
 import pytest
 
-from tests.browser.reader import AXE, BAD, EVERYTHING, LAID_OUT, UNDRAWN, UNTOUCHED
+from tests.browser.reader import AXE, BAD, EVERYTHING, UNDRAWN, UNTOUCHED
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"
@@ -257,7 +257,6 @@ def chapter(browser):
 
     def opened(name):
         page.goto((HTML / f"{name}.html").as_uri())
-        page.evaluate(LAID_OUT)
         return page
 
     yield opened
