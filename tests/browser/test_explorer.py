@@ -612,12 +612,7 @@ def test_without_webgl_the_numbers_still_work(browser):
     here.context.close()
 
 
-def test_without_javascript_or_on_paper_a_still_picture_stands(browser, visit):
-    context = browser.new_context(java_script_enabled=False)
-    page = context.new_page()
-    page.goto((HTML / "explorer.html").as_uri())
-    assert page.get_by_role("img", name=re.compile("Still picture of the Panda")).is_visible()
-    context.close()
+def test_on_paper_a_still_picture_stands(visit):
     here = visit()
     here.page.emulate_media(media="print")
     assert here.page.locator(".arm-explorer > svg").is_visible()
