@@ -61,19 +61,6 @@ def some(arm, count=1000):
     return np.random.default_rng(7).uniform(lower, upper, (count, arm.dof))
 
 
-def held_up(arm, q, gravity=9.81):
-    """Gravity torque from the heights of the centres of mass, each made the tip of a shorter
-    arm."""
-    total = np.zeros(q.shape)
-    for k, body in enumerate(arm.bodies, 1):
-        x, y, z = (arm.number(c) for c in body.com)
-        part = Arm("part", (*arm.rows[:k], fixed(a=x, d=z), fixed(a=y, theta="pi/2")), arm.values)
-        total[..., : part.dof] += (
-            arm.number(body.mass) * gravity * jacobian(part, q[..., : part.dof])[..., 2, :]
-        )
-    return total
-
-
 @needs_node
 @every_arm
 def test_javascript_computes_what_python_does(arm):
@@ -87,9 +74,7 @@ def test_javascript_computes_what_python_does(arm):
 
     close("frames", link_frames(arm, qs))
     close("columns", np.swapaxes(J, -1, -2))
-    close("gravity", held_up(arm, qs))
-    if arm.bodies:
-        close("gravity", gravity_torque(arm, qs))
+    close("gravity", gravity_torque(arm, qs) if arm.bodies else np.zeros(qs.shape))
     close("push", np.swapaxes(J, -1, -2) @ wrench)
     singular = np.linalg.svd(J, compute_uv=False)
     got = np.array([answer["values"] for answer in answers])[:, : singular.shape[1]]
@@ -498,22 +483,14 @@ def test_an_arm_survives_the_way_to_the_browser_and_back(arm):
     np.testing.assert_array_equal(link_frames(back, qs), link_frames(arm, qs))
     np.testing.assert_array_equal(back.limits, arm.limits)
     np.testing.assert_array_equal(back.effort_limits, arm.effort_limits)
-    np.testing.assert_allclose(held_up(back, qs), held_up(arm, qs), atol=1e-12)
+    assert [body.mass for body in back.bodies] == [arm.number(body.mass) for body in arm.bodies]
+    if arm.bodies:
+        np.testing.assert_array_equal(gravity_torque(back, qs), gravity_torque(arm, qs))
 
 
 @pytest.fixture
 def explorer():
     return ArmExplorer(PANDA, arms=ARMS)
-
-
-def test_its_display_holds_the_widget_and_a_stub_that_never_changes(explorer):
-    bundle = explorer._repr_mimebundle_()
-    assert set(bundle) == {"text/plain", "text/html", "application/vnd.jupyter.widget-view+json"}
-    again = ArmExplorer(PANDA, arms=ARMS)._repr_mimebundle_()
-    assert bundle["text/html"] == again["text/html"]
-    assert bundle["text/plain"] == "<ArmExplorer of the Panda>"
-    assert explorer.model_id not in bundle["text/html"]
-    assert len(bundle["text/html"]) < 12_000
 
 
 def test_a_small_figure_is_a_widget_and_the_stub_that_a_chapter_writes():
@@ -553,15 +530,6 @@ def test_a_name_cannot_break_out_of_the_stub():
     assert "<img" not in html[: html.index("<script")]
 
 
-def test_it_takes_joint_vectors_of_every_kind(explorer):
-    explorer.q = np.full(7, 0.5)
-    assert explorer.q == (0.5,) * 7
-    explorer.q = [0] * 7
-    assert explorer.q == (0.0,) * 7
-    explorer.wrench = (1, 2, 3, 0, 0, 0)
-    assert explorer.wrench == (1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
-
-
 def test_it_takes_what_a_closed_form_returns():
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     found = ur(UR10E, link_frames(UR10E, q)[-1])
@@ -593,17 +561,6 @@ def test_the_page_is_told_what_was_chosen():
 def test_two_arms_may_not_share_a_name():
     with pytest.raises(ArmError, match="two different arms are called 'Panda'"):
         ArmExplorer(PANDA, arms=[PANDA.lock(3)])
-
-
-def test_a_table_typed_in_the_browser_becomes_an_arm(explorer):
-    rows = arm_data(ELBOW)["rows"]
-    explorer.set_state({"rows": rows, "q": [0.1, 0.2, 0.3]})
-    assert explorer.arm.dof == 3
-    np.testing.assert_allclose(
-        link_frames(explorer.arm, explorer.q), link_frames(ELBOW, [0.1, 0.2, 0.3]), atol=1e-15
-    )
-    explorer.set_state({"rows": [], "arm_name": "UR10e", "q": list(UR10E.home)})
-    assert explorer.arm is UR10E
 
 
 def test_another_arm_stands_at_its_home_without_what_was_computed(explorer):
@@ -663,6 +620,7 @@ def test_the_stub_says_where_the_arm_stands_in_a_page_of_its_own_or_not():
     assert html[0].startswith('<div class="arm-explorer whole"><svg ')
     assert html[1].startswith('<div class="arm-explorer"><svg ')
     for text in html:
+        assert len(text) < 12_000
         assert '<p class="arm-explorer-caption">Ä at q_1 = 0.123, q_2 = 0.</p><script' in text
         assert 'aria-label="Still picture of the Ä at q_1 = 0.123, q_2 = 0."' in text
         assert '"arms":[{"name":"Ä","home":[0.0,0.0],' in text
