@@ -38,3 +38,7 @@ test("a refusal names the unit that does not fit", () => {
   assert.match(readEntry("5 N", "length").error, /has the unit N; a length/);
   assert.match(readEntry("90°", "length").error, /has the unit °/);
 });
+
+test("no number comes of what divides by nothing", () => {
+  for (const text of ["1/0", "1/(1/0)", "0^-1", "sqrt(-1)", "1e400", "q"]) assert.equal(number(text), null);
+});
