@@ -96,11 +96,9 @@ def packages():
 @pytest.mark.parametrize(
     "file", sorted((ROOT / "tests" / "explorer").glob("*.test.mjs")), ids=lambda file: file.stem
 )
-def test_the_sources_keep_their_own_rules(file, request):
+def test_the_sources_keep_their_own_rules(file):
     """States, links, drags, pastes: asserted in JavaScript, as nothing of it exists in Python."""
     assert NODE, "Node.js is not installed"
-    if "/pointers.js" in file.read_text(encoding="utf-8"):  # which draws, and so needs three.js
-        request.getfixturevalue("packages")
     done = subprocess.run(
         [NODE, "--test-reporter=spec", str(file)],
         capture_output=True,
