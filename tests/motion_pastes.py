@@ -6,21 +6,12 @@ POINT = "0.5200, 0.2841, 0.8463"
 
 # One answer, right to its digits.
 ANGLES = {
-    "nested": "[[0.5, 0.7, -0.4]]",
-    "numpy rows": "[[ 0.5]\n [ 0.7]\n [-0.4]]",
-    "matlab column": "q = [0.5; 0.7; -0.4]",
-    "matlab print column": "ans =\n\n    0.5000\n    0.7000\n   -0.4000\n",
     "numpy wrapped": "[ 0.5  0.7\n -0.4]",
     "transposed": "q = [0.5, 0.7, -0.4]^T",
     "latex transposed": r"\begin{bmatrix} 0.5 & 0.7 & -0.4 \end{bmatrix}^{T}",
     "matlab transposed": "q = [0.5 0.7 -0.4]';",
-    "latex column": r"q = \begin{bmatrix} 0.5 \\ 0.7 \\ -0.4 \end{bmatrix}",
     "latex named": r"\theta_1 = 0.5, \theta_{2} = 0.7, \theta_3 = -0.4",
-    "csv headed": "q1,q2,q3\n0.5,0.7,-0.4\n",
-    "excel column": "0.5\r\n0.7\r\n-0.4\r\n",
     "equations": "theta1 = 0.5, theta2 = 0.7, theta3 = -0.4",
-    "equations under each other": "q_1 = 0.5\nq_2 = 0.7\nq_3 = -0.4",
-    "greek": "θ1 = 0.5, θ2 = 0.7, θ3 = −0.4",
     "colons": "q1: 0.5\nq2: 0.7\nq3: -0.4",
     "pairs": "('Theta1', 0.5), ('Theta2', 0.7), ('Theta3', -0.4)",
     "list of pairs": "[('theta1', 0.5), ('theta2', 0.7), ('theta3', -0.4)]",
@@ -28,7 +19,6 @@ ANGLES = {
     "json": '{"q1": 0.5, "q2": 0.7, "q3": -0.4}',
     "formulas of pi": "pi/2 - 1.0708, 0.7, -pi + 2.7416",
     "numpy formulas": "[np.radians(28.6479), np.deg2rad(40.107), -0.4]",
-    "degrees by sign": "28.6479°, 40.1070°, -22.9183°",
     "a turn more": "6.7832, 0.7, -0.4",
 }
 IN_DEGREES = {
