@@ -132,10 +132,14 @@ def guesses(right, question):
     yield list(question.arm.home)
 
 
-@pytest.mark.parametrize("arm", [HANGING, STANFORD, RODS], ids=lambda arm: arm.name)
-def test_no_work_earns_no_marks(arm):
-    """These three arms have every topic, and every kind of part."""
-    mine = sheet(arm, "no work")
+@pytest.mark.parametrize(
+    ("arm", "topics"),
+    [(HANGING, ("static torque", "circle tracing")), (STANFORD, None), (RODS, None)],
+    ids=str,
+)
+def test_no_work_earns_no_marks(arm, topics):
+    """These three have every topic, and every kind of part."""
+    mine = sheet(arm, "no work", topics)
     for nothing in NOTHING:
         found = mark_sheet(mine, dict.fromkeys(mine.parts, nothing))
         assert sum(m.credit for m in found) == 0, nothing

@@ -62,7 +62,7 @@ _PARALLEL_ROWS = st.builds(
 )
 
 
-@settings(max_examples=60)
+@settings(max_examples=30)
 @given(rows=st.lists(_PARALLEL_ROWS, min_size=2, max_size=5))
 def test_runs_of_parallel_axes_that_point_both_ways(rows):
     arm = Arm("run", [*rows, revolute(0.1, "pi/2"), revolute(0.1)])
