@@ -123,18 +123,6 @@ def test_each_row_is_what_it_says(seed):
         assert -math.pi < step.alpha <= math.pi
 
 
-def test_the_homework_s_ur10e():
-    table = [
-        [0, -RIGHT, 0.128, 0],
-        [0.6127, math.pi, 0, -RIGHT],
-        [0.5716, math.pi, 0, 0],
-        [0, RIGHT, 0.1639, RIGHT],
-        [0, -RIGHT, 0.1157, 0],
-        [0, 0, 0.1922, 0],
-    ]
-    assert entries(derive(UR10E, UR10E_TIP).arm) == table
-
-
 def test_the_panda_as_its_maker_writes_it():
     """The published table is a modified one, and has a_4 = -0.0825."""
     found = derive(PANDA, PANDA_FLANGE, negative=True)
@@ -179,23 +167,6 @@ def test_a_tip_turned_about_the_last_axis_costs_a_row():
     assert entries(found.arm) == [[1, 0, 0.2, 0], [0, 0, 0, RIGHT]]
     assert found.arm.rows[1].joint.kind == "fixed"
     assert (found.steps[1].case, found.steps[1].opposite) == ("coincident", False)
-
-
-def test_a_slide_without_a_place_runs_through_the_next_axis():
-    """The Stanford arm: its boom passes the shoulder at d_2."""
-    wrist = (0, 0.154, 0.5)
-    axes = [Axis((0, 0, 0), Z), Axis((0, 0, 0), Y), Axis(None, Z, "prismatic")]
-    axes += [Axis(wrist, Z), Axis(wrist, Y), Axis(wrist, Z)]
-    found = derive(axes, [[1, 0, 0, 0], [0, 1, 0, 0.154], [0, 0, 1, 0.763], [0, 0, 0, 1]])
-    table = [
-        [0, -RIGHT, 0, 0],
-        [0, RIGHT, 0.154, 0],
-        [0, 0, 0, 0],
-        [0, -RIGHT, 0.5, 0],
-        [0, RIGHT, 0, 0],
-        [0, 0, 0.263, 0],
-    ]
-    assert entries(found.arm) == table
 
 
 def test_where_nothing_follows_a_slide_runs_through_the_tip():

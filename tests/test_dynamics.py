@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from helpers.arm import Arm, ArmError, Body, fixed, revolute
+from helpers.arm import ArmError
 from helpers.dynamics import inverse_dynamics
 from helpers.kinematics import link_frames
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
@@ -73,31 +73,6 @@ def test_it_is_lagranges_equation_by_differences_of_the_energies(arm):
     wanted += slope(lambda x: potential_energy(arm, x))
     tau = inverse_dynamics(arm, q, q_dot, q_ddot, inertias=inertias)
     np.testing.assert_allclose(tau, wanted, atol=3e-5 * max(1, np.abs(wanted).max()))
-
-
-def test_two_rods_as_the_textbook_has_them():
-    """Spong, section 6.4.2 (planar elbow arm), with rods of inertia m l^2/12."""
-    m_1, m_2, l_1, l_2, g = 2.0, 1.0, 0.4, 0.3, 9.81
-    rows = [fixed(alpha="pi/2"), revolute(a=l_1), revolute(a=l_2)]
-    bodies = [Body(0, (0, 0, 0)), Body(m_1, (-l_1 / 2, 0, 0)), Body(m_2, (-l_2 / 2, 0, 0))]
-    arm = Arm("two links", rows, {}, bodies)
-    inertias = np.zeros((3, 3, 3))
-    inertias[1, 2, 2], inertias[2, 2, 2] = m_1 * l_1**2 / 12, m_2 * l_2**2 / 12
-    for (a, b), (da, db), (dda, ddb) in np.random.default_rng(7).uniform(-2, 2, (20, 3, 2)):
-        c = m_2 * l_1 * l_2 / 2
-        d_22 = m_2 * l_2**2 / 3
-        d_11 = m_1 * l_1**2 / 3 + m_2 * l_1**2 + d_22 + 2 * c * np.cos(b)
-        d_12, h = d_22 + c * np.cos(b), -c * np.sin(b)
-        weight = [
-            (m_1 / 2 + m_2) * g * l_1 * np.cos(a) + m_2 * g * l_2 / 2 * np.cos(a + b),
-            m_2 * g * l_2 / 2 * np.cos(a + b),
-        ]
-        wanted = [
-            d_11 * dda + d_12 * ddb + 2 * h * da * db + h * db**2 + weight[0],
-            d_12 * dda + d_22 * ddb - h * da**2 + weight[1],
-        ]
-        tau = inverse_dynamics(arm, [a, b], [da, db], [dda, ddb], inertias=inertias)
-        np.testing.assert_allclose(tau, wanted, atol=1e-12)
 
 
 def test_batches_of_joints_and_rates_go_together():

@@ -32,36 +32,6 @@ def test_the_acceleration_at_constant_rates_is_the_slope_of_J_times_the_rates(ar
     )
 
 
-def test_the_panda_leaves_its_home_by_joints_1_and_3_alone():
-    assert self_motion_directions(PANDA, HOME) == pytest.approx(IDLE[None] / np.sqrt(2), abs=1e-12)
-
-
-def test_at_90_degrees_a_second_way_opens_by_the_levers_of_three_parallel_axes():
-    """Axes 2, 5 and 7 then lie in one plane: no turn and no speed sideways remain if their rates go
-    as the levers below."""
-    above_2, above_5 = 0.316 + 0.0825 + 0.088, 0.088
-    idle, way = self_motion_directions(PANDA, TURNED)
-    assert idle == pytest.approx(IDLE / np.sqrt(2), abs=1e-12)
-    assert way[[3, 5]] == pytest.approx(0, abs=1e-12)
-    assert way[[4, 6]] / way[1] == pytest.approx([above_2 / above_5, above_2 / above_5 - 1])
-    assert way[0] == pytest.approx(-way[2])
-
-
-def test_only_the_two_ways_keep_the_tip_to_third_order():
-    lost = np.linalg.svd(jacobian(PANDA, TURNED))[0][:, -1]
-    start = slow_frames(PANDA, TURNED)[-1]
-
-    def miss(direction, h):
-        there = slow_frames(PANDA, TURNED + h * direction)[-1]
-        turn = np.cross(start[:3, :3], there[:3, :3], axis=0).sum(axis=1) / 2
-        return abs(lost @ np.r_[there[:3, 3] - start[:3, 3], turn])
-
-    idle, way = self_motion_directions(PANDA, TURNED)
-    between = (way + idle) / np.linalg.norm(way + idle)
-    assert np.log10(miss(between, 1e-2) / miss(between, 1e-3)) == pytest.approx(2, abs=0.1)
-    assert np.log10(miss(way, 1e-2) / miss(way, 1e-3)) > 2.9
-
-
 def test_a_flat_parallelogram_opens_as_one_and_as_its_crossed_twin():
     found = self_motion_directions(LINKAGE, FLAT)
     by_hand = np.array([[1, -1, 1, -1], [1, -3, -1, 3]])

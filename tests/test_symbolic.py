@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from helpers import kinematics, symbolic
 from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
-from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
+from helpers.robots import ELBOW
 from tests.laws import ALL_ARMS, ids, joint_vectors, random_arms, slow_frames
 
 every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
@@ -70,40 +70,6 @@ def test_runs_of_parallel_axes_that_point_both_ways(rows):
     T = in_numbers(arm, symbolic.forward_kinematics(arm), q)
     np.testing.assert_allclose(T, slow_frames(arm, q)[-1], atol=1e-12)
     assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
-
-
-def test_the_stanford_arms_second_transform_as_the_homework_has_it():
-    c1, s1, c2, s2, d2 = sp.symbols("c_1 s_1 c_2 s_2 d_2")
-    wanted = sp.Matrix(
-        [
-            [c1 * c2, -s1, c1 * s2, -d2 * s1],
-            [s1 * c2, c1, s1 * s2, d2 * c1],
-            [-s2, 0, c2, 0],
-            [0, 0, 0, 1],
-        ]
-    )
-    T_02, T_03 = symbolic.link_frames(STANFORD)[2:4]
-    assert symbolic.short(T_02).expand() == wanted
-    q_3 = sp.Symbol("q_3")
-    assert symbolic.short(T_03[:3, 3]).expand() == sp.Matrix(
-        [c1 * s2 * q_3 - d2 * s1, s1 * s2 * q_3 + d2 * c1, c2 * q_3]
-    )
-
-
-def test_parallel_axes_add_their_angles():
-    c1, c2, c23, s2, s23, a2, a3, d1 = sp.symbols("c_1 c_2 c_23 s_2 s_23 a_2 a_3 d_1")
-    position = symbolic.short(symbolic.forward_kinematics(ELBOW)[:3, 3]).expand()
-    assert position[0] == a2 * c1 * c2 + a3 * c1 * c23
-    assert position[2] == a2 * s2 + a3 * s23 + d1
-    assert (
-        sp.Symbol("c_{2-3+4}")
-        in symbolic.short(symbolic.forward_kinematics(UR10E_HOMEWORK)).free_symbols
-    )
-    assert sp.Symbol("c_234") in symbolic.short(symbolic.forward_kinematics(UR10E)).free_symbols
-    assert (
-        sp.Symbol("c_{2-4}")
-        in symbolic.short(symbolic.forward_kinematics(PANDA.lock(3))).free_symbols
-    )
 
 
 def test_a_symbol_that_is_zero_is_left_out():

@@ -68,29 +68,6 @@ def test_the_determinant_is_the_determinant(arm):
         assert value(q) == pytest.approx(np.linalg.det(jacobian(arm, q)[: arm.dof]), abs=1e-13)
 
 
-def test_the_determinants_factors_are_those_of_the_textbooks():
-    a2, a3, d5, q3, c2, c23, s3, s5, s2, s234 = sp.symbols(
-        "a_2 a_3 d_5 q_3 c_2 c_23 s_3 s_5 s_2 s_234"
-    )
-    assert symbolic.short(symbolic.determinant(ELBOW)).equals(-a2 * a3 * s3 * (a2 * c2 + a3 * c23))
-    assert symbolic.short(symbolic.determinant(STANFORD)).equals(q3**2 * s2 * s5)
-    assert symbolic.short(symbolic.determinant(UR10E)).equals(
-        a2 * a3 * s3 * s5 * (d5 * s234 - a2 * c2 - a3 * c23)
-    )
-
-
-def test_the_locked_pandas_determinant_is_a_sine_of_the_shoulder_angle():
-    arm = PANDA.lock(3)
-    q = np.repeat(joint_vectors(arm, (20,), 5)[None], 3, axis=0)
-    q[0, :, 1], q[1, :, 1] = 0, np.pi / 2
-    A, B = np.linalg.det(jacobian(arm, q[:2]))
-    q[2, :, 1] = np.arctan2(-A, B)
-    np.testing.assert_allclose(np.linalg.det(jacobian(arm, q[2])), 0, atol=1e-15)
-    c, s = sp.cos(sp.Symbol("q_2")), sp.sin(sp.Symbol("q_2"))
-    formula = symbolic.determinant(arm)
-    assert sp.expand(formula - formula.coeff(c) * c - formula.coeff(s) * s) == 0
-
-
 @every_arm
 def test_an_ellipsoid_holds_what_unit_joint_speeds_do(arm):
     J = jacobian(arm, joint_vectors(arm, ()))[:3]
