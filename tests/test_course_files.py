@@ -164,7 +164,7 @@ ODD = {
     "a notebook of lists": ({"my.ipynb": '{"cells": [[]]}'}, 0, "seen: my.ipynb"),
     "a notebook without cells": ({"my.ipynb": '{"cells": []}'}, 0, "my.ipynb answers nothing"),
     "a notebook that fails": ({"my.ipynb": notebook("1 / 0")}, 0, "1 of its cells raised an error"),
-    "a flood": ({"my.ipynb": notebook("for n in range(300): print('x' * 10**6)")}, 0, ""),
+    "a flood": ({"my.ipynb": notebook("for n in range(60): print('x' * 10**6)")}, 0, ""),
     "a forged answer": ({"my.ipynb": notebook("answer_p = type('X', (), {'tolist': 1})()")}, 0, ""),
 }  # fmt: skip
 RUN = ("notebook", "flood", "forged")

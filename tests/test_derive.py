@@ -169,7 +169,9 @@ def test_a_tip_turned_about_the_last_axis_costs_a_row():
     assert (found.steps[1].case, found.steps[1].opposite) == ("coincident", False)
 
 
-def test_where_nothing_follows_a_slide_runs_through_the_tip():
+def test_a_slide_without_a_place_runs_through_the_next_axis_that_turns_or_the_tip():
+    slide, turn = Axis(None, X, "prismatic"), Axis((0.4, 0.3, 0), Y)
+    np.testing.assert_allclose(derive([slide, turn], np.eye(4)).lines[0].point, turn.point)
     found = derive([Axis((0, 0, 0), Z), Axis(None, X, "prismatic")], (0.5, 0, 0.2))
     np.testing.assert_allclose(forward_kinematics(found.arm, [0, 0])[:3, 3], (0.5, 0, 0.2))
     np.testing.assert_allclose(found.lines[1].point, (0.5, 0, 0.2))

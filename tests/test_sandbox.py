@@ -18,6 +18,9 @@ SECONDS = 100
 ROOT = Path(__file__).parents[1]
 
 
+ENDLESS = "import time\nwhile True: time.sleep(1)"
+
+
 def run(*cells, seconds=SECONDS):
     return sandbox.run(cells, seconds)
 
@@ -119,7 +122,7 @@ def test_a_notebook_has_a_folder_of_its_own_to_write_to(seen):
 
 
 def test_a_cell_that_fails_or_never_ends_costs_itself():
-    found = run("answer_p = [1, 2]", "1 / 0", "while True: pass", "answer_J = 4", seconds=30)
+    found = run("answer_p = [1, 2]", "1 / 0", ENDLESS, "answer_J = 4", seconds=30)
     assert found == ({"p": [1, 2], "J": 4}, "2 of its cells raised an error")
 
 
@@ -159,8 +162,8 @@ if not os.fork():
     os._exit(0)
 answer_p = 1"""
     assert run(daemon)[0] == {"p": 1}
-    assert run(f"{daemon}\nimport signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n"
-               "while True: pass", seconds=25)[1]  # fmt: skip
+    deaf = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)"
+    assert run(daemon, f"{deaf}\n{ENDLESS}", seconds=25)[1]
     for _ in range(600):  # the kernel ends them
         if not mine(word):
             return
