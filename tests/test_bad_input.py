@@ -408,6 +408,32 @@ def test_the_right_call_is_taken(name):
     PUBLIC[name](**CALLS[name])
 
 
+# What the words of an expectation claim of a value; the first group is what they name.
+CLAIMS = {
+    r"(> 0|above 0|positive)": lambda x, _: np.all(np.array(x, float) > 0),
+    r"(0 or more|none negative)": lambda x, _: np.all(np.array(x, float) >= 0),
+    r"whole number of (\d+) or more": lambda x, least: isinstance(x, int) and x >= int(least),
+    r"^an? (Arm|Path|Trace|Solutions|Derivation)$": lambda x, kind: type(x).__name__ == kind,
+    r"^(?:one|some) of (?!SymPy)([\w, ]+)$": (
+        lambda x, named: {str(one) for one in np.ravel(x)} <= {*named.split(", ")}
+    ),
+    r"\b(two|three|six) finite": lambda x, n: len(x) == dict(two=2, three=3, six=6)[n],
+    r"^(?:one pose, )?\((?:[^()]*, )?(\d+),?\)": lambda x, last: np.shape(x)[-1] == int(last),
+    r"^one pose, (\(\d,\))": lambda x, shape: str(np.shape(x)) == shape,
+    r"((?<!in)finite|one value for)": lambda x, _: np.abs(np.array(x, float)).max() < 1e100,
+}
+
+
+def true_of(value, expected):
+    """Each claim, and whether it holds."""
+    for words, holds in CLAIMS.items():
+        if found := re.search(words, expected):
+            try:
+                yield bool(holds(value, found[1]))
+            except (TypeError, ValueError, IndexError):
+                yield False
+
+
 @pytest.mark.parametrize(("name", "argument", "bad"), list(cases()))
 def test_a_message_names_the_argument_and_says_what_was_given_and_expected(name, argument, bad):
     with pytest.raises(ArmError) as told:
@@ -417,6 +443,8 @@ def test_a_message_names_the_argument_and_says_what_was_given_and_expected(name,
     assert re.search(rf"(?<!\w){called}(?!\w)", before)
     assert len(after) > 3
     assert isinstance(bad, np.ndarray) or str(bad) in before
+    assert all(true_of(CALLS[name][argument], after)), after
+    assert not all(claims := [*true_of(bad, after)]) or not claims, after
 
 
 @pytest.mark.parametrize(("name", "changed", "message"), SPECIAL)

@@ -1,5 +1,7 @@
 """What an answer is worth, and what is said of it: right, slipped, unreadable and no work."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -41,6 +43,7 @@ WEIGHED = Sheet(
 )
 ONE_WAY = [0.5, 0.2, 0.4]
 TARGET = forward_kinematics(RODS, ONE_WAY)[:3, 3]
+LIMITED = [replace(row, joint=replace(row.joint, lower=-2, upper=2)) for row in ELBOW.rows]
 SLIDER = Sheet(
     RODS, {"inverse kinematics": {"target": TARGET[:, None].tolist(), "one way": ONE_WAY}}
 )
@@ -233,6 +236,15 @@ def test_a_planted_mistake_is_named(name, answer, cause):
 def test_whole_turns_do_not_count(turns):
     q = np.array(ONE_WAY) + 2 * np.pi * np.array(turns)
     assert marked("q", q.tolist(), SLIDER).credit == 1
+
+
+def test_branches_beyond_limits_that_the_sheet_tells_are_not_asked_for():
+    """Of the four two would turn joint 1 by more than 2 rad."""
+    near = Sheet(replace(ELBOW, rows=LIMITED), {"inverse kinematics": DRAWN["inverse kinematics"]})
+    two, four = value("q", near), value("q")
+    assert (len(two), len(four)) == (2, 4)
+    assert marked("q", two.tolist(), near).credit == 1
+    assert marked("q", four.tolist(), near).credit < 1
 
 
 def test_limits_that_the_sheet_does_not_tell_are_only_noted():
