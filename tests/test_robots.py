@@ -18,6 +18,8 @@ from helpers.robots import (
     UR10E_HOMEWORK,
     named,
 )
+from tests.corpus.arms import KNOWN
+from tests.mixed import arm_of
 
 SIGNS = np.array([1, -1, 1, -1, 1, 1, -1])  # q_maker = SIGNS * q for the Panda
 
@@ -97,16 +99,9 @@ def test_the_homeworks_panda_differs_in_one_length():
     np.testing.assert_allclose(PANDA.home, [0, 0, 0, pi / 2, 0, pi, 0])
 
 
-def test_the_ur10e_is_the_makers():
-    """Universal Robots, DH parameters for calculations of kinematics and dynamics; user manual;
-    max. joint torques."""
+def test_the_ur10es_masses_are_the_makers():
+    """Universal Robots, DH parameters for calculations of kinematics and dynamics."""
     bare = UR10E.with_values(l_pen=0)
-    rows = [[bare.number(e) for e in (row.a, row.alpha, row.d, row.theta)] for row in bare.rows]
-    wanted = [
-        [0, pi / 2, 0.1807, 0], [-0.6127, 0, 0, 0], [-0.57155, 0, 0, 0], [0, pi / 2, 0.17415, 0],
-        [0, -pi / 2, 0.11985, 0], [0, 0, 0.11655, 0],
-    ]  # fmt: skip
-    np.testing.assert_allclose(rows, wanted, atol=1e-15)
     assert [body.mass for body in UR10E.bodies] == [7.369, 13.051, 3.989, 2.1, 1.98, 0.615]
     wanted = [
         [0.021, 0, 0.027], [0.38, 0, 0.158], [0.24, 0, 0.068], [0, 0.007, 0.018], [0, 0.007, 0.018],
@@ -122,36 +117,14 @@ def test_the_ur10es_limits(arm):
     np.testing.assert_allclose(arm.effort_limits, [330, 330, 150, 56, 56, 56])
 
 
-def test_the_homeworks_ur10e_has_the_homeworks_numbers():
-    rows = [
-        [UR10E_HOMEWORK.number(e) for e in (r.a, r.alpha, r.d, r.theta)]
-        for r in UR10E_HOMEWORK.rows
-    ]
-    wanted = [
-        [0, -pi / 2, 0.128, 0], [0.6127, pi, 0, -pi / 2], [0.5716, pi, 0, 0], [0, pi / 2, 0.1639,
-        pi / 2],
-        [0, -pi / 2, 0.1157, 0], [0, 0, 0.1922, 0],
-    ]  # fmt: skip
-    np.testing.assert_allclose(rows, wanted, atol=1e-15)
-
-
-def test_the_elbow_arm_by_plane_geometry():
-    """In its own plane: two links of 0.4 m and 0.3 m from a shoulder 0.5 m up."""
-    q_1, q_2, q_3 = 0.3, 0.8, -1.1
-    reach = 0.4 * np.cos(q_2) + 0.3 * np.cos(q_2 + q_3)
-    height = 0.5 + 0.4 * np.sin(q_2) + 0.3 * np.sin(q_2 + q_3)
-    tip = forward_kinematics(ELBOW, [q_1, q_2, q_3])[:3, 3]
-    np.testing.assert_allclose(tip, [reach * np.cos(q_1), reach * np.sin(q_1), height], atol=1e-15)
-
-
-def test_the_stanford_arms_wrist_centre_by_geometry():
-    """The slide points where (q_1, q_2) aim, from a shoulder 0.154 m to the side; the hand adds
-    0.263 m along z_6."""
-    q = np.array([0.3, 0.9, 0.7, 0.4, -0.8, 1.2])
-    aim = np.array([np.sin(0.9) * np.cos(0.3), np.sin(0.9) * np.sin(0.3), np.cos(0.9)])
-    side = 0.154 * np.array([-np.sin(0.3), np.cos(0.3), 0])
-    T = forward_kinematics(STANFORD, q)
-    np.testing.assert_allclose(T[:3, 3] - 0.263 * T[:3, 2], side + 0.7 * aim, atol=1e-15)
+@pytest.mark.parametrize("name", KNOWN)
+def test_the_rows_are_those_of_the_homework_and_of_the_makers(name):
+    """Typed anew in the corpus, whose kinematics is the truth about hand-ins too."""
+    arm = arm_of(KNOWN[name])
+    kinds, numbers = zip(*((kind, row) for kind, *row in KNOWN[name].rows), strict=True)
+    assert tuple(row.joint.kind[0].upper() for row in arm.rows) == kinds
+    found = [[arm.number(entry) for entry in row.entries] for row in arm.rows]
+    np.testing.assert_allclose(found, numbers, atol=1e-15)
 
 
 def test_the_catalogue():
