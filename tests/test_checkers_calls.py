@@ -5,8 +5,8 @@ cannot be told.
 import numpy as np
 import sympy as sp
 
-from helpers import checks, inverse, motion
-from helpers.arm import Arm, prismatic
+from helpers import checks, inverse
+from helpers.arm import Arm
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, UR10E, UR10E_HOMEWORK
 from tests.corpus.arms import KNOWN
@@ -74,14 +74,6 @@ def test_a_near_miss_at_home_says_by_how_much():
         assert "not in the list" not in words
 
 
-def test_degrees_are_still_told_where_they_show():
-    T = KNOWN["UR10E_HOMEWORK"].tip([0.3, -0.7, 0.9, 0.4, 0.8, 0.2])
-    found = inverse.ur(UR10E_HOMEWORK, T)
-    typed = np.round(np.degrees(found.q[found.valid]), 1)
-    assert checks.compare_branches(typed, found).causes == ("ik.degrees",)
-    assert checks.compare_pose(typed[0], UR10E_HOMEWORK, T).causes == ("ik.degrees",)
-
-
 def test_an_angle_near_zero_has_no_wrong_sign():
     found = inverse.ur(UR10E_HOMEWORK, HOME)
     assert not checks.compare_branches([[0, 0, 0, 0, 0, -0.04]], found).causes
@@ -94,16 +86,6 @@ def test_whole_degrees_that_are_exact_are_right():
     report = checks.compare_branches(np.round(exact), found, angles="deg")
     assert exact
     assert "so far: give more digits" not in str(report)
-
-
-def test_a_run_of_slides_alone_is_not_in_degrees():
-    """An arm of two slides: its tip is at (q_2, 0, q_1), so its joints are the path itself."""
-    sledge = Arm("sledge", [prismatic(alpha=H), prismatic(theta=H)])
-    sledge = Arm("sledge", [prismatic(alpha=H, theta=H), prismatic()])
-    path = motion.circle((0.3, 0.0, 0.3), 0.1, "xz", 5.0, 20)
-    slides = path.positions[:, [2, 0]]
-    assert np.allclose(forward_kinematics(sledge, slides)[:, :3, 3], path.positions)
-    assert checks.compare_trace(slides, sledge, path).agrees
 
 
 # What is no work

@@ -81,8 +81,8 @@ def values(found):
 
 
 @every_arm
-@pytest.mark.parametrize("seed", [4, "ab12"])
-def test_a_sheet_is_its_numbers_and_another_seed_draws_others(arm, seed):
+def test_a_sheet_is_its_numbers_and_another_seed_draws_others(arm):
+    seed = "ab12" if arm.bodies else 4
     first, other = sheet(arm, seed), sheet(arm, f"{seed} too")
     stored = json.loads(json.dumps(first.drawn))
     for asked, elsewhere in zip(first.questions, other.questions, strict=True):
