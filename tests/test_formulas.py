@@ -82,24 +82,6 @@ def test_any_polynomial_stays_equal():
         assert short(poly).expand() == poly.expand()
 
 
-def test_textbooks_write_it_so():
-    """Spong, Hutchinson and Vidyasagar's r_11 of the Stanford arm (section 3.2.5 has joint 6 turn
-    the other way), an elbow arm's reach, a UR10e's height, a wrist's way out."""
-    r_11 = short(symbolic.forward_kinematics(STANFORD)[0, 0])
-    assert (
-        str(r_11) == "c_1*(c_2*(c_4*c_5*c_6 - s_4*s_6) - s_2*s_5*c_6) - s_1*(c_4*s_6 + s_4*c_5*c_6)"
-    )
-    assert [str(x) for x in short(symbolic.forward_kinematics(ELBOW)[:3, 3])] == [
-        "c_1*(a_2*c_2 + a_3*c_23)",
-        "s_1*(a_2*c_2 + a_3*c_23)",
-        "d_1 + a_2*s_2 + a_3*s_23",
-    ]
-    height = short(symbolic.forward_kinematics(UR10E)[2, 3])
-    assert str(height) == "d_1 - a_2*s_2 - a_3*s_23 - d_5*c_234 - (d_6 + l_pen)*s_234*s_5"
-    wrist = short(symbolic.gravity_torque(UR10E)[4])
-    assert str(wrist) == "-g*(m_5*z_5 + (d_6 + z_6 + l_pen)*m_6)*s_234*c_5"
-
-
 def test_every_printer_keeps_the_order():
     x = short(symbolic.jacobian(UR10E_HOMEWORK)[2, 3])
     assert str(x) == "-d_5*s_{2-3+4} + (d_6 + l_pen)*c_{2-3+4}*s_5"

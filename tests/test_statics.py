@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from helpers import symbolic
 from helpers.arm import Arm, Body
 from helpers.kinematics import link_frames
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
@@ -96,26 +95,6 @@ def test_virtual_work(arm, gravity):
     change = slow_energy(arm, q + step, gravity) - slow_energy(arm, q - step, gravity)
     work = static_torque(arm, q, F, gravity) @ (2 * step) + F @ moved
     assert work == pytest.approx(change, abs=1e-12)
-
-
-@every_arm
-def test_formulas_equal_numbers(arm):
-    q = joint_vectors(arm, (), 5)
-    values = {
-        **dict(zip(symbolic.joint_symbols(arm), map(float, q), strict=True)),
-        **symbolic.body_numbers(arm),
-    }
-
-    def in_numbers(expression):
-        numeric = symbolic.with_numbers(arm, expression).xreplace(values)
-        return np.array(numeric.evalf(), dtype=float)
-
-    np.testing.assert_allclose(
-        in_numbers(symbolic.potential_energy(arm)), potential_energy(arm, q), atol=1e-10
-    )
-    np.testing.assert_allclose(
-        in_numbers(symbolic.gravity_torque(arm)).ravel(), gravity_torque(arm, q), atol=1e-10
-    )
 
 
 def test_centres_in_other_frames_are_the_same_points():

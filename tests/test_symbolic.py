@@ -20,23 +20,6 @@ def in_numbers(arm, expression, q):
 
 
 @every_arm
-def test_frames_equal_the_numeric_ones(arm):
-    q = joint_vectors(arm, (), 5)
-    for T, number in zip(symbolic.link_frames(arm), slow_frames(arm, q), strict=True):
-        np.testing.assert_allclose(in_numbers(arm, T, q), number, atol=1e-13)
-
-
-@every_arm
-def test_the_chain_is_the_product_of_its_links(arm):
-    q, product = joint_vectors(arm, (), 6), np.eye(4)
-    for A in symbolic.link_transforms(arm):
-        product = product @ in_numbers(arm, A, q)
-    np.testing.assert_allclose(
-        in_numbers(arm, symbolic.forward_kinematics(arm), q), product, atol=1e-13
-    )
-
-
-@every_arm
 def test_both_jacobians_are_one_and_the_same_expression(arm):
     """Not sampled: the polynomials' form is unique, so equal functions are identical
     expressions."""
