@@ -304,7 +304,7 @@ def test_a_process_without_a_word_costs_its_author_only(here, monkeypatch, alone
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no signal can be sent")
 def test_who_kills_the_grader_leaves_no_worker(here):
-    grown(*(f"s{n}" for n in range(40)))
+    grown(*(f"s{n}" for n in range(20)))
     command = [sys.executable, "-m", "helpers.course", "grade", "hw", "--out", "o"]
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[1])}
     process = subprocess.Popen([*command, "--jobs", "3"], env=environment, start_new_session=True)
