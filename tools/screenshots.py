@@ -44,6 +44,7 @@ def explorer(browser: Browser) -> None:
     """All ways to one pose, in the last chapter's instrument."""
     page = browser.new_page(viewport={"width": 720, "height": 1000}, color_scheme="light")
     page.goto((HTML / "05_inverse_kinematics.html").as_uri())
+    page.evaluate("delete document.documentElement.dataset.fresh")  # all is laid out
     stub = page.locator(".cell .arm-explorer").first
     stub.scroll_into_view_if_needed()
     card = stub.locator("section.explorer")

@@ -23,8 +23,10 @@
     { rootMargin: "500px" },
   );
 
+  // The words come first.
+  const painted = new Promise((done) => new PerformanceObserver(done).observe({ type: "paint", buffered: true }));
   document.addEventListener("DOMContentLoaded", () => {
-    for (const stub of document.querySelectorAll(".arm-explorer, .arm-judge")) near.observe(stub);
+    for (const stub of document.querySelectorAll(".arm-explorer, .arm-judge")) painted.then(() => near.observe(stub));
     if (/^#ask=/.test(location.hash)) for (const stub of document.querySelectorAll(".arm-judge")) wake(stub);
   });
 }

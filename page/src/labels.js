@@ -1,5 +1,7 @@
 // Names of axes over a picture, moved apart where they would cover one another.
 
+import { attribute, h, write } from "./dom.js";
+
 const ROOM = [22, 15]; // px that a name takes
 const STEPS = [
   [0, 0],
@@ -17,8 +19,7 @@ const STEPS = [
 
 export class Labels {
   #spans = [];
-  #texts = []; // what each span says,
-  #places = []; // and where it stands, so that nothing is written twice
+  #places = []; // where each stands, so that nothing is written twice
 
   constructor(host) {
     this.host = host;
@@ -32,21 +33,17 @@ export class Labels {
   set(tags) {
     this.tags = tags;
     while (this.#spans.length < tags.length) {
-      const span = document.createElement("span");
-      span.append(document.createElement("i"), document.createElement("sub"));
+      const span = h("span", {}, h("i"), h("sub"));
       this.#spans.push(span);
       this.host.append(span);
     }
     this.#spans.forEach((span, i) => {
       const tag = tags[i];
-      if (!tag) return (span.hidden = true);
-      span.hidden = false;
-      const text = `${tag.letter}|${tag.index}`;
-      if (this.#texts[i] === text) return undefined;
-      this.#texts[i] = text;
-      span.className = `axis-${tag.letter}`;
-      [span.children[0].textContent, span.children[1].textContent] = [tag.letter, tag.index];
-      return undefined;
+      span.hidden = !tag;
+      if (!tag) return;
+      attribute(span, "class", `axis-${tag.letter}`);
+      write(span.children[0], tag.letter);
+      write(span.children[1], tag.index);
     });
   }
 
@@ -84,6 +81,6 @@ export class Labels {
 
   dispose() {
     this.host.replaceChildren();
-    [this.#spans, this.#texts, this.#places, this.tags] = [[], [], [], []];
+    [this.#spans, this.#places, this.tags] = [[], [], []];
   }
 }

@@ -23,7 +23,13 @@ const figures = new Set();
 
 function renderer() {
   if (shared) return shared;
-  shared = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+  shared = new WebGLRenderer({
+    antialias: true,
+    alpha: true,
+    powerPreference: "low-power",
+    preserveDrawingBuffer: true, // a first picture is copied when it is done, in a later task
+  });
+  shared.debug.checkShaderErrors = false; // asking would wait for each program
   shared.setPixelRatio(1); // the sizes below are device pixels
   shared.setScissorTest(true);
   shared.shadowMap.enabled = true;
@@ -73,7 +79,7 @@ function drawDirty() {
   try {
     now.forEach((act) => act());
     if (!shared || shared.getContext().isContextLost()) return;
-    const due = [...figures].filter((figure) => figure.dirty && figure.visible);
+    const due = [...figures].filter((figure) => figure.dirty && figure.visible && figure.width);
     if (warm === shared) due.forEach((figure) => figure.draw(shared));
     else if (due.length) warmUp(shared, due[0]);
   } finally {
@@ -82,26 +88,34 @@ function drawDirty() {
 }
 
 const nextFrame = () => new Promise(requestAnimationFrame);
+const nextTask = () => new Promise((go) => setTimeout(go));
 
-// When the graphics processor has done what it was asked until now; meanwhile the page answers.
-async function done(gl) {
-  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-  gl.flush();
-  const waits = () => gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED;
+// Until the graphics processor has what it was asked for; meanwhile the page answers.
+async function until(gl, is) {
   do await nextFrame();
-  while (!gl.isContextLost() && waits());
+  while (!gl.isContextLost() && !is());
 }
 
-// A first picture has to wait for its programs: it is drawn once unseen, and all are drawn then.
-async function warmUp(gl, { scene, camera }) {
-  if (warming === gl) return;
-  warming = gl;
-  gl.compile(scene, camera);
-  await done(gl.getContext());
-  gl.render(scene, camera);
-  await done(gl.getContext());
-  warm = gl;
-  figures.forEach((figure) => figure.request());
+// A first picture has to wait for its programs, and is shown when it is done.
+async function warmUp(renderer, figure) {
+  if (warming === renderer) return;
+  warming = renderer;
+  const gl = renderer.getContext();
+  const { scene, camera } = figure;
+  const parts = [];
+  scene.traverseVisible((part) => part.material && parts.push(part));
+  for (const part of parts) {
+    renderer.compile(part, camera, scene);
+    await nextTask();
+  }
+  await until(gl, () => renderer.info.programs.every((program) => program.isReady()));
+  figure.render(renderer);
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  await until(gl, () => gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED);
+  warm = renderer;
+  if (!figure.dirty) figure.copy(renderer);
+  figures.forEach((one) => one.dirty && one.request());
 }
 
 // Pictures near the window are drawn, the others when they come near.
@@ -230,19 +244,27 @@ export class Figure {
   }
 
   draw(gl) {
+    this.render(gl);
+    this.copy(gl);
+  }
+
+  render(gl) {
     const { width, height } = this.canvas;
-    if (!width || !height || !this.width) return;
     const size = gl.getSize(new Vector2());
     if (width > size.x || height > size.y)
       gl.setSize(Math.max(width, size.x), Math.max(height, size.y), false);
     gl.setViewport(0, 0, width, height);
     gl.setScissor(0, 0, width, height);
     gl.render(this.scene, this.camera);
+    this.dirty = false;
+  }
+
+  // From the renderer's own picture, before another figure is drawn there.
+  copy(gl) {
+    const { width, height } = this.canvas;
     this.context.clearRect(0, 0, width, height);
     const top = gl.domElement.height - height;
-    // In this task, before the renderer's own picture is cleared.
     this.context.drawImage(gl.domElement, 0, top, width, height, 0, 0, width, height);
-    this.dirty = false;
     this.onDraw(this);
   }
 

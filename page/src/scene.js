@@ -55,7 +55,7 @@ export class ArmPicture {
   // Build everything that does not move with the joints.
   build(arm, dark) {
     const look = LOOK[dark ? "dark" : "light"];
-    this.emptyWorld();
+    if (this.world) freed(this.world);
     this.arm = arm;
     this.dark = dark;
     this.look = look;
@@ -99,10 +99,6 @@ export class ArmPicture {
     this.fading = new Group();
     for (let i = 0; i < 6; i++) this.fading.add(new Arrow(bad));
     return [this.ellipsoid, this.force, this.handle, this.spot, this.fading];
-  }
-
-  emptyWorld() {
-    if (this.world) freed(this.world);
   }
 
   // Bring the picture up to date with the state; only what changed is built anew.
@@ -340,7 +336,7 @@ export class ArmPicture {
 
   dispose() {
     this.labels.dispose();
-    this.emptyWorld();
+    if (this.world) freed(this.world);
     this.figure.dispose();
   }
 }

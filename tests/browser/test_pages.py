@@ -10,6 +10,7 @@ from tests.browser.reader import (
     AXE,
     BAD,
     EVERYTHING,
+    LAID_OUT,
     SIZES,
     TWO_FRAMES,
     UNDRAWN,
@@ -235,7 +236,7 @@ def test_axe_would_notice(browser, name, pale):
 
 
 def test_it_weighs_no_more_than_three_megabytes(visit):
-    visit.page.evaluate(UNDRAWN)
+    visit.page.evaluate(f"{UNDRAWN} {LAID_OUT}")
     for stub in visit.page.locator(".arm-explorer").all():
         stub.scroll_into_view_if_needed()
         stub.locator("section.explorer, figure.live").wait_for()
