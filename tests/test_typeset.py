@@ -7,6 +7,7 @@ import pytest
 
 from helpers import typeset
 from helpers.inputs import ArmError
+from tools.formulas import lighter
 
 
 def heard(markup):
@@ -57,11 +58,30 @@ def test_any_thread_may_ask():
 def test_an_index_and_an_exponent_are_one_element_at_the_height_that_katex_gives(tex, lines):
     """In em of the letter: TeX lowers an index by 0.15 (Appendix G of The TeXbook, sub1) and raises
     an exponent of a line by 0.363 (sup2), at 0.7 of the size."""
-    made = typeset.html(tex)
-    found = re.findall(
-        r'katex-script" style="vertical-align:([-\d.]+)em[^"]*">(.*?)</span></span>', made
-    )
-    said = [(-0.7 * float(low), re.sub("<.*?>", "", text)) for low, text in found]
+    made = lighter(typeset.html(tex))
+    found = re.findall(r'<sub(?: style="vertical-align:([-\d.]+)em[^"]*")?>(.*?)</sub>', made)
+    usual = -0.2143  # of the style sheet
+    said = [(-0.7 * float(low or usual), re.sub("<.*?>", "", text)) for low, text in found]
     assert [text for _, text in said] == [text for _, text in lines]
     assert [low for low, _ in said] == pytest.approx([low for low, _ in lines], abs=1e-4)
     assert "vlist" not in made
+
+
+def test_rows_stand_where_katex_puts_them_in_one_box():
+    """Two rows of a matrix are 1.2 em apart (TeX's baselineskip at arraystretch 1), and the box
+    reaches as far above and below the line as KaTeX's own strut."""
+    made = lighter(typeset.html(r"\begin{matrix} 1 & 2 \\ 3 & 4 \end{matrix}"))
+    tops = [float(top) for top in re.findall(r'<span style="top:(-?[\d.]+)em;">', made)]
+    assert [tops[1] - tops[0], tops[3] - tops[2]] == pytest.approx([1.2, 1.2])
+    strut, *boxes = re.findall(r"height:([\d.]+)em;vertical-align:(-[\d.]+)em", made)
+    assert boxes == [strut, strut]
+    assert heard(made) == heard(typeset.html(r"\begin{matrix} 1 & 2 \\ 3 & 4 \end{matrix}"))
+
+
+def test_what_a_formula_shows_and_says_stays():
+    for tex in (r"\hat z_1^2", r"\frac{\partial x}{\partial q_{i-1}} < \sqrt{2}", r"{}^0T_i = A_1"):
+        full = typeset.html(tex)
+        less = lighter(full)
+        letters = [re.sub(r"<[^>]*>|\u200b", "", markup) for markup in (full, less)]
+        assert letters[0] == letters[1]
+        assert less.count("<") < 0.7 * full.count("<")

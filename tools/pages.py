@@ -28,6 +28,7 @@ from sphinxcontrib.bibtex.foot_directives import FootBibliographyDirective
 from helpers import robots, typeset
 from helpers.explorer import ArmExplorer, judge
 from helpers.inputs import ArmError
+from tools.formulas import lighter
 
 LOGGER = logging.getLogger(__name__)
 
@@ -118,7 +119,7 @@ def formula(node: nodes.Element, tex: str, display: bool) -> str:
     """A formula as the page shows it; one that cannot be set is told with its place, and stays
     TeX."""
     try:
-        return typeset.html(tex, display)
+        return lighter(typeset.html(tex, display))
     except ArmError as problem:
         LOGGER.warning("%s", problem, location=node)
         return escape(tex)
