@@ -126,11 +126,12 @@ def formula(node: nodes.Element, tex: str, display: bool) -> str:
 
 
 def visit_math(translator, node) -> None:
-    """What any line has room for stays in one."""
+    """What any line has room for stays in one; a matrix may scroll."""
     tex = node.astext()
     kept = " together" if len(SIGN.findall(tex)) <= LINE else ""
     html = formula(node, tex, False)
-    translator.body.append(f'<span class="math{kept}">{html}</span>')
+    wide = " matrix" if "<mtable" in html else ""
+    translator.body.append(f'<span class="math{kept}{wide}">{html}</span>')
     raise nodes.SkipNode
 
 

@@ -1,5 +1,5 @@
 // What is wider than its place scrolls in a box of its own, from the keyboard too, and says so.
-const WIDE = ".katex-display, span.math:has(.mtable), div.table, .highlight pre";
+const WIDE = ".katex-display, span.matrix, div.table, .highlight pre";
 const SMALLEST = 0.8; // of a formula's size, before it scrolls
 
 const all = () => [...document.querySelectorAll(WIDE)];

@@ -136,7 +136,7 @@ class Asked {
     const { waiting, report } = this.verdict;
     if (waiting)
       ready(waiting).then(
-        () => this.again(),
+        () => setTimeout(() => this.atOnce()), // which judges in a task of its own
         ({ message }) => this.say(message),
       );
     const wrong = report?.grade === "wrong" && !this.isExample();
