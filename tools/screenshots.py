@@ -33,7 +33,6 @@ def chapter(browser: Browser) -> None:
     """The Panda's table with its picture."""
     page = browser.new_page(viewport={"width": 1280, "height": 1000}, color_scheme="light")
     page.goto((HTML / "01_dh_tables.html").as_uri())
-    page.locator("figure#fig-panda-home").scroll_into_view_if_needed()
     page.evaluate("document.querySelector('#fig-panda-home').scrollIntoView()")
     page.wait_for_function("document.fonts.status === 'loaded'")
     page.screenshot(path=DOCS / "screenshot.png")
@@ -44,9 +43,8 @@ def explorer(browser: Browser) -> None:
     """All ways to one pose, in the last chapter's instrument."""
     page = browser.new_page(viewport={"width": 720, "height": 1000}, color_scheme="light")
     page.goto((HTML / "05_inverse_kinematics.html").as_uri())
-    page.evaluate("delete document.documentElement.dataset.fresh")  # all is laid out
     stub = page.locator(".cell .arm-explorer").first
-    stub.scroll_into_view_if_needed()
+    stub.evaluate("(place) => place.scrollIntoView()")
     card = stub.locator("section.explorer")
     card.get_by_role("button", name="Find the ways to this pose").click()
     card.get_by_text("ways to this pose.").wait_for()

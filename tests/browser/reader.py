@@ -11,6 +11,8 @@ WINDOWS = {**SIZES, "small": {"width": 320, "height": 640}}
 TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 # Boxes are fitted when the reader comes near; for a printer, all at once.
 EVERYTHING = "dispatchEvent(new Event('beforeprint'))"
+# As a link leads there. A debugger's own scroll measures what is not laid out, and stands elsewhere once it is.
+THERE = "(place) => place.scrollIntoView()"
 AXE = Path(__file__).parent / "axe" / "axe.min.js"
 BAD = """(part) => axe.run(part ?? document, {resultTypes: ["violations"], selectors: false}).then(found => found.violations
     .filter(v => ["serious", "critical"].includes(v.impact))

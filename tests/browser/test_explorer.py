@@ -8,7 +8,7 @@ from playwright.sync_api import expect
 
 from helpers.kinematics import forward_kinematics, jacobian
 from helpers.robots import PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from tests.browser.reader import SIZES, UNDRAWN, UNTOUCHED, Reader
+from tests.browser.reader import SIZES, THERE, UNDRAWN, UNTOUCHED, Reader
 from tests.test_book import HTML
 
 MINUS = "−"
@@ -86,7 +86,7 @@ class Visit(Reader):
         if again:
             self.page.evaluate(AFRESH, fragment)
         self.page.mouse.move(1, 1)
-        self.page.locator(INSTRUMENT).scroll_into_view_if_needed()
+        self.page.locator(INSTRUMENT).evaluate(THERE)
         self.page.locator("section.explorer").wait_for()
         if drawn:
             self.page.locator(".stage .labels:not([hidden])").wait_for()
@@ -517,7 +517,7 @@ def test_live_figures_of_a_chapter_come_alive_when_they_come_into_view_and_share
     assert len(figures) >= 3
     assert not figures[-1].locator("figure.live").count()
     for figure in figures:
-        figure.scroll_into_view_if_needed()
+        figure.evaluate(THERE)
         figure.locator("figure.live").wait_for()
     assert page.evaluate("ArmExplorer.inUse().figures") == len(figures) + 1
 

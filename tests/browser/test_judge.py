@@ -3,7 +3,7 @@ typed is judged, wrong cells are marked, and a link brings it back."""
 
 import pytest
 
-from tests.browser.reader import AXE, BAD, EVERYTHING, UNDRAWN, UNTOUCHED
+from tests.browser.reader import AXE, BAD, EVERYTHING, THERE, UNDRAWN, UNTOUCHED
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"
@@ -244,7 +244,7 @@ def chapter(browser):
 def near(place):
     """Scroll until a small judge is there: what comes to life on the way moves the page."""
     for _ in range(300):
-        place.scroll_into_view_if_needed()
+        place.evaluate(THERE)
         if place.locator("form").count():
             return place
         place.page.wait_for_timeout(100)
