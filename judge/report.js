@@ -55,22 +55,22 @@ export const reportOf = (topic, arm, grade, headline, rest = {}) => ({
 
 /**
  * A judge of a text that may have words around it, which are set aside and shown back; its reports
- * advise what the reader may set. The judge's options come last.
+ * advise what the reader may set. The judge's options come last; an answer may have one of
+ * `names`.
  * @template {any[]} Asked
  * @param {(mine: any, ...asked: Asked) => Report} judge
+ * @param {RegExp} [names]
  * @returns {(mine: any, ...asked: Asked) => Report}
  */
 export const answering =
-  (judge) =>
+  (judge, names) =>
   (mine, ...asked) => {
     const { text, left } =
-      typeof mine === "string" ? setAside(mine) : { text: mine, left: mine?.left ?? [] };
+      typeof mine === "string" ? setAside(mine, names) : { text: mine, left: mine?.left ?? [] };
     const options = asked[judge.length - 1] ?? {};
     const first = judge(text, ...asked);
     if (!first) return first;
-    const named = first.topic === "table"; // which has causes for it
-    const report =
-      first.grade === WRONG && !named ? (ofFamily(first, judge, text, asked) ?? first) : first;
+    const report = ofFamily(first, judge, text, asked) ?? first;
     const advice = [...(report.advice ?? []), ...adviceOn(report.causes, options)];
     const lost = typeof text === "string" ? unreadIn(text, first) : [];
     return withLeft({ ...report, advice }, [...left, ...lost]);
@@ -84,12 +84,12 @@ function unreadIn(text, { typed, table }) {
 }
 
 // The report on an answer that is right for another arm of the same name; null where there is none.
-function ofFamily({ topic }, judge, text, asked) {
+function ofFamily({ topic, grade }, judge, text, asked) {
+  if (grade !== WRONG || topic === "table") return null; // whose own causes name it
   const [arm, ...rest] = asked;
-  const other = (arm.family ?? []).find((one) => {
-    const grade = judgedFor(one, judge, text, rest)?.grade;
-    return grade === RIGHT || grade === ROUNDED;
-  });
+  rest[judge.length - 2] = { ...rest[judge.length - 2], briefly: true };
+  const isRight = (one) => [RIGHT, ROUNDED].includes(judgedFor(one, judge, text, rest)?.grade);
+  const other = (arm.family ?? []).find(isRight);
   if (!other) return null;
   const names = { arm: arm.name, lengths: arm.lengths, other: other.name, others: other.lengths };
   const words = say("arm.other", names);

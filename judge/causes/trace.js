@@ -1,7 +1,7 @@
 // Why a run misses its path: by the shape that the tip drew, by the loop that made it.
 
 import { minus, norm, plus, scaled } from "../geometry/kinematics.js";
-import { singular } from "../geometry/linear.js";
+import { minusEach, singular } from "../geometry/linear.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { rint } from "../geometry/planar.js";
 import { recipes, wrongTables } from "./jacobian.js";
@@ -25,6 +25,8 @@ const PAIRS = [
 ];
 const FINE = 3e-4; // of the speed: below, the digits show a thousandth of it
 const CLEARLY = 0.7; // of what the right loop leaves: what another must stay below to be named
+const SHARE = 0.02; // of the speed: what a rule that holds may leave, however fine the digits
+const AS_WELL = 1.05; // times what the best rule leaves: a likelier one that leaves it is as good
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../geometry/path.js").Path} Path */
@@ -206,7 +208,7 @@ export function loopCause(q, units, arm, path, wrong = false) {
   }
   const rules = both.flatMap((steps) => [...rulesOf(steps)]);
   const least = Math.min(...rules.map(({ left }) => left));
-  const best = rules.find(({ left }) => left <= 1.05 * least);
+  const best = rules.find(({ left }) => left <= AS_WELL * least);
   if (!best) return null;
   const fits = best.fits || best.left < Math.min(LOOSE, 0.1 * right);
   return fits && right > 1.8 && best.left < CLEARLY * right ? best.one : null;
@@ -223,7 +225,8 @@ export function holds(q, units, arm, path) {
  *   rule leaves is averaged, for there the roundings cancel; each looked at from a share of the way
  *   on
  * @property {any} arm
- * @property {{ at: any, J: number[], rate: number[], now: number[], later: number[] }[]} samples
+ * @property {{ at: any, J: number[], rate: number[], now: number[], later: number[],
+ *   made?: [Cause, number[]][] }[]} samples
  * @property {number[]} noise what the digits leave of the tip's six velocities
  * @property {number[]} own what they leave of the joints' own
  * @property {number} speed
@@ -311,9 +314,9 @@ function* rulesOf(steps) {
     yield { one: cause("J.millimetres"), left, fits: left < HOLDS };
   }
   yield held(steps, cause("trace.next velocity"), own, (sample) => sample.later);
-  const wrong = samples.map(({ at }) => [...recipes(at)]);
-  for (const [k, [one]] of wrong[0].entries()) {
-    yield held(steps, /** @type {Cause} */ (one), (_, i) => wrong[i][k][1], now);
+  const wrong = (sample) => (sample.made ??= [...recipes(sample.at)]); // where it is looked at
+  for (const [k, [one]] of wrong(samples[0]).entries()) {
+    yield held(steps, /** @type {Cause} */ (one), (sample) => wrong(sample)[k][1], now);
   }
   for (const [one, table] of wrongTables(arm, samples[0].at)) {
     const by = ({ at: { q } }) => columns(table, framesOf({ ...table, q }));
@@ -321,15 +324,14 @@ function* rulesOf(steps) {
   }
   if (steps.rows < 6) return;
   const dof = steps.own.length;
-  const free = samples.map((sample) => leastRates(sample.J, dof, sample.now));
-  yield moves(steps, cause("trace.position only"), free);
-  const turned = samples.map((sample) => upwards(sample.J, dof, sample.now));
-  yield moves(steps, cause("trace.transpose"), turned);
+  yield moves(steps, cause("trace.position only"), ({ J, now: v }) => leastRates(J, dof, v));
+  yield moves(steps, cause("trace.transpose"), ({ J, now: v }) => upwards(J, dof, v));
 }
 
-function fails({ samples, window, noise, rows }, J, linear) {
-  const off = samples.map((sample, i) => failed(J(sample, i), sample.rate, linear(sample), rows));
-  return Math.max(...sizes(off, window).map((x, row) => x / noise[row]));
+function fails(steps, J, linear, most = Infinity) {
+  const { noise, rows } = steps;
+  const off = (sample) => failed(J(sample), sample.rate, linear(sample), rows);
+  return leaves(steps, off, noise.slice(0, rows), most);
 }
 
 // The first rows of K u - (v, 0), with the rows of K one after another.
@@ -343,35 +345,37 @@ function failed(K, u, v, rows) {
   return off;
 }
 
-// The root mean square of each column over the windows' averages.
-function sizes(off, window) {
-  return off[0].map((_, k) => {
-    let squares = 0;
-    for (let from = 0; from < off.length; from += window) {
-      let sum = 0;
-      for (let i = from; i < from + window; i++) sum += off[i][k];
-      squares += (sum / window) ** 2;
-    }
-    return Math.sqrt((squares * window) / off.length);
-  });
+// The root mean square over the windows' averages of what is off, each number in its own unit, and
+// of these the largest; infinite as soon as it must be more than `most`.
+function leaves({ samples, window }, off, units, most = Infinity) {
+  const squares = units.map(() => 0);
+  let left = 0;
+  for (let from = 0; from < samples.length && left <= most; from += window) {
+    const sum = units.map(() => 0);
+    for (const sample of samples.slice(from, from + window))
+      off(sample).forEach((x, k) => (sum[k] += x));
+    sum.forEach((x, k) => (squares[k] += (x / window) ** 2 * (window / samples.length)));
+    left = Math.max(...squares.map((x, k) => Math.sqrt(x) / units[k]));
+  }
+  return left <= most ? left : Infinity;
 }
 
 /** @param {Steps} steps @param {Cause} one */
 function held(steps, one, J, linear) {
-  const left = fails(steps, J, linear);
-  return { one, left, fits: left < HOLDS || left * Math.max(...steps.noise) < 0.02 * steps.speed };
+  const little = (SHARE * steps.speed) / Math.max(...steps.noise);
+  const left = fails(steps, J, linear, AS_WELL * Math.max(LOOSE, little));
+  return { one, left, fits: left < HOLDS || left < little };
 }
 
 // How far the joints' rates are from those of another rule.
 /** @param {Steps} steps @param {Cause} one */
-function moves({ samples, window, own }, one, wanted) {
-  const off = sizes(
-    samples.map(({ rate }, i) => rate.map((x, k) => x - wanted[i][k])),
-    window,
-  );
-  const left = Math.max(...off.map((x, k) => x / own[k]));
-  const fits = left < HOLDS || Math.max(...off) < 0.02 * Math.max(...sizes(wanted, window));
-  return { one, left, fits };
+function moves(steps, one, wanted) {
+  const { own } = steps;
+  const every = own.map(() => 1);
+  const little = SHARE * leaves(steps, ({ rate }) => rate, every);
+  const off = (sample) => minusEach(sample.rate, wanted(sample));
+  const left = leaves(steps, off, own, AS_WELL * Math.max(LOOSE, little / Math.min(...own)));
+  return { one, left, fits: left < HOLDS || leaves(steps, off, every, little) < little };
 }
 
 // J^T v with the first three rows of J.

@@ -53,6 +53,8 @@ export function determinant(columns) {
   return det;
 }
 
+export const minusEach = (u, v) => u.map((x, i) => x - v[i]);
+
 // x with A x = b for a square matrix of rows.
 export function solve(A, b) {
   const m = A.map((row, i) => [...row, b[i]]);
@@ -90,28 +92,6 @@ function pivot(m, from, column) {
 function reduce(row, by, column) {
   const factor = row[column] / by[column];
   for (let j = 0; j < row.length; j++) row[j] -= factor * by[j];
-}
-
-// x with A x = b for a symmetric, positive definite A, by Cholesky's factors; A and b are
-// overwritten.
-export function solvePositive(A, b) {
-  const n = b.length;
-  for (let i = 0; i < n; i++) {
-    for (let j = 0; j <= i; j++) {
-      let sum = A[i][j];
-      for (let k = 0; k < j; k++) sum -= A[i][k] * A[j][k];
-      A[i][j] = i === j ? Math.sqrt(sum) : sum / A[j][j];
-    }
-  }
-  for (let i = 0; i < n; i++) {
-    for (let k = 0; k < i; k++) b[i] -= A[i][k] * b[k];
-    b[i] /= A[i][i];
-  }
-  for (let i = n - 1; i >= 0; i--) {
-    for (let k = i + 1; k < n; k++) b[i] -= A[k][i] * b[k];
-    b[i] /= A[i][i];
-  }
-  return b;
 }
 
 // Orthonormal joint rates that move nothing: a basis of the null space of the matrix with these

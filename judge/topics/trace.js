@@ -2,13 +2,13 @@
 
 import { answering, reportOf } from "../report.js";
 import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
-import { singular } from "../geometry/linear.js";
+import { minusEach, singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
 import { millimetres } from "../causes/branches.js";
 import { turnBetween } from "./branches_matching.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
-import { numbered, numbers, asDegrees, turning } from "../reading/numbers.js";
+import { numbered, numbers, asDegrees, rowsOf, turning } from "../reading/numbers.js";
 import { setAside, unreadOf } from "../reading/aside.js";
 import { rint } from "../geometry/planar.js";
 import { cause, nameOf, wordsOf } from "../causes/ranking.js";
@@ -53,18 +53,16 @@ export function readTrace(mine, arm) {
  */
 export const judgedTrace = answering(traceJudged);
 
-function traceJudged(typed, arm, path, { angles = "rad", tolerance = null } = {}) {
+function traceJudged(typed, arm, path, options = {}) {
+  const { angles = "rad", tolerance = null, briefly = false } = options;
   const run = upright(typed, arm, path.times.length, angles);
   if (!run) return misshapen(typed, arm, path);
   const cut = { ...path, times: path.times.slice(0, run.q.length) };
   const blur = blurOf(run, arm);
   const allowed = tolerance ?? USUAL + blur;
-  if (angles === "rad" && onlyAsDegrees(run, arm, cut, allowed)) {
-    const words = say("trace.degrees");
-    const findings = [{ what: "cause", where: "", words }];
-    return reported(arm, WRONG, lower(words), run.taken, { findings, causes: ["trace.degrees"] });
-  }
-  return judged(run, arm, cut, { allowed, blur, given: tolerance !== null });
+  if (angles === "rad" && onlyAsDegrees(run, arm, cut, allowed))
+    return explained(arm, cause("trace.degrees"), [], run.taken, {});
+  return judged(run, arm, cut, { allowed, blur, given: tolerance !== null, briefly });
 }
 
 // Whether joints follow the path in degrees, as nearly as Euler's method does, and not in radians.
@@ -135,9 +133,6 @@ function upright(typed, arm, count, angles) {
 const most = (rows) =>
   rows[0].units.map((_, k) => rows.reduce((top, row) => Math.max(top, row.units[k]), 0));
 
-const rowsOf = (flat, width) =>
-  Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
-
 /** @returns {import("../report.js").Report} */
 function reported(arm, grade, words, taken, rest = {}) {
   const headline = say(grade === RIGHT ? "trace right" : "trace wrong", {
@@ -157,24 +152,24 @@ function misshapen({ shape }, arm, { times }) {
 // The verdict
 
 /** @param {Run} run @param {Path} path @returns {import("../report.js").Report} */
-function judged(run, arm, path, { allowed, blur, given }) {
+function judged(run, arm, path, { allowed, blur, given, briefly }) {
   const [q, turned] = unwound(run.q, arm);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
   const errors = offs(path.times.map(path.position), tip);
   const error = Math.max(...errors);
-  const turn =
-    joints(arm).length >= 6 ? Math.max(...frames.map((one) => turnBetween(frames[0], one))) : 0;
+  const turns = frames.map((one) => turnBetween(frames[0], one));
+  const [turn, leans] = joints(arm).length >= 6 ? [Math.max(...turns), leanOf(frames)] : [0, 0];
   const far = jumps(q);
   const stuck = noInverse(q, arm, far);
   const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, error <= allowed)];
-  const leans = joints(arm).length >= 6 ? leanOf(frames) : 0;
   const symptoms = [
     ...(error > allowed ? [finding("step", whereOf(errors))] : []),
     ...jump,
     ...turnsOf(leans, turn),
-    ...(run.extra ? [finding("trace.one more", say("trace.one more"))] : []),
+    ...oneMore(run),
   ];
+  if (briefly && symptoms.length) return null;
   const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
   const why = () => {
     const off = error > allowed;
@@ -195,6 +190,8 @@ function judged(run, arm, path, { allowed, blur, given }) {
     ? unexplained(arm, symptoms, run.taken, rest)
     : reported(arm, RIGHT, "", run.taken, rest);
 }
+
+const oneMore = ({ extra }) => (extra ? [finding("trace.one more", say("trace.one more"))] : []);
 
 // Steps that are too long in every place jump of themselves.
 const withoutJumps = (named, symptoms, jump) =>
@@ -296,8 +293,6 @@ function noInverse(q, arm, [k]) {
   const { step, joint, by } = jumping(q, arm, k);
   return cause("trace.no inverse", { step, _rank: rank, _rows: rows, _joint: joint, _by: by });
 }
-
-const minusEach = (u, v) => u.map((x, i) => x - v[i]);
 
 function median(list) {
   const sorted = [...list].sort((x, y) => x - y);

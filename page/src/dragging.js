@@ -14,7 +14,7 @@ import {
   plus,
   scaled,
 } from "../../judge/geometry/kinematics.js";
-import { rightNull, singular, solvePositive } from "../../judge/geometry/linear.js";
+import { rightNull, singular, solve } from "../../judge/geometry/linear.js";
 import { poseError, reach } from "./motion.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
@@ -121,7 +121,7 @@ function descend({ arm, target, rest, turns, weight, limits }, start, steps) {
     );
     if (!free.length) break;
     const A = free.map((a) => free.map((b) => inner(J[a], J[b]) + (a === b ? weight + lambda : 0)));
-    const step = solvePositive(
+    const step = solve(
       A,
       free.map((k) => pull[k]),
     );
@@ -285,7 +285,7 @@ function stepWithin(arm, frames, still, { row, local, to, pixel }) {
   const A = rates.map((a, i) =>
     rates.map((b, j) => inner(a.rate, b.rate) + (i === j ? SOFT ** 2 : 0)),
   );
-  const step = solvePositive(
+  const step = solve(
     A,
     rates.map(({ rate }) => inner(rate, away)),
   );
