@@ -11,6 +11,7 @@ from helpers.inputs import must_be
 
 Data = dict[str, Any]
 
+_UR10_MASSES = (7.778, 12.93, 3.87, 1.96, 1.96, 0.202)  # kg, by its maker
 _NAMES = ("d_1", "a_2", "a_3", "d_4", "d_5", "d_6")
 
 
@@ -109,7 +110,10 @@ def _robots(arm: Arm) -> Iterator[Data]:
     for name, lengths in _namesakes():
         if own and name != own:
             other = arm.with_values(**lengths)
+            heavy = {"masses": _UR10_MASSES} if own == "UR10e" and name == "UR10" else {}
             without = {"penless": arm_data(other.with_values(l_pen=0))["rows"]}
-            yield {"name": name, "rows": arm_data(other)["rows"]} | (
-                without if arm.values.get("l_pen") else {}
+            yield (
+                {"name": name, "rows": arm_data(other)["rows"]}
+                | heavy
+                | (without if arm.values.get("l_pen") else {})
             )

@@ -3,6 +3,7 @@
 
 import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
+import { joints } from "../geometry/kinematics.js";
 import { numbered, turning } from "../reading/numbers.js";
 import { both, cause } from "./ranking.js";
 import { listed, size } from "../sentences.js";
@@ -192,11 +193,28 @@ function* weights(load) {
       load.at.map(({ J }) => chains.through(J, pull)),
     ),
   ];
-  for (const [i, mass] of load.masses.entries()) {
-    if (!mass) continue;
-    const masses = load.masses.map((other, k) => (k === i ? 0 : other));
-    yield [cause("tau.mass missing", { link: i + 1 }), weight(load, { masses })];
+  yield* links(load, right);
+}
+
+// Links that are left out or taken for one another.
+function* links(load, right) {
+  const each = load.masses.map((mass, i) =>
+    weight(load, { masses: load.masses.map((_, k) => (k === i ? mass : 0)) }),
+  );
+  for (const [i, one] of each.entries())
+    if (load.masses[i]) yield [cause("tau.mass missing", { link: i + 1 }), less(right, one)];
+  const own = right.map((_, p) => joints(load.arm).map((row, k) => each[row][p][k]));
+  yield [cause("tau.own link"), less(right, own)];
+  for (const [_way, step] of [
+    ["early", 1],
+    ["late", -1],
+  ]) {
+    const moved = (list, none) => list.map((_, k) => list[k + step] ?? none);
+    const taken = { masses: moved(load.masses, 0), centres: moved(load.centres, [0, 0, 0]) };
+    yield [cause("tau.links moved", { _way }), weight(load, taken)];
   }
+  const other = (load.arm.robots ?? []).find(({ masses }) => masses);
+  if (other) yield [cause("tau.robot", { name: other.name }), weight(load, other)];
 }
 
 // The one mass that would give these torques, where another does: of each link, by least squares.

@@ -30,14 +30,14 @@ def bodies(m, rng):
     ]
 
 
-def weight(m, links, q, g=9.81):
-    """dP/dq by the motion of each centre of mass under each joint."""
+def weight(m, links, q, g=9.81, own=True):
+    """dP/dq by the motion of each centre of mass under each joint, its `own` link's too."""
     T = m.frames(q)
     tau = np.zeros(m.dof)
     for k, (mass, *c) in enumerate(links):
         p = (T[k + 1] @ [*c, 1])[:3]
         for j, (i, kind) in enumerate(zip(m.joints, m.kinds, strict=True)):
-            if i <= k:
+            if i < k + own:
                 z, o = T[i][:3, 2], T[i][:3, 3]
                 tau[j] += mass * g * (cross(z, p - o)[2] if kind == "R" else z[2])
     return tau
@@ -75,6 +75,10 @@ def mistakes(m, links, q, F, rng):
     i = int(rng.integers(len(links)))
     without = [(0 if k == i else b[0], *b[1:]) for k, b in enumerate(links)]
     yield f"tau.mass missing:{i + 1}", weight(m, without, q) - P
+    yield "tau.own link", weight(m, links, q, own=False) - P
+    none = (0, 0, 0, 0)
+    yield "tau.links moved", weight(m, [*links[1:], none], q) - P
+    yield "tau.links moved late", weight(m, [none, *links[:-1]], q) - P
     degrees = [math.radians(x) if k == "R" else x for x, k in zip(q, m.kinds, strict=True)]
     yield "tau.degrees", weight(m, links, degrees) - force(m, F, degrees)
     if m.name == "PANDA":
