@@ -9,6 +9,8 @@ export const HAND = 3.01; // units: products of rounded numbers
 const EXACT = 1e-6; // of the scale
 export const SLOPPY = 1e-3; // of the scale: full floats from inputs that were rounded on the way
 export const TELLING = 2.1e-3; // a mistake that changes less cannot be asked for
+const FINE = 2e-3; // rad or m: a place that is coarser is no rounding of a joint's value
+const NUDGE = 1e-6; // rad or m: a difference for a derivative
 const FULL = 13; // significant digits from which a float was never rounded
 const LEFT = 5; // times a unit that no number may be smaller than
 const NOISE = -12; // the power of ten below which a number is a rounded zero
@@ -75,6 +77,20 @@ export function margins(steps, scale, slop = null, tolerance = null) {
   return { allowed, band, loose, units: steps, slop: slop ?? none };
 }
 
+// What the unwritten digits of joint values change in each number that is made of them: of those
+// with three decimals or more; null where there are none.
+export function slopOf(steps, q, made) {
+  const fine = steps.map((u) => (u > 0 && u < FINE ? u : 0));
+  if (!fine.some(Boolean)) return null;
+  const here = made(q);
+  const total = here.map(() => 0);
+  fine.forEach((u, k) => {
+    const there = made(q.map((x, i) => (i === k ? x + NUDGE : x)));
+    there.forEach((x, i) => (total[i] += (HALF * u * Math.abs(x - here[i])) / NUDGE));
+  });
+  return total;
+}
+
 const plus = (p, q, k) => p.map((x, i) => x + k * q[i]);
 
 // The farthest that an answer may be off and still be right but for its digits.
@@ -105,7 +121,9 @@ export function graded(mine, right, m, made) {
     }
     if (mistaken) return WRONG;
   }
-  if (!within(mine, right, farthest(m))) return WRONG;
+  // what is no rounding of the right answer, and one of a mistake's, is the mistake's
+  const slipped = !within(mine, right, m.band) && made.some((A) => within(mine, A, m.allowed));
+  if (slipped || !within(mine, right, farthest(m))) return WRONG;
   const off = apart(mine, right);
   return telling.some((A) => apart(mine, A) <= off) ? SO_FAR : ROUNDED;
 }

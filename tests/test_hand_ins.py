@@ -128,6 +128,57 @@ def test_what_was_set_aside_is_shown_back():
     assert all(word in str(report) for word in ("`Hi, is this right?`", "`MfG`", "`Tom`"))
 
 
+NAMED_Q = f"q = {Q.tolist()}"
+
+
+@pytest.mark.parametrize(
+    ("text", "left", "agrees"),
+    [
+        (f"22.11.2026\n{TAU.tolist()}", "22.11.2026", True),
+        (f"Tom, 2026-11-22 14:30\n\n{TAU.tolist()}", "Tom, 2026-11-22 14:30", True),
+        (f"{NAMED_Q}\ntau = {TAU.tolist()}", NAMED_Q, False),
+        (f"tau =\n\n{TAU.tolist()}\n\nF = [0, 0, -20]", "F = [0, 0, -20]", False),
+        (f"{TAU.tolist()} % or -99.5", "`-99.5`", False),
+    ],
+)
+def test_what_else_is_given_is_set_aside_and_shown(text, left, agrees):
+    report = torques(text)
+    assert (report.grade, report.agrees) == ("right" if agrees else "so far", agrees)
+    assert left in str(report)
+
+
+def test_other_numbers_about_a_jacobian_are_set_aside():
+    J = jacobian(UR10E, Q).round(4)
+    columns = "\n".join(f"J_{k} = [{'; '.join(map(str, J[:, k - 1]))}]" for k in range(1, 7))
+    assert checks.compare_jacobian(columns, UR10E, Q).agrees
+    assert checks.compare_jacobian(f"{columns}\nJ = [J_1 J_2 J_3 J_4 J_5 J_6]", UR10E, Q).agrees
+    rows = "\n".join(" ".join(map(str, row)) for row in J)
+    report = checks.compare_jacobian(f"{rows}\n\ndet(J) = -0.1234", UR10E, Q)
+    assert report.grade == "so far"
+    assert "`det(J) = -0.1234`" in str(report)
+
+
+@pytest.mark.parametrize("text", ["± 0.3, 1.1, 0.4", "0.3 \\pm 0.1, 1.1, 0.4"])
+def test_two_signs_are_asked_about(text):
+    with pytest.raises(ArmError, match="write out each sign"):
+        checks.compare_pose(text, ELBOW, (0.3, 0.2, 0.7))
+
+
+@pytest.mark.parametrize(
+    "row", ["Joint {}: theta = {}, d = {}, a = {}, alpha = {}", "theta={1} d={2} a={3} alpha={4}"]
+)
+def test_a_table_may_be_a_line_of_entries_for_each_joint(row):
+    rows = [(1, "q1", 0.5, 0, 90), (2, "q2", 0, 0.4, 0), (3, "q3", 0, 0.3, 0)]
+    assert checks.compare_tables("\n".join(row.format(*one) for one in rows), ELBOW).agrees
+
+
+def test_a_unit_may_end_the_heads():
+    """The bracket of the last one is no matrix's."""
+    rows = "Joint 1 pi/2 500 q1 0\nJoint 2 0 0 q2 400\nJoint 3 0 0 q3 300"
+    report = checks.compare_tables(f"alpha [rad] a [mm] theta [rad] d [mm]\n{rows}", ELBOW)
+    assert report.causes == ("table.a and d",)
+
+
 def test_two_grids_are_asked_about():
     with pytest.raises(ArmError, match="expected one set of numbers"):
         torques(f"{TAU.tolist()}\nor rather this one\n{(2 * TAU).tolist()}")
@@ -272,6 +323,23 @@ def test_another_mass_and_a_missing_moment_are_named():
     F = [1, 2, 3, 4, 5, 6]
     lost = static_torque(UR10E, Q, [1, 2, 3, 0, 0, 0]).round(4)
     assert checks.compare_torques(lost, UR10E, Q, F).causes == ("tau.moment missing",)
+
+
+def test_links_that_are_taken_for_others_are_named():
+    masses = (7.778, 12.93, 3.87, 1.96, 1.96, 0.202)
+    other = [Body(m, body.com) for m, body in zip(masses, UR10E.bodies, strict=True)]
+    late = [Body(0, (0, 0, 0)), *UR10E.bodies[:-1]]
+    for bodies, cause in ((other, "tau.robot:UR10"), (late, "tau.links moved")):
+        mine = static_torque(UR10E.with_bodies(bodies), Q, PUSH).round(4)
+        assert torques(mine).causes == (cause,)
+
+
+def test_a_small_mistake_that_fits_is_no_rounding():
+    """g = 9.8 on light links under a large push: many units off, a thousandth of the torques."""
+    light = UR10E.with_bodies([Body(body.mass / 40, body.com) for body in UR10E.bodies])
+    push = [0, 0, -20, 3, 0, 0]
+    mine = static_torque(light, Q, push) - 0.01 / 9.81 * static_torque(light, Q, [0] * 6)
+    assert checks.compare_torques(mine.round(5), light, Q, push).causes == ("tau.gravity:9.8",)
 
 
 def test_no_mass_is_named_from_one_torque():

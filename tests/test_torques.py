@@ -18,7 +18,6 @@ F = np.array([3.0, -7, 11, 0.5, -2, 1.5])
 BENT = np.array([0.4137, 0.3281, -0.9452])
 Q2, Q3 = (BENT + np.outer(np.linspace(0, 1, n), [0.1, 0.2, 0.5]) for n in (2, 3))
 LEFT = "a list per joint, turned round: a row per pose"
-ZEROS = "torques behind a leading column of zeros"
 OFF = np.eye(3)
 
 
@@ -45,11 +44,10 @@ def verdict(mine, q=BENT, **options):
     ("mine", "q", "taken"),
     [
         (TAU3, Q3, ()),
-        (TAU3.T, Q3, (LEFT,)),
-        (TAU2.T, Q2.T, (LEFT,)),
+        (TAU2.T, Q2, (LEFT,)),
         (TAU2[:, None], Q2[:, None], ()),
         (TAU2[..., None], Q2[None], ()),
-        (np.c_[np.zeros(2), TAU2], Q2, (ZEROS,)),
+        (np.c_[np.zeros(2), TAU2], Q2, None),
         (np.c_[np.zeros(4), torques(np.r_[Q2, Q2])].T, np.r_[Q2, Q2], None),
         (TAU2[:1], Q2[:1], ()),
         (TAU[:, None], BENT, ()),
@@ -69,13 +67,12 @@ def test_torques_are_set_upright_and_that_is_said(mine, q, taken):
     ("by", "cause"),
     [(-1, "tau.all signs"), (1000, "tau.newton millimetres"), (OFF[::-1], "tau.reversed order")],
 )
-def test_a_square_is_turned_only_where_that_brings_it_near(by, cause):
+def test_a_square_is_not_turned(by, cause):
     mine = (TAU3 @ by if np.ndim(by) else by * TAU3).round(4)
     for some, causes in ((mine, (cause,)), (mine.T, ())):
         report = verdict(some, Q3)
         assert (report.taken, report.causes) == ((), causes)
-    nearly = verdict((TAU3 + 0.1 * OFF[2][:, None] * OFF[1]).T.round(4), Q3)
-    assert nearly.taken == (LEFT,)
+    nearly = verdict((TAU3 + 0.1 * OFF[2][:, None] * OFF[1]).round(4), Q3)
     assert str(nearly.findings[0]) == "Joint 3: it is off by up to 0.1 N."
 
 
@@ -107,7 +104,7 @@ def test_degrees_are_those_of_joints_that_turn():
     q = np.array([[30.0, 0.25, -45.0], [10.0, 0.5, 60.0]])
     turned = np.where([True, False, True], np.radians(q), q)
     tau = torques(turned).round(5)
-    for mine, at in ((tau, q), (tau.T, q.T), (tau[0], q[0]), (tau[1], q[1:])):
+    for mine, at in ((tau, q), (tau.T, q), (tau[0], q[0]), (tau[1], q[1:])):
         assert verdict(mine, at, angles="deg").agrees
     assert verdict(torques(q).round(5), q, angles="deg").causes == ("tau.degrees",)
 

@@ -4,6 +4,7 @@
 import { ArmError, say, shown } from "../sentences.js";
 import { plain } from "./formula.js";
 import { headOf } from "./heads.js";
+import { withoutOthers } from "./parts.js";
 import { lines } from "./text.js";
 
 // Words that stand in answers themselves, in heads and labels, formulas and programs.
@@ -27,6 +28,10 @@ const UNITS_ALONE = new RegExp(
     String.raw`(?:\s*(?:,|and|/|;)\s*${UNIT})*\s*[)\]]?[.:]?\s*$`,
   "i",
 );
+const DATE =
+  String.raw`(?:\d{1,2}\.\d{1,2}\.(?:\d{2}){1,2}|\d{1,2}/\d{1,2}/\d{4}|\d{4}-\d{2}-\d{2})` +
+  String.raw`(?!\d)(?:,?\s+\d{1,2}:\d{2}(?!\d))?`;
+const DATED = new RegExp(String.raw`^\s*${DATE}\s*$`);
 const MARKUP = /[[\]{}\\&|│\t;]|=(?!.*[?!.]\s*$)/;
 const WORDS = /\p{L}[\p{L}’'-]+/gu;
 const NUMBERS = /(?<![\p{L}\p{N}_.])\d[\p{N}.,]*(?:e[-+]?\d+)?/giu;
@@ -36,7 +41,8 @@ const COUNTS = new RegExp(
     String.raw`|solution|lösung|aufgabe|tabelle|eq|equation|joint|link` +
     String.raw`|axis|row|no|nr)\.?\s*#?\d{1,2}(?:\.\d)?(?![\d.]*\d)|(?:In|Out) ?\[\d*\]:` +
     String.raw`|\bround\(\d+\)|(?:answer|branch|case|set)\s*\d+(?=\s*[:.)])` +
-    String.raw`|\d+[- ]?(?:joints?|axes|dof|links?|digits|decimals|element)(?!\p{L})`,
+    String.raw`|\d+[- ]?(?:joints?|axes|dof|links?|digits|decimals|element)(?!\p{L})` +
+    String.raw`|(?<![\d.])${DATE}`,
   "giu",
 );
 // Numbers that programs and LaTeX set beside a matrix: its size, its columns, a common factor; and
@@ -48,6 +54,7 @@ const SET = new RegExp(
     String.raw`|\\(?:c(?:line|midrule)(?:\([^()]*\))?|label|tag)\{[^{}]*\}`,
   "gimu",
 );
+const SIGNED = /(?:(?<![\p{L}\p{N}.)\]}])[-−])?[\d.]*\d/gu; // with the sign that is its own
 const DECIMALS = /(\bround\(.*),\s*\d+\s*\)+\s*[;.,]?\s*$/s; // that round() is given
 // Runs of digits, and names, which hold digits too.
 const TOKENS = /\d+|\p{L}[\p{L}\p{N}_]*(?:(?<=_)\{[\w+-]*\})?/giu;
@@ -57,7 +64,7 @@ const numbersIn = (text) => text.replace(COUNTS, " ").match(NUMBERS) ?? [];
 // Whether a line is no row of an answer: prose, a comment, units, or an empty prompt.
 function isAside(line) {
   if (isHeading(line)) return false;
-  if (EMPTY.test(line) || COMMENT.test(line) || UNITS_ALONE.test(line)) return true;
+  if ([EMPTY, COMMENT, UNITS_ALONE, DATED].some((is) => is.test(line))) return true;
   if (MARKUP.test(line)) return false;
   const words = (line.match(WORDS) ?? []).filter((word) => !OWN.has(word.toLowerCase()));
   const said = words.filter((word) => headOf(word) === undefined);
@@ -73,11 +80,21 @@ const isHeading = (line) =>
   ).size >= 4;
 
 /**
- * A text without the lines around its numbers, and those that say something.
+ * A text without the lines around its numbers, and those that say something. Of parts with names
+ * only the one `asked` for is kept.
  * @param {string} text
+ * @param {RegExp | null} asked
  * @returns {{ text: string, left: string[] }}
  */
-export function setAside(text) {
+export function setAside(text, asked = null) {
+  const { text: own, others } = asked ? withoutOthers(text, asked, isAside) : { text, others: [] };
+  const { text: within, left } = bare(own);
+  const told = [...others, ...left].map((line) => line.trim());
+  return { text: within, left: told.filter((line) => !EMPTY.test(line)) };
+}
+
+// A text without the lines around its numbers, and those lines.
+function bare(text) {
   const all = lines(text);
   const kept = all.map((line) => !isAside(line));
   const [first, last] = [kept.indexOf(true), kept.lastIndexOf(true)];
@@ -87,10 +104,7 @@ export function setAside(text) {
   if (parting) throw new ArmError(say("two grids", { between: shown(parting.trim()) }));
   const left = [...all.slice(0, first), ...between, ...all.slice(last + 1)];
   const within = all.slice(first, last + 1).filter((line, k) => kept[first + k] || !line.trim());
-  return {
-    text: within.join("\n"),
-    left: left.map((line) => line.trim()).filter((line) => !EMPTY.test(line)),
-  };
+  return { text: within.join("\n"), left };
 }
 
 /**
@@ -110,7 +124,8 @@ export function unread(text, entries, sizes) {
     .sort((p, q) => q - p)
     .reduce(uncounted, without(tokensOf(bare), tokensOf(held)));
   const isOf = (run) => (number) => !held.includes(number) && number.split(/\D/).includes(run);
-  return [...new Set(lost.map((run) => bare.match(/[\d.]*\d/g).find(isOf(run)) ?? run))];
+  const numbers = bare.match(SIGNED) ?? [];
+  return [...new Set(lost.map((run) => numbers.find(isOf(run)) ?? run))];
 }
 
 /** Those that stand in no entry of a matrix. */

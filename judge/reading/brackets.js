@@ -3,12 +3,9 @@
 import { isNumber, plain } from "./formula.js";
 import { split } from "./split.js";
 import { beside } from "./surroundings.js";
-import { lines, strippedEnd } from "./text.js";
-
-// What changes the list before it, ( ... )^T or [ ... ] * 2, and a line that a formula goes on in.
+import { strippedEnd } from "./text.js";
 
 const TAKEN = /^\s*\)*\s*(?:[-+*/^']|\.[*/^'T])/; // what changes the matrix before it
-const CONTINUED = /^(?:\s*[-+*/^]\s|.*[-+*/^]\s*$)/;
 export const deeper = (sign) => ("[({".includes(sign) ? 1 : "])}".includes(sign) ? -1 : 0);
 
 // Where the bracket that a text begins with is closed, -1 where it is not.
@@ -74,18 +71,12 @@ export function untouched(text) {
     throw beside(after.replace(/^[ )]+/, ""));
 }
 
-// Rows on lines in one pair of round brackets, or each in its own, and a list in one, without them;
-// any other text as it is.
+// A list in one pair of round brackets without them; any other text as it is.
 export function opened(text) {
   const inner = text.slice(1, -1).trim();
-  if (text[0] === "(" && closesAtEnd(text)) {
-    if (inner[0] === "[" && closesAtEnd(inner)) return inner;
-    return areRows(lines(inner)) ? inner : text;
-  }
-  const each = lines(text).map((line) => line.trim());
-  if (!each.length || !each.every((line) => line[0] === "(" && closesAtEnd(line))) return text;
-  const inside = each.map((line) => line.slice(1, -1).trim());
-  return inside[0].includes(" ") && areRows(inside) ? inside.join("\n") : text;
+  return text[0] === "(" && closesAtEnd(text) && inner[0] === "[" && closesAtEnd(inner)
+    ? inner
+    : text;
 }
 
 // Whether the round bracket that a text begins with is a part of its first entry.
@@ -93,17 +84,6 @@ export function beginsACell(text) {
   const end = endOf(text);
   const inner = text.slice(1, Math.max(end, 1));
   return text[0] === "(" && end < text.length - 1 && !/[,;\n]/.test(inner);
-}
-
-// Whether lines of entries without commas are the rows of a matrix, not a formula's.
-function areRows(given) {
-  const kept = given.filter((line) => line.trim());
-  if (kept.some((line) => line.includes(",") || line.includes(";") || CONTINUED.test(line)))
-    return false;
-  const rows = kept.map(split);
-  if (new Set(rows.map((row) => row.length)).size !== 1) return false;
-  if (rows.length === 1 && rows[0].length === 1) return false;
-  return kept.every(ofNumbers) || (rows.length > 1 && rows[0].length > 1);
 }
 
 const words = (line) => line.trim().split(/\s+/).filter(Boolean);

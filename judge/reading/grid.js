@@ -1,6 +1,6 @@
 // A pasted text as rows of cells: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet cells.
 
-import { beginsACell, bracketed, closesAtEnd, ofNumbers, opened, untouched } from "./brackets.js";
+import { beginsACell, bracketed, ofNumbers, opened, untouched } from "./brackets.js";
 import { decimal } from "./commas.js";
 import { isNumber } from "./formula.js";
 import { latexRows } from "./latex.js";
@@ -22,6 +22,7 @@ export function cells(text) {
     throw new ArmError(`the text has ${text.length} characters; expected at most ${LONGEST}`);
   }
   if (CUT.test(text)) throw new ArmError(say("cut print"));
+  if (/±|\\pm(?![A-Za-z])/.test(text)) throw new ArmError(say("two signs"));
   const rows = rowsOf(stripped(withoutSurroundings(text).trim(), "`$").trim())
     .filter((row) => row.some((cell) => cell.trim()))
     .map((row) => row.map((cell) => cell.trim()));
@@ -43,7 +44,7 @@ function rowsOf(text) {
   if (text.includes("\\begin{") || text.includes("\\\\")) return latexRows(text);
   const inner = withoutBars(text);
   if (inner.split("|").length > 2 && !/^[^|]*\[[^\]|]*\|/.test(inner)) return markdownRows(inner);
-  return turnedRows(inner) ?? listedRows(inner);
+  return listedRows(inner);
 }
 
 // The bars that a matrix may stand between.
@@ -77,21 +78,6 @@ function listedRows(text) {
   const before = FACTOR.exec(inner);
   if (before) alone(before[0], before[0].replace(/[ \t]/g, ""));
   return typedLines(inner);
-}
-
-// deg2rad([ ... ]) and its like, which go to each entry.
-const TURNED = new RegExp(
-  String.raw`^\s*(?:${WORD}+\s*=\s*)?(?:[\p{L}\p{N}_]+\.)?(deg2rad|radians|rad2deg|degrees)\s*` +
-    String.raw`(?=\(\s*(?:${WORD}*array\()?\s*\[)`,
-  "u",
-);
-
-function turnedRows(text) {
-  const turned = TURNED.exec(text);
-  const inner = turned && strippedEnd(text.slice(turned[0].length), " ;.,");
-  if (!turned || !closesAtEnd(inner)) return null;
-  const rows = rowsOf(inner.slice(1, -1).trim());
-  return rows.map((row) => row.map((cell) => `${turned[1]}(${cell})`));
 }
 
 function markdownRows(text) {

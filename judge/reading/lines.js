@@ -45,7 +45,9 @@ export function typedLines(text) {
     : rows;
 }
 
-const DRAWN = /^\s*[[|⎡⎢⎣⎛⎜⎝]+|[\]|⎤⎥⎦⎞⎟⎠]+\s*$/g; // a matrix's bracket, line by line
+// a matrix's bracket, line by line; no unit's
+const DRAWN = /^\s*[[|⎡⎢⎣⎛⎜⎝]+/;
+const DRAWN_END = /(?<!\[[^\]]*)[\]|⎤⎥⎦⎞⎟⎠]+\s*$/;
 const NAME_ALONE = /^\s*[\p{L}\p{N}_]+\s*=\s*$/u;
 
 function block(text) {
@@ -67,7 +69,7 @@ function bySeparator(kept, separator) {
 function byBlanksOrCommas(kept) {
   const plainly = kept.map((line) => unquotedNumbers(line).replace(/\s*;\s*$/, ""));
   if (plainly.some(topComma)) return byCommas(plainly);
-  const inside = plainly.map((line) => line.replace(DRAWN, ""));
+  const inside = plainly.map((line) => line.replace(DRAWN, "").replace(DRAWN_END, ""));
   const rows = inside.map(split);
   const torn = rows.flat().some((cell) => isFunction(cell.replace(/^[-+]+/, "")));
   return (torn || uneven(rows) ? byGaps(inside) : null) ?? rows;
@@ -92,14 +94,11 @@ function unnumbered(kept) {
 // Cells that stand two blanks apart or more, which single ones do not part, where each line has as
 // many; null where not.
 function byGaps(kept) {
-  const rows = kept.map((line) => apart(line.trim()).split("\t"));
+  const rows = kept.map((line) => line.trim().split(GAP));
   return rows.length && rows[0].length > 1 && rows.every((row) => row.length === rows[0].length)
     ? rows
     : null;
 }
-
-// A text with a tab for each run of blanks within a line.
-export const apart = (text) => text.replace(GAP, "\t");
 
 // Commas part cells, unless they are decimal ones: then blanks do. An error where both may be
 // meant.

@@ -94,6 +94,7 @@ const NAMED = new RegExp(
     String.raw`_?(?:\p{Nd}|[₀-₉]|\{\p{Nd}\})\s*(?:\([^()]*\)\s*)?[=:]\s*`,
   "gimu",
 );
+export const JOINT_NAMES = /^\\?(?:[qQd]|th|t[_\d{]|Theta|[θΘφ]|phi|joint)/; // one by one or all
 const UNITS = new RegExp(
   String.raw`(?<=\d\.?|[\])}])(?:[ \t~]|\\[,;: ])*(?:\\(?:text|mathrm)\{\s*)?` +
     String.raw`(?:N\s*[·*⋅.]?\s*m{1,2}|N|rad(?:ians)?)(?:\s*\})?(?![\p{L}\p{N}_(])`,
@@ -123,7 +124,7 @@ const PRINTED = /^[^[\](){};,|&]*\[[^[\](){};,|&]*\]\s*$/;
 const UPRIGHT = /(?<=[\])}])\s*(?:\^\s*(?:T|\\top|\{\s*(?:T|\\top)\s*\})|\.T|\.?')\s*;?\s*$/;
 
 // The cells of a text; a vector is one however it is printed or stood upright.
-function cellsOf(text) {
+export function cellsOf(text) {
   const bare = text.replace(UPRIGHT, "");
   const rows = withoutHeader(cells(bare));
   // which says that a matrix may not be
@@ -189,6 +190,10 @@ export function poseFault(arm, shape, wanted) {
   const out = tooMany(arm, shape.at(-1));
   return `${arm.name}: q has shape ${given}; expected ${wanted}, ${eachJoint(arm)}${out}`;
 }
+
+// A list of numbers as rows.
+export const rowsOf = (flat, width) =>
+  Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
 
 // A word on joints that are locked, where so many values were given that these have some too.
 export function tooMany(arm, width) {

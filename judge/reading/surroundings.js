@@ -16,8 +16,8 @@ const ASKED = new RegExp(
 const PROMPTED = new RegExp(PROMPT, "g");
 const COMMENT = /((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*(?:%|#(?![A-Z]+[/!?]))[^\n\r]*/g;
 const REMARK = /(?<=[0-9.)])[ \t]+[#%][ \t]*[A-Za-z][^\n\r]*/g; // 50 % 20 % is none
-const LABEL = /^[ \t\r\n]*[A-Za-z_][A-Za-z0-9_]*[ \t]*:[ \t\r\n]*(?=[[({])/;
-const SIGN = /^[ \t\r\n]*=[ \t]*(?=[[({])/;
+
+const SIGN = /^[ \t\r\n]*=[ \t]*(?=[[({])/; // of a spreadsheet's array
 
 const FACTOR = new RegExp(
   String.raw`^(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi|circ|degree)|[-+*/^0-9.,(){}°]` +
@@ -34,7 +34,6 @@ export const bare = (text) =>
     .replace(REMARK, "")
     .replace(ASKED, "")
     .replace(PROMPTED, "")
-    .replace(LABEL, "")
     .replace(SIGN, "");
 
 // A text with the quotes that programs know, and without byte order marks.

@@ -3,11 +3,10 @@
 
 import { RAD } from "../geometry/angles.js";
 import { without } from "./aside.js";
-import { apart } from "./lines.js";
 import { fromHeads } from "./heads.js";
 import { ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices } from "./table_matrices.js";
-import { few, isEven, ofText } from "./table_notations.js";
+import { few, ofText } from "./table_notations.js";
 import { ENTRIES, isVariable, rowOf, simple, UNITS } from "./table_rows.js";
 import { ArmError, listed, say, shown } from "../sentences.js";
 
@@ -55,8 +54,7 @@ export function read(text, { columns, ...options } = {}, values = []) {
   if (found) return [{ ...ofMatrices(found, known, options), entries: typed.cells.flat() }];
   const { cells, heads } = withoutIndex(typed);
   few(cells.length);
-  const order = orderOf(cells, heads, columns, text);
-  if (!order) return read(apart(text), { columns, ...options }, values);
+  const order = ordered(cells, heads, columns);
   const units = unitsOf(options, fromHeads(heads));
   const used = without(cells.flat(), order.unused ?? []);
   const entries = typed.entries ?? used;
@@ -83,16 +81,6 @@ function ofMatrices(found, known, options) {
   few(found.length);
   const rows = found.map((A, k) => fromMatrix(k + 1, A, known));
   return { ...unitsOf(options), rows, said: [say("taken: matrices")] };
-}
-
-// The order of the columns; null where single blanks make no rows, but wider ones would.
-function orderOf(cells, heads, columns, text) {
-  try {
-    return ordered(cells, heads, columns);
-  } catch (error) {
-    if (error instanceof ArmError && isEven(text)) return null;
-    throw error;
-  }
 }
 
 // The tables that the possible orders give. Where the order was said and fails, since the joints'

@@ -2,8 +2,8 @@
 
 import { number } from "./formula.js";
 import { cells as cellsOf } from "./grid.js";
-import { apart } from "./lines.js";
 import { straight } from "./surroundings.js";
+import { lines } from "./text.js";
 import { columnOf, headOf } from "./heads.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, say } from "../sentences.js";
@@ -32,6 +32,8 @@ const RECORDS = new RegExp(
   String.raw`\{((?:[^{}]|\{[^{}:=,]*\})*)\}|(?<!${LETTER})dict\(((?:[^()]|\([^()]*\))*)\)`,
   "gu",
 );
+
+const RECORD = /['"]?([A-Za-zαθ]+)['"]?\s*[:=]\s*((?:(?!\s[A-Za-zαθ]+\s*[:=])[^,;[])+)/g;
 
 const PAIRS = new RegExp(
   String.raw`['"]?(?<!${LETTER})([A-Za-z]+)_?\{?(\d+)\}?['"]?\s*[:=]\s*((?:[^,;\n{}]|\{[^{}]*\})+)`,
@@ -80,13 +82,6 @@ function below(heads, rows) {
   );
 }
 
-// Whether two blanks and more part the lines of a text into as many cells, and single ones stand in
-// some.
-export function isEven(text) {
-  const wide = apart(text);
-  return wide !== text && new Set(cellsOf(wide).map((row) => row.length)).size === 1;
-}
-
 const isHeading = (row) =>
   new Set(row.map(headOf).filter((word) => ENTRIES.includes(word))).size >= 3;
 
@@ -108,18 +103,17 @@ function unboxed(text) {
   return rows.join("\n").replaceAll("│", "|").replaceAll("⍺", "α").replaceAll("ⱼ", "");
 }
 
-// A dictionary for each row, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...).
+// A dictionary for each row, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), or a line of pairs.
 function ofRecords(text) {
-  const found = [...text.matchAll(RECORDS)].flatMap(([, braced, called]) =>
-    recordOf(braced || called || ""),
-  );
+  const braced = [...text.matchAll(RECORDS)].map(([, list, called]) => list || called || "");
+  const found = (braced.length ? braced : lines(text)).flatMap(recordOf);
   if (found.length < 2) return null;
   const rowOf = (row, k) => ENTRIES.map((entry) => row.get(entry) ?? blank(entry, k + 1));
   return plainly(found.map(rowOf));
 }
 
 function recordOf(body) {
-  const pairs = [...body.matchAll(/['"]?([A-Za-zαθ]+)['"]?\s*[:=]\s*([^,[]+)/g)];
+  const pairs = [...body.matchAll(RECORD)];
   const row = new Map(pairs.map(([, name, x]) => [headOf(name), unquoted(x)]));
   return ENTRIES.filter((entry) => row.has(entry)).length >= 3 ? [row] : [];
 }
@@ -194,11 +188,11 @@ function linkOf(kind, body) {
     /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset)['"]?\s*[,=]\s*([^,]+)/gu,
   );
   const given = Object.fromEntries([...pairs].map(([, name, x]) => [name, x.trim()]));
+  const sigma = /sigma['"]?\s*[,=]\s*[01]/.exec(body) ?? [];
   const slides =
     `${kind}${body}`.toLowerCase().includes("prismatic") ||
     ("theta" in given && !("d" in given)) ||
-    /sigma['"]?\s*[,=]\s*1/.test(body);
-  const sigma = /sigma['"]?\s*[,=]\s*[01]/.exec(body) ?? [];
+    sigma.some((said) => said.endsWith("1"));
   return { row: { ...none, ...given }, slides, given: [...Object.values(given), ...sigma] };
 }
 

@@ -6,7 +6,7 @@ import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { asksPose, formOf, inverse } from "../geometry/inverse.js";
 import { joints } from "../geometry/kinematics.js";
-import { asDegrees, turning } from "../reading/numbers.js";
+import { asDegrees, JOINT_NAMES, turning } from "../reading/numbers.js";
 import { answering } from "../report.js";
 import { listed, lower, say } from "../sentences.js";
 import {
@@ -40,7 +40,7 @@ const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are n
  * @param {string | any[]} mine @param {any} arm @param {any[]} target
  * @returns {import("../report.js").Report}
  */
-export const compareBranches = answering(branchesCompared);
+export const compareBranches = answering(branchesCompared, JOINT_NAMES);
 
 function branchesCompared(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null, found = null } = options;

@@ -13,6 +13,7 @@ import {
   margins,
   RIGHT,
   ROUNDED,
+  slopOf,
   SLOPPY,
   SO_FAR,
   TELLING,
@@ -20,6 +21,7 @@ import {
 } from "../digits.js";
 import * as chains from "../geometry/chains.js";
 import { norm } from "../geometry/kinematics.js";
+import { rowsOfColumns } from "../reading/matrix_columns.js";
 import { lookup, numbered, numbers, pose, turning } from "../reading/numbers.js";
 import { ArmError, listed, lower, say, tuple } from "../sentences.js";
 
@@ -27,7 +29,7 @@ import { ArmError, listed, lower, say, tuple } from "../sentences.js";
  * The report on a Jacobian, a text or nested numbers, of an arm's tip at q.
  * @returns {import("../report.js").Report}
  */
-export const compareJacobian = answering(jacobianCompared);
+export const compareJacobian = answering(jacobianCompared, /^j/i);
 
 function jacobianCompared(mine, arm, q, options = {}) {
   const { angularFirst = false, frame = 0, angles = "rad" } = options;
@@ -51,7 +53,7 @@ const whole = (report, typed) => report && { ...report, typed };
 // What was typed as a matrix; all of its entries in one row or column are taken row by row. A
 // formula needs no q; `computed` are the values of a function, which count as one.
 function matrix(mine, what, known, dof, { generic = false, computed = false }) {
-  const read = numbers(mine, what, known);
+  const read = numbers(rowsOfColumns(mine), what, known);
   if (generic && !read.symbolic && !computed) throw new ArmError(say("J needs q"));
   const { values } = read;
   const one = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
@@ -163,29 +165,14 @@ function rowsMeant(M, right) {
   return off[1] < off[0] ? 1 : 0;
 }
 
-// What the unwritten digits of q may change in each entry: those of q with three decimals or more.
-function slop(arm, at, frame) {
-  const steps = at.units.map((u) => (u > 0 && u < 2e-3 ? u : 0));
-  if (!steps.some(Boolean)) return null;
-  const dof = steps.length;
-  const jacobian = (q) => {
+// What the unwritten digits of q may change in each entry.
+const slop = (arm, { units, values }, frame) =>
+  slopOf(units, values, (q) => {
     const c = chains.chain(arm, q);
-    return chains.columns(c, chains.framesOf(c));
-  };
-  const step = 1e-6;
-  const here = jacobian(at.values);
-  const total = here.map(() => 0);
-  steps.forEach((u, k) => {
-    const there = jacobian(at.values.map((x, i) => (i === k ? x + step : x)));
-    let rates = there.map((x, i) => Math.abs(x - here[i]) / step);
-    if (frame)
-      rates = rates.map((_, i) =>
-        Math.max(...[0, 1, 2, 3, 4, 5].map((r) => rates[r * dof + (i % dof)])),
-      );
-    rates.forEach((rate, i) => (total[i] += u * rate));
+    const T = chains.framesOf(c);
+    const J = chains.columns(c, T);
+    return frame ? chains.seenIn(J, T[frame]) : J;
   });
-  return total.map((x) => 0.51 * x);
-}
 
 // A word on the mistakes that this pose does not show.
 function hidden({ right, causes, made }) {

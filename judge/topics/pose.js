@@ -5,7 +5,7 @@ import { cross, dot, jacobianColumns, linkFrames, matrix } from "../geometry/kin
 import { millimetres, turnOf } from "../causes/branches.js";
 import { turnBetween, answers } from "./branches_matching.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
-import { lookup, numbers, numbered, turning } from "../reading/numbers.js";
+import { JOINT_NAMES, lookup, numbers, numbered, turning } from "../reading/numbers.js";
 import { cause, nameOf, several } from "../causes/ranking.js";
 import { ArmError, listed, lower, say } from "../sentences.js";
 import { choices, double, scale, scales, single, variable, whole } from "../causes/joints.js";
@@ -28,7 +28,7 @@ const SHAPES = ["4x4", "3x4", "3"];
  * (3,).
  * @returns {import("../report.js").Report}
  */
-export const comparePose = answering(poseCompared);
+export const comparePose = answering(poseCompared, JOINT_NAMES);
 
 function poseCompared(q, arm, T, options = {}) {
   const { angles = "rad", tolerance = null } = options;

@@ -22,6 +22,7 @@ import {
   margins,
   RIGHT,
   ROUNDED,
+  slopOf,
   SO_FAR,
   WRONG,
 } from "../digits.js";
@@ -33,6 +34,7 @@ import {
   numbered,
   numbers,
   poseFault,
+  rowsOf,
   turning,
   unnamed,
 } from "../reading/numbers.js";
@@ -47,7 +49,7 @@ const SAMPLE = 25; // poses of a run on which causes are tried
  * The report on torques, a text or nested numbers, at q or along a list of q.
  * @returns {import("../report.js").Report}
  */
-export const compareTorques = answering(torquesCompared);
+export const compareTorques = answering(torquesCompared, /^\\?(?:tau|τ|torque)/i);
 
 function torquesCompared(mine, arm, q, options = {}) {
   const { tolerance = null, briefly = false } = options;
@@ -75,52 +77,28 @@ function loaded(arm, poses, { wrench = [0, 0, 0, 0, 0, 0], gravity = GRAVITY }) 
   return loadOf(arm, all, wrenches, gravity);
 }
 
-const rowsOf = (flat, width) =>
-  Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
-
 // Joint vectors, a pose or a list of them.
 export function poses(q, arm, angles) {
   const dof = joints(arm).length;
-  let typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
+  const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
   let { shape } = typed;
-  if (shape.length === 2 && shape[0] === dof && shape[1] !== dof) {
-    typed = {
-      ...typed,
-      values: transposed(typed.values, shape),
-      units: transposed(typed.units, shape),
-      entries: transposed(typed.entries, shape),
-    };
-    shape = [shape[1], dof];
-  }
   if (shape.length === 2 && shape[0] === 1) shape = shape.slice(1);
   if (shape.at(-1) !== dof) throw new ArmError(poseFault(arm, shape, `(..., ${dof})`));
   return inRadians(typed, arm, angles);
 }
 
-// The torques with a row per pose: columns, lists per joint and a leading column of zeros are set
-// right, and said.
+// The torques with a row per pose: columns and lists per joint are set right, and said.
 function upright({ values, units, shape }, right, dof) {
   const count = right.length / dof;
   const sizes = shape.filter((n) => n !== 1);
-  const as = (change, said) => ({ values: change(values), units: change(units), said });
   if (values.length === dof && sizes.length === 1 && count === 1)
     return { values, units, said: [] };
   const is = (rows, width) => sizes.length === 2 && sizes[0] === rows && sizes[1] === width;
-  if (is(dof, count) && (count !== dof || liesTurned(values, right, sizes)))
-    return as((list) => transposed(list, sizes), [say("taken: list per joint")]);
-  const padded = is(count, dof + 1) && rowsOf(values, dof + 1).every(([first]) => !first);
-  if (padded)
-    return as(
-      (list) => rowsOf(list, dof + 1).flatMap((row) => row.slice(1)),
-      [say("taken: leading zeros")],
-    );
+  if (is(dof, count) && count !== dof) {
+    const turned = (list) => transposed(list, sizes);
+    return { values: turned(values), units: turned(units), said: [say("taken: list per joint")] };
+  }
   return is(count, dof) ? { values, units, said: [] } : null;
-}
-
-// Whether a square is far nearer to the right torques when turned round.
-function liesTurned(values, right, shape) {
-  const off = (list) => list.reduce((top, x, i) => Math.max(top, Math.abs(x - right[i])), 0);
-  return off(transposed(values, shape)) < 0.05 * off(values);
 }
 
 const reported = (...told) => reportOf("torques", ...told);
@@ -163,7 +141,7 @@ function judged(typed, right, load, at, { tolerance, briefly }) {
   const m = margins(
     typed.units,
     right.map(() => scale),
-    slop(load, at, right),
+    slop(load, at),
     tolerance,
   );
   const part = Object.fromEntries(Object.entries(m).map(([key, list]) => [key, some(list)]));
@@ -203,20 +181,13 @@ function whole(grade, mine, right, m) {
   return worse === ROUNDED && worseThan(farthest(m)) ? WRONG : worse;
 }
 
-// What the unwritten digits of q may change in each torque: those of q with three decimals or more.
-function slop({ arm, q, wrenches, gravity }, at, here) {
-  const steps = at.units.map((u) => (u > 0 && u < 2e-3 ? u : 0));
-  if (!steps.some(Boolean)) return null;
-  const dof = q[0].length;
-  const step = 1e-6;
-  const total = here.map(() => 0);
-  for (let k = 0; k < dof; k++) {
-    const moved = q.map((one) => one.map((x, i) => (i === k ? x + step : x)));
-    torques(loadOf(arm, moved, wrenches, gravity))
-      .flat()
-      .forEach((x, i) => (total[i] += (Math.abs(x - here[i]) / step) * steps[i - (i % dof) + k]));
-  }
-  return total.map((x) => 0.51 * x);
+// What the unwritten digits of q may change in each torque.
+function slop({ arm, q, wrenches, gravity }, at) {
+  const units = rowsOf(at.units, q[0].length);
+  const each = q.map((one, p) =>
+    slopOf(units[p], one, (x) => torques(loadOf(arm, [x], [wrenches[p]], gravity))[0]),
+  );
+  return each.some(Boolean) ? each.flatMap((one, p) => one ?? q[p].map(() => 0)) : null;
 }
 
 function good(grade, typed, right, arm) {
