@@ -100,6 +100,7 @@ def _mistaken_jacobian(rng, m: Machine, q, digits: int):
     right = m.jacobian(q)
     firsts, seconds = jacobian_mistakes(m, q, rng)
     singles = firsts | {key: write(right) for key, write in seconds.items()}
+    singles |= {f"J.column sign:{i + 1}": right * s for i, s in jacobians.signs(m)}
     draw = rng.random()
     if draw < NOISE:
         off = rng.uniform(0.05, 0.4, right.shape) * (rng.random(right.shape) < 0.25)
@@ -109,9 +110,20 @@ def _mistaken_jacobian(rng, m: Machine, q, digits: int):
         both = seconds[two](firsts[one])
         plain = both.shape == right.shape and two != "J.transposed"
         told = plain and all(_apart(both, x) > 8e-3 for x in [right, *singles.values()])
-        return (both, frozenset([f"{one} + {two}"])) if told else None
+        return (both, _true_pairs(both, firsts, seconds, singles)) if told else None
     key = one_of(rng, singles, right, digits)
     return key and (singles[key], true_causes(key, singles, digits))
+
+
+def _true_pairs(both, firsts: Mistakes, seconds, singles: Mistakes) -> frozenset[str]:
+    """All pairs that give the same matrix, one after the other or one for each half of it."""
+
+    def alike(A, rows=slice(None)):
+        return A.shape == both.shape and _apart(A[rows], both[rows]) < 1e-9
+
+    pairs = {f"{p} + {s}" for p, A in firsts.items() for s, f in seconds.items() if alike(f(A))}
+    v, w = ([k for k, A in singles.items() if alike(A, rows)] for rows in (slice(3), slice(3, 6)))
+    return frozenset(pairs | {f"{one} + {two}" for one in v for two in w})
 
 
 def of_torques(rng, wrong: bool) -> HandIn | None:
@@ -313,6 +325,7 @@ ALSO = {
     "table.a and d": ("table.a and d in row", "table.too much:a", "table.too much:d"),
     "ik": ("pose.joint",),
     "tau.last link": ("tau.mass missing",),
+    "tau.links moved": ("tau.links moved",),
 }
 
 

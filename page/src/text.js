@@ -95,8 +95,9 @@ export function tableText({ rows }) {
 export const replaced = (list, at, value) => list.map((v, i) => (i === at ? value : v));
 
 // An arm's lengths in mm, each once and in the order of its rows, for a list of arms.
-export function lengthsOf({ rows }) {
+export function lengthsOf({ rows, lengths }) {
   const all = rows.flatMap(({ a, d }) => [d, a]).filter(Boolean);
-  const lengths = new Set(all.map((v) => short(1000 * Math.abs(v), 2)));
-  return lengths.size ? `: ${[...lengths].join(", ")} mm` : "";
+  const each = new Set(all.map((v) => short(1000 * Math.abs(v), 2)));
+  const told = lengths ?? [...each].join(", ");
+  return told ? `: ${told} mm` : "";
 }

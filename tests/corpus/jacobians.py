@@ -117,8 +117,13 @@ def after(m, q, rng):
     order = list(range(m.dof))
     order[i], order[j] = j, i
     yield f"J.columns exchanged:{m.joints[i] + 1}:{m.joints[j] + 1}", lambda J: J[:, order]
-    sign = np.where(np.arange(m.dof) == i, -1, 1)
+    sign = dict(signs(m))[m.joints[i]]
     yield f"J.column sign:{m.joints[i] + 1}", lambda J: J * sign
+
+
+def signs(m):
+    """Of each joint, by its row: the signs of the columns where its own is reversed."""
+    return [(row, np.where(np.arange(m.dof) == k, -1, 1)) for k, row in enumerate(m.joints)]
 
 
 def in_frame(m, q, J, k):
