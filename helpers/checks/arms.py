@@ -11,9 +11,6 @@ from helpers.inputs import must_be
 
 Data = dict[str, Any]
 
-_UR10_MASSES = (7.778, 12.93, 3.87, 1.96, 1.96, 0.202)  # kg, by its maker
-_NAMES = ("d_1", "a_2", "a_3", "d_4", "d_5", "d_6")
-
 
 def arm_data(arm: Arm) -> Data:
     """An arm with its values put in: SI units, null where no limit is known."""
@@ -98,22 +95,21 @@ def _namesakes() -> tuple[tuple[str, dict[str, float]], ...]:
     from helpers.robots import UR10E, UR10E_HOMEWORK  # the checkers themselves need no catalogue
 
     table = dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)
-    drawn, new = ({n: arm.values[n] for n in _NAMES} for arm in (UR10E_HOMEWORK, UR10E))
+    drawn, new = ({n: arm.values[n] for n in table} for arm in (UR10E_HOMEWORK, UR10E))
     return ("UR10", drawn), ("UR10", table), ("UR10e", new)
 
 
 def _robots(arm: Arm) -> Iterator[Data]:
-    """The rows with the lengths of robots of nearly the arm's name, and without the pen."""
+    """The rows with the lengths of robots of nearly the arm's name, and without the pen; beside the
+    UR10e the masses (kg) of the UR10 as well."""
     own = next(
         (name for name, lengths in _namesakes() if lengths.items() <= arm.values.items()), None
     )
     for name, lengths in _namesakes():
         if own and name != own:
             other = arm.with_values(**lengths)
-            heavy = {"masses": _UR10_MASSES} if own == "UR10e" and name == "UR10" else {}
-            without = {"penless": arm_data(other.with_values(l_pen=0))["rows"]}
-            yield (
-                {"name": name, "rows": arm_data(other)["rows"]}
-                | heavy
-                | (without if arm.values.get("l_pen") else {})
-            )
+            masses = {"masses": (7.778, 12.93, 3.87, 1.96, 1.96, 0.202)} if own == "UR10e" else {}
+            found = {"name": name, "rows": arm_data(other)["rows"], **masses}
+            if arm.values.get("l_pen"):
+                found["penless"] = arm_data(other.with_values(l_pen=0))["rows"]
+            yield found
