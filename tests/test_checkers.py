@@ -514,16 +514,3 @@ def test_another_arms_run_is_told_by_what_it_leaves():
     )
     report = traced(RUNS.euler(other))
     assert report.causes == ("table.length:a_3:a_6",), str(report)
-
-
-# The report
-
-
-def test_a_report_reads_well_and_holds_what_it_says():
-    report = checks.compare_jacobian((-J3).round(4), ELBOW, Q)
-    assert str(report) == "The Jacobian of Elbow arm is not right: every sign is reversed."
-    (finding,) = report.findings
-    assert (finding.what, finding.where, report.causes) == ("cause", "", ("J.all signs",))
-    part = checks.compare_branches(FOUR[:2], OVER)
-    assert (part.grade, part.figures["right"], part.figures["of"]) == ("so far", 2, 4)
-    assert "are right so far: 2 of 4 branches." in str(part)

@@ -15,16 +15,6 @@ from helpers.statics import gravity_torque
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 RIGHT = math.pi / 2
 
-# The homework's arms at q = 0, read off their pictures: points and directions typed by hand.
-UR10E = [
-    Axis((0, 0, 0), Z),
-    Axis((0, 0, 0.128), Y),
-    Axis((0, 0, 0.7407), (0, -1, 0)),
-    Axis((0, 0, 1.3123), Y),
-    Axis((0, 0.1639, 1.3123), Z),
-    Axis((0, 0.1639, 1.428), Y),
-]
-UR10E_TIP = np.array([[1, 0, 0, 0], [0, 0, 1, 0.3561], [0, -1, 0, 1.428], [0, 0, 0, 1]])
 PANDA = [  # the maker's zero pose, in which his table is written
     Axis((0, 0, 0), Z),
     Axis((0, 0, 0.333), Y),
@@ -139,15 +129,6 @@ def test_the_panda_as_its_maker_writes_it():
     lengths = dict(d_1=0.333, d_3=0.316, a_3=0.0825, a_4=0.0825, d_5=0.384, a_6=0.088, d_7=0.107)
     assert dict(found.arm.values) == lengths
     assert found.arm.source == "derived from its joint axes"
-
-
-def test_the_case_of_each_row():
-    steps = derive(UR10E, UR10E_TIP).steps
-    assert [step.case for step in steps] == [
-        "intersecting", "parallel", "parallel", "intersecting", "intersecting", "coincident",
-    ]  # fmt: skip
-    assert [step.opposite for step in steps] == [False, True, True, False, False, False]
-    assert derive(PANDA, PANDA_FLANGE, negative=True).steps[2].case == "skew"
 
 
 def test_a_tip_that_is_only_a_point():

@@ -585,26 +585,6 @@ def test_a_step_is_least_squares_and_joints_that_would_leave_go_to_their_limits(
     assert 10 < held < 50
 
 
-def test_near_the_target_each_step_squares_the_error():
-    q = random_q(UR10E, 400, seed=6)
-    q = q[np.linalg.svd(jacobian(UR10E, q), compute_uv=False)[:, 5] > 0.1]
-    found = solve(UR10E, forward_kinematics(UR10E, q), q + 0.01, tolerance=1e-12)
-    assert found.reached.all()
-    assert found.iterations.max() <= 4
-    assert (found.starts == 1).all()
-
-
-def test_restarts_find_what_one_start_misses_and_repeat():
-    q = np.random.default_rng(3).uniform(*PANDA.limits, (200, 7))
-    T = forward_kinematics(PANDA, q)
-    once, often = solve(PANDA, T), solve(PANDA, T, restarts=30)
-    assert once.reached.sum() < often.reached.sum() == 200
-    assert (once.starts == 1).all()
-    assert often.starts.max() > 1
-    np.testing.assert_array_equal(often.q, solve(PANDA, T, restarts=30).q)
-    np.testing.assert_array_equal(once.q[once.reached], often.q[once.reached])
-
-
 def test_restarts_begin_all_over_the_limits_or_half_a_turn_and_a_metre_where_there_are_none():
     """No step is taken: where a second start is nearer to the target, it is the answer."""
     rows = [

@@ -12,7 +12,6 @@ from helpers.arm import Arm, Body
 from helpers.kinematics import link_frames
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from helpers.statics import (
-    centres_in,
     gravity_torque,
     potential_energy,
     static_torque,
@@ -95,18 +94,6 @@ def test_virtual_work(arm, gravity):
     change = slow_energy(arm, q + step, gravity) - slow_energy(arm, q - step, gravity)
     work = static_torque(arm, q, F, gravity) @ (2 * step) + F @ moved
     assert work == pytest.approx(change, abs=1e-12)
-
-
-def test_centres_in_other_frames_are_the_same_points():
-    """Each frame of the table against the frame before, both random."""
-    frames = link_frames(PANDA, joint_vectors(PANDA, (), 8))
-    centres = np.random.default_rng(8).uniform(-1, 1, (7, 3))
-    found = centres_in(frames[1:], frames[:-1], centres)
-    points, again = (
-        [T @ [*c, 1] for T, c in zip(of, some, strict=True)]
-        for of, some in ((frames[:-1], centres), (frames[1:], found))
-    )
-    np.testing.assert_allclose(again, points, atol=1e-14)
 
 
 @every_arm

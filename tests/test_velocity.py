@@ -7,7 +7,7 @@ import sympy as sp
 
 from helpers import symbolic
 from helpers.arm import Arm, ArmError, revolute
-from helpers.ellipsoids import lost_directions, velocity_ellipsoid
+from helpers.ellipsoids import velocity_ellipsoid
 from helpers.kinematics import (
     jacobian,
     jacobian_in_frame,
@@ -84,17 +84,6 @@ def test_an_axis_points_where_its_first_large_entry_is_positive():
 def test_a_direction_without_motion_has_no_axis():
     axes = velocity_ellipsoid(jacobian(UR10E_HOMEWORK, np.zeros(6))[:3])
     np.testing.assert_allclose(axes[:, 1:], 0, atol=1e-12)
-
-
-def test_lost_directions_are_those_that_no_joint_gives():
-    J = jacobian(UR10E_HOMEWORK, np.zeros(6))
-    lost = lost_directions(J)
-    assert lost.shape == (3, 6)
-    np.testing.assert_allclose(lost @ J, 0, atol=1e-12)
-    np.testing.assert_allclose(
-        np.abs(lost).sum(axis=0) > 1e-9, [False, True, True, True, False, False]
-    )
-    assert lost_directions(jacobian(UR10E, UR10E.home + 0.3 * np.ones(6))).shape == (0, 6)
 
 
 def test_frames_are_counted_to_the_tip():
