@@ -34,28 +34,24 @@ def answers(student):
     return json.dumps({"sheet": student, "p": [1, 2, len(student)]})
 
 
-def as_canvas(student, name, n):
+def on_canvas(name):
     *first, last = name.split()
-    short = "".join(c for c in f"{last}{''.join(first)}".lower() if c.isalnum())
-    late = "_LATE" * (n % 3 == 0)
-    return {f"{short}{late}_{1000 + n}_{90000 + n}_answers-{n % 4}.json": answers(student)}
+    return "".join(c for c in f"{last}{''.join(first)}".lower() if c.isalnum())
 
 
-def as_moodle(student, name, n):
-    folder = f"{name.replace(chr(39), '')}_{70000 + n}_assignsubmission_file" + "_" * (n % 2)
-    return {f"{folder}/my homework/Answers.JSON": answers(student)}
-
-
-def as_moodle_flat(student, name, n):
-    return {f"{name}_{70000 + n}_assignsubmission_file_answers.json": answers(student)}
-
-
-def as_gradescope(student, name, n):
-    return {f"assignment_5_export/submission_{3000 + n}/answers (1).json": answers(student)}
-
-
-def by_hand(student, name, n):
-    return {f"{student if n % 2 else student.upper()}/answers.json": answers(student)}
+# Where each platform puts the file of the n-th student.
+PLACES = {
+    "Canvas": lambda _, name, n: (
+        f"{on_canvas(name)}{'_LATE' * (n % 3 == 0)}_{1000 + n}_{90000 + n}_answers-{n % 4}.json"
+    ),
+    "Moodle": lambda _, name, n: (
+        f"{name.replace(chr(39), '')}_{70000 + n}_assignsubmission_file{'_' * (n % 2)}"
+        "/my homework/Answers.JSON"
+    ),
+    "Moodle, flat": lambda _, name, n: f"{name}_{70000 + n}_assignsubmission_file_answers.json",
+    "Gradescope": lambda *_, n: f"assignment_5_export/submission_{3000 + n}/answers (1).json",
+    "by hand": lambda student, _, n: f"{student if n % 2 else student.upper()}/answers.json",
+}
 
 
 def about_gradescope():
@@ -71,11 +67,11 @@ def about_gradescope():
 
 
 @pytest.mark.parametrize("folder", [False, True], ids=["zip", "folder"])
-@pytest.mark.parametrize("platform", [as_canvas, as_moodle, as_moodle_flat, as_gradescope, by_hand])
+@pytest.mark.parametrize("platform", PLACES)
 def test_a_class_of_120_is_sorted_whatever_the_platform_called_it(tmp_path, platform, folder):
-    files = about_gradescope() if platform is as_gradescope else {}
+    files = about_gradescope() if platform == "Gradescope" else {}
     for n, (student, name) in enumerate(CLASS.items()):
-        files |= platform(student, name, n)
+        files[PLACES[platform](student, name, n=n)] = answers(student)
     files |= {"__MACOSX/._x": "noise", ".DS_Store": "noise"}
     download = tmp_path / "download"
     with zipfile.ZipFile(f"{download}.zip", "w") as archive:

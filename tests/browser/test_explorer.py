@@ -77,7 +77,7 @@ class Visit(Reader):
 
     def enter(self, fragment="", name="explorer", drawn=False):
         """The page that is open gets an instrument as new."""
-        self.page.emulate_media(media="screen")
+        self.page.emulate_media(media="screen", reduced_motion="no-preference")
         again, self.opened = name == self.opened, name
         if not again:
             self.visits += 1  # in the address, since a fragment alone would open no new page
@@ -230,20 +230,6 @@ def test_who_touches_nothing_sees_what_the_link_says_and_nothing_moves(
     assert seen["moved"] == 0
     picture = untouched.locator("section.explorer .stage").bounding_box()
     assert picture["y"] + picture["height"] / 2 < SIZES[size]["height"], "the first thing there"
-
-
-def test_the_bundle_waits_until_its_stub_is_near(browser):
-    reader = Reader(browser, "light", "wide", "file:")
-    reader.page.add_init_script(
-        "document.addEventListener('DOMContentLoaded', () => document.querySelector('article').style.paddingTop = '4000px')"
-    )
-    reader.open((HTML / "explorer.html").as_uri())
-    reader.page.evaluate(FRAMES, 6)
-    assert not any(url.endswith("explorer.js") for url in reader.asked)
-    reader.page.locator(INSTRUMENT).scroll_into_view_if_needed()
-    reader.page.locator("section.explorer").wait_for()
-    assert sum(url.endswith("explorer.js") for url in reader.asked) == 1
-    reader.context.close()
 
 
 def test_a_dragged_slider_shows_the_pose_that_python_computes(visit):
@@ -592,7 +578,8 @@ def test_every_tab_fits_the_page_and_wears_its_theme_and_all_in_it_has_a_name(vi
 
 
 def test_where_motion_is_unwelcome_the_arm_is_there_at_once(visit):
-    here = visit("#arm=UR10e&view=pose", reduced_motion="reduce", script=USUAL)
+    here = visit("#arm=UR10e&view=pose")
+    here.page.emulate_media(reduced_motion="reduce")
     here.page.get_by_label("Joint 1, angle, typed").fill("90")
     here.page.get_by_label("Joint 1, angle, typed").press("Enter")
     here.page.get_by_role("button", name="Home").click()
