@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { fromFragment, toFragment } from "../../page/src/link.js";
 import { HOMEWORK } from "../../page/src/homework_run.js";
 import { startingState, Store } from "../../page/src/state.js";
-import { ARMS, ELBOW, PANDA } from "./arms.mjs";
+import { ARMS, PANDA } from "./arms.mjs";
 
 const VIEWS = ["table", "pose", "torque", "homework"];
 const read = (fragment) => fromFragment(fragment, ARMS, VIEWS);
@@ -59,12 +59,4 @@ test("a link refuses runs that are none", () => {
 
 test("a fragment of the page, and none, change nothing", () => {
   for (const fragment of ["", "#the-instrument", "#fig-1"]) assert.deepEqual(read(fragment), { patch: {}, words: "" });
-});
-
-test("links of the first edition still open", () => {
-  const { patch } = read("#arm=Elbow+arm&q=0.1%2C0.2%2C0.3&view=pose&unit=deg&frames=all&wrench=0,0,-7,0,0,0");
-  assert.equal(patch.arm, ELBOW);
-  assert.deepEqual(patch.q, [0.1, 0.2, 0.3]);
-  assert.equal(patch.view, "pose");
-  assert.deepEqual(patch.wrench, [0, 0, -7, 0, 0, 0]);
 });
