@@ -21,11 +21,6 @@ ANGLES = {
     "numpy formulas": "[np.radians(28.6479), np.deg2rad(40.107), -0.4]",
     "a turn more": "6.7832, 0.7, -0.4",
 }
-IN_DEGREES = {
-    "bare": "28.65, 40.11, -22.92",
-    "matlab": "rad2deg(q) = [28.6479 40.1070 -22.9183]",
-    "named": "theta1 = 28.65, theta2 = 40.11, theta3 = -22.92",
-}
 UNREAD = ["", "no idea", "0.5, 0.7", "1 2 3 4", "[[0.5, 0.7], [1]]", "q_9, 0, 0", "nan 0 0"]
 
 

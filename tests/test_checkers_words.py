@@ -2,9 +2,6 @@
 step, and without the solution.
 """
 
-import itertools
-import math
-
 import numpy as np
 import pytest
 
@@ -105,24 +102,6 @@ def test_what_is_missing_is_listed_only_beside_what_is_found():
     lean = FOUND.q[0] + [0, 0.2, 0]
     assert "Missing" not in str(checks.compare_branches([lean], FOUND))
     assert "Missing" in str(checks.compare_branches([FOUND.q[0]], FOUND))
-
-
-def test_a_wrong_function_of_the_table_is_named_in_its_own_order_of_columns():
-    def late(dh, q):
-        """Slip 19, with rows (theta, d, a, alpha)."""
-        T, frames = np.eye(4), [np.eye(4)]
-        for (theta, d, a, alpha), x in zip(dh, q, strict=True):
-            c, s, ca, sa = (f(y) for y in (theta + x, alpha) for f in (math.cos, math.sin))
-            A = [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d]]
-            T = T @ np.array([*A, [0, 0, 0, 1]])
-            frames.append(T)
-        tip = T[:3, 3]
-        pairs = itertools.pairwise(frames)
-        return np.array([[*np.cross(F[:3, 2], tip - F[:3, 3]), *G[:3, 2]] for F, G in pairs]).T
-
-    report = checks.compare_jacobian(late, PANDA, BENT)
-    assert report.causes == ("J.z_i angular",), str(report)
-    assert "(theta, d, a, alpha)" in str(report)
 
 
 def test_a_table_without_heads_may_have_more_slides_than_turns():

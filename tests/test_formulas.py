@@ -82,21 +82,6 @@ def test_any_polynomial_stays_equal():
         assert short(poly).expand() == poly.expand()
 
 
-def test_every_printer_keeps_the_order():
-    x = short(symbolic.jacobian(UR10E_HOMEWORK)[2, 3])
-    assert str(x) == "-d_5*s_{2-3+4} + (d_6 + l_pen)*c_{2-3+4}*s_5"
-    assert sp.latex(x) == (r"- d_{5} s_{2-3+4} + \left(d_{6} + l_{pen}\right) c_{2-3+4} s_{5}")
-    assert (
-        sp.pycode(short(sp.sympify("2*b*a - 3*d_6*c_5*a_2")), order="none")
-        == "2*a*b - 3*a_2*d_6*c_5"
-    )
-    assert sp.latex(short(sp.sympify("-3*b*a*cos(q_1)/2"))) == r"- \frac{3 a b c_{1}}{2}"
-    assert sp.latex(short(sp.sympify("m*cos(q_1)*l/2 + a"))) == r"a + \frac{l m c_{1}}{2}"
-    assert sp.latex(short(sp.Matrix([symbolic.jacobian(ELBOW)[2, 1]]))) == (
-        r"\left[\begin{matrix}a_{2} c_{2} + a_{3} c_{23}\end{matrix}\right]"
-    )
-
-
 @pytest.mark.parametrize(
     ("given", "shown"),
     [

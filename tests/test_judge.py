@@ -65,13 +65,6 @@ def test_joint_angles_are_read_as_they_were_meant(name):
     assert report.headline.startswith("The joints take the tip of Elbow arm there.")
 
 
-@pytest.mark.parametrize("name", motion_pastes.IN_DEGREES)
-def test_joint_angles_in_degrees_are_read_as_they_were_meant(name):
-    typed = motion_pastes.IN_DEGREES[name]
-    report = checks.compare_pose(typed, ELBOW, motion_pastes.POINT, angles="deg")
-    assert report.headline.startswith("The joints take the tip of Elbow arm there.")
-
-
 @pytest.mark.parametrize("text", motion_pastes.UNREAD)
 def test_what_are_no_joint_angles_is_refused_in_words(text):
     with pytest.raises(ArmError) as refused:
