@@ -326,7 +326,7 @@ def test_another_mass_and_a_missing_moment_are_named():
 
 
 def test_links_that_are_taken_for_others_are_named():
-    masses = (7.778, 12.93, 3.87, 1.96, 1.96, 0.202)
+    masses = (7.1, 12.7, 4.27, 2.0, 2.0, 0.365)
     other = [Body(m, body.com) for m, body in zip(masses, UR10E.bodies, strict=True)]
     late = [Body(0, (0, 0, 0)), *UR10E.bodies[:-1]]
     for bodies, cause in ((other, "tau.robot:UR10"), (late, "tau.links moved")):

@@ -101,14 +101,14 @@ def _namesakes() -> tuple[tuple[str, dict[str, float]], ...]:
 
 def _robots(arm: Arm) -> Iterator[Data]:
     """The rows with the lengths of robots of nearly the arm's name, and without the pen; beside the
-    UR10e the masses (kg) of the UR10 as well."""
+    UR10e the masses (kg) of the UR10 as well, from the same table of the maker."""
     own = next(
         (name for name, lengths in _namesakes() if lengths.items() <= arm.values.items()), None
     )
     for name, lengths in _namesakes():
         if own and name != own:
             other = arm.with_values(**lengths)
-            masses = {"masses": (7.778, 12.93, 3.87, 1.96, 1.96, 0.202)} if own == "UR10e" else {}
+            masses = {"masses": (7.1, 12.7, 4.27, 2.0, 2.0, 0.365)} if own == "UR10e" else {}
             found = {"name": name, "rows": arm_data(other)["rows"], **masses}
             if arm.values.get("l_pen"):
                 found["penless"] = arm_data(other.with_values(l_pen=0))["rows"]
