@@ -7,8 +7,9 @@ import { ArmError } from "../sentences.js";
 
 const NO_HEAD = /^(?:[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*|[-+]?[0-9]{2,}.*)$/;
 
-// Whether every cell is a number without symbols.
-const numeric = (rows) => rows.every((row) => row.every((cell) => number(cell) !== null));
+// Whether there is something in each row, and every cell is a number without symbols.
+const numeric = (rows) =>
+  rows.every((row) => row.length > 0 && row.every((cell) => number(cell) !== null));
 
 // The rows without heads above them and labels before them.
 export function withoutHeader(rows) {
