@@ -65,6 +65,15 @@ def test_a_build_that_failed_fails_until_it_is_mended(project):
     assert builds.read_text("utf-8") == built, "what is up to date is not built again"
 
 
+def test_every_page_is_written_anew_where_what_writes_them_changed(project):
+    (project / "tools").mkdir()
+    for changed in ("book/page.md", "tools/pages.py", "book/page.md"):
+        (project / changed).write_text("more", "utf-8")
+        assert make(project, "book")[0] == 0
+    built = (project / "builds").read_text("utf-8").splitlines()
+    assert ["--all" in line for line in built] == [True, True, False]
+
+
 def test_the_link_to_the_book_can_be_opened(project):
     _, said = make(project, "book")
     assert (project / "book/_build/html/index.html").as_uri() in said.splitlines()
