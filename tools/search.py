@@ -19,6 +19,7 @@ from sphinx.environment import BuildEnvironment
 
 SCRIPT = "search-entries.js"
 PLAIN = re.compile(r"[\w+=.^-]{1,12}")  # a formula that can be read in a line of plain text
+LABEL = re.compile(r"\0(.+?)\0")  # a reference that is resolved when all pages have been read
 UNREAD = (
     *(nodes.raw, nodes.comment, nodes.image, nodes.literal_block, nodes.footnote, nodes.math_block),
     *(nodes.section, addnodes.desc),
@@ -31,6 +32,8 @@ def words(node: nodes.Node) -> Iterator[str]:
     their own are left out."""
     if isinstance(node, nodes.Text):
         yield node.astext()
+    elif node.get("reftype") == "ref" and not node["refexplicit"]:
+        yield f"\0{node['reftarget']}\0"
     elif isinstance(node, nodes.math):
         tex = node.astext()
         yield tex if PLAIN.fullmatch(tex) else "…"
@@ -88,8 +91,14 @@ def merge(_app: Sphinx, env: BuildEnvironment, pages: set[str], other: BuildEnvi
 def write(app: Sphinx, problem: Exception | None) -> None:
     if problem or not isinstance(app.builder, StandaloneHTMLBuilder):
         return
+    labels = app.env.get_domain("std").labels
+
+    def title(label: re.Match) -> str:
+        return labels[label[1]][2] if label[1] in labels else "…"
+
     found = [
         {"page": page, "of": app.env.titles[page].astext(), **each}
+        | {"text": LABEL.sub(title, each["text"])}
         for page, of_page in sorted(kept(app.env).items())
         for each in of_page
     ]

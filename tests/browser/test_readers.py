@@ -98,6 +98,7 @@ def test_forty_searches_find_their_section_first(browser):
             missed[typed] = found
     assert len(missed) <= len(SEARCHES) // 10, missed
     assert page.locator("#search-results mark").count() > 0
+    assert not page.evaluate(r"ENTRIES.filter(({ text }) => /\bsec-|\0/.test(text))"), "labels"
     assert reader.troubles == []
     reader.context.close()
 
