@@ -139,6 +139,7 @@ NAMED_Q = f"q = {Q.tolist()}"
         (f"{NAMED_Q}\ntau = {TAU.tolist()}", NAMED_Q, False),
         (f"tau =\n\n{TAU.tolist()}\n\nF = [0, 0, -20]", "F = [0, 0, -20]", False),
         (f"{TAU.tolist()} % or -99.5", "`-99.5`", False),
+        (f"{TAU.tolist()} % or 99.125 links", "`99.125`", False),
     ],
 )
 def test_what_else_is_given_is_set_aside_and_shown(text, left, agrees):

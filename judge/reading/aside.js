@@ -41,7 +41,7 @@ const COUNTS = new RegExp(
     String.raw`|solution|lösung|aufgabe|tabelle|eq|equation|joint|link` +
     String.raw`|axis|row|no|nr)\.?\s*#?\d{1,2}(?:\.\d)?(?![\d.]*\d)|(?:In|Out) ?\[\d*\]:` +
     String.raw`|\bround\(\d+\)|(?:answer|branch|case|set)\s*\d+(?=\s*[:.)])` +
-    String.raw`|\d+[- ]?(?:joints?|axes|dof|links?|digits|decimals|element)(?!\p{L})` +
+    String.raw`|(?<![\d.])\d+[- ]?(?:joints?|axes|dof|links?|digits|decimals|element)(?!\p{L})` +
     String.raw`|(?<![\d.])${DATE}`,
   "giu",
 );
