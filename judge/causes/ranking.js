@@ -1,5 +1,6 @@
 // Which mistakes explain an answer.
 
+import { minusEach } from "../geometry/linear.js";
 import { listed, lower, say, upper } from "../sentences.js";
 
 const SHARE = 0.6; // of the wrong entries that a single mistake must gain
@@ -88,7 +89,7 @@ function best(mine, { band, named }) {
   const found = named.filter(({ cost }) => cost === least);
   const causes = found.map(({ parts }) => parts.reduce(both));
   const [{ A }] = found;
-  const rest = mine.map((x, i) => x - A[i]);
+  const rest = minusEach(mine, A);
   return { causes, odd: rest.map((x, i) => !(Math.abs(x) <= band[i])), rest };
 }
 

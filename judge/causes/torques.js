@@ -4,6 +4,7 @@
 import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
 import { joints } from "../geometry/kinematics.js";
+import { minusEach } from "../geometry/linear.js";
 import { numbered, turning } from "../reading/numbers.js";
 import { both, cause } from "./ranking.js";
 import { listed, size } from "../sentences.js";
@@ -60,7 +61,7 @@ const weight = ({ at, gravity, ...load }, { masses = load.masses, centres = load
 const force = ({ at, wrenches }, change = (F, _T) => F) =>
   at.map(({ J, T }, i) => chains.through(J, change(wrenches[i], T.at(-1))));
 
-const less = (p, q) => p.map((row, i) => row.map((x, k) => x - q[i][k]));
+const less = (p, q) => p.map((row, i) => minusEach(row, q[i]));
 const times = (factor, p) => p.map((row) => row.map((x) => factor * x));
 
 export const torques = (load) => less(weight(load), force(load));

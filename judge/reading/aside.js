@@ -5,6 +5,7 @@ import { ArmError, say, shown } from "../sentences.js";
 import { plain } from "./formula.js";
 import { headOf } from "./heads.js";
 import { withoutOthers } from "./parts.js";
+import { PROMPT } from "./surroundings.js";
 import { lines } from "./text.js";
 
 // Words that stand in answers themselves, in heads and labels, formulas and programs.
@@ -19,7 +20,7 @@ const OWN = new Set(
 const COMMENT = /^\s*(?:%|#(?![A-Z]+[/!?])|\/\/)/;
 // Prompts and rules, and what pandas, R and Julia print around a matrix.
 const EMPTY = new RegExp(
-  String.raw`^\s*(?:>>>?|(?:In|Out) ?\[\d*\]:|--|[-–—_=*]{1,80}|(?:Name: \w+, )?dtype: \w+` +
+  String.raw`^\s*(?:${PROMPT}|--|[-–—_=*]{1,80}|(?:Name: \w+, )?dtype: \w+` +
     String.raw`|(?:\[,\d+\]\s*)+|\d+[×x]\d+ (?:Matrix|Array)\{.*\}:)?\s*$`,
 );
 const UNIT = String.raw`(?:N\s*[·*⋅.]?\s*mm?|mm?|cm|rad(?:ians?)?|deg(?:rees?)?|°|SI(?: units?)?)`;
@@ -88,13 +89,13 @@ const isHeading = (line) =>
  */
 export function setAside(text, asked = null) {
   const { text: own, others } = asked ? withoutOthers(text, asked, isAside) : { text, others: [] };
-  const { text: within, left } = bare(own);
+  const { text: within, left } = withoutAsides(own);
   const told = [...others, ...left].map((line) => line.trim());
   return { text: within, left: told.filter((line) => !EMPTY.test(line)) };
 }
 
 // A text without the lines around its numbers, and those lines.
-function bare(text) {
+function withoutAsides(text) {
   const all = lines(text);
   const kept = all.map((line) => !isAside(line));
   const [first, last] = [kept.indexOf(true), kept.lastIndexOf(true)];

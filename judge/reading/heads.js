@@ -4,7 +4,6 @@ import { isFunction, number, parse, plain } from "./formula.js";
 import { ArmError } from "../sentences.js";
 
 // What looks like a number, also one that is not finished: "1,5", "≈ 3", "12.5.1".
-
 const NO_HEAD = /^(?:[≈~]? ?[-+]?[.,0-9][-+.,%0-9 eEdD]*|[-+]?[0-9]{2,}.*)$/;
 
 // Whether there is something in each row, and every cell is a number without symbols.

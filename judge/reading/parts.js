@@ -1,10 +1,11 @@
 // A text of several things with names, q = ..., tau = ... and det(J) = ..., one below another.
 
+import { PROMPT } from "./surroundings.js";
 import { lines } from "./text.js";
 
 // The name that a line begins with, behind a prompt or LaTeX's signs; |J| and det(J) are names too.
 const NAMED = new RegExp(
-  String.raw`^\s*(?:>>>?|(?:In|Out) ?\[\d*\]:)?(?:\\\[|[\s$])*` +
+  String.raw`^\s*${PROMPT}?(?:\\\[|[\s$])*` +
     String.raw`(\|?\\?\p{L}[\p{L}\p{N}_{}]*)\s*\|?\s*(?:\([^()]*\))?\^?[T']?\s*:?=(?!=)`,
   "u",
 );

@@ -5,18 +5,18 @@ import { ArmError, shown } from "../sentences.js";
 const ANONYMOUS = /@\([^()]*\)\s*|\blambda\s[^:\n]*:\s*/g; // MATLAB's and Python's functions
 const COUNTED = /^[ \t]*\[\d+,\][ \t]*/gm; // R's rows
 const FENCE = /(?<![^\n])[ \t]*```[^\n\r]*/g;
-const PROMPT = String.raw`(?<![^\n])[ \t]*(?:>>>?|(?:In|Out) ?\[[0-9]*\]:)[ \t]*`;
+export const PROMPT = String.raw`(?:>>>?|(?:In|Out) ?\[\d*\]:)`;
+const BEGUN = String.raw`(?<![^\n])[ \t]*${PROMPT}[ \t]*`;
 
 const ASKED = new RegExp(
-  PROMPT +
+  BEGUN +
     String.raw`(?:[A-Za-z_][A-Za-z0-9_]*|(?:print|disp|display)\([A-Za-z0-9_]*\))[ \t]*(?![^\n\r])`,
   "g",
 );
 
-const PROMPTED = new RegExp(PROMPT, "g");
+const PROMPTED = new RegExp(BEGUN, "g");
 const COMMENT = /((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*(?:%|#(?![A-Z]+[/!?]))[^\n\r]*/g;
 const REMARK = /(?<=[0-9.)])[ \t]+[#%][ \t]*[A-Za-z][^\n\r]*/g; // 50 % 20 % is none
-
 const SIGN = /^[ \t\r\n]*=[ \t]*(?=[[({])/; // of a spreadsheet's array
 
 const FACTOR = new RegExp(

@@ -21,6 +21,7 @@ import {
 } from "../digits.js";
 import * as chains from "../geometry/chains.js";
 import { norm } from "../geometry/kinematics.js";
+import { minusEach } from "../geometry/linear.js";
 import { rowsOfColumns } from "../reading/matrix_columns.js";
 import { lookup, numbered, numbers, pose, turning } from "../reading/numbers.js";
 import { ArmError, listed, lower, say, tuple } from "../sentences.js";
@@ -176,7 +177,7 @@ const slop = (arm, { units, values }, frame) =>
 
 // A word on the mistakes that this pose does not show.
 function hidden({ right, causes, made }) {
-  const effect = made.map((J) => largest(J.map((x, i) => x - right[i])));
+  const effect = made.map((J) => largest(minusEach(J, right)));
   const method = causes.map(
     ({ keys: [key] }) => key.startsWith("J.") && key !== "J.columns exchanged",
   );

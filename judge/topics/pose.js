@@ -1,7 +1,15 @@
 // Do these joint angles reach that pose?
 
 import { answering, reportOf } from "../report.js";
-import { cross, dot, jacobianColumns, linkFrames, matrix } from "../geometry/kinematics.js";
+import {
+  cross,
+  dot,
+  jacobianColumns,
+  linkFrames,
+  matrix,
+  minus,
+  norm,
+} from "../geometry/kinematics.js";
 import { millimetres, turnOf } from "../causes/branches.js";
 import { turnBetween, answers } from "./branches_matching.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
@@ -102,13 +110,11 @@ const reported = (...told) => reportOf("pose", ...told);
 /** @returns {[number, number]} */
 function missOf(here, { values, pose }) {
   const o = pose ? values.map((row) => row[3]) : values[0];
-  const away = length(here.o.map((x, i) => x - o[i]));
+  const away = norm(minus(here.o, o));
   if (!pose) return [away, 0];
   const [x, y, z] = [0, 1, 2].map((k) => values.map((row) => row[k]));
   return [away, dot(cross(x, y), z) > 0 ? turnBetween(here, { x, y, z, o }) : Math.PI];
 }
-
-const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 
 /** @returns {[number, number]} */
 function marginsOf(q, arm, T, share, tolerance) {
@@ -121,8 +127,8 @@ function marginsOf(q, arm, T, share, tolerance) {
   const unit = Math.max(...T.units.flatMap((row) => row.slice(0, 3)));
   const turn = T.pose ? 2 * share * Math.min(unit, ROUGH) : 0;
   return [
-    EXACT + (length([0, 1, 2].map(spread)) + share * length(last)),
-    EXACT + length([3, 4, 5].map(spread)) + turn,
+    EXACT + (norm([0, 1, 2].map(spread)) + share * norm(last)),
+    EXACT + norm([3, 4, 5].map(spread)) + turn,
   ];
 }
 

@@ -6,7 +6,7 @@ import { explaining, remaining, tries } from "../causes/table_search.js";
 import { RIGHT, ROUNDED, SO_FAR, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { angleBetween, compared, placesBase, side } from "../geometry/axes.js";
-import { linkFrames, norm } from "../geometry/kinematics.js";
+import { linkFrames, minus, norm } from "../geometry/kinematics.js";
 import { turnBetween } from "./branches_matching.js";
 import { equations, jointMap } from "../geometry/joint_map.js";
 import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
@@ -272,7 +272,7 @@ function same(grade, table, reference, [mine, ref], found) {
 function otherZeros(table, rows, reference) {
   const at = (arm) => linkFrames(arm, reference.home).at(-1);
   const [mine, ref] = [at({ ...reference, rows }), at(reference)];
-  const away = norm(mine.o.map((x, i) => x - ref.o[i]));
+  const away = norm(minus(mine.o, ref.o));
   const turn = turnBetween(mine, ref) * DEG;
   if (away < SEEN && turn < 1) return null;
   const place = ({ o }) => `(${o.map((x) => size(rounded(x, 4) + 0, 4)).join(", ")})`;

@@ -28,6 +28,7 @@ import {
 } from "../digits.js";
 import { transposed } from "../geometry/chains.js";
 import { joints } from "../geometry/kinematics.js";
+import { minusEach } from "../geometry/linear.js";
 import {
   eachJoint,
   inRadians,
@@ -226,7 +227,7 @@ const column = (list, k, dof) => list.filter((_, i) => i % dof === k);
 function jointFindings(mine, right, m, arm) {
   const dof = joints(arm).length;
   const wrong = beyond(mine, right, m);
-  const away = mine.map((x, i) => x - right[i]);
+  const away = minusEach(mine, right);
   return numbered(arm).flatMap((_, k) => {
     if (!column(wrong, k, dof).includes(true)) return [];
     const [x, y, band] = [mine, right, m.band].map((list) => column(list, k, dof));
