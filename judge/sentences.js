@@ -34,6 +34,7 @@ export const upper = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 export const lower = (text) =>
   /^.(\p{Lu}|_)/su.test(text) ? text : text.slice(0, 1).toLowerCase() + text.slice(1);
 
+const MOST = 75; // characters of a text that is quoted
 const LONG = 9e6; // from here on numbers are told by a power of ten
 
 // A number to so many significant digits, as C's %g, but for whole ones of up to seven places.
@@ -75,23 +76,16 @@ export function spelled(x) {
       : String(x);
 }
 
-// A text as Python's repr shows it, cut where it is long.
+// A text in a sentence, in quotes and one line, cut where it is long.
 export function shown(text) {
-  const mark = text.includes("'") && !text.includes('"') ? '"' : "'";
-  const escapes = { "\n": "\\n", "\r": "\\r", "\t": "\\t", "\\": "\\\\", [mark]: `\\${mark}` };
-  const inner = [...text].map((sign) => escapes[sign] ?? escaped(sign)).join("");
-  const signs = [...`${mark}${inner}${mark}`];
-  return signs.length <= 80 ? signs.join("") : `${signs.slice(0, 77).join("")}...`;
+  const line = [...text.replace(/[\p{C}\s]+/gu, " ").trim()];
+  const mark = line.includes("'") && !line.includes('"') ? '"' : "'";
+  const cut = line.length > MOST ? [...line.slice(0, MOST), "..."] : line;
+  return `${mark}${cut.join("")}${mark}`;
 }
 
-function escaped(sign) {
-  const code = sign.codePointAt(0);
-  if (!/[\p{C}\p{Z}]/u.test(sign) || sign === " ") return sign;
-  if (code < 0x100) return `\\x${code.toString(16).padStart(2, "0")}`;
-  return code < 0x10000
-    ? `\\u${code.toString(16).padStart(4, "0")}`
-    : `\\U${code.toString(16).padStart(8, "0")}`;
-}
-
-// A shape as Python shows a tuple.
-export const tuple = (shape) => (shape.length === 1 ? `(${shape[0]},)` : `(${shape.join(", ")})`);
+// How many numbers there are, as rows and columns where they have some.
+export const counted = (shape) => {
+  const all = shape.filter((n) => n !== 1).join("x") || "1";
+  return `${all} ${all === "1" ? "value" : "values"}`;
+};

@@ -205,7 +205,9 @@ CALLED = {
     "checks.compare_jacobian mine": "your Jacobian",
     "checks.compare_torques mine": "your torques",
     "checks.compare_trace mine": "your joints",
-    "checks.compare_branches mine": "q ",
+    "checks.compare_branches mine": "your answer",
+    "checks.compare_pose q": "your answer",
+    "checks.compare_pose T": "the target",
     "explorer.ArmExplorer trace": "q ",
     "explorer.ArmExplorer reference": "arm is",
 }
@@ -218,7 +220,7 @@ ANY_LENGTH = {"inverse.follow start", "explorer.ArmExplorer q", "explorer.ArmExp
 ONE = {
     *("motion.trace start", "motion.circle_below start", "motion.self_motion start"),
     *("motion.self_motion direction", "motion.self_motion_directions q"),
-    *("checks.compare_jacobian q", "plotting.arm_2d q"),
+    "plotting.arm_2d q",
 }
 
 # Numbers just out of an argument's range; the message is the same.
@@ -401,6 +403,7 @@ CLAIMS = {
     r"\b(two|three|six) finite": lambda x, n: len(x) == dict(two=2, three=3, six=6)[n],
     r"^(?:one pose, )?\((?:[^()]*, )?(\d+),?\)": lambda x, last: np.shape(x)[-1] == int(last),
     r"^one pose, (\(\d,\))": lambda x, shape: str(np.shape(x)) == shape,
+    r"one value for each of (q_\d+(?:, q_\d+)*)": lambda x, q: np.shape(x)[-1] == q.count("q_"),
     r"((?<!in)finite|one value for)": lambda x, _: np.abs(np.array(x, float)).max() < 1e100,
 }
 

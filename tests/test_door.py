@@ -188,17 +188,15 @@ def test_one_joint_vector(q, angles, values, units):
     assert typed["units"] == pytest.approx(units)
 
 
-@pytest.mark.parametrize(
-    ("q", "shape"), [([1, 2], "(2,)"), ([[1, 2, 3]], "(1, 3)"), ("1 2 3 4", "(4,)")]
-)
+@pytest.mark.parametrize(("q", "count"), [([1, 2], 2), (np.ones((2, 3)), "2x3"), ("1 2 3 4", 4)])
 @pytest.mark.parametrize("angles", ["rad", "deg"])
-def test_what_is_no_joint_vector_is_refused_by_its_shape(q, shape, angles):
+def test_what_is_no_joint_vector_is_refused_by_its_count(q, count, angles):
     with pytest.raises(ArmError) as refused:
         joints(q, angles)
-    assert f"q has shape {shape}" in str(refused.value)
+    assert f"q has {count} values" in str(refused.value)
     with pytest.raises(ArmError, match="sled: q is None; expected one value for each of q_1"):
         joints([None])
-    with pytest.raises(ArmError, match="expected one pose"):
+    with pytest.raises(ArmError, match="q has 1 value; expected one value"):
         joints(1, angles)
 
 
@@ -379,10 +377,10 @@ def test_a_matrix_may_come_in_a_stack_of_one_and_in_one_line():
     assert compare_jacobian(J.ravel()[None][None], ELBOW, Q3).agrees
     one = Arm("one", [revolute(a=0.3)])
     assert compare_jacobian(jacobian(one, [0.5]).round(4)[None], one, [0.5]).agrees
-    for mine, shape in ((J.ravel(), "(18,)"), (np.array([J, J]), "(2, 6, 3)")):
+    for mine, count in ((J.ravel(), "18"), (np.array([J, J]), "2x6x3")):
         with pytest.raises(ArmError) as refused:
             compare_jacobian(mine, ELBOW, Q3)
-        assert f"has shape {shape}; expected a matrix" in str(refused.value)
+        assert f"has {count} values; expected a matrix" in str(refused.value)
 
 
 def test_what_is_no_matrix_of_the_arm_is_quoted_by_its_shape():
@@ -393,7 +391,7 @@ def test_what_is_no_matrix_of_the_arm_is_quoted_by_its_shape():
 
 
 def test_numbers_need_a_pose_and_formulas_none():
-    with pytest.raises(ArmError, match="say which: compare_jacobian"):
+    with pytest.raises(ArmError, match="expected its q too"):
         compare_jacobian(jacobian(ELBOW, Q3), ELBOW)
     report = compare_jacobian(lambda q: jacobian(ELBOW, q), ELBOW)
     assert report.agrees

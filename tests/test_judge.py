@@ -1,6 +1,8 @@
 """What people paste, through the judge's two doors: Python's, and the page's under Node.js."""
 
+import json
 import random
+import re
 from functools import partial
 
 import numpy as np
@@ -17,6 +19,7 @@ from helpers.robots import ELBOW, PANDA, STANFORD
 from tests import motion_pastes, table_pastes
 from tests.node import ask_node, needs_node
 from tests.pastes import MATRICES, PROGRAMS, lines
+from tests.test_book import ROOT
 
 Q = [0.5, 0.7, -0.4]
 # The elbow arm's Jacobian at Q by hand: c_1, s_1 of 0.5; r = 0.4 cos 0.7 + 0.3 cos 0.3, and so on.
@@ -212,3 +215,34 @@ def test_the_examples_name_their_mistakes():
         ["ik.offset:q_4"],
         ["trace.backwards"],
     ]
+
+
+# What only a reader of Python knows: shapes, keywords, names and values. Not what is quoted or put
+# in, and a print from NumPy is told about to who has one.
+PYTHON = re.compile(
+    r"shape \(|\(\d+,\)|\(\d, \d\)|\.\.\., |\w=[^ ]|\b(np\.|report\.|arm\.|robots\.|lambda|dof|None"
+    r"|True|False|dtype|tuple|array|argument|Body|numpy|\w+Error|compare_\w+|angular_first)\b"
+)
+QUOTED = re.compile(r"""'[^']*'|"[^"]*"|“[^”]*”|\{\w+\}|\(NumPy.*\)""")
+TYPED = ("answer", "q", "target", "table", "values", "wrench", "steps", "radius")
+COUNTS = ["5", "1 2", "1 2 3 4", "[1 2; 3 4]", "[1, 2, 3], [4, 5, 6]", "0.1 ... 3", "± 1 2"]
+
+
+def test_no_sentence_that_the_page_may_say_speaks_python():
+    """All but those that Python's own doors say."""
+    keys = json.loads((ROOT / "judge" / "sentences.json").read_text("utf-8"))
+    doors = "".join(file.read_text("utf-8") for file in (ROOT / "helpers/checks").glob("*.py"))
+    told = {key: words for key, words in keys.items() if f'say("{key}"' not in doors}
+    assert len(told) > 0.9 * len(keys)
+    assert {k: w for k, w in told.items() if PYTHON.search(QUOTED.sub("", w))} == {}
+
+
+@needs_node
+def test_nothing_that_the_page_says_of_bad_input_speaks_python():
+    asked = [*judge.EXAMPLES, judge.traced(), {**BY_LINK[8], "ask": "torques"}, *BY_LINK[7:9]]
+    asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # of which there is no formula
+    bad = [{**one, field: text} for one in asked
+           for field in TYPED if field in one for text in [*REFUSED, *COUNTS]]  # fmt: skip
+    for fields, said in zip(bad, in_page(bad), strict=True):
+        words = said.get("error") or said["words"]
+        assert not PYTHON.search(QUOTED.sub("", words)), (fields, words)

@@ -294,11 +294,11 @@ BESIDE = "beside the matrix stands {}; expected entries that hold it"
     [
         ("Columns 1 through 2", "the text is empty; expected rows of numbers or formulas"),
         (BLOCKS, "the blocks of columns have 1, 3 rows; expected as many in each"),
-        (rf"J = \frac{{1}}{{2}} {MATRIX}", BESIDE.format(r"'J = \\frac{1}{2}'")),
+        (rf"J = \frac{{1}}{{2}} {MATRIX}", BESIDE.format(r"'J = \frac{1}{2}'")),
         (rf"-{MATRIX}", BESIDE.format("'-'")),
         ("J = 1e-3 * [1 2\n3 4]", BESIDE.format("'1e-3 *'")),
         (rf"J = a_{{2}} {MATRIX}", BESIDE.format("'J = a_{2}'")),
-        (rf"{MATRIX} \cdot 10^{{-3}}", BESIDE.format(r"'\\cdot 10^{-3}'")),
+        (rf"{MATRIX} \cdot 10^{{-3}}", BESIDE.format(r"'\cdot 10^{-3}'")),
         (rf"${MATRIX}^T$", BESIDE.format("'^T'")),
         (f"2({MATRIX})", BESIDE.format("'2('")),
         ("[1 2; 3 4]'", BESIDE.format('"\'"')),

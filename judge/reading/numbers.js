@@ -6,7 +6,7 @@ import { units } from "../digits.js";
 import { isNumber, parse, plain, symbols, value } from "./formula.js";
 import { cells } from "./grid.js";
 import { withoutHeader } from "./heads.js";
-import { ArmError, listed, say, spelled, tuple } from "../sentences.js";
+import { ArmError, counted, listed, say, spelled } from "../sentences.js";
 
 const JOINT = /^(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})$/;
 const SHORT = /^([cs])((?:[+-]?\d)+)$/i;
@@ -172,23 +172,20 @@ function ofCell(cell) {
 const unitsOf = (entries) =>
   units(entries.map(({ text }) => text)).map((u, i) => u * entries[i].worth);
 
-export const eachJoint = (arm) => `one value for each of ${variables(arm).join(", ")}`;
+export const eachJoint = (arm) => say("each joint", { joints: variables(arm).join(", ") });
 
 // One joint vector, with its units.
 export function pose(q, arm, angles = "rad") {
   const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
-  const column = typed.shape.length === 2 && typed.shape[1] === 1;
-  const flat = column || typeof q === "string" ? [typed.values.length] : typed.shape;
-  const dof = joints(arm).length;
-  if (flat.length !== 1 || flat[0] !== dof)
-    throw new ArmError(poseFault(arm, flat, `one pose, (${dof},)`));
+  if (typed.values.length !== joints(arm).length)
+    throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
   return inRadians(typed, arm, angles);
 }
 
-export function poseFault(arm, shape, wanted) {
-  const given = tuple(shape);
-  const out = tooMany(arm, shape.at(-1));
-  return `${arm.name}: q has shape ${given}; expected ${wanted}, ${eachJoint(arm)}${out}`;
+// An error where values are too few or too many.
+export function notPerJoint(what, arm, shape) {
+  const words = say("pose shape", { what, given: counted(shape), wanted: eachJoint(arm) });
+  return new ArmError(words + tooMany(arm, shape.at(-1)));
 }
 
 // A list of numbers as rows.
@@ -196,7 +193,7 @@ export const rowsOf = (flat, width) =>
   Array.from({ length: flat.length / width }, (_, i) => flat.slice(i * width, (i + 1) * width));
 
 // A word on joints that are locked, where so many values were given that these have some too.
-export function tooMany(arm, width) {
+function tooMany(arm, width) {
   const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [`q_${i + 1}`] : []));
   return locked.length && width === arm.rows.length
     ? say("leave out", { joints: listed(locked) })

@@ -5,8 +5,15 @@ import { transposed } from "../geometry/chains.js";
 import { rint } from "../geometry/planar.js";
 import { jacobianColumns, joints, linkFrames, matrix } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
-import { numbers, inRadians, tooMany, turning, unnamed } from "../reading/numbers.js";
-import { ArmError, say } from "../sentences.js";
+import {
+  eachJoint,
+  inRadians,
+  notPerJoint,
+  numbers,
+  turning,
+  unnamed,
+} from "../reading/numbers.js";
+import { say } from "../sentences.js";
 
 /** @typedef {import("./branches.js").Answer} Answer */
 
@@ -25,17 +32,13 @@ const BY_HAND = 0.0301; // rad or m: the most that rounding on the way is allowe
  */
 export function answers(mine, arm, angles, byColumns = false) {
   const dof = joints(arm).length;
-  const wanted = `joint vectors (answers, ${dof})`;
-  const typed = numbers(unnamed(mine), `${arm.name}: q`, undefined, wanted);
+  const what = `${arm.name}: your answer`;
+  const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm));
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = shapeOf(typed, dof);
   const lies = shape.length === 2 && shape[0] === dof && (byColumns || shape[1] !== dof);
   const [count, width] = lies ? [shape[1], shape[0]] : shape;
-  if (shape.length !== 2 || width !== dof)
-    throw new ArmError(
-      say("answers shape", { arm: arm.name, shape: typed.shape.join("x"), dof }) +
-        tooMany(arm, shape.at(-1)),
-    );
+  if (shape.length !== 2 || width !== dof) throw notPerJoint(what, arm, typed.shape);
   const upright = (list) => (lies ? transposed(list, shape) : list);
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(upright);
   const flat = inRadians({ values, units, entries }, arm, angles);

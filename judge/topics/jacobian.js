@@ -24,7 +24,7 @@ import { norm } from "../geometry/kinematics.js";
 import { minusEach } from "../geometry/linear.js";
 import { rowsOfColumns } from "../reading/matrix_columns.js";
 import { lookup, numbered, numbers, pose, turning } from "../reading/numbers.js";
-import { ArmError, listed, lower, say, tuple } from "../sentences.js";
+import { ArmError, counted, listed, lower, say } from "../sentences.js";
 
 /**
  * The report on a Jacobian, a text or nested numbers, of an arm's tip at q.
@@ -60,7 +60,7 @@ function matrix(mine, what, known, dof, { generic = false, computed = false }) {
   const one = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
   const shape = one < 0 ? read.shape : read.shape.filter((_, i) => i !== one);
   const typed = { ...read, shape, symbolic: read.symbolic || computed };
-  if (shape.length !== 2) throw new ArmError(say("no matrix", { what, shape: tuple(shape) }));
+  if (shape.length !== 2) throw new ArmError(say("no matrix", { what, given: counted(shape) }));
   const flat = values.length === 6 * dof && values.length === Math.max(...shape);
   return flat ? { ...typed, shape: [6, dof] } : typed;
 }

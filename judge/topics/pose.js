@@ -15,7 +15,7 @@ import { turnBetween, answers } from "./branches_matching.js";
 import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { JOINT_NAMES, lookup, numbers, numbered, turning } from "../reading/numbers.js";
 import { cause, nameOf, several } from "../causes/ranking.js";
-import { ArmError, listed, lower, say } from "../sentences.js";
+import { ArmError, counted, listed, lower, say } from "../sentences.js";
 import { choices, double, scale, scales, single, variable, whole } from "../causes/joints.js";
 
 const EXACT = 1e-6; // m or rad
@@ -23,7 +23,7 @@ const FAR = 10; // margins: what is missed by less may be several joints, each a
 // the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
 const ROUGH = 0.1;
 const COARSE = 2e-3; // rad or m: angles with fewer decimals are taken as meant, unless that fails
-const SHAPES = ["4x4", "3x4", "3"];
+export const SHAPES = ["4x4", "3x4", "3"]; // of a target: poses, and a point
 
 /** @typedef {import("./branches.js").Answer} Answer */
 /**
@@ -44,9 +44,12 @@ function poseCompared(q, arm, T, options = {}) {
   if (given.length !== 1)
     throw new ArmError(say("one answer", { arm: arm.name, count: given.length }));
   const { known } = lookup(arm, given[0].values);
-  const target = numbers(T, `${arm.name}: T`, known, "a pose (4, 4) or a point (3,)");
-  const shape = target.shape.filter((n) => n !== 1).join("x");
-  if (!SHAPES.includes(shape)) throw new ArmError(say("pose shape", { arm: arm.name, shape }));
+  const [what, wanted] = [`${arm.name}: the target`, say("a point or a pose")];
+  const target = numbers(T, what, known, wanted);
+  const sizes = target.shape.filter((n) => n !== 1);
+  const shape = sizes.join("x");
+  if (!SHAPES.includes(shape))
+    throw new ArmError(say("pose shape", { what, given: counted(sizes), wanted }));
   const units = target.symbolic ? given[0].units.map(() => 0) : given[0].units;
   return {
     ...judged({ ...given[0], units }, arm, targetOf(target, shape), tolerance, taken),

@@ -34,7 +34,7 @@ import {
   inRadians,
   numbered,
   numbers,
-  poseFault,
+  notPerJoint,
   rowsOf,
   turning,
   unnamed,
@@ -55,11 +55,8 @@ export const compareTorques = answering(torquesCompared, /^\\?(?:tau|τ|torque)/
 function torquesCompared(mine, arm, q, options = {}) {
   const { tolerance = null, briefly = false } = options;
   const at = poses(q, arm, options.angles);
-  if (!arm.rows.every((row) => row.body)) {
-    throw new ArmError(
-      `${arm.name} has no masses; give bodies, one Body for each of its ${arm.rows.length} rows`,
-    );
-  }
+  if (!arm.rows.every((row) => row.body))
+    throw new ArmError(say("no masses", { arm: arm.name, rows: arm.rows.length }));
   const dof = joints(arm).length;
   const load = loaded(arm, rowsOf(at.values, dof), options);
   if (load.q.length > at.values.length / dof) at.units = load.q.flatMap(() => at.units);
@@ -84,7 +81,7 @@ export function poses(q, arm, angles) {
   const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
   let { shape } = typed;
   if (shape.length === 2 && shape[0] === 1) shape = shape.slice(1);
-  if (shape.at(-1) !== dof) throw new ArmError(poseFault(arm, shape, `(..., ${dof})`));
+  if (shape.at(-1) !== dof) throw notPerJoint(`${arm.name}: q`, arm, shape);
   return inRadians(typed, arm, angles);
 }
 

@@ -5,9 +5,9 @@ import { compareBranches } from "../../../../judge/topics/branches.js";
 import { numbers, pose } from "../../../../judge/reading/numbers.js";
 import { asksPose, formOf } from "../../../../judge/geometry/inverse.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
-import { comparePose } from "../../../../judge/topics/pose.js";
+import { comparePose, SHAPES } from "../../../../judge/topics/pose.js";
 import { readers, register } from "../checkers.js";
-import { ArmError } from "../../../../judge/sentences.js";
+import { ArmError, counted, say } from "../../../../judge/sentences.js";
 import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
 
 /** @typedef {import("../question.js").Question} Question */
@@ -43,19 +43,20 @@ function formFor(arm) {
   if (form) return form;
   throw new ArmError(
     `${arm.name}: there is no formula for all of its branches here; ` +
-      "ask for one joint vector at a pose",
+      "ask “Joint angles for one pose” instead",
   );
 }
 
 // The target as inverse kinematics take it: three coordinates, or the four rows of a pose.
 /** @param {Question} question @returns {any[]} */
 function rowsOf(question, arm, form) {
-  const { values, shape } = numbers(targetOf(question), `${arm.name}: the target`);
-  const found = shape.filter((n) => n !== 1).join("x");
-  const wanted = asksPose(form) ? ["4x4", "3x4"] : ["3", "4x4", "3x4"];
-  if (!wanted.includes(found)) {
-    const words = asksPose(form) ? "a pose (4, 4)" : "a point (3,)";
-    throw new ArmError(`${arm.name}: the target has shape ${found || "1"}; expected ${words}`);
+  const what = `${arm.name}: the target`;
+  const { values, shape } = numbers(targetOf(question), what);
+  const sizes = shape.filter((n) => n !== 1);
+  const found = sizes.join("x");
+  if (!SHAPES.slice(0, asksPose(form) ? 2 : 3).includes(found)) {
+    const wanted = say(asksPose(form) ? "a pose" : "a point or a pose");
+    throw new ArmError(say("pose shape", { what, given: counted(sizes), wanted }));
   }
   const rows = [0, 1, 2].map((i) => values.slice(4 * i, 4 * i + 4));
   if (asksPose(form)) return [...exact(rows), [0, 0, 0, 1]];
