@@ -23,13 +23,14 @@ const BY_CAUSE = {
   "table.centimetres": () => ({ field: "lengths", value: "cm" }),
 };
 
-// What the causes of a report advise: nothing where it is set already, or where two mistakes were
-// made.
+// What the causes of a report advise, each of two mistakes for itself: nothing where it is set
+// already.
 /** @returns {Advice[]} */
 export function adviceOn(causes, options) {
-  const found = causes.map((name) => {
+  const names = new Set(causes.flatMap((name) => name.split(" + ")));
+  const found = [...names].map((name) => {
     const [key, place] = name.split(":");
-    return name.includes(" + ") ? undefined : BY_CAUSE[key]?.(place, options);
+    return BY_CAUSE[key]?.(place, options);
   });
   return found.filter((one) => one && options[one.field] !== one.value);
 }

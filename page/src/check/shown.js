@@ -190,7 +190,7 @@ export function tell(box, { report, error }, { example, buttons }) {
   const lines = linesOf(report).filter((line) => !report.headline.endsWith(line.slice(1)));
   const items = lines.map((line) => h("li", {}, typeset(line)));
   const list = items.length ? [h("ul", {}, items)] : [];
-  const mark = h("span", { "aria-hidden": "true" }, `${MARKS[report.mark ?? report.grade]} `);
+  const mark = h("span.mark", { "aria-hidden": "true" }, `${MARKS[report.mark ?? report.grade]} `);
   const headline = h("p.headline", {}, mark, typeset(report.headline));
   return box.replaceChildren(...note, headline, ...list, ...offer);
 }
