@@ -244,6 +244,11 @@ GRIDS = [
     (r"\begin{array}{cc}\hline1&2\\\hline\theta&4\cr5&6\end{array}", ["1|2", r"\theta|4", "5|6"]),
     ("[(0.5,), (0.7,)]", ["0.5", "0.7"]),
     ("0.1|0.2|0.3", ["0.1|0.2|0.3"]),
+    ('"1" | "2"', ["1|2"]),
+    ("np.array(((1, 2), (3, 4)), dtype=float)", ["1|2", "3|4"]),
+    ("=-1,=.2\n=3,=4", ["-1|.2", "3|4"]),
+    ("=-1\u00a0=2", ["-1|2"]),
+    ("0.5\t=-1", ["0.5|-1"]),
     ("a\t1\n\t2\n3", ["a|1", "|2", "3"]),
     ("[0.4 * 0.5 90 deg θ_1* * 2]", ["0.4 * 0.5|90 deg|θ_1* * 2"]),
     (" Columns 1 through 2\n\n 1 2\n 3 4\n\n Column 3\n\n 5\n 6\n", ["1|2|5", "3|4|6"]),
@@ -282,6 +287,12 @@ GRIDS = [
 @pytest.mark.parametrize(("text", "rows"), GRIDS, ids=range(len(GRIDS)))
 def test_a_text_is_cut_into_its_cells(text, rows):
     assert reading.cells(text) == [row.split("|") for row in rows]
+
+
+def test_a_letter_in_a_number_is_named():
+    for text, piece in (("-0.3o39 * q_1", "0.3o39"), ("9O", "9O")):
+        with pytest.raises(ArmError, match=f"in '{piece}' stands a letter o; expected the digit 0"):
+            Arm.from_table([[text, "q1", 0.5, 0.1]], **ORDER)
 
 
 BLOCKS = " Columns 1 through 2\n\n 1 2\n 3 4\n 5 6\n\n Column 3\n\n 7\n"

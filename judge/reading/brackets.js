@@ -9,7 +9,7 @@ const TAKEN = /^\s*\)*\s*(?:[-+*/^']|\.[*/^'T])/; // what changes the matrix bef
 export const deeper = (sign) => ("[({".includes(sign) ? 1 : "])}".includes(sign) ? -1 : 0);
 
 // Where the bracket that a text begins with is closed, -1 where it is not.
-function endOf(text) {
+export function endOf(text) {
   let depth = 0;
   for (let k = 0; k < text.length; k++) {
     depth += deeper(text[k]);

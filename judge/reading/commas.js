@@ -37,12 +37,10 @@ export function pointedRows(rows) {
   return found;
 }
 
-// A cell with a decimal comma written with a point, and without a spreadsheet's quotes or sign of
-// equality.
+// A cell with a decimal comma written with a point, and without a spreadsheet's quotes.
 function pointed(cell) {
   const inner = cell.trim();
   if (inner[0] === '"' && inner.at(-1) === '"') cell = inner.slice(1, -1);
-  cell = cell.replace(/^[ \t]*=/, "");
   if (/^\s*[-+−]?,[0-9]+\s*$/.test(cell)) return cell.replace(",", ".");
   if (THOUSANDS.test(cell.trim())) return cell.replaceAll(",", "");
   if (DOTTED_THOUSANDS.test(cell.trim())) return cell.replaceAll(".", "").replace(",", ".");

@@ -107,6 +107,8 @@ const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]
 const RUN = /^(?:[acdls]_?(?:\d|\{[\d+-]+\})+){2,}$/; // c_1s_23 and a_2c_2
 const SHORT = /[acdls]_?(?:\d|\{[\d+-]+\})+/g;
 
+const LETTER_O = /(?<![A-Za-z0-9_])[0-9.]+[oO][0-9.]*(?![A-Za-z_])/; // for a 0, or a raised one
+
 const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 
 // Whether a text is one number in plain signs, as nearly every cell of a long paste is.
@@ -145,7 +147,13 @@ export function parse(text, what = "the formula") {
     throw new ArmError(`${what} has ${text.length} characters; expected at most ${LONGEST}`);
   }
   if (!text.trim()) throw new ArmError(`${what} is empty; expected a number or a formula, or 0`);
-  const tokens = tokensOf(plain(text));
+  const signs = plain(text);
+  const [odd] = LETTER_O.exec(signs) ?? [];
+  if (odd) {
+    const words = `in ${shown(odd)} stands a letter o; expected the digit 0, or °`;
+    throw new ArmError(`${what}: ${words}`);
+  }
+  const tokens = tokensOf(signs);
   if (!tokens) {
     throw new ArmError(
       `${what} is ${shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )`,

@@ -1,6 +1,6 @@
 // A pasted text as rows of cells: NumPy, SymPy, MATLAB, LaTeX, Markdown, CSV or spreadsheet cells.
 
-import { beginsACell, bracketed, ofNumbers, opened, untouched } from "./brackets.js";
+import { beginsACell, bracketed, endOf, ofNumbers, opened, untouched } from "./brackets.js";
 import { decimal } from "./commas.js";
 import { isNumber } from "./formula.js";
 import { latexRows } from "./latex.js";
@@ -25,7 +25,7 @@ export function cells(text) {
   if (/±|\\pm(?![A-Za-z])/.test(text)) throw new ArmError(say("two signs"));
   const rows = rowsOf(stripped(withoutSurroundings(text).trim(), "`$").trim())
     .filter((row) => row.some((cell) => cell.trim()))
-    .map((row) => row.map((cell) => cell.trim()));
+    .map((row) => row.map((cell) => stripped(cell.trim(), `'"`).trim()));
   if (!rows.length) throw new ArmError("the text is empty; expected rows of numbers or formulas");
   if (rows.length === 1) eachInDegrees(rows[0]);
   return rows;
@@ -43,7 +43,7 @@ function eachInDegrees(row) {
 function rowsOf(text) {
   if (text.includes("\\begin{") || text.includes("\\\\")) return latexRows(text);
   const inner = withoutBars(text);
-  if (inner.split("|").length > 2 && !/^[^|]*\[[^\]|]*\|/.test(inner)) return markdownRows(inner);
+  if (inner.includes("|") && !/^[^|]*\[[^\]|]*\|/.test(inner)) return markdownRows(inner);
   return listedRows(inner);
 }
 
@@ -68,9 +68,15 @@ const ENDED = /(?<=[\])}])\s*[.,;]+$/;
 
 const FACTOR = /^[-+*/^.0-9e \t]+(?=\[)/;
 
+// What a call is given, without what closes it; a round bracket that opens there is a list's.
+function withoutTail(text) {
+  const end = text[0] === "(" ? endOf(text) + 1 : 0;
+  return text.slice(0, end) + text.slice(end).replace(TAIL, "");
+}
+
 // Lists in brackets, else lines, without a name and a call such as np.array(...) about them.
 function listedRows(text) {
-  const called = WRAPPER.test(text) ? text.replace(WRAPPER, "").replace(TAIL, "") : text;
+  const called = WRAPPER.test(text) ? withoutTail(text.replace(WRAPPER, "")) : text;
   const unnamed = strippedEnd(called.replace(NAMED, "").trim(), ";").trim();
   const inner = opened(unnamed.replace(ENDED, ""));
   if (inner[0] === "[") untouched(inner);

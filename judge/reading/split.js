@@ -2,7 +2,6 @@
 
 import { deeper, topComma } from "./brackets.js";
 import { isNumber, number } from "./formula.js";
-import { stripped } from "./text.js";
 
 // A joint's variable marked by a star, q_1* or theta*, and one that slides, d_3*.
 
@@ -21,7 +20,7 @@ export function split(text) {
   const ends = (k) => (comma ? text[k] === "," : /\s/.test(text[k]) && !joins(text, k));
   return partsOf(text, ends, !comma)
     .filter((one) => comma || one.trim())
-    .map((one) => stripped(one.trim(), "'\""));
+    .map((one) => one.trim());
 }
 
 // The parts of a text between the places outside brackets that end one; a list that closes ends one

@@ -18,6 +18,7 @@ const PROMPTED = new RegExp(BEGUN, "g");
 const COMMENT = /((?<![^\n])|[;,\]]|\.\.\.|\\\\)[ \t]*(?:%|#(?![A-Z]+[/!?]))[^\n\r]*/g;
 const REMARK = /(?<=[0-9.)])[ \t]+[#%][ \t]*[A-Za-z][^\n\r]*/g; // 50 % 20 % is none
 const SIGN = /^[ \t\r\n]*=[ \t]*(?=[[({])/; // of a spreadsheet's array
+const CELL_SIGN = /(?<=^|[\t,;|\u00a0])[ \t]*=(?=[-+.\d])/gm; // and of its cells
 
 const FACTOR = new RegExp(
   String.raw`^(?:\\(?:[dt]?frac|cdot|times|ast|sqrt|pi|circ|degree)|[-+*/^0-9.,(){}°]` +
@@ -34,7 +35,8 @@ export const bare = (text) =>
     .replace(REMARK, "")
     .replace(ASKED, "")
     .replace(PROMPTED, "")
-    .replace(SIGN, "");
+    .replace(SIGN, "")
+    .replace(CELL_SIGN, "");
 
 // A text with the quotes that programs know, and without byte order marks.
 export const straight = (text) =>
