@@ -43,6 +43,7 @@ INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
 OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
+STYLED = re.compile(r'<(i|span|sub|svg) style="([^"]+)"(?: class="([^"]+)")?')
 TIME = re.compile(r"(.*?)\s*· (.+)")
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
 
@@ -128,10 +129,10 @@ def formula(node: nodes.Element, tex: str, display: bool) -> str:
 def visit_math(translator, node) -> None:
     """What any line has room for stays in one; a matrix may scroll."""
     tex = node.astext()
-    kept = " together" if len(SIGN.findall(tex)) <= LINE else ""
+    long = " long" if len(SIGN.findall(tex)) > LINE else ""
     html = formula(node, tex, False)
     wide = " matrix" if "<mtable" in html else ""
-    translator.body.append(f'<span class="math{kept}{wide}">{html}</span>')
+    translator.body.append(f'<span class="math{long}{wide}">{html}</span>')
     raise nodes.SkipNode
 
 
@@ -146,7 +147,7 @@ def visit_math_block(translator, node) -> None:
         translator.body.append("</span>")
     rows = r"\\" in tex and not node.get("no-wrap")
     html = formula(node, rf"\begin{{split}}{tex}\end{{split}}" if rows else tex, True)
-    translator.body.append(html + "</div>\n")
+    translator.body.append(f'<div class="display"><div>{html}</div></div></div>\n')
     raise nodes.SkipNode
 
 
@@ -255,6 +256,20 @@ def assets(folder: Path, config) -> list[int]:
     return [crc32(path.read_bytes()) for path in sorted(paths)]
 
 
+def named_styles(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
+    """The styles of formulas as classes of the page, whose rules are as strong as a style is."""
+    names: dict[str, str] = {}
+
+    def named(found: re.Match) -> str:
+        tag, style, classes = found.groups()
+        name = names.setdefault(style, f"f{len(names)}")
+        return f'<{tag} class="{classes + " " if classes else ""}{name}"'
+
+    context["body"] = STYLED.sub(named, context.get("body", ""))
+    rules = "".join(f"#main .{name}{{{style}}}" for style, name in names.items())
+    context["metatags"] = context.get("metatags", "") + f"<style>{rules}</style>" * bool(rules)
+
+
 def authors(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
     """Who wrote the book, for the foot of each page."""
     context["author"] = app.config.author
@@ -274,4 +289,5 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("doctree-resolved", prepare, priority=900)
     app.connect("html-page-context", authors)
+    app.connect("html-page-context", named_styles)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -29,7 +29,7 @@ BROKEN = """async () => {
 CUT = """() => {
     const article = document.querySelector("article"), edge = article.getBoundingClientRect().right + 1, found = [];
     const kept = (e) => e.closest(".scrolls.more-right, .scrolls.more-left, .panel, .arm-explorer, .arm-judge, .headerlink");
-    const spoken = (node) => (node.matches?.(".katex-mathml") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT);
+    const spoken = (node) => (node.matches?.("math") ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_ACCEPT);
     const letters = document.createTreeWalker(article, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT, spoken), range = document.createRange();
     const over = () => range.getBoundingClientRect().right > edge;
     while (letters.nextNode()) {
@@ -45,7 +45,7 @@ CUT = """() => {
     }
     for (const e of article.querySelectorAll("td, img"))
         if (e.getBoundingClientRect().right > edge && !kept(e)) found.push(e.outerHTML);
-    for (const e of article.querySelectorAll(":not(.katex *)")) {
+    for (const e of article.querySelectorAll(":not(math, math *, math ~ *, math ~ * *)")) {
         if (e.scrollWidth <= e.clientWidth + 1) continue;
         const { overflowX, maskImage } = getComputedStyle(e);
         if (overflowX === "visible" || e.closest(".arm-explorer, .arm-judge, .panel")) continue;
@@ -88,12 +88,12 @@ const legible = (e) => /[\\p{L}\\p{N}].*[\\p{L}\\p{N}]/su.test(own(e));"""
 # What could be focused in a formula is counted here.
 THINNED = f"""() => {{
     {LOOK}
-    const formulas = [...document.querySelectorAll(".katex-html, .katex-mathml")], seen = new Set();
+    const formulas = [...document.querySelectorAll("math, math ~ span")], seen = new Set();
     const focusable = formulas.filter(m => m.querySelector("a[href], button, input, [tabindex]")).length;
     const again = (e, kind) => (seen.has(kind) ? e.remove() : seen.add(kind));
     formulas.forEach(m => m.replaceChildren());
-    for (const set of document.querySelectorAll(".katex")) again(set, set.className);
-    const words = [...document.querySelectorAll("article :is(span, i, b, sub, sup, em):not(a *, button *, summary *, label *, .katex *)")];
+    for (const part of formulas) again(part, part.tagName);
+    const words = [...document.querySelectorAll("article :is(span, i, b, sub, sup, em):not(a *, button *, summary *, label *, math ~ *)")];
     const kinds = words.map((word) => [word.tagName, word.className, word.parentElement.tagName, word.parentElement.className, look(word), legible(word)].join());
     for (let k = words.length; k--; )
         if (!words[k].childElementCount && !words[k].matches("[role], [tabindex], [id], [aria-label]")) again(words[k], kinds[k]);
@@ -183,7 +183,7 @@ UNMARKED = f"""(box) => {{
 def test_a_cut_would_be_noticed(visit):
     """The test above means something: without its marks, what is too wide is found."""
     resized(visit.page, "small")
-    for what in (".katex-display", "div.table", ".highlight pre"):
+    for what in (".display", "div.table", ".highlight pre"):
         assert visit.page.locator(f"{what}.more-right").first.evaluate(UNMARKED), what
 
 
