@@ -90,6 +90,35 @@ def _index(angle: sp.Expr) -> str:
     return index.replace("+", "") if "-" not in index else f"{{{index.removeprefix('+')}}}"
 
 
+# Into TeX
+
+
+@lru_cache(maxsize=4096)
+def tex(formula: sp.Expr) -> str:
+    """A formula in which a line may be broken within parentheses."""
+    text = sp.latex(formula).replace(r"\left(", "(").replace(r"\right)", ")")
+    return text.replace(" )", ")")
+
+
+def seen(text: str) -> int:
+    """About how many letters and signs of TeX are seen."""
+    return len(re.sub(r"\\[a-z]+|[\s{}_^~]", "", text))
+
+
+def lines(formula: sp.Expr, width: int) -> list[str]:
+    """A formula in TeX, broken between terms into lines of so many letters and signs, not within
+    short brackets."""
+    whole = re.sub(r"\([^()]{,60}\)", lambda short: short[0].replace(" ", "~"), tex(formula))
+    found = [""]
+    for piece in re.split(r" (?=[+-] )", whole):
+        inside = found[-1].count("{") != found[-1].count("}")
+        if inside or seen(found[-1] + piece) <= width:
+            found[-1] = f"{found[-1]} {piece}".strip()
+        else:
+            found.append(piece)
+    return [line.replace("~", " ") for line in found]
+
+
 # Into monomials
 
 

@@ -6,10 +6,12 @@ import numpy as np
 import sympy as sp
 from numpy.typing import ArrayLike
 
-from helpers.formulas import short
+from helpers.formulas import lines, short
 from helpers.inputs import must_be, numbers
 
 __all__ = ["Shown", "frames", "matrices"]
+
+_ROOM = 72  # letters and signs of a line
 
 
 class Shown:
@@ -28,12 +30,12 @@ class Shown:
 def matrices(named: Mapping[str, object]) -> Shown:
     """Matrices beside each other, as many as a line holds, under their names in LaTeX.
 
-    Those of SymPy are written short, as `symbolic.short` does; numbers, shape (m, n), are rounded
-    to four decimals.
+    Those of SymPy are written short, as `symbolic.short` does, a long entry in several lines;
+    numbers, shape (m, n), are rounded to four decimals.
     """
     must_be(named, Mapping, "named")
-    lines = [rf"${{{name} = {_latex(value)}\quad}}$" for name, value in named.items()]
-    return Shown("\n".join(lines))
+    formulas = [rf"${{{name} = {_latex(value)}\quad}}$" for name, value in named.items()]
+    return Shown("\n".join(formulas))
 
 
 def frames(T: ArrayLike) -> Shown:
@@ -42,16 +44,24 @@ def frames(T: ArrayLike) -> Shown:
     T = numbers(T, "T", "frames (k, 4, 4)", (None, 4, 4))
     head = "| $i$ | $x_i$ | $y_i$ | $z_i$ | $o_i$ (m) |\n|:-:|:-:|:-:|:-:|:-:|\n"
     rows = [[",\u202f".join(map(_number, column)) for column in frame[:3].T] for frame in T]
-    lines = [f"| {i} | {' | '.join(row)} |" for i, row in enumerate(rows)]
-    return Shown(head + "\n".join(lines).replace("-", "−"))
+    table = [f"| {i} | {' | '.join(row)} |" for i, row in enumerate(rows)]
+    return Shown(head + "\n".join(table).replace("-", "−"))
 
 
 def _latex(value: object) -> str:
     if isinstance(value, sp.MatrixBase):
-        return sp.latex(short(value))
-    array = numbers(value, "a matrix", "numbers (m, n), or a matrix of SymPy", (None, None))
-    rows = r"\\".join(" & ".join(map(_number, row)) for row in array)
+        entries = [list(map(_entry, row)) for row in short(value).tolist()]
+    else:
+        array = numbers(value, "a matrix", "numbers (m, n), or a matrix of SymPy", (None, None))
+        entries = [list(map(_number, row)) for row in array]
+    rows = r"\\".join(map(" & ".join, entries))
     return rf"\left[\begin{{matrix}}{rows}\end{{matrix}}\right]"
+
+
+def _entry(entry: sp.Expr) -> str:
+    first, *rest = lines(entry, _ROOM)
+    below = "".join(rf" \\ \quad {line}" for line in rest)
+    return rf"\begin{{array}}{{l}}{first}{below}\end{{array}}" if rest else sp.latex(entry)
 
 
 def _number(value: float) -> str:

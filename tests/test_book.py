@@ -128,8 +128,12 @@ def test_no_markup_is_left_unrendered(name):
 
 @every_page
 def test_figures_are_called_by_their_numbers(name):
-    """A chapter writes them out, for JupyterLab; `tools/refresh.py` keeps them."""
+    """A chapter writes them out, for JupyterLab; `tools/refresh.py` keeps them. Other pages count
+    from 1."""
     text = (HTML / f"{name}.html").read_text(encoding="utf-8")
+    for kind in (r'caption-number">Fig\. (\d+) ', r'eqno">\((\d+)\)'):
+        counted = [int(number) for number in re.findall(kind, text)]
+        assert counted == [*range(1, len(counted) + 1)]
     for place, figure, number in re.findall(
         r'href="([\w.]*)#(fig-[\w-]+)">(?:<span[^>]*>)?Fig\. ([\d.]+)<', text
     ):

@@ -17,6 +17,7 @@ from docutils.parsers.rst import directives
 from pygments.formatters import HtmlFormatter
 from pygments.token import Name, Punctuation, Text
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 from sphinx.highlighting import PygmentsBridge
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
@@ -249,6 +250,16 @@ def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
 
 
+def count_anew(_: Sphinx, env: BuildEnvironment) -> list[str]:
+    """Figures and formulas of a page that is no numbered chapter are counted from 1."""
+    for page in env.toc_fignumbers.values():
+        for numbers in page.values():
+            for place, (name, number) in enumerate(numbers.items(), 1):
+                if len(number) == 1:
+                    numbers[name] = (place,)
+    return []
+
+
 def assets(folder: Path, config) -> list[int]:
     """What a change of any asset changes: Sphinx copies them only if it has a page to write, and
     then writes all."""
@@ -287,6 +298,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("bibliography", Sources, override=True)
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
+    app.connect("env-get-updated", count_anew, priority=900)
     app.connect("doctree-resolved", prepare, priority=900)
     app.connect("html-page-context", authors)
     app.connect("html-page-context", named_styles)

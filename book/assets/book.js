@@ -1,6 +1,6 @@
 // What is wider than its place scrolls in a box of its own, from the keyboard too, and says so.
 const WIDE = ".display, span.matrix, div.table, .highlight pre";
-const SMALLEST = 0.8; // of a formula's size, before it scrolls
+const SMALLEST = 0.75; // of a formula's size, before it scrolls
 
 const all = () => [...document.querySelectorAll(WIDE)];
 
@@ -14,7 +14,7 @@ function reachable(boxes) {
   boxes.forEach((box) => (box.style.fontSize = ""));
   const shares = boxes.map(share);
   boxes.forEach((box, k) => {
-    const tight = box.matches(".display") && shares[k] < 1 && shares[k] > SMALLEST;
+    const tight = box.matches(".display, span.matrix") && shares[k] < 1 && shares[k] > SMALLEST;
     if (tight) box.style.fontSize = `${shares[k] * 98.5}%`;
     scrollable(box, shares[k] < 1 && !tight);
   });

@@ -2,11 +2,9 @@
 names for its long entries, which are written out below. No line is wider than a page.
 """
 
-import re
-from functools import lru_cache
-
 import sympy as sp
 
+from helpers.formulas import lines, seen, tex
 from helpers.sheets.content import Array, Item, Sheet
 
 _WIDTH = 56  # letters and signs of a line
@@ -42,20 +40,20 @@ def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
     """Named formulas below each other, some lines a display."""
     displays: list[list[str]] = []
     for label, formula in formulas:
-        first, *rest = _lines(formula)
-        lines = [f"{label} &= {first}", *(f"&\\quad {line}" for line in rest)]
-        if displays and len(displays[-1]) + len(lines) <= _HEIGHT:
-            displays[-1] += lines
+        first, *rest = lines(formula, _WIDTH)
+        named = [f"{label} &= {first}", *(f"&\\quad {line}" for line in rest)]
+        if displays and len(displays[-1]) + len(named) <= _HEIGHT:
+            displays[-1] += named
         else:
-            displays.append(lines)
-    joined = (" \\\\\n".join(lines) for lines in displays)
-    return [f"\\begin{{aligned}}\n{lines}\n\\end{{aligned}}" for lines in joined]
+            displays.append(named)
+    joined = (" \\\\\n".join(display) for display in displays)
+    return [f"\\begin{{aligned}}\n{display}\n\\end{{aligned}}" for display in joined]
 
 
 def _cut(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.Matrix, list[int]]:
     """A matrix with names for as many of its longest entries as have no room, and which these
     are."""
-    lengths = [_seen(tex(entry)) for entry in value]
+    lengths = [seen(tex(entry)) for entry in value]
     for longest in sorted({_SHORT, *(n for n in lengths if n > _SHORT)}, reverse=True):
         long = [k for k, length in enumerate(lengths) if length > longest]
         entries = [sp.Symbol(names[k]) if k in long else x for k, x in enumerate(value)]
@@ -81,13 +79,6 @@ def as_latex(sheet: Sheet, item: Item) -> str:
     return "\n".join([*legend, *(f"\\[\n{display}\n\\]" for display in symbols(sheet, item))])
 
 
-@lru_cache(maxsize=4096)
-def tex(formula: sp.Expr) -> str:
-    """A formula in which a line may be broken within parentheses."""
-    text = sp.latex(formula).replace(r"\left(", "(").replace(r"\right)", ")")
-    return text.replace(" )", ")")
-
-
 def _rounded(value: float, digits: int) -> sp.Expr:
     rounded = round(float(value), digits)
     return sp.Integer(rounded) if rounded.is_integer() else sp.Float(str(rounded))
@@ -109,22 +100,4 @@ def _entry_names(sheet: Sheet, item: Item) -> list[str]:
 
 def _width(matrix: sp.Matrix) -> int:
     columns = (matrix.col(k) for k in range(matrix.cols))
-    return sum(max(_seen(tex(entry)) for entry in column) + 2 for column in columns)
-
-
-def _seen(text: str) -> int:
-    """About how many letters and signs of TeX are seen."""
-    return len(re.sub(r"\\[a-z]+|[\s{}_^~]", "", text))
-
-
-def _lines(formula: sp.Expr) -> list[str]:
-    """A formula broken between terms into lines of a page's width, not within short brackets."""
-    whole = re.sub(r"\([^()]{,60}\)", lambda short: short[0].replace(" ", "~"), tex(formula))
-    lines = [""]
-    for piece in re.split(r" (?=[+-] )", whole):
-        inside = lines[-1].count("{") != lines[-1].count("}")
-        if inside or _seen(lines[-1] + piece) <= _WIDTH:
-            lines[-1] = f"{lines[-1]} {piece}".strip()
-        else:
-            lines.append(piece)
-    return [line.replace("~", " ") for line in lines]
+    return sum(max(seen(tex(entry)) for entry in column) + 2 for column in columns)

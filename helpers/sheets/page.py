@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sp
 
 from helpers.arm import Arm
+from helpers.formulas import tex
 from helpers.inputs import ArmError, listed, must_be
 from helpers.sheets import displays, programs
 from helpers.sheets.content import Array, Item, Sheet
@@ -163,7 +164,7 @@ def _legend(sheet: Sheet) -> str:
     """c_23 = cos(q_2 + q_3) and the like, each index once, single joints in general."""
     letters = {letter: f for item in sheet.items for letter, f in item.letters.items()}
     sums = [
-        f"${sp.latex(letter)} = {displays.tex(f)}$"
+        f"${sp.latex(letter)} = {tex(f)}$"
         for letter, f in sorted(letters.items(), key=str)
         if isinstance(f, sp.cos) and f.args[0].is_Add
     ]
