@@ -383,10 +383,19 @@ def test_a_traced_circle_lies_on_the_wall(arm):
     circle = start + 0.1 * np.stack([0 * angle, np.sin(angle), np.cos(angle) - 1], axis=-1)
     np.testing.assert_allclose(T[:, :3, 3], circle, atol=1e-8)
     np.testing.assert_allclose(T[:, :3, :3], np.broadcast_to(T[0, :3, :3], (181, 3, 3)), atol=1e-8)
-    assert traced["stray"] < 1e-8
     if arm.dof == 6:  # with joint 3 locked, joints 5 and 7 wind once round
         turned = np.array(traced["path"][-1]) - traced["path"][0]
         np.testing.assert_allclose(np.abs(turned[[3, 5]]), 2 * np.pi, atol=1e-6)
+
+
+@needs_node
+def test_a_circle_stops_where_the_arm_does_not_reach_on():
+    """By the distance from its shoulder, which is at most a_2 + a_3; else the joints would jump."""
+    traced = ask("circle", arm=arm_data(ELBOW), q=ELBOW.home, normal="x", radius=0.35)
+    far = np.linalg.norm(np.array(traced["wanted"]) - (0, 0, 0.5), axis=1)
+    end = len(traced["path"])
+    assert far[:end].max() < 0.7 + 1e-3 < far[end]
+    assert np.abs(np.diff(traced["path"], axis=0)).max() < 0.2
 
 
 @needs_node

@@ -82,31 +82,29 @@ function reachFrom(arm, start, wanted, options) {
   const still = best.q.every((v, i) => Math.abs(v - start[i]) < 1e-6);
   for (const k of still ? start.keys() : []) {
     for (const way of [NUDGE, -NUDGE]) {
-      const other = reach(
-        arm,
-        start.map((v, i) => (i === k ? v + way : v)),
-        wanted,
-        options,
-      );
+      const beside = start.map((v, i) => (i === k ? v + way : v));
+      const other = reach(arm, beside, wanted, options);
       if (other.error < 0.98 * best.error) best = other;
     }
   }
   return best;
 }
 
-// Joint vectors along such a circle below the tip, with the tool's orientation held; with the
-// largest distance (m) that the tip strays from it.
+const OFF = 1e-3; // m or rad from what is wanted, which then is out of reach
+
+// Joint vectors along such a circle below the tip, with the tool's orientation held, as far as the
+// arm reaches: beyond, it would jump from one way of standing nearby to another.
 export function traceCircle(arm, start, circle = {}) {
   const tip = linkFrames(arm, start).at(-1);
   const wanted = Array.from({ length: 181 }, (_, k) => onCircle(tip.o, circle, k / 180).o);
-  const path = [];
-  let [q, stray] = [start, 0];
-  for (const o of wanted) {
-    q = reachFrom(arm, q, { ...tip, o }, { steps: 40 }).q;
-    stray = Math.max(stray, norm(minus(linkFrames(arm, q).at(-1).o, o)));
+  const path = [start];
+  for (const o of wanted.slice(1)) {
+    const { q, error } = reachFrom(arm, path.at(-1), { ...tip, o }, { steps: 40 });
+    if (error > OFF) break;
     path.push(q);
   }
-  return { path, stray, wanted };
+  if (path.length === 1) path.push(start); // a path has two ends
+  return { path, wanted };
 }
 
 // The same numbers on every machine and at every visit.
@@ -162,25 +160,15 @@ const STEP = 0.1;
 function freeJoints(arm, q, target, held = -1) {
   const rows = asked(arm);
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
-    i === held ? c.map(() => 0) : c,
+    c.slice(0, rows).map((v) => (i === held ? 0 : v)),
   );
-  const { values } = singular(
-    columns.map((c) => c.slice(0, rows)),
-    rows,
-  );
+  const { values } = singular(columns, rows);
   const free = joints(arm).length - (held < 0 ? 0 : 1);
   if (values.filter((v) => v > 1e-5 * values[0]).length >= Math.min(rows, free)) return [];
   const moving = new Set();
-  for (const direction of rightNull(
-    columns.map((c) => c.slice(0, rows)),
-    held,
-  )) {
-    const there = reach(
-      arm,
-      q.map((v, i) => v + STEP * direction[i]),
-      target,
-      { held, steps: 200 },
-    );
+  for (const direction of rightNull(columns, held)) {
+    const start = q.map((v, i) => v + STEP * direction[i]);
+    const there = reach(arm, start, target, { held, steps: 200 });
     if (there.error > 1e-9 || apart(arm, there.q, q) < 0.3 * STEP) continue;
     there.q.forEach((v, i) => Math.abs(v - q[i]) > 1e-3 && moving.add(i));
   }
@@ -188,12 +176,10 @@ function freeJoints(arm, q, target, held = -1) {
 }
 
 // Whether a way differs from a family's only in the joints that move along it.
-const sameFamily = (arm, { moving, q }, way) =>
-  apart(
-    arm,
-    q,
-    way.map((v, i) => (moving.includes(i) ? q[i] : v)),
-  ) < 1e-3;
+function sameFamily(arm, { moving, q }, way) {
+  const there = way.map((v, i) => (moving.includes(i) ? q[i] : v));
+  return apart(arm, q, there) < 1e-3;
+}
 
 // Revolute joints brought to within half a turn, or into their limits where whole turns can do
 // that.

@@ -197,13 +197,13 @@ export class ArmPicture {
   }
 
   // The way of the tip along a path, those of other runs in their colours, and their plane.
-  waysOfTip({ arm, wanted, stray }, path, paths) {
+  waysOfTip({ arm, wanted }, path, paths) {
     const { size, look } = this;
     const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? paths[0]?.points ?? [];
     const pieces = paths
       ? paths.map((one) => tube(one.points, 0.003 * size, one.colour))
       : [tube(points, 0.0035 * size, look.path)];
-    if (wanted && stray > 1e-3) pieces.push(tube(wanted, 0.0018 * size, look.wanted));
+    if (wanted?.length > path?.length) pieces.push(tube(wanted, 0.0018 * size, look.wanted));
     const pane = paneOf(look.ghost, this.dark ? 0.16 : 0.1);
     if (points.length > 2) pieces.push(wall(wanted ?? points, pane));
     return pieces.filter(Boolean);

@@ -44,8 +44,7 @@ import { asked, rankOf } from "./verdicts.js";
  * @property {"all" | "ends"} frames which frames are drawn
  * @property {{ normal: "x" | "y" | "z", radius: number }} circle that Play draws
  * @property {number[][] | null} trace joint vectors along a path
- * @property {number} stray how far the traced tip leaves the path, m
- * @property {number[][] | null} wanted the points that the tip was to go through
+ * @property {number[][] | null} wanted the points that the tip was to go through, all the way round
  * @property {number} at the place along the trace, 0 to 1
  * @property {import("./homework_run.js").Run[]} runs of the homework's circle
  * @property {{ points: number[][], colour: string }[] | null} paths of the tip, drawn beside the
@@ -64,7 +63,6 @@ import { asked, rankOf } from "./verdicts.js";
 
 export const EMPTY = {
   trace: null,
-  stray: 0,
   wanted: null,
   paths: null,
   at: 0,
@@ -77,7 +75,7 @@ export const EMPTY = {
 };
 // What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets
 // them.
-const ALONG = ["stray", "wanted", "at", "playing"];
+const ALONG = ["wanted", "at", "playing"];
 const DROPS = {
   arm: Object.keys(EMPTY),
   circle: ["trace", ...ALONG],
@@ -100,9 +98,9 @@ const EVENTS = {
   push: (state, { wrench }) =>
     wrench.length === 6 && wrench.every(Number.isFinite) ? { wrench } : null,
   circle: (state, { type: _, ...circle }) => ({ circle: { ...state.circle, ...circle } }),
-  traced: (state, { arm, circle, path, stray, wanted }) =>
+  traced: (state, { arm, circle, path, wanted }) =>
     arm === state.arm && circle === state.circle
-      ? { trace: path, stray, wanted, at: 0, q: path[0] }
+      ? { trace: path, wanted, at: 0, q: path[0] }
       : null,
   ways: (state, { arm, ways }) => (arm === state.arm ? { ways } : null),
   show: (state, { type: _, ...patch }) => patch,
@@ -218,23 +216,18 @@ class Derived {
   get columns() {
     return this.#once("columns", () => jacobianColumns(this.arm, this.frames));
   }
+  // The columns' first rows.
+  rows(count) {
+    return this.columns.map((column) => column.slice(0, count));
+  }
   // Singular values and left singular vectors of the rows that the arm is for: six, or v alone
   // below six joints.
   get task() {
-    return this.#once("task", () =>
-      singular(
-        this.columns.map((c) => c.slice(0, asked(this.arm))),
-        asked(this.arm),
-      ),
-    );
+    const rows = asked(this.arm);
+    return this.#once("task", () => singular(this.rows(rows), rows));
   }
   get linear() {
-    return this.#once("linear", () =>
-      singular(
-        this.columns.map((column) => column.slice(0, 3)),
-        3,
-      ),
-    );
+    return this.#once("linear", () => singular(this.rows(3), 3));
   }
   get values() {
     return this.task.values;
@@ -250,7 +243,7 @@ class Derived {
   }
   get determinant() {
     const rows = asked(this.arm);
-    return this.#once("determinant", () => determinant(this.columns.map((c) => c.slice(0, rows))));
+    return this.#once("determinant", () => determinant(this.rows(rows)));
   }
   get manipulability() {
     const { values, columns } = this;
@@ -271,8 +264,6 @@ class Derived {
   }
 }
 
-const derive = (arm, q, wrench = [0, 0, 0, 0, 0, 0]) => new Derived(arm, q, wrench);
-
 // How far the tip is from the pose that the ways lead to (m, rad), or null where it is there.
 export function leftBehind({ ways }, { frames }) {
   if (!ways) return null;
@@ -290,7 +281,7 @@ export class Store {
   /** @param {State} state */
   constructor(state) {
     this.state = state;
-    this.derived = derive(state.arm, state.q, state.wrench);
+    this.derived = new Derived(state.arm, state.q, state.wrench);
   }
 
   // Let an event happen, and tell everyone which fields changed and who did it.
@@ -301,7 +292,7 @@ export class Store {
     const changed = new Set(Object.keys(state).filter((key) => state[key] !== before[key]));
     this.state = state;
     if (["arm", "q", "wrench"].some((key) => changed.has(key))) {
-      this.derived = derive(state.arm, state.q, state.wrench);
+      this.derived = new Derived(state.arm, state.q, state.wrench);
     }
     for (const listener of [...this.#listeners]) listener(changed, by);
     return true;

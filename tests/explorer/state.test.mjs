@@ -15,7 +15,7 @@ const path = [PANDA.home, PANDA.home.map((v) => v + 0.1)];
 function playing() {
   const store = start();
   const { arm, circle } = store.state;
-  store.dispatch({ type: "traced", arm, circle, path, stray: 0.01, wanted: [[0, 0, 0]] });
+  store.dispatch({ type: "traced", arm, circle, path, wanted: [[0, 0, 0]] });
   store.dispatch({ type: "ways", arm, ways: otherWays(PANDA, PANDA.home, 20) });
   store.dispatch({ type: "playing", on: true });
   store.dispatch({ type: "show", lit: 6, highlighted: 0, paths: [], mark: [0, 0, 1], at: 0.5, hold: { kind: "tip" } });
@@ -41,8 +41,8 @@ for (const [how, event] of [
 test("another radius drops the circle that was drawn with the old one", () => {
   const store = playing();
   store.dispatch({ type: "circle", radius: 0.2 });
-  const { trace, stray, wanted, at, playing: on } = store.state;
-  assert.deepEqual({ trace, stray, wanted, at, playing: on }, { trace: null, stray: 0, wanted: null, at: 0, playing: false });
+  const { trace, wanted, at, playing: on } = store.state;
+  assert.deepEqual({ trace, wanted, at, playing: on }, { trace: null, wanted: null, at: 0, playing: false });
   assert.deepEqual(store.state.circle, { normal: "x", radius: 0.2 });
 });
 
@@ -59,7 +59,7 @@ test("what makes no sense here changes nothing", () => {
   const tables = [[], [{ ...row, kind: "constructor" }, ...rows], [{ ...row, a: 1e308 }], [{ ...row, theta: NaN }], Array(MOST_ROWS + 1).fill(row)];
   for (const event of [
     { type: "playing", on: true },
-    { type: "traced", arm: ELBOW, circle, path: [ELBOW.home], stray: 0, wanted: [] }, // asked for before
+    { type: "traced", arm: ELBOW, circle, path: [ELBOW.home], wanted: [] }, // asked for before
     { type: "ways", arm: ELBOW, ways: { list: [] } },
     { type: "set", arm: ELBOW, q: home },
     ...[[1, 2], home.map(() => NaN), null].map((q) => ({ type: "move", q })),

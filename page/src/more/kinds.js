@@ -80,25 +80,18 @@ function partly(row, count, { angle = 0.7, slide = 0.3 }) {
 export function matrix(host, spec) {
   const number = spec.row ?? 1;
   const cells = Array.from({ length: 4 }, () => Array.from({ length: 4 }, () => h("td")));
-  const table = h(
-    "table",
-    { "aria-label": `A ${number}` },
-    cells.map((line) => h("tr", {}, line)),
-  );
+  const lines = cells.map((line) => h("tr", {}, line));
+  const table = h("table", { "aria-label": `A ${number}` }, lines);
   const name = h("span", {}, indexed("A", number), " =");
-  const live = makeLive(
-    host,
-    { ...spec, joints: [number] },
-    {
-      state: { frames: "all" },
-      side: [h("div.row", {}, name, h("div.scroll", {}, table))],
-      words: () => spec.words ?? `Turn joint ${number}: ${OF_A_ROW}`,
-    },
-  );
-  live.follow((state) => {
-    const frames = linkFrames({ rows: [state.arm.rows[number - 1]] }, [
-      state.q[joints(state.arm).indexOf(number - 1)],
-    ]);
+  const one = { ...spec, joints: [number] };
+  const live = makeLive(host, one, {
+    state: { frames: "all" },
+    side: [h("div.row", {}, name, h("div.scroll", {}, table))],
+    words: () => spec.words ?? `Turn joint ${number}: ${OF_A_ROW}`,
+  });
+  live.follow(({ arm, q }) => {
+    const angle = q[joints(arm).indexOf(number - 1)];
+    const frames = linkFrames({ rows: [arm.rows[number - 1]] }, [angle]);
     matrixOf(frames[1]).forEach((line, i) =>
       line.forEach((v, j) => write(cells[i][j], i === 3 ? String(v) : sparse(v, 3))),
     );
@@ -270,20 +263,16 @@ export function ways(host, spec) {
   ask("ways", { arm: store.state.arm, q: store.state.q }).then((found) => {
     if (gone) return;
     store.dispatch({ type: "ways", arm: store.state.arm, ways: found });
-    list.replaceChildren(
-      ...found.list.map(({ q }, i) =>
-        h(
-          "button",
-          {
-            role: "radio",
-            "aria-label": `Way ${i + 1}`,
-            style: `border-left: 6px solid ${branchColour(i)}`,
-            onclick: () => store.dispatch({ type: "glide", q }),
-          },
-          String(i + 1),
-        ),
-      ),
-    );
+    const button = ({ q }, i) => {
+      const style = `border-left: 6px solid ${branchColour(i)}`;
+      const onclick = () => store.dispatch({ type: "glide", q });
+      return h(
+        "button",
+        { role: "radio", "aria-label": `Way ${i + 1}`, style, onclick },
+        `${i + 1}`,
+      );
+    };
+    list.replaceChildren(...found.list.map(button));
     live.refresh();
   });
   live.follow(({ q, ways: found }) => {

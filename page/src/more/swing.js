@@ -46,11 +46,8 @@ function swungBothWays(arm, start, held) {
         ? direction.reduce((s, v, k) => s + v * before[k], 0)
         : sign * direction[2];
       const way = direction.map((v) => (along < 0 ? -v : v));
-      const next = reach(
-        arm,
-        q.map((v, k) => v + 0.03 * way[k]),
-        held,
-      ).q;
+      const moved = q.map((v, k) => v + 0.03 * way[k]);
+      const next = reach(arm, moved, held).q;
       if (joints(arm).some((row, k) => outside(arm.rows[row], next[k]))) break;
       found.push(next);
       [q, before] = [next, way];

@@ -33,14 +33,7 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
 }
 
 // What the line shows of a state.
-const SHOWS = ({ unit, frames, past, future, arm, base }) => [
-  unit,
-  frames,
-  !past.length,
-  !future.length,
-  arm,
-  base,
-];
+const SHOWS = (s) => [s.unit, s.frames, !s.past.length, !s.future.length, s.arm, s.base];
 
 const button = (text, title, onclick) => h("button", { title, onclick }, text);
 const press = (one, is) => one.setAttribute("aria-pressed", String(is));

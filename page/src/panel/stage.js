@@ -150,11 +150,8 @@ function swingBy(store, way) {
   if (!hold?.pinned) return;
   const [direction] = rightNull(stillColumns(store, hold.turns));
   if (!direction) return;
-  const lead = direction.reduce(
-    (best, v, k) => (Math.abs(v) > Math.abs(direction[best]) ? k : best),
-    0,
-  );
-  const sign = way * Math.sign(direction[lead]);
+  const [lead] = [...direction].sort((u, v) => Math.abs(v) - Math.abs(u));
+  const sign = way * Math.sign(lead);
   const moved = q.map((v, k) => v + sign * SWING * direction[k]);
   const there = hold.turns ? reach(arm, moved, hold.pinned).q : moved;
   store.dispatch({ type: "move", q: there, hold, gesture: "swing" });

@@ -100,7 +100,7 @@ class Homework {
     const path = known[this.chosen]?.path;
     if (path?.length < 2) store.dispatch({ type: "show", trace: null });
     else if (path && store.state.trace !== path)
-      store.dispatch({ type: "traced", arm, circle, path, stray: 0, wanted: null });
+      store.dispatch({ type: "traced", arm, circle, path, wanted: null });
     this.lay();
     this.say(() => this.verdict.textContent);
   }
@@ -144,10 +144,6 @@ class Homework {
     this.wall.draw(arm, this.start, known);
   }
 
-  firstRuns({ arm, base }) {
-    return [startingRun(arm, base) ?? []].flat();
-  }
-
   update(state) {
     if (this.shown.arm !== state.arm) {
       const first = !this.shown.arm;
@@ -156,7 +152,8 @@ class Homework {
       this.results.clear();
       this.shown = { arm: state.arm };
       // which comes back here
-      if (!state.runs.length || !first) return this.put(this.firstRuns(state));
+      if (!state.runs.length || !first)
+        return this.put([startingRun(state.arm, state.base) ?? []].flat());
     }
     const { runs, unit, wrench } = this.shown;
     Object.assign(this.shown, { runs: state.runs, unit: state.unit, wrench: state.wrench });

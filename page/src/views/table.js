@@ -1,8 +1,8 @@
 // The Denavit-Hartenberg table, to be typed in. A bad entry is said in words, and the last good arm
 // stays.
 
-import { KINDS as JOINTS, MOST_ROWS } from "../../../judge/geometry/arm.js";
-import { copied, h, indexed, scrolled, write } from "../dom.js";
+import { MOST_ROWS } from "../../../judge/geometry/arm.js";
+import { copied, h, indexed, scrolled, select, write } from "../dom.js";
 import { entered, textField } from "../entry.js";
 import { late } from "../figures.js";
 import { entryText, replaced, tableText } from "../text.js";
@@ -16,8 +16,7 @@ const COLUMNS = [
   ["d", "d", false],
   ["theta", "θ", true],
 ];
-const SAID = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
-const KINDS = JOINTS.map((kind) => [kind, SAID[kind]]);
+const KINDS = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
 const SEVERAL = /[\n\t;&|]|\]\s*,|,\s*\[/; // a table has them, an entry has none
 const MOVING = { revolute: "theta", prismatic: "d" };
 const NEW_ROW = { kind: "revolute", a: 0.2, alpha: 0, d: 0, theta: 0 };
@@ -112,11 +111,9 @@ const headsOf = (unit) => [
 
 function tableLine(i, arm, unit, { change, typed }) {
   const row = arm.rows[i];
-  const onchange = (e) => change(replaced(arm.rows, i, newKind(row, e.target.value)));
-  const kinds = KINDS.map(([value, text]) =>
-    h("option", { value, selected: row.kind === value }, text),
-  );
-  const kind = h("select", { "aria-label": `Row ${i + 1}, kind of joint`, onchange }, kinds);
+  const chosen = (name) => change(replaced(arm.rows, i, newKind(row, name)));
+  const kind = select(`Row ${i + 1}, kind of joint`, KINDS, chosen);
+  kind.value = row.kind;
   const others = () => arm.rows.filter((_, k) => k !== i);
   const remove = h(
     "button.remove",

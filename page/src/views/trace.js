@@ -5,7 +5,7 @@ import { readEntry } from "../../../judge/reading/entry.js";
 import { marked, refill, textField } from "../entry.js";
 import { latest } from "../jobs.js";
 import { torquesAlong } from "../homework_run.js";
-import { fixed, short } from "../text.js";
+import { short } from "../text.js";
 import { listed, upper } from "../../../judge/sentences.js";
 import { makePlots, PLOTTED } from "./plots.js";
 import { makeTransport } from "./transport.js";
@@ -54,8 +54,8 @@ function makeDrawing(store, asked, tell) {
     const { arm, q, circle } = store.state;
     if (!asked.sized()) return;
     root.disabled = true;
-    await ask({ arm, q, circle }, ({ path, stray, wanted }) => {
-      store.dispatch({ type: "traced", arm, circle, path, stray, wanted });
+    await ask({ arm, q, circle }, ({ path, wanted }) => {
+      store.dispatch({ type: "traced", arm, circle, path, wanted });
       tell();
       then();
     });
@@ -67,9 +67,9 @@ function makeDrawing(store, asked, tell) {
 // The circle that is asked for: its plane and its radius.
 function makeAsked(store, say) {
   const error = h("p.error");
-  const axes = ["x", "y", "z"].map((axis) => h("option", { value: axis }, `${axis} = const`));
-  const chosen = (event) => store.dispatch({ type: "circle", normal: event.target.value });
-  const plane = h("select", { "aria-label": "Plane of the circle", onchange: chosen }, axes);
+  const planes = { x: "x = const", y: "y = const", z: "z = const" };
+  const chosen = (normal) => store.dispatch({ type: "circle", normal });
+  const plane = select("Plane of the circle", planes, chosen);
   const typed = (_, whole) => sized(whole);
   const radius = textField("Radius of the circle, m", typed, { class: "small" });
 
@@ -97,11 +97,11 @@ function makeAsked(store, say) {
 const UNDRAWN =
   "Play draws a circle of this radius from where the tip is now; the tool keeps its orientation.";
 
-function verdictText({ arm, trace, stray }) {
+function verdictText({ arm, trace, wanted }) {
   if (!trace) return UNDRAWN;
-  if (stray > 1e-3) {
-    const far = fixed(1000 * stray, 0);
-    return `The whole circle is not within reach: the tip strays by up to ${far} mm.`;
+  if (wanted && trace.length < wanted.length) {
+    const share = Math.floor((100 * (trace.length - 1)) / (wanted.length - 1));
+    return `The whole circle is not within reach: the arm stops after ${share} % of it.`;
   }
   const past = pastLimits(arm, trace);
   if (!past.length) return "All joints stay within their limits.";
