@@ -5,7 +5,7 @@
 
 import { build } from "esbuild";
 import { readdir, readFile } from "node:fs/promises";
-import { join, relative, sep } from "node:path";
+import { join, relative, resolve, sep } from "node:path";
 
 const helpers = process.argv[2] ?? "helpers";
 const folder = join(helpers, "explorer/static");
@@ -21,6 +21,28 @@ const css = {
         write: false,
       });
       return { contents: made.outputFiles[0].text, loader: "text" };
+    });
+  },
+};
+
+// three.js from its modules, without shaders of materials and effects that no picture here has.
+const EFFECTS =
+  "alpha|aomap|batch|bump|clear|clipping|displace|dither|emissive|envmap_(?!physical)|fog|" +
+  "gradient|iridescence|light(map|probes|s_(lambert|phong|toon))|logdepth|map_particle|morph|" +
+  "normalmap|skin|tonemapping|transmission|uv";
+const UNUSED = new RegExp(
+  `ShaderLib/(?!(mesh)?(basic|physical|depth|shadow))|ShaderChunk/(${EFFECTS})`,
+);
+const three = {
+  name: "three",
+  setup(bundle) {
+    const path = resolve("node_modules/three/src/Three.js");
+    bundle.onResolve({ filter: /^three$/ }, () => ({ path, sideEffects: false }));
+    bundle.onLoad({ filter: /\.glsl\.js$/ }, async ({ path }) => {
+      const text = await readFile(path, "utf8");
+      return UNUSED.test(path.replaceAll(sep, "/"))
+        ? { contents: text.replace(/`[^`]*`/g, '""') }
+        : { contents: text.replace(/^[ \t]+|[ \t]*\/\/.*$/gm, "").replace(/\n+/g, "\n") };
     });
   },
 };
@@ -67,7 +89,7 @@ await build({
 });
 
 const SENTENCES = Object.entries(JSON.parse(await readFile("judge/sentences.json", "utf8")));
-const plugins = [css, worker];
+const plugins = [three, css, worker];
 
 // What a script is made from: its entry, and those of the checkers' sentences that it says.
 const stdin = (entry, words = {}, more = []) => ({

@@ -9,8 +9,11 @@
       const src = new URL(name, folder).href;
       document.head.append(Object.assign(document.createElement("script"), { src, onload: done, onerror: failed }));
     }));
+  const task = () => new Promise((go) => setTimeout(go));
+  // The page answers between reading the script, asking for the graphics processor and building.
+  const explorer = () => (scripts.ready ??= load("explorer.js").then(task).then(() => ArmExplorer.renderer()).then(task, () => {}));
   const wake = (stub) =>
-    stub.matches(".arm-judge") ? load("judge.js") : load("explorer.js").then(() => ArmExplorer.mount(stub));
+    stub.matches(".arm-judge") ? load("judge.js") : explorer().then(() => ArmExplorer.mount(stub));
 
   const near = new IntersectionObserver(
     (entries) => {

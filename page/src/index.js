@@ -6,9 +6,10 @@ import { keepLink } from "./link.js";
 import { asked } from "./verdicts.js";
 import { mountFigure } from "./figures.js";
 import { buildPanel, VIEWS } from "./panel.js";
-import { inUse, loseContext } from "./renderer.js";
+import { inUse, loseContext, renderer } from "./renderer.js";
 import { startingState, Store } from "./state.js";
 
+export { renderer };
 // For the tests.
 export { inUse, loseContext };
 

@@ -99,7 +99,6 @@ function keepShown(store, { card, head, stage, sliders, tabs }, { say, signal })
       say(() => summary(store, tabs));
     return undefined;
   }, signal);
-  draw();
   numbers.now();
 }
 

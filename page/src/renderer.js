@@ -11,7 +11,7 @@ import {
   Raycaster,
   Scene,
 } from "three";
-import { Box3, Spherical, Vector2, Vector3, WebGLRenderer } from "three";
+import { Box3, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { isShared } from "./shapes.js";
 
@@ -21,7 +21,8 @@ let warming = null; // the renderer that draws for the first time,
 let warm = null; // and that has done so
 const figures = new Set();
 
-function renderer() {
+// Throws where the browser has no WebGL.
+export function renderer() {
   if (shared) return shared;
   shared = new WebGLRenderer({
     antialias: true,
@@ -30,6 +31,7 @@ function renderer() {
     preserveDrawingBuffer: true, // a first picture is copied when it is done, in a later task
   });
   shared.debug.checkShaderErrors = false; // asking would wait for each program
+  shared.extensions.has("EXT_texture_filter_anisotropic"); // nor would this wait, asked now
   shared.setPixelRatio(1); // the sizes below are device pixels
   shared.setScissorTest(true);
   shared.shadowMap.enabled = true;
@@ -96,7 +98,15 @@ async function until(gl, is) {
   while (!gl.isContextLost() && !is());
 }
 
-// A first picture has to wait for its programs, and is shown when it is done.
+// Until it has done all that it was asked.
+function done(gl) {
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  return until(gl, () => gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED);
+}
+
+// A first picture has to wait for its programs, and is shown when it is done; each of its parts is
+// made ready in a task of its own.
 async function warmUp(renderer, figure) {
   if (warming === renderer) return;
   warming = renderer;
@@ -104,15 +114,26 @@ async function warmUp(renderer, figure) {
   const { scene, camera } = figure;
   const parts = [];
   scene.traverseVisible((part) => part.material && parts.push(part));
+  figure.enlarge(renderer);
   for (const part of parts) {
-    renderer.compile(part, camera, scene);
     await nextTask();
+    renderer.compile(part, camera, scene);
   }
   await until(gl, () => renderer.info.programs.every((program) => program.isReady()));
+  const { shadowMap } = renderer;
+  shadowMap.autoUpdate = false;
+  for (const part of parts) {
+    const others = parts.filter((one) => one !== part && one.visible);
+    others.forEach((one) => (one.visible = false));
+    figure.render(renderer, { width: 1, height: 1 });
+    others.forEach((one) => (one.visible = true));
+    await done(gl);
+  }
+  shadowMap.autoUpdate = true;
+  figure.render(renderer, { width: 1, height: 1 });
+  await done(gl);
   figure.render(renderer);
-  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-  gl.flush();
-  await until(gl, () => gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED);
+  await done(gl);
   warm = renderer;
   if (!figure.dirty) figure.copy(renderer);
   figures.forEach((one) => one.dirty && one.request());
@@ -236,7 +257,7 @@ export class Figure {
     Object.assign(this.canvas.style, { width: `${width}px`, height: `${height}px` });
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (this.points && Math.abs(this.fitted - this.camera.aspect) > 0.01) this.fit(this.points);
+    if (this.points && !(Math.abs(this.fitted - this.camera.aspect) < 0.01)) this.fit(this.points);
     this.dirty = true;
     // At once: a canvas of another size is blank.
     if (shared && warm === shared && !shared.getContext().isContextLost()) this.draw(shared);
@@ -248,13 +269,19 @@ export class Figure {
     this.copy(gl);
   }
 
-  render(gl) {
+  // Give the renderer room for this picture.
+  enlarge(gl) {
     const { width, height } = this.canvas;
     const size = gl.getSize(new Vector2());
     if (width > size.x || height > size.y)
       gl.setSize(Math.max(width, size.x), Math.max(height, size.y), false);
+  }
+
+  render(gl, touched = this.canvas) {
+    const { width, height } = this.canvas;
+    this.enlarge(gl);
     gl.setViewport(0, 0, width, height);
-    gl.setScissor(0, 0, width, height);
+    gl.setScissor(0, 0, touched.width, touched.height);
     gl.render(this.scene, this.camera);
     this.dirty = false;
   }
@@ -271,9 +298,10 @@ export class Figure {
   // Stand where all these points are in view, above the buttons at the picture's foot.
   fit(points) {
     this.points = points;
-    this.fitted = this.height ? this.camera.aspect : 0; // where it has no size yet, it fits nothing
+    if (!this.height) return; // until it has a size
     const { camera, controls, size } = this;
-    const foot = Math.min(0.3, this.foot() / (this.height || Infinity));
+    this.fitted = camera.aspect;
+    const foot = Math.min(0.3, this.foot() / this.height);
     const held = points.map((p) => new Vector3(...p));
     new Box3().setFromPoints(held).getCenter(controls.target);
     camera.position.copy(controls.target).addScaledVector(VIEW, 3 * size);
@@ -304,15 +332,9 @@ export class Figure {
 
   // Turn the camera by angles (rad) and bring it nearer by a factor.
   orbit(turn, tilt, nearer = 1) {
-    const away = this.camera.position.clone().sub(this.controls.target);
-    const place = new Spherical().setFromVector3(new Vector3(away.y, away.z, away.x));
-    place.theta += turn;
-    place.phi = Math.min(3.1, Math.max(0.05, place.phi + tilt));
-    place.radius *= nearer;
-    const turned = new Vector3().setFromSpherical(place);
-    this.camera.position.copy(this.controls.target).add(new Vector3(turned.z, turned.x, turned.y));
-    this.controls.update();
-    this.request();
+    this.controls.rotateLeft(-turn);
+    this.controls.rotateUp(-tilt);
+    this.controls.dollyIn(nearer);
   }
 
   // A point of the world in CSS pixels from the picture's top left corner.
