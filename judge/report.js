@@ -84,7 +84,8 @@ function unreadIn(text, { typed, table }) {
 }
 
 // The report on an answer that is right for another arm of the same name; null where there is none.
-function ofFamily({ topic, grade }, judge, text, asked) {
+/** @param {Report} first */
+function ofFamily({ topic, grade, typed }, judge, text, asked) {
   if (grade !== WRONG || topic === "table") return null; // whose own causes name it
   const [arm, ...rest] = asked;
   rest[judge.length - 2] = { ...rest[judge.length - 2], briefly: true };
@@ -97,6 +98,7 @@ function ofFamily({ topic, grade }, judge, text, asked) {
     findings: [{ what: "cause", where: "", words }],
     causes: [`arm.other:${other.name}`],
     advice: [{ field: "arm", value: other.name }],
+    typed,
   });
 }
 

@@ -609,7 +609,7 @@ def test_the_stub_says_where_the_arm_stands_in_a_page_of_its_own_or_not():
         assert len(text) < 12_000
         assert '<p class="arm-explorer-caption">Ä at q_1 = 0.123, q_2 = 0.</p><script' in text
         assert 'aria-label="Still picture of the Ä at q_1 = 0.123, q_2 = 0."' in text
-        assert '"arms":[{"name":"Ä","home":[0.0,0.0],' in text
+        assert '"arms":[{"name":"Ä","lengths":"1000, 500","home":[0.0,0.0],' in text
         assert '"q":[0.12345,-1e-09],"wrench":[0.0,0.0,0.0,0.0,0.0,0.0],"trace":null' in text
 
 

@@ -291,7 +291,7 @@ def test_a_text_is_cut_into_its_cells(text, rows):
 
 def test_a_letter_in_a_number_is_named():
     for text, piece in (("-0.3o39 * q_1", "0.3o39"), ("9O", "9O")):
-        with pytest.raises(ArmError, match=f"in '{piece}' stands a letter o; expected the digit 0"):
+        with pytest.raises(ArmError, match=f"in '{piece}' is a letter o; expected the digit 0"):
             Arm.from_table([[text, "q1", 0.5, 0.1]], **ORDER)
 
 

@@ -17,7 +17,16 @@ def arm_data(arm: Arm) -> Data:
     must_be(arm, Arm, "arm")
     bodies = arm.bodies or (None,) * len(arm.rows)
     rows = [_row_data(arm, row, body) for row, body in zip(arm.rows, bodies, strict=True)]
-    return {"name": arm.name, "home": list(arm.home), "rows": rows}
+    return {"name": arm.name, "lengths": _lengths(arm), "home": list(arm.home), "rows": rows}
+
+
+def _lengths(arm: Arm) -> str:
+    """An arm's lengths (mm) but the pen's, each once and as its rows have them, to tell it from
+    others of its name.
+    """
+    bare = arm.with_values(l_pen=0) if "l_pen" in arm.values else arm
+    each = (abs(1000 * bare.number(x)) for row in bare.rows for x in (row.d, row.a))
+    return ", ".join(dict.fromkeys(f"{x:g}" for x in each if x))
 
 
 def _row_data(arm: Arm, row: Row, body: Body | None) -> Data:
@@ -54,7 +63,7 @@ def judged_data(arm: Arm) -> Data:
     if robots := list(_robots(arm)):
         found["robots"] = robots
     if family := list(_family(arm)):
-        found |= {"lengths": _lengths(arm), "family": family}
+        found["family"] = family
     return json.loads(json.dumps(found))
 
 
@@ -69,12 +78,7 @@ def _family(arm: Arm) -> Iterator[Data]:
             for joint, at in arm.locked.items():
                 other = other.lock(joint, at)
             values = [[name, float(x)] for name, x in other.values.items()]
-            yield {**arm_data(other), "values": values, "lengths": _lengths(other)}
-
-
-def _lengths(arm: Arm) -> str:
-    """An arm's lengths (mm), to tell it from others of its name."""
-    return ", ".join(f"{1000 * x:g}" for name, x in arm.values.items() if name != "l_pen" and x)
+            yield {**arm_data(other), "values": values}
 
 
 def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:
@@ -88,27 +92,32 @@ def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:
     ]
 
 
+# The UR10 as its maker's table of Denavit-Hartenberg parameters has it: lengths (m), masses (kg).
+_UR10 = dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)
+_UR10_MASSES = (7.1, 12.7, 4.27, 2.0, 2.0, 0.365)
+
+
 def _namesakes() -> tuple[tuple[str, dict[str, float]], ...]:
-    """Robots of nearly one name: the UR10 as its manual's drawing has it and as its maker's table
-    of Denavit-Hartenberg parameters does, and the UR10e.
+    """Robots of nearly one name: the UR10 as its manual's drawing has it and by its maker's table,
+    and the UR10e.
     """
     from helpers.robots import UR10E, UR10E_HOMEWORK  # the checkers themselves need no catalogue
 
-    table = dict(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)
-    drawn, new = ({n: arm.values[n] for n in table} for arm in (UR10E_HOMEWORK, UR10E))
-    return ("UR10", drawn), ("UR10", table), ("UR10e", new)
+    drawn, new = ({n: arm.values[n] for n in _UR10} for arm in (UR10E_HOMEWORK, UR10E))
+    return ("UR10", drawn), ("UR10", _UR10), ("UR10e", new)
 
 
 def _robots(arm: Arm) -> Iterator[Data]:
     """The rows with the lengths of robots of nearly the arm's name, and without the pen; beside the
-    UR10e the masses (kg) of the UR10 as well, from the same table of the maker."""
+    UR10e the masses of the UR10 as well.
+    """
     own = next(
         (name for name, lengths in _namesakes() if lengths.items() <= arm.values.items()), None
     )
     for name, lengths in _namesakes():
         if own and name != own:
             other = arm.with_values(**lengths)
-            masses = {"masses": (7.1, 12.7, 4.27, 2.0, 2.0, 0.365)} if own == "UR10e" else {}
+            masses = {"masses": _UR10_MASSES} if name == "UR10" else {}
             found = {"name": name, "rows": arm_data(other)["rows"], **masses}
             if arm.values.get("l_pen"):
                 found["penless"] = arm_data(other.with_values(l_pen=0))["rows"]

@@ -149,10 +149,7 @@ export function parse(text, what = "the formula") {
   if (!text.trim()) throw new ArmError(`${what} is empty; expected a number or a formula, or 0`);
   const signs = plain(text);
   const [odd] = LETTER_O.exec(signs) ?? [];
-  if (odd) {
-    const words = `in ${shown(odd)} stands a letter o; expected the digit 0, or °`;
-    throw new ArmError(`${what}: ${words}`);
-  }
+  if (odd) throw new ArmError(`${what}: in ${shown(odd)} is a letter o; expected the digit 0 or °`);
   const tokens = tokensOf(signs);
   if (!tokens) {
     throw new ArmError(

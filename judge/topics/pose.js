@@ -23,7 +23,6 @@ const FAR = 10; // margins: what is missed by less may be several joints, each a
 // the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
 const ROUGH = 0.1;
 const COARSE = 2e-3; // rad or m: angles with fewer decimals are taken as meant, unless that fails
-export const SHAPES = ["4x4", "3x4", "3"]; // of a target: poses, and a point
 
 /** @typedef {import("./branches.js").Answer} Answer */
 /**
@@ -44,22 +43,26 @@ function poseCompared(q, arm, T, options = {}) {
   if (given.length !== 1)
     throw new ArmError(say("one answer", { arm: arm.name, count: given.length }));
   const { known } = lookup(arm, given[0].values);
-  const [what, wanted] = [`${arm.name}: the target`, say("a point or a pose")];
-  const target = numbers(T, what, known, wanted);
-  const sizes = target.shape.filter((n) => n !== 1);
-  const shape = sizes.join("x");
-  if (!SHAPES.includes(shape))
-    throw new ArmError(say("pose shape", { what, given: counted(sizes), wanted }));
-  const units = target.symbolic ? given[0].units.map(() => 0) : given[0].units;
+  const target = targetOf(T, arm, known);
+  const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
   return {
-    ...judged({ ...given[0], units }, arm, targetOf(target, shape), tolerance, taken),
+    ...judged({ ...given[0], units }, arm, target, tolerance, taken),
     typed,
   };
 }
 
-/** @returns {Target} */
-function targetOf({ values, units, symbolic }, shape) {
-  const pose = shape !== "3";
+/**
+ * What was typed as a pose or, where it may be one, a point.
+ * @returns {Target}
+ */
+export function targetOf(T, arm, known, orPoint = true) {
+  const what = `${arm.name}: the target`;
+  const wanted = say(orPoint ? "a point or a pose" : "a pose");
+  const { values, units, shape, symbolic } = numbers(T, what, known, wanted);
+  const form = shape.filter((n) => n !== 1).join("x");
+  const pose = form === "4x4" || form === "3x4";
+  if (!pose && !(orPoint && form === "3"))
+    throw new ArmError(say("pose shape", { what, given: counted(shape), wanted }));
   const rows = (list) => (pose ? [0, 1, 2].map((i) => list.slice(4 * i, 4 * i + 4)) : [list]);
   return { values: rows(values), units: rows(units), pose, formulas: symbolic };
 }

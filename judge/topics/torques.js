@@ -79,9 +79,7 @@ function loaded(arm, poses, { wrench = [0, 0, 0, 0, 0, 0], gravity = GRAVITY }) 
 export function poses(q, arm, angles) {
   const dof = joints(arm).length;
   const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
-  let { shape } = typed;
-  if (shape.length === 2 && shape[0] === 1) shape = shape.slice(1);
-  if (shape.at(-1) !== dof) throw notPerJoint(`${arm.name}: q`, arm, shape);
+  if (typed.shape.at(-1) !== dof) throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
   return inRadians(typed, arm, angles);
 }
 

@@ -94,10 +94,5 @@ export function tableText({ rows }) {
 // A list with another value in one place.
 export const replaced = (list, at, value) => list.map((v, i) => (i === at ? value : v));
 
-// An arm's lengths in mm, each once and in the order of its rows, for a list of arms.
-export function lengthsOf({ rows, lengths }) {
-  const all = rows.flatMap(({ a, d }) => [d, a]).filter(Boolean);
-  const each = new Set(all.map((v) => short(1000 * Math.abs(v), 2)));
-  const told = lengths ?? [...each].join(", ");
-  return told ? `: ${told} mm` : "";
-}
+// What tells an arm from others of its name in a list.
+export const lengthsOf = ({ lengths }) => (lengths ? `: ${lengths} mm` : "");

@@ -213,11 +213,15 @@ const UNBROKEN = [
 const PARTS = new RegExp(`(${UNBROKEN.join("|")})`, "u");
 
 /**
- * A sentence with its symbols set, z_{i-1} as a letter and an index, of which no line parts what
- * belongs together.
+ * A sentence with its symbols set, z_{i-1} as a letter and an index, and what it quotes between
+ * backticks as it was typed.
  * @param {string} words
  */
 const typeset = (words) =>
+  words.split(/`(.*?)`/).flatMap((part, k) => (k % 2 ? h("code", {}, part) : unbroken(part)));
+
+// With what belongs together on one line.
+const unbroken = (words) =>
   words.split(PARTS).flatMap((part, k) => (k % 2 ? h("span.unbroken", {}, set(part)) : set(part)));
 
 function set(words) {

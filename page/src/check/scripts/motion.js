@@ -5,9 +5,9 @@ import { compareBranches } from "../../../../judge/topics/branches.js";
 import { numbers, pose } from "../../../../judge/reading/numbers.js";
 import { asksPose, formOf } from "../../../../judge/geometry/inverse.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
-import { comparePose, SHAPES } from "../../../../judge/topics/pose.js";
+import { comparePose, targetOf } from "../../../../judge/topics/pose.js";
 import { readers, register } from "../checkers.js";
-import { ArmError, counted, say } from "../../../../judge/sentences.js";
+import { ArmError } from "../../../../judge/sentences.js";
 import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
 
 /** @typedef {import("../question.js").Question} Question */
@@ -22,10 +22,10 @@ readers.pose = pose;
 // One joint vector
 
 register("pose", (question, arm) =>
-  comparePose(question.answer, arm, targetOf(question), { angles: question.unit }),
+  comparePose(question.answer, arm, typedTarget(question), { angles: question.unit }),
 );
 
-function targetOf({ target }) {
+function typedTarget({ target }) {
   if (!target.trim())
     throw new ArmError("Say where the tip should be: a point x, y, z in m, or a pose.");
   return target;
@@ -50,17 +50,9 @@ function formFor(arm) {
 // The target as inverse kinematics take it: three coordinates, or the four rows of a pose.
 /** @param {Question} question @returns {any[]} */
 function rowsOf(question, arm, form) {
-  const what = `${arm.name}: the target`;
-  const { values, shape } = numbers(targetOf(question), what);
-  const sizes = shape.filter((n) => n !== 1);
-  const found = sizes.join("x");
-  if (!SHAPES.slice(0, asksPose(form) ? 2 : 3).includes(found)) {
-    const wanted = say(asksPose(form) ? "a pose" : "a point or a pose");
-    throw new ArmError(say("pose shape", { what, given: counted(sizes), wanted }));
-  }
-  const rows = [0, 1, 2].map((i) => values.slice(4 * i, 4 * i + 4));
-  if (asksPose(form)) return [...exact(rows), [0, 0, 0, 1]];
-  return found === "3" ? values : rows.map((row) => row[3]);
+  const { values, pose } = targetOf(typedTarget(question), arm, undefined, !asksPose(form));
+  if (asksPose(form)) return [...exact(values), [0, 0, 0, 1]];
+  return pose ? values.map((row) => row[3]) : values[0];
 }
 
 // A pose typed with a few decimals, its axes made perpendicular and of length 1 again: the nearest
