@@ -29,6 +29,7 @@ AROUND = re.compile(
     r'<span style="margin-right:(0\.\d+)em;"></span>([^<]+)'
     r'<span style="margin-right:\1em;"></span>'
 )
+THIN = '<span style="margin-right:0.1667em;"></span>'
 SIGNS = {"0.2222": "b", "0.2778": "bdi"}  # a sum's and a relation's, by their room in em
 # A letter leans out of its box; its index goes back below it.
 LEANS = re.compile(
@@ -43,7 +44,8 @@ def lighter(markup: str) -> str:
     tree = ElementTree.fromstring(markup)
     seen = tree.find(".//*[@class='katex-html']")
     parts = "".join(_tagged("span", {"aria-hidden": "true"}, _part(part)) for part in seen)
-    return _heard(tree.find(".//math"), tree) + LEANS.sub(_upright, AROUND.sub(_sign, parts))
+    parts = AROUND.sub(_sign, parts).replace(THIN, "<u></u>")
+    return _heard(tree.find(".//math"), tree) + LEANS.sub(_upright, parts)
 
 
 def _part(part: Element) -> str:

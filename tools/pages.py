@@ -45,16 +45,28 @@ OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
 STYLED = re.compile(r'<(i|span|sub|svg) style="([^"]+)"(?: class="([^"]+)")?')
+IDLE = re.compile(r"(?<=<pre>)<span></span>| docutils container(?=\")")
+DATA = re.compile(r'(?<=<script type="application/json">).+?(?=</script>)', re.S)
+FILLED = """document.querySelectorAll("script[type='application/json']").forEach((place, k) => {
+  place.textContent = JSON.stringify(data[k]);
+});"""
 TIME = re.compile(r"(.*?)\s*· (.+)")
+TOKEN = re.compile(r'<span class="(o|mi|mf)">([^<]*)</span>')
+MARKS = {"o": r"<b>\2</b>", "mi": r"<u>\2</u>", "mf": r"<u>\2</u>"}
 COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
 
 
 class LightFormatter(HtmlFormatter):
-    """Code without spans around what has no colour of its own: half of a chapter's bytes."""
+    """Code without spans around what has no colour of its own, and short ones around operators and
+    numbers: half of a chapter's bytes."""
 
     def _get_css_class(self, ttype):
         plain = ttype in Name or ttype in Punctuation or ttype in Text
         return super()._get_css_class(ttype) if ttype in COLOURED or not plain else ""
+
+    def _format_lines(self, tokensource):
+        for is_code, line in super()._format_lines(tokensource):
+            yield is_code, TOKEN.sub(lambda found: found.expand(MARKS[found[1]]), line)
 
 
 class Margin(SphinxDirective):
@@ -276,9 +288,24 @@ def named_styles(app: Sphinx, _page: str, _template: str, context: dict, _tree: 
         name = names.setdefault(style, f"f{len(names)}")
         return f'<{tag} class="{classes + " " if classes else ""}{name}"'
 
-    context["body"] = STYLED.sub(named, context.get("body", ""))
+    context["body"] = STYLED.sub(named, IDLE.sub("", context.get("body", "")))
     rules = "".join(f"#main .{name}{{{style}}}" for style, name in names.items())
     context["metatags"] = context.get("metatags", "") + f"<style>{rules}</style>" * bool(rules)
+
+
+def data_behind(app: Sphinx, page: str, _template: str, context: dict, _tree: object) -> None:
+    """The data of live figures, which nobody reads, in a script of the page that comes behind its
+    text."""
+    body = context.get("body", "")
+    if not (data := DATA.findall(body)):
+        return
+    script = f"{{const data = [{','.join(data)}];\n{FILLED}}}\n"
+    path = Path(app.outdir, "_static", "data", f"{page}.js")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(script, encoding="utf-8")
+    address = f"{context['pathto'](f'_static/data/{page}.js', 1)}?v={crc32(script.encode()):08x}"
+    context["body"] = DATA.sub("", body)
+    context["metatags"] = context.get("metatags", "") + f'<script defer src="{address}"></script>'
 
 
 def authors(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
@@ -302,4 +329,5 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.connect("doctree-resolved", prepare, priority=900)
     app.connect("html-page-context", authors)
     app.connect("html-page-context", named_styles)
+    app.connect("html-page-context", data_behind)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

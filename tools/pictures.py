@@ -13,6 +13,7 @@ from pathlib import Path
 
 from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 
 SVG = "{http://www.w3.org/2000/svg}"
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
@@ -28,6 +29,7 @@ COLOUR = re.compile(r"(?<=fill: |roke: |fill=\"|roke=\")#[0-9a-fA-F]{6}\b")
 PLACE = re.compile(
     r"translate\(([-\d.]+)[ ,]+([-\d.]+)\)(?: rotate\(([-\d.]+)\))?(?: scale\(([\d.]+))?"
 )
+DIGEST = re.compile(r"[0-9a-f]{64}\.svg")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 Box = tuple[float, float, float, float]  # left, top, right, bottom
 
@@ -285,6 +287,13 @@ def _cut(mode: str, picture: str, box: Box, root: ET.Element) -> str:
     return window + picture.replace("<img ", f'<img style="{place}" ') + "</span>"
 
 
+def short_names(_app: Sphinx, env: BuildEnvironment) -> None:
+    """MyST-NB calls a drawing by 64 digits, and a page does so four times or more."""
+    for source, (pages, name) in env.images.items():
+        if DIGEST.fullmatch(name):
+            env.images[source] = pages, name[-12:]
+
+
 def draw_dark(app: Sphinx, error: Exception | None) -> None:
     """Write the twins, once the drawings are copied."""
     if error or app.builder.format != "html":
@@ -297,5 +306,6 @@ def draw_dark(app: Sphinx, error: Exception | None) -> None:
 
 def setup(app: Sphinx) -> dict[str, bool]:
     app.add_node(nodes.image, override=True, html=(visit_image, lambda *_: None))
+    app.connect("env-updated", short_names)
     app.connect("build-finished", draw_dark)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

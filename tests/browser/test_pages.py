@@ -93,7 +93,7 @@ THINNED = f"""() => {{
     const again = (e, kind) => (seen.has(kind) ? e.remove() : seen.add(kind));
     formulas.forEach(m => m.replaceChildren());
     for (const part of formulas) again(part, part.tagName);
-    const words = [...document.querySelectorAll("article :is(span, i, b, sub, sup, em):not(a *, button *, summary *, label *, math ~ *)")];
+    const words = [...document.querySelectorAll("article :is(span, i, b, u, sub, sup, em):not(a *, button *, summary *, label *, math ~ *)")];
     const kinds = words.map((word) => [word.tagName, word.className, word.parentElement.tagName, word.parentElement.className, look(word), legible(word)].join());
     for (let k = words.length; k--; )
         if (!words[k].childElementCount && !words[k].matches("[role], [tabindex], [id], [aria-label]")) again(words[k], kinds[k]);
