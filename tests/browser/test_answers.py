@@ -19,6 +19,8 @@ def test_answers_are_printed_open_and_closed_again(browser, scripts):
     answers = page.locator("details.answer")
     assert text.count("In numbers:") == answers.count() == 16
     assert page.locator("details.answer[open]").count() == 0
+    cut = "all => all.filter((one) => getComputedStyle(one).overflow !== 'visible').length"
+    assert page.locator(".display").evaluate_all(cut) == 0, "a bracket that is cut off"
     context.close()
 
 
