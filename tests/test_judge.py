@@ -17,6 +17,7 @@ from helpers.inputs import ArmError
 from helpers.motion import circle_below, rest_to_rest
 from helpers.robots import ELBOW, PANDA, STANFORD
 from tests import motion_pastes, table_pastes
+from tests.brought import BROUGHT
 from tests.node import ask_node, needs_node
 from tests.pastes import MATRICES, PROGRAMS, lines
 from tests.test_book import ROOT
@@ -201,6 +202,15 @@ def test_the_page_says_what_python_says():
         assert [x for x in lines if not x.startswith(advice)] == answer["words"].splitlines(), (
             fields
         )
+
+
+@pytest.mark.parametrize(("finding", "fields", "words"), BROUGHT)
+def test_what_people_bring_is_told_in_python(finding, fields, words):
+    try:
+        said = str(in_python(fields))
+    except ArmError as refused:
+        said = str(refused)
+    assert words in said
 
 
 @needs_node

@@ -1,8 +1,11 @@
 """The judge at the top of the page on checking, from a file and with the network blocked: what is
 typed is judged, wrong cells are marked, and a link brings it back."""
 
+from urllib.parse import urlencode
+
 import pytest
 
+from tests.brought import BROUGHT
 from tests.browser.reader import AXE, BAD, EVERYTHING, THERE, UNDRAWN, UNTOUCHED
 from tests.test_book import HTML
 
@@ -329,7 +332,7 @@ def test_the_verdict_stands_above_the_keys_of_a_phone(page):
     assert field.bounding_box()["y"] > 0
 
 
-@wide
+@phone
 def test_nothing_is_red_before_anything_was_typed(page):
     field = page.get_by_label("Your answer", exact=True)
     arms = page.get_by_label("Arm", exact=True)
@@ -349,6 +352,30 @@ def test_nothing_is_red_before_anything_was_typed(page):
     arms.select_option("ELBOW")
     assert field.input_value() == "1 2 3"  # what was typed stays
     assert page.get_by_label("Pose q").input_value() == "0, π/4, −π/2"
+
+
+ASKED = """asked => new Promise((done) => {
+  addEventListener("hashchange", done, { once: true });
+  if (location.hash === `#${asked}`) done();
+  location.hash = asked;
+})"""
+TONES = """box => ["right", "so far", "rounded", "wrong"].map((grade) => {
+  box.className = `verdict ${grade}`;
+  return getComputedStyle(box).borderLeftColor;
+})"""
+
+
+@phone
+def test_what_people_bring_is_told_on_a_phone(page):
+    for finding, fields, words in BROUGHT:
+        page.evaluate(ASKED, urlencode({**fields, "answer": ""}))
+        page.get_by_label("Your answer", exact=True).fill(fields["answer"])
+        verdict(page, words or "Type or paste your answer.")
+        assert page.evaluate(OUTSIDE) == [], finding
+    box = page.locator(".arm-judge .verdict.so")  # other zeros
+    right, so_far, rounded, wrong = box.evaluate(TONES)
+    assert so_far == rounded
+    assert len({right, so_far, wrong}) == 3
 
 
 SWAPPED = "\n".join(ELBOW.splitlines()[3:] + ELBOW.splitlines()[:3])
