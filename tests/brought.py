@@ -58,9 +58,9 @@ def of_stanford():
     return {**asked, "target": rows(T[:3], ".6f")}
 
 
-def numbered():
-    four = enumerate(answers(inverse.elbow, ELBOW, THERE).round(4), 1)
-    return "\n".join(f"Solution {i}: Θ₁ = {a}, Θ₂ = {b}, Θ₃ = {c}" for i, (a, b, c) in four)
+def numbered(form):
+    four = answers(inverse.elbow, ELBOW, THERE).round(4)
+    return "\n".join(form.format(i, *q) for i, q in enumerate(four, 1))
 
 
 def swapped(arm, q):
@@ -97,7 +97,10 @@ BROUGHT = [
     ("C.11", {"ask": "jacobian", **BENT, "answer": swapped(ELBOW, [0.5, 0.7, -0.4])},
      "linear and angular rows are exchanged"),
     ("C.12", tau(""), ""),
-    ("C.13", angles("branches", numbered()), COMPLETE),
+    *(("C.13", angles("branches", numbered(form)), COMPLETE)
+      for form in ("Solution {}: Θ₁ = {}, Θ₂ = {}, Θ₃ = {}", "{}) ({}, {}, {})")),
+    *(("C.13", tau("\n".join(form.format(*x) for x in enumerate(TAU, 1))), RIGHT)
+      for form in ("Joint {}\t{}", "Joint {}: {} N·m", "τ_{} = {} Nm")),
     ("C.13", {"ask": "jacobian", "arm": "PANDA.lock(3)", "q": "0, " * 6 + "0", "answer": "1"},
      ", which is locked"),
     ("C.13", tau("[0.1 0.2 ... 0.5 0.6]"), "he print was cut"),

@@ -302,21 +302,6 @@ def test_other_zeros_are_told_and_not_green():
     assert "◐" in report._repr_markdown_()
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "Joint\ttau\n" + "\n".join(f"Joint {i}\t{x}" for i, x in enumerate(TAU, 1)),
-        "\n".join(f"Joint {i}: {x} N·m" for i, x in enumerate(TAU, 1)),
-        f"[{', '.join(map(str, TAU))}] Nm",
-        f"τ₁ = {TAU[0]}, τ₂ = {TAU[1]}, τ₃ = {TAU[2]}, τ₄ = {TAU[3]}, τ₅ = {TAU[4]}, τ₆ = {TAU[5]}",
-        "\n".join(f"{i}    {x:.4f}" for i, x in enumerate(TAU)) + "\ndtype: float64",
-        "tau =\n\n" + "\n".join(f"   {x}" for x in TAU),
-    ],
-)
-def test_torques_are_read_as_people_type_them(text):
-    assert torques(text).agrees
-
-
 def test_formulas_are_read_as_people_type_them():
     rows = [
         "-s1*(a_2c_2+a_3c_{23})", "-c1*(a_2s_2+a_3s_{23})", "-c_1a_3s_{23}",
@@ -326,12 +311,3 @@ def test_formulas_are_read_as_people_type_them():
     text = "; ".join(", ".join(rows[i : i + 3]) for i in range(0, 18, 3))
     for typed in (f"[{text}]", f"J = @(q1,q2,q3) [{text}]"):
         assert checks.compare_jacobian(typed, ELBOW).agrees, typed
-
-
-def test_answers_are_read_with_their_numbers():
-    found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
-    q = found.q[found.valid].round(4)
-    named = [f"Solution {i}: Θ₁ = {a}, Θ₂ = {b}, Θ₃ = {c}" for i, (a, b, c) in enumerate(q, 1)]
-    counted = [f"{i}) ({a}, {b}, {c})" for i, (a, b, c) in enumerate(q, 1)]
-    for lines in (named, counted):
-        assert checks.compare_branches("\n".join(lines), found).agrees, lines
