@@ -140,16 +140,14 @@ def test_a_picture_stands_twice_and_says_its_size(tmp_path):
 def test_each_panel_is_a_window_on_the_whole(tmp_path):
     html = shown(tmp_path, figure(*TWO))
     assert 'class="picture many"' in html
-    windows = re.findall(
-        r'<span class="panel light" style="(.*?)"><img style="(.*?)".*?alt="(.*?)"', html
-    )
+    windows = re.findall(r'<span class="panel" style="(.*?); (--.*?)"><img .*?alt="(.*?)"', html)
     assert windows[1] == (
         "aspect-ratio: 186 / 166; max-width: 372px",
-        "width: 215.05%; left: -111.29%; top: -10.24%",
+        "--wide: 215.05%; --left: -111.29%; --top: -10.24%",
         "",
     )
     assert windows[0][2] == "A &quot;b&quot;"
-    assert html.count('class="panel dark"') == 2
+    assert html.count('<img class="dark"') == html.count('<img class="light"') == 3
 
 
 def test_a_box_is_folded_at_its_title():

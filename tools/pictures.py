@@ -256,12 +256,11 @@ def visit_image(translator, node) -> None:
     classes = " ".join(["picture", *kinds, *node["classes"]])
     style = f' style="width: {node["width"]}"' if "width" in node else ""
     translator.body.append(f'<span class="{classes}"{style}>')
-    for mode, folder in (("light", builder.imgpath), ("dark", f"{builder.imgpath}/dark")):
-        picture = _img(f"{folder}/{name}", node.get("alt", ""), size(root))
-        translator.body.append(f'<span class="whole {mode}">{picture}</span>')
-        bare = _img(f"{folder}/{name}", "", size(root))  # the first panel has the words for all
-        cuts = zip([picture] + [bare] * len(boxes), boxes, strict=False)
-        translator.body += [_cut(mode, one, box, root) for one, box in cuts]
+    source, words = f"{builder.imgpath}/{name}", node.get("alt", "")
+    translator.body.append(_twins(source, words, root))
+    for box in boxes:
+        translator.body.append(_cut(_twins(source, words, root), box, root))
+        words = ""  # the first panel has them for all
     translator.body.append("</span>")
     raise nodes.SkipNode
 
@@ -272,19 +271,22 @@ def _small(boxes: list[Box]) -> bool:
     return len(boxes) > 3 and max(box[2] - box[0] for box in boxes) <= 170
 
 
-def _img(source: str, words: str, sides: tuple[int, int] | None) -> str:
+def _twins(source: str, words: str, root: ET.Element) -> str:
+    folder, name = source.rsplit("/", 1)
+    sides = size(root)
     room = f' width="{sides[0]}" height="{sides[1]}"' if sides else ""
-    return f'<img src="{source}" alt="{escape(words)}"{room} loading="lazy">'
+    rest = f'alt="{escape(words)}"{room} loading="lazy">'
+    places = {"light": source, "dark": f"{folder}/dark/{name}"}
+    return "".join(f'<img class="{mode}" src="{at}" {rest}' for mode, at in places.items())
 
 
-def _cut(mode: str, picture: str, box: Box, root: ET.Element) -> str:
+def _cut(pictures: str, box: Box, root: ET.Element) -> str:
     """The whole drawing in a window that shows one panel of it."""
     left, top, wide, high = box[0] - 3, box[1] - 3, box[2] - box[0] + 6, box[3] - box[1] + 6
     whole = [float(number) for number in root.get("viewBox").split()][2:]
-    place = f"width: {whole[0] / wide:.2%}; left: {-left / wide:.2%}; top: {-top / high:.2%}"
+    place = f"--wide: {whole[0] / wide:.2%}; --left: {-left / wide:.2%}; --top: {-top / high:.2%}"
     most = f"aspect-ratio: {wide:.0f} / {high:.0f}; max-width: {1.5 * wide * POINT['pt']:.0f}px"
-    window = f'<span class="panel {mode}" style="{most}">'
-    return window + picture.replace("<img ", f'<img style="{place}" ') + "</span>"
+    return f'<span class="panel" style="{most}; {place}">{pictures}</span>'
 
 
 def short_names(_app: Sphinx, env: BuildEnvironment) -> None:
