@@ -46,10 +46,11 @@ TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention=
 SPACE = "\N{NO-BREAK SPACE}"
 STYLED = re.compile(r'<(i|span|sub|svg) style="([^"]+)"(?: class="([^"]+)")?')
 IDLE = re.compile(r"(?<=<pre>)<span></span>| docutils container(?=\")")
-DATA = re.compile(r'(?<=<script type="application/json">).+?(?=</script>)', re.S)
-FILLED = """document.querySelectorAll("script[type='application/json']").forEach((place, k) => {
-  place.textContent = JSON.stringify(data[k]);
-});"""
+DATA = re.compile(r'<script type="application/json">(.+?)(?=</script>)', re.S)
+FILLED = """document.querySelectorAll("script[data-from]").forEach((place, k) => {
+  place.textContent = JSON.stringify([DATA][k]);
+});
+"""
 TIME = re.compile(r"(.*?)\s*· (.+)")
 TOKEN = re.compile(r'<span class="(o|mi|mf)">([^<]*)</span>')
 MARKS = {"o": r"<b>\2</b>", "mi": r"<u>\2</u>", "mf": r"<u>\2</u>"}
@@ -294,18 +295,17 @@ def named_styles(app: Sphinx, _page: str, _template: str, context: dict, _tree: 
 
 
 def data_behind(app: Sphinx, page: str, _template: str, context: dict, _tree: object) -> None:
-    """The data of live figures, which nobody reads, in a script of the page that comes behind its
-    text."""
+    """The data of live figures, which nobody reads, in a script of the page that
+    `book/assets/explorer-loader.js` asks for; a file can read no other."""
     body = context.get("body", "")
     if not (data := DATA.findall(body)):
         return
-    script = f"{{const data = [{','.join(data)}];\n{FILLED}}}\n"
+    script = FILLED.replace("DATA", ",".join(data))
     path = Path(app.outdir, "_static", "data", f"{page}.js")
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(script, encoding="utf-8")
-    address = f"{context['pathto'](f'_static/data/{page}.js', 1)}?v={crc32(script.encode()):08x}"
-    context["body"] = DATA.sub("", body)
-    context["metatags"] = context.get("metatags", "") + f'<script defer src="{address}"></script>'
+    address = f"data/{page}.js?v={crc32(script.encode()):08x}"
+    context["body"] = DATA.sub(f'<script type="application/json" data-from="{address}">', body)
 
 
 def authors(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:

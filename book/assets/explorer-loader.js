@@ -4,16 +4,21 @@
   const folder = document.currentScript.src;
   const scripts = {};
 
+  // They run in the order in which they are asked for.
   const load = (name) =>
     (scripts[name] ??= new Promise((done, failed) => {
       const src = new URL(name, folder).href;
-      document.head.append(Object.assign(document.createElement("script"), { src, onload: done, onerror: failed }));
+      document.head.append(Object.assign(document.createElement("script"), { src, async: false, onload: done, onerror: failed }));
     }));
   const task = () => new Promise((go) => setTimeout(go));
   // The page answers between reading the script, asking for the graphics processor and building.
   const explorer = () => (scripts.ready ??= load("explorer.js").then(task).then(() => ArmExplorer.renderer()).then(task, () => {}));
-  const wake = (stub) =>
-    stub.matches(".arm-judge") ? load("judge.js") : explorer().then(() => ArmExplorer.mount(stub));
+  const wake = (stub) => {
+    const { from } = stub.querySelector("script")?.dataset ?? {};
+    const data = from && load(from);
+    if (stub.matches(".arm-judge")) return load("judge.js");
+    return Promise.all([explorer(), data]).then(() => ArmExplorer.mount(stub));
+  };
 
   const near = new IntersectionObserver(
     (entries) => {

@@ -50,6 +50,7 @@ KEPT = f"""document.addEventListener("DOMContentLoaded", () => {{
 }});"""
 AFRESH = f"""(fragment) => {{
     const old = document.querySelector("{INSTRUMENT}"), stub = asItCame.cloneNode(true);
+    stub.querySelector("script").replaceWith(old.querySelector("script"));
     old.explorer.dispose();
     old.replaceWith(stub);
     history.replaceState(null, "", fragment || location.pathname + location.search);
