@@ -17,10 +17,10 @@ take: async (name) => {
         section.append(words);
     });
     all(".scrolls").forEach((box) => box.classList.remove("scrolls", "more-left", "more-right"));
-    all(".display").forEach((box) => {
-        box.style.fontSize = "";
+    all(".display, span.matrix").forEach((box) => {
+        box.style.removeProperty("--share");
         const room = box.clientWidth / box.scrollWidth;
-        if (room < 1) box.style.fontSize = `${Math.floor(room * 100)}%`;
+        if (room < 1) box.style.setProperty("--share", Math.floor(room * 100) / 100);
     });
     // A page names the styles of its formulas; another one has other names.
     for (const sheet of document.querySelectorAll("head > style")) {
