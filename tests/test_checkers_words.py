@@ -111,9 +111,7 @@ def test_a_table_without_heads_may_have_more_slides_than_turns():
 
 
 ADVICE = [
-    (J_of(np.vstack([J[3:], J[:3]])), "say angular_first=True"),
     (lambda: checks.compare_jacobian(np.vstack([J[3:], J[:3]]), UR10E, Q, angular_first=True), ""),
-    (J_of(J, q=np.degrees(Q)), 'say angles="deg"'),
     (J_of(np.vstack([J[3:], J[:3]]), q=np.degrees(Q)), '"deg", say angular_first=True'),
     (table(FRANKA, PANDA.with_values(l_pen=0)), 'say convention="craig"'),
     (table("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0", ELBOW), 'is report.figures["arm"]'),

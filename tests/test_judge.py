@@ -26,7 +26,6 @@ Q = [0.5, 0.7, -0.4]
 # The elbow arm's Jacobian at Q by hand: c_1, s_1 of 0.5; r = 0.4 cos 0.7 + 0.3 cos 0.3, and so on.
 ROWS = MATRICES[0]
 CSV = lines(",", "\n")(ROWS)
-LATEX = lines(" & ", r" \\ ", r"\begin{bmatrix}", r"\end{bmatrix}")(ROWS)
 REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__import__('os')",
            "1/0 2 3", "{" * 80, "sin( 1 2", "\\begin{pmatrix}", "1 2 nan", "θ_7 1 1",
            "'\"\\ \t", "1e400 1 1", "1.234.5 1", "1\t2\n3", "1,,2", "#DIV/0!\t1",
@@ -98,16 +97,12 @@ c_1*(L_1*c_2+ell*c_23) -s_1*(L_1*s_2+ell*s_23) -ell*s_1*s_23
 BY_LINK = [
     *judge.EXAMPLES,
     judge.traced(),
-    {"ask": "jacobian", "arm": "ELBOW", "q": "30, 40, -20", "unit": "deg",
-     "answer": LATEX},
     {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": CSV},
     {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
      "answer": lines("  ", "\n", "J =\n\n")(ROWS)},
     {"ask": "table", "arm": "ELBOW", "lengths": "m", "answer": table_pastes.RIGHT["craig"]},
     {"ask": "table", "arm": "ELBOW", "angles": "deg", "columns": "a alpha d theta",
      "convention": "standard", "answer": "0 90 0.5 q1\n0.4 0 0 q2\n0.2 0 0 q3"},
-    {"ask": "branches", "arm": "ELBOW", "target": "0.3, 0.1, 0.7",
-     "answer": "theta1 = 0.3, theta2 = 1.2, theta3 = -1.5"},
     {"ask": "branches", "arm": "UR10E", "unit": "deg", "answer": "0 0 0 0 0 0",
      "target": "[[1, 0, 0, 0.5], [0, 0, -1, -0.3], [0, 1, 0, 0.4]]"},
     {"ask": "branches", "arm": "STANFORD", "answer": "0.4 0.7 0.3 0.2 0.5 0.1",
@@ -249,7 +244,7 @@ def test_no_sentence_that_the_page_may_say_speaks_python():
 
 @needs_node
 def test_nothing_that_the_page_says_of_bad_input_speaks_python():
-    asked = [*judge.EXAMPLES, judge.traced(), {**BY_LINK[8], "ask": "torques"}, *BY_LINK[7:9]]
+    asked = [*judge.EXAMPLES, judge.traced(), {**BY_LINK[7], "ask": "torques"}, *BY_LINK[6:8]]
     asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # of which there is no formula
     bad = [{**one, field: text} for one in asked
            for field in TYPED if field in one for text in [*REFUSED, *COUNTS]]  # fmt: skip

@@ -279,7 +279,7 @@ def test_a_chapter_has_a_small_judge_that_knows_what_is_asked(chapter):
         ("01_dh_tables", 1, "0.325 0 0.4 q1\n0.225 pi 0 q2\n0 0 q3 0\n0 0 0 q4", "same arm"),
         ("03_circle_tracing", 0, "0 0 1.57 0 3.14 0\n" * 9, "does not draw the path"),
         ("04_static_torque", 0, "0 26.67931 0 -18.407654 0.696491 1.115249 -0.03068", "wrong sign"),
-        ("05_inverse_kinematics", 0, "0.1 0.2 0.3", "joint angles for"),
+        ("05_inverse_kinematics", 0, "1 2 3", "and q3 agree with no branch"),
     ],
 )
 def test_a_chapter_judges_what_it_asks(chapter, name, number, answer, words):
@@ -382,26 +382,14 @@ SWAPPED = "\n".join(ELBOW.splitlines()[3:] + ELBOW.splitlines()[:3])
 
 
 @phone
-@pytest.mark.parametrize(
-    ("q", "answer", "buttons"),
-    [
-        ("0.5, 0.7, -0.4", SWAPPED, ["Order of the rows: ω, then v"]),
-        ("28.6479, 40.1070, -22.9183", ELBOW, ["Angles in: deg"]),
-        (
-            "28.6479, 40.1070, -22.9183",
-            SWAPPED,
-            ["Angles in: deg", "Order of the rows: ω, then v"],
-        ),
-    ],
-)
-def test_each_advice_is_a_button_that_sets_a_field(page, q, answer, buttons):
-    ask(page, answer, q)
+def test_each_advice_is_a_button_that_sets_a_field(page):
+    ask(page, SWAPPED, "28.6479, 40.1070, -22.9183")
     offered = page.locator(".arm-judge .offer button")
     offered.first.wait_for()
-    assert offered.all_inner_texts() == buttons
-    for button in buttons:
-        page.get_by_role("button", name=button).click()
+    assert offered.all_inner_texts() == ["Angles in: deg", "Order of the rows: ω, then v"]
+    for left in (1, 0):
+        offered.first.click()
+        page.wait_for_function(f"document.querySelectorAll('.offer button').length === {left}")
     verdict(page, "is right")
     told = page.locator(".arm-judge summary").inner_text()
-    assert all(button.partition(": ")[2] in told for button in buttons)
-    assert offered.count() == 0
+    assert "angles in deg; rows ω, then v" in told
