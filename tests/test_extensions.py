@@ -138,15 +138,15 @@ def test_a_picture_stands_twice_and_says_its_size(tmp_path):
 
 
 def test_each_panel_is_a_window_on_the_whole(tmp_path):
-    html = shown(tmp_path, figure(*TWO))
+    html = shown(tmp_path, figure(axes(1, 20, 20, 107, 180), TWO[1]))
     assert 'class="picture many"' in html
     windows = re.findall(r'<span class="panel" style="(.*?); (--.*?)"><img .*?alt="(.*?)"', html)
     assert windows[1] == (
         "aspect-ratio: 186 / 166; max-width: 372px",
-        "--wide: 215.05%; --left: -111.29%; --top: -10.24%",
+        "--share: 100.0%; --wide: 215.05%; --left: -111.29%; --top: -10.24%",
         "",
     )
-    assert windows[0][2] == "A &quot;b&quot;"
+    assert (windows[0][1][:15], windows[0][2]) == ("--share: 50.0%;", "A &quot;b&quot;")
     assert html.count('<img class="dark"') == html.count('<img class="light"') == 3
 
 

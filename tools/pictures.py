@@ -32,6 +32,9 @@ PLACE = re.compile(
 DIGEST = re.compile(r"[0-9a-f]{64}\.svg")
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 Box = tuple[float, float, float, float]  # left, top, right, bottom
+# Four panels or more, none wider than this, stand two or three beside each other on a phone, with
+# their words at no less than their own size.
+SMALL = 170
 
 
 # The size and the panels of a drawing.
@@ -252,23 +255,19 @@ def visit_image(translator, node) -> None:
         return type(translator).visit_image(translator, node)
     root = drawing(path)
     boxes = panels(root)
-    kinds = [*(["many"] if boxes else []), *(["small"] if _small(boxes) else [])]
+    widest = max((box[2] - box[0] for box in boxes), default=0)
+    small = len(boxes) > 3 and widest <= SMALL
+    kinds = [*(["many"] if boxes else []), *(["small"] if small else [])]
     classes = " ".join(["picture", *kinds, *node["classes"]])
     style = f' style="width: {node["width"]}"' if "width" in node else ""
     translator.body.append(f'<span class="{classes}"{style}>')
     source, words = f"{builder.imgpath}/{name}", node.get("alt", "")
     translator.body.append(_twins(source, words, root))
     for box in boxes:
-        translator.body.append(_cut(_twins(source, words, root), box, root))
+        translator.body.append(_cut(_twins(source, words, root), box, root, widest))
         words = ""  # the first panel has them for all
     translator.body.append("</span>")
     raise nodes.SkipNode
-
-
-def _small(boxes: list[Box]) -> bool:
-    """Whether there are so many panels, each so small, that two fit beside each other on a phone
-    with their words at no less than their own size."""
-    return len(boxes) > 3 and max(box[2] - box[0] for box in boxes) <= 170
 
 
 def _twins(source: str, words: str, root: ET.Element) -> str:
@@ -280,13 +279,15 @@ def _twins(source: str, words: str, root: ET.Element) -> str:
     return "".join(f'<img class="{mode}" src="{at}" {rest}' for mode, at in places.items())
 
 
-def _cut(pictures: str, box: Box, root: ET.Element) -> str:
-    """The whole drawing in a window that shows one panel of it."""
+def _cut(pictures: str, box: Box, root: ET.Element, widest: float) -> str:
+    """The whole drawing in a window that shows one panel of it; how wide it is of the widest keeps
+    small ones at one scale."""
     left, top, wide, high = box[0] - 3, box[1] - 3, box[2] - box[0] + 6, box[3] - box[1] + 6
     whole = [float(number) for number in root.get("viewBox").split()][2:]
+    share = f"--share: {wide / (widest + 6):.1%}"
     place = f"--wide: {whole[0] / wide:.2%}; --left: {-left / wide:.2%}; --top: {-top / high:.2%}"
     most = f"aspect-ratio: {wide:.0f} / {high:.0f}; max-width: {1.5 * wide * POINT['pt']:.0f}px"
-    return f'<span class="panel" style="{most}; {place}">{pictures}</span>'
+    return f'<span class="panel" style="{most}; {share}; {place}">{pictures}</span>'
 
 
 def short_names(_app: Sphinx, env: BuildEnvironment) -> None:
