@@ -13,6 +13,9 @@ const RANK = 1e-6; // singular values below this share of the largest count as z
 // place only.
 export const asked = (arm) => (joints(arm).length < 6 ? 3 : 6);
 
+// What its joints are found for.
+export const aim = (arm) => (asked(arm) < 6 ? "place" : "pose");
+
 export const rankOf = (values) => values.filter((value) => value > RANK * values[0]).length;
 
 // The rank that the arm has where it is not singular, as far as its joints can give it.

@@ -174,7 +174,7 @@ LINKS = [
     ("#arm=UR10e&view=jacobian", "UR10e", "Jacobian", ["0.0°", "−90.0°", "0.0°", "−90.0°", "0.0°", "0.0°"], "manipulability"),
     ("#arm=UR10e+(homework)&view=branches", "UR10e (homework)", "IK branches", ["0.0°"] * 6, "Find the ways to this pose"),
     ("#arm=Stanford arm&view=pose", "Stanford arm", "Pose", ["0.0°", "0.0°", "0.500 m", "0.0°"], "Tip at ("),
-    ("#arm=Elbow arm", "Elbow arm", "DH table", ["0.0°", "45.0°", "−90.0°"], ""),
+    ("#arm=Elbow arm&view=branches", "Elbow arm", "IK branches", ["0.0°", "45.0°", "−90.0°"], "Find the ways to this place"),
     (POSED + "&view=torque&wrench=-5,0,0,0,0,0", "Panda", "Static torque", IN_DEGREES, "−5"),
     (POSED + "&unit=rad&frames=ends", "Panda", "DH table", ["0.100 rad", "0.200 rad", "0.300 rad"], "unpressed Frames"),
     (TYPED, "Your arm", "DH table", ["34.4°", "−63.0°"], "Yours has 2 joints"),

@@ -8,19 +8,16 @@ import { isThere } from "../motion.js";
 import { branchColour } from "../look.js";
 import { leftBehind } from "../state.js";
 import { fixed, jointText } from "../text.js";
-import { waysVerdict } from "../verdicts.js";
+import { aim, waysVerdict } from "../verdicts.js";
 
 export const title = "IK branches";
 
-const FIND = "Find the ways to this pose";
-const UNASKED =
-  "Each way that the same pose can be reached is shown in a colour of its own; " +
-  "choose one to go there.";
+const findWords = ({ arm }) => `Find the ways to this ${aim(arm)}`;
 
 export function build(store, { goTo, say }) {
   const words = h("p.verdict");
   const list = h("ol.ways");
-  const find = h("button.main", { onclick: search }, FIND);
+  const find = h("button.main", { onclick: search });
   const root = h("div.branches", {}, h("div.row", {}, find), words, list);
   const ask = latest("ways");
   let shown;
@@ -32,7 +29,7 @@ export function build(store, { goTo, say }) {
       store.dispatch({ type: "ways", arm, ways });
       say(() => words.textContent, true);
     });
-    find.textContent = FIND;
+    find.textContent = findWords(store.state);
   }
 
   function update(state, derived) {
@@ -40,6 +37,7 @@ export function build(store, { goTo, say }) {
     if (shown?.ways !== ways || shown.unit !== unit || shown.arm !== arm) {
       const light = (highlighted) => store.dispatch({ type: "show", highlighted });
       const buttons = (ways?.list ?? []).map((way, i) => wayButton(way, i, state, { goTo, light }));
+      if (shown?.arm !== arm) find.textContent = findWords(state);
       list.replaceChildren(...buttons.map((button) => h("li", {}, button)));
       shown = { ways, unit, arm, buttons };
     }
@@ -83,11 +81,15 @@ const named = (label) =>
     );
 
 function summary({ ways, arm }, left) {
-  if (!ways) return UNASKED;
+  const where = aim(arm);
+  if (!ways) {
+    const shown = "is shown in a colour of its own; choose one to go there.";
+    return `Each way that the same ${where} can be reached ${shown}`;
+  }
   const choose = ways.list.length > 1 ? " Choose one, here or in the picture, to go there." : "";
   if (!left) return waysVerdict(arm, ways) + choose;
   const gone =
     left.far > 5e-4 ? `${fixed(1000 * left.far, 0)} mm from there` : "turned away from it";
-  const back = "Choose one to go back, or find the ways to this pose.";
-  return `These lead to the pose where the tip was before; it is now ${gone}. ${back}`;
+  const back = `Choose one to go back, or find the ways to this ${where}.`;
+  return `These lead to the ${where} where the tip was before; it is now ${gone}. ${back}`;
 }
