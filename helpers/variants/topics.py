@@ -152,7 +152,7 @@ def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     )
     formula = f"column {column} in symbols, six formulas, evaluated at poses of our choice"
     return text, (
-        Part("J", "the Jacobian, rows $(v, \\omega)$ in base axes", "jacobian", right["J"]),
+        Part("J", "the Jacobian, rows (v, ω) in base axes", "jacobian", right["J"]),
         Part("xi", "the tip's velocity (m/s, rad/s)", "numbers", right["xi"]),
         Part("J_column", formula, "column", entries),
     )
