@@ -67,15 +67,23 @@ def test_an_index_and_an_exponent_are_one_element_at_the_height_that_katex_gives
     assert "vlist" not in made
 
 
-def test_rows_stand_where_katex_puts_them_in_one_box():
-    """Two rows of a matrix are 1.2 em apart (TeX's baselineskip at arraystretch 1), and the box
-    reaches as far above and below the line as KaTeX's own strut."""
-    full = typeset.html(r"\begin{matrix} 1 & 2 \\ 3 & 4 \end{matrix}")
+def test_rows_stand_where_katex_puts_them_between_brackets():
+    """Three rows of a matrix are 1.2 em apart (TeX's baselineskip at arraystretch 1), the first
+    0.84 em below its top (0.7 of it); brackets and rows reach as far as KaTeX's own strut."""
+    full = typeset.html(r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \\ 5 & 6 \end{bmatrix}")
     made = lighter(full)
-    assert "grid-template-rows:1.2em 0" in made
+    assert "--strut:3em;--lift:-2.16em;grid-template-rows:1.2em 1.2em 0" in made
     reach = r"height:([\d.]+)em;vertical-align:(-[\d.]+)em"
-    assert re.findall(reach, made) == re.findall(reach, full)[:1]
-    assert heard(made) == heard(full)
+    assert re.findall(reach, made) == re.findall(reach, full)[:1] * 3
+    assert re.findall(r'class="(bracket.*?|cells)"', made) == ["bracket", "cells", "bracket right"]
+    assert re.sub("<.*?>", "", made) == re.sub("<.*?>|\u200b", "", full)
+
+
+def test_a_word_is_heard_as_one_and_an_index_stands_below_a_letter_that_leans():
+    """TeX adds no italic correction before an index (Appendix G, rule 18f)."""
+    made = lighter(typeset.html(r"\mathrm{Rot}_z T_i"))
+    assert heard(made)[:2] == [("msub", ""), ("mi", "Rot")]
+    assert "<i>T</i><sub><i>i</i></sub>" in made
 
 
 def test_what_a_formula_shows_and_says_stays():

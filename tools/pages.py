@@ -1,5 +1,5 @@
-"""A Sphinx extension: what the book's pages are made of, decided on the document tree and not on
-finished HTML.
+"""A Sphinx extension: what the book's pages are made of, decided on the document tree; on finished
+HTML only what a whole page repeats.
 
 Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names
 and commas in code, which all have the colour of code, get no `<span>`; formulas are set here, and
@@ -45,7 +45,7 @@ OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
 STYLED = re.compile(r'<(i|span|sub|svg) style="([^"]+)"(?: class="([^"]+)")?')
-IDLE = re.compile(r"(?<=<pre>)<span></span>| docutils container(?=\")")
+IDLE = re.compile(r"(?<=<pre>)<span></span>| docutils container(?=\")| class=\"row-(?:odd|even)\"")
 DATA = re.compile(r'<script type="application/json">(.+?)(?=</script>)', re.S)
 FILLED = """document.querySelectorAll("script[data-from]").forEach((place, k) => {
   place.textContent = JSON.stringify([DATA][k]);

@@ -136,7 +136,9 @@ def main() -> None:
             sys.exit(str(error))
         document = whole(browser)
         page = browser.new_page(viewport=SHEET)
-        page.route(together, lambda route: route.fulfill(body="", content_type="text/html"))
+        page.route(
+            together, lambda route: route.fulfill(body="", content_type="text/html; charset=utf-8")
+        )
         page.goto(together)
         page.set_content(document, timeout=0)
         page.emulate_media(media="print")
