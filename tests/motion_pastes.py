@@ -21,7 +21,6 @@ ANGLES = {
     "numpy formulas": "[np.radians(28.6479), np.deg2rad(40.107), -0.4]",
     "a turn more": "6.7832, 0.7, -0.4",
 }
-UNREAD = ["", "no idea", "0.5, 0.7", "1 2 3 4", "[[0.5, 0.7], [1]]", "q_9, 0, 0", "nan 0 0"]
 
 
 # Rows of joints in the forms in which a run is held.
