@@ -70,6 +70,9 @@ def swapped(arm, q):
 
 UR10 = UR10E.with_values(d_1=0.1273, a_2=0.612, a_3=0.5723, d_4=0.163941, d_5=0.1157, d_6=0.0922)
 BENT = {"arm": "ELBOW", "q": text(np.degrees([0.5, 0.7, -0.4]))}
+FORMULAS = """[-s1*(a_2c_2+a_3c_{23}), -c1*(a_2s_2+a_3s_{23}), -c_1a_3s_{23};
+ c1*(a_2c_2+a_3c_{23}), -s1*(a_2s_2+a_3s_{23}), -s_1a_3s_{23};
+ 0, a_2c_2+a_3c_{23}, a_3c_{23}; 0, s1, s1; 0, -c1, -c1; 1, 0, 0]"""
 BROUGHT = [
     ("C.1", tau(f"My answer: 99\n{LATEX}"), "but for the numbers that were left out"),
     ("C.2", tau("1e9 " * 6), "are not right"),
@@ -104,5 +107,8 @@ BROUGHT = [
     ("C.13", {"ask": "jacobian", "arm": "PANDA.lock(3)", "q": "0, " * 6 + "0", "answer": "1"},
      ", which is locked"),
     ("C.13", tau("[0.1 0.2 ... 0.5 0.6]"), "he print was cut"),
+    ("C.13", {**tau(text(TAU)), "wrench": "[0, 0, -20, 0, 0, 0] N"}, RIGHT),
+    *(("C.13", {"ask": "jacobian", **BENT, "unit": "deg", "answer": start + FORMULAS},
+       "The Jacobian of Elbow arm is right") for start in ("", "J = @(q1,q2,q3) ")),
     ("C.14", table("q1 -0.5 0 -90\nq2 0 0.4 0\nq3 0 0.3 0"), "with other zeros or another base"),
 ]  # fmt: skip

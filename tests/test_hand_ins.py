@@ -300,14 +300,3 @@ def test_other_zeros_are_told_and_not_green():
         assert f"({x:.4g}, {y:.4g}, {z:.4g})" in report.headline
     assert "with other zeros" in report.headline
     assert "◐" in report._repr_markdown_()
-
-
-def test_formulas_are_read_as_people_type_them():
-    rows = [
-        "-s1*(a_2c_2+a_3c_{23})", "-c1*(a_2s_2+a_3s_{23})", "-c_1a_3s_{23}",
-        "c1*(a_2c_2+a_3c_{23})", "-s1*(a_2s_2+a_3s_{23})", "-s_1a_3s_{23}",
-        "0", "a_2c_2+a_3c_{23}", "a_3c_{23}", "0", "s1", "s1", "0", "-c1", "-c1", "1", "0", "0",
-    ]  # fmt: skip
-    text = "; ".join(", ".join(rows[i : i + 3]) for i in range(0, 18, 3))
-    for typed in (f"[{text}]", f"J = @(q1,q2,q3) [{text}]"):
-        assert checks.compare_jacobian(typed, ELBOW).agrees, typed

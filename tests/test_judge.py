@@ -141,7 +141,7 @@ def in_python(fields):
         }
         return checks.compare_jacobian(mine, arm, q, **how)
     if ask == "torques":
-        how["wrench"] = [float(x) for x in fields.get("wrench", "0,0,0,0,0,0").split(",")]
+        how["wrench"] = np.array(re.findall(r"[-.\d]+", fields.get("wrench", "0 " * 6)), float)
         return checks.compare_torques(mine, arm, q, **how)
     if ask == "table":
         return checks.compare_tables(mine, arm, **how)

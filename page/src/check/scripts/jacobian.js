@@ -1,6 +1,6 @@
 // The script that judges Jacobians and torques.
 
-import { lookup, numbers, pose } from "../../../../judge/reading/numbers.js";
+import { lookup, numbers, pose, unnamed } from "../../../../judge/reading/numbers.js";
 import { compareJacobian } from "../../../../judge/topics/jacobian.js";
 import { ownValues } from "../../../../judge/reading/values.js";
 import { readers, register } from "../checkers.js";
@@ -23,7 +23,7 @@ register("torques", ({ answer, q, unit, wrench }, arm) =>
 
 function wrenchOf(text) {
   if (!text.trim()) return undefined;
-  const { values } = numbers(text, "the wrench");
+  const { values } = numbers(unnamed(text), "the wrench");
   if (values.length !== 6) {
     throw new ArmError(
       `the wrench has ${values.length} numbers; expected six, three of force and three of moment`,
