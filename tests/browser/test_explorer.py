@@ -288,7 +288,9 @@ def test_the_table_can_be_typed_in_and_a_bad_entry_keeps_the_last_good_arm(visit
     here = visit()
     here.page.locator("[data-cell='3-a']").fill("0.1")
     assert "17.5 mm" in here.page.locator(".dh .verdict").inner_text()
+    here.page.locator("[data-cell='3-a']").fill("100 mm")
     here.page.locator("[data-cell='5-alpha']").fill("9o")
+    assert here.page.locator("[data-cell='3-a']").input_value() == "0.1", "in the column's unit"
     words = here.page.locator(".dh .error").inner_text()
     assert words.startswith("Row 5, α “9o” is no number")
     assert words.endswith("The last good arm stays.")
@@ -390,6 +392,9 @@ def test_a_circle_is_traced_played_and_scrubbed(visit):
     expect(here.page.locator(".trace .verdict")).to_contain_text("would have to pass their limits")
     assert here.page.locator(".plots figure").count() == 7
     button = here.page.get_by_role("button", name="Play")
+    here.page.locator(
+        ".stage .labels:not([hidden])"
+    ).wait_for()  # a first picture takes frames of its own
     paused, later, most = button.evaluate(PLAYED_AND_PAUSED)
     expect(button).to_be_visible()
     assert 0 < paused == later < 1, "on the way, and it stays there"
@@ -799,6 +804,7 @@ def test_a_pasted_table_and_one_summary_for_the_ear(visit):
     )
     page.wait_for_function(f"{STORE}.state.arm.name === 'Your arm'")  # the reader comes with it
     assert here.state("arm.rows.length") == 3
+    page.locator("[data-cell='1-a']:focus").wait_for()
     page.get_by_role("slider", name="Joint 1, angle").focus()
     for _ in range(30):
         page.keyboard.press("ArrowRight")

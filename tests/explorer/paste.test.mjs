@@ -14,6 +14,8 @@ test("without heads the columns are the table's, and bare angles in its unit", (
     const entries = rows.map(({ kind, a, alpha, d, theta }) => [kind, a, alpha / size, d, theta / size]);
     assert.deepEqual(entries, [["revolute", 0.2, 1.5, 0.3, 0], ["prismatic", 0.4, 0, 0, 1.5]]);
   }
+  const [{ a, d }] = readTable("0.5 30 1 -90", "deg").rows; // which another order fits as well
+  assert.deepEqual([a, d], [0.5, 1]);
 });
 
 test("one entry is no table, and what is none is refused in words", () => {

@@ -111,6 +111,9 @@ test("undo and redo walk through what the reader did, a drag as one step", () =>
   assert.equal(store.state.q[0], 0.3);
   move(9);
   assert.deepEqual(store.state.future, [], "another way was taken");
+  move(8);
+  store.dispatch({ type: "undo" });
+  assert.equal(store.state.q[0], 9, "what belongs to no gesture is a step of its own");
 });
 
 test("views of one store hear the same, and no more once they are gone", () => {

@@ -73,6 +73,7 @@ function makeGrid(store, { change, complain, say }) {
     complain(words && `Row ${i + 1}, ${letter} ${words}.`);
     if (value === undefined) return;
     change(replaced(arm.rows, i, { ...arm.rows[i], [key]: value }), undefined, `cell ${i} ${key}`);
+    if (whole) input.value = entryText(value, angle, unit);
   }
 
   function update({ arm, unit }) {
@@ -89,6 +90,7 @@ function makeGrid(store, { change, complain, say }) {
 
 // A whole table from a spreadsheet, a matrix or a page, wherever in the table it is pasted.
 async function pasted(event, store, { change, complain, say }) {
+  const { currentTarget: body, target } = event;
   const text = event.clipboardData?.getData("text/plain") ?? "";
   if (!SEVERAL.test(text.trim())) return;
   event.preventDefault();
@@ -97,6 +99,7 @@ async function pasted(event, store, { change, complain, say }) {
   complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
   if ("error" in table) return;
   change(table.rows);
+  body.querySelector(`[data-cell="${target.dataset.cell}"]`)?.focus({ preventScroll: true });
   if (table.said.length) say(() => `Taken as ${table.said.join("; ")}`, true);
 }
 
