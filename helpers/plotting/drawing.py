@@ -223,7 +223,8 @@ def named_arrow(
     ax.annotate("", xy=tuple(end), xytext=tuple(start), arrowprops=look, zorder=6)
     step = end - start
     way = step / max(float(np.linalg.norm(step)), 1e-12)
-    place = 2 * way + side * np.array([-way[1], way[0]]) if side else 9 * way
+    ahead = 8 if "," in text else 2  # a wide name stands before the head, not on it
+    place = ahead * way + side * np.array([-way[1], way[0]]) if side else 9 * way
     ax.annotate(
         text, tuple(end), xytext=tuple(place), textcoords="offset points", color=colour,
         ha="center", va="center", zorder=7,
