@@ -83,6 +83,15 @@ def test_a_link_and_a_reload_lead_where_they_should_on_a_page_not_laid_out_yet(b
     reader.context.close()
 
 
+def test_the_end_key_leads_to_the_end(browser):
+    """Far sections, which had no place yet, have one then."""
+    reader = Reader(browser, "light", "wide", "file:")
+    reader.page.goto((HTML / "02_jacobian.html").as_uri())
+    reader.page.keyboard.press("End")
+    reader.page.wait_for_function("scrollY + innerHeight > document.body.scrollHeight - 2")
+    reader.context.close()
+
+
 def test_forty_searches_find_their_section_first(browser):
     """By section, symptom, term and function; nine of ten bring the right one first."""
     reader = Reader(browser, "light", "wide", "file:")
