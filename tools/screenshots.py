@@ -29,6 +29,10 @@ def theme() -> str:
     ).hexdigest()
 
 
+# What has changed is drawn in the next frame.
+DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+
+
 def chapter(browser: Browser) -> None:
     """The Panda's table with its picture."""
     page = browser.new_page(viewport={"width": 1280, "height": 1000}, color_scheme="light")
@@ -46,8 +50,10 @@ def explorer(browser: Browser) -> None:
     stub = page.locator(".cell .arm-explorer").first
     stub.evaluate("(place) => place.scrollIntoView()")
     card = stub.locator("section.explorer")
+    card.locator(".labels:not([hidden])").wait_for()  # the picture is there
     card.get_by_role("button", name="Find the ways to this pose").click()
     card.get_by_text("ways to this pose.").wait_for()
+    page.evaluate(DRAWN)
     card.screenshot(path=DOCS / "explorer.png")
     page.close()
 
