@@ -21,6 +21,7 @@ from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_
 from tests import table_pastes
 from tests.corpus.arms import KNOWN
 from tests.corpus.jacobians import recipe
+from tests.corpus.traces import Task
 from tests.test_robots import GAZ_CENTRES
 
 H = math.pi / 2
@@ -305,7 +306,6 @@ SLIPS = {
     ),
     "theta_1 + pi, the rest unchanged": (branches((math.pi, LOW, -H)), "ik.mixed"),
     "force reversed": (torques(WEIGHT + FORCE), "tau.force sign"),
-    "N mm": (torques(1000 * (WEIGHT - FORCE)), "tau.newton millimetres"),
     "the maker's directions": (
         torques((WEIGHT - FORCE) * MAKERS),
         "tau.signs:tau_2, tau_4 and tau_7",
@@ -360,28 +360,15 @@ def test_a_free_joint_is_told_and_right():
 # Traces
 
 
-class Runs:
-    """The homework's circle, by Euler's method with the corpus's own Jacobian."""
-
-    top = KNOWN["PANDA.lock(3)"].tip(np.delete(HOME, 2))[:3, 3]
-
-    def __init__(self, steps=400):
-        self.path = circle(self.top - [0, 0, 0.1], 0.1, "zy", 5, steps)
-
-    def euler(self, machine=KNOWN["PANDA.lock(3)"], late=0, velocity=1.0, **changes):
-        dt, v = 5 / (len(self.path.times) - 1), velocity * self.path.velocities
-        q = np.delete(HOME, 2)
-        rows = [q]
-        for k in range(len(v) - 1):
-            J = np.vstack([recipe(machine, q)[:3], recipe(machine, q, **changes)[3:]])
-            q = q + dt * np.linalg.solve(J, [*v[k + late], 0, 0, 0])
-            rows.append(q)
-        return np.array(rows)
+def homeworks(steps):
+    """The homework's circle, as a task of the corpus and as the checkers have it."""
+    task = Task(KNOWN["PANDA.lock(3)"], np.delete(HOME, 2), "zy", 0.1, 5, steps)
+    return task, circle(task.path()["centre"], 0.1, "zy", 5, steps)
 
 
 def test_steps_too_few_for_euler_are_told():
-    runs = Runs(24)
-    report = checks.compare_trace(runs.euler(), PANDA.lock(3), runs.path)
+    task, path = homeworks(24)
+    report = checks.compare_trace(task.run(), ARM, path)
     assert report.causes == ("trace.coarse",)
     assert "but 24 steps of Euler's method are too few for this path" in report.headline
 
@@ -395,18 +382,24 @@ def test_steps_too_few_are_told_in_degrees_as_degrees():
     assert checks.compare_trace(np.degrees(q), UR10E, path).causes == ("trace.degrees",)
 
 
-RUNS = Runs()
-GOOD = RUNS.euler()
+TASK, PATH = homeworks(400)
+GOOD = TASK.run()
 ARM = PANDA.lock(3)
 
 
+def turned(q):
+    """Slip 19: z_i and o_i in the angular half alone."""
+    J = TASK.machine.jacobian(q)
+    return np.vstack([J[:3], recipe(TASK.machine, q, axis=1, origin=1)[3:]])
+
+
 def traced(q, **how):
-    return checks.compare_trace(q, ARM, RUNS.path, **how)
+    return checks.compare_trace(q, ARM, PATH, **how)
 
 
 def test_a_run_is_taken_as_it_is_held():
     assert traced(GOOD).agrees
-    times = np.c_[RUNS.path.times, GOOD].round(6)
+    times = np.c_[PATH.times, GOOD].round(6)
     for mine in (GOOD[:-1], GOOD.T, times, "\n".join(",".join(map(str, row)) for row in times)):
         assert traced(mine).agrees
     assert traced(np.degrees(GOOD), angles="deg").agrees
@@ -420,10 +413,10 @@ def test_a_run_is_taken_as_it_is_held():
         (GOOD + np.outer(np.linspace(0, 2 * math.pi, 401), np.eye(6)[5]), "trace.spins"),
         (np.where(np.arange(401)[:, None] == 200, GOOD + 0.5, GOOD), "trace.jump"),
         (np.vstack([GOOD, GOOD[1]]), "trace.one more"),  # slip 20
-        (RUNS.euler(late=1), "trace.next velocity"),  # slip 21
-        (RUNS.euler(axis=1, origin=1), "J.z_i angular"),  # slip 19
-        (RUNS.euler(velocity=1e3), "trace.millimetres"),  # slip 5
-        (RUNS.euler(velocity=1e-3).round(8), "J.millimetres"),  # a Jacobian in mm
+        (TASK.run(late=1), "trace.next velocity"),  # slip 21
+        (TASK.run(J=turned), "J.z_i angular"),  # slip 19
+        (TASK.run(rate=1e3), "trace.millimetres"),  # slip 5
+        (TASK.run(rate=1e-3).round(8), "J.millimetres"),  # a Jacobian in mm
         (GOOD[0:1] + 0 * GOOD, None),
         (GOOD[:0], "trace.shape"),
     ],
@@ -453,11 +446,8 @@ def elbow_run(missing):
 
 
 def plain_inverse():
-    q, rows = np.zeros(6), [np.zeros(6)]
-    for v in ABOVE_UR.velocities[:-1]:
-        q = q + 5 / 200 * np.linalg.inv(SIX.jacobian(q)) @ [*v, 0, 0, 0]
-        rows.append(q)
-    return np.array(rows)
+    task = Task(SIX, np.zeros(6), "zy", 0.1, 5, 200)
+    return task.run(rule=lambda q, v: np.linalg.inv(SIX.jacobian(q)) @ [*v, 0, 0, 0])
 
 
 def test_whole_turns_are_counted_on_and_other_jumps_are_told_by_where_the_tip_is():
@@ -474,9 +464,9 @@ def test_whole_turns_are_counted_on_and_other_jumps_are_told_by_where_the_tip_is
         report = checks.compare_trace(mine, ELBOW, CIRCLE)
         assert report.causes == ("trace.jump",), str(report)
         assert words in str(report)
-    few = Runs(24)  # astray, and so 24 times as long as the path
+    few = homeworks(24)[1]  # astray, and so 24 times as long as the path
     wild = np.cos(np.outer(np.arange(25), [1, 2, 3, 5, 7, 11]) + 1)
-    report = checks.compare_trace(wild, ARM, few.path)
+    report = checks.compare_trace(wild, ARM, few)
     assert report.causes == ("trace.jump", "trace.leans"), str(report)
 
 
@@ -512,5 +502,5 @@ def test_another_arms_run_is_told_by_what_it_leaves():
             for k, a, *rest in KNOWN["PANDA.lock(3)"].rows
         ]
     )
-    report = traced(RUNS.euler(other))
+    report = traced(TASK.run(machine=other))
     assert report.causes == ("table.length:a_3:a_6",), str(report)

@@ -45,50 +45,41 @@ def _plus(entry, number):
     return f"{entry} + {number}"
 
 
+def put(arm, i, *rows):
+    """The arm with these rows from row i on."""
+    return replace(arm, rows=[*arm.rows[:i], *rows, *arm.rows[i + len(rows) :]], bodies=())
+
+
+def over(row):
+    """A row whose axis points the other way: its joint counts backwards."""
+    return replace(row, alpha=_plus(row.alpha, "pi"), d=f"-({row.d})", theta=f"-({row.theta})")
+
+
 def flip_z(arm, i):
-    """Axis i + 1 points the other way: its joint counts backwards."""
-    row, following = arm.rows[i], arm.rows[i + 1]
-    rows = list(arm.rows)
-    rows[i] = replace(row, alpha=_plus(row.alpha, "pi"))
-    rows[i + 1] = replace(
-        following,
-        alpha=_plus(following.alpha, "pi"),
-        d=f"-({following.d})",
-        theta=f"-({following.theta})",
-    )
-    return replace(arm, rows=rows, bodies=()), i + 1
+    row, following = arm.rows[i : i + 2]
+    return put(arm, i, replace(row, alpha=_plus(row.alpha, "pi")), over(following))
 
 
 def flip_x(arm, i):
-    row, following = arm.rows[i], arm.rows[i + 1]
-    rows = list(arm.rows)
-    rows[i] = replace(row, theta=_plus(row.theta, "pi"), a=f"-({row.a})", alpha=f"-({row.alpha})")
-    rows[i + 1] = replace(following, theta=_plus(following.theta, "pi"))
-    return replace(arm, rows=rows, bodies=())
+    row, following = arm.rows[i : i + 2]
+    turned = replace(row, theta=_plus(row.theta, "pi"), a=f"-({row.a})", alpha=f"-({row.alpha})")
+    return put(arm, i, turned, replace(following, theta=_plus(following.theta, "pi")))
 
 
 def shift_zero(arm, i, by):
+    moved = "d" if arm.rows[i].joint.kind == "prismatic" else "theta"
+    return plus(arm, i, moved, by)
+
+
+def plus(arm, i, name, by):
     row = arm.rows[i]
-    moved = "d" if row.joint.kind == "prismatic" else "theta"
-    rows = [
-        *arm.rows[:i],
-        replace(row, **{moved: _plus(getattr(row, moved), by)}),
-        *arm.rows[i + 1 :],
-    ]
-    return replace(arm, rows=rows, bodies=())
+    return put(arm, i, replace(row, **{name: _plus(getattr(row, name), by)}))
 
 
 def slide_normal(arm, i, by):
     """Axes i + 1 and i + 2 are parallel: their common normal is moved along them."""
-    row, following = arm.rows[i], arm.rows[i + 1]
     assert arm.numeric[i].sin_alpha == 0
-    back = -by * arm.numeric[i].cos_alpha
-    rows = list(arm.rows)
-    rows[i], rows[i + 1] = (
-        replace(row, d=_plus(row.d, by)),
-        replace(following, d=_plus(following.d, back)),
-    )
-    return replace(arm, rows=rows, bodies=())
+    return plus(plus(arm, i, "d", by), i + 1, "d", -by * arm.numeric[i].cos_alpha)
 
 
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
@@ -100,7 +91,7 @@ def test_every_valid_choice_is_accepted(arm, data):
         i = data.draw(st.integers(0, len(arm.rows) - 2))
         kind = data.draw(st.sampled_from(["z", "x", "zero", "slide"]))
         if kind == "z":
-            mine, _ = flip_z(mine, i)
+            mine = flip_z(mine, i)
         elif kind == "x":
             mine = flip_x(mine, i)
         elif kind == "zero":
@@ -117,8 +108,7 @@ def test_every_wrong_length_and_twist_is_found(arm, size):
     """Unless it is one of the free choices, each given here by hand with its reason."""
     for i in range(len(arm.rows)):
         for name in ("a", "alpha", "d"):
-            row = replace(arm.rows[i], **{name: _plus(getattr(arm.rows[i], name), size)})
-            mine = replace(arm, rows=[*arm.rows[:i], row, *arm.rows[i + 1 :]], bodies=())
+            mine = plus(arm, i, name, size)
             free = (
                 (name == "alpha" and i == len(arm.rows) - 1)  # the last frame's tilt
                 or (
@@ -473,13 +463,6 @@ def test_what_is_free_in_a_right_table_is_noted(typed, reference, options, grade
 # Their joints
 
 
-def turned_over(arm):
-    """z_0 the other way round: joint 1 counts backwards."""
-    row = arm.rows[0]
-    row = replace(row, alpha=_plus(row.alpha, "pi"), d=f"-({row.d})", theta=f"-({row.theta})")
-    return replace(arm, rows=[row, *arm.rows[1:]], bodies=())
-
-
 HEAVY_SCARA = SCARA.with_bodies([Body(k + 1.0, (0.1, 0.2, 0.3 * k)) for k in range(4)])
 BEYOND = Arm(  # the height of its base shows beyond a slide only
     "beyond",
@@ -502,15 +485,16 @@ def test_the_arm_in_their_joints_is_the_reference_told_by_their_rows(reference, 
     ]
     home = np.round(rng.uniform(-0.5, 0.5, reference.dof), 2)
     reference = replace(reference, rows=limited, home=tuple(home), source="a sheet")
-    mine = turned_over(reference) if seed % 3 == 0 else reference
+    mine = reference
+    if seed % 3 == 0:  # z_0 the other way round
+        mine = put(mine, 0, over(mine.rows[0]))
     if reference.name == "based":
         mine = replace(reference, rows=reference.rows[seed % 2 :], bodies=())
     if seed % 4 == 1:  # a base that stands higher
-        first = replace(mine.rows[0], d=_plus(mine.rows[0].d, 0.25))
-        mine = replace(mine, rows=[first, *mine.rows[1:]], bodies=())
+        mine = plus(mine, 0, "d", 0.25)
     for i in rng.integers(len(mine.rows) - 1, size=4):
         moved = mine if mine.rows[i].joint.kind == "fixed" else shift_zero(mine, i, 0.4)
-        mine = (flip_x(mine, i), flip_z(mine, i)[0], moved)[rng.integers(3)]
+        mine = (flip_x(mine, i), flip_z(mine, i), moved)[rng.integers(3)]
     if seed % 2:
         last = replace(mine.rows[-1], a=0, alpha=0, d=0, theta=0.2, joint=Joint("fixed"))
         mine = replace(mine, rows=[*mine.rows, last], home=(), bodies=())
