@@ -31,7 +31,7 @@ from helpers.motion import circle_below, damped, plain_inverse, trace
 from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque, potential_energy, static_torque
 from tests.node import NODE, ask_node, needs_node
-from tests.test_tables import flip_x, flip_z, shift_zero
+from tests.test_tables import flip_x, flip_z, put, shift_zero
 from tools import arms
 
 ROOT = Path(__file__).parents[1]
@@ -345,22 +345,17 @@ def alike(arm):
     """Tables of the same arm: other zeros, axes turned round, angles typed short."""
     yield shift_zero(arm, len(arm.rows) - 1, 0.7)
     for k in range(len(arm.rows) - 1):
-        yield from (shift_zero(arm, k, 0.7), flip_x(arm, k), flip_z(arm, k)[0])
+        yield from (shift_zero(arm, k, 0.7), flip_x(arm, k), flip_z(arm, k))
     rounded = [{key: round(arm.number(getattr(row, key)), 4) for key in ("alpha", "theta")}
                for row in arm.rows]  # fmt: skip
-    yield with_rows(arm, [replace(row, **r) for row, r in zip(arm.rows, rounded, strict=True)])
+    yield put(arm, 0, *(replace(row, **r) for row, r in zip(arm.rows, rounded, strict=True)))
 
 
 def unlike(arm):
     for k, row in enumerate(arm.rows):
         for key, entry in (("a", "{} + 0.02"), ("alpha", "{} + 0.4"), ("alpha", "-({})")):
-            other = replace(row, **{key: entry.format(getattr(row, key))})
-            yield with_rows(arm, [*arm.rows[:k], other, *arm.rows[k + 1 :]])
+            yield put(arm, k, replace(row, **{key: entry.format(getattr(row, key))}))
     yield Arm(arm.name, arm.rows[:-1], arm.values)
-
-
-def with_rows(arm, rows):
-    return replace(arm, rows=tuple(rows), bodies=())
 
 
 @needs_node
