@@ -59,6 +59,35 @@ def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
     return frames
 
 
+def slow_energy(arm: Arm, q: np.ndarray, gravity=(0, 0, -9.81)) -> float:
+    """Each mass times its height, link by link."""
+    energy = 0.0
+    for frame, body in zip(slow_frames(arm, q)[1:], arm.bodies, strict=True):
+        point = frame @ [*(arm.number(c) for c in body.com), 1.0]
+        energy -= arm.number(body.mass) * np.dot(gravity, point[:3])
+    return energy
+
+
+def differences(f, x: np.ndarray, h: float = 1e-6) -> np.ndarray:
+    """The slope of f at x by central differences, its last axis that of x."""
+    steps = h * np.eye(len(x))
+    return np.stack([(f(x + step) - f(x - step)) / (2 * h) for step in steps], axis=-1)
+
+
+def by_complex_steps(arm: Arm, q: np.ndarray, h: float = 1e-30) -> np.ndarray:
+    """The Jacobian: f(q + ih) has the imaginary part h f'(q), with nothing subtracted."""
+    rates = [slow_frames(arm, q + step)[-1].imag / h for step in 1j * h * np.eye(arm.dof)]
+    return twists(np.reshape(rates, (-1, 4, 4)), slow_frames(arm, q)[-1])
+
+
+def twists(rates: np.ndarray, T: np.ndarray) -> np.ndarray:
+    """Columns (v, w): the position's rate, and w from the skew matrix of the rotation's rate times
+    R^T."""
+    skew = rates[:, :3, :3] @ T[:3, :3].T
+    omega = np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
+    return np.concatenate([rates[:, :3, 3], omega], axis=1).T
+
+
 _LENGTH = st.one_of(st.just(0.0), st.floats(-1, 1).map(lambda x: round(x, 3)))
 _ANGLE = st.one_of(
     st.sampled_from([0, "pi/2", "-pi/2", "pi"]), st.floats(-3, 3).map(lambda x: round(x, 3))

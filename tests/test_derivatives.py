@@ -1,9 +1,8 @@
 """Every derivative of the helpers against one that nobody wrote out: complex steps, and finite
 differences.
 
-The complex step differentiates the tests' own product of elementary motions, to the last digit: f(q
-+ ih) has the imaginary part h f'(q), with nothing subtracted. Finite differences take the helpers'
-forward kinematics as it is.
+The complex step differentiates the tests' own product of elementary motions, to the last digit.
+Finite differences take the helpers' forward kinematics as it is.
 """
 
 import numpy as np
@@ -12,28 +11,22 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from helpers.kinematics import forward_kinematics, jacobian
-from tests.laws import ALL_ARMS, SHAPES, ids, joint_vectors, random_arms, slow_frames
+from tests.laws import (
+    ALL_ARMS,
+    SHAPES,
+    by_complex_steps,
+    ids,
+    joint_vectors,
+    random_arms,
+    twists,
+)
 
 every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
-
-
-def by_complex_steps(arm, q, h=1e-30):
-    steps = 1j * h * np.eye(arm.dof)
-    rates = [slow_frames(arm, q + step)[-1].imag / h for step in steps]
-    return twists(np.reshape(rates, (-1, 4, 4)), slow_frames(arm, q)[-1])
 
 
 def by_differences(arm, q, h=1e-6):
     ahead, behind = (forward_kinematics(arm, q + step * np.eye(arm.dof)) for step in (h, -h))
     return twists((ahead - behind) / (2 * h), forward_kinematics(arm, q))
-
-
-def twists(rates, T):
-    """Columns (v, w): the position's rate, and w from the skew matrix of the rotation's rate times
-    R^T."""
-    skew = rates[:, :3, :3] @ T[:3, :3].T
-    omega = np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
-    return np.concatenate([rates[:, :3, 3], omega], axis=1).T
 
 
 @every_arm

@@ -17,7 +17,7 @@ from helpers.statics import (
     static_torque,
     with_payload,
 )
-from tests.laws import SHAPES, joint_vectors, random_arms
+from tests.laws import SHAPES, differences, joint_vectors, random_arms, slow_energy
 
 
 def loaded(arm: Arm, seed: int = 1) -> Arm:
@@ -47,38 +47,23 @@ def test_shapes_follow_the_batch(arm, shape):
     assert static_torque(arm, q, np.zeros((*shape, 6))).shape == (*shape, arm.dof)
 
 
-def slow_energy(arm, q, gravity):
-    """Each mass times its height, link by link."""
-    T, energy = link_frames(arm, q), 0.0
-    for frame, body in zip(T[1:], arm.bodies, strict=True):
-        point = frame @ [*(arm.number(c) for c in body.com), 1.0]
-        energy -= arm.number(body.mass) * np.dot(gravity, point[:3])
-    return energy
-
-
 @every_arm
 @pytest.mark.parametrize("gravity", [(0, 0, -9.81), (1.0, -2.0, 3.0)])
 def test_torques_are_the_slope_of_the_energy(arm, gravity):
-    q, h = joint_vectors(arm, (), 2), 1e-5
+    q = joint_vectors(arm, (), 2)
     assert potential_energy(arm, q, gravity) == pytest.approx(
         slow_energy(arm, q, gravity), abs=1e-12
     )
-    slope = [
-        (slow_energy(arm, q + s, gravity) - slow_energy(arm, q - s, gravity)) / (2 * h)
-        for s in h * np.eye(arm.dof)
-    ]
+    slope = differences(lambda q: slow_energy(arm, q, gravity), q, h=1e-5)
     np.testing.assert_allclose(gravity_torque(arm, q, gravity), slope, atol=1e-7)
 
 
 @settings(max_examples=40)
 @given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
 def test_random_arms_too(arm, seed):
-    arm, gravity, h = loaded(arm, seed), (0.3, -0.2, -9.0), 1e-5
+    arm, gravity = loaded(arm, seed), (0.3, -0.2, -9.0)
     q = joint_vectors(arm, (), seed)
-    slope = [
-        (slow_energy(arm, q + s, gravity) - slow_energy(arm, q - s, gravity)) / (2 * h)
-        for s in h * np.eye(arm.dof)
-    ]
+    slope = differences(lambda q: slow_energy(arm, q, gravity), q, h=1e-5)
     np.testing.assert_allclose(gravity_torque(arm, q, gravity), slope, atol=1e-6)
 
 

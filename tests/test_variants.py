@@ -17,7 +17,7 @@ from helpers.statics import gravity_torque
 from helpers.variants import TOPICS, question, sheet, variant
 from helpers.variants import _generator as generator
 from helpers.variants.topics import BY_NAME, closed_form, drawn, drawn_arm, matrix, pose_of
-from tests.laws import slow_frames
+from tests.laws import by_complex_steps, differences, slow_energy, slow_frames
 
 ARMS = [PANDA.lock(3), PANDA_HOMEWORK.lock(3), UR10E, UR10E_HOMEWORK, STANFORD, ELBOW]
 PLANE = Arm("plane", [revolute(a=0.5), revolute(a=0.4), revolute(a=0.3)])
@@ -51,29 +51,6 @@ def matrices(text):
 def product(arm, q):
     """The tip by plain 4 x 4 matrices."""
     return slow_frames(arm, q)[-1]
-
-
-def differences(f, q, h=1e-6):
-    """The slope of f at q by central differences, its last axis the joints'."""
-    steps = h * np.eye(len(q))
-    return np.stack([(f(q + step) - f(q - step)) / (2 * h) for step in steps], axis=-1)
-
-
-def moves(arm, q):
-    """The Jacobian by the slopes of the tip's place and of its axes."""
-    linear = differences(lambda q: product(arm, q)[:3, 3], q)
-    slope = differences(lambda q: product(arm, q)[:3, :3], q)
-    turning = np.einsum("ijk,lj->ilk", slope, product(arm, q)[:3, :3])
-    return np.vstack([linear, turning[2, 1], turning[0, 2], turning[1, 0]])
-
-
-def energy(arm, q):
-    """Weight times height, link by link."""
-    total = 0.0
-    for T, body in zip(slow_frames(arm, q)[1:], arm.bodies, strict=True):
-        com = [arm.number(c) for c in body.com]
-        total += 9.81 * arm.number(body.mass) * (T @ [*com, 1])[2]
-    return np.array(total)
 
 
 def values(found):
@@ -120,7 +97,7 @@ def test_poses_are_drawn_inside_the_limits_and_away_from_singular_ones(arm):
     assert (np.ptp(share, axis=1) > 0.001).all()
     ways = 2 if arm is PLANE else min(arm.dof, 6)
     for pose in q[:8]:
-        J = moves(arm, pose)[: 6 if arm.dof >= 6 else 3]
+        J = by_complex_steps(arm, pose)[: 6 if arm.dof >= 6 else 3]
         assert np.linalg.svd(J, compute_uv=False)[ways - 1] > 0.0399
 
 
@@ -146,7 +123,7 @@ def test_tables_are_drawn_of_all_numbers_and_each_joint_tells_on_the_tip():
         assert (len(one["rows"]), len(one["along"]), one["rows"][-1]["alpha"]) == (4, 4, "0")
         assert [row["kind"] for row in one["rows"]].count("prismatic") <= 1
         assert all(row["alpha"] != "0" or row["a"] for row in one["rows"])
-        J = moves(drawn_arm(one), np.array([0.3, 0.5, 0.7, 0.9]))
+        J = by_complex_steps(drawn_arm(one), np.array([0.3, 0.5, 0.7, 0.9]))
         assert np.linalg.svd(J, compute_uv=False)[-1] > 0.0499
 
 
@@ -189,7 +166,7 @@ def test_the_tip_and_the_jacobian_in_the_keys(arm, seed):
     assert values(found)["R"] == pytest.approx(T[:3, :3], abs=1e-12)
     found = variant("Jacobian", arm, seed)
     q, q_dot = matrices(found.text)
-    J = moves(found.arm, q)
+    J = by_complex_steps(found.arm, q)
     key = {part.name: part.value for part in found.parts}
     assert key["J"] == pytest.approx(J, abs=1e-8)
     assert key["xi"] == pytest.approx(J @ q_dot, abs=1e-8)
@@ -203,7 +180,7 @@ def test_the_tip_and_the_jacobian_in_the_keys(arm, seed):
 def test_the_torques_in_the_key(arm, seed):
     found = variant("static torque", arm, seed)
     q, force = matrices(found.text)
-    g = differences(lambda q: energy(found.arm, q), q)
+    g = differences(lambda q: slow_energy(found.arm, q), q)
     reaction = differences(lambda q: product(found.arm, q)[:3, 3], q).T @ force
     assert values(found)["g"] == pytest.approx(g, abs=1e-6)
     assert values(found)["tau"] == pytest.approx(g - reaction, abs=1e-6)
@@ -384,10 +361,10 @@ def planted(arm):
 
 def answers(topic, arm, given, q):
     if topic == "static torque":
-        g = differences(lambda q: energy(arm, q), q)
+        g = differences(lambda q: slow_energy(arm, q), q)
         linear = differences(lambda q: product(arm, q)[:3, 3], q)
         return {"g": g, "tau": g - linear.T @ given["force"]}
-    T, J = product(arm, q), moves(arm, q)
+    T, J = product(arm, q), by_complex_steps(arm, q)
     if topic == "Jacobian":
         return {"J": J, "xi": J @ given["q_dot"]}
     return {"p": T[:3, 3], "R": T[:3, :3]}
