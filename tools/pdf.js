@@ -18,9 +18,9 @@ take: async (name) => {
     });
     all(".scrolls").forEach((box) => box.classList.remove("scrolls", "more-left", "more-right"));
     all(".display, span.matrix").forEach((box) => {
-        box.style.removeProperty("--share");
+        box.style.removeProperty("--shrunk");
         const room = box.clientWidth / box.scrollWidth;
-        if (room < 1) box.style.setProperty("--share", Math.floor(room * 100) / 100);
+        if (room < 1) box.style.setProperty("--shrunk", Math.floor(room * 100) / 100);
     });
     // A page names the styles of its formulas; another one has other names.
     for (const sheet of document.querySelectorAll("head > style")) {

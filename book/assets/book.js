@@ -11,11 +11,11 @@ const measure = new IntersectionObserver((changes) => {
 
 // All are measured before any is changed, so that the page is laid out once.
 function reachable(boxes) {
-  boxes.forEach((box) => box.style.removeProperty("--share"));
+  boxes.forEach((box) => box.style.removeProperty("--shrunk"));
   const shares = boxes.map(share);
   boxes.forEach((box, k) => {
     const tight = box.matches(".display, span.matrix") && shares[k] < 1 && shares[k] > SMALLEST;
-    if (tight) box.style.setProperty("--share", 0.985 * shares[k]);
+    if (tight) box.style.setProperty("--shrunk", 0.985 * shares[k]);
     scrollable(box, shares[k] < 1 && !tight);
   });
 }

@@ -146,8 +146,11 @@ c_1*(L*c_2+a_3*c_23), -s_1*(L*s_2+a_3*s_23), -a_3*s_1*s_23
 
 SPOKEN = """() => {
   window.spoken = 0;
-  const soon = window.setTimeout;  // the pause ends when the test says so
-  window.setTimeout = (then, ms = 0) => ms < 200 ? soon(then, ms) : ((window.ended = then), 0);
+  const soon = window.setTimeout;  // the pause after the last key ends when the test says so
+  window.setTimeout = (then, ms = 0) => {
+    if (ms) window.ended = ms < 200 ? null : then;
+    return ms < 200 ? soon(then, ms) : 0;
+  };
   new MutationObserver(() => window.spoken++)
     .observe(document.querySelector(".arm-judge .verdict"), { childList: true });
 }"""
