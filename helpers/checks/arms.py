@@ -15,9 +15,12 @@ Data = dict[str, Any]
 def arm_data(arm: Arm) -> Data:
     """An arm with its values put in: SI units, null where no limit is known."""
     must_be(arm, Arm, "arm")
-    bodies = arm.bodies or (None,) * len(arm.rows)
-    rows = [_row_data(arm, row, body) for row, body in zip(arm.rows, bodies, strict=True)]
-    return {"name": arm.name, "lengths": _lengths(arm), "home": list(arm.home), "rows": rows}
+    return {
+        "name": arm.name,
+        "lengths": _lengths(arm),
+        "home": list(arm.home),
+        "rows": _rows_data(arm),
+    }
 
 
 def _lengths(arm: Arm) -> str:
@@ -27,6 +30,11 @@ def _lengths(arm: Arm) -> str:
     bare = arm.with_values(l_pen=0) if "l_pen" in arm.values else arm
     each = (abs(1000 * bare.number(x)) for row in bare.rows for x in (row.d, row.a))
     return ", ".join(dict.fromkeys(f"{x:g}" for x in each if x))
+
+
+def _rows_data(arm: Arm) -> list[Data]:
+    bodies = arm.bodies or (None,) * len(arm.rows)
+    return [_row_data(arm, row, body) for row, body in zip(arm.rows, bodies, strict=True)]
 
 
 def _row_data(arm: Arm, row: Row, body: Body | None) -> Data:
@@ -55,7 +63,7 @@ def judged_data(arm: Arm) -> Data:
     if values.get("l_pen"):
         found["penless"] = arm_data(arm.with_values(l_pen=0))
     others = [
-        {"name": m, "other": n, "rows": arm_data(arm.with_values(**{m: values[n]}))["rows"]}
+        {"name": m, "other": n, "rows": _rows_data(arm.with_values(**{m: values[n]}))}
         for m, n in _alike(values)
     ]
     if others:
@@ -118,7 +126,7 @@ def _robots(arm: Arm) -> Iterator[Data]:
         if own and name != own:
             other = arm.with_values(**lengths)
             masses = {"masses": _UR10_MASSES} if name == "UR10" else {}
-            found = {"name": name, "rows": arm_data(other)["rows"], **masses}
+            found = {"name": name, "rows": _rows_data(other), **masses}
             if arm.values.get("l_pen"):
-                found["penless"] = arm_data(other.with_values(l_pen=0))["rows"]
+                found["penless"] = _rows_data(other.with_values(l_pen=0))
             yield found
