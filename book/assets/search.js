@@ -28,7 +28,7 @@ const SMALL = new Set("a an and are at by can do does for from get how i in is i
 const stem = (word) => (word.length > 3 ? word.replace(/(?<![su])s$/, "").replace(/(?<=ch|sh|x)e$/, "") : word);
 
 // Signs that are one word in the book's language stay together: compare_jacobian is found by jacobian, and by its whole name.
-const split = (text) => text.normalize("NFKC").toLowerCase().split(/[^\p{L}\p{N}_]+/u).flatMap((word) => (word.includes("_") ? [word, ...word.split("_")] : [word])).filter(Boolean);
+const split = (text) => (text.normalize("NFKC").toLowerCase().match(/[\p{L}\p{N}_]+/gu) ?? []).flatMap((word) => (word.includes("_") ? [word, ...word.split("_")].filter(Boolean) : word));
 
 // The arms: of their own section, not of one that names them among others.
 const NAMES = new Set(["panda", "ur10", "ur10e", "stanford", "elbow"]);
@@ -45,8 +45,8 @@ const index = new MiniSearch({
   tokenize: split,
   processTerm: (word) => (SMALL.has(word) ? null : stem(word)),
 });
-// A page's first section has the page's title, which counts once.
-index.addAll(ENTRIES.map((entry, id) => ({ ...entry, of: entry.of === entry.title ? "" : entry.of, id })));
+// A page's first section has the page's title, which counts once. In pieces, so that nothing else on the page waits.
+const built = index.addAllAsync(ENTRIES.map((entry, id) => ({ ...entry, of: entry.of === entry.title ? "" : entry.of, id })), { chunkSize: 25 });
 
 const others = (word) => [...new Set(ALIKE.filter((words) => words.includes(word)).flat())].filter((other) => other !== word);
 
@@ -59,14 +59,16 @@ function find(text) {
       ...others(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 0.3 })),
     ],
   }));
-  const how = { bm25: { k: 1.2, b: 0.3, d: 0.5 }, boost: { title: 6, of: 5 }, boostDocument: (id) => (ENTRIES[id].symptom ? SYMPTOM : (LISTS[ENTRIES[id].page] ?? 1)) * together(ENTRIES[id], text) };
+  const how = { bm25: { k: 1.2, b: 0.3, d: 0.5 }, boost: { title: 6, of: 5 } };
   const all = index.search({ combineWith: "AND", queries }, how);
-  return all.length ? all : index.search({ combineWith: "OR", queries }, how);
+  const hits = all.length ? all : index.search({ combineWith: "OR", queries }, how);
+  const phrase = split(text).join(" ");
+  const score = ({ id, score }) => score * (ENTRIES[id].symptom ? SYMPTOM : (LISTS[ENTRIES[id].page] ?? 1)) * together(ENTRIES[id], phrase);
+  return hits.map((hit) => ({ ...hit, score: score(hit) })).sort((one, other) => other.score - one.score);
 }
 
 // Words that stand as they were typed, one after the other, count more.
-function together({ title, text }, typed) {
-  const phrase = split(typed).join(" ");
+function together({ title, text }, phrase) {
   const has = (whole) => ` ${split(whole).join(" ")} `.includes(` ${phrase} `);
   return has(title) ? 3 : phrase.includes(" ") && has(text) ? 2 : 1;
 }
@@ -102,7 +104,8 @@ const MOST = 30;
 if (globalThis.document) {
   const results = document.querySelector("#search-results"), told = document.querySelector("#search-told");
   const fields = [...document.querySelectorAll("input[name=q]")];
-  const answer = (text) => {
+  const answer = async (text) => {
+    await built;
     const hits = text.trim() ? find(text) : [];
     results.replaceChildren(...hits.slice(0, MOST).map(shown));
     const more = hits.length > MOST ? `, the first ${MOST} of ${hits.length}` : "";

@@ -56,11 +56,8 @@ class Reader:
         self.page.on("requestfailed", self._failed)
 
     def _said(self, message):
-        if (
-            "GPU stall due to ReadPixels" in message.text
-        ):  # of a machine that draws without a graphics card
-            return
-        if message.type in ("error", "warning"):
+        drawn = "GPU stall due to ReadPixels" in message.text  # without a graphics card
+        if message.type in ("error", "warning") and not drawn:
             self.troubles.append(f"{message.type}: {message.text}")
 
     def _failed(self, request):
