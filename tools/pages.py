@@ -295,7 +295,7 @@ def named_styles(app: Sphinx, _page: str, _template: str, context: dict, _tree: 
 
 
 def data_behind(app: Sphinx, page: str, _template: str, context: dict, _tree: object) -> None:
-    """The data of live figures, which nobody reads, in a script of the page that
+    """The data of live figures, and what answer sheets have to copy, in a script of the page that
     `book/assets/explorer-loader.js` asks for; a file can read no other."""
     body = context.get("body", "")
     if not (data := DATA.findall(body)):

@@ -1,6 +1,5 @@
 """An arm's answer sheet as a page in Markdown: every answer folded under the question, its formulas
-in TeX. The blocks that are copied stand in <script> elements, from which ``answers.js`` makes its
-buttons.
+in TeX. The blocks that its buttons copy, by ``answers.js``, are data in one <script> element.
 """
 
 import json
@@ -102,21 +101,26 @@ def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
         + "\n\n".join(_answer(sheet, item, others) for item in items)
         for heading, question, items in found
     )
-    return f"## Table\n\n{_given(sheet, others)}\n\n{answers}\n"
+    return f"## Table\n\n{_given(sheet, others)}\n\n{answers}\n\n{_blocks(sheet)}\n"
+
+
+def _blocks(sheet: Sheet) -> str:
+    """What is copied of each answer, by language: data that a page of the book has behind it."""
+    texts = {
+        _id(item): {language: block(sheet, item) for language, block in LANGUAGES.items()}
+        for item in sheet.items
+    }
+    data = json.dumps(texts).replace("</", r"<\/")
+    return f'<script type="application/json">{data}</script>'
 
 
 def _answer(sheet: Sheet, item: Item, others: list[Sheet]) -> str:
-    """One answer, folded: the formula, its numbers at home, for each of the others too, and the
-    blocks to copy."""
+    """One answer, folded: the formula, its numbers at home, and for each of the others too."""
     formulas = [f"$$\n{display}\n$$" for display in displays.symbols(sheet, item)]
     for of, home in _at_home(sheet, item, others):
         formulas.append(f"In numbers{of}:\n\n$$\n{displays.numbers(item, home)}\n$$")
-    blocks = [
-        f'<script type="text/plain" data-language="{name}">\n{block(sheet, item)}\n</script>'
-        for name, block in LANGUAGES.items()
-    ]
     title = f'<details class="answer" id="{_id(item)}"><summary>{_title(item)}</summary>'
-    return "\n\n".join([title, *formulas, *blocks, "</details>"])
+    return "\n\n".join([title, *formulas, "</details>"])
 
 
 def _id(item: Item) -> str:
@@ -173,14 +177,9 @@ def _legend(sheet: Sheet) -> str:
 
 def _masses(sheet: Sheet) -> str:
     """The masses and centres of mass of an arm's links, a row each."""
+    letters = ("m_", "x_c", "y_c", "z_c")
     rows = [
-        [
-            i,
-            *(
-                sheet.values.get(letter, 0.0)
-                for letter in (f"m_{i}", f"x_c{i}", f"y_c{i}", f"z_c{i}")
-            ),
-        ]
+        [i, *(sheet.values.get(f"{letter}{i}", 0.0) for letter in letters)]
         for i in range(1, len(sheet.arm.rows) + 1)
     ]
     lines = [f"| {' | '.join(f'${x:g}$' for x in row)} |" for row in rows]
@@ -222,9 +221,9 @@ _ASSETS = (
     '<script defer src="../_static/answers.js"></script>'
 )
 # Buttons that hold the place of those that the script makes, so that nothing moves when it does.
-_WORDS = ("Open all answers", *(f"Copy all as {language}" for language in LANGUAGES))
-_BUTTONS = "".join(f'<button type="button" disabled>{words}</button>' for words in _WORDS)
-_TOOLS = f'<p class="answer-tools">{_BUTTONS}</p>'
+_BUTTON = '<button type="button" disabled'
+_COPY = "".join(f'{_BUTTON} data-language="{to}">Copy all as {to}</button>' for to in LANGUAGES)
+_TOOLS = f'<p class="answer-tools">{_BUTTON}>Open all answers</button>{_COPY}</p>'
 
 _ASK_LINKS = r"""Put each row of the table into
 

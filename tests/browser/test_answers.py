@@ -6,6 +6,8 @@ from io import BytesIO
 import pytest
 from pypdf import PdfReader
 
+from helpers.robots import ELBOW
+from helpers.sheets import document
 from tests.test_book import HTML
 
 
@@ -52,16 +54,27 @@ def test_all_blocks_are_opened_and_copied_at_once(sheet):
     assert {"A_6", "T_06", "o_6", "z_6", "det_J", "P", "G"} <= set(names)
 
 
-def test_where_the_clipboard_is_closed_a_selection_is_copied(browser):
-    """An older browser, or a page in a frame."""
+def test_blocks_that_do_not_come_are_told_and_fetched_anew(sheet):
+    data, button = "**/data/answers/*", sheet.get_by_role("button", name="Copy all as LaTeX")
+    sheet.route(data, lambda route: route.abort())
+    sheet.reload()
+    button.click()
+    sheet.get_by_text("What is to be copied could not be loaded").wait_for()
+    sheet.unroute(data)
+    button.click()
+    sheet.get_by_text("LaTeX copied.").wait_for()
+
+
+def test_where_the_clipboard_is_closed_a_selection_is_copied(browser, tmp_path):
+    """An older browser, or a page in a frame; from the sheet of one file."""
     context = browser.new_context(offline=True)
     page = context.new_page()
-    page.add_init_script("Object.defineProperty(navigator, 'clipboard', { value: undefined })")
-    page.goto((HTML / "answers/elbow.html").as_uri())
-    page.evaluate(
-        "document.addEventListener('copy', () => { window.copied ="
-        " String(document.activeElement.value) })"
+    page.add_init_script(
+        "Object.defineProperty(navigator, 'clipboard', { value: undefined });"
+        "addEventListener('copy', () => { window.copied = document.activeElement.value })"
     )
+    (tmp_path / "sheet.html").write_text(document(ELBOW), encoding="utf-8")
+    page.goto((tmp_path / "sheet.html").as_uri())
     page.locator("#a-1 summary").click()
     page.locator("#a-1").get_by_role("button", name="Copy MATLAB").click()
     page.get_by_text("MATLAB copied.").wait_for()

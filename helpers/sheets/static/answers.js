@@ -4,17 +4,32 @@
   const announced = Object.assign(document.createElement("span"), { className: "answer-said" });
   announced.setAttribute("role", "status");
 
+  // The blocks of each answer stand in the page, or behind it in a script that the book's loader
+  // brings when a button is near to be pressed.
+  const data = document.querySelector('script[type="application/json"]');
+  async function blocks() {
+    const { from } = data.dataset;
+    try {
+      if (from) await loadBehind(from);
+    } catch {
+      throw new Error("What is to be copied could not be loaded. Press again to try anew.");
+    }
+    return JSON.parse(data.textContent);
+  }
+
+  // The press counts as the reader's while the text is still on its way.
   async function copy(text) {
     try {
-      await navigator.clipboard.writeText(text);
+      const item = new ClipboardItem({ "text/plain": text });
+      await Promise.all([text, navigator.clipboard.write([item])]);
     } catch {
       // Where a page may not use the clipboard by itself, a selection can still be copied.
-      const area = Object.assign(document.createElement("textarea"), { value: text });
+      const area = Object.assign(document.createElement("textarea"), { value: await text });
       document.body.append(area);
       area.select();
       const copied = document.execCommand("copy");
       area.remove();
-      if (!copied) throw new Error("not copied");
+      if (!copied) throw new Error("The browser does not let the page copy.");
     }
   }
 
@@ -23,41 +38,41 @@
     Object.assign(made, { type: "button", textContent: label });
     made.addEventListener("click", async () => {
       made.after(announced);
-      announced.textContent = "";
-      try {
-        announced.textContent = await act();
-      } catch {
-        announced.textContent = "The browser does not let the page copy.";
-      }
+      announced.textContent = "…";
+      announced.textContent = await act().catch((problem) => problem.message);
     });
     return made;
   }
 
-  const text = (block) => block.textContent.trim();
   const answers = [...document.querySelectorAll(".answer")];
-  const blocks = (of, language) => [...of.querySelectorAll(`script[data-language="${language}"]`)];
-  const found = document.querySelectorAll(".answer script[data-language]");
-  const languages = [...new Set([...found].map((block) => block.dataset.language))];
+  const places = [...document.querySelectorAll(".answer-tools [data-language]")];
+  const languages = places.map((place) => place.dataset.language);
 
-  const copier = (label, of, language) => button(label, async () => {
-    await copy(blocks(of, language).map(text).join("\n\n"));
-    return `${language} copied.`;
-  });
+  function copier(label, of, language) {
+    const made = button(label, async () => {
+      await copy(blocks().then((found) => of.map(({ id }) => found[id][language]).join("\n\n")));
+      return `${language} copied.`;
+    });
+    for (const near of ["pointerenter", "focus"]) {
+      made.addEventListener(near, () => blocks().catch(() => {}), { once: true });
+    }
+    return made;
+  }
 
   for (const answer of answers) {
     const row = Object.assign(document.createElement("div"), { className: "answer-copy" });
-    row.append(...languages.map((language) => copier(`Copy ${language}`, answer, language)));
+    row.append(...languages.map((language) => copier(`Copy ${language}`, [answer], language)));
     answer.append(row);
   }
 
   for (const tools of document.querySelectorAll(".answer-tools")) {
-    const fold = button("Open all answers", () => {
+    const fold = button("Open all answers", async () => {
       const open = fold.textContent.startsWith("Open");
       answers.forEach((answer) => { answer.open = open; });
       fold.textContent = open ? "Close all answers" : "Open all answers";
       return "";
     });
-    const all = languages.map((name) => copier(`Copy all as ${name}`, document, name));
+    const all = languages.map((name) => copier(`Copy all as ${name}`, answers, name));
     tools.replaceChildren(fold, ...all);
   }
 
