@@ -41,9 +41,8 @@ every_arm = pytest.mark.parametrize("sheet", SHEETS.values(), ids=SHEETS)
 
 @cache
 def pose(sheet):
-    """A random pose, the same for all answers of an arm."""
-    name, dof = sheet.arm.name, sheet.arm.dof
-    return tuple(map(float, np.random.default_rng(len(name)).uniform(-3, 3, dof)))
+    """A random pose of an arm, the same for all its answers."""
+    return tuple(np.random.default_rng(7).uniform(-3, 3, sheet.arm.dof).tolist())
 
 
 def true(sheet, what, q):
@@ -91,8 +90,7 @@ def given(language, sheet, item):
 
 
 def run(text):
-    names = {}
-    exec(compile(text, "pasted", "exec"), names)
+    exec(text, names := {})
     return names
 
 
@@ -142,9 +140,9 @@ def test_no_line_of_a_program_is_long(sheet):
 # Formulas to read
 
 
-def entries(item, shown):
+def entries(item, shown, elsewhere):
     """The TeX of an answer's entries as a reader finds them: lines that go on are joined, and a
-    name in the matrix stands for its line below."""
+    name in the matrix stands for its line below, or elsewhere."""
     written = {}
     for display in shown:
         lines = re.sub(r" \\\\\n&\\quad ", " ", display).split(" \\\\\n")
@@ -154,10 +152,10 @@ def entries(item, shown):
             written[label] = formula.strip()
     whole = written.get(displays.name(item), "")
     if "matrix" not in whole:
-        return [*written.values()]
+        return [*map(plain, written.values())]
     inner = re.sub(r"\\left\[\\begin\{\w+\}(?:\{c+\})?|\\end\{\w+\}\\right\]", "", whole)
     found = [text.strip() for text in re.split(r"&|\\\\", inner)]
-    return [written.get(text, text) for text in found]
+    return [plain((written | elsewhere).get(text, text)) for text in found]
 
 
 def plain(tex):
@@ -166,19 +164,27 @@ def plain(tex):
 
 @every_arm
 def test_what_the_page_shows_is_the_whole_answer(sheet):
+    """Long parts of T_0i and J stand under Axes and Origins; what is copied is whole by itself."""
+    vectors = {
+        f"({displays.name(vector)})_{{{axis}}}": sp.latex(x)
+        for vector in (*sheet.axes, *sheet.origins)
+        for axis, x in zip("xyz", vector.value, strict=True)
+    }
     for item in sheet.items:
-        shown = displays.symbols(sheet, item)
-        assert [*map(plain, entries(item, shown))] == [plain(sp.latex(x)) for x in item.value]
+        shown, whole = displays.symbols(sheet, item), [plain(sp.latex(x)) for x in item.value]
+        assert entries(item, shown, vectors) == whole
         assert all(f"$$\n{display}\n$$" in page(sheet) for display in shown)
-        assert all(display in given("LaTeX", sheet, item) for display in shown)
+        copied = re.findall(r"(?s)\\\[\n(.*?)\n\\\]", given("LaTeX", sheet, item))
+        assert entries(item, copied, {}) == whole
 
 
 def test_matrices_stay_matrices():
     """Long entries have names in them; a long vector is written line by line."""
     for sheet in SHEETS.values():
         for item in sheet.items:
-            first = displays.symbols(sheet, item)[0]
+            first, *below = displays.symbols(sheet, item)
             assert ("matrix" in first) == (item.value.cols > 1 or "aligned" not in first)
+            assert not re.search(r"t_{.[34]}|J_{[456]", "".join(below)), "under Axes and Origins"
             seen = re.sub(r"\\[a-z]+|[\s{}_^&]", "", first.split("\\\\")[0])
             assert len(seen) <= 75 or item.is_number
 
@@ -228,8 +234,7 @@ def test_pages_are_written_when_what_makes_them_has_changed(tmp_path, monkeypatc
 
 def test_a_page_of_the_book():
     text = answers.text_of(answers.PAGES[5])
-    head = '---\nmyst:\n  html_meta:\n    description: "Elbow arm: every link matrix'
-    assert text.startswith(head)
+    assert text.startswith('---\nmyst:\n  html_meta:\n    description: "Elbow arm: every link ')
     assert "\n---\n\n# Elbow arm\n\nThe arm of three joints" in text
     assert text.count('<details class="answer"') == len(SHEETS["elbow"].items)
     assert "<details open" not in text
@@ -251,9 +256,8 @@ def test_one_file_for_an_arm_of_your_own():
     html = document(replace(NUMBERED, name="<b>bold & brave</b>"))
     assert "<b>bold" not in html
     assert "&lt;b&gt;bold &amp; brave" in html
-    static = Path(displays.__file__).parent / "static"
-    for name in ("answers.css", "answers.js"):
-        assert (static / name).read_text(encoding="utf-8") in html
+    for path in (Path(displays.__file__).parent / "static").iterdir():
+        assert path.read_text(encoding="utf-8") in html
     assert not re.search(r"""(?:src|href)=["']""", html)
     assert "$" not in re.sub(r"(?s)<script.*?</script>", "", html)
     assert html.count("<math") > html.count('<details class="answer"') > 8

@@ -132,7 +132,8 @@ class Sheet:
     def _item(self, name: str, value: sp.ImmutableMatrix) -> Item:
         """An answer in the short form, with decimals for fractions of powers of ten, and with x_c1
         for the coordinate x_1 of a centre of mass, for z_1 is an axis here."""
-        decimals = {n: sp.Float(n) for n in value.atoms(sp.Rational) if _is_decimal(n)}
+        fractions = (number for number in value.atoms(sp.Rational) if number.q > 1)
+        decimals = {number: sp.Float(number) for number in fractions if 10**9 % number.q == 0}
         value = value.xreplace({**self._centres, **decimals})
         pairs = [(letter, function) for function, letter in short_names(value).items()]
         letters = dict(sorted(pairs, key=lambda pair: (str(pair[1].args), str(pair[0]))))
@@ -176,7 +177,3 @@ def at_home(arm: Arm) -> dict[str, Array]:
         found["P"] = statics.potential_energy(arm, q).reshape(1, 1)
         found["G"] = statics.gravity_torque(arm, q)[:, None]
     return found
-
-
-def _is_decimal(number: sp.Rational) -> bool:
-    return number.q > 1 and 10**9 % number.q == 0

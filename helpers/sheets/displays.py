@@ -1,5 +1,6 @@
 """An answer in TeX, as a page shows it and a LaTeX document takes it: a matrix as a matrix, with
-names for its long entries, which are written out below. No line is wider than a page.
+names for its long entries, which are written out below, or among the origins and axes. No line is
+wider than a page.
 """
 
 import sympy as sp
@@ -9,7 +10,6 @@ from helpers.sheets.content import Array, Item, Sheet
 
 _WIDTH = 56  # letters and signs of a line
 _HEIGHT = 16  # lines of a display
-_SHORT = 3  # of an entry's name
 
 
 def name(item: Item) -> str:
@@ -21,19 +21,38 @@ def name(item: Item) -> str:
     return f"{{}}^{{0}}T_{{{index[1:]}}}" if letter == "T" else f"{letter}_{{{index}}}"
 
 
-def symbols(sheet: Sheet, item: Item) -> list[str]:
-    """An answer in symbols, a display each."""
+def symbols(sheet: Sheet, item: Item, complete: bool = False) -> list[str]:
+    """An answer in symbols, a display each; long parts of origins and axes, which the page has
+    elsewhere, are written out if it is to be complete."""
     value, names = item.value, _entry_names(sheet, item)
     if not item.is_number and _width(value) <= _WIDTH:
         return [f"{name(item)} = {sp.latex(value)}"]
     if value.cols == 1:
         return _aligned([*zip(names, value, strict=True)])
-    cut, long = _cut(value, names)
-    by_columns = sorted(long, key=lambda k: k % value.cols)
+    elsewhere = {} if complete else _parts(sheet, item)
+    cut, long = _cut(value, [elsewhere.get(k, own) for k, own in enumerate(names)])
+    by_columns = sorted({*long} - elsewhere.keys(), key=lambda k: (k % value.cols, k))
     return [
         f"{name(item)} = {sp.latex(cut)}",
         *_aligned([(names[k], value[k]) for k in by_columns]),
     ]
+
+
+def _parts(sheet: Sheet, item: Item) -> dict[int, str]:
+    """What a frame has of its axis and origin, and a Jacobian of the axes, by the names of the page
+    and by its place."""
+    columns, first = item.value.cols, {}  # the place of a vector's first entry
+    if item.name[0] == "T":
+        i = int(item.name[2:])
+        first = {2: sheet.axes[i], 3: sheet.origins[i]}
+    elif item.name == "J":
+        joints = enumerate(zip(sheet.arm.joints, sheet.arm.turning, strict=True))
+        first = {k + 3 * columns * turns: sheet.axes[i - 1] for k, (i, turns) in joints}
+    return {
+        place + row * columns: entry
+        for place, vector in first.items()
+        for row, entry in enumerate(_entry_names(sheet, vector))
+    }
 
 
 def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
@@ -54,8 +73,8 @@ def _cut(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.Matrix, list[i
     """A matrix with names for as many of its longest entries as have no room, and which these
     are."""
     lengths = [seen(tex(entry)) for entry in value]
-    for longest in sorted({_SHORT, *(n for n in lengths if n > _SHORT)}, reverse=True):
-        long = [k for k, length in enumerate(lengths) if length > longest]
+    for longest in sorted({0, *lengths}, reverse=True):
+        long = [k for k, length in enumerate(lengths) if length > max(longest, seen(names[k]))]
         entries = [sp.Symbol(names[k]) if k in long else x for k, x in enumerate(value)]
         cut = sp.Matrix(*value.shape, entries)
         if _width(cut) <= _WIDTH:
@@ -76,7 +95,7 @@ def as_latex(sheet: Sheet, item: Item) -> str:
     """Displays for a document that uses amsmath; what c_{23} and the like mean stands above them as
     comments."""
     legend = [f"% ${sp.latex(letter)} = {tex(f)}$" for letter, f in item.letters.items()]
-    return "\n".join([*legend, *(f"\\[\n{display}\n\\]" for display in symbols(sheet, item))])
+    return "\n".join([*legend, *(f"\\[\n{display}\n\\]" for display in symbols(sheet, item, True))])
 
 
 def _rounded(value: float, digits: int) -> sp.Expr:

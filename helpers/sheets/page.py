@@ -57,14 +57,8 @@ def document(arm: Arm) -> str:
     from markdown_it import MarkdownIt
     from mdit_py_plugins.dollarmath import dollarmath_plugin
 
-    reader = (
-        MarkdownIt("commonmark")
-        .enable("table")
-        .use(
-            dollarmath_plugin,
-            renderer=lambda tex, how: mathml(tex, how["display_mode"]),
-        )
-    )
+    reader = MarkdownIt("commonmark").enable("table")
+    reader.use(dollarmath_plugin, renderer=lambda tex, how: mathml(tex, how["display_mode"]))
     style, script = ((_STATIC / f"answers.{kind}").read_text("utf-8") for kind in ("css", "js"))
     name = escape(arm.name)
     body = reader.render(f"# {name}: answers\n\n{_TOOLS}\n\n{_sections(arm)}")
@@ -177,22 +171,17 @@ def _legend(sheet: Sheet) -> str:
 
 def _masses(sheet: Sheet) -> str:
     """The masses and centres of mass of an arm's links, a row each."""
+    head = (
+        f"{sheet.arm.name}: masses (kg), and centres of mass (m) in the frame that moves with"
+        " each link; $g = 9.81$ m/s².\n\n| link | $m$ | $x_c$ | $y_c$ | $z_c$ |\n"
+        "|:-:|:-:|:-:|:-:|:-:|\n"
+    )
     letters = ("m_", "x_c", "y_c", "z_c")
     rows = [
         [i, *(sheet.values.get(f"{letter}{i}", 0.0) for letter in letters)]
         for i in range(1, len(sheet.arm.rows) + 1)
     ]
-    lines = [f"| {' | '.join(f'${x:g}$' for x in row)} |" for row in rows]
-    return "\n".join(
-        [
-            f"{sheet.arm.name}: masses (kg), and centres of mass (m) in the frame that moves with"
-            " each link; $g = 9.81$ m/s².",
-            "",
-            "| link | $m$ | $x_c$ | $y_c$ | $z_c$ |",
-            "|:-:|:-:|:-:|:-:|:-:|",
-            *lines,
-        ]
-    )
+    return head + "\n".join(f"| {' | '.join(f'${x:g}$' for x in row)} |" for row in rows)
 
 
 def _joints(arm: Arm) -> str:
@@ -233,6 +222,8 @@ A_i = \mathrm{Rot}_z(\theta_i)\,\mathrm{Trans}_z(d_i)\,\mathrm{Trans}_x(a_i)\,
 $$"""
 _ASK_FRAMES = (
     r"Multiply the link matrices: ${}^{0}T_i = A_1 \cdots A_i$. Angles about parallel axes add up."
+    " Long entries of the last two columns are named, as $(z_i)_x$ and $(o_i)_x$, and written out"
+    " under Axes and Origins."
 )
 _ASK_ORIGINS = (
     "Where is the origin $o_i$ of each frame? Fourth column of ${}^{0}T_i$, first three rows (m)."
@@ -241,7 +232,7 @@ _ASK_AXES = "Which way does each $z_i$ point? Third column of ${}^{0}T_i$, first
 _ASK_JACOBIAN = (
     r"One column for each joint: where it turns, $z_{i-1} \times (o_{%d} - o_{i-1})$ over"
     r" $z_{i-1}$; where it slides, $z_{i-1}$ over 0. Rows are $(v_x, v_y, v_z, \omega_x, \omega_y,"
-    r" \omega_z)$ in base axes, at the tip."
+    r" \omega_z)$ in base axes, at the tip. Long entries of an axis are only named, as $(z_i)_x$."
 )
 _ASK_GRAVITY = (
     r"The potential energy $P = g \sum m_i h_i$ (J), with $h_i$ the height of link $i$'s centre of"

@@ -22,7 +22,7 @@ class _Names:
     """Letters as a program can have them: ``c_2m3p4`` for ``c_{2-3+4}``."""
 
     def _print_Symbol(self, symbol):
-        return _code_name(symbol.name)
+        return symbol.name.translate({ord("{"): None, ord("}"): None, ord("-"): "m", ord("+"): "p"})
 
 
 class _SymPy(_Names, StrPrinter): ...
@@ -32,10 +32,6 @@ class _NumPy(_Names, NumPyPrinter): ...
 
 
 class _Octave(_Names, OctaveCodePrinter): ...
-
-
-def _code_name(name: str) -> str:
-    return name.translate({ord("{"): None, ord("}"): None, ord("-"): "m", ord("+"): "p"})
 
 
 class _Language(NamedTuple):
