@@ -11,12 +11,7 @@ from matplotlib.colors import to_hex
 
 from helpers.plotting.maps import COLOURS
 from tools.download import Book, edition, plain
-from tools.pages import (
-    fold,
-    keep_together,
-    keep_whole,
-    say_plainly,
-)
+from tools.pages import fold, keep_together, keep_whole, say_plainly, visit_math_block
 from tools.pictures import for_dark, panels, size, turned, visit_image
 
 
@@ -155,17 +150,17 @@ def test_a_box_is_folded_at_its_title():
     box["classes"], box["ids"] = ["solution", "dropdown"], ["here"]
     around = nodes.section("", box)
     fold(box)
-    start, title, middle, text, end = around.children
-    assert (
-        start.astext()
-        == '<details class="admonition solution" id="here"><summary class="admonition-title">'
-    )
-    assert (title.astext(), middle.astext(), text.astext(), end.astext()) == (
-        "Solution",
-        "</summary>",
-        "Four.",
-        "</details>",
-    )
+    start = '<details class="admonition solution" id="here"><summary class="admonition-title">'
+    made = [part.astext() for part in around]
+    assert made == [start, "Solution", "</summary>", "Four.", "</details>"]
+
+
+@pytest.mark.parametrize("tex", [r"a \\ b", r"\begin{matrix}a \\ b\end{matrix}"])
+def test_a_matrix_does_not_stand_in_another_table(tex):
+    translator = SimpleNamespace(body=[], starttag=lambda *_, **__: "")
+    with pytest.raises(nodes.SkipNode):
+        visit_math_block(translator, nodes.math_block("", tex))
+    assert "".join(translator.body).count("<mtable") == 1
 
 
 @pytest.mark.parametrize(

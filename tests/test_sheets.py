@@ -201,8 +201,7 @@ def test_the_numbers_on_the_page(sheet):
     for item in sheet.items:
         shown = displays.numbers(item, item.home)
         assert f"In numbers:\n\n$$\n{shown}\n$$" in page(sheet)
-        inner = re.sub(r".*= |\\(?:begin|end)\{array\}(?:\{r+\})?|\\left\[|\\right\]", "", shown)
-        numbers = [float(text) for text in re.split(r"&|\\\\", inner)]
+        numbers = [float(text) for text in re.findall(r"-?[\d.]+", shown.split(" = ")[1])]
         expected = np.ravel(true(sheet, item.name, np.array(sheet.arm.home)))
         np.testing.assert_allclose(numbers, expected, rtol=0, atol=5.1e-5)
 
@@ -276,7 +275,7 @@ def test_a_determinant_says_how_many_factors_it_has():
 
 def test_masses_of_zero_leave_an_empty_row():
     arm = Arm("light", [revolute(a=1)], bodies=[Body(0, (0, 0, 0))])
-    assert "| $1$ | $0$ | $0$ | $0$ | $0$ |" in markdown(arm, "L", "L")
+    assert "| 1 | 0 | 0 | 0 | 0 |" in markdown(arm, "L", "L")
 
 
 # The command line

@@ -34,6 +34,7 @@ from tools.formulas import lighter
 LOGGER = logging.getLogger(__name__)
 
 SIGN = re.compile(r"\\[a-zA-Z]+|[^\s{}\\^_]")
+WITHIN = re.compile(r"\\begin\{(\w+\*?)\}.*?\\end\{\1\}", re.S)
 LINE = 18  # signs of a formula that any phone has room for
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
 MEASURED = re.compile(rf"(?<=\d) (?:{UNIT}|\d{{3}}(?!\w))|N m(?!\w)")  # and 1 000
@@ -159,7 +160,7 @@ def visit_math_block(translator, node) -> None:
         translator.body.append(f'<span class="eqno">({number})')
         translator.add_permalink_ref(node, "Link to this equation")
         translator.body.append("</span>")
-    rows = r"\\" in tex and not node.get("no-wrap")
+    rows = r"\\" in WITHIN.sub("", tex) and not node.get("no-wrap")
     html = formula(node, rf"\begin{{split}}{tex}\end{{split}}" if rows else tex, True)
     translator.body.append(f'<div class="display"><div>{html}</div></div></div>\n')
     raise nodes.SkipNode

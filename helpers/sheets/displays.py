@@ -39,8 +39,7 @@ def symbols(sheet: Sheet, item: Item, complete: bool = False) -> list[str]:
 
 
 def _parts(sheet: Sheet, item: Item) -> dict[int, str]:
-    """What a frame has of its axis and origin, and a Jacobian of the axes, by the names of the page
-    and by its place."""
+    """The names of what a frame has of its axis and origin, and J of the axes, by their places."""
     columns, first = item.value.cols, {}  # the place of a vector's first entry
     if item.name[0] == "T":
         i = int(item.name[2:])
@@ -87,8 +86,8 @@ def numbers(item: Item, home: Array) -> str:
     if item.is_number:
         return f"{name(item)} = {sp.latex(_rounded(home[0, 0], 6))}"
     value = sp.Matrix([[_rounded(x, 4) for x in row] for row in home])
-    shown = sp.latex(value, mat_str="array")
-    return f"{name(item)} = {shown.replace('c' * value.cols, 'r' * value.cols, 1)}"
+    shown = sp.latex(value, mat_str="matrix*").replace("{matrix*}", "{matrix*}[r]", 1)
+    return f"{name(item)} = {shown}"
 
 
 def as_latex(sheet: Sheet, item: Item) -> str:

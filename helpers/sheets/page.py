@@ -181,7 +181,8 @@ def _masses(sheet: Sheet) -> str:
         [i, *(sheet.values.get(f"{letter}{i}", 0.0) for letter in letters)]
         for i in range(1, len(sheet.arm.rows) + 1)
     ]
-    return head + "\n".join(f"| {' | '.join(f'${x:g}$' for x in row)} |" for row in rows)
+    lines = [f"| {' | '.join(f'{x:g}' for x in row)} |" for row in rows]
+    return head + "\n".join(lines).replace("-", "\N{MINUS SIGN}")
 
 
 def _joints(arm: Arm) -> str:
