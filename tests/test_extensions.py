@@ -128,20 +128,19 @@ def shown(tmp_path, svg, **attributes):
 def test_a_picture_stands_twice_and_says_its_size(tmp_path):
     html = shown(tmp_path, figure(TWO[0]), width="70%")
     assert re.findall('src="(.*?)"', html) == ["_images/b.svg", "_images/dark/b.svg"]
-    assert html.count('alt="A &quot;b&quot;" width="533" height="267" loading="lazy"') == 2
-    assert 'class="picture" style="width: 70%"' in html
+    assert html.count('alt="" width="533" height="267" loading="lazy"') == 2
+    assert 'class="picture" style="width: 70%" role="img" aria-label="A &quot;b&quot;">' in html
 
 
 def test_each_panel_is_a_window_on_the_whole(tmp_path):
     html = shown(tmp_path, figure(axes(1, 20, 20, 107, 180), TWO[1]))
     assert 'class="picture many"' in html
-    windows = re.findall(r'<span class="panel" style="(.*?); (--.*?)"><img .*?alt="(.*?)"', html)
+    windows = re.findall(r'<span class="panel" style="(.*?); (--.*?)">', html)
     assert windows[1] == (
         "aspect-ratio: 186 / 166; max-width: 372px",
         "--share: 100.0%; --wide: 215.05%; --left: -111.29%; --top: -10.24%",
-        "",
     )
-    assert (windows[0][1][:15], windows[0][2]) == ("--share: 50.0%;", "A &quot;b&quot;")
+    assert windows[0][1][:15] == "--share: 50.0%;"
     assert html.count('<img class="dark"') == html.count('<img class="light"') == 3
 
 
@@ -183,7 +182,7 @@ def test_a_unit_stays_with_its_number(words, kept):
     ("before", "behind", "shown"),
     [
         ("", " N, along", ["+5 N,", " along"]),
-        ("", ". So", ["+5.", " So"]),
+        ("", ". So", ["+5{.}", " So"]),
         ("", " N m.", ["+5 N m."]),
         ("tip (“", " so)", ["tip ", "(“+5", " so)"]),
         ("", " apples", ["+5", " apples"]),
@@ -194,9 +193,9 @@ def test_what_stands_close_to_a_formula_stays_with_it(before, behind, shown):
     paragraph = nodes.paragraph("", "", *around, nodes.math("", "+5"), nodes.Text(behind))
     keep_together(paragraph[len(around)])
     parts = [part.astext().replace("\N{NO-BREAK SPACE}", " ") for part in paragraph]
-    assert "".join(parts) == before + "+5" + behind
+    assert re.sub("[{}]", "", "".join(parts)) == before + "+5" + behind
     assert [part for part in parts if part] == shown
-    assert ("together" in str(paragraph)) == (behind != " apples")
+    assert ("together" in str(paragraph)) == (bool(before) or " N" in behind)
 
 
 def test_a_long_formula_takes_in_the_mark_behind_it():
@@ -231,17 +230,16 @@ def test_what_is_to_be_typed_keeps_its_quotes():
     assert paragraph.astext() == '“so”: x="craig" or f["arm"]'
 
 
-def test_an_exercise_says_its_title_without_brackets_and_its_time_quietly():
-    exercise = nodes.title("", "", *map(nodes.Text, (" (", "Pull · ten minutes", ")")))
+def test_an_exercise_says_its_title_without_brackets_its_time_quietly_and_the_solution_none():
+    exercise, solution = (nodes.title("", "", nodes.Text(word)) for word in ("", "Solution to"))
+    named = nodes.reference("", "", nodes.Text(" Exercise 4.1"))
+    solution += named
+    for title in (exercise, named):
+        title += [nodes.Text(part) for part in (" (", "Pull · ten minutes", ")")]
     say_plainly(exercise)
+    say_plainly(solution)
     assert exercise.astext() == " Pull · ten minutes"
     assert exercise.children[-1]["classes"] == ["time"]
-
-
-def test_a_solution_names_its_exercise_and_no_time():
-    words = map(nodes.Text, (" Exercise 4.1", " (", "Pull · ten minutes", ")"))
-    solution = nodes.title("", "", nodes.Text("Solution to"), nodes.reference("", "", *words))
-    say_plainly(solution)
     assert solution.astext() == "Solution to Exercise 4.1: Pull"
 
 
@@ -313,9 +311,6 @@ def test_a_solution_folds_with_its_cells_and_ends_at_the_next_heading(book):
         f"*[Fig. 1.2]({HERE}one.html#fig-a). One.*",
         "#### Exercise: Why?",
     ]
-    assert [cell.metadata.get("jp-MarkdownHeadingCollapsed", False) for cell in made[1:3]] == [
-        False,
-        True,
-    ]
+    assert [cell.metadata.get("jp-MarkdownHeadingCollapsed") for cell in made[1:3]] == [None, True]
     assert "git+https://github.com/Owner/book" in made[0].source
     assert len({cell.id for cell in made}) == len(made)

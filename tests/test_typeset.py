@@ -67,15 +67,18 @@ def test_an_index_and_an_exponent_are_one_element_at_the_height_that_katex_gives
     assert "vlist" not in made
 
 
-def test_rows_stand_where_katex_puts_them_between_brackets():
+@pytest.mark.parametrize(("of", "kind"), [("{matrix}", ""), ("{array}{rr}", " col-align-r")])
+def test_rows_stand_where_katex_puts_them_between_brackets(of, kind):
     """Three rows of a matrix are 1.2 em apart (TeX's baselineskip at arraystretch 1), the first
     0.84 em below its top (0.7 of it); brackets and rows reach as far as KaTeX's own strut."""
-    full = typeset.html(r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \\ 5 & 6 \end{bmatrix}")
+    end = of.partition("}")[0]
+    full = typeset.html(rf"\left[\begin{of} 1 & 2 \\ 3 & 4 \\ 5 & 6 \end{end}}}\right]")
     made = lighter(full)
     assert "--strut:3em;--lift:-2.16em;grid-template-rows:1.2em 1.2em 0" in made
     reach = r"height:([\d.]+)em;vertical-align:(-[\d.]+)em"
     assert re.findall(reach, made) == re.findall(reach, full)[:1] * 3
-    assert re.findall(r'class="(bracket.*?|cells)"', made) == ["bracket", "cells", "bracket right"]
+    classes = re.findall(r'class="(bracket.*?|cells.*?)"', made)
+    assert classes == ["bracket", f"cells{kind}", "bracket right"]
     assert re.sub("<.*?>", "", made) == "[123456]135246"
 
 
@@ -84,6 +87,11 @@ def test_a_word_is_heard_as_one_and_an_index_stands_below_a_letter_that_leans():
     made = lighter(typeset.html(r"\mathrm{Rot}_z T_i"))
     assert heard(made)[:2] == [("msub", ""), ("mi", "Rot")]
     assert "<i>T</i><sub><i>i</i></sub>" in made
+
+
+def test_signs_in_a_row_are_heard_as_they_are_seen():
+    assert lighter(typeset.html(r"d = -a")) == "<i>d</i><bdi>=</bdi>−<i>a</i>"
+    assert [lighter(typeset.html(tex)).count("<math") for tex in ("q_1", r"\sqrt{q}")] == [1, 1]
 
 
 def test_what_a_formula_shows_and_says_stays():

@@ -21,6 +21,7 @@ SILENT = {  # of MathML that nobody looks at
     *("columnspacing", "scriptlevel", "displaystyle"),
 }
 ROWS = {"math", "mtd", "mstyle", "mrow"}  # whose children are one row in MathML
+IN_A_ROW = {"math", "mrow", "mi", "mn", "mo", "mtext"}  # of letters and signs without an index
 SMALL = 0.7  # the size of an index
 LOWERED = f"{-0.15 / SMALL:.4f}"  # em of an index, as most are
 ABOVE, BELOW = 0.79, 0.41  # em of the letters' line, that any line has room for
@@ -35,17 +36,23 @@ SIGNS = {"0.2222": "b", "0.2778": "bdi"}  # a sum's and a relation's, by their r
 LEANS = re.compile(
     r'<i style="margin-right:([\d.]+)em;">([^<]+)</i><sub style="([^"]*?);?margin-left:-([\d.]+)em"'
 )
+# Half gaps around a matrix by where its cells stand: a bmatrix has none, an array of numbers has.
+AROUND_CELLS = {"col-align-c": 0, "col-align-r": 2}
 BRACKETS = {"M403": "bracket", "M347": "bracket right"}  # by how KaTeX begins to draw them
 
 
-def lighter(markup: str) -> str:
+def lighter(markup: str, breaks: bool = False) -> str:
     """The markup of one formula, from `helpers.typeset.html`: what is heard, then what is seen, in
-    parts between which a line may break."""
+    parts where a line may break between them. Signs in a row are heard as they are seen."""
     tree = ElementTree.fromstring(markup)
-    seen = tree.find(".//*[@class='katex-html']")
-    parts = "".join(_tagged("span", {"aria-hidden": "true"}, _part(part)) for part in seen)
-    parts = AROUND.sub(_sign, parts).replace(THIN, "<u></u>")
-    return _heard(tree.find(".//math"), tree) + LEANS.sub(_upright, parts)
+    said, seen = tree.find(".//math"), tree.find(".//*[@class='katex-html']")
+    signs = (AROUND.sub(_sign, _part(part)).replace(THIN, "<u></u>") for part in seen)
+    parts = [LEANS.sub(_upright, part) for part in signs]
+    if not breaks and {node.tag for node in said.iter()} <= IN_A_ROW:
+        return "".join(parts)
+    shown = parts if breaks else ["".join(parts)]
+    hidden = (_tagged("span", {"aria-hidden": "true"}, part) for part in shown)
+    return _heard(said, tree) + "".join(hidden)
 
 
 def _part(part: Element) -> str:
@@ -168,13 +175,14 @@ def _row(row: Element, high: float) -> str:
 
 
 def _grid(table: Element) -> str:
-    """A matrix as one grid, column by column; of columns that are not 1 em apart or not centred,
-    each stays a stack."""
-    columns = [column[0] for column in table if column.get("class") == "col-align-c"]
+    """A matrix as one grid, column by column; of columns that are not 1 em apart, or neither all in
+    the middle nor all on the right, each stays a stack."""
     gaps = [_em(gap, "width") for gap in table if gap.get("class") == "arraycolsep"]
-    if not columns or len(columns) + len(gaps) < len(table) or gaps != [0.5] * len(gaps):
-        return ""
-    if len(gaps) != 2 * len(columns) - 2:
+    kinds = {part.get("class") for part in table} - {"arraycolsep"}
+    kind, *others = kinds or {""}
+    columns = [column[0] for column in table if column.get("class") == kind]
+    around = 2 * len(columns) - 2 + AROUND_CELLS.get(kind, 0)
+    if kind not in AROUND_CELLS or others or gaps != [0.5] * around:
         return ""
     high, low, *_ = _rows(columns[0])
     strut = max(_rows(column)[2] for column in columns)
@@ -184,7 +192,8 @@ def _grid(table: Element) -> str:
     style = f"{_reach(high, low)};--strut:{strut:.6g}em;--lift:{high + lines[0] - strut:.6g}em"
     style += f";grid-template-rows:{' '.join([*heights, '0'])}"
     cells = "".join(_tagged("span", {}, "".join(map(_inside, row[1:]))) for row in rows)
-    return _tagged("span", {"class": "cells", "style": style}, cells)
+    name = "cells" if kind == "col-align-c" else f"cells {kind}"
+    return _tagged("span", {"class": name, "style": style}, cells)
 
 
 def _bracket(delimiter: Element) -> str:

@@ -1,21 +1,22 @@
 """A Sphinx extension: what the book's pages are made of, decided on the document tree; on finished
 HTML only what a whole page repeats.
 
-Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; names
-and commas in code, which all have the colour of code, get no `<span>`; formulas are set here, and
-need no script. Pictures are in `pictures.py`.
+Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; code
+has short tags; formulas are set here, and need no script. Pictures are in `pictures.py`.
 """
 
 import re
 import sys
 from html import escape
+from itertools import groupby
 from pathlib import Path
 from zlib import crc32
 
 from docutils import nodes
 from docutils.parsers.rst import directives
+from myst_nb.sphinx_ import HideCodeCellNode
 from pygments.formatters import HtmlFormatter
-from pygments.token import Name, Punctuation, Text
+from pygments.token import Comment, Keyword, Number, Operator, String, _TokenType
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.highlighting import PygmentsBridge
@@ -40,35 +41,36 @@ UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])
 MEASURED = re.compile(rf"(?<=\d) (?:{UNIT}|\d{{3}}(?!\w))|N m(?!\w)")  # and 1 000
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
 MARK = re.compile(r"[.,;:!?)]+")
+COMMAS = ("", ",", ".", ";", ":")
 OPENED = re.compile(r"[(\[“‘]+$")
 INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
 OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
 STYLED = re.compile(r'<(i|span|sub|svg) style="([^"]+)"(?: class="([^"]+)")?')
-IDLE = re.compile(r"(?<=<pre>)<span></span>| docutils container(?=\")| class=\"row-(?:odd|even)\"")
+IDLE = re.compile(r" docutils container(?=\")| class=\"row-(?:odd|even)\"")
 DATA = re.compile(r'<script type="application/json">(.+?)(?=</script>)', re.S)
 FILLED = """document.querySelectorAll("script[data-from]").forEach((place, k) => {
   place.textContent = JSON.stringify([DATA][k]);
 });
 """
 TIME = re.compile(r"(.*?)\s*· (.+)")
-TOKEN = re.compile(r'<span class="(o|mi|mf)">([^<]*)</span>')
-MARKS = {"o": r"<b>\2</b>", "mi": r"<u>\2</u>", "mf": r"<u>\2</u>"}
-COLOURED = (Name.Builtin, Name.Class, Name.Decorator, Name.Function)
+COLOURED = {Keyword: "b", Operator.Word: "b", String: "q", Number: "u", Comment: "i"}
 
 
 class LightFormatter(HtmlFormatter):
-    """Code without spans around what has no colour of its own, and short ones around operators and
-    numbers: half of a chapter's bytes."""
+    """Code with a short tag around what has a colour: half of what a chapter would weigh."""
 
-    def _get_css_class(self, ttype):
-        plain = ttype in Name or ttype in Punctuation or ttype in Text
-        return super()._get_css_class(ttype) if ttype in COLOURED or not plain else ""
+    def format_unencoded(self, tokensource, outfile) -> None:
+        outfile.write("<pre>")
+        for tag, pieces in groupby(tokensource, lambda piece: _tag(piece[0])):
+            code = escape("".join(text for _, text in pieces), quote=False)
+            outfile.write(f"<{tag}>{code}</{tag}>" if tag else code)
+        outfile.write("</pre>")
 
-    def _format_lines(self, tokensource):
-        for is_code, line in super()._format_lines(tokensource):
-            yield is_code, TOKEN.sub(lambda found: found.expand(MARKS[found[1]]), line)
+
+def _tag(kind: _TokenType) -> str:
+    return next((tag for of, tag in COLOURED.items() if kind in of), "")
 
 
 class Margin(SphinxDirective):
@@ -131,11 +133,11 @@ class Sources(BibliographyDirective):
         return super().run() if self.options else FootBibliographyDirective.run(self)
 
 
-def formula(node: nodes.Element, tex: str, display: bool) -> str:
+def formula(node: nodes.Element, tex: str, display: bool = False, breaks: bool = False) -> str:
     """A formula as the page shows it; one that cannot be set is told with its place, and stays
     TeX."""
     try:
-        return lighter(typeset.html(tex, display))
+        return lighter(typeset.html(tex, display), breaks)
     except ArmError as problem:
         LOGGER.warning("%s", problem, location=node)
         return escape(tex)
@@ -145,7 +147,7 @@ def visit_math(translator, node) -> None:
     """What any line has room for stays in one; a matrix may scroll."""
     tex = node.astext()
     long = " long" if len(SIGN.findall(tex)) > LINE else ""
-    html = formula(node, tex, False)
+    html = formula(node, tex, breaks=bool(long))
     wide = " matrix" if "<mtable" in html else ""
     translator.body.append(f'<span class="math{long}{wide}">{html}</span>')
     raise nodes.SkipNode
@@ -164,6 +166,14 @@ def visit_math_block(translator, node) -> None:
     html = formula(node, rf"\begin{{split}}{tex}\end{{split}}" if rows else tex, True)
     translator.body.append(f'<div class="display"><div>{html}</div></div></div>\n')
     raise nodes.SkipNode
+
+
+def visit_folded_code(translator, _node) -> None:
+    translator.body.append('<details class="hide"><summary>Code</summary>')
+
+
+def depart_folded_code(translator, _node) -> None:
+    translator.body.append("</details>\n")
 
 
 def fold(box: nodes.Element) -> None:
@@ -189,20 +199,20 @@ def fold(box: nodes.Element) -> None:
 
 def keep_together(formula: nodes.math) -> None:
     """No line begins with the unit or the comma behind a formula, and none ends with the bracket or
-    quote before it; one that may be as long as a line takes in the comma."""
+    quote before it. A comma alone becomes a part of it, and of one that may be as long as a line
+    whatever mark is there."""
     place, parent = formula.parent.index(formula), formula.parent
     before, after = (
         parent[k] if 0 <= k < len(parent) and isinstance(parent[k], nodes.Text) else nodes.Text("")
         for k in (place - 1, place + 1)
     )
-    if len(SIGN.findall(formula.astext())) > LINE:
+    opened, closed = OPENED.search(before), AFTER.match(after)
+    front, behind = opened[0] if opened else "", closed[0] if closed else ""
+    long = len(SIGN.findall(formula.astext())) > LINE
+    if long or (not front and behind in COMMAS):
         if mark := MARK.match(after):
             formula[0] = nodes.Text(f"{formula.astext()}{{{mark[0]}}}")
             parent.replace(after, nodes.Text(after[mark.end() :]))
-        return
-    opened, closed = OPENED.search(before), AFTER.match(after)
-    front, behind = opened[0] if opened else "", closed[0] if closed else ""
-    if not front and not behind:
         return
     kept = [nodes.Text(front), formula.deepcopy(), nodes.Text(behind.replace(" ", SPACE))]
     formula.replace_self(nodes.inline("", "", *kept, classes=["together"]))
@@ -244,6 +254,17 @@ def say_plainly(title: nodes.title) -> None:
         of.replace(last, [nodes.Text(timed[1]), *time])
 
 
+def thin_out(table: nodes.table) -> None:
+    """Text stands on the left anyway; where all cells are alike, the table says how."""
+    cells = list(table.findall(nodes.entry))
+    for cell in cells:
+        cell["classes"] = [name for name in cell["classes"] if name != "text-left"]
+    if all(cell["classes"] == ["text-center"] for cell in cells):
+        table["classes"].append("text-center")
+        for cell in cells:
+            cell["classes"] = []
+
+
 def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
     """Fold what is to be folded, keep formulas and numbers with what follows them, and give tables
     a box."""
@@ -261,6 +282,7 @@ def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
     for text in list(doctree.findall(nodes.Text)):
         keep_whole(text)
     for table in list(doctree.findall(nodes.table)):
+        thin_out(table)
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
 
 
@@ -324,6 +346,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("arm", LiveArm)
     app.add_directive("div", LiveJudge)
     app.add_directive("bibliography", Sources, override=True)
+    app.add_node(HideCodeCellNode, override=True, html=(visit_folded_code, depart_folded_code))
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("env-get-updated", count_anew, priority=900)

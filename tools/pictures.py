@@ -246,8 +246,8 @@ def _hex(light: float, a: float, b: float) -> str:
 
 
 def visit_image(translator, node) -> None:
-    """A drawing twice, for light and for dark pages, whole and in panels; what is not shown is not
-    fetched."""
+    """A drawing twice, for light and for dark pages, whole and in panels, with one name for all;
+    what is not shown is not fetched."""
     builder = translator.builder
     name = builder.images.get(node["uri"], "")
     path = Path(builder.srcdir, node["uri"])
@@ -260,21 +260,20 @@ def visit_image(translator, node) -> None:
     kinds = [*(["many"] if boxes else []), *(["small"] if small else [])]
     classes = " ".join(["picture", *kinds, *node["classes"]])
     style = f' style="width: {node["width"]}"' if "width" in node else ""
-    translator.body.append(f'<span class="{classes}"{style}>')
-    source, words = f"{builder.imgpath}/{name}", node.get("alt", "")
-    translator.body.append(_twins(source, words, root))
-    for box in boxes:
-        translator.body.append(_cut(_twins(source, words, root), box, root, widest))
-        words = ""  # the first panel has them for all
-    translator.body.append("</span>")
+    words = escape(node.get("alt", ""))
+    twins = _twins(f"{builder.imgpath}/{name}", root)
+    windows = "".join(_cut(twins, box, root, widest) for box in boxes)
+    translator.body.append(
+        f'<span class="{classes}"{style} role="img" aria-label="{words}">{twins}{windows}</span>'
+    )
     raise nodes.SkipNode
 
 
-def _twins(source: str, words: str, root: ET.Element) -> str:
+def _twins(source: str, root: ET.Element) -> str:
     folder, name = source.rsplit("/", 1)
     sides = size(root)
     room = f' width="{sides[0]}" height="{sides[1]}"' if sides else ""
-    rest = f'alt="{escape(words)}"{room} loading="lazy">'
+    rest = f'alt=""{room} loading="lazy">'
     places = {"light": source, "dark": f"{folder}/dark/{name}"}
     return "".join(f'<img class="{mode}" src="{at}" {rest}' for mode, at in places.items())
 

@@ -1,5 +1,5 @@
 // What is wider than its place scrolls in a box of its own, from the keyboard too, and says so.
-const WIDE = ".display, span.matrix, div.table, .highlight pre";
+const WIDE = ".display, span.matrix, div.table, pre";
 const SMALLEST = 0.75; // of a formula's size, before it scrolls
 
 const all = () => [...document.querySelectorAll(WIDE)];
@@ -103,8 +103,6 @@ document.addEventListener("DOMContentLoaded", () => {
   // Lists of references carry roles whose children they do not have.
   each("div.citation-list, dl.citation, [role='doc-biblioentry']", (list) => list.removeAttribute("role"));
   each("div.citation-list [role], .citation [role='doc-backlink']", (item) => item.removeAttribute("role"));
-  // A visible text is its own name; a different label beside it confuses speech input.
-  each("summary[aria-label]", (control) => control.removeAttribute("aria-label"));
 
   each("div.cell_output", (output) => {
     const texts = [...output.querySelectorAll("pre")].map((pre) => pre.textContent.trim());
@@ -115,7 +113,7 @@ document.addEventListener("DOMContentLoaded", () => {
     if (told.length < lines.length) proven(output);
   });
 
-  each("div.cell_input .highlight, div[class*='highlight-python'] > .highlight", (code) => {
+  each("div.cell_input > *, div.highlight-python", (code) => {
     if (!navigator.clipboard || code.querySelector(".copy")) return;
     const button = Object.assign(document.createElement("button"), { className: "copy", textContent: "Copy" });
     button.onclick = async () => {

@@ -63,7 +63,7 @@ TYPE = """() => {
     };
     const size = (e) => parseFloat(getComputedStyle(e).fontSize);
     const paragraphs = [...document.querySelectorAll("article > section p")].filter((p) => p.parentElement.matches("section") && p.textContent.length > 300 && !p.querySelector(".math, code"));
-    return [paragraphs.map(letters), [...document.querySelectorAll(".highlight pre")].map(size)];
+    return [paragraphs.map(letters), [...document.querySelectorAll("pre")].map(size)];
 }"""
 # The letters have come.
 LOADED = "() => document.fonts.status === 'loaded'"
@@ -183,7 +183,7 @@ UNMARKED = f"""(box) => {{
 def test_a_cut_would_be_noticed(visit):
     """The test above means something: without its marks, what is too wide is found."""
     resized(visit.page, "small")
-    for what in (".display", "div.table", ".highlight pre"):
+    for what in (".display", "div.table", "pre"):
         assert visit.page.locator(f"{what}.more-right").first.evaluate(UNMARKED), what
 
 

@@ -48,7 +48,7 @@ def test_lines_hardly_move_when_the_letters_of_formulas_come_late(browser):
 
 
 # On the screen, and wider than its place without saying so.
-UNSAID = """() => [...document.querySelectorAll(".display, div.table, .highlight pre")].filter((box) => {
+UNSAID = """() => [...document.querySelectorAll(".display, div.table, pre")].filter((box) => {
     const { top, bottom } = box.getBoundingClientRect();
     return box.checkVisibility() && bottom > 0 && top < innerHeight && box.scrollWidth > box.clientWidth + 1 && !box.matches(".scrolls");
 })"""
