@@ -70,7 +70,11 @@ def measured(case: Case) -> Iterator[str]:
     yield f"| {case.name} | **helpers** | {digits(median['ours'])} | | |"
     for name in case.peers:
         ratio = median["ours"] / median[name]
-        yield f"| | {name} | {digits(median[name])} | {ratio:.2f} | {off[name]:.0e} |"
+        yield f"| | {name} | {digits(median[name])} | {ratio:.2f} | {scientific(off[name])} |"
+
+
+def scientific(error: float) -> str:
+    return f"{error:.0e}" if error else "0"
 
 
 def digits(milliseconds: float) -> str:
@@ -143,7 +147,7 @@ How the best ways are called:
 - **CasADi**: its expression with zeros filled in and equal steps shared (`densify`, `cse`), mapped over blocks of 1 000, reading and writing NumPy's own memory
   (`Function.buffer`). Calling the mapped function with arrays, as most do, costs several times as much. A line more has gcc compile the same expression to
   machine code, which a book without a compiler cannot ask for.
-- **JAX**: compiled (`jit`), in double precision, in two ways: `vmap` over 4 x 4 matrices, as it is usually written, and the entries of the whole batch one by
+- **JAX**: compiled (`jit`), in double precision, in two ways: `vmap` over 4 × 4 matrices, as it is usually written, and the entries of the whole batch one by
   one. Which is faster depends on the work.
 - **Pinocchio** has a batch in Python for Newton and Euler's recursion, `rneaInParallel`, which at rest gives the gravity torques. Everything else of it, and
   **MuJoCo**, is a loop, with all that does not change taken out. In traces the last lines of Pinocchio also lock joint 3 in its own model and keep its

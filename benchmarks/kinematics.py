@@ -79,7 +79,7 @@ def casadi_ways(q: casadi.SX, result: casadi.SX) -> dict[str, Callable[[np.ndarr
             "compiler": "shell",
             "jit_options": {"flags": ["-O3", "-march=native"]},
         }
-        ways["CasADi, the same compiled by gcc -O3"] = _through_buffers(
+        ways["CasADi, the same compiled by gcc"] = _through_buffers(
             casadi.Function("compiled", [q], dense, flags), result.shape
         )
     return ways
@@ -184,7 +184,7 @@ def jax_ways() -> list[dict]:
     shapes = (4, 4), (6, 7)
     return [
         {
-            "JAX, jit of vmap over 4 x 4 matrices": plain(slow),
+            "JAX, jit of vmap over 4 × 4 matrices": plain(slow),
             "JAX, jit, entry by entry over the batch": best(fast, shape),
         }
         for slow, fast, shape in zip(jax_of_matrices(), jax_of_entries(), shapes, strict=True)

@@ -127,7 +127,7 @@ def test_no_markup_is_left_unrendered(name):
     text = (HTML / f"{name}.html").read_text(encoding="utf-8")
     body = re.sub(r"(?s)<(pre|script|style|code)\b.*?</\1>", "", text)
     assert not re.search(r"\{(ref|eq|doc|numref|cite|footcite:p)\}`", body)
-    assert not re.search(r"```\{", body)
+    assert not re.search(r"```\{|Alias for field number", body)  # Python's, of a named tuple
 
 
 @every_page
