@@ -86,8 +86,8 @@ def numbers(item: Item, home: Array) -> str:
     if item.is_number:
         return f"{name(item)} = {sp.latex(_rounded(home[0, 0], 6))}"
     value = sp.Matrix([[_rounded(x, 4) for x in row] for row in home])
-    shown = sp.latex(value, mat_str="matrix*").replace("{matrix*}", "{matrix*}[r]", 1)
-    return f"{name(item)} = {shown}"
+    shown = sp.latex(value, mat_str="array")
+    return f"{name(item)} = {shown.replace('c' * value.cols, 'r' * value.cols, 1)}"
 
 
 def as_latex(sheet: Sheet, item: Item) -> str:
