@@ -76,10 +76,12 @@ def _upright(found: re.Match) -> str:
 
 def _heard(node: Element, parent: Element) -> str:
     """MathML without what changes only its look, with a word as one word."""
+    if node.tag == "mspace":
+        return ""
     if node.tag == "mrow" and len(node) > 1 and all(map(_is_upright, node)):
         return _tagged("mi", {}, "".join(child.text for child in node))
     inside = _text(node.text) + "".join(_heard(child, node) for child in node)
-    told = {key: value for key, value in node.attrib.items() if key not in SILENT}
+    told = {k: value for k, value in node.attrib.items() if k not in SILENT and value != "normal"}
     if {*told.get("columnalign", "").split()} == {"center"}:
         del told["columnalign"]
     row = node.tag in ("mrow", "mstyle")

@@ -146,10 +146,11 @@ def formula(node: nodes.Element, tex: str, display: bool = False, breaks: bool =
 def visit_math(translator, node) -> None:
     """What any line has room for stays in one; a matrix may scroll."""
     tex = node.astext()
-    long = " long" if len(SIGN.findall(tex)) > LINE else ""
-    html = formula(node, tex, breaks=bool(long))
-    wide = " matrix" if "<mtable" in html else ""
-    translator.body.append(f'<span class="math{long}{wide}">{html}</span>')
+    long = len(SIGN.findall(tex)) > LINE
+    html = formula(node, tex, breaks=long)
+    names = ["long"] * long + ["matrix"] * ("<mtable" in html)
+    kind = f' class="{" ".join(names)}"' if names else ""
+    translator.body.append(f"<var{kind}>{html}</var>")
     raise nodes.SkipNode
 
 
@@ -164,7 +165,7 @@ def visit_math_block(translator, node) -> None:
         translator.body.append("</span>")
     rows = r"\\" in WITHIN.sub("", tex) and not node.get("no-wrap")
     html = formula(node, rf"\begin{{split}}{tex}\end{{split}}" if rows else tex, True)
-    translator.body.append(f'<div class="display"><div>{html}</div></div></div>\n')
+    translator.body.append(f'<div class="display"><var>{html}</var></div></div>\n')
     raise nodes.SkipNode
 
 

@@ -261,17 +261,17 @@ def visit_image(translator, node) -> None:
     classes = " ".join(["picture", *kinds, *node["classes"]])
     style = f' style="width: {node["width"]}"' if "width" in node else ""
     words = escape(node.get("alt", ""))
-    twins = _twins(f"{builder.imgpath}/{name}", root)
-    windows = "".join(_cut(twins, box, root, widest) for box in boxes)
+    source = f"{builder.imgpath}/{name}"
+    windows = "".join(_cut(_twins(source), box, root, widest) for box in boxes)
     translator.body.append(
-        f'<span class="{classes}"{style} role="img" aria-label="{words}">{twins}{windows}</span>'
+        f'<span class="{classes}"{style} role="img" aria-label="{words}">'
+        f"{_twins(source, size(root))}{windows}</span>"
     )
     raise nodes.SkipNode
 
 
-def _twins(source: str, root: ET.Element) -> str:
+def _twins(source: str, sides: tuple[int, int] | None = None) -> str:
     folder, name = source.rsplit("/", 1)
-    sides = size(root)
     room = f' width="{sides[0]}" height="{sides[1]}"' if sides else ""
     rest = f'alt=""{room} loading="lazy">'
     places = {"light": source, "dark": f"{folder}/dark/{name}"}

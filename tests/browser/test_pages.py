@@ -49,7 +49,7 @@ CUT = """() => {
         if (e.scrollWidth <= e.clientWidth + 1) continue;
         const { overflowX, maskImage } = getComputedStyle(e);
         if (overflowX === "visible" || e.closest(".arm-explorer, .arm-judge, .panel")) continue;
-        const said = e.matches("pre, span.math") || e.nextElementSibling?.matches(".hint");
+        const said = e.matches("pre, var") || e.nextElementSibling?.matches(".hint");
         if (overflowX !== "auto" || !maskImage.includes("gradient") || e.tabIndex !== 0 || !said) found.push(e.outerHTML);
     }
     return found.map((one) => one.slice(0, 100));
@@ -62,7 +62,7 @@ TYPE = """() => {
         return e.clientWidth / (pen.measureText(text).width / text.length);
     };
     const size = (e) => parseFloat(getComputedStyle(e).fontSize);
-    const paragraphs = [...document.querySelectorAll("article > section p")].filter((p) => p.parentElement.matches("section") && p.textContent.length > 300 && !p.querySelector(".math, code"));
+    const paragraphs = [...document.querySelectorAll("article > section p")].filter((p) => p.parentElement.matches("section") && p.textContent.length > 300 && !p.querySelector("var, code"));
     return [paragraphs.map(letters), [...document.querySelectorAll("pre")].map(size)];
 }"""
 # The letters have come.
