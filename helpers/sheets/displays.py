@@ -28,6 +28,9 @@ def symbols(sheet: Sheet, item: Item, complete: bool = False) -> list[str]:
     if not item.is_number and _width(value) <= _WIDTH:
         return [f"{name(item)} = {sp.latex(value)}"]
     if value.cols == 1:
+        first = next((axis for axis in sheet.axes if axis.value == value), item)
+        if first is not item and not complete:
+            return [f"{name(item)} = {name(first)}"]
         return _aligned([*zip(names, value, strict=True)])
     elsewhere = {} if complete else _parts(sheet, item)
     cut, long = _cut(value, [elsewhere.get(k, own) for k, own in enumerate(names)])
@@ -69,8 +72,7 @@ def _aligned(formulas: list[tuple[str, sp.Expr]]) -> list[str]:
 
 
 def _cut(value: sp.ImmutableMatrix, names: list[str]) -> tuple[sp.Matrix, list[int]]:
-    """A matrix with names for as many of its longest entries as have no room, and which these
-    are."""
+    """A matrix with names for as many of its longest entries as have no room, and their places."""
     lengths = [seen(tex(entry)) for entry in value]
     for longest in sorted({0, *lengths}, reverse=True):
         long = [k for k, length in enumerate(lengths) if length > max(longest, seen(names[k]))]

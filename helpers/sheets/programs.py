@@ -60,10 +60,9 @@ class _Language(NamedTuple):
         return "\n".join([f"{item.name} = {self.start}", *body, self.end + self.statement])
 
     def _filled(self, text: str, indent: str) -> str:
-        width = _WIDTH - len(self.continued)
         lines = textwrap.wrap(
             text,
-            width,
+            _WIDTH - len(self.continued),
             initial_indent=indent,
             subsequent_indent=f"{indent}    ",
             break_long_words=False,
@@ -77,8 +76,7 @@ class _Language(NamedTuple):
         home = zip(sheet.arm.variables, sheet.arm.home, strict=True)
         numbers = {name: angle(value) for name, value in home}
         numbers |= {name: sp.Float(value) for name, value in sheet.values.items()}
-        known = {name: value for name, value in numbers.items() if name in free}
-        return [f"{n} = {self.written(v)}{self.statement}" for n, v in known.items()]
+        return [f"{n} = {self.written(v)}{self.statement}" for n, v in numbers.items() if n in free]
 
     def shortened(self, item: Item) -> list[str]:
         """The lines that give cosines and sines their short names."""

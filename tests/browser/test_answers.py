@@ -67,8 +67,7 @@ def test_blocks_that_do_not_come_are_told_and_fetched_anew(sheet):
 
 def test_where_the_clipboard_is_closed_a_selection_is_copied(browser, tmp_path):
     """An older browser, or a page in a frame; from the sheet of one file."""
-    context = browser.new_context(offline=True)
-    page = context.new_page()
+    page = browser.new_page(offline=True)
     page.add_init_script(
         "Object.defineProperty(navigator, 'clipboard', { value: undefined });"
         "addEventListener('copy', () => { window.copied = document.activeElement.value })"
@@ -79,4 +78,4 @@ def test_where_the_clipboard_is_closed_a_selection_is_copied(browser, tmp_path):
     page.locator("#a-1").get_by_role("button", name="Copy MATLAB").click()
     page.get_by_text("MATLAB copied.").wait_for()
     assert page.evaluate("window.copied").endswith("0, 0, 0, 1;\n];")
-    context.close()
+    page.close()
