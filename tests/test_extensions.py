@@ -138,7 +138,7 @@ def test_each_panel_is_a_window_on_the_whole(tmp_path):
     windows = re.findall(r'<span class="panel" style="(.*?); (--.*?)">', html)
     assert windows[1] == (
         "aspect-ratio: 186 / 166; max-width: 372px",
-        "--share: 100.0%; --wide: 215.05%; --left: -111.29%; --top: -10.24%",
+        "--share: 100.0%; --wide: 215.1%; --left: -111.3%; --top: -10.2%",
     )
     assert windows[0][1][:15] == "--share: 50.0%;"
     assert html.count('<img class="dark"') == html.count('<img class="light"') == 3

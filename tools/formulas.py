@@ -18,7 +18,7 @@ UNSTYLED = {
 }
 SILENT = {  # of MathML that nobody looks at
     *("stretchy", "fence", "separator", "lspace", "rspace", "minsize", "maxsize", "rowspacing"),
-    *("columnspacing", "scriptlevel", "displaystyle"),
+    *("columnspacing", "columnalign", "scriptlevel", "displaystyle"),
 }
 ROWS = {"math", "mtd", "mstyle", "mrow"}  # whose children are one row in MathML
 IN_A_ROW = {"math", "mrow", "mi", "mn", "mo", "mtext"}  # of letters and signs without an index
@@ -76,14 +76,13 @@ def _upright(found: re.Match) -> str:
 
 def _heard(node: Element, parent: Element) -> str:
     """MathML without what changes only its look, with a word as one word."""
-    if node.tag == "mspace":
+    empty = node.tag == "mrow" and len(node) == 0
+    if node.tag == "mspace" or (empty and parent.tag in ROWS):
         return ""
     if node.tag == "mrow" and len(node) > 1 and all(map(_is_upright, node)):
         return _tagged("mi", {}, "".join(child.text for child in node))
     inside = _text(node.text) + "".join(_heard(child, node) for child in node)
     told = {k: value for k, value in node.attrib.items() if k not in SILENT and value != "normal"}
-    if {*told.get("columnalign", "").split()} == {"center"}:
-        del told["columnalign"]
     row = node.tag in ("mrow", "mstyle")
     if row and (len(node) == 1 or (len(parent) == 1 and parent.tag in ROWS)):
         return inside

@@ -16,7 +16,7 @@ from docutils import nodes
 from docutils.parsers.rst import directives
 from myst_nb.sphinx_ import HideCodeCellNode
 from pygments.formatters import HtmlFormatter
-from pygments.token import Comment, Keyword, Number, Operator, String, _TokenType
+from pygments.token import Comment, Keyword, Operator, String, _TokenType
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.highlighting import PygmentsBridge
@@ -48,14 +48,16 @@ OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
 STYLED = re.compile(r'<(i|span|sub|svg) style="([^"]+)"(?: class="([^"]+)")?')
-IDLE = re.compile(r" docutils container(?=\")| class=\"row-(?:odd|even)\"")
+IDLE = re.compile(r"docutils literal | docutils container(?=\")| class=\"row-(?:odd|even)\"")
+CELL = re.compile(r"(<t[dh][^>]*>)<p>((?:(?!</?p>|</t[dh]>).)*)</p>(?=</t[dh]>)", re.S)
+WORD = re.compile(r'<span class="pre">([^<]*)</span>')
 DATA = re.compile(r'<script type="application/json">(.+?)(?=</script>)', re.S)
 FILLED = """document.querySelectorAll("script[data-from]").forEach((place, k) => {
   place.textContent = JSON.stringify([DATA][k]);
 });
 """
 TIME = re.compile(r"(.*?)\s*· (.+)")
-COLOURED = {Keyword: "b", Operator.Word: "b", String: "q", Number: "u", Comment: "i"}
+COLOURED = {Keyword: "b", Operator.Word: "b", String: "q", Comment: "i"}
 
 
 class LightFormatter(HtmlFormatter):
@@ -313,7 +315,9 @@ def named_styles(app: Sphinx, _page: str, _template: str, context: dict, _tree: 
         name = names.setdefault(style, f"f{len(names)}")
         return f'<{tag} class="{classes + " " if classes else ""}{name}"'
 
-    context["body"] = STYLED.sub(named, IDLE.sub("", context.get("body", "")))
+    body = IDLE.sub("", WORD.sub(r"\1", context.get("body", "")))
+    body = CELL.sub(r"\1\2", body)
+    context["body"] = STYLED.sub(named, body)
     rules = "".join(f"#main .{name}{{{style}}}" for style, name in names.items())
     context["metatags"] = context.get("metatags", "") + f"<style>{rules}</style>" * bool(rules)
 

@@ -75,12 +75,11 @@ def whole(browser: Browser) -> str:
         styles |= dict.fromkeys(sheets)
     page.close()
     articles[0] = articles[0].removesuffix("</article>") + contents(titles) + "</article>"
-    sheets = ["book.css", *(["answers.css"] if (HTML / "_static/answers.css").exists() else [])]
-    links = "".join(f'<link rel="stylesheet" href="_static/{sheet}">' for sheet in sheets)
+    link = '<link rel="stylesheet" href="_static/book.css">'
     rules = "".join(f"<style>{style}</style>" for style in styles)
     return (
         '<!DOCTYPE html><html lang="en" data-theme="light"><head><meta charset="utf-8">'
-        f"<title>Robot homework companion</title>{links}{rules}</head>"
+        f"<title>Robot homework companion</title>{link}{rules}</head>"
         f'<body class="printed">{"".join(articles)}</body></html>'
     )
 

@@ -284,7 +284,7 @@ def _cut(pictures: str, box: Box, root: ET.Element, widest: float) -> str:
     left, top, wide, high = box[0] - 3, box[1] - 3, box[2] - box[0] + 6, box[3] - box[1] + 6
     whole = [float(number) for number in root.get("viewBox").split()][2:]
     share = f"--share: {wide / (widest + 6):.1%}"
-    place = f"--wide: {whole[0] / wide:.2%}; --left: {-left / wide:.2%}; --top: {-top / high:.2%}"
+    place = f"--wide: {whole[0] / wide:.1%}; --left: {-left / wide:.1%}; --top: {-top / high:.1%}"
     most = f"aspect-ratio: {wide:.0f} / {high:.0f}; max-width: {1.5 * wide * POINT['pt']:.0f}px"
     return f'<span class="panel" style="{most}; {share}; {place}">{pictures}</span>'
 
