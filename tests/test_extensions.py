@@ -136,10 +136,8 @@ def test_each_panel_is_a_window_on_the_whole(tmp_path):
     html = shown(tmp_path, figure(axes(1, 20, 20, 107, 180), TWO[1]))
     assert 'class="picture many"' in html
     windows = re.findall(r'<span class="panel" style="(.*?); (--.*?)">', html)
-    assert windows[1] == (
-        "aspect-ratio: 186 / 166; max-width: 372px",
-        "--share: 100.0%; --wide: 215.1%; --left: -111.3%; --top: -10.2%",
-    )
+    place = "--share: 100.0%; --wide: 215.1%; --left: -111.3%; --top: -10.2%"
+    assert windows[1] == ("aspect-ratio: 186 / 166; max-width: 372px", place)
     assert windows[0][1][:15] == "--share: 50.0%;"
     assert html.count('<img class="dark"') == html.count('<img class="light"') == 3
 
@@ -183,6 +181,7 @@ def test_a_unit_stays_with_its_number(words, kept):
     [
         ("", " N, along", ["+5 N,", " along"]),
         ("", ". So", ["+5{.}", " So"]),
+        ("", ".5 m", ["+5", ".5 m"]),
         ("", " N m.", ["+5 N m."]),
         ("tip (“", " so)", ["tip ", "(“+5", " so)"]),
         ("", " apples", ["+5", " apples"]),

@@ -231,6 +231,7 @@ def test_pages_are_written_when_what_makes_them_has_changed(tmp_path, monkeypatc
     answers.write(tmp_path, "two")
     assert first.read_text("utf-8") == answers.PAGES[0].lead
     assert second.stat().st_mtime_ns == before, "what is the same is left alone"
+    assert {*(answers.ROOT / "helpers/sheets/static").iterdir()} <= {*answers.sources()}
 
 
 def test_a_page_of_the_book():

@@ -130,12 +130,17 @@ def write(folder: Path, fingerprint: str) -> None:
     mark.write_text(fingerprint, "utf-8")
 
 
+def sources() -> list[Path]:
+    """The files that make the pages; style and script of a sheet stand in it."""
+    helpers = ROOT / "helpers"
+    static = helpers / "sheets" / "static"
+    return [Path(__file__), *sorted(helpers.rglob("*.py")), *sorted(static.iterdir())]
+
+
 def fingerprint() -> str:
     """What changes with anything that makes the pages."""
-    sources = [Path(__file__), *sorted((ROOT / "helpers").rglob("*.py"))]
-    return sha256(
-        b"".join([sp.__version__.encode(), *(p.read_bytes() for p in sources)])
-    ).hexdigest()
+    parts = [sp.__version__.encode(), *(path.read_bytes() for path in sources())]
+    return sha256(b"".join(parts)).hexdigest()
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

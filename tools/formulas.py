@@ -180,10 +180,11 @@ def _grid(table: Element) -> str:
     the middle nor all on the right, each stays a stack."""
     gaps = [_em(gap, "width") for gap in table if gap.get("class") == "arraycolsep"]
     kinds = {part.get("class") for part in table} - {"arraycolsep"}
-    kind, *others = kinds or {""}
+    if len(kinds) != 1 or not kinds <= AROUND_CELLS.keys():
+        return ""
+    (kind,) = kinds
     columns = [column[0] for column in table if column.get("class") == kind]
-    around = 2 * len(columns) - 2 + AROUND_CELLS.get(kind, 0)
-    if kind not in AROUND_CELLS or others or gaps != [0.5] * around:
+    if gaps != [0.5] * (2 * len(columns) - 2 + AROUND_CELLS[kind]):
         return ""
     high, low, *_ = _rows(columns[0])
     strut = max(_rows(column)[2] for column in columns)

@@ -21,11 +21,11 @@ def letters(pages: list[str]) -> tuple[str, str]:
     return re.sub("<.*?>", "", SLANTED.sub("", seen)), "".join(SLANTED.findall(seen))
 
 
-def cut(source: Path, letters: str, target: Path) -> None:
-    """Write a face with these letters alone."""
-    font, kept = TTFont(source), Subsetter(Options())
-    kept.populate(text=letters)
-    kept.subset(font)
+def cut(source: Path, text: str, target: Path) -> None:
+    """Write a face with the letters of a text alone."""
+    font, subsetter = TTFont(source), Subsetter(Options())
+    subsetter.populate(text=text)
+    subsetter.subset(font)
     font.flavor = "woff2"
     font.save(target)
 

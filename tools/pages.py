@@ -48,9 +48,11 @@ OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
 STYLED = re.compile(r'<(i|span|sub|svg) style="([^"]+)"(?: class="([^"]+)")?')
-IDLE = re.compile(r"docutils literal | docutils container(?=\")| class=\"row-(?:odd|even)\"")
-CELL = re.compile(r"(<t[dh][^>]*>)<p>((?:(?!</?p>|</t[dh]>).)*)</p>(?=</t[dh]>)", re.S)
-WORD = re.compile(r'<span class="pre">([^<]*)</span>')
+IDLE = {  # names that nothing asks for, boxes around words of code, a cell's only paragraph
+    re.compile(r"docutils literal | docutils container(?=\")| class=\"row-(?:odd|even)\""): "",
+    re.compile(r'<span class="pre">([^<]*)</span>'): r"\1",
+    re.compile(r"(<t[dh][^>]*>)<p>((?:(?!</?p>|</t[dh]>).)*)</p>(?=</t[dh]>)", re.S): r"\1\2",
+}
 DATA = re.compile(r'<script type="application/json">(.+?)(?=</script>)', re.S)
 FILLED = """document.querySelectorAll("script[data-from]").forEach((place, k) => {
   place.textContent = JSON.stringify([DATA][k]);
@@ -135,6 +137,11 @@ class Sources(BibliographyDirective):
         return super().run() if self.options else FootBibliographyDirective.run(self)
 
 
+def is_long(tex: str) -> bool:
+    """Whether a formula may be as long as a phone's line."""
+    return len(SIGN.findall(tex)) > LINE
+
+
 def formula(node: nodes.Element, tex: str, display: bool = False, breaks: bool = False) -> str:
     """A formula as the page shows it; one that cannot be set is told with its place, and stays
     TeX."""
@@ -148,7 +155,7 @@ def formula(node: nodes.Element, tex: str, display: bool = False, breaks: bool =
 def visit_math(translator, node) -> None:
     """What any line has room for stays in one; a matrix may scroll."""
     tex = node.astext()
-    long = len(SIGN.findall(tex)) > LINE
+    long = is_long(tex)
     html = formula(node, tex, breaks=long)
     names = ["long"] * long + ["matrix"] * ("<mtable" in html)
     kind = f' class="{" ".join(names)}"' if names else ""
@@ -211,9 +218,9 @@ def keep_together(formula: nodes.math) -> None:
     )
     opened, closed = OPENED.search(before), AFTER.match(after)
     front, behind = opened[0] if opened else "", closed[0] if closed else ""
-    long = len(SIGN.findall(formula.astext())) > LINE
+    long = is_long(formula.astext())
     if long or (not front and behind in COMMAS):
-        if mark := MARK.match(after):
+        if mark := MARK.match(after if long else behind):
             formula[0] = nodes.Text(f"{formula.astext()}{{{mark[0]}}}")
             parent.replace(after, nodes.Text(after[mark.end() :]))
         return
@@ -306,6 +313,12 @@ def assets(folder: Path, config) -> list[int]:
     return [crc32(path.read_bytes()) for path in sorted(paths)]
 
 
+def without_idle(_app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
+    """What a page repeats and nobody needs."""
+    for idle, rest in IDLE.items():
+        context["body"] = idle.sub(rest, context.get("body", ""))
+
+
 def named_styles(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
     """The styles of formulas as classes of the page, whose rules are as strong as a style is."""
     names: dict[str, str] = {}
@@ -315,9 +328,7 @@ def named_styles(app: Sphinx, _page: str, _template: str, context: dict, _tree: 
         name = names.setdefault(style, f"f{len(names)}")
         return f'<{tag} class="{classes + " " if classes else ""}{name}"'
 
-    body = IDLE.sub("", WORD.sub(r"\1", context.get("body", "")))
-    body = CELL.sub(r"\1\2", body)
-    context["body"] = STYLED.sub(named, body)
+    context["body"] = STYLED.sub(named, context.get("body", ""))
     rules = "".join(f"#main .{name}{{{style}}}" for style, name in names.items())
     context["metatags"] = context.get("metatags", "") + f"<style>{rules}</style>" * bool(rules)
 
@@ -357,6 +368,7 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.connect("env-get-updated", count_anew, priority=900)
     app.connect("doctree-resolved", prepare, priority=900)
     app.connect("html-page-context", authors)
+    app.connect("html-page-context", without_idle)
     app.connect("html-page-context", named_styles)
     app.connect("html-page-context", data_behind)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -262,7 +262,8 @@ def visit_image(translator, node) -> None:
     style = f' style="width: {node["width"]}"' if "width" in node else ""
     words = escape(node.get("alt", ""))
     source = f"{builder.imgpath}/{name}"
-    windows = "".join(_cut(_twins(source), box, root, widest) for box in boxes)
+    twins = _twins(source)
+    windows = "".join(_cut(twins, box, root, widest) for box in boxes)
     translator.body.append(
         f'<span class="{classes}"{style} role="img" aria-label="{words}">'
         f"{_twins(source, size(root))}{windows}</span>"

@@ -113,7 +113,7 @@ document.addEventListener("DOMContentLoaded", () => {
     if (told.length < lines.length) proven(output);
   });
 
-  each("div.cell_input > *, div.highlight-python", (code) => {
+  each("div.highlight-python", (code) => {
     if (!navigator.clipboard || code.querySelector(".copy")) return;
     const button = Object.assign(document.createElement("button"), { className: "copy", textContent: "Copy" });
     button.onclick = async () => {

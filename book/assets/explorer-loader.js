@@ -3,6 +3,7 @@
 {
   const folder = document.currentScript.src;
   const scripts = {};
+  let ready;
 
   // They run in the order in which they are asked for; one that did not come is fetched anew when it is asked for again.
   const load = (name) =>
@@ -16,7 +17,7 @@
   window.loadBehind = load; // for what an answer sheet has to copy
   const task = () => new Promise((go) => setTimeout(go));
   // The page answers between reading the script, asking for the graphics processor and building.
-  const explorer = () => (scripts.ready ??= load("explorer.js").then(task).then(() => ArmExplorer.renderer()).then(task, () => {}));
+  const explorer = () => (ready ??= load("explorer.js").then(task).then(() => ArmExplorer.renderer()).then(task, () => {}));
   const wake = (stub) => {
     const { from } = stub.querySelector("script")?.dataset ?? {};
     const data = from && load(from);

@@ -44,7 +44,7 @@ def markdown(
     must_be(heading, str, "heading")
     must_be(lead, str, "lead")
     meta = f"---\nmyst:\n  html_meta:\n    description: {json.dumps(description)}\n---\n\n"
-    start = f"{meta if description else ''}# {heading}\n\n{lead}\n\n{_TOOLS}\n\n"
+    start = f"{meta if description else ''}# {heading}\n\n{lead}\n\n"
     return start + _sections(arm, also)
 
 
@@ -60,7 +60,7 @@ def document(arm: Arm) -> str:
     reader = MarkdownIt("commonmark").enable("table")
     reader.use(dollarmath_plugin, renderer=lambda tex, how: mathml(tex, how["display_mode"]))
     name = escape(arm.name)
-    body = reader.render(f"# {name}: answers\n\n{_TOOLS}\n\n{_sections(arm)}")
+    body = reader.render(f"# {name}: answers\n\n{_sections(arm)}")
     return (
         f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{name}: answers'
         '</title>\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
@@ -69,7 +69,8 @@ def document(arm: Arm) -> str:
 
 
 def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
-    """The parts of a sheet, each a heading, a question, and the answers to it."""
+    """The parts of a sheet, each a heading, a question, and the answers to it, between their style
+    and their script."""
     arms = (arm, *listed(also, "also", "arms with the same rows"))
     for other in also:
         if other.rows != arm.rows:
@@ -93,19 +94,21 @@ def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
         + "\n\n".join(_answer(sheet, item, others) for item in items)
         for heading, question, items in found
     )
-    return f"## Table\n\n{_given(sheet, others)}\n\n{answers}\n\n{_blocks(sheet)}\n"
+    style, script = ((_STATIC / f"answers.{kind}").read_text("utf-8") for kind in ("css", "js"))
+    return (
+        f"<style>\n{style}</style>\n\n{_TOOLS}\n\n## Table\n\n{_given(sheet, others)}\n\n"
+        f"{answers}\n\n{_blocks(sheet)}\n\n<script>\n{script}</script>\n"
+    )
 
 
 def _blocks(sheet: Sheet) -> str:
-    """What is copied of each answer, by language: data that a page of the book has behind it; and
-    the script that copies."""
+    """What is copied of each answer, by language: data that a page of the book has behind it."""
     texts = {
         _id(item): {language: block(sheet, item) for language, block in LANGUAGES.items()}
         for item in sheet.items
     }
     data = json.dumps(texts).replace("</", r"<\/")
-    script = (_STATIC / "answers.js").read_text("utf-8")
-    return f'<script type="application/json">{data}</script>\n\n<script>\n{script}</script>'
+    return f'<script type="application/json">{data}</script>'
 
 
 def _answer(sheet: Sheet, item: Item, others: list[Sheet]) -> str:
@@ -206,12 +209,10 @@ def _ask_determinant(sheet: Sheet, det: Item) -> str:
 
 
 _STATIC = Path(__file__).parent / "static"
-_STYLE = (_STATIC / "answers.css").read_text("utf-8")
 # Buttons that hold the place of those that the script makes, so that nothing moves when it does.
 _BUTTON = '<button type="button" disabled'
 _COPY = "".join(f'{_BUTTON} data-language="{to}">Copy all as {to}</button>' for to in LANGUAGES)
-_OPEN = f"{_BUTTON}>Open all answers</button>"
-_TOOLS = f'<style>\n{_STYLE}</style>\n\n<p class="answer-tools">{_OPEN}{_COPY}</p>'
+_TOOLS = f'<p class="answer-tools">{_BUTTON}>Open all answers</button>{_COPY}</p>'
 
 _ASK_LINKS = r"""Put each row of the table into
 

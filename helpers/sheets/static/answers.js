@@ -7,10 +7,10 @@
   // The blocks of each answer stand in the page, or behind it in a script that the book's loader
   // brings when a button is near to be pressed.
   const data = document.querySelector('script[type="application/json"]');
+  const bring = async () => data.dataset.from && loadBehind(data.dataset.from);
   async function blocks() {
-    const { from } = data.dataset;
     try {
-      if (from) await loadBehind(from);
+      await bring();
     } catch {
       throw new Error("What is to be copied could not be loaded. Press again to try anew.");
     }
@@ -54,7 +54,7 @@
       return `${language} copied.`;
     });
     for (const near of ["pointerenter", "focus"]) {
-      made.addEventListener(near, () => blocks().catch(() => {}), { once: true });
+      made.addEventListener(near, () => bring().catch(() => {}), { once: true });
     }
     return made;
   }
