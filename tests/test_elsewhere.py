@@ -2,12 +2,15 @@
 Windows does differently."""
 
 import ast
+import os
 import re
 import subprocess
+import sys
 from collections import Counter
 from pathlib import Path, PurePosixPath
 
 import nbformat
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[1]
@@ -70,3 +73,26 @@ def test_text_is_utf_8_wherever_it_is_read(name):
 def _opens_text(function):
     name = getattr(function, "id", "") or getattr(function, "attr", "")
     return name in ("read_text", "write_text") or getattr(function, "id", "") == "open"
+
+
+def test_another_processor_moves_the_last_digit_and_no_other():
+    """What `make elsewhere` starts every kernel with."""
+    code = "from math import sin; import numpy as np; x = np.arange(1.0, 99.0);"
+    code += "print(*np.cos(x).tolist(), *map(sin, x), np.einsum('i,i', x, x / 7), np.sin(0.0))"
+
+    def printed(folder):
+        environment = os.environ | {"PYTHONPATH": str(folder)}
+        done = subprocess.run(
+            [sys.executable, "-c", code],
+            env=environment,
+            capture_output=True,
+            check=True,
+            text=True,
+        )
+        return np.array(done.stdout.split(), float)
+
+    here, there = printed(ROOT / "tests"), printed(ROOT / "tools/elsewhere")
+    units = np.abs(there - here) / np.spacing(np.abs(here))
+    assert 1 <= units.max() <= 2
+    assert 50 < (units > 0).sum() < 170
+    assert (there == printed(ROOT / "tools/elsewhere")).all()

@@ -12,7 +12,7 @@ import pytest
 import yaml
 from playwright.sync_api import Error
 
-from tools import address, limits, pdf, screenshots
+from tools import pdf
 from tools.refresh import refresh
 
 ROOT = Path(__file__).parents[1]
@@ -99,110 +99,9 @@ def test_a_refreshed_notebook_holds_its_outputs_and_nothing_of_the_machine(noteb
     assert notebook.read_bytes() == first
 
 
-def test_the_tests_weigh_less_than_what_they_test():
-    def lines(*patterns):
-        files = [path for pattern in patterns for path in ROOT.glob(pattern)]
-        return sum(len(path.read_text(encoding="utf-8").splitlines()) for path in files)
-
-    code = lines("helpers/**/*.py", "tools/*.py", "judge/**/*.js", "page/src/**/*.js")
-    assert lines("tests/**/*.py", "tests/**/*.mjs") < 0.8 * code
-
-
-def test_mutants_are_made_in_a_copy_that_holds_all_that_its_tests_read():
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["mutmut"]
-    options = settings["pytest_add_cli_args_test_selection"]
-    left_out = [ROOT / x.removeprefix("--ignore=") for x in options if x.startswith("--ignore=")]
-    assert all(path.exists() for path in left_out)
-    copied = {"tests", "pyproject.toml", *settings["source_paths"], *settings["also_copy"]}
-    copied = {name.rstrip("/") for name in copied}
-    name = re.compile(r'^\s*(?:from|import) (\w+)|(?:ROOT|parents\[1\]) / "([^"/]+)', re.M)
-    for path in ROOT.glob("tests/**/*.py"):
-        if not {path, *path.parents} & {*left_out}:
-            named = {x for pair in name.findall(path.read_text("utf-8")) for x in pair if x}
-            assert {x for x in named if (ROOT / x).exists()} <= copied, path
-
-
-def test_what_is_too_long_is_named_with_its_place(tmp_path):
-    def function(head, lines=1, words=""):
-        return f"{head}:\n{words}" + "    x = 1\n" * lines
-
-    within = [
-        function("def public(a, b, c, d, e, *, f=1, g=2)", 40, '    """Words\n    and more."""\n'),
-        function("class A:\n  def __init__(self, a, b, c, d, e, *, f)"),
-    ]
-    beyond = [
-        function("def wide(a, b, c, d, e, f)"),
-        function("def _private(a, b, c, d, e, *, f)"),
-        function("async def long()", 41),
-    ]
-    path = tmp_path / "some.py"
-    path.write_text("".join(within), "utf-8")
-    assert list(limits.broken(path)) == []
-    path.write_text("".join(beyond) + "\n" * 400, "utf-8")
-    assert [line.removeprefix(str(path)) for line in limits.broken(path)] == [
-        ": 446 lines; at most 400",
-        ":1: wide takes 6 arguments; at most 5",
-        ":3: _private takes 6 arguments; at most 5",
-        ":5: long has 41 lines; at most 40",
-    ]
-
-
-@pytest.fixture
-def root(tmp_path):
-    """A copy of the files in which the repository's address stands."""
-    for name in ("book/_config.yml", "CITATION.cff", "pyproject.toml"):
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text((pdf.ROOT / name).read_text("utf-8"), "utf-8")
-    address.write("", tmp_path)
-    return tmp_path
-
-
-def test_one_setting_says_everywhere_where_the_repository_is(root):
-    names = ("book/_config.yml", "CITATION.cff", "pyproject.toml")
-    before = [(root / name).read_text("utf-8") for name in names]
-    for url in ("https://github.com/Other/old", "https://github.com/Owner/book"):
-        address.write(url, root)
-    assert address.setting(root) == "https://github.com/Owner/book"
-    citation = yaml.safe_load((root / "CITATION.cff").read_text("utf-8"))
-    assert citation["repository-code"] == "https://github.com/Owner/book"
-    assert citation["url"] == "https://owner.github.io/book/"
-    urls = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["project"]["urls"]
-    assert urls == {"Book": citation["url"], "Source": citation["repository-code"]}
-    address.write("", root)
-    assert [(root / name).read_text("utf-8") for name in names] == before
-
-
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        "https://github.com/Owner/book.git",
-        "https://github.com/Owner/..",
-        "https://github.com/Owner/book/tree/main",
-        "https://github.com/Öwner/book",
-        "http://github.com/Owner/book",
-    ],
-)
-def test_what_is_no_address_is_written_nowhere(root, wrong):
-    before = {path: path.read_bytes() for path in root.rglob("*") if path.is_file()}
-    with pytest.raises(ValueError, match="expected https://github"):
-        address.write(wrong, root)
-    assert {path: path.read_bytes() for path in root.rglob("*") if path.is_file()} == before
-
-
-def test_an_owners_own_site_has_no_folder():
-    assert address.pages("https://github.com/Owner/owner.github.io") == "https://owner.github.io/"
-
-
 def test_the_files_that_name_the_repository_agree():
-    url = address.setting()
+    url = yaml.safe_load((ROOT / "book/_config.yml").read_text("utf-8"))["repository"]["url"]
     citation = yaml.safe_load((pdf.ROOT / "CITATION.cff").read_text("utf-8"))
     project = tomllib.loads((pdf.ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     assert citation.get("repository-code", "") == project.get("urls", {}).get("Source", "") == url
     assert citation["version"] == project["version"]
-
-
-def test_the_readmes_pictures_are_of_this_theme():
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    shown = re.findall(r"\]\(docs/(\w+\.png)\)", readme)
-    assert shown == sorted(path.name for path in screenshots.DOCS.glob("*.png"))[::-1]
-    assert screenshots.DIGEST.read_text("utf-8").strip() == screenshots.theme(), "make screenshots"

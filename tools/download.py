@@ -13,7 +13,6 @@ from pathlib import Path
 import nbformat
 from sphinx.application import Sphinx
 
-from tools.address import pages
 from tools.citations import in_words
 from tools.refresh import FIGURE
 
@@ -31,7 +30,7 @@ class Book:
     def __init__(self, app: Sphinx) -> None:
         self.env = app.env
         self.repository = app.config.html_theme_options.get("repository_url", "")
-        self.address = pages(self.repository) if self.repository else ""
+        self.address = app.config.html_baseurl
 
     def link(self, text: str, page: str, anchor: str = "") -> str:
         if not self.address:

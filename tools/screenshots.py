@@ -1,10 +1,5 @@
-"""Take the README's pictures anew from the built book: `python -m tools.screenshots`.
+"""Take the README's pictures anew from the built book: `python -m tools.screenshots`."""
 
-Beside them it writes a digest of what frames every page, so that a test can tell when the pictures
-are of an older theme.
-"""
-
-from hashlib import sha256
 from pathlib import Path
 
 from playwright.sync_api import Browser, sync_playwright
@@ -14,20 +9,6 @@ from tools.browser import launched
 ROOT = Path(__file__).parents[1]
 HTML = ROOT / "book" / "_build" / "html"
 DOCS = ROOT / "docs"
-DIGEST = DOCS / "screenshots.sha256"
-
-
-def theme() -> str:
-    """A digest of the theme's files, and of the style sheet as far as it says faces, colours and
-    bars."""
-    frame, text, _ = (ROOT / "book/assets/book.css").read_text("utf-8").partition("/* The text.")
-    if not text:
-        raise ValueError("book.css has no part that begins with /* The text.")
-    files = sorted((ROOT / "book/theme/companion").iterdir())
-    return sha256(
-        "".join([frame, *(path.read_text("utf-8") for path in files)]).encode()
-    ).hexdigest()
-
 
 # What has changed is drawn in the next frame.
 DRAWN = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
@@ -64,7 +45,6 @@ def main() -> None:
         chapter(browser)
         explorer(browser)
         browser.close()
-    DIGEST.write_text(f"{theme()}\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
