@@ -86,12 +86,12 @@ elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would 
 
 # What is there already is the reader's own work, and stays.
 lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder my, in JupyterLab
-	@$(BIN)/python -m tools.lab my $(NOTEBOOKS)
+	@mkdir -p my && for book in $(NOTEBOOKS); do test -e my/$${book##*/} || cp $$book my; done
 	@echo "Your copies: $(CURDIR)/my. Delete one, and the next make lab copies it anew."
 	$(BIN)/jupyter lab my
 
 refresh: $(BIN)/.installed-dev ## run the notebooks and store their new outputs
-	$(BIN)/python tools/refresh.py $(NOTEBOOKS)
+	$(BIN)/python -m tools.refresh $(NOTEBOOKS)
 
 lint: $(BIN)/.installed-dev ## check and format the code, notebooks too; check the types (needs Node.js)
 	$(BIN)/pre-commit run --all-files

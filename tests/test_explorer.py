@@ -484,7 +484,7 @@ def test_a_small_figure_is_a_widget_and_the_stub_that_a_chapter_writes():
     ).groups()
     assert kind == "ellipsoid"
     options = json.loads(unescape(options))
-    assert options == {"joints": [3, 5], "arm": arm_data(UR10E_HOMEWORK), "q": [0.0] * 6}
+    assert options == {"joints": [3, 5], "arm": "UR10e (homework)", "q": [0.0] * 6}
     assert ArmFigure("swing")._spec == {"figure": "swing", "joints": [], "arm": "Panda"}
     kinds = (SOURCES / "src" / "more" / "index.js").read_text(encoding="utf-8")
     known = re.search(r"^register\(\{ (columns.*) \}\);$", kinds, re.M)[1]

@@ -248,7 +248,11 @@ def book():
     domains = {
         "std": SimpleNamespace(
             labels={"sec-a": ("one", "a", "Alpha")},
-            anonlabels={"fig-a": ("one", "fig-a"), "slip-1": ("one", "slip-1")},
+            anonlabels={
+                "fig-a": ("one", "fig-a"),
+                "slip-1": ("one", "slip-1"),
+                "craig2018": ("references", "craig2018"),
+            },
         ),
         "math": SimpleNamespace(equations={"eq-a": ("one", 1)}),
     }
@@ -271,11 +275,11 @@ HERE = "https://owner.github.io/book/"
     [
         ("see {ref}`sec-a`", f"see [1.4 Alpha]({HERE}one.html#a)"),
         ("see {ref}`slip 1 <slip-1>`", f"see [slip 1]({HERE}one.html#slip-1)"),
-        ("see [Fig. 9.9](#fig-a)", f"see [Fig. 1.2]({HERE}one.html#fig-a)"),
+        ("see [Fig. 1.2](#fig-a)", f"see [Fig. 1.2]({HERE}one.html#fig-a)"),
         ("{numref}`fig-a` by {eq}`eq-a`", f"[Fig. 1.2]({HERE}one.html#fig-a) by (1.3)"),
         ("{doc}`one`", f"[First]({HERE}one.html)"),
         ("a {term}`tip`", f"a [tip]({HERE}glossary.html#term-tip)"),
-        ("so {footcite:p}`craig2018`", f"so ([Craig 2018]({HERE}references.html))"),
+        ("([Craig 2018](#craig2018))", f"([Craig 2018]({HERE}references.html#craig2018))"),
         ("(sec-a)=\n\n## Alpha", "## Alpha"),
         ("$$\nx\n$$ (eq-a)", "$$\nx\n\\tag{1.3}$$"),
         (

@@ -15,7 +15,7 @@ import pytest
 CHAPTERS = sorted((Path(__file__).parents[1] / "book").glob("0*.ipynb"))
 NOT_PROSE = re.compile(
     r"^>.*$"  # the words of a report
-    r"|<[^>]*>|\]\([^)]*\)|\[Fig\. [\d.]+|Chapter \d"  # tags, links
+    r"|<[^>]*>|\[[^]]*\]\(#\w+\)|\]\([^)]*\)|\[Fig\. [\d.]+|Chapter \d"  # tags, works, links
     r"|\{[a-z:]+\}`[^`]*`|^:\w+:.*$"  # roles, options
     r"|10\^\{[^}]*\}|[_^]\{[^}]*\}|[_^]\w+|\(\w*-[\w-]+\)=",  # exponents, indices, labels
     re.M,

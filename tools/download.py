@@ -13,12 +13,11 @@ from pathlib import Path
 import nbformat
 from sphinx.application import Sphinx
 
-from tools.citations import in_words
-from tools.refresh import FIGURE
 
 BLOCK = re.compile(r"(?ms)^(`{3,}|:{3,})\{([\w-]+)\}[ \t]*([^\n]*)\n(.*?)^\1[ \t]*$\n?")
 OPTION = re.compile(r"(?m)\A(?::([\w-]+):[ \t]*([^\n]*)\n)+\s*")
 ROLE = re.compile(r"\{([a-z:]+)\}`([^`<]*?)\s*(?:<([^`>]*)>)?`")
+LINK = re.compile(r"\[([^\]]+)\]\(#([\w-]+)\)")
 EQUATION = re.compile(r"\$\$[ \t]*\(([\w-]+)\)")
 TARGET = re.compile(r"(?m)^\([\w-]+\)=\n+")
 FOLDED = {"jp-MarkdownHeadingCollapsed": True}  # JupyterLab and Notebook 7 fold what is below
@@ -45,6 +44,9 @@ class Book:
         shown = text or f"{'.'.join(map(str, number))} {title or label}".strip()
         return self.link(shown, page, anchor)
 
+    def place(self, text: str, label: str) -> str:
+        return self.link(text, *self.env.domains["std"].anonlabels[label])
+
     def figure(self, label: str, text: str = "") -> str:
         page, anchor = self.env.domains["std"].anonlabels[label]
         return self.link(f"Fig. {self._number(page, 'figure', anchor)}", page, anchor)
@@ -62,9 +64,6 @@ class Book:
     def term(self, word: str, text: str) -> str:
         return self.link(text or word, "glossary", f"term-{re.sub(r'[^A-Za-z]+', '-', word)}")
 
-    def source(self, key: str, text: str) -> str:
-        return f"({self.link(in_words(key), 'references')})"
-
     def _number(self, page: str, kind: str, anchor: str) -> str:
         return ".".join(map(str, self.env.toc_fignumbers[page][kind][anchor]))
 
@@ -75,15 +74,13 @@ ROLES: dict[str, Callable[[Book, str, str], str]] = {
     "eq": Book.equation,
     "doc": Book.page,
     "term": Book.term,
-    "footcite:p": Book.source,
-    "footcite:t": Book.source,
 }
 
 
 def plain(text: str, book: Book) -> str:
     """Markdown that any reader shows, from the book's own."""
     text = BLOCK.sub(lambda block: _block(block[2], block[3], block[4], book), text)
-    text = FIGURE.sub(lambda link: book.figure(link[1]), text)
+    text = LINK.sub(lambda link: book.place(link[1], link[2]), text)
     text = EQUATION.sub(lambda label: rf"\tag{{{book.equation_number(label[1])}}}$$", text)
     return ROLE.sub(lambda role: _role(role, book), TARGET.sub("", text))
 
@@ -102,7 +99,7 @@ def _block(kind: str, title: str, body: str, book: Book) -> str:
             return f"#### Exercise: {title}\n{body}"
         case "solution-start":
             return "#### Solution\n"
-        case "solution-end" | "bibliography":
+        case "solution-end":
             return ""
         case _:
             quoted = "\n".join(f"> {line}".rstrip() for line in body.strip().split("\n"))

@@ -24,8 +24,6 @@ from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
 from sphinx_exercise.nodes import exercise_enumerable_node, exercise_node, solution_node
-from sphinxcontrib.bibtex.directives import BibliographyDirective
-from sphinxcontrib.bibtex.foot_directives import FootBibliographyDirective
 
 from helpers import robots, typeset
 from helpers.explorer import ArmExplorer, judge
@@ -127,14 +125,6 @@ class LiveJudge(SphinxDirective):
         self.state.nested_parse(self.content, self.content_offset, place)
         start, end = (nodes.raw("", html, format="html") for html in judge.stub(given))
         return [start, *place.children, end]
-
-
-class Sources(BibliographyDirective):
-    """What a chapter cites, in the numbers of its text: `{bibliography}` without options, which
-    JupyterLab leaves out."""
-
-    def run(self) -> list[nodes.Node]:
-        return super().run() if self.options else FootBibliographyDirective.run(self)
 
 
 def is_long(tex: str) -> bool:
@@ -361,7 +351,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_directive("margin", Margin)
     app.add_directive("arm", LiveArm)
     app.add_directive("div", LiveJudge)
-    app.add_directive("bibliography", Sources, override=True)
     app.add_node(HideCodeCellNode, override=True, html=(visit_folded_code, depart_folded_code))
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))

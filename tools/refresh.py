@@ -8,6 +8,8 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
+from tools.citations import cite
+
 KERNEL = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
@@ -77,6 +79,7 @@ def refresh(path: Path) -> None:
                 output["metadata"] = {}
     dress(notebook)
     number_figures(notebook, figure_numbers(path.parent))
+    cite(notebook)
     nbformat.write(notebook, path)
 
 

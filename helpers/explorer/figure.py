@@ -1,5 +1,5 @@
-"""The small figures that stand beside the chapters' sentences, as objects: JupyterLab runs no
-scripts of a text cell."""
+"""The small figures that stand beside the chapters' sentences: live in a running notebook, a stub
+that the book's page brings to life."""
 
 import json
 from collections.abc import Iterable
@@ -13,7 +13,7 @@ from helpers.arm import Arm
 from helpers.checks.arms import arm_data
 from helpers.explorer.widget import Live, esm
 from helpers.inputs import ArmError, listed, must_be, one_of, shown
-from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
+from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 
 #: The figures that take any arm, with the arm that each shows unless told otherwise,
 ANY_ARM = {
@@ -25,7 +25,7 @@ ANY_ARM = {
     "row": UR10E_HOMEWORK,
     "ways": STANFORD,
 }
-#: and those about one arm of the homework.
+#: and those about one arm of the homework, with any lengths.
 ONE_ARM = {"swing": PANDA, "triangles": ELBOW, "winds": PANDA_HOMEWORK}
 
 
@@ -38,7 +38,7 @@ class ArmFigure(Live):
 
     Args:
         kind: which figure: any arm's columns, ellipsoid, hand, loads, matrix, row or ways; or
-            swing, triangles or winds, which show an arm of their own.
+            swing, triangles or winds, which show one arm each, of any lengths.
         arm: the arm to show.
         q: where it stands first, shape (dof,), rad or m; its home unless given.
         joints: numbers of the joints, from 1, that get a lever.
@@ -68,7 +68,7 @@ class ArmFigure(Live):
         arm = known[kind] if arm is None else arm
         must_be(arm, Arm, "arm")
         own = ONE_ARM.get(kind, arm)
-        if arm != own:
+        if _table(arm) != _table(own):
             raise ArmError(f"arm is the {arm.name}; the figure {kind} shows the {own.name}")
         joints = listed(joints, "joints", "numbers of joints, from 1")
         strange = [shown(number) for number in joints if number not in arm.joints]
@@ -78,7 +78,7 @@ class ArmFigure(Live):
         for name in settings:
             one_of(name, "setting", SETTINGS)
         spec: dict[str, Any] = {**settings, "figure": kind, "joints": [*map(int, joints)]}
-        spec["arm"] = arm.name if kind in ONE_ARM else arm_data(arm)
+        spec["arm"] = arm.name if arm in ARMS else arm_data(arm)  # the page knows the book's arms
         if q is not None:
             spec["q"] = arm.joint_vector(q).tolist()
         self._arm_name = arm.name
@@ -96,3 +96,7 @@ class ArmFigure(Live):
 
     def __repr__(self) -> str:
         return f"<ArmFigure {self._spec['figure']} of the {self._arm_name}>"
+
+
+def _table(arm: Arm) -> list[tuple]:
+    return [(row.joint.kind, *row.entries) for row in arm.rows]

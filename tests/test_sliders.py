@@ -1,0 +1,66 @@
+"""The cells that only a running notebook has: their sliders run the chapter's own Python."""
+
+import ast
+import re
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import nbformat
+import numpy as np
+import pytest
+from IPython.display import display
+from ipywidgets import interactive
+
+from helpers.robots import PANDA
+from helpers.statics import static_torque
+
+CHAPTERS = sorted((Path(__file__).parents[1] / "book").glob("0*.ipynb"))
+
+
+def slider_cells(path):
+    cells = nbformat.read(path, as_version=4).cells
+    return [cell for cell in cells if "remove-cell" in cell.metadata.get("tags", [])]
+
+
+def run(path):
+    """What a chapter's imports and sliders make: its names, and what the sliders are shown by."""
+    cells = nbformat.read(path, as_version=4).cells
+    imports = next(cell for cell in cells if cell.cell_type == "code")
+    (sliders,) = slider_cells(path)
+    *lines, last = ast.parse(sliders.source).body
+    names = {"display": display}
+    exec(imports.source, names)
+    exec(compile(ast.Module(lines, []), sliders.id, "exec"), names)
+    return eval(ast.unparse(last), names)
+
+
+@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+def test_sliders_run_from_end_to_end_and_nothing_before_they_are_touched(path, capsys):
+    widget = run(path)
+    assert isinstance(widget, interactive)
+    assert widget.manual
+    assert capsys.readouterr().out
+    sliders = widget.kwargs_widgets
+    for end in ("value", "min", "max"):
+        widget.f(**{slider._kwarg: getattr(slider, end) for slider in sliders})
+        assert capsys.readouterr().out
+    plt.close("all")
+
+
+@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+def test_the_function_is_called_once_plainly_so_that_nbval_sees_it(path):
+    (cell,) = slider_cells(path)
+    called = [ast.unparse(line) for line in ast.parse(cell.source).body]
+    (function,) = re.findall(r"^def (\w+)", cell.source, re.M)
+    assert f"{function}()" in called
+    assert called[-1].startswith(f"interactive({function}, {{'manual': True}}")
+    assert len(cell.outputs) > 1
+
+
+def test_the_force_is_the_chapters_own(capsys):
+    pushed = run(next(path for path in CHAPTERS if "torque" in path.stem)).f
+    capsys.readouterr()
+    pushed(F_x=20, F_y=0, F_z=-10)
+    told = re.findall(r"joint \d: +(-?[\d.]+) N m", capsys.readouterr().out)
+    tau = static_torque(PANDA, PANDA.home, [20, 0, -10, 0, 0, 0])
+    assert np.array(told, dtype=float) == pytest.approx(tau, abs=6e-4)
