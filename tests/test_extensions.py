@@ -264,7 +264,8 @@ def book():
         titles={"one": nodes.title("", "First")},
     )
     options = {"repository_url": "https://github.com/Owner/book"}
-    return Book(SimpleNamespace(env=env, config=SimpleNamespace(html_theme_options=options)))
+    config = SimpleNamespace(html_theme_options=options, html_baseurl=HERE)
+    return Book(SimpleNamespace(env=env, config=config))
 
 
 HERE = "https://owner.github.io/book/"

@@ -13,7 +13,6 @@ from pathlib import Path
 import nbformat
 from sphinx.application import Sphinx
 
-
 BLOCK = re.compile(r"(?ms)^(`{3,}|:{3,})\{([\w-]+)\}[ \t]*([^\n]*)\n(.*?)^\1[ \t]*$\n?")
 OPTION = re.compile(r"(?m)\A(?::([\w-]+):[ \t]*([^\n]*)\n)+\s*")
 ROLE = re.compile(r"\{([a-z:]+)\}`([^`<]*?)\s*(?:<([^`>]*)>)?`")
