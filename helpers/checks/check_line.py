@@ -27,19 +27,20 @@ def check(
     exact = got is None or wanted is None or (not tolerance and _symbolic(actual, expected))
     if got is None or wanted is None or exact:
         difference, agrees = None, _equal(actual, expected)
+    elif got.shape != wanted.shape:
+        difference, agrees = None, False
     else:
-        if got.shape != wanted.shape:
-            raise AssertionError(f"{label}: shape {got.shape}, expected {wanted.shape}")
         difference = float(np.abs(got - wanted).max(initial=0.0))
         agrees = difference <= tolerance
     if agrees:
         print(f"✔ {label}" if exact or not tolerance else f"✔ {label} (within {tolerance:g})")
         return
-    detail = (
-        f"got {actual}, expected {expected}"
-        if exact
-        else f"off by {difference:.3g}, allowed {tolerance:g}"
-    )
+    if exact:
+        detail = f"got {actual}, expected {expected}"
+    elif difference is None:
+        detail = f"shape {got.shape}, expected {wanted.shape}"
+    else:
+        detail = f"off by {difference:.3g}, allowed {tolerance:g}"
     if not book_only:
         raise AssertionError(f"{label}: {detail}")
     print(f"○ {label}: {detail}; it holds for the book's own numbers only")
