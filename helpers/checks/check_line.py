@@ -24,26 +24,23 @@ def check(
     must_be(label, str, "label")
     tolerance = number(tolerance, "tolerance", "a number of 0 or more", least=0)
     got, wanted = _numbers(actual), _numbers(expected)
-    exact = got is None or wanted is None or (not tolerance and _symbolic(actual, expected))
-    if got is None or wanted is None or exact:
-        difference, agrees = None, _equal(actual, expected)
+    within = ""
+    if got is None or wanted is None or (not tolerance and _symbolic(actual, expected)):
+        agrees = _equal(actual, expected)
+        detail = f"got {actual}, expected {expected}"
     elif got.shape != wanted.shape:
-        difference, agrees = None, False
+        agrees, detail = False, f"shape {got.shape}, expected {wanted.shape}"
     else:
         difference = float(np.abs(got - wanted).max(initial=0.0))
         agrees = difference <= tolerance
-    if agrees:
-        print(f"✔ {label}" if exact or not tolerance else f"✔ {label} (within {tolerance:g})")
-        return
-    if exact:
-        detail = f"got {actual}, expected {expected}"
-    elif difference is None:
-        detail = f"shape {got.shape}, expected {wanted.shape}"
-    else:
         detail = f"off by {difference:.3g}, allowed {tolerance:g}"
-    if not book_only:
+        within = f" (within {tolerance:g})" if tolerance else ""
+    if agrees:
+        print(f"✔ {label}{within}")
+    elif book_only:
+        print(f"○ {label}: {detail}; it holds for the book's own numbers only")
+    else:
         raise AssertionError(f"{label}: {detail}")
-    print(f"○ {label}: {detail}; it holds for the book's own numbers only")
 
 
 def _equal(actual: Any, expected: Any) -> bool:
