@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,6 +23,7 @@ from helpers.rows import (
     NumericRow,
     Row,
     Values,
+    changed,
     cos_sin,
     fixed,
     prismatic,
@@ -220,19 +222,26 @@ class Arm:
             raise ArmError(f"{self.name} has no symbol {', '.join(unknown)}; it has {known}")
         return replace(self, values={**self.values, **values})
 
-    def with_row(self, number: int, **entries: Entry) -> "Arm":
-        """The same arm with entries of one row, counted from 1, changed.
+    def with_row(self, number: int, **changes: Any) -> "Arm":
+        """The same arm with one row, counted from 1, changed.
 
-        As in ``PANDA.with_row(4, a=0, alpha="-pi/2")``. Raises ArmError for a row that is not there
-        and for an entry that is none of a, alpha, d and theta.
+        Its entries a, alpha, d and theta, as in ``PANDA.with_row(4, a=0, alpha="-pi/2")``, its
+        joint's `limits` (lower, upper), `speed` and `effort`, or the `mass` that it carries. Raises
+        ArmError for a row that is not there and for what a row has not.
         """
         every = tuple(range(1, len(self.rows) + 1))
         row = self._row(number, every, "number is {}; expected one of its rows,")
-        if unknown := sorted(set(entries) - {"a", "alpha", "d", "theta"}):
-            raise ArmError(f"{self.name}: a row has no {unknown[0]}; expected a, alpha, d or theta")
-        warn_of_degrees(entries.get("alpha", 0), entries.get("theta", 0))
-        changed = Row(**{**_entries(row), **entries}, joint=row.joint)
-        return replace(self, rows=[changed if r is row else r for r in self.rows])
+        mass = ("mass",) if self.bodies else ()
+        known = ("a", "alpha", "d", "theta", "limits", "speed", "effort", *mass)
+        if unknown := sorted(set(changes) - set(known)):
+            raise ArmError(f"{self.name}: a row has no {unknown[0]}; expected {', '.join(known)}")
+        warn_of_degrees(changes.get("alpha", 0), changes.get("theta", 0))
+        entries = {name: changes.get(name, entry) for name, entry in _entries(row).items()}
+        rows, bodies = [*self.rows], [*self.bodies]
+        rows[number - 1] = Row(**entries, joint=changed(row.joint, changes))
+        if "mass" in changes:
+            bodies[number - 1] = replace(bodies[number - 1], mass=changes["mass"])
+        return replace(self, rows=rows, bodies=bodies)
 
     def with_bodies(self, bodies: Iterable[Body], name: str | None = None) -> "Arm":
         """The same arm with other masses, one `Body` for each row; none takes them off."""

@@ -4,7 +4,7 @@ symbols."""
 import math
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import InitVar, dataclass, field
+from dataclasses import InitVar, dataclass, field, replace
 from numbers import Real
 from typing import Any, Literal, NamedTuple
 
@@ -111,11 +111,18 @@ def prismatic(
 
 
 def _joint(kind: Kind, limits: Sequence[float], speed: float, effort: float) -> Joint:
-    wanted = "two numbers, lower and upper"
-    if len(listed(limits, "joint limits", wanted)) != 2:
-        raise ArmError(f"joint limits are {shown(limits)}; expected {wanted}")
-    lower, upper = limits
-    return Joint(kind, lower, upper, speed, effort)
+    return changed(Joint(kind), {"limits": limits, "speed": speed, "effort": effort})
+
+
+def changed(joint: Joint, changes: Mapping[str, Any]) -> Joint:
+    """The joint with those of `limits`, `speed` and `effort` that are among the changes."""
+    fields = {name: changes[name] for name in ("speed", "effort") if name in changes}
+    if "limits" in changes:
+        wanted = "two numbers, lower and upper"
+        if len(listed(changes["limits"], "joint limits", wanted)) != 2:
+            raise ArmError(f"joint limits are {shown(changes['limits'])}; expected {wanted}")
+        fields["lower"], fields["upper"] = changes["limits"]
+    return replace(joint, **fields)
 
 
 def fixed(a: Entry = 0, alpha: Entry = 0, d: Entry = 0, theta: Entry = 0) -> Row:

@@ -48,8 +48,21 @@ def test_entries_of_a_row_are_changed_and_bodies_taken_off():
     assert bent.rows[3] == replace(PANDA.rows[3], alpha="pi/3")
     assert replace(bent, rows=PANDA.rows) == PANDA
     assert PANDA.with_bodies(()) == replace(PANDA, bodies=())
-    with pytest.raises(ArmError, match="a row has no joint; expected a, alpha, d or theta"):
+    with pytest.raises(ArmError, match="a row has no joint; expected a, alpha, d, theta, limits"):
         PANDA.with_row(4, joint=Joint())
+
+
+def test_a_joints_limits_and_a_links_mass_are_changed():
+    joint, body = PANDA.rows[3].joint, PANDA.bodies[3]
+    tight = PANDA.with_row(4, limits=(1, 2), effort=9, mass=4)
+    assert tight.rows[3].joint == replace(joint, lower=1, upper=2, effort=9)
+    assert tight.bodies[3] == replace(body, mass=4)
+    back = dict(limits=(joint.lower, joint.upper), effort=joint.effort, mass=body.mass)
+    assert tight.with_row(4, **back) == PANDA
+    with pytest.raises(ArmError, match="joint limits are 3; expected two numbers"):
+        PANDA.with_row(4, limits=3)
+    with pytest.raises(ArmError, match=r"a row has no mass; expected a, .*, speed, effort$"):
+        STANFORD.with_row(4, mass=1)
 
 
 @pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)

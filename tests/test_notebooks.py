@@ -86,6 +86,15 @@ def test_no_cell_is_kept_from_being_checked(path):
         assert ("remove-cell" in tags(cell)) == (SLIDERS in cell.source), cell.source
 
 
+@pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
+def test_a_chapter_takes_its_arms_once_at_its_top(path):
+    """So that an arm that a reader changes there stays changed."""
+    first, *others = code_cells(path)
+    assert "from helpers.robots import" in first.source
+    for cell in others:
+        assert not re.search(r"robots|\bnamed\(", cell.source), cell.source
+
+
 @every_notebook
 def test_no_cell_reads_a_clock(path):
     """What lasts how long changes with what else the machine does, and so would the output."""
