@@ -9,7 +9,7 @@ SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/citations.py tools/dow
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help book pdf lite release test notebooks elsewhere lab refresh lint lock bench clean bundles sheet coverage screenshots
+.PHONY: help book pdf lite release test notebooks elsewhere changed lab refresh lint lock bench clean bundles sheet coverage screenshots
 
 help: ## list the targets
 	@grep -E '^[a-z]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 12
@@ -83,6 +83,10 @@ NBVAL := $(BIN)/python -m pytest -n 2 --dist loadfile --nbval --nbval-current-en
 elsewhere: $(BIN)/.installed-dev ## run the notebooks as other processors would round; nothing stored may change
 	OPENBLAS_CORETYPE=Prescott $(NBVAL) $(NOTEBOOKS)
 	PYTHONPATH=$(CURDIR)/tools/elsewhere $(NBVAL) $(NOTEBOOKS)
+
+# An hour of processor time; `make test` tries one change of each chapter.
+changed: $(BIN)/.installed-dev ## run each chapter with each length, mass and limit of each of its arms changed
+	CHANGES=all $(BIN)/python -m pytest -n 2 -q tests/test_changed_arms.py
 
 # What is there already is the reader's own work, and stays.
 lab: $(BIN)/.installed ## open your own copies of the notebooks, in the folder my, in JupyterLab

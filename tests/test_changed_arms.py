@@ -21,22 +21,22 @@ CHAPTERS = sorted((Path(__file__).parents[1] / "book").glob("0*.ipynb"))
 SHRUNK = "{name}.with_values(**{{key: 0.3 * x for key, x in {name}.values.items()}})"
 
 
-def arms(path):
-    """The names of the arms that a chapter takes."""
+def taken(path):
+    """What a chapter takes from each module of the helpers, in its first cell."""
     first = next(c for c in nbformat.read(path, as_version=4).cells if c.cell_type == "code")
-    taken = (node for node in ast.parse(first.source).body if isinstance(node, ast.ImportFrom))
-    return [name.name for node in taken if node.module == "helpers.robots" for name in node.names]
+    lines = (node for node in ast.parse(first.source).body if isinstance(node, ast.ImportFrom))
+    return {line.module: [name.name for name in line.names] for line in lines}
 
 
-def changes(name):
-    """Every change of an arm, as a reader writes it."""
+def changes(name, weighs):
+    """Every change of an arm, as a reader writes it; of masses where the chapter `weighs` them."""
     arm = getattr(robots, name)
     yield SHRUNK.format(name=name)  # a circle as large as ever is then out of reach
     for factor in (0.7, 1.1):
         for key, value in arm.values.items():
             if value:
                 yield f"{name}.with_values({key}={factor * value:.6g})"
-        for number, body in enumerate(arm.bodies, 1):
+        for number, body in enumerate(arm.bodies if weighs else (), 1):
             yield f"{name}.with_row({number}, mass={factor * body.mass:.6g})"
     for number, at in zip(arm.joints, arm.home, strict=True):
         yield f"{name}.with_row({number}, limits=({at - 0.3:.6g}, {at + 0.2:.6g}))"
@@ -45,7 +45,9 @@ def changes(name):
 
 def tried():
     for path in CHAPTERS:
-        lines = [f"{name} = {change}" for name in arms(path) for change in changes(name)]
+        names = taken(path)
+        arms, weighs = names["helpers.robots"], "statics" in names["helpers"]
+        lines = [f"{name} = {change}" for name in arms for change in changes(name, weighs)]
         if os.environ.get("CHANGES") != "all":
             lines = [lines[crc32(path.read_bytes()) % len(lines)]]
         yield from (pytest.param(path, line, id=f"{path.stem[:2]} {line}") for line in lines)
