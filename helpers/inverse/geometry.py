@@ -19,14 +19,13 @@ Array = NDArray[np.float64]
 REACH = 1e-12
 # A sine this small counts as 0, which moves the tool by no more than as many radians.
 SINGULAR = 1e-11
-# What rounding does to a point or to an axis: some last digits of a metre, or of 1.
-NOISE = 1e-15
+# What rounding does to an axis that is computed from a pose, at most.
+NOISE = 4e-15
 
 
 class Plane(NamedTuple):
     """Joint 1's two angles and the target in the plane's axes x_1, y_1, (2, batch), and what is
-    known of it, (batch,): whether it exists, whether both are one, whether joint 1 is free, and by
-    how much rounding may turn joint 1, in rad."""
+    known of it, (batch,): whether it exists, whether both are one, and whether joint 1 is free."""
 
     phi: Array
     x: Array
@@ -34,7 +33,6 @@ class Plane(NamedTuple):
     exists: NDArray[np.bool_]
     one: NDArray[np.bool_]
     free: NDArray[np.bool_]
-    blur: Array
 
 
 def facing(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
@@ -51,8 +49,7 @@ def facing(first: NumericRow, offset: float, p: Array, chosen: Array) -> Plane:
     if free.any():
         phi = np.where(free, np.stack([chosen, chosen + np.pi]), phi)
     height = np.broadcast_to(first.sin_alpha * (z - first.d), both.shape)
-    blur = NOISE / np.where(one, np.inf, np.maximum(reach, REACH))
-    return Plane(phi, both, height, square >= -edge, one, free, blur)
+    return Plane(phi, both, height, square >= -edge, one, free)
 
 
 class Links(NamedTuple):
@@ -74,14 +71,13 @@ class Links(NamedTuple):
 
 class Bend(NamedTuple):
     """The two angles of a planar pair of links, each (branches, batch), whether they exist, whether
-    both bends are one, whether the first angle is free, and the sine of the bend's size."""
+    both bends are one, and whether the first angle is free."""
 
     phi_2: Array
     phi_3: Array
     exists: NDArray[np.bool_]
     one: NDArray[np.bool_]
     free: NDArray[np.bool_]
-    sine: Array
 
 
 def two_links(
@@ -92,24 +88,25 @@ def two_links(
     blur: Array | float = 0.0,
 ) -> Bend:
     """Angles of two links from the origin to a point, by the law of cosines; `sign` is that of
-    sin(phi_3), `blur` by how much rounding may move the point, in m."""
+    sin(phi_3). Both bends are one, too, where rounding moves the point by `blur`, in m, across the
+    boundary; their values stay what they are."""
     upper, fore, (px, py) = *links, end
     square = px * px + py * py
     far = np.sqrt(square)
     cosine = (square - (upper**2 + fore**2)) * (0.5 / (upper * fore))
     cosine = np.minimum(np.maximum(cosine, -1.0), 1.0)
     off = np.minimum(np.abs(far - links.outer), np.abs(far - links.inner))
-    one = off <= REACH + blur
-    if one.any():
-        cosine = np.where(off <= REACH, np.rint(cosine), cosine)
+    at = off <= REACH
+    if at.any():
+        cosine = np.where(at, np.rint(cosine), cosine)
     sine = np.sqrt(1.0 - cosine * cosine)
     along, across = upper + fore * cosine, sign * (fore * sine)
     phi_2 = np.arctan2(py * along - px * across, px * along + py * across)
-    free = one & (far <= REACH)
+    free = at & (far <= REACH)
     if free.any():
         phi_2 = np.where(free, chosen, phi_2)
-    exists = one | ((far < links.outer) & (far > links.inner))
-    return Bend(phi_2, sign * np.arctan2(sine, cosine), exists, one, free, sine)
+    exists = at | ((far < links.outer) & (far > links.inner))
+    return Bend(phi_2, sign * np.arctan2(sine, cosine), exists, off <= REACH + blur, free)
 
 
 class Tool(NamedTuple):

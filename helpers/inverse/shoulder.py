@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
 from helpers.inputs import ArmError, must_be
-from helpers.inverse.geometry import NOISE, REACH, Links, Plane, facing, two_links
+from helpers.inverse.geometry import REACH, Links, facing, two_links
 from helpers.inverse.solutions import Found, Solutions, each_branch, positions, shifted
+from helpers.rows import NumericRow
 
 Array = NDArray[np.float64]
 
@@ -62,10 +63,9 @@ def elbow_kernel(arm: Arm, p: Array, start: Array) -> Found:
     )
     valid = plane.exists & bend.exists
     free, merged = {0: plane.free, 1: bend.free}, (plane.one, bend.one)
-    distance = _elbow_distance(shape, p, plane, valid)
-    certain = np.where(bend.one | ~bend.exists, np.inf, bend.sine)
-    turned = NOISE * shape.links.outer / (abs(shape.links.upper * shape.links.fore) * certain)
-    return Found(q, free, valid, merged, distance, plane.blur + turned)
+    reached = valid.any(axis=(0, 1))
+    distance = np.where(reached, 0.0, _elbow_distance(shape, first, p))
+    return Found(q, free, valid, merged, distance)
 
 
 def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:
@@ -77,7 +77,6 @@ def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:
     side = second.sin_alpha * out
     phi_2 = np.arctan2(side * plane.x[:, None], -side * plane.y[:, None])
     central = np.abs(length) < REACH
-    blur = (NOISE + np.hypot(p[0], p[1]) * plane.blur) / np.where(central, np.inf, np.abs(length))
     q = (
         shifted(plane.phi[:, None], first.theta),
         np.where(central, start[1], shifted(phi_2, second.theta)),
@@ -85,7 +84,7 @@ def rod_kernel(arm: Arm, p: Array, start: Array) -> Found:
     )
     missing = np.where(plane.exists, 0.0, abs(second.d) - np.hypot(p[0], p[1]))
     free = {0: plane.free, 1: central}
-    return Found(q, free, plane.exists, (plane.one, central), missing, plane.blur + blur)
+    return Found(q, free, plane.exists, (plane.one, central), missing)
 
 
 class Shape(NamedTuple):
@@ -104,18 +103,22 @@ def _shape(second, third, tool: float) -> Shape:
     return Shape(Links(second.a, fore), beta, offset)
 
 
-def _elbow_distance(shape: Shape, p: Array, plane: Plane, valid: NDArray[np.bool_]) -> Array:
-    """To the nearest reachable point: exact for an arm without offset, and sideways out of an
-    offset arm's hole."""
-    outer, inner = shape.links.outer, shape.links.inner
-    if shape.offset:
-        height = np.abs(plane.y[0])
-        beside = ~plane.exists & (inner <= height) & (height <= outer)
-        missing = np.where(beside, abs(shape.offset) - np.hypot(p[0], p[1]), np.nan)
-    else:
-        reach = np.hypot(plane.x[0], plane.y[0])
-        missing = np.maximum(np.maximum(reach - outer, inner - reach), 0.0)
-    return np.where(valid.any(axis=(0, 1)), 0.0, missing)
+def _elbow_distance(shape: Shape, first: NumericRow, p: Array) -> Array:
+    """To the nearest point within reach.
+
+    Seen beside the axis at (rho, s), s up from the shoulder, the arm reaches what lies at least
+    `offset` from the axis and has inner^2 <= rho^2 - offset^2 + s^2 <= outer^2: a ring, cut off
+    near the axis. The nearest point is straight in or out on a circle of the ring, or on the cut.
+    """
+    beside, height = np.hypot(p[0], p[1]), np.abs(p[2] - first.d)
+    cut, links = abs(shape.offset), shape.links
+    far = np.hypot(beside, height)
+    outwards = np.where(far > 0, beside / np.where(far > 0, far, 1.0), 1.0)
+    found = np.hypot(beside - cut, height - np.clip(height, links.inner, links.outer))
+    for radius in (np.hypot(links.inner, cut), np.hypot(links.outer, cut)):
+        straight = np.where(radius * outwards >= cut, np.abs(far - radius), np.inf)
+        found = np.minimum(found, straight)
+    return found
 
 
 def must_be_elbow(arm: Arm) -> None:

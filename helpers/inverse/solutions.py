@@ -35,7 +35,8 @@ class Solutions:
         free: whether a joint's value was chosen, because any would do if the others follow, shape
             (..., branches, dof).
         distance: how far the target (for a wrist: its centre) is from the nearest point within
-            reach, shape (...), in m; 0 where it is reached, NaN where no short formula tells.
+            reach, shape (...), in m; 0 where it is reached. For `ur` the way that is sure to be
+            enough: across the arm's plane, and in it until the links reach, orientation kept.
     """
 
     arm: Arm
@@ -116,15 +117,13 @@ def follow(solver: Callable[..., Solutions], targets: ArrayLike, start: ArrayLik
 
 class Found(NamedTuple):
     """What a kernel finds: arrays that broadcast to (*branches, batch), one for each joint and for
-    what is known of it. `merged` tells for each choice where it makes no difference, `blur` by how
-    much rounding may turn what follows these joints, in rad."""
+    what is known of it. `merged` tells for each choice where it makes no difference."""
 
     q: tuple[Array, ...]
     free: Mapping[int, NDArray[Any]]
     valid: NDArray[np.bool_]
     merged: tuple[NDArray[np.bool_], ...]
     distance: Array
-    blur: Array | float = 0.0
 
 
 def each_branch(

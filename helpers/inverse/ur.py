@@ -58,6 +58,8 @@ from helpers.kinematics import cosines_and_sines
 
 Array = NDArray[np.float64]
 
+# Below this sine of joint 5 rounding may turn joint 6 so far that links which just reach do not.
+UNCERTAIN = 1e-3
 BRANCHES = (("front", "back"), ("q_5 > 0", "q_5 < 0"), ("elbow +", "elbow -"))
 
 
@@ -99,13 +101,12 @@ def _kernel(arm: Arm, columns: Array, start: Array) -> Found:
     free = {0: plane.free, 1: bend.free}
     if one.any():
         free[5] = one & ~_isolated(shape, plane)[:, None, None]
-    distance = np.where(valid.reshape(-1, valid.shape[-1]).any(axis=0), 0.0, np.nan)
     return Found(
         q,
         {joint: np.asarray(where) for joint, where in free.items() if where.any()},
         valid,
         (plane.one, one, bend.one),
-        distance,
+        np.where(valid.any(axis=(0, 1, 2)), 0.0, _distance(shape, wrist_centre(arm, tool), end)),
     )
 
 
@@ -130,6 +131,15 @@ def _shape(arm: Arm) -> Shape:
     offset = second.d + second.cos_alpha * third.d + turn_3 * fourth.d
     side = -fourth.sin_alpha * turn_3
     return Shape(turn_3, side, offset, Links(second.a, third.a), side * fifth.d)
+
+
+def _distance(shape: Shape, centre: Array, end: tuple[Array, Array]) -> Array:
+    """How far to move a pose that is out of reach: sideways to where a plane exists, and within it
+    to where the links reach."""
+    aside = np.maximum(abs(shape.offset) - np.hypot(centre[0], centre[1]), 0.0)
+    length = np.hypot(*end)
+    short = length - np.clip(length, shape.links.inner, shape.links.outer)
+    return np.hypot(aside, short).min(axis=(0, 1, 2))
 
 
 class Wrist(NamedTuple):
@@ -160,7 +170,7 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wr
     (xx, yx, zx), (xy, yy, zy) = c * axes_x + s * axes_y, first.sin_alpha * axes_z
     sine = np.sqrt(along[0] * along[0] + along[1] * along[1])
     cosine = shape.side * fifth.sin_alpha * along[2]
-    singular = sine < SINGULAR + plane.blur
+    singular = sine < SINGULAR
     sine = np.where(singular, 0.0, sine)
     scale = shape.side / np.where(singular, 1.0, sine)
     c6, s6 = -scale * along[0], scale * along[1]
@@ -174,18 +184,17 @@ def _wrist(arm: Arm, shape: Shape, plane: Plane, tool: Tool, start: Array) -> Wr
     phi_5 = np.arctan2(sine, cosine)
     flip = np.where(singular, 0.0, np.pi)
     sign = np.where(singular, 1.0, -1.0)
-    uncertain = (NOISE + plane.blur) / np.where(singular, np.inf, sine)
     wrist = Wrist(
         _pair(phi_5, -phi_5),
         _pair(phi_6, phi_6 - np.copysign(flip, phi_6)),
         _pair(ux, sign * ux),
         _pair(uy, sign * uy),
         singular,
-        abs(shape.step) * uncertain,
+        abs(shape.step) * NOISE / np.where(singular, np.inf, sine),
     )
-    loose = singular | (uncertain > REACH)
-    if loose.any():
-        _bring_within_reach(arm, shape, plane, wrist, np.nonzero(loose))
+    loose = np.nonzero(sine < UNCERTAIN)
+    if loose[0].size:
+        _bring_within_reach(arm, shape, plane, wrist, loose)
     return wrist
 
 
@@ -213,8 +222,9 @@ def _isolated(shape: Shape, plane: Plane) -> NDArray[np.bool_]:
 def _bring_within_reach(
     arm: Arm, shape: Shape, plane: Plane, wrist: Wrist, loose: tuple[NDArray[Any], ...]
 ) -> None:
-    """Turn joint 6, in place, for these shoulders and poses, where the links do not reach and it is
-    free, or so uncertain that they may as well; and to the only angle where there is but one.
+    """Turn joint 6, in place, for these shoulders and poses, where the links do not reach, and to
+    the only angle where there is but one, if the tool stays: it turns by the sine of joint 5 times
+    as much.
 
     Axes 4 and 6 being parallel, or nearly, x_4 turns against joint 6 without moving the tool.
     """
@@ -227,9 +237,8 @@ def _bring_within_reach(
     cosine = (far**2 + arc**2 - wanted**2) / np.maximum(2 * far * arc, 1e-300)
     cosine = np.where(isolated, np.rint(cosine), cosine)
     turn = np.copysign(np.arccos(np.clip(cosine, -1.0, 1.0)), angle) - angle
-    near = np.maximum(np.abs(length - wanted), arc * np.abs(turn) / 2) <= wrist.blur[at]
-    needed = np.where(wrist.singular[at], isolated | (length != wanted), near)
-    turn = np.where(needed, turn, 0.0)
+    stays = np.abs(np.sin(wrist.phi_5[both]) * turn) <= SINGULAR
+    turn = np.where(stays & (isolated | (length != wanted)), turn, 0.0)
     c, s = np.cos(turn), np.sin(turn)
     wrist.ux[both], wrist.uy[both] = c * u[0] - s * u[1], s * u[0] + c * u[1]
     along = shape.side * arm.numeric[4].sin_alpha * np.cos(wrist.phi_5[both])

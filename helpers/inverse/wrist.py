@@ -79,7 +79,7 @@ def _decoupled(arm: Arm, targets: ArrayLike, start: ArrayLike | None, by: Should
         placed = by.place(shoulder, wrist_centre(arm, tool), start[:3])
         first = np.stack(np.broadcast_arrays(*placed.q))
         seen = _seen_from(shoulder, first, tool.axes[:, 0], tool.axes[:, 2])
-        wrist, singular = _wrist(arm, seen, start, placed.blur)
+        wrist, singular = _wrist(arm, seen, start)
         free = {joint: _both(loose) for joint, loose in placed.free.items()}
         q = (*(_both(joint) for joint in placed.q), *wrist)
         merged = (*(_both(one) for one in placed.merged), _both(singular))
@@ -108,11 +108,8 @@ def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
     return [np.stack([dot(axis, v[:, None, None]) for axis in axes]) for v in vectors]
 
 
-def _wrist(
-    arm: Arm, seen: list[Array], start: Array, blur: Array | float
-) -> tuple[tuple[Array, ...], Array]:
-    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free: where the
-    sine of joint 5's angle is no more than rounding may make of the first three joints.
+def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...], Array]:
+    """Joints 4 to 6 of both wrists, each (2, 2, 2, batch), and where joint 4 is free.
 
     Joint 6 is found after joint 4, from what its turn leaves of x_6: near a straight wrist both are
     uncertain, and only together right.
@@ -120,7 +117,7 @@ def _wrist(
     x, z = seen
     s4, s5 = arm.numeric[3].sin_alpha, arm.numeric[4].sin_alpha
     sine, cosine = np.hypot(z[0], z[1]), -s4 * s5 * z[2]
-    singular = sine < SINGULAR + blur
+    singular = sine < SINGULAR
     sine = np.where(singular, 0.0, sine)
     chosen = start[3] + arm.numeric[3].theta
     phi_4 = np.where(singular, chosen, np.arctan2(s5 * z[1], s5 * z[0]))

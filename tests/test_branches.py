@@ -1,0 +1,159 @@
+"""A branch that is called valid is right, at every pose: 22 500 poses at and around all boundaries,
+against link matrices and differences of its own."""
+
+import numpy as np
+import pytest
+
+from helpers import inverse
+from helpers.arm import Arm, revolute
+from helpers.robots import ELBOW, STANFORD, UR10E, UR10E_HOMEWORK
+
+ROD = Arm("rod", STANFORD.rows[:3], STANFORD.values)
+WRIST = Arm(
+    "elbow arm with a wrist",
+    (
+        *ELBOW.rows[:2],
+        revolute(alpha="pi/2"),
+        revolute(alpha="-pi/2", d=0.3),
+        revolute(alpha="pi/2"),
+        revolute(d=0.1),
+    ),
+    ELBOW.with_values(d=0.1).values,
+)
+CASES = [
+    pytest.param(form, arm, id=f"{form.__name__} {arm.name} {i}")
+    for i, (form, arm) in enumerate(
+        [
+            (inverse.elbow, ELBOW),
+            (inverse.elbow, ELBOW.with_values(d=0.12)),
+            (inverse.rod, ROD),
+            (inverse.rod, ROD.with_values(d_2=0)),
+            (inverse.stanford, STANFORD),
+            (inverse.stanford, STANFORD.with_values(d_2=0)),
+            (inverse.spherical_wrist, WRIST),
+            (inverse.ur, UR10E),
+            (inverse.ur, UR10E_HOMEWORK),
+        ]
+    )
+]
+
+
+def poses(arm, q):
+    """Tip poses (n, 4, 4) at q (n, dof), link by link."""
+    T = np.tile(np.eye(4), (len(q), 1, 1))
+    for row, x in zip(arm.numeric, q.T, strict=True):
+        theta = row.theta + x * (row.kind == "revolute")
+        d = row.d + x * (row.kind == "prismatic")
+        A = np.zeros_like(T)
+        c, s, ca, sa = np.cos(theta), np.sin(theta), row.cos_alpha, row.sin_alpha
+        A[:, 0] = np.stack([c, -s * ca, s * sa, row.a * c], axis=1)
+        A[:, 1] = np.stack([s, c * ca, -c * sa, row.a * s], axis=1)
+        A[:, 2, 1], A[:, 2, 2], A[:, 2, 3], A[:, 3, 3] = sa, ca, d, 1
+        T = T @ A
+    return T
+
+
+def jacobians(arm, q, h=1e-6):
+    """By central differences, (n, 6, dof)."""
+    T, columns = poses(arm, q), []
+    for step in h * np.eye(arm.dof):
+        rate = (poses(arm, q + step) - poses(arm, q - step)) / (2 * h)
+        skew = rate[:, :3, :3] @ T[:, :3, :3].transpose(0, 2, 1)
+        turn = np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
+        columns.append(np.hstack([rate[:, :3, 3], turn]))
+    return np.stack(columns, axis=-1)
+
+
+def at_boundaries(arm, n, rng):
+    """Joints at 0, 90°, -90° and 180° and from there by 10^-6 to 10^-16, slides near 0 too."""
+    q = rng.uniform(-np.pi, np.pi, (n, arm.dof))
+    off = rng.choice([-1, 0, 1], q.shape) * 10.0 ** -rng.integers(6, 17, q.shape)
+    special = rng.choice([0, np.pi / 2, -np.pi / 2, np.pi], q.shape) + off
+    q = np.where(rng.random(q.shape) < 0.7, special, q)
+    near_0 = rng.choice([-1, 0, 1], n) * 10.0 ** -rng.integers(1, 17, n)
+    slides = ~arm.turning
+    q[:, slides] = np.where(rng.random(n) < 0.5, near_0, rng.uniform(-1, 1, n))[:, None]
+    return q
+
+
+def solved(form, arm, q, **start):
+    """The solutions for the poses of q, and the size of what is asked: a place, or a pose."""
+    T = poses(arm, q)
+    asked = T if arm.dof == 6 else T[:, :3, 3]
+    return form(arm, asked, **start), (lambda T: T) if arm.dof == 6 else (lambda T: T[:, :3, 3])
+
+
+def apart(arm, one, other):
+    """The largest difference of two joint vectors, whole turns aside."""
+    off = np.abs(np.exp(1j * one) - np.exp(1j * other))
+    return np.where(arm.turning, off, np.abs(one - other)).max(axis=-1)
+
+
+@pytest.mark.parametrize(("form", "arm"), CASES)
+def test_what_is_valid_is_right_and_no_pose_loses_its_own_joints(form, arm):
+    q = at_boundaries(arm, 2500, np.random.default_rng(1))
+    found, asked = solved(form, arm, q, start=q)
+    n, branch = np.nonzero(found.valid)
+    assert set(n) == set(range(len(q))), "a pose without a way"
+    miss = asked(poses(arm, found.q[n, branch])) - asked(poses(arm, q[n]))
+    assert np.abs(miss).max() < 1e-9
+    nearest = np.full(len(q), np.inf)
+    np.minimum.at(nearest, n, apart(arm, found.q[n, branch], q[n]))
+    # Where the arm is singular, ways are one, or a family, up to the digits of a pose.
+    rows = slice(None) if arm.dof == 6 else slice(3)
+    lost = q[nearest > 1e-6]
+    singular = np.linalg.svd(jacobians(arm, lost)[:, rows], compute_uv=False)[:, -1]
+    assert (singular < 1e-6).all()
+    assert len(lost) < 0.15 * len(q)
+
+
+@pytest.mark.parametrize(("form", "arm"), CASES)
+def test_as_many_ways_as_newton_finds(form, arm):
+    """From 400 starts each; both find them all, and no other."""
+    rng = np.random.default_rng(2)
+    for q in rng.uniform(-2.5, 2.5, (3, arm.dof)):
+        found, asked = solved(form, arm, q[None])
+        at = rng.uniform(-np.pi, np.pi, (400, arm.dof))
+        at[:, ~arm.turning] = rng.uniform(-3, 3, (400, (~arm.turning).sum()))
+        wanted = poses(arm, q[None])
+        for _ in range(60):
+            T, J = poses(arm, at), jacobians(arm, at)
+            R = wanted[:, :3, :3] @ T[:, :3, :3].transpose(0, 2, 1)
+            turn = [R[:, 2, 1] - R[:, 1, 2], R[:, 0, 2] - R[:, 2, 0], R[:, 1, 0] - R[:, 0, 1]]
+            e = np.hstack([(wanted - T)[:, :3, 3], 0.5 * np.stack(turn, axis=1)])
+            if arm.dof == 3:
+                J, e = J[:, :3], e[:, :3]
+            damped = J @ J.transpose(0, 2, 1) + (e**2).sum(axis=1)[:, None, None] * np.eye(len(e.T))
+            at = at + (J.transpose(0, 2, 1) @ np.linalg.solve(damped, e[..., None]))[..., 0]
+        miss = asked(poses(arm, at) - wanted).reshape(len(at), -1)
+        arrived = at[np.abs(miss).max(axis=1) < 1e-9]
+        distinct = []
+        for x in arrived:
+            if all(apart(arm, x, y) > 1e-5 for y in distinct):
+                distinct.append(x)
+        assert len(distinct) == found.valid.sum()
+        for x in distinct:
+            assert apart(arm, found.q[0][found.valid[0]], x).min() < 1e-6
+
+
+def test_how_far_is_out_of_reach_for_every_arm():
+    """Beside an offset arm's axis against a fine grid of its reach; a UR's pose moved so far is
+    within reach."""
+    rng, arm = np.random.default_rng(3), ELBOW.with_values(d=0.12)
+    grid = np.stack(np.meshgrid(*[np.linspace(-np.pi, np.pi, 500)] * 2), axis=-1).reshape(-1, 2)
+    T = poses(arm, np.insert(grid, 0, 0, axis=1))
+    reach = np.stack([np.hypot(T[:, 0, 3], T[:, 1, 3]), T[:, 2, 3]], axis=1)
+    places = rng.uniform([-0.9, -0.9, -0.5], [0.9, 0.9, 1.5], (60, 3))
+    for place, distance in zip(places, inverse.elbow(arm, places).distance, strict=True):
+        beside = np.hypot(*place[:2]), place[2]
+        assert abs(np.linalg.norm(reach - beside, axis=1).min() - distance) < 6e-3
+    T = poses(UR10E, rng.uniform(-3, 3, (40, 6)))
+    T[:, :3, 3] *= rng.uniform(0.1, 1.8, (40, 1))
+    found = inverse.ur(UR10E, T)
+    assert ((found.distance > 0) == ~found.valid.any(axis=1)).all()
+    ways = rng.normal(size=(2000, 3))
+    ways /= np.linalg.norm(ways, axis=1)[:, None]
+    for pose, distance in zip(T, found.distance, strict=True):
+        moved = np.tile(pose, (len(ways), 1, 1))
+        moved[:, :3, 3] += 1.1 * distance * ways
+        assert inverse.ur(UR10E, moved).valid.any()
