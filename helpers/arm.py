@@ -13,6 +13,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.expressions import Entry, entry, evaluate, latex, names
@@ -35,6 +36,16 @@ from helpers.rows import (
 __all__ = ["Arm", "ArmError", "Body", "Joint", "Row", "fixed", "prismatic", "revolute"]
 
 Array = NDArray[np.float64]
+
+
+class JointValues(NDArrayOperatorsMixin, tuple):
+    """Joint values that are compared and hashed as a tuple and computed with as an array."""
+
+    __eq__, __ne__, __hash__ = tuple.__eq__, tuple.__ne__, tuple.__hash__
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
+        arrays = (np.array(x) if isinstance(x, JointValues) else x for x in inputs)
+        return getattr(ufunc, method)(*arrays, **options)
 
 
 @dataclass(frozen=True)
@@ -72,11 +83,12 @@ class Arm:
             raise ArmError(f"{self.name}: rows are {self.rows!r}; expected one Row or more")
         home = listed(self.home, f"{self.name}: the values of home", f"{self.dof} joint values")
         home = tuple(real(x, f"{self.name}: home") for x in home)
-        self._put(home=home or (0.0,) * self.dof)
+        self._put(home=JointValues(home or (0.0,) * self.dof))
         self._check_bodies()
         self._check_symbols()
         for formula in self._entries():
             self._check_finite(formula)
+        self._check_masses()
         self.joint_vector(self.home)
 
     def _put(self, **fields: object) -> None:
@@ -93,6 +105,13 @@ class Arm:
                 f"{self.name}: {len(self.bodies)} bodies for {len(self.rows)} rows;"
                 " expected one each"
             )
+
+    def _check_masses(self) -> None:
+        for number, body in enumerate(self.bodies, 1):
+            if self.number(body.mass) < 0:
+                raise ArmError(
+                    f"{self.name}: the mass of link {number} is {body.mass}; expected 0 kg or more"
+                )
 
     def _check_symbols(self) -> None:
         needed = {name for formula in self._entries() for name in names(formula)}
@@ -303,7 +322,7 @@ class Arm:
 
         Raises ArmError for another length, NaN or infinity.
         """
-        shape = f"(..., {self.dof})" if many else f"one pose, ({self.dof},)"
+        shape = f"numbers (..., {self.dof})" if many else f"one pose, numbers ({self.dof},)"
         wanted = f"{shape}, one value for each of {', '.join(self.variables)}"
         return numbers(q, f"{self.name}: {what}", wanted, (self.dof,), many)
 

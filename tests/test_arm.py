@@ -151,3 +151,16 @@ def test_an_angle_that_may_be_meant_in_degrees_is_warned_of_where_it_is_written(
 @pytest.mark.parametrize("angle", [-2 * np.pi, "90 deg", "5*pi", 1.5])
 def test_an_angle_within_a_turn_or_in_words_is_taken_as_it_is(angle):
     assert revolute(alpha=angle).alpha == fixed(alpha=angle).alpha
+
+
+def test_home_is_computed_with_as_an_array_and_compared_as_a_tuple():
+    nudged = PANDA.home + 0.1
+    np.testing.assert_array_equal(nudged, np.array(PANDA.home) + 0.1)
+    np.testing.assert_array_equal(2 * PANDA.home - nudged, 2 * np.array(PANDA.home) - nudged)
+    assert PANDA.home == (0, 0, 0, np.pi / 2, 0, np.pi, 0)
+    assert hash(PANDA) == hash(PANDA.with_values())
+
+
+def test_no_link_weighs_less_than_nothing():
+    with pytest.raises(ArmError, match="the mass of link 2 is -1; expected 0 kg or more"):
+        PANDA.with_row(2, mass=-1)

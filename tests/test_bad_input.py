@@ -240,7 +240,7 @@ SPECIAL = [
     ("arm.Arm", dict(rows=[]), 'mine: rows are (); expected one Row or more'),
     ("arm.Arm", dict(values={"m": 1.0}), "mine: no value for l; give values={'l': ...}"),
     ("arm.Arm", dict(bodies=[Body(1, (0, 0, 0))] * 2), 'mine: 2 bodies for 1 rows;'),
-    ("arm.Arm", dict(home=(0, 0)), 'mine: q has shape (2,); expected (..., 1), one value'),
+    ("arm.Arm", dict(home=(0, 0)), 'mine: q has shape (2,); expected numbers (..., 1), one value'),
     ("arm.Arm.with_values", dict(l=1), 'Panda has no symbol l; it has d_1, d_3'),
     ("arm.Arm.lock", dict(at=9), 'Panda: joint 3 locked at 9; its limits are -2.8973 to 2.8973'),
     ("arm.Arm.lock", dict(at="1/0"), '1/0 divides by zero or is too large;'),
@@ -402,7 +402,7 @@ CLAIMS = {
     ),
     r"\b(two|three|six) finite": lambda x, n: len(x) == dict(two=2, three=3, six=6)[n],
     r"^(?:one pose, )?\((?:[^()]*, )?(\d+),?\)": lambda x, last: np.shape(x)[-1] == int(last),
-    r"^one pose, (\(\d,\))": lambda x, shape: str(np.shape(x)) == shape,
+    r"^one pose, numbers (\(\d,\))": lambda x, shape: str(np.shape(x)) == shape,
     r"one value for each of (q_\d+(?:, q_\d+)*)": lambda x, q: np.shape(x)[-1] == q.count("q_"),
     r"((?<!in)finite|one value for)": lambda x, _: np.abs(np.array(x, float)).max() < 1e100,
 }

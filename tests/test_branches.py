@@ -157,3 +157,18 @@ def test_how_far_is_out_of_reach_for_every_arm():
         moved = np.tile(pose, (len(ways), 1, 1))
         moved[:, :3, 3] += 1.1 * distance * ways
         assert inverse.ur(UR10E, moved).valid.any()
+
+
+def test_solutions_are_read_as_a_student_asks():
+    one = inverse.elbow(ELBOW, (0.5, 0.0, 0.5))
+    assert repr(one).splitlines()[0] == "Elbow arm, way, q_1, q_2, q_3:"
+    assert repr(one).splitlines()[1].startswith("  front, elbow up, 0.0000, 0.")
+    assert one._repr_markdown_().startswith("| way | $q_1$ | $q_2$ | $q_3$ |\n| :-- | --: ")
+    assert "any" in repr(inverse.elbow(ELBOW, (0.0, 0.0, 0.95)))
+    assert repr(inverse.elbow(ELBOW, (1.0, 0.0, 0.5))).endswith("is 0.3 m out of reach")
+    many = inverse.elbow(ELBOW, [(0.5, 0.0, 0.5), (1.0, 0.0, 0.5)])
+    assert repr(many) == "Elbow arm: 1 of 2 targets within reach"
+    assert repr(inverse.solve(ELBOW, (1.0, 0.0, 0.5))).startswith(
+        "not reached, 0.3 m and 0 rad off"
+    )
+    assert repr(inverse.solve(ELBOW, (0.5, 0.0, 0.5))).startswith("reached in ")

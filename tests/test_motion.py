@@ -33,7 +33,7 @@ from helpers.motion import (
 )
 from helpers.motion.report import run_report as summary
 from helpers.motion.steps import charted
-from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
 
 HOMEWORK, REAL = PANDA_HOMEWORK.lock(3), PANDA.lock(3)
 TOP = np.array([0.679, 0, 0.825])
@@ -469,3 +469,13 @@ def test_what_is_beyond_a_range_is_told_in_the_joints_unit():
     assert dict(slid.rows())["joints beyond their range"] == "joint 2 by 0.12 rad, joint 4 by 1 m"
     assert not slid.executable
     assert not replace(report, beyond_speed=((1, 0.1),)).executable
+
+
+def test_a_report_does_not_praise_limits_that_are_not_there():
+    path = circle_below(STANFORD, [0.1, 0.8, 0.5, 0.3, 0.9, 0.2], 0.02, "yz", 5.0, 20)
+    run = trace(STANFORD, [0.1, 0.8, 0.5, 0.3, 0.9, 0.2], path)
+    told = dict(run.report.rows())
+    assert told["largest joint speed"].endswith("rad/s, no limit is known")
+    assert told["joints beyond their speed"] == "no limit is known"
+    assert told["joints beyond their range"] == "none", "the slide has a range"
+    assert repr(run).startswith("Stanford arm, 20 steps in 5 s\nlargest position error")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import common_shape, floats, must_be, number, whole
+from helpers.inputs import ArmError, common_shape, floats, must_be, number, whole
 from helpers.inverse.solutions import cross, dot, must_be_rigid, poses, positions
 from helpers.kinematics import Step, jacobian_entries, recorded, rows_of, tip_entries
 from helpers.program import Value
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 _CHUNK = 4096  # so many descents at a time keep the recursion over the links inside the caches
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class NumericSolution:
     """One joint vector for each target, and how well it does.
 
@@ -39,6 +39,15 @@ class NumericSolution:
     orientation_error: Array
     iterations: NDArray[np.int_]
     starts: NDArray[np.int_]
+
+    def __repr__(self) -> str:
+        off = (
+            f"{np.max(self.position_error):.3g} m and {np.max(self.orientation_error):.3g} rad off"
+        )
+        if self.reached.ndim:
+            return f"{self.reached.sum()} of {self.reached.size} targets reached, at worst {off}"
+        how = f"reached in {self.iterations} steps" if self.reached else f"not reached, {off}"
+        return f"{how}: q = {np.array2string(self.q.round(6) + 0.0, separator=', ')}"
 
 
 def solve(
@@ -63,6 +72,8 @@ def solve(
     numbers. Source: Levenberg (1944), Marquardt (1963); damping by the error: Sugihara (2011).
     """
     must_be(arm, Arm, "arm")
+    if not arm.dof:
+        raise ArmError(f"{arm.name} has no joints; expected an arm with one joint or more")
     goal, shape = _goal(arm, targets)
     start = arm.joint_vector(arm.home if start is None else start, "start")
     shape = common_shape("targets and start", shape, start.shape[:-1])

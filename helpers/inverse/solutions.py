@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 _CHUNK = 4096
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Solutions:
     """Every joint vector that takes the tip to a target, for a batch of targets.
 
@@ -63,6 +63,29 @@ class Solutions:
             )
         rows = zip(self.branches, self.q, self.valid, self.merged, strict=True)
         return {_told(name, one): q for name, q, valid, one in rows if valid}
+
+    def __repr__(self) -> str:
+        if self.q.ndim != 2:
+            reached = self.valid.any(axis=-1)
+            return f"{self.arm.name}: {reached.sum()} of {reached.size} targets within reach"
+        if not self.ways:
+            return f"{self.arm.name}: no way, the target is {self.distance:.4g} m out of reach"
+        lines = [f"  {', '.join(cells)}" for cells in self._cells()]
+        return "\n".join([f"{self.arm.name}, {', '.join(('way', *self.arm.variables))}:", *lines])
+
+    def _repr_markdown_(self) -> str:
+        if self.q.ndim != 2 or not self.ways:
+            return repr(self)
+        heads = ("way", *(f"${name}$" for name in self.arm.variables))
+        rows = [heads, (":--", *["--:"] * self.arm.dof), *self._cells()]
+        return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+    def _cells(self) -> list[tuple[str, ...]]:
+        """The name of each way and its joints in rad or m, "any" where one is free."""
+        return [
+            (way, *("any" if any_ else f"{x + 0.0:.4f}" for x, any_ in zip(q, free, strict=True)))
+            for (way, q), free in zip(self.ways.items(), self.free[self.valid], strict=True)
+        ]
 
     @property
     def within_limits(self) -> NDArray[np.bool_]:

@@ -19,7 +19,8 @@ class Report:
 
     `speed_from_rest` is the largest speed that a joint has in the first or the last step: an arm
     that stands before and after would have to take it on, or lose it, at once. `sliding` are the
-    joints whose excess is in m or m/s.
+    joints whose excess is in m or m/s. `ranges` and `speeds` tell whether the arm's table has any:
+    where it has none, none can be exceeded.
     """
 
     arm: str
@@ -37,6 +38,8 @@ class Report:
     beyond_limits: tuple[tuple[int, float], ...]
     beyond_speed: tuple[tuple[int, float], ...]
     sliding: tuple[int, ...] = ()
+    ranges: bool = True
+    speeds: bool = True
 
     @property
     def executable(self) -> bool:
@@ -49,6 +52,8 @@ class Report:
 
     def rows(self) -> list[tuple[str, str]]:
         """What and how much, in the units people read."""
+        share = f"{100 * self.speed_share:.0f} % of the limit"
+        within = self._joints(self.beyond_limits, ""), self._joints(self.beyond_speed, "/s")
         return [
             ("largest position error", _length(self.position_error)),
             ("largest distance off the wall", _length(self.off_wall)),
@@ -59,12 +64,12 @@ class Report:
             ("largest condition number of J", _condition(self.largest_condition)),
             (
                 "largest joint speed",
-                f"{self.largest_speed:.3g} rad/s, {100 * self.speed_share:.0f} % of the limit",
+                f"{self.largest_speed:.3g} rad/s, {share if self.speeds else 'no limit is known'}",
             ),
             ("largest joint acceleration", f"{magnitude(self.largest_acceleration)} rad/s²"),
             ("joint speed to take on or lose at once", f"{magnitude(self.speed_from_rest)} rad/s"),
-            ("joints beyond their range", self._joints(self.beyond_limits, "")),
-            ("joints beyond their speed", self._joints(self.beyond_speed, "/s")),
+            ("joints beyond their range", within[0] if self.ranges else "no range is known"),
+            ("joints beyond their speed", within[1] if self.speeds else "no limit is known"),
         ]
 
     def _joints(self, excess: tuple[tuple[int, float], ...], per: str) -> str:
@@ -106,6 +111,8 @@ def run_report(arm: Arm, path: Path, q: Array, q_dot: Array, poses: Array) -> Re
         beyond_limits=_over(arm, beyond),
         beyond_speed=_over(arm, speed - arm.speed_limits),
         sliding=tuple(arm.joints[k] for k in np.flatnonzero(~arm.turning)),
+        ranges=bool(np.isfinite([lower, upper]).any()),
+        speeds=bool(np.isfinite(arm.speed_limits).any()),
     )
 
 

@@ -29,7 +29,7 @@ class UnreachableError(ArmError):
     """The tip was asked to be on a path that the arm cannot follow."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Trace:
     """A run along a path: times (steps + 1,), q and q_dot (steps + 1, dof), tip poses (steps + 1,
     4, 4)."""
@@ -49,6 +49,13 @@ class Trace:
     def report(self) -> Report:
         """What went well and what did not."""
         return run_report(self.arm, self.path, self.q, self.q_dot, self.poses)
+
+    def __repr__(self) -> str:
+        steps = f"{len(self.t) - 1} steps in {self.t[-1] - self.t[0]:g} s"
+        return f"{self.arm.name}, {steps}\n{self.report}"
+
+    def _repr_markdown_(self) -> str:
+        return self.report._repr_markdown_()
 
 
 def trace(
