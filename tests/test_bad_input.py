@@ -401,7 +401,9 @@ CLAIMS = {
         lambda x, named: {str(one) for one in np.ravel(x)} <= {*named.split(", ")}
     ),
     r"\b(two|three|six) finite": lambda x, n: len(x) == dict(two=2, three=3, six=6)[n],
-    r"^(?:one pose, )?\((?:[^()]*, )?(\d+),?\)": lambda x, last: np.shape(x)[-1] == int(last),
+    r"^(?:one pose, )?(?:numbers )?\((?:[^()]*, )?(\d+),?\)": (
+        lambda x, last: np.shape(x)[-1] == int(last)
+    ),
     r"^one pose, numbers (\(\d,\))": lambda x, shape: str(np.shape(x)) == shape,
     r"one value for each of (q_\d+(?:, q_\d+)*)": lambda x, q: np.shape(x)[-1] == q.count("q_"),
     r"((?<!in)finite|one value for)": lambda x, _: np.abs(np.array(x, float)).max() < 1e100,
