@@ -1,146 +1,111 @@
-// What the digits of an answer promise.
-
-import { say } from "./sentences.js";
+// What the digits of an answer promise: every entry is held to its own last place.
 
 export const [RIGHT, SO_FAR, ROUNDED, WRONG] = ["right", "so far", "rounded", "wrong"];
 
-export const HALF = 0.51; // units: a number rounded rightly, and a hair for the arithmetic
-export const HAND = 3.01; // units: products of rounded numbers
-const EXACT = 1e-6; // of the scale
-export const SLOPPY = 1e-3; // of the scale: full floats from inputs that were rounded on the way
-export const TELLING = 2.1e-3; // a mistake that changes less cannot be asked for
-const FINE = 2e-3; // rad or m: a place that is coarser is no rounding of a joint's value
+const HALF = 0.5; // units: the truth, rounded to the last place
+const ONE_OFF = 1.5; // units: that, and one more in the last place
+const COARSE = 0.1; // of the largest entry: one off in a larger place is another number, as 1e9
+const FULL = 13; // significant digits from which a program never rounded
+const NOISE = 1e-12; // below it a number is a program's zero, as 6.1e-17 for cos 90°
+// of the largest entry, a thousandth at least: what pi with seven digits, or a long sum, is off by
+const HAIR = 1e-6;
+const FINE = 2e-3; // rad or m: a coarser place was meant as it stands: q = 0.3 is no 0.26
 const NUDGE = 1e-6; // rad or m: a difference for a derivative
-const FULL = 13; // significant digits from which a float was never rounded
-const LEFT = 5; // times a unit that no number may be smaller than
-const NOISE = -12; // the power of ten below which a number is a rounded zero
 const NUMBER = /^[+-]?\s*(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?$/;
+const BARE = /^[+-]?\s*[01]\.?0?$/; // as programs print an exact 0 or 1
 
-const ten = (power) => Number(`1e${power}`);
+/**
+ * Numbers, and what their last places are worth.
+ * @typedef {{ values: number[], units: number[] }} Entries
+ */
 
-// Decimals, significant digits and the exponent of the first one of a plain number as typed; null
-// for a formula.
-function literal(text) {
-  const match = NUMBER.exec(text.trim());
-  if (!match || !(match[1] || match[2])) return null;
-  const digits = (match[1] + match[2]).replace(/^0+/, "").length;
-  const decimals = match[2].length - Number(match[3] ?? 0);
-  return { decimals, digits, first: digits - 1 - decimals };
-}
-
-// The unit of the last place of each of a set of numbers typed together; 0 for formulas and for
-// full floats.
+// The unit of the last place of each number as typed; 0 for a formula, and for all of an answer
+// that shows every digit a computer has. A bare 0 or 1 has the answer's finest place.
 export function units(texts) {
   const found = texts.map(literal);
-  const plain = found.filter((f) => f && f.digits && f.first > NOISE);
-  const most = (key) =>
-    plain.reduce((top, f) => Math.max(top, f[key]), plain.length ? -Infinity : 0);
-  const [decimals, figures] = [most("decimals"), most("digits")];
-  if (figures >= FULL || (found.includes(null) && decimals <= 0)) return texts.map(() => 0);
-  const byFigures =
-    plain.every((f) => f.decimals <= figures - 1 - f.first) &&
-    plain.some((f) => f.digits === figures && f.decimals < decimals);
-  return found.map((f) => {
-    if (!f) return 0;
-    if (!byFigures || !f.digits || f.first <= NOISE) return bounded(-decimals, f);
-    return bounded(Math.max(-decimals, f.first - figures + 1), f);
-  });
+  if (found.some((one) => one?.digits >= FULL)) return texts.map(() => 0);
+  const placed = found.flatMap((one) => (one && !one.bare && one.size > NOISE ? [one.unit] : []));
+  const whole = found.every((one) => one?.bare) && found.some((one) => one.size);
+  const finest = placed.length || whole ? Math.min(1, ...placed) : 0;
+  return found.map((one) => (one ? (one.bare ? finest : one.unit) : 0));
 }
 
-// A place left of the point is rounded away only in a larger number: 1e9 is no torque of 56 N m.
-const bounded = (place, { first }) => Math.min(ten(place), Math.max(1, ten(first) / LEFT));
+// A plain number as typed; null for a formula.
+function literal(text) {
+  const trimmed = text.trim();
+  const match = NUMBER.exec(trimmed);
+  if (!match || !(match[1] || match[2])) return null;
+  return {
+    digits: (match[1] + match[2]).replace(/^0+/, "").length,
+    unit: Number(`1e${Number(match[3] ?? 0) - match[2].length}`),
+    size: Math.abs(Number(trimmed.replace(/\s/g, ""))),
+    bare: BARE.test(trimmed),
+  };
+}
 
-// How many decimals the entries show, or null where they show all a computer has.
-export function decimalsOf(steps) {
-  const coarse = steps.filter((u) => u > 0);
-  return coarse.length ? Math.max(0, Math.round(-Math.log10(Math.min(...coarse)))) : null;
+export const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 1e-3);
+const hairOf = (truth) => HAIR * largest(truth);
+
+/**
+ * How entries agree with what they should be: "rounded" to their last places, all "cut" there, but
+ * for "one off" in some last place, or not at all, "". `slack` is what each may be off besides.
+ * @param {Entries} mine @param {number[]} truth @param {number[]} [slack]
+ */
+export function agreement({ values, units: places }, truth, slack) {
+  const hair = hairOf(truth);
+  const off = (i) => Math.abs(values[i] - truth[i]) - hair - (slack ? slack[i] : 0);
+  const all = (fits) => values.every((_, i) => fits(i));
+  if (all((i) => off(i) <= HALF * places[i])) return "rounded";
+  const short = (i) => Math.abs(values[i]) <= Math.abs(truth[i]) && values[i] * truth[i] >= 0;
+  if (all((i) => off(i) <= 0 || (short(i) && off(i) < places[i]))) return "cut";
+  const near = (i) => off(i) <= ONE_OFF * Math.min(places[i], COARSE * largest(truth));
+  return all(near) ? "one off" : "";
+}
+
+export const isRight = (how) => how === "rounded" || how === "cut";
+export const agrees = (mine, truth, slack) => isRight(agreement(mine, truth, slack));
+
+// Which entries are wrong: by more than one in the last place, or, where none is, at all.
+export function beyond({ values, units: places }, truth, slack) {
+  const hair = hairOf(truth);
+  const past = (most) =>
+    values.map((x, i) => Math.abs(x - truth[i]) > hair + slack[i] + most * places[i]);
+  const wrong = past(ONE_OFF);
+  return wrong.includes(true) ? wrong : past(HALF);
 }
 
 /**
- * Per entry: up to allowed it is right, up to band it was rounded on the way, up to loose perhaps;
- * slop is what the unwritten digits of q add, tried only where it fails without.
- * @typedef {{ allowed: number[], band: number[], loose: number[], units: number[], slop: number[]
- *   }} Margins
+ * Whether digits a hundred times finer would show that an answer is not `other` but `truth`.
+ * @param {{ units: number[] }} mine @param {number[]} truth @param {number[]} other
  */
-
-/** @returns {Margins} */
-export function margins(steps, scale, slop = null, tolerance = null) {
-  const floor = scale.map((s) => EXACT * s);
-  const none = steps.map(() => 0);
-  if (tolerance !== null) {
-    const allowed = floor.map((x) => Math.max(tolerance, x * 1e-3));
-    return { allowed, band: allowed, loose: allowed, units: none, slop: none };
-  }
-  const allowed = steps.map((u, i) => Math.max(HALF * u, floor[i]));
-  const band = steps.map((u, i) => Math.max(HAND * u, floor[i]));
-  const loose = band.map((b, i) => Math.max(b, SLOPPY * scale[i]));
-  return { allowed, band, loose, units: steps, slop: slop ?? none };
+export function tellable({ units: places }, truth, other) {
+  const hair = hairOf(truth);
+  return truth.some((x, i) => Math.abs(other[i] - x) > Math.max(places[i] / 100, 2 * hair));
 }
 
-// What the unwritten digits of joint values change in each number that is made of them: of those
-// with three decimals or more; null where there are none.
-export function slopOf(steps, q, made) {
-  const fine = steps.map((u) => (u > 0 && u < FINE ? u : 0));
-  if (!fine.some(Boolean)) return null;
-  const here = made(q);
+// How many different values, as a power of ten, the entries chosen could show.
+export function room({ units: places }, truth, slack, chosen) {
+  const values = (i) => largest(truth) / (places[i] + 2 * slack[i] + hairOf(truth));
+  return chosen.reduce((sum, is, i) => (is ? sum + Math.max(0, Math.log10(values(i))) : sum), 0);
+}
+
+/**
+ * What the unwritten digits of joint values, `dof` for each pose, change in each number that comes
+ * of them.
+ * @param {Entries} q @param {number} dof @param {(q: number[]) => number[]} make
+ */
+export function slackOf(q, dof, make, coarsest = FINE) {
+  const fine = q.units.map((u) => (u < coarsest ? u : 0));
+  const here = make(q.values);
   const total = here.map(() => 0);
-  fine.forEach((u, k) => {
-    const there = made(q.map((x, i) => (i === k ? x + NUDGE : x)));
-    there.forEach((x, i) => (total[i] += (HALF * u * Math.abs(x - here[i])) / NUDGE));
-  });
-  return total;
-}
-
-const plus = (p, q, k) => p.map((x, i) => x + k * q[i]);
-
-// The farthest that an answer may be off and still be right but for its digits.
-export const farthest = ({ loose, band, slop }) =>
-  plus(band, slop, 2).map((x, i) => Math.max(x, loose[i]));
-
-// What the digits of q allow, too.
-export const generous = ({ allowed, slop }) => plus(allowed, slop, 1);
-
-// How near an answer may be to a mistake's, the narrowest first.
-export function bands(m) {
-  const wide = m.slop.some(Boolean) ? [plus(m.band, m.slop, 2)] : [];
-  return [m.band, ...wide, farthest(m), m.allowed];
-}
-
-const within = (p, q, most) => p.every((x, i) => Math.abs(x - q[i]) <= most[i]);
-const apart = (p, q) => p.reduce((top, x, i) => Math.max(top, Math.abs(x - q[i])), 0);
-
-// The grade of an answer; `made` holds the answers of known mistakes.
-export function graded(mine, right, m, made) {
-  const telling = made.filter((A) => apart(A, right) > TELLING);
-  for (const allowed of [m.allowed, generous(m)]) {
-    const mistaken = telling.some((A) => within(mine, A, allowed));
-    if (within(mine, right, allowed)) {
-      const coarse = Math.max(0, ...m.units);
-      const gap = telling.reduce((least, A) => Math.min(least, apart(A, right)), Infinity);
-      return mistaken || coarse > gap / 2.1 ? SO_FAR : RIGHT;
-    }
-    if (mistaken) return WRONG;
+  const perPose = (here.length * dof) / q.values.length;
+  for (let k = 0; k < dof; k++) {
+    if (!fine.some((u, i) => u && i % dof === k)) continue;
+    const there = make(q.values.map((x, i) => (i % dof === k ? x + NUDGE : x)));
+    there.forEach((x, i) => {
+      const u = fine[Math.floor(i / perPose) * dof + k];
+      total[i] += (HALF * u * Math.abs(x - here[i])) / NUDGE;
+    });
   }
-  // what is no rounding of the right answer, and one of a mistake's, is the mistake's
-  const slipped = !within(mine, right, m.band) && made.some((A) => within(mine, A, m.allowed));
-  if (slipped || !within(mine, right, farthest(m))) return WRONG;
-  const off = apart(mine, right);
-  return telling.some((A) => apart(mine, A) <= off) ? SO_FAR : ROUNDED;
-}
-
-// How the last digits came to be off: cut, where that explains all that are, and at least two.
-export function lastDigit(mine, right, steps) {
-  const off = mine.flatMap((x, i) => (Math.abs(x - right[i]) > HALF * steps[i] ? [i] : []));
-  const isCut = (i) => {
-    const lost = right[i] * Math.sign(mine[i] || right[i]) - Math.abs(mine[i]);
-    return lost > 0 && lost < steps[i];
-  };
-  return say(off.length > 1 && off.every(isCut) ? "cut" : "rounded on the way");
-}
-
-// Which entries are wrong: beyond the band, or, where none is, beyond what is right.
-export function beyond(mine, right, { band, allowed }) {
-  const past = (most) => mine.map((x, i) => Math.abs(x - right[i]) > most[i]);
-  const wrong = past(band);
-  return wrong.includes(true) ? wrong : past(allowed);
+  return total;
 }

@@ -25,7 +25,6 @@ FRAMES = [T[:3, :3] for T in UR.frames(BENT)]
 J = UR.jacobian(BENT)
 SLEDGE = Arm("sledge", [prismatic(alpha=H, theta=H), prismatic()])
 CIRCLE = motion.circle((0.3, 0.0, 0.3), 0.1, "xz", 5.0, 40)
-MAKERS = np.array([1, -1, 1, -1, 1, 1, -1])
 
 
 def jacobian(M, arm=UR10E, **options):
@@ -64,18 +63,6 @@ def craig(rows):
     return np.column_stack([np.vstack([rows[1:, :2], [0, 0]]), rows[:, 2:]])
 
 
-def branches(change, q, arm, solver):
-    found = solver(arm, KNOWN[NAMES[arm.name]].tip(q))
-    return checks.compare_branches([np.round(change(np.array(q)), 4)], found)
-
-
-NAMES = {"UR10e": "UR10E", "Stanford arm": "STANFORD"}
-
-
-def times(*factors):
-    return lambda q: q * factors
-
-
 def pose(change=np.array, more=(0,) * 6, q=BENT):
     """The UR10e's joints q, rounded, with something added, for the pose of BENT, changed."""
     return checks.compare_pose(q.round(4) + more, UR10E, change(UR.tip(BENT)))
@@ -99,7 +86,7 @@ def run(slides):
 
 
 CAUSES = {
-    "J.frame linear": lambda: jacobian(np.vstack([FRAMES[3].T @ J[:3], J[3:]])),
+    "J.frame linear": lambda: jacobian(np.vstack([FRAMES[6].T @ J[:3], J[3:]])),
     "J.frame turned back": lambda: jacobian(np.vstack([FRAMES[6] @ J[:3], FRAMES[6] @ J[3:]])),
     "J.frame turned back, frame 3": lambda: jacobian(
         np.vstack([FRAMES[3] @ J[:3], FRAMES[3] @ J[3:]]), frame=3
@@ -112,9 +99,6 @@ CAUSES = {
     "table.twists": lambda: jacobian(
         UR.with_rows([(k, a, -alpha, d, t) for k, a, alpha, d, t in UR.rows]).jacobian(BENT)
     ),
-    "tau.joints reversed": lambda: checks.compare_torques(
-        (MAKERS * weight(KNOWN["PANDA"], LINKS, MAKERS * SEVEN)).round(3), PANDA, SEVEN
-    ),
     "table.centimetres": lambda: table(lambda rows: rows * [100, 1, 100, 1]),
     "table.twists in degrees": lambda: table(
         lambda rows: rows * [1, 180 / math.pi, 1, 1], HOMEWORK, UR10E_HOMEWORK
@@ -124,15 +108,9 @@ CAUSES = {
     "table.into craig": lambda: table(craig),
     "table.number and sign": lambda: table(put(3, 0, -0.1), KNOWN["PANDA"], PANDA),
     "table.angle": lambda: table(put(1, 1, 1.0)),
-    "ik.signs": lambda: branches(times(-1, 1, -1, 1, -1, 1), BENT, UR10E, inverse.ur),
-    "ik.slide in centimetres": lambda: branches(
-        times(1, 1, 100, 1, 1, 1), BENT, STANFORD, inverse.stanford
-    ),
     "pose.millimetres": lambda: pose(scaled(1000)),
-    "pose.centimetres": lambda: pose(scaled(100)),
+    "ik.exchanged": lambda: pose(q=BENT[[0, 1, 2, 5, 4, 3]]),
     "pose.transposed": lambda: pose(transposed),
-    "pose.joint": lambda: pose(more=[0, 0, 0, 0.3, 0, 0]),
-    "pose.exchanged": lambda: pose(q=BENT[[0, 1, 2, 5, 4, 3]]),
     "trace.axes exchanged": lambda: run(CIRCLE.positions[:, [0, 2]]),
     "trace.phase": lambda: run(
         np.roll(CIRCLE.positions[:-1, [2, 0]], 7, axis=0)[[*range(40), 0]]
@@ -142,17 +120,11 @@ CAUSES = {
 
 
 SAID = {
-    "J.frame turned back": "turned by R_6 instead of its transpose",
-    "J.frame turned back, frame 3": "turned by R_3 instead of its transpose",
-    "J.frame linear": "the linear rows are in the axes of frame 3, not of the base.",
+    "J.frame linear": "the linear rows are in the axes of frame 6: turn them into those of the base.",
     "table.offset": "the offset of theta in row 2 is forgotten.",
-    "tau.joints reversed": "yours counts q_2, q_4 and q_7 the other way",
     "table.number and sign": "a in row 3 is wrong, and goes the other way (you have -0.1).",
     "table.angle": f"alpha in row 1 is {90 - math.degrees(1):.1f}° off (you have 1).",
-    "ik.signs": "q_1, q_3, q_5 have the wrong sign",
     "trace.axes exchanged": "the x and z coordinates are exchanged.",
-    "pose.joint": "°: with another value of q_4 alone they would.",
-    "pose.exchanged": "°: with q_4 and q_6 exchanged they would.",
 }
 
 
@@ -169,18 +141,12 @@ def put_in(*places):
     ("change", "more", "causes"),
     [
         (np.array, [0, 0.3, 0, 0.2, 0, 0], ()),
-        (np.array, [0, 0.3, 0, 0, 0, 0], ("pose.joint:q_2",)),
-        (lambda T: T[:3, 3], [0, 0.3, 0, 0, 0, 0], ()),  # a point leaves more to chance
-        (lambda T: T[:3], [0, 0, 0, 0, 0, 2.5], ("pose.joint:q_6",)),
-        (lambda T: T.round(3), [0, 0.3, 0, 0, 0, 0], ("pose.joint:q_2",)),
-        (lambda T: T.round(3), [0, 0.01, 0, 0, 0, 0], ()),  # may be a little of each joint
+        (np.array, [0, 0.3, 0, 0, 0, 0], ()),  # a number that fits is no cause
         (put_in((0, 3), (2, 3)), [0] * 6, ("pose.entry",)),
         (put_in((0, 1), (2, 2)), [0] * 6, ("pose.entry",)),
-        # Square axes, and three entries off: q is wrong, not T.
-        (np.array, [0.003, 0, 0, 0, 0, 0.003], ()),
     ],
 )
-def test_one_joint_or_few_entries_are_named_only_where_they_explain_all(change, more, causes):
+def test_few_wrong_entries_of_a_target_are_located(change, more, causes):
     assert pose(change, more).causes == causes
 
 
@@ -302,6 +268,6 @@ def test_half_a_jacobian_is_right_so_far(half, other):
     (finding,) = report.findings
     assert (finding.what, finding.where) == ("missing", f"{other} rows")
     assert str(report).splitlines()[1:] == [
-        f"- Still to come: the three {other} rows.",
+        f"- Add the three {other} rows.",
         f"- Taken as the three {half} rows",
     ]

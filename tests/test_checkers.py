@@ -33,7 +33,9 @@ q1, q2, q3 = sp.symbols("q_1 q_2 q_3")
 
 def test_cut_digits_are_told_and_a_tolerance_is_obeyed():
     cut = np.trunc(J3 * 1e4) / 1e4
-    assert checks.compare_jacobian(cut, ELBOW, Q).grade == "rounded"
+    report = checks.compare_jacobian(cut, ELBOW, Q)
+    assert report.agrees
+    assert "your digits are cut" in str(report)
     off = J3 + 1e-3
     assert checks.compare_jacobian(off, ELBOW, Q, tolerance=1.1e-3).agrees
     assert checks.compare_jacobian(off, ELBOW, Q, tolerance=0.9e-3).grade == "wrong"
@@ -257,8 +259,7 @@ LEVEL, BENT_OVER = (
     elbow(ELBOW, point)
     for point in ((0.4, 0.2, 0.7), forward_kinematics(ELBOW, [0.1, 0.2, 0.8])[:3, 3])
 )
-WHOLE = KNOWN["PANDA"].jacobian(BENT)
-MAKERS = [1, -1, 1, -1, 1, 1, -1]
+WHOLE = KNOWN["PANDA"].jacobian(np.multiply(BENT, [1, 1, 0, 1, 1, 1, 1]))
 SLIPS = {
     "1": (table(HEADS, PANDA), "table.alpha and theta"),
     "2": (table(PANDA_HOMEWORK, PANDA), "table.length:a_3:a_6"),
@@ -271,10 +272,10 @@ SLIPS = {
         partial(checks.compare_torques, heights(PANDA, HOME, CENTRES), PANDA, HOME),
         "tau.energy",
     ),
-    "7": (torques(PAPERS_WEIGHT - FORCE), "tau.craig centres"),
+    "7": (torques(PAPERS_WEIGHT - FORCE), "tau.paper centres"),
     "7, the force reversed": (
         torques(PAPERS_WEIGHT + FORCE),
-        "tau.craig centres + tau.force sign",
+        "tau.paper centres + tau.force sign",
     ),
     "8": (torques(WEIGHT * 9.8 / 9.81 - FORCE), "tau.gravity:9.8"),
     "9": (table(UR10E_HOMEWORK, UR10E), "table.robot:UR10"),
@@ -294,22 +295,18 @@ SLIPS = {
         ),
         "pose.entry",
     ),
-    "18": (partial(checks.compare_pose, [0] * 6, UR10E_HOMEWORK, HALF_TURN), "pose.half turn:z"),
+    "18": (partial(checks.compare_pose, [0] * 6, UR10E_HOMEWORK, HALF_TURN), "pose.half turn"),
     "22": (branches(*FOUR[1:3]), "ik.one sign"),
     "23": (branches((0, H + LOW, -H), found=elbow(ELBOW, (0, 0, 0.0))), "ik.half turn:q_2"),
     "24": (torques(-WEIGHT - FORCE), "tau.weight sign"),
-    "25": (jacobian(np.delete(WHOLE, 2, axis=1), PANDA, BENT), "J.column missing:3"),
+    "25": (jacobian(np.delete(KNOWN["PANDA"].jacobian(BENT), 2, axis=1), PANDA, BENT), "J.column missing:3"),
     "26": (table(PAGES, PANDA), "table.mixed units"),
     "27": (
         partial(checks.compare_pose, Q, THREE, O_3.format("c1*s2*c3 - s1*c2*c3")),
         "pose.coordinate",
     ),
-    "theta_1 + pi, the rest unchanged": (branches((math.pi, LOW, -H)), "ik.mixed"),
+    "theta_1 + pi, the rest unchanged": (branches((math.pi, LOW, -H)), "ik.shoulder"),
     "force reversed": (torques(WEIGHT + FORCE), "tau.force sign"),
-    "the maker's directions": (
-        torques((WEIGHT - FORCE) * MAKERS),
-        "tau.signs:tau_2, tau_4 and tau_7",
-    ),
 }  # fmt: skip
 
 

@@ -54,9 +54,9 @@ HOME = forward_kinematics(UR10E_HOMEWORK, np.zeros(6))
 
 def test_a_joint_off_at_home_is_no_matter_of_degrees():
     found = inverse.ur(UR10E_HOMEWORK, HOME)
-    report = checks.compare_branches([[0, 0, 0, 0, 0, 0.1]], found)
+    report = checks.compare_branches([[0, 0, 0, 0, 0, 0.25]], found)
     assert report.causes == ()
-    assert "misses the target by 0 mm and 5.73°: q_6 agrees with no branch" in str(report)
+    assert "misses the target by 0 mm and 14.3°: q_6 agrees with no branch" in str(report)
     assert "the 8 branches are only 1 here" in str(report)
     assert checks.compare_branches([[0.0] * 6], found).grade == "right"
     pose = checks.compare_pose([0, 0, 0, 0, 0, 0.1], UR10E_HOMEWORK, HOME)
@@ -85,4 +85,4 @@ def test_whole_degrees_that_are_exact_are_right():
     exact = [q for q in np.degrees(found.q[found.valid]) if abs(q - np.round(q)).max() < 1e-6]
     report = checks.compare_branches(np.round(exact), found, angles="deg")
     assert exact
-    assert "so far: give more digits" not in str(report)
+    assert "so far" not in report.headline

@@ -67,22 +67,22 @@ class Held:
         ([1, 2], [1, 2], [1, 1]),
         (np.array([1, 2], dtype=np.int8), [1, 2], [1, 1]),
         (7, 7, 1),
-        ([[1.5, 2], [3, 4.25]], [[1.5, 2], [3, 4.25]], [[0.01] * 2] * 2),
-        (((1.5, 2), [3, 4]), [[1.5, 2], [3, 4]], [[0.1] * 2] * 2),
-        (Frame([[1.5, 2]]), [[1.5, 2]], [[0.1] * 2]),
-        (Held(), [1.5, 2], [0.1, 0.1]),
-        ({"a": [1.5], "b": [2]}, [[1.5], [2]], [[0.1], [0.1]]),
-        (np.ma.array([1.5, 2.0]), [1.5, 2], [0.1, 0.1]),
-        (["1.50", 2], [1.5, 2], [0.01, 0.01]),
+        ([[1.5, 2], [3, 4.25]], [[1.5, 2], [3, 4.25]], [[0.1, 1], [1, 0.01]]),
+        (((1.5, 2), [3, 4]), [[1.5, 2], [3, 4]], [[0.1, 1], [1, 1]]),
+        (Frame([[1.5, 2]]), [[1.5, 2]], [[0.1, 1]]),
+        (Held(), [1.5, 2], [0.1, 1]),
+        ({"a": [1.5], "b": [2]}, [[1.5], [2]], [[0.1], [1]]),
+        (np.ma.array([1.5, 2.0]), [1.5, 2], [0.1, 1]),
+        (["1.50", 2], [1.5, 2], [0.01, 1]),
         (["1.5", "pi"], [1.5, math.pi], [0.1, 0]),
-        ([np.float64(1.5), "2"], [1.5, 2], [0.1, 0.1]),
+        ([np.float64(1.5), "2"], [1.5, 2], [0.1, 1]),
         ([sp.Float(1.5), sp.Rational(1, 4)], [1.5, 0.25], [0.1, 0]),
         ([sp.Float(1.5), sp.sin(sp.pi / 6)], [1.5, 0.5], [0.1, 0]),
-        (sp.Matrix([[1.5, 2]]), [[1.5, 2]], [[0.1] * 2]),
-        ([sp.Matrix([1.5]), [[2]]], [[[1.5]], [[2]]], [[[0.1]], [[0.1]]]),
-        ("1.50 2", [[1.5, 2]], [[0.01] * 2]),
-        ("a b\n1.5 2\n3 4", [[1.5, 2], [3, 4]], [[0.1] * 2] * 2),
-        ("1.0e+03 *\n 0.125 -2.5\n 1 2", [[125, -2500], [1000, 2000]], [[1.0] * 2] * 2),
+        (sp.Matrix([[1.5, 2]]), [[1.5, 2]], [[0.1, 1]]),
+        ([sp.Matrix([1.5]), [[2]]], [[[1.5]], [[2]]], [[[0.1]], [[1]]]),
+        ("1.50 2", [[1.5, 2]], [[0.01, 1]]),
+        ("a b\n1.5 2\n3 4", [[1.5, 2], [3, 4]], [[0.1, 1], [1, 1]]),
+        ("1.0e+03 *\n 0.125 -2.5\n 1 2", [[125, -2500], [1000, 2000]], [[1, 100], [1, 1000]]),
         ("1e3*0.125 1.25*1e2", [[125, 125]], [[0, 1]]),
     ],
     ids=str,
@@ -173,13 +173,13 @@ def joints(q, angles="rad"):
             [90, 0.25, 45.25],
             "deg",
             [H, 0.25, math.radians(45.25)],
-            [0.01 * H / 90, 0.01, 0.01 * H / 90],
+            [H / 90, 0.01, 0.01 * H / 90],
         ),
-        ([1.25, 0.25, 0.5], "rad", [1.25, 0.25, 0.5], [0.01] * 3),
-        ("1.25, 0.25, 0.5", "rad", [1.25, 0.25, 0.5], [0.01] * 3),
-        ("1.25\n0.25\n0.5", "rad", [1.25, 0.25, 0.5], [0.01] * 3),
-        ("q1=1.25, θ_2: 0.25, \\theta_{3} = 0.5", "rad", [1.25, 0.25, 0.5], [0.01] * 3),
-        ([[1.25], [0.25], [0.5]], "rad", [1.25, 0.25, 0.5], [0.01] * 3),
+        ([1.25, 0.25, 0.5], "rad", [1.25, 0.25, 0.5], [0.01, 0.01, 0.1]),
+        ("1.25, 0.25, 0.5", "rad", [1.25, 0.25, 0.5], [0.01, 0.01, 0.1]),
+        ("1.25\n0.25\n0.5", "rad", [1.25, 0.25, 0.5], [0.01, 0.01, 0.1]),
+        ("q1=1.25, θ_2: 0.25, \\theta_{3} = 0.5", "rad", [1.25, 0.25, 0.5], [0.01, 0.01, 0.1]),
+        ([[1.25], [0.25], [0.5]], "rad", [1.25, 0.25, 0.5], [0.01, 0.01, 0.1]),
     ],
 )
 def test_one_joint_vector(q, angles, values, units):
@@ -373,7 +373,7 @@ def test_a_matrix_may_come_in_a_stack_of_one_and_in_one_line():
     for mine in (J[None], J[:, None], J[:, :, None], J.ravel()[None], J.ravel()[:, None]):
         report = compare_jacobian(mine, ELBOW, Q3)
         assert report.agrees, np.shape(mine)
-        assert "4 decimals" in report.headline
+        assert "to the digits you gave" in report.headline
     assert compare_jacobian(J.ravel()[None][None], ELBOW, Q3).agrees
     one = Arm("one", [revolute(a=0.3)])
     assert compare_jacobian(jacobian(one, [0.5]).round(4)[None], one, [0.5]).agrees
@@ -429,19 +429,8 @@ def test_how_a_function_was_called_is_told_whatever_it_gave(found):
     assert "Taken as f(table, q), called with the arm's rows (a, alpha, d, theta)" in str(report)
 
 
-@pytest.mark.parametrize(
-    ("digits", "off", "named"),
-    [
-        (1, 0, True),
-        (1, 0.1, False),
-        (2, 0.02, True),
-        (2, 0.04, False),
-        (6, 9e-4, True),
-        (6, 2e-3, False),
-    ],
-)
-def test_a_column_left_out_is_named_where_the_others_are_near(digits, off, named):
-    """Without column 2 and without column 3 the matrices are up to 0.28 apart here."""
+@pytest.mark.parametrize(("digits", "off", "named"), [(3, 0, True), (3, 0.02, False)])
+def test_a_column_left_out_is_named_where_the_others_are_right(digits, off, named):
     q = [0.5, 0.8, -0.4]
     mine = np.delete(jacobian(ELBOW, q), 1, axis=1)
     mine[2, 1] += off
@@ -459,53 +448,30 @@ LOCKED_TOO = WHOLE.jacobian([Q3[0], 0.0, *Q3[1:]])
 @pytest.mark.parametrize(
     ("k", "column", "what", "words"),
     [
-        (2, lambda J: -J[:, 2], "J.column sign:4", "its sign is reversed, as if"),
-        (2, lambda J: np.roll(J[:, 2], 3), "J.column halves", "its linear and angular halves"),
         (2, lambda J: J[:, 1], "J.column of", "this is the column of joint 3."),
-        (2, lambda J: LOCKED_TOO[:, 1], "J.column of locked", "this is the column of joint 2,"),
-        (2, lambda J: J[:, 2] + [0.1, 0, 0, 0, 0.2, 0], "column", "wrong in vx and wy."),
-        (2, lambda J: J[:, 2] * [-1, 1, 1, 1, 1, 1], "column", "the sign is reversed in vx."),
-        (
-            2,
-            lambda J: [-1, 1, 1, 1, 1, 1] * J[:, 2] + 0.3 * np.eye(6)[5],
-            "column",
-            "wrong in vx and wz.",
-        ),
-        (1, lambda J: recipe(MIXED, Q3, axis=1)[:, 1], "J.one frame late", "axes and origins"),
+        (2, lambda J: LOCKED_TOO[:, 1], "J.column of", "this is the column of joint 2."),
+        (2, lambda J: J[:, 2] + [0.1, 0, 0, 0, 0.2, 0], "column", "look again at vx and wy."),
+        (2, lambda J: J[:, 2] * [-1, 1, 1, 1, 1, 1], "column", "turn the sign of vx."),
     ],
 )
 @pytest.mark.parametrize("frame", [0, 3])
 def test_a_column_that_is_wrong_beside_another(k, column, what, words, frame):
     J = in_frame(MIXED, Q3, MIXED.jacobian(Q3), frame)
     mine = column(J)
-    if "locked" in what or "late" in what:
+    if words.endswith("joint 2."):
         mine = in_frame(MIXED, Q3, np.c_[mine], frame)[:, 0]
     J = np.c_[J[:, :k], mine, J[:, k + 1 :]]
     J[:, 0] += np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
-    where, every = (
-        f"column {k + 1}",
-        ["vx, vy, vz, wx, wy and wz", "vx, vy and vz", "wx, wy and wz"],
-    )
-    halves = what in ("J.column sign:4", "J.column of", "J.column of locked")
-    for rows, names in zip((slice(6), slice(3), slice(3, 6)), every, strict=True):
-        if rows == slice(6) or halves:
-            report = compare_jacobian(J[rows].round(5), arm_of(MIXED), Q3, frame=frame)
-            first, second = report.findings
-            assert first.words == f"Column 1 (joint 1): wrong in {names}."
-            assert (second.what, second.where) == (what, where)
-            assert second.words.startswith(f"Column {k + 1} (joint {(1, 3, 4)[k]}): {words}")
-            assert report.headline.endswith(f"is not right in column 1 and {where}.")
+    report = compare_jacobian(J.round(5), arm_of(MIXED), Q3, frame=frame)
+    first, second = report.findings
+    assert first.where == "column 1"
+    assert (second.what, second.where) == (what, "column 3")
+    assert second.words == f"Column 3 (joint 4): {words}"
+    assert report.headline.endswith("is not right in column 1 and column 3.")
 
 
-def test_an_entry_that_is_wrong_besides_a_cause():
-    J = -MIXED.jacobian(Q3)
-    J[0, 1] += 0.3
-    cause, column = compare_jacobian(J.round(5), arm_of(MIXED), Q3).findings
-    assert (cause.words, column.what, column.where) == (
-        "Perhaps every sign is reversed.",
-        "column",
-        "column 2",
-    )
-    assert "joint 3" in column.words
-    assert "vx" in column.words
-    assert "vy" not in column.words
+def test_a_slip_in_one_column_alone_is_named():
+    J = MIXED.jacobian(Q3)
+    J[:, 2] = recipe(MIXED, Q3, axis=1, origin=1)[:, 2]
+    report = compare_jacobian(J.round(5), arm_of(MIXED), Q3)
+    assert report.causes[0] == "J.in column:4:J.one frame late", str(report)

@@ -202,7 +202,7 @@ def test_the_examples_name_their_mistakes():
         ["J.z_i angular"],
         ["tau.force sign"],
         ["table.craig"],
-        ["ik.plus for minus", "ik.sign:q_3"],
+        ["ik.mixed", "ik.plus for minus"],
         ["ik.offset:q_4"],
         ["trace.backwards"],
     ]

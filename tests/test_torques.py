@@ -17,7 +17,9 @@ ARM = heavy(MIXED, HEAVY)
 F = np.array([3.0, -7, 11, 0.5, -2, 1.5])
 BENT = np.array([0.4137, 0.3281, -0.9452])
 Q2, Q3 = (BENT + np.outer(np.linspace(0, 1, n), [0.1, 0.2, 0.5]) for n in (2, 3))
+LINKS = "links of 2.5, 0, 1.7, 0.9 kg under g = 9.81 m/s²"
 LEFT = "a list per joint, turned round: a row per pose"
+LOCKED = "all joints, of which 2 is set aside: it is locked"
 OFF = np.eye(3)
 
 
@@ -47,20 +49,18 @@ def verdict(mine, q=BENT, **options):
         (TAU2.T, Q2, (LEFT,)),
         (TAU2[:, None], Q2[:, None], ()),
         (TAU2[..., None], Q2[None], ()),
-        (np.c_[np.zeros(2), TAU2], Q2, None),
-        (np.c_[np.zeros(4), torques(np.r_[Q2, Q2])].T, np.r_[Q2, Q2], None),
+        (np.insert(TAU2, 1, 0.7, axis=1), Q2, (LOCKED,)),
+        (np.insert(TAU3, 1, 0.7, axis=1).T, Q3, (LEFT, LOCKED)),
+        (np.insert(TAU, 1, 0.7), BENT, (LOCKED,)),
         (TAU2[:1], Q2[:1], ()),
         (TAU[:, None], BENT, ()),
     ],
 )
 def test_torques_are_set_upright_and_that_is_said(mine, q, taken):
     report = verdict(np.round(mine, 5), q)
-    if taken is None:
-        assert report.causes == ("tau.shape",)
-    else:
-        assert (report.grade, report.taken) == ("right", taken)
-        assert report.figures["right"] == 3
-        assert "to the 5 decimals" in report.headline
+    assert (report.grade, report.taken) == ("right", (*taken, LINKS))
+    assert report.figures["right"] == 3
+    assert "to the digits you gave" in report.headline
 
 
 @pytest.mark.parametrize(
@@ -71,9 +71,9 @@ def test_a_square_is_not_turned(by, cause):
     mine = (TAU3 @ by if np.ndim(by) else by * TAU3).round(4)
     for some, causes in ((mine, (cause,)), (mine.T, ())):
         report = verdict(some, Q3)
-        assert (report.taken, report.causes) == ((), causes)
+        assert (report.taken, report.causes) == ((LINKS,), causes)
     nearly = verdict((TAU3 + 0.1 * OFF[2][:, None] * OFF[1]).round(4), Q3)
-    assert str(nearly.findings[0]) == "Joint 3: it is off by up to 0.1 N."
+    assert str(nearly.findings[0]) == "Joint 3: off by up to 0.1 N."
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,6 @@ def test_a_square_is_not_turned(by, cause):
     [
         (TAU2[:, :2], Q2, "2x2", "2x3"),
         (TAU2[:1], Q2, "1x3", "2x3"),
-        (np.c_[np.ones(2), TAU2], Q2, "2x4", "2x3"),
         (TAU2[:, :1], Q2, None, None),
         (7.5, BENT, None, None),
         (TAU[:2], BENT, "2", "3"),
@@ -96,7 +95,7 @@ def test_what_has_another_shape(mine, q, shape, wanted):
     assert (finding.mine, finding.expected) == (np.shape(mine), (len(np.atleast_2d(q)), 3))
     shape = "One number for a pose is the" if shape is None else f"Its shape is {shape};"
     assert finding.words.startswith(shape)
-    assert wanted is None or f"expected {wanted}, one torque for each of 3 joints" in finding.words
+    assert wanted is None or f"give {wanted}, one torque for each of 3 joints" in finding.words
     assert report.headline.startswith(f"The torques of your arm are not right: {shape[:3].lower()}")
 
 
@@ -168,10 +167,10 @@ def test_digits_of_q_that_are_not_written_may_change_the_torques(digits, share, 
         assert verdict(torques(q + off).round(6), shown).grade in grades
 
 
-@pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.0012, "rounded"), (0.5, "wrong")])
+@pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.001, "rounded"), (0.5, "wrong")])
 @pytest.mark.parametrize("at", [0, 1, 33, 59])
 def test_a_pose_between_those_that_are_tried_counts(off, grade, at):
-    """Of sixty poses 25 are tried, the second is none of them."""
+    """Of sixty poses five are tried, the second is none of them."""
     q = np.linspace(BENT, 1.3 * BENT, 60)
     mine = torques(q)
     mine[at, 1] += off
@@ -181,7 +180,7 @@ def test_a_pose_between_those_that_are_tried_counts(off, grade, at):
     assert report.figures["worst"] == pytest.approx(off, abs=6e-4)
     if grade == "wrong":
         assert [f.where for f in report.findings] == ["joint 3"]
-        assert str(report.findings[0]).startswith("Joint 3: it is off by up to 0.")
+        assert str(report.findings[0]).startswith("Joint 3: off by up to 0.")
 
 
 @pytest.mark.parametrize(
@@ -189,11 +188,11 @@ def test_a_pose_between_those_that_are_tried_counts(off, grade, at):
     [
         (
             TAU3 * (1 - 2 * OFF[2]) - 0.75 * OFF[1],
-            ["Joint 3: it is off by up to 0.75 N.",
-             "Joint 4: its sign is reversed, as if the joint counted the other way."],
+            ["Joint 3: off by up to 0.75 N.",
+             "Joint 4: turn its sign."],
             {},
         ),
-        (TAU3 + 0.3 * OFF[0] + 0.1, ["Joint 1: it is off by up to 0.4 N m."], {"tolerance": 0.2}),
+        (TAU3 + 0.3 * OFF[0] + 0.1, ["Joint 1: off by up to 0.4 N m."], {"tolerance": 0.2}),
         (TAU3 + 0.3 * OFF[0] + 0.1, [], {"tolerance": 0.5}),
     ],
 )  # fmt: skip
@@ -203,37 +202,3 @@ def test_joints_that_are_wrong(mine, said, options):
     assert (report.grade == "wrong") == bool(said)
     alone = verdict(mine[0].round(4), **options)
     assert [f.words for f in alone.findings] == [x.replace("up to ", "") for x in said]
-
-
-def test_what_is_nearer_to_a_known_mistake_than_the_digits_allow_is_wrong():
-    """Up to 1.9 units off, which might be rounding on the way, and fit for g = 9.8 m/s^2."""
-    right = torques([0.414, 0.328, -0.945])
-    mine = [-1.26, -7.04, -3.64]
-    report = verdict("-1.26, -7.04, -3.64", "0.414, 0.328, -0.945")
-    off = np.abs(right - mine)
-    assert (off > 0.0051).tolist() == [True, False, True]
-    assert [str(f) for f in report.findings] == [
-        f"Joint {joint}: it is off by {x:.3g} N m." for joint, x in ((1, off[0]), (4, off[2]))
-    ]
-
-
-@pytest.mark.parametrize(
-    ("cause", "slip", "poses", "off"),
-    [
-        ("tau.all signs", lambda tau: -tau, 3, "joint 1: up to 2 N m"),
-        ("tau.newton millimetres", lambda tau: 1000 * tau, 2, "joint 3: up to 2 N"),
-        ("tau.reversed order", lambda tau: tau[:, ::-1], 3, "joint 4: up to 2 N m"),
-        ("tau.all signs", lambda tau: -tau, 60, "joint 1: up to 2 N m at the 25 poses tried"),
-    ],
-)
-def test_what_is_besides_a_cause_is_counted_from_what_the_cause_gives(cause, slip, poses, off):
-    q = BENT + np.outer(np.linspace(0, 1, poses), [0.1, 0.2, 0.5])
-    where, by = off.split(": ")
-    mine = torques(q)
-    mine[0] += 2 * OFF[[1, 3, 4].index(int(where[-1]))]
-    report = verdict(slip(mine).round(4), q)
-    assert report.causes == (cause,)
-    [finding] = report.findings[1:]
-    besides = "has something else besides: once that is mended, it is still off by"
-    assert str(finding) == f"{where.capitalize()} {besides} {by}."
-    assert finding.where == where

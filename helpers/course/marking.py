@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 _FEW_DIGITS = 0.9  # the credit of an answer that is right as far as its digits go
 _MOST = 8000  # characters: the longest right column has 3473
-_COARSE = 0.05  # of the largest right entry: a unit of the last place above it tells nothing
+_COARSE = 0.05  # of the largest right entry: a finest last place above it tells nothing
 _ANYTHING = re.compile(r"[^\W0_]")  # a letter or a digit but 0
 
 
@@ -75,7 +75,7 @@ def _compared(question: Question, part: Part, answer: Any) -> Mark:
         typed = _typed(part, answer)
         credit = _share(part, typed, report)
         report = _report(question, part, answer, None)
-        fine = typed is None or (typed.units <= _COARSE * np.abs(part.value).max()).all()
+        fine = typed is None or typed.units.min() <= _COARSE * np.abs(part.value).max()
         if report.grade != "wrong" and fine and (part.kind != "branches" or credit == 1):
             credit = _FEW_DIGITS
     causes = () if credit == 1 else report.causes

@@ -3,41 +3,38 @@
 import { DEG } from "../geometry/angles.js";
 import { turning } from "../reading/numbers.js";
 import { listed, lower, say, size } from "../sentences.js";
-import { gapBetween, gapOf, marginsOf, missOf } from "../topics/branches_matching.js";
-import { double, kept, scales, single, variable, whole } from "./joints.js";
-import { cause, nameOf, several } from "./ranking.js";
+import { isBranch, jointsOf, missOf, reaches } from "../topics/branches_matching.js";
+import { slips, variable } from "./joints.js";
+import { both, cause, nameOf, several, wordsOf } from "./ranking.js";
+import { wrongTables } from "./tables.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../report.js").Finding} Finding */
+/** @typedef {import("../topics/branches.js").Right} Right */
+/** @typedef {import("../topics/branches.js").Answer} Answer */
 
-// told rather than that joints of two branches are mixed
-const OF_ONE_STEP = ["ik.sign", "ik.plus for minus"];
+const COARSE = 0.0175; // rad or m: with a unit above one degree some slip would fit anything
+const QUARTER = Math.PI / 2;
+const NUDGE = 1e-6; // rad or m: a difference for a derivative
 
-const VAGUE = 0.025; // rad: with a wider margin any slip would explain anything
-
-/** @returns {{ causes: Cause[], finding: Finding }} */
-export function wrongAnswer(right, { values, units }, number, tolerance) {
-  const margin = marginsOf(units, tolerance, true);
-  const where = `answer ${number}`;
+/**
+ * @param {Right} right @param {Answer} answer
+ * @returns {{ causes: Cause[], finding: Finding }}
+ */
+export function wrongAnswer(right, answer, number, tolerance) {
+  const where = say("answer", { number });
   const plainly = (key) => ({
     causes: [],
     finding: { what: "answer", where, words: say(key, { number }) },
   });
   if (!right.branches.length) return plainly("ik no branch");
-  const miss = missOf(
-    right,
-    values,
-    units.map(() => 0),
-  );
-  if (!miss) return plainly("ik unlisted");
-  const { causes, words } = why(right, values, margin);
-  const turn = values.length >= 6 ? turnOf(miss[1]) : "";
-  const off = say("ik off", { millimetres: millimetres(miss[0]), turn });
-  const said = say("ik answer", { number, off, words });
-  return {
-    causes,
-    finding: { what: causes.length ? nameOf(causes[0]) : "answer", where, words: said },
-  };
+  if (reaches(right, answer.values)) return plainly("ik unlisted");
+  const [away, turned] = missOf(right, answer.values);
+  const { causes, words } = why(right, answer, tolerance);
+  const turn = answer.values.length >= 6 ? turnOf(turned) : "";
+  const off = say("ik off", { millimetres: millimetres(away), turn });
+  const what = causes.length ? nameOf(causes[0]) : "answer";
+  return { causes, finding: { what, where, words: say("ik answer", { number, off, words }) } };
 }
 
 // A length in m as so many digits of mm, not below a thousandth of one.
@@ -46,97 +43,106 @@ export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).to
 export const turnOf = (angle) =>
   say("ik turn", { degrees: size(Number((angle * DEG).toFixed(3))) });
 
-// What explains an answer: one slip, joints of two branches mixed, or two slips; or else the joints
-// in no branch.
+// Joints of two branches mixed, or one slip, or one slip and the shoulder turned over alone; or
+// else the joints that are in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
-function why(right, q, margin) {
-  const { arm, branches } = right;
-  const fits = branches.map((branch) => gapOf(arm, q, branch.q).map((x, k) => x <= margin[k]));
+function why(right, answer, tolerance) {
+  const fits = jointsOf(right, answer, tolerance);
   const mixed = mixedOf(right, fits);
-  const first = function* () {
-    yield* single(arm, q);
-    yield* whole(arm, q);
-    yield* kept(
-      q,
-      branches.map((branch) => branch.q),
-    );
-  };
-  // A slip in two joints can help where all the others are in one branch.
-  const near = branches.map((branch) =>
-    gapOf(arm, q, branch.q).map((x, k) => x <= 1.5 * margin[k]),
-  );
-  const worth = (i, j) => near.some((row) => row.every((is, k) => is || k === i || k === j));
-  const vague = turning(arm).some((turns, k) => turns && margin[k] > VAGUE);
-  for (const slips of [first(), double(arm, q, worth)]) {
-    const found = fitting(right, q, slips, margin).filter(([one]) => !vague || scales(one));
-    if (found.length) return slipped(right, found, mixed);
-    if (mixed) return { causes: [mixed.cause], words: mixed.words };
-  }
-  const astray = variable(arm).filter((_, k) => !fits.some((row) => row[k]));
-  const fields = { joints: listed(astray) };
-  const words =
-    astray.length > 1 ? say("ik in no branch", fields) : say("ik one in no branch", fields);
-  return { causes: [], words };
+  if (mixed) return orPlus(mixed, right, answer, tolerance);
+  const causes = mended(right, answer, tolerance);
+  if (causes.length) return { causes, words: lower(several(causes)) };
+  const astray = variable(right.arm).filter((_, k) => !fits.some((row) => row[k]));
+  const key = astray.length > 1 ? "ik in no branch" : "ik one in no branch";
+  return { causes: [], words: say(key, { joints: listed(astray) }) };
 }
 
-function slipped({ branches }, found, mixed) {
-  const all = found.map(([one]) => one);
-  const causes = all.filter(
-    (one, i) => all.findIndex((other) => nameOf(other) === nameOf(one)) === i,
-  );
-  const words = say("ik slip", {
-    cause: lower(several(causes, 2)),
-    branch: branches[found[0][1]].name,
-  });
-  const [key, second] = causes[0].keys;
-  if (!mixed || OF_ONE_STEP.includes(key) || second !== undefined) return { causes, words };
-  return {
-    causes: [...causes, mixed.cause],
-    words: say("ik or mixed", { words, mixed: mixed.words }),
-  };
+// In a plane arm slip 12 gives the other elbow's second angle: then both are said.
+function orPlus(mixed, right, answer, tolerance) {
+  const [plus] = slips(right.arm).filter(([{ keys }]) => keys.includes("ik.plus for minus"));
+  if (!plus || isBranch(right, undone(answer, plus[1]), tolerance) < 0) return mixed;
+  const words = say("or", { first: mixed.words, others: lower(wordsOf(plus[0])) });
+  return { causes: [...mixed.causes, plus[0]], words };
 }
 
-// The slips without which an answer would be a branch, and which; none that helps by less than
-// half, nor a scale where zero would fit as well.
-/** @returns {[Cause, number][]} */
-function fitting({ arm, branches }, q, slips, margin) {
+// Whether an answer with so few digits may be what a slip makes of the branch that it is.
+export const looksLikeSlip = (right, answer) =>
+  slips(right.arm).some(([, mend]) =>
+    right.branches.some(({ q, free }) => {
+      const made = { values: mend(q), units: answer.units };
+      const slipped = { ...right, branches: [{ q: made.values, free }] };
+      const both = isBranch(right, answer, null) >= 0 && isBranch(slipped, answer, null) === 0;
+      return both && changes(right, { values: q, units: q.map(() => 0) }, made);
+    }),
+  );
+
+// The slips without which an answer would be a branch, or would have reached the target by another
+// table; or else those without which only the shoulder would be another's.
+function mended(right, answer, tolerance) {
+  const each = [...slips(right.arm), ...kept(right, answer)];
+  const without = each.map(([one, mend]) => ({ cause: one, mended: undone(answer, mend) }));
+  const worth = without.filter((one) => fine(one.mended) && changes(right, answer, one.mended));
+  const by = (test) => worth.filter((one) => test(one.mended)).map((one) => one.cause);
+  const plain = by((one) => isBranch(right, one, tolerance) >= 0);
+  const arrives = (change) => reaches(right, answer.values, answer.units, change);
+  const changed = arrives() || !fine(answer) ? [] : wrongTables(right.arm);
+  const tables = changed.flatMap(([one, change]) => (arrives(change) ? [one] : []));
+  if (plain.length || tables.length) return distinct([...plain, ...tables]);
+  const turned = by((one) => shoulderAlone(jointsOf(right, one, tolerance)));
+  return distinct(turned).map((one) => both(one, cause("ik.shoulder")));
+}
+
+const fine = ({ units }) => Math.max(...units) <= COARSE;
+
+const distinct = (found) =>
+  found.filter((one, i) => found.findIndex((other) => nameOf(other) === nameOf(one)) === i);
+
+// An answer as it would be without a slip, and what its last places are worth then.
+function undone({ values, units }, mend) {
+  const without = mend(values);
+  const slope = values.map(
+    (_, k) => (mend(values.map((x, i) => (i === k ? x + NUDGE : x)))[k] - without[k]) / NUDGE,
+  );
+  return { values: without, units: units.map((u, k) => u * Math.abs(slope[k] || 1)) };
+}
+
+// Whether a slip changes more than the digits: near zero degrees and radians look alike.
+const changes = ({ arm }, { values, units }, without) => {
   const turns = turning(arm);
-  const before = branches.map((branch) => gapOf(arm, q, branch.q));
-  const largest = before.map((gaps) => Math.max(...gaps));
-  // The largest gap left of a branch, or null where one is too large.
-  const left = (mended, b) => {
-    let most = 0;
-    for (let k = 0; k < q.length; k++) {
-      const gap =
-        mended[k] === q[k] ? before[b][k] : gapBetween(turns[k], mended[k], branches[b].q[k]);
-      if (!(gap <= 1.5 * margin[k])) return null;
-      most = Math.max(most, gap);
-    }
-    return most;
-  };
-  const found = [];
-  for (const [one, mended] of slips) {
-    for (let b = 0; b < branches.length; b++) {
-      const gap = left(mended, b);
-      if (gap === null || gap > 0.5 * largest[b]) continue;
-      const zero = () => mended.map((x, k) => (x === q[k] ? x : 0));
-      if (!scales(one) || left(zero(), b) === null) found.push([one, b]);
-    }
-  }
-  return found;
+  return values.some((x, k) => {
+    const gap = Math.abs(x - without.values[k]) % (turns[k] ? 2 * Math.PI : Infinity);
+    return gap > Math.max(units[k], 1e-3);
+  });
+};
+
+/**
+ * theta_1 = +-pi/2 kept from the singular case of an offset shoulder: slips 14 and 15.
+ * @returns {[Cause, (q: number[]) => number[]][]}
+ */
+function kept({ branches }, { values: [first], units: [unit] }) {
+  if (Math.abs(Math.abs(first) - QUARTER) > Math.max(unit, 1e-4)) return [];
+  return branches.map((branch) => [cause("ik.quarter turn"), (q) => [branch.q[0], ...q.slice(1)]]);
 }
+
+// Whether some branch has all joints but the first, which is another's: chapter 5, report E's list.
+const shoulderAlone = (fits) =>
+  fits[0].length > 2 &&
+  fits.some(([first]) => first) &&
+  fits.some(([first, ...rest]) => !first && rest.every(Boolean));
 
 // Every joint in some branch: the branch with most of them, and the one that the others are from.
-/** @returns {{ cause: Cause, words: string } | null} */
+/** @returns {{ causes: Cause[], words: string } | null} */
 function mixedOf({ arm, branches }, fits) {
   const names = variable(arm);
   if (!names.every((_, k) => fits.some((row) => row[k]))) return null;
+  if (shoulderAlone(fits))
+    return { causes: [cause("ik.shoulder")], words: lower(say("ik.shoulder")) };
   const counts = fits.map((row) => row.filter(Boolean).length);
   const most = counts.indexOf(Math.max(...counts));
   const rest = names.flatMap((_, k) => (fits[most][k] ? [] : [k]));
   const other = fits.findIndex((row) => rest.every((k) => row[k]));
-  const one = cause("ik.mixed");
-  if (other < 0) return { cause: one, words: lower(say("ik.mixed")) };
+  const causes = [cause("ik.mixed")];
+  if (other < 0) return { causes, words: lower(say("ik.mixed")) };
   const fields = { joints: listed(rest.map((k) => names[k])), other: branches[other].name };
-  return { cause: one, words: say("ik mixed", { ...fields, most: branches[most].name }) };
+  return { causes, words: say("ik mixed", { ...fields, most: branches[most].name }) };
 }

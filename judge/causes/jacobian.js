@@ -1,198 +1,151 @@
-// What mistakes make of a right Jacobian: in the table or q (before), in the recipe, and in how it
-// is written down (after).
+// The slips that are known in a Jacobian: in the table or q it is made from (`change`), in the
+// recipe (`recipe`), and in how it is written down (`write`). Behind each, where it was seen: a
+// slip's number in homework.md, a chapter, or work that was handed in.
 
-import { DEG, RAD } from "../geometry/angles.js";
+import { RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
 import { numbered } from "../reading/numbers.js";
-import { cause } from "./ranking.js";
-
-const MILLIMETRES = 10; // a slide this long is in no metres
-const WRITING = [
-  "J.halves",
-  "J.millimetres",
-  "J.per degree",
-  "J.all signs",
-  "J.cross",
-  "J.frame",
-  "J.angular zero",
-  "J.transposed",
-];
+import { lower } from "../sentences.js";
+import { otherPoses, wrongTables } from "./tables.js";
+import { both, cause, nameOf, wordsOf } from "./ranking.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
-/** @typedef {{ right: number[], causes: Cause[], made: number[][] }} Catalogue */
+/** @typedef {import("../geometry/chains.js").Chain} Chain */
+/**
+ * One mistake: each of its steps is there if it is done otherwise.
+ * @typedef {{ cause: Cause, change?: (c: Chain) => Chain, recipe?: (c: Chain, T: any[]) =>
+ *   number[], write?: (J: number[], T: any[]) => number[] }} Step
+ */
 
-// An arm at a pose, with its rows in the axes of one frame: what the catalogues are made from.
-export function setting(arm, q, frame) {
-  const here = chains.chain(arm, q);
-  const T = chains.framesOf(here);
-  const right = chains.columns(here, T);
-  const seen = (J) => (frame ? chains.seenIn(J, T[frame]) : J);
-  const unseen = (J) => (frame ? chains.seenFrom(J, T[frame]) : J);
-  const befores = [...recipes(here), ...inUnits(here), ...inTables(arm, here)];
-  const at = { arm, frame, here, T, right, seen, unseen, befores, afters: [] };
-  at.afters = [...writings(at)];
-  return at;
+// A Jacobian with its rows in the axes of one frame, of any q, by steps some of which are wrong.
+export const jacobianOf =
+  (arm, frame, { change = same, recipe = chains.columns, write = same } = {}) =>
+  (q) => {
+    const c = change(chains.chain(arm, q));
+    const T = chains.framesOf(c);
+    const J = recipe(c, T);
+    return write(frame ? chains.seenIn(J, T[frame] ?? T.at(-1)) : J, T);
+  };
+
+const same = (x, ..._) => x;
+
+/** @returns {Step[]} */
+export function steps(arm, q, frame) {
+  const c = chains.chain(arm, q);
+  const changes = [...otherPoses("J.degrees", arm, q), ...wrongTables(arm)];
+  return [
+    ...changes.map(([one, change]) => ({ cause: one, change })),
+    ...Array.from(recipes(c), ([one, recipe]) => ({ cause: one, recipe })),
+    ...Array.from(writings(arm, c, frame), ([one, write]) => ({ cause: one, write })),
+  ];
 }
 
-/** @returns {Catalogue} */
-export function singles(at) {
-  const made = [
-    ...at.befores.map(([, J]) => at.seen(J)),
-    ...at.afters.map(([, after]) => after(at.right)),
-  ];
-  return {
-    right: at.seen(at.right),
-    causes: [...at.befores, ...at.afters].map(([one]) => one),
-    made,
-  };
+/** One slip each. @returns {import("./ranking.js").Slip[]} */
+export const single = (arm, frame, all) =>
+  all.map((one) => ({ cause: one.cause, make: jacobianOf(arm, frame, one) }));
+
+/** One slip in one column only. @returns {Generator<import("./ranking.js").Slip>} */
+export function* inOneColumn(arm, frame, all) {
+  const right = jacobianOf(arm, frame);
+  const joint = numbered(arm);
+  for (const { cause: one, recipe, write } of all) {
+    if (!(recipe || write) || "i" in one.fields[0]) continue;
+    const wrong = jacobianOf(arm, frame, { recipe, write });
+    for (const [k, i] of joint.entries()) {
+      const make = (q) => {
+        const J = right(q);
+        return wrong(q).map((x, n) => (n % joint.length === k ? x : J[n]));
+      };
+      const fields = { joint: i, slip: nameOf(one), _words: lower(wordsOf(one)) };
+      yield { cause: cause("J.in column", fields), make };
+    }
+  }
 }
 
 /**
- * Every pair of a mistake before and one in the writing; of two in the writing; and of a table with
- * a recipe.
- * @returns {Generator<[Cause[], number[]]>}
+ * Two slips in different steps, or two in the writing.
+ * @returns {Generator<import("./ranking.js").Slip>}
  */
-export function* pairs(at) {
-  for (const [second, after] of at.afters) {
-    for (const [first, J] of at.befores) yield [[first, second], after(J)];
-  }
-  const written = at.afters.filter(([one]) => WRITING.includes(one.keys[0]));
-  for (const [i, [first, one]] of written.entries()) {
-    for (const [second, two] of written.slice(i + 1)) {
-      yield [[first, second], one(at.unseen(two(at.right)))];
-      yield [[first, second], two(at.unseen(one(at.right)))];
-    }
-  }
-  const wrong = [...otherUnits(at.here), ...wrongTables(at.arm, at.here)];
-  const all = wrong.map(([, other]) => [...recipes(other)]);
-  for (const second of all[0].keys()) {
-    for (const [k, [first]] of wrong.entries()) {
-      yield [[first, all[k][second][0]], at.seen(all[k][second][1])];
+export function* pairs(arm, frame, all) {
+  for (const [n, first] of all.entries()) {
+    for (const second of all.slice(n + 1)) {
+      const two = joined(first, second);
+      if (two) yield { cause: both(first.cause, second.cause), make: jacobianOf(arm, frame, two) };
     }
   }
 }
 
-// The recipe
+function joined(first, second) {
+  if ((first.recipe && second.recipe) || (first.change && second.change)) return null;
+  if (!first.write || !second.write) return { ...first, ...second };
+  return { write: (J, T) => second.write(first.write(J, T), T) };
+}
 
-// The Jacobian with one step of its recipe done otherwise, in base axes.
+/**
+ * The recipe, with one step done otherwise.
+ * @returns {Generator<[Cause, (c: Chain, T: any[]) => number[]]>}
+ */
 export function* recipes(c) {
-  const T = chains.framesOf(c);
-  const late = c.at.map((i) => i + 1);
-  const [right, oneLate] = [
-    chains.columns(c, T),
-    chains.columns(c, T, { axis: late, origin: late }),
-  ];
-  yield [cause("J.z_i angular"), chains.halves(right, oneLate)];
-  yield [cause("J.one frame late"), oneLate];
-  yield [cause("J.z_i"), chains.columns(c, T, { axis: late })];
+  const by = (options) => (c1, T) => chains.columns(c1, T, options(c1));
+  const angular = (options) => (c1, T) =>
+    chains.halves(chains.columns(c1, T), chains.columns(c1, T, options(c1)));
+  const late = ({ at }) => at.map((i) => i + 1);
+  const counted = ({ at }) => at.map((_, k) => k);
+  yield [cause("J.z_i angular"), angular((c1) => ({ axis: late(c1) }))]; // slip 19
+  yield [cause("J.z_0 angular"), angular(({ at }) => ({ axis: at.map(() => 0) }))]; // handed in
+  // handed in
+  yield [cause("J.one frame late"), by((c1) => ({ axis: late(c1), origin: late(c1) }))];
+  yield [cause("J.z_i"), by((c1) => ({ axis: late(c1) }))]; // slip 19, in both halves
   if (c.at.some((i, k) => i !== k)) {
-    const count = c.at.map((_, k) => k);
-    yield [
-      cause("J.z counted on angular"),
-      chains.halves(right, chains.columns(c, T, { axis: count })),
-    ];
-    yield [cause("J.z counted on"), chains.columns(c, T, { axis: count, origin: count })];
+    // slip 25: one list of joints, 1, 2, 4 ... 7
+    yield [cause("J.z counted on angular"), angular((c1) => ({ axis: counted(c1) }))];
+    yield [cause("J.z counted on"), by((c1) => ({ axis: counted(c1), origin: counted(c1) }))];
   }
-  yield [cause("J.origin late"), chains.columns(c, T, { origin: late })];
-  yield [cause("J.lever tip"), chains.columns(c, T, { lever: "tip" })];
-  yield [cause("J.lever origin"), chains.columns(c, T, { lever: "o" })];
-  yield [cause("J.lever link"), chains.columns(c, T, { lever: "link" })];
-  yield [cause("J.rows of T"), chains.columns(c, chains.rowsRead(T))];
-  if (c.turns.includes(false))
-    yield [cause("J.slide turns"), chains.columns(c, T, { slides: false })];
-  for (let k = 0; k < T.length - 1; k++)
-    yield [cause("J.point", { k }), chains.columns(c, T, { point: k })];
-}
-
-// q taken in degrees, and in radians where degrees were meant; and its slides in millimetres, or in
-// metres where they are so long.
-function otherUnits(c) {
-  const changed = (key, turns, change) => [
-    cause(key),
-    { ...c, q: c.q.map((x, k) => (c.turns[k] === turns ? change(x) : x)) },
-  ];
-  const found = [(x) => x * RAD, (x) => x * DEG].map((change) =>
-    changed("J.degrees", true, change),
-  );
-  if (c.turns.every(Boolean)) return found;
-  const factor = c.q.some((x, k) => !c.turns[k] && Math.abs(x) > MILLIMETRES) ? 1e-3 : 1e3;
-  return [...found, changed("ik.slide in millimetres", false, (x) => factor * x)];
-}
-
-const jacobian = (c) => chains.columns(c, chains.framesOf(c));
-const inUnits = (c) => otherUnits(c).map(([one, other]) => [one, jacobian(other)]);
-
-// The table
-
-const inTables = (arm, c) => wrongTables(arm, c).map(([one, other]) => [one, jacobian(other)]);
-
-// Usual mistakes in a table's numbers, whatever it is used for.
-export function wrongTables(arm, c) {
-  const found = [];
-  const put = (key, fields, change) =>
-    found.push([
-      cause(key, fields),
-      { ...c, rows: c.rows.map((row, i) => ({ ...row, ...change(row, i) })) },
-    ]);
-  if (arm.penless) put("table.pen", {}, (_, i) => ({ d: arm.penless.rows[i].d }));
-  for (const { name, other, rows } of arm.alike ?? []) {
-    put("table.length", { name, other }, (_, i) => ({ a: rows[i].a }));
+  yield [cause("J.origin late"), by((c1) => ({ origin: late(c1) }))]; // handed in
+  yield [cause("J.lever tip"), by(() => ({ lever: "tip" }))]; // handed in
+  yield [cause("J.lever origin"), by(() => ({ lever: "o" }))]; // handed in
+  yield [cause("J.lever link"), by(() => ({ lever: "link" }))]; // handed in
+  const wrist = ({ rows }) => rows.length - 1; // handed in: the wrist's centre for the tip
+  yield [cause("J.point", { k: wrist(c) }), by((c1) => ({ point: wrist(c1) }))];
+  yield [cause("J.rows of T"), (c1, T) => chains.columns(c1, chains.rowsRead(T))]; // slip 4
+  if (c.turns.includes(false)) {
+    // handed in: z_2 x ... over z_2, and z_2 over z_2
+    yield [cause("J.slide turns"), by(() => ({ slides: false }))];
+    yield [cause("J.slide angular"), angular(() => ({ slides: false }))];
   }
-  for (const { name, rows } of arm.robots ?? [])
-    put("table.robot", { name }, (_, i) => ({ a: rows[i].a, d: rows[i].d }));
-  put("table.offsets", {}, (row) => (row.kind === "revolute" ? { theta: 0 } : {}));
-  put("table.twists", {}, (row) => ({ alpha: -row.alpha }));
-  c.rows.forEach((row, k) => {
-    const one = (key, fields, entries) => put(key, fields, (_, i) => (i === k ? entries : {}));
-    const at = { row: k + 1 };
-    if (Math.abs(Math.sin(row.alpha)) > 1e-9) {
-      one("table.twist", at, { alpha: -row.alpha });
-      one("table.no twist", at, { alpha: 0 });
-    }
-    for (const column of ["a", "d"]) {
-      if (!row[column]) continue;
-      one("table.sign", { column, ...at }, { [column]: -row[column] });
-      one("table.missing", { column, ...at }, { [column]: 0 });
-    }
-    if (row.theta) one("table.offset", at, { theta: 0 });
-  });
-  return found;
+  const every = c.rows.map((_, i) => i);
+  for (const row of c.at.length < every.length ? c.at : []) {
+    const at = every.filter((i) => i !== row); // handed in: column 4 deleted for column 3
+    if (at.length !== c.dof) break;
+    const without = (c1, T) => chains.columns({ ...c1, at, turns: at.map(() => true) }, T);
+    yield [cause("J.wrong column deleted", { column: row + 1 }), without];
+  }
 }
 
-// The writing: each a function of a Jacobian in base axes to the declared frame's.
-
-function* writings(at) {
-  yield* entriesChanged(at);
-  yield* columnsMoved(at);
-  yield* framesMistaken(at);
-}
-
-// Each entry changed by its row and column.
-function* entriesChanged({ arm, here: { dof, turns }, seen }) {
-  const after = (change) => (J) => seen(J.map((x, i) => change(x, Math.floor(i / dof), i % dof)));
-  const half = (v, w) => after((x, i) => x * (i < 3 ? v : w));
+/**
+ * The writing: functions of a Jacobian in the axes of the declared frame.
+ * @returns {Generator<[Cause, (J: number[], T: any[]) => number[]]>}
+ */
+function* writings(arm, { dof, turns }, frame) {
+  const each = (change) => (J) => J.map((x, i) => change(x, Math.floor(i / dof), i % dof));
+  const blocks = (v, w) => each((x, i) => x * (i < 3 ? v : w));
+  const order = (from) => (J) => J.map((_, i) => J[i - (i % dof) + from(i % dof)]);
+  const rows = (from) => (J) => J.map((_, i) => J[from(Math.floor(i / dof)) * dof + (i % dof)]);
+  yield [cause("J.halves"), rows((i) => (i + 3) % 6)]; // conventions: (omega, v)
+  yield [cause("J.wx and wy"), rows((i) => [0, 1, 2, 4, 3, 5][i])]; // handed in
+  yield [cause("J.cross"), each((x, i, k) => (turns[k] && i < 3 ? -x : x))]; // handed in
+  yield [cause("J.all signs"), blocks(-1, -1)];
+  yield [cause("J.angular sign"), blocks(1, -1)];
+  yield [cause("J.millimetres"), blocks(1000, 1)]; // slip 26: millimetres in a report in metres
+  yield [cause("J.angular zero"), blocks(1, 0)]; // half an answer
+  yield [cause("J.linear zero"), blocks(0, 1)];
+  yield [cause("J.per degree"), each((x, _, k) => (turns[k] ? x * RAD : x))]; // handed in
+  if (dof === 6) yield [cause("J.transposed"), (J) => chains.transposed(J, [6, 6])]; // handed in
+  yield [cause("J.reversed order"), order((k) => dof - 1 - k)]; // joints named q6 ... q1
+  yield* framesMistaken(arm, frame);
   const joint = numbered(arm);
-  yield [cause("J.halves"), (J) => halvesExchanged(seen(J))];
-  yield [cause("J.cross"), after((x, i, k) => (turns[k] && i < 3 ? -x : x))];
-  yield [cause("J.all signs"), half(-1, -1)];
-  yield [cause("J.angular sign"), half(1, -1)];
-  yield [cause("J.millimetres"), half(1000, 1)];
-  yield [cause("J.centimetres"), half(100, 1)];
-  yield [cause("J.angular zero"), half(1, 0)];
-  yield [cause("J.linear zero"), half(0, 1)];
-  yield [cause("J.per degree"), after((x, _, k) => (turns[k] ? x * RAD : x))];
-  yield [cause("J.per degree"), after((x, _, k) => (turns[k] ? x / RAD : x))];
-  if (dof === 6) yield [cause("J.transposed"), (J) => chains.transposed(seen(J), [6, 6])];
-  for (let one = 0; one < dof; one++) {
-    yield [cause("J.column sign", { i: joint[one] }), after((x, _, k) => (k === one ? -x : x))];
-  }
-}
-
-function* columnsMoved({ arm, here: { dof }, seen }) {
-  const order = (from) => (J) => seen(J.map((_, i) => J[i - (i % dof) + from(i % dof)]));
-  const joint = numbered(arm);
-  yield [cause("J.reversed order"), order((k) => dof - 1 - k)];
   for (let i = 0; i < dof; i++) {
+    yield [cause("J.column sign", { i: joint[i] }), each((x, _, k) => (k === i ? -x : x))];
     for (let j = i + 1; j < dof; j++) {
       const exchanged = order((k) => (k === i ? j : k === j ? i : k));
       yield [cause("J.columns exchanged", { i: joint[i], j: joint[j] }), exchanged];
@@ -200,24 +153,26 @@ function* columnsMoved({ arm, here: { dof }, seen }) {
   }
 }
 
-function* framesMistaken({ T, seen, frame }) {
-  const last = T.length - 1;
-  const frames = [last, ...T.keys()].filter((k, i) => (k !== last || !i) && k !== frame);
-  for (const k of frames) {
+/**
+ * Rows in the axes of another frame, all or one half of them; or turned the wrong way round.
+ * @returns {Generator<[Cause, (J: number[], T: any[]) => number[]]>}
+ */
+function* framesMistaken({ rows }, frame) {
+  const last = rows.length;
+  const based = (J, T) => (frame ? chains.seenFrom(J, T[frame]) : J);
+  for (const k of [last, 0].filter((one) => one !== frame)) {
     const fields = { k, _name: frameName(k), _wanted: frameName(frame) };
-    yield [cause("J.frame", fields), (J) => chains.seenIn(J, T[k])];
-    yield [
-      cause("J.frame angular", fields),
-      (J) => chains.halves(seen(J), chains.seenIn(J, T[k], [1])),
-    ];
-    yield [
-      cause("J.frame linear", fields),
-      (J) => chains.halves(chains.seenIn(J, T[k], [0]), seen(J)),
-    ];
+    const seen = (J, T) => chains.seenIn(based(J, T), k ? T.at(-1) : T[0]);
+    yield [cause("J.frame", fields), seen];
+    yield [cause("J.frame angular", fields), (J, T) => chains.halves(J, seen(J, T))];
+    yield [cause("J.frame linear", fields), (J, T) => chains.halves(seen(J, T), J)];
   }
   const back = frame || last;
-  yield [cause("J.frame turned back", { _k: back }), (J) => chains.seenFrom(J, T[back])];
+  const name = frameName(back);
+  yield [
+    cause("J.frame turned back", { _name: name }),
+    (J, T) => chains.seenFrom(based(J, T), frame ? T[back] : T.at(-1)),
+  ];
 }
 
-const halvesExchanged = (J) => [...J.slice(J.length / 2), ...J.slice(0, J.length / 2)];
 const frameName = (k) => (k ? `frame ${k}` : "the base");

@@ -1,5 +1,5 @@
 // What slips make of right joint angles, undone: the cause, and the angles that would have come out
-// without it.
+// without it. Behind each, where it was seen: a slip's number in homework.md, or work handed in.
 
 import { cosSin } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
@@ -9,113 +9,66 @@ import { both, cause } from "./ranking.js";
 const QUARTER = Math.PI / 2;
 /** @type {[string, (x: number) => number][]} */
 const JOINT = [
-  ["ik.sign", (x) => -x],
-  ["ik.half turn", (x) => x + Math.PI],
-  ["ik.other axis", (x) => Math.PI / 2 - x],
-  ["ik.supplement", (x) => Math.PI - x],
-  ["ik.offset", (x) => x + Math.PI / 2],
-  ["ik.offset", (x) => x - Math.PI / 2],
+  ["ik.sign", (x) => -x], // slip 22: one sign of acos
+  ["ik.half turn", (x) => x + Math.PI], // slip 13: atan for atan2
+  ["ik.other axis", (x) => QUARTER - x], // slip 13: x/y for y/x
+  ["ik.supplement", (x) => Math.PI - x], // slip 16: cos(pi - x)
+  ["ik.offset", (x) => x + QUARTER], // the UR10e's offsets in theta
+  ["ik.offset", (x) => x - QUARTER],
 ];
-
-const SCALES = { "ik.slide in millimetres": 1e-3, "ik.slide in centimetres": 1e-2 };
+const MAKERS = [2, 4, 7]; // joints that the Panda's maker counts the other way
 
 /** @typedef {import("./ranking.js").Cause} Cause */
-/** @typedef {[Cause, number[]]} Slip */
+/** @typedef {[Cause, (q: number[]) => number[]]} Slip */
 
 export const variable = (arm) => numbered(arm).map((i) => `q_${i}`);
-const changed = (q, k, x) => q.map((value, i) => (i === k ? x : value));
 
-// Every choice of so many of n things, in order.
-export function* choices(n, count, from = 0) {
-  if (!count) yield [];
-  else
-    for (let k = from; k < n; k++)
-      for (const rest of choices(n, count - 1, k + 1)) yield [k, ...rest];
-}
+/** Slips of any joint vector. @returns {Slip[]} */
+export const slips = (arm) => [...single(arm), ...whole(arm)];
 
 /** Slips in all joints at once. @returns {Generator<Slip>} */
-export function* whole(arm, q) {
+function* whole(arm) {
   const turns = turning(arm);
-  const names = variable(arm);
-  const radians = (x) => x * RAD;
-  const eachOf = (turn, slide) => q.map((x, k) => (turns[k] ? turn(x) : slide(x)));
-  const same = (x) => x;
-  yield [cause("ik.degrees"), eachOf(radians, same)];
-  yield [cause("ik.all signs"), q.map((x) => -x)];
+  const eachOf = (turn, slide) => (q) => q.map((x, k) => x * (turns[k] ? turn : slide));
+  const degrees = cause("ik.degrees");
+  yield [degrees, eachOf(RAD, 1)];
+  yield [cause("ik.all signs"), (q) => q.map((x) => -x)]; // joints counted the other way
   if (turns.includes(false)) {
-    yield [cause("ik.slide in millimetres"), eachOf(same, (x) => x / 1000)];
-    yield [cause("ik.slide in centimetres"), eachOf(same, (x) => x / 100)];
-    const twice = both(cause("ik.degrees"), cause("ik.slide in millimetres"));
-    yield [twice, eachOf(radians, (x) => x / 1000)];
+    const millimetres = cause("ik.slide in millimetres"); // slip 26
+    yield [millimetres, eachOf(1, 1e-3)];
+    yield [both(degrees, millimetres), eachOf(RAD, 1e-3)];
   }
-  if (q.length > 1) yield [cause("ik.reversed order"), [...q].reverse()];
-  for (const which of choices(q.length, 3)) {
-    const joints = which.map((k) => names[k]).join(", ");
-    yield [cause("ik.signs", { joints }), q.map((x, k) => (which.includes(k) ? -x : x))];
-  }
-}
-
-// Whether a slip only scales joints, so that near zero it cannot be told.
-/** @param {Cause} one */
-export const scales = ({ keys }) => keys.some((key) => key in SCALES || key === "ik.degrees");
-
-// What such a slip's units are worth, by joint.
-/** @param {Cause} one */
-export function scale({ keys }, arm) {
-  const slide = SCALES[keys.find((key) => key in SCALES)] ?? 1;
-  const turn = keys.includes("ik.degrees") ? RAD : 1;
-  return turning(arm).map((turns) => (turns ? turn : slide));
+  if (turns.length > 1) yield [cause("ik.reversed order"), (q) => [...q].reverse()]; // q6 ... q1
+  const joint = numbered(arm);
+  if (arm.rows.length === 7)
+    yield [cause("ik.makers signs"), (q) => q.map((x, k) => (MAKERS.includes(joint[k]) ? -x : x))];
 }
 
 /** Slips in one joint, or in one step of a closed form. @returns {Generator<Slip>} */
-export function* single(arm, q) {
+function* single(arm) {
   const turns = turning(arm);
   const names = variable(arm);
-  yield* elbowFormula(arm, q);
-  for (let k = 0; k < q.length; k++) {
-    for (const [key, change] of JOINT) {
-      if (turns[k] || key === "ik.sign")
-        yield [cause(key, { joint: names[k] }), changed(q, k, change(q[k]))];
+  yield* elbowFormula(arm);
+  for (const [k, joint] of names.entries()) {
+    for (const [key, change] of turns[k] ? JOINT : JOINT.slice(0, 1))
+      yield [cause(key, { joint }), (q) => q.map((x, i) => (i === k ? change(x) : x))];
+    for (let n = k + 1; n < names.length; n++) {
+      const exchanged = (q) => q.map((x, i) => (i === k ? q[n] : i === n ? q[k] : x)); // handed in
+      yield [cause("ik.exchanged", { first: joint, second: names[n] }), exchanged];
     }
   }
 }
 
-/**
- * theta_1 = +-pi/2 kept from the singular case of an offset shoulder.
- * @returns {Generator<Slip>}
- */
-export function* kept(q, branches) {
-  if (Math.abs(Math.abs(q[0]) - QUARTER) >= 1e-4) return;
-  for (const branch of branches) yield [cause("ik.quarter turn"), changed(q, 0, branch[0])];
-}
-
-// theta_2 = atan2(s, r) + ... for minus, where two parallel axes carry two links.
+// theta_2 = atan2(s, r) + ... for minus, where two parallel axes carry two links: slip 12.
 /** @returns {Generator<Slip>} */
-function* elbowFormula({ rows }, q) {
-  if (q.length < 3 || rows.length < 3) return;
+function* elbowFormula({ rows }) {
+  if (rows.length < 3) return;
   const [, second, third] = rows;
   const [ca, sa] = cosSin(second.alpha);
   if (Math.abs(sa) > 1e-9 || !second.a || !third.a) return;
-  const bend = ca * (q[2] + third.theta);
-  const lean = Math.atan2(third.a * Math.sin(bend), second.a + third.a * Math.cos(bend));
-  yield [cause("ik.plus for minus"), changed(q, 1, q[1] - 2 * lean)];
-}
-
-/**
- * Slips in two joints, of those pairs of them that are worth a try.
- * @param {(i: number, j: number) => boolean} worth
- * @returns {Generator<Slip>}
- */
-export function* double(arm, q, worth = () => true) {
-  const turns = turning(arm);
-  const names = variable(arm);
-  for (const [i, j] of choices(q.length, 2)) {
-    if (!turns[i] || !turns[j] || !worth(i, j)) continue;
-    for (const [key, change] of JOINT) {
-      for (const [other, then] of JOINT) {
-        const mended = changed(changed(q, i, change(q[i])), j, then(q[j]));
-        yield [both(cause(key, { joint: names[i] }), cause(other, { joint: names[j] })), mended];
-      }
-    }
-  }
+  const lean = (q) => {
+    const bend = ca * (q[2] + third.theta);
+    return Math.atan2(third.a * Math.sin(bend), second.a + third.a * Math.cos(bend));
+  };
+  yield [cause("ik.plus for minus"), (q) => q.map((x, i) => (i === 1 ? x - 2 * lean(q) : x))];
 }

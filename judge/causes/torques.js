@@ -1,268 +1,255 @@
-// What mistakes make of right torques tau = g(q) - J^T F. Torques are one list for all poses, pose
-// by pose.
+// The slips that are known in torques tau = g(q) - J^T F: in the table, q or the masses (`change`),
+// in the weight, in the force, and in how they are written down (`write`). Behind each, where it
+// was seen: a slip's number in homework.md, a chapter, or work that was handed in.
 
-import { DEG, RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
 import { joints } from "../geometry/kinematics.js";
 import { minusEach } from "../geometry/linear.js";
-import { numbered, turning } from "../reading/numbers.js";
+import { rowsOf } from "../reading/numbers.js";
+import { otherPoses, wrongTables } from "./tables.js";
 import { both, cause } from "./ranking.js";
-import { listed, size } from "../sentences.js";
-
-const SEEN = 1e-3; // N m
-const LIGHT = 0.01; // kg: nobody types a lighter link
-
-/** @typedef {import("./ranking.js").Cause} Cause */
-/** @type {[Cause | null, (tau: number[][]) => number[][]][]} */
-const WRITINGS = [
-  [null, (tau) => tau],
-  [cause("tau.all signs"), (tau) => tau.map((row) => row.map((x) => -x))],
-  [cause("tau.newton millimetres"), (tau) => tau.map((row) => row.map((x) => 1000 * x))],
-  [cause("tau.reversed order"), (tau) => tau.map((row) => [...row].reverse())],
-];
-
-// What torques, a list for all poses, are off by in N m and by joint, however a mistake in how they
-// are written has scaled and ordered them.
-export function mended({ keys }, off, dof) {
-  const scaled = keys.includes("tau.newton millimetres") ? off.map((x) => x / 1000) : off;
-  const back = (_, i) => scaled[i - (i % dof) + dof - 1 - (i % dof)];
-  return keys.includes("tau.reversed order") ? scaled.map(back) : scaled;
-}
 
 /**
- * An arm with masses at some poses, under a wrench.
+ * An arm with masses under gravity (m/s^2, a vector) and a wrench for each of its poses.
  * @typedef {object} Load
- * @property {any} arm
- * @property {number[][]} q
- * @property {number[][]} wrenches one for each pose
+ * @property {import("../geometry/chains.js").Chain} c rows and joints, at no pose yet
+ * @property {number[][]} wrenches
  * @property {number[]} gravity
- * @property {number[]} masses
+ * @property {number[]} masses of each row
  * @property {number[][]} centres
- * @property {{ c: import("../geometry/chains.js").Chain, T: any[], J: number[] }[]} at each pose
+ */
+/**
+ * An arm with masses at one pose: its frames and its Jacobian.
+ * @typedef {Load & { T: any[], J: number[], F: number[] }} Pose
+ */
+/**
+ * One mistake: each of its steps is there if it is done otherwise.
+ * @typedef {{ cause: import("./ranking.js").Cause, change?: (load: Load) => Load, weight?: (at:
+ *   Pose) => number[], force?: (at: Pose) => number[], write?: (tau: number[]) => number[] }} Step
  */
 
+const same = (x) => x;
+const times = (factor, list) => list.map((x) => factor * x);
+
+const weightOf = ({ c, T, masses, centres, gravity }) =>
+  chains.weights(c, T, masses, centres, gravity);
+const forceOf = ({ J, F }) => chains.through(J, F);
+
 /** @returns {Load} */
-export function loadOf(arm, q, wrenches, gravity) {
-  const at = q.map((one) => {
-    const c = chains.chain(arm, one);
-    const T = chains.framesOf(c);
-    return { c, T, J: chains.columns(c, T) };
-  });
+export function loadOf(arm, wrenches, gravity) {
   const bodies = arm.rows.map((row) => row.body);
   const [masses, centres] = [bodies.map(([mass]) => mass), bodies.map(([, ...centre]) => centre)];
-  return { arm, q, wrenches, gravity, masses, centres, at };
-}
-
-// g(q), with other masses or centres where given; a list for each pose.
-const weight = ({ at, gravity, ...load }, { masses = load.masses, centres = load.centres } = {}) =>
-  at.map(({ c, T }) => chains.weights(c, T, masses, centres, gravity));
-
-// J^T F.
-const force = ({ at, wrenches }, change = (F, _T) => F) =>
-  at.map(({ J, T }, i) => chains.through(J, change(wrenches[i], T.at(-1))));
-
-const less = (p, q) => p.map((row, i) => minusEach(row, q[i]));
-const times = (factor, p) => p.map((row) => row.map((x) => factor * x));
-
-export const torques = (load) => less(weight(load), force(load));
-
-// Every combination of up to two causes, fewest first, and the torques that they give.
-export function catalogue(load) {
-  const found = [];
-  for (const [whole, other] of loads(load)) {
-    const pushed = [...forces(other)];
-    for (const [first, heavy] of weights(other)) {
-      for (const [second, push] of pushed) {
-        const named = [whole, first, second].filter(Boolean);
-        if (named.length > 2) continue;
-        const tau = less(heavy, push);
-        for (const [third, write] of WRITINGS) {
-          const causes = third ? [...named, third] : named;
-          if (causes.length && causes.length <= 2)
-            found.push([causes.reduce(both), write(tau).flat()]);
-        }
-      }
-    }
-  }
-  found.sort(([p], [q]) => p.keys.length - q.keys.length);
-  return { causes: found.map(([one]) => one), made: found.map(([, tau]) => tau) };
-}
-
-// Joints that count the other way in the torques, and in q as well, fewest first.
-export function reversedJoints(load, right) {
-  const joint = numbered(load.arm);
-  const dof = joint.length;
-  const sets = chains.signSets(dof);
-  const here = sets.map((signs) => right.map((x, i) => x * signs[i % dof]));
-  const there = sets.map((signs) => {
-    const q = load.q.map((one) => one.map((x, k) => signs[k] * x));
-    const other = loadOf(load.arm, q, load.wrenches, load.gravity);
-    return torques(other).flatMap((row) => row.map((x, k) => x * signs[k]));
-  });
-  const joints = (signs, name) =>
-    listed(joint.filter((_, k) => signs[k] < 0).map((i) => `${name}${i}`));
-  const causes = [
-    ["tau.signs", "tau_"],
-    ["tau.joints reversed", "q_"],
-  ].flatMap(([key, name]) => sets.map((signs) => cause(key, { joints: joints(signs, name) })));
-  return { causes, made: [...here, ...there] };
-}
-
-// Centres of mass as a paper gives them, unconverted: in the maker's Craig frames. Where the
-// maker's joint counts the other way, y and z point the other way; the last frame may stand before
-// its offset d. All choices are tried.
-export function paperCentres(load) {
-  const craig = craigCentres(load.arm, load.centres);
-  const last = load.arm.rows.at(-1).d;
-  const none = load.centres.map(() => [0, 0, 0]);
-  let sums = [times(0, force(load))];
-  craig.forEach(([x, y, z], i) => {
-    const mass = load.masses[i];
-    const ways = [
-      [x, y, z],
-      [x, -y, -z],
-    ];
-    if (i === craig.length - 1 && last) ways.push([x, y, z + last], [x, -y, -z - last]);
-    const masses = load.masses.map((_, k) => (k === i ? mass : 0));
-    const spread = ways.map((way) =>
-      weight(load, { masses, centres: none.map((zero, k) => (k === i ? way : zero)) }),
-    );
-    sums = sums.flatMap((sum) => spread.map((one) => less(sum, times(-1, one))));
-  });
-  const key = cause("tau.craig centres");
-  const push = force(load);
-  const ways = [
-    [key, 1],
-    [both(key, cause("tau.force sign")), -1],
-    [both(key, cause("tau.force missing")), 0],
-  ];
   return {
-    causes: ways.flatMap(([one]) => sums.map(() => one)),
-    made: ways.flatMap(([, sign]) => sums.map((sum) => less(sum, times(sign, push)).flat())),
+    c: chains.chain(
+      arm,
+      joints(arm).map(() => 0),
+    ),
+    wrenches,
+    gravity,
+    masses,
+    centres,
   };
 }
 
-function* loads(load) {
-  yield [null, load];
-  const { arm, q, wrenches, gravity } = load;
-  const turns = turning(arm);
-  for (const change of [(x) => x * RAD, (x) => x * DEG]) {
-    const other = q.map((one) => one.map((x, k) => (turns[k] ? change(x) : x)));
-    yield [cause("tau.degrees"), loadOf(arm, other, wrenches, gravity)];
-  }
-  if (arm.penless) yield [cause("table.pen"), loadOf(arm.penless, q, wrenches, gravity)];
-  for (const { name, other, rows } of arm.alike ?? []) {
-    yield [cause("table.length", { name, other }), loadOf({ ...arm, rows }, q, wrenches, gravity)];
-  }
-  yield* robots(load);
+// Torques at the poses of a list of joint values, by steps some of which are wrong.
+export const torquesOf =
+  (load, dof, { change = same, weight = weightOf, force = forceOf, write = same } = {}) =>
+  (q) =>
+    rowsOf(q, dof).flatMap((one, i) => {
+      const at = atPose(change({ ...load, c: { ...load.c, q: one, dof } }), load.wrenches[i]);
+      return write(minusEach(weight(at), force(at)));
+    });
+
+function atPose(load, F) {
+  const T = chains.framesOf(load.c);
+  return { ...load, T, J: chains.columns(load.c, T), F };
 }
 
-function* robots({ arm, q, wrenches, gravity }) {
-  for (const { name, rows } of arm.robots ?? [])
-    yield [cause("table.robot", { name }), loadOf({ ...arm, rows }, q, wrenches, gravity)];
+/** @returns {Step[]} */
+export const steps = (arm, load, q) => [
+  ...bodies(arm, load),
+  ...chainsOf(arm, q),
+  ...weights(load),
+  ...forces(load),
+  ...WRITINGS,
+];
+
+// Slips in the table or q; without the pen the last centre of mass stays where it is, so that its
+// coordinates change.
+/** @returns {Step[]} */
+function chainsOf(arm, q) {
+  const tables = wrongTables(arm).filter(
+    ([
+      {
+        keys: [key],
+      },
+    ]) => key !== "table.locked row",
+  );
+  const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
+  return [...otherPoses("tau.degrees", arm, q), ...tables].map(([one, change]) => ({
+    cause: one,
+    change: (load) => ({
+      ...load,
+      c: change(load.c),
+      centres: one.keys[0] === "table.pen" ? centres : load.centres,
+    }),
+  }));
 }
 
-function* weights(load) {
-  const right = weight(load);
-  yield [null, right];
-  yield [cause("tau.weight missing"), times(0, right)];
-  yield [cause("tau.weight sign"), times(-1, right)];
-  const much = Math.hypot(...load.gravity);
-  if (much) {
-    for (const g of [9.8, 10, 9.80665, 1]) {
-      if (Math.abs(g - much) <= 1e-9) continue;
-      yield [
-        cause("tau.gravity", { g: size(g, 6) }),
-        right.map((row) => row.map((x) => (x * g) / much)),
-      ];
+/** One slip each. @returns {(import("./ranking.js").Slip & { steps: any })[]} */
+export const single = (load, dof, all) =>
+  all.map((one) => ({ cause: one.cause, steps: one, make: torquesOf(load, dof, one) }));
+
+/**
+ * Two slips in different steps, or two changes.
+ * @returns {Generator<import("./ranking.js").Slip & { steps: any }>}
+ */
+export function* pairs(load, dof, all) {
+  for (const [n, first] of all.entries()) {
+    for (const second of all.slice(n + 1)) {
+      if (["weight", "force", "write"].some((step) => first[step] && second[step])) continue;
+      const [one, other] = [first, second].map(({ change: its = same }) => its);
+      const change = (at) => other(one(at));
+      const two = { ...first, ...second, change };
+      yield {
+        cause: both(first.cause, second.cause),
+        steps: two,
+        make: torquesOf(load, dof, two),
+      };
     }
   }
-  yield [
-    cause("tau.craig centres"),
-    weight(load, { centres: craigCentres(load.arm, load.centres) }),
-  ];
-  yield [
-    cause("tau.centres at origins"),
-    weight(load, { centres: load.centres.map(() => [0, 0, 0]) }),
-  ];
-  const total = load.masses.reduce((sum, mass) => sum + mass, 0);
-  const pull = [...load.gravity.map((g) => total * g), 0, 0, 0];
-  yield [
-    cause("tau.tip weights"),
-    times(
-      -1,
-      load.at.map(({ J }) => chains.through(J, pull)),
-    ),
-  ];
-  yield* links(load, right);
 }
 
-// Links that are left out or taken for one another.
-function* links(load, right) {
-  const each = load.masses.map((mass, i) =>
-    weight(load, { masses: load.masses.map((_, k) => (k === i ? mass : 0)) }),
-  );
-  for (const [i, one] of each.entries())
-    if (load.masses[i]) yield [cause("tau.mass missing", { link: i + 1 }), less(right, one)];
-  const own = right.map((_, p) => joints(load.arm).map((row, k) => each[row][p][k]));
-  yield [cause("tau.own link"), less(right, own)];
-  for (const [_way, step] of [
+/** @type {Step[]} */
+const WRITINGS = [
+  { cause: cause("tau.all signs"), write: (tau) => times(-1, tau) }, // handed in
+  { cause: cause("tau.newton millimetres"), write: (tau) => times(1000, tau) }, // slip 26
+  { cause: cause("tau.reversed order"), write: (tau) => [...tau].reverse() }, // tau_7 first
+];
+
+/** @returns {Generator<Step>} */
+function* weights({ c }) {
+  yield { cause: cause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // half an answer
+  yield { cause: cause("tau.weight sign"), weight: (at) => times(-1, weightOf(at)) }; // slip 24
+  const tip = (at) => {
+    const total = at.masses.reduce((sum, mass) => sum + mass, 0);
+    return times(-1, chains.through(at.J, [...times(total, at.gravity), 0, 0, 0]));
+  };
+  yield { cause: cause("tau.tip weights"), weight: tip }; // handed in: one Jacobian for all links
+  const own = (at) => {
+    const each = (row) => at.masses.map((mass, i) => (i === row ? mass : 0));
+    const lifted = weightOf(at);
+    return lifted.map((x, k) => x - weightOf({ ...at, masses: each(c.at[k]) })[k]);
+  };
+  yield { cause: cause("tau.own link"), weight: own }; // handed in
+}
+
+/** @returns {Generator<Step>} */
+function* forces({ wrenches, c: { dof } }) {
+  if (!wrenches.some((F) => F.some(Boolean))) return;
+  const by = (change) => (at) => chains.through(at.J, change(at.F, at.T.at(-1)));
+  yield { cause: cause("tau.force sign"), force: by((F) => times(-1, F)) }; // section 4
+  yield { cause: cause("tau.force missing"), force: by((F) => times(0, F)) }; // half an answer
+  const tool = by((F, T) => chains.wrenchFrom(T, F));
+  yield { cause: cause("tau.force in tool"), force: tool }; // handed in
+  const back = by((F, T) => chains.wrenchIn(T, F));
+  yield { cause: cause("tau.force turned back"), force: back }; // handed in
+  const swap = by((F) => [...F.slice(3), ...F.slice(0, 3)]);
+  yield { cause: cause("tau.force and moment"), force: swap }; // conventions: (m, f)
+  if (wrenches.some((F) => F.slice(3).some(Boolean) && F.slice(0, 3).some(Boolean)))
+    yield { cause: cause("tau.moment missing"), force: by((F) => [...F.slice(0, 3), 0, 0, 0]) };
+  const across = ({ J, F, c }) => chains.through(chains.transposed(J, [c.dof, 6]), F);
+  if (dof === 6) yield { cause: cause("tau.J for J^T"), force: across }; // handed in
+  const late = ({ at }) => at.map((row) => row + 1);
+  const recipe =
+    (options) =>
+    ({ c, T, F }) =>
+      chains.through(chains.columns(c, T, options(c)), F);
+  yield { cause: cause("J.z_i"), force: recipe((c) => ({ axis: late(c) })) }; // slip 19
+  yield { cause: cause("J.origin late"), force: recipe((c) => ({ origin: late(c) })) }; // handed in
+  const frame = recipe((c) => ({ axis: late(c), origin: late(c) }));
+  yield { cause: cause("J.one frame late"), force: frame }; // handed in
+}
+
+/** Masses, centres and g. @returns {Generator<Step>} */
+function* bodies(arm, load) {
+  const put = (key, change, fields = {}) => ({ cause: cause(key, fields), change });
+  const g = Math.hypot(...load.gravity);
+  const under = (other) => ({ gravity: times(other / (g || 1), load.gravity) });
+  for (const other of [9.8, 10, 1]) {
+    // slip 8; the others handed in, 1 as g left out
+    if (g && Math.abs(g - other) > 1e-9)
+      yield put("tau.gravity", (at) => ({ ...at, ...under(other) }), { g: other });
+  }
+  yield* masses(arm, load, put);
+  yield* centres(arm, load, put);
+  if (arm.rows.length === 7 && arm.rows[2].d) {
+    // the Panda report's model
+    yield put("tau.lumped", lumped);
+    yield put("tau.report", (at) => ({ ...lumped(at), ...under(9.8) }));
+  }
+}
+
+function* masses(arm, { masses: all }, put) {
+  const by = (change) => (at) => ({ ...at, masses: at.masses.map(change) });
+  yield put(
+    "tau.grams",
+    by((mass) => 1000 * mass),
+  ); // handed in
+  const other = (arm.robots ?? []).find((one) => one.masses);
+  if (other)
+    yield put(
+      "tau.robot",
+      by((_, k) => other.masses[k]),
+      { name: other.name },
+    ); // section 4
+  for (const i of all.keys()) {
+    const link = i + 1;
+    if (all[i])
+      yield put(
+        "tau.mass missing",
+        by((mass, k) => (k === i ? 0 : mass)),
+        { link },
+      );
+    if (link === all.length) continue;
+    const exchanged = by((_, k) => all[k === i ? link : k === link ? i : k]); // handed in
+    yield put("tau.masses exchanged", exchanged, { i: link, j: link + 1 });
+  }
+}
+
+function* centres(arm, { centres: all }, put) {
+  const set = (key, list, fields = {}) => put(key, (at) => ({ ...at, centres: list }), fields);
+  if (arm.paper) yield set("tau.paper centres", arm.paper); // slip 7
+  yield set(
+    "tau.centres at origins",
+    all.map(() => [0, 0, 0]),
+  ); // handed in
+  for (const { name, other, rows } of arm.alike ?? []) {
+    // handed in: a centre in the paper's frame less the other length
+    const shifted = all.map(([x, y, z], i) => [x + arm.rows[i].a - rows[i].a, y, z]);
+    yield set("tau.centres other length", shifted, { name, other });
+  }
+  for (const [way, step] of [
     ["early", 1],
     ["late", -1],
   ]) {
-    const moved = (list, none) => list.map((_, k) => list[k + step] ?? none);
-    const taken = { masses: moved(load.masses, 0), centres: moved(load.centres, [0, 0, 0]) };
-    yield [cause("tau.links moved", { _way }), weight(load, taken)];
+    const moved = (list, none) => list.map((_, k) => list[k + step] ?? none); // links from 0
+    const change = (at) => ({
+      ...at,
+      masses: moved(at.masses, 0),
+      centres: moved(at.centres, [0, 0, 0]),
+    });
+    yield put("tau.links moved", change, { way });
   }
-  const other = (load.arm.robots ?? []).find(({ masses }) => masses);
-  if (other) yield [cause("tau.robot", { name: other.name }), weight(load, other)];
 }
 
-// The one mass that would give these torques, where another does: of each link, by least squares.
-export function otherMasses(load, mine, right) {
-  const found = load.masses.map((mass, i) => {
-    const masses = load.masses.map((_, k) => Number(k === i));
-    const each = weight(load, { masses }).flat();
-    const size = each.reduce((sum, x) => sum + x * x, 0);
-    const more = each.reduce((sum, x, k) => sum + x * (mine[k] - right[k]), 0) / (size || 1);
-    const fields = { link: i + 1, _mass: size3(mass + more), _wanted: size3(mass) };
-    return {
-      why: cause("tau.mass", fields),
-      made: right.map((x, k) => x + more * each[k]),
-      mass: mass + more,
-      seen: each.filter((x) => Math.abs(x * more) > SEEN).length,
-    };
-  });
-  // one torque alone fits any link's mass
-  const likely = found.filter(({ mass, seen }) => mass > LIGHT && seen > 1);
-  return { causes: likely.map(({ why }) => why), made: likely.map(({ made }) => made) };
-}
-
-const size3 = (x) => size(x, 3);
-
-// Centres of mass given in Craig's frames, used as if they were in the table's: a turn by alpha and
-// a step of a apart.
-const craigCentres = (arm, centres) =>
-  arm.rows.map(({ a, alpha }, i) => {
-    const [x, y, z] = centres[i];
-    const [c, s] = chains.cosSin(alpha);
-    return [x + a, c * y - s * z, s * y + c * z];
-  });
-
-function* forces(load) {
-  const right = force(load);
-  yield [null, right];
-  if (!load.wrenches.some((F) => F.some(Boolean))) return;
-  yield [cause("tau.force sign"), times(-1, right)];
-  yield [cause("tau.force missing"), times(0, right)];
-  yield [cause("tau.force in tool"), force(load, (F, tip) => chains.wrenchFrom(tip, F))];
-  yield [cause("tau.force turned back"), force(load, (F, tip) => chains.wrenchIn(tip, F))];
-  if (load.wrenches.some((F) => F.slice(3).some(Boolean) && F.slice(0, 3).some(Boolean)))
-    yield [cause("tau.moment missing"), force(load, (F) => [...F.slice(0, 3), 0, 0, 0])];
-  yield [cause("tau.force and moment"), force(load, (F) => [...F.slice(3), ...F.slice(0, 3)])];
-  const late = load.at.map(({ c, T }, i) => {
-    const next = c.at.map((row) => row + 1);
-    return chains.through(chains.columns(c, T, { axis: next, origin: next }), load.wrenches[i]);
-  });
-  yield [cause("J.one frame late"), late];
+// Links 2 and 3 as one uniform bar up the upper arm, which the report has so.
+function lumped(load) {
+  const half = load.c.rows[2].d / 2;
+  const [, second, third] = load.masses;
+  return {
+    ...load,
+    masses: load.masses.map((mass, i) => [mass, second + third, 0][i] ?? mass),
+    centres: load.centres.map((centre, i) => (i === 1 ? [0, 0, half] : centre)),
+  };
 }

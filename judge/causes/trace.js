@@ -4,7 +4,8 @@ import { minus, norm, plus, scaled } from "../geometry/kinematics.js";
 import { minusEach, singular } from "../geometry/linear.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { rint } from "../geometry/planar.js";
-import { recipes, wrongTables } from "./jacobian.js";
+import { recipes } from "./jacobian.js";
+import { wrongTables } from "./tables.js";
 import { cause } from "./ranking.js";
 import { listed, size } from "../sentences.js";
 
@@ -180,7 +181,7 @@ export function tableCause(q, arm, path, allowed) {
   };
   const most = Math.min(allowed, left(here, Infinity) / 4);
   /** @type {[Cause, number][]} */
-  const found = wrongTables(arm, here).map(([one, table]) => [one, left(table, most + ALIKE)]);
+  const found = wrongTables(arm).map(([one, change]) => [one, left(change(here), most + ALIKE)]);
   const least = Math.min(...found.map(([, rest]) => rest));
   if (!(least <= most)) return null;
   return found.find(([, rest]) => rest <= least + ALIKE)?.[0] ?? null;
@@ -314,12 +315,13 @@ function* rulesOf(steps) {
     yield { one: cause("J.millimetres"), left, fits: left < HOLDS };
   }
   yield held(steps, cause("trace.next velocity"), own, (sample) => sample.later);
-  const wrong = (sample) => (sample.made ??= [...recipes(sample.at)]); // where it is looked at
+  const each = (at) => Array.from(recipes(at), ([one, made]) => [one, made(at, framesOf(at))]);
+  const wrong = (sample) => (sample.made ??= each(sample.at)); // where it is looked at
   for (const [k, [one]] of wrong(samples[0]).entries()) {
     yield held(steps, /** @type {Cause} */ (one), (sample) => wrong(sample)[k][1], now);
   }
-  for (const [one, table] of wrongTables(arm, samples[0].at)) {
-    const by = ({ at: { q } }) => columns(table, framesOf({ ...table, q }));
+  for (const [one, change] of wrongTables(arm)) {
+    const by = ({ at }) => columns(change(at), framesOf(change(at)));
     yield held(steps, /** @type {Cause} */ (one), by, now);
   }
   if (steps.rows < 6) return;

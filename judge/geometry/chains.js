@@ -122,13 +122,3 @@ export const through = (J, F) =>
   Array.from({ length: J.length / 6 }, (_, k) =>
     F.reduce((sum, f, i) => sum + J[(i * J.length) / 6 + k] * f, 0),
   );
-
-// Every choice of signs of so many joints in which some are turned, fewest first.
-export function signSets(dof) {
-  const sets = [];
-  for (let bits = 1; bits < 1 << dof; bits++) {
-    sets.push(Array.from({ length: dof }, (_, k) => ((bits >> (dof - 1 - k)) & 1 ? -1 : 1)));
-  }
-  const sum = (signs) => signs.reduce((total, s) => total + s, 0);
-  return sets.sort((p, q) => sum(q) - sum(p));
-}

@@ -1,26 +1,15 @@
 // Is an inverse kinematics right and complete? Each answer is judged, and what is missing is named.
 
-import { wrongAnswer } from "../causes/branches.js";
+import { looksLikeSlip, wrongAnswer } from "../causes/branches.js";
 import { variable } from "../causes/joints.js";
-import { cause, nameOf, wordsOf } from "../causes/ranking.js";
+import { nameOf, wordsOf } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { asksPose, formOf, inverse } from "../geometry/inverse.js";
 import { joints } from "../geometry/kinematics.js";
-import { asDegrees, JOINT_NAMES, turning } from "../reading/numbers.js";
-import { answering } from "../report.js";
+import { JOINT_NAMES, turning } from "../reading/numbers.js";
+import { answering, reportOf } from "../report.js";
 import { listed, lower, say } from "../sentences.js";
-import {
-  answers,
-  EXACT,
-  gapOf,
-  hitsOf,
-  marginsOf,
-  matches,
-  NEAR,
-  REACHED,
-} from "./branches_matching.js";
-
-const COARSE = 5.1e-3; // rad or m: with a larger unit, branches and slips are not told apart
+import { answers, hitsOf, NEAR, sameAnswer } from "./branches_matching.js";
 
 /**
  * A joint vector with the units of its last places.
@@ -47,7 +36,7 @@ function branchesCompared(mine, arm, target, options = {}) {
   const own = found && found.arm === arm.name;
   const right = rightOf(arm, own ? found.branches : branchesOf(arm, found?.target ?? target));
   const { answers: given, taken, typed } = upright(mine, right, angles, tolerance);
-  const { astray, ...report } = judged(right, given, angles, tolerance, taken);
+  const { astray, ...report } = judged(right, given, tolerance, taken);
   const dof = joints(arm).length;
   const asRows = !taken.length && typed.shape.at(-1) === dof;
   const wrong = asRows && given.flatMap((one, i) => one.values.map(() => astray.includes(i + 1)));
@@ -90,30 +79,8 @@ const rightOf = (arm, branches) => ({
   count: branches.reduce((sum, { times }) => sum + times, 0),
 });
 
-function judged(right, given, angles, tolerance, taken) {
-  const degrees = angles === "rad" ? onlyAsDegrees(right, given, tolerance) : null;
-  return degrees
-    ? reported(right, degrees, tolerance, taken, cause("ik.degrees"))
-    : reported(right, given, tolerance, taken, null);
-}
-
-// The answers taken as degrees, where they are branches so and none is as typed; null where they
-// are not, or are so small that zero is as near to the branch.
-/** @returns {Answer[] | null} */
-function onlyAsDegrees(right, given, tolerance) {
-  const { arm, branches } = right;
-  if (!branches.length || !given.length || hitsOf(right, given, tolerance).hits.size) return null;
-  const degrees = asDegrees(given, arm);
-  const turns = turning(arm);
-  const tells = ([k, number]) => {
-    const zero = given[number - 1].values.map((x, i) => (turns[i] ? 0 : x));
-    return !matches(right, zero, marginsOf(degrees[number - 1].units, tolerance, true)).includes(k);
-  };
-  return [...hitsOf(right, degrees, tolerance).hits].some(tells) ? degrees : null;
-}
-
 /** @returns {import("../report.js").Report & { astray: number[] }} */
-function reported(right, given, tolerance, taken, everywhere) {
+function judged(right, given, tolerance, taken) {
   const { arm, branches } = right;
   const { hits, astray, sharp } = hitsOf(right, given, tolerance);
   const wrong = astray.map((number) => wrongAnswer(right, given[number - 1], number, tolerance));
@@ -121,36 +88,39 @@ function reported(right, given, tolerance, taken, everywhere) {
     branches.flatMap(({ name }, k) => (hits.has(k) === there ? [name] : [])),
   );
   const unreachable = outOfRange(right, hits, missing, found);
-  const oneSided = unreachable.length ? [] : oneSign(right, hits, missing, found);
-  const whys = wrong.flatMap(({ causes }) => causes.map(nameOf));
-  const all = [...whys, ...oneSided.map(({ what }) => what)];
-  const coarse = tolerance === null && tooCoarse(right, given);
-  const faulty = Boolean(everywhere) || astray.length > 0;
-  const grade = gradeOf(faulty, missing.length > 0 || coarse, sharp);
-  const told = { everywhere, wrong, count: found.length, coarse: coarse && !missing.length };
+  const oneSided = unreachable.length || astray.length ? [] : oneSign(right, hits, missing, found);
+  const coarse =
+    tolerance === null && given.some((answer) => hits.size && looksLikeSlip(right, answer));
+  const unfinished = missing.length > 0 && !unreachable.length;
+  const grade = gradeOf(astray.length > 0, unfinished || coarse, sharp);
+  const all = commonCause(wrong);
+  const whats = [
+    ...wrong.flatMap(({ causes }) => causes.map(nameOf)),
+    ...oneSided.map(({ what }) => what),
+  ];
   return {
-    astray: everywhere ? given.map((_, i) => i + 1) : astray,
-    topic: "branches",
-    arm: arm.name,
-    grade,
-    headline: headlineOf(grade, right, told),
+    ...reportOf("branches", arm, grade, headlineOf(grade, right, { all, found, unfinished })),
+    astray,
     findings: [
-      ...(everywhere ? [{ what: "cause", where: "", words: `${wordsOf(everywhere)}.` }] : []),
+      ...(all ? [{ what: "cause", where: "", words: `${wordsOf(all)}.` }] : []),
       ...foundOnes(found, found.length < branches.length || astray.length > 0),
-      ...wrong.map(({ finding }) => finding),
+      ...(all ? [] : wrong.map(({ finding }) => finding)),
       ...missingOnes(missing, found.length > 0 || !astray.length),
       ...oneSided,
     ],
-    causes: everywhere ? [nameOf(everywhere)] : [...new Set(all)],
+    causes: [...new Set(whats)],
     taken,
     notes: [...notesOf(right), ...twice(arm, given), ...unreachable],
-    figures: {
-      found,
-      right: everywhere ? 0 : found.length,
-      of: branches.length,
-      wrong: astray.length,
-    },
+    figures: { found, right: found.length, of: branches.length, wrong: astray.length },
   };
+}
+
+// The one cause of all that is wrong, if there are several of it.
+function commonCause(wrong) {
+  const [first] = wrong;
+  const name = ({ causes }) => (causes.length ? nameOf(causes[0]) : "");
+  if (wrong.length < 2 || !name(first)) return null;
+  return wrong.every((one) => name(one) === name(first)) ? first.causes[0] : null;
 }
 
 function gradeOf(faulty, unfinished, sharp) {
@@ -170,18 +140,12 @@ const missingOnes = (names, told) =>
     ? [{ what: "missing", where: "", words: say("ik missing", { names: names.join("; ") }) }]
     : [];
 
-function headlineOf(grade, { arm, branches }, { everywhere, wrong, count, coarse }) {
-  const fields = { arm: arm.name, count, all: branches.length };
+function headlineOf(grade, { arm, branches }, { all, found, unfinished }) {
+  const fields = { arm: arm.name, count: found.length, all: branches.length };
   if (!branches.length) return say("ik none", fields);
-  if (everywhere) return say("ik wrong", { cause: lower(wordsOf(everywhere)), ...fields });
-  if (grade === WRONG) {
-    const firsts = new Set(wrong.map(({ causes }) => (causes.length ? nameOf(causes[0]) : "")));
-    const one = firsts.size === 1 && !firsts.has("") ? wrong[0].causes[0] : null;
-    return one
-      ? say("ik wrong", { cause: lower(wordsOf(one)), ...fields })
-      : say("ik some wrong", fields);
-  }
-  if (grade === SO_FAR) return say(coarse ? "ik so far digits" : "ik so far", fields);
+  if (grade === WRONG && all) return say("ik wrong", { cause: lower(wordsOf(all)), ...fields });
+  if (grade === WRONG) return say("ik some wrong", fields);
+  if (grade === SO_FAR) return say(unfinished ? "ik so far" : "ik so far digits", fields);
   return say(grade === RIGHT ? "ik right" : "ik rounded", fields);
 }
 
@@ -216,24 +180,10 @@ function outOfRange({ arm, branches }, hits, missing, found) {
   return beyond.length ? [say("ik out of range", { joints: listed(beyond) })] : [];
 }
 
-// Whether an answer has too few digits to tell, and is not exact all the same, as whole degrees may
-// be.
-function tooCoarse(right, given) {
-  const exact = (values) =>
-    matches(
-      right,
-      values,
-      values.map(() => REACHED),
-    ).length > 0;
-  return given.some(({ values, units }) => Math.max(...units) > COARSE && !exact(values));
-}
-
 // A word on the first answers that are the same.
 function* twice(arm, given) {
-  for (const [n, { values }] of given.entries()) {
-    const same = given.map((other) =>
-      gapOf(arm, other.values, values).every((gap) => gap <= EXACT),
-    );
+  for (const [n, one] of given.entries()) {
+    const same = given.map((other) => sameAnswer(arm, other, one));
     const alike = same.flatMap((is, k) => (is ? [k + 1] : []));
     if (alike.length > 1 && alike[0] === n + 1)
       yield say("ik twice", { numbers: listed(alike.map(String)) });

@@ -1,7 +1,7 @@
 // Which branch a typed joint vector is, within its digits.
 
-import { HALF, HAND } from "../digits.js";
-import { transposed } from "../geometry/chains.js";
+import { agreement, isRight } from "../digits.js";
+import { chain, framesOf, transposed } from "../geometry/chains.js";
 import { rint } from "../geometry/planar.js";
 import { jacobianColumns, joints, linkFrames, matrix } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
@@ -10,58 +10,89 @@ import {
   inRadians,
   notPerJoint,
   numbers,
+  rowsOf,
   turning,
   unnamed,
 } from "../reading/numbers.js";
-import { say } from "../sentences.js";
+import { listed, say } from "../sentences.js";
 
 /** @typedef {import("./branches.js").Answer} Answer */
+/** @typedef {import("./branches.js").Right} Right */
 
-export const EXACT = 1.01e-4; // rad or m: answers copied from paper with four decimals still count
-
-export const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
-
+const TARGET = 1e-4; // rad or m: what a target given with four decimals moves the joints
+const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
 export const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
-
-const BY_HAND = 0.0301; // rad or m: the most that rounding on the way is allowed
+const COUNTED = 1e6; // rad: in a larger angle rounding has eaten the turn's parts
 
 /**
  * Joint vectors with their units, however they were held, and how they were read; a square is read
- * by rows unless told.
+ * by rows unless told. Where each row of a locked arm has a value, those of its locked joints are
+ * set aside.
  * @returns {{ answers: Answer[], taken: string[], typed: import("../reading/numbers.js").Typed }}
  */
 export function answers(mine, arm, angles, byColumns = false) {
-  const dof = joints(arm).length;
+  const moving = joints(arm);
+  const dof = moving.length;
   const what = `${arm.name}: your answer`;
   const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm));
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = shapeOf(typed, dof);
-  const lies = shape.length === 2 && shape[0] === dof && (byColumns || shape[1] !== dof);
-  const [count, width] = lies ? [shape[1], shape[0]] : shape;
-  if (shape.length !== 2 || width !== dof) throw notPerJoint(what, arm, typed.shape);
+  const width = !shape.includes(dof) && shape.includes(arm.rows.length) ? arm.rows.length : dof;
+  const lies = shape[0] === width && (byColumns || shape[1] !== width);
+  if (shape.length !== 2 || shape[lies ? 0 : 1] !== width)
+    throw notPerJoint(what, arm, typed.shape);
   const upright = (list) => (lies ? transposed(list, shape) : list);
-  const [values, units, entries] = [typed.values, typed.units, typed.entries].map(upright);
+  const kept = (list) =>
+    upright(list).filter((_, i) => width === dof || moving.includes(i % width));
+  const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
   const flat = inRadians({ values, units, entries }, arm, angles);
-  const part = (list, i) => list.slice(i * dof, (i + 1) * dof);
-  const both = Array.from({ length: count }, (_, i) => ({
-    values: part(flat.values, i),
-    units: part(flat.units, i),
-  }));
-  const taken = lies && count > 1 ? [say("taken: answer per column")] : [];
-  return { answers: both, taken, typed };
+  const [each, places] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
+  const perColumn = transposedWords(lies, each.length);
+  const taken = width > dof ? [...perColumn, setAside(arm)] : perColumn;
+  return { answers: each.map((one, i) => ({ values: one, units: places[i] })), taken, typed };
+}
+
+const transposedWords = (lies, count) =>
+  lies && count > 1 ? [say("taken: answer per column")] : [];
+
+// A word on the locked joints, whose values are not judged.
+export function setAside({ rows }) {
+  const locked = rows.flatMap(({ kind }, i) => (kind === "fixed" ? [String(i + 1)] : []));
+  return say("taken: locked", { joints: listed(locked) });
 }
 
 // Rows and columns: a list is one row, and a single one however deep it lies.
-export function shapeOf({ shape, values }, dof) {
+function shapeOf({ shape, values }, dof) {
   if (shape[1] === 1 && shape[0] > dof && shape[0] % dof === 0) return [shape[0] / dof, dof];
   const flat = shape.length > 2 ? shape.filter((n) => n !== 1) : shape;
   return flat.length < 2 ? [1, values.length] : flat;
 }
 
-export function marginsOf(units, tolerance, hand = false) {
-  if (tolerance !== null) return units.map(() => Math.max(tolerance, 1e-9));
-  const byHand = (u) => Math.max(HALF * u, Math.min(HAND * u, BY_HAND));
-  return units.map((u) => Math.max(hand ? byHand(u) : HALF * u, EXACT));
+// How joints agree with a branch's, whole turns aside.
+function agreementWith(arm, { values, units }, branch, tolerance) {
+  const turns = turning(arm);
+  const truth = branch.map((x, k) => values[k] + signedGap(turns[k], x, values[k]));
+  const slack = branch.map(() => tolerance ?? TARGET);
+  const places = tolerance === null ? units : units.map(() => 0);
+  return agreement({ values, units: places }, truth, slack);
+}
+
+// The first branch that an answer is to its digits; -1 where it is none.
+/** @param {Right} right @param {Answer} answer */
+export const isBranch = ({ arm, branches }, answer, tolerance) =>
+  branches.findIndex(({ q }) => isRight(agreementWith(arm, answer, q, tolerance)));
+
+// Of each branch, which joints an answer has of it.
+/** @param {Right} right @param {Answer} answer */
+export function jointsOf({ arm, branches }, { values, units }, tolerance) {
+  const turns = turning(arm);
+  return branches.map(({ q }) =>
+    values.map((x, k) => {
+      const truth = x + signedGap(turns[k], q[k], x);
+      const slack = [tolerance ?? TARGET];
+      return isRight(agreement({ values: [x], units: [units[k]] }, [truth], slack));
+    }),
+  );
 }
 
 // The answer that gives each branch, the answers that give none, and whether all are right to their
@@ -70,39 +101,32 @@ export function hitsOf(right, given, tolerance) {
   const hits = new Map();
   const astray = [];
   let sharp = true;
-  given.forEach(({ values, units }, at) => {
-    let match = matches(right, values, marginsOf(units, tolerance));
-    if (!match.length) {
-      match = matches(right, values, marginsOf(units, tolerance, true));
-      sharp = false;
-    }
-    for (const k of match) if (!hits.has(k)) hits.set(k, at + 1);
-    if (!match.length) astray.push(at + 1);
+  given.forEach((answer, at) => {
+    const found = matches(right, answer, tolerance);
+    for (const { branch } of found) if (!hits.has(branch)) hits.set(branch, at + 1);
+    if (!found.length) astray.push(at + 1);
+    else if (!found.some(({ how }) => isRight(how))) sharp = false;
   });
   return { hits, astray, sharp };
 }
 
-// The branches that q is: the same joints, or, where a joint is free, another member of the
-// branch's family.
-export function matches(right, q, margin) {
+// The branches that an answer is, and how: the same joints, or, where a joint is free, another
+// member of the branch's family.
+/** @param {Right} right @param {Answer} answer */
+export function matches(right, answer, tolerance) {
   const { arm, branches } = right;
-  const gaps = branches.map((branch) => gapOf(arm, q, branch.q));
-  const near = (gap) => gap.map((x, k) => x <= margin[k]);
-  const same = gaps.map((gap) => near(gap).every(Boolean));
-  let family = branches.map(({ free }) => free.includes(true));
-  if (family.includes(true) && missOf(right, q, margin) === null) {
-    family = family.map((is, b) => {
-      if (!is) return false;
-      const loose = movingInPlace(arm, branches[b].q);
-      return near(gaps[b]).every((fits, k) => fits || loose[k]);
-    });
-    const far = gaps.map((gap, b) =>
-      gap.reduce((sum, x, k) => sum + (branches[b].free[k] ? 0 : x), 0),
-    );
-    const least = Math.min(...far.filter((_, b) => family[b])) + Math.max(...margin);
-    family.forEach((is, b) => (same[b] ||= is && far[b] < least));
-  }
-  return same.flatMap((is, b) => (is ? [b] : []));
+  const found = branches.flatMap(({ q }, branch) => {
+    const how = agreementWith(arm, answer, q, tolerance);
+    return how ? [{ branch, how }] : [];
+  });
+  const families = branches.some(({ free }) => free.includes(true));
+  if (found.length || !families || !reaches(right, answer.values, answer.units)) return found;
+  const own = jointsOf(right, answer, tolerance);
+  return branches.flatMap(({ q, free }, branch) => {
+    if (!free.includes(true)) return [];
+    const loose = movingInPlace(arm, q);
+    return own[branch].every((is, k) => is || loose[k]) ? [{ branch, how: "rounded" }] : [];
+  });
 }
 
 // Which joints can move while the tip stands still, by the Jacobian's null space.
@@ -116,22 +140,27 @@ function movingInPlace(arm, q) {
   return q.map((_, k) => vectors.some((v, i) => values[i] < NEAR && Math.abs(v[k]) > NEAR));
 }
 
-// How far q's tip is from the target, [m, rad], or null where the digits of q explain it.
-/** @returns {[number, number] | null} */
-export function missOf(right, q, margin) {
-  const { arm, branches } = right;
-  const [frames, target] = [q, branches[0].q].map((one) => linkFrames(arm, one));
-  const away = length(target.at(-1).o.map((x, i) => x - frames.at(-1).o[i]));
-  const turned = q.length >= 6 ? turnBetween(frames.at(-1), target.at(-1)) : 0;
-  const columns = jacobianColumns(arm, frames);
-  const spread = (i) =>
-    columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * margin[k], 0);
-  const most = (half) => Math.max(REACHED, length(half.map(spread)));
-  const [far, wide] = [most([0, 1, 2]), most([3, 4, 5])];
-  return away <= far && turned <= wide ? null : [away, turned];
+// How far q's tip is from the target, [m, rad].
+/** @returns {[number, number]} */
+export const missOf = (right, q) => between(linkFrames(right.arm, q).at(-1), right);
+
+/** @returns {[number, number]} */
+function between(here, { arm, branches }) {
+  const target = linkFrames(arm, branches[0].q).at(-1);
+  return [length(target.o.map((x, i) => x - here.o[i])), turnBetween(here, target)];
 }
 
-export const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
+// Whether q takes the tip to the target, to the digits of q; of an arm whose table is changed too.
+export function reaches(right, q, units = q.map(() => 0), change = (c) => c) {
+  const frames = framesOf(change(chain(right.arm, q)));
+  const columns = jacobianColumns(right.arm, frames);
+  const spread = (i) => columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * units[k], 0);
+  const most = (half) => Math.max(REACHED, length(half.map(spread)));
+  const [away, turned] = between(frames.at(-1), right);
+  return away <= most([0, 1, 2]) && (q.length < 6 || turned <= most([3, 4, 5]));
+}
+
+const length = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
 
 // The angle (rad) of the turn from one frame to another.
 export function turnBetween(here, there) {
@@ -142,15 +171,12 @@ export function turnBetween(here, there) {
   return Math.atan2(off, R[0][0] + R[1][1] + R[2][2] - 1);
 }
 
-export function gapOf(arm, q, other) {
-  const turns = turning(arm);
-  return q.map((x, k) => gapBetween(turns[k], x, other[k]));
+// How far x is ahead of y, whole turns aside where a joint turns.
+function signedGap(turns, x, y) {
+  const gap = x - y;
+  return turns && Math.abs(gap) < COUNTED ? gap - 2 * Math.PI * rint(gap / (2 * Math.PI)) : gap;
 }
 
-// rad: in a larger angle rounding has eaten the turn's parts, and whole turns cannot be counted off
-const COUNTED = 1e6;
-
-export function gapBetween(turns, x, y) {
-  const gap = Math.abs(x - y);
-  return turns && gap < COUNTED ? Math.abs(gap - 2 * Math.PI * rint(gap / (2 * Math.PI))) : gap;
-}
+/** @param {Answer} one @param {Answer} other */
+export const sameAnswer = (arm, one, other) =>
+  agreementWith(arm, { ...one, units: one.units.map(() => 0) }, other.values, null) !== "";

@@ -1,30 +1,18 @@
 // Is a Jacobian wrong, and how?
 
-import { answering, reportOf } from "../report.js";
-import { setting, singles } from "../causes/jacobian.js";
-import { allColumns, causesOf, CLOSE, HALVES, ROWS } from "../causes/jacobian_search.js";
-import { complete, explain, nameOf, perhaps, several } from "../causes/ranking.js";
-import {
-  beyond,
-  decimalsOf,
-  graded,
-  HAND,
-  lastDigit,
-  margins,
-  RIGHT,
-  ROUNDED,
-  slopOf,
-  SLOPPY,
-  SO_FAR,
-  TELLING,
-  WRONG,
-} from "../digits.js";
+import { inOneColumn, jacobianOf, pairs, single, steps } from "../causes/jacobian.js";
+import { nameOf, several } from "../causes/ranking.js";
+import { agrees, RIGHT, SO_FAR, tellable, WRONG } from "../digits.js";
+import { verdictOn } from "../entries.js";
 import * as chains from "../geometry/chains.js";
 import { norm } from "../geometry/kinematics.js";
-import { minusEach } from "../geometry/linear.js";
 import { rowsOfColumns } from "../reading/matrix_columns.js";
 import { lookup, numbered, numbers, pose, turning } from "../reading/numbers.js";
+import { answering, reportOf } from "../report.js";
 import { ArmError, counted, listed, lower, say } from "../sentences.js";
+
+const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
+const HALVES = ["linear", "angular"];
 
 /**
  * The report on a Jacobian, a text or nested numbers, of an arm's tip at q.
@@ -33,213 +21,213 @@ import { ArmError, counted, listed, lower, say } from "../sentences.js";
 export const compareJacobian = answering(jacobianCompared, /^j/i);
 
 function jacobianCompared(mine, arm, q, options = {}) {
-  const { angularFirst = false, frame = 0, angles = "rad" } = options;
-  const at = pose(q, arm, angles);
-  const dof = at.values.length;
+  const at = pose(q, arm, options.angles);
   const { known, said } = lookup(arm, at.values, options.values ?? []);
-  const typed = matrix(mine, `${arm.name}: your Jacobian`, known, dof, options);
-  const asked = { arm, at, frame, tolerance: options.tolerance ?? null, briefly: options.briefly };
-  const [rows, width] = typed.shape;
-  if (width !== dof || ![3, 6].includes(rows)) return { ...misshapen(typed, asked, said), typed };
-  if (!typed.values.some(Boolean))
-    return { ...empty(arm, said), typed, wrong: typed.values.map(() => true) };
-  return angularFirst && rows === 6
-    ? judgedAngularFirst(typed, asked, said)
-    : whole(judged(typed, asked, said), typed);
+  const typed = matrix(mine, `${arm.name}: your Jacobian`, known, at.values.length, options);
+  const asked = { ...options, arm, at, frame: options.frame ?? 0 };
+  const report = compared(typed, asked, said);
+  return report && { ...report, typed };
 }
 
-// `report` with what was typed; null where it was asked for briefly, and there is no single cause.
-const whole = (report, typed) => report && { ...report, typed };
+function compared(typed, asked, said) {
+  const { arm, at, angularFirst = false } = asked;
+  const [rows, width] = typed.shape;
+  if (width !== at.values.length || ![3, 6].includes(rows)) return misshapen(typed, asked, said);
+  if (!typed.values.some(Boolean)) {
+    const headline = say("J wrong", { arm: arm.name, cause: lower(say("J zero")) });
+    const wrong = typed.values.map(() => true);
+    return { ...reported(arm, WRONG, headline, { taken: said }), wrong };
+  }
+  if (!angularFirst || rows === 3) return judged(typed, asked, said);
+  const report = judged(halvesExchanged(typed), asked, [...said, say("taken: angular first")]);
+  return report && { ...report, wrong: exchanged(report.wrong) };
+}
+
+const reported = (...told) => reportOf("Jacobian", ...told);
+const exchanged = (list) => [...list.slice(list.length / 2), ...list.slice(0, list.length / 2)];
+const halvesExchanged = (typed) => ({
+  ...typed,
+  values: exchanged(typed.values),
+  units: exchanged(typed.units),
+});
 
 // What was typed as a matrix; all of its entries in one row or column are taken row by row. A
 // formula needs no q; `computed` are the values of a function, which count as one.
 function matrix(mine, what, known, dof, { generic = false, computed = false }) {
   const read = numbers(rowsOfColumns(mine), what, known);
-  if (generic && !read.symbolic && !computed) throw new ArmError(say("J needs q"));
-  const { values } = read;
+  const symbolic = read.symbolic || computed;
+  if (generic && !symbolic) throw new ArmError(say("J needs q"));
   const one = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
-  const shape = one < 0 ? read.shape : read.shape.filter((_, i) => i !== one);
-  const typed = { ...read, shape, symbolic: read.symbolic || computed };
+  const shape = read.shape.filter((_, i) => one < 0 || i !== one);
   if (shape.length !== 2) throw new ArmError(say("no matrix", { what, given: counted(shape) }));
-  const flat = values.length === 6 * dof && values.length === Math.max(...shape);
-  return flat ? { ...typed, shape: [6, dof] } : typed;
+  const units = computed ? read.units.map(() => 0) : read.units;
+  const count = read.values.length;
+  const flat = count === 6 * dof && count === Math.max(...shape);
+  return { ...read, units, symbolic, shape: flat ? [6, dof] : shape };
 }
 
-function judgedAngularFirst(typed, asked, said) {
-  const half = typed.values.length / 2;
-  const exchanged = (list) => [...list.slice(half), ...list.slice(0, half)];
-  const linearFirst = { ...typed, values: exchanged(typed.values), units: exchanged(typed.units) };
-  const report = judged(linearFirst, asked, [...said, say("taken: angular first")]);
-  return whole(report && { ...report, wrong: report.wrong && exchanged(report.wrong) }, typed);
-}
-
-const reported = (...told) => reportOf("Jacobian", ...told);
-
-// The shape
-
-function misshapen(typed, { arm, at, frame }, taken) {
-  const { shape } = typed;
-  const joint = leftOut(typed, setting(arm, at.values, frame));
-  const key = joint ? "J.column missing" : shapeCause(shape, arm);
-  const said = say(key, { shape: shape.join("x"), dof: numbered(arm).length, joint });
-  const words = `${said.replace(/\.+$/, "")}.`;
-  const expected = [6, numbered(arm).length];
-  const findings = [{ what: "shape", where: "", mine: shape, expected, words }];
-  const headline = say("J wrong", { arm: arm.name, cause: lower(words) });
-  return reported(arm, WRONG, headline, {
-    findings,
-    causes: [joint ? `${key}:${joint}` : key],
-    taken,
-  });
-}
-
-const empty = (arm, taken) =>
-  reported(arm, WRONG, say("J wrong", { arm: arm.name, cause: say("J zero") }), { taken });
-
-// The only joint without which the columns are right; 0 where there is none.
-function leftOut({ values, units, shape: [rows, width] }, where) {
-  const { dof } = where.here;
-  if (rows !== 6 || width !== dof - 1) return 0;
-  const right = allColumns(where).slice(0, dof);
-  const fits = (k) => {
-    const others = right.filter((_, i) => i !== k);
-    return values.every((x, n) => {
-      const wanted = others[n % width][1][Math.floor(n / width)];
-      return Math.abs(x - wanted) <= Math.min(Math.max(HAND * units[n], SLOPPY), CLOSE);
-    });
+// Another shape: what was forgotten, if the rest is right.
+function misshapen({ values, units, shape: [rows, width] }, { arm, at, frame }, taken) {
+  const right = allColumns(arm, at.values, frame).sort(([i], [j]) => i - j);
+  const [dof, joint] = [at.values.length, numbered(arm)];
+  const is = (numbersOf, kept) => {
+    const columns = right.filter(([one]) => numbersOf.includes(one));
+    const truth = kept.flatMap((row) => columns.map(([, column]) => column[row]));
+    return truth.length === values.length && agrees({ values, units }, truth);
   };
-  const found = right.filter((_, k) => fits(k));
-  return found.length === 1 ? found[0][0] : 0;
-}
-
-function shapeCause([rows, width], arm) {
-  const [dof, all] = [numbered(arm).length, arm.rows.length];
-  if (rows === dof && width === 6) return "J.transposed";
-  if (all > dof && width === all && rows === 5) return "J.row for column";
-  if (all > dof && width === all && rows === 6) return "J.locked column kept";
-  return "J.shape";
-}
-
-// The verdict
-
-/** @returns {import("../report.js").Report} */
-function judged(typed, { arm, at, frame, tolerance, briefly = false }, said) {
-  const where = setting(arm, at.values, frame);
-  const known = singles(where);
-  const half = typed.shape[0] === 3 ? rowsMeant(typed.values, known.right) : null;
-  const taken = half === null ? said : [...said, say("taken: half", { half: HALVES[half] })];
-  const part = (J) =>
-    half === null ? J : J.slice((half * J.length) / 2, ((half + 1) * J.length) / 2);
-  const right = part(known.right);
-  const left = slop(arm, at, frame);
-  const m = margins(typed.units, part(scales(known.right)), left && part(left), tolerance);
-  const grade = graded(typed.values, right, m, known.made.map(part));
-  if (grade !== WRONG) {
-    const how = lastDigit(typed.values, right, typed.units);
-    const notes = typed.symbolic ? [] : hidden(known);
-    return good(grade, typed, arm, half, { taken, notes, how });
-  }
-  if (briefly) {
-    const made = known.made.map(part);
-    const one = explain(typed.values, right, m.band, { causes: known.causes, made });
-    return complete(one) ? bad(one.causes, [], arm, taken) : null;
-  }
-  const mistaken = { M: typed.values, right, known, part, where, from: half ? 3 : 0 };
-  const [found, symptoms] = causesOf(mistaken, m);
-  return { ...bad(found, symptoms, arm, taken), wrong: beyond(typed.values, right, m) };
-}
-
-// How large each entry may be taken to be: as large as its half's largest.
-function scales(right) {
-  const middle = right.length / 2;
-  const sizes = [right.slice(0, middle), right.slice(middle)].map((J) =>
-    Math.max(1e-3, largest(J)),
+  const every = ROWS.map((_, i) => i);
+  const left = joint.filter((one) =>
+    is(
+      joint.filter((other) => other !== one),
+      every,
+    ),
   );
-  return right.map((_, i) => sizes[i < middle ? 0 : 1]);
+  const whole = right.map(([one]) => one);
+  let key = "J.shape";
+  if (rows === dof && width === 6) key = "J.transposed";
+  else if (rows === 6 && left.length === 1) key = "J.column missing";
+  else if (whole.length > dof && is(whole, every)) key = "J.locked column kept";
+  else if (whole.length > dof && rows === 5 && every.some((row) => is(whole, without(row))))
+    key = "J.row for column"; // slip 3, by its words
+  const missing = key === "J.column missing" ? left[0] : 0;
+  const words = say(key, { shape: `${rows}x${width}`, dof, joint: missing });
+  const findings = [
+    { what: "shape", where: "", mine: [rows, width], expected: [6, dof], words: `${words}.` },
+  ];
+  const headline = say("J wrong", { arm: arm.name, cause: `${lower(words)}.` });
+  const causes = [missing ? `${key}:${missing}` : key];
+  return reported(arm, WRONG, headline, { findings, causes, taken });
 }
 
-const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 0);
+const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
+
+/** @returns {import("../report.js").Report | null} */
+function judged(typed, { arm, at, frame, tolerance = null, briefly = false }, said) {
+  const slips = steps(arm, at.values, frame);
+  const whole = jacobianOf(arm, frame);
+  const half = typed.shape[0] === 3 ? rowsMeant(typed.values, whole(at.values)) : null;
+  const part = ({ cause, make }) => ({ cause, make: (q) => rowsOfHalf(make(q), half) });
+  const right = (q) => rowsOfHalf(whole(q), half);
+  const singles = single(arm, frame, slips).map(part);
+  const of = (make) => () => Array.from(make(arm, frame, slips), part);
+  const asked = { mine: typed, q: at, dof: at.values.length, right, slips: singles, tolerance };
+  const verdict = verdictOn({ ...asked, further: briefly ? [] : [of(inOneColumn), of(pairs)] });
+  const taken = half === null ? said : [...said, say("taken: half", { half: HALVES[half] })];
+  const truth = right(at.values);
+  if (verdict.grade !== WRONG) {
+    const notes = typed.symbolic || half !== null ? [] : hidden(slips, singles, at.values, truth);
+    const told = good(verdict, typed, arm, half);
+    return { ...told, taken, notes: [...told.notes, ...notes], wrong: verdict.wrong };
+  }
+  if (briefly && !verdict.slips.length) return null;
+  const columns = allColumns(arm, at.values, frame).map(([one, J]) => [one, rowsOfHalf(J, half)]);
+  const where = () => places(typed, columns, verdict.wrong, arm, half === 1 ? 3 : 0);
+  return {
+    ...bad(
+      verdict.slips.map((slip) => slip.cause),
+      where,
+      arm,
+    ),
+    taken,
+    wrong: verdict.wrong,
+  };
+}
+
+// All rows, or the half of them that three rows are.
+const rowsOfHalf = (J, half) =>
+  half === null ? J : J.slice((half * J.length) / 2, ((half + 1) * J.length) / 2);
 
 // Which half three rows are: the one they are nearer to.
 function rowsMeant(M, right) {
-  const off = [0, 1].map((half) => norm(M.map((x, i) => x - right[half * M.length + i])));
-  return off[1] < off[0] ? 1 : 0;
+  const [linear, angular] = [0, 1].map((half) =>
+    norm(rowsOfHalf(right, half).map((x, i) => x - M[i])),
+  );
+  return angular < linear ? 1 : 0;
 }
 
-// What the unwritten digits of q may change in each entry.
-const slop = (arm, { units, values }, frame) =>
-  slopOf(units, values, (q) => {
-    const c = chains.chain(arm, q);
-    const T = chains.framesOf(c);
-    const J = chains.columns(c, T);
-    return frame ? chains.seenIn(J, T[frame]) : J;
-  });
-
 // A word on the mistakes that this pose does not show.
-function hidden({ right, causes, made }) {
-  const effect = made.map((J) => largest(minusEach(J, right)));
-  const method = causes.map(
-    ({ keys: [key] }) => key.startsWith("J.") && key !== "J.columns exchanged",
+function hidden(slips, singles, q, truth) {
+  const method = singles.filter((_, k) => !slips[k].change && !("i" in slips[k].cause.fields[0]));
+  const shown = method.filter(({ make }) =>
+    tellable({ units: truth.map(() => 0) }, truth, make(q)),
   );
-  const blind = method.filter((is, k) => is && effect[k] < TELLING).length;
-  return blind ? [say("J hidden", { count: blind, all: method.filter(Boolean).length })] : [];
+  const count = method.length - shown.length;
+  return count ? [say("J hidden", { count, all: method.length })] : [];
 }
 
 // `half` is which half three rows are, null where all six are there.
-function good(grade, typed, arm, half, { how, ...said }) {
-  const whole = half === null;
-  const digits = decimalsOf(typed.units);
-  const keys = {
-    [RIGHT]: whole ? "J right" : "J half right",
-    [SO_FAR]: "J so far",
-    [ROUNDED]: "J rounded",
-  };
+function good({ grade, how, wrong }, typed, arm, half) {
   const where = typed.symbolic ? "" : say("at this pose");
-  const precision = digits === null || digits > 6 ? "" : say("to decimals", { digits });
+  const precision = typed.units.some(Boolean) ? say("to your digits") : "";
   const [own, other] = half ? ["angular", "linear"] : HALVES;
-  const headline = say(keys[grade], {
-    arm: arm.name,
-    where,
-    precision,
-    digits: digits ?? 0,
-    how,
-    half: own,
-    other,
-  });
-  const missing = {
-    what: "missing",
-    where: `${other} rows`,
-    words: say("J half missing", { other }),
-  };
-  const findings = whole ? [] : [missing];
-  return reported(arm, whole || grade !== RIGHT ? grade : SO_FAR, headline, { findings, ...said });
+  const keys = { [RIGHT]: half === null ? "J right" : "J half right", [SO_FAR]: "J so far" };
+  const width = typed.shape[1];
+  const off = numbered(arm).flatMap((_, k) =>
+    column(wrong, k, width).includes(true) ? [k + 1] : [],
+  );
+  const places = listed(off.map((k) => say("column", { column: k })));
+  const fields = { arm: arm.name, where, precision, half: own, other, places };
+  const headline = say(keys[grade] ?? "J rounded", fields);
+  const findings =
+    half === null
+      ? []
+      : [{ what: "missing", where: `${other} rows`, words: say("J half missing", { other }) }];
+  const said = half !== null && grade === RIGHT ? SO_FAR : grade;
+  return reported(arm, said, headline, { findings, notes: how === "cut" ? [say("cut")] : [] });
 }
 
-function bad(found, symptoms, arm, taken) {
-  if (found.length) {
-    const words = perhaps(several(found), symptoms);
-    const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
+function bad(causes, where, arm) {
+  if (causes.length) {
+    const words = several(causes);
+    const findings = [{ what: "cause", where: "", words: `${words}.` }];
     const headline = say("J wrong", { arm: arm.name, cause: `${lower(words)}.` });
-    return reported(arm, WRONG, headline, { findings, causes: found.map(nameOf), taken });
+    return reported(arm, WRONG, headline, { findings, causes: causes.map(nameOf) });
   }
-  if (symptoms.every(everything) && symptoms.length === numbered(arm).length) {
-    const key = turning(arm)[0] ? "J turns" : "J slides";
-    const question = say(key, { joint: numbered(arm)[0] });
-    return reported(arm, WRONG, say("J wrong everywhere", { arm: arm.name, question }), { taken });
+  const found = where();
+  if (found.length === numbered(arm).length && found.every(({ what }) => what === "column")) {
+    const question = say(turning(arm)[0] ? "J turns" : "J slides", { joint: numbered(arm)[0] });
+    return reported(arm, WRONG, say("J wrong everywhere", { arm: arm.name, question }), {
+      findings: found,
+    });
   }
   const headline =
-    symptoms.length === 1
-      ? say("J wrong place", { arm: arm.name, words: lower(symptoms[0].words) })
-      : say("J wrong places", {
-          arm: arm.name,
-          places: listed(symptoms.map(({ where }) => where)),
-        });
-  const causes = [
-    ...new Set(symptoms.map(({ what }) => what).filter((what) => what.includes("."))),
-  ];
-  return reported(arm, WRONG, headline, { findings: symptoms, causes, taken });
+    found.length === 1
+      ? say("J wrong", { arm: arm.name, cause: lower(found[0].words) })
+      : say("J wrong places", { arm: arm.name, places: listed(found.map(({ where: at }) => at)) });
+  return reported(arm, WRONG, headline, { findings: found });
 }
 
-// Whether a column is wrong in every row, for no reason that is known.
-const everything = ({ what, words }) =>
-  what === "column" && ROWS.every((name) => words.includes(name));
+const column = (list, k, width) => list.filter((_, i) => i % width === k);
+
+// The wrong columns: turned over, another joint's, or wrong in some rows.
+function places({ values, units, shape }, columns, wrong, arm, from) {
+  const width = shape[1];
+  return numbered(arm).flatMap((joint, k) => {
+    const [off, own, places] = [wrong, values, units].map((list) => column(list, k, width));
+    if (!off.includes(true)) return [];
+    const is = (other) => agrees({ values: own, units: places }, other);
+    const [, truth] = columns.find(([one]) => one === joint);
+    const others = columns.filter(([one, other]) => one !== joint && is(other));
+    const rows = listed(ROWS.slice(from).filter((_, i) => off[i]));
+    const negative = truth.map((x, i) => (off[i] ? -x : x));
+    const [what, said] =
+      others.length === 1
+        ? ["J.column of", say("J.column of", { joint: others[0][0] })]
+        : ["column", say(is(negative) ? "J.entry signs" : "J.entries", { rows })];
+    const words = say("J column", { column: k + 1, joint, words: said });
+    return [{ what, where: `column ${k + 1}`, words }];
+  });
+}
+
+// Each joint's column in the declared frame, then those that locked joints would have.
+function allColumns(arm, q, frame) {
+  const here = chains.chain(arm, q);
+  const T = chains.framesOf(here);
+  const locked = arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [i] : []));
+  const loose = { ...here, at: locked, turns: locked.map(() => true), dof: locked.length };
+  return [here, loose].flatMap((c) => {
+    const J = chains.columns(c, T);
+    const seen = frame ? chains.seenIn(J, T[frame]) : J;
+    return c.at.map((i, k) => [i + 1, column(seen, k, c.dof)]);
+  });
+}

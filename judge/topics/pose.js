@@ -1,28 +1,19 @@
-// Do these joint angles reach that pose?
+// Do these joint angles reach that pose? The entries judged are the target's, the truth is the tip.
 
-import { answering, reportOf } from "../report.js";
-import {
-  cross,
-  dot,
-  jacobianColumns,
-  linkFrames,
-  matrix,
-  minus,
-  norm,
-} from "../geometry/kinematics.js";
 import { millimetres, turnOf } from "../causes/branches.js";
-import { turnBetween, answers } from "./branches_matching.js";
-import { HALF, HAND, RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
-import { JOINT_NAMES, lookup, numbers, numbered, turning } from "../reading/numbers.js";
+import { slips as jointSlips, variable } from "../causes/joints.js";
 import { cause, nameOf, several } from "../causes/ranking.js";
+import { wrongTables } from "../causes/tables.js";
+import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
+import { verdictOn } from "../entries.js";
+import { chain, framesOf } from "../geometry/chains.js";
+import { cross, dot, matrix, minus, norm } from "../geometry/kinematics.js";
+import { JOINT_NAMES, lookup, numbers, numbered } from "../reading/numbers.js";
+import { answering, reportOf } from "../report.js";
 import { ArmError, counted, listed, lower, say } from "../sentences.js";
-import { choices, double, scale, scales, single, variable, whole } from "../causes/joints.js";
+import { answers, turnBetween } from "./branches_matching.js";
 
-const EXACT = 1e-6; // m or rad
-const FAR = 10; // margins: what is missed by less may be several joints, each a little off
-// the largest unit of a rotation's entries: a whole 0 or 1 may stand for no other
-const ROUGH = 0.1;
-const COARSE = 2e-3; // rad or m: angles with fewer decimals are taken as meant, unless that fails
+const FEW = 3; // wrong entries: a wrong q changes more of them
 
 /** @typedef {import("./branches.js").Answer} Answer */
 /**
@@ -45,10 +36,7 @@ function poseCompared(q, arm, T, options = {}) {
   const { known } = lookup(arm, given[0].values);
   const target = targetOf(T, arm, known);
   const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
-  return {
-    ...judged({ ...given[0], units }, arm, target, tolerance, taken),
-    typed,
-  };
+  return { ...judged({ ...given[0], units }, arm, target, tolerance, taken), typed };
 }
 
 /**
@@ -69,47 +57,72 @@ export function targetOf(T, arm, known, orPoint = true) {
 
 /** @returns {import("../report.js").Report} */
 function judged(q, arm, T, tolerance, taken) {
-  const here = linkFrames(arm, q.values).at(-1);
-  const miss = missOf(here, T);
-  const fine = { values: q.values, units: q.units.map((u) => (u > COARSE ? 0 : u)) };
-  const margins = (of, share) => marginsOf(of, arm, T, share, tolerance);
-  const [sharp, margin] = [margins(fine, HALF), margins(fine, HAND)];
-  const found = within(miss, margin) ? [] : causesOf({ q, fine, arm, T, tolerance }, margin, miss);
-  const grade = found.length ? WRONG : gradeOf(miss, sharp, margin, margins(q, HALF));
-  const position = { position_error: miss[0], orientation_error: miss[1] };
-  const rest = { taken, notes: [], figures: position };
-  if (grade !== WRONG) {
-    const headline = say(GOOD[grade], { arm: arm.name });
-    return reported(arm, grade, headline, { ...rest, notes: [...limits(arm, q)] });
+  const mine = { values: T.values.flat(), units: T.units.flat() };
+  const right = tipOf(arm, T);
+  const slips = [...known(arm, T)];
+  const asked = { mine, q, dof: q.values.length, right, slips, tolerance };
+  const verdict = verdictOn(asked);
+  const coarse = slackOf(q, q.values.length, right, Infinity);
+  const truth = right(q.values);
+  const wrong = verdict.grade === WRONG;
+  const few = wrong && tolerance === null && !verdict.slips.length && agrees(mine, truth, coarse);
+  const grade = few ? SO_FAR : verdict.grade;
+  const here = framesOf(chain(arm, q.values)).at(-1);
+  const [away, turned] = missOf(here, T);
+  const rest = { taken, figures: { position_error: away, orientation_error: turned } };
+  if (grade !== WRONG)
+    return reported(arm, grade, say(GOOD[grade], { arm: arm.name }), {
+      ...rest,
+      notes: [...limits(arm, q)],
+    });
+  const off = missed(T, verdict.wrong, away, turned);
+  if (!verdict.slips.length) {
+    const findings = entries(T, verdict.wrong);
+    const headline = say("pose wrong", { arm: arm.name, off });
+    const causes = [...new Set(findings.map(({ what }) => what))];
+    return reported(arm, WRONG, headline, { ...rest, findings, causes });
   }
-  const far = !within(miss, [FAR * margin[0], FAR * margin[1]]);
-  const causes = !found.length && far ? alone(q.values, arm, T, sharp) : found;
-  const turn = T.pose && miss[1] > margin[1] ? turnOf(miss[1]) : "";
-  const off = say("ik off", { millimetres: millimetres(miss[0]), turn });
-  if (causes.length) return explained(arm, causes, off, rest);
-  const findings = T.pose ? entries(here, T, miss[1] <= margin[1]) : coordinates(here, T);
-  const whats = [...new Set(findings.map(({ what }) => what))];
-  const headline = say("pose wrong", { arm: arm.name, off });
-  return reported(arm, WRONG, headline, { ...rest, findings, causes: whats });
-}
-
-const GOOD = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
-
-// How near the tip comes, where no slip explains a miss; `coarse` is what few digits leave open.
-function gradeOf(miss, sharp, margin, coarse) {
-  if (within(miss, sharp)) return RIGHT;
-  if (within(miss, margin)) return ROUNDED;
-  return within(miss, coarse) ? SO_FAR : WRONG;
-}
-
-function explained(arm, causes, off, rest) {
+  const causes = verdict.slips.map((slip) => slip.cause);
   const words = several(causes);
   const headline = say("pose cause", { arm: arm.name, off, cause: lower(words) });
   const findings = [{ what: "cause", where: "", words: `${words}.` }];
   return reported(arm, WRONG, headline, { ...rest, findings, causes: causes.map(nameOf) });
 }
 
+const GOOD = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
 const reported = (...told) => reportOf("pose", ...told);
+
+function missed(T, wrong, away, turned) {
+  const tilted = T.pose && wrong.some((is, i) => is && i % 4 < 3);
+  const turn = tilted ? turnOf(turned) : "";
+  return say("ik off", { millimetres: millimetres(away), turn });
+}
+
+// The entries that a pose or a point has at the tip, for any q, in a table some of which is wrong.
+const tipOf =
+  (arm, T, change = (c) => c) =>
+  (q) => {
+    const tip = framesOf(change(chain(arm, q))).at(-1);
+    return T.pose ? matrix(tip).slice(0, 3).flat() : tip.o;
+  };
+
+/** @returns {Generator<import("../causes/ranking.js").Slip>} */
+function* known(arm, T) {
+  const right = tipOf(arm, T);
+  for (const [one, mended] of jointSlips(arm)) yield { cause: one, make: (q) => right(mended(q)) };
+  for (const [one, change] of wrongTables(arm)) yield { cause: one, make: tipOf(arm, T, change) };
+  const place = (i) => !T.pose || i % 4 === 3;
+  const long = (q) => right(q).map((x, i) => (place(i) ? 1000 * x : x));
+  yield { cause: cause("pose.millimetres"), make: long }; // slip 26
+  if (!T.pose) return;
+  const rotation = (change) => (q) => {
+    const rows = right(q);
+    return rows.map((x, i) => (place(i) ? x : change(rows, Math.floor(i / 4), i % 4)));
+  };
+  yield { cause: cause("pose.transposed"), make: rotation((R, i, j) => R[4 * j + i]) }; // slip 4
+  const turned = rotation((R, i, j) => R[4 * i + j] * (j === 2 ? 1 : -1));
+  yield { cause: cause("pose.half turn"), make: turned }; // slip 18
+}
 
 // Distance (m) and angle (rad) between a frame and T; no angle where T is a point, half a turn
 // where its axes are left-handed.
@@ -122,149 +135,17 @@ function missOf(here, { values, pose }) {
   return [away, dot(cross(x, y), z) > 0 ? turnBetween(here, { x, y, z, o }) : Math.PI];
 }
 
-/** @returns {[number, number]} */
-function marginsOf(q, arm, T, share, tolerance) {
-  // below it rounding decides
-  if (tolerance !== null) return [Math.max(tolerance, 1e-9), Math.max(tolerance, 1e-9)];
-  const columns = jacobianColumns(arm, linkFrames(arm, q.values));
-  const spread = (i) =>
-    columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * (share * q.units[k]), 0);
-  const last = T.pose ? T.units.map((row) => row[3]) : T.units[0];
-  const unit = Math.max(...T.units.flatMap((row) => row.slice(0, 3)));
-  const turn = T.pose ? 2 * share * Math.min(unit, ROUGH) : 0;
-  return [
-    EXACT + (norm([0, 1, 2].map(spread)) + share * norm(last)),
-    EXACT + norm([3, 4, 5].map(spread)) + turn,
-  ];
-}
-
-const within = (miss, margin) => miss[0] <= margin[0] && miss[1] <= margin[1];
-
-// The single slips that explain a miss, or else the first pair that does; none that helps by less
-// than half, nor a scale where zero would fit as well.
-function causesOf({ q, fine, arm, T, tolerance }, margin, miss) {
-  const found = [];
-  const least = (at, goal) =>
-    marginsOf(at, arm, goal, HALF, tolerance).map((most, i) =>
-      miss[i] <= margin[i] ? Math.max(most, margin[i]) : Math.min(most, miss[i] / 2),
-    );
-  const usual = least(fine, T);
-  for (const [one, other, values, target] of slips(q.values, arm, T)) {
-    const pair = one.keys.length > 1;
-    if (pair && found.length) break;
-    const reaches = (it, at, goal, most) => within(missOf(linkFrames(it, at).at(-1), goal), most);
-    let most = target === T ? usual : least(fine, target);
-    if (scales(one)) {
-      const factor = scale(one, arm);
-      const meant = { values, units: q.units.map((u, k) => u * factor[k]) };
-      most = marginsOf(meant, arm, T, HALF, tolerance);
-      const zero = values.map((x, k) => (x === q.values[k] ? x : 0));
-      if (reaches(arm, zero, target, most)) continue;
-    }
-    if (!reaches(other, values, target, most)) continue;
-    found.push(one);
-    if (pair) break;
-  }
-  return found;
-}
-
-// The one joint of which another value, or the one pair whose exchange, takes the tip to a pose;
-// nothing where more than one would, or for a point, which leaves more to chance.
-function alone(q, arm, T, margin) {
-  if (!T.pose) return [];
-  const found = [...otherValues(q, arm, T)].filter(([, mended]) =>
-    within(missOf(linkFrames(arm, mended).at(-1), T), margin),
-  );
-  return found.length === 1 ? [found[0][0]] : [];
-}
-
-// Each joint in turn moved as near to T as it can, then each pair exchanged.
-/** @returns {Generator<[import("../causes/ranking.js").Cause, number[]]>} */
-function* otherValues(q, arm, { values }) {
-  const frames = linkFrames(arm, q);
-  const { x, y, z, o } = frames.at(-1);
-  const R = values.map((row) =>
-    [0, 1, 2].map((j) => row[0] * x[j] + row[1] * y[j] + row[2] * z[j]),
-  );
-  const turn = [R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]];
-  const step = values.map((row, i) => row[3] - o[i]);
-  const names = variable(arm);
-  const turns = turning(arm);
-  for (const [k, column] of jacobianColumns(arm, frames).entries()) {
-    const turned = Math.atan2(dot(column.slice(3), turn), R[0][0] + R[1][1] + R[2][2] - 1);
-    const most = turns[k] ? turned : dot(column.slice(0, 3), step);
-    yield [
-      cause("pose.joint", { joint: names[k] }),
-      q.map((value, i) => (i === k ? value + most : value)),
-    ];
-  }
-  for (const [i, j] of choices(q.length, 2)) {
-    const mended = q.map((value, k) => q[k === i ? j : k === j ? i : k]);
-    yield [cause("pose.exchanged", { first: names[i], second: names[j] }), mended];
-  }
-}
-
-/** @returns {Generator<[import("../causes/ranking.js").Cause, any, number[], Target]>} */
-function* slips(q, arm, T) {
-  yield [cause("pose.millimetres"), arm, q, scaled(T, 1e-3)];
-  yield [cause("pose.centimetres"), arm, q, scaled(T, 1e-2)];
-  for (const [one, mended] of single(arm, q)) yield [one, arm, mended, T];
-  for (const [one, mended] of whole(arm, q)) yield [one, arm, mended, T];
-  if (arm.penless) yield [cause("table.pen"), arm.penless, q, T];
-  for (const { name, other, rows } of arm.alike ?? []) {
-    yield [cause("table.length", { name, other }), { ...arm, rows }, q, T];
-  }
-  for (const { name, rows } of arm.robots ?? [])
-    yield [cause("table.robot", { name }), { ...arm, rows }, q, T];
-  if (T.pose) {
-    yield [cause("pose.transposed"), arm, q, rotated(T, (i, j) => T.values[j][i])];
-    for (const axis of [0, 1, 2]) {
-      const turned = rotated(T, (i, j) => (j === axis ? T.values[i][j] : -T.values[i][j]));
-      yield [cause("pose.half turn", { axis: "xyz"[axis] }), arm, q, turned];
-    }
-  }
-  for (const [one, mended] of double(arm, q)) yield [one, arm, mended, T];
-}
-
-const rotated = (T, entry) => ({
-  ...T,
-  values: T.values.map((row, i) => row.map((x, j) => (j < 3 ? entry(i, j) : x))),
-});
-function scaled(T, factor) {
-  const each = (rows) =>
-    rows.map((row) => row.map((x, j) => (!T.pose || j === 3 ? x * factor : x)));
-  return { ...T, values: each(T.values), units: each(T.units) };
-}
-
-// The entries of T that differ, where they are few and no joints give the others with them: its
-// axes are not square, or are upright, as they should be. Then T is wrong, not q.
-function entries(frame, T, upright) {
-  const here = matrix(frame);
-  const findings = T.values.flatMap((row, i) =>
-    row.flatMap((x, j) => {
-      if (!(Math.abs(here[i][j] - x) > Math.max(HAND * T.units[i][j], COARSE))) return [];
-      const words = say("pose.entry", { row: i + 1, column: j + 1 });
-      return [{ what: "pose.entry", where: `entry (${i + 1}, ${j + 1})`, words }];
-    }),
-  );
-  return findings.length <= 3 && (upright || !square(T)) ? findings : [];
-}
-
-// Whether the axes of a pose are those of a right-handed frame, to their digits.
-function square({ values, units }) {
-  const axes = [0, 1, 2].map((k) => values.map((row) => row[k]));
-  const unit = Math.max(...units.flatMap((row) => row.slice(0, 3)));
-  const off = axes.flatMap((a, i) => axes.map((b, j) => Math.abs(dot(a, b) - Number(i === j))));
-  return Math.max(...off) <= 2 * unit + EXACT && dot(cross(axes[0], axes[1]), axes[2]) > 0;
-}
-
-// The coordinate of a point in formulas that differs, where it is one; in numbers it could be q as
-// well.
-function coordinates({ o }, T) {
-  const wrong = [0, 1, 2].filter((i) => Math.abs(o[i] - T.values[0][i]) > COARSE);
-  if (!T.formulas || wrong.length !== 1) return [];
-  const axis = "xyz"[wrong[0]];
-  return [{ what: "pose.coordinate", where: axis, words: say("pose.coordinate", { axis }) }];
+// The entries of T that differ, where they are few, or the coordinate of a point in formulas.
+function entries(T, wrong) {
+  const off = wrong.flatMap((is, i) => (is ? [i] : []));
+  if (!T.pose && (!T.formulas || off.length !== 1)) return [];
+  if (off.length > FEW) return [];
+  return off.map((i) => {
+    const [row, column] = [Math.floor(i / 4) + 1, (i % 4) + 1];
+    const where = T.pose ? say("entry", { row, column }) : "xyz"[i];
+    const words = say(T.pose ? "pose.entry" : "pose.coordinate", { row, column, axis: "xyz"[i] });
+    return { what: T.pose ? "pose.entry" : "pose.coordinate", where, words };
+  });
 }
 
 function* limits(arm, { values }) {

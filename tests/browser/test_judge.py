@@ -93,7 +93,7 @@ def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
     verdict(page, "joint i turns about the axis of the frame before it")
     assert page.locator(".arm-judge td.off").count() == 15  # of 18: the last two axes are one
     ask(page, ELBOW)
-    verdict(page, "The Jacobian of Elbow arm is right at this pose to the 4 decimals you gave.")
+    verdict(page, "The Jacobian of Elbow arm is right at this pose, to the digits you gave.")
     assert page.locator(".arm-judge td.off").count() == 0
     ask(page, ELBOW.replace("0.2866", "0.3866"))
     verdict(page, "Column 3 (joint 3): wrong in vz.".lower()[1:])

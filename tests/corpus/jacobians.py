@@ -54,8 +54,10 @@ def before(m, q, rng):
     yield "J.rows of T", recipe(m, q, rows=True)
     yield "J.degrees", recipe(m, q, degrees=True)
     yield "J.cross", recipe(m, q, lever="back")
-    k = int(rng.integers(1, len(m.rows)))
-    yield f"J.point:{k}", recipe(m, q, point=k)
+    yield f"J.point:{len(m.rows) - 1}", recipe(m, q, point=len(m.rows) - 1)
+    z_0 = recipe(m, q)
+    z_0[3:] = np.outer([0, 0, 1], m.turns)
+    yield "J.z_0 angular", z_0
     if "P" in m.kinds:
         yield "J.slide turns", recipe(m, q, slides=False)
     if m.joints != list(range(m.dof)):
@@ -103,13 +105,13 @@ def after(m, q, rng):
     yield "J.all signs", lambda J: -J
     yield "J.angular sign", scaled(1, -1)
     yield "J.millimetres", scaled(1000, 1)
-    yield "J.centimetres", scaled(100, 1)
+    yield "J.wx and wy", lambda J: J[[0, 1, 2, 4, 3, 5]]
     yield "J.angular zero", scaled(1, 0)
     yield "J.per degree", lambda J: np.where(m.turns, J * math.pi / 180, J)
     if m.dof == 6:
         yield "J.transposed", lambda J: J.T
     yield "J.reversed order", lambda J: J[:, ::-1]
-    k = int(rng.integers(1, len(m.rows) + 1))
+    k = len(m.rows)
     R = T[k][:3, :3]
     yield f"J.frame:{k}", lambda J: np.vstack([R.T @ J[:3], R.T @ J[3:]])
     yield f"J.frame angular:{k}", lambda J: np.vstack([J[:3], R.T @ J[3:]])
