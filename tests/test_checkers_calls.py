@@ -85,4 +85,4 @@ def test_whole_degrees_that_are_exact_are_right():
     exact = [q for q in np.degrees(found.q[found.valid]) if abs(q - np.round(q)).max() < 1e-6]
     report = checks.compare_branches(np.round(exact), found, angles="deg")
     assert exact
-    assert "so far" not in report.headline
+    assert "two more" not in report.headline
