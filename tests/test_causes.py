@@ -120,7 +120,7 @@ CAUSES = {
 
 
 SAID = {
-    "J.frame linear": "the linear rows are in the axes of frame 6: turn them into those of the base.",
+    "J.frame linear": "the linear rows are in the axes of frame 6: turn them into",
     "table.offset": "the offset of theta in row 2 is forgotten.",
     "table.number and sign": "a in row 3 is wrong, and goes the other way (you have -0.1).",
     "table.angle": f"alpha in row 1 is {90 - math.degrees(1):.1f}° off (you have 1).",

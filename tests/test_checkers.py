@@ -299,7 +299,10 @@ SLIPS = {
     "22": (branches(*FOUR[1:3]), "ik.one sign"),
     "23": (branches((0, H + LOW, -H), found=elbow(ELBOW, (0, 0, 0.0))), "ik.half turn:q_2"),
     "24": (torques(-WEIGHT - FORCE), "tau.weight sign"),
-    "25": (jacobian(np.delete(KNOWN["PANDA"].jacobian(BENT), 2, axis=1), PANDA, BENT), "J.column missing:3"),
+    "25": (
+        jacobian(np.delete(KNOWN["PANDA"].jacobian(BENT), 2, axis=1), PANDA, BENT),
+        "J.column missing:3",
+    ),
     "26": (table(PAGES, PANDA), "table.mixed units"),
     "27": (
         partial(checks.compare_pose, Q, THREE, O_3.format("c1*s2*c3 - s1*c2*c3")),
