@@ -5,6 +5,7 @@ import { cosSin } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { numbered, turning } from "../reading/numbers.js";
 import { both, cause } from "./ranking.js";
+import { makersSigns } from "./tables.js";
 
 const QUARTER = Math.PI / 2;
 /** @type {[string, (x: number) => number][]} */
@@ -16,7 +17,6 @@ const JOINT = [
   ["ik.offset", (x) => x + QUARTER], // the UR10e's offsets in theta
   ["ik.offset", (x) => x - QUARTER],
 ];
-const MAKERS = [2, 4, 7]; // joints that the Panda's maker counts the other way
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {[Cause, (q: number[]) => number[]]} Slip */
@@ -39,9 +39,8 @@ function* whole(arm) {
     yield [both(degrees, millimetres), eachOf(RAD, 1e-3)];
   }
   if (turns.length > 1) yield [cause("ik.reversed order"), (q) => [...q].reverse()]; // q6 ... q1
-  const joint = numbered(arm);
-  if (arm.rows.length === 7)
-    yield [cause("ik.makers signs"), (q) => q.map((x, k) => (MAKERS.includes(joint[k]) ? -x : x))];
+  const signs = makersSigns(arm);
+  if (signs) yield [cause("ik.makers signs"), (q) => q.map((x, k) => signs[k] * x)]; // handed in
 }
 
 /** Slips in one joint, or in one step of a closed form. @returns {Generator<Slip>} */

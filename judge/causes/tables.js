@@ -82,6 +82,10 @@ function ofRow(row, k) {
 const MILLIMETRES = 10; // a slide this long is in no metres
 const MAKERS = [2, 4, 7]; // joints that the Panda's maker counts the other way
 
+// The signs of an arm's joints as the Panda's maker has them; none where there are not seven rows.
+export const makersSigns = (arm) =>
+  arm.rows.length === 7 ? numbered(arm).map((i) => (MAKERS.includes(i) ? -1 : 1)) : null;
+
 // Other joint values: in degrees, or in radians where degrees were meant; slides in millimetres, or
 // in metres where they are so long; one joint the other way, or those of the Panda's maker.
 /** @returns {Change[]} */
@@ -96,8 +100,8 @@ export function otherPoses(key, arm, q) {
     const factor = long ? 1e-3 : 1e3;
     found.push(put(cause("ik.slide in millimetres"), (x, k) => (turns[k] ? x : x * factor)));
   }
-  if (arm.rows.length === 7)
-    found.push(put(cause("ik.makers signs"), (x, k) => (MAKERS.includes(joint[k]) ? -x : x)));
+  const signs = makersSigns(arm);
+  if (signs) found.push(put(cause("ik.makers signs"), (x, k) => signs[k] * x));
   for (const k of joint.keys())
     found.push(put(cause("ik.sign", { joint: `q_${joint[k]}` }), (x, i) => (i === k ? -x : x)));
   return found; // all handed in

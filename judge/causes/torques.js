@@ -6,7 +6,7 @@ import * as chains from "../geometry/chains.js";
 import { joints } from "../geometry/kinematics.js";
 import { minusEach } from "../geometry/linear.js";
 import { rowsOf } from "../reading/numbers.js";
-import { otherPoses, wrongTables } from "./tables.js";
+import { makersSigns, otherPoses, wrongTables } from "./tables.js";
 import { both, cause } from "./ranking.js";
 
 /**
@@ -71,7 +71,7 @@ export const steps = (arm, load, q) => [
   ...chainsOf(arm, q),
   ...weights(load),
   ...forces(load),
-  ...WRITINGS,
+  ...writings(arm),
 ];
 
 // Slips in the table or q; without the pen the last centre of mass stays where it is, so that its
@@ -120,12 +120,15 @@ export function* pairs(load, dof, all) {
   }
 }
 
-/** @type {Step[]} */
-const WRITINGS = [
-  { cause: cause("tau.all signs"), write: (tau) => times(-1, tau) }, // handed in
-  { cause: cause("tau.newton millimetres"), write: (tau) => times(1000, tau) }, // slip 26
-  { cause: cause("tau.reversed order"), write: (tau) => [...tau].reverse() }, // tau_7 first
-];
+/** @returns {Generator<Step>} */
+function* writings(arm) {
+  yield { cause: cause("tau.all signs"), write: (tau) => times(-1, tau) }; // handed in
+  yield { cause: cause("tau.newton millimetres"), write: (tau) => times(1000, tau) }; // slip 26
+  yield { cause: cause("tau.reversed order"), write: (tau) => [...tau].reverse() }; // tau_7 first
+  const signs = makersSigns(arm); // as Pinocchio's model has them
+  if (signs)
+    yield { cause: cause("tau.makers signs"), write: (tau) => tau.map((x, k) => signs[k] * x) };
+}
 
 /** @returns {Generator<Step>} */
 function* weights({ c }) {
