@@ -160,8 +160,8 @@ def test_downloaded_notebooks_are_plain_and_whole():
         nbformat.validate(made)
         text = "\n".join(cell.source for cell in made.cells if cell.cell_type == "markdown")
         assert not re.search(r"(?m)^[`:]{3,}\{|\{[a-z:]+\}`|^\([\w-]+\)=|\$\$ \(", text), path.name
-        code = [[c.source for c in nb.cells if c.cell_type == "code"] for nb in (made, own)]
-        assert code[0] == code[1]
+        code = [[c for c in nb.cells if c.cell_type == "code"] for nb in (made, own)]
+        assert code[0] == code[1], "what nbval has run"
         assert "%pip install" in made.cells[0].source
 
 

@@ -43,9 +43,6 @@ class Book:
         shown = text or f"{'.'.join(map(str, number))} {title or label}".strip()
         return self.link(shown, page, anchor)
 
-    def place(self, text: str, label: str) -> str:
-        return self.link(text, *self.env.domains["std"].anonlabels[label])
-
     def figure(self, label: str, text: str = "") -> str:
         page, anchor = self.env.domains["std"].anonlabels[label]
         return self.link(f"Fig. {self._number(page, 'figure', anchor)}", page, anchor)
@@ -79,7 +76,7 @@ ROLES: dict[str, Callable[[Book, str, str], str]] = {
 def plain(text: str, book: Book) -> str:
     """Markdown that any reader shows, from the book's own."""
     text = BLOCK.sub(lambda block: _block(block[2], block[3], block[4], book), text)
-    text = LINK.sub(lambda link: book.place(link[1], link[2]), text)
+    text = LINK.sub(lambda link: book.section(link[2], link[1]), text)
     text = EQUATION.sub(lambda label: rf"\tag{{{book.equation_number(label[1])}}}$$", text)
     return ROLE.sub(lambda role: _role(role, book), TARGET.sub("", text))
 
