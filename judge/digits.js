@@ -84,8 +84,9 @@ export function tellable({ units: places }, truth, other) {
 }
 
 // How many different values, as a power of ten, the entries chosen could show.
-export function room({ units: places }, truth, slack, chosen) {
-  const values = (i) => largest(truth) / (places[i] + 2 * slack[i] + hairOf(truth));
+export function room({ values: mine, units: places }, truth, slack, chosen) {
+  const size = Math.max(largest(truth), largest(mine));
+  const values = (i) => size / (places[i] + 2 * slack[i] + hairOf(truth));
   return chosen.reduce((sum, is, i) => (is ? sum + Math.max(0, Math.log10(values(i))) : sum), 0);
 }
 

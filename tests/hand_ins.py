@@ -323,9 +323,6 @@ ALSO = {
     "table.no twist": ("table.angle:alpha",),
     "table.sign:alpha": ("table.twist", "table.number and sign"),
     "table.a and d": ("table.a and d in row", "table.too much:a", "table.too much:d"),
-    "ik": ("pose.joint",),
-    "tau.last link": ("tau.mass missing",),
-    "tau.links moved": ("tau.links moved",),
 }
 
 

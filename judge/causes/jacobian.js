@@ -63,7 +63,7 @@ export function* inOneColumn(arm, frame, all) {
 }
 
 /**
- * Two slips in different steps, or two in the writing.
+ * Two slips, of which no more than one is in the recipe.
  * @returns {Generator<import("./ranking.js").Slip>}
  */
 export function* pairs(arm, frame, all) {
@@ -76,10 +76,16 @@ export function* pairs(arm, frame, all) {
 }
 
 function joined(first, second) {
-  if ((first.recipe && second.recipe) || (first.change && second.change)) return null;
-  if (!first.write || !second.write) return { ...first, ...second };
-  return { write: (J, T) => second.write(first.write(J, T), T) };
+  if (first.recipe && second.recipe) return null;
+  return {
+    ...first,
+    ...second,
+    change: after(first.change, second.change),
+    write: after(first.write, second.write),
+  };
 }
+
+const after = (one, two) => (one && two ? (x, T) => two(one(x, T), T) : (one ?? two));
 
 /**
  * The recipe, with one step done otherwise.
@@ -102,9 +108,8 @@ export function* recipes(c) {
     yield [cause("J.z counted on"), by((c1) => ({ axis: counted(c1), origin: counted(c1) }))];
   }
   yield [cause("J.origin late"), by((c1) => ({ origin: late(c1) }))]; // handed in
-  yield [cause("J.lever tip"), by(() => ({ lever: "tip" }))]; // handed in
-  yield [cause("J.lever origin"), by(() => ({ lever: "o" }))]; // handed in
-  yield [cause("J.lever link"), by(() => ({ lever: "link" }))]; // handed in
+  yield [cause("J.lever tip"), by(() => ({ subtracted: false }))]; // handed in
+  yield [cause("J.no cross"), by(() => ({ crossed: false }))]; // handed in
   const wrist = ({ rows }) => rows.length - 1; // handed in: the wrist's centre for the tip
   yield [cause("J.point", { k: wrist(c) }), by((c1) => ({ point: wrist(c1) }))];
   yield [cause("J.rows of T"), (c1, T) => chains.columns(c1, chains.rowsRead(T))]; // slip 4
@@ -134,8 +139,8 @@ function* writings(arm, { dof, turns }, frame) {
   yield [cause("J.halves"), rows((i) => (i + 3) % 6)]; // conventions: (omega, v)
   yield [cause("J.wx and wy"), rows((i) => [0, 1, 2, 4, 3, 5][i])]; // handed in
   yield [cause("J.cross"), each((x, i, k) => (turns[k] && i < 3 ? -x : x))]; // handed in
-  yield [cause("J.all signs"), blocks(-1, -1)];
-  yield [cause("J.angular sign"), blocks(1, -1)];
+  yield [cause("J.all signs"), blocks(-1, -1)]; // handed in
+  yield [cause("J.angular sign"), blocks(1, -1)]; // handed in
   yield [cause("J.millimetres"), blocks(1000, 1)]; // slip 26: millimetres in a report in metres
   yield [cause("J.angular zero"), blocks(1, 0)]; // half an answer
   yield [cause("J.linear zero"), blocks(0, 1)];
@@ -143,7 +148,7 @@ function* writings(arm, { dof, turns }, frame) {
   if (dof === 6) yield [cause("J.transposed"), (J) => chains.transposed(J, [6, 6])]; // handed in
   yield [cause("J.reversed order"), order((k) => dof - 1 - k)]; // joints named q6 ... q1
   yield* framesMistaken(arm, frame);
-  const joint = numbered(arm);
+  const joint = numbered(arm); // handed in: one joint the other way, two joints exchanged
   for (let i = 0; i < dof; i++) {
     yield [cause("J.column sign", { i: joint[i] }), each((x, _, k) => (k === i ? -x : x))];
     for (let j = i + 1; j < dof; j++) {
@@ -154,7 +159,7 @@ function* writings(arm, { dof, turns }, frame) {
 }
 
 /**
- * Rows in the axes of another frame, all or one half of them; or turned the wrong way round.
+ * Rows in the axes of another frame, the tool's or the base's.
  * @returns {Generator<[Cause, (J: number[], T: any[]) => number[]]>}
  */
 function* framesMistaken({ rows }, frame) {
@@ -163,16 +168,8 @@ function* framesMistaken({ rows }, frame) {
   for (const k of [last, 0].filter((one) => one !== frame)) {
     const fields = { k, _name: frameName(k), _wanted: frameName(frame) };
     const seen = (J, T) => chains.seenIn(based(J, T), k ? T.at(-1) : T[0]);
-    yield [cause("J.frame", fields), seen];
-    yield [cause("J.frame angular", fields), (J, T) => chains.halves(J, seen(J, T))];
-    yield [cause("J.frame linear", fields), (J, T) => chains.halves(seen(J, T), J)];
+    yield [cause("J.frame", fields), seen]; // handed in
   }
-  const back = frame || last;
-  const name = frameName(back);
-  yield [
-    cause("J.frame turned back", { _name: name }),
-    (J, T) => chains.seenFrom(based(J, T), frame ? T[back] : T.at(-1)),
-  ];
 }
 
 const frameName = (k) => (k ? `frame ${k}` : "the base");

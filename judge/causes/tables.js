@@ -33,7 +33,6 @@ function* ofArm({ penless, alike = [], robots = [], rows }) {
   const offset = (row) => row.kind === "revolute" && row.theta;
   if (rows.filter(offset).length > 1)
     yield [cause("table.offsets"), put((row) => (offset(row) ? { theta: 0 } : {}))];
-  yield [cause("table.twists"), put((row) => ({ alpha: -row.alpha }))];
   const links = rows.flatMap((row, i) => (row.a ? [i] : []));
   for (const [n, i] of links.entries()) {
     const j = links[n + 1];

@@ -132,19 +132,8 @@ function* writings(arm) {
 
 /** @returns {Generator<Step>} */
 function* weights({ c }) {
-  yield { cause: cause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // half an answer
+  yield { cause: cause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
   yield { cause: cause("tau.weight sign"), weight: (at) => times(-1, weightOf(at)) }; // slip 24
-  const tip = (at) => {
-    const total = at.masses.reduce((sum, mass) => sum + mass, 0);
-    return times(-1, chains.through(at.J, [...times(total, at.gravity), 0, 0, 0]));
-  };
-  yield { cause: cause("tau.tip weights"), weight: tip }; // handed in: one Jacobian for all links
-  const own = (at) => {
-    const each = (row) => at.masses.map((mass, i) => (i === row ? mass : 0));
-    const lifted = weightOf(at);
-    return lifted.map((x, k) => x - weightOf({ ...at, masses: each(c.at[k]) })[k]);
-  };
-  yield { cause: cause("tau.own link"), weight: own }; // handed in
 }
 
 /** @returns {Generator<Step>} */
@@ -155,12 +144,8 @@ function* forces({ wrenches, c: { dof } }) {
   yield { cause: cause("tau.force missing"), force: by((F) => times(0, F)) }; // half an answer
   const tool = by((F, T) => chains.wrenchFrom(T, F));
   yield { cause: cause("tau.force in tool"), force: tool }; // handed in
-  const back = by((F, T) => chains.wrenchIn(T, F));
-  yield { cause: cause("tau.force turned back"), force: back }; // handed in
   const swap = by((F) => [...F.slice(3), ...F.slice(0, 3)]);
   yield { cause: cause("tau.force and moment"), force: swap }; // conventions: (m, f)
-  if (wrenches.some((F) => F.slice(3).some(Boolean) && F.slice(0, 3).some(Boolean)))
-    yield { cause: cause("tau.moment missing"), force: by((F) => [...F.slice(0, 3), 0, 0, 0]) };
   const across = ({ J, F, c }) => chains.through(chains.transposed(J, [c.dof, 6]), F);
   if (dof === 6) yield { cause: cause("tau.J for J^T"), force: across }; // handed in
   const late = ({ at }) => at.map((row) => row + 1);
@@ -179,8 +164,8 @@ function* bodies(arm, load) {
   const put = (key, change, fields = {}) => ({ cause: cause(key, fields), change });
   const g = Math.hypot(...load.gravity);
   const under = (other) => ({ gravity: times(other / (g || 1), load.gravity) });
-  for (const other of [9.8, 10, 1]) {
-    // slip 8; the others handed in, 1 as g left out
+  for (const other of [9.8, 1]) {
+    // slip 8; handed in: g left out
     if (g && Math.abs(g - other) > 1e-9)
       yield put("tau.gravity", (at) => ({ ...at, ...under(other) }), { g: other });
   }
@@ -231,18 +216,6 @@ function* centres(arm, { centres: all }, put) {
     // handed in: a centre in the paper's frame less the other length
     const shifted = all.map(([x, y, z], i) => [x + arm.rows[i].a - rows[i].a, y, z]);
     yield set("tau.centres other length", shifted, { name, other });
-  }
-  for (const [way, step] of [
-    ["early", 1],
-    ["late", -1],
-  ]) {
-    const moved = (list, none) => list.map((_, k) => list[k + step] ?? none); // links from 0
-    const change = (at) => ({
-      ...at,
-      masses: moved(at.masses, 0),
-      centres: moved(at.centres, [0, 0, 0]),
-    });
-    yield put("tau.links moved", change, { way });
   }
 }
 

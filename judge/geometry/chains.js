@@ -27,24 +27,25 @@ export const framesOf = (c) => linkFrames(c, c.q);
 
 /**
  * A Jacobian built column by column, with a step of the recipe done otherwise: `axis` and `origin`
- * are the frames whose z and o serve each joint, `point` the frame whose origin moves.
+ * are the frames whose z and o serve each joint, `point` the frame whose origin moves, as far as o
+ * is `subtracted` from it and z `crossed` with it.
  */
 export function columns(c, T, options = {}) {
   const {
     axis = c.at,
     origin = c.at,
-    lever = "tip - o",
+    subtracted = true,
     point = T.length - 1,
     slides = true,
+    crossed = true,
   } = options;
   const tip = T[point].o;
   const J = new Array(6 * c.dof);
-  c.at.forEach((row, k) => {
+  c.at.forEach((_, k) => {
     const [z, o] = [T[axis[k]].z, T[origin[k]].o];
     const turns = c.turns[k] || !slides;
-    const arm =
-      lever === "tip - o" ? minus(tip, o) : { tip, o, link: minus(T[row + 1].o, o) }[lever];
-    const linear = turns ? cross(z, arm) : z;
+    const arm = subtracted ? minus(tip, o) : tip;
+    const linear = turns ? (crossed ? cross(z, arm) : arm) : z;
     for (let i = 0; i < 3; i++) {
       J[i * c.dof + k] = linear[i];
       J[(i + 3) * c.dof + k] = turns ? z[i] : 0;

@@ -2,7 +2,7 @@
 
 import { millimetres, turnOf } from "../causes/branches.js";
 import { slips as jointSlips, variable } from "../causes/joints.js";
-import { cause, nameOf, several } from "../causes/ranking.js";
+import { both, cause, nameOf, several } from "../causes/ranking.js";
 import { wrongTables } from "../causes/tables.js";
 import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { verdictOn } from "../entries.js";
@@ -60,7 +60,8 @@ function judged(q, arm, T, tolerance, taken) {
   const mine = { values: T.values.flat(), units: T.units.flat() };
   const right = tipOf(arm, T);
   const slips = [...known(arm, T)];
-  const asked = { mine, q, dof: q.values.length, right, slips, tolerance };
+  const further = [() => pairs(arm, T)];
+  const asked = { mine, q, dof: q.values.length, right, slips, tolerance, further };
   const verdict = verdictOn(asked);
   const coarse = slackOf(q, q.values.length, right, Infinity);
   const truth = right(q.values);
@@ -122,6 +123,16 @@ function* known(arm, T) {
   yield { cause: cause("pose.transposed"), make: rotation((R, i, j) => R[4 * j + i]) }; // slip 4
   const turned = rotation((R, i, j) => R[4 * i + j] * (j === 2 ? 1 : -1));
   yield { cause: cause("pose.half turn"), make: turned }; // slip 18
+}
+
+// A slip in the joints and one in the table.
+/** @returns {Generator<import("../causes/ranking.js").Slip>} */
+function* pairs(arm, T) {
+  for (const [table, change] of wrongTables(arm)) {
+    const tip = tipOf(arm, T, change);
+    for (const [joints, mended] of jointSlips(arm))
+      yield { cause: both(table, joints), make: (q) => tip(mended(q)) };
+  }
 }
 
 // Distance (m) and angle (rad) between a frame and T; no angle where T is a point, half a turn

@@ -171,12 +171,13 @@ const ofArm = ({ name, rows, texts }) => ({
   added: 0,
 });
 
-// The unit of the last place of the decimals in some columns; 0 where there are none.
+// The finest last place of the decimals in some columns; 0 where there are none.
 function unitOf(texts, columns) {
   const found = texts.flatMap((row) =>
     columns.flatMap((column) => row[column].match(DECIMAL) ?? []),
   );
-  return Math.max(0, ...units(found));
+  const shown = units(found).filter(Boolean);
+  return shown.length ? Math.min(...shown) : 0;
 }
 
 // The unit of lengths that are all whole numbers of a small size; 0 for others. Whole numbers among

@@ -30,7 +30,7 @@ def recipe(
         z = T[za][2, :3] if rows else T[za][:3, 2]
         o = np.zeros(3) if rows else T[oa][:3, 3]
         p = np.zeros(3) if rows else T[point][:3, 3]
-        r = {"tip": p - o, "o_n": p, "o": o, "link": T[i + 1][:3, 3] - o, "back": o - p}[lever]
+        r = {"tip": p - o, "o_n": p, "back": o - p}[lever]
         turns = kind == "R" or not slides
         columns.append([*cross(z, r), *z] if turns else [*z, 0, 0, 0])
     return np.array(columns, dtype=float).T
@@ -49,8 +49,6 @@ def before(m, q, rng):
     yield "J.z_i", recipe(m, q, axis=1)
     yield "J.origin late", recipe(m, q, origin=1)
     yield "J.lever tip", recipe(m, q, lever="o_n")
-    yield "J.lever origin", recipe(m, q, lever="o")
-    yield "J.lever link", recipe(m, q, lever="link")
     yield "J.rows of T", recipe(m, q, rows=True)
     yield "J.degrees", recipe(m, q, degrees=True)
     yield "J.cross", recipe(m, q, lever="back")
@@ -114,7 +112,6 @@ def after(m, q, rng):
     k = len(m.rows)
     R = T[k][:3, :3]
     yield f"J.frame:{k}", lambda J: np.vstack([R.T @ J[:3], R.T @ J[3:]])
-    yield f"J.frame angular:{k}", lambda J: np.vstack([J[:3], R.T @ J[3:]])
     i, j = sorted(rng.choice(m.dof, 2, replace=False))
     order = list(range(m.dof))
     order[i], order[j] = j, i

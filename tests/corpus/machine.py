@@ -9,11 +9,6 @@ import numpy as np
 EYE = np.eye(4)
 
 
-def rot_x(t):
-    c, s = math.cos(t), math.sin(t)
-    return np.array([[1, 0, 0, 0], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1.0]])
-
-
 def move(x=0.0, y=0.0, z=0.0):
     T = np.eye(4)
     T[:3, 3] = x, y, z

@@ -165,7 +165,6 @@ def in_the_loop(task, rng, method):
     yield "J.one frame late", with_J(lambda q: recipe(m, q, axis=1, origin=1))
     yield "J.origin late", with_J(lambda q: recipe(m, q, origin=1))
     yield "J.lever tip", with_J(lambda q: recipe(m, q, lever="o_n"))
-    yield "J.lever link", with_J(lambda q: recipe(m, q, lever="link"))
     yield "J.rows of T", with_J(lambda q: recipe(m, q, rows=True))
     if m.joints != list(range(m.dof)):
         yield "J.z counted on", with_J(lambda q: recipe(m, q, count=True))

@@ -1,0 +1,256 @@
+"""What the digits of an answer promise, over random arms: every entry is held to its own last
+place, and a cause is stated only if with it every entry is right. Numbers and slips come from the
+corpus's own kinematics, which share no line with `judge/`.
+"""
+
+import numpy as np
+import pytest
+
+from helpers import checks, inverse
+from helpers.kinematics import forward_kinematics
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
+from tests.corpus import jacobians
+from tests.corpus import torques as loads
+from tests.corpus.arms import KNOWN, pose, some_machine
+from tests.mixed import arm_of, heavy
+
+SEEDS = range(25)
+PUSH = np.array([3.0, -5, 8, 1, -2, 0.5])
+
+
+def typed(rows, digits):
+    """Each entry to its own number of decimals."""
+    rows = np.atleast_2d(rows)
+    return "\n".join(
+        " ".join(f"{x + 0.0:.{n}f}" for x, n in zip(row, ns, strict=True))
+        for row, ns in zip(rows, np.broadcast_to(digits, rows.shape), strict=True)
+    )
+
+
+class Asked:
+    """A random arm at a pose: its Jacobian or its torques, and the checker that judges them."""
+
+    def __init__(self, about, seed):
+        self.rng = np.random.default_rng(seed)
+        self.m = some_machine(self.rng)
+        self.q, arm = pose(self.m, self.rng), arm_of(self.m)
+        if about == "jacobian":
+            self.right = self.m.jacobian(self.q)
+            self.judge = lambda text: checks.compare_jacobian(text, arm, self.q)
+            self.fewest = 4
+        else:
+            self.links = loads.bodies(self.m, self.rng)
+            held = arm if self.m.name == "PANDA" else heavy(self.m, self.links)
+            weight = loads.weight(self.m, self.links, self.q)
+            self.right = weight - loads.force(self.m, PUSH, self.q)
+            self.judge = lambda text: checks.compare_torques(text, held, self.q, PUSH)
+            self.fewest = 3
+
+    def digits(self):
+        return self.rng.integers(self.fewest, self.fewest + 3, np.shape(self.right))
+
+
+BOTH = pytest.mark.parametrize("about", ["jacobian", "torques"])
+
+
+@BOTH
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_truth_rounded_or_cut_in_each_entry_is_right(about, seed):
+    asked = Asked(about, seed)
+    digits = asked.digits()
+    assert asked.judge(typed(asked.right, digits)).grade == "right"
+    unit = 10.0**-digits
+    cut = typed(np.trunc(asked.right / unit) * unit, digits)
+    assert asked.judge(cut).grade == "right", cut
+
+
+@BOTH
+@pytest.mark.parametrize("seed", SEEDS)
+def test_one_unit_off_in_a_last_place_is_told_and_is_no_mistake(about, seed):
+    """In the largest entry, away from zero, so that it is not cut."""
+    asked = Asked(about, seed)
+    digits = asked.digits()
+    place = np.unravel_index(np.abs(asked.right).argmax(), np.shape(asked.right))
+    mine = np.array(asked.right)
+    mine[place] = round(mine[place], digits[place])
+    mine[place] += np.sign(mine[place]) * 10.0 ** -digits[place]
+    asked.q = np.array([float(x) for x in asked.q])
+    report = asked.judge(typed(mine, digits))
+    assert report.grade in ("rounded", "right"), report  # right by the unwritten digits of q
+    assert not report.causes
+
+
+@BOTH
+@pytest.mark.parametrize("seed", range(100))
+def test_an_entry_off_by_chance_gets_no_cause_and_is_located(about, seed):
+    asked = Asked(about, seed)
+    digits = asked.rng.integers(asked.fewest - 1, asked.fewest + 2)
+    mine = np.array(asked.right)
+    place = tuple(int(asked.rng.integers(n)) for n in mine.shape)
+    mine[place] += asked.rng.choice([-1, 1]) * asked.rng.uniform(0.1, 1) * np.abs(mine).max()
+    report = asked.judge(typed(mine, digits))
+    joint = asked.m.joints[place[-1]] + 1
+    assert (report.grade, report.causes) == ("wrong", ()), report
+    where = f"column {place[-1] + 1}" if about == "jacobian" else f"joint {joint}"
+    assert [finding.where for finding in report.findings] == [where]
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_two_columns_off_by_chance_get_no_cause(seed):
+    asked = Asked("jacobian", seed)
+    mine = asked.right + np.where(asked.rng.random(asked.right.shape) < 0.1, 0.377, 0)
+    assert not asked.judge(typed(mine, 3)).causes
+
+
+def test_whole_numbers_of_the_homeworks_start_are_not_right():
+    J = (
+        KNOWN["PANDA"]
+        .with_rows(
+            [(k, np.copysign(0.088, a) if a else 0, *rest) for k, a, *rest in KNOWN["PANDA"].rows]
+        )
+        .jacobian(PANDA_HOMEWORK.home)
+    )
+    for whole in (np.trunc(J), np.round(J)):
+        report = checks.compare_jacobian(typed(whole, 0), PANDA_HOMEWORK, PANDA_HOMEWORK.home)
+        assert report.grade != "right"
+        assert not report.causes
+    assert "give two more" in report.headline
+    assert checks.compare_jacobian(typed(J, 4), PANDA_HOMEWORK, PANDA_HOMEWORK.home).agrees
+
+
+Q = [0.3, -0.23, 0.348, 1.07, 0.457, 2.75, 0.917]
+
+
+def tau_of(links=loads.PANDA, g=9.81, machine=KNOWN["PANDA"]):
+    F = np.array([-5.0, 0, 0, 0, 0, 0])
+    return loads.weight(machine, links, Q, g) - loads.force(machine, F, Q)
+
+
+def of_panda(tau, digits=4, arm=PANDA):
+    return checks.compare_torques(typed(tau, digits), arm, Q, [-5, 0, 0, 0, 0, 0])
+
+
+def test_digits_that_a_known_slip_would_share_are_too_few():
+    assert of_panda(tau_of(), 2).agrees
+    few = of_panda(tau_of(), 0)  # g = 9.8 changes 29 N m by 0.03
+    assert few.grade == "so far"
+    assert "give two more" in few.headline
+    assert of_panda(tau_of(g=9.8), 2).causes == ("tau.gravity:9.8",)
+
+
+def test_three_significant_figures_are_right():
+    """As a hand writes them, each to its own place: the findings' own example of such a list."""
+    text = " ".join(f"{x:.3g}" for x in tau_of())
+    assert checks.compare_torques(text, PANDA, Q, [-5, 0, 0, 0, 0, 0]).grade in ("right", "so far")
+
+
+FORCE = -loads.force(KNOWN["PANDA"], np.array([-5.0, 0, 0, 0, 0, 0]), Q)
+REPORT = [loads.PANDA[0], (0.646926 + 3.228604, 0, 0, 0.158), (0, 0, 0, 0), *loads.PANDA[3:]]
+PAPERS = [loads.PAPER[0], REPORT[1], REPORT[2], *loads.PAPER[3:]]
+SWAPPED = [
+    (other[0], *link[1:])
+    for link, other in zip(
+        loads.PANDA, (loads.PANDA[i] for i in (0, 2, 1, 3, 4, 5, 6)), strict=True
+    )
+]
+
+
+@pytest.mark.parametrize(
+    ("tau", "cause"),
+    [
+        (tau_of(REPORT, 9.8), "tau.report"),
+        (tau_of(REPORT), "tau.lumped"),
+        (tau_of(PAPERS, 9.8), "tau.paper centres + tau.report"),
+        (tau_of(loads.PAPER), "tau.paper centres"),
+        (tau_of(SWAPPED), "tau.masses exchanged:2:3"),
+        (1000 * tau_of() - 999 * FORCE, "tau.grams"),
+        (tau_of(g=1), "tau.gravity:1"),
+    ],
+)  # fmt: skip
+def test_the_reports_own_models_are_named(tau, cause):
+    report = of_panda(tau)
+    assert cause in report.causes, report
+    assert ("slip 8" in str(report)) == ("tau.report" in cause)
+
+
+def test_the_torques_say_which_masses_they_are_compared_with():
+    assert any("4.97, 0.647, 3.23" in line for line in of_panda(tau_of()).taken)
+
+
+@pytest.mark.parametrize("name", ["PANDA.lock(3)", "UR10E_HOMEWORK", "STANFORD", "ELBOW"])
+def test_every_angular_column_z_0_is_named(name):
+    m = KNOWN[name]
+    q = pose(m, np.random.default_rng(1))
+    slips = dict(jacobians.before(m, q, np.random.default_rng(2)))
+    report = checks.compare_jacobian(typed(slips["J.z_0 angular"], 4), arm_of(m), q)
+    assert report.causes == ("J.z_0 angular",), report
+
+
+def test_a_locked_joints_row_deleted_from_the_table_is_named():
+    m = KNOWN["PANDA.lock(3)"]
+    q = pose(m, np.random.default_rng(1))
+    mine = m.with_rows([row for row in m.rows if row[0] != "F"]).jacobian(q)
+    assert checks.compare_jacobian(typed(mine, 4), arm_of(m), q).causes == ("table.locked row",)
+
+
+# Joint angles
+
+FOUR = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
+EIGHT = inverse.ur(
+    UR10E_HOMEWORK, forward_kinematics(UR10E_HOMEWORK, [0.3, -0.8, 0.9, 0.4, -0.5, 0.6])
+)
+
+
+def of_elbow(*answers, digits=4):
+    return checks.compare_branches(typed(answers, digits), FOUR)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("found", [FOUR, EIGHT], ids=["ELBOW", "UR10E_HOMEWORK"])
+def test_branches_rounded_in_each_entry_are_right_and_chance_gets_no_cause(found, seed):
+    rng = np.random.default_rng(seed)
+    q = np.array(found.q[found.valid])
+    digits = rng.integers(3, 6, q.shape)
+    assert checks.compare_branches(typed(q, digits), found).agrees
+    place = tuple(int(rng.integers(n)) for n in q.shape)
+    q[place] += rng.uniform(0.2, 1.2)
+    report = checks.compare_branches(typed(q, 4), found)
+    assert (report.grade, report.causes) == ("wrong", ()), report
+
+
+def test_mixing_and_the_shoulder_turned_alone_are_called_so():
+    """Chapter 5's own demonstration, and report E's list with the sign of slip 12 mended."""
+    first, second = FOUR.q[0], FOUR.q[1]
+    mixed = of_elbow(first, (second[0], first[1], second[2]))
+    assert mixed.causes[0] == "ik.mixed"
+    assert "branches are mixed" in str(mixed)
+    turned = of_elbow(first, first + np.array([np.pi, 0, 0]))
+    assert turned.causes == ("ik.shoulder",)
+    assert "solve them again" in str(turned)
+
+
+def test_a_length_forgotten_is_named_by_all_answers_together():
+    """As if the shoulder stood on the floor: the formulas get z_c for z_c - d_1."""
+    floor = inverse.elbow(ELBOW.with_values(d_1=1e-9), (0.3, 0.2, 0.4))
+    report = checks.compare_branches(typed(floor.q, 4), inverse.elbow(ELBOW, (0.3, 0.2, 0.4)))
+    assert report.causes == ("table.missing:d:1",), report
+    assert "d in row 1 is missing" in report.headline
+
+
+def test_all_that_is_missing_beyond_a_range_is_not_asked_for():
+    found = inverse.stanford(
+        STANFORD, forward_kinematics(STANFORD, [0.3, -0.4, 0.6, 0.5, 1.1, -0.2])
+    )
+    inside = found.q[found.q[:, 2] > 0]
+    report = checks.compare_branches(typed(inside, 4), found)
+    assert report.agrees
+    assert "beyond the range of q_3" in str(report)
+
+
+def test_a_value_for_a_locked_joint_is_set_aside():
+    arm = PANDA.lock(3)
+    q = np.array([0.3, -0.23, 1.07, 0.457, 2.75, 0.917])
+    T = forward_kinematics(arm, q)
+    report = checks.compare_pose(np.insert(q, 2, 0.0), arm, T)
+    assert report.agrees
+    assert "all joints, of which 3 is set aside: it is locked" in report.taken
