@@ -21,25 +21,15 @@ PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-com
 # uv unpacks with all processors what pip does with one, in a third of the time; where it is not to be had, pip does it.
 INSTALL = { $(PIP) uv==0.13.9 && $(BIN)/python -m uv pip install --quiet --python $(BIN)/python -c requirements.lock $(1); } 2>/dev/null || $(PIP) $(1)
 
-# What comes with Pinocchio and is read by nobody here: C++ headers and the robots' meshes, 600 MB.
-CMEEL := $(VENV)/lib/python*/site-packages/cmeel.prefix
-
-# A grammar of all web addresses, which every process that reads a notebook would build in a second. Without it jsonschema
-# takes any text for an address.
-ADDRESSES := $(VENV)/lib/python*/site-packages/rfc3987_syntax
-
 $(BIN)/.installed: requirements.txt requirements.lock pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Python 3.11 or newer is needed; say make PYTHON=python3.12, for instance")'
 	@$(BIN)/python -m pip --version >/dev/null 2>&1 || $(PYTHON) -m venv --clear $(VENV) || \
 	  { rm -rf $(VENV); echo "$(PYTHON) cannot make a virtual environment; on Debian and Ubuntu: sudo apt install python3-venv"; exit 1; }
 	$(call INSTALL,-r requirements.txt)
-	@rm -rf $(ADDRESSES)
 	@touch $@
 
 $(BIN)/.installed-dev: $(BIN)/.installed requirements-dev.txt
 	$(call INSTALL,-r requirements-dev.txt)
-	@rm -rf $(CMEEL)/include
-	@find $(CMEEL)/share/example-robot-data -iregex '.*\.\(stl\|dae\|obj\|mtl\|png\|jpg\)' -delete 2>/dev/null || true
 	@touch $@
 
 # Sphinx warns of a page only when it writes it: where the last build failed or broke off, every page is built anew,
