@@ -6,7 +6,7 @@ const HALF = 0.5; // units: the truth, rounded to the last place
 const ONE_OFF = 1.5; // units: that, and one more in the last place
 const COARSE = 0.1; // of the largest entry: one off in a larger place is another number, as 1e9
 const FULL = 13; // significant digits from which a program never rounded
-const NOISE = 1e-12; // below it a number is a program's zero, as 6.1e-17 for cos 90°
+const NOISE = 1e-12; // arithmetic: below it a number is a program's zero, as 6.1e-17 for cos 90°
 // of the largest entry, a thousandth at least: what pi with seven digits, or a long sum, is off by
 const HAIR = 1e-6;
 const FINE = 2e-3; // rad or m: a coarser place was meant as it stands: q = 0.3 is no 0.26
@@ -45,6 +45,8 @@ function literal(text) {
 
 export const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 1e-3);
 const hairOf = (truth) => HAIR * largest(truth);
+// An entry that shows its last place needs no more than arithmetic does.
+const hairs = (truth, places) => places.map((u) => (u ? NOISE : HAIR) * largest(truth));
 
 /**
  * How entries agree with what they should be: "rounded" to their last places, all "cut" there, but
@@ -52,8 +54,8 @@ const hairOf = (truth) => HAIR * largest(truth);
  * @param {Entries} mine @param {number[]} truth @param {number[]} [slack]
  */
 export function agreement({ values, units: places }, truth, slack) {
-  const hair = hairOf(truth);
-  const off = (i) => Math.abs(values[i] - truth[i]) - hair - (slack ? slack[i] : 0);
+  const hair = hairs(truth, places);
+  const off = (i) => Math.abs(values[i] - truth[i]) - hair[i] - (slack ? slack[i] : 0);
   const all = (fits) => values.every((_, i) => fits(i));
   if (all((i) => off(i) <= HALF * places[i])) return "rounded";
   const short = (i) => Math.abs(values[i]) <= Math.abs(truth[i]) && values[i] * truth[i] >= 0;
@@ -67,9 +69,9 @@ export const agrees = (mine, truth, slack) => isRight(agreement(mine, truth, sla
 
 // Which entries are wrong: by more than one in the last place, or, where none is, at all.
 export function beyond({ values, units: places }, truth, slack) {
-  const hair = hairOf(truth);
+  const hair = hairs(truth, places);
   const past = (most) =>
-    values.map((x, i) => Math.abs(x - truth[i]) > hair + slack[i] + most * places[i]);
+    values.map((x, i) => Math.abs(x - truth[i]) > hair[i] + slack[i] + most * places[i]);
   const wrong = past(ONE_OFF);
   return wrong.includes(true) ? wrong : past(HALF);
 }
