@@ -271,12 +271,8 @@ class Arm:
         """The same arm with a joint, counted from 1, held `at` a value (rad or m): one fewer
         moves."""
         row = self._row(joint, self.joints, "joint {} cannot be locked; its free joints are")
-        value = evaluate(entry(at, "at"), self.values)
-        if not row.joint.lower <= value <= row.joint.upper:
-            raise ArmError(
-                f"{self.name}: joint {joint} locked at {value:g}; its limits are"
-                f" {row.joint.lower:g} to {row.joint.upper:g}"
-            )
+        at = entry(at, "at")
+        evaluate(at, self.values)  # says what is wrong with it
         moved = "theta" if row.joint.kind == "revolute" else "d"
         offset = {**_entries(row), moved: _sum(getattr(row, moved), at)}
         locked = Row(**offset, joint=Joint("fixed", at=at))

@@ -28,7 +28,8 @@ def self_motion(
     step.
 
     Each step goes along the null direction nearest to the last one; Newton's method then brings the
-    tip back. The motion ends early, with fewer rows, where a joint would leave its range.
+    tip back. The motion ends early, with fewer rows, where a joint would leave its range; where
+    there is no room for a step the arm stands still.
 
     Args:
         start, direction: joints and joint rates, shape (dof,); the part of `direction` that moves
@@ -39,10 +40,9 @@ def self_motion(
         speed: the size of the joints' rates, in rad/s (and m/s), from which the times of the run
             follow.
 
-    Returns a Trace whose path stays where the tip is. Raises ArmError for a start beyond the
-    limits, a direction that only moves the tip, and a step too long to follow the curve. Source:
-    Siciliano, section 3.5; Allgower and Georg, Numerical Continuation Methods, chapter 2 (predictor
-    and corrector).
+    Returns a Trace whose path stays where the tip is. Raises ArmError for a direction that only
+    moves the tip, and a step too long to follow the curve. Source: Siciliano, section 3.5; Allgower
+    and Georg, Numerical Continuation Methods, chapter 2 (predictor and corrector).
     """
     must_be(arm, Arm, "arm")
     start = arm.joint_vector(start, "start", many=False)
@@ -50,10 +50,6 @@ def self_motion(
     length = number(length, "length", "a finite length > 0 in joint space", above=0)
     step = number(step, "step", "a finite length > 0 in joint space", above=0)
     speed = number(speed, "speed", "a finite joint speed > 0", above=0)
-    if not _within_limits(arm, start):
-        raise ArmError(
-            f"start is {start}, beyond the limits of {arm.name}; expected one within them"
-        )
     pose, steps = forward_kinematics(arm, start), max(1, round(length / step))
     ahead = _tangent(arm, start, direction)
     q: list[Array] = [start]
@@ -67,8 +63,8 @@ def self_motion(
             break
         ahead = _tangent(arm, moved, ahead)
         q.append(moved)
-    if len(q) == 1:
-        raise ArmError("start is at a limit that direction leads beyond; expected room for a step")
+    if len(q) == 1:  # no room: it stands still
+        q.append(start)
     return _at_rest(arm, np.array(q), length / steps / speed)
 
 
