@@ -7,12 +7,10 @@ from types import SimpleNamespace
 import nbformat
 import pytest
 from docutils import nodes
-from matplotlib.colors import to_hex
 
-from helpers.plotting.maps import COLOURS
 from tools.download import Book, edition, plain
 from tools.pages import fold, keep_together, keep_whole, say_plainly, visit_math_block
-from tools.pictures import for_dark, panels, size, turned, visit_image
+from tools.pictures import panels, size, visit_image
 
 
 def figure(*parts, wide=400, high=200):
@@ -90,31 +88,6 @@ def test_a_drawing_says_its_size_in_points_or_pixels(width, expected):
     assert size(ET.fromstring(f'<svg width="{width}" height="{height}"/>')) == expected
 
 
-def lightness(colour):
-    return sum(int(colour[k : k + 2], 16) for k in (1, 3, 5)) / 765
-
-
-def test_greys_change_sides_inks_become_lighter_and_data_stay():
-    assert lightness(turned("#000000")) > 0.85
-    assert lightness(turned("#ffffff")) < 0.2
-    assert (
-        lightness(turned("#dddddd")) < lightness(turned("#808080")) < lightness(turned("#5b6472"))
-    )
-    assert lightness(turned("#0072b2")) > lightness("#0072b2") + 0.15
-    blue = [int(turned("#0072b2")[k : k + 2], 16) for k in (1, 3, 5)]
-    assert blue[2] > blue[1] > blue[0], "still blue"
-    assert turned("#440154") == "#440154", "the low end of a scale means the same on both pages"
-
-
-def test_a_dark_twin_has_light_letters_and_the_same_names():
-    svg = (
-        '<svg width="1"><use href="#ffffff-1"/><path style="fill: #000000; stroke: #ffffff"/></svg>'
-    )
-    dark = for_dark(svg)
-    assert dark.startswith('<svg fill="#e9e6e1" width="1"><use href="#ffffff-1"/>')
-    assert f"fill: {turned('#000000')}; stroke: {turned('#ffffff')}" in dark
-
-
 def shown(tmp_path, svg, **attributes):
     """The HTML of a picture on a page."""
     (tmp_path / "a.svg").write_text(svg, encoding="utf-8")
@@ -125,10 +98,10 @@ def shown(tmp_path, svg, **attributes):
     return "".join(translator.body)
 
 
-def test_a_picture_stands_twice_and_says_its_size(tmp_path):
+def test_a_picture_says_its_size(tmp_path):
     html = shown(tmp_path, figure(TWO[0]), width="70%")
-    assert re.findall('src="(.*?)"', html) == ["_images/b.svg", "_images/dark/b.svg"]
-    assert html.count('alt="" width="533" height="267" loading="lazy"') == 2
+    assert re.findall('src="(.*?)"', html) == ["_images/b.svg"]
+    assert 'alt="" loading="lazy" width="533" height="267">' in html
     assert 'class="picture" style="width: 70%" role="img" aria-label="A &quot;b&quot;">' in html
 
 
@@ -139,7 +112,7 @@ def test_each_panel_is_a_window_on_the_whole(tmp_path):
     place = "--share: 100.0%; --wide: 215.1%; --left: -111.3%; --top: -10.2%"
     assert windows[1] == ("aspect-ratio: 186 / 166; max-width: 372px", place)
     assert windows[0][1][:15] == "--share: 50.0%;"
-    assert html.count('<img class="dark"') == html.count('<img class="light"') == 3
+    assert html.count("<img src=") == 3
 
 
 def test_a_box_is_folded_at_its_title():
@@ -202,10 +175,6 @@ def test_a_long_formula_takes_in_the_mark_behind_it():
     paragraph = nodes.paragraph("", "", nodes.math("", long), nodes.Text("), so"))
     keep_together(paragraph[0])
     assert [part.astext() for part in paragraph] == [long + "{),}", " so"]
-
-
-def test_a_scale_stays_a_scale_on_a_dark_page():
-    assert all(turned(to_hex(colour)) == to_hex(colour) for colour in COLOURS.colors)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ take: async (name) => {
     const article = document.querySelector("article"), all = (what) => article.querySelectorAll(what);
     all("details").forEach((box) => (box.open = true));
     all("script, .tools, .copy, .hint, .headerlink, details.hide").forEach((e) => e.remove());
-    all(".picture > :is(.dark, .panel)").forEach((e) => e.remove());
+    all(".picture > .panel").forEach((e) => e.remove());
     all("section:has(> .cell .arm-explorer)").forEach((section) => {
         if (section.querySelectorAll(".cell").length > 1) return;
         section.querySelectorAll(":scope > :is(p, ul, ol), .cell_input").forEach((e) => e.remove());

@@ -1,6 +1,6 @@
-"""A Sphinx extension for the book's drawings: their size is known before they arrive, each has a
-twin for dark pages, and on a narrow screen a drawing of several panels shows one panel a row. All
-of it is read from the SVG that Matplotlib wrote.
+"""A Sphinx extension for the book's drawings: their size is known before they arrive, and on a
+narrow screen a drawing of several panels shows one panel a row. Both are read from the SVG that
+Matplotlib wrote.
 """
 
 import re
@@ -8,7 +8,6 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from functools import cache, reduce
 from html import escape
-from math import cbrt
 from pathlib import Path
 
 from docutils import nodes
@@ -17,15 +16,6 @@ from sphinx.environment import BuildEnvironment
 
 SVG = "{http://www.w3.org/2000/svg}"
 POINT = {"pt": 4 / 3, "px": 1.0, "": 1.0}
-INK = {
-    "#0072b2",
-    "#e69f00",
-    "#009e73",
-    "#d55e00",
-    "#cc79a7",
-    "#56b4e9",
-}  # helpers/plotting/style.py
-COLOUR = re.compile(r"(?<=fill: |roke: |fill=\"|roke=\")#[0-9a-fA-F]{6}\b")
 PLACE = re.compile(
     r"translate\(([-\d.]+)[ ,]+([-\d.]+)\)(?: rotate\(([-\d.]+)\))?(?: scale\(([\d.]+))?"
 )
@@ -192,62 +182,11 @@ def _text(part, x: float, y: float, turn: float, scale: float) -> Iterator[tuple
         yield from ((x, y - high), (x + long, y + 0.3 * high))
 
 
-# The twin for dark pages.
-
-
-def for_dark(svg: str) -> str:
-    """A drawing for a dark ground: what is drawn without a colour is light, greys change sides,
-    inks become lighter.
-
-    The colours of data (of a scale, say) stay as they are, so that they still mean the same.
-    """
-    return COLOUR.sub(lambda colour: turned(colour[0].lower()), svg).replace(
-        "<svg ", '<svg fill="#e9e6e1" ', 1
-    )
-
-
-@cache
-def turned(colour: str) -> str:
-    light, a, b = _oklab(colour)
-    if a * a + b * b < 0.045**2:
-        return _hex(0.94 - 0.72 * light, a, b)
-    return _hex(max(light, 0.72), a, b) if colour in INK else colour
-
-
-def _oklab(colour: str) -> tuple[float, float, float]:
-    """Björn Ottosson's lightness and two hues, in which equal steps look equal."""
-    channels = (int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5))
-    r, g, b = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels)
-    l = cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b)
-    m = cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b)
-    s = cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b)
-    return (
-        0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
-        1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
-        0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s,
-    )
-
-
-def _hex(light: float, a: float, b: float) -> str:
-    l = (light + 0.3963377774 * a + 0.2158037573 * b) ** 3
-    m = (light - 0.1055613458 * a - 0.0638541728 * b) ** 3
-    s = (light - 0.0894841775 * a - 1.2914855480 * b) ** 3
-    linear = (
-        4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
-        -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
-        -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s,
-    )
-    clipped = (min(max(c, 0.0), 1.0) for c in linear)
-    curved = (12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in clipped)
-    return "#" + "".join(f"{round(255 * c):02x}" for c in curved)
-
-
 # On the page.
 
 
 def visit_image(translator, node) -> None:
-    """A drawing twice, for light and for dark pages, whole and in panels, with one name for all;
-    what is not shown is not fetched."""
+    """A drawing whole and in panels, with one name for all; what is not shown is not fetched."""
     builder = translator.builder
     name = builder.images.get(node["uri"], "")
     path = Path(builder.srcdir, node["uri"])
@@ -261,25 +200,18 @@ def visit_image(translator, node) -> None:
     classes = " ".join(["picture", *kinds, *node["classes"]])
     style = f' style="width: {node["width"]}"' if "width" in node else ""
     words = escape(node.get("alt", ""))
-    source = f"{builder.imgpath}/{name}"
-    twins = _twins(source)
-    windows = "".join(_cut(twins, box, root, widest) for box in boxes)
+    picture = f'<img src="{builder.imgpath}/{name}" alt="" loading="lazy"'
+    windows = "".join(_cut(f"{picture}>", box, root, widest) for box in boxes)
+    sides = size(root)
+    room = f' width="{sides[0]}" height="{sides[1]}"' if sides else ""
     translator.body.append(
         f'<span class="{classes}"{style} role="img" aria-label="{words}">'
-        f"{_twins(source, size(root))}{windows}</span>"
+        f"{picture}{room}>{windows}</span>"
     )
     raise nodes.SkipNode
 
 
-def _twins(source: str, sides: tuple[int, int] | None = None) -> str:
-    folder, name = source.rsplit("/", 1)
-    room = f' width="{sides[0]}" height="{sides[1]}"' if sides else ""
-    rest = f'alt=""{room} loading="lazy">'
-    places = {"light": source, "dark": f"{folder}/dark/{name}"}
-    return "".join(f'<img class="{mode}" src="{at}" {rest}' for mode, at in places.items())
-
-
-def _cut(pictures: str, box: Box, root: ET.Element, widest: float) -> str:
+def _cut(picture: str, box: Box, root: ET.Element, widest: float) -> str:
     """The whole drawing in a window that shows one panel of it; how wide it is of the widest keeps
     small ones at one scale."""
     left, top, wide, high = box[0] - 3, box[1] - 3, box[2] - box[0] + 6, box[3] - box[1] + 6
@@ -287,7 +219,7 @@ def _cut(pictures: str, box: Box, root: ET.Element, widest: float) -> str:
     share = f"--share: {wide / (widest + 6):.1%}"
     place = f"--wide: {whole[0] / wide:.1%}; --left: {-left / wide:.1%}; --top: {-top / high:.1%}"
     most = f"aspect-ratio: {wide:.0f} / {high:.0f}; max-width: {1.5 * wide * POINT['pt']:.0f}px"
-    return f'<span class="panel" style="{most}; {share}; {place}">{pictures}</span>'
+    return f'<span class="panel" style="{most}; {share}; {place}">{picture}</span>'
 
 
 def short_names(_app: Sphinx, env: BuildEnvironment) -> None:
@@ -297,18 +229,7 @@ def short_names(_app: Sphinx, env: BuildEnvironment) -> None:
             env.images[source] = pages, name[-12:]
 
 
-def draw_dark(app: Sphinx, error: Exception | None) -> None:
-    """Write the twins, once the drawings are copied."""
-    if error or app.builder.format != "html":
-        return
-    folder = Path(app.outdir, app.builder.imagedir)
-    (folder / "dark").mkdir(parents=True, exist_ok=True)
-    for path in folder.glob("*.svg"):
-        (folder / "dark" / path.name).write_text(for_dark(path.read_text("utf-8")), "utf-8")
-
-
 def setup(app: Sphinx) -> dict[str, bool]:
     app.add_node(nodes.image, override=True, html=(visit_image, lambda *_: None))
     app.connect("env-updated", short_names)
-    app.connect("build-finished", draw_dark)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
