@@ -1,0 +1,142 @@
+// Every rectangular block of entries in a text, with what stands beside it.
+
+import { RAD } from "../geometry/angles.js";
+import { number } from "./formula.js";
+import { labelIn } from "./labels.js";
+import { runsOf, withHeads } from "./runs.js";
+import { plainSigns } from "./signs.js";
+
+/**
+ * @typedef {{ rows: string[][], labels: string[][], heads: string[], name: string, from: number,
+ *   to: number }} Block
+ *   entries as typed; the words before each row, and of the line above; what the block is
+ *   assigned to; its lines
+ */
+
+// A decimal comma before one that parts; a line's end before what a printer broke; gaps last.
+const WAYS = [false, true].flatMap((gaps) =>
+  [true, false].flatMap((decimal) => [false, true].map((wrapped) => ({ gaps, decimal, wrapped }))),
+);
+const COMMA = /\d,\d/;
+
+/**
+ * The blocks in each way that the text can be parted, but for what the question itself gave.
+ * @param {string} typed
+ * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][] }} question
+ * @returns {Block[][]}
+ */
+export function blocksIn(typed, { isEntry, names = /$^/, given = [] }) {
+  const text = withHeads(plainSigns(typed));
+  const known = new Map();
+  const entry = (cell) => {
+    if (!known.has(cell)) known.set(cell, isEntry(cell));
+    return known.get(cell);
+  };
+  const ways = WAYS.filter(({ decimal }) => !decimal || COMMA.test(text));
+  return ways.map((way) => {
+    const runs = runsOf(text, entry, way).filter(
+      ({ cells }) => !given.some((one) => isGiven(cells, one)),
+    );
+    return [...stretches(runs, names), ...byName(runs), ...byPlace(runs)];
+  });
+}
+
+// Whether cells are what the question gave, to their digits, in radians or degrees.
+const isGiven = (cells, given) =>
+  cells.length === given.length &&
+  cells.every((cell, k) => {
+    const text = cell.replace(/ ?deg$/, "");
+    const half = 0.51 * 10 ** -(text.split(".")[1]?.length ?? 0);
+    const x = number(text);
+    return [given[k], given[k] / RAD].some((y) => x !== null && Math.abs(x - y) <= half);
+  });
+
+const own = (name, names) => (name ? names.test(name.replace(/^"|\W$/g, "")) : null);
+
+/** Runs of one length that follow each other; a line of numbers of other lengths parts them. */
+function stretches(runs, names) {
+  const found = [];
+  for (const width of new Set(runs.map(({ cells }) => cells.length))) {
+    let held = [];
+    let last = -1;
+    runs.forEach((run, k) => {
+      if (run.cells.length !== width) return;
+      const before = runs[last];
+      const between = runs.slice(last + 1, k);
+      const follows =
+        before &&
+        before.part === run.part &&
+        before.listed === run.listed &&
+        between.every(({ line }) => line === before.line || line === run.line) &&
+        (!run.name || !held[0].name || own(run.name, names) === own(held[0].name, names));
+      if (follows) held.push(run);
+      else found.push((held = [run]));
+      last = k;
+    });
+  }
+  return [...found.map(blockOf), ...sideBySide(found)];
+}
+
+/** @returns {Block} */
+function blockOf(runs) {
+  const scaled = ({ cells, scale }) => (scale ? cells.map((cell) => `${cell}${scale}`) : cells);
+  return {
+    rows: runs.map(scaled),
+    labels: runs.map(({ words }) => words),
+    heads: runs[0].above,
+    name: runs[0].name || runs[0].words.at(-1) || "",
+    from: runs[0].line,
+    to: runs.at(-1).line,
+  };
+}
+
+// MATLAB's parts of a wide matrix, "Columns 1 through 4" and on.
+function sideBySide(found) {
+  const parts = found
+    .filter(([run]) => run.part > 0)
+    .sort(([one], [other]) => one.part - other.part)
+    .map(blockOf);
+  if (parts.length < 2 || parts.some(({ rows }) => rows.length !== parts[0].rows.length)) return [];
+  const rows = parts[0].rows.map((_, i) => parts.flatMap((part) => part.rows[i]));
+  return [{ ...parts[0], rows, heads: [], to: parts.at(-1).to }];
+}
+
+// Single values with names of joints, q1 = 0.3: a row for each set of them.
+function byName(runs) {
+  const single = runs.flatMap((run) => {
+    const label = run.cells.length === 1 ? labelIn(run.words) : null;
+    return label && label.kind !== "count" ? [{ run, label }] : [];
+  });
+  const sets = [];
+  for (const one of single) {
+    const seen = sets.at(-1)?.some(({ label }) => label.at === one.label.at);
+    if (!sets.length || seen) sets.push([]);
+    sets.at(-1).push(one);
+  }
+  const count = sets[0]?.length;
+  if (!count || count < 2 || sets.some((set) => set.length !== count)) return [];
+  const rows = sets.map((set) => blockOf(set.map(({ run }) => run)).rows.flat());
+  const heads = sets[0].map(({ run }) => run.words.join(" "));
+  const [first, last] = [single[0].run, single.at(-1).run];
+  const labels = rows.map(() => []);
+  return [{ rows, labels, heads, name: first.name, from: first.line, to: last.line }];
+}
+
+const PLACE = /[[({](\d{1,2})\s*,\s*(\d{1,2})[\])}]$/;
+
+// Single values with two indices, J[2,3] := 0.5.
+function byPlace(runs) {
+  const placed = runs.flatMap((run) => {
+    const place = run.cells.length === 1 && PLACE.exec(run.words.at(-1) ?? "");
+    return place ? [{ run, i: Number(place[1]), j: Number(place[2]) }] : [];
+  });
+  if (placed.length < 2) return [];
+  const from = (key) => Math.min(...placed.map((one) => one[key]));
+  const size = (key) => Math.max(...placed.map((one) => one[key])) - from(key) + 1;
+  if (size("i") * size("j") !== placed.length) return [];
+  const rows = Array.from({ length: size("i") }, () => Array(size("j")));
+  for (const { run, i, j } of placed) rows[i - from("i")][j - from("j")] = run.cells[0];
+  const [first, last] = [placed[0].run, placed.at(-1).run];
+  const labels = rows.map(() => []);
+  return [{ rows, labels, heads: [], name: first.name, from: first.line, to: last.line }];
+}

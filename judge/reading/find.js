@@ -1,0 +1,185 @@
+// Reading from the shape that is asked for: the block of a text that fits, wherever it stands, its
+// rows and columns in the order that their labels say.
+
+import { blocksIn } from "./blocks.js";
+import { number } from "./formula.js";
+import { labelIn } from "./labels.js";
+import { ArmError, listed, say, shown } from "../sentences.js";
+
+export const LONGEST = 30_000; // characters of a text
+
+/**
+ * How many rows and columns are asked for, any number where null; what its rows are named after,
+ * "row" or "joint". `names` are those of the answer, `given` what the question itself holds.
+ * @typedef {{ rows: number | null, columns: number | null, by?: string }} Want
+ * @typedef {{ what: string, wants: Want[], isEntry: (cell: string) => boolean, names?: RegExp,
+ *   given?: number[][], which?: number | null }} Question
+ */
+/**
+ * @typedef {import("./blocks.js").Block & { context: string, left: string[], said: string[] }} Found
+ */
+
+/** @param {string} text @param {Question} question @returns {Found} */
+export function find(text, question) {
+  const { what, wants, isEntry, names = /$^/, given = [] } = question;
+  if (text.length > LONGEST) throw new ArmError(say("too long", { what, count: text.length }));
+  if (!text.trim()) throw new ArmError(say("empty", { what }));
+  const ways = blocksIn(text, { isEntry, names, given });
+  for (const want of wants)
+    for (const blocks of ways) {
+      const fits = blocks.flatMap((block) => fitted(block, want, names));
+      const named = fits.filter(({ name }) => names.test(bare(name)));
+      const one = chosen(named.length ? named : fits, question);
+      if (one) return { ...one, ...around(text, one) };
+    }
+  throw refusal(text, question, ways);
+}
+
+const bare = (name) => name.replace(/^[^\p{L}]+/u, "");
+
+// The one that is meant: the last of equal ones; of several that differ the one that was chosen.
+function chosen(fits, { which = null }) {
+  const different = [...new Map(fits.map((one) => [JSON.stringify(one.rows), one])).values()];
+  if (different.length < 2 || which !== null) return different[(which ?? 1) - 1];
+  const told = different.map(({ rows, from }) => `line ${from + 1} (${shown(rows[0].join(" "))})`);
+  const advice = different.map((_, k) => ({ field: "which", value: k + 1 }));
+  throw new ArmError(say("which", { blocks: listed(told) }), advice);
+}
+
+// The block as it is wanted, or nothing.
+function fitted(block, want, names) {
+  const upright = [block, ...columnOf(block, names), ...withoutLabels(block)];
+  const lying = want.by ? upright.filter((one) => liesBy(one, want)).map(transposed) : [];
+  const is = ({ rows }) =>
+    (want.rows === null || rows.length === want.rows) &&
+    (want.columns === null || rows[0].length === want.columns);
+  const found = lying.find(is) ?? upright.find(is);
+  return found ? [ordered(found, want)] : [];
+}
+
+// The labels of rows and of columns, where each has one of its kind and no two are the same.
+function labelsOf(words) {
+  const found = words.map(labelIn);
+  const kind = found[0]?.kind;
+  const even = kind && found.every((one) => one?.kind === kind);
+  return even && new Set(found.map(({ at }) => at)).size === found.length
+    ? { kind, at: found.map(({ at }) => at) }
+    : null;
+}
+
+const headsOf = ({ heads, rows }) => {
+  const extra = heads.length - rows[0].length;
+  return extra >= 0 && extra < 3 ? labelsOf(heads.slice(extra).map((one) => [one])) : null;
+};
+
+// Whether labels say that rows are what is wanted as columns.
+function liesBy(block, { by }) {
+  const [rows, heads] = [labelsOf(block.labels), headsOf(block)];
+  if (by === "row") return heads?.kind === "row" || rows?.kind === "joint";
+  return rows?.kind === "joint" && block.rows[0].length > 1 && heads?.kind !== "joint";
+}
+
+function transposed(block) {
+  const { rows, labels, heads } = block;
+  const own = heads.slice(heads.length - rows[0].length);
+  return {
+    ...block,
+    rows: rows[0].map((_, k) => rows.map((row) => row[k])),
+    labels: rows[0].map((_, k) => (own[k] ? [own[k]] : [])),
+    heads: labels.map((words) => words.at(-1) ?? ""),
+  };
+}
+
+// In the order of the labels.
+function ordered(block, { by }) {
+  const [rows, heads] = [labelsOf(block.labels), headsOf(block)];
+  const order = (label) => label.at.map((_, k) => k).sort((p, q) => label.at[p] - label.at[q]);
+  const whole = rows && (by === "row" ? rows.kind === "row" : rows.kind === "joint");
+  const down = whole ? order(rows) : block.rows.map((_, i) => i);
+  const across = heads?.kind === "joint" ? order(heads) : block.rows[0].map((_, k) => k);
+  const moved = [...down, -1, ...across].join() !== [...down.keys(), -1, ...across.keys()].join();
+  return {
+    ...block,
+    rows: down.map((i) => across.map((k) => block.rows[i][k])),
+    said: moved ? [say("taken: by names")] : [],
+  };
+}
+
+// The column whose head is the answer's name, of several side by side.
+function columnOf(block, names) {
+  const { heads, rows } = block;
+  const extra = heads.length - rows[0].length;
+  const at = extra < 0 || rows[0].length < 2 ? -1 : heads.findIndex((head) => names.test(bare(head)));
+  if (at < extra || headsOf(block)) return [];
+  const labels = rows.map((row, i) => [...block.labels[i], row[0]]);
+  return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, heads: [] }];
+}
+
+// The block without a first column that counts its rows or tells the time, or names them, and
+// without a first row that counts or names its columns.
+function withoutLabels(block) {
+  const { rows, labels } = block;
+  const down = rows.map((row) => row[0]);
+  const found = [];
+  if (rows[0].length > 1 && (isSeries(down) || named(down))) {
+    const words = labels.map((own, i) => [...own, rows[i][0]]);
+    found.push({ ...block, rows: rows.map((row) => row.slice(1)), labels: words });
+  }
+  if (rows.length > 1 && (isCount(rows[0]) || named(rows[0]))) {
+    const below = { ...block, rows: rows.slice(1), labels: labels.slice(1), heads: rows[0] };
+    found.push(below, ...withoutLabels(below));
+  }
+  return found;
+}
+
+const named = (cells) => {
+  const found = labelsOf(cells.map((cell) => [cell]));
+  return found !== null && cells.every((cell) => number(cell) === null);
+};
+
+const isCount = (cells) =>
+  [0, 1].some((from) => cells.every((cell, k) => Number(cell) === k + from));
+
+// Whether cells count, or grow by as much each, as times do.
+function isSeries(cells) {
+  const found = cells.map(Number);
+  if (isCount(cells)) return true;
+  const step = (found.at(-1) - found[0]) / (found.length - 1);
+  const unit = Math.max(...cells.map((cell) => 10 ** -(cell.split(".")[1]?.length ?? 0)));
+  return (
+    found.length > 3 &&
+    step > 0 &&
+    found.every((x, k) => Math.abs(x - found[0] - k * step) <= unit * 1.01)
+  );
+}
+
+// The text without the block, and its lines.
+function around(text, { from, to }) {
+  const lines = text.split(/\r\n|[\n\r]/);
+  const rest = lines.filter((_, i) => i < from || i > to);
+  return { context: rest.join("\n"), left: rest.map((line) => line.trim()).filter(Boolean) };
+}
+
+const SAID = [
+  ["no solution", /\bno (?:real )?solutions?\b|\bunreachable\b|\bkeine Lösung|\bsin solución/i],
+  ["not finite", /(?<![\p{L}])(?:nan|[-+]?inf(?:inity)?)(?!\p{L})|∞/iu],
+  ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
+  ["two signs", /±|\\pm(?![A-Za-z])/],
+  ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m],
+  ["no text", /[\0-\x08\ufffd]/],
+];
+
+// Why nothing fits: what was found, and what is wanted.
+function refusal(text, { what, wants }, ways) {
+  const [key] = SAID.find(([, is]) => is.test(text)) ?? [];
+  if (key) return new ArmError(say(key, { what, wanted: sizeOf(wants[0]) }));
+  const blocks = ways.flat().filter(({ rows }) => rows.flat().length > 1);
+  if (!blocks.length) return new ArmError(say("no block", { what, wanted: sizeOf(wants[0]) }));
+  const largest = [...blocks].sort((p, q) => q.rows.flat().length - p.rows.flat().length);
+  const sizes = new Set(largest.map(({ rows }) => `${rows.length}x${rows[0].length}`));
+  const found = listed([...sizes].slice(0, 3));
+  const line = shown(text.split(/\r\n|[\n\r]/)[largest[0].from] ?? "");
+  return new ArmError(say("no fit", { what, found, line, wanted: sizeOf(wants[0]) }));
+}
+
+const sizeOf = ({ rows, columns }) => (rows === null ? `rows of ${columns}` : `${rows}x${columns}`);

@@ -1,0 +1,42 @@
+// A text in plain signs, as far as its rows and cells need it: one minus, one blank, one quote, and
+// what draws or sets a matrix as brackets, & and the sign of a row's end.
+
+export const ROW = "\u241e"; // a row's end, as LaTeX's \\ and Word's @ write it
+
+const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
+/** @type {[RegExp, string][]} */
+const SIGNS = [
+  [/\r\n?|[\v\f\x1c-\x1e\x85\u2028\u2029]/g, "\n"],
+  [/[\u2212\u2013\u2014\u2010\u2011\u2012\ufe63\uff0d]/g, "-"],
+  [/[\u00a0\u2000-\u200a\u202f\u3000]/g, " "],
+  [/[\u200b\ufeff\u2061\u2062]/g, ""],
+  [/[“”„‟"`‘’‚]/g, '"'],
+  [/，/g, ","],
+  [/（/g, "("],
+  [/）/g, ")"],
+  [/[│┃║]/g, "|"],
+  [/[⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠⎧⎨⎩⎫⎬⎭─━═┌┐└┘├┤┬┴┼╒╕╘╛╞╡╤╧╪╔╗╚╝╠╣╦╩╬+]*[⎡-⎭─-╬]/g, " "],
+  [/\.\.\.[ \t]*\n/g, " "], // MATLAB's line that goes on
+  [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
+  [/\[(?:\d{1,3},|,\d{1,3})\]/g, " "], // R's rows and columns
+  [/\\(?:left|right|big[lr]?|Big[lr]?)(?![A-Za-z])\.?/g, " "],
+  [new RegExp(String.raw`\\begin\{${MATRIX}\}(?:\[[^\]\n]{0,9}\])?(?:\{[^{}\n]{0,60}\})?`, "g"), "["],
+  [new RegExp(String.raw`\\end\{${MATRIX}\}`, "g"), "]"],
+  [/\\(?:begin|end)\{[^{}\n]{0,60}\}/g, "\n"],
+  [/\\(?:hline|toprule|midrule|bottomrule|nonumber)(?![A-Za-z])/g, " "],
+  [/\\c(?:line|midrule)\{[^{}\n]{0,20}\}/g, " "],
+  [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW],
+  [/\\[[\]$]|\$|\\(?:displaystyle|q?quad)(?![A-Za-z])/g, " "],
+  [/\{([-+])\}/g, "$1"],
+  [/(?<=\d)\{,\}(?=\d)/g, ","],
+];
+const WORD = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d
+const BULLETS = /^[ \t]*- +(?=[-[{])/m; // a list whose dashes are no minus signs
+const BULLET = /^[ \t]*- +/gm;
+
+/** @param {string} text */
+export function plainSigns(text) {
+  const signs = SIGNS.reduce((rest, [sign, instead]) => rest.replace(sign, instead), text);
+  const set = signs.replace(WORD, (_, inner) => `(${inner.replaceAll("@", ROW)})`);
+  return BULLETS.test(set) ? set.replace(BULLET, "") : set;
+}
