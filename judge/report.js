@@ -2,7 +2,6 @@
 
 import { adviceOn } from "./advice.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { holdsNumbers, setAside, unread, unreadOf } from "./reading/aside.js";
 import { ArmError, say } from "./sentences.js";
 
 export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
@@ -30,6 +29,7 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * @property {string[]} notes
  * @property {import("./advice.js").Advice[]} [advice] what the reader may set
  * @property {import("./reading/numbers.js").Typed} [typed] what was read, in its own order
+ * @property {string[]} [left] the lines that were set aside
  * @property {boolean[]} [wrong] which of its entries are wrong
  * @property {ReadTable} [table] a Denavit-Hartenberg table as it was read
  * @property {{ signs: number[], offsets: number[], rows: any[] }} [map] from the joints of that
@@ -54,34 +54,22 @@ export const reportOf = (topic, arm, grade, headline, rest = {}) => ({
 });
 
 /**
- * A judge of a text that may have words around it, which are set aside and shown back; its reports
- * advise what the reader may set. The judge's options come last; an answer may have one of
- * `names`.
+ * A judge whose reports advise what the reader may set, and show what was set aside. The judge's
+ * options come last.
  * @template {any[]} Asked
  * @param {(mine: any, ...asked: Asked) => Report} judge
- * @param {RegExp} [names]
  * @returns {(mine: any, ...asked: Asked) => Report}
  */
 export const answering =
-  (judge, names) =>
+  (judge) =>
   (mine, ...asked) => {
-    const { text, left } =
-      typeof mine === "string" ? setAside(mine, names) : { text: mine, left: mine?.left ?? [] };
-    const options = asked[judge.length - 1] ?? {};
-    const first = judge(text, ...asked);
+    const first = judge(mine, ...asked);
     if (!first) return first;
-    const report = ofFamily(first, judge, text, asked) ?? first;
+    const report = ofFamily(first, judge, mine, asked) ?? first;
+    const options = asked[judge.length - 1] ?? {};
     const advice = [...(report.advice ?? []), ...adviceOn(report.causes, options)];
-    const lost = typeof text === "string" ? unreadIn(text, first) : [];
-    return withLeft({ ...report, advice }, [...left, ...lost]);
+    return withLeft({ ...report, advice }, first.left ?? first.typed?.left ?? mine?.left ?? []);
   };
-
-// The numbers of a text that its report does not judge.
-/** @param {string} text @param {Report} report */
-function unreadIn(text, { typed, table }) {
-  if (table) return unread(text, table.entries, [table.rows.length]);
-  return unreadOf(text, typed);
-}
 
 // The report on an answer that is right for another arm of the same name; null where there is none.
 /** @param {Report} first */
@@ -112,14 +100,11 @@ function judgedFor(arm, judge, text, rest) {
   }
 }
 
-// A report that shows what was left out; none is right that left out numbers.
+// A report that shows what was set aside.
 function withLeft(report, left) {
   if (!left.length) return report;
   const texts = left.map((line) => `\`${line}\``).join(", ");
-  const notes = [...report.notes, say("left out", { texts })];
-  if (report.grade === WRONG || !holdsNumbers(left)) return { ...report, notes };
-  const headline = say("left numbers", { headline: report.headline.replace(/\.$/, "") });
-  return { ...report, notes, grade: SO_FAR, headline };
+  return { ...report, notes: [...report.notes, say("set aside", { texts })] };
 }
 
 // Everything below the headline, a sentence each; what stands in the headline is not repeated.

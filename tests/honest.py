@@ -13,12 +13,16 @@ from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 
+import numpy as np
+
 from helpers import checks, inverse, motion, robots
 from helpers.inputs import ArmError
 
 NAMES = json.loads(Path(__file__).with_name("honest_slips.json").read_text("utf-8"))
 RIGHT = ("right", "so far", "refused", "called wrong")
 WRONG = ("named", "located", "so far", "passed", "false cause", "refused")
+_CLOSED = {"UR10E": inverse.ur, "STANF": inverse.stanford, "ELBOW": inverse.elbow}
+_SYMPTOMS = {"trace.leans", "trace.spins", "trace.jump", "pose.entry", "pose.coordinate"}
 _solved: dict[str, object] = {}
 
 
@@ -43,7 +47,7 @@ def report_on(work: Mapping) -> checks.Report:
         case "branches":
             key = json.dumps([work["arm"], work["target"]])
             if key not in _solved:
-                _solved[key] = inverse.solve(arm, work["target"])
+                _solved[key] = _CLOSED[work["arm"][:5]](arm, np.array(work["target"]))
             return checks.compare_branches(text, _solved[key], **says)
         case "trace":
             path = dict(work["path"])
@@ -68,6 +72,7 @@ def verdict(work: Mapping) -> tuple[str, str]:
     if report.grade != "wrong":
         return "passed", words
     causes = [one.partition(":")[0] for cause in report.causes for one in cause.split(" + ")]
+    causes = [one for one in causes if one not in _SYMPTOMS]
     if not causes:
         return "located", words
     return ("named" if names & set(causes) else "false cause"), words

@@ -13,7 +13,7 @@ export const LONGEST = 30_000; // characters of a text
  * "row" or "joint". `names` are those of the answer, `given` what the question itself holds.
  * @typedef {{ rows: number | null, columns: number | null, by?: string }} Want
  * @typedef {{ what: string, wants: Want[], isEntry: (cell: string) => boolean, names?: RegExp,
- *   given?: number[][], which?: number | null }} Question
+ *   given?: number[][], which?: number | null, wanted?: string }} Question `wanted` in words
  */
 /**
  * @typedef {import("./blocks.js").Block & { context: string, left: string[], said: string[] }} Found
@@ -29,11 +29,15 @@ export function find(text, question) {
     for (const blocks of ways) {
       const fits = blocks.flatMap((block) => fitted(block, want, names));
       const named = fits.filter(({ name }) => names.test(bare(name)));
-      const one = chosen(named.length ? named : fits, question);
+      const some = want.columns === null && want.rows === null ? largest(fits) : fits;
+      const one = chosen(named.length ? named : some, question);
       if (one) return { ...one, ...around(text, one) };
     }
   throw refusal(text, question, ways);
 }
+
+const count = ({ rows }) => rows.flat().length;
+const largest = (blocks) => [...blocks].sort((p, q) => count(q) - count(p)).slice(0, 1);
 
 const bare = (name) => name.replace(/^[^\p{L}]+/u, "");
 
@@ -170,16 +174,17 @@ const SAID = [
 ];
 
 // Why nothing fits: what was found, and what is wanted.
-function refusal(text, { what, wants }, ways) {
+function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, ways) {
   const [key] = SAID.find(([, is]) => is.test(text)) ?? [];
-  if (key) return new ArmError(say(key, { what, wanted: sizeOf(wants[0]) }));
-  const blocks = ways.flat().filter(({ rows }) => rows.flat().length > 1);
-  if (!blocks.length) return new ArmError(say("no block", { what, wanted: sizeOf(wants[0]) }));
-  const largest = [...blocks].sort((p, q) => q.rows.flat().length - p.rows.flat().length);
-  const sizes = new Set(largest.map(({ rows }) => `${rows.length}x${rows[0].length}`));
+  if (key) return new ArmError(say(key, { what, wanted }));
+  const blocks = ways.flat().filter((block) => count(block) > 1);
+  if (!blocks.length) return new ArmError(say("no block", { what, wanted }));
+  const sorted = [...blocks].sort((p, q) => count(q) - count(p));
+  const sizes = new Set(sorted.map(({ rows }) => `${rows.length}x${rows[0].length}`));
   const found = listed([...sizes].slice(0, 3));
-  const line = shown(text.split(/\r\n|[\n\r]/)[largest[0].from] ?? "");
-  return new ArmError(say("no fit", { what, found, line, wanted: sizeOf(wants[0]) }));
+  const line = shown(text.split(/\r\n|[\n\r]/)[sorted[0].from] ?? "");
+  return new ArmError(say("no fit", { what, found, line, wanted }));
 }
 
-const sizeOf = ({ rows, columns }) => (rows === null ? `rows of ${columns}` : `${rows}x${columns}`);
+const sizeOf = ({ rows, columns }) =>
+  columns === null ? "numbers" : rows === null ? `rows of ${columns}` : `${rows}x${columns}`;

@@ -3,9 +3,9 @@
 import { joints } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
+import { unitsSaid } from "./context.js";
+import { find } from "./find.js";
 import { isNumber, parse, plain, symbols, value } from "./formula.js";
-import { cells } from "./grid.js";
-import { withoutHeader } from "./heads.js";
 import { ArmError, counted, listed, say, spelled } from "../sentences.js";
 
 const JOINT = /^(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})$/;
@@ -21,7 +21,8 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  * Numbers as they were handed in, row by row, with the unit of each one's last place; of a text the
  * formulas too.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
- *   entries: Entry[] }} Typed
+ *   entries: Entry[], said: string[], left: string[], says?: ReturnType<typeof unitsSaid> }} Typed `said` is how a text
+ *   was read, `left` its other lines, `says` the units that they name
  */
 
 // An arm that can be judged is the explorer's, with its symbols: values [[name, number]], and the
@@ -43,6 +44,8 @@ export function lookup(arm, q, values = []) {
     for (const one of words) if (!said.includes(one)) said.push(one);
     return found;
   };
+  const own = new Set([...(arm.values ?? []), ...values].map(([name]) => simple(name)));
+  known.has = (name) => own.has(simple(name)) || indices(name) !== null;
   return { known, said };
 }
 
@@ -52,9 +55,18 @@ const noSymbols = (names) => {
   return new Map();
 };
 
-/** @returns {Typed} */
-export function numbers(mine, what, known = noSymbols, wanted = "numbers") {
-  if (typeof mine === "string") return ofText(mine, what, known);
+const ANY = [{ rows: null, columns: null }];
+
+/**
+ * `asked` is the shapes that are wanted of a text, the answer's names, and what the question holds
+ * itself.
+ * @param {any} mine @param {string} what
+ * @param {{ wants?: import("./find.js").Want[], names?: RegExp, given?: number[][],
+ *   which?: number | null }} [asked]
+ * @returns {Typed}
+ */
+export function numbers(mine, what, known = noSymbols, wanted = "numbers", asked = {}) {
+  if (typeof mine === "string") return ofText(mine, { what, known, wanted, ...asked });
   const shape = shapeOf(mine);
   const leaves = [mine].flat(Infinity);
   if (shape.reduce((product, n) => product * n, 1) !== leaves.length) {
@@ -69,7 +81,8 @@ export function numbers(mine, what, known = noSymbols, wanted = "numbers") {
   );
   if (!values.every(Number.isFinite)) throw new ArmError(say("not finite", { what, wanted }));
   const typed = entries.map(({ text }, i) => ofCell(text ?? spelled(values[i])));
-  return { values, units: unitsOf(typed), shape, symbolic: names.size > 0, entries: typed };
+  const symbolic = names.size > 0;
+  return { values, units: unitsOf(typed), shape, symbolic, entries: typed, said: [], left: [] };
 }
 
 /**
@@ -84,26 +97,8 @@ function entryOf(leaf, what, wanted) {
   return { tree: ["num", leaf ?? NaN] };
 }
 
-// What stands before a value: a quoted name with a comma or colon, q_1 =, theta_{2}: or Joint 1:;
-// before a list: Solution 1:, 1) or elbow up:; and behind a value the unit of torques and angles.
-const NAMED = new RegExp(
-  String.raw`^[ \t]*(?:(?:solution|answer|branch|case|set|lösung)[ \t]*\d+[ \t]*[:.)]?|\d+\))` +
-    String.raw`(?=[ \t]*(?:$|\D))|^[ \t]*\p{L}[\p{L} ,+-]*:[ \t]*(?=[[(])` +
-    String.raw`|['"][^'"]*['"]\s*[,:]\s*` +
-    String.raw`|\\?(?<![\p{L}\p{N}_])(?:q|theta|th|θ|Θ|t|tau|τ|g|d|joint ?)` +
-    String.raw`_?(?:\p{Nd}|[₀-₉]|\{\p{Nd}\})\s*(?:\([^()]*\)\s*)?[=:]\s*`,
-  "gimu",
-);
-export const JOINT_NAMES = /^\\?(?:[qQd]|th|t[_\d{]|Theta|[θΘφ]|phi|joint)/; // one by one or all
-const UNITS = new RegExp(
-  String.raw`(?<=\d\.?|[\])}])(?:[ \t~]|\\[,;: ])*(?:\\(?:text|mathrm)\{\s*)?` +
-    String.raw`(?:N\s*[·*⋅.]?\s*m{1,2}|N|rad(?:ians)?)(?:\s*\})?(?![\p{L}\p{N}_(])`,
-  "gu",
-);
-
 // One value for each joint without the names before them: ('theta1', 0.3) is 0.3.
 export function unnamed(mine) {
-  if (typeof mine === "string") return mine.replace(NAMED, "").replace(UNITS, "").trim();
   if (!Array.isArray(mine)) return mine;
   if (mine.length === 2 && typeof mine[0] === "string" && typeof mine[1] !== "string") {
     return unnamed(mine[1]);
@@ -119,42 +114,41 @@ function shapeOf(list) {
   return [list.length, ...(even ? (inner[0] ?? []) : [])];
 }
 
-// A vector that NumPy prints over several lines; a sign that stands one upright.
-const PRINTED = /^[^[\](){};,|&]*\[[^[\](){};,|&]*\]\s*$/;
-const UPRIGHT = /(?<=[\])}])\s*(?:\^\s*(?:T|\\top|\{\s*(?:T|\\top)\s*\})|\.T|\.?')\s*;?\s*$/;
-
-// The cells of a text; a vector is one however it is printed or stood upright.
-export function cellsOf(text) {
-  const bare = text.replace(UPRIGHT, "");
-  const rows = withoutHeader(cells(bare));
-  // which says that a matrix may not be
-  if (bare !== text && rows.length > 1 && rows[0].length > 1) return cells(text);
-  const even = rows.every((row) => row.length === rows[0].length);
-  return PRINTED.test(bare) && !even ? [rows.flat()] : rows;
+// Whether a cell is a number, or a formula of symbols that are known.
+function entryIn(known) {
+  return (cell) => {
+    if (isNumber(cell)) return true;
+    try {
+      const tree = parse(cell);
+      const names = [...symbols(tree)];
+      if (!names.length) return /\d|pi|π/.test(cell);
+      return known.has?.(names[0]) && names.slice(1).every((name) => known.has(name) || /\W/.test(cell));
+    } catch (error) {
+      if (error instanceof ArmError) return false;
+      throw error;
+    }
+  };
 }
 
-function ofText(text, what, known) {
-  const rows = cellsOf(text);
-  const widths = [...new Set(rows.map((row) => row.length))].sort((a, b) => a - b);
-  if (widths.length > 1) {
-    const row = rows.findIndex((one) => one.length < widths.at(-1));
-    const told = { what, widths: widths.join(", "), row: row + 1, count: rows[row].length };
-    throw new ArmError(say("ragged", told));
-  }
-  const texts = rows.flat().map(plain);
+/** @returns {Typed} */
+function ofText(text, { what, known, wanted, wants = ANY, names = undefined, given, which }) {
+  const found = find(text, { what, wanted, wants, isEntry: entryIn(known), names, given, which });
+  const texts = found.rows.flat().map(plain);
   const trees = texts.map((cell) =>
     isNumber(cell) ? ["num", Number(cell)] : parse(cell, `an entry of ${what}`),
   );
-  const names = new Set();
-  for (const tree of trees) symbols(tree, names);
-  const found = known(names);
-  const values = trees.map((tree) => value(tree, (name) => found.get(name)));
+  const used = new Set();
+  for (const tree of trees) symbols(tree, used);
+  const meant = known(used);
+  const values = trees.map((tree) => value(tree, (name) => meant.get(name)));
   const entries = texts.map(ofCell);
   const shown = trees.map((tree, i) =>
     entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
   );
-  const read = { values, units: unitsOf(entries), shape: [rows.length, widths[0]], trees: shown };
-  return { ...read, symbolic: names.size > 0, entries };
+  const shape = [found.rows.length, found.rows[0].length];
+  const { said, left, context } = found;
+  const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
+  return { ...read, entries, said, left, says: unitsSaid(context) };
 }
 
 const IN_DEGREES = /^([-+]?[\d.]+) ?\*? ?deg$/;
@@ -174,9 +168,30 @@ const unitsOf = (entries) =>
 
 export const eachJoint = (arm) => say("each joint", { joints: variables(arm).join(", ") });
 
+// The shapes of one value for each joint, and of any number of such rows; the moving joints' first,
+// then those of all.
+export const jointShapes = (arm, many = true) =>
+  [...new Set([joints(arm).length, arm.rows.length])].flatMap((columns) => [
+    { rows: 1, columns, by: "joint" },
+    { rows: columns, columns: 1 },
+    ...(many
+      ? [
+          { rows: null, columns, by: "joint" },
+          { rows: columns, columns: null },
+        ]
+      : []),
+  ]);
+
+// The rows of numbers that a target is; none of a text.
+export function rowsGiven(target) {
+  const rows = Array.isArray(target?.[0]) ? target : [target];
+  return rows.filter((row) => Array.isArray(row) && row.every(Number.isFinite));
+}
+
 // One joint vector, with its units.
 export function pose(q, arm, angles = "rad") {
-  const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
+  const wants = jointShapes(arm, false);
+  const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), { wants });
   if (typed.values.length !== joints(arm).length)
     throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
   return inRadians(typed, arm, angles);
@@ -210,7 +225,8 @@ export function inRadians(typed, arm, angles) {
     mixed ? unitsOf(typed.entries.filter((_, i) => turn(i) === kind)) : [],
   );
   const own = (i) => (mixed ? (turn(i) ? angular : linear).shift() : typed.units[i]);
-  const factor = (i) => (angles === "deg" && turn(i) && !typed.entries[i].angle ? RAD : 1);
+  const unit = typed.says?.angles ?? angles;
+  const factor = (i) => (unit === "deg" && turn(i) && !typed.entries[i].angle ? RAD : 1);
   return {
     ...typed,
     values: typed.values.map((x, i) => x * factor(i)),

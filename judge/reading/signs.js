@@ -4,7 +4,10 @@
 export const ROW = "\u241e"; // a row's end, as LaTeX's \\ and Word's @ write it
 
 const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
-/** @type {[RegExp, string][]} */
+// A noun and its number in one word.
+const counted = (noun) => `${noun.trim()}_`;
+
+/** @type {[RegExp, any][]} */
 const SIGNS = [
   [/\r\n?|[\v\f\x1c-\x1e\x85\u2028\u2029]/g, "\n"],
   [/[\u2212\u2013\u2014\u2010\u2011\u2012\ufe63\uff0d]/g, "-"],
@@ -16,6 +19,8 @@ const SIGNS = [
   [/）/g, ")"],
   [/[│┃║]/g, "|"],
   [/[⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠⎧⎨⎩⎫⎬⎭─━═┌┐└┘├┤┬┴┼╒╕╘╛╞╡╤╧╪╔╗╚╝╠╣╦╩╬+]*[⎡-⎭─-╬]/g, " "],
+  [/\b(?:(?:Arc)?(?:Sin|Cos|Tan)|Sqrt|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
+  [/\b(?:wrist|joint|axis|column|link|sol(?:ution)?|lösung|answer|case)[ \t]+(?=\d)/gi, counted],
   [/\.\.\.[ \t]*\n/g, " "], // MATLAB's line that goes on
   [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
   [/\[(?:\d{1,3},|,\d{1,3})\]/g, " "], // R's rows and columns

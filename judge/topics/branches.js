@@ -6,7 +6,7 @@ import { nameOf, wordsOf } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { asksPose, formOf, inverse } from "../geometry/inverse.js";
 import { joints } from "../geometry/kinematics.js";
-import { JOINT_NAMES, turning } from "../reading/numbers.js";
+import { rowsGiven, turning } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
 import { listed, lower, say } from "../sentences.js";
 import { answers, hitsOf, NEAR, sameAnswer } from "./branches_matching.js";
@@ -29,13 +29,13 @@ import { answers, hitsOf, NEAR, sameAnswer } from "./branches_matching.js";
  * @param {string | any[]} mine @param {any} arm @param {any[]} target
  * @returns {import("../report.js").Report}
  */
-export const compareBranches = answering(branchesCompared, JOINT_NAMES);
+export const compareBranches = answering(branchesCompared);
 
 function branchesCompared(mine, arm, target, options = {}) {
   const { angles = "rad", tolerance = null, found = null } = options;
   const own = found && found.arm === arm.name;
   const right = rightOf(arm, own ? found.branches : branchesOf(arm, found?.target ?? target));
-  const { answers: given, taken, typed } = upright(mine, right, angles, tolerance);
+  const { answers: given, taken, typed } = upright(mine, right, { ...options, given: rowsGiven(found?.target ?? target) });
   const { astray, ...report } = judged(right, given, tolerance, taken);
   const dof = joints(arm).length;
   const asRows = !taken.length && typed.shape.at(-1) === dof;
@@ -50,7 +50,7 @@ function upright(mine, right, angles, tolerance) {
   const count = rows.answers.length;
   if (count < 2 || count !== joints(arm).length) return rows;
   if (hitsOf(right, rows.answers, tolerance).hits.size) return rows;
-  const columns = answers(mine, arm, angles, true);
+  const columns = answers(mine, arm, angles, true, { given, which });
   return hitsOf(right, columns.answers, tolerance).astray.length ? rows : columns;
 }
 

@@ -8,6 +8,7 @@ import { singular } from "../geometry/linear.js";
 import {
   eachJoint,
   inRadians,
+  jointShapes,
   notPerJoint,
   numbers,
   rowsOf,
@@ -19,6 +20,7 @@ import { listed, say } from "../sentences.js";
 /** @typedef {import("./branches.js").Answer} Answer */
 /** @typedef {import("./branches.js").Right} Right */
 
+const NAMES = /^(?:q|th|θ|sol|ans$|s\d*$)/i;
 const TARGET = 1e-4; // rad or m: what a target given with four decimals moves the joints
 const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
 export const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
@@ -30,11 +32,15 @@ const COUNTED = 1e6; // rad: in a larger angle rounding has eaten the turn's par
  * set aside.
  * @returns {{ answers: Answer[], taken: string[], typed: import("../reading/numbers.js").Typed }}
  */
-export function answers(mine, arm, angles, byColumns = false) {
+export function answers(mine, arm, angles, byColumns = false, asked = {}) {
   const moving = joints(arm);
   const dof = moving.length;
   const what = `${arm.name}: your answer`;
-  const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm));
+  const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), {
+    wants: jointShapes(arm),
+    names: NAMES,
+    ...asked,
+  });
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = shapeOf(typed, dof);
   const width = !shape.includes(dof) && shape.includes(arm.rows.length) ? arm.rows.length : dof;
@@ -45,10 +51,13 @@ export function answers(mine, arm, angles, byColumns = false) {
   const kept = (list) =>
     upright(list).filter((_, i) => width === dof || moving.includes(i % width));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
-  const flat = inRadians({ values, units, entries }, arm, angles);
+  const flat = inRadians({ ...typed, values, units, entries }, arm, angles);
   const [each, places] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
   const perColumn = transposedWords(lies, each.length);
-  const taken = width > dof ? [...perColumn, setAside(arm)] : perColumn;
+  const unit = typed.says?.angles && typed.says.angles !== angles ? [typed.says.angles] : [];
+  const inUnit = unit.map((name) => say(name === "deg" ? "taken: degrees" : "taken: radians"));
+  const locked = width > dof ? [setAside(arm)] : [];
+  const taken = [...typed.said, ...inUnit, ...perColumn, ...locked];
   return { answers: each.map((one, i) => ({ values: one, units: places[i] })), taken, typed };
 }
 

@@ -6,7 +6,6 @@ import { agrees, RIGHT, SO_FAR, tellable, WRONG } from "../digits.js";
 import { verdictOn } from "../entries.js";
 import * as chains from "../geometry/chains.js";
 import { norm } from "../geometry/kinematics.js";
-import { rowsOfColumns } from "../reading/matrix_columns.js";
 import { lookup, numbered, numbers, pose, turning } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
 import { ArmError, counted, listed, lower, say } from "../sentences.js";
@@ -18,14 +17,14 @@ const HALVES = ["linear", "angular"];
  * The report on a Jacobian, a text or nested numbers, of an arm's tip at q.
  * @returns {import("../report.js").Report}
  */
-export const compareJacobian = answering(jacobianCompared, /^j/i);
+export const compareJacobian = answering(jacobianCompared);
 
 function jacobianCompared(mine, arm, q, options = {}) {
   const at = pose(q, arm, options.angles);
   const { known, said } = lookup(arm, at.values, options.values ?? []);
-  const typed = matrix(mine, `${arm.name}: your Jacobian`, known, at.values.length, options);
+  const typed = matrix(mine, known, arm, { ...options, at });
   const asked = { ...options, arm, at, frame: options.frame ?? 0 };
-  const report = compared(typed, asked, said);
+  const report = compared(typed, asked, [...typed.said, ...said]);
   return report && { ...report, typed };
 }
 
@@ -53,8 +52,11 @@ const halvesExchanged = (typed) => ({
 
 // What was typed as a matrix; all of its entries in one row or column are taken row by row. A
 // formula needs no q; `computed` are the values of a function, which count as one.
-function matrix(mine, what, known, dof, { generic = false, computed = false }) {
-  const read = numbers(rowsOfColumns(mine), what, known);
+function matrix(mine, known, arm, { at, generic = false, computed = false, which = null }) {
+  const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
+  const asked = { wants: shapes(dof, arm.rows.length), names: /^(?:j|ans$)/i, which };
+  const given = generic ? [] : [at.values];
+  const read = inMetres(numbers(mine, what, known, undefined, { ...asked, given }));
   const symbolic = read.symbolic || computed;
   if (generic && !symbolic) throw new ArmError(say("J needs q"));
   const one = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
@@ -64,6 +66,26 @@ function matrix(mine, what, known, dof, { generic = false, computed = false }) {
   const count = read.values.length;
   const flat = count === 6 * dof && count === Math.max(...shape);
   return { ...read, units, symbolic, shape: flat ? [6, dof] : shape };
+}
+
+// The shapes that are judged: whole or half, then those of known slips, and all in one row.
+const shapes = (dof, all) => [
+  { rows: 6, columns: dof, by: "row" },
+  { rows: 3, columns: dof, by: "row" },
+  { rows: dof, columns: 6 },
+  ...[all, dof - 1].map((columns) => ({ rows: 6, columns, by: "row" })),
+  { rows: 5, columns: all },
+  { rows: 1, columns: 6 * dof },
+  { rows: 6 * dof, columns: 1 },
+];
+
+// The linear rows in metres, where the text says that they are in mm.
+function inMetres(typed) {
+  const { shape, says } = typed;
+  if (says?.lengths !== "mm" || shape[0] !== 6) return typed;
+  const scaled = (list) => list.map((x, i) => (i < 3 * shape[1] ? x / 1000 : x));
+  const said = [...typed.said, say("taken: linear millimetres")];
+  return { ...typed, values: scaled(typed.values), units: scaled(typed.units), said };
 }
 
 // Another shape: what was forgotten, if the rest is right.

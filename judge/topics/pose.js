@@ -8,11 +8,17 @@ import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { verdictOn } from "../entries.js";
 import { chain, framesOf } from "../geometry/chains.js";
 import { cross, dot, matrix, minus, norm } from "../geometry/kinematics.js";
-import { JOINT_NAMES, lookup, numbers, numbered } from "../reading/numbers.js";
+import { lookup, numbers, numbered, rowsGiven } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
 import { ArmError, counted, listed, lower, say } from "../sentences.js";
 import { answers, turnBetween } from "./branches_matching.js";
 
+const TARGETS = [
+  { rows: 4, columns: 4 },
+  { rows: 3, columns: 4 },
+  { rows: 1, columns: 3 },
+  { rows: 3, columns: 1 },
+];
 const FEW = 3; // wrong entries: a wrong q changes more of them
 
 /** @typedef {import("./branches.js").Answer} Answer */
@@ -26,11 +32,11 @@ const FEW = 3; // wrong entries: a wrong q changes more of them
  * (3,).
  * @returns {import("../report.js").Report}
  */
-export const comparePose = answering(poseCompared, JOINT_NAMES);
+export const comparePose = answering(poseCompared);
 
 function poseCompared(q, arm, T, options = {}) {
   const { angles = "rad", tolerance = null } = options;
-  const { answers: given, taken, typed } = answers(q, arm, angles);
+  const { answers: given, taken, typed } = answers(q, arm, angles, false, { given: rowsGiven(T), which: options.which });
   if (given.length !== 1)
     throw new ArmError(say("one answer", { arm: arm.name, count: given.length }));
   const { known } = lookup(arm, given[0].values);
@@ -46,7 +52,7 @@ function poseCompared(q, arm, T, options = {}) {
 export function targetOf(T, arm, known, orPoint = true) {
   const what = `${arm.name}: the target`;
   const wanted = say(orPoint ? "a point or a pose" : "a pose");
-  const { values, units, shape, symbolic } = numbers(T, what, known, wanted);
+  const { values, units, shape, symbolic } = numbers(T, what, known, wanted, { wants: TARGETS });
   const form = shape.filter((n) => n !== 1).join("x");
   const pose = form === "4x4" || form === "3x4";
   if (!pose && !(orPoint && form === "3"))

@@ -10,6 +10,7 @@ import { minusEach } from "../geometry/linear.js";
 import {
   eachJoint,
   inRadians,
+  jointShapes,
   numbered,
   numbers,
   notPerJoint,
@@ -22,13 +23,14 @@ import { ArmError, listed, lower, say, size } from "../sentences.js";
 import { setAside } from "./branches_matching.js";
 
 const GRAVITY = [0, 0, -9.81];
+const NAMES = /^(?:tau|τ|t$|torque|ans$)/i;
 const SAMPLE = 5; // poses of a run, where slips are tried before they are on all of them
 
 /**
  * The report on torques, a text or nested numbers, at q or along a list of q.
  * @returns {import("../report.js").Report}
  */
-export const compareTorques = answering(torquesCompared, /^\\?(?:tau|τ|torque)/i);
+export const compareTorques = answering(torquesCompared);
 
 function torquesCompared(mine, arm, q, options = {}) {
   const { tolerance = null, briefly = false, gravity = GRAVITY } = options;
@@ -37,12 +39,36 @@ function torquesCompared(mine, arm, q, options = {}) {
   const dof = joints(arm).length;
   const [at, wrenches] = loaded(poses(q, arm, options.angles), dof, options.wrench);
   const load = loadOf(arm, wrenches, gravity);
-  const typed = numbers(unnamed(mine), `${arm.name}: your torques`);
+  const given = [...rowsOf(at.values, dof), ...wrenches];
+  const asked = { wants: shapes(wrenches.length, arm), names: NAMES, given, which: options.which };
+  const typed = inNewtonMetres(
+    numbers(unnamed(mine), `${arm.name}: your torques`, undefined, undefined, asked),
+  );
   const found = upright(typed, wrenches.length, arm);
   if (!found) return { ...misshapen(typed, wrenches.length, arm), typed };
-  const said = [...found.said, ...model(load)];
+  const said = [...typed.said, ...found.said, ...model(load)];
   const report = judged({ ...found, said }, at, load, { arm, tolerance, briefly });
   return report && { ...report, typed };
+}
+
+// A row for each pose, or a list for each joint; of a locked arm all joints too. One number for each
+// pose is an energy.
+function shapes(count, arm) {
+  const widths = [...new Set([joints(arm).length, arm.rows.length])];
+  return [
+    ...widths.flatMap((columns) => [
+      { rows: count, columns, by: "joint" },
+      { rows: columns, columns: count },
+    ]),
+    { rows: count, columns: 1 },
+  ];
+}
+
+function inNewtonMetres(typed) {
+  if (typed.says?.moments !== "Nmm") return typed;
+  const scaled = (list) => list.map((x) => x / 1000);
+  const said = [...typed.said, say("taken: newton millimetres")];
+  return { ...typed, values: scaled(typed.values), units: scaled(typed.units), said };
 }
 
 // The poses with a wrench for each: one for all of them, or one pose under several.
@@ -57,7 +83,9 @@ function loaded(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
 // Joint vectors, a pose or a list of them.
 export function poses(q, arm, angles) {
   const dof = joints(arm).length;
-  const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm));
+  const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
+    wants: jointShapes(arm),
+  });
   if (typed.shape.at(-1) !== dof) throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
   return inRadians(typed, arm, angles);
 }

@@ -8,8 +8,7 @@ import { millimetres } from "../causes/branches.js";
 import { turnBetween } from "./branches_matching.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
-import { numbered, numbers, asDegrees, rowsOf, turning } from "../reading/numbers.js";
-import { setAside, unreadOf } from "../reading/aside.js";
+import { jointShapes, numbered, numbers, asDegrees, rowsOf, turning } from "../reading/numbers.js";
 import { rint } from "../geometry/planar.js";
 import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { listed, lower, say, size } from "../sentences.js";
@@ -28,7 +27,8 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 /** @typedef {import("../report.js").Finding} Finding */
 /**
  * Rows of joints, the units of their last places, and the largest of each joint's.
- * @typedef {{ q: number[][], steps: number[][], units: number[], taken: string[], extra: boolean }}
+ * @typedef {{ q: number[][], steps: number[][], unit: string, units: number[], taken: string[],
+ *   extra: boolean }}
  *   Run
  */
 
@@ -42,9 +42,10 @@ export const compareTrace = (mine, arm, path, options = {}) =>
 
 // The joints as they were handed in.
 export function readTrace(mine, arm) {
-  const { text, left } = typeof mine === "string" ? setAside(mine) : { text: mine, left: [] };
-  const typed = numbers(text, `${arm.name}: your joints`);
-  return { ...typed, left: typeof text === "string" ? [...left, ...unreadOf(text, typed)] : left };
+  return numbers(mine, `${arm.name}: your joints`, undefined, undefined, {
+    wants: jointShapes(arm).filter(({ rows }) => rows !== 1),
+    names: /^(?:q|th|θ|ans$)/i,
+  });
 }
 
 /**
@@ -55,12 +56,12 @@ export const judgedTrace = answering(traceJudged);
 
 function traceJudged(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null, briefly = false } = options;
-  const run = upright(typed, arm, path.times.length, angles);
+  const run = upright(typed, arm, path.times.length, typed.says?.angles ?? angles);
   if (!run) return misshapen(typed, arm, path);
   const cut = { ...path, times: path.times.slice(0, run.q.length) };
   const blur = blurOf(run, arm);
   const allowed = tolerance ?? USUAL + blur;
-  if (angles === "rad" && onlyAsDegrees(run, arm, cut, allowed))
+  if (run.unit === "rad" && onlyAsDegrees(run, arm, cut, allowed))
     return explained(arm, cause("trace.degrees"), [], run.taken, {});
   return judged(run, arm, cut, { allowed, blur, given: tolerance !== null, briefly });
 }
@@ -105,11 +106,11 @@ function blurOf({ q, units }, arm) {
 // A row per step: columns turned round, a leading column of times or zeros dropped, one step too
 // many cut, and said.
 /** @returns {Run | null} */
-function upright(typed, arm, count, angles) {
+function upright(typed, arm, count, unit) {
   const dof = joints(arm).length;
   const shape = typed.shape.filter((n) => n !== 1);
   if (shape.length !== 2) return null;
-  const taken = [];
+  const taken = [...(typed.said ?? [])];
   const lengths = [count - 1, count, count + 1];
   let [rows, units] = [typed.values, typed.units].map((list) => rowsOf(list, shape[1]));
   if (shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1])) {
@@ -124,9 +125,9 @@ function upright(typed, arm, count, angles) {
   }
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
   const held = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
-  const meant = angles === "deg" ? asDegrees(held, arm) : held;
+  const meant = unit === "deg" ? asDegrees(held, arm) : held;
   const [q, steps] = [meant.map((row) => row.values), meant.map((row) => row.units)];
-  return { q, steps, units: most(meant), taken, extra: rows.length === count + 1 };
+  return { q, steps, unit, units: most(meant), taken, extra: rows.length === count + 1 };
 }
 
 // The largest unit of each joint's last places.
