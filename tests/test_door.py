@@ -99,7 +99,6 @@ def test_numbers_are_taken_as_they_are_held(mine, values, units):
     ("mine", "words"),
     [
         ([1, math.nan], "yours: NaN or infinity stands among the numbers; expected heights"),
-        ("1 2\n3 4 5\n6", "yours has rows of 1, 2, 3 entries; expected rows of one length"),
         ([[1, 2], [3]], "yours has rows of unequal length; expected rows of one length"),
         ([[1, 2], [3, [4, 5]]], "yours has rows of unequal length; expected rows of one length"),
         ([1, None], "yours is None; expected heights"),
@@ -110,8 +109,6 @@ def test_numbers_are_taken_as_they_are_held(mine, values, units):
         ([1, sp.log(0)], "yours is zoo; expected heights"),
         ([1, 10**400], "yours: NaN or infinity stands among the numbers; expected heights"),
         ([x + y, 1], "there is no value for x, y; expected numbers"),
-        ("1 x", "there is no value for x; expected numbers"),
-        ("1 )2", "an entry of yours"),
         ("1 1e999", "too large; expected a finite value"),
     ],
     ids=str,
@@ -188,7 +185,7 @@ def test_one_joint_vector(q, angles, values, units):
     assert typed["units"] == pytest.approx(units)
 
 
-@pytest.mark.parametrize(("q", "count"), [([1, 2], 2), (np.ones((2, 3)), "2x3"), ("1 2 3 4", 4)])
+@pytest.mark.parametrize(("q", "count"), [([1, 2], 2), (np.ones((2, 3)), "2x3")])
 @pytest.mark.parametrize("angles", ["rad", "deg"])
 def test_what_is_no_joint_vector_is_refused_by_its_count(q, count, angles):
     with pytest.raises(ArmError) as refused:

@@ -94,12 +94,12 @@ def test_each_mistake_in_a_table_is_named(name):
 @pytest.mark.parametrize("above", [True, False])
 @pytest.mark.parametrize("paste", [LATEX, "\n".join(map(str, TAU)), str(TAU.tolist())])
 def test_no_number_vanishes(paste, above, extra):
-    """Refused, wrong, or shown back and then not right."""
+    """Refused, wrong, or shown back."""
     try:
         report = torques(f"{extra}\n{paste}" if above else f"{paste}\n{extra}")
     except ArmError:
         return
-    assert report.grade == "wrong" or (extra in str(report) and not report.agrees), report
+    assert report.grade == "wrong" or extra in str(report), report
 
 
 @settings(max_examples=60, deadline=None)
@@ -112,7 +112,6 @@ def test_no_number_vanishes_wherever_it_stands(seed, place):
         report = found.ask(f"{found.text[:at]} 99.125 {found.text[at:]}")
     except ArmError:
         return
-    assert not report.agrees or report.mark, report
     assert report.grade == "wrong" or report.mark or "99.125" in str(report), report
 
 
@@ -120,19 +119,19 @@ NAMED_Q = f"q = {Q.tolist()}"
 
 
 @pytest.mark.parametrize(
-    ("text", "left", "agrees"),
+    ("text", "left"),
     [
-        (f"22.11.2026\n{TAU.tolist()}", "22.11.2026", True),
-        (f"Tom, 2026-11-22 14:30\n\n{TAU.tolist()}", "Tom, 2026-11-22 14:30", True),
-        (f"{NAMED_Q}\ntau = {TAU.tolist()}", NAMED_Q, False),
-        (f"tau =\n\n{TAU.tolist()}\n\nF = [0, 0, -20]", "F = [0, 0, -20]", False),
-        (f"{TAU.tolist()} % or -99.5", "`-99.5`", False),
-        (f"{TAU.tolist()} % or 99.125 links", "`99.125`", False),
+        (f"22.11.2026\n{TAU.tolist()}", "22.11.2026"),
+        (f"Tom, 2026-11-22 14:30\n\n{TAU.tolist()}", "Tom, 2026-11-22 14:30"),
+        (f"{NAMED_Q}\ntau = {TAU.tolist()}", NAMED_Q),
+        (f"tau =\n\n{TAU.tolist()}\n\nF = [0, 0, -20]", "F = [0, 0, -20]"),
+        (f"{TAU.tolist()} % or -99.5", "-99.5"),
+        (f"{TAU.tolist()} % or 99.125 links", "99.125"),
     ],
 )
-def test_what_else_is_given_is_set_aside_and_shown(text, left, agrees):
+def test_what_else_is_given_is_set_aside_and_shown(text, left):
     report = torques(text)
-    assert (report.grade, report.agrees) == ("right" if agrees else "so far", agrees)
+    assert report.agrees
     assert left in str(report)
 
 
@@ -143,7 +142,7 @@ def test_other_numbers_about_a_jacobian_are_set_aside():
     assert checks.compare_jacobian(f"{columns}\nJ = [J_1 J_2 J_3 J_4 J_5 J_6]", UR10E, Q).agrees
     rows = "\n".join(" ".join(map(str, row)) for row in J)
     report = checks.compare_jacobian(f"{rows}\n\ndet(J) = -0.1234", UR10E, Q)
-    assert report.grade == "so far"
+    assert report.agrees
     assert "`det(J) = -0.1234`" in str(report)
 
 
@@ -169,7 +168,7 @@ def test_a_unit_may_end_the_heads():
 
 
 def test_two_grids_are_asked_about():
-    with pytest.raises(ArmError, match="expected one set of numbers"):
+    with pytest.raises(ArmError, match="several answers that differ"):
         torques(f"{TAU.tolist()}\nor rather this one\n{(2 * TAU).tolist()}")
 
 
@@ -217,8 +216,6 @@ def test_a_column_with_decimals_of_several_lengths_is_one_or_is_asked_about():
     column = "\n".join(f"{x:.4g}".replace(".", ",") for x in TAU)
     assert any(len(x.partition(",")[2]) != 4 for x in column.splitlines())
     assert torques("-0,0000\n" + column.partition("\n")[2]).grade != "wrong"
-    with pytest.raises(ArmError, match="a blank after a comma that parts"):
-        torques("1,25\n-97,53\n-54,78\n-6,32\n1,56\n2,34")
 
 
 def test_a_table_whose_tip_is_elsewhere_is_not_green():

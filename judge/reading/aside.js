@@ -4,7 +4,6 @@
 import { ArmError, say, shown } from "../sentences.js";
 import { plain } from "./formula.js";
 import { headOf } from "./heads.js";
-import { withoutOthers } from "./parts.js";
 import { PROMPT } from "./surroundings.js";
 import { lines } from "./text.js";
 
@@ -81,16 +80,13 @@ const isHeading = (line) =>
   ).size >= 4;
 
 /**
- * A text without the lines around its numbers, and those that say something. Of parts with names
- * only the one `asked` for is kept.
+ * A text without the lines around its numbers, and those that say something.
  * @param {string} text
- * @param {RegExp | null} asked
  * @returns {{ text: string, left: string[] }}
  */
-export function setAside(text, asked = null) {
-  const { text: own, others } = asked ? withoutOthers(text, asked, isAside) : { text, others: [] };
-  const { text: within, left } = withoutAsides(own);
-  const told = [...others, ...left].map((line) => line.trim());
+function setAside(text) {
+  const { text: within, left } = withoutAsides(text);
+  const told = left.map((line) => line.trim());
   return { text: within, left: told.filter((line) => !EMPTY.test(line)) };
 }
 
@@ -115,7 +111,7 @@ function withoutAsides(text) {
  * @param {string[]} entries as typed
  * @param {number[]} sizes how many rows and columns were read
  */
-export function unread(text, entries, sizes) {
+function unread(text, entries, sizes) {
   const held = entries.join(" & ");
   if (text.replace(/\D/g, "") === held.replace(/\D/g, "")) return [];
   const bare = text.replace(DECIMALS, "$1").replace(COUNTS, " ").replace(SET, " ");
@@ -128,14 +124,6 @@ export function unread(text, entries, sizes) {
   const numbers = bare.match(SIGNED) ?? [];
   return [...new Set(lost.map((run) => numbers.find(isOf(run)) ?? run))];
 }
-
-/** Those that stand in no entry of a matrix. */
-export const unreadOf = (text, { entries, shape }) =>
-  unread(
-    text,
-    entries.map((entry) => entry.text),
-    shape,
-  );
 
 const tokensOf = (text) =>
   ((/[^\x20-\x7e\s]|[\\{]/.test(text) ? plain(text) : text).match(TOKENS) ?? []).filter((token) =>
@@ -161,5 +149,16 @@ function uncounted(list, size) {
   return labels ? without(list, labels) : list;
 }
 
-// Whether numbers stand in what was set aside.
-export const holdsNumbers = (left) => left.some((line) => numbersIn(line).length > 0);
+/**
+ * A judge of tables whose text may have words around it.
+ * @param {(mine: any, reference: any, options?: any) => any} judge
+ */
+export const alone =
+  (judge) =>
+  (mine, reference, options = {}) => {
+    if (typeof mine !== "string") return judge(mine, reference, options);
+    const { text, left } = setAside(mine);
+    const report = judge(text, reference, options);
+    const lost = unread(text, report.table.entries, [report.table.rows.length]);
+    return { ...report, left: [...left, ...lost] };
+  };

@@ -8,9 +8,9 @@ import { plainSigns } from "./signs.js";
 
 /**
  * @typedef {{ rows: string[][], labels: string[][], heads: string[], name: string, from: number,
- *   to: number }} Block
+ *   to: number, runs: import("./runs.js").Run[], beside?: string[] }} Block
  *   entries as typed; the words before each row, and of the line above; what the block is
- *   assigned to; its lines
+ *   assigned to; its lines, and numbers on them that are not its own
  */
 
 // A decimal comma before one that parts; a line's end before what a printer broke; gaps last.
@@ -25,7 +25,7 @@ const COMMA = /\d,\d/;
  * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][] }} question
  * @returns {Block[][]}
  */
-export function blocksIn(typed, { isEntry, names = /$^/, given = [] }) {
+export function blocksIn(typed, { isEntry, names = /(?!)/, given = [] }) {
   const text = withHeads(plainSigns(typed));
   const known = new Map();
   const entry = (cell) => {
@@ -37,13 +37,23 @@ export function blocksIn(typed, { isEntry, names = /$^/, given = [] }) {
     const runs = runsOf(text, entry, way).filter(
       ({ cells }) => !given.some((one) => isGiven(cells, one)),
     );
-    return [...stretches(runs, names), ...byName(runs), ...byPlace(runs)];
+    const blocks = [...stretches(runs, names), ...byName(runs), ...byPlace(runs)];
+    return blocks.map((block) => ({ ...block, beside: besides(block, runs) }));
   });
+}
+
+// The numbers on a block's lines that are not its own; nothing where there is one for each row, as
+// a time is.
+function besides({ from, to, runs: own }, runs) {
+  const others = runs.filter((run) => run.line >= from && run.line <= to && !own.includes(run));
+  return others.length % own.length ? others.flatMap(({ cells }) => cells) : [];
 }
 
 // Whether cells are what the question gave, to their digits, in radians or degrees.
 const isGiven = (cells, given) =>
   cells.length === given.length &&
+  given.length > 1 &&
+  given.some(Boolean) &&
   cells.every((cell, k) => {
     const text = cell.replace(/ ?deg$/, "");
     const half = 0.51 * 10 ** -(text.split(".")[1]?.length ?? 0);
@@ -87,6 +97,7 @@ function blockOf(runs) {
     name: runs[0].name || runs[0].words.at(-1) || "",
     from: runs[0].line,
     to: runs.at(-1).line,
+    runs,
   };
 }
 
@@ -98,7 +109,8 @@ function sideBySide(found) {
     .map(blockOf);
   if (parts.length < 2 || parts.some(({ rows }) => rows.length !== parts[0].rows.length)) return [];
   const rows = parts[0].rows.map((_, i) => parts.flatMap((part) => part.rows[i]));
-  return [{ ...parts[0], rows, heads: [], to: parts.at(-1).to }];
+  const runs = parts.flatMap((part) => part.runs);
+  return [{ ...parts[0], rows, heads: [], to: parts.at(-1).to, runs }];
 }
 
 // Single values with names of joints, q1 = 0.3: a row for each set of them.
@@ -119,7 +131,8 @@ function byName(runs) {
   const heads = sets[0].map(({ run }) => run.words.join(" "));
   const [first, last] = [single[0].run, single.at(-1).run];
   const labels = rows.map(() => []);
-  return [{ rows, labels, heads, name: first.name, from: first.line, to: last.line }];
+  const own = single.map(({ run }) => run);
+  return [{ rows, labels, heads, name: first.name, from: first.line, to: last.line, runs: own }];
 }
 
 const PLACE = /[[({](\d{1,2})\s*,\s*(\d{1,2})[\])}]$/;
@@ -131,12 +144,14 @@ function byPlace(runs) {
     return place ? [{ run, i: Number(place[1]), j: Number(place[2]) }] : [];
   });
   if (placed.length < 2) return [];
-  const from = (key) => Math.min(...placed.map((one) => one[key]));
-  const size = (key) => Math.max(...placed.map((one) => one[key])) - from(key) + 1;
+  const least = (key) => Math.min(...placed.map((one) => one[key]));
+  const size = (key) => Math.max(...placed.map((one) => one[key])) - least(key) + 1;
   if (size("i") * size("j") !== placed.length) return [];
   const rows = Array.from({ length: size("i") }, () => Array(size("j")));
-  for (const { run, i, j } of placed) rows[i - from("i")][j - from("j")] = run.cells[0];
+  for (const { run, i, j } of placed) rows[i - least("i")][j - least("j")] = run.cells[0];
   const [first, last] = [placed[0].run, placed.at(-1).run];
   const labels = rows.map(() => []);
-  return [{ rows, labels, heads: [], name: first.name, from: first.line, to: last.line }];
+  const own = placed.map(({ run }) => run);
+  const { name, line: top } = first;
+  return [{ rows, labels, heads: [], name, from: top, to: last.line, runs: own }];
 }

@@ -4,36 +4,49 @@
 import { blocksIn } from "./blocks.js";
 import { number } from "./formula.js";
 import { labelIn } from "./labels.js";
+import { plainSigns } from "./signs.js";
 import { ArmError, listed, say, shown } from "../sentences.js";
 
 export const LONGEST = 30_000; // characters of a text
 
 /**
  * How many rows and columns are asked for, any number where null; what its rows are named after,
- * "row" or "joint". `names` are those of the answer, `given` what the question itself holds.
- * @typedef {{ rows: number | null, columns: number | null, by?: string }} Want
+ * "row" or "joint"; whether a column is turned into a row. `names` are those of the answer, `given`
+ * what the question itself holds, `wanted` the shape in words.
+ * @typedef {{ rows: number | null, columns: number | null, by?: string,
+ *   turned?: boolean }} Want
  * @typedef {{ what: string, wants: Want[], isEntry: (cell: string) => boolean, names?: RegExp,
- *   given?: number[][], which?: number | null, wanted?: string }} Question `wanted` in words
+ *   given?: number[][], which?: number | null, wanted?: string }} Question
  */
 /**
- * @typedef {import("./blocks.js").Block & { context: string, left: string[], said: string[] }} Found
+ * @typedef {import("./blocks.js").Block & { context: string, left: string[], said: string[] }}
+ *   Found
  */
 
 /** @param {string} text @param {Question} question @returns {Found} */
 export function find(text, question) {
-  const { what, wants, isEntry, names = /$^/, given = [] } = question;
+  const { what, wants, isEntry, names = NONE, given = [] } = question;
   if (text.length > LONGEST) throw new ArmError(say("too long", { what, count: text.length }));
   if (!text.trim()) throw new ArmError(say("empty", { what }));
-  const ways = blocksIn(text, { isEntry, names, given });
+  if (wants[0].columns === null) refuseOdd(text, question);
+  const own = blocksIn(text, { isEntry, names, given });
+  const whole = given.length ? blocksIn(text, { isEntry, names }) : [];
   for (const want of wants)
-    for (const blocks of ways) {
-      const fits = blocks.flatMap((block) => fitted(block, want, names));
-      const named = fits.filter(({ name }) => names.test(bare(name)));
-      const some = want.columns === null && want.rows === null ? largest(fits) : fits;
-      const one = chosen(named.length ? named : some, question);
+    for (const blocks of want.rows > 1 ? [...whole, ...own] : own) {
+      const one = chosen(fitting(blocks, want, names), question);
       if (one) return { ...one, ...around(text, one) };
     }
-  throw refusal(text, question, ways);
+  throw refusal(text, question, own);
+}
+
+const NONE = /(?!)/; // no name
+
+// The blocks that fit, those with the answer's name where there are some; of any shape the largest.
+function fitting(blocks, want, names) {
+  const fits = blocks.flatMap((block) => fitted(block, want, names));
+  const named = fits.filter(({ name }) => names.test(bare(name)));
+  if (named.length) return named;
+  return want.columns === null && want.rows === null ? largest(fits) : fits;
 }
 
 const count = ({ rows }) => rows.flat().length;
@@ -58,7 +71,9 @@ function fitted(block, want, names) {
     (want.rows === null || rows.length === want.rows) &&
     (want.columns === null || rows[0].length === want.columns);
   const found = lying.find(is) ?? upright.find(is);
-  return found ? [ordered(found, want)] : [];
+  if (!found) return [];
+  const one = ordered(found, want);
+  return [want.turned ? { ...one, rows: [one.rows.flat()] } : one];
 }
 
 // The labels of rows and of columns, where each has one of its kind and no two are the same.
@@ -113,7 +128,8 @@ function ordered(block, { by }) {
 function columnOf(block, names) {
   const { heads, rows } = block;
   const extra = heads.length - rows[0].length;
-  const at = extra < 0 || rows[0].length < 2 ? -1 : heads.findIndex((head) => names.test(bare(head)));
+  const at =
+    extra < 0 || rows[0].length < 2 ? -1 : heads.findIndex((head) => names.test(bare(head)));
   if (at < extra || headsOf(block)) return [];
   const labels = rows.map((row, i) => [...block.labels[i], row[0]]);
   return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, heads: [] }];
@@ -157,13 +173,16 @@ function isSeries(cells) {
   );
 }
 
-// The text without the block, and its lines.
-function around(text, { from, to }) {
+// The text without the block, and what of it is told to be set aside: its lines that say something,
+// and numbers on the block's own lines that name no row.
+function around(text, { from, to, beside }) {
   const lines = text.split(/\r\n|[\n\r]/);
   const rest = lines.filter((_, i) => i < from || i > to);
-  return { context: rest.join("\n"), left: rest.map((line) => line.trim()).filter(Boolean) };
+  const told = rest.filter((line) => /[\p{L}\d]/u.test(plainSigns(line)));
+  return { context: rest.join("\n"), left: [...told.map((line) => line.trim()), ...beside] };
 }
 
+/** @type {[string, RegExp][]} */
 const SAID = [
   ["no solution", /\bno (?:real )?solutions?\b|\bunreachable\b|\bkeine Lösung|\bsin solución/i],
   ["not finite", /(?<![\p{L}])(?:nan|[-+]?inf(?:inity)?)(?!\p{L})|∞/iu],
@@ -173,10 +192,15 @@ const SAID = [
   ["no text", /[\0-\x08\ufffd]/],
 ];
 
+// An error for what is no answer in numbers.
+function refuseOdd(text, { what, wanted = "numbers" }) {
+  const [key] = SAID.find(([, is]) => is.test(text)) ?? [];
+  if (key) throw new ArmError(say(key, { what, wanted }));
+}
+
 // Why nothing fits: what was found, and what is wanted.
 function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, ways) {
-  const [key] = SAID.find(([, is]) => is.test(text)) ?? [];
-  if (key) return new ArmError(say(key, { what, wanted }));
+  refuseOdd(text, { what, wanted });
   const blocks = ways.flat().filter((block) => count(block) > 1);
   if (!blocks.length) return new ArmError(say("no block", { what, wanted }));
   const sorted = [...blocks].sort((p, q) => count(q) - count(p));

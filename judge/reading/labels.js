@@ -5,7 +5,7 @@ import { plain } from "./formula.js";
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
 const JOINT =
-  /^(?:q|qdeg|th|theta|tau|t|g|j|joint|panda_?joint|fr3_?joint|axis|link|row|col|column|torque|a|l)$/;
+  /^(?:q|th|theta|tau|t|g|j|a|l|joint|panda_?joint|fr3_?joint|axis|link|row|col(?:umn)?|torque)$/;
 const ORDINALS = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh"];
 // As the driver of a UR10e and its pendant call them.
 const UR = [
@@ -24,7 +24,7 @@ const UR = [
  */
 export function labelOf(text) {
   const word = simple(text);
-  const row = ROWS.indexOf(word.replace(/^omega|^ω/, "w").replace(/[_.]/g, ""));
+  const row = ROWS.indexOf(word.replace(/^omega/, "w").replace(/[_.]/g, ""));
   if (row >= 0) return { kind: "row", at: row };
   const ur = UR.findIndex((is) => is.test(word));
   if (ur >= 0) return { kind: "joint", at: ur + 1 };

@@ -21,8 +21,9 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  * Numbers as they were handed in, row by row, with the unit of each one's last place; of a text the
  * formulas too.
  * @typedef {{ values: number[], units: number[], shape: number[], symbolic: boolean, trees?: any[],
- *   entries: Entry[], said: string[], left: string[], says?: ReturnType<typeof unitsSaid> }} Typed `said` is how a text
- *   was read, `left` its other lines, `says` the units that they name
+ *   entries: Entry[], said: string[], left: string[],
+ *   says?: ReturnType<typeof unitsSaid> }} Typed
+ *   `said` is how a text was read, `left` its other lines, `says` the units that they name
  */
 
 // An arm that can be judged is the explorer's, with its symbols: values [[name, number]], and the
@@ -65,21 +66,22 @@ const ANY = [{ rows: null, columns: null }];
  *   which?: number | null }} [asked]
  * @returns {Typed}
  */
-export function numbers(mine, what, known = noSymbols, wanted = "numbers", asked = {}) {
+export function numbers(mine, what, known = noSymbols, wanted = undefined, asked = {}) {
   if (typeof mine === "string") return ofText(mine, { what, known, wanted, ...asked });
   const shape = shapeOf(mine);
   const leaves = [mine].flat(Infinity);
   if (shape.reduce((product, n) => product * n, 1) !== leaves.length) {
     throw new ArmError(say("ragged list", { what }));
   }
-  const entries = leaves.map((leaf) => entryOf(leaf, what, wanted));
+  const entries = leaves.map((leaf) => entryOf(leaf, what, wanted ?? "numbers"));
   const names = new Set();
   for (const { tree } of entries) symbols(tree, names);
   const found = known(names);
   const values = entries.map(({ tree }) =>
     tree[0] === "num" ? tree[1] : value(tree, (n) => found.get(n)),
   );
-  if (!values.every(Number.isFinite)) throw new ArmError(say("not finite", { what, wanted }));
+  if (!values.every(Number.isFinite))
+    throw new ArmError(say("not finite", { what, wanted: wanted ?? "numbers" }));
   const typed = entries.map(({ text }, i) => ofCell(text ?? spelled(values[i])));
   const symbolic = names.size > 0;
   return { values, units: unitsOf(typed), shape, symbolic, entries: typed, said: [], left: [] };
@@ -122,7 +124,9 @@ function entryIn(known) {
       const tree = parse(cell);
       const names = [...symbols(tree)];
       if (!names.length) return /\d|pi|π/.test(cell);
-      return known.has?.(names[0]) && names.slice(1).every((name) => known.has(name) || /\W/.test(cell));
+      return (
+        known.has?.(names[0]) && names.slice(1).every((name) => known.has(name) || /\W/.test(cell))
+      );
     } catch (error) {
       if (error instanceof ArmError) return false;
       throw error;
@@ -130,12 +134,12 @@ function entryIn(known) {
   };
 }
 
-/** @returns {Typed} */
-function ofText(text, { what, known, wanted, wants = ANY, names = undefined, given, which }) {
-  const found = find(text, { what, wanted, wants, isEntry: entryIn(known), names, given, which });
+/** @param {string} text @param {any} question @returns {Typed} */
+function ofText(text, { known, ...question }) {
+  const found = find(text, { wants: ANY, isEntry: entryIn(known), ...question });
   const texts = found.rows.flat().map(plain);
   const trees = texts.map((cell) =>
-    isNumber(cell) ? ["num", Number(cell)] : parse(cell, `an entry of ${what}`),
+    isNumber(cell) ? ["num", Number(cell)] : parse(cell, `an entry of ${question.what}`),
   );
   const used = new Set();
   for (const tree of trees) symbols(tree, used);
@@ -173,7 +177,7 @@ export const eachJoint = (arm) => say("each joint", { joints: variables(arm).joi
 export const jointShapes = (arm, many = true) =>
   [...new Set([joints(arm).length, arm.rows.length])].flatMap((columns) => [
     { rows: 1, columns, by: "joint" },
-    { rows: columns, columns: 1 },
+    { rows: columns, columns: 1, by: "joint", turned: true },
     ...(many
       ? [
           { rows: null, columns, by: "joint" },

@@ -17,11 +17,13 @@ import { ROW } from "./signs.js";
 
 const OPEN = "[({";
 const CLOSE = "])}";
-const WORD_BEFORE = /([A-Za-z]+)$/;
+const PARTS = `,;&|\t\n${ROW}`;
+const WORD_BEFORE = /([A-Za-z]\w*)$/;
 const MOST_INDEX = 6; // characters of [1, 1] behind a name
 
 /**
- * What each bracket of a text is: "list", or "group" in a formula or a name.
+ * What each bracket of a text is: "list", "leaf" for one that holds none, or "group" in a formula
+ * or a name.
  * @param {string} text
  * @returns {Map<number, string>}
  */
@@ -30,27 +32,24 @@ function bracketsOf(text) {
   const open = [];
   for (let at = 0; at < text.length; at++) {
     const sign = text[at];
-    if (OPEN.includes(sign)) open.push({ at, sign, parted: false, holds: false, leaf: true });
-    else if (CLOSE.includes(sign)) {
+    if (OPEN.includes(sign)) open.push({ at, sign, parted: false, leaf: true });
+    else if (CLOSE.includes(sign) && open.length) {
       const one = open.pop();
-      if (!one) continue;
-      const list = isList(text, one, at);
-      found.set(one.at, list ? (one.leaf ? "leaf" : "list") : "group").set(at, list ? "list" : "group");
-      const outer = open.at(-1);
-      if (outer && list) outer.holds = true;
-      if (outer && list) outer.leaf = false;
-    } else if (`,;&|\t\n${ROW}`.includes(sign) && open.length) open.at(-1).parted = true;
+      const kind = isList(text, one, at) ? (one.leaf ? "leaf" : "list") : "group";
+      found.set(one.at, kind).set(at, kind);
+      if (open.length && kind !== "group") open.at(-1).leaf = false;
+    } else if (open.length && PARTS.includes(sign)) open.at(-1).parted = true;
   }
   return found;
 }
 
-function isList(text, { at, sign, parted, holds }, end) {
+function isList(text, { at, sign, parted, leaf }, end) {
   const before = text[at - 1] ?? " ";
   const word = WORD_BEFORE.exec(text.slice(Math.max(0, at - 12), at))?.[1] ?? "";
   if (word && isFunction(word.toLowerCase())) return false;
   if (sign === "{") return !/[\w^}]/.test(before);
   if (sign === "[") return !/[\w})]/.test(before) || end - at > MOST_INDEX;
-  return holds || parted;
+  return parted || !leaf;
 }
 
 /**
@@ -60,40 +59,56 @@ function isList(text, { at, sign, parted, holds }, end) {
  * @returns {Run[]}
  */
 export function runsOf(text, isEntry, way) {
+  const state = started(isEntry, way);
   const brackets = bracketsOf(text);
-  const state = /** @type {any} */ ({ runs: [], words: [], run: null, line: 0, scale: "", part: 0, name: "" });
-  Object.assign(state, { above: [], listed: false });
-  let [from, leaves, groups, depth] = [0, 0, 0, 0];
-  const flush = (to) => {
-    segment(text.slice(from, to), isEntry, way, state);
-    from = to + 1;
-  };
+  let [from, groups] = [0, 0];
   for (let at = 0; at < text.length; at++) {
     const kind = brackets.get(at);
-    const opens = OPEN.includes(text[at]);
-    if (kind === "group") groups += opens ? 1 : -1;
-    else if (kind) {
-      flush(at);
-      ended(state);
-      depth += opens ? 1 : -1;
-      state.listed = depth > 0;
-      leaves = opens && kind === "leaf" ? leaves + 1 : opens ? leaves : Math.max(0, leaves - 1);
-    } else if (groups) continue;
-    else if (text[at] === ROW || (text[at] === ";" && leaves)) {
-      flush(at);
-      ended(state);
-    } else if (text[at] === "\n") {
-      flush(at);
-      state.line++;
-      if (!(way.wrapped && leaves)) {
-        ended(state);
-        lineEnded(state);
-      }
-    }
+    if (kind === "group") groups += OPEN.includes(text[at]) ? 1 : -1;
+    const ends = kind ? kind !== "group" : endsRow(text[at], state);
+    if (groups || !ends) continue;
+    segment(text.slice(from, at), state);
+    from = at + 1;
+    if (kind) crossed(state, kind, OPEN.includes(text[at]) ? 1 : -1);
+    else ended(state, text[at]);
   }
-  flush(text.length);
-  ended(state);
+  segment(text.slice(from), state);
   return state.runs;
+}
+
+// Semicolons part rows in lists, and cells outside.
+const endsRow = (sign, { leaves }) => sign === "\n" || sign === ROW || (sign === ";" && leaves > 0);
+
+// Where the walk through a text stands: the run that goes on, the words before the next one and of
+// the line above, how deep in lists.
+const started = (isEntry, way) => ({
+  isEntry,
+  way,
+  runs: /** @type {Run[]} */ ([]),
+  run: /** @type {Run | null} */ (null),
+  words: /** @type {string[]} */ ([]),
+  above: /** @type {string[]} */ ([]),
+  name: "",
+  scale: "",
+  line: 0,
+  part: 0,
+  depth: 0,
+  leaves: 0,
+});
+
+// A list begins or ends.
+function crossed(state, kind, step) {
+  state.run = null;
+  state.depth += step;
+  if (kind === "leaf") state.leaves += step;
+}
+
+// A row ends, unless it is a line's end where a printer broke the row.
+function ended(state, sign) {
+  if (sign === "\n") state.line++;
+  if (sign === "\n" && state.way.wrapped && state.leaves) return;
+  state.run = null;
+  if (sign === "\n") lineEnded(state);
 }
 
 const FACTOR = "·factor·"; // what MATLAB's heads are turned into: words of their own
@@ -102,10 +117,6 @@ const PART = "·columns·";
 // A text whose heads "1.0e+03 *" and "Columns 1 through 4" are words.
 export const withHeads = (text) =>
   text.replace(SCALE, (_, power) => FACTOR + power).replace(COLUMNS, PART);
-
-function ended(state) {
-  state.run = null;
-}
 
 const SCALE = /^[ \t]*(1(?:\.0+)?e[+-]?\d+)[ \t]*\*[ \t]*$/gim;
 const COLUMNS = /^[ \t]*Columns?[ \t]+\d+(?:[ \t]+(?:through|to|and)[ \t]+\d+)?[ \t]*:?[ \t]*$/gim;
@@ -121,7 +132,8 @@ function lineEnded(state) {
 const PARTING = ["\t", "&", "|", ";"];
 
 // The cells of what stands between two brackets or row's ends go to the runs.
-function segment(text, isEntry, way, state) {
+function segment(text, state) {
+  const { isEntry, way } = state;
   if (!text.trim()) return;
   const strong = PARTING.filter((sign) => text.includes(sign));
   const parts = strong.length ? partedAt(text, strong) : partedAt(text, way.decimal ? [] : [","]);
@@ -130,7 +142,7 @@ function segment(text, isEntry, way, state) {
     const whole = cleaned(part, way);
     const cells = parts.length > 1 && isEntry(whole) ? [whole] : cellsOf(part, way);
     const word = parts.length > 1 && !cells.some((cell) => MARK.test(cell) || isEntry(cell));
-    for (const cell of word ? [part.trim()] : cells) put(cell, state, isEntry);
+    for (const cell of word ? [part.trim()] : cells) put(cell, state);
   }
 }
 
@@ -169,11 +181,12 @@ function cleaned(cell, way) {
 
 // The cells of a line whose entries stand beside each other; a comma and "and" part them too.
 function cellsOf(text, way) {
-  const list = way.decimal ? text : partedAt(text, [","]).join("\u0000 ");
+  const list = way.decimal ? text : partedAt(text, [","]).join(`${PARTED} `);
   const pieces = way.gaps ? list.trim().split(/[ ]{2,}/) : joined(wordsOf(list));
-  return pieces.map((piece) => cleaned(piece.replaceAll("\u0000", ""), way)).filter(Boolean);
+  return pieces.map((piece) => cleaned(piece.replaceAll(PARTED, ""), way)).filter(Boolean);
 }
 
+const PARTED = "\u0000"; // where a comma stood
 const MARK = /^(?::=|:|=|<<|->|=>)$/;
 
 // What blanks part, outside brackets; marks of naming stand alone.
@@ -215,30 +228,26 @@ const UNIT = /^(?:°|deg(?:rees?)?|rad(?:ians?)?|N|Nm|N[·*⋅.]m|m|mm|cm|Nmm)\u
 // Words that belong together: a sum with blanks about its signs, a number and its unit.
 function joined(words) {
   const found = [];
-  for (let k = 0; k < words.length; k++) {
-    const word = words[k];
-    const before = found.at(-1) ?? "";
-    const last = before.at(-1) ?? "";
-    const bare = before.replace(/^[-+]+/, "");
-    const joins =
-      before &&
-      last !== "\u0000" &&
-      !MARK.test(before) &&
-      ("*/^".includes(last) ||
-        /(?:^|\s)[-+]$/.test(before) ||
-        "*/^".includes(word[0]) ||
-        /^[-+]$/.test(word) ||
-        isFunction(bare) ||
-        (UNIT.test(word) && /[\d.)]$|[\d.] N$/.test(before)));
-    if (joins) found[found.length - 1] = `${before} ${word}`;
+  for (const word of words) {
+    if (found.length && joins(found.at(-1), word)) found.push(`${found.pop()} ${word}`);
     else found.push(word);
   }
   return found;
 }
 
+const OPERATED = /[*/^]$|(?:^|\s)[-+±~≈]$/; // something must follow
+const OPERATES = /^[*/^]|^[-+±]$/; // something must stand before
+
+function joins(before, word) {
+  if (before.endsWith(PARTED) || MARK.test(before) || MARK.test(word)) return false;
+  if (OPERATED.test(before) || OPERATES.test(word)) return true;
+  if (isFunction(before.replace(/^[-+]+/, ""))) return true;
+  return UNIT.test(word) && /[\d.)]$|[\d.] N$/.test(before);
+}
+
 const AND = /^(?:and|und|et|y|e|&)$/;
 
-function put(cell, state, isEntry) {
+function put(cell, state) {
   if (AND.test(cell) && state.run) return;
   if (MARK.test(cell)) {
     state.name = state.words.at(-1) ?? "";
@@ -246,7 +255,7 @@ function put(cell, state, isEntry) {
     state.run = null;
     return;
   }
-  if (cell.startsWith("·") || STAMP.test(cell) || !isEntry(cell)) {
+  if (cell.startsWith("·") || STAMP.test(cell) || !state.isEntry(cell)) {
     if (state.run && !/[\p{L}\d]/u.test(cell)) return;
     if (!/[\p{L}\d#]/u.test(cell)) return;
     state.words.push(cell);
@@ -254,8 +263,8 @@ function put(cell, state, isEntry) {
     return;
   }
   if (!state.run) {
-    const { words, name, line, scale, part, above, listed } = state;
-    state.run = { cells: [], words, name, line, scale, part, above, listed };
+    const { words, name, line, scale, part, above } = state;
+    state.run = { cells: [], words, name, line, scale, part, above, listed: state.depth > 0 };
     state.runs.push(state.run);
     state.words = [];
     state.name = "";

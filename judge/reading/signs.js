@@ -18,20 +18,25 @@ const SIGNS = [
   [/（/g, "("],
   [/）/g, ")"],
   [/[│┃║]/g, "|"],
-  [/[⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠⎧⎨⎩⎫⎬⎭─━═┌┐└┘├┤┬┴┼╒╕╘╛╞╡╤╧╪╔╗╚╝╠╣╦╩╬+]*[⎡-⎭─-╬]/g, " "],
+  [/[⎛-⎭─-╬+]*[⎛-⎭─-╬]/g, " "],
   [/\b(?:(?:Arc)?(?:Sin|Cos|Tan)|Sqrt|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
   [/\b(?:wrist|joint|axis|column|link|sol(?:ution)?|lösung|answer|case)[ \t]+(?=\d)/gi, counted],
   [/\.\.\.[ \t]*\n/g, " "], // MATLAB's line that goes on
   [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
   [/\[(?:\d{1,3},|,\d{1,3})\]/g, " "], // R's rows and columns
   [/\\(?:left|right|big[lr]?|Big[lr]?)(?![A-Za-z])\.?/g, " "],
-  [new RegExp(String.raw`\\begin\{${MATRIX}\}(?:\[[^\]\n]{0,9}\])?(?:\{[^{}\n]{0,60}\})?`, "g"), "["],
+  [
+    new RegExp(String.raw`\\begin\{${MATRIX}\}(?:\[[^\]\n]{0,9}\])?(?:\{[^{}\n]{0,60}\})?`, "g"),
+    "[",
+  ],
   [new RegExp(String.raw`\\end\{${MATRIX}\}`, "g"), "]"],
   [/\\(?:begin|end)\{[^{}\n]{0,60}\}/g, "\n"],
   [/\\(?:hline|toprule|midrule|bottomrule|nonumber)(?![A-Za-z])/g, " "],
   [/\\c(?:line|midrule)\{[^{}\n]{0,20}\}/g, " "],
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW],
   [/\\[[\]$]|\$|\\(?:displaystyle|q?quad)(?![A-Za-z])/g, " "],
+  [/\\pm(?![A-Za-z])/g, "±"],
+  [/(^|[\t;,|])[ \t]*=(?=[-+.\d])/gm, "$1"], // a spreadsheet's cells
   [/\{([-+])\}/g, "$1"],
   [/(?<=\d)\{,\}(?=\d)/g, ","],
 ];

@@ -32,10 +32,11 @@ import { answers, hitsOf, NEAR, sameAnswer } from "./branches_matching.js";
 export const compareBranches = answering(branchesCompared);
 
 function branchesCompared(mine, arm, target, options = {}) {
-  const { angles = "rad", tolerance = null, found = null } = options;
+  const { tolerance = null, found = null } = options;
   const own = found && found.arm === arm.name;
-  const right = rightOf(arm, own ? found.branches : branchesOf(arm, found?.target ?? target));
-  const { answers: given, taken, typed } = upright(mine, right, { ...options, given: rowsGiven(found?.target ?? target) });
+  const sought = found?.target ?? target;
+  const right = rightOf(arm, own ? found.branches : branchesOf(arm, sought));
+  const { answers: given, taken, typed } = upright(mine, right, sought, options);
   const { astray, ...report } = judged(right, given, tolerance, taken);
   const dof = joints(arm).length;
   const asRows = !taken.length && typed.shape.at(-1) === dof;
@@ -44,13 +45,14 @@ function branchesCompared(mine, arm, target, options = {}) {
 }
 
 // The answers by rows; those of a square by columns, where no row is a branch and each column is.
-function upright(mine, right, angles, tolerance) {
+function upright(mine, right, target, { angles = "rad", tolerance = null, which = null }) {
   const { arm } = right;
-  const rows = answers(mine, arm, angles);
+  const asked = { given: rowsGiven(target), which };
+  const rows = answers(mine, arm, angles, asked);
   const count = rows.answers.length;
   if (count < 2 || count !== joints(arm).length) return rows;
   if (hitsOf(right, rows.answers, tolerance).hits.size) return rows;
-  const columns = answers(mine, arm, angles, true, { given, which });
+  const columns = answers(mine, arm, angles, { ...asked, byColumns: true });
   return hitsOf(right, columns.answers, tolerance).astray.length ? rows : columns;
 }
 

@@ -30,17 +30,15 @@ const COUNTED = 1e6; // rad: in a larger angle rounding has eaten the turn's par
  * Joint vectors with their units, however they were held, and how they were read; a square is read
  * by rows unless told. Where each row of a locked arm has a value, those of its locked joints are
  * set aside.
+ * @param {any} mine @param {any} arm @param {string} angles @param {any} asked
  * @returns {{ answers: Answer[], taken: string[], typed: import("../reading/numbers.js").Typed }}
  */
-export function answers(mine, arm, angles, byColumns = false, asked = {}) {
+export function answers(mine, arm, angles, { byColumns = false, ...asked } = {}) {
   const moving = joints(arm);
   const dof = moving.length;
   const what = `${arm.name}: your answer`;
-  const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), {
-    wants: jointShapes(arm),
-    names: NAMES,
-    ...asked,
-  });
+  const wants = { wants: jointShapes(arm), names: NAMES, ...asked };
+  const typed = numbers(unnamed(mine), what, undefined, eachJoint(arm), wants);
   if (!typed.values.length) return { answers: [], taken: [], typed };
   const shape = shapeOf(typed, dof);
   const width = !shape.includes(dof) && shape.includes(arm.rows.length) ? arm.rows.length : dof;
@@ -53,16 +51,20 @@ export function answers(mine, arm, angles, byColumns = false, asked = {}) {
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
   const flat = inRadians({ ...typed, values, units, entries }, arm, angles);
   const [each, places] = [rowsOf(flat.values, dof), rowsOf(flat.units, dof)];
-  const perColumn = transposedWords(lies, each.length);
-  const unit = typed.says?.angles && typed.says.angles !== angles ? [typed.says.angles] : [];
-  const inUnit = unit.map((name) => say(name === "deg" ? "taken: degrees" : "taken: radians"));
   const locked = width > dof ? [setAside(arm)] : [];
-  const taken = [...typed.said, ...inUnit, ...perColumn, ...locked];
+  const taken = [...typed.said, ...inUnit(typed, angles), ...perColumn(lies, each), ...locked];
   return { answers: each.map((one, i) => ({ values: one, units: places[i] })), taken, typed };
 }
 
-const transposedWords = (lies, count) =>
-  lies && count > 1 ? [say("taken: answer per column")] : [];
+// What is told where the text names another unit than the question.
+/** @param {import("../reading/numbers.js").Typed} typed @param {string} angles */
+const inUnit = ({ says }, angles) =>
+  says?.angles && says.angles !== angles
+    ? [say(says.angles === "deg" ? "taken: degrees" : "taken: radians")]
+    : [];
+
+const perColumn = (lies, { length }) =>
+  lies && length > 1 ? [say("taken: answer per column")] : [];
 
 // A word on the locked joints, whose values are not judged.
 export function setAside({ rows }) {

@@ -11,6 +11,7 @@ import { answering, reportOf } from "../report.js";
 import { ArmError, counted, listed, lower, say } from "../sentences.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
+const NAMES = /^(?:j|ans$)/i;
 const HALVES = ["linear", "angular"];
 
 /**
@@ -52,11 +53,12 @@ const halvesExchanged = (typed) => ({
 
 // What was typed as a matrix; all of its entries in one row or column are taken row by row. A
 // formula needs no q; `computed` are the values of a function, which count as one.
-function matrix(mine, known, arm, { at, generic = false, computed = false, which = null }) {
+/** @param {any} mine @param {any} known @param {any} arm @param {any} asked */
+function matrix(mine, known, arm, { at, which, generic = false, computed = false }) {
   const [what, dof] = [`${arm.name}: your Jacobian`, at.values.length];
-  const asked = { wants: shapes(dof, arm.rows.length), names: /^(?:j|ans$)/i, which };
-  const given = generic ? [] : [at.values];
-  const read = inMetres(numbers(mine, what, known, undefined, { ...asked, given }));
+  const wants = shapes(dof, arm.rows.length);
+  const asked = { wants, names: NAMES, given: [at.values], which };
+  const read = inMetres(numbers(mine, what, known, undefined, asked));
   const symbolic = read.symbolic || computed;
   if (generic && !symbolic) throw new ArmError(say("J needs q"));
   const one = read.shape.length === 3 ? read.shape.indexOf(1) : -1;

@@ -36,7 +36,14 @@ export const comparePose = answering(poseCompared);
 
 function poseCompared(q, arm, T, options = {}) {
   const { angles = "rad", tolerance = null } = options;
-  const { answers: given, taken, typed } = answers(q, arm, angles, false, { given: rowsGiven(T), which: options.which });
+  const {
+    answers: given,
+    taken,
+    typed,
+  } = answers(q, arm, angles, {
+    given: rowsGiven(T),
+    which: options.which,
+  });
   if (given.length !== 1)
     throw new ArmError(say("one answer", { arm: arm.name, count: given.length }));
   const { known } = lookup(arm, given[0].values);

@@ -13,7 +13,7 @@ import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js
 import { inMillimetres, meant, read } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { lower, say, size } from "../sentences.js";
-import { setAside, unread } from "../reading/aside.js";
+import { alone } from "../reading/aside.js";
 import { answering } from "../report.js";
 import { entry, geometry, rounded, typedAs, typedRow, typedText } from "./table_words.js";
 
@@ -68,16 +68,7 @@ const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
  * @param {Options} options
  * @returns {Report}
  */
-export const compareTables = answering(tableAlone);
-
-// A text's table without the words around it.
-function tableAlone(mine, reference, options = {}) {
-  if (typeof mine !== "string") return tablesCompared(mine, reference, options);
-  const { text, left } = setAside(mine);
-  const report = tablesCompared(text, reference, options);
-  const lost = unread(text, report.table.entries, [report.table.rows.length]);
-  return { ...report, left: [...left, ...lost] };
-}
+export const compareTables = answering(alone(tablesCompared));
 
 function tablesCompared(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);

@@ -51,8 +51,8 @@ function torquesCompared(mine, arm, q, options = {}) {
   return report && { ...report, typed };
 }
 
-// A row for each pose, or a list for each joint; of a locked arm all joints too. One number for each
-// pose is an energy.
+// A row for each pose, or a list for each joint; of a locked arm all joints too. One number for
+// each pose is an energy.
 function shapes(count, arm) {
   const widths = [...new Set([joints(arm).length, arm.rows.length])];
   return [
@@ -60,7 +60,7 @@ function shapes(count, arm) {
       { rows: count, columns, by: "joint" },
       { rows: columns, columns: count },
     ]),
-    { rows: count, columns: 1 },
+    ...(count > 1 ? [{ rows: count, columns: 1 }] : []),
   ];
 }
 

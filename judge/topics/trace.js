@@ -43,7 +43,7 @@ export const compareTrace = (mine, arm, path, options = {}) =>
 // The joints as they were handed in.
 export function readTrace(mine, arm) {
   return numbers(mine, `${arm.name}: your joints`, undefined, undefined, {
-    wants: jointShapes(arm).filter(({ rows }) => rows !== 1),
+    wants: jointShapes(arm).filter(({ rows, columns }) => rows === null || columns === null),
     names: /^(?:q|th|θ|ans$)/i,
   });
 }
@@ -110,7 +110,7 @@ function upright(typed, arm, count, unit) {
   const dof = joints(arm).length;
   const shape = typed.shape.filter((n) => n !== 1);
   if (shape.length !== 2) return null;
-  const taken = [...(typed.said ?? [])];
+  const taken = [...typed.said];
   const lengths = [count - 1, count, count + 1];
   let [rows, units] = [typed.values, typed.units].map((list) => rowsOf(list, shape[1]));
   if (shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1])) {
@@ -125,9 +125,13 @@ function upright(typed, arm, count, unit) {
   }
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
   const held = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
+  return { ...inUnit(held, arm, unit), taken, extra: rows.length === count + 1 };
+}
+
+function inUnit(held, arm, unit) {
   const meant = unit === "deg" ? asDegrees(held, arm) : held;
   const [q, steps] = [meant.map((row) => row.values), meant.map((row) => row.units)];
-  return { q, steps, unit, units: most(meant), taken, extra: rows.length === count + 1 };
+  return { q, steps, unit, units: most(meant) };
 }
 
 // The largest unit of each joint's last places.
