@@ -74,7 +74,7 @@ FORMULAS = """[-s1*(a_2c_2+a_3c_{23}), -c1*(a_2s_2+a_3s_{23}), -c_1a_3s_{23};
  c1*(a_2c_2+a_3c_{23}), -s1*(a_2s_2+a_3s_{23}), -s_1a_3s_{23};
  0, a_2c_2+a_3c_{23}, a_3c_{23}; 0, s1, s1; 0, -c1, -c1; 1, 0, 0]"""
 BROUGHT = [
-    ("C.1", tau(f"My answer: 99\n{LATEX}"), "but for the numbers that were left out"),
+    ("C.1", tau(f"My answer: 99\n{LATEX}"), "set aside: `My answer: 99`"),
     ("C.2", tau("1e9 " * 6), "are not right"),
     ("C.2", angles("branches", "1e22 1e22 1e22"), "0 of 4 branches are found"),
     ("C.3", {"ask": "jacobian", **UR, "answer": rows(jacobian(UR10E_HOMEWORK, Q))},
@@ -105,7 +105,7 @@ BROUGHT = [
     *(("C.13", tau("\n".join(form.format(*x) for x in enumerate(TAU, 1))), RIGHT)
       for form in ("Joint {}\t{}", "Joint {}: {} N·m", "τ_{} = {} Nm")),
     ("C.13", {"ask": "jacobian", "arm": "PANDA.lock(3)", "q": "0, " * 6 + "0", "answer": "1"},
-     ", which is locked"),
+     "write 6x6"),
     ("C.13", tau("[0.1 0.2 ... 0.5 0.6]"), "he print was cut"),
     ("C.13", {**tau(text(TAU)), "wrench": "[0, 0, -20, 0, 0, 0] N"}, RIGHT),
     *(("C.13", {"ask": "jacobian", **BENT, "unit": "deg", "answer": start + FORMULAS},

@@ -74,7 +74,7 @@ LIST = [
     (J_of(J, q=np.degrees(Q)), 'say angles="deg"'),
     (J_of(jacobian(ELBOW, [0.5, 0.7, -0.4]).T, ELBOW, [0.5, 0.7, -0.4]), "it is transposed"),
     (torques(TAU + np.eye(7)[3]), "Joint 4: off by 1 N m."),
-    (torques("1 2 3 4 5 6"), "its shape is 6; give 7, one torque for each of 7 joints."),
+    (torques([1, 2, 3, 4, 5, 6]), "its shape is 6; give 7, one torque for each of 7 joints."),
     (lambda: checks.compare_branches(FOUND.q[:2], FOUND), "face the same way", "Turn joint 1"),
     (lambda: checks.compare_branches([FOUND.q[0]] * 2, FOUND), "Answers 1 and 2 are the same"),
     (lambda: checks.compare_pose(np.degrees(UR), UR10E, THERE), "misses the target by 1820 mm"),

@@ -46,7 +46,8 @@ export function blocksIn(typed, { isEntry, names = /(?!)/, given = [] }) {
 // a time is.
 function besides({ from, to, runs: own }, runs) {
   const others = runs.filter((run) => run.line >= from && run.line <= to && !own.includes(run));
-  return others.length % own.length ? others.flatMap(({ cells }) => cells) : [];
+  const named = own.length > 1 && others.length % own.length === 0;
+  return named ? [] : others.flatMap(({ cells }) => cells);
 }
 
 // Whether cells are what the question gave, to their digits, in radians or degrees.

@@ -43,7 +43,8 @@ const NONE = /(?!)/; // no name
 
 // The blocks that fit, those with the answer's name where there are some; of any shape the largest.
 function fitting(blocks, want, names) {
-  const fits = blocks.flatMap((block) => fitted(block, want, names));
+  const each = want.rows === 1 ? blocks.flatMap(rowsAlone) : blocks;
+  const fits = each.flatMap((block) => fitted(block, want, names));
   const named = fits.filter(({ name }) => names.test(bare(name)));
   if (named.length) return named;
   return want.columns === null && want.rows === null ? largest(fits) : fits;
@@ -75,6 +76,15 @@ function fitted(block, want, names) {
   const one = ordered(found, want);
   return [want.turned ? { ...one, rows: [one.rows.flat()] } : one];
 }
+
+// Where one row is wanted, each is tried.
+const rowsAlone = (block) =>
+  block.rows.length < 2
+    ? [block]
+    : [
+        block,
+        ...block.rows.map((row, i) => ({ ...block, rows: [row], labels: [block.labels[i]] })),
+      ];
 
 // The labels of rows and of columns, where each has one of its kind and no two are the same.
 function labelsOf(words) {

@@ -176,14 +176,9 @@ export const eachJoint = (arm) => say("each joint", { joints: variables(arm).joi
 // then those of all.
 export const jointShapes = (arm, many = true) =>
   [...new Set([joints(arm).length, arm.rows.length])].flatMap((columns) => [
-    { rows: 1, columns, by: "joint" },
+    { rows: many ? null : 1, columns, by: "joint" },
     { rows: columns, columns: 1, by: "joint", turned: true },
-    ...(many
-      ? [
-          { rows: null, columns, by: "joint" },
-          { rows: columns, columns: null },
-        ]
-      : []),
+    ...(many ? [{ rows: columns, columns: null }] : []),
   ]);
 
 // The rows of numbers that a target is; none of a text.

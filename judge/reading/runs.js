@@ -1,6 +1,6 @@
 // A text as runs of entries: what stands beside each other with no word, and no row's end, between.
 
-import { isFunction } from "./formula.js";
+import { isFunction, isNumber } from "./formula.js";
 import { ROW } from "./signs.js";
 
 /**
@@ -10,8 +10,8 @@ import { ROW } from "./signs.js";
  *   part: number, above: string[], listed: boolean }} Run
  */
 /**
- * How a text is parted: whether a line's end inside the innermost list ends a row, whether commas
- * between digits are decimal ones, and whether single blanks part entries.
+ * How a text is parted: whether the innermost lists are taken for one row each, whether commas
+ * between digits are decimal ones, and whether only gaps part entries, single blanks not.
  * @typedef {{ wrapped: boolean, decimal: boolean, gaps: boolean }} Way
  */
 
@@ -103,10 +103,10 @@ function crossed(state, kind, step) {
   if (kind === "leaf") state.leaves += step;
 }
 
-// A row ends, unless it is a line's end where a printer broke the row.
+// A row ends, unless the list that it stands in is taken for one row.
 function ended(state, sign) {
   if (sign === "\n") state.line++;
-  if (sign === "\n" && state.way.wrapped && state.leaves) return;
+  if (sign !== ROW && state.way.wrapped && state.leaves) return;
   state.run = null;
   if (sign === "\n") lineEnded(state);
 }
@@ -139,8 +139,10 @@ function segment(text, state) {
   const parts = strong.length ? partedAt(text, strong) : partedAt(text, way.decimal ? [] : [","]);
   for (const part of parts) {
     if (!part.trim()) continue;
+    const beside = cellsOf(part, way);
     const whole = cleaned(part, way);
-    const cells = parts.length > 1 && isEntry(whole) ? [whole] : cellsOf(part, way);
+    const one = parts.length > 1 && !beside.every(isNumber) && isEntry(whole);
+    const cells = one ? [whole] : beside;
     const word = parts.length > 1 && !cells.some((cell) => MARK.test(cell) || isEntry(cell));
     for (const cell of word ? [part.trim()] : cells) put(cell, state);
   }
@@ -247,9 +249,19 @@ function joins(before, word) {
 
 const AND = /^(?:and|und|et|y|e|&)$/;
 
+// What stands before a mark of naming is a name, though it may look like an entry.
+function unsaid(state) {
+  if (!state.run) return;
+  state.words.push(state.run.cells.pop());
+  if (state.run.cells.length) return;
+  state.words.unshift(...state.run.words);
+  state.runs.pop();
+}
+
 function put(cell, state) {
   if (AND.test(cell) && state.run) return;
   if (MARK.test(cell)) {
+    unsaid(state);
     state.name = state.words.at(-1) ?? "";
     state.scale = "";
     state.run = null;

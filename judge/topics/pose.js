@@ -8,7 +8,7 @@ import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { verdictOn } from "../entries.js";
 import { chain, framesOf } from "../geometry/chains.js";
 import { cross, dot, matrix, minus, norm } from "../geometry/kinematics.js";
-import { lookup, numbers, numbered, rowsGiven } from "../reading/numbers.js";
+import { jointShapes, lookup, numbers, numbered, rowsGiven } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
 import { ArmError, counted, listed, lower, say } from "../sentences.js";
 import { answers, turnBetween } from "./branches_matching.js";
@@ -41,6 +41,7 @@ function poseCompared(q, arm, T, options = {}) {
     taken,
     typed,
   } = answers(q, arm, angles, {
+    wants: jointShapes(arm, false),
     given: rowsGiven(T),
     which: options.which,
   });
