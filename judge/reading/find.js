@@ -140,7 +140,7 @@ function columnOf(block, names) {
   const extra = heads.length - rows[0].length;
   const at =
     extra < 0 || rows[0].length < 2 ? -1 : heads.findIndex((head) => names.test(bare(head)));
-  if (at < extra || headsOf(block)) return [];
+  if (at < Math.max(extra, 0) || headsOf(block)) return [];
   const labels = rows.map((row, i) => [...block.labels[i], row[0]]);
   return [{ ...block, rows: rows.map((row) => [row[at - extra]]), labels, heads: [] }];
 }
