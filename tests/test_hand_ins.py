@@ -25,8 +25,8 @@ from tests.mixed import arm_of, heavy
 LOCKED = PANDA.lock(3)
 
 
-def torques(text):
-    return checks.compare_torques(text, UR10E, Q, PUSH)
+def torques(text, **options):
+    return checks.compare_torques(text, UR10E, Q, PUSH, **options)
 
 
 @pytest.fixture(scope="module")
@@ -170,6 +170,8 @@ def test_a_unit_may_end_the_heads():
 def test_two_grids_are_asked_about():
     with pytest.raises(ArmError, match="several answers that differ"):
         torques(f"{TAU.tolist()}\nor rather this one\n{(2 * TAU).tolist()}")
+    for which, agrees in ((1, True), (2, False)):
+        assert torques(f"{TAU.tolist()}\nor\n{(2 * TAU).tolist()}", which=which).agrees is agrees
 
 
 T = forward_kinematics(UR10E, Q)

@@ -32,7 +32,10 @@ _NO_WRENCH = (0.0,) * 6
 
 
 def _settings(
-    angles: str = "rad", tolerance: float | None = None, values: Mapping | None = None
+    angles: str = "rad",
+    tolerance: float | None = None,
+    values: Mapping | None = None,
+    which: int | None = None,
 ) -> dict[str, Any]:
     """The options that all comparisons have; raises ArmError for one that is none."""
     one_of(angles, "angles", ("rad", "deg"))
@@ -41,6 +44,8 @@ def _settings(
         found["values"] = [list(pair) for pair in named(values, "values").items()]
     if tolerance is not None:
         found["tolerance"] = number(tolerance, "tolerance", "a number of 0 or more", least=0)
+    if which is not None:
+        found["which"] = whole(which, "which", least=1)
     return found
 
 
@@ -139,6 +144,7 @@ def compare_jacobian(
     angles: str = "rad",
     values: Mapping[str, float] | None = None,
     tolerance: float | None = None,
+    which: int | None = None,
 ) -> Report:
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
@@ -153,11 +159,12 @@ def compare_jacobian(
         angles: "deg" where `q` is in degrees.
         values: numbers for symbols of yours that the arm does not have.
         tolerance: the largest deviation of an entry; inferred from the digits typed unless given.
+        which: of several answers that differ in a text, the number of the one that is meant.
 
     Raises ArmError where `mine` gives no matrix of numbers, or holds numbers and q is missing.
     """
     must_be(arm, Arm, "arm")
-    options = _settings(angles, tolerance, values)
+    options = _settings(angles, tolerance, values, which)
     if not isinstance(angular_first, int | np.bool_):
         raise ArmError(f"angular_first is {shown(angular_first)}; expected True or False")
     options |= {"angularFirst": bool(angular_first), "frame": _checked_frame(frame, arm)}
@@ -213,6 +220,7 @@ def compare_torques(
     *,
     angles: str = "rad",
     tolerance: float | None = None,
+    which: int | None = None,
 ) -> Report:
     """Compare your torques at q, shape (..., dof), with g(q) - J^T F, and name the mistake.
 
@@ -226,12 +234,13 @@ def compare_torques(
         gravity: the vector of its acceleration in base axes (m/s^2).
         angles: "deg" where `q` is in degrees.
         tolerance: the largest deviation (N m); inferred from the digits typed unless given.
+        which: of several answers that differ in a text, the number of the one that is meant.
 
     One pose can hide a mistake that a whole path shows. Raises ArmError where `mine` is not numbers
     or the arm has no masses.
     """
     must_be(arm, Arm, "arm")
-    options = _settings(angles, tolerance)
+    options = _settings(angles, tolerance, which=which)
     at, data = array_data(q), judged_data(arm)
     F = forces(wrench)
     F = F.reshape(-1, 6) if F.ndim > 2 else F
@@ -266,7 +275,12 @@ def _torque_ways(
 
 
 def compare_branches(
-    mine: object, found: Solutions, *, angles: str = "rad", tolerance: float | None = None
+    mine: object,
+    found: Solutions,
+    *,
+    angles: str = "rad",
+    tolerance: float | None = None,
+    which: int | None = None,
 ) -> Report:
     """Judge your joint vectors, shape (answers, dof), for one target against all of its branches.
 
@@ -280,11 +294,12 @@ def compare_branches(
         angles: "deg" where yours are in degrees.
         tolerance: the largest deviation of a joint (rad or m); inferred from the digits typed
             unless given.
+        which: of several answers that differ in a text, the number of the one that is meant.
 
     Raises ArmError for another shape, or where `found` holds many targets.
     """
     must_be(found, Solutions, "found")
-    options = _settings(angles, tolerance)
+    options = _settings(angles, tolerance, which=which)
     if found.valid.ndim != 1:
         raise ArmError(say("one target", arm=found.arm.name, count=found.distance.size))
     branches = [
@@ -301,7 +316,13 @@ def compare_branches(
 
 
 def compare_pose(
-    q: object, arm: Arm, T: ArrayLike | str, *, angles: str = "rad", tolerance: float | None = None
+    q: object,
+    arm: Arm,
+    T: ArrayLike | str,
+    *,
+    angles: str = "rad",
+    tolerance: float | None = None,
+    which: int | None = None,
 ) -> Report:
     """Whether joint values take an arm's tip to a pose T, shape (4, 4), or to a point (3,), and if
     not, what slip would.
@@ -312,11 +333,12 @@ def compare_pose(
         T: where the tip should be, in base axes (m); numbers or formulas of the joints.
         angles: "deg" where q is in degrees.
         tolerance: the largest miss (m and rad); inferred from the digits of q and T unless given.
+        which: of several answers that differ in a text, the number of the one that is meant.
 
     Raises ArmError for another shape.
     """
     must_be(arm, Arm, "arm")
-    options = _settings(angles, tolerance)
+    options = _settings(angles, tolerance, which=which)
     given = dict(arm=judged_data(arm), mine=array_data(q), target=array_data(T))
     return report_of(asked("pose", options=options, **given))
 
@@ -325,7 +347,13 @@ def compare_pose(
 
 
 def compare_trace(
-    mine: object, arm: Arm, path: Path, tolerance: float | None = None, *, angles: str = "rad"
+    mine: object,
+    arm: Arm,
+    path: Path,
+    tolerance: float | None = None,
+    *,
+    angles: str = "rad",
+    which: int | None = None,
 ) -> Report:
     """Whether your joint vectors, shape (steps + 1, dof), make the tip follow a path, and if not,
     in what way they fail.
@@ -340,6 +368,7 @@ def compare_trace(
             likes where fewer than six joints hold it. Unless a tolerance is given, a run so near
             that shows a slip (other lengths, the velocity of the next step) is wrong all the same.
         angles: "deg" where yours are in degrees.
+        which: of several answers that differ in a text, the number of the one that is meant.
 
     Limits of range and speed are notes: the homework's own circle breaks them. Where joints jump by
     whole turns they are counted on, which is a note too. Raises ArmError where `mine` holds
@@ -347,7 +376,8 @@ def compare_trace(
     """
     must_be(arm, Arm, "arm")
     must_be(path, Path, "path")
-    given = dict(mine=array_data(mine), arm=judged_data(arm), options=_settings(angles, tolerance))
+    options = _settings(angles, tolerance, which=which)
+    given = dict(mine=array_data(mine), arm=judged_data(arm), options=options)
     held = {"times": path.times.tolist(), "normal": path.normal.tolist(), "at": []}
     wanted = _likely(path.times)
     while len(wanted):

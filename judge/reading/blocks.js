@@ -8,7 +8,7 @@ import { plainSigns } from "./signs.js";
 
 /**
  * @typedef {{ rows: string[][], labels: string[][], heads: string[], name: string, from: number,
- *   to: number, runs: import("./runs.js").Run[], beside?: string[] }} Block
+ *   to: number, runs: import("./runs.js").Run[], beside?: () => string[] }} Block
  *   entries as typed; the words before each row, and of the line above; what the block is
  *   assigned to; its lines, and numbers on them that are not its own
  */
@@ -20,10 +20,11 @@ const WAYS = [false, true].flatMap((gaps) =>
 const COMMA = /\d,\d/;
 
 /**
- * The blocks in each way that the text can be parted, but for what the question itself gave.
+ * The blocks in each way that the text can be parted, each way when it is asked for, but for what
+ * the question itself gave.
  * @param {string} typed
  * @param {{ isEntry: (cell: string) => boolean, names?: RegExp, given?: number[][] }} question
- * @returns {Block[][]}
+ * @returns {(() => Block[])[]}
  */
 export function blocksIn(typed, { isEntry, names = /(?!)/, given = [] }) {
   const text = withHeads(plainSigns(typed));
@@ -33,19 +34,26 @@ export function blocksIn(typed, { isEntry, names = /(?!)/, given = [] }) {
     return known.get(cell);
   };
   const ways = WAYS.filter(({ decimal }) => !decimal || COMMA.test(text));
-  return ways.map((way) => {
-    const runs = runsOf(text, entry, way).filter(
-      ({ cells }) => !given.some((one) => isGiven(cells, one)),
-    );
-    const blocks = [...stretches(runs, names), ...byName(runs), ...byPlace(runs)];
-    return blocks.map((block) => ({ ...block, beside: besides(block, runs) }));
-  });
+  return ways.map((way) => once(() => blocksOf(runsOf(text, entry, way), names, given)));
+}
+
+// What is made when it is first asked for.
+function once(make) {
+  let made = null;
+  return () => (made ??= make());
+}
+
+function blocksOf(all, names, given) {
+  const runs = all.filter(({ cells }) => !given.some((one) => isGiven(cells, one)));
+  const blocks = [...stretches(runs, names), ...byName(runs), ...byPlace(runs)];
+  return blocks.map((block) => ({ ...block, beside: () => besides(block, runs) }));
 }
 
 // The numbers on a block's lines that are not its own; nothing where there is one for each row, as
 // a time is.
 function besides({ from, to, runs: own }, runs) {
-  const others = runs.filter((run) => run.line >= from && run.line <= to && !own.includes(run));
+  const mine = new Set(own);
+  const others = runs.filter((run) => run.line >= from && run.line <= to && !mine.has(run));
   const named = own.length > 1 && others.length % own.length === 0;
   return named ? [] : others.flatMap(({ cells }) => cells);
 }

@@ -7,7 +7,7 @@ import { labelIn } from "./labels.js";
 import { plainSigns } from "./signs.js";
 import { ArmError, listed, say, shown } from "../sentences.js";
 
-export const LONGEST = 30_000; // characters of a text
+const LONGEST = 2_000_000; // characters of a text: a run of 20 000 steps
 
 /**
  * How many rows and columns are asked for, any number where null; what its rows are named after,
@@ -33,7 +33,7 @@ export function find(text, question) {
   const whole = given.length ? blocksIn(text, { isEntry, names }) : [];
   for (const want of wants)
     for (const blocks of want.rows > 1 ? [...whole, ...own] : own) {
-      const one = chosen(fitting(blocks, want, names), question);
+      const one = chosen(fitting(blocks(), want, names), question);
       if (one) return { ...one, ...around(text, one) };
     }
   throw refusal(text, question, own);
@@ -189,7 +189,7 @@ function around(text, { from, to, beside }) {
   const lines = text.split(/\r\n|[\n\r]/);
   const rest = lines.filter((_, i) => i < from || i > to);
   const told = rest.filter((line) => /[\p{L}\d]/u.test(plainSigns(line)));
-  return { context: rest.join("\n"), left: [...told.map((line) => line.trim()), ...beside] };
+  return { context: rest.join("\n"), left: [...told.map((line) => line.trim()), ...beside()] };
 }
 
 /** @type {[string, RegExp][]} */
@@ -211,7 +211,7 @@ function refuseOdd(text, { what, wanted = "numbers" }) {
 // Why nothing fits: what was found, and what is wanted.
 function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, ways) {
   refuseOdd(text, { what, wanted });
-  const blocks = ways.flat().filter((block) => count(block) > 1);
+  const blocks = ways.flatMap((blocks) => blocks()).filter((block) => count(block) > 1);
   if (!blocks.length) return new ArmError(say("no block", { what, wanted }));
   const sorted = [...blocks].sort((p, q) => count(q) - count(p));
   const sizes = new Set(sorted.map(({ rows }) => `${rows.length}x${rows[0].length}`));

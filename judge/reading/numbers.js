@@ -120,6 +120,7 @@ function shapeOf(list) {
 function entryIn(known) {
   return (cell) => {
     if (isNumber(cell)) return true;
+    if (/[~≈]/.test(cell)) return false;
     try {
       const tree = parse(cell);
       const names = [...symbols(tree)];

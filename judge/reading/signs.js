@@ -40,6 +40,7 @@ const SIGNS = [
   [/\\[hv]?phantom\{[^{}\n]{0,9}\}|\\[,;:!]/g, " "],
   [/\\num\{([^{}\n]{0,30})\}/g, "$1"],
   [/\\cr(?![A-Za-z])/g, ROW],
+  [/~(?![ \t]*[\d.])/g, " "], // LaTeX's blank; before a number it may be a minus sign
   [/\{([-+])\}/g, "$1"],
   [/(?<=\d)\{,\}(?=\d)/g, ","],
 ];

@@ -38,13 +38,14 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
  * @returns {import("../report.js").Report}
  */
 export const compareTrace = (mine, arm, path, options = {}) =>
-  judgedTrace(readTrace(mine, arm), arm, path, options);
+  judgedTrace(readTrace(mine, arm, options.which), arm, path, options);
 
 // The joints as they were handed in.
-export function readTrace(mine, arm) {
+export function readTrace(mine, arm, which = null) {
   return numbers(mine, `${arm.name}: your joints`, undefined, undefined, {
     wants: jointShapes(arm).filter(({ rows, columns }) => rows === null || columns === null),
     names: /^(?:q|th|θ|ans$)/i,
+    which,
   });
 }
 

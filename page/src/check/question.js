@@ -12,7 +12,7 @@ export { ASKED };
 
 const LONGEST_LINK = 12_000; // characters of a fragment
 const LONGEST = { table: 2000, q: 500, wrench: 300, values: 500, answer: 8000, target: 1000 };
-const LONGEST_ANSWER = 20_000; // characters that are judged while typing
+const LONGEST_ANSWER = 30_000; // characters that are judged while typing
 const LOADING = "The checker is being loaded.";
 const HEADS =
   "Write a row with the names of its columns first, such as a, alpha (deg), d (mm), theta";
