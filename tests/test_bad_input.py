@@ -80,7 +80,7 @@ SHARED = dict(
     normal=[1, 0, 0], number=3, offset=0.1, part="linear", path=PATH, phase=0.0,
     planes=("xz", "yz"), points=np.zeros((2, 3)), poses=[PANDA.home] * 2, position=PATH.position,
     q=PANDA.home, q_ddot=[0.0] * 7, q_dot=[0.0] * 7, radius=0.1, reference=PANDA, restarts=0, row=1,
-    rows=[Row(a=0.1), Row()], run=RUN, scale=0.1, seed=1, size=1, solver=partial(inverse.ur, UR10E),
+    which=1, rows=[Row(a=0.1), Row()], run=RUN, scale=0.1, seed=1, size=1, solver=partial(inverse.ur, UR10E),
     speed=1, start=[0.1] * 6, t=[0.0, 1.0], tau=np.zeros((2, 7)), tex="x", text="anything", theta=0,
     times=[0.0, 1.0], title="anything", titles=("one", "two"), tolerance=1e-3, tool=0.1,
     topic="Jacobian", topics=["Jacobian"], trace=[PANDA.home] * 3, unit="deg", upper=1, values={},
