@@ -37,7 +37,7 @@ SEARCHES = {
     "centre of mass": r"04_.*: Where the masses|glossary: centre of mass|errata: 7 ",
     "center of mass frame": r"04_.*: Where the masses|glossary: centre of mass|errata: 7 ",
     "payload": r"04_.*: What a payload",
-    "sign of the force": r"04_.*|conventions: Wrenches",
+    "sign of the force": r"04_.*|conventions: Wrenches|02_.*: The same matrix for forces",
     "does the energy add up": r"04_.*: Does the energy",
     # inverse kinematics
     "wrist center": r"05_.*: A spherical wrist|glossary: wrist",
