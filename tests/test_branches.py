@@ -99,12 +99,11 @@ def test_what_is_valid_is_right_and_no_pose_loses_its_own_joints(form, arm):
     assert np.abs(miss).max() < 1e-9
     nearest = np.full(len(q), np.inf)
     np.minimum.at(nearest, n, apart(arm, found.q[n, branch], q[n]))
-    # Where the arm is singular, ways are one, or a family, up to the digits of a pose.
+    # Ways are one where from one to the other the tip hardly goes: by a tenth of what valid allows.
     rows = slice(None) if arm.dof == 6 else slice(3)
-    lost = q[nearest > 1e-6]
-    singular = np.linalg.svd(jacobians(arm, lost)[:, rows], compute_uv=False)[:, -1]
-    assert (singular < 1e-6).all()
-    assert len(lost) < 0.15 * len(q)
+    lost = nearest > 1e-6
+    weakest = np.linalg.svd(jacobians(arm, q[lost])[:, rows], compute_uv=False)[:, -1]
+    assert (nearest[lost] * weakest).max(initial=0.0) < 1e-10
 
 
 @pytest.mark.parametrize(("form", "arm"), CASES)
