@@ -55,7 +55,10 @@ def floats(value: Any, what: str, wanted: str) -> Array:
     with masked entries are none."""
     try:
         array = np.asanyarray(value)
-        if value is not None and array.dtype.kind in "iufO" and not np.ma.is_masked(array):
+        kind, lacking = array.dtype.kind, np.ma.is_masked(array)
+        if kind == "O":
+            lacking = lacking or np.equal(array, None).any()
+        if kind in "iufO" and not lacking:
             return np.asarray(array, dtype=float)
     except (TypeError, ValueError, OverflowError):
         pass

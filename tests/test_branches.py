@@ -171,3 +171,6 @@ def test_solutions_are_read_as_a_student_asks():
         "not reached, 0.3 m and 0 rad off"
     )
     assert repr(inverse.solve(ELBOW, (0.5, 0.0, 0.5))).startswith("reached in ")
+    found = inverse.solve(ELBOW, (0.5, 0.0, 0.5))._repr_markdown_().splitlines()
+    assert found[:2] == ["| way | $q_1$ | $q_2$ | $q_3$ |", "| :-- | --: | --: | --: |"]
+    assert found[2].startswith("| reached in ")

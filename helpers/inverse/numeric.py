@@ -49,6 +49,14 @@ class NumericSolution:
         how = f"reached in {self.iterations} steps" if self.reached else f"not reached, {off}"
         return f"{how}: q = {np.array2string(self.q.round(6) + 0.0, separator=', ')}"
 
+    def _repr_markdown_(self) -> str:
+        if self.reached.ndim:
+            return repr(self)
+        how, _, _ = repr(self).partition(": q = ")
+        heads = "".join(f" $q_{i}$ |" for i in range(1, self.q.size + 1))
+        joints = "".join(f" {x + 0.0:.4f} |" for x in self.q)
+        return f"| way |{heads}\n| :-- |{' --: |' * self.q.size}\n| {how} |{joints}"
+
 
 def solve(
     arm: Arm,
