@@ -85,7 +85,7 @@ SHARED = dict(
     speed=1, start=[0.1] * 6, t=[0.0, 1.0], tau=np.zeros((2, 7)), tex="x", text="anything", theta=0,
     times=[0.0, 1.0], title="anything", titles=("one", "two"), tolerance=1e-3, tool=0.1,
     topic="Jacobian", topics=["Jacobian"], trace=[PANDA.home] * 3, unit="deg", upper=1, values={},
-    velocity=PATH.velocity, view="xz", views=["table"], wish=motion.towards([0] * 7, 1),
+    velocity=PATH.velocity, view="xz", views=["table"],
     wrench=[0.0] * 6, written="−π/2", x=[0.0, 1.0, 2.0], y=[0.0, 1.0, 2.0],
 )
 # What else it is given by one; for a method its object too.
@@ -131,7 +131,6 @@ RIGHT = {
         period=5.0, steps=4),
     "motion.trace": dict(arm=SIX, start=[0.1, 0.2, 1.4, 0.3, 1.6, 0.2], rates=motion.damped(0.1),
         gain=0.0),
-    "motion.with_null_space": dict(rates=motion.plain_inverse()),
     "motion.self_motion": dict(start=PANDA.home, direction=[1, 0, -1, 0, 0, 0, 0], step=0.05,
         speed=0.5),
     "motion.joined": dict(runs=[RUN]),
@@ -275,7 +274,6 @@ SPECIAL = [
     ("motion.Path", dict(times=[]), 'times are []; expected each later than the one before'),
     ("motion.Path", dict(times=[1, 0]), 'times are [1. 0.]; expected each later'),
     ("motion.circle_below", dict(plane="xy"), "plane is 'xy'; expected one with z"),
-    ("motion.away_from_limits", dict(arm=STANFORD), 'has joints without limits; give a goal'),
     ("inverse.ur", dict(start=np.zeros((3, 6))), 'targets and start have shapes (2,) and (3,)'),
     ("inverse.follow", dict(targets=[0.1, 0.1]), 'targets have shape (2,); expected (n, 3)'),
     ("checks.compare_torques", dict(arm=MASSLESS), 'Panda has no masses; give bodies'),

@@ -18,7 +18,6 @@ from helpers.motion import (
     SingularError,
     UnreachableError,
     at_once,
-    away_from_limits,
     circle,
     circle_below,
     damped,
@@ -26,10 +25,8 @@ from helpers.motion import (
     plain_inverse,
     pseudo_inverse,
     rest_to_rest,
-    towards,
     trace,
     tracing,
-    with_null_space,
 )
 from helpers.motion.report import run_report as summary
 from helpers.motion.steps import charted
@@ -100,37 +97,6 @@ def test_random_circles_within_reach_are_traced(bend, turn, radius, plane):
     np.testing.assert_allclose(
         run.poses[:, :3, :3], np.broadcast_to(run.poses[0, :3, :3], (61, 3, 3)), atol=1e-10
     )
-
-
-def test_the_null_space_moves_joints_and_not_the_tip():
-    start = np.array([0.3, 0.4, -0.2, 1.8, 0.1, 2.2, 0.2])
-    J, twist = jacobian(PANDA, start), np.array([0.1, 0, 0.05, 0, 0.2, 0])
-    for wish in (away_from_limits(PANDA, 3.0), towards(np.array(PANDA.home), 2.0)):
-        plain, both = (
-            r(J, twist, start) for r in (pseudo_inverse(), with_null_space(pseudo_inverse(), wish))
-        )
-        np.testing.assert_allclose(J @ both, twist, atol=1e-12)
-        assert np.linalg.norm(both - plain) > 0.05
-        assert (both - plain) @ wish(start) > 0
-
-
-def test_rates_with_a_wish_added_see_the_joints():
-    J, q = np.eye(6, 7), np.arange(7.0)
-    both = with_null_space(lambda J, twist, q: 2 * q, lambda q: np.ones(7))
-    np.testing.assert_allclose(both(J, np.ones(6), q), 2 * q + np.eye(7)[6], atol=1e-12)
-
-
-def test_wishes_point_where_they_say():
-    q = np.array([0.3, 0.4, -0.2, 1.8, 0.1, 2.2, 0.2])
-    goal = np.array([0.1, 0.9, -0.2, 1.0, 0.0, 2.5, 0.4])
-    np.testing.assert_allclose(
-        towards(goal, 2.0)(q), [-0.4, 1.0, 0, -1.6, -0.2, 0.6, 0.4], atol=1e-12
-    )
-    wish = away_from_limits(PANDA, 3.0)(q)
-    # By hand: joint 4 ranges over 0.0698 ... 3.0718, its middle 1.5708, half 1.5010; joint 1 over
-    # +-2.8973.
-    assert wish[3] == pytest.approx(-3 * (1.8 - 1.5708) / 1.5010**2, rel=1e-9)
-    assert wish[0] == pytest.approx(-3 * 0.3 / 2.8973**2, rel=1e-9)
 
 
 def test_the_plain_inverse_stops_at_a_ratio():
@@ -420,12 +386,6 @@ def test_what_cannot_be_traced_is_told_in_words(arm, start, how, words):
         trace(arm, start, circle_below(arm, start, 0.1, "zx", 5.0, 10), **how)
     assert words in str(told.value)
     assert isinstance(told.value, SingularError) == ("J" in words)
-
-
-def test_a_goal_for_another_arm_is_refused_where_it_is_used():
-    wish = towards([0.1], 1.0)
-    with pytest.raises(ArmError, match="goal has 1 joint values; expected 6"):
-        wish(np.zeros(6))
 
 
 def test_damping_of_nothing_is_a_plain_inverse_and_fails_like_one():

@@ -5,13 +5,10 @@ from helpers.motion.paths import Path, circle, circle_below, rest_to_rest
 from helpers.motion.rates import (
     Rates,
     SingularError,
-    away_from_limits,
     damped,
     levenberg,
     plain_inverse,
     pseudo_inverse,
-    towards,
-    with_null_space,
 )
 from helpers.motion.report import Report
 from helpers.motion.self_motions import self_motion, self_motion_directions
@@ -25,7 +22,6 @@ __all__ = [
     "SingularError",
     "Trace",
     "UnreachableError",
-    "away_from_limits",
     "circle",
     "circle_below",
     "damped",
@@ -36,7 +32,5 @@ __all__ = [
     "rest_to_rest",
     "self_motion",
     "self_motion_directions",
-    "towards",
     "trace",
-    "with_null_space",
 ]

@@ -8,10 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from helpers.arm import Arm
-from helpers.inputs import ArmError, must_be, must_be_callable, number, numbers
+from helpers.inputs import ArmError, number
 
 Array = NDArray[np.floating]
 Rates = Callable[[Array, Array, Array], Array]
@@ -137,45 +136,6 @@ def levenberg(scale: float = 0.1) -> Rates:
     """
     _not_negative(scale=scale)
     return lambda J, twist, q: _damped(J, twist, scale * float(np.linalg.norm(twist)))
-
-
-def with_null_space(rates: Rates, wish: Callable[[Array], Array]) -> Rates:
-    """Add the part of `wish(q)`, rates of shape (n,), that does not move the tip: (I - J^+ J)
-    wish(q)."""
-    must_be_callable(rates, "rates", "a function of J, twist and q, as pseudo_inverse() makes")
-    must_be_callable(wish, "wish", "a function of q, as towards() makes")
-
-    def both(J: Array, twist: Array, q: Array) -> Array:
-        wanted = wish(q.copy())
-        own = rates(J.copy(), twist.copy(), q.copy())
-        return own + wanted - _pseudo(J, J @ wanted, 1e-6)
-
-    return both
-
-
-def towards(goal: ArrayLike, gain: float) -> Callable[[Array], Array]:
-    """A wish to be at the joint vector `goal`, shape (n,): gain (goal - q), gain in 1/s."""
-    goal = numbers(goal, "goal", "finite joint values (n,)", (None,)).copy()
-    _not_negative(gain=gain)
-
-    def wish(q: Array) -> Array:
-        if q.shape != goal.shape:
-            raise ArmError(f"goal has {goal.size} joint values; expected {q.size}, as q has")
-        return gain * (goal - q)
-
-    return wish
-
-
-def away_from_limits(arm: Arm, gain: float) -> Callable[[Array], Array]:
-    """A wish to be in the middle of each joint's range, as strong as the range is narrow. Source:
-    Siciliano, section 3.5."""
-    must_be(arm, Arm, "arm")
-    _not_negative(gain=gain)
-    lower, upper = arm.limits
-    if not np.isfinite([lower, upper]).all():
-        raise ArmError(f"{arm.name} has joints without limits; give a goal with towards() instead")
-    middle, half = (lower + upper) / 2, (upper - lower) / 2
-    return lambda q: -gain * (q - middle) / half**2
 
 
 def magnitude(value: float) -> str:

@@ -41,7 +41,7 @@ def test_lines_hardly_move_when_the_letters_of_formulas_come_late(browser):
         route.continue_()
 
     reader.page.route("**/katex/*.woff2", late)
-    for name in ("03_circle_tracing", "notation"):
+    for name in ("03_circle_tracing", "glossary"):
         reader.page.goto((HTML / f"{name}.html").as_uri())
         assert reader.page.evaluate("window.moved") < 0.05, name
     reader.context.close()
@@ -141,7 +141,7 @@ def test_colours_follow_the_system_until_the_reader_chooses_and_then_stay(browse
         assert button.get_attribute("aria-label") == f"Colours: {name}"
     assert page.evaluate(GROUND) == dark, "chosen, whatever the system prefers"
     for _ in range(20):  # Chromium writes it down in its own time
-        page.goto((HTML / "notation.html").as_uri())
+        page.goto((HTML / "glossary.html").as_uri())
         if page.evaluate(GROUND) == dark:
             break
     assert page.evaluate(GROUND) == dark, "remembered on the next page"
