@@ -5,7 +5,7 @@ SEARCHES = {
     # asked for in the issue
     "UR10e Jacobian": r"answers/ur10e.*: Jacobian|02_jacobian: The UR10e",
     "8 IK solutions": r"05_.*: (The UR10e by hand|Eight arms)",
-    "why does my circle fail": r"where: My circle|03_.*: (A mistake atlas|Tracing)",
+    "why does my circle fail": r"check_your_homework: My circle|03_.*: (A mistake atlas|Tracing)",
     "elbow up": r"05_.*: |glossary: elbow",
     "slip 19": r"errata: 19 ",
     # tables
@@ -30,7 +30,7 @@ SEARCHES = {
     "damped least squares": r"03_.*: |glossary: damped",
     "pseudo-inverse": r"03_.*: |glossary: pseudo",
     "euler step size error": r"03_.*: (How the error|The Euler)",
-    "joint limits": r"03_.*: (The joints that|The way out)|robot_data|where: A joint turns",
+    "joint limits": r"03_.*: (The joints that|The way out)|robot_data|check_.*: A joint turns",
     "feedback gain": r"03_.*: Feedback",
     # torques
     "gravity torque": r"04_.*|glossary: gravity|answers/.*: Gravity",
@@ -47,8 +47,8 @@ SEARCHES = {
     # the rest
     "UR10 lengths": r"errata: 9 |robot_data: |01_.*: The maker",
     "mm or m": r"errata: 26 ",
-    "my own robot": r"check_your_homework: An arm that is not",
-    "URDF": r"api: .*urdf|check_your_homework: An arm that is not",
+    "my own robot": r"check_your_homework: An arm of your own",
+    "URDF": r"api: .*urdf|check_your_homework: An arm of your own",
     "grade a class": r"instructors: ",
     "product of exponentials": r"conventions: From a table",
 }
