@@ -261,4 +261,4 @@ def test_a_value_for_a_locked_joint_is_set_aside():
     T = forward_kinematics(arm, q)
     report = checks.compare_pose(np.insert(q, 2, 0.0), arm, T)
     assert report.agrees
-    assert "all joints, of which 3 is set aside: it is locked" in report.taken
+    assert "all joints; 3 is locked, so its 0 is set aside" in report.taken

@@ -19,7 +19,7 @@ BENT = np.array([0.4137, 0.3281, -0.9452])
 Q2, Q3 = (BENT + np.outer(np.linspace(0, 1, n), [0.1, 0.2, 0.5]) for n in (2, 3))
 LINKS = "links of 2.5, 0, 1.7, 0.9 kg under g = 9.81 m/s²"
 LEFT = "a list per joint, turned round: a row per pose"
-LOCKED = "all joints, of which 2 is set aside: it is locked"
+LOCKED = "all joints; 2 is locked, so its 0.7 is set aside"
 OFF = np.eye(3)
 
 

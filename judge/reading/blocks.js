@@ -49,14 +49,18 @@ function blocksOf(all, names, given) {
   return blocks.map((block) => ({ ...block, beside: () => besides(block, runs) }));
 }
 
-// The numbers on a block's lines that are not its own; nothing where there is one for each row, as
-// a time is.
+// The numbers on a block's lines that are not its own, decimals in words too; nothing where there
+// is one for each row, as a time is.
 function besides({ from, to, runs: own }, runs) {
   const mine = new Set(own);
   const others = runs.filter((run) => run.line >= from && run.line <= to && !mine.has(run));
-  const named = own.length > 1 && others.length % own.length === 0;
-  return named ? [] : others.flatMap(({ cells }) => cells);
+  const words = own.flatMap((run) => run.words.filter((word) => DECIMAL.test(word)));
+  return [others.map(({ cells }) => cells), words.map((word) => [word])]
+    .filter(({ length }) => own.length < 2 || length % own.length)
+    .flat(2);
 }
+
+const DECIMAL = /\d[.,]\d/;
 
 // Whether cells are what the question gave, to their digits, in radians or degrees.
 const isGiven = (cells, given) =>
@@ -105,7 +109,7 @@ function blockOf(runs) {
     heads: runs[0].above,
     name: runs[0].name || runs[0].words.at(-1) || "",
     from: runs[0].line,
-    to: runs.at(-1).line,
+    to: runs.at(-1).last,
     runs,
   };
 }
@@ -141,7 +145,7 @@ function byName(runs) {
   const [first, last] = [single[0].run, single.at(-1).run];
   const labels = rows.map(() => []);
   const own = single.map(({ run }) => run);
-  return [{ rows, labels, heads, name: first.name, from: first.line, to: last.line, runs: own }];
+  return [{ rows, labels, heads, name: first.name, from: first.line, to: last.last, runs: own }];
 }
 
 const PLACE = /[[({](\d{1,2})\s*,\s*(\d{1,2})[\])}]$/;
@@ -162,5 +166,5 @@ function byPlace(runs) {
   const labels = rows.map(() => []);
   const own = placed.map(({ run }) => run);
   const { name, line: top } = first;
-  return [{ rows, labels, heads: [], name, from: top, to: last.line, runs: own }];
+  return [{ rows, labels, heads: [], name, from: top, to: last.last, runs: own }];
 }

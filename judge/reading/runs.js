@@ -1,13 +1,13 @@
 // A text as runs of entries: what stands beside each other with no word, and no row's end, between.
 
 import { isFunction, isNumber } from "./formula.js";
-import { ROW } from "./signs.js";
+import { GOES_ON, ROW } from "./signs.js";
 
 /**
  * Entries of one row, the words before them since the run before on the line, and whether they are
  * the whole of a list; `break` counts the rows' ends before them.
- * @typedef {{ cells: string[], words: string[], name: string, line: number, scale: string,
- *   part: number, above: string[], listed: boolean }} Run
+ * @typedef {{ cells: string[], words: string[], name: string, line: number, last: number,
+ *   scale: string, part: number, above: string[], listed: boolean }} Run
  */
 /**
  * How a text is parted: whether the innermost lists are taken for one row each, whether commas
@@ -134,6 +134,8 @@ const PARTING = ["\t", "&", "|", ";"];
 // The cells of what stands between two brackets or row's ends go to the runs.
 function segment(text, state) {
   const { isEntry, way } = state;
+  const line = state.line;
+  state.line += text.split(GOES_ON).length - 1;
   if (!text.trim()) return;
   const strong = PARTING.filter((sign) => text.includes(sign));
   const parts = strong.length ? partedAt(text, strong) : partedAt(text, way.decimal ? [] : [","]);
@@ -144,7 +146,7 @@ function segment(text, state) {
     const one = parts.length > 1 && !beside.every(isNumber) && isEntry(whole);
     const cells = one ? [whole] : beside;
     const word = parts.length > 1 && !cells.some((cell) => MARK.test(cell) || isEntry(cell));
-    for (const cell of word ? [part.trim()] : cells) put(cell, state);
+    for (const cell of word ? [part.trim()] : cells) put(cell, line, state);
   }
 }
 
@@ -258,7 +260,7 @@ function unsaid(state) {
   state.runs.pop();
 }
 
-function put(cell, state) {
+function put(cell, line, state) {
   if (AND.test(cell) && state.run) return;
   if (MARK.test(cell)) {
     unsaid(state);
@@ -275,11 +277,13 @@ function put(cell, state) {
     return;
   }
   if (!state.run) {
-    const { words, name, line, scale, part, above } = state;
-    state.run = { cells: [], words, name, line, scale, part, above, listed: state.depth > 0 };
+    const { words, name, scale, part, above } = state;
+    const listed = state.depth > 0;
+    state.run = { cells: [], words, name, line, last: line, scale, part, above, listed };
     state.runs.push(state.run);
     state.words = [];
     state.name = "";
   }
   state.run.cells.push(cell);
+  state.run.last = state.line;
 }

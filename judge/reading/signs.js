@@ -1,7 +1,8 @@
 // A text in plain signs, as far as its rows and cells need it: one minus, one blank, one quote, and
-// what draws or sets a matrix as brackets, & and the sign of a row's end.
+// what draws or sets a matrix as brackets, & and the sign of a row's end. It keeps its lines' ends.
 
 export const ROW = "\u241e"; // a row's end, as LaTeX's \\ and Word's @ write it
+export const GOES_ON = "\v"; // a blank: MATLAB's line goes on in the next one
 
 const MATRIX = String.raw`(?:\w*matrix\*?|array|tabular\*?)`;
 // A noun and its number in one word.
@@ -21,7 +22,7 @@ const SIGNS = [
   [/[⎛-⎭─-╬+]*[⎛-⎭─-╬]/g, " "],
   [/\b(?:(?:Arc)?(?:Sin|Cos|Tan)|Sqrt|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
   [/\b(?:wrist|joint|axis|column|link|sol(?:ution)?|lösung|answer|case)[ \t]+(?=\d)/gi, counted],
-  [/\.\.\.[ \t]*\n/g, " "], // MATLAB's line that goes on
+  [/\.\.\.[ \t]*\n/g, GOES_ON],
   [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
   [/\[(?:\d{1,3},|,\d{1,3})\]/g, " "], // R's rows and columns
   [/\\(?:left|right|big[lr]?|Big[lr]?)(?![A-Za-z])\.?/g, " "],
@@ -30,7 +31,7 @@ const SIGNS = [
     "[",
   ],
   [new RegExp(String.raw`\\end\{${MATRIX}\}`, "g"), "]"],
-  [/\\(?:begin|end)\{[^{}\n]{0,60}\}/g, "\n"],
+  [/\\(?:begin|end)\{[a-z]{1,20}\*?\}/g, ROW],
   [/\\(?:hline|toprule|midrule|bottomrule|nonumber)(?![A-Za-z])/g, " "],
   [/\\c(?:line|midrule)\{[^{}\n]{0,20}\}/g, " "],
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW],
