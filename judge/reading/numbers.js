@@ -125,9 +125,8 @@ function entryIn(known) {
       const tree = parse(cell);
       const names = [...symbols(tree)];
       if (!names.length) return /\d|pi|π/.test(cell);
-      return (
-        known.has?.(names[0]) && names.slice(1).every((name) => known.has(name) || /\W/.test(cell))
-      );
+      const meant = names.filter((name) => known.has?.(name)).length;
+      return meant === names.length || (meant > 0 && /\W/.test(cell));
     } catch (error) {
       if (error instanceof ArmError) return false;
       throw error;
