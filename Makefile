@@ -4,7 +4,7 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 HTML := book/_build/html
-SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/citations.py tools/download.py tools/formulas.py tools/letters.py tools/pages.py tools/pictures.py tools/search.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/citations.py tools/download.py tools/pages.py tools/pictures.py tools/search.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/*) $(shell find helpers -name '*.py')
 
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE

@@ -28,7 +28,6 @@ from sphinx_exercise.nodes import exercise_enumerable_node, exercise_node, solut
 from helpers import robots, typeset
 from helpers.explorer import ArmExplorer, judge
 from helpers.inputs import ArmError
-from tools.formulas import lighter
 
 LOGGER = logging.getLogger(__name__)
 
@@ -38,8 +37,6 @@ LINE = 18  # signs of a formula that any phone has room for
 UNIT = r"(?:%|N m|kg m²|m/s²|rad/s|m/s|rad|kg|mm|cm|ms|N|J|g|m|s|h)(?![\w/²])"
 MEASURED = re.compile(rf"(?<=\d) (?:{UNIT}|\d{{3}}(?!\w))|N m(?!\w)")  # and 1 000
 AFTER = re.compile(rf"(?: {UNIT})?[.,;:!?)\]’”]*(?!\w)")
-MARK = re.compile(r"[.,;:!?)]+")
-COMMAS = ("", ",", ".", ";", ":")
 OPENED = re.compile(r"[(\[“‘]+$")
 INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
 OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
@@ -132,24 +129,24 @@ def is_long(tex: str) -> bool:
     return len(SIGN.findall(tex)) > LINE
 
 
-def formula(node: nodes.Element, tex: str, display: bool = False, breaks: bool = False) -> str:
-    """A formula as the page shows it; one that cannot be set is told with its place, and stays
-    TeX."""
+def formula(node: nodes.Element, tex: str, display: bool = False) -> str:
+    """A formula in MathML, in a line with places where it may break if it is long; one that cannot
+    be set is told with its place, and stays TeX."""
     try:
-        return lighter(typeset.html(tex, display), breaks)
+        html = typeset.mathml(tex, display)
+        if display or "<mtable" in html or not is_long(tex):
+            return html
+        return "<wbr>".join(typeset.parts(tex))
     except ArmError as problem:
         LOGGER.warning("%s", problem, location=node)
         return escape(tex)
 
 
 def visit_math(translator, node) -> None:
-    """What any line has room for stays in one; a matrix may scroll."""
-    tex = node.astext()
-    long = is_long(tex)
-    html = formula(node, tex, breaks=long)
-    names = ["long"] * long + ["matrix"] * ("<mtable" in html)
-    kind = f' class="{" ".join(names)}"' if names else ""
-    translator.body.append(f"<var{kind}>{html}</var>")
+    """A matrix may scroll."""
+    html = formula(node, node.astext())
+    scrolls = "<mtable" in html
+    translator.body.append(f'<span class="matrix">{html}</span>' if scrolls else html)
     raise nodes.SkipNode
 
 
@@ -164,7 +161,7 @@ def visit_math_block(translator, node) -> None:
         translator.body.append("</span>")
     rows = r"\\" in WITHIN.sub("", tex) and not node.get("no-wrap")
     html = formula(node, rf"\begin{{split}}{tex}\end{{split}}" if rows else tex, True)
-    translator.body.append(f'<div class="display"><var>{html}</var></div></div>\n')
+    translator.body.append(f'<div class="display">{html}</div></div>\n')
     raise nodes.SkipNode
 
 
@@ -199,8 +196,7 @@ def fold(box: nodes.Element) -> None:
 
 def keep_together(formula: nodes.math) -> None:
     """No line begins with the unit or the comma behind a formula, and none ends with the bracket or
-    quote before it. A comma alone becomes a part of it, and of one that may be as long as a line
-    whatever mark is there."""
+    quote before it."""
     place, parent = formula.parent.index(formula), formula.parent
     before, after = (
         parent[k] if 0 <= k < len(parent) and isinstance(parent[k], nodes.Text) else nodes.Text("")
@@ -208,11 +204,7 @@ def keep_together(formula: nodes.math) -> None:
     )
     opened, closed = OPENED.search(before), AFTER.match(after)
     front, behind = opened[0] if opened else "", closed[0] if closed else ""
-    long = is_long(formula.astext())
-    if long or (not front and behind in COMMAS):
-        if mark := MARK.match(after if long else behind):
-            formula[0] = nodes.Text(f"{formula.astext()}{{{mark[0]}}}")
-            parent.replace(after, nodes.Text(after[mark.end() :]))
+    if not front and not behind:
         return
     kept = [nodes.Text(front), formula.deepcopy(), nodes.Text(behind.replace(" ", SPACE))]
     formula.replace_self(nodes.inline("", "", *kept, classes=["together"]))

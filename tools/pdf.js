@@ -17,7 +17,7 @@ take: async (name) => {
         section.append(words);
     });
     all(".scrolls").forEach((box) => box.classList.remove("scrolls", "more-left", "more-right"));
-    all(".display, var.matrix").forEach((box) => {
+    all(".display, .matrix").forEach((box) => {
         box.style.removeProperty("--shrunk");
         const room = box.clientWidth / box.scrollWidth;
         if (room < 1) box.style.setProperty("--shrunk", Math.floor(room * 100) / 100);

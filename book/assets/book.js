@@ -1,5 +1,5 @@
 // What is wider than its place scrolls in a box of its own, from the keyboard too, and says so.
-const WIDE = ".display, var.matrix, div.table, pre";
+const WIDE = ".display, .matrix, div.table, pre";
 const SMALLEST = 0.75; // of a formula's size, before it scrolls
 
 const all = () => [...document.querySelectorAll(WIDE)];
@@ -14,7 +14,7 @@ function reachable(boxes) {
   boxes.forEach((box) => box.style.removeProperty("--shrunk"));
   const shares = boxes.map(share);
   boxes.forEach((box, k) => {
-    const tight = box.matches(".display, var.matrix") && shares[k] < 1 && shares[k] > SMALLEST;
+    const tight = box.matches(".display, .matrix") && shares[k] < 1 && shares[k] > SMALLEST;
     if (tight) box.style.setProperty("--shrunk", 0.985 * shares[k]);
     scrollable(box, shares[k] < 1 && !tight);
   });
@@ -57,7 +57,7 @@ function scrollable(box, wide) {
 }
 
 function hint(box) {
-  if (box.matches("pre, var") || box.nextElementSibling?.matches(".hint")) return; // a fading edge says enough there
+  if (box.matches("pre, .matrix") || box.nextElementSibling?.matches(".hint")) return; // a fading edge says enough there
   const words = Object.assign(document.createElement("span"), { className: "hint", textContent: "scroll sideways →" });
   words.ariaHidden = true;
   box.after(words);

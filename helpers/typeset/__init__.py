@@ -1,56 +1,99 @@
-"""Formulas as a page shows them: TeX, set by KaTeX (katex.min.js), which QuickJS runs."""
+"""Formulas as a page shows them: TeX, made MathML by Temml (temml.min.js), which QuickJS runs."""
 
 import json
-import re
 import threading
 from pathlib import Path
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
 
 from helpers.inputs import ArmError, must_be
 
-_SCRIPT = Path(__file__).with_name("katex.min.js")
-_START = "var self = globalThis, window, document;"  # what KaTeX looks for in a browser
+_SCRIPT = Path(__file__).with_name("temml.min.js")
 # Text comes back as JSON, which no bridge between the languages can cut or recode.
-_SET = """(tex, displayMode, output) =>
-    JSON.stringify(katex.renderToString(tex, { displayMode, output, strict: "error" }))"""
-# The TeX once more, which no browser shows.
-_SOURCE = re.compile(r'<annotation[^>]*>[^<]*</annotation>|</?semantics>| xmlns="[^"]*"')
-# A cell's style that a cell has by itself.
-_CELL = re.compile(
-    r'<mtd><mstyle scriptlevel="0" displaystyle="false">((?:(?!</?mtd).)*)</mstyle></mtd>'
-)
-_CROWDED = re.compile(r"\\begin\{\w*matrix\}(?:(?!\\end\{).)*\\frac", re.S)  # rows would touch
+_SET = """(tex, displayMode, wrap) =>
+    JSON.stringify(temml.renderToString(tex, { displayMode, wrap, throwOnError: true }))"""
+_INDEXED = {"msub", "msup", "msubsup"}
+_TALL = {"mfrac", "mtable", "munder", "mover", "munderover", "msqrt"}
 _engines = threading.local()  # a context belongs to one thread
 
 
-def html(tex: str, display: bool = False) -> str:
-    """A formula in HTML, which needs KaTeX's style sheet and letters, with MathML for those who
-    listen.
-
-    Raises ArmError where KaTeX does not know what the TeX says.
-    """
-    return _set(tex, display, "htmlAndMathml")
-
-
 def mathml(tex: str, display: bool = False) -> str:
-    """A formula in MathML, for a page that has no letters of its own.
+    """A formula in MathML.
 
-    Raises ArmError where KaTeX does not know what the TeX says.
+    Raises ArmError where Temml does not know what the TeX says.
     """
-    return _set(tex, display, "mathml").removeprefix('<span class="katex">').removesuffix("</span>")
+    return _written(_made(tex, display, "none"))
 
 
-def _set(tex: str, display: bool, output: str) -> str:
+def parts(tex: str) -> list[str]:
+    """A formula in MathML, an element for each part after which a line may break: no browser breaks
+    one within.
+
+    Raises ArmError as `mathml` does.
+    """
+    formula = _made(tex, False, "tex")
+    if len(formula) < 2 or any(part.tag != "mrow" for part in formula):
+        return [_written(formula)]
+    rows = [Element("math") for _ in formula]
+    for row, part in zip(rows, formula, strict=True):
+        row.append(part)
+    return [_written(row) for row in rows]
+
+
+def _made(tex: str, display: bool, wrap: str) -> Element:
     import quickjs
 
     must_be(tex, str, "tex")
     if not hasattr(_engines, "set"):
         context = quickjs.Context()
-        context.eval(_START + _SCRIPT.read_text(encoding="utf-8"))
+        context.eval(_SCRIPT.read_text(encoding="utf-8"))
         _engines.set = context.eval(_SET)
-    rows = r"\def\arraystretch{1.5}" if _CROWDED.search(tex) else ""
     try:
-        markup = _SOURCE.sub("", json.loads(_engines.set(rows + tex, display, output)))
-        return _CELL.sub(r"<mtd>\1</mtd>", markup)
+        markup = json.loads(_engines.set(tex, display, wrap))
     except quickjs.JSException as problem:
         first = str(problem).partition("\n")[0]
-        raise ArmError(f"{tex} is no formula: {first}; expected TeX that KaTeX knows") from None
+        raise ArmError(f"{tex} is no formula: {first}; expected TeX that Temml knows") from None
+    formula = ElementTree.fromstring(markup.replace("&nbsp;", "\N{NO-BREAK SPACE}"))
+    for cell in formula.iter("mtd"):
+        cell.attrib.pop("style", None)  # its room in points, which no page can make less
+    _close_up(formula)
+    _keep_low(formula)
+    _part_names(formula)
+    for cell in formula.iterfind(".//mtd[@class='tml-left']"):
+        for sign in cell.iterfind("mrow/mo[1][@form='prefix']"):
+            sign.set("form", "infix")  # a row that goes on with a sum
+    return formula
+
+
+def _close_up(formula: Element) -> None:
+    """No room around a sign in an index, as TeX has it."""
+    for base in formula.iter():
+        if base.tag in _INDEXED:
+            for index in base[1:]:
+                for sign in index.iter("mo"):
+                    sign.attrib |= {"lspace": "0", "rspace": "0"}
+
+
+def _keep_low(formula: Element) -> None:
+    """A bracket around nothing tall is as high as a letter: an index alone would make it grow."""
+    for row in formula.iter("mrow"):
+        if _TALL.isdisjoint(part.tag for part in row.iter()):
+            for sign in row.findall("mo[@fence]"):
+                sign.set("stretchy", "false")
+
+
+def _part_names(formula: Element) -> None:
+    """Thin room before the name of a function, and none between it and a bracket, as TeX has it."""
+    for row in formula.iter():
+        for before, name, after in zip([None, *row], list(row), [*row[1:], None], strict=False):
+            if name.find("mo") is None or name.find("mo").text != "\N{FUNCTION APPLICATION}":
+                continue
+            bracket = after is not None and after.find("mo[@fence]") is not None
+            if bracket and name[-1].tag == "mspace":
+                name.remove(name[-1])
+            if before is not None and not {before.tag, name[0].tag} & {"mo", "mspace"}:
+                name.insert(0, Element("mspace", width="0.1667em"))
+
+
+def _written(formula: Element) -> str:
+    return ElementTree.tostring(formula, "unicode")

@@ -40,7 +40,7 @@ def test_lines_hardly_move_when_the_letters_of_formulas_come_late(browser):
         reader.page.evaluate("window.moved = 0")  # the text's own letters are not judged here
         route.continue_()
 
-    reader.page.route("**/katex/*.woff2", late)
+    reader.page.route("**/stix/*.woff2", late)
     for name in ("03_circle_tracing", "glossary"):
         reader.page.goto((HTML / f"{name}.html").as_uri())
         assert reader.page.evaluate("window.moved") < 0.05, name
