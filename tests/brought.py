@@ -96,7 +96,7 @@ BROUGHT = [
      "the lengths are those of the UR10,"),
     ("C.9", angles("pose", text(Q), 1000 * REACHED, "UR10E"), "the target is in millimetres"),
     ("C.9", tau(text(1000 * TAU, ".1f")), "the torques are in N mm"),
-    ("C.10", table("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0"), "with other zeros or another base"),
+    ("C.10", table("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0"), "takes the tip elsewhere"),
     ("C.11", {"ask": "jacobian", **BENT, "answer": swapped(ELBOW, [0.5, 0.7, -0.4])},
      "linear and angular rows are exchanged"),
     ("C.12", tau(""), ""),
@@ -110,5 +110,5 @@ BROUGHT = [
     ("C.13", {**tau(text(TAU)), "wrench": "[0, 0, -20, 0, 0, 0] N"}, RIGHT),
     *(("C.13", {"ask": "jacobian", **BENT, "unit": "deg", "answer": start + FORMULAS},
        "The Jacobian of Elbow arm is right") for start in ("", "J = @(q1,q2,q3) ")),
-    ("C.14", table("q1 -0.5 0 -90\nq2 0 0.4 0\nq3 0 0.3 0"), "with other zeros or another base"),
+    ("C.14", table("q1 -0.5 0 -90\nq2 0 0.4 0\nq3 0 0.3 0"), "takes the tip elsewhere"),
 ]  # fmt: skip

@@ -301,10 +301,13 @@ def verdict(h: HandIn) -> tuple[str, checks.Report | ArmError]:
         report = h.ask(h.text)
     except ArmError as problem:
         return "refused", problem
-    if h.causes is None:
+    same = report.figures.get("same machine", False)  # other zeros are told, and are no slip here
+    if h.causes is None and not same:
         lost = "hand in the answer alone" in report.headline
         grades = {"wrong": "called wrong", "rounded": "last digit", "so far": "so far"}
         return "left out" if lost else grades.get(report.grade, "right"), report
+    if h.causes is None:
+        return "right", report
     if report.grade in ("right", "rounded") and not report.mark:
         return "passed", report
     if report.mark or any(names(cause, true) for cause in report.causes for true in h.causes):

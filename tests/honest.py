@@ -22,7 +22,11 @@ NAMES = json.loads(Path(__file__).with_name("honest_slips.json").read_text("utf-
 RIGHT = ("right", "so far", "refused", "called wrong")
 WRONG = ("named", "located", "so far", "passed", "false cause", "refused")
 _CLOSED = {"UR10E": inverse.ur, "STANF": inverse.stanford, "ELBOW": inverse.elbow}
-_SYMPTOMS = {"trace.leans", "trace.spins", "trace.jump", "pose.entry", "pose.coordinate"}
+# They say where an answer is wrong, not what was done.
+_SYMPTOMS = {
+    *("trace.leans", "trace.spins", "trace.jump", "pose.entry", "pose.coordinate"),
+    *("table.number", "table.missing"),
+}
 _solved: dict[str, object] = {}
 
 
@@ -72,7 +76,7 @@ def verdict(work: Mapping) -> tuple[str, str]:
     if report.grade != "wrong":
         return "passed", words
     causes = [one.partition(":")[0] for cause in report.causes for one in cause.split(" + ")]
-    causes = [one for one in causes if one not in _SYMPTOMS]
+    causes = [one for one in causes if one not in _SYMPTOMS - names]
     if not causes:
         return "located", words
     return ("named" if names & set(causes) else "false cause"), words

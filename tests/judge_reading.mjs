@@ -3,8 +3,6 @@
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { number, parse, symbols, value } from "../judge/reading/formula.js";
-import { cells } from "../judge/reading/grid.js";
-import { withoutHeader } from "../judge/reading/heads.js";
 import { lookup } from "../judge/reading/numbers.js";
 import { meant, read } from "../judge/reading/table.js";
 import { ArmError, learn } from "../judge/sentences.js";
@@ -18,8 +16,6 @@ const tableOf = (kinds) => (table) => ({
 });
 
 const JOBS = {
-  cells: ({ text }) => cells(text),
-  below_heads: ({ rows }) => withoutHeader(rows),
   number: ({ text }) => number(text),
   formula({ text, what, known }) {
     const tree = parse(text, what);

@@ -12,11 +12,6 @@ def asked(job, **given):
     return found["answer"]
 
 
-def cells(text):
-    """A pasted text as rows of cells."""
-    return asked("cells", text=text)
-
-
 def formula(text, what="the formula", **known):
     """The names in a formula and its value with these; None for the names alone."""
     return asked("formula", text=text, what=what, known=known)

@@ -30,9 +30,9 @@ HELD = [
     ([[[1, 0, 0, 0]] * 3], NO_ROWS, f"[{UNIT}]]"),
     ({}, NO_ENTRIES, "{}"),
     ({"a": [1], "d": 2}, NO_ENTRIES, "{'a': [1], 'd': 2}"),
-    ({"a1": 0, "size": 2}, ROW_WIDTH, "2"),
+    ({"a1": 0, "size": 2}, NO_ROWS, "\"{'a1': 0, 'size': 2}\""),
     (None, "the table is {}; expected rows or text", "None"),
-    ([[0, 0, 0]], ROW_WIDTH, "3"),
+    ([[0, 0, 0]], NO_ROWS, "'[[0, 0, 0]]'"),
     ({"a": [1], "alpha": [0, 0], "d": [1, 2], "theta": [1, 2, 3]}, UNEVEN, "1, 2, 3"),
     ([[0, 0, 0, 0]] * 33, MANY, "33"),
     (np.tile(np.eye(4), (33, 1, 1)), MANY, "33"),
@@ -240,122 +240,10 @@ def test_offsets_in_a_column_of_their_own_are_added_to_what_moves(text, still):
     assert [(n["theta"], n["d"]) for n in numbers] == still
 
 
-GRIDS = [
-    (r"\begin{array}{cc}\hline1&2\\\hline\theta&4\cr5&6\end{array}", ["1|2", r"\theta|4", "5|6"]),
-    ("[(0.5,), (0.7,)]", ["0.5", "0.7"]),
-    ("0.1|0.2|0.3", ["0.1|0.2|0.3"]),
-    ('"1" | "2"', ["1|2"]),
-    ("np.array(((1, 2), (3, 4)), dtype=float)", ["1|2", "3|4"]),
-    ("=-1,=.2\n=3,=4", ["-1|.2", "3|4"]),
-    ("=-1\u00a0=2", ["-1|2"]),
-    ("0.5\t=-1", ["0.5|-1"]),
-    ("a\t1\n\t2\n3", ["a|1", "|2", "3"]),
-    ("[0.4 * 0.5 90 deg θ_1* * 2]", ["0.4 * 0.5|90 deg|θ_1* * 2"]),
-    (" Columns 1 through 2\n\n 1 2\n 3 4\n\n Column 3\n\n 5\n 6\n", ["1|2|5", "3|4|6"]),
-    (
-        "q_4 -1.57   0   pi / 2   0.3\nq_5   0.1   0   0.2",
-        ["q_4 -1.57|0|pi / 2|0.3", "q_5|0.1|0|0.2"],
-    ),
-    ("-sin q_1   cos q_2\ncos q_1   sin q_2", ["-sin q_1|cos q_2", "cos q_1|sin q_2"]),
-    ("1  2 -3\n4  5 -6", ["1|2|-3", "4|5|-6"]),
-    ("(q_1\n+ 2 x)", ["(q_1\n+ 2 x)"]),
-    ("(0.5)\n(0.7)", ["(0.5)", "(0.7)"]),
-    ("(q_1 + 1)\t2\n3\t4", ["(q_1 + 1)|2", "3|4"]),
-    ("(a + 1)*2, (b)\n3, 4", ["(a + 1)*2|(b)", "3|4"]),
-    ("0 1,5 q1\n0,4 0 q2", ["0|1.5|q1", "0.4|0|q2"]),
-    ('"1,234.5","0,5"\n2,"a,b"', ["1234.5|0.5", "2|a|b"]),
-    (",5\t-,25\n3\t4", [".5|-.25", "3|4"]),
-    ("1) 1 2\n2) 3 4", ["1|2", "3|4"]),
-    ("Joint 1: 1, 2\nJoint 2: 3, 4", ["1|2", "3|4"]),
-    ("2: 1\n1: 3", ["2:|1", "1:|3"]),
-    ("1 2;\n3 4", ["1|2", "3|4"]),
-    ("#DIV/0!\t1\n2\t3", ["#DIV/0!|1", "2|3"]),
-    ("0.5 0.7 30°", ["0.5|0.7|30°"]),
-    ("1,,2\n3,4,5", ["1||2", "3|4|5"]),
-    ("0,5  pi/2\n0,3  0", ["0.5|pi/2", "0.3|0"]),
-    ("0,333\t0.5", ["0.333|0.5"]),
-    ("1,250\t1.234,5", ["1.250|1234.5"]),
-    ("50 % 20 %", ["50|%|20|%"]),
-    ("0.5 deg2rad(90)", ["0.5|deg2rad(90)"]),
-    ("0.5 radians(90)", ["0.5|radians(90)"]),
-    ("x rad 0.5 rad", ["x|rad|0.5 rad"]),
-    ("0 d3* 0\n0.1+d_3^* -90° d_{3}*", ["0|d3*|0", "0.1+d_3^*|-90°|d_{3}*"]),
-    ("d* pi/2 d_1 *\nd3* c_1 2 q", ["d*|pi/2|d_1|*", "d3* c_1|2|q"]),
-]
-
-
-@pytest.mark.parametrize(("text", "rows"), GRIDS, ids=range(len(GRIDS)))
-def test_a_text_is_cut_into_its_cells(text, rows):
-    assert reading.cells(text) == [row.split("|") for row in rows]
-
-
 def test_a_letter_in_a_number_is_named():
     for text, piece in (("-0.3o39 * q_1", "0.3o39"), ("9O", "9O")):
         with pytest.raises(ArmError, match=f"in '{piece}' is a letter o; expected the digit 0"):
             Arm.from_table([[text, "q1", 0.5, 0.1]], **ORDER)
-
-
-BLOCKS = " Columns 1 through 2\n\n 1 2\n 3 4\n 5 6\n\n Column 3\n\n 7\n"
-MATRIX = r"\begin{bmatrix} 2 & 4 \\ 6 & 8 \end{bmatrix}"
-BESIDE = "beside the matrix stands {}; expected entries that hold it"
-
-
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ("Columns 1 through 2", "the text is empty; expected rows of numbers or formulas"),
-        (BLOCKS, "the blocks of columns have 1, 3 rows; expected as many in each"),
-        (rf"J = \frac{{1}}{{2}} {MATRIX}", BESIDE.format(r"'J = \frac{1}{2}'")),
-        (rf"-{MATRIX}", BESIDE.format("'-'")),
-        ("J = 1e-3 * [1 2\n3 4]", BESIDE.format("'1e-3 *'")),
-        (rf"J = a_{{2}} {MATRIX}", BESIDE.format("'J = a_{2}'")),
-        (rf"{MATRIX} \cdot 10^{{-3}}", BESIDE.format(r"'\cdot 10^{-3}'")),
-        (rf"${MATRIX}^T$", BESIDE.format("'^T'")),
-        (f"2({MATRIX})", BESIDE.format("'2('")),
-        ("[1 2; 3 4]'", BESIDE.format('"\'"')),
-        ("np.array([[1, 2], [3, 4]]).T", BESIDE.format("'.T'")),
-        ('"1,250",2', "a cell is '1,250'; expected 1.250 or 1250"),
-        (
-            "- 1, 2\n- 3, 4",
-            "each line begins like '- 1, 2'; expected rows without a dash before them",
-        ),
-        ("90 -45 30°", "only '30°' is in degrees; expected the sign beside each angle"),
-        ("1,250\t0.5", "a cell is '1,250' beside '0.5'; expected 1.250 or 1250"),
-        (
-            "0,5 pi/2",
-            "a line is '0,5 pi/2'; expected decimal points, or a blank after a comma that parts",
-        ),
-    ],
-)
-def test_what_cannot_be_cut_without_loss_is_refused(text, words):
-    with pytest.raises(ArmError) as told:
-        reading.cells(text)
-    assert str(told.value) == words
-
-
-@pytest.mark.parametrize(
-    ("rows", "kept"),
-    [
-        (["q1|x", "1|2"], 1),
-        (["6x3 of mine", "1|2"], 1),
-        (["0,5|1,5", "1|2"], 2),
-        (["sin(x)|x", "1|2"], 2),
-        (["2 sin(x)|x", "1|2"], 2),
-        (["-x|y", "1|2"], 2),
-        (["90o|x", "1|2"], 2),
-        (["cos|(q_1)|x", "1|2"], 2),
-        (["|q1", "a|2", "a|3"], 3),
-    ],
-)
-def test_a_row_of_entries_is_no_header(rows, kept):
-    cells = [row.split("|") for row in rows]
-    assert reading.asked("below_heads", rows=cells) == cells[-kept:]
-
-
-@pytest.mark.parametrize("labels", [("vx", "vy"), ("0", "1"), ("1", "2")])
-def test_a_column_of_labels_beside_heads_is_dropped(labels):
-    rows = [["", "q1", "q2"], [labels[0], "1", "2"], [labels[1], "3", "4"]]
-    assert reading.asked("below_heads", rows=rows) == [["1", "2"], ["3", "4"]]
 
 
 FORMULAS = [

@@ -185,7 +185,7 @@ function isSeries(cells) {
 
 // The text without the block, and what of it is told to be set aside: its lines that say something,
 // and numbers on the block's own lines that name no row.
-function around(text, { from, to, beside }) {
+export function around(text, { from, to, beside }) {
   const lines = text.split(/\r\n|[\n\r]/);
   const rest = lines.filter((_, i) => i < from || i > to);
   const told = rest.filter((line) => /[\p{L}\d]/u.test(plainSigns(line)));

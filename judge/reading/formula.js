@@ -141,6 +141,12 @@ export function plain(text) {
   return text.replace(/[ \t]+/g, " ").trim();
 }
 
+// An error where a letter o stands among digits.
+export function refuseLetters(text, what) {
+  const [odd] = LETTER_O.exec(text) ?? [];
+  if (odd) throw new ArmError(`${what}: in ${shown(odd)} is a letter o; expected the digit 0 or °`);
+}
+
 // The tree of one formula; an error that quotes it where it is none.
 export function parse(text, what = "the formula") {
   if (text.length > LONGEST) {
@@ -148,8 +154,7 @@ export function parse(text, what = "the formula") {
   }
   if (!text.trim()) throw new ArmError(`${what} is empty; expected a number or a formula, or 0`);
   const signs = plain(text);
-  const [odd] = LETTER_O.exec(signs) ?? [];
-  if (odd) throw new ArmError(`${what}: in ${shown(odd)} is a letter o; expected the digit 0 or °`);
+  refuseLetters(signs, what);
   const tokens = tokensOf(signs);
   if (!tokens) {
     throw new ArmError(

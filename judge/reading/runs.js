@@ -239,7 +239,7 @@ function joined(words) {
   return found;
 }
 
-const OPERATED = /[*/^]$|(?:^|\s)[-+±~≈]$/; // something must follow
+const OPERATED = /[*/^]$|(?:^|\s|[A-Za-z_]\w*)[-+±~≈]$/; // something must follow
 const OPERATES = /^[*/^]|^[-+±]$/; // something must stand before
 
 function joins(before, word) {

@@ -27,7 +27,7 @@ const SIGNS = [
   [/\[(?:\d{1,3},|,\d{1,3})\]/g, " "], // R's rows and columns
   [/\\(?:left|right|big[lr]?|Big[lr]?)(?![A-Za-z])\.?/g, " "],
   [
-    new RegExp(String.raw`\\begin\{${MATRIX}\}(?:\[[^\]\n]{0,9}\])?(?:\{[^{}\n]{0,60}\})?`, "g"),
+    new RegExp(String.raw`\\begin\{${MATRIX}\}(?:\[[^\]\n]{0,9}\])?(?:\{[lcr|\s]{0,60}\})?`, "g"),
     "[",
   ],
   [new RegExp(String.raw`\\end\{${MATRIX}\}`, "g"), "]"],
@@ -35,6 +35,11 @@ const SIGNS = [
   [/\\(?:hline|toprule|midrule|bottomrule|nonumber)(?![A-Za-z])/g, " "],
   [/\\c(?:line|midrule)\{[^{}\n]{0,20}\}/g, " "],
   [/\\\\(?:\[[^\]\n]{0,9}\])?/g, ROW],
+  [/:=\s*<</g, ":= [["], // Maple's rows
+  [/>[ \t]*;\s*<(?=[^<])/g, "]; ["],
+  [/(?<=[^\s>])>>(?!>)/g, "]]"],
+  [/<\/t[dh]>[ \t]*<t[dh][^<>\n]{0,60}>/gi, " | "], // a page's table
+  [/<\/?(?:table|thead|tbody|tr|t[dh]|br)\b[^<>\n]{0,60}>/gi, " "],
   [/\\[[\]$]|\$|\\(?:displaystyle|q?quad)(?![A-Za-z])/g, " "],
   [/\\pm(?![A-Za-z])/g, "±"],
   [/(^|[\t;,|])[ \t]*=(?=[-+.\d])/gm, "$1"], // a spreadsheet's cells

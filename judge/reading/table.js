@@ -2,12 +2,13 @@
 // dictionaries, Link(...) lines, A matrices. What is not said is guessed, and every guess is told.
 
 import { RAD } from "../geometry/angles.js";
-import { without } from "./aside.js";
-import { fromHeads } from "./heads.js";
+import { plain, refuseLetters } from "./formula.js";
+import { fromHeads, headOf } from "./heads.js";
+import { tablesIn } from "./table_blocks.js";
 import { ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices } from "./table_matrices.js";
-import { few, ofText } from "./table_notations.js";
-import { ENTRIES, isVariable, rowOf, simple, UNITS } from "./table_rows.js";
+import { few, named } from "./table_notations.js";
+import { ENTRIES, entryText, isVariable, rowOf, simple, UNITS } from "./table_rows.js";
 import { ArmError, listed, say, shown } from "../sentences.js";
 
 const MILLIMETRES = 10; // a length this large is no number of metres
@@ -25,6 +26,7 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * @property {Record<string, string>} texts
  * @property {boolean} backwards
  * @property {Set<string>} radians
+ * @property {Set<string>} metres entries with a length's unit of their own, in m
  * @property {Record<string, any>} [trees] the formulas of its entries; none where they were found
  *   by matrices
  */
@@ -34,8 +36,9 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * `exchanged` where the heads of alpha and theta stand over one another's entries, as the joints'
  * variables show.
  * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string |
- *   null, said: string[], exchanged?: boolean, guessed?: boolean, entries?: string[] }} TypedTable
- *   `entries` are all cells that were read, as typed
+ *   null, said: string[], exchanged?: boolean, guessed?: boolean, entries?: string[],
+ *   left?: string[] }} TypedTable
+ *   `entries` are all cells that were read, as typed, `left` what else stands in the text
  */
 
 /**
@@ -47,24 +50,71 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * @returns {TypedTable[]}
  */
 export function read(text, { columns, ...options } = {}, values = []) {
-  const typed = ofText(text);
-  if (!typed.cells.length) throw new ArmError(say("no rows", { given: shown(text) }));
-  const known = new Map(values.map(([name, x]) => [simple(name), x]));
-  const found = matrices(typed.cells);
-  if (found) return [{ ...ofMatrices(found, known, options), entries: typed.cells.flat() }];
+  if (text.length > LONGEST)
+    throw new ArmError(say("too long", { what: say("your table"), count: text.length }));
+  if (!text.trim()) throw new ArmError(say("empty", { what: say("your table") }));
+  const own = defined(text);
+  const known = new Map([...values, ...own].map(([name, x]) => [simple(name), x]));
+  const found = named(text);
+  if (found) return tablesOf(found, { columns, options, known });
+  let refused = null;
+  for (const block of tablesIn(text, known)) {
+    try {
+      if (block.torn) throw new ArmError(say("row torn", { line: shown(block.torn.trim()) }));
+      return tablesOf({ ...block, said: [] }, { columns, options, known });
+    } catch (error) {
+      if (!(error instanceof ArmError)) throw error;
+      refused ??= error;
+    }
+  }
+  refuseLetters(plain(text), say("your table"));
+  if (refused) throw refused;
+  throw new ArmError(say("no rows", { given: shown(text) }));
+}
+
+// Lengths that a text gives itself, l_1 = 0.5 m, but for the names of columns and joints.
+function defined(text) {
+  const found = [...text.matchAll(DEFINED)].map(([, name, x, unit]) => [
+    plain(name),
+    Number(x) * UNITS[unit ?? "m"],
+  ]);
+  return found.filter(([name]) => !headOf(name) && !isVariable(name));
+}
+
+const LONGEST = 100_000; // characters
+const DEFINED = new RegExp(
+  String.raw`(?<![\p{L}\p{N}_.])([A-Za-z](?:_?\{?\w{1,4}\}?)?)\s*:?=` +
+    String.raw`\s*(-?\d+(?:\.\d+)?)\s*(mm|cm|m)?(?![\w.*/+^°])`,
+  "gu",
+);
+
+// The tables that cells below their heads may be.
+/** @param {any} found @returns {TypedTable[]} */
+function tablesOf(found, { columns, options, known }) {
+  const typed = { ...found, cells: found.cells.map((row) => row.map(entryText)) };
+  const rest = { left: typed.left, entries: typed.entries ?? typed.cells.flat() };
+  const links = matrices(typed.cells);
+  if (links) return [{ ...ofMatrices(links, known, options), ...rest }];
   const { cells, heads } = withoutIndex(typed);
   few(cells.length);
   const order = ordered(cells, heads, columns);
-  const units = unitsOf(options, fromHeads(heads));
-  const used = without(cells.flat(), order.unused ?? []);
-  const entries = typed.entries ?? used;
+  const units = unitsOf(options, withContext(fromHeads(heads), typed.context));
+  const held = order.rows.flat().join(" & ");
+  const unused = typed.cells.flat().filter((cell) => /\d[.,]\d/.test(cell) && !held.includes(cell));
   return readings(order, known).map((table) => ({
     ...units,
     ...table,
-    entries,
+    ...rest,
+    left: typed.entries ? typed.left : [...typed.left, ...unused],
     said: [...typed.said, ...table.said],
   }));
 }
+
+// Around a table may stand whose convention it follows.
+const withContext = (heads, context) => {
+  const craig = /\bcraig\b|\bmodified\b/i.test(context) && !/\bstandard\b|\bspong\b/i.test(context);
+  return craig ? { ...heads, convention: "craig" } : heads;
+};
 
 /**
  * What was said of the units and the convention: by the reader, else by the heads.
@@ -106,7 +156,9 @@ function variablesInAlpha(rows, order) {
 // Whether the lengths are taken as millimetres though nobody said so.
 export const inMillimetres = ({ lengths, rows }) =>
   lengths === null &&
-  rows.some(({ numbers: n }) => Math.max(Math.abs(n.a), Math.abs(n.d)) >= MILLIMETRES);
+  rows.some(({ numbers: n, metres }) =>
+    ["a", "d"].some((c) => !metres.has(c) && Math.abs(n[c]) >= MILLIMETRES),
+  );
 
 function attempted(cells, order, known, sure) {
   try {
@@ -160,9 +212,10 @@ const largestAngle = ({ rows }) =>
 
 function inUnits(table, kinds, length, angle) {
   const moving = kindsOf(table, kinds);
-  return table.rows.map(({ numbers: n, radians }, k) => {
+  return table.rows.map(({ numbers: n, radians, metres }, k) => {
     const [alpha, theta] = ANGLES.map((c) => n[c] * (radians.has(c) ? 1 : angle));
-    return { kind: moving[k], a: n.a * length, alpha, d: n.d * length, theta };
+    const [a, d] = ["a", "d"].map((c) => n[c] * (metres.has(c) ? 1 : length));
+    return { kind: moving[k], a, alpha, d, theta };
   });
 }
 

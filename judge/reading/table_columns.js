@@ -7,8 +7,8 @@ import { ArmError, say, shown } from "../sentences.js";
 
 // As textbooks and programs write them, the commonest first.
 export const KNOWN_ORDERS = [
-  "theta d a alpha",
   "a alpha d theta",
+  "theta d a alpha",
   "alpha a d theta",
   "alpha a theta d",
   "a d alpha theta",
@@ -72,9 +72,7 @@ function byHeads(cells, heads) {
     const none = number(still.replace(/^[-–— ]+|[-–— ]+$/g, "") || "0") === 0;
     return none ? kept : withOffset(k + 1, kept, still);
   });
-  const isUsed = (k) => keep.includes(k) || k === added;
-  const unused = cells.flatMap((row) => row.filter((_, k) => !isUsed(k)));
-  return { orders: [ENTRIES], sure: true, rows, unused };
+  return { orders: [ENTRIES], sure: true, rows };
 }
 
 // Without heads: every order in which nothing looks out of its place, the likeliest first.

@@ -2,7 +2,7 @@
 
 import { number, parse, plain, symbols, value } from "./formula.js";
 import { ENTRIES, simple } from "./table_rows.js";
-import { size } from "../sentences.js";
+import { ArmError, say, size } from "../sentences.js";
 
 // The rows of cells as matrices A_i, where they are such.
 export function matrices(cells) {
@@ -29,9 +29,10 @@ export function fromMatrix(i, A, known) {
   const slides = Math.abs(slid) > 1e-9;
   const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - theta);
   const texts = Object.fromEntries(ENTRIES.map((name) => [name, size(numbers[name], 6)]));
+  mustBeLink(i, zero, numbers);
   const kind = slides ? "prismatic" : free.length ? "revolute" : "unknown";
   const backwards = (slides ? slid : turned) < 0;
-  return { kind, numbers, texts, backwards, radians: new Set() };
+  return { kind, numbers, texts, backwards, radians: new Set(), metres: new Set() };
 }
 
 // A joint's value, or its cosine or sine where the name is c_1 or s1.
@@ -39,4 +40,21 @@ function short(name, x) {
   const match = /^([cs])(?:theta|th|q)?_?\{?\d+\}?$/i.exec(name);
   if (!match) return x;
   return match[1].toLowerCase() === "c" ? Math.cos(x) : Math.sin(x);
+}
+
+const OFF = 2e-2; // of sines and cosines that were rounded to two digits
+
+// An error where a matrix at q_i = 0 is no product Rot_z Trans_z Trans_x Rot_x.
+function mustBeLink(i, A, { a, alpha, d, theta }) {
+  const [c, s, ca, sa] = [theta, alpha].flatMap((x) => [Math.cos(x), Math.sin(x)]);
+  const link = [
+    [c, -s * ca, s * sa, a * c],
+    [s, c * ca, -c * sa, a * s],
+    [0, sa, ca, d],
+  ];
+  const unit = Math.max(1, Math.abs(a));
+  for (const [row, entries] of link.entries())
+    for (const [k, x] of entries.entries())
+      if (Math.abs(A[row][k] - x) > OFF * unit)
+        throw new ArmError(say("no link matrix", { i, row: row + 1, column: k + 1 }));
 }

@@ -1,20 +1,14 @@
 // The ways to write a table down, each as rows of cells and the heads above them.
 
 import { number } from "./formula.js";
-import { cells as cellsOf } from "./grid.js";
-import { straight } from "./surroundings.js";
-import { lines } from "./text.js";
 import { columnOf, headOf } from "./heads.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, say } from "../sentences.js";
 
 const MOST_ROWS = 32;
-const LABELLED = /^([ \t|]*)(?:joint|link|axis)[ \t]+(?=\d+\b)/gim;
 
 // Link(...) and its kin; a = [...] for a column; { ... } or dict(...) for a row; and a_1 = ...
 const LETTER = String.raw`[\p{L}\p{N}_]`;
-
-const BOX = /^[^\n]*│[^\n]*(?:\n[^\n]*[│├┼╪][^\n]*)*/m; // a table drawn with lines
 
 const LINK = new RegExp(
   String.raw`((?<![A-Za-z])(?:DH)?Link|(?:Revolute|Prismatic)${LETTER}*)` +
@@ -33,115 +27,108 @@ const RECORDS = new RegExp(
   "gu",
 );
 
-const RECORD = /['"]?([A-Za-zαθ]+)['"]?\s*[:=]\s*((?:(?!\s[A-Za-zαθ]+\s*[:=])[^,;[])+)/g;
+const NAME = String.raw`[A-Za-zαθ]+(?:_(?:deg|rad|mm|cm|m)|_?[({]?\s*i\s*(?:-\s*1)?\s*[)}]?)?`;
+const RECORD = new RegExp(
+  String.raw`['"]?(${NAME})['"]?\s*[:=]\s*((?:(?!\s${NAME}\s*[:=])[^,;[])+)`,
+  "g",
+);
 
 const PAIRS = new RegExp(
   String.raw`['"]?(?<!${LETTER})([A-Za-z]+)_?\{?(\d+)\}?['"]?\s*[:=]\s*((?:[^,;\n{}]|\{[^{}]*\})+)`,
   "gu",
 );
 
-// A cell below a head that holds only a unit.
-const UNIT = /^[(\[]?\s*(?:(mm|cm|m|in|deg|degrees|rad|radians|°)|[-–—]?)\s*[)\]]?$/i;
-
 /**
- * Rows of cells; `entries` as typed where the cells were put together from them.
- * @typedef {{ cells: string[][], heads: string[], said: string[], entries?: string[] }} Cells
+ * Rows of cells; `parts` of the text that hold them, `entries` as typed where the cells were put
+ * together from them.
+ * @typedef {{ cells: string[][], heads: string[], said: string[], parts: string[],
+ *   entries?: string[], context?: string, left?: string[] }} Cells
  */
 
 /** @returns {Cells} */
-const plainly = (cells, heads = ENTRIES) => ({ cells, heads, said: [] });
+const plainly = (cells, parts, heads = ENTRIES) => ({ cells, parts, heads, said: [] });
 
 const unquoted = (text) => text.trim().replace(/^['"]+|['"]+$/g, "");
 
 /**
- * The cells of a table, in the first notation that the text is written in.
- * @returns {Cells}
+ * The cells of a table whose entries have names, in the first such notation that the text is
+ * written in, and what else stands there; null where there is none.
+ * @returns {Cells | null}
  */
-export function ofText(typed) {
-  const text = unboxed(straight(typed));
-  return ofLinks(text) ?? ofRecords(text) ?? ofLists(text) ?? ofPairs(text) ?? ofRows(text);
+export function named(text) {
+  const straight = text.replace(/[“”„‟]/g, '"').replace(/[‘’]/g, "'");
+  const found = ofLinks(straight) ?? ofRecords(straight) ?? ofLists(straight) ?? ofPairs(straight);
+  return found && { ...found, ...outside(straight, found) };
 }
 
-/** @returns {Cells} */
-function ofRows(text) {
-  const rows = cellsOf(text.replace(/^\s*#/, "").replace(LABELLED, "$1"));
-  // A caption may stand above the heads.
-  const at = rows.slice(0, 3).findIndex(isHeading);
-  return at < 0 ? plainly(rows, []) : below(withUnits(rows[at]), rows.slice(at + 1));
+// What of a text stands in none of the parts that were read: lines, and decimals within the parts.
+function outside(text, { parts, cells, entries = cells.flat() }) {
+  let rest = text;
+  for (const part of parts) rest = rest.replace(part, (whole) => whole.replace(/[^\n]+/g, READ));
+  const lines = rest.split("\n").filter((line) => !line.includes(READ));
+  const held = new Set(entries.join(" ").match(DECIMAL));
+  const lost = parts.flatMap((part) => part.match(DECIMAL) ?? []).filter((x) => !held.has(x));
+  const told = lines.map((line) => line.trim()).filter((line) => /[\p{L}\d]{2}/u.test(line));
+  return { context: lines.join("\n"), left: [...told, ...lost] };
 }
 
-// The rows below the heads; one of units goes to the heads.
-function below(heads, rows) {
-  const units = (rows[0] ?? []).map((cell) => UNIT.exec(cell));
-  const last = heads.length - units.length; // a spreadsheet's last cell may be empty
-  if (![0, 1].includes(last) || !units.every(Boolean) || !units.some((unit) => unit?.[1]))
-    return plainly(rows, heads);
-  return plainly(
-    rows.slice(1),
-    heads.map((head, k) => (units[k]?.[1] ? `${head} (${units[k][1]})` : head)),
-  );
-}
-
-const isHeading = (row) =>
-  new Set(row.map(headOf).filter((word) => ENTRIES.includes(word))).size >= 3;
-
-// The heads with a unit that stands apart, as in "a (mm)", joined to its own.
-const withUnits = (heads) =>
-  heads.reduce(
-    (found, head) =>
-      found.length && /^[([].*[)\]]$/.test(head)
-        ? [...found.slice(0, -1), `${found.at(-1)} ${head}`]
-        : [...found, head],
-    [],
-  );
-
-// The first table drawn with lines, as robotics toolboxes print it, with plain bars.
-function unboxed(text) {
-  const box = BOX.exec(text);
-  if (!box) return text;
-  const rows = box[0].split("\n").filter((line) => line.includes("│"));
-  return rows.join("\n").replaceAll("│", "|").replaceAll("⍺", "α").replaceAll("ⱼ", "");
-}
+const READ = "\u0000";
+const DECIMAL = /\d*\.\d+/g;
 
 // A dictionary for each row, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), or a line of pairs.
 function ofRecords(text) {
-  const braced = [...text.matchAll(RECORDS)].map(([, list, called]) => list || called || "");
-  const found = (braced.length ? braced : lines(text)).flatMap(recordOf);
+  const braced = [...text.matchAll(RECORDS)].map(([part, list, called]) => [part, list || called]);
+  const lines = text.split("\n").map((line) => [line, line]);
+  const found = (braced.length ? braced : lines).flatMap(([part, body]) => recordOf(part, body));
   if (found.length < 2) return null;
-  const rowOf = (row, k) => ENTRIES.map((entry) => row.get(entry) ?? blank(entry, k + 1));
-  return plainly(found.map(rowOf));
+  const heads = ENTRIES.map((entry) => found[0].row.get(entry)?.name ?? entry);
+  const rowOf = ({ row }, k) => ENTRIES.map((entry) => row.get(entry)?.x ?? blank(entry, k + 1));
+  return plainly(
+    found.map(rowOf),
+    found.map(({ part }) => part),
+    heads,
+  );
 }
 
-function recordOf(body) {
+// A row of pairs, by the column that each name is one of.
+function recordOf(part, body = "") {
   const pairs = [...body.matchAll(RECORD)];
-  const row = new Map(pairs.map(([, name, x]) => [headOf(name), unquoted(x)]));
-  return ENTRIES.filter((entry) => row.has(entry)).length >= 3 ? [row] : [];
+  const row = new Map(pairs.map(([, name, x]) => [headOf(name), { name, x: unquoted(x) }]));
+  return ENTRIES.filter((entry) => row.has(entry)).length >= 3 ? [{ part, row }] : [];
 }
 
 const blank = (entry, i) => (entry === "theta" ? `q_${i}` : "0");
 
 // Four parallel lists, or three.
 function ofLists(text) {
+  const matches = [...text.matchAll(LISTS)];
   /** @type {[string, string][]} */
-  const found = [...text.matchAll(LISTS)].map(([, name, body]) => [headOf(name) ?? "", body]);
+  const found = matches.map(([, name, body]) => [headOf(name) ?? "", body]);
   if (found.length < 3 || !found.every(([word]) => ENTRIES.includes(word))) return null;
   const named = new Map(found);
-  const lists = [...named.values()].map((body) => cellsOf(`[${body.slice(1, -1)}]`)[0]);
+  const lists = [...named.values()].map(listIn);
   const counts = [...new Set(lists.map((list) => list.length))].sort((p, q) => p - q);
   if (counts.length !== 1) throw new ArmError(say("uneven lists", { counts: counts.join(", ") }));
   const rows = lists[0].map((_, k) => lists.map((list) => list[k]));
-  return plainly(rows, [...named.keys()]);
+  const parts = matches.map(([part]) => part);
+  return plainly(rows, parts, [...named.keys()]);
 }
+
+// The entries of a list in brackets; commas part them, else blanks.
+const listIn = (body) => {
+  const inner = body.slice(1, -1).trim();
+  const entries = inner.split(/[,;\n]/.test(inner) ? /[,;\n]+/ : /\s+/);
+  return entries.map(unquoted).filter(Boolean);
+};
 
 // Entries by column and number, d_1 = 0.333.
 function ofPairs(text) {
-  const found = [...text.matchAll(PAIRS)].map(([, name, i, x]) => ({
-    column: columnOf(name),
-    i: Number(i),
-    text: unquoted(x),
-  }));
-  const all = found.length >= 6 && found.every(({ column }) => column !== undefined);
-  return all && !text.trimStart().startsWith("|") ? byNumber(found) : null;
+  const found = [...text.matchAll(PAIRS)].flatMap(([part, name, i, x]) => {
+    const column = columnOf(name);
+    return column ? [{ part, column, i: Number(i), text: unquoted(x) }] : [];
+  });
+  const held = new Set(found.map(({ column }) => column));
+  return found.length >= 6 && held.size >= 3 ? byNumber(found) : null;
 }
 
 // a_0 and alpha_0 tell Craig's convention, whose row i has a_{i-1} and alpha_{i-1}: a last one with
@@ -159,12 +146,14 @@ function byNumber(entries) {
   const cells = Array.from({ length: last }, (_, k) =>
     ENTRIES.map((entry) => held.get(`${entry} ${k + 1}`) ?? missing(entry, k + 1)),
   );
-  return plainly(cells, craig ? ["a_{i-1}", "alpha_{i-1}", "d", "theta"] : ENTRIES);
+  const parts = entries.map(({ part }) => part);
+  return plainly(cells, parts, craig ? ["a_{i-1}", "alpha_{i-1}", "d", "theta"] : ENTRIES);
 }
 
 // Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3, ...).
 function ofLinks(text) {
-  const links = [...text.matchAll(LINK)].map(([, kind, body]) => linkOf(kind, body));
+  const matches = [...text.matchAll(LINK)];
+  const links = matches.map(([, kind, body]) => linkOf(kind, body));
   if (!links.length) return null;
   const cells = links.map(({ row, slides }, k) => {
     const moves = slides ? "d" : "theta";
@@ -172,13 +161,14 @@ function ofLinks(text) {
     return ENTRIES.map((entry) => (entry === moves ? `q_${k + 1} + (${still})` : row[entry]));
   });
   const entries = links.flatMap(({ given }) => given);
-  return { ...plainly(cells), said: [say("taken: links")], entries };
+  const parts = matches.map(([part]) => part);
+  return { ...plainly(cells, parts), said: [say("taken: links")], entries };
 }
 
 function linkOf(kind, body) {
   const none = { a: "0", alpha: "0", d: "0", theta: "0", offset: "0" };
   if (body.trim().startsWith("[")) {
-    const entries = cellsOf(`${body.split("]")[0]}]`)[0];
+    const entries = listIn(`${body.trim().split("]")[0]}]`);
     const named = ["theta", "d", "a", "alpha", "sigma", "offset"].slice(0, entries.length);
     const row = { ...none, ...Object.fromEntries(named.map((name, i) => [name, entries[i]])) };
     const given = entries.slice(0, named.length);

@@ -15,6 +15,17 @@ const JOINT = /^(?:q|th|theta|t|phi)_?\{?\d+\}?'?$/;
 
 export const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/i;
 
+const LOCKED = /\s*\((?:locked|fixed|const\w*|fest|gesperrt)[^()]*\)\s*$/i;
+
+// A cell without the name that it is given to, a note behind it and its footnote's sign.
+export const entryText = (cell) =>
+  cell
+    .replace(/^['"]|['"]$/g, "")
+    .replace(/^[^=]*=\s*/, "")
+    .replace(LOCKED, "")
+    .replace(/(?<=.)\^?\{?\*+\}?(?=\s*(?:[-+]|$))|(?<=.)[¹²³†‡]+$/g, "")
+    .trim();
+
 // That mark a variable, as in q_2* - pi/2.
 const STARS = /\*+(?=\s*(?:[-+]|$))/g;
 
@@ -39,7 +50,11 @@ export function isVariable(text) {
  * @returns {TypedRow}
  */
 export function rowOf(i, entries, known) {
-  const trees = each((name) => treeOf(entries[name], name, i, known));
+  const texts = each((name) =>
+    (LENGTHS.has(name) ? inMetres(entries[name]) : entries[name]).trim(),
+  );
+  const dashes = withoutDashes(texts);
+  const trees = each((name) => treeOf(dashes[name].replace(IN_METRES, ""), name, i, known));
   const isFree = (one) => !known.has(simple(one));
   const free = each((name) => [...symbols(trees[name])].filter(isFree).sort());
   const mover = free.theta.length ? "theta" : free.d.length ? "d" : null;
@@ -52,10 +67,39 @@ export function rowOf(i, entries, known) {
   return {
     kind: mover === null ? "unknown" : KIND[mover],
     numbers,
-    texts: each((name) => entries[name].trim()),
+    texts,
     backwards,
     radians: new Set(ENTRIES.filter(inRadians)),
+    metres: new Set(ENTRIES.filter((name) => IN_METRES.test(texts[name]))),
     trees,
+  };
+}
+
+const LENGTHS = new Set(["a", "d"]);
+const IN_METRES = / m$/;
+
+// A length with its own unit in metres, digit for digit: 612.7 mm is 0.6127 m.
+function inMetres(text) {
+  const [, sign, x, factor, unit] =
+    /^([-+−]?)\s*(\d*\.?\d*)(?:\*1e-([23])|\s*(mm|cm|m))$/.exec(text.trim()) ?? [];
+  if (!x) return text;
+  const shift = factor ? Number(factor) : { mm: 3, cm: 2, m: 0 }[unit];
+  const places = (x.split(".")[1] ?? "").length + shift;
+  return `${sign}${(Number(x) / 10 ** shift).toFixed(places)} m`;
+}
+
+const DASH = /^[-–—]+$/;
+
+// A dash for an empty cell: 0, or the joint's variable where its row names none.
+function withoutDashes(texts) {
+  const { a, alpha, d, theta } = texts;
+  const zero = (text) => (DASH.test(text) ? "0" : text);
+  const free = DASH.test(theta) && !isVariable(zero(d));
+  return {
+    a: zero(a),
+    alpha: zero(alpha),
+    d: DASH.test(d) && (free || (isVariable(theta) && !DASH.test(theta))) ? "0" : d,
+    theta: free ? theta : zero(theta),
   };
 }
 

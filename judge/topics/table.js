@@ -3,27 +3,21 @@
 import { cause, nameOf, perhaps, several } from "../causes/ranking.js";
 import * as usual from "../causes/table.js";
 import { explaining, remaining, tries } from "../causes/table_search.js";
-import { RIGHT, ROUNDED, SO_FAR, units, WRONG } from "../digits.js";
+import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
-import { angleBetween, compared, placesBase, side } from "../geometry/axes.js";
-import { linkFrames, minus, norm } from "../geometry/kinematics.js";
-import { turnBetween } from "./branches_matching.js";
-import { equations, jointMap } from "../geometry/joint_map.js";
+import { angleBetween, compared, side } from "../geometry/axes.js";
 import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
 import { inMillimetres, meant, read } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { lower, say, size } from "../sentences.js";
-import { alone } from "../reading/aside.js";
 import { answering } from "../report.js";
-import { entry, geometry, rounded, typedAs, typedRow, typedText } from "./table_words.js";
+import { base, same, SEEN, tipElsewhere } from "./table_same.js";
+import { DECIMAL, entry, geometry, ownUnit } from "./table_words.js";
 
 const LENGTH = 1e-6; // m
-const SEEN = 1e-4; // m: a tip no farther away stands there
-const LOW = 1e-2; // m: a base no higher tells no unit
 const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
-const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
 /** @typedef {import("../geometry/axes.js").Numbers} Numbers */
 /** @typedef {import("../geometry/axes.js").Compared} Compared */
@@ -68,7 +62,7 @@ const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
  * @param {Options} options
  * @returns {Report}
  */
-export const compareTables = answering(alone(tablesCompared));
+export const compareTables = answering(tablesCompared);
 
 function tablesCompared(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
@@ -83,16 +77,24 @@ function tablesCompared(mine, reference, options = {}) {
     if (!isText)
       return { ...report, table: { rows: tables[k].rows, cells: [], trees: [], wrong: [] } };
     const cells = shown(typed[k], tables[k], report.findings);
-    return { ...report, table: { rows: tables[k].rows, entries: typed[k].entries, ...cells } };
+    return { ...report, left: typed[k].left, table: { rows: tables[k].rows, ...cells } };
   };
-  for (const [k, { good }] of readings.entries()) {
-    const report = good();
-    if (report) return whole(report, k);
-  }
-  const first = readings[0].bad();
-  if (first.causes.length || !typed[1]?.otherSize) return whole(first, 0);
-  const other = readings[1].bad();
-  return other.causes.length ? whole(other, 1) : whole(first, 0);
+  const good = readings.map((one) => one.good());
+  const best = [good.findIndex((one) => one?.grade !== WRONG && one), good.findIndex(Boolean)];
+  const same = best.find((k) => k >= 0);
+  if (same !== undefined) return whole(good[same], same);
+  const bad = readings.slice(0, MOST_READINGS).map((one) => one.bad());
+  const slips = bad.map(slipsIn);
+  const fewest = slips.indexOf(Math.min(...slips));
+  return whole(bad[fewest], fewest);
+}
+
+const MOST_READINGS = 4; // orders of columns that are tried, where none was said
+
+// How many slips a report needs: those that it names, and what it can only list.
+function slipsIn({ causes, findings }) {
+  const named = causes.length ? causes[0].split(" + ").length : 0;
+  return named + findings.filter(({ what }) => what !== "cause" && !what.includes(".")).length;
 }
 
 // The sizes that large lengths may have where nobody said it: millimetres, or centimetres, first
@@ -105,7 +107,7 @@ function sizes(typed, wanted) {
   ];
   const total = usual.totalLength(typed.rows.map(({ numbers }) => numbers));
   if (total < SHORT * usual.totalLength(wanted)) both.reverse();
-  return both.map((one, n) => ({ ...one, otherSize: n > 0 }));
+  return both;
 }
 
 // The table as it was read, a row of cells for each that was typed, and which of them are wrong.
@@ -198,13 +200,6 @@ const meantRows = (table) =>
     return { ...row, alpha, theta };
   });
 
-// The unit of the last decimal in one angle, where it has two or more.
-function ownUnit(table, row, column) {
-  const last = (typedText(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
-  const places = last.slice(last.indexOf(".") + 1).length;
-  return places >= 2 ? table.angleScale * 10 ** -places : 0;
-}
-
 // The verdict
 
 /**
@@ -225,7 +220,20 @@ function judgedTable(table, reference, tolerance) {
   const agrees = (grade, by) =>
     table.exchanged
       ? bad(table, reference, [cause("table.alpha and theta")])
-      : same(grade, table, reference, [mine, ref], by);
+      : sameOrSlips(grade, by);
+  const sameOrSlips = (grade, by) => {
+    const last = table.lengthUnit || table.angleUnit * reach(rows);
+    const loose = grade === RIGHT ? LENGTH : 10 * last;
+    const far = Math.max(SEEN, 2 * rows.length * Math.min(last, COARSEST));
+    const elsewhere = tipElsewhere(table, rows, reference, far);
+    const slips = elsewhere ? wrongEntries(table, rows, wanted, loose) : [];
+    const report = same({ grade, elsewhere }, [table, reference], [mine, ref], by, loose);
+    if (!slips.length) return report;
+    const cause = slips.map(({ words }) => lower(words).replace(/\.+$/, "")).join("; ");
+    const { findings, causes } = bad(table, reference, [], slips);
+    const headline = say("table other entries", { ...elsewhere, cause });
+    return { ...report, headline, findings: slips.length > 1 ? findings : [], causes };
+  };
   const good = () => {
     if (!found.differences.length) return agrees(RIGHT, found);
     if (tolerance !== null) return null;
@@ -239,111 +247,25 @@ function judgedTable(table, reference, tolerance) {
 
 const reach = (rows) => Math.max(...rows.flatMap(({ a, d }) => [Math.abs(a), Math.abs(d)]));
 
-/** @returns {Report} */
-function same(grade, table, reference, [mine, ref], found) {
-  const last = table.lengthUnit || table.angleUnit * reach(mine.rows);
-  const loose = grade === RIGHT ? LENGTH : 10 * last;
-  const mapped = jointMap(mine, ref, found, loose);
-  const told = zeros(table, mapped, mine, ref);
-  const elsewhere = reference.home ? otherZeros(table, mine.rows, reference) : null;
-  const key = grade === RIGHT ? "table same" : "table rounded";
-  return {
-    topic: "table",
-    arm: reference.name,
-    grade,
-    headline: elsewhere ?? say(key, { mine: table.name, reference: reference.name }),
-    ...(elsewhere ? { mark: SO_FAR } : {}),
-    findings: [],
-    causes: [],
-    taken: table.said,
-    ...(mapped ? { map: { ...mapped, rows: mine.rows } } : {}),
-    figures: { "upside down": found.upsideDown },
-    advice: mapped && told.length ? [{ field: "ownJoints", value: true }] : [],
-    notes: [
-      ...told,
-      ...base(table, mine, found, mapped),
-      ...twoUnits(table, mine, found),
-      ...tool(found),
-      ...written(table),
-    ],
-  };
-}
-
-// What is said where the same q, the reference's home, takes the tip elsewhere; null where it does
-// not.
-function otherZeros(table, rows, reference) {
-  const at = (arm) => linkFrames(arm, reference.home).at(-1);
-  const [mine, ref] = [at({ ...reference, rows }), at(reference)];
-  const away = norm(minus(mine.o, ref.o));
-  const turn = turnBetween(mine, ref) * DEG;
-  if (away < SEEN && turn < 1) return null;
-  const place = ({ o }) => `(${o.map((x) => size(rounded(x, 4) + 0, 4)).join(", ")})`;
-  const home = `(${reference.home.map((x) => size(x, 4)).join(", ")})`;
-  const turned = turn < 1 ? "" : say("table tool turned", { degrees: size(turn, 3) });
-  const names = { mine: table.name, reference: reference.name };
-  return say("table other zeros", { ...names, home, tip: place(mine), wanted: place(ref), turned });
-}
-
-function zeros(table, mapped, mine, ref) {
-  if (!mapped) return [say("map unknown")];
-  const own = mine.joints.map((i) => typedRow(table, i, "d"));
-  const told = equations(mapped, own, ref);
-  return told.length ? [say("map", { equations: told.join("; ") })] : [];
-}
-
-// A word on where the base's frame stands on axis 1, and on z_0 where axis 1 leans from it.
-function base(table, mine, found, mapped = null) {
-  if (found.upsideDown) return [say("base upside down")];
-  const [along, lean] = [found.baseHigher, mine.foot[1]];
-  const rest = mapped ? mapped.base.o[2] - along * Math.cos(lean) : 0;
-  const row = typedRow(table, mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0], "d");
-  const stands = (key, higher) => {
-    if (Math.abs(higher) <= LENGTH) return [];
-    const way = higher > 0 ? say("higher") : say("lower");
-    return [say(key, { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
-  };
-  if (lean <= ANGLE) return stands("base", along + rest);
-  return [...stands("base", along), ...stands("base on z_0", rest)];
-}
-
-// A word on the row up to joint 1 whose d puts the base where the reference's is once it is read in
-// metres among smaller units, or in millimetres among metres.
-function twoUnits(table, mine, { baseHigher }) {
-  const factor = table.lengthScale < 1 ? 1 / table.lengthScale : 1e-3;
-  return table.rows.slice(0, mine.joints[0]).flatMap(({ d }, k) => {
-    const off = Math.abs(Math.abs(d * (factor - 1)) - Math.abs(baseHigher));
-    const others = usual.totalLength(table.rows) > Math.abs(d);
-    const near = Math.abs(d * factor) >= LOW && off < 0.51 * COARSEST;
-    return others && near ? [say("base unit", { row: typedRow(table, k + 1, "d") })] : [];
-  });
-}
-
-function tool({ tilts }) {
-  const [mine, reference] = tilts.map((tilt) => size(rounded(tilt * DEG, 4), 4));
-  return angleBetween(...tilts) > ANGLE ? [say("tool", { mine, reference })] : [];
-}
-
-const NAMES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
-
-// A word on each angle that was taken as a multiple of a right angle though it is not quite one.
-const written = (table) =>
-  table.rows.flatMap((row, k) =>
-    ["alpha", "theta"].flatMap((column) => {
-      const right = square(row[column], ownUnit(table, k + 1, column));
-      if (Math.abs(row[column] - right) <= 1e-9) return [];
-      const turns = Math.round(right / (Math.PI / 2));
-      const wanted = NAMES[turns] ?? `${turns} pi/2`;
-      const fields = {
-        column,
-        row: typedRow(table, k + 1, column),
-        typed: typedAs(table, k + 1, column),
-        wanted,
-      };
-      return [say("write right angle", fields)];
-    }),
-  );
-
 // What differs, and why
+
+const FEW = 2; // entries off: slips; more are another choice of zeros or of the base
+
+// The entries that differ from the reference's, where they are few; none where the table is another
+// choice throughout.
+function wrongEntries(table, rows, wanted, length) {
+  if (rows.length !== wanted.length || table.modified) return [];
+  const off = ENTRIES.flatMap((column) =>
+    rows.flatMap((row, k) => (isOff(row, wanted[k], column, length) ? [[k, column]] : [])),
+  );
+  const t = { cause: null, rows, reference: wanted };
+  return off.length > FEW ? [] : off.map((at) => entry(table, t, at, length));
+}
+
+const isOff = (row, wanted, column, length) =>
+  angular(column)
+    ? angleBetween(row[column], wanted[column]) > ANGLE
+    : Math.abs(row[column] - wanted[column]) > length;
 
 // Why a table is another arm, the simplest first: causes after which every entry agrees, one or two
 // wrong entries, causes and single signs after which the axes agree, more wrong entries, or what is

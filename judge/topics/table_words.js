@@ -6,6 +6,8 @@ import { DEG } from "../geometry/angles.js";
 import { say, size } from "../sentences.js";
 import { angleBetween } from "../geometry/axes.js";
 
+export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
+
 /** @typedef {import("./table.js").Table} Table */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../report.js").Finding} Finding */
@@ -88,3 +90,10 @@ export const typedText = (table, row, column) =>
 
 export const typedAs = (table, row, column) =>
   typedText(table, row, column) ?? size(table.rows[row - 1][column], 6);
+
+// The unit of the last decimal in one angle, where it has two or more.
+export function ownUnit(table, row, column) {
+  const last = (typedText(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
+  const places = last.slice(last.indexOf(".") + 1).length;
+  return places >= 2 ? table.angleScale * 10 ** -places : 0;
+}

@@ -1,10 +1,11 @@
 // A DH table out of what is on a clipboard, by the reader that judges tables too.
 
 import { rowsFault } from "../../judge/geometry/arm.js";
-import { cells } from "../../judge/reading/grid.js";
 import { rowsOf } from "../../judge/reading/own_table.js";
 import { ArmError } from "../../judge/sentences.js";
 import { register } from "./figures.js";
+
+const PARTED = /[\n\t,;&|]|\d +[-\d]/; // what stands between entries
 
 /**
  * The rows that a text describes and what was guessed of them, or what is wrong with it, or null
@@ -15,7 +16,7 @@ import { register } from "./figures.js";
  */
 export function readTable(text, unit) {
   try {
-    if (cells(text).flat().length < 2) return null;
+    if (!PARTED.test(text.trim())) return null;
     const found = rowsOf(text, unit);
     const fault = rowsFault(found.rows);
     return fault ? { error: `${fault}.` } : found;

@@ -5,6 +5,7 @@ from urllib.parse import urlencode
 
 import pytest
 
+from helpers.explorer import judge
 from tests.brought import BROUGHT
 from tests.browser.reader import AXE, BAD, EVERYTHING, THERE, UNDRAWN, UNTOUCHED
 from tests.test_book import HTML
@@ -131,7 +132,7 @@ def test_a_table_is_judged_and_shown_as_it_is_read(page):
     assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.2"]
     assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
     page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))
-    verdict(page, "the same arm as Elbow arm, with other zeros")
+    verdict(page, "takes the tip elsewhere: at the homework")
     page.locator(".arm-judge summary").click()
     page.get_by_label("Convention", exact=True).select_option("craig")
     verdict(page, "the modified (Craig) convention, turned into the standard one")
@@ -383,7 +384,9 @@ def test_what_people_bring_is_told_on_a_phone(page):
             continue
         verdict(page, words or "Type or paste your answer.")
         assert page.evaluate(OUTSIDE) == [], finding
-    box = page.locator(".arm-judge .verdict.so")  # other zeros
+    one_way = judge.EXAMPLES[3] | {"answer": "0.5000  0.7000 -0.4002"}
+    page.evaluate(ASKED, urlencode(one_way))
+    box = page.locator(".arm-judge .verdict.so")
     right, so_far, rounded, wrong = box.evaluate(TONES)
     assert so_far == rounded
     assert len({right, so_far, wrong}) == 3

@@ -2,9 +2,8 @@
 
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { h } from "../dom.js";
+import { blocksIn } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
-import { cells } from "../../../judge/reading/grid.js";
-import { withoutHeader } from "../../../judge/reading/heads.js";
 import { linesOf, MARKS } from "../../../judge/report.js";
 import { ArmError } from "../../../judge/sentences.js";
 import { readers } from "./checkers.js";
@@ -84,7 +83,7 @@ export function showRead(place, question, verdict) {
 function readOf(question, verdict) {
   const { table } = verdict.report ?? {};
   if (table) return tableRead(table);
-  return matrixRead(question, matrixOf(question, verdict)) ?? partlyRead(question, verdict);
+  return matrixRead(matrixOf(question, verdict)) ?? partlyRead(question, verdict);
 }
 
 /** @param {import("../../../judge/report.js").ReadTable} table */
@@ -94,19 +93,18 @@ const tableRead = ({ cells, wrong }) => ({
   cell: (i, k) => marked(signed(cells[i][k]), wrong[i][k]),
 });
 
-/** @param {Question} question @param {ReturnType<typeof matrixOf>} found */
-function matrixRead({ answer }, found) {
+/** @param {ReturnType<typeof matrixOf>} found */
+function matrixRead(found) {
   if (!found) return null;
   const { typed, wrong, shape } = found;
-  const texts = answer.length > LONGEST_SHOWN ? [] : textsOf(answer);
-  const asTyped = texts.length === shape[0] && texts.every((row) => row.length === shape[1]);
   return {
     ...found,
     cell(i, k) {
       const at = i * shape[1] + k;
       const value = signed(spelt(typed, at));
-      const formula = asTyped && !/^[-+−\d.,\s]*$/.test(texts[i][k]);
-      const under = formula && [...typeset(texts[i][k]), h("span.value", {}, "= ", value)];
+      const { text = "" } = typed.entries[at] ?? {};
+      const formula = typed.symbolic && !/^[-+−\d.,\s]*$/.test(text);
+      const under = formula && [...typeset(text), h("span.value", {}, "= ", value)];
       return marked(under || value, wrong[at]);
     },
   };
@@ -117,7 +115,7 @@ function partlyRead(question, { error, waiting, arm, q }) {
   const { ask, answer } = question;
   const long = answer.length > LONGEST_SHOWN;
   if (!error || waiting || !arm || !answer.trim() || ask === "trace" || long) return null;
-  const rows = rowsOf(ask, answer);
+  const rows = largest(answer);
   const width = Math.max(0, ...rows.map((row) => row.length));
   const understood = rows.map((row) => row.map((text) => isRead(ask, text, arm, q)));
   return {
@@ -132,22 +130,12 @@ function partlyRead(question, { error, waiting, arm, q }) {
   };
 }
 
-// The cells of a text as typed; none where it cannot be read.
-const textsOf = (text) => readOrNone(() => (text.trim() ? cells(text) : []));
-
-const rowsOf = (ask, answer) =>
-  readOrNone(() => {
-    const rows = withoutHeader(cells(answer));
-    return ask === "table" && !rows[0].some((text) => /\d/.test(text)) ? rows.slice(1) : rows;
-  });
-
-function readOrNone(read) {
-  try {
-    return read();
-  } catch (error) {
-    if (error instanceof ArmError) return [];
-    throw error;
-  }
+// The rows of the largest block of what may be entries.
+function largest(text) {
+  const isEntry = (cell) => /\d/.test(cell) || /^[-+]?(?:[a-z]|theta|pi)$/i.test(cell);
+  const blocks = blocksIn(text, { isEntry }).flatMap((way) => way());
+  const size = (rows) => rows.flat().length;
+  return blocks.reduce((most, { rows }) => (size(rows) > size(most) ? rows : most), []);
 }
 
 // Whether a cell is a formula that means something to this arm.

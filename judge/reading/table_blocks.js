@@ -1,0 +1,203 @@
+// The block of a text that is a table: rows of entries below their heads, or the matrices of its
+// links one below the other.
+
+import { blocksIn } from "./blocks.js";
+import { around } from "./find.js";
+import { isNumber, parse, plain, symbols } from "./formula.js";
+import { headOf } from "./heads.js";
+import { plainSigns, ROW } from "./signs.js";
+import { ENTRIES, entryText, simple, VARIABLE } from "./table_rows.js";
+import { ArmError } from "../sentences.js";
+
+const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
+
+/**
+ * Rows of cells as typed, the heads above them, what else stands in the text.
+ * @typedef {{ cells: string[][], heads: string[], context: string, left: string[],
+ *   torn?: string }} TableBlock `torn` is a line beside it that could not be read
+ */
+
+/**
+ * The blocks that may be a table, those with heads first, then those with the most rows, then the
+ * last.
+ * @param {string} text
+ * @param {Map<string, number>} known symbols that have numbers
+ * @returns {TableBlock[]}
+ */
+export function tablesIn(text, known) {
+  const all = headings(unstarred(plainSigns(text)));
+  const ways = blocksIn(all.text, { isEntry: entryIn(known) });
+  const blocks = ways.flatMap((way) => way().reverse());
+  const lines = all.text.split("\n");
+  const typed = text.split(/\r\n|[\n\r]/);
+  const heads = typed.filter((_, k) => lines[k]?.includes(HEADS)).map((line) => line.trim());
+  const found = blocks.map(withoutRules).flatMap((block) => upright(block, lines, all.found));
+  const order = ({ heads, cells }) => (heads.length ? 100 : 0) + cells.length;
+  return found
+    .filter(({ cells: [row = []] }) => row.length >= 4 && row.length <= MOST_COLUMNS)
+    .sort((one, other) => order(other) - order(one))
+    .map(({ block, ...one }) => {
+      const { context, left } = around(text, block);
+      const told = left.filter((line) => !heads.includes(line) || /\d[.,]\d/.test(line));
+      return { ...one, context, left: told, torn: tornFrom(block, lines) };
+    });
+}
+
+// Stars that mark a joint's variable, or stand for it, are no signs of a product.
+const STARRED = /((?:[A-Za-zθϑφ]|\\[a-z]+)_?\{?\d+\}?)[ \t]*\^?\{?\*\}?(?=\s)/g;
+const ALONE = /(?<=\s)\*(?=[ \t]*$)/gm;
+const unstarred = (text) => text.replace(STARRED, "$1").replace(ALONE, "?");
+
+// A line beside a block of numbers for the most part: a row that could not be read as one. Columns
+// may be counted behind a word.
+const tornFrom = ({ from, to }, lines) =>
+  [lines[from - 1], lines[to + 1]].find((line = "") => {
+    const parts = line.split(/[|&;,\s[\](){}]+/).filter(Boolean);
+    const numbers = parts.filter(isNumber);
+    const counted = numbers.every((x, k) => Number(x) === Number(numbers[0]) + k);
+    const column = counted && numbers.length < parts.length;
+    return numbers.length > 1 && 2 * numbers.length >= parts.length && !column;
+  });
+
+// A block without rows that are drawn, | - | - |.
+function withoutRules(block) {
+  const drawn = block.rows.map((row) => row.every((cell) => cell === "-"));
+  const kept = (list) => list.filter((_, i) => !drawn[i]);
+  return { ...block, rows: kept(block.rows), labels: kept(block.labels) };
+}
+
+// A block with its heads, on its first line or shortly above; one whose rows are named after the
+// columns is turned.
+function upright(block, lines, found) {
+  const { rows, labels, from } = block;
+  if (!rows.length) return [];
+  const names = labels.map((words) => marked(words, found)?.[0]);
+  const named = names.flatMap((name, i) => (name ? [i] : []));
+  if (new Set(named.map((i) => headOf(names[i]))).size < 3) {
+    const above = lines.slice(Math.max(0, from - NEAR), from + 1).reverse();
+    const heads = marked(above.join(" ").split(" "), found) ?? [];
+    return [{ block, cells: rows, heads }];
+  }
+  const cells = rows[0].map((_, k) => named.map((i) => rows[i][k]));
+  return [{ block, cells, heads: named.map((i) => names[i]) }];
+}
+
+const NEAR = 3; // lines above a table in which its heads stand: a rule, an opening bracket
+
+// Heads
+
+const HEADS = "·heads·"; // begins a word that stands for heads, by their number
+const marked = (words, found) => {
+  const word = words.find((one) => one.startsWith(HEADS));
+  return word ? found[Number(word.slice(HEADS.length))] : null;
+};
+
+// A cell below a head that holds only a unit.
+const UNIT = /^[([]?\s*(?:mm|cm|m|in|deg|degrees|rad|radians|°|[-–—]?)\s*[)\]]?$/i;
+
+// The text with a word in place of each line of heads, and of a head before a line of entries; and
+// those heads. Units on the next line go to them.
+function headings(text) {
+  const found = [];
+  const parts = text.split(new RegExp(`(\n|${ROW})`));
+  const put = (k, heads, rest) => {
+    const [open] = /^[\s[({|]*/.exec(parts[k]);
+    parts[k] = `${open.replaceAll("|", " ")} ${HEADS}${found.push(heads) - 1} ${rest}`;
+  };
+  const all = parts.flatMap((_, k) => (k % 2 ? [] : [k]));
+  const whole = all.filter((k) => headsIn(parts[k]));
+  for (const k of whole) {
+    for (const row of all) if (row > k) parts[row] = filled(parts[row], parts[k]);
+    const units = unitsIn(parts[k + 2] ?? "");
+    if (units) parts[k + 2] = " ";
+    put(k, together(headsIn(parts[k]), units ?? []), "");
+  }
+  for (const k of whole.length ? [] : all) {
+    const [first, head] = ROW_HEAD.exec(bare(parts[k])) ?? [];
+    if (head && ENTRIES.includes(headOf(head))) put(k, [head], bare(parts[k]).slice(first.length));
+  }
+  return { text: parts.join(""), found };
+}
+
+// Heads with the units below them, the last to the last.
+const together = (heads, units) =>
+  heads.map((head, i) => {
+    const unit = units[i - heads.length + units.length] ?? "";
+    return /\p{L}|°/u.test(unit) ? `${head} (${unit.replace(/[()[\]]/g, "")})` : head;
+  });
+
+const bare = (line) => line.replace(/^[\s[({|]+/, "");
+
+// The units of a line that holds nothing else.
+function unitsIn(line) {
+  const units = line.trim().split(/\s*[|&\t;,]\s*|\s{2,}/);
+  const even = units.length >= 4 && units.every((cell) => UNIT.test(cell));
+  return even && units.some((cell) => /\p{L}|°/u.test(cell)) ? units : null;
+}
+
+// A line of as many cells as the heads above it, with a 0 in each that is empty.
+function filled(line, heads) {
+  const sign = ["\t", ";", ",", "|", "&"].find((one) => heads.includes(one)) ?? "\n";
+  const [cells, above] = [line, heads].map((one) => one.split(sign));
+  if (cells.length !== above.length || cells.length < 4 || !line.trim()) return line;
+  return cells.map((cell, k) => (cell.trim() || !above[k].trim() ? cell : "0")).join(sign);
+}
+
+// A head before entries: "a [mm] | 0 | 88".
+const ROW_HEAD = new RegExp(
+  String.raw`^([^|&\t;:=\d-]{1,24}?(?:\s?[[(][^\])]{1,8}[\])])?)` +
+    String.raw`\s*(?:[|&\t;:,]|\s(?=[-+]?[.\d]))`,
+);
+const SEPARATORS = [/[|&\t;]/, /\s{2,}/, /,/, /\s+/];
+
+// The heads of a line that names three of the four columns or more, each by itself.
+function headsIn(typed) {
+  const line = bare(typed).replace(/^(?:#|%|\/\/)+\s*(?![|&\t;,])|[|\s\])}]+$/g, (sign) =>
+    sign.replace(/[|\s#%/]/g, ""),
+  );
+  for (const sign of SEPARATORS) {
+    const heads = withUnits(line.split(sign).map((head) => head.trim().replace(/^"|"$/g, "")));
+    const named = heads.map(headOf).filter((word) => ENTRIES.includes(word));
+    if (new Set(named).size >= 3 && heads.length <= named.length + 4) return heads;
+  }
+  return null;
+}
+
+// The heads with a unit that stands apart, as in "a (mm)", joined to its own.
+const withUnits = (heads) =>
+  heads.reduce(
+    (found, head) =>
+      found.length && /^[([].*[)\]]$/.test(head)
+        ? [...found.slice(0, -1), `${found.at(-1)} ${head}`]
+        : [...found, head],
+    [],
+  );
+
+// Entries
+
+// Names of rows, which are no symbols of an arm.
+const ROW_NAME = new RegExp(
+  "^(?:joint|link|axis|row|col(?:umn)?|frame|sol(?:ution)?|case|answer|part|step|fig|tab|table|eq" +
+    String.raw`|problem|exercise|task|no|nr)_?\d+$`,
+  "i",
+);
+// A joint's variable, or a length with its number or one letter.
+const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|l_?pen|[adlhrbe])$/i;
+// The kind of a joint, and what stands for the number of a row that has none.
+const WORD = /^(?:r|p|revolute|prismatic|rotational|fixed|tool|tcp|ee|flange|hand|pen|base)$/i;
+// Whether a cell may stand in a table: a number, a formula of symbols, what stands for a variable.
+function entryIn(known) {
+  const isSymbol = (name) =>
+    !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)) || name === "theta");
+  return (cell) => {
+    const text = entryText(cell);
+    if (isNumber(text) || VARIABLE.test(plain(text)) || WORD.test(text)) return true;
+    try {
+      const names = [...symbols(parse(plain(text)))];
+      return text !== "" && names.every(isSymbol);
+    } catch (error) {
+      if (error instanceof ArmError) return false;
+      throw error;
+    }
+  };
+}
