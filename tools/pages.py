@@ -1,25 +1,20 @@
-"""A Sphinx extension: what the book's pages are made of, decided on the document tree; on finished
-HTML only what a whole page repeats.
+"""A Sphinx extension: what the book's pages are made of, decided on the document tree.
 
-Folded boxes become `<details>`, which work without a script; tables get a box to scroll in; code
-has short tags; formulas are set here, and need no script. Pictures are in `pictures.py`.
+Folded boxes become `<details>`, which work without a script; tables get a box to scroll in;
+formulas become MathML. Pictures are in `pictures.py`.
 """
 
 import re
 import sys
 from html import escape
-from itertools import groupby
 from pathlib import Path
 from zlib import crc32
 
 from docutils import nodes
 from docutils.parsers.rst import directives
 from myst_nb.sphinx_ import HideCodeCellNode
-from pygments.formatters import HtmlFormatter
-from pygments.token import Comment, Keyword, Operator, String, _TokenType
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
-from sphinx.highlighting import PygmentsBridge
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.math import get_node_equation_number
@@ -42,34 +37,7 @@ INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
 OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
-STYLED = re.compile(r'<(i|span|sub|svg) style="([^"]+)"(?: class="([^"]+)")?')
-IDLE = {  # names that nothing asks for, boxes around words of code, a cell's only paragraph
-    re.compile(r"docutils literal | docutils container(?=\")| class=\"row-(?:odd|even)\""): "",
-    re.compile(r'<span class="pre">([^<]*)</span>'): r"\1",
-    re.compile(r"(<t[dh][^>]*>)<p>((?:(?!</?p>|</t[dh]>).)*)</p>(?=</t[dh]>)", re.S): r"\1\2",
-}
-DATA = re.compile(r'<script type="application/json">(.+?)(?=</script>)', re.S)
-FILLED = """document.querySelectorAll("script[data-from]").forEach((place, k) => {
-  place.textContent = JSON.stringify([DATA][k]);
-});
-"""
 TIME = re.compile(r"(.*?)\s*· (.+)")
-COLOURED = {Keyword: "b", Operator.Word: "b", String: "q", Comment: "i"}
-
-
-class LightFormatter(HtmlFormatter):
-    """Code with a short tag around what has a colour: half of what a chapter would weigh."""
-
-    def format_unencoded(self, tokensource, outfile) -> None:
-        outfile.write("<pre>")
-        for tag, pieces in groupby(tokensource, lambda piece: _tag(piece[0])):
-            code = escape("".join(text for _, text in pieces), quote=False)
-            outfile.write(f"<{tag}>{code}</{tag}>" if tag else code)
-        outfile.write("</pre>")
-
-
-def _tag(kind: _TokenType) -> str:
-    return next((tag for of, tag in COLOURED.items() if kind in of), "")
 
 
 class Margin(SphinxDirective):
@@ -295,47 +263,12 @@ def assets(folder: Path, config) -> list[int]:
     return [crc32(path.read_bytes()) for path in sorted(paths)]
 
 
-def without_idle(_app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
-    """What a page repeats and nobody needs."""
-    for idle, rest in IDLE.items():
-        context["body"] = idle.sub(rest, context.get("body", ""))
-
-
-def named_styles(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
-    """The styles of formulas as classes of the page, whose rules are as strong as a style is."""
-    names: dict[str, str] = {}
-
-    def named(found: re.Match) -> str:
-        tag, style, classes = found.groups()
-        name = names.setdefault(style, f"f{len(names)}")
-        return f'<{tag} class="{classes + " " if classes else ""}{name}"'
-
-    context["body"] = STYLED.sub(named, context.get("body", ""))
-    rules = "".join(f"#main .{name}{{{style}}}" for style, name in names.items())
-    context["metatags"] = context.get("metatags", "") + f"<style>{rules}</style>" * bool(rules)
-
-
-def data_behind(app: Sphinx, page: str, _template: str, context: dict, _tree: object) -> None:
-    """The data of live figures, and what answer sheets have to copy, in a script of the page that
-    `book/assets/explorer-loader.js` asks for; a file can read no other."""
-    body = context.get("body", "")
-    if not (data := DATA.findall(body)):
-        return
-    script = FILLED.replace("DATA", ",".join(data))
-    path = Path(app.outdir, "_static", "data", f"{page}.js")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(script, encoding="utf-8")
-    address = f"data/{page}.js?v={crc32(script.encode()):08x}"
-    context["body"] = DATA.sub(f'<script type="application/json" data-from="{address}">', body)
-
-
 def authors(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
     """Who wrote the book, for the foot of each page."""
     context["author"] = app.config.author
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    PygmentsBridge.html_formatter = LightFormatter
     app.add_config_value("assets", lambda config: assets(Path(app.srcdir), config), "html")
     app.add_config_value(
         "comments_config", {}, "html"
@@ -349,7 +282,4 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.connect("env-get-updated", count_anew, priority=900)
     app.connect("doctree-resolved", prepare, priority=900)
     app.connect("html-page-context", authors)
-    app.connect("html-page-context", without_idle)
-    app.connect("html-page-context", named_styles)
-    app.connect("html-page-context", data_behind)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

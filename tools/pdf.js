@@ -22,11 +22,6 @@ take: async (name) => {
         const room = box.clientWidth / box.scrollWidth;
         if (room < 1) box.style.setProperty("--shrunk", Math.floor(room * 100) / 100);
     });
-    // A page names the styles of its formulas; another one has other names.
-    for (const sheet of document.querySelectorAll("head > style")) {
-        for (const { selectorText, style } of sheet.sheet.cssRules) all(selectorText).forEach((e) => (e.style.cssText = style.cssText));
-        sheet.remove();
-    }
     all("img").forEach((picture) => { picture.loading = "eager"; picture.src = picture.src; });
     all("a[href]").forEach((link) => {
         const url = new URL(link.href), page = decodeURI(url.pathname).slice(root().length, -5);

@@ -14,15 +14,12 @@
       delete scripts[name];
       throw problem;
     }));
-  window.loadBehind = load; // for what an answer sheet has to copy
   const task = () => new Promise((go) => setTimeout(go));
   // The page answers between reading the script, asking for the graphics processor and building.
   const explorer = () => (ready ??= load("explorer.js").then(task).then(() => ArmExplorer.renderer()).then(task, () => {}));
   const wake = (stub) => {
-    const { from } = stub.querySelector("script")?.dataset ?? {};
-    const data = from && load(from);
     if (stub.matches(".arm-judge")) return load("judge.js");
-    return Promise.all([explorer(), data]).then(() => ArmExplorer.mount(stub));
+    return explorer().then(() => ArmExplorer.mount(stub));
   };
 
   const near = new IntersectionObserver(

@@ -102,7 +102,7 @@ def _sections(arm: Arm, also: tuple[Arm, ...] = ()) -> str:
 
 
 def _blocks(sheet: Sheet) -> str:
-    """What is copied of each answer, by language: data that a page of the book has behind it."""
+    """What is copied of each answer, by language."""
     texts = {
         _id(item): {language: block(sheet, item) for language, block in LANGUAGES.items()}
         for item in sheet.items

@@ -54,17 +54,6 @@ def test_all_blocks_are_opened_and_copied_at_once(sheet):
     assert {"A_6", "T_06", "o_6", "z_6", "det_J", "P", "G"} <= set(names)
 
 
-def test_blocks_that_do_not_come_are_told_and_fetched_anew(sheet):
-    data, button = "**/data/answers/*", sheet.get_by_role("button", name="Copy all as LaTeX")
-    sheet.route(data, lambda route: route.abort())
-    sheet.reload()
-    button.click()
-    sheet.get_by_text("What is to be copied could not be loaded").wait_for()
-    sheet.unroute(data)
-    button.click()
-    sheet.get_by_text("LaTeX copied.").wait_for()
-
-
 def test_where_the_clipboard_is_closed_a_selection_is_copied(browser, tmp_path):
     """An older browser, or a page in a frame; from the sheet of one file."""
     page = browser.new_page(offline=True)

@@ -4,27 +4,14 @@
   const announced = Object.assign(document.createElement("span"), { className: "answer-said" });
   announced.setAttribute("role", "status");
 
-  // The blocks of each answer stand in the page, or behind it in a script that the book's loader
-  // brings when a button is near to be pressed.
-  const data = document.querySelector('script[type="application/json"]');
-  const bring = async () => data.dataset.from && loadBehind(data.dataset.from);
-  async function blocks() {
-    try {
-      await bring();
-    } catch {
-      throw new Error("What is to be copied could not be loaded. Press again to try anew.");
-    }
-    return JSON.parse(data.textContent);
-  }
+  const blocks = JSON.parse(document.querySelector('script[type="application/json"]').textContent);
 
-  // The press counts as the reader's while the text is still on its way.
   async function copy(text) {
     try {
-      const item = new ClipboardItem({ "text/plain": text });
-      await Promise.all([text, navigator.clipboard.write([item])]);
+      await navigator.clipboard.writeText(text);
     } catch {
       // Where a page may not use the clipboard by itself, a selection can still be copied.
-      const area = Object.assign(document.createElement("textarea"), { value: await text });
+      const area = Object.assign(document.createElement("textarea"), { value: text });
       document.body.append(area);
       area.select();
       const copied = document.execCommand("copy");
@@ -49,14 +36,10 @@
   const languages = places.map((place) => place.dataset.language);
 
   function copier(label, of, language) {
-    const made = button(label, async () => {
-      await copy(blocks().then((found) => of.map(({ id }) => found[id][language]).join("\n\n")));
+    return button(label, async () => {
+      await copy(of.map(({ id }) => blocks[id][language]).join("\n\n"));
       return `${language} copied.`;
     });
-    for (const near of ["pointerenter", "focus"]) {
-      made.addEventListener(near, () => bring().catch(() => {}), { once: true });
-    }
-    return made;
   }
 
   for (const answer of answers) {
