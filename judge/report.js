@@ -10,8 +10,7 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
  * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and
  * degrees for each, the formulas that stood there, and which of them are wrong.
  * @typedef {import("./geometry/axes.js").Numbers} Numbers
- * @typedef {{ rows: Numbers[], cells: string[][], trees: any[][], wrong: boolean[][],
- *   entries?: string[] }} ReadTable with the entries as typed
+ * @typedef {{ rows: Numbers[], cells: string[][], trees: any[][], wrong: boolean[][] }} ReadTable
  */
 
 /**

@@ -1,9 +1,8 @@
 """Hand-ins as students type them, right ones and ones with a planted mistake or two, and what the
-checkers make of them: `python -m tests.hand_ins --seed 1 --count 5000 --part unread`.
+checkers make of them.
 
 The numbers and the mistakes come from `tests/corpus`, whose few lines of kinematics share nothing
-with `judge/`; the truth of a cause from planting or undoing it. The seeds of the two parts never
-meet: what the checkers are mended by is "worked", what only counts them is "unread".
+with `judge/`; the truth of a cause from planting or undoing it.
 """
 
 from collections.abc import Callable, Iterator
@@ -21,7 +20,6 @@ from tests.corpus.machine import Machine
 from tests.dressing import around, column, jacobian_text, joints_text, table_text
 from tests.mixed import arm_of, heavy
 
-PARTS = {"worked": 0, "unread": 1}
 PAIRS, NOISE = 0.2, 0.06  # of the mistaken: two mistakes at once, and entries off by chance
 Mistakes = dict[str, np.ndarray]
 UNITS = ("table.millimetres", "table.degrees")  # mistakes where metres and radians were said
@@ -280,11 +278,11 @@ TOPICS = [of_table] * 6 + [of_jacobian] * 6 + [of_torques] * 4 + [of_branches] *
 TOPICS += [of_run]
 
 
-def hand_ins(part: str, seed: int, count: int) -> Iterator[HandIn]:
+def hand_ins(seed: int, count: int) -> Iterator[HandIn]:
     """`count` of them, the same for the same seed."""
     made = n = 0
     while made < count:
-        rng = np.random.default_rng([PARTS[part], seed, n])
+        rng = np.random.default_rng([0, seed, n])
         n += 1
         topic = TOPICS[rng.integers(len(TOPICS))]
         if (found := topic(rng, bool(rng.random() < 0.5))) is not None:
@@ -303,9 +301,8 @@ def verdict(h: HandIn) -> tuple[str, checks.Report | ArmError]:
         return "refused", problem
     same = report.figures.get("same machine", False)  # other zeros are told, and are no slip here
     if h.causes is None and not same:
-        lost = "hand in the answer alone" in report.headline
         grades = {"wrong": "called wrong", "rounded": "last digit", "so far": "so far"}
-        return "left out" if lost else grades.get(report.grade, "right"), report
+        return grades.get(report.grade, "right"), report
     if h.causes is None:
         return "right", report
     if report.grade in ("right", "rounded") and not report.mark:
@@ -337,9 +334,3 @@ def names(cause: str, true: str) -> bool:
         return True
     others = next((keys for start, keys in ALSO.items() if true.startswith(start)), ())
     return cause.startswith(others)
-
-
-if __name__ == "__main__":
-    from tests.counted import main
-
-    main()

@@ -22,7 +22,7 @@ const UR = [
  * @param {string} text
  * @returns {{ kind: string, at: number } | null}
  */
-export function labelOf(text) {
+function labelOf(text) {
   const word = simple(text);
   const row = ROWS.indexOf(word.replace(/^omega/, "w").replace(/[_.]/g, ""));
   if (row >= 0) return { kind: "row", at: row };

@@ -36,9 +36,8 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * `exchanged` where the heads of alpha and theta stand over one another's entries, as the joints'
  * variables show.
  * @typedef {{ rows: TypedRow[], lengths: string | null, angles: string | null, convention: string |
- *   null, said: string[], exchanged?: boolean, guessed?: boolean, entries?: string[],
- *   left?: string[] }} TypedTable
- *   `entries` are all cells that were read, as typed, `left` what else stands in the text
+ *   null, said: string[], exchanged?: boolean, guessed?: boolean, left?: string[] }} TypedTable
+ *   `left` is what else stands in the text
  */
 
 /**
@@ -92,9 +91,8 @@ const DEFINED = new RegExp(
 /** @param {any} found @returns {TypedTable[]} */
 function tablesOf(found, { columns, options, known }) {
   const typed = { ...found, cells: found.cells.map((row) => row.map(entryText)) };
-  const rest = { left: typed.left, entries: typed.entries ?? typed.cells.flat() };
   const links = matrices(typed.cells);
-  if (links) return [{ ...ofMatrices(links, known, options), ...rest }];
+  if (links) return [{ ...ofMatrices(links, known, options), left: typed.left }];
   const { cells, heads } = withoutIndex(typed);
   few(cells.length);
   const order = ordered(cells, heads, columns);
@@ -104,7 +102,6 @@ function tablesOf(found, { columns, options, known }) {
   return readings(order, known).map((table) => ({
     ...units,
     ...table,
-    ...rest,
     left: typed.entries ? typed.left : [...typed.left, ...unused],
     said: [...typed.said, ...table.said],
   }));

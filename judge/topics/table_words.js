@@ -85,7 +85,7 @@ export const typedRow = ({ added, modified }, row, column) =>
   row - added + Number(modified && (column === "a" || column === "alpha"));
 
 // What was typed as an entry of a row; undefined where no row holds it.
-export const typedText = (table, row, column) =>
+const typedText = (table, row, column) =>
   table.texts[typedRow(table, row, column) - 1]?.[column];
 
 export const typedAs = (table, row, column) =>
