@@ -136,6 +136,16 @@ def test_what_else_is_given_is_set_aside_and_shown(text, left):
     assert left in str(report)
 
 
+def test_labels_say_units_and_that_a_jacobian_is_transposed():
+    J = jacobian(UR10E, Q)
+    names = ("vx [mm/rad]", "vy [mm/rad]", "vz [mm/rad]", "wx", "wy", "wz")
+    rows = np.where(np.arange(6) < 3, 1000, 1)[:, None] * J
+    lines = [f"{n} {' '.join(f'{x:.4f}' for x in row)}" for n, row in zip(names, rows, strict=True)]
+    assert checks.compare_jacobian("\n".join(lines), UR10E, Q).agrees
+    assert checks.compare_jacobian(f"J.T =\n{J.T.round(5)}", UR10E, Q).agrees
+    assert not checks.compare_jacobian(f"J =\n{J.T.round(5)}", UR10E, Q).agrees
+
+
 def test_other_numbers_about_a_jacobian_are_set_aside():
     J = jacobian(UR10E, Q).round(4)
     columns = "\n".join(f"J_{k} = [{'; '.join(map(str, J[:, k - 1]))}]" for k in range(1, 7))

@@ -103,10 +103,13 @@ const headsOf = ({ heads, rows }) => {
 
 // Whether labels say that rows are what is wanted as columns.
 function liesBy(block, { by }) {
+  if (by === "row" && TURNED.test(block.name)) return true;
   const [rows, heads] = [labelsOf(block.labels), headsOf(block)];
   if (by === "row") return heads?.kind === "row" || rows?.kind === "joint";
   return rows?.kind === "joint" && block.rows[0].length > 1 && heads?.kind !== "joint";
 }
+
+const TURNED = /(?:\.T|\^T|ᵀ|')$/; // behind the name of a transposed matrix
 
 function transposed(block) {
   const { rows, labels, heads } = block;
@@ -185,11 +188,12 @@ function isSeries(cells) {
 
 // The text without the block, and what of it is told to be set aside: its lines that say something,
 // and numbers on the block's own lines that name no row.
-export function around(text, { from, to, beside }) {
+export function around(text, { from, to, beside, labels }) {
   const lines = text.split(/\r\n|[\n\r]/);
   const rest = lines.filter((_, i) => i < from || i > to);
   const told = rest.filter((line) => /[\p{L}\d]/u.test(plainSigns(line)));
-  return { context: rest.join("\n"), left: [...told.map((line) => line.trim()), ...beside()] };
+  const context = [...rest, ...labels.flat()].join("\n");
+  return { context, left: [...told.map((line) => line.trim()), ...beside()] };
 }
 
 /** @type {[string, RegExp][]} */

@@ -22,6 +22,7 @@ const SIGNS = [
   [/[⎛-⎭─-╬+]*[⎛-⎭─-╬]/g, " "],
   [/\b(?:(?:Arc)?(?:Sin|Cos|Tan)|Sqrt|Pi)(?![a-z])/g, (name) => name.toLowerCase()], // Mathematica
   [/\b(?:wrist|joint|axis|column|link|sol(?:ution)?|lösung|answer|case)[ \t]+(?=\d)/gi, counted],
+  [/(?<![\p{L}\p{N}])(τ|θ|tau|theta|q)[ \t]+(?=\d[ \t]*=)/gu, "$1_"],
   [/\.\.\.[ \t]*\n/g, GOES_ON],
   [/(\.\d{12,15})(?=-\d)/g, "$1 "], // MATLAB's long numbers stick together
   [/\[(?:\d{1,3},|,\d{1,3})\]/g, " "], // R's rows and columns
