@@ -57,7 +57,7 @@ def floats(value: Any, what: str, wanted: str) -> Array:
         array = np.asanyarray(value)
         kind, lacking = array.dtype.kind, np.ma.is_masked(array)
         if kind == "O":
-            lacking = lacking or np.equal(array, None).any()
+            lacking = lacking or any(x is None for x in array.ravel())
         if kind in "iufO" and not lacking:
             return np.asarray(array, dtype=float)
     except (TypeError, ValueError, OverflowError):

@@ -86,7 +86,7 @@ def _part_names(formula: Element) -> None:
     """Thin room before the name of a function, and none between it and a bracket, as TeX has it."""
     for row in formula.iter():
         for before, name, after in zip([None, *row], list(row), [*row[1:], None], strict=False):
-            if name.find("mo") is None or name.find("mo").text != "\N{FUNCTION APPLICATION}":
+            if name.findtext("mo") != "\N{FUNCTION APPLICATION}":
                 continue
             bracket = after is not None and after.find("mo[@fence]") is not None
             if bracket and name[-1].tag == "mspace":

@@ -85,8 +85,7 @@ export const typedRow = ({ added, modified }, row, column) =>
   row - added + Number(modified && (column === "a" || column === "alpha"));
 
 // What was typed as an entry of a row; undefined where no row holds it.
-const typedText = (table, row, column) =>
-  table.texts[typedRow(table, row, column) - 1]?.[column];
+const typedText = (table, row, column) => table.texts[typedRow(table, row, column) - 1]?.[column];
 
 export const typedAs = (table, row, column) =>
   typedText(table, row, column) ?? size(table.rows[row - 1][column], 6);
