@@ -74,6 +74,7 @@ REFUSED = {
     "a alpha d theta\n0 pi/2 0.5 q1/2\n0.4 0 0 q2\n0.3 0 0 q3": "theta grows by 0.5",
     "a alpha d theta\n0 pi/0 0.5 q1\n0.4 0 0 q2\n0.3 0 0 q3": "divides by zero",
     "d999999999 = 1\n" * 6: "expected rows of four entries",
+    "a alpha d theta\n0 90 0.5 q1\n0.4 0 0 q2\n0.3 1.57 0 q3": "90 and 1.57, an angle in degrees",
     "0 0 0.1 q1\n" * 40: "40 rows; expected at most 32",
     "1 0 0 0\n0 1 0\n0 0 1 0\n0 0 0 1\n" * 2: "the line '0 1 0' stands beside",
     "a alpha d theta\n0 0 0 __import__('os')": "expected rows of four entries",

@@ -9,7 +9,7 @@ import { ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices } from "./table_matrices.js";
 import { few, named } from "./table_notations.js";
 import { ENTRIES, entryText, isVariable, rowOf, simple, UNITS } from "./table_rows.js";
-import { ArmError, listed, say, shown } from "../sentences.js";
+import { ArmError, listed, say, shown, size } from "../sentences.js";
 
 const MILLIMETRES = 10; // a length this large is no number of metres
 const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle this large is no number of radians
@@ -180,7 +180,14 @@ function attempted(cells, order, known, sure) {
  */
 export function meant(table, kinds) {
   const millimetres = inMillimetres(table);
-  const degrees = table.angles === null && largestAngle(table) > MOST_RADIANS;
+  const bare = bareAngles(table).map(Math.abs);
+  const degrees = table.angles === null && Math.max(...bare) > MOST_RADIANS;
+  const quarter = degrees && bare.find(isQuarter);
+  if (quarter)
+    throw new ArmError(
+      say("two angles", { one: size(Math.max(...bare), 4), other: size(quarter, 6) }),
+      [{ field: "angles", value: "deg" }],
+    );
   const length = UNITS[millimetres ? "mm" : (table.lengths ?? "m")];
   const angle = degrees || table.angles === "deg" ? RAD : 1;
   const craig = table.convention === "craig";
@@ -201,11 +208,13 @@ export function meant(table, kinds) {
 
 const ANGLES = ["alpha", "theta"];
 
-// The largest of the angles that hold no pi and no degree sign.
-const largestAngle = ({ rows }) =>
-  rows
-    .flatMap(({ numbers, radians }) => ANGLES.map((c) => (radians.has(c) ? 0 : numbers[c])))
-    .reduce((top, x) => Math.max(top, Math.abs(x)), 0);
+// The angles that hold no pi and no degree sign.
+const bareAngles = ({ rows }) =>
+  rows.flatMap(({ numbers, radians }) => ANGLES.map((c) => (radians.has(c) ? 0 : numbers[c])));
+
+// Whether a number is a quarter turn or two in radians, to two decimals or more.
+const isQuarter = (x) =>
+  [Math.PI / 2, Math.PI].some((turn) => !Number.isInteger(x) && Math.abs(x - turn) < 0.005);
 
 function inUnits(table, kinds, length, angle) {
   const moving = kindsOf(table, kinds);
