@@ -199,6 +199,7 @@ def test_what_is_pasted_is_judged_at_once_and_shown_after_it(page):
 def test_the_verdict_is_spoken_once_a_pause(page):
     ask(page, "")
     verdict(page, "Type or paste your answer.")
+    page.wait_for_timeout(600)  # longer than the pause before this answer is spoken
     page.evaluate(SPOKEN)
     page.get_by_label("Your answer", exact=True).press_sequentially("[0.5 1 2; 3 4]")
     page.wait_for_function("Boolean(window.ended)")
