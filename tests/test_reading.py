@@ -152,6 +152,20 @@ def test_matrices_are_read_as_the_rows_that_they_were_made_from(as_held):
     assert read["rows"][0]["texts"] == texts
 
 
+def test_a_matrix_that_no_row_makes_is_refused():
+    """A sign is wrong, or a cosine missing, which at q = 0 would not show."""
+    link = "cos(q{0}) sin(q{0}) 0 {2}\nsin(q{0}) -cos(q{0}) 0 0.4*sin(q{0})\n0 0 {1} 0.1\n0 0 0 1\n"
+    good = link.format(1, -1, "0.4*cos(q1)")
+    for wrong, at in ((link.format(2, 1, "0.4*cos(q2)"), "2, column 2"),
+                      (link.format(2, -1, "0.4"), "1, column 4")):  # fmt: skip
+        with pytest.raises(ArmError, match=f"A_2 is no link matrix: its entry in row {at}"):
+            reading.tables(good + wrong)
+
+
+def test_without_heads_the_columns_are_in_the_books_order():
+    assert reading.tables("0 0 0.5 q1\n0 0 0.3 q2")[0]["said"] == ["columns a alpha d theta"]
+
+
 def test_a_matrix_moves_where_it_has_symbols_itself():
     still, moves = "1 0 0 .3\n0 0 -1 0\n0 1 0 .2\n", "C1 -S1 0 C1/2\nS1 C1 0 S1/2\n0 0 1 0\n"
     [read] = reading.tables(f"{still}0 0 0 1\n{moves}0 0 0 1")

@@ -161,14 +161,10 @@ function continued({ mine, reference, within }, gap, chosen, { cost, signs: befo
   const signs = new Map(m.joints.map((k, i) => [k, chosen[i]]));
   const alike = placesBase(m) && placesBase(r) && `${m.bunch}` === `${r.bunch}`;
   const note = alike && Math.abs(height(m, r, chosen[0])) > within.length;
-  const over = upsideDown(mine, reference, before);
-  const turned = over || (isLevel(mine) && before[0] * dot(mine.axis, reference.axis) < 0);
-  const fresh = [
-    ...differences(mine, m, r, signs, within),
-    ...(note && over && mine.joints[0] === 1
-      ? [difference("table base", [1, "d"], [m.offset, -(r.offset ?? 0)])]
-      : []),
-  ];
+  const turned =
+    upsideDown(mine, reference, before) ||
+    (isLevel(mine) && before[0] * dot(mine.axis, reference.axis) < 0);
+  const fresh = differences(mine, m, r, signs, within);
   const far = fresh.reduce((sum, x) => sum + Math.abs(x.mine - x.reference), cost[1]);
   const notes = cost[2] + Number(note) + Number(turned);
   return {

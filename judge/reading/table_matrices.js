@@ -30,6 +30,7 @@ export function fromMatrix(i, A, known) {
   const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - theta);
   const texts = Object.fromEntries(ENTRIES.map((name) => [name, size(numbers[name], 6)]));
   mustBeLink(i, zero, numbers);
+  mustBeLink(i, one, { ...numbers, d: one[2][3], theta: Math.atan2(one[1][0], one[0][0]) });
   const kind = slides ? "prismatic" : free.length ? "revolute" : "unknown";
   const backwards = (slides ? slid : turned) < 0;
   return { kind, numbers, texts, backwards, radians: new Set(), metres: new Set() };
@@ -44,7 +45,7 @@ function short(name, x) {
 
 const OFF = 2e-2; // of sines and cosines that were rounded to two digits
 
-// An error where a matrix at q_i = 0 is no product Rot_z Trans_z Trans_x Rot_x.
+// An error where a matrix of numbers is no product Rot_z Trans_z Trans_x Rot_x.
 function mustBeLink(i, A, { a, alpha, d, theta }) {
   const [c, s, ca, sa] = [theta, alpha].flatMap((x) => [Math.cos(x), Math.sin(x)]);
   const link = [

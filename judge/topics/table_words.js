@@ -35,7 +35,6 @@ const WHAT = {
   "table lean": "table lean what",
   "table foot": "table foot what",
   "table along": "table along what",
-  "table base": "table base what",
   "table kind": "table kind what",
 };
 
