@@ -44,6 +44,20 @@ def until_still(page):
     )
 
 
+def at_rest(page, locator):
+    """Its box, once it has stood in the same place of the window for six frames: a page that was
+    swiped rolls on, and a touch would only stop it."""
+    locator.scroll_into_view_if_needed()
+    seen = []
+
+    def stands():
+        seen.append(locator.bounding_box())
+        return len(seen) > 1 and seen[-1] == seen[-2]
+
+    until(page, stands)
+    return seen[-1]
+
+
 # The instrument taken away, and its stub as it came brought to life as the page does with this fragment.
 KEPT = f"""document.addEventListener("DOMContentLoaded", () => {{
     window.asItCame = document.querySelector("{INSTRUMENT}")?.cloneNode(true);
@@ -755,13 +769,12 @@ def test_a_thumb_may_swipe_past_a_slider(visit):
     )
     assert small == []
     rail = page.locator(".rail").nth(3)
-    rail.scroll_into_view_if_needed()
-    box = rail.bounding_box()
     start = here.q()
-    x, y = box["x"] + 0.2 * box["width"], box["y"] + box["height"] / 2
     touch = page.context.new_cdp_session(page)
 
     def swipe(dx, dy):
+        box = at_rest(page, rail)
+        x, y = box["x"] + 0.2 * box["width"], box["y"] + box["height"] / 2
         points = [{"x": x + dx * k / 6, "y": y + dy * k / 6} for k in range(7)]
         touch.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": points[:1]})
         for point in points[1:]:
@@ -771,11 +784,9 @@ def test_a_thumb_may_swipe_past_a_slider(visit):
 
     swipe(0, -120)
     np.testing.assert_allclose(here.q(), start, atol=1e-12)
-    rail.scroll_into_view_if_needed()
-    box = rail.bounding_box()
-    x, y = box["x"] + 0.2 * box["width"], box["y"] + box["height"] / 2
     swipe(60, 0)
-    assert here.q()[3] > start[3] + 0.1, "from where it stood, not to where the thumb is"
+    until(page, lambda: here.q()[3] > start[3] + 0.1)  # from where it stood
+    assert here.q()[3] < start[3] + 2, "not to where the thumb is"
     page.locator("[data-cell='7-d']").scroll_into_view_if_needed()
     picture = page.locator(".stage").bounding_box()
     assert picture["y"] >= 0
