@@ -344,8 +344,8 @@ def postures(
     tool: float = 0.0,
 ) -> None:
     """Draw an arm in several poses, shape (k, dof), each as a line with dots at its joints, in the
-    middle of axes of its own and all at one scale; a star marks the tip, and arrows of a length
-    `tool` (m) the axes x and z of its frame."""
+    middle of axes of its own and all at one scale; a star marks the tip, or arrows of a length
+    `tool` (m), the axes x and z of its frame."""
     must_be(arm, Arm, "arm")
     poses = numbers(poses, "poses", f"joint vectors (k, {arm.dof})", (None, arm.dof))
     T = [pose_frames(arm, q) for q in poses]
@@ -359,10 +359,11 @@ def postures(
         _ground(ax, line[0], rim - tool)
         ax.plot(*line.T, color=GREY, lw=4, solid_joinstyle="round", zorder=2)
         ax.plot(*seen(pose[origins, :3, 3], view)[:, :2].T, "o", color=SLATE, ms=5, zorder=3)
-        ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)
         middle = (line[:, 0].min() + line[:, 0].max()) / 2
         ax.set(xlim=(middle - half, middle + half), ylim=(low[1] - rim, high[1] + rim))
-        if tool:
+        if tool:  # a star would hide an arrow that comes towards us
             frames(ax, arm, q, view, tool, which=[len(arm.rows)])
+        else:
+            ax.plot(*line[-1], "*", color=RED, ms=10, zorder=4)
         ax.set_title(title, fontsize=9)
         bare(ax)
