@@ -11,7 +11,7 @@ from helpers.inputs import ArmError, must_be, number, numbers
 from helpers.kinematics import link_frames
 from helpers.plotting.drawing import angle
 from helpers.plotting.plane import arm_2d, pose_frames
-from helpers.plotting.style import BLUE, GREY, ORANGE, RED, SLATE
+from helpers.plotting.style import BLUE, GREY, ORANGE, PURPLE, RED, SLATE
 
 Array = NDArray[np.float64]
 
@@ -69,19 +69,24 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
 
 
 def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
-    """Draw an elbow arm without offset in its own plane, with the triangle that gives its angles;
-    q_1 is taken as 0."""
+    """Draw an elbow arm without offset in its own plane, with the triangle that gives its angles,
+    and the foot of its tip on the first link's line with its legs; q_1 is taken as 0."""
     must_be(arm, Arm, "arm")
     q = np.array([0.0, *arm.joint_vector(q, many=False)[1:]])
     shoulder, elbow, tip = points = link_frames(arm, q)[1:4, [0, 2], 3]
     arm_2d(ax, arm, q)
     _triangle(ax, points, 0.04)
+    along = (elbow - shoulder) / np.linalg.norm(elbow - shoulder)
+    foot = shoulder + along * ((tip - shoulder) @ along)
+    ax.plot(*np.stack([elbow, foot, tip], axis=1), color=PURPLE, lw=1.2, ls="-.")
+    _beside(ax, elbow, foot, r"$a_3\cos\theta_3$", 0.07)
+    _beside(ax, foot, tip, r"$-a_3\sin\theta_3$", 0.07)
     lift, bend = np.degrees(q[1:3])
     angle(ax, shoulder, 0.13, (0, lift), r"$\theta_2$")
     angle(ax, shoulder, 0.21, (_bearing(shoulder, tip), lift), r"$\beta$", colour=ORANGE)
     angle(ax, elbow, 0.09, (lift + bend, lift), r"$-\theta_3$")
     angle(ax, elbow, 0.06, (lift + 180, lift + 360 + bend), r"$\varphi$", colour=ORANGE)
-    ax.set(ylim=(shoulder[1] - 0.15, elbow[1] + 0.15))
+    ax.set(ylim=(shoulder[1] - 0.12, max(elbow[1], foot[1]) + 0.07))
 
 
 def _triangle(ax: Axes, points: Array, away: float) -> None:
