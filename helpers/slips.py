@@ -1,7 +1,7 @@
 """Do poses that were read off a drawing find the mistakes in a table? All simple ones are made, one
-and two at a time, and those are kept that the poses do not see. And does an answer show them?"""
+and two at a time, and those are kept that the poses do not see."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from itertools import combinations
 from math import isclose, pi
 from typing import NamedTuple
@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from helpers.arm import Arm, Body
+from helpers.arm import Arm
 from helpers.inputs import must_be
 from helpers.kinematics import forward_kinematics
 
@@ -19,8 +19,8 @@ _SAME = 1e-9  # m, or the entries of a rotation
 
 
 class Slip(NamedTuple):
-    """One mistake: in a row, counted from 1, an entry (a, alpha, d or theta) or its link's mass
-    that got another value, or a joint variable (q) that got the factor -1."""
+    """One mistake: in a row, counted from 1, an entry (a, alpha, d or theta) that got another
+    value, or a joint variable (q) that got the factor -1."""
 
     row: int
     entry: str
@@ -66,28 +66,6 @@ def census(arm: Arm, q: ArrayLike) -> Census:
     return Census(len(one), len(two), by_tip, [wrong for wrong, off in tables if off.max() < _SAME])
 
 
-def hidden(
-    arm: Arm,
-    q: ArrayLike,
-    elsewhere: ArrayLike,
-    answers: Callable[[Arm, NDArray[np.float64]], Mapping[str, NDArray[np.float64]]],
-    forgiven: Mapping[str, float],
-) -> Sequence[tuple[Slip, str]]:
-    """The single slips, a forgotten mass among them, that an answer at joint values q does not
-    show, and its name: it is off by no more than is forgiven, but by more at poses elsewhere,
-    shape (k, dof). `answers` gives each by its name for an arm and poses, these along axis 0.
-    """
-    poses = np.vstack([arm.joint_vector(q), arm.joint_vector(elsewhere)])
-    right, found = answers(arm, poses), []
-    masses = [Slip(i, "mass", 0.0) for i in range(1, len(arm.bodies) + 1)]
-    for slip in [*slips(arm), *masses]:
-        for name, wrong in answers(*_slipped(arm, poses, slip)).items():
-            off = np.abs(wrong - right[name]).reshape(len(poses), -1).max(axis=1)
-            if off[0] <= forgiven[name] < off.max():
-                found.append((slip, name))
-    return found
-
-
 def _both(first: Slip, second: Slip) -> bool:
     """Whether two slips can be made at once: not in one entry."""
     return first[:2] != second[:2]
@@ -95,16 +73,13 @@ def _both(first: Slip, second: Slip) -> bool:
 
 def _tried(arm: Arm, q: NDArray[np.float64], wrong: tuple[Slip, ...]) -> NDArray[np.float64]:
     for slip in wrong:
-        arm, q = _slipped(arm, q, slip)
+        arm, q = slipped(arm, q, slip)
     return forward_kinematics(arm, q)
 
 
-def _slipped(arm: Arm, q: NDArray[np.float64], slip: Slip) -> tuple[Arm, NDArray[np.float64]]:
-    """The arm and the joint values of who makes a slip."""
+def slipped(arm: Arm, q: NDArray[np.float64], slip: Slip) -> tuple[Arm, NDArray[np.float64]]:
+    """The arm and the joint values, shape (..., dof), of who makes a slip."""
     row, name, value = slip
     if name == "q":
         return arm, q * np.where(np.array(arm.joints) == row, value, 1)
-    if name == "mass":
-        bodies = [Body(value, b.com) if i == row else b for i, b in enumerate(arm.bodies, 1)]
-        return arm.with_bodies(bodies), q
     return arm.with_row(row, **{name: value}), q

@@ -15,7 +15,7 @@ MODULES = re.findall(r"automodule:: (helpers\.\w+)", API)
 def names_used():
     """Each name that a cell takes from a module of the helpers, as `helpers.motion.circle`.
 
-    The instructors' page is the reference of what it uses: students need no `helpers.course`.
+    The instructors' page is the reference of what it uses: students need no `course`.
     """
     for path in sorted(set(BOOK.glob("*.ipynb")) - {BOOK / "instructors.ipynb"}):
         cells = json.loads(path.read_text(encoding="utf-8"))["cells"]

@@ -29,7 +29,7 @@ def main(arguments: list[str] | None = None) -> None:
     except (ArmError, OSError) as error:
         sys.exit(str(error))
     except ModuleNotFoundError as error:
-        sys.exit(f"{error}; pip install 'manipulator-homework-helpers[course]' brings it")
+        sys.exit(f"{error}; pip install -e '.[course]' in the book's folder brings it")
     sys.stdout.write(f"{out}\n")
 
 

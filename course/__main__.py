@@ -7,12 +7,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from helpers import variants
+from course import gradescope, making, sandbox, sheets, store
+from course.collect import collect
+from course.grading import grade
+from course.roster import read_roster
 from helpers.command_line import read_arm
-from helpers.course import autograders, making, sandbox, store
-from helpers.course.collect import collect
-from helpers.course.grading import grade
-from helpers.course.roster import read_roster
 from helpers.inputs import ArmError
 
 _OPTIONS: dict[str, dict[str, Any]] = {
@@ -22,8 +21,8 @@ _OPTIONS: dict[str, dict[str, Any]] = {
     "--arm": {"required": True, "help": "a name of the catalogue, arm.urdf, or my_arm.py:MINE"},
     "--title": {"default": "Homework", "help": "what the sheets are headed; Homework unless given"},
     "--topic": {
-        "action": "append", "default": [], "choices": variants.TOPICS, "metavar": "TOPIC",
-        "help": f"one of {', '.join(variants.TOPICS)}; may be given again; all that suit unless"
+        "action": "append", "default": [], "choices": sheets.TOPICS, "metavar": "TOPIC",
+        "help": f"one of {', '.join(sheets.TOPICS)}; may be given again; all that suit unless"
         " given",
     },
     "--id": {"required": True, "help": "a student's id in the roster"},
@@ -35,7 +34,7 @@ _OPTIONS: dict[str, dict[str, Any]] = {
 
 def main(words: Sequence[str] | None = None) -> int:
     """Run one command; 0 if all went well, 2 with words on stderr if not."""
-    parser = argparse.ArgumentParser(prog="python -m helpers.course", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m course", description=__doc__)
     commands = parser.add_subparsers(required=True)
     for name, (run, help_words, options) in COMMANDS.items():
         command = commands.add_parser(name, help=help_words, description=help_words)
@@ -72,7 +71,7 @@ def _collect(given: argparse.Namespace) -> None:
     placed, doubtful = collect(given.download, course.names, given.course)
     print(f"{len(placed)} of {len(course.sheets)} students handed in")
     for words in doubtful:
-        print(f"not placed: {words}")
+        print(words)
 
 
 def _grade(given: argparse.Namespace) -> None:
@@ -90,14 +89,8 @@ def _grade(given: argparse.Namespace) -> None:
 
 def _gradescope(given: argparse.Namespace) -> None:
     course = store.load(given.course)
-    autograders.gradescope_zip(course, given.out)
+    gradescope.pack(course, given.out)
     print(f"autograder for {len(course.sheets)} students: {given.out}")
-
-
-def _nbgrader(given: argparse.Namespace) -> None:
-    book = autograders.nbgrader_notebook(store.load(given.course), given.id)
-    store.write(given.out, store.as_json(book))
-    print(f"source notebook: {given.out}")
 
 
 COMMANDS = {
@@ -109,7 +102,6 @@ COMMANDS = {
     "collect": (_collect, "sort a download of hand-ins by student", "course download"),
     "grade": (_grade, "mark every hand-in of a course", "course --out --jobs"),
     "gradescope": (_gradescope, "make Gradescope's autograder", "course --out"),
-    "nbgrader": (_nbgrader, "make a source notebook for nbgrader", "course --id --out"),
 }  # fmt: skip
 
 if __name__ == "__main__":

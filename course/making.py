@@ -3,48 +3,54 @@
 The notebook holds nothing of the key: only what the questions print, and whose sheet it is.
 """
 
-import pprint
 import secrets
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import count
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from helpers import variants
-from helpers.arm import Arm
-from helpers.course import store
-from helpers.course.answers import NOTEBOOK, PREFIX, SHEET, as_typed
-from helpers.course.arms import to_json
-from helpers.course.marking import mark_sheet
-from helpers.course.roster import Student
-from helpers.course.store import Course
+from course import sheets, store
+from course.answers import NOTEBOOK, PREFIX, SHEET, as_typed, last_cell
+from course.arms import to_python
+from course.marking import mark_sheet
+from course.roster import Student
+from course.store import Course
+from helpers.arm import Arm, Row
 from helpers.inputs import ArmError
 
 _TRIES = 20
 _HOW = (
-    "Answer by the names that each question gives. SI units, angles in radians unless you"
-    " say otherwise."
-    " What is forgiven stands beside each answer; fewer digits than that cost a little.\n\n"
-    "Put each answer in place of the dots. A list, a NumPy array, a SymPy matrix or a text will"
-    " do. The functions of `helpers.checks` say whether a result is right and what to look at if"
-    " it is not."
+    "Answer by the names that each question gives: put each answer in place of the dots. A list, a"
+    " NumPy array, a SymPy matrix or a text will do. SI units, angles in radians.\n\n"
+    "Beside each answer stand the decimals that are asked, and what of it counts by itself: half"
+    " an answer earns its half. A number is right within one unit of the last decimal asked. Fewer"
+    " decimals earn what the worst usual mistake earns that they cannot be told from: rounding"
+    " never pays. Write 0 for what you do not have: zeros earn nothing and cost nothing."
 )
 _LAST = (
-    "## Hand in\n\nThe last cell writes `answers.json` beside this notebook. Hand in both files."
-    " Run *Restart and run all* first, so that what is written is what the notebook says."
+    "## Hand in\n\nThe last cell writes `answers.json` beside this notebook, and needs nothing but"
+    " Python. Hand in both files. Run *Restart and run all* first, so that what is written is what"
+    " the notebook says."
 )
-_SETUP = """import numpy as np
-import sympy as sp
+# Without the helpers only `arm` is missing: the questions stand in words, and answers are written.
+_SETUP = """{prefix}{sheet} = {student!r}  # whose sheet this is
 
-from helpers import checks, kinematics, motion, statics, symbolic
-from helpers.course.arms import from_json
-
-{prefix}{sheet} = {student!r}  # whose sheet this is
-arm = from_json(
-{arm}
-)"""
+try:
+    import numpy as np
+    import sympy as sp
+    from helpers import checks, kinematics, motion, statics, symbolic
+    from helpers.arm import Arm, Body, Joint, Row
+except ModuleNotFoundError as missing:
+    print(
+        f"{{missing}}. `helpers` comes with the course companion: type `make lab` in its folder and"
+        " open this notebook there, or `pip install` that folder where you are. You can answer"
+        " and hand in without."
+    )
+else:
+    arm = {arm}"""
 
 
 def new(
@@ -57,7 +63,7 @@ def new(
     alone, a corrected name is taken over. Raises ArmError where `out` holds a course of another
     title, arm, topics or secret.
     """
-    topics = topics or variants.suiting(arm)
+    topics = topics or sheets.suiting(arm)
     before = Course(title, arm, topics, secret or secrets.token_hex(), {})
     if (out / store.FILE).exists():
         old = store.load(out)
@@ -76,7 +82,7 @@ def new(
         untouched = store.as_json(notebook(before, student)) if student in before.sheets else ""
         if not given.exists() or given.read_bytes() == untouched.encode():
             store.write(given, store.as_json(notebook(course, student)))
-    store.write(out / store.FILE, store.text(course))
+    store.save(course, out)
     return course
 
 
@@ -86,24 +92,38 @@ def _proved(course: Course, student: str) -> dict[str, Any]:
     Raises ArmError where twenty in a row do not.
     """
     for attempt in range(_TRIES):
-        sheet = variants.sheet(course.arm, store.seed(course, student, attempt), course.topics)
+        sheet = sheets.sheet(course.arm, store.seed(course, student, attempt), course.topics)
         marks = mark_sheet(sheet, right_work(sheet))
         if all(mark.credit == 1 for mark in marks):
             return {"values": dict(sheet.arm.values), "drawn": dict(sheet.drawn)}
     wrong = next(mark for mark in marks if mark.credit != 1)
-    raise ArmError(f"`{wrong.part}` cannot be marked: its own key is judged {wrong.headline!r}")
+    raise ArmError(f"`{wrong.part}` cannot be marked: its own key is judged {wrong.words!r}")
 
 
-def right_work(sheet: variants.Sheet) -> dict[str, Any]:
+def right_work(sheet: sheets.Sheet) -> dict[str, Any]:
     """The key as a student would hand it in: four decimals, a table's rows, formulas."""
     values = {name: part.value for name, part in sheet.parts.items()}
-    return {n: as_typed(x.round(4) if isinstance(x, np.ndarray) else x) for n, x in values.items()}
+    return {name: as_typed(_typed(value)) for name, value in values.items()}
+
+
+def _typed(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return value.round(4) + 0.0
+    return [*map(_row, value.rows, count(1))] if isinstance(value, Arm) else value
+
+
+def _row(row: Row, number: int) -> list[str]:
+    """A row's entries, the joint's variable among them."""
+    entries = dict(zip(("a", "alpha", "d", "theta"), map(str, row.entries), strict=True))
+    if moved := {"revolute": "theta", "prismatic": "d"}.get(row.joint.kind):
+        entries[moved] = f"q_{number} + {entries[moved]}"
+    return list(entries.values())
 
 
 def notebook(course: Course, student: str) -> dict[str, Any]:
     """The sheet as a notebook, nbformat 4.5: questions, answer cells, and how to hand in."""
     sheet, name = course.sheet(student), course.names[student]
-    arm = pprint.pformat(to_json(sheet.arm), width=96, sort_dicts=False)
+    arm = to_python(sheet.arm).replace("\n", "\n    ")
     cells = [
         _text("title", f"# {course.title}\n\n{name} ({student})\n\n{_HOW}"),
         _text("arm", f"## The arm\n\n{sheet.arm._repr_markdown_()}"),
@@ -115,7 +135,7 @@ def notebook(course: Course, student: str) -> dict[str, Any]:
             code = f"# {part.what}\n{PREFIX}{part.name} = ..."
             cells.append(code_cell(f"answer-{part.name}", code))
     cells.append(_text("hand-in", _LAST))
-    cells.append(code_cell("write", "from helpers.course import hand_in\n\nhand_in(globals())"))
+    cells.append(code_cell("write", last_cell()))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     return {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
 

@@ -1,6 +1,7 @@
 """Who takes the course, the folder of each, and whom other systems mean by a name."""
 
 import csv
+import io
 import re
 import unicodedata
 from collections import defaultdict
@@ -24,15 +25,23 @@ class Student:
 
 
 def read_roster(path: str | Path) -> tuple[Student, ...]:
-    """The students in a CSV file with the columns id and name, in UTF-8, beside any others.
+    """The students in a CSV file with the columns id and name, in UTF-8, beside any others; with
+    commas, or with semicolons as spreadsheets write them in many countries.
 
     Raises ArmError, with the line, for a column that is missing, an id that can name no folder, and
     an id that stands twice (capitals count as small letters, as some disks see them).
     """
     try:
-        with Path(path).open(encoding="utf-8-sig", newline="") as file:
-            rows = list(csv.DictReader(file))
-    except (UnicodeDecodeError, csv.Error) as error:
+        text = Path(path).read_bytes().decode("utf-8-sig")
+        head = text.partition("\n")[0]
+        between = ";" if head.count(";") > head.count(",") else ","
+        rows = list(csv.DictReader(io.StringIO(text, newline=""), delimiter=between))
+    except UnicodeDecodeError:
+        raise ArmError(
+            f"roster {str(path)!r} is not in UTF-8; save it as CSV UTF-8 (in Excel and LibreOffice"
+            " one of the formats, or the character set, of Save As)"
+        ) from None
+    except csv.Error as error:
         raise ArmError(f"roster {str(path)!r} cannot be read: {error}") from None
     students = dict[str, Student]()
     for line, row in enumerate(rows, 2):

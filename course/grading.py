@@ -1,7 +1,9 @@
 """Every hand-in of a course marked, each in a process of its own: what breaks costs its author."""
 
 import csv
+import hashlib
 import io
+import json
 import multiprocessing
 import os
 import threading
@@ -12,12 +14,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from helpers.course import store
-from helpers.course.answers import SHEET
-from helpers.course.files import within
-from helpers.course.handed_in import HandIn, read_hand_in
-from helpers.course.marking import mark_sheet
-from helpers.course.store import Course
+from course import store
+from course.files import within
+from course.handed_in import HandIn, of_another, read_hand_in
+from course.marking import mark_sheet
+from course.store import Course
 from helpers.inputs import whole
 
 _PATIENCE = 600  # seconds for a student beyond those of the notebook: then something hangs
@@ -30,8 +31,9 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "|", "%")
 def grade(folder: Path, out: Path, jobs: int = 1, seconds: int = 0) -> list[dict[str, Any]]:
     """Mark what every student of a course handed in; the rows of grades.csv, in the course's order.
 
-    Writes `out/grades.csv`, and for each student `feedback.txt`. Notebooks are run for so many
-    seconds, and not at all for 0.
+    Writes `out/grades.csv`, and for each student `feedback.txt` and `mark.json`, by which nobody is
+    marked twice: who handed in the same files as when it was written keeps the mark. Notebooks are
+    run for so many seconds, and not at all for 0.
     """
     whole(jobs, "jobs", least=1)
     course = store.load(folder)
@@ -48,6 +50,30 @@ def grade(folder: Path, out: Path, jobs: int = 1, seconds: int = 0) -> list[dict
 
 
 def _marked(folder: Path, out: Path, seconds: int, course: Course) -> dict[str, Any]:
+    """The row of a course's only student, as it was or marked anew."""
+    (student,) = course.sheets
+    kept, now = out / student / "mark.json", _as_it_is(folder / student, seconds, course)
+    try:
+        before = json.loads(kept.read_bytes())
+        if before["of"] == now:
+            return dict(before["row"])
+    except (OSError, ValueError, KeyError, TypeError):
+        pass  # there is none yet
+    row = _apart(folder, out, seconds, course)
+    store.write(kept, store.as_json({"of": now, "row": row}))
+    return row
+
+
+def _as_it_is(folder: Path, seconds: int, course: Course) -> str:
+    """What a mark depends on, in a word: the sheet, the files as the disk knows them, and whether
+    notebooks are run."""
+    paths = sorted(Path(place, name) for place, _, names in os.walk(folder) for name in names)
+    told = [(str(path), (s := path.lstat()).st_size, s.st_mtime_ns, s.st_mode) for path in paths]
+    words = repr((told, seconds > 0, store.text(course)))
+    return hashlib.sha256(words.encode(errors="surrogateescape")).hexdigest()
+
+
+def _apart(folder: Path, out: Path, seconds: int, course: Course) -> dict[str, Any]:
     """The row of a course's only student, from a process of its own that is ended when it hangs."""
     context: Any = multiprocessing.get_context(_HOW)
     ours, theirs = context.Pipe(duplex=False)
@@ -94,9 +120,7 @@ def _written(course: Course, out: Path, handed: HandIn) -> dict[str, Any]:
     ((student, name),) = course.names.items()
     sheet = course.sheet(student)
     marks = mark_sheet(sheet, handed.answers)
-    other = str(handed.answers.get(SHEET, student))
-    wrong = f"this answers the sheet of {other[:64]!r}, not of {student!r}"
-    trouble = "; ".join(filter(None, [wrong if other != student else "", handed.trouble]))
+    trouble = "; ".join(filter(None, [of_another(handed.answers, student), handed.trouble]))
     credits = {mark.part: round(mark.credit, 4) for mark in marks}
     total = round(sum(credits.values()), 4)
     lines = [f"{course.title}, {name} ({student}): {total:g} of {len(marks)}"]

@@ -2,7 +2,7 @@
 
 It runs in bubblewrap: its own namespaces, no network, no files but Python's, an empty environment,
 a folder in memory to write to. A filter of system calls, as Flatpak has one, keeps the kernel's
-keys and further namespaces out of reach. `helpers.course.inside` sets the limits of a process.
+keys and further namespaces out of reach. `course.inside` sets the limits of a process.
 Its output is only ever read as JSON and judged outside, where the key is.
 """
 
@@ -37,7 +37,9 @@ def refusal() -> str:
     if not shutil.which("bwrap"):
         return "to run notebooks, install bubblewrap (on Debian and Ubuntu: apt install bubblewrap)"
     if not find_spec("nbclient"):
-        return "to run notebooks, pip install 'manipulator-homework-helpers[course]'"
+        return (
+            "to run notebooks, install the extra: pip install -e '.[course]' in the book's folder"
+        )
     if _execute([sys.executable, "-c", "import nbclient; print(1)"], b"", 60) != b"1\n":
         return "bubblewrap is installed, but the system does not let it work; notebooks are not run"
     return ""
@@ -48,7 +50,7 @@ def run(code: Sequence[str], seconds: int) -> tuple[Mapping[str, Any], str]:
 
     One that is broken, endless or hostile raises nothing.
     """
-    command = [sys.executable, "-m", "helpers.course.inside", str(seconds)]
+    command = [sys.executable, "-m", "course.inside", str(seconds)]
     printed = _execute(command, json.dumps(code).encode(), seconds)
     try:
         found = json.loads(printed.splitlines()[-1])
@@ -105,8 +107,14 @@ def _bubblewrap(calls: int) -> list[str]:
 
 def _mounted() -> list[str]:
     """Where Python, its packages and the helpers lie, each once; sheets lie elsewhere."""
-    folders = {sys.base_prefix, sys.prefix, str(Path(helpers.__file__).parent), _packages()}
+    ours = (str(Path(file).parent) for file in (helpers.__file__, __file__))
+    folders = {sys.base_prefix, sys.prefix, *ours, _packages()}
     return [f for f in sorted(folders) if not f"{f}/".startswith("/usr/")]
+
+
+def _roots() -> set[str]:
+    """The folders above the helpers and this package."""
+    return {str(Path(file).parents[1]) for file in (helpers.__file__, __file__)}
 
 
 def exposed(path: Path) -> bool:
@@ -124,7 +132,7 @@ def _environment() -> dict[str, str]:
     return {
         "PATH": f"{Path(sys.executable).parent}:/usr/bin:/bin",
         "HOME": "/home",
-        "PYTHONPATH": f"{Path(helpers.__file__).parents[1]}:{_packages()}",
+        "PYTHONPATH": ":".join([*_roots(), _packages()]),
         "OPENBLAS_NUM_THREADS": "1",
         "MPLBACKEND": "Agg",
         "LANG": "C.UTF-8",

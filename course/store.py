@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from helpers import variants
+from course import arms
+from course.sheets import Sheet, with_lengths
 from helpers.arm import Arm
-from helpers.course import arms
 from helpers.inputs import ArmError
 
 FILE = "course.json"
@@ -36,13 +36,13 @@ class Course:
         """The students' names by their ids."""
         return {student: str(entry["name"]) for student, entry in self.sheets.items()}
 
-    def sheet(self, student: str) -> variants.Sheet:
+    def sheet(self, student: str) -> Sheet:
         """A student's sheet as it was drawn; raises ArmError for an unknown id."""
         if student not in self.sheets:
             raise ArmError(f"student {student!r} is not in this course")
         stored = self.sheets[student]
-        arm = variants.with_lengths(self.arm, stored["values"])
-        return variants.Sheet(arm, stored["drawn"])
+        arm = with_lengths(self.arm, stored["values"])
+        return Sheet(arm, stored["drawn"])
 
 
 def seed(course: Course, student: str, attempt: int) -> str:
@@ -72,9 +72,17 @@ def as_json(data: Mapping[str, Any]) -> str:
     return json.dumps(data, indent=1, allow_nan=False) + "\n"
 
 
-def write(path: Path, text: str) -> None:
+def save(course: Course, folder: Path) -> None:
+    """Write course.json, readable by its owner alone, and a .gitignore that keeps it to itself."""
+    write(folder / ".gitignore", f"{FILE}\n")
+    write(folder / FILE, text(course), mode=0o600)
+
+
+def write(path: Path, text: str, mode: int = 0o666) -> None:
     """Write a text file whole or not at all; a file's name in it may be no text, and is escaped."""
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_name(f".{path.name}.{os.getpid()}")
+    beside.unlink(missing_ok=True)
+    beside.touch(mode)
     beside.write_bytes(text.encode(errors="backslashreplace"))
     beside.replace(path)

@@ -5,13 +5,16 @@ import resource
 import sys
 from typing import Any
 
-_LAST = "from helpers.course.answers import collected\nprint({mark!r} + collected(globals()))"
+_LAST = """import json
+from course.answers import collected
+print({mark!r} + json.dumps(collected(globals())))"""
 _MARK = "the answers of this homework:"  # before the JSON in the last cell's output
+_TOLD, _WORDS = 3, 60  # cells that failed, and letters of each and of what it raised
 _MEMORY = 4 * 2**30  # bytes of each process
 
 
 def main(seconds: int) -> None:
-    """Read the cells as JSON; print the answers, and in words how many cells failed, as JSON."""
+    """Read the cells as JSON; print the answers, and which cells raised what, as JSON."""
     import nbformat  # with nbclient an extra, which no other part of the kit needs
     from nbclient import NotebookClient
     from nbclient.exceptions import DeadKernelError
@@ -35,9 +38,19 @@ def main(seconds: int) -> None:
 
 def _result(book: Any) -> dict[str, Any]:
     printed = "".join(o.text for o in book.cells[-1].outputs if o.get("name") == "stdout")
-    failed = sum(any(o.output_type == "error" for o in cell.outputs) for cell in book.cells)
-    trouble = f"{failed} of its cells raised an error" if failed else ""
-    return {"answers": json.loads(printed.split(_MARK)[-1]), "trouble": trouble}
+    failed = [
+        f"the cell `{cell.source.strip().splitlines()[0][:_WORDS]}` {_raised(output)}"
+        for cell in book.cells
+        for output in cell.outputs
+        if output.output_type == "error"
+    ]
+    return {"answers": json.loads(printed.split(_MARK)[-1]), "trouble": "; ".join(failed[:_TOLD])}
+
+
+def _raised(output: Any) -> str:
+    if output.ename == "KeyboardInterrupt":
+        return "was stopped, since it took too long"
+    return f"raised {output.ename}: {output.evalue[:_WORDS]}"
 
 
 if __name__ == "__main__":

@@ -11,13 +11,24 @@ from functools import cached_property
 
 import numpy as np
 
+from course.topics import BY_NAME, Given, Part, Rng, drawn, lacks, question_parts
 from helpers.arm import Arm, Body
 from helpers.inputs import ArmError, listed, must_be, one_of, whole
-from helpers.variants.topics import BY_NAME, Given, Part, Rng, drawn, lacks
 
 __all__ = ["TOPICS", "Part", "Question", "Sheet", "sheet", "variant"]
 
 TOPICS = tuple(BY_NAME)
+# What of a part is marked by itself, by its kind.
+_COUNTS = {
+    "numbers": "each number counts",
+    "rotation": "each column counts",
+    "jacobian": "each column counts by halves, linear and angular",
+    "column": "the linear and the angular half count",
+    "torques": "each number counts",
+    "table": "each row counts",
+    "branches": "each row counts",
+    "pose": "they count as a whole",
+}
 
 
 @dataclass(frozen=True, repr=False)
@@ -34,7 +45,7 @@ class Question:
     def markdown(self) -> str:
         """The question and the names to answer by."""
         title = self.topic[0].upper() + self.topic[1:]
-        names = [f"- `{p.name}`: {p.what}; {p.tolerance:g} off is forgiven" for p in self.parts]
+        names = [f"- `{p.name}`: {p.what}; {_asked(p)}" for p in self.parts]
         return "\n".join([f"## {title}", "", self.text, "", *names])
 
     def __repr__(self) -> str:
@@ -87,7 +98,14 @@ def variant(topic: str, arm: Arm, seed: int | str) -> Question:
 
 def question(topic: str, arm: Arm, given: Given) -> Question:
     """The question and its key from an arm and the numbers that were drawn."""
-    return Question(topic, arm, given, *BY_NAME[topic].ask(arm, given))
+    return Question(topic, arm, given, *question_parts(topic, arm, given))
+
+
+def _asked(part: Part) -> str:
+    """How many decimals are asked, and what of an answer counts."""
+    if part.kind in ("column", "table"):
+        return _COUNTS[part.kind]
+    return f"{part.digits} decimals; {_COUNTS[part.kind]}"
 
 
 def suiting(arm: Arm) -> tuple[str, ...]:

@@ -11,9 +11,10 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from pathlib import Path, PurePosixPath
 
-from helpers.course.files import Found, within
-from helpers.course.handed_in import whose
-from helpers.course.roster import People
+from course.answers import SHEET
+from course.files import Found, within
+from course.handed_in import of_another, whose
+from course.roster import People
 from helpers.inputs import ArmError
 
 FOLDER = "handed_in"  # in a student's folder
@@ -65,8 +66,16 @@ def sort(found: Iterable[Found], names: Mapping[str, str]) -> tuple[dict[str, li
         student, why = _whose(words, group, people)
         if student:
             placed[student] += group
-        doubtful += [f"{file}: {why}".removesuffix(": ") for file in group if why or file.trouble]
+        doubtful += filter(None, (_doubt(file, student, why) for file in group))
     return placed, tuple(doubtful)
+
+
+def _doubt(file: Found, student: str, why: str) -> str:
+    """What is to be looked at by hand, in words; "" for a file that is surely the student's."""
+    if why or file.trouble:
+        return f"not placed: {file}: {why}".removesuffix(": ")
+    other = of_another({SHEET: whose(file) or student}, student)
+    return f"placed with {student}, but look at it: {file}: {other}" if other else ""
 
 
 def _owner(file: Found, people: People, submitters: Mapping[str, Words]) -> tuple[str, Words]:

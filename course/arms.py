@@ -1,4 +1,4 @@
-"""An arm as JSON, symbols and all."""
+"""An arm as JSON and as Python, symbols and all."""
 
 import math
 from collections.abc import Mapping
@@ -34,3 +34,25 @@ def from_json(data: Mapping[str, Any]) -> Arm:
         raise ArmError(
             f"the stored arm lacks or mistypes {error}; expected what to_json makes"
         ) from None
+
+
+def to_python(arm: Arm) -> str:
+    """An expression of Python that makes the arm, with `Arm`, `Body`, `Joint`, `Row` at hand."""
+    data = to_json(arm)
+    rows = [
+        f"Row({', '.join(map(repr, row['entries'].values()))}, Joint({_named(row['joint'])})),"
+        for row in data.pop("rows")
+    ]
+    bodies = [f"Body({_named(body)})," for body in data.pop("bodies")]
+    lists = {"rows": rows, "bodies": bodies}
+    fields = [
+        line
+        for name, lines in lists.items()
+        for line in (f"{name}=[", *(f"    {line}" for line in lines), "],")
+    ]
+    fields += [f"{name}={value!r}," for name, value in data.items()]
+    return "\n    ".join(["Arm(", *fields]) + "\n)"
+
+
+def _named(fields: Mapping[str, Any]) -> str:
+    return ", ".join(f"{name}={value!r}" for name, value in fields.items())

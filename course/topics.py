@@ -4,53 +4,66 @@ Drawing and asking are apart, and what is drawn are plain numbers: a later NumPy
 may draw others, asks the same questions of them still.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
-from functools import partial
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from course.slips import Slip, made
 from helpers import inverse, symbolic
-from helpers.arm import Arm, Joint, Row
+from helpers.arm import Arm, Joint, Row, fixed
 from helpers.inputs import ArmError
 from helpers.kinematics import forward_kinematics, jacobian, link_frames
 from helpers.motion import SingularError, Trace, circle, plain_inverse, trace
-from helpers.slips import hidden
 from helpers.statics import gravity_torque, static_torque
 
 Array = NDArray[np.float64]
 Rng = np.random.Generator
 Given = Mapping[str, Any]
-Kind = Literal["numbers", "table", "jacobian", "column", "torques", "branches", "pose"]
+Kind = Literal["numbers", "rotation", "table", "jacobian", "column", "torques", "branches", "pose"]
 
 _TRIES = 500
-_STEPS = 1000  # of the key's own run; the sheet asks for as many or more
+_EULER = 1000  # steps that the sheet asks for, or more
+_STEPS = 100  # of the key's own run, which is exact at each of them
 _SMALLEST = 0.04  # no question is asked nearer to a singular pose than this singular value
 _POSE_DIGITS = 6  # of a target as printed: 1e-6 m moves a joint by 1e-6 / 0.04 rad at most
-_FORGIVEN = {"table": 5e-4, "p": 1e-3, "R": 2e-3, "J": 2e-3, "xi": 5e-3, "J_column": 1e-6}
-_FORGIVEN |= {"centre": 1e-3, "quarter": 1e-2, "half": 1e-2, "g": 5e-3, "tau": 5e-3, "q": 1e-2}
-_SEEN = {name: 1.1 * off for name, off in _FORGIVEN.items()}  # at four decimals, too
+_FEWEST, _MOST = 3, 4  # decimals that are asked, mm at least: a list of slips is never complete
+_BY_EULER = 2, 2  # those that 1000 steps give
 
 
 @dataclass(frozen=True)
 class Part:
-    """One line of a key: the name to answer by, what is asked, the right value, the tolerance told.
+    """One line of a key: the name to answer by, what is asked, the right value, and what known
+    slips make of it.
 
-    `kind` says which checker judges it. `value` is an array, an `Arm` for a table, or the branches,
-    shape (k, dof), for inverse kinematics.
+    `kind` says how it is judged. `value` is an array, an `Arm` for a table, six formulas for a
+    column, or the branches, shape (k, dof), for inverse kinematics. `idle` is what can be written
+    without any work: zeros, or what the question itself gives.
     """
 
     name: str
     what: str
     kind: Kind
     value: Any
+    slips: tuple[tuple[str, Array], ...] = ()
+    idle: Any = 0.0
+
+    @cached_property
+    def digits(self) -> int:
+        """The decimals asked: the fewest at which no number is within a unit of the right one and
+        of a slip's as well; 0 where as many as may be asked do not tell them apart."""
+        fewest, most = _BY_EULER if self.name in ("quarter", "half") else (_FEWEST, _MOST)
+        nearest = min((np.abs(wrong - self.value).max() for _, wrong in self.slips), default=np.inf)
+        return next((n for n in range(fewest, most + 1) if 2 * 10.0**-n < nearest), 0)
 
     @property
-    def tolerance(self) -> float:
-        return _FORGIVEN[self.name]
+    def unit(self) -> float:
+        """The unit of the last place asked, which is forgiven."""
+        return 10.0**-self.digits
 
 
 def _pose(arm: Arm, rng: Rng) -> list[float]:
@@ -128,7 +141,7 @@ def _ask_pose(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     text = f"Where is the tip of this arm, and how is it turned, at $q = {q}$?"
     return text, (
         Part("p", "the tip's position (m)", "numbers", right["p"]),
-        Part("R", "its rotation, a 3 × 3 matrix", "numbers", right["R"]),
+        Part("R", "its rotation, a 3 × 3 matrix", "rotation", right["R"]),
     )
 
 
@@ -136,21 +149,41 @@ def _draw_jacobian(arm: Arm, rng: Rng) -> Given | None:
     return {
         "q": _pose(arm, rng),
         "q_dot": (rng.uniform(-1, 1, arm.dof).round(1) + 0.0).tolist(),
-        "column": int(rng.integers(1, arm.dof + 1)),
+        **_draw_camera(arm, rng),
     }
+
+
+def _draw_camera(arm: Arm, rng: Rng) -> dict[str, Any]:
+    """A place on a link beyond the first, and a joint before it."""
+    link = int(rng.integers(min(2, len(arm.rows)), len(arm.rows) + 1))
+    before = sum(row <= link for row in arm.joints)
+    place = [int(x) / 100 for x in rng.choice([-1, 1], 2) * rng.integers(3, 20, 2)]
+    return {"link": link, "column": int(rng.integers(1, max(before, 1) + 1)), "camera": place}
+
+
+def camera_arm(arm: Arm, given: Given) -> Arm:
+    """The arm up to the camera: at (x, 0, z) in the frame of its link, turned like it."""
+    x, z = given["camera"]
+    rows = [*arm.rows[: given["link"]], fixed(a=x, d=z)]
+    return Arm(f"{arm.name}, up to its camera", rows, arm.values)
 
 
 def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
     q, q_dot, column = np.array(given["q"]), np.array(given["q_dot"]), int(given["column"])
     right = _results(given, arm, q)
-    entries = [str(entry) for entry in symbolic.jacobian(arm)[:, column - 1]]
-    names = ", ".join(f"`{name}`" for name in (*arm.variables, *arm.values))
+    seen = camera_arm(arm, given)
+    entries = [str(entry) for entry in symbolic.jacobian(seen)[:, column - 1]]
+    names = ", ".join(f"`{name}`" for name in seen.variables)
+    x, z = given["camera"]
     text = (
         f"At $q = {matrix(q)}$ the joints move at the rates $\\dot q = {matrix(q_dot)}$."
-        " How does the tip move?"
-        f" Then column {column} of the Jacobian in symbols, for any $q$: write {names}."
+        " How does the tip move?\n\n"
+        f"A camera is fixed to link {given['link']}, at ${matrix([x, 0, z])}$ m in that link's"
+        f" frame, its axes parallel to the frame's. How does `{seen.variables[column - 1]}` alone"
+        f" move it, for any $q$? Write {names}, and the lengths by their names."
     )
-    formula = f"column {column} in symbols, six formulas, evaluated at poses of our choice"
+    formula = f"column {column} of the camera's Jacobian in symbols, six formulas (v, ω) in base"
+    formula += " axes"
     return text, (
         Part("J", "the Jacobian, rows (v, ω) in base axes", "jacobian", right["J"]),
         Part("xi", "the tip's velocity (m/s, rad/s)", "numbers", right["xi"]),
@@ -167,39 +200,38 @@ def _draw_circle(arm: Arm, rng: Rng) -> Given | None:
         "duration": int(rng.integers(2, 7)) * 5,
     }
     try:
-        run = traced(arm, given, 100)
+        run = traced(arm, given)
     except (SingularError, ArmError):
         return None
-    moved = np.abs(run.q[[25, 50]] - run.q[0]).max(axis=0).min() > _FORGIVEN["half"]
+    moved = np.abs(run.q[[_STEPS // 4, _STEPS // 2]] - run.q[0]).max(axis=0).min() > 0.02
     good = run.report.executable and run.report.smallest_singular_value > _SMALLEST
     return given if good and moved else None
 
 
-def traced(arm: Arm, given: Given, steps: int = _STEPS) -> Trace:
+def traced(arm: Arm, given: Given) -> Trace:
     """The exact run along the circle that was drawn: its start is the farthest point along the
     plane's first axis.
     """
     first = np.eye(3)["xyz".index(given["plane"][0])]
     centre = forward_kinematics(arm, given["q"])[:3, 3] - given["radius"] * first
-    path = circle(centre, given["radius"], given["plane"], given["duration"], steps)
+    path = circle(centre, given["radius"], given["plane"], given["duration"], _STEPS)
     return trace(arm, given["q"], path, method="exact", rates=plain_inverse(1e-4))
 
 
 def _ask_circle(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
-    run, (first, second) = traced(arm, given), given["plane"]
-    centre = run.path.positions[0] - given["radius"] * np.eye(3)["xyz".index(first)]
+    right, (first, second), start = solve(arm, given), given["plane"], np.array(given["q"])
     text = (
         f"The tip starts at $q = {matrix(given['q'])}$ and draws a circle of radius"
         f" {given['radius']:g} m in the {first}{second} plane in {given['duration']:g} s, at even"
         f" speed and held orientation. The start is the circle's farthest point along $+{first}$;"
-        f" from there the tip moves towards $+{second}$. Use {_STEPS} Euler steps or more, or a"
+        f" from there the tip moves towards $+{second}$. Use {_EULER} Euler steps or more, or a"
         " better method."
     )
     joints = "the joints after {} of the time (rad; m where one slides)"
     return text, (
-        Part("centre", "the circle's centre (m)", "numbers", centre),
-        Part("quarter", joints.format("a quarter"), "numbers", run.q[_STEPS // 4]),
-        Part("half", joints.format("half"), "numbers", run.q[_STEPS // 2]),
+        Part("centre", "the circle's centre (m)", "numbers", right["centre"]),
+        Part("quarter", joints.format("a quarter"), "numbers", right["quarter"], idle=start),
+        Part("half", joints.format("half"), "numbers", right["half"], idle=start),
     )
 
 
@@ -277,13 +309,32 @@ BY_NAME = {
 }
 
 
+def solve(arm: Arm, given: Given) -> dict[str, Array]:
+    """The numbers of a question with a pose, by the names of the parts."""
+    if "radius" not in given:
+        return _results(given, arm, np.array(given["q"]))
+    run, first = traced(arm, given), np.eye(3)["xyz".index(given["plane"][0])]
+    shares = {"quarter": 1, "half": 2, "three quarters": 3}
+    joints = {name: run.q[n * _STEPS // 4] for name, n in shares.items()}
+    return {"centre": run.path.positions[0] - given["radius"] * first, **joints}
+
+
+def question_parts(topic: str, arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
+    """A topic's text and key, each part with what the known slips make of it."""
+    text, parts = BY_NAME[topic].ask(arm, given)
+    slips = made(arm, given, solve) if "q" in given else ()
+    return text, tuple(replace(part, slips=_changed(part.name, slips)) for part in parts)
+
+
+def _changed(name: str, slips: Sequence[Slip]) -> tuple[tuple[str, Array], ...]:
+    return tuple((slip.words, slip.answers[name]) for slip in slips if name in slip.answers)
+
+
 def drawn(topic: str, arm: Arm, rng: Rng) -> Given:
-    """What is drawn for a topic, anew until it can be asked and no single slip hides in it."""
-    elsewhere = np.random.default_rng(0).uniform(-2.4, 2.4, (30, arm.dof))
+    """What is drawn for a topic, anew until it can be asked and every slip shows."""
     for _ in range(_TRIES):
-        given = BY_NAME[topic].draw(arm, rng) or {}
-        pose, answers = given.get("q"), partial(_results, given)
-        if given and not (pose and hidden(arm, pose, elsewhere, answers, _SEEN)):
+        given = BY_NAME[topic].draw(arm, rng)
+        if given and all(p.digits for p in question_parts(topic, arm, given)[1]):
             return given
     raise ArmError(f"{arm.name}: no {topic} that shows every slip was found in {_TRIES} tries")
 

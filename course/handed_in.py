@@ -7,14 +7,14 @@ platforms rename. Nothing is raised for what a student may have done; it is told
 import json
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from helpers.course import sandbox
-from helpers.course.answers import NOTEBOOK, PREFIX, SHEET
-from helpers.course.files import Found
+from course import sandbox
+from course.answers import NOTEBOOK, PREFIX, SHEET
+from course.files import Found
 
-_WHOSE = re.compile(rf"\b{PREFIX}{SHEET} = '([^']+)'|\"{SHEET}\": \"([^\"]+)\"")
+_WHOSE = re.compile(rf"^\s*{PREFIX}{SHEET}\s*=\s*['\"]([^'\"]+)", re.M)
 _LINE = re.compile(rf"^\s*{PREFIX}(\w+)(.*)$", re.M)
 
 
@@ -28,6 +28,7 @@ class HandIn:
 
 def read_hand_in(files: Sequence[Found], parts: Collection[str], seconds: int = 0) -> HandIn:
     """The answers in a student's files; a notebook is run for so many seconds, not at all for 0."""
+    files = [_checked(file) for file in sorted(files, key=lambda file: not file.trouble)]
     read = {file.name: _json(file) for file in files if file.kind in (".json", ".ipynb")}
     written = {name: named for name, data in read.items() if (named := _answers(data, parts))}
     if written:
@@ -50,8 +51,19 @@ def read_hand_in(files: Sequence[Found], parts: Collection[str], seconds: int = 
 
 def whose(file: Found) -> str:
     """The id on the sheet that a file answers, "" where it does not say."""
-    said = _WHOSE.search(file.content.decode("utf-8", "replace").replace('\\"', '"'))
-    return (said[1] or said[2]) if said else ""
+    data = _json(file)
+    if (code := _code(data)) is not None:
+        said = _WHOSE.search("\n".join(code))
+        return said[1] if said else ""
+    return str(_named(data).get(SHEET, "")) if isinstance(data, dict) else ""
+
+
+def of_another(answers: Mapping[str, Any], student: str) -> str:
+    """In words that answers belong to another's sheet; "" where they do not say so."""
+    other = str(answers.get(SHEET, student))
+    return (
+        "" if other == student else f"this answers the sheet of {other[:64]!r}, not of {student!r}"
+    )
 
 
 def _several(what: str, names: Collection[str]) -> HandIn:
@@ -73,6 +85,19 @@ def _json(file: Found) -> Any:
         return json.loads(file.content)
     except (ValueError, RecursionError):
         return None
+
+
+def _checked(file: Found) -> Found:
+    """The file, with why it cannot be read where it should be JSON and is not."""
+    if file.trouble or file.kind not in (".json", ".ipynb"):
+        return file
+    try:
+        json.loads(file.content)
+    except json.JSONDecodeError as error:
+        return replace(file, trouble=f"this is no JSON: line {error.lineno}, {error.msg}")
+    except (ValueError, RecursionError) as error:
+        return replace(file, trouble=f"this is no JSON: {error}"[:100])
+    return file
 
 
 def _answers(data: Any, parts: Collection[str]) -> dict[str, Any]:

@@ -8,19 +8,18 @@ import sys
 import zipfile
 from pathlib import Path
 
-import nbformat
-import numpy as np
 import pytest
 import yaml
 
+import helpers
+from course import __main__ as commands
+from course import collect, gradescope, grading, making
+from course.files import Found
+from course.making import right_work
+from course.roster import Student
 from helpers.arm import ArmError
-from helpers.course import __main__ as commands
-from helpers.course import autograders, collect, grading, making
-from helpers.course.files import Found
-from helpers.course.making import right_work
-from helpers.course.roster import Student
 from helpers.robots import ELBOW
-from tests.test_course import SECRET
+from tests.course.test_course import SECRET
 
 FIRST = ["Ada", "Émile", "Jean-Luc", "Zoë", "Mary", "Chika", "José", "Wei", "Nguyễn", "Søren",
          "Björn", "O'Neil"]  # fmt: skip
@@ -109,16 +108,20 @@ def test_what_is_not_certain_is_listed_and_not_placed():
         "cd": ["twinada_3_4_answers.json"], "ef": ["bergbo_5_6_answers.json"],
         "gh": ["anon_x_9_answers.json"],
     }  # fmt: skip
-    assert [words.split(":")[0] for words in doubtful] == [
-        "twinada_1_2_answers.json", "nobody_7_8_homework.pdf",
+    assert [words.split(":")[1].strip() for words in doubtful] == [
+        "twinada_1_2_answers.json", "bergbo_5_6_answers.json", "nobody_7_8_homework.pdf",
         "Participant_11_assignsubmission_file_x.json",
     ]  # fmt: skip
+    assert doubtful[1].endswith("answers the sheet of 'gh', not of 'ef'")
     assert "twinada may be ab or cd; the sheet in it does not tell" in doubtful[0]
 
 
 def test_the_sheet_speaks_from_a_notebook_too():
-    text = json.dumps({"cells": [{"source": "answer_sheet = 'ab'  # whose"}]})
-    assert sort(**{"anon_x_9_homework.ipynb": text})[0] == {"ab": ["anon_x_9_homework.ipynb"]}
+    """As it was given out, and as JupyterLab saves it: in lines."""
+    source = "import numpy\nanswer_sheet = 'ab'  # whose"
+    for kept in (source, source.splitlines(keepends=True)):
+        text = json.dumps({"cells": [{"cell_type": "code", "source": kept}]})
+        assert sort(**{"anon_x_9_homework.ipynb": text})[0] == {"ab": ["anon_x_9_homework.ipynb"]}
 
 
 def test_collecting_is_told_on_one_screen(tmp_path, capsys):
@@ -171,7 +174,7 @@ def course(tmp_path_factory):
 def unpacked(course, tmp_path_factory):
     """Gradescope's folder as it is before setup.sh installs what the helpers need."""
     root = tmp_path_factory.mktemp("autograder")
-    autograders.gradescope_zip(course, root / "a.zip")
+    gradescope.pack(course, root / "a.zip")
     with zipfile.ZipFile(root / "a.zip") as file:
         file.extractall(root / "source")
         modes = {i.filename: i.external_attr >> 16 & 0o777 for i in file.infolist()}
@@ -186,11 +189,11 @@ def test_the_zip_holds_the_course_the_helpers_and_no_secret(unpacked):
     needs = (root / "source" / "requirements.txt").read_text("utf-8")
     assert "numpy" in needs
     assert "nbclient" not in needs
-    source = Path(autograders.__file__).parents[1]
-    for path in source.rglob("*"):
-        if path.is_file() and "__pycache__" not in path.parts:
-            packed = root / "source" / "helpers" / path.relative_to(source)
-            assert packed.read_bytes() == path.read_bytes()
+    for package in (Path(helpers.__file__).parent, Path(gradescope.__file__).parent):
+        for path in package.rglob("*"):
+            if path.is_file() and "__pycache__" not in path.parts:
+                packed = root / "source" / package.name / path.relative_to(package)
+                assert packed.read_bytes() == path.read_bytes()
     for script in ("setup.sh", "run_autograder"):
         text = (root / "source" / script).read_bytes()
         assert subprocess.run(["bash", "-n"], input=text, check=False).returncode == 0
@@ -208,19 +211,19 @@ def test_gradescope_marks_by_what_was_packed(course, unpacked):
     root, _ = unpacked
     given = right_work(course.sheet("b.7"))
     handed_in(root, [{"email": "B.7@school.example", "name": "B", "id": 9}], given)
-    command = [sys.executable, "-m", "helpers.course.autograders", str(root)]
+    command = [sys.executable, "-m", "course.gradescope", str(root)]
     subprocess.run(command, cwd=root / "source", check=True)
     results = json.loads((root / "results" / "results.json").read_text("utf-8"))
     assert results["score"] == len(results["tests"]) == 5
-    assert results["output"] == "Marked as the sheet of b.7. Every part is judged below."
+    assert results["output"] == "Marked as the sheet of b.7: every part is judged below."
     assert set(results["tests"][0]) == {"name", "score", "max_score", "output"}
 
 
 @pytest.mark.parametrize(
     ("users", "words"),
     [
-        ([{"email": "ada@X.example"}], "Marked as the sheet of Ada@x.example."),
-        ([{"email": "x@y", "name": "bo ü"}], "Marked as the sheet of b.7."),
+        ([{"email": "ada@X.example"}], "Marked as the sheet of Ada@x.example: "),
+        ([{"email": "x@y", "name": "bo ü"}], "Marked as the sheet of b.7: "),
         ([{"email": "x@y", "name": "Nobody"}], "No sheet of this course belongs to your name"),
         ([{"email": "ada@x.example"}, {"email": "b.7@z"}], "More than one sheet of this course"),
         ([{}], "No sheet of this course"),
@@ -230,31 +233,17 @@ def test_gradescope_marks_by_what_was_packed(course, unpacked):
 def test_gradescope_finds_whose_sheet_it_is_or_says_so(course, unpacked, users, words):
     root, _ = unpacked
     handed_in(root, users, {"p": [1, 2, 3]})
-    results = autograders.run_gradescope(root)
+    results = gradescope.run(root)
     assert results["output"].startswith(words)
     assert results["score"] == 0
     assert json.loads((root / "results" / "results.json").read_bytes()) == results
 
 
-def test_an_nbgrader_notebook_has_a_solution_and_a_hidden_test_for_each_part(course):
-    sheet = course.sheet("b.7")
-    book = autograders.nbgrader_notebook(course, "b.7")
-    nbformat.validate(nbformat.from_dict(book))
-    names = {"answer_" + name: value for name, value in right_work(sheet).items()}
-    cells = [cell for cell in book["cells"] if "nbgrader" in cell["metadata"]]
-    both = [f"{kind}-{n.replace('_', '-')}" for n in sheet.parts for kind in ("answer", "test")]
-    assert [cell["id"] for cell in cells] == ["setup", *both]
-    for answer, test in zip(cells[1::2], cells[2::2], strict=True):
-        about = answer["metadata"]["nbgrader"]
-        assert (about["solution"], about["grade"], about["locked"]) == (True, False, False)
-        _, begin, stub, end = answer["source"].splitlines()
-        assert (begin, end) == ("### BEGIN SOLUTION", "### END SOLUTION")
-        assert stub.endswith(" = None")
-        about = test["metadata"]["nbgrader"]
-        assert (about["grade"], about["locked"], about["points"]) == (True, True, 1)
-        begin, *lines, last, end = test["source"].splitlines()
-        assert (begin, end) == ("### BEGIN HIDDEN TESTS", "### END HIDDEN TESTS")
-        space = dict(names)
-        exec("\n".join(lines), space)
-        assert eval(last, space) == 1
-    assert autograders.credit("p", np.zeros(3), space["stored"]) == 0
+def test_gradescope_says_whose_sheet_was_answered(course, unpacked):
+    root, _ = unpacked
+    other = {**right_work(course.sheet("Ada@x.example")), "sheet": "Ada@x.example"}
+    handed_in(root, [{"email": "b.7@z"}], other)
+    results = gradescope.run(root)
+    words = "Marked as the sheet of b.7: this answers the sheet of 'Ada@x.example', not of 'b.7'."
+    assert results["output"] == words
+    assert results["score"] < 1

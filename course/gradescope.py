@@ -1,0 +1,99 @@
+"""The same marking inside Gradescope."""
+
+import json
+import shutil
+import sys
+from dataclasses import replace
+from importlib.metadata import requires
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import helpers
+from course import store
+from course.files import within
+from course.handed_in import of_another, read_hand_in
+from course.marking import mark_sheet
+from course.roster import People
+from course.store import Course
+
+# Gradescope (docs/specs.md of gradescope/autograder_samples): the zip's root holds setup.sh and the
+# executable run_autograder; what it must write is /autograder/results/results.json.
+_FILES = {
+    "setup.sh": """#!/usr/bin/env bash
+set -euo pipefail
+cd /autograder/source
+python=python3
+if ! $python -c 'import sys; sys.exit(sys.version_info < (3, 11))'; then
+  apt-get update -qq && apt-get install -y -qq python3.11 python3.11-venv
+  python=python3.11
+elif ! $python -c 'import ensurepip'; then
+  apt-get update -qq && apt-get install -y -qq python3-venv
+fi
+$python -m venv /autograder/env
+/autograder/env/bin/pip install --quiet -r requirements.txt
+""",
+    "run_autograder": """#!/usr/bin/env bash
+cd /autograder/source
+exec /autograder/env/bin/python -m course.gradescope /autograder
+""",
+    "requirements.txt": "{needed}\n",
+}
+
+
+def pack(course: Course, path: Path) -> None:
+    """Gradescope's autograder: the course without its secret, the helpers, set-up and start.
+
+    Only answers.json is read there, so no student's program runs where the course lies. Raises
+    ModuleNotFoundError where the helpers are not installed, so that nothing says what they need.
+    """
+    needs = requires("manipulator-homework-helpers") or ()
+    needed = [need for need in needs if "extra ==" not in need]
+    with TemporaryDirectory() as folder:
+        root = Path(folder)
+        for package in (Path(helpers.__file__).parent, Path(__file__).parent):
+            ignored = shutil.ignore_patterns("__pycache__")
+            shutil.copytree(package, root / package.name, ignore=ignored)
+        store.save(replace(course, secret=""), root)
+        for name, text in _FILES.items():
+            store.write(root / name, text.format(needed="\n".join(needed)))
+            (root / name).chmod(0o755)
+        shutil.make_archive(str(path.with_suffix("")), "zip", root)
+
+
+def run(root: Path) -> dict[str, Any]:
+    """Mark the one submission under /autograder, and write results/results.json, always."""
+    try:
+        found = _results(root)
+    except Exception as error:  # Gradescope calls a crash its own failure; say it in words instead
+        words = f"Marking stopped ({type(error).__name__}); please tell your instructor."
+        found = {"score": 0, "output": words, "tests": []}
+    store.write(root / "results" / "results.json", store.as_json(found))
+    return found
+
+
+def _results(root: Path) -> dict[str, Any]:
+    course = store.load(root / "source")
+    users = json.loads((root / "submission_metadata.json").read_bytes())["users"]
+    told = [str(user.get(key, "")) for user in users for key in ("email", "name")]
+    meant = People(course.names).called(told)
+    if len(meant) != 1:
+        who = "More than one sheet" if meant else "No sheet"
+        words = f"{who} of this course belongs to your name and e-mail address"
+        return {"score": 0, "output": f"{words}; tell your instructor.", "tests": []}
+    student = meant.pop()
+    sheet = course.sheet(student)
+    handed = read_hand_in(within(root / "submission"), sheet.parts)
+    marks = mark_sheet(sheet, handed.answers)
+    tests = [
+        {"name": m.part, "score": round(m.credit, 4), "max_score": 1.0, "output": m.words}
+        for m in marks
+    ]
+    trouble = "; ".join(filter(None, [of_another(handed.answers, student), handed.trouble]))
+    words = f"Marked as the sheet of {student}: {trouble or 'every part is judged below'}."
+    score = round(sum(m.credit for m in marks), 4)
+    return {"score": score, "output": words, "tests": tests}
+
+
+if __name__ == "__main__":
+    run(Path(sys.argv[1]))
