@@ -1,12 +1,15 @@
 """The catalogue against its sources, typed in a second time from the makers' own pages and
 frames."""
 
+import inspect
+import re
 from dataclasses import FrozenInstanceError
 from math import pi
 
 import numpy as np
 import pytest
 
+from helpers import robots
 from helpers.kinematics import forward_kinematics, link_frames
 from helpers.robots import (
     ARMS,
@@ -131,6 +134,14 @@ def test_the_catalogue():
     """The homework's arms, in the order of the menus; an arm added later comes after them."""
     assert ARMS[:6] == (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
     assert len({arm.name for arm in ARMS}) == len({hash(arm) for arm in ARMS}) == len(ARMS)
+
+
+def test_the_page_of_the_helpers_shows_every_arm():
+    """It shows what is public and has words of its own above it."""
+    told = re.findall(r"^#: .*\n(?:#: .*\n)*(\w+) = ", inspect.getsource(robots), re.MULTILINE)
+    public = {name: getattr(robots, name) for name in robots.__all__}
+    assert {*told} == {name for name, what in public.items() if not callable(what)}
+    assert {*ARMS} <= {what for what in public.values() if what is not ARMS}
 
 
 @pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)

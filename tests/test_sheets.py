@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from helpers import kinematics, statics
+from helpers import kinematics, robots, statics
 from helpers.arm import Arm, ArmError, Body, fixed, prismatic, revolute
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA
@@ -216,11 +216,16 @@ def test_every_page_is_in_the_book():
     assert {page.name for page in answers.PAGES} == set(re.findall(r"answers/(\w+)", toc))
 
 
+def test_every_arm_of_the_catalogue_has_a_page():
+    shown = {arm.name for page in answers.PAGES for arm in page.arms}
+    assert {arm.name for arm in robots.ARMS} <= shown
+
+
 def test_pages_are_written_when_what_makes_them_has_changed(tmp_path, monkeypatch):
     monkeypatch.setattr(answers, "text_of", lambda page: page.lead)
     first, second = (tmp_path / f"{page.name}.md" for page in answers.PAGES[:2])
     answers.write(tmp_path, "one")
-    assert len([*tmp_path.glob("*.md")]) == len(answers.PAGES) == 7
+    assert {path.stem for path in tmp_path.glob("*.md")} == {page.name for page in answers.PAGES}
     first.write_text("edited", "utf-8")
     answers.write(tmp_path, "one")
     assert first.read_text("utf-8") == "edited"
