@@ -22,8 +22,10 @@ KINDS = {
 }
 # What the report itself says a few lines before or later, in its favour: box and entry tell it.
 IN_FAIRNESS = {
-    4: "columns",
+    3: "mended by the report itself",
+    4: "a picture may be lost",
     5: "mended by the report itself",
+    6: "mended by the report itself",
     10: "resulting graph was obtained",
     11: "polar coordinates of the circle that needs to be traced",
     13: r"\theta'_1 = \pi + ",

@@ -48,6 +48,13 @@ def test_the_five_chapters_are_there():
     assert [path.stem[:2] for path in CHAPTERS] == ["01", "02", "03", "04", "05"]
 
 
+def test_no_backslash_was_eaten():
+    """A script whose strings are not raw writes theta with a tab in place of its t."""
+    pages = [path.read_text(encoding="utf-8") for path in NOTEBOOKS[0].parent.glob("*.md")]
+    pages += [cell.source for path in NOTEBOOKS for cell in read(path).cells]
+    assert not re.findall(r"[\x00-\x09\x0b-\x1f].{0,9}", "\n".join(pages))
+
+
 @every_notebook
 def test_it_was_run_from_top_to_bottom(path):
     counts = [cell.execution_count for cell in code_cells(path)]
