@@ -82,10 +82,10 @@ class Solutions:
 
     def _cells(self) -> list[tuple[str, ...]]:
         """The name of each way and its joints in rad or m, "any" where one is free."""
-        return [
-            (way, *("any" if any_ else f"{x + 0.0:.4f}" for x, any_ in zip(q, free, strict=True)))
-            for (way, q), free in zip(self.ways.items(), self.free[self.valid], strict=True)
-        ]
+        shown = [[f"{x:.4f}" for x in q.round(4) + 0.0] for q in self.ways.values()]
+        loose = self.free[self.valid]
+        rows = zip(self.ways, loose, shown, strict=True)
+        return [(way, *np.where(any_, "any", row)) for way, any_, row in rows]
 
     @property
     def within_limits(self) -> NDArray[np.bool_]:
