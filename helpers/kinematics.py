@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, must_be, one_of, whole
+from helpers.inputs import ArmError, must_be, number, numbers, one_of, whole
 from helpers.program import Program, Value, record, workspace
 from helpers.rows import NumericRow
 
@@ -22,6 +22,7 @@ __all__ = [
     "jacobian",
     "jacobian_in_frame",
     "link_frames",
+    "lost_directions",
     "manipulability",
     "tip",
 ]
@@ -93,6 +94,17 @@ def manipulability(arm: Arm, q: ArrayLike, part: str = "all") -> Array:
     rows = {"all": [0, 1, 2, 3, 4, 5], "linear": [0, 1, 2], "angular": [3, 4, 5]}
     chosen = rows[one_of(part, "part", rows)]
     return np.linalg.svd(jacobian(arm, q)[..., chosen, :], compute_uv=False).prod(axis=-1)
+
+
+def lost_directions(J: ArrayLike, cutoff: float = 1e-9) -> Array:
+    """The velocities that no joint motion can give, as orthonormal rows of shape (lost, rows of J).
+
+    They are the left singular vectors whose singular value is not above `cutoff` times the largest.
+    """
+    J = numbers(J, "J", "one matrix of finite numbers", (None, None))
+    cutoff = number(cutoff, "cutoff", "a number of 0 or more", least=0)
+    U, sizes, _ = np.linalg.svd(J, full_matrices=True)
+    return U.T[(sizes > cutoff * sizes.max(initial=0.0)).sum() :]
 
 
 def skeleton(arm: Arm, T: Array) -> Array:

@@ -263,7 +263,6 @@ SPECIAL = [
     ("derive.derive", dict(tip=np.eye(4) + np.eye(4, k=1) * [0, 0.02, 0, 0]),
      'tip is no rigid transform, by 0.02'),
     ("derive.Derivation.with_bodies", dict(masses=[1, -1]), 'masses are [1, -1];'),
-    ("ellipsoids.velocity_ellipsoid", dict(J=np.ones((6, 2))), 'J has shape (6, 2); expected (3'),
     ("statics.static_torque", dict(q=[PANDA.home] * 2, wrench=np.zeros((3, 6))), '(2,) and (3,)'),
     ("statics.potential_energy", dict(arm=MASSLESS), 'Panda has no masses; give bodies'),
     ("symbolic.determinant", dict(arm=PANDA), '7 joints; a determinant needs 3'),
