@@ -113,19 +113,13 @@ def test_the_plain_inverse_stops_at_a_ratio():
         plain_inverse(0.0)(np.diag([1.0, 1, 1, 1, 1, 0]), one, None)
 
 
-def test_many_inverses_are_found_near_others_or_told_to_be_in_doubt():
+def test_many_inverses_are_found_or_told_to_be_in_doubt():
     J = np.array([np.eye(6), np.diag([5.0, 5, 5, 5, 5, 5e-8])])
-    turned = J @ np.linalg.qr(np.random.default_rng(3).normal(size=(6, 6)))[0]
-    known = np.linalg.inv(J)
-    for matrices in (J, 1.01 * J, 2.0 * J, turned):  # so near, and so far
-        for near in (None, known):
-            found = plain_inverse(1e-9).inverses(matrices, near)
-            assert np.abs(found @ matrices - np.eye(6)).max() < 1e-7
+    assert np.abs(plain_inverse(1e-9).inverses(J) @ J - np.eye(6)).max() < 1e-7
     for lost in (5e-9, 1e-9, 0.0):
         J[1, 5, 5] = lost
-        for near in (None, known):
-            with pytest.raises((SingularError, np.linalg.LinAlgError)):
-                plain_inverse(1e-9).inverses(J, near)
+        with pytest.raises((SingularError, np.linalg.LinAlgError)):
+            plain_inverse(1e-9).inverses(J)
 
 
 @pytest.mark.parametrize("cutoff", [1e-9, 1e-3, 0.05])

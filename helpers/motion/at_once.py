@@ -63,13 +63,12 @@ def _by_rule(
     """Sweeps until every step obeys the rule of "euler" or "rk4" to rounding."""
 
     def slope(share: float, q: Array) -> Array:
-        return _each(rates.inverses(jacobian(arm, q), inverse), course.twists[share])
+        return _each(rates.inverses(jacobian(arm, q)), course.twists[share])
 
     rounding, before = 1e-15 * max(1.0, np.abs(q).max()), np.inf
-    inverse = None
     for sweep in range(_SWEEPS):
         J = jacobian(arm, q[:-1])
-        inverse = rates.inverses(J, inverse)
+        inverse = rates.inverses(J)
         rate = _each(inverse, course.twists[0.0])
         off = RULES[method](slope, course.h, q[:-1], rate) - q[1:]
         size = np.abs(off).max()
@@ -87,7 +86,7 @@ def _exact(
     arm: Arm, q: Array, course: Course, method: str, rates: PlainInverse
 ) -> tuple[Array, Array] | None:
     """Newton's method at every step, on the branch that the steps lead to."""
-    before, inverse = np.inf, None
+    before = np.inf
     for sweep in range(_SWEEPS):
         error = tip_error(forward_kinematics(arm, q[1:]), course.positions[1.0], course.rotation)
         size = np.abs(error).max()
@@ -96,8 +95,7 @@ def _exact(
         if _goes_astray(sweep, size, before):
             return None
         before = size
-        inverse = rates.inverses(jacobian(arm, q[1:]), inverse)
-        q[1:] += _each(inverse, error)
+        q[1:] += _each(rates.inverses(jacobian(arm, q[1:])), error)
     return None
 
 

@@ -44,40 +44,21 @@ class PlainInverse:
                 raise _no_inverse(sizes)
         return both[:, 0]
 
-    def inverses(self, J: Array, near: Array | None = None) -> Array:
-        """The inverses of many Jacobians, J and the result (steps, 6, 6), quickly where they are
-        `near` known ones. Raises SingularError where one is in doubt.
-
-        X + X (I - J X) has the square of X's error. Source: Schulz (1933).
-        """
-        X = np.linalg.inv(J) if near is None else self._refined(J, near)
+    def inverses(self, J: Array) -> Array:
+        """The inverses of many Jacobians, (steps, 6, 6). Raises SingularError where one is in
+        doubt."""
+        X = np.linalg.inv(J)
         if not self._proved(J, X):
             raise SingularError(
                 "a Jacobian is so nearly singular that its singular values must be seen"
             )
         return X
 
-    @staticmethod
-    def _refined(J: Array, X: Array) -> Array:
-        one = np.eye(J.shape[-1])
-        for _ in range(_REFINEMENTS):
-            error = J @ X
-            np.subtract(one, error, out=error)
-            size = max(error.max(), -error.min())
-            if not size < 0.3:  # too far to gain by it
-                break
-            X = X + X @ error
-            if size < _ROOT:
-                return X
-        return np.linalg.inv(J)
-
     def _proved(self, J: Array, inverse: Array) -> bool:
         least = 2 * max(self.cutoff, _TRUSTED)
         return bool((least**2 * _square(J) * _square(inverse) < 1.0).all())
 
 
-_REFINEMENTS = 6
-_ROOT = 1e-8  # the root of rounding: the square of an error below it is none
 _TRUSTED = 1e-12  # rounding makes an inverse's norm worthless where the share is not well above it
 
 
