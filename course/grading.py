@@ -123,10 +123,10 @@ def _written(course: Course, out: Path, handed: HandIn) -> dict[str, Any]:
     trouble = "; ".join(filter(None, [of_another(handed.answers, student), handed.trouble]))
     credits = {mark.part: round(mark.credit, 4) for mark in marks}
     total = round(sum(credits.values()), 4)
-    lines = [f"{course.title}, {name} ({student}): {total:g} of {len(marks)}"]
+    lines = [f"{course.title}, {name} ({student}): {total:.4g} of {len(marks)}"]
     lines += [f"Note: {trouble}."] if trouble else []
     for part, mark in zip(sheet.parts.values(), marks, strict=True):
-        lines += ["", f"{mark.part}: {mark.credit:g}  ({part.what})"]
+        lines += ["", f"{mark.part}: {mark.credit:.3g} of 1 for {part.what}"]
         lines += [f"    {line}" for line in mark.words.splitlines()]
     store.write(out / student / "feedback.txt", "\n".join(lines) + "\n")
     return {"id": student, "name": name, "total": total, **credits, "note": trouble}

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from course import sandbox
-from course.answers import NOTEBOOK, PREFIX, SHEET
+from course.answers import PREFIX, SHEET
 from course.files import Found
 
 _WHOSE = re.compile(rf"^\s*{PREFIX}{SHEET}\s*=\s*['\"]([^'\"]+)", re.M)
@@ -28,7 +28,7 @@ class HandIn:
 
 def read_hand_in(files: Sequence[Found], parts: Collection[str], seconds: int = 0) -> HandIn:
     """The answers in a student's files; a notebook is run for so many seconds, not at all for 0."""
-    files = [_checked(file) for file in sorted(files, key=lambda file: not file.trouble)]
+    files = sorted(map(_checked, files), key=lambda file: not file.trouble)
     read = {file.name: _json(file) for file in files if file.kind in (".json", ".ipynb")}
     written = {name: named for name, data in read.items() if (named := _answers(data, parts))}
     if written:
@@ -36,11 +36,12 @@ def read_hand_in(files: Sequence[Found], parts: Collection[str], seconds: int = 
         different = any(other != first for other in others)
         return _several("answers files", written) if different else HandIn(first)
     books = {name: code for name, data in read.items() if (code := _code(data)) is not None}
-    begun = {"\n".join(code): name for name, code in books.items() if not _untouched(code)}
+    blank = {name for name, code in books.items() if _untouched(code)}
+    begun = {"\n".join(code): name for name, code in books.items() if name not in blank}
     if len(begun) > 1:
         return _several("notebooks", begun.values())
     if not begun:
-        return HandIn({}, _nothing(files, bool(books)))
+        return HandIn({}, _nothing(files, blank))
     (name,) = begun.values()
     if not seconds:
         return HandIn({}, f"{name}: {sandbox.NOT_RUN}")
@@ -70,10 +71,10 @@ def _several(what: str, names: Collection[str]) -> HandIn:
     return HandIn({}, f"there are {len(names)} different {what} ({', '.join(names)}); hand in one")
 
 
-def _nothing(files: Sequence[Found], untouched: bool) -> str:
-    told = sorted(files, key=lambda file: not file.trouble)
-    seen = [str(file) for file in told if file.trouble or file.name != NOTEBOOK]
-    words = "nothing was answered" if untouched else "nothing was handed in"
+def _nothing(files: Sequence[Found], blank: Collection[str]) -> str:
+    """What else was seen than notebooks as they were given out."""
+    seen = [str(file) for file in files if file.name not in blank]
+    words = "nothing was answered" if blank else "nothing was handed in"
     if not seen:
         return words
     more = f" and {len(seen) - 5} more" if len(seen) > 5 else ""

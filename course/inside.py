@@ -39,12 +39,18 @@ def main(seconds: int) -> None:
 def _result(book: Any) -> dict[str, Any]:
     printed = "".join(o.text for o in book.cells[-1].outputs if o.get("name") == "stdout")
     failed = [
-        f"the cell `{cell.source.strip().splitlines()[0][:_WORDS]}` {_raised(output)}"
+        f"the cell `{_begins(cell.source)}` {_raised(output)}"
         for cell in book.cells
         for output in cell.outputs
         if output.output_type == "error"
     ]
     return {"answers": json.loads(printed.split(_MARK)[-1]), "trouble": "; ".join(failed[:_TOLD])}
+
+
+def _begins(source: str) -> str:
+    """The first line that is no comment."""
+    lines = [line.strip() for line in source.splitlines()]
+    return next((s for s in lines if s and not s.startswith("#")), "")[:_WORDS]
 
 
 def _raised(output: Any) -> str:

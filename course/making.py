@@ -6,6 +6,7 @@ The notebook holds nothing of the key: only what the questions print, and whose 
 import secrets
 from collections.abc import Sequence
 from dataclasses import replace
+from importlib.metadata import metadata
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -26,15 +27,23 @@ _HOW = (
     "Answer by the names that each question gives: put each answer in place of the dots. A list, a"
     " NumPy array, a SymPy matrix or a text will do. SI units, angles in radians.\n\n"
     "Beside each answer stand the decimals that are asked, and what of it counts by itself: half"
-    " an answer earns its half. A number is right within one unit of the last decimal asked. Fewer"
-    " decimals earn what the worst usual mistake earns that they cannot be told from: rounding"
-    " never pays. Write 0 for what you do not have: zeros earn nothing and cost nothing."
+    " an answer earns its half. A number is right within one unit of the last decimal asked. With"
+    " fewer decimals the right answer may look like a usual mistake; then it earns what that"
+    " mistake earns, so rounding never pays. Write 0 for what you do not have: it costs nothing."
 )
 _LAST = (
     "## Hand in\n\nThe last cell writes `answers.json` beside this notebook, and needs nothing but"
     " Python. Hand in both files. Run *Restart and run all* first, so that what is written is what"
     " the notebook says."
 )
+_HELPERS = (
+    "The first cell of code imports `helpers`, which compute with this arm. Where it says that"
+    " something is missing, run this in a cell of its own, and that cell again:\n\n"
+    '```\n%pip install "{what}"\n```\n\n'
+    "Every question can be answered without, too: the questions stand in words, and the last cell"
+    " needs nothing but Python."
+)
+_FOLDER = "./companion"  # where no address of the helpers is known
 # Without the helpers only `arm` is missing: the questions stand in words, and answers are written.
 _SETUP = """{prefix}{sheet} = {student!r}  # whose sheet this is
 
@@ -44,11 +53,7 @@ try:
     from helpers import checks, kinematics, motion, statics, symbolic
     from helpers.arm import Arm, Body, Joint, Row
 except ModuleNotFoundError as missing:
-    print(
-        f"{{missing}}. `helpers` comes with the course companion: type `make lab` in its folder and"
-        " open this notebook there, or `pip install` that folder where you are. You can answer"
-        " and hand in without."
-    )
+    print(f"{{missing}}. The text above says how to get it; you can answer and hand in without.")
 else:
     arm = {arm}"""
 
@@ -125,7 +130,7 @@ def notebook(course: Course, student: str) -> dict[str, Any]:
     sheet, name = course.sheet(student), course.names[student]
     arm = to_python(sheet.arm).replace("\n", "\n    ")
     cells = [
-        _text("title", f"# {course.title}\n\n{name} ({student})\n\n{_HOW}"),
+        _text("title", f"# {course.title}\n\n{name} ({student})\n\n{_HOW}\n\n{_helpers()}"),
         _text("arm", f"## The arm\n\n{sheet.arm._repr_markdown_()}"),
         code_cell("setup", _SETUP.format(prefix=PREFIX, sheet=SHEET, student=student, arm=arm)),
     ]
@@ -138,6 +143,16 @@ def notebook(course: Course, student: str) -> dict[str, Any]:
     cells.append(code_cell("write", last_cell()))
     kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
     return {"cells": cells, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
+
+
+def _helpers() -> str:
+    """How to get the helpers: from the address in pyproject.toml, or from the book's folder."""
+    told = metadata("manipulator-homework-helpers").get_all("Project-URL") or []
+    addresses = [line.partition(", ")[2] for line in told if line.startswith("Repository, ")]
+    if addresses:
+        what = f"manipulator-homework-helpers @ git+{addresses[0]}"
+        return _HELPERS.format(what=what)
+    return _HELPERS.format(what=_FOLDER) + f" `{_FOLDER}` stands for the folder of the book."
 
 
 def _text(cell_id: str, source: str) -> dict[str, Any]:

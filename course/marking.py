@@ -8,6 +8,7 @@ decimals asked, are worth 1, since these tell them from every slip; and a slip t
 coarsely stays within u of itself, and is worth no more than before.
 """
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -18,7 +19,7 @@ from numpy.typing import NDArray
 from course import topics
 from course.sheets import Part, Question, Sheet
 from helpers import checks, symbolic
-from helpers.checks.compare import numbers
+from helpers.checks.compare import Typed, numbers
 from helpers.inputs import ArmError
 
 Array = NDArray[np.float64]
@@ -26,6 +27,8 @@ Array = NDArray[np.float64]
 _MOST = 8000  # characters: the longest right column has 3473
 _ROUNDING = 1 + 1e-9
 _NO_WORK = "Not answered."
+# What the checkers say of their options, which nobody can set on a sheet.
+_HINT = re.compile(r"(\n- | )If that is what you mean, say .*")
 _BLANK = (None, "", "...", ".", "-")
 
 
@@ -54,9 +57,10 @@ def mark(sheet: Sheet, name: str, answer: Any) -> Mark:
             return Mark(name, 0.0, f"Not read: it has more than {_MOST} characters.")
         if not any(c.isalnum() and c != "0" for c in str(filled)):
             return Mark(name, 0.0, _NO_WORK)
-        return Mark(name, *judged(question, part, filled))
+        credit, words = judged(question, part, filled)
+        return Mark(name, credit, _HINT.sub("", words))
     except ArmError as error:
-        return Mark(name, 0.0, f"Not read: {error}")
+        return Mark(name, 0.0, _HINT.sub("", f"Not read: {error}"))
     except Exception as error:  # whatever breaks a reader, it costs its own part only
         words = f"Not read ({type(error).__name__}): write numbers or formulas as on the sheet."
         return Mark(name, 0.0, words)
@@ -75,12 +79,9 @@ def _filled(answer: Any) -> Any:
 
 
 def _numbers(question: Question, part: Part, answer: Any) -> tuple[float, str]:
-    typed, right = numbers(answer, f"`{part.name}`"), np.asarray(part.value, dtype=float)
-    mine = _shaped(typed.values, right, part)
-    if mine is None:
-        words = f"It has shape {typed.values.shape}; expected {right.shape}: write 0 for what you"
-        return 0.0, f"{words} do not have."
-    unit = max(part.unit, typed.units.min()) * _ROUNDING
+    right = np.asarray(part.value, dtype=float)
+    typed = _shaped(numbers(answer, f"`{part.name}`"), right, part)
+    mine, unit = typed.values, max(part.unit, typed.units.min()) * _ROUNDING
     alike = [
         (_share(part, wrong), words)
         for words, wrong in part.slips
@@ -91,25 +92,34 @@ def _numbers(question: Question, part: Part, answer: Any) -> tuple[float, str]:
         return 1.0, "Right."
     if fits:
         worth, slip = min(alike)
-        words = f"Right as far as it goes, but {part.digits} decimals were asked: these"
+        words = (
+            f"Right to the decimals that you gave, but {part.digits} were asked. In so few, a usual"
+        )
         return (
             worth,
-            f"{words} fit a usual mistake as well ({slip}), worth {worth:.2g}.",
+            f"{words} mistake looks the same ({slip}); this earns what that does, {worth:.2g}.",
         )
-    credit = min(alike)[0] if alike else _share(part, mine)
     causes = sorted({slip for _, slip in alike})
     named = [f"These are the numbers of a usual mistake: {'; or '.join(causes)}."] if causes else []
-    return credit, "\n".join([*named, *_where(part, mine), *_judged(question, part, answer)])
+    credit = min(alike)[0] if alike else _share(part, mine)
+    return credit, "\n".join([*named, *_where(question, part, typed, answer)])
 
 
-def _shaped(mine: Array, right: Array, part: Part) -> Array | None:
-    """The answer in the shape of the right one; half a Jacobian with zeros for the other half."""
+def _shaped(typed: Typed, right: Array, part: Part) -> Typed:
+    """The answer in the shape of the right one; half a Jacobian with zeros for the other half.
+
+    Raises ArmError where it has another number of entries.
+    """
+    mine, units = typed.values, typed.units
     if mine.size == right.size:
-        return mine.reshape(right.shape)
+        return Typed(mine.reshape(right.shape), units.reshape(right.shape))
     if part.kind == "jacobian" and mine.shape == (3, right.shape[1]):
         zeros = np.zeros_like(mine)
-        return max((np.r_[mine, zeros], np.r_[zeros, mine]), key=lambda half: _share(part, half))
-    return None
+        halves = (np.r_[mine, zeros], np.r_[zeros, mine])
+        return Typed(max(halves, key=lambda half: _share(part, half)), np.r_[units, units])
+    given, wanted = (" × ".join(map(str, x.shape)) or "one" for x in (mine, right))
+    words = f"{given} numbers given, expected {wanted}; write 0 for what you do not have"
+    raise ArmError(words)
 
 
 def _blocks(part: Part, x: Array) -> Array:
@@ -130,15 +140,30 @@ def _share(part: Part, mine: Array) -> float:
     return float(max(0.0, 1 - _wrong(part, mine).sum() / counting.sum()))
 
 
-def _where(part: Part, mine: Array) -> list[str]:
-    """Which blocks are not right, as the student would point at them."""
-    wrong = np.flatnonzero(_wrong(part, mine))
-    if part.kind == "jacobian":
-        halves = [f"column {n // 2 + 1} ({('linear', 'angular')[n % 2]})" for n in wrong]
-    else:
-        noun = "column" if part.kind == "rotation" else "number"
-        halves = [f"{noun} {n + 1}" for n in wrong]
-    return [f"Not right: {', '.join(halves)}."] if halves else []
+def _where(question: Question, part: Part, typed: Typed, answer: Any) -> list[str]:
+    """Which blocks are not right, as the student would point at them, and why if that is known."""
+    off = np.abs(typed.values - part.value)
+    wrong, surely = (
+        _blocks(part, off > unit * _ROUNDING).any(axis=1)
+        for unit in (part.unit, np.maximum(part.unit, typed.units))
+    )
+    coarse = f"Too few decimals, {part.digits} were asked"
+    told = [("Not right", surely), (coarse, wrong & ~surely)]
+    lines = [f"{words}: {_places(part, found)}." for words, found in told if found.any()]
+    return [*lines, *(_judged(question, part, answer) if surely.any() else [])]
+
+
+def _places(part: Part, found: NDArray[np.bool_]) -> str:
+    """Blocks in words, such as "the linear half of columns 1, 3"."""
+    if part.kind != "jacobian":
+        return _counted("column" if part.kind == "rotation" else "number", found)
+    halves = zip(("linear", "angular"), found.reshape(-1, 2).T, strict=True)
+    return "; ".join(f"the {half} half of {_counted('column', c)}" for half, c in halves if c.any())
+
+
+def _counted(noun: str, found: NDArray[np.bool_]) -> str:
+    places = [str(n + 1) for n in np.flatnonzero(found)]
+    return f"{noun}{'s' * (len(places) > 1)} {', '.join(places)}"
 
 
 def _judged(question: Question, part: Part, answer: Any) -> list[str]:
@@ -174,7 +199,7 @@ def _column(question: Question, part: Part, answer: Any) -> tuple[float, str]:
     """Six formulas, judged as that column of an otherwise right Jacobian at a generic pose, each
     half by itself."""
     if not (isinstance(answer, list) and len(answer) == 6):
-        return 0.0, "Expected a list of six formulas."
+        raise ArmError("expected a list of six formulas, one text for each of v and ω")
     mine = [str(entry[0] if isinstance(entry, list) and entry else entry) for entry in answer]
     column, arm = int(question.given["column"]) - 1, topics.camera_arm(question.arm, question.given)
 

@@ -23,7 +23,7 @@ from typing import Any
 
 import helpers
 
-NOT_RUN = "notebooks are not run here; hand in answers.json, or install bubblewrap"
+NOT_RUN = "notebooks are not run here; hand in answers.json, which its last cell writes"
 SECONDS = 120  # for a notebook
 _SIZE = 5_000_000  # bytes of the answers that are read
 

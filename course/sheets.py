@@ -25,7 +25,7 @@ _COUNTS = {
     "jacobian": "each column counts by halves, linear and angular",
     "column": "the linear and the angular half count",
     "torques": "each number counts",
-    "table": "each row counts",
+    "table": "a row with a mistake that can be named costs its share",
     "branches": "each row counts",
     "pose": "they count as a whole",
 }

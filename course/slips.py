@@ -59,8 +59,8 @@ def _computed(arm: Arm, given: Given, solve: Solve) -> Iterator[Slip]:
 def _named(slip: slips.Slip) -> str:
     if slip.entry == "q":
         return f"joint {slip.row} counted the other way"
-    how = "the other sign" if slip.value else "left out"
-    return f"{_ENTRIES[slip.entry]} of row {slip.row}: {how}"
+    how = "with the other sign" if slip.value else "left out"
+    return f"{_ENTRIES[slip.entry]} in row {slip.row} {how}"
 
 
 def _others(arm: Arm, given: Given, right: Answers) -> Iterator[Slip]:

@@ -111,7 +111,7 @@ def drawn_arm(given: Given) -> Arm:
         Row(row["a"], row["alpha"], row["d"], row["theta"], Joint(row["kind"]))
         for row in given["rows"]
     ]
-    return Arm("Arm of the drawing", rows)
+    return Arm("the arm asked", rows)
 
 
 def _ask_table(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:
@@ -165,7 +165,7 @@ def camera_arm(arm: Arm, given: Given) -> Arm:
     """The arm up to the camera: at (x, 0, z) in the frame of its link, turned like it."""
     x, z = given["camera"]
     rows = [*arm.rows[: given["link"]], fixed(a=x, d=z)]
-    return Arm(f"{arm.name}, up to its camera", rows, arm.values)
+    return Arm("the arm up to its camera", rows, arm.values)
 
 
 def _ask_jacobian(arm: Arm, given: Given) -> tuple[str, tuple[Part, ...]]:

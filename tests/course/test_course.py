@@ -139,7 +139,7 @@ def test_a_term_from_roster_to_grades(here, capsys):
         "cd,Bo,0.0,0.0,0.0,0.0,nothing was answered",
     ]
     words = Path("out/ab/feedback.txt").read_text("utf-8")
-    assert words.startswith("Ä, Ada Ü (ab): 2.6 of 3\n\nJ: 0.6  (the Jacobian, ")
+    assert words.startswith("Ä, Ada Ü (ab): 2.6 of 3\n\nJ: 0.6 of 1 for the Jacobian, ")
     assert "    The Jacobian of An arm" in words
     words = Path("out/cd/feedback.txt").read_text("utf-8")
     assert words.startswith("Ä, Bo (cd): 0 of 3\nNote: nothing was answered.\n\nJ: 0")

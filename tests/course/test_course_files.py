@@ -133,6 +133,7 @@ ODD = {
     "deep lists": ({"answers.json": '{"p": ' + "[" * 9000 + "]" * 9000 + "}"}, 0, ""),
     "deeper lists": ({"answers.json": "[" * 2_000_000}, 0, "seen: answers.json"),
     "deep brackets": ({"answers.json": '{"p": "' + "(" * 1900 + '"}'}, 0, ""),
+    "dashes": ({"answers.json": json.dumps(dict.fromkeys(PARTS, "-" * 8000))}, 0, ""),
     "a tower": ({"answers.json": '{"p": "9**9**9**9", "R": "1e999"}'}, 0, ""),
     "a program": ({"answers.json": '{"p": "__import__(\'os\').system(\'touch /tmp/no\')"}'}, 0, ""),
     "NaN": ({"answers.json": '{"p": [NaN, Infinity, -Infinity], "q": [[1e999]]}'}, 0, ""),
@@ -168,7 +169,18 @@ ODD = {
         0,
         "the cell `1 / 0` raised ZeroDivisionError: division by zero",
     ),
-    "a flood": ({"my.ipynb": notebook("for n in range(60): print('x' * 10**6)")}, 0, ""),
+    "a flood": ({"my.ipynb": notebook("for n in range(1000): print('x' * 10**6)")}, 0, ""),
+    "a forged marker": (
+        {
+            "my.ipynb": notebook(
+                "answer_p = answer_R = answer_q = 9\nfrom course import answers, marking\n"
+                "marking.mark = lambda sheet, name, _: marking.Mark(name, 1.0, '')\n"
+                "answers.collected = lambda _: {'p': [9, 9, 9], 'total': 3}"
+            )
+        },
+        0,
+        "",
+    ),
     "a forged answer": ({"my.ipynb": notebook("answer_p = type('X', (), {'tolist': 1})()")}, 0, ""),
 }  # fmt: skip
 RUN = ("notebook", "flood", "forged")
@@ -245,7 +257,7 @@ def test_an_odd_hand_in_is_found_or_costs_its_author_only_and_is_told(course, ki
 
 def test_a_notebook_that_is_not_run_is_told_with_what_to_do():
     files = [Found("a.ipynb", notebook("answer_p = 1").encode())]
-    words = "a.ipynb: notebooks are not run here; hand in answers.json, or install bubblewrap"
+    words = "a.ipynb: notebooks are not run here; hand in answers.json, which its last cell writes"
     assert read_hand_in(files, PARTS) == HandIn({}, words)
 
 

@@ -132,10 +132,14 @@ def test_collecting_is_told_on_one_screen(tmp_path, capsys):
     key = json.dumps(right_work(made.sheet("ab")))
     (download / "lovelaceada_1_2_answers-1.json").write_text(key, encoding="utf-8")
     (download / "x" / "scan.pdf").write_bytes(b"%PDF")
+    (download / "ab").mkdir()
+    with zipfile.ZipFile(download / "ab" / "all.zip", "w") as climbing:
+        climbing.writestr("../../../../evil.txt", "out of here")
     assert commands.main(["collect", str(tmp_path / "hw"), str(download)]) == 0
     said = capsys.readouterr().out.splitlines()
     assert said[0] == "1 of 2 students handed in"
     assert said[1].startswith("not placed: x/scan.pdf: x is nobody in the course")
+    assert {path.parent.name for path in tmp_path.rglob("*evil.txt")} == {"handed_in"}
     words = ["grade", str(tmp_path / "hw"), "--out", str(tmp_path / "out")]
     assert commands.main(words) == 0
     assert "ab,Ada Lovelace,2.0,1.0,1.0," in (tmp_path / "out" / "grades.csv").read_text("utf-8")

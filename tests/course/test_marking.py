@@ -185,7 +185,7 @@ def test_too_few_decimals_are_worth_the_worst_slip_that_fits_them_and_are_told()
         if np.abs(np.round(part.value) - wrong).max() <= 1
     ]
     assert 0 <= found.credit <= min(fitting) < 1
-    assert found.words.startswith("Right as far as it goes, but 3 decimals were asked: these fit")
+    assert found.words.startswith("Right to the decimals that you gave, but 3 were asked.")
     assert "9.8 for 9.81" in str([words for words, _ in part.slips])
 
 
@@ -202,12 +202,13 @@ def test_what_is_asked_in_symbols_differs_from_student_to_student():
         ("p", lambda p: {"x": p[0], "y": p[1], "z": p[2]}, 1, "Right."),
         ("p", lambda p: [*p[:2], p[2] + 0.0009], 1, "Right."),
         ("p", lambda p: [*p[:2], p[2] + 0.0021], 2 / 3, "Not right: number 3."),
+        ("p", lambda p: [*typed(p[:2], 5), f"{p[2]:.1f}"], 2 / 3, "Too few decimals, 3 were asked"),
         ("p", lambda p: (1000 * p).tolist(), 0, "millimetres for metres"),
-        ("p", lambda p: p[:2].tolist(), 0, "It has shape (2,); expected (3,): write 0 for what"),
+        ("p", lambda p: p[:2].tolist(), 0, "Not read: 2 numbers given, expected 3; write 0 for"),
         ("p", lambda p: "a" * 8001, 0, "Not read: it has more than 8000 characters."),
         ("p", lambda p: ["x", 1, 2], 0, "Not read: there is no value for x"),
         ("R", lambda R: R.T.tolist(), 0, "the transpose"),
-        ("J_column", lambda six: six[:5], 0, "Expected a list of six formulas."),
+        ("J_column", lambda six: six[:5], 0, "Not read: expected a list of six formulas"),
         ("J_column", lambda six: [*six[:3], "0", "0", "0"], 0.5, ""),
         ("J_column", lambda six: ["0", "0", "0", *six[3:]], 0.5, ""),
     ],
