@@ -4,7 +4,7 @@ symbols."""
 import math
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import InitVar, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from numbers import Real
 from typing import Any, Literal, NamedTuple
 
@@ -150,14 +150,8 @@ class Body:
 
     mass: Entry
     com: Sequence[Entry]
-    inertia: InitVar[None] = None
 
-    def __post_init__(self, inertia: None) -> None:
-        if inertia is not None:
-            raise ArmError(
-                f"a body's inertia is {shown(inertia)}; expected None, for the tensors go to"
-                " dynamics.inverse_dynamics(..., inertias=...)"
-            )
+    def __post_init__(self) -> None:
         wanted = "three coordinates (x, y, z)"
         if len(listed(self.com, "the coordinates of the centre of mass", wanted)) != 3:
             raise ArmError(f"centre of mass is {self.com!r}; expected {wanted}")

@@ -40,7 +40,6 @@ def from_urdf(
     base: str | None = None,
     tip: str | None = None,
     *,
-    name: str | None = None,
     tolerance: float = 1e-9,
 ) -> Arm:
     """The arm from link `base` to link `tip` of a robot description, in standard Denavit-Hartenberg
@@ -50,7 +49,6 @@ def from_urdf(
         source: the file, or its text.
         base: a link; the one without a parent unless given.
         tip: a link beyond it; the last one unless given, where there is only one.
-        name: the arm's name; the robot's unless given.
         tolerance: as for `helpers.derive.derive`.
 
     The joints keep their own zeros and signs, so q is the file's. A limit of 0 for speed or effort
@@ -69,8 +67,7 @@ def from_urdf(
         raise ArmError(
             f"{tree.name}: nothing moves from {base} to {tip}; expected a joint that does"
         )
-    name = tree.name if name is None else name
-    found, masses = derive(axes, pose, name=name, tolerance=tolerance), loads[:, 3]
+    found, masses = derive(axes, pose, name=tree.name, tolerance=tolerance), loads[:, 3]
     centres = loads[:, :3] / np.where(masses, masses, 1)[:, None]
     arm = found.with_bodies(masses, centres) if masses.any() else found.arm
     moving = ", ".join(joint.name for joint in way if joint.kind != "fixed")

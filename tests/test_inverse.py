@@ -397,13 +397,12 @@ def test_nearest_is_the_nearest_of_all_branches_and_turns_within_the_limits(
     tried = found.q[..., None] + 2 * np.pi * np.arange(-6, 7) * turns
     inside = (tried >= low[:, None]) & (tried <= low[:, None] + wide)
     gaps = np.abs(tried - start[:, None])
-    for limits, allowed in ((True, inside), (False, np.isfinite(tried))):
-        least = np.where(allowed, gaps, np.inf).min(axis=-1).max(axis=-1)
-        chosen = found.nearest(start, limits=limits)
-        assert np.isfinite(chosen).all() == np.isfinite(least).any()
-        if np.isfinite(least).any():
-            assert np.abs(chosen - start).max() == pytest.approx(least.min(), abs=1e-9)
-            assert apart(arm, found.q, chosen)[found.valid].min() < 1e-9
+    least = np.where(inside, gaps, np.inf).min(axis=-1).max(axis=-1)
+    chosen = found.nearest(start)
+    assert np.isfinite(chosen).all() == np.isfinite(least).any()
+    if np.isfinite(least).any():
+        assert np.abs(chosen - start).max() == pytest.approx(least.min(), abs=1e-9)
+        assert apart(arm, found.q, chosen)[found.valid].min() < 1e-9
     np.testing.assert_array_equal(found.within_limits, inside.any(axis=-1).all(axis=-1))
 
 

@@ -65,9 +65,8 @@ def test_a_file_is_read_as_its_text_is(tmp_path):
     assert from_urdf(path).name == from_urdf(latin).name == "zwölf"
 
 
-def test_a_part_of_the_chain_and_a_name():
-    arm = from_urdf(TWO, "upper", "fore", name="elbow only")
-    assert (arm.name, arm.dof) == ("elbow only", 1)
+def test_a_part_of_the_chain():
+    assert from_urdf(TWO, "upper", "fore").source.endswith("upper to fore; joints elbow")
 
 
 @pytest.mark.parametrize(

@@ -67,7 +67,6 @@ def solve(
     tolerance: float = 1e-10,
     iterations: int = 100,
     restarts: int = 0,
-    seed: int = 0,
 ) -> NumericSolution:
     """A joint vector near `start` that takes the tip to each of `targets`: poses (..., 4, 4), or
     positions (..., 3) in m.
@@ -87,14 +86,14 @@ def solve(
     shape = common_shape("targets and start", shape, start.shape[:-1])
     goal = np.broadcast_to(goal, (*shape, *goal.shape[-2:])).reshape(-1, *goal.shape[-2:])
     start = np.broadcast_to(start, (*shape, arm.dof)).reshape(-1, arm.dof)
-    for name, count in (("iterations", iterations), ("restarts", restarts), ("seed", seed)):
-        whole(count, name)
+    whole(iterations, "iterations")
+    whole(restarts, "restarts")
     number(tolerance, "tolerance", "a positive number of m and rad", above=0)
 
     bounds = arm.limits if limits else (np.full(arm.dof, -np.inf), np.full(arm.dof, np.inf))
     rule = _Rule(bounds, tolerance, iterations)
     best = _descend(arm, goal, start, rule)
-    starts, random = np.ones(len(goal), int), np.random.default_rng(seed)
+    starts, random = np.ones(len(goal), int), np.random.default_rng(0)
     for _ in range(restarts):
         missed = np.flatnonzero(best.worst > tolerance)
         if not missed.size:

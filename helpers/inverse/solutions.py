@@ -93,20 +93,19 @@ class Solutions:
         (..., branches)."""
         return _inside(self.arm, _turned_towards(self.arm, self.q, np.zeros(self.arm.dof)))
 
-    def nearest(self, q: ArrayLike, limits: bool = True) -> Array:
-        """The branch with the least largest joint change from q, shape (..., dof); NaN where there
-        is none.
+    def nearest(self, q: ArrayLike) -> Array:
+        """The branch within the joint limits with the least largest joint change from q, shape
+        (..., dof); NaN where there is none.
 
-        Revolute joints may have made whole turns: each is taken by the turn nearest to q. With
-        `limits` only what lies within the joint limits counts. q has shape (..., dof). Raises
-        ArmError for another shape.
+        Revolute joints may have made whole turns: each is taken by the turn nearest to q. q has
+        shape (..., dof). Raises ArmError for another shape.
         """
         start = self.arm.joint_vector(q)
         common_shape("q and the targets", start.shape[:-1], self.distance.shape)
         start = start[..., None, :]
-        found = _turned_towards(self.arm, self.q, start, limits)
+        found = _turned_towards(self.arm, self.q, start)
         change = np.abs(found - start).max(axis=-1)
-        allowed = _inside(self.arm, found) if limits else self.valid
+        allowed = _inside(self.arm, found)
         best = np.where(allowed, change, np.inf).argmin(axis=-1)[..., None]
         chosen = np.take_along_axis(found, best[..., None], axis=-2)[..., 0, :]
         return np.where(np.take_along_axis(allowed, best, axis=-1), chosen, np.nan)
@@ -279,14 +278,12 @@ def wrapped(angle: Array) -> Array:
     return turns
 
 
-def _turned_towards(arm: Arm, q: Array, start: Array, limits: bool = True) -> Array:
+def _turned_towards(arm: Arm, q: Array, start: Array) -> Array:
     """Each revolute joint by the turn nearest to `start`, or the nearest to it that is within the
     limits."""
     turn = np.where(arm.turning, 2 * np.pi, np.inf)
     whole = np.where(arm.turning, 2 * np.pi, 0.0)
     q = q + whole * np.rint((start - q) / turn)
-    if not limits:
-        return q
     lower, upper = arm.limits
     q = q - whole * np.ceil(np.maximum(q - upper - _SLACK, 0) / turn)
     return q + whole * np.ceil(np.maximum(lower - q - _SLACK, 0) / turn)

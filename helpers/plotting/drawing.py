@@ -56,15 +56,13 @@ def eye_of(view: View) -> Array:
     return np.stack([right, up, np.cross(right, up)])
 
 
-def arm_drawing(
-    ax: Axes, arm: Arm, q: ArrayLike, view: View, *, colour: str = GREY, size: float = 1.0
-) -> None:
+def arm_drawing(ax: Axes, arm: Arm, q: ArrayLike, view: View, *, size: float = 1.0) -> None:
     """Draw an arm at q, shape (dof,): a barrel about each axis that turns, a box along each that
     slides, the links between them as the table's steps, and the ground."""
     T, eye = pose_frames(arm, q), eye_of(view)
     points = skeleton(arm, T)
     radius = 0.028 * number(size, "size", "a finite number > 0", above=0) * _extent(points)
-    ax.plot(*seen(points, view).T[:2], color=colour, lw=4, solid_joinstyle="round", zorder=2)
+    ax.plot(*seen(points, view).T[:2], color=GREY, lw=4, solid_joinstyle="round", zorder=2)
     for i in arm.joints:
         joint_shape(ax, T[i - 1], eye, radius, arm.rows[i - 1].joint.kind == "revolute")
     ax.plot(*seen(points[-1], view)[:2], "o", color="black", ms=4, zorder=5)

@@ -16,7 +16,7 @@ from helpers.plotting.style import BLUE, GREEN, GREY, RED, time_axis
 Array = NDArray[np.floating]
 
 
-def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") -> None:
+def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE) -> None:
     """Draw the wanted path (dashed) and the traced one (solid) as seen looking at the wall; lengths
     in m."""
     must_be(run, Trace, "run")
@@ -25,7 +25,7 @@ def path_2d(ax: Axes, run: Trace, *, colour: str = BLUE, label: str = "traced") 
     some = _some(run)
     wanted, traced = run.path.positions[some], run.poses[some, :3, 3]
     ax.plot(wanted[:, i], wanted[:, j], "--", color=GREY, label="wanted")
-    ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label=label)
+    ax.plot(traced[:, i], traced[:, j], color=colour, lw=1.4, label="traced")
     ax.plot(traced[0, i], traced[0, j], "ko", ms=4)
     ax.set(xlabel=f"${'xyz'[i]}$ (m)", ylabel=f"${'xyz'[j]}$ (m)", aspect="equal")
     ax.xaxis.set_major_locator(MaxNLocator(5))
