@@ -161,7 +161,6 @@ RIGHT = {
     "plotting.shoulder_triangles": dict(point=[0.3, 0.2], names=("left", "right")),
     "plotting.ur_triangle": dict(arm=UR10E, q=UR10E.home),
     "plotting.law_of_cosines": dict(arm=ELBOW, q=BEND),
-    "plotting.map_2d": dict(values=np.arange(9.0).reshape(3, 3)),
     "plotting.moving_picture": dict(frames=2),
     "plotting.regions": dict(which=np.eye(3), names={0: "no", 1: "yes"}),
     "plotting.torque_shares": dict(runs={"one": np.zeros((2, 7))}),
@@ -183,12 +182,11 @@ RIGHT = {
 FREE = {
     *("actual", "ax", "book_only", "colour", "colours", "dashed", "expected", "link", "many"),
     *("negative", "display", "self", "title", "what", "arm.Arm source"),
-    *("inverse.Solutions.nearest limits", "inverse.solve limits", "plotting.arm_2d alpha"),
+    *("inverse.solve limits", "plotting.arm_2d alpha"),
     "plotting.arrow_2d text",
     *("plotting.shoulder_triangles names", "plotting.shoulder_triangles letters"),
     *("plotting.joints axes", "plotting.torques axes", "plotting.postures axes"),
     *("plotting.angle text", "plotting.dimension text", "plotting.postures titles"),
-    "plotting.map_2d label",
 }
 
 # What a message calls an argument, where that is not its name.

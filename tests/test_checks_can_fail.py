@@ -67,7 +67,7 @@ class Reader(ast.NodeVisitor):
 
     def visit_ImportFrom(self, node):
         for name in node.names:
-            helped = (node.module or "").startswith("helpers")
+            helped = (node.module or "").startswith(("helpers", "course"))
             self.meaning[name.asname or name.name] = (("import", node.module, name.name), helped)
 
     def visit_Assign(self, node):

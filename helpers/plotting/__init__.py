@@ -19,7 +19,6 @@ from helpers.plotting.drawing import (
     row_drawing,
     seen,
 )
-from helpers.plotting.maps import map_2d
 from helpers.plotting.plane import arm_2d, arrow_2d
 from helpers.plotting.style import BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY, use_book_style
 from helpers.plotting.torques import torque_shares, torques
@@ -44,7 +43,6 @@ __all__ = [
     "joints",
     "law_of_cosines",
     "lengths",
-    "map_2d",
     "moving_picture",
     "path_2d",
     "postures",
