@@ -10,74 +10,19 @@ from docutils import nodes
 
 from tools.download import Book, edition, plain
 from tools.pages import fold, keep_together, keep_whole, say_plainly, visit_math_block
-from tools.pictures import panels, size, visit_image
+from tools.pictures import size, visit_image
+
+PANELS = ((12, 8, 93, 166), (207, 17, 186, 166))
 
 
-def figure(*parts, wide=400, high=200):
-    """A drawing as Matplotlib writes it, of these parts."""
-    ground = f'<g id="patch_1"><path d="M 0 {high}L {wide} 0"/></g>'
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide}pt" height="{high}pt" '
-        f'viewBox="0 0 {wide} {high}"><g id="figure_1">{ground}{"".join(parts)}</g></svg>'
+def figure(*panels, wide=400, high=200):
+    """A drawing with these panels."""
+    views = "".join(
+        f'<view id="panel-{k}" viewBox="{" ".join(map(str, box))}"/>'
+        for k, box in enumerate(panels, 1)
     )
-
-
-def axes(number, left, top, right, bottom, more=""):
-    line = f'<path d="M {left} {top}L {right} {bottom}" style="fill: none; stroke: #000000"/>'
-    return f'<g id="axes_{number}">{line}{more}</g>'
-
-
-def cut_to(left, top, right, bottom):
-    """What is drawn in an axes and cut to it, though it reaches far beyond."""
-    return (
-        f'<clipPath id="p{left}"><rect x="{left}" y="{top}" width="{right - left}" '
-        f'height="{bottom - top}"/></clipPath>'
-        f'<path clip-path="url(#p{left})" d="M -9999 50L 9999 60"/>'
-    )
-
-
-TWO = (axes(1, 10, 20, 190, 180), axes(2, 210, 20, 390, 180))
-
-
-def test_panels_are_read_row_by_row():
-    four = [*TWO, axes(3, 10, 220, 190, 380), axes(4, 210, 221, 390, 380)]
-    found = panels(ET.fromstring(figure(*reversed(four), high=400)))
-    assert [box[:2] for box in found] == [(10, 20), (210, 20), (10, 220), (210, 221)]
-
-
-def test_a_label_belongs_to_its_panel_and_what_is_cut_off_does_not():
-    letters = '<use transform="translate(100 0)"/>'
-    turned_label = f'<g transform="translate(8 150) rotate(-90) scale(0.1 -0.1)">{letters}</g>'
-    outside = cut_to(20, 20, 190, 180)
-    unseen = '<path d="M 0 0L 400 0" style="fill: none"/>'
-    more = turned_label + outside + unseen + '<defs><path d="M -99 -99L 999 999"/></defs>'
-    first, second = panels(ET.fromstring(figure(axes(1, 20, 20, 190, 180, more), TWO[1])))
-    assert first == pytest.approx((0, 20, 190, 180))
-    assert second == (210, 20, 390, 180)
-
-
-def test_axes_without_a_frame_reach_as_far_as_what_is_drawn_in_them():
-    """A title, and below it what is cut to a rectangle that nobody sees."""
-    two = [
-        f'<g id="axes_{k}">{cut_to(20 + 200 * k, 30, 190 + 200 * k, 180)}'
-        f'<path d="M {80 + 200 * k} 5L {120 + 200 * k} 15"/></g>'
-        for k in range(2)
-    ]
-    assert panels(ET.fromstring(figure(*two))) == [(20, 5, 190, 60), (220, 5, 390, 60)]
-
-
-def test_a_marker_is_as_large_as_it_is_drawn():
-    star = '<defs><path id="star" d="M -8 6L 8 -6"/></defs>'
-    put = '<use href="#star" x="190" y="180"/>'
-    svg = figure(axes(1, 10, 20, 190, 180, star + put), TWO[1])
-    assert panels(ET.fromstring(svg))[0] == (10, 20, 198, 186)
-
-
-def test_walls_a_twin_and_a_colour_bar_belong_to_their_panel():
-    walls = '<g id="pane3d_1"><path d="M 205 10L 300 30" style="fill: #808080"/></g>'
-    twin, bar = axes(3, 10, 20, 190, 180), axes(4, 192, 20, 200, 180, cut_to(192, 20, 198, 180))
-    found = panels(ET.fromstring(figure(TWO[0], walls, TWO[1], twin, bar)))
-    assert found == [(10, 20, 200, 180), (205, 10, 390, 180)]
+    size = f'width="{wide}pt" height="{high}pt" viewBox="0 0 {wide} {high}"'
+    return f'<svg xmlns="http://www.w3.org/2000/svg" {size}><defs/>{views}<g/></svg>'
 
 
 @pytest.mark.parametrize(
@@ -99,20 +44,28 @@ def shown(tmp_path, svg, **attributes):
 
 
 def test_a_picture_says_its_size(tmp_path):
-    html = shown(tmp_path, figure(TWO[0]), width="70%")
+    html = shown(tmp_path, figure(), width="70%")
     assert re.findall('src="(.*?)"', html) == ["_images/b.svg"]
-    assert 'alt="" loading="lazy" width="533" height="267">' in html
+    assert 'alt="" loading="lazy" src="_images/b.svg" width="533" height="267">' in html
     assert 'class="picture" style="width: 70%" role="img" aria-label="A &quot;b&quot;">' in html
 
 
-def test_each_panel_is_a_window_on_the_whole(tmp_path):
-    html = shown(tmp_path, figure(axes(1, 20, 20, 107, 180), TWO[1]))
+def test_each_panel_is_a_view_of_the_whole(tmp_path):
+    html = shown(tmp_path, figure(*PANELS))
     assert 'class="picture many"' in html
-    windows = re.findall(r'<span class="panel" style="(.*?); (--.*?)">', html)
-    place = "--share: 100.0%; --wide: 215.1%; --left: -111.3%; --top: -10.2%"
-    assert windows[1] == ("aspect-ratio: 186 / 166; max-width: 372px", place)
-    assert windows[0][1][:15] == "--share: 50.0%;"
-    assert html.count("<img src=") == 3
+    views = re.findall(r'src="([^"]*)" class="panel" style="(.*?)"', html)
+    assert views == [
+        ("_images/b.svg#panel-1", "aspect-ratio: 93 / 166; max-width: 186px; --share: 50.0%"),
+        ("_images/b.svg#panel-2", "aspect-ratio: 186 / 166; max-width: 372px; --share: 100.0%"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("widths", "small"), [((90,) * 4, True), ((90,) * 3, False), ((90, 171) * 2, False)]
+)
+def test_many_small_panels_stand_beside_each_other(tmp_path, widths, small):
+    html = shown(tmp_path, figure(*((0, 0, wide, 100) for wide in widths)))
+    assert ('class="picture many small"' in html) == small
 
 
 def test_a_box_is_folded_at_its_title():

@@ -6,6 +6,7 @@ Where their names and arrows stand is held by the chapters' stored figures, whic
 import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from io import BytesIO
 from operator import itemgetter
 
 import matplotlib as mpl
@@ -83,6 +84,47 @@ def drawn(text):
     number = r"(?<![#\da-z.-])-?\d+(?:\.\d+)?"
     numbers = [float(one) for one in re.findall(number, " ".join(said))]
     return re.sub(r"\s|" + number, "", " ".join(said)), numbers
+
+
+def views(text):
+    found = ET.fromstring(text).iterfind("{*}view")
+    return [[int(side) for side in view.get("viewBox").split()] for view in found]
+
+
+def test_each_panel_is_a_view_of_the_drawing_and_nothing_is_drawn_beside_them():
+    """Words that reach out of their axes, walls of an arm in space, a colour bar, a key to all."""
+    figure = plt.figure(figsize=(8, 5))
+    flat, space, heat, bare = (
+        figure.add_subplot(2, 2, k, projection="3d" if k == 2 else None) for k in range(1, 5)
+    )
+    flat.plot([0, 1], label="both")
+    flat.set(title="a title that is wider than its axes are", ylabel="an axis")
+    space.plot([0, 1], [0, 1], [0, 1])
+    figure.colorbar(heat.contourf([[0, 1], [2, 3]]), ax=heat)
+    bare.set_axis_off()
+    bare.plot([0, 1], "o", clip_on=False)
+    figure.legend(loc="outside upper center")
+    boxes = views(svg(figure))
+    assert len(boxes) == 5
+    figure.set_layout_engine("none")  # as it was laid out for the drawing
+    file = BytesIO()
+    figure.savefig(file, dpi=72, bbox_inches="tight")  # a dot for each point of the drawing
+    file.seek(0)
+    ink = plt.imread(file)[..., 3] > 0
+    assert ink.sum() > 10_000
+    seen = np.zeros(ink.shape, int)
+    for left, top, wide, high in boxes:
+        rows, columns = slice(top, top + high), slice(left, left + wide)
+        assert ink[rows, columns].any()
+        seen[rows, columns] += 1
+    assert not ink[seen == 0].any(), "all is in a view"
+    assert not ink[seen > 1].any(), "and in one alone"
+
+
+@pytest.mark.parametrize("rows", [1, 7])
+def test_panels_one_above_the_other_stay_as_they_are(rows):
+    figure, _ = plt.subplots(rows, 1, figsize=(5.6, 7), sharex=True)
+    assert views(svg(figure)) == []
 
 
 # Flat figures, and what is drawn from numbers

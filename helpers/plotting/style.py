@@ -4,14 +4,17 @@ import re
 import sys
 from hashlib import sha256
 from io import BytesIO
+from itertools import pairwise
 from typing import Any
 
 import matplotlib as mpl
 import numpy as np
 from cycler import cycler
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import Bbox
 
 # Okabe and Ito's colours, told apart by colour-blind readers too.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
@@ -24,6 +27,7 @@ BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
 )
 GREY = "#8A8F98"
 SLATE = "#5B6472"  # joints
+PAD = 3  # points around a panel that is shown alone
 AXIS_COLOURS = {"x": RED, "y": GREEN, "z": BLUE}
 
 STYLE: dict[Any, Any] = {
@@ -71,7 +75,8 @@ def time_axis(ax: Axes) -> None:
 
 def svg(figure: Figure) -> str:
     """A figure as SVG text, the same on every machine: numbers to 0.01 pt, ids from what they
-    name."""
+    name. Of several panels each is a view of it, `panel-1`, `panel-2` and so on."""
+    figure.dpi = 72  # of which an SVG is made
     file = BytesIO()
     figure.canvas.print_figure(
         file,
@@ -83,7 +88,40 @@ def svg(figure: Figure) -> str:
         metadata={"Date": None, "Creator": None},
     )
     text = re.sub(r"\b[1-9]\d*\.\d{3,}(?![\de])", _to_hundredths, file.getvalue().decode())
-    return _with_own_ids(_lean(re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)))
+    text = _with_own_ids(_lean(re.sub(r"(?<![\w.-])-0(?![\d.])", "0", text)))
+    return text.replace('<g id="figure_1">', f'{_views(figure)}<g id="figure_1">', 1)
+
+
+def _views(figure: Figure) -> str:
+    """Where the panels of a drawn figure stand in its SVG, for a screen that has room for one; of
+    panels one above the other nothing is said."""
+    panels = _panels(figure)
+    if all(below.y1 < (above.y0 + above.y1) / 2 for above, below in pairwise(panels)):
+        return ""
+    page = figure.get_tightbbox().padded(mpl.rcParams["savefig.pad_inches"])  # in inches
+    views = []
+    for k, box in enumerate((box.padded(PAD) for box in panels), 1):
+        sides = (box.x0 - 72 * page.x0, 72 * page.y1 - box.y1, box.width, box.height)
+        views.append(
+            f'<view id="panel-{k}" viewBox="{" ".join(f"{side:.0f}" for side in sides)}"/>'
+        )
+    return "".join(views)
+
+
+def _panels(figure: Figure) -> list[Bbox]:
+    """The boxes of a figure's axes, each with its colour bar, in the order of reading, and of the
+    legends of all."""
+    bars = {
+        ax: [artist.colorbar.ax for artist in (*ax.collections, *ax.images) if artist.colorbar]
+        for ax in figure.axes
+        if ax.get_visible()
+    }
+    alone: list[list[Artist]] = [
+        [ax, *bars[ax]] for ax in bars if not any(ax in of for of in bars.values())
+    ]
+    keys: list[list[Artist]] = [[legend] for legend in figure.legends]
+    boxes = ([part.get_tightbbox() for part in group] for group in [*keys, *alone])
+    return [Bbox.union([box for box in group if box is not None]) for group in boxes]
 
 
 def _to_hundredths(number: re.Match[str]) -> str:

@@ -28,7 +28,7 @@ BROKEN = """async () => {
 # What reaches over its box or the screen without a box that scrolls, shows that it does, and can be reached by keys.
 CUT = """() => {
     const article = document.querySelector("article"), edge = article.getBoundingClientRect().right + 1, found = [];
-    const kept = (e) => e.closest(".scrolls.more-right, .scrolls.more-left, .panel, .arm-explorer, .arm-judge, .headerlink");
+    const kept = (e) => e.closest(".scrolls.more-right, .scrolls.more-left, .arm-explorer, .arm-judge, .headerlink");
     const letters = document.createTreeWalker(article, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT), range = document.createRange();
     const over = () => range.getBoundingClientRect().right > edge;
     while (letters.nextNode()) {
@@ -47,7 +47,7 @@ CUT = """() => {
     for (const e of article.querySelectorAll(":not(math, math *)")) {
         if (e.scrollWidth <= e.clientWidth + 1) continue;
         const { overflowX, maskImage } = getComputedStyle(e);
-        if (overflowX === "visible" || e.closest(".arm-explorer, .arm-judge, .panel")) continue;
+        if (overflowX === "visible" || e.closest(".arm-explorer, .arm-judge")) continue;
         const said = e.matches("pre, .matrix") || e.nextElementSibling?.matches(".hint");
         if (overflowX !== "auto" || !maskImage.includes("gradient") || e.tabIndex !== 0 || !said) found.push(e.outerHTML);
     }

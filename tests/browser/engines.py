@@ -1,0 +1,165 @@
+"""Three engines, asked for the same few things: a page, what is in it, real keys, a real pointer.
+
+Chromium is driven by Playwright, as in all other tests. Firefox and WebKitGTK are as distributions
+have them, which Playwright cannot drive: each speaks a protocol of the W3C, and the two have the
+same words for what a hand does.
+"""
+
+import json
+import os
+import shutil
+import socket
+import subprocess
+import time
+from contextlib import ExitStack, contextmanager, suppress
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from urllib.request import Request, urlopen
+
+from playwright.sync_api import sync_playwright
+
+from tools.browser import NoBrowser, launched
+
+WINDOW = {"width": 1200, "height": 900}
+KEYS = {"Enter": "\ue007", "End": "\ue010"}
+SOFTWARE = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"}  # there may be no graphics card
+
+
+class Chromium:
+    def __init__(self, page):
+        self.open, self.ask, self.picture = page.goto, page.evaluate, page.screenshot
+        self.type, self.press, self.mouse = page.keyboard.type, page.keyboard.press, page.mouse
+
+    def drag(self, start, end):
+        self.mouse.move(*start)
+        self.mouse.down()
+        self.mouse.move(*end, steps=5)
+        self.mouse.up()
+
+
+class _ByHand:
+    """What Firefox and WebKit share."""
+
+    def type(self, text):
+        kinds = ("keyDown", "keyUp")
+        keys = [{"type": kind, "value": letter} for letter in text for kind in kinds]
+        self.act({"type": "key", "id": "keys", "actions": keys})
+
+    def press(self, key):
+        self.type([KEYS[key]])
+
+    def drag(self, start, end):
+        places = [[a + (b - a) * k / 5 for a, b in zip(start, end, strict=True)] for k in range(6)]
+        to, *on = (
+            {"type": "pointerMove", "x": round(x), "y": round(y), "duration": 50} for x, y in places
+        )
+        down, up = ({"type": kind, "button": 0} for kind in ("pointerDown", "pointerUp"))
+        mouse = {"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}}
+        self.act({**mouse, "actions": [to, down, *on, up]})
+
+
+class Firefox(_ByHand):
+    """By WebDriver BiDi, which Firefox itself speaks."""
+
+    def __init__(self, line):
+        self.line, self.count, self.context = line, 0, {}
+        self.send("session.new", capabilities={})
+        first = self.send("browsingContext.getTree")["contexts"][0]
+        self.context = {"context": first["context"]}
+        self.send("browsingContext.setViewport", **self.context, viewport=WINDOW)
+
+    def send(self, method, **params):
+        self.count += 1
+        self.line.send(json.dumps({"id": self.count, "method": method, "params": params}))
+        while (answer := json.loads(self.line.recv())).get("id") != self.count:
+            pass
+        assert answer["type"] == "success", answer
+        return answer["result"]
+
+    def open(self, url):
+        self.send("browsingContext.navigate", **self.context, url=url, wait="complete")
+
+    def ask(self, script):
+        text = f"JSON.stringify({script}) ?? 'null'"
+        how = {"expression": text, "target": self.context, "awaitPromise": False}
+        answer = self.send("script.evaluate", **how)
+        assert answer["type"] == "success", answer
+        return json.loads(answer["result"]["value"])
+
+    def act(self, hand):
+        self.send("input.performActions", **self.context, actions=[hand])
+
+
+class WebKit(_ByHand):
+    """By WebDriver."""
+
+    def __init__(self, address):
+        self.address = address
+        self.address += f"/session/{self.send('/session', capabilities={})['sessionId']}"
+        self.send("/window/rect", **WINDOW)
+
+    def send(self, path, **params):
+        with urlopen(Request(self.address + path, json.dumps(params).encode())) as answer:
+            return json.load(answer)["value"]
+
+    def open(self, url):
+        self.send("/url", url=url)
+
+    def ask(self, script):
+        return self.send("/execute/sync", script=f"return {script}", args=[])
+
+    def act(self, hand):
+        self.send("/actions", actions=[hand])
+
+
+@contextmanager
+def chromium():
+    with sync_playwright() as playwright:
+        browser = launched(playwright)
+        yield Chromium(browser.new_page(viewport=WINDOW, offline=True))
+        browser.close()
+
+
+@contextmanager
+def firefox():
+    import websocket  # comes with Jupyter
+
+    with TemporaryDirectory() as profile, ExitStack() as running:
+        asked = ["--headless", "--profile", profile, "--remote-debugging-port=0"]
+        _program(running, "firefox-esr", *asked)
+        told = Path(profile, "WebDriverBiDiServer.json")
+        at = _until(lambda: json.loads(told.read_text(encoding="utf-8")))
+        address = f"ws://{at['ws_host']}:{at['ws_port']}/session"
+        yield Firefox(websocket.create_connection(address, suppress_origin=True, timeout=60))
+
+
+@contextmanager
+def webkit():
+    with ExitStack() as running:
+        screen = _program(running, "Xvfb", "-displayfd", "1", stdout=subprocess.PIPE)
+        display = {"DISPLAY": f":{screen.stdout.readline().strip()}"}
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        _program(running, "WebKitWebDriver", f"--port={port}", env=SOFTWARE | display)
+        yield _until(lambda: WebKit(f"http://127.0.0.1:{port}"))
+
+
+def _program(running, name, *arguments, env=SOFTWARE, stdout=subprocess.DEVNULL):
+    """A program that runs until nobody needs it."""
+    if not shutil.which(name):
+        raise NoBrowser(f"{name} is not installed")
+    quiet = {"stderr": subprocess.DEVNULL, "stdout": stdout}
+    one = subprocess.Popen([name, *arguments], env=env, text=True, **quiet)
+    running.callback(one.wait)
+    running.callback(one.terminate)
+    return one
+
+
+def _until(ready):
+    """What a program that has just been started gives, once it does."""
+    for _ in range(600):
+        with suppress(OSError, ValueError):
+            return ready()
+        time.sleep(0.1)
+    return ready()
