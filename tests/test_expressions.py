@@ -1,8 +1,6 @@
 """Table entries: what is read is what was written, and nothing else can be written."""
 
-import json
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from helpers.expressions import ArmError, entry, evaluate, latex, names
+from tests.cases import ENTRIES
 
 VALUES = {"a_3": 0.0825, "l_pen": 0.1, "b": -2.0}
 
@@ -143,14 +142,10 @@ def test_what_is_refused_is_told_in_a_whole_sentence(ask, words):
     assert str(told.value) == words
 
 
-ENTRIES = [
-    case
-    for case in json.loads((Path(__file__).parent / "entries.json").read_text(encoding="utf-8"))
-    if case["unit"] in ("rad", "m")
-]
+IN_SI = [case for case in ENTRIES if case["unit"] in ("rad", "m")]
 
 
-@pytest.mark.parametrize("case", ENTRIES, ids=lambda case: case["text"][:12])
+@pytest.mark.parametrize("case", IN_SI, ids=lambda case: case["text"][:12])
 def test_what_the_explorer_reads_python_reads(case):
     """The fixture is the explorer's too, in tests/explorer/entry.test.mjs."""
     what = "alpha" if case["quantity"] == "angle" else "a"

@@ -3,7 +3,7 @@
 import json
 import random
 import re
-from functools import partial
+from functools import cache
 
 import numpy as np
 import pytest
@@ -16,16 +16,11 @@ from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.motion import circle_below, rest_to_rest
 from helpers.robots import ELBOW, PANDA, STANFORD
-from tests import motion_pastes, table_pastes
-from tests.brought import BROUGHT
+from tests.cases import QUESTIONS, about, fields
 from tests.node import ask_node, needs_node
-from tests.pastes import MATRICES, PROGRAMS, lines
+from tests.pastes import PROGRAMS
 from tests.test_book import ROOT
 
-Q = [0.5, 0.7, -0.4]
-# The elbow arm's Jacobian at Q by hand: c_1, s_1 of 0.5; r = 0.4 cos 0.7 + 0.3 cos 0.3, and so on.
-ROWS = MATRICES[0]
-CSV = lines(",", "\n")(ROWS)
 REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__import__('os')",
            "1/0 2 3", "{" * 80, "sin( 1 2", "\\begin{pmatrix}", "1 2 nan", "θ_8 1 1",
            "'\"\\ \t", "1e400 1 1", "1.234.5 1", "1\t2\n3", "1,,2", "#DIV/0!\t1",
@@ -47,63 +42,9 @@ def test_a_sum_keeps_its_brackets_in_sympys_latex(arm, form):
     assert checks.compare_jacobian(sp.latex(J), arm).agrees
 
 
-# Joint angles and runs
-
-
-@pytest.mark.parametrize("name", motion_pastes.ANGLES)
-def test_joint_angles_are_read_as_they_were_meant(name):
-    report = checks.compare_pose(motion_pastes.ANGLES[name], ELBOW, motion_pastes.POINT)
-    assert report.headline.startswith("The joints take the tip of Elbow arm there.")
-
-
-@pytest.mark.parametrize("name", motion_pastes.RUNS)
-def test_a_run_is_read_as_it_was_meant(name):
-    path = circle_below(ELBOW, Q, 0.02, "zy", 5.0, 40)
-    q = inverse.follow(partial(inverse.elbow, ELBOW), path.positions, Q)
-    report = checks.compare_trace(motion_pastes.RUNS[name](q), ELBOW, path)
-    assert report.headline.startswith("Elbow arm draws the path.")
-
-
 # The page's questions
 
 ASKED = ["jacobian", "torques", "table", "branches", "pose", "trace"]
-
-OWN = "0, pi/2, 0.5, q1\n0.4, 0, 0, q2\n0.3, 0, 0, q3"
-OWN_LETTERS = """-s_1*(L_1*c_2+ell*c_23) -c_1*(L_1*s_2+ell*s_23) -ell*c_1*s_23
-c_1*(L_1*c_2+ell*c_23) -s_1*(L_1*s_2+ell*s_23) -ell*s_1*s_23
-0 L_1*c_2+ell*c_23 ell*c_23
-0 s_1 s_1
-0 -c_1 -c_1
-1 0 0"""
-BY_LINK = [
-    *judge.EXAMPLES,
-    judge.traced(),
-    {"ask": "jacobian", "arm": "own", "table": OWN, "q": "0.5 0.7 -0.4", "answer": CSV},
-    {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "frame": "2", "first": "omega",
-     "answer": lines("  ", "\n", "J =\n\n")(ROWS)},
-    {"ask": "table", "arm": "ELBOW", "lengths": "m", "answer": table_pastes.RIGHT["craig"]},
-    {"ask": "table", "arm": "ELBOW", "angles": "deg", "columns": "a alpha d theta",
-     "convention": "standard", "answer": "0 90 0.5 q1\n0.4 0 0 q2\n0.2 0 0 q3"},
-    {"ask": "branches", "arm": "UR10E", "unit": "deg", "answer": "0 0 0 0 0 0",
-     "target": "[[1, 0, 0, 0.5], [0, 0, -1, -0.3], [0, 1, 0, 0.4]]"},
-    {"ask": "branches", "arm": "STANFORD", "answer": "0.4 0.7 0.3 0.2 0.5 0.1",
-     "target": "0.707 0.707 0 0.3\n-0.707 0.707 0 0.2\n0 0 1 0.4"},
-    {"ask": "pose", "arm": "ELBOW", "target": "0.3, 0.1, 0.7",
-     "answer": "('Theta1', 0.3), ('Theta2', -1.12 + pi/2), ('Theta3', 0.2)"},
-    {"ask": "pose", "arm": "own", "table": OWN, "unit": "deg", "answer": "10, 20, 30",
-     "target": "cos(q1), s_23, 0.4"},
-    {"ask": "trace", "arm": "ELBOW", "q": "0.3, 0.4, 0.9", "radius": "0.05", "pace": "rest",
-     "answer": "\n".join(f"{0.3 + 0.01 * k}, 0.4, 0.9" for k in range(40))},
-    {"ask": "trace", "arm": "ELBOW", "q": "10, 20, 50", "unit": "deg", "plane": "xz", "steps": "40",
-     "answer": "t,q1,q2,q3\n" + "\n".join(f"{k / 8},10,20,50" for k in range(40))},
-    {"ask": "torques", "arm": "PANDA", "q": "0.1 0.2 0.3 -1 0.5 0.6 0.7", "answer": '"""\\ 1'},
-    {"ask": "jacobian", "arm": "ELBOW", "q": "0.5, 0.7, -0.4", "answer": OWN_LETTERS,
-     "values": "{'L₁': 4/10, \\ell: 0.3}"},
-    {"ask": "jacobian", "arm": "own", "table": "0, pi/2, h, q1\nL1, 0, 0, q2\n0.3, 0, 0, q3",
-     "q": "0.5 0.7 -0.4", "answer": CSV, "values": "h = 1/2; L1 = 0.4"},
-    {"ask": "table", "arm": "ELBOW", "answer": "0 pi/2 h q1\nb 0 0 q2\n0.3 0 0 q3 - phi",
-     "values": "h = 0.5, b = 0.4, phi = -pi/3"},
-]  # fmt: skip
 
 
 def in_page(questions):
@@ -119,38 +60,39 @@ VALUES = {
 OPTIONS = ("columns", "lengths", "angles", "convention", "wrench")
 
 
-def in_python(fields):
+def in_python(given):
     """The same question as Python asks it, of the arm that is called so."""
-    ask, mine, q = fields["ask"], fields["answer"], fields.get("q")
-    how = {"angles": fields.get("unit", "rad")} if ask != "table" else {}
-    how |= {key: fields[key] for key in OPTIONS if key in fields}
-    how |= {"values": VALUES[fields["values"]]} if "values" in fields else {}
-    if fields["arm"] == "own":
-        arm = Arm.from_table(fields["table"], name="the arm asked about", values=how.get("values"))
+    ask, mine, q = given["ask"], given["answer"], given.get("q")
+    how = {"angles": given.get("unit", "rad")} if ask != "table" else {}
+    how |= {key: given[key] for key in OPTIONS if key in given}
+    values = VALUES.get(given.get("values"))
+    how |= {"values": values} if values else {}
+    if given["arm"] == "own":
+        arm = Arm.from_table(given["table"], name="the arm asked about", values=values)
     else:
-        arm = judge.catalogue_arm(fields["arm"])
+        arm = judge.catalogue_arm(given["arm"])
     if ask == "jacobian":
         how |= {
-            "frame": int(fields.get("frame", 0)),
-            "angular_first": fields.get("first") is not None,
+            "frame": int(given.get("frame", 0)),
+            "angular_first": given.get("first") is not None,
         }
         return checks.compare_jacobian(mine, arm, q, **how)
     if ask == "torques":
-        how["wrench"] = np.array(re.findall(r"[-.\d]+", fields.get("wrench", "0 " * 6)), float)
+        how["wrench"] = np.array(re.findall(r"[-.\d]+", given.get("wrench", "0 " * 6)), float)
         return checks.compare_torques(mine, arm, q, **how)
     if ask == "table":
         return checks.compare_tables(mine, arm, **how)
     if ask == "branches":
-        return checks.compare_branches(mine, branches(arm, fields["target"]), **how)
+        return checks.compare_branches(mine, branches(arm, given["target"]), **how)
     if ask == "pose":
-        return checks.compare_pose(mine, arm, fields["target"], **how)
-    steps = int(fields.get("steps", len(mine.splitlines()) - 1))
+        return checks.compare_pose(mine, arm, given["target"], **how)
+    steps = int(given.get("steps", len(mine.splitlines()) - 1))
     start = np.array([float(x) for x in q.split(",")])
     start = np.radians(start) if how["angles"] == "deg" else start
     path = circle_below(
-        arm, start, float(fields.get("radius", 0.1)), fields.get("plane", "zy"), 5, steps
+        arm, start, float(given.get("radius", 0.1)), given.get("plane", "zy"), 5, steps
     )
-    path = rest_to_rest(path) if "pace" in fields else path
+    path = rest_to_rest(path) if "pace" in given else path
     return checks.compare_trace(mine, arm, path, **how)
 
 
@@ -170,23 +112,41 @@ def branches(arm, typed):
 def test_the_page_says_what_python_says():
     """Each question goes through a link first. Advice is an argument here, a button there."""
     advice = ("- If that is what you mean, ", "- The arm in your joints is report.")
-    for fields, answer in zip(BY_LINK, in_page(BY_LINK), strict=True):
+    asked = [*judge.EXAMPLES, judge.traced(), *map(fields, QUESTIONS)]
+    for given, answer in zip(asked, in_page(asked), strict=True):
+        found = of_python(given)
         if "error" in answer:
+            assert found["grade"] == "refused", given
             assert len(answer["error"]) > 20, answer
             continue
-        lines = str(in_python(fields)).splitlines()
-        assert [x for x in lines if not x.startswith(advice)] == answer["words"].splitlines(), (
-            fields
-        )
+        lines = found["words"].splitlines()
+        assert [x for x in lines if not x.startswith(advice)] == answer["words"].splitlines(), given
 
 
-@pytest.mark.parametrize(("finding", "fields", "words"), BROUGHT)
-def test_what_people_bring_is_told_in_python(finding, fields, words):
+def of_python(given):
+    return _of_python(json.dumps(given))
+
+
+@cache
+def _of_python(given):
     try:
-        said = str(in_python(fields))
+        report = in_python(json.loads(given))
     except ArmError as refused:
-        said = str(refused)
-    assert words in said
+        return {"grade": "refused", "words": str(refused), "causes": ()}
+    return {"grade": report.grade, "words": str(report), "causes": report.causes}
+
+
+@pytest.mark.parametrize("case", QUESTIONS, ids=lambda case: f"{case['ask']}, {case['about']}")
+def test_what_is_typed_is_judged_so(case):
+    found = of_python(fields(case))
+    assert found["grade"] == case["grade"], found
+    if cause := case.get("cause"):
+        assert any(one == cause or one.startswith(f"{cause}:") for one in found["causes"]), found
+    assert case.get("cause") != "" or not found["causes"], found
+    for words in case.get("said", ()):
+        assert words in found["words"], found
+    for words in case.get("unsaid", ()):
+        assert words not in found["words"], found
 
 
 @needs_node
@@ -225,11 +185,12 @@ def test_no_sentence_that_the_page_may_say_speaks_python():
 
 @needs_node
 def test_what_cannot_be_read_is_refused_without_speaking_python():
-    asked = [*judge.EXAMPLES, judge.traced(), {**BY_LINK[7], "ask": "torques"}, *BY_LINK[6:8]]
+    own, framed, *_ = map(fields, about("by link"))
+    asked = [*judge.EXAMPLES, judge.traced(), {**framed, "ask": "torques"}, own, framed]
     asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # of which there is no formula
     bad = [{**one, field: text} for one in asked
            for field in TYPED if field in one for text in [*REFUSED, *COUNTS]]  # fmt: skip
-    for fields, said in zip(bad, in_page(bad), strict=True):
+    for given, said in zip(bad, in_page(bad), strict=True):
         words = said.get("error") or said["words"]
-        assert fields["answer"] not in REFUSED or len(said["error"]) > 20, fields
-        assert not PYTHON.search(QUOTED.sub("", words)), (fields, words)
+        assert given["answer"] not in REFUSED or len(said["error"]) > 20, given
+        assert not PYTHON.search(QUOTED.sub("", words)), (given, words)

@@ -12,6 +12,7 @@ from helpers.arm import Arm, Body
 from helpers.kinematics import link_frames
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from helpers.statics import (
+    centres_in,
     gravity_torque,
     potential_energy,
     static_torque,
@@ -96,3 +97,12 @@ def test_a_payload_of_no_mass_changes_nothing():
     assert with_payload(PANDA, 0, (1, 2, 3)) is PANDA
     massless = replace(PANDA, bodies=[Body(0, (0, 0, 0))] * 7)
     assert with_payload(massless, 0) is massless
+
+
+def test_points_told_in_other_frames_stay_where_they_are():
+    """Of two arms whose frames share nothing, at any poses."""
+    points = np.random.default_rng(2).uniform(-0.3, 0.3, (6, 3))
+    ours, theirs = (link_frames(arm, np.linspace(0.3, 1.4, 6))[1:] for arm in (UR10E, STANFORD))
+    told = centres_in(ours, theirs, points)
+    for A, p, B, q in zip(ours, told, theirs, points, strict=True):
+        np.testing.assert_allclose(A @ [*p, 1], B @ [*q, 1], atol=1e-14)

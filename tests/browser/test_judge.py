@@ -6,8 +6,8 @@ from urllib.parse import urlencode
 import pytest
 
 from helpers.explorer import judge
-from tests.brought import BROUGHT
 from tests.browser.reader import AXE, BAD, EVERYTHING, THERE, UNDRAWN, UNTOUCHED
+from tests.cases import about, fields
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"
@@ -377,14 +377,13 @@ TONES = """box => ["right", "so far", "rounded", "wrong"].map((grade) => {
 
 @phone
 def test_what_people_bring_is_told_on_a_phone(page):
-    for finding, fields, words in BROUGHT:
-        page.evaluate(ASKED, urlencode({**fields, "answer": ""}))
-        page.get_by_label("Your answer", exact=True).fill(fields["answer"])
-        if words.startswith("set aside"):  # Python says it so; the page shows the rest as typed
-            verdict(page, "are right")
-            continue
-        verdict(page, words or "Type or paste your answer.")
-        assert page.evaluate(OUTSIDE) == [], finding
+    for case in about("brought"):
+        page.evaluate(ASKED, urlencode({**fields(case), "answer": ""}))
+        page.get_by_label("Your answer", exact=True).fill(case["answer"])
+        for words in case.get("said", ["Type or paste your answer."]):
+            # Python says what is set aside; the page shows the rest as typed.
+            verdict(page, "are right" if words.startswith("set aside") else words)
+        assert page.evaluate(OUTSIDE) == [], case
     one_way = judge.EXAMPLES[3] | {"answer": "0.5000  0.7000 -0.4002"}
     page.evaluate(ASKED, urlencode(one_way))
     box = page.locator(".arm-judge .verdict.so")

@@ -43,12 +43,6 @@ class Machine:
         self.turns = np.array([kind == "R" for kind in self.kinds])
         self.dof = len(self.joints)
 
-    def as_typed(self, q, digits, degrees):
-        """Joints as people write them; in degrees those that turn have two decimals less."""
-        cut = [max(1, digits - 2) if turns and degrees else digits for turns in self.turns]
-        q = np.where(self.turns, np.degrees(q), q) if degrees else q
-        return [f"{x:.{d}f}" for x, d in zip(q, cut, strict=True)]
-
     def frames(self, q):
         T, found, at = EYE, [EYE], iter(q)
         for kind, a, alpha, d, theta in self.rows:

@@ -1,4 +1,4 @@
-// What is typed in a field is read as tests/entries.json says, an angle alike in a field, a formula and a table.
+// What is typed in a field is read as tests/cases.json says, an angle alike in a field, a formula and a table.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -8,7 +8,7 @@ import { readEntry } from "../../judge/reading/entry.js";
 import { read } from "../../judge/reading/table.js";
 import { entryText } from "../../page/src/text.js";
 
-const ENTRIES = JSON.parse(readFileSync(new URL("../entries.json", import.meta.url), "utf8"));
+const { entries: ENTRIES } = JSON.parse(readFileSync(new URL("../cases.json", import.meta.url), "utf8"));
 const near = (found, wanted) => assert.ok(Math.abs(found - wanted) < 1e-12, `${found}`);
 
 for (const { text, quantity, unit, value } of ENTRIES) {

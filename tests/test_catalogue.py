@@ -1,0 +1,129 @@
+"""Each mistake of the corpus's catalogue is named, and no number of an answer vanishes."""
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from helpers import checks
+from helpers.arm import Body
+from helpers.inputs import ArmError
+from helpers.robots import ELBOW, UR10E
+from helpers.statics import static_torque
+from tests.cases import QUESTIONS, fields
+from tests.corpus import jacobians, tables, torques
+from tests.corpus.arms import KNOWN, pose
+from tests.corpus.machine import Machine
+from tests.mixed import arm_of, heavy
+from tests.test_judge import in_python
+
+UNITS = ("table.millimetres", "table.degrees")  # no mistakes, where no units are said
+# The judge's keys of what is planted here under another, and what it says of it that is true too.
+ALSO = {
+    "table.twist": ("table.no twist", "table.angle:alpha"),
+    "table.no twist": ("table.angle:alpha",),
+    "table.sign:alpha": ("table.twist", "table.number and sign"),
+    "table.a and d": ("table.a and d in row", "table.too much:a", "table.too much:d"),
+}
+
+
+def names(report, mistakes, made):
+    """Whether a report names a mistake that gives these numbers."""
+    true = [key for key, x in mistakes.items() if tables.alike(x, made)]
+    also = tuple(key for one in true for start, keys in ALSO.items()
+                 if one.startswith(start) for key in keys)  # fmt: skip
+    firsts = [cause.split(" + ")[0] for cause in report.causes]
+    return any(one in true or one.startswith(also) for one in firsts)
+
+
+def shown(mistakes, right):
+    """Those that show in five digits."""
+    for key, made in mistakes.items():
+        if made.shape != right.shape or np.abs(made - right).max() > 5e-3:
+            yield key, made
+
+
+@pytest.mark.parametrize("name", ["UR10E_HOMEWORK", "STANFORD", "PANDA.lock(3)"])
+def test_each_mistake_in_a_jacobian_is_named(name):
+    m, rng = KNOWN[name], np.random.default_rng(3)
+    q = pose(m, rng)
+    right = m.jacobian(q)
+    mistakes = dict([*jacobians.before(m, q, rng), *jacobians.tables(m, q, rng)])
+    mistakes |= {key: write(right) for key, write in jacobians.after(m, q, rng)}
+    for key, made in shown(mistakes, right):
+        report = checks.compare_jacobian(made.round(5), arm_of(m), q)
+        assert names(report, mistakes, made), (key, report)
+
+
+@pytest.mark.parametrize("name", ["PANDA", "STANFORD"])
+def test_each_mistake_in_torques_is_named(name):
+    m, rng = KNOWN[name], np.random.default_rng(4)
+    q, links, F = pose(m, rng), torques.bodies(m, rng), np.array([3, -5, 8, 1, -2, 0.5])
+    mistakes = dict(torques.mistakes(m, links, q, F, rng))
+    right = torques.weight(m, links, q) - torques.force(m, F, q)
+    arm = arm_of(m) if name == "PANDA" else heavy(m, links)
+    for key, made in shown(mistakes, right):
+        report = checks.compare_torques(made.round(5), arm, q, F)
+        assert names(report, mistakes, made), (key, report)
+
+
+@pytest.mark.parametrize("name", ["PANDA.lock(3)", "UR10E_HOMEWORK"])
+def test_each_mistake_in_a_table_is_named(name):
+    m = KNOWN[name]
+    mistakes = tables.mistakes(m, np.random.default_rng(5))
+    held = {key: tables.numbers(rows) for key, rows in mistakes.items()}
+    for key, rows in mistakes.items():
+        if key in UNITS:
+            continue
+        report = checks.compare_tables(arm_of(Machine(rows)), arm_of(m))
+        free = report.mark or report.figures.get("same machine")  # as tests/test_tables.py tries
+        assert names(report, held, held[key]) or free, (key, report)
+
+
+# Of tables the grids alone: a number before or behind a dictionary is passed over.
+RIGHT = [
+    case
+    for case in QUESTIONS
+    if case["grade"] == "right" and case["answer"] and not case["about"].startswith("table, ")
+]
+
+
+@settings(max_examples=40)
+@example(case=RIGHT[0], place=0.0)
+@given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))
+def test_no_number_vanishes_wherever_it_stands(case, place):
+    """Into right work, at any place: refused, wrong, part of an entry, or shown back."""
+    text = case["answer"]
+    at = round(place * len(text))
+    try:
+        report = in_python({**fields(case), "answer": f"{text[:at]} 99.125 {text[at:]}"})
+    except ArmError:
+        return
+    assert report.grade == "wrong" or report.mark or "99.125" in str(report), report
+
+
+Q, PUSH = [0.3, -1.1, 1.4, -0.8, 0.9, 0.2], [0, 0, -20, 0, 0, 0]
+
+
+def test_one_of_two_answers_is_chosen():
+    right = static_torque(UR10E, Q, PUSH).round(4)
+    text = f"{right.tolist()}\nor\n{(2 * right).tolist()}"
+    for which, agrees in ((1, True), (2, False)):
+        assert checks.compare_torques(text, UR10E, Q, PUSH, which=which).agrees is agrees
+
+
+def test_a_small_mistake_that_fits_is_no_rounding():
+    """g = 9.8 on light links under a large push: many units off, a thousandth of the torques."""
+    light = UR10E.with_bodies([Body(body.mass / 40, body.com) for body in UR10E.bodies])
+    push = [0, 0, -20, 3, 0, 0]
+    mine = static_torque(light, Q, push) - 0.01 / 9.81 * static_torque(light, Q, [0] * 6)
+    assert checks.compare_torques(mine.round(5), light, Q, push).causes == ("tau.gravity:9.8",)
+
+
+def test_other_zeros_are_told_with_how_far_the_tip_is():
+    report = checks.compare_tables("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0", ELBOW)
+    assert report.figures["same machine"]
+    m = KNOWN["ELBOW"]
+    home = np.array(ELBOW.home)
+    off = (m.tip(np.add(home, [0, np.pi / 6, 0])) - m.tip(home))[:3, 3]
+    assert f"{np.linalg.norm(off):.3g} m away" in report.headline
