@@ -46,7 +46,9 @@ class NumericSolution:
         )
         if self.reached.ndim:
             return f"{self.reached.sum()} of {self.reached.size} targets reached, at worst {off}"
-        how = f"reached in {self.iterations} steps" if self.reached else f"not reached, {off}"
+        tried = "1 start" if self.starts == 1 else f"{self.starts} starts"
+        how = f"reached in {self.iterations} steps"
+        how = how if self.reached else f"not reached from {tried}, {off}"
         return f"{how}: q = {np.array2string(self.q.round(6) + 0.0, separator=', ')}"
 
     def _repr_markdown_(self) -> str:
