@@ -273,7 +273,7 @@ def test_a_course_that_cannot_be_read_is_told(tmp_path, text, words):
 # Marking a class
 
 
-def test_marking_again_marks_what_is_there_then(here):
+def test_marking_again_marks_what_is_there_then_and_nobody_twice(here, monkeypatch):
     course = grown("ab", "cd")
     answers = json.dumps(right_work(course.sheet("ab")))
     assert [row["total"] for row in grade(Path("hw"), Path("out"))] == [0, 0]
@@ -281,6 +281,7 @@ def test_marking_again_marks_what_is_there_then(here):
     first = grade(Path("hw"), Path("out"), jobs=2)
     assert [row["total"] for row in first] == [2, 0]
     before = Path("out/grades.csv").read_bytes()
+    monkeypatch.setattr(grading, "_apart", lambda *_: pytest.fail("marked twice"))
     assert grade(Path("hw"), Path("out")) == first
     assert Path("out/grades.csv").read_bytes() == before
 

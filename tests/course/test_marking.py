@@ -1,5 +1,6 @@
 """What an answer is worth, and what is said of it: right, slipped, unreadable and no work."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -98,7 +99,9 @@ laws = pytest.mark.parametrize("arm", ARMS_ASKED, ids=lambda arm: f"{arm.name}-{
 def test_the_key_in_the_decimals_asked_or_more_gets_everything(arm):
     for seed in range(3):
         mine, asked = parts(arm, seed)
+        text = "\n".join(question.markdown for question in mine.questions)
         for part in asked:
+            assert f"`{part.name}`: {part.what}; {part.digits} decimals; " in text
             for decimals in (part.digits, part.digits + 1, 8):
                 found = mark(mine, part.name, as_text(part.value, decimals))
                 assert found == Mark(part.name, 1.0, "Right.")
@@ -118,6 +121,37 @@ def test_rounding_never_pays(arm, wordless):
                 ]
                 assert credits == sorted(credits, reverse=True), (part.name, words, credits)
                 assert (credits[0] < 1) == (words != "right")
+
+
+@laws
+def test_joint_values_are_right_in_the_decimals_asked_and_rounding_never_pays(arm):
+    mine = sheet(arm, "rounded", ("inverse kinematics",))
+    part = mine.parts["q"]
+    for off in (0, 0.02):
+        credits = [
+            mark(mine, "q", as_text(part.value + off, n)).credit for n in (6, part.digits, 1)
+        ]
+        assert credits[:2] == [float(not off)] * 2
+        assert credits[2] <= credits[0]
+
+
+@pytest.mark.parametrize(("row", "length"), [(1, "0.2"), (1, "-0.2"), (1, "0"), (2, "0.53")])
+def test_a_table_is_worth_no_more_where_its_lengths_are_rounded(row, length):
+    """The same of its key, whose row 2 has a length of 0.2 m."""
+
+    def credits(rows):
+        texts = [[[rounded(e, n) for e in row] for row in rows] for n in (3, 1, 0)]
+        return [marked("table", text).credit for text in texts]
+
+    wrong = [[*([length] if i == row else r[:1]), *r[1:]] for i, r in enumerate(TABLE)]
+    found = credits(wrong)
+    assert found == sorted(found, reverse=True)
+    assert found[0] == (1 if wrong == TABLE else 0.75)
+
+
+def rounded(entry, decimals):
+    """An entry of a table, where it is a number."""
+    return f"{float(entry):.{decimals}f}" if re.fullmatch(r"-?[\d.]+", entry) else entry
 
 
 @laws

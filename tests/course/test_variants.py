@@ -12,7 +12,7 @@ import sympy as sp
 from course.marking import mark
 from course.sheets import TOPICS, question, sheet, variant
 from course.sheets import _generator as generator
-from course.topics import BY_NAME, closed_form, drawn, drawn_arm, matrix, pose_of
+from course.topics import closed_form, drawn, matrix, pose_of
 from helpers.arm import Arm, ArmError, Body, fixed, revolute
 from helpers.motion import circle, trace
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
@@ -33,11 +33,6 @@ every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
 def draw(topic, arm, seed):
     """What is drawn about the arm itself, its own lengths unchanged."""
     return drawn(topic, arm, generator(seed, topic))
-
-
-def first_draw(topic, arm, seed):
-    """The same before it is asked whether a slip would hide in it."""
-    return BY_NAME[topic].draw(arm, generator(seed, topic))
 
 
 def numbers(text):
@@ -106,54 +101,6 @@ def test_an_arm_that_is_always_near_singular_poses_is_refused():
     words = "tiny, lengths of your own: no pose away from a singular one was found in 500 tries"
     with pytest.raises(ArmError, match=words):
         sheet(tiny, 1)
-
-
-def test_tables_are_drawn_of_all_numbers_and_each_joint_tells_on_the_tip():
-    given = [draw("DH table", ELBOW, seed) for seed in range(50)]
-    rows = [row for one in given for row in one["rows"]]
-    turns = {"0", "pi/2", "-pi/2"}
-    assert {key: {row[key] for row in rows} for key in rows[0]} == {
-        "kind": {"revolute", "prismatic"}, "a": {0, 0.2, 0.3, 0.4, 0.5}, "alpha": turns,
-        "d": {0, 0.1, 0.2, 0.3}, "theta": turns,
-    }  # fmt: skip
-    zeros = [np.mean([row[key] in (0, "0") for row in rows]) for key in ("a", "d", "theta")]
-    assert zeros == pytest.approx([0.28, 0.4, 0.5], abs=0.08), "a zero counts double"
-    assert {shift for one in given for shift in one["along"]} == {n / 20 for n in range(-4, 5)}
-    for one in given:
-        assert (len(one["rows"]), len(one["along"]), one["rows"][-1]["alpha"]) == (4, 4, "0")
-        assert [row["kind"] for row in one["rows"]].count("prismatic") <= 1
-        assert all(row["alpha"] != "0" or row["a"] for row in one["rows"])
-        J = by_complex_steps(drawn_arm(one), np.array([0.3, 0.5, 0.7, 0.9]))
-        assert np.linalg.svd(J, compute_uv=False)[-1] > 0.0499
-
-
-def test_rates_columns_and_forces_are_drawn_of_all_that_they_may_be():
-    given = [first_draw("Jacobian", UR10E, seed) for seed in range(120)]
-    assert {one["column"] for one in given} == set(range(1, 7))
-    rates = np.array([one["q_dot"] for one in given])
-    assert set(rates.ravel()) == {n / 10 for n in range(-10, 11)}
-    assert not np.signbit(rates[rates == 0]).any()
-    torques = [first_draw("static torque", UR10E, seed) for seed in range(250)]
-    forces = np.array([one["force"] for one in torques])
-    assert (np.count_nonzero(forces, axis=1) == 1).all()
-    assert {tuple(np.sign(force)) for force in forces} == {
-        tuple(sign * axis) for sign in (-1, 1) for axis in np.eye(3)
-    }
-    assert set(abs(forces).max(axis=1)) == {n / 2 for n in range(10, 41)}
-
-
-def test_circles_are_drawn_that_the_arm_can_run_through():
-    given = [draw("circle tracing", UR10E, seed) for seed in range(30)]
-    assert {one["radius"] for one in given} == {n / 100 for n in range(5, 11)}
-    assert {one["plane"] for one in given} == {"xy", "yz", "zx"}
-    assert {one["duration"] for one in given} == {10, 15, 20, 25, 30}
-    for one in given[:12]:
-        top = product(UR10E, one["q"])[:3, 3]
-        centre = top - one["radius"] * np.eye(3)["xyz".index(one["plane"][0])]
-        path = circle(centre, one["radius"], one["plane"], one["duration"], 60)
-        report = trace(UR10E, one["q"], path, method="rk4").report
-        assert report.executable
-        assert report.smallest_singular_value > 0.0395
 
 
 @every_arm
@@ -298,24 +245,6 @@ STIFF = Arm("stiff", [fixed(a=0.3)])
 def test_what_cannot_be_asked_is_said(topic, arm, seed, words):
     with pytest.raises(ArmError, match=words):
         variant(topic, arm, seed)
-
-
-@pytest.mark.parametrize("arm", [UR10E, ELBOW], ids=lambda arm: arm.name)
-def test_a_question_as_it_is_read(arm):
-    drawn = sheet(arm, 5)
-    own = f"{arm.name}, lengths of your own"
-    for found in drawn.questions:
-        title = found.topic[0].upper() + found.topic[1:]
-        assert repr(found) == f"<Question on {found.topic}: {own}>"
-        asked = [f"- `{p.name}`: {p.what}; " for p in found.parts]
-        assert found.markdown.startswith(f"## {title}\n\n{found.text}\n\n")
-        lines = found.markdown.splitlines()[-len(asked) :]
-        for line, start, part in zip(lines, asked, found.parts, strict=True):
-            assert line.startswith(start)
-            assert (f"; {part.digits} decimals; " in line) == (part.kind not in ("table", "column"))
-            assert line.endswith(("count", "counts", "linear and angular", "as a whole"))
-        table = f"\n\n{found.arm._repr_markdown_()}" if found.topic != "DH table" else ""
-        assert found._repr_markdown_() == found.markdown + table
 
 
 def test_a_matrix_has_four_digits_or_as_many_as_asked():
