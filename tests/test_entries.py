@@ -79,6 +79,15 @@ def test_one_unit_off_in_a_last_place_is_told_and_is_no_mistake(about, seed):
 
 
 @BOTH
+@pytest.mark.parametrize("seed", SEEDS[:8])
+def test_the_unwritten_digits_of_each_joint_are_allowed_for(about, seed):
+    """Joint 1 is given to nine decimals and the others to three: theirs are what counts."""
+    asked = Asked(about, seed, 15)
+    asked.q = " ".join(f"{x:.{9 if k == 0 else 3}f}" for k, x in enumerate(asked.q))
+    assert asked.judge(typed(asked.right, 5)).grade == "right"
+
+
+@BOTH
 @pytest.mark.parametrize("seed", range(100))
 def test_an_entry_off_by_chance_gets_no_cause_and_is_located(about, seed):
     asked = Asked(about, seed)
