@@ -24,8 +24,8 @@ const ALIKE = [
 ];
 const SMALL = new Set("a an and are at by can do does for from get how i in is it my of on or out the there to was what when where which why with you your".split(" "));
 
-// A word without its ending: "poses" finds "pose".
-const stem = (word) => (word.length > 3 ? word.replace(/(?<![su])s$/, "").replace(/(?<=ch|sh|x)e$/, "") : word);
+// A word without its ending: "poses" finds "pose", "singularities" what "singularity" does.
+const stem = (word) => (word.length > 3 ? word.replace(/ies$/, "y").replace(/(?<![su])s$/, "").replace(/(?<=ch|sh|x)e$/, "") : word);
 
 // Signs that are one word in the book's language stay together: compare_jacobian is found by jacobian, and by its whole name.
 const split = (text) => (text.normalize("NFKC").toLowerCase().match(/[\p{L}\p{N}_]+/gu) ?? []).flatMap((word) => (word.includes("_") ? [word, ...word.split("_")].filter(Boolean) : word));

@@ -21,13 +21,12 @@ from playwright.sync_api import sync_playwright
 from tools.browser import NoBrowser, launched
 
 WINDOW = {"width": 1200, "height": 900}
-KEYS = {"Enter": "\ue007", "End": "\ue010"}
-SOFTWARE = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1"}  # there may be no graphics card
+KEYS = {"\n": "\ue007", "End": "\ue010", "ArrowRight": "\ue014"}
 
 
 class Chromium:
     def __init__(self, page):
-        self.open, self.ask, self.picture = page.goto, page.evaluate, page.screenshot
+        self.open, self.ask = page.goto, page.evaluate
         self.type, self.press, self.mouse = page.keyboard.type, page.keyboard.press, page.mouse
 
     def drag(self, start, end):
@@ -42,11 +41,11 @@ class _ByHand:
 
     def type(self, text):
         kinds = ("keyDown", "keyUp")
-        keys = [{"type": kind, "value": letter} for letter in text for kind in kinds]
+        keys = [{"type": kind, "value": KEYS.get(key, key)} for key in text for kind in kinds]
         self.act({"type": "key", "id": "keys", "actions": keys})
 
     def press(self, key):
-        self.type([KEYS[key]])
+        self.type([key])
 
     def drag(self, start, end):
         places = [[a + (b - a) * k / 5 for a, b in zip(start, end, strict=True)] for k in range(6)]
@@ -125,8 +124,8 @@ def firefox():
     import websocket  # comes with Jupyter
 
     with TemporaryDirectory() as profile, ExitStack() as running:
-        asked = ["--headless", "--profile", profile, "--remote-debugging-port=0"]
-        _program(running, "firefox-esr", *asked)
+        name = "firefox-esr" if shutil.which("firefox-esr") else "firefox"
+        _start(running, name, "--profile", profile, "--remote-debugging-port=0")
         told = Path(profile, "WebDriverBiDiServer.json")
         at = _until(lambda: json.loads(told.read_text(encoding="utf-8")))
         address = f"ws://{at['ws_host']}:{at['ws_port']}/session"
@@ -135,22 +134,28 @@ def firefox():
 
 @contextmanager
 def webkit():
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
     with ExitStack() as running:
-        screen = _program(running, "Xvfb", "-displayfd", "1", stdout=subprocess.PIPE)
-        display = {"DISPLAY": f":{screen.stdout.readline().strip()}"}
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            port = free.getsockname()[1]
-        _program(running, "WebKitWebDriver", f"--port={port}", env=SOFTWARE | display)
+        _start(running, "WebKitWebDriver", f"--port={port}")
         yield _until(lambda: WebKit(f"http://127.0.0.1:{port}"))
 
 
-def _program(running, name, *arguments, env=SOFTWARE, stdout=subprocess.DEVNULL):
-    """A program that runs until nobody needs it."""
-    if not shutil.which(name):
-        raise NoBrowser(f"{name} is not installed")
-    quiet = {"stderr": subprocess.DEVNULL, "stdout": stdout}
-    one = subprocess.Popen([name, *arguments], env=env, text=True, **quiet)
+def _start(running, name, *arguments):
+    """A browser or its driver on a screen of its own, which nobody sees; both go when all is done."""
+    for program in ("Xvfb", name):
+        if not shutil.which(program):
+            raise NoBrowser(f"{program} is not installed")
+    screen = ["Xvfb", "-displayfd", "1", "-screen", "0", "1400x1200x24"]
+    shown = _program(running, screen, stdout=subprocess.PIPE, text=True)
+    display = {"DISPLAY": f":{shown.stdout.readline().strip()}", "LIBGL_ALWAYS_SOFTWARE": "1"}
+    quiet = {"stdout": subprocess.DEVNULL, "env": os.environ | display}
+    _program(running, [name, *arguments], **quiet)
+
+
+def _program(running, words, **how):
+    one = subprocess.Popen(words, stderr=subprocess.DEVNULL, **how)
     running.callback(one.wait)
     running.callback(one.terminate)
     return one

@@ -1,0 +1,184 @@
+"""One list of steps for three engines: a reader plays, drags, types, searches and follows a link,
+with real keys and a real pointer. What differs from browser to browser is seen here.
+"""
+
+import time
+
+import pytest
+
+from tests.browser import engines
+from tests.browser.test_judge import ELBOW
+from tests.test_book import HTML, wait_until_built
+from tools.browser import NoBrowser
+
+INSTRUMENT = "document.querySelector('.arm-explorer:not([data-figure])')"
+ROOT = f"{INSTRUMENT}.shadowRoot"
+STATE = f"{INSTRUMENT}.explorer.store.state"
+FRIEND = "#arm=Elbow arm&q=0.6,-1.1&view=table&rows=R,0.4,0,0,0;R,0.3,0,0,0"
+
+
+@pytest.fixture(
+    scope="module",
+    params=[engines.chromium, engines.firefox, engines.webkit],
+    ids=lambda one: one.__name__,
+)
+def reader(request):
+    wait_until_built()
+    try:
+        with request.param() as engine:
+            yield Reader(engine)
+    except NoBrowser as error:
+        pytest.skip(str(error))
+
+
+class Reader:
+    """Somebody who uses one of the engines."""
+
+    def __init__(self, engine):
+        self.ask, self.type, self.press, self.drag = (
+            engine.ask,
+            engine.type,
+            engine.press,
+            engine.drag,
+        )
+        self.engine, self.visits = engine, 0
+
+    def open(self, name, fragment=""):
+        self.visits += 1  # a fragment alone would open no new page
+        self.engine.open(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
+
+    def until(self, holds):
+        """Ask until it holds, 600 times: a busy machine answers slowly."""
+        for _ in range(600):
+            if self.ask(f"!!({holds})"):
+                return
+            time.sleep(0.05)
+        raise AssertionError(f"it did not come to hold: {holds}")
+
+    def at(self, part):
+        """The middle of a part, scrolled into view."""
+        x, y = self.ask(
+            f"((part) => {{ part.scrollIntoView({{ block: 'center', behavior: 'instant' }});"
+            " const { left, top, width, height } = part.getBoundingClientRect();"
+            f" return [left + width / 2, top + height / 2]; }})({part})"
+        )
+        return x, y
+
+    def click(self, part):
+        self.until(part)
+        self.drag(self.at(part), self.at(part))
+
+    def fill(self, field, text):
+        self.click(field)
+        self.ask(f"{field}.select()")
+        self.type(text)
+
+    def explorer(self, fragment="", name="explorer"):
+        """The instrument of a page, once its picture is there."""
+        self.open(name, fragment)
+        self.until(INSTRUMENT)
+        self.at(INSTRUMENT)
+        self.until(f"{ROOT}?.querySelector('.stage .labels:not([hidden])')")
+
+
+def button(words):
+    return f"[...{ROOT}.querySelectorAll('button')].find((b) => b.textContent.trim() === '{words}')"
+
+
+def test_the_first_page_plays(reader):
+    reader.explorer(name="intro")
+    reader.click(button("Play"))
+    reader.until(f"{STATE}.at > 0.01 && {STATE}.playing")
+    assert reader.ask(
+        f"Math.max(...{STATE}.q.map((v, k) => Math.abs(v - {STATE}.trace[0][k]))) > 0"
+    )
+
+
+def test_a_link_and_the_tip_are_dragged(reader):
+    reader.explorer("#arm=Panda&view=pose&q=0.1,-0.4,0.3,1.6,0.2,1.9,0.4")
+    start = reader.ask(f"{STATE}.q")
+    for frame, moved in ((4, [3]), (-1, range(7))):
+        canvas = f"{ROOT}.querySelector('.stage canvas')"
+        reader.at(canvas)
+        x, y = reader.ask(
+            f"((c, box) => c.figure.pixel({INSTRUMENT}.explorer.store.derived.frames.at({frame}).o)"
+            f".map((v, k) => v + [box.left, box.top][k]))({canvas}, {canvas}.getBoundingClientRect())"
+        )
+        reader.drag((x, y), (x + 30, y + 15))
+        reader.until(f"!{STATE}.dragging")
+        now = reader.ask(f"{STATE}.q")
+        turned = [k for k in range(7) if abs(now[k] - start[k]) > 1e-6]
+        assert turned
+        assert set(turned) <= set(moved)
+        start = now
+
+
+def test_a_table_is_typed_and_followed(reader):
+    reader.explorer("#arm=Panda&view=table")
+    reader.fill(f"{ROOT}.querySelector('[data-cell=\"3-a\"]')", "0.1")
+    reader.until(f"{ROOT}.querySelector('.dh .verdict').textContent.includes('17.5 mm')")
+    reader.until(f"{STATE}.arm.rows[2].a === 0.1")
+
+
+def test_a_jacobian_is_judged(reader):
+    reader.open("check_your_homework", "#ask=jacobian&arm=ELBOW&q=0.5, 0.7, -0.4")
+    told = "document.querySelector('.arm-judge .verdict')?.textContent"
+    answer = "[...document.querySelectorAll('.arm-judge textarea')].at(-1)"
+    reader.until(told)
+    reader.fill(answer, ELBOW.replace("0.2866", "0.3866"))
+    reader.until(f"{told}.includes('olumn 3 (joint 3): look again at vz.')")
+    assert reader.ask("document.querySelectorAll('.arm-judge td.off').length") == 1
+    reader.fill(answer, ELBOW)
+    reader.until(f"{told}.includes('is right at this pose, to the digits you gave.')")
+
+
+def test_a_search_finds(reader):
+    reader.open("search")
+    reader.fill("document.querySelector('form.search input')", "singularities")
+    reader.until("document.querySelector('#search-results li a')?.textContent.match(/singular/i)")
+
+
+def test_a_shared_link_opens_the_friends_arm(reader):
+    reader.explorer(FRIEND)
+    assert reader.ask(f"[{STATE}.arm.name, {STATE}.q]") == ["Your arm", [0.6, -1.1]]
+    assert "Yours has 2 joints" in reader.ask(f"{ROOT}.textContent")
+
+
+def test_dark_is_chosen_and_drawings_follow(reader):
+    reader.open("robot_data")
+    ground = "getComputedStyle(document.body).backgroundColor"
+    drawing = "getComputedStyle(document.querySelector('figure img')).filter"
+    chosen = "document.querySelector('.colours')"
+    looks = set()
+    for _ in range(3):
+        reader.click(chosen)
+        looks.add(
+            (
+                reader.ask("document.documentElement.dataset.mode"),
+                *reader.ask(f"[{ground}, {drawing}]"),
+            )
+        )
+    looks = {mode: rest for mode, *rest in looks}
+    assert looks["light"] == ["rgb(253, 252, 250)", "none"]
+    assert looks["dark"] == ["rgb(22, 25, 29)", "invert(0.92) hue-rotate(180deg)"]
+
+
+def test_a_small_figure_of_a_chapter_follows_a_click(reader):
+    reader.open("02_jacobian")
+    figure = "document.querySelector('[data-figure=columns]')"
+    fourth = f"{figure}.shadowRoot?.querySelectorAll('th button')[3]"
+    reader.until(figure)
+    reader.at(figure)
+    reader.click(fourth)
+    reader.until(f"{fourth}.ariaPressed === 'true'")
+
+
+def test_a_link_and_the_end_key_lead_to_their_places(reader):
+    reader.open("05_inverse_kinematics")
+    reader.click("document.querySelector(`.sections a[href='#exercises']`)")
+    reader.until(
+        "Math.abs(document.querySelector('#exercises').getBoundingClientRect().top - 81) < 60"
+    )
+    reader.open("02_jacobian")
+    reader.press("End")
+    reader.until("scrollY + innerHeight > document.body.scrollHeight - 2")
