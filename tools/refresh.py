@@ -1,5 +1,5 @@
-"""Execute notebooks in place and keep only what belongs to them: `python tools/refresh.py
-book/*.ipynb`."""
+"""Execute notebooks in place and keep only what belongs to them: `python -m tools.refresh
+book/02_jacobian.ipynb`."""
 
 import re
 import sys
