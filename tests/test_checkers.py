@@ -183,6 +183,10 @@ def turned(q):
     return np.vstack([J[:3], recipe(TASK.machine, q, axis=1, origin=1)[3:]])
 
 
+def linear(q):
+    return TASK.machine.jacobian(q)[:3]
+
+
 def traced(q, **how):
     return checks.compare_trace(q, ARM, PATH, **how)
 
@@ -206,6 +210,11 @@ def test_a_run_is_taken_as_it_is_held():
         (TASK.run(late=1), "trace.next velocity"),  # slip 21
         (TASK.run(J=turned), "J.z_i angular"),  # slip 19
         (TASK.run(rate=1e3), "trace.millimetres"),  # slip 5
+        (TASK.run(rate=-1), "trace.other side"),
+        (TASK.run(radius=0.09), "trace.scaled"),
+        (TASK.run(dt=5 / 800), "trace.fraction"),
+        (TASK.run(rule=lambda q, v: np.linalg.pinv(linear(q)) @ v), "trace.position only"),
+        (TASK.run(rule=lambda q, v: linear(q).T @ v), "trace.transpose"),
         (TASK.run(rate=1e-3).round(8), "J.millimetres"),  # a Jacobian in mm
         (GOOD[0:1] + 0 * GOOD, None),
         (GOOD[:0], "trace.shape"),
