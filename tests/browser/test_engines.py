@@ -46,6 +46,7 @@ class Reader:
     def open(self, name, fragment=""):
         self.visits += 1  # a fragment alone would open no new page
         self.engine.open(f"{(HTML / name).as_uri()}.html?{self.visits}{fragment}")
+        self.until("performance.getEntriesByType('paint').length")  # nobody touches a blank page
 
     def until(self, holds):
         """Ask until it holds, 600 times: a busy machine answers slowly."""
