@@ -52,6 +52,23 @@ test("a joint that the reader moves stops the play, and the path stays", () => {
   assert.deepEqual([store.state.playing, store.state.trace], [false, path]);
 });
 
+test("a play ends at the trace's last pose", () => {
+  const store = playing();
+  store.dispatch({ type: "play", at: 1 });
+  store.state.q.forEach((v, k) => assert.ok(Math.abs(v - path[1][k]) < 1e-12));
+});
+
+test("a gesture that goes on after an undo leaves nothing to redo", () => {
+  const store = start();
+  const move = (by, gesture) => store.dispatch({ type: "move", q: PANDA.home.map((v) => v + by), gesture });
+  move(0.1, "first");
+  move(0.2, "second");
+  store.dispatch({ type: "undo" });
+  assert.equal(store.state.future.length, 1);
+  move(0.15, "first");
+  assert.deepEqual(store.state.future, []);
+});
+
 test("what makes no sense here changes nothing", () => {
   const { home, rows: [row, ...rows] } = PANDA; // prettier-ignore
   const store = start();
