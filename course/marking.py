@@ -142,11 +142,9 @@ def _share(part: Part, mine: Array) -> float:
 
 def _where(question: Question, part: Part, typed: Typed, answer: Any) -> list[str]:
     """Which blocks are not right, as the student would point at them, and why if that is known."""
-    off = np.abs(typed.values - part.value)
-    wrong, surely = (
-        _blocks(part, off > unit * _ROUNDING).any(axis=1)
-        for unit in (part.unit, np.maximum(part.unit, typed.units))
-    )
+    own = np.maximum(part.unit, typed.units) * _ROUNDING
+    surely = _blocks(part, np.abs(typed.values - part.value) - own).max(axis=1) > 0
+    wrong = _wrong(part, typed.values)
     coarse = f"Too few decimals, {part.digits} were asked"
     told = [("Not right", surely), (coarse, wrong & ~surely)]
     lines = [f"{words}: {_places(part, found)}." for words, found in told if found.any()]
