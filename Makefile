@@ -4,7 +4,7 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 HTML := book/_build/html
-SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/citations.py tools/download.py tools/pages.py tools/pictures.py tools/search.py book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/sheets/static/*) $(shell find helpers -name '*.py')
+SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/citations.py tools/download.py tools/pages.py tools/pictures.py tools/search.py tools/stills.py tools/paper.js book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/checks/judge.js helpers/sheets/static/*) $(shell find helpers -name '*.py')
 
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE
@@ -121,10 +121,8 @@ bench: ## time the helpers against their peers, in an environment of its own
 sheet: $(BIN)/.installed ## the answer sheet of any arm in one HTML file: make sheet ARM="Stanford arm", ARM=my_arm.py:MINE or ARM=arm.urdf ARGS="--tip tool0"
 	$(BIN)/python -m helpers.sheets "$(ARM)" $(ARGS)
 
-bundles: $(BIN)/.installed ## bundle the page's scripts and the judge anew from page/ and judge/ (needs Node.js)
+bundles: ## bundle the page's scripts and the judge anew from page/ and judge/ (needs Node.js)
 	npm ci --silent
-	$(BIN)/python -m tools.arms
-	npx prettier --log-level warn --write page/src/more/arms.json
 	npm run build --silent
 
 lock: ## pin every dependency anew

@@ -33,6 +33,9 @@ export default [
       "max-lines": ["error", 400],
     },
   },
-  { files: ["page/src/**/*.js"], languageOptions: { globals: globals.browser } },
+  {
+    files: ["page/src/**/*.js"],
+    languageOptions: { globals: { ...globals.browser, WORKER: "readonly" } },
+  },
   { files: ["page/build.js"], languageOptions: { globals: globals.node } },
 ];

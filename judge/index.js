@@ -65,4 +65,4 @@ export function ask(text) {
 
 export { compareJacobian, compareTables, compareTorques };
 export { linesOf, MARKS, textOf } from "./report.js";
-export { ArmError, learn } from "./sentences.js";
+export { ArmError } from "./sentences.js";

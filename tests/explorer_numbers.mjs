@@ -2,13 +2,13 @@
 // line of JSON out, until nobody asks.
 
 import { createInterface } from "node:readline";
-import { gravityTorque, jacobianColumns, linkFrames, matrix, wrenchTorque } from "../judge/geometry/kinematics.js";
+import { gravityTorque, jacobianColumns, joints, linkFrames, matrix, wrenchTorque } from "../judge/geometry/kinematics.js";
+import { sameMachine } from "../judge/geometry/axes.js";
 import { determinant, singular } from "../judge/geometry/linear.js";
 import { fadingWays } from "../page/src/dragging.js";
 import { fromFragment } from "../page/src/link.js";
 import { otherWays, traceCircle } from "../page/src/motion.js";
 import { runCircle, torquesAlong } from "../page/src/homework_run.js";
-import { sameArm } from "../page/src/same_arm.js";
 import { startingState, Store } from "../page/src/state.js";
 import { tableText } from "../page/src/text.js";
 import { rankVerdict, tableVerdict, waysVerdict } from "../page/src/verdicts.js";
@@ -41,6 +41,12 @@ function opened(fragment, arms) {
   return { patch, words, pose: matrix(frames.at(-1)), table: tableVerdict(patch, { frames }), energy, gravity };
 }
 
+// What is said of a typed table beside the arm behind it.
+function compared(arm, reference) {
+  const q = joints(arm).map(() => 0);
+  return tableVerdict({ arm, reference, q }, { frames: linkFrames(arm, q) });
+}
+
 const jobs = {
   numbers: ({ arm, qs, wrench }) => qs.map((q) => numbers(arm, q, wrench)),
   circle: ({ arm, q, ...circle }) => traceCircle(arm, q, circle),
@@ -50,7 +56,8 @@ const jobs = {
   runs: ({ arm, start, runs }) => runs.map((run) => runCircle(arm, start, run)),
   torques: ({ arm, path, wrench }) => torquesAlong(arm, path, wrench),
   fading: ({ arm, qs, turns }) => qs.map((q) => fadingWays(jacobianColumns(arm, linkFrames(arm, q)), turns)),
-  same: ({ pairs }) => pairs.map(([mine, reference]) => sameArm(mine, reference)),
+  same: ({ pairs }) => pairs.map(([mine, reference]) => sameMachine(mine.rows, reference.rows)),
+  tables: ({ pairs }) => pairs.map((pair) => compared(...pair)),
   links: ({ arms, fragments }) => fragments.map((one) => opened(one, arms)),
   copied: ({ arm }) => tableText(arm),
 };

@@ -1,15 +1,8 @@
 // What the page says to questions that came by a link, for tests/test_judge.py: a line of JSON in, a line of JSON out.
 
-import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { textOf } from "../judge/report.js";
-import { learn } from "../judge/sentences.js";
 import { EMPTY, fromFragment, judge, toFragment } from "../page/src/check/question.js";
-import "../page/src/check/scripts/jacobian.js";
-import "../page/src/check/scripts/motion.js";
-import "../page/src/check/scripts/table.js";
-
-learn(JSON.parse(readFileSync(new URL("../judge/sentences.json", import.meta.url), "utf8")));
 
 // The verdict, or why there is none.
 function answered(fields, arms) {

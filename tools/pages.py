@@ -23,6 +23,7 @@ from sphinx_exercise.nodes import exercise_enumerable_node, exercise_node, solut
 from helpers import robots, typeset
 from helpers.explorer import ArmExplorer, judge
 from helpers.inputs import ArmError
+from tools import stills
 
 LOGGER = logging.getLogger(__name__)
 
@@ -52,7 +53,7 @@ class Margin(SphinxDirective):
 
 
 class LiveArm(SphinxDirective):
-    """An arm of the catalogue, live: a still picture that the explorer's script brings to life."""
+    """An arm of the catalogue, live."""
 
     required_arguments = 1
     option_spec = {"views": lambda words: words.split()}  # noqa: RUF012
@@ -86,10 +87,11 @@ class LiveJudge(SphinxDirective):
         for name, module in list(sys.modules.items()):
             if name.startswith("helpers."):  # the arms and their numbers stand in the page
                 self.env.note_dependency(module.__file__)
-        place = nodes.container()
+        place = nodes.container(classes=["unscripted"])
         self.state.nested_parse(self.content, self.content_offset, place)
         start, end = (nodes.raw("", html, format="html") for html in judge.stub(given))
-        return [start, *place.children, end]
+        end["judge"] = True  # stills.py puts its form there
+        return [start, place, end]
 
 
 def is_long(tex: str) -> bool:
@@ -225,7 +227,7 @@ def thin_out(table: nodes.table) -> None:
             cell["classes"] = []
 
 
-def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
+def prepare(app: Sphinx, doctree: nodes.document, name: str) -> None:
     """Fold what is to be folded, keep formulas and numbers with what follows them, and give tables
     a box."""
     for title in list(doctree.findall(nodes.title)):
@@ -244,6 +246,7 @@ def prepare(app: Sphinx, doctree: nodes.document, _: str) -> None:
     for table in list(doctree.findall(nodes.table)):
         thin_out(table)
         table.replace_self(nodes.container("", table.deepcopy(), classes=["table"]))
+    stills.draw(app, doctree, name)
 
 
 def count_anew(_: Sphinx, env: BuildEnvironment) -> list[str]:
@@ -259,7 +262,8 @@ def count_anew(_: Sphinx, env: BuildEnvironment) -> list[str]:
 def assets(folder: Path, config) -> list[int]:
     """What a change of any asset changes: Sphinx copies them only if it has a page to write, and
     then writes all."""
-    paths = (path for of in config.html_static_path for path in (folder / of).rglob("*.*"))
+    places = [folder / of for of in config.html_static_path]
+    paths = [path for place in places for path in (place, *place.rglob("*.*")) if path.is_file()]
     return [crc32(path.read_bytes()) for path in sorted(paths)]
 
 

@@ -9,6 +9,7 @@ take: async (name) => {
     all("details").forEach((box) => (box.open = true));
     all("script, .tools, .copy, .hint, .headerlink, details.hide").forEach((e) => e.remove());
     all(".picture > .panel").forEach((e) => e.remove());
+    all(".arm-explorer").forEach((arm) => arm.prepend(arm.shadowRoot.querySelector(".still").cloneNode(true)));
     all("section:has(> .cell .arm-explorer)").forEach((section) => {
         if (section.querySelectorAll(".cell").length > 1) return;
         section.querySelectorAll(":scope > :is(p, ul, ol), .cell_input").forEach((e) => e.remove());

@@ -43,7 +43,7 @@ def reader(browser: Browser) -> Page:
     page = browser.new_page(viewport=SHEET)
     page.add_init_script("localStorage.mode = 'light'")
     page.emulate_media(media="print", color_scheme="light")
-    page.route(re.compile(r"_static/(explorer|judge)[-a-z]*\.js$"), lambda route: route.abort())
+    page.route(re.compile(r"_static/(explorer|judge)\.js$"), lambda route: route.abort())
     return page
 
 

@@ -17,7 +17,6 @@ def arm_data(arm: Arm) -> Data:
     must_be(arm, Arm, "arm")
     return {
         "name": arm.name,
-        "lengths": _lengths(arm),
         "home": list(arm.home),
         "rows": _rows_data(arm),
     }
@@ -59,7 +58,8 @@ def judged_data(arm: Arm) -> Data:
     name, and the centres of mass as a paper has them. Not to be changed.
     """
     values = arm.values
-    found = {**arm_data(arm), "values": [[name, float(x)] for name, x in values.items()]}
+    named = {"lengths": _lengths(arm)}
+    found = {**arm_data(arm), **named, "values": [[name, float(x)] for name, x in values.items()]}
     if values.get("l_pen"):
         found["penless"] = arm_data(arm.with_values(l_pen=0))
     others = [
@@ -88,7 +88,7 @@ def _family(arm: Arm) -> Iterator[Data]:
             for joint, at in arm.locked.items():
                 other = other.lock(joint, at)
             values = [[name, float(x)] for name, x in other.values.items()]
-            yield {**arm_data(other), "values": values}
+            yield {**arm_data(other), "lengths": _lengths(other), "values": values}
 
 
 def _alike(values: Mapping[str, float]) -> list[tuple[str, str]]:

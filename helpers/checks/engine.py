@@ -45,7 +45,7 @@ def _in_quickjs(script: str) -> Callable[[str], str]:
 
     context = quickjs.Context()
     context.eval(script)
-    ask = context.eval("(text) => Judge.ask(text)")
+    ask = context.eval("(text) => ArmJudge.ask(text)")
     context.set_memory_limit(_MEMORY)
     context.set_time_limit(_SECONDS)
 
@@ -66,4 +66,4 @@ def _in_quickjs(script: str) -> Callable[[str], str]:
 def _in_browser(script: str) -> Callable[[str], str]:
     import js  # type: ignore[import-not-found]
 
-    return js.Function(f"{script}; return (text) => Judge.ask(text);")()
+    return js.Function(f"{script}; return (text) => ArmJudge.ask(text);")()

@@ -1,9 +1,7 @@
 """The small figures that stand beside the chapters' sentences: live in a running notebook, a stub
 that the book's page brings to life."""
 
-import json
 from collections.abc import Iterable
-from html import escape
 from typing import Any
 
 import traitlets
@@ -11,9 +9,10 @@ from numpy.typing import ArrayLike
 
 from helpers.arm import Arm
 from helpers.checks.arms import arm_data
+from helpers.explorer.stub import stub
 from helpers.explorer.widget import Live, esm
 from helpers.inputs import ArmError, listed, must_be, one_of, shown
-from helpers.robots import ARMS, ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
+from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E_HOMEWORK
 
 #: The figures that take any arm, with the arm that each shows unless told otherwise,
 ANY_ARM = {
@@ -78,7 +77,7 @@ class ArmFigure(Live):
         for name in settings:
             one_of(name, "setting", SETTINGS)
         spec: dict[str, Any] = {**settings, "figure": kind, "joints": [*map(int, joints)]}
-        spec["arm"] = arm.name if arm in ARMS else arm_data(arm)  # the page knows the book's arms
+        spec["arm"] = arm_data(arm)
         if q is not None:
             spec["q"] = arm.joint_vector(q).tolist()
         self._arm_name = arm.name
@@ -87,12 +86,8 @@ class ArmFigure(Live):
     @property
     def _stub(self) -> str:
         options = {key: value for key, value in self._spec.items() if key != "figure"}
-        data = escape(json.dumps(options, separators=(",", ":"), ensure_ascii=False))
-        words = f"<p>A live figure of the {escape(self._arm_name)}.</p>"
-        figure = self._spec["figure"]
-        return (
-            f'<div class="arm-explorer" data-figure="{figure}" data-options="{data}">{words}</div>'
-        )
+        words = f"A live figure of the {self._arm_name}."
+        return stub(words, options, figure=self._spec["figure"])
 
     def __repr__(self) -> str:
         return f"<ArmFigure {self._spec['figure']} of the {self._arm_name}>"

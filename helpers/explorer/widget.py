@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from helpers.arm import Arm
 from helpers.checks.arms import arm_data
 from helpers.explorer.data import arm_from, branches_data, path_data
-from helpers.explorer.stub import stub
+from helpers.explorer.stub import standing, stub
 from helpers.inputs import ArmError, floats, listed, must_be, numbers, shown
 from helpers.inverse import Solutions
 
@@ -22,14 +22,12 @@ UNITS = ("deg", "rad")
 TYPED = "Your arm"  # as judge/geometry/arm.js calls an arm whose table was typed in
 
 BUNDLE = Path(__file__).parent / "static" / "explorer.js"
-MORE = BUNDLE.with_name("explorer-more.js")  # the small figures, which need the first
-PASTE = BUNDLE.with_name("explorer-table.js")  # the reader of pasted tables, which needs it too
 
 
 def esm(widget: str = "widget") -> str:
     """The script as the module that a widget loads: each widget of a page takes the same one, with
     one renderer."""
-    script = "\n".join(path.read_text(encoding="utf-8") for path in (BUNDLE, MORE, PASTE))
+    script = BUNDLE.read_text(encoding="utf-8")
     key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
     return (
         f"const key = Symbol.for({key!r});\n"
@@ -175,7 +173,8 @@ class ArmExplorer(Live):
     @property
     def _stub(self) -> str:
         state = {"q": self.q, "wrench": self.wrench, "trace": self.trace, "branches": self.branches}
-        return stub(self.arm, self.q, {**self._spec, **state})
+        name = "arm-explorer whole" if self._spec["link"] else "arm-explorer"
+        return stub(standing(self.arm, self.q), {**self._spec, **state}, name)
 
     def __repr__(self) -> str:
         return f"<ArmExplorer of the {self.arm_name}>"

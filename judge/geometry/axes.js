@@ -5,6 +5,7 @@
 // joint, which the comparison chooses.
 
 import { cross, dot, joints, linkFrames, norm } from "./kinematics.js";
+import { squared } from "./rows.js";
 import { gaps, NORMAL, TINY } from "./walk.js";
 
 /**
@@ -120,6 +121,13 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
     upsideDown: upsideDown(mine, reference, signs),
   };
   return { differences, signs, ...turned, tilts };
+}
+
+// Whether two tables describe the same machine, whatever frames they choose.
+/** @param {Numbers[]} mine @param {Numbers[]} reference */
+export function sameMachine(mine, reference) {
+  const [ours, theirs] = [mine, reference].map(squared);
+  return !compared(side(ours), side(theirs)).differences.length;
 }
 
 // Whether z_0 points the other way, where axis 1 tells.

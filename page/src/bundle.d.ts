@@ -3,10 +3,7 @@ declare module "*.css" {
   const text: string;
   export default text;
 }
-declare module "worker:*" {
-  const source: string;
-  export default source;
-}
+declare const WORKER: string; // the text of a script
 interface Element {
   figure?: any;
   explorer?: any;

@@ -2,6 +2,7 @@
 // the inverse or one of its stand-ins, with or without feedback, and with a mistake where one is
 // asked for. tests/test_explorer.py holds it against helpers.motion.
 
+import { chain, columns, halves } from "../../judge/geometry/chains.js";
 import {
   cross,
   dot,
@@ -48,45 +49,41 @@ export const HOMEWORK = {
 };
 
 // The Jacobian's columns as a mistake makes them.
-function columnsOf(arm, frames, slip) {
-  if (slip === "angular") {
-    const after = joints(arm).map((row) =>
-      arm.rows[row].kind === "revolute" ? frames[row + 1].z : [0, 0, 0],
-    );
-    return jacobianColumns(arm, frames).map((column, k) => [...column.slice(0, 3), ...after[k]]);
-  }
-  if (slip !== "z_i" && slip !== "o_i") return jacobianColumns(arm, frames);
-  const tip = frames.at(-1).o;
-  return joints(arm).map((row) => {
-    const { z } = frames[slip === "z_i" ? row + 1 : row];
-    const { o } = frames[row + 1];
-    return arm.rows[row].kind === "revolute" ? [...cross(z, minus(tip, o)), ...z] : [...z, 0, 0, 0];
-  });
+function columnsOf(arm, q, frames, slip) {
+  const c = chain(arm, q);
+  const after = c.at.map((row) => row + 1);
+  const made = (options) => columns(c, frames, options);
+  const mistaken = {
+    angular: () => halves(made({}), made({ axis: after })),
+    z_i: () => made({ axis: after, origin: after }),
+    o_i: () => made({ origin: after }),
+  };
+  const J = mistaken[slip]?.() ?? made({});
+  return q.map((_, k) => [0, 1, 2, 3, 4, 5].map((i) => J[i * c.dof + k]));
 }
 
 class Singular extends Error {}
 
-const freeOf = (columns, locked) => columns.map((_, k) => k).filter((k) => k !== locked);
+const freeOf = (J, locked) => J.map((_, k) => k).filter((k) => k !== locked);
 const noInverse = (values) => values[Math.min(5, values.length - 1)] <= 1e-9 * values[0];
 
 // Whether the arm itself is singular there, whatever a mistake makes of its Jacobian.
 function isSingular(arm, q, locked) {
-  const columns = jacobianColumns(arm, linkFrames(arm, q));
-  return noInverse(singular(freeOf(columns, locked).map((k) => columns[k])).values);
+  const J = jacobianColumns(arm, linkFrames(arm, q));
+  return noInverse(singular(freeOf(J, locked).map((k) => J[k])).values);
 }
 
-function jointRates(columns, twist, { rates, cutoff, damping, locked }) {
-  const free = freeOf(columns, locked);
-  const { values, vectors } = singular(free.map((k) => columns[k]));
+function jointRates(J, twist, { rates, cutoff, damping, locked }) {
+  const free = freeOf(J, locked);
+  const { values, vectors } = singular(free.map((k) => J[k]));
   const least = rates === "pseudo" ? cutoff * values[0] : 0;
   if (rates === "inverse" && noInverse(values)) throw new Singular();
-  const found = columns.map(() => 0);
+  const found = J.map(() => 0);
   values.forEach((value, i) => {
     if (value <= least || value < 1e-14) return;
     const share = vectors[i].reduce((s, u, k) => s + u * twist[k], 0);
     const weight = share / (rates === "damped" ? value * value + damping * damping : value * value);
-    for (const k of free)
-      found[k] += weight * columns[k].reduce((s, v, r) => s + v * vectors[i][r], 0);
+    for (const k of free) found[k] += weight * J[k].reduce((s, v, r) => s + v * vectors[i][r], 0);
   });
   return { found, least: values[Math.min(5, free.length - 1)] };
 }
@@ -113,7 +110,7 @@ class Walk {
     const { o, v } = onCircle(first.o, run, share);
     const error = run.gain ? poseError(frames.at(-1), { ...first, o }) : [0, 0, 0, 0, 0, 0];
     const twist = [...v, 0, 0, 0].map((x, i) => x + run.gain * error[i]);
-    const { found, least } = jointRates(columnsOf(arm, frames, run.slip), twist, run);
+    const { found, least } = jointRates(columnsOf(arm, q, frames, run.slip), twist, run);
     worst.least = Math.min(worst.least, least);
     return run.slip === "sign" ? found.map((x) => -x) : found;
   }

@@ -4,12 +4,11 @@ import { fits, TYPED } from "../../judge/geometry/arm.js";
 import { linkFrames } from "../../judge/geometry/kinematics.js";
 import { keepLink } from "./link.js";
 import { asked } from "./verdicts.js";
-import { mountFigure } from "./figures.js";
+import { FIGURES } from "./more/kinds.js";
 import { buildPanel, VIEWS } from "./panel.js";
-import { inUse, loseContext, renderer } from "./renderer.js";
+import { inUse, loseContext } from "./renderer.js";
 import { startingState, Store } from "./state.js";
 
-export { renderer };
 // For the tests.
 export { inUse, loseContext };
 
@@ -45,15 +44,14 @@ export function mount(stub) {
 }
 
 function brought(stub) {
-  const { figure, options } = stub.dataset;
-  if (figure) return { dispose: mountFigure(stub, { ...JSON.parse(options ?? "{}"), figure }) };
-  const spec = JSON.parse(stub.querySelector("script[type='application/json']").textContent);
+  const { figure } = stub.dataset;
+  const spec = JSON.parse(stub.querySelector("script").textContent);
+  if (figure) return { dispose: FIGURES[figure](stub, spec) };
   const store = new Store(initial(spec));
   const makeLink = spec.link
     ? (tell, signal) => keepLink(store, spec.arms, spec.views, tell, signal)
     : null;
   const dispose = buildPanel(stub, store, { ...spec, wide: spec.link, makeLink });
-  stub.classList.add("live");
   return { store, dispose };
 }
 
@@ -170,7 +168,8 @@ function kept(model, store) {
 export const figureWidget = () => ({
   render({ model, el }) {
     const host = hostIn(el);
-    const dispose = mountFigure(host, model.get("_spec"));
+    const spec = model.get("_spec");
+    const dispose = FIGURES[spec.figure](host, spec);
     return () => {
       dispose();
       host.remove();

@@ -1,7 +1,6 @@
 // Long work, done beside the page. Requests are numbered and an answer that came too late is
 // dropped.
 
-import source from "worker:./worker.js";
 import { JOBS } from "./work.js";
 
 let worker = null;
@@ -11,7 +10,7 @@ const waiting = new Map();
 // One worker for all explorers of a page, out of the bundle itself, so that a page from a file has
 // one too.
 function start() {
-  const address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+  const address = URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
   worker = new Worker(address);
   URL.revokeObjectURL(address);
   worker.onmessage = ({ data: { id, answer } }) => {

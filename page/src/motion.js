@@ -13,6 +13,7 @@ import {
   scaled,
 } from "../../judge/geometry/kinematics.js";
 import { rightNull, singular, solve } from "../../judge/geometry/linear.js";
+import { circle } from "../../judge/geometry/path.js";
 import { asked } from "./verdicts.js";
 
 // How many joints are more than the pose (or, below six, the place) asks for.
@@ -49,28 +50,17 @@ export function reach(arm, start, wanted, { held = -1, steps = 60 } = {}) {
   }
 }
 
-const UP = [0, 0, 1];
-const PLANES = {
-  x: [[0, 1, 0], UP],
-  y: [[-1, 0, 0], UP],
-  z: [
-    [1, 0, 0],
-    [0, 1, 0],
-  ],
-};
+// For the wall that faces each axis, the circle's plane and which way round it goes.
+const WALLS = { x: ["zy", 1], y: ["zx", -1], z: ["yx", 1] };
 
 // Where the tip should be at a share of the way round a circle that begins at `top` and hangs below
 // it in the plane with this normal axis, and how fast it should go.
 export function onCircle(top, { normal = "x", radius = 0.1, seconds = 1 }, share) {
-  const [across, up] = PLANES[normal];
-  const centre = minus(top, scaled(radius, up));
-  const angle = 2 * Math.PI * share;
-  const [s, c] = [Math.sin(angle), Math.cos(angle)];
-  const speed = (2 * Math.PI * radius) / seconds;
-  return {
-    o: plus(centre, plus(scaled(radius * s, across), scaled(radius * c, up))),
-    v: plus(scaled(speed * c, across), scaled(-speed * s, up)),
-  };
+  const [plane, way] = WALLS[normal];
+  const centre = top.map((v, i) => v - ("xyz"[i] === plane[0] ? radius : 0));
+  const path = circle({ centre, radius, plane, period: way * seconds, steps: 1 });
+  const t = share * seconds;
+  return { o: path.position(t), v: path.velocity(t) };
 }
 
 const NUDGE = 0.05; // rad or m, out of a pose in which no small motion helps

@@ -51,7 +51,7 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   const bench = h("div.bench", {}, stage.root, sliders.root);
   card.append(head.root, notice.root, bench, tabs.root, region);
   card.classList.toggle("wide", wide);
-  root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
+  root.replaceChildren(h("style", {}, common, css), card);
   keepShown(store, { card, head, stage, sliders, tabs }, { say, signal });
   return () => {
     abort.abort();
@@ -83,7 +83,7 @@ function keepShown(store, { card, head, stage, sliders, tabs }, { say, signal })
       stage.update(state);
     },
     ({ state }) => sliders.update(state),
-    ({ state, derived }) => tabs.update(state, derived, stage.scale()),
+    ({ state, derived }) => tabs.update(state, derived),
   ];
   const numbers = inTurn(READ / parts.length, signal, parts, store);
   watchTheme((now) => {

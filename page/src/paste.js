@@ -3,7 +3,6 @@
 import { rowsFault } from "../../judge/geometry/arm.js";
 import { rowsOf } from "../../judge/reading/own_table.js";
 import { ArmError } from "../../judge/sentences.js";
-import { register } from "./figures.js";
 
 const PARTED = /[\n\t,;&|]|\d +[-\d]/; // what stands between entries
 
@@ -25,5 +24,3 @@ export function readTable(text, unit) {
     throw error;
   }
 }
-
-register({ readTable });

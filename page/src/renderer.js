@@ -17,21 +17,16 @@ import { isShared } from "./shapes.js";
 
 let shared = null;
 let frame = null;
-let warming = null; // the renderer that draws for the first time,
-let warm = null; // and that has done so
 const figures = new Set();
 
 // Throws where the browser has no WebGL.
-export function renderer() {
+function renderer() {
   if (shared) return shared;
   shared = new WebGLRenderer({
     antialias: true,
     alpha: true,
     powerPreference: "low-power",
-    preserveDrawingBuffer: true, // a first picture is copied when it is done, in a later task
   });
-  shared.debug.checkShaderErrors = false; // asking would wait for each program
-  shared.extensions.has("EXT_texture_filter_anisotropic"); // nor would this wait, asked now
   shared.setPixelRatio(1); // the sizes below are device pixels
   shared.setScissorTest(true);
   shared.shadowMap.enabled = true;
@@ -81,62 +76,11 @@ function drawDirty() {
   try {
     now.forEach((act) => act());
     if (!shared || shared.getContext().isContextLost()) return;
-    const due = [...figures].filter((figure) => figure.dirty && figure.visible && figure.width);
-    if (warm === shared) due.forEach((figure) => figure.draw(shared));
-    else if (due.length) warmUp(shared, due[0]);
+    for (const figure of figures)
+      if (figure.dirty && figure.visible && figure.width) figure.draw(shared);
   } finally {
     frame = steps.size ? requestAnimationFrame(drawDirty) : null;
   }
-}
-
-const nextFrame = () => new Promise(requestAnimationFrame);
-const nextTask = () => new Promise((go) => setTimeout(go));
-
-// Until the graphics processor has what it was asked for; meanwhile the page answers.
-async function until(gl, is) {
-  do await nextFrame();
-  while (!gl.isContextLost() && !is());
-}
-
-// Until it has done all that it was asked.
-function done(gl) {
-  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-  gl.flush();
-  return until(gl, () => gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED);
-}
-
-// A first picture has to wait for its programs, and is shown when it is done; each of its parts is
-// made ready in a task of its own.
-async function warmUp(renderer, figure) {
-  if (warming === renderer) return;
-  warming = renderer;
-  const gl = renderer.getContext();
-  const { scene, camera } = figure;
-  const parts = [];
-  scene.traverseVisible((part) => part.material && parts.push(part));
-  figure.enlarge(renderer);
-  for (const part of parts) {
-    await nextTask();
-    renderer.compile(part, camera, scene);
-  }
-  await until(gl, () => renderer.info.programs.every((program) => program.isReady()));
-  const { shadowMap } = renderer;
-  shadowMap.autoUpdate = false;
-  for (const part of parts) {
-    const others = parts.filter((one) => one !== part && one.visible);
-    others.forEach((one) => (one.visible = false));
-    figure.render(renderer, { width: 1, height: 1 });
-    others.forEach((one) => (one.visible = true));
-    await done(gl);
-  }
-  shadowMap.autoUpdate = true;
-  figure.render(renderer, { width: 1, height: 1 });
-  await done(gl);
-  figure.render(renderer);
-  await done(gl);
-  warm = renderer;
-  if (!figure.dirty) figure.copy(renderer);
-  figures.forEach((one) => one.dirty && one.request());
 }
 
 // Pictures near the window are drawn, the others when they come near.
@@ -260,35 +204,20 @@ export class Figure {
     if (this.points && !(Math.abs(this.fitted - this.camera.aspect) < 0.01)) this.fit(this.points);
     this.dirty = true;
     // At once: a canvas of another size is blank.
-    if (shared && warm === shared && !shared.getContext().isContextLost()) this.draw(shared);
+    if (shared && !shared.getContext().isContextLost()) this.draw(shared);
     else this.request();
   }
 
+  // By the renderer, then from its own picture into this one, before another figure is drawn there.
   draw(gl) {
-    this.render(gl);
-    this.copy(gl);
-  }
-
-  // Give the renderer room for this picture.
-  enlarge(gl) {
     const { width, height } = this.canvas;
     const size = gl.getSize(new Vector2());
     if (width > size.x || height > size.y)
       gl.setSize(Math.max(width, size.x), Math.max(height, size.y), false);
-  }
-
-  render(gl, touched = this.canvas) {
-    const { width, height } = this.canvas;
-    this.enlarge(gl);
     gl.setViewport(0, 0, width, height);
-    gl.setScissor(0, 0, touched.width, touched.height);
+    gl.setScissor(0, 0, width, height);
     gl.render(this.scene, this.camera);
     this.dirty = false;
-  }
-
-  // From the renderer's own picture, before another figure is drawn there.
-  copy(gl) {
-    const { width, height } = this.canvas;
     this.context.clearRect(0, 0, width, height);
     const top = gl.domElement.height - height;
     this.context.drawImage(gl.domElement, 0, top, width, height, 0, 0, width, height);

@@ -94,5 +94,5 @@ export function tableText({ rows }) {
 // A list with another value in one place.
 export const replaced = (list, at, value) => list.map((v, i) => (i === at ? value : v));
 
-// What tells an arm from others of its name in a list.
-export const lengthsOf = ({ lengths }) => (lengths ? `: ${lengths} mm` : "");
+// An arm of the book as a person calls it.
+export const called = (name) => name.replace(" (homework)", ", homework’s lengths");

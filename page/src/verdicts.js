@@ -2,8 +2,8 @@
 // Python.
 
 import { outside } from "../../judge/geometry/arm.js";
+import { sameMachine } from "../../judge/geometry/axes.js";
 import { dot, joints, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
-import { sameArm } from "./same_arm.js";
 import { fixed, motionText } from "./text.js";
 import { listed, upper } from "../../judge/sentences.js";
 
@@ -141,6 +141,6 @@ export function tableVerdict({ arm, reference, q }, { frames }) {
 let last = { arm: null, reference: null, is: false };
 function same(arm, reference) {
   if (last.arm !== arm || last.reference !== reference)
-    last = { arm, reference, is: sameArm(arm, reference) };
+    last = { arm, reference, is: sameMachine(arm.rows, reference.rows) };
   return last.is;
 }

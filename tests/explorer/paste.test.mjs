@@ -1,12 +1,8 @@
 // Tables from a clipboard, in the field's own order and unit; the judge's reader of tables is tested with the judge.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { learn } from "../../judge/sentences.js";
 import { readTable } from "../../page/src/paste.js";
-
-learn(JSON.parse(readFileSync(new URL("../../judge/sentences.json", import.meta.url), "utf8")));
 
 test("without heads the columns are the table's, and bare angles in its unit", () => {
   for (const [unit, size] of [["rad", 1], ["deg", Math.PI / 180]]) {

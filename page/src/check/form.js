@@ -4,7 +4,7 @@
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { h, write } from "../dom.js";
 import { ASKED, CHOICES, OWN } from "./question.js";
-import { lengthsOf } from "../text.js";
+import { called } from "../text.js";
 import { listed } from "../../../judge/sentences.js";
 
 /**
@@ -93,7 +93,7 @@ function box({ label, hint, rows }, id, made) {
  */
 export function buildForm(id, arms, given) {
   const asks = Object.entries(ASKED).map(([key, { title }]) => [key, title]);
-  const whose = arms.map((arm) => [arm.key, `${arm.title}${lengthsOf(arm)}`]);
+  const whose = arms.map((arm) => [arm.key, called(arm.title)]);
   const own = arms.length > 1 && given ? [] : [[OWN, "My own table"]];
   /** @type {Record<string, any>} */
   const all = {

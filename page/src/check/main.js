@@ -1,19 +1,14 @@
-// The judge's script of its own: loaded by a page that has an .arm-judge in it
-// (book/assets/explorer-loader.js).
+// The judge: asked by Python, and in a page by the forms of its .arm-judge places
+// (book/assets/explorer-loader.js loads it there).
 
-import css from "./check.css";
 import { mount } from "./page.js";
-import { loaded } from "../scripts.js";
 
-/** @type {import("./page.js").Judge[]} */
-export const judges = [];
+export { mount };
+export { ask } from "../../../judge/index.js";
 
-document.head.append(Object.assign(document.createElement("style"), { textContent: css }));
-for (const stub of document.querySelectorAll(".arm-judge"))
-  judges.push(mount(/** @type {HTMLElement} */ (stub)));
-
-// What a whole page of it has besides comes at once, for a small one when it is used.
-if (judges.some(({ given }) => !given)) loaded("judge-page.js");
-else
-  for (const { stub } of judges)
-    stub.addEventListener("focusin", () => loaded("judge-page.js"), { once: true });
+const script = /** @type {any} */ (globalThis.document?.currentScript);
+if (script) {
+  const book = new URL("..", script.src).href;
+  for (const [i, stub] of document.querySelectorAll(".arm-judge").entries())
+    mount(/** @type {HTMLElement} */ (stub), book, `judge-${i}`);
+}

@@ -3,9 +3,10 @@
 
 import { h, write } from "../dom.js";
 import { EMPTY, fromFragment, judge, startOf } from "./question.js";
+import { addFiles } from "./files.js";
 import { adapt, buildForm, offerOf } from "./form.js";
-import { ready } from "./checkers.js";
 import { showRead, tell } from "./shown.js";
+import { addTools } from "./tools.js";
 
 const MOST_SHOWN = 50_000; // characters of an answer, such as a file's, that stand in its field
 const SOON = 120; // ms without a key before the answer is read
@@ -14,57 +15,27 @@ const PRIVATE =
   "Nothing that you type leaves this page: a script in it judges, without a network too. " +
   "It names the mistake and does not print the solution.";
 const TURNS = ["ask", "arm", "unit"]; // on which what the page fills in depends
-let count = 0; // of judges on the page, for ids
-
-/**
- * A judge in the page, as its extras (scripts/page.js) know it.
- * @typedef {object} Judge
- * @property {HTMLElement} stub
- * @property {any[]} arms those of its list: each has a key and a title
- * @property {any[]} examples
- * @property {any} given what a chapter asks, if it does
- * @property {Record<string, any>} boxes
- * @property {Record<string, any>} parts
- * @property {() => import("./question.js").Question} question
- * @property {() => any} verdict on it
- * @property {(question: import("./question.js").Question) => void} begin with what the page asks
- * @property {(patch: object) => void} put change the question, and judge it
- * @property {(act: (question: any, verdict: any) => void) => void} follow called with each verdict
- * @property {(words: string) => void} say
- */
 
 /**
  * Bring a stub to life. What is `given` in a chapter is not asked again, and the judge is smaller.
  * @param {HTMLElement} stub
- * @returns {Judge}
+ * @param {string} book its address
+ * @param {string} id
  */
-export function mount(stub) {
-  const spec = JSON.parse(stub.querySelector("script").textContent);
-  const { arms, examples = [], given } = spec;
-  const made = buildForm(`judge-${++count}`, arms, given);
+export function mount(stub, book, id) {
+  const { arms, examples = [], given } = JSON.parse(stub.querySelector("script").textContent);
+  const made = buildForm(id, arms, given);
   const parts = buildParts();
   const one = new Asked(made, parts, { arms, examples, given });
   made.form.addEventListener("input", (event) => one.typed(/** @type {any} */ (event)));
   made.form.addEventListener("submit", (event) => event.preventDefault());
+  addTools(one, book);
+  addFiles(one, stub);
   const { verdict, taken, ...below } = parts;
   const desk = h("div.desk", {}, made.form, h("div.told", {}, verdict, taken));
   stub.replaceChildren(desk, ...Object.values(below));
   if (!given) readLinks(one, stub);
   one.put({});
-  return {
-    stub,
-    arms,
-    examples,
-    given,
-    boxes: made.boxes,
-    parts,
-    question: () => one.question,
-    verdict: () => one.upToDate(),
-    begin: (question) => one.begin(question),
-    put: (patch) => one.put(patch),
-    follow: (act) => one.follow(act),
-    say: (words) => one.say(words),
-  };
 }
 
 // A link brings its question, now and whenever the address changes.
@@ -83,7 +54,7 @@ function readLinks(one, stub) {
 }
 
 /** What is asked and answered in one form, and the verdict on it. */
-class Asked {
+export class Asked {
   constructor(made, parts, { arms, examples, given }) {
     this.made = made;
     this.parts = parts;
@@ -98,7 +69,6 @@ class Asked {
     this.verdict = {};
     this.followers = [];
     this.timer = /** @type {any} */ (0);
-    this.stale = false; // whether something was typed since the verdict
     made.fields.answer.addEventListener("focus", () => this.hold());
     globalThis.visualViewport?.addEventListener("resize", () => this.hold());
   }
@@ -131,14 +101,8 @@ class Asked {
 
   read() {
     clearTimeout(this.timer);
-    this.stale = false;
     this.verdict = judge(this.question, this.arms);
-    const { waiting, report } = this.verdict;
-    if (waiting)
-      ready(waiting).then(
-        () => setTimeout(() => this.atOnce()), // which judges in a task of its own
-        ({ message }) => this.say(message),
-      );
+    const { report } = this.verdict;
     const wrong = report?.grade === "wrong" && !this.isExample();
     this.made.fields.answer.setAttribute("aria-invalid", String(wrong));
     for (const act of this.followers) act(this.question, this.verdict);
@@ -191,7 +155,6 @@ class Asked {
     if (TURNS.includes(key)) return this.turnTo({ [key]: target.value });
     this.question = { ...this.question, [key]: target.value };
     this.show();
-    this.stale = true;
     clearTimeout(this.timer);
     if (inputType === "insertFromPaste" || inputType === "insertFromDrop") this.atOnce();
     else this.timer = setTimeout(() => this.soon(), SOON);
@@ -219,14 +182,10 @@ class Asked {
     this.timer = setTimeout(() => this.speak(), PAUSE - SOON);
   }
 
-  upToDate() {
-    if (this.stale) this.again();
-    return this.verdict;
-  }
-
+  // Hear of each verdict.
+  /** @param {(question: import("./question.js").Question, verdict: any) => void} act */
   follow(act) {
     this.followers.push(act);
-    act(this.question, this.verdict);
   }
 }
 

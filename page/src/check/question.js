@@ -3,17 +3,59 @@
 import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { entryText, isAngle } from "../text.js";
-import { ASKED } from "./questions.js";
+import { pose as poseOf } from "../../../judge/reading/numbers.js";
+import { rowsOf } from "../../../judge/reading/own_table.js";
 import { ownValues } from "../../../judge/reading/values.js";
-import { checkerOf, readers } from "./checkers.js";
 import { ArmError, upper } from "../../../judge/sentences.js";
+import { jacobian, torques } from "./topics/jacobian.js";
+import { branches, pose, trace } from "./topics/motion.js";
+import { table } from "./topics/table.js";
 
-export { ASKED };
+/** @typedef {import("../../../judge/report.js").Report} Report */
+/** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
+/**
+ * The verdict on what is typed; throws ArmError.
+ * @typedef {(question: Question, arm: Arm) => Report} Checker
+ */
+
+/**
+ * The kinds of questions: what each is called, the fields it has besides arm and answer, its
+ * checker, and how many characters of an answer are judged, where they may be more than usual.
+ * @type {Record<string, { title: string, fields: string[], checker: Checker, longest?: number }>}
+ */
+export const ASKED = {
+  jacobian: {
+    title: "Jacobian at a pose",
+    fields: ["q", "unit", "frame", "first", "values"],
+    checker: jacobian,
+  },
+  torques: {
+    title: "Joint torques at a pose",
+    fields: ["q", "unit", "wrench"],
+    checker: torques,
+  },
+  table: {
+    title: "Denavit-Hartenberg table",
+    fields: ["columns", "lengths", "angles", "convention", "values"],
+    checker: table,
+  },
+  branches: {
+    title: "All joint angles for a target",
+    fields: ["target", "unit"],
+    checker: branches,
+  },
+  pose: { title: "Joint angles for one pose", fields: ["target", "unit"], checker: pose },
+  trace: {
+    title: "Joints along a circle",
+    fields: ["q", "unit", "radius", "plane", "period", "steps", "pace"],
+    checker: trace,
+    longest: 5_000_000,
+  },
+};
 
 const LONGEST_LINK = 12_000; // characters of a fragment
 const LONGEST = { table: 2000, q: 500, wrench: 300, values: 500, answer: 8000, target: 1000 };
 const LONGEST_ANSWER = 30_000; // characters that are judged while typing
-const LOADING = "The checker is being loaded.";
 const HEADS =
   "Write a row with the names of its columns first, such as a, alpha (deg), d (mm), theta";
 const ASKED_ABOUT = "the arm asked about"; // an arm that has no name
@@ -35,7 +77,6 @@ export const CHOICES = {
   convention: { ...GUESSED, standard: "standard", craig: "modified (Craig)" },
 };
 
-/** @typedef {import("../../../judge/report.js").Report} Report */
 /**
  * @typedef {object} Question
  * @property {string} ask its key in ASKED
@@ -137,15 +178,11 @@ export function fromFragment(fragment, arms) {
   return { question, words: "" };
 }
 
-class Waiting extends Error {}
-
 // The arm that is asked about; an error in words where it is none.
 export function armOf(question, arms) {
   if (question.arm !== OWN) return arms.find(({ key }) => key === question.arm);
   if (!question.table.trim())
     throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
-  const { rowsOf } = readers;
-  if (!rowsOf) throw new Waiting();
   const symbols = ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : [];
   const { rows, said, guessed } = rowsOf(question.table, question.unit, symbols, "m");
   if (guessed) throw new ArmError(`Are these the ${said[0]}? ${HEADS}.`);
@@ -155,12 +192,10 @@ export function armOf(question, arms) {
 }
 
 /**
- * The verdict on an answer, or why there is none yet; `waiting` is the kind of question whose
- * script has not come.
+ * The verdict on an answer, or why there is none yet.
  * @param {Question} question
  * @typedef {import("../../../judge/advice.js").Advice} Advice
- * @returns {{ report?: Report, error?: string, waiting?: string, advice?: Advice[], arm?: any,
- *   q?: number[] }}
+ * @returns {{ report?: Report, error?: string, advice?: Advice[], arm?: any, q?: number[] }}
  */
 export function judge(question, arms) {
   let arm, q;
@@ -168,21 +203,17 @@ export function judge(question, arms) {
     arm = armOf(question, arms);
     const asked = missing(question, arm);
     if (asked) return { error: asked, arm };
-    q = posed(question) ? readers.pose?.(question.q, arm, question.unit).values : undefined;
+    q = posed(question) ? poseOf(question.q, arm, question.unit).values : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
-    const most = ASKED[question.ask].longest ?? LONGEST_ANSWER;
-    if (question.answer.length > most) {
-      return { error: `The answer is longer than ${most} characters.`, arm, q };
+    const { checker, longest = LONGEST_ANSWER } = ASKED[question.ask];
+    if (question.answer.length > longest) {
+      return { error: `The answer is longer than ${longest} characters.`, arm, q };
     }
-    const checker = checkerOf(question.ask);
-    if (!checker) return { error: LOADING, waiting: question.ask, arm, q };
     const report = checker(question, arm);
     return { report, arm, q, advice: report.advice };
   } catch (error) {
-    if (error instanceof Waiting) return { error: LOADING, waiting: "table" };
-    if (error instanceof ArmError)
-      return { error: upper(error.message), arm, q, advice: error.advice };
-    throw error;
+    if (!(error instanceof ArmError)) throw error;
+    return { error: upper(error.message), arm, q, advice: error.advice };
   }
 }
 

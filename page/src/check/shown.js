@@ -4,9 +4,9 @@ import { joints } from "../../../judge/geometry/kinematics.js";
 import { h } from "../dom.js";
 import { blocksIn } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
+import { lookup } from "../../../judge/reading/numbers.js";
 import { linesOf, MARKS } from "../../../judge/report.js";
 import { ArmError } from "../../../judge/sentences.js";
-import { readers } from "./checkers.js";
 
 const ROWS = {
   v: ["vx", "vy", "vz", "ωx", "ωy", "ωz"],
@@ -144,7 +144,7 @@ function isRead(ask, text, arm, q) {
   const bare = plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "");
   try {
     const tree = parse(bare || "0");
-    if (ask === "jacobian" && q) readers.lookup?.(arm, q).known(symbols(tree));
+    if (ask === "jacobian" && q) lookup(arm, q).known(symbols(tree));
     return true;
   } catch (error) {
     if (error instanceof ArmError) return false;

@@ -14,26 +14,26 @@ import {
 import { freed } from "../renderer.js";
 import { branchColour } from "../look.js";
 import { Arrow, tube } from "../shapes.js";
-import { degrees, fixed, sparse } from "../text.js";
+import { fixed, sparse } from "../text.js";
 import { listed } from "../../../judge/sentences.js";
 import { rankVerdict, waysVerdict } from "../verdicts.js";
 import { ROWS } from "../views/jacobian.js";
-import { makeLever, makeLive } from "./live.js";
+import { deg, makeLever, makeLive } from "./live.js";
+import { swing } from "./swing.js";
 
 const OF_A_ROW =
   "only the entries with its angle move; the last column goes round on a circle of radius a.";
 const mm = (p) => p.map((v) => fixed(1000 * v, 0)).join(", ");
-export const deg = (v) => degrees(v, 0);
 
 // The arm in the hand: any link, or the tip.
-export function hand(host, spec) {
+function hand(host, spec) {
   const words = (state, { frames }) =>
     `${spec.words ?? "Drag a link, or the tip."} The tip is at (${mm(frames.at(-1).o)}) mm.`;
   return makeLive(host, spec, { state: { frames: spec.frames ?? "ends" }, words }).dispose;
 }
 
 // One row of the table in its four motions: the frame before it goes over into its own.
-export function row(host, spec) {
+function row(host, spec) {
   const number = spec.row ?? 1;
   let share = 4;
   const live = makeLive(host, spec, {
@@ -77,7 +77,7 @@ function partly(row, count, { angle = 0.7, slide = 0.3 }) {
 }
 
 // A_i in numbers, while its joint turns.
-export function matrix(host, spec) {
+function matrix(host, spec) {
   const number = spec.row ?? 1;
   const cells = Array.from({ length: 4 }, () => Array.from({ length: 4 }, () => h("td")));
   const lines = cells.map((line) => h("tr", {}, line));
@@ -100,7 +100,7 @@ export function matrix(host, spec) {
 }
 
 // The Jacobian's columns: each is the tip's velocity when one joint turns alone.
-export function columns(host, spec) {
+function columns(host, spec) {
   let chosen = 0;
   const table = makeColumns((k) => choose(k));
   const live = makeLive(host, spec, {
@@ -162,7 +162,7 @@ function makeColumns(choose) {
 }
 
 // How fast the tip can go which way, as the arm is moved.
-export function ellipsoid(host, spec) {
+function ellipsoid(host, spec) {
   const words = (state, derived) => {
     const axes = derived.linear.values.map((v) => fixed(v, 2)).join(", ");
     return `Half axes ${axes}. ${rankVerdict(derived).text}`;
@@ -171,7 +171,7 @@ export function ellipsoid(host, spec) {
 }
 
 // Torques that hold the arm, as bars that follow.
-export function loads(host, spec) {
+function loads(host, spec) {
   const bars = h("div.bars");
   const live = makeLive(host, spec, {
     state: { view: spec.push ? "torque" : "pose", wrench: spec.wrench ?? [0, 0, 0, 0, 0, 0] },
@@ -205,7 +205,7 @@ function torqueBar(index) {
 }
 
 // The circle on the wall for a radius: below a certain one the joints swing, above they wind.
-export function winds(host, spec) {
+function winds(host, spec) {
   let [result, at, radius, wanted] = [null, 0, spec.radius ?? 0.1, 0];
   const live = makeLive(host, spec, {
     hold: false,
@@ -251,7 +251,7 @@ function windingOf(arm, { largest, wound }, radius) {
 }
 
 // Every way to the pose, to be clicked through.
-export function ways(host, spec) {
+function ways(host, spec) {
   const list = h("div.row", { role: "radiogroup", "aria-label": "Ways" });
   const live = makeLive(host, spec, {
     state: { view: "branches" },
@@ -285,7 +285,7 @@ export function ways(host, spec) {
 }
 
 // The elbow's two triangles: shoulder, elbow and tip; and the tip's place over the shoulder.
-export function triangles(host, spec) {
+function triangles(host, spec) {
   const words = ({ arm, q }, { frames }) => {
     const far = norm(minus(frames.at(-1).o, frames[1].o));
     const [a2, a3] = [arm.rows[1].a, arm.rows[2].a];
@@ -293,7 +293,7 @@ export function triangles(host, spec) {
     const reached = `Shoulder to tip ${fixed(1000 * far, 0)} mm`;
     return `${reached}, so D = ${fixed(D, 3)} and θ₃ = ${deg(q[2])}; its cosine is D.`;
   };
-  const live = makeLive(host, { arm: "Elbow arm", ...spec }, { words });
+  const live = makeLive(host, spec, { words });
   const { picture } = live;
   let drawn = [];
   live.follow((state, { frames }) => {
@@ -321,3 +321,20 @@ function sidesOf([shoulder, elbow, tip]) {
     [elbow, tip, 1],
   ];
 }
+
+/**
+ * Each kind by its name: `kind(host, spec)` builds into the host and gives what takes it away.
+ * @type {Record<string, (host: HTMLElement, spec: any) => () => void>}
+ */
+export const FIGURES = {
+  columns,
+  ellipsoid,
+  hand,
+  loads,
+  matrix,
+  row,
+  swing,
+  triangles,
+  ways,
+  winds,
+};

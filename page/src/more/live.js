@@ -5,23 +5,16 @@ import css from "./figure.css";
 import { common } from "../common.js";
 import { homeOf, range } from "../../../judge/geometry/arm.js";
 import { h, indexed, slider, write } from "../dom.js";
-import { makeGrabbable, moveTipByKey } from "../pointers.js";
+import { makeStage } from "../panel/stage.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { relativeRail } from "../rail.js";
-import { ArmPicture } from "../scene.js";
 import { startingState, Store } from "../state.js";
-import { jointText, replaced, spokenJoint } from "../text.js";
+import { degrees, jointText, replaced, spokenJoint } from "../text.js";
 import { watchTheme } from "../theme.js";
-import { holdVerdict } from "../verdicts.js";
-import ARMS from "./arms.json";
 
-/** @param {string} name of an arm of the book */
-export const armOf = (name) =>
-  /** @type {import("../../../judge/geometry/arm.js").Arm} */ (
-    /** @type {any} */ (ARMS.find((arm) => arm.name === name) ?? ARMS[0])
-  );
+export const deg = (v) => degrees(v, 0);
 
-let drags = 0;
+let [drags, count] = [0, 0];
 
 /**
  * @param {HTMLElement} host
@@ -33,16 +26,18 @@ let drags = 0;
 export function makeLive(host, spec, { state = {}, hold = true, words, side = [], first = 0 }) {
   const abort = new AbortController();
   const { signal } = abort;
-  const arm = typeof spec.arm === "object" ? spec.arm : armOf(spec.arm);
+  const { arm } = spec;
   const store = new Store(startingState({ arm, q: spec.q ?? homeOf(arm), ...state }));
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
-  const stage = makeStage(store, { hold, first });
+  const stage = makeStage(store, {
+    ...{ signal, first, held: hold, bar: false, id: `figure-${++count}` },
+    goTo: (q) => store.dispatch({ type: "glide", q }),
+  });
   const said = h("p.words");
-  const why = h("p.why", { hidden: true });
   const levers = (spec.joints ?? []).map((number) => jointLever(store, number, signal));
-  const beside = h("div.side", {}, ...side, ...levers.map((one) => one.root), said, why);
+  const beside = h("div.side", {}, ...side, ...levers.map((one) => one.root), said);
   const card = h("figure.live", {}, stage.root, beside);
-  root.replaceChildren(h("style", {}, common, css), card, h("div.paper", {}, h("slot")));
+  root.replaceChildren(h("style", {}, common, css), card);
 
   let theme = "light";
   const listeners = [];
@@ -50,10 +45,8 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
     const { state: now, derived } = store;
     for (const one of levers) one.show(now);
     write(said, words(now, derived));
-    const stopped = holdVerdict(now.hold);
-    write(why, stopped);
-    why.hidden = !stopped;
     stage.draw(now, derived, theme);
+    stage.update(now);
     for (const listener of listeners) listener(now, derived);
   }
   watchTheme((now) => {
@@ -64,36 +57,8 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   store.listen(refresh, signal);
   const { picture } = stage;
   const follow = (listener) => (listeners.push(listener), refresh());
-  const dispose = () => (abort.abort(), picture?.dispose(), root.replaceChildren());
+  const dispose = () => (abort.abort(), stage.dispose(), root.replaceChildren());
   return { store, picture, card, signal, refresh, follow, dispose };
-}
-
-// The picture and what holds it; a still one where there is no WebGL.
-function makeStage(store, { hold, first }) {
-  const labels = h("div.labels", { "aria-hidden": "true" });
-  const grip = h("button.grip", {
-    "aria-label": "Tip: drag it, or move it by arrow keys",
-    hidden: !hold,
-    onkeydown: (event) => picture && moveTipByKey(picture, store, event),
-  });
-  const root = h("div.stage", { role: "group" }, labels, grip);
-  let picture = null;
-  try {
-    const onPlace = ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`);
-    picture = new ArmPicture(root, labels, { first, onPlace });
-    if (hold)
-      makeGrabbable(picture, store, { grip, goTo: (q) => store.dispatch({ type: "glide", q }) });
-  } catch {
-    root.hidden = true; // no WebGL here: words and numbers follow
-  }
-  const draw = (state, derived, theme) => {
-    picture?.draw(state, derived, theme);
-    const at = joints(state.arm).map((row, k) =>
-      spokenJoint(state.arm.rows[row], state.q[k], state.unit),
-    );
-    root.setAttribute("aria-label", `${state.arm.name} at ${at.join(", ")}`);
-  };
-  return { root, picture, draw };
 }
 
 // A lever for the joint of a row, by its number from 1.

@@ -5,8 +5,7 @@ import { jacobianColumns, joints, linkFrames } from "../../../judge/geometry/kin
 import { rightNull } from "../../../judge/geometry/linear.js";
 import { reach } from "../motion.js";
 import { jointText } from "../text.js";
-import { deg } from "./kinds.js";
-import { makeLever, makeLive } from "./live.js";
+import { deg, makeLever, makeLive } from "./live.js";
 
 // The elbow swings while the tip stays.
 export function swing(host, spec) {

@@ -3,7 +3,7 @@
 import { homeOf } from "../../../judge/geometry/arm.js";
 import { h, whereNew, write } from "../dom.js";
 import { randomPose } from "../motion.js";
-import { lengthsOf } from "../text.js";
+import { called } from "../text.js";
 
 export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   const name = arms.length > 1 ? makeChoice(store, arms, stage) : makeName();
@@ -40,7 +40,7 @@ const press = (one, is) => one.setAttribute("aria-pressed", String(is));
 
 function makeName() {
   const root = h("span.name");
-  return { root, update: ({ arm }) => write(root, arm.name) };
+  return { root, update: ({ arm }) => write(root, called(arm.name)) };
 }
 
 // The list of arms; one that was typed stands in it by its own name.
@@ -59,7 +59,7 @@ function makeChoice(store, arms, stage) {
     const own = arm === base ? null : arm.name;
     if (listed === own && root.options.length) return;
     listed = own;
-    const known = arms.map((one) => h("option", { value: one.name }, one.name + lengthsOf(one)));
+    const known = arms.map((one) => h("option", { value: one.name }, called(one.name)));
     root.replaceChildren(...known, ...(own ? [h("option", {}, own)] : []));
   }
   function update(state) {

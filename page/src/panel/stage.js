@@ -1,5 +1,5 @@
-// The picture with what one can do to it, or a still picture that follows where the browser has no
-// WebGL.
+// The picture with what one can do to it. Until it is drawn, where the browser has no WebGL, and on
+// paper there is a still one.
 
 import { h, whereNew, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../pointers.js";
@@ -8,13 +8,15 @@ import { joints } from "../../../judge/geometry/kinematics.js";
 import { rightNull } from "../../../judge/geometry/linear.js";
 import { reach } from "../motion.js";
 import { ArmPicture } from "../scene.js";
+import { still } from "../still.js";
+import { jointText } from "../text.js";
 
 const HELP =
   "Picture of the arm. Arrow keys turn the view, plus and minus bring it nearer and farther, " +
   "0 fits it. The button at the tip moves the tip; the sliders turn the joints.";
 const GRIP_HELP = "Arrow keys move the tip across the picture, Page keys to and fro.";
 const LOST = "The browser took the picture’s graphics away; it comes back when it can.";
-const FLAT = "This browser gives no WebGL: the picture stays as it is, the numbers follow.";
+const FLAT = "No WebGL in this browser: a drawing follows.";
 const VIEW_KEYS = {
   ArrowLeft: [-0.12, 0],
   ArrowRight: [0.12, 0],
@@ -26,68 +28,90 @@ const VIEW_KEYS = {
 };
 const SWING = 0.06; // rad along the null space for one press
 
-export function makeStage(store, { goTo, id, say }) {
-  const parts = {
-    labels: h("div.labels", { "aria-hidden": "true" }),
-    grip: makeGrip(id, (event) => {
-      if (picture && moveTipByKey(picture, store, event)) say(() => holdVerdict(store.state.hold));
-    }),
-    help: h("span.hidden", { id: `${id}-grip` }, GRIP_HELP),
-    hold: makeHoldBar(store),
-    why: h("p.why", { "aria-hidden": "true" }),
-    lost: h("p.lost", { hidden: true }, LOST),
-  };
-  const { labels, grip, help, hold, why, lost } = parts;
+/**
+ * @param {import("../state.js").Store} store
+ * @param {{ goTo: (q: number[]) => void, id: string, say?: Function, signal: AbortSignal,
+ *   held?: boolean, bar?: boolean, first?: number }} tools whether the arm can be `held` by the
+ *   hand, whether there is a `bar` for the tip, and the number of the `first` frame
+ */
+export function makeStage(store, tools) {
+  const { goTo, id, say = () => {}, signal, held = true, bar = true, first = 0 } = tools;
+  const moved = (event) =>
+    picture && moveTipByKey(picture, store, event) && say(() => holdVerdict(store.state.hold));
+  const parts = partsOf(id, makeHoldBar(store, bar), moved);
+  const { paper, grip, hold, why } = parts;
   const root = h("div.stage", { tabindex: 0, role: "application", "aria-label": HELP });
-  root.append(labels, grip, help, hold.root, why, lost);
-  const picture = pictureIn(root, parts, store, goTo);
+  root.append(...Object.values({ ...parts, hold: hold.root }));
+  const picture = pictureIn(root, parts, first);
+  if (picture && held) makeGrabbable(picture, store, { grip, goTo });
   root.addEventListener("dblclick", () => picture?.fit());
   root.addEventListener("keydown", (event) => {
     if (event.target === root && turnedView(picture, event.key)) event.preventDefault();
   });
+  const drawStill = () =>
+    paper.replaceChildren(still(store.state, store.derived, stillWords(store.state)), h("slot"));
+  drawStill();
+  if (picture) addEventListener("beforeprint", drawStill, { signal });
   return {
     root,
+    picture,
     draw(state, derived, theme) {
-      picture?.draw(state, derived, theme);
+      if (picture) picture.draw(state, derived, theme);
+      else drawStill();
     },
     update(state) {
       hold.update(state);
       const pushed = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
-      grip.hidden = !picture || !joints(state.arm).length || !pushed;
+      grip.hidden = !held || !picture || !joints(state.arm).length || !pushed;
       const words = holdVerdict(state.hold);
       write(why, words);
       why.hidden = !words;
     },
     fit: () => picture?.fit(),
-    scale: () => picture?.scale,
     dispose: () => picture?.dispose(),
   };
 }
 
-const makeGrip = (id, onkeydown) =>
-  h("button.grip", {
+const partsOf = (id, hold, onkeydown) => ({
+  paper: h("div.paper"),
+  labels: h("div.labels", { "aria-hidden": "true" }),
+  grip: h("button.grip", {
     "aria-label": "Tip",
     "aria-describedby": `${id}-grip`,
     onkeydown,
     title: "Drag the tip: the joints follow. Arrow keys move it too.",
-  });
+  }),
+  help: h("span.hidden", { id: `${id}-grip` }, GRIP_HELP),
+  hold,
+  why: h("p.why", { "aria-hidden": "true" }),
+  lost: h("p.lost", { hidden: true }, LOST),
+});
 
-// The live picture, or null where there is no WebGL: then the stage holds the still one.
-function pictureIn(root, { labels, grip, hold, lost }, store, goTo) {
+function stillWords({ arm, q, unit }) {
+  const at = joints(arm).map((row, k) => `q_${row + 1} = ${jointText(arm.rows[row], q[k], unit)}`);
+  return `Still picture of the ${arm.name}${at.length ? ` at ${at.join(", ")}` : ""}.`;
+}
+
+// The live picture, or null where there is no WebGL.
+function pictureIn(root, { labels, grip, hold, lost }, first) {
   try {
     const picture = new ArmPicture(root, labels, {
+      first,
       onLost: (is) => (lost.hidden = !is),
-      onPlace: ([x, y]) => (grip.style.transform = `translate(${x}px, ${y}px)`),
+      onPlace: ([x, y]) => {
+        grip.style.transform = `translate(${x}px, ${y}px)`;
+        root.classList.add("drawn");
+      },
     });
     picture.figure.foot = () => hold.root.offsetHeight + 40; // and the foot’s own disc and label
-    makeGrabbable(picture, store, { grip, goTo });
     return picture;
   } catch {
-    root.classList.add("flat");
     root.setAttribute("role", "group");
-    root.setAttribute("aria-label", "Still picture of the arm");
+    root.setAttribute("aria-label", "Picture of the arm");
     root.removeAttribute("tabindex");
-    root.replaceChildren(h("slot"), h("p", {}, FLAT));
+    hold.root.hidden = true;
+    write(lost, FLAT);
+    lost.hidden = !document.defaultView; // a page that is being built knows nothing of its browser
     return null;
   }
 }
@@ -102,7 +126,7 @@ function turnedView(picture, key) {
 
 // Below the picture: whether a dragged tip keeps its direction, and whether the tip is pinned so
 // that the elbow swings.
-function makeHoldBar(store) {
+function makeHoldBar(store, shown) {
   const button = (text, title, onclick) => h("button", { title, onclick }, text);
   const keep = button("Keep direction", "A dragged tip keeps the direction of the tool too", () =>
     store.dispatch({ type: "show", keepTurn: !store.state.keepTurn }),
@@ -116,6 +140,7 @@ function makeHoldBar(store) {
     return h("button.swing", attributes, way < 0 ? "↺" : "↻");
   });
   const root = h("div.hold", { role: "group", "aria-label": "The tip" }, keep, pin, swing);
+  root.hidden = !shown;
 
   function update({ keepTurn, hold, arm }) {
     const pinned = Boolean(hold?.pinned);

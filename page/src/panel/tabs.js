@@ -31,12 +31,12 @@ export function makeTabs(store, views, tools) {
     });
   }
 
-  function update(state, derived, scale) {
+  function update(state, derived) {
     const name = state.view;
     if (!made.has(name)) made.set(name, VIEWS[name].build(store, tools));
     const view = made.get(name);
     if (panel.firstChild !== view.root) show(name, view);
-    view.update(state, derived, scale);
+    view.update(state, derived);
   }
   const summary = (state, derived) => made.get(state.view)?.summary?.(state, derived) ?? "";
   const dispose = () => made.forEach((view) => view.dispose?.());

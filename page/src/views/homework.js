@@ -13,6 +13,8 @@ import { millimetres, named, said, startingRun } from "./homework_words.js";
 import { makePlots, PLOTTED } from "./plots.js";
 import { makeTransport } from "./transport.js";
 
+export const title = "Play the homework";
+
 const OTHERS =
   "The homework’s circle is drawn by the Panda and the UR10e: choose one of them above.";
 

@@ -11,25 +11,23 @@ export const title = "Jacobian";
 /** @type {[string, string][]} */
 export const ROWS = [..."vω"].flatMap((letter) => [..."xyz"].map((axis) => [letter, axis]));
 
+const NOTE =
+  "The ellipsoid at the tip holds every velocity that joint rates of unit length give it; " +
+  "where it is flat, the tip cannot go.";
+
 export function build(_store, { point }) {
   const heat = makeHeat(point);
   const verdict = h("p.verdict");
   const facts = h("dl.facts");
-  const note = h("p.words");
+  const note = h("p.words", {}, NOTE);
   const root = h("div.jacobian", {}, heat.root, h("div", {}, verdict, facts, note));
 
-  function update(state, derived, stage) {
+  function update(state, derived) {
     heat.update(state.arm, derived.columns);
     const { singular, text } = rankVerdict(derived);
     attribute(verdict, "class", singular ? "verdict warning" : "verdict");
     write(verdict, text);
     facts.replaceChildren(...factList(derived));
-    const scale = stage ? `, drawn at 1 : ${(1 / stage).toFixed(1).replace(".0", "")}` : "";
-    write(
-      note,
-      `The ellipsoid at the tip holds every velocity that joint rates of unit length give it` +
-        `${scale}; where it is flat, the tip cannot go.`,
-    );
   }
   return { root, update, summary: (_, derived) => rankVerdict(derived).text };
 }

@@ -4,7 +4,7 @@
 import { MOST_ROWS } from "../../../judge/geometry/arm.js";
 import { copied, h, indexed, scrolled, select, write } from "../dom.js";
 import { entered, textField } from "../entry.js";
-import { late } from "../figures.js";
+import { readTable } from "../paste.js";
 import { entryText, replaced, tableText } from "../text.js";
 import { tableVerdict } from "../verdicts.js";
 
@@ -89,12 +89,11 @@ function makeGrid(store, { change, complain, say }) {
 }
 
 // A whole table from a spreadsheet, a matrix or a page, wherever in the table it is pasted.
-async function pasted(event, store, { change, complain, say }) {
+function pasted(event, store, { change, complain, say }) {
   const { currentTarget: body, target } = event;
   const text = event.clipboardData?.getData("text/plain") ?? "";
   if (!SEVERAL.test(text.trim())) return;
   event.preventDefault();
-  const readTable = await late("readTable", "explorer-table.js");
   const table = readTable(text, store.state.unit) ?? { error: "it is a single entry." };
   complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
   if ("error" in table) return;

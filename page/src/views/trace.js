@@ -11,6 +11,8 @@ import { makePlots, PLOTTED } from "./plots.js";
 import { makeTransport } from "./transport.js";
 import { pastLimits } from "../verdicts.js";
 
+export const title = "Circle trace";
+
 const MOST_RADIUS = 5; // m
 
 export function build(store, { say, signal }) {

@@ -1,25 +1,23 @@
-// The script that judges Jacobians and torques.
+// Jacobians and torques.
 
-import { lookup, numbers, pose, unnamed } from "../../../../judge/reading/numbers.js";
+import { numbers, unnamed } from "../../../../judge/reading/numbers.js";
 import { compareJacobian } from "../../../../judge/topics/jacobian.js";
 import { ownValues } from "../../../../judge/reading/values.js";
-import { readers, register } from "../checkers.js";
 import { ArmError } from "../../../../judge/sentences.js";
 import { compareTorques } from "../../../../judge/topics/torques.js";
 
-Object.assign(readers, { lookup, pose });
-
-register("jacobian", ({ answer, q, unit, frame, first, values }, arm) => {
+/** @type {import("../question.js").Checker} */
+export function jacobian({ answer, q, unit, frame, first, values }, arm) {
   if (Number(frame) > arm.rows.length) {
     throw new ArmError(`frame is ${frame}; expected a whole number from 0 to ${arm.rows.length}`);
   }
   const how = { angles: unit, frame: Number(frame), angularFirst: first === "omega" };
   return compareJacobian(answer, arm, q, { ...how, values: ownValues(values) });
-});
+}
 
-register("torques", ({ answer, q, unit, wrench }, arm) =>
-  compareTorques(answer, arm, q, { angles: unit, wrench: wrenchOf(wrench) }),
-);
+/** @type {import("../question.js").Checker} */
+export const torques = ({ answer, q, unit, wrench }, arm) =>
+  compareTorques(answer, arm, q, { angles: unit, wrench: wrenchOf(wrench) });
 
 function wrenchOf(text) {
   if (!text.trim()) return undefined;

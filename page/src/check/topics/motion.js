@@ -1,12 +1,11 @@
-// The script that judges joint angles, one pose or all branches, and runs along a path.
+// Joint angles, of one pose or all branches, and runs along a path.
 
 import { cross, dot, joints } from "../../../../judge/geometry/kinematics.js";
 import { compareBranches } from "../../../../judge/topics/branches.js";
-import { numbers, pose } from "../../../../judge/reading/numbers.js";
+import { numbers, pose as poseOf } from "../../../../judge/reading/numbers.js";
 import { asksPose, formOf } from "../../../../judge/geometry/inverse.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
 import { comparePose, targetOf } from "../../../../judge/topics/pose.js";
-import { readers, register } from "../checkers.js";
 import { ArmError } from "../../../../judge/sentences.js";
 import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
 
@@ -17,13 +16,11 @@ const [FEWEST_STEPS, MOST_STEPS] = [8, 20_000];
 // of the lengths of axes and their cosines: what a pose of two decimals is off
 const ROUNDED = 0.02;
 
-readers.pose = pose;
-
 // One joint vector
 
-register("pose", (question, arm) =>
-  comparePose(question.answer, arm, typedTarget(question), { angles: question.unit }),
-);
+/** @type {import("../question.js").Checker} */
+export const pose = (question, arm) =>
+  comparePose(question.answer, arm, typedTarget(question), { angles: question.unit });
 
 function typedTarget({ target }) {
   if (!target.trim())
@@ -33,10 +30,11 @@ function typedTarget({ target }) {
 
 // All branches
 
-register("branches", (question, arm) => {
+/** @type {import("../question.js").Checker} */
+export function branches(question, arm) {
   const target = rowsOf(question, arm, formFor(arm));
   return compareBranches(question.answer, arm, target, { angles: question.unit });
-});
+}
 
 function formFor(arm) {
   const form = formOf(arm);
@@ -73,11 +71,12 @@ function exact(rows) {
 
 // Runs
 
-register("trace", (question, arm) => {
+/** @type {import("../question.js").Checker} */
+export function trace(question, arm) {
   const typed = readTrace(question.answer, arm);
   const path = pathOf(question, arm, typed);
   return judgedTrace(typed, arm, path, { angles: question.unit });
-});
+}
 
 function pathOf(question, arm, typed) {
   const path = circleBelow(arm, asked(question, arm, typed));
@@ -99,7 +98,7 @@ function asked(question, arm, typed) {
     throw new ArmError(`the number of steps is ${steps}; expected ${wanted}`);
   }
   return {
-    start: pose(question.q, arm, question.unit).values,
+    start: poseOf(question.q, arm, question.unit).values,
     radius: above("radius", "the radius", "m"),
     plane: question.plane,
     period: above("period", "the duration", "s"),

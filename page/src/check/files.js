@@ -1,22 +1,25 @@
 // Files as answers, by a button and by drag and drop. They are read here and go nowhere.
 
-import { h, write } from "../../dom.js";
-import { ACCEPTED, textOfFile } from "../file.js";
-import { ArmError } from "../../../../judge/sentences.js";
+import { h, write } from "../dom.js";
+import { ACCEPTED, textOfFile } from "./file.js";
+import { ArmError } from "../../../judge/sentences.js";
 
-/** @param {import("../page.js").Judge} judge */
-export function addFiles(judge) {
-  const { stub, boxes, say } = judge;
+/**
+ * @param {import("./page.js").Asked} judge
+ * @param {HTMLElement} stub where files can be dropped
+ */
+export function addFiles(judge, stub) {
+  const { boxes } = judge.made;
   let held = "";
   const take = async (file) => {
     try {
       held = await textOfFile(file);
     } catch (error) {
       if (!(error instanceof ArmError)) throw error;
-      say(error.message);
+      judge.say(error.message);
       return;
     }
-    say("");
+    judge.say("");
     write(words, `From ${file.name}, ${held.trim().split("\n").length} lines. `);
     judge.put({ answer: held });
   };

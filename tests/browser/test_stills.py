@@ -1,0 +1,80 @@
+"""A live part stands in the page before its script has come, and where none comes: as high as it
+will be, with a picture."""
+
+import re
+
+import pytest
+
+from tests.browser.reader import WINDOWS
+from tests.test_book import HTML
+
+LIVE = re.compile(r"_static/(explorer|judge)\.js$")
+PARTS = ".arm-explorer, .arm-judge"
+PAGES = [
+    path.stem
+    for path in sorted(HTML.glob("*.html"))
+    if re.search(r'class="arm-(explorer|judge)', path.read_text("utf-8"))
+]
+HEIGHTS = f"""() => [...document.querySelectorAll("{PARTS}")].map(
+    (part) => Math.round(part.getBoundingClientRect().height))"""
+WOKEN = f"""async () => {{
+    for (const part of document.querySelectorAll("{PARTS}")) {{
+        part.scrollIntoView();
+        await new Promise((done) => setTimeout(done, 50));
+    }}
+    const asleep = () => [...document.querySelectorAll(".arm-explorer")].some((e) => !e.explorer)
+        || document.querySelector(".arm-judge > .unscripted");
+    while (asleep()) await new Promise(requestAnimationFrame);
+}}"""
+# The pictures that are seen, and those that are not.
+SEEN = """() => [...document.querySelectorAll(".arm-explorer")].map(({ shadowRoot }) =>
+    shadowRoot.querySelector(".still").checkVisibility({ visibilityProperty: true }))"""
+
+
+def test_pages_have_live_parts():
+    assert {"intro", "explorer", "check_your_homework", "05_inverse_kinematics"} <= {*PAGES}
+
+
+@pytest.fixture(scope="module")
+def page(browser):
+    page = browser.new_page()
+    yield page
+    page.close()
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_nothing_moves_when_a_live_part_comes(page, name):
+    """At any width."""
+    address = (HTML / f"{name}.html").as_uri()
+    page.route(LIVE, lambda route: route.abort())
+    page.goto(address)
+    before, pictures = {}, page.evaluate(SEEN)
+    assert all(pictures), "a picture is there at once"
+    for size, window in WINDOWS.items():
+        page.set_viewport_size(window)
+        before[size] = page.evaluate(HEIGHTS)
+    page.unroute(LIVE)
+    page.goto(address)
+    page.evaluate(WOKEN)
+    for size, window in WINDOWS.items():
+        page.set_viewport_size(window)
+        after = page.evaluate(HEIGHTS)
+        moved = [abs(p - q) for p, q in zip(before[size], after, strict=True)]
+        assert max(moved) <= 1, (size, before[size], after)
+    page.emulate_media(media="print")
+    assert all(page.evaluate(SEEN)), "on paper the still one"
+    page.emulate_media(media="screen")
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_without_a_script_pictures_and_forms_can_be_seen(browser, name):
+    page = browser.new_page(java_script_enabled=False)
+    page.goto((HTML / f"{name}.html").as_uri())
+    for part in page.locator(".arm-explorer").all():
+        assert part.locator(".still").is_visible()
+        assert not part.locator("button, input").locator("visible=true").count()
+    for form in page.locator(".arm-judge").all():
+        assert form.get_by_label("Your answer", exact=True).is_visible()
+        assert form.locator(".verdict").inner_text()
+        assert form.locator(".unscripted").is_visible()
+    page.close()
