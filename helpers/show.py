@@ -60,8 +60,11 @@ def _latex(value: object) -> str:
 
 def _entry(entry: sp.Expr) -> str:
     first, *rest = lines(entry, _ROOM)
-    below = "".join(rf" \\ \quad {line}" for line in rest)
-    return rf"\begin{{array}}{{l}}{first}{below}\end{{array}}" if rest else sp.latex(entry)
+    if not rest:
+        return sp.latex(entry)
+    # A line is a group: Temml would take a bracket, and the line's end in it, for one thing.
+    below = "".join(rf" \\ {{\quad {line}}}" for line in rest)
+    return rf"\begin{{array}}{{l}}{{{first}}}{below}\end{{array}}"
 
 
 def _number(value: float) -> str:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from helpers import show
+from helpers import show, typeset
 from helpers.arm import ArmError
 
 
@@ -18,6 +18,14 @@ def test_numbers_and_formulas_stand_beside_each_other_under_their_names():
     long = show.matrices({"J": sp.Matrix([sp.Add(*sp.symbols("a_1:31")), q])})._repr_markdown_()
     entry, rest = long.split(r"\begin{array}{l}")[1].split(r"\end{array}\\")
     assert (rest[:5], entry.count("a_"), entry.count(r"\\")) == ("q_{1}", 30, 1)  # in two lines
+
+
+def test_a_line_may_end_within_a_bracket():
+    symbols = sp.symbols("a_1:31")
+    entry = symbols[0] * sp.Add(*symbols[1:])
+    made = typeset.mathml(show.matrices({"J": sp.Matrix([entry])})._repr_markdown_().strip("$"))
+    assert made.count("<mtr>") == 3  # the matrix has one row, and in it are two lines
+    assert "linebreak" not in made
 
 
 def test_frames_are_told_by_their_columns():
