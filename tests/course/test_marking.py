@@ -102,6 +102,10 @@ def test_the_key_in_the_decimals_asked_or_more_gets_everything(arm):
         text = "\n".join(question.markdown for question in mine.questions)
         for part in asked:
             assert f"`{part.name}`: {part.what}; {part.digits} decimals; " in text
+            nearest = min(np.abs(wrong - part.value).max() for _, wrong in part.slips)
+            fewest = 2 if part.name in ("quarter", "half") else 3
+            assert 2 * part.unit < nearest
+            assert part.digits == fewest or 20 * part.unit >= nearest
             for decimals in (part.digits, part.digits + 1, 8):
                 found = mark(mine, part.name, as_text(part.value, decimals))
                 assert found == Mark(part.name, 1.0, "Right.")
