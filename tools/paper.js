@@ -96,6 +96,9 @@ class Element {
     if (this.tag !== "select") return this.getAttribute("value") ?? "";
     return this.selectedOptions[0]?.getAttribute("value") ?? "";
   }
+  get defaultValue() {
+    return this.value;
+  }
   set value(text) {
     if (this.tag === "textarea") this.textContent = String(text);
     else if (this.tag !== "select") this.setAttribute("value", text);

@@ -40,7 +40,6 @@ export class ArmPicture {
   constructor(host, labels, options = {}) {
     this.figure = new Figure(host, { onDraw: () => this.place(), onLost: options.onLost });
     this.labels = new Labels(labels);
-    labels.hidden = true; // until the picture is there
     this.onPlace = options.onPlace ?? (() => {});
     /** @type {any} */
     this.world = null;

@@ -125,7 +125,7 @@ def test_a_jacobian_is_judged(reader):
     reader.open("check_your_homework", "#ask=jacobian&arm=ELBOW&q=0.5, 0.7, -0.4")
     told = "document.querySelector('.arm-judge .verdict')?.textContent"
     answer = "[...document.querySelectorAll('.arm-judge textarea')].at(-1)"
-    reader.until(told)
+    reader.until("!document.querySelector('.arm-judge > .unscripted')")
     reader.fill(answer, ELBOW.replace("0.2866", "0.3866"))
     reader.until(f"{told}.includes('olumn 3 (joint 3): look again at vz.')")
     assert reader.ask("document.querySelectorAll('.arm-judge td.off').length") == 1
@@ -170,6 +170,7 @@ def test_a_small_figure_of_a_chapter_follows_a_click(reader):
     fourth = f"{figure}.shadowRoot?.querySelectorAll('th button')[3]"
     reader.until(figure)
     reader.at(figure)
+    reader.until(f"{figure}.explorer")
     reader.click(fourth)
     reader.until(f"{fourth}.ariaPressed === 'true'")
 

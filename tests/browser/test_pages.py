@@ -245,6 +245,6 @@ def test_it_weighs_no_more_than_three_megabytes(visit):
     visit.page.evaluate(UNDRAWN)
     for stub in visit.page.locator(".arm-explorer").all():
         stub.evaluate(THERE)
-        stub.locator("section.explorer, figure.live").wait_for()
+        stub.locator("canvas").wait_for()
     files = {Path(unquote(urlparse(url).path)) for url in visit.asked if url.startswith("file:")}
     assert sum(file.stat().st_size for file in files) <= 3_000_000

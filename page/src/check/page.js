@@ -31,11 +31,13 @@ export function mount(stub, book, id) {
   made.form.addEventListener("submit", (event) => event.preventDefault());
   addTools(one, book);
   addFiles(one, stub);
+  const written = [...stub.querySelectorAll("textarea")].at(-1); // before the script had come
+  const typed = written?.value === written?.defaultValue ? {} : { answer: written.value };
   const { verdict, taken, ...below } = parts;
   const desk = h("div.desk", {}, made.form, h("div.told", {}, verdict, taken));
   stub.replaceChildren(desk, ...Object.values(below));
   if (!given) readLinks(one, stub);
-  one.put({});
+  one.put(typed);
 }
 
 // A link brings its question, now and whenever the address changes.

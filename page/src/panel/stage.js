@@ -74,7 +74,7 @@ export function makeStage(store, tools) {
 
 const partsOf = (id, hold, onkeydown) => ({
   paper: h("div.paper"),
-  labels: h("div.labels", { "aria-hidden": "true" }),
+  labels: h("div.labels", { "aria-hidden": "true", hidden: true }),
   grip: h("button.grip", {
     "aria-label": "Tip",
     "aria-describedby": `${id}-grip`,
