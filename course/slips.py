@@ -79,7 +79,7 @@ def _others(arm: Arm, given: Given, right: Answers) -> Iterator[Slip]:
 
 
 def _jacobians(arm: Arm, q: Array, J: Array) -> Iterator[tuple[str, Array]]:
-    turning, frames = arm.turning, np.concatenate([np.eye(4)[None], link_frames(arm, q)])
+    turning, frames = arm.turning, link_frames(arm, q)
     axes = frames[np.array(arm.joints) - 1, :3, 2].T
     R, p = (part for part in np.split(forward_kinematics(arm, q)[:3], [3], axis=1))
     angular, linear = np.r_[-np.ones(3), np.ones(3)][:, None], J[3:]

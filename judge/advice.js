@@ -13,14 +13,12 @@ const BY_CAUSE = {
   "J.halves": (_, { angularFirst }) => ({ field: "angularFirst", value: !angularFirst }),
   "J.frame": (place) => ({ field: "frame", value: Number(place) }),
   "J.degrees": () => ({ field: "angles", value: "deg" }),
-  "J.column missing": (place) => ({ field: "locked", value: Number(place) }),
   "tau.degrees": () => ({ field: "angles", value: "deg" }),
   "ik.degrees": () => ({ field: "angles", value: "deg" }),
   "trace.degrees": () => ({ field: "angles", value: "deg" }),
   "table.craig": () => ({ field: "convention", value: "craig" }),
   "table.degrees": () => ({ field: "angles", value: "deg" }),
   "table.millimetres": () => ({ field: "lengths", value: "mm" }),
-  "table.centimetres": () => ({ field: "lengths", value: "cm" }),
 };
 
 // What the causes of a report advise, each of two mistakes for itself: nothing where it is set

@@ -39,12 +39,6 @@ def run(slides):
             "trace.axes exchanged",
             "the x and z coordinates are exchanged.",
         ),
-        (
-            np.roll(CIRCLE.positions[:-1, [2, 0]], 7, axis=0)[[*range(40), 0]]
-            + 0.006 * np.outer((-1.0) ** np.arange(41), [1, 0]),
-            "trace.phase",
-            "",
-        ),
     ],
 )
 def test_a_path_that_is_the_joints_themselves_is_named(slides, cause, said):

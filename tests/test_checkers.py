@@ -14,8 +14,8 @@ import sympy as sp
 from helpers import checks
 from helpers.arm import Arm, ArmError
 from helpers.inverse import elbow
-from helpers.motion import circle, circle_below, trace
-from helpers.robots import ELBOW, PANDA, UR10E, UR10E_HOMEWORK
+from helpers.motion import circle
+from helpers.robots import ELBOW, PANDA, UR10E_HOMEWORK
 from tests.cases import about
 from tests.corpus.arms import KNOWN
 from tests.corpus.jacobians import recipe
@@ -154,22 +154,6 @@ def homeworks(steps):
     """The homework's circle, as a task of the corpus and as the checkers have it."""
     task = Task(KNOWN["PANDA.lock(3)"], np.delete(HOME, 2), "zy", 0.1, 5, steps)
     return task, circle(task.path()["centre"], 0.1, "zy", 5, steps)
-
-
-def test_steps_too_few_for_euler_are_told():
-    task, path = homeworks(24)
-    report = checks.compare_trace(task.run(), ARM, path)
-    assert report.causes == ("trace.coarse",)
-    assert "but 24 steps of Euler's method are too few for this path" in report.headline
-
-
-def test_steps_too_few_are_told_in_degrees_as_degrees():
-    """Near a singular pose, where Euler's method strays by more than two of the path's steps."""
-    start = [0.3, 0.4, 0.9, 0.2, 0.8, 0.1]
-    path = circle_below(UR10E, start, 0.1, "zx", 5, 20)
-    q = trace(UR10E, start, path).q
-    assert checks.compare_trace(q, UR10E, path).causes == ("trace.coarse",)
-    assert checks.compare_trace(np.degrees(q), UR10E, path).causes == ("trace.degrees",)
 
 
 TASK, PATH = homeworks(400)

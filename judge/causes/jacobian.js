@@ -5,9 +5,8 @@
 import { RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
 import { numbered } from "../reading/numbers.js";
-import { lower } from "../sentences.js";
 import { otherPoses, wrongTables } from "./tables.js";
-import { both, cause, nameOf, wordsOf } from "./ranking.js";
+import { both, cause } from "./ranking.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../geometry/chains.js").Chain} Chain */
@@ -32,7 +31,7 @@ const same = (x, ..._) => x;
 /** @returns {Step[]} */
 export function steps(arm, q, frame) {
   const c = chains.chain(arm, q);
-  const changes = [...otherPoses("J.degrees", arm, q), ...wrongTables(arm)];
+  const changes = [...otherPoses("J.degrees", arm), ...wrongTables(arm)];
   return [
     ...changes.map(([one, change]) => ({ cause: one, change })),
     ...Array.from(recipes(c), ([one, recipe]) => ({ cause: one, recipe })),
@@ -44,22 +43,21 @@ export function steps(arm, q, frame) {
 export const single = (arm, frame, all) =>
   all.map((one) => ({ cause: one.cause, make: jacobianOf(arm, frame, one) }));
 
-/** One slip in one column only. @returns {Generator<import("./ranking.js").Slip>} */
-export function* inOneColumn(arm, frame, all) {
+/**
+ * One column that is another joint's: the column beside it, copied.
+ * @returns {Generator<import("./ranking.js").Slip>}
+ */
+export function* copies(arm, frame) {
   const right = jacobianOf(arm, frame);
   const joint = numbered(arm);
-  for (const { cause: one, recipe, write } of all) {
-    if (!(recipe || write) || "i" in one.fields[0]) continue;
-    const wrong = jacobianOf(arm, frame, { recipe, write });
-    for (const [k, i] of joint.entries()) {
+  for (const k of joint.keys())
+    for (const n of [k - 1, k + 1].filter((one) => one in joint)) {
       const make = (q) => {
         const J = right(q);
-        return wrong(q).map((x, n) => (n % joint.length === k ? x : J[n]));
+        return J.map((x, i) => (i % joint.length === k ? J[i - k + n] : x));
       };
-      const fields = { joint: i, slip: nameOf(one), _words: lower(wordsOf(one)) };
-      yield { cause: cause("J.in column", fields), make };
+      yield { cause: cause("J.column of", { joint: joint[n], i: joint[k] }), make };
     }
-  }
 }
 
 /**
@@ -96,17 +94,11 @@ export function* recipes(c) {
   const angular = (options) => (c1, T) =>
     chains.halves(chains.columns(c1, T), chains.columns(c1, T, options(c1)));
   const late = ({ at }) => at.map((i) => i + 1);
-  const counted = ({ at }) => at.map((_, k) => k);
   yield [cause("J.z_i angular"), angular((c1) => ({ axis: late(c1) }))]; // slip 19
   yield [cause("J.z_0 angular"), angular(({ at }) => ({ axis: at.map(() => 0) }))]; // handed in
   // handed in
   yield [cause("J.one frame late"), by((c1) => ({ axis: late(c1), origin: late(c1) }))];
   yield [cause("J.z_i"), by((c1) => ({ axis: late(c1) }))]; // slip 19, in both halves
-  if (c.at.some((i, k) => i !== k)) {
-    // slip 25: one list of joints, 1, 2, 4 ... 7
-    yield [cause("J.z counted on angular"), angular((c1) => ({ axis: counted(c1) }))];
-    yield [cause("J.z counted on"), by((c1) => ({ axis: counted(c1), origin: counted(c1) }))];
-  }
   yield [cause("J.origin late"), by((c1) => ({ origin: late(c1) }))]; // handed in
   yield [cause("J.lever tip"), by(() => ({ subtracted: false }))]; // handed in
   yield [cause("J.no cross"), by(() => ({ crossed: false }))]; // handed in
@@ -148,9 +140,8 @@ function* writings(arm, { dof, turns }, frame) {
   if (dof === 6) yield [cause("J.transposed"), (J) => chains.transposed(J, [6, 6])]; // handed in
   yield [cause("J.reversed order"), order((k) => dof - 1 - k)]; // joints named q6 ... q1
   yield* framesMistaken(arm, frame);
-  const joint = numbered(arm); // handed in: one joint the other way, two joints exchanged
+  const joint = numbered(arm); // handed in: two joints exchanged
   for (let i = 0; i < dof; i++) {
-    yield [cause("J.column sign", { i: joint[i] }), each((x, _, k) => (k === i ? -x : x))];
     for (let j = i + 1; j < dof; j++) {
       const exchanged = order((k) => (k === i ? j : k === j ? i : k));
       yield [cause("J.columns exchanged", { i: joint[i], j: joint[j] }), exchanged];

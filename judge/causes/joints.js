@@ -4,7 +4,7 @@
 import { cosSin } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { numbered, turning } from "../reading/numbers.js";
-import { both, cause } from "./ranking.js";
+import { cause } from "./ranking.js";
 import { makersSigns } from "./tables.js";
 
 const QUARTER = Math.PI / 2;
@@ -29,15 +29,7 @@ export const slips = (arm) => [...single(arm), ...whole(arm)];
 /** Slips in all joints at once. @returns {Generator<Slip>} */
 function* whole(arm) {
   const turns = turning(arm);
-  const eachOf = (turn, slide) => (q) => q.map((x, k) => x * (turns[k] ? turn : slide));
-  const degrees = cause("ik.degrees");
-  yield [degrees, eachOf(RAD, 1)];
-  yield [cause("ik.all signs"), (q) => q.map((x) => -x)]; // joints counted the other way
-  if (turns.includes(false)) {
-    const millimetres = cause("ik.slide in millimetres"); // slip 26
-    yield [millimetres, eachOf(1, 1e-3)];
-    yield [both(degrees, millimetres), eachOf(RAD, 1e-3)];
-  }
+  yield [cause("ik.degrees"), (q) => q.map((x, k) => (turns[k] ? x * RAD : x))];
   if (turns.length > 1) yield [cause("ik.reversed order"), (q) => [...q].reverse()]; // q6 ... q1
   const signs = makersSigns(arm);
   if (signs) yield [cause("ik.makers signs"), (q) => q.map((x, k) => signs[k] * x)]; // handed in

@@ -6,7 +6,6 @@ import { RAD } from "../geometry/angles.js";
 import { both, cause } from "./ranking.js";
 import { fromCraig } from "../reading/table.js";
 
-const [SMALL, LARGE] = [1e-2, 10]; // m: lengths beyond these were meant in the other unit
 const TURN = 6.4; // rad: a larger angle was meant in degrees
 
 /** @typedef {import("../geometry/axes.js").Numbers} Numbers */
@@ -17,65 +16,33 @@ const TURN = 6.4; // rad: a larger angle was meant in degrees
 export const joined = (first, second) =>
   first && second ? both(first, second) : (first ?? second);
 
-// The readings of the numbers that their sizes allow: lengths in m, cm or mm, angles in radians or
-// degrees.
+// The units that the numbers may have been typed in: millimetres for metres, degrees for radians.
 /** @returns {[Cause | null, Numbers[]][]} */
 export function units(rows, reference) {
-  const wanted = totalLength(reference) || 1;
-  /** @type {[Cause, Numbers[] | null][]} */
-  const sizes = [
-    [cause("table.millimetres"), scaledBy(rows, 1e-3)],
-    [cause("table.centimetres"), scaledBy(rows, 1e-2)],
-    [cause("table.mixed units"), ofOneSize(rows)],
-  ];
-  /** @type {[Cause | null, Numbers[]][]} */
-  const lengths = [[null, rows]];
-  for (const [why, read] of sizes) {
-    const share = read ? totalLength(read) / wanted : 0;
-    if (0.2 < share && share < 5) lengths.push([why, read ?? []]);
-  }
-  return lengths.flatMap(([first, read]) =>
-    angleUnits(rows).map(([second, t, o]) => {
-      const turned = read.map((r) => ({ ...r, alpha: r.alpha * t, theta: r.theta * o }));
-      return /** @type {[Cause | null, Numbers[]]} */ ([joined(first, second), turned]);
-    }),
+  const share = (1e-3 * totalLength(rows)) / (totalLength(reference) || 1);
+  const long = 0.2 < share && share < 5;
+  const turned = rows.some((r) => Math.max(Math.abs(r.alpha), Math.abs(r.theta)) > TURN);
+  /** @type {[Cause | null, number][][]} */
+  const [lengths, angles] = [[[null, 1]], [[null, 1]]];
+  if (long) lengths.push([cause("table.millimetres"), 1e-3]);
+  if (turned) angles.push([cause("table.degrees"), RAD]);
+  return lengths.flatMap(([first, m]) =>
+    angles.map(([second, rad]) => [
+      joined(first, second),
+      rows.map((r) => ({
+        ...r,
+        a: r.a * m,
+        d: r.d * m,
+        alpha: r.alpha * rad,
+        theta: r.theta * rad,
+      })),
+    ]),
   );
 }
-
-// The units that twists and joint angles may have been typed in, as factors.
-/** @returns {[Cause | null, number, number][]} */
-function angleUnits(rows) {
-  const largest = Math.max(...rows.map((r) => Math.abs(r.theta)));
-  if (largest <= TURN && rows.every((r) => Math.abs(r.alpha) <= TURN)) return [[null, 1, 1]];
-  // The zero of a joint that turns is free: only its size tells in what unit it is.
-  const held = rows.some((r) => r.kind !== "revolute" && r.theta);
-  const small = 0 < largest && largest <= TURN;
-  return [
-    [null, 1, 1],
-    ...(held || !small ? [row(cause("table.degrees"), RAD, RAD)] : []),
-    ...(held || small ? [row(cause("table.twists in degrees"), RAD, 1)] : []),
-  ];
-}
-
-/** @returns {[Cause, number, number]} */
-const row = (why, twists, angles) => [why, twists, angles];
 
 // All lengths of a table added up.
 export const totalLength = (rows) =>
   rows.reduce((sum, r) => sum + (Math.abs(r.a) + Math.abs(r.d)), 0);
-
-const scaledBy = (rows, factor) => rows.map((r) => ({ ...r, a: r.a * factor, d: r.d * factor }));
-
-// Lengths of which some were typed in metres and some in millimetres, all in metres; null where
-// they are of one size.
-function ofOneSize(rows) {
-  const read = (x) => (Math.abs(x) < SMALL ? x * 1e3 : Math.abs(x) >= LARGE ? x * 1e-3 : x);
-  const found = rows.map((r) => ({ ...r, a: read(r.a), d: read(r.d) }));
-  const changed = new Set(
-    rows.flatMap((r, k) => ["a", "d"].filter((c) => r[c]).map((c) => r[c] === found[k][c])),
-  );
-  return changed.size === 2 ? found : null;
-}
 
 const swap = (one, other) => (rows) =>
   rows.map((r) => ({ ...r, [one]: r[other], [other]: r[one] }));
@@ -90,10 +57,7 @@ export function structures(count, modified) {
     [cause("table.alpha and theta"), swap("alpha", "theta")],
     [cause("table.a and d"), swap("a", "d")],
     ...craig,
-    [cause("table.d and theta"), swap("d", "theta")],
-    [cause("table.a and alpha"), swap("a", "alpha")],
     [cause("table.twists"), (rows) => rows.map((r) => ({ ...r, alpha: -r.alpha }))],
-    [cause("table.rows reversed"), (rows) => [...rows].reverse()],
     [cause("table.into craig"), toCraig],
     ...Array.from({ length: count }, (_, k) => aAndDOf(k)),
     ...places.map(([i, j]) => [cause(EXCHANGED, { i: i + 1, j: j + 1 }), exchanged(i, j)]),
@@ -136,17 +100,3 @@ export const references = (arm) => [
       : [[why, rows]];
   }),
 ];
-
-// One sign turned.
-/** @returns {[Cause, Numbers[]][]} */
-export const flips = (rows) =>
-  rows.flatMap((row, k) =>
-    ["alpha", "a", "d"].flatMap((column) => {
-      const twist = column === "alpha";
-      if (!row[column] || (twist && Math.abs(Math.sin(row.alpha)) < 1e-9)) return [];
-      const why = twist
-        ? cause("table.twist", { row: k + 1 })
-        : cause("table.sign", { column, row: k + 1 });
-      return [[why, rows.map((r, i) => (i === k ? { ...r, [column]: -r[column] } : r))]];
-    }),
-  );

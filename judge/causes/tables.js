@@ -62,10 +62,9 @@ function ofRow(row, k) {
     (c) => ({ ...c, rows: c.rows.map((one, i) => (i === k ? { ...one, ...entries } : one)) }),
   ];
   const found = [];
-  if (Math.abs(Math.sin(row.alpha)) > 1e-9) {
+  if (Math.abs(Math.sin(row.alpha)) > 1e-9)
     found.push(put("table.twist", at, { alpha: -row.alpha }));
-    found.push(put("table.no twist", at, { alpha: 0 }));
-  }
+  if (row.alpha) found.push(put("table.no twist", at, { alpha: 0 }));
   for (const column of ["a", "d"]) {
     if (!row[column]) continue;
     found.push(put("table.sign", { column, ...at }, { [column]: -row[column] }));
@@ -78,27 +77,21 @@ function ofRow(row, k) {
   return found;
 }
 
-const MILLIMETRES = 10; // a slide this long is in no metres
 const MAKERS = [2, 4, 7]; // joints that the Panda's maker counts the other way
 
 // The signs of an arm's joints as the Panda's maker has them; none where there are not seven rows.
 export const makersSigns = (arm) =>
   arm.rows.length === 7 ? numbered(arm).map((i) => (MAKERS.includes(i) ? -1 : 1)) : null;
 
-// Other joint values: in degrees, or in radians where degrees were meant; slides in millimetres, or
-// in metres where they are so long; one joint the other way, or those of the Panda's maker.
+// Other joint values: in degrees, or in radians where degrees were meant; one joint the other way,
+// or those of the Panda's maker.
 /** @returns {Change[]} */
-export function otherPoses(key, arm, q) {
+export function otherPoses(key, arm) {
   const turns = turning(arm);
   const joint = numbered(arm);
   /** @returns {Change} */
   const put = (one, change) => [one, (c) => ({ ...c, q: c.q.map(change) })];
   const found = [RAD, DEG].map((factor) => put(cause(key), (x, k) => (turns[k] ? x * factor : x)));
-  if (turns.includes(false)) {
-    const long = q.some((x, k) => !turns[k] && Math.abs(x) > MILLIMETRES);
-    const factor = long ? 1e-3 : 1e3;
-    found.push(put(cause("ik.slide in millimetres"), (x, k) => (turns[k] ? x : x * factor)));
-  }
   const signs = makersSigns(arm);
   if (signs) found.push(put(cause("ik.makers signs"), (x, k) => signs[k] * x));
   for (const k of joint.keys())

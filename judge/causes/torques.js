@@ -66,9 +66,9 @@ function atPose(load, F) {
 }
 
 /** @returns {Step[]} */
-export const steps = (arm, load, q) => [
+export const steps = (arm, load) => [
   ...bodies(arm, load),
-  ...chainsOf(arm, q),
+  ...chainsOf(arm),
   ...weights(load),
   ...forces(load),
   ...writings(arm),
@@ -77,7 +77,7 @@ export const steps = (arm, load, q) => [
 // Slips in the table or q; without the pen the last centre of mass stays where it is, so that its
 // coordinates change.
 /** @returns {Step[]} */
-function chainsOf(arm, q) {
+function chainsOf(arm) {
   const tables = wrongTables(arm).filter(
     ([
       {
@@ -86,7 +86,7 @@ function chainsOf(arm, q) {
     ]) => key !== "table.locked row",
   );
   const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
-  return [...otherPoses("tau.degrees", arm, q), ...tables].map(([one, change]) => ({
+  return [...otherPoses("tau.degrees", arm), ...tables].map(([one, change]) => ({
     cause: one,
     change: (load) => ({
       ...load,
@@ -123,15 +123,21 @@ export function* pairs(load, dof, all) {
 /** @returns {Generator<Step>} */
 function* writings(arm) {
   yield { cause: cause("tau.all signs"), write: (tau) => times(-1, tau) }; // handed in
-  yield { cause: cause("tau.newton millimetres"), write: (tau) => times(1000, tau) }; // slip 26
   yield { cause: cause("tau.reversed order"), write: (tau) => [...tau].reverse() }; // tau_7 first
   const signs = makersSigns(arm); // as Pinocchio's model has them
   if (signs)
     yield { cause: cause("tau.makers signs"), write: (tau) => tau.map((x, k) => signs[k] * x) };
 }
 
+// What each joint's own link weighs, without those behind it.
+function ownLinks(at) {
+  const alone = at.masses.map((_, i) => at.masses.map((mass, k) => (k === i ? mass : 0)));
+  return at.c.at.map((row, k) => weightOf({ ...at, masses: alone[row] })[k]);
+}
+
 /** @returns {Generator<Step>} */
 function* weights({ c }) {
+  yield { cause: cause("tau.own link"), weight: ownLinks }; // handed in
   yield { cause: cause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
   yield { cause: cause("tau.weight sign"), weight: (at) => times(-1, weightOf(at)) }; // slip 24
 }
@@ -144,8 +150,6 @@ function* forces({ wrenches, c: { dof } }) {
   yield { cause: cause("tau.force missing"), force: by((F) => times(0, F)) }; // half an answer
   const tool = by((F, T) => chains.wrenchFrom(T, F));
   yield { cause: cause("tau.force in tool"), force: tool }; // handed in
-  const swap = by((F) => [...F.slice(3), ...F.slice(0, 3)]);
-  yield { cause: cause("tau.force and moment"), force: swap }; // conventions: (m, f)
   const across = ({ J, F, c }) => chains.through(chains.transposed(J, [c.dof, 6]), F);
   if (dof === 6) yield { cause: cause("tau.J for J^T"), force: across }; // handed in
   const late = ({ at }) => at.map((row) => row + 1);
@@ -164,8 +168,8 @@ function* bodies(arm, load) {
   const put = (key, change, fields = {}) => ({ cause: cause(key, fields), change });
   const g = Math.hypot(...load.gravity);
   const under = (other) => ({ gravity: times(other / (g || 1), load.gravity) });
-  for (const other of [9.8, 1]) {
-    // slip 8; handed in: g left out
+  for (const other of [9.8, 10]) {
+    // slip 8; handed in
     if (g && Math.abs(g - other) > 1e-9)
       yield put("tau.gravity", (at) => ({ ...at, ...under(other) }), { g: other });
   }
@@ -184,6 +188,10 @@ function* masses(arm, { masses: all }, put) {
     "tau.grams",
     by((mass) => 1000 * mass),
   ); // handed in
+  for (const step of [1, -1]) {
+    const moved = by((_, k) => all[k + step] ?? 0); // handed in
+    yield put("tau.masses moved", moved);
+  }
   const other = (arm.robots ?? []).find((one) => one.masses);
   if (other)
     yield put(

@@ -104,7 +104,6 @@ function* shapes(path, tip, blur) {
     const words = { first: "xyz"[i], second: "xyz"[j] };
     yield [cause("trace.axes exchanged", words), left(tip.map(exchanged))];
   }
-  yield [cause("trace.phase"), otherPhase(wanted, tip)];
 }
 
 // The coordinates of the path's centre that are left out, where a path's displacement is just
@@ -140,16 +139,6 @@ function fractionOf(path, wanted, tip, blur) {
       !best || one[1] < best[1] || (one[1] === best[1] && one[0] < best[0]) ? one : best,
     /** @type {[number, number] | null} */ (null),
   );
-}
-
-// What is left where a closed path is drawn from another point on: its last point equals its first.
-function otherPhase(wanted, tip) {
-  const once = tip.slice(0, -1);
-  const n = once.length;
-  const away = once.map((p) => norm(minus(p, wanted[0])));
-  const nearest = away.reduce((best, x, k) => (x < away[best] ? k : best), 0);
-  const turns = [-2, -1, 0, 1, 2].map((step) => (((nearest + step) % n) + n) % n).filter((k) => k);
-  return Math.min(...turns.map((k) => farthest([...once.slice(k), ...once.slice(0, k)], wanted)));
 }
 
 // A vector in mm, to three digits of its largest coordinate at most.
@@ -193,20 +182,16 @@ export function tableCause(q, arm, path, allowed) {
  * The rule by which each step's joints follow from the one before: another Jacobian, or another
  * step's velocity; null where the right one explains them, or none clearly. For a step of Euler's
  * method J(q_k) (q_{k+1} - q_k) / dt is the velocity of step k, for Runge's and Kutta's the one in
- * the middle. Where the right one holds in a run that is `wrong`, its steps are too long.
+ * the middle.
  * @param {number[][]} q @param {number[]} units the largest unit of each joint's last places @param
  *   {Path} path
  * @returns {Cause | null}
  */
-export function loopCause(q, units, arm, path, wrong = false) {
+export function loopCause(q, units, arm, path) {
   if (q.length < 4) return null;
   const both = [0, 0.5].map((share) => stepsOf(q, units, arm, path, share));
-  const [euler] = both;
   const right = Math.min(...both.map((steps) => steps.right));
-  if (right < HOLDS) {
-    const coarse = wrong && euler.right < HOLDS && euler.clear;
-    return coarse ? cause("trace.coarse", { _steps: path.times.length - 1 }) : null;
-  }
+  if (right < HOLDS) return null;
   const rules = both.flatMap((steps) => [...rulesOf(steps)]);
   const least = Math.min(...rules.map(({ left }) => left));
   const best = rules.find(({ left }) => left <= AS_WELL * least);
@@ -315,6 +300,7 @@ function* rulesOf(steps) {
     yield { one: cause("J.millimetres"), left, fits: left < HOLDS };
   }
   yield held(steps, cause("trace.next velocity"), own, (sample) => sample.later);
+  yield held(steps, cause("trace.jacobian held"), () => samples[0].J, now); // handed in
   const each = (at) => Array.from(recipes(at), ([one, made]) => [one, made(at, framesOf(at))]);
   const wrong = (sample) => (sample.made ??= each(sample.at)); // where it is looked at
   for (const [k, [one]] of wrong(samples[0]).entries()) {
@@ -327,7 +313,6 @@ function* rulesOf(steps) {
   if (steps.rows < 6) return;
   const dof = steps.own.length;
   yield moves(steps, cause("trace.position only"), ({ J, now: v }) => leastRates(J, dof, v));
-  yield moves(steps, cause("trace.transpose"), ({ J, now: v }) => upwards(J, dof, v));
 }
 
 function fails(steps, J, linear, most = Infinity) {

@@ -45,7 +45,7 @@ function once(make) {
 
 function blocksOf(all, names, given) {
   const runs = all.filter(({ cells }) => !given.some((one) => isGiven(cells, one)));
-  const blocks = [...stretches(runs, names), ...byName(runs), ...byPlace(runs)];
+  const blocks = [...stretches(runs, names), ...repeated(runs), ...byName(runs), ...byPlace(runs)];
   return blocks.map((block) => ({ ...block, beside: () => besides(block, runs) }));
 }
 
@@ -124,6 +124,17 @@ function sideBySide(found) {
   const rows = parts[0].rows.map((_, i) => parts.flatMap((part) => part.rows[i]));
   const runs = parts.flatMap((part) => part.runs);
   return [{ ...parts[0], rows, heads: [], to: parts.at(-1).to, runs }];
+}
+
+// Rows with one name, "positions:", between which other numbers stand.
+function repeated(runs) {
+  const named = new Map();
+  for (const run of runs) {
+    const name = `${run.cells.length} ${run.words.join(" ")}`;
+    if (run.words.length && run.cells.length > 1)
+      named.set(name, [...(named.get(name) ?? []), run]);
+  }
+  return [...named.values()].filter((own) => own.length > 2).map(blockOf);
 }
 
 // Single values with names of joints, q1 = 0.3: a row for each set of them.

@@ -11,10 +11,11 @@ const LONGEST = 2_000_000; // characters of a text: a run of 20 000 steps
 
 /**
  * How many rows and columns are asked for, any number where null; what its rows are named after,
- * "row" or "joint"; whether a column is turned into a row. `names` are those of the answer, `given`
- * what the question itself holds, `wanted` the shape in words.
- * @typedef {{ rows: number | null, columns: number | null, by?: string,
- *   turned?: boolean }} Want
+ * "row" or "joint"; whether a column is turned into a row; whether of several the largest is meant.
+ * `names` are those of the answer, `given` what the question itself holds, `wanted` the shape in
+ * words.
+ * @typedef {{ rows: number | null, columns: number | null, by?: string, turned?: boolean,
+ *   largest?: boolean }} Want
  * @typedef {{ what: string, wants: Want[], isEntry: (cell: string) => boolean, names?: RegExp,
  *   given?: number[][], which?: number | null, wanted?: string }} Question
  */
@@ -33,8 +34,8 @@ export function find(text, question) {
   const whole = given.length ? blocksIn(text, { isEntry, names }) : [];
   for (const want of wants)
     for (const blocks of want.rows > 1 ? [...whole, ...own] : own) {
-      const one = chosen(fitting(blocks(), want, names), question);
-      if (one) return { ...one, ...around(text, one) };
+      const one = chosen(fitting(blocks(), want, question), question);
+      if (one) return { ...named(one, want, text), ...around(text, one) };
     }
   throw refusal(text, question, own);
 }
@@ -42,12 +43,12 @@ export function find(text, question) {
 const NONE = /(?!)/; // no name
 
 // The blocks that fit, those with the answer's name where there are some; of any shape the largest.
-function fitting(blocks, want, names) {
+function fitting(blocks, want, { wants, names = NONE }) {
   const each = want.rows === 1 ? blocks.flatMap(rowsAlone) : blocks;
-  const fits = each.flatMap((block) => fitted(block, want, names));
-  const named = fits.filter(({ name }) => names.test(bare(name)));
-  if (named.length) return named;
-  return want.columns === null && want.rows === null ? largest(fits) : fits;
+  const fits = each.flatMap((block) => fitted(block, want, wants, names));
+  if (want.largest || (want.columns === null && want.rows === null)) return largest(fits);
+  const called = fits.filter(({ name }) => names.test(bare(name)));
+  return called.length ? called : fits;
 }
 
 const count = ({ rows }) => rows.flat().length;
@@ -57,16 +58,28 @@ const bare = (name) => name.replace(/^[^\p{L}]+/u, "");
 
 // The one that is meant: the last of equal ones; of several that differ the one that was chosen.
 function chosen(fits, { which = null }) {
-  const different = [...new Map(fits.map((one) => [JSON.stringify(one.rows), one])).values()];
+  const all = [...new Map(fits.map((one) => [JSON.stringify(one.rows), one])).values()];
+  const answers = all.filter(({ rows }) => rows.length > 1 || !countsJoints(rows[0]));
+  const different = answers.length ? answers : all;
   if (different.length < 2 || which !== null) return different[(which ?? 1) - 1];
-  const told = different.map(({ rows, from }) => `line ${from + 1} (${shown(rows[0].join(" "))})`);
-  const advice = different.map((_, k) => ({ field: "which", value: k + 1 }));
+  const told = different
+    .slice(0, MOST)
+    .map(({ rows, from }) => `line ${from + 1} (${shown(rows[0].join(" "))})`);
+  const advice = told.map((_, k) => ({ field: "which", value: k + 1 }));
   throw new ArmError(say("which", { blocks: listed(told) }), advice);
 }
 
-// The block as it is wanted, or nothing.
-function fitted(block, want, names) {
-  const upright = [block, ...columnOf(block, names), ...withoutLabels(block)];
+const MOST = 5; // answers to choose from
+
+// Whether a row only numbers the joints, as in "for joints 1, 2, 4, 5, 6 and 7".
+const countsJoints = (cells) =>
+  cells.every((cell, k) => /^\d$/.test(cell) && (!k || cell > cells[k - 1]));
+
+// The block as it is wanted, or nothing. Of a row that is wanted as it stands no number counts it.
+function fitted(block, want, wants, names) {
+  const whole =
+    block.rows.length === 1 && wants.some((one) => one.columns === block.rows[0].length);
+  const upright = [block, ...columnOf(block, names), ...(whole ? [] : withoutLabels(block))];
   const lying = want.by ? upright.filter((one) => liesBy(one, want)).map(transposed) : [];
   const is = ({ rows }) =>
     (want.rows === null || rows.length === want.rows) &&
@@ -122,12 +135,47 @@ function transposed(block) {
   };
 }
 
+// In the order of names that the text lists apart from the values, as ROS does.
+/** @param {any} block @param {Want} want @param {string} text */
+function named(block, { by, turned, columns }, text) {
+  const [own] = block.rows;
+  if (by !== "joint" || (!turned && columns === null) || block.said.length) return block;
+  const at = listedIn(text, own.length);
+  if (!at || at.every((one, k) => !k || one > at[k - 1])) return block;
+  const order = at.map((_, k) => k).sort((p, q) => at[p] - at[q]);
+  const rows = block.rows.map((row) => order.map((k) => row[k]));
+  return { ...block, rows, said: [say("taken: by names")] };
+}
+
+// The numbers of so many joints whose names stand beside each other, null where none do.
+function listedIn(text, count) {
+  const words = plainSigns(text).split(/[\s,;:[\]{}"-]+/);
+  const labels = words.map((word) => (/\p{L}/u.test(word) ? labelIn([word]) : null));
+  const held = [];
+  for (const label of [...labels, null]) {
+    if (label?.kind === "joint") held.push(label.at);
+    else if (held.length === count && new Set(held).size === count) return held;
+    else held.length = 0;
+  }
+  return null;
+}
+
+const ANGULAR = /^(?:J_?\{?)?(?:ω|w|omega|angular)\}?$/i;
+const LINEAR = /^(?:J_?\{?)?(?:v|linear)\}?$/i;
+
+// The rows of a Jacobian whose lower half is named as the linear one.
+function halvesNamed({ labels, rows }, by) {
+  const [upper, lower] = [labels[0], labels[3] ?? []].map((words) => words.at(-1) ?? "");
+  const is = by === "row" && rows.length === 6 && ANGULAR.test(upper) && LINEAR.test(lower);
+  return is ? [3, 4, 5, 0, 1, 2] : null;
+}
+
 // In the order of the labels.
 function ordered(block, { by }) {
   const [rows, heads] = [labelsOf(block.labels), headsOf(block)];
   const order = (label) => label.at.map((_, k) => k).sort((p, q) => label.at[p] - label.at[q]);
   const whole = rows && (by === "row" ? rows.kind === "row" : rows.kind === "joint");
-  const down = whole ? order(rows) : block.rows.map((_, i) => i);
+  const down = whole ? order(rows) : (halvesNamed(block, by) ?? block.rows.map((_, i) => i));
   const across = heads?.kind === "joint" ? order(heads) : block.rows[0].map((_, k) => k);
   const moved = [...down, -1, ...across].join() !== [...down.keys(), -1, ...across.keys()].join();
   return {
@@ -151,21 +199,27 @@ function columnOf(block, names) {
 // The block without a first column that counts its rows or tells the time, or names them, and
 // without a first row that counts or names its columns.
 function withoutLabels(block) {
-  const { rows, labels } = block;
-  const down = rows.map((row) => row[0]);
-  const found = [];
-  if (rows[0].length > 1 && (isSeries(down) || named(down))) {
-    const words = labels.map((own, i) => [...own, rows[i][0]]);
-    found.push({ ...block, rows: rows.map((row) => row.slice(1)), labels: words });
-  }
-  if (rows.length > 1 && (isCount(rows[0]) || named(rows[0]))) {
-    const below = { ...block, rows: rows.slice(1), labels: labels.slice(1), heads: rows[0] };
-    found.push(below, ...withoutLabels(below));
-  }
-  return found;
+  const below = withoutRow(block);
+  const once = [block, ...below].flatMap(withoutColumn);
+  return [...once, ...below, ...once.flatMap(withoutColumn)];
 }
 
-const named = (cells) => {
+function withoutColumn(block) {
+  const { rows, labels } = block;
+  const down = rows.map((row) => row[0]);
+  if (rows[0].length < 2 || !(isSeries(down) || areNames(down))) return [];
+  const words = labels.map((own, i) => [...own, rows[i][0]]);
+  return [{ ...block, rows: rows.map((row) => row.slice(1)), labels: words }];
+}
+
+function withoutRow(block) {
+  const { rows, labels } = block;
+  const [first, ...rest] = rows;
+  if (!rest.length || first.length < 2 || !(isCount(first) || areNames(first))) return [];
+  return [{ ...block, rows: rest, labels: labels.slice(1), heads: first }];
+}
+
+const areNames = (cells) => {
   const found = labelsOf(cells.map((cell) => [cell]));
   return found !== null && cells.every((cell) => number(cell) === null);
 };
@@ -188,11 +242,11 @@ function isSeries(cells) {
 
 // The text without the block, and what of it is told to be set aside: its lines that say something,
 // and numbers on the block's own lines that name no row.
-export function around(text, { from, to, beside, labels }) {
+export function around(text, { from, to, beside, labels, heads }) {
   const lines = text.split(/\r\n|[\n\r]/);
   const rest = lines.filter((_, i) => i < from || i > to);
   const told = rest.filter((line) => /[\p{L}\d]/u.test(plainSigns(line)));
-  const context = [...rest, ...labels.flat()].join("\n");
+  const context = [...rest, ...labels.flat(), ...heads].join("\n");
   return { context, left: [...told.map((line) => line.trim()), ...beside()] };
 }
 
@@ -200,6 +254,7 @@ export function around(text, { from, to, beside, labels }) {
 const SAID = [
   ["no solution", /\bno (?:real )?solutions?\b|\bunreachable\b|\bkeine Lösung|\bsin solución/i],
   ["not finite", /(?<![\p{L}])(?:nan|[-+]?inf(?:inity)?)(?!\p{L})|∞/iu],
+  ["doubtful sign", /~\s*[\d.]/],
   ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
   ["two signs", /±|\\pm(?![A-Za-z])/],
   ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m],

@@ -104,10 +104,10 @@ const MIXED = /(?<![A-Za-z0-9_.])([0-9]+) ?([⅓½¼])/g;
 const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
 const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
 const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]))`, "y");
-const RUN = /^(?:[acdls]_?(?:\d|\{[\d+-]+\})+){2,}$/; // c_1s_23 and a_2c_2
-const SHORT = /[acdls]_?(?:\d|\{[\d+-]+\})+/g;
+const RUN = /^(?:[acdlsCS]_?(?:\d|\{[\d+-]+\})+){2,}$/; // c_1s_23 and a_2C_2
+const SHORT = /[acdlsCS]_?(?:\d|\{[\d+-]+\})+/g;
 
-const LETTER_O = /(?<![A-Za-z0-9_])[0-9.]+[oO][0-9.]*(?![A-Za-z_])/; // for a 0, or a raised one
+const LETTER_O = /(?<![A-Za-z0-9_.])[0-9.]+[oO][0-9.]*(?![A-Za-z_])/; // for a 0, or a raised one
 
 const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 

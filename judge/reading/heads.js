@@ -8,8 +8,8 @@ const meaning = (words, entry) => words.split(" ").map((word) => [word, entry]);
 const WORDS = new Map([
   ...meaning("theta th q jointangle angle tht thetai qi thi", "theta"),
   ...meaning("d offset linkoffset di dm dmm", "d"),
-  ...meaning("a r linklength length ai ri", "a"),
-  ...meaning("alpha twist linktwist alphai al alp", "alpha"),
+  ...meaning("a r linklength length ai ri aprev", "a"),
+  ...meaning("alpha twist linktwist alphai al alp alphaprev", "alpha"),
   ...meaning("i link joint j n frame row # no linki jointi k", "i"),
 ]);
 
@@ -24,9 +24,6 @@ export function headOf(cell) {
   return WORDS.get(word) ?? WORDS.get(word.replace(/[ijkn]$/, "")) ?? WORDS.get(last);
 }
 
-// Which entry a single name is, as in d_1.
-export const columnOf = (name) => WORDS.get(name.toLowerCase());
-
 export function fromHeads(heads) {
   const text = heads.join(" ");
   const unit = ["mm", "cm"].find((u) => new RegExp(String.raw`[(\[ /_]${u}\b`).test(text));
@@ -35,5 +32,5 @@ export function fromHeads(heads) {
       new RegExp(String.raw`[(\[]\s*${u}\s*(?:[)\]]|$)|/${u}\b`).test(text),
     ) ?? null;
   const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
-  return { lengths: unit ?? own, angles, convention: /-\s*1/.test(text) ? "craig" : null };
+  return { lengths: unit ?? own, angles, convention: /-\s*1|prev/.test(text) ? "craig" : null };
 }

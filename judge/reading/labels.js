@@ -5,7 +5,7 @@ import { plain } from "./formula.js";
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
 const JOINT =
-  /^(?:q|th|theta|tau|τ|t|g|j|a|l|joint|panda_?joint|fr3_?joint|axis|link|row|col(?:umn)?|torque)$/;
+  /^(?:q|th|theta|tau|τ|[tgjalc]|joint|panda_?joint|fr3_?joint|axis|link|row|col(?:umn)?|torque)$/;
 const ORDINALS = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh"];
 // As the driver of a UR10e and its pendant call them.
 const UR = [

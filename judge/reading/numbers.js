@@ -150,9 +150,9 @@ function ofText(text, { known, ...question }) {
     entries[i].worth === 1 || entries[i].angle ? tree : ["num", values[i]],
   );
   const shape = [found.rows.length, found.rows[0].length];
-  const { said, left, context } = found;
+  const { said, left } = found;
   const read = { values, units: unitsOf(entries), shape, trees: shown, symbolic: used.size > 0 };
-  return { ...read, entries, said, left, says: unitsSaid(context) };
+  return { ...read, entries, said, left, says: unitsSaid(text) };
 }
 
 const IN_DEGREES = /^([-+]?[\d.]+) ?\*? ?deg$/;
@@ -187,13 +187,23 @@ export function rowsGiven(target) {
   return rows.filter((row) => Array.isArray(row) && row.every(Number.isFinite));
 }
 
-// One joint vector, with its units.
+// One joint vector, with its units; what is told of locked joints is left out.
 export function pose(q, arm, angles = "rad") {
   const wants = jointShapes(arm, false);
-  const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), { wants });
+  const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), { wants });
+  const typed = given.values.length === arm.rows.length ? ofMoving(given, arm) : given;
   if (typed.values.length !== joints(arm).length)
     throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
   return inRadians(typed, arm, angles);
+}
+
+// One value for each row of an arm, pose after pose, without those of its locked joints.
+export function ofMoving(typed, arm) {
+  const moving = joints(arm);
+  const kept = (list) => list.filter((_, i) => moving.includes(i % arm.rows.length));
+  const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
+  const shape = typed.shape.map((n) => (n === arm.rows.length ? moving.length : n));
+  return { ...typed, values, units, entries, shape };
 }
 
 // An error where values are too few or too many.

@@ -49,8 +49,16 @@ function isList(text, { at, sign, parted, leaf }, end) {
   if (word && isFunction(word.toLowerCase())) return false;
   if (sign === "{") return !/[\w^}]/.test(before);
   if (sign === "[") return !/[\w})]/.test(before) || end - at > MOST_INDEX;
-  return parted || !leaf;
+  return isRound(text, { at, parted, leaf }, end, before);
 }
+
+// Round brackets that are no index and hold several things.
+function isRound(text, { at, parted, leaf }, end, before) {
+  if (/\w/.test(before) && end - at <= MOST_INDEX) return false;
+  return parted || !leaf || (/[\s=]/.test(before) && NUMBERS.test(text.slice(at + 1, end)));
+}
+
+const NUMBERS = /^\s*[-+]?[\d.]+(?:\s+[-+]?[\d.]+)+\s*$/; // beside each other
 
 /**
  * @param {string} text in plain signs
@@ -89,6 +97,7 @@ const started = (isEntry, way) => ({
   words: /** @type {string[]} */ ([]),
   above: /** @type {string[]} */ ([]),
   name: "",
+  named: -1, // the line of a name before =
   scale: "",
   line: 0,
   part: 0,
@@ -130,10 +139,11 @@ function lineEnded(state) {
 }
 
 const PARTING = ["\t", "&", "|", ";"];
+const DECIMAL_COMMA = /^\s*[-+]?\d+,\d+\s*$/; // where another sign parts the cells
 
 // The cells of what stands between two brackets or row's ends go to the runs.
 function segment(text, state) {
-  const { isEntry, way } = state;
+  const { way } = state;
   const line = state.line;
   state.line += text.split(GOES_ON).length - 1;
   if (!text.trim()) return;
@@ -141,13 +151,18 @@ function segment(text, state) {
   const parts = strong.length ? partedAt(text, strong) : partedAt(text, way.decimal ? [] : [","]);
   for (const part of parts) {
     if (!part.trim()) continue;
-    const beside = cellsOf(part, way);
-    const whole = cleaned(part, way);
-    const one = parts.length > 1 && !beside.every(isNumber) && isEntry(whole);
-    const cells = one ? [whole] : beside;
-    const word = parts.length > 1 && !cells.some((cell) => MARK.test(cell) || isEntry(cell));
-    for (const cell of word ? [part.trim()] : cells) put(cell, line, state);
+    const how = strong.length && DECIMAL_COMMA.test(part) ? { ...way, decimal: true } : way;
+    for (const cell of parts.length > 1 ? together(part, how, state) : cellsOf(part, how))
+      put(cell, line, state);
   }
+}
+
+// The cells of a part: one, where it is an entry as a whole or holds none.
+function together(part, way, { isEntry }) {
+  const beside = cellsOf(part, way);
+  const whole = cleaned(part, way);
+  const cells = !beside.every(isNumber) && isEntry(whole) ? [whole] : beside;
+  return cells.some((cell) => MARK.test(cell) || isEntry(cell)) ? cells : [part.trim()];
 }
 
 // A text parted at signs that stand in no bracket.
@@ -165,7 +180,7 @@ function partedAt(text, signs) {
   return [...parts, text.slice(from)];
 }
 
-const STAMP = /^\d{4}-\d\d-\d\d|^\d{1,2}[/.]\d{1,2}[/.]\d{2,4}$|^\d{1,2}:\d\d/;
+const STAMP = /^\d{9,}\.\d+$|^\d{4}-\d\d-\d\d|^\d{1,2}[/.]\d{1,2}[/.]\d{2,4}$|^\d{1,2}:\d\d/;
 const WORTH = { mm: "*1e-3", cm: "*1e-2", Nmm: "*1e-3", "°": " deg" };
 
 // A cell without what is written around it, its unit as a factor.
@@ -260,13 +275,20 @@ function unsaid(state) {
   state.runs.pop();
 }
 
+// The name before a mark; of tau = g - JTF = [...] the first.
+function marked(cell, state) {
+  unsaid(state);
+  const goes = cell === "=" && state.name && state.named === state.line;
+  state.name = goes ? state.name : (state.words.at(-1) ?? "");
+  state.named = cell === "=" ? state.line : -1;
+  state.scale = "";
+  state.run = null;
+}
+
 function put(cell, line, state) {
   if (AND.test(cell) && state.run) return;
   if (MARK.test(cell)) {
-    unsaid(state);
-    state.name = state.words.at(-1) ?? "";
-    state.scale = "";
-    state.run = null;
+    marked(cell, state);
     return;
   }
   if (cell.startsWith("·") || STAMP.test(cell) || !state.isEntry(cell)) {

@@ -49,6 +49,8 @@ const SIGNS = [
   [/\\cr(?![A-Za-z])/g, ROW],
   [/~(?![ \t]*[\d.])/g, " "], // LaTeX's blank; before a number it may be a minus sign
   [/\{([-+])\}/g, "$1"],
+  [/^[ \t]*(?:In|Out)[ \t]?\[\d{1,4}\]:?/gm, ""],
+  [/(?<=\d)\*\^(?=-?\d)/g, "e"], // Mathematica's powers of ten
   [/(?<=\d)\{,\}(?=\d)/g, ","],
 ];
 const WORD = /■\(([^■]*)\)/g; // Word's linear matrix, a & b @ c & d

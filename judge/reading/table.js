@@ -6,7 +6,7 @@ import { plain, refuseLetters } from "./formula.js";
 import { fromHeads, headOf } from "./heads.js";
 import { tablesIn } from "./table_blocks.js";
 import { ordered, withoutIndex } from "./table_columns.js";
-import { fromMatrix, matrices } from "./table_matrices.js";
+import { fromMatrix, matrices, NoLink } from "./table_matrices.js";
 import { few, named } from "./table_notations.js";
 import { ENTRIES, entryText, isVariable, rowOf, simple, UNITS } from "./table_rows.js";
 import { ArmError, listed, say, shown, size } from "../sentences.js";
@@ -25,6 +25,7 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * @property {Record<string, number>} numbers
  * @property {Record<string, string>} texts
  * @property {boolean} backwards
+ * @property {{ name: string, number: number } | null} [joint] its variable, where that has a number
  * @property {Set<string>} radians
  * @property {Set<string>} metres entries with a length's unit of their own, in m
  * @property {Record<string, any>} [trees] the formulas of its entries; none where they were found
@@ -49,9 +50,7 @@ const EXCHANGED = { alpha: "theta", theta: "alpha" };
  * @returns {TypedTable[]}
  */
 export function read(text, { columns, ...options } = {}, values = []) {
-  if (text.length > LONGEST)
-    throw new ArmError(say("too long", { what: say("your table"), count: text.length }));
-  if (!text.trim()) throw new ArmError(say("empty", { what: say("your table") }));
+  refuseSize(text);
   const own = defined(text);
   const known = new Map([...values, ...own].map(([name, x]) => [simple(name), x]));
   const found = named(text);
@@ -62,13 +61,19 @@ export function read(text, { columns, ...options } = {}, values = []) {
       if (block.torn) throw new ArmError(say("row torn", { line: shown(block.torn.trim()) }));
       return tablesOf({ ...block, said: [] }, { columns, options, known });
     } catch (error) {
-      if (!(error instanceof ArmError)) throw error;
+      if (!(error instanceof ArmError) || error instanceof NoLink) throw error;
       refused ??= error;
     }
   }
   refuseLetters(plain(text), say("your table"));
   if (refused) throw refused;
   throw new ArmError(say("no rows", { given: shown(text) }));
+}
+
+function refuseSize(text) {
+  const what = say("your table");
+  if (text.length > LONGEST) throw new ArmError(say("too long", { what, count: text.length }));
+  if (!text.trim()) throw new ArmError(say("empty", { what }));
 }
 
 // Lengths that a text gives itself, l_1 = 0.5 m, but for the names of columns and joints.
@@ -92,6 +97,7 @@ const DEFINED = new RegExp(
 function tablesOf(found, { columns, options, known }) {
   const typed = { ...found, cells: found.cells.map((row) => row.map(entryText)) };
   const links = matrices(typed.cells);
+  if (links && FRAMES.test(typed.context)) throw new NoLink("table.frames");
   if (links) return [{ ...ofMatrices(links, known, options), left: typed.left }];
   const { cells, heads } = withoutIndex(typed);
   few(cells.length);
@@ -106,6 +112,8 @@ function tablesOf(found, { columns, options, known }) {
     said: [...typed.said, ...table.said],
   }));
 }
+
+const FRAMES = /\bT_?\{?0_?[2-9]|\b0_?T_?[2-9]|\bT_?\{?[2-9]\}?\^\{?0/; // T_02 and 0T2
 
 // Around a table may stand whose convention it follows.
 const withContext = (heads, context) => {
@@ -151,7 +159,7 @@ function variablesInAlpha(rows, order) {
 }
 
 // Whether the lengths are taken as millimetres though nobody said so.
-export const inMillimetres = ({ lengths, rows }) =>
+const inMillimetres = ({ lengths, rows }) =>
   lengths === null &&
   rows.some(({ numbers: n, metres }) =>
     ["a", "d"].some((c) => !metres.has(c) && Math.abs(n[c]) >= MILLIMETRES),

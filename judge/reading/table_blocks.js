@@ -156,7 +156,9 @@ function headsIn(typed) {
     sign.replace(/[|\s#%/]/g, ""),
   );
   for (const sign of SEPARATORS) {
-    const heads = withUnits(line.split(sign).map((head) => head.trim().replace(/^"|"$/g, "")));
+    const cells = line.split(sign);
+    if (cells.length > 2 * MOST_COLUMNS) continue;
+    const heads = withUnits(cells.map((head) => head.trim().replace(/^"|"$/g, "")));
     const named = heads.map(headOf).filter((word) => ENTRIES.includes(word));
     if (new Set(named).size >= 3 && heads.length <= named.length + 4) return heads;
   }
@@ -164,14 +166,13 @@ function headsIn(typed) {
 }
 
 // The heads with a unit that stands apart, as in "a (mm)", joined to its own.
-const withUnits = (heads) =>
-  heads.reduce(
-    (found, head) =>
-      found.length && /^[([].*[)\]]$/.test(head)
-        ? [...found.slice(0, -1), `${found.at(-1)} ${head}`]
-        : [...found, head],
-    [],
-  );
+function withUnits(cells) {
+  const heads = [];
+  for (const cell of cells)
+    if (heads.length && /^[([].*[)\]]$/.test(cell)) heads.push(`${heads.pop()} ${cell}`);
+    else heads.push(cell);
+  return heads;
+}
 
 // Entries
 

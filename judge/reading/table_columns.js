@@ -75,17 +75,11 @@ function byHeads(cells, heads) {
   return { orders: [ENTRIES], sure: true, rows };
 }
 
-// Without heads: every order in which nothing looks out of its place, the likeliest first.
+// Without heads: every usual order in which nothing looks out of its place, the likeliest first.
 function byLooks(cells) {
   wide(cells);
   const looks = cells.map((row) => row.map(lookOf));
-  const known = KNOWN_ORDERS.map((order) => order.join());
-  const others = permutations(ENTRIES).filter((order) => !known.includes(order.join()));
-  const usual = [...KNOWN_ORDERS, ...others];
-  const strict = usual.filter((order) => possible(looks, order, true));
-  const fits = strict.length ? strict : usual.filter((order) => possible(looks, order, false));
-  const turning = fits.filter((order) => mostTurn(looks, order));
-  const orders = [...turning, ...fits.filter((order) => !turning.includes(order))];
+  const orders = KNOWN_ORDERS.filter((order) => possible(looks, order));
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], sure: false, rows: cells };
 }
 
@@ -96,13 +90,6 @@ function withOffset(i, row, still) {
   const moves = VARIABLE.test(plain(row[at])) ? `q_${i}` : row[at] || "0";
   return row.map((cell, k) => (k === at ? `${moves} + (${still})` : cell));
 }
-
-const permutations = (list) =>
-  list.length < 2
-    ? [list]
-    : list.flatMap((one, k) =>
-        permutations(list.filter((_, j) => j !== k)).map((more) => [one, ...more]),
-      );
 
 function wide(cells) {
   const sorted = [...new Set(cells.map((row) => row.length))].sort((p, q) => p - q);
@@ -124,23 +111,12 @@ function lookOf(text) {
   };
 }
 
-// Whether the variables stand in theta (or d), and, if strict, no length or angle looks like the
-// other; those of an arm with skew axes do.
-function possible(looks, order, strict) {
+// Whether the variables stand in theta or d, and no length looks like a twist.
+function possible(looks, order) {
   const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
   if ([...a, ...alpha].some(({ variable, offset }) => variable || offset)) return false;
-  const stands = ![...a, ...d].some(({ angular }) => angular);
-  if (!strict || !stands) return stands;
-  const lengths = [...a, ...d].map((look) => look.number);
-  const right = alpha.every((look) => look.number === null || angleLike(look.number));
-  const spread = !lengths.every((x) => x === null || (x && angleLike(x))) || !lengths.some(Boolean);
-  return right && spread;
-}
-
-// Whether no fewer joints would turn than slide, as in most arms.
-function mostTurn(looks, order) {
-  const count = (name) => looks.filter((row) => row[order.indexOf(name)].variable).length;
-  return count("theta") >= count("d");
+  if ([...a, ...d].some(({ angular }) => angular)) return false;
+  return alpha.every((look) => look.number === null || angleLike(look.number));
 }
 
 function angleLike(x) {

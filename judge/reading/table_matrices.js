@@ -21,16 +21,13 @@ export function fromMatrix(i, A, known) {
     return trees.map((row) => row.map((tree) => value(tree, look)));
   };
   const [zero, one] = [at(0), at(0.5)];
-  const [c, s] = [zero[0][0], zero[1][0]];
-  const theta = Math.atan2(s, c);
-  const alpha = Math.atan2(zero[2][1], zero[2][2]);
-  const numbers = { a: zero[0][3] * c + zero[1][3] * s, alpha, d: zero[2][3], theta };
+  const numbers = entriesOf(zero);
   const slid = one[2][3] - zero[2][3];
   const slides = Math.abs(slid) > 1e-9;
-  const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - theta);
+  const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - numbers.theta);
   const texts = Object.fromEntries(ENTRIES.map((name) => [name, size(numbers[name], 6)]));
   mustBeLink(i, zero, numbers);
-  mustBeLink(i, one, { ...numbers, d: one[2][3], theta: Math.atan2(one[1][0], one[0][0]) });
+  mustBeLink(i, one, numbers);
   const kind = slides ? "prismatic" : free.length ? "revolute" : "unknown";
   const backwards = (slides ? slid : turned) < 0;
   return { kind, numbers, texts, backwards, radians: new Set(), metres: new Set() };
@@ -45,8 +42,34 @@ function short(name, x) {
 
 const OFF = 2e-2; // of sines and cosines that were rounded to two digits
 
-// An error where a matrix of numbers is no product Rot_z Trans_z Trans_x Rot_x.
-function mustBeLink(i, A, { a, alpha, d, theta }) {
+// The entries of the row whose matrix A is, if it is one.
+const entriesOf = (A) => ({
+  a: A[0][3] * A[0][0] + A[1][3] * A[1][0],
+  alpha: Math.atan2(A[2][1], A[2][2]),
+  d: A[2][3],
+  theta: Math.atan2(A[1][0], A[0][0]),
+});
+
+// A matrix that no row of a table gives, or not as it stands; the cause, if it is known.
+export class NoLink extends ArmError {
+  constructor(key, fields = {}) {
+    super(say(key, fields));
+    this.causes = key.includes(".") ? [key] : [];
+  }
+}
+
+// An error where a matrix of numbers is no product Rot_z Trans_z Trans_x Rot_x of row i.
+function mustBeLink(i, A, numbers) {
+  const off = offLink(A, numbers);
+  if (!off) return;
+  const turned = A.map((row, k) => row.map((x, n) => (k < 3 && n < 3 ? A[n][k] : x)));
+  const key = offLink(turned, entriesOf(turned)) ? "no link matrix" : "table.transposed";
+  throw new NoLink(key, { i, row: off[0], column: off[1] });
+}
+
+// The first entry of a matrix of numbers that does not fit the others, row and column from 1.
+function offLink(A, { a, alpha }) {
+  const { d, theta } = entriesOf(A);
   const [c, s, ca, sa] = [theta, alpha].flatMap((x) => [Math.cos(x), Math.sin(x)]);
   const link = [
     [c, -s * ca, s * sa, a * c],
@@ -56,6 +79,6 @@ function mustBeLink(i, A, { a, alpha, d, theta }) {
   const unit = Math.max(1, Math.abs(a));
   for (const [row, entries] of link.entries())
     for (const [k, x] of entries.entries())
-      if (Math.abs(A[row][k] - x) > OFF * unit)
-        throw new ArmError(say("no link matrix", { i, row: row + 1, column: k + 1 }));
+      if (Math.abs(A[row][k] - x) > OFF * unit) return [row + 1, k + 1];
+  return null;
 }

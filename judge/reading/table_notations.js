@@ -1,7 +1,7 @@
 // The ways to write a table down, each as rows of cells and the heads above them.
 
 import { number } from "./formula.js";
-import { columnOf, headOf } from "./heads.js";
+import { headOf } from "./heads.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, say } from "../sentences.js";
 
@@ -33,11 +33,6 @@ const RECORD = new RegExp(
   "g",
 );
 
-const PAIRS = new RegExp(
-  String.raw`['"]?(?<!${LETTER})([A-Za-z]+)_?\{?(\d+)\}?['"]?\s*[:=]\s*((?:[^,;\n{}]|\{[^{}]*\})+)`,
-  "gu",
-);
-
 /**
  * Rows of cells; `parts` of the text that hold them, `entries` as typed where the cells were put
  * together from them.
@@ -57,7 +52,7 @@ const unquoted = (text) => text.trim().replace(/^['"]+|['"]+$/g, "");
  */
 export function named(text) {
   const straight = text.replace(/[“”„‟]/g, '"').replace(/[‘’]/g, "'");
-  const found = ofLinks(straight) ?? ofRecords(straight) ?? ofLists(straight) ?? ofPairs(straight);
+  const found = ofLinks(straight) ?? ofRecords(straight) ?? ofLists(straight);
   return found && { ...found, ...outside(straight, found) };
 }
 
@@ -120,35 +115,6 @@ const listIn = (body) => {
   const entries = inner.split(/[,;\n]/.test(inner) ? /[,;\n]+/ : /\s+/);
   return entries.map(unquoted).filter(Boolean);
 };
-
-// Entries by column and number, d_1 = 0.333.
-function ofPairs(text) {
-  const found = [...text.matchAll(PAIRS)].flatMap(([part, name, i, x]) => {
-    const column = columnOf(name);
-    return column ? [{ part, column, i: Number(i), text: unquoted(x) }] : [];
-  });
-  const held = new Set(found.map(({ column }) => column));
-  return found.length >= 6 && held.size >= 3 ? byNumber(found) : null;
-}
-
-// a_0 and alpha_0 tell Craig's convention, whose row i has a_{i-1} and alpha_{i-1}: a last one with
-// nothing else in it is the tool's.
-function byNumber(entries) {
-  const early = (column) => column === "a" || column === "alpha";
-  const craig = entries.some(({ column, i }) => early(column) && i === 0);
-  const row = ({ column, i }) => (craig && early(column) ? i + 1 : i);
-  const held = new Map(entries.map((one) => [`${one.column} ${row(one)}`, one.text]));
-  const last = Math.max(0, ...entries.map(row));
-  few(last);
-  const others = entries.filter(({ column }) => column === "d" || column === "theta");
-  const moving = craig && others.length ? Math.max(...others.map(({ i }) => i)) : last;
-  const missing = (entry, i) => (i > moving ? "0" : blank(entry, i));
-  const cells = Array.from({ length: last }, (_, k) =>
-    ENTRIES.map((entry) => held.get(`${entry} ${k + 1}`) ?? missing(entry, k + 1)),
-  );
-  const parts = entries.map(({ part }) => part);
-  return plainly(cells, parts, craig ? ["a_{i-1}", "alpha_{i-1}", "d", "theta"] : ENTRIES);
-}
 
 // Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3, ...).
 function ofLinks(text) {

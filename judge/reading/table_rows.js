@@ -58,7 +58,7 @@ export function rowOf(i, entries, known) {
   const isFree = (one) => !known.has(simple(one));
   const free = each((name) => [...symbols(trees[name])].filter(isFree).sort());
   const mover = free.theta.length ? "theta" : free.d.length ? "d" : null;
-  oneSymbol(i, free, mover);
+  const joint = oneSymbol(i, free, mover);
   const at = (name, x) =>
     value(trees[name], (one) => (free[name].includes(one) ? x : known.get(simple(one))));
   const numbers = each((name) => at(name, 0));
@@ -69,6 +69,7 @@ export function rowOf(i, entries, known) {
     numbers,
     texts,
     backwards,
+    joint,
     radians: new Set(ENTRIES.filter(inRadians)),
     metres: new Set(ENTRIES.filter((name) => IN_METRES.test(texts[name]))),
     trees,
@@ -114,13 +115,19 @@ function treeOf(cell, name, i, known) {
   return parse(free ? `q_${i}` : text.replace(STARS, "") || "0", `${name} in row ${i}`);
 }
 
-// An error where a row holds a symbol besides its joint's variable.
+// A joint's variable and its number; null where it has none.
+function numbered(name) {
+  const [number] = /\d+/.exec(name ?? "") ?? [];
+  return number === undefined ? null : { name, number: Number(number) };
+}
+
+// The joint's variable; an error where the row holds a symbol besides it.
 function oneSymbol(i, free, mover) {
   const moving = mover === null ? [] : free[mover];
   const joint = moving.find((one) => /^(?:q|th|t_?\d|x_?\d|phi)/.test(one)) ?? moving[0];
   const isStray = (name) => (one) => name !== mover || one !== joint;
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
-  if (stray === undefined) return;
+  if (stray === undefined) return numbered(joint);
   const key = Object.hasOwn(UNITS, stray) ? "row unit" : "row symbol";
   const advice = key === "row symbol" ? [{ field: "values", value: stray }] : [];
   throw new ArmError(say(key, { row: i, name: stray }), advice);

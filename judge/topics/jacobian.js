@@ -1,6 +1,6 @@
 // Is a Jacobian wrong, and how?
 
-import { inOneColumn, jacobianOf, pairs, single, steps } from "../causes/jacobian.js";
+import { copies, jacobianOf, pairs, single, steps } from "../causes/jacobian.js";
 import { nameOf, several } from "../causes/ranking.js";
 import { agrees, RIGHT, SO_FAR, tellable, WRONG } from "../digits.js";
 import { verdictOn } from "../entries.js";
@@ -75,7 +75,7 @@ const shapes = (dof, all) => [
   { rows: 6, columns: dof, by: "row" },
   { rows: 3, columns: dof, by: "row" },
   { rows: dof, columns: 6 },
-  ...[all, dof - 1].map((columns) => ({ rows: 6, columns, by: "row" })),
+  { rows: 6, columns: all, by: "row" },
   { rows: 5, columns: all },
   { rows: 1, columns: 6 * dof },
   { rows: 6 * dof, columns: 1 },
@@ -93,34 +93,23 @@ function inMetres(typed) {
 // Another shape: what was forgotten, if the rest is right.
 function misshapen({ values, units, shape: [rows, width] }, { arm, at, frame }, taken) {
   const right = allColumns(arm, at.values, frame).sort(([i], [j]) => i - j);
-  const [dof, joint] = [at.values.length, numbered(arm)];
-  const is = (numbersOf, kept) => {
-    const columns = right.filter(([one]) => numbersOf.includes(one));
-    const truth = kept.flatMap((row) => columns.map(([, column]) => column[row]));
+  const dof = at.values.length;
+  const is = (kept) => {
+    const truth = kept.flatMap((row) => right.map(([, column]) => column[row]));
     return truth.length === values.length && agrees({ values, units }, truth);
   };
   const every = ROWS.map((_, i) => i);
-  const left = joint.filter((one) =>
-    is(
-      joint.filter((other) => other !== one),
-      every,
-    ),
-  );
-  const whole = right.map(([one]) => one);
   let key = "J.shape";
   if (rows === dof && width === 6) key = "J.transposed";
-  else if (rows === 6 && left.length === 1) key = "J.column missing";
-  else if (whole.length > dof && is(whole, every)) key = "J.locked column kept";
-  else if (whole.length > dof && rows === 5 && every.some((row) => is(whole, without(row))))
+  else if (right.length > dof && is(every)) key = "J.locked column kept";
+  else if (right.length > dof && rows === 5 && every.some((row) => is(without(row))))
     key = "J.row for column"; // slip 3, by its words
-  const missing = key === "J.column missing" ? left[0] : 0;
-  const words = say(key, { shape: `${rows}x${width}`, dof, joint: missing });
+  const words = say(key, { shape: `${rows}x${width}`, dof });
   const findings = [
     { what: "shape", where: "", mine: [rows, width], expected: [6, dof], words: `${words}.` },
   ];
   const headline = say("J wrong", { arm: arm.name, cause: `${lower(words)}.` });
-  const causes = [missing ? `${key}:${missing}` : key];
-  return reported(arm, WRONG, headline, { findings, causes, taken });
+  return reported(arm, WRONG, headline, { findings, causes: [key], taken });
 }
 
 const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
@@ -135,7 +124,7 @@ function judged(typed, { arm, at, frame, tolerance = null, briefly = false }, sa
   const singles = single(arm, frame, slips).map(part);
   const of = (make) => () => Array.from(make(arm, frame, slips), part);
   const asked = { mine: typed, q: at, dof: at.values.length, right, slips: singles, tolerance };
-  const verdict = verdictOn({ ...asked, further: briefly ? [] : [of(inOneColumn), of(pairs)] });
+  const verdict = verdictOn({ ...asked, further: briefly ? [] : [of(copies), of(pairs)] });
   const taken = half === null ? said : [...said, say("taken: half", { half: HALVES[half] })];
   const truth = right(at.values);
   if (verdict.grade !== WRONG) {
@@ -236,7 +225,7 @@ function places({ values, units, shape }, columns, wrong, arm, from) {
     const negative = truth.map((x, i) => (off[i] ? -x : x));
     const [what, said] =
       others.length === 1
-        ? ["J.column of", say("J.column of", { joint: others[0][0] })]
+        ? ["column", say("J.other column", { joint: others[0][0] })]
         : ["column", say(is(negative) ? "J.entry signs" : "J.entries", { rows })];
     const words = say("J column", { column: k + 1, joint, words: said });
     return [{ what, where: `column ${k + 1}`, words }];

@@ -1,21 +1,20 @@
 // Is my table wrong, or only different?
 
 import { cause, nameOf, perhaps, several } from "../causes/ranking.js";
-import * as usual from "../causes/table.js";
-import { explaining, remaining, tries } from "../causes/table_search.js";
+import { fewestSlips } from "../causes/table_search.js";
 import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { angleBetween, compared, side } from "../geometry/axes.js";
 import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
-import { inMillimetres, meant, read } from "../reading/table.js";
+import { meant, read } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { lower, say, size } from "../sentences.js";
-import { answering } from "../report.js";
+import { NoLink } from "../reading/table_matrices.js";
+import { answering, reportOf } from "../report.js";
 import { base, same, SEEN, tipElsewhere } from "./table_same.js";
 import { DECIMAL, entry, geometry, ownUnit } from "./table_words.js";
 
 const LENGTH = 1e-6; // m
-const SHORT = 1e3 / Math.sqrt(10); // mm for each m: less is nearer to the arm's size in centimetres
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 
@@ -68,10 +67,10 @@ function tablesCompared(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
   const known = new Map([...(reference.values ?? []), ...(options.values ?? [])]);
   const isText = typeof mine === "string";
-  const typed = isText
-    ? read(mine, options, [...known]).flatMap((one) => sizes(one, reference.rows))
-    : [];
-  const tables = isText ? typed.map((one) => tableOf(one, meant(one, kinds))) : [ofArm(mine)];
+  const typed = isText ? readOrNot(mine, options, [...known]) : [];
+  if (typed instanceof NoLink) return noLink(typed, reference);
+  const held = typed.map((one) => withLocked(one, kinds));
+  const tables = isText ? held.map((one) => tableOf(one, meant(one, kinds))) : [ofArm(mine)];
   const readings = tables.map((table) => judgedTable(table, reference, options.tolerance ?? null));
   const whole = (report, k) => {
     if (!isText)
@@ -82,11 +81,48 @@ function tablesCompared(mine, reference, options = {}) {
   const good = readings.map((one) => one.good());
   const best = [good.findIndex((one) => one?.grade !== WRONG && one), good.findIndex(Boolean)];
   const same = best.find((k) => k >= 0);
+  const astray = isText && same !== undefined ? outOfTurn(typed[same].rows) : null;
+  if (astray) return whole(bad(tables[same], reference, [astray]), same);
   if (same !== undefined) return whole(good[same], same);
-  const bad = readings.slice(0, MOST_READINGS).map((one) => one.bad());
-  const slips = bad.map(slipsIn);
+  const wrong = readings.slice(0, MOST_READINGS).map((one) => one.bad());
+  const slips = wrong.map(slipsIn);
   const fewest = slips.indexOf(Math.min(...slips));
-  return whole(bad[fewest], fewest);
+  return whole(wrong[fewest], fewest);
+}
+
+// The tables that a text may be, or why its matrices are none.
+function readOrNot(text, options, known) {
+  try {
+    return read(text, options, known);
+  } catch (error) {
+    if (error instanceof NoLink) return error;
+    throw error;
+  }
+}
+
+// The rows of links, of which none can be said to be locked, with those fixed that should be.
+function withLocked(table, kinds) {
+  const { rows, said } = table;
+  if (!said.includes(say("taken: links")) || rows.length !== kinds.length) return table;
+  return { ...table, rows: rows.map((row, k) => (kinds[k] === "fixed" ? fixed(row) : row)) };
+}
+
+const fixed = (row) => ({ ...row, kind: "fixed", joint: null });
+
+/** @returns {Report} */
+function noLink({ message, causes }, { name }) {
+  const findings = [{ what: "cause", where: "", words: `${message}.` }];
+  const fields = { mine: say("your table"), reference: name, cause: lower(message) };
+  return reportOf("table", { name }, WRONG, say("table wrong", fields), { findings, causes });
+}
+
+// The first row that is named after an earlier joint than the row before it.
+function outOfTurn(rows) {
+  const named = rows.flatMap(({ joint }, k) => (joint ? [{ ...joint, row: k + 1 }] : []));
+  const astray = named.find(
+    ({ number }, k) => k + 1 < named.length && number >= named[k + 1].number,
+  );
+  return astray ? cause("table.names", { row: astray.row, name: astray.name }) : null;
 }
 
 const MOST_READINGS = 4; // orders of columns that are tried, where none was said
@@ -95,19 +131,6 @@ const MOST_READINGS = 4; // orders of columns that are tried, where none was sai
 function slipsIn({ causes, findings }) {
   const named = causes.length ? causes[0].split(" + ").length : 0;
   return named + findings.filter(({ what }) => what !== "cause" && !what.includes(".")).length;
-}
-
-// The sizes that large lengths may have where nobody said it: millimetres, or centimetres, first
-// that which is nearer to the reference's.
-function sizes(typed, wanted) {
-  if (!inMillimetres(typed)) return [typed];
-  const both = [
-    typed,
-    { ...typed, lengths: "cm", said: [...typed.said, say("taken: centimetres")] },
-  ];
-  const total = usual.totalLength(typed.rows.map(({ numbers }) => numbers));
-  if (total < SHORT * usual.totalLength(wanted)) both.reverse();
-  return both;
 }
 
 // The table as it was read, a row of cells for each that was typed, and which of them are wrong.
@@ -267,21 +290,25 @@ const isOff = (row, wanted, column, length) =>
     ? angleBetween(row[column], wanted[column]) > ANGLE
     : Math.abs(row[column] - wanted[column]) > length;
 
-// Why a table is another arm, the simplest first: causes after which every entry agrees, one or two
-// wrong entries, causes and single signs after which the axes agree, more wrong entries, or what is
-// left of the axes.
+// Why a table is another arm: by the fewest slips, or else by its axes.
 /** @param {Table} table @returns {Report} */
 function different(table, reference, rows, wanted, length) {
-  const found = compared(side(rows), side(wanted), length);
-  const all = tries(rows, reference, wanted, table.modified, length);
-  const whole = explaining(all, rows, wanted, length);
-  if (whole.length) return bad(table, reference, whole);
-  const notes = found.signs.length ? base(table, side(rows), found) : [];
-  const { why, entries, left } = remaining(all, wanted.length, length, found);
-  const findings = entries
-    ? entries.map(([t, k, column]) => entry(table, t, [k, column], length))
-    : left.map((d) => geometry(table, d));
-  return bad(table, reference, why ? [why] : [], findings, why ? [] : notes);
+  const found = fewestSlips(rows, reference, wanted, table.modified, length);
+  const causes = found.flatMap((t) => t.cause ?? []);
+  if (found.length) {
+    const [t] = found;
+    const findings = t.entries.map((at) => entry(table, t, at, length));
+    return bad(table, reference, causes, findings);
+  }
+  const by = compared(side(rows), side(wanted), length);
+  const notes = by.signs.length ? base(table, side(rows), by) : [];
+  return bad(
+    table,
+    reference,
+    [],
+    by.differences.map((d) => geometry(table, d)),
+    notes,
+  );
 }
 
 // `causes` explain the same; of the findings those with a cause of their own add to it.

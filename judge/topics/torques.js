@@ -14,6 +14,7 @@ import {
   numbered,
   numbers,
   notPerJoint,
+  ofMoving,
   rowsOf,
   turning,
   unnamed,
@@ -83,9 +84,10 @@ function loaded(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
 // Joint vectors, a pose or a list of them.
 export function poses(q, arm, angles) {
   const dof = joints(arm).length;
-  const typed = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
+  const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
     wants: jointShapes(arm),
   });
+  const typed = given.shape.at(-1) === arm.rows.length ? ofMoving(given, arm) : given;
   if (typed.shape.at(-1) !== dof) throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
   return inRadians(typed, arm, angles);
 }
@@ -160,7 +162,7 @@ function judged(typed, at, load, { arm, tolerance, briefly }) {
 function verdictOf(typed, at, load, { arm, tolerance, briefly }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
-  const slips = steps(arm, load, at.values.slice(0, dof));
+  const slips = steps(arm, load);
   const empty = !typed.values.some(Boolean);
   const further = (held) => (briefly || empty ? [] : [() => pairs(held, dof, slips)]);
   const ask = (mine, q, held, tried, more) => {

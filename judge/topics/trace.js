@@ -5,7 +5,7 @@ import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
 import { minusEach, singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
 import { millimetres } from "../causes/branches.js";
-import { turnBetween } from "./branches_matching.js";
+import { setAside, turnBetween } from "./branches_matching.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { jointShapes, numbered, numbers, asDegrees, rowsOf, turning } from "../reading/numbers.js";
@@ -18,7 +18,7 @@ const TILT = 1 / DEG; // rad: a tool that leans or spins more no longer counts a
 const USUAL = 2e-3; // m: Euler's method on the homework's circle stays well below
 const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
 // whatever shape it gives
-const LOOP_FIRST = ["trace.coarse", "trace.millimetres", "J.millimetres"];
+const LOOP_FIRST = ["trace.millimetres", "J.millimetres"];
 const NO_INVERSE = 1e-9; // of the largest singular value: a smaller one is a zero
 const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another branch
 const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
@@ -43,7 +43,9 @@ export const compareTrace = (mine, arm, path, options = {}) =>
 // The joints as they were handed in.
 export function readTrace(mine, arm, which = null) {
   return numbers(mine, `${arm.name}: your joints`, undefined, undefined, {
-    wants: jointShapes(arm).filter(({ rows, columns }) => rows === null || columns === null),
+    wants: jointShapes(arm)
+      .filter(({ rows, columns }) => rows === null || columns === null)
+      .map((want) => ({ ...want, largest: true })),
     names: /^(?:q|th|θ|ans$)/i,
     which,
   });
@@ -118,6 +120,12 @@ function upright(typed, arm, count, unit) {
     [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
     taken.push(say("taken: list per joint"));
   }
+  if (allJoints(rows, arm)) {
+    taken.push(setAside(arm, rows.flat()));
+    [rows, units] = [rows, units].map((list) =>
+      list.map((row) => row.filter((_, i) => arm.rows[i].kind !== "fixed")),
+    );
+  }
   const first = rows.map(([x]) => x);
   const isTime = first.every((x) => !x) || first.slice(1).every((x, k) => x - first[k] > 0);
   if (rows[0].length === dof + 1 && isTime) {
@@ -127,6 +135,13 @@ function upright(typed, arm, count, unit) {
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
   const held = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
   return { ...inUnit(held, arm, unit), taken, extra: rows.length === count + 1 };
+}
+
+// Whether rows hold a value for the locked joints too, which stand still.
+function allJoints(rows, arm) {
+  const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
+  const still = (i) => rows.every((row) => row[i] === rows[0][i]);
+  return locked.length > 0 && rows[0].length === arm.rows.length && locked.every(still);
 }
 
 function inUnit(held, arm, unit) {
@@ -176,17 +191,16 @@ function judged(run, arm, path, { allowed, blur, given, briefly }) {
     ...oneMore(run),
   ];
   if (briefly && symptoms.length) return null;
-  const slip = (wrong) => loopCause(q, run.units, arm, path, wrong);
+  const slip = () => loopCause(q, run.units, arm, path);
   const why = () => {
     const off = error > allowed;
-    const strays = (off && begun(errors)) || turn > TILT;
-    const loop = slip(strays && !jump.length); // of a run that jumps, not each step is right
+    const loop = slip();
     if (!off || LOOP_FIRST.includes(loop?.keys[0] ?? "")) return loop;
     const shape = pathCause(path, tip, allowed, blur);
     if (shape && shape.keys[0] !== "trace.displaced") return shape;
     return tableCause(q, arm, path, allowed) ?? shape ?? loop;
   };
-  const whole = () => (given ? null : slip(false)); // nothing is wrong with the tip
+  const whole = () => (given ? null : slip()); // nothing is wrong with the tip
   const named = stuck ?? (symptoms.length ? why() : whole());
   const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
   const figures = { position_error: error, tool_turn: turn, q };
@@ -238,13 +252,11 @@ const between = (u, v) =>
     dot(u, v),
   );
 
-// The steps that change a joint by far more than usual, or all large ones where that is usual.
+// The steps that change a joint by far more than usual.
 function jumps(q) {
   const change = q.slice(1).map((row, k) => Math.max(...minusEach(row, q[k]).map(Math.abs)));
   const usual = median(change);
-  const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
-  const far = over(10 * usual);
-  return far.length || usual <= JUMP ? far : over(JUMP);
+  return change.flatMap((x, k) => (x > JUMP && x > 10 * usual ? [k] : []));
 }
 
 // Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said;

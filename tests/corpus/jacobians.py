@@ -58,10 +58,6 @@ def before(m, q, rng):
     yield "J.z_0 angular", z_0
     if "P" in m.kinds:
         yield "J.slide turns", recipe(m, q, slides=False)
-    if m.joints != list(range(m.dof)):
-        counted = recipe(m, q, count=True)
-        yield "J.z counted on angular", halves(right, counted)
-        yield "J.z counted on", counted
 
 
 def tables(m, q, rng):
@@ -116,8 +112,6 @@ def after(m, q, rng):
     order = list(range(m.dof))
     order[i], order[j] = j, i
     yield f"J.columns exchanged:{m.joints[i] + 1}:{m.joints[j] + 1}", lambda J: J[:, order]
-    sign = dict(signs(m))[m.joints[i]]
-    yield f"J.column sign:{m.joints[i] + 1}", lambda J: J * sign
 
 
 def signs(m):

@@ -73,14 +73,12 @@ def mistakes(m, links, q, F, rng):
     yield "tau.weight sign", -W - P
     yield "tau.gravity:9.8", W * 9.8 / 9.81 - P
     yield "tau.force in tool", W - force(m, turned(R, F), q)
-    yield "tau.force and moment", W - force(m, np.roll(F, 3), q)
     yield "tau.centres at origins", weight(m, [(mass, 0, 0, 0) for mass, *_ in links], q) - P
     if links == PANDA:
         yield "tau.paper centres", weight(m, PAPER, q) - P
     yield "tau.grams", 1000 * W - P
-    yield "tau.gravity:1", W / 9.81 - P
+    yield "tau.gravity:10", W * 10 / 9.81 - P
     yield "tau.all signs", P - W
-    yield "tau.newton millimetres", 1000 * (W - P)
     yield "tau.reversed order", (W - P)[::-1]
     i = int(rng.integers(len(links)))
     without = [(0 if k == i else b[0], *b[1:]) for k, b in enumerate(links)]
@@ -101,6 +99,5 @@ def pairs(m, links, q, F, rng):
     P = force(m, F, q)
     for name, W in ones.items():
         yield f"{name} + tau.force sign", W + P
-        yield f"{name} + tau.newton millimetres", 1000 * (W - P)
         yield f"{name} + tau.all signs", P - W
         yield f"{name} + tau.force missing", W

@@ -16,7 +16,7 @@ test("what causes say and how they are called", () => {
   const two = both(ONE, TWO);
   assert.equal(nameOf(two), "J.halves + J.all signs");
   assert.equal(wordsOf(two), `${wordsOf(ONE)}; and besides, every sign is reversed`);
-  const signs = [1, 2, 3].map((i) => cause("J.column sign", { i }));
+  const signs = [1, 2, 3].map((i) => cause("J.column of", { i }));
   const words = signs.map(wordsOf);
   const same = "which gives the same numbers here";
   assert.equal(several([signs[0], signs[0]]), words[0]);
