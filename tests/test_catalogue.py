@@ -25,7 +25,7 @@ UNITS = ("table.millimetres", "table.degrees")  # no mistakes, where no units ar
 ALSO = {
     "table.twist": ("table.no twist", "table.angle:alpha"),
     "table.no twist": ("table.angle:alpha",),
-    "table.sign:alpha": ("table.twist", "table.number and sign"),
+    "table.sign:alpha": ("table.twist",),
     "table.a and d": ("table.a and d in row", "table.too much:a", "table.too much:d"),
 }
 

@@ -198,7 +198,7 @@ def test_a_run_is_taken_as_it_is_held():
         (TASK.run(radius=0.09), "trace.scaled"),
         (TASK.run(dt=5 / 800), "trace.fraction"),
         (TASK.run(rule=lambda q, v: np.linalg.pinv(linear(q)) @ v), "trace.position only"),
-        (TASK.run(rule=lambda q, v: linear(q).T @ v), "trace.transpose"),
+        (TASK.run(J=lambda q: recipe(TASK.machine, TASK.start)), "trace.jacobian held"),
         (TASK.run(rate=1e-3).round(8), "J.millimetres"),  # a Jacobian in mm
         (GOOD[0:1] + 0 * GOOD, None),
         (GOOD[:0], "trace.shape"),

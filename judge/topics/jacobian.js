@@ -75,7 +75,7 @@ const shapes = (dof, all) => [
   { rows: 6, columns: dof, by: "row" },
   { rows: 3, columns: dof, by: "row" },
   { rows: dof, columns: 6 },
-  { rows: 6, columns: all, by: "row" },
+  ...[all, dof - 1].map((columns) => ({ rows: 6, columns, by: "row" })),
   { rows: 5, columns: all },
   { rows: 1, columns: 6 * dof },
   { rows: 6 * dof, columns: 1 },

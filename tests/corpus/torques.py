@@ -77,6 +77,12 @@ def mistakes(m, links, q, F, rng):
     if links == PANDA:
         yield "tau.paper centres", weight(m, PAPER, q) - P
     yield "tau.grams", 1000 * W - P
+    alone = [weight(m, [(b[0] * (k == i), *b[1:]) for k, b in enumerate(links)], q)
+             for i in m.joints]  # fmt: skip
+    yield "tau.own link", np.array([alone[k][k] for k in range(m.dof)]) - P
+    masses = [*(b[0] for b in links[1:]), 0]
+    moved = [(mass, *b[1:]) for mass, b in zip(masses, links, strict=True)]
+    yield "tau.masses moved", weight(m, moved, q) - P
     yield "tau.gravity:10", W * 10 / 9.81 - P
     yield "tau.all signs", P - W
     yield "tau.reversed order", (W - P)[::-1]
