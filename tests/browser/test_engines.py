@@ -79,7 +79,7 @@ class Reader:
         self.open(name, fragment)
         self.until(INSTRUMENT)
         self.at(INSTRUMENT)
-        self.until(f"{ROOT}?.querySelector('.stage .labels:not([hidden])')")
+        self.until(f"{INSTRUMENT}.explorer && {ROOT}.querySelector('.stage .labels:not([hidden])')")
 
 
 def button(words):
