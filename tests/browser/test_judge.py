@@ -110,6 +110,35 @@ def test_what_is_typed_is_judged_and_a_link_brings_it_back(page):
     other.close()
 
 
+@wide
+def test_a_report_of_what_is_not_right_can_be_copied(page):
+    """Asked, typed, read and said; also where the clipboard is closed, which it is to most."""
+    button = page.get_by_role("button", name="Copy a report of this")
+    verdict(page, "An example, with a mistake in it.")
+    assert not button.is_visible()
+    ask(page, ELBOW)
+    verdict(page, "is right at this pose, to the digits you gave")
+    assert not button.is_visible()
+    for answer, words in (
+        ("Here are\n1 2 3\n4 5 6", ["Read:\n", "row 1\t1\t2\t3\n", "Said:\nI find 2x3 numbers"]),
+        (
+            ELBOW.replace("0.2866", "0.3866"),
+            ["vz\t", "wrong: 0.3866", "column 3 (joint 3): look again at vz"],
+        ),
+    ):
+        ask(page, answer)
+        button.click()
+        report = page.get_by_label("The report")
+        report.wait_for()
+        for part in (
+            "Question: Jacobian at a pose\nArm: Elbow arm\nPose q: 0.5, 0.7, -0.4\n",
+            f"Typed:\n{answer}\n",
+            *words,
+        ):
+            assert part in report.input_value(), report.input_value()
+    page.get_by_text("whoever keeps this book").wait_for()
+
+
 @phone
 def test_torques_by_keys_alone(page):
     page.get_by_label("Question").focus()

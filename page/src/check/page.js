@@ -5,6 +5,7 @@ import { h, write } from "../dom.js";
 import { EMPTY, fromFragment, judge, startOf } from "./question.js";
 import { addFiles } from "./files.js";
 import { adapt, buildForm, offerOf } from "./form.js";
+import { addReport } from "./hand_in.js";
 import { showRead, tell } from "./shown.js";
 import { addTools } from "./tools.js";
 
@@ -31,10 +32,11 @@ export function mount(stub, book, id) {
   made.form.addEventListener("submit", (event) => event.preventDefault());
   addTools(one, book);
   addFiles(one, stub);
+  addReport(one);
   const written = [...stub.querySelectorAll("textarea")].at(-1); // before the script had come
   const typed = written?.value === written?.defaultValue ? {} : { answer: written.value };
-  const { verdict, taken, ...below } = parts;
-  const desk = h("div.desk", {}, made.form, h("div.told", {}, verdict, taken));
+  const { verdict, report, taken, ...below } = parts;
+  const desk = h("div.desk", {}, made.form, h("div.told", {}, verdict, report, taken));
   stub.replaceChildren(desk, ...Object.values(below));
   if (!given) readLinks(one, stub);
   one.put(typed);
@@ -193,6 +195,7 @@ export class Asked {
 
 const buildParts = () => ({
   verdict: h("div.verdict", { role: "status", "aria-live": "polite", "aria-atomic": "true" }),
+  report: h("div.report", { hidden: true }),
   taken: h("div.scroll.taken", {
     role: "region",
     tabindex: "0",
