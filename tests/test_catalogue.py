@@ -102,16 +102,14 @@ def test_each_mistake_in_a_table_is_named(name):
         assert names(report, held, held[key]) or free, (key, report)
 
 
-# Of tables the grids alone: a number before or behind a dictionary is passed over.
-RIGHT = [
-    case
-    for case in QUESTIONS
-    if case["grade"] == "right" and case["answer"] and not case["about"].startswith("table, ")
-]
+RIGHT = [case for case in QUESTIONS if case["grade"] == "right" and case["answer"]]
+DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 
 
 @settings(max_examples=40)
 @example(case=RIGHT[0], place=0.0)
+@example(case=DICTIONARIES, place=0.0)
+@example(case=DICTIONARIES, place=1.0)
 @given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))
 def test_no_number_vanishes_wherever_it_stands(case, place):
     """Into right work, at any place: refused, wrong, part of an entry, or shown back."""

@@ -56,15 +56,18 @@ export function named(text) {
   return found && { ...found, ...outside(straight, found) };
 }
 
-// What of a text stands in none of the parts that were read: lines, and decimals within the parts.
+// What of a text stands in none of the parts that were read: lines, and decimals within the parts
+// or beside them.
 function outside(text, { parts, cells, entries = cells.flat() }) {
   let rest = text;
   for (const part of parts) rest = rest.replace(part, (whole) => whole.replace(/[^\n]+/g, READ));
   const lines = rest.split("\n").filter((line) => !line.includes(READ));
+  const beside = rest.split("\n").filter((line) => line.includes(READ));
   const held = new Set(entries.join(" ").match(DECIMAL));
-  const lost = parts.flatMap((part) => part.match(DECIMAL) ?? []).filter((x) => !held.has(x));
+  const decimals = (list) => list.flatMap((part) => part.match(DECIMAL) ?? []);
+  const lost = decimals(parts).filter((x) => !held.has(x));
   const told = lines.map((line) => line.trim()).filter((line) => /[\p{L}\d]{2}/u.test(line));
-  return { context: lines.join("\n"), left: [...told, ...lost] };
+  return { context: lines.join("\n"), left: [...told, ...decimals(beside), ...lost] };
 }
 
 const READ = "\u0000";
