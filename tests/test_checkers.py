@@ -99,10 +99,6 @@ def test_a_table_says_how_it_was_taken():
     assert [r.joint.kind for r in slide.rows] == ["revolute", "revolute", "prismatic"]
     assert slide.rows[2].d == -0.2
     assert "backwards in row 3" in slide.source
-    kuka = Arm.from_table(
-        "{alpha0: 0, a0: 0, d1: 0.75, q1: q1, alpha1: -pi/2, a1: 0.35, d2: 0, q2: q2-pi/2}"
-    )
-    assert (kuka.rows[0].a, kuka.rows[0].alpha) == (0.35, "-pi/2")
     with pytest.raises(ArmError, match="no value for L1"):
         Arm.from_table("q1 L1 0 0\nq2 0 0 0")
 
@@ -132,13 +128,10 @@ def test_every_slip_of_the_errata_is_decided():
     assert told == {str(n) for n in range(1, 28)}
 
 
-@pytest.mark.parametrize("q", [BENT, np.delete(BENT, 2)])
-def test_six_entries_of_q_beside_seven_are_refused_in_words(q):
-    """Slip 25: which joints there should be is said."""
-    arm = PANDA.lock(3) if len(q) == 7 else PANDA
-    names = "q_1, q_2, q_4, q_5" if len(q) == 7 else "q_1, q_2, q_3, q_4"
-    with pytest.raises(ArmError, match=f"{len(q)} values.*{names}"):
-        checks.compare_jacobian(np.zeros((6, len(q))), arm, q)
+def test_six_entries_of_q_beside_seven_are_refused_in_words():
+    """Slip 25: which joints there should be is said; seven of an arm with one locked are read."""
+    with pytest.raises(ArmError, match=r"6 values.*q_1, q_2, q_3, q_4"):
+        checks.compare_jacobian(np.zeros((6, 6)), PANDA, np.delete(BENT, 2))
 
 
 @pytest.mark.parametrize("slip", SLIPS)

@@ -68,7 +68,7 @@ def made(rng) -> tuple[str, dict, list, bool]:
     layout = str(rng.choice(list(LAYOUTS)))
     headed, craig = layout in HEADED, rng.random() < 0.15
     heads = {n: str(rng.choice((NAMES_OF if layout in NAMED else HEADS)[n])) for n in NAMES}
-    options = {"convention": "craig"} if craig and layout != "pairs" and not headed else {}
+    options = {"convention": "craig"} if craig and not headed else {}
     if craig and headed:
         heads |= {name: str(rng.choice(CRAIG[name])) for name in CRAIG}
     said = headed and (not guessed or rng.random() < 0.3), headed and rng.random() < 0.3
@@ -91,9 +91,8 @@ def made(rng) -> tuple[str, dict, list, bool]:
     order = [*rng.permutation(NAMES)] if sure else str(rng.choice(ORDERS)).split()
     if not sure and rng.random() < 0.6:
         options["columns"] = str(rng.choice([" ", ", ", "|"])).join(order)
-    more = {"before": 1} if craig and layout == "pairs" else {}
     lines = [[c[n] for n in order] for c in cells]
-    text = LAYOUTS[layout]([heads[n] for n in order], lines, rng, **more)
+    text = LAYOUTS[layout]([heads[n] for n in order], lines, rng)
     wanted = [(k, a, al * math.pi / 12, d, th * math.pi / 12) for k, a, al, d, th in rows]
     return text, options, wanted, sure or "columns" in options
 
@@ -221,20 +220,9 @@ def of_records(names, lines, rng):
     return "[" + ",\n ".join(start + row + end for row in rows) + "]"
 
 
-def of_pairs(names, lines, rng, before=0):
-    """a_1 = 0.3; ...: in Craig's convention a and alpha count from 0."""
-    form = str(rng.choice(["{}{} = {}", "{}_{}: {}", "'{}{}': {}"]))
-    pairs = [
-        form.format(n, i - before * (n.lower()[:1] in "ar"), x)
-        for i, row in enumerate(lines, 1)
-        for n, x in zip(names, row, strict=True)
-    ]
-    return str(rng.choice([", ", "; ", "\n"])).join(pairs)
-
-
 HEADED = {"markdown": markdown, "sheet": sheet, "printed": printed, "tabular": tabular,
           "drawn": drawn}  # fmt: skip
-NAMED = {"lists": of_lists, "records": of_records, "pairs": of_pairs}
+NAMED = {"lists": of_lists, "records": of_records}
 LAYOUTS = {**HEADED, **NAMED, "bracketed": bracketed}
 
 
