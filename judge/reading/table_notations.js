@@ -29,7 +29,7 @@ const RECORDS = new RegExp(
 
 const NAME = String.raw`[A-Za-zαθ]+(?:_(?:deg|rad|mm|cm|m)|_?[({]?\s*i\s*(?:-\s*1)?\s*[)}]?)?`;
 const RECORD = new RegExp(
-  String.raw`['"]?(${NAME})['"]?\s*[:=]\s*((?:(?!\s${NAME}\s*[:=])[^,;[])+)`,
+  String.raw`['"]?(?<![A-Za-zαθ])(${NAME})['"]?\s*[:=]\s*((?:(?!\s${NAME}\s*[:=])[^,;[])+)`,
   "g",
 );
 
