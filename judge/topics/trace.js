@@ -252,11 +252,13 @@ const between = (u, v) =>
     dot(u, v),
   );
 
-// The steps that change a joint by far more than usual.
+// The steps that change a joint by far more than usual, or all large ones where that is usual.
 function jumps(q) {
   const change = q.slice(1).map((row, k) => Math.max(...minusEach(row, q[k]).map(Math.abs)));
   const usual = median(change);
-  return change.flatMap((x, k) => (x > JUMP && x > 10 * usual ? [k] : []));
+  const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
+  const far = over(10 * usual);
+  return far.length || usual <= JUMP ? far : over(JUMP);
 }
 
 // Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said;
