@@ -30,12 +30,14 @@ export function fewestSlips(rows, reference, wanted, modified, length) {
   const all = tries(rows, reference, wanted, modified, length).filter(
     (t) => t.entries && t.entries.length <= FEW && (t.cause || t.entries.length),
   );
-  const slips = (t) => (t.cause?.keys.length ?? 0) + t.entries.length;
-  const fewest = Math.min(...all.map(slips));
-  const best = all.filter((t) => slips(t) === fewest);
+  const fewest = Math.min(...all.map(slipsOf));
+  const best = all.filter((t) => slipsOf(t) === fewest);
   const whole = best.filter((t) => !t.entries.length);
   return whole.length ? whole : best.slice(0, 1);
 }
+
+/** @param {Try} t */
+export const slipsOf = (t) => (t.cause?.keys.length ?? 0) + (t.entries?.length ?? 0);
 
 /** @returns {Try[]} */
 function tries(rows, reference, wanted, modified, length) {
@@ -51,8 +53,7 @@ function tries(rows, reference, wanted, modified, length) {
         const causes = [unit, other, mistake].filter(Boolean);
         const local = isLocal(mistake);
         const off = differing(mended, arm, length);
-        const near = off && off.length <= FEW;
-        const entries = near || local || !sameAxes(mended, arm, length) ? off : [];
+        const entries = !local && sameAxes(mended, arm, length) ? [] : off;
         return { causes, rows: mended, reference: arm, entries, local };
       }),
     ),
@@ -97,7 +98,9 @@ export function kindOfError(column, row, mine, wanted, length) {
     const off = size(rounded(angleBetween(mine, wanted) * DEG, 6), 4);
     return cause("table.angle", { column, row, _off: off });
   }
-  const _way = Math.abs(mine) > Math.abs(wanted) ? say("long") : say("short");
+  const _way = say(
+    mine * wanted < 0 ? "off" : Math.abs(mine) > Math.abs(wanted) ? "long" : "short",
+  );
   const _off = size(rounded(1000 * Math.abs(mine - wanted), 6), 4);
   return cause("table.number", { column, row, _off, _way });
 }

@@ -75,11 +75,13 @@ function byHeads(cells, heads) {
   return { orders: [ENTRIES], sure: true, rows };
 }
 
-// Without heads: every usual order in which nothing looks out of its place, the likeliest first.
+// Without heads: every order in which nothing looks out of its place, the likeliest first.
 function byLooks(cells) {
   wide(cells);
   const looks = cells.map((row) => row.map(lookOf));
-  const orders = KNOWN_ORDERS.filter((order) => possible(looks, order));
+  const known = KNOWN_ORDERS.map((order) => order.join());
+  const others = permutations(ENTRIES).filter((order) => !known.includes(order.join()));
+  const orders = [...KNOWN_ORDERS, ...others].filter((order) => possible(looks, order));
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], sure: false, rows: cells };
 }
 
@@ -90,6 +92,13 @@ function withOffset(i, row, still) {
   const moves = VARIABLE.test(plain(row[at])) ? `q_${i}` : row[at] || "0";
   return row.map((cell, k) => (k === at ? `${moves} + (${still})` : cell));
 }
+
+const permutations = (list) =>
+  list.length < 2
+    ? [list]
+    : list.flatMap((one, k) =>
+        permutations(list.filter((_, j) => j !== k)).map((more) => [one, ...more]),
+      );
 
 function wide(cells) {
   const sorted = [...new Set(cells.map((row) => row.length))].sort((p, q) => p - q);

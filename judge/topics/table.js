@@ -1,7 +1,7 @@
 // Is my table wrong, or only different?
 
 import { cause, nameOf, perhaps, several } from "../causes/ranking.js";
-import { fewestSlips } from "../causes/table_search.js";
+import { fewestSlips, slipsOf } from "../causes/table_search.js";
 import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { angleBetween, compared, side } from "../geometry/axes.js";
@@ -295,12 +295,13 @@ const isOff = (row, wanted, column, length) =>
 function different(table, reference, rows, wanted, length) {
   const found = fewestSlips(rows, reference, wanted, table.modified, length);
   const causes = found.flatMap((t) => t.cause ?? []);
-  if (found.length) {
+  const by = compared(side(rows), side(wanted), length);
+  // one axis astray in frames of one's own is nearer than several slips in rows
+  if (found.length && slipsOf(found[0]) <= Math.max(1, by.differences.length)) {
     const [t] = found;
     const findings = t.entries.map((at) => entry(table, t, at, length));
     return bad(table, reference, causes, findings);
   }
-  const by = compared(side(rows), side(wanted), length);
   const notes = by.signs.length ? base(table, side(rows), by) : [];
   return bad(
     table,
