@@ -41,6 +41,7 @@ const SIGNS = [
   [/(?<=[^\s>])>>(?!>)/g, "]]"],
   [/<\/t[dh]>[ \t]*<t[dh][^<>\n]{0,60}>/gi, " | "], // a page's table
   [/<\/?(?:table|thead|tbody|tr|t[dh]|br)\b[^<>\n]{0,60}>/gi, " "],
+  [/\$(?=[-+])|(?<=[-+])\$/g, ""], // within one entry, $90^\circ$+q_1
   [/\\[[\]$]|\$|\\(?:displaystyle|q?quad)(?![A-Za-z])/g, " "],
   [/\\pm(?![A-Za-z])/g, "±"],
   [/(^|[\t;,|])[ \t]*=(?=[-+.\d])/gm, "$1"], // a spreadsheet's cells

@@ -58,7 +58,7 @@ export function read(text, { columns, ...options } = {}, values = []) {
   let refused = null;
   for (const block of tablesIn(text, known)) {
     try {
-      if (block.torn) throw new ArmError(say("row torn", { line: shown(block.torn.trim()) }));
+      refuseBlock(block, text);
       return tablesOf({ ...block, said: [] }, { columns, options, known });
     } catch (error) {
       if (!(error instanceof ArmError) || error instanceof NoLink) throw error;
@@ -68,6 +68,12 @@ export function read(text, { columns, ...options } = {}, values = []) {
   refuseLetters(plain(text), say("your table"));
   if (refused) throw refused;
   throw new ArmError(say("no rows", { given: shown(text) }));
+}
+
+// Rows torn in two, and frames where links are asked for.
+function refuseBlock({ torn, cells }, text) {
+  if (torn) throw new ArmError(say("row torn", { line: shown(torn.trim()) }));
+  if (matrices(cells) && FRAMES.test(text)) throw new NoLink("table.frames");
 }
 
 function refuseSize(text) {
@@ -97,7 +103,6 @@ const DEFINED = new RegExp(
 function tablesOf(found, { columns, options, known }) {
   const typed = { ...found, cells: found.cells.map((row) => row.map(entryText)) };
   const links = matrices(typed.cells);
-  if (links && FRAMES.test(typed.context)) throw new NoLink("table.frames");
   if (links) return [{ ...ofMatrices(links, known, options), left: typed.left }];
   const { cells, heads } = withoutIndex(typed);
   few(cells.length);

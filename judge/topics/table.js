@@ -6,7 +6,7 @@ import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { angleBetween, compared, side } from "../geometry/axes.js";
 import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
-import { meant, read } from "../reading/table.js";
+import { fromCraig, meant, read } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { lower, say, size } from "../sentences.js";
 import { NoLink } from "../reading/table_matrices.js";
@@ -301,6 +301,19 @@ function different(table, reference, rows, wanted, length) {
     const [t] = found;
     const findings = t.entries.map((at) => entry(table, t, at, length));
     return bad(table, reference, causes, findings);
+  }
+  if (!table.modified && by.differences.length > 1) {
+    const [craig, first] = [squared(fromCraig(rows)), table.rows[0]];
+    const left = compared(side(craig), side(wanted), length).differences;
+    const added = Number(Boolean(first.a || first.alpha));
+    const turned = { ...table, rows: craig, modified: true, added };
+    if (left.length < 2)
+      return bad(
+        table,
+        reference,
+        [cause("table.craig")],
+        left.map((d) => geometry(turned, d)),
+      );
   }
   const notes = by.signs.length ? base(table, side(rows), by) : [];
   return bad(
