@@ -71,6 +71,7 @@ export function read(text, { columns, ...options } = {}, values = []) {
 }
 
 // Rows torn in two, and frames where links are asked for.
+/** @param {{ cells: string[][], torn?: string | null }} block @param {string} text */
 function refuseBlock({ torn, cells }, text) {
   if (torn) throw new ArmError(say("row torn", { line: shown(torn.trim()) }));
   if (matrices(cells) && FRAMES.test(text)) throw new NoLink("table.frames");
