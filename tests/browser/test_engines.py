@@ -124,7 +124,7 @@ def test_a_table_is_typed_and_followed(reader):
 def test_a_jacobian_is_judged(reader):
     reader.open("check_your_homework", "#ask=jacobian&arm=ELBOW&q=0.5, 0.7, -0.4")
     told = "document.querySelector('.arm-judge .verdict')?.textContent"
-    answer = "[...document.querySelectorAll('.arm-judge textarea')].at(-1)"
+    answer = "[...document.querySelectorAll('.arm-judge textarea:not([readonly])')].at(-1)"
     reader.until("!document.querySelector('.arm-judge > .unscripted')")
     reader.fill(answer, ELBOW.replace("0.2866", "0.3866"))
     reader.until(f"{told}.includes('olumn 3 (joint 3): look again at vz.')")

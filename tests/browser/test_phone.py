@@ -31,5 +31,5 @@ def test_the_list_of_arms_shows_a_name_on_a_phone(browser):
     page.locator(".cell .arm-explorer:not([data-figure])").first.evaluate(THERE)
     arms = page.locator("section.explorer select.name").first
     arms.wait_for()
-    assert arms.bounding_box()["width"] > 120
+    assert arms.evaluate("list => list.getBoundingClientRect().width") > 120
     page.close()

@@ -10,10 +10,9 @@ from tests.test_book import HTML
 
 LIVE = re.compile(r"_static/(explorer|judge)\.js$")
 PARTS = ".arm-explorer, .arm-judge"
-PAGES = [
-    path.stem
-    for path in sorted(HTML.glob("*.html"))
-    if re.search(r'class="arm-(explorer|judge)', path.read_text("utf-8"))
+PAGES = [  # by name, since the book is built after tests are collected
+    *("intro", "explorer", "check_your_homework", "own_arm", "01_dh_tables", "02_jacobian"),
+    *("03_circle_tracing", "04_static_torque", "05_inverse_kinematics"),
 ]
 HEIGHTS = f"""() => [...document.querySelectorAll("{PARTS}")].map(
     (part) => Math.round(part.getBoundingClientRect().height))"""
@@ -29,10 +28,6 @@ WOKEN = f"""async () => {{
 # The pictures that are seen, and those that are not.
 SEEN = """() => [...document.querySelectorAll(".arm-explorer")].map(({ shadowRoot }) =>
     shadowRoot.querySelector(".still").checkVisibility({ visibilityProperty: true }))"""
-
-
-def test_pages_have_live_parts():
-    assert {"intro", "explorer", "check_your_homework", "05_inverse_kinematics"} <= {*PAGES}
 
 
 @pytest.fixture(scope="module")

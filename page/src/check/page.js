@@ -33,7 +33,8 @@ export function mount(stub, book, id) {
   addTools(one, book);
   addFiles(one, stub);
   addReport(one);
-  const written = [...stub.querySelectorAll("textarea")].at(-1); // before the script had come
+  // before the script had come
+  const written = [...stub.querySelectorAll("textarea")].filter((one) => !one.readOnly).at(-1);
   const typed = written?.value === written?.defaultValue ? {} : { answer: written.value };
   const { verdict, report, taken, ...below } = parts;
   const desk = h("div.desk", {}, made.form, h("div.told", {}, verdict, report, taken));
