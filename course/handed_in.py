@@ -28,7 +28,8 @@ class HandIn:
 
 def read_hand_in(files: Sequence[Found], parts: Collection[str], seconds: int = 0) -> HandIn:
     """The answers in a student's files; a notebook is run for so many seconds, not at all for 0."""
-    files = sorted(map(_checked, files), key=lambda file: not file.trouble)
+    # What could not be read at all comes first, then what is no JSON.
+    files = sorted(map(_checked, sorted(files, key=_is_read)), key=_is_read)
     read = {file.name: _json(file) for file in files if file.kind in (".json", ".ipynb")}
     written = {name: named for name, data in read.items() if (named := _answers(data, parts))}
     if written:
@@ -65,6 +66,10 @@ def of_another(answers: Mapping[str, Any], student: str) -> str:
     return (
         "" if other == student else f"this answers the sheet of {other[:64]!r}, not of {student!r}"
     )
+
+
+def _is_read(file: Found) -> bool:
+    return not file.trouble
 
 
 def _several(what: str, names: Collection[str]) -> HandIn:
