@@ -1,13 +1,9 @@
 // Why a table is another arm: every reading with up to two slips undone, and the entries that it
 // leaves wrong. The fewest slips win, a wrong entry being one.
 
-import { DEG } from "../geometry/angles.js";
 import { angleBetween, compared, side } from "../geometry/axes.js";
 import { ANGLE, angular, squared, variableOf } from "../geometry/rows.js";
 import { ENTRIES } from "../reading/table_rows.js";
-import { say, size } from "../sentences.js";
-import { rounded } from "../topics/table_words.js";
-import { cause } from "./ranking.js";
 import * as usual from "./table.js";
 
 /** @typedef {import("../geometry/axes.js").Numbers} Numbers */
@@ -82,25 +78,4 @@ function differing(rows, wanted, length) {
       return !free && (angular(column) ? angleBetween(x, y) > ANGLE : Math.abs(x - y) > length);
     }).map((column) => /** @type {[number, string]} */ ([k, column])),
   );
-}
-
-/** @returns {Cause} */
-export function kindOfError(column, row, mine, wanted, length) {
-  const negative = angular(column)
-    ? angleBetween(mine, -wanted) < ANGLE
-    : Math.abs(mine + wanted) <= length;
-  const twist = column === "alpha";
-  if (negative) return twist ? cause("table.twist", { row }) : cause("table.sign", { column, row });
-  if (!mine)
-    return twist ? cause("table.no twist", { row }) : cause("table.missing", { column, row });
-  if (!wanted) return cause("table.too much", { column, row });
-  if (angular(column)) {
-    const off = size(rounded(angleBetween(mine, wanted) * DEG, 6), 4);
-    return cause("table.angle", { column, row, _off: off });
-  }
-  const _way = say(
-    mine * wanted < 0 ? "off" : Math.abs(mine) > Math.abs(wanted) ? "long" : "short",
-  );
-  const _off = size(rounded(1000 * Math.abs(mine - wanted), 6), 4);
-  return cause("table.number", { column, row, _off, _way });
 }

@@ -1,10 +1,10 @@
 // What is said of one wrong entry of a table, and of one difference of the axes.
 
-import { nameOf } from "../causes/ranking.js";
-import { kindOfError } from "../causes/table_search.js";
+import { cause, nameOf } from "../causes/ranking.js";
 import { DEG } from "../geometry/angles.js";
 import { say, size } from "../sentences.js";
 import { angleBetween } from "../geometry/axes.js";
+import { ANGLE, angular } from "../geometry/rows.js";
 
 export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 
@@ -94,4 +94,25 @@ export function ownUnit(table, row, column) {
   const last = (typedText(table, row, column) ?? "").match(DECIMAL)?.at(-1) ?? "";
   const places = last.slice(last.indexOf(".") + 1).length;
   return places >= 2 ? table.angleScale * 10 ** -places : 0;
+}
+
+/** @returns {import("../causes/ranking.js").Cause} */
+function kindOfError(column, row, mine, wanted, length) {
+  const negative = angular(column)
+    ? angleBetween(mine, -wanted) < ANGLE
+    : Math.abs(mine + wanted) <= length;
+  const twist = column === "alpha";
+  if (negative) return twist ? cause("table.twist", { row }) : cause("table.sign", { column, row });
+  if (!mine)
+    return twist ? cause("table.no twist", { row }) : cause("table.missing", { column, row });
+  if (!wanted) return cause("table.too much", { column, row });
+  if (angular(column)) {
+    const off = size(rounded(angleBetween(mine, wanted) * DEG, 6), 4);
+    return cause("table.angle", { column, row, _off: off });
+  }
+  const _way = say(
+    mine * wanted < 0 ? "off" : Math.abs(mine) > Math.abs(wanted) ? "long" : "short",
+  );
+  const _off = size(rounded(1000 * Math.abs(mine - wanted), 6), 4);
+  return cause("table.number", { column, row, _off, _way });
 }
