@@ -48,7 +48,7 @@ def shoulder_triangles(
 
 
 def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
-    """Draw a UR arm of the homework's table in its own plane, r to the right, z up, from the
+    """Draw a UR arm of the homework's table in its own plane, x_1 to the right, z up, from the
     shoulder to the wrist, with the triangle of joints 2 and 3 and the step d_5."""
     T = pose_frames(arm, q)
     points = np.stack([T[:, :3, 3] @ T[1, :3, 0], T[:, 2, 3]], axis=1)[[1, 2, 3, 5]]
@@ -59,13 +59,13 @@ def ur_triangle(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     ax.plot(*wrist, "*", color=RED, ms=11)
     upright = np.stack([shoulder, shoulder + np.array([0, 0.3])], axis=1)
     ax.plot(*upright, color=GREY, lw=0.8, ls="--")
-    _triangle(ax, points[:3], 0.06)
+    _triangle(ax, points[:3], 0.06, ("$r_4$", "$s_4$"))
     _beside(ax, end, wrist, "$d_5$", 0.06)
     lean, fore = _bearing(shoulder, elbow), _bearing(elbow, end)
     angle(ax, shoulder, 0.2, (lean, 90), "$q_2$")
     angle(ax, elbow, 0.15, (fore, lean), "$q_3$")
     ax.text(wrist[0] + 0.05, wrist[1] + 0.03, "$o_5$", color=RED, ha="left")
-    ax.set(xlabel="$r$ (m)", ylabel="$z$ (m)", aspect="equal")
+    ax.set(xlabel="along $x_1$ (m)", ylabel="$z$ (m)", aspect="equal")
 
 
 def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
@@ -75,7 +75,7 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     q = np.array([0.0, *arm.joint_vector(q, many=False)[1:]])
     shoulder, elbow, tip = points = link_frames(arm, q)[1:4, [0, 2], 3]
     arm_2d(ax, arm, q)
-    _triangle(ax, points, 0.04)
+    _triangle(ax, points, 0.04, ("$r$", "$s$"))
     along = (elbow - shoulder) / np.linalg.norm(elbow - shoulder)
     foot = shoulder + along * ((tip - shoulder) @ along)
     ax.plot(*np.stack([elbow, foot, tip], axis=1), color=PURPLE, lw=1.2, ls="-.")
@@ -89,9 +89,9 @@ def law_of_cosines(ax: Axes, arm: Arm, q: ArrayLike) -> None:
     ax.set(ylim=(shoulder[1] - 0.12, max(elbow[1], foot[1]) + 0.07))
 
 
-def _triangle(ax: Axes, points: Array, away: float) -> None:
-    """The triangle of shoulder, elbow and end, shape (3, 2), the end's place over the shoulder, and
-    where the first link points, with the sides' names so far (m) beside them."""
+def _triangle(ax: Axes, points: Array, away: float, legs: tuple[str, str]) -> None:
+    """The triangle of shoulder, elbow and end, shape (3, 2), the end's place over the shoulder, by
+    its two legs, and where the first link points, with the sides' names so far (m) beside them."""
     shoulder, elbow, end = points
     corner, ahead = np.array([end[0], shoulder[1]]), elbow + 0.5 * (elbow - shoulder)
     ax.plot(*np.stack([shoulder, end], axis=1), color=RED, lw=1.2, ls="--")
@@ -99,8 +99,8 @@ def _triangle(ax: Axes, points: Array, away: float) -> None:
     ax.plot(*np.stack([elbow, ahead], axis=1), color=GREY, lw=0.8, ls="--")
     _beside(ax, shoulder, elbow, "$a_2$", away)
     _beside(ax, elbow, end, "$a_3$", away)
-    _beside(ax, corner, shoulder, "$r$", away)
-    _beside(ax, corner, end, "$s$", away)
+    _beside(ax, corner, shoulder, legs[0], away)
+    _beside(ax, corner, end, legs[1], away)
 
 
 def _beside(ax: Axes, start: Array, stop: Array, text: str, away: float) -> None:
