@@ -46,7 +46,16 @@ function literal(text) {
 export const largest = (list) => list.reduce((top, x) => Math.max(top, Math.abs(x)), 1e-3);
 const hairOf = (truth) => HAIR * largest(truth);
 // An entry that shows its last place needs no more than arithmetic does.
-const hairs = (truth, places) => places.map((u) => (u ? NOISE : HAIR) * largest(truth));
+const hair = (unit, top) => (unit ? NOISE : HAIR) * top;
+
+// The ways in which an entry may agree with the truth, the best first.
+/** @typedef {{ short: boolean, top: number }} Entry */
+/** @type {[string, (off: number, unit: number, entry: Entry) => boolean][]} */
+const WAYS = [
+  ["rounded", (off, unit) => off <= HALF * unit],
+  ["cut", (off, unit, { short }) => off <= 0 || (short && off < unit)],
+  ["one off", (off, unit, { top }) => off <= ONE_OFF * Math.min(unit, COARSE * top)],
+];
 
 /**
  * How entries agree with what they should be: "rounded" to their last places, all "cut" there, but
@@ -54,14 +63,15 @@ const hairs = (truth, places) => places.map((u) => (u ? NOISE : HAIR) * largest(
  * @param {Entries} mine @param {number[]} truth @param {number[]} [slack]
  */
 export function agreement({ values, units: places }, truth, slack) {
-  const hair = hairs(truth, places);
-  const off = (i) => Math.abs(values[i] - truth[i]) - hair[i] - (slack ? slack[i] : 0);
-  const all = (fits) => values.every((_, i) => fits(i));
-  if (all((i) => off(i) <= HALF * places[i])) return "rounded";
-  const short = (i) => Math.abs(values[i]) <= Math.abs(truth[i]) && values[i] * truth[i] >= 0;
-  if (all((i) => off(i) <= 0 || (short(i) && off(i) < places[i]))) return "cut";
-  const near = (i) => off(i) <= ONE_OFF * Math.min(places[i], COARSE * largest(truth));
-  return all(near) ? "one off" : "";
+  const top = largest(truth);
+  let ways = WAYS;
+  for (let i = 0; i < values.length && ways.length; i++) {
+    const [x, is] = [values[i], truth[i]];
+    const off = Math.abs(x - is) - hair(places[i], top) - (slack?.[i] ?? 0);
+    const entry = { short: Math.abs(x) <= Math.abs(is) && x * is >= 0, top };
+    ways = ways.filter(([, fits]) => fits(off, places[i], entry));
+  }
+  return ways[0]?.[0] ?? "";
 }
 
 export const isRight = (how) => how === "rounded" || how === "cut";
@@ -69,9 +79,12 @@ export const agrees = (mine, truth, slack) => isRight(agreement(mine, truth, sla
 
 // Which entries are wrong: by more than one in the last place, or, where none is, at all.
 export function beyond({ values, units: places }, truth, slack) {
-  const hair = hairs(truth, places);
+  const top = largest(truth);
   const past = (most) =>
-    values.map((x, i) => Math.abs(x - truth[i]) > hair[i] + slack[i] + most * places[i]);
+    values.map((x, i) => {
+      const room = hair(places[i], top) + slack[i] + most * places[i];
+      return Math.abs(x - truth[i]) > room;
+    });
   const wrong = past(ONE_OFF);
   return wrong.includes(true) ? wrong : past(HALF);
 }
@@ -81,8 +94,8 @@ export function beyond({ values, units: places }, truth, slack) {
  * @param {{ units: number[] }} mine @param {number[]} truth @param {number[]} other
  */
 export function tellable({ units: places }, truth, other) {
-  const hair = hairOf(truth);
-  return truth.some((x, i) => Math.abs(other[i] - x) > Math.max(places[i] / 100, 2 * hair));
+  const least = 2 * hairOf(truth);
+  return truth.some((x, i) => Math.abs(other[i] - x) > Math.max(places[i] / 100, least));
 }
 
 // How many different values, as a power of ten, the entries chosen could show.

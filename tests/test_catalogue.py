@@ -103,6 +103,7 @@ def test_each_mistake_in_a_table_is_named(name):
 
 
 RIGHT = [case for case in QUESTIONS if case["grade"] == "right" and case["answer"]]
+SIUNITX = next(case for case in RIGHT if "\\ang" in case["answer"])
 DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 
 
@@ -110,6 +111,7 @@ DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 @example(case=RIGHT[0], place=0.0)
 @example(case=DICTIONARIES, place=0.0)
 @example(case=DICTIONARIES, place=1.0)
+@example(case=SIUNITX, place=0.734375)
 @given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))
 def test_no_number_vanishes_wherever_it_stands(case, place):
     """Into right work, at any place: refused, wrong, part of an entry, or shown back."""

@@ -88,7 +88,7 @@ def test_the_unwritten_digits_of_each_joint_are_allowed_for(about, seed):
 
 
 @BOTH
-@pytest.mark.parametrize("seed", range(100))
+@pytest.mark.parametrize("seed", range(50))
 def test_an_entry_off_by_chance_gets_no_cause_and_is_located(about, seed):
     asked = Asked(about, seed)
     digits = asked.rng.integers(asked.fewest - 1, asked.fewest + 2)
@@ -181,7 +181,6 @@ SWAPPED = [
         (tau_of(loads.PAPER), "tau.paper centres"),
         (tau_of(SWAPPED), "tau.masses exchanged:2:3"),
         (1000 * tau_of() - 999 * FORCE, "tau.grams"),
-        (tau_of(g=1), "tau.gravity:1"),
     ],
 )  # fmt: skip
 def test_the_reports_own_models_are_named(tau, cause):

@@ -18,13 +18,25 @@ import { both, cause } from "./ranking.js";
 
 // A Jacobian with its rows in the axes of one frame, of any q, by steps some of which are wrong.
 export const jacobianOf =
-  (arm, frame, { change = same, recipe = chains.columns, write = same } = {}) =>
+  (arm, frame, step = {}, built = builtBy(arm, frame, step)) =>
   (q) => {
+    const { J, T } = built(q);
+    return (step.write ?? same)(J, T);
+  };
+
+// What a step's table and recipe make of q, before it is written down; the last is kept, since
+// many a writing is tried of it.
+function builtBy(arm, frame, { change = same, recipe = chains.columns }) {
+  let [last, made] = [null, null];
+  return (q) => {
+    if (q === last) return made;
     const c = change(chains.chain(arm, q));
     const T = chains.framesOf(c);
     const J = recipe(c, T);
-    return write(frame ? chains.seenIn(J, T[frame] ?? T.at(-1)) : J, T);
+    [last, made] = [q, { J: frame ? chains.seenIn(J, T[frame] ?? T.at(-1)) : J, T }];
+    return made;
   };
+}
 
 const same = (x, ..._) => x;
 
@@ -66,9 +78,12 @@ export function* copies(arm, frame) {
  */
 export function* pairs(arm, frame, all) {
   for (const [n, first] of all.entries()) {
+    const built = builtBy(arm, frame, first);
     for (const second of all.slice(n + 1)) {
       const two = joined(first, second);
-      if (two) yield { cause: both(first.cause, second.cause), make: jacobianOf(arm, frame, two) };
+      if (!two) continue;
+      const make = jacobianOf(arm, frame, two, second.write ? built : undefined);
+      yield { cause: both(first.cause, second.cause), make };
     }
   }
 }

@@ -59,11 +59,12 @@ export function explaining({ mine, q, dof, truth, slack, wrong }, slips) {
   const kept = wrong.flatMap((is, i) => (is ? [] : [i]));
   const those = (list) => kept.map((i) => list[i]);
   const rest = { values: those(mine.values), units: those(mine.units) };
+  const allowed = those(slack);
   const [exact, near] = [[], []];
   let rivals = 0; // slips that leave right what is right
   for (const slip of slips) {
     const values = slip.make(q.values);
-    if (agrees(rest, those(values), those(slack)) && tellable(mine, truth, values)) rivals++;
+    if (agrees(rest, those(values), allowed) && tellable(mine, truth, values)) rivals++;
     if (agrees(mine, values)) exact.push(slip);
     else if (wide && !exact.length) {
       const most = NEAR * wide * Math.max(1, largest(values) / largest(truth));

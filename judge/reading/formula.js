@@ -80,7 +80,7 @@ const LATEX = [
     /\\(?:mathrm|text(?:bf|it|rm)?|math(?:it|bf|sf)|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g,
     "$1",
   ],
-  [/\\ang\s*\{([^{}]*)\}|\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*\\degree\s*\}/g, "($1$2 deg)"],
+  [/\\ang\s*\{([^{}]*)\}|\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*\\degree\s*\}/g, " $1$2 deg "],
   [/\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)(?![A-Za-z])/g, " deg"],
   [/\\(?:cdot|times|ast)(?![A-Za-z])/g, "*"],
   [/\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)/g, " "],
