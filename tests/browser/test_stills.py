@@ -75,15 +75,21 @@ def test_without_a_script_pictures_and_forms_can_be_seen(browser, name):
     page.close()
 
 
-def test_what_is_typed_before_the_script_has_come_is_kept(browser):
+def test_what_is_chosen_and_typed_before_the_script_has_come_is_kept(browser):
     page = browser.new_page()
     late = []
     page.route(LIVE, lambda route: late.append(route))
     page.goto((HTML / "check_your_homework.html").as_uri())
-    page.get_by_label("Your answer", exact=True).fill("1 2 3")
+    page.get_by_label("Question", exact=True).select_option(label="Denavit-Hartenberg table")
+    page.get_by_label("Arm", exact=True).select_option("ELBOW")
+    answer = page.get_by_label("Your answer", exact=True)
+    answer.fill("1 2 3")
     page.wait_for_timeout(50)
     assert late, "the script has been asked for"
     page.unroute(LIVE)  # which lets it come
     page.locator(".arm-judge:not(:has(> .unscripted))").wait_for()
-    assert page.get_by_label("Your answer", exact=True).input_value() == "1 2 3"
+    assert answer.input_value() == "1 2 3"
+    assert answer.evaluate("(e) => e === document.activeElement"), "keys go on into it"
+    assert page.get_by_label("Question", exact=True).input_value() == "table"
+    assert page.get_by_label("Arm", exact=True).input_value() == "ELBOW"
     page.close()

@@ -33,14 +33,27 @@ export function mount(stub, book, id) {
   addTools(one, book);
   addFiles(one, stub);
   addReport(one);
-  // before the script had come
-  const written = [...stub.querySelectorAll("textarea")].filter((one) => !one.readOnly).at(-1);
-  const typed = written?.value === written?.defaultValue ? {} : { answer: written.value };
+  const { held, patch } = before(stub, Object.keys(made.fields));
   const { verdict, report, taken, ...below } = parts;
   const desk = h("div.desk", {}, made.form, h("div.told", {}, verdict, report, taken));
   stub.replaceChildren(desk, ...Object.values(below));
   if (!given) readLinks(one, stub);
-  one.put(typed);
+  if (TURNS.some((key) => key in patch)) one.turnTo(patch);
+  one.put(patch);
+  made.fields[held]?.focus();
+}
+
+// What was chosen and typed in the still form before the script had come, and which of its fields
+// was held.
+function before(stub, keys) {
+  const fields = keys.map((key) => [key, stub.querySelector(`[id$="-${key}"]`)]);
+  const usual = (one) =>
+    one.defaultValue ?? (one.querySelector("[selected]") ?? one.options[0])?.value;
+  const changed = fields.filter(([, one]) => one && one.value !== (usual(one) ?? ""));
+  return {
+    held: fields.find(([, one]) => one && one === document.activeElement)?.[0],
+    patch: Object.fromEntries(changed.map(([key, one]) => [key, one.value])),
+  };
 }
 
 // A link brings its question, now and whenever the address changes.
