@@ -41,17 +41,6 @@ SPACE = "\N{NO-BREAK SPACE}"
 TIME = re.compile(r"(.*?)\s*· (.+)")
 
 
-class Margin(SphinxDirective):
-    """A note beside the text, or in it where there is no room beside."""
-
-    has_content = True
-
-    def run(self) -> list[nodes.Node]:
-        note = nodes.container(classes=["margin"])
-        self.state.nested_parse(self.content, self.content_offset, note)
-        return [note]
-
-
 class LiveArm(SphinxDirective):
     """An arm of the catalogue, live."""
 
@@ -277,7 +266,6 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_config_value(
         "comments_config", {}, "html"
     )  # Jupyter Book sets it for an extension not used here
-    app.add_directive("margin", Margin)
     app.add_directive("arm", LiveArm)
     app.add_directive("div", LiveJudge)
     app.add_node(HideCodeCellNode, override=True, html=(visit_folded_code, depart_folded_code))

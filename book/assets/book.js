@@ -96,7 +96,6 @@ document.addEventListener("DOMContentLoaded", () => {
       chooseColours(modes[(modes.indexOf(dataset.mode) + 1) % 3]);
       name();
     };
-    button.hidden = false;
     name();
   });
 

@@ -38,21 +38,6 @@ export function attribute(element, name, value) {
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
-/**
- * An update that is made only where one of the things that it shows is another one than before.
- * @param {(state: any) => any[]} shows
- * @param {(state: any) => void} update
- */
-export function whereNew(shows, update) {
-  let before = [];
-  return (state) => {
-    const now = shows(state);
-    if (before.length && now.every((one, i) => one === before[i])) return;
-    before = now;
-    update(state);
-  };
-}
-
 // A symbol with an index, as q₂.
 export const indexed = (letter, index) => [h("i", {}, letter), h("sub", {}, String(index))];
 

@@ -14,8 +14,8 @@ import {
   plus,
   scaled,
 } from "../../judge/geometry/kinematics.js";
-import { rightNull, singular, solve } from "../../judge/geometry/linear.js";
-import { poseError, reach } from "./motion.js";
+import { rightNull, singular } from "../../judge/geometry/linear.js";
+import { damped, inner, isThere, orBeside, poseError, reach } from "./motion.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /** @typedef {(point: number[]) => number[]} Pixel from a point of the world to CSS pixels */
@@ -54,10 +54,8 @@ export function dragLink(arm, q, { row, local, to, joint, pixel }) {
     const p = inWorld(frames[row + 1], local);
     const { z, o } = frames[index];
     const { at, rate } = onScreen(pixel, p, turns ? cross(z, minus(p, o)) : z);
-    const step =
-      (rate[0] * (to[0] - at[0]) + rate[1] * (to[1] - at[1])) /
-      (rate[0] ** 2 + rate[1] ** 2 + SOFT ** 2);
-    next[joint] += Math.max(-0.2, Math.min(0.2, step));
+    const [step] = damped([rate], [inner(rate, [to[0] - at[0], to[1] - at[1]])], SOFT ** 2);
+    next[joint] += clamped(step, [-0.2, 0.2]);
   }
   next[joint] = clamped(next[joint], [
     Math.min(limits[0], q[joint]),
@@ -68,63 +66,54 @@ export function dragLink(arm, q, { row, local, to, joint, pixel }) {
 
 const TURN = 0.3; // m that a radian of the tool's direction counts for, where it is to be kept
 
-function tipError(tip, target, turns) {
-  if (!turns) return minus(target.o, tip.o);
-  const error = poseError(tip, target);
-  return [...error.slice(0, 3), ...scaled(TURN, error.slice(3))];
-}
+// Of a motion (v, ω) what a dragged tip is asked for.
+const task = (motion, turns) =>
+  turns ? motion.map((v, i) => (i < 3 ? v : TURN * v)) : motion.slice(0, 3);
 
-const weighed = (columns, turns) =>
-  columns.map((c) =>
-    turns ? [...c.slice(0, 3), ...c.slice(3).map((v) => TURN * v)] : c.slice(0, 3),
-  );
-
-const inner = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
+const MOST = 0.12; // rad or m that a joint moves in a frame
+const TO_REST = 1e-4; // how much each joint is drawn to where the drag began
 
 /**
  * One frame of a dragged tip: the joint values a little nearer to those that bring the tip to the
  * target, never past a limit, and near `rest`, where the drag began, so that the way back is the
- * way there. By Levenberg and Marquardt's steps; the cap on a frame's motion comes after the
- * solution, since inside the loop it makes a stretched arm tremble.
+ * way there. The cap on a frame's motion comes after the solution, since inside the loop it makes a
+ * stretched arm tremble.
  * @param {Arm} arm
  * @param {number[]} start
- * @param {{ o: number[], x?: number[], y?: number[], z?: number[] }} target
+ * @param {import("./state.js").Frame} target
  * @param {number[]} rest
  */
-export function dragTip(arm, start, target, rest, options = {}) {
-  const { turns = false, steps = 12, budget = 0.12, weight = 1e-4, nudge = 0.05 } = options;
-  const limits = limitsOf(arm);
-  const open = start.map((v, k) => [Math.min(limits[k][0], v), Math.max(limits[k][1], v)]);
-  const problem = { arm, target, rest, turns, weight, limits: open };
-  let best = descend(problem, start, steps);
-  const still = best.q.every((v, k) => Math.abs(v - start[k]) < 1e-4);
-  if (still && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3)
-    best = besideStall(problem, best, nudge);
+export function dragTip(arm, start, target, rest, { turns = false } = {}) {
+  const open = limitsOf(arm).map(([lower, upper], k) => [
+    Math.min(lower, start[k]),
+    Math.max(upper, start[k]),
+  ]);
+  const problem = { arm, target, rest, turns, limits: open };
+  let best = descend(problem, start);
+  if (isThere(best.q, start) && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3)
+    best = orBeside(best, best.q, (q) => descend(problem, q));
   const most = Math.max(1e-12, ...best.q.map((v, k) => Math.abs(v - start[k])));
-  const share = Math.min(1, budget / most);
+  const share = Math.min(1, MOST / most);
   return { q: start.map((v, k) => v + share * (best.q[k] - v)), arrived: share === 1 };
 }
 
-function descend({ arm, target, rest, turns, weight, limits }, start, steps) {
+// By damped steps, of which each is taken only if it leads nearer.
+function descend({ arm, target, rest, turns, limits }, start) {
+  const errorOf = (frames) => task(poseError(frames.at(-1), target), turns);
   const cost = (frames, q) =>
-    norm(tipError(frames.at(-1), target, turns)) ** 2 +
-    weight * q.reduce((s, v, k) => s + (v - rest[k]) ** 2, 0);
-  let [q, lambda] = [[...start], 1e-3];
+    norm(errorOf(frames)) ** 2 + TO_REST * q.reduce((s, v, k) => s + (v - rest[k]) ** 2, 0);
+  let [q, lambda] = [start.map((v, k) => clamped(v, limits[k])), 1e-3];
   let frames = linkFrames(arm, q);
   let least = cost(frames, q);
-  for (let round = 0; round < steps; round++) {
-    const error = tipError(frames.at(-1), target, turns);
-    const J = weighed(jacobianColumns(arm, frames), turns);
-    const pull = J.map((column, k) => inner(column, error) - weight * (q[k] - rest[k]));
+  for (let round = 0; round < 12; round++) {
+    const error = errorOf(frames);
+    const J = jacobianColumns(arm, frames).map((c) => task(c, turns));
+    const pull = J.map((column, k) => inner(column, error) - TO_REST * (q[k] - rest[k]));
     const free = [...q.keys()].filter(
       (k) => !(q[k] <= limits[k][0] && pull[k] < 0) && !(q[k] >= limits[k][1] && pull[k] > 0),
     );
-    if (!free.length) break;
-    const A = free.map((a) => free.map((b) => inner(J[a], J[b]) + (a === b ? weight + lambda : 0)));
-    const step = solve(
-      A,
-      free.map((k) => pull[k]),
-    );
+    const [columns, pulls] = [J, pull].map((of) => free.map((k) => of[k]));
+    const step = damped(columns, pulls, TO_REST + lambda);
     const next = [...q];
     free.forEach((k, i) => (next[k] = clamped(q[k] + step[i], limits[k])));
     const there = linkFrames(arm, next);
@@ -137,21 +126,7 @@ function descend({ arm, target, rest, turns, weight, limits }, start, steps) {
     [q, frames, least, lambda] = [next, there, found, Math.max(1e-5, lambda / 4)];
     if (gain < 1e-10) break;
   }
-  return { q, frames, cost: least };
-}
-
-// A singular pose holds the arm although the tip is not there: look a little beside it, joint by
-// joint.
-function besideStall(problem, stalled, nudge) {
-  let best = stalled;
-  for (const k of stalled.q.keys()) {
-    for (const way of [nudge, -nudge]) {
-      const start = stalled.q.map((v, i) => (i === k ? clamped(v + way, problem.limits[k]) : v));
-      const other = descend(problem, start, 6);
-      if (other.cost < 0.98 * best.cost) best = other;
-    }
-  }
-  return best;
+  return { q, frames, error: least };
 }
 
 /**
@@ -259,11 +234,8 @@ export function swingElbow(arm, q, grab, held, { turns = true } = {}) {
     free = still.length;
     if (!free) break;
     const moved = added(next, stepWithin(arm, frames, still, grab));
-    const there = turns
-      ? reach(arm, moved, held, { steps: 12 }).q
-      : dragTip(arm, moved, held, moved, { weight: 1e-9, budget: 1 }).q;
-    const off = norm(minus(linkFrames(arm, there).at(-1).o, held.o));
-    if (!there.every(within) || off > 1e-4) break;
+    const { q: there, error } = reach(arm, moved, held, { rows: turns ? 6 : 3 });
+    if (!there.every(within) || error > 1e-4) break;
     next = there;
   }
   return { q: next, free };
@@ -276,20 +248,19 @@ const added = (p, q) => p.map((v, k) => v + q[k]);
 function stepWithin(arm, frames, still, { row, local, to, pixel }) {
   const p = inWorld(frames[row + 1], local);
   const moving = joints(arm);
-  const columns = jacobianColumns(arm, frames, p).filter((_, k) => moving[k] <= row);
+  const before = jacobianColumns(arm, frames, p).filter((_, k) => moving[k] <= row);
   const rates = still.map((direction) => {
-    const v = columns.reduce((sum, c, k) => plus(sum, scaled(direction[k], c)), [0, 0, 0]);
+    const v = before.reduce((sum, c, k) => plus(sum, scaled(direction[k], c)), [0, 0, 0]);
     return onScreen(pixel, p, v);
   });
   const away = minus([...to, 0], [...rates[0].at, 0]).slice(0, 2);
-  const A = rates.map((a, i) =>
-    rates.map((b, j) => inner(a.rate, b.rate) + (i === j ? SOFT ** 2 : 0)),
+  const columns = rates.map(({ rate }) => rate);
+  const step = damped(
+    columns,
+    columns.map((rate) => inner(rate, away)),
+    SOFT ** 2,
   );
-  const step = solve(
-    A,
-    rates.map(({ rate }) => inner(rate, away)),
-  );
-  const share = Math.min(1, 0.12 / Math.max(1e-12, ...step.map(Math.abs)));
+  const share = Math.min(1, MOST / Math.max(1e-12, ...step.map(Math.abs)));
   return moving.map((_, k) =>
     still.reduce((sum, direction, i) => sum + share * step[i] * direction[k], 0),
   );

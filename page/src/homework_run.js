@@ -14,7 +14,7 @@ import {
 } from "../../judge/geometry/kinematics.js";
 import { gravityTorque, wrenchTorque } from "../../judge/geometry/kinematics.js";
 import { singular } from "../../judge/geometry/linear.js";
-import { onCircle, poseError, reach } from "./motion.js";
+import { inner, onCircle, poseError, reach } from "./motion.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /**
@@ -81,9 +81,9 @@ function jointRates(J, twist, { rates, cutoff, damping, locked }) {
   const found = J.map(() => 0);
   values.forEach((value, i) => {
     if (value <= least || value < 1e-14) return;
-    const share = vectors[i].reduce((s, u, k) => s + u * twist[k], 0);
-    const weight = share / (rates === "damped" ? value * value + damping * damping : value * value);
-    for (const k of free) found[k] += weight * J[k].reduce((s, v, r) => s + v * vectors[i][r], 0);
+    const square = value ** 2 + (rates === "damped" ? damping ** 2 : 0);
+    const weight = inner(vectors[i], twist) / square;
+    for (const k of free) found[k] += weight * inner(J[k], vectors[i]);
   });
   return { found, least: values[Math.min(5, free.length - 1)] };
 }
@@ -122,7 +122,7 @@ class Walk {
     worst.fastest = Math.max(worst.fastest, ...k1.map(Math.abs));
     if (run.method === "exact") {
       const wanted = { ...first, o: onCircle(first.o, run, next).o };
-      return reach(arm, q, wanted, { held: run.locked, steps: 40 }).q;
+      return reach(arm, q, wanted, { held: run.locked }).q;
     }
     const h = run.seconds / run.steps;
     const moved = (k, by) => q.map((x, i) => x + by * k[i]);

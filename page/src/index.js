@@ -5,7 +5,7 @@ import { linkFrames } from "../../judge/geometry/kinematics.js";
 import { keepLink } from "./link.js";
 import { asked } from "./verdicts.js";
 import { FIGURES } from "./more/kinds.js";
-import { buildPanel, VIEWS } from "./panel.js";
+import { buildPanel } from "./panel.js";
 import { inUse, loseContext } from "./renderer.js";
 import { startingState, Store } from "./state.js";
 
@@ -23,16 +23,15 @@ function waysFrom(arm, branches) {
 /** @returns {import("./state.js").State} */
 function initial(spec) {
   const [arm] = spec.arms;
-  const views = spec.views.filter((name) => Object.hasOwn(VIEWS, name));
   return startingState({
     arm,
     reference: spec.reference ?? arm,
     q: spec.q,
     wrench: spec.wrench,
     unit: spec.unit,
-    view: views[0],
-    frames: views[0] === "table" ? "all" : "ends",
-    trace: spec.trace ?? null,
+    view: spec.views[0],
+    frames: spec.views[0] === "table" ? "all" : "ends",
+    trace: spec.trace,
     ways: waysFrom(arm, spec.branches),
   });
 }
@@ -50,8 +49,8 @@ function brought(stub) {
   const store = new Store(initial(spec));
   const makeLink = spec.link
     ? (tell, signal) => keepLink(store, spec.arms, spec.views, tell, signal)
-    : null;
-  const dispose = buildPanel(stub, store, { ...spec, wide: spec.link, makeLink });
+    : undefined;
+  const dispose = buildPanel(stub, store, { ...spec, makeLink });
   return { store, dispose };
 }
 

@@ -18,9 +18,6 @@ const STEPS = [
 ];
 
 export class Labels {
-  #spans = [];
-  #places = []; // where each stands, so that nothing is written twice
-
   constructor(host) {
     this.host = host;
     this.tags = [];
@@ -32,18 +29,13 @@ export class Labels {
    */
   set(tags) {
     this.tags = tags;
-    while (this.#spans.length < tags.length) {
-      const span = h("span", {}, h("i"), h("sub"));
-      this.#spans.push(span);
-      this.host.append(span);
-    }
-    this.#spans.forEach((span, i) => {
-      const tag = tags[i];
-      span.hidden = !tag;
-      if (!tag) return;
-      attribute(span, "class", `axis-${tag.letter}`);
-      write(span.children[0], tag.letter);
-      write(span.children[1], tag.index);
+    while (this.host.children.length < tags.length)
+      this.host.append(h("span", {}, h("i"), h("sub")));
+    tags.forEach(({ letter, index }, i) => {
+      const span = this.host.children[i];
+      attribute(span, "class", `axis-${letter}`);
+      write(span.children[0], letter);
+      write(span.children[1], index);
     });
   }
 
@@ -51,7 +43,7 @@ export class Labels {
   // away.
   place(pixel, width, height) {
     const taken = [];
-    this.tags.forEach(({ tip, index }, i) => {
+    const placed = this.tags.map(({ tip, index }) => {
       const [x, y] = pixel(tip);
       const room = [ROOM[0] + 4 * Math.max(0, index.length - 1), ROOM[1]];
       const free = ([dx, dy]) =>
@@ -59,28 +51,19 @@ export class Labels {
           ([p, q, r]) => Math.abs(p - x - dx) > (room[0] + r) / 2 || Math.abs(q - y - dy) > room[1],
         );
       const inside = x > -20 && y > -20 && x < width + 20 && y < height + 20;
-      const step = inside ? STEPS.find(free) : null;
-      const [left, top] = step ? [x + step[0], y + step[1]] : [];
-      if (step) taken.push([left, top, room[0]]);
-      this.#move(
-        i,
-        step ? `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)` : null,
-      );
+      const step = inside && STEPS.find(free);
+      if (!step) return null;
+      const [left, top] = [x + step[0], y + step[1]];
+      taken.push([left, top, room[0]]);
+      return `translate(${left.toFixed(1)}px, ${top.toFixed(1)}px) translate(-50%, -50%)`;
     });
-  }
-
-  // Put a name somewhere, or away.
-  #move(i, place) {
-    const before = this.#places[i];
-    if (before === place) return;
-    this.#places[i] = place;
-    const { style } = this.#spans[i];
-    if (!before || !place) style.visibility = place ? "visible" : "hidden";
-    if (place) style.transform = place;
+    [...this.host.children].forEach((span, i) => {
+      span.hidden = !placed[i];
+      if (placed[i]) span.style.transform = placed[i];
+    });
   }
 
   dispose() {
     this.host.replaceChildren();
-    [this.#spans, this.#places, this.tags] = [[], [], []];
   }
 }

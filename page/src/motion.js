@@ -14,6 +14,7 @@ import {
 } from "../../judge/geometry/kinematics.js";
 import { rightNull, singular, solve } from "../../judge/geometry/linear.js";
 import { circle } from "../../judge/geometry/path.js";
+import { replaced } from "./text.js";
 import { asked } from "./verdicts.js";
 
 // How many joints are more than the pose (or, below six, the place) asks for.
@@ -28,23 +29,30 @@ export function poseError(tip, wanted) {
   return [...minus(wanted.o, tip.o), ...scaled(0.5, turn)];
 }
 
-// The joint vector that brings the tip to the frame `wanted`, by Levenberg and Marquardt's steps
+export const inner = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
+
+// Levenberg and Marquardt's step x, for which |J x - e|² + damping |x|² is least, from the columns
+// of J and from Jᵀ e.
+export const damped = (columns, pull, damping) =>
+  solve(
+    columns.map((a, i) => columns.map((b, j) => inner(a, b) + (i === j ? damping : 0))),
+    pull,
+  );
+
+// The joint vector that brings the tip to the frame `wanted`, or that many rows of it, by steps
 // damped by the error (Sugihara 2011); `held` is the index of a joint that must not move.
-export function reach(arm, start, wanted, { held = -1, steps = 60 } = {}) {
+export function reach(arm, start, wanted, { held = -1, rows = asked(arm), steps = 60 } = {}) {
   let q = [...start];
-  const rows = asked(arm);
   for (let step = 0; ; step++) {
     const frames = linkFrames(arm, q);
     const error = poseError(frames.at(-1), wanted).slice(0, rows);
     const size = norm(error);
     if (size < 1e-11 || step === steps || !q.length) return { q, error: size };
-    const columns = jacobianColumns(arm, frames).map((c, i) => (i === held ? c.map(() => 0) : c));
-    const damping = 0.02 * size * size + 1e-12;
-    const A = error.map((_, i) =>
-      error.map((_, j) => columns.reduce((s, c) => s + c[i] * c[j], i === j ? damping : 0)),
+    const columns = jacobianColumns(arm, frames).map((c, i) =>
+      c.slice(0, rows).map((v) => (i === held ? 0 : v)),
     );
-    const y = solve(A, error);
-    const move = columns.map((c) => y.reduce((s, v, i) => s + c[i] * v, 0));
+    const pull = columns.map((c) => inner(c, error));
+    const move = damped(columns, pull, 0.02 * size * size + 1e-12);
     const most = Math.max(1e-12, ...move.map(Math.abs));
     q = q.map((v, i) => v + move[i] * Math.min(1, 0.6 / most));
   }
@@ -65,19 +73,24 @@ export function onCircle(top, { normal = "x", radius = 0.1, seconds = 1 }, share
 
 const NUDGE = 0.05; // rad or m, out of a pose in which no small motion helps
 
-// `reach`, tried again from beside a singular pose that it cannot leave.
-function reachFrom(arm, start, wanted, options) {
-  let best = reach(arm, start, wanted, options);
-  if (best.error < 1e-6) return best;
-  const still = best.q.every((v, i) => Math.abs(v - start[i]) < 1e-6);
-  for (const k of still ? start.keys() : []) {
+// What a search finds from a pose, `found`, or from a little beside it, joint by joint: a singular
+// pose holds it.
+export function orBeside(found, q, search) {
+  let best = found;
+  for (const k of q.keys()) {
     for (const way of [NUDGE, -NUDGE]) {
-      const beside = start.map((v, i) => (i === k ? v + way : v));
-      const other = reach(arm, beside, wanted, options);
+      const other = search(replaced(q, k, q[k] + way));
       if (other.error < 0.98 * best.error) best = other;
     }
   }
   return best;
+}
+
+function reachFrom(arm, start, wanted) {
+  const search = (q) => reach(arm, q, wanted);
+  const found = search(start);
+  const stalled = found.error > 1e-6 && isThere(found.q, start);
+  return stalled ? orBeside(found, start, search) : found;
 }
 
 const OFF = 1e-3; // m or rad from what is wanted, which then is out of reach
@@ -89,7 +102,7 @@ export function traceCircle(arm, start, circle = {}) {
   const wanted = Array.from({ length: 181 }, (_, k) => onCircle(tip.o, circle, k / 180).o);
   const path = [start];
   for (const o of wanted.slice(1)) {
-    const { q, error } = reachFrom(arm, path.at(-1), { ...tip, o }, { steps: 40 });
+    const { q, error } = reachFrom(arm, path.at(-1), { ...tip, o });
     if (error > OFF) break;
     path.push(q);
   }

@@ -1,8 +1,8 @@
 // The instrument: picture, sliders, and the views in tabs below, inside a shadow root of its own.
 
 import css from "./panel.css";
-import { common } from "./common.js";
-import { calm, h } from "./dom.js";
+import common from "./common.css";
+import { attribute, calm, h } from "./dom.js";
 import { makeHead } from "./panel/head.js";
 import { makeSliders } from "./panel/sliders.js";
 import { makeStage } from "./panel/stage.js";
@@ -10,7 +10,6 @@ import { makeTabs } from "./panel/tabs.js";
 import { makeSpeech } from "./speech.js";
 import { fixed } from "./text.js";
 import { watchTheme } from "./theme.js";
-import { VIEWS } from "./views/index.js";
 
 const GLIDE = 450; // ms that the arm takes to another place
 // ms in which the numbers follow while the picture is dragged: nobody reads faster
@@ -26,9 +25,9 @@ let count = 0;
  * @param {HTMLElement} host
  * @param {import("./state.js").Store} store
  * @typedef {import("../../judge/geometry/arm.js").Arm} Arm
- * @param {{ views: string[], arms: Arm[], wide?: boolean, makeLink?: Function | null }} options
+ * @param {{ views: string[], arms: Arm[], makeLink?: Function }} options
  */
-export function buildPanel(host, store, { views, arms, wide = false, makeLink = null }) {
+export function buildPanel(host, store, { views, arms, makeLink }) {
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const abort = new AbortController();
   const { signal } = abort;
@@ -42,7 +41,7 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
     tell: notice.tell,
     point: (row) => store.dispatch({ type: "show", lit: row }),
   };
-  const link = makeLink?.(notice.tell, signal) ?? null;
+  const link = makeLink?.(notice.tell, signal);
   const stage = makeStage(store, tools);
   const sliders = makeSliders(store, tools);
   const tabs = makeTabs(store, views, tools);
@@ -50,7 +49,6 @@ export function buildPanel(host, store, { views, arms, wide = false, makeLink = 
   const head = makeHead(store, { ...tools, arms, link, stage, card });
   const bench = h("div.bench", {}, stage.root, sliders.root);
   card.append(head.root, notice.root, bench, tabs.root, region);
-  card.classList.toggle("wide", wide);
   root.replaceChildren(h("style", {}, common, css), card);
   keepShown(store, { card, head, stage, sliders, tabs }, { say, signal });
   return () => {
@@ -74,18 +72,17 @@ function makeNotice() {
 // All that is shown follows the state: the picture at once, the numbers at a pace that can be read.
 function keepShown(store, { card, head, stage, sliders, tabs }, { say, signal }) {
   let theme = "light";
+  let timer = null;
   const draw = () => stage.draw(store.state, store.derived, theme);
-  const parts = [
-    ({ state }) => {
-      const name = `Explorer of the ${state.arm.name}`.replace("the Your", "your");
-      card.setAttribute("aria-label", name);
-      head.update(state);
-      stage.update(state);
-    },
-    ({ state }) => sliders.update(state),
-    ({ state, derived }) => tabs.update(state, derived),
-  ];
-  const numbers = inTurn(READ / parts.length, signal, parts, store);
+  const update = () => {
+    clearTimeout(timer);
+    timer = null;
+    const { state, derived } = store;
+    const name = `Explorer of the ${state.arm.name}`.replace("the Your", "your");
+    attribute(card, "aria-label", name);
+    for (const part of [head, stage, sliders, tabs]) part.update(state, derived);
+  };
+  signal.addEventListener("abort", () => clearTimeout(timer));
   watchTheme((now) => {
     theme = now;
     card.dataset.theme = now;
@@ -93,36 +90,15 @@ function keepShown(store, { card, head, stage, sliders, tabs }, { say, signal })
   }, signal);
   store.listen((changed) => {
     draw();
-    if (store.state.dragging && !changed.has("dragging")) return numbers.soon();
-    numbers.now();
+    if (store.state.dragging && !changed.has("dragging")) {
+      timer ??= setTimeout(update, READ);
+      return;
+    }
+    update();
     if (SAID.some((key) => changed.has(key)) && !store.state.playing)
       say(() => summary(store, tabs));
-    return undefined;
   }, signal);
-  numbers.now();
-}
-
-// Bring all parts up to date now; or soon, one after the other, so that no frame has to wait for
-// all of them.
-function inTurn(pace, signal, parts, store) {
-  let timer = null;
-  let due = 0; // parts that are behind
-  let next = 0;
-  const stop = () => {
-    clearTimeout(timer);
-    timer = null;
-  };
-  const tick = () => {
-    timer = null;
-    parts[next](store);
-    next = (next + 1) % parts.length;
-    if (--due) timer = setTimeout(tick, pace);
-  };
-  signal.addEventListener("abort", stop);
-  return {
-    now: () => (stop(), (due = 0), parts.forEach((part) => part(store))),
-    soon: () => ((due = parts.length), (timer ??= setTimeout(tick, pace))),
-  };
+  update();
 }
 
 // Where the tip is, and what the open view says of it.
@@ -162,5 +138,3 @@ function glider(store, signal) {
     return true;
   };
 }
-
-export { VIEWS };

@@ -4,7 +4,8 @@ import { rowsFault } from "../../judge/geometry/arm.js";
 import { rowsOf } from "../../judge/reading/own_table.js";
 import { ArmError } from "../../judge/sentences.js";
 
-const PARTED = /[\n\t,;&|]|\d +[-\d]/; // what stands between entries
+// A table has them, an entry has none.
+const SEVERAL = /[\n\t;&|]|\]\s*,|,\s*\[|\d +[-\d]/;
 
 /**
  * The rows that a text describes and what was guessed of them, or what is wrong with it, or null
@@ -15,7 +16,7 @@ const PARTED = /[\n\t,;&|]|\d +[-\d]/; // what stands between entries
  */
 export function readTable(text, unit) {
   try {
-    if (!PARTED.test(text.trim())) return null;
+    if (!SEVERAL.test(text.trim())) return null;
     const found = rowsOf(text, unit);
     const fault = rowsFault(found.rows);
     return fault ? { error: `${fault}.` } : found;

@@ -2,27 +2,34 @@
 // it, from where it stands; a mouse takes it as it is used to. The input keeps the keys and the
 // speech.
 
+import { h } from "./dom.js";
+
 const SIDEWAYS = 6; // px before a touch counts as meant
 
+let drags = 0;
+
 /**
- * @param {HTMLElement} rail around the input
  * @param {HTMLInputElement} input a range
- * @param {{ start?: () => void, put: (value: number) => void, signal: AbortSignal }} tools
+ * @param {(value: number, gesture: string) => void} put hears of each value, and of which motion it
+ *   is one
+ * @param {AbortSignal} signal
+ * @param {HTMLElement[]} below
  */
-export function relativeRail(rail, input, { start = () => {}, put, signal }) {
+export function makeRail(input, put, signal, ...below) {
+  const rail = h("div.rail", {}, input, ...below);
+  const on = (target, type, act) => target.addEventListener(type, act, { signal });
+  on(input, "input", () => put(Number(input.value), `keys ${input.ariaLabel}`));
   let drag = null;
   const span = () => Number(input.max) - Number(input.min);
-  const within = (value) => Math.min(Number(input.max), Math.max(Number(input.min), value));
   const length = () => Math.max(1, rail.clientWidth - 16);
-
+  const to = (value) =>
+    put(Math.min(Number(input.max), Math.max(Number(input.min), value)), `drag ${drags}`);
   const begin = (event) => {
-    start();
+    drags += 1;
     Object.assign(drag, { on: true, x: event.clientX });
     rail.setPointerCapture(event.pointerId);
   };
-
-  const on = (type, act) => rail.addEventListener(type, act, { signal });
-  on("pointerdown", (event) => {
+  on(rail, "pointerdown", (event) => {
     if (event.button || drag) return;
     drag = { id: event.pointerId, x: event.clientX, from: Number(input.value), on: false };
     input.focus({ preventScroll: true });
@@ -32,18 +39,19 @@ export function relativeRail(rail, input, { start = () => {}, put, signal }) {
     const share = (event.clientX - rail.getBoundingClientRect().left - 8) / length();
     const thumb = (drag.from - Number(input.min)) / span();
     if (Math.abs(share - thumb) * length() < 11) return; // the thumb itself was taken
-    drag.from = within(Number(input.min) + share * span());
-    put(drag.from);
+    drag.from = Number(input.min) + share * span();
+    to(drag.from);
   });
-  on("pointermove", (event) => {
+  on(rail, "pointermove", (event) => {
     if (event.pointerId !== drag?.id) return;
     if (!drag.on && Math.abs(event.clientX - drag.x) < SIDEWAYS) return;
     if (!drag.on) begin(event);
-    put(within(drag.from + (span() * (event.clientX - drag.x)) / length()));
+    to(drag.from + (span() * (event.clientX - drag.x)) / length());
   });
-  on("pointerup", () => (drag = null));
-  on("pointercancel", () => {
-    if (drag?.on) put(drag.from); // the page took the touch
+  on(rail, "pointerup", () => (drag = null));
+  on(rail, "pointercancel", () => {
+    if (drag?.on) to(drag.from); // the page took the touch
     drag = null;
   });
+  return rail;
 }

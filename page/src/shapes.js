@@ -7,7 +7,7 @@ import {
   DoubleSide,
   DynamicDrawUsage,
   Group,
-  InstancedBufferAttribute,
+  InstancedMesh,
   LineBasicMaterial,
   LineLoop,
   Mesh,
@@ -69,18 +69,10 @@ const WHITE = new Color(1, 1, 1);
  * Solids of one shape and material that are drawn in one call, however many there are. Each takes
  * its place by its number; one without a size is not seen.
  */
-class Solids extends Mesh {
-  // what the renderer asks; three.js' own class has rays and spheres that nobody needs here
-  isInstancedMesh = true;
-  instanceColor = null;
-  morphTexture = null;
-
+class Solids extends InstancedMesh {
   constructor(geometry, material, count) {
-    super(geometry, material);
-    this.count = count;
-    this.instanceMatrix = new InstancedBufferAttribute(new Float32Array(16 * count), 16);
+    super(geometry, material, count);
     this.frustumCulled = false; // they move, and no sphere around them is kept up to date
-    this.matrixAutoUpdate = false;
     this.instanceMatrix.setUsage(DynamicDrawUsage);
     for (let i = 0; i < count; i++) this.hide(i);
   }
@@ -120,13 +112,8 @@ class Solids extends Mesh {
 
   /** @param {(i: number) => Color} pick */
   colour(pick) {
-    this.instanceColor ??= new InstancedBufferAttribute(new Float32Array(3 * this.count), 3);
-    for (let i = 0; i < this.count; i++) pick(i).toArray(this.instanceColor.array, 3 * i);
+    for (let i = 0; i < this.count; i++) this.setColorAt(i, pick(i));
     this.instanceColor.needsUpdate = true;
-  }
-
-  dispose() {
-    this.dispatchEvent(/** @type {any} */ ({ type: "dispose" }));
   }
 }
 

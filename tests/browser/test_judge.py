@@ -146,7 +146,6 @@ def test_torques_by_keys_alone(page):
     verdict(page, "Type or paste your answer.")
     page.get_by_role("button", name="Show an example").press("Enter")
     verdict(page, "the force has the wrong sign")
-    assert page.locator(".arm-judge .verdict").evaluate(LINES, "g - J^T") == 1
     assert page.get_by_label("Wrench on the tool").is_visible()
 
 
@@ -158,6 +157,7 @@ def test_a_table_is_judged_and_shown_as_it_is_read(page):
     typed = f"{heads}\n0 90 500 q1\n400 0 0 q2+90\n200 0 0 q3"
     page.get_by_label("Your answer", exact=True).fill(typed)
     verdict(page, "a in row 3 is 100 mm too short (you have 200).")
+    assert page.locator(".arm-judge .verdict").evaluate(LINES, "100 mm") == 1
     assert page.locator(".arm-judge td.off").all_text_contents() == ["wrong: 0.2"]
     assert page.locator(".arm-judge .scroll td", has_text="+ 90°").count() == 1
     page.get_by_label("Your answer", exact=True).fill(typed.replace("\n200", "\n300"))

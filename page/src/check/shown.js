@@ -160,9 +160,10 @@ function spelt({ values, units }, i) {
 const signed = (words) => typeset(words.replaceAll("-", "−"));
 
 const marked = (content, off, why = "wrong: ") =>
-  off ? h("td.off", {}, h("span.unseen", {}, why), content) : h("td", {}, content);
+  off ? h("td.off", {}, h("span.hidden", {}, why), content) : h("td", {}, content);
 
-const EXAMPLE = "An example, with a mistake in it. Paste or type your own over it.";
+const EXAMPLE = "An example, with a mistake in it.";
+const OVER_IT = " Paste or type your own over it."; // which takes a script
 
 /**
  * The verdict, or why there is none yet; of an example it is none on the reader. `buttons` set what
@@ -173,7 +174,7 @@ export function tell(box, { report, error }, { example, buttons }) {
   const offer = buttons.length
     ? [h("p.offer", {}, "If that is what you mean, set ", ...buttons)]
     : [];
-  const note = example ? [h("p.note", {}, EXAMPLE)] : [];
+  const note = example ? [h("p.note", {}, EXAMPLE, h("span.screen", {}, OVER_IT))] : [];
   if (!report) return box.replaceChildren(...note, h("p", {}, typeset(error)), ...offer);
   const lines = linesOf(report).filter((line) => !report.headline.endsWith(line.slice(1)));
   const items = lines.map((line) => h("li", {}, typeset(line)));
@@ -186,19 +187,10 @@ export function tell(box, { report, error }, { example, buttons }) {
 const SYMBOL = /(?<!\w)([A-Za-z]|theta|alpha)_(?:\{([^}]+)\}|(\w+))(?![\w=])/g;
 const LETTERS = { theta: "θ", alpha: "α" };
 
-// What no line parts: a number and its unit, short sums and comparisons, a sign and what it stands
-// before or (elbow -) behind. A line may end behind any hyphen, though behind no true minus.
-const UNIT = String.raw`(?:N m|N|mm|m\/s\^2|m\/s²|m|degrees|deg|rad)(?![\w/^])`;
-const NAME = String.raw`[-+±−]*[\w.^°]{1,8}(?:\{[^}\s]{1,5}\})?(?![\w^°({]|\.\w)`;
-const SHORT = String.raw`[^\s,;]{1,16}(?![^\s,;])`;
-const UNBROKEN = [
-  String.raw`(?<![\w.^°}])\(?${NAME} [-+−<>] ${NAME}(?: ${UNIT})?[)'’”",.;:]*`,
-  String.raw`(?<![\w.])[-+±−]*\d[\d.]*(?:(?:e-?\d+)? ${UNIT}|e-\d+)`,
-  String.raw`\p{L}+ [-+−]['’”",.;:)]+`,
-  String.raw`(?<![\w)\]}])[-+±]+(?:${SHORT}|${NAME})`,
-  String.raw`N m(?!\w)`,
-];
-const PARTS = new RegExp(`(${UNBROKEN.join("|")})`, "u");
+// What no line parts: a number with its sign, its power of ten and its unit.
+const UNIT = String.raw`(?:N m|N|mm|m\/s²|m|degrees|deg|rad)(?![\w/^])`;
+const NUMBER = String.raw`(?<![\w^{+±−-])[-+±−]*\d[\d.]*(?:e-\d+)?(?: ${UNIT})?`;
+const PARTS = new RegExp(`(${NUMBER})`);
 
 /**
  * A sentence with its symbols set, z_{i-1} as a letter and an index, and what it quotes between

@@ -1,7 +1,7 @@
 // The kinds of small figures. Each has one lever and one message.
 
 import { h, indexed, write } from "../dom.js";
-import { ask } from "../jobs.js";
+import { ask, latest } from "../jobs.js";
 import {
   joints,
   linkFrames,
@@ -68,10 +68,10 @@ function motionsOf({ theta, d, a, alpha }, share) {
 }
 
 // A row of which so many of the four motions are made.
-function partly(row, count, { angle = 0.7, slide = 0.3 }) {
+function partly(row, count, { angle = 0.7 }) {
   const part = (i) => Math.min(1, Math.max(0, count - i));
   const theta = row.theta + (row.kind === "revolute" ? angle : 0);
-  const d = row.d + (row.kind === "prismatic" ? slide : 0);
+  const d = row.d + (row.kind === "prismatic" ? 0.3 : 0);
   const turns = { theta: part(0) * theta, alpha: part(3) * row.alpha };
   return { kind: "fixed", ...turns, d: part(1) * d, a: part(2) * row.a };
 }
@@ -87,7 +87,7 @@ function matrix(host, spec) {
   const live = makeLive(host, one, {
     state: { frames: "all" },
     side: [h("div.row", {}, name, h("div.scroll", {}, table))],
-    words: () => spec.words ?? `Turn joint ${number}: ${OF_A_ROW}`,
+    words: () => `Turn joint ${number}: ${OF_A_ROW}`,
   });
   live.follow(({ arm, q }) => {
     const angle = q[joints(arm).indexOf(number - 1)];
@@ -206,7 +206,7 @@ function torqueBar(index) {
 
 // The circle on the wall for a radius: below a certain one the joints swing, above they wind.
 function winds(host, spec) {
-  let [result, at, radius, wanted] = [null, 0, spec.radius ?? 0.1, 0];
+  let [result, at, radius] = [null, 0, 0.1];
   const live = makeLive(host, spec, {
     hold: false,
     state: { view: "trace", lit: spec.lit ? spec.lit - 1 : null },
@@ -219,15 +219,17 @@ function winds(host, spec) {
     const k = Math.round(at * (path.length - 1));
     store.dispatch({ type: "set", trace: path, q: path[k] });
   };
-  const run = async () => {
-    const mine = ++wanted;
-    const { arm } = store.state;
-    const found = await ask("run", { arm, q: start, run: { method: "exact", steps: 180, radius } });
-    if (mine !== wanted || live.signal.aborted) return;
-    result = found;
-    show();
-    live.refresh();
-  };
+  const asked = latest("run");
+  const run = () =>
+    asked(
+      { arm: store.state.arm, q: start, run: { method: "exact", steps: 180, radius } },
+      (found) => {
+        if (live.signal.aborted) return;
+        result = found;
+        show();
+        live.refresh();
+      },
+    );
   const lever = (name, range, value, put, text) =>
     makeLever(name, range, value, { put, text, signal: live.signal }).root;
   const goTo = (v) => ((at = v), result && show());

@@ -2,19 +2,19 @@
 // a few levers.
 
 import css from "./figure.css";
-import { common } from "../common.js";
+import common from "../common.css";
 import { homeOf, range } from "../../../judge/geometry/arm.js";
-import { h, indexed, slider, write } from "../dom.js";
+import { attribute, h, indexed, slider, write } from "../dom.js";
 import { makeStage } from "../panel/stage.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
-import { relativeRail } from "../rail.js";
+import { makeRail } from "../rail.js";
 import { startingState, Store } from "../state.js";
 import { degrees, jointText, replaced, spokenJoint } from "../text.js";
 import { watchTheme } from "../theme.js";
 
 export const deg = (v) => degrees(v, 0);
 
-let [drags, count] = [0, 0];
+let count = 0;
 
 /**
  * @param {HTMLElement} host
@@ -66,36 +66,34 @@ function jointLever(store, number, signal) {
   const { arm } = store.state;
   const k = joints(arm).indexOf(number - 1);
   const row = arm.rows[number - 1];
-  const put = (value, gesture = null) =>
+  const put = (value, gesture) =>
     store.dispatch({ type: "move", q: replaced(store.state.q, k, value), gesture });
-  const input = slider(`Joint ${number}`, range(row), {
-    oninput: (e) => put(Number(e.target.value), `keys ${number}`),
-  });
-  const rail = h("div.rail", {}, input);
-  let gesture = null;
-  const start = () => (gesture = `lever ${++drags}`);
-  relativeRail(rail, input, { start, put: (v) => put(v, gesture), signal });
-  const output = h("output");
-  const show = ({ q, unit }) => {
-    input.value = String(q[k]);
-    input.setAttribute("aria-valuetext", spokenJoint(row, q[k], unit));
-    write(output, jointText(row, q[k], unit));
+  const input = slider(`Joint ${number}`, range(row));
+  const { root, show } = leverOf(indexed("q", number), input, put, signal);
+  return {
+    root,
+    show: ({ q, unit }) => show(q[k], jointText(row, q[k], unit), spokenJoint(row, q[k], unit)),
   };
-  return { root: h("div.lever", {}, h("span", {}, indexed("q", number)), rail, output), show };
 }
 
 // A lever for any number.
 export function makeLever(label, bounds, value, { put, text, signal }) {
-  const input = slider(label, bounds, { value });
-  const output = h("output", {}, text(value));
-  const move = (v) => {
-    input.value = String(v);
-    input.setAttribute("aria-valuetext", text(v));
-    write(output, text(v));
-    put(v);
+  const input = slider(label, bounds);
+  const { root, show } = leverOf(label, input, (v) => move(v), signal);
+  const move = (v) => (show(v, text(v)), put(v));
+  show(value, text(value));
+  return { root, move };
+}
+
+function leverOf(name, input, put, signal) {
+  const output = h("output");
+  const show = (value, text, spoken = text) => {
+    input.value = String(value);
+    attribute(input, "aria-valuetext", spoken);
+    write(output, text);
   };
-  input.addEventListener("input", () => move(Number(input.value)), { signal });
-  const rail = h("div.rail", {}, input);
-  relativeRail(rail, input, { put: move, signal });
-  return { root: h("div.lever", {}, h("span", {}, label), rail, output), move };
+  return {
+    root: h("div.lever", {}, h("span", {}, name), makeRail(input, put, signal), output),
+    show,
+  };
 }

@@ -1,7 +1,7 @@
 // The line above the picture: which arm, units, and what may be done with the whole instrument.
 
 import { homeOf } from "../../../judge/geometry/arm.js";
-import { h, whereNew, write } from "../dom.js";
+import { attribute, h, write } from "../dom.js";
 import { randomPose } from "../motion.js";
 import { called } from "../text.js";
 
@@ -28,15 +28,12 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   const parts = [name, units, frames, steps];
   return {
     root: h("header", {}, name.root, units.root, group),
-    update: whereNew(SHOWS, (state) => parts.forEach((part) => part.update(state))),
+    update: (state) => parts.forEach((part) => part.update(state)),
   };
 }
 
-// What the line shows of a state.
-const SHOWS = (s) => [s.unit, s.frames, !s.past.length, !s.future.length, s.arm, s.base];
-
 const button = (text, title, onclick) => h("button", { title, onclick }, text);
-const press = (one, is) => one.setAttribute("aria-pressed", String(is));
+const press = (one, is) => attribute(one, "aria-pressed", String(is));
 
 function makeName() {
   const root = h("span.name");
@@ -66,7 +63,7 @@ function makeChoice(store, arms, stage) {
     const { arm, base } = state;
     list(state);
     const index = arm === base ? arms.findIndex((one) => one.name === arm.name) : arms.length;
-    root.selectedIndex = Math.max(0, index);
+    if (root.selectedIndex !== index) root.selectedIndex = index;
   }
   return { root, update };
 }

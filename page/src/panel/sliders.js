@@ -4,7 +4,7 @@ import { outside, range } from "../../../judge/geometry/arm.js";
 import { attribute, h, indexed, slider, write } from "../dom.js";
 import { entered, refill, textField } from "../entry.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
-import { relativeRail } from "../rail.js";
+import { makeRail } from "../rail.js";
 import { isAngle, jointText, limitText, quantityOf, replaced, spokenJoint } from "../text.js";
 
 const KEYS = {
@@ -15,7 +15,6 @@ const KEYS = {
   PageUp: 10,
   PageDown: -10,
 };
-let drags = 0;
 
 export function makeSliders(store, { say, signal }) {
   const root = h("div.sliders", { role: "group", "aria-label": "Joints" });
@@ -75,7 +74,6 @@ function makeLine(row, { index, i, unit, signal }, { put, typed, nudge, light })
   const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
   const thumb = slider(label, range(row), {
     "data-joint": index + 1,
-    oninput: (e) => put(i, Number(e.target.value), `slider ${index}`),
     onkeydown: (e) => nudge(e, row, i),
   });
   const field = textField(`${label}, typed`, (...now) => typed(i, row, ...now), {
@@ -83,10 +81,7 @@ function makeLine(row, { index, i, unit, signal }, { put, typed, nudge, light })
     "data-joint": label,
   });
   const past = h("span.past");
-  const rail = h("div.rail", {}, thumb, boundsOf(row, past, unit));
-  let gesture = null;
-  const start = () => (gesture = `rail ${++drags}`);
-  relativeRail(rail, thumb, { start, put: (value) => put(i, value, gesture), signal });
+  const rail = makeRail(thumb, (...to) => put(i, ...to), signal, boundsOf(row, past, unit));
   const [on, off] = [() => light(index), () => light(null)];
   const lights = { onpointerenter: on, onpointerleave: off, onfocusin: on, onfocusout: off };
   const name = h("span.label", {}, indexed("q", index + 1));

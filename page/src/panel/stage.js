@@ -1,7 +1,7 @@
 // The picture with what one can do to it. Until it is drawn, where the browser has no WebGL, and on
 // paper there is a still one.
 
-import { h, whereNew, write } from "../dom.js";
+import { attribute, h, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../pointers.js";
 import { asked, holdVerdict } from "../verdicts.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
@@ -144,14 +144,13 @@ function makeHoldBar(store, shown) {
 
   function update({ keepTurn, hold, arm }) {
     const pinned = Boolean(hold?.pinned);
-    keep.setAttribute("aria-pressed", String(keepTurn));
+    attribute(keep, "aria-pressed", String(keepTurn));
     keep.hidden = asked(arm) < 6;
-    pin.setAttribute("aria-pressed", String(pinned));
-    pin.textContent = pinned ? pinWords(hold) : "Pin the tip";
+    attribute(pin, "aria-pressed", String(pinned));
+    write(pin, pinned ? pinWords(hold) : "Pin the tip");
     swing.forEach((one) => (one.hidden = !pinned || !hold.free));
   }
-  const shows = ({ keepTurn, hold, arm }) => [keepTurn, arm, hold?.pinned, hold?.free, hold?.turns];
-  return { root, update: whereNew(shows, update) };
+  return { root, update };
 }
 
 function togglePin(store) {
@@ -178,6 +177,6 @@ function swingBy(store, way) {
   const [lead] = [...direction].sort((u, v) => Math.abs(v) - Math.abs(u));
   const sign = way * Math.sign(lead);
   const moved = q.map((v, k) => v + sign * SWING * direction[k]);
-  const there = hold.turns ? reach(arm, moved, hold.pinned).q : moved;
-  store.dispatch({ type: "move", q: there, hold, gesture: "swing" });
+  const there = reach(arm, moved, hold.pinned, { rows: hold.turns ? 6 : 3 });
+  store.dispatch({ type: "move", q: there.q, hold, gesture: "swing" });
 }

@@ -1,16 +1,14 @@
 // The homework's circle played, and its mistakes: any number of runs at once on the wall, each with
 // its own method.
 
-import css from "./homework.css";
-import { h, select, write } from "../dom.js";
+import { h, write } from "../dom.js";
 import { ask } from "../jobs.js";
 import { linkFrames } from "../../../judge/geometry/kinematics.js";
-import { torquesAlong } from "../homework_run.js";
 import { branchColour } from "../look.js";
 import { makeFields } from "./homework_fields.js";
 import { makeWall } from "./homework_pictures.js";
 import { millimetres, named, said, startingRun } from "./homework_words.js";
-import { makePlots, PLOTTED } from "./plots.js";
+import { makePlots } from "./plots.js";
 import { makeTransport } from "./transport.js";
 
 export const title = "Play the homework";
@@ -34,20 +32,18 @@ class Homework {
     this.list = h("div.runs", { role: "radiogroup", "aria-label": "Runs" });
     this.verdict = h("p.verdict");
     this.wall = makeWall(() => this.drawWall());
-    this.plots = makePlots();
+    this.plots = makePlots(store);
     this.transport = makeTransport(store, { signal, begin: () => this.show() });
-    this.quantity = select("What the plots show", PLOTTED, () => this.lay());
     this.fields = makeFields((patch) => this.edit(patch));
     this.root = this.laidOut();
   }
 
   laidOut() {
-    const plotted = h("label.right", {}, "Plots ", this.quantity);
     this.played = h(
       "div",
       {},
       this.list,
-      h("div.row", {}, this.fields.mistake, plotted),
+      h("div.row", {}, this.fields.mistake, this.plots.choice),
       this.transport.root,
       this.verdict,
       this.fields.root,
@@ -55,7 +51,7 @@ class Homework {
       this.plots.root,
     );
     this.others = h("p.words", {}, OTHERS);
-    return h("div.homework", {}, h("style", {}, css), this.played, this.others);
+    return h("div.homework", {}, this.played, this.others);
   }
 
   put(runs) {
@@ -116,17 +112,7 @@ class Homework {
     this.list.replaceChildren(...runs.map((one, i) => this.line(one, i)));
     this.fields.update(run);
     write(this.verdict, run ? said(this.resultOf(run), arm) : "");
-    this.plot();
     if (run) this.drawWall();
-  }
-
-  plot() {
-    const { state } = this.store;
-    const { arm, wrench, trace } = state;
-    const torques = this.quantity.value === "torque";
-    if (!trace) this.plots.clear();
-    else this.plots.lay(state, torques ? torquesAlong(arm, trace, wrench) : trace, torques);
-    this.plots.mark(state.at);
   }
 
   line(run, i) {
@@ -157,15 +143,14 @@ class Homework {
       if (!state.runs.length || !first)
         return this.put([startingRun(state.arm, state.base) ?? []].flat());
     }
-    const { runs, unit, wrench } = this.shown;
-    Object.assign(this.shown, { runs: state.runs, unit: state.unit, wrench: state.wrench });
-    if (runs !== state.runs) {
+    if (this.shown.runs !== state.runs) {
+      this.shown.runs = state.runs;
       this.chosen = Math.max(0, Math.min(this.chosen, state.runs.length - 1));
       this.lay();
       this.compute();
-    } else if (unit !== state.unit || wrench !== state.wrench) this.lay();
-    this.plots.mark(state.at);
-    return this.transport.update(state);
+    }
+    this.plots.update(this.store.state);
+    return this.transport.update(this.store.state);
   }
 
   summary() {

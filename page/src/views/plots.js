@@ -1,39 +1,46 @@
 // One small plot for each joint along a path, with a cursor where the arm is and a tint beyond the
 // joint's limits.
 
-import { attribute, h, indexed, svg, write } from "../dom.js";
+import { attribute, h, indexed, select, svg, write } from "../dom.js";
+import { torquesAlong } from "../homework_run.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { fixed, isAngle, jointText } from "../text.js";
 
 const [WIDTH, HEIGHT] = [220, 54];
-export const PLOTTED = { joint: "joint values", torque: "static torques" };
+const PLOTTED = { joint: "joint values", torque: "static torques" };
 
-export function makePlots() {
+// The plots of the state's trace, and the choice of what they show.
+export function makePlots(store) {
+  const quantity = select("What the plots show", PLOTTED, () => update(store.state));
   const root = h("div.plots");
-  let cursors = [];
+  let [cursors, shown] = [[], []];
 
-  /**
-   * @param {{ arm: import("../../../judge/geometry/arm.js").Arm, unit: string }} state
-   * @param {number[][]} rows values for each place along the path
-   * @param {boolean} torques whether they are torques rather than joint values
-   */
-  function lay({ arm, unit }, rows, torques) {
-    const made = joints(arm).map((row, i) => {
-      const values = rows.map((place) => place[i]);
-      return plot(row, values, torques ? ofTorque(arm.rows[row]) : ofJoint(arm.rows[row], unit));
-    });
+  function lay({ arm, trace, unit, wrench }) {
+    const torques = quantity.value === "torque";
+    const rows = trace && (torques ? torquesAlong(arm, trace, wrench) : trace);
+    const plotOf = (row, i) =>
+      plot(
+        row,
+        rows.map((place) => place[i]),
+        torques ? ofTorque(arm.rows[row]) : ofJoint(arm.rows[row], unit),
+      );
+    const made = rows ? joints(arm).map(plotOf) : [];
     cursors = made.map(({ cursor }) => cursor);
     root.replaceChildren(...made.map(({ figure }) => figure));
   }
 
-  function mark(at) {
+  function update(state) {
+    const { arm, trace, unit, wrench, at } = state;
+    const shows = [arm, trace, unit, wrench, quantity.value];
+    if (shows.some((one, i) => one !== shown[i])) lay(state);
+    shown = shows;
     for (const { line, value, at: text } of cursors) {
       attribute(line, "x1", String(at * WIDTH));
       attribute(line, "x2", String(at * WIDTH));
       write(value, text(at));
     }
   }
-  return { root, lay, mark, clear: () => ((cursors = []), root.replaceChildren()) };
+  return { root, choice: h("label.right", {}, "Plots ", quantity), update };
 }
 
 // What a plot is of: the symbol, how a value is written, the limits, and the least range shown.

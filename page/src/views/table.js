@@ -17,7 +17,6 @@ const COLUMNS = [
   ["theta", "θ", true],
 ];
 const KINDS = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
-const SEVERAL = /[\n\t;&|]|\]\s*,|,\s*\[/; // a table has them, an entry has none
 const MOVING = { revolute: "theta", prismatic: "d" };
 const NEW_ROW = { kind: "revolute", a: 0.2, alpha: 0, d: 0, theta: 0 };
 
@@ -92,9 +91,9 @@ function makeGrid(store, { change, complain, say }) {
 function pasted(event, store, { change, complain, say }) {
   const { currentTarget: body, target } = event;
   const text = event.clipboardData?.getData("text/plain") ?? "";
-  if (!SEVERAL.test(text.trim())) return;
+  const table = readTable(text, store.state.unit);
+  if (!table) return;
   event.preventDefault();
-  const table = readTable(text, store.state.unit) ?? { error: "it is a single entry." };
   complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
   if ("error" in table) return;
   change(table.rows);

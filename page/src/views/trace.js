@@ -4,10 +4,9 @@ import { h, select, write } from "../dom.js";
 import { readEntry } from "../../../judge/reading/entry.js";
 import { marked, refill, textField } from "../entry.js";
 import { latest } from "../jobs.js";
-import { torquesAlong } from "../homework_run.js";
 import { short } from "../text.js";
 import { listed, upper } from "../../../judge/sentences.js";
-import { makePlots, PLOTTED } from "./plots.js";
+import { makePlots } from "./plots.js";
 import { makeTransport } from "./transport.js";
 import { pastLimits } from "../verdicts.js";
 
@@ -18,30 +17,15 @@ const MOST_RADIUS = 5; // m
 export function build(store, { say, signal }) {
   const verdict = h("p.verdict");
   const asked = makeAsked(store, say);
-  const quantity = select("What the plots show", PLOTTED, () => lay());
-  const plots = makePlots();
+  const plots = makePlots(store);
   const drawing = makeDrawing(store, asked, () => say(() => verdict.textContent, true));
   const transport = makeTransport(store, { signal, begin: drawing.draw });
-  const plotted = h("label.right", {}, "Plots ", quantity);
-  const row = h("div.row", {}, asked.labels, drawing.root, plotted);
+  const row = h("div.row", {}, asked.labels, drawing.root, plots.choice);
   const root = h("div.trace", {}, transport.root, row, asked.error, verdict, plots.root);
-  let shown = null;
-
-  function lay() {
-    const { arm, trace, unit, wrench } = store.state;
-    shown = { arm, trace, unit, wrench };
-    root.classList.toggle("empty", !trace);
-    write(verdict, verdictText(store.state));
-    if (!trace) return plots.clear();
-    const torques = quantity.value === "torque";
-    plots.lay(store.state, torques ? torquesAlong(arm, trace, wrench) : trace, torques);
-    return plots.mark(store.state.at);
-  }
 
   function update(state) {
-    const changed = !shown || ["arm", "trace", "unit"].some((key) => shown[key] !== state[key]);
-    if (changed || (quantity.value === "torque" && shown.wrench !== state.wrench)) lay();
-    else if (state.trace) plots.mark(state.at);
+    write(verdict, verdictText(state));
+    plots.update(state);
     asked.update(state.circle);
     transport.update(state);
   }
