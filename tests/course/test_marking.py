@@ -116,7 +116,7 @@ def test_the_key_in_the_decimals_asked_or_more_gets_everything(arm):
 @laws
 def test_rounding_never_pays(arm, wordless):
     """Neither the right numbers nor those of any known slip, from one decimal to the next."""
-    for seed in range(3):
+    for seed in range(2):
         mine, asked = parts(arm, seed)
         for part in asked:
             for words, wrong in (("right", part.value), *part.slips):
@@ -299,9 +299,10 @@ def test_no_work_earns_no_marks(arm, topics):
     for nothing in NOTHING:
         found = mark_sheet(mine, dict.fromkeys(mine.parts, nothing))
         assert sum(m.credit for m in found) == 0, nothing
+    right = right_work(mine)
     for question in mine.questions:
         for part in question.parts:
-            for guess in guesses(right_work(mine)[part.name], question):
+            for guess in guesses(right[part.name], question):
                 found = mark(mine, part.name, guess)
                 assert found.credit == 0, (part.name, guess, found)
 
