@@ -270,3 +270,11 @@ def test_a_value_for_a_locked_joint_is_set_aside():
     report = checks.compare_pose(np.insert(q, 2, 0.0), arm, T)
     assert report.agrees
     assert "all joints; 3 is locked, so its 0 is set aside" in report.taken
+
+
+def test_the_locked_joint_is_set_aside_in_a_pose_too():
+    q = [0.4, -0.6, -1.9, 0.3, 1.8, 0.7]
+    typed = "0.4, -0.6, 0, -1.9, 0.3, 1.8, 0.7"
+    J = KNOWN["PANDA.lock(3)"].jacobian(q)
+    report = checks.compare_jacobian(J, PANDA.lock(3), typed)
+    assert report.agrees and "all joints; 3 is locked, so its 0 is set aside" in report.taken

@@ -6,9 +6,10 @@ import { units } from "../digits.js";
 import { unitsSaid } from "./context.js";
 import { find } from "./find.js";
 import { isNumber, parse, plain, symbols, value } from "./formula.js";
-import { ArmError, counted, listed, say, spelled } from "../sentences.js";
+import { ArmError, counted, listed, say, size, spelled } from "../sentences.js";
 
 const JOINT = /^(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})$/;
+const SHOWN = 3; // so many values of a locked joint are shown back
 const SHORT = /^([cs])((?:[+-]?\d)+)$/i;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
@@ -203,7 +204,22 @@ export function ofMoving(typed, arm) {
   const kept = (list) => list.filter((_, i) => moving.includes(i % arm.rows.length));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
   const shape = typed.shape.map((n) => (n === arm.rows.length ? moving.length : n));
-  return { ...typed, values, units, entries, shape };
+  const locked = [setAside(arm, typed.values)];
+  return { ...typed, values, units, entries, shape, locked };
+}
+
+/**
+ * A word on the locked joints, whose values are not judged.
+ * @param {any} arm @param {number[]} values one for each row of the arm, pose after pose
+ */
+export function setAside({ rows }, values) {
+  const locked = rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
+  const theirs = values.filter((_, k) => locked.includes(k % rows.length));
+  const shown = [...new Set(theirs.map((x) => size(x, 6)))];
+  return say("taken: locked", {
+    joints: listed(locked.map((i) => String(i + 1))),
+    values: [...shown.slice(0, SHOWN), ...(shown.length > SHOWN ? ["…"] : [])].join(", "),
+  });
 }
 
 // An error where values are too few or too many.

@@ -12,10 +12,11 @@ import {
   notPerJoint,
   numbers,
   rowsOf,
+  setAside,
   turning,
   unnamed,
 } from "../reading/numbers.js";
-import { listed, say, size } from "../sentences.js";
+import { say } from "../sentences.js";
 
 /** @typedef {import("./branches.js").Answer} Answer */
 /** @typedef {import("./branches.js").Right} Right */
@@ -24,7 +25,6 @@ const NAMES = /^(?:q|th|θ|sol|ans$|s\d*$)/i;
 const TARGET = 1e-4; // rad or m: what a target given with four decimals moves the joints
 const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
 export const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
-const SHOWN = 3; // so many values of a locked joint are shown back
 const COUNTED = 1e6; // rad: in a larger angle rounding has eaten the turn's parts
 
 /**
@@ -66,20 +66,6 @@ const inUnit = ({ says }, angles) =>
 
 const perColumn = (lies, { length }) =>
   lies && length > 1 ? [say("taken: answer per column")] : [];
-
-/**
- * A word on the locked joints, whose values are not judged.
- * @param {any} arm @param {number[]} values one for each row of the arm, pose after pose
- */
-export function setAside({ rows }, values) {
-  const locked = rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
-  const theirs = values.filter((_, k) => locked.includes(k % rows.length));
-  const shown = [...new Set(theirs.map((x) => size(x, 6)))];
-  return say("taken: locked", {
-    joints: listed(locked.map((i) => String(i + 1))),
-    values: [...shown.slice(0, SHOWN), ...(shown.length > SHOWN ? ["…"] : [])].join(", "),
-  });
-}
 
 // Rows and columns: a list is one row, and a single one however deep it lies.
 function shapeOf({ shape, values }, dof) {

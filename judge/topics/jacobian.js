@@ -25,7 +25,7 @@ function jacobianCompared(mine, arm, q, options = {}) {
   const { known, said } = lookup(arm, at.values, options.values ?? []);
   const typed = matrix(mine, known, arm, { ...options, at });
   const asked = { ...options, arm, at, frame: options.frame ?? 0 };
-  const report = compared(typed, asked, [...typed.said, ...said]);
+  const report = compared(typed, asked, [...typed.said, ...(at.locked ?? []), ...said]);
   return report && { ...report, typed };
 }
 

@@ -16,12 +16,12 @@ import {
   notPerJoint,
   ofMoving,
   rowsOf,
+  setAside,
   turning,
   unnamed,
 } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
 import { ArmError, listed, lower, say, size } from "../sentences.js";
-import { setAside } from "./branches_matching.js";
 
 const GRAVITY = [0, 0, -9.81];
 const NAMES = /^(?:tau|τ|t$|torque|ans$)/i;
@@ -47,7 +47,7 @@ function torquesCompared(mine, arm, q, options = {}) {
   );
   const found = upright(typed, wrenches.length, arm);
   if (!found) return { ...misshapen(typed, wrenches.length, arm), typed };
-  const said = [...typed.said, ...found.said, ...model(load)];
+  const said = [...typed.said, ...(at.locked ?? []), ...found.said, ...model(load)];
   const report = judged({ ...found, said }, at, load, { arm, tolerance, briefly });
   return report && { ...report, typed };
 }

@@ -5,10 +5,18 @@ import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
 import { minusEach, singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
 import { millimetres } from "../causes/branches.js";
-import { setAside, turnBetween } from "./branches_matching.js";
+import { turnBetween } from "./branches_matching.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
-import { jointShapes, numbered, numbers, asDegrees, rowsOf, turning } from "../reading/numbers.js";
+import {
+  jointShapes,
+  numbered,
+  numbers,
+  asDegrees,
+  rowsOf,
+  setAside,
+  turning,
+} from "../reading/numbers.js";
 import { rint } from "../geometry/planar.js";
 import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { listed, lower, say, size } from "../sentences.js";
