@@ -275,7 +275,7 @@ FORMULAS = [
     ("1½π", 1.5 * math.pi),
     ("90 degrees + 0.5 radians", math.pi / 2 + 0.5),
     ("degrees(0.5)", math.degrees(0.5)),
-    (r"1 + 2\ang{90}", 1 + math.pi),
+    (r"1 + \ang{90}", 1 + math.pi / 2),
     ("1.234.5", None),
     ("1 234.5", None),
     ("2(3) 4", 24.0),
