@@ -33,12 +33,12 @@ $(BIN)/.installed-dev: $(BIN)/.installed requirements-dev.txt
 	@touch $@
 
 # Sphinx warns of a page only when it writes it: where the last build failed or broke off, every page is built anew,
-# until one build has nothing to warn of; and where the code that writes pages changed, of which Sphinx knows nothing.
+# until one build has nothing to warn of; and where more than pages changed, of which Sphinx knows nothing.
 BOOK := $(HTML)/.whole
 
 $(BOOK): $(BIN)/.installed $(SOURCES)
 	@rm -f $@
-	$(BIN)/jupyter-book build book -W -n --keep-going --quiet $(if $(wildcard $@),$(if $(filter-out book/%,$?),--all),--all)
+	$(BIN)/jupyter-book build book -W -n --keep-going --quiet $(if $(wildcard $@),$(if $(filter-out $(wildcard book/*.*),$?),--all),--all)
 	@touch $@
 
 book: $(BOOK) ## build the book and say where it is

@@ -19,7 +19,7 @@ SEARCHES = {
     "homogeneous transform": r"glossary: homogeneous|01_.*: ",
     # Jacobians
     "lock joint 3": r"02_.*: The Panda|01_.*: Joint 3 locked|answers/panda_joint_3.*|errata: 3 ",
-    "singularities": r"02_.*: (Where an arm is|How near)|glossary: singular|check_.*: a singular",
+    "singularities": r"02_.*: (Where an arm is|How near)",
     "singular pose": r"02_.*: (Where an arm is|How near|Into)|glossary: singular",
     "cross product": r"02_.*: Method 1|where: Jacobians",
     "prismatic joint jacobian": r"02_.*: The Stanford|glossary: prismatic",

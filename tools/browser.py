@@ -4,17 +4,7 @@ import shutil
 
 from playwright.sync_api import Browser, Error, Playwright
 
-# In every new window two search boxes that nobody sees are drawn, by a process each. Chromium
-# heeds the last list of features only, so what Playwright turns off stands here too.
-OFF = (
-    "WebUIOmniboxPopup,WebUIOmniboxAimPopup,"
-    "AimEnabled,AvoidCorsURLLoaderRestartOnRedirect,AvoidUnnecessaryBeforeUnloadCheckSync,"
-    "DestroyProfileOnBrowserClose,HttpsFirstBalancedModeAutoEnable,HttpsUpgrades,LensOverlay,"
-    "MediaRouter,NetworkTimeServiceQuerying,OptimizationHints,PaintHolding,PreconnectToSearch,"
-    "ThirdPartyStoragePartitioning"
-)
 FLAGS = [
-    f"--disable-features={OFF}",
     "--no-sandbox",
     "--disable-gpu",
     "--disable-quic",

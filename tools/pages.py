@@ -7,8 +7,6 @@ formulas become MathML. Pictures are in `pictures.py`.
 import re
 import sys
 from html import escape
-from pathlib import Path
-from zlib import crc32
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -248,21 +246,7 @@ def count_anew(_: Sphinx, env: BuildEnvironment) -> list[str]:
     return []
 
 
-def assets(folder: Path, config) -> list[int]:
-    """What a change of any asset changes: Sphinx copies them only if it has a page to write, and
-    then writes all."""
-    places = [folder / of for of in config.html_static_path]
-    paths = [path for place in places for path in (place, *place.rglob("*.*")) if path.is_file()]
-    return [crc32(path.read_bytes()) for path in sorted(paths)]
-
-
-def authors(app: Sphinx, _page: str, _template: str, context: dict, _tree: object) -> None:
-    """Who wrote the book, for the foot of each page."""
-    context["author"] = app.config.author
-
-
 def setup(app: Sphinx) -> dict[str, bool]:
-    app.add_config_value("assets", lambda config: assets(Path(app.srcdir), config), "html")
     app.add_config_value(
         "comments_config", {}, "html"
     )  # Jupyter Book sets it for an extension not used here
@@ -273,5 +257,4 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
     app.connect("env-get-updated", count_anew, priority=900)
     app.connect("doctree-resolved", prepare, priority=900)
-    app.connect("html-page-context", authors)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

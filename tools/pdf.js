@@ -44,19 +44,15 @@ take: async (name) => {
     return [article.outerHTML, styles, article.querySelector("h1").textContent];
 },
 
-// A reference says its page, and here which places are named; a first guess keeps the room that the right number will take.
+// A reference says its page, in room that any number has.
 number: (pages) => {
-  const named = [];
   document.querySelectorAll("a[href^='#']").forEach((link) => {
     const target = decodeURIComponent(link.getAttribute("href").slice(1));
     if (!document.getElementById(target)) return void link.removeAttribute("href");
     if (link.closest("summary, .footnote-reference, aside, .admonition-title, nav")) return;
     let said = link.nextElementSibling?.matches(".page-number") ? link.nextElementSibling : null;
     if (!said) link.after((said = Object.assign(document.createElement("span"), { className: "page-number" })));
-    named.push(target);
-    const page = Object.keys(pages).length ? pages[target] : 100;
-    said.textContent = page ? ` (p. ${page})` : "";
-});
-  return named;
+    said.textContent = target in pages ? ` (p. ${pages[target]})` : "";
+  });
 },
 })

@@ -1,8 +1,8 @@
 """Print the built book into one PDF: `python -m tools.pdf`.
 
 All pages become one document, in the order of the contents, so that Chromium tags it for screen
-readers as a whole, numbers its pages through, and links lead from page to page. Where a reference
-leads to another page it says to which: the book is printed until these numbers hold.
+readers as a whole, numbers its pages through, and links lead from page to page. A reference says to
+which page it leads: the book is printed twice, first with room for these numbers.
 """
 
 import re
@@ -25,7 +25,6 @@ FOOT = (
     '<div style="font: 8px serif; width: 100%; text-align: center; color: #555">'
     'Robot homework companion · <span class="pageNumber"></span></div>'
 )
-TRIES = 6
 PLACE, LINK = "<!-- link to the PDF -->", '<p><a href="book.pdf">The whole book as one PDF</a></p>'
 
 SCRIPT = (Path(__file__).parent / "pdf.js").read_text(encoding="utf-8").strip()
@@ -92,13 +91,11 @@ def places(data: bytes) -> dict[str, int]:
 
 
 def printed(page: Page) -> bytes:
-    """The document with right page numbers in its references; one whose page will not hold still
-    says none."""
-    known: dict[str, int] = {}
-    wavering: set[str] = set()
-    for _ in range(TRIES):
-        named = page.evaluate(f"(pages) => {SCRIPT}.number(pages)", known)
-        data = page.pdf(
+    """The document with the page of each reference."""
+
+    def once(pages: dict[str, int]) -> bytes:
+        page.evaluate(f"(pages) => {SCRIPT}.number(pages)", pages)
+        return page.pdf(
             format="A4",
             scale=0.86,
             margin=PAPER,
@@ -108,13 +105,13 @@ def printed(page: Page) -> bytes:
             tagged=True,
             outline=True,
         )
-        found = places(data)
-        moved = {name for name in named if name in known and found.get(name) != known[name]}
-        if known and not moved:
-            return data
-        wavering |= moved
-        known = {name: number for name, number in found.items() if name not in wavering}
-    raise RuntimeError(f"the page numbers still move after {TRIES} prints: {sorted(moved)}")
+
+    known = places(once({}))
+    data = once(known)
+    moved = sorted(name for name, number in places(data).items() if known[name] != number)
+    if moved:  # a number takes the same room whatever it is
+        raise RuntimeError(f"the second print moves {moved} to other pages")
+    return data
 
 
 def link(path: Path) -> None:

@@ -84,10 +84,6 @@ def forget(_app: Sphinx, env: BuildEnvironment, page: str) -> None:
     kept(env).pop(page, None)
 
 
-def merge(_app: Sphinx, env: BuildEnvironment, pages: set[str], other: BuildEnvironment) -> None:
-    kept(env).update({page: kept(other)[page] for page in pages if page in kept(other)})
-
-
 def write(app: Sphinx, problem: Exception | None) -> None:
     if problem or not isinstance(app.builder, StandaloneHTMLBuilder):
         return
@@ -115,6 +111,5 @@ def setup(app: Sphinx) -> dict[str, bool]:
     app.connect("builder-inited", instead)
     app.connect("doctree-read", collect)
     app.connect("env-purge-doc", forget)
-    app.connect("env-merge-info", merge)
     app.connect("build-finished", write)
-    return {"parallel_read_safe": True, "parallel_write_safe": True}
+    return {"parallel_write_safe": True}

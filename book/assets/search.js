@@ -7,20 +7,14 @@ const ALIKE = [
   ["dh", "denavit", "table"],
   ["solution", "way", "branch", "eight"],
   ["8", "eight"],
-  ["7", "seven"],
-  ["4", "four"],
-  ["center", "centre"],
   ["com", "mass"],
   ["reach", "unreachable", "workspace"],
   ["singularity", "singular"],
   ["pinv", "pseudo"],
   ["robot", "arm"],
   ["error", "wrong", "mistake", "slip"],
-  ["fail", "wrong"],
-  ["own", "another"],
   ["prismatic", "slide"],
   ["craig", "modified"],
-  ["sign", "direction"],
 ];
 const SMALL = new Set("a an and are at by can do does for from get how i in is it my of on or out the there to was what when where which why with you your".split(" "));
 
@@ -30,14 +24,13 @@ const stem = (word) => (word.length > 3 ? word.replace(/ies$/, "y").replace(/(?<
 // Signs that are one word in the book's language stay together: compare_jacobian is found by jacobian, and by its whole name.
 const split = (text) => (text.normalize("NFKC").toLowerCase().match(/[\p{L}\p{N}_]+/gu) ?? []).flatMap((word) => (word.includes("_") ? [word, ...word.split("_")].filter(Boolean) : word));
 
-// The arms: of their own section, not of one that names them among others.
-const NAMES = new Set(["panda", "ur10", "ur10e", "stanford", "elbow"]);
-
-// A row of the table of symptoms says what a reader asks.
-const SYMPTOM = 3;
+// So many times more counts a number or an arm's name among the words, a title that has the words as they were typed,
+// and, where a reader asks in words, a row of the table of symptoms.
+const MORE = 3;
+const OWN = /^(\d+|panda|ur10e?|stanford|elbow)$/;
 
 // Pages that list what others explain come after them.
-const LISTS = { api: 0.3, where: 0.5, intro: 0.5, judging: 0.6 };
+const LISTS = { api: 0.3, where: 0.3, glossary: 0.8 };
 
 const index = new MiniSearch({
   idField: "id",
@@ -55,22 +48,18 @@ function find(text) {
   const queries = words.map((word, k) => ({
     combineWith: "OR",
     queries: [
-      { queries: [word], prefix: k === words.length - 1, fuzzy: word.length > 4 ? 0.2 : false, boostTerm: (term) => (/^\d+$/.test(term) ? 3 : NAMES.has(term) ? 2 : 1) },
-      ...others(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 0.3 })),
+      { queries: [word], prefix: k === words.length - 1, fuzzy: word.length > 4 ? 0.2 : false, boostTerm: (term) => (OWN.test(term) ? MORE : 1) },
+      ...others(word).map((other) => ({ queries: [other], fuzzy: false, prefix: false, boostTerm: () => 1 / MORE })),
     ],
   }));
-  const how = { bm25: { k: 1.2, b: 0.3, d: 0.5 }, boost: { title: 6, of: 5 } };
+  const how = { bm25: { k: 1.2, b: 0.3, d: 0.5 }, boost: { title: 6, of: 6 } };
   const all = index.search({ combineWith: "AND", queries }, how);
   const hits = all.length ? all : index.search({ combineWith: "OR", queries }, how);
-  const phrase = split(text).join(" ");
-  const score = ({ id, score }) => score * (ENTRIES[id].symptom ? SYMPTOM : (LISTS[ENTRIES[id].page] ?? 1)) * together(ENTRIES[id], phrase);
-  return hits.map((hit) => ({ ...hit, score: score(hit) })).sort((one, other) => other.score - one.score);
-}
-
-// Words that stand as they were typed, one after the other, count more.
-function together({ title, text }, phrase) {
-  const has = (whole) => ` ${split(whole).join(" ")} `.includes(` ${phrase} `);
-  return has(title) ? 3 : phrase.includes(" ") && has(text) ? 2 : 1;
+  const joined = (text) => ` ${split(text).join(" ")} `;
+  const phrase = joined(text);
+  const weight = ({ title, page, symptom }) =>
+    (joined(title).includes(phrase) ? MORE : 1) * (symptom && words.length > 1 ? MORE : (LISTS[page] ?? 1));
+  return hits.map((hit) => ({ ...hit, score: hit.score * weight(ENTRIES[hit.id]) })).sort((one, other) => other.score - one.score);
 }
 
 // The words around the first hits, the hits marked.
