@@ -201,6 +201,7 @@ export function pose(q, arm, angles = "rad") {
 // One value for each row of an arm, pose after pose, without those of its locked joints.
 export function ofMoving(typed, arm) {
   const moving = joints(arm);
+  if (moving.length === arm.rows.length) return typed;
   const kept = (list) => list.filter((_, i) => moving.includes(i % arm.rows.length));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
   const shape = typed.shape.map((n) => (n === arm.rows.length ? moving.length : n));
