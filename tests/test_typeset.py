@@ -51,6 +51,9 @@ def test_a_line_may_break_behind_a_relation_or_a_sum_and_nothing_is_lost():
     assert [re.sub("<.*?>", "", part) for part in parts] == ["d=", "a1+", "b"]
     assert all(part.startswith("<math>") and part.endswith("</math>") for part in parts)
     assert len(typeset.parts(r"\sqrt{a + b}")) == 1
+    assert len(typeset.parts(r"t = \tan^{-1}\!\left(\frac{s}{r}\right)")) == 2, (
+        "tan keeps its bracket"
+    )
 
 
 def test_a_sign_has_room_in_a_line_and_none_in_an_index():

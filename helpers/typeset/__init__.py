@@ -34,9 +34,11 @@ def parts(tex: str) -> list[str]:
     formula = _made(tex, False, "tex")
     if len(formula) < 2 or any(part.tag != "mrow" for part in formula):
         return [_written(formula)]
-    rows = [Element("math") for _ in formula]
-    for row, part in zip(rows, formula, strict=True):
-        row.append(part)
+    rows: list[Element] = []
+    for part in formula:
+        if not rows or not "".join(rows[-1].itertext()).endswith("\N{FUNCTION APPLICATION}"):
+            rows.append(Element("math"))
+        rows[-1].append(part)  # with the name of the function that is taken of it
     return [_written(row) for row in rows]
 
 
