@@ -1,27 +1,27 @@
-// Long work, done beside the page. Requests are numbered and an answer that came too late is
-// dropped.
+// Long work, done beside the page: a worker for each job.
 
 import { JOBS } from "./work.js";
 
-let worker = null;
-let count = 0;
-const waiting = new Map();
+// Out of the bundle itself, so that a page from a file has one too.
+let address = "";
 
-// One worker for all explorers of a page, out of the bundle itself, so that a page from a file has
-// one too.
-function start() {
-  const address = URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
-  worker = new Worker(address);
-  URL.revokeObjectURL(address);
-  worker.onmessage = ({ data: { id, answer } }) => {
-    waiting.get(id)?.done(answer);
-    waiting.delete(id);
-  };
-  worker.onerror = () => {
-    worker = false; // a page that allows no worker does the work itself
-    for (const { job, given, done } of waiting.values()) done(JOBS[job](given));
-    waiting.clear();
-  };
+// Do a job, and tell its answer; returns what gives it up.
+function start(job, given, tell) {
+  const here = () => tell(JOBS[job](given)); // where a page allows no worker
+  try {
+    address ||= URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
+    const worker = new Worker(address);
+    worker.onerror = here;
+    worker.onmessage = ({ data }) => {
+      worker.terminate();
+      tell(data);
+    };
+    worker.postMessage({ job, given });
+    return () => worker.terminate();
+  } catch {
+    here();
+    return () => {};
+  }
 }
 
 /**
@@ -30,27 +30,13 @@ function start() {
  * @param {any} given plain data
  * @returns {Promise<any>}
  */
-export function ask(job, given) {
-  if (worker === null) {
-    try {
-      start();
-    } catch {
-      worker = false;
-    }
-  }
-  if (!worker) return Promise.resolve().then(() => JOBS[job](given));
-  return new Promise((done) => {
-    waiting.set(++count, { job, given, done });
-    worker.postMessage({ id: count, job, given });
-  });
-}
+export const ask = (job, given) => new Promise((done) => start(job, given, done));
 
-// Ask for what only the last request counts: earlier answers never come.
+// Ask for what only the last request counts: the ones before are given up.
 export function latest(job) {
-  let last = 0;
-  return async (given, then) => {
-    const mine = ++last;
-    const answer = await ask(job, given);
-    if (mine === last) then(answer);
+  let giveUp = () => {};
+  return (given, then) => {
+    giveUp();
+    giveUp = start(job, given, then);
   };
 }

@@ -38,7 +38,6 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     figure.listen(target, "pointerup", (event) => hand.release(event));
     figure.listen(target, "pointercancel", (event) => hand.release(event));
   }
-  figure.listen(window, "scroll", () => hand.drag && (hand.drag.box = null), { capture: true });
   figure.listen(canvas, "pointerleave", () => hand.drag || hand.hover(null));
   // A touch that takes hold of something drags it in every direction; the others may scroll the
   // page.
@@ -62,7 +61,7 @@ class Hand {
     this.drag = null;
     this.down = null; // where the pointer went down, and on what
     this.step = () => {
-      if (this.drag && !this[this.drag.kind](store.state)) beforeDrawing(this.step);
+      if (this.drag && !this.follow()) beforeDrawing(this.step);
     };
   }
 
@@ -106,8 +105,7 @@ class Hand {
     this.drag = {
       ...what,
       id: event.pointerId,
-      box: null, // where the canvas is, asked for once: the answer lays the page out
-      to: pixel,
+      at: event, // where the pointer is now
       gesture: `drag ${++count}`,
       rest: store.state.q,
       tip,
@@ -120,7 +118,12 @@ class Hand {
     figure.canvas.classList.add("held");
   }
 
-  // One frame of each kind of drag; false where another frame is needed with the pointer at rest.
+  // One frame of a drag; false where another frame is needed with the pointer at rest.
+  follow() {
+    const { drag, store } = this;
+    drag.to = this.figure.place(drag.at);
+    return this[drag.kind](store.state);
+  }
 
   force() {
     const { picture, figure, store, drag } = this;
@@ -158,8 +161,7 @@ class Hand {
   move(event) {
     const { drag, figure } = this;
     if (drag && event.pointerId === drag.id) {
-      drag.box ??= figure.canvas.getBoundingClientRect();
-      drag.to = figure.place(event, drag.box);
+      drag.at = event;
       beforeDrawing(this.step);
     } else if (!drag && event.buttons === 0 && event.target === figure.canvas) {
       this.hover(this.under(event));
@@ -181,7 +183,7 @@ class Hand {
     const still = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < CLICK;
     if (still && down[2]?.kind === "way") this.goTo(store.state.ways.list[down[2].way].q);
     if (drag) {
-      if (forget(this.step)) this[drag.kind](store.state); // the pointer's last motion counts too
+      if (forget(this.step)) this.follow(); // the pointer's last motion counts too
       const hold = store.state.hold?.pinned ? store.state.hold : null;
       store.dispatch({ type: "show", dragging: false, lit: null, hold });
     }

@@ -272,8 +272,9 @@ export class Figure {
     return [((p.x + 1) * this.width) / 2, ((1 - p.y) * this.height) / 2];
   }
 
-  // Where a pointer is, in the same pixels; from where the canvas was, if that is known.
-  place({ clientX, clientY }, box = this.canvas.getBoundingClientRect()) {
+  // Where a pointer is, in the same pixels.
+  place({ clientX, clientY }) {
+    const box = this.canvas.getBoundingClientRect();
     return [clientX - box.left, clientY - box.top];
   }
 

@@ -208,21 +208,26 @@ export class ArmPicture {
     return pieces.filter(Boolean);
   }
 
-  // The other ways as thin arms of one colour each; the one under the hand is filled out.
+  // The other ways as thin arms of one colour each; the one under the hand is as thick as the arm.
   drawGhosts(state, derived) {
     const { view, ways, q, highlighted } = state;
     const hidden = leftBehind(state, derived) && highlighted === null;
     const shown = view === "branches" && !hidden ? ways : null;
     if (this.shown.ways !== shown) this.ghostArms(state.arm, shown);
-    for (const shape of this.ghosts.children) {
-      const { way, full } = shape.userData;
-      shape.visible = !isThere(shown.list[way].q, q) && (!full || way === highlighted);
-    }
+    this.ghosts.children.forEach((/** @type {any} */ shape, way) => {
+      shape.visible = !isThere(shown.list[way].q, q);
+      shape.pose(shape.userData, way === highlighted ? 0.97 : 0.3);
+    });
   }
 
   ghostArms(arm, ways) {
     emptied(this.ghosts);
-    for (const [i, { q }] of (ways?.list ?? []).entries()) this.ghosts.add(...ghostsOf(arm, q, i));
+    (ways?.list ?? []).forEach(({ q }, i) => {
+      const material = new MeshStandardMaterial({ color: branchColour(i), roughness: 0.7 });
+      const shape = new ArmShape(arm, { link: material, joint: material, ghost: true });
+      shape.userData = linkFrames(arm, q);
+      this.ghosts.add(shape);
+    });
     this.shown.ways = ways;
     if (ways && !this.shown.fitted) this.fit();
     this.shown.fitted = Boolean(ways);
@@ -322,15 +327,11 @@ export class ArmPicture {
 
   // The ghost of another way under a pixel, by its number, or null.
   wayAt(pixel) {
-    const seen =
-      this.ghosts?.children.filter((shape) => shape.visible && !shape.userData.full) ?? [];
-    const gaps = seen.map((shape) => {
-      const { way } = shape.userData;
-      const frames = linkFrames(this.arm, this.shown.ways.list[way].q);
-      return { way, gap: this.linkAt(pixel, 7, piecesOf(this.arm, frames))?.gap ?? Infinity };
+    const gaps = this.ghosts.children.flatMap(({ visible, userData }, way) => {
+      const hit = visible && this.linkAt(pixel, 7, piecesOf(this.arm, userData));
+      return hit ? [{ way, gap: hit.gap }] : [];
     });
-    const best = gaps.sort((p, q) => p.gap - q.gap)[0];
-    return best && best.gap < Infinity ? best.way : null;
+    return gaps.sort((p, q) => p.gap - q.gap)[0]?.way ?? null;
   }
 
   dispose() {
@@ -369,19 +370,3 @@ function barrierOf(size, look) {
 
 const paneOf = (color, opacity) =>
   new MeshBasicMaterial({ color, transparent: true, opacity, side: DoubleSide, depthWrite: false });
-
-// Another way as a thin arm, and as a full one for when the reader is at it.
-function ghostsOf(arm, q, way) {
-  const frames = linkFrames(arm, q);
-  const colour = branchColour(way);
-  const thin = new MeshStandardMaterial({ color: colour, roughness: 0.7 });
-  return [
-    { material: thin, girth: 0.3, full: false },
-    { material: ghostMaterial(colour, 0.45), girth: 0.97, full: true },
-  ].map(({ material, girth, full }) => {
-    const shape = new ArmShape(arm, { link: material, joint: material, ghost: true, girth });
-    shape.pose(frames);
-    shape.userData = { way, full };
-    return shape;
-  });
-}

@@ -139,12 +139,11 @@ export function along(mesh, start, end, radius) {
  * material is white then.
  */
 export class ArmShape extends Group {
-  constructor(arm, { link, joint, ghost = false, girth = ghost ? 0.97 : 1, hue = null }) {
+  constructor(arm, { link, joint, ghost = false, hue = null }) {
     super();
     this.arm = arm;
     this.size = reachOf(arm);
-    this.girth = girth * this.size; // a ghost hides inside the arm where both are
-    this.stands = !ghost;
+    this.ghost = ghost;
     this.hue = hue;
     const n = arm.rows.length;
     const add = (geometry, material, count) => {
@@ -157,7 +156,7 @@ export class ArmShape extends Group {
     this.balls = add(BALL, link, 2 * n);
     this.barrels = add(BARREL, joint, n + 1); // the last is the pedestal
     this.boxes = arm.rows.some((row) => row.kind === "prismatic") ? add(BOX, joint, n) : null;
-    if (this.stands)
+    if (!ghost)
       this.barrels.between(
         n,
         [0, 0, -0.004 * this.size],
@@ -177,7 +176,9 @@ export class ArmShape extends Group {
     this.boxes?.colour(colour);
   }
 
-  pose(frames) {
+  // A ghost is thinner than the arm, and hides inside it where both are.
+  pose(frames, girth = this.ghost ? 0.97 : 1) {
+    this.girth = girth * this.size;
     this.arm.rows.forEach((row, i) => {
       const [before, after] = [frames[i], frames[i + 1]];
       const corner = minus(after.o, scaled(row.a, after.x));

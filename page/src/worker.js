@@ -2,4 +2,4 @@
 
 import { JOBS } from "./work.js";
 
-onmessage = ({ data: { id, job, given } }) => postMessage({ id, answer: JOBS[job](given) });
+onmessage = ({ data: { job, given } }) => postMessage(JOBS[job](given));

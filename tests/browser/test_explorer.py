@@ -102,7 +102,7 @@ class Visit(Reader):
             self.page.evaluate(AFRESH, fragment)
         self.page.mouse.move(1, 1)
         self.page.locator(INSTRUMENT).evaluate(THERE)
-        self.page.locator("section.explorer").wait_for()
+        self.page.wait_for_function(f"document.querySelector({INSTRUMENT!r})?.explorer")
         if drawn:
             self.page.locator(".stage .labels:not([hidden])").wait_for()
 
@@ -601,7 +601,7 @@ def test_without_webgl_the_numbers_still_work(browser):
     here = Reader(browser, "light", "wide", "file:")
     here.page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
     page = here.open((HTML / "explorer.html").as_uri() + "#arm=Panda&view=pose")
-    page.locator("section.explorer").wait_for()
+    page.wait_for_function(f"document.querySelector({INSTRUMENT!r})?.explorer")
     stage = page.locator("section.explorer .stage")
     assert "No WebGL" in stage.inner_text()
     before = stage.locator(".still").evaluate("e => e.outerHTML")

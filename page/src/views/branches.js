@@ -22,14 +22,14 @@ export function build(store, { goTo, say }) {
   const ask = latest("ways");
   let shown;
 
-  async function search() {
+  function search() {
     const { arm, q } = store.state;
     find.textContent = "Looking …";
-    await ask({ arm, q }, (ways) => {
+    ask({ arm, q }, (ways) => {
+      find.textContent = findWords(store.state);
       store.dispatch({ type: "ways", arm, ways });
       say(() => words.textContent, true);
     });
-    find.textContent = findWords(store.state);
   }
 
   function update(state, derived) {

@@ -36,16 +36,14 @@ export function build(store, { say, signal }) {
 function makeDrawing(store, asked, tell) {
   const root = h("button", { onclick: () => draw() }, "Draw a circle from here");
   const ask = latest("circle");
-  async function draw(then = () => {}) {
-    const { arm, q, circle } = store.state;
+  function draw(then = () => {}) {
     if (!asked.sized()) return;
-    root.disabled = true;
-    await ask({ arm, q, circle }, ({ path, wanted }) => {
+    const { arm, q, circle } = store.state;
+    ask({ arm, q, circle }, ({ path, wanted }) => {
       store.dispatch({ type: "traced", arm, circle, path, wanted });
       tell();
       then();
     });
-    root.disabled = false;
   }
   return { root, draw };
 }
