@@ -121,6 +121,7 @@ def test_the_table_reads_as_in_a_textbook():
         (lambda: Arm("mine", [revolute(1e200)]), "mine: 1e+200 divides by zero or is too large"),
         (lambda: Arm("mine", [revolute("q_1")], {"q_1": 1}), "mine: q_1 is the variable of a"),
         (lambda: PANDA.lock(3, at=np.inf), "at is inf; expected a finite number"),
+        (lambda: PANDA.with_row(2, mass=-1), "the mass of link 2 is -1; expected 0 kg or more"),
         (lambda: PANDA.lock(3).lock(3), "joint 3 cannot be locked; its free joints are 1, 2, 4"),
     ],
 )
@@ -159,8 +160,3 @@ def test_home_is_computed_with_as_an_array_and_compared_as_a_tuple():
     np.testing.assert_array_equal(2 * PANDA.home - nudged, 2 * np.array(PANDA.home) - nudged)
     assert PANDA.home == (0, 0, 0, np.pi / 2, 0, np.pi, 0)
     assert hash(PANDA) == hash(PANDA.with_values())
-
-
-def test_no_link_weighs_less_than_nothing():
-    with pytest.raises(ArmError, match="the mass of link 2 is -1; expected 0 kg or more"):
-        PANDA.with_row(2, mass=-1)

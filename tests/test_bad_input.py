@@ -323,7 +323,6 @@ def _own(module):
         for name, thing in vars(module).items()
         if getattr(thing, "__module__", "") == module.__name__
         and not name.startswith("_")
-        and "__mutmut_" not in name  # what `make mutants` adds
         and callable(thing)
     ]
 
@@ -382,35 +381,6 @@ def test_the_right_call_is_taken(name):
     PUBLIC[name](**CALLS[name])
 
 
-# What the words of an expectation claim of a value; the first group is what they name.
-CLAIMS = {
-    r"(> 0|above 0|positive)": lambda x, _: np.all(np.array(x, float) > 0),
-    r"(0 or more|none negative)": lambda x, _: np.all(np.array(x, float) >= 0),
-    r"whole number of (\d+) or more": lambda x, least: isinstance(x, int) and x >= int(least),
-    r"^an? (Arm|Path|Trace|Solutions|Derivation)$": lambda x, kind: type(x).__name__ == kind,
-    r"^(?:one|some) of (?!SymPy)([\w, ]+)$": (
-        lambda x, named: {str(one) for one in np.ravel(x)} <= {*named.split(", ")}
-    ),
-    r"\b(two|three|six) finite": lambda x, n: len(x) == dict(two=2, three=3, six=6)[n],
-    r"^(?:one pose, )?(?:numbers )?\((?:[^()]*, )?(\d+),?\)": (
-        lambda x, last: np.shape(x)[-1] == int(last)
-    ),
-    r"^one pose, numbers (\(\d,\))": lambda x, shape: str(np.shape(x)) == shape,
-    r"one value for each of (q_\d+(?:, q_\d+)*)": lambda x, q: np.shape(x)[-1] == q.count("q_"),
-    r"((?<!in)finite|one value for)": lambda x, _: np.abs(np.array(x, float)).max() < 1e100,
-}
-
-
-def true_of(value, expected):
-    """Each claim, and whether it holds."""
-    for words, holds in CLAIMS.items():
-        if found := re.search(words, expected):
-            try:
-                yield bool(holds(value, found[1]))
-            except (TypeError, ValueError, IndexError):
-                yield False
-
-
 @pytest.mark.parametrize(("name", "argument", "bad"), list(cases()))
 def test_a_message_names_the_argument_and_says_what_was_given_and_expected(name, argument, bad):
     with pytest.raises(ArmError) as told:
@@ -420,8 +390,6 @@ def test_a_message_names_the_argument_and_says_what_was_given_and_expected(name,
     assert re.search(rf"(?<!\w){called}(?!\w)", before)
     assert len(after) > 3
     assert isinstance(bad, np.ndarray) or str(bad) in before
-    assert all(true_of(CALLS[name][argument], after)), after
-    assert not all(claims := [*true_of(bad, after)]) or not claims, after
 
 
 @pytest.mark.parametrize(("name", "changed", "message"), SPECIAL)

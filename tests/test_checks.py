@@ -43,6 +43,8 @@ def test_what_agrees_prints_one_line(capsys):
         ("1", 1, 5, "got 1, expected 1"),
         (1 / 3, 0, 0.25, "^the thing: off by 0.333, allowed 0.25$"),
         ("left", "right", 0, "got left, expected right"),
+        (np.array(["front", "back"]), ["front", "front"], 0, "expected"),
+        (np.array(["front", "back"]), ["front"], 0, "expected"),
         (sp.Matrix([1, 2]), sp.Matrix([2, 1]), 0, "got Matrix"),
     ],
 )
@@ -62,12 +64,3 @@ def test_a_number_of_the_book_alone_says_so_and_stops_nobody(capsys):
         "○ the arm: got mine, expected the book's; it holds for the book's own numbers only",
         "○ the ways: shape (2,), expected (3,); it holds for the book's own numbers only",
     ]
-
-
-def test_arrays_of_words_are_compared_entry_by_entry(capsys):
-    names = np.array(["front", "back"])
-    check("names", names, ["front", "back"])
-    with pytest.raises(AssertionError, match="expected"):
-        check("names", names, ["front", "front"])
-    with pytest.raises(AssertionError, match="expected"):
-        check("names", names, ["front"])

@@ -1,6 +1,7 @@
 """Table entries: what is read is what was written, and nothing else can be written."""
 
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 import pytest
@@ -107,39 +108,18 @@ def test_endless_formulas_are_refused():
         entry("-" * 100_000 + "1", "a")
 
 
+@pytest.mark.parametrize("value", [None, True, np.nan, np.inf, 10**400])
+def test_what_is_no_finite_number_is_refused(value):
+    for ask in (partial(entry, value, "d"), partial(latex, value)):
+        with pytest.raises(ArmError, match=r"expected a (finite )?number or a formula"):
+            ask()
+    with pytest.raises(ArmError, match="1/0 divides by zero or is too large; expected a finite"):
+        evaluate("1/0", {})
+
+
 def test_a_symbol_without_a_value_is_named():
     with pytest.raises(ArmError, match="no value for b; there are a_3, pi"):
         evaluate("a_3 + b", {"a_3": 1})
-
-
-NO_FORMULA = "expected numbers, symbols, pi and + - * / ( ), such as '-pi/2' or 'd_6 + l_pen'"
-NO_ENTRY = "expected a number or a formula such as 'pi/2' or 'a_3'"
-
-
-@pytest.mark.parametrize(
-    ("ask", "words"),
-    [
-        (lambda: entry(None, "d"), f"d is None; {NO_ENTRY}"),
-        (lambda: entry(True, "d"), f"d is True; {NO_ENTRY}"),
-        (lambda: entry(np.nan, "d"), "d is nan; expected a finite number or a formula"),
-        (lambda: entry(np.inf, "d"), "d is inf; expected a finite number or a formula"),
-        (lambda: entry("a +", "d"), f"d is 'a +'; {NO_FORMULA}"),
-        (lambda: names(None, "d"), f"d is None; {NO_ENTRY}"),
-        (lambda: evaluate("a +", {}), f"the entry is 'a +'; {NO_FORMULA}"),
-        (
-            lambda: evaluate("1/0", {}),
-            "1/0 divides by zero or is too large; expected a finite value",
-        ),
-        (
-            lambda: latex(10**400),
-            f"the entry is 1{'0' * 76}...; expected a finite number or a formula",
-        ),
-    ],
-)
-def test_what_is_refused_is_told_in_a_whole_sentence(ask, words):
-    with pytest.raises(ArmError) as told:
-        ask()
-    assert str(told.value) == words
 
 
 IN_SI = [case for case in ENTRIES if case["unit"] in ("rad", "m")]

@@ -3,7 +3,6 @@
 import inspect
 
 import nbformat
-import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from helpers.checks import compare_tables
@@ -33,7 +32,7 @@ def test_the_pages_arm_is_taken_by_the_explorer_and_by_the_checkers():
     assert not compare_tables(arm, arm).findings
 
 
-def a_chapter(described=True):
+def a_chapter():
     """Steps 1 and 2 of the page, the smallest that they allow."""
     title = "# Dynamics\n\nWhat moves it?\n\nAfter this chapter you can\n\n- say what moves it."
     names = ("checks import check", "plotting import use_book_style")
@@ -44,28 +43,14 @@ def a_chapter(described=True):
         new_markdown_cell("## The sum\n\nTwo and two."),
         new_code_cell('check("two and two", 2 + 2, 4)'),
     ]
-    about = {"myst": {"html_meta": {"description": "What moves an arm."}}} if described else {}
+    about = {"myst": {"html_meta": {"description": "What moves an arm."}}}
     return new_notebook(cells=cells, metadata=about)
 
 
-@pytest.fixture
-def refreshed(tmp_path):
-    def write(chapter):
-        path = tmp_path / "06_dynamics.ipynb"
-        nbformat.write(chapter, path)
-        refresh(path)  # step 4
-        return path
-
-    return write
-
-
-def test_a_chapter_added_as_the_page_tells_is_taken(refreshed):
-    path = refreshed(a_chapter())
+def test_a_chapter_added_as_the_page_tells_is_taken(tmp_path):
+    path = tmp_path / "06_dynamics.ipynb"
+    nbformat.write(a_chapter(), path)
+    refresh(path)  # step 4
     assert len(LAWS_OF_A_NOTEBOOK) > 8
     for law in LAWS_OF_A_NOTEBOOK:
         law(path)
-
-
-def test_without_step_2_it_is_not(refreshed):
-    with pytest.raises(AttributeError, match="myst"):
-        test_notebooks.test_nothing_in_it_is_of_one_machine(refreshed(a_chapter(described=False)))

@@ -19,7 +19,6 @@ from helpers.inverse import elbow, follow, rod, solve, spherical_wrist, stanford
 from helpers.inverse.numeric import turn_between
 from helpers.kinematics import forward_kinematics, jacobian, manipulability, tip
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
-from tests.laws import joint_vectors
 
 OFFSET = ELBOW.with_values(d=0.12)
 # The Puma 560's table, with a tool set askew so that the last row has all four numbers.
@@ -34,13 +33,6 @@ PUMA = Arm(
         revolute(a=0.03, d=0.0563, alpha=0.4, theta=0.3),
     ),
 )
-PLACED = [(elbow, ELBOW, 4), (elbow, OFFSET, 4)]
-POSED = [
-    (stanford, STANFORD, 8),
-    (spherical_wrist, PUMA, 8),
-    (ur, UR10E, None),
-    (ur, UR10E_HOMEWORK, None),
-]
 
 
 def random_q(arm, count, seed=0):
@@ -87,18 +79,6 @@ def all_differ(arm, found):
         for j in range(i):
             both = found.valid[:, i] & found.valid[:, j]
             assert (apart(arm, found.q[:, i], found.q[:, j])[both] > 1e-7).all(), (arm.name, i, j)
-
-
-@pytest.mark.parametrize(("solver", "arm", "number"), PLACED + POSED)
-def test_every_branch_of_10_000_random_targets(solver, arm, number):
-    found = among(solver, arm, random_q(arm, 10_000), off=1e-6)
-    assert np.isfinite(found.q[found.valid]).all()
-    assert np.isnan(found.q[~found.valid]).all()
-    all_differ(arm, found)
-    if number:
-        assert found.valid.all()
-    assert not found.free.any()
-    assert len(found.branches) == found.q.shape[1] == len(set(found.branches))
 
 
 LENGTH, SIGN, ZERO = st.floats(0.1, 1), st.sampled_from((-1, 1)), st.floats(-3, 3)
@@ -406,12 +386,6 @@ def test_nearest_is_the_nearest_of_all_branches_and_turns_within_the_limits(
     np.testing.assert_array_equal(found.within_limits, inside.any(axis=-1).all(axis=-1))
 
 
-def test_nearest_is_taken_target_by_target():
-    starts = joint_vectors(ELBOW, (2, 3))
-    each = elbow(ELBOW, forward_kinematics(ELBOW, starts)[..., :3, 3])
-    np.testing.assert_allclose(each.nearest(starts), starts, atol=1e-9)
-
-
 @pytest.mark.parametrize("limits", [(-2.0, 1.0), (1.0, 2.0), (-6.0, 1.0)])
 def test_a_joint_at_its_limit_is_within_and_not_wound_back(limits):
     """A billionth of a radian over is rounding; a millionth is not."""
@@ -560,28 +534,6 @@ def test_solve_stays_within_limits_even_when_that_costs_the_target():
     assert found.position_error > 0.01
     assert (np.abs(found.q - PANDA.home) <= 0.1 + 1e-12).all()
     assert solve(narrow, T, PANDA.home, limits=False).reached
-
-
-def test_a_step_is_least_squares_and_joints_that_would_leave_go_to_their_limits():
-    """The others take what is left; a step that does not help is not taken."""
-    rows = [replace(r, joint=replace(r.joint, lower=-1.2, upper=1.2)) for r in ELBOW.rows]
-    starts = np.random.default_rng(5).uniform(-1.2, 1.2, (60, 3))
-    goals = np.random.default_rng(6).uniform((-0.5, -0.5, 0), (0.5, 0.5, 1), (60, 3))
-    found, held = solve(Arm("narrow", rows, ELBOW.values), goals, starts, iterations=1), 0
-    for q, goal, stepped in zip(starts, goals, found.q, strict=True):
-        J, error = jacobian(ELBOW, q)[:3], goal - forward_kinematics(ELBOW, q)[:3, 3]
-        heavy = np.sqrt(0.1 * error @ error + 1e-14) * np.eye(3)
-
-        def least(J, error, heavy=heavy):
-            return np.linalg.lstsq(np.r_[J, heavy], np.r_[error, np.zeros(3)])[0]
-
-        out = np.abs(q + least(J, error)) > 1.2
-        part = np.where(out, np.clip(least(J, error), -1.2 - q, 1.2 - q), 0.0)
-        tried = np.clip(q + part + least(np.where(out, 0.0, J), error - J @ part), -1.2, 1.2)
-        left = goal - forward_kinematics(ELBOW, tried)[:3, 3]
-        held += out.any()
-        np.testing.assert_allclose(stepped, tried if left @ left < error @ error else q, atol=1e-9)
-    assert 10 < held < 50
 
 
 def test_restarts_begin_all_over_the_limits_or_half_a_turn_and_a_metre_where_there_are_none():

@@ -22,13 +22,13 @@ from course.grading import grade, mark_one
 from course.making import right_work
 from course.marking import Mark
 from course.roster import Student, read_roster
-from course.sheets import TOPICS, sheet
+from course.sheets import sheet
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
 from helpers.command_line import read_arm
 from helpers.robots import ARMS, ELBOW, PANDA
 
 SECRET = "a course secret that is long enough"
-ROSTER = (Student("ab12", "Ada"), Student("cd34", "=HYPERLINK(1)"), Student("ef56", "Émile"))
+ROSTER = (Student("ab12", "Ada"), Student("cd34", "Émile"))
 HANGING = PANDA.lock(3)
 MINE = Arm(
     "An arm the book does not have",
@@ -43,9 +43,10 @@ POSES = ("forward kinematics",)
 
 @pytest.fixture(scope="module")
 def given_out(tmp_path_factory):
-    """All topics, as an instructor makes them."""
+    """Two sheets, as an instructor makes them."""
     folder = tmp_path_factory.mktemp("given") / "hw"
-    return making.new(ROSTER[:2], HANGING, folder, secret=SECRET), folder
+    topics = ("forward kinematics", "Jacobian", "static torque")
+    return making.new(ROSTER, HANGING, folder, topics=topics, secret=SECRET), folder
 
 
 def besides(course, folder, student):
@@ -72,12 +73,12 @@ def test_a_notebook_tells_no_more_of_its_key_than_its_questions(given_out):
     have the source and not the secret."""
     course, folder = given_out
     first, second = course.sheet("ab12"), course.sheet("cd34")
-    assert all(first.drawn[topic] != second.drawn[topic] for topic in TOPICS)
+    assert all(first.drawn[topic] != second.drawn[topic] for topic in course.topics)
     assert besides(course, folder, "ab12") == besides(course, folder, "cd34")
     assert course.secret not in (folder / "ab12" / "homework.ipynb").read_text("utf-8")
     for guess in ("ab12", "Ada", course.title, ""):
-        other = sheet(HANGING, guess).drawn
-        assert all(first.drawn[topic] != other[topic] for topic in TOPICS)
+        other = sheet(HANGING, guess, POSES).drawn
+        assert first.drawn[POSES[0]] != other[POSES[0]]
 
 
 def test_the_notebook_is_valid_and_runs_to_an_answers_file(given_out, tmp_path):
@@ -153,10 +154,7 @@ def test_a_term_from_roster_to_grades(here, capsys):
         (NEW.replace(" s ", " none "), "[Errno 2] No such file or directory: 'none'"),
         (NEW.replace(" s ", " short "), "the secret in short is too short; expected 16 letters"),
         (NEW.replace("arm.py:MINE", "Pandabear"), "no arm is called 'Pandabear'; expected one of"),
-        ("key none --id ab", "[Errno 2] No such file or directory: 'none/course.json'"),
         ("grade none --out o", "[Errno 2] No such file or directory: 'none/course.json'"),
-        ("collect none x.zip", "[Errno 2] No such file or directory: 'none/course.json'"),
-        ("gradescope none --out o", "[Errno 2] No such file or directory: 'none/course.json'"),
     ],
 )
 def test_what_goes_wrong_is_told_on_stderr(here, capsys, line, words):
@@ -181,18 +179,6 @@ def test_jobs_are_one_or_more(here):
     making.new([Student("ab", "A")], ELBOW, Path("hw"), topics=POSES)
     with pytest.raises(ArmError, match="jobs is 0; expected a whole number of 1 or more"):
         grade(Path("hw"), Path("out"), jobs=0)
-
-
-@pytest.mark.parametrize("command", commands.COMMANDS)
-def test_each_command_explains_what_it_takes(command, capsys):
-    with pytest.raises(SystemExit, match="0"):
-        commands.main([command, "--help"])
-    told = re.sub(r"\x1b\[[\d;]*m", "", capsys.readouterr().out)
-    for option in commands.COMMANDS[command][2].split():
-        assert option in told
-    assert not re.findall(r"None|XX", told)
-    with pytest.raises(SystemExit, match="2"):
-        commands.main([command])
 
 
 # A course that changes
@@ -307,7 +293,7 @@ def test_a_process_without_a_word_costs_its_author_only(here, monkeypatch, alone
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no signal can be sent")
 def test_who_kills_the_grader_leaves_no_worker(here):
-    grown(*(f"s{n}" for n in range(20)))
+    grown(*(f"s{n}" for n in range(8)))
     command = [sys.executable, "-m", "course", "grade", "hw", "--out", "o"]
     environment = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
     process = subprocess.Popen([*command, "--jobs", "3"], env=environment, start_new_session=True)
@@ -373,7 +359,10 @@ def test_an_arm_from_words(tmp_path):
     [
         ("id,name\n../x,A\n", r"line 2: id is '\.\./x'"),
         ("id,name\nab,A\ncd,C\n Ab ,B\n", "line 4: id 'Ab' stands above already"),
-        ("id,name\nnul.x,A\n", "Windows keeps"),
+        *(
+            (f"id,name\n{student},A\n", r"^roster line 2: id is ")
+            for student in ("", "a" * 65, ".a", "a.", "a b", "é", "CON", "con.txt", "Lpt9.a.b")
+        ),
         ("student,name\nab,A\n", "has the columns student, name; expected id and name"),
         ("id,name\nab,A\ncd\n", "line 3 has the columns id, name; expected id and name"),
         ("id,name\n", "holds no student"),
@@ -389,24 +378,8 @@ def test_a_roster_that_cannot_be_used_is_told_by_its_line(tmp_path, text, words)
 
 def test_a_roster_is_read_with_spaces_signs_and_other_columns(tmp_path):
     path = tmp_path / "r.csv"
-    text = '\ufeffmail,name,id\r\nx, Ada Ü , ab12 \r\ny,"L,\r\nA",c\r\n'
+    text = '\ufeffmail,name,id\r\nx, Ada Ü , xcon.a_b@c-D9 \r\ny,"L,\r\nA",con1\r\n'
     for between in ",;":
         path.write_bytes(text.replace(",", between).encode())
-        expected = (Student("ab12", "Ada Ü"), Student("c", f"L{between}\r\nA"))
+        expected = (Student("xcon.a_b@c-D9", "Ada Ü"), Student("con1", f"L{between}\r\nA"))
         assert read_roster(path) == expected
-
-
-@pytest.mark.parametrize(
-    ("student", "fits"),
-    [("a", True), ("a" * 64, True), ("a.b_c@d-E9", True), ("con1", True), ("xcon.a", True),
-     ("", False), ("a" * 65, False), (".a", False), ("a.", False), ("a b", False), ("é", False),
-     ("CON", False), ("con.txt", False), ("Lpt9.a.b", False)],
-)  # fmt: skip
-def test_an_id_names_a_folder_on_every_system(tmp_path, student, fits):
-    path = tmp_path / "r.csv"
-    path.write_text(f"id,name\n{student},A\n", encoding="utf-8")
-    if fits:
-        assert read_roster(path) == (Student(student, "A"),)
-        return
-    with pytest.raises(ArmError, match=r"^roster line 2: id is "):
-        read_roster(path)

@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import shutil
 import socket
 import stat
 import subprocess
@@ -16,7 +17,7 @@ import pytest
 from course import making, sandbox
 from course.answers import as_typed, collected, last_cell
 from course.files import Found, within
-from course.grading import grade
+from course.grading import grade, mark_one
 from course.handed_in import HandIn, read_hand_in
 from course.making import right_work
 from course.roster import Student
@@ -212,47 +213,46 @@ def put(folder, files, answers):
 
 
 @pytest.fixture(scope="module")
-def course(tmp_path_factory, request):
-    """A class of one honest student and one for each odd hand-in that a test asks about, marked at
-    one go."""
-    asked = {getattr(test, "callspec", None) and test.callspec.id for test in request.session.items}
-    folder, here = tmp_path_factory.mktemp("odd") / "hw", os.getcwd()
-    odd = [Student(f"s{n}", kind) for n, kind in enumerate(ODD) if kind in asked]
-    students = [Student("honest", "Honest"), *odd]
-    made = making.new(students, ELBOW, folder, topics=TOPICS, secret=SECRET)
-    put(folder / "honest", {"answers.json": KEY}, right_work(made.sheet("honest")))
-    for student in odd:
-        put(folder / student.id, ODD[student.name][0], right_work(made.sheet(student.id)))
-    os.chdir(here)
-    seconds = 0 if REFUSED else 100
-    rows = grade(folder, folder.parent / "out", jobs=3, seconds=seconds)
-    yield {row["name"]: row for row in rows}, folder.parent / "out"
-    for student in students:
-        for path in (folder / student.id).glob("mine"):
-            path.chmod(0o755)
-
-
-def test_who_works_honestly_loses_nothing_by_the_others(course):
-    rows, out = course
-    honest = {"id": "honest", "name": "Honest", "total": 3, "p": 1, "R": 1, "q": 1, "note": ""}
-    assert rows["Honest"] == honest
-    assert all(row["note"] for row in rows.values() if row["total"] == 0 and ODD[row["name"]][2])
-    assert len((out / "grades.csv").read_text("utf-8").splitlines()) >= len(rows) + 1
-    assert not Path("/tmp/no").exists()
+def course(tmp_path_factory):
+    """A class of one, whose sheet every odd hand-in answers, and the folder it was given."""
+    folder = tmp_path_factory.mktemp("odd") / "hw"
+    made = making.new([Student("ab", "Ada")], ELBOW, folder, topics=TOPICS, secret=SECRET)
+    return made, folder / "ab"
 
 
 @pytest.mark.parametrize("kind", ODD)
-def test_an_odd_hand_in_is_found_or_costs_its_author_only_and_is_told(course, kind):
-    (rows, out), (_, total, words) = course, ODD[kind]
+def test_an_odd_hand_in_is_found_or_told(course, kind, tmp_path, monkeypatch):
     if REFUSED and any(word in kind for word in RUN):
         pytest.skip(REFUSED)
-    row = next(row for name, row in rows.items() if row["name"] == kind)
+    (made, given), (files, total, words) = course, ODD[kind]
+    shutil.copytree(given, tmp_path / "ab")
+    monkeypatch.chdir(tmp_path)  # where a socket was bound, this process stands
+    put(tmp_path / "ab", files, right_work(made.sheet("ab")))
+    row = mark_one(tmp_path, tmp_path / "out", 0 if REFUSED else 100, made)
     assert row["total"] == (3 if total is None else total), row
     assert words in row["note"], row["note"]
     if total is None:
         assert row["note"] == ""
-    words = (out / row["id"] / "feedback.txt").read_text("utf-8")
+    words = (tmp_path / "out" / "ab" / "feedback.txt").read_text("utf-8")
     assert words.startswith("Homework, ")
+    assert not Path("/tmp/no").exists()
+    for path in (tmp_path / "ab").glob("mine"):
+        path.chmod(0o755)
+
+
+def test_who_works_honestly_loses_nothing_by_the_others(tmp_path):
+    """Marked as a class, each in a process of its own."""
+    odd = ("deeper lists", "a tower", "a bomb", "a device")
+    students = [Student("honest", "Honest"), *(Student(f"s{n}", k) for n, k in enumerate(odd))]
+    course = making.new(students, ELBOW, tmp_path / "hw", topics=TOPICS, secret=SECRET)
+    for student in students:
+        files = ODD.get(student.name, ({"answers.json": KEY},))[0]
+        put(tmp_path / "hw" / student.id, files, right_work(course.sheet(student.id)))
+    honest, *others = grade(tmp_path / "hw", tmp_path / "out", jobs=2)
+    assert honest == {
+        "id": "honest", "name": "Honest", "total": 3, "p": 1, "R": 1, "q": 1, "note": ""
+    }  # fmt: skip
+    assert [row["total"] for row in others] == [0] * len(odd)
 
 
 def test_a_notebook_that_is_not_run_is_told_with_what_to_do():

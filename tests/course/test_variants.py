@@ -222,21 +222,16 @@ STIFF = Arm("stiff", [fixed(a=0.3)])
 
 
 @pytest.mark.parametrize(
-    ("topic", "arm", "seed", "words"),
+    ("topic", "arm", "words"),
     [
-        (
-            "Jacobian",
-            STIFF,
-            1,
-            "stiff does not suit Jacobian; it needs a joint",
-        ),
-        ("static torque", ELBOW, 1, "does not suit static torque; it needs masses"),
-        ("circle tracing", ELBOW, 1, "does not suit circle tracing; it needs six joints"),
+        ("Jacobian", STIFF, "stiff does not suit Jacobian; it needs a joint"),
+        ("static torque", ELBOW, "does not suit static torque; it needs masses"),
+        ("circle tracing", ELBOW, "does not suit circle tracing; it needs six joints"),
     ],
 )
-def test_what_cannot_be_asked_is_said(topic, arm, seed, words):
+def test_what_cannot_be_asked_is_said(topic, arm, words):
     with pytest.raises(ArmError, match=words):
-        variant(topic, arm, seed)
+        variant(topic, arm, 1)
 
 
 def test_a_matrix_has_four_digits_or_as_many_as_asked():
