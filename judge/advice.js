@@ -17,8 +17,6 @@ const BY_CAUSE = {
   "ik.degrees": () => ({ field: "angles", value: "deg" }),
   "trace.degrees": () => ({ field: "angles", value: "deg" }),
   "table.craig": () => ({ field: "convention", value: "craig" }),
-  "table.degrees": () => ({ field: "angles", value: "deg" }),
-  "table.millimetres": () => ({ field: "lengths", value: "mm" }),
 };
 
 // What the causes of a report advise, each of two mistakes for itself: nothing where it is set

@@ -20,7 +20,6 @@ from tests.corpus.machine import Machine
 from tests.mixed import arm_of, heavy
 from tests.test_judge import in_python
 
-UNITS = ("table.millimetres", "table.degrees")  # no mistakes, where no units are said
 # The judge's keys of what is planted here under another, and what it says of it that is true too.
 ALSO = {
     "table.twist": ("table.no twist", "table.angle:alpha"),
@@ -95,15 +94,12 @@ def test_each_mistake_in_a_table_is_named(name):
     mistakes = tables.mistakes(m, np.random.default_rng(5))
     held = {key: tables.numbers(rows) for key, rows in mistakes.items()}
     for key, rows in mistakes.items():
-        if key in UNITS:
-            continue
         report = checks.compare_tables(arm_of(Machine(rows)), arm_of(m))
         free = report.mark or report.figures.get("same machine")  # as tests/test_tables.py tries
         assert names(report, held, held[key]) or free, (key, report)
 
 
 RIGHT = [case for case in QUESTIONS if case["grade"] == "right" and case["answer"]]
-SIUNITX = next(case for case in RIGHT if "\\ang" in case["answer"])
 DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 
 
@@ -111,7 +107,6 @@ DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 @example(case=RIGHT[0], place=0.0)
 @example(case=DICTIONARIES, place=0.0)
 @example(case=DICTIONARIES, place=1.0)
-@example(case=SIUNITX, place=0.734375)
 @given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))
 def test_no_number_vanishes_wherever_it_stands(case, place):
     """Into right work, at any place: refused, wrong, part of an entry, or shown back."""

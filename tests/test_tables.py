@@ -250,7 +250,6 @@ def test_one_slip_is_told_among_lengths_that_are_rounded(right, wrong, causes):
         ("301.0000000000001", "mm", "wrong"),
         ("30.1", "cm", "rounded"),
         ("30", "cm", "wrong"),
-        ("12", "in", "wrong"),
     ],
 )
 def test_whole_millimetres_are_rounded_lengths(typed, lengths, grade):
@@ -276,21 +275,6 @@ def test_one_slip_in_frames_of_ones_own_is_told_alone(arm, mine, where):
     causes = ("table.number:d:4",) if arm == UR10E_HOMEWORK else ()  # in the book's own frames
     assert (report.grade, report.causes) == ("wrong", causes), str(report)
     assert [f.where for f in report.findings] == [where]
-
-
-@pytest.mark.parametrize(
-    ("zero", "theta", "cause"),
-    [
-        ("0", "22.918312", "table.degrees"),
-        # A zero is free: without an angle that is not, its size tells.
-        ("0", "0", "table.degrees"),
-        ("90", "0", "table.degrees"),
-    ],
-)
-def test_degrees_are_those_of_all_angles(zero, theta, cause):
-    typed = f"0 90 0.2 q1; 0 57.29578 0.1 q2+{zero}; 0.2 28.64789 d3+0.2 {theta}; 0.1 0 0.3 q4"
-    reference = SLIDING if theta != "0" else SLIDING.replace("0.4;", "0;")
-    assert said(typed, reference).causes == (cause,)
 
 
 @pytest.mark.parametrize(
@@ -417,16 +401,9 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
          {"convention": "craig"}, "right", [JOINTS.format("its q_3 is your q_2 + 17.189°")]),
         ("0.1 0 0.7 q1; 0.3 0 0 q2; 0.2 pi/2 0.1 q3; 0.25 0 0 0", ROOTED, {"convention": "craig"},
          "right", [BASE.format("500 mm lower", 2)]),
-        # Along axis 1 the base may stand anywhere, and along z_0, which here is another line.
+        # Along axis 1 the base may stand anywhere.
         (LEANING.replace("0.2 q1", "0.5 q1"), LEANING, {}, "right",
          [BASE.format("300 mm lower", 2)]),
-        (LEANING.replace("0.3 0;", "0.5 0;"), LEANING, {}, "right",
-         ["your base frame stands 200 mm lower along z_0 than the reference's. "]),
-        (ELBOWED.replace("0.3 ", "300 ").replace("0.2 ", "200 ").replace("0.05", "50")
-         .replace("0.25", "250"), ELBOWED, {"lengths": "mm"}, "right",
-         [BASE.format("399.6 mm higher", 1), "in another unit, d in row 1 would put your base "]),
-        (ELBOWED.replace("0.4", "400"), ELBOWED, {}, "right",
-         [BASE.format("399600 mm lower", 1), "in another unit, d in row 1 would put your base "]),
         # A thousandth of a degree is no zero of its own.
         (GENERIC.replace("q3+0.3", "q3+0.30001"), GENERIC, {}, "right", []),
         # Told along axis 1 also where the parallel axis 2 points the other way.

@@ -1,90 +1,127 @@
-// What students make of a right table, undone: each mend changes the rows as typed into what was
-// meant.
+// Why a table is another arm: every reading with up to two slips undone, and the entries that it
+// leaves wrong. The fewest slips win, a wrong entry being one.
 
+import { angleBetween, compared, side } from "../geometry/axes.js";
+import { ANGLE, angular, squared, variableOf } from "../geometry/rows.js";
 import { combinations } from "../geometry/walk.js";
-import { RAD } from "../geometry/angles.js";
-import { both, cause } from "./ranking.js";
 import { fromCraig } from "../reading/table.js";
-
-const TURN = 6.4; // rad: a larger angle was meant in degrees
+import { ENTRIES } from "../reading/table_rows.js";
+import { both, cause } from "./ranking.js";
 
 /** @typedef {import("../geometry/axes.js").Numbers} Numbers */
 /** @typedef {import("./ranking.js").Cause} Cause */
-/** @typedef {(rows: Numbers[]) => Numbers[]} Mend */
 
-/** @returns {Cause | null} */
-export const joined = (first, second) =>
-  first && second ? both(first, second) : (first ?? second);
+/** @typedef {import("../geometry/axes.js").Difference} Difference */
 
-// The units that the numbers may have been typed in: millimetres for metres, degrees for radians.
-/** @returns {[Cause | null, Numbers[]][]} */
-export function units(rows, reference) {
-  const share = (1e-3 * totalLength(rows)) / (totalLength(reference) || 1);
-  const long = 0.2 < share && share < 5;
-  const turned = rows.some((r) => Math.max(Math.abs(r.alpha), Math.abs(r.theta)) > TURN);
-  /** @type {[Cause | null, number][][]} */
-  const [lengths, angles] = [[[null, 1]], [[null, 1]]];
-  if (long) lengths.push([cause("table.millimetres"), 1e-3]);
-  if (turned) angles.push([cause("table.degrees"), RAD]);
-  return lengths.flatMap(([first, m]) =>
-    angles.map(([second, rad]) => [
-      joined(first, second),
-      rows.map((r) => ({
-        ...r,
-        a: r.a * m,
-        d: r.d * m,
-        alpha: r.alpha * rad,
-        theta: r.theta * rad,
-      })),
-    ]),
+/**
+ * One reading of what was meant: its causes, the rows, the arm they are held against, and what that
+ * leaves: the entries that differ, as row and column, or else the axes.
+ * @typedef {{ cause: Cause | null, rows: Numbers[], reference: Numbers[],
+ *   left: ([number, string] | Difference)[] }} Try
+ */
+
+const FEW = 3; // entries: more of them are no slips, but another table
+
+/**
+ * The readings with the fewest slips, several where they leave nothing; else one, and rather one
+ * that leaves entries.
+ * @returns {Try[]}
+ */
+export function fewestSlips(rows, reference, wanted, modified, length) {
+  const all = tries(rows, reference, wanted, modified, length);
+  const fewest = Math.min(...all.map(slipsOf));
+  const best = all.filter((t) => slipsOf(t) === fewest);
+  const whole = best.filter(({ left }) => !left.length);
+  if (whole.length) return whole;
+  return [best.find(({ left }) => Array.isArray(left[0])) ?? best[0]];
+}
+
+/** @param {Try} t */
+const slipsOf = ({ cause: why, left }) => (why?.keys.length ?? 0) + left.length;
+
+/** @returns {Try[]} */
+function tries(rows, reference, wanted, modified, length) {
+  const others = references(reference).map(([why, arm]) => [why, squared(arm)]);
+  return [[null, wanted], ...others].flatMap(([other, arm]) =>
+    mends(rows.length, modified).flatMap(([mistake, mend, local]) => {
+      const why = other && mistake ? both(other, mistake) : (other ?? mistake);
+      const mended = squared(mend(rows));
+      const off = entriesOff(mended, arm, length);
+      const left = local ? off : fewerOff(off, axesOff(mended, arm, length), why);
+      if (!left || why?.keys.length > 2 || (local && left.length)) return [];
+      return [{ cause: why, rows: mended, reference: arm, left }];
+    }),
   );
 }
 
-// All lengths of a table added up.
-export const totalLength = (rows) =>
-  rows.reduce((sum, r) => sum + (Math.abs(r.a) + Math.abs(r.d)), 0);
+// What a reading leaves: the entries, where they are few and no more than the axes; else the axes,
+// of which beside a cause there is one. Null where that is too much.
+function fewerOff(entries, axes, why) {
+  const few = entries && entries.length <= FEW;
+  if (few && axes.length && entries.length <= axes.length) return entries;
+  if (!why || axes.length < 2) return axes;
+  return few ? entries : null;
+}
 
-const swap = (one, other) => (rows) =>
-  rows.map((r) => ({ ...r, [one]: r[other], [other]: r[one] }));
+// The axes that differ, in whatever frames the rows are.
+const axesOff = (rows, wanted, length) =>
+  compared(side(rows), side(wanted), length, ANGLE).differences;
 
-// Mistakes in the arrangement: columns, rows, convention (where it is not the modified one).
-/** @returns {[Cause, Mend][]} */
-export function structures(count, modified) {
-  const places = combinations([...Array(count).keys()], 2);
-  /** @type {[Cause, Mend][]} */
-  const craig = modified ? [] : [[cause("table.craig"), fromCraig]];
+/** @returns {[number, string][] | null} null where rows do not correspond */
+function entriesOff(rows, wanted, length) {
+  const alike =
+    rows.length === wanted.length && rows.every(({ kind }, k) => kind === wanted[k].kind);
+  if (!alike) return null;
+  return rows.flatMap((row, k) =>
+    ENTRIES.filter((column) => {
+      const [x, y] = [row[column], wanted[k][column]];
+      const free = column === variableOf(row.kind);
+      return !free && (angular(column) ? angleBetween(x, y) > ANGLE : Math.abs(x - y) > length);
+    }).map((column) => /** @type {[number, string]} */ ([k, column])),
+  );
+}
+
+const swap = (one, other) => (row) => ({ ...row, [one]: row[other], [other]: row[one] });
+
+// Mistakes in the arrangement, undone: columns, convention (where it is not the modified one) and,
+// which must explain everything, rows. All handed in.
+/** @returns {[Cause | null, (rows: Numbers[]) => Numbers[], boolean?][]} */
+function mends(count, modified) {
+  const rows = [...Array(count).keys()];
   return [
-    [cause("table.alpha and theta"), swap("alpha", "theta")],
-    [cause("table.a and d"), swap("a", "d")],
-    ...craig,
-    [cause("table.twists"), (rows) => rows.map((r) => ({ ...r, alpha: -r.alpha }))],
+    [null, (read) => read],
+    [cause("table.alpha and theta"), (read) => read.map(swap("alpha", "theta"))],
+    [cause("table.a and d"), (read) => read.map(swap("a", "d"))],
+    ...(modified ? [] : [/** @type {any} */ ([cause("table.craig"), fromCraig])]),
     [cause("table.into craig"), toCraig],
-    ...Array.from({ length: count }, (_, k) => aAndDOf(k)),
-    ...places.map(([i, j]) => [cause(EXCHANGED, { i: i + 1, j: j + 1 }), exchanged(i, j)]),
+    ...rows.map((k) => aAndDOf(k)),
+    ...combinations(rows, 2).map(([i, j]) => exchanged(i, j)),
   ];
 }
 
 // The lengths of one row.
-/** @returns {[Cause, Mend]} */
+/** @returns {[Cause, (rows: Numbers[]) => Numbers[], boolean]} */
 const aAndDOf = (k) => [
-  cause(IN_ROW, { row: k + 1 }),
-  (rows) => rows.map((r, i) => (i === k && r.kind !== "prismatic" ? { ...r, a: r.d, d: r.a } : r)),
+  cause("table.a and d in row", { row: k + 1 }),
+  (rows) => rows.map((r, i) => (i === k && r.kind !== "prismatic" ? swap("a", "d")(r) : r)),
+  true,
 ];
 
-export const IN_ROW = "table.a and d in row";
-export const EXCHANGED = "table.rows exchanged";
+/** @returns {[Cause, (rows: Numbers[]) => Numbers[], boolean]} */
+const exchanged = (i, j) => [
+  cause("table.rows exchanged", { i: i + 1, j: j + 1 }),
+  (rows) => rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row)),
+  true,
+];
 
-const exchanged = (i, j) => (rows) =>
-  rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row));
-
-// The other way: a and alpha stand one row too high.
+// a and alpha stand one row too high.
 const toCraig = (rows) =>
   rows.map((row, k) => ({ ...row, a: rows[k - 1]?.a ?? 0, alpha: rows[k - 1]?.alpha ?? 0 }));
 
 // Other arms that a student may have described: without the pen, one length taken for another, or
 // another robot of a like name.
 /** @returns {[Cause, Numbers[]][]} */
-export const references = (arm) => [
+const references = (arm) => [
   ...(arm.penless ? [[cause("table.pen"), arm.penless.rows]] : []),
   ...(arm.alike ?? []).map(({ name, other, rows }) => [
     cause("table.length", { name, other }),

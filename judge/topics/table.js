@@ -1,12 +1,12 @@
 // Is my table wrong, or only different?
 
 import { cause, nameOf, perhaps, several } from "../causes/ranking.js";
-import { fewestSlips, slipsOf } from "../causes/table_search.js";
+import { fewestSlips } from "../causes/table.js";
 import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { angleBetween, compared, side } from "../geometry/axes.js";
 import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
-import { fromCraig, meant, read } from "../reading/table.js";
+import { meant, read } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { lower, say, size } from "../sentences.js";
 import { NoLink } from "../reading/table_matrices.js";
@@ -290,39 +290,21 @@ const isOff = (row, wanted, column, length) =>
     ? angleBetween(row[column], wanted[column]) > ANGLE
     : Math.abs(row[column] - wanted[column]) > length;
 
-// Why a table is another arm: by the fewest slips, or else by its axes.
+// Why a table is another arm: by the fewest slips.
 /** @param {Table} table @returns {Report} */
 function different(table, reference, rows, wanted, length) {
   const found = fewestSlips(rows, reference, wanted, table.modified, length);
   const causes = found.flatMap((t) => t.cause ?? []);
-  const by = compared(side(rows), side(wanted), length);
-  // one axis astray in frames of one's own is nearer than several slips in rows
-  if (found.length && slipsOf(found[0]) <= Math.max(1, by.differences.length)) {
-    const [t] = found;
-    const findings = t.entries.map((at) => entry(table, t, at, length));
-    return bad(table, reference, causes, findings);
-  }
-  if (!table.modified && by.differences.length > 1) {
-    const [craig, first] = [squared(fromCraig(rows)), table.rows[0]];
-    const left = compared(side(craig), side(wanted), length).differences;
-    const added = Number(Boolean(first.a || first.alpha));
-    const turned = { ...table, rows: craig, modified: true, added };
-    if (left.length < 2)
-      return bad(
-        table,
-        reference,
-        [cause("table.craig")],
-        left.map((d) => geometry(turned, d)),
-      );
-  }
-  const notes = by.signs.length ? base(table, side(rows), by) : [];
-  return bad(
-    table,
-    reference,
-    [],
-    by.differences.map((d) => geometry(table, d)),
-    notes,
+  const [t] = found;
+  const { a, alpha } = table.rows[0];
+  const isCraig = causes.some(({ keys }) => keys.includes("table.craig"));
+  const own = isCraig ? { ...table, modified: true, added: Number(Boolean(a || alpha)) } : table;
+  const findings = t.left.map((at) =>
+    Array.isArray(at) ? entry(own, t, at, length) : geometry(own, at),
   );
+  const by = compared(side(rows), side(wanted), length);
+  const free = !t.cause && !Array.isArray(t.left[0]) && by.signs.length;
+  return bad(table, reference, causes, findings, free ? base(table, side(rows), by) : []);
 }
 
 // `causes` explain the same; of the findings those with a cause of their own add to it.

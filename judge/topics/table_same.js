@@ -6,15 +6,12 @@ import { angleBetween, placesBase } from "../geometry/axes.js";
 import { equations, jointMap } from "../geometry/joint_map.js";
 import { linkFrames, minus, norm } from "../geometry/kinematics.js";
 import { ANGLE, square } from "../geometry/rows.js";
-import * as usual from "../causes/table.js";
 import { say, size } from "../sentences.js";
 import { turnBetween } from "./branches_matching.js";
 import { ownUnit, rounded, typedAs, typedRow } from "./table_words.js";
 
 const LENGTH = 1e-6; // m
 export const SEEN = 1e-4; // m: a tip no farther away stands there
-const LOW = 1e-2; // m: a base no higher tells no unit
-const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 
 /** @typedef {import("./table.js").Table} Table */
 /** @typedef {import("../geometry/axes.js").Compared} Compared */
@@ -46,13 +43,7 @@ export function same({ grade, elsewhere }, [table, reference], [mine, ref], foun
     ...(mapped ? { map: { ...mapped, rows: mine.rows } } : {}),
     figures: { "same machine": true },
     advice: mapped && told.length ? [{ field: "ownJoints", value: true }] : [],
-    notes: [
-      ...told,
-      ...base(table, mine, found, mapped),
-      ...twoUnits(table, mine, found),
-      ...tool(found),
-      ...written(table),
-    ],
+    notes: [...told, ...base(table, mine, found, mapped), ...tool(found), ...written(table)],
   };
 }
 
@@ -84,31 +75,15 @@ function zeros(table, mapped, mine, ref) {
   return told.length ? [say("map", { equations: told.join("; ") })] : [];
 }
 
-// A word on where the base's frame stands on axis 1, and on z_0 where axis 1 leans from it.
+// A word on where the base's frame stands on axis 1, or where that leans from z_0, along it.
 export function base(table, mine, found, mapped = null) {
   if (found.upsideDown) return [say("base upside down")];
   const [along, lean] = [found.baseHigher, mine.foot[1]];
-  const rest = mapped ? mapped.base.o[2] - along * Math.cos(lean) : 0;
+  const higher = mapped && lean <= ANGLE ? mapped.base.o[2] : along;
+  if (Math.abs(higher) <= LENGTH) return [];
   const row = typedRow(table, mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0], "d");
-  const stands = (key, higher) => {
-    if (Math.abs(higher) <= LENGTH) return [];
-    const way = higher > 0 ? say("higher") : say("lower");
-    return [say(key, { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
-  };
-  if (lean <= ANGLE) return stands("base", along + rest);
-  return [...stands("base", along), ...stands("base on z_0", rest)];
-}
-
-// A word on the row up to joint 1 whose d puts the base where the reference's is once it is read in
-// metres among smaller units, or in millimetres among metres.
-function twoUnits(table, mine, { baseHigher }) {
-  const factor = table.lengthScale < 1 ? 1 / table.lengthScale : 1e-3;
-  return table.rows.slice(0, mine.joints[0]).flatMap(({ d }, k) => {
-    const off = Math.abs(Math.abs(d * (factor - 1)) - Math.abs(baseHigher));
-    const others = usual.totalLength(table.rows) > Math.abs(d);
-    const near = Math.abs(d * factor) >= LOW && off < 0.51 * COARSEST;
-    return others && near ? [say("base unit", { row: typedRow(table, k + 1, "d") })] : [];
-  });
+  const way = higher > 0 ? say("higher") : say("lower");
+  return [say("base", { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
 }
 
 function tool({ tilts }) {

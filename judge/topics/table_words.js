@@ -12,15 +12,11 @@ export const DECIMAL = /\d*\.\d+(?:[eE][+-]?\d+)?/g;
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../report.js").Finding} Finding */
 
-// One wrong entry in the student's numbers; its row is the student's, also where a and alpha were
-// read one row on.
+// One wrong entry in the student's numbers, in a row of theirs.
 /** @param {Table} table @returns {Finding} */
 export function entry(table, t, [k, column], length) {
   const [mine, wanted] = [t.rows[k][column], t.reference[k][column]];
-  const craig = Boolean(t.cause?.keys.includes("table.craig"));
-  const shift = Number(craig && Boolean(table.rows[0].a || table.rows[0].alpha));
-  const lowered = Number(craig && (column === "a" || column === "alpha"));
-  const row = typedRow(table, k + 1, column) - shift + lowered;
+  const row = typedRow(table, k + 1, column);
   const why = kindOfError(column, row, mine, wanted, length);
   const typed = t.cause ? size(mine, 6) : typedAs(table, k + 1, column);
   const words = say("table entry", { typed, words: say(why.keys[0], why.fields[0]) });

@@ -35,16 +35,10 @@ def whole(m, rng):
     yield "table.alpha and theta", swapped(rows, "alpha", "theta")
     yield "table.a and d", swapped(rows, "a", "d")
     yield "table.craig", to_craig(rows)
-    yield "table.millimetres", [(k, 1000 * a, al, 1000 * d, th) for k, a, al, d, th in rows]
-    yield (
-        "table.degrees",
-        [(k, a, math.degrees(al), d, math.degrees(th)) for k, a, al, d, th in rows],
-    )
     i, j = sorted(int(x) for x in rng.choice(len(rows), 2, replace=False))
     order = list(range(len(rows)))
     order[i], order[j] = j, i
     yield f"table.rows exchanged:{i + 1}:{j + 1}", [rows[k] for k in order]
-    yield "table.twists", [(k, a, -al, d, th) for k, a, al, d, th in rows]
     if m.name in ("PANDA", "UR10E_HOMEWORK", "PANDA.lock(3)"):
         yield "table.pen", changed(rows, len(rows) - 1, d=-0.107 if m.name[0] == "P" else 0.0922)
 
