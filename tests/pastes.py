@@ -146,13 +146,11 @@ LATEX = Program(
         (" & ", r" \\ "),
         ("&", r"\\"),
         (r"\, & \,", r" \\[4pt] "),
-        (r" & \quad ", r" \cr "),
         (" & ", " \\\\ % a row\n"),
         (" & ", r" \\ \cline{1-2} "),
     ],
     [
-        str, with_minus("{-}"), within(r"\phantom{-}"), within(r"\num{", "}"),
-        within("$", "$"), within(r"\textbf{", "}"), lambda x: x.replace(".", "{,}"),
+        str, within("$", "$"), within(r"\textbf{", "}"), lambda x: x.replace(".", "{,}"),
         scaled(0.1, r" \times 10^{-1}"), scaled(0.01, r" \cdot 10^{-2}"),
     ],
     [(b + start, end + a) for start, end in IN_LATEX for b, a in SAID_IN_LATEX],
@@ -177,7 +175,6 @@ CSV = Program(
     [("", ""), ("\ufeff", "\n"), ("# rad and m\n", ""), ("```\n", "\n```")],
 )
 # What goes with little else.
-EXCEL = Program([("\t", "\n")], [within("="), lambda x: f"{float(x):,.4f}"], [("", "")])
 COMMAS = Program(
     [(";", "\n"), (";", ";\n", "", ";"), ("\t", "\n"), ("   ", "\n")],
     [lambda x: x.replace(".", ","), lambda x: plus(x).replace(".", ",")],
@@ -203,5 +200,5 @@ QUOTED = Program(
 )
 PROGRAMS = {
     "NumPy": NUMPY, "MATLAB": MATLAB, "printed": PRINTED, "LaTeX": LATEX, "CSV": CSV,
-    "Excel": EXCEL, "decimal commas": COMMAS, "by hand": BY_HAND, "quoted": QUOTED,
+    "decimal commas": COMMAS, "by hand": BY_HAND, "quoted": QUOTED,
 }  # fmt: skip

@@ -15,59 +15,51 @@ pytestmark = needs_node
 
 Q3, Q6 = np.array([0.3, 0.5, -0.2]), np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
 LOCKED = PANDA.lock(3)  # its joints are 1, 2, 4, 5, 6, 7
-COUNTED = ("symbols numbered on past what does not move: 1, 2, 3 ... are joints 1, 2, 4, 5, 6, 7",)
-FROM_ZERO = ("symbols numbered from 0: 0, 1, 2 ... are joints 1, 2, 4, 5, 6, 7",)
 
 
 def meanings(names, arm, q, values=None):
-    """The number of each name, and how the joints were counted."""
+    """The number of each name."""
     pairs = [list(pair) for pair in (values or {}).items()]
     given = dict(names=list(names), arm=judged_data(arm), q=list(q), values=pairs)
-    found = reading.asked("names", **given)
-    return found["found"], tuple(found["said"])
+    return reading.asked("names", **given)
 
 
 @pytest.mark.parametrize(
     "typed", ["theta_{1}(t)", "θ₁", r"q_{1}^*", "Q_1'", r"\theta_1", "t1", "joint1"]
 )
 def test_one_name_in_its_spellings(typed):
-    assert meanings([typed], ELBOW, Q3) == ({typed: 0.3}, ())
+    assert meanings([typed], ELBOW, Q3) == {typed: 0.3}
 
 
 @pytest.mark.parametrize(
-    ("names", "arm", "q", "values", "found", "said"),
+    ("names", "arm", "q", "values", "found"),
     [
         # Joints in all spellings, functions of sums and differences of them, lengths.
-        (["q_1", "th2", "theta_3", "t1", "phi2", "j3", "joint1", "x2", "d3", "u1"], ELBOW, Q3, {},
-         [0.3, 0.5, -0.2, 0.3, 0.5, -0.2, 0.3, 0.5, -0.2, 0.3], ()),
+        (["q_1", "th2", "theta_3", "t1", "phi2", "j3", "joint1", "x2", "d3"], ELBOW, Q3, {},
+         [0.3, 0.5, -0.2, 0.3, 0.5, -0.2, 0.3, 0.5, -0.2]),
         (["s1", "C2", "s_23", "c_{2-3}", "S_{123}", "c-1+2", "c22"], ELBOW, Q3, {},
          [math.sin(0.3), math.cos(0.5), math.sin(0.3), math.cos(0.7), math.sin(0.6),
-          math.cos(0.2), 1 * math.cos(1.0)], ()),
+          math.cos(0.2), 1 * math.cos(1.0)]),
         (["a_2", "a3", "d_1", "h", "q1"], ELBOW, Q3, {"h": 7.0, "d_1": 9.0},
-         [0.4, 0.3, 9.0, 7.0, 0.3], ()),
-        (["d_3", "q_3"], STANFORD, Q6, {}, [0.3, 0.3], ()),
-        # Numbered by the rows, counted on past joint 3, and from 0.
-        (["q_1", "q_4", "q_7"], LOCKED, Q6, {}, [0.1, 0.3, 0.6], ()),
-        (["q_1", "q_3", "c_6"], LOCKED, Q6, {}, [0.1, 0.3, math.cos(0.6)], COUNTED),
-        (["q_0", "q_5"], LOCKED, Q6, {}, [0.1, 0.6], FROM_ZERO),
-        (["q_0", "q_2", "s_{01}"], ELBOW, Q3, {}, [0.3, -0.2, math.sin(0.8)],
-         ("symbols numbered from 0: 0, 1, 2 ... are joints 1, 2, 3",)),
-        (iter(["q_1", "q_1"]), ELBOW, Q3, None, [0.3], ()),
+         [0.4, 0.3, 9.0, 7.0, 0.3]),
+        (["d_3", "q_3"], STANFORD, Q6, {}, [0.3, 0.3]),
+        # Numbered by the rows.
+        (["q_1", "q_4", "q_7"], LOCKED, Q6, {}, [0.1, 0.3, 0.6]),
+        (iter(["q_1", "q_1"]), ELBOW, Q3, None, [0.3]),
     ],
 )  # fmt: skip
-def test_each_symbol_has_its_number(names, arm, q, values, found, said):
+def test_each_symbol_has_its_number(names, arm, q, values, found):
     names = list(dict.fromkeys(names))
-    numbers, words = meanings(iter(names), arm, q, values)
+    numbers = meanings(iter(names), arm, q, values)
     assert [numbers[name] for name in names] == pytest.approx(found, rel=1e-15)
-    assert words == said
 
 
 @pytest.mark.parametrize(
     ("names", "arm", "unknown"),
     [
         (["q_1", "q_4"], ELBOW, "q_4"),
-        (["q_0", "q_7"], LOCKED, "q_0"),
-        (["q_0", "q_6"], LOCKED, "q_0"),
+        (["q_0", "q_1"], LOCKED, "q_0"),
+        (["q_1", "q_3"], LOCKED, "q_3"),
         (["q_1", "beta"], ELBOW, "beta"),
         (["z1"], ELBOW, "z1"),
         (["s"], ELBOW, "s"),

@@ -178,12 +178,11 @@ def test_a_matrix_moves_where_it_has_symbols_itself():
         ("a [mm] alpha (Deg) d theta", ("mm", "deg", None)),
         ("a, α [°], d, theta", (None, "deg", None)),
         ("a (m), alpha [rad], d, theta", ("m", "rad", None)),
-        ("a (in)\tα_{i-1} in radians\td\ttheta", ("in", "rad", "craig")),
+        ("a (mm)\tα_{i-1} in radians\td\ttheta", ("mm", "rad", "craig")),
         ("r [ cm ] , twist , offset , q", ("cm", None, None)),
         ("alpha,theta,a_i-1,d [m", ("m", None, "craig")),
         ("a/m,alpha/rad,d/m,theta/rad", ("m", "rad", None)),
         ("a_mm,alpha_deg,d_mm,theta_deg", ("mm", "deg", None)),
-        ("a,alpha,d,theta\n(cm),deg,(cm),-", ("cm", "deg", None)),
     ],
 )
 def test_heads_say_units_and_the_convention(heads, said):
@@ -195,7 +194,7 @@ def test_heads_say_units_and_the_convention(heads, said):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"lengths": "ft"}, "lengths is 'ft'; expected one of m, cm, mm, in"),
+        ({"lengths": "ft"}, "lengths is 'ft'; expected one of m, cm, mm"),
         ({"angles": "mm"}, "angles is 'mm'; expected one of rad, deg"),
         ({"convention": 5}, "convention is '5'; expected one of standard, craig, modified"),
         ({"columns": "a b c d"}, "'a b c d'"),
@@ -253,29 +252,19 @@ def test_offsets_in_a_column_of_their_own_are_added_to_what_moves(text, still):
     assert [(n["theta"], n["d"]) for n in numbers] == still
 
 
-def test_a_letter_in_a_number_is_named():
-    for text, piece in (("-0.3o39 * q_1", "0.3o39"), ("9O", "9O")):
-        with pytest.raises(ArmError, match=f"in '{piece}' is a letter o; expected the digit 0"):
-            Arm.from_table([[text, "q1", 0.5, 0.1]], **ORDER)
-
-
 FORMULAS = [
     (r"\sin^{2}{\left(\frac{\pi}{6} \right)} + cos^2 0", 1.25),
     ("sin^-1 0.5", None),
     ("√2/2 + √ 4", 2 + 2**0.5 / 2),
     ("3.*2.^2./6", 2),
     ("１.５", 1.5),
-    ("90^o + 90˚ + 90^{o}", 1.5 * math.pi),
+    ("90˚ + 90º", math.pi),
     ("90^0", None),
     ("3*10^0", 3.0),
     (r"\dfrac{\sqrt{3}}{2}", 3**0.5 / 2),
-    (r"\frac\pi2 + \frac{\pi}4", 0.75 * math.pi),
     (r"\sin{\frac{\pi}{6}} + 2^{-1}", 1.0),
     ("1.5×10⁻³ + 2²", 4.0015),
-    ("1½π", 1.5 * math.pi),
-    ("90 degrees + 0.5 radians", math.pi / 2 + 0.5),
-    ("degrees(0.5)", math.degrees(0.5)),
-    (r"1 + \ang{90}", 1 + math.pi / 2),
+    ("90 deg + 0.5 rad", math.pi / 2 + 0.5),
     ("1.234.5", None),
     ("1 234.5", None),
     ("2(3) 4", 24.0),
@@ -312,6 +301,19 @@ def test_formulas_have_the_values_that_they_were_made_with(seed):
         text, wanted = typed_tables.formula_of(rng)
         found = reading.formula(text, x=0.7, q_1=0.4)["value"]
         assert found == pytest.approx(wanted, rel=1e-9, abs=1e-12), text
+
+
+# No engine tells how many steps a pattern takes, so its time stands for them: four times the text
+# takes four times as long (two to six were seen), and sixteen where a pattern's steps are squared.
+REPEATED = ["-", "[", "(", "{", ",", " ", "1", ".", "+", "a=", "a - ", "a_1 = ", "dict(", "Link(",
+            "a(", "\\begin{", "Columns 1", "q1 = 1\n"]  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", ["table", "numbers"])
+@pytest.mark.parametrize("text", REPEATED)
+def test_a_text_takes_as_long_as_it_is(text, kind):
+    short, long = reading.asked("pace", **{"as": kind}, text=text, counts=[8_000, 32_000])
+    assert long < 9 * short, (short, long)
 
 
 def test_right_angles_of_a_table_become_formulas_of_an_arm():

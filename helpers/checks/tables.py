@@ -50,7 +50,7 @@ def reading_options(columns: Any, lengths: Any, angles: Any, convention: Any) ->
         names = [columns] if isinstance(columns, str) else listed(columns, "columns", wanted)
         found["columns"] = " ".join(map(str, names))
     if lengths is not None:
-        found["lengths"] = one_of(lengths, "lengths", ("m", "cm", "mm", "in"))
+        found["lengths"] = one_of(lengths, "lengths", ("m", "cm", "mm"))
     if angles is not None:
         found["angles"] = one_of(angles, "angles", ("rad", "deg"))
     if convention is not None:

@@ -131,8 +131,9 @@ function repeated(runs) {
   const named = new Map();
   for (const run of runs) {
     const name = `${run.cells.length} ${run.words.join(" ")}`;
-    if (run.words.length && run.cells.length > 1)
-      named.set(name, [...(named.get(name) ?? []), run]);
+    if (!run.words.length || run.cells.length < 2) continue;
+    if (!named.has(name)) named.set(name, []);
+    named.get(name).push(run);
   }
   return [...named.values()].filter((own) => own.length > 2).map(blockOf);
 }

@@ -33,13 +33,8 @@ const QUANTITIES = {
   },
 };
 const UNITS = new Set(Object.values(QUANTITIES).flatMap(({ units }) => Object.keys(units)));
-const ANGLES = ["radians", "deg2rad", "asin", "acos", "atan", "arcsin", "arccos", "arctan"];
-/** @type {[RegExp, string][]} */
-const WORDS = [
-  [/(?<=[\d.)])\s*(?:metres?|meters?)\b/gi, " m"],
-  [/(?<=[\d.)])\s*newtons?\b/gi, " N"],
-  [/\bN\s*[*·⋅]?\s*(m{1,2})\b/g, "N$1"],
-];
+const ANGLES = ["radians", "deg2rad", "asin", "acos", "atan"];
+const MOMENT = /\bN\s*[*·⋅]?\s*(m{1,2})\b/g;
 const COMMA = /^([^,]*\d|[^,\d]*),(\d+[^,]*)$/;
 // A name beside another or before a bracket is a product that may be a slip of the finger.
 const BESIDE = /([A-Za-z_]\w*)\s*(\(|\s(?=[A-Za-z_]))/g;
@@ -53,7 +48,7 @@ function refuse(words = "") {
 /** @param {string} typed */
 function treeOf(typed) {
   const pointed = typed.includes(".") ? typed : typed.trim().replace(COMMA, "$1.$2");
-  const text = WORDS.reduce((rest, [word, sign]) => rest.replace(word, sign), plain(pointed));
+  const text = plain(pointed).replace(MOMENT, "N$1");
   for (const [, name, next] of text.matchAll(BESIDE))
     if (name !== "pi" && !(next === "(" && isFunction(name))) refuse();
   try {

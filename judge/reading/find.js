@@ -4,7 +4,7 @@
 import { blocksIn } from "./blocks.js";
 import { number } from "./formula.js";
 import { labelIn } from "./labels.js";
-import { plainSigns } from "./signs.js";
+import { linesOf, plainSigns } from "./signs.js";
 import { ArmError, listed, say, shown } from "../sentences.js";
 
 const LONGEST = 2_000_000; // characters of a text: a run of 20 000 steps
@@ -160,22 +160,12 @@ function listedIn(text, count) {
   return null;
 }
 
-const ANGULAR = /^(?:J_?\{?)?(?:ω|w|omega|angular)\}?$/i;
-const LINEAR = /^(?:J_?\{?)?(?:v|linear)\}?$/i;
-
-// The rows of a Jacobian whose lower half is named as the linear one.
-function halvesNamed({ labels, rows }, by) {
-  const [upper, lower] = [labels[0], labels[3] ?? []].map((words) => words.at(-1) ?? "");
-  const is = by === "row" && rows.length === 6 && ANGULAR.test(upper) && LINEAR.test(lower);
-  return is ? [3, 4, 5, 0, 1, 2] : null;
-}
-
 // In the order of the labels.
 function ordered(block, { by }) {
   const [rows, heads] = [labelsOf(block.labels), headsOf(block)];
   const order = (label) => label.at.map((_, k) => k).sort((p, q) => label.at[p] - label.at[q]);
   const whole = rows && (by === "row" ? rows.kind === "row" : rows.kind === "joint");
-  const down = whole ? order(rows) : (halvesNamed(block, by) ?? block.rows.map((_, i) => i));
+  const down = whole ? order(rows) : block.rows.map((_, i) => i);
   const across = heads?.kind === "joint" ? order(heads) : block.rows[0].map((_, k) => k);
   const moved = [...down, -1, ...across].join() !== [...down.keys(), -1, ...across.keys()].join();
   return {
@@ -243,7 +233,7 @@ function isSeries(cells) {
 // The text without the block, and what of it is told to be set aside: its lines that say something,
 // and numbers on the block's own lines that name no row.
 export function around(text, { from, to, beside, labels, heads }) {
-  const lines = text.split(/\r\n|[\n\r]/);
+  const lines = linesOf(text);
   const rest = lines.filter((_, i) => i < from || i > to);
   const told = rest.filter((line) => /[\p{L}\d]/u.test(plainSigns(line)));
   const context = [...rest, ...labels.flat(), ...heads].join("\n");
@@ -252,11 +242,11 @@ export function around(text, { from, to, beside, labels, heads }) {
 
 /** @type {[string, RegExp][]} */
 const SAID = [
-  ["no solution", /\bno (?:real )?solutions?\b|\bunreachable\b|\bkeine Lösung|\bsin solución/i],
-  ["not finite", /(?<![\p{L}])(?:nan|[-+]?inf(?:inity)?)(?!\p{L})|∞/iu],
+  ["no solution", /\bno (?:real )?solution|\bunreachable\b/i],
+  ["not finite", /(?<!\p{L})(?:nan|inf(?:inity)?)(?!\p{L})/iu],
   ["doubtful sign", /~\s*[\d.]/],
   ["complex", /\d\s?\*?\s?[ij](?![\p{L}\d])/u],
-  ["two signs", /±|\\pm(?![A-Za-z])/],
+  ["two signs", /±|\\pm/],
   ["cut print", /\.\.\.(?=[ \t]*,?[ \t]*[-\d[])|^[ \t]*\.\.\.,?[ \t]*$/m],
   ["no text", /[\0-\x08\ufffd]/],
 ];
@@ -275,7 +265,7 @@ function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, ways) {
   const sorted = [...blocks].sort((p, q) => count(q) - count(p));
   const sizes = new Set(sorted.map(({ rows }) => `${rows.length}x${rows[0].length}`));
   const found = listed([...sizes].slice(0, 3));
-  const line = shown(text.split(/\r\n|[\n\r]/)[sorted[0].from] ?? "");
+  const line = shown(linesOf(text)[sorted[0].from] ?? "");
   return new ArmError(say("no fit", { what, found, line, wanted }));
 }
 

@@ -1,8 +1,9 @@
 // Formulas as people type them: a tree is ["num", x], ["name", n], ["neg", t], ["call", function,
 // t] or [sign, left, right]. No text is ever run.
 
-import { DEG, RAD } from "../geometry/angles.js";
+import { RAD } from "../geometry/angles.js";
 import { ArmError, shown } from "../sentences.js";
+import { each, sameSigns, unset } from "./signs.js";
 
 const LONGEST = 20_000; // characters of one formula
 const TEN = 10; // whose powers are meant, 10^0 too
@@ -16,22 +17,9 @@ const FUNCTIONS = {
   asin: Math.asin,
   acos: Math.acos,
   atan: Math.atan,
-  arcsin: Math.asin,
-  arccos: Math.acos,
-  arctan: Math.atan,
-  abs: Math.abs,
   radians: (x) => x * RAD,
   deg2rad: (x) => x * RAD,
-  degrees: (x) => x * DEG,
-  rad2deg: (x) => x * DEG,
-  sind: (x) => Math.sin(x * RAD),
-  cosd: (x) => Math.cos(x * RAD),
-  float: (x) => x,
-  Float: (x) => x,
-  Integer: (x) => x,
-  float64: (x) => x,
-  float32: (x) => x,
-  int64: (x) => x,
+  float64: (x) => x, // NumPy 2 prints np.float64(0.5)
 };
 const SIGNS = {
   "+": (left, right) => left + right,
@@ -49,47 +37,26 @@ function raised(left, right) {
   return Number.isFinite(power) || !Number.isFinite(left) ? power : NaN;
 }
 
-/** @returns {[string, string][]} */
-const each = (signs, instead) => [...signs].map((sign) => [sign, instead]);
 const GREEK = "alpha beta gamma delta theta theta phi phi psi omega lambda theta".split(" ");
 /** @type {Map<string, string>} */
 const SAME = new Map([
-  ...each("−–—‐‑‒﹣－", "-"),
   ...each("×⋅·∙∗", "*"),
   ...each("÷∕⁄", "/"),
-  ...each("\u00a0\u2009\u202f\u2007\u2002\u2003\u200a\u3000", " "),
-  ...each("\u200b\u2061\u2062\ufeff", ""),
-  ...each("′’‘", "'"),
+  ...each("′", "'"),
   ...[..."₀₁₂₃₄₅₆₇₈₉"].flatMap((sign, i) => each(sign, `_${i}`)),
   ...[..."αβγδθϑφϕψωλΘ"].flatMap((sign, i) => each(sign, ` ${GREEK[i]}`)),
   ...each("π𝜋", " pi "),
   ...each("°º˚◦∘", " deg"),
-  ...[..."０１２３４５６７８９"].flatMap((sign, i) => each(sign, `${i}`)), // as typed among Chinese signs
-  ["$", " "],
-  ["√", "sqrt"],
-  ["⅓", "(1/3)"],
-  ["½", "(1/2)"],
-  ["¼", "(1/4)"],
-  ["∞", " inf "],
+  ["√", " sqrt "],
 ]);
 /** @type {[RegExp, string][]} */
 const LATEX = [
-  [/\\(?:left|right|big|Big|displaystyle|quad|qquad|limits)(?![A-Za-z])/g, " "],
-  [/\\[,;:! ]|~|\\hspace\{[^{}]*\}/g, " "],
-  [
-    /\\(?:mathrm|text(?:bf|it|rm)?|math(?:it|bf|sf)|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g,
-    "$1",
-  ],
-  [/\\ang\s*\{([^{}]*)\}|\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{\s*\\degree\s*\}/g, " $1$2 deg "],
-  [/\^\s*\{?\s*\\(?:circ|degree)\s*\}?|\\(?:degree|circ|textdegree)(?![A-Za-z])/g, " deg"],
-  [/\\(?:cdot|times|ast)(?![A-Za-z])/g, "*"],
-  [/\^\s*\{?\s*(?:\*|\\ast|\\star)\s*\}?(?!\w)/g, " "],
+  [/\\(?:math(?:rm|bf|it)|text(?:bf|it|rm)?|boldsymbol)\s*\{([^{}]*)\}/g, "$1"],
+  [/\^\s*\{?\s*\\circ\s*\}?|\\degree(?![A-Za-z])/g, " deg"],
+  [/\\(?:cdot|times)(?![A-Za-z])/g, "*"],
+  [/\^\s*\{?\s*(?:\*|\\ast)\s*\}?(?!\w)/g, " "],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
   [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],
-  [/(?<=[0-9])\^\s*\{?\s*o\s*\}?(?![A-Za-z0-9])/g, " deg"],
-  [/(\\[dt]?frac)\s*([0-9]|\\pi(?![A-Za-z]))/g, "$1{$2}"],
-  [/(\\[dt]?frac\s*\{[^{}]*\})\s*([0-9]|\\pi(?![A-Za-z]))/g, "$1{$2}"],
-  [/(?<=[0-9.)])\s*(deg|rad)(?:ree|ian)s?(?![A-Za-z0-9_]|\s*\()/g, " $1"],
 ];
 /** @type {[RegExp, string][]} */
 const INNERMOST = [
@@ -98,16 +65,12 @@ const INNERMOST = [
 ];
 const POWERS = "⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹";
 const RAISED = new RegExp(`[${POWERS}]+`, "g");
-const ROOT = /√ ?([0-9]+(?:\.[0-9]+)?)/g;
-const COUNTED = /(?<![A-Za-z_])(q|th|theta) *(?:\[ *([0-9]{1,2}) *\]|\( *([0-9]{1,2}) *\))/g;
-const MIXED = /(?<![A-Za-z0-9_.])([0-9]+) ?([⅓½¼])/g;
+const COUNTED = /(?<![A-Za-z_])(q|theta) *[[(] *([0-9]{1,2}) *[\])]/g;
 const NUMERAL = String.raw`\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|\.\d+(?:[eE][+-]?\d+)?`;
 const NAME = String.raw`[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?`;
 const TOKEN = new RegExp(String.raw`\s*(?:(${NUMERAL})|(${NAME})|(\*\*|[-+*/^()]))`, "y");
 const RUN = /^(?:[acdlsCS]_?(?:\d|\{[\d+-]+\})+){2,}$/; // c_1s_23 and a_2C_2
 const SHORT = /[acdlsCS]_?(?:\d|\{[\d+-]+\})+/g;
-
-const LETTER_O = /(?<![A-Za-z0-9_.])[0-9.]+[oO][0-9.]*(?![A-Za-z_])/; // for a 0, or a raised one
 
 const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 
@@ -117,36 +80,34 @@ export const isNumber = (text) => NUMBER.test(text);
 // The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
   if (isNumber(text)) return text;
+  text = unset(sameSigns(text));
   text = text.replace(/([₀-₉])(?=[A-Za-zα-ω])/g, "$1*"); // a product without a sign
   text = text.replace(
     RAISED,
     (powers) => `^${[...powers].map((sign) => "+-0123456789"[POWERS.indexOf(sign)]).join("")}`,
   );
-  text = text.replace(MIXED, "($1+$2)").replace(ROOT, "sqrt($1)");
   text = [...text].map((sign) => SAME.get(sign) ?? sign).join("");
   for (const [pattern, instead] of LATEX) text = text.replace(pattern, instead);
   for (let before = ""; before !== text;) {
     before = text;
     for (const [innermost, opened] of INNERMOST) text = text.replace(innermost, opened);
   }
-  text = text.replace(/\\(theta|phi|alpha)(?=\d)|\\([A-Za-z]+)/g, (_, name, word) =>
-    name ? ` ${name}` : ` ${word} `,
-  );
-  text = text.replace(/\b(?:np|numpy|math|cmath|sp|sympy|sym|sy|jnp|torch)\./g, "");
+  text = text.replace(/\\([A-Za-z]+)/g, " $1 ");
+  text = text.replace(/\b(?:np|math|sp|sym)\./g, "");
   text = text.replace(/\.(?=[*/^])/g, ""); // MATLAB's signs for entry by entry
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");
-  text = text.replace(COUNTED, "$1_$2$3");
+  text = text.replace(COUNTED, "$1_$2");
   text = text.replace(/(\b[a-z]+) +_(?=[\w{])/g, "$1_");
   text = text.replace(/(?<![_\w])\{|(?<=[^\w+-])\{/g, "(");
   text = text.replace(/\{[\w+-]*\}|\}/g, (braces) => (braces === "}" ? ")" : braces));
   return text.replace(/[ \t]+/g, " ").trim();
 }
 
-// An error where a letter o stands among digits.
-export function refuseLetters(text, what) {
-  const [odd] = LETTER_O.exec(text) ?? [];
-  if (odd) throw new ArmError(`${what}: in ${shown(odd)} is a letter o; expected the digit 0 or °`);
-}
+// A name without underscores, braces and primes, in lower case.
+export const simple = (name) =>
+  plain(name)
+    .replace(/[_{}'*^\\\s]/g, "")
+    .toLowerCase();
 
 // The tree of one formula; an error that quotes it where it is none.
 export function parse(text, what = "the formula") {
@@ -155,7 +116,6 @@ export function parse(text, what = "the formula") {
   }
   if (!text.trim()) throw new ArmError(`${what} is empty; expected a number or a formula, or 0`);
   const signs = plain(text);
-  refuseLetters(signs, what);
   const tokens = tokensOf(signs);
   if (!tokens) {
     throw new ArmError(

@@ -1,21 +1,23 @@
-// What stands beside numbers: names of joints, of rows, and plain counts. They order an answer.
+// What stands beside numbers: names of joints, of rows, and plain counts, which order an answer;
+// and what is said of its units.
 
 import { plain } from "./formula.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const DOTTED = { ẋ: "vx", ẏ: "vy", ż: "vz" };
-const JOINT =
-  /^(?:q|th|theta|tau|τ|[tgjalc]|joint|panda_?joint|fr3_?joint|axis|link|row|col(?:umn)?|torque)$/;
+const JOINT = /^(?:q|th(?:eta)?|tau|τ|[tgjalc]|(?:panda)?joint|link|column)$/;
 const ORDINALS = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh"];
 // As the driver of a UR10e and its pendant call them.
-const UR = [
-  /^(?:shoulder_?pan.*|base)$/,
-  /^(?:shoulder_?lift.*|shoulder)$/,
-  /^elbow(?:_?joint)?$/,
-  /^wrist_?1(?:_?joint)?$/,
-  /^wrist_?2(?:_?joint)?$/,
-  /^wrist_?3(?:_?joint)?$/,
-];
+const UR = new Map(
+  [
+    ["base", "shoulderpan"],
+    ["shoulder", "shoulderlift"],
+    ["elbow"],
+    ["wrist1"],
+    ["wrist2"],
+    ["wrist3"],
+  ].flatMap((words, k) => words.map((word) => [word, k + 1])),
+);
 
 /**
  * What a label says: "row" and which of vx ... wz, "joint" and its number, or "count" and how far.
@@ -24,29 +26,50 @@ const UR = [
  */
 function labelOf(text) {
   const word = simple(text);
-  const row = ROWS.indexOf(word.replace(/^omega/, "w").replace(/[_.]/g, ""));
+  const row = ROWS.indexOf(word.replace("omega", "w"));
   if (row >= 0) return { kind: "row", at: row };
-  const ur = UR.findIndex((is) => is.test(word));
-  if (ur >= 0) return { kind: "joint", at: ur + 1 };
-  const ordinal = ORDINALS.findIndex((one) => word.startsWith(`the${one}`) || word.startsWith(one));
-  if (ordinal >= 0) return { kind: "joint", at: ordinal + 1 };
-  const [, stem, number] = /^([^\d]*?)_?(\d{1,5})(?:_?joint)?$/.exec(word) ?? [];
+  const ur = UR.get(word.replace(/joint$/, ""));
+  const ordinal = ORDINALS.findIndex((one) => word.replace(/^the/, "").startsWith(one));
+  if (ur || ordinal >= 0) return { kind: "joint", at: ur ?? ordinal + 1 };
+  const [, stem, number] = /^(\D*)(\d{1,5})$/.exec(word) ?? [];
   if (number === undefined) return null;
   return { kind: JOINT.test(stem) ? "joint" : "count", at: Number(number) };
 }
 
+// A label without its unit, brackets and signs.
 const simple = (text) =>
   plain([...text].map((sign) => DOTTED[sign] ?? sign).join(""))
     .toLowerCase()
-    .replace(/\(t\)|[([](?:deg|rad|nm|n m|m|mm|°)[^)\]]*[)\]]|\/(?:s|deg|rad|nm)$/g, "")
-    .replace(/[\s"'{}^\\*#:=()[\]|.,&-]/g, "")
+    .replace(/\(t\)|[([](?:deg|rad|nm|m)[^)\]]*[)\]]|\/(?:s|rad)$/g, "")
+    .replace(/[\s"'{}^\\*#:=()[\]|.,&_-]/g, "")
     .replace(/deg$/, "");
+
+const MOST_WORDS = 8; // of a label: "for the first joint"
 
 // The label that words end with, "ωx" of "Émilie: ωx"; null where none does.
 export function labelIn(words) {
-  for (let from = 0; from < words.length; from++) {
+  for (let from = Math.max(0, words.length - MOST_WORDS); from < words.length; from++) {
     const found = labelOf(words.slice(from).join(" "));
     if (found) return found;
   }
   return null;
+}
+
+const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;
+const RADIANS = /\brad(?:ians?)?\b/i;
+const MILLIMETRES = /(?<![\d.]\s?|\bN\s?[·*]?\s?)\bmm\b/;
+const NEWTON_MILLIMETRES = /\bN\s?[·*]?\s?mm\b/;
+
+/**
+ * @param {string} text
+ * @returns {{ angles: string | null, lengths: string | null, moments: string | null }} null where
+ *   nothing is said, or both
+ */
+export function unitsSaid(text) {
+  const [degrees, radians] = [DEGREES.test(text), RADIANS.test(text)];
+  return {
+    angles: degrees === radians ? null : degrees ? "deg" : "rad",
+    lengths: MILLIMETRES.test(text) ? "mm" : null,
+    moments: NEWTON_MILLIMETRES.test(text) ? "Nmm" : null,
+  };
 }

@@ -3,14 +3,14 @@
 import { joints } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
-import { unitsSaid } from "./context.js";
 import { find } from "./find.js";
-import { isNumber, parse, plain, symbols, value } from "./formula.js";
+import { unitsSaid } from "./labels.js";
+import { isNumber, parse, plain, simple, symbols, value } from "./formula.js";
 import { ArmError, counted, listed, say, size, spelled } from "../sentences.js";
 
-const JOINT = /^(q|th|theta|tht|thetha|t|phi|joint|j|x|d|u)(\d{1,2})$/;
+const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
 const SHOWN = 3; // so many values of a locked joint are shown back
-const SHORT = /^([cs])((?:[+-]?\d)+)$/i;
+const SHORT = /^([cs])((?:[+-]?\d)+)$/;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
 
 /**
@@ -34,21 +34,16 @@ export const turning = (arm) => joints(arm).map((i) => arm.rows[i].kind === "rev
 export const variables = (arm) => numbered(arm).map((i) => `q_${i}`);
 
 /**
- * Looks symbols up for one arm at one pose, and remembers what it had to say about them.
+ * Looks symbols up for one arm at one pose.
  * @param {number[]} q
  * @param {[string, number][]} values of symbols that the arm does not have
- * @returns {{ known: (names: Set<string>) => Map<string, number>, said: string[] }}
  */
 export function lookup(arm, q, values = []) {
-  const said = [];
-  const known = (names) => {
-    const [found, words] = meanings([...names].sort(), arm, q, values);
-    for (const one of words) if (!said.includes(one)) said.push(one);
-    return found;
-  };
+  const known = (names) => meanings([...names].sort(), arm, q, values);
   const own = new Set([...(arm.values ?? []), ...values].map(([name]) => simple(name)));
-  known.has = (name) => own.has(simple(name)) || indices(name) !== null;
-  return { known, said };
+  const isMeant = (word) => own.has(word) || JOINT.test(word) || SHORT.test(word);
+  known.has = (name) => isMeant(simple(name));
+  return known;
 }
 
 const noSymbols = (names) => {
@@ -121,7 +116,6 @@ function shapeOf(list) {
 function entryIn(known) {
   return (cell) => {
     if (isNumber(cell)) return true;
-    if (/[~≈]/.test(cell)) return false;
     try {
       const tree = parse(cell);
       const names = [...symbols(tree)];
@@ -269,66 +263,32 @@ export function asDegrees(rows, arm) {
 
 // Names
 
-// A name without underscores, braces, primes and (t), in lower case.
-const simple = (name) =>
-  plain(name)
-    .replace(/\(t\)|[_{}'*^\\\s]/g, "")
-    .toLowerCase();
-
-/** @returns {[Map<string, number>, string[]]} */
+// A joint's value, a length, or the cosine or sine of a sum of joints, by its name.
+/** @returns {Map<string, number>} */
 function meanings(names, arm, q, own) {
-  // one name once, where it first stood, as in Python
-  const all = new Map([...(arm.values ?? []), ...own]);
-  const values = new Map([...all].map(([name, number]) => [simple(name), number]));
-  const found = new Map(
-    names.filter((n) => values.has(simple(n))).map((n) => [n, values.get(simple(n))]),
-  );
-  const used = new Map(names.filter((n) => !found.has(n)).map((n) => [n, indices(n)]));
-  const [order, said] = orderOf([...new Set([...used.values()].flatMap((i) => i ?? []))], arm);
-  for (const [name, numbers] of used) {
-    const at = (numbers ?? []).map((i) => order.get(i));
-    if (!at.length || at.includes(undefined)) {
+  const lengths = [...(arm.values ?? []), ...own];
+  const values = new Map(lengths.map(([name, number]) => [simple(name), number]));
+  const joints = new Map(numbered(arm).map((i, k) => [i, q[k]]));
+  return new Map(
+    names.map((name) => {
+      const found = values.get(simple(name)) ?? ofJoints(simple(name), joints);
+      if (Number.isFinite(found)) return [name, found];
       const known = [...variables(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
       throw new ArmError(say("unknown symbol", { arm: arm.name, name, known }), [
         { field: "values", value: name },
       ]);
-    }
-    found.set(
-      name,
-      angleOrShort(
-        simple(name),
-        at.map((k) => q[k]),
-      ),
-    );
-  }
-  return [found, said];
+    }),
+  );
 }
 
-function indices(name) {
-  const word = simple(name);
-  const joint = JOINT.exec(word);
-  if (joint) return [Number(joint[2])];
-  const short = SHORT.exec(word);
-  return short ? [...short[2].matchAll(/\d/g)].map(Number) : null;
-}
-
-// The position of each joint number: by row, or counted on past what does not move.
-/** @returns {[Map<number, number>, string[]]} */
-function orderOf(used, arm) {
-  const list = numbered(arm);
-  const byRow = new Map(list.map((i, k) => [i, k]));
-  const within = (from) => used.every((i) => i >= from && i < from + list.length);
-  if (used.every((i) => byRow.has(i))) return [byRow, []];
-  const counted = (from) => new Map(list.map((_, k) => [k + from, k]));
-  if (within(1)) return [counted(1), [say("taken: counted on", { joints: list.join(", ") })]];
-  if (within(0)) return [counted(0), [say("taken: from zero", { joints: list.join(", ") })]];
-  return [byRow, []];
-}
-
-function angleOrShort(name, q) {
-  const match = SHORT.exec(name);
-  if (!match) return q[0];
-  const signs = [...match[2].matchAll(/([+-]?)\d/g)].map(([, sign]) => (sign === "-" ? -1 : 1));
-  const total = q.reduce((sum, x, i) => sum + signs[i] * x, 0);
-  return name[0] === "c" ? Math.cos(total) : Math.sin(total);
+function ofJoints(word, q) {
+  const [, joint] = JOINT.exec(word) ?? [];
+  if (joint) return q.get(Number(joint));
+  const [, kind, terms] = SHORT.exec(word) ?? [];
+  if (!kind) return undefined;
+  const sum = [...terms.matchAll(/(-?)(\d)/g)].reduce(
+    (total, [, minus, i]) => total + (minus ? -1 : 1) * q.get(Number(i)),
+    0,
+  );
+  return kind === "c" ? Math.cos(sum) : Math.sin(sum);
 }

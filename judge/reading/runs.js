@@ -128,7 +128,7 @@ export const withHeads = (text) =>
   text.replace(SCALE, (_, power) => FACTOR + power).replace(COLUMNS, PART);
 
 const SCALE = /^[ \t]*(1(?:\.0+)?e[+-]?\d+)[ \t]*\*[ \t]*$/gim;
-const COLUMNS = /^[ \t]*Columns?[ \t]+\d+(?:[ \t]+(?:through|to|and)[ \t]+\d+)?[ \t]*:?[ \t]*$/gim;
+const COLUMNS = /^[ \t]*Columns?[ \t]+\d+(?:[ \t]+(?:through|and)[ \t]+\d+)?:?[ \t]*$/gim;
 
 function lineEnded(state) {
   const said = state.words.join(" ");
@@ -162,7 +162,7 @@ function together(part, way, { isEntry }) {
   const beside = cellsOf(part, way);
   const whole = cleaned(part, way);
   const cells = !beside.every(isNumber) && isEntry(whole) ? [whole] : beside;
-  return cells.some((cell) => MARK.test(cell) || isEntry(cell)) ? cells : [part.trim()];
+  return cells.some((cell) => isMark(cell) || isEntry(cell)) ? cells : [part.trim()];
 }
 
 // A text parted at signs that stand in no bracket.
@@ -181,21 +181,24 @@ function partedAt(text, signs) {
 }
 
 const STAMP = /^\d{9,}\.\d+$|^\d{4}-\d\d-\d\d|^\d{1,2}[/.]\d{1,2}[/.]\d{2,4}$|^\d{1,2}:\d\d/;
-const WORTH = { mm: "*1e-3", cm: "*1e-2", Nmm: "*1e-3", "°": " deg" };
+// Units behind a number, as a factor of SI or a sign of degrees.
+const UNITS = new Map(
+  Object.entries({
+    ...{ m: "", N: "", Nm: "", rad: "", radians: "", deg: " deg", degrees: " deg", "°": " deg" },
+    ...{ mm: "*1e-3", cm: "*1e-2", Nmm: "*1e-3" },
+  }),
+);
+const unitOf = (word) => UNITS.get(word.replace(/[·*⋅. \0]/g, ""));
+const MEASURED = /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?)\s*([A-Za-z°][A-Za-z°·*⋅. ]{0,9})$/;
 
 // A cell without what is written around it, its unit as a factor.
 function cleaned(cell, way) {
   let text = cell.trim().replace(/^"|"$|"?[.,;]$/g, "");
   if (way.decimal) text = text.replace(/(?<=\d),(?=\d)/g, ".");
   if (text.includes("[")) text = text.replaceAll("[", "(").replaceAll("]", ")");
-  const number = /^([-+]? ?[\d.,]+(?:e[-+]?\d+)?)\s*(\S.*)$/i.exec(text);
-  const [, unit] = (number && /^([A-Za-z°·*⋅. ]{1,8})$/.exec(number[2])) ?? [];
-  if (!unit) return text;
-  const name = unit.replace(/[·*⋅. ]/g, "");
-  if (/^(?:Nm|N|rad(?:ians?)?|m)$/.test(name)) return number[1];
-  return /^(?:deg(?:rees?)?|mm|cm|Nmm|°)$/.test(name)
-    ? `${number[1]}${WORTH[name] ?? " deg"}`
-    : text;
+  const [, number, word = ""] = MEASURED.exec(text) ?? [];
+  const unit = unitOf(word);
+  return unit === undefined ? text : `${number}${unit}`;
 }
 
 // The cells of a line whose entries stand beside each other; a comma and "and" part them too.
@@ -206,7 +209,8 @@ function cellsOf(text, way) {
 }
 
 const PARTED = "\u0000"; // where a comma stood
-const MARK = /^(?::=|:|=|<<|->|=>)$/;
+const MARKS = [":=", "<<", "->", ":", "="];
+const isMark = (cell) => MARKS.includes(cell);
 
 // What blanks part, outside brackets; marks of naming stand alone.
 function wordsOf(text) {
@@ -225,7 +229,7 @@ function wordsOf(text) {
       from = k + 1;
     } else if (marks(text, k)) {
       cut(k);
-      const mark = [":=", "<<", "->", "=>"].find((one) => text.startsWith(one, k)) ?? text[k];
+      const mark = MARKS.find((one) => text.startsWith(one, k));
       parts.push(mark);
       k += mark.length - 1;
       from = k + 1;
@@ -242,8 +246,6 @@ const marks = (text, k) =>
   text.startsWith("<<", k) ||
   text.startsWith("->", k);
 
-const UNIT = /^(?:°|deg(?:rees?)?|rad(?:ians?)?|N|Nm|N[·*⋅.]m|m|mm|cm|Nmm)\u0000?$/;
-
 // Words that belong together: a sum with blanks about its signs, a number and its unit.
 function joined(words) {
   const found = [];
@@ -254,25 +256,26 @@ function joined(words) {
   return found;
 }
 
-const OPERATED = /[*/^]$|(?:^|\s|[A-Za-z_]\w*)[-+±~≈]$/; // something must follow
+const OPERATED = /[*/^]$|(?:^|\s)[-+±~≈]$/; // something must follow
 const OPERATES = /^[*/^]|^[-+±]$/; // something must stand before
 
 function joins(before, word) {
-  if (before.endsWith(PARTED) || MARK.test(before) || MARK.test(word)) return false;
+  if (before.endsWith(PARTED) || isMark(before) || isMark(word)) return false;
   if (OPERATED.test(before) || OPERATES.test(word)) return true;
   if (isFunction(before.replace(/^[-+]+/, ""))) return true;
-  return UNIT.test(word) && /[\d.)]$|[\d.] N$/.test(before);
+  return unitOf(word) !== undefined && /[\d.)](?: N)?$/.test(before);
 }
-
-const AND = /^(?:and|und|et|y|e|&)$/;
 
 // What stands before a mark of naming is a name, though it may look like an entry.
 function unsaid(state) {
   if (!state.run) return;
-  state.words.push(state.run.cells.pop());
-  if (state.run.cells.length) return;
-  state.words.unshift(...state.run.words);
-  state.runs.pop();
+  const { cells, words } = state.run;
+  const name = cells.pop();
+  if (!cells.length) {
+    state.runs.pop();
+    state.words = words;
+  }
+  state.words.push(name);
 }
 
 // The name before a mark; of tau = g - JTF = [...] the first.
@@ -286,8 +289,8 @@ function marked(cell, state) {
 }
 
 function put(cell, line, state) {
-  if (AND.test(cell) && state.run) return;
-  if (MARK.test(cell)) {
+  if (cell === "and" && state.run) return;
+  if (isMark(cell)) {
     marked(cell, state);
     return;
   }

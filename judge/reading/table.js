@@ -2,13 +2,12 @@
 // dictionaries, Link(...) lines, A matrices. What is not said is guessed, and every guess is told.
 
 import { RAD } from "../geometry/angles.js";
-import { plain, refuseLetters } from "./formula.js";
-import { fromHeads, headOf } from "./heads.js";
+import { plain, simple } from "./formula.js";
 import { tablesIn } from "./table_blocks.js";
-import { ordered, withoutIndex } from "./table_columns.js";
+import { fromHeads, headOf, ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices, NoLink } from "./table_matrices.js";
 import { few, named } from "./table_notations.js";
-import { ENTRIES, entryText, isVariable, rowOf, simple, UNITS } from "./table_rows.js";
+import { ENTRIES, entryText, isVariable, rowOf, UNITS } from "./table_rows.js";
 import { ArmError, listed, say, shown, size } from "../sentences.js";
 
 const MILLIMETRES = 10; // a length this large is no number of metres
@@ -65,7 +64,6 @@ export function read(text, { columns, ...options } = {}, values = []) {
       refused ??= error;
     }
   }
-  refuseLetters(plain(text), say("your table"));
   if (refused) throw refused;
   throw new ArmError(say("no rows", { given: shown(text) }));
 }
@@ -255,11 +253,8 @@ const namedRows = (rows) =>
 const unknown = ({ kind }) => kind === "unknown";
 
 function kindsOf({ rows }, wanted) {
-  const more = rows.length - wanted.length;
-  if (rows.every(unknown))
-    return wanted.length && more >= 0
-      ? [...wanted, ...Array(more).fill("fixed")]
-      : rows.map(() => "revolute");
+  const more = wanted.length ? "fixed" : "revolute";
+  if (rows.every(unknown)) return rows.map((_, k) => wanted[k] ?? more);
   return rows.map(({ kind }) => (kind === "unknown" ? "fixed" : kind));
 }
 
@@ -277,4 +272,24 @@ export function fromCraig(rows) {
   if (shifted.length > 1 && isEmpty(shifted.at(-1))) shifted.pop();
   const first = { ...EMPTY, a: rows[0].a, alpha: rows[0].alpha };
   return isEmpty(first) ? shifted : [first, ...shifted];
+}
+
+/**
+ * An arm of one's own, typed into a field that asks for a, alpha, d, theta: standard rows in m and
+ * rad, what was guessed of them, and whether the columns' order was. Where no heads say otherwise
+ * the columns are in the field's order, if they can be; bare angles are in degrees where that is
+ * the unit.
+ * @param {string} text
+ * @param {string} unit "deg" or "rad"
+ * @param {[string, number][]} values of its symbols
+ * @param {string | null} length the unit of bare lengths; guessed where there is none
+ */
+export function ownRows(text, unit, values = [], length = null) {
+  const asked = say("taken: columns", { columns: "a alpha d theta" });
+  const tables = read(text, {}, values);
+  const table = tables.find(({ said }) => said.includes(asked)) ?? tables[0];
+  const angles = table.angles ?? (unit === "deg" || length ? unit : null);
+  const { rows, said } = meant({ ...table, lengths: table.lengths ?? length, angles }, []);
+  const guessed = table.guessed && !table.said.includes(asked);
+  return { rows, said: said.filter((words) => words !== asked), guessed };
 }

@@ -3,10 +3,10 @@
 
 import { blocksIn } from "./blocks.js";
 import { around } from "./find.js";
-import { isNumber, parse, plain, symbols } from "./formula.js";
-import { headOf } from "./heads.js";
-import { plainSigns, ROW } from "./signs.js";
-import { ENTRIES, entryText, simple, VARIABLE } from "./table_rows.js";
+import { isNumber, parse, plain, simple, symbols } from "./formula.js";
+import { linesOf, plainSigns, ROW } from "./signs.js";
+import { headOf } from "./table_columns.js";
+import { ENTRIES, entryText, VARIABLE } from "./table_rows.js";
 import { ArmError } from "../sentences.js";
 
 const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
@@ -29,7 +29,7 @@ export function tablesIn(text, known) {
   const ways = blocksIn(all.text, { isEntry: entryIn(known) });
   const blocks = ways.flatMap((way) => way().reverse());
   const lines = all.text.split("\n");
-  const typed = text.split(/\r\n|[\n\r]/);
+  const typed = linesOf(text);
   const heads = typed.filter((_, k) => lines[k]?.includes(HEADS)).map((line) => line.trim());
   const found = blocks.map(withoutRules).flatMap((block) => upright(block, lines, all.found));
   const order = ({ heads, cells }) => (heads.length ? 100 : 0) + cells.length;
@@ -44,7 +44,7 @@ export function tablesIn(text, known) {
 }
 
 // Stars that mark a joint's variable, or stand for it, are no signs of a product.
-const STARRED = /((?:[A-Za-zθϑφ]|\\[a-z]+)_?\{?\d+\}?)[ \t]*\^?\{?\*\}?(?=\s)/g;
+const STARRED = /((?:[A-Za-zθϑφ]|\\[a-z]+)_?\{?\d*\}?)\^?\{?\*\}?(?=\s)/g;
 const ALONE = /(?<=\s)\*(?=[ \t]*$)/gm;
 const unstarred = (text) => text.replace(STARRED, "$1").replace(ALONE, "?");
 
@@ -92,11 +92,8 @@ const marked = (words, found) => {
   return word ? found[Number(word.slice(HEADS.length))] : null;
 };
 
-// A cell below a head that holds only a unit.
-const UNIT = /^[([]?\s*(?:mm|cm|m|in|deg|degrees|rad|radians|°|[-–—]?)\s*[)\]]?$/i;
-
 // The text with a word in place of each line of heads, and of a head before a line of entries; and
-// those heads. Units on the next line go to them.
+// those heads.
 function headings(text) {
   const found = [];
   const parts = text.split(new RegExp(`(\n|${ROW})`));
@@ -108,9 +105,7 @@ function headings(text) {
   const whole = all.filter((k) => headsIn(parts[k]));
   for (const k of whole) {
     for (const row of all) if (row > k) parts[row] = filled(parts[row], parts[k]);
-    const units = unitsIn(parts[k + 2] ?? "");
-    if (units) parts[k + 2] = " ";
-    put(k, together(headsIn(parts[k]), units ?? []), "");
+    put(k, headsIn(parts[k]), "");
   }
   for (const k of whole.length ? [] : all) {
     const [first, head] = ROW_HEAD.exec(bare(parts[k])) ?? [];
@@ -119,21 +114,7 @@ function headings(text) {
   return { text: parts.join(""), found };
 }
 
-// Heads with the units below them, the last to the last.
-const together = (heads, units) =>
-  heads.map((head, i) => {
-    const unit = units[i - heads.length + units.length] ?? "";
-    return /\p{L}|°/u.test(unit) ? `${head} (${unit.replace(/[()[\]]/g, "")})` : head;
-  });
-
 const bare = (line) => line.replace(/^[\s[({|]+/, "");
-
-// The units of a line that holds nothing else.
-function unitsIn(line) {
-  const units = line.trim().split(/\s*[|&\t;,]\s*|\s{2,}/);
-  const even = units.length >= 4 && units.every((cell) => UNIT.test(cell));
-  return even && units.some((cell) => /\p{L}|°/u.test(cell)) ? units : null;
-}
 
 // A line of as many cells as the heads above it, with a 0 in each that is empty.
 function filled(line, heads) {
@@ -177,19 +158,14 @@ function withUnits(cells) {
 // Entries
 
 // Names of rows, which are no symbols of an arm.
-const ROW_NAME = new RegExp(
-  "^(?:joint|link|axis|row|col(?:umn)?|frame|sol(?:ution)?|case|answer|part|step|fig|tab|table|eq" +
-    String.raw`|problem|exercise|task|no|nr)_?\d+$`,
-  "i",
-);
+const ROW_NAME = /^(?:joint|link|row|frame)_?\d+$/i;
 // A joint's variable, or a length with its number or one letter.
-const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|l_?pen|[adlhrbe])$/i;
+const SYMBOL = /^(?:[a-z]+_?\{?\d+\}?'?|[a-z]_\{?\w+\}?|[adlhrbe])$/i;
 // The kind of a joint, and what stands for the number of a row that has none.
-const WORD = /^(?:r|p|revolute|prismatic|rotational|fixed|tool|tcp|ee|flange|hand|pen|base)$/i;
+const WORD = /^(?:r|p|revolute|prismatic|fixed|base|tool)$/i;
 // Whether a cell may stand in a table: a number, a formula of symbols, what stands for a variable.
 function entryIn(known) {
-  const isSymbol = (name) =>
-    !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)) || name === "theta");
+  const isSymbol = (name) => !ROW_NAME.test(name) && (SYMBOL.test(name) || known.has(simple(name)));
   return (cell) => {
     const text = entryText(cell);
     if (isNumber(text) || VARIABLE.test(plain(text)) || WORD.test(text)) return true;

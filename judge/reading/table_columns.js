@@ -1,9 +1,41 @@
 // Which column of a table is which: by the heads above them, else by what stands in them.
 
 import { number, plain } from "./formula.js";
-import { headOf } from "./heads.js";
+import { labelIn } from "./labels.js";
 import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
 import { ArmError, say, shown } from "../sentences.js";
+
+const meaning = (words, entry) => words.split(" ").map((word) => [word, entry]);
+
+/** @type {Map<string, string>} */
+const WORDS = new Map([
+  ...meaning("theta th q jointangle angle", "theta"),
+  ...meaning("d offset linkoffset", "d"),
+  ...meaning("a r linklength length aprev", "a"),
+  ...meaning("alpha twist linktwist al alphaprev", "alpha"),
+  ...meaning("i link joint j n frame row # no k", "i"),
+]);
+
+const LONGEST = 80; // characters of a head
+
+// Which entry a head names, or "i" for the rows' numbers.
+export function headOf(cell) {
+  if (cell.length > LONGEST) return undefined;
+  const words = plain(cell.replace(/-\s*1/g, "")).replaceAll("*", "");
+  const word = words
+    .replace(/\([^)]*\)|\[[^\]]*\]?|\bin\b.*|[,/].*|_(?:mm|deg)$/g, "")
+    .replace(/[\s_{}$\\^'"().]/g, "")
+    .toLowerCase();
+  const last = words.split(/\s+/).at(-1).toLowerCase(); // "Link length a"
+  return WORDS.get(word) ?? WORDS.get(word.replace(/[ijkn]$/, "")) ?? WORDS.get(last);
+}
+
+export function fromHeads(heads) {
+  const text = heads.join(" ");
+  const [, lengths = null] = /[[(/_ ]\s?(mm|cm|m)(?!\w)/.exec(text) ?? [];
+  const angles = /deg|°/i.test(text) ? "deg" : /(?:\b|_)rad/.test(text) ? "rad" : null;
+  return { lengths, angles, convention: /-\s*1|prev/.test(text) ? "craig" : null };
+}
 
 // As textbooks and programs write them, the commonest first.
 export const KNOWN_ORDERS = [
@@ -37,11 +69,9 @@ export function withoutIndex({ cells, heads }) {
 }
 
 // Whether cells count 0, 1, 2, ... or 1, 2, 3, ..., as "Link 1" or "J1" too.
-function isCounted(first) {
-  const label = (i) => new RegExp(String.raw`^(?:link|joint|l|j|i=)?\s*_?${i}\.?$`, "i");
-  const fromZero = first.every((text, k) => number(text) === k);
-  return fromZero || first.every((text, k) => label(k + 1).test(text));
-}
+const isCounted = (first) =>
+  !first.some(isVariable) &&
+  [0, 1].some((from) => first.every((text, k) => labelIn([text])?.at === k + from));
 
 // The orders of the columns that are possible, whether it was said, and the rows in them.
 export const ordered = (cells, heads, columns) =>
@@ -79,9 +109,8 @@ function byHeads(cells, heads) {
 function byLooks(cells) {
   wide(cells);
   const looks = cells.map((row) => row.map(lookOf));
-  const known = KNOWN_ORDERS.map((order) => order.join());
-  const others = permutations(ENTRIES).filter((order) => !known.includes(order.join()));
-  const orders = [...KNOWN_ORDERS, ...others].filter((order) => possible(looks, order));
+  const all = new Map([...KNOWN_ORDERS, ...permutations(ENTRIES)].map((one) => [one.join(), one]));
+  const orders = [...all.values()].filter((order) => possible(looks, order));
   return { orders: orders.length ? orders : [KNOWN_ORDERS[0]], sure: false, rows: cells };
 }
 

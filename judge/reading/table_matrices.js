@@ -1,7 +1,7 @@
 // A table given as the matrices A_1 ... A_n of its rows.
 
-import { number, parse, plain, symbols, value } from "./formula.js";
-import { ENTRIES, simple } from "./table_rows.js";
+import { number, parse, plain, simple, symbols, value } from "./formula.js";
+import { ENTRIES } from "./table_rows.js";
 import { ArmError, say, size } from "../sentences.js";
 
 // The rows of cells as matrices A_i, where they are such.
@@ -35,7 +35,7 @@ export function fromMatrix(i, A, known) {
 
 // A joint's value, or its cosine or sine where the name is c_1 or s1.
 function short(name, x) {
-  const match = /^([cs])(?:theta|th|q)?_?\{?\d+\}?$/i.exec(name);
+  const match = /^([cs])_?\d+$/i.exec(name);
   if (!match) return x;
   return match[1].toLowerCase() === "c" ? Math.cos(x) : Math.sin(x);
 }

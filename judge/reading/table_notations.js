@@ -1,42 +1,23 @@
-// The ways to write a table down, each as rows of cells and the heads above them.
+// Tables whose entries have names: Link(...) and its kin, dictionaries, pairs such as a_1 = 0, and
+// lists such as a = [...], each as rows of cells and the heads above them.
 
 import { number } from "./formula.js";
-import { headOf } from "./heads.js";
+import { headOf } from "./table_columns.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, say } from "../sentences.js";
 
 const MOST_ROWS = 32;
 
-// Link(...) and its kin; a = [...] for a column; { ... } or dict(...) for a row; and a_1 = ...
-const LETTER = String.raw`[\p{L}\p{N}_]`;
-
-const LINK = new RegExp(
-  String.raw`((?<![A-Za-z])(?:DH)?Link|(?:Revolute|Prismatic)${LETTER}*)` +
-    String.raw`\s*\(((?:[^()]|\([^()]*\))*)\)`,
-  "gu",
-);
-
-const LISTS = new RegExp(
-  String.raw`(?:^|[{,(])\s*['"]?([A-Za-z_]${LETTER}*|[αθ])['"]?\s*[=:]\s*` +
-    String.raw`(?:np\.array|array|sp\.Matrix|Matrix)?\s*\(?\s*(\[[^\]]*\]|\{[^}]*\})`,
-  "gmu",
-);
-
-const RECORDS = new RegExp(
-  String.raw`\{((?:[^{}]|\{[^{}:=,]*\})*)\}|(?<!${LETTER})dict\(((?:[^()]|\([^()]*\))*)\)`,
-  "gu",
-);
-
-const NAME = String.raw`[A-Za-zαθ]+(?:_(?:deg|rad|mm|cm|m)|_?[({]?\s*i\s*(?:-\s*1)?\s*[)}]?)?`;
-const RECORD = new RegExp(
-  String.raw`['"]?(?<![A-Za-zαθ])(${NAME})['"]?\s*[:=]\s*((?:(?!\s${NAME}\s*[:=])[^,;[])+)`,
-  "g",
-);
-
 /**
- * Rows of cells; `parts` of the text that hold them, `entries` as typed where the cells were put
- * together from them.
- * @typedef {{ cells: string[][], heads: string[], said: string[], parts: string[],
+ * A bracket of a text: the words before it and between it and its end; `pairs` where it holds some
+ * and none within it does.
+ * @typedef {{ from: number, to: number, sign: string, before: string, body: string,
+ *   pairs: boolean }} Group
+ */
+/**
+ * Rows of cells; `parts` of the text that hold them, from and to, `entries` as typed where the
+ * cells were put together from them.
+ * @typedef {{ cells: string[][], heads: string[], said: string[], parts: number[][],
  *   entries?: string[], context?: string, left?: string[] }} Cells
  */
 
@@ -50,109 +31,171 @@ const unquoted = (text) => text.trim().replace(/^['"]+|['"]+$/g, "");
  * written in, and what else stands there; null where there is none.
  * @returns {Cells | null}
  */
-export function named(text) {
-  const straight = text.replace(/[“”„‟]/g, '"').replace(/[‘’]/g, "'");
-  const found = ofLinks(straight) ?? ofRecords(straight) ?? ofLists(straight);
-  return found && { ...found, ...outside(straight, found) };
+export function named(typed) {
+  const text = typed.replace(/[“”„‟‘’]/g, '"');
+  const groups = groupsIn(text);
+  const found = ofLinks(groups) ?? ofRecords(text, groups) ?? ofLists(groups);
+  return found && { ...found, ...outside(text, found) };
+}
+
+const NEAR = 40; // characters before a bracket that may name it
+
+/** @returns {Group[]} */
+function groupsIn(text) {
+  const [found, open] = [[], []];
+  for (let at = 0; at < text.length; at++) {
+    const sign = text[at];
+    if ("[({".includes(sign)) open.push({ from: at, sign, marked: false, within: false });
+    else if ("=:".includes(sign) && open.length) open.at(-1).marked = true;
+    else if ("])}".includes(sign) && open.length) {
+      const { from, sign, marked, within } = open.pop();
+      const before = text.slice(Math.max(0, from - NEAR), from);
+      if (open.length && (marked || within)) open.at(-1).within = true;
+      const pairs = marked && !within;
+      found.push({ from, to: at + 1, sign, before, body: text.slice(from + 1, at), pairs });
+    }
+  }
+  return found.sort((one, other) => one.from - other.from);
 }
 
 // What of a text stands in none of the parts that were read: lines, and decimals within the parts
 // or beside them.
 function outside(text, { parts, cells, entries = cells.flat() }) {
-  let rest = text;
-  for (const part of parts) rest = rest.replace(part, (whole) => whole.replace(/[^\n]+/g, READ));
-  const lines = rest.split("\n").filter((line) => !line.includes(READ));
-  const beside = rest.split("\n").filter((line) => line.includes(READ));
+  const hidden = (from, to) => text.slice(from, to).replace(/[^\n]+/g, READ);
+  const ends = [0, ...parts.flat(), text.length];
+  const rest = ends
+    .slice(1)
+    .map((to, k) => (k % 2 ? hidden(ends[k], to) : text.slice(ends[k], to)));
+  const all = rest.join("").split("\n");
+  const lines = all.filter((line) => !line.includes(READ));
   const held = new Set(entries.join(" ").match(DECIMAL));
   const decimals = (list) => list.flatMap((part) => part.match(DECIMAL) ?? []);
-  const lost = decimals(parts).filter((x) => !held.has(x));
+  const lost = decimals(parts.map(([from, to]) => text.slice(from, to))).filter(
+    (x) => !held.has(x),
+  );
   const told = lines.map((line) => line.trim()).filter((line) => /[\p{L}\d]{2}/u.test(line));
+  const beside = all.filter((line) => line.includes(READ));
   return { context: lines.join("\n"), left: [...told, ...decimals(beside), ...lost] };
 }
 
 const READ = "\u0000";
-const DECIMAL = /\d*\.\d+/g;
+const DECIMAL = /(?<!\d)\d*\.\d+/g;
 
-// A dictionary for each row, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), or a line of pairs.
-function ofRecords(text) {
-  const braced = [...text.matchAll(RECORDS)].map(([part, list, called]) => [part, list || called]);
-  const lines = text.split("\n").map((line) => [line, line]);
-  const found = (braced.length ? braced : lines).flatMap(([part, body]) => recordOf(part, body));
+const INDEX = String.raw`_?[({]?(?:i(?: ?- ?1)?|(\d{1,2})|deg|rad|mm|cm|m)?[)}]?`;
+const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ])([A-Za-zαθ]+${INDEX})['"]?\s*[:=]\s*`, "g");
+
+// A row for each dictionary, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), and each line of
+// pairs; where the names have numbers, a_1 = 0, a row for each number.
+function ofRecords(text, groups) {
+  const braced = groups.filter(
+    ({ sign, before, pairs }) => pairs && (sign === "{" || before.endsWith("dict")),
+  );
+  const bodies = braced.length ? braced : linesIn(text);
+  const rows = new Map();
+  bodies.forEach(({ body, from, to }, k) => {
+    for (const { entry, name, i, x } of pairsIn(body)) {
+      const row = rows.get(i ?? bodies[k]) ?? { entries: new Map(), parts: [] };
+      rows.set(i ?? bodies[k], row);
+      row.entries.set(entry, { name, x });
+      row.parts.push([from, to]);
+    }
+  });
+  const found = [...rows.values()].filter(({ entries }) => entries.size >= 3);
   if (found.length < 2) return null;
-  const heads = ENTRIES.map((entry) => found[0].row.get(entry)?.name ?? entry);
-  const rowOf = ({ row }, k) => ENTRIES.map((entry) => row.get(entry)?.x ?? blank(entry, k + 1));
+  const heads = ENTRIES.map((entry) => found[0].entries.get(entry)?.name ?? entry);
+  const cells = found.map(({ entries }, k) =>
+    ENTRIES.map((entry) => entries.get(entry)?.x ?? blank(entry, k + 1)),
+  );
+  const parts = new Map(found.flatMap((row) => row.parts).map((part) => [part[0], part]));
   return plainly(
-    found.map(rowOf),
-    found.map(({ part }) => part),
+    cells,
+    [...parts.values()].sort(([one], [other]) => one - other),
     heads,
   );
 }
 
-// A row of pairs, by the column that each name is one of.
-function recordOf(part, body = "") {
-  const pairs = [...body.matchAll(RECORD)];
-  const row = new Map(pairs.map(([, name, x]) => [headOf(name), { name, x: unquoted(x) }]));
-  return ENTRIES.filter((entry) => row.has(entry)).length >= 3 ? [{ part, row }] : [];
+function linesIn(text) {
+  let from = 0;
+  return text.split("\n").map((body) => {
+    const to = from + body.length;
+    const line = { body, from, to };
+    from = to + 1;
+    return line;
+  });
+}
+
+// The entries of a table that a text names, a value reaching to the next name.
+function pairsIn(text) {
+  const names = [...text.matchAll(PAIR)];
+  return names.flatMap(({ 0: all, 1: name, 2: i, index }, k) => {
+    const value = text.slice(index + all.length, names[k + 1]?.index);
+    const x = unquoted(value.split(/[,;[]/)[0]);
+    const entry = headOf(i ? name.replace(i, "") : name);
+    return ENTRIES.includes(entry) && x ? [{ entry, name: i ? entry : name, i, x }] : [];
+  });
 }
 
 const blank = (entry, i) => (entry === "theta" ? `q_${i}` : "0");
 
+const LIST = /([\p{L}_][\p{L}\p{N}_]*)['"]?\s*[=:]\s*(?:(?:np\.array|Matrix)?\s*\(\s*)?$/u;
+
 // Four parallel lists, or three.
-function ofLists(text) {
-  const matches = [...text.matchAll(LISTS)];
-  /** @type {[string, string][]} */
-  const found = matches.map(([, name, body]) => [headOf(name) ?? "", body]);
-  if (found.length < 3 || !found.every(([word]) => ENTRIES.includes(word))) return null;
-  const named = new Map(found);
-  const lists = [...named.values()].map(listIn);
+function ofLists(groups) {
+  const found = groups.flatMap(({ sign, before, body, from, to }) => {
+    const name = sign === "(" ? null : LIST.exec(before);
+    return name ? [{ entry: headOf(name[1]) ?? "", body, part: [from - name[0].length, to] }] : [];
+  });
+  if (found.length < 3 || !found.every(({ entry }) => ENTRIES.includes(entry))) return null;
+  const named = new Map(found.map(({ entry, body }) => [entry, listIn(body)]));
+  const lists = [...named.values()];
   const counts = [...new Set(lists.map((list) => list.length))].sort((p, q) => p - q);
   if (counts.length !== 1) throw new ArmError(say("uneven lists", { counts: counts.join(", ") }));
   const rows = lists[0].map((_, k) => lists.map((list) => list[k]));
-  const parts = matches.map(([part]) => part);
+  const parts = found.map(({ part }) => part);
   return plainly(rows, parts, [...named.keys()]);
 }
 
-// The entries of a list in brackets; commas part them, else blanks.
-const listIn = (body) => {
-  const inner = body.slice(1, -1).trim();
-  const entries = inner.split(/[,;\n]/.test(inner) ? /[,;\n]+/ : /\s+/);
+// The entries of a list; commas part them, else blanks.
+function listIn(body) {
+  const parted = body.trim().split(/[,;\n]+/);
+  const entries = parted.length > 1 ? parted : body.trim().split(/\s+/);
   return entries.map(unquoted).filter(Boolean);
-};
+}
+
+const LINK = /(?<!\p{L})(?:(?:DH)?Link|(?:Revolute|Prismatic)[\p{L}\d_]*)\s*$/u;
 
 // Link('d', 0.3, 'a', 0, 'alpha', pi/2), Link([theta d a alpha sigma]) and RevoluteDH(d=0.3, ...).
-function ofLinks(text) {
-  const matches = [...text.matchAll(LINK)];
-  const links = matches.map(([, kind, body]) => linkOf(kind, body));
+function ofLinks(groups) {
+  const links = groups.flatMap(({ sign, before, body, from, to }) => {
+    const [kind] = (sign === "(" && LINK.exec(before)) || [""];
+    return kind ? [{ ...linkOf(kind, body), part: [from - kind.length, to] }] : [];
+  });
   if (!links.length) return null;
   const cells = links.map(({ row, slides }, k) => {
     const moves = slides ? "d" : "theta";
     const still = number(row[moves]) ? row[moves] : row.offset;
     return ENTRIES.map((entry) => (entry === moves ? `q_${k + 1} + (${still})` : row[entry]));
   });
-  const entries = links.flatMap(({ given }) => given);
-  const parts = matches.map(([part]) => part);
+  const entries = links.flatMap(({ given }) => Object.values(given));
+  const parts = links.map(({ part }) => part);
   return { ...plainly(cells, parts), said: [say("taken: links")], entries };
 }
 
+const PLACES = ["theta", "d", "a", "alpha", "sigma", "offset"]; // of Link([...])
+const NAMED = /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset|sigma)['"]?\s*[,=]\s*([^,]+)/gu;
+
 function linkOf(kind, body) {
   const none = { a: "0", alpha: "0", d: "0", theta: "0", offset: "0" };
-  if (body.trim().startsWith("[")) {
-    const entries = listIn(`${body.trim().split("]")[0]}]`);
-    const named = ["theta", "d", "a", "alpha", "sigma", "offset"].slice(0, entries.length);
-    const row = { ...none, ...Object.fromEntries(named.map((name, i) => [name, entries[i]])) };
-    const given = entries.slice(0, named.length);
-    return { row, slides: entries.length > 4 && number(entries[4]) === 1, given };
-  }
-  const pairs = body.matchAll(
-    /['"]?(?<![\p{L}\p{N}_])(a|alpha|d|theta|offset)['"]?\s*[,=]\s*([^,]+)/gu,
-  );
-  const given = Object.fromEntries([...pairs].map(([, name, x]) => [name, x.trim()]));
-  const sigma = /sigma['"]?\s*[,=]\s*[01]/.exec(body) ?? [];
+  const list = body.trim().startsWith("[") ? listIn(body.trim().slice(1).split("]")[0]) : [];
+  const pairs = list.length
+    ? PLACES.slice(0, list.length).map((name, i) => [name, list[i]])
+    : [...body.matchAll(NAMED)].map(([, name, x]) => [name, x.trim()]);
+  const given = Object.fromEntries(pairs);
   const slides =
     `${kind}${body}`.toLowerCase().includes("prismatic") ||
-    ("theta" in given && !("d" in given)) ||
-    sigma.some((said) => said.endsWith("1"));
-  return { row: { ...none, ...given }, slides, given: [...Object.values(given), ...sigma] };
+    number(given.sigma ?? "0") === 1 ||
+    ("theta" in given && !("d" in given));
+  return { row: { ...none, ...given }, slides, given };
 }
 
 export function few(count) {

@@ -1,21 +1,21 @@
 // One row of a table: its numbers, and the joint that moves in it.
 
 import { RAD } from "../geometry/angles.js";
-import { parse, plain, symbols, value } from "./formula.js";
+import { parse, plain, simple, symbols, value } from "./formula.js";
 import { ArmError, say, size } from "../sentences.js";
 
 /** @typedef {import("./table.js").TypedRow} TypedRow */
 
 export const ENTRIES = ["a", "alpha", "d", "theta"];
 
-export const UNITS = { m: 1, cm: 1e-2, mm: 1e-3, in: 0.0254 };
+export const UNITS = { m: 1, cm: 1e-2, mm: 1e-3 };
 
 // Names of joints' variables, and what stands for one where nobody named it.
-const JOINT = /^(?:q|th|theta|t|phi)_?\{?\d+\}?'?$/;
+const JOINT = /^(?:q|th|theta|t|phi)\d+$/;
 
-export const VARIABLE = /^(?:inf|nan|var|variable|\*|-|–|—|\?|q|theta|th|θ|d)\*?$/i;
+export const VARIABLE = /^(?:var(?:iable)?|[-*?qd]|th(?:eta)?)\*?$/i;
 
-const LOCKED = /\s*\((?:locked|fixed|const\w*|fest|gesperrt)[^()]*\)\s*$/i;
+const LOCKED = /\s*\((?:locked|fixed)[^()]*\)\s*$/i;
 
 // A cell without the name that it is given to, a note behind it and its footnote's sign.
 export const entryText = (cell) =>
@@ -26,16 +26,11 @@ export const entryText = (cell) =>
     .replace(/(?<=.)\^?\{?\*+\}?(?=\s*(?:[-+]|$))|(?<=.)[¹²³†‡]+$/g, "")
     .trim();
 
-// That mark a variable, as in q_2* - pi/2.
-const STARS = /\*+(?=\s*(?:[-+]|$))/g;
-
-export const simple = (name) => name.replace(/[_{}\s*'^\\]/g, "").toLowerCase();
-
 export function isVariable(text) {
   const bare = plain(text);
   if (VARIABLE.test(bare.trim())) return true;
   try {
-    return [...symbols(parse(bare.replace(/\*+$/, "")))].some((name) => JOINT.test(name));
+    return [...symbols(parse(bare))].some((name) => JOINT.test(simple(name)));
   } catch (error) {
     if (error instanceof ArmError) return false;
     throw error;
@@ -112,7 +107,7 @@ function treeOf(cell, name, i, known) {
   const text = plain(cell);
   const moves = name === "theta" || name === "d";
   const free = moves && VARIABLE.test(text) && !known.has(simple(text));
-  return parse(free ? `q_${i}` : text.replace(STARS, "") || "0", `${name} in row ${i}`);
+  return parse(free ? `q_${i}` : text || "0", `${name} in row ${i}`);
 }
 
 // A joint's variable and its number; null where it has none.
@@ -124,13 +119,13 @@ function numbered(name) {
 // The joint's variable; an error where the row holds a symbol besides it.
 function oneSymbol(i, free, mover) {
   const moving = mover === null ? [] : free[mover];
-  const joint = moving.find((one) => /^(?:q|th|t_?\d|x_?\d|phi)/.test(one)) ?? moving[0];
+  const joint = moving.find((one) => /^(?:q|th|phi)/.test(one)) ?? moving[0];
   const isStray = (name) => (one) => name !== mover || one !== joint;
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
   if (stray === undefined) return numbered(joint);
-  const key = Object.hasOwn(UNITS, stray) ? "row unit" : "row symbol";
-  const advice = key === "row symbol" ? [{ field: "values", value: stray }] : [];
-  throw new ArmError(say(key, { row: i, name: stray }), advice);
+  throw new ArmError(say("row symbol", { row: i, name: stray }), [
+    { field: "values", value: stray },
+  ]);
 }
 
 function slope(rate, row, name) {

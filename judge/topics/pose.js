@@ -47,7 +47,7 @@ function poseCompared(q, arm, T, options = {}) {
   });
   if (given.length !== 1)
     throw new ArmError(say("one answer", { arm: arm.name, count: given.length }));
-  const { known } = lookup(arm, given[0].values);
+  const known = lookup(arm, given[0].values);
   const target = targetOf(T, arm, known);
   const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
   return { ...judged({ ...given[0], units }, arm, target, tolerance, taken), typed };

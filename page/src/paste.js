@@ -1,7 +1,7 @@
 // A DH table out of what is on a clipboard, by the reader that judges tables too.
 
 import { rowsFault } from "../../judge/geometry/arm.js";
-import { rowsOf } from "../../judge/reading/own_table.js";
+import { ownRows } from "../../judge/reading/table.js";
 import { ArmError } from "../../judge/sentences.js";
 
 // A table has them, an entry has none.
@@ -17,7 +17,7 @@ const SEVERAL = /[\n\t;&|]|\]\s*,|,\s*\[|\d +[-\d]/;
 export function readTable(text, unit) {
   try {
     if (!SEVERAL.test(text.trim())) return null;
-    const found = rowsOf(text, unit);
+    const found = ownRows(text, unit);
     const fault = rowsFault(found.rows);
     return fault ? { error: `${fault}.` } : found;
   } catch (error) {

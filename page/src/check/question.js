@@ -4,7 +4,7 @@ import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
 import { joints } from "../../../judge/geometry/kinematics.js";
 import { entryText, isAngle } from "../text.js";
 import { pose as poseOf } from "../../../judge/reading/numbers.js";
-import { rowsOf } from "../../../judge/reading/own_table.js";
+import { ownRows } from "../../../judge/reading/table.js";
 import { ownValues } from "../../../judge/reading/values.js";
 import { ArmError, upper } from "../../../judge/sentences.js";
 import { jacobian, torques } from "./topics/jacobian.js";
@@ -184,7 +184,7 @@ export function armOf(question, arms) {
   if (!question.table.trim())
     throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
   const symbols = ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : [];
-  const { rows, said, guessed } = rowsOf(question.table, question.unit, symbols, "m");
+  const { rows, said, guessed } = ownRows(question.table, question.unit, symbols, "m");
   if (guessed) throw new ArmError(`Are these the ${said[0]}? ${HEADS}.`);
   const fault = rowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);

@@ -144,7 +144,7 @@ function isRead(ask, text, arm, q) {
   const bare = plain(named ? text.replace(/^.*[=:]/, "") : text).replace(/\*+$/, "");
   try {
     const tree = parse(bare || "0");
-    if (ask === "jacobian" && q) lookup(arm, q).known(symbols(tree));
+    if (ask === "jacobian" && q) lookup(arm, q)(symbols(tree));
     return true;
   } catch (error) {
     if (error instanceof ArmError) return false;
