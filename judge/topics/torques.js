@@ -67,7 +67,8 @@ function shapes(count, arm) {
 
 function inNewtonMetres(typed) {
   if (typed.says?.moments !== "Nmm") return typed;
-  const scaled = (list) => list.map((x) => x / 1000);
+  // an entry with a unit of its own is in that
+  const scaled = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x / 1000 : x));
   const said = [...typed.said, say("taken: newton millimetres")];
   return { ...typed, values: scaled(typed.values), units: scaled(typed.units), said };
 }
