@@ -76,7 +76,7 @@ export function showRead(place, question, verdict) {
   const first = rows.length > MOST_ROWS ? `, its first ${MOST_ROWS} of ${rows.length} rows` : "";
   const odd = unread ? `; ${unread === 1 ? "1 entry" : `${unread} entries`} could not be` : "";
   const caption = h("caption", {}, `How your answer is read${first}${odd}`);
-  const kind = question.ask === "table" ? "table.read" : "table.read.matrix";
+  const kind = question.ask === "table" ? "table.read" : "table.read.grid";
   place.replaceChildren(h(kind, {}, caption, h("thead", {}, head), h("tbody", {}, body)));
 }
 

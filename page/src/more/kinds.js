@@ -5,7 +5,6 @@ import { ask, latest } from "../jobs.js";
 import {
   joints,
   linkFrames,
-  matrix as matrixOf,
   minus,
   norm,
   plus,
@@ -14,10 +13,11 @@ import {
 import { freed } from "../renderer.js";
 import { branchColour } from "../look.js";
 import { Arrow, tube } from "../shapes.js";
-import { fixed, sparse } from "../text.js";
+import { fixed } from "../text.js";
 import { listed } from "../../../judge/sentences.js";
 import { rankVerdict, waysVerdict } from "../verdicts.js";
-import { ROWS } from "../views/jacobian.js";
+import { makeHeat } from "../views/jacobian.js";
+import { makeMatrix } from "../views/pose.js";
 import { deg, makeLever, makeLive } from "./live.js";
 import { swing } from "./swing.js";
 
@@ -79,86 +79,52 @@ function partly(row, count, { angle = 0.7 }) {
 // A_i in numbers, while its joint turns.
 function matrix(host, spec) {
   const number = spec.row ?? 1;
-  const cells = Array.from({ length: 4 }, () => Array.from({ length: 4 }, () => h("td")));
-  const lines = cells.map((line) => h("tr", {}, line));
-  const table = h("table", { "aria-label": `A ${number}` }, lines);
-  const name = h("span", {}, indexed("A", number), " =");
-  const one = { ...spec, joints: [number] };
-  const live = makeLive(host, one, {
-    state: { frames: "all" },
-    side: [h("div.row", {}, name, h("div.scroll", {}, table))],
-    words: () => `Turn joint ${number}: ${OF_A_ROW}`,
-  });
+  const shown = makeMatrix("A", `A ${number}`);
+  const live = makeLive(
+    host,
+    { ...spec, joints: [number] },
+    {
+      state: { frames: "all" },
+      side: [h("div.scroll", {}, shown.root)],
+      words: () => `Turn joint ${number}: ${OF_A_ROW}`,
+    },
+  );
   live.follow(({ arm, q }) => {
     const angle = q[joints(arm).indexOf(number - 1)];
-    const frames = linkFrames({ rows: [arm.rows[number - 1]] }, [angle]);
-    matrixOf(frames[1]).forEach((line, i) =>
-      line.forEach((v, j) => write(cells[i][j], i === 3 ? String(v) : sparse(v, 3))),
-    );
+    shown.update(number, linkFrames({ rows: [arm.rows[number - 1]] }, [angle])[1]);
   });
   return live.dispose;
 }
 
 // The Jacobian's columns: each is the tip's velocity when one joint turns alone.
 function columns(host, spec) {
-  let chosen = 0;
-  const table = makeColumns((k) => choose(k));
+  let chosen = joints(spec.arm)[(spec.column ?? 1) - 1]; // its row
+  const heat = makeHeat((row) => row !== null && choose(row));
   const live = makeLive(host, spec, {
-    side: [h("div.scroll", {}, table.root)],
+    side: [heat.root],
     words: ({ arm }) => {
-      const index = joints(arm)[chosen];
-      const moves = arm.rows[index].kind === "revolute" ? "turns about its axis" : "slides";
-      const when = `when joint ${index + 1} ${moves} alone`;
-      return `Column ${chosen + 1}: the tip moves along the arrow ${when}.`;
+      const moves = arm.rows[chosen].kind === "revolute" ? "turns about its axis" : "slides";
+      const when = `when joint ${chosen + 1} ${moves} alone`;
+      return `Column ${joints(arm).indexOf(chosen) + 1}: the tip moves along the arrow ${when}.`;
     },
   });
   const { store, picture } = live;
-  const choose = (k) => {
-    chosen = k;
-    store.dispatch({ type: "show", lit: joints(store.state.arm)[k] });
+  const choose = (row) => {
+    chosen = row;
+    store.dispatch({ type: "show", lit: row });
     live.refresh();
   };
-  table.lay(store.state.arm);
   const arrow = picture && new Arrow(picture.force.shaft.material);
-  live.follow((state, derived) => {
-    table.show(derived.columns, chosen);
+  live.follow(({ arm }, derived) => {
+    heat.update({ arm, lit: chosen }, derived.columns);
     if (!arrow || !picture.world) return;
     if (arrow.parent !== picture.world) picture.world.add(arrow);
-    const way = scaled(0.3, derived.columns[chosen].slice(0, 3));
+    const column = derived.columns[joints(arm).indexOf(chosen)];
+    const way = scaled(0.3, column.slice(0, 3));
     arrow.point(derived.frames.at(-1).o, way, 0.008 * picture.size);
   });
-  choose(spec.column ? spec.column - 1 : 0);
+  choose(chosen);
   return live.dispose;
-}
-
-// The matrix, its columns headed by buttons.
-function makeColumns(choose) {
-  const heads = h("tr");
-  const body = h("tbody");
-  const name = { "aria-label": "Jacobian of the tip" };
-  const root = h("table", name, h("thead", {}, heads), body);
-  let [buttons, cells] = [[], []];
-  const lay = (arm) => {
-    buttons = joints(arm).map((index, k) => {
-      const on = () => choose(k);
-      const does = { onpointerenter: on, onfocus: on, onclick: on };
-      return h("button", does, indexed("J", index + 1));
-    });
-    heads.replaceChildren(h("th"), ...buttons.map((button) => h("th", {}, button)));
-    cells = ROWS.map(() => buttons.map(() => h("td")));
-    const line = (row, i) => h("tr", {}, h("th", {}, indexed(...ROWS[i])), row);
-    body.replaceChildren(...cells.map(line));
-  };
-  const show = (columns, chosen) => {
-    cells.forEach((row, i) =>
-      row.forEach((cell, k) => {
-        write(cell, sparse(columns[k][i], 2));
-        cell.classList.toggle("on", k === chosen);
-      }),
-    );
-    buttons.forEach((button, k) => button.setAttribute("aria-pressed", String(k === chosen)));
-  };
-  return { root, lay, show };
 }
 
 // How fast the tip can go which way, as the arm is moved.
@@ -179,7 +145,7 @@ function loads(host, spec) {
     words: ({ arm }, { torque }) => {
       const sizes = torque.map(Math.abs);
       const worst = sizes.indexOf(Math.max(...sizes));
-      const most = `joint ${joints(arm)[worst] + 1}: ${fixed(torque[worst], 1)} N m`;
+      const most = `joint ${joints(arm)[worst] + 1}: ${fixed(torque[worst], 1)}\u00a0N\u00a0m`;
       return `${spec.words ?? "Move the arm."} The most is asked of ${most}.`;
     },
   });

@@ -9,7 +9,7 @@ import { asked, fullRank, rankVerdict } from "../verdicts.js";
 export const title = "Jacobian";
 
 /** @type {[string, string][]} */
-export const ROWS = [..."vω"].flatMap((letter) => [..."xyz"].map((axis) => [letter, axis]));
+const ROWS = [..."vω"].flatMap((letter) => [..."xyz"].map((axis) => [letter, axis]));
 
 const NOTE =
   "The ellipsoid at the tip holds every velocity that joint rates of unit length give it; " +
@@ -23,7 +23,7 @@ export function build(_store, { point }) {
   const root = h("div.jacobian", {}, heat.root, h("div", {}, verdict, facts, note));
 
   function update(state, derived) {
-    heat.update(state.arm, derived.columns);
+    heat.update(state, derived.columns);
     const { singular, text } = rankVerdict(derived);
     attribute(verdict, "class", singular ? "verdict warning" : "verdict");
     write(verdict, text);
@@ -32,43 +32,50 @@ export function build(_store, { point }) {
   return { root, update, summary: (_, derived) => rankVerdict(derived).text };
 }
 
-// The matrix, each number tinted by its share of the largest of its kind.
-function makeHeat(point) {
+// The matrix, each number tinted by its share of the largest of its kind; `point` hears of the row
+// whose column is pointed at.
+export function makeHeat(point) {
   const head = h("tr");
   const body = h("tbody");
   const name = { "aria-label": "Jacobian of the tip: one column for each joint" };
   const table = h("table.heat", name, h("thead", {}, head), body);
-  let [cells, shown] = [[], null];
+  let [buttons, cells, shown] = [[], [], null];
 
   function lay(arm) {
     shown = arm;
     const moving = joints(arm);
-    const heads = moving.map((row) => h("th", { scope: "col" }, indexed("q", row + 1)));
+    buttons = moving.map((row) => h("button", pointed(row, point), indexed("q", row + 1)));
+    const heads = buttons.map((button) => h("th", { scope: "col" }, button));
     head.replaceChildren(h("th", {}, h("span.hidden", {}, "row")), ...heads);
-    const cell = (row) =>
-      h("td", { onpointerenter: () => point(row), onpointerleave: () => point(null) });
-    cells = ROWS.map(() => moving.map(cell));
+    cells = ROWS.map(() => moving.map((row) => h("td", pointed(row, point))));
     const line = (row, i) =>
       h(i === 3 ? "tr.second" : "tr", {}, h("th", { scope: "row" }, indexed(...ROWS[i])), row);
     body.replaceChildren(...cells.map(line));
   }
 
-  function update(arm, columns) {
+  function update({ arm, lit }, columns) {
     if (shown !== arm) lay(arm);
+    const on = joints(arm).indexOf(lit);
+    buttons.forEach((button, k) => attribute(button, "aria-pressed", String(k === on)));
     const largest = [0, 3].map((from) =>
       Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),
     );
+    const tint = (cell, value, most) => {
+      const share = Math.abs(value) / most;
+      write(cell, sparse(value, 3));
+      attribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
+      cell.style.setProperty("--share", share.toFixed(2));
+    };
     cells.forEach((row, i) =>
-      row.forEach((cell, j) => {
-        const value = columns[j][i];
-        const share = Math.abs(value) / largest[i < 3 ? 0 : 1];
-        write(cell, sparse(value, 3));
-        attribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
-        cell.style.setProperty("--share", share.toFixed(2));
-      }),
+      row.forEach((cell, j) => tint(cell, columns[j][i], largest[i < 3 ? 0 : 1])),
     );
   }
   return { root: scrolled("Jacobian", table), update };
+}
+
+function pointed(row, point) {
+  const [on, off] = [() => point(row), () => point(null)];
+  return { onpointerenter: on, onpointerleave: off, onfocus: on, onblur: off, onclick: on };
 }
 
 function factList(derived) {

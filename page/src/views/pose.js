@@ -14,13 +14,13 @@ const PLACE =
   "metres.";
 
 export function build(store, { say }) {
-  const matrix = makeMatrix();
+  const matrix = makeMatrix("T", "Pose of the tip, a four by four matrix");
   const goal = makeGoal(store, say);
   const words = h("p.words");
   const root = h("div.pose", {}, matrix.root, h("div", {}, goal.root, goal.error, words));
   const update = (state, { frames }) => {
     const { o } = frames.at(-1);
-    matrix.update(state.arm.rows.length, frames.at(-1));
+    matrix.update(`0,${state.arm.rows.length}`, frames.at(-1));
     goal.update(o);
     const [x, y, z] = o.map((v) => fixed(1000 * v, 1));
     write(words, `Tip at (${x}, ${y}, ${z}) mm. ${PLACE}${markWords(state.mark, o)}`);
@@ -28,17 +28,14 @@ export function build(store, { say }) {
   return { root, update, summary: () => goal.error.textContent };
 }
 
-// T0n in numbers.
-function makeMatrix() {
-  const entry = (i, j) => h("td", { "data-entry": `${i}${j}` });
-  const cells = [0, 1, 2, 3].map((i) => [0, 1, 2, 3].map((j) => entry(i, j)));
-  const name = h("span");
+// A transform in numbers, behind its letter and index.
+export function makeMatrix(letter, label) {
+  const cells = [0, 1, 2, 3].map(() => [0, 1, 2, 3].map(() => h("td")));
+  const [symbol, small] = indexed(letter, "");
   const rows = cells.map((row) => h("tr", {}, row));
-  const table = h("table.matrix", { "aria-label": "Pose of the tip, a four by four matrix" }, rows);
-  const update = (count, frame) => {
-    const index = `0,${count}`;
-    if (name.dataset.index !== index) name.replaceChildren(...indexed("T", index));
-    name.dataset.index = index;
+  const table = h("table.matrix", { "aria-label": label }, rows);
+  const update = (index, frame) => {
+    write(small, index);
     matrixOf(frame).forEach((row, i) =>
       row.forEach((value, j) => {
         write(cells[i][j], i === 3 ? String(value) : sparse(value, 4));
@@ -46,6 +43,7 @@ function makeMatrix() {
       }),
     );
   };
+  const name = h("span", {}, symbol, small);
   return { root: h("div.equation", {}, name, h("span", {}, "="), table), update };
 }
 
