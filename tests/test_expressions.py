@@ -139,7 +139,7 @@ def test_what_the_explorer_reads_python_reads(case):
 
 def test_degrees_become_the_exact_angles_that_keep_zeros():
     assert entry("−90°", "alpha") == "-pi/2"
-    assert entry("60 degrees", "theta") == "pi/3"
+    assert entry("60 deg", "theta") == "pi/3"
     assert entry("-180 deg", "alpha") == "-pi"
     assert entry("75°", "theta") == "5*pi/12"
     assert entry("d_6 + 5 mm", "d") == "d_6 + 5/1000"
