@@ -104,15 +104,12 @@ def _block(kind: str, title: str, body: str, book: Book) -> str:
 
 def first_cell(page: str, book: Book) -> str:
     """Where the notebook is from, and what to run in order to have what it imports."""
-    name, what = "*Robot homework companion*", "./companion[explorer]"
-    if book.repository:
-        name = book.link(name, page)
-        what = f"manipulator-homework-helpers[explorer] @ git+{book.repository}"
-    folder = (
-        ""
-        if book.repository
-        else ", with the folder of the book's repository in place of `companion`"
-    )
+    name = book.link("*Robot homework companion*", page)
+    what = f"manipulator-homework-helpers[explorer] @ git+{book.repository}"
+    folder = ""
+    if not book.repository:
+        what = "./companion[explorer]"
+        folder = ", with the folder of the book's repository in place of `companion`"
     return (
         f"> A notebook of the {name}, to run and to change. It needs the book's `helpers`. "
         f"If you do not have them, run this in a cell of its own{folder}:\n>\n"

@@ -4,14 +4,10 @@
   const folder = document.currentScript.src;
   const scripts = {};
 
-  // One that did not come is fetched anew when it is asked for again.
   const load = (name) =>
-    (scripts[name] ??= new Promise((done, failed) => {
+    (scripts[name] ??= new Promise((done) => {
       const src = new URL(name, folder).href;
-      document.head.append(Object.assign(document.createElement("script"), { src, onload: done, onerror: failed }));
-    }).catch((problem) => {
-      delete scripts[name];
-      throw problem;
+      document.head.append(Object.assign(document.createElement("script"), { src, onload: done }));
     }));
   const wake = (stub) =>
     stub.matches(".arm-judge") ? load("judge.js") : load("explorer.js").then(() => ArmExplorer.mount(stub));
