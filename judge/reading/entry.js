@@ -1,6 +1,7 @@
 // One entry of a field or of an arm's table: a number or a short formula, perhaps with its unit. A
-// unit after the last of several bare terms is the unit of all of them, where it is the one that
-// they would have had; otherwise each term says its own. In an angle pi counts as radians.
+// unit has a size s: what has one grows with it, what has none does not, and what is s² has two. A
+// bare number beside one with the unit that it would have had has that, too. In an angle pi counts
+// as radians, unless rad is said.
 
 import { RAD } from "../geometry/angles.js";
 import { ArmError } from "../sentences.js";
@@ -46,7 +47,7 @@ function refuse(words = "") {
 }
 
 /** @param {string} typed */
-function treeOf(typed) {
+function parsed(typed) {
   const pointed = typed.includes(".") ? typed : typed.trim().replace(COMMA, "$1.$2");
   const text = plain(pointed).replace(MOMENT, "N$1");
   for (const [, name, next] of text.matchAll(BESIDE))
@@ -59,117 +60,97 @@ function treeOf(typed) {
   }
 }
 
-// What a part of a formula comes to: its value, and whether that is in SI by a unit of its own. A
-// symbol fits both.
-/**
- * @typedef {{ value: number, unit: boolean, pi?: boolean, free?: boolean, text: string }} Part
- *   `text` in plain signs, its units turned into SI
- * @typedef {{ units: Record<string, number>, angle: boolean, bare: string | null,
- *   known: (name: string) => number | undefined }} Field
- */
+const isUnit = ([kind, name]) => kind === "name" && UNITS.has(name);
+const parts = ([, ...of]) => of.filter(Array.isArray);
 
-/** @param {any[]} tree @param {Field} field @returns {Part} */
-function partOf(tree, field) {
+// The units of a tree, each behind a factor, and its other names; none in a function or a power.
+/** @returns {{ units: string[], names: string[] }} */
+function namesIn(tree) {
   const [kind, first, second] = tree;
-  if (kind === "num") return counted(first);
-  if (kind === "name") return named(first, field);
-  if (kind === "neg") {
-    const inner = partOf(first, field);
-    return { ...inner, value: -inner.value, text: `-${bracketed(inner.text)}` };
-  }
-  if (kind === "call" || kind === "^") return called(tree, field);
-  if (kind === "*" && second[0] === "name" && UNITS.has(second[1]))
-    return measured(first, second[1], field);
-  if (kind === "+" || kind === "-") return summed(tree, field);
-  return multiplied(tree, field);
+  if (kind === "call" || kind === "^") return { units: [], names: [] };
+  if (kind === "name") return { units: [], names: [first] };
+  const measured = kind === "*" && isUnit(second);
+  const found = (measured ? [first] : parts(tree)).map(namesIn);
+  return {
+    units: [...found.flatMap(({ units }) => units), ...(measured ? [second[1]] : [])],
+    names: found.flatMap(({ names }) => names),
+  };
 }
 
-/** @param {number} x @returns {Part} */
-function counted(x) {
-  if (!Number.isFinite(x)) refuse();
-  return { value: x, unit: false, text: String(x) };
+// The value of a tree for what pi and the units are worth, and an angle that a function gives.
+/** @param {any[]} tree @param {Record<string, number>} worth @param {number} turn */
+function valueFor(tree, worth, turn) {
+  const [kind, first, second] = tree;
+  const at = (part) => (isUnit(part) ? worth[part[1]] : valueFor(part, worth, turn));
+  if (kind === "name") return worth[first];
+  if (kind === "num" || kind === "^") return value(tree, () => refuse());
+  if (kind === "call") return value(tree, () => refuse()) * (ANGLES.includes(first) ? turn : 1);
+  const numbers = (kind === "neg" ? [first] : [first, second]).map((part) => ["num", at(part)]);
+  return value([kind, ...numbers], () => refuse());
 }
 
-/** @param {string} name @param {Field} field @returns {Part} */
-function named(name, { angle, known }) {
-  if (name === "pi") return { value: Math.PI, unit: angle, pi: angle, text: "pi" };
-  const found = known(name);
-  if (found === undefined) refuse();
-  return { value: found, unit: false, free: true, text: name };
+const HAIR = 1e-9; // of the whole: less is what arithmetic leaves of none
+
+/**
+ * What a tree without symbols comes to in SI, its bare numbers in units of `bare`, where that is
+ * said.
+ * @param {any[]} tree @param {Record<string, number>} units @param {string | null} bare
+ */
+function inSI(tree, units, bare) {
+  const named = namesIn(tree);
+  const angle = "rad" in units;
+  const turns = angle && named.names.includes("pi") && !named.units.includes("rad");
+  const [one, two, three] = [1, 2, 3].map((s) => {
+    const worth = Object.fromEntries(Object.entries(units).map(([name, x]) => [name, x * s]));
+    return valueFor(tree, { ...worth, pi: Math.PI * (turns ? s : 1) }, angle ? s : 1);
+  });
+  const near = (x) => Math.abs(x) <= HAIR * Math.max(Math.abs(one), Math.abs(two));
+  if (!near(three - 2 * two + one)) refuse("has two units");
+  const [measured, rest] = [two - one, 2 * one - two];
+  if (near(rest)) return one;
+  if (near(measured)) return one * (bare ? units[bare] : 1);
+  if (turns || named.units.some((unit) => unit !== bare))
+    refuse("mixes numbers with and without a unit; say the unit of each");
+  return rest * units[bare] + measured;
 }
 
-// A function or a power of numbers alone.
-/** @param {any[]} tree @param {Field} field @returns {Part} */
-function called(tree, field) {
-  const found = value(tree, () => refuse());
-  return { value: found, unit: field.angle && ANGLES.includes(tree[1]), text: String(found) };
+// A tree as text, its units turned into SI.
+function textOf(tree) {
+  const [kind, first, second] = tree;
+  if (kind === "num" || kind === "name") return String(first);
+  if (kind === "call" || kind === "^") return String(value(tree, () => refuse()));
+  if (kind === "neg") return `-${bracketed(textOf(first))}`;
+  if (kind === "*" && isUnit(second)) return withUnit(textOf(first), second[1]);
+  if (kind === "+") return `${textOf(first)} + ${textOf(second)}`;
+  if (kind === "-") return `${textOf(first)} - ${bracketed(textOf(second))}`;
+  return `${bracketed(textOf(first))}${kind}${bracketed(textOf(second), true)}`;
 }
 
-/** @param {any[]} tree @param {string} name @param {Field} field @returns {Part} */
-function measured(tree, name, field) {
-  if (!(name in field.units)) refuse(`has the unit ${name === "deg" ? "°" : name}`);
-  const part = partOf(tree, field);
-  if (part.unit && !(part.pi && name === "rad")) refuse("has two units");
-  const worth = field.units[name];
-  return { value: part.value * worth, unit: true, text: inSI(part.text, name) };
-}
-
-// A text in SI: whole multiples of 15° as a share of pi, which stays exact.
-function inSI(text, name) {
+// Whole multiples of 15° as a share of pi, which stays exact.
+function withUnit(text, unit) {
   const twelfths = Number(text) / 15;
-  if (name === "deg" && Number.isInteger(twelfths) && twelfths) {
+  if (unit === "deg" && Number.isInteger(twelfths) && twelfths) {
     const common = [12, 6, 4, 3, 2, 1].find((n) => twelfths % n === 0);
     const [over, under] = [twelfths / common, 12 / common];
     const top = Math.abs(over) === 1 ? `${over < 0 ? "-" : ""}pi` : `${over}*pi`;
     return under === 1 ? top : `${top}/${under}`;
   }
-  const factor = { deg: "*pi/180", cm: "/100", mm: "/1000" }[name] ?? "";
+  const factor = { deg: "*pi/180", cm: "/100", mm: "/1000" }[unit] ?? "";
   return factor ? `${bracketed(text)}${factor}` : text;
-}
-
-/** @param {any[]} tree @param {Field} field @returns {Part} */
-function summed([sign, first, second], field) {
-  const [left, right] = [partOf(first, field), partOf(second, field)];
-  const both = {
-    text: `${left.text} ${sign} ${sign === "-" ? bracketed(right.text) : right.text}`,
-  };
-  const add = (x, y) => (sign === "+" ? x + y : x - y);
-  const [l, r] = [left, right].map(({ unit, free, value: x }) => unit || free || x === 0);
-  if (l === r || left.free || right.free) {
-    const unit = (left.unit || right.unit) && l && r;
-    return { value: add(left.value, right.value), unit, free: left.free || right.free, ...both };
-  }
-  // The unit that stands last is that of all, if a bare number would have it.
-  const worth = field.units[field.bare];
-  const last = worth !== undefined && second[0] === "*" && second[2][1] === field.bare;
-  if (!last) refuse("mixes numbers with and without a unit; say the unit of each");
-  const scaled = inSI(left.text, field.bare);
-  return {
-    value: add(left.value * worth, right.value),
-    unit: true,
-    text: `${scaled} ${sign} ${right.text}`,
-  };
-}
-
-/** @param {any[]} tree @param {Field} field @returns {Part} */
-function multiplied([sign, first, second], field) {
-  const [left, right] = [partOf(first, field), partOf(second, field)];
-  const turns = right.pi && (sign === "/" || left.pi); // pi is a number there, and no unit
-  if (right.unit && !turns) {
-    if (sign === "/") refuse("divides by a number with a unit");
-    if (left.unit) refuse("multiplies two units");
-  }
-  return {
-    value: value([sign, ["num", left.value], ["num", right.value]], () => undefined),
-    unit: left.unit || (right.unit && !turns),
-    pi: left.pi || right.pi,
-    free: left.free || right.free,
-    text: `${bracketed(left.text)}${sign}${bracketed(right.text, true)}`,
-  };
 }
 
 const bracketed = (text, last = false) =>
   (last ? /[-+*/ ]/ : /[-+ ]/).test(text.replace(/e[-+]\d/g, "")) ? `(${text})` : text;
+
+// The tree of what is typed, whose units are of a quantity asked for.
+/** @param {string} typed @param {Record<string, number>} units */
+function treeOf(typed, units) {
+  if (typed.length > LONGEST) refuse();
+  const tree = parsed(typed);
+  const other = namesIn(tree).units.find((unit) => !(unit in units));
+  if (other) refuse(`has the unit ${other === "deg" ? "°" : other}`);
+  return tree;
+}
 
 /**
  * What a reader typed, as { value } in SI, or { error } in words.
@@ -179,22 +160,20 @@ const bracketed = (text, last = false) =>
  * @returns {{ value: number, error?: undefined } | { error: string, value?: undefined }}
  */
 export function readEntry(typed, kind, unit) {
-  const quantity = QUANTITIES[kind];
-  const bare = unit && unit in quantity.units ? unit : (quantity.bare ?? "rad");
+  const { units, bare: usual, most, of, such } = /** @type {any} */ (QUANTITIES[kind]);
+  const bare = unit && unit in units ? unit : (usual ?? "rad");
   const shown = `“${typed.trim().slice(0, 40)}${typed.trim().length > 40 ? "…" : ""}”`;
   if (!typed.trim()) return { error: "is empty; write 0 for none" };
   if (typed.length > LONGEST)
     return { error: `has ${typed.length} characters; ${LONGEST} are the most` };
   try {
-    const field = { units: quantity.units, angle: kind === "angle", bare, known: () => undefined };
-    const part = partOf(treeOf(typed), field);
-    const si = part.unit ? part.value : part.value * quantity.units[bare];
-    if (!Number.isFinite(si)) return { error: `${shown} divides by zero or is too large` };
-    if (Math.abs(si) > quantity.most)
-      return { error: `${shown} is too large for ${quantity.of} here` };
+    const tree = treeOf(typed, units);
+    if (namesIn(tree).names.some((name) => name !== "pi")) refuse();
+    const si = inSI(tree, units, bare);
+    if (Math.abs(si) > most) return { error: `${shown} is too large for ${of} here` };
     return { value: si + 0 };
   } catch (fault) {
-    return { error: `${shown} ${told(fault, quantity)}` };
+    return { error: `${shown} ${told(fault, { of, such })}` };
   }
 }
 
@@ -208,17 +187,17 @@ function told(fault, { of, such }) {
 
 /**
  * An entry of an arm's table in plain signs, its units turned into SI; or why it is none, in words
- * where there is more to say than that.
+ * where there is more to say than that. Beside a symbol a number may be bare.
  * @param {string} typed
  * @param {(keyof typeof QUANTITIES)[]} kinds what it may be
  * @returns {{ text: string } | { fault: string }}
  */
 export function formulaOf(typed, kinds) {
   const units = Object.assign({}, ...kinds.map((kind) => QUANTITIES[kind].units));
-  const field = { units, angle: kinds.includes("angle"), bare: null, known: () => 1 };
   try {
-    if (typed.length > LONGEST) refuse();
-    return { text: partOf(treeOf(typed), field).text };
+    const tree = treeOf(typed, units);
+    if (namesIn(tree).names.every((name) => name === "pi")) inSI(tree, units, null);
+    return { text: textOf(tree) };
   } catch (fault) {
     if (fault instanceof Refused || fault instanceof ArmError)
       return { fault: fault instanceof Refused ? fault.message : "" };
