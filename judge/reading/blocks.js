@@ -1,7 +1,7 @@
 // Every rectangular block of entries in a text, with what stands beside it.
 
 import { RAD } from "../geometry/angles.js";
-import { number } from "./formula.js";
+import { hasDecimals, number } from "./formula.js";
 import { labelIn } from "./labels.js";
 import { runsOf, withHeads } from "./runs.js";
 import { plainSigns } from "./signs.js";
@@ -17,7 +17,6 @@ import { plainSigns } from "./signs.js";
 const WAYS = [false, true].flatMap((gaps) =>
   [true, false].flatMap((decimal) => [false, true].map((wrapped) => ({ gaps, decimal, wrapped }))),
 );
-const COMMA = /\d,\d/;
 
 /**
  * The blocks in each way that the text can be parted, each way when it is asked for, but for what
@@ -33,7 +32,7 @@ export function blocksIn(typed, { isEntry, names = /(?!)/, given = [] }) {
     if (!known.has(cell)) known.set(cell, isEntry(cell));
     return known.get(cell);
   };
-  const ways = WAYS.filter(({ decimal }) => !decimal || COMMA.test(text));
+  const ways = WAYS.filter(({ decimal }) => !decimal || /\d,\d/.test(text));
   return ways.map((way) => once(() => blocksOf(runsOf(text, entry, way), names, given)));
 }
 
@@ -54,13 +53,11 @@ function blocksOf(all, names, given) {
 function besides({ from, to, runs: own }, runs) {
   const mine = new Set(own);
   const others = runs.filter((run) => run.line >= from && run.line <= to && !mine.has(run));
-  const words = own.flatMap((run) => run.words.filter((word) => DECIMAL.test(word)));
+  const words = own.flatMap((run) => run.words.filter((word) => hasDecimals(word)));
   return [others.map(({ cells }) => cells), words.map((word) => [word])]
     .filter(({ length }) => own.length < 2 || length % own.length)
     .flat(2);
 }
-
-const DECIMAL = /\d[.,]\d/;
 
 // Whether cells are what the question gave, to their digits, in radians or degrees.
 const isGiven = (cells, given) =>

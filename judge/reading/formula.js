@@ -54,7 +54,6 @@ const LATEX = [
   [/\\(?:math(?:rm|bf|it)|text(?:bf|it|rm)?|boldsymbol)\s*\{([^{}]*)\}/g, "$1"],
   [/\^\s*\{?\s*\\circ\s*\}?|\\degree(?![A-Za-z])/g, " deg"],
   [/\\(?:cdot|times)(?![A-Za-z])/g, "*"],
-  [/\^\s*\{?\s*(?:\*|\\ast)\s*\}?(?!\w)/g, " "],
   [/_\s*\{\s*(\w+)\s*\}/g, "_$1"],
   [/_\s*\{\s*([\w+-]+)\s*\}/g, "_{$1}"],
 ];
@@ -77,6 +76,9 @@ const NUMBER = /^[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?$/;
 // Whether a text is one number in plain signs, as nearly every cell of a long paste is.
 export const isNumber = (text) => NUMBER.test(text);
 
+// Whether a number with decimals stands in a text.
+export const hasDecimals = (text) => /\d[.,]\d/.test(text);
+
 // The text in plain signs: unicode and LaTeX spelled out, prefixes such as np. dropped.
 export function plain(text) {
   if (isNumber(text)) return text;
@@ -98,7 +100,7 @@ export function plain(text) {
   text = text.replace(/(?<=\w)\s*\(t\)/g, "");
   text = text.replace(COUNTED, "$1_$2");
   text = text.replace(/(\b[a-z]+) +_(?=[\w{])/g, "$1_");
-  text = text.replace(/(?<![_\w])\{|(?<=[^\w+-])\{/g, "(");
+  text = text.replace(/(?<![_\w])\{/g, "(");
   text = text.replace(/\{[\w+-]*\}|\}/g, (braces) => (braces === "}" ? ")" : braces));
   return text.replace(/[ \t]+/g, " ").trim();
 }

@@ -150,7 +150,7 @@ function ofText(text, { known, ...question }) {
   return { ...read, entries, said, left, says: unitsSaid(text) };
 }
 
-const IN_DEGREES = /^([-+]?[\d.]+) ?\*? ?deg$/;
+const IN_DEGREES = /^([-+]?[\d.]+) deg$/;
 
 // A number without the power of ten that MATLAB's heading gave it, or its sign of degrees.
 /** @returns {Entry} */

@@ -22,7 +22,6 @@ const SIGN = new RegExp(`[${[...SAME.keys()].join("")}]`, "g");
 // LaTeX's, which only set a formula out; a ~ before a number may be a minus sign.
 const SET =
   /\\(?:left|right|[bB]ig[lr]?|displaystyle|q?quad)(?![A-Za-z])\.?|\\[[\],;:! ]|\$|~(?! *[\d.])/g;
-/\\(?:left|right|[bB]ig[lr]?|displaystyle|q?quad)(?![A-Za-z])\.?|\\[[\],;:! ]|\$|~(?![ \t]*[\d.])/g;
 
 // What formulas and whole texts have in common.
 export const sameSigns = (text) => text.replace(SIGN, (sign) => SAME.get(sign));

@@ -2,7 +2,7 @@
 // dictionaries, Link(...) lines, A matrices. What is not said is guessed, and every guess is told.
 
 import { RAD } from "../geometry/angles.js";
-import { plain, simple } from "./formula.js";
+import { hasDecimals, plain, simple } from "./formula.js";
 import { tablesIn } from "./table_blocks.js";
 import { fromHeads, headOf, ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices, NoLink } from "./table_matrices.js";
@@ -108,7 +108,7 @@ function tablesOf(found, { columns, options, known }) {
   const order = ordered(cells, heads, columns);
   const units = unitsOf(options, withContext(fromHeads(heads), typed.context));
   const held = order.rows.flat().join(" & ");
-  const unused = typed.cells.flat().filter((cell) => /\d[.,]\d/.test(cell) && !held.includes(cell));
+  const unused = typed.cells.flat().filter((cell) => hasDecimals(cell) && !held.includes(cell));
   return readings(order, known).map((table) => ({
     ...units,
     ...table,

@@ -3,7 +3,7 @@
 
 import { blocksIn } from "./blocks.js";
 import { around } from "./find.js";
-import { isNumber, parse, plain, simple, symbols } from "./formula.js";
+import { hasDecimals, isNumber, parse, plain, simple, symbols } from "./formula.js";
 import { linesOf, plainSigns, ROW } from "./signs.js";
 import { headOf } from "./table_columns.js";
 import { ENTRIES, entryText, VARIABLE } from "./table_rows.js";
@@ -38,7 +38,7 @@ export function tablesIn(text, known) {
     .sort((one, other) => order(other) - order(one))
     .map(({ block, ...one }) => {
       const { context, left } = around(text, block);
-      const told = left.filter((line) => !heads.includes(line) || /\d[.,]\d/.test(line));
+      const told = left.filter((line) => !heads.includes(line) || hasDecimals(line));
       return { ...one, context, left: told, torn: tornFrom(block, lines) };
     });
 }

@@ -99,7 +99,7 @@ function byHeads(cells, heads) {
   const rows = cells.map((row, k) => {
     const kept = keep.map((i) => row[i] ?? "0");
     const still = row[added] ?? "0";
-    const none = number(still.replace(/^[-–— ]+|[-–— ]+$/g, "") || "0") === 0;
+    const none = ["", "-"].includes(still.trim()) || number(still) === 0;
     return none ? kept : withOffset(k + 1, kept, still);
   });
   return { orders: [ENTRIES], sure: true, rows };
@@ -143,7 +143,6 @@ function wide(cells) {
 function lookOf(text) {
   return {
     variable: isVariable(text),
-    offset: /\bd_?\d/.test(text),
     angular: /pi|deg|°|π/.test(text),
     number: number(text),
   };
@@ -152,7 +151,7 @@ function lookOf(text) {
 // Whether the variables stand in theta or d, and no length looks like a twist.
 function possible(looks, order) {
   const [a, alpha, d] = ENTRIES.map((name) => looks.map((row) => row[order.indexOf(name)]));
-  if ([...a, ...alpha].some(({ variable, offset }) => variable || offset)) return false;
+  if ([...a, ...alpha].some(({ variable }) => variable)) return false;
   if ([...a, ...d].some(({ angular }) => angular)) return false;
   return alpha.every((look) => look.number === null || angleLike(look.number));
 }

@@ -84,17 +84,17 @@ function inMetres(text) {
   return `${sign}${(Number(x) / 10 ** shift).toFixed(places)} m`;
 }
 
-const DASH = /^[-–—]+$/;
+const isDash = (text) => ["-", "–", "—"].includes(text);
 
 // A dash for an empty cell: 0, or the joint's variable where its row names none.
 function withoutDashes(texts) {
   const { a, alpha, d, theta } = texts;
-  const zero = (text) => (DASH.test(text) ? "0" : text);
-  const free = DASH.test(theta) && !isVariable(zero(d));
+  const zero = (text) => (isDash(text) ? "0" : text);
+  const free = isDash(theta) && !isVariable(zero(d));
   return {
     a: zero(a),
     alpha: zero(alpha),
-    d: DASH.test(d) && (free || (isVariable(theta) && !DASH.test(theta))) ? "0" : d,
+    d: isDash(d) && (free || (isVariable(theta) && !isDash(theta))) ? "0" : d,
     theta: free ? theta : zero(theta),
   };
 }

@@ -252,7 +252,7 @@ function judgedTable(table, reference, tolerance) {
     const slips = elsewhere ? wrongEntries(table, rows, wanted, loose) : [];
     const report = same({ grade, elsewhere }, [table, reference], [mine, ref], by, loose);
     if (!slips.length) return report;
-    const cause = slips.map(({ words }) => lower(words).replace(/\.+$/, "")).join("; ");
+    const cause = slips.map(({ words }) => inside(words)).join("; ");
     const { findings, causes } = bad(table, reference, [], slips);
     const headline = say("table other entries", { ...elsewhere, cause });
     return { ...report, headline, findings: slips.length > 1 ? findings : [], causes };
@@ -340,6 +340,9 @@ function bad(table, reference, causes, findings = [], notes = []) {
   }
   if (findings.length !== 1 || own.length !== 1) return report;
   const [only] = findings;
-  const headline = say("table wrong", { cause: lower(only.words).replace(/\.+$/, ""), ...fields });
+  const headline = say("table wrong", { cause: inside(only.words), ...fields });
   return { ...report, headline, findings: [{ ...only, what: "cause" }] };
 }
+
+// A sentence inside another.
+const inside = (words) => lower(words).replace(/\.+$/, "");
