@@ -96,9 +96,6 @@ class Element {
     if (this.tag !== "select") return this.getAttribute("value") ?? "";
     return this.selectedOptions[0]?.getAttribute("value") ?? "";
   }
-  get defaultValue() {
-    return this.value;
-  }
   set value(text) {
     if (this.tag === "textarea") this.textContent = String(text);
     else if (this.tag !== "select") this.setAttribute("value", text);
@@ -125,8 +122,7 @@ class Element {
     return false;
   }
   get innerHTML() {
-    const nodes = this.shadowRoot ? [this.shadowRoot, ...this.childNodes] : this.childNodes;
-    return nodes.map((node) => (this.tag === "style" ? node.textContent : node.outerHTML)).join("");
+    return this.childNodes.map((node) => (this.tag === "style" ? node.textContent : node.outerHTML)).join("");
   }
   get outerHTML() {
     const style = Object.entries(this.style).map(([name, value]) => `${kebab(name)}:${value}`);
@@ -169,7 +165,6 @@ Object.assign(globalThis, {
   },
   location: { hash: "", href: "" },
   console: { error: nothing, warn: nothing, log: nothing },
-  performance: { now: () => 0 },
   matchMedia: () => ({ matches: false, addEventListener: nothing }),
   MutationObserver: class {
     observe() {}
