@@ -14,7 +14,8 @@ import {
 } from "../../judge/geometry/kinematics.js";
 import { gravityTorque, wrenchTorque } from "../../judge/geometry/kinematics.js";
 import { singular } from "../../judge/geometry/linear.js";
-import { inner, onCircle, poseError, reach } from "./motion.js";
+import { inner, onCircle, poseError, reachFrom } from "./motion.js";
+import { asked } from "./verdicts.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /**
@@ -89,6 +90,7 @@ function jointRates(J, twist, { rates, cutoff, damping, locked }) {
 }
 
 const KEPT = 181; // poses that are shown
+const OFF = 1e-3; // m or rad from what is wanted, which then is out of reach
 
 /** One run around the circle: where it has come to, and the worst on its way. */
 class Walk {
@@ -122,7 +124,7 @@ class Walk {
     worst.fastest = Math.max(worst.fastest, ...k1.map(Math.abs));
     if (run.method === "exact") {
       const wanted = { ...first, o: onCircle(first.o, run, next).o };
-      return reach(arm, q, wanted, { held: run.locked }).q;
+      return reachFrom(arm, q, wanted, { held: run.locked }).q;
     }
     const h = run.seconds / run.steps;
     const moved = (k, by) => q.map((x, i) => x + by * k[i]);
@@ -145,10 +147,13 @@ class Walk {
       throw fault;
     }
     const there = linkFrames(arm, this.q).at(-1);
-    const off = norm(minus(there.o, onCircle(first.o, run, next).o));
+    const wanted = { ...first, o: onCircle(first.o, run, next).o };
+    const off = norm(minus(there.o, wanted.o));
     const tilt = Math.atan2(norm(cross(there.z, first.z)), dot(there.z, first.z));
     worst.tilt = Math.max(worst.tilt, tilt);
     worst.largest = Math.max(worst.largest, off);
+    const missed = norm(poseError(there, wanted).slice(0, asked(arm)));
+    if (run.method === "exact" && missed > OFF) return false; // beyond, joints would jump
     if ((n + 1) % this.every === 0 || n + 1 === run.steps) {
       kept.path.push(this.q);
       kept.errors.push(off);
@@ -164,10 +169,10 @@ class Walk {
  * whether the arm is singular there.
  * @param {Arm} arm
  * @param {number[]} start
- * @param {Partial<Run>} asked
+ * @param {Partial<Run>} given
  */
-export function runCircle(arm, start, asked = {}) {
-  const run = { ...HOMEWORK, ...asked };
+export function runCircle(arm, start, given = {}) {
+  const run = { ...HOMEWORK, ...given };
   // nothing is inverted: only singular values are asked for
   if (run.method === "exact") run.rates = "pseudo";
   const walk = new Walk(arm, start, run);
@@ -178,6 +183,15 @@ export function runCircle(arm, start, asked = {}) {
   const failed = n < run.steps ? n : null;
   const stuck = failed !== null && isSingular(arm, walk.q, run.locked);
   return { ...walk.kept, run, ...walk.worst, failed, stuck, wound };
+}
+
+// Joint vectors along a circle below the tip, with all joints free and the tool's orientation held,
+// as far as the arm reaches, and where the tip should be all the way round.
+export function traceCircle(arm, start, circle = {}) {
+  const { o } = linkFrames(arm, start).at(-1);
+  const { path } = runCircle(arm, start, { method: "exact", steps: 180, locked: -1, ...circle });
+  if (path.length === 1) path.push(start); // a path has two ends
+  return { path, wanted: Array.from({ length: 181 }, (_, k) => onCircle(o, circle, k / 180).o) };
 }
 
 // Static torques along a path.

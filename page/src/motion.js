@@ -86,28 +86,12 @@ export function orBeside(found, q, search) {
   return best;
 }
 
-function reachFrom(arm, start, wanted) {
-  const search = (q) => reach(arm, q, wanted);
+// `reach`, out of a singular pose too.
+export function reachFrom(arm, start, wanted, options) {
+  const search = (q) => reach(arm, q, wanted, options);
   const found = search(start);
   const stalled = found.error > 1e-6 && isThere(found.q, start);
   return stalled ? orBeside(found, start, search) : found;
-}
-
-const OFF = 1e-3; // m or rad from what is wanted, which then is out of reach
-
-// Joint vectors along such a circle below the tip, with the tool's orientation held, as far as the
-// arm reaches: beyond, it would jump from one way of standing nearby to another.
-export function traceCircle(arm, start, circle = {}) {
-  const tip = linkFrames(arm, start).at(-1);
-  const wanted = Array.from({ length: 181 }, (_, k) => onCircle(tip.o, circle, k / 180).o);
-  const path = [start];
-  for (const o of wanted.slice(1)) {
-    const { q, error } = reachFrom(arm, path.at(-1), { ...tip, o });
-    if (error > OFF) break;
-    path.push(q);
-  }
-  if (path.length === 1) path.push(start); // a path has two ends
-  return { path, wanted };
 }
 
 // The same numbers on every machine and at every visit.

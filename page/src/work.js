@@ -1,7 +1,7 @@
 // The long work by name, for the worker and for a page that allows none.
 
-import { otherWays, traceCircle } from "./motion.js";
-import { runCircle } from "./homework_run.js";
+import { otherWays } from "./motion.js";
+import { runCircle, traceCircle } from "./homework_run.js";
 
 export const JOBS = {
   ways: ({ arm, q }) => otherWays(arm, q),

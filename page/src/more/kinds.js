@@ -207,9 +207,9 @@ function winds(host, spec) {
   return live.dispose;
 }
 
-function windingOf(arm, { largest, wound }, radius) {
+function windingOf(arm, { failed, wound }, radius) {
   const size = `Radius ${fixed(100 * radius, 1)} cm`;
-  if (largest > 1e-4)
+  if (failed !== null)
     return `${size}: no run gets round; the arm would have to pass a singular pose.`;
   const round = joints(arm).flatMap((index, k) =>
     Math.abs(wound[k]) > 0.9 ? [`joint ${index + 1}`] : [],

@@ -47,6 +47,7 @@ function broken({ failed, stuck, run }) {
     return `J has no inverse ${where}, where the arm is singular: choose another of the rates.`;
   if (run.slip)
     return `With this mistake the matrix has no inverse ${where}, though the arm could go on.`;
+  if (run.method === "exact") return `The circle is out of reach ${where}.`;
   return `The run leaves all bounds ${where}.`;
 }
 
