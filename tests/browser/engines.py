@@ -16,9 +16,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from urllib.request import Request, urlopen
 
-from playwright.sync_api import sync_playwright
-
-from tools.browser import NoBrowser, launched
+from tools.browser import NoBrowser
 
 WINDOW = {"width": 1200, "height": 900}
 KEYS = {"\n": "\ue007", "End": "\ue010", "ArrowRight": "\ue014"}
@@ -112,11 +110,11 @@ class WebKit(_ByHand):
 
 
 @contextmanager
-def chromium():
-    with sync_playwright() as playwright:
-        browser = launched(playwright)
-        yield Chromium(browser.new_page(viewport=WINDOW, offline=True))
-        browser.close()
+def chromium(browser):
+    """In the browser of the other tests, since a process drives only one."""
+    page = browser.new_page(viewport=WINDOW, offline=True)
+    yield Chromium(page)
+    page.close()
 
 
 @contextmanager

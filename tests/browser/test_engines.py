@@ -25,7 +25,9 @@ FRIEND = "#arm=Elbow arm&q=0.6,-1.1&view=table&rows=R,0.4,0,0,0;R,0.3,0,0,0"
 def reader(request):
     wait_until_built()
     try:
-        with request.param() as engine:
+        chromium = request.param is engines.chromium
+        own = [request.getfixturevalue("browser")] if chromium else []
+        with request.param(*own) as engine:
             yield Reader(engine)
     except NoBrowser as error:
         pytest.skip(str(error))
