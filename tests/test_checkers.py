@@ -181,8 +181,10 @@ def test_a_run_is_taken_as_it_is_held():
         (TASK.run(J=turned), "J.z_i angular"),  # slip 19
         (TASK.run(rate=1e3), "trace.millimetres"),  # slip 5
         (TASK.run(rate=-1), "trace.other side"),
-        (TASK.run(radius=0.09), "trace.scaled"),
+        (TASK.run(radius=0.05), "trace.scaled"),
+        (TASK.run(radius=0.09), None),  # nobody's number: where it is off, and no more
         (TASK.run(dt=5 / 800), "trace.fraction"),
+        (TASK.run(radius=0.05, dt=5 / 800), "trace.fraction + trace.scaled"),
         (TASK.run(rule=lambda q, v: np.linalg.pinv(linear(q)) @ v), "trace.position only"),
         (TASK.run(J=lambda q: recipe(TASK.machine, TASK.start)), "trace.jacobian held"),
         (TASK.run(rate=1e-3).round(8), "J.millimetres"),  # a Jacobian in mm
@@ -193,7 +195,7 @@ def test_a_run_is_taken_as_it_is_held():
 def test_a_wrong_run_is_named(q, cause):
     report = traced(q)
     assert report.grade == "wrong"
-    assert cause is None or report.causes[:1] == (cause,), str(report)
+    assert report.causes[:1] == ((cause,) if cause else ()), str(report)
 
 
 # Slip 11: joints from inverse kinematics, the centre added in some coordinates only; slip 10: the
@@ -237,6 +239,24 @@ def test_whole_turns_are_counted_on_and_other_jumps_are_told_by_where_the_tip_is
     wild = np.cos(np.outer(np.arange(25), [1, 2, 3, 5, 7, 11]) + 1)
     report = checks.compare_trace(wild, ARM, few)
     assert report.causes == ("trace.jump", "trace.leans"), str(report)
+
+
+def test_few_steps_are_no_jumps_and_need_two_pi_over_n():
+    """Joint 5 turns by 0.3 rad in each of twenty steps."""
+    task, path = homeworks(20)
+    right, open_ = (task.run(method="rk4", dt=5 / n).round(4) for n in (20, 21))
+    assert checks.compare_trace(right, ARM, path).agrees
+    assert checks.compare_trace(open_, ARM, path).causes == ("trace.open",)
+
+
+def test_a_short_entry_excuses_no_other():
+    q = elbow_run((0, 0, 0))
+    typed = [[f"{x:.4f}" for x in row] for row in q]
+    typed[5][0] = f"{q[5, 0]:.1f}"
+    assert checks.compare_trace("\n".join(map(",".join, typed)), ELBOW, CIRCLE).agrees
+    typed[100][2] = f"{q[100, 2] + 0.03:.4f}"
+    report = checks.compare_trace("\n".join(map(",".join, typed)), ELBOW, CIRCLE)
+    assert (report.grade, "at step 100 of 200" in str(report)) == ("wrong", True)
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 // Did these joints draw the path? By the tip that they give, and by how they move.
 
 import { answering, reportOf } from "../report.js";
-import { dot, joints, linkFrames, norm } from "../geometry/kinematics.js";
+import { dot, joints, linkFrames, minus, norm } from "../geometry/kinematics.js";
 import { minusEach, singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
 import { millimetres } from "../causes/branches.js";
@@ -20,13 +20,9 @@ import {
 import { rint } from "../geometry/planar.js";
 import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { listed, lower, say, size } from "../sentences.js";
-import { holds, loopCause, near, offs, pathCause, tableCause } from "../causes/trace.js";
+import { holds, runOf, TILT, traceCause, USUAL } from "../causes/trace.js";
 
-const TILT = 1 / DEG; // rad: a tool that leans or spins more no longer counts as held
-const USUAL = 2e-3; // m: Euler's method on the homework's circle stays well below
 const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
-// whatever shape it gives
-const LOOP_FIRST = ["trace.millimetres", "J.millimetres"];
 const NO_INVERSE = 1e-9; // of the largest singular value: a smaller one is a zero
 const JUMP = 0.3; // rad or m in one step, and ten times the usual one: another branch
 const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
@@ -34,10 +30,9 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 /** @typedef {import("../geometry/path.js").Path} Path */
 /** @typedef {import("../report.js").Finding} Finding */
 /**
- * Rows of joints, the units of their last places, and the largest of each joint's.
- * @typedef {{ q: number[][], steps: number[][], unit: string, units: number[], taken: string[],
- *   extra: boolean }}
- *   Run
+ * Rows of joints, and the units of their last places.
+ * @typedef {{ q: number[][], units: number[][], unit: string, taken: string[],
+ *   extra: boolean }} Run
  */
 
 /**
@@ -66,52 +61,47 @@ export function readTrace(mine, arm, which = null) {
 export const judgedTrace = answering(traceJudged);
 
 function traceJudged(typed, arm, path, options = {}) {
-  const { angles = "rad", tolerance = null, briefly = false } = options;
+  const { angles = "rad", tolerance = null } = options;
   const run = upright(typed, arm, path.times.length, typed.says?.angles ?? angles);
   if (!run) return misshapen(typed, arm, path);
-  const cut = { ...path, times: path.times.slice(0, run.q.length) };
-  const blur = blurOf(run, arm);
-  const allowed = tolerance ?? USUAL + blur;
-  if (run.unit === "rad" && onlyAsDegrees(run, arm, cut, allowed))
+  const allowed = run.q.map((row, k) => tolerance ?? USUAL + blurOf(row, run.units[k], arm));
+  if (run.unit === "rad" && onlyAsDegrees(run, arm, path, allowed))
     return explained(arm, cause("trace.degrees"), [], run.taken, {});
-  return judged(run, arm, cut, { allowed, blur, given: tolerance !== null, briefly });
+  return judged(run, arm, path, allowed, tolerance !== null);
 }
 
-// Whether joints follow the path in degrees, as nearly as Euler's method does, and not in radians.
-function onlyAsDegrees({ q, steps }, arm, path, allowed) {
+// Whether joints follow the path in degrees, and not in radians.
+function onlyAsDegrees({ q, units }, arm, path, allowed) {
   const wanted = path.times.map(path.position);
   const away = (rows) =>
     offs(
       wanted,
       rows.map((row) => linkFrames(arm, row).at(-1).o),
     );
-  const turned = asDegrees(
-    q.map((values, k) => ({ values, units: steps[k] })),
+  if (!beyond(away(q), allowed)) return false;
+  const turned = inUnit(
+    q.map((values, k) => ({ values, units: units[k] })),
     arm,
+    "deg",
   );
-  const rows = turned.map(({ values }) => values);
-  const inDegrees = away(rows);
-  const [top, left] = [Math.max(...away(q)), Math.max(...inDegrees)];
-  if (top <= allowed || left >= top) return false;
-  return (
-    left <= near(path, top, allowed) || (begun(inDegrees) && holds(rows, most(turned), arm, path))
-  );
+  const errors = away(turned.q);
+  if (!beyond(errors, allowed)) return true;
+  const [mine, other] = [{ q, units }, turned].map((run) => runOf(run.q, run.units, arm, path));
+  return errors[0] <= allowed[0] && holds(other) && !holds(mine);
 }
 
-// Whether a run so far off its path begins on it: its other points are four times as far.
-const begun = (errors) => errors[0] <= Math.max(...errors) / 4;
+const beyond = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
 
-// What the digits of the joints leave of the tip's place (m).
-function blurOf({ q, units }, arm) {
-  const each = Math.max(1, Math.floor(q.length / 20));
-  const left = (row) => {
-    const at = chain(arm, row);
-    const J = columns(at, framesOf(at));
-    const over = (i) =>
-      units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
-    return norm([0, 1, 2].map(over));
-  };
-  return Math.max(...q.filter((_, k) => k % each === 0).map(left));
+// How far each point is from where the path has it.
+const offs = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])));
+
+// What the digits of a row of joints leave of the tip's place (m).
+function blurOf(row, units, arm) {
+  const at = chain(arm, row);
+  const J = columns(at, framesOf(at));
+  const over = (i) =>
+    units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
+  return norm([0, 1, 2].map(over));
 }
 
 // A row per step: columns turned round, a leading column of times or zeros dropped, one step too
@@ -154,13 +144,8 @@ function allJoints(rows, arm) {
 
 function inUnit(held, arm, unit) {
   const meant = unit === "deg" ? asDegrees(held, arm) : held;
-  const [q, steps] = [meant.map((row) => row.values), meant.map((row) => row.units)];
-  return { q, steps, unit, units: most(meant) };
+  return { q: meant.map(({ values }) => values), units: meant.map((row) => row.units), unit };
 }
-
-// The largest unit of each joint's last places.
-const most = (rows) =>
-  rows[0].units.map((_, k) => rows.reduce((top, row) => Math.max(top, row.units[k]), 0));
 
 /** @returns {import("../report.js").Report} */
 function reported(arm, grade, words, taken, rest = {}) {
@@ -180,43 +165,37 @@ function misshapen({ shape }, arm, { times }) {
 
 // The verdict
 
-/** @param {Run} run @param {Path} path @returns {import("../report.js").Report} */
-function judged(run, arm, path, { allowed, blur, given, briefly }) {
-  const [q, turned] = unwound(run.q, arm);
+/**
+ * @param {Run} run @param {Path} path @param {number[]} allowed how far off each row may be (m)
+ * @param {boolean} given whether that is all that is asked
+ * @returns {import("../report.js").Report}
+ */
+function judged(run, arm, path, allowed, given) {
+  const [q, turned] = unwound(run.q, arm, path);
   const frames = q.map((row) => linkFrames(arm, row).at(-1));
   const tip = frames.map(({ o }) => o);
   const errors = offs(path.times.map(path.position), tip);
-  const error = Math.max(...errors);
+  const off = beyond(errors, allowed);
   const turns = frames.map((one) => turnBetween(frames[0], one));
   const [turn, leans] = joints(arm).length >= 6 ? [Math.max(...turns), leanOf(frames)] : [0, 0];
-  const far = jumps(q);
+  const far = jumps(q, arm, path);
   const stuck = noInverse(q, arm, far);
-  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, error <= allowed)];
-  const symptoms = [
-    ...(error > allowed ? [finding("step", whereOf(errors))] : []),
+  const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, !off)];
+  const amiss = [
+    ...(off ? [finding("step", whereOf(errors, allowed))] : []),
     ...jump,
     ...turnsOf(leans, turn),
-    ...oneMore(run),
   ];
-  if (briefly && symptoms.length) return null;
-  const slip = () => loopCause(q, run.units, arm, path);
-  const why = () => {
-    const off = error > allowed;
-    const loop = slip();
-    if (!off || LOOP_FIRST.includes(loop?.keys[0] ?? "")) return loop;
-    const shape = pathCause(path, tip, allowed, blur);
-    if (shape && shape.keys[0] !== "trace.displaced") return shape;
-    return tableCause(q, arm, path, allowed) ?? shape ?? loop;
-  };
-  const whole = () => (given ? null : slip()); // nothing is wrong with the tip
-  const named = stuck ?? (symptoms.length ? why() : whole());
+  const symptoms = [...amiss, ...oneMore(run)];
+  const seen = { off, shown: amiss.length > 0 };
+  const why = () => traceCause(runOf(q, run.units, arm, path), tip, allowed, seen);
+  const named = stuck ?? (symptoms.length || !given ? why() : null);
   const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
-  const figures = { position_error: error, tool_turn: turn, q };
+  const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
   const rest = { notes, figures };
   if (named) return explained(arm, named, withoutJumps(named, symptoms, jump), run.taken, rest);
-  return symptoms.length
-    ? unexplained(arm, symptoms, run.taken, rest)
-    : reported(arm, RIGHT, "", run.taken, rest);
+  if (symptoms.length) return unexplained(arm, symptoms, run.taken, rest);
+  return reported(arm, RIGHT, "", run.taken, rest);
 }
 
 const oneMore = ({ extra }) => (extra ? [finding("trace.one more", say("trace.one more"))] : []);
@@ -260,19 +239,28 @@ const between = (u, v) =>
     dot(u, v),
   );
 
-// The steps that change a joint by far more than usual, or all large ones where that is usual.
-function jumps(q) {
+// The steps that change a joint by far more than usual; where large ones are usual, those that
+// leave the path on their way.
+function jumps(q, arm, path) {
   const change = q.slice(1).map((row, k) => Math.max(...minusEach(row, q[k]).map(Math.abs)));
   const usual = median(change);
   const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
   const far = over(10 * usual);
-  return far.length || usual <= JUMP ? far : over(JUMP);
+  return far.length || usual <= JUMP ? far : over(JUMP).filter((k) => astray(q, arm, path, k));
+}
+
+// Whether, half way from row k to the next, the tip is farther from the path than its step is long.
+function astray(q, arm, { times, position }, k) {
+  const half = q[k].map((x, i) => (x + q[k + 1][i]) / 2);
+  const wanted = position(times[k] + 0.5 * (times[k + 1] - times[k]));
+  const off = norm(minus(linkFrames(arm, half).at(-1).o, wanted));
+  return off > norm(minus(position(times[k + 1]), position(times[k])));
 }
 
 // Joints that turn counted on where they jump by whole turns, as angles of atan2 do, and said;
 // untouched where other jumps are left.
 /** @returns {[number[][], string[]]} */
-function unwound(q, arm) {
+function unwound(q, arm, path) {
   const turns = turning(arm);
   const whole = q
     .slice(1)
@@ -283,7 +271,7 @@ function unwound(q, arm) {
   const counted = q.map((row, k) =>
     row.map((x, i) => x - 2 * Math.PI * (k ? (sum[i] += whole[k - 1][i]) : 0)),
   );
-  if (jumps(counted).length) return [q, []];
+  if (jumps(counted, arm, path).length) return [q, []];
   const step = steps[0];
   const joint = numbered(arm)[whole[step].findIndex(Boolean)];
   return [counted, [say("trace whole turn", { step, to: step + 1, joint, count: steps.length })]];
@@ -328,10 +316,12 @@ function median(list) {
   return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
 }
 
-// Where the tip is farthest off, the first of the steps that are equally far.
-function whereOf(errors) {
-  const most = Math.max(...errors);
-  const step = errors.findIndex((error) => error >= most - ALIKE);
+// Where the tip is farthest off, the first of the steps that are equally far; more than its digits
+// may.
+function whereOf(errors, allowed) {
+  const wrong = errors.map((error, k) => (error > allowed[k] ? error : 0));
+  const most = Math.max(...wrong);
+  const step = wrong.findIndex((error) => error >= most - ALIKE);
   const start = errors[0] > 0.5 * most ? say("already") : `${millimetres(errors[0])} mm`;
   return say("trace where", { error: millimetres(most, 4), step, steps: errors.length - 1, start });
 }

@@ -1,0 +1,114 @@
+// Slips in the path that a run was to draw: other paths, made of the one that was asked for. Their
+// numbers are those of homeworks; none is fitted to a run.
+
+import { minus, norm, plus, scaled } from "../geometry/kinematics.js";
+import { listed, size } from "../sentences.js";
+import { both, cause } from "./ranking.js";
+
+/** @typedef {import("./ranking.js").Cause} Cause */
+/** @typedef {import("../geometry/path.js").Path} Path */
+/** @typedef {{ one: Cause, path: Path }} Other another path, and what was done */
+
+// The diameter for the radius, half of the circle; and 5 s for 20 s, the homeworks' durations.
+const FACTORS = [1 / 2, 2, 1 / 4, 4];
+const AXES = [0, 1, 2];
+const PAIRS = [
+  [0, 1],
+  [0, 2],
+  [1, 2],
+];
+
+// By its times
+
+/**
+ * A path run through by another clock, at `rate`, from its start or, backwards, from its end.
+ * @returns {{ one: Cause, rate: number, from: number }[]} all handed in
+ */
+function clocks({ times }) {
+  const [begins, ends] = [times[0], times.at(-1)];
+  const round = 1 - 1 / times.length; // the angle of step i is 2 pi i/(N + 1)
+  return [
+    { one: cause("trace.backwards"), rate: -1, from: begins + ends },
+    ...FACTORS.map((f) => {
+      const words = { _share: size(100 * f), _over: size(1 / f) };
+      return { one: cause("trace.fraction", words), rate: f, from: (1 - f) * begins };
+    }),
+    { one: cause("trace.open"), rate: round, from: (1 - round) * begins },
+  ];
+}
+
+/** @param {Path} path @returns {Other[]} */
+const timed = (path) =>
+  clocks(path).map(({ one, rate, from }) => {
+    const position = (t) => path.position(from + rate * t);
+    const velocity = (t) => scaled(rate, path.velocity(from + rate * t));
+    return { one, path: { ...path, position, velocity } };
+  });
+
+// By its points
+
+/** @returns {Generator<Other>} all handed in */
+function* placed(path) {
+  const other = (one, o, map) => {
+    const position = (t) => plus(o, map(minus(path.position(t), o)));
+    return { one, path: { ...path, position, velocity: (t) => map(path.velocity(t)) } };
+  };
+  yield other(cause("trace.other side"), begin(path), (p) => scaled(-1, p));
+  for (const o of [begin(path), centre(path)]) {
+    for (const f of FACTORS)
+      yield other(cause("trace.scaled", { _scale: size(f) }), o, (p) => scaled(f, p));
+    for (const [i, j] of PAIRS) {
+      const order = AXES.map((k) => (k === i ? j : k === j ? i : k));
+      const one = cause("trace.axes exchanged", { first: "xyz"[i], second: "xyz"[j] });
+      yield other(one, o, (p) => order.map((k) => p[k]));
+    }
+  }
+}
+
+const begin = (path) => path.position(path.times[0]);
+const half = ({ times }) => (times[0] + times.at(-1)) / 2;
+const centre = (path) => scaled(0.5, plus(begin(path), path.position(half(path)))); // of a circle
+
+/** The paths that one slip makes of a path. @param {Path} path @returns {Other[]} */
+export const oneOff = (path) => [...timed(path), ...placed(path)];
+
+/** And those that two make of it. @param {Path} path @returns {Generator<Other>} */
+export function* twoOff(path) {
+  for (const first of oneOff(path))
+    for (const second of placed(first.path))
+      yield { one: both(first.one, second.one), path: second.path };
+}
+
+/**
+ * Whether all that these paths are made of is known; Python is asked for it at once.
+ * @param {Path} path
+ */
+export const known = (path) =>
+  clocks(path)
+    .flatMap(({ rate, from }) => path.times.map((t) => from + rate * t))
+    .concat(half(path))
+    .map(path.position)
+    .every(([x]) => !Number.isNaN(x));
+
+/**
+ * What to say of a path that is drawn elsewhere, by where it begins: its centre is left out, as
+ * slip 11 may be read; or it begins there, as was handed in. Null where it begins where it should.
+ * @param {Path} path @param {number[]} start @returns {Cause | null}
+ */
+export function displaced(path, start, allowed) {
+  const shift = minus(start, begin(path));
+  if (norm(shift) <= allowed) return null;
+  const gone = (axes) => centre(path).map((x, i) => (axes.includes(i) ? -x : 0));
+  const out = [...AXES.map((i) => [i]), ...PAIRS, AXES].find(
+    (axes) => norm(minus(shift, gone(axes))) <= allowed,
+  );
+  if (out) return cause("trace.centre", { axes: listed(out.map((i) => "xyz"[i])) });
+  return cause("trace.displaced", { _by: vector(shift) });
+}
+
+// A vector in mm, to three digits of its largest coordinate at most.
+function vector(metres) {
+  const far = 1e3 * Math.max(...metres.map(Math.abs));
+  const unit = 10 ** [100, 10, 1].filter((least) => far < least).length;
+  return `(${metres.map((x) => size(Math.round(1e3 * x * unit) / unit + 0)).join(", ")})`;
+}
