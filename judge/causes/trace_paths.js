@@ -91,19 +91,21 @@ export const known = (path) =>
     .every(([x]) => !Number.isNaN(x));
 
 /**
- * What to say of a path that is drawn elsewhere, by where it begins: its centre is left out, as
- * slip 11 may be read; or it begins there, as was handed in. Null where it begins where it should.
- * @param {Path} path @param {number[]} start @returns {Cause | null}
+ * The path from where a run begins; none where it begins where it should. Its centre is left out,
+ * as slip 11 may be read; or the run begins there, as was handed in.
+ * @param {Path} path @param {number[]} start @returns {Other[]}
  */
 export function displaced(path, start, allowed) {
   const shift = minus(start, begin(path));
-  if (norm(shift) <= allowed) return null;
+  if (norm(shift) <= allowed) return [];
   const gone = (axes) => centre(path).map((x, i) => (axes.includes(i) ? -x : 0));
   const out = [...AXES.map((i) => [i]), ...PAIRS, AXES].find(
     (axes) => norm(minus(shift, gone(axes))) <= allowed,
   );
-  if (out) return cause("trace.centre", { axes: listed(out.map((i) => "xyz"[i])) });
-  return cause("trace.displaced", { _by: vector(shift) });
+  const one = out
+    ? cause("trace.centre", { axes: listed(out.map((i) => "xyz"[i])) })
+    : cause("trace.displaced", { _by: vector(shift) });
+  return [{ one, path: { ...path, position: (t) => plus(path.position(t), shift) } }];
 }
 
 // A vector in mm, to three digits of its largest coordinate at most.
