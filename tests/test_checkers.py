@@ -249,6 +249,16 @@ def test_few_steps_are_no_jumps_and_need_two_pi_over_n():
     assert checks.compare_trace(open_, ARM, path).causes == ("trace.open",)
 
 
+def test_another_method_hides_no_slip_and_a_wild_run_shows_none():
+    """Runge's and Kutta's; and velocities in mm/s in too few steps and digits to be told."""
+    task, path = homeworks(40)
+    by_rk4 = task.run(J=turned, method="rk4").round(5)
+    assert checks.compare_trace(by_rk4, ARM, path).causes[0] == "J.z_i angular"
+    typed = [",".join(f"{x:.3f}" for x in row) for row in task.run(rate=1e3)]
+    report = checks.compare_trace("\n".join(typed), ARM, path)
+    assert report.causes == ("trace.jump", "trace.leans"), str(report)
+
+
 def test_a_short_entry_excuses_no_other():
     q = elbow_run((0, 0, 0))
     typed = [[f"{x:.4f}" for x in row] for row in q]
