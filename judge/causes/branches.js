@@ -1,7 +1,7 @@
 // Why a joint vector is none of the branches.
 
+import { turning } from "../geometry/kinematics.js";
 import { DEG } from "../geometry/angles.js";
-import { turning } from "../reading/numbers.js";
 import { listed, lower, say, size } from "../sentences.js";
 import { isBranch, jointsOf, missOf, reaches } from "../topics/branches_matching.js";
 import { slips, variable } from "./joints.js";

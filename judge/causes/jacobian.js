@@ -2,9 +2,9 @@
 // recipe (`recipe`), and in how it is written down (`write`). Behind each, where it was seen: a
 // slip's number in homework.md, a chapter, or work that was handed in.
 
+import { numbered } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import * as chains from "../geometry/chains.js";
-import { numbered } from "../reading/numbers.js";
 import { otherPoses, wrongTables } from "./tables.js";
 import { both, cause } from "./ranking.js";
 

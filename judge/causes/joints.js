@@ -1,9 +1,8 @@
 // What slips make of right joint angles, undone: the cause, and the angles that would have come out
 // without it. Behind each, where it was seen: a slip's number in homework.md, or work handed in.
 
-import { cosSin } from "../geometry/kinematics.js";
+import { cosSin, numbered, turning } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
-import { numbered, turning } from "../reading/numbers.js";
 import { cause } from "./ranking.js";
 import { makersSigns } from "./tables.js";
 

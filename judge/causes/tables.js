@@ -2,8 +2,7 @@
 // chain, which is rows and q. Sources: homework.md slip numbers, or work that was handed in.
 
 import { DEG, RAD } from "../geometry/angles.js";
-import { joints } from "../geometry/kinematics.js";
-import { numbered, turning } from "../reading/numbers.js";
+import { joints, numbered, turning } from "../geometry/kinematics.js";
 import { cause } from "./ranking.js";
 
 /** @typedef {import("../geometry/chains.js").Chain} Chain */

@@ -1,8 +1,17 @@
 // Jacobians and weights of mistaken tables and recipes. A Jacobian is a list of 6 x dof numbers,
 // row by row, as people write it.
 
-import { cosSin, cross, dot, joints, linkFrames, minus, plus, scaled } from "./kinematics.js";
-import { turning } from "../reading/numbers.js";
+import {
+  cosSin,
+  cross,
+  dot,
+  joints,
+  linkFrames,
+  minus,
+  plus,
+  scaled,
+  turning,
+} from "./kinematics.js";
 
 const ZERO = [0, 0, 0];
 

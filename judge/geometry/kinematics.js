@@ -1,6 +1,8 @@
 // The numeric view of an arm: the same small recursion as helpers/kinematics.py and
 // helpers/statics.py, for one joint vector. A test holds the two equal. Vectors are arrays of
-// three; a frame is its columns { x, y, z, o }.
+// three; a frame is its columns { x, y, z, o }. An arm that can be judged is the explorer's, with
+// its symbols, values [[name, number]], and the tables with other lengths that mistakes would give
+// (helpers/checks/arms.py).
 
 export const GRAVITY = 9.81;
 
@@ -30,6 +32,10 @@ export function cosSin(angle) {
 
 // The indices, from 0, of the rows that move.
 export const joints = (arm) => arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [] : [i]));
+// Their numbers, from 1; whether each turns; and the names of their values.
+export const numbered = (arm) => joints(arm).map((i) => i + 1);
+export const turning = (arm) => joints(arm).map((i) => arm.rows[i].kind === "revolute");
+export const variables = (arm) => numbered(arm).map((i) => `q_${i}`);
 
 // Base-to-link frames T00 .. T0n for the joint vector q.
 export function linkFrames(arm, q) {

@@ -1,6 +1,6 @@
 // What a reader types, or Python holds, taken as numbers.
 
-import { joints } from "../geometry/kinematics.js";
+import { joints, numbered, turning, variables } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { find } from "./find.js";
@@ -26,12 +26,6 @@ const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
  *   says?: ReturnType<typeof unitsSaid> }} Typed
  *   `said` is how a text was read, `left` its other lines, `says` the units that they name
  */
-
-// An arm that can be judged is the explorer's, with its symbols: values [[name, number]], and the
-// tables with other lengths that mistakes would give (see helpers/explorer/judge.py).
-export const numbered = (arm) => joints(arm).map((i) => i + 1);
-export const turning = (arm) => joints(arm).map((i) => arm.rows[i].kind === "revolute");
-export const variables = (arm) => numbered(arm).map((i) => `q_${i}`);
 
 /**
  * Looks symbols up for one arm at one pose.

@@ -3,7 +3,7 @@
 import { agreement, isRight } from "../digits.js";
 import { chain, framesOf, transposed } from "../geometry/chains.js";
 import { rint } from "../geometry/planar.js";
-import { jacobianColumns, joints, linkFrames, matrix } from "../geometry/kinematics.js";
+import { jacobianColumns, joints, linkFrames, matrix, turning } from "../geometry/kinematics.js";
 import { singular } from "../geometry/linear.js";
 import {
   eachJoint,
@@ -13,7 +13,6 @@ import {
   numbers,
   rowsOf,
   setAside,
-  turning,
   unnamed,
 } from "../reading/numbers.js";
 import { say } from "../sentences.js";

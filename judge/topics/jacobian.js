@@ -5,8 +5,8 @@ import { nameOf, several } from "../causes/ranking.js";
 import { agrees, RIGHT, SO_FAR, tellable, WRONG } from "../digits.js";
 import { verdictOn } from "../entries.js";
 import * as chains from "../geometry/chains.js";
-import { norm } from "../geometry/kinematics.js";
-import { lookup, numbered, numbers, pose, turning } from "../reading/numbers.js";
+import { norm, numbered, turning } from "../geometry/kinematics.js";
+import { lookup, numbers, pose } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
 import { ArmError, counted, listed, lower, say } from "../sentences.js";
 

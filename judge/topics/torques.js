@@ -5,19 +5,17 @@ import { nameOf, several } from "../causes/ranking.js";
 import { RIGHT, SO_FAR, WRONG } from "../digits.js";
 import { verdictOn } from "../entries.js";
 import { transposed } from "../geometry/chains.js";
-import { joints } from "../geometry/kinematics.js";
+import { joints, numbered, turning } from "../geometry/kinematics.js";
 import { minusEach } from "../geometry/linear.js";
 import {
   eachJoint,
   inRadians,
   jointShapes,
-  numbered,
   numbers,
   notPerJoint,
   ofMoving,
   rowsOf,
   setAside,
-  turning,
   unnamed,
 } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
