@@ -46,13 +46,12 @@ const simple = (text) =>
 
 const MOST_WORDS = 8; // of a label: "for the first joint"
 
-// The label that words end with, "ωx" of "Émilie: ωx"; null where none does.
+// The label that words end with, "ωx" of "Émilie: ωx", and "c1", no count, of "Priya: c1"; null
+// where none does.
 export function labelIn(words) {
-  for (let from = Math.max(0, words.length - MOST_WORDS); from < words.length; from++) {
-    const found = labelOf(words.slice(from).join(" "));
-    if (found) return found;
-  }
-  return null;
+  const from = Math.max(0, words.length - MOST_WORDS);
+  const found = words.slice(from).flatMap((_, k) => labelOf(words.slice(from + k).join(" ")) ?? []);
+  return found.find(({ kind }) => kind !== "count") ?? found[0] ?? null;
 }
 
 const DEGREES = /(?<!\d\s?)(?:\bdeg(?:rees?)?\b|_deg\b|°)/i;
