@@ -165,20 +165,25 @@ function together(part, way, { isEntry }) {
   return cells.some((cell) => isMark(cell) || isEntry(cell)) ? cells : [part.trim()];
 }
 
-// A text parted at signs that stand in no bracket.
-function partedAt(text, signs) {
+// A text parted at the signs that stand in no bracket; marks of naming are parts themselves.
+/** @param {string} text @param {(k: number) => string} signAt "" for none @returns {string[]} */
+function parted(text, signAt) {
   const parts = [];
   let [depth, from] = [0, 0];
   for (let k = 0; k < text.length; k++) {
     if (OPEN.includes(text[k])) depth++;
     else if (CLOSE.includes(text[k])) depth = Math.max(0, depth - 1);
-    else if (!depth && signs.includes(text[k])) {
-      parts.push(text.slice(from, k));
-      from = k + 1;
-    }
+    const sign = depth ? "" : signAt(k);
+    if (!sign) continue;
+    parts.push(text.slice(from, k));
+    if (isMark(sign)) parts.push(sign);
+    k += sign.length - 1;
+    from = k + 1;
   }
   return [...parts, text.slice(from)];
 }
+
+const partedAt = (text, signs) => parted(text, (k) => (signs.includes(text[k]) ? text[k] : ""));
 
 const STAMP = /^\d{9,}\.\d+$|^\d{4}-\d\d-\d\d|^\d{1,2}[/.]\d{1,2}[/.]\d{2,4}$|^\d{1,2}:\d\d/;
 // Units behind a number, as a factor of SI or a sign of degrees.
@@ -213,38 +218,15 @@ const MARKS = [":=", "<<", "->", ":", "="];
 const isMark = (cell) => MARKS.includes(cell);
 
 // What blanks part, outside brackets; marks of naming stand alone.
-function wordsOf(text) {
-  const parts = [];
-  let [depth, from] = [0, 0];
-  const cut = (to) => {
-    if (to > from) parts.push(text.slice(from, to));
-    from = to;
-  };
-  for (let k = 0; k < text.length; k++) {
-    if (OPEN.includes(text[k])) depth++;
-    else if (CLOSE.includes(text[k])) depth = Math.max(0, depth - 1);
-    if (depth) continue;
-    if (/\s/.test(text[k])) {
-      cut(k);
-      from = k + 1;
-    } else if (marks(text, k)) {
-      cut(k);
-      const mark = MARKS.find((one) => text.startsWith(one, k));
-      parts.push(mark);
-      k += mark.length - 1;
-      from = k + 1;
-    }
-  }
-  cut(text.length);
-  return parts;
-}
+const wordsOf = (text) =>
+  parted(text, (k) => (/\s/.test(text[k]) ? text[k] : markAt(text, k))).filter(Boolean);
 
 // A colon between digits is a clock's.
-const marks = (text, k) =>
-  text[k] === "=" ||
-  (text[k] === ":" && !(/\d/.test(text[k - 1]) && /\d/.test(text[k + 1]))) ||
-  text.startsWith("<<", k) ||
-  text.startsWith("->", k);
+function markAt(text, k) {
+  if (!"=:<-".includes(text[k])) return "";
+  const mark = MARKS.find((one) => text.startsWith(one, k)) ?? "";
+  return mark === ":" && /^\d:\d/.test(text.slice(k - 1, k + 2)) ? "" : mark;
+}
 
 // Words that belong together: a sum with blanks about its signs, a number and its unit.
 function joined(words) {

@@ -4,8 +4,6 @@
 import { number, plain } from "./formula.js";
 import { ArmError, shown } from "../sentences.js";
 
-const WHOLE = /^\s*(?:values\s*=\s*)?(?:dict\s*\(([^]*)\)|\{([^]*)\})\s*$/;
-const PAIR = /^\s*(["']?)(.+?)\1\s*[=:]\s*([^=:]+?)\s*$/s;
 const NAME = /^[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?$/;
 
 /**
@@ -14,11 +12,12 @@ const NAME = /^[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?$/;
  * @returns {[string, number][]}
  */
 export function ownValues(text) {
-  const [, called, braced] = WHOLE.exec(text) ?? [];
-  const parts = (called ?? braced ?? text).split(/[,;\n]/).filter((part) => part.trim());
+  const inner = text.trim().replace(/^\{|\}$/g, "");
+  const parts = inner.split(/[,;\n]/).filter((part) => part.trim());
   return parts.map((part) => {
-    const [, , name, typed] = PAIR.exec(part) ?? [];
-    const [word, found] = name ? [plain(name), number(typed)] : ["", null];
+    const [name, typed, ...more] = part.split(/[=:]/);
+    const word = plain(name.replace(/^\s*(["'])(.*)\1\s*$/, "$2"));
+    const found = more.length ? null : number(typed ?? "");
     if (found !== null && NAME.test(word)) return [word, found];
     throw new ArmError(
       `your own symbols: ${shown(part.trim())} is not read; expected such as h = 0.333`,
