@@ -93,6 +93,7 @@ def test_limits_follow_the_joints():
     assert lower.shape == upper.shape == (6,)
     assert (lower[2], upper[2]) == (0.0698, 3.0718)
     np.testing.assert_array_equal(PANDA.effort_limits, [87, 87, 87, 87, 12, 12, 12])
+    np.testing.assert_array_equal(PANDA.speed_limits, [2.175] * 4 + [2.61] * 3)
     np.testing.assert_array_equal(STANFORD.speed_limits, np.full(6, np.inf))
 
 

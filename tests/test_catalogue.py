@@ -69,7 +69,7 @@ def test_each_mistake_in_a_jacobian_is_named(name):
     m, rng = KNOWN[name], np.random.default_rng(3)
     q = pose(m, rng)
     right = m.jacobian(q)
-    mistakes = dict([*jacobians.before(m, q, rng), *jacobians.tables(m, q, rng)])
+    mistakes = dict([*jacobians.before(m, q, rng), *jacobians.of_tables(m, q, rng)])
     mistakes |= {key: write(right) for key, write in jacobians.after(m, q, rng)}
     for key, made in shown(mistakes, right):
         report = checks.compare_jacobian(made.round(5), arm_of(m), q)

@@ -1,7 +1,6 @@
 """Other folders and other systems: nothing depends on where it is started, and nothing on what
 Windows does differently."""
 
-import ast
 import os
 import re
 import subprocess
@@ -57,22 +56,6 @@ def test_every_file_can_be_checked_out_on_windows():
             assert not re.search(r'[<>:"|?*\\]|[. ]$', part), name
             assert part.split(".")[0].casefold() not in RESERVED, name
     assert max(Counter(map(str.casefold, FILES)).values()) == 1, "two names differ by case alone"
-
-
-@pytest.mark.parametrize("name", [n for n in FILES if n.endswith(".py")])
-def test_text_is_utf_8_wherever_it_is_read(name):
-    """Windows would take its own code page."""
-    tree = ast.parse((ROOT / name).read_text(encoding="utf-8"))
-    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
-        words = {word.arg for word in call.keywords} | {getattr(a, "value", "") for a in call.args}
-        if _opens_text(call.func):
-            named = {"encoding", "rb", "wb", "utf-8", "utf-8-sig"}
-            assert words & named, ast.unparse(call)
-
-
-def _opens_text(function):
-    name = getattr(function, "id", "") or getattr(function, "attr", "")
-    return name in ("read_text", "write_text") or getattr(function, "id", "") == "open"
 
 
 def test_another_processor_moves_the_last_digit_and_no_other():

@@ -127,7 +127,7 @@ def test_the_plain_inverse_says_what_the_singular_values_say(cutoff):
             plain_inverse(cutoff)(one, one @ np.ones(6), None)
         if singular:
             with pytest.raises((SingularError, np.linalg.LinAlgError)):
-                plain_inverse(cutoff).inverses(one[None])
+                plain_inverse(cutoff).inverses(np.array([np.eye(6), one]))
 
 
 def test_levenbergs_damping_is_the_size_of_what_is_left():

@@ -14,6 +14,7 @@ import sympy as sp
 
 from helpers import kinematics, robots, statics
 from helpers.arm import Arm, ArmError, Body, fixed, prismatic, revolute
+from helpers.command_line import read_arm
 from helpers.derive import Axis, derive
 from helpers.robots import ELBOW, PANDA
 from helpers.sheets import displays, document, markdown
@@ -312,9 +313,17 @@ def test_the_command_takes_two_links_and_a_files_name(tmp_path, capsys):
     assert from_urdf(file, "b", "d") not in (from_urdf(file, "b"), from_urdf(file, None, "d"))
 
 
-def test_the_command_says_what_is_wrong():
-    with pytest.raises(SystemExit, match="no arm is called 'Puma'; expected one of"):
-        main(["Puma"])
+def test_the_command_takes_an_arm_of_a_file_and_says_what_is_wrong(tmp_path):
+    path = tmp_path / "arm.py"
+    path.write_text("from helpers.robots import UR10E\nOTHER = 3\n", encoding="utf-8")
+    assert read_arm(f"{path}:UR10E").name == "UR10e"
+    for words, said in (
+        (f"{path}:OTHER", f"OTHER of {path} is 3; expected an Arm"),
+        ("no.py:A", "no.py is not there; expected a Python file, as in my_arm.py:ARM"),
+        ("Puma", "no arm is called 'Puma'; expected one of"),
+    ):
+        with pytest.raises(SystemExit, match=re.escape(said)):
+            main([words])
 
 
 # What is refused

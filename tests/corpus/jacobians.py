@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from tests.corpus import tables
 from tests.corpus.machine import cross
 
 
@@ -60,32 +61,19 @@ def before(m, q, rng):
         yield "J.slide turns", recipe(m, q, slides=False)
 
 
-def tables(m, q, rng):
-    """The right recipe on a wrong table."""
-
-    def changed(k, **entries):
-        row = dict(zip(("kind", "a", "alpha", "d", "theta"), m.rows[k], strict=True))
-        return m.with_rows(
-            [*m.rows[:k], tuple({**row, **entries}.values()), *m.rows[k + 1 :]]
-        ).jacobian(q)
-
-    k = int(rng.integers(len(m.rows)))
-    kind, a, alpha, d, _ = m.rows[k]
-    if abs(math.sin(alpha)) > 0.1:
-        yield f"table.twist:{k + 1}", changed(k, alpha=-alpha)
-        yield f"table.no twist:{k + 1}", changed(k, alpha=0)
-    for name, x in (("a", a), ("d", d)):
-        if x and kind != "P":
-            yield f"table.sign:{name}:{k + 1}", changed(k, **{name: -x})
-            yield f"table.missing:{name}:{k + 1}", changed(k, **{name: 0})
+def of_tables(m, q, rng):
+    """The right recipe on a wrong table: one row's, all offsets, no pen."""
+    k = int(rng.integers(len(m.rows))) + 1
+    for cause, rows in tables.in_rows(m):
+        if cause.endswith(f":{k}") and cause.split(":")[0] not in ("table.number", "table.a and d"):
+            yield cause, m.with_rows(rows).jacobian(q)
     if sum(1 for row in m.rows if row[0] == "R" and row[4]) > 1:
         yield (
             "table.offsets",
             m.with_rows([(*r[:4], 0 if r[0] == "R" else r[4]) for r in m.rows]).jacobian(q),
         )
-    if m.name in ("PANDA", "UR10E_HOMEWORK", "PANDA.lock(3)"):
-        shorter = -0.107 if m.name[0] == "P" else 0.0922
-        yield "table.pen", changed(len(m.rows) - 1, d=shorter)
+    for rows in tables.without_pen(m):
+        yield "table.pen", m.with_rows(rows).jacobian(q)
 
 
 def after(m, q, rng):

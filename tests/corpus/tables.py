@@ -39,8 +39,14 @@ def whole(m, rng):
     order = list(range(len(rows)))
     order[i], order[j] = j, i
     yield f"table.rows exchanged:{i + 1}:{j + 1}", [rows[k] for k in order]
+    for short in without_pen(m):
+        yield "table.pen", short
+
+
+def without_pen(m):
+    """The table without its pen of 0.1 m, of the arms that have one."""
     if m.name in ("PANDA", "UR10E_HOMEWORK", "PANDA.lock(3)"):
-        yield "table.pen", changed(rows, len(rows) - 1, d=-0.107 if m.name[0] == "P" else 0.0922)
+        yield changed(m.rows, len(m.rows) - 1, d=-0.107 if m.name[0] == "P" else 0.0922)
 
 
 def in_rows(m):

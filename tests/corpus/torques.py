@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from tests.corpus import tables
 from tests.corpus.machine import cross
 
 # Masses and centres of the Panda's links (Gaz et al. 2019) in the table's frames, typed anew.
@@ -92,7 +93,7 @@ def mistakes(m, links, q, F, rng):
     degrees = [math.radians(x) if k == "R" else x for x, k in zip(q, m.kinds, strict=True)]
     yield "tau.degrees", weight(m, links, degrees) - force(m, F, degrees)
     if m.name == "PANDA":
-        short = m.with_rows([*m.rows[:-1], (*m.rows[-1][:3], -0.107, 0)])
+        short = m.with_rows(*tables.without_pen(m))
         held = [*links[:-1], (*links[-1][:3], links[-1][3] - 0.1)]
         yield "table.pen", weight(short, held, q) - force(short, F, q)
 

@@ -24,7 +24,6 @@ from course.marking import Mark
 from course.roster import Student, read_roster
 from course.sheets import sheet
 from helpers.arm import Arm, ArmError, Body, prismatic, revolute
-from helpers.command_line import read_arm
 from helpers.robots import ARMS, ELBOW, PANDA
 
 SECRET = "a course secret that is long enough"
@@ -339,19 +338,6 @@ def test_an_arm_survives_json(arm):
     for wrong in ({k: v for k, v in data.items() if k != "rows"}, {**data, "other": 1}):
         with pytest.raises(ArmError, match=r"the stored arm lacks or mistypes .*(rows|other)"):
             arms.from_json(wrong)
-
-
-def test_an_arm_from_words(tmp_path):
-    path = tmp_path / "arm.py"
-    path.write_text("from helpers.robots import UR10E\nOTHER = 3\n", encoding="utf-8")
-    assert read_arm(f"{path}:UR10E").name == "UR10e"
-    for words, said in (
-        (f"{path}:OTHER", f"OTHER of {path} is 3; expected an Arm"),
-        ("no.py:A", "no.py is not there; expected a Python file, as in my_arm.py:ARM"),
-        ("a:b", "no arm is called 'a:b'"),
-    ):
-        with pytest.raises(ArmError, match=re.escape(said)):
-            read_arm(words)
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,6 @@ import io
 import json
 import os
 import shutil
-import socket
 import stat
 import subprocess
 import sys
@@ -65,16 +64,6 @@ def device(path):
         os.mkfifo(path)
 
 
-def bound(path):
-    with socket.socket(socket.AF_UNIX) as file:
-        os.chdir(path.parent)
-        file.bind(path.name)
-
-
-def loop(path):
-    path.symlink_to(path.name)
-
-
 def deep(path):
     for _ in range(60):
         path.mkdir()
@@ -112,8 +101,7 @@ ODD = {
     "in capitals": ({"ANSWERS.JSON": KEY}, None, ""),
     "as Canvas renames": ({"lovelaceada_LATE_123_456_answers-1.json": KEY}, None, ""),
     "in a folder": ({"homework/final/answers.json": KEY}, None, ""),
-    "in a zip": ({"Homework.ZIP": {"answers.json": KEY}}, None, ""),
-    "in a zip's folder": ({"all.zip": {"me/homework 1/answers.json": KEY}}, None, ""),
+    "in a zip's folder": ({"All.ZIP": {"me/homework 1/answers.json": KEY}}, None, ""),
     "with prefixes": ({"answers.json": "prefixed"}, None, ""),
     "twice the same": ({"answers.json": KEY, "answers (1).json": KEY}, None, ""),
     "with a mark of order": ({"answers.json": "marked"}, None, ""),
@@ -131,7 +119,6 @@ ODD = {
     "other names": ({"answers.json": '{"x": 1}'}, 0, "seen: answers.json"),
     "empty": ({"answers.json": ""}, 0, "seen: answers.json"),
     "no text": ({"answers.json": b"\xff\xfe\xff"}, 0, "seen: answers.json"),
-    "deep lists": ({"answers.json": '{"p": ' + "[" * 9000 + "]" * 9000 + "}"}, 0, ""),
     "deeper lists": ({"answers.json": "[" * 2_000_000}, 0, "seen: answers.json"),
     "deep brackets": ({"answers.json": '{"p": "' + "(" * 1900 + '"}'}, 0, ""),
     "dashes": ({"answers.json": json.dumps(dict.fromkeys(PARTS, "-" * 8000))}, 0, ""),
@@ -143,12 +130,10 @@ ODD = {
     "a long list": ({"answers.json": json.dumps({"p": [1] * 500_000})}, 0, ""),
     "huge": ({"answers.json": b'{"p": 1}' + b" " * 5_000_001}, 0, "larger than 5,000,000 bytes"),
     "sparse": ({"answers.json": sparse}, 0, "larger than 5,000,000 bytes"),
-    "mode 000": ({"answers.json": closed}, 0, ""),
     "a locked folder": ({"mine": locked_folder}, 0, ""),
     "a device": ({"answers.json": device}, 0, "no ordinary file"),
     "a pipe": ({"answers.json": os.mkfifo}, 0, "no ordinary file"),
-    "a socket": ({"answers.json": bound}, 0, "no ordinary file"),
-    "a link to itself": ({"answers.json": loop}, 0, "no ordinary file"),
+    "a link to itself": ({"answers.json": lambda p: p.symlink_to(p)}, 0, "no ordinary file"),
     "a link away": ({"answers.json": lambda p: p.symlink_to("/etc/passwd")}, 0, "no ordinary file"),
     "a link to another's": ({"x": lambda p: p.symlink_to("../../zz")}, 0, "no ordinary file"),
     "a folder of that name": ({"answers.json": Path.mkdir}, 0, "nothing was answered"),
@@ -185,7 +170,7 @@ ODD = {
     "a forged answer": ({"my.ipynb": notebook("answer_p = type('X', (), {'tolist': 1})()")}, 0, ""),
 }  # fmt: skip
 RUN = ("notebook", "flood", "forged")
-NOT_ROOTS = " or ".join((*RUN, "sandbox", "read", "honestly", "mode", "locked", "device"))
+NOT_ROOTS = " or ".join((*RUN, "sandbox", "read", "honestly", "locked", "device"))
 
 
 def put(folder, files, answers):
@@ -221,12 +206,11 @@ def course(tmp_path_factory):
 
 
 @pytest.mark.parametrize("kind", ODD)
-def test_an_odd_hand_in_is_found_or_told(course, kind, tmp_path, monkeypatch):
+def test_an_odd_hand_in_is_found_or_told(course, kind, tmp_path):
     if REFUSED and any(word in kind for word in RUN):
         pytest.skip(REFUSED)
     (made, given), (files, total, words) = course, ODD[kind]
     shutil.copytree(given, tmp_path / "ab")
-    monkeypatch.chdir(tmp_path)  # where a socket was bound, this process stands
     put(tmp_path / "ab", files, right_work(made.sheet("ab")))
     row = mark_one(tmp_path, tmp_path / "out", 0 if REFUSED else 100, made)
     assert row["total"] == (3 if total is None else total), row
