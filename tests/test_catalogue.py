@@ -101,10 +101,12 @@ def test_each_mistake_in_a_table_is_named(name):
 
 RIGHT = [case for case in QUESTIONS if case["grade"] == "right" and case["answer"]]
 DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
+LINKS = next(case for case in RIGHT if "Link([" in case["answer"])
 
 
 @settings(max_examples=40)
 @example(case=RIGHT[0], place=0.0)
+@example(case=LINKS, place=LINKS["answer"].rindex("]") / len(LINKS["answer"]))
 @example(case=DICTIONARIES, place=0.0)
 @example(case=DICTIONARIES, place=1.0)
 @given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))

@@ -4,7 +4,7 @@
 import { number } from "./formula.js";
 import { headOf } from "./table_columns.js";
 import { ENTRIES } from "./table_rows.js";
-import { ArmError, say } from "../sentences.js";
+import { ArmError, say, shown } from "../sentences.js";
 
 const MOST_ROWS = 32;
 
@@ -191,9 +191,12 @@ function linkOf(kind, body) {
     ? PLACES.slice(0, list.length).map((name, i) => [name, list[i]])
     : [...body.matchAll(NAMED)].map(([, name, x]) => [name, x.trim()]);
   const given = Object.fromEntries(pairs);
+  const sigma = number(given.sigma ?? "0");
+  if (list.length > PLACES.length || (sigma !== 0 && sigma !== 1))
+    throw new ArmError(say("link sigma", { given: shown(`${kind}(${body})`) }));
   const slides =
     `${kind}${body}`.toLowerCase().includes("prismatic") ||
-    number(given.sigma ?? "0") === 1 ||
+    sigma === 1 ||
     ("theta" in given && !("d" in given));
   return { row: { ...none, ...given }, slides, given };
 }
