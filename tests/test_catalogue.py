@@ -101,24 +101,28 @@ def test_each_mistake_in_a_table_is_named(name):
 
 RIGHT = [case for case in QUESTIONS if case["grade"] == "right" and case["answer"]]
 DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
-LINKS = next(case for case in RIGHT if "Link([" in case["answer"])
 
 
 @settings(max_examples=40)
 @example(case=RIGHT[0], place=0.0)
-@example(case=LINKS, place=LINKS["answer"].rindex("]") / len(LINKS["answer"]))
 @example(case=DICTIONARIES, place=0.0)
 @example(case=DICTIONARIES, place=1.0)
 @given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))
 def test_no_number_vanishes_wherever_it_stands(case, place):
-    """Into right work, at any place: refused, wrong, part of an entry, or shown back."""
+    """Into right work, at any blank: refused, wrong, part of an entry, or shown back."""
     text = case["answer"]
-    at = round(place * len(text))
+    blanks = [0, *(k for k, sign in enumerate(text) if sign.isspace()), len(text)]
+    at = blanks[round(place * (len(blanks) - 1))]
     try:
         report = in_python({**fields(case), "answer": f"{text[:at]} 99.125 {text[at:]}"})
     except ArmError:
         return
     assert report.grade == "wrong" or report.mark or "99.125" in str(report), report
+
+
+def test_a_link_of_no_kind_is_refused():
+    with pytest.raises(ArmError, match="0 for a joint that turns or 1 for one that slides"):
+        checks.compare_tables("L1 = Link([0 0.5 0 pi/2]); L2 = Link([0 0 0.4 0 99.125])", ELBOW)
 
 
 Q, PUSH = [0.3, -1.1, 1.4, -0.8, 0.9, 0.2], [0, 0, -20, 0, 0, 0]
