@@ -278,7 +278,7 @@ function put(cell, line, state) {
   }
   if (cell.startsWith("·") || STAMP.test(cell) || !state.isEntry(cell)) {
     if (state.run && !/[\p{L}\d]/u.test(cell)) return;
-    if (!/[\p{L}\d#]/u.test(cell)) return;
+    if (!/[\p{L}\d#<>]/u.test(cell)) return;
     state.words.push(cell);
     state.run = null;
     return;
