@@ -31,46 +31,9 @@ export const lower = (text) =>
   /^.(\p{Lu}|_)/su.test(text) ? text : text.slice(0, 1).toLowerCase() + text.slice(1);
 
 const MOST = 75; // characters of a text that is quoted
-const LONG = 9e6; // from here on numbers are told by a power of ten
 
-// A number to so many significant digits, as C's %g, but for whole ones of up to seven places.
-export function size(x, digits = 3) {
-  if (!Number.isFinite(x)) return Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf";
-  if (x === 0) return "0";
-  const [mantissa, power] = evenly(x, digits).split("e");
-  const exponent = Number(power);
-  const trimmed = (text) => (text.includes(".") ? text.replace(/\.?0+$/, "") : text);
-  if (exponent >= digits && Math.abs(x) < LONG) return Number(`${mantissa}e${power}`).toFixed(0);
-  if (exponent < -4 || exponent >= digits) return `${trimmed(mantissa)}e${signed(exponent)}`;
-  return trimmed(Number(`${mantissa}e${power}`).toFixed(Math.max(0, digits - 1 - exponent)));
-}
-
-// So many digits of a number; one that lies in the middle of two goes to the even one, where
-// toExponential goes up.
-function evenly(x, digits) {
-  const up = x.toExponential(digits - 1);
-  const [mantissa, power] = x.toExponential(digits + 25).split("e");
-  const kept = digits === 1 ? mantissa.indexOf(".") : mantissa.indexOf(".") + digits;
-  const rest = mantissa.slice(kept).replace(".", "");
-  const down = mantissa.slice(0, kept);
-  return /^50*$/.test(rest) && "02468".includes(down.at(-1)) ? `${down}e${power}` : up;
-}
-
-const signed = (exponent) =>
-  `${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
-
-// A number as Python spells it: the shortest text that gives it back.
-export function spelled(x) {
-  const [mantissa, power] = x.toExponential().split("e");
-  const exponent = Number(power);
-  if (x !== 0 && (exponent < -4 || exponent >= 16)) return `${mantissa}e${signed(exponent)}`;
-  const text = BigInt(Math.trunc(x)).toString();
-  return exponent > 20
-    ? text
-    : String(x).includes("e")
-      ? x.toFixed(20).replace(/0+$/, "")
-      : String(x);
-}
+// A number to so many significant digits.
+export const size = (x, digits = 3) => String(Number(x.toPrecision(digits)));
 
 // A text in a sentence, in quotes and one line, cut where it is long.
 export function shown(text) {

@@ -1,17 +1,16 @@
 // Why a joint vector is none of the branches.
 
+import { isBranch, jointsOf, missOf, missWords, reaches } from "../matching.js";
 import { turning } from "../geometry/kinematics.js";
-import { DEG } from "../geometry/angles.js";
-import { listed, lower, say, size } from "../sentences.js";
-import { isBranch, jointsOf, missOf, reaches } from "../topics/branches_matching.js";
+import { listed, lower, say } from "../sentences.js";
 import { slips, variable } from "./joints.js";
 import { both, cause, nameOf, several, wordsOf } from "./ranking.js";
 import { wrongTables } from "./tables.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../report.js").Finding} Finding */
-/** @typedef {import("../topics/branches.js").Right} Right */
-/** @typedef {import("../topics/branches.js").Answer} Answer */
+/** @typedef {import("../matching.js").Right} Right */
+/** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 
 const COARSE = 0.0175; // rad or m: with a unit above one degree some slip would fit anything
 const QUARTER = Math.PI / 2;
@@ -31,17 +30,10 @@ export function wrongAnswer(right, answer, number, tolerance) {
   if (reaches(right, answer.values)) return plainly("ik unlisted");
   const [away, turned] = missOf(right, answer.values);
   const { causes, words } = why(right, answer, tolerance);
-  const turn = answer.values.length >= 6 ? turnOf(turned) : "";
-  const off = say("ik off", { millimetres: millimetres(away), turn });
+  const off = missWords(away, answer.values.length >= 6 ? turned : 0);
   const what = causes.length ? nameOf(causes[0]) : "answer";
   return { causes, finding: { what, where, words: say("ik answer", { number, off, words }) } };
 }
-
-// A length in m as so many digits of mm, not below a thousandth of one.
-export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).toFixed(3)), digits);
-
-export const turnOf = (angle) =>
-  say("ik turn", { degrees: size(Number((angle * DEG).toFixed(3))) });
 
 // Joints of two branches mixed, or one slip, or one slip and the shoulder turned over alone; or
 // else the joints that are in no branch.

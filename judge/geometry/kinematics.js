@@ -101,3 +101,12 @@ function load([mass, ...com], { x, y, z, o }, row) {
 // J^T F, what a wrench on the tool by the world asks of each joint.
 export const wrenchTorque = (columns, wrench) =>
   columns.map((column) => column.reduce((sum, entry, i) => sum + entry * wrench[i], 0));
+
+// The angle (rad) of the turn from one frame to another.
+export function turnBetween(here, there) {
+  const [A, B] = [matrix(here), matrix(there)];
+  const entry = (i, j) => A[0][i] * B[0][j] + A[1][i] * B[1][j] + A[2][i] * B[2][j];
+  const R = [0, 1, 2].map((i) => [0, 1, 2].map((j) => entry(i, j)));
+  const off = norm([R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]]);
+  return Math.atan2(off, R[0][0] + R[1][1] + R[2][2] - 1);
+}

@@ -6,7 +6,7 @@ import { units } from "../digits.js";
 import { find } from "./find.js";
 import { unitsSaid } from "./labels.js";
 import { isNumber, parse, plain, simple, symbols, value } from "./formula.js";
-import { ArmError, counted, listed, say, size, spelled } from "../sentences.js";
+import { ArmError, counted, listed, say, size } from "../sentences.js";
 
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
 const SHOWN = 3; // so many values of a locked joint are shown back
@@ -72,7 +72,7 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
   );
   if (!values.every(Number.isFinite))
     throw new ArmError(say("not finite", { what, wanted: wanted ?? "numbers" }));
-  const typed = entries.map(({ text }, i) => ofCell(text ?? spelled(values[i])));
+  const typed = entries.map(({ text }, i) => ofCell(text ?? String(values[i])));
   const symbolic = names.size > 0;
   return { values, units: unitsOf(typed), shape, symbolic, entries: typed, said: [], left: [] };
 }

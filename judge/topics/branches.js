@@ -3,25 +3,19 @@
 import { looksLikeSlip, wrongAnswer } from "../causes/branches.js";
 import { variable } from "../causes/joints.js";
 import { nameOf, wordsOf } from "../causes/ranking.js";
+import { hitsOf, NEAR, sameAnswer } from "../matching.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { asksPose, formOf, inverse } from "../geometry/inverse.js";
 import { joints, turning } from "../geometry/kinematics.js";
+import { answers } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
 import { listed, lower, say } from "../sentences.js";
-import { answers, hitsOf, NEAR, sameAnswer } from "./branches_matching.js";
 
-/**
- * A joint vector with the units of its last places.
- * @typedef {{ values: number[], units: number[] }} Answer
- */
+/** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
 /** @typedef {import("../report.js").Finding} Finding */
-
-/**
- * The right answers, and how many there are with those that fall together.
- * @typedef {{ arm: any, branches: import("../geometry/inverse.js").Branch[], count: number }} Right
- */
+/** @typedef {import("../matching.js").Right} Right */
 
 /**
  * The report on joint vectors, a text or nested lists, for one target of an arm with a closed form:

@@ -1,17 +1,17 @@
 // Do these joint angles reach that pose? The entries judged are the target's, the truth is the tip.
 
-import { millimetres, turnOf } from "../causes/branches.js";
 import { slips as jointSlips, variable } from "../causes/joints.js";
 import { both, cause, nameOf, several } from "../causes/ranking.js";
 import { wrongTables } from "../causes/tables.js";
 import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
 import { verdictOn } from "../entries.js";
 import { chain, framesOf } from "../geometry/chains.js";
-import { cross, dot, matrix, minus, norm, numbered } from "../geometry/kinematics.js";
+import { cross, dot, matrix, minus, norm, numbered, turnBetween } from "../geometry/kinematics.js";
+import { missWords } from "../matching.js";
+import { answers } from "../reading/joint_vectors.js";
 import { jointShapes, lookup, numbers, rowsGiven } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";
 import { ArmError, counted, listed, lower, say } from "../sentences.js";
-import { answers, turnBetween } from "./branches_matching.js";
 
 const TARGETS = [
   { rows: 4, columns: 4 },
@@ -21,7 +21,7 @@ const TARGETS = [
 ];
 const FEW = 3; // wrong entries: a wrong q changes more of them
 
-/** @typedef {import("./branches.js").Answer} Answer */
+/** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 /**
  * Rows of a pose, or one row of a point; whether there are formulas among them.
  * @typedef {{ values: number[][], units: number[][], pose: boolean, formulas: boolean }} Target
@@ -109,8 +109,7 @@ const reported = (...told) => reportOf("pose", ...told);
 
 function missed(T, wrong, away, turned) {
   const tilted = T.pose && wrong.some((is, i) => is && i % 4 < 3);
-  const turn = tilted ? turnOf(turned) : "";
-  return say("ik off", { millimetres: millimetres(away), turn });
+  return missWords(away, tilted ? turned : 0);
 }
 
 // The entries that a pose or a point has at the tip, for any q, in a table some of which is wrong.

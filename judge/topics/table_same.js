@@ -4,10 +4,9 @@ import { RIGHT, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
 import { angleBetween, placesBase } from "../geometry/axes.js";
 import { equations, jointMap } from "../geometry/joint_map.js";
-import { linkFrames, minus, norm } from "../geometry/kinematics.js";
+import { linkFrames, minus, norm, turnBetween } from "../geometry/kinematics.js";
 import { ANGLE, square } from "../geometry/rows.js";
 import { say, size } from "../sentences.js";
-import { turnBetween } from "./branches_matching.js";
 import { ownUnit, rounded, typedAs, typedRow } from "./table_words.js";
 
 const LENGTH = 1e-6; // m

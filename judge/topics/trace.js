@@ -1,15 +1,23 @@
 // Did these joints draw the path? By the tip that they give, and by how they move.
 
 import { answering, reportOf } from "../report.js";
-import { dot, joints, linkFrames, minus, norm, numbered, turning } from "../geometry/kinematics.js";
+import {
+  dot,
+  joints,
+  linkFrames,
+  minus,
+  norm,
+  numbered,
+  turnBetween,
+  turning,
+} from "../geometry/kinematics.js";
 import { minusEach, singular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
-import { millimetres } from "../causes/branches.js";
-import { turnBetween } from "./branches_matching.js";
 import { chain, columns, framesOf } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { jointShapes, numbers, asDegrees, rowsOf, setAside } from "../reading/numbers.js";
 import { rint } from "../geometry/planar.js";
+import { millimetres } from "../matching.js";
 import { cause, nameOf, wordsOf } from "../causes/ranking.js";
 import { listed, lower, say, size } from "../sentences.js";
 import { holds, runOf, TILT, traceCause, USUAL } from "../causes/trace.js";

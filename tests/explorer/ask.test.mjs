@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { offerOf } from "../../page/src/check/form.js";
 import { armOf, EMPTY, fromFragment, startOf, toFragment } from "../../page/src/check/question.js";
-import { size, spelled } from "../../judge/sentences.js";
+import { size } from "../../judge/sentences.js";
 
 const ARMS = ["PANDA", "ELBOW"];
 const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
@@ -47,11 +47,9 @@ test("one's own table turns or slides by its variable", () => {
   }
 });
 
-test("numbers are written as Python writes them", () => {
-  const sizes = [[0, "0"], [-0.00001234, "-1.23e-05"], [1234567, "1230000"], [12345678, "1.23e+07"], [12.5, "12.5"], [100, "100"], [99.96, "100"]];
+test("numbers are written to so many digits", () => {
+  const sizes = [[0, "0"], [-0.00001234, "-0.0000123"], [1234567, "1230000"], [12.5, "12.5"], [100, "100"], [99.96, "100"]];
   for (const [x, text] of sizes) assert.equal(size(x), text);
-  const spellings = [[1e16, "1e+16"], [1e-5, "1e-05"], [0.0001, "0.0001"], [123456789012345680, "1.2345678901234568e+17"], [5, "5"]];
-  for (const [x, text] of spellings) assert.equal(spelled(x), text);
 }); // prettier-ignore
 
 const LISTED = [
