@@ -79,7 +79,7 @@ def test_what_is_chosen_and_typed_before_the_script_has_come_is_kept(browser):
     page = browser.new_page()
     late = []
     page.route(LIVE, lambda route: late.append(route))
-    page.goto((HTML / "check_your_homework.html").as_uri())
+    page.goto((HTML / "check_your_homework.html").as_uri(), wait_until="commit")
     page.get_by_label("Question", exact=True).select_option(label="Denavit-Hartenberg table")
     page.get_by_label("Arm", exact=True).select_option("ELBOW")
     answer = page.get_by_label("Your answer", exact=True)
