@@ -41,6 +41,7 @@ SEARCHES = {
     "sign of the force": r"04_.*|conventions: Wrenches|02_.*: The same matrix for forces",
     "does the energy add up": r"04_.*: Does the energy",
     # inverse kinematics
+    "ik": r"05_.*: |glossary: inverse|check_.*: My inverse|where: Inverse",
     "wrist center": r"05_.*: A spherical wrist|glossary: wrist",
     "atan2": r"05_.*: |errata: 13 ",
     "Stanford inverse kinematics": r"05_.*: A spherical wrist|where: Inverse",

@@ -16,6 +16,8 @@ const ALIKE = [
   ["prismatic", "slide"],
   ["craig", "modified"],
 ];
+// And where it is all that is asked.
+const ALONE = { ik: "inverse kinematics", fk: "forward kinematics" };
 const SMALL = new Set("a an and are at by can do does for from get how i in is it my of on or out the there to was what when where which why with you your".split(" "));
 
 // A word without its ending: "poses" finds "pose", "singularities" what "singularity" does.
@@ -43,7 +45,8 @@ const built = index.addAllAsync(ENTRIES.map((entry, id) => ({ ...entry, of: entr
 
 const others = (word) => [...new Set(ALIKE.filter((words) => words.includes(word)).flat())].filter((other) => other !== word);
 
-function find(text) {
+function find(typed) {
+  const text = ALONE[typed.trim().toLowerCase()] ?? typed;
   const words = split(text.trim()).filter((word) => !SMALL.has(word)).map(stem);
   const queries = words.map((word, k) => ({
     combineWith: "OR",
