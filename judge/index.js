@@ -3,7 +3,6 @@
 import { sampled } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
 import { meant, read } from "./reading/table.js";
-import { KNOWN_ORDERS } from "./reading/table_columns.js";
 import { numbers, pose } from "./reading/numbers.js";
 import { ArmError, say } from "./sentences.js";
 import { compareBranches } from "./topics/branches.js";
@@ -29,7 +28,6 @@ const ANSWERS = {
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
   rows: ({ mine, options }) => meant(read(mine, options, options.values)[0], []),
   entry: ({ text, kinds }) => formulaOf(text, kinds),
-  orders: () => KNOWN_ORDERS,
   words: ({ key, fields }) => say(key, fields),
 };
 

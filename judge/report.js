@@ -63,7 +63,6 @@ export const answering =
   (judge) =>
   (mine, ...asked) => {
     const first = judge(mine, ...asked);
-    if (!first) return first;
     const report = ofFamily(first, judge, mine, asked) ?? first;
     const options = asked[judge.length - 1] ?? {};
     const advice = [...(report.advice ?? []), ...adviceOn(report.causes, options)];
@@ -75,7 +74,6 @@ export const answering =
 function ofFamily({ topic, grade, typed }, judge, text, asked) {
   if (grade !== WRONG || topic === "table") return null; // whose own causes name it
   const [arm, ...rest] = asked;
-  rest[judge.length - 2] = { ...rest[judge.length - 2], briefly: true };
   const isRight = (one) => [RIGHT, ROUNDED].includes(judgedFor(one, judge, text, rest)?.grade);
   const other = (arm.family ?? []).find(isRight);
   if (!other) return null;

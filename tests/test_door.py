@@ -3,16 +3,13 @@ the calls that a function gets, and the words in which the rest is refused.
 """
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 import sympy as sp
 
-from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
+from helpers.arm import Arm, ArmError, prismatic, revolute
 from helpers.checks import (
-    Finding,
-    Report,
     compare,
     compare_jacobian,
     compare_pose,
@@ -30,7 +27,6 @@ from tests.corpus.machine import Machine
 from tests.mixed import MIXED, arm_of
 
 H = math.pi / 2
-ENTRIES, ORDERS = ("a", "alpha", "d", "theta"), [tuple(order) for order in asked("orders")]
 Q3 = np.array([0.5, 0.7, -0.4])
 x, y, t = sp.symbols("x y t")
 
@@ -200,8 +196,8 @@ def test_what_is_no_joint_vector_is_refused_by_its_count(q, count, angles):
 # Functions
 
 
-def ways(function, arm=ELBOW, q=Q3):
-    return list(functions.results(function, arm, np.array(q), "yours"))
+def given(function, q=Q3):
+    return functions.value_at(function, np.array(q), "yours")
 
 
 def shapes(*given):
@@ -217,149 +213,39 @@ def shapes(*given):
         (lambda q, *more: shapes(q, *more), [(3,)]),
         (lambda *q: shapes(*q), [(), (), ()]),
         (lambda a, b, c: shapes(a, b, c), [(), (), ()]),
-        (lambda dh, q: shapes(dh, q), [(3, 4), (3,)]),
-        (lambda q, dh: shapes(q, dh), [(3,), (3, 4)]),
-        (lambda v, my_dh: shapes(v, my_dh), [(3,), (3, 4)]),
-        (lambda v, row: shapes(v, row), [(3,), (3, 4)]),
-        (lambda robot, joints: shapes(robot, joints), [(3, 4), (3,)]),
-        (lambda robot, th: shapes(robot, th), [(3, 4), (3,)]),
     ],
 )
 def test_what_a_function_is_given(function, expected):
-    found, said = ways(function)[0]
-    assert found == expected
-    assert bool(said) == ((3, 4) in expected)
+    assert given(function) == expected
 
 
 def test_numbers_one_by_one_are_those_of_q():
-    assert ways(lambda a, b, c: (a, b, c)) == [((0.5, 0.7, -0.4), ())]
-    assert ways(lambda q: q.tolist()) == [([0.5, 0.7, -0.4], ())]
-    assert ways(max) == [(0.7, ())], "a function that has no signature"
-    one = Arm("one", [revolute(a=0.3)])
-    assert ways(lambda v: v.tolist(), one, [0.5]) == [([0.5], ())]
-    assert ways(lambda v: math.sin(v) if v.__class__ is float else v["no"], one, [0.5])[0][0] == (
-        math.sin(0.5)
-    )
+    assert given(lambda a, b, c: (a, b, c)) == (0.5, 0.7, -0.4)
+    assert given(lambda q: q.tolist()) == [0.5, 0.7, -0.4]
+    assert given(max) == 0.7, "a function that has no signature"
+    assert given(lambda v: v.tolist(), [0.5]) == [0.5]
+    assert given(lambda v: math.sin(v) if v.__class__ is float else v["no"], [0.5]) == math.sin(0.5)
 
 
-@pytest.mark.parametrize("function", [lambda th, q: 0, lambda a, b: 0, lambda q, *, k: 0])
+@pytest.mark.parametrize("function", [lambda dh, q: 0, lambda a, b: 0, lambda q, *, k: 0])
 def test_what_asks_for_something_else_is_refused(function):
     with pytest.raises(ArmError) as refused:
-        ways(function)
+        given(function)
     said = str(refused.value)
     assert said.startswith("yours: your function failed (TypeError: ")
     assert "it was called with q of 3 values. Wrap it" in said
+    assert isinstance(refused.value.__cause__, TypeError)
 
 
-def test_two_arguments_of_two_joints_are_the_joints_and_then_a_table():
-    two = Arm("two", [revolute(a=0.3), revolute(a=0.2)])
-    for function in (lambda a, b: shapes(a, b), lambda robot, joints: shapes(robot, joints)):
-        assert ways(function, two, [0.5, 0.7]) == [([(), ()], ())]
-    assert ways(lambda a, b: shapes(a, b, a[0], b[0]), two, [0.5, 0.7])[0][0][:2] == [(2, 4), (2,)]
-    assert ways(lambda dh, q: shapes(dh, q), two, [0.5, 0.7])[0][0] == [(2, 4), (2,)]
-
-
-def test_a_table_comes_in_each_usual_order_and_then_as_dicts():
-    rows = {
-        "a": [0, 0.4, 0.3], "alpha": [H, 0, 0], "d": [0.5, 0, 0], "theta": [0, 0, 0],
-    }  # fmt: skip
-    orders = [ENTRIES, *(order for order in ORDERS if order != ENTRIES)]
-    found = ways(lambda dh, q: (dh, q))
-    assert len(found) == len(orders) + 2
-    for ((table, q), (said,)), order in zip(found, orders, strict=False):
-        np.testing.assert_allclose(table, np.transpose([rows[name] for name in order]))
-        assert q.tolist() == Q3.tolist()
-        assert said == f"f(table, q), called with the arm's rows ({', '.join(order)}) in m and rad"
-    ((by_row, _), (said,)), ((by_column, q), same) = found[-2:]
-    turned = zip(*rows.values(), strict=True)
-    assert by_row == [dict(zip(ENTRIES, row, strict=True)) for row in turned]
-    assert {name: column.tolist() for name, column in by_column.items()} == rows
-    assert q.tolist() == Q3.tolist()
-    keys = "'a', 'alpha', 'd' and 'theta'"
-    assert same == (said,) == (f"f(table, q), called with the arm's entries {keys} in m and rad",)
-    ((q, _), (said,)) = ways(lambda q, dh: (q, dh))[-1]
-    assert q.tolist() == Q3.tolist()
-    assert said.startswith("f(q, table), called with the arm's entries")
-
-
-def test_locked_rows_have_a_joint_of_0_where_the_function_wants_one():
-    arm = Arm("locked", [revolute(a=0.3), fixed(a=0.1), revolute(a=0.2)])
-    given = [q.tolist() for (_, q), _ in ways(lambda dh, q: (dh, q), arm, [0.5, 0.7])]
-    assert given == [[0.5, 0.7], [0.5, 0, 0.7]] * len(ORDERS) + [[0.5, 0.7]] * 2
-    run = np.array([[0.5, 0.7], [0.1, 0.2]])
-    many = [q.tolist() for (_, q), _ in ways(lambda dh, q: (dh, q), arm, run)]
-    assert many[1] == [[0.5, 0, 0.7], [0.1, 0, 0.2]]
-
-
-def test_each_call_gets_numbers_of_its_own():
-    def spoils(dh, q):
-        found = (np.array(dh), np.array(q)) if isinstance(dh, np.ndarray) else (0, np.array(q))
+def test_a_function_refuses_in_its_own_words_and_gets_numbers_of_its_own():
+    def refuses(q):
         q[:] = 9
-        if isinstance(dh, np.ndarray):
-            dh[:] = 9
-        return found
-
-    q = Q3.copy()
-    assert all(given.tolist() == Q3.tolist() for (_, given), _ in ways(spoils, q=q))
-    assert q.tolist() == Q3.tolist()
-
-
-def test_each_order_of_columns_is_tried_however_long_it_takes():
-    """A right function whose columns stand in the last usual order, and that takes its time."""
-    asked_in = []
-
-    def mine(dh, q):
-        asked_in.append(np.array(dh))
-        sum(range(200_000))
-        if isinstance(dh, np.ndarray) and dh[1, 1] == 0.4 and dh[0, 0] == 0.5:
-            return jacobian(ELBOW, q)  # d, a, alpha, theta
-        return np.arange(18.0).reshape(6, 3) / 7
-
-    report = compare_jacobian(mine, ELBOW, Q3)
-    assert report.agrees, str(report)
-    assert "(d, a, alpha, theta)" in str(report)
-    assert len(asked_in) == len(ORDERS)
-
-
-def test_a_function_that_fails_in_every_way_is_refused_by_its_first_fault():
-    count = iter(range(99))
-
-    def fails(dh, q):
-        raise KeyError(f"no. {next(count)}")
-
-    with pytest.raises(ArmError) as refused:
-        ways(fails)
-    assert str(refused.value).startswith("yours: your function failed (KeyError: 'no. 0')")
-    assert "with q of 3 values and the table. Wrap it" in str(refused.value)
-    assert isinstance(refused.value.__cause__, KeyError)
-
-    def refuses(dh, q):
         raise ArmError("in its own words")
 
+    q = Q3.copy()
     with pytest.raises(ArmError, match=r"^in its own words$"):
-        ways(refuses)
-
-
-def test_the_best_of_several_reports_is_right_or_else_explained_by_one_mistake():
-    cause, row = (Finding(what, "", None, None, what) for what in ("cause", "row"))
-    wrong, right = (Report("Jacobian", "arm", grade, grade) for grade in ("wrong", "right"))
-    partly = replace(wrong, findings=(cause, row), causes=("J.z_i",))
-    named = replace(partly, findings=(cause,))
-
-    def given(reports):
-        for report in reports:
-            if report == "refused":
-                raise ArmError("no numbers")
-            yield report
-
-    for reports, taken in (
-        ([wrong, right], right),
-        ([wrong, None, partly, named, wrong], named),
-        ([partly, wrong, "refused", right], partly),
-    ):
-        assert functions.best(given(reports)) is taken
-    with pytest.raises(ArmError, match="no numbers"):
-        functions.best(given(["refused", right]))
+        functions.value_at(refuses, q, "yours")
+    assert q.tolist() == Q3.tolist()
 
 
 # What the two checkers take that the page does not
@@ -415,15 +301,6 @@ def test_a_frame_that_the_arm_has_not_is_refused(frame):
     with pytest.raises(ArmError, match=r"Panda: frame is .*; expected a whole number"):
         compare_jacobian(np.ones((6, 7)), PANDA, np.ones(7), frame=frame)
     assert compare_jacobian(np.ones((6, 7)), PANDA, np.ones(7), frame=7)
-
-
-@pytest.mark.parametrize(
-    "found", [np.zeros((6, 3)), np.ones((6, 2)), np.ones((4, 3)), np.arange(18.0).reshape(6, 3)]
-)
-def test_how_a_function_was_called_is_told_whatever_it_gave(found):
-    report = compare_jacobian(lambda dh, q: found, ELBOW, Q3)
-    assert (report.topic, report.arm, report.grade) == ("Jacobian", "Elbow arm", "wrong")
-    assert "Taken as f(table, q), called with the arm's rows (a, alpha, d, theta)" in str(report)
 
 
 # A Jacobian whose slips lie in columns: row 2 is locked, row 3 slides

@@ -1,6 +1,6 @@
 """The comparisons: what a student holds becomes a question to the judge, its answer a report."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.checks.arms import judged_data
 from helpers.checks.engine import asked, say
-from helpers.checks.functions import best, results
+from helpers.checks.functions import value_at
 from helpers.checks.held import array_data
 from helpers.checks.own_joints import in_own_joints
 from helpers.checks.report import Report, report_of
@@ -23,7 +23,6 @@ from helpers.motion.report import run_report
 from helpers.statics import GRAVITY, forces, static_torque
 
 Array = NDArray[Any]
-Said = tuple[str, ...]
 
 _NO_WRENCH = (0.0,) * 6
 
@@ -149,9 +148,9 @@ def compare_jacobian(
     """Compare your Jacobian of an arm's tip with the right one, and name the mistake.
 
     Args:
-        mine: a function of q, of q_1, q_2, ... one by one, or of the arm's table and q; a SymPy
-            matrix or a text in q_1, theta1, c_1, s_23, ... and the arm's symbols; or numbers at
-            `q`: an array, lists, or pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
+        mine: a function of q, or of q_1, q_2, ... one by one; a SymPy matrix or a text in q_1,
+            theta1, c_1, s_23, ... and the arm's symbols; or numbers at `q`: an array, lists, or
+            pasted from NumPy, MATLAB, LaTeX, a spreadsheet.
         arm: whose Jacobian it should be; a locked joint as ``arm.lock(3)``.
         q: where to compare, shape (dof,); a pose without symmetry unless given. Numbers need it.
         angular_first: whether your rows are (omega, v) rather than (v, omega).
@@ -173,24 +172,10 @@ def compare_jacobian(
     if not callable(mine) or hasattr(mine, "free_symbols"):
         options["generic"] = q is None
         return report_of(asked("jacobian", mine=array_data(mine), options=options, **given))
-    joints = asked("joints", **given, angles=angles)["values"]
-    ways = results(mine, arm, np.array(joints), f"{arm.name}: your Jacobian")
-    return _best_of(ways, "jacobian", options | {"computed": True}, given)
-
-
-def _best_of(
-    ways: Iterator[tuple[Any, Said]], topic: str, options: dict[str, Any], given: dict[str, Any]
-) -> Report:
-    """The best report on what a function gives in several ways: all but the first are judged
-    briefly, for a single mistake that explains everything.
-    """
-
-    def report(n: int, found: Any, said: Said) -> Report | None:
-        asks = {**options, "briefly": n > 0}
-        answer = asked(topic, mine=array_data(found), options=asks, **given)
-        return answer and report_of(answer, said)
-
-    return best(report(n, *way) for n, way in enumerate(ways))
+    joints = np.array(asked("joints", **given, angles=angles)["values"])
+    found = value_at(mine, joints, f"{arm.name}: your Jacobian")
+    options["computed"] = True
+    return report_of(asked("jacobian", mine=array_data(found), options=options, **given))
 
 
 def _checked_frame(frame: int, arm: Arm) -> int:
@@ -226,8 +211,7 @@ def compare_torques(
 
     Args:
         mine: torques (..., dof) as an array, lists, SymPy columns or text; one list per joint and
-            column vectors are turned round. A function of q, or of the arm's table and q, is called
-            at each pose.
+            column vectors are turned round. A function of q is called at each pose.
         arm: with masses.
         q: joints of shape (..., dof), or text.
         wrench: on the tool, by the world, shape (6,), or (..., 6) with one for each pose.
@@ -248,27 +232,15 @@ def compare_torques(
     static_torque(arm, poses, F, gravity)  # says what is wrong with the load
     options |= {"wrench": F.tolist(), "gravity": np.asarray(gravity, float).tolist()}
     given = dict(arm=data, q=at)
-    if not callable(mine):
-        return report_of(asked("torques", mine=array_data(mine), options=options, **given))
-    q = poses if len(poses) > 1 or F.ndim == 1 else np.tile(poses, (len(F), 1))
-    ways = _torque_ways(mine, arm, q, f"{arm.name}: your torques")
-    return _best_of(ways, "torques", options, given)
+    if callable(mine):
+        q = poses if len(poses) > 1 or F.ndim == 1 else np.tile(poses, (len(F), 1))
+        mine = _torques_along(mine, q, f"{arm.name}: your torques")
+    return report_of(asked("torques", mine=array_data(mine), options=options, **given))
 
 
-def _torque_ways(
-    function: Callable, arm: Arm, poses: Array, what: str
-) -> Iterator[tuple[Any, Said]]:
-    """What a function gives pose by pose, or for the whole run where it wants that."""
-    try:
-        ways = list(zip(*(results(function, arm, q, what) for q in poses), strict=False))
-    except ArmError:
-        ways = []
-    if not ways or np.size(ways[0][0][0]) != arm.dof:
-        yield from results(function, arm, poses if len(poses) > 1 else poses[0], what)
-        return
-    for found in ways:
-        rows = [numbers(torques, what).values.ravel() for torques, _ in found]
-        yield (rows[0] if len(rows) == 1 else np.array(rows)), found[0][1]
+def _torques_along(function: Callable, poses: Array, what: str) -> Any:
+    rows = [numbers(value_at(function, q, what), what).values.ravel() for q in poses]
+    return rows if len(rows) > 1 else rows[0]
 
 
 # Joint angles

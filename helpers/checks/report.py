@@ -1,7 +1,7 @@
 """The one report of all comparisons, and the one kind of finding."""
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -90,10 +90,8 @@ class Report:
         return "\n".join([head, "", *(f"- {line}" for line in self.lines)])
 
 
-def report_of(said: Mapping[str, Any], taken: Iterable[str] = (), **figures: Any) -> Report:
-    """The report that the judge's answer is; how the answer was got and more figures come from
-    Python.
-    """
+def report_of(said: Mapping[str, Any], **figures: Any) -> Report:
+    """The report that the judge's answer is, with figures of Python's own."""
     return Report(
         said["topic"],
         said["arm"],
@@ -101,7 +99,7 @@ def report_of(said: Mapping[str, Any], taken: Iterable[str] = (), **figures: Any
         said["headline"],
         tuple(map(_finding, said["findings"])),
         tuple(said["causes"]),
-        (*taken, *said["taken"]),
+        tuple(said["taken"]),
         tuple(map(advised, said.get("advice", ()))),
         tuple(said["notes"]),
         {name: _held(x) for name, x in said.get("figures", {}).items()} | figures,

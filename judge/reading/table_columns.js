@@ -38,7 +38,7 @@ export function fromHeads(heads) {
 }
 
 // As textbooks and programs write them, the commonest first.
-export const KNOWN_ORDERS = [
+const KNOWN_ORDERS = [
   "a alpha d theta",
   "theta d a alpha",
   "alpha a d theta",

@@ -26,7 +26,7 @@ function jacobianCompared(mine, arm, q, options = {}) {
   const typed = matrix(mine, known, arm, { ...options, at });
   const asked = { ...options, arm, at, frame: options.frame ?? 0 };
   const report = compared(typed, asked, [...typed.said, ...(at.locked ?? [])]);
-  return report && { ...report, typed };
+  return { ...report, typed };
 }
 
 function compared(typed, asked, said) {
@@ -40,7 +40,7 @@ function compared(typed, asked, said) {
   }
   if (!angularFirst || rows === 3) return judged(typed, asked, said);
   const report = judged(halvesExchanged(typed), asked, [...said, say("taken: angular first")]);
-  return report && { ...report, wrong: exchanged(report.wrong) };
+  return { ...report, wrong: exchanged(report.wrong) };
 }
 
 const reported = (...told) => reportOf("Jacobian", ...told);
@@ -114,8 +114,8 @@ function misshapen({ values, units, shape: [rows, width] }, { arm, at, frame }, 
 
 const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
 
-/** @returns {import("../report.js").Report | null} */
-function judged(typed, { arm, at, frame, tolerance = null, briefly = false }, said) {
+/** @returns {import("../report.js").Report} */
+function judged(typed, { arm, at, frame, tolerance = null }, said) {
   const slips = steps(arm, at.values, frame);
   const whole = jacobianOf(arm, frame);
   const half = typed.shape[0] === 3 ? rowsMeant(typed.values, whole(at.values)) : null;
@@ -124,7 +124,7 @@ function judged(typed, { arm, at, frame, tolerance = null, briefly = false }, sa
   const singles = single(arm, frame, slips).map(part);
   const of = (make) => () => Array.from(make(arm, frame, slips), part);
   const asked = { mine: typed, q: at, dof: at.values.length, right, slips: singles, tolerance };
-  const verdict = verdictOn({ ...asked, further: briefly ? [] : [of(copies), of(pairs)] });
+  const verdict = verdictOn({ ...asked, further: [of(copies), of(pairs)] });
   const taken = half === null ? said : [...said, say("taken: half", { half: HALVES[half] })];
   const truth = right(at.values);
   if (verdict.grade !== WRONG) {
@@ -132,7 +132,6 @@ function judged(typed, { arm, at, frame, tolerance = null, briefly = false }, sa
     const told = good(verdict, typed, arm, half);
     return { ...told, taken, notes: [...told.notes, ...notes], wrong: verdict.wrong };
   }
-  if (briefly && !verdict.slips.length) return null;
   const columns = allColumns(arm, at.values, frame).map(([one, J]) => [one, rowsOfHalf(J, half)]);
   const where = () => places(typed, columns, verdict.wrong, arm, half === 1 ? 3 : 0);
   return {

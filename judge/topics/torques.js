@@ -32,7 +32,7 @@ const SAMPLE = 5; // poses of a run, where slips are tried before they are on al
 export const compareTorques = answering(torquesCompared);
 
 function torquesCompared(mine, arm, q, options = {}) {
-  const { tolerance = null, briefly = false, gravity = GRAVITY } = options;
+  const { tolerance = null, gravity = GRAVITY } = options;
   if (!arm.rows.every((row) => row.body))
     throw new ArmError(say("no masses", { arm: arm.name, rows: arm.rows.length }));
   const dof = joints(arm).length;
@@ -46,8 +46,8 @@ function torquesCompared(mine, arm, q, options = {}) {
   const found = upright(typed, wrenches.length, arm);
   if (!found) return { ...misshapen(typed, wrenches.length, arm), typed };
   const said = [...typed.said, ...(at.locked ?? []), ...found.said, ...model(load)];
-  const report = judged({ ...found, said }, at, load, { arm, tolerance, briefly });
-  return report && { ...report, typed };
+  const report = judged({ ...found, said }, at, load, { arm, tolerance });
+  return { ...report, typed };
 }
 
 // A row for each pose, or a list for each joint; of a locked arm all joints too. One number for
@@ -136,15 +136,14 @@ function misshapen({ shape, values }, count, arm) {
   return reported(arm, WRONG, headline, { findings, causes: [key] });
 }
 
-/** @returns {import("../report.js").Report | null} */
-function judged(typed, at, load, { arm, tolerance, briefly }) {
-  const verdict = verdictOf(typed, at, load, { arm, tolerance, briefly });
+/** @returns {import("../report.js").Report} */
+function judged(typed, at, load, { arm, tolerance }) {
+  const verdict = verdictOf(typed, at, load, { arm, tolerance });
   const causes = verdict.slips.map((slip) => slip.cause);
   const truth = torquesOf(load, load.c.dof)(at.values);
   const figures = figuresOf(typed.values, truth, verdict, load.c.dof);
   const rest = { taken: typed.said, figures, wrong: verdict.wrong };
   if (verdict.grade === WRONG) {
-    if (briefly && !causes.length) return null;
     const empty = !typed.values.some(Boolean);
     const told = empty ? zero(causes, arm) : bad(causes, verdict.wrong, typed, truth, arm);
     return { ...told, ...rest };
@@ -158,12 +157,12 @@ function judged(typed, at, load, { arm, tolerance, briefly }) {
 }
 
 // Of a long run a few poses say which slips are worth a try at all of them.
-function verdictOf(typed, at, load, { arm, tolerance, briefly }) {
+function verdictOf(typed, at, load, { arm, tolerance }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
   const slips = steps(arm, load);
   const empty = !typed.values.some(Boolean);
-  const further = (held) => (briefly || empty ? [] : [() => pairs(held, dof, slips)]);
+  const further = (held) => (empty ? [] : [() => pairs(held, dof, slips)]);
   const ask = (mine, q, held, tried, more) => {
     const right = torquesOf(held, dof);
     return verdictOn({ mine, q, dof, right, slips: tried, tolerance, further: more });
