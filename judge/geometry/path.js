@@ -18,20 +18,13 @@ const UNIT = [
 ];
 
 /**
- * A path that Python holds, by where and how fast it is at some times; `wanted` collects the others
- * that are asked for.
+ * A path that Python holds, by where and how fast it is at the times at which it may be needed.
  * @param {{ times: number[], at: [number, number[], number[]][], normal: number[] }} held
- * @param {Set<number>} wanted
  * @returns {Path}
  */
-export function sampled({ times, at, normal }, wanted) {
+export function sampled({ times, at, normal }) {
   const known = new Map(at.map(([t, ...both]) => [t, both]));
-  const nowhere = [NaN, NaN, NaN];
-  const one = (k) => (t) => {
-    if (!known.has(t)) wanted.add(t);
-    return known.get(t)?.[k] ?? nowhere;
-  };
-  return { times, position: one(0), velocity: one(1), normal };
+  return { times, position: (t) => known.get(t)[0], velocity: (t) => known.get(t)[1], normal };
 }
 
 /**
