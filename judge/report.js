@@ -2,7 +2,7 @@
 
 import { adviceOn } from "./advice.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { ArmError, say } from "./sentences.js";
+import { attempt, say } from "./sentences.js";
 
 export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
 
@@ -74,7 +74,8 @@ export const answering =
 function ofFamily({ topic, grade, typed }, judge, text, asked) {
   if (grade !== WRONG || topic === "table") return null; // whose own causes name it
   const [arm, ...rest] = asked;
-  const isRight = (one) => [RIGHT, ROUNDED].includes(judgedFor(one, judge, text, rest)?.grade);
+  const isRight = (one) =>
+    [RIGHT, ROUNDED].includes(attempt(() => judge(text, one, ...rest))?.grade);
   const other = (arm.family ?? []).find(isRight);
   if (!other) return null;
   const names = { arm: arm.name, lengths: arm.lengths, other: other.name, others: other.lengths };
@@ -85,16 +86,6 @@ function ofFamily({ topic, grade, typed }, judge, text, asked) {
     advice: [{ field: "arm", value: other.name }],
     typed,
   });
-}
-
-// Another arm's report, null where the question cannot be asked of it.
-function judgedFor(arm, judge, text, rest) {
-  try {
-    return judge(text, arm, ...rest);
-  } catch (error) {
-    if (error instanceof ArmError) return null;
-    throw error;
-  }
 }
 
 // A report that shows what was set aside.

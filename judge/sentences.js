@@ -19,6 +19,16 @@ export class ArmError extends Error {
   }
 }
 
+// What `make` gives, null where it refuses.
+export function attempt(make) {
+  try {
+    return make();
+  } catch (error) {
+    if (error instanceof ArmError) return null;
+    throw error;
+  }
+}
+
 // A, b and c.
 export const listed = (words, last = "and") =>
   words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} ${last} ${words.at(-1)}`;

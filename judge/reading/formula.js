@@ -2,7 +2,7 @@
 // t] or [sign, left, right]. No text is ever run.
 
 import { RAD } from "../geometry/angles.js";
-import { ArmError, shown } from "../sentences.js";
+import { ArmError, attempt, shown } from "../sentences.js";
 import { each, sameSigns, unset } from "./signs.js";
 
 const LONGEST = 20_000; // characters of one formula
@@ -276,11 +276,7 @@ function single([kind, first, second], known) {
 }
 
 // The number a text stands for if it holds no symbols, else null.
-export function number(text) {
-  try {
-    return value(parse(text), () => undefined);
-  } catch (error) {
-    if (error instanceof ArmError) return null;
-    throw error;
-  }
-}
+export const number = (text) => attempt(() => value(parse(text), () => undefined));
+
+// The symbols of a text, null where it is no formula.
+export const symbolsIn = (text) => attempt(() => [...symbols(parse(text))]);

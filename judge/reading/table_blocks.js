@@ -3,11 +3,10 @@
 
 import { blocksIn } from "./blocks.js";
 import { around } from "./find.js";
-import { hasDecimals, isNumber, parse, plain, simple, symbols } from "./formula.js";
+import { hasDecimals, isNumber, plain, simple, symbolsIn } from "./formula.js";
 import { linesOf, plainSigns, ROW } from "./signs.js";
 import { headOf } from "./table_columns.js";
 import { ENTRIES, entryText, VARIABLE } from "./table_rows.js";
-import { ArmError } from "../sentences.js";
 
 const MOST_COLUMNS = 9; // a number, a kind, four entries, an offset, two limits
 
@@ -169,12 +168,6 @@ function entryIn(known) {
   return (cell) => {
     const text = entryText(cell);
     if (isNumber(text) || VARIABLE.test(plain(text)) || WORD.test(text)) return true;
-    try {
-      const names = [...symbols(parse(plain(text)))];
-      return text !== "" && names.every(isSymbol);
-    } catch (error) {
-      if (error instanceof ArmError) return false;
-      throw error;
-    }
+    return symbolsIn(text)?.every(isSymbol) ?? false;
   };
 }

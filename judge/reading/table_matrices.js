@@ -1,6 +1,6 @@
 // A table given as the matrices A_1 ... A_n of its rows.
 
-import { number, parse, plain, simple, symbols, value } from "./formula.js";
+import { number, parse, simple, symbols, value } from "./formula.js";
 import { ENTRIES } from "./table_rows.js";
 import { ArmError, say, size } from "../sentences.js";
 
@@ -14,7 +14,7 @@ export function matrices(cells) {
 
 /** @returns {import("./table.js").TypedRow} */
 export function fromMatrix(i, A, known) {
-  const trees = A.map((row) => row.map((text) => parse(plain(text), `A_${i}`)));
+  const trees = A.map((row) => row.map((text) => parse(text, `A_${i}`)));
   const free = [...symbols(["all", ...trees.flat()])].filter((name) => !known.has(simple(name)));
   const at = (x) => {
     const look = (name) => (free.includes(name) ? short(name, x) : known.get(simple(name)));

@@ -1,7 +1,7 @@
 // One row of a table: its numbers, and the joint that moves in it.
 
 import { RAD } from "../geometry/angles.js";
-import { parse, plain, simple, symbols, value } from "./formula.js";
+import { parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
 import { ArmError, say, size } from "../sentences.js";
 
 /** @typedef {import("./table.js").TypedRow} TypedRow */
@@ -28,13 +28,8 @@ export const entryText = (cell) =>
 
 export function isVariable(text) {
   const bare = plain(text);
-  if (VARIABLE.test(bare.trim())) return true;
-  try {
-    return [...symbols(parse(bare))].some((name) => JOINT.test(simple(name)));
-  } catch (error) {
-    if (error instanceof ArmError) return false;
-    throw error;
-  }
+  if (VARIABLE.test(bare)) return true;
+  return symbolsIn(bare)?.some((name) => JOINT.test(simple(name))) ?? false;
 }
 
 /**
