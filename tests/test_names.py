@@ -56,7 +56,6 @@ def test_each_symbol_has_its_number(names, arm, q, values, found):
     ("names", "arm", "unknown"),
     [
         (["q_1", "q_4"], ELBOW, "q_4"),
-        (["q_0", "q_1"], LOCKED, "q_0"),
         (["q_1", "q_3"], LOCKED, "q_3"),
         (["q_1", "beta"], ELBOW, "beta"),
         (["z1"], ELBOW, "z1"),
@@ -71,3 +70,9 @@ def test_a_symbol_that_means_nothing_is_refused_with_those_that_do(names, arm, u
     with pytest.raises(ArmError) as error:
         meanings(names, arm, np.zeros(arm.dof))
     assert str(error.value) == said
+
+
+@pytest.mark.parametrize(("zero", "one"), [("q0", "q1"), ("theta_0", "theta_1")])
+def test_joints_counted_from_0_are_told_to_count_from_1(zero, one):
+    with pytest.raises(ArmError, match=f"{zero} is no joint.* from 1 here; write {one} for it"):
+        meanings([zero, "q1"], LOCKED, np.zeros(LOCKED.dof))

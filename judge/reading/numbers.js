@@ -5,10 +5,11 @@ import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { find } from "./find.js";
 import { unitsSaid } from "./labels.js";
-import { isNumber, parse, plain, simple, symbols, value } from "./formula.js";
+import { isNumber, parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
 import { ArmError, counted, listed, say, size } from "../sentences.js";
 
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
+const FIRST = /^(?:q|th|theta)0$/; // of joints counted from 0
 const SHOWN = 3; // so many values of a locked joint are shown back
 const SHORT = /^([cs])((?:[+-]?\d)+)$/;
 const SCALED = /^(.*?)\*(1(?:\.0+)?e[+-]?\d+)$/;
@@ -110,16 +111,10 @@ function shapeOf(list) {
 function entryIn(known) {
   return (cell) => {
     if (isNumber(cell)) return true;
-    try {
-      const tree = parse(cell);
-      const names = [...symbols(tree)];
-      if (!names.length) return /\d|pi|π/.test(cell);
-      const meant = names.filter((name) => known.has?.(name)).length;
-      return meant === names.length || (meant > 0 && /\W/.test(cell));
-    } catch (error) {
-      if (error instanceof ArmError) return false;
-      throw error;
-    }
+    const names = symbolsIn(cell);
+    if (!names?.length) return names !== null && /\d|pi|π/.test(cell);
+    const meant = names.filter((name) => known.has?.(name)).length;
+    return meant === names.length || (meant > 0 && /\W/.test(cell));
   };
 }
 
@@ -267,6 +262,10 @@ function meanings(names, arm, q, own) {
     names.map((name) => {
       const found = values.get(simple(name)) ?? ofJoints(simple(name), joints);
       if (Number.isFinite(found)) return [name, found];
+      if (FIRST.test(simple(name)))
+        throw new ArmError(
+          say("joint zero", { arm: arm.name, name, first: name.replace("0", "1") }),
+        );
       const known = [...variables(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
       throw new ArmError(say("unknown symbol", { arm: arm.name, name, known }), [
         { field: "values", value: name },
