@@ -37,17 +37,13 @@ export function fromHeads(heads) {
   return { lengths, angles, convention: /-\s*1|prev/.test(text) ? "craig" : null };
 }
 
-// As textbooks and programs write them, the commonest first.
+// As textbooks and programs write them, the commonest first; all others are tried behind them.
 const KNOWN_ORDERS = [
   "a alpha d theta",
   "theta d a alpha",
   "alpha a d theta",
   "alpha a theta d",
-  "a d alpha theta",
   "d theta a alpha",
-  "theta alpha a d",
-  "a alpha theta d",
-  "theta a d alpha",
   "d a alpha theta",
 ].map((order) => order.split(" "));
 
