@@ -1,6 +1,5 @@
 // The judge: what is said of an answer, in the page and, through helpers.checks, in Python.
 
-import { timesOf } from "./causes/trace_paths.js";
 import { sampled } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
 import { meant, read } from "./reading/table.js";
@@ -23,8 +22,7 @@ const ANSWERS = {
   pose: ({ mine, arm, target, options }) => comparePose(mine, arm, target, options),
   table: ({ mine, arm, options }) => compareTables(mine, arm, options),
   torques: ({ mine, arm, q, options }) => compareTorques(mine, arm, q, options),
-  trace: ({ mine, arm, path, options }) => compareTrace(mine, arm, sampled(path), options),
-  times: timesOf,
+  trace: traced,
   joints: ({ q, arm, angles }) => pose(q, arm, angles),
   poses: ({ q, arm, angles }) => poses(q, arm, angles),
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
@@ -32,6 +30,13 @@ const ANSWERS = {
   entry: ({ text, kinds }) => formulaOf(text, kinds),
   words: ({ key, fields }) => say(key, fields),
 };
+
+// A run along a path that Python holds; the times at which the path is needed too, where some are.
+function traced({ mine, arm, path, options }) {
+  const wanted = new Set();
+  const report = compareTrace(mine, arm, sampled(path, wanted), options);
+  return wanted.size ? { wanted: [...wanted] } : report;
+}
 
 // A report as Python takes it: without what only a page shows.
 function told(report) {

@@ -350,18 +350,27 @@ def compare_trace(
     must_be(path, Path, "path")
     options = _settings(angles, tolerance, which=which)
     given = dict(mine=array_data(mine), arm=judged_data(arm), options=options)
-    found = asked("trace", path=_sampled(path), **given)
+    held = {"times": path.times.tolist(), "normal": path.normal.tolist(), "at": []}
+    wanted = _likely(path.times)
+    while len(wanted):
+        held["at"] += _sampled(path, np.asarray(wanted))
+        found = asked("trace", path=held, **given)
+        wanted = found.get("wanted", ())
     joints = found.get("figures", {}).pop("q", None)
     return report_of(found, **({} if joints is None else {"run": _run(arm, path, joints)}))
 
 
-def _sampled(path: Path) -> dict:
-    """A path as plain data: where, and how fast, at each time that the judge may need."""
-    steps = path.times.tolist()
-    times = np.array(asked("times", times=steps))
+def _likely(times: Array) -> Array:
+    """The times at which most verdicts need a path: those of its steps, and the middles."""
+    step = np.diff(times)
+    middles = times[:-1] + 0.5 * step
+    return np.unique(np.concatenate([times, times[:-1] + step, middles, middles + step]))
+
+
+def _sampled(path: Path, times: Array) -> list:
+    """Where, and how fast, at each time."""
     both = path.position(times.copy()), path.velocity(times.copy())
-    at = [list(x) for x in zip(times.tolist(), *(x.tolist() for x in both), strict=True)]
-    return {"times": steps, "normal": path.normal.tolist(), "at": at}
+    return [list(x) for x in zip(times.tolist(), *(x.tolist() for x in both), strict=True)]
 
 
 def _run(arm: Arm, path: Path, joints: list) -> Any:

@@ -7,7 +7,7 @@ import { chain, columns, framesOf } from "../geometry/chains.js";
 import { recipes } from "./jacobian.js";
 import { wrongTables } from "./tables.js";
 import { cause } from "./ranking.js";
-import { displaced, oneOff, twoOff } from "./trace_paths.js";
+import { displaced, known, oneOff, twoOff } from "./trace_paths.js";
 
 // What a right run may be off by its program's method: Euler's on the homework's circle stays well
 // below, and a tool that leans or spins no more counts as held.
@@ -54,6 +54,7 @@ export function runOf(q, units, arm, path) {
  */
 export function traceCause(run, tip, allowed, { off, shown }) {
   const { path } = run;
+  if (off && !known(path)) return null;
   const [moved, others] = off ? [displaced(path, tip[0], allowed[0]), oneOff(path)] : [[], []];
   if (right(run)) return moved[0]?.one ?? null;
   return (

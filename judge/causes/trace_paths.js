@@ -80,18 +80,15 @@ export function* twoOff(path) {
 }
 
 /**
- * The times at which a verdict may need a path: of its steps, their middles and ends, and of what
- * other clocks make of them.
- * @param {{ times: number[] }} path
+ * Whether all that these paths are made of is known; Python is asked for it at once.
+ * @param {Path} path
  */
-export function timesOf(path) {
-  const { times } = path;
-  const steps = times.slice(1).map((t, k) => [times[k], t - times[k]]);
-  const within = steps.flatMap(([t, dt]) => [t + 0.5 * dt, t + dt]);
-  const marks = [...times, half(path)];
-  const other = clocks(path).flatMap(({ rate, from }) => marks.map((t) => from + rate * t));
-  return [...new Set([...marks, ...within, ...other])];
-}
+export const known = (path) =>
+  clocks(path)
+    .flatMap(({ rate, from }) => path.times.map((t) => from + rate * t))
+    .concat(half(path))
+    .map(path.position)
+    .every(([x]) => !Number.isNaN(x));
 
 /**
  * The path from where a run begins; none where it begins where it should. Its centre is left out,

@@ -18,13 +18,20 @@ const UNIT = [
 ];
 
 /**
- * A path that Python holds, by where and how fast it is at the times at which it may be needed.
+ * A path that Python holds, by where and how fast it is at some times; `wanted` collects the others
+ * that are asked for.
  * @param {{ times: number[], at: [number, number[], number[]][], normal: number[] }} held
+ * @param {Set<number>} wanted
  * @returns {Path}
  */
-export function sampled({ times, at, normal }) {
+export function sampled({ times, at, normal }, wanted) {
   const known = new Map(at.map(([t, ...both]) => [t, both]));
-  return { times, position: (t) => known.get(t)[0], velocity: (t) => known.get(t)[1], normal };
+  const nowhere = [NaN, NaN, NaN];
+  const one = (k) => (t) => {
+    if (!known.has(t)) wanted.add(t);
+    return known.get(t)?.[k] ?? nowhere;
+  };
+  return { times, position: one(0), velocity: one(1), normal };
 }
 
 /**
