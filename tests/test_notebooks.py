@@ -58,7 +58,8 @@ def test_no_backslash_was_eaten():
 @every_notebook
 def test_it_was_run_from_top_to_bottom(path):
     counts = [cell.execution_count for cell in code_cells(path)]
-    assert counts == list(range(1, len(counts) + 1))
+    anew = f"say: make refresh NOTEBOOKS=book/{path.name}"
+    assert counts == list(range(1, len(counts) + 1)), anew
 
 
 @every_notebook

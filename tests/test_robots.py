@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from helpers import robots
+from helpers.arm import Arm
 from helpers.kinematics import forward_kinematics, link_frames
 from helpers.robots import (
     ARMS,
@@ -134,8 +135,10 @@ def test_the_page_of_the_helpers_shows_every_arm():
     """It shows what is public and has words of its own above it."""
     told = re.findall(r"^#: .*\n(?:#: .*\n)*(\w+) = ", inspect.getsource(robots), re.MULTILINE)
     public = {name: getattr(robots, name) for name in robots.__all__}
-    assert {*told} == {name for name, what in public.items() if not callable(what)}
-    assert {*ARMS} <= {what for what in public.values() if what is not ARMS}
+    named_so = {name for name, what in public.items() if not callable(what)}
+    assert {*told} == named_so, "an arm has words behind #: above it, and its name in __all__"
+    arms = {what for what in public.values() if isinstance(what, Arm)}
+    assert {*ARMS} == arms, "an arm stands in __all__, and last in ARMS"
 
 
 @pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)

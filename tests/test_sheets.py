@@ -214,12 +214,13 @@ def test_the_numbers_on_the_page(sheet):
 
 def test_every_page_is_in_the_book():
     toc = (answers.ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
-    assert {page.name for page in answers.PAGES} == set(re.findall(r"answers/(\w+)", toc))
+    listed = set(re.findall(r"answers/(\w+)", toc))
+    assert {page.name for page in answers.PAGES} == listed, "a line answers/NAME in book/_toc.yml"
 
 
 def test_every_arm_of_the_catalogue_has_a_page():
     shown = {arm.name for page in answers.PAGES for arm in page.arms}
-    assert {arm.name for arm in robots.ARMS} <= shown
+    assert {arm.name for arm in robots.ARMS} <= shown, "a Page in PAGES of tools/answers.py"
 
 
 def test_pages_are_written_when_what_makes_them_has_changed(tmp_path, monkeypatch):
