@@ -85,7 +85,8 @@ const INDEX = String.raw`_?[({]?(?:i(?: ?- ?1)?|(\d{1,2})|deg|rad|mm|cm|m)?[)}]?
 const PAIR = new RegExp(String.raw`['"]?(?<![A-Za-zαθ])([A-Za-zαθ]+${INDEX})['"]?\s*[:=]\s*`, "g");
 
 // A row for each dictionary, {'a': 0, 'alpha': pi/2, ...} or dict(a=0, ...), and each line of
-// pairs; where the names have numbers, a_1 = 0, a row for each number.
+// pairs; where the names have numbers, a_1 = 0, a row for each number. A dictionary of
+// nothing else may leave out what is 0; of other pairs a row has three at least.
 function ofRecords(text, groups) {
   const braced = groups.filter(
     ({ sign, before, pairs }) => pairs && (sign === "{" || before.endsWith("dict")),
@@ -93,14 +94,17 @@ function ofRecords(text, groups) {
   const bodies = braced.length ? braced : linesIn(text);
   const rows = new Map();
   bodies.forEach(({ body, from, to }, k) => {
-    for (const { entry, name, i, x } of pairsIn(body)) {
-      const row = rows.get(i ?? bodies[k]) ?? { entries: new Map(), parts: [] };
+    const pairs = pairsIn(body);
+    const whole = braced.length && body.match(/[:=]/g)?.length === pairs.length;
+    for (const { entry, name, i, x } of pairs) {
+      const fewest = whole && !i ? 1 : 3;
+      const row = rows.get(i ?? bodies[k]) ?? { entries: new Map(), parts: [], fewest };
       rows.set(i ?? bodies[k], row);
       row.entries.set(entry, { name, x });
       row.parts.push([from, to]);
     }
   });
-  const found = [...rows.values()].filter(({ entries }) => entries.size >= 3);
+  const found = [...rows.values()].filter(({ entries, fewest }) => entries.size >= fewest);
   if (found.length < 2) return null;
   const heads = ENTRIES.map((entry) => found[0].entries.get(entry)?.name ?? entry);
   const cells = found.map(({ entries }, k) =>
