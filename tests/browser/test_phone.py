@@ -12,6 +12,9 @@ GAPS = """() => [...document.querySelectorAll(".doors a")].map(link => {
     return [left, right];
 })"""
 
+# The still list gives way to the live one.
+ALIVE = "async (e) => { while (!e.explorer) await new Promise(requestAnimationFrame); }"
+
 
 def test_the_bars_links_stay_apart(browser):
     page = browser.new_page()
@@ -28,7 +31,9 @@ def test_the_bars_links_stay_apart(browser):
 def test_the_list_of_arms_shows_a_name_on_a_phone(browser):
     page = browser.new_page(viewport={"width": 390, "height": 844})
     page.goto((HTML / "03_circle_tracing.html").as_uri())
-    page.locator(".cell .arm-explorer:not([data-figure])").first.evaluate(THERE)
+    instrument = page.locator(".cell .arm-explorer:not([data-figure])").first
+    instrument.evaluate(THERE)
+    instrument.evaluate(ALIVE)
     arms = page.locator("section.explorer select.name").first
     arms.wait_for()
     assert arms.evaluate("list => list.getBoundingClientRect().width") > 120
