@@ -33,6 +33,20 @@ class Written(ast.NodeTransformer):
     def visit_Name(self, node):
         return ast.Name(self.names.get(node.id, node.id))
 
+    def visit_scope(self, node):
+        """What a comprehension, a lambda or a function binds is its own."""
+        bound = [part.target for part in getattr(node, "generators", ())] or [node.args]
+        parts = [part for place in bound for part in ast.walk(place)]
+        own = {getattr(part, "id", None) or getattr(part, "arg", None) for part in parts}
+        outside = self.names
+        self.names = {name: word for name, word in outside.items() if name not in own}
+        self.generic_visit(node)
+        self.names = outside
+        return node
+
+    visit_ListComp = visit_SetComp = visit_GeneratorExp = visit_DictComp = visit_scope
+    visit_Lambda = visit_FunctionDef = visit_scope
+
     def new(self, *parts):
         return f"{HELPED * any(HELPED in part for part in parts)}_{next(self.numbers)}"
 
@@ -44,22 +58,23 @@ class Written(ast.NodeTransformer):
             return text
         return self.words.get(text) or self.words.setdefault(text, self.new(text))
 
-    def bind(self, target, value):
+    def bind(self, target, word):
         if isinstance(target, ast.Name):
-            self.names[target.id] = self.word(value)
+            self.names[target.id] = word
         elif isinstance(target, ast.Tuple | ast.List):
             for i, part in enumerate(target.elts):
-                both = isinstance(value, ast.Tuple) and value.elts[i]
-                self.bind(part, both or ast.Subscript(value, ast.Constant(i)))
+                self.bind(
+                    part, self.word(ast.Subscript(ast.Name(word, ast.Load()), ast.Constant(i)))
+                )
         else:  # x[i] = y, x.a = y, *x
-            self.change(target, value)
+            self.change(target, ast.Name(word, ast.Load()))
 
     def change(self, target, *values):
         """Each name in a target is another thing from here on."""
-        word = self.new(*map(self.word, (target, *values)))
-        for node in ast.walk(target):
-            if isinstance(node, ast.Name):
-                self.names[node.id] = word
+        names = [node.id for node in ast.walk(target) if isinstance(node, ast.Name)]
+        before = [self.names.get(name, name) for name in names]
+        word = self.new(*before, *map(self.word, values))
+        self.names |= dict.fromkeys(names, word)
 
     def read(self, node):
         """A statement, or what it is made of, in order; gives the checks in it, written out."""
@@ -79,9 +94,13 @@ class Written(ast.NodeTransformer):
         for child in ast.iter_child_nodes(node):
             yield from self.read(child)
         match node:
+            case ast.Assign(targets=[ast.Tuple(elts=targets)], value=ast.Tuple(elts=values)):
+                for target, word in zip(targets, [*map(self.word, values)], strict=True):
+                    self.bind(target, word)
             case ast.Assign(targets=targets, value=value):
+                word = self.word(value)
                 for target in targets:
-                    self.bind(target, value)
+                    self.bind(target, word)
             case ast.AugAssign(target=target, value=value):
                 self.change(target, value)
 
@@ -123,7 +142,9 @@ J = "J = kinematics.jacobian(PANDA, q)\n"
         (f"{J}check('J', kinematics.jacobian(PANDA, q), J)", True),
         ("a, b = 0.0880, 0.0825\ngap = a - b\ncheck('gap', gap, 0.0055, tolerance=1e-9)", True),
         (f"{J}K = J\nJ[0] = 1\ncheck('J', K, J)", False),
+        (f"{J}a, b = J, 0\na, b = b, a\ncheck('J', b, J)", True),
         (f"{J}q = 2 * q\ncheck('J', kinematics.jacobian(PANDA, q), J)", False),
+        (f"{J}def f(J):\n    return 2 * J\ncheck('f', f(1), 2)", True),
         (f"for arm in arms:\n    {J}    check('J', J, J)", True),
         ("check('tip', kinematics.tip(PANDA, q), 2 * np.ones(3), 1e-9, book_only=True)", False),
         ("p = [0, 0, PANDA.values['d_1']]\ncheck('p', tip, p, 1, book_only=True)", True),
