@@ -65,7 +65,7 @@ export function hitsOf(right, given, tolerance) {
 // The branches that an answer is, and how: the same joints, or, where a joint is free, another
 // member of the branch's family.
 /** @param {Right} right @param {Answer} answer */
-export function matches(right, answer, tolerance) {
+function matches(right, answer, tolerance) {
   const { arm, branches } = right;
   const found = branches.flatMap(({ q }, branch) => {
     const how = agreementWith(arm, answer, q, tolerance);

@@ -2,7 +2,7 @@
 
 `python -m tests.faults` plants them in copies of what is committed and runs the tests of the room
 they are in; with `--all`, where those stay green, all that need no built book. `--only WORD` takes
-the faults with this in their room, file or words. Needs Node.js, and takes half an hour: it says
+the faults with this in their room, file or words. Needs Node.js, and takes ten minutes: it says
 which tests can go, not whether all is well.
 """
 

@@ -1,7 +1,7 @@
 // Why a joint vector is none of the branches.
 
-import { isBranch, jointsOf, missOf, missWords, reaches } from "../matching.js";
 import { turning } from "../geometry/kinematics.js";
+import { isBranch, jointsOf, missOf, missWords, reaches } from "../matching.js";
 import { listed, lower, say } from "../sentences.js";
 import { slips, variable } from "./joints.js";
 import { both, cause, nameOf, several, wordsOf } from "./ranking.js";

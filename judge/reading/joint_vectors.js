@@ -26,7 +26,7 @@ const NAMES = /^(?:q|th|θ|sol|ans$|s\d*$)/i;
  * by rows unless told. Where each row of a locked arm has a value, those of its locked joints are
  * set aside.
  * @param {any} mine @param {any} arm @param {string} angles @param {any} asked
- * @returns {{ answers: Answer[], taken: string[], typed: import("../reading/numbers.js").Typed }}
+ * @returns {{ answers: Answer[], taken: string[], typed: import("./numbers.js").Typed }}
  */
 export function answers(mine, arm, angles, { byColumns = false, ...asked } = {}) {
   const moving = joints(arm);
@@ -52,7 +52,7 @@ export function answers(mine, arm, angles, { byColumns = false, ...asked } = {})
 }
 
 // What is told where the text names another unit than the question.
-/** @param {import("../reading/numbers.js").Typed} typed @param {string} angles */
+/** @param {import("./numbers.js").Typed} typed @param {string} angles */
 const inUnit = ({ says }, angles) =>
   says?.angles && says.angles !== angles
     ? [say(says.angles === "deg" ? "taken: degrees" : "taken: radians")]

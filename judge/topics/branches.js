@@ -3,10 +3,10 @@
 import { looksLikeSlip, wrongAnswer } from "../causes/branches.js";
 import { variable } from "../causes/joints.js";
 import { nameOf, wordsOf } from "../causes/ranking.js";
-import { hitsOf, NEAR, sameAnswer } from "../matching.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
 import { asksPose, formOf, inverse } from "../geometry/inverse.js";
 import { joints, turning } from "../geometry/kinematics.js";
+import { hitsOf, NEAR, sameAnswer } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";
 import { answering, reportOf } from "../report.js";

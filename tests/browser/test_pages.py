@@ -161,6 +161,8 @@ def serious(page):
     """What axe finds in the colours that the page has, and what the others spoil."""
     page.set_viewport_size(SIZES["wide"])
     page.evaluate(CALM)
+    focusable = page.locator("math").locator("a[href], button, input, [tabindex]").count()
+    assert focusable == 0, "what is only drawn takes no focus"
     page.evaluate(THINNED)
     page.add_script_tag(path=AXE)
     found = page.evaluate(BAD)

@@ -12,9 +12,6 @@ GAPS = """() => [...document.querySelectorAll(".doors a")].map(link => {
     return [left, right];
 })"""
 
-# The still list gives way to the live one.
-ALIVE = "async (e) => { while (!e.explorer) await new Promise(requestAnimationFrame); }"
-
 
 def test_the_bars_links_stay_apart(browser):
     page = browser.new_page()
@@ -33,7 +30,7 @@ def test_the_list_of_arms_shows_a_name_on_a_phone(browser):
     page.goto((HTML / "03_circle_tracing.html").as_uri())
     instrument = page.locator(".cell .arm-explorer:not([data-figure])").first
     instrument.evaluate(THERE)
-    instrument.evaluate(ALIVE)
+    instrument.locator("canvas").wait_for()  # the still list has given way to the live one
     arms = page.locator("section.explorer select.name").first
     arms.wait_for()
     assert arms.evaluate("list => list.getBoundingClientRect().width") > 120
