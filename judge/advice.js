@@ -22,7 +22,7 @@ const BY_CAUSE = {
 // What the causes of a report advise, each of two mistakes for itself: nothing where it is set
 // already.
 /** @returns {Advice[]} */
-export function adviceOn(causes, options) {
+export function adviseOnCauses(causes, options) {
   const names = new Set(causes.flatMap((name) => name.split(" + ")));
   const found = [...names].map((name) => {
     const [key, place] = name.split(":");

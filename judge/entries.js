@@ -1,7 +1,7 @@
 // The one judge of entries, those of a Jacobian, of torques, of a pose: are they right to their
 // digits, would a known slip look the same, which slip explains them, and which of them are wrong.
 
-import { explaining } from "./causes/ranking.js";
+import { findExplanations } from "./causes/ranking.js";
 import {
   agreement,
   agrees,
@@ -23,19 +23,19 @@ import {
  * @property {import("./digits.js").Entries} q
  * @property {number} dof
  * @property {(q: number[]) => number[]} right
- * @property {import("./causes/ranking.js").Slip[]} slips
- * @property {(() => Iterable<import("./causes/ranking.js").Slip>)[]} [further]
+ * @property {import("./causes/ranking.js").Mistake[]} slips
+ * @property {(() => Iterable<import("./causes/ranking.js").Mistake>)[]} [further]
  * @property {number | null} [tolerance] allowed in place of what the digits allow
  */
 /**
  * The grade, how the last digits came about, the slips that explain the answer or would look the
  * same, and which entries are wrong.
- * @typedef {{ grade: string, how: string, slips: import("./causes/ranking.js").Slip[],
+ * @typedef {{ grade: string, how: string, slips: import("./causes/ranking.js").Mistake[],
  *   wrong: boolean[] }} Verdict
  */
 
 /** @param {Question} question @returns {Verdict} */
-export function verdictOn({ mine, q, dof, right, slips, further = [], tolerance = null }) {
+export function judgeEntries({ mine, q, dof, right, slips, further = [], tolerance = null }) {
   const truth = right(q.values);
   const none = truth.map(() => 0);
   const alike = tolerance === null ? slips.filter(looksLike(mine, q, truth)) : [];
@@ -51,7 +51,7 @@ export function verdictOn({ mine, q, dof, right, slips, further = [], tolerance 
   if (grade === ROUNDED) return { grade, how, slips: [], wrong };
   const answer = { mine, q, dof, truth, slack: tolerance === null ? slack : none, wrong };
   for (const list of [() => slips, ...further]) {
-    const found = explaining(answer, list());
+    const found = findExplanations(answer, list());
     if (found.length) return { grade, how, slips: found, wrong };
   }
   return { grade, how, slips: [], wrong };

@@ -1,15 +1,15 @@
 // The judge: what is said of an answer, in the page and, through helpers.checks, in Python.
 
-import { sampled } from "./geometry/path.js";
+import { sampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
 import { meant, read } from "./reading/table.js";
 import { numbers, pose } from "./reading/numbers.js";
-import { ArmError, say } from "./sentences.js";
+import { ArmError, formatMessage } from "./sentences.js";
 import { compareBranches } from "./topics/branches.js";
 import { compareJacobian } from "./topics/jacobian.js";
 import { comparePose } from "./topics/pose.js";
 import { compareTables } from "./topics/table.js";
-import { compareTorques, poses } from "./topics/torques.js";
+import { compareTorques, readPoses } from "./topics/torques.js";
 import { compareTrace } from "./topics/trace.js";
 
 /**
@@ -24,17 +24,17 @@ const ANSWERS = {
   torques: ({ mine, arm, q, options }) => compareTorques(mine, arm, q, options),
   trace: traced,
   joints: ({ q, arm, angles }) => pose(q, arm, angles),
-  poses: ({ q, arm, angles }) => poses(q, arm, angles),
+  poses: ({ q, arm, angles }) => readPoses(q, arm, angles),
   numbers: ({ mine, what, wanted }) => numbers(mine, what, undefined, wanted),
   rows: ({ mine, options }) => meant(read(mine, options, options.values)[0], []),
   entry: ({ text, kinds }) => formulaOf(text, kinds),
-  words: ({ key, fields }) => say(key, fields),
+  words: ({ key, fields }) => formatMessage(key, fields),
 };
 
 // A run along a path that Python holds; the times at which the path is needed too, where some are.
 function traced({ mine, arm, path, options }) {
   const wanted = new Set();
-  const report = compareTrace(mine, arm, sampled(path, wanted), options);
+  const report = compareTrace(mine, arm, sampledPath(path, wanted), options);
   return wanted.size ? { wanted: [...wanted] } : report;
 }
 
@@ -62,5 +62,5 @@ export function ask(text) {
 }
 
 export { compareJacobian, compareTables, compareTorques };
-export { linesOf, MARKS, textOf } from "./report.js";
+export { listDetails, GRADE_MARKS, formatVerdict } from "./report.js";
 export { ArmError } from "./sentences.js";

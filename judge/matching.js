@@ -2,27 +2,36 @@
 
 import { agreement, isRight } from "./digits.js";
 import { DEG } from "./geometry/angles.js";
-import { chain, framesOf } from "./geometry/chains.js";
-import { jacobianColumns, linkFrames, norm, turnBetween, turning } from "./geometry/kinematics.js";
-import { singular } from "./geometry/linear.js";
-import { rint } from "./geometry/planar.js";
-import { say, size } from "./sentences.js";
+import { makeChain, chainFrames } from "./geometry/chains.js";
+import {
+  jacobianColumns,
+  linkFrames,
+  norm,
+  rotationBetween,
+  revoluteFlags,
+} from "./geometry/kinematics.js";
+import { decomposeSingular } from "./geometry/linear.js";
+import { roundHalfToEven } from "./geometry/planar.js";
+import { formatMessage, formatNumber } from "./sentences.js";
 
 /** @typedef {import("./reading/joint_vectors.js").Answer} Answer */
+/** @typedef {import("./geometry/arm.js").Arm} Arm */
 
 /**
- * The right answers, and how many there are with those that fall together.
- * @typedef {{ arm: any, branches: import("./geometry/inverse.js").Branch[], count: number }} Right
+ * All joint vectors that reach a target, and how many there are if those that coincide are counted
+ * each.
+ * @typedef {{ arm: Arm, branches: import("./geometry/inverse.js").Branch[], count: number }}
+ *   Solutions
  */
 
 const TARGET = 1e-4; // rad or m: what a target given with four decimals moves the joints
 const REACHED = 1e-6; // m and rad: a pose this close is the target's, whatever the digits
-export const NEAR = 1e-3; // a singular value, or a sine, this small counts as 0
+export const NEARLY_ZERO = 1e-3; // a singular value, or a sine, this small counts as 0
 const COUNTED = 1e6; // rad: in a larger angle rounding has eaten the turn's parts
 
 // How joints agree with a branch's, whole turns aside.
 function agreementWith(arm, { values, units }, branch, tolerance) {
-  const turns = turning(arm);
+  const turns = revoluteFlags(arm);
   const truth = branch.map((x, k) => values[k] + signedGap(turns[k], x, values[k]));
   const slack = branch.map(() => tolerance ?? TARGET);
   const places = tolerance === null ? units : units.map(() => 0);
@@ -30,14 +39,14 @@ function agreementWith(arm, { values, units }, branch, tolerance) {
 }
 
 // The first branch that an answer is to its digits; -1 where it is none.
-/** @param {Right} right @param {Answer} answer */
-export const isBranch = ({ arm, branches }, answer, tolerance) =>
+/** @param {Solutions} right @param {Answer} answer */
+export const findBranch = ({ arm, branches }, answer, tolerance) =>
   branches.findIndex(({ q }) => isRight(agreementWith(arm, answer, q, tolerance)));
 
 // Of each branch, which joints an answer has of it.
-/** @param {Right} right @param {Answer} answer */
-export function jointsOf({ arm, branches }, { values, units }, tolerance) {
-  const turns = turning(arm);
+/** @param {Solutions} right @param {Answer} answer */
+export function matchJointsByBranch({ arm, branches }, { values, units }, tolerance) {
+  const turns = revoluteFlags(arm);
   return branches.map(({ q }) =>
     values.map((x, k) => {
       const truth = x + signedGap(turns[k], q[k], x);
@@ -49,7 +58,7 @@ export function jointsOf({ arm, branches }, { values, units }, tolerance) {
 
 // The answer that gives each branch, the answers that give none, and whether all are right to their
 // digits.
-export function hitsOf(right, given, tolerance) {
+export function matchAnswers(right, given, tolerance) {
   const hits = new Map();
   const astray = [];
   let sharp = true;
@@ -64,7 +73,7 @@ export function hitsOf(right, given, tolerance) {
 
 // The branches that an answer is, and how: the same joints, or, where a joint is free, another
 // member of the branch's family.
-/** @param {Right} right @param {Answer} answer */
+/** @param {Solutions} right @param {Answer} answer */
 function matches(right, answer, tolerance) {
   const { arm, branches } = right;
   const found = branches.flatMap(({ q }, branch) => {
@@ -72,8 +81,8 @@ function matches(right, answer, tolerance) {
     return how ? [{ branch, how }] : [];
   });
   const families = branches.some(({ free }) => free.includes(true));
-  if (found.length || !families || !reaches(right, answer.values, answer.units)) return found;
-  const own = jointsOf(right, answer, tolerance);
+  if (found.length || !families || !reachesTarget(right, answer.values, answer.units)) return found;
+  const own = matchJointsByBranch(right, answer, tolerance);
   return branches.flatMap(({ q, free }, branch) => {
     if (!free.includes(true)) return [];
     const loose = movingInPlace(arm, q);
@@ -88,33 +97,36 @@ function movingInPlace(arm, q) {
   const rows = Array.from({ length: dof >= 6 ? 6 : 3 }, (_, i) =>
     columns.map((column) => column[i]),
   );
-  const { values, vectors } = singular(rows, dof);
-  return q.map((_, k) => vectors.some((v, i) => values[i] < NEAR && Math.abs(v[k]) > NEAR));
+  const { values, vectors } = decomposeSingular(rows, dof);
+  return q.map((_, k) =>
+    vectors.some((v, i) => values[i] < NEARLY_ZERO && Math.abs(v[k]) > NEARLY_ZERO),
+  );
 }
 
 // How far q's tip is from the target, [m, rad].
 /** @returns {[number, number]} */
-export const missOf = (right, q) => between(linkFrames(right.arm, q).at(-1), right);
+export const measureMiss = (right, q) => between(linkFrames(right.arm, q).at(-1), right);
 
 /** @returns {[number, number]} */
 function between(here, { arm, branches }) {
   const target = linkFrames(arm, branches[0].q).at(-1);
-  return [norm(target.o.map((x, i) => x - here.o[i])), turnBetween(here, target)];
+  return [norm(target.o.map((x, i) => x - here.o[i])), rotationBetween(here, target)];
 }
 
 // A length in m as so many digits of mm, not below a thousandth of one.
-export const millimetres = (metres, digits = 3) => size(Number((1e3 * metres).toFixed(3)), digits);
+export const formatMillimetres = (metres, digits = 3) =>
+  formatNumber(Number((1e3 * metres).toFixed(3)), digits);
 
 // How far the target is missed, in words; `turned` (rad) is 0 where only a point was asked for.
-export function missWords(away, turned) {
-  const degrees = size(Number((turned * DEG).toFixed(3)));
-  const turn = turned ? say("ik turn", { degrees }) : "";
-  return say("ik off", { millimetres: millimetres(away), turn });
+export function describeMiss(away, turned) {
+  const degrees = formatNumber(Number((turned * DEG).toFixed(3)));
+  const turn = turned ? formatMessage("ik turn", { degrees }) : "";
+  return formatMessage("ik off", { millimetres: formatMillimetres(away), turn });
 }
 
 // Whether q takes the tip to the target, to the digits of q; of an arm whose table is changed too.
-export function reaches(right, q, units = q.map(() => 0), change = (c) => c) {
-  const frames = framesOf(change(chain(right.arm, q)));
+export function reachesTarget(right, q, units = q.map(() => 0), change = (c) => c) {
+  const frames = chainFrames(change(makeChain(right.arm, q)));
   const columns = jacobianColumns(right.arm, frames);
   const spread = (i) => columns.reduce((sum, column, k) => sum + Math.abs(column[i]) * units[k], 0);
   const most = (half) => Math.max(REACHED, norm(half.map(spread)));
@@ -125,9 +137,11 @@ export function reaches(right, q, units = q.map(() => 0), change = (c) => c) {
 // How far x is ahead of y, whole turns aside where a joint turns.
 function signedGap(turns, x, y) {
   const gap = x - y;
-  return turns && Math.abs(gap) < COUNTED ? gap - 2 * Math.PI * rint(gap / (2 * Math.PI)) : gap;
+  return turns && Math.abs(gap) < COUNTED
+    ? gap - 2 * Math.PI * roundHalfToEven(gap / (2 * Math.PI))
+    : gap;
 }
 
 /** @param {Answer} one @param {Answer} other */
-export const sameAnswer = (arm, one, other) =>
+export const isSameAnswer = (arm, one, other) =>
   agreementWith(arm, { ...one, units: one.units.map(() => 0) }, other.values, null) !== "";

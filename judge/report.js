@@ -1,22 +1,22 @@
 // What is said of an answer: one report for all topics, and its words.
 
-import { adviceOn } from "./advice.js";
+import { adviseOnCauses } from "./advice.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "./digits.js";
-import { attempt, say } from "./sentences.js";
+import { tryOrNull, formatMessage } from "./sentences.js";
 
-export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
+export const GRADE_MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong: "✘" };
 
 /**
  * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and
  * degrees for each, the formulas that stood there, and which of them are wrong.
- * @typedef {import("./geometry/axes.js").Numbers} Numbers
- * @typedef {{ rows: Numbers[], cells: string[][], trees: any[][], wrong: boolean[][] }} ReadTable
+ * @typedef {import("./geometry/axes.js").TableRow} TableRow
+ * @typedef {{ rows: TableRow[], cells: string[][], trees: any[][], wrong: boolean[][] }} ReadTable
  */
 
 /**
  * One report for all topics.
  * @typedef {{ what: string, where: string, words: string }} Finding
- * @typedef {object} Report
+ * @typedef {object} Verdict
  * @property {string} topic
  * @property {string} arm
  * @property {string} grade
@@ -38,9 +38,9 @@ export const MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", wrong:
 
 /**
  * A report of which only what is given says anything.
- * @returns {Report}
+ * @returns {Verdict}
  */
-export const reportOf = (topic, arm, grade, headline, rest = {}) => ({
+export const makeVerdict = (topic, arm, grade, headline, rest = {}) => ({
   topic,
   arm: arm.name,
   grade,
@@ -56,31 +56,31 @@ export const reportOf = (topic, arm, grade, headline, rest = {}) => ({
  * A judge whose reports advise what the reader may set, and show what was set aside. The judge's
  * options come last.
  * @template {any[]} Asked
- * @param {(mine: any, ...asked: Asked) => Report} judge
- * @returns {(mine: any, ...asked: Asked) => Report}
+ * @param {(mine: any, ...asked: Asked) => Verdict} judge
+ * @returns {(mine: any, ...asked: Asked) => Verdict}
  */
-export const answering =
+export const completeVerdicts =
   (judge) =>
   (mine, ...asked) => {
     const first = judge(mine, ...asked);
     const report = ofFamily(first, judge, mine, asked) ?? first;
     const options = asked[judge.length - 1] ?? {};
-    const advice = [...(report.advice ?? []), ...adviceOn(report.causes, options)];
+    const advice = [...(report.advice ?? []), ...adviseOnCauses(report.causes, options)];
     return withLeft({ ...report, advice }, first.left ?? first.typed?.left ?? mine?.left ?? []);
   };
 
 // The report on an answer that is right for another arm of the same name; null where there is none.
-/** @param {Report} first */
+/** @param {Verdict} first */
 function ofFamily({ topic, grade, typed }, judge, text, asked) {
   if (grade !== WRONG || topic === "table") return null; // whose own causes name it
   const [arm, ...rest] = asked;
   const isRight = (one) =>
-    [RIGHT, ROUNDED].includes(attempt(() => judge(text, one, ...rest))?.grade);
+    [RIGHT, ROUNDED].includes(tryOrNull(() => judge(text, one, ...rest))?.grade);
   const other = (arm.family ?? []).find(isRight);
   if (!other) return null;
   const names = { arm: arm.name, lengths: arm.lengths, other: other.name, others: other.lengths };
-  const words = say("arm.other", names);
-  return reportOf(topic, arm, WRONG, words, {
+  const words = formatMessage("arm.other", names);
+  return makeVerdict(topic, arm, WRONG, words, {
     findings: [{ what: "cause", where: "", words }],
     causes: [`arm.other:${other.name}`],
     advice: [{ field: "arm", value: other.name }],
@@ -92,11 +92,11 @@ function ofFamily({ topic, grade, typed }, judge, text, asked) {
 function withLeft(report, left) {
   if (!left.length) return report;
   const texts = left.map((line) => `\`${line}\``).join(", ");
-  return { ...report, notes: [...report.notes, say("set aside", { texts })] };
+  return { ...report, notes: [...report.notes, formatMessage("set aside", { texts })] };
 }
 
 // Everything below the headline, a sentence each; what stands in the headline is not repeated.
-export const linesOf = ({ headline, findings, taken, notes }) => [
+export const listDetails = ({ headline, findings, taken, notes }) => [
   ...findings
     .filter(({ what, words }) => what !== "cause" && !headline.includes(words.slice(1)))
     .map(({ words }) => words),
@@ -105,5 +105,5 @@ export const linesOf = ({ headline, findings, taken, notes }) => [
 ];
 
 // The whole report in words, as str(report) says it in Python.
-export const textOf = (report) =>
-  [report.headline, ...linesOf(report).map((line) => `- ${line}`)].join("\n");
+export const formatVerdict = (report) =>
+  [report.headline, ...listDetails(report).map((line) => `- ${line}`)].join("\n");

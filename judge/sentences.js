@@ -3,7 +3,7 @@
 import templates from "./sentences.json" with { type: "json" };
 
 // A sentence with its fields put in.
-export function say(key, fields = {}) {
+export function formatMessage(key, fields = {}) {
   let text = templates[key];
   for (const [name, value] of Object.entries(fields))
     text = text.replaceAll(`{${name}}`, () => String(value));
@@ -20,7 +20,7 @@ export class ArmError extends Error {
 }
 
 // What `make` gives, null where it refuses.
-export function attempt(make) {
+export function tryOrNull(make) {
   try {
     return make();
   } catch (error) {
@@ -30,23 +30,23 @@ export function attempt(make) {
 }
 
 // A, b and c.
-export const listed = (words, last = "and") =>
+export const joinList = (words, last = "and") =>
   words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} ${last} ${words.at(-1)}`;
 
 // What stands inside a sentence, at the beginning of one.
-export const upper = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
+export const capitalize = (text) => text.slice(0, 1).toUpperCase() + text.slice(1);
 
 // A sentence to stand inside another; a name such as N mm, q_1 or A_i keeps its capital.
-export const lower = (text) =>
+export const uncapitalize = (text) =>
   /^.(\p{Lu}|_)/su.test(text) ? text : text.slice(0, 1).toLowerCase() + text.slice(1);
 
 const MOST = 75; // characters of a text that is quoted
 
 // A number to so many significant digits.
-export const size = (x, digits = 3) => String(Number(x.toPrecision(digits)));
+export const formatNumber = (x, digits = 3) => String(Number(x.toPrecision(digits)));
 
 // A text in a sentence, in quotes and one line, cut where it is long.
-export function shown(text) {
+export function quoteText(text) {
   const line = [...text.replace(/[\p{C}\s]+/gu, " ").trim()];
   const mark = line.includes("'") && !line.includes('"') ? '"' : "'";
   const cut = line.length > MOST ? [...line.slice(0, MOST), "..."] : line;
@@ -54,7 +54,7 @@ export function shown(text) {
 }
 
 // How many numbers there are, as rows and columns where they have some.
-export const counted = (shape) => {
+export const describeShape = (shape) => {
   const all = shape.filter((n) => n !== 1).join("x") || "1";
   return `${all} ${all === "1" ? "value" : "values"}`;
 };

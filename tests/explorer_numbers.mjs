@@ -2,9 +2,9 @@
 // line of JSON out, until nobody asks.
 
 import { createInterface } from "node:readline";
-import { gravityTorque, jacobianColumns, joints, linkFrames, matrix, wrenchTorque } from "../judge/geometry/kinematics.js";
-import { sameMachine } from "../judge/geometry/axes.js";
-import { determinant, singular } from "../judge/geometry/linear.js";
+import { gravityTorque, jacobianColumns, movingRows, linkFrames, frameMatrix, wrenchTorque } from "../judge/geometry/kinematics.js";
+import { isSameMachine } from "../judge/geometry/axes.js";
+import { determinant, decomposeSingular } from "../judge/geometry/linear.js";
 import { fadingWays } from "../page/src/dragging.js";
 import { fromFragment } from "../page/src/link.js";
 import { otherWays } from "../page/src/motion.js";
@@ -19,8 +19,8 @@ function numbers(arm, q, wrench) {
   const frames = linkFrames(arm, q);
   const columns = jacobianColumns(arm, frames);
   return {
-    frames: frames.map(matrix), columns, gravity: gravityTorque(arm, frames), push: wrenchTorque(columns, wrench),
-    values: singular(columns).values, determinant: determinant(columns),
+    frames: frames.map(frameMatrix), columns, gravity: gravityTorque(arm, frames), push: wrenchTorque(columns, wrench),
+    values: decomposeSingular(columns).values, determinant: determinant(columns),
   };
 }
 
@@ -38,12 +38,12 @@ function verdicts(arm, q) {
 function opened(fragment, arms) {
   const { patch, words } = fromFragment(fragment, arms, VIEWS);
   const { frames, energy, gravity } = new Store(startingState(patch)).derived;
-  return { patch, words, pose: matrix(frames.at(-1)), table: tableVerdict(patch, { frames }), energy, gravity };
+  return { patch, words, pose: frameMatrix(frames.at(-1)), table: tableVerdict(patch, { frames }), energy, gravity };
 }
 
 // What is said of a typed table beside the arm behind it.
 function compared(arm, reference) {
-  const q = joints(arm).map(() => 0);
+  const q = movingRows(arm).map(() => 0);
   return tableVerdict({ arm, reference, q }, { frames: linkFrames(arm, q) });
 }
 
@@ -56,7 +56,7 @@ const jobs = {
   runs: ({ arm, start, runs }) => runs.map((run) => runCircle(arm, start, run)),
   torques: ({ arm, path, wrench }) => torquesAlong(arm, path, wrench),
   fading: ({ arm, qs, turns }) => qs.map((q) => fadingWays(jacobianColumns(arm, linkFrames(arm, q)), turns)),
-  same: ({ pairs }) => pairs.map(([mine, reference]) => sameMachine(mine.rows, reference.rows)),
+  same: ({ pairs }) => pairs.map(([mine, reference]) => isSameMachine(mine.rows, reference.rows)),
   tables: ({ pairs }) => pairs.map((pair) => compared(...pair)),
   links: ({ arms, fragments }) => fragments.map((one) => opened(one, arms)),
   copied: ({ arm }) => tableText(arm),

@@ -1,7 +1,7 @@
 // What the page says to questions that came by a link, for tests/test_judge.py: a line of JSON in, a line of JSON out.
 
 import { createInterface } from "node:readline";
-import { textOf } from "../judge/report.js";
+import { formatVerdict } from "../judge/report.js";
 import { EMPTY, fromFragment, judge, toFragment } from "../page/src/check/question.js";
 
 // The verdict, or why there is none.
@@ -11,7 +11,7 @@ function answered(fields, arms) {
   if (!question) return { error: words };
   const { report, error } = judge(question, arms);
   if (error) return { error };
-  return { grade: report.grade, causes: report.causes, words: textOf(report) };
+  return { grade: report.grade, causes: report.causes, words: formatVerdict(report) };
 }
 
 for await (const line of createInterface({ input: process.stdin })) {

@@ -47,7 +47,7 @@ def shown(mistakes, right):
 
 
 HERE = Path(__file__).parent
-CAUSE = re.compile(r'(?:cause|put)\(\s*"([^"]+)"|\["((?:J|ik|pose|table|tau|trace)\.[^"]+)"')
+CAUSE = re.compile(r'(?:makeCause|put)\(\s*"([^"]+)"|\["((?:J|ik|pose|table|tau|trace)\.[^"]+)"')
 # No mistakes: how a wrong entry is told.
 TOLD = {"J.entries", "J.entry signs"}
 

@@ -1,15 +1,21 @@
 // Why a joint vector is none of the branches.
 
-import { turning } from "../geometry/kinematics.js";
-import { isBranch, jointsOf, missOf, missWords, reaches } from "../matching.js";
-import { listed, lower, say } from "../sentences.js";
-import { slips, variable } from "./joints.js";
-import { both, cause, nameOf, several, wordsOf } from "./ranking.js";
-import { wrongTables } from "./tables.js";
+import { revoluteFlags } from "../geometry/kinematics.js";
+import {
+  findBranch,
+  matchJointsByBranch,
+  measureMiss,
+  describeMiss,
+  reachesTarget,
+} from "../matching.js";
+import { joinList, uncapitalize, formatMessage } from "../sentences.js";
+import { jointMistakes, jointNames } from "./joints.js";
+import { combineCauses, makeCause, causeName, joinCauseMessages, causeMessage } from "./ranking.js";
+import { tableMistakes } from "./tables.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../report.js").Finding} Finding */
-/** @typedef {import("../matching.js").Right} Right */
+/** @typedef {import("../matching.js").Solutions} Solutions */
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 
 const COARSE = 0.0175; // rad or m: with a unit above one degree some slip would fit anything
@@ -17,53 +23,61 @@ const QUARTER = Math.PI / 2;
 const NUDGE = 1e-6; // rad or m: a difference for a derivative
 
 /**
- * @param {Right} right @param {Answer} answer
+ * @param {Solutions} right @param {Answer} answer
  * @returns {{ causes: Cause[], finding: Finding }}
  */
-export function wrongAnswer(right, answer, number, tolerance) {
-  const where = say("answer", { number });
+export function explainWrongAnswer(right, answer, number, tolerance) {
+  const where = formatMessage("answer", { number });
   const plainly = (key) => ({
     causes: [],
-    finding: { what: "answer", where, words: say(key, { number }) },
+    finding: { what: "answer", where, words: formatMessage(key, { number }) },
   });
   if (!right.branches.length) return plainly("ik no branch");
-  if (reaches(right, answer.values)) return plainly("ik unlisted");
-  const [away, turned] = missOf(right, answer.values);
+  if (reachesTarget(right, answer.values)) return plainly("ik unlisted");
+  const [away, turned] = measureMiss(right, answer.values);
   const { causes, words } = why(right, answer, tolerance);
-  const off = missWords(away, answer.values.length >= 6 ? turned : 0);
-  const what = causes.length ? nameOf(causes[0]) : "answer";
-  return { causes, finding: { what, where, words: say("ik answer", { number, off, words }) } };
+  const off = describeMiss(away, answer.values.length >= 6 ? turned : 0);
+  const what = causes.length ? causeName(causes[0]) : "answer";
+  return {
+    causes,
+    finding: { what, where, words: formatMessage("ik answer", { number, off, words }) },
+  };
 }
 
 // Joints of two branches mixed, or one slip, or one slip and the shoulder turned over alone; or
 // else the joints that are in no branch.
 /** @returns {{ causes: Cause[], words: string }} */
 function why(right, answer, tolerance) {
-  const fits = jointsOf(right, answer, tolerance);
+  const fits = matchJointsByBranch(right, answer, tolerance);
   const mixed = mixedOf(right, fits);
   if (mixed) return orPlus(mixed, right, answer, tolerance);
   const causes = mended(right, answer, tolerance);
-  if (causes.length) return { causes, words: lower(several(causes)) };
-  const astray = variable(right.arm).filter((_, k) => !fits.some((row) => row[k]));
+  if (causes.length) return { causes, words: uncapitalize(joinCauseMessages(causes)) };
+  const astray = jointNames(right.arm).filter((_, k) => !fits.some((row) => row[k]));
   const key = astray.length > 1 ? "ik in no branch" : "ik one in no branch";
-  return { causes: [], words: say(key, { joints: listed(astray) }) };
+  return { causes: [], words: formatMessage(key, { joints: joinList(astray) }) };
 }
 
 // In a plane arm slip 12 gives the other elbow's second angle: then both are said.
 function orPlus(mixed, right, answer, tolerance) {
-  const [plus] = slips(right.arm).filter(([{ keys }]) => keys.includes("ik.plus for minus"));
-  if (!plus || isBranch(right, undone(answer, plus[1]), tolerance) < 0) return mixed;
-  const words = say("or", { first: mixed.words, others: lower(wordsOf(plus[0])) });
+  const [plus] = jointMistakes(right.arm).filter(([{ keys }]) =>
+    keys.includes("ik.plus for minus"),
+  );
+  if (!plus || findBranch(right, undone(answer, plus[1]), tolerance) < 0) return mixed;
+  const words = formatMessage("or", {
+    first: mixed.words,
+    others: uncapitalize(causeMessage(plus[0])),
+  });
   return { causes: [...mixed.causes, plus[0]], words };
 }
 
 // Whether an answer with so few digits may be what a slip makes of the branch that it is.
-export const looksLikeSlip = (right, answer) =>
-  slips(right.arm).some(([, mend]) =>
+export const looksLikeMistake = (right, answer) =>
+  jointMistakes(right.arm).some(([, mend]) =>
     right.branches.some(({ q, free }) => {
       const made = { values: mend(q), units: answer.units };
       const slipped = { ...right, branches: [{ q: made.values, free }] };
-      const both = isBranch(right, answer, null) >= 0 && isBranch(slipped, answer, null) === 0;
+      const both = findBranch(right, answer, null) >= 0 && findBranch(slipped, answer, null) === 0;
       return both && changes(right, { values: q, units: q.map(() => 0) }, made);
     }),
   );
@@ -71,23 +85,23 @@ export const looksLikeSlip = (right, answer) =>
 // The slips without which an answer would be a branch, or would have reached the target by another
 // table; or else those without which only the shoulder would be another's.
 function mended(right, answer, tolerance) {
-  const each = [...slips(right.arm), ...kept(right, answer)];
+  const each = [...jointMistakes(right.arm), ...kept(right, answer)];
   const without = each.map(([one, mend]) => ({ cause: one, mended: undone(answer, mend) }));
   const worth = without.filter((one) => fine(one.mended) && changes(right, answer, one.mended));
   const by = (test) => worth.filter((one) => test(one.mended)).map((one) => one.cause);
-  const plain = by((one) => isBranch(right, one, tolerance) >= 0);
-  const arrives = (change) => reaches(right, answer.values, answer.units, change);
-  const changed = arrives() || !fine(answer) ? [] : wrongTables(right.arm);
+  const plain = by((one) => findBranch(right, one, tolerance) >= 0);
+  const arrives = (change) => reachesTarget(right, answer.values, answer.units, change);
+  const changed = arrives() || !fine(answer) ? [] : tableMistakes(right.arm);
   const tables = changed.flatMap(([one, change]) => (arrives(change) ? [one] : []));
   if (plain.length || tables.length) return distinct([...plain, ...tables]);
-  const turned = by((one) => shoulderAlone(jointsOf(right, one, tolerance)));
-  return distinct(turned).map((one) => both(one, cause("ik.shoulder")));
+  const turned = by((one) => shoulderAlone(matchJointsByBranch(right, one, tolerance)));
+  return distinct(turned).map((one) => combineCauses(one, makeCause("ik.shoulder")));
 }
 
 const fine = ({ units }) => Math.max(...units) <= COARSE;
 
 const distinct = (found) =>
-  found.filter((one, i) => found.findIndex((other) => nameOf(other) === nameOf(one)) === i);
+  found.filter((one, i) => found.findIndex((other) => causeName(other) === causeName(one)) === i);
 
 // An answer as it would be without a slip, and what its last places are worth then.
 function undone({ values, units }, mend) {
@@ -100,7 +114,7 @@ function undone({ values, units }, mend) {
 
 // Whether a slip changes more than the digits: near zero degrees and radians look alike.
 const changes = ({ arm }, { values, units }, without) => {
-  const turns = turning(arm);
+  const turns = revoluteFlags(arm);
   return values.some((x, k) => {
     const gap = Math.abs(x - without.values[k]) % (turns[k] ? 2 * Math.PI : Infinity);
     return gap > Math.max(units[k], 1e-3);
@@ -113,7 +127,10 @@ const changes = ({ arm }, { values, units }, without) => {
  */
 function kept({ branches }, { values: [first], units: [unit] }) {
   if (Math.abs(Math.abs(first) - QUARTER) > Math.max(unit, 1e-4)) return [];
-  return branches.map((branch) => [cause("ik.quarter turn"), (q) => [branch.q[0], ...q.slice(1)]]);
+  return branches.map((branch) => [
+    makeCause("ik.quarter turn"),
+    (q) => [branch.q[0], ...q.slice(1)],
+  ]);
 }
 
 // Whether some branch has all joints but the first, which is another's: chapter 5, report E's list.
@@ -125,16 +142,19 @@ const shoulderAlone = (fits) =>
 // Every joint in some branch: the branch with most of them, and the one that the others are from.
 /** @returns {{ causes: Cause[], words: string } | null} */
 function mixedOf({ arm, branches }, fits) {
-  const names = variable(arm);
+  const names = jointNames(arm);
   if (!names.every((_, k) => fits.some((row) => row[k]))) return null;
   if (shoulderAlone(fits))
-    return { causes: [cause("ik.shoulder")], words: lower(say("ik.shoulder")) };
+    return {
+      causes: [makeCause("ik.shoulder")],
+      words: uncapitalize(formatMessage("ik.shoulder")),
+    };
   const counts = fits.map((row) => row.filter(Boolean).length);
   const most = counts.indexOf(Math.max(...counts));
   const rest = names.flatMap((_, k) => (fits[most][k] ? [] : [k]));
   const other = fits.findIndex((row) => rest.every((k) => row[k]));
-  const causes = [cause("ik.mixed")];
-  if (other < 0) return { causes, words: lower(say("ik.mixed")) };
-  const fields = { joints: listed(rest.map((k) => names[k])), other: branches[other].name };
-  return { causes, words: say("ik mixed", { ...fields, most: branches[most].name }) };
+  const causes = [makeCause("ik.mixed")];
+  if (other < 0) return { causes, words: uncapitalize(formatMessage("ik.mixed")) };
+  const fields = { joints: joinList(rest.map((k) => names[k])), other: branches[other].name };
+  return { causes, words: formatMessage("ik mixed", { ...fields, most: branches[most].name }) };
 }

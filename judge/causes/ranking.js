@@ -2,7 +2,7 @@
 // answer is right to its digits.
 
 import { agrees, largest, room, slackOf, tellable } from "../digits.js";
-import { listed, lower, say, upper } from "../sentences.js";
+import { joinList, uncapitalize, formatMessage, capitalize } from "../sentences.js";
 
 const CHANCE = 1e-3; // that some slip of those tried would fit numbers off by chance as well
 const SAID = 3; // slips that give the same numbers; nobody reads more
@@ -12,20 +12,20 @@ const NEAR = 3; // times what the digits of q may change in right entries: worth
 /** @typedef {import("../digits.js").Entries} Entries */
 /**
  * A mistake: what entries it makes of joint values.
- * @typedef {{ cause: Cause, make: (q: number[]) => number[], steps?: any }} Slip
+ * @typedef {{ cause: Cause, make: (q: number[]) => number[], steps?: any }} Mistake
  */
 
 /** @returns {Cause} */
-export const cause = (key, fields = {}) => ({ keys: [key], fields: [fields] });
+export const makeCause = (key, fields = {}) => ({ keys: [key], fields: [fields] });
 
 /** @returns {Cause} */
-export const both = (one, two) => ({
+export const combineCauses = (one, two) => ({
   keys: [...one.keys, ...two.keys],
   fields: [...one.fields, ...two.fields],
 });
 
 // How reports and the corpus call a cause, as "J.frame:3 + J.millimetres".
-export const nameOf = ({ keys, fields }) =>
+export const causeName = ({ keys, fields }) =>
   keys.map((key, i) => partName(key, fields[i])).join(" + ");
 
 function partName(key, fields) {
@@ -34,16 +34,21 @@ function partName(key, fields) {
 }
 
 // What a cause says, without a full stop.
-export function wordsOf({ keys, fields }) {
-  const [first, second] = keys.map((key, i) => say(key, fields[i]));
-  return second === undefined ? first : say("and also", { first, second: lower(second) });
+export function causeMessage({ keys, fields }) {
+  const [first, second] = keys.map((key, i) => formatMessage(key, fields[i]));
+  return second === undefined
+    ? first
+    : formatMessage("and also", { first, second: uncapitalize(second) });
 }
 
 // What the causes say, one after another: they give the same numbers. Of pairs the first.
-export function several(found) {
-  const words = [...new Set(found.map(wordsOf))].slice(0, found[0].keys.length > 1 ? 1 : SAID);
+export function joinCauseMessages(found) {
+  const words = [...new Set(found.map(causeMessage))].slice(0, found[0].keys.length > 1 ? 1 : SAID);
   if (words.length === 1) return words[0];
-  return say("or", { first: words[0], others: listed(words.slice(1).map(lower), "or") });
+  return formatMessage("or", {
+    first: words[0],
+    others: joinList(words.slice(1).map(uncapitalize), "or"),
+  });
 }
 
 /**
@@ -51,10 +56,10 @@ export function several(found) {
  * its entries are wrong: those that fit as typed, or else with what the digits of q may change.
  * @param {{ mine: Entries, q: Entries, dof: number, truth: number[], slack: number[], wrong:
  *   boolean[] }} answer
- * @param {Iterable<Slip>} slips
- * @returns {Slip[]}
+ * @param {Iterable<Mistake>} slips
+ * @returns {Mistake[]}
  */
-export function explaining({ mine, q, dof, truth, slack, wrong }, slips) {
+export function findExplanations({ mine, q, dof, truth, slack, wrong }, slips) {
   const wide = Math.max(...slack);
   const kept = wrong.flatMap((is, i) => (is ? [] : [i]));
   const those = (list) => kept.map((i) => list[i]);
@@ -79,5 +84,5 @@ export function explaining({ mine, q, dof, truth, slack, wrong }, slips) {
 }
 
 // A cause that leaves something unexplained is no more than likely.
-export const perhaps = (words, left) =>
-  left.length ? upper(say("perhaps", { cause: lower(words) })) : words;
+export const hedgeMessage = (words, left) =>
+  left.length ? capitalize(formatMessage("perhaps", { cause: uncapitalize(words) })) : words;

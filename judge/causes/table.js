@@ -1,14 +1,14 @@
 // Why a table is another arm: every reading with up to two slips undone, and the entries that it
 // leaves wrong. The fewest slips win, a wrong entry being one.
 
-import { angleBetween, compared, side } from "../geometry/axes.js";
-import { ANGLE, angular, squared, variableOf } from "../geometry/rows.js";
+import { angleDistance, compareAxes, describeAxes } from "../geometry/axes.js";
+import { ANGLE_TOLERANCE, isAngleColumn, snapRows, jointColumn } from "../geometry/rows.js";
 import { combinations } from "../geometry/walk.js";
 import { fromCraig } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
-import { both, cause } from "./ranking.js";
+import { combineCauses, makeCause } from "./ranking.js";
 
-/** @typedef {import("../geometry/axes.js").Numbers} Numbers */
+/** @typedef {import("../geometry/axes.js").TableRow} TableRow */
 /** @typedef {import("./ranking.js").Cause} Cause */
 
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
@@ -16,7 +16,7 @@ import { both, cause } from "./ranking.js";
 /**
  * One reading of what was meant: its causes, the rows, the arm they are held against, and what that
  * leaves: the entries that differ, as row and column, or else the axes.
- * @typedef {{ cause: Cause | null, rows: Numbers[], reference: Numbers[],
+ * @typedef {{ cause: Cause | null, rows: TableRow[], reference: TableRow[],
  *   left: ([number, string] | Difference)[] }} Try
  */
 
@@ -27,7 +27,7 @@ const FEW = 3; // entries: more of them are no slips, but another table
  * that leaves entries.
  * @returns {Try[]}
  */
-export function fewestSlips(rows, reference, wanted, modified, length) {
+export function findFewestMistakes(rows, reference, wanted, modified, length) {
   const all = tries(rows, reference, wanted, modified, length);
   const fewest = Math.min(...all.map(slipsOf));
   const best = all.filter((t) => slipsOf(t) === fewest);
@@ -41,11 +41,11 @@ const slipsOf = ({ cause: why, left }) => (why?.keys.length ?? 0) + left.length;
 
 /** @returns {Try[]} */
 function tries(rows, reference, wanted, modified, length) {
-  const others = references(reference).map(([why, arm]) => [why, squared(arm)]);
+  const others = references(reference).map(([why, arm]) => [why, snapRows(arm)]);
   return [[null, wanted], ...others].flatMap(([other, arm]) =>
     mends(rows.length, modified).flatMap(([mistake, mend, local]) => {
-      const why = other && mistake ? both(other, mistake) : (other ?? mistake);
-      const mended = squared(mend(rows));
+      const why = other && mistake ? combineCauses(other, mistake) : (other ?? mistake);
+      const mended = snapRows(mend(rows));
       const off = entriesOff(mended, arm, length);
       const left = local ? off : fewerOff(off, axesOff(mended, arm, length), why);
       if (!left || why?.keys.length > 2 || (local && left.length)) return [];
@@ -65,7 +65,7 @@ function fewerOff(entries, axes, why) {
 
 // The axes that differ, in whatever frames the rows are.
 const axesOff = (rows, wanted, length) =>
-  compared(side(rows), side(wanted), length, ANGLE).differences;
+  compareAxes(describeAxes(rows), describeAxes(wanted), length, ANGLE_TOLERANCE).differences;
 
 /** @returns {[number, string][] | null} null where rows do not correspond */
 function entriesOff(rows, wanted, length) {
@@ -75,8 +75,11 @@ function entriesOff(rows, wanted, length) {
   return rows.flatMap((row, k) =>
     ENTRIES.filter((column) => {
       const [x, y] = [row[column], wanted[k][column]];
-      const free = column === variableOf(row.kind);
-      return !free && (angular(column) ? angleBetween(x, y) > ANGLE : Math.abs(x - y) > length);
+      const free = column === jointColumn(row.kind);
+      return (
+        !free &&
+        (isAngleColumn(column) ? angleDistance(x, y) > ANGLE_TOLERANCE : Math.abs(x - y) > length)
+      );
     }).map((column) => /** @type {[number, string]} */ ([k, column])),
   );
 }
@@ -85,31 +88,31 @@ const swap = (one, other) => (row) => ({ ...row, [one]: row[other], [other]: row
 
 // Mistakes in the arrangement, undone: columns, convention (where it is not the modified one) and,
 // which must explain everything, rows. All handed in.
-/** @returns {[Cause | null, (rows: Numbers[]) => Numbers[], boolean?][]} */
+/** @returns {[Cause | null, (rows: TableRow[]) => TableRow[], boolean?][]} */
 function mends(count, modified) {
   const rows = [...Array(count).keys()];
   return [
     [null, (read) => read],
-    [cause("table.alpha and theta"), (read) => read.map(swap("alpha", "theta"))],
-    [cause("table.a and d"), (read) => read.map(swap("a", "d"))],
-    ...(modified ? [] : [/** @type {any} */ ([cause("table.craig"), fromCraig])]),
-    [cause("table.into craig"), toCraig],
+    [makeCause("table.alpha and theta"), (read) => read.map(swap("alpha", "theta"))],
+    [makeCause("table.a and d"), (read) => read.map(swap("a", "d"))],
+    ...(modified ? [] : [/** @type {any} */ ([makeCause("table.craig"), fromCraig])]),
+    [makeCause("table.into craig"), toCraig],
     ...rows.map((k) => aAndDOf(k)),
     ...combinations(rows, 2).map(([i, j]) => exchanged(i, j)),
   ];
 }
 
 // The lengths of one row.
-/** @returns {[Cause, (rows: Numbers[]) => Numbers[], boolean]} */
+/** @returns {[Cause, (rows: TableRow[]) => TableRow[], boolean]} */
 const aAndDOf = (k) => [
-  cause("table.a and d in row", { row: k + 1 }),
+  makeCause("table.a and d in row", { row: k + 1 }),
   (rows) => rows.map((r, i) => (i === k && r.kind !== "prismatic" ? swap("a", "d")(r) : r)),
   true,
 ];
 
-/** @returns {[Cause, (rows: Numbers[]) => Numbers[], boolean]} */
+/** @returns {[Cause, (rows: TableRow[]) => TableRow[], boolean]} */
 const exchanged = (i, j) => [
-  cause("table.rows exchanged", { i: i + 1, j: j + 1 }),
+  makeCause("table.rows exchanged", { i: i + 1, j: j + 1 }),
   (rows) => rows.map((row, k) => (k === i ? rows[j] : k === j ? rows[i] : row)),
   true,
 ];
@@ -120,19 +123,19 @@ const toCraig = (rows) =>
 
 // Other arms that a student may have described: without the pen, one length taken for another, or
 // another robot of a like name.
-/** @returns {[Cause, Numbers[]][]} */
+/** @returns {[Cause, TableRow[]][]} */
 const references = (arm) => [
-  ...(arm.penless ? [[cause("table.pen"), arm.penless.rows]] : []),
+  ...(arm.penless ? [[makeCause("table.pen"), arm.penless.rows]] : []),
   ...(arm.alike ?? []).map(({ name, other, rows }) => [
-    cause("table.length", { name, other }),
+    makeCause("table.length", { name, other }),
     rows,
   ]),
   ...(arm.robots ?? []).flatMap(({ name, rows, penless }) => {
-    const why = cause("table.robot", { name });
+    const why = makeCause("table.robot", { name });
     return penless
       ? [
           [why, rows],
-          [both(why, cause("table.pen")), penless],
+          [combineCauses(why, makeCause("table.pen")), penless],
         ]
       : [[why, rows]];
   }),

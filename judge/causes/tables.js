@@ -2,15 +2,15 @@
 // chain, which is rows and q. Sources: homework.md slip numbers, or work that was handed in.
 
 import { DEG, RAD } from "../geometry/angles.js";
-import { joints, numbered, turning } from "../geometry/kinematics.js";
-import { cause } from "./ranking.js";
+import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
+import { makeCause } from "./ranking.js";
 
 /** @typedef {import("../geometry/chains.js").Chain} Chain */
 /** @typedef {[import("./ranking.js").Cause, (c: Chain) => Chain]} Change */
 
 // The usual mistakes in a table's numbers.
 /** @returns {Change[]} */
-export const wrongTables = (arm) => [...ofArm(arm), ...arm.rows.flatMap(ofRow)];
+export const tableMistakes = (arm) => [...ofArm(arm), ...arm.rows.flatMap(ofRow)];
 
 /** @returns {Generator<Change>} */
 function* ofArm({ penless, alike = [], robots = [], rows }) {
@@ -20,18 +20,18 @@ function* ofArm({ penless, alike = [], robots = [], rows }) {
   });
   if (penless) {
     // handed in: without the pen, and the pen the wrong way
-    yield [cause("table.pen"), put((_, i) => ({ d: penless.rows[i].d }))];
-    yield [cause("table.pen sign"), put((row, i) => ({ d: 2 * penless.rows[i].d - row.d }))];
+    yield [makeCause("table.pen"), put((_, i) => ({ d: penless.rows[i].d }))];
+    yield [makeCause("table.pen sign"), put((row, i) => ({ d: 2 * penless.rows[i].d - row.d }))];
   }
   for (const { name, other, rows: its } of alike)
     // slip 2
-    yield [cause("table.length", { name, other }), put((_, i) => ({ a: its[i].a }))];
+    yield [makeCause("table.length", { name, other }), put((_, i) => ({ a: its[i].a }))];
   for (const { name, rows: its } of robots)
     // slip 9
-    yield [cause("table.robot", { name }), put((_, i) => ({ a: its[i].a, d: its[i].d }))];
+    yield [makeCause("table.robot", { name }), put((_, i) => ({ a: its[i].a, d: its[i].d }))];
   const offset = (row) => row.kind === "revolute" && row.theta;
   if (rows.filter(offset).length > 1)
-    yield [cause("table.offsets"), put((row) => (offset(row) ? { theta: 0 } : {}))];
+    yield [makeCause("table.offsets"), put((row) => (offset(row) ? { theta: 0 } : {}))];
   const links = rows.flatMap((row, i) => (row.a ? [i] : []));
   for (const [n, i] of links.entries()) {
     const j = links[n + 1];
@@ -41,15 +41,15 @@ function* ofArm({ penless, alike = [], robots = [], rows }) {
     const change = put((row, k) =>
       k in other ? { a: Math.sign(row.a) * Math.abs(other[k]) } : {},
     );
-    yield [cause("table.a exchanged", fields), change]; // handed in: a_2 and a_3
+    yield [makeCause("table.a exchanged", fields), change]; // handed in: a_2 and a_3
   }
   const before = put((_, i) => ({ a: rows[i - 1]?.a ?? 0, alpha: rows[i - 1]?.alpha ?? 0 }));
-  yield [cause("table.craig rows"), before]; // handed in: Craig's rows in the standard matrix
+  yield [makeCause("table.craig rows"), before]; // handed in: Craig's rows in the standard matrix
   const moving = rows.filter(({ kind }) => kind !== "fixed");
   if (moving.length < rows.length)
     yield [
-      cause("table.locked row"),
-      (c) => ({ ...c, rows: moving, at: joints({ rows: moving }) }),
+      makeCause("table.locked row"),
+      (c) => ({ ...c, rows: moving, at: movingRows({ rows: moving }) }),
     ]; // slip 3
 }
 
@@ -57,7 +57,7 @@ function* ofArm({ penless, alike = [], robots = [], rows }) {
 function ofRow(row, k) {
   const at = { row: k + 1 };
   const put = (key, fields, entries) => [
-    cause(key, fields),
+    makeCause(key, fields),
     (c) => ({ ...c, rows: c.rows.map((one, i) => (i === k ? { ...one, ...entries } : one)) }),
   ];
   const found = [];
@@ -79,21 +79,23 @@ function ofRow(row, k) {
 const MAKERS = [2, 4, 7]; // joints that the Panda's maker counts the other way
 
 // The signs of an arm's joints as the Panda's maker has them; none where there are not seven rows.
-export const makersSigns = (arm) =>
-  arm.rows.length === 7 ? numbered(arm).map((i) => (MAKERS.includes(i) ? -1 : 1)) : null;
+export const makerJointSigns = (arm) =>
+  arm.rows.length === 7 ? jointNumbers(arm).map((i) => (MAKERS.includes(i) ? -1 : 1)) : null;
 
 // Other joint values: in degrees, or in radians where degrees were meant; one joint the other way,
 // or those of the Panda's maker.
 /** @returns {Change[]} */
-export function otherPoses(key, arm) {
-  const turns = turning(arm);
-  const joint = numbered(arm);
+export function poseMistakes(key, arm) {
+  const turns = revoluteFlags(arm);
+  const joint = jointNumbers(arm);
   /** @returns {Change} */
   const put = (one, change) => [one, (c) => ({ ...c, q: c.q.map(change) })];
-  const found = [RAD, DEG].map((factor) => put(cause(key), (x, k) => (turns[k] ? x * factor : x)));
-  const signs = makersSigns(arm);
-  if (signs) found.push(put(cause("ik.makers signs"), (x, k) => signs[k] * x));
+  const found = [RAD, DEG].map((factor) =>
+    put(makeCause(key), (x, k) => (turns[k] ? x * factor : x)),
+  );
+  const signs = makerJointSigns(arm);
+  if (signs) found.push(put(makeCause("ik.makers signs"), (x, k) => signs[k] * x));
   for (const k of joint.keys())
-    found.push(put(cause("ik.sign", { joint: `q_${joint[k]}` }), (x, i) => (i === k ? -x : x)));
+    found.push(put(makeCause("ik.sign", { joint: `q_${joint[k]}` }), (x, i) => (i === k ? -x : x)));
   return found; // all handed in
 }

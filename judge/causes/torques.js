@@ -3,11 +3,11 @@
 // was seen: a slip's number in homework.md, a chapter, or work that was handed in.
 
 import * as chains from "../geometry/chains.js";
-import { joints } from "../geometry/kinematics.js";
-import { minusEach } from "../geometry/linear.js";
+import { movingRows } from "../geometry/kinematics.js";
+import { subtractEach } from "../geometry/linear.js";
 import { rowsOf } from "../reading/numbers.js";
-import { makersSigns, otherPoses, wrongTables } from "./tables.js";
-import { both, cause } from "./ranking.js";
+import { makerJointSigns, poseMistakes, tableMistakes } from "./tables.js";
+import { combineCauses, makeCause } from "./ranking.js";
 
 /**
  * An arm with masses under gravity (m/s^2, a vector) and a wrench for each of its poses.
@@ -32,17 +32,17 @@ const same = (x) => x;
 const times = (factor, list) => list.map((x) => factor * x);
 
 const weightOf = ({ c, T, masses, centres, gravity }) =>
-  chains.weights(c, T, masses, centres, gravity);
-const forceOf = ({ J, F }) => chains.through(J, F);
+  chains.gravityTorques(c, T, masses, centres, gravity);
+const forceOf = ({ J, F }) => chains.wrenchTorques(J, F);
 
 /** @returns {Load} */
-export function loadOf(arm, wrenches, gravity) {
+export function makeLoad(arm, wrenches, gravity) {
   const bodies = arm.rows.map((row) => row.body);
   const [masses, centres] = [bodies.map(([mass]) => mass), bodies.map(([, ...centre]) => centre)];
   return {
-    c: chains.chain(
+    c: chains.makeChain(
       arm,
-      joints(arm).map(() => 0),
+      movingRows(arm).map(() => 0),
     ),
     wrenches,
     gravity,
@@ -52,21 +52,21 @@ export function loadOf(arm, wrenches, gravity) {
 }
 
 // Torques at the poses of a list of joint values, by steps some of which are wrong.
-export const torquesOf =
+export const makeTorques =
   (load, dof, { change = same, weight = weightOf, force = forceOf, write = same } = {}) =>
   (q) =>
     rowsOf(q, dof).flatMap((one, i) => {
       const at = atPose(change({ ...load, c: { ...load.c, q: one, dof } }), load.wrenches[i]);
-      return write(minusEach(weight(at), force(at)));
+      return write(subtractEach(weight(at), force(at)));
     });
 
 function atPose(load, F) {
-  const T = chains.framesOf(load.c);
-  return { ...load, T, J: chains.columns(load.c, T), F };
+  const T = chains.chainFrames(load.c);
+  return { ...load, T, J: chains.flatJacobian(load.c, T), F };
 }
 
 /** @returns {Step[]} */
-export const steps = (arm, load) => [
+export const listTorqueSteps = (arm, load) => [
   ...bodies(arm, load),
   ...chainsOf(arm),
   ...weights(load),
@@ -78,7 +78,7 @@ export const steps = (arm, load) => [
 // coordinates change.
 /** @returns {Step[]} */
 function chainsOf(arm) {
-  const tables = wrongTables(arm).filter(
+  const tables = tableMistakes(arm).filter(
     ([
       {
         keys: [key],
@@ -86,7 +86,7 @@ function chainsOf(arm) {
     ]) => key !== "table.locked row",
   );
   const centres = arm.penless?.rows.map((row) => row.body?.slice(1));
-  return [...otherPoses("tau.degrees", arm), ...tables].map(([one, change]) => ({
+  return [...poseMistakes("tau.degrees", arm), ...tables].map(([one, change]) => ({
     cause: one,
     change: (load) => ({
       ...load,
@@ -96,15 +96,15 @@ function chainsOf(arm) {
   }));
 }
 
-/** One slip each. @returns {(import("./ranking.js").Slip & { steps: any })[]} */
-export const single = (load, dof, all) =>
-  all.map((one) => ({ cause: one.cause, steps: one, make: torquesOf(load, dof, one) }));
+/** One slip each. @returns {(import("./ranking.js").Mistake & { steps: any })[]} */
+export const singleMistakes = (load, dof, all) =>
+  all.map((one) => ({ cause: one.cause, steps: one, make: makeTorques(load, dof, one) }));
 
 /**
  * Two slips in different steps, or two changes.
- * @returns {Generator<import("./ranking.js").Slip & { steps: any }>}
+ * @returns {Generator<import("./ranking.js").Mistake & { steps: any }>}
  */
-export function* pairs(load, dof, all) {
+export function* mistakePairs(load, dof, all) {
   for (const [n, first] of all.entries()) {
     for (const second of all.slice(n + 1)) {
       if (["weight", "force", "write"].some((step) => first[step] && second[step])) continue;
@@ -112,9 +112,9 @@ export function* pairs(load, dof, all) {
       const change = (at) => other(one(at));
       const two = { ...first, ...second, change };
       yield {
-        cause: both(first.cause, second.cause),
+        cause: combineCauses(first.cause, second.cause),
         steps: two,
-        make: torquesOf(load, dof, two),
+        make: makeTorques(load, dof, two),
       };
     }
   }
@@ -122,11 +122,12 @@ export function* pairs(load, dof, all) {
 
 /** @returns {Generator<Step>} */
 function* writings(arm) {
-  yield { cause: cause("tau.all signs"), write: (tau) => times(-1, tau) }; // handed in
-  yield { cause: cause("tau.reversed order"), write: (tau) => [...tau].reverse() }; // tau_7 first
-  const signs = makersSigns(arm); // as Pinocchio's model has them
+  yield { cause: makeCause("tau.all signs"), write: (tau) => times(-1, tau) }; // handed in
+  // tau_7 first
+  yield { cause: makeCause("tau.reversed order"), write: (tau) => [...tau].reverse() };
+  const signs = makerJointSigns(arm); // as Pinocchio's model has them
   if (signs)
-    yield { cause: cause("tau.makers signs"), write: (tau) => tau.map((x, k) => signs[k] * x) };
+    yield { cause: makeCause("tau.makers signs"), write: (tau) => tau.map((x, k) => signs[k] * x) };
 }
 
 // What each joint's own link weighs, without those behind it.
@@ -137,35 +138,36 @@ function ownLinks(at) {
 
 /** @returns {Generator<Step>} */
 function* weights({ c }) {
-  yield { cause: cause("tau.own link"), weight: ownLinks }; // handed in
-  yield { cause: cause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
-  yield { cause: cause("tau.weight sign"), weight: (at) => times(-1, weightOf(at)) }; // slip 24
+  yield { cause: makeCause("tau.own link"), weight: ownLinks }; // handed in
+  yield { cause: makeCause("tau.weight missing"), weight: () => c.at.map(() => 0) }; // handed in
+  yield { cause: makeCause("tau.weight sign"), weight: (at) => times(-1, weightOf(at)) }; // slip 24
 }
 
 /** @returns {Generator<Step>} */
 function* forces({ wrenches, c: { dof } }) {
   if (!wrenches.some((F) => F.some(Boolean))) return;
-  const by = (change) => (at) => chains.through(at.J, change(at.F, at.T.at(-1)));
-  yield { cause: cause("tau.force sign"), force: by((F) => times(-1, F)) }; // section 4
-  yield { cause: cause("tau.force missing"), force: by((F) => times(0, F)) }; // half an answer
-  const tool = by((F, T) => chains.wrenchFrom(T, F));
-  yield { cause: cause("tau.force in tool"), force: tool }; // handed in
-  const across = ({ J, F, c }) => chains.through(chains.transposed(J, [c.dof, 6]), F);
-  if (dof === 6) yield { cause: cause("tau.J for J^T"), force: across }; // handed in
+  const by = (change) => (at) => chains.wrenchTorques(at.J, change(at.F, at.T.at(-1)));
+  yield { cause: makeCause("tau.force sign"), force: by((F) => times(-1, F)) }; // section 4
+  yield { cause: makeCause("tau.force missing"), force: by((F) => times(0, F)) }; // half an answer
+  const tool = by((F, T) => chains.wrenchFromFrame(T, F));
+  yield { cause: makeCause("tau.force in tool"), force: tool }; // handed in
+  const across = ({ J, F, c }) => chains.wrenchTorques(chains.transpose(J, [c.dof, 6]), F);
+  if (dof === 6) yield { cause: makeCause("tau.J for J^T"), force: across }; // handed in
   const late = ({ at }) => at.map((row) => row + 1);
   const recipe =
     (options) =>
     ({ c, T, F }) =>
-      chains.through(chains.columns(c, T, options(c)), F);
-  yield { cause: cause("J.z_i"), force: recipe((c) => ({ axis: late(c) })) }; // slip 19
-  yield { cause: cause("J.origin late"), force: recipe((c) => ({ origin: late(c) })) }; // handed in
+      chains.wrenchTorques(chains.flatJacobian(c, T, options(c)), F);
+  yield { cause: makeCause("J.z_i"), force: recipe((c) => ({ axis: late(c) })) }; // slip 19
+  // handed in
+  yield { cause: makeCause("J.origin late"), force: recipe((c) => ({ origin: late(c) })) };
   const frame = recipe((c) => ({ axis: late(c), origin: late(c) }));
-  yield { cause: cause("J.one frame late"), force: frame }; // handed in
+  yield { cause: makeCause("J.one frame late"), force: frame }; // handed in
 }
 
 /** Masses, centres and g. @returns {Generator<Step>} */
 function* bodies(arm, load) {
-  const put = (key, change, fields = {}) => ({ cause: cause(key, fields), change });
+  const put = (key, change, fields = {}) => ({ cause: makeCause(key, fields), change });
   const g = Math.hypot(...load.gravity);
   const under = (other) => ({ gravity: times(other / (g || 1), load.gravity) });
   for (const other of [9.8, 10]) {

@@ -2,16 +2,21 @@
 
 import { DEG } from "../geometry/angles.js";
 import { minus, norm, scaled } from "../geometry/kinematics.js";
-import { minusEach, rightNull } from "../geometry/linear.js";
-import { chain, columns, framesOf } from "../geometry/chains.js";
-import { recipes } from "./jacobian.js";
-import { wrongTables } from "./tables.js";
-import { cause } from "./ranking.js";
-import { displaced, known, oneOff, twoOff } from "./trace_paths.js";
+import { subtractEach, nullSpace } from "../geometry/linear.js";
+import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
+import { jacobianRecipes } from "./jacobian.js";
+import { tableMistakes } from "./tables.js";
+import { makeCause } from "./ranking.js";
+import {
+  displacedPaths,
+  isPathKnown,
+  pathsWithOneMistake,
+  pathsWithTwoMistakes,
+} from "./trace_paths.js";
 
 // What a right run may be off by its program's method: Euler's on the homework's circle stays well
 // below, and a tool that leans or spins no more counts as held.
-export const [USUAL, TILT] = [2e-3, 1 / DEG]; // m, rad
+export const [METHOD_ERROR, METHOD_TILT] = [2e-3, 1 / DEG]; // m, rad
 const FINE = 1e-5; // of what the joints turn: numbers in a program have digits too, as pi = 3.1416
 
 /** @typedef {import("./ranking.js").Cause} Cause */
@@ -31,14 +36,14 @@ const FINE = 1e-5; // of what the joints turn: numbers in a program have digits 
  */
 
 /** @returns {Run} */
-export function runOf(q, units, arm, path) {
+export function makeTrace(q, units, arm, path) {
   const made = new Map();
   const at = (k) => {
     if (!made.has(k)) {
       const next = q[Math.ceil(k)];
       const pose = q[Math.floor(k)].map((x, i) => (x + next[i]) / 2);
-      const c = chain(arm, pose);
-      made.set(k, [c, framesOf(c)]);
+      const c = makeChain(arm, pose);
+      made.set(k, [c, chainFrames(c)]);
     }
     return made.get(k);
   };
@@ -52,16 +57,18 @@ export function runOf(q, units, arm, path) {
  * @param {Run} run @param {number[][]} tip @param {number[]} allowed
  * @param {{ off: boolean, shown: boolean }} seen
  */
-export function traceCause(run, tip, allowed, { off, shown }) {
+export function findTraceCause(run, tip, allowed, { off, shown }) {
   const { path } = run;
-  if (off && !known(path)) return null;
-  const [moved, others] = off ? [displaced(path, tip[0], allowed[0]), oneOff(path)] : [[], []];
+  if (off && !isPathKnown(path)) return null;
+  const [moved, others] = off
+    ? [displacedPaths(path, tip[0], allowed[0]), pathsWithOneMistake(path)]
+    : [[], []];
   if (right(run)) return moved[0]?.one ?? null;
   return (
     pathCause([...others, ...moved], path, tip, allowed) ??
     loopCause(run, [...speeds(path), ...others.map(ledBy), ...matrices(run)]) ??
-    (shown ? loopCause(run, matrices(run), [USUAL, TILT]) : null) ??
-    (off ? pathCause(twoOff(path), path, tip, allowed) : null)
+    (shown ? loopCause(run, matrices(run), [METHOD_ERROR, METHOD_TILT]) : null) ??
+    (off ? pathCause(pathsWithTwoMistakes(path), path, tip, allowed) : null)
   );
 }
 
@@ -75,10 +82,10 @@ function pathCause(others, { times }, tip, allowed) {
 }
 
 /** Whether the right rule holds, to the digits, by Euler's method. @param {Run} run */
-export const holds = (run) => fails(run, {}) <= 1;
+export const followsPathByEuler = (run) => fails(run, {}) <= 1;
 
 // Or by a method so good that only the sums here are off.
-const right = (run) => holds(run) || fails(run, {}, [0, 0]) <= 1;
+const right = (run) => followsPathByEuler(run) || fails(run, {}, [0, 0]) <= 1;
 
 /**
  * The rule by which each step's joints follow from the one before: to the digits, by Euler's
@@ -96,8 +103,8 @@ function loopCause(run, rules, near = null) {
 
 /** @param {Path} path @returns {Rule[]} */
 const speeds = (path) => [
-  { one: cause("trace.millimetres"), v: (t) => scaled(1e3, path.velocity(t)) }, // slip 5
-  { one: cause("trace.next velocity"), v: (t, dt) => path.velocity(t + dt) }, // slip 21
+  { one: makeCause("trace.millimetres"), v: (t) => scaled(1e3, path.velocity(t)) }, // slip 5
+  { one: makeCause("trace.next velocity"), v: (t, dt) => path.velocity(t + dt) }, // slip 21
 ];
 
 const ledBy = ({ one, path }) => ({ one, v: path.velocity });
@@ -106,21 +113,22 @@ const ledBy = ({ one, path }) => ({ one, v: path.velocity });
 function* matrices({ q, arm, at }) {
   const [here, T] = at(0);
   const millimetres = (c, frames) =>
-    columns(c, frames).map((x, i) => (i < 3 * c.dof ? 1e3 * x : x));
-  yield { one: cause("J.millimetres"), K: millimetres }; // slip 26
-  const first = columns(here, T);
-  yield { one: cause("trace.jacobian held"), K: () => first }; // handed in
-  for (const [one, K] of recipes(here)) yield { one, K };
-  for (const [one, change] of wrongTables(arm))
-    yield { one, K: (c) => columns(change(c), framesOf(change(c))) };
-  if (q[0].length >= 6) yield { one: cause("trace.position only"), K: linearAlone }; // handed in
+    flatJacobian(c, frames).map((x, i) => (i < 3 * c.dof ? 1e3 * x : x));
+  yield { one: makeCause("J.millimetres"), K: millimetres }; // slip 26
+  const first = flatJacobian(here, T);
+  yield { one: makeCause("trace.jacobian held"), K: () => first }; // handed in
+  for (const [one, K] of jacobianRecipes(here)) yield { one, K };
+  for (const [one, change] of tableMistakes(arm))
+    yield { one, K: (c) => flatJacobian(change(c), chainFrames(change(c))) };
+  // handed in
+  if (q[0].length >= 6) yield { one: makeCause("trace.position only"), K: linearAlone };
 }
 
 // The linear rows; and that no joint moves but to move the tip, as by their pseudo-inverse.
 function linearAlone(c, T) {
-  const J = columns(c, T).slice(0, 3 * c.dof);
+  const J = flatJacobian(c, T).slice(0, 3 * c.dof);
   const each = Array.from({ length: c.dof }, (_, k) => [0, 1, 2].map((i) => J[i * c.dof + k]));
-  const still = rightNull(each);
+  const still = nullSpace(each);
   const idle = each.flatMap((_, i) =>
     each.map((_, j) => still.reduce((sum, n) => sum + n[i] * n[j], 0)),
   );
@@ -139,7 +147,7 @@ function linearAlone(c, T) {
  * middles what is `near`, and what the trapezoids' sums differ from theirs.
  * @param {Run} run @param {Rule} rule @param {number[] | null} near (m, rad)
  */
-function fails({ q, units, path, at }, { K = columns, v = path.velocity }, near = null) {
+function fails({ q, units, path, at }, { K = flatJacobian, v = path.velocity }, near = null) {
   const first = K(...at(0));
   const rows = q[0].length < 6 ? 3 : first.length / q[0].length;
   const sum = new Array(rows).fill(0);
@@ -147,10 +155,10 @@ function fails({ q, units, path, at }, { K = columns, v = path.velocity }, near 
   let [here, worst] = [first, 0];
   for (let k = 0; k + 1 < q.length; k++) {
     const [t, dt] = [path.times[k], path.times[k + 1] - path.times[k]];
-    const step = minusEach(q[k + 1], q[k]);
+    const step = subtractEach(q[k + 1], q[k]);
     const off = (M, time) => offOf(M, step, v(time, dt), dt, rows);
     const next = K(...at(k + 1));
-    const change = minusEach(next, here);
+    const change = subtractEach(next, here);
     const start = off(here, t);
     const used = near ? off(K(...at(k + 0.5)), t + 0.5 * dt) : start;
     const end = near ? off(next, t + dt) : start;

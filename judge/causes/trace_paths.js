@@ -2,8 +2,8 @@
 // numbers are those of homeworks; none is fitted to a run.
 
 import { minus, norm, plus, scaled } from "../geometry/kinematics.js";
-import { listed, size } from "../sentences.js";
-import { both, cause } from "./ranking.js";
+import { joinList, formatNumber } from "../sentences.js";
+import { combineCauses, makeCause } from "./ranking.js";
 
 /** @typedef {import("./ranking.js").Cause} Cause */
 /** @typedef {import("../geometry/path.js").Path} Path */
@@ -28,12 +28,12 @@ function clocks({ times }) {
   const [begins, ends] = [times[0], times.at(-1)];
   const round = 1 - 1 / times.length; // the angle of step i is 2 pi i/(N + 1)
   return [
-    { one: cause("trace.backwards"), rate: -1, from: begins + ends },
+    { one: makeCause("trace.backwards"), rate: -1, from: begins + ends },
     ...FACTORS.map((f) => {
-      const words = { _share: size(100 * f), _over: size(1 / f) };
-      return { one: cause("trace.fraction", words), rate: f, from: (1 - f) * begins };
+      const words = { _share: formatNumber(100 * f), _over: formatNumber(1 / f) };
+      return { one: makeCause("trace.fraction", words), rate: f, from: (1 - f) * begins };
     }),
-    { one: cause("trace.open"), rate: round, from: (1 - round) * begins },
+    { one: makeCause("trace.open"), rate: round, from: (1 - round) * begins },
   ];
 }
 
@@ -53,13 +53,13 @@ function* placed(path) {
     const position = (t) => plus(o, map(minus(path.position(t), o)));
     return { one, path: { ...path, position, velocity: (t) => map(path.velocity(t)) } };
   };
-  yield other(cause("trace.other side"), begin(path), (p) => scaled(-1, p));
+  yield other(makeCause("trace.other side"), begin(path), (p) => scaled(-1, p));
   for (const o of [begin(path), centre(path)]) {
     for (const f of FACTORS)
-      yield other(cause("trace.scaled", { _scale: size(f) }), o, (p) => scaled(f, p));
+      yield other(makeCause("trace.scaled", { _scale: formatNumber(f) }), o, (p) => scaled(f, p));
     for (const [i, j] of PAIRS) {
       const order = AXES.map((k) => (k === i ? j : k === j ? i : k));
-      const one = cause("trace.axes exchanged", { first: "xyz"[i], second: "xyz"[j] });
+      const one = makeCause("trace.axes exchanged", { first: "xyz"[i], second: "xyz"[j] });
       yield other(one, o, (p) => order.map((k) => p[k]));
     }
   }
@@ -70,20 +70,20 @@ const half = ({ times }) => (times[0] + times.at(-1)) / 2;
 const centre = (path) => scaled(0.5, plus(begin(path), path.position(half(path)))); // of a circle
 
 /** The paths that one slip makes of a path. @param {Path} path @returns {Other[]} */
-export const oneOff = (path) => [...timed(path), ...placed(path)];
+export const pathsWithOneMistake = (path) => [...timed(path), ...placed(path)];
 
 /** And those that two make of it. @param {Path} path @returns {Generator<Other>} */
-export function* twoOff(path) {
-  for (const first of oneOff(path))
+export function* pathsWithTwoMistakes(path) {
+  for (const first of pathsWithOneMistake(path))
     for (const second of placed(first.path))
-      yield { one: both(first.one, second.one), path: second.path };
+      yield { one: combineCauses(first.one, second.one), path: second.path };
 }
 
 /**
  * Whether all that these paths are made of is known; Python is asked for it at once.
  * @param {Path} path
  */
-export const known = (path) =>
+export const isPathKnown = (path) =>
   clocks(path)
     .flatMap(({ rate, from }) => path.times.map((t) => from + rate * t))
     .concat(half(path))
@@ -95,7 +95,7 @@ export const known = (path) =>
  * as slip 11 may be read; or the run begins there, as was handed in.
  * @param {Path} path @param {number[]} start @returns {Other[]}
  */
-export function displaced(path, start, allowed) {
+export function displacedPaths(path, start, allowed) {
   const shift = minus(start, begin(path));
   if (norm(shift) <= allowed) return [];
   const gone = (axes) => centre(path).map((x, i) => (axes.includes(i) ? -x : 0));
@@ -103,8 +103,8 @@ export function displaced(path, start, allowed) {
     (axes) => norm(minus(shift, gone(axes))) <= allowed,
   );
   const one = out
-    ? cause("trace.centre", { axes: listed(out.map((i) => "xyz"[i])) })
-    : cause("trace.displaced", { _by: vector(shift) });
+    ? makeCause("trace.centre", { axes: joinList(out.map((i) => "xyz"[i])) })
+    : makeCause("trace.displaced", { _by: vector(shift) });
   return [{ one, path: { ...path, position: (t) => plus(path.position(t), shift) } }];
 }
 
@@ -112,5 +112,5 @@ export function displaced(path, start, allowed) {
 function vector(metres) {
   const far = 1e3 * Math.max(...metres.map(Math.abs));
   const unit = 10 ** [100, 10, 1].filter((least) => far < least).length;
-  return `(${metres.map((x) => size(Math.round(1e3 * x * unit) / unit + 0)).join(", ")})`;
+  return `(${metres.map((x) => formatNumber(Math.round(1e3 * x * unit) / unit + 0)).join(", ")})`;
 }

@@ -1,6 +1,6 @@
 // An arm as plain data: what makes one, where it may stand, and what a typed one is called.
 
-import { joints } from "./kinematics.js";
+import { movingRows } from "./kinematics.js";
 
 /**
  * A row of a standard Denavit-Hartenberg table, in rad and m; null where a limit is not known.
@@ -18,27 +18,26 @@ import { joints } from "./kinematics.js";
  */
 /** @typedef {{ name: string, home: number[], rows: Row[] }} Arm */
 
-export const KINDS = ["revolute", "prismatic", "fixed"];
-export const MOST_ROWS = 16;
-export const LONGEST = 100; // m, of a length in a table
-export const LARGEST = 1000; // rad, of an angle in a table: an entry beyond is a slip of the finger
-export const TYPED = "Your arm";
+export const ROW_KINDS = ["revolute", "prismatic", "fixed"];
+export const MAX_ROWS = 16;
+export const MAX_LENGTH = 100; // m, of a length in a table
+export const MAX_ANGLE = 1000; // rad, of an angle in a table: a larger one is a typing error
+export const TYPED_ARM_NAME = "Your arm";
 
 /** @type {[string, number][]} */
 const ENTRIES = [
-  ["a", LONGEST],
-  ["alpha", LARGEST],
-  ["d", LONGEST],
-  ["theta", LARGEST],
+  ["a", MAX_LENGTH],
+  ["alpha", MAX_ANGLE],
+  ["d", MAX_LENGTH],
+  ["theta", MAX_ANGLE],
 ];
 
 // What is wrong with rows that came from elsewhere, in words, or null where nothing is.
-export function rowsFault(rows) {
+export function findRowsFault(rows) {
   if (!Array.isArray(rows) || !rows.length) return "the table has no rows";
-  if (rows.length > MOST_ROWS)
-    return `the table has ${rows.length} rows; ${MOST_ROWS} are the most`;
+  if (rows.length > MAX_ROWS) return `the table has ${rows.length} rows; ${MAX_ROWS} are the most`;
   for (const [i, row] of rows.entries()) {
-    if (!KINDS.includes(row?.kind)) return `row ${i + 1} neither turns, slides nor is fixed`;
+    if (!ROW_KINDS.includes(row?.kind)) return `row ${i + 1} neither turns, slides nor is fixed`;
     for (const [key, most] of ENTRIES) {
       if (!Number.isFinite(row[key])) return `row ${i + 1} has no number for ${key}`;
       if (Math.abs(row[key]) > most)
@@ -61,49 +60,50 @@ const bare = ({ kind, a, alpha, d, theta }) => ({
   effort: null,
 });
 
-export const sameRow = (p, q) =>
+export const isSameRow = (p, q) =>
   p.kind === q.kind && ENTRIES.every(([key]) => Math.abs(p[key] - q[key]) < 1e-12);
 
 // The arm that a typed table describes: the arm it began as while every entry is that arm's, else
 // one of its own.
-export function typedArm(rows, base) {
-  if (rows.length === base.rows.length && rows.every((row, i) => sameRow(row, base.rows[i])))
+export function makeTypedArm(rows, base) {
+  if (rows.length === base.rows.length && rows.every((row, i) => isSameRow(row, base.rows[i])))
     return base;
-  const typed = { name: TYPED, home: [], rows: rows.map(bare) };
-  return { ...typed, home: carriedOver(base, base.home, typed, (row) => row) };
+  const typed = { name: TYPED_ARM_NAME, home: [], rows: rows.map(bare) };
+  return { ...typed, home: carryOverJoints(base, base.home, typed, (row) => row) };
 }
 
 // The joint vector for an arm whose rows were changed: joints keep their values by row, new ones
 // start at 0.
-export function carriedOver(from, q, to, rowBefore) {
-  const byRow = new Map(joints(from).map((row, i) => [row, [from.rows[row].kind, q[i] ?? 0]]));
-  return joints(to).map((row) => {
+export function carryOverJoints(from, q, to, rowBefore) {
+  const byRow = new Map(movingRows(from).map((row, i) => [row, [from.rows[row].kind, q[i] ?? 0]]));
+  return movingRows(to).map((row) => {
     const [kind, value] = byRow.get(rowBefore(row)) ?? [];
     return kind === to.rows[row].kind ? value : 0;
   });
 }
 
-export const homeOf = (arm) => (fits(arm, arm.home) ? [...arm.home] : joints(arm).map(() => 0));
+export const homePose = (arm) =>
+  isJointVector(arm, arm.home) ? [...arm.home] : movingRows(arm).map(() => 0);
 
 // Whether q is a joint vector of the arm.
-export const fits = (arm, q) =>
-  Array.isArray(q) && q.length === joints(arm).length && q.every(Number.isFinite);
+export const isJointVector = (arm, q) =>
+  Array.isArray(q) && q.length === movingRows(arm).length && q.every(Number.isFinite);
 
 // Where a joint may be put: its limits, or half a turn or a metre either way where none are known.
-export function range(row) {
+export function jointRange(row) {
   const reach = row.kind === "revolute" ? Math.PI : 1;
   return [row.lower ?? -reach, row.upper ?? reach];
 }
 
 // Whether a joint is past one of its limits.
-export const outside = (row, value) =>
+export const isOutsideLimits = (row, value) =>
   value < (row.lower ?? -Infinity) - 1e-9 || value > (row.upper ?? Infinity) + 1e-9;
 
-export const limited = (arm) =>
-  joints(arm).some((row) => arm.rows[row].lower !== null || arm.rows[row].upper !== null);
+export const hasLimits = (arm) =>
+  movingRows(arm).some((row) => arm.rows[row].lower !== null || arm.rows[row].upper !== null);
 
 // How far the stretched-out arm reaches, as a scale for what is drawn.
-export const reachOf = (arm) =>
+export const estimateReach = (arm) =>
   arm.rows.reduce(
     (sum, row) =>
       sum +

@@ -4,13 +4,13 @@
 // slides has a direction and no place. What is left open is which way each axis points: a sign per
 // joint, which the comparison chooses.
 
-import { cross, dot, joints, linkFrames, norm } from "./kinematics.js";
-import { squared } from "./rows.js";
-import { gaps, NORMAL, TINY } from "./walk.js";
+import { cross, dot, movingRows, linkFrames, norm } from "./kinematics.js";
+import { snapRows } from "./rows.js";
+import { listGaps, NORMAL_INDEX, TINY } from "./walk.js";
 
 /**
  * A row of a table in m and rad.
- * @typedef {{ kind: string, a: number, alpha: number, d: number, theta: number }} Numbers
+ * @typedef {{ kind: string, a: number, alpha: number, d: number, theta: number }} TableRow
  */
 
 /**
@@ -33,8 +33,8 @@ import { gaps, NORMAL, TINY } from "./walk.js";
  * is how far axis 1 passes from z_0 and how far it leans from it, none but where fixed rows come
  * first; `axis` is its direction.
  * @typedef {{
- * rows: Numbers[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number], axis:
- * number[], up: number, }} Side
+ * rows: TableRow[], joints: number[], gaps: Gap[], tilt: number, foot: [number, number], axis:
+ * number[], up: number, }} AxisWalk
  */
 
 /**
@@ -47,7 +47,7 @@ import { gaps, NORMAL, TINY } from "./walk.js";
 /**
  * The differences that are left, which way each axis points, and how the base and the last frame
  * stand.
- * @typedef {object} Compared
+ * @typedef {object} AxisComparison
  * @property {Difference[]} differences
  * @property {number[]} signs
  * @property {number} baseHigher
@@ -56,14 +56,14 @@ import { gaps, NORMAL, TINY } from "./walk.js";
  */
 
 // A table's walk; it needs a joint.
-/** @param {Numbers[]} rows @returns {Side} */
-export function side(rows) {
-  const moving = joints({ rows });
+/** @param {TableRow[]} rows @returns {AxisWalk} */
+export function describeAxes(rows) {
+  const moving = movingRows({ rows });
   const numbers = moving.map((i) => i + 1);
   return {
     rows,
     joints: numbers,
-    gaps: gaps({ rows }),
+    gaps: listGaps({ rows }),
     tilt: tilt({ rows }, moving),
     ...foot(rows, moving[0]),
   };
@@ -76,7 +76,7 @@ function foot(rows, first) {
   const n = cross([0, 0, 1], z);
   const far = norm(n) > TINY ? Math.abs(dot(o, n)) / norm(n) : Math.hypot(o[0], o[1]);
   return {
-    foot: [rows[first].kind === "revolute" ? far : 0, arc(Math.abs(z[2]))],
+    foot: [rows[first].kind === "revolute" ? far : 0, clampedAcos(Math.abs(z[2]))],
     axis: z,
     up: z[2] < -TINY ? -1 : 1,
   };
@@ -96,8 +96,8 @@ function tilt(arm, moving) {
 // Two arms, lengths compared to within `length` (m) and angles to within `angle` (rad); the signs
 // of the axes are chosen gap by gap from the base on, keeping for each sign of the last axis the
 // cheapest choice.
-/** @param {Side} mine @param {Side} reference @returns {Compared} */
-export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
+/** @param {AxisWalk} mine @param {AxisWalk} reference @returns {AxisComparison} */
+export function compareAxes(mine, reference, length = 1e-6, angle = 1e-4) {
   const unlike = unlikeJoints(mine, reference);
   if (unlike.length)
     return { differences: unlike, signs: [], baseHigher: 0, upsideDown: false, tilts: [0, 0] };
@@ -110,8 +110,8 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
   for (const gap of mine.gaps.keys()) best = step(sides, gap, best);
   const ends = [...best].map(([last, { cost, signs, found }]) => {
     /** @type {[number, number]} */
-    const tilts = [arc(mine.tilt), arc(last * reference.tilt)];
-    const note = Number(angleBetween(...tilts) > angle);
+    const tilts = [clampedAcos(mine.tilt), clampedAcos(last * reference.tilt)];
+    const note = Number(angleDistance(...tilts) > angle);
     const total = signs.reduce((sum, s) => sum + s, 0);
     return { cost: [cost[0], cost[1], cost[2] + note, -total], signs, differences: found, tilts };
   });
@@ -124,10 +124,10 @@ export function compared(mine, reference, length = 1e-6, angle = 1e-4) {
 }
 
 // Whether two tables describe the same machine, whatever frames they choose.
-/** @param {Numbers[]} mine @param {Numbers[]} reference */
-export function sameMachine(mine, reference) {
-  const [ours, theirs] = [mine, reference].map(squared);
-  return !compared(side(ours), side(theirs)).differences.length;
+/** @param {TableRow[]} mine @param {TableRow[]} reference */
+export function isSameMachine(mine, reference) {
+  const [ours, theirs] = [mine, reference].map(snapRows);
+  return !compareAxes(describeAxes(ours), describeAxes(theirs)).differences.length;
 }
 
 // Whether z_0 points the other way, where axis 1 tells.
@@ -167,7 +167,7 @@ function step(sides, gap, best) {
 function continued({ mine, reference, within }, gap, chosen, { cost, signs: before, found: old }) {
   const [m, r] = [mine.gaps[gap], reference.gaps[gap]];
   const signs = new Map(m.joints.map((k, i) => [k, chosen[i]]));
-  const alike = placesBase(m) && placesBase(r) && `${m.bunch}` === `${r.bunch}`;
+  const alike = isBaseHeightGap(m) && isBaseHeightGap(r) && `${m.bunch}` === `${r.bunch}`;
   const note = alike && Math.abs(height(m, r, chosen[0])) > within.length;
   const turned =
     upsideDown(mine, reference, before) ||
@@ -193,7 +193,7 @@ const difference = (key, [row, entry], [mine, reference], ends = [0, 0]) => ({
 });
 
 // Whether a gap's offset is the height of the base frame, with no slide to make up for it.
-export const placesBase = ({ fromBase, offset, bunch, joints: between, toTip }) =>
+export const isBaseHeightGap = ({ fromBase, offset, bunch, joints: between, toTip }) =>
   fromBase &&
   offset !== null &&
   bunch.every((k, i) => k === i) &&
@@ -202,7 +202,7 @@ export const placesBase = ({ fromBase, offset, bunch, joints: between, toTip }) 
 const height = (m, r, sign) => sign * (r.offset ?? 0) - (m.offset ?? 0);
 
 function baseHigher(mine, reference, signs) {
-  const [m, r] = [mine, reference].map((s) => s.gaps.find(placesBase));
+  const [m, r] = [mine, reference].map((s) => s.gaps.find(isBaseHeightGap));
   if (!m || !r || `${m.bunch}` !== `${r.bunch}`) return 0;
   // The height is along the last of parallel axes, which may point the other way than axis 1.
   const within = mine.gaps.slice(1, m.bunch.length);
@@ -256,10 +256,10 @@ function differences(mine, m, r, signs, { length, angle }) {
 function twists(mine, m, r, signs, angle) {
   return m.joints.slice(1).flatMap((j, k) => {
     const pair = [m.joints[k], j];
-    const normal = `${[...pair, NORMAL]}`;
+    const normal = `${[...pair, NORMAL_INDEX]}`;
     const sided = m.joints.length === 2 && m.shape.has(normal) && r.shape.has(normal);
     const [x, y] = [twist(m, pair, sided, new Map()), twist(r, pair, sided, signs)];
-    if (angleBetween(x, y) <= angle) return [];
+    if (angleDistance(x, y) <= angle) return [];
     const ends = pair.map((i) => mine.joints[i]);
     return [difference("table between", [ends[0], "alpha"], [x, y], ends)];
   });
@@ -268,7 +268,9 @@ function twists(mine, m, r, signs, angle) {
 // The angle between two axes: about their common normal if `sided`, else between 0 and pi.
 function twist(found, pair, sided, signs) {
   const cosine = product(found, pair, signs);
-  return sided ? Math.atan2(product(found, [...pair, NORMAL], signs), cosine) : arc(cosine);
+  return sided
+    ? Math.atan2(product(found, [...pair, NORMAL_INDEX], signs), cosine)
+    : clampedAcos(cosine);
 }
 
 // One of the gap's products, each joint's direction turned by its sign.
@@ -282,7 +284,7 @@ function slide(mine, m, r, signs, angle) {
   const both = slides ? [...m.shape.keys()].filter((key) => r.shape.has(key)) : [];
   const off = (key) => Math.abs(m.shape.get(key) - product(r, key.split(",").map(Number), signs));
   if (both.every((key) => off(key) <= angle)) return [];
-  const about = held(mine, m, r, signs).find(([, x, y]) => angleBetween(x, y) > angle);
+  const about = held(mine, m, r, signs).find(([, x, y]) => angleDistance(x, y) > angle);
   if (about) return [difference("table held", [about[0], "theta"], about.slice(1))];
   const [start, end] = [0, -1].map((k) => mine.joints[m.joints.at(k)]);
   return [difference("table side", [start, "a"], [0, Math.PI], [start, m.toTip ? 0 : end])];
@@ -298,7 +300,7 @@ function held(mine, m, r, signs) {
     if (before === undefined || after === undefined) return [];
     const [three, row] = [[before, k, after], mine.joints[k]];
     // Not at a right angle, where it would be left to rounding.
-    const back = angleBetween(aboutSecond(m, three, new Map(), 1), mine.rows[row - 1].theta) > 2;
+    const back = angleDistance(aboutSecond(m, three, new Map(), 1), mine.rows[row - 1].theta) > 2;
     const way = back ? -1 : 1;
     return [[row, aboutSecond(m, three, new Map(), way), aboutSecond(r, three, signs, way)]];
   });
@@ -318,10 +320,10 @@ function aboutSecond(found, three, signs, way) {
 }
 
 // The angle with this cosine, rounding past 1 forgiven.
-export const arc = (cosine) => Math.acos(Math.max(-1, Math.min(1, cosine)));
+export const clampedAcos = (cosine) => Math.acos(Math.max(-1, Math.min(1, cosine)));
 
 // How far two angles are apart, whole turns aside.
-export function angleBetween(left, right) {
+export function angleDistance(left, right) {
   const turn = 2 * Math.PI;
   const over = (left - right + Math.PI) % turn;
   return Math.abs((over < 0 ? over + turn : over) - Math.PI);

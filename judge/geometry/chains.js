@@ -5,12 +5,12 @@ import {
   cosSin,
   cross,
   dot,
-  joints,
+  movingRows,
   linkFrames,
   minus,
   plus,
   scaled,
-  turning,
+  revoluteFlags,
 } from "./kinematics.js";
 
 const ZERO = [0, 0, 0];
@@ -24,22 +24,22 @@ export { cosSin };
  */
 
 /** @returns {Chain} */
-export const chain = (arm, q) => ({
+export const makeChain = (arm, q) => ({
   rows: arm.rows,
   q,
-  at: joints(arm),
-  turns: turning(arm),
+  at: movingRows(arm),
+  turns: revoluteFlags(arm),
   dof: q.length,
 });
 
-export const framesOf = (c) => linkFrames(c, c.q);
+export const chainFrames = (c) => linkFrames(c, c.q);
 
 /**
  * A Jacobian built column by column, with a step of the recipe done otherwise: `axis` and `origin`
  * are the frames whose z and o serve each joint, `point` the frame whose origin moves, as far as o
  * is `subtracted` from it and z `crossed` with it.
  */
-export function columns(c, T, options = {}) {
+export function flatJacobian(c, T, options = {}) {
   const {
     axis = c.at,
     origin = c.at,
@@ -65,7 +65,7 @@ export function columns(c, T, options = {}) {
 
 // Frames whose axes and origins are read along the rows of T, its last row (0, 0, 0, 1) for the
 // origin.
-export const rowsRead = (T) =>
+export const swapRowsForColumns = (T) =>
   T.map(({ x, y, z }) => {
     const row = (i) => [x[i], y[i], z[i]];
     return { x: row(0), y: row(1), z: row(2), o: ZERO };
@@ -76,8 +76,9 @@ const fromAxes = ({ x, y, z }, u) => plus(plus(scaled(u[0], x), scaled(u[1], y))
 
 // Both halves, or one of them (0 linear, 1 angular), of a Jacobian in the axes of a frame (R^T J),
 // or back (R J).
-export const seenIn = (J, frame, halves = [0, 1]) => turned(J, (u) => inAxes(frame, u), halves);
-export const seenFrom = (J, frame) => turned(J, (u) => fromAxes(frame, u), [0, 1]);
+export const rotateIntoFrame = (J, frame, halves = [0, 1]) =>
+  turned(J, (u) => inAxes(frame, u), halves);
+export const rotateFromFrame = (J, frame) => turned(J, (u) => fromAxes(frame, u), [0, 1]);
 
 function turned(J, turn, halves) {
   const dof = J.length / 6;
@@ -93,13 +94,13 @@ function turned(J, turn, halves) {
 
 // Rows as columns of a matrix of this shape.
 /** @template T @param {T[]} flat @param {number[]} shape @returns {T[]} */
-export const transposed = (flat, [rows, width]) =>
+export const transpose = (flat, [rows, width]) =>
   flat.map((_, i) => flat[(i % rows) * width + Math.floor(i / rows)]);
 
-export const halves = (v, w) => [...v.slice(0, v.length / 2), ...w.slice(w.length / 2)];
+export const joinHalves = (v, w) => [...v.slice(0, v.length / 2), ...w.slice(w.length / 2)];
 
 // g(q) for a mass and a centre, in its row's frame, of each row.
-export function weights(c, T, masses, centres, gravity) {
+export function gravityTorques(c, T, masses, centres, gravity) {
   const found = new Array(c.dof);
   let [mass, moment, k] = [0, ZERO, c.dof - 1];
   for (let row = c.rows.length - 1; row >= 0; row--) {
@@ -118,17 +119,17 @@ export function weights(c, T, masses, centres, gravity) {
 }
 
 // A wrench as it reads in the axes of a frame (R^T F), or its numbers meant in them (R F).
-export const wrenchIn = (frame, F) => [
+export const wrenchIntoFrame = (frame, F) => [
   ...inAxes(frame, F.slice(0, 3)),
   ...inAxes(frame, F.slice(3)),
 ];
-export const wrenchFrom = (frame, F) => [
+export const wrenchFromFrame = (frame, F) => [
   ...fromAxes(frame, F.slice(0, 3)),
   ...fromAxes(frame, F.slice(3)),
 ];
 
 // J^T F.
-export const through = (J, F) =>
+export const wrenchTorques = (J, F) =>
   Array.from({ length: J.length / 6 }, (_, k) =>
     F.reduce((sum, f, i) => sum + J[(i * J.length) / 6 + k] * f, 0),
   );

@@ -2,21 +2,21 @@
 // helpers/inverse (elbow, rod, stanford, spherical_wrist, ur) for one target, from joints at 0.
 // Sources stand there.
 
-import { ArmError, size } from "../sentences.js";
-import { ur } from "./inverse_ur.js";
+import { ArmError, formatNumber } from "../sentences.js";
+import { solveUr } from "./inverse_ur.js";
 import { dot, linkFrames, minus } from "./kinematics.js";
 import {
-  each,
-  facing,
-  NOISE,
-  numeric,
-  REACH,
-  shifted,
+  collectBranches,
+  solveShoulder,
+  ROUND_OFF,
+  withTwist,
+  BOUNDARY,
+  subtractOffset,
   SIDES,
   SINGULAR,
-  twoLinks,
-  unwound,
-  wrapped,
+  solveTwoLinks,
+  removeLastRow,
+  wrapAngle,
   WRISTS,
 } from "./planar.js";
 
@@ -33,17 +33,17 @@ const RODS = ["rod out", "rod through"];
 
 /** @returns {Branch[]} */
 function elbow(arm, p) {
-  const [first, second, third, tool] = arm.rows.map(numeric);
+  const [first, second, third, tool] = arm.rows.map(withTwist);
   const links = linksOf(second, third, tool?.d ?? 0);
-  const plane = facing(first, links.offset, p);
-  return each([SIDES, ELBOWS], (side, bend) => {
+  const plane = solveShoulder(first, links.offset, p);
+  return collectBranches([SIDES, ELBOWS], (side, bend) => {
     const sign = first.sa * (side === bend ? -1 : 1);
-    const found = twoLinks(links, [plane.x[side], plane.y], sign, second.theta);
+    const found = solveTwoLinks(links, [plane.x[side], plane.y], sign, second.theta);
     if (!plane.exists || !found.exists) return null;
     const q = [
-      shifted(plane.phi[side], first.theta),
-      shifted(found.phi2, second.theta),
-      shifted(second.ca * found.phi3, links.beta + third.theta),
+      subtractOffset(plane.phi[side], first.theta),
+      subtractOffset(found.phi2, second.theta),
+      subtractOffset(second.ca * found.phi3, links.beta + third.theta),
     ];
     const blur = plane.blur + found.blur;
     return { q, free: [plane.free, found.free, false], merged: [plane.one, found.one], blur };
@@ -62,21 +62,21 @@ function linksOf(second, third, tool) {
 
 /** @returns {Branch[]} */
 function rod(arm, p) {
-  const [first, second, third, tool] = arm.rows.map(numeric);
-  const plane = facing(first, second.d, p);
-  return each([SIDES, RODS], (side, through) => {
+  const [first, second, third, tool] = arm.rows.map(withTwist);
+  const plane = solveShoulder(first, second.d, p);
+  return collectBranches([SIDES, RODS], (side, through) => {
     if (!plane.exists) return null;
     const out = through ? -1 : 1;
     const length = out * Math.hypot(plane.x[side], plane.y);
     const lean = second.sa * out;
-    const central = Math.abs(length) < REACH;
+    const central = Math.abs(length) < BOUNDARY;
     const phi2 = Math.atan2(lean * plane.x[side], -lean * plane.y);
     const q = [
-      shifted(plane.phi[side], first.theta),
-      central ? 0 : shifted(phi2, second.theta),
+      subtractOffset(plane.phi[side], first.theta),
+      central ? 0 : subtractOffset(phi2, second.theta),
       length - third.d - (tool?.d ?? 0),
     ];
-    const leaning = NOISE + Math.hypot(p[0], p[1]) * plane.blur;
+    const leaning = ROUND_OFF + Math.hypot(p[0], p[1]) * plane.blur;
     const blur = plane.blur + (central ? 0 : leaning / Math.abs(length));
     return { q, free: [plane.free, central, false], merged: [plane.one, central], blur };
   });
@@ -91,8 +91,8 @@ const toCentre = (arm) => ({
 
 /** @returns {Branch[]} */
 function decoupled(place, arm, target) {
-  const rows = arm.rows.map(numeric);
-  const tool = unwound(rows[5], target);
+  const rows = arm.rows.map(withTwist);
+  const tool = removeLastRow(rows[5], target);
   const shoulder = toCentre(arm);
   return place(shoulder, tool.centre).flatMap(({ name, q, free, times, blur }) => {
     const frame = linkFrames(shoulder, q).at(-1);
@@ -101,7 +101,7 @@ function decoupled(place, arm, target) {
     return WRISTS.slice(0, singular ? 1 : 2).map((which, k) => ({
       name: `${name}, ${which}`,
       times: singular ? 2 * times : times,
-      q: [...q, ...pairs.map((pair, j) => wrapped(pair[k] - rows[3 + j].theta))],
+      q: [...q, ...pairs.map((pair, j) => wrapAngle(pair[k] - rows[3 + j].theta))],
       free: [...free, singular, false, false],
     }));
   });
@@ -136,27 +136,27 @@ const kindsOf = (rows) => rows.map(({ kind }) => kind[0]).join("");
 
 function isElbow({ rows }) {
   if (!["rrr", "rrrf"].includes(kindsOf(rows))) return false;
-  const [first, second, third, tool] = rows.map(numeric);
+  const [first, second, third, tool] = rows.map(withTwist);
   const flat = first.a === 0 && first.ca === 0 && second.sa === 0 && second.a !== 0;
   return flat && linksOf(second, third, tool?.d ?? 0).fore > 0 && !tool?.a;
 }
 
 function hasRod({ rows }) {
   if (!["rrp", "rrpf"].includes(kindsOf(rows))) return false;
-  const [first, second, third] = rows.map(numeric);
+  const [first, second, third] = rows.map(withTwist);
   const square = first.ca === 0 && second.ca === 0 && third.sa === 0 && third.ca === 1;
   return square && rows.every(({ a }) => a === 0);
 }
 
 function hasWrist({ rows }) {
   if (rows.length !== 6 || kindsOf(rows.slice(3)) !== "rrr") return false;
-  const [fourth, fifth] = rows.slice(3).map(numeric);
+  const [fourth, fifth] = rows.slice(3).map(withTwist);
   return fourth.a === 0 && fifth.a === 0 && fifth.d === 0 && fourth.ca === 0 && fifth.ca === 0;
 }
 
 function isUr({ rows }) {
   if (kindsOf(rows) !== "rrrrrr") return false;
-  const [first, second, third, fourth, fifth] = rows.map(numeric);
+  const [first, second, third, fourth, fifth] = rows.map(withTwist);
   const meeting = [first, fourth, fifth].every(({ a, ca }) => a === 0 && ca === 0);
   return meeting && second.sa === 0 && third.sa === 0 && second.a * third.a !== 0;
 }
@@ -174,20 +174,21 @@ const FORMS = {
     of: (arm, target) => decoupled(elbow, arm, target),
     pose: true,
   },
-  ur: { fits: isUr, of: ur, pose: true },
+  ur: { fits: isUr, of: solveUr, pose: true },
 };
 
 // The name, in helpers.inverse, of the closed form that serves an arm; null where none does.
-export const formOf = (arm) => Object.keys(FORMS).find((name) => FORMS[name].fits(arm)) ?? null;
+export const findClosedForm = (arm) =>
+  Object.keys(FORMS).find((name) => FORMS[name].fits(arm)) ?? null;
 
 // Whether its targets are poses, not points.
-export const asksPose = (form) => FORMS[form].pose;
+export const needsPose = (form) => FORMS[form].pose;
 
 /**
  * All branches for a target: three coordinates, or a frame where the form asks for a pose.
  * @returns {Branch[]}
  */
-export function inverse(arm, form, target) {
+export function solveInverse(arm, form, target) {
   if (FORMS[form].pose) mustBeRigid(arm, target);
   return FORMS[form].of(arm, target);
 }
@@ -198,8 +199,8 @@ function mustBeRigid(arm, { x, y, z }) {
   const error = Math.max(...gaps.map(Math.abs));
   if (error > 1e-6) {
     throw new ArmError(
-      `${arm.name}: a target is no rigid transform, by ${size(error, 2)}; expected a rotation and` +
-        " a position over (0, 0, 0, 1)",
+      `${arm.name}: a target is no rigid transform, by ${formatNumber(error, 2)};` +
+        " expected a rotation and a position over (0, 0, 0, 1)",
     );
   }
 }

@@ -1,20 +1,20 @@
 // Three parallel axes in the middle, as Universal Robots builds its arms: eight ways at the most.
 
 import {
-  clipped,
-  each,
-  facing,
-  innerOf,
-  NOISE,
-  numeric,
-  outerOf,
-  REACH,
-  shifted,
+  clamp,
+  collectBranches,
+  solveShoulder,
+  innerRadius,
+  ROUND_OFF,
+  withTwist,
+  outerRadius,
+  BOUNDARY,
+  subtractOffset,
   SIDES,
   SINGULAR,
-  twoLinks,
-  unwound,
-  wrapped,
+  solveTwoLinks,
+  removeLastRow,
+  wrapAngle,
   WRISTS,
 } from "./planar.js";
 
@@ -23,29 +23,29 @@ import {
 const BENDS = ["elbow +", "elbow -"];
 
 /** @returns {Branch[]} */
-export function ur(arm, target) {
-  const rows = arm.rows.map(numeric);
+export function solveUr(arm, target) {
+  const rows = arm.rows.map(withTwist);
   const [, second, third, fourth] = rows;
   const turn3 = second.ca * third.ca;
   const offset = second.d + second.ca * third.d + turn3 * fourth.d;
   const links = { upper: second.a, fore: third.a };
   const shape = { rows, links, turn3, side: -fourth.sa * turn3, offset };
-  const tool = unwound(rows[5], target);
-  const plane = facing(rows[0], offset, tool.centre);
+  const tool = removeLastRow(rows[5], target);
+  const plane = solveShoulder(rows[0], offset, tool.centre);
   const wrists = [0, 1].map((side) => urWrist(shape, plane, tool, side));
-  return each([SIDES, WRISTS, BENDS], (side, flip, bend) => {
+  return collectBranches([SIDES, WRISTS, BENDS], (side, flip, bend) => {
     const { phi5, phi6, u, singular, blur } = wrists[side][flip];
     const end = endOfLinks(shape, plane.x[side], plane.y, u);
-    const bent = twoLinks(links, end, bend ? -1 : 1, second.theta, blur);
+    const bent = solveTwoLinks(links, end, bend ? -1 : 1, second.theta, blur);
     if (!plane.exists || !bent.exists) return null;
     const heading = Math.atan2(u[1], u[0]);
     const q = [
-      shifted(plane.phi[side], rows[0].theta),
-      shifted(bent.phi2, second.theta),
-      shifted(second.ca * bent.phi3, third.theta),
-      wrapped(turn3 * (heading - bent.phi2 - bent.phi3) - fourth.theta),
-      shifted(phi5, rows[4].theta),
-      shifted(phi6, rows[5].theta),
+      subtractOffset(plane.phi[side], rows[0].theta),
+      subtractOffset(bent.phi2, second.theta),
+      subtractOffset(second.ca * bent.phi3, third.theta),
+      wrapAngle(turn3 * (heading - bent.phi2 - bent.phi3) - fourth.theta),
+      subtractOffset(phi5, rows[4].theta),
+      subtractOffset(phi6, rows[5].theta),
     ];
     const loose = singular && !isolated(shape, plane.x[side], plane.y);
     const free = [plane.free, bent.free, false, false, false, loose];
@@ -65,7 +65,7 @@ function urWrist(shape, plane, tool, side) {
   const cosine = shape.side * rows[4].sa * along[2];
   const singular = across < SINGULAR + plane.blur;
   const sine = singular ? 0 : across;
-  const uncertain = singular ? 0 : (NOISE + plane.blur) / sine;
+  const uncertain = singular ? 0 : (ROUND_OFF + plane.blur) / sine;
   const blur = Math.abs(rows[4].d) * uncertain;
   const scale = shape.side / (singular ? 1 : sine);
   let [c6, s6] = [-scale * along[0], scale * along[1]];
@@ -85,7 +85,7 @@ function urWrist(shape, plane, tool, side) {
       blur,
     },
   ];
-  const loose = singular || uncertain > REACH;
+  const loose = singular || uncertain > BOUNDARY;
   return loose ? both.map((one) => withinReach(shape, plane.x[side], plane.y, one)) : both;
 }
 
@@ -103,8 +103,9 @@ function endOfLinks({ side, rows }, x, y, u) {
 function isolated({ rows, links }, x, y) {
   const [far, arc] = [Math.hypot(x, y), Math.abs(rows[4].d)];
   const [nearest, farthest] = [Math.abs(far - arc), far + arc];
-  const touching = nearest >= outerOf(links) - 2 * REACH || farthest <= innerOf(links) + 2 * REACH;
-  return touching && Math.min(far, arc) > REACH;
+  const touching =
+    nearest >= outerRadius(links) - 2 * BOUNDARY || farthest <= innerRadius(links) + 2 * BOUNDARY;
+  return touching && Math.min(far, arc) > BOUNDARY;
 }
 
 // Joint 6 turned where the links cannot quite reach and it is free, or uncertain by enough; and to
@@ -115,21 +116,21 @@ function withinReach(shape, x, y, found) {
   const [ux, uy] = found.u;
   const [px, py] = endOfLinks(shape, x, y, found.u);
   const [far, length] = [Math.hypot(x, y), Math.hypot(px, py)];
-  const wanted = clipped(length, innerOf(links), outerOf(links));
+  const wanted = clamp(length, innerRadius(links), outerRadius(links));
   const alone = isolated(shape, x, y);
   const [vx, vy] = [x - px, y - py];
   const angle = Math.atan2(x * vy - y * vx, x * vx + y * vy);
   const ratio = (far ** 2 + arc ** 2 - wanted ** 2) / Math.max(2 * far * arc, 1e-300);
-  const size = Math.acos(clipped(alone ? Math.round(ratio) : ratio, -1, 1));
+  const size = Math.acos(clamp(alone ? Math.round(ratio) : ratio, -1, 1));
   const turn = (angle < 0 || Object.is(angle, -0) ? -size : size) - angle;
   const near = Math.max(Math.abs(length - wanted), (arc * Math.abs(turn)) / 2) <= found.blur;
   const needed = found.singular ? alone || length !== wanted : near;
-  if (!needed) return { ...found, phi6: wrapped(found.phi6) };
+  if (!needed) return { ...found, phi6: wrapAngle(found.phi6) };
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
   const along = side * rows[4].sa * Math.cos(found.phi5);
   return {
     ...found,
     u: [c * ux - s * uy, s * ux + c * uy],
-    phi6: wrapped(found.phi6 - Math.sign(along) * turn),
+    phi6: wrapAngle(found.phi6 - Math.sign(along) * turn),
   };
 }

@@ -1,25 +1,25 @@
 // How the joints of one valid table count in those of another: a joint's zero is found from where
 // it carries the next axis, or at the end the tip and the tool.
 
-import { cross, dot, joints, linkFrames, minus, plus, scaled } from "./kinematics.js";
+import { cross, dot, movingRows, linkFrames, minus, plus, scaled } from "./kinematics.js";
 import { DEG } from "./angles.js";
-import { say, size } from "../sentences.js";
+import { formatMessage, formatNumber } from "../sentences.js";
 
 const SEEN = 1e-6; // m, or the sine of an angle: less than this fixes no direction
 const POSES = [0.3, 0.7, 1.1, 1.9]; // joint k of each is the sine of k times this
 
-/** @typedef {import("./axes.js").Side} Side */
+/** @typedef {import("./axes.js").AxisWalk} AxisWalk */
 
 /**
  * The reference's joint k is signs[k] times yours plus offsets[k] (rad or m); your base's frame in
  * the reference's.
- * @typedef {{ signs: number[], offsets: number[], base: any }} Map
+ * @typedef {{ signs: number[], offsets: number[], base: any }} JointMap
  */
 
 // The map between two tables that agree, or null where it cannot be confirmed by the tips of some
 // poses.
-/** @param {Side} mine @param {Side} reference @returns {Map | null} */
-export function jointMap(mine, reference, found, tolerance = 1e-6) {
+/** @param {AxisWalk} mine @param {AxisWalk} reference @returns {JointMap | null} */
+export function findJointMap(mine, reference, found, tolerance = 1e-6) {
   const base = baseOf(mine, reference, found);
   const still = mine.joints.map(() => 0);
   const plain = mine.joints.map(() => 1);
@@ -61,7 +61,7 @@ function baseOf(mine, reference, { upsideDown, baseHigher, signs }) {
 // place; then the tip and the axes of the tool; in the reference's base.
 function features(rows, q, base, signs) {
   const T = linkFrames({ rows }, q).map((F) => placed(base, F));
-  const axes = joints({ rows }).map((i, k) => ({
+  const axes = movingRows({ rows }).map((i, k) => ({
     point: rows[i].kind === "revolute" ? T[i].o : null,
     direction: scaled(signs[k], T[i].z),
   }));
@@ -134,7 +134,7 @@ function wrap(angle) {
 }
 
 // The joints that count otherwise, one equation each; `mine` are the numbers of your joints.
-export function equations({ signs, offsets }, mine, reference) {
+export function listMapEquations({ signs, offsets }, mine, reference) {
   return signs.flatMap((s, k) => {
     const [i, j] = [mine[k], reference.joints[k]];
     const turns = reference.rows[j - 1].kind === "revolute";
@@ -142,8 +142,8 @@ export function equations({ signs, offsets }, mine, reference) {
     const counted = Math.abs(shift) > 1e-3;
     if (s > 0 && !counted) return [];
     const tail = counted
-      ? ` ${shift < 0 ? "-" : "+"} ${size(Math.abs(shift), 5)}${turns ? "°" : " mm"}`
+      ? ` ${shift < 0 ? "-" : "+"} ${formatNumber(Math.abs(shift), 5)}${turns ? "°" : " mm"}`
       : "";
-    return [say(s < 0 ? "map back" : "map joint", { joint: j, mine: i, tail })];
+    return [formatMessage(s < 0 ? "map back" : "map joint", { joint: j, mine: i, tail })];
   });
 }

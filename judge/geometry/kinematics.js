@@ -31,11 +31,11 @@ export function cosSin(angle) {
 }
 
 // The indices, from 0, of the rows that move.
-export const joints = (arm) => arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [] : [i]));
+export const movingRows = (arm) => arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [] : [i]));
 // Their numbers, from 1; whether each turns; and the names of their values.
-export const numbered = (arm) => joints(arm).map((i) => i + 1);
-export const turning = (arm) => joints(arm).map((i) => arm.rows[i].kind === "revolute");
-export const variables = (arm) => numbered(arm).map((i) => `q_${i}`);
+export const jointNumbers = (arm) => movingRows(arm).map((i) => i + 1);
+export const revoluteFlags = (arm) => movingRows(arm).map((i) => arm.rows[i].kind === "revolute");
+export const jointNames = (arm) => jointNumbers(arm).map((i) => `q_${i}`);
 
 // Base-to-link frames T00 .. T0n for the joint vector q.
 export function linkFrames(arm, q) {
@@ -61,13 +61,13 @@ export function linkFrames(arm, q) {
 }
 
 // A frame as the four rows of its homogeneous matrix.
-export const matrix = ({ x, y, z, o }) =>
+export const frameMatrix = ({ x, y, z, o }) =>
   [0, 1, 2].map((i) => [x[i], y[i], z[i], o[i]]).concat([[0, 0, 0, 1]]);
 
 // The Jacobian's columns, one for each joint: (vx, vy, vz, wx, wy, wz) in the base frame, of the
 // tip or of another point that moves with it.
 export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
-  return joints(arm).map((i) => {
+  return movingRows(arm).map((i) => {
     const { z, o } = frames[i];
     return arm.rows[i].kind === "revolute" ? [...cross(z, minus(tip, o)), ...z] : [...z, 0, 0, 0];
   });
@@ -77,7 +77,7 @@ export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
 // row.body = [m, x, y, z].
 export function gravityTorque(arm, frames, gravity = GRAVITY) {
   const loads = loadsOf(arm, frames);
-  return joints(arm).map((i) => {
+  return movingRows(arm).map((i) => {
     const { z, o } = frames[i];
     const lift = (c) => (arm.rows[i].kind === "revolute" ? cross(z, minus(c, o))[2] : z[2]);
     return loads.reduce(
@@ -88,7 +88,7 @@ export function gravityTorque(arm, frames, gravity = GRAVITY) {
 }
 
 // The potential energy of the links, which is 0 at the base's height.
-export const liftedEnergy = (arm, frames, gravity = GRAVITY) =>
+export const potentialEnergy = (arm, frames, gravity = GRAVITY) =>
   loadsOf(arm, frames).reduce((sum, { mass, centre }) => sum + mass * gravity * centre[2], 0);
 
 const loadsOf = (arm, frames) =>
@@ -103,8 +103,8 @@ export const wrenchTorque = (columns, wrench) =>
   columns.map((column) => column.reduce((sum, entry, i) => sum + entry * wrench[i], 0));
 
 // The angle (rad) of the turn from one frame to another.
-export function turnBetween(here, there) {
-  const [A, B] = [matrix(here), matrix(there)];
+export function rotationBetween(here, there) {
+  const [A, B] = [frameMatrix(here), frameMatrix(there)];
   const entry = (i, j) => A[0][i] * B[0][j] + A[1][i] * B[1][j] + A[2][i] * B[2][j];
   const R = [0, 1, 2].map((i) => [0, 1, 2].map((j) => entry(i, j)));
   const off = norm([R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]]);

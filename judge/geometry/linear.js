@@ -2,7 +2,7 @@
 
 // Singular values (falling) of the matrix whose columns are given, with its left singular vectors.
 // One-sided Jacobi on the rows: accurate for small singular values too.
-export function singular(columns, rows = 6) {
+export function decomposeSingular(columns, rows = 6) {
   const m = Array.from({ length: rows }, (_, i) => columns.map((column) => column[i]));
   const u = Array.from({ length: rows }, (_, i) =>
     Array.from({ length: rows }, (_, j) => Number(i === j)),
@@ -53,10 +53,10 @@ export function determinant(columns) {
   return det;
 }
 
-export const minusEach = (u, v) => u.map((x, i) => x - v[i]);
+export const subtractEach = (u, v) => u.map((x, i) => x - v[i]);
 
 // x with A x = b for a square matrix of rows.
-export function solve(A, b) {
+export function solveLinear(A, b) {
   const m = A.map((row, i) => [...row, b[i]]);
   const n = m.length;
   for (let k = 0; k < n; k++) {
@@ -69,7 +69,7 @@ export function solve(A, b) {
 
 // A basis of the same space with as many zeros as elimination gives: directions that words can
 // name.
-export function plainBasis(vectors) {
+export function simplifyBasis(vectors) {
   const m = vectors.map((v) => [...v]);
   let k = 0;
   for (let column = 0; column < 6 && k < m.length; column++) {
@@ -96,11 +96,11 @@ function reduce(row, by, column) {
 
 // Orthonormal joint rates that move nothing: a basis of the null space of the matrix with these
 // columns, in which the joint `held` does not take part.
-export function rightNull(columns, held = -1) {
+export function nullSpace(columns, held = -1) {
   const free = columns.map((_, k) => k).filter((k) => k !== held);
   if (!free.length) return [];
   const rows = columns[0].map((_, i) => free.map((k) => columns[k][i]));
-  const { values, vectors } = singular(rows, free.length);
+  const { values, vectors } = decomposeSingular(rows, free.length);
   const least = 1e-5 * Math.max(values[0], 1e-12);
   return vectors
     .filter((_, i) => values[i] <= least)

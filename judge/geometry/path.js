@@ -24,7 +24,7 @@ const UNIT = [
  * @param {Set<number>} wanted
  * @returns {Path}
  */
-export function sampled({ times, at, normal }, wanted) {
+export function sampledPath({ times, at, normal }, wanted) {
   const known = new Map(at.map(([t, ...both]) => [t, both]));
   const nowhere = [NaN, NaN, NaN];
   const one = (k) => (t) => {
@@ -41,7 +41,7 @@ export function sampled({ times, at, normal }, wanted) {
  *   number }} asked
  * @returns {Path}
  */
-export function circle({ centre, radius, plane, period, steps, phase = 0 }) {
+export function circlePath({ centre, radius, plane, period, steps, phase = 0 }) {
   const [first, second] = [...plane].map((axis) => UNIT["xyz".indexOf(axis)]);
   const rate = (2 * Math.PI) / period;
   const at = (t) => {
@@ -72,7 +72,7 @@ export function circle({ centre, radius, plane, period, steps, phase = 0 }) {
 export function circleBelow(arm, asked) {
   const [x, y, z] = linkFrames(arm, asked.start).at(-1).o;
   const phase = asked.plane[0] === "z" ? 0 : Math.PI / 2;
-  return circle({ ...asked, centre: [x, y, z - asked.radius], phase });
+  return circlePath({ ...asked, centre: [x, y, z - asked.radius], phase });
 }
 
 /** The same path in the same time, begun and ended at rest. @param {Path} path @returns {Path} */

@@ -1,17 +1,17 @@
 // A chain of axes walked from the base to the tip: each gap between them with its common normal.
 
-import { cross, dot, joints, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
-import { singular } from "./linear.js";
+import { cross, dot, movingRows, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
+import { decomposeSingular } from "./linear.js";
 
 /** @typedef {import("./axes.js").Gap} Gap */
 
 export const TINY = 1e-9; // m, or the sine of an angle: closer than this, axes meet or are parallel
 
-export const NORMAL = -1; // stands for the common normal where joints are listed by position
+export const NORMAL_INDEX = -1; // stands for the common normal where joints are listed by position
 
 // The gaps from base to tip, with the slides where they make the lengths least.
-export function gaps(arm) {
-  const moving = joints(arm);
+export function listGaps(arm) {
+  const moving = movingRows(arm);
   const slides = moving.flatMap((row, k) => (arm.rows[row].kind === "prismatic" ? [k] : []));
   const q = moving.map(() => 0);
   if (!slides.length) return walk(arm, q);
@@ -28,7 +28,7 @@ export function gaps(arm) {
 // The shortest x that makes the columns times x come nearest to b.
 function leastSquares(columns, b) {
   const rows = b.map((_, i) => columns.map((column) => column[i]));
-  const { values, vectors } = singular(rows, columns.length);
+  const { values, vectors } = decomposeSingular(rows, columns.length);
   const along = columns.map((column) => column.reduce((sum, x, i) => sum + x * b[i], 0));
   const x = columns.map(() => 0);
   values.forEach((value, k) => {
@@ -46,7 +46,7 @@ const lengths = (found) => [
 
 function walk(arm, q) {
   const frames = linkFrames(arm, q);
-  const moving = joints(arm);
+  const moving = movingRows(arm);
   const dof = moving.length;
   const axes = moving.map((row) => frames[row].z);
   const points = moving.map((row) => frames[row].o);
@@ -57,7 +57,7 @@ function walk(arm, q) {
   const atBase = { offset: null, bunch: [], fromBase: true, toTip: false };
   const found = [gap(axes, upTo(0, stops[0]), [0, 0, 0], atBase)];
   let foot = turning.length
-    ? feet([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1]
+    ? findCommonNormal([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1]
     : [0, 0, 0];
   let bunch = [];
   turning.forEach((i, n) => {
@@ -65,9 +65,9 @@ function walk(arm, q) {
     const toTip = j === dof;
     if (!bunch.length) foot = onto(points[i], axes[i], foot);
     const [next, along] = toTip ? [frames.at(-1).o, null] : [points[j], axes[j]];
-    const [leave, arrive] = feet(foot, axes[i], next, along);
+    const [leave, arrive] = findCommonNormal(foot, axes[i], next, along);
     bunch = [...bunch, i];
-    const goesOn = !toTip && parallel(axes[i], axes[j]);
+    const goesOn = !toTip && isParallel(axes[i], axes[j]);
     const offset = goesOn ? null : dot(axes[i], minus(leave, foot));
     const fromBase = bunch[0] === turning[0];
     found.push(gap(axes, upTo(i, j), minus(arrive, leave), { offset, bunch, fromBase, toTip }));
@@ -89,7 +89,7 @@ export function combinations(list, count) {
 function gap(axes, between, normal, rest) {
   const length = norm(normal);
   const directions = new Map(between.map((k) => [k, axes[k]]));
-  if (length > TINY) directions.set(NORMAL, scaled(1 / length, normal));
+  if (length > TINY) directions.set(NORMAL_INDEX, scaled(1 / length, normal));
   const shape = new Map();
   for (const [i, j] of combinations(between, 2)) shape.set(`${[i, j]}`, dot(axes[i], axes[j]));
   for (const three of combinations([...directions.keys()], 3)) {
@@ -104,9 +104,9 @@ const onto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u));
 
 // The feet of the common normal from the line (p, u) to the line (q, v), or to the point q; from
 // parallel axes it starts at p.
-export function feet(p, u, q, v) {
+export function findCommonNormal(p, u, q, v) {
   if (!v) return [onto(p, u, q), q];
-  if (parallel(u, v)) return [p, onto(q, v, p)];
+  if (isParallel(u, v)) return [p, onto(q, v, p)];
   const w = minus(q, p);
   const uv = dot(u, v);
   const below = 1 - uv * uv;
@@ -115,4 +115,4 @@ export function feet(p, u, q, v) {
   return [plus(p, scaled(s, u)), plus(q, scaled(t, v))];
 }
 
-export const parallel = (u, v) => norm(cross(u, v)) < TINY;
+export const isParallel = (u, v) => norm(cross(u, v)) < TINY;

@@ -5,7 +5,7 @@ import { blocksIn } from "./blocks.js";
 import { number } from "./formula.js";
 import { labelIn } from "./labels.js";
 import { linesOf, plainSigns } from "./signs.js";
-import { ArmError, listed, say, shown } from "../sentences.js";
+import { ArmError, joinList, formatMessage, quoteText } from "../sentences.js";
 
 const LONGEST = 2_000_000; // characters of a text: a run of 20 000 steps
 
@@ -27,8 +27,9 @@ const LONGEST = 2_000_000; // characters of a text: a run of 20 000 steps
 /** @param {string} text @param {Question} question @returns {Found} */
 export function find(text, question) {
   const { what, wants, isEntry, names = NONE, given = [] } = question;
-  if (text.length > LONGEST) throw new ArmError(say("too long", { what, count: text.length }));
-  if (!text.trim()) throw new ArmError(say("empty", { what }));
+  if (text.length > LONGEST)
+    throw new ArmError(formatMessage("too long", { what, count: text.length }));
+  if (!text.trim()) throw new ArmError(formatMessage("empty", { what }));
   if (wants[0].columns === null) refuseOdd(text, question);
   const own = blocksIn(text, { isEntry, names, given });
   const whole = given.length ? blocksIn(text, { isEntry, names }) : [];
@@ -64,9 +65,9 @@ function chosen(fits, { which = null }) {
   if (different.length < 2 || which !== null) return different[(which ?? 1) - 1];
   const told = different
     .slice(0, MOST)
-    .map(({ rows, from }) => `line ${from + 1} (${shown(rows[0].join(" "))})`);
+    .map(({ rows, from }) => `line ${from + 1} (${quoteText(rows[0].join(" "))})`);
   const advice = told.map((_, k) => ({ field: "which", value: k + 1 }));
-  throw new ArmError(say("which", { blocks: listed(told) }), advice);
+  throw new ArmError(formatMessage("which", { blocks: joinList(told) }), advice);
 }
 
 const MOST = 5; // answers to choose from
@@ -144,7 +145,7 @@ function named(block, { by, turned, columns }, text) {
   if (!at || at.every((one, k) => !k || one > at[k - 1])) return block;
   const order = at.map((_, k) => k).sort((p, q) => at[p] - at[q]);
   const rows = block.rows.map((row) => order.map((k) => row[k]));
-  return { ...block, rows, said: [say("taken: by names")] };
+  return { ...block, rows, said: [formatMessage("taken: by names")] };
 }
 
 // The numbers of so many joints whose names stand beside each other, null where none do.
@@ -171,7 +172,7 @@ function ordered(block, { by }) {
   return {
     ...block,
     rows: down.map((i) => across.map((k) => block.rows[i][k])),
-    said: moved ? [say("taken: by names")] : [],
+    said: moved ? [formatMessage("taken: by names")] : [],
   };
 }
 
@@ -254,19 +255,19 @@ const SAID = [
 // An error for what is no answer in numbers.
 function refuseOdd(text, { what, wanted = "numbers" }) {
   const [key] = SAID.find(([, is]) => is.test(text)) ?? [];
-  if (key) throw new ArmError(say(key, { what, wanted }));
+  if (key) throw new ArmError(formatMessage(key, { what, wanted }));
 }
 
 // Why nothing fits: what was found, and what is wanted.
 function refusal(text, { what, wants, wanted = sizeOf(wants[0]) }, ways) {
   refuseOdd(text, { what, wanted });
   const blocks = ways.flatMap((blocks) => blocks()).filter((block) => count(block) > 1);
-  if (!blocks.length) return new ArmError(say("no block", { what, wanted }));
+  if (!blocks.length) return new ArmError(formatMessage("no block", { what, wanted }));
   const sorted = [...blocks].sort((p, q) => count(q) - count(p));
   const sizes = new Set(sorted.map(({ rows }) => `${rows.length}x${rows[0].length}`));
-  const found = listed([...sizes].slice(0, 3));
-  const line = shown(linesOf(text)[sorted[0].from] ?? "");
-  return new ArmError(say("no fit", { what, found, line, wanted }));
+  const found = joinList([...sizes].slice(0, 3));
+  const line = quoteText(linesOf(text)[sorted[0].from] ?? "");
+  return new ArmError(formatMessage("no fit", { what, found, line, wanted }));
 }
 
 const sizeOf = ({ rows, columns }) =>

@@ -2,7 +2,7 @@
 // t] or [sign, left, right]. No text is ever run.
 
 import { RAD } from "../geometry/angles.js";
-import { ArmError, attempt, shown } from "../sentences.js";
+import { ArmError, tryOrNull, quoteText } from "../sentences.js";
 import { each, sameSigns, unset } from "./signs.js";
 
 const LONGEST = 20_000; // characters of one formula
@@ -121,13 +121,13 @@ export function parse(text, what = "the formula") {
   const tokens = tokensOf(signs);
   if (!tokens) {
     throw new ArmError(
-      `${what} is ${shown(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )`,
+      `${what} is ${quoteText(text)}; expected numbers, symbols, pi, sin, cos and + - * / ^ ( )`,
     );
   }
   const found = attempted(tokens);
   if (found?.[1] !== tokens.length) {
     throw new ArmError(
-      `${what} is ${shown(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'`,
+      `${what} is ${quoteText(text)}; expected one formula, such as '-pi/2' or 'd_6 + l_pen'`,
     );
   }
   return found[0];
@@ -276,7 +276,7 @@ function single([kind, first, second], known) {
 }
 
 // The number a text stands for if it holds no symbols, else null.
-export const number = (text) => attempt(() => value(parse(text), () => undefined));
+export const number = (text) => tryOrNull(() => value(parse(text), () => undefined));
 
 // The symbols of a text, null where it is no formula.
-export const symbolsIn = (text) => attempt(() => [...symbols(parse(text))]);
+export const symbolsIn = (text) => tryOrNull(() => [...symbols(parse(text))]);

@@ -1,8 +1,8 @@
 // Joint vectors as they are typed: one for each row or each column, with the units of their digits.
 
-import { transposed } from "../geometry/chains.js";
-import { joints } from "../geometry/kinematics.js";
-import { say } from "../sentences.js";
+import { transpose } from "../geometry/chains.js";
+import { movingRows } from "../geometry/kinematics.js";
+import { formatMessage } from "../sentences.js";
 import {
   eachJoint,
   inRadians,
@@ -29,7 +29,7 @@ const NAMES = /^(?:q|th|θ|sol|ans$|s\d*$)/i;
  * @returns {{ answers: Answer[], taken: string[], typed: import("./numbers.js").Typed }}
  */
 export function answers(mine, arm, angles, { byColumns = false, ...asked } = {}) {
-  const moving = joints(arm);
+  const moving = movingRows(arm);
   const dof = moving.length;
   const what = `${arm.name}: your answer`;
   const wants = { wants: jointShapes(arm), names: NAMES, ...asked };
@@ -40,7 +40,7 @@ export function answers(mine, arm, angles, { byColumns = false, ...asked } = {})
   const lies = shape[0] === width && (byColumns || shape[1] !== width);
   if (shape.length !== 2 || shape[lies ? 0 : 1] !== width)
     throw notPerJoint(what, arm, typed.shape);
-  const upright = (list) => (lies ? transposed(list, shape) : list);
+  const upright = (list) => (lies ? transpose(list, shape) : list);
   const kept = (list) =>
     upright(list).filter((_, i) => width === dof || moving.includes(i % width));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
@@ -55,11 +55,11 @@ export function answers(mine, arm, angles, { byColumns = false, ...asked } = {})
 /** @param {import("./numbers.js").Typed} typed @param {string} angles */
 const inUnit = ({ says }, angles) =>
   says?.angles && says.angles !== angles
-    ? [say(says.angles === "deg" ? "taken: degrees" : "taken: radians")]
+    ? [formatMessage(says.angles === "deg" ? "taken: degrees" : "taken: radians")]
     : [];
 
 const perColumn = (lies, { length }) =>
-  lies && length > 1 ? [say("taken: answer per column")] : [];
+  lies && length > 1 ? [formatMessage("taken: answer per column")] : [];
 
 // Rows and columns: a list is one row, and a single one however deep it lies.
 function shapeOf({ shape, values }, dof) {

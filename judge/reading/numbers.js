@@ -1,12 +1,12 @@
 // What a reader types, or Python holds, taken as numbers.
 
-import { joints, numbered, turning, variables } from "../geometry/kinematics.js";
+import { movingRows, jointNumbers, revoluteFlags, jointNames } from "../geometry/kinematics.js";
 import { RAD } from "../geometry/angles.js";
 import { units } from "../digits.js";
 import { find } from "./find.js";
 import { unitsSaid } from "./labels.js";
 import { isNumber, parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
-import { ArmError, counted, listed, say, size } from "../sentences.js";
+import { ArmError, describeShape, joinList, formatMessage, formatNumber } from "../sentences.js";
 
 const JOINT = /^(?:q|th|theta|t|phi|joint|j|x|d)(\d{1,2})$/;
 const FIRST = /^(?:q|th|theta)0$/; // of joints counted from 0
@@ -43,7 +43,9 @@ export function lookup(arm, q, values = []) {
 
 const noSymbols = (names) => {
   if (names.size)
-    throw new ArmError(say("symbols for numbers", { names: [...names].sort().join(", ") }));
+    throw new ArmError(
+      formatMessage("symbols for numbers", { names: [...names].sort().join(", ") }),
+    );
   return new Map();
 };
 
@@ -62,7 +64,7 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
   const shape = shapeOf(mine);
   const leaves = [mine].flat(Infinity);
   if (shape.reduce((product, n) => product * n, 1) !== leaves.length) {
-    throw new ArmError(say("ragged list", { what }));
+    throw new ArmError(formatMessage("ragged list", { what }));
   }
   const entries = leaves.map((leaf) => entryOf(leaf, what, wanted ?? "numbers"));
   const names = new Set();
@@ -72,7 +74,7 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
     tree[0] === "num" ? tree[1] : value(tree, (n) => found.get(n)),
   );
   if (!values.every(Number.isFinite))
-    throw new ArmError(say("not finite", { what, wanted: wanted ?? "numbers" }));
+    throw new ArmError(formatMessage("not finite", { what, wanted: wanted ?? "numbers" }));
   const typed = entries.map(({ text }, i) => ofCell(text ?? String(values[i])));
   const symbolic = names.size > 0;
   return { values, units: unitsOf(typed), shape, symbolic, entries: typed, said: [], left: [] };
@@ -86,7 +88,7 @@ export function numbers(mine, what, known = noSymbols, wanted = undefined, asked
 function entryOf(leaf, what, wanted) {
   if (typeof leaf === "string") return { tree: parse(leaf, `an entry of ${what}`), text: leaf };
   if (leaf?.tree) return { tree: leaf.tree, text: "exact" };
-  if (leaf?.odd) throw new ArmError(say("no numbers", { what, given: leaf.odd, wanted }));
+  if (leaf?.odd) throw new ArmError(formatMessage("no numbers", { what, given: leaf.odd, wanted }));
   return { tree: ["num", leaf ?? NaN] };
 }
 
@@ -154,12 +156,13 @@ function ofCell(cell) {
 const unitsOf = (entries) =>
   units(entries.map(({ text }) => text)).map((u, i) => u * entries[i].worth);
 
-export const eachJoint = (arm) => say("each joint", { joints: variables(arm).join(", ") });
+export const eachJoint = (arm) =>
+  formatMessage("each joint", { joints: jointNames(arm).join(", ") });
 
 // The shapes of one value for each joint, and of any number of such rows; the moving joints' first,
 // then those of all.
 export const jointShapes = (arm, many = true) =>
-  [...new Set([joints(arm).length, arm.rows.length])].flatMap((columns) => [
+  [...new Set([movingRows(arm).length, arm.rows.length])].flatMap((columns) => [
     { rows: many ? null : 1, columns, by: "joint" },
     { rows: columns, columns: 1, by: "joint", turned: true },
     ...(many ? [{ rows: columns, columns: null }] : []),
@@ -176,14 +179,14 @@ export function pose(q, arm, angles = "rad") {
   const wants = jointShapes(arm, false);
   const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), { wants });
   const typed = given.values.length === arm.rows.length ? ofMoving(given, arm) : given;
-  if (typed.values.length !== joints(arm).length)
+  if (typed.values.length !== movingRows(arm).length)
     throw notPerJoint(`${arm.name}: q`, arm, typed.shape);
   return inRadians(typed, arm, angles);
 }
 
 // One value for each row of an arm, pose after pose, without those of its locked joints.
 export function ofMoving(typed, arm) {
-  const moving = joints(arm);
+  const moving = movingRows(arm);
   if (moving.length === arm.rows.length) return typed;
   const kept = (list) => list.filter((_, i) => moving.includes(i % arm.rows.length));
   const [values, units, entries] = [typed.values, typed.units, typed.entries].map(kept);
@@ -199,16 +202,20 @@ export function ofMoving(typed, arm) {
 export function setAside({ rows }, values) {
   const locked = rows.flatMap(({ kind }, i) => (kind === "fixed" ? [i] : []));
   const theirs = values.filter((_, k) => locked.includes(k % rows.length));
-  const shown = [...new Set(theirs.map((x) => size(x, 6)))];
-  return say("taken: locked", {
-    joints: listed(locked.map((i) => String(i + 1))),
+  const shown = [...new Set(theirs.map((x) => formatNumber(x, 6)))];
+  return formatMessage("taken: locked", {
+    joints: joinList(locked.map((i) => String(i + 1))),
     values: [...shown.slice(0, SHOWN), ...(shown.length > SHOWN ? ["…"] : [])].join(", "),
   });
 }
 
 // An error where values are too few or too many.
 export function notPerJoint(what, arm, shape) {
-  const words = say("pose shape", { what, given: counted(shape), wanted: eachJoint(arm) });
+  const words = formatMessage("pose shape", {
+    what,
+    given: describeShape(shape),
+    wanted: eachJoint(arm),
+  });
   return new ArmError(words + tooMany(arm, shape.at(-1)));
 }
 
@@ -220,14 +227,14 @@ export const rowsOf = (flat, width) =>
 function tooMany(arm, width) {
   const locked = arm.rows.flatMap(({ kind }, i) => (kind === "fixed" ? [`q_${i + 1}`] : []));
   return locked.length && width === arm.rows.length
-    ? say("leave out", { joints: listed(locked) })
+    ? formatMessage("leave out", { joints: joinList(locked) })
     : "";
 }
 
 // Joint values, row by row, in SI. Angles and slides have decimals of their own, for metres need
 // more; an angle with a unit is in that.
 export function inRadians(typed, arm, angles) {
-  const turns = turning(arm);
+  const turns = revoluteFlags(arm);
   const turn = (i) => turns[i % turns.length];
   const mixed = turns.includes(true) && turns.includes(false);
   const [angular, linear] = [true, false].map((kind) =>
@@ -245,7 +252,7 @@ export function inRadians(typed, arm, angles) {
 
 // Joint vectors that were taken as radians, as degrees.
 export function asDegrees(rows, arm) {
-  const factors = turning(arm).map((turns) => (turns ? RAD : 1));
+  const factors = revoluteFlags(arm).map((turns) => (turns ? RAD : 1));
   const scaled = (list) => list.map((x, k) => x * factors[k]);
   return rows.map((row) => ({ ...row, values: scaled(row.values), units: scaled(row.units) }));
 }
@@ -257,17 +264,17 @@ export function asDegrees(rows, arm) {
 function meanings(names, arm, q, own) {
   const lengths = [...(arm.values ?? []), ...own];
   const values = new Map(lengths.map(([name, number]) => [simple(name), number]));
-  const joints = new Map(numbered(arm).map((i, k) => [i, q[k]]));
+  const joints = new Map(jointNumbers(arm).map((i, k) => [i, q[k]]));
   return new Map(
     names.map((name) => {
       const found = values.get(simple(name)) ?? ofJoints(simple(name), joints);
       if (Number.isFinite(found)) return [name, found];
       if (FIRST.test(simple(name)))
         throw new ArmError(
-          say("joint zero", { arm: arm.name, name, first: name.replace("0", "1") }),
+          formatMessage("joint zero", { arm: arm.name, name, first: name.replace("0", "1") }),
         );
-      const known = [...variables(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
-      throw new ArmError(say("unknown symbol", { arm: arm.name, name, known }), [
+      const known = [...jointNames(arm), ...(arm.values ?? []).map(([one]) => one)].join(", ");
+      throw new ArmError(formatMessage("unknown symbol", { arm: arm.name, name, known }), [
         { field: "values", value: name },
       ]);
     }),

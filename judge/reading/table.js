@@ -8,13 +8,13 @@ import { fromHeads, headOf, ordered, withoutIndex } from "./table_columns.js";
 import { fromMatrix, matrices, NoLink } from "./table_matrices.js";
 import { few, named } from "./table_notations.js";
 import { ENTRIES, entryText, isVariable, rowOf, UNITS } from "./table_rows.js";
-import { ArmError, listed, say, shown, size } from "../sentences.js";
+import { ArmError, joinList, formatMessage, quoteText, formatNumber } from "../sentences.js";
 
 const MILLIMETRES = 10; // a length this large is no number of metres
 const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle this large is no number of radians
 const EXCHANGED = { alpha: "theta", theta: "alpha" };
 
-/** @typedef {import("../geometry/axes.js").Numbers} Numbers */
+/** @typedef {import("../geometry/axes.js").TableRow} Numbers */
 
 /**
  * A row as it was meant; its numbers as typed, `radians` for entries with pi or a degree sign in
@@ -65,20 +65,21 @@ export function read(text, { columns, ...options } = {}, values = []) {
     }
   }
   if (refused) throw refused;
-  throw new ArmError(say("no rows", { given: shown(text) }));
+  throw new ArmError(formatMessage("no rows", { given: quoteText(text) }));
 }
 
 // Rows torn in two, and frames where links are asked for.
 /** @param {{ cells: string[][], torn?: string | null }} block @param {string} text */
 function refuseBlock({ torn, cells }, text) {
-  if (torn) throw new ArmError(say("row torn", { line: shown(torn.trim()) }));
+  if (torn) throw new ArmError(formatMessage("row torn", { line: quoteText(torn.trim()) }));
   if (matrices(cells) && FRAMES.test(text)) throw new NoLink("table.frames");
 }
 
 function refuseSize(text) {
-  const what = say("your table");
-  if (text.length > LONGEST) throw new ArmError(say("too long", { what, count: text.length }));
-  if (!text.trim()) throw new ArmError(say("empty", { what }));
+  const what = formatMessage("your table");
+  if (text.length > LONGEST)
+    throw new ArmError(formatMessage("too long", { what, count: text.length }));
+  if (!text.trim()) throw new ArmError(formatMessage("empty", { what }));
 }
 
 // Lengths that a text gives itself, l_1 = 0.5 m, but for the names of columns and joints.
@@ -139,7 +140,7 @@ const unitsOf = ({ lengths, angles, convention }, heads = {}) => ({
 function ofMatrices(found, known, options) {
   few(found.length);
   const rows = found.map((A, k) => fromMatrix(k + 1, A, known));
-  return { ...unitsOf(options), rows, said: [say("taken: matrices")] };
+  return { ...unitsOf(options), rows, said: [formatMessage("taken: matrices")] };
 }
 
 // The tables that the possible orders give. Where the order was said and fails, since the joints'
@@ -175,7 +176,7 @@ function attempted(cells, order, known, sure) {
       const entries = Object.fromEntries(order.map((name, i) => [name, row[i]]));
       return rowOf(k + 1, entries, known);
     });
-    const said = sure ? [] : [say("taken: columns", { columns: order.join(" ") })];
+    const said = sure ? [] : [formatMessage("taken: columns", { columns: order.join(" ") })];
     return { rows, said, guessed: !sure };
   } catch (error) {
     if (error instanceof ArmError) return { error };
@@ -197,7 +198,10 @@ export function meant(table, kinds) {
   const quarter = degrees && bare.find(isQuarter);
   if (quarter)
     throw new ArmError(
-      say("two angles", { one: size(Math.max(...bare), 4), other: size(quarter, 6) }),
+      formatMessage("two angles", {
+        one: formatNumber(Math.max(...bare), 4),
+        other: formatNumber(quarter, 6),
+      }),
       [{ field: "angles", value: "deg" }],
     );
   const length = UNITS[millimetres ? "mm" : (table.lengths ?? "m")];
@@ -206,10 +210,10 @@ export function meant(table, kinds) {
   const rows = inUnits(table, kinds, length, angle);
   const said = [
     ...table.said,
-    ...(millimetres ? [say("taken: millimetres")] : []),
-    ...(degrees ? [say("taken: degrees")] : []),
+    ...(millimetres ? [formatMessage("taken: millimetres")] : []),
+    ...(degrees ? [formatMessage("taken: degrees")] : []),
     ...saidOfRows("taken: fixed", fixedRows(table, kinds)),
-    ...(craig ? [say("taken: craig")] : []),
+    ...(craig ? [formatMessage("taken: craig")] : []),
     ...saidOfRows(
       "taken: backwards",
       numbersOf(table.rows, ({ backwards }) => backwards),
@@ -243,12 +247,13 @@ const numbersOf = (rows, chosen) => rows.flatMap((row, k) => (chosen(row, k) ? [
 const fixedRows = ({ rows }, kinds) =>
   kinds.length && rows.every(unknown) ? numbersOf(rows, (_, k) => k >= kinds.length) : [];
 
-const saidOfRows = (key, rows) => (rows.length ? [say(key, { rows: namedRows(rows) })] : []);
+const saidOfRows = (key, rows) =>
+  rows.length ? [formatMessage(key, { rows: namedRows(rows) })] : [];
 
 const namedRows = (rows) =>
   rows.length === 1
-    ? say("row", { row: rows[0] })
-    : say("rows", { rows: listed(rows.map(String)) });
+    ? formatMessage("row", { row: rows[0] })
+    : formatMessage("rows", { rows: joinList(rows.map(String)) });
 
 const unknown = ({ kind }) => kind === "unknown";
 
@@ -285,7 +290,7 @@ export function fromCraig(rows) {
  * @param {string | null} length the unit of bare lengths; guessed where there is none
  */
 export function ownRows(text, unit, values = [], length = null) {
-  const asked = say("taken: columns", { columns: "a alpha d theta" });
+  const asked = formatMessage("taken: columns", { columns: "a alpha d theta" });
   const tables = read(text, {}, values);
   const table = tables.find(({ said }) => said.includes(asked)) ?? tables[0];
   const angles = table.angles ?? (unit === "deg" || length ? unit : null);

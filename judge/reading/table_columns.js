@@ -3,7 +3,7 @@
 import { number, plain } from "./formula.js";
 import { labelIn } from "./labels.js";
 import { ENTRIES, isVariable, VARIABLE } from "./table_rows.js";
-import { ArmError, say, shown } from "../sentences.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const meaning = (words, entry) => words.split(" ").map((word) => [word, entry]);
 
@@ -77,7 +77,7 @@ function byOption(cells, columns) {
   const words = columns.trim().split(/[\s,;|]+/);
   const order = words.map(headOf);
   if ([...order].sort().join() !== ENTRIES.join())
-    throw new ArmError(say("no columns", { given: shown(columns) }));
+    throw new ArmError(formatMessage("no columns", { given: quoteText(columns) }));
   wide(cells);
   return { orders: [order], sure: true, rows: cells };
 }
@@ -130,9 +130,11 @@ function wide(cells) {
   const widths = sorted.join(", ");
   if (sorted.length > 1) {
     const row = cells.findIndex((one) => one.length !== 4);
-    throw new ArmError(say("row widths", { widths, row: row + 1, count: cells[row].length }));
+    throw new ArmError(
+      formatMessage("row widths", { widths, row: row + 1, count: cells[row].length }),
+    );
   }
-  if (sorted[0] !== 4) throw new ArmError(say("row width", { widths }));
+  if (sorted[0] !== 4) throw new ArmError(formatMessage("row width", { widths }));
 }
 
 // What a cell looks like, apart from where it stands.

@@ -2,7 +2,7 @@
 
 import { number, parse, simple, symbols, value } from "./formula.js";
 import { ENTRIES } from "./table_rows.js";
-import { ArmError, say, size } from "../sentences.js";
+import { ArmError, formatMessage, formatNumber } from "../sentences.js";
 
 // The rows of cells as matrices A_i, where they are such.
 export function matrices(cells) {
@@ -25,7 +25,7 @@ export function fromMatrix(i, A, known) {
   const slid = one[2][3] - zero[2][3];
   const slides = Math.abs(slid) > 1e-9;
   const turned = Math.sin(Math.atan2(one[1][0], one[0][0]) - numbers.theta);
-  const texts = Object.fromEntries(ENTRIES.map((name) => [name, size(numbers[name], 6)]));
+  const texts = Object.fromEntries(ENTRIES.map((name) => [name, formatNumber(numbers[name], 6)]));
   mustBeLink(i, zero, numbers);
   mustBeLink(i, one, numbers);
   const kind = slides ? "prismatic" : free.length ? "revolute" : "unknown";
@@ -53,7 +53,7 @@ const entriesOf = (A) => ({
 // A matrix that no row of a table gives, or not as it stands; the cause, if it is known.
 export class NoLink extends ArmError {
   constructor(key, fields = {}) {
-    super(say(key, fields));
+    super(formatMessage(key, fields));
     this.causes = key.includes(".") ? [key] : [];
   }
 }

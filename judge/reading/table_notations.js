@@ -4,7 +4,7 @@
 import { number } from "./formula.js";
 import { headOf } from "./table_columns.js";
 import { ENTRIES } from "./table_rows.js";
-import { ArmError, say, shown } from "../sentences.js";
+import { ArmError, formatMessage, quoteText } from "../sentences.js";
 
 const MOST_ROWS = 32;
 
@@ -153,7 +153,8 @@ function ofLists(groups) {
   const named = new Map(found.map(({ entry, body }) => [entry, listIn(body)]));
   const lists = [...named.values()];
   const counts = [...new Set(lists.map((list) => list.length))].sort((p, q) => p - q);
-  if (counts.length !== 1) throw new ArmError(say("uneven lists", { counts: counts.join(", ") }));
+  if (counts.length !== 1)
+    throw new ArmError(formatMessage("uneven lists", { counts: counts.join(", ") }));
   const rows = lists[0].map((_, k) => lists.map((list) => list[k]));
   const parts = found.map(({ part }) => part);
   return plainly(rows, parts, [...named.keys()]);
@@ -182,7 +183,7 @@ function ofLinks(groups) {
   });
   const entries = links.flatMap(({ given }) => Object.values(given));
   const parts = links.map(({ part }) => part);
-  return { ...plainly(cells, parts), said: [say("taken: links")], entries };
+  return { ...plainly(cells, parts), said: [formatMessage("taken: links")], entries };
 }
 
 const PLACES = ["theta", "d", "a", "alpha", "sigma", "offset"]; // of Link([...])
@@ -197,7 +198,7 @@ function linkOf(kind, body) {
   const given = Object.fromEntries(pairs);
   const sigma = number(given.sigma ?? "0");
   if (list.length > PLACES.length || (sigma !== 0 && sigma !== 1))
-    throw new ArmError(say("link sigma", { given: shown(`${kind}(${body})`) }));
+    throw new ArmError(formatMessage("link sigma", { given: quoteText(`${kind}(${body})`) }));
   const slides =
     `${kind}${body}`.toLowerCase().includes("prismatic") ||
     sigma === 1 ||
@@ -206,5 +207,5 @@ function linkOf(kind, body) {
 }
 
 export function few(count) {
-  if (count > MOST_ROWS) throw new ArmError(say("many rows", { count, most: MOST_ROWS }));
+  if (count > MOST_ROWS) throw new ArmError(formatMessage("many rows", { count, most: MOST_ROWS }));
 }

@@ -2,7 +2,7 @@
 
 import { RAD } from "../geometry/angles.js";
 import { parse, plain, simple, symbols, symbolsIn, value } from "./formula.js";
-import { ArmError, say, size } from "../sentences.js";
+import { ArmError, formatMessage, formatNumber } from "../sentences.js";
 
 /** @typedef {import("./table.js").TypedRow} TypedRow */
 
@@ -118,13 +118,14 @@ function oneSymbol(i, free, mover) {
   const isStray = (name) => (one) => name !== mover || one !== joint;
   const [stray] = ENTRIES.flatMap((name) => free[name].filter(isStray(name)));
   if (stray === undefined) return numbered(joint);
-  throw new ArmError(say("row symbol", { row: i, name: stray }), [
+  throw new ArmError(formatMessage("row symbol", { row: i, name: stray }), [
     { field: "values", value: stray },
   ]);
 }
 
 function slope(rate, row, name) {
   const far = (from) => Math.abs(Math.abs(rate) - from) > 1e-6;
-  if (far(1) && far(RAD)) throw new ArmError(say("row slope", { row, name, rate: size(rate) }));
+  if (far(1) && far(RAD))
+    throw new ArmError(formatMessage("row slope", { row, name, rate: formatNumber(rate) }));
   return rate > 0 ? 1 : -1;
 }

@@ -2,7 +2,7 @@
 // Python's dictionary.
 
 import { number, plain } from "./formula.js";
-import { ArmError, shown } from "../sentences.js";
+import { ArmError, quoteText } from "../sentences.js";
 
 const NAME = /^[A-Za-z][A-Za-z0-9_]*'?(?:\{[\w+-]*\})?$/;
 
@@ -20,7 +20,7 @@ export function ownValues(text) {
     const found = more.length ? null : number(typed ?? "");
     if (found !== null && NAME.test(word)) return [word, found];
     throw new ArmError(
-      `your own symbols: ${shown(part.trim())} is not read; expected such as h = 0.333`,
+      `your own symbols: ${quoteText(part.trim())} is not read; expected such as h = 0.333`,
     );
   });
 }

@@ -1,29 +1,29 @@
 // Is an inverse kinematics right and complete? Each answer is judged, and what is missing is named.
 
-import { looksLikeSlip, wrongAnswer } from "../causes/branches.js";
-import { variable } from "../causes/joints.js";
-import { nameOf, wordsOf } from "../causes/ranking.js";
+import { looksLikeMistake, explainWrongAnswer } from "../causes/branches.js";
+import { jointNames } from "../causes/joints.js";
+import { causeName, causeMessage } from "../causes/ranking.js";
 import { RIGHT, ROUNDED, SO_FAR, WRONG } from "../digits.js";
-import { asksPose, formOf, inverse } from "../geometry/inverse.js";
-import { joints, turning } from "../geometry/kinematics.js";
-import { hitsOf, NEAR, sameAnswer } from "../matching.js";
+import { needsPose, findClosedForm, solveInverse } from "../geometry/inverse.js";
+import { movingRows, revoluteFlags } from "../geometry/kinematics.js";
+import { matchAnswers, NEARLY_ZERO, isSameAnswer } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { rowsGiven } from "../reading/numbers.js";
-import { answering, reportOf } from "../report.js";
-import { listed, lower, say } from "../sentences.js";
+import { completeVerdicts, makeVerdict } from "../report.js";
+import { joinList, uncapitalize, formatMessage } from "../sentences.js";
 
 /** @typedef {import("../reading/joint_vectors.js").Answer} Answer */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
 /** @typedef {import("../report.js").Finding} Finding */
-/** @typedef {import("../matching.js").Right} Right */
+/** @typedef {import("../matching.js").Solutions} Solutions */
 
 /**
  * The report on joint vectors, a text or nested lists, for one target of an arm with a closed form:
  * three coordinates, or the rows of a pose where one is asked for.
  * @param {string | any[]} mine @param {any} arm @param {any[]} target
- * @returns {import("../report.js").Report}
+ * @returns {import("../report.js").Verdict}
  */
-export const compareBranches = answering(branchesCompared);
+export const compareBranches = completeVerdicts(branchesCompared);
 
 function branchesCompared(mine, arm, target, options = {}) {
   const { tolerance = null, found = null } = options;
@@ -32,7 +32,7 @@ function branchesCompared(mine, arm, target, options = {}) {
   const right = rightOf(arm, own ? found.branches : branchesOf(arm, sought));
   const { answers: given, taken, typed } = upright(mine, right, sought, options);
   const { astray, ...report } = judged(right, given, tolerance, taken);
-  const dof = joints(arm).length;
+  const dof = movingRows(arm).length;
   const asRows = !taken.length && typed.shape.at(-1) === dof;
   const wrong = asRows && given.flatMap((one, i) => one.values.map(() => astray.includes(i + 1)));
   return wrong ? { ...report, typed, wrong } : { ...report, typed };
@@ -44,18 +44,18 @@ function upright(mine, right, target, { angles = "rad", tolerance = null, which 
   const asked = { given: rowsGiven(target), which };
   const rows = answers(mine, arm, angles, asked);
   const count = rows.answers.length;
-  if (count < 2 || count !== joints(arm).length) return rows;
-  if (hitsOf(right, rows.answers, tolerance).hits.size) return rows;
+  if (count < 2 || count !== movingRows(arm).length) return rows;
+  if (matchAnswers(right, rows.answers, tolerance).hits.size) return rows;
   const columns = answers(mine, arm, angles, { ...asked, byColumns: true });
-  return hitsOf(right, columns.answers, tolerance).astray.length ? rows : columns;
+  return matchAnswers(right, columns.answers, tolerance).astray.length ? rows : columns;
 }
 
 // All branches by the arm's own formula, where the asker has none.
 function branchesOf(arm, target) {
-  const form = formOf(arm);
+  const form = findClosedForm(arm);
   if (!form) return [];
-  if (asksPose(form)) return inverse(arm, form, frameOf(target));
-  return inverse(
+  if (needsPose(form)) return solveInverse(arm, form, frameOf(target));
+  return solveInverse(
     arm,
     form,
     Array.isArray(target[0]) ? target.slice(0, 3).map((x) => x[3]) : target,
@@ -68,37 +68,39 @@ const frameOf = (rows) => {
 };
 
 // The branches that there are, and how many they were before some became one.
-/** @returns {Right} */
+/** @returns {Solutions} */
 const rightOf = (arm, branches) => ({
   arm,
   branches,
   count: branches.reduce((sum, { times }) => sum + times, 0),
 });
 
-/** @returns {import("../report.js").Report & { astray: number[] }} */
+/** @returns {import("../report.js").Verdict & { astray: number[] }} */
 function judged(right, given, tolerance, taken) {
   const { arm, branches } = right;
-  const { hits, astray, sharp } = hitsOf(right, given, tolerance);
-  const wrong = astray.map((number) => wrongAnswer(right, given[number - 1], number, tolerance));
+  const { hits, astray, sharp } = matchAnswers(right, given, tolerance);
+  const wrong = astray.map((number) =>
+    explainWrongAnswer(right, given[number - 1], number, tolerance),
+  );
   const [missing, found] = [false, true].map((there) =>
     branches.flatMap(({ name }, k) => (hits.has(k) === there ? [name] : [])),
   );
   const unreachable = outOfRange(right, hits, missing, found);
   const oneSided = unreachable.length || astray.length ? [] : oneSign(right, hits, missing, found);
   const coarse =
-    tolerance === null && given.some((answer) => hits.size && looksLikeSlip(right, answer));
+    tolerance === null && given.some((answer) => hits.size && looksLikeMistake(right, answer));
   const unfinished = missing.length > 0 && !unreachable.length;
   const grade = gradeOf(astray.length > 0, unfinished || coarse, sharp);
   const all = commonCause(wrong);
   const whats = [
-    ...wrong.flatMap(({ causes }) => causes.map(nameOf)),
+    ...wrong.flatMap(({ causes }) => causes.map(causeName)),
     ...oneSided.map(({ what }) => what),
   ];
   return {
-    ...reportOf("branches", arm, grade, headlineOf(grade, right, { all, found, unfinished })),
+    ...makeVerdict("branches", arm, grade, headlineOf(grade, right, { all, found, unfinished })),
     astray,
     findings: [
-      ...(all ? [{ what: "cause", where: "", words: `${wordsOf(all)}.` }] : []),
+      ...(all ? [{ what: "cause", where: "", words: `${causeMessage(all)}.` }] : []),
       ...foundOnes(found, found.length < branches.length || astray.length > 0),
       ...(all ? [] : wrong.map(({ finding }) => finding)),
       ...missingOnes(missing, found.length > 0 || !astray.length),
@@ -114,7 +116,7 @@ function judged(right, given, tolerance, taken) {
 // The one cause of all that is wrong, if there are several of it.
 function commonCause(wrong) {
   const [first] = wrong;
-  const name = ({ causes }) => (causes.length ? nameOf(causes[0]) : "");
+  const name = ({ causes }) => (causes.length ? causeName(causes[0]) : "");
   if (wrong.length < 2 || !name(first)) return null;
   return wrong.every((one) => name(one) === name(first)) ? first.causes[0] : null;
 }
@@ -128,21 +130,32 @@ function gradeOf(faulty, unfinished, sharp) {
 // The branches that were found, named one by one unless these are all; and those that are missing.
 const foundOnes = (names, told) =>
   told
-    ? names.map((name) => ({ what: "found", where: name, words: say("ik found", { name }) }))
+    ? names.map((name) => ({
+        what: "found",
+        where: name,
+        words: formatMessage("ik found", { name }),
+      }))
     : [];
 
 const missingOnes = (names, told) =>
   names.length && told
-    ? [{ what: "missing", where: "", words: say("ik missing", { names: names.join("; ") }) }]
+    ? [
+        {
+          what: "missing",
+          where: "",
+          words: formatMessage("ik missing", { names: names.join("; ") }),
+        },
+      ]
     : [];
 
 function headlineOf(grade, { arm, branches }, { all, found, unfinished }) {
   const fields = { arm: arm.name, count: found.length, all: branches.length };
-  if (!branches.length) return say("ik none", fields);
-  if (grade === WRONG && all) return say("ik wrong", { cause: lower(wordsOf(all)), ...fields });
-  if (grade === WRONG) return say("ik some wrong", fields);
-  if (grade === SO_FAR) return say(unfinished ? "ik so far" : "ik so far digits", fields);
-  return say(grade === RIGHT ? "ik right" : "ik rounded", fields);
+  if (!branches.length) return formatMessage("ik none", fields);
+  if (grade === WRONG && all)
+    return formatMessage("ik wrong", { cause: uncapitalize(causeMessage(all)), ...fields });
+  if (grade === WRONG) return formatMessage("ik some wrong", fields);
+  if (grade === SO_FAR) return formatMessage(unfinished ? "ik so far" : "ik so far digits", fields);
+  return formatMessage(grade === RIGHT ? "ik right" : "ik rounded", fields);
 }
 
 // One sign of a root forgotten: a joint that has one sign in all that is there and the other in all
@@ -150,45 +163,48 @@ function headlineOf(grade, { arm, branches }, { all, found, unfinished }) {
 /** @returns {Finding[]} */
 function oneSign({ arm, branches }, hits, missing, found) {
   if (!found.length || !missing.length) return [];
-  const turns = turning(arm);
-  const k = variable(arm).findIndex((_, joint) => {
+  const turns = revoluteFlags(arm);
+  const k = jointNames(arm).findIndex((_, joint) => {
     const q = branches.map((branch) => branch.q[joint]);
-    const clear = Math.min(...q.map((x) => Math.abs(turns[joint] ? Math.sin(x) : x))) > NEAR;
+    const clear = Math.min(...q.map((x) => Math.abs(turns[joint] ? Math.sin(x) : x))) > NEARLY_ZERO;
     const there = new Set(q.filter((_, b) => hits.has(b)).map(Math.sign));
     const others = q.filter((_, b) => !hits.has(b)).map(Math.sign);
     return clear && there.size === 1 && others.every((sign) => there.has(-sign));
   });
   if (k < 0) return [];
   const key = k || !turns[0] ? "ik.one sign" : "ik one side";
-  return [{ what: "ik.one sign", where: "", words: say(key, { joint: variable(arm)[k] }) }];
+  return [
+    { what: "ik.one sign", where: "", words: formatMessage(key, { joint: jointNames(arm)[k] }) },
+  ];
 }
 
 // A word where what is missing has a slide beyond its range.
 function outOfRange({ arm, branches }, hits, missing, found) {
   if (!found.length || !missing.length) return [];
   const lacking = branches.filter((_, b) => !hits.has(b));
-  const turns = turning(arm);
-  const beyond = joints(arm).flatMap((row, k) => {
+  const turns = revoluteFlags(arm);
+  const beyond = movingRows(arm).flatMap((row, k) => {
     const { lower: least, upper: most } = arm.rows[row];
     const inside = (x) => (least ?? -Infinity) <= x && x <= (most ?? Infinity);
-    return turns[k] || lacking.some(({ q }) => inside(q[k])) ? [] : [variable(arm)[k]];
+    return turns[k] || lacking.some(({ q }) => inside(q[k])) ? [] : [jointNames(arm)[k]];
   });
-  return beyond.length ? [say("ik out of range", { joints: listed(beyond) })] : [];
+  return beyond.length ? [formatMessage("ik out of range", { joints: joinList(beyond) })] : [];
 }
 
 // A word on the first answers that are the same.
 function* twice(arm, given) {
   for (const [n, one] of given.entries()) {
-    const same = given.map((other) => sameAnswer(arm, other, one));
+    const same = given.map((other) => isSameAnswer(arm, other, one));
     const alike = same.flatMap((is, k) => (is ? [k + 1] : []));
     if (alike.length > 1 && alike[0] === n + 1)
-      yield say("ik twice", { numbers: listed(alike.map(String)) });
+      yield formatMessage("ik twice", { numbers: joinList(alike.map(String)) });
   }
 }
 
 function* notesOf({ arm, branches, count }) {
-  if (branches.length < count) yield say("ik together", { count: branches.length, all: count });
-  for (const [k, joint] of variable(arm).entries()) {
-    if (branches.some(({ free }) => free[k])) yield say("ik free", { joint });
+  if (branches.length < count)
+    yield formatMessage("ik together", { count: branches.length, all: count });
+  for (const [k, joint] of jointNames(arm).entries()) {
+    if (branches.some(({ free }) => free[k])) yield formatMessage("ik free", { joint });
   }
 }

@@ -1,14 +1,20 @@
 // Is a Jacobian wrong, and how?
 
-import { copies, jacobianOf, pairs, single, steps } from "../causes/jacobian.js";
-import { nameOf, several } from "../causes/ranking.js";
+import {
+  copiedColumns,
+  makeJacobian,
+  mistakePairs,
+  singleMistakes,
+  listJacobianSteps,
+} from "../causes/jacobian.js";
+import { causeName, joinCauseMessages } from "../causes/ranking.js";
 import { agrees, RIGHT, SO_FAR, tellable, WRONG } from "../digits.js";
-import { verdictOn } from "../entries.js";
+import { judgeEntries } from "../entries.js";
 import * as chains from "../geometry/chains.js";
-import { norm, numbered, turning } from "../geometry/kinematics.js";
+import { norm, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
 import { lookup, numbers, pose } from "../reading/numbers.js";
-import { answering, reportOf } from "../report.js";
-import { ArmError, counted, listed, lower, say } from "../sentences.js";
+import { completeVerdicts, makeVerdict } from "../report.js";
+import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
 
 const ROWS = ["vx", "vy", "vz", "wx", "wy", "wz"];
 const NAMES = /^(?:j|ans$)/i;
@@ -16,9 +22,9 @@ const HALVES = ["linear", "angular"];
 
 /**
  * The report on a Jacobian, a text or nested numbers, of an arm's tip at q.
- * @returns {import("../report.js").Report}
+ * @returns {import("../report.js").Verdict}
  */
-export const compareJacobian = answering(jacobianCompared);
+export const compareJacobian = completeVerdicts(jacobianCompared);
 
 function jacobianCompared(mine, arm, q, options = {}) {
   const at = pose(q, arm, options.angles);
@@ -34,16 +40,22 @@ function compared(typed, asked, said) {
   const [rows, width] = typed.shape;
   if (width !== at.values.length || ![3, 6].includes(rows)) return misshapen(typed, asked, said);
   if (!typed.values.some(Boolean)) {
-    const headline = say("J wrong", { arm: arm.name, cause: lower(say("J zero")) });
+    const headline = formatMessage("J wrong", {
+      arm: arm.name,
+      cause: uncapitalize(formatMessage("J zero")),
+    });
     const wrong = typed.values.map(() => true);
     return { ...reported(arm, WRONG, headline, { taken: said }), wrong };
   }
   if (!angularFirst || rows === 3) return judged(typed, asked, said);
-  const report = judged(halvesExchanged(typed), asked, [...said, say("taken: angular first")]);
+  const report = judged(halvesExchanged(typed), asked, [
+    ...said,
+    formatMessage("taken: angular first"),
+  ]);
   return { ...report, wrong: exchanged(report.wrong) };
 }
 
-const reported = (...told) => reportOf("Jacobian", ...told);
+const reported = (...told) => makeVerdict("Jacobian", ...told);
 const exchanged = (list) => [...list.slice(list.length / 2), ...list.slice(0, list.length / 2)];
 const halvesExchanged = (typed) => ({
   ...typed,
@@ -60,10 +72,11 @@ function matrix(mine, known, arm, { at, which, generic = false, computed = false
   const asked = { wants, names: NAMES, given: [at.values], which };
   const read = inMetres(numbers(mine, what, known, undefined, asked));
   const symbolic = read.symbolic || computed;
-  if (generic && !symbolic) throw new ArmError(say("J needs q"));
+  if (generic && !symbolic) throw new ArmError(formatMessage("J needs q"));
   const one = read.shape.length === 3 ? read.shape.indexOf(1) : -1;
   const shape = read.shape.filter((_, i) => one < 0 || i !== one);
-  if (shape.length !== 2) throw new ArmError(say("no matrix", { what, given: counted(shape) }));
+  if (shape.length !== 2)
+    throw new ArmError(formatMessage("no matrix", { what, given: describeShape(shape) }));
   const units = computed ? read.units.map(() => 0) : read.units;
   const count = read.values.length;
   const flat = count === 6 * dof && count === Math.max(...shape);
@@ -86,7 +99,7 @@ function inMetres(typed) {
   const { shape, says } = typed;
   if (says?.lengths !== "mm" || shape[0] !== 6) return typed;
   const scaled = (list) => list.map((x, i) => (i < 3 * shape[1] ? x / 1000 : x));
-  const said = [...typed.said, say("taken: linear millimetres")];
+  const said = [...typed.said, formatMessage("taken: linear millimetres")];
   return { ...typed, values: scaled(typed.values), units: scaled(typed.units), said };
 }
 
@@ -104,28 +117,29 @@ function misshapen({ values, units, shape: [rows, width] }, { arm, at, frame }, 
   else if (right.length > dof && is(every)) key = "J.locked column kept";
   else if (right.length > dof && rows === 5 && every.some((row) => is(without(row))))
     key = "J.row for column"; // slip 3, by its words
-  const words = say(key, { shape: `${rows}x${width}`, dof });
+  const words = formatMessage(key, { shape: `${rows}x${width}`, dof });
   const findings = [
     { what: "shape", where: "", mine: [rows, width], expected: [6, dof], words: `${words}.` },
   ];
-  const headline = say("J wrong", { arm: arm.name, cause: `${lower(words)}.` });
+  const headline = formatMessage("J wrong", { arm: arm.name, cause: `${uncapitalize(words)}.` });
   return reported(arm, WRONG, headline, { findings, causes: [key], taken });
 }
 
 const without = (row) => ROWS.flatMap((_, i) => (i === row ? [] : [i]));
 
-/** @returns {import("../report.js").Report} */
+/** @returns {import("../report.js").Verdict} */
 function judged(typed, { arm, at, frame, tolerance = null }, said) {
-  const slips = steps(arm, at.values, frame);
-  const whole = jacobianOf(arm, frame);
+  const slips = listJacobianSteps(arm, at.values, frame);
+  const whole = makeJacobian(arm, frame);
   const half = typed.shape[0] === 3 ? rowsMeant(typed.values, whole(at.values)) : null;
   const part = ({ cause, make }) => ({ cause, make: (q) => rowsOfHalf(make(q), half) });
   const right = (q) => rowsOfHalf(whole(q), half);
-  const singles = single(arm, frame, slips).map(part);
+  const singles = singleMistakes(arm, frame, slips).map(part);
   const of = (make) => () => Array.from(make(arm, frame, slips), part);
   const asked = { mine: typed, q: at, dof: at.values.length, right, slips: singles, tolerance };
-  const verdict = verdictOn({ ...asked, further: [of(copies), of(pairs)] });
-  const taken = half === null ? said : [...said, say("taken: half", { half: HALVES[half] })];
+  const verdict = judgeEntries({ ...asked, further: [of(copiedColumns), of(mistakePairs)] });
+  const taken =
+    half === null ? said : [...said, formatMessage("taken: half", { half: HALVES[half] })];
   const truth = right(at.values);
   if (verdict.grade !== WRONG) {
     const notes = typed.symbolic || half !== null ? [] : hidden(slips, singles, at.values, truth);
@@ -164,48 +178,62 @@ function hidden(slips, singles, q, truth) {
     tellable({ units: truth.map(() => 0) }, truth, make(q)),
   );
   const count = method.length - shown.length;
-  return count ? [say("J hidden", { count, all: method.length })] : [];
+  return count ? [formatMessage("J hidden", { count, all: method.length })] : [];
 }
 
 // `half` is which half three rows are, null where all six are there.
 function good({ grade, how, wrong }, typed, arm, half) {
-  const where = typed.symbolic ? "" : say("at this pose");
-  const precision = typed.units.some(Boolean) ? say("to your digits") : "";
+  const where = typed.symbolic ? "" : formatMessage("at this pose");
+  const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
   const [own, other] = half ? ["angular", "linear"] : HALVES;
   const keys = { [RIGHT]: half === null ? "J right" : "J half right", [SO_FAR]: "J so far" };
   const width = typed.shape[1];
-  const off = numbered(arm).flatMap((_, k) =>
+  const off = jointNumbers(arm).flatMap((_, k) =>
     column(wrong, k, width).includes(true) ? [k + 1] : [],
   );
-  const places = listed(off.map((k) => say("column", { column: k })));
+  const places = joinList(off.map((k) => formatMessage("column", { column: k })));
   const fields = { arm: arm.name, where, precision, half: own, other, places };
-  const headline = say(keys[grade] ?? "J rounded", fields);
+  const headline = formatMessage(keys[grade] ?? "J rounded", fields);
   const findings =
     half === null
       ? []
-      : [{ what: "missing", where: `${other} rows`, words: say("J half missing", { other }) }];
+      : [
+          {
+            what: "missing",
+            where: `${other} rows`,
+            words: formatMessage("J half missing", { other }),
+          },
+        ];
   const said = half !== null && grade === RIGHT ? SO_FAR : grade;
-  return reported(arm, said, headline, { findings, notes: how === "cut" ? [say("cut")] : [] });
+  return reported(arm, said, headline, {
+    findings,
+    notes: how === "cut" ? [formatMessage("cut")] : [],
+  });
 }
 
 function bad(causes, where, arm) {
   if (causes.length) {
-    const words = several(causes);
+    const words = joinCauseMessages(causes);
     const findings = [{ what: "cause", where: "", words: `${words}.` }];
-    const headline = say("J wrong", { arm: arm.name, cause: `${lower(words)}.` });
-    return reported(arm, WRONG, headline, { findings, causes: causes.map(nameOf) });
+    const headline = formatMessage("J wrong", { arm: arm.name, cause: `${uncapitalize(words)}.` });
+    return reported(arm, WRONG, headline, { findings, causes: causes.map(causeName) });
   }
   const found = where();
-  if (found.length === numbered(arm).length && found.every(({ what }) => what === "column")) {
-    const question = say(turning(arm)[0] ? "J turns" : "J slides", { joint: numbered(arm)[0] });
-    return reported(arm, WRONG, say("J wrong everywhere", { arm: arm.name, question }), {
+  if (found.length === jointNumbers(arm).length && found.every(({ what }) => what === "column")) {
+    const question = formatMessage(revoluteFlags(arm)[0] ? "J turns" : "J slides", {
+      joint: jointNumbers(arm)[0],
+    });
+    return reported(arm, WRONG, formatMessage("J wrong everywhere", { arm: arm.name, question }), {
       findings: found,
     });
   }
   const headline =
     found.length === 1
-      ? say("J wrong", { arm: arm.name, cause: lower(found[0].words) })
-      : say("J wrong places", { arm: arm.name, places: listed(found.map(({ where: at }) => at)) });
+      ? formatMessage("J wrong", { arm: arm.name, cause: uncapitalize(found[0].words) })
+      : formatMessage("J wrong places", {
+          arm: arm.name,
+          places: joinList(found.map(({ where: at }) => at)),
+        });
   return reported(arm, WRONG, headline, { findings: found });
 }
 
@@ -214,32 +242,32 @@ const column = (list, k, width) => list.filter((_, i) => i % width === k);
 // The wrong columns: turned over, another joint's, or wrong in some rows.
 function places({ values, units, shape }, columns, wrong, arm, from) {
   const width = shape[1];
-  return numbered(arm).flatMap((joint, k) => {
+  return jointNumbers(arm).flatMap((joint, k) => {
     const [off, own, places] = [wrong, values, units].map((list) => column(list, k, width));
     if (!off.includes(true)) return [];
     const is = (other) => agrees({ values: own, units: places }, other);
     const [, truth] = columns.find(([one]) => one === joint);
     const others = columns.filter(([one, other]) => one !== joint && is(other));
-    const rows = listed(ROWS.slice(from).filter((_, i) => off[i]));
+    const rows = joinList(ROWS.slice(from).filter((_, i) => off[i]));
     const negative = truth.map((x, i) => (off[i] ? -x : x));
     const [what, said] =
       others.length === 1
-        ? ["column", say("J.other column", { joint: others[0][0] })]
-        : ["column", say(is(negative) ? "J.entry signs" : "J.entries", { rows })];
-    const words = say("J column", { column: k + 1, joint, words: said });
+        ? ["column", formatMessage("J.other column", { joint: others[0][0] })]
+        : ["column", formatMessage(is(negative) ? "J.entry signs" : "J.entries", { rows })];
+    const words = formatMessage("J column", { column: k + 1, joint, words: said });
     return [{ what, where: `column ${k + 1}`, words }];
   });
 }
 
 // Each joint's column in the declared frame, then those that locked joints would have.
 function allColumns(arm, q, frame) {
-  const here = chains.chain(arm, q);
-  const T = chains.framesOf(here);
+  const here = chains.makeChain(arm, q);
+  const T = chains.chainFrames(here);
   const locked = arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [i] : []));
   const loose = { ...here, at: locked, turns: locked.map(() => true), dof: locked.length };
   return [here, loose].flatMap((c) => {
-    const J = chains.columns(c, T);
-    const seen = frame ? chains.seenIn(J, T[frame]) : J;
+    const J = chains.flatJacobian(c, T);
+    const seen = frame ? chains.rotateIntoFrame(J, T[frame]) : J;
     return c.at.map((i, k) => [i + 1, column(seen, k, c.dof)]);
   });
 }

@@ -1,17 +1,25 @@
 // Do these joint angles reach that pose? The entries judged are the target's, the truth is the tip.
 
-import { slips as jointSlips, variable } from "../causes/joints.js";
-import { both, cause, nameOf, several } from "../causes/ranking.js";
-import { wrongTables } from "../causes/tables.js";
+import { jointMistakes as jointSlips, jointNames } from "../causes/joints.js";
+import { combineCauses, makeCause, causeName, joinCauseMessages } from "../causes/ranking.js";
+import { tableMistakes } from "../causes/tables.js";
 import { agrees, RIGHT, ROUNDED, slackOf, SO_FAR, WRONG } from "../digits.js";
-import { verdictOn } from "../entries.js";
-import { chain, framesOf } from "../geometry/chains.js";
-import { cross, dot, matrix, minus, norm, numbered, turnBetween } from "../geometry/kinematics.js";
-import { missWords } from "../matching.js";
+import { judgeEntries } from "../entries.js";
+import { makeChain, chainFrames } from "../geometry/chains.js";
+import {
+  cross,
+  dot,
+  frameMatrix,
+  minus,
+  norm,
+  jointNumbers,
+  rotationBetween,
+} from "../geometry/kinematics.js";
+import { describeMiss } from "../matching.js";
 import { answers } from "../reading/joint_vectors.js";
 import { jointShapes, lookup, numbers, rowsGiven } from "../reading/numbers.js";
-import { answering, reportOf } from "../report.js";
-import { ArmError, counted, listed, lower, say } from "../sentences.js";
+import { completeVerdicts, makeVerdict } from "../report.js";
+import { ArmError, describeShape, joinList, uncapitalize, formatMessage } from "../sentences.js";
 
 const TARGETS = [
   { rows: 4, columns: 4 },
@@ -30,9 +38,9 @@ const FEW = 3; // wrong entries: a wrong q changes more of them
 /**
  * Whether a joint vector, a text or nested lists, takes an arm's tip to T: a pose (4, 4) or a point
  * (3,).
- * @returns {import("../report.js").Report}
+ * @returns {import("../report.js").Verdict}
  */
-export const comparePose = answering(poseCompared);
+export const comparePose = completeVerdicts(poseCompared);
 
 function poseCompared(q, arm, T, options = {}) {
   const { angles = "rad", tolerance = null } = options;
@@ -46,9 +54,9 @@ function poseCompared(q, arm, T, options = {}) {
     which: options.which,
   });
   if (given.length !== 1)
-    throw new ArmError(say("one answer", { arm: arm.name, count: given.length }));
+    throw new ArmError(formatMessage("one answer", { arm: arm.name, count: given.length }));
   const known = lookup(arm, given[0].values);
-  const target = targetOf(T, arm, known);
+  const target = readTarget(T, arm, known);
   const units = target.formulas ? given[0].units.map(() => 0) : given[0].units;
   return { ...judged({ ...given[0], units }, arm, target, tolerance, taken), typed };
 }
@@ -57,94 +65,95 @@ function poseCompared(q, arm, T, options = {}) {
  * What was typed as a pose or, where it may be one, a point.
  * @returns {Target}
  */
-export function targetOf(T, arm, known, orPoint = true) {
+export function readTarget(T, arm, known, orPoint = true) {
   const what = `${arm.name}: the target`;
-  const wanted = say(orPoint ? "a point or a pose" : "a pose");
+  const wanted = formatMessage(orPoint ? "a point or a pose" : "a pose");
   const { values, units, shape, symbolic } = numbers(T, what, known, wanted, { wants: TARGETS });
   const form = shape.filter((n) => n !== 1).join("x");
   const pose = form === "4x4" || form === "3x4";
   if (!pose && !(orPoint && form === "3"))
-    throw new ArmError(say("pose shape", { what, given: counted(shape), wanted }));
+    throw new ArmError(formatMessage("pose shape", { what, given: describeShape(shape), wanted }));
   const rows = (list) => (pose ? [0, 1, 2].map((i) => list.slice(4 * i, 4 * i + 4)) : [list]);
   return { values: rows(values), units: rows(units), pose, formulas: symbolic };
 }
 
-/** @returns {import("../report.js").Report} */
+/** @returns {import("../report.js").Verdict} */
 function judged(q, arm, T, tolerance, taken) {
   const mine = { values: T.values.flat(), units: T.units.flat() };
   const right = tipOf(arm, T);
   const slips = [...known(arm, T)];
   const further = [() => pairs(arm, T)];
   const asked = { mine, q, dof: q.values.length, right, slips, tolerance, further };
-  const verdict = verdictOn(asked);
+  const verdict = judgeEntries(asked);
   const coarse = slackOf(q, q.values.length, right, Infinity);
   const truth = right(q.values);
   const wrong = verdict.grade === WRONG;
   const few = wrong && tolerance === null && !verdict.slips.length && agrees(mine, truth, coarse);
   const grade = few ? SO_FAR : verdict.grade;
-  const here = framesOf(chain(arm, q.values)).at(-1);
+  const here = chainFrames(makeChain(arm, q.values)).at(-1);
   const [away, turned] = missOf(here, T);
   const rest = { taken, figures: { position_error: away, orientation_error: turned } };
   if (grade !== WRONG)
-    return reported(arm, grade, say(GOOD[grade], { arm: arm.name }), {
+    return reported(arm, grade, formatMessage(GOOD[grade], { arm: arm.name }), {
       ...rest,
       notes: [...limits(arm, q)],
     });
   const off = missed(T, verdict.wrong, away, turned);
   if (!verdict.slips.length) {
     const findings = entries(T, verdict.wrong);
-    const headline = say("pose wrong", { arm: arm.name, off });
+    const headline = formatMessage("pose wrong", { arm: arm.name, off });
     const causes = [...new Set(findings.map(({ what }) => what))];
     return reported(arm, WRONG, headline, { ...rest, findings, causes });
   }
   const causes = verdict.slips.map((slip) => slip.cause);
-  const words = several(causes);
-  const headline = say("pose cause", { arm: arm.name, off, cause: lower(words) });
+  const words = joinCauseMessages(causes);
+  const headline = formatMessage("pose cause", { arm: arm.name, off, cause: uncapitalize(words) });
   const findings = [{ what: "cause", where: "", words: `${words}.` }];
-  return reported(arm, WRONG, headline, { ...rest, findings, causes: causes.map(nameOf) });
+  return reported(arm, WRONG, headline, { ...rest, findings, causes: causes.map(causeName) });
 }
 
 const GOOD = { [RIGHT]: "pose right", [ROUNDED]: "pose rounded", [SO_FAR]: "pose so far" };
-const reported = (...told) => reportOf("pose", ...told);
+const reported = (...told) => makeVerdict("pose", ...told);
 
 function missed(T, wrong, away, turned) {
   const tilted = T.pose && wrong.some((is, i) => is && i % 4 < 3);
-  return missWords(away, tilted ? turned : 0);
+  return describeMiss(away, tilted ? turned : 0);
 }
 
 // The entries that a pose or a point has at the tip, for any q, in a table some of which is wrong.
 const tipOf =
   (arm, T, change = (c) => c) =>
   (q) => {
-    const tip = framesOf(change(chain(arm, q))).at(-1);
-    return T.pose ? matrix(tip).slice(0, 3).flat() : tip.o;
+    const tip = chainFrames(change(makeChain(arm, q))).at(-1);
+    return T.pose ? frameMatrix(tip).slice(0, 3).flat() : tip.o;
   };
 
-/** @returns {Generator<import("../causes/ranking.js").Slip>} */
+/** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* known(arm, T) {
   const right = tipOf(arm, T);
   for (const [one, mended] of jointSlips(arm)) yield { cause: one, make: (q) => right(mended(q)) };
-  for (const [one, change] of wrongTables(arm)) yield { cause: one, make: tipOf(arm, T, change) };
+  for (const [one, change] of tableMistakes(arm)) yield { cause: one, make: tipOf(arm, T, change) };
   const place = (i) => !T.pose || i % 4 === 3;
   const long = (q) => right(q).map((x, i) => (place(i) ? 1000 * x : x));
-  yield { cause: cause("pose.millimetres"), make: long }; // slip 26
+  yield { cause: makeCause("pose.millimetres"), make: long }; // slip 26
   if (!T.pose) return;
   const rotation = (change) => (q) => {
     const rows = right(q);
     return rows.map((x, i) => (place(i) ? x : change(rows, Math.floor(i / 4), i % 4)));
   };
-  yield { cause: cause("pose.transposed"), make: rotation((R, i, j) => R[4 * j + i]) }; // slip 4
+  // slip 4
+  yield { cause: makeCause("pose.transposed"), make: rotation((R, i, j) => R[4 * j + i]) };
   const turned = rotation((R, i, j) => R[4 * i + j] * (j === 2 ? 1 : -1));
-  yield { cause: cause("pose.half turn"), make: turned }; // slip 18
+  yield { cause: makeCause("pose.half turn"), make: turned }; // slip 18
 }
 
 // A slip in the joints and one in the table.
-/** @returns {Generator<import("../causes/ranking.js").Slip>} */
+/** @returns {Generator<import("../causes/ranking.js").Mistake>} */
 function* pairs(arm, T) {
-  for (const [table, change] of wrongTables(arm)) {
+  for (const [table, change] of tableMistakes(arm)) {
     const tip = tipOf(arm, T, change);
     for (const [joints, mended] of jointSlips(arm))
-      yield { cause: both(table, joints), make: (q) => tip(mended(q)) };
+      yield { cause: combineCauses(table, joints), make: (q) => tip(mended(q)) };
   }
 }
 
@@ -156,7 +165,7 @@ function missOf(here, { values, pose }) {
   const away = norm(minus(here.o, o));
   if (!pose) return [away, 0];
   const [x, y, z] = [0, 1, 2].map((k) => values.map((row) => row[k]));
-  return [away, dot(cross(x, y), z) > 0 ? turnBetween(here, { x, y, z, o }) : Math.PI];
+  return [away, dot(cross(x, y), z) > 0 ? rotationBetween(here, { x, y, z, o }) : Math.PI];
 }
 
 // The entries of T that differ, where they are few, or the coordinate of a point in formulas.
@@ -166,17 +175,21 @@ function entries(T, wrong) {
   if (off.length > FEW) return [];
   return off.map((i) => {
     const [row, column] = [Math.floor(i / 4) + 1, (i % 4) + 1];
-    const where = T.pose ? say("entry", { row, column }) : "xyz"[i];
-    const words = say(T.pose ? "pose.entry" : "pose.coordinate", { row, column, axis: "xyz"[i] });
+    const where = T.pose ? formatMessage("entry", { row, column }) : "xyz"[i];
+    const words = formatMessage(T.pose ? "pose.entry" : "pose.coordinate", {
+      row,
+      column,
+      axis: "xyz"[i],
+    });
     return { what: T.pose ? "pose.entry" : "pose.coordinate", where, words };
   });
 }
 
 function* limits(arm, { values }) {
-  const beyond = numbered(arm).flatMap((row, k) => {
+  const beyond = jointNumbers(arm).flatMap((row, k) => {
     const { lower: least, upper: most } = arm.rows[row - 1];
     const inside = (least ?? -Infinity) <= values[k] && values[k] <= (most ?? Infinity);
-    return inside ? [] : [variable(arm)[k]];
+    return inside ? [] : [jointNames(arm)[k]];
   });
-  if (beyond.length) yield say("beyond limits", { joints: listed(beyond) });
+  if (beyond.length) yield formatMessage("beyond limits", { joints: joinList(beyond) });
 }

@@ -1,29 +1,35 @@
 // Is my table wrong, or only different?
 
-import { cause, nameOf, perhaps, several } from "../causes/ranking.js";
-import { fewestSlips } from "../causes/table.js";
+import { makeCause, causeName, hedgeMessage, joinCauseMessages } from "../causes/ranking.js";
+import { findFewestMistakes } from "../causes/table.js";
 import { RIGHT, ROUNDED, units, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
-import { angleBetween, compared, side } from "../geometry/axes.js";
-import { ANGLE, angular, square, squared, variableOf } from "../geometry/rows.js";
+import { angleDistance, compareAxes, describeAxes } from "../geometry/axes.js";
+import {
+  ANGLE_TOLERANCE,
+  isAngleColumn,
+  snapAngle,
+  snapRows,
+  jointColumn,
+} from "../geometry/rows.js";
 import { meant, read } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
-import { lower, say, size } from "../sentences.js";
+import { uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 import { NoLink } from "../reading/table_matrices.js";
-import { answering, reportOf } from "../report.js";
-import { base, same, SEEN, tipElsewhere } from "./table_same.js";
-import { DECIMAL, entry, geometry, ownUnit } from "./table_words.js";
+import { completeVerdicts, makeVerdict } from "../report.js";
+import { noteBaseHeight, judgeSameArm, TIP_TOLERANCE, measureTipMiss } from "./table_same.js";
+import { DECIMAL, describeEntry, describeDifference, entryUnit } from "./table_words.js";
 
 const LENGTH = 1e-6; // m
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 
-/** @typedef {import("../geometry/axes.js").Numbers} Numbers */
-/** @typedef {import("../geometry/axes.js").Compared} Compared */
+/** @typedef {import("../geometry/axes.js").TableRow} TableRow */
+/** @typedef {import("../geometry/axes.js").AxisComparison} AxisComparison */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
 /** @typedef {import("../report.js").Finding} Finding */
-/** @typedef {import("../report.js").Report} Report */
+/** @typedef {import("../report.js").Verdict} Verdict */
 
 /**
  * How the table is to be read; what is empty or not said is guessed.
@@ -42,7 +48,7 @@ const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
  * is 1 where a fixed row before the typed ones holds the first of them.
  * @typedef {object} Table
  * @property {string} name
- * @property {Numbers[]} rows
+ * @property {TableRow[]} rows
  * @property {Record<string, string>[]} texts
  * @property {number} lengthUnit
  * @property {number} angleUnit
@@ -59,9 +65,9 @@ const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
  * @param {any} mine text, or an arm that Python holds
  * @param {any} reference
  * @param {Options} options
- * @returns {Report}
+ * @returns {Verdict}
  */
-export const compareTables = answering(tablesCompared);
+export const compareTables = completeVerdicts(tablesCompared);
 
 function tablesCompared(mine, reference, options = {}) {
   const kinds = reference.rows.map(({ kind }) => kind);
@@ -103,17 +109,24 @@ function readOrNot(text, options, known) {
 // The rows of links, of which none can be said to be locked, with those fixed that should be.
 function withLocked(table, kinds) {
   const { rows, said } = table;
-  if (!said.includes(say("taken: links")) || rows.length !== kinds.length) return table;
+  if (!said.includes(formatMessage("taken: links")) || rows.length !== kinds.length) return table;
   return { ...table, rows: rows.map((row, k) => (kinds[k] === "fixed" ? fixed(row) : row)) };
 }
 
 const fixed = (row) => ({ ...row, kind: "fixed", joint: null });
 
-/** @returns {Report} */
+/** @returns {Verdict} */
 function noLink({ message, causes }, { name }) {
   const findings = [{ what: "cause", where: "", words: `${message}.` }];
-  const fields = { mine: say("your table"), reference: name, cause: lower(message) };
-  return reportOf("table", { name }, WRONG, say("table wrong", fields), { findings, causes });
+  const fields = {
+    mine: formatMessage("your table"),
+    reference: name,
+    cause: uncapitalize(message),
+  };
+  return makeVerdict("table", { name }, WRONG, formatMessage("table wrong", fields), {
+    findings,
+    causes,
+  });
 }
 
 // The first row that is named after an earlier joint than the row before it.
@@ -122,7 +135,7 @@ function outOfTurn(rows) {
   const astray = named.find(
     ({ number }, k) => k + 1 < named.length && number >= named[k + 1].number,
   );
-  return astray ? cause("table.names", { row: astray.row, name: astray.name }) : null;
+  return astray ? makeCause("table.names", { row: astray.row, name: astray.name }) : null;
 }
 
 const MOST_READINGS = 4; // orders of columns that are tried, where none was said
@@ -140,10 +153,10 @@ function shown(typed, { lengthScale, angleScale }, findings) {
   const cells = typed.rows.map(({ kind, numbers, radians, backwards }, k) =>
     ENTRIES.map((column) => {
       const scale = DEG * (radians.has(column) ? 1 : angleScale);
-      const text = angular(column)
-        ? `${size(numbers[column] * scale, 6)}°`
-        : size(numbers[column] * lengthScale, 6);
-      if (column !== variableOf(kind)) return text;
+      const text = isAngleColumn(column)
+        ? `${formatNumber(numbers[column] * scale, 6)}°`
+        : formatNumber(numbers[column] * lengthScale, 6);
+      if (column !== jointColumn(kind)) return text;
       const variable = `${backwards ? "-" : ""}q_${k + 1}`;
       return numbers[column]
         ? `${variable} ${text.replace(/^-?/, (sign) => (sign ? "- " : "+ "))}`
@@ -164,7 +177,7 @@ function tableOf(typed, found) {
   const modified = typed.convention === "craig";
   const { a, alpha } = typed.rows[0].numbers;
   return {
-    name: say("your table"),
+    name: formatMessage("your table"),
     rows: found.rows,
     texts,
     lengthUnit: wholeUnit(typed, found.length) || unitOf(texts, ["a", "d"]) * found.length,
@@ -180,7 +193,7 @@ function tableOf(typed, found) {
 
 /**
  * An arm that Python holds, as a table in m and rad.
- * @param {{ name: string, rows: Numbers[], texts: Record<string, string>[] }} arm
+ * @param {{ name: string, rows: TableRow[], texts: Record<string, string>[] }} arm
  * @returns {Table}
  */
 const ofArm = ({ name, rows, texts }) => ({
@@ -219,7 +232,9 @@ function wholeUnit(typed, scale) {
 // are near: 1.57 is meant as pi/2.
 const meantRows = (table) =>
   table.rows.map((row, k) => {
-    const [alpha, theta] = ["alpha", "theta"].map((c) => square(row[c], ownUnit(table, k + 1, c)));
+    const [alpha, theta] = ["alpha", "theta"].map((c) =>
+      snapAngle(row[c], entryUnit(table, k + 1, c)),
+    );
     return { ...row, alpha, theta };
   });
 
@@ -229,32 +244,32 @@ const meantRows = (table) =>
  * One reading of a table beside the reference: the report on the same arm, null where it is
  * another, and that on another.
  * @param {Table} table
- * @returns {{ good: () => Report | null, bad: () => Report }}
+ * @returns {{ good: () => Verdict | null, bad: () => Verdict }}
  */
 function judgedTable(table, reference, tolerance) {
-  const wanted = squared(reference.rows);
+  const wanted = snapRows(reference.rows);
   const rows = meantRows(table);
-  const [mine, ref] = [side(rows), side(wanted)];
+  const [mine, ref] = [describeAxes(rows), describeAxes(wanted)];
   const exact = tolerance === null ? LENGTH : Math.max(tolerance, 1e-12);
   const [length, angle] = [table.lengthUnit, table.angleUnit].map((unit) =>
     tolerance === null && unit <= COARSEST ? 0.51 * unit : 0,
   );
-  const found = compared(mine, ref, exact);
+  const found = compareAxes(mine, ref, exact);
   const agrees = (grade, by) =>
     table.exchanged
-      ? bad(table, reference, [cause("table.alpha and theta")])
+      ? bad(table, reference, [makeCause("table.alpha and theta")])
       : sameOrSlips(grade, by);
   const sameOrSlips = (grade, by) => {
     const last = table.lengthUnit || table.angleUnit * reach(rows);
     const loose = grade === RIGHT ? LENGTH : 10 * last;
-    const far = Math.max(SEEN, 2 * rows.length * Math.min(last, COARSEST));
-    const elsewhere = tipElsewhere(table, rows, reference, far);
+    const far = Math.max(TIP_TOLERANCE, 2 * rows.length * Math.min(last, COARSEST));
+    const elsewhere = measureTipMiss(table, rows, reference, far);
     const slips = elsewhere ? wrongEntries(table, rows, wanted, loose) : [];
-    const report = same({ grade, elsewhere }, [table, reference], [mine, ref], by, loose);
+    const report = judgeSameArm({ grade, elsewhere }, [table, reference], [mine, ref], by, loose);
     if (!slips.length) return report;
     const cause = slips.map(({ words }) => inside(words)).join("; ");
     const { findings, causes } = bad(table, reference, [], slips);
-    const headline = say("table other entries", { ...elsewhere, cause });
+    const headline = formatMessage("table other entries", { ...elsewhere, cause });
     return { ...report, headline, findings: slips.length > 1 ? findings : [], causes };
   };
   const good = () => {
@@ -262,7 +277,7 @@ function judgedTable(table, reference, tolerance) {
     if (tolerance !== null) return null;
     // a turned axis meets the next one elsewhere
     const wide = Math.max(exact, 2 * length, 2.5 * angle * reach(rows));
-    const near = compared(mine, ref, wide, Math.max(ANGLE, 4 * angle));
+    const near = compareAxes(mine, ref, wide, Math.max(ANGLE_TOLERANCE, 4 * angle));
     return near.differences.length ? null : agrees(ROUNDED, near);
   };
   return { good, bad: () => different(table, reference, rows, wanted, Math.max(exact, length)) };
@@ -282,38 +297,44 @@ function wrongEntries(table, rows, wanted, length) {
     rows.flatMap((row, k) => (isOff(row, wanted[k], column, length) ? [[k, column]] : [])),
   );
   const t = { cause: null, rows, reference: wanted };
-  return off.length > FEW ? [] : off.map((at) => entry(table, t, at, length));
+  return off.length > FEW ? [] : off.map((at) => describeEntry(table, t, at, length));
 }
 
 const isOff = (row, wanted, column, length) =>
-  angular(column)
-    ? angleBetween(row[column], wanted[column]) > ANGLE
+  isAngleColumn(column)
+    ? angleDistance(row[column], wanted[column]) > ANGLE_TOLERANCE
     : Math.abs(row[column] - wanted[column]) > length;
 
 // Why a table is another arm: by the fewest slips.
-/** @param {Table} table @returns {Report} */
+/** @param {Table} table @returns {Verdict} */
 function different(table, reference, rows, wanted, length) {
-  const found = fewestSlips(rows, reference, wanted, table.modified, length);
+  const found = findFewestMistakes(rows, reference, wanted, table.modified, length);
   const causes = found.flatMap((t) => t.cause ?? []);
   const [t] = found;
   const { a, alpha } = table.rows[0];
   const isCraig = causes.some(({ keys }) => keys.includes("table.craig"));
   const own = isCraig ? { ...table, modified: true, added: Number(Boolean(a || alpha)) } : table;
   const findings = t.left.map((at) =>
-    Array.isArray(at) ? entry(own, t, at, length) : geometry(own, at),
+    Array.isArray(at) ? describeEntry(own, t, at, length) : describeDifference(own, at),
   );
-  const by = compared(side(rows), side(wanted), length);
+  const by = compareAxes(describeAxes(rows), describeAxes(wanted), length);
   const free = !t.cause && !Array.isArray(t.left[0]) && by.signs.length;
-  return bad(table, reference, causes, findings, free ? base(table, side(rows), by) : []);
+  return bad(
+    table,
+    reference,
+    causes,
+    findings,
+    free ? noteBaseHeight(table, describeAxes(rows), by) : [],
+  );
 }
 
 // `causes` explain the same; of the findings those with a cause of their own add to it.
-/** @param {Table} table @param {Cause[]} causes @param {Finding[]} findings @returns {Report} */
+/** @param {Table} table @param {Cause[]} causes @param {Finding[]} findings @returns {Verdict} */
 function bad(table, reference, causes, findings = [], notes = []) {
   const own = findings.map(({ what }) => what).filter((what) => what.includes("."));
   const added = own.length === findings.length ? own : [];
   const names = causes.length
-    ? causes.map((why) => [nameOf(why), ...added].join(" + "))
+    ? causes.map((why) => [causeName(why), ...added].join(" + "))
     : added.length
       ? [added.join(" + ")]
       : [];
@@ -322,16 +343,16 @@ function bad(table, reference, causes, findings = [], notes = []) {
     topic: "table",
     arm: reference.name,
     grade: WRONG,
-    headline: say("table other arm", fields),
+    headline: formatMessage("table other arm", fields),
     findings,
     causes: names,
     taken: table.said,
     notes,
   };
   if (causes.length) {
-    const words = perhaps(several(causes), findings);
-    const rest = findings.length ? say("and what remains") : "";
-    const headline = say("table wrong", { cause: lower(words) + rest, ...fields });
+    const words = hedgeMessage(joinCauseMessages(causes), findings);
+    const rest = findings.length ? formatMessage("and what remains") : "";
+    const headline = formatMessage("table wrong", { cause: uncapitalize(words) + rest, ...fields });
     return {
       ...report,
       headline,
@@ -340,9 +361,9 @@ function bad(table, reference, causes, findings = [], notes = []) {
   }
   if (findings.length !== 1 || own.length !== 1) return report;
   const [only] = findings;
-  const headline = say("table wrong", { cause: inside(only.words), ...fields });
+  const headline = formatMessage("table wrong", { cause: inside(only.words), ...fields });
   return { ...report, headline, findings: [{ ...only, what: "cause" }] };
 }
 
 // A sentence inside another.
-const inside = (words) => lower(words).replace(/\.+$/, "");
+const inside = (words) => uncapitalize(words).replace(/\.+$/, "");

@@ -2,31 +2,31 @@
 
 import { RIGHT, WRONG } from "../digits.js";
 import { DEG } from "../geometry/angles.js";
-import { angleBetween, placesBase } from "../geometry/axes.js";
-import { equations, jointMap } from "../geometry/joint_map.js";
-import { linkFrames, minus, norm, turnBetween } from "../geometry/kinematics.js";
-import { ANGLE, square } from "../geometry/rows.js";
-import { say, size } from "../sentences.js";
-import { ownUnit, rounded, typedAs, typedRow } from "./table_words.js";
+import { angleDistance, isBaseHeightGap } from "../geometry/axes.js";
+import { listMapEquations, findJointMap } from "../geometry/joint_map.js";
+import { linkFrames, minus, norm, rotationBetween } from "../geometry/kinematics.js";
+import { ANGLE_TOLERANCE, snapAngle } from "../geometry/rows.js";
+import { formatMessage, formatNumber } from "../sentences.js";
+import { entryUnit, roundTo, entryText, typedRowNumber } from "./table_words.js";
 
 const LENGTH = 1e-6; // m
-export const SEEN = 1e-4; // m: a tip no farther away stands there
+export const TIP_TOLERANCE = 1e-4; // m: a tip no farther away stands there
 
 /** @typedef {import("./table.js").Table} Table */
-/** @typedef {import("../geometry/axes.js").Compared} Compared */
-/** @typedef {import("../report.js").Report} Report */
+/** @typedef {import("../geometry/axes.js").AxisComparison} AxisComparison */
+/** @typedef {import("../report.js").Verdict} Verdict */
 
 /**
  * The report on a table of the same arm: right if at the homework's start the tip is there too.
- * @param {{ grade: string, elsewhere: ReturnType<typeof tipElsewhere> }} verdict
+ * @param {{ grade: string, elsewhere: ReturnType<typeof measureTipMiss> }} verdict
  * @param {[Table, any]} tables typed, and the reference
- * @param {ReturnType<typeof import("../geometry/axes.js").side>[]} sides
- * @param {Compared} found
+ * @param {ReturnType<typeof import("../geometry/axes.js").describeAxes>[]} sides
+ * @param {AxisComparison} found
  * @param {number} loose how much lengths may differ, in m
- * @returns {Report}
+ * @returns {Verdict}
  */
-export function same({ grade, elsewhere }, [table, reference], [mine, ref], found, loose) {
-  const mapped = jointMap(mine, ref, found, loose);
+export function judgeSameArm({ grade, elsewhere }, [table, reference], [mine, ref], found, loose) {
+  const mapped = findJointMap(mine, ref, found, loose);
   const told = zeros(table, mapped, mine, ref);
   const key = grade === RIGHT ? "table same" : "table rounded";
   return {
@@ -34,15 +34,20 @@ export function same({ grade, elsewhere }, [table, reference], [mine, ref], foun
     arm: reference.name,
     grade: elsewhere ? WRONG : grade,
     headline: elsewhere
-      ? say("table other zeros", elsewhere)
-      : say(key, { mine: table.name, reference: reference.name }),
+      ? formatMessage("table other zeros", elsewhere)
+      : formatMessage(key, { mine: table.name, reference: reference.name }),
     findings: [],
     causes: [],
     taken: table.said,
     ...(mapped ? { map: { ...mapped, rows: mine.rows } } : {}),
     figures: { "same machine": true },
     advice: mapped && told.length ? [{ field: "ownJoints", value: true }] : [],
-    notes: [...told, ...base(table, mine, found, mapped), ...tool(found), ...written(table)],
+    notes: [
+      ...told,
+      ...noteBaseHeight(table, mine, found, mapped),
+      ...tool(found),
+      ...written(table),
+    ],
   };
 }
 
@@ -52,42 +57,55 @@ export function same({ grade, elsewhere }, [table, reference], [mine, ref], foun
  * @param {Table} table
  * @returns {{ mine: string, reference: string, home: string, away: string, turned: string } | null}
  */
-export function tipElsewhere(table, rows, reference, far) {
+export function measureTipMiss(table, rows, reference, far) {
   if (!reference.home) return null;
   const at = (arm) => linkFrames(arm, reference.home).at(-1);
   const [mine, ref] = [at({ ...reference, rows }), at(reference)];
   const away = norm(minus(mine.o, ref.o));
-  const turn = turnBetween(mine, ref) * DEG;
+  const turn = rotationBetween(mine, ref) * DEG;
   if (away <= far && turn < 1) return null;
-  const turned = turn < 1 ? "" : say("table tool turned", { degrees: size(turn, 3) });
+  const turned =
+    turn < 1 ? "" : formatMessage("table tool turned", { degrees: formatNumber(turn, 3) });
   return {
     ...{ mine: table.name, reference: reference.name, turned },
-    home: `(${reference.home.map((x) => size(x, 4)).join(", ")})`,
-    away: size(away < SEEN ? 0 : away, 3),
+    home: `(${reference.home.map((x) => formatNumber(x, 4)).join(", ")})`,
+    away: formatNumber(away < TIP_TOLERANCE ? 0 : away, 3),
   };
 }
 
 function zeros(table, mapped, mine, ref) {
-  if (!mapped) return [say("map unknown")];
-  const own = mine.joints.map((i) => typedRow(table, i, "d"));
-  const told = equations(mapped, own, ref);
-  return told.length ? [say("map", { equations: told.join("; ") })] : [];
+  if (!mapped) return [formatMessage("map unknown")];
+  const own = mine.joints.map((i) => typedRowNumber(table, i, "d"));
+  const told = listMapEquations(mapped, own, ref);
+  return told.length ? [formatMessage("map", { equations: told.join("; ") })] : [];
 }
 
 // A word on where the base's frame stands on axis 1, or where that leans from z_0, along it.
-export function base(table, mine, found, mapped = null) {
-  if (found.upsideDown) return [say("base upside down")];
+export function noteBaseHeight(table, mine, found, mapped = null) {
+  if (found.upsideDown) return [formatMessage("base upside down")];
   const [along, lean] = [found.baseHigher, mine.foot[1]];
-  const higher = mapped && lean <= ANGLE ? mapped.base.o[2] : along;
+  const higher = mapped && lean <= ANGLE_TOLERANCE ? mapped.base.o[2] : along;
   if (Math.abs(higher) <= LENGTH) return [];
-  const row = typedRow(table, mine.joints[mine.gaps.find(placesBase)?.bunch.at(-1) ?? 0], "d");
-  const way = higher > 0 ? say("higher") : say("lower");
-  return [say("base", { height: size(rounded(1000 * Math.abs(higher), 6), 4), way, row })];
+  const row = typedRowNumber(
+    table,
+    mine.joints[mine.gaps.find(isBaseHeightGap)?.bunch.at(-1) ?? 0],
+    "d",
+  );
+  const way = higher > 0 ? formatMessage("higher") : formatMessage("lower");
+  return [
+    formatMessage("base", {
+      height: formatNumber(roundTo(1000 * Math.abs(higher), 6), 4),
+      way,
+      row,
+    }),
+  ];
 }
 
 function tool({ tilts }) {
-  const [mine, reference] = tilts.map((tilt) => size(rounded(tilt * DEG, 4), 4));
-  return angleBetween(...tilts) > ANGLE ? [say("tool", { mine, reference })] : [];
+  const [mine, reference] = tilts.map((tilt) => formatNumber(roundTo(tilt * DEG, 4), 4));
+  return angleDistance(...tilts) > ANGLE_TOLERANCE
+    ? [formatMessage("tool", { mine, reference })]
+    : [];
 }
 
 const NAMES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
@@ -96,16 +114,16 @@ const NAMES = { "-2": "-pi", "-1": "-pi/2", 0: "0", 1: "pi/2", 2: "pi" };
 const written = (table) =>
   table.rows.flatMap((row, k) =>
     ["alpha", "theta"].flatMap((column) => {
-      const right = square(row[column], ownUnit(table, k + 1, column));
+      const right = snapAngle(row[column], entryUnit(table, k + 1, column));
       if (Math.abs(row[column] - right) <= 1e-9) return [];
       const turns = Math.round(right / (Math.PI / 2));
       const wanted = NAMES[turns] ?? `${turns} pi/2`;
       const fields = {
         column,
-        row: typedRow(table, k + 1, column),
-        typed: typedAs(table, k + 1, column),
+        row: typedRowNumber(table, k + 1, column),
+        typed: entryText(table, k + 1, column),
         wanted,
       };
-      return [say("write right angle", fields)];
+      return [formatMessage("write right angle", fields)];
     }),
   );

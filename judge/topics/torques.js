@@ -1,12 +1,18 @@
 // Are joint torques wrong, and how? One torque vector or a whole run of them.
 
-import { loadOf, pairs, single, steps, torquesOf } from "../causes/torques.js";
-import { nameOf, several } from "../causes/ranking.js";
+import {
+  makeLoad,
+  mistakePairs,
+  singleMistakes,
+  listTorqueSteps,
+  makeTorques,
+} from "../causes/torques.js";
+import { causeName, joinCauseMessages } from "../causes/ranking.js";
 import { RIGHT, SO_FAR, WRONG } from "../digits.js";
-import { verdictOn } from "../entries.js";
-import { transposed } from "../geometry/chains.js";
-import { joints, numbered, turning } from "../geometry/kinematics.js";
-import { minusEach } from "../geometry/linear.js";
+import { judgeEntries } from "../entries.js";
+import { transpose } from "../geometry/chains.js";
+import { movingRows, jointNumbers, revoluteFlags } from "../geometry/kinematics.js";
+import { subtractEach } from "../geometry/linear.js";
 import {
   eachJoint,
   inRadians,
@@ -18,8 +24,8 @@ import {
   setAside,
   unnamed,
 } from "../reading/numbers.js";
-import { answering, reportOf } from "../report.js";
-import { ArmError, listed, lower, say, size } from "../sentences.js";
+import { completeVerdicts, makeVerdict } from "../report.js";
+import { ArmError, joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
 
 const GRAVITY = [0, 0, -9.81];
 const NAMES = /^(?:tau|τ|t$|torque|ans$)/i;
@@ -27,17 +33,17 @@ const SAMPLE = 5; // poses of a run, where slips are tried before they are on al
 
 /**
  * The report on torques, a text or nested numbers, at q or along a list of q.
- * @returns {import("../report.js").Report}
+ * @returns {import("../report.js").Verdict}
  */
-export const compareTorques = answering(torquesCompared);
+export const compareTorques = completeVerdicts(torquesCompared);
 
 function torquesCompared(mine, arm, q, options = {}) {
   const { tolerance = null, gravity = GRAVITY } = options;
   if (!arm.rows.every((row) => row.body))
-    throw new ArmError(say("no masses", { arm: arm.name, rows: arm.rows.length }));
-  const dof = joints(arm).length;
-  const [at, wrenches] = loaded(poses(q, arm, options.angles), dof, options.wrench);
-  const load = loadOf(arm, wrenches, gravity);
+    throw new ArmError(formatMessage("no masses", { arm: arm.name, rows: arm.rows.length }));
+  const dof = movingRows(arm).length;
+  const [at, wrenches] = loaded(readPoses(q, arm, options.angles), dof, options.wrench);
+  const load = makeLoad(arm, wrenches, gravity);
   const given = [...rowsOf(at.values, dof), ...wrenches];
   const asked = { wants: shapes(wrenches.length, arm), names: NAMES, given, which: options.which };
   const typed = inNewtonMetres(
@@ -53,7 +59,7 @@ function torquesCompared(mine, arm, q, options = {}) {
 // A row for each pose, or a list for each joint; of a locked arm all joints too. One number for
 // each pose is an energy.
 function shapes(count, arm) {
-  const widths = [...new Set([joints(arm).length, arm.rows.length])];
+  const widths = [...new Set([movingRows(arm).length, arm.rows.length])];
   return [
     ...widths.flatMap((columns) => [
       { rows: count, columns, by: "joint" },
@@ -67,7 +73,7 @@ function inNewtonMetres(typed) {
   if (typed.says?.moments !== "Nmm") return typed;
   // an entry with a unit of its own is in that
   const scaled = (list) => list.map((x, i) => (typed.entries[i].worth === 1 ? x / 1000 : x));
-  const said = [...typed.said, say("taken: newton millimetres")];
+  const said = [...typed.said, formatMessage("taken: newton millimetres")];
   return { ...typed, values: scaled(typed.values), units: scaled(typed.units), said };
 }
 
@@ -81,8 +87,8 @@ function loaded(at, dof, wrench = [0, 0, 0, 0, 0, 0]) {
 }
 
 // Joint vectors, a pose or a list of them.
-export function poses(q, arm, angles) {
-  const dof = joints(arm).length;
+export function readPoses(q, arm, angles) {
+  const dof = movingRows(arm).length;
   const given = numbers(unnamed(q), `${arm.name}: q`, undefined, eachJoint(arm), {
     wants: jointShapes(arm),
   });
@@ -93,16 +99,16 @@ export function poses(q, arm, angles) {
 
 // Which masses are compared with.
 const model = ({ masses, gravity }) => [
-  say("taken: masses", {
-    masses: masses.map((mass) => size(mass, 3)).join(", "),
-    g: size(Math.hypot(...gravity), 4),
+  formatMessage("taken: masses", {
+    masses: masses.map((mass) => formatNumber(mass, 3)).join(", "),
+    g: formatNumber(Math.hypot(...gravity), 4),
   }),
 ];
 
 // The torques with a row per pose: columns, lists per joint, and what is told of a locked joint too
 // are set right, and said.
 function upright({ values, units, shape }, count, arm) {
-  const moving = joints(arm);
+  const moving = movingRows(arm);
   const [dof, rows] = [moving.length, arm.rows.length];
   const sizes = shape.filter((n) => n !== 1);
   for (const width of new Set([dof, rows])) {
@@ -112,35 +118,35 @@ function upright({ values, units, shape }, count, arm) {
     if (is(count, width) || (count === 1 && sizes.length === 1 && values.length === width))
       return { values: kept(values), units: kept(units), said: said(values) };
     if (is(width, count) && count !== width) {
-      const turned = (list) => transposed(list, sizes);
+      const turned = (list) => transpose(list, sizes);
       return {
         values: kept(turned(values)),
         units: kept(turned(units)),
-        said: [say("taken: list per joint"), ...said(turned(values))],
+        said: [formatMessage("taken: list per joint"), ...said(turned(values))],
       };
     }
   }
   return null;
 }
 
-const reported = (...told) => reportOf("torques", ...told);
+const reported = (...told) => makeVerdict("torques", ...told);
 
 function misshapen({ shape, values }, count, arm) {
-  const dof = joints(arm).length;
+  const dof = movingRows(arm).length;
   const key = values.length === count && values.length !== count * dof ? "tau.energy" : "tau.shape";
   const wanted = count > 1 ? `${count}x${dof}` : String(dof);
   const sizes = count > 1 ? shape : shape.filter((n) => n !== 1);
-  const words = say(key, { shape: sizes.join("x") || "1", wanted, dof });
+  const words = formatMessage(key, { shape: sizes.join("x") || "1", wanted, dof });
   const findings = [{ what: "shape", where: "", mine: shape, expected: [count, dof], words }];
-  const headline = say("tau wrong", { arm: arm.name, cause: lower(words) });
+  const headline = formatMessage("tau wrong", { arm: arm.name, cause: uncapitalize(words) });
   return reported(arm, WRONG, headline, { findings, causes: [key] });
 }
 
-/** @returns {import("../report.js").Report} */
+/** @returns {import("../report.js").Verdict} */
 function judged(typed, at, load, { arm, tolerance }) {
   const verdict = verdictOf(typed, at, load, { arm, tolerance });
   const causes = verdict.slips.map((slip) => slip.cause);
-  const truth = torquesOf(load, load.c.dof)(at.values);
+  const truth = makeTorques(load, load.c.dof)(at.values);
   const figures = figuresOf(typed.values, truth, verdict, load.c.dof);
   const rest = { taken: typed.said, figures, wrong: verdict.wrong };
   if (verdict.grade === WRONG) {
@@ -149,10 +155,14 @@ function judged(typed, at, load, { arm, tolerance }) {
     return { ...told, ...rest };
   }
   const keys = { [RIGHT]: "tau right", [SO_FAR]: "tau so far" };
-  const precision = typed.units.some(Boolean) ? say("to your digits") : "";
-  const places = listed(wrongJoints(verdict.wrong, arm).map((k) => placeOf(arm, k)));
-  const headline = say(keys[verdict.grade] ?? "tau rounded", { arm: arm.name, precision, places });
-  const notes = verdict.how === "cut" ? [say("cut")] : [];
+  const precision = typed.units.some(Boolean) ? formatMessage("to your digits") : "";
+  const places = joinList(wrongJoints(verdict.wrong, arm).map((k) => placeOf(arm, k)));
+  const headline = formatMessage(keys[verdict.grade] ?? "tau rounded", {
+    arm: arm.name,
+    precision,
+    places,
+  });
+  const notes = verdict.how === "cut" ? [formatMessage("cut")] : [];
   return reported(arm, verdict.grade, headline, { ...rest, notes });
 }
 
@@ -160,24 +170,24 @@ function judged(typed, at, load, { arm, tolerance }) {
 function verdictOf(typed, at, load, { arm, tolerance }) {
   const { dof } = load.c;
   const count = load.wrenches.length;
-  const slips = steps(arm, load);
+  const slips = listTorqueSteps(arm, load);
   const empty = !typed.values.some(Boolean);
-  const further = (held) => (empty ? [] : [() => pairs(held, dof, slips)]);
+  const further = (held) => (empty ? [] : [() => mistakePairs(held, dof, slips)]);
   const ask = (mine, q, held, tried, more) => {
-    const right = torquesOf(held, dof);
-    return verdictOn({ mine, q, dof, right, slips: tried, tolerance, further: more });
+    const right = makeTorques(held, dof);
+    return judgeEntries({ mine, q, dof, right, slips: tried, tolerance, further: more });
   };
-  if (count <= SAMPLE) return ask(typed, at, load, single(load, dof, slips), further(load));
+  if (count <= SAMPLE) return ask(typed, at, load, singleMistakes(load, dof, slips), further(load));
   const picked = Array.from({ length: SAMPLE }, (_, i) =>
     Math.round((i * (count - 1)) / (SAMPLE - 1)),
   );
   const some = (list) => picked.flatMap((i) => list.slice(i * dof, (i + 1) * dof));
   const part = ({ values, units }) => ({ values: some(values), units: some(units) });
   const held = { ...load, wrenches: picked.map((i) => load.wrenches[i]) };
-  const first = ask(part(typed), part(at), held, single(held, dof, slips), further(held));
+  const first = ask(part(typed), part(at), held, singleMistakes(held, dof, slips), further(held));
   const worth = first.slips.map(({ cause, steps: wrong }) => ({
     cause,
-    make: torquesOf(load, dof, wrong),
+    make: makeTorques(load, dof, wrong),
   }));
   return ask(typed, at, load, worth, []);
 }
@@ -191,43 +201,49 @@ function figuresOf(mine, truth, { grade, wrong }, dof) {
 
 // All zeros: an empty answer and a load forgotten look alike, so both are asked about.
 function zero(causes, arm) {
-  const headline = say("tau wrong", { arm: arm.name, cause: lower(say("tau zero")) });
-  return reported(arm, WRONG, headline, { causes: causes.slice(0, 1).map(nameOf) });
+  const headline = formatMessage("tau wrong", {
+    arm: arm.name,
+    cause: uncapitalize(formatMessage("tau zero")),
+  });
+  return reported(arm, WRONG, headline, { causes: causes.slice(0, 1).map(causeName) });
 }
 
-const placeOf = (arm, k) => say("joint", { joint: numbered(arm)[k] });
+const placeOf = (arm, k) => formatMessage("joint", { joint: jointNumbers(arm)[k] });
 const column = (list, k, dof) => list.filter((_, i) => i % dof === k);
 const wrongJoints = (wrong, arm) => {
-  const dof = joints(arm).length;
-  return numbered(arm).flatMap((_, k) => (column(wrong, k, dof).includes(true) ? [k] : []));
+  const dof = movingRows(arm).length;
+  return jointNumbers(arm).flatMap((_, k) => (column(wrong, k, dof).includes(true) ? [k] : []));
 };
 
 function bad(causes, wrong, typed, truth, arm) {
   if (causes.length) {
-    const words = several(causes);
+    const words = joinCauseMessages(causes);
     const findings = [{ what: "cause", where: "", words: `${words}.` }];
-    const headline = say("tau wrong", { arm: arm.name, cause: `${lower(words)}.` });
+    const headline = formatMessage("tau wrong", {
+      arm: arm.name,
+      cause: `${uncapitalize(words)}.`,
+    });
     const report = causes.some(({ keys }) => keys.includes("tau.report"));
-    const notes = report ? [say("slip 8")] : [];
-    return reported(arm, WRONG, headline, { findings, causes: causes.map(nameOf), notes });
+    const notes = report ? [formatMessage("slip 8")] : [];
+    return reported(arm, WRONG, headline, { findings, causes: causes.map(causeName), notes });
   }
   const findings = wrongJoints(wrong, arm).map((k) => offBy(arm, k, typed, truth));
-  const places = listed(findings.map(({ where }) => where));
-  const headline = say("tau wrong places", { arm: arm.name, places });
+  const places = joinList(findings.map(({ where }) => where));
+  const headline = formatMessage("tau wrong places", { arm: arm.name, places });
   return reported(arm, WRONG, headline, { findings });
 }
 
 // A joint that is wrong: turned over, or off by so much.
 function offBy(arm, k, typed, truth) {
-  const dof = joints(arm).length;
+  const dof = movingRows(arm).length;
   const [mine, right] = [typed.values, truth].map((list) => column(list, k, dof));
-  const off = size(Math.max(...minusEach(mine, right).map(Math.abs)), 2);
+  const off = formatNumber(Math.max(...subtractEach(mine, right).map(Math.abs)), 2);
   const turned = mine.every((x, i) => Math.abs(x + right[i]) < Math.abs(x - right[i]) / 1e3);
-  const words = say(turned ? "tau other way" : "tau off", {
-    joint: numbered(arm)[k],
-    most: mine.length > 1 ? say("up to") : "",
+  const words = formatMessage(turned ? "tau other way" : "tau off", {
+    joint: jointNumbers(arm)[k],
+    most: mine.length > 1 ? formatMessage("up to") : "",
     off,
-    unit: turning(arm)[k] ? "N m" : "N",
+    unit: revoluteFlags(arm)[k] ? "N m" : "N",
   });
   return { what: "joint", where: placeOf(arm, k), words };
 }

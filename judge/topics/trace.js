@@ -1,26 +1,32 @@
 // Did these joints draw the path? By the tip that they give, and by how they move.
 
-import { answering, reportOf } from "../report.js";
+import { completeVerdicts, makeVerdict } from "../report.js";
 import {
   dot,
-  joints,
+  movingRows,
   linkFrames,
   minus,
   norm,
-  numbered,
-  turnBetween,
-  turning,
+  jointNumbers,
+  rotationBetween,
+  revoluteFlags,
 } from "../geometry/kinematics.js";
-import { minusEach, singular } from "../geometry/linear.js";
+import { subtractEach, decomposeSingular } from "../geometry/linear.js";
 import { DEG } from "../geometry/angles.js";
-import { chain, columns, framesOf } from "../geometry/chains.js";
+import { makeChain, flatJacobian, chainFrames } from "../geometry/chains.js";
 import { RIGHT, WRONG } from "../digits.js";
 import { jointShapes, numbers, asDegrees, rowsOf, setAside } from "../reading/numbers.js";
-import { rint } from "../geometry/planar.js";
-import { millimetres } from "../matching.js";
-import { cause, nameOf, wordsOf } from "../causes/ranking.js";
-import { listed, lower, say, size } from "../sentences.js";
-import { holds, runOf, TILT, traceCause, USUAL } from "../causes/trace.js";
+import { roundHalfToEven } from "../geometry/planar.js";
+import { formatMillimetres } from "../matching.js";
+import { makeCause, causeName, causeMessage } from "../causes/ranking.js";
+import { joinList, uncapitalize, formatMessage, formatNumber } from "../sentences.js";
+import {
+  followsPathByEuler,
+  makeTrace,
+  METHOD_TILT,
+  findTraceCause,
+  METHOD_ERROR,
+} from "../causes/trace.js";
 
 const BESIDES = ["trace.one more", "trace.jump"]; // mistakes of their own, whatever else is wrong
 const NO_INVERSE = 1e-9; // of the largest singular value: a smaller one is a zero
@@ -38,10 +44,10 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
 /**
  * The report on joint vectors along a path: a text such as CSV, or nested lists.
  * @param {string | any[]} mine @param {any} arm @param {Path} path
- * @returns {import("../report.js").Report}
+ * @returns {import("../report.js").Verdict}
  */
 export const compareTrace = (mine, arm, path, options = {}) =>
-  judgedTrace(readTrace(mine, arm, options.which), arm, path, options);
+  judgeTrace(readTrace(mine, arm, options.which), arm, path, options);
 
 // The joints as they were handed in.
 export function readTrace(mine, arm, which = null) {
@@ -56,17 +62,17 @@ export function readTrace(mine, arm, which = null) {
 
 /**
  * @param {import("../reading/numbers.js").Typed} typed @param {any} arm @param {Path} path
- * @returns {import("../report.js").Report}
+ * @returns {import("../report.js").Verdict}
  */
-export const judgedTrace = answering(traceJudged);
+export const judgeTrace = completeVerdicts(traceJudged);
 
 function traceJudged(typed, arm, path, options = {}) {
   const { angles = "rad", tolerance = null } = options;
   const run = upright(typed, arm, path.times.length, typed.says?.angles ?? angles);
   if (!run) return misshapen(typed, arm, path);
-  const allowed = run.q.map((row, k) => tolerance ?? USUAL + blurOf(row, run.units[k], arm));
+  const allowed = run.q.map((row, k) => tolerance ?? METHOD_ERROR + blurOf(row, run.units[k], arm));
   if (run.unit === "rad" && onlyAsDegrees(run, arm, path, allowed))
-    return explained(arm, cause("trace.degrees"), [], run.taken, {});
+    return explained(arm, makeCause("trace.degrees"), [], run.taken, {});
   return judged(run, arm, path, allowed, tolerance !== null);
 }
 
@@ -86,8 +92,8 @@ function onlyAsDegrees({ q, units }, arm, path, allowed) {
   );
   const errors = away(turned.q);
   if (!beyond(errors, allowed)) return true;
-  const [mine, other] = [{ q, units }, turned].map((run) => runOf(run.q, run.units, arm, path));
-  return errors[0] <= allowed[0] && holds(other) && !holds(mine);
+  const [mine, other] = [{ q, units }, turned].map((run) => makeTrace(run.q, run.units, arm, path));
+  return errors[0] <= allowed[0] && followsPathByEuler(other) && !followsPathByEuler(mine);
 }
 
 const beyond = (errors, allowed) => errors.some((error, k) => error > allowed[k]);
@@ -97,8 +103,8 @@ const offs = (wanted, points) => points.map((p, k) => norm(minus(p, wanted[k])))
 
 // What the digits of a row of joints leave of the tip's place (m).
 function blurOf(row, units, arm) {
-  const at = chain(arm, row);
-  const J = columns(at, framesOf(at));
+  const at = makeChain(arm, row);
+  const J = flatJacobian(at, chainFrames(at));
   const over = (i) =>
     units.reduce((sum, u, k) => sum + Math.abs(J[i * units.length + k]) * 0.51 * u, 0);
   return norm([0, 1, 2].map(over));
@@ -108,7 +114,7 @@ function blurOf(row, units, arm) {
 // many cut, and said.
 /** @returns {Run | null} */
 function upright(typed, arm, count, unit) {
-  const dof = joints(arm).length;
+  const dof = movingRows(arm).length;
   const shape = typed.shape.filter((n) => n !== 1);
   if (shape.length !== 2) return null;
   const taken = [...typed.said];
@@ -116,7 +122,7 @@ function upright(typed, arm, count, unit) {
   let [rows, units] = [typed.values, typed.units].map((list) => rowsOf(list, shape[1]));
   if (shape[1] !== dof && [dof, dof + 1].includes(shape[0]) && lengths.includes(shape[1])) {
     [rows, units] = [rows, units].map((list) => list[0].map((_, k) => list.map((row) => row[k])));
-    taken.push(say("taken: list per joint"));
+    taken.push(formatMessage("taken: list per joint"));
   }
   if (allJoints(rows, arm)) {
     taken.push(setAside(arm, rows.flat()));
@@ -128,7 +134,7 @@ function upright(typed, arm, count, unit) {
   const isTime = first.every((x) => !x) || first.slice(1).every((x, k) => x - first[k] > 0);
   if (rows[0].length === dof + 1 && isTime) {
     [rows, units] = [rows, units].map((list) => list.map((row) => row.slice(1)));
-    taken.push(say("taken: times"));
+    taken.push(formatMessage("taken: times"));
   }
   if (rows[0].length !== dof || !lengths.includes(rows.length) || rows.length < 2) return null;
   const held = rows.slice(0, count).map((values, k) => ({ values, units: units[k] }));
@@ -147,20 +153,20 @@ function inUnit(held, arm, unit) {
   return { q: meant.map(({ values }) => values), units: meant.map((row) => row.units), unit };
 }
 
-/** @returns {import("../report.js").Report} */
+/** @returns {import("../report.js").Verdict} */
 function reported(arm, grade, words, taken, rest = {}) {
-  const headline = say(grade === RIGHT ? "trace right" : "trace wrong", {
+  const headline = formatMessage(grade === RIGHT ? "trace right" : "trace wrong", {
     arm: arm.name,
     cause: words,
   });
-  return reportOf("trace", arm, grade, headline, { taken, ...rest });
+  return makeVerdict("trace", arm, grade, headline, { taken, ...rest });
 }
 
 function misshapen({ shape }, arm, { times }) {
-  const fields = { shape: shape.join("x") || "1", rows: times.length, dof: joints(arm).length };
-  const words = say("trace.shape", fields);
+  const fields = { shape: shape.join("x") || "1", rows: times.length, dof: movingRows(arm).length };
+  const words = formatMessage("trace.shape", fields);
   const findings = [{ what: "shape", where: "", mine: shape, words }];
-  return reported(arm, WRONG, lower(words), [], { findings, causes: ["trace.shape"] });
+  return reported(arm, WRONG, uncapitalize(words), [], { findings, causes: ["trace.shape"] });
 }
 
 // The verdict
@@ -168,7 +174,7 @@ function misshapen({ shape }, arm, { times }) {
 /**
  * @param {Run} run @param {Path} path @param {number[]} allowed how far off each row may be (m)
  * @param {boolean} given whether that is all that is asked
- * @returns {import("../report.js").Report}
+ * @returns {import("../report.js").Verdict}
  */
 function judged(run, arm, path, allowed, given) {
   const [q, turned] = unwound(run.q, arm, path);
@@ -176,8 +182,8 @@ function judged(run, arm, path, allowed, given) {
   const tip = frames.map(({ o }) => o);
   const errors = offs(path.times.map(path.position), tip);
   const off = beyond(errors, allowed);
-  const turns = frames.map((one) => turnBetween(frames[0], one));
-  const [turn, leans] = joints(arm).length >= 6 ? [Math.max(...turns), leanOf(frames)] : [0, 0];
+  const turns = frames.map((one) => rotationBetween(frames[0], one));
+  const [turn, leans] = movingRows(arm).length >= 6 ? [Math.max(...turns), leanOf(frames)] : [0, 0];
   const far = jumps(q, arm, path);
   const stuck = noInverse(q, arm, far);
   const jump = stuck || !far.length ? [] : [jumpOf(q, arm, far, !off)];
@@ -188,7 +194,7 @@ function judged(run, arm, path, allowed, given) {
   ];
   const symptoms = [...amiss, ...oneMore(run)];
   const seen = { off, shown: amiss.length > 0 };
-  const why = () => traceCause(runOf(q, run.units, arm, path), tip, allowed, seen);
+  const why = () => findTraceCause(makeTrace(q, run.units, arm, path), tip, allowed, seen);
   const named = stuck ?? (symptoms.length || !given ? why() : null);
   const notes = [...turned, ...(stuck ? [] : notesOf(arm, path, q))];
   const figures = { position_error: Math.max(...errors), tool_turn: turn, q };
@@ -198,18 +204,21 @@ function judged(run, arm, path, allowed, given) {
   return reported(arm, RIGHT, "", run.taken, rest);
 }
 
-const oneMore = ({ extra }) => (extra ? [finding("trace.one more", say("trace.one more"))] : []);
+const oneMore = ({ extra }) =>
+  extra ? [finding("trace.one more", formatMessage("trace.one more"))] : [];
 
 // Steps that are too long in every place jump of themselves.
 const withoutJumps = (named, symptoms, jump) =>
-  nameOf(named) === "trace.millimetres" ? symptoms.filter((one) => !jump.includes(one)) : symptoms;
+  causeName(named) === "trace.millimetres"
+    ? symptoms.filter((one) => !jump.includes(one))
+    : symptoms;
 
 function explained(arm, named, symptoms, taken, rest) {
-  const words = wordsOf(named);
+  const words = causeMessage(named);
   const findings = [{ what: "cause", where: "", words: `${words}.` }, ...symptoms];
   const besides = symptoms.map(({ what }) => what).filter((what) => BESIDES.includes(what));
-  const causes = [nameOf(named), ...besides];
-  return reported(arm, WRONG, `${lower(words)}.`, taken, { findings, causes, ...rest });
+  const causes = [causeName(named), ...besides];
+  return reported(arm, WRONG, `${uncapitalize(words)}.`, taken, { findings, causes, ...rest });
 }
 
 function unexplained(arm, symptoms, taken, rest) {
@@ -217,7 +226,7 @@ function unexplained(arm, symptoms, taken, rest) {
   const findings = [{ ...first, what: "cause" }, ...others];
   const whats = symptoms.map(({ what }) => what);
   const causes = whats.filter((what) => what.includes("."));
-  return reported(arm, WRONG, lower(first.words), taken, { findings, causes, ...rest });
+  return reported(arm, WRONG, uncapitalize(first.words), taken, { findings, causes, ...rest });
 }
 
 /** @returns {Finding} */
@@ -227,9 +236,12 @@ const finding = (what, words, where = "") => ({ what, where, words });
 const leanOf = (frames) => Math.max(...frames.map(({ z }) => between(z, frames[0].z)));
 
 function turnsOf(lean, turn) {
-  const degrees = (angle) => ({ degrees: size(angle * DEG) });
-  if (lean > TILT) return [finding("trace.leans", say("trace leans", degrees(lean)))];
-  return turn > TILT ? [finding("trace.spins", say("trace spins", degrees(turn)))] : [];
+  const degrees = (angle) => ({ degrees: formatNumber(angle * DEG) });
+  if (lean > METHOD_TILT)
+    return [finding("trace.leans", formatMessage("trace leans", degrees(lean)))];
+  return turn > METHOD_TILT
+    ? [finding("trace.spins", formatMessage("trace spins", degrees(turn)))]
+    : [];
 }
 
 // The angle between two unit vectors.
@@ -242,7 +254,7 @@ const between = (u, v) =>
 // The steps that change a joint by far more than usual; where large ones are usual, those that
 // leave the path on their way.
 function jumps(q, arm, path) {
-  const change = q.slice(1).map((row, k) => Math.max(...minusEach(row, q[k]).map(Math.abs)));
+  const change = q.slice(1).map((row, k) => Math.max(...subtractEach(row, q[k]).map(Math.abs)));
   const usual = median(change);
   const over = (least) => change.flatMap((x, k) => (x > JUMP && x > least ? [k] : []));
   const far = over(10 * usual);
@@ -261,10 +273,12 @@ function astray(q, arm, { times, position }, k) {
 // untouched where other jumps are left.
 /** @returns {[number[][], string[]]} */
 function unwound(q, arm, path) {
-  const turns = turning(arm);
+  const turns = revoluteFlags(arm);
   const whole = q
     .slice(1)
-    .map((row, k) => row.map((x, i) => (turns[i] ? rint((x - q[k][i]) / (2 * Math.PI)) : 0)));
+    .map((row, k) =>
+      row.map((x, i) => (turns[i] ? roundHalfToEven((x - q[k][i]) / (2 * Math.PI)) : 0)),
+    );
   const steps = whole.flatMap((row, k) => (row.some(Boolean) ? [k] : []));
   if (!steps.length) return [q, []];
   const sum = q[0].map(() => 0);
@@ -273,8 +287,11 @@ function unwound(q, arm, path) {
   );
   if (jumps(counted, arm, path).length) return [q, []];
   const step = steps[0];
-  const joint = numbered(arm)[whole[step].findIndex(Boolean)];
-  return [counted, [say("trace whole turn", { step, to: step + 1, joint, count: steps.length })]];
+  const joint = jointNumbers(arm)[whole[step].findIndex(Boolean)];
+  return [
+    counted,
+    [formatMessage("trace whole turn", { step, to: step + 1, joint, count: steps.length })],
+  ];
 }
 
 // The first jump; to another branch only where the tip stays on its path.
@@ -282,32 +299,32 @@ function unwound(q, arm, path) {
 function jumpOf(q, arm, far, on) {
   const { step, ...fields } = jumping(q, arm, far[0]);
   const key = on ? "trace.jump" : "trace jump off";
-  const words = say(key, { step, to: step + 1, count: far.length, ...fields });
+  const words = formatMessage(key, { step, to: step + 1, count: far.length, ...fields });
   return { what: "trace.jump", where: `step ${step}`, words };
 }
 
 function jumping(q, arm, k) {
-  const change = minusEach(q[k + 1], q[k]).map(Math.abs);
+  const change = subtractEach(q[k + 1], q[k]).map(Math.abs);
   const most = Math.max(...change);
-  return { step: k, joint: numbered(arm)[change.indexOf(most)], by: size(most) };
+  return { step: k, joint: jointNumbers(arm)[change.indexOf(most)], by: formatNumber(most) };
 }
 
 // The first jump, where it begins at a pose whose Jacobian has no inverse.
 /** @returns {import("../causes/ranking.js").Cause | null} */
 function noInverse(q, arm, [k]) {
-  const dof = joints(arm).length;
+  const dof = movingRows(arm).length;
   const rows = dof >= 6 ? 6 : 3;
   if (k === undefined || dof < rows) return null;
-  const at = chain(arm, q[k]);
-  const J = columns(at, framesOf(at));
+  const at = makeChain(arm, q[k]);
+  const J = flatJacobian(at, chainFrames(at));
   const each = Array.from({ length: dof }, (_, i) =>
     Array.from({ length: rows }, (_, r) => J[r * dof + i]),
   );
-  const { values } = singular(each, rows);
+  const { values } = decomposeSingular(each, rows);
   const rank = values.filter((x) => x > NO_INVERSE * values[0]).length;
   if (rank === rows) return null;
   const { step, joint, by } = jumping(q, arm, k);
-  return cause("trace.no inverse", { step, _rank: rank, _rows: rows, _joint: joint, _by: by });
+  return makeCause("trace.no inverse", { step, _rank: rank, _rows: rows, _joint: joint, _by: by });
 }
 
 function median(list) {
@@ -322,27 +339,33 @@ function whereOf(errors, allowed) {
   const wrong = errors.map((error, k) => (error > allowed[k] ? error : 0));
   const most = Math.max(...wrong);
   const step = wrong.findIndex((error) => error >= most - ALIKE);
-  const start = errors[0] > 0.5 * most ? say("already") : `${millimetres(errors[0])} mm`;
-  return say("trace where", { error: millimetres(most, 4), step, steps: errors.length - 1, start });
+  const start =
+    errors[0] > 0.5 * most ? formatMessage("already") : `${formatMillimetres(errors[0])} mm`;
+  return formatMessage("trace where", {
+    error: formatMillimetres(most, 4),
+    step,
+    steps: errors.length - 1,
+    start,
+  });
 }
 
 function* notesOf(arm, path, q) {
   const dt = path.times.slice(1).map((t, k) => t - path.times[k]);
   const rates = q.slice(1).map((row, k) => row.map((x, i) => (x - q[k][i]) / dt[k]));
-  const turns = turning(arm);
+  const turns = revoluteFlags(arm);
   const excess = (list, per, over) =>
-    numbered(arm).flatMap((joint, k) => {
+    jointNumbers(arm).flatMap((joint, k) => {
       const by = list.reduce(
         (top, row) => Math.max(top, over(row[k], arm.rows[joint - 1])),
         -Infinity,
       );
       const unit = (turns[k] ? "rad" : "m") + per;
-      return by > 1e-9 ? [say("joint by", { joint, by: size(by, 2), unit })] : [];
+      return by > 1e-9 ? [formatMessage("joint by", { joint, by: formatNumber(by, 2), unit })] : [];
     });
   const range = excess(q, "", (x, { lower: least, upper: most }) =>
     Math.max(x - (most ?? Infinity), (least ?? -Infinity) - x),
   );
-  if (range.length) yield say("trace beyond range", { joints: listed(range) });
+  if (range.length) yield formatMessage("trace beyond range", { joints: joinList(range) });
   const speed = excess(rates, "/s", (x, row) => Math.abs(x) - (row.speed ?? Infinity));
-  if (speed.length) yield say("trace beyond speed", { joints: listed(speed) });
+  if (speed.length) yield formatMessage("trace beyond speed", { joints: joinList(speed) });
 }

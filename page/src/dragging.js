@@ -2,25 +2,25 @@
 // swings while the tip stays. Everything here keeps the joints within their limits, and says what
 // stops them.
 
-import { range } from "../../judge/geometry/arm.js";
+import { jointRange } from "../../judge/geometry/arm.js";
 import {
   cross,
   dot,
   jacobianColumns,
-  joints,
+  movingRows,
   linkFrames,
   minus,
   norm,
   plus,
   scaled,
 } from "../../judge/geometry/kinematics.js";
-import { rightNull, singular } from "../../judge/geometry/linear.js";
+import { nullSpace, decomposeSingular } from "../../judge/geometry/linear.js";
 import { damped, inner, isThere, orBeside, poseError, reach } from "./motion.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /** @typedef {(point: number[]) => number[]} Pixel from a point of the world to CSS pixels */
 
-const limitsOf = (arm) => joints(arm).map((i) => range(arm.rows[i]));
+const limitsOf = (arm) => movingRows(arm).map((i) => jointRange(arm.rows[i]));
 const clamped = (value, [lower, upper]) => Math.min(upper, Math.max(lower, value));
 
 // A point of a link's frame in the world, and back.
@@ -45,9 +45,9 @@ function onScreen(pixel, p, v) {
  * @param {{ row: number, local: number[], to: number[], joint: number, pixel: Pixel }} grab
  */
 export function dragLink(arm, q, { row, local, to, joint, pixel }) {
-  const index = joints(arm)[joint];
+  const index = movingRows(arm)[joint];
   const turns = arm.rows[index].kind === "revolute";
-  const limits = range(arm.rows[index]);
+  const limits = jointRange(arm.rows[index]);
   const next = [...q];
   for (let round = 0; round < 4; round++) {
     const frames = linkFrames(arm, next);
@@ -143,7 +143,7 @@ export function whyStopped(arm, q, target) {
   const short = norm(away);
   const stops = [];
   if (short < 2e-3 || !q.length) return { short, stops };
-  const moving = joints(arm);
+  const moving = movingRows(arm);
   const columns = jacobianColumns(arm, frames).map((c) => c.slice(0, 3));
   const limits = moving.map((row) => [
     arm.rows[row].lower ?? -Infinity,
@@ -156,7 +156,7 @@ export function whyStopped(arm, q, target) {
   );
   stuck.forEach((is, k) => is && stops.push(`joint ${moving[k] + 1} at its limit`));
   const bent = bentJoint(arm, q, frames);
-  const { values, vectors } = singular(
+  const { values, vectors } = decomposeSingular(
     columns.filter((_, k) => !stuck[k]),
     3,
   );
@@ -178,12 +178,12 @@ const NEAR = 0.1;
  */
 export function fadingWays(columns, turns = false) {
   const moves = turns
-    ? rightNull(columns.map((c) => c.slice(3))).map((rates) =>
+    ? nullSpace(columns.map((c) => c.slice(3))).map((rates) =>
         rates.reduce((sum, rate, k) => plus(sum, scaled(rate, columns[k])), [0, 0, 0]),
       )
     : columns.map((c) => c.slice(0, 3));
   if (moves.length < 3) return []; // it never could go everywhere
-  const { values, vectors } = singular(moves, 3);
+  const { values, vectors } = decomposeSingular(moves, 3);
   const shares = values.map((value) => value / values[0]);
   return vectors.flatMap((way, i) => (shares[i] < NEAR ? [{ way, share: shares[i] }] : []));
 }
@@ -193,7 +193,7 @@ export const goneness = ({ share }) => 1 - share / NEAR;
 
 // The joint at which the arm is stretched straight or folded flat, in words; null where it is bent.
 function bentJoint(arm, q, frames) {
-  const moving = joints(arm);
+  const moving = movingRows(arm);
   const base = frames[moving[1] ?? 0].o;
   const far = (p) => norm(minus(linkFrames(arm, p).at(-1).o, base));
   const here = far(q);
@@ -230,7 +230,7 @@ export function swingElbow(arm, q, grab, held, { turns = true } = {}) {
   let free = 0;
   for (let round = 0; round < 4; round++) {
     const frames = linkFrames(arm, next);
-    const still = rightNull(jacobianColumns(arm, frames).map((c) => c.slice(0, turns ? 6 : 3)));
+    const still = nullSpace(jacobianColumns(arm, frames).map((c) => c.slice(0, turns ? 6 : 3)));
     free = still.length;
     if (!free) break;
     const moved = added(next, stepWithin(arm, frames, still, grab));
@@ -247,7 +247,7 @@ const added = (p, q) => p.map((v, k) => v + q[k]);
 // the pointer.
 function stepWithin(arm, frames, still, { row, local, to, pixel }) {
   const p = inWorld(frames[row + 1], local);
-  const moving = joints(arm);
+  const moving = movingRows(arm);
   const before = jacobianColumns(arm, frames, p).filter((_, k) => moving[k] <= row);
   const rates = still.map((direction) => {
     const v = before.reduce((sum, c, k) => plus(sum, scaled(direction[k], c)), [0, 0, 0]);

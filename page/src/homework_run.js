@@ -2,18 +2,18 @@
 // the inverse or one of its stand-ins, with or without feedback, and with a mistake where one is
 // asked for. tests/test_explorer.py holds it against helpers.motion.
 
-import { chain, columns, halves } from "../../judge/geometry/chains.js";
+import { makeChain, flatJacobian, joinHalves } from "../../judge/geometry/chains.js";
 import {
   cross,
   dot,
   jacobianColumns,
-  joints,
+  movingRows,
   linkFrames,
   minus,
   norm,
 } from "../../judge/geometry/kinematics.js";
 import { gravityTorque, wrenchTorque } from "../../judge/geometry/kinematics.js";
-import { singular } from "../../judge/geometry/linear.js";
+import { decomposeSingular } from "../../judge/geometry/linear.js";
 import { inner, onCircle, poseError, reachFrom } from "./motion.js";
 import { asked } from "./verdicts.js";
 
@@ -51,11 +51,11 @@ export const HOMEWORK = {
 
 // The Jacobian's columns as a mistake makes them.
 function columnsOf(arm, q, frames, slip) {
-  const c = chain(arm, q);
+  const c = makeChain(arm, q);
   const after = c.at.map((row) => row + 1);
-  const made = (options) => columns(c, frames, options);
+  const made = (options) => flatJacobian(c, frames, options);
   const mistaken = {
-    angular: () => halves(made({}), made({ axis: after })),
+    angular: () => joinHalves(made({}), made({ axis: after })),
     z_i: () => made({ axis: after, origin: after }),
     o_i: () => made({ origin: after }),
   };
@@ -71,12 +71,12 @@ const noInverse = (values) => values[Math.min(5, values.length - 1)] <= 1e-9 * v
 // Whether the arm itself is singular there, whatever a mistake makes of its Jacobian.
 function isSingular(arm, q, locked) {
   const J = jacobianColumns(arm, linkFrames(arm, q));
-  return noInverse(singular(freeOf(J, locked).map((k) => J[k])).values);
+  return noInverse(decomposeSingular(freeOf(J, locked).map((k) => J[k])).values);
 }
 
 function jointRates(J, twist, { rates, cutoff, damping, locked }) {
   const free = freeOf(J, locked);
-  const { values, vectors } = singular(free.map((k) => J[k]));
+  const { values, vectors } = decomposeSingular(free.map((k) => J[k]));
   const least = rates === "pseudo" ? cutoff * values[0] : 0;
   if (rates === "inverse" && noInverse(values)) throw new Singular();
   const found = J.map(() => 0);
@@ -178,7 +178,7 @@ export function runCircle(arm, start, given = {}) {
   const walk = new Walk(arm, start, run);
   let n = 0;
   while (n < run.steps && walk.go(n)) n++;
-  const turns = joints(arm).map((row) => (arm.rows[row].kind === "revolute" ? 2 * Math.PI : 0));
+  const turns = movingRows(arm).map((row) => (arm.rows[row].kind === "revolute" ? 2 * Math.PI : 0));
   const wound = walk.q.map((x, i) => (turns[i] ? (x - start[i]) / turns[i] : 0));
   const failed = n < run.steps ? n : null;
   const stuck = failed !== null && isSingular(arm, walk.q, run.locked);

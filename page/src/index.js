@@ -1,6 +1,6 @@
 // The ways in: a widget in a notebook that runs, and a stub in a page that does not.
 
-import { fits, TYPED } from "../../judge/geometry/arm.js";
+import { isJointVector, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
 import { linkFrames } from "../../judge/geometry/kinematics.js";
 import { keepLink } from "./link.js";
 import { asked } from "./verdicts.js";
@@ -15,7 +15,7 @@ export { inUse, loseContext };
 // Ways that Python or a page gives, with the pose that they lead to.
 function waysFrom(arm, branches) {
   if (!branches) return null;
-  const list = branches.filter(({ q }) => fits(arm, q));
+  const list = branches.filter(({ q }) => isJointVector(arm, q));
   const target = linkFrames(arm, list[0]?.q ?? arm.rows.map(() => 0)).at(-1);
   return { list, families: [], held: -1, target, whole: asked(arm) === 6 };
 }
@@ -89,7 +89,7 @@ function asModel(model, state) {
 
 // The arm of rows that Python typed: the one that is shown, where they are its own.
 const typedBy = (rows, shown) =>
-  sameRows(rows, shown.rows) ? shown : { name: TYPED, home: [], rows };
+  sameRows(rows, shown.rows) ? shown : { name: TYPED_ARM_NAME, home: [], rows };
 
 const sameJson = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 const sameRows = (a, b) => a === b || sameJson(a, b);

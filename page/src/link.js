@@ -1,19 +1,19 @@
 // The explorer's state in the fragment of a link, and back.
 
 import {
-  fits,
-  homeOf,
-  KINDS,
-  LONGEST as FARTHEST,
-  rowsFault,
-  typedArm,
+  isJointVector,
+  homePose,
+  ROW_KINDS,
+  MAX_LENGTH as FARTHEST,
+  findRowsFault,
+  makeTypedArm,
 } from "../../judge/geometry/arm.js";
-import { joints } from "../../judge/geometry/kinematics.js";
+import { movingRows } from "../../judge/geometry/kinematics.js";
 import { copied } from "./dom.js";
 import { runFrom, runText } from "./homework_run.js";
 
 const LONGEST = 4000; // characters of a fragment
-const LETTERS = Object.fromEntries(KINDS.map((kind) => [kind[0].toUpperCase(), kind]));
+const LETTERS = Object.fromEntries(ROW_KINDS.map((kind) => [kind[0].toUpperCase(), kind]));
 const MOST_FORCE = 1e5;
 const MOST_RUNS = 8;
 
@@ -50,8 +50,8 @@ export function fromFragment(fragment, arms, views) {
   const base = arms.find((arm) => arm.name === fields.get("arm"));
   if (!base) return refused(`there is no arm called “${fields.get("arm").slice(0, 40)}” here`);
   const rows = rowsOf(fields.get("rows"));
-  const fault = rows && rowsFault(rows);
-  const arm = rows && !fault ? typedArm(rows, base) : base;
+  const fault = rows && findRowsFault(rows);
+  const arm = rows && !fault ? makeTypedArm(rows, base) : base;
   const parts = [
     { patch: { arm, base, reference: base }, fault },
     jointsIn(fields, arm, Boolean(fault)),
@@ -69,10 +69,10 @@ export function fromFragment(fragment, arms, views) {
 
 function jointsIn(fields, arm, otherArm) {
   const q = numbers(fields.get("q"));
-  if (fits(arm, q)) return { patch: { q } };
+  if (isJointVector(arm, q)) return { patch: { q } };
   const wrong = fields.has("q") && !otherArm;
-  const fault = wrong && `${arm.name} has ${joints(arm).length} joint values`;
-  return { patch: { q: homeOf(arm) }, fault };
+  const fault = wrong && `${arm.name} has ${movingRows(arm).length} joint values`;
+  return { patch: { q: homePose(arm) }, fault };
 }
 
 function wrenchIn(fields) {

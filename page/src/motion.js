@@ -1,24 +1,24 @@
 // Inverse kinematics by damped steps, for any table: circles traced from where the arm stands, and
 // the other ways to reach a pose. None of it touches the page, so that a worker can do it.
 
-import { fits, range } from "../../judge/geometry/arm.js";
+import { isJointVector, jointRange } from "../../judge/geometry/arm.js";
 import {
   cross,
   jacobianColumns,
-  joints,
+  movingRows,
   linkFrames,
   minus,
   norm,
   plus,
   scaled,
 } from "../../judge/geometry/kinematics.js";
-import { rightNull, singular, solve } from "../../judge/geometry/linear.js";
-import { circle } from "../../judge/geometry/path.js";
+import { nullSpace, decomposeSingular, solveLinear } from "../../judge/geometry/linear.js";
+import { circlePath } from "../../judge/geometry/path.js";
 import { replaced } from "./text.js";
 import { asked } from "./verdicts.js";
 
 // How many joints are more than the pose (or, below six, the place) asks for.
-const spareJoints = (arm) => Math.max(0, joints(arm).length - asked(arm));
+const spareJoints = (arm) => Math.max(0, movingRows(arm).length - asked(arm));
 
 // The small motion (v, then ω) that is missing from a tip to a frame.
 export function poseError(tip, wanted) {
@@ -34,7 +34,7 @@ export const inner = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
 // Levenberg and Marquardt's step x, for which |J x - e|² + damping |x|² is least, from the columns
 // of J and from Jᵀ e.
 export const damped = (columns, pull, damping) =>
-  solve(
+  solveLinear(
     columns.map((a, i) => columns.map((b, j) => inner(a, b) + (i === j ? damping : 0))),
     pull,
   );
@@ -66,7 +66,7 @@ const WALLS = { x: ["zy", 1], y: ["zx", -1], z: ["yx", 1] };
 export function onCircle(top, { normal = "x", radius = 0.1, seconds = 1 }, share) {
   const [plane, way] = WALLS[normal];
   const centre = top.map((v, i) => v - ("xyz"[i] === plane[0] ? radius : 0));
-  const path = circle({ centre, radius, plane, period: way * seconds, steps: 1 });
+  const path = circlePath({ centre, radius, plane, period: way * seconds, steps: 1 });
   const t = share * seconds;
   return { o: path.position(t), v: path.velocity(t) };
 }
@@ -100,8 +100,8 @@ function dice(seed) {
 }
 
 export function randomPose(arm, roll = Math.random) {
-  return joints(arm).map((i) => {
-    const [lower, upper] = range(arm.rows[i]);
+  return movingRows(arm).map((i) => {
+    const [lower, upper] = jointRange(arm.rows[i]);
     return lower + (upper - lower) * roll();
   });
 }
@@ -118,7 +118,8 @@ const MOST_WAYS = 16;
 export function otherWays(arm, q, tries = 300) {
   const target = linkFrames(arm, q).at(-1);
   const whole = asked(arm) === 6;
-  if (!fits(arm, q) || !q.length) return { list: [], families: [], held: -1, target, whole };
+  if (!isJointVector(arm, q) || !q.length)
+    return { list: [], families: [], held: -1, target, whole };
   const held = spareJoints(arm) ? 2 : -1;
   const roll = dice(1);
   const families = [];
@@ -149,11 +150,11 @@ function freeJoints(arm, q, target, held = -1) {
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
     c.slice(0, rows).map((v) => (i === held ? 0 : v)),
   );
-  const { values } = singular(columns, rows);
-  const free = joints(arm).length - (held < 0 ? 0 : 1);
+  const { values } = decomposeSingular(columns, rows);
+  const free = movingRows(arm).length - (held < 0 ? 0 : 1);
   if (values.filter((v) => v > 1e-5 * values[0]).length >= Math.min(rows, free)) return [];
   const moving = new Set();
-  for (const direction of rightNull(columns, held)) {
+  for (const direction of nullSpace(columns, held)) {
     const start = q.map((v, i) => v + STEP * direction[i]);
     const there = reach(arm, start, target, { held, steps: 200 });
     if (there.error > 1e-9 || apart(arm, there.q, q) < 0.3 * STEP) continue;
@@ -171,9 +172,9 @@ function sameFamily(arm, { moving, q }, way) {
 // Revolute joints brought to within half a turn, or into their limits where whole turns can do
 // that.
 function turned(arm, q) {
-  return joints(arm).map((row, i) => {
+  return movingRows(arm).map((row, i) => {
     if (arm.rows[row].kind !== "revolute") return q[i];
-    const [lower, upper] = range(arm.rows[row]);
+    const [lower, upper] = jointRange(arm.rows[row]);
     const near = Math.atan2(Math.sin(q[i]), Math.cos(q[i]));
     return (
       [near, near + 2 * Math.PI, near - 2 * Math.PI].find((v) => v >= lower && v <= upper) ?? near
@@ -184,7 +185,7 @@ function turned(arm, q) {
 function apart(arm, p, q) {
   const gap = (row, i) =>
     arm.rows[row].kind === "revolute" ? 2 * Math.sin((p[i] - q[i]) / 2) : p[i] - q[i];
-  return Math.max(...joints(arm).map((row, i) => Math.abs(gap(row, i))));
+  return Math.max(...movingRows(arm).map((row, i) => Math.abs(gap(row, i))));
 }
 
 // Whether an arm at q stands at a joint vector that may have been rounded.

@@ -1,6 +1,6 @@
 // A DH table out of what is on a clipboard, by the reader that judges tables too.
 
-import { rowsFault } from "../../judge/geometry/arm.js";
+import { findRowsFault } from "../../judge/geometry/arm.js";
 import { ownRows } from "../../judge/reading/table.js";
 import { ArmError } from "../../judge/sentences.js";
 
@@ -18,7 +18,7 @@ export function readTable(text, unit) {
   try {
     if (!SEVERAL.test(text.trim())) return null;
     const found = ownRows(text, unit);
-    const fault = rowsFault(found.rows);
+    const fault = findRowsFault(found.rows);
     return fault ? { error: `${fault}.` } : found;
   } catch (error) {
     if (error instanceof ArmError) return { error: `${error.message}.` };

@@ -5,7 +5,7 @@
 import {
   cross,
   jacobianColumns,
-  joints,
+  movingRows,
   linkFrames,
   minus,
   norm,
@@ -135,7 +135,7 @@ class Hand {
 
   link({ arm, q }) {
     const { row, local, to, lit, gesture } = this.drag;
-    const joint = joints(arm).indexOf(lit);
+    const joint = movingRows(arm).indexOf(lit);
     const pixel = (p) => this.figure.pixel(p);
     const next = dragLink(arm, q, { row, local, to, joint, pixel });
     this.store.dispatch({ type: "move", q: next, gesture });
@@ -195,7 +195,7 @@ class Hand {
 // The row of the joint that a grabbed point is turned by: the last one before it that moves it at
 // all.
 function turnedBy(arm, frames, { row, point }, least) {
-  const moving = joints(arm).filter((index) => index <= row);
+  const moving = movingRows(arm).filter((index) => index <= row);
   const moves = (index) => {
     const { z, o } = frames[index];
     return arm.rows[index].kind === "prismatic" || norm(cross(z, minus(point, o))) > least;

@@ -9,9 +9,16 @@ import {
   ShadowMaterial,
   Vector3,
 } from "three";
-import { outside, reachOf } from "../../judge/geometry/arm.js";
+import { isOutsideLimits, estimateReach } from "../../judge/geometry/arm.js";
 import { goneness } from "./dragging.js";
-import { joints, linkFrames, minus, norm, plus, scaled } from "../../judge/geometry/kinematics.js";
+import {
+  movingRows,
+  linkFrames,
+  minus,
+  norm,
+  plus,
+  scaled,
+} from "../../judge/geometry/kinematics.js";
 import { Labels } from "./labels.js";
 import { isThere } from "./motion.js";
 import { branchColour, LOOK } from "./look.js";
@@ -58,7 +65,7 @@ export class ArmPicture {
     this.arm = arm;
     this.dark = dark;
     this.look = look;
-    this.size = reachOf(arm);
+    this.size = estimateReach(arm);
     this.shown = {};
     this.tints = { lit: new Color(look.lit), bad: new Color(look.bad) };
     this.body = bodyOf(arm, look);
@@ -129,7 +136,7 @@ export class ArmPicture {
   }
 
   tintJoints({ lit, q, arm }) {
-    const past = joints(arm).filter((row, k) => outside(arm.rows[row], q[k]));
+    const past = movingRows(arm).filter((row, k) => isOutsideLimits(arm.rows[row], q[k]));
     const tinted = [lit, ...past].join();
     if (this.shown.tinted === tinted) return;
     this.shown.tinted = tinted;
@@ -235,7 +242,7 @@ export class ArmPicture {
 
   drawReference({ view, reference, q, arm }) {
     const differs = view === "table" && reference && reference !== arm;
-    const shown = differs && joints(reference).length === q.length ? reference : null;
+    const shown = differs && movingRows(reference).length === q.length ? reference : null;
     if (this.shown.reference !== shown) {
       emptied(this.reference);
       this.shown.reference = shown;

@@ -24,7 +24,7 @@ import {
   TubeGeometry,
   Matrix4,
 } from "three";
-import { reachOf } from "../../judge/geometry/arm.js";
+import { estimateReach } from "../../judge/geometry/arm.js";
 import { cross, minus, norm, plus, scaled } from "../../judge/geometry/kinematics.js";
 
 const UP = new Vector3(0, 1, 0); // along which three.js builds its cylinders
@@ -142,7 +142,7 @@ export class ArmShape extends Group {
   constructor(arm, { link, joint, ghost = false, hue = null }) {
     super();
     this.arm = arm;
-    this.size = reachOf(arm);
+    this.size = estimateReach(arm);
     this.ghost = ghost;
     this.hue = hue;
     const n = arm.rows.length;

@@ -2,23 +2,23 @@
 // result of one transition, which drops what depends on what changed.
 
 import {
-  carriedOver,
-  fits,
-  homeOf,
-  rowsFault,
-  sameRow,
-  typedArm,
+  carryOverJoints,
+  isJointVector,
+  homePose,
+  findRowsFault,
+  isSameRow,
+  makeTypedArm,
 } from "../../judge/geometry/arm.js";
 import {
   gravityTorque,
   jacobianColumns,
-  liftedEnergy,
+  potentialEnergy,
   linkFrames,
   minus,
   norm,
   wrenchTorque,
 } from "../../judge/geometry/kinematics.js";
-import { determinant, plainBasis, singular } from "../../judge/geometry/linear.js";
+import { determinant, simplifyBasis, decomposeSingular } from "../../judge/geometry/linear.js";
 import { asked, rankOf } from "./verdicts.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
@@ -91,8 +91,9 @@ const STEPS = 200; // that can be undone
 const EVENTS = {
   select: (state, { arm, q, reference = arm }) => selectArm(state, arm, q, reference),
   edit: (state, { rows, q, rowBefore }) => editTable(state, rows, q, rowBefore),
-  move: (state, { q, hold = null }) => (fits(state.arm, q) ? { q, hold, playing: false } : null),
-  glide: (state, { q }) => (fits(state.arm, q) ? { q } : null),
+  move: (state, { q, hold = null }) =>
+    isJointVector(state.arm, q) ? { q, hold, playing: false } : null,
+  glide: (state, { q }) => (isJointVector(state.arm, q) ? { q } : null),
   play: (state, { at }) => along(state, at),
   playing: (state, { on }) => (on && !state.trace ? null : { playing: on }),
   push: (state, { wrench }) =>
@@ -105,7 +106,7 @@ const EVENTS = {
   ways: (state, { arm, ways }) => (arm === state.arm ? { ways } : null),
   show: (state, { type: _, ...patch }) => patch,
   set: (state, { type: _, ...patch }) =>
-    fits(patch.arm ?? state.arm, patch.q ?? state.q) ? patch : null,
+    isJointVector(patch.arm ?? state.arm, patch.q ?? state.q) ? patch : null,
   undo: (state) => travel(state, "past", "future"),
   redo: (state) => travel(state, "future", "past"),
 };
@@ -152,20 +153,24 @@ function travel(state, from, to) {
 
 // Another arm of the list: where it stands first, and nothing that was said of the one before.
 function selectArm(state, arm, q, reference) {
-  return { arm, base: arm, reference, q: fits(arm, q) ? q : homeOf(arm) };
+  return { arm, base: arm, reference, q: isJointVector(arm, q) ? q : homePose(arm) };
 }
 
 // The arm with other rows; joints keep their values by row.
 function editTable(state, rows, q, rowBefore = (row) => row) {
-  if (rowsFault(rows)) return null;
+  if (findRowsFault(rows)) return null;
   const { rows: before } = state.arm;
-  if (rows.length === before.length && rows.every((row, i) => sameRow(row, before[i]))) return null;
-  const arm = typedArm(rows, state.base);
-  return { arm, q: fits(arm, q) ? q : carriedOver(state.arm, state.q, arm, rowBefore) };
+  if (rows.length === before.length && rows.every((row, i) => isSameRow(row, before[i])))
+    return null;
+  const arm = makeTypedArm(rows, state.base);
+  return {
+    arm,
+    q: isJointVector(arm, q) ? q : carryOverJoints(state.arm, state.q, arm, rowBefore),
+  };
 }
 
 function along({ trace, arm }, at) {
-  if (!trace || !trace.every((q) => q.length === trace[0].length) || !fits(arm, trace[0]))
+  if (!trace || !trace.every((q) => q.length === trace[0].length) || !isJointVector(arm, trace[0]))
     return null;
   const k = Math.min(trace.length - 2, Math.floor(at * (trace.length - 1)));
   const rest = at * (trace.length - 1) - k;
@@ -224,10 +229,10 @@ class Derived {
   // below six joints.
   get task() {
     const rows = asked(this.arm);
-    return this.#once("task", () => singular(this.rows(rows), rows));
+    return this.#once("task", () => decomposeSingular(this.rows(rows), rows));
   }
   get linear() {
-    return this.#once("linear", () => singular(this.rows(3), 3));
+    return this.#once("linear", () => decomposeSingular(this.rows(3), 3));
   }
   get values() {
     return this.task.values;
@@ -238,7 +243,7 @@ class Derived {
   // The motions that no joint rates give, as plain as they can be said.
   get lost() {
     return this.#once("lost", () =>
-      plainBasis(this.task.vectors.slice(this.rank).map((v) => [...v, 0, 0, 0].slice(0, 6))),
+      simplifyBasis(this.task.vectors.slice(this.rank).map((v) => [...v, 0, 0, 0].slice(0, 6))),
     );
   }
   get determinant() {
@@ -254,7 +259,7 @@ class Derived {
   }
   // Potential energy of the links, J.
   get energy() {
-    return liftedEnergy(this.arm, this.frames);
+    return potentialEnergy(this.arm, this.frames);
   }
   get push() {
     return this.#once("push", () => wrenchTorque(this.columns, this.wrench));

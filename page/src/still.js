@@ -1,8 +1,15 @@
 // A still picture of an arm, in lines: what stands in a page until its script has come, where the
 // browser has no WebGL, and on paper. In the ink of the page around it.
 
-import { reachOf } from "../../judge/geometry/arm.js";
-import { dot, joints, linkFrames, minus, plus, scaled } from "../../judge/geometry/kinematics.js";
+import { estimateReach } from "../../judge/geometry/arm.js";
+import {
+  dot,
+  movingRows,
+  linkFrames,
+  minus,
+  plus,
+  scaled,
+} from "../../judge/geometry/kinematics.js";
 import { svg } from "./dom.js";
 import { piecesOf } from "./picking.js";
 
@@ -19,7 +26,7 @@ const AXES = { x: "#D55E00", y: "#009E73", z: "#0072B2" };
  * @param {string} words that say what it shows
  */
 export function still({ arm, trace, frames: which }, { frames }, words) {
-  const size = reachOf(arm);
+  const size = estimateReach(arm);
   const drawn = frames.filter((_, i) => which === "all" || i === 0 || i === frames.length - 1);
   const axes = drawn.flatMap((frame) =>
     Object.entries(AXES).map(([axis, colour]) => {
@@ -28,7 +35,7 @@ export function still({ arm, trace, frames: which }, { frames }, words) {
     }),
   );
   const links = piecesOf(arm, frames).map(({ from, to }) => [from, to]);
-  const barrels = joints(arm).map((row) => {
+  const barrels = movingRows(arm).map((row) => {
     const half = scaled(0.05 * size, frames[row].z);
     return [minus(frames[row].o, half), plus(frames[row].o, half)];
   });

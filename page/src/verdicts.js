@@ -1,17 +1,17 @@
 // What the explorer claims in words: rank, ways, same arm or not. The tests hold each against
 // Python.
 
-import { outside } from "../../judge/geometry/arm.js";
-import { sameMachine } from "../../judge/geometry/axes.js";
-import { dot, joints, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
+import { isOutsideLimits } from "../../judge/geometry/arm.js";
+import { isSameMachine } from "../../judge/geometry/axes.js";
+import { dot, movingRows, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
 import { fixed, motionText } from "./text.js";
-import { listed, upper } from "../../judge/sentences.js";
+import { joinList, capitalize } from "../../judge/sentences.js";
 
 const RANK = 1e-6; // singular values below this share of the largest count as zero
 
 // How many rows of the Jacobian the arm is for: an arm with fewer than six joints is asked for the
 // place only.
-export const asked = (arm) => (joints(arm).length < 6 ? 3 : 6);
+export const asked = (arm) => (movingRows(arm).length < 6 ? 3 : 6);
 
 // What its joints are found for.
 export const aim = (arm) => (asked(arm) < 6 ? "place" : "pose");
@@ -19,7 +19,7 @@ export const aim = (arm) => (asked(arm) < 6 ? "place" : "pose");
 export const rankOf = (values) => values.filter((value) => value > RANK * values[0]).length;
 
 // The rank that the arm has where it is not singular, as far as its joints can give it.
-export const fullRank = (arm) => Math.min(asked(arm), joints(arm).length);
+export const fullRank = (arm) => Math.min(asked(arm), movingRows(arm).length);
 
 /**
  * @param {{ arm: Arm, rank: number, lost: number[][] }} derived
@@ -27,7 +27,7 @@ export const fullRank = (arm) => Math.min(asked(arm), joints(arm).length);
 export function rankVerdict({ arm, rank, lost }) {
   const [full, rows] = [fullRank(arm), asked(arm)];
   const singular = rank < full;
-  if (!singular) return { singular, text: reachOf(rank, full, joints(arm).length) };
+  if (!singular) return { singular, text: reachOf(rank, full, movingRows(arm).length) };
   return { singular, text: `Singular: rank ${rank} of ${full}. ${cannot(lost, full < rows)}` };
 }
 
@@ -47,12 +47,12 @@ function cannot(lost, never) {
   if (!lost.length || never) return "";
   const single = lost.filter((d) => strong(d) === 1).map(motionText);
   const blends = lost.filter((d) => strong(d) > 1).map((d) => `make the motion ${motionText(d)}`);
-  return `Here the tip cannot ${listed([...single, ...blends], "nor")}.`;
+  return `Here the tip cannot ${joinList([...single, ...blends], "nor")}.`;
 }
 
 const COUNTS = "No One Two Three Four Five Six Seven Eight".split(" ");
 const counted = (n) => `${COUNTS[n] ?? n} ${n === 1 ? "way" : "ways"}`;
-const named = (arm, moving) => listed(moving.map((k) => `joint ${joints(arm)[k] + 1}`));
+const named = (arm, moving) => joinList(moving.map((k) => `joint ${movingRows(arm)[k] + 1}`));
 
 /**
  * How many ways there are, or that there are infinitely many and which joints are free.
@@ -65,7 +65,7 @@ export function waysVerdict(arm, { list, families = [], held = -1, whole = true 
   const fixedJoint =
     held < 0
       ? ""
-      : ` with joint ${joints(arm)[held] + 1} held where it is; ` +
+      : ` with joint ${movingRows(arm)[held] + 1} held where it is; ` +
         "free, it makes them infinitely many";
   if (!families.length) return `${counted(list.length)} to this ${pose}${fixedJoint}.`;
   const free = families[0].moving;
@@ -75,24 +75,24 @@ export function waysVerdict(arm, { list, families = [], held = -1, whole = true 
       : `${named(arm, free)} are free to move together`;
   const kinds = families.length > 1 ? `, in ${families.length} families` : "";
   const rest = few ? ` and ${counted(few).toLowerCase()} more` : "";
-  const still = held < 0 ? "" : `, joint ${joints(arm)[held] + 1} held`;
+  const still = held < 0 ? "" : `, joint ${movingRows(arm)[held] + 1} held`;
   const shown = `one of each is shown${rest}${still}`;
   return `Infinitely many ways to this ${pose}: ${how}${kinds}; ${shown}.`;
 }
 
 // The joints of which something holds, by their rows in the table.
 export const jointNames = (arm, holds) =>
-  joints(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
+  movingRows(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
 
 // The joints that pass a limit on a path.
 export const pastLimits = (arm, path) =>
-  jointNames(arm, (row, k) => path.some((q) => outside(arm.rows[row], q[k])));
+  jointNames(arm, (row, k) => path.some((q) => isOutsideLimits(arm.rows[row], q[k])));
 
 // Why a dragged tip stops short of the pointer.
 export function stopVerdict({ stops = [], short = 0 }) {
   if (short < 0.002) return "";
-  const reason = stops.length ? listed(stops) : "out of reach";
-  return `${upper(reason)}: ${fixed(1000 * short, 0)} mm short.`;
+  const reason = stops.length ? joinList(stops) : "out of reach";
+  return `${capitalize(reason)}: ${fixed(1000 * short, 0)} mm short.`;
 }
 
 // What a dragged tip has to say: why it stops, or that it is about to.
@@ -119,7 +119,7 @@ const HOW_TO =
  */
 export function tableVerdict({ arm, reference, q }, { frames }) {
   if (arm === reference) return HOW_TO;
-  const counts = [arm, reference].map((one) => joints(one).length);
+  const counts = [arm, reference].map((one) => movingRows(one).length);
   if (counts[0] !== counts[1])
     return `Yours has ${counts[0]} joints, the ${reference.name} ${counts[1]}.`;
   const [mine, first] = [frames.at(-1), linkFrames(reference, q).at(-1)];
@@ -141,6 +141,6 @@ export function tableVerdict({ arm, reference, q }, { frames }) {
 let last = { arm: null, reference: null, is: false };
 function same(arm, reference) {
   if (last.arm !== arm || last.reference !== reference)
-    last = { arm, reference, is: sameMachine(arm.rows, reference.rows) };
+    last = { arm, reference, is: isSameMachine(arm.rows, reference.rows) };
   return last.is;
 }

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { offerOf } from "../../page/src/check/form.js";
 import { armOf, EMPTY, fromFragment, startOf, toFragment } from "../../page/src/check/question.js";
-import { size } from "../../judge/sentences.js";
+import { formatNumber } from "../../judge/sentences.js";
 
 const ARMS = ["PANDA", "ELBOW"];
 const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
@@ -49,7 +49,7 @@ test("one's own table turns or slides by its variable", () => {
 
 test("numbers are written to so many digits", () => {
   const sizes = [[0, "0"], [-0.00001234, "-0.0000123"], [1234567, "1230000"], [12.5, "12.5"], [100, "100"], [99.96, "100"]];
-  for (const [x, text] of sizes) assert.equal(size(x), text);
+  for (const [x, text] of sizes) assert.equal(formatNumber(x), text);
 }); // prettier-ignore
 
 const LISTED = [

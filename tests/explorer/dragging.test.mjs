@@ -2,15 +2,15 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { range } from "../../judge/geometry/arm.js";
+import { jointRange } from "../../judge/geometry/arm.js";
 import { dragTip } from "../../page/src/dragging.js";
-import { joints, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
+import { movingRows, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
 import { ARMS, ELBOW, PANDA } from "./arms.mjs";
 
 const tip = (arm, q) => linkFrames(arm, q).at(-1);
 const inside = (arm, q) =>
-  joints(arm).every((row, k) => {
-    const [lower, upper] = range(arm.rows[row]);
+  movingRows(arm).every((row, k) => {
+    const [lower, upper] = jointRange(arm.rows[row]);
     return q[k] >= Math.min(lower, arm.home[k]) - 1e-12 && q[k] <= Math.max(upper, arm.home[k]) + 1e-12;
   });
 

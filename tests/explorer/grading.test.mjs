@@ -2,29 +2,29 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { both, cause, nameOf, several, wordsOf } from "../../judge/causes/ranking.js";
-import { lower } from "../../judge/sentences.js";
+import { combineCauses, makeCause, causeName, joinCauseMessages, causeMessage } from "../../judge/causes/ranking.js";
+import { uncapitalize } from "../../judge/sentences.js";
 
 const [ONE, TWO, THREE] = [
-  cause("J.halves"),
-  cause("J.all signs"),
-  cause("J.frame", { k: 3, _name: "frame 3" }),
+  makeCause("J.halves"),
+  makeCause("J.all signs"),
+  makeCause("J.frame", { k: 3, _name: "frame 3" }),
 ];
 
 test("what causes say and how they are called", () => {
-  assert.equal(nameOf(THREE), "J.frame:3");
-  const two = both(ONE, TWO);
-  assert.equal(nameOf(two), "J.halves + J.all signs");
-  assert.equal(wordsOf(two), `${wordsOf(ONE)}; and besides, every sign is reversed`);
-  const signs = [1, 2, 3].map((i) => cause("J.column of", { i }));
-  const words = signs.map(wordsOf);
+  assert.equal(causeName(THREE), "J.frame:3");
+  const two = combineCauses(ONE, TWO);
+  assert.equal(causeName(two), "J.halves + J.all signs");
+  assert.equal(causeMessage(two), `${causeMessage(ONE)}; and besides, every sign is reversed`);
+  const signs = [1, 2, 3].map((i) => makeCause("J.column of", { i }));
+  const words = signs.map(causeMessage);
   const same = "which gives the same numbers here";
-  assert.equal(several([signs[0], signs[0]]), words[0]);
-  assert.equal(several(signs), `${words[0]}; or ${lower(words[1])} or ${lower(words[2])}, ${same}`);
-  assert.equal(several([two, both(TWO, ONE)]), wordsOf(two));
+  assert.equal(joinCauseMessages([signs[0], signs[0]]), words[0]);
+  assert.equal(joinCauseMessages(signs), `${words[0]}; or ${uncapitalize(words[1])} or ${uncapitalize(words[2])}, ${same}`);
+  assert.equal(joinCauseMessages([two, combineCauses(TWO, ONE)]), causeMessage(two));
 });
 
 test("sentences inside others", () => {
   const sentences = ["The sign", "A", "NM", "A_i is", "q_1 is", "It_is"];
-  assert.deepEqual(sentences.map(lower), ["the sign", "a", "NM", "A_i is", "q_1 is", "it_is"]);
+  assert.deepEqual(sentences.map(uncapitalize), ["the sign", "a", "NM", "A_i is", "q_1 is", "it_is"]);
 });

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { MOST_ROWS, TYPED } from "../../judge/geometry/arm.js";
+import { MAX_ROWS, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
 import { EMPTY, leftBehind, startingState, Store } from "../../page/src/state.js";
 import { otherWays } from "../../page/src/motion.js";
 import { rankVerdict } from "../../page/src/verdicts.js";
@@ -73,7 +73,7 @@ test("what makes no sense here changes nothing", () => {
   const { home, rows: [row, ...rows] } = PANDA; // prettier-ignore
   const store = start();
   const { circle } = store.state;
-  const tables = [[], [{ ...row, kind: "constructor" }, ...rows], [{ ...row, a: 1e308 }], [{ ...row, theta: NaN }], Array(MOST_ROWS + 1).fill(row)];
+  const tables = [[], [{ ...row, kind: "constructor" }, ...rows], [{ ...row, a: 1e308 }], [{ ...row, theta: NaN }], Array(MAX_ROWS + 1).fill(row)];
   for (const event of [
     { type: "playing", on: true },
     { type: "traced", arm: ELBOW, circle, path: [ELBOW.home], wanted: [] }, // asked for before
@@ -92,7 +92,7 @@ test("a typed arm has a name of its own and nothing that was not typed", () => {
   const store = start();
   store.dispatch({ type: "edit", rows: PANDA.rows.map((row, i) => (i === 2 ? { ...row, a: 0.088 } : row)) });
   const { arm, reference, q } = store.state;
-  assert.deepEqual([arm.name, reference.name, q], [TYPED, "Panda", PANDA.home]);
+  assert.deepEqual([arm.name, reference.name, q], [TYPED_ARM_NAME, "Panda", PANDA.home]);
   for (const row of arm.rows) {
     for (const key of ["lower", "upper", "effort", "speed"]) assert.equal(row[key], null);
     assert.equal(row.body, undefined);

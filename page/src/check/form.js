@@ -1,11 +1,11 @@
 // The fields of a question: what each is called, and how it is filled in. What has a good default
 // is folded into one line that tells it.
 
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { h, write } from "../dom.js";
 import { ASKED, CHOICES, OWN } from "./question.js";
 import { called } from "../text.js";
-import { listed } from "../../../judge/sentences.js";
+import { joinList } from "../../../judge/sentences.js";
 
 /**
  * @typedef {object} Field
@@ -166,14 +166,15 @@ function toldOf(keys, fields) {
   const said = keys.filter((key) => fields[key].value);
   const guessed = keys.filter((key) => !fields[key].value && FIELDS[key].name);
   const parts = said.map((key) => `${FIELDS[key].told} ${words(key)}`);
-  if (guessed.length) parts.push(`${listed(guessed.map((key) => FIELDS[key].name))} as they look`);
+  if (guessed.length)
+    parts.push(`${joinList(guessed.map((key) => FIELDS[key].name))} as they look`);
   return `Taken: ${parts.join("; ")}`;
 }
 
 const frameName = (k) => (k ? `frame ${k}` : "the base");
 
 const namesOf = (arm) => {
-  const names = joints(arm).map((i) => `q_${i + 1}`);
+  const names = movingRows(arm).map((i) => `q_${i + 1}`);
   const slides = arm.rows.some(({ kind }) => kind === "prismatic");
   return `${names.join(", ")}${slides ? "; m where a joint slides" : ""}`;
 };

@@ -2,7 +2,7 @@
 // the book, and nothing is sent from here.
 
 import { RIGHT } from "../../../judge/digits.js";
-import { textOf } from "../../../judge/report.js";
+import { formatVerdict } from "../../../judge/report.js";
 import { copied, h, write } from "../dom.js";
 
 const COPIED = "Copied, as it stands here.";
@@ -51,6 +51,6 @@ function reportOf({ made, parts, question, verdict, given }) {
     settings.join("\n"),
     `Typed:\n${question.answer}`,
     `Read:\n${read.join("\n") || "nothing"}`,
-    `Said:\n${report ? textOf(report) : error}`,
+    `Said:\n${report ? formatVerdict(report) : error}`,
   ].join("\n\n");
 }

@@ -1,21 +1,21 @@
 // What is asked of the judge: its state in a link and back, and the verdict.
 
-import { rowsFault, typedArm } from "../../../judge/geometry/arm.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { findRowsFault, makeTypedArm } from "../../../judge/geometry/arm.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { entryText, isAngle } from "../text.js";
 import { pose as poseOf } from "../../../judge/reading/numbers.js";
 import { ownRows } from "../../../judge/reading/table.js";
 import { ownValues } from "../../../judge/reading/values.js";
-import { ArmError, upper } from "../../../judge/sentences.js";
+import { ArmError, capitalize } from "../../../judge/sentences.js";
 import { jacobian, torques } from "./topics/jacobian.js";
 import { branches, pose, trace } from "./topics/motion.js";
 import { table } from "./topics/table.js";
 
-/** @typedef {import("../../../judge/report.js").Report} Report */
+/** @typedef {import("../../../judge/report.js").Verdict} Verdict */
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 /**
  * The verdict on what is typed; throws ArmError.
- * @typedef {(question: Question, arm: Arm) => Report} Checker
+ * @typedef {(question: Question, arm: Arm) => Verdict} Checker
  */
 
 /**
@@ -135,7 +135,7 @@ export function startOf({ ask, arm, unit }, { arms, examples }) {
   if (example) return { ...EMPTY, ...example };
   const own = arms.find(({ key }) => key === arm);
   const home = own
-    ? joints(own).map((row, k) => entryText(own.home[k], isAngle(own.rows[row]), unit))
+    ? movingRows(own).map((row, k) => entryText(own.home[k], isAngle(own.rows[row]), unit))
     : [];
   return { ...EMPTY, ask, arm, unit, q: home.join(", ") };
 }
@@ -186,16 +186,16 @@ export function armOf(question, arms) {
   const symbols = ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : [];
   const { rows, said, guessed } = ownRows(question.table, question.unit, symbols, "m");
   if (guessed) throw new ArmError(`Are these the ${said[0]}? ${HEADS}.`);
-  const fault = rowsFault(rows);
+  const fault = findRowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
-  return { ...typedArm(rows, { name: "", home: [], rows: [] }), name: ASKED_ABOUT };
+  return { ...makeTypedArm(rows, { name: "", home: [], rows: [] }), name: ASKED_ABOUT };
 }
 
 /**
  * The verdict on an answer, or why there is none yet.
  * @param {Question} question
  * @typedef {import("../../../judge/advice.js").Advice} Advice
- * @returns {{ report?: Report, error?: string, advice?: Advice[], arm?: any, q?: number[] }}
+ * @returns {{ report?: Verdict, error?: string, advice?: Advice[], arm?: any, q?: number[] }}
  */
 export function judge(question, arms) {
   let arm, q;
@@ -213,12 +213,12 @@ export function judge(question, arms) {
     return { report, arm, q, advice: report.advice };
   } catch (error) {
     if (!(error instanceof ArmError)) throw error;
-    return { error: upper(error.message), arm, q, advice: error.advice };
+    return { error: capitalize(error.message), arm, q, advice: error.advice };
   }
 }
 
 const posed = ({ ask }) => ASKED[ask].fields.includes("q");
 const missing = (question, arm) =>
   posed(question) && !question.q.trim()
-    ? `Type the pose: ${joints(arm).length} joint values.`
+    ? `Type the pose: ${movingRows(arm).length} joint values.`
     : null;

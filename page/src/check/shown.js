@@ -1,11 +1,11 @@
 // What the page shows of an answer: how it is read, cell by cell, and the verdict in words.
 
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { h } from "../dom.js";
 import { blocksIn } from "../../../judge/reading/blocks.js";
 import { parse, plain, symbols } from "../../../judge/reading/formula.js";
 import { lookup } from "../../../judge/reading/numbers.js";
-import { linesOf, MARKS } from "../../../judge/report.js";
+import { listDetails, GRADE_MARKS } from "../../../judge/report.js";
 import { ArmError } from "../../../judge/sentences.js";
 
 const ROWS = {
@@ -25,7 +25,7 @@ const LONGEST_SHOWN = 8000; // characters of an answer that is shown cell by cel
  * @param {number[]} shape
  */
 export function namesOf({ ask, first }, arm, [rows, width]) {
-  const numbers = joints(arm).map((i) => i + 1);
+  const numbers = movingRows(arm).map((i) => i + 1);
   const above = (k) => (numbers.length === width ? `joint ${numbers[k]}` : String(k + 1));
   const lines =
     { torques: rows === 1 ? ["τ"] : [], jacobian: rows === 6 ? ROWS[first] : [] }[ask] ?? [];
@@ -176,10 +176,14 @@ export function tell(box, { report, error }, { example, buttons }) {
     : [];
   const note = example ? [h("p.note", {}, EXAMPLE, h("span.screen", {}, OVER_IT))] : [];
   if (!report) return box.replaceChildren(...note, h("p", {}, typeset(error)), ...offer);
-  const lines = linesOf(report).filter((line) => !report.headline.endsWith(line.slice(1)));
+  const lines = listDetails(report).filter((line) => !report.headline.endsWith(line.slice(1)));
   const items = lines.map((line) => h("li", {}, typeset(line)));
   const list = items.length ? [h("ul", {}, items)] : [];
-  const mark = h("span.mark", { "aria-hidden": "true" }, `${MARKS[report.mark ?? report.grade]} `);
+  const mark = h(
+    "span.mark",
+    { "aria-hidden": "true" },
+    `${GRADE_MARKS[report.mark ?? report.grade]} `,
+  );
   const headline = h("p.headline", {}, mark, typeset(report.headline));
   return box.replaceChildren(...note, headline, ...list, ...offer);
 }

@@ -3,7 +3,7 @@
 import { h, indexed, write } from "../dom.js";
 import { ask, latest } from "../jobs.js";
 import {
-  joints,
+  movingRows,
   linkFrames,
   minus,
   norm,
@@ -14,7 +14,7 @@ import { freed } from "../renderer.js";
 import { branchColour } from "../look.js";
 import { Arrow, tube } from "../shapes.js";
 import { fixed } from "../text.js";
-import { listed } from "../../../judge/sentences.js";
+import { joinList } from "../../../judge/sentences.js";
 import { rankVerdict, waysVerdict } from "../verdicts.js";
 import { makeHeat } from "../views/jacobian.js";
 import { makeMatrix } from "../views/pose.js";
@@ -90,7 +90,7 @@ function matrix(host, spec) {
     },
   );
   live.follow(({ arm, q }) => {
-    const angle = q[joints(arm).indexOf(number - 1)];
+    const angle = q[movingRows(arm).indexOf(number - 1)];
     shown.update(number, linkFrames({ rows: [arm.rows[number - 1]] }, [angle])[1]);
   });
   return live.dispose;
@@ -98,14 +98,15 @@ function matrix(host, spec) {
 
 // The Jacobian's columns: each is the tip's velocity when one joint turns alone.
 function columns(host, spec) {
-  let chosen = joints(spec.arm)[(spec.column ?? 1) - 1]; // its row
+  let chosen = movingRows(spec.arm)[(spec.column ?? 1) - 1]; // its row
   const heat = makeHeat((row) => row !== null && choose(row));
   const live = makeLive(host, spec, {
     side: [heat.root],
     words: ({ arm }) => {
       const moves = arm.rows[chosen].kind === "revolute" ? "turns about its axis" : "slides";
       const when = `when joint ${chosen + 1} ${moves} alone`;
-      return `Column ${joints(arm).indexOf(chosen) + 1}: the tip moves along the arrow ${when}.`;
+      const column = movingRows(arm).indexOf(chosen) + 1;
+      return `Column ${column}: the tip moves along the arrow ${when}.`;
     },
   });
   const { store, picture } = live;
@@ -119,7 +120,7 @@ function columns(host, spec) {
     heat.update({ arm, lit: chosen }, derived.columns);
     if (!arrow || !picture.world) return;
     if (arrow.parent !== picture.world) picture.world.add(arrow);
-    const column = derived.columns[joints(arm).indexOf(chosen)];
+    const column = derived.columns[movingRows(arm).indexOf(chosen)];
     const way = scaled(0.3, column.slice(0, 3));
     arrow.point(derived.frames.at(-1).o, way, 0.008 * picture.size);
   });
@@ -145,14 +146,14 @@ function loads(host, spec) {
     words: ({ arm }, { torque }) => {
       const sizes = torque.map(Math.abs);
       const worst = sizes.indexOf(Math.max(...sizes));
-      const most = `joint ${joints(arm)[worst] + 1}: ${fixed(torque[worst], 1)}\u00a0N\u00a0m`;
+      const most = `joint ${movingRows(arm)[worst] + 1}: ${fixed(torque[worst], 1)}\u00a0N\u00a0m`;
       return `${spec.words ?? "Move the arm."} The most is asked of ${most}.`;
     },
   });
-  const lines = joints(live.store.state.arm).map(torqueBar);
+  const lines = movingRows(live.store.state.arm).map(torqueBar);
   bars.replaceChildren(...lines.map((one) => one.root));
   live.follow(({ arm }, { torque }) => {
-    const most = Math.max(...joints(arm).map((index) => arm.rows[index].effort ?? 50));
+    const most = Math.max(...movingRows(arm).map((index) => arm.rows[index].effort ?? 50));
     lines.forEach((line, i) => line.show(torque[i], most));
   });
   return live.dispose;
@@ -211,11 +212,11 @@ function windingOf(arm, { failed, wound }, radius) {
   const size = `Radius ${fixed(100 * radius, 1)} cm`;
   if (failed !== null)
     return `${size}: no run gets round; the arm would have to pass a singular pose.`;
-  const round = joints(arm).flatMap((index, k) =>
+  const round = movingRows(arm).flatMap((index, k) =>
     Math.abs(wound[k]) > 0.9 ? [`joint ${index + 1}`] : [],
   );
   const swing = "the joints swing and come back";
-  return `${size}: ${round.length ? `${listed(round)} wind once round` : swing}.`;
+  return `${size}: ${round.length ? `${joinList(round)} wind once round` : swing}.`;
 }
 
 // Every way to the pose, to be clicked through.

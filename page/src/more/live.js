@@ -3,10 +3,10 @@
 
 import css from "./figure.css";
 import common from "../common.css";
-import { homeOf, range } from "../../../judge/geometry/arm.js";
+import { homePose, jointRange } from "../../../judge/geometry/arm.js";
 import { attribute, h, indexed, slider, write } from "../dom.js";
 import { makeStage } from "../panel/stage.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { makeRail } from "../rail.js";
 import { startingState, Store } from "../state.js";
 import { degrees, jointText, replaced, spokenJoint } from "../text.js";
@@ -27,7 +27,7 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   const abort = new AbortController();
   const { signal } = abort;
   const { arm } = spec;
-  const store = new Store(startingState({ arm, q: spec.q ?? homeOf(arm), ...state }));
+  const store = new Store(startingState({ arm, q: spec.q ?? homePose(arm), ...state }));
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const stage = makeStage(store, {
     ...{ signal, first, held: hold, bar: false, id: `figure-${++count}` },
@@ -64,11 +64,11 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
 // A lever for the joint of a row, by its number from 1.
 function jointLever(store, number, signal) {
   const { arm } = store.state;
-  const k = joints(arm).indexOf(number - 1);
+  const k = movingRows(arm).indexOf(number - 1);
   const row = arm.rows[number - 1];
   const put = (value, gesture) =>
     store.dispatch({ type: "move", q: replaced(store.state.q, k, value), gesture });
-  const input = slider(`Joint ${number}`, range(row));
+  const input = slider(`Joint ${number}`, jointRange(row));
   const { root, show } = leverOf(indexed("q", number), input, put, signal);
   return {
     root,

@@ -1,8 +1,8 @@
 // The freedom that a seventh joint gives, as a small figure.
 
-import { outside } from "../../../judge/geometry/arm.js";
-import { jacobianColumns, joints, linkFrames } from "../../../judge/geometry/kinematics.js";
-import { rightNull } from "../../../judge/geometry/linear.js";
+import { isOutsideLimits } from "../../../judge/geometry/arm.js";
+import { jacobianColumns, movingRows, linkFrames } from "../../../judge/geometry/kinematics.js";
+import { nullSpace } from "../../../judge/geometry/linear.js";
 import { reach } from "../motion.js";
 import { jointText } from "../text.js";
 import { deg, makeLever, makeLive } from "./live.js";
@@ -11,7 +11,7 @@ import { deg, makeLever, makeLive } from "./live.js";
 export function swing(host, spec) {
   const live = makeLive(host, spec, {
     words: (state) => {
-      const values = joints(state.arm).map(
+      const values = movingRows(state.arm).map(
         (index, k) => `q${index + 1} ${jointText(state.arm.rows[index], state.q[k], "deg")}`,
       );
       return `The tip stays; ${values.join(", ")}.`;
@@ -39,7 +39,7 @@ function swungBothWays(arm, start, held) {
     const found = [];
     let [q, before] = [start, null];
     for (let step = 0; step < 80; step++) {
-      const [direction] = rightNull(jacobianColumns(arm, linkFrames(arm, q)));
+      const [direction] = nullSpace(jacobianColumns(arm, linkFrames(arm, q)));
       if (!direction) break;
       const along = before
         ? direction.reduce((s, v, k) => s + v * before[k], 0)
@@ -47,7 +47,7 @@ function swungBothWays(arm, start, held) {
       const way = direction.map((v) => (along < 0 ? -v : v));
       const moved = q.map((v, k) => v + 0.03 * way[k]);
       const next = reach(arm, moved, held).q;
-      if (joints(arm).some((row, k) => outside(arm.rows[row], next[k]))) break;
+      if (movingRows(arm).some((row, k) => isOutsideLimits(arm.rows[row], next[k]))) break;
       found.push(next);
       [q, before] = [next, way];
     }

@@ -1,6 +1,6 @@
 // The line above the picture: which arm, units, and what may be done with the whole instrument.
 
-import { homeOf } from "../../../judge/geometry/arm.js";
+import { homePose } from "../../../judge/geometry/arm.js";
 import { attribute, h, write } from "../dom.js";
 import { randomPose } from "../motion.js";
 import { called } from "../text.js";
@@ -12,7 +12,7 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   const steps = makeSteps(store);
   const buttons = [
     frames.root,
-    button("Home", "Where this arm stands first", () => goTo(homeOf(store.state.arm))),
+    button("Home", "Where this arm stands first", () => goTo(homePose(store.state.arm))),
     button("Random", "Somewhere within its limits", () => goTo(randomPose(store.state.arm))),
     makeFit(stage),
     steps.root,

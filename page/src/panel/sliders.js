@@ -1,9 +1,9 @@
 // One line for each joint: its name, a slider over its range, a field to type in, its limits.
 
-import { outside, range } from "../../../judge/geometry/arm.js";
+import { isOutsideLimits, jointRange } from "../../../judge/geometry/arm.js";
 import { attribute, h, indexed, slider, write } from "../dom.js";
 import { entered, refill, textField } from "../entry.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { makeRail } from "../rail.js";
 import { isAngle, jointText, limitText, quantityOf, replaced, spokenJoint } from "../text.js";
 
@@ -28,7 +28,7 @@ export function makeSliders(store, { say, signal }) {
     shown.abort?.abort();
     const abort = new AbortController();
     signal.addEventListener("abort", () => abort.abort(), { signal: abort.signal });
-    lines = joints(arm).map((index, i) =>
+    lines = movingRows(arm).map((index, i) =>
       makeLine(arm.rows[index], { index, i, unit, signal: abort.signal }, acts),
     );
     const none = h("p.words", {}, "No joint moves this arm.");
@@ -72,7 +72,7 @@ function actsOf(store, error, say) {
 // The line of one joint: `index` is its row, `i` its place in q.
 function makeLine(row, { index, i, unit, signal }, { put, typed, nudge, light }) {
   const label = `Joint ${index + 1}, ${row.kind === "revolute" ? "angle" : "slide"}`;
-  const thumb = slider(label, range(row), {
+  const thumb = slider(label, jointRange(row), {
     "data-joint": index + 1,
     onkeydown: (e) => nudge(e, row, i),
   });
@@ -98,7 +98,7 @@ function boundsOf(row, past, unit) {
 // Where a key takes a joint, or null for another key. Native steps of a slider with step="any" are
 // a hundredth of its range; these are whole degrees and millimetres. Shift is finer.
 function nudged({ key, shiftKey }, row, value) {
-  const [lower, upper] = range(row);
+  const [lower, upper] = jointRange(row);
   if (key === "Home") return lower;
   if (key === "End") return upper;
   if (!KEYS[key]) return null;
@@ -107,7 +107,7 @@ function nudged({ key, shiftKey }, row, value) {
 }
 
 function showJoint({ root, thumb, field, past, row, index }, value, { lit, unit }) {
-  const [lower, upper] = range(row);
+  const [lower, upper] = jointRange(row);
   root.classList.toggle("lit", lit === index);
   thumb.value = String(value);
   attribute(thumb, "aria-valuetext", spokenJoint(row, value, unit));
@@ -117,7 +117,7 @@ function showJoint({ root, thumb, field, past, row, index }, value, { lit, unit 
   thumb.style.setProperty("--low", `${Math.min(at, zero).toFixed(2)}%`);
   thumb.style.setProperty("--high", `${Math.max(at, zero).toFixed(2)}%`);
   refill(field, jointText(row, value, unit));
-  const beyond = outside(row, value);
+  const beyond = isOutsideLimits(row, value);
   root.classList.toggle("past", beyond);
   write(past, beyond ? "past its limit" : "");
 }

@@ -4,8 +4,8 @@
 import { attribute, h, write } from "../dom.js";
 import { makeGrabbable, moveTipByKey } from "../pointers.js";
 import { asked, holdVerdict } from "../verdicts.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
-import { rightNull } from "../../../judge/geometry/linear.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
+import { nullSpace } from "../../../judge/geometry/linear.js";
 import { reach } from "../motion.js";
 import { ArmPicture } from "../scene.js";
 import { still } from "../still.js";
@@ -62,7 +62,7 @@ export function makeStage(store, tools) {
     update(state) {
       hold.update(state);
       const pushed = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
-      grip.hidden = !held || !picture || !joints(state.arm).length || !pushed;
+      grip.hidden = !held || !picture || !movingRows(state.arm).length || !pushed;
       const words = holdVerdict(state.hold);
       write(why, words);
       why.hidden = !words;
@@ -88,7 +88,9 @@ const partsOf = (id, hold, onkeydown) => ({
 });
 
 function stillWords({ arm, q, unit }) {
-  const at = joints(arm).map((row, k) => `q_${row + 1} = ${jointText(arm.rows[row], q[k], unit)}`);
+  const at = movingRows(arm).map(
+    (row, k) => `q_${row + 1} = ${jointText(arm.rows[row], q[k], unit)}`,
+  );
   return `Still picture of the ${arm.name}${at.length ? ` at ${at.join(", ")}` : ""}.`;
 }
 
@@ -155,7 +157,7 @@ function makeHoldBar(store, shown) {
 
 function togglePin(store) {
   const { state, derived } = store;
-  const turns = joints(state.arm).length > 6 || (state.keepTurn && asked(state.arm) === 6);
+  const turns = movingRows(state.arm).length > 6 || (state.keepTurn && asked(state.arm) === 6);
   const pinned = { pinned: derived.frames.at(-1), turns, free: freedom(store, turns) };
   store.dispatch({ type: "show", hold: state.hold?.pinned ? null : pinned });
 }
@@ -166,13 +168,13 @@ const pinWords = ({ free, turns }) => {
 };
 
 const stillColumns = ({ derived }, turns) => derived.columns.map((c) => c.slice(0, turns ? 6 : 3));
-const freedom = (store, turns) => rightNull(stillColumns(store, turns)).length;
+const freedom = (store, turns) => nullSpace(stillColumns(store, turns)).length;
 
 // A step through the null space, as a drag of the elbow makes it.
 function swingBy(store, way) {
   const { arm, q, hold } = store.state;
   if (!hold?.pinned) return;
-  const [direction] = rightNull(stillColumns(store, hold.turns));
+  const [direction] = nullSpace(stillColumns(store, hold.turns));
   if (!direction) return;
   const [lead] = [...direction].sort((u, v) => Math.abs(v) - Math.abs(u));
   const sign = way * Math.sign(lead);

@@ -1,9 +1,9 @@
 // Inverse kinematics: every way to the same pose, as a list and as ghosts.
 
 import { attribute, h, indexed, write } from "../dom.js";
-import { limited, outside } from "../../../judge/geometry/arm.js";
+import { hasLimits, isOutsideLimits } from "../../../judge/geometry/arm.js";
 import { latest } from "../jobs.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { isThere } from "../motion.js";
 import { branchColour } from "../look.js";
 import { leftBehind } from "../state.js";
@@ -52,9 +52,9 @@ export function build(store, { goTo, say }) {
 }
 
 function wayButton({ q, label }, i, { arm, unit }, { goTo, light }) {
-  const moving = joints(arm);
-  const past = moving.flatMap((row, k) => (outside(arm.rows[row], q[k]) ? [row + 1] : []));
-  const within = limited(arm) ? "within limits" : "";
+  const moving = movingRows(arm);
+  const past = moving.flatMap((row, k) => (isOutsideLimits(arm.rows[row], q[k]) ? [row + 1] : []));
+  const within = hasLimits(arm) ? "within limits" : "";
   const values = moving.map((row, k) =>
     h("span", {}, indexed("q", row + 1), ` ${jointText(arm.rows[row], q[k], unit)}`),
   );

@@ -1,10 +1,10 @@
 // The homework's runs in words.
 
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { HOMEWORK } from "../homework_run.js";
 import { jointNames, pastLimits } from "../verdicts.js";
 import { degrees, fixed, powered } from "../text.js";
-import { listed } from "../../../judge/sentences.js";
+import { joinList } from "../../../judge/sentences.js";
 
 export const NAMES = {
   euler: "Euler",
@@ -25,8 +25,8 @@ export const SLIPS = {
 // What the homework asks of this arm: the Panda with joint 3 locked, the UR10e in front of its
 // wall; null where it asks nothing.
 export function startingRun(arm, base) {
-  if (/^Panda/.test(base.name) && joints(arm).length === 7) return { ...HOMEWORK };
-  if (!/^UR10e/.test(base.name) || joints(arm).length !== 6) return null;
+  if (/^Panda/.test(base.name) && movingRows(arm).length === 7) return { ...HOMEWORK };
+  if (!/^UR10e/.test(base.name) || movingRows(arm).length !== 6) return null;
   return { ...HOMEWORK, locked: -1, normal: "y", seconds: 20, rates: "pseudo" };
 }
 
@@ -61,8 +61,8 @@ export function said(result, arm) {
   if (result.failed !== null) return broken(result);
   const winding = jointNames(arm, (_, k) => Math.abs(result.wound[k]) > 0.9);
   const past = pastLimits(arm, result.path);
-  const turns = winding.length ? ` Once round: ${listed(winding)}.` : "";
-  const limits = past.length ? ` Past its limits: ${listed(past)}.` : "";
+  const turns = winding.length ? ` Once round: ${joinList(winding)}.` : "";
+  const limits = past.length ? ` Past its limits: ${joinList(past)}.` : "";
   const error = `Largest error ${millimetres(result.largest)}`;
   const speed =
     result.run.method === "exact" ? "" : `, fastest joint ${fixed(result.fastest, 2)} rad/s`;

@@ -2,7 +2,7 @@
 // tip can move.
 
 import { attribute, h, indexed, scrolled, write } from "../dom.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { fixed, powered, sparse } from "../text.js";
 import { asked, fullRank, rankVerdict } from "../verdicts.js";
 
@@ -43,7 +43,7 @@ export function makeHeat(point) {
 
   function lay(arm) {
     shown = arm;
-    const moving = joints(arm);
+    const moving = movingRows(arm);
     buttons = moving.map((row) => h("button", pointed(row, point), indexed("q", row + 1)));
     const heads = buttons.map((button) => h("th", { scope: "col" }, button));
     head.replaceChildren(h("th", {}, h("span.hidden", {}, "row")), ...heads);
@@ -55,7 +55,7 @@ export function makeHeat(point) {
 
   function update({ arm, lit }, columns) {
     if (shown !== arm) lay(arm);
-    const on = joints(arm).indexOf(lit);
+    const on = movingRows(arm).indexOf(lit);
     buttons.forEach((button, k) => attribute(button, "aria-pressed", String(k === on)));
     const largest = [0, 3].map((from) =>
       Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),

@@ -3,7 +3,7 @@
 
 import { attribute, h, indexed, select, svg, write } from "../dom.js";
 import { torquesAlong } from "../homework_run.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { fixed, isAngle, jointText } from "../text.js";
 
 const [WIDTH, HEIGHT] = [220, 54];
@@ -24,7 +24,7 @@ export function makePlots(store) {
         rows.map((place) => place[i]),
         torques ? ofTorque(arm.rows[row]) : ofJoint(arm.rows[row], unit),
       );
-    const made = rows ? joints(arm).map(plotOf) : [];
+    const made = rows ? movingRows(arm).map(plotOf) : [];
     cursors = made.map(({ cursor }) => cursor);
     root.replaceChildren(...made.map(({ figure }) => figure));
   }

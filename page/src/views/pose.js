@@ -3,7 +3,7 @@
 import { attribute, h, indexed, write } from "../dom.js";
 import { entered, refill, textField } from "../entry.js";
 import { moveTip } from "../pointers.js";
-import { matrix as matrixOf, minus, norm } from "../../../judge/geometry/kinematics.js";
+import { frameMatrix as matrixOf, minus, norm } from "../../../judge/geometry/kinematics.js";
 import { fixed, replaced, sparse } from "../text.js";
 import { stopVerdict } from "../verdicts.js";
 

@@ -1,7 +1,7 @@
 // The Denavit-Hartenberg table, to be typed in. A bad entry is said in words, and the last good arm
 // stays.
 
-import { MOST_ROWS } from "../../../judge/geometry/arm.js";
+import { MAX_ROWS } from "../../../judge/geometry/arm.js";
 import { copied, h, indexed, scrolled, select, write } from "../dom.js";
 import { entered, textField } from "../entry.js";
 import { readTable } from "../paste.js";
@@ -37,7 +37,7 @@ export function build(store, { say }) {
   const root = h("div.dh", {}, grid.root, error, row, verdict);
   const update = (state, derived) => {
     grid.update(state);
-    add.disabled = state.arm.rows.length >= MOST_ROWS;
+    add.disabled = state.arm.rows.length >= MAX_ROWS;
     write(verdict, tableVerdict(state, derived));
   };
   return { root, update, summary: () => error.textContent || verdict.textContent };

@@ -3,9 +3,9 @@
 
 import { attribute, h, indexed, scrolled, write } from "../dom.js";
 import { entered, refill, textField } from "../entry.js";
-import { joints } from "../../../judge/geometry/kinematics.js";
+import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { fixed, replaced, short } from "../text.js";
-import { listed } from "../../../judge/sentences.js";
+import { joinList } from "../../../judge/sentences.js";
 
 export const title = "Static torque";
 
@@ -73,7 +73,7 @@ function makeBars(point) {
   function update(arm, { gravity, push, torque }) {
     if (shown !== arm) {
       shown = arm;
-      lines = joints(arm).map((row) => barLine(row, point));
+      lines = movingRows(arm).map((row) => barLine(row, point));
       body.replaceChildren(...lines.map(({ line }) => line));
     }
     const largest = Math.max(1e-9, ...torque.map(Math.abs));
@@ -113,7 +113,7 @@ function showShare({ fill, part, limit, line }, { effort, kind }, torque, larges
 }
 
 function verdictText(arm, over, gravity) {
-  if (over.length) return `Too much for ${listed(over)}.`;
+  if (over.length) return `Too much for ${joinList(over)}.`;
   if (!arm.rows.some((row) => row.body))
     return "No masses are known of this arm, so only the push on the tool shows.";
   const held = arm.rows.every((row) => row.kind === "fixed" || row.effort)

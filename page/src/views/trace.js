@@ -5,7 +5,7 @@ import { readEntry } from "../../../judge/reading/entry.js";
 import { marked, refill, textField } from "../entry.js";
 import { latest } from "../jobs.js";
 import { short } from "../text.js";
-import { listed, upper } from "../../../judge/sentences.js";
+import { joinList, capitalize } from "../../../judge/sentences.js";
 import { makePlots } from "./plots.js";
 import { makeTransport } from "./transport.js";
 import { pastLimits } from "../verdicts.js";
@@ -90,6 +90,6 @@ function verdictText({ arm, trace, wanted }) {
   const past = pastLimits(arm, trace);
   if (!past.length) return "All joints stay within their limits.";
   const whose = past.length > 1 ? "their limits" : "its limit";
-  const words = `${listed(past)} would have to pass ${whose} (tinted).`;
-  return upper(words);
+  const words = `${joinList(past)} would have to pass ${whose} (tinted).`;
+  return capitalize(words);
 }

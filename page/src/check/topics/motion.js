@@ -1,13 +1,13 @@
 // Joint angles, of one pose or all branches, and runs along a path.
 
-import { cross, dot, joints } from "../../../../judge/geometry/kinematics.js";
+import { cross, dot, movingRows } from "../../../../judge/geometry/kinematics.js";
 import { compareBranches } from "../../../../judge/topics/branches.js";
 import { numbers, pose as poseOf } from "../../../../judge/reading/numbers.js";
-import { asksPose, formOf } from "../../../../judge/geometry/inverse.js";
+import { needsPose, findClosedForm } from "../../../../judge/geometry/inverse.js";
 import { circleBelow, restToRest } from "../../../../judge/geometry/path.js";
-import { comparePose, targetOf } from "../../../../judge/topics/pose.js";
+import { comparePose, readTarget } from "../../../../judge/topics/pose.js";
 import { ArmError } from "../../../../judge/sentences.js";
-import { judgedTrace, readTrace } from "../../../../judge/topics/trace.js";
+import { judgeTrace, readTrace } from "../../../../judge/topics/trace.js";
 
 /** @typedef {import("../question.js").Question} Question */
 
@@ -37,7 +37,7 @@ export function branches(question, arm) {
 }
 
 function formFor(arm) {
-  const form = formOf(arm);
+  const form = findClosedForm(arm);
   if (form) return form;
   throw new ArmError(
     `${arm.name}: there is no formula for all of its branches here; ` +
@@ -48,8 +48,8 @@ function formFor(arm) {
 // The target as inverse kinematics take it: three coordinates, or the four rows of a pose.
 /** @param {Question} question @returns {any[]} */
 function rowsOf(question, arm, form) {
-  const { values, pose } = targetOf(typedTarget(question), arm, undefined, !asksPose(form));
-  if (asksPose(form)) return [...exact(values), [0, 0, 0, 1]];
+  const { values, pose } = readTarget(typedTarget(question), arm, undefined, !needsPose(form));
+  if (needsPose(form)) return [...exact(values), [0, 0, 0, 1]];
   return pose ? values.map((row) => row[3]) : values[0];
 }
 
@@ -75,7 +75,7 @@ function exact(rows) {
 export function trace(question, arm) {
   const typed = readTrace(question.answer, arm);
   const path = pathOf(question, arm, typed);
-  return judgedTrace(typed, arm, path, { angles: question.unit });
+  return judgeTrace(typed, arm, path, { angles: question.unit });
 }
 
 function pathOf(question, arm, typed) {
@@ -108,7 +108,7 @@ function asked(question, arm, typed) {
 
 // A row for each time: one more than there are steps.
 function guessed({ shape: [rows, width = 1] }, arm) {
-  const dof = joints(arm).length;
+  const dof = movingRows(arm).length;
   const perJoint = width > dof + 1 && rows <= dof + 1;
   return Math.max(1, (perJoint ? width : rows) - 1);
 }
