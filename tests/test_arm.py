@@ -13,7 +13,7 @@ from helpers.robots import ELBOW, PANDA, STANFORD
 from tests.laws import ALL_ARMS, ids, joint_vectors
 
 
-def test_an_arm_is_a_value():
+def test_arm_equals_its_copy_and_is_immutable():
     twin = replace(PANDA)
     assert twin == PANDA
     assert hash(twin) == hash(PANDA)
@@ -23,7 +23,7 @@ def test_an_arm_is_a_value():
         PANDA.name = "mine"
 
 
-def test_values_read_as_a_dict_and_cannot_be_changed():
+def test_values_are_a_read_only_dict():
     assert dict(ELBOW.values) == ELBOW.values
     assert repr(ELBOW.values) == "{'d_1': 0.5, 'a_2': 0.4, 'a_3': 0.3, 'd': 0.0}"
     assert list(ELBOW.values) == ["d_1", "a_2", "a_3", "d"]
@@ -31,7 +31,7 @@ def test_values_read_as_a_dict_and_cannot_be_changed():
         ELBOW.values["a_2"] = 1.0
 
 
-def test_joints_are_carried_to_the_free_arm_and_back():
+def test_to_free_and_from_free_are_inverse():
     locked = STANFORD.lock(3, at=0.5).lock(np.int64(1), at="pi/6")
     assert locked.locked == {1: np.pi / 6, 3: 0.5}
     q = joint_vectors(locked, (4,))
@@ -43,7 +43,7 @@ def test_joints_are_carried_to_the_free_arm_and_back():
     np.testing.assert_array_equal(locked.from_free(free), q)
 
 
-def test_entries_of_a_row_are_changed_and_bodies_taken_off():
+def test_with_row_changes_one_entry():
     bent = PANDA.with_row(4, alpha="pi/3")
     assert bent.rows[3] == replace(PANDA.rows[3], alpha="pi/3")
     assert replace(bent, rows=PANDA.rows) == PANDA
@@ -52,7 +52,7 @@ def test_entries_of_a_row_are_changed_and_bodies_taken_off():
         PANDA.with_row(4, joint=Joint())
 
 
-def test_a_joints_limits_and_a_links_mass_are_changed():
+def test_with_row_changes_limits_effort_and_mass():
     joint, body = PANDA.rows[3].joint, PANDA.bodies[3]
     tight = PANDA.with_row(4, limits=(1, 2), effort=9, mass=4)
     assert tight.rows[3].joint == replace(joint, lower=1, upper=2, effort=9)
@@ -67,7 +67,7 @@ def test_a_joints_limits_and_a_links_mass_are_changed():
 
 @pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
 @pytest.mark.parametrize("at", [0.0, 0.2, "pi/8"])
-def test_a_locked_joint_is_a_joint_that_stays(arm, at):
+def test_locked_joint_keeps_its_value(arm, at):
     value = evaluate(at, {})
     for position, joint in enumerate(arm.joints):
         lower, upper = (limit[position] for limit in arm.limits)
@@ -79,7 +79,7 @@ def test_a_locked_joint_is_a_joint_that_stays(arm, at):
         np.testing.assert_allclose(locked, forward_kinematics(arm, q), atol=1e-14)
 
 
-def test_a_locked_joint_leaves_the_others_at_home():
+def test_lock_keeps_home_of_other_joints():
     locked = STANFORD.lock(3, at=0.5)
     assert locked.home == (0, 0, 0, 0, 0)
     assert PANDA.lock(4, at="pi/2").home == (0, 0, 0, 0, np.pi, 0)
@@ -88,7 +88,7 @@ def test_a_locked_joint_leaves_the_others_at_home():
     assert STANFORD.dof == 6
 
 
-def test_limits_follow_the_joints():
+def test_limits_leave_out_locked_joints():
     lower, upper = PANDA.lock(3).limits
     assert lower.shape == upper.shape == (6,)
     assert (lower[2], upper[2]) == (0.0698, 3.0718)
@@ -97,7 +97,7 @@ def test_limits_follow_the_joints():
     np.testing.assert_array_equal(STANFORD.speed_limits, np.full(6, np.inf))
 
 
-def test_the_table_reads_as_in_a_textbook():
+def test_markdown_table_shows_symbols():
     text = PANDA._repr_markdown_()
     assert "| 3 | $a_{3}$ | $-\\pi/2$ | $d_{3}$ | $q_{3}$ |" in text
     assert "| 7 | $0$ | $0$ | $-(d_{7} + l_{pen})$ | $q_{7}$ |" in text
@@ -126,7 +126,7 @@ def test_the_table_reads_as_in_a_textbook():
         (lambda: PANDA.lock(3).lock(3), "joint 3 cannot be locked; its free joints are 1, 2, 4"),
     ],
 )
-def test_bad_input_is_told_in_words(make, words):
+def test_bad_input_raises_arm_error(make, words):
     with pytest.raises(ArmError) as told:
         make()
     assert words in str(told.value)
@@ -142,7 +142,7 @@ def test_bad_input_is_told_in_words(make, words):
         lambda: PANDA.with_row(1, alpha=90),
     ],
 )
-def test_an_angle_that_may_be_meant_in_degrees_is_warned_of_where_it_is_written(make):
+def test_angle_over_a_turn_warns_at_its_line(make):
     with pytest.warns(
         UserWarning, match=r"an angle is -?\d+, in radians; for degrees .* deg'$"
     ) as told:
@@ -151,11 +151,11 @@ def test_an_angle_that_may_be_meant_in_degrees_is_warned_of_where_it_is_written(
 
 
 @pytest.mark.parametrize("angle", [-2 * np.pi, "90 deg", "5*pi", 1.5])
-def test_an_angle_within_a_turn_or_in_words_is_taken_as_it_is(angle):
+def test_unambiguous_angle_does_not_warn(angle):
     assert revolute(alpha=angle).alpha == fixed(alpha=angle).alpha
 
 
-def test_home_is_computed_with_as_an_array_and_compared_as_a_tuple():
+def test_home_adds_like_array_and_compares_like_tuple():
     nudged = PANDA.home + 0.1
     np.testing.assert_array_equal(nudged, np.array(PANDA.home) + 0.1)
     np.testing.assert_array_equal(2 * PANDA.home - nudged, 2 * np.array(PANDA.home) - nudged)

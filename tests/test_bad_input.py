@@ -371,18 +371,18 @@ def cases():
                 yield name, argument, number
 
 
-def test_no_row_is_for_what_is_not_there():
+def test_tables_name_only_public_functions():
     assert set(RIGHT) <= set(CALLS)
     assert set(PUBLIC) >= MADE
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_the_right_call_is_taken(name):
+def test_valid_call_is_accepted(name):
     PUBLIC[name](**CALLS[name])
 
 
 @pytest.mark.parametrize(("name", "argument", "bad"), list(cases()))
-def test_a_message_names_the_argument_and_says_what_was_given_and_expected(name, argument, bad):
+def test_invalid_argument_is_named_in_the_message(name, argument, bad):
     with pytest.raises(ArmError) as told:
         PUBLIC[name](**{**CALLS[name], argument: bad})
     before, _, after = re.split("(expected|its free joints are) ", str(told.value), maxsplit=1)
@@ -393,7 +393,7 @@ def test_a_message_names_the_argument_and_says_what_was_given_and_expected(name,
 
 
 @pytest.mark.parametrize(("name", "changed", "message"), SPECIAL)
-def test_what_is_wrong_in_its_own_way(name, changed, message):
+def test_special_invalid_input_has_its_message(name, changed, message):
     with pytest.raises(ArmError) as told:
         PUBLIC[name](**{**CALLS[name], **changed})
     assert message in str(told.value)

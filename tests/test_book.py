@@ -74,14 +74,14 @@ def _built():
 
 
 @every_page
-def test_the_page_is_there_and_up_to_date(name):
+def test_page_is_built_and_up_to_date(name):
     assert (HTML / f"{name}.html").exists()
     source = next(p for p in (ROOT / f"book/{name}.ipynb", ROOT / f"book/{name}.md") if p.exists())
     assert (HTML / ".whole").stat().st_mtime >= source.stat().st_mtime, "run `make book`"
 
 
 @every_page
-def test_nothing_is_loaded_from_elsewhere(name):
+def test_page_loads_only_local_files(name):
     here = HTML / f"{name}.html"
     for url in page(here).loads:
         assert not re.match(r"(https?:)?//", url), url
@@ -89,7 +89,7 @@ def test_nothing_is_loaded_from_elsewhere(name):
 
 
 @every_page
-def test_every_link_leads_somewhere(name):
+def test_page_links_have_targets(name):
     here = HTML / f"{name}.html"
     for url in page(here).links:
         if re.match(r"(https?|mailto|javascript):", url):
@@ -102,7 +102,7 @@ def test_every_link_leads_somewhere(name):
 
 
 @every_page
-def test_every_picture_has_words(name):
+def test_pictures_have_alt_text(name):
     """A drawing, and all that is cut from it, has those of its place."""
     for picture in page(HTML / f"{name}.html").pictures:
         alt = picture.get("alt")
@@ -112,7 +112,7 @@ def test_every_picture_has_words(name):
 
 
 @every_page
-def test_it_describes_itself_and_no_markup_is_left_unrendered(name):
+def test_page_has_description_and_no_raw_markup(name):
     assert len(page(HTML / f"{name}.html").meta.get("description", "")) > 40
     text = (HTML / f"{name}.html").read_text(encoding="utf-8")
     body = re.sub(r"(?s)<(pre|script|style|code)\b.*?</\1>", "", text)
@@ -121,7 +121,7 @@ def test_it_describes_itself_and_no_markup_is_left_unrendered(name):
 
 
 @every_page
-def test_figures_are_called_by_their_numbers(name):
+def test_figure_references_match_captions(name):
     """A chapter writes them out, for JupyterLab; `tools/refresh.py` keeps them. Other pages count
     from 1."""
     text = (HTML / f"{name}.html").read_text(encoding="utf-8")
@@ -135,18 +135,18 @@ def test_figures_are_called_by_their_numbers(name):
         assert shown[1] == number, f"{figure} is figure {shown[1]}: `make refresh`"
 
 
-def test_the_stylesheets_load_nothing_from_elsewhere():
+def test_stylesheets_load_only_local_files():
     for sheet in HTML.rglob("*.css"):
         for url in re.findall(r"url\(['\"]?([^'\")]+)", sheet.read_text(encoding="utf-8")):
             assert not re.match(r"(https?:)?//", url), f"{sheet.name}: {url}"
 
 
-def test_every_notebook_can_be_downloaded():
+def test_notebook_pages_link_their_download():
     for name in (n for n in NAMES if (ROOT / f"book/{n}.ipynb").exists()):
         assert f"notebooks/{name}.ipynb" in " ".join(page(HTML / f"{name}.html").links)
 
 
-def test_downloaded_notebooks_are_plain_and_whole():
+def test_downloaded_notebooks_are_plain_and_complete():
     """No directive, role or label is left, and all code is there as in the book's own."""
     for path in sorted((HTML / "notebooks").glob("*.ipynb")):
         made, own = nbformat.read(path, 4), nbformat.read(ROOT / "book" / path.name, 4)
@@ -163,14 +163,14 @@ TEX = re.compile(r"\\[(\[A-Za-z]|\$")
 
 
 @every_page
-def test_every_formula_is_set_without_a_script(name):
+def test_formulas_are_mathml_not_tex(name):
     """No TeX is left, beside it or within."""
     text = (HTML / f"{name}.html").read_text(encoding="utf-8")
     assert TEX.findall(UNREAD.sub(" ", text)) == []
     assert "<annotation" not in text
 
 
-def test_the_face_has_all_letters_of_all_formulas():
+def test_math_font_has_every_character_used():
     """It was cut once, for more than this book says."""
     text = " ".join(path.read_text(encoding="utf-8") for path in HTML.rglob("*.html"))
     letters = {*unescape("".join(re.findall("<m[ino]\\b[^>]*>(.*?)</m", text)))}

@@ -52,7 +52,7 @@ CAUSE = re.compile(r'(?:makeCause|put)\(\s*"([^"]+)"|\["((?:J|ik|pose|table|tau|
 TOLD = {"J.entries", "J.entry signs"}
 
 
-def test_each_cause_that_the_judge_can_name_is_planted_somewhere():
+def test_every_cause_has_a_test_case():
     """In tests/cases.json, in the corpus, or in a test."""
     files = [*HERE.glob("*.py"), *HERE.glob("corpus/*.py"), HERE / "cases.json"]
     planted = "".join(file.read_text("utf-8") for file in files)
@@ -67,7 +67,7 @@ def test_each_cause_that_the_judge_can_name_is_planted_somewhere():
 
 
 @pytest.mark.parametrize("name", ["UR10E_HOMEWORK", "STANFORD", "PANDA.lock(3)"])
-def test_each_mistake_in_a_jacobian_is_named(name):
+def test_jacobian_mistake_is_named(name):
     m, rng = KNOWN[name], np.random.default_rng(3)
     q = pose(m, rng)
     right = m.jacobian(q)
@@ -79,7 +79,7 @@ def test_each_mistake_in_a_jacobian_is_named(name):
 
 
 @pytest.mark.parametrize("name", ["PANDA", "STANFORD"])
-def test_each_mistake_in_torques_is_named(name):
+def test_torque_mistake_is_named(name):
     m, rng = KNOWN[name], np.random.default_rng(4)
     q, links, F = pose(m, rng), torques.bodies(m, rng), np.array([3, -5, 8, 1, -2, 0.5])
     mistakes = dict(torques.mistakes(m, links, q, F, rng))
@@ -91,7 +91,7 @@ def test_each_mistake_in_torques_is_named(name):
 
 
 @pytest.mark.parametrize("name", ["PANDA.lock(3)", "UR10E_HOMEWORK"])
-def test_each_mistake_in_a_table_is_named(name):
+def test_table_mistake_is_named(name):
     m = KNOWN[name]
     mistakes = tables.mistakes(m, np.random.default_rng(5))
     held = {key: tables.numbers(rows) for key, rows in mistakes.items()}
@@ -110,7 +110,7 @@ DICTIONARIES = next(case for case in RIGHT if case["answer"].startswith("{'a'"))
 @example(case=DICTIONARIES, place=0.0)
 @example(case=DICTIONARIES, place=1.0)
 @given(case=st.sampled_from(RIGHT), place=st.floats(0, 1))
-def test_no_number_vanishes_wherever_it_stands(case, place):
+def test_stray_number_is_never_ignored(case, place):
     """Into right work, at any blank: refused, wrong, part of an entry, or shown back."""
     text = case["answer"]
     blanks = [0, *(k for k, sign in enumerate(text) if sign.isspace()), len(text)]
@@ -122,7 +122,7 @@ def test_no_number_vanishes_wherever_it_stands(case, place):
     assert report.grade == "wrong" or report.mark or "99.125" in str(report), report
 
 
-def test_a_link_of_no_kind_is_refused():
+def test_link_without_joint_kind_is_rejected():
     with pytest.raises(ArmError, match="0 for a joint that turns or 1 for one that slides"):
         checks.compare_tables("L1 = Link([0 0.5 0 pi/2]); L2 = Link([0 0 0.4 0 99.125])", ELBOW)
 
@@ -130,14 +130,14 @@ def test_a_link_of_no_kind_is_refused():
 Q, PUSH = [0.3, -1.1, 1.4, -0.8, 0.9, 0.2], [0, 0, -20, 0, 0, 0]
 
 
-def test_one_of_two_answers_is_chosen():
+def test_which_selects_one_of_two_answers():
     right = static_torque(UR10E, Q, PUSH).round(4)
     text = f"{right.tolist()}\nor\n{(2 * right).tolist()}"
     for which, agrees in ((1, True), (2, False)):
         assert checks.compare_torques(text, UR10E, Q, PUSH, which=which).agrees is agrees
 
 
-def test_a_small_mistake_that_fits_is_no_rounding():
+def test_small_gravity_error_is_not_rounding():
     """g = 9.8 on light links under a large push: many units off, a thousandth of the torques."""
     light = UR10E.with_bodies([Body(body.mass / 40, body.com) for body in UR10E.bodies])
     push = [0, 0, -20, 3, 0, 0]
@@ -145,7 +145,7 @@ def test_a_small_mistake_that_fits_is_no_rounding():
     assert checks.compare_torques(mine.round(5), light, Q, push).causes == ("tau.gravity:9.8",)
 
 
-def test_other_zeros_are_told_with_how_far_the_tip_is():
+def test_other_joint_zeros_report_tip_distance():
     report = checks.compare_tables("q1 0.5 0 90\nq2+30 0 0.4 0\nq3 0 0.3 0", ELBOW)
     assert report.figures["same machine"]
     m = KNOWN["ELBOW"]

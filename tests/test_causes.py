@@ -41,14 +41,14 @@ def run(slides):
         ),
     ],
 )
-def test_a_path_that_is_the_joints_themselves_is_named(slides, cause, said):
+def test_exchanged_axes_of_path_are_named(slides, cause, said):
     report = run(slides)
     assert cause in {key.split(":")[0] for keys in report.causes for key in keys.split(" + ")}
     assert said in report.headline
     assert report.grade == "wrong"
 
 
-def test_slides_are_in_no_degrees():
+def test_sliding_joints_are_never_called_degrees():
     """Euler's method strays from the circle as far with as without a factor that no slide has."""
     theta = 2 * np.pi * np.arange(40) / 40
     steps = 0.1 * 2 * np.pi / 40 * np.stack([np.cos(theta), -np.sin(theta)], axis=1)
@@ -59,7 +59,7 @@ def test_slides_are_in_no_degrees():
 @pytest.mark.parametrize(
     "turn", [np.diag([1, 1, -1]), np.diag([-1, 1, 1]), -np.eye(3), np.eye(3)[::-1]]
 )
-def test_a_left_handed_target_is_reached_by_no_joints(turn):
+def test_left_handed_target_is_wrong(turn):
     """At 0 the elbow arm's tip has its y axis up and its x axis ahead, 0.7 m from the shoulder."""
     T = np.array([[1, 0, 0, 0.7], [0, 0, -1, 0], [0, 1, 0, 0.5], [0, 0, 0, 1]])
     assert checks.compare_pose([0, 0, 0], ELBOW, T).grade == "right"
@@ -67,7 +67,7 @@ def test_a_left_handed_target_is_reached_by_no_joints(turn):
     assert checks.compare_pose([0, 0, 0], ELBOW, T).grade == "wrong"
 
 
-def test_what_was_measured_of_joint_angles_and_runs():
+def test_report_figures_hold_counts_and_errors():
     found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
     typed = [*found.q[1:3], [9.0, 9.0, 9.0]]
     wanted = {"found": tuple(found.branches[1:3]), "right": 2, "of": 4, "wrong": 1}
@@ -92,17 +92,17 @@ def test_what_was_measured_of_joint_angles_and_runs():
 
 
 @pytest.mark.parametrize("typed", [{"theta1": 0.0, "theta2": 0.0, "theta3": 0.0}, ("0", "0", "0")])
-def test_joint_angles_may_be_held_by_name_or_as_text(typed):
+def test_joint_angles_by_name_or_text_are_read(typed):
     assert checks.compare_pose(typed, ELBOW, [0.7, 0, 0.5]).grade == "right"
 
 
-def test_two_texts_are_two_joints():
+def test_list_of_strings_is_one_value_per_joint():
     two = Arm("Two joints", [revolute(a=0.4), revolute(a=0.3)])
     assert checks.compare_pose(["0", "0"], two, [0.7, 0, 0]).grade == "right"
     assert checks.compare_pose([["q1", 0], ["q2", 0]], two, [0.7, 0, 0]).grade == "right"
 
 
-def test_a_square_of_answers_is_by_columns_where_that_alone_is_right():
+def test_square_answer_is_read_by_columns_if_only_that_fits():
     found = inverse.elbow(ELBOW, (0.3, 0.2, 0.7))
     three = found.q[:3].round(4)
     by_rows, by_columns = (checks.compare_branches(x, found) for x in (three, three.T))
@@ -113,7 +113,7 @@ def test_a_square_of_answers_is_by_columns_where_that_alone_is_right():
 
 
 @pytest.mark.parametrize("taken", [[0, 1], [0, 1, 2, 3], [0, 1, 2, 3, 4]])
-def test_what_is_missing_beyond_the_range_of_a_slide_is_no_sign_forgotten(taken):
+def test_branches_beyond_slide_range_are_not_asked_for(taken):
     found = inverse.stanford(STANFORD, KNOWN["STANFORD"].tip(SLID))
     mine = found.q[found.q[:, 2].argsort()[::-1]][taken]
     report = checks.compare_branches(mine, found)
@@ -122,7 +122,7 @@ def test_what_is_missing_beyond_the_range_of_a_slide_is_no_sign_forgotten(taken)
     assert "ik.one sign" not in report.causes
 
 
-def test_an_answer_where_there_is_no_branch():
+def test_answer_to_unreachable_target_is_wrong():
     report = checks.compare_branches([[0.1, 0.2, 0.3]], inverse.elbow(ELBOW, (5.0, 0.0, 0.5)))
     (finding,) = report.findings
     assert (finding.what, finding.where) == ("answer", "answer 1")
@@ -140,7 +140,7 @@ ASKED = {
 
 @pytest.mark.parametrize("about", ASKED)
 @pytest.mark.parametrize(("digits", "grade"), [(6, "right"), (1, "so far")])
-def test_what_and_whose_is_told_with_every_grade(about, digits, grade):
+def test_report_names_topic_arm_and_grade(about, digits, grade):
     report = ASKED[about](digits)
     assert (report.topic, report.arm, report.grade) == (*about, grade)
     assert about[1] in report.headline

@@ -28,7 +28,7 @@ J3 = KNOWN["ELBOW"].jacobian(Q)
 q1, q2, q3 = sp.symbols("q_1 q_2 q_3")
 
 
-def test_cut_digits_are_told_and_a_tolerance_is_obeyed():
+def test_truncated_digits_and_tolerance_are_accepted():
     cut = np.trunc(J3 * 1e4) / 1e4
     report = checks.compare_jacobian(cut, ELBOW, Q)
     assert report.agrees
@@ -79,12 +79,12 @@ NUMBERS = np.array(planar(0.5, 0.7), dtype=float).round(5)
         r" 0.3 c_{12} \\ 0 & 0 \\ 0 & 0 \\ 0 & 0 \\ 1 & 1 \end{pmatrix}",
     ],
 )
-def test_a_jacobian_is_taken_as_it_is_held(mine):
+def test_jacobian_is_read_from_any_type(mine):
     report = checks.compare_jacobian(mine, PLANAR, [0.5, 0.7])
     assert report.agrees, str(report)
 
 
-def test_a_table_says_how_it_was_taken():
+def test_table_source_records_units_and_conversions():
     arm = Arm.from_table("0 -90 128 q1\n612.7 180 0 q2-90", columns="a alpha d theta")
     assert arm.source == "lengths in millimetres; angles in degrees"
     assert arm.rows[1].theta == "-pi/2"
@@ -116,19 +116,19 @@ SLIPS = {
 RUNS = {"5", "10", "11", "19", "20", "21"}
 
 
-def test_every_slip_of_the_errata_is_decided():
+def test_every_slip_of_the_errata_has_a_case():
     told = {case["about"].split()[1] for case in about("slip ")} | {*SLIPS} | RUNS
     assert told == {str(n) for n in range(1, 28)}
 
 
-def test_six_entries_of_q_beside_seven_are_refused_in_words():
+def test_q_without_locked_joint_is_rejected():
     """Slip 25: which joints there should be is said; seven of an arm with one locked are read."""
     with pytest.raises(ArmError, match=r"6 values.*q_1, q_2, q_3, q_4"):
         checks.compare_jacobian(np.zeros((6, 6)), PANDA, np.delete(BENT, 2))
 
 
 @pytest.mark.parametrize("slip", SLIPS)
-def test_the_slips_are_named(slip):
+def test_slip_is_named(slip):
     report, name = SLIPS[slip][0](), SLIPS[slip][1]
     assert (report.grade, name in report.causes) == ("wrong", True), str(report)
 
@@ -161,7 +161,7 @@ def traced(q, **how):
     return checks.compare_trace(q, ARM, PATH, **how)
 
 
-def test_a_run_is_taken_as_it_is_held():
+def test_trace_is_read_from_any_layout():
     assert traced(GOOD).agrees
     times = np.c_[PATH.times, GOOD].round(6)
     for mine in (GOOD[:-1], GOOD.T, times, "\n".join(",".join(map(str, row)) for row in times)):
@@ -192,7 +192,7 @@ def test_a_run_is_taken_as_it_is_held():
         (GOOD[:0], "trace.shape"),
     ],
 )
-def test_a_wrong_run_is_named(q, cause):
+def test_trace_mistake_is_named(q, cause):
     report = traced(q)
     assert report.grade == "wrong"
     assert report.causes[:1] == ((cause,) if cause else ()), str(report)
@@ -221,7 +221,7 @@ def plain_inverse():
     return task.run(rule=lambda q, v: np.linalg.inv(SIX.jacobian(q)) @ [*v, 0, 0, 0])
 
 
-def test_whole_turns_are_counted_on_and_other_jumps_are_told_by_where_the_tip_is():
+def test_whole_turns_are_unwound_and_jumps_named():
     """As atan2 leaves them; on the path to another branch; and off it."""
     q = elbow_run((0, 0, 0))
     wound = q + 2 * math.pi * (np.arange(201)[:, None] >= 77) * [1, 0, -1]
@@ -241,7 +241,7 @@ def test_whole_turns_are_counted_on_and_other_jumps_are_told_by_where_the_tip_is
     assert report.causes == ("trace.jump", "trace.leans"), str(report)
 
 
-def test_few_steps_are_no_jumps_and_need_two_pi_over_n():
+def test_large_steps_are_not_jumps_but_open_circle_is_named():
     """Joint 5 turns by 0.3 rad in each of twenty steps."""
     task, path = homeworks(20)
     right, open_ = (task.run(method="rk4", dt=5 / n).round(4) for n in (20, 21))
@@ -249,7 +249,7 @@ def test_few_steps_are_no_jumps_and_need_two_pi_over_n():
     assert checks.compare_trace(open_, ARM, path).causes == ("trace.open",)
 
 
-def test_another_method_hides_no_slip_and_a_wild_run_shows_none():
+def test_runge_kutta_hides_no_mistake():
     """Runge's and Kutta's; and velocities in mm/s in too few steps and digits to be told."""
     task, path = homeworks(40)
     by_rk4 = task.run(J=turned, method="rk4").round(5)
@@ -259,7 +259,7 @@ def test_another_method_hides_no_slip_and_a_wild_run_shows_none():
     assert report.causes == ("trace.jump", "trace.leans"), str(report)
 
 
-def test_a_short_entry_excuses_no_other():
+def test_rounded_entry_does_not_excuse_others():
     q = elbow_run((0, 0, 0))
     typed = [[f"{x:.4f}" for x in row] for row in q]
     typed[5][0] = f"{q[5, 0]:.1f}"
@@ -277,13 +277,13 @@ def test_a_short_entry_excuses_no_other():
         ((0, 0.7, 0), "trace.displaced"),
     ],
 )
-def test_a_circle_about_the_origin_is_named(missing, cause):
+def test_missing_circle_centre_is_named(missing, cause):
     report = checks.compare_trace(elbow_run(missing), ELBOW, CIRCLE)
     assert report.causes == (cause,), str(report)
     assert checks.compare_trace(elbow_run((0, 0, 0)), ELBOW, CIRCLE).agrees
 
 
-def test_an_inverse_that_does_not_exist_is_named():
+def test_singular_jacobian_is_named():
     report = checks.compare_trace(plain_inverse(), UR10E_HOMEWORK, ABOVE_UR)
     assert report.causes == ("trace.no inverse:0",), str(report)
     assert "rank 3 of 6" in report.headline
@@ -294,7 +294,7 @@ def test_an_inverse_that_does_not_exist_is_named():
     assert "rank 2 of 3" in report.headline
 
 
-def test_another_arms_run_is_told_by_what_it_leaves():
+def test_trace_of_other_lengths_is_named():
     other = KNOWN["PANDA.lock(3)"].with_rows(
         [
             (k, math.copysign(0.088, a) if a else 0, *rest)

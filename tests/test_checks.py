@@ -7,7 +7,7 @@ import sympy as sp
 from helpers.checks import check
 
 
-def test_what_agrees_prints_one_line(capsys):
+def test_check_prints_one_line_if_equal(capsys):
     check("the tip (m)", [1.0, 2.0], [1.0, 2.0 + 1e-13], tolerance=1e-12)
     check("rank", np.linalg.matrix_rank(np.eye(3)), 3)
     check("formula", sp.Matrix([sp.Symbol("x")]), sp.Matrix([sp.Symbol("x")]))
@@ -48,12 +48,12 @@ def test_what_agrees_prints_one_line(capsys):
         (sp.Matrix([1, 2]), sp.Matrix([2, 1]), 0, "got Matrix"),
     ],
 )
-def test_what_differs_raises(actual, expected, tolerance, words):
+def test_check_raises_if_different(actual, expected, tolerance, words):
     with pytest.raises(AssertionError, match=words):
         check("the thing", actual, expected, tolerance)
 
 
-def test_a_number_of_the_book_alone_says_so_and_stops_nobody(capsys):
+def test_book_only_check_prints_but_does_not_raise(capsys):
     check("the tip (m)", 0.679, 0.6735, tolerance=0.001, book_only=True)
     check("the tip (m)", 0.679, 0.679, tolerance=0.001, book_only=True)
     check("the arm", "mine", "the book's", book_only=True)

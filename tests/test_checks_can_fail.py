@@ -126,7 +126,7 @@ def complaints(sources):
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-def test_no_check_of_the_book_compares_a_thing_with_itself(path):
+def test_notebook_checks_compare_independent_values(path):
     cells = nbformat.read(path, as_version=4).cells
     assert complaints(cell.source for cell in cells if cell.cell_type == "code") == []
 
@@ -150,5 +150,5 @@ J = "J = kinematics.jacobian(PANDA, q)\n"
         ("p = [0, 0, PANDA.values['d_1']]\ncheck('p', tip, p, 1, book_only=True)", True),
     ],
 )
-def test_what_is_found_and_what_is_not(source, red):
+def test_self_comparison_is_detected(source, red):
     assert bool(complaints([HEAD, source])) == red

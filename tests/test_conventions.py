@@ -18,7 +18,7 @@ def slow_modified(rows, q) -> np.ndarray:
 
 
 @given(arm=random_arms)
-def test_standard_from_modified_is_craigs_product(arm):
+def test_standard_from_modified_matches_craigs_product(arm):
     q = joint_vectors(arm, ())
     converted = Arm("converted", standard_from_modified(arm.rows))
     np.testing.assert_allclose(
@@ -27,17 +27,17 @@ def test_standard_from_modified_is_craigs_product(arm):
 
 
 @given(arm=random_arms)
-def test_modified_from_standard_is_the_way_back(arm):
+def test_modified_from_standard_keeps_the_poses(arm):
     q = joint_vectors(arm, ())
     modified = modified_from_standard(arm.rows)
     np.testing.assert_allclose(slow_modified(modified, q), forward_kinematics(arm, q), atol=1e-13)
 
 
-def test_rows_move_by_one():
+def test_conversion_shifts_a_and_alpha_by_one_row():
     standard = standard_from_modified([revolute(d=1), revolute(2, "pi/2"), fixed(3, 0, 4)])
     assert standard == (revolute(2, "pi/2", 1), revolute(3), fixed(d=4))
     assert modified_from_standard(standard) == (revolute(d=1), revolute(2, "pi/2"), fixed(3, 0, 4))
 
 
-def test_a_tilted_base_needs_a_row_of_its_own():
+def test_tilted_base_becomes_a_fixed_row():
     assert standard_from_modified([revolute(1, "pi/2")])[0] == fixed(1, "pi/2")

@@ -84,7 +84,7 @@ def some_axes(rng, n):
 
 @pytest.mark.parametrize("negative", [False, True])
 @pytest.mark.parametrize("seed", range(60))
-def test_every_arm_moves_as_its_axes_do(seed, negative):
+def test_derived_arm_matches_product_of_exponentials(seed, negative):
     rng = np.random.default_rng(seed)
     axes, tip = some_axes(rng, rng.integers(1, 8)), random_pose(rng)
     found = derive(axes, tip, negative=negative)
@@ -95,7 +95,7 @@ def test_every_arm_moves_as_its_axes_do(seed, negative):
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_each_row_is_what_it_says(seed):
+def test_derivation_steps_match_frames_and_normals(seed):
     """The frames, the feet of the normals and the four numbers of each step belong together."""
     rng = np.random.default_rng(seed)
     found = derive(some_axes(rng, 6), random_pose(rng))
@@ -114,7 +114,7 @@ def test_each_row_is_what_it_says(seed):
         assert -math.pi < step.alpha <= math.pi
 
 
-def test_the_panda_as_its_maker_writes_it():
+def test_panda_axes_give_the_makers_table():
     """The published table is a modified one, and has a_4 = -0.0825."""
     found = derive(PANDA, PANDA_FLANGE, negative=True)
     table = [
@@ -132,7 +132,7 @@ def test_the_panda_as_its_maker_writes_it():
     assert found.arm.source == "derived from its joint axes"
 
 
-def test_a_tip_that_is_only_a_point():
+def test_tip_given_as_point_keeps_z_direction():
     """The elbow arm of two links: the last frame keeps the direction of z."""
     found = derive([Axis((0, 0, 0), Z), Axis((0.4, 0, 0), Z)], (0.4, 0.3, 0))
     assert entries(found.arm) == [[0.4, 0, 0, 0], [0.3, 0, 0, RIGHT]]
@@ -142,7 +142,7 @@ def test_a_tip_that_is_only_a_point():
     assert entries(nearly.arm) == [[0, -RIGHT, 0, 0], [0.3, 0, 0, 0]]
 
 
-def test_a_tip_turned_about_the_last_axis_costs_a_row():
+def test_turned_tip_adds_a_fixed_row():
     found = derive(
         [Axis((0, 0, 0), Z)], [[0, -1, 0, 1], [1, 0, 0, 0], [0, 0, 1, 0.2], [0, 0, 0, 1]]
     )
@@ -151,7 +151,7 @@ def test_a_tip_turned_about_the_last_axis_costs_a_row():
     assert (found.steps[1].case, found.steps[1].opposite) == ("coincident", False)
 
 
-def test_a_slide_without_a_place_runs_through_the_next_axis_that_turns_or_the_tip():
+def test_slide_without_point_passes_through_next_axis():
     slide, turn = Axis(None, X, "prismatic"), Axis((0.4, 0.3, 0), Y)
     np.testing.assert_allclose(derive([slide, turn], np.eye(4)).lines[0].point, turn.point)
     found = derive([Axis((0, 0, 0), Z), Axis(None, X, "prismatic")], (0.5, 0, 0.2))
@@ -159,7 +159,7 @@ def test_a_slide_without_a_place_runs_through_the_next_axis_that_turns_or_the_ti
     np.testing.assert_allclose(found.lines[1].point, (0.5, 0, 0.2))
 
 
-def test_nearly_parallel_axes_are_kept_or_taken_for_parallel():
+def test_nearly_parallel_axes_warn_unless_tolerated():
     """A tilt of 1e-5 puts the common normal kilometres away; a tolerance above it does not, and
     says what it costs."""
     axes = [Axis((0, 0, 0), Z), Axis((0.3, 0.1, 0), (0, 1e-5, 1))]
@@ -173,7 +173,7 @@ def test_nearly_parallel_axes_are_kept_or_taken_for_parallel():
     np.testing.assert_allclose(z, [(0, 1e-5, 1), (0, 0, 1)], atol=1e-9)
 
 
-def test_right_angles_typed_with_few_digits():
+def test_rounded_right_angle_becomes_exact_if_tolerated():
     """Right within a hundredth of the tolerance, else a letter with the value that was typed."""
     axes = [Axis((0, 0, 0), Z), Axis((0, 0, 0.2), (0, -math.sin(1.5708), math.cos(1.5708)))]
     exact, taken = (derive(axes, (0, 1, 0.2), tolerance=t).arm for t in (1e-9, 1e-3))
@@ -182,26 +182,26 @@ def test_right_angles_typed_with_few_digits():
     assert taken.rows[0].alpha == "pi/2"
 
 
-def test_axes_that_nearly_meet_are_taken_to():
+def test_nearly_meeting_axes_intersect_within_tolerance():
     axes = [Axis((0, 0, 0), Z), Axis((0, 1e-10, 0.2), X)]
     assert derive(axes, (1, 0, 0.2)).steps[0].case == "intersecting"
     assert derive(axes, (1, 0, 0.2), tolerance=1e-11).steps[0].case == "skew"
 
 
-def test_odd_angles_become_letters():
+def test_other_angles_become_symbols():
     found = derive([Axis((0, 0, 0), Z), Axis((0, 0, 1), (0, 1, 1))], (0, 1, 2))
     row = found.arm.rows[0]
     assert (row.alpha, row.theta) == ("-alpha_1", 0)
     assert found.arm.number(row.alpha) == pytest.approx(-math.pi / 4, abs=1e-15)
 
 
-def test_limits_come_along():
+def test_joint_limits_are_kept():
     joint = Joint("prismatic", -1, 2, 0.5, 40)
     (row,) = derive([Axis((0, 0, 0), Z, joint)], np.eye(4)).arm.rows
     assert row.joint == joint
 
 
-def test_masses_are_carried_into_the_frames():
+def test_masses_give_gravity_torque_of_the_drawing():
     """Gravity torques against the derivative of the drawing's potential energy."""
     rng = np.random.default_rng(4)
     axes, tip = some_axes(rng, 5), random_pose(rng)
@@ -219,7 +219,7 @@ def test_masses_are_carried_into_the_frames():
     np.testing.assert_allclose(gravity_torque(arm, q), differences(energy, q), atol=1e-7)
 
 
-def test_a_base_beside_the_first_axis_costs_a_row_that_has_no_mass():
+def test_offset_base_adds_a_massless_row():
     arm = derive([Axis((1, 0, 0), X)], np.eye(4)).with_bodies([2.0], [[0, 0, 0.1]])
     kinds = [row.joint.kind for row in arm.rows]
     assert kinds == ["fixed", "revolute", "fixed"]

@@ -83,7 +83,7 @@ class Held:
     ],
     ids=str,
 )
-def test_numbers_are_taken_as_they_are_held(mine, values, units):
+def test_numbers_are_read_from_any_container(mine, values, units):
     typed = numbers(mine, "yours")
     assert np.array_equal(typed.values, values) or typed.values == pytest.approx(np.array(values))
     assert typed.values.shape == typed.units.shape == np.shape(values)
@@ -109,7 +109,7 @@ def test_numbers_are_taken_as_they_are_held(mine, values, units):
     ],
     ids=str,
 )
-def test_what_is_no_number_is_refused_in_words(mine, words):
+def test_invalid_numbers_are_rejected(mine, words):
     with pytest.raises(ArmError) as refused:
         numbers(mine, "yours", wanted="heights")
     assert words in str(refused.value)
@@ -134,7 +134,7 @@ DEEP = sum((sp.Symbol("a_2") * sp.sin(k * q2) for k in range(1, 900)), sp.Intege
         (DEEP, sum(0.4 * math.sin(k * 0.7) for k in range(1, 900))),
     ],
 )
-def test_an_expression_has_the_value_of_its_tree(expression, value):
+def test_sympy_expression_is_evaluated(expression, value):
     """Within 1e-9, as an entry of the target of joints that reach it."""
     here = forward_kinematics(SYMBOLIC, Q3)[:3, 3]
     for off, grade in ((0, "right"), (1e-6, "wrong")):
@@ -145,7 +145,7 @@ def test_an_expression_has_the_value_of_its_tree(expression, value):
 @pytest.mark.parametrize(
     "expression", [sp.sqrt(-1) * x, sp.Max(x, y), sp.atan2(x, y), sp.Derivative(q1, t), sp.zoo * x]
 )
-def test_what_is_no_formula_is_refused(expression):
+def test_invalid_expression_is_rejected(expression):
     with pytest.raises(ArmError, match=r"^yours is .*; expected numbers"):
         numbers([expression], "yours")
 
@@ -175,7 +175,7 @@ def joints(q, angles="rad"):
         ([[1.25], [0.25], [0.5]], "rad", [1.25, 0.25, 0.5], [0.01, 0.01, 0.1]),
     ],
 )
-def test_one_joint_vector(q, angles, values, units):
+def test_joint_vector_is_read_with_units(q, angles, values, units):
     typed = joints(q, angles)
     assert typed["values"] == pytest.approx(values)
     assert typed["units"] == pytest.approx(units)
@@ -183,7 +183,7 @@ def test_one_joint_vector(q, angles, values, units):
 
 @pytest.mark.parametrize(("q", "count"), [([1, 2], 2), (np.ones((2, 3)), "2x3")])
 @pytest.mark.parametrize("angles", ["rad", "deg"])
-def test_what_is_no_joint_vector_is_refused_by_its_count(q, count, angles):
+def test_wrong_number_of_joint_values_is_rejected(q, count, angles):
     with pytest.raises(ArmError) as refused:
         joints(q, angles)
     assert f"q has {count} values" in str(refused.value)
@@ -215,11 +215,11 @@ def shapes(*given):
         (lambda a, b, c: shapes(a, b, c), [(), (), ()]),
     ],
 )
-def test_what_a_function_is_given(function, expected):
+def test_function_gets_arguments_of_its_signature(function, expected):
     assert given(function) == expected
 
 
-def test_numbers_one_by_one_are_those_of_q():
+def test_function_gets_the_values_of_q():
     assert given(lambda a, b, c: (a, b, c)) == (0.5, 0.7, -0.4)
     assert given(lambda q: q.tolist()) == [0.5, 0.7, -0.4]
     assert given(max) == 0.7, "a function that has no signature"
@@ -228,7 +228,7 @@ def test_numbers_one_by_one_are_those_of_q():
 
 
 @pytest.mark.parametrize("function", [lambda dh, q: 0, lambda a, b: 0, lambda q, *, k: 0])
-def test_what_asks_for_something_else_is_refused(function):
+def test_function_with_wrong_signature_is_rejected(function):
     with pytest.raises(ArmError) as refused:
         given(function)
     said = str(refused.value)
@@ -237,7 +237,7 @@ def test_what_asks_for_something_else_is_refused(function):
     assert isinstance(refused.value.__cause__, TypeError)
 
 
-def test_a_function_refuses_in_its_own_words_and_gets_numbers_of_its_own():
+def test_function_error_is_passed_on_and_q_is_copied():
     def refuses(q):
         q[:] = 9
         raise ArmError("in its own words")
@@ -251,7 +251,7 @@ def test_a_function_refuses_in_its_own_words_and_gets_numbers_of_its_own():
 # What the two checkers take that the page does not
 
 
-def test_a_matrix_may_come_in_a_stack_of_one_and_in_one_line():
+def test_jacobian_with_extra_dimensions_is_read():
     J = jacobian(ELBOW, Q3).round(4)
     for mine in (J[None], J[:, None], J[:, :, None], J.ravel()[None], J.ravel()[:, None]):
         report = compare_jacobian(mine, ELBOW, Q3)
@@ -266,14 +266,14 @@ def test_a_matrix_may_come_in_a_stack_of_one_and_in_one_line():
         assert f"has {count} values; expected a matrix" in str(refused.value)
 
 
-def test_what_is_no_matrix_of_the_arm_is_quoted_by_its_shape():
+def test_wrong_shape_is_reported_with_both_shapes():
     (finding,) = compare_jacobian(np.ones((5, 4)), ELBOW, Q3).findings
     assert (finding.what, finding.mine, finding.expected) == ("shape", (5, 4), (6, 3))
     (finding,) = compare_torques(np.ones((2, 6)), PANDA, np.ones((2, 7))).findings
     assert (finding.what, finding.mine, finding.expected) == ("shape", (2, 6), (2, 7))
 
 
-def test_numbers_need_a_pose_and_formulas_none():
+def test_numeric_jacobian_needs_q_but_function_does_not():
     with pytest.raises(ArmError, match="expected its q too"):
         compare_jacobian(jacobian(ELBOW, Q3), ELBOW)
     report = compare_jacobian(lambda q: jacobian(ELBOW, q), ELBOW)
@@ -286,7 +286,7 @@ def test_numbers_need_a_pose_and_formulas_none():
 
 
 @pytest.mark.parametrize("arm", [PANDA, STANFORD, ELBOW, PANDA.lock(3)], ids=str)
-def test_the_pose_of_formulas_lies_within_the_limits_and_has_no_symmetry(arm):
+def test_generic_pose_is_within_limits_without_symmetry(arm):
     q = compare._generic_pose(arm)
     low, high = (np.clip(limit, -1.5, 1.5) for limit in arm.limits)
     low, high = np.where(np.isfinite(arm.limits[0]), low, -1.5), high
@@ -297,7 +297,7 @@ def test_the_pose_of_formulas_lies_within_the_limits_and_has_no_symmetry(arm):
 
 
 @pytest.mark.parametrize("frame", [8, -1, 1.5, "x", None])
-def test_a_frame_that_the_arm_has_not_is_refused(frame):
+def test_unknown_frame_is_rejected(frame):
     with pytest.raises(ArmError, match=r"Panda: frame is .*; expected a whole number"):
         compare_jacobian(np.ones((6, 7)), PANDA, np.ones(7), frame=frame)
     assert compare_jacobian(np.ones((6, 7)), PANDA, np.ones(7), frame=7)
@@ -320,7 +320,7 @@ LOCKED_TOO = WHOLE.jacobian([Q3[0], 0.0, *Q3[1:]])
     ],
 )
 @pytest.mark.parametrize("frame", [0, 3])
-def test_a_column_that_is_wrong_beside_another(k, column, what, words, frame):
+def test_second_wrong_column_is_described(k, column, what, words, frame):
     J = in_frame(MIXED, Q3, MIXED.jacobian(Q3), frame)
     mine = column(J)
     if words.endswith("joint 2."):
@@ -335,7 +335,7 @@ def test_a_column_that_is_wrong_beside_another(k, column, what, words, frame):
     assert report.headline.endswith("is not right in column 1 and column 3.")
 
 
-def test_a_column_copied_from_the_one_beside_it_is_named():
+def test_copied_column_is_named():
     J = MIXED.jacobian(Q3)
     J[:, 2] = J[:, 1]
     report = compare_jacobian(J.round(5), arm_of(MIXED), Q3)

@@ -24,7 +24,7 @@ def tensors(arm, seed=5):
 
 @every_arm
 @pytest.mark.parametrize("shape", SHAPES)
-def test_at_rest_only_the_weight_is_left(arm, shape):
+def test_torque_at_rest_equals_gravity_torque(arm, shape):
     q = joint_vectors(arm, shape)
     for gravity in ([0, 0, -9.81], [3, -2, 5]):
         tau = inverse_dynamics(arm, q, 0 * q, 0 * q, inertias=tensors(arm), gravity=gravity)
@@ -48,7 +48,7 @@ def kinetic_energy(arm, inertias, q, q_dot, h=1e-6):
 
 
 @every_arm
-def test_it_is_lagranges_equation_by_differences_of_the_energies(arm):
+def test_torque_matches_lagranges_equation(arm):
     """d/dt dK/dq_dot - dK/dq + dP/dq, with K from frames alone, for inertias of any direction."""
     rng, inertias, h = np.random.default_rng(6), tensors(arm), 1e-3
     q, q_dot, q_ddot = rng.uniform(-1, 1, (3, arm.dof))
@@ -66,7 +66,7 @@ def test_it_is_lagranges_equation_by_differences_of_the_energies(arm):
     np.testing.assert_allclose(tau, wanted, atol=3e-5 * max(1, np.abs(wanted).max()))
 
 
-def test_batches_of_joints_and_rates_go_together():
+def test_batches_of_q_and_rates_broadcast():
     q, rates = joint_vectors(UR10E, (3, 1)), joint_vectors(UR10E, (2,), 9)
     tau = inverse_dynamics(UR10E, q, rates, rates)
     assert tau.shape == (3, 2, 6)
@@ -74,7 +74,7 @@ def test_batches_of_joints_and_rates_go_together():
     np.testing.assert_allclose(tau[2, 1], one, atol=1e-12)
 
 
-def test_tensors_that_no_body_has_are_refused():
+def test_asymmetric_inertia_is_rejected():
     wrong = tensors(UR10E)
     wrong[2] += np.triu(0.1 * wrong[2], 1)
     rest = np.zeros(6)

@@ -34,7 +34,7 @@ def code(path):
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-def test_a_notebook_names_no_file(path):
+def test_notebook_opens_no_files(path):
     """All that one needs are its imports, so it may stand and start anywhere. The instructors' page
     makes a course of files, in a temporary folder to which it goes first.
     """
@@ -48,7 +48,7 @@ def test_a_notebook_names_no_file(path):
     )
 
 
-def test_every_file_can_be_checked_out_on_windows():
+def test_file_names_are_valid_on_windows():
     assert "helpers/arm.py" in FILES
     for name in FILES:
         assert len(name) < 150, name
@@ -58,7 +58,7 @@ def test_every_file_can_be_checked_out_on_windows():
     assert max(Counter(map(str.casefold, FILES)).values()) == 1, "two names differ by case alone"
 
 
-def test_another_processor_moves_the_last_digit_and_no_other():
+def test_simulated_processor_changes_only_the_last_digit():
     """What `make elsewhere` starts every kernel with."""
     code = "from math import sin; import numpy as np; x = np.arange(1.0, 99.0);"
     code += "print(*np.cos(x).tolist(), *map(sin, x), np.einsum('i,i', x, x / 7), np.sin(0.0))"

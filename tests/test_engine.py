@@ -24,13 +24,13 @@ def fresh(monkeypatch, **limits):
     monkeypatch.setattr(engine, "_engines", engine.threading.local())
 
 
-def test_import_starts_neither_the_engine_nor_sympy():
+def test_import_loads_neither_engine_nor_sympy():
     code = "import sys, helpers.checks; print({'quickjs', 'sympy'} & set(sys.modules))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout == "set()\n"
 
 
-def test_each_thread_has_an_engine_of_its_own():
+def test_threads_use_separate_engines():
     def asked(k):
         return checks.compare_jacobian(J if k % 2 else -J, ELBOW, Q).causes
 
@@ -39,7 +39,7 @@ def test_each_thread_has_an_engine_of_its_own():
 
 
 @pytest.mark.parametrize("limits", [{"_SECONDS": 0.001}, {"_MEMORY": 1_000_000}], ids=str)
-def test_what_takes_too_much_is_refused_and_the_next_question_is_answered(monkeypatch, limits):
+def test_engine_recovers_after_exceeding_a_limit(monkeypatch, limits):
     def wrong():
         return checks.compare_jacobian(J * [1.7, 0.3, -2] + 1, ELBOW, Q)
 
@@ -51,12 +51,12 @@ def test_what_takes_too_much_is_refused_and_the_next_question_is_answered(monkey
     assert wrong().headline == headline
 
 
-def test_numbers_keep_every_bit_on_their_way():
+def test_numbers_reach_the_engine_unchanged():
     numbers = np.random.default_rng(3).uniform(-1, 1, 200) * 10.0 ** np.arange(-100, 100)
     found = engine.asked("numbers", mine=numbers.tolist(), what="mine", wanted="numbers")
     assert list(map(float, found["values"])) == numbers.tolist()
 
 
-def test_what_no_json_can_hold_reaches_no_engine():
+def test_nan_is_rejected_before_the_engine():
     with pytest.raises(ValueError, match="Out of range"):
         engine.asked("numbers", mine=[float("nan")], what="mine", wanted="numbers")

@@ -87,13 +87,13 @@ def _kind(text):
     return kind
 
 
-def test_all_27_are_there_once():
+def test_errata_list_27_slips_once():
     assert sorted(number for number, _ in ENTRIES) == list(NUMBERS)
     assert sorted(number for numbers in KINDS.values() for number in numbers) == list(NUMBERS)
 
 
 @pytest.mark.parametrize(("number", "text"), ENTRIES, ids=[str(number) for number, _ in ENTRIES])
-def test_an_entry_quotes_classifies_and_links(number, text):
+def test_entry_has_quotation_kind_and_link(number, text):
     _must_quote(text)
     assert number in KINDS[_kind(text)]
     links = re.findall(r"\{ref\}`[^`<]+<(slip-[^>]+)>`", text)
@@ -103,7 +103,7 @@ def test_an_entry_quotes_classifies_and_links(number, text):
 
 
 @pytest.mark.parametrize("number", sorted(set(NUMBERS) - KINDS["Withdrawn"]))
-def test_a_box_says_what_its_entry_says_and_is_proved(number):
+def test_box_agrees_with_its_entry_and_has_a_proof(number):
     text, proved = BOXES[f"slip-{number}"]
     entry = dict(ENTRIES)[number]
     _must_quote(text)
@@ -115,17 +115,17 @@ def test_a_box_says_what_its_entry_says_and_is_proved(number):
 
 
 @pytest.mark.parametrize(("number", "words"), IN_FAIRNESS.items())
-def test_what_a_report_says_in_its_own_favour_is_told(number, words):
+def test_mitigating_facts_are_mentioned(number, words):
     assert words in dict(ENTRIES)[number]
     if number not in KINDS["Withdrawn"]:
         assert words in BOXES[f"slip-{number}"][0]
 
 
-def test_no_box_accuses_of_what_was_withdrawn():
+def test_withdrawn_slips_have_no_box():
     assert not {f"slip-{number}" for number in KINDS["Withdrawn"]} & set(BOXES)
 
 
-def test_nothing_is_told_of_a_report_that_was_withdrawn():
+def test_withdrawn_claims_do_not_appear():
     text = "\n".join([*(text for text, _ in BOXES.values()), *(entry for _, entry in ENTRIES)])
     for words in (
         "six of eight",
@@ -142,7 +142,7 @@ def test_nothing_is_told_of_a_report_that_was_withdrawn():
         assert words not in text
 
 
-def test_nobody_is_accused_of_a_program():
+def test_book_does_not_speculate_about_programs():
     for path in [*BOOK.glob("*.md"), *BOOK.glob("*.ipynb")]:
         words = path.read_text(encoding="utf-8")
         if path.suffix == ".ipynb":

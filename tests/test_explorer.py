@@ -62,7 +62,7 @@ def some(arm, count=1000):
 
 @needs_node
 @every_arm
-def test_javascript_computes_what_python_does(arm):
+def test_javascript_kinematics_match_python(arm):
     qs, wrench = some(arm), [3.0, -2.0, 5.0, 0.7, -0.4, 0.2]
     answers = ask("numbers", arm=arm_data(arm), qs=qs.tolist(), wrench=wrench)
     J = jacobian(arm, qs)
@@ -86,7 +86,7 @@ def test_javascript_computes_what_python_does(arm):
 @pytest.mark.parametrize(
     "file", sorted((ROOT / "tests" / "explorer").glob("*.test.mjs")), ids=lambda file: file.stem
 )
-def test_the_sources_keep_their_own_rules(file):
+def test_javascript_tests_pass(file):
     """States, links, drags, pastes: asserted in JavaScript, as nothing of it exists in Python."""
     assert NODE, "Node.js is not installed"
     done = subprocess.run(
@@ -120,7 +120,7 @@ def distance(answer):
 
 
 @needs_node
-def test_every_erratum_but_two_opens_the_explorer(opened):
+def test_errata_except_two_link_to_explorer(opened):
     """A dot too many (5) and a rounder g (8) are nothing that a picture could show."""
     assert {number for number, links in LINKED.items() if len(links) != 1} == {5, 8}
     for number, answer in opened.items():
@@ -129,7 +129,7 @@ def test_every_erratum_but_two_opens_the_explorer(opened):
 
 
 @needs_node
-def test_links_put_the_tip_where_the_errata_say(opened):
+def test_errata_links_place_tip_as_described(opened):
     """The place of the tip beside a mark, or an entry of its pose."""
     assert distance(opened[12]) == pytest.approx(582.5, abs=0.05)  # "58 cm from its target"
     behind, front = np.array(opened[13]["patch"]["mark"]), np.array(opened[13]["pose"])[:3, 3]
@@ -155,7 +155,7 @@ def test_links_put_the_tip_where_the_errata_say(opened):
 
 
 @needs_node
-def test_links_show_the_tables_torques_and_columns_that_the_errata_name(opened):
+def test_errata_links_open_described_view(opened):
     assert "its tip is 7.8 mm and" in opened[2]["table"]
     tips = [ask("numbers", arm=arm, qs=[UR10E_HOMEWORK.home], wrench=[0] * 6)[0]["frames"][-1]
             for arm in (opened[9]["patch"]["arm"], arm_data(UR10E_HOMEWORK))]  # fmt: skip
@@ -176,7 +176,7 @@ def test_links_show_the_tables_torques_and_columns_that_the_errata_name(opened):
 
 
 @needs_node
-def test_links_lead_to_the_ways_that_the_errata_count(opened):
+def test_errata_links_count_branches_as_described(opened):
     """Four for slip 22, infinitely many for 14, whose joint 1 is free; two shoulders, at angles of
     no quarter turn, for 15."""
     said = {}
@@ -194,7 +194,7 @@ def test_links_lead_to_the_ways_that_the_errata_count(opened):
 
 
 @needs_node
-def test_links_play_the_runs_that_the_errata_tell_of(opened):
+def test_errata_links_trace_as_described(opened):
     runs = {
         number: ask("runs", arm=patch["arm"], start=patch["q"], runs=patch["runs"])
         for number, patch in ((n, opened[n]["patch"]) for n in (10, 19, 21))
@@ -209,7 +209,7 @@ def test_links_play_the_runs_that_the_errata_tell_of(opened):
 
 @needs_node
 @every_arm
-def test_the_rank_said_is_that_of_the_rows_the_arm_is_for(arm):
+def test_reported_rank_matches_numpy(arm):
     """Poses that are singular are among them: home, and every joint at a multiple of a quarter
     turn."""
     rng = np.random.default_rng(11)
@@ -225,7 +225,7 @@ def test_the_rank_said_is_that_of_the_rows_the_arm_is_for(arm):
 @needs_node
 @every_arm
 @pytest.mark.parametrize("turns", [False, True])
-def test_what_fades_is_what_no_rates_are_quick_along(arm, turns):
+def test_fading_directions_match_singular_values(arm, turns):
     """By singular values of the tip's velocity; the tool may turn or keeps its direction. From
     joint 3 on the arm is nearly straight in half of the poses."""
     qs = some(arm, 60)
@@ -256,7 +256,7 @@ def test_what_fades_is_what_no_rates_are_quick_along(arm, turns):
     ],
     ids=["Stanford", "UR10e", "elbow on axis 1", "elbow", "stretched"],
 )
-def test_infinite_families_are_not_counted(arm, q, isolated, free):
+def test_infinite_branch_families_are_not_counted(arm, q, isolated, free):
     """As the closed forms say: what moves with another choice of the free joint is a family."""
     answer = ask("verdicts", arm=arm_data(arm), qs=[list(q)])[0]
     families, ways = answer["ways"]["families"], answer["ways"]["list"]
@@ -272,7 +272,7 @@ def test_infinite_families_are_not_counted(arm, q, isolated, free):
 
 
 @needs_node
-def test_the_same_arm_is_what_compare_tables_says():
+def test_same_arm_agrees_with_compare_tables():
     """With every slip of the corpus, and with every choice of frames that is free."""
     pairs, wanted = [], []
     for arm in (PANDA, STANFORD, UR10E, ELBOW):
@@ -285,7 +285,7 @@ def test_the_same_arm_is_what_compare_tables_says():
 
 
 @needs_node
-def test_the_explorers_words_know_the_same_arm_as_the_judge_does():
+def test_table_message_agrees_with_compare_tables():
     """On the pairs of tests.machines, on all of which the judge is held against a search."""
     pairs = [random_pair(seed) for seed in range(300)]
     both = [[arm_data(one) for one in pair] for pair in pairs]
@@ -306,7 +306,7 @@ RUNS = [
 
 @needs_node
 @pytest.mark.parametrize(("asked", "wanted"), RUNS, ids=lambda value: "")
-def test_the_homeworks_runs_are_pythons(asked, wanted):
+def test_homework_trajectory_matches_python(asked, wanted):
     run = {"steps": 1000, **asked}
     answer = ask("runs", arm=arm_data(PANDA_HOMEWORK), start=PANDA_HOMEWORK.home, runs=[run])[0]
     locked = PANDA_HOMEWORK.lock(3)
@@ -318,7 +318,7 @@ def test_the_homeworks_runs_are_pythons(asked, wanted):
 
 
 @needs_node
-def test_the_ur10e_breaks_jumps_and_is_damped_as_the_homework_says():
+def test_ur10e_circle_fails_jumps_or_is_damped():
     wall = {"normal": "y", "seconds": 20, "locked": -1}
     pseudo, damping = {**wall, "rates": "pseudo"}, {**wall, "rates": "damped"}
     runs = [wall, pseudo, {**pseudo, "cutoff": 0.01}, damping, {**damping, "gain": 5}]
@@ -330,14 +330,14 @@ def test_the_ur10e_breaks_jumps_and_is_damped_as_the_homework_says():
 
 
 @needs_node
-def test_torques_along_a_path_are_pythons():
+def test_torques_along_path_match_python():
     path, push = [list(PANDA.home), [0.1, -0.4, 0.3, 1.6, 0.2, 1.9, 0.4]], [-5, 0, 0, 0, 0, 0]
     found = ask("torques", arm=arm_data(PANDA), path=path, wrench=push)
     np.testing.assert_allclose(found, static_torque(PANDA, path, push), atol=1e-9)
 
 
 @needs_node
-def test_a_run_that_breaks_says_whether_the_arm_or_a_mistake_is_at_fault():
+def test_failed_trace_blames_arm_only_if_singular():
     for arm, run, stuck in (
         (PANDA_HOMEWORK, {"slip": "z_i"}, False),
         (UR10E_HOMEWORK, {"normal": "y", "locked": -1}, True),
@@ -367,7 +367,7 @@ def unlike(arm):
 
 @needs_node
 @every_arm
-def test_a_copied_table_is_the_arm(arm):
+def test_copied_table_reads_back_as_same_arm(arm):
     """As Python reads tables, without a setting."""
     q = some(arm, 1)[0]
     back = Arm.from_table(ask("copied", arm=arm_data(arm)))
@@ -377,7 +377,7 @@ def test_a_copied_table_is_the_arm(arm):
 
 @needs_node
 @pytest.mark.parametrize("arm", [PANDA_HOMEWORK.lock(3), PANDA], ids=lambda arm: str(arm.dof))
-def test_a_traced_circle_lies_on_the_wall(arm):
+def test_traced_circle_matches_formula(arm):
     traced = ask("circle", arm=arm_data(arm), q=arm.home, normal="x", radius=0.1)
     T = link_frames(arm, traced["path"])[:, -1]
     start = T[0, :3, 3]
@@ -391,7 +391,7 @@ def test_a_traced_circle_lies_on_the_wall(arm):
 
 
 @needs_node
-def test_a_circle_stops_where_the_arm_does_not_reach_on():
+def test_traced_circle_stops_at_workspace_boundary():
     """By the distance from its shoulder, which is at most a_2 + a_3; else the joints would jump."""
     traced = ask("circle", arm=arm_data(ELBOW), q=ELBOW.home, normal="x", radius=0.35)
     far = np.linalg.norm(np.array(traced["wanted"]) - (0, 0, 0.5), axis=1)
@@ -402,7 +402,7 @@ def test_a_circle_stops_where_the_arm_does_not_reach_on():
 
 @needs_node
 @pytest.mark.parametrize("arm", SOLVERS, ids=lambda arm: arm.name)
-def test_the_ways_found_are_the_closed_forms_branches(arm):
+def test_branches_match_closed_forms(arm):
     for q in some(arm, 10):
         known = SOLVERS[arm](arm, link_frames(arm, q)[-1])
         known = np.array(known.q[known.valid])
@@ -420,7 +420,7 @@ def apart(arm, p, q):
 
 
 @needs_node
-def test_the_bundle_is_what_its_sources_make(tmp_path):
+def test_bundles_are_up_to_date(tmp_path):
     assert NODE, "Node.js is not installed"
     if not ROOT.joinpath("node_modules").exists():
         if not os.environ.get("CI"):
@@ -438,7 +438,7 @@ def test_the_bundle_is_what_its_sources_make(tmp_path):
 
 
 @every_arm
-def test_an_arm_survives_the_way_to_the_browser_and_back(arm):
+def test_arm_survives_round_trip_to_browser(arm):
     back = arm_from(arm.name, json.loads(json.dumps(arm_data(arm)))["rows"])
     qs = some(arm, 5)
     np.testing.assert_array_equal(link_frames(back, qs), link_frames(arm, qs))
@@ -454,7 +454,7 @@ def explorer():
     return ArmExplorer(PANDA, arms=ARMS)
 
 
-def test_a_small_figure_is_a_widget_and_the_stub_that_a_chapter_writes():
+def test_figure_shows_widget_and_stub():
     figure = ArmFigure("ellipsoid", q=UR10E_HOMEWORK.home, joints=[3, 5])
     shown = figure._repr_mimebundle_()
     assert "application/vnd.jupyter.widget-view+json" in shown
@@ -472,7 +472,7 @@ def test_a_small_figure_is_a_widget_and_the_stub_that_a_chapter_writes():
     assert known.replace(",", "").split() == sorted(ANY_ARM | ONE_ARM)
 
 
-def test_stored_notebooks_hold_stubs_and_no_widgets():
+def test_stored_notebooks_hold_stubs_not_widgets():
     stubs = 0
     for path in (ROOT / "book").glob("*.ipynb"):
         notebook = json.loads(path.read_text(encoding="utf-8"))
@@ -485,14 +485,14 @@ def test_stored_notebooks_hold_stubs_and_no_widgets():
     assert stubs
 
 
-def test_a_name_cannot_break_out_of_the_stub():
+def test_arm_name_is_escaped_in_stub():
     name = '</script><img src=x onerror="alert(1)">'
     html = ArmExplorer(Arm(name, (revolute(a=1),)))._repr_mimebundle_()["text/html"]
     assert html.count("</script>") == 1
     assert "<img" not in html[: html.index("<script")]
 
 
-def test_it_takes_what_a_closed_form_returns():
+def test_explorer_accepts_closed_form_solutions():
     q = [0.4, -1.2, 1.3, -1.2, -1.2, 0.3]
     found = ur(UR10E, link_frames(UR10E, q)[-1])
     explorer = ArmExplorer(UR10E, q, branches=found)
@@ -504,7 +504,7 @@ def test_it_takes_what_a_closed_form_returns():
         explorer.branches = ur(UR10E, link_frames(UR10E, [q, q])[:, -1])
 
 
-def test_the_page_is_told_what_was_chosen():
+def test_explorer_spec_holds_chosen_options():
     """The keys are those that page/src reads."""
     all_views = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"]
     panda = arm_data(PANDA)
@@ -520,12 +520,12 @@ def test_the_page_is_told_what_was_chosen():
     }  # fmt: skip
 
 
-def test_two_arms_may_not_share_a_name():
+def test_two_arms_of_one_name_are_rejected():
     with pytest.raises(ArmError, match="two different arms are called 'Panda'"):
         ArmExplorer(PANDA, arms=[PANDA.lock(3)])
 
 
-def test_another_arm_stands_at_its_home_without_what_was_computed(explorer):
+def test_changing_arm_resets_pose_and_results(explorer):
     explorer.trace, explorer.branches = [[0] * 7, [1] * 7], [[0] * 7]
     explorer.arm_name = "Elbow arm"
     assert (explorer.q, explorer.trace, explorer.branches) == (ELBOW.home, None, None)
@@ -547,7 +547,7 @@ def test_another_arm_stands_at_its_home_without_what_was_computed(explorer):
     ("count", "kept"),
     [(2, [0, 1]), (181, range(181)), (182, [*range(91), *range(92, 182)]), (361, range(0, 361, 2))],
 )
-def test_a_path_is_thinned_to_181_places_one_for_each_two_degrees(count, kept):
+def test_long_trace_is_thinned_to_181_points(count, kept):
     explorer = ArmExplorer(ELBOW, trace=np.arange(count)[:, None] + [0, 0.000001, 0.12345678])
     assert explorer.trace == [[k, k, k + 0.12346] for k in kept]
     words = r"Elbow arm: the trace has shape \(1, 3\); expected \(N, 3\), N ≥ 2"
@@ -555,7 +555,7 @@ def test_a_path_is_thinned_to_181_places_one_for_each_two_degrees(count, kept):
         explorer.trace = [[0, 0, 0]]
 
 
-def test_branches_are_listed_or_a_browsers():
+def test_branches_are_rounded():
     q = [0.123456, 0, -0.0000001]
     rounded = [0.12346, 0, 0]
     explorer = ArmExplorer(ELBOW, branches=np.array([q]))
@@ -569,14 +569,14 @@ def test_branches_are_listed_or_a_browsers():
         explorer.branches = elbow(ELBOW, [[0.3, 0.2, 0.6]] * 2)
 
 
-def test_an_arm_with_masses_on_some_links_only_has_none():
+def test_arm_with_some_masses_missing_has_no_bodies():
     rows = arm_data(PANDA)["rows"]
     assert len(arm_from("whole", rows).bodies) == 7
     del rows[2]["body"]
     assert arm_from("part", rows).bodies == ()
 
 
-def test_the_stub_says_where_the_arm_stands_in_a_page_of_its_own_or_not():
+def test_stub_describes_arm_and_pose():
     arm = Arm("Ä", (revolute(a=1), revolute(a=0.5)))
     html = [ArmExplorer(arm, [0.12345, -1e-9], link=link)._stub for link in (True, False)]
     assert html[0].startswith('<div class="arm-explorer whole"><p>')
@@ -587,7 +587,7 @@ def test_the_stub_says_where_the_arm_stands_in_a_page_of_its_own_or_not():
         assert '"q":[0.12345,-1e-09],"wrench":[0.0,0.0,0.0,0.0,0.0,0.0],"trace":null' in text
 
 
-def test_a_small_figures_place_is_html_that_says_what_it_shows():
+def test_figure_stub_is_valid_html():
     arm = Arm('Ä & "B"', (revolute(a=1),))
     html = ArmFigure("columns", arm)._stub
     start, data = html.removesuffix("</script></div>").split('<script type="application/json">')
@@ -598,7 +598,7 @@ def test_a_small_figures_place_is_html_that_says_what_it_shows():
     assert ": " not in data
 
 
-def test_widgets_share_one_script_under_a_key_of_what_it_says():
+def test_widgets_share_script_keyed_by_its_hash():
     script = BUNDLE.read_text(encoding="utf-8")
     key = f"arm-explorer {hashlib.sha256(script.encode()).hexdigest()[:12]}"
     for code, widget in [(esm(), "widget"), (esm("figureWidget"), "figureWidget")]:
@@ -610,7 +610,7 @@ def test_widgets_share_one_script_under_a_key_of_what_it_says():
 
 
 @pytest.mark.parametrize("live", [({"live": 1}, {}), {"live": 1}, None])
-def test_a_display_is_live_however_the_widget_tells_of_itself(monkeypatch, live):
+def test_display_adds_stub_to_widget_bundle(monkeypatch, live):
     """As a bundle with its metadata, a bundle, or nothing where no front end can show it."""
     for widget in (ArmExplorer(ELBOW), ArmFigure("matrix")):
         monkeypatch.setattr(AnyWidget, "_repr_mimebundle_", lambda self, **_: live)
@@ -628,7 +628,7 @@ def judges_data(given=None):
     return start, json.loads(script.split(">", 1)[1])
 
 
-def test_the_judges_place_holds_the_arms_that_may_be_asked_about():
+def test_judge_stub_lists_arms_and_examples():
     start, data = judges_data()
     assert start == '<div class="arm-judge">'
     assert set(data) == {"arms", "examples"}
@@ -646,7 +646,7 @@ def test_the_judges_place_holds_the_arms_that_may_be_asked_about():
         assert told.get("explorer") == (None if locked else arm.name)
 
 
-def test_a_chapters_judge_asks_one_thing():
+def test_chapter_judge_stub_holds_one_question():
     start, data = judges_data({"ask": "table", "arm": "UR10E, PANDA", "q": "</script>"})
     assert start == '<div class="arm-judge small">'
     assert [arm["title"] for arm in data.pop("arms")] == ["UR10e", "Panda"]
@@ -659,7 +659,7 @@ def test_a_chapters_judge_asks_one_thing():
             judge.stub({"arm": call})
 
 
-def test_the_judges_example_of_a_run_is_the_circle_the_other_way_round():
+def test_judge_trace_example_is_the_reversed_circle():
     asked = judge.traced()
     q = np.array([[float(x) for x in row.split()] for row in asked.pop("answer").split("\n")])
     assert asked == {"ask": "trace", "arm": "UR10E_HOMEWORK", "q": "0.3, -0.6, 1.4, -0.8, 0.9, 0.2"}

@@ -44,12 +44,12 @@ formulas = st.recursive(
 
 
 @given(formulas)
-def test_a_formula_has_its_value(formula):
+def test_formula_evaluates_to_its_value(formula):
     text, value = formula
     assert evaluate(entry(text, "a"), VALUES) == pytest.approx(value, rel=1e-12, abs=1e-12)
 
 
-def test_signs_bind_as_in_arithmetic():
+def test_operators_follow_arithmetic_precedence():
     assert evaluate("2 - 3 - 4", {}) == -5
     assert evaluate("12 / 3 / 2", {}) == 2
     assert evaluate("1 + 2 * 3", {}) == 7
@@ -57,12 +57,12 @@ def test_signs_bind_as_in_arithmetic():
     assert evaluate("2*pi - +1", {}) == pytest.approx(2 * np.pi - 1)
 
 
-def test_symbols_are_found():
+def test_names_returns_symbols_but_not_pi():
     assert names("a_3 + pi*b - 2") == {"a_3", "b"}
     assert names("pi / 2") == names(0.5) == frozenset()
 
 
-def test_numbers_and_formulas_of_other_packages():
+def test_entry_accepts_numbers_of_other_packages():
     assert entry(-sp.pi / 2, "alpha") == "-pi/2"
     assert entry(np.float64(0.25), "a") == 0.25
     assert type(entry(np.float64(0.25), "a")) is float
@@ -82,7 +82,7 @@ def test_numbers_and_formulas_of_other_packages():
         (-0.0, "-0"),
     ],
 )
-def test_entries_read_as_maths(text, wanted):
+def test_latex_of_entry(text, wanted):
     assert latex(text) == wanted
 
 
@@ -97,19 +97,19 @@ NOT_FORMULAS = (
 
 # Numbered, for pytest does not find a test again by a name with an escaped line break or NUL in it.
 @pytest.mark.parametrize("text", NOT_FORMULAS, ids=range(len(NOT_FORMULAS)))
-def test_what_is_no_formula_is_refused(text):
+def test_invalid_formula_is_rejected(text):
     with pytest.raises(ArmError, match="expected numbers, symbols, pi and"):
         entry(text, "alpha")
 
 
-def test_endless_formulas_are_refused():
+def test_overlong_formula_is_rejected():
     assert evaluate("-" * 198 + "1", {}) == 1
     with pytest.raises(ArmError, match="a has 100001 characters; expected at most 200"):
         entry("-" * 100_000 + "1", "a")
 
 
 @pytest.mark.parametrize("value", [None, True, np.nan, np.inf, 10**400])
-def test_what_is_no_finite_number_is_refused(value):
+def test_non_finite_number_is_rejected(value):
     for ask in (partial(entry, value, "d"), partial(latex, value)):
         with pytest.raises(ArmError, match=r"expected a (finite )?number or a formula"):
             ask()
@@ -117,7 +117,7 @@ def test_what_is_no_finite_number_is_refused(value):
         evaluate("1/0", {})
 
 
-def test_a_symbol_without_a_value_is_named():
+def test_missing_value_is_named():
     with pytest.raises(ArmError, match="no value for b; there are a_3, pi"):
         evaluate("a_3 + b", {"a_3": 1})
 
@@ -126,7 +126,7 @@ IN_SI = [case for case in ENTRIES if case["unit"] in ("rad", "m")]
 
 
 @pytest.mark.parametrize("case", IN_SI, ids=lambda case: case["text"][:12])
-def test_what_the_explorer_reads_python_reads(case):
+def test_entry_reads_same_texts_as_explorer(case):
     """The fixture is the explorer's too, in tests/explorer/entry.test.mjs."""
     what = "alpha" if case["quantity"] == "angle" else "a"
     if case["value"] is None:
@@ -137,7 +137,7 @@ def test_what_the_explorer_reads_python_reads(case):
         assert found == pytest.approx(case["value"], rel=1e-14)
 
 
-def test_degrees_become_the_exact_angles_that_keep_zeros():
+def test_degrees_become_exact_fractions_of_pi():
     assert entry("−90°", "alpha") == "-pi/2"
     assert entry("60 deg", "theta") == "pi/3"
     assert entry("-180 deg", "alpha") == "-pi"

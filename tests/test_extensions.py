@@ -28,7 +28,7 @@ def figure(*panels, wide=400, high=200):
 @pytest.mark.parametrize(
     ("width", "expected"), [("300pt", (400, 200)), ("300", (300, 150)), ("100%", None)]
 )
-def test_a_drawing_says_its_size_in_points_or_pixels(width, expected):
+def test_svg_size_is_read_in_points_or_pixels(width, expected):
     height = width.replace("300", "150")
     assert size(ET.fromstring(f'<svg width="{width}" height="{height}"/>')) == expected
 
@@ -43,14 +43,14 @@ def shown(tmp_path, svg, **attributes):
     return "".join(translator.body)
 
 
-def test_a_picture_says_its_size(tmp_path):
+def test_image_tag_has_size_and_label(tmp_path):
     html = shown(tmp_path, figure(), width="70%")
     assert re.findall('src="(.*?)"', html) == ["_images/b.svg"]
     assert 'alt="" loading="lazy" src="_images/b.svg" width="533" height="267">' in html
     assert 'class="picture" style="width: 70%" role="img" aria-label="A &quot;b&quot;">' in html
 
 
-def test_each_panel_is_a_view_of_the_whole(tmp_path):
+def test_panels_are_views_of_one_file(tmp_path):
     html = shown(tmp_path, figure(*PANELS))
     assert 'class="picture many"' in html
     views = re.findall(r'src="([^"]*)" class="panel" style="(.*?)"', html)
@@ -63,12 +63,12 @@ def test_each_panel_is_a_view_of_the_whole(tmp_path):
 @pytest.mark.parametrize(
     ("widths", "small"), [((90,) * 4, True), ((90,) * 3, False), ((90, 171) * 2, False)]
 )
-def test_many_small_panels_stand_beside_each_other(tmp_path, widths, small):
+def test_four_small_panels_are_marked_small(tmp_path, widths, small):
     html = shown(tmp_path, figure(*((0, 0, wide, 100) for wide in widths)))
     assert ('class="picture many small"' in html) == small
 
 
-def test_a_box_is_folded_at_its_title():
+def test_dropdown_becomes_details_element():
     box = nodes.admonition("", nodes.title("", "Solution"), nodes.paragraph("", "Four."))
     box["classes"], box["ids"] = ["solution", "dropdown"], ["here"]
     around = nodes.section("", box)
@@ -79,7 +79,7 @@ def test_a_box_is_folded_at_its_title():
 
 
 @pytest.mark.parametrize("tex", [r"a \\ b", r"\begin{matrix}a \\ b\end{matrix}"])
-def test_a_matrix_does_not_stand_in_another_table(tex):
+def test_formula_gets_a_single_table(tex):
     translator = SimpleNamespace(body=[], starttag=lambda *_, **__: "")
     with pytest.raises(nodes.SkipNode):
         visit_math_block(translator, nodes.math_block("", tex))
@@ -95,7 +95,7 @@ def test_a_matrix_does_not_stand_in_another_table(tex):
         ("FK, 1 000 000 poses, 2 at 100", "FK, 1_000_000 poses, 2 at 100"),
     ],
 )
-def test_a_unit_stays_with_its_number(words, kept):
+def test_unit_is_not_broken_from_its_number(words, kept):
     paragraph = nodes.paragraph("", "", nodes.Text(words), nodes.literal("", "5 s"))
     for text in list(paragraph.findall(nodes.Text)):
         keep_whole(text)
@@ -113,7 +113,7 @@ def test_a_unit_stays_with_its_number(words, kept):
         ("", " apples", ["+5", " apples"]),
     ],
 )
-def test_what_stands_close_to_a_formula_stays_with_it(before, behind, shown):
+def test_text_touching_a_formula_stays_on_its_line(before, behind, shown):
     around = [nodes.Text(before)] if before else []
     paragraph = nodes.paragraph("", "", *around, nodes.math("", "+5"), nodes.Text(behind))
     keep_together(paragraph[len(around)])
@@ -131,20 +131,20 @@ def test_what_stands_close_to_a_formula_stays_with_it(before, behind, shown):
         (nodes.literal_block, "z_{i-1} --out", []),
     ],
 )
-def test_an_index_and_an_option_are_not_parted_at_a_hyphen(of, words, unbroken):
+def test_index_and_option_are_not_broken_at_hyphen(of, words, unbroken):
     paragraph = of("", "", nodes.Text(words))
     keep_whole(paragraph[0])
     assert paragraph.astext().replace("\N{NO-BREAK SPACE}", " ") == words
     assert [part.astext() for part in paragraph.findall(nodes.inline)] == unbroken
 
 
-def test_what_is_to_be_typed_keeps_its_quotes():
+def test_typed_code_gets_straight_quotes():
     paragraph = nodes.paragraph("", "", nodes.Text("“so”: x=”craig” or f[“arm”]"))
     keep_whole(paragraph[0])
     assert paragraph.astext() == '“so”: x="craig" or f["arm"]'
 
 
-def test_an_exercise_says_its_title_without_brackets_its_time_quietly_and_the_solution_none():
+def test_exercise_title_shows_time_without_brackets():
     exercise, solution = (nodes.title("", "", nodes.Text(word)) for word in ("", "Solution to"))
     named = nodes.reference("", "", nodes.Text(" Exercise 4.1"))
     solution += named
@@ -207,11 +207,11 @@ HERE = "https://owner.github.io/book/"
         ("```python\nq = {1}\n```", "```python\nq = {1}\n```"),
     ],
 )
-def test_plain_markdown(book, source, expected):
+def test_markdown_is_converted_to_plain_form(book, source, expected):
     assert plain(source, book) == expected
 
 
-def test_a_solution_folds_with_its_cells_and_ends_at_the_next_heading(book):
+def test_solution_collapses_up_to_the_next_heading(book):
     text = (
         "```{exercise} How?\n:label: a\nTry.\n```\n\n"
         "```{solution-start} a\n:class: dropdown\n```\n\nSo."

@@ -43,7 +43,7 @@ def numbers(arm, formula, q):
 
 
 @every_arm
-def test_the_values_are_those_of_the_numeric_view(arm):
+def test_short_form_has_the_numeric_value(arm):
     q = np.random.default_rng(4).uniform(-3, 3, arm.dof)
     pairs = [
         (symbolic.forward_kinematics(arm), kinematics.forward_kinematics(arm, q)),
@@ -59,14 +59,14 @@ def test_the_values_are_those_of_the_numeric_view(arm):
 
 
 @every_arm
-def test_it_is_shorter_and_the_same(arm):
+def test_short_form_is_shorter_and_equal(arm):
     J = symbolic.jacobian(arm)
     named = J.xreplace({f: short(f) for f in J.atoms(sp.cos, sp.sin)})
     assert sp.count_ops(short(J)) < sp.count_ops(named)
     assert short(J).expand() == named.expand()
 
 
-def test_any_polynomial_stays_equal():
+def test_short_form_of_random_polynomial_is_equal():
     letters = sp.symbols("g a_2 d_6 l_pen m_6 c_1 s_1 c_23 s_5 q_3")
     rng = np.random.default_rng(7)
     for _ in range(200):
@@ -102,11 +102,11 @@ def test_any_polynomial_stays_equal():
         ("pi/2", "pi/2"),
     ],
 )
-def test_a_formula_is_written_so(given, shown):
+def test_short_form_of_formula(given, shown):
     assert str(short(sp.sympify(given))) == shown
 
 
-def test_what_is_made_of_it_is_plain_sympy():
+def test_short_form_is_ordinary_sympy():
     a, b, c_1 = sp.symbols("a b c_1")
     formula = short((a + b) * sp.cos(sp.Symbol("q_1")))
     assert formula.subs(b, 2) == (a + 2) * c_1
@@ -115,19 +115,19 @@ def test_what_is_made_of_it_is_plain_sympy():
     assert short(formula) == formula
 
 
-def test_a_matrix_stays_of_its_kind():
+def test_short_form_keeps_matrix_type():
     x = sp.cos(sp.Symbol("q_1"))
     assert isinstance(short(sp.Matrix([x])), sp.MutableDenseMatrix)
     assert isinstance(short(sp.ImmutableMatrix([x])), sp.ImmutableMatrix)
 
 
-def test_no_name_says_two_things():
+def test_ambiguous_joint_name_is_not_shortened():
     """c_12 is cos(q_1 + q_2), so cos(q_12) stays as it is."""
     q_1, q_2, q_12 = sp.symbols("q_1 q_2 q_12")
     assert str(short(sp.cos(q_1 + q_2) * sp.cos(q_12))) == "c_12*cos(q_12)"
 
 
 @pytest.mark.parametrize("given", ["x", 3, None, np.eye(2)])
-def test_what_is_no_formula_is_refused(given):
+def test_short_rejects_other_types(given):
     with pytest.raises(ArmError, match="expected one of SymPy, or a matrix of them"):
         short(given)

@@ -72,13 +72,13 @@ class Orange:
         ),
     ],
 )
-def test_what_is_refused_is_told_in_a_whole_sentence(ask, words):
+def test_invalid_input_has_complete_message(ask, words):
     with pytest.raises(ArmError) as told:
         ask()
     assert str(told.value) == words
 
 
-def test_what_is_let_in_is_ready_to_compute_with():
+def test_valid_input_is_converted():
     array = numbers([[1, 2, 3]], "q", "(..., 3)", (3,), many=True)
     assert (array.shape, array.dtype) == ((1, 3), np.float64)
     assert numbers([1, 2, 3], "q", "(..., 3)", (3,), many=True).shape == (3,)
@@ -106,10 +106,10 @@ def test_what_is_let_in_is_ready_to_compute_with():
         ("zy", (2, 1)),
     ],
 )
-def test_a_plane_is_its_two_axes_in_order(plane, axes):
+def test_plane_axes_keep_their_order(plane, axes):
     assert plane_axes(plane) == axes
 
 
-def test_only_what_is_longer_than_80_characters_is_cut():
+def test_shown_truncates_after_80_characters():
     assert shown("x" * 78) == "'" + "x" * 78 + "'"
     assert shown("x" * 79) == "'" + "x" * 76 + "..."

@@ -54,7 +54,7 @@ def share_bytecode(ours, theirs):
             shutil.copytree(cache, theirs / cache.relative_to(ours), dirs_exist_ok=True)
 
 
-def test_every_module_is_there_without_extras_and_the_explorer_says_what_it_needs(python, tmp_path):
+def test_modules_import_without_extras_but_explorer_explains(python, tmp_path):
     done = subprocess.run(
         [python, "-c", IMPORT_ALL], cwd=tmp_path, capture_output=True, text=True, check=False
     )
@@ -63,7 +63,7 @@ def test_every_module_is_there_without_extras_and_the_explorer_says_what_it_need
     assert done.stdout == f"the explorer needs anywidget; say: {wanted}"
 
 
-def test_the_wheel_holds_the_whole_package_and_nothing_else(python, tmp_path):
+def test_wheel_holds_exactly_the_package(python, tmp_path):
     """Typed, with its scripts and style sheets; no tests, no bundler's sources."""
     done = subprocess.run(
         [python, "-c", "import helpers; print(helpers.__path__[0])"], cwd=tmp_path,

@@ -19,14 +19,14 @@ LAWS_OF_A_NOTEBOOK = [
 ]
 
 
-def test_the_pages_arm_is_under_every_law_and_slides():
+def test_instructors_arm_is_in_all_arms():
     arm = instructors_arm()
     assert arm in ALL_ARMS
     assert arm.name not in {other.name for other in ARMS}
     assert "prismatic" in {row.joint.kind for row in arm.rows}
 
 
-def test_the_pages_arm_is_taken_by_the_explorer_and_by_the_checkers():
+def test_instructors_arm_works_in_explorer_and_checks():
     arm = instructors_arm()
     assert ArmExplorer(arm, arms=[*ARMS, arm]).arm_name == arm.name
     assert not compare_tables(arm, arm).findings
@@ -47,7 +47,7 @@ def a_chapter():
     return new_notebook(cells=cells, metadata=about)
 
 
-def test_a_chapter_added_as_the_page_tells_is_taken(tmp_path):
+def test_new_chapter_passes_notebook_tests(tmp_path):
     path = tmp_path / "06_dynamics.ipynb"
     nbformat.write(a_chapter(), path)
     refresh(path)  # step 4

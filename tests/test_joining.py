@@ -28,7 +28,7 @@ def halves():
     return first, trace(ARM, first.q[-1], back, method="exact")
 
 
-def test_there_and_back_again():
+def test_joined_trace_has_all_steps():
     first, second = halves()
     run = joined([first, second])
     assert run.q.shape == run.q_dot.shape == (31, 6)
@@ -41,7 +41,7 @@ def test_there_and_back_again():
     assert run.report.joint_gap < 1e-9
 
 
-def test_rates_are_those_of_the_step_that_follows():
+def test_joined_rates_match_following_steps():
     first, second = halves()
     run = joined([first, second, first])
     steps = np.diff(run.q, axis=0) / np.diff(run.t)[:, None]
@@ -50,7 +50,7 @@ def test_rates_are_those_of_the_step_that_follows():
     assert run.report.largest_acceleration == pytest.approx(changes.max())
 
 
-def test_position_and_velocity_are_taken_from_the_piece_that_a_time_belongs_to():
+def test_joined_path_uses_the_piece_of_each_time():
     path = joined(halves()).path
     t = np.array([[1.0, 4.9], [5.1, 7.3]])
     h = 1e-6
@@ -64,7 +64,7 @@ def test_position_and_velocity_are_taken_from_the_piece_that_a_time_belongs_to()
     assert twice.position([8.5, 14.5]) == pytest.approx(there.position([1.0, 1.0]), abs=1e-12)
 
 
-def test_one_run_is_itself_and_more_must_fit():
+def test_joined_traces_must_fit():
     first, second = halves()
     assert joined([first]).q == pytest.approx(first.q)
     with pytest.raises(ArmError, match="runs are none"):

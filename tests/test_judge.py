@@ -29,7 +29,7 @@ REFUSED = ["", "hello", "1 2\n3", "[[1, 2], [3]]", "q_9 1 1", "import os", "__im
 
 @pytest.mark.parametrize("program", PROGRAMS)
 @pytest.mark.parametrize("seed", range(2))
-def test_pastes_of_each_program_are_read_as_they_were_meant(program, seed):
+def test_pasted_matrix_is_read_from_each_program(program, seed):
     for text, wanted in PROGRAMS[program].pastes(random.Random(seed)):
         found = numbers(text, "your matrix").values
         np.testing.assert_allclose(found, wanted, rtol=1e-6, atol=1e-9, err_msg=text)
@@ -37,7 +37,7 @@ def test_pastes_of_each_program_are_read_as_they_were_meant(program, seed):
 
 @pytest.mark.parametrize("arm", [ELBOW, STANFORD, PANDA.lock(3)], ids=str)
 @pytest.mark.parametrize("form", [sp.expand_trig, sp.factor, sp.expand])
-def test_a_sum_keeps_its_brackets_in_sympys_latex(arm, form):
+def test_sympy_latex_of_sums_is_read(arm, form):
     J = symbolic.jacobian(arm).applyfunc(form)
     assert checks.compare_jacobian(sp.latex(J), arm).agrees
 
@@ -109,7 +109,7 @@ def branches(arm, typed):
 
 
 @needs_node
-def test_the_page_says_what_python_says():
+def test_page_and_python_print_the_same_report():
     """Each question goes through a link first. Advice is an argument here, a button there."""
     advice = ("- If that is what you mean, ", "- The arm in your joints is report.")
     asked = [*judge.EXAMPLES, judge.traced(), *map(fields, QUESTIONS)]
@@ -137,7 +137,7 @@ def _of_python(given):
 
 
 @pytest.mark.parametrize("case", QUESTIONS, ids=lambda case: f"{case['ask']}, {case['about']}")
-def test_what_is_typed_is_judged_so(case):
+def test_question_gets_expected_verdict(case):
     found = of_python(fields(case))
     assert found["grade"] == case["grade"], found
     if cause := case.get("cause"):
@@ -150,7 +150,7 @@ def test_what_is_typed_is_judged_so(case):
 
 
 @needs_node
-def test_the_examples_name_their_mistakes():
+def test_page_examples_name_their_mistakes():
     examples = [*judge.EXAMPLES, judge.traced()]
     assert [fields["ask"] for fields in examples] == ASKED
     assert [answer["causes"] for answer in in_page(examples)] == [
@@ -174,7 +174,7 @@ TYPED = ("answer", "q", "target", "table", "values", "wrench", "steps", "radius"
 COUNTS = ["5", "1 2", "1 2 3 4", "[1 2; 3 4]", "[1, 2, 3], [4, 5, 6]", "0.1 ... 3", "± 1 2"]
 
 
-def test_no_sentence_that_the_page_may_say_speaks_python():
+def test_page_sentences_use_no_python_terms():
     """All but those that Python's own doors say."""
     keys = json.loads((ROOT / "judge" / "sentences.json").read_text("utf-8"))
     doors = "".join(file.read_text("utf-8") for file in (ROOT / "helpers/checks").glob("*.py"))
@@ -184,7 +184,7 @@ def test_no_sentence_that_the_page_may_say_speaks_python():
 
 
 @needs_node
-def test_what_cannot_be_read_is_refused_without_speaking_python():
+def test_unreadable_input_message_uses_no_python_terms():
     own, framed, *_ = map(fields, about("by link"))
     asked = [*judge.EXAMPLES, judge.traced(), {**framed, "ask": "torques"}, own, framed]
     asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # of which there is no formula

@@ -34,7 +34,7 @@ every_shape = pytest.mark.parametrize("shape", SHAPES, ids=str)
 
 @every_arm
 @every_shape
-def test_shapes_follow_the_batch(arm, shape):
+def test_output_shapes_follow_the_batch(arm, shape):
     q = joint_vectors(arm, shape)
     assert forward_kinematics(arm, q).shape == (*shape, 4, 4)
     assert link_frames(arm, q).shape == (*shape, len(arm.rows) + 1, 4, 4)
@@ -42,7 +42,7 @@ def test_shapes_follow_the_batch(arm, shape):
 
 
 @every_arm
-def test_a_batch_is_its_rows(arm):
+def test_batch_equals_single_poses(arm):
     q = joint_vectors(arm, (3, 2))
     in_tool = partial(jacobian_in_frame, frame=len(arm.rows))
     for function in (forward_kinematics, link_frames, jacobian, in_tool, manipulability):
@@ -52,7 +52,7 @@ def test_a_batch_is_its_rows(arm):
 
 
 @pytest.mark.parametrize("size", [8191, 8192, 8193])
-def test_chunks_join_without_a_seam(size):
+def test_batch_at_chunk_boundaries_is_right(size):
     q = joint_vectors(ELBOW, (size,))
     T = forward_kinematics(ELBOW, q)
     for i in (0, size // 2, size - 2, size - 1):
@@ -60,20 +60,20 @@ def test_chunks_join_without_a_seam(size):
 
 
 @every_arm
-def test_frames_are_the_product_of_elementary_motions(arm):
+def test_link_frames_match_elementary_motions(arm):
     for q in joint_vectors(arm, (4,)):
         np.testing.assert_allclose(link_frames(arm, q), slow_frames(arm, q), atol=1e-14)
 
 
 @settings(max_examples=150)
 @given(arm=random_arms, seed=st.integers(0, 99))
-def test_random_tables_too(arm, seed):
+def test_link_frames_of_random_arms_match_motions(arm, seed):
     q = joint_vectors(arm, (), seed)
     np.testing.assert_allclose(link_frames(arm, q), slow_frames(arm, q), atol=1e-13)
 
 
 @every_arm
-def test_angles_may_be_large_and_right_angles_are_no_trouble(arm):
+def test_large_and_right_angles_keep_precision(arm):
     q = joint_vectors(arm, ()) * 0 + np.pi
     np.testing.assert_allclose(forward_kinematics(arm, q), slow_frames(arm, q)[-1], atol=1e-14)
     turns = np.where([arm.rows[i - 1].joint.kind == "revolute" for i in arm.joints], 200 * np.pi, 0)
@@ -84,7 +84,7 @@ def test_angles_may_be_large_and_right_angles_are_no_trouble(arm):
 
 
 @every_arm
-def test_the_jacobian_is_the_derivative(arm):
+def test_jacobian_matches_complex_step_derivative(arm):
     """By complex steps through the tests' own product, to the last digit; at home too, where axes
     line up."""
     for q in (*joint_vectors(arm, (3,), seed=3), np.array(arm.home)):
@@ -92,18 +92,18 @@ def test_the_jacobian_is_the_derivative(arm):
 
 
 @given(arm=random_arms, seed=st.integers(0, 99))
-def test_the_jacobian_of_random_arms(arm, seed):
+def test_jacobian_of_random_arms_matches_derivative(arm, seed):
     q = joint_vectors(arm, (), seed)
     np.testing.assert_allclose(jacobian(arm, q), by_complex_steps(arm, q), atol=1e-13)
 
 
-def test_structural_zeros_are_zero():
+def test_right_angles_leave_exact_zeros():
     """At home the UR10e's axes are exactly upright: quarter turns leave no 6e-17 behind."""
     T = link_frames(UR10E_HOMEWORK, np.zeros(6))
     np.testing.assert_array_equal(np.abs(T[:, :3, :3]), np.round(np.abs(T[:, :3, :3])))
 
 
-def test_a_wrist_alone_turns_about_a_point():
+def test_jacobian_of_wrist_about_its_tip():
     """All axes meet in the tip: nothing moves it, and in a batch its place is one while the axes
     are many."""
     wrist = Arm("wrist", [revolute(alpha="-pi/2"), revolute(alpha="pi/2"), revolute()])
@@ -119,7 +119,7 @@ def test_a_wrist_alone_turns_about_a_point():
     np.testing.assert_array_equal(manipulability(wrist, q, "linear"), 0)
 
 
-def test_importing_the_numeric_view_does_not_import_the_heavy_packages():
+def test_import_does_not_load_sympy_or_matplotlib():
     code = (
         "import sys, helpers.kinematics, helpers.robots; print(sorted({'sympy', 'matplotlib',"
         " 'IPython'} & set(sys.modules)))"

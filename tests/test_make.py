@@ -50,7 +50,7 @@ def make(root, *what):
     return done.returncode, done.stdout
 
 
-def test_a_build_that_failed_fails_until_it_is_mended(project):
+def test_failed_build_fails_until_fixed(project):
     page, builds = project / "book/page.md", project / "builds"
     assert make(project, "book")[0] == 0
     page.write_text("broken", "utf-8")
@@ -65,7 +65,7 @@ def test_a_build_that_failed_fails_until_it_is_mended(project):
     assert builds.read_text("utf-8") == built, "what is up to date is not built again"
 
 
-def test_every_page_is_written_anew_where_what_writes_them_changed(project):
+def test_changed_tools_rebuild_every_page(project):
     (project / "tools").mkdir()
     for changed in ("book/page.md", "tools/pages.py", "book/page.md"):
         (project / changed).write_text("more", "utf-8")
@@ -74,12 +74,12 @@ def test_every_page_is_written_anew_where_what_writes_them_changed(project):
     assert ["--all" in line for line in built] == [True, True, False]
 
 
-def test_the_link_to_the_book_can_be_opened(project):
+def test_make_book_prints_a_file_url(project):
     _, said = make(project, "book")
     assert (project / "book/_build/html/index.html").as_uri() in said.splitlines()
 
 
-def test_jupyterlab_opens_a_readers_copies_and_clean_leaves_them(project):
+def test_make_lab_opens_copies_and_keeps_them(project):
     """A copy is the book's own file, and one that is there stays."""
     code, said = make(project, "lab")
     assert code == 0
@@ -95,7 +95,7 @@ def test_jupyterlab_opens_a_readers_copies_and_clean_leaves_them(project):
     assert (project / "my/own.ipynb").read_text("utf-8") == "mine"
 
 
-def test_clean_leaves_nothing_that_was_built(project):
+def test_make_clean_removes_build_output(project):
     made = ["dist/book.zip", "build/lib/arm.py", "book/_build/html/index.html"]
     for name in made:
         (project / name).parent.mkdir(parents=True, exist_ok=True)
@@ -105,5 +105,5 @@ def test_clean_leaves_nothing_that_was_built(project):
     assert (project / NOTEBOOK).exists()
 
 
-def test_git_leaves_a_readers_copies_alone():
+def test_git_ignores_the_copies():
     assert "my/" in (ROOT / ".gitignore").read_text("utf-8").splitlines()

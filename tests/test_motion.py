@@ -44,7 +44,7 @@ def ur_circle(steps=1000):
     return circle([0, 0.3561, 1.328], 0.1, "xz", 20.0, steps, phase=np.pi / 2)
 
 
-def test_a_circle_is_round_even_and_closed():
+def test_circle_has_constant_radius_and_speed():
     path = circle([0.4, -0.1, 0.2], 0.07, "yx", 3.0, 60, phase=0.4)
     out = path.positions - [0.4, -0.1, 0.2]
     np.testing.assert_allclose(np.linalg.norm(out, axis=1), 0.07, atol=1e-15)
@@ -61,7 +61,7 @@ def test_a_circle_is_round_even_and_closed():
 @pytest.mark.parametrize(
     ("plane", "aside"), [("zy", [0, 0.1]), ("yz", [0, -0.1]), ("zx", [0.1, 0]), ("xz", [-0.1, 0])]
 )
-def test_a_circle_below_begins_at_the_tip_and_hangs_down(plane, aside):
+def test_circle_below_starts_at_tip_as_its_top(plane, aside):
     path = circle_below(HOMEWORK, HOMEWORK.home, 0.1, plane, 5.0, 4)
     (x, y, z), lowest = tip(HOMEWORK, HOMEWORK.home), path.positions[2]
     np.testing.assert_allclose(path.positions[0], [x, y, z], atol=1e-15)
@@ -70,7 +70,7 @@ def test_a_circle_below_begins_at_the_tip_and_hangs_down(plane, aside):
 
 
 @pytest.mark.parametrize(("method", "order"), [("euler", 1), ("rk4", 4)])
-def test_the_error_goes_with_a_power_of_the_step(method, order):
+def test_error_order_of_each_method(method, order):
     """Its size is in chapter 3, with the other numbers of the homework."""
     error = [
         trace(HOMEWORK, HOMEWORK.home, panda_circle(n), method=method).report.position_error
@@ -86,7 +86,7 @@ def test_the_error_goes_with_a_power_of_the_step(method, order):
     radius=st.floats(0.01, 0.06),
     plane=st.sampled_from(["yz", "xy", "zx"]),
 )
-def test_random_circles_within_reach_are_traced(bend, turn, radius, plane):
+def test_random_circle_is_traced_exactly(bend, turn, radius, plane):
     start = np.array([turn, -1.2 + bend, 1.6, -0.9, 1.2, 0.3])
     tip = forward_kinematics(UR10E, start)[:3, 3]
     first = np.eye(3)["xyz".index(plane[0])]
@@ -99,7 +99,7 @@ def test_random_circles_within_reach_are_traced(bend, turn, radius, plane):
     )
 
 
-def test_the_plain_inverse_stops_at_a_ratio():
+def test_plain_inverse_raises_below_cutoff_ratio():
     J, one, last = np.diag([5.0, 5, 5, 5, 5, 4e-9]), np.eye(6)[0], np.eye(6)[5]
     words = "its smallest singular value is 4e-09, its largest 5;"
     for twist in (last, 1e-9 * last, one, 0 * one):  # whatever is asked, however little
@@ -114,7 +114,7 @@ def test_the_plain_inverse_stops_at_a_ratio():
 
 
 @pytest.mark.parametrize("cutoff", [1e-9, 1e-3, 0.05])
-def test_the_plain_inverse_says_what_the_singular_values_say(cutoff):
+def test_plain_inverse_raises_exactly_when_singular(cutoff):
     """The bound that spares them never decides otherwise, and no twist gets past it: these leave
     out the direction that is lost where joint 5 stands at 0."""
     q = np.random.default_rng(14).uniform(-np.pi, np.pi, (400, 6))
@@ -130,13 +130,13 @@ def test_the_plain_inverse_says_what_the_singular_values_say(cutoff):
                 plain_inverse(cutoff).inverses(np.array([np.eye(6), one]))
 
 
-def test_levenbergs_damping_is_the_size_of_what_is_left():
+def test_levenberg_damping_grows_with_error():
     J, error = np.diag([1.0, 2, 3, 1, 1, 0.3]), np.array([0, 0, 0, 0, 0, 0.5])
     np.testing.assert_allclose(levenberg(0.2)(J, error, None)[5], 0.3 * 0.5 / (0.3**2 + 0.1))
 
 
 @pytest.mark.parametrize("size", [1e-6, 1e-3, 0.02, 0.03, 1.0])
-def test_what_each_remedy_makes_of_a_small_singular_value(size):
+def test_rates_at_small_singular_value(size):
     J, last = np.diag([1.0, 1, 1, 1, 1, size]), np.eye(6)[5]
     rates = [remedy(J, last, None)[5] for remedy in (damped(0.02), pseudo_inverse(1e-2))]
     assert rates == pytest.approx([size / (size**2 + 0.02**2), (size > 1e-2) / size])
@@ -149,7 +149,7 @@ def made_up(q, q_dot, poses):
     return summary(REAL, path, np.asarray(q, float), np.asarray(q_dot, float), poses)
 
 
-def test_every_line_of_the_report_by_hand():
+def test_report_matches_hand_calculation():
     q = np.tile(REAL.home, (5, 1))
     q_dot, poses = np.zeros((5, 6)), np.tile(np.eye(4), (5, 1, 1))
     poses[:, :3, 3] = [[0, 0, 0.1], [0, 0.1, 0], [0, 0, -0.1], [0, -0.1, 0], [0, 0, 0.1]]
@@ -192,7 +192,7 @@ def test_every_line_of_the_report_by_hand():
     assert "below 1e-10 m" in str(clean)
 
 
-def test_the_report_tells_that_a_singular_pose_was_met():
+def test_report_shows_singular_pose():
     """How near one came is in chapter 3's reports."""
     home = trace(UR10E_HOMEWORK, np.zeros(6), ur_circle(10), rates=damped(0.1)).report
     assert home.largest_condition > 1e12
@@ -216,7 +216,7 @@ RUNS = {
 
 @pytest.mark.parametrize("method", ["euler", "rk4", "exact"])
 @pytest.mark.parametrize("name", RUNS)
-def test_all_steps_at_once_are_one_after_the_other(name, method, monkeypatch):
+def test_vectorized_trace_matches_stepwise_trace(name, method, monkeypatch):
     arm, start, path = RUNS[name]
     if path is None:
         tip = forward_kinematics(arm, start)[:3, 3]
@@ -228,7 +228,7 @@ def test_all_steps_at_once_are_one_after_the_other(name, method, monkeypatch):
     np.testing.assert_allclose(fast.q_dot, slow.q_dot, atol=1e-9)
 
 
-def test_a_run_to_a_singular_pose_is_told_as_step_by_step():
+def test_vectorized_trace_fails_like_stepwise_trace():
     """The circle straightens the UR10e's elbow: both ways stop at the same step, in the same
     words."""
     start = np.array([0.0, -1.2, 0.5, -0.9, 1.2, 0.3])
@@ -243,7 +243,7 @@ def test_a_run_to_a_singular_pose_is_told_as_step_by_step():
     assert "UR10e, step " in told[0][1]
 
 
-def test_a_circle_out_of_reach_is_refused():
+def test_circle_out_of_reach_raises():
     path = circle([1.3, 0, 0.5], 0.3, "yz", 5.0, 200)
     start = np.array([0.0, -1.2, 1.6, -0.9, 1.2, 0.3])
     with pytest.raises(
@@ -255,7 +255,7 @@ def test_a_circle_out_of_reach_is_refused():
         trace(UR10E, start, whole, method="exact")
 
 
-def test_a_leap_of_a_joint_is_refused():
+def test_joint_jump_raises():
     """Rates that turn joint 4 once more than they should bring the tip to the path, and nobody
     would drive them."""
 
@@ -269,7 +269,7 @@ def test_a_leap_of_a_joint_is_refused():
         trace(HOMEWORK, HOMEWORK.home, panda_circle(50), method="exact", rates=once_more)
 
 
-def test_a_change_of_branch_is_seen():
+def test_branch_change_is_detected():
     """From the middle on the other elbow: every pose is right, and no small step leads there."""
     start = [0.4, -1.2, 1.6, -0.9, 1.2, 0.3]
     tip = forward_kinematics(UR10E, start)[:3, 3]
@@ -288,7 +288,7 @@ def test_a_change_of_branch_is_seen():
         assert at_once._on_branch(UR10E, moved, course, plain_inverse()) == near
 
 
-def test_exact_steers_by_the_jacobian_that_is_given():
+def test_exact_method_uses_given_jacobian():
     """With one a tenth too large each iteration leaves a tenth of the error; with a useless one it
     does not arrive."""
     seen = []
@@ -319,7 +319,7 @@ def careless(function):
 
 
 @pytest.mark.parametrize("method", ["euler", "rk4", "exact"])
-def test_what_callers_functions_write_into_is_theirs(method):
+def test_callbacks_cannot_change_arrays_of_trace(method):
     path = panda_circle(30)
     spoilt = replace(path, velocity=careless(path.velocity), position=careless(path.position))
     how = {"jacobian": careless(same_jacobian), "rates": careless(plain_inverse())}
@@ -329,7 +329,7 @@ def test_what_callers_functions_write_into_is_theirs(method):
     np.testing.assert_array_equal(spoilt.times, path.times)
 
 
-def test_a_path_keeps_its_own_copies():
+def test_path_copies_its_arrays():
     centre, times = np.array([0.5, 0.0, 0.6]), np.array([0.0, 1.0])
     round_it = circle(centre, 0.1, "yz", 5.0, 4)
     clock = careless(lambda t: np.stack([t, t, t], axis=-1))
@@ -343,7 +343,7 @@ def test_a_path_keeps_its_own_copies():
 
 
 @pytest.mark.parametrize("method", ["euler", "rk4"])
-def test_a_path_may_take_one_time_at_a_time(method):
+def test_path_with_constant_velocity_is_traced(method):
     """A straight path at even speed, whose velocity is one vector whatever it is asked."""
     straight = Path(
         np.linspace(0, 1, 61),
@@ -366,21 +366,21 @@ def test_a_path_may_take_one_time_at_a_time(method):
          " value is below 1e-12, its largest 2.3"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_traced_is_told_in_words(arm, start, how, words):
+def test_untraceable_task_raises_with_reason(arm, start, how, words):
     with pytest.raises(ArmError) as told:
         trace(arm, start, circle_below(arm, start, 0.1, "zx", 5.0, 10), **how)
     assert words in str(told.value)
     assert isinstance(told.value, SingularError) == ("J" in words)
 
 
-def test_damping_of_nothing_is_a_plain_inverse_and_fails_like_one():
+def test_zero_damping_raises_at_singular_pose():
     rank_one = np.outer(np.arange(1.0, 7), np.ones(6)) * [1, 0, 0, 0, 0, 0]
     with pytest.raises(SingularError, match="the damping is 0"):
         damped(0.0)(rank_one, np.ones(6), np.zeros(6))
     assert np.isfinite(damped(0.1)(rank_one, np.ones(6), np.zeros(6))).all()
 
 
-def test_a_path_from_rest_to_rest():
+def test_rest_to_rest_follows_quintic():
     """The quintic by its own conditions: ends, rest, no acceleration there, a speed of 15/8
     halfway, and velocities that are the slopes of the positions."""
     even = circle([1, 2, 3], 0.1, "zy", 5.0, 10)
@@ -398,7 +398,7 @@ def test_a_path_from_rest_to_rest():
     np.testing.assert_allclose(off_circle, 0.1, atol=1e-15)
 
 
-def test_a_path_from_rest_to_rest_that_does_not_begin_at_zero():
+def test_rest_to_rest_keeps_start_time():
     line = Path([2.0, 3.0, 6.0], lambda t: np.multiply.outer(np.asarray(t), [1.0, 0, 0]),
                 lambda t: np.broadcast_to([1.0, 0, 0], (*np.shape(t), 3)), [0, 0, 1])  # fmt: skip
     path = rest_to_rest(line)
@@ -407,7 +407,7 @@ def test_a_path_from_rest_to_rest_that_does_not_begin_at_zero():
     np.testing.assert_allclose(path.velocity([2, 4, 6])[:, 0], [0, 15 / 8, 0], atol=1e-14)
 
 
-def test_what_is_beyond_a_range_is_told_in_the_joints_unit():
+def test_range_violations_use_unit_of_joint():
     """The other lines stand in chapter 3, as they are printed."""
     report = made_up(np.tile(REAL.home, (5, 1)), np.zeros((5, 6)), np.tile(np.eye(4), (5, 1, 1)))
     slid = replace(report, beyond_limits=((2, 0.125), (4, 1.0)), sliding=(4, 5))
@@ -416,7 +416,7 @@ def test_what_is_beyond_a_range_is_told_in_the_joints_unit():
     assert not replace(report, beyond_speed=((1, 0.1),)).executable
 
 
-def test_a_report_does_not_praise_limits_that_are_not_there():
+def test_report_says_if_no_limits_are_known():
     path = circle_below(STANFORD, [0.1, 0.8, 0.5, 0.3, 0.9, 0.2], 0.02, "yz", 5.0, 20)
     run = trace(STANFORD, [0.1, 0.8, 0.5, 0.3, 0.9, 0.2], path)
     told = dict(run.report.rows())

@@ -44,11 +44,11 @@ def tags(cell):
     return cell.metadata.get("tags", [])
 
 
-def test_the_five_chapters_are_there():
+def test_book_has_five_chapters():
     assert [path.stem[:2] for path in CHAPTERS] == ["01", "02", "03", "04", "05"]
 
 
-def test_no_backslash_was_eaten():
+def test_pages_have_no_control_characters():
     """A script whose strings are not raw writes theta with a tab in place of its t."""
     pages = [path.read_text(encoding="utf-8") for path in NOTEBOOKS[0].parent.glob("*.md")]
     pages += [cell.source for path in NOTEBOOKS for cell in read(path).cells]
@@ -56,14 +56,14 @@ def test_no_backslash_was_eaten():
 
 
 @every_notebook
-def test_it_was_run_from_top_to_bottom(path):
+def test_notebook_was_run_in_order(path):
     counts = [cell.execution_count for cell in code_cells(path)]
     anew = f"say: make refresh NOTEBOOKS=book/{path.name}"
     assert counts == list(range(1, len(counts) + 1)), anew
 
 
 @every_notebook
-def test_it_has_one_title_and_it_comes_first(path):
+def test_notebook_starts_with_its_only_title(path):
     cells = read(path).cells
     titles = [
         i
@@ -75,7 +75,7 @@ def test_it_has_one_title_and_it_comes_first(path):
 
 
 @every_notebook
-def test_its_cells_are_short(path):
+def test_code_cells_are_short(path):
     for cell in code_cells(path):
         lines = cell.source.splitlines()
         most = 45 if "use_book_style()" in lines else 20 if "remove-cell" in tags(cell) else 15
@@ -88,34 +88,34 @@ def test_its_cells_are_short(path):
 
 
 @every_notebook
-def test_no_cell_is_kept_from_being_checked(path):
+def test_cells_have_only_allowed_tags(path):
     for cell in code_cells(path):
         assert set(tags(cell)) <= ALLOWED_TAGS
         assert ("remove-cell" in tags(cell)) == (SLIDERS in cell.source), cell.source
 
 
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
-def test_a_chapter_takes_its_arms_once_at_its_top(path):
+def test_chapter_imports_arms_only_in_first_cell(path):
     """So that an arm that a reader changes there stays changed."""
     for cell in code_cells(path)[1:]:
         assert not re.search(r"robots|\bnamed\(", cell.source), cell.source
 
 
 @every_notebook
-def test_no_cell_reads_a_clock(path):
+def test_cells_do_not_measure_time(path):
     """What lasts how long changes with what else the machine does, and so would the output."""
     clock = r"(import|from) +(time|timeit|datetime)\b|^ *%%?time"
     assert not [cell.source for cell in code_cells(path) if re.search(clock, cell.source, re.M)]
 
 
 @every_notebook
-def test_no_cell_failed(path):
+def test_cells_have_no_errors(path):
     assert not [output for _, output in outputs(path) if output.output_type == "error"]
     assert not [output for _, output in outputs(path) if output.get("name") == "stderr"]
 
 
 @every_notebook
-def test_every_picture_is_an_svg_with_words(path):
+def test_pictures_are_svg_with_alt_and_caption(path):
     for cell, output in on_the_page(path):
         kinds = PICTURES & set(output.get("data", {}))
         if not kinds:
@@ -129,7 +129,7 @@ def test_every_picture_is_an_svg_with_words(path):
 
 
 @every_notebook
-def test_a_cell_that_draws_shows_nothing_else(path):
+def test_drawing_cell_has_no_other_output(path):
     """A cell must not end in what a drawing call returns: its text would stand above the figure."""
     for cell, drawn in on_the_page(path):
         if PICTURES & set(drawn.get("data", {})):
@@ -140,14 +140,14 @@ def test_a_cell_that_draws_shows_nothing_else(path):
 
 
 @every_notebook
-def test_a_cell_that_asks_for_a_caption_draws(path):
+def test_cell_with_caption_has_picture(path):
     for cell in code_cells(path):
         if "mystnb" in cell.metadata:
             assert any(PICTURES & set(output.get("data", {})) for output in cell.outputs)
 
 
 @every_notebook
-def test_its_results_are_checked_before_the_readers_eyes(path):
+def test_every_check_printed_its_result(path):
     lines = [line for _, output in outputs(path) for line in output.get("text", "").splitlines()]
     proofs = [line for line in lines if line.startswith("✔")]
     assert not [line for line in lines if line.startswith("○")], "a number that is not the book's"
@@ -157,7 +157,7 @@ def test_its_results_are_checked_before_the_readers_eyes(path):
 
 
 @every_notebook
-def test_nothing_in_it_is_of_one_machine(path):
+def test_notebook_holds_no_machine_details(path):
     text = path.read_text(encoding="utf-8")
     assert not re.search(r"/home/|/root/|/work/|/Users/|C:\\\\|/\.venv|site-packages", text)
     assert not re.search(r" at 0x[0-9a-f]{6,}", text)
@@ -169,12 +169,12 @@ def test_nothing_in_it_is_of_one_machine(path):
 
 
 @every_notebook
-def test_it_is_small(path):
+def test_notebook_is_below_750_kb(path):
     assert path.stat().st_size < 750_000
 
 
 @every_notebook
-def test_cells_that_only_draw_and_solutions_are_folded(path):
+def test_drawing_cells_and_solutions_are_folded(path):
     """As tools/refresh.py leaves them: in JupyterLab solutions, on the page the code of figures."""
     notebook = read(path)
     dress(notebook)
@@ -182,27 +182,27 @@ def test_cells_that_only_draw_and_solutions_are_folded(path):
 
 
 @every_notebook
-def test_figures_are_called_by_their_numbers(path):
+def test_figure_links_have_current_numbers(path):
     notebook = read(path)
     number_figures(notebook, figure_numbers(path.parent))
     assert notebook == read(path), f"say: python -m tools.refresh {path}"
 
 
 @every_notebook
-def test_works_are_cited_and_listed_as_in_the_bibliography(path):
+def test_citations_match_bibliography(path):
     notebook = read(path)
     cite(notebook)
     assert notebook == read(path), f"say: python -m tools.refresh {path}"
 
 
-def test_a_link_says_the_figures_number_and_leaves_what_it_does_not_know():
+def test_number_figures_leaves_unknown_links():
     text = "[Fig. 1.1](#fig-a), [Fig. 1.1](#fig-b), [as drawn](#fig-a)"
     cell = nbformat.v4.new_markdown_cell(text)
     number_figures(nbformat.v4.new_notebook(cells=[cell]), {"fig-a": "2.10"})
     assert cell.source == text.replace("1.1", "2.10", 1)
 
 
-def test_what_is_folded():
+def test_dress_folds_drawings_and_solutions():
     figure = {"mystnb": {"figure": {"caption": "One."}}}
     cells = [
         nbformat.v4.new_code_cell("draw(ax)", metadata=figure),
@@ -218,7 +218,7 @@ def test_what_is_folded():
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda path: path.stem)
-def test_the_intro_says_how_long_a_chapter_takes(chapter):
+def test_intro_states_reading_time(chapter):
     """At 200 words a minute and two minutes for each cell that prints a result, up to the
     exercises."""
     cells = read(chapter).cells

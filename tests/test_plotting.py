@@ -36,7 +36,7 @@ def _no_window():
 
 
 @every_arm
-def test_the_drawn_line_goes_through_every_origin_by_the_tables_steps(arm):
+def test_skeleton_passes_through_frame_origins(arm):
     q = joint_vectors(arm, ())
     T = link_frames(arm, q)
     points = skeleton(arm, T)
@@ -54,7 +54,7 @@ def views(text):
     return [[int(side) for side in view.get("viewBox").split()] for view in found]
 
 
-def test_each_panel_is_a_view_of_the_drawing_and_nothing_is_drawn_beside_them():
+def test_svg_views_cover_all_ink_once():
     """Words that reach out of their axes, walls of an arm in space, a colour bar, a key to all."""
     figure = plt.figure(figsize=(8, 5))
     flat, space, heat, bare = (
@@ -85,7 +85,7 @@ def test_each_panel_is_a_view_of_the_drawing_and_nothing_is_drawn_beside_them():
 
 
 @pytest.mark.parametrize("rows", [1, 7])
-def test_panels_one_above_the_other_stay_as_they_are(rows):
+def test_single_column_figure_has_no_views(rows):
     figure, _ = plt.subplots(rows, 1, figsize=(5.6, 7), sharex=True)
     assert views(svg(figure)) == []
 
@@ -111,7 +111,7 @@ def run_of(steps=8):
 
 
 @pytest.mark.parametrize(("plane", "columns"), [("xz", [0, 2]), ("yx", [1, 0])])
-def test_a_flat_arm_is_the_arm_in_space_seen_from_the_side(plane, columns):
+def test_arm_2d_is_projection_of_arm(plane, columns):
     _, ax = plt.subplots()
     arm_2d(ax, ELBOW, [0.3, 0.4, -0.9], plane)
     T = link_frames(ELBOW, [0.3, 0.4, -0.9])
@@ -119,7 +119,7 @@ def test_a_flat_arm_is_the_arm_in_space_seen_from_the_side(plane, columns):
     assert ax.get_xlabel() == f"${plane[0]}$ (m)"
 
 
-def test_regions_are_told_apart_by_more_than_colour():
+def test_regions_differ_in_hatch():
     _, ax = plt.subplots()
     regions(ax, [0, 1, 2], [0, 1, 2], np.eye(3), {0: "no", 1: "yes"}, colours=("#000", "#fff"))
     key = ax.get_legend()
@@ -131,7 +131,7 @@ def test_regions_are_told_apart_by_more_than_colour():
         assert drawn == [one != other, one == other]
 
 
-def test_the_moving_picture_draws_only_while_the_tip_moves():
+def test_moving_picture_draws_only_while_tip_moves():
     """Half the time at rest, then half the time on a straight line: the ink comes in the second
     half, evenly."""
     run = run_of()
@@ -156,14 +156,14 @@ def test_the_moving_picture_draws_only_while_the_tip_moves():
 
 
 @pytest.mark.parametrize("view", ["xz", "yz", "xy", "zy", (30, 18), (-60, 90), (200, -40)])
-def test_a_view_is_a_rotation(view):
+def test_view_is_a_rotation(view):
     right, up, towards = seen(np.eye(3), view).T
     np.testing.assert_allclose(np.stack([right, up, towards]) @ seen(np.eye(3), view), np.eye(3),
                                atol=1e-15)  # fmt: skip
     np.testing.assert_allclose(np.cross(right, up), towards, atol=1e-15)
 
 
-def test_a_view_looks_from_where_it_says():
+def test_view_direction_matches_azimuth_and_elevation():
     """From an azimuth of 0 one sees y to the right, from 90 degrees -x; high up is up."""
     np.testing.assert_allclose(seen([0, 1, 0], (0, 20))[:2], [1, 0], atol=1e-15)
     np.testing.assert_allclose(seen([1, 0, 0], (90, 20))[0], -1, atol=1e-15)
@@ -173,7 +173,7 @@ def test_a_view_looks_from_where_it_says():
 
 
 @every_arm
-def test_an_arm_is_drawn_through_its_table(arm):
+def test_arm_drawing_follows_skeleton(arm):
     q, (_, ax) = joint_vectors(arm, ()), plt.subplots()
     arm_drawing(ax, arm, q, (30, 18))
     T = link_frames(arm, q)

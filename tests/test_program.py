@@ -39,7 +39,7 @@ def rows_of(program, inputs):
 
 @settings(max_examples=200)
 @given(lines=lines, seed=st.integers(0, 99))
-def test_any_formula_is_what_it_was(lines, seed):
+def test_recorded_program_matches_formula(lines, seed):
     inputs = np.random.default_rng(seed).uniform(-1, 1, (3, 5))
     program = record(partial(straight, lines), 3)
     wanted = np.array([straight(lines, *column) for column in inputs.T]).T
@@ -60,21 +60,21 @@ def test_any_formula_is_what_it_was(lines, seed):
         (lambda x, y: [x + y, (x * y, y)[1]], 1),
     ],
 )
-def test_no_step_too_many(compute, steps):
+def test_program_has_no_redundant_steps(compute, steps):
     assert len(record(compute, 2).on_rows) <= steps
     inputs = np.array([[0.3, -0.7], [2.0, 5.0]])
     wanted = [np.broadcast_to(value, 2) for value in compute(*inputs)]
     np.testing.assert_allclose(rows_of(record(compute, 2), inputs), wanted, rtol=1e-15)
 
 
-def test_a_negative_of_zero_prints_as_zero():
+def test_negated_zero_prints_without_sign():
     program = record(lambda x: [-x], 1)
     assert str(program.of_numbers([0.0])[0]) == "0.0"
     assert str(rows_of(program, [[0.0]])[0, 0]) == "0.0"
 
 
 @pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
-def test_threads_do_not_share_their_rows(arm):
+def test_threads_do_not_share_memory(arm):
     """Each thread works in memory of its own: eight at once give what each gives alone."""
     batches = [joint_vectors(arm, (3000,), seed) for seed in range(8)]
     found = [None] * 8

@@ -95,10 +95,10 @@ def _cells(prose, source, output=""):
         ("> 118 mm\n\nas the report says", "", "", []),
     ],
 )
-def test_what_is_missed_and_what_is_not(prose, source, output, missing):
+def test_number_without_cell_is_detected(prose, source, output, missing):
     assert without_a_cell(_cells(prose, source, output)) == missing
 
 
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
-def test_every_number_in_the_prose_has_a_cell(path):
+def test_prose_numbers_appear_in_a_cell(path):
     assert without_a_cell(nbformat.read(path, as_version=4).cells) == []

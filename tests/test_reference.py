@@ -31,14 +31,14 @@ def names_used():
                 yield f"{modules[name]}.{attribute}"
 
 
-def test_what_chapters_use_is_public_and_documented():
+def test_names_used_in_chapters_are_documented():
     public = {f"{name}.{n}" for name in MODULES for n in importlib.import_module(name).__all__}
     used = set(names_used())
     assert len(used) > 80
     assert used - public <= {"helpers.explorer.ArmExplorer", "helpers.explorer.ArmFigure"}
 
 
-def test_nothing_public_is_without_words():
+def test_public_names_have_docstrings():
     for name in MODULES:
         module = importlib.import_module(name)
         public = [getattr(module, n) for n in module.__all__]

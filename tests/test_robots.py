@@ -59,7 +59,7 @@ def centres(arm, q):
     return np.einsum("nij,nj->ni", T, points)[:, :3]
 
 
-def test_the_pandas_masses_are_where_gaz_found_them():
+def test_panda_masses_match_gaz_2019():
     assert tuple(body.mass for body in PANDA.bodies) == GAZ_MASSES
     for q in np.random.default_rng(1).uniform(*PANDA.limits, size=(20, 7)):
         frames = frankas_frames(SIGNS * q)
@@ -67,7 +67,7 @@ def test_the_pandas_masses_are_where_gaz_found_them():
         np.testing.assert_allclose(centres(PANDA, q), np.array(wanted)[:, :3], atol=1e-14)
 
 
-def test_the_pandas_limits_in_the_makers_signs():
+def test_panda_limits_match_data_sheet():
     lower, upper = (SIGNS * limit for limit in PANDA.limits)
     wanted = [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973]
     np.testing.assert_array_equal(np.maximum(lower, upper), wanted)
@@ -77,7 +77,7 @@ def test_the_pandas_limits_in_the_makers_signs():
     np.testing.assert_array_equal(PANDA.speed_limits, [2.175] * 4 + [2.61] * 3)
 
 
-def test_the_pen_is_a_length():
+def test_pen_length_moves_the_tip():
     for arm in (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK):
         with_pen, bare = (
             forward_kinematics(a, arm.home)[:3, 3] for a in (arm, arm.with_values(l_pen=0))
@@ -85,19 +85,19 @@ def test_the_pen_is_a_length():
         np.testing.assert_allclose(np.linalg.norm(with_pen - bare), 0.1, atol=1e-15)
 
 
-def test_the_pen_moves_no_mass():
+def test_pen_length_does_not_move_masses():
     for arm in (PANDA, UR10E):
         bare = arm.with_values(l_pen=0)
         np.testing.assert_allclose(centres(arm, arm.home), centres(bare, arm.home), atol=1e-15)
 
 
-def test_the_homeworks_panda_differs_in_one_length():
+def test_homework_panda_differs_only_in_a_3():
     assert dict(PANDA_HOMEWORK.values) == {**dict(PANDA.values), "a_3": 0.088}
     assert PANDA_HOMEWORK.rows == PANDA.rows
     np.testing.assert_allclose(PANDA.home, [0, 0, 0, pi / 2, 0, pi, 0])
 
 
-def test_the_ur10es_masses_are_the_makers():
+def test_ur10e_masses_match_data_sheet():
     """Universal Robots, DH parameters for calculations of kinematics and dynamics."""
     bare = UR10E.with_values(l_pen=0)
     assert [body.mass for body in UR10E.bodies] == [7.369, 13.051, 3.989, 2.1, 1.98, 0.615]
@@ -109,14 +109,14 @@ def test_the_ur10es_masses_are_the_makers():
 
 
 @pytest.mark.parametrize("arm", [UR10E, UR10E_HOMEWORK], ids=lambda arm: arm.name)
-def test_the_ur10es_limits(arm):
+def test_ur10e_limits_match_data_sheet(arm):
     np.testing.assert_allclose(np.degrees(arm.limits), [[-360] * 6, [360] * 6])
     np.testing.assert_allclose(np.degrees(arm.speed_limits), [120, 120, 180, 180, 180, 180])
     np.testing.assert_allclose(arm.effort_limits, [330, 330, 150, 56, 56, 56])
 
 
 @pytest.mark.parametrize("name", KNOWN)
-def test_the_rows_are_those_of_the_homework_and_of_the_makers(name):
+def test_rows_match_independent_tables(name):
     """Typed anew in the corpus, whose kinematics is the truth about hand-ins too."""
     arm = arm_of(KNOWN[name])
     kinds, numbers = zip(*((kind, row) for kind, *row in KNOWN[name].rows), strict=True)
@@ -125,13 +125,13 @@ def test_the_rows_are_those_of_the_homework_and_of_the_makers(name):
     np.testing.assert_allclose(found, numbers, atol=1e-15)
 
 
-def test_the_catalogue():
+def test_catalogue_has_unique_arms_in_menu_order():
     """The homework's arms, in the order of the menus; an arm added later comes after them."""
     assert ARMS[:6] == (PANDA, PANDA_HOMEWORK, UR10E, UR10E_HOMEWORK, STANFORD, ELBOW)
     assert len({arm.name for arm in ARMS}) == len({hash(arm) for arm in ARMS}) == len(ARMS)
 
 
-def test_the_page_of_the_helpers_shows_every_arm():
+def test_every_arm_is_public_and_documented():
     """It shows what is public and has words of its own above it."""
     told = re.findall(r"^#: .*\n(?:#: .*\n)*(\w+) = ", inspect.getsource(robots), re.MULTILINE)
     public = {name: getattr(robots, name) for name in robots.__all__}
@@ -142,7 +142,7 @@ def test_the_page_of_the_helpers_shows_every_arm():
 
 
 @pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
-def test_every_arm_has_a_name_a_source_and_a_home_within_its_limits(arm):
+def test_arm_has_name_source_and_valid_home(arm):
     assert named(arm.name.upper()) is arm
     assert arm.source
     lower, upper = arm.limits

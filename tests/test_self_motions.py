@@ -22,7 +22,7 @@ FLAT = [0, 0, np.pi, -np.pi]
 
 
 @pytest.mark.parametrize("arm", ARMS, ids=lambda arm: arm.name)
-def test_the_acceleration_at_constant_rates_is_the_slope_of_J_times_the_rates(arm):
+def test_acceleration_matches_finite_differences(arm):
     rng = np.random.default_rng(1)
     q, rates = rng.uniform(-1, 1, (2, arm.dof))
     h = 1e-5
@@ -32,13 +32,13 @@ def test_the_acceleration_at_constant_rates_is_the_slope_of_J_times_the_rates(ar
     )
 
 
-def test_a_flat_parallelogram_opens_as_one_and_as_its_crossed_twin():
+def test_flat_parallelogram_has_two_self_motions():
     found = self_motion_directions(LINKAGE, FLAT)
     by_hand = np.array([[1, -1, 1, -1], [1, -3, -1, 3]])
     assert found / found[:, :1] == pytest.approx(by_hand)
 
 
-def test_a_parallelogram_stays_one():
+def test_parallelogram_keeps_its_shape():
     crank = self_motion(LINKAGE, FLAT, 1e-3 * np.array([1, -1, 1, -1]), 3.0)
     turned = crank.q - FLAT
     assert turned == pytest.approx(turned[:, :1] * [1, -1, 1, -1], abs=1e-12)
@@ -49,13 +49,13 @@ def test_a_parallelogram_stays_one():
     )
 
 
-def test_no_joint_to_spare_no_self_motion():
+def test_arm_without_redundancy_has_no_self_motion():
     assert self_motion_directions(ELBOW, [0.3, 0.4, -0.9]).shape == (0, 3)
     with pytest.raises(ArmError, match="only moves the tip"):
         self_motion(ELBOW, [0.3, 0.4, -0.9], [1, 0, 0], 1.0)
 
 
-def test_a_wrist_that_is_singular_and_still_moves():
+def test_singular_ur10e_wrist_has_self_motion():
     """Axes 2, 3, 4 and 6 of the UR10e are parallel at q_5 = 0: a four-bar linkage."""
     q = [0.1, 0.5, 0.9, 0.3, 0, 0.2]
     (way,) = self_motion_directions(UR10E_HOMEWORK, q)
@@ -67,7 +67,7 @@ def test_a_wrist_that_is_singular_and_still_moves():
         assert slow_frames(UR10E_HOMEWORK, now)[-1] == pytest.approx(held, abs=1e-12)
 
 
-def test_a_direction_that_second_order_forbids_is_left_out():
+def test_direction_excluded_by_second_order_is_left_out():
     """A stretched planar arm of three joints that reaches its own length: the tip can only come
     nearer."""
     straight = Arm("straight", [revolute(a=1), revolute(a=2), revolute(a=1), revolute()])
@@ -79,7 +79,7 @@ def way_out():
     return self_motion(PANDA, TURNED, -way, 2.45)
 
 
-def test_the_steps_are_even_and_the_times_go_with_them():
+def test_steps_and_times_are_even():
     run = way_out()
     lengths = np.linalg.norm(np.diff(run.q, axis=0), axis=1)
     assert lengths == pytest.approx(0.01, rel=1e-2)
@@ -88,7 +88,7 @@ def test_the_steps_are_even_and_the_times_go_with_them():
     assert run.report.position_error < 1e-12
 
 
-def test_it_ends_before_a_joint_leaves_its_range():
+def test_self_motion_stops_at_joint_limit():
     _, way = self_motion_directions(PANDA, TURNED)
     run = self_motion(PANDA, TURNED, -way, 20.0)
     lower, upper = PANDA.limits
@@ -97,7 +97,7 @@ def test_it_ends_before_a_joint_leaves_its_range():
     assert 0 <= np.minimum(run.q[-1] - lower, upper - run.q[-1]).min() < 0.01
 
 
-def test_without_room_it_stands_still():
+def test_self_motion_at_limit_stays_at_start():
     tight = revolute(alpha="pi/2", d="d_1", limits=(-np.pi / 2, 1.0))
     narrow = replace(PANDA, rows=(tight, *PANDA.rows[1:]))
     for arm, start in ((narrow, TURNED), (PANDA, TURNED - 3 * IDLE)):
@@ -105,13 +105,13 @@ def test_without_room_it_stands_still():
         np.testing.assert_array_equal(run.q, [start, start])
 
 
-def test_a_step_that_is_too_long_is_refused():
+def test_step_too_long_is_rejected():
     _, way = self_motion_directions(PANDA, TURNED)
     with pytest.raises(ArmError, match="step"):
         self_motion(PANDA, TURNED, way, 8.0, step=4.0)
 
 
-def test_more_freedom_than_it_can_sort_out_is_said():
+def test_too_many_null_directions_are_rejected():
     with pytest.raises(ArmError, match="3 null directions"):
         self_motion_directions(UR10E_HOMEWORK, np.zeros(6))
     plenty = Arm("eight", [revolute(a=0.1, alpha=x, d=0.2) for x in np.linspace(0.2, 1.6, 8)])

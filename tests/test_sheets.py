@@ -100,7 +100,7 @@ def run(text):
 
 
 @every_arm
-def test_numpy_blocks_run_as_they_are_and_at_another_pose(sheet, capsys):
+def test_numpy_blocks_run_at_home_and_other_pose(sheet, capsys):
     for item in sheet.items:
         text = given("NumPy", sheet, item)
         check(sheet, item.name, run(text)[item.name], np.array(sheet.arm.home))
@@ -110,7 +110,7 @@ def test_numpy_blocks_run_as_they_are_and_at_another_pose(sheet, capsys):
 
 
 @every_arm
-def test_sympy_blocks(sheet):
+def test_sympy_blocks_match_numeric_view(sheet):
     for item in sheet.items:
         names = run(given("SymPy", sheet, item))
         letters = [sp.Symbol(name) for name in (*sheet.values, *sheet.arm.variables)]
@@ -120,7 +120,7 @@ def test_sympy_blocks(sheet):
 
 
 @every_arm
-def test_matlab_blocks_hold_what_numpys_hold(sheet):
+def test_matlab_blocks_match_numeric_view(sheet):
     """MATLAB is rarely at hand, so each block is turned into Python by its few rules."""
     for item in sheet.items:
         text = re.sub(r"\s*\.\.\.\n\s*", " ", given("MATLAB", sheet, item))
@@ -133,7 +133,7 @@ def test_matlab_blocks_hold_what_numpys_hold(sheet):
 
 
 @every_arm
-def test_no_line_of_a_program_is_long(sheet):
+def test_program_lines_have_at_most_110_characters(sheet):
     for item in sheet.items:
         for language in ("SymPy", "NumPy", "MATLAB"):
             assert max(map(len, given(language, sheet, item).splitlines())) <= 110, item.name
@@ -165,7 +165,7 @@ def plain(tex):
 
 
 @every_arm
-def test_what_the_page_shows_is_the_whole_answer(sheet):
+def test_displayed_formulas_are_complete(sheet):
     """Long parts of T_0i and J stand under Axes and Origins; what is copied is whole by itself."""
     vectors = {
         f"({displays.name(vector)})_{{{axis}}}": sp.latex(x)
@@ -181,7 +181,7 @@ def test_what_the_page_shows_is_the_whole_answer(sheet):
 
 
 @every_arm
-def test_matrices_stay_matrices(sheet):
+def test_matrices_are_displayed_as_matrices(sheet):
     """Long entries have names in them; a long vector is written line by line."""
     for item in sheet.items:
         first, *below = displays.symbols(sheet, item)
@@ -192,14 +192,14 @@ def test_matrices_stay_matrices(sheet):
         assert len(seen) <= 75 or item.is_number
 
 
-def test_a_latex_block_says_what_its_letters_mean():
+def test_latex_block_explains_abbreviations():
     sheet = SHEETS["ur10e_homework"]
     legend = "% $c_{1} = \\cos{(q_{1})}$\n% $s_{1} = \\sin{(q_{1})}$\n\\["
     assert given("LaTeX", sheet, sheet.axes[3]).startswith(legend)
 
 
 @every_arm
-def test_the_numbers_on_the_page(sheet):
+def test_page_numbers_match_numeric_view(sheet):
     """Rounded to four digits, at the home pose."""
     for item in sheet.items:
         shown = displays.numbers(item, item.home)
@@ -212,18 +212,18 @@ def test_the_numbers_on_the_page(sheet):
 # Pages
 
 
-def test_every_page_is_in_the_book():
+def test_every_sheet_is_in_the_contents():
     toc = (answers.ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
     listed = set(re.findall(r"answers/(\w+)", toc))
     assert {page.name for page in answers.PAGES} == listed, "a line answers/NAME in book/_toc.yml"
 
 
-def test_every_arm_of_the_catalogue_has_a_page():
+def test_every_arm_has_a_sheet():
     shown = {arm.name for page in answers.PAGES for arm in page.arms}
     assert {arm.name for arm in robots.ARMS} <= shown, "a Page in PAGES of tools/answers.py"
 
 
-def test_pages_are_written_when_what_makes_them_has_changed(tmp_path, monkeypatch):
+def test_sheets_are_rewritten_only_after_changes(tmp_path, monkeypatch):
     monkeypatch.setattr(answers, "text_of", lambda page: page.lead)
     first, second = (tmp_path / f"{page.name}.md" for page in answers.PAGES[:2])
     answers.write(tmp_path, "one")
@@ -241,7 +241,7 @@ def test_pages_are_written_when_what_makes_them_has_changed(tmp_path, monkeypatc
     assert {*(answers.ROOT / "helpers/sheets/static").iterdir()} <= {*answers.sources()}
 
 
-def test_a_page_of_the_book():
+def test_sheet_page_has_title_and_answers():
     text = answers.text_of(answers.PAGES[5])
     assert text.startswith('---\nmyst:\n  html_meta:\n    description: "Elbow arm: every link ')
     assert "\n---\n\n# Elbow arm\n\nThe arm of three joints" in text
@@ -251,7 +251,7 @@ def test_a_page_of_the_book():
     assert "$c_{23} = \\cos{(q_{2} + q_{3})}$" in text
 
 
-def test_other_lengths_stand_beside():
+def test_other_arm_is_shown_where_numbers_differ():
     """Numbers of both arms where they differ; at home link 3 points down its frame's y axis."""
     text = markdown(ELBOW, "E", "L", (replace(ELBOW.with_values(a_3=0.35), name="longer"),))
     shown = text.split('id="a-3"')[1].split("</details>")[0]
@@ -261,7 +261,7 @@ def test_other_lengths_stand_beside():
     assert "In numbers:" in text.split('id="a-2"')[1].split("</details>")[0]
 
 
-def test_one_file_for_an_arm_of_your_own():
+def test_document_is_one_self_contained_file():
     html = document(replace(NUMBERED, name="<b>bold & brave</b>"))
     assert "<b>bold" not in html
     assert "&lt;b&gt;bold &amp; brave" in html
@@ -275,14 +275,14 @@ def test_one_file_for_an_arm_of_your_own():
     ]  # fmt: skip
 
 
-def test_a_determinant_says_how_many_factors_it_has():
+def test_determinant_states_its_factors():
     assert "It falls into 2 factors that depend" in page(SHEETS["elbow"])
     assert "It falls into 3 factors that depend" in page(SHEETS["ur10e"])
     assert "it does not fall into factors" in page(SHEETS["panda_joint_3_locked"])
     assert "This one is 0 everywhere." in markdown(Arm("flat", [revolute(a=1)] * 3), "F", "L")
 
 
-def test_masses_of_zero_leave_an_empty_row():
+def test_zero_masses_are_listed():
     arm = Arm("light", [revolute(a=1)], bodies=[Body(0, (0, 0, 0))])
     assert "| 1 | 0 | 0 | 0 | 0 |" in markdown(arm, "L", "L")
 
@@ -290,7 +290,7 @@ def test_masses_of_zero_leave_an_empty_row():
 # The command line
 
 
-def test_the_command_writes_a_file(tmp_path, capsys, monkeypatch):
+def test_command_writes_a_file(tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     main(["elbow arm"])
     assert capsys.readouterr().out == "elbow_arm_answers.html\n"
@@ -298,7 +298,7 @@ def test_the_command_writes_a_file(tmp_path, capsys, monkeypatch):
     assert "Elbow arm" in (tmp_path / "elbow_arm_answers.html").read_text(encoding="utf-8")
 
 
-def test_the_command_takes_two_links_and_a_files_name(tmp_path, capsys):
+def test_command_takes_base_tip_and_out(tmp_path, capsys):
     kinds = zip("abcd", ["continuous"] * 3 + ["fixed"], "bcde", strict=True)
     joints = "".join(
         f'<joint name="{a}" type="{kind}"><parent link="{a}"/><child link="{b}"/>'
@@ -314,7 +314,7 @@ def test_the_command_takes_two_links_and_a_files_name(tmp_path, capsys):
     assert from_urdf(file, "b", "d") not in (from_urdf(file, "b"), from_urdf(file, None, "d"))
 
 
-def test_the_command_takes_an_arm_of_a_file_and_says_what_is_wrong(tmp_path):
+def test_command_reads_arm_from_file_or_explains(tmp_path):
     path = tmp_path / "arm.py"
     path.write_text("from helpers.robots import UR10E\nOTHER = 3\n", encoding="utf-8")
     assert read_arm(f"{path}:UR10E").name == "UR10e"
@@ -333,18 +333,18 @@ def test_the_command_takes_an_arm_of_a_file_and_says_what_is_wrong(tmp_path):
 @pytest.mark.parametrize(
     "letter", ["np", "J", "end", "c_1", "T_03", "x_c2", "q_9", "g", "A_1", "Matrix"]
 )
-def test_letters_that_a_program_needs_itself_or_does_not_know(letter):
+def test_reserved_symbol_is_rejected(letter):
     with pytest.raises(ArmError, match=f"has a letter called {letter}, which a program"):
         Sheet(Arm("mine", [revolute(a=letter)], {letter: 1.0}))
 
 
-def test_what_is_no_arm_that_moves_is_refused():
+def test_arm_without_joints_is_rejected():
     with pytest.raises(ArmError, match="arm is 'Panda'; expected an Arm"):
         Sheet("Panda")
     with pytest.raises(ArmError, match="post has no joints; a sheet needs an arm that moves"):
         document(Arm("post", [fixed(a=1)]))
 
 
-def test_only_other_values_may_stand_beside():
+def test_other_arm_needs_the_same_rows():
     with pytest.raises(ArmError, match="Panda has other rows than Elbow arm; expected other value"):
         markdown(ELBOW, "Elbow", "An arm.", (PANDA,))

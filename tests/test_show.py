@@ -8,7 +8,7 @@ from helpers import show, typeset
 from helpers.arm import ArmError
 
 
-def test_numbers_and_formulas_stand_beside_each_other_under_their_names():
+def test_matrices_are_shown_with_their_names():
     q = sp.Symbol("q_1")
     shown = show.matrices({"A_1": sp.Matrix([[sp.cos(q), 0]]), "T": np.array([[0.12344, -1e-17]])})
     first, second = shown._repr_markdown_().splitlines()
@@ -21,7 +21,7 @@ def test_numbers_and_formulas_stand_beside_each_other_under_their_names():
     assert (rest[:5], entry.count("a_"), entry.count(r"\\")) == ("q_{1}", 16, 1)  # in two lines
 
 
-def test_a_line_may_end_within_a_bracket():
+def test_long_bracket_is_broken_into_lines():
     symbols = sp.symbols("a_1001:1017")
     entry = symbols[0] * sp.Add(*symbols[1:])
     made = typeset.mathml(show.matrices({"J": sp.Matrix([entry])})._repr_markdown_().strip("$"))
@@ -29,7 +29,7 @@ def test_a_line_may_end_within_a_bracket():
     assert "linebreak" not in made
 
 
-def test_frames_are_told_by_their_columns():
+def test_frames_are_listed_by_columns():
     T = np.eye(4)
     T[:3, :] = [[0, 0, -1, 0.5], [0, 1, 0, 0], [1, 0, 0, 0.81954]]
     text = show.frames([np.eye(4), T])._repr_markdown_()
@@ -37,7 +37,7 @@ def test_frames_are_told_by_their_columns():
     assert last == "| 1 | 0, 0, 1 | 0, 1, 0 | −1, 0, 0 | 0.5, 0, 0.8195 |"
 
 
-def test_what_is_no_matrix_or_no_frames_is_told():
+def test_invalid_matrices_and_frames_are_rejected():
     for given in ("A", {"A": 1}, {"A": "x"}):
         with pytest.raises(ArmError):
             show.matrices(given)

@@ -35,7 +35,7 @@ def run(path):
 
 
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
-def test_sliders_run_from_end_to_end_and_nothing_before_they_are_touched(path, capsys):
+def test_sliders_run_over_their_whole_range(path, capsys):
     widget = run(path)
     assert isinstance(widget, interactive)
     assert widget.manual
@@ -48,7 +48,7 @@ def test_sliders_run_from_end_to_end_and_nothing_before_they_are_touched(path, c
 
 
 @pytest.mark.parametrize("path", CHAPTERS, ids=lambda path: path.stem)
-def test_the_function_is_called_once_plainly_so_that_nbval_sees_it(path):
+def test_slider_function_is_called_once_for_nbval(path):
     (cell,) = slider_cells(path)
     called = [ast.unparse(line) for line in ast.parse(cell.source).body]
     (function,) = re.findall(r"^def (\w+)", cell.source, re.M)
@@ -57,7 +57,7 @@ def test_the_function_is_called_once_plainly_so_that_nbval_sees_it(path):
     assert len(cell.outputs) > 1
 
 
-def test_the_force_is_the_chapters_own(capsys):
+def test_force_slider_matches_static_torque(capsys):
     pushed = run(next(path for path in CHAPTERS if "torque" in path.stem)).f
     capsys.readouterr()
     pushed(F_x=20, F_y=0, F_z=-10)

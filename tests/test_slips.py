@@ -14,7 +14,7 @@ from tests.laws import slow_frames
 TURN = np.pi / 2
 
 
-def test_what_counts_as_a_slip():
+def test_slips_of_a_table_are_listed():
     arm = Arm("two", [revolute(a=0.3, alpha="pi"), fixed(d=-0.1), prismatic(theta="pi/2")])
     assert list(slips(arm)) == [
         Slip(1, "q", -1),
@@ -43,7 +43,7 @@ def chain(arm, q, wrong):
 @pytest.mark.parametrize(
     "arm", [UR10E_HOMEWORK, PANDA, STANFORD, ELBOW.with_values(d=0.12)], ids=str
 )
-def test_what_poses_do_not_see_is_what_another_chain_does_not_show(arm):
+def test_unseen_slips_match_direct_products(arm):
     rng = np.random.default_rng(7)
     poses = TURN * rng.integers(-1, 2, (2, arm.dof))  # right angles: many slips stay unseen
     one = [(slip,) for slip in slips(arm)]
@@ -60,6 +60,6 @@ def test_what_poses_do_not_see_is_what_another_chain_does_not_show(arm):
     assert found.unseen_by_tip
 
 
-def test_a_pose_that_is_none_is_told():
+def test_census_rejects_invalid_pose():
     with pytest.raises(ArmError, match="q"):
         census(PANDA, [0, 1])

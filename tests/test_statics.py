@@ -40,7 +40,7 @@ every_arm = pytest.mark.parametrize("arm", ARMS, ids=lambda arm: f"{arm.name}, {
 
 @every_arm
 @pytest.mark.parametrize("shape", SHAPES, ids=str)
-def test_shapes_follow_the_batch(arm, shape):
+def test_output_shapes_follow_the_batch(arm, shape):
     q = joint_vectors(arm, shape)
     assert gravity_torque(arm, q).shape == (*shape, arm.dof)
     assert potential_energy(arm, q).shape == shape
@@ -50,7 +50,7 @@ def test_shapes_follow_the_batch(arm, shape):
 
 @every_arm
 @pytest.mark.parametrize("gravity", [(0, 0, -9.81), (1.0, -2.0, 3.0)])
-def test_torques_are_the_slope_of_the_energy(arm, gravity):
+def test_gravity_torque_is_gradient_of_energy(arm, gravity):
     q = joint_vectors(arm, (), 2)
     assert potential_energy(arm, q, gravity) == pytest.approx(
         slow_energy(arm, q, gravity), abs=1e-12
@@ -61,7 +61,7 @@ def test_torques_are_the_slope_of_the_energy(arm, gravity):
 
 @settings(max_examples=40)
 @given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
-def test_random_arms_too(arm, seed):
+def test_gravity_torque_of_random_arms(arm, seed):
     arm, gravity = loaded(arm, seed), (0.3, -0.2, -9.0)
     q = joint_vectors(arm, (), seed)
     slope = differences(lambda q: slow_energy(arm, q, gravity), q, h=1e-5)
@@ -70,7 +70,7 @@ def test_random_arms_too(arm, seed):
 
 @every_arm
 @pytest.mark.parametrize("gravity", [(0, 0, -9.81), (1.0, -2.0, 3.0)])
-def test_virtual_work(arm, gravity):
+def test_static_torque_obeys_virtual_work(arm, gravity):
     """In a small motion the motors' work and the wrench's are the change of energy."""
     q, F, h = joint_vectors(arm, (), 3), np.array([3.0, -2, 5, 0.4, 0.1, -0.7]), 1e-6
     step = h * np.random.default_rng(0).normal(size=arm.dof)
@@ -83,7 +83,7 @@ def test_virtual_work(arm, gravity):
 
 
 @every_arm
-def test_a_payload_adds_its_own_weight(arm):
+def test_payload_adds_its_weight(arm):
     q, com = joint_vectors(arm, (), 6), (0.02, -0.03, 0.05)
     bare = replace(arm, bodies=[*([Body(0, (0, 0, 0))] * (len(arm.rows) - 1)), Body(2.5, com)])
     np.testing.assert_allclose(
@@ -93,13 +93,13 @@ def test_a_payload_adds_its_own_weight(arm):
     )
 
 
-def test_a_payload_of_no_mass_changes_nothing():
+def test_zero_payload_returns_same_arm():
     assert with_payload(PANDA, 0, (1, 2, 3)) is PANDA
     massless = replace(PANDA, bodies=[Body(0, (0, 0, 0))] * 7)
     assert with_payload(massless, 0) is massless
 
 
-def test_points_told_in_other_frames_stay_where_they_are():
+def test_centres_in_keeps_points_in_place():
     """Of two arms whose frames share nothing, at any poses."""
     points = np.random.default_rng(2).uniform(-0.3, 0.3, (6, 3))
     ours, theirs = (link_frames(arm, np.linspace(0.3, 1.4, 6))[1:] for arm in (UR10E, STANFORD))

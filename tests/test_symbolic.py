@@ -20,7 +20,7 @@ def in_numbers(arm, expression, q):
 
 
 @every_arm
-def test_both_jacobians_are_one_and_the_same_expression(arm):
+def test_both_jacobians_are_identical_expressions(arm):
     """Not sampled: the polynomials' form is unique, so equal functions are identical
     expressions."""
     assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
@@ -28,7 +28,7 @@ def test_both_jacobians_are_one_and_the_same_expression(arm):
 
 @settings(max_examples=25)
 @given(arm=random_arms.filter(lambda arm: arm.dof), seed=st.integers(0, 99))
-def test_random_tables_too(arm, seed):
+def test_random_arms_match_numeric_view(arm, seed):
     q = joint_vectors(arm, (), seed)
     T = in_numbers(arm, symbolic.forward_kinematics(arm), q)
     np.testing.assert_allclose(T, slow_frames(arm, q)[-1], atol=1e-9)
@@ -47,7 +47,7 @@ _PARALLEL_ROWS = st.builds(
 
 @settings(max_examples=30)
 @given(rows=st.lists(_PARALLEL_ROWS, min_size=2, max_size=5))
-def test_runs_of_parallel_axes_that_point_both_ways(rows):
+def test_parallel_axes_match_numeric_view(rows):
     arm = Arm("run", [*rows, revolute(0.1, "pi/2"), revolute(0.1)])
     q = joint_vectors(arm, ())
     T = in_numbers(arm, symbolic.forward_kinematics(arm), q)
@@ -55,19 +55,19 @@ def test_runs_of_parallel_axes_that_point_both_ways(rows):
     assert symbolic.jacobian(arm) == symbolic.jacobian_by_differentiation(arm)
 
 
-def test_a_symbol_that_is_zero_is_left_out():
+def test_symbol_of_value_zero_is_left_out():
     d = sp.Symbol("d")
     assert d not in symbolic.forward_kinematics(ELBOW).free_symbols
     assert d in symbolic.forward_kinematics(ELBOW.with_values(d=0.1)).free_symbols
 
 
-def test_lengths_may_be_any_sums_of_products():
+def test_polynomial_length_is_accepted():
     arm = Arm("powers", [revolute(a="u*u - 3*u*v*v*v/2 + 0.25")], {"u": 1.7, "v": 0.6})
     u, v = sp.symbols("u v")
     assert symbolic.jacobian(arm).subs({"q_1": 0})[1] == u**2 - 3 * u * v**3 / 2 + sp.Rational(1, 4)
 
 
-def test_a_length_that_is_no_polynomial_is_refused():
+def test_non_polynomial_length_is_rejected():
     with pytest.raises(ArmError, match="no polynomial"):
         symbolic.forward_kinematics(Arm("x", [revolute(a="1 / b")], {"b": 2}))
     with pytest.raises(ArmError, match="no polynomial"):

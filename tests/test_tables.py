@@ -97,7 +97,7 @@ def slide_normal(arm, i, by):
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
 @settings(max_examples=30)
 @given(data=st.data())
-def test_every_valid_choice_is_accepted(arm, data):
+def test_valid_choices_of_frames_are_accepted(arm, data):
     mine = arm
     for _ in range(data.draw(st.integers(1, 6))):
         i = data.draw(st.integers(0, len(arm.rows) - 2))
@@ -117,7 +117,7 @@ def test_every_valid_choice_is_accepted(arm, data):
 
 @pytest.mark.parametrize("arm", REFERENCES, ids=lambda arm: arm.name)
 @pytest.mark.parametrize("size", [0.004, 0.3])
-def test_every_wrong_length_and_twist_is_found(arm, size):
+def test_wrong_length_or_twist_is_detected(arm, size):
     """Unless it is one of the free choices, each given here by hand with its reason."""
     for i in range(len(arm.rows)):
         for name in ("a", "alpha", "d"):
@@ -145,14 +145,14 @@ FEET = {124, 197}
 
 
 @pytest.mark.parametrize("seed", sorted({*range(300)} - FEET))
-def test_the_verdict_is_that_of_the_motion(seed):
+def test_verdict_matches_numeric_search(seed):
     """Half of these pairs are the same machine and half are not (see the next test)."""
     mine, reference = random_pair(seed)
     report = compare_tables(mine, reference)
     assert same(report) == same_machine(mine, reference), f"{reference._repr_markdown_()}\n{report}"
 
 
-def test_the_pairs_above_are_of_both_sorts():
+def test_random_pairs_include_same_and_different_arms():
     count = sum(same(compare_tables(*random_pair(seed))) for seed in range(60))
     assert 15 <= count <= 45
 
@@ -177,7 +177,7 @@ def test_slides_leave_lengths_free(mine, reference):
     assert same(compare_tables(*both))
 
 
-def test_an_arms_own_entries_are_quoted():
+def test_entries_of_arm_are_quoted():
     rows = list(PANDA.rows)
     rows[0], rows[2] = replace(rows[0], alpha="pi/3"), replace(rows[2], a="2*a_3")
     mine = Arm("mine", rows, values=PANDA.values)
@@ -228,7 +228,7 @@ ROUNDED = """0 -pi/2 0.128 q1\n0.613 pi 0 q2-pi/2\n0.572 pi 0 q3
         ("0.572 pi 0", "0.572 pi 0.3", ("table.too much:d:3",)),
     ],
 )
-def test_one_slip_is_told_among_lengths_that_are_rounded(right, wrong, causes):
+def test_one_mistake_is_named_among_rounded_lengths(right, wrong, causes):
     mine = ROUNDED.replace(right, wrong)
     for typed in (mine, re.sub(r"0\.(\d+)", lambda m: m[1].ljust(3, "0"), mine)):  # m, mm
         report = compare_tables(typed, UR10E_HOMEWORK, columns="a alpha d theta")
@@ -252,7 +252,7 @@ def test_one_slip_is_told_among_lengths_that_are_rounded(right, wrong, causes):
         ("30", "cm", "wrong"),
     ],
 )
-def test_whole_millimetres_are_rounded_lengths(typed, lengths, grade):
+def test_whole_millimetres_count_as_rounded(typed, lengths, grade):
     assert said(f"{typed} 0 0 q1", "0.3006 0 0 q1", lengths=lengths).grade == grade
 
 
@@ -270,7 +270,7 @@ def test_whole_millimetres_are_rounded_lengths(typed, lengths, grade):
 0 -pi/2 0 q5+pi\n0 0 0.263 q6+pi""", "row 2, a"),
     ],
 )  # fmt: skip
-def test_one_slip_in_frames_of_ones_own_is_told_alone(arm, mine, where):
+def test_one_mistake_in_other_frames_is_located(arm, mine, where):
     report = compare_tables(mine, arm, columns="a alpha d theta")
     causes = ("table.number:d:4",) if arm == UR10E_HOMEWORK else ()  # in the book's own frames
     assert (report.grade, report.causes) == ("wrong", causes), str(report)
@@ -288,7 +288,7 @@ def test_one_slip_in_frames_of_ones_own_is_told_alone(arm, mine, where):
          "51.5662° in yours and 22.9183° in the reference: 28.6479° off"),
     ],
 )  # fmt: skip
-def test_the_angle_about_a_slide_is_told_as_theta_has_it(twist, theta, wanted, angles):
+def test_angle_about_slide_is_reported_as_theta(twist, theta, wanted, angles):
     row = "0.3 pi/2 0.2 q1; 0 1 0 q2; 0 {} d3 {}; 0 0 0.3 q4"
     report = said(row.format(twist, theta) + "; 0 0 0 0", row.format(twist, wanted))
     told = next(f for f in report.findings if "slide" in f.words)
@@ -310,7 +310,7 @@ def test_the_angle_about_a_slide_is_told_as_theta_has_it(twist, theta, wanted, a
         ("0.25", "2/10", "d in row 2 is 50 mm too short (you have 2/10)"),
     ],
 )
-def test_a_wrong_entry_is_quoted(entry, instead, words):
+def test_wrong_entry_is_quoted(entry, instead, words):
     report = said(GENERIC.replace(entry, instead, 1), GENERIC)
     assert report.headline == f"Your table is another arm than Ref: {words}."
 
@@ -366,7 +366,7 @@ def test_a_wrong_entry_is_quoted(entry, instead, words):
             "reference: 25 mm too long."]),
     ],
 )  # fmt: skip
-def test_what_differs_between_the_axes_is_said(typed, reference, options, lines):
+def test_differences_between_axes_are_described(typed, reference, options, lines):
     report = said(typed, reference, **options)
     assert report.headline == "Your table is another arm than Ref."
     assert [f.words for f in report.findings] == lines
@@ -435,7 +435,7 @@ JOINTS = "the same q is another pose. The reference counts its joints otherwise:
           BASE.format("0.2782 mm higher", 1)]),
     ],
 )  # fmt: skip
-def test_what_is_free_in_a_right_table_is_noted(typed, reference, options, grade, notes):
+def test_free_choices_of_right_table_are_noted(typed, reference, options, grade, notes):
     report = said(typed, reference, **options)
     assert same(report) == (grade != "wrong"), str(report)
     assert len(report.notes) == len(notes)
@@ -457,7 +457,7 @@ WITH_BODIES = tuple(arm for arm in (PANDA, UR10E, UR10E_HOMEWORK, PANDA.lock(3))
 
 @pytest.mark.parametrize("reference", [*WITH_BODIES, BASED, STANFORD, HEAVY_SCARA, BEYOND], ids=str)
 @pytest.mark.parametrize("seed", range(8))
-def test_the_arm_in_their_joints_is_the_reference_told_by_their_rows(reference, seed):
+def test_arm_in_students_joints_behaves_like_reference(reference, seed):
     """By what it does: the same places, weights and limits at the joints that the map names."""
     rng = np.random.default_rng(seed)
     limited = [

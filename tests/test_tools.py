@@ -18,7 +18,7 @@ from tools.refresh import refresh
 ROOT = Path(__file__).parents[1]
 
 
-def test_the_pages_come_in_the_order_of_the_contents():
+def test_pdf_pages_follow_the_contents():
     names = pdf.names()
     contents = (pdf.ROOT / "book/_toc.yml").read_text(encoding="utf-8")
     assert names[0] == "intro"
@@ -27,7 +27,7 @@ def test_the_pages_come_in_the_order_of_the_contents():
     assert len(names) == len(set(names))
 
 
-def test_the_first_page_shows_its_link_once_there_is_a_pdf(tmp_path):
+def test_pdf_link_is_inserted_once(tmp_path):
     page = tmp_path / "intro.html"
     page.write_text(f"<article></article>{pdf.PLACE}", encoding="utf-8")
     pdf.link(page)
@@ -38,7 +38,7 @@ def test_the_first_page_shows_its_link_once_there_is_a_pdf(tmp_path):
         pdf.link(page)
 
 
-def test_references_are_printed_with_the_pages_that_the_first_print_found(monkeypatch):
+def test_pdf_references_use_pages_of_first_print(monkeypatch):
     """A second print that moved a place would make them wrong."""
     found = iter([{"a": 3, "b": 1}, {"a": 3, "b": 1}, {"a": 3, "b": 1}, {"a": 4, "b": 1}])
     monkeypatch.setattr(pdf, "places", lambda data: next(found))
@@ -50,7 +50,7 @@ def test_references_are_printed_with_the_pages_that_the_first_print_found(monkey
         pdf.printed(page)
 
 
-def test_without_a_browser_nothing_is_printed_and_a_sentence_says_why(monkeypatch):
+def test_pdf_without_browser_exits_with_message(monkeypatch):
     def launch(**_):
         raise Error("Chromium distribution 'chrome' is not found")
 
@@ -77,7 +77,7 @@ def notebook(tmp_path):
     return path
 
 
-def test_a_refreshed_notebook_holds_its_outputs_and_nothing_of_the_machine(notebook):
+def test_refresh_stores_outputs_without_machine_details(notebook):
     ids = [cell.id for cell in nbformat.read(notebook, as_version=4).cells]
     refresh(notebook)
     first = notebook.read_bytes()
@@ -96,7 +96,7 @@ def test_a_refreshed_notebook_holds_its_outputs_and_nothing_of_the_machine(noteb
     assert notebook.read_bytes() == first
 
 
-def test_the_files_that_name_the_repository_agree():
+def test_repository_url_agrees_in_all_files():
     url = yaml.safe_load((ROOT / "book/_config.yml").read_text("utf-8"))["repository"]["url"]
     citation = yaml.safe_load((pdf.ROOT / "CITATION.cff").read_text("utf-8"))
     project = tomllib.loads((pdf.ROOT / "pyproject.toml").read_text("utf-8"))["project"]

@@ -56,7 +56,7 @@ def verdict(mine, q=BENT, **options):
         (TAU[:, None], BENT, ()),
     ],
 )
-def test_torques_are_set_upright_and_that_is_said(mine, q, taken):
+def test_other_layouts_of_torques_are_read_and_noted(mine, q, taken):
     report = verdict(np.round(mine, 5), q)
     assert (report.grade, report.taken) == ("right", (*taken, LINKS))
     assert report.figures["right"] == 3
@@ -67,7 +67,7 @@ def test_torques_are_set_upright_and_that_is_said(mine, q, taken):
     ("by", "cause"),
     [(-1, "tau.all signs"), (OFF[::-1], "tau.reversed order")],
 )
-def test_a_square_is_not_turned(by, cause):
+def test_square_matrix_is_not_transposed(by, cause):
     mine = (TAU3 @ by if np.ndim(by) else by * TAU3).round(4)
     for some, causes in ((mine, (cause,)), (mine.T, ())):
         report = verdict(some, Q3)
@@ -87,7 +87,7 @@ def test_a_square_is_not_turned(by, cause):
         (np.ones((2, 2, 3)), Q2, "2x2x3", "2x3"),
     ],
 )
-def test_what_has_another_shape(mine, q, shape, wanted):
+def test_wrong_shape_is_reported(mine, q, shape, wanted):
     report = verdict(mine, q)
     (finding,) = report.findings
     key = "tau.energy" if shape is None else "tau.shape"
@@ -99,7 +99,7 @@ def test_what_has_another_shape(mine, q, shape, wanted):
     assert report.headline.startswith(f"The torques of your arm are not right: {shape[:3].lower()}")
 
 
-def test_degrees_are_those_of_joints_that_turn():
+def test_degrees_apply_only_to_revolute_joints():
     q = np.array([[30.0, 0.25, -45.0], [10.0, 0.5, 60.0]])
     turned = np.where([True, False, True], np.radians(q), q)
     tau = torques(turned).round(5)
@@ -108,7 +108,7 @@ def test_degrees_are_those_of_joints_that_turn():
     assert verdict(torques(q).round(5), q, angles="deg").causes == ("tau.degrees",)
 
 
-def test_loads_may_be_of_any_numbers():
+def test_loads_of_any_number_type_are_read():
     load = {
         "wrench": [Fraction(int(2 * x), 2) for x in F],
         "gravity": (sp.Integer(0), 0, sp.Rational(-981, 100)),
@@ -135,7 +135,7 @@ def one(q):
     return torques(q)
 
 
-def test_a_function_is_called_pose_by_pose():
+def test_function_is_called_for_each_pose():
     for mine in (one, lambda q: one(q)[:, None], lambda a, b, c: one([a, b, c])):
         assert verdict(mine, Q2).agrees
     assert verdict(one).agrees
@@ -156,7 +156,7 @@ def test_a_function_is_called_pose_by_pose():
     ("digits", "share", "grades"),
     [(3, 0.49, ("right", "so far")), (3, 1.4, ("wrong",)), (2, 0.49, ("wrong",))],
 )
-def test_digits_of_q_that_are_not_written_may_change_the_torques(digits, share, grades):
+def test_rounded_q_widens_torque_tolerance(digits, share, grades):
     """q is cut to three decimals; with two it is taken as it is written, with zeros behind."""
     off = share * 10.0**-digits * np.array([1, -1, 1])
     for q in (BENT.round(digits), BENT.round(digits)[None], Q3.round(digits)):
@@ -166,7 +166,7 @@ def test_digits_of_q_that_are_not_written_may_change_the_torques(digits, share, 
 
 @pytest.mark.parametrize(("off", "grade"), [(0.0, "right"), (0.001, "rounded"), (0.5, "wrong")])
 @pytest.mark.parametrize("at", [0, 1, 33, 59])
-def test_a_pose_between_those_that_are_tried_counts(off, grade, at):
+def test_error_at_any_pose_counts(off, grade, at):
     """Of sixty poses five are tried, the second is none of them."""
     q = np.linspace(BENT, 1.3 * BENT, 60)
     mine = torques(q)
@@ -193,7 +193,7 @@ def test_a_pose_between_those_that_are_tried_counts(off, grade, at):
         (TAU3 + 0.3 * OFF[0] + 0.1, [], {"tolerance": 0.5}),
     ],
 )  # fmt: skip
-def test_joints_that_are_wrong(mine, said, options):
+def test_wrong_joints_are_described(mine, said, options):
     report = verdict(mine.round(4), Q3, **options)
     assert [f.words for f in report.findings] == said
     assert (report.grade == "wrong") == bool(said)

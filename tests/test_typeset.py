@@ -17,7 +17,7 @@ def heard(markup):
     return re.findall(r"<(m[ion]|mfrac|msub|mtr)\b[^>]*>([^<]*)", markup)
 
 
-def test_a_formula_is_heard_as_it_is_written_and_its_source_does_not_come_along():
+def test_mathml_holds_formula_without_tex():
     made = typeset.mathml(r"\frac{1}{2} q_3")
     said = [("mfrac", ""), ("mn", "1"), ("mn", "2"), ("msub", ""), ("mi", "q"), ("mn", "3")]
     assert heard(made) == said
@@ -25,20 +25,20 @@ def test_a_formula_is_heard_as_it_is_written_and_its_source_does_not_come_along(
     assert "frac{" not in made
 
 
-def test_a_display_has_a_line_of_its_own_and_rows():
+def test_display_formula_has_matrix_rows():
     made = typeset.mathml(r"\begin{bmatrix} 1 & 2 \\ 3 & 4 \end{bmatrix}", display=True)
     assert made.startswith('<math display="block"')
     assert made.count("<mtr>") == 2
 
 
 @pytest.mark.parametrize("tex", [r"\nosuch", "a_", r"\frac{1}", "a_1_2", r"\left( a"])
-def test_what_is_no_formula_is_told_in_words(tex):
+def test_invalid_tex_is_rejected(tex):
     for way in (typeset.mathml, typeset.parts):
         with pytest.raises(ArmError, match=r"is no formula: .*; expected TeX"):
             way(tex)
 
 
-def test_any_thread_may_ask():
+def test_mathml_works_in_any_thread():
     made = []
     thread = threading.Thread(target=lambda: made.append(typeset.mathml("q")))
     thread.start()
@@ -46,7 +46,7 @@ def test_any_thread_may_ask():
     assert made == [typeset.mathml("q")]
 
 
-def test_a_line_may_break_behind_a_relation_or_a_sum_and_nothing_is_lost():
+def test_parts_break_after_relations_and_sums():
     parts = typeset.parts("d = a_1 + b")
     assert [re.sub("<.*?>", "", part) for part in parts] == ["d=", "a1+", "b"]
     assert all(part.startswith("<math>") and part.endswith("</math>") for part in parts)
@@ -56,24 +56,24 @@ def test_a_line_may_break_behind_a_relation_or_a_sum_and_nothing_is_lost():
     )
 
 
-def test_a_sign_has_room_in_a_line_and_none_in_an_index():
+def test_operator_has_no_space_in_index():
     signs = re.findall("<mo[^>]*>", typeset.mathml("z_{i-1} - 1"))
     assert [sign.count('space="0"') for sign in signs] == [2, 0]
 
 
 @pytest.mark.parametrize(("inside", "grows"), [("a_1", False), (r"\frac{1}{2}", True)])
-def test_a_bracket_grows_with_what_is_tall_alone(inside, grows):
+def test_bracket_stretches_only_around_tall_content(inside, grows):
     made = typeset.mathml(rf"\left( {inside} \right)")
     assert re.findall('stretchy="(.*?)"', made) == ["true" if grows else "false"] * 2
 
 
-def test_a_function_has_room_before_its_name_and_none_before_its_bracket():
+def test_function_name_has_space_only_before_it():
     made = typeset.mathml(r"a_1 \cos{\left(q \right)} + \sin \theta_2 \cos q")
     shown = re.sub("<mspace[^>]*>", "_", made)
     assert re.sub("<.*?>|\N{FUNCTION APPLICATION}", "", shown) == "a1_cos(q)+sin_θ2_cos_q"
 
 
-def test_the_face_has_what_a_browser_sets_formulas_by():
+def test_math_font_has_usable_subscript_metrics():
     """A table of measures; and no letter lowers its index further than others."""
     face = TTFont(FACE)
     constants = face["MATH"].table.MathConstants

@@ -42,7 +42,7 @@ JOINTS = [
 TWO = robot(*LINKS, *JOINTS)
 
 
-def test_a_chain_with_its_limits_and_names():
+def test_chain_keeps_names_and_limits():
     arm = from_urdf(TWO)
     assert arm.name == "two"
     assert arm.source == "robot description: base to tool; joints shoulder, elbow"
@@ -50,12 +50,12 @@ def test_a_chain_with_its_limits_and_names():
     assert np.transpose(found).tolist() == [[-1, 2, 3, 4], [-math.inf, *[math.inf] * 3]]
 
 
-def test_without_masses_there_are_no_bodies():
+def test_urdf_without_masses_has_no_bodies():
     links = [link(name) for name in ("base", "upper", "fore", "tool")]
     assert from_urdf(robot(*links, *JOINTS)).bodies == ()
 
 
-def test_a_file_is_read_as_its_text_is(tmp_path):
+def test_file_and_text_give_the_same_arm(tmp_path):
     path = tmp_path / "two.urdf"
     path.write_text(TWO, encoding="utf-8")
     assert from_urdf(path) == from_urdf(str(path)) == from_urdf(TWO)
@@ -65,7 +65,7 @@ def test_a_file_is_read_as_its_text_is(tmp_path):
     assert from_urdf(path).name == from_urdf(latin).name == "zwölf"
 
 
-def test_a_part_of_the_chain():
+def test_base_and_tip_select_part_of_chain():
     assert from_urdf(TWO, "upper", "fore").source.endswith("upper to fore; joints elbow")
 
 
@@ -78,7 +78,7 @@ def test_a_part_of_the_chain():
         ('velocity="1" effort="1"', (-math.inf, math.inf, 1, 1)),
     ],
 )
-def test_a_limit_left_out_is_zero_and_what_is_zero_is_not_given(given, limits):
+def test_missing_and_zero_limits_follow_urdf_rules(given, limits):
     moved = joint("j", "a", "b", inside=f"<limit {given}/>")
     arm = from_urdf(robot(link("a"), link("b"), moved))
     assert (*np.ravel(arm.limits), *arm.speed_limits, *arm.effort_limits) == limits
@@ -93,7 +93,7 @@ GRIP = [
 GRIPPER = robot(*LINKS, *FINGERS, *JOINTS, *GRIP)
 
 
-def test_what_hangs_beside_the_chain_rides_along_at_0():
+def test_side_links_add_mass_at_zero_angle():
     """Also a cup that floats, and a finger that a mimic would move."""
     cup = link("cup", 1), joint("m", "tool", "cup", "floating", MIMIC, xyz="0 0 0")
     for more, mass in (((), 0.7), (cup, 1.7)):
@@ -152,7 +152,7 @@ def one(*how, **more):
     ],
     ids=itertools.count(),
 )
-def test_what_is_no_chain_is_refused_in_words(source, words):
+def test_invalid_description_is_rejected(source, words):
     with pytest.raises(ArmError, match=words):
         from_urdf(source)
 
@@ -167,18 +167,18 @@ def test_what_is_no_chain_is_refused_in_words(source, words):
         (TEN, ("wrist", None), "one of a, b, c, d, e, f, g, h and 2 more"),
     ],
 )
-def test_ends_that_have_nothing_between_are_refused_in_words(source, ends, words):
+def test_invalid_base_or_tip_is_rejected(source, ends, words):
     with pytest.raises(ArmError, match=words):
         from_urdf(source, *ends)
 
 
-def test_a_folder_and_an_endless_file_are_no_files(tmp_path):
+def test_folder_or_device_is_rejected(tmp_path):
     for path in (tmp_path, "/dev/zero"):
         with pytest.raises(ArmError, match="expected a file that exists"):
             from_urdf(path)
 
 
-def test_rounded_angles_are_warned_of_with_the_tolerance_that_takes_them():
+def test_rounded_angle_warns_with_needed_tolerance():
     """A roll of 3.1416 between parallel axes 0.1 m apart: the common normal is 14 km away."""
     turned = joint("k", "b", "c", xyz="0 0.1 0", rpy="3.1416 0 0")
     text = robot(*map(link, "abc"), joint("j", "a", "b"), turned)
@@ -189,7 +189,7 @@ def test_rounded_angles_are_warned_of_with_the_tolerance_that_takes_them():
     assert [flat.number(row.a) for row in flat.rows] == [0.1, 0]
 
 
-def test_a_side_branch_on_the_base_may_move():
+def test_moving_branch_on_base_adds_no_torque():
     """What hangs on the base never loads the arm."""
     other = [link("cart", 5), joint("wheel", "base", "cart")]
     arm = from_urdf(robot(*LINKS, *other[:1], *JOINTS, *other[1:]), tip="tool")

@@ -33,7 +33,7 @@ SOLVED = [
 
 
 @every_arm
-def test_another_frame_turns_the_rows(arm):
+def test_jacobian_in_frame_rotates_the_rows(arm):
     q = joint_vectors(arm, (3,))
     for k in (0, len(arm.rows)):
         R, J = link_frames(arm, q)[:, k, :3, :3], jacobian_in_frame(arm, q, k)
@@ -43,7 +43,7 @@ def test_another_frame_turns_the_rows(arm):
 
 
 @every_arm
-def test_manipulability_is_the_square_root_of_a_determinant(arm):
+def test_manipulability_is_root_of_determinant(arm):
     q = joint_vectors(arm, (4,))
     J = jacobian(arm, q)
     wide = arm.dof >= 6
@@ -61,14 +61,14 @@ def test_manipulability_is_the_square_root_of_a_determinant(arm):
 
 
 @pytest.mark.parametrize("arm", SOLVED, ids=ids)
-def test_the_determinant_is_the_determinant(arm):
+def test_symbolic_determinant_matches_numpy(arm):
     formula = symbolic.with_numbers(arm, symbolic.determinant(arm))
     value = sp.lambdify([symbolic.joint_symbols(arm)], formula)
     for q in joint_vectors(arm, (5,), 9):
         assert value(q) == pytest.approx(np.linalg.det(jacobian(arm, q)[: arm.dof]), abs=1e-13)
 
 
-def test_what_is_lost_is_what_no_joint_gives():
+def test_lost_directions_of_ur10e_at_home():
     """At home the UR10e cannot move along y or z, nor turn about x."""
     J = jacobian(UR10E_HOMEWORK, np.zeros(6))
     lost = lost_directions(J)
@@ -77,6 +77,6 @@ def test_what_is_lost_is_what_no_joint_gives():
     np.testing.assert_allclose(lost[:, [0, 4, 5]], 0, atol=1e-12)
 
 
-def test_frames_are_counted_to_the_tip():
+def test_frame_beyond_the_tip_is_rejected():
     with pytest.raises(ArmError, match="UR10e: frame 7 does not exist; expected 0 to 6"):
         jacobian_in_frame(UR10E, np.zeros(6), 7)

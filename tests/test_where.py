@@ -9,20 +9,20 @@ BOOK = Path(__file__).parents[1] / "book"
 TEXT = (BOOK / "where.md").read_text(encoding="utf-8")
 
 
-def test_no_line_is_empty():
+def test_every_line_has_a_reference():
     rows = re.findall(r"(?m)^\* - (.+)\n  - (.+)$", TEXT)
     assert len(rows) == TEXT.count("\n* - ") > 50
     places = [place for _, place in rows if place not in ("In the book", "Where to look")]
     assert all(re.search(r"\{(doc|ref|numref|eq)\}`|<a href=", place) for place in places)
 
 
-def test_what_is_asked_of_every_arm_stands_in_the_first_chapter():
+def test_tables_and_frames_point_to_sections():
     table = TEXT.partition("## Tables and frames")[2].partition("\n## ")[0]
     rows = re.findall(r"(?m)^\* - (.+)\n  - (.+)$", table)[1:]
     assert all(re.search(r"\{(ref|numref|eq)\}`", place) for _, place in rows)
 
 
-def test_a_picture_of_each_arm_draws_its_frames():
+def test_each_arm_has_a_figure_of_its_frames():
     (places,) = re.findall(r"each arm with all its frames\n  - (.+)", TEXT)
     cells = nbformat.read(BOOK / "01_dh_tables.ipynb", as_version=4).cells
     figures = {

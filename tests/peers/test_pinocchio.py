@@ -45,13 +45,13 @@ def flange(model, data, q_maker):
     return pinocchio.updateFramePlacement(model, data, model.getFrameId("panda_link8")).homogeneous
 
 
-def test_forward_kinematics_to_1e_12(panda, poses):
+def test_forward_kinematics_matches_pinocchio(panda, poses):
     data = panda.createData()
     theirs = np.array([flange(panda, data, q) for q in SIGNS * poses]) @ PEN @ HALF_TURN
     np.testing.assert_allclose(forward_kinematics(PANDA, poses), theirs, atol=1e-12)
 
 
-def test_jacobian_to_1e_12(panda, poses):
+def test_jacobian_matches_pinocchio(panda, poses):
     """Pinocchio's tip is the flange: its velocity is carried to the pen, 0.1 m further out."""
     data, frame = panda.createData(), panda.getFrameId("panda_link8")
     ours = jacobian(PANDA, poses[:200])
@@ -66,7 +66,7 @@ def test_jacobian_to_1e_12(panda, poses):
         np.testing.assert_allclose(J, np.vstack([linear, at_flange[3:]]) * SIGNS, atol=1e-12)
 
 
-def test_limits_are_the_makers(panda):
+def test_limits_match_robot_description(panda):
     lower, upper = PANDA.limits
     np.testing.assert_allclose(
         np.sort([SIGNS * lower, SIGNS * upper], axis=0)[0], panda.lowerPositionLimit

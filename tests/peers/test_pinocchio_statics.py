@@ -20,14 +20,14 @@ def weighed(panda):  # noqa: F811
     return model
 
 
-def test_gravity_torque_to_1e_9(weighed):
+def test_gravity_torque_matches_pinocchio(weighed):
     data = weighed.createData()
     for q in np.random.default_rng(3).uniform(*PANDA.limits, size=(200, 7)):
         theirs = pinocchio.computeGeneralizedGravity(weighed, data, SIGNS * q) * SIGNS
         np.testing.assert_allclose(gravity_torque(PANDA, q), theirs, atol=1e-9)
 
 
-def test_torque_with_a_force_against_rnea(weighed):
+def test_static_torque_matches_rnea(weighed):
     """Pinocchio's RNEA at rest takes the force on the last joint, in that joint's frame: it is
     carried there from the pen."""
     data, force = weighed.createData(), np.array([-5.0, 1.0, -2.0])
@@ -49,7 +49,7 @@ LINK_7 = np.array(
 )  # fmt: skip  # the paper's; the description's joint 7 carries the hand as well
 
 
-def test_inverse_dynamics_to_1e_9(weighed, panda):  # noqa: F811
+def test_inverse_dynamics_matches_pinocchio(weighed, panda):  # noqa: F811
     """With the paper's inertia tensors, which Pinocchio reads from the maker's description and
     keeps in the paper's frames; ours are in the table's. And of masses that are points."""
     papers = np.array([*(panda.inertias[k].inertia for k in range(1, 7)), LINK_7])

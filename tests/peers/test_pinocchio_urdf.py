@@ -128,14 +128,14 @@ def assert_the_same(text, base, tip, hold):
 
 
 @pytest.mark.parametrize("name", ARMS)
-def test_serial_arms(name):
+def test_serial_arm_matches_pinocchio(name):
     file, base, tip, hold = ARMS[name]
     weight = assert_the_same((ROBOTS / file).read_text(encoding="utf-8"), base, tip, hold)
     assert weight > 1 or name not in ("UR5", "Panda", "Jaco", "xArm7", "Z1 with its gripper")
 
 
 @pytest.mark.parametrize("name", LIMBS)
-def test_arms_of_larger_robots(name):
+def test_limb_of_larger_robot_matches_pinocchio(name):
     file, base, tip = LIMBS[name]
     text = (ROBOTS / file).read_text(encoding="utf-8")
     model = pinocchio.buildModelFromXML(text)

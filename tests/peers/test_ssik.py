@@ -26,7 +26,7 @@ BARE = UR10E.with_values(l_pen=0)
 BASE = np.diag([-1.0, -1.0, 1.0, 1.0])
 
 
-def test_branches_of_thousands_of_poses():
+def test_ur10e_branches_match_ssik():
     q = np.random.default_rng(11).uniform(-np.pi, np.pi, (4000, 6))
     T = forward_kinematics(BARE, q)
     tool = np.linalg.inv(BASE @ T[0]) @ ur10e_ik.fk(q[0])
