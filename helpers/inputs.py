@@ -1,5 +1,9 @@
-"""Input checked at the door: each function returns what it was given in the form that is computed
-with, or raises ArmError, which says what was given and what was expected."""
+"""Check and convert arguments.
+
+Each function returns its argument in the form that the caller computes with, or raises an ArmError
+that says what was given and what was expected. The parameter `name` is what a message calls the
+argument, and `expected` completes the message's "expected ...".
+"""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -13,123 +17,154 @@ Size = int | None
 Array = NDArray[np.float64]
 
 
-LARGEST = 1e100  # products of three such numbers are finite
+LARGEST = 1e100  # the product of three numbers of this size is still a finite float
 
 
 class ArmError(ValueError):
-    """Something about an arm, or about what it was given, is wrong."""
+    """An arm, or an argument given to it, is wrong."""
 
 
-def must_be(value: object, kind: type, what: str) -> None:
-    """Raise ArmError unless `value` is of a kind such as Arm."""
+def require_type(value: object, kind: type, name: str) -> None:
+    """Raise ArmError unless `value` is an instance of `kind`."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIO" else "a"
-        raise ArmError(f"{what} is {shown(value)}; expected {article} {kind.__name__}")
+        raise ArmError(f"{name} is {shorten(value)}; expected {article} {kind.__name__}")
 
 
-def must_be_callable(value: object, what: str, wanted: str) -> None:
+def require_callable(value: object, name: str, expected: str) -> None:
     """Raise ArmError unless `value` can be called."""
     if not callable(value):
-        raise ArmError(f"{what} is {shown(value)}; expected {wanted}")
+        raise ArmError(f"{name} is {shorten(value)}; expected {expected}")
 
 
-def numbers(
-    value: Any, what: str, wanted: str, shape: tuple[Size, ...], many: bool = False
+def finite_array(
+    value: Any, name: str, expected: str, shape: tuple[Size, ...], many: bool = False
 ) -> Array:
-    """An array of finite numbers of a shape, None for any size; with `many`, that of its last
-    axes."""
-    array = floats(value, what, wanted)
+    """Convert `value` to an array of finite numbers and check its shape.
+
+    Args:
+        value: Numbers, nested sequences of numbers, or an array.
+        name: What messages call the argument.
+        expected: What messages say was expected.
+        shape: Required shape; None stands for any size.
+        many: Whether further axes may come before those of `shape`.
+
+    Returns:
+        The array, of shape `shape`, or (..., *shape) with `many`.
+
+    Raises:
+        ArmError: The shape is wrong, or a number is not finite or larger than `LARGEST`.
+    """
+    array = float_array(value, name, expected)
     last = array.shape[max(0, array.ndim - len(shape)) :] if many else array.shape
     fits = len(last) == len(shape) and all(n in (None, m) for n, m in zip(shape, last, strict=True))
     if not fits:
-        given = f"has shape {array.shape}" if array.shape else f"is {shown(value)}"
-        raise ArmError(f"{what} {given}; expected {wanted}")
+        actual = f"has shape {array.shape}" if array.shape else f"is {shorten(value)}"
+        raise ArmError(f"{name} {actual}; expected {expected}")
     if not (np.abs(array) <= LARGEST).all():
-        held = f"a number beyond {LARGEST:g}" if np.isfinite(array).all() else "NaN or infinity"
-        raise ArmError(f"{what} holds {held}; expected {wanted}")
+        content = f"a number beyond {LARGEST:g}" if np.isfinite(array).all() else "NaN or infinity"
+        raise ArmError(f"{name} holds {content}; expected {expected}")
     return array
 
 
-def floats(value: Any, what: str, wanted: str) -> Array:
-    """An array of real numbers, of any shape; words, None, complex numbers, ragged lists and arrays
-    with masked entries are none."""
+def float_array(value: Any, name: str, expected: str) -> Array:
+    """Convert `value` to an array of real numbers of any shape.
+
+    Raises:
+        ArmError: `value` holds text, None, complex numbers or masked entries, or is ragged.
+    """
     try:
         array = np.asanyarray(value)
-        kind, lacking = array.dtype.kind, np.ma.is_masked(array)
+        kind, has_gaps = array.dtype.kind, np.ma.is_masked(array)
         if kind == "O":
-            lacking = lacking or any(x is None for x in array.ravel())
-        if kind in "iufO" and not lacking:
+            has_gaps = has_gaps or any(x is None for x in array.ravel())
+        if kind in "iufO" and not has_gaps:
             return np.asarray(array, dtype=float)
     except (TypeError, ValueError, OverflowError):
         pass
-    raise ArmError(f"{what} is {shown(value)}; expected {wanted}")
+    raise ArmError(f"{name} is {shorten(value)}; expected {expected}")
 
 
-def number(
+def finite_number(
     value: Any,
-    what: str,
-    wanted: str = "a finite number",
+    name: str,
+    expected: str = "a finite number",
     *,
     above: float = -math.inf,
     least: float = -math.inf,
 ) -> float:
-    """A finite number that is greater than `above` and not less than `least`."""
-    found = floats(value, what, wanted)
-    if found.shape or not (np.isfinite(found) and found > above and found >= least):
-        raise ArmError(f"{what} is {shown(value)}; expected {wanted}")
-    return float(found)
+    """Convert `value` to a finite float that is greater than `above` and at least `least`."""
+    array = float_array(value, name, expected)
+    if array.shape or not (np.isfinite(array) and array > above and array >= least):
+        raise ArmError(f"{name} is {shorten(value)}; expected {expected}")
+    return float(array)
 
 
-def named(values: Any, what: str) -> dict[str, float]:
-    """Numbers by name."""
-    must_be(values, Mapping, what)
-    for name in values:
-        must_be(name, str, f"a name in {what}")
-    return {name: number(x, f"{what}[{name!r}]") for name, x in values.items()}
+def numbers_by_name(values: Any, name: str) -> dict[str, float]:
+    """Convert a mapping from names to numbers to a dict of finite floats."""
+    require_type(values, Mapping, name)
+    for key in values:
+        require_type(key, str, f"a name in {name}")
+    return {key: finite_number(x, f"{name}[{key!r}]") for key, x in values.items()}
 
 
-def whole(value: Any, what: str, least: int = 0) -> int:
-    """A whole number that is not less than `least`."""
+def whole_number(value: Any, name: str, least: int = 0) -> int:
+    """Convert `value` to an int that is at least `least`; booleans are refused."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
-        raise ArmError(f"{what} is {shown(value)}; expected a whole number of {least} or more")
+        raise ArmError(f"{name} is {shorten(value)}; expected a whole number of {least} or more")
     return int(value)
 
 
-def one_of(value: object, what: str, known: Iterable[str]) -> str:
-    """One of the names that are known."""
-    known = tuple(known)
-    if not isinstance(value, str) or value not in known:
-        raise ArmError(f"{what} is {shown(value)}; expected one of {', '.join(known)}")
+def require_choice(value: object, name: str, choices: Iterable[str]) -> str:
+    """Return `value` if it is one of the choices; raise ArmError otherwise."""
+    choices = tuple(choices)
+    if not isinstance(value, str) or value not in choices:
+        raise ArmError(f"{name} is {shorten(value)}; expected one of {', '.join(choices)}")
     return value
 
 
-def listed(value: Any, what: str, wanted: str) -> tuple:
-    """The items of a list or another collection; a text is none."""
+def tuple_of_items(value: Any, name: str, expected: str) -> tuple:
+    """Return the items of an iterable as a tuple; raise ArmError for text or no iterable."""
     if isinstance(value, str | bytes) or not isinstance(value, Iterable):
-        raise ArmError(f"{what} are {shown(value)}; expected {wanted}")
+        raise ArmError(f"{name} are {shorten(value)}; expected {expected}")
     return tuple(value)
 
 
-def plane_axes(plane: object, what: str = "plane") -> tuple[int, int]:
-    """Which axes, 0 to 2, a plane such as "yz" is made of, in their order."""
-    known = {a + b: (i, j) for (i, a), (j, b) in permutations(enumerate("xyz"), 2)}
-    if not isinstance(plane, str) or plane not in known:
+def parse_plane(plane: object, name: str = "plane") -> tuple[int, int]:
+    """Return the indices 0 to 2 of a plane's two axes, as (1, 2) for "yz"."""
+    planes = {a + b: (i, j) for (i, a), (j, b) in permutations(enumerate("xyz"), 2)}
+    if not isinstance(plane, str) or plane not in planes:
         raise ArmError(
-            f"{what} is {shown(plane)}; expected two different letters of x, y, z, such as 'yz'"
+            f"{name} is {shorten(plane)}; expected two different letters of x, y, z, such as 'yz'"
         )
-    return known[plane]
+    return planes[plane]
 
 
-def common_shape(what: str, *shapes: tuple[int, ...]) -> tuple[int, ...]:
-    """The shape that batches of these shapes have together."""
+def broadcast_shape(name: str, *shapes: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the common shape to which batches of the given shapes broadcast."""
     try:
         return np.broadcast_shapes(*shapes)
     except ValueError:
-        given = " and ".join(map(str, shapes))
-        raise ArmError(f"{what} have shapes {given}; expected the same or one of one") from None
+        actual = " and ".join(map(str, shapes))
+        raise ArmError(f"{name} have shapes {actual}; expected the same or one of one") from None
 
 
-def shown(value: object) -> str:
-    """What was given, cut where it is long."""
+def shorten(value: object) -> str:
+    """Return the repr of `value`, cut to 80 characters, for a message."""
     text = repr(value)
     return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+# Old names, for callers that have not been renamed yet.
+must_be = require_type
+must_be_callable = require_callable
+numbers = finite_array
+floats = float_array
+number = finite_number
+named = numbers_by_name
+whole = whole_number
+one_of = require_choice
+listed = tuple_of_items
+plane_axes = parse_plane
+common_shape = broadcast_shape
+shown = shorten
