@@ -1,7 +1,7 @@
-"""The torques of an arm that moves: the recursive Newton-Euler algorithm.
+"""Compute the torques of a moving arm by the recursive Newton-Euler algorithm.
 
-Motion is carried outwards from the base, forces inwards from the tip, everything in base axes.
-Gravity enters as an upward acceleration of the base.
+The motion is carried from the base to the tip, the forces from the tip to the base, all in base
+axes. Gravity enters as an upward acceleration of the base.
 Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, section 6.6.
 """
 
@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm
-from helpers.inputs import ArmError, common_shape, numbers
+from helpers.inputs import ArmError, broadcast_shape, finite_array
 from helpers.kinematics import link_frames
-from helpers.statics import GRAVITY, must_have_bodies
+from helpers.statics import GRAVITY, require_bodies
 
 __all__ = ["inverse_dynamics"]
 
@@ -27,67 +27,94 @@ def inverse_dynamics(
     inertias: ArrayLike | None = None,
     gravity: ArrayLike = GRAVITY,
 ) -> Array:
-    """M q_ddot + C q_dot + g(q), the torques (N m; N where a joint slides) of a moving arm without
-    friction, shape (..., dof), for q, q_dot and q_ddot of shape (..., dof).
+    """Compute the torques M q_ddot + C q_dot + g(q) of a moving arm without friction.
 
-    `inertias` are the links' inertia tensors about their centres of mass, in the axes of the link
-    frames, shape (rows, 3, 3), in kg m^2. Without them every link is a point mass at its centre.
-    Raises ArmError where the arm has no masses, for tensors that are not symmetric, and for shapes
-    that do not fit.
+    Args:
+        arm: The arm, with its bodies.
+        q: Joint values, shape (..., dof), in rad or m.
+        q_dot: Joint rates, shape (..., dof), in rad/s or m/s.
+        q_ddot: Joint accelerations, shape (..., dof), in rad/s^2 or m/s^2.
+        inertias: The links' inertia tensors about their centres of mass, in the axes of the link
+            frames, shape (rows, 3, 3), in kg m^2. Without them every link is a point mass.
+        gravity: Gravity in base axes, shape (3,), in m/s^2.
+
+    Returns:
+        Torques, shape (..., dof), in N m; in N for a joint that slides.
+
+    Raises:
+        ArmError: The arm has no masses, a tensor is not symmetric, or shapes do not fit.
+
+    Example:
+        >>> from helpers.robots import UR10E
+        >>> rest = [0, 0, 0, 0, 0, 0]
+        >>> inverse_dynamics(UR10E, rest, rest, [0, 1, 0, 0, 0, 0])[1:3].round(2)
+        array([-110.4 ,  -34.84])
     """
-    must_have_bodies(arm)
+    require_bodies(arm)
     q, q_dot, q_ddot = (
         arm.joint_vector(x, name) for x, name in ((q, "q"), (q_dot, "q_dot"), (q_ddot, "q_ddot"))
     )
-    common_shape("q and q_dot", q.shape[:-1], q_dot.shape[:-1])
-    common_shape("q and q_ddot", q.shape[:-1], q_ddot.shape[:-1])
-    up = -numbers(gravity, "gravity", "a vector of three finite numbers in m/s^2", (3,))
-    tensors = _tensors(arm, inertias)
+    broadcast_shape("q and q_dot", q.shape[:-1], q_dot.shape[:-1])
+    broadcast_shape("q and q_ddot", q.shape[:-1], q_ddot.shape[:-1])
+    up = -finite_array(gravity, "gravity", "a vector of three finite numbers in m/s^2", (3,))
+    tensors = _check_tensors(arm, inertias)
     q, q_dot, q_ddot = np.broadcast_arrays(q, q_dot, q_ddot)
     frames = np.moveaxis(link_frames(arm, q), -3, 0)
-    return _inwards(arm, frames, _outwards(arm, frames, (q_dot, q_ddot), up, tensors))
+    wrenches = _link_wrenches(arm, frames, (q_dot, q_ddot), up, tensors)
+    return _joint_torques(arm, frames, wrenches)
 
 
-def _tensors(arm: Arm, inertias: ArrayLike | None) -> Array:
+def _check_tensors(arm: Arm, inertias: ArrayLike | None) -> Array:
+    """Return the inertia tensors, shape (rows, 3, 3); zeros where none are given."""
     shape = (len(arm.rows), 3, 3)
     if inertias is None:
         return np.zeros(shape)
-    tensors = numbers(inertias, "inertias", f"tensors {shape} in kg m^2", shape)
+    tensors = finite_array(inertias, "inertias", f"tensors {shape} in kg m^2", shape)
     if not np.allclose(tensors, np.swapaxes(tensors, 1, 2), rtol=0, atol=1e-12):
         raise ArmError("inertias are not symmetric; expected xy = yx, xz = zx and yz = zy")
     return tensors
 
 
-def _outwards(
+def _link_wrenches(
     arm: Arm, frames: Array, motion: tuple[Array, Array], up: Array, tensors: Array
 ) -> list[tuple[Array, Array]]:
-    """The force that each link's motion, (q_dot, q_ddot), takes, and its moment about the base's
-    origin."""
-    still = np.zeros((*motion[0].shape[:-1], 3))
-    omega, alpha, a, wrenches, joint = still, still, still + up, [], 0
+    """Compute the force and the moment that each link's motion takes, from the base to the tip.
+
+    Args:
+        arm: The arm.
+        frames: Link frames, shape (rows + 1, ..., 4, 4).
+        motion: q_dot and q_ddot, each of shape (..., dof).
+        up: -gravity, shape (3,).
+        tensors: Inertia tensors, shape (rows, 3, 3).
+
+    Returns:
+        For each row the force and its moment about the base's origin, each of shape (..., 3).
+    """
+    zero = np.zeros((*motion[0].shape[:-1], 3))
+    omega, alpha, a, wrenches, joint = zero, zero, zero + up, [], 0
     for k, (row, body) in enumerate(zip(arm.numeric, arm.bodies, strict=True)):
         z, step = frames[k][..., :3, 2], frames[k + 1][..., :3, 3] - frames[k][..., :3, 3]
-        slide = still
+        slide = zero
         if row.kind != "fixed":
-            rate, spurt = (x[..., joint, None] * z for x in motion)
+            rate, acceleration = (x[..., joint, None] * z for x in motion)
             joint += 1
         if row.kind == "revolute":
-            alpha = alpha + spurt + np.cross(omega, rate)
+            alpha = alpha + acceleration + np.cross(omega, rate)
             omega = omega + rate
         elif row.kind == "prismatic":
-            slide = spurt + 2 * np.cross(omega, rate)
-        a = a + slide + _swung(omega, alpha, step)
+            slide = acceleration + 2 * np.cross(omega, rate)
+        a = a + slide + _relative_acceleration(omega, alpha, step)
         R, origin = frames[k + 1][..., :3, :3], frames[k + 1][..., :3, 3]
         lever = R @ np.array([arm.number(c) for c in body.com])
-        force = arm.number(body.mass) * (a + _swung(omega, alpha, lever))
+        force = arm.number(body.mass) * (a + _relative_acceleration(omega, alpha, lever))
         tensor = R @ tensors[k] @ np.swapaxes(R, -1, -2)
-        spin = _times(tensor, alpha) + np.cross(omega, _times(tensor, omega))
+        spin = _apply(tensor, alpha) + np.cross(omega, _apply(tensor, omega))
         wrenches.append((force, np.cross(origin + lever, force) + spin))
     return wrenches
 
 
-def _inwards(arm: Arm, frames: Array, wrenches: list[tuple[Array, Array]]) -> Array:
-    """What each joint has to give of the force and the moment of all links beyond it."""
+def _joint_torques(arm: Arm, frames: Array, wrenches: list[tuple[Array, Array]]) -> Array:
+    """Sum the wrenches from the tip to the base, and project them on each joint's axis."""
     force = moment = np.zeros((*frames.shape[1:-2], 3))
     torques, joint = np.empty((*frames.shape[1:-2], arm.dof)), arm.dof
     for k in range(len(arm.rows) - 1, -1, -1):
@@ -101,10 +128,10 @@ def _inwards(arm: Arm, frames: Array, wrenches: list[tuple[Array, Array]]) -> Ar
     return torques
 
 
-def _swung(omega: Array, alpha: Array, r: Array) -> Array:
-    """The acceleration of a point at r from another one of the same rigid body."""
+def _relative_acceleration(omega: Array, alpha: Array, r: Array) -> Array:
+    """Compute how much more a point at r accelerates than the origin of the same rigid body."""
     return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))
 
 
-def _times(tensor: Array, vector: Array) -> Array:
+def _apply(tensor: Array, vector: Array) -> Array:
     return np.einsum("...ij,...j->...i", tensor, vector)

@@ -1,8 +1,8 @@
-"""What holds an arm still: potential energy, gravity torques, and the torques against a force at
-the tip.
+"""Compute what holds an arm still: gravity torques, and the torques against a force at the tip.
 
-Gravity is a vector in base axes, so a wall- or ceiling-mounted arm is the same arm with another
-`gravity`. A wrench is (force, moment) on the tool, by the world, in base axes at the tip (N, N m).
+Gravity is a vector in base axes, so an arm on a wall or a ceiling is the same arm with another
+`gravity`. A wrench is the force and the moment (N, N m) that the world exerts on the tool, in base
+axes at the tip.
 Source: Spong, Hutchinson and Vidyasagar, Robot Modeling and Control, sections 4.10 and 6.2.
 """
 
@@ -13,17 +13,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from helpers.arm import Arm, Body
-from helpers.inputs import ArmError, common_shape, must_be, number, numbers
+from helpers.inputs import ArmError, broadcast_shape, finite_array, finite_number, require_type
 from helpers.kinematics import (
-    Step,
     Vector,
-    evaluated,
     frame_columns,
     jacobian,
-    mixed,
-    tilted,
+    linear_combination,
+    rotate_about_x,
 )
-from helpers.program import Value
+from helpers.program import RowMotion, Value, run_recursion
 
 __all__ = [
     "GRAVITY",
@@ -40,65 +38,133 @@ GRAVITY = (0.0, 0.0, -9.81)  # m/s^2, for an arm that stands on the floor
 
 
 def potential_energy(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
-    """P = -sum m_i g . c_i in J, shape (...), for q of shape (..., dof); zero for a mass at the
-    base's origin.
+    """Compute the potential energy P = -sum m_i g . c_i.
 
-    Raises ArmError where the arm has no masses or `gravity` is no vector.
+    A mass at the base's origin has none.
+
+    Args:
+        arm: The arm, with its bodies.
+        q: Joint values, shape (..., dof), in rad or m.
+        gravity: Gravity in base axes, shape (3,), in m/s^2.
+
+    Returns:
+        Energies, shape (...), in J.
+
+    Raises:
+        ArmError: The arm has no masses, or `gravity` is no vector.
+
+    Example:
+        >>> from helpers.robots import UR10E
+        >>> float(potential_energy(UR10E, UR10E.home).round(3))
+        176.165
     """
-    return evaluated(arm, q, _energy, (), _lift(arm, gravity))[()]
+    return run_recursion(arm, q, _energy, (), _upward_vector(arm, gravity))[()]
 
 
 def gravity_torque(arm: Arm, q: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
-    """g(q) = dP/dq, the torques (N m; N where a joint slides) that hold the arm, shape (..., dof).
+    """Compute the torques g(q) = dP/dq that hold an arm against gravity.
 
-    From the tip inwards, each row carries the mass M and the first moment S of the links beyond it,
-    in its own axes; a turn about z_{i-1} lifts them at the rate -g . (z_{i-1} x S).
+    From the tip to the base, each row carries the mass M and the first moment S of the links beyond
+    it, in its own axes; a turn about z_{i-1} lifts them at the rate -g . (z_{i-1} x S).
+
+    Args:
+        arm: The arm, with its bodies.
+        q: Joint values, shape (..., dof), in rad or m.
+        gravity: Gravity in base axes, shape (3,), in m/s^2.
+
+    Returns:
+        Torques, shape (..., dof), in N m; in N for a joint that slides.
+
+    Example:
+        >>> from helpers.robots import UR10E
+        >>> gravity_torque(UR10E, [0, 0, 0, 0, 0, 0])[:3].round(2)
+        array([   0.  , -121.29,  -39.3 ])
     """
-    lift = _lift(arm, gravity)
-    return evaluated(arm, q, _torques, (arm.dof,), lift)
+    return run_recursion(arm, q, _torques, (arm.dof,), _upward_vector(arm, gravity))
 
 
 def static_torque(arm: Arm, q: ArrayLike, wrench: ArrayLike, gravity: ArrayLike = GRAVITY) -> Array:
-    """tau = g(q) - J^T F, shape (..., dof): what the motors give while the world exerts `wrench`,
-    shape (..., 6).
+    """Compute the torques tau = g(q) - J^T F that hold an arm against gravity and a wrench.
 
-    Raises ArmError for a wrench of another shape or with NaN in it.
+    Args:
+        arm: The arm, with its bodies.
+        q: Joint values, shape (..., dof), in rad or m.
+        wrench: Force and moment that the world exerts on the tool, in base axes at the tip,
+            shape (..., 6), in N and N m.
+        gravity: Gravity in base axes, shape (3,), in m/s^2.
+
+    Returns:
+        Torques, shape (..., dof), in N m; in N for a joint that slides.
+
+    Raises:
+        ArmError: The wrench has another shape, or holds NaN.
+
+    Example:
+        >>> from helpers.robots import UR10E
+        >>> static_torque(UR10E, [0, 0, 0, 0, 0, 0], wrench=[0, 0, -10, 0, 0, 0])[:3].round(2)
+        array([   0.  , -133.13,  -45.01])
     """
-    F = forces(wrench)
+    F = check_wrench(wrench)
     g = gravity_torque(arm, q, gravity)
-    common_shape("poses and wrenches", g.shape[:-1], F.shape[:-1])
+    broadcast_shape("poses and wrenches", g.shape[:-1], F.shape[:-1])
     return g - np.einsum("...ij,...i->...j", jacobian(arm, q), F)
 
 
-def forces(wrench: ArrayLike) -> Array:
-    """Wrenches of shape (..., 6); raises ArmError for another shape or NaN in it."""
-    wanted = "six finite numbers (fx, fy, fz, mx, my, mz)"
-    return numbers(wrench, "wrench", wanted, (6,), many=True)
+def check_wrench(wrench: ArrayLike) -> Array:
+    """Convert wrenches to an array of shape (..., 6); raise ArmError for another shape or NaN."""
+    expected = "six finite numbers (fx, fy, fz, mx, my, mz)"
+    return finite_array(wrench, "wrench", expected, (6,), many=True)
 
 
 def with_payload(arm: Arm, mass: float, com: ArrayLike = (0.0, 0.0, 0.0)) -> Arm:
-    """The arm with a mass (kg) fixed to its last link, its centre in the last frame (m): a tool, a
-    pen, a load."""
-    must_have_bodies(arm)
-    masses, coms = _bodies(arm)
-    mass = number(mass, "mass", "a finite number of kg, 0 or more", least=0)
-    added = numbers(com, "com", "three finite coordinates in m", (3,))
+    """Return the arm with a mass fixed to its last link, such as a tool or a load.
+
+    Args:
+        arm: The arm, with its bodies.
+        mass: Mass of the payload, in kg.
+        com: The payload's centre of mass in the last frame, shape (3,), in m.
+
+    Returns:
+        The arm; the last link's mass and centre include the payload.
+
+    Example:
+        >>> from helpers.robots import UR10E
+        >>> with_payload(UR10E, 2.0).bodies[-1].mass
+        2.615
+    """
+    require_bodies(arm)
+    masses, coms = _masses_and_centres(arm)
+    mass = finite_number(mass, "mass", "a finite number of kg, 0 or more", least=0)
+    payload_centre = finite_array(com, "com", "three finite coordinates in m", (3,))
     if not mass:
         return arm
     total = masses[-1] + mass
-    centre = (masses[-1] * np.array(coms[-1]) + mass * added) / total
+    centre = (masses[-1] * np.array(coms[-1]) + mass * payload_centre) / total
     return replace(arm, bodies=(*arm.bodies[:-1], Body(float(total), tuple(map(float, centre)))))
 
 
 def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike) -> Array:
-    """Points given in one set of link frames, told in another: both (n, 4, 4) at one pose, the
-    points (n, 3).
+    """Carry one point per link over from one set of link frames into another.
 
-    For centres of mass from a paper whose frames are not the table's.
+    Use it for centres of mass from a paper whose frames are not those of the table.
+
+    Args:
+        frames_to: Frames in which the points are asked for, at one pose, shape (n, 4, 4).
+        frames_from: Frames in which the points are given, at the same pose, shape (n, 4, 4).
+        centres: The points, shape (n, 3), in m.
+
+    Returns:
+        The same points in the axes of `frames_to`, shape (n, 3), in m.
+
+    Example:
+        >>> to, start = np.eye(4), np.eye(4)
+        >>> to[:3, 3] = 0, 0, 0.5
+        >>> centres_in([to], [start], [[0.1, 0, 0.7]]).round(3)
+        array([[0.1, 0. , 0.2]])
     """
-    to = numbers(frames_to, "frames_to", "frames (n, 4, 4)", (None, 4, 4))
-    start = numbers(frames_from, "frames_from", "frames (n, 4, 4)", (None, 4, 4))
-    points = numbers(centres, "centres", "points (n, 3)", (None, 3))
+    to = finite_array(frames_to, "frames_to", "frames (n, 4, 4)", (None, 4, 4))
+    start = finite_array(frames_from, "frames_from", "frames (n, 4, 4)", (None, 4, 4))
+    points = finite_array(centres, "centres", "points (n, 3)", (None, 3))
     if not len(to) == len(start) == len(points):
         raise ArmError(
             f"frames {to.shape}, {start.shape} and points {points.shape} do not fit; expected (n,"
@@ -108,58 +174,62 @@ def centres_in(frames_to: ArrayLike, frames_from: ArrayLike, centres: ArrayLike)
     return np.einsum("nji,nj->ni", to[:, :3, :3], world - to[:, :3, 3])
 
 
-def _energy(arm: Arm, steps: Sequence[Step], *lift: Value) -> Sequence[Value]:
-    """Each mass times the lift of its centre."""
-    total = 0.0
-    _, *frames = frame_columns(steps)
-    for (x, y, z, origin), m, com in zip(frames, *_bodies(arm), strict=True):
-        point = mixed(1.0, mixed(com[0], x, com[1], y), 1.0, mixed(com[2], z, 1.0, origin))
-        total = total + m * sum(up * place for up, place in zip(lift, point, strict=True))
-    return [total]
-
-
-def _torques(arm: Arm, steps: Sequence[Step], *lift: Value) -> Sequence[Value]:
-    mass, (x, y, z), torques = 0.0, (0.0, 0.0, 0.0), []
-    links = zip(steps, _lifts(steps, lift), *_bodies(arm), strict=True)
-    for (row, c, s, d), up, m, com in reversed(list(links)):
-        x, y, z, mass = x + m * com[0], y + m * com[1], z + m * com[2], mass + m
-        y, z = row.cos_alpha * y - row.sin_alpha * z, row.cos_alpha * z + row.sin_alpha * y
-        x, z = x + mass * row.a, z + mass * d
-        if row.kind == "revolute":
-            torques.append(up[1] * x - up[0] * y)
-        elif row.kind == "prismatic":
-            torques.append(mass * up[2])
-        x, y = c * x - s * y, s * x + c * y
-    return torques[::-1]
-
-
-def _lifts(steps: Sequence[Step], lift: Vector) -> Iterator[Vector]:
-    """What holds a mass of 1 kg up, -gravity, in the axes of each row after its turn about z and
-    before that about x."""
-    x, y, z = lift
-    for row, c, s, _ in steps:
-        x, y = c * x + s * y, c * y - s * x
-        yield x, y, z
-        (y,), (z,) = tilted(row, (y,), (z,))
-
-
-def _lift(arm: Arm, gravity: ArrayLike) -> list[float]:
-    """-gravity, once both are known to be in order."""
-    must_have_bodies(arm)
-    wanted = "a vector of three finite numbers in m/s^2"
-    return (-numbers(gravity, "gravity", wanted, (3,))).tolist()
-
-
-def must_have_bodies(arm: Arm) -> None:
+def require_bodies(arm: Arm) -> None:
     """Raise ArmError for an arm without masses."""
-    must_be(arm, Arm, "arm")
+    require_type(arm, Arm, "arm")
     if not arm.bodies:
         raise ArmError(
             f"{arm.name} has no masses; give bodies, one Body for each of its {len(arm.rows)} rows"
         )
 
 
-def _bodies(arm: Arm) -> tuple[list[float], list[list[float]]]:
-    """Masses (rows) and centres of mass (rows, 3)."""
+# Recursions over the links, as `helpers.program` records them; `up` is -gravity in base axes
+
+
+def _energy(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Value]:
+    """Sum m (up . c) over the links, c being the centre of mass in base axes."""
+    total = 0.0
+    _, *frames = frame_columns(motions)
+    for (x, y, z, origin), m, com in zip(frames, *_masses_and_centres(arm), strict=True):
+        in_plane = linear_combination(com[0], x, com[1], y)
+        centre = linear_combination(1.0, in_plane, 1.0, linear_combination(com[2], z, 1.0, origin))
+        total = total + m * sum(u * c for u, c in zip(up, centre, strict=True))
+    return [total]
+
+
+def _torques(arm: Arm, motions: Sequence[RowMotion], *up: Value) -> Sequence[Value]:
+    """Carry mass and first moment (x, y, z) from the tip to the base, and take each torque."""
+    mass, (x, y, z), torques = 0.0, (0.0, 0.0, 0.0), []
+    links = zip(motions, _upward_in_rows(motions, up), *_masses_and_centres(arm), strict=True)
+    for (row, c, s, d), row_up, m, com in reversed(list(links)):
+        x, y, z, mass = x + m * com[0], y + m * com[1], z + m * com[2], mass + m
+        y, z = row.cos_alpha * y - row.sin_alpha * z, row.cos_alpha * z + row.sin_alpha * y
+        x, z = x + mass * row.a, z + mass * d
+        if row.kind == "revolute":
+            torques.append(row_up[1] * x - row_up[0] * y)
+        elif row.kind == "prismatic":
+            torques.append(mass * row_up[2])
+        x, y = c * x - s * y, s * x + c * y
+    return torques[::-1]
+
+
+def _upward_in_rows(motions: Sequence[RowMotion], up: Vector) -> Iterator[Vector]:
+    """Yield `up` in the axes of each row, after its turn about z and before that about x."""
+    x, y, z = up
+    for row, c, s, _ in motions:
+        x, y = c * x + s * y, c * y - s * x
+        yield x, y, z
+        (y,), (z,) = rotate_about_x(row, (y,), (z,))
+
+
+def _upward_vector(arm: Arm, gravity: ArrayLike) -> list[float]:
+    """Check the arm and gravity, and return -gravity."""
+    require_bodies(arm)
+    expected = "a vector of three finite numbers in m/s^2"
+    return (-finite_array(gravity, "gravity", expected, (3,))).tolist()
+
+
+def _masses_and_centres(arm: Arm) -> tuple[list[float], list[list[float]]]:
+    """Return the links' masses (rows) in kg and centres of mass (rows, 3) in m."""
     masses = [arm.number(body.mass) for body in arm.bodies]
     return masses, [[arm.number(c) for c in body.com] for body in arm.bodies]

@@ -34,7 +34,7 @@ def straight(lines, *inputs):
 
 def rows_of(program, inputs):
     batch = np.shape(inputs)[1]
-    return program.of_rows(list(inputs), np.full((program.rows, batch), np.nan)).copy()
+    return program.run_on_rows(list(inputs), np.full((program.rows, batch), np.nan)).copy()
 
 
 @settings(max_examples=200)
@@ -44,7 +44,7 @@ def test_recorded_program_matches_formula(lines, seed):
     program = record(partial(straight, lines), 3)
     wanted = np.array([straight(lines, *column) for column in inputs.T]).T
     np.testing.assert_allclose(rows_of(program, inputs), wanted, rtol=1e-12, atol=1e-12)
-    one = program.of_numbers(inputs[:, 0].tolist())
+    one = program.run_on_floats(inputs[:, 0].tolist())
     np.testing.assert_allclose(one, wanted[:, 0], rtol=1e-12, atol=1e-12)
 
 
@@ -61,7 +61,7 @@ def test_recorded_program_matches_formula(lines, seed):
     ],
 )
 def test_program_has_no_redundant_steps(compute, steps):
-    assert len(record(compute, 2).on_rows) <= steps
+    assert len(record(compute, 2).row_steps) <= steps
     inputs = np.array([[0.3, -0.7], [2.0, 5.0]])
     wanted = [np.broadcast_to(value, 2) for value in compute(*inputs)]
     np.testing.assert_allclose(rows_of(record(compute, 2), inputs), wanted, rtol=1e-15)
@@ -69,7 +69,7 @@ def test_program_has_no_redundant_steps(compute, steps):
 
 def test_negated_zero_prints_without_sign():
     program = record(lambda x: [-x], 1)
-    assert str(program.of_numbers([0.0])[0]) == "0.0"
+    assert str(program.run_on_floats([0.0])[0]) == "0.0"
     assert str(rows_of(program, [[0.0]])[0, 0]) == "0.0"
 
 

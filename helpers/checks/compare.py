@@ -20,7 +20,7 @@ from helpers.inverse.solutions import Solutions
 from helpers.kinematics import forward_kinematics
 from helpers.motion.paths import Path
 from helpers.motion.report import run_report
-from helpers.statics import GRAVITY, forces, static_torque
+from helpers.statics import GRAVITY, check_wrench, static_torque
 
 Array = NDArray[Any]
 
@@ -226,7 +226,7 @@ def compare_torques(
     must_be(arm, Arm, "arm")
     options = _settings(angles, tolerance, which=which)
     at, data = array_data(q), judged_data(arm)
-    F = forces(wrench)
+    F = check_wrench(wrench)
     F = F.reshape(-1, 6) if F.ndim > 2 else F
     poses = np.array(asked("poses", q=at, arm=data, angles=angles)["values"]).reshape(-1, arm.dof)
     static_torque(arm, poses, F, gravity)  # says what is wrong with the load

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from helpers.arm import Arm
 from helpers.inputs import ArmError, common_shape, floats, must_be, number, whole
 from helpers.inverse.solutions import cross, dot, must_be_rigid, poses, positions
-from helpers.kinematics import Step, jacobian_entries, recorded, rows_of, tip_entries
-from helpers.program import Value
+from helpers.kinematics import jacobian_entries, tip_entries
+from helpers.program import RowMotion, Value, get_program, run_batch
 
 Array = NDArray[np.float64]
 
@@ -206,7 +206,7 @@ def _damped(J: Array, error: Array, damping: Array) -> Array:
 def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
     """Jacobians (batch, rows, dof) and what is missing to the goal (batch, rows): metres, then for
     poses radians."""
-    rows = rows_of(recorded(arm, _tip_and_jacobian), q.T)
+    rows = run_batch(get_program(arm, _tip_and_jacobian), q.T)
     # A copy, since a failed step is followed by another from here, after rows were asked for anew.
     pose, J = rows[:16].reshape(4, 4, -1), rows[16:].T.copy().reshape(-1, 6, arm.dof)
     tip = pose[:3, 3]
@@ -217,7 +217,7 @@ def _look(arm: Arm, q: Array, goal: Array) -> tuple[Array, Array]:
     return J, np.concatenate([want[3] - tip, turn]).T
 
 
-def _tip_and_jacobian(arm: Arm, steps: Sequence[Step]) -> Sequence[Value]:
+def _tip_and_jacobian(arm: Arm, steps: Sequence[RowMotion]) -> Sequence[Value]:
     return [*tip_entries(arm, steps), *jacobian_entries(arm, steps)]
 
 

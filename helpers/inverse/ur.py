@@ -54,7 +54,7 @@ from helpers.inverse.solutions import (
     shifted,
     wrapped,
 )
-from helpers.kinematics import cosines_and_sines
+from helpers.program import cosines_and_sines
 
 Array = NDArray[np.float64]
 

@@ -31,7 +31,8 @@ from helpers.inverse.solutions import (
     poses,
     wrapped,
 )
-from helpers.kinematics import cosines_and_sines, recorded, rows_of, tip_entries
+from helpers.kinematics import tip_entries
+from helpers.program import cosines_and_sines, get_program, run_batch
 
 Array = NDArray[np.float64]
 
@@ -103,7 +104,8 @@ def _to_centre(arm: Arm) -> Arm:
 
 def _seen_from(shoulder: Arm, q: Array, *vectors: Array) -> list[Array]:
     """Vectors (3, batch) in frame 3 of each branch of q (3, 2, 2, batch), each (3, 2, 2, batch)."""
-    pose = rows_of(recorded(shoulder, tip_entries), q.reshape(3, -1)).reshape(4, 4, *q.shape[1:])
+    pose = run_batch(get_program(shoulder, tip_entries), q.reshape(3, -1))
+    pose = pose.reshape(4, 4, *q.shape[1:])
     axes = [pose[:3, i] for i in range(3)]
     return [np.stack([dot(axis, v[:, None, None]) for axis in axes]) for v in vectors]
 
