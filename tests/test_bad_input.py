@@ -139,6 +139,7 @@ RIGHT = {
     "inverse.spherical_wrist": dict(arm=WRISTED, targets=WRISTED_POSE),
     "inverse.stanford": dict(arm=STANFORD, targets=ROD_POSE),
     "inverse.ur": dict(arm=UR10E, targets=[REACH] * 2),
+    "inverse.solutions": dict(arm=UR10E, targets=[REACH] * 2),
     "inverse.follow": dict(targets=REACH[None], start=[0.4, -1.2, 1.3, -1.2, -1.2, 0.3]),
     "inverse.Solutions.nearest": dict(self=FOUND, q=[0.4] * 6),
     "checks.check": dict(label="one is one", tolerance=0.1),

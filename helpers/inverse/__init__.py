@@ -1,5 +1,10 @@
-"""Inverse kinematics: closed forms with every branch, and a numeric solver for any arm."""
+"""Inverse kinematics: closed forms with every branch, and a numeric solver for any arm.
 
+`solutions` takes any arm whose axes meet or are parallel; the closed forms that the chapters teach
+stand beside it.
+"""
+
+from helpers.inverse.any_arm import solutions
 from helpers.inverse.numeric import NumericSolution, solve
 from helpers.inverse.shoulder import elbow, rod
 from helpers.inverse.solutions import Solutions, follow
@@ -12,6 +17,7 @@ __all__ = [
     "elbow",
     "follow",
     "rod",
+    "solutions",
     "solve",
     "spherical_wrist",
     "stanford",

@@ -32,7 +32,7 @@ def elbow(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solut
     Straight above the shoulder of an arm without offset joint 1 is free and keeps its value of
     `start`, shape (..., 3), zeros unless given. Raises ArmError for another table or shape.
     """
-    must_be_elbow(arm)
+    require_elbow_arm(arm)
     return each_branch(arm, positions(arm, targets), start, ELBOW_BRANCHES, elbow_kernel)
 
 
@@ -44,7 +44,7 @@ def rod(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutio
     positive, "through" where it is negative, which few real rods can be. The table is alpha =
     (+-90, +-90, 0) degrees with a = 0. Raises ArmError for another table or shape.
     """
-    must_have_rod(arm)
+    require_rod(arm)
     return each_branch(arm, positions(arm, targets), start, ROD_BRANCHES, rod_kernel)
 
 
@@ -121,16 +121,21 @@ def _elbow_distance(shape: Shape, first: NumericRow, p: Array) -> Array:
     return found
 
 
-def must_be_elbow(arm: Arm) -> None:
-    must_be(arm, Arm, "arm")
+def is_elbow_arm(arm: Arm) -> bool:
+    """Return whether an arm has the table that `elbow` solves."""
     rows, kinds = arm.numeric, [row.kind for row in arm.numeric]
-    fits = kinds in (["revolute"] * 3, ["revolute"] * 3 + ["fixed"]) and (
+    return kinds in (["revolute"] * 3, ["revolute"] * 3 + ["fixed"]) and (
         rows[0].a == rows[0].cos_alpha == rows[1].sin_alpha == 0.0
         and rows[1].a != 0.0
         and _shape(rows[1], rows[2], 0.0 if len(rows) == 3 else rows[3].d).links.fore > 0.0
         and (len(rows) == 3 or rows[3].a == 0.0)
     )
-    if not fits:
+
+
+def require_elbow_arm(arm: Arm) -> None:
+    """Raise ArmError for an arm that `elbow` does not solve."""
+    must_be(arm, Arm, "arm")
+    if not is_elbow_arm(arm):
         raise ArmError(
             f"{arm.name} is no elbow arm; expected three revolute joints, alpha_1 = 90 or -90"
             " degrees, alpha_2 = 0 or 180,"
@@ -138,16 +143,21 @@ def must_be_elbow(arm: Arm) -> None:
         )
 
 
-def must_have_rod(arm: Arm) -> None:
-    must_be(arm, Arm, "arm")
+def has_rod(arm: Arm) -> bool:
+    """Return whether an arm has the table that `rod` solves."""
     rows, kinds = arm.numeric, [row.kind for row in arm.numeric]
     moving = ["revolute", "revolute", "prismatic"]
-    fits = kinds in (moving, [*moving, "fixed"]) and (
+    return kinds in (moving, [*moving, "fixed"]) and (
         rows[0].cos_alpha == rows[1].cos_alpha == rows[2].sin_alpha == 0.0
         and rows[2].cos_alpha == 1.0
         and all(row.a == 0.0 for row in rows)
     )
-    if not fits:
+
+
+def require_rod(arm: Arm) -> None:
+    """Raise ArmError for an arm that `rod` does not solve."""
+    must_be(arm, Arm, "arm")
+    if not has_rod(arm):
         raise ArmError(
             f"{arm.name} has no rod through its shoulder; expected joints R, R, P with alpha ="
             " (+-90, +-90, 0) degrees and a = 0"

@@ -37,6 +37,9 @@ class Solutions:
         distance: how far the target (for a wrist: its centre) is from the nearest point within
             reach, shape (...), in m; 0 where it is reached. For `ur` the way that is sure to be
             enough: across the arm's plane, and in it until the links reach, orientation kept.
+            NaN where a target is out of reach of an arm solved by its structure alone.
+        structure: the structure that gave the closed form, as "spherical wrist (axes 4, 5 and 6
+            meet)"; empty where a closed form was called by its name.
     """
 
     arm: Arm
@@ -46,6 +49,7 @@ class Solutions:
     merged: NDArray[np.bool_]
     free: NDArray[np.bool_]
     distance: Array
+    structure: str = ""
 
     @property
     def times(self) -> NDArray[np.int_]:
@@ -69,6 +73,8 @@ class Solutions:
             reached = self.valid.any(axis=-1)
             return f"{self.arm.name}: {reached.sum()} of {reached.size} targets within reach"
         if not self.ways:
+            if np.isnan(self.distance):
+                return f"{self.arm.name}: no way, the target is out of reach"
             return f"{self.arm.name}: no way, the target is {self.distance:.4g} m out of reach"
         lines = [f"  {', '.join(cells)}" for cells in self._cells()]
         return "\n".join([f"{self.arm.name}, {', '.join(('way', *self.arm.variables))}:", *lines])

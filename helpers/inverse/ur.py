@@ -75,7 +75,13 @@ def ur(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solution
     ArmError for an arm that is not R with alpha = (+-90, 0 or 180, 0 or 180, +-90, +-90, any)
     degrees and a_1 = a_4 = a_5 = 0, or for a target that is no pose.
     """
-    _must_fit(arm)
+    must_be(arm, Arm, "arm")
+    if not is_ur_arm(arm):
+        raise ArmError(
+            f"{arm.name} is no arm of the UR family; expected six revolute joints, alpha = (+-90,"
+            " 0 or 180, 0 or 180, +-90,"
+            " +-90, any) degrees, a_1 = a_4 = a_5 = 0 and links a_2, a_3"
+        )
     return each_branch(arm, poses(arm, targets), start, BRANCHES, _kernel)
 
 
@@ -257,10 +263,10 @@ def _pair(one: Array, other: Array) -> Array:
     return pair
 
 
-def _must_fit(arm: Arm) -> None:
-    must_be(arm, Arm, "arm")
+def is_ur_arm(arm: Arm) -> bool:
+    """Return whether an arm has the table of the UR family, with exact right angles."""
     rows = arm.numeric
-    fits = (
+    return (
         len(rows) == 6
         and all(row.kind == "revolute" for row in rows)
         and rows[0].a == rows[3].a == rows[4].a == 0.0
@@ -268,9 +274,3 @@ def _must_fit(arm: Arm) -> None:
         and rows[1].sin_alpha == rows[2].sin_alpha == 0.0
         and rows[1].a * rows[2].a != 0.0
     )
-    if not fits:
-        raise ArmError(
-            f"{arm.name} is no arm of the UR family; expected six revolute joints, alpha = (+-90,"
-            " 0 or 180, 0 or 180, +-90,"
-            " +-90, any) degrees, a_1 = a_4 = a_5 = 0 and links a_2, a_3"
-        )

@@ -18,8 +18,10 @@ from helpers.inverse.shoulder import (
     ELBOW_BRANCHES,
     ROD_BRANCHES,
     elbow_kernel,
-    must_be_elbow,
-    must_have_rod,
+    has_rod,
+    is_elbow_arm,
+    require_elbow_arm,
+    require_rod,
     rod_kernel,
 )
 from helpers.inverse.solutions import (
@@ -46,7 +48,7 @@ def stanford(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> So
     joints 4 and 6 turn about one axis: joint 4 keeps its value of `start`, shape (..., 6), and
     joint 6 follows. Raises ArmError for another table or targets that are no poses.
     """
-    return _decoupled(arm, targets, start, Shoulder(rod_kernel, must_have_rod, ROD_BRANCHES))
+    return _decoupled(arm, targets, start, Shoulder(rod_kernel, require_rod, ROD_BRANCHES))
 
 
 def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
@@ -58,7 +60,9 @@ def spherical_wrist(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None
     Free joints as in `stanford` and `elbow`. Raises ArmError for another table or targets that are
     no poses.
     """
-    return _decoupled(arm, targets, start, Shoulder(elbow_kernel, must_be_elbow, ELBOW_BRANCHES))
+    return _decoupled(
+        arm, targets, start, Shoulder(elbow_kernel, require_elbow_arm, ELBOW_BRANCHES)
+    )
 
 
 class Shoulder(NamedTuple):
@@ -70,7 +74,7 @@ class Shoulder(NamedTuple):
 
 
 def _decoupled(arm: Arm, targets: ArrayLike, start: ArrayLike | None, by: Shoulder) -> Solutions:
-    _must_have_wrist(arm)
+    _require_right_angled_wrist(arm)
     shoulder = _to_centre(arm)
     by.must_fit(shoulder)
 
@@ -136,15 +140,29 @@ def _wrist(arm: Arm, seen: list[Array], start: Array) -> tuple[tuple[Array, ...]
     return tuple(wrist), singular
 
 
-def _must_have_wrist(arm: Arm) -> None:
-    must_be(arm, Arm, "arm")
+def has_right_angled_wrist(arm: Arm) -> bool:
+    """Return whether rows 4 to 6 of an arm are a spherical wrist with exact right angles."""
     rows = arm.numeric
-    fits = (
+    return (
         len(rows) == 6
         and all(row.kind == "revolute" for row in rows[3:])
         and rows[3].a == rows[4].a == rows[4].d == rows[3].cos_alpha == rows[4].cos_alpha == 0.0
     )
-    if not fits:
+
+
+def is_elbow_arm_with_wrist(arm: Arm) -> bool:
+    """Return whether an arm has the table that `spherical_wrist` solves."""
+    return has_right_angled_wrist(arm) and is_elbow_arm(_to_centre(arm))
+
+
+def is_stanford_arm(arm: Arm) -> bool:
+    """Return whether an arm has the table that `stanford` solves."""
+    return has_right_angled_wrist(arm) and has_rod(_to_centre(arm))
+
+
+def _require_right_angled_wrist(arm: Arm) -> None:
+    must_be(arm, Arm, "arm")
+    if not has_right_angled_wrist(arm):
         raise ArmError(
             f"{arm.name} has no spherical wrist; expected six rows, the last three revolute with"
             " alpha = (+-90, +-90, any)"

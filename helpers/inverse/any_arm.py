@@ -1,0 +1,204 @@
+"""All solutions of any arm whose structure has a closed form."""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from helpers.arm import Arm
+from helpers.inputs import must_be
+from helpers.inverse.by_structure import candidates
+from helpers.inverse.shoulder import elbow, has_rod, is_elbow_arm, rod
+from helpers.inverse.solutions import Found, Solutions, each_branch, must_be_rigid, poses, positions
+from helpers.inverse.structure import (
+    EXACT,
+    PARALLEL,
+    PLANAR_2R,
+    POSITION,
+    Structure,
+    find_structure,
+)
+from helpers.inverse.ur import is_ur_arm, ur
+from helpers.inverse.wrist import (
+    is_elbow_arm_with_wrist,
+    is_stanford_arm,
+    spherical_wrist,
+    stanford,
+)
+from helpers.kinematics import forward_kinematics, jacobian
+
+Array = NDArray[np.float64]
+
+# A branch is listed if it takes the tip to the target within this, in m and rad.
+VALID = 1e-9
+# Newton's method begins at branches this near their target: where the structure is exact, only next
+# to a boundary; where it is met nearly, by about as much as the axes miss it.
+FINISHED_FROM, NEARLY_FINISHED_FROM = 1e-6, 1e-2
+# Values tried for a free joint, in rad, where its own leaves the other joints no solution.
+TRIED = 0.55 * np.arange(1, 12)
+
+
+def solutions(arm: Arm, targets: ArrayLike, start: ArrayLike | None = None) -> Solutions:
+    """Return every joint vector that takes the tip to each target.
+
+    Serves six joints with three axes that meet in a point (a spherical wrist, as KUKA, ABB, Fanuc
+    or PUMA have) or with three parallel axes (as Universal Robots), SCARA and planar arms, and
+    positions of arms of three joints. `Solutions.structure` says which it is; branches are named by
+    the choices shoulder, elbow, rod and wrist. Where the axes meet a structure nearly (within 1e-4,
+    as in calibrated arms), each branch is finished by Newton's method, and next to the boundary of
+    the workspace a branch may be missing.
+
+    Args:
+        arm: the arm; its tool, base and fixed rows may be any.
+        targets: poses (..., 4, 4) in m; positions (..., 3) for an arm of two or three joints that
+            is not a planar three-link arm.
+        start: values that free joints keep, (..., dof), zeros unless given.
+
+    Returns:
+        The solutions; `distance` is NaN at targets out of reach, but for arms that have a closed
+        form of their own in this package.
+
+    Raises:
+        ArmError: the arm has no such structure, or the targets have another shape.
+
+    Source: Pieper (1968); the axes as lines: Elias and Wen (2025).
+    """
+    must_be(arm, Arm, "arm")
+    for closed_form, fits, description in _OWN_FORMS:
+        if fits(arm):
+            return replace(closed_form(arm, targets, start), structure=description)
+    structure = find_structure(arm)
+    is_position = structure.kind in (POSITION, PLANAR_2R)
+    columns = positions(arm, targets) if is_position else poses(arm, targets)
+    choices = tuple((f"{name} +", f"{name} -") for name in _choice_names(structure))
+
+    def kernel(arm: Arm, columns: Array, start: Array) -> Found:
+        if is_position:
+            return _solve(arm, structure, columns, start)
+        must_be_rigid(arm, columns)
+        return _solve(arm, structure, columns.reshape(4, 4, -1), start)
+
+    found = each_branch(arm, columns, start, choices, kernel)
+    return replace(found, structure=structure.description)
+
+
+# The closed forms that the chapters teach; they are faster and know distances and free families.
+_OWN_FORMS = (
+    (elbow, is_elbow_arm, "elbow arm"),
+    (rod, has_rod, "rod through the shoulder"),
+    (ur, is_ur_arm, "parallel axes 2, 3 and 4"),
+    (stanford, is_stanford_arm, "rod through the shoulder, spherical wrist"),
+    (spherical_wrist, is_elbow_arm_with_wrist, "elbow arm with a spherical wrist"),
+)
+
+
+def _choice_names(structure: Structure) -> list[str]:
+    """Return the names of the choices that a structure leaves, in their order."""
+    target = structure.tip if structure.kind not in (POSITION, PLANAR_2R) else structure.tip[:3, 3]
+    return candidates(structure, target[..., None], np.zeros((len(structure.axes), 1))).choices
+
+
+def _solve(arm: Arm, structure: Structure, targets: Array, start: Array) -> Found:
+    """Return all branches for poses (4, 4, batch) or positions (3, batch)."""
+    found = _solve_once(arm, structure, targets, start)
+    if structure.kind != PARALLEL:
+        return found
+    for value in TRIED:
+        valid = np.broadcast_to(found.valid, (*found.valid.shape[:-1], targets.shape[-1]))
+        missed = np.flatnonzero(~valid.any(axis=tuple(range(valid.ndim - 1))) & _has_free(found))
+        if not missed.size:
+            break
+        again = _solve_once(arm, structure, targets[..., missed], start[:, missed] + value)
+        found = _put(found, again, missed)
+    return found
+
+
+def _has_free(found: Found) -> NDArray[np.bool_]:
+    """Return the targets at which some joint is free, (batch,)."""
+    masks = [where.any(axis=tuple(range(where.ndim - 1))) for where in found.free.values()]
+    return np.any(masks, axis=0) if masks else np.zeros(found.distance.shape, bool)
+
+
+def _put(found: Found, again: Found, at: NDArray[np.intp]) -> Found:
+    """Replace the targets of some columns by those solved again."""
+    for old, new in zip(found.q, again.q, strict=True):
+        old[..., at] = new
+    found.valid[..., at], found.distance[..., at] = again.valid, again.distance
+    for was_equal, is_equal in zip(found.merged, again.merged, strict=True):
+        was_equal[..., at] = is_equal
+    for joint, is_free in again.free.items():
+        found.free[joint][..., at] = is_free
+    return found
+
+
+def _solve_once(arm: Arm, structure: Structure, targets: Array, start: Array) -> Found:
+    """Return all branches, with free joints at `start`, (dof, batch)."""
+    reference = structure.reference[:, None]
+    tried = candidates(structure, targets, start - reference)
+    count, batch = len(tried.choices), targets.shape[-1]
+    branches = 2**count
+    q = (
+        np.stack([np.broadcast_to(x, (branches, batch)) for x in tried.motions])
+        + reference[:, None]
+    )
+    q = np.where(np.isfinite(q), q, 0.0)
+    turning = arm.turning[:, None, None]
+    q = np.where(turning, q - 2 * np.pi * np.rint(q / (2 * np.pi)), q)
+    q, valid = _finish(arm, structure, np.moveaxis(targets, -1, 0), q.transpose(2, 1, 0))
+    shape = (2,) * count
+    equal = [
+        np.broadcast_to(one, (2**k, batch)).reshape((2,) * k + (1,) * (count - k) + (batch,))
+        for k, one in enumerate(tried.equal)
+    ]
+    free = {
+        joint: np.broadcast_to(one, (branches, batch)).reshape(*shape, batch).copy()
+        for joint, one in tried.free.items()
+    }
+    exists = valid.T.reshape(*shape, batch)
+    return Found(
+        tuple(column.T.reshape(*shape, batch).copy() for column in np.moveaxis(q, -1, 0)),
+        free,
+        exists.copy(),
+        tuple(one.copy() for one in equal),
+        np.where(valid.any(axis=1), 0.0, np.nan),
+    )
+
+
+def _finish(
+    arm: Arm, structure: Structure, targets: Array, q: Array
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Finish branches q (batch, branches, dof) by Newton's method; return them and which are valid.
+
+    A branch that is not near its target stays: its equations had no root.
+    """
+    error = _pose_error(arm, targets, q)
+    near = FINISHED_FROM if structure.gap < EXACT else NEARLY_FINISHED_FROM
+    for _ in range(4):
+        worst = np.abs(error).max(axis=-1)
+        at = (worst > VALID / 1000) & (worst < near)
+        if not at.any():
+            break
+        J = jacobian(arm, q[at])[:, : error.shape[-1]]
+        step = (np.linalg.pinv(J, rcond=1e-7) @ error[at][..., None])[..., 0]
+        trial = q[at] + np.where(np.abs(step).max(axis=-1, keepdims=True) < 0.1, step, 0.0)
+        wanted = np.broadcast_to(targets[:, None], (*q.shape[:2], *targets.shape[1:]))[at]
+        after = _pose_error(arm, wanted, trial[:, None])[:, 0]
+        better = np.abs(after).max(axis=-1) < worst[at]
+        where = tuple(index[better] for index in np.nonzero(at))
+        q[where], error[where] = trial[better], after[better]
+    return q, np.abs(error).max(axis=-1) < VALID
+
+
+def _pose_error(arm: Arm, targets: Array, q: Array) -> Array:
+    """Return what is missing from the tip's pose to the target, (batch, branches, 3 or 6).
+
+    Positions in m over the turn's sine in rad; 1 is added where the turn is more than 90 degrees,
+    since the sine of half a turn is 0 too.
+    """
+    T = forward_kinematics(arm, q)
+    if targets.shape[-1] == 3 and targets.ndim == 2:
+        return targets[:, None] - T[..., :3, 3]
+    R, wanted = T[..., :3, :3], targets[:, None, :3, :3]
+    turn = sum(np.cross(R[..., i], wanted[..., i]) for i in range(3)) / 2
+    turn = turn + ((R * wanted).sum(axis=(-1, -2)) < 0)[..., None]
+    return np.concatenate([targets[:, None, :3, 3] - T[..., :3, 3], turn], axis=-1)

@@ -1,0 +1,69 @@
+"""The curve on which a joint moves a point, as the next joint sees it.
+
+Joint 2 leaves two numbers of a point alone: for a revolute joint the height along its axis and the
+squared distance from it. In the plane of these two numbers the circle of a neighbouring joint is
+an ellipse. It is flattened to a segment where the two axes meet or are parallel.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from helpers.inverse.axes import Array, Axis, across_axis, cross, dot, unit_across
+
+
+class Curve(NamedTuple):
+    """The points a joint gives one point: centre + X x + Y y, (x, y) = (cos q, sin q) of a
+    revolute joint, (q, q^2) of a prismatic one."""
+
+    centre: Array
+    X: Array
+    Y: Array
+    turns: bool
+
+
+def joint_curve(axis: Axis, x: Array) -> Curve:
+    """Return the circle or line on which a joint moves the points x."""
+    if not axis.turns:
+        return Curve(x, axis.direction + 0 * x, 0 * x, False)
+    radius = across_axis(axis.direction, x - axis.point)
+    return Curve(x - radius, radius, cross(axis.direction, radius), True)
+
+
+def invariants(second: Axis, curve: Curve, size: float) -> tuple[Array, Array]:
+    """Return the two numbers that joint 2 leaves alone along a curve: A (x, y) + b, in m.
+
+    For a revolute joint 2 they are the height along its axis and the squared distance from a point
+    of it, over twice the size; for a prismatic one, two coordinates across it.
+
+    Returns:
+        A of shape (2, 2, branches, batch), b of shape (2, branches, batch).
+    """
+    centre, X, Y, turns = curve
+    if second.turns:
+        h, r = second.direction, centre - second.point
+        rows = [[dot(h, v) for v in (X, Y, r)]]
+        linear = dot(r, Y) if turns else dot(X, X) / 2
+        square = dot(r, r) + (dot(X, X) if turns else 0.0)
+        rows += [[dot(r, X) / size, linear / size, square / (2 * size)]]
+    else:
+        e = unit_across(second.direction)
+        rows = [[dot(f, v) for v in (X, Y, centre)] for f in (e, cross(second.direction, e))]
+    A = np.stack([np.stack(np.broadcast_arrays(*row[:2])) for row in rows])
+    return A, np.stack([np.broadcast_to(row[2], A.shape[2:]) for row in rows])
+
+
+class Flatness(NamedTuple):
+    """The principal directions of a curve in the plane of the two invariants, as columns (2, 2),
+    and its width over its length: 0 where the ellipse is a segment."""
+
+    directions: Array
+    width: float
+
+
+def find_flatness(axis: Axis, second: Axis, size: float) -> Flatness:
+    """Return how flat a joint's curve is; a property of the two axes, whatever the point."""
+    x = axis.point + size * np.array([0.3, -0.7, 0.5])[:, None, None]
+    A, _ = invariants(second, joint_curve(axis, x), size)
+    U, sizes, _ = np.linalg.svd(A[:, :, 0, 0])
+    return Flatness(U, float(sizes[1] / sizes[0]) if sizes[0] > 0 else 0.0)
