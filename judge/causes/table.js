@@ -8,7 +8,7 @@ import { fromCraig } from "../reading/table.js";
 import { ENTRIES } from "../reading/table_rows.js";
 import { combineCauses, makeCause } from "./ranking.js";
 
-/** @typedef {import("../geometry/axes.js").TableRow} TableRow */
+/** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("./ranking.js").Cause} Cause */
 
 /** @typedef {import("../geometry/axes.js").Difference} Difference */

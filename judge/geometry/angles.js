@@ -1,4 +1,4 @@
-// Angles in degrees and in radians.
+// Factors between degrees and radians.
 
-export const RAD = Math.PI / 180; // of a degree
-export const DEG = 180 / Math.PI; // of a radian
+export const RAD = Math.PI / 180; // radians in one degree
+export const DEG = 180 / Math.PI; // degrees in one radian

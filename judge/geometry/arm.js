@@ -1,22 +1,47 @@
-// An arm as plain data: what makes one, where it may stand, and what a typed one is called.
+// The arm as plain data: its types, its limits, and arms made of tables that a reader types.
 
 import { movingRows } from "./kinematics.js";
 
+/** @typedef {"revolute" | "prismatic" | "fixed"} Kind */
 /**
- * A row of a standard Denavit-Hartenberg table, in rad and m; null where a limit is not known.
- * @typedef {object} Row
- * @property {"revolute" | "prismatic" | "fixed"} kind
+ * The part of a row that a table gives: the entries of Denavit and Hartenberg in rad and m.
+ * @typedef {object} TableRow
+ * @property {Kind} kind
  * @property {number} a
  * @property {number} alpha
  * @property {number} d
  * @property {number} theta
- * @property {number | null} [lower]
- * @property {number | null} [upper]
- * @property {number | null} [speed]
- * @property {number | null} [effort]
- * @property {number[]} [body] mass and centre of mass in the row's frame
  */
-/** @typedef {{ name: string, home: number[], rows: Row[] }} Arm */
+/**
+ * A row of an arm. A limit is null where none is known.
+ * @typedef {object} Limits
+ * @property {number | null} [lower] rad or m
+ * @property {number | null} [upper] rad or m
+ * @property {number | null} [speed] rad/s or m/s
+ * @property {number | null} [effort] N m or N
+ * @property {number[]} [body] mass (kg) and centre of mass (m) in the row's frame
+ */
+/** @typedef {TableRow & Limits} Row */
+/**
+ * Whatever has the rows of a table, an arm for instance.
+ * @typedef {{ rows: Row[] }} Rows
+ */
+/**
+ * An arm. The page and helpers/checks/arms.py fill in the optional fields, which the judge needs to
+ * know usual mistakes: other tables that the student may have used by mistake.
+ * @typedef {object} Arm
+ * @property {string} name
+ * @property {number[]} home the joint values where the homework starts (rad or m)
+ * @property {Row[]} rows
+ * @property {string} [lengths] the arm's lengths in mm, for messages
+ * @property {[string, number][]} [values] numbers of the symbols in its table
+ * @property {{ rows: Row[] }} [penless] the arm without its pen
+ * @property {{ name: string, other: string, rows: Row[] }[]} [alike] one length taken for another
+ * @property {{ name: string, rows: Row[], penless?: Row[], masses?: number[] }[]} [robots] arms of
+ *   nearly the same name
+ * @property {number[][]} [paper] centres of mass as published, in the frames of the publication
+ * @property {Arm[]} [family] other arms of the same name in the catalogue
+ */
 
 export const ROW_KINDS = ["revolute", "prismatic", "fixed"];
 export const MAX_ROWS = 16;
@@ -32,7 +57,11 @@ const ENTRIES = [
   ["theta", MAX_ANGLE],
 ];
 
-// What is wrong with rows that came from elsewhere, in words, or null where nothing is.
+/**
+ * Return what is wrong with rows from a link or a file, or null if they make an arm.
+ * @param {any} rows
+ * @returns {string | null}
+ */
 export function findRowsFault(rows) {
   if (!Array.isArray(rows) || !rows.length) return "the table has no rows";
   if (rows.length > MAX_ROWS) return `the table has ${rows.length} rows; ${MAX_ROWS} are the most`;
@@ -47,8 +76,8 @@ export function findRowsFault(rows) {
   return null;
 }
 
-// A row with nothing but what a table says: a typed arm has no limits and no masses.
-const bare = ({ kind, a, alpha, d, theta }) => ({
+// A typed arm has no limits and no masses.
+const withoutLimits = ({ kind, a, alpha, d, theta }) => ({
   kind,
   a,
   alpha,
@@ -60,49 +89,68 @@ const bare = ({ kind, a, alpha, d, theta }) => ({
   effort: null,
 });
 
+/** Return whether two rows have the same kind and entries. @param {Row} p @param {Row} q */
 export const isSameRow = (p, q) =>
   p.kind === q.kind && ENTRIES.every(([key]) => Math.abs(p[key] - q[key]) < 1e-12);
 
-// The arm that a typed table describes: the arm it began as while every entry is that arm's, else
-// one of its own.
+/**
+ * Return the arm that a typed table describes: `base` itself if no entry was changed.
+ * @param {Row[]} rows
+ * @param {Arm} base the arm whose table the reader began with
+ * @returns {Arm}
+ */
 export function makeTypedArm(rows, base) {
   if (rows.length === base.rows.length && rows.every((row, i) => isSameRow(row, base.rows[i])))
     return base;
-  const typed = { name: TYPED_ARM_NAME, home: [], rows: rows.map(bare) };
+  const typed = { name: TYPED_ARM_NAME, home: [], rows: rows.map(withoutLimits) };
   return { ...typed, home: carryOverJoints(base, base.home, typed, (row) => row) };
 }
 
-// The joint vector for an arm whose rows were changed: joints keep their values by row, new ones
-// start at 0.
+/**
+ * Return the joint vector for an arm whose rows were changed: joints keep their values by row, new
+ * joints start at 0.
+ * @param {Arm} from
+ * @param {number[]} q joint values of `from`
+ * @param {Arm} to
+ * @param {(row: number) => number} rowBefore index in `from` of a row of `to`
+ */
 export function carryOverJoints(from, q, to, rowBefore) {
-  const byRow = new Map(movingRows(from).map((row, i) => [row, [from.rows[row].kind, q[i] ?? 0]]));
+  /** @type {Map<number, [Kind, number]>} */
+  const valueByRow = new Map(
+    movingRows(from).map((row, i) => [row, [from.rows[row].kind, q[i] ?? 0]]),
+  );
   return movingRows(to).map((row) => {
-    const [kind, value] = byRow.get(rowBefore(row)) ?? [];
+    const [kind, value] = valueByRow.get(rowBefore(row)) ?? [];
     return kind === to.rows[row].kind ? value : 0;
   });
 }
 
+/** Return the arm's home, or zeros if it has none. @param {Arm} arm */
 export const homePose = (arm) =>
   isJointVector(arm, arm.home) ? [...arm.home] : movingRows(arm).map(() => 0);
 
-// Whether q is a joint vector of the arm.
+/** Return whether q is a joint vector of the arm. @param {Arm} arm @param {any} q */
 export const isJointVector = (arm, q) =>
   Array.isArray(q) && q.length === movingRows(arm).length && q.every(Number.isFinite);
 
-// Where a joint may be put: its limits, or half a turn or a metre either way where none are known.
+/**
+ * Return a joint's limits; half a turn or a metre either way where none are known.
+ * @param {Row} row
+ */
 export function jointRange(row) {
-  const reach = row.kind === "revolute" ? Math.PI : 1;
-  return [row.lower ?? -reach, row.upper ?? reach];
+  const fallback = row.kind === "revolute" ? Math.PI : 1;
+  return [row.lower ?? -fallback, row.upper ?? fallback];
 }
 
-// Whether a joint is past one of its limits.
+/** Return whether a joint value is past one of the row's limits. */
 export const isOutsideLimits = (row, value) =>
   value < (row.lower ?? -Infinity) - 1e-9 || value > (row.upper ?? Infinity) + 1e-9;
 
+/** Return whether some joint has a limit. @param {Arm} arm */
 export const hasLimits = (arm) =>
   movingRows(arm).some((row) => arm.rows[row].lower !== null || arm.rows[row].upper !== null);
 
-// How far the stretched-out arm reaches, as a scale for what is drawn.
+/** Return how far the stretched arm reaches (m), a scale for drawings. @param {Rows} arm */
 export const estimateReach = (arm) =>
   arm.rows.reduce(
     (sum, row) =>

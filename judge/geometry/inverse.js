@@ -1,6 +1,5 @@
-// Every joint vector that takes a tip to a target, where a formula gives them all: as
-// helpers/inverse (elbow, rod, stanford, spherical_wrist, ur) for one target, from joints at 0.
-// Sources stand there.
+// All joint vectors that take the tip to a target, by the closed forms of helpers/inverse (elbow,
+// rod, stanford, spherical_wrist, ur). Free joints are at 0. The sources are named there.
 
 import { ArmError, formatNumber } from "../sentences.js";
 import { solveUr } from "./inverse_ur.js";
@@ -23,16 +22,21 @@ import {
 const ELBOWS = ["elbow up", "elbow down"];
 const RODS = ["rod out", "rod through"];
 
+/** @typedef {import("./arm.js").Arm} Arm */
+/** @typedef {import("./kinematics.js").Frame} Frame */
 /**
- * `times`: 2 where two branches have become one, or are of one family; 4, 8.
- * @typedef {{ name: string, q: number[], free: boolean[], times: number }} Branch
+ * A solution of inverse kinematics.
+ * @typedef {object} Branch
+ * @property {string} name such as "front, elbow up"
+ * @property {number[]} q joint values (rad or m)
+ * @property {boolean[]} free whether each joint may have any value here
+ * @property {number} times how many branches coincide here: 1, 2, 4 or 8
  */
-/** @typedef {{ x: number[], y: number[], z: number[], o: number[] }} Frame */
 
 // Shoulders: the first three joints for a position
 
 /** @returns {Branch[]} */
-function elbow(arm, p) {
+function solveElbow(arm, p) {
   const [first, second, third, tool] = arm.rows.map(withTwist);
   const links = linksOf(second, third, tool?.d ?? 0);
   const plane = solveShoulder(first, links.offset, p);
@@ -61,7 +65,7 @@ function linksOf(second, third, tool) {
 }
 
 /** @returns {Branch[]} */
-function rod(arm, p) {
+function solveRod(arm, p) {
   const [first, second, third, tool] = arm.rows.map(withTwist);
   const plane = solveShoulder(first, second.d, p);
   return collectBranches([SIDES, RODS], (side, through) => {
@@ -90,14 +94,14 @@ const toCentre = (arm) => ({
 });
 
 /** @returns {Branch[]} */
-function decoupled(place, arm, target) {
+function solveDecoupled(solveShoulderFor, arm, target) {
   const rows = arm.rows.map(withTwist);
   const tool = removeLastRow(rows[5], target);
   const shoulder = toCentre(arm);
-  return place(shoulder, tool.centre).flatMap(({ name, q, free, times, blur }) => {
+  return solveShoulderFor(shoulder, tool.centre).flatMap(({ name, q, free, times, blur }) => {
     const frame = linkFrames(shoulder, q).at(-1);
     const seen = (v) => [dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)];
-    const { pairs, singular } = wrist(rows, seen(tool.x), seen(tool.z), blur);
+    const { pairs, singular } = solveWrist(rows, seen(tool.x), seen(tool.z), blur);
     return WRISTS.slice(0, singular ? 1 : 2).map((which, k) => ({
       name: `${name}, ${which}`,
       times: singular ? 2 * times : times,
@@ -107,9 +111,9 @@ function decoupled(place, arm, target) {
   });
 }
 
-// Joints 4 to 6 both ways, from the tool's axes x and z in frame 3; joint 6 from what joint 4's
-// turn leaves of x. Rounding may turn the first three joints by `blur`.
-function wrist(rows, x, z, blur) {
+// The two solutions of joints 4 to 6, from the tool's axes x and z in frame 3. Rounding may have
+// turned the first three joints by `blur` (rad).
+function solveWrist(rows, x, z, blur) {
   const [s4, s5] = [rows[3].sa, rows[4].sa];
   const cosine = -s4 * s5 * z[2];
   const singular = Math.hypot(z[0], z[1]) < SINGULAR + blur;
@@ -130,7 +134,7 @@ function wrist(rows, x, z, blur) {
   };
 }
 
-// Which form an arm has
+// The closed form of an arm
 
 const kindsOf = (rows) => rows.map(({ kind }) => kind[0]).join("");
 
@@ -162,38 +166,44 @@ function isUr({ rows }) {
 }
 
 const FORMS = {
-  elbow: { fits: isElbow, of: elbow, pose: false },
-  rod: { fits: hasRod, of: rod, pose: false },
+  elbow: { fits: isElbow, solve: solveElbow, pose: false },
+  rod: { fits: hasRod, solve: solveRod, pose: false },
   stanford: {
     fits: (arm) => hasWrist(arm) && hasRod(toCentre(arm)),
-    of: (arm, target) => decoupled(rod, arm, target),
+    solve: (arm, target) => solveDecoupled(solveRod, arm, target),
     pose: true,
   },
   spherical_wrist: {
     fits: (arm) => hasWrist(arm) && isElbow(toCentre(arm)),
-    of: (arm, target) => decoupled(elbow, arm, target),
+    solve: (arm, target) => solveDecoupled(solveElbow, arm, target),
     pose: true,
   },
-  ur: { fits: isUr, of: solveUr, pose: true },
+  ur: { fits: isUr, solve: solveUr, pose: true },
 };
 
-// The name, in helpers.inverse, of the closed form that serves an arm; null where none does.
+/**
+ * Return the name of the arm's closed form in helpers.inverse; null if it has none.
+ * @param {Arm} arm
+ */
 export const findClosedForm = (arm) =>
   Object.keys(FORMS).find((name) => FORMS[name].fits(arm)) ?? null;
 
-// Whether its targets are poses, not points.
+/** Return whether a closed form takes poses as targets, not points. */
 export const needsPose = (form) => FORMS[form].pose;
 
 /**
- * All branches for a target: three coordinates, or a frame where the form asks for a pose.
+ * Solve the inverse kinematics of one target.
+ * @param {Arm} arm
+ * @param {string} form name of the closed form
+ * @param {any} target three coordinates (m), or a frame where the form needs a pose
  * @returns {Branch[]}
  */
 export function solveInverse(arm, form, target) {
-  if (FORMS[form].pose) mustBeRigid(arm, target);
-  return FORMS[form].of(arm, target);
+  if (FORMS[form].pose) checkRigid(arm, target);
+  return FORMS[form].solve(arm, target);
 }
 
-function mustBeRigid(arm, { x, y, z }) {
+function checkRigid(arm, { x, y, z }) {
   const third = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
   const gaps = [...minus(third, z), ...[x, y, z].map((v) => dot(v, v) - 1)];
   const error = Math.max(...gaps.map(Math.abs));

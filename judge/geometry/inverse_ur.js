@@ -1,4 +1,5 @@
-// Three parallel axes in the middle, as Universal Robots builds its arms: eight ways at the most.
+// Closed form of arms with three parallel axes in the middle, as Universal Robots builds them: at
+// most eight branches.
 
 import {
   clamp,
@@ -32,7 +33,7 @@ export function solveUr(arm, target) {
   const shape = { rows, links, turn3, side: -fourth.sa * turn3, offset };
   const tool = removeLastRow(rows[5], target);
   const plane = solveShoulder(rows[0], offset, tool.centre);
-  const wrists = [0, 1].map((side) => urWrist(shape, plane, tool, side));
+  const wrists = [0, 1].map((side) => solveUrWrist(shape, plane, tool, side));
   return collectBranches([SIDES, WRISTS, BENDS], (side, flip, bend) => {
     const { phi5, phi6, u, singular, blur } = wrists[side][flip];
     const end = endOfLinks(shape, plane.x[side], plane.y, u);
@@ -47,14 +48,14 @@ export function solveUr(arm, target) {
       subtractOffset(phi5, rows[4].theta),
       subtractOffset(phi6, rows[5].theta),
     ];
-    const loose = singular && !isolated(shape, plane.x[side], plane.y);
+    const loose = singular && !isIsolated(shape, plane.x[side], plane.y);
     const free = [plane.free, bent.free, false, false, false, loose];
     return { q, free, merged: [plane.one, singular, bent.one] };
   });
 }
 
-// Joints 5 and 6, and the axis x_4 = u in the plane, both ways, for one shoulder.
-function urWrist(shape, plane, tool, side) {
+// The two solutions of joints 5 and 6 for one shoulder, each with the axis x_4 = u in the plane.
+function solveUrWrist(shape, plane, tool, side) {
   const { rows } = shape;
   const [c, s] = [Math.cos(plane.phi[side]), Math.sin(plane.phi[side])];
   const { sa } = rows[0];
@@ -86,11 +87,11 @@ function urWrist(shape, plane, tool, side) {
     },
   ];
   const loose = singular || uncertain > BOUNDARY;
-  return loose ? both.map((one) => withinReach(shape, plane.x[side], plane.y, one)) : both;
+  return loose ? both.map((one) => turnWithinReach(shape, plane.x[side], plane.y, one)) : both;
 }
 
-// Where the two links must end: the wrist's centre (x, y) in the plane less d_5 along z_4.
 /**
+ * Return the point where the two links must end: the wrist's centre less d_5 along z_4.
  * @param {any} shape @param {number} x @param {number} y @param {number[]} u
  * @returns {number[]}
  */
@@ -99,8 +100,8 @@ function endOfLinks({ side, rows }, x, y, u) {
   return [x + reach * u[1], y - reach * u[0]];
 }
 
-// Whether no turn about the wrist's centre but one leaves the links within reach.
-function isolated({ rows, links }, x, y) {
+// Whether only one turn about the wrist's centre leaves the links within reach.
+function isIsolated({ rows, links }, x, y) {
   const [far, arc] = [Math.hypot(x, y), Math.abs(rows[4].d)];
   const [nearest, farthest] = [Math.abs(far - arc), far + arc];
   const touching =
@@ -108,16 +109,16 @@ function isolated({ rows, links }, x, y) {
   return touching && Math.min(far, arc) > BOUNDARY;
 }
 
-// Joint 6 turned where the links cannot quite reach and it is free, or uncertain by enough; and to
-// the only angle where there is but one.
-function withinReach(shape, x, y, found) {
+// Turn a free or uncertain joint 6 until the links reach; to the only angle where there is just
+// one.
+function turnWithinReach(shape, x, y, found) {
   const { rows, links, side } = shape;
   const arc = Math.abs(rows[4].d);
   const [ux, uy] = found.u;
   const [px, py] = endOfLinks(shape, x, y, found.u);
   const [far, length] = [Math.hypot(x, y), Math.hypot(px, py)];
   const wanted = clamp(length, innerRadius(links), outerRadius(links));
-  const alone = isolated(shape, x, y);
+  const alone = isIsolated(shape, x, y);
   const [vx, vy] = [x - px, y - py];
   const angle = Math.atan2(x * vy - y * vx, x * vx + y * vy);
   const ratio = (far ** 2 + arc ** 2 - wanted ** 2) / Math.max(2 * far * arc, 1e-300);

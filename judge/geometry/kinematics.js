@@ -1,8 +1,16 @@
-// The numeric view of an arm: the same small recursion as helpers/kinematics.py and
-// helpers/statics.py, for one joint vector. A test holds the two equal. Vectors are arrays of
-// three; a frame is its columns { x, y, z, o }. An arm that can be judged is the explorer's, with
-// its symbols, values [[name, number]], and the tables with other lengths that mistakes would give
-// (helpers/checks/arms.py).
+// Forward kinematics, Jacobian and gravity torques of an arm at one joint vector. The recursion is
+// that of helpers/kinematics.py and helpers/statics.py; a test compares the two.
+
+/** @typedef {import("./arm.js").Arm} Arm */
+/** @typedef {import("./arm.js").Rows} Rows */
+/**
+ * A vector in the base frame: three coordinates.
+ * @typedef {number[]} Vector
+ */
+/**
+ * A frame in base coordinates: its axes and its origin.
+ * @typedef {{ x: Vector, y: Vector, z: Vector, o: Vector }} Frame
+ */
 
 export const GRAVITY = 9.81;
 
@@ -16,9 +24,15 @@ export const cross = (u, v) => [
   u[0] * v[1] - u[1] * v[0],
 ];
 export const norm = (v) => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
-const mixed = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]];
+// a u + b v.
+const combine = (a, u, b, v) => [a * u[0] + b * v[0], a * u[1] + b * v[1], a * u[2] + b * v[2]];
 
-// Exact at multiples of a right angle, so that structural zeros stay zero.
+/**
+ * Return cosine and sine of an angle, exact at multiples of a right angle so that structural zeros
+ * stay zero.
+ * @param {number} angle rad
+ * @returns {number[]}
+ */
 export function cosSin(angle) {
   const turns = angle / (Math.PI / 2);
   if (Math.abs(turns - Math.round(turns)) > 1e-12) return [Math.cos(angle), Math.sin(angle)];
@@ -30,14 +44,21 @@ export function cosSin(angle) {
   ][((Math.round(turns) % 4) + 4) % 4];
 }
 
-// The indices, from 0, of the rows that move.
+/** Return the indices, from 0, of the rows that move. @param {Rows} arm */
 export const movingRows = (arm) => arm.rows.flatMap((row, i) => (row.kind === "fixed" ? [] : [i]));
-// Their numbers, from 1; whether each turns; and the names of their values.
+/** Return the joints' numbers, counted from 1. @param {Rows} arm */
 export const jointNumbers = (arm) => movingRows(arm).map((i) => i + 1);
+/** Return for each joint whether it is revolute. @param {Rows} arm */
 export const revoluteFlags = (arm) => movingRows(arm).map((i) => arm.rows[i].kind === "revolute");
+/** Return the names of the joint values: q_1, q_2, ... @param {Rows} arm */
 export const jointNames = (arm) => jointNumbers(arm).map((i) => `q_${i}`);
 
-// Base-to-link frames T00 .. T0n for the joint vector q.
+/**
+ * Return the link frames T_00 ... T_0n in the base frame.
+ * @param {Rows} arm
+ * @param {number[]} q joint values (rad or m)
+ * @returns {Frame[]}
+ */
 export function linkFrames(arm, q) {
   let [x, y, z, o] = [
     [1, 0, 0],
@@ -46,26 +67,31 @@ export function linkFrames(arm, q) {
     [0, 0, 0],
   ];
   const frames = [{ x, y, z, o }];
-  let moving = 0;
+  let joint = 0;
   for (const row of arm.rows) {
-    const value = row.kind === "fixed" ? 0 : q[moving++];
+    const value = row.kind === "fixed" ? 0 : q[joint++];
     const [c, s] = cosSin(row.kind === "revolute" ? row.theta + value : row.theta);
     const [ca, sa] = cosSin(row.alpha);
     const d = row.kind === "prismatic" ? row.d + value : row.d;
-    [x, y] = [mixed(c, x, s, y), mixed(c, y, -s, x)];
-    o = plus(mixed(d, z, row.a, x), o);
-    [y, z] = [mixed(ca, y, sa, z), mixed(ca, z, -sa, y)];
+    [x, y] = [combine(c, x, s, y), combine(c, y, -s, x)];
+    o = plus(combine(d, z, row.a, x), o);
+    [y, z] = [combine(ca, y, sa, z), combine(ca, z, -sa, y)];
     frames.push({ x, y, z, o });
   }
   return frames;
 }
 
-// A frame as the four rows of its homogeneous matrix.
+/** Return a frame as the four rows of its homogeneous matrix. @param {Frame} frame */
 export const frameMatrix = ({ x, y, z, o }) =>
   [0, 1, 2].map((i) => [x[i], y[i], z[i], o[i]]).concat([[0, 0, 0, 1]]);
 
-// The Jacobian's columns, one for each joint: (vx, vy, vz, wx, wy, wz) in the base frame, of the
-// tip or of another point that moves with it.
+/**
+ * Return the Jacobian's columns (vx, vy, vz, wx, wy, wz) in the base frame.
+ * @param {Rows} arm
+ * @param {Frame[]} frames link frames
+ * @param {Vector} [tip] the point whose velocity is wanted; it moves with the last frame
+ * @returns {number[][]} one column per joint
+ */
 export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
   return movingRows(arm).map((i) => {
     const { z, o } = frames[i];
@@ -73,40 +99,52 @@ export function jacobianColumns(arm, frames, tip = frames.at(-1).o) {
   });
 }
 
-// dP/dq, the torque or force with which each joint holds the arm up; masses and centres are
-// row.body = [m, x, y, z].
+/**
+ * Return dP/dq: the torque (N m) or force (N) with which each joint holds the arm up.
+ * @param {Rows} arm rows with `body`, the mass and centre of mass
+ * @param {Frame[]} frames link frames
+ * @param {number} [gravity] m/s²
+ */
 export function gravityTorque(arm, frames, gravity = GRAVITY) {
-  const loads = loadsOf(arm, frames);
+  const bodies = listBodies(arm, frames);
   return movingRows(arm).map((i) => {
     const { z, o } = frames[i];
-    const lift = (c) => (arm.rows[i].kind === "revolute" ? cross(z, minus(c, o))[2] : z[2]);
-    return loads.reduce(
-      (sum, { mass, centre, row }) => sum + (row < i ? 0 : mass * gravity * lift(centre)),
+    const heightRate = (c) => (arm.rows[i].kind === "revolute" ? cross(z, minus(c, o))[2] : z[2]);
+    return bodies.reduce(
+      (sum, { mass, centre, row }) => sum + (row < i ? 0 : mass * gravity * heightRate(centre)),
       0,
     );
   });
 }
 
-// The potential energy of the links, which is 0 at the base's height.
+/** Return the links' potential energy, 0 at the base's height. @param {Rows} arm */
 export const potentialEnergy = (arm, frames, gravity = GRAVITY) =>
-  loadsOf(arm, frames).reduce((sum, { mass, centre }) => sum + mass * gravity * centre[2], 0);
+  listBodies(arm, frames).reduce((sum, { mass, centre }) => sum + mass * gravity * centre[2], 0);
 
-const loadsOf = (arm, frames) =>
-  arm.rows.flatMap((row, k) => (row.body ? [load(row.body, frames[k + 1], k)] : []));
+// The bodies of the links, with their centres of mass in the base frame.
+const listBodies = (arm, frames) =>
+  arm.rows.flatMap((row, k) => (row.body ? [placeBody(row.body, frames[k + 1], k)] : []));
 
-function load([mass, ...com], { x, y, z, o }, row) {
-  return { mass, row, centre: plus(o, plus(mixed(com[0], x, com[1], y), scaled(com[2], z))) };
+function placeBody([mass, ...com], { x, y, z, o }, row) {
+  return { mass, row, centre: plus(o, plus(combine(com[0], x, com[1], y), scaled(com[2], z))) };
 }
 
-// J^T F, what a wrench on the tool by the world asks of each joint.
+/**
+ * Return J^T F, what a wrench on the tool by the world asks of each joint.
+ * @param {number[][]} columns of the Jacobian
+ * @param {number[]} wrench (Fx, Fy, Fz, Mx, My, Mz) in the base frame
+ */
 export const wrenchTorque = (columns, wrench) =>
   columns.map((column) => column.reduce((sum, entry, i) => sum + entry * wrench[i], 0));
 
-// The angle (rad) of the turn from one frame to another.
+/**
+ * Return the angle (rad) of the rotation from one frame to another.
+ * @param {Frame} here @param {Frame} there
+ */
 export function rotationBetween(here, there) {
   const [A, B] = [frameMatrix(here), frameMatrix(there)];
   const entry = (i, j) => A[0][i] * B[0][j] + A[1][i] * B[1][j] + A[2][i] * B[2][j];
   const R = [0, 1, 2].map((i) => [0, 1, 2].map((j) => entry(i, j)));
-  const off = norm([R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]]);
-  return Math.atan2(off, R[0][0] + R[1][1] + R[2][2] - 1);
+  const sine = norm([R[2][1] - R[1][2], R[0][2] - R[2][0], R[1][0] - R[0][1]]);
+  return Math.atan2(sine, R[0][0] + R[1][1] + R[2][2] - 1);
 }

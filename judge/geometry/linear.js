@@ -1,7 +1,11 @@
-// The little linear algebra that the explorer needs.
+// Linear algebra for small matrices.
 
-// Singular values (falling) of the matrix whose columns are given, with its left singular vectors.
-// One-sided Jacobi on the rows: accurate for small singular values too.
+/**
+ * Return the singular values of a matrix, falling, and its left singular vectors. One-sided Jacobi
+ * on the rows is accurate for small singular values too.
+ * @param {number[][]} columns of the matrix
+ * @param {number} [rows] number of rows used
+ */
 export function decomposeSingular(columns, rows = 6) {
   const m = Array.from({ length: rows }, (_, i) => columns.map((column) => column[i]));
   const u = Array.from({ length: rows }, (_, i) =>
@@ -37,7 +41,7 @@ function rotate(m, u, i, j) {
   return true;
 }
 
-// The determinant of the square matrix with these columns, or null where it is not square.
+/** Return the determinant of a matrix of columns; null if it is not square. */
 export function determinant(columns) {
   const n = columns.length;
   if (columns.some((column) => column.length !== n)) return null;
@@ -53,9 +57,10 @@ export function determinant(columns) {
   return det;
 }
 
+/** Subtract lists of numbers entry by entry. @param {number[]} u @param {number[]} v */
 export const subtractEach = (u, v) => u.map((x, i) => x - v[i]);
 
-// x with A x = b for a square matrix of rows.
+/** Solve A x = b for a square matrix of rows. @param {number[][]} A @param {number[]} b */
 export function solveLinear(A, b) {
   const m = A.map((row, i) => [...row, b[i]]);
   const n = m.length;
@@ -67,8 +72,11 @@ export function solveLinear(A, b) {
   return m.map((row, i) => row[n] / row[i]);
 }
 
-// A basis of the same space with as many zeros as elimination gives: directions that words can
-// name.
+/**
+ * Return a basis of the same space with as many zeros as elimination gives, so that its directions
+ * can be named.
+ * @param {number[][]} vectors
+ */
 export function simplifyBasis(vectors) {
   const m = vectors.map((v) => [...v]);
   let k = 0;
@@ -94,15 +102,18 @@ function reduce(row, by, column) {
   for (let j = 0; j < row.length; j++) row[j] -= factor * by[j];
 }
 
-// Orthonormal joint rates that move nothing: a basis of the null space of the matrix with these
-// columns, in which the joint `held` does not take part.
-export function nullSpace(columns, held = -1) {
-  const free = columns.map((_, k) => k).filter((k) => k !== held);
+/**
+ * Return an orthonormal basis of a matrix's null space: joint rates that move nothing.
+ * @param {number[][]} columns
+ * @param {number} [excluded] index of a joint that does not take part
+ */
+export function nullSpace(columns, excluded = -1) {
+  const free = columns.map((_, k) => k).filter((k) => k !== excluded);
   if (!free.length) return [];
   const rows = columns[0].map((_, i) => free.map((k) => columns[k][i]));
   const { values, vectors } = decomposeSingular(rows, free.length);
-  const least = 1e-5 * Math.max(values[0], 1e-12);
+  const tolerance = 1e-5 * Math.max(values[0], 1e-12);
   return vectors
-    .filter((_, i) => values[i] <= least)
-    .map((v) => columns.map((_, k) => (k === held ? 0 : v[free.indexOf(k)])));
+    .filter((_, i) => values[i] <= tolerance)
+    .map((v) => columns.map((_, k) => (k === excluded ? 0 : v[free.indexOf(k)])));
 }

@@ -1,14 +1,13 @@
-// Paths of the tip as helpers/motion/paths.py makes them: where it should be, and how fast, at any
-// time.
+// Paths of the tip, as helpers/motion/paths.py makes them: position and velocity at any time.
 
 import { cross, linkFrames } from "./kinematics.js";
 
 /**
  * @typedef {object} Path
- * @property {number[]} times when the steps begin and the last one ends (s)
+ * @property {number[]} times the starts of the steps and the end of the last one (s)
  * @property {(t: number) => number[]} position (m)
  * @property {(t: number) => number[]} velocity (m/s)
- * @property {number[]} normal of the wall that it lies on
+ * @property {number[]} normal of the wall that the path lies on
  */
 
 const UNIT = [
@@ -18,27 +17,26 @@ const UNIT = [
 ];
 
 /**
- * A path that Python holds, by where and how fast it is at some times; `wanted` collects the others
- * that are asked for.
- * @param {{ times: number[], at: [number, number[], number[]][], normal: number[] }} held
- * @param {Set<number>} wanted
+ * Make a path of samples from Python: time, position and velocity. It is NaN at all other times.
+ * @param {{ times: number[], at: [number, number[], number[]][], normal: number[] }} samples
+ * @param {Set<number>} wanted collects the times that were asked for and have no sample
  * @returns {Path}
  */
 export function sampledPath({ times, at, normal }, wanted) {
   const known = new Map(at.map(([t, ...both]) => [t, both]));
   const nowhere = [NaN, NaN, NaN];
-  const one = (k) => (t) => {
+  const lookUp = (k) => (t) => {
     if (!known.has(t)) wanted.add(t);
     return known.get(t)?.[k] ?? nowhere;
   };
-  return { times, position: one(0), velocity: one(1), normal };
+  return { times, position: lookUp(0), velocity: lookUp(1), normal };
 }
 
 /**
- * A circle at even speed; `plane` names the base axes that it sets out from and towards, as in
- * "zy".
+ * Make a circle at constant speed.
  * @param {{ centre: number[], radius: number, plane: string, period: number, steps: number, phase?:
- *   number }} asked
+ *   number }} options `plane` names the two base axes of the circle, first the one that points from
+ *   the centre to the start, then the direction of motion, as "zy"; `period` in s, lengths in m
  * @returns {Path}
  */
 export function circlePath({ centre, radius, plane, period, steps, phase = 0 }) {
@@ -65,28 +63,33 @@ export function circlePath({ centre, radius, plane, period, steps, phase = 0 }) 
 }
 
 /**
- * The circle that begins at the tip of an arm at `start` and hangs below it; `plane` has z in it.
- * @param {any} arm
- * @param {{ start: number[], radius: number, plane: string, period: number, steps: number }} asked
+ * Make the circle that begins at the arm's tip and lies below it.
+ * @param {import("./arm.js").Rows} arm
+ * @param {{ start: number[], radius: number, plane: string, period: number, steps: number }}
+ *   options `start` holds joint values; `plane` contains z
  */
-export function circleBelow(arm, asked) {
-  const [x, y, z] = linkFrames(arm, asked.start).at(-1).o;
-  const phase = asked.plane[0] === "z" ? 0 : Math.PI / 2;
-  return circlePath({ ...asked, centre: [x, y, z - asked.radius], phase });
+export function circleBelow(arm, options) {
+  const [x, y, z] = linkFrames(arm, options.start).at(-1).o;
+  const phase = options.plane[0] === "z" ? 0 : Math.PI / 2;
+  return circlePath({ ...options, centre: [x, y, z - options.radius], phase });
 }
 
-/** The same path in the same time, begun and ended at rest. @param {Path} path @returns {Path} */
+/**
+ * Return the same path in the same time, begun and ended at rest.
+ * @param {Path} path
+ * @returns {Path}
+ */
 export function restToRest(path) {
   const [begin, end] = [path.times[0], path.times.at(-1)];
   const period = end - begin;
   const share = (t) => (t - begin) / period;
-  const there = (u) => begin + period * u ** 3 * (10 + u * (6 * u - 15));
+  const slowed = (u) => begin + period * u ** 3 * (10 + u * (6 * u - 15));
   return {
     ...path,
-    position: (t) => path.position(there(share(t))),
+    position: (t) => path.position(slowed(share(t))),
     velocity: (t) => {
       const u = share(t);
-      return path.velocity(there(u)).map((v) => 30 * (u * (1 - u)) ** 2 * v);
+      return path.velocity(slowed(u)).map((v) => 30 * (u * (1 - u)) ** 2 * v);
     },
   };
 }

@@ -1,18 +1,24 @@
-// Rows of a table as geometry: which entries are angles, which one a joint changes.
+// Which entries of a table's row are angles, and which one its joint changes.
 
-// rad: angles are often written with four decimals
+// rad: angles are often typed with four decimals
 export const ANGLE_TOLERANCE = 1e-4;
 
+/** @param {string} column */
 export const isAngleColumn = (column) => column === "alpha" || column === "theta";
 
-// The entry that a joint changes.
+/** Return the entry that a joint of this kind changes; undefined for a fixed row. */
 export const jointColumn = (kind) => ({ revolute: "theta", prismatic: "d" })[kind];
 
-// An angle near a multiple of a right angle is taken as that.
+/**
+ * Return the multiple of a right angle that an angle is close to, or else the angle itself.
+ * @param {number} angle rad
+ * @param {number} [unit] of its last typed digit (rad)
+ */
 export function snapAngle(angle, unit = 0) {
-  const right = (Math.round(angle / (Math.PI / 2)) * Math.PI) / 2;
-  return Math.abs(angle - right) < Math.max(ANGLE_TOLERANCE, 0.51 * unit) ? right : angle;
+  const nearest = (Math.round(angle / (Math.PI / 2)) * Math.PI) / 2;
+  return Math.abs(angle - nearest) < Math.max(ANGLE_TOLERANCE, 0.51 * unit) ? nearest : angle;
 }
 
+/** Snap alpha and theta of each row. @param {import("./arm.js").TableRow[]} rows */
 export const snapRows = (rows) =>
   rows.map((row) => ({ ...row, alpha: snapAngle(row.alpha), theta: snapAngle(row.theta) }));

@@ -1,32 +1,38 @@
-// A chain of axes walked from the base to the tip: each gap between them with its common normal.
+// Walks along an arm's axes from the base to the tip and lists the gaps between them.
 
 import { cross, dot, movingRows, linkFrames, minus, norm, plus, scaled } from "./kinematics.js";
 import { decomposeSingular } from "./linear.js";
 
 /** @typedef {import("./axes.js").Gap} Gap */
 
-export const TINY = 1e-9; // m, or the sine of an angle: closer than this, axes meet or are parallel
+// m, or the sine of an angle: below it axes meet or are parallel. 1e4 x round-off of a long chain
+export const TINY = 1e-9;
 
-export const NORMAL_INDEX = -1; // stands for the common normal where joints are listed by position
+export const NORMAL_INDEX = -1; // stands for the common normal in a list of joint indices
 
-// The gaps from base to tip, with the slides where they make the lengths least.
+/**
+ * List the gaps from base to tip. Prismatic joints are moved to where the lengths are least, since
+ * their zeros are arbitrary.
+ * @param {import("./arm.js").Rows} arm
+ * @returns {Gap[]}
+ */
 export function listGaps(arm) {
   const moving = movingRows(arm);
   const slides = moving.flatMap((row, k) => (arm.rows[row].kind === "prismatic" ? [k] : []));
   const q = moving.map(() => 0);
   if (!slides.length) return walk(arm, q);
-  const start = lengths(walk(arm, q));
+  const start = listLengths(walk(arm, q));
   const rates = slides.map((k) => {
     const pushed = moving.map((_, j) => Number(j === k));
-    const moved = lengths(walk(arm, pushed));
+    const moved = listLengths(walk(arm, pushed));
     return moved.map((x, i) => (Math.abs(x - start[i]) < TINY ? 0 : x - start[i]));
   });
-  leastSquares(rates, start).forEach((x, i) => (q[slides[i]] = -x));
+  solveLeastSquares(rates, start).forEach((x, i) => (q[slides[i]] = -x));
   return walk(arm, q);
 }
 
-// The shortest x that makes the columns times x come nearest to b.
-function leastSquares(columns, b) {
+// The shortest x for which the columns times x come closest to b.
+function solveLeastSquares(columns, b) {
   const rows = b.map((_, i) => columns.map((column) => column[i]));
   const { values, vectors } = decomposeSingular(rows, columns.length);
   const along = columns.map((column) => column.reduce((sum, x, i) => sum + x * b[i], 0));
@@ -39,9 +45,9 @@ function leastSquares(columns, b) {
   return x;
 }
 
-const lengths = (found) => [
-  ...found.flatMap(({ normal }) => normal),
-  ...found.flatMap(({ offset, fromBase }) => (offset === null || fromBase ? [] : [offset])),
+const listLengths = (gaps) => [
+  ...gaps.flatMap(({ normal }) => normal),
+  ...gaps.flatMap(({ offset, fromBase }) => (offset === null || fromBase ? [] : [offset])),
 ];
 
 function walk(arm, q) {
@@ -55,7 +61,7 @@ function walk(arm, q) {
   const upTo = (from, to) =>
     Array.from({ length: Math.max(0, Math.min(to + 1, dof) - from) }, (_, k) => from + k);
   const atBase = { offset: null, bunch: [], fromBase: true, toTip: false };
-  const found = [gap(axes, upTo(0, stops[0]), [0, 0, 0], atBase)];
+  const gaps = [makeGap(axes, upTo(0, stops[0]), [0, 0, 0], atBase)];
   let foot = turning.length
     ? findCommonNormal([0, 0, 0], [0, 0, 1], points[stops[0]], axes[stops[0]])[1]
     : [0, 0, 0];
@@ -63,21 +69,21 @@ function walk(arm, q) {
   turning.forEach((i, n) => {
     const j = stops[n + 1];
     const toTip = j === dof;
-    if (!bunch.length) foot = onto(points[i], axes[i], foot);
+    if (!bunch.length) foot = projectOnto(points[i], axes[i], foot);
     const [next, along] = toTip ? [frames.at(-1).o, null] : [points[j], axes[j]];
     const [leave, arrive] = findCommonNormal(foot, axes[i], next, along);
     bunch = [...bunch, i];
-    const goesOn = !toTip && isParallel(axes[i], axes[j]);
-    const offset = goesOn ? null : dot(axes[i], minus(leave, foot));
+    const isNextParallel = !toTip && isParallel(axes[i], axes[j]);
+    const offset = isNextParallel ? null : dot(axes[i], minus(leave, foot));
     const fromBase = bunch[0] === turning[0];
-    found.push(gap(axes, upTo(i, j), minus(arrive, leave), { offset, bunch, fromBase, toTip }));
+    gaps.push(makeGap(axes, upTo(i, j), minus(arrive, leave), { offset, bunch, fromBase, toTip }));
     foot = arrive;
-    if (!goesOn) bunch = [];
+    if (!isNextParallel) bunch = [];
   });
-  return found;
+  return gaps;
 }
 
-// All choices of so many of a list, in order.
+/** List all choices of `count` items, in order. @template T @param {T[]} list */
 export function combinations(list, count) {
   if (!count) return [[]];
   return list.flatMap((one, k) =>
@@ -86,7 +92,7 @@ export function combinations(list, count) {
 }
 
 /** @returns {Gap} */
-function gap(axes, between, normal, rest) {
+function makeGap(axes, between, normal, rest) {
   const length = norm(normal);
   const directions = new Map(between.map((k) => [k, axes[k]]));
   if (length > TINY) directions.set(NORMAL_INDEX, scaled(1 / length, normal));
@@ -100,13 +106,15 @@ function gap(axes, between, normal, rest) {
 }
 
 // The foot of a point on the line (p, u).
-const onto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u));
+const projectOnto = (p, u, point) => plus(p, scaled(dot(u, minus(point, p)), u));
 
-// The feet of the common normal from the line (p, u) to the line (q, v), or to the point q; from
-// parallel axes it starts at p.
+/**
+ * Return the feet of the common normal from the line (p, u) to the line (q, v), or to the point q.
+ * Between parallel lines it starts at p.
+ */
 export function findCommonNormal(p, u, q, v) {
-  if (!v) return [onto(p, u, q), q];
-  if (isParallel(u, v)) return [p, onto(q, v, p)];
+  if (!v) return [projectOnto(p, u, q), q];
+  if (isParallel(u, v)) return [p, projectOnto(q, v, p)];
   const w = minus(q, p);
   const uv = dot(u, v);
   const below = 1 - uv * uv;
@@ -115,4 +123,5 @@ export function findCommonNormal(p, u, q, v) {
   return [plus(p, scaled(s, u)), plus(q, scaled(t, v))];
 }
 
+/** Return whether two unit vectors are parallel. */
 export const isParallel = (u, v) => norm(cross(u, v)) < TINY;

@@ -14,7 +14,7 @@ const MILLIMETRES = 10; // a length this large is no number of metres
 const MOST_RADIANS = 2 * Math.PI + 0.1; // an angle this large is no number of radians
 const EXCHANGED = { alpha: "theta", theta: "alpha" };
 
-/** @typedef {import("../geometry/axes.js").TableRow} Numbers */
+/** @typedef {import("../geometry/arm.js").TableRow} Numbers */
 
 /**
  * A row as it was meant; its numbers as typed, `radians` for entries with pi or a degree sign in
@@ -263,6 +263,7 @@ function kindsOf({ rows }, wanted) {
   return rows.map(({ kind }) => (kind === "unknown" ? "fixed" : kind));
 }
 
+/** @type {Numbers} */
 const EMPTY = { kind: "fixed", a: 0, alpha: 0, d: 0, theta: 0 };
 const isEmpty = (row) => row.kind === "fixed" && ENTRIES.every((name) => row[name] === 0);
 

@@ -24,7 +24,7 @@ const LENGTH = 1e-6; // m
 const COARSEST = 1e-3; // m: lengths typed to the millimetre are still lengths
 const WHOLES = /^(?:[-+−()$\s0-9]|(?<=[0-9])\.(?![0-9]))*$/; // and their sums
 
-/** @typedef {import("../geometry/axes.js").TableRow} TableRow */
+/** @typedef {import("../geometry/arm.js").TableRow} TableRow */
 /** @typedef {import("../geometry/axes.js").AxisComparison} AxisComparison */
 /** @typedef {import("../geometry/axes.js").Difference} Difference */
 /** @typedef {import("../causes/ranking.js").Cause} Cause */
