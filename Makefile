@@ -4,7 +4,9 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 NOTEBOOKS := $(sort $(wildcard book/*.ipynb))
 HTML := book/_build/html
-SOURCES := $(NOTEBOOKS) $(wildcard tools/answers.py tools/citations.py tools/download.py tools/pages.py tools/pictures.py tools/search.py tools/stills.py tools/paper.js book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/checks/judge.js helpers/sheets/static/*) $(shell find helpers -name '*.py')
+# Tools that run before or after a build and change no page.
+NOT_BUILDING := browser.py pdf.js pdf.py refresh.py screenshots.py
+SOURCES := $(NOTEBOOKS) $(filter-out $(patsubst %,tools/%,$(NOT_BUILDING)),$(wildcard tools/*.*)) $(wildcard book/theme/companion/* book/*.md book/*.yml book/*.bib book/assets/*.* helpers/explorer/static/* helpers/checks/judge.js helpers/sheets/static/*) $(shell find helpers -name '*.py')
 
 # Where this is set, as in many containers, every process compiles SymPy and the tests anew: 3 s of each.
 unexport PYTHONDONTWRITEBYTECODE

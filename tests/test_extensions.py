@@ -4,12 +4,10 @@ import re
 import xml.etree.ElementTree as ET
 from types import SimpleNamespace
 
-import nbformat
 import pytest
 from docutils import nodes
 
-from tools.download import Book, edition, plain
-from tools.pages import fold, keep_together, keep_whole, say_plainly, visit_math_block
+from tools.pages import fold, keep_together, keep_whole, visit_math_block
 from tools.pictures import size, visit_image
 
 PANELS = ((12, 8, 93, 166), (207, 17, 186, 166))
@@ -142,94 +140,3 @@ def test_typed_code_gets_straight_quotes():
     paragraph = nodes.paragraph("", "", nodes.Text("“so”: x=”craig” or f[“arm”]"))
     keep_whole(paragraph[0])
     assert paragraph.astext() == '“so”: x="craig" or f["arm"]'
-
-
-def test_exercise_title_shows_time_without_brackets():
-    exercise, solution = (nodes.title("", "", nodes.Text(word)) for word in ("", "Solution to"))
-    named = nodes.reference("", "", nodes.Text(" Exercise 4.1"))
-    solution += named
-    for title in (exercise, named):
-        title += [nodes.Text(part) for part in (" (", "Pull · ten minutes", ")")]
-    say_plainly(exercise)
-    say_plainly(solution)
-    assert exercise.astext() == " Pull · ten minutes"
-    assert exercise.children[-1]["classes"] == ["time"]
-    assert solution.astext() == "Solution to Exercise 4.1: Pull"
-
-
-@pytest.fixture
-def book():
-    """What the download edition asks of a built book, which is published."""
-    domains = {
-        "std": SimpleNamespace(
-            labels={"sec-a": ("one", "a", "Alpha")},
-            anonlabels={
-                "fig-a": ("one", "fig-a"),
-                "slip-1": ("one", "slip-1"),
-                "craig2018": ("references", "craig2018"),
-            },
-        ),
-        "math": SimpleNamespace(equations={"eq-a": ("one", 1)}),
-    }
-    numbers = {"figure": {"fig-a": (1, 2)}, "displaymath": {"equation-eq-a": (1, 3)}}
-    env = SimpleNamespace(
-        domains=domains,
-        toc_fignumbers={"one": numbers},
-        toc_secnumbers={"one": {"#a": (1, 4)}},
-        titles={"one": nodes.title("", "First")},
-    )
-    options = {"repository_url": "https://github.com/Owner/book"}
-    config = SimpleNamespace(html_theme_options=options, html_baseurl=HERE)
-    return Book(SimpleNamespace(env=env, config=config))
-
-
-HERE = "https://owner.github.io/book/"
-
-
-@pytest.mark.parametrize(
-    ("source", "expected"),
-    [
-        ("see {ref}`sec-a`", f"see [1.4 Alpha]({HERE}one.html#a)"),
-        ("see {ref}`slip 1 <slip-1>`", f"see [slip 1]({HERE}one.html#slip-1)"),
-        ("see [Fig. 1.2](#fig-a)", f"see [Fig. 1.2]({HERE}one.html#fig-a)"),
-        ("{numref}`fig-a` by {eq}`eq-a`", f"[Fig. 1.2]({HERE}one.html#fig-a) by (1.3)"),
-        ("{doc}`one`", f"[First]({HERE}one.html)"),
-        ("a {term}`tip`", f"a [tip]({HERE}glossary.html#term-tip)"),
-        ("([Craig 2018](#craig2018))", f"([Craig 2018]({HERE}references.html#craig2018))"),
-        ("(sec-a)=\n\n## Alpha", "## Alpha"),
-        ("$$\nx\n$$ (eq-a)", "$$\nx\n\\tag{1.3}$$"),
-        (
-            "```{admonition} Slip 1\n:class: slip\n> said\n\nWrong.\n```",
-            "> **Slip 1**\n>\n> > said\n>\n> Wrong.\n",
-        ),
-        ("```{exercise} How?\n:label: ex\nTry.\n```", "#### Exercise: How?\nTry.\n"),
-        ("```{solution-end}\n```", ""),
-        ("```python\nq = {1}\n```", "```python\nq = {1}\n```"),
-    ],
-)
-def test_markdown_is_converted_to_plain_form(book, source, expected):
-    assert plain(source, book) == expected
-
-
-def test_solution_collapses_up_to_the_next_heading(book):
-    text = (
-        "```{exercise} How?\n:label: a\nTry.\n```\n\n"
-        "```{solution-start} a\n:class: dropdown\n```\n\nSo."
-    )
-    after = "```{solution-end}\n```\n\n```{exercise} Why?\n:label: b\nThink.\n```"
-    code = nbformat.v4.new_code_cell(
-        "1", metadata={"mystnb": {"figure": {"caption": "One.", "name": "fig-a"}}}
-    )
-    cells = [nbformat.v4.new_markdown_cell(text), code, nbformat.v4.new_markdown_cell(after)]
-    made = edition(nbformat.v4.new_notebook(cells=cells), "one", book).cells
-    assert [cell.source.split("\n")[0] for cell in made[1:]] == [
-        "#### Exercise: How?",
-        "#### Solution",
-        "So.",
-        "1",
-        f"*[Fig. 1.2]({HERE}one.html#fig-a). One.*",
-        "#### Exercise: Why?",
-    ]
-    assert [cell.metadata.get("jp-MarkdownHeadingCollapsed") for cell in made[1:3]] == [None, True]
-    assert "git+https://github.com/Owner/book" in made[0].source
-    assert len({cell.id for cell in made}) == len(made)

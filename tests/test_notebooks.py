@@ -6,6 +6,7 @@ was never run, and does not compare PNG pictures or anything about a tagged cell
 
 import re
 import xml.etree.ElementTree as ET
+from itertools import pairwise
 from pathlib import Path
 from statistics import median
 
@@ -13,12 +14,13 @@ import nbformat
 import pytest
 
 from tools.citations import cite
-from tools.refresh import dress, figure_numbers, number_figures
+from tools.refresh import hide_drawing_code
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "book").glob("*.ipynb"))
 PICTURES = {"image/svg+xml", "image/png", "image/jpeg"}
 CHAPTERS = [path for path in NOTEBOOKS if path.stem[:2].isdigit()]
 ALLOWED_TAGS = {"hide-input", "hide-output", "hide-cell", "remove-input", "remove-cell"}
+CAPTION = r'(?s)(?:<a id="[\w-]+"></a>\s+)+\*\*Fig\. [\d.]+\.\*\* .{30,}'
 SLIDERS = "from ipywidgets import interactive\n"  # the second line of a cell with sliders
 
 every_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -116,16 +118,16 @@ def test_cells_have_no_errors(path):
 
 @every_notebook
 def test_pictures_are_svg_with_alt_and_caption(path):
-    for cell, output in on_the_page(path):
-        kinds = PICTURES & set(output.get("data", {}))
-        if not kinds:
+    for cell, below in pairwise(read(path).cells):
+        outputs = cell.get("outputs", []) if "remove-cell" not in tags(cell) else []
+        formats = {kind for output in outputs for kind in output.get("data", {})} & PICTURES
+        if not formats:
             continue
-        assert kinds == {"image/svg+xml"}, "SVG is compared, PNG is not"
-        assert ET.fromstring(output.data["image/svg+xml"]).tag.endswith("svg")
-        figure = cell.metadata["mystnb"]
-        assert len(figure["image"]["alt"]) > 30
-        assert len(figure["figure"]["caption"]) > 30
-        assert figure["figure"]["name"].startswith("fig-")
+        assert formats == {"image/svg+xml"}, "nbval compares SVG, not PNG"
+        (svg,) = [o.data["image/svg+xml"] for o in outputs if "image/svg+xml" in o.get("data", {})]
+        assert ET.fromstring(svg).tag.endswith("svg")
+        assert len(cell.metadata.mystnb.image.alt) > 30
+        assert re.fullmatch(CAPTION, below.source), f"a caption belongs below {cell.source!r}"
 
 
 @every_notebook
@@ -174,18 +176,10 @@ def test_notebook_is_below_750_kb(path):
 
 
 @every_notebook
-def test_drawing_cells_and_solutions_are_folded(path):
-    """As tools/refresh.py leaves them: in JupyterLab solutions, on the page the code of figures."""
+def test_code_of_drawings_is_folded_on_the_page(path):
     notebook = read(path)
-    dress(notebook)
-    assert notebook == read(path), f"say: python -m tools.refresh {path}"
-
-
-@every_notebook
-def test_figure_links_have_current_numbers(path):
-    notebook = read(path)
-    number_figures(notebook, figure_numbers(path.parent))
-    assert notebook == read(path), f"say: python -m tools.refresh {path}"
+    hide_drawing_code(notebook)
+    assert notebook == read(path), f"run: make refresh NOTEBOOKS=book/{path.name}"
 
 
 @every_notebook
@@ -195,26 +189,13 @@ def test_citations_match_bibliography(path):
     assert notebook == read(path), f"say: python -m tools.refresh {path}"
 
 
-def test_number_figures_leaves_unknown_links():
-    text = "[Fig. 1.1](#fig-a), [Fig. 1.1](#fig-b), [as drawn](#fig-a)"
-    cell = nbformat.v4.new_markdown_cell(text)
-    number_figures(nbformat.v4.new_notebook(cells=[cell]), {"fig-a": "2.10"})
-    assert cell.source == text.replace("1.1", "2.10", 1)
-
-
-def test_dress_folds_drawings_and_solutions():
-    figure = {"mystnb": {"figure": {"caption": "One."}}}
-    cells = [
-        nbformat.v4.new_code_cell("draw(ax)", metadata=figure),
-        nbformat.v4.new_code_cell("check('length', 1, 1)", metadata=figure),
-        nbformat.v4.new_markdown_cell("```{solution-start} ex\n```\nSo."),
-        nbformat.v4.new_code_cell("answer"),
-        nbformat.v4.new_markdown_cell("```{solution-end}\n```"),
-        nbformat.v4.new_code_cell("after"),
-    ]
-    dress(nbformat.v4.new_notebook(cells=cells))
-    assert [cell.metadata.get("tags", []) for cell in cells[:2]] == [["hide-input"], []]
-    assert ["jupyter" in cell.metadata for cell in cells] == [False] * 3 + [True] + [False] * 2
+def test_hide_drawing_code_leaves_cells_that_print_a_result():
+    cells = []
+    for source in ("draw(ax)", "check('length', 1, 1)"):
+        cells.append(nbformat.v4.new_code_cell(source))
+        cells.append(nbformat.v4.new_markdown_cell("**Fig. 1.** One."))
+    hide_drawing_code(nbformat.v4.new_notebook(cells=cells))
+    assert [cell.metadata.get("tags", []) for cell in cells[::2]] == [["hide-input"], []]
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda path: path.stem)
@@ -225,12 +206,12 @@ def test_intro_states_reading_time(chapter):
     last = next(i for i, cell in enumerate(cells) if re.search(r"^## Exercises", cell.source, re.M))
     text = "\n".join(cell.source for cell in cells[: last + 1] if cell.cell_type == "markdown")
     text = re.sub(
-        r"^```.*$|\$\$.*?\$\$|\$[^$]*\$", " ", text.partition("## Exercises")[0], flags=re.M
+        r"<[^>]*>|\]\([^)]*\)|\$\$.*?\$\$|\$[^$]*\$", " ", text.partition("## Exercises")[0]
     )
     code = [cell for cell in cells[:last] if cell.cell_type == "code"]
     prints = [c for c in code if c.outputs and not {"remove-cell", "remove-input"} & set(tags(c))]
     results = sum(not PICTURES & set(c.outputs[0].get("data", {})) for c in prints)
     told = (chapter.parent / "intro.md").read_text(encoding="utf-8")
-    ((whole, part),) = re.findall(rf"{chapter.stem}` \|.*\| (\d)([¼½¾]?)&nbsp;h", told)
+    ((whole, part),) = re.findall(rf"\({chapter.name}\) \|.*\| (\d)([¼½¾]?)&nbsp;h", told)
     hours = int(whole) + {"": 0, "¼": 0.25, "½": 0.5, "¾": 0.75}[part]
     assert hours == pytest.approx((len(text.split()) / 200 + 2 * results) / 60, abs=0.3)

@@ -14,10 +14,10 @@ import pytest
 
 CHAPTERS = sorted((Path(__file__).parents[1] / "book").glob("0*.ipynb"))
 NOT_PROSE = re.compile(
-    r"^>.*$"  # the words of a report
-    r"|<[^>]*>|\[[^]]*\]\(#\w+\)|\]\([^)]*\)|\[Fig\. [\d.]+|Chapter \d"  # tags, works, links
-    r"|\{[a-z:]+\}`[^`]*`|^:\w+:.*$"  # roles, options
-    r"|10\^\{[^}]*\}|[_^]\{[^}]*\}|[_^]\w+|\(\w*-[\w-]+\)=",  # exponents, indices, labels
+    r"^> >.*$"  # the words of a report
+    r"|<[^>]*>|\[[^]]*\]\((?:references\.md)?#\w+\)|\]\([^)]*\)|Chapter \d"  # tags, works, links
+    r"|\[Fig\. [\d.]+|\[\([\d.]+\)|^\*\*Fig\. [\d.]+|^### Exercise [\d.]+|\\tag\{[\d.]+\}"
+    r"|10\^\{[^}]*\}|[_^]\{[^}]*\}|[_^]\w+",  # exponents, indices
     re.M,
 )
 NUMBER = r"(?<![\w.])(\d+(?:(?:\\,|[ \u00a0])\d{3}(?!\d))*(?:\.\d+)?)(?![\w.]*\w)"
@@ -91,8 +91,9 @@ def _cells(prose, source, output=""):
         ("The pen tilts by 0.2154 rad.", "print(tilt)", "12.3412\n", ["0.2154 rad"]),
         ("2\u00a0000 targets, 51 % in front", "n = 2000", "0.513", []),
         ("$571.6\\sin\\theta_1$ and $10^{-6}$ m", "a_3 = 0.5716", "", []),
-        ("$x_{100}$ of 12 joints, {ref}`sec-100`, [Fig. 1.12](#fig-100)", "", "", []),
-        ("> 118 mm\n\nas the report says", "", "", []),
+        ("$x_{100}$ of 12 joints, [below](#sec-100), [Fig. 1.12](#fig-100)", "", "", []),
+        ("By [(1.12)](#eq-a), x \\tag{1.12}\n### Exercise 1.12: A\n**Fig. 1.12.** B", "", "", []),
+        ("> > 118 mm\n>\n> as the report says", "", "", []),
     ],
 )
 def test_number_without_cell_is_detected(prose, source, output, missing):

@@ -26,7 +26,7 @@ symbol) or NumPy (numbers), and MATLAB, which GNU Octave reads too.
 
 The formulas and the numbers of this page are computed, and tested against each other. To see
 whether your own answer is another way of writing the same, give it to
-{doc}`the checkers <../check_your_homework>`.
+[the checkers](../check_your_homework.ipynb).
 """
 
 
@@ -56,7 +56,7 @@ PAGES = (
         "The Panda with its pen and all seven joints. Homework and real arm share every formula;"
         " they differ in the number for $a_3$, and with it in where the"
         " centres of mass of links 3 and 4 lie in their frames, so numbers are given for both."
-        " {doc}`panda_joint_3_locked` is the arm that draws the circle.",
+        " [Panda, joint 3 locked at 0](panda_joint_3_locked.md) is the arm that draws the circle.",
         (PANDA_HOMEWORK, PANDA),
     ),
     Page(
@@ -72,7 +72,7 @@ PAGES = (
         "UR10e, the homework's table",
         "The arm of the homework, whose lengths are those of a UR10. The homework gives it no"
         " masses, so gravity is"
-        " worked out for {doc}`the maker's UR10e <ur10e>`.",
+        " worked out for [the maker's UR10e](ur10e.md).",
         (UR10E_HOMEWORK,),
     ),
     Page(
@@ -94,15 +94,15 @@ PAGES = (
     Page(
         "elbow",
         "Elbow arm",
-        "The arm of three joints without an offset at its shoulder. {doc}`elbow_with_offset` has"
-        " one.",
+        "The arm of three joints without an offset at its shoulder."
+        " [Elbow arm with an offset](elbow_with_offset.md) has one.",
         (ELBOW,),
     ),
     Page(
         "elbow_with_offset",
         "Elbow arm with an offset",
         "The arm of three joints whose shoulder stands out by $d$. With $d = 0$ it is"
-        " the {doc}`elbow arm <elbow>`.",
+        " the [elbow arm](elbow.md).",
         (replace(ELBOW.with_values(d=0.1), name="Elbow arm with an offset"),),
     ),
 )

@@ -1,7 +1,7 @@
-"""Citations: a text links to a work by its key, `[Craig 2018](#craig2018)`, in any notebook reader.
+"""Citations: a text links to a work in the list at its notebook's end, `[Craig 2018](#craig2018)`.
 
-`tools/refresh.py` writes the words and the list at a notebook's end from `book/references.bib`; in
-the built book the links lead to the works on the page of references.
+`tools/refresh.py` writes the labels of these links and the list below `## References` from
+`book/references.bib`. An entry of the list leads to the whole entry on the page of references.
 """
 
 import re
@@ -20,49 +20,51 @@ LIST = "## References\n"
 
 
 @cache
-def works() -> Mapping[str, Entry]:
+def read_works() -> Mapping[str, Entry]:
+    """Return the works of the bibliography by their keys."""
     return parse_file(BIBLIOGRAPHY).entries
 
 
-def in_words(key: str) -> str:
-    """A work as Craig 2018: the last names of up to two authors, or the first and others."""
-    work = works()[key]
-    names = [" ".join(who.last_names) for who in work.persons["author"]]
+def short_label(key: str) -> str:
+    """Return a work's label, as Craig 2018: up to two authors, or the first and others."""
+    work = read_works()[key]
+    names = [" ".join(author.last_names) for author in work.persons["author"]]
     authors = f"{names[0]} and others" if len(names) > 2 else " and ".join(names)
     return re.sub(r"[{}]", "", f"{authors} {work.fields['year']}")
 
 
-def listed(key: str) -> str:
-    """A work as a line of a list."""
-    title = re.sub(r"[{}]", "", works()[key].fields["title"]).replace("--", "–")
-    return f"- [{in_words(key)}](#{key}): *{title}*"
+def list_item(key: str) -> str:
+    """Return a work as an item of a notebook's list, with the anchor that citations link to."""
+    title = re.sub(r"[{}]", "", read_works()[key].fields["title"]).replace("--", "–")
+    return f'- <a id="{key}"></a>[{short_label(key)}](references.md#{key}): *{title}*'
 
 
 def cite(notebook: nbformat.NotebookNode) -> None:
-    """Write the words of each link to a work, and at the end the list of all that are cited."""
+    """Write the label of each citation, and the list of all cited works at the end."""
     cited: set[str] = set()
 
-    def link(found: re.Match) -> str:
-        if found[1] not in works():
-            return found[0]
-        cited.add(found[1])
-        return f"[{in_words(found[1])}](#{found[1]})"
+    def label_link(link: re.Match) -> str:
+        if link[1] not in read_works():
+            return link[0]
+        cited.add(link[1])
+        return f"[{short_label(link[1])}](#{link[1]})"
 
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             text, heading, _ = cell.source.partition(LIST)
-            cell.source = LINK.sub(link, text)
+            cell.source = LINK.sub(label_link, text)
             if heading:
-                cell.source += f"{heading}\n" + "\n".join(sorted(map(listed, cited)))
+                keys = sorted(cited, key=short_label)
+                cell.source += f"{heading}\n" + "\n".join(map(list_item, keys))
 
 
-def label(app: Sphinx, _tree: nodes.document) -> None:
-    """Let links find the works, whose places sphinxcontrib-bibtex calls by their keys."""
+def register_works(app: Sphinx, _doctree: nodes.document) -> None:
+    """Let links find the works, which sphinxcontrib-bibtex places after the page was read."""
     if app.env.docname == "references":
-        places = {key: ("references", nodes.make_id(key)) for key in works()}
-        app.env.domains["std"].data["anonlabels"].update(places)
+        slugs = app.env.metadata["references"].setdefault("myst_slugs", {})
+        slugs.update({key: (0, nodes.make_id(key), "") for key in read_works()})
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    app.connect("doctree-read", label)
+    app.connect("doctree-read", register_works)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -5,21 +5,16 @@ formulas become MathML. Pictures are in `pictures.py`.
 """
 
 import re
-import sys
 from html import escape
 
 from docutils import nodes
-from docutils.parsers.rst import directives
 from myst_nb.sphinx_ import HideCodeCellNode
 from sphinx.application import Sphinx
-from sphinx.environment import BuildEnvironment
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
-from sphinx.util.math import get_node_equation_number
-from sphinx_exercise.nodes import exercise_enumerable_node, exercise_node, solution_node
 
 from helpers import robots, typeset
-from helpers.explorer import ArmExplorer, judge
+from helpers.explorer import ArmExplorer
 from helpers.inputs import ArmError
 from tools import stills
 
@@ -36,7 +31,6 @@ INDEXED = re.compile(r"([^\s-]*_\{[^\s}]*-[^\s}]*\}[^\s-]*)")  # z_{i-1}
 OPTION = re.compile(r"((?<![\w-])--[a-z][a-z-]*)")
 TYPED = re.compile(r"(?<=\w[=\[])[“”]([^“”\s]*)[“”]")  # convention="craig", to be copied
 SPACE = "\N{NO-BREAK SPACE}"
-TIME = re.compile(r"(.*?)\s*· (.+)")
 
 
 class LiveArm(SphinxDirective):
@@ -49,36 +43,6 @@ class LiveArm(SphinxDirective):
         explorer = ArmExplorer(getattr(robots, self.arguments[0]), **self.options)
         html = explorer._repr_mimebundle_()["text/html"]
         return [nodes.raw("", html, format="html")]
-
-
-class LiveJudge(SphinxDirective):
-    """A `{div}` of class `judge`: the judge of answers; its content is what a page without a script
-    shows, and JupyterLab, which knows a `div` and would show any name of our own as an error.
-
-    In a chapter its options say what is asked, and the judge is small; `pose` is the joint values,
-    semicolons end the rows of a `table`.
-    """
-
-    has_content = True
-    fields = ("ask", "arm", "table", "pose", "unit", "wrench", "target")
-    option_spec = {  # noqa: RUF012
-        "class": lambda name: directives.choice(name, ("judge",)),
-        **dict.fromkeys(fields, directives.unchanged),
-    }
-
-    def run(self) -> list[nodes.Node]:
-        given = {"q" if key == "pose" else key: text for key, text in self.options.items()}
-        del given["class"]
-        if "table" in given:
-            given["table"] = given["table"].replace("; ", "\n")
-        for name, module in list(sys.modules.items()):
-            if name.startswith("helpers."):  # the arms and their numbers stand in the page
-                self.env.note_dependency(module.__file__)
-        place = nodes.container(classes=["unscripted"])
-        self.state.nested_parse(self.content, self.content_offset, place)
-        start, end = (nodes.raw("", html, format="html") for html in judge.stub(given))
-        end["judge"] = True  # stills.py puts its form there
-        return [start, place, end]
 
 
 def is_long(tex: str) -> bool:
@@ -112,8 +76,7 @@ def visit_math_block(translator, node) -> None:
     tex = node.astext().strip()
     translator.body.append(translator.starttag(node, "div", "", CLASS="math"))
     if node.get("number"):
-        number = get_node_equation_number(translator, node)
-        translator.body.append(f'<span class="eqno">({number})')
+        translator.body.append(f'<span class="eqno">({node["number"]})')
         translator.add_permalink_ref(node, "Link to this equation")
         translator.body.append("</span>")
     rows = r"\\" in WITHIN.sub("", tex) and not node.get("no-wrap")
@@ -138,8 +101,10 @@ def fold(box: nodes.Element) -> None:
     ):  # in what is pressed to open, nothing else can be pressed
         link.replace_self(link.children)
     names = " ".join(name for name in box["classes"] if name != "dropdown")
-    ids = f' id="{box["ids"][0]}"' if box["ids"] else ""
-    start = f'<details class="admonition {names}"{ids}><summary class="admonition-title">'
+    first, more = box["ids"][:1], box["ids"][1:]
+    ids = "".join(f' id="{name}"' for name in first)
+    others = "".join(f'<span id="{name}"></span>' for name in more)
+    start = f'<details class="admonition {names}"{ids}><summary class="admonition-title">{others}'
     raw = [nodes.raw("", text, format="html") for text in (start, "</summary>", "</details>")]
     place = box.parent.index(box)
     box.parent[place : place + 1] = [
@@ -188,21 +153,6 @@ def keep_whole(text: nodes.Text) -> None:
         text.parent.replace(text, parts)
 
 
-def say_plainly(title: nodes.title) -> None:
-    """An exercise's title without the brackets that sphinx_exercise puts about it: its time, behind
-    a point, follows quietly; that of a solution has been read already."""
-    first = title.next_node(lambda n: isinstance(n, nodes.Text) and n == " (")
-    if first is None:
-        return
-    of, last = first.parent, first.parent[-2]
-    solution = of is not title
-    of.remove(of[-1])
-    of.replace(first, nodes.Text(": " if solution else " "))
-    if isinstance(last, nodes.Text) and (timed := TIME.fullmatch(last)):
-        time = [] if solution else [nodes.inline("", f" · {timed[2]}", classes=["time"])]
-        of.replace(last, [nodes.Text(timed[1]), *time])
-
-
 def thin_out(table: nodes.table) -> None:
     """Text stands on the left anyway; where all cells are alike, the table says how."""
     cells = list(table.findall(nodes.entry))
@@ -217,11 +167,6 @@ def thin_out(table: nodes.table) -> None:
 def prepare(app: Sphinx, doctree: nodes.document, name: str) -> None:
     """Fold what is to be folded, keep formulas and numbers with what follows them, and give tables
     a box."""
-    for title in list(doctree.findall(nodes.title)):
-        if isinstance(title.parent, exercise_node | exercise_enumerable_node | solution_node):
-            say_plainly(title)
-            for content in title.parent.findall(nodes.section):
-                content["ids"] = []  # sphinx_exercise has one for all
     for box in list(
         doctree.findall(lambda n: "dropdown" in getattr(n, "attributes", {}).get("classes", ()))
     ):
@@ -236,25 +181,13 @@ def prepare(app: Sphinx, doctree: nodes.document, name: str) -> None:
     stills.draw(app, doctree, name)
 
 
-def count_anew(_: Sphinx, env: BuildEnvironment) -> list[str]:
-    """Figures and formulas of a page that is no numbered chapter are counted from 1."""
-    for page in env.toc_fignumbers.values():
-        for numbers in page.values():
-            for place, (name, number) in enumerate(numbers.items(), 1):
-                if len(number) == 1:
-                    numbers[name] = (place,)
-    return []
-
-
 def setup(app: Sphinx) -> dict[str, bool]:
     app.add_config_value(
         "comments_config", {}, "html"
     )  # Jupyter Book sets it for an extension not used here
     app.add_directive("arm", LiveArm)
-    app.add_directive("div", LiveJudge)
     app.add_node(HideCodeCellNode, override=True, html=(visit_folded_code, depart_folded_code))
     app.add_node(nodes.math, override=True, html=(visit_math, None))
     app.add_node(nodes.math_block, override=True, html=(visit_math_block, None))
-    app.connect("env-get-updated", count_anew, priority=900)
     app.connect("doctree-resolved", prepare, priority=900)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

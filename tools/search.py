@@ -2,7 +2,7 @@
 
 Sphinx's own search fetches each page for the words around a hit, which a browser forbids on pages
 opened from a file (sphinx-doc/sphinx#10407). Here the words come with the index. A section, a term
-of the glossary, a function of the package and a row of a table of class `entries` are one entry
+of the glossary, a function of the package and a row of the table of symptoms are one entry
 each: its page, its place there, its title, its words. What ranks them is `book/assets/search.js`.
 """
 
@@ -18,6 +18,7 @@ from sphinx.builders.html import StandaloneHTMLBuilder
 from sphinx.environment import BuildEnvironment
 
 SCRIPT = "search-entries.js"
+SYMPTOMS = "symptoms"  # the id of the table whose rows are entries
 PLAIN = re.compile(r"[\w+=.^-]{1,12}")  # a formula that can be read in a line of plain text
 LABEL = re.compile(r"\0(.+?)\0")  # a reference that is resolved when all pages have been read
 UNREAD = (
@@ -57,7 +58,7 @@ def entries(doctree: nodes.document) -> Iterator[dict[str, str]]:
         terms = [term for term in item.findall(nodes.term) if term["ids"]]
         for term in terms[:1]:
             yield entry(term, term["ids"][0], [item.children[-1]])
-    tables = (table for table in doctree.findall(nodes.table) if "entries" in table["classes"])
+    tables = (table for table in doctree.findall(nodes.table) if SYMPTOMS in table["ids"])
     for table in tables:
         for row in table.findall(nodes.row):
             symptom = entry(row.children[0], table.parent["ids"][0], row.children[1:])

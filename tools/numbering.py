@@ -1,0 +1,330 @@
+"""Check and renew the numbers that figures, formulas and exercises carry in the sources.
+
+`python -m tools.numbering` reports mistakes; `python -m tools.numbering --write` renumbers. The
+numbers are written in the text, so that every reader of a notebook shows them:
+
+- a caption, alone in its cell: ``<a id="fig-x"></a>``, then ``**Fig. 2.1.** Text``
+- a formula: ``<a id="eq-x"></a>``, then ``$$``, TeX, ``\\tag{2.1}``, ``$$`` on lines of their own
+- an exercise, first in its cell: ``<a id="ex-x"></a>``, then ``### Exercise 2.1: Title · time``
+- a mention: a link, ``[Fig. 2.1](#fig-x)``, ``[(2.1)](02_jacobian.ipynb#eq-x)``
+"""
+
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+import nbformat
+from sphinx.application import Sphinx
+from sphinx.util import logging
+
+LOGGER = logging.getLogger(__name__)
+BOOK = Path(__file__).parents[1] / "book"
+
+ANCHOR = re.compile(r'<a id="([\w.-]+)"></a>')
+HEADING = re.compile(r"(?m)^(#+) +(.+)$")
+LINK = re.compile(r"\[((?:[^][]|\[[^][]*\])*)\]\((?!\w+:)([^()#\s]*)(?:#([^()\s]+))?\)")
+SOLUTION = re.compile(r'(?:<a id="[\w.-]+"></a>\n+)*#### Solution')
+MYST = re.compile(r"(?m)\{[a-z:_-]+\}`|^ *[`:]{3,}\{[\w-]+\}|^\([\w.-]+\)=\s*$")
+CODE = re.compile(r"(?ms)^```.*?^```$|``.+?``|`[^`\n]+`")
+MATH = re.compile(r"(?s)\$\$.*?\$\$|\$[^$\n]+(?:\n[^$\n]+)?\$")
+IDS_FROM_SPHINX = re.compile(r"\{(eval-rst|bibliography)\}")  # pages whose anchors a build makes
+
+
+class Kind(NamedTuple):
+    """How one kind of numbered item is written."""
+
+    name: str
+    item: re.Pattern  # groups: anchor, text up to the number, number
+    attempt: re.Pattern  # what looks like such an item, well formed or not
+    form: str
+    mention: re.Pattern
+
+
+OLD_ANCHORS = r'\A(?:<a id="[\w.-]+"></a>\s+)*?'  # names that an item had before
+KINDS = (
+    Kind(
+        "figure",
+        re.compile(rf'{OLD_ANCHORS}<a id="(fig-[\w-]+)"></a>(\n\n\*\*Fig\. )([\d.]+)\.\*\* (?=\S)'),
+        re.compile(r'(?m)^\*+Fig\b|<a id="fig-'),
+        'a cell of its own: <a id="fig-x"></a>, an empty line, **Fig. 2.1.** Text',
+        re.compile(r"(Fig\. )([\d.]*\d)"),
+    ),
+    Kind(
+        "formula",
+        re.compile(
+            r'<a id="(eq-[\w-]+)"></a>(\n\n\$\$\n(?:(?!\$\$)[^\0])*?\n\\tag\{)([\d.]+)\}\n\$\$'
+        ),
+        re.compile(r'\\tag\b|<a id="eq-'),
+        r'<a id="eq-x"></a>, an empty line, then $$, the TeX, \tag{2.1} and $$ on their own lines',
+        re.compile(r"(\()([\d.]*\d)(?=\))"),
+    ),
+    Kind(
+        "exercise",
+        re.compile(
+            rf'{OLD_ANCHORS}<a id="(ex-[\w-]+)"></a>(\n\n### Exercise )([\d.]+)(?=: \S.* · \S)'
+        ),
+        re.compile(r'(?m)^#+ +Exercise\b|<a id="ex-'),
+        'at the start of a cell: <a id="ex-x"></a>, an empty line, ### Exercise 2.1: Title · time',
+        re.compile(r"([Ee]xercise )([\d.]*\d)"),
+    ),
+)
+BARE_MENTION = re.compile(r"Fig\. [1-9]\.\d+|\([1-9]\.\d+\)|[Ee]xercise [1-9]\.\d+")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A Markdown cell of a notebook, or a whole Markdown page."""
+
+    path: Path
+    index: int | None  # None for a page
+    text: str
+    is_folded: bool = False
+    is_below_picture: bool = True
+
+    def place(self, offset: int = 0) -> str:
+        """Return where the text at an offset stands, for a message."""
+        if self.index is None:
+            return f"{self.path.name}, line {self.text.count(chr(10), 0, offset) + 1}"
+        return f"{self.path.name}, cell {self.index}"
+
+
+def read_cells(path: Path) -> list[Cell]:
+    """Return the Markdown cells of a notebook, or a page as one cell."""
+    if path.suffix == ".md":
+        return [Cell(path, None, path.read_text(encoding="utf-8"))]
+    cells = nbformat.read(path, as_version=4).cells
+    return [
+        Cell(
+            path,
+            index,
+            cell.source,
+            cell.metadata.get("jp-MarkdownHeadingCollapsed", False),
+            index > 0 and cells[index - 1].cell_type == "code",
+        )
+        for index, cell in enumerate(cells)
+        if cell.cell_type == "markdown"
+    ]
+
+
+def read_book(folder: Path = BOOK) -> dict[Path, list[Cell]]:
+    """Return the cells of every notebook and page; sheets in `answers` are made by the build."""
+    paths = sorted([*folder.glob("*.ipynb"), *folder.glob("*.md")])
+    return {path.resolve(): read_cells(path) for path in paths}
+
+
+def blank(pattern: re.Pattern, text: str) -> str:
+    """Return the text with spaces in place of each match, so that offsets stay."""
+    return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+
+
+def items_of(kind: Kind, cells: list[Cell]) -> list[tuple[Cell, re.Match]]:
+    """Return the well-formed items of a kind, in their order on the page."""
+    return [(cell, match) for cell in cells for match in kind.item.finditer(blank(CODE, cell.text))]
+
+
+def expected_number(path: Path, position: int) -> str:
+    """Return the number of the item at a position, from 1; chapters number as 2.1, 2.2."""
+    chapter = re.match(r"0*(\d+)_", path.name)
+    return f"{chapter[1]}.{position}" if chapter else str(position)
+
+
+def count_items(book: dict[Path, list[Cell]]) -> dict[tuple[Path, str], str]:
+    """Return the right number of each item, by its page and anchor."""
+    return {
+        (path, match[1]): expected_number(path, position)
+        for path, cells in book.items()
+        for kind in KINDS
+        for position, (_, match) in enumerate(items_of(kind, cells), start=1)
+    }
+
+
+def target_of(link: re.Match, path: Path) -> tuple[Path, str]:
+    """Return the file and the anchor that a link in a file at `path` leads to."""
+    return ((path.parent / link[2]).resolve() if link[2] else path), link[3] or ""
+
+
+def renumber(folder: Path = BOOK) -> list[Path]:
+    """Write every number and its mentions anew, and return the files that changed."""
+    book = read_book(folder)
+    numbers = count_items(book)
+    changed = []
+    for path, cells in book.items():
+        texts = {cell.index: renumbered(cell.text, path, numbers) for cell in cells}
+        if all(texts[cell.index] == cell.text for cell in cells):
+            continue
+        changed.append(path)
+        if path.suffix == ".md":
+            path.write_text(texts[None], encoding="utf-8")
+            continue
+        notebook = nbformat.read(path, as_version=4)
+        for index, text in texts.items():
+            notebook.cells[index].source = text
+        nbformat.write(notebook, path)
+    return changed
+
+
+def renumbered(text: str, path: Path, numbers: dict[tuple[Path, str], str]) -> str:
+    """Return a text with the right numbers in its items and in the links to items."""
+
+    def rewrite_item(item: re.Match) -> str:
+        start, end = item.start(3) - item.start(), item.end(3) - item.start()
+        return item[0][:start] + numbers[path, item[1]] + item[0][end:]
+
+    def rewrite_mention(link: re.Match) -> str:
+        number = numbers.get(target_of(link, path))
+        label = link[1]
+        for kind in KINDS if number else ():
+            label = kind.mention.sub(lambda mention: mention[1] + number, label)
+        return f"[{label}]" + link[0][len(link[1]) + 2 :]
+
+    for kind in KINDS:
+        text = kind.item.sub(rewrite_item, text)
+    return LINK.sub(rewrite_mention, text)
+
+
+def find_mistakes(folder: Path = BOOK) -> list[str]:
+    """Return a message for each mistake in the forms, numbers and links of the sources."""
+    book = read_book(folder)
+    numbers = count_items(book)
+    anchors = {path: set(find_anchors(cells)) for path, cells in book.items()}
+    mistakes: list[str] = []
+    for path, cells in book.items():
+        for kind in KINDS:
+            mistakes += check_forms(kind, cells)
+            mistakes += check_order(kind, path, cells)
+        mistakes += check_anchors(cells)
+        mistakes += check_solutions(cells)
+        for cell in cells:
+            mistakes += check_links(cell, anchors, book, numbers)
+            mistakes += check_plain(cell)
+    return mistakes
+
+
+def find_anchors(cells: list[Cell]) -> Iterator[str]:
+    for cell in cells:
+        yield from ANCHOR.findall(blank(CODE, cell.text))
+
+
+def check_forms(kind: Kind, cells: list[Cell]) -> Iterator[str]:
+    """Report what looks like an item of a kind and is not written as one."""
+    for cell in cells:
+        text = blank(CODE, cell.text)
+        rest = kind.attempt.search(kind.item.sub(lambda item: " " * len(item[0]), text))
+        if rest:
+            line = text[rest.start() :].partition("\n")[0][:60]
+            problem = f"malformed {kind.name} at {line!r}; expected {kind.form}"
+            yield f"{cell.place(rest.start())}: {problem}"
+        elif kind.name == "figure" and kind.item.search(text) and not cell.is_below_picture:
+            yield f"{cell.place()}: a caption without a code cell right above it"
+
+
+def check_order(kind: Kind, path: Path, cells: list[Cell]) -> Iterator[str]:
+    """Report numbers that occur twice or are out of order."""
+    seen: dict[str, str] = {}
+    for position, (cell, match) in enumerate(items_of(kind, cells), start=1):
+        number, right = match[3], expected_number(path, position)
+        place = cell.place(match.start())
+        if number in seen:
+            problem = f"{kind.name} {number} occurs twice, first in {seen[number]}"
+            yield f"{place}: {problem}; run make refresh"
+        elif number != right:
+            yield f"{place}: {kind.name} {number} should be {right}; run make refresh"
+        seen.setdefault(number, place)
+
+
+def check_anchors(cells: list[Cell]) -> Iterator[str]:
+    """Report anchors that occur twice on a page."""
+    seen: dict[str, str] = {}
+    for cell in cells:
+        for anchor in ANCHOR.finditer(blank(CODE, cell.text)):
+            place = cell.place(anchor.start())
+            if anchor[1] in seen:
+                yield f"{place}: anchor {anchor[1]} occurs twice, first in {seen[anchor[1]]}"
+            seen.setdefault(anchor[1], place)
+
+
+def check_solutions(cells: list[Cell]) -> Iterator[str]:
+    """Report solutions that belong to no exercise, do not fold, or end with the notebook."""
+    heading, last = "", None
+    for cell in cells:
+        text = blank(CODE, cell.text)
+        for match in HEADING.finditer(text):
+            if match[2].strip() == "Solution":
+                if not heading.startswith("Exercise "):
+                    yield f"{cell.place(match.start())}: a solution without an exercise above it"
+                if not SOLUTION.fullmatch(cell.text) or not cell.is_folded:
+                    yield (
+                        f"{cell.place(match.start())}: malformed solution; expected a cell with"
+                        ' "#### Solution" alone and "jp-MarkdownHeadingCollapsed": true'
+                    )
+                last = cell
+            heading = match[2]
+    if last is not None and heading == "Solution":
+        yield f"{last.place()}: no heading follows the last solution, which folds all below it"
+
+
+def check_links(
+    cell: Cell,
+    anchors: dict[Path, set[str]],
+    book: dict[Path, list[Cell]],
+    numbers: dict[tuple[Path, str], str],
+) -> Iterator[str]:
+    """Report links that lead nowhere, and mentions with a wrong number or without a link."""
+    text = blank(CODE, cell.text)
+    path = cell.path.resolve()
+    for link in LINK.finditer(text):
+        place = cell.place(link.start())
+        file, anchor = target_of(link, path)
+        if file.parent.name == "answers":  # the build makes these pages, and checks the link
+            continue
+        if file not in book:
+            if not file.exists():
+                yield f"{place}: dead link to {link[2]}: there is no such file"
+        elif anchor and anchor not in anchors[file] and not has_ids_from_sphinx(book[file]):
+            yield f"{place}: dead link: no anchor {anchor} in {file.name}"
+        number = numbers.get((file, anchor))
+        for kind in KINDS if number else ():
+            mention = kind.mention.search(link[1])
+            if mention and mention[2] != number:
+                problem = f"{link[1]} leads to {kind.name} {number}"
+                yield f"{place}: {problem}; run make refresh"
+    prose = blank(LINK, blank(MATH, text))
+    for kind in KINDS:
+        prose = blank(kind.item, prose)
+    for mention in BARE_MENTION.finditer(prose):
+        place = cell.place(mention.start())
+        yield f"{place}: {mention[0]} is no link; expected [{mention[0]}](#its-anchor)"
+
+
+def has_ids_from_sphinx(cells: list[Cell]) -> bool:
+    """Return whether a build gives a page more anchors than its source has."""
+    return bool(IDS_FROM_SPHINX.search(cells[0].text))
+
+
+def check_plain(cell: Cell) -> Iterator[str]:
+    """Report directives, roles and labels in notebooks, which only Sphinx understands."""
+    if cell.index is not None and (myst := MYST.search(cell.text)):
+        yield f"{cell.place()}: MyST markup {myst[0].strip()!r}; expected plain Markdown"
+
+
+def report_mistakes(app: Sphinx, *_: object) -> None:
+    """Warn of each mistake at the start of a build, which `-W` turns into an error."""
+    for mistake in find_mistakes(Path(app.srcdir)):
+        LOGGER.warning("book/%s", mistake)
+
+
+def setup(app: Sphinx) -> dict[str, bool]:
+    app.connect("env-before-read-docs", report_mistakes)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+if __name__ == "__main__":
+    if "--write" in sys.argv:
+        for changed_path in renumber():
+            print(f"renumbered {changed_path.name}")
+    found_mistakes = find_mistakes()
+    print("\n".join(found_mistakes), end="\n" if found_mistakes else "")
+    sys.exit(bool(found_mistakes))
