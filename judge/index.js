@@ -3,6 +3,7 @@
 import { sampledPath } from "./geometry/path.js";
 import { formulaOf } from "./reading/entry.js";
 import { meant, read } from "./reading/table.js";
+import { ENTRIES } from "./reading/table_rows.js";
 import { numbers, pose } from "./reading/numbers.js";
 import { ArmError, formatMessage } from "./sentences.js";
 import { compareBranches } from "./topics/branches.js";
@@ -40,9 +41,31 @@ function traced({ mine, arm, path, options }) {
 
 // A report as Python takes it: without what only a page shows.
 function told(report) {
-  const rest = { ...report, rows: report.table?.rows };
+  const rest = { ...report, rows: report.table?.rows, read: entriesRead(report) };
   for (const key of ["typed", "wrong", "table"]) delete rest[key];
   return rest;
+}
+
+/**
+ * List the numbers that were taken as the answer's entries, row by row.
+ * @param {import("./report.js").Verdict} verdict
+ */
+function entriesRead({ typed, table }) {
+  if (table?.typed) {
+    const entry = (row, k) => (name, c) => ({
+      row: k,
+      column: c,
+      value: row.numbers[name],
+      text: row.texts[name],
+    });
+    return table.typed.flatMap((row, k) => ENTRIES.map(entry(row, k)));
+  }
+  if (!typed) return [];
+  const width = typed.shape.at(-1) ?? 1;
+  return typed.values.map((value, i) => {
+    const [row, column] = [Math.floor(i / width), i % width];
+    return { row, column, value, text: typed.entries[i].text };
+  });
 }
 
 /**

@@ -10,7 +10,8 @@ export const GRADE_MARKS = { [RIGHT]: "✔", [SO_FAR]: "◐", [ROUNDED]: "≈", 
  * Its rows as meant (standard, m and rad); and as typed, a row of cells a, alpha, d, theta in m and
  * degrees for each, the formulas that stood there, and which of them are wrong.
  * @typedef {import("./geometry/arm.js").TableRow} TableRow
- * @typedef {{ rows: TableRow[], cells: string[][], trees: any[][], wrong: boolean[][] }} ReadTable
+ * @typedef {{ rows: TableRow[], cells: string[][], trees: any[][], wrong: boolean[][],
+ *   typed?: import("./reading/table.js").TypedRow[] }} ReadTable
  */
 
 /**

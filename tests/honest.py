@@ -75,11 +75,17 @@ def verdict(work: Mapping) -> tuple[str, str]:
         return ("named" if "so far" in names else "so far"), words
     if report.grade != "wrong":
         return "passed", words
-    causes = [one.partition(":")[0] for cause in report.causes for one in cause.split(" + ")]
-    causes = [one for one in causes if one not in _SYMPTOMS - names]
-    if not causes:
+    causes = [_mistakes_in(cause, names) for cause in report.causes]
+    if not any(causes):
         return "located", words
-    return ("named" if names & set(causes) else "false cause"), words
+    # Each cause is an alternative; one that adds a second, unmade mistake is false.
+    return ("named" if any(one and one <= names for one in causes) else "false cause"), words
+
+
+def _mistakes_in(cause: str, names: set[str]) -> set[str]:
+    """The mistakes that a cause names, without the symptoms that only say where."""
+    keys = {key.partition(":")[0] for key in cause.split(" + ")}
+    return keys - (_SYMPTOMS - names)
 
 
 def main() -> None:

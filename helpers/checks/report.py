@@ -35,6 +35,23 @@ class Finding:
         return self.words
 
 
+@dataclass(frozen=True)
+class NumberRead:
+    """A number of a pasted text that was taken as an entry of the answer.
+
+    Attributes:
+        text: the number as typed, without its unit.
+        value: its value, with the unit or power of ten that stands beside it.
+        row, column: the entry's position, counted from 0; a column of a table is one of
+            a, alpha, d, theta in this order.
+    """
+
+    text: str
+    value: float
+    row: int
+    column: int
+
+
 @dataclass(frozen=True, repr=False)
 class Report:
     """What a comparison found. It reads as text in a terminal and as Markdown in a notebook.
@@ -49,6 +66,7 @@ class Report:
         advice: what to set, as an argument, where the answer is meant otherwise than asked.
         notes: what is no mistake and still worth knowing.
         figures: measured numbers, by name, such as worst or position_error.
+        read: the numbers that were taken as entries of the answer, row by row.
         mark: the grade whose mark it is shown with, where that is another: "so far" for a right
             table with other zeros.
     """
@@ -63,6 +81,7 @@ class Report:
     advice: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     figures: Mapping[str, Any] = field(default_factory=dict, compare=False)
+    read: tuple[NumberRead, ...] = field(default=(), compare=False)
     mark: str = ""
 
     @property
@@ -103,6 +122,7 @@ def report_of(said: Mapping[str, Any], **figures: Any) -> Report:
         tuple(map(advised, said.get("advice", ()))),
         tuple(said["notes"]),
         {name: _held(x) for name, x in said.get("figures", {}).items()} | figures,
+        tuple(NumberRead(**number) for number in said.get("read", ())),
         said.get("mark", ""),
     )
 

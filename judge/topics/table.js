@@ -82,7 +82,11 @@ function tablesCompared(mine, reference, options = {}) {
     if (!isText)
       return { ...report, table: { rows: tables[k].rows, cells: [], trees: [], wrong: [] } };
     const cells = shown(typed[k], tables[k], report.findings);
-    return { ...report, left: typed[k].left, table: { rows: tables[k].rows, ...cells } };
+    return {
+      ...report,
+      left: typed[k].left,
+      table: { rows: tables[k].rows, typed: typed[k].rows, ...cells },
+    };
   };
   const good = readings.map((one) => one.good());
   const best = [good.findIndex((one) => one?.grade !== WRONG && one), good.findIndex(Boolean)];

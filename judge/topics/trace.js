@@ -46,8 +46,10 @@ const ALIKE = 1e-9; // m: errors nearer to each other than this are the same
  * @param {string | any[]} mine @param {any} arm @param {Path} path
  * @returns {import("../report.js").Verdict}
  */
-export const compareTrace = (mine, arm, path, options = {}) =>
-  judgeTrace(readTrace(mine, arm, options.which), arm, path, options);
+export function compareTrace(mine, arm, path, options = {}) {
+  const typed = readTrace(mine, arm, options.which);
+  return { ...judgeTrace(typed, arm, path, options), typed };
+}
 
 // The joints as they were handed in.
 export function readTrace(mine, arm, which = null) {

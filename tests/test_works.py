@@ -1,0 +1,58 @@
+"""The 600 works, number by number: what their makers wrote, what the judge reads and says.
+
+`works/read.jsonl` has a line for each work: the numbers that its maker meant as entries, row by
+row, with the unit beside them, and the grade and causes that the judge gives. Where the judge reads
+other numbers than the maker's, the line says why ("differs").
+"""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from helpers.inputs import ArmError
+from tests.honest import report_on
+
+FOLDER = Path(__file__).with_name("works")
+FILES = ("a", "a-closed", "b", "b-closed")
+KINDS = ("table", "jacobian", "torques", "pose", "branches", "trace")
+ROUND_OFF = 2e-6  # read.jsonl keeps seven digits of each number
+
+
+def lines_of(name):
+    with (FOLDER / f"{name}.jsonl").open(encoding="utf-8") as lines:
+        return [json.loads(line) for line in lines]
+
+
+EXPECTED = {line["id"]: line for line in lines_of("read")}
+
+
+def judge(work):
+    """The grade, the causes and the numbers read."""
+    try:
+        report = report_on(work)
+    except ArmError:
+        return "refused", [], []
+    return report.grade, list(report.causes), [number.value for number in report.read]
+
+
+def are_equal(numbers, others):
+    return len(numbers) == len(others) and all(
+        abs(x - y) <= ROUND_OFF * max(1, abs(y)) for x, y in zip(numbers, others, strict=True)
+    )
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", FILES)
+def test_works_are_read_as_written_and_judged_as_before(name, kind):
+    changed = []
+    for work in lines_of(name):
+        if work["kind"] != kind:
+            continue
+        expected = EXPECTED[work["id"]]
+        grade, causes, numbers = judge(work)
+        if (grade, causes) != (expected["grade"], expected["causes"]):
+            changed.append((work["id"], grade, causes))
+        if are_equal(numbers, expected.get("numbers", [])) == ("differs" in expected):
+            changed.append((work["id"], "reads", numbers[:12]))
+    assert changed == []
