@@ -1,5 +1,7 @@
-"""What the tests share: the arms, the batch shapes, and a second, slow definition of a link's
-matrix."""
+"""Define the arms, batch shapes and slow reference formulas that many tests share.
+
+The reference formulas multiply elementary motions one by one. They share no code with `helpers`.
+"""
 
 import ast
 from pathlib import Path
@@ -13,13 +15,14 @@ from helpers.robots import ARMS, PANDA
 
 
 def instructors_arm() -> Arm:
-    """The arm that the instructors' page adds, read from its cell: under every law."""
+    """Return the SCARA arm that the instructors' page defines in a cell."""
     page = Path(__file__).parents[1] / "book" / "instructors.ipynb"
     cells = [cell.source for cell in nbformat.read(page, as_version=4).cells]
     (cell,) = (source for source in cells if source.startswith("SCARA = Arm("))
-    made = ast.Expression(ast.parse(cell).body[0].value)
+    expression = ast.Expression(ast.parse(cell).body[0].value)
     return eval(
-        compile(made, "instructors", "eval"), dict(Arm=Arm, revolute=revolute, prismatic=prismatic)
+        compile(expression, "instructors", "eval"),
+        dict(Arm=Arm, revolute=revolute, prismatic=prismatic),
     )
 
 
@@ -27,24 +30,25 @@ ALL_ARMS = (*ARMS, PANDA.lock(3), instructors_arm())
 SHAPES = ((), (1,), (3, 2), (0,))
 
 
-def ids(arm: Arm) -> str:
+def arm_id(arm: Arm) -> str:
+    """Return the name under which pytest lists a test of this arm."""
     return f"{arm.name}, {arm.dof} joints"
 
 
 def joint_vectors(arm: Arm, shape: tuple[int, ...], seed: int = 0) -> np.ndarray:
+    """Return random joint vectors, (*shape, dof), within 1.5 rad or 1.5 m."""
     return np.random.default_rng(seed).uniform(-1.5, 1.5, (*shape, arm.dof))
 
 
-def motions(arm: Arm, q: np.ndarray):
-    """What each row says, written out here and nowhere else: a turn about z and a step along it,
-    then a tilt about x and a step along it, 4x4 each."""
-    rest = list(q)
+def elementary_motions(arm: Arm, q: np.ndarray):
+    """Yield two 4x4 matrices per row: the screw motion along z, then the one along x."""
+    joint_values = list(q)
     for row in arm.rows:
         a, alpha, d, theta = (arm.number(e) for e in (row.a, row.alpha, row.d, row.theta))
         if row.joint.kind == "revolute":
-            theta += rest.pop(0)
+            theta += joint_values.pop(0)
         elif row.joint.kind == "prismatic":
-            d += rest.pop(0)
+            d += joint_values.pop(0)
         c, s = np.cos([theta, alpha]), np.sin([theta, alpha])
         turn = np.array([[c[0], -s[0], 0, 0], [s[0], c[0], 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
         tilt = np.array([[1, 0, 0, a], [0, c[1], -s[1], 0], [0, s[1], c[1], 0], [0, 0, 0, 1]])
@@ -52,15 +56,15 @@ def motions(arm: Arm, q: np.ndarray):
 
 
 def slow_frames(arm: Arm, q: np.ndarray) -> list[np.ndarray]:
-    """T_00 .. T_0n as products of the elementary motions."""
+    """Return the frames T_00 to T_0n as products of the elementary motions."""
     frames = [np.eye(4)]
-    for turn, tilt in motions(arm, q):
+    for turn, tilt in elementary_motions(arm, q):
         frames.append(frames[-1] @ turn @ tilt)
     return frames
 
 
 def slow_energy(arm: Arm, q: np.ndarray, gravity=(0, 0, -9.81)) -> float:
-    """Each mass times its height, link by link."""
+    """Return the potential energy (J), summed link by link as -m g . p."""
     energy = 0.0
     for frame, body in zip(slow_frames(arm, q)[1:], arm.bodies, strict=True):
         point = frame @ [*(arm.number(c) for c in body.com), 1.0]
@@ -68,21 +72,26 @@ def slow_energy(arm: Arm, q: np.ndarray, gravity=(0, 0, -9.81)) -> float:
     return energy
 
 
-def differences(f, x: np.ndarray, h: float = 1e-6) -> np.ndarray:
-    """The slope of f at x by central differences, its last axis that of x."""
+def central_differences(f, x: np.ndarray, h: float = 1e-6) -> np.ndarray:
+    """Return the derivative of f at x by central differences, (..., len(x))."""
     steps = h * np.eye(len(x))
     return np.stack([(f(x + step) - f(x - step)) / (2 * h) for step in steps], axis=-1)
 
 
-def by_complex_steps(arm: Arm, q: np.ndarray, h: float = 1e-30) -> np.ndarray:
-    """The Jacobian: f(q + ih) has the imaginary part h f'(q), with nothing subtracted."""
+def complex_step_jacobian(arm: Arm, q: np.ndarray, h: float = 1e-30) -> np.ndarray:
+    """Return the 6 x dof Jacobian by complex steps.
+
+    The imaginary part of f(q + ih) is h f'(q), so that no digits are lost by a subtraction.
+    """
     rates = [slow_frames(arm, q + step)[-1].imag / h for step in 1j * h * np.eye(arm.dof)]
-    return twists(np.reshape(rates, (-1, 4, 4)), slow_frames(arm, q)[-1])
+    return twist_columns(np.reshape(rates, (-1, 4, 4)), slow_frames(arm, q)[-1])
 
 
-def twists(rates: np.ndarray, T: np.ndarray) -> np.ndarray:
-    """Columns (v, w): the position's rate, and w from the skew matrix of the rotation's rate times
-    R^T."""
+def twist_columns(rates: np.ndarray, T: np.ndarray) -> np.ndarray:
+    """Return one column (v, w) per joint from the rates of the pose T.
+
+    v is the rate of the position. w is read from the skew matrix dR/dq R^T.
+    """
     skew = rates[:, :3, :3] @ T[:3, :3].T
     omega = np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
     return np.concatenate([rates[:, :3, 3], omega], axis=1).T

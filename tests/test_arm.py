@@ -10,7 +10,7 @@ from helpers.arm import Arm, ArmError, Joint, fixed, prismatic, revolute
 from helpers.expressions import evaluate
 from helpers.kinematics import forward_kinematics
 from helpers.robots import ELBOW, PANDA, STANFORD
-from tests.laws import ALL_ARMS, ids, joint_vectors
+from tests.laws import ALL_ARMS, arm_id, joint_vectors
 
 
 def test_arm_equals_its_copy_and_is_immutable():
@@ -65,7 +65,7 @@ def test_with_row_changes_limits_effort_and_mass():
         STANFORD.with_row(4, mass=1)
 
 
-@pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+@pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 @pytest.mark.parametrize("at", [0.0, 0.2, "pi/8"])
 def test_locked_joint_keeps_its_value(arm, at):
     value = evaluate(at, {})

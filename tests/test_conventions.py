@@ -6,13 +6,13 @@ from hypothesis import given
 from helpers.arm import Arm, fixed, revolute
 from helpers.conventions import modified_from_standard, standard_from_modified
 from helpers.kinematics import forward_kinematics
-from tests.laws import joint_vectors, motions, random_arms
+from tests.laws import elementary_motions, joint_vectors, random_arms
 
 
 def slow_modified(rows, q) -> np.ndarray:
     """Craig's product Rot_x(alpha_{i-1}) Trans_x(a_{i-1}) Rot_z(theta_i) Trans_z(d_i)."""
     T = np.eye(4)
-    for turn, tilt in motions(Arm("modified", rows), q):
+    for turn, tilt in elementary_motions(Arm("modified", rows), q):
         T = T @ tilt @ turn
     return T
 

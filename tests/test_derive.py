@@ -11,7 +11,7 @@ from helpers.conventions import modified_from_standard
 from helpers.derive import Axis, derive
 from helpers.kinematics import forward_kinematics, link_frames
 from helpers.statics import gravity_torque
-from tests.laws import differences
+from tests.laws import central_differences
 
 X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 RIGHT = math.pi / 2
@@ -216,7 +216,7 @@ def test_masses_give_gravity_torque_of_the_drawing():
         return total
 
     q = rng.uniform(-2, 2, 5)
-    np.testing.assert_allclose(gravity_torque(arm, q), differences(energy, q), atol=1e-7)
+    np.testing.assert_allclose(gravity_torque(arm, q), central_differences(energy, q), atol=1e-7)
 
 
 def test_offset_base_adds_a_massless_row():

@@ -1,4 +1,4 @@
-"""Inverse dynamics against Lagrange's equations by differences, the textbook's arm, and rest."""
+"""Test inverse dynamics against Lagrange's equation by differences, and against rest."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from helpers.dynamics import inverse_dynamics
 from helpers.kinematics import link_frames
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E
 from helpers.statics import gravity_torque, potential_energy
-from tests.laws import SHAPES, differences, joint_vectors
+from tests.laws import SHAPES, central_differences, joint_vectors
 from tests.test_statics import loaded
 
 ARMS = [PANDA, PANDA.lock(3, at=1.2), UR10E, loaded(STANFORD), loaded(ELBOW)]
@@ -54,14 +54,16 @@ def test_torque_matches_lagranges_equation(arm):
     q, q_dot, q_ddot = rng.uniform(-1, 1, (3, arm.dof))
 
     def momentum(q, q_dot):
-        return differences(lambda rates: kinetic_energy(arm, inertias, q, rates), q_dot, h=0.5)
+        return central_differences(
+            lambda rates: kinetic_energy(arm, inertias, q, rates), q_dot, h=0.5
+        )
 
     later, earlier = (
         momentum(q + s * q_dot + s * s * q_ddot / 2, q_dot + s * q_ddot) for s in (h, -h)
     )
     wanted = (later - earlier) / (2 * h)
-    wanted -= differences(lambda x: kinetic_energy(arm, inertias, x, q_dot), q, h)
-    wanted += differences(lambda x: potential_energy(arm, x), q, h)
+    wanted -= central_differences(lambda x: kinetic_energy(arm, inertias, x, q_dot), q, h)
+    wanted += central_differences(lambda x: potential_energy(arm, x), q, h)
     tau = inverse_dynamics(arm, q, q_dot, q_ddot, inertias=inertias)
     np.testing.assert_allclose(tau, wanted, atol=3e-5 * max(1, np.abs(wanted).max()))
 

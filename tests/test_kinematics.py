@@ -21,14 +21,14 @@ from helpers.robots import ELBOW, UR10E_HOMEWORK
 from tests.laws import (
     ALL_ARMS,
     SHAPES,
-    by_complex_steps,
-    ids,
+    arm_id,
+    complex_step_jacobian,
     joint_vectors,
     random_arms,
     slow_frames,
 )
 
-every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 every_shape = pytest.mark.parametrize("shape", SHAPES, ids=str)
 
 
@@ -88,13 +88,13 @@ def test_jacobian_matches_complex_step_derivative(arm):
     """By complex steps through the tests' own product, to the last digit; at home too, where axes
     line up."""
     for q in (*joint_vectors(arm, (3,), seed=3), np.array(arm.home)):
-        np.testing.assert_allclose(jacobian(arm, q), by_complex_steps(arm, q), atol=1e-14)
+        np.testing.assert_allclose(jacobian(arm, q), complex_step_jacobian(arm, q), atol=1e-14)
 
 
 @given(arm=random_arms, seed=st.integers(0, 99))
 def test_jacobian_of_random_arms_matches_derivative(arm, seed):
     q = joint_vectors(arm, (), seed)
-    np.testing.assert_allclose(jacobian(arm, q), by_complex_steps(arm, q), atol=1e-13)
+    np.testing.assert_allclose(jacobian(arm, q), complex_step_jacobian(arm, q), atol=1e-13)
 
 
 def test_right_angles_leave_exact_zeros():

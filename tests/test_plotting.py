@@ -23,9 +23,9 @@ from helpers.plotting import (
 from helpers.plotting.drawing import seen
 from helpers.plotting.style import STYLE, svg
 from helpers.robots import ELBOW, PANDA_HOMEWORK
-from tests.laws import ALL_ARMS, ids, joint_vectors
+from tests.laws import ALL_ARMS, arm_id, joint_vectors
 
-every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 
 
 @pytest.fixture(autouse=True)

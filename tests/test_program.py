@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from helpers.kinematics import jacobian
 from helpers.program import record
-from tests.laws import ALL_ARMS, ids, joint_vectors
+from tests.laws import ALL_ARMS, arm_id, joint_vectors
 
 OPERATIONS = (operator.add, operator.sub, operator.mul, lambda x, y: -x)
 CONSTANTS = (0.0, 1.0, -1.0, -0.0, 0.5, -0.5, 3.0)
@@ -73,7 +73,7 @@ def test_negated_zero_prints_without_sign():
     assert str(rows_of(program, [[0.0]])[0, 0]) == "0.0"
 
 
-@pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+@pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 def test_threads_do_not_share_memory(arm):
     """Each thread works in memory of its own: eight at once give what each gives alone."""
     batches = [joint_vectors(arm, (3000,), seed) for seed in range(8)]

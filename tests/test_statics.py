@@ -18,7 +18,7 @@ from helpers.statics import (
     static_torque,
     with_payload,
 )
-from tests.laws import SHAPES, differences, joint_vectors, random_arms, slow_energy
+from tests.laws import SHAPES, central_differences, joint_vectors, random_arms, slow_energy
 
 
 def loaded(arm: Arm, seed: int = 1) -> Arm:
@@ -55,7 +55,7 @@ def test_gravity_torque_is_gradient_of_energy(arm, gravity):
     assert potential_energy(arm, q, gravity) == pytest.approx(
         slow_energy(arm, q, gravity), abs=1e-12
     )
-    slope = differences(lambda q: slow_energy(arm, q, gravity), q, h=1e-5)
+    slope = central_differences(lambda q: slow_energy(arm, q, gravity), q, h=1e-5)
     np.testing.assert_allclose(gravity_torque(arm, q, gravity), slope, atol=1e-7)
 
 
@@ -64,7 +64,7 @@ def test_gravity_torque_is_gradient_of_energy(arm, gravity):
 def test_gravity_torque_of_random_arms(arm, seed):
     arm, gravity = loaded(arm, seed), (0.3, -0.2, -9.0)
     q = joint_vectors(arm, (), seed)
-    slope = differences(lambda q: slow_energy(arm, q, gravity), q, h=1e-5)
+    slope = central_differences(lambda q: slow_energy(arm, q, gravity), q, h=1e-5)
     np.testing.assert_allclose(gravity_torque(arm, q, gravity), slope, atol=1e-6)
 
 

@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from helpers import kinematics, symbolic
 from helpers.arm import Arm, ArmError, fixed, prismatic, revolute
 from helpers.robots import ELBOW
-from tests.laws import ALL_ARMS, ids, joint_vectors, random_arms, slow_frames
+from tests.laws import ALL_ARMS, arm_id, joint_vectors, random_arms, slow_frames
 
-every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 
 
 def in_numbers(arm, expression, q):

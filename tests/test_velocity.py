@@ -15,9 +15,9 @@ from helpers.kinematics import (
     manipulability,
 )
 from helpers.robots import ELBOW, PANDA, PANDA_HOMEWORK, STANFORD, UR10E, UR10E_HOMEWORK
-from tests.laws import ALL_ARMS, ids, joint_vectors
+from tests.laws import ALL_ARMS, arm_id, joint_vectors
 
-every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=ids)
+every_arm = pytest.mark.parametrize("arm", ALL_ARMS, ids=arm_id)
 SOLVED = [
     ELBOW,
     ELBOW.with_values(d=0.1),
@@ -60,7 +60,7 @@ def test_manipulability_is_root_of_determinant(arm):
     )
 
 
-@pytest.mark.parametrize("arm", SOLVED, ids=ids)
+@pytest.mark.parametrize("arm", SOLVED, ids=arm_id)
 def test_symbolic_determinant_matches_numpy(arm):
     formula = symbolic.with_numbers(arm, symbolic.determinant(arm))
     value = sp.lambdify([symbolic.joint_symbols(arm)], formula)

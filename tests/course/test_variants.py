@@ -18,7 +18,7 @@ from helpers.arm import Arm, ArmError, Body, fixed, revolute
 from helpers.motion import circle, trace
 from helpers.robots import ELBOW, PANDA, STANFORD, UR10E, UR10E_HOMEWORK
 from helpers.statics import gravity_torque
-from tests.laws import by_complex_steps, differences, slow_energy, slow_frames
+from tests.laws import central_differences, complex_step_jacobian, slow_energy, slow_frames
 
 # Other lengths of a machine make no other homework.
 ARMS = [PANDA.lock(3), UR10E_HOMEWORK, STANFORD, ELBOW]
@@ -104,7 +104,7 @@ def test_poses_are_drawn_inside_the_limits_and_away_from_singular_ones(arm):
     assert (np.ptp(share, axis=1) > 0.001).all()
     ways = 2 if arm is PLANE else min(arm.dof, 6)
     for pose in q[:8]:
-        J = by_complex_steps(arm, pose)[: 6 if arm.dof >= 6 else 3]
+        J = complex_step_jacobian(arm, pose)[: 6 if arm.dof >= 6 else 3]
         assert np.linalg.svd(J, compute_uv=False)[ways - 1] > 0.0399
 
 
@@ -124,7 +124,7 @@ def test_the_tip_and_the_jacobian_in_the_keys(arm):
     assert values(found)["R"] == pytest.approx(T[:3, :3], abs=1e-12)
     found = asked("Jacobian", arm)
     q, q_dot, camera = matrices(found.text)
-    J = by_complex_steps(found.arm, q)
+    J = complex_step_jacobian(found.arm, q)
     key = {part.name: part.value for part in found.parts}
     assert key["J"] == pytest.approx(J, abs=1e-8)
     assert key["xi"] == pytest.approx(J @ q_dot, abs=1e-8)
@@ -138,7 +138,7 @@ def test_the_tip_and_the_jacobian_in_the_keys(arm):
         T = slow_frames(found.arm, q)[link]
         return T[:3, :3] @ camera + T[:3, 3]
 
-    assert column[:3] == pytest.approx(differences(seen, q)[:, joint], abs=1e-6)
+    assert column[:3] == pytest.approx(central_differences(seen, q)[:, joint], abs=1e-6)
     assert column[3:] == pytest.approx(J[3:, joint], abs=1e-8)
 
 
@@ -146,8 +146,8 @@ def test_the_tip_and_the_jacobian_in_the_keys(arm):
 def test_the_torques_in_the_key(arm):
     found = asked("static torque", arm)
     q, force = matrices(found.text)
-    g = differences(lambda q: slow_energy(found.arm, q), q)
-    reaction = differences(lambda q: product(found.arm, q)[:3, 3], q).T @ force
+    g = central_differences(lambda q: slow_energy(found.arm, q), q)
+    reaction = central_differences(lambda q: product(found.arm, q)[:3, 3], q).T @ force
     assert values(found)["g"] == pytest.approx(g, abs=1e-6)
     assert values(found)["tau"] == pytest.approx(g - reaction, abs=1e-6)
     table = [numbers(line)[1:] for line in found.text.splitlines() if re.match(r"\| \d", line)]
@@ -299,10 +299,10 @@ def planted(arm):
 
 def answers(topic, arm, given, q):
     if topic == "static torque":
-        g = differences(lambda q: slow_energy(arm, q), q)
-        linear = differences(lambda q: product(arm, q)[:3, 3], q)
+        g = central_differences(lambda q: slow_energy(arm, q), q)
+        linear = central_differences(lambda q: product(arm, q)[:3, 3], q)
         return {"g": g, "tau": g - linear.T @ given["force"]}
-    T, J = product(arm, q), by_complex_steps(arm, q)
+    T, J = product(arm, q), complex_step_jacobian(arm, q)
     if topic == "Jacobian":
         return {"J": J, "xi": J @ given["q_dot"]}
     return {"p": T[:3, 3], "R": T[:3, :3]}
@@ -325,6 +325,8 @@ def test_a_slip_that_the_first_draw_would_forgive_is_seen(arm, topic, seed):
         wrong = [answers(topic, other, given, signs * q) for q in poses]
         for name in right[0]:
             off = [abs(w[name] - r[name]).max() for w, r in zip(wrong, right, strict=True)]
-            if max(off) > 1e-6:  # of central differences; what moves the energy alone is noise
+            if (
+                max(off) > 1e-6
+            ):  # of central central_differences; what moves the energy alone is noise
                 assert off[0] > 2 * mine.parts[name].unit
                 assert mark(mine, name, wrong[0][name].round(4).tolist()).credit < 1
