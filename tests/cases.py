@@ -1,23 +1,26 @@
-"""What is typed and what comes of it: tests/cases.json, which Python, Node and the browser read.
+"""Read tests/cases.json, the typed texts and expected results that all test runners share.
 
-`entries` are texts in a field: the quantity and unit it is for, and the value, null where it is
-refused. `questions` are those of the page, in its own fields: what they are `about`, and the
-`grade` (or "refused"), a `cause` among those named ("" for none), and words that are `said`, or
-`unsaid`. Their right numbers are those of `helpers`, of tests/corpus or by hand, none of `judge/`.
+Python, Node and the browser tests read the same file. Each of its `entries` is a text for one
+field: the quantity and unit of that field, and the expected value, or null if the text is rejected.
+Each of its `questions` fills the fields of the judge's page. It also has a topic (`about`), the
+expected `grade` (or "refused"), the expected `cause` ("" for none), and parts of the message that
+must appear (`said`) or must not (`unsaid`). The right numbers come from `helpers`, from
+tests/corpus or from a calculation by hand, never from `judge/`.
 """
 
 import json
 from pathlib import Path
 
-_HELD = json.loads(Path(__file__).with_name("cases.json").read_text(encoding="utf-8"))
-ENTRIES, QUESTIONS = _HELD["entries"], _HELD["questions"]
-_OUTCOME = ("about", "grade", "cause", "said", "unsaid")
+_CASES = json.loads(Path(__file__).with_name("cases.json").read_text(encoding="utf-8"))
+ENTRIES, QUESTIONS = _CASES["entries"], _CASES["questions"]
+_EXPECTED = ("about", "grade", "cause", "said", "unsaid")
 
 
-def fields(case: dict) -> dict:
-    """What is typed."""
-    return {key: text for key, text in case.items() if key not in _OUTCOME}
+def typed_fields(case: dict) -> dict:
+    """Return the typed_fields that the student fills in, without the expected result."""
+    return {key: text for key, text in case.items() if key not in _EXPECTED}
 
 
-def about(what: str) -> list[dict]:
-    return [case for case in QUESTIONS if case["about"].startswith(what)]
+def questions_about(topic: str) -> list[dict]:
+    """Return the questions whose topic begins with these words."""
+    return [case for case in QUESTIONS if case["about"].startswith(topic)]

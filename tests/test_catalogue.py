@@ -14,7 +14,7 @@ from helpers.arm import Body
 from helpers.inputs import ArmError
 from helpers.robots import ELBOW, UR10E
 from helpers.statics import static_torque
-from tests.cases import QUESTIONS, fields
+from tests.cases import QUESTIONS, typed_fields
 from tests.corpus import jacobians, tables, torques
 from tests.corpus.arms import KNOWN, pose
 from tests.corpus.machine import Machine
@@ -116,7 +116,7 @@ def test_stray_number_is_never_ignored(case, place):
     blanks = [0, *(k for k, sign in enumerate(text) if sign.isspace()), len(text)]
     at = blanks[round(place * (len(blanks) - 1))]
     try:
-        report = in_python({**fields(case), "answer": f"{text[:at]} 99.125 {text[at:]}"})
+        report = in_python({**typed_fields(case), "answer": f"{text[:at]} 99.125 {text[at:]}"})
     except ArmError:
         return
     assert report.grade == "wrong" or report.mark or "99.125" in str(report), report

@@ -16,7 +16,7 @@ from helpers.arm import Arm, ArmError
 from helpers.inverse import elbow
 from helpers.motion import circle
 from helpers.robots import ELBOW, PANDA, UR10E_HOMEWORK
-from tests.cases import about
+from tests.cases import questions_about
 from tests.corpus.arms import KNOWN
 from tests.corpus.jacobians import recipe
 from tests.corpus.traces import Task
@@ -117,7 +117,7 @@ RUNS = {"5", "10", "11", "19", "20", "21"}
 
 
 def test_every_slip_of_the_errata_has_a_case():
-    told = {case["about"].split()[1] for case in about("slip ")} | {*SLIPS} | RUNS
+    told = {case["about"].split()[1] for case in questions_about("slip ")} | {*SLIPS} | RUNS
     assert told == {str(n) for n in range(1, 28)}
 
 

@@ -16,7 +16,7 @@ from helpers.explorer import judge
 from helpers.inputs import ArmError
 from helpers.motion import circle_below, rest_to_rest
 from helpers.robots import ELBOW, PANDA, STANFORD
-from tests.cases import QUESTIONS, about, fields
+from tests.cases import QUESTIONS, questions_about, typed_fields
 from tests.node import ask_node, needs_node
 from tests.pastes import PROGRAMS
 from tests.test_book import ROOT
@@ -112,7 +112,7 @@ def branches(arm, typed):
 def test_page_and_python_print_the_same_report():
     """Each question goes through a link first. Advice is an argument here, a button there."""
     advice = ("- If that is what you mean, ", "- The arm in your joints is report.")
-    asked = [*judge.EXAMPLES, judge.traced(), *map(fields, QUESTIONS)]
+    asked = [*judge.EXAMPLES, judge.traced(), *map(typed_fields, QUESTIONS)]
     for given, answer in zip(asked, in_page(asked), strict=True):
         found = of_python(given)
         if "error" in answer:
@@ -138,7 +138,7 @@ def _of_python(given):
 
 @pytest.mark.parametrize("case", QUESTIONS, ids=lambda case: f"{case['ask']}, {case['about']}")
 def test_question_gets_expected_verdict(case):
-    found = of_python(fields(case))
+    found = of_python(typed_fields(case))
     assert found["grade"] == case["grade"], found
     if cause := case.get("cause"):
         assert any(one == cause or one.startswith(f"{cause}:") for one in found["causes"]), found
@@ -185,7 +185,7 @@ def test_page_sentences_use_no_python_terms():
 
 @needs_node
 def test_unreadable_input_message_uses_no_python_terms():
-    own, framed, *_ = map(fields, about("by link"))
+    own, framed, *_ = map(typed_fields, questions_about("by link"))
     asked = [*judge.EXAMPLES, judge.traced(), {**framed, "ask": "torques"}, own, framed]
     asked += [{**judge.EXAMPLES[3], "arm": "PANDA"}]  # of which there is no formula
     bad = [{**one, field: text} for one in asked

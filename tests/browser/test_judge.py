@@ -7,7 +7,7 @@ import pytest
 
 from helpers.explorer import judge
 from tests.browser.reader import AXE, BAD, EVERYTHING, THERE, UNDRAWN, UNTOUCHED
-from tests.cases import about, fields
+from tests.cases import questions_about, typed_fields
 from tests.test_book import HTML
 
 PAGE = HTML / "check_your_homework.html"
@@ -406,8 +406,10 @@ TONES = """box => ["right", "so far", "rounded", "wrong"].map((grade) => {
 
 @phone
 def test_what_people_bring_is_told_on_a_phone(page):
-    for case in about("brought")[::5]:  # their words are tested once, by tests/test_judge.py
-        page.evaluate(ASKED, urlencode({**fields(case), "answer": ""}))
+    for case in questions_about("brought")[
+        ::5
+    ]:  # their words are tested once, by tests/test_judge.py
+        page.evaluate(ASKED, urlencode({**typed_fields(case), "answer": ""}))
         page.get_by_label("Your answer", exact=True).fill(case["answer"])
         for words in case.get("said", ["Type or paste your answer."]):
             # Python says what is set aside; the page shows the rest as typed.
