@@ -1,4 +1,4 @@
-"""The corpus's arms: those of the homework, typed anew from its statement, and random ones."""
+"""Define the arms of the homework, typed independently of `helpers`, and random arms."""
 
 import math
 
@@ -54,7 +54,10 @@ KNOWN = {
 
 
 def random_machine(rng, rows=None):
-    """Mixed joints, right and skew angles; now and then a locked joint, a base or a tool."""
+    """Return a random table of mixed joints and angles.
+
+    Now and then it has a locked joint, a fixed row for the base or a fixed row for the tool.
+    """
     rows = rows or int(rng.integers(3, 8))
     table = []
     for k in range(rows):
@@ -83,15 +86,16 @@ def random_machine(rng, rows=None):
 
 
 def some_machine(rng):
+    """Return a known machine or a random one of at least three joints."""
     if rng.random() < 0.5:
         return KNOWN[str(rng.choice(list(KNOWN)))]
-    while (found := random_machine(rng)).dof < 3:
+    while (machine := random_machine(rng)).dof < 3:
         pass
-    return found
+    return machine
 
 
 def pose(machine, rng, decimals=3):
-    """A pose without symmetry, typed with a few decimals."""
+    """Return random joint values away from 0, rounded as a student types them."""
     q = []
     for kind in machine.kinds:
         x = rng.uniform(0.2, 1.4) * rng.choice([-1, 1]) if kind == "R" else rng.uniform(0.1, 0.6)

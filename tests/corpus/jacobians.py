@@ -1,5 +1,6 @@
-"""Right and mistaken Jacobians: each mistake is made as a student makes it, in the recipe, the
-table or the writing.
+"""Compute right and mistaken Jacobians.
+
+Each mistake is made where a student makes it: in the recipe, in the table or in writing.
 """
 
 import math
@@ -22,6 +23,10 @@ def recipe(
     count=False,
     degrees=False,
 ):
+    """Return the 6 x dof Jacobian by the cross-product recipe.
+
+    The defaults give the right Jacobian. Each option makes one mistake of the recipe.
+    """
     if degrees:
         q = [math.radians(x) if k == "R" else x for x, k in zip(q, m.kinds, strict=True)]
     T = m.frames(q)
@@ -38,11 +43,12 @@ def recipe(
 
 
 def halves(v, w):
+    """Return the linear rows of one Jacobian above the angular rows of another."""
     return np.vstack([v[:3], w[3:]])
 
 
 def before(m, q, rng):
-    """Mistakes made before the matrix stands."""
+    """Yield each mistake of the recipe with its Jacobian."""
     right = recipe(m, q)
     late = recipe(m, q, axis=1, origin=1)
     yield "J.z_i angular", halves(right, late)
@@ -62,7 +68,7 @@ def before(m, q, rng):
 
 
 def of_tables(m, q, rng):
-    """The right recipe on a wrong table: one row's, all offsets, no pen."""
+    """Yield Jacobians of wrong tables: one wrong row, no offsets, or no pen."""
     k = int(rng.integers(len(m.rows))) + 1
     for cause, rows in tables.in_rows(m):
         if cause.endswith(f":{k}") and cause.split(":")[0] not in ("table.number", "table.a and d"):
@@ -77,7 +83,7 @@ def of_tables(m, q, rng):
 
 
 def after(m, q, rng):
-    """Mistakes of writing: functions of a matrix."""
+    """Yield mistakes of writing, each as a function of the right Jacobian."""
     T = m.frames(q)
 
     def scaled(v, w):
@@ -103,11 +109,11 @@ def after(m, q, rng):
 
 
 def signs(m):
-    """Of each joint, by its row: the signs of the columns where its own is reversed."""
+    """Return (row, column signs) for each joint, with this joint reversed."""
     return [(row, np.where(np.arange(m.dof) == k, -1, 1)) for k, row in enumerate(m.joints)]
 
 
 def in_frame(m, q, J, k):
-    """The rows in the axes of frame k."""
+    """Return the Jacobian with both halves in the axes of frame k."""
     R = m.frames(q)[k][:3, :3].T
     return np.vstack([R @ J[:3], R @ J[3:]])

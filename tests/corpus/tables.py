@@ -1,4 +1,4 @@
-"""Mistaken tables."""
+"""Make DH tables with the mistakes that students make."""
 
 import math
 
@@ -8,29 +8,34 @@ NAMES = ("a", "alpha", "d", "theta")
 
 
 def changed(rows, i, **entries):
+    """Return the rows with some entries of row i replaced."""
     row = dict(zip(("kind", *NAMES), rows[i], strict=True))
     return [*rows[:i], tuple({**row, **entries}.values()), *rows[i + 1 :]]
 
 
-def swapped(rows, one, other):
-    found = []
+def swapped(rows, first, second):
+    """Return the rows with two columns exchanged."""
+    swapped_rows = []
     for row in rows:
-        held = dict(zip(("kind", *NAMES), row, strict=True))
-        held[one], held[other] = held[other], held[one]
-        found.append(tuple(held.values()))
-    return found
+        entries = dict(zip(("kind", *NAMES), row, strict=True))
+        entries[first], entries[second] = entries[second], entries[first]
+        swapped_rows.append(tuple(entries.values()))
+    return swapped_rows
 
 
 def to_craig(rows):
-    """Craig's rows hold the a and alpha of the row before; a last fixed row keeps the rest."""
+    """Return the table in Craig's convention.
+
+    Its rows hold a and alpha of the row before. A fixed row at the end keeps the last a and alpha.
+    """
     before = [(None, 0, 0, None, None), *rows]
-    found = [(r[0], b[1], b[2], r[3], r[4]) for r, b in zip(rows, before, strict=False)]
+    craig_rows = [(r[0], b[1], b[2], r[3], r[4]) for r, b in zip(rows, before, strict=False)]
     last = rows[-1]
-    return [*found, ("F", last[1], last[2], 0, 0)] if last[1] or last[2] else found
+    return [*craig_rows, ("F", last[1], last[2], 0, 0)] if last[1] or last[2] else craig_rows
 
 
 def whole(m, rng):
-    """Mistakes of the whole table."""
+    """Yield mistakes that concern the whole table."""
     rows = m.rows
     yield "table.alpha and theta", swapped(rows, "alpha", "theta")
     yield "table.a and d", swapped(rows, "a", "d")
@@ -44,13 +49,13 @@ def whole(m, rng):
 
 
 def without_pen(m):
-    """The table without its pen of 0.1 m, of the arms that have one."""
+    """Yield the table without its pen of 0.1 m, if the arm has one."""
     if m.name in ("PANDA", "UR10E_HOMEWORK", "PANDA.lock(3)"):
         yield changed(m.rows, len(m.rows) - 1, d=-0.107 if m.name[0] == "P" else 0.0922)
 
 
 def in_rows(m):
-    """Mistakes of one entry or row, of each row."""
+    """Yield mistakes of one entry or one row, for each row."""
     for i, (kind, a, alpha, d, _) in enumerate(m.rows):
         if abs(math.sin(alpha)) > 0.1:
             yield f"table.twist:{i + 1}", changed(m.rows, i, alpha=-alpha)
@@ -66,14 +71,15 @@ def in_rows(m):
 
 
 def mistakes(m, rng):
-    """Each mistake by its cause's name; the rows that it makes."""
+    """Return the rows that each mistake makes, by the key of its cause."""
     return dict([*whole(m, rng), *in_rows(m)])
 
 
 def numbers(rows):
+    """Return the entries of rows as a matrix, without the kinds of joint."""
     return np.array([row[1:] for row in rows], float)
 
 
 def alike(mine, rows):
-    """Whether two answers hold the same numbers."""
+    """Return whether two answers have the same shape and numbers."""
     return np.shape(mine) == np.shape(rows) and np.allclose(mine, rows, atol=3e-5)

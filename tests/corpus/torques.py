@@ -1,4 +1,7 @@
-"""Right and mistaken torques g(q) - J^T F: weights by differences of the height of the masses."""
+"""Compute right and mistaken torques g(q) - J^T F.
+
+The gravity term sums the rise of each centre of mass under each joint.
+"""
 
 import math
 
@@ -19,7 +22,7 @@ PANDA = [
 ]
 
 
-# The same as the paper has them, in its own frames.
+# The same masses in the frames of the paper.
 PAPER = [
     (4.970684, 0.003875, 0.002081, -0.04762),
     (0.646926, -0.003141, -0.02872, 0.003495),
@@ -32,6 +35,7 @@ PAPER = [
 
 
 def bodies(m, rng):
+    """Return (mass, x, y, z) per link: the Panda's own, or random ones."""
     if m.name == "PANDA":
         return PANDA
     return [
@@ -44,7 +48,7 @@ def bodies(m, rng):
 
 
 def weight(m, links, q, g=9.81):
-    """dP/dq by the motion of each centre of mass under each joint."""
+    """Return the gravity torques dP/dq (N m) from the rise of each centre of mass."""
     T = m.frames(q)
     tau = np.zeros(m.dof)
     for k, (mass, *c) in enumerate(links):
@@ -57,15 +61,17 @@ def weight(m, links, q, g=9.81):
 
 
 def force(m, F, q):
+    """Return J^T F for a wrench F at the tip, in base axes."""
     return m.jacobian(q).T @ F
 
 
 def turned(R, F):
+    """Return the wrench F with both halves turned by R."""
     return np.concatenate([R @ F[:3], R @ F[3:]])
 
 
 def mistakes(m, links, q, F, rng):
-    """(cause, torques)."""
+    """Yield (cause, torques) for each single mistake."""
     W, P = weight(m, links, q), force(m, F, q)
     R = m.tip(q)[:3, :3]
     yield "tau.force sign", W + P
@@ -94,17 +100,18 @@ def mistakes(m, links, q, F, rng):
     yield "tau.degrees", weight(m, links, degrees) - force(m, F, degrees)
     if m.name == "PANDA":
         short = m.with_rows(*tables.without_pen(m))
-        held = [*links[:-1], (*links[-1][:3], links[-1][3] - 0.1)]
-        yield "table.pen", weight(short, held, q) - force(short, F, q)
+        links_of_short = [*links[:-1], (*links[-1][:3], links[-1][3] - 0.1)]
+        yield "table.pen", weight(short, links_of_short, q) - force(short, F, q)
 
 
 def pairs(m, links, q, F, rng):
-    ones = {
+    """Yield (causes, torques) for pairs of mistakes."""
+    mistaken_weights = {
         "tau.gravity:9.8": weight(m, links, q, 9.8),
         "tau.centres at origins": weight(m, [(b[0], 0, 0, 0) for b in links], q),
     }
     P = force(m, F, q)
-    for name, W in ones.items():
+    for name, W in mistaken_weights.items():
         yield f"{name} + tau.force sign", W + P
         yield f"{name} + tau.all signs", P - W
         yield f"{name} + tau.force missing", W

@@ -1,5 +1,6 @@
-"""Runs along circles, by Euler's method or by Runge and Kutta's, as a student's program makes them:
-a mistake stands in the Jacobian, in the table or in the velocity, and the run is what comes of it.
+"""Trace circles as a student's program does, by Euler's or Runge-Kutta's method.
+
+A mistake is put into the Jacobian, the table or the velocity. The joint trajectory follows from it.
 """
 
 import math
@@ -8,7 +9,7 @@ import numpy as np
 
 
 def velocity(plane, t, radius, period, phase=0.0):
-    """Velocity of a circle whose two axes are named in order; it sets out along the second."""
+    """Return the velocity at time t on a circle that starts on the first axis of `plane`."""
     w = 2 * math.pi / period
     v = np.zeros(3)
     v["xyz".index(plane[0])] = -math.sin(w * t + phase)
@@ -17,7 +18,7 @@ def velocity(plane, t, radius, period, phase=0.0):
 
 
 def point(plane, t, radius, period):
-    """Where the circle is at t, from its first point."""
+    """Return the position at time t relative to the circle's first point."""
     w = 2 * math.pi / period
     p = np.zeros(3)
     p["xyz".index(plane[0])] = math.cos(w * t) - 1
@@ -26,11 +27,12 @@ def point(plane, t, radius, period):
 
 
 def inverse(J):
+    """Return the inverse of a square Jacobian, else its pseudo-inverse."""
     return np.linalg.inv(J) if J.shape[0] == J.shape[1] else np.linalg.pinv(J)
 
 
 def solved(J, twist):
-    """Joint rates of a twist; a Jacobian that cannot give it makes no run."""
+    """Return the joint rates of a twist, or raise LinAlgError if J cannot produce it."""
     rates = inverse(J) @ twist
     if np.abs(J @ rates - twist).max() > 1e-6:
         raise np.linalg.LinAlgError
@@ -38,13 +40,13 @@ def solved(J, twist):
 
 
 def turn_off(R, R0):
-    """The small turn that takes R to R0, in base axes."""
+    """Return the small rotation vector from R to R0, in base axes."""
     E = R0 @ R.T
     return 0.5 * np.array([E[2, 1] - E[1, 2], E[0, 2] - E[2, 0], E[1, 0] - E[0, 1]])
 
 
 class Task:
-    """A circle to be drawn by a machine from a start."""
+    """A circle that a machine draws from a start pose."""
 
     def __init__(self, machine, start, plane, radius, period, steps):
         self.machine, self.start = machine, np.array(start, float)
@@ -52,6 +54,7 @@ class Task:
         self.first = machine.tip(self.start)
 
     def path(self):
+        """Return the arguments of `helpers.motion.circle` for this circle."""
         centre = self.first[:3, 3].copy()
         centre["xyz".index(self.plane[0])] -= self.radius
         return dict(
@@ -79,7 +82,10 @@ class Task:
         plane=None,
         gain=0.0,
     ):
-        """Joints (steps + 1, dof)."""
+        """Return the joint trajectory, (steps + 1, dof).
+
+        The defaults trace the circle without a mistake. Each option changes one step of the method.
+        """
         machine = machine or self.machine
         radius, steps = radius or self.radius, steps or self.steps
         plane = plane or self.plane
