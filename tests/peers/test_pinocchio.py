@@ -1,8 +1,8 @@
-"""The Panda against Pinocchio's, read from the maker's own robot description (example-robot-data).
+"""Compare the Panda with Pinocchio's model of the maker's robot description (example-robot-data).
 
-Mapping: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7). Pinocchio's frame `panda_link8` is the bare
-    flange, its z axis pointing out of it, where the homework's z_7 points back into the arm: the
-    frames differ by half a turn about x.
+The maker counts three joints with the other sign: q_maker = (q1, -q2, q3, -q4, q5, q6, -q7).
+Pinocchio's frame `panda_link8` is the bare flange. Its z axis points out of the flange, while the
+homework's z_7 points back into the arm, so the frames differ by half a turn about x.
 """
 
 import os
@@ -40,19 +40,20 @@ def poses():
     return np.random.default_rng(8).uniform(*PANDA.limits, size=(1000, 7))
 
 
-def flange(model, data, q_maker):
+def flange_pose(model, data, q_maker):
+    """Return the 4x4 pose of the flange by Pinocchio."""
     pinocchio.forwardKinematics(model, data, q_maker)
     return pinocchio.updateFramePlacement(model, data, model.getFrameId("panda_link8")).homogeneous
 
 
 def test_forward_kinematics_matches_pinocchio(panda, poses):
     data = panda.createData()
-    theirs = np.array([flange(panda, data, q) for q in SIGNS * poses]) @ PEN @ HALF_TURN
+    theirs = np.array([flange_pose(panda, data, q) for q in SIGNS * poses]) @ PEN @ HALF_TURN
     np.testing.assert_allclose(forward_kinematics(PANDA, poses), theirs, atol=1e-12)
 
 
 def test_jacobian_matches_pinocchio(panda, poses):
-    """Pinocchio's tip is the flange: its velocity is carried to the pen, 0.1 m further out."""
+    """Pinocchio gives the flange's velocity. The test carries it to the pen, 0.1 m further out."""
     data, frame = panda.createData(), panda.getFrameId("panda_link8")
     ours = jacobian(PANDA, poses[:200])
     for q, J in zip(poses, ours, strict=False):

@@ -1,8 +1,8 @@
-"""Every serial arm of example-robot-data, read by `from_urdf` and by Pinocchio: same motion, same
-Jacobian, same weight.
+"""Compare `from_urdf` with Pinocchio on every serial arm of example-robot-data.
 
-Most of its files write a right angle with eleven digits. `from_urdf` takes that for a right angle,
-which moves a tip by up to 1e-11 m; so torques are compared to 1e-10 of the arm's largest.
+Poses, Jacobians and gravity torques must agree. Most files write a right angle with eleven digits.
+`from_urdf` takes it as exact, which moves a tip by up to 1e-11 m, so torques are compared to 1e-10
+of the arm's largest torque.
 """
 
 import os
@@ -28,10 +28,10 @@ FINGERS = ("panda_finger_joint1", "panda_finger_joint2")
 
 UR = "ur_description/urdf/ur"
 
-# Its file writes a roll of 3.14159 between parallel axes, so that their common normal is 7 km away.
+# The SO-ARM100 file rolls parallel axes by 3.14159, so that their common normal is 7 km away.
 pytestmark = pytest.mark.filterwarnings("ignore:so_arm100. z_0 and z_1 are within 0.00036°")
 
-# File, base, tip, and the joints beside the chain, which stay at 0.
+# File, base link, tip link, and the joints beside the chain, which stay at 0.
 ARMS = {
     "UR3": (f"{UR}3_robot.urdf", "world", "tool0", ()),
     "UR5": (f"{UR}5_robot.urdf", "world", "tool0", ()),
@@ -60,7 +60,7 @@ ARMS = {
     ),
 }  # fmt: skip
 
-# Arms on robots that have more than one chain: everything else stays at 0.
+# Arms of robots with several chains: file, base link, tip link. All other joints stay at 0.
 LIMBS = {
     "Talos": ("talos_data/robots/talos_reduced.urdf", "base_link", "gripper_left_base_link"),
     "Tiago": ("tiago_description/robots/tiago_no_hand.urdf", "base_footprint", "arm_tool_link"),
@@ -74,8 +74,8 @@ LIMBS = {
 }  # fmt: skip
 
 
-def peers(text, others):
-    """Pinocchio's model of the arm, its other joints locked at 0."""
+def pinocchio_model(text, others):
+    """Return Pinocchio's model and data of the arm, with other joints locked at 0."""
     model = pinocchio.buildModelFromXML(text)
     if locked := [model.getJointId(name) for name in others]:
         model = pinocchio.buildReducedModel(model, locked, pinocchio.neutral(model))
@@ -83,25 +83,25 @@ def peers(text, others):
 
 
 def frame_of(model, link):
+    """Return Pinocchio's frame number of a link."""
     return model.getFrameId(link, pinocchio.FrameType.BODY)
 
 
-def compared(text, base, tip, others):
-    """The largest differences of pose, Jacobian and torque over random poses, and the largest
-    torque."""
+def largest_differences(text, base, tip, others):
+    """Return the largest differences of pose, Jacobian and torque, and the largest torque."""
     arm = from_urdf(text, base, tip)
-    model, data = peers(text, others)
+    model, data = pinocchio_model(text, others)
     rng, worst = np.random.default_rng(15), np.zeros(4)
     for q in rng.uniform(-3, 3, (40, arm.dof)):
-        T, J, g = theirs(model, data, arm, q)
+        T, J, g = compute_by_pinocchio(model, data, arm, q)
         ours = forward_kinematics(arm, q), jacobian(arm, q), gravity_torque(arm, q)
         off = [abs(a - b).max() for a, b in zip(ours, (T, J, g), strict=True)]
         worst = np.maximum(worst, [*off, abs(g).max()])
     return worst
 
 
-def theirs(model, data, arm, q):
-    """Pinocchio's pose, Jacobian and torques of the arm at q, in the axes of its base."""
+def compute_by_pinocchio(model, data, arm, q):
+    """Return pose, Jacobian and gravity torques at q in the axes of the base."""
     ends, names = re.fullmatch("robot description: (.*); joints (.*)", arm.source).groups()
     first, last = ends.split(" to ")
     full, columns = pinocchio.neutral(model), []
@@ -112,15 +112,16 @@ def theirs(model, data, arm, q):
         columns.append(joint.idx_v)
     pinocchio.framesForwardKinematics(model, data, full)
     base, tip = (data.oMf[frame_of(model, link)].homogeneous for link in (first, last))
-    assert np.array_equal(base, np.eye(4)), "torques are compared under gravity along the base's z"
+    assert np.array_equal(base, np.eye(4)), "gravity must point along the base's z axis"
     axes = pinocchio.ReferenceFrame.LOCAL_WORLD_ALIGNED
     J = pinocchio.computeFrameJacobian(model, data, full, frame_of(model, last), axes)
     g = pinocchio.computeGeneralizedGravity(model, data, full)
     return tip, J.reshape(6, -1)[:, columns], g[columns]
 
 
-def assert_the_same(text, base, tip, hold):
-    pose, J, torque, largest = compared(text, base, tip, hold)
+def assert_same_arm(text, base, tip, others):
+    """Compare both readings of a description, and return the largest torque."""
+    pose, J, torque, largest = largest_differences(text, base, tip, others)
     assert pose < 1e-10
     assert J < 1e-10
     assert torque < 1e-10 * max(1, largest)
@@ -129,9 +130,9 @@ def assert_the_same(text, base, tip, hold):
 
 @pytest.mark.parametrize("name", ARMS)
 def test_serial_arm_matches_pinocchio(name):
-    file, base, tip, hold = ARMS[name]
-    weight = assert_the_same((ROBOTS / file).read_text(encoding="utf-8"), base, tip, hold)
-    assert weight > 1 or name not in ("UR5", "Panda", "Jaco", "xArm7", "Z1 with its gripper")
+    file, base, tip, others = ARMS[name]
+    largest = assert_same_arm((ROBOTS / file).read_text(encoding="utf-8"), base, tip, others)
+    assert largest > 1 or name not in ("UR5", "Panda", "Jaco", "xArm7", "Z1 with its gripper")
 
 
 @pytest.mark.parametrize("name", LIMBS)
@@ -141,7 +142,4 @@ def test_limb_of_larger_robot_matches_pinocchio(name):
     model = pinocchio.buildModelFromXML(text)
     chain = set(model.supports[model.frames[frame_of(model, tip)].parentJoint])
     others = [model.names[k] for k in range(1, model.njoints) if k not in chain]
-    pose, J, torque, largest = compared(text, base, tip, others)
-    assert pose < 1e-10
-    assert J < 1e-10
-    assert torque < 1e-10 * max(1, largest)
+    assert_same_arm(text, base, tip, others)

@@ -1,8 +1,8 @@
-"""The UR10e's branches counted against ssik, which finds all of them by another method (subproblems
-of screw axes).
+"""Compare the UR10e's solution branches with ssik, which uses subproblems of screw axes.
 
-Its arm is the robot description's: the base turned by half a turn, and another tool frame, which
-one pose gives and the others prove. Its joint angles are the maker's, as in our table.
+ssik's arm comes from the robot description: its base is turned by half a turn and its tool frame
+differs. The test computes the tool frame from one pose and checks it at others. The joint angles
+are the maker's, as in our table.
 """
 
 import os
@@ -34,10 +34,10 @@ def test_ur10e_branches_match_ssik():
     np.testing.assert_allclose(BASE @ T[:200] @ tool, theirs, atol=1e-6)
     ours = ur(BARE, T)
     for k, pose in enumerate(BASE @ T @ tool):
-        found = ur10e_ik.solve(pose, enumerate_windings=False, respect_limits=False)
-        wanted = np.array([x.q for x in found])
-        mine = ours.q[k][ours.valid[k]]
-        assert len(mine) == len(wanted), k
-        gap = np.abs(np.angle(np.exp(1j * (mine[:, None] - wanted)))).max(axis=-1)
+        solutions = ur10e_ik.solve(pose, enumerate_windings=False, respect_limits=False)
+        expected = np.array([solution.q for solution in solutions])
+        actual = ours.q[k][ours.valid[k]]
+        assert len(actual) == len(expected), f"pose {k} has another number of branches"
+        gap = np.abs(np.angle(np.exp(1j * (actual[:, None] - expected)))).max(axis=-1)
         assert gap.min(axis=1).max() < 1e-3
         assert gap.min(axis=0).max() < 1e-3
