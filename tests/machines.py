@@ -1,9 +1,9 @@
-"""Whether two tables are the same machine, found out by trying: nothing here knows what a common
-normal is.
+"""Decide by numeric search whether two tables describe the same machine.
 
-They are if, for some signs s, shifts delta, base motion and constant turn R of the tool, the poses
-of the one at s q + delta are those of the other at q, whatever q. The base motion drops out of
-poses taken relative to the first.
+Two tables are the same machine if joint signs s, joint offsets delta, a base motion and a constant
+tool rotation R exist, so that the poses of one at s q + delta equal the poses of the other at q,
+for every q. Poses relative to the first pose do not depend on the base motion. The search knows
+nothing of common normals, by which the judge decides the same question.
 """
 
 from dataclasses import replace
@@ -14,31 +14,36 @@ import numpy as np
 from helpers.arm import Arm, Row, fixed, prismatic, revolute
 from helpers.kinematics import forward_kinematics
 
-_TRIES, _STEPS = 16, 40
+_STARTS, _STEPS = 16, 40
 
 
 def same_machine(mine: Arm, reference: Arm) -> bool:
-    """Searches for signs, shifts and turn by Levenberg and Marquardt's method from many starts at
-    once."""
+    """Return whether signs, offsets and a tool rotation are found that map mine to reference."""
     rng = np.random.default_rng(0)
     q = rng.uniform(-1.5, 1.5, (10, reference.dof))
-    wanted = _relative(forward_kinematics(reference, q))
-    return any(_fits(mine, np.array(s) * q, wanted, rng) for s in product((1, -1), repeat=mine.dof))
+    expected = _relative_poses(forward_kinematics(reference, q))
+    return any(
+        _fits(mine, np.array(s) * q, expected, rng) for s in product((1, -1), repeat=mine.dof)
+    )
 
 
-def _fits(mine: Arm, q: np.ndarray, wanted: np.ndarray, rng: np.random.Generator) -> bool:
-    x = rng.uniform(-np.pi, np.pi, (_TRIES, mine.dof + 3))
-    misfit, damping = _misfit(mine, q, wanted, x), np.full((_TRIES, 1, 1), 1e-2)
+def _fits(mine: Arm, q: np.ndarray, expected: np.ndarray, rng: np.random.Generator) -> bool:
+    """Search for offsets and tool rotation by Levenberg-Marquardt from all random starts at once.
+
+    A row of x holds the dof joint offsets and the rotation vector of the tool.
+    """
+    x = rng.uniform(-np.pi, np.pi, (_STARTS, mine.dof + 3))
+    misfit, damping = _misfit(mine, q, expected, x), np.full((_STARTS, 1, 1), 1e-2)
     nudges = 1e-7 * np.eye(x.shape[1])[:, None]
     for _ in range(_STEPS):
-        nudged = _misfit(mine, q, wanted, (x + nudges).reshape(-1, x.shape[1]))
+        nudged = _misfit(mine, q, expected, (x + nudges).reshape(-1, x.shape[1]))
         rates = (nudged.reshape(-1, *misfit.shape) - misfit) / 1e-7
         J, JT = rates.transpose(1, 2, 0), rates.transpose(1, 0, 2)
         step = np.linalg.solve(JT @ J + damping * np.eye(x.shape[1]), JT @ misfit[..., None])
         trial = x - step[..., 0]
-        tried = _misfit(mine, q, wanted, trial)
-        better = _cost(tried) < _cost(misfit)
-        x[better], misfit[better] = trial[better], tried[better]
+        trial_misfit = _misfit(mine, q, expected, trial)
+        better = _cost(trial_misfit) < _cost(misfit)
+        x[better], misfit[better] = trial[better], trial_misfit[better]
         damping = np.clip(damping * np.where(better, 0.2, 6)[:, None, None], 1e-14, 1e6)
         if _cost(misfit).min() < 1e-9:
             return True
@@ -49,22 +54,22 @@ def _cost(misfit: np.ndarray) -> np.ndarray:
     return (misfit**2).sum(axis=1)
 
 
-def _misfit(mine: Arm, q: np.ndarray, wanted: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """One row per start: how far the poses at q + delta, the tool turned by R, are from those
-    wanted."""
-    poses = _relative(forward_kinematics(mine, q + x[:, None, : mine.dof]))
-    R = _rotation(x[:, mine.dof :])[:, None]
-    turned = R @ wanted[:, :3, :3] - poses[..., :3, :3] @ R
-    moved = R @ wanted[:, :3, 3:] - poses[..., :3, 3:]
+def _misfit(mine: Arm, q: np.ndarray, expected: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """Return one row of pose residuals per start, with joint offsets and tool rotation applied."""
+    poses = _relative_poses(forward_kinematics(mine, q + x[:, None, : mine.dof]))
+    R = _rotation_matrix(x[:, mine.dof :])[:, None]
+    turned = R @ expected[:, :3, :3] - poses[..., :3, :3] @ R
+    moved = R @ expected[:, :3, 3:] - poses[..., :3, 3:]
     return np.concatenate([turned.reshape(len(x), -1), moved.reshape(len(x), -1)], axis=1)
 
 
-def _relative(T: np.ndarray) -> np.ndarray:
+def _relative_poses(T: np.ndarray) -> np.ndarray:
+    """Return all poses but the first, as seen from the first."""
     return np.linalg.inv(T[..., :1, :, :]) @ T[..., 1:, :, :]
 
 
-def _rotation(w: np.ndarray) -> np.ndarray:
-    """Rodrigues' formula."""
+def _rotation_matrix(w: np.ndarray) -> np.ndarray:
+    """Return rotation matrices of rotation vectors by Rodrigues' formula."""
     angle = np.linalg.norm(w, axis=-1)[:, None, None] + 1e-12
     K = np.zeros((len(w), 3, 3))
     K[:, 2, 1], K[:, 0, 2], K[:, 1, 0] = w.T
@@ -72,7 +77,7 @@ def _rotation(w: np.ndarray) -> np.ndarray:
     return np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * K @ K
 
 
-# Pairs of tables to try it on
+# Random pairs of tables
 
 _LENGTHS = (0, 0, 0.3, -0.2, 0.5)
 _TWISTS = (0, "pi/2", "-pi/2", "pi", 0.7, -1.1)
@@ -81,8 +86,11 @@ _KINDS = (revolute, revolute, prismatic, fixed)
 
 
 def random_pair(seed: int, rows: int = 3) -> tuple[Arm, Arm]:
-    """A table full of special cases, and the same one with up to three entries changed or
-    reversed."""
+    """Return a changed copy of a random table, and the table.
+
+    The table has many special cases, such as right angles and zero lengths. One to three of the
+    copy's entries are shifted or reversed.
+    """
     rng = np.random.default_rng(seed)
     pick = lambda values: values[rng.integers(len(values))]  # noqa: E731
     table = [
@@ -97,7 +105,9 @@ def random_pair(seed: int, rows: int = 3) -> tuple[Arm, Arm]:
     return Arm("mine", changed), Arm("reference", table)
 
 
-def _changed(name: str, formula: str):
+def _make_change(name: str, formula: str):
+    """Return a function that puts a formula of the old entry into a row."""
+
     def change(row: Row) -> Row:
         return replace(row, **{name: formula.format(getattr(row, name))})
 
@@ -105,8 +115,8 @@ def _changed(name: str, formula: str):
 
 
 _CHANGES = [
-    *(_changed(name, "-({})") for name in ("a", "alpha", "d")),
-    *(_changed(name, "{} + 0.1") for name in ("a", "d")),
-    *(_changed(name, "{} + pi") for name in ("alpha", "theta")),
-    _changed("theta", "{} + 0.5"),
+    *(_make_change(name, "-({})") for name in ("a", "alpha", "d")),
+    *(_make_change(name, "{} + 0.1") for name in ("a", "d")),
+    *(_make_change(name, "{} + pi") for name in ("alpha", "theta")),
+    _make_change("theta", "{} + 0.5"),
 ]

@@ -1,4 +1,4 @@
-"""An arm of the corpus's kind with a locked row and a slide, and how its machines become arms."""
+"""Define a test arm with a locked joint and a slide, and turn machines of the corpus into arms."""
 
 import math
 
@@ -17,11 +17,11 @@ _ROWS = {"R": revolute, "P": prismatic, "F": fixed}
 
 
 def arm_of(machine):
-    """The arm of a corpus's machine: that of the catalogue where it is one."""
+    """Return the catalogue's arm of this machine's name, or a new arm of its rows."""
     rows = [_ROWS[kind](a, alpha, d, theta) for kind, a, alpha, d, theta in machine.rows]
     return _KNOWN.get(machine.name) or Arm("your arm", rows)
 
 
 def heavy(machine, links):
-    """The same with masses and their centres."""
+    """Return the arm with one (mass, x, y, z) per link, in kg and m."""
     return arm_of(machine).with_bodies([Body(mass, tuple(c)) for mass, *c in links])

@@ -1,4 +1,7 @@
-"""Node.js, asked one line of JSON at a time: it takes longer to start than to answer."""
+"""Ask scripts under Node.js, one line of JSON at a time.
+
+A started Node.js is kept, since it takes longer to start than to answer.
+"""
 
 import atexit
 import json
@@ -18,20 +21,23 @@ needs_node = pytest.mark.skipif(
 
 
 def ask_node(script: str, question: dict) -> Any:
-    """What this script of tests/ answers, by the one Node.js that each process keeps for it."""
-    process = _running(script, os.getpid())
+    """Return the answer of a script in tests/ to a question."""
+    process = _start_node(script, os.getpid())
     process.stdin.write(json.dumps(question) + "\n")
     process.stdin.flush()
     line = process.stdout.readline()
     if not line:
-        _running.cache_clear()
-        raise AssertionError(f"Node.js broke off in {script} at {str(question)[:300]}")
+        _start_node.cache_clear()
+        raise AssertionError(f"Node.js ended in {script} on the question {str(question)[:300]}")
     return json.loads(line)
 
 
 @cache
-def _running(script: str, pid: int) -> subprocess.Popen:
-    """By `pid`, since two processes that read one pipe would take each other's answers."""
+def _start_node(script: str, pid: int) -> subprocess.Popen:
+    """Start Node.js once per script and process.
+
+    `pid` is part of the cache's key: two processes on one pipe would take each other's answers.
+    """
     assert NODE, "Node.js is not installed"
     command = [NODE, str(Path(__file__).with_name(script))]
     pipe = subprocess.PIPE

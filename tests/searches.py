@@ -1,8 +1,11 @@
-"""What readers type into the search, written before the search was built, and where a reader of the
-book would be sent: a pattern of ``page: section``."""
+"""List search words of readers and the expected first result of each.
+
+A result is a regular expression for ``page: section``. The list was written before the search was
+built.
+"""
 
 SEARCHES = {
-    # asked for in the issue
+    # named in the request for the search
     "UR10e Jacobian": r"answers/ur10e.*: Jacobian|02_jacobian: The UR10e",
     "8 IK solutions": r"05_.*: (The UR10e by hand|Eight arms)",
     "why does my circle fail": r"check_your_homework: My circle|03_.*: (A mistake atlas|Tracing)",
