@@ -1,5 +1,5 @@
-// Bundle the two scripts, each with its styles: explorer.js, which brings arms to life in a page
-// and in a notebook's widget, and judge.js, which judges in Python and, with its form, in a page.
+// Bundle the two scripts with their styles: explorer.js for the explorer in pages and notebooks,
+// judge.js for judging in Python and for the form in pages.
 
 import { build } from "esbuild";
 import { join } from "node:path";
@@ -17,7 +17,8 @@ const common = {
   loader: { ".css": "text" },
 };
 
-// The explorer has its worker's script inside, as a text: from a file a page may start no other.
+// The explorer contains its worker's script as text, because a page opened from a file may not load
+// another.
 const worker = await build({ ...common, entryPoints: ["page/src/worker.js"], write: false });
 
 await build({

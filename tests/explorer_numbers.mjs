@@ -5,13 +5,13 @@ import { createInterface } from "node:readline";
 import { gravityTorque, jacobianColumns, movingRows, linkFrames, frameMatrix, wrenchTorque } from "../judge/geometry/kinematics.js";
 import { isSameMachine } from "../judge/geometry/axes.js";
 import { determinant, decomposeSingular } from "../judge/geometry/linear.js";
-import { fadingWays } from "../page/src/dragging.js";
-import { fromFragment } from "../page/src/link.js";
-import { otherWays } from "../page/src/motion.js";
-import { runCircle, torquesAlong, traceCircle } from "../page/src/homework_run.js";
-import { startingState, Store } from "../page/src/state.js";
-import { tableText } from "../page/src/text.js";
-import { rankVerdict, tableVerdict, waysVerdict } from "../page/src/verdicts.js";
+import { findFadingDirections } from "../page/src/dragging.js";
+import { parseFragment } from "../page/src/link.js";
+import { findBranches } from "../page/src/motion.js";
+import { simulateCircle, computeTorquesAlong, traceCircle } from "../page/src/homework_run.js";
+import { makeInitialState, Store } from "../page/src/state.js";
+import { formatTable } from "../page/src/text.js";
+import { describeRank, describeTable, describeBranches } from "../page/src/verdicts.js";
 
 const VIEWS = ["table", "pose", "jacobian", "homework", "trace", "torque", "branches"];
 
@@ -25,41 +25,41 @@ function numbers(arm, q, wrench) {
 }
 
 function ranks(arm, q) {
-  const { derived } = new Store(startingState({ arm, q }));
-  return { rank: derived.rank, said: rankVerdict(derived) };
+  const { derived } = new Store(makeInitialState({ arm, q }));
+  return { rank: derived.rank, said: describeRank(derived) };
 }
 
 function verdicts(arm, q) {
-  const ways = otherWays(arm, q);
-  return { ...ranks(arm, q), ways, counted: waysVerdict(arm, ways) };
+  const ways = findBranches(arm, q);
+  return { ...ranks(arm, q), ways, counted: describeBranches(arm, ways) };
 }
 
 // What a link opens: its state, the tip's pose there, what is said of the table, and what gravity asks.
 function opened(fragment, arms) {
-  const { patch, words } = fromFragment(fragment, arms, VIEWS);
-  const { frames, energy, gravity } = new Store(startingState(patch)).derived;
-  return { patch, words, pose: frameMatrix(frames.at(-1)), table: tableVerdict(patch, { frames }), energy, gravity };
+  const { patch, message } = parseFragment(fragment, arms, VIEWS);
+  const { frames, energy, gravity } = new Store(makeInitialState(patch)).derived;
+  return { patch, words: message, pose: frameMatrix(frames.at(-1)), table: describeTable(patch, { frames }), energy, gravity };
 }
 
 // What is said of a typed table beside the arm behind it.
 function compared(arm, reference) {
   const q = movingRows(arm).map(() => 0);
-  return tableVerdict({ arm, reference, q }, { frames: linkFrames(arm, q) });
+  return describeTable({ arm, reference, q }, { frames: linkFrames(arm, q) });
 }
 
 const jobs = {
   numbers: ({ arm, qs, wrench }) => qs.map((q) => numbers(arm, q, wrench)),
   circle: ({ arm, q, ...circle }) => traceCircle(arm, q, circle),
-  ways: ({ arm, q }) => otherWays(arm, q).list.map((way) => way.q),
+  ways: ({ arm, q }) => findBranches(arm, q).list.map((way) => way.q),
   ranks: ({ arm, qs }) => qs.map((q) => ranks(arm, q)),
   verdicts: ({ arm, qs }) => qs.map((q) => verdicts(arm, q)),
-  runs: ({ arm, start, runs }) => runs.map((run) => runCircle(arm, start, run)),
-  torques: ({ arm, path, wrench }) => torquesAlong(arm, path, wrench),
-  fading: ({ arm, qs, turns }) => qs.map((q) => fadingWays(jacobianColumns(arm, linkFrames(arm, q)), turns)),
+  runs: ({ arm, start, runs }) => runs.map((run) => simulateCircle(arm, start, run)),
+  torques: ({ arm, path, wrench }) => computeTorquesAlong(arm, path, wrench),
+  fading: ({ arm, qs, turns }) => qs.map((q) => findFadingDirections(jacobianColumns(arm, linkFrames(arm, q)), turns)),
   same: ({ pairs }) => pairs.map(([mine, reference]) => isSameMachine(mine.rows, reference.rows)),
   tables: ({ pairs }) => pairs.map((pair) => compared(...pair)),
   links: ({ arms, fragments }) => fragments.map((one) => opened(one, arms)),
-  copied: ({ arm }) => tableText(arm),
+  copied: ({ arm }) => formatTable(arm),
 };
 
 for await (const line of createInterface({ input: process.stdin })) {

@@ -2,14 +2,14 @@
 
 import { createInterface } from "node:readline";
 import { formatVerdict } from "../judge/report.js";
-import { EMPTY, fromFragment, judge, toFragment } from "../page/src/check/question.js";
+import { EMPTY, parseQuestionLink, judgeQuestion, formatQuestionLink } from "../page/src/check/question.js";
 
 // The verdict, or why there is none.
 function answered(fields, arms) {
   const keys = arms.map(({ key }) => key);
-  const { question, words } = fromFragment(toFragment({ ...EMPTY, ...fields }), keys);
+  const { question, words } = parseQuestionLink(formatQuestionLink({ ...EMPTY, ...fields }), keys);
   if (!question) return { error: words };
-  const { report, error } = judge(question, arms);
+  const { report, error } = judgeQuestion(question, arms);
   if (error) return { error };
   return { grade: report.grade, causes: report.causes, words: formatVerdict(report) };
 }

@@ -199,11 +199,11 @@ def test_errata_links_trace_as_described(opened):
         number: ask("runs", arm=patch["arm"], start=patch["q"], runs=patch["runs"])
         for number, patch in ((n, opened[n]["patch"]) for n in (10, 19, 21))
     }
-    assert runs[10][0]["failed"] == 0
-    assert runs[10][1]["failed"] is None
-    off = {number: [round(1000 * run["largest"], 3) for run in runs[number]] for number in (19, 21)}
+    assert runs[10][0]["failedStep"] == 0
+    assert runs[10][1]["failedStep"] is None
+    off = {number: [round(1000 * run["largestError"], 3) for run in runs[number]] for number in (19, 21)}
     assert off == {19: [0.127, 0.654], 21: [0.127, 1.145]}
-    assert math.degrees(runs[19][1]["tilt"]) == pytest.approx(12.3, abs=0.05)
+    assert math.degrees(runs[19][1]["largestTilt"]) == pytest.approx(12.3, abs=0.05)
     assert all(opened[n]["patch"]["view"] == "homework" for n in (7, 10, 11, 19, 21))
 
 
@@ -240,7 +240,7 @@ def test_fading_directions_match_singular_values(arm, turns):
         shares = sizes / sizes[0] if sizes.size == 3 else np.ones(3)
         lost = u[:, shares < 0.1]
         assert [one["share"] for one in found] == pytest.approx(shares[shares < 0.1], abs=1e-9)
-        ways = np.reshape([one["way"] for one in found], (-1, 3)).T
+        ways = np.reshape([one["direction"] for one in found], (-1, 3)).T
         np.testing.assert_allclose(ways @ ways.T, lost @ lost.T, atol=1e-7)
 
 
@@ -314,7 +314,7 @@ def test_homework_trajectory_matches_python(asked, wanted):
     traced = trace(locked, locked.home, path, **wanted)
     ends = np.delete(answer["path"][-1], 2)
     np.testing.assert_allclose(ends, traced.q[-1], atol=1e-9)
-    assert answer["largest"] == pytest.approx(traced.report.position_error, rel=1e-6)
+    assert answer["largestError"] == pytest.approx(traced.report.position_error, rel=1e-6)
 
 
 @needs_node
@@ -323,9 +323,9 @@ def test_ur10e_circle_fails_jumps_or_is_damped():
     pseudo, damping = {**wall, "rates": "pseudo"}, {**wall, "rates": "damped"}
     runs = [wall, pseudo, {**pseudo, "cutoff": 0.01}, damping, {**damping, "gain": 5}]
     broken, *others = ask("runs", arm=arm_data(UR10E_HOMEWORK), start=[0] * 6, runs=runs)
-    assert broken["failed"] == 0
-    assert others[0]["fastest"] == pytest.approx(6.57, abs=0.005)
-    largest = [round(1000 * run["largest"], 1) for run in others]
+    assert broken["failedStep"] == 0
+    assert others[0]["fastestRate"] == pytest.approx(6.57, abs=0.005)
+    largest = [round(1000 * run["largestError"], 1) for run in others]
     assert largest == [3.5, 46.0, 11.0, 2.6]
 
 
@@ -339,11 +339,11 @@ def test_torques_along_path_match_python():
 @needs_node
 def test_failed_trace_blames_arm_only_if_singular():
     for arm, run, stuck in (
-        (PANDA_HOMEWORK, {"slip": "z_i"}, False),
+        (PANDA_HOMEWORK, {"mistake": "z_i"}, False),
         (UR10E_HOMEWORK, {"normal": "y", "locked": -1}, True),
     ):
         (found,) = ask("runs", arm=arm_data(arm), start=arm.home, runs=[run])
-        assert (found["failed"], found["stuck"]) == (0, stuck)
+        assert (found["failedStep"], found["isSingular"]) == (0, stuck)
         kept = arm.lock(3) if arm is PANDA_HOMEWORK else arm
         assert (np.linalg.matrix_rank(jacobian(kept, kept.home)) < 6) == stuck
 
@@ -394,7 +394,7 @@ def test_traced_circle_matches_formula(arm):
 def test_traced_circle_stops_at_workspace_boundary():
     """By the distance from its shoulder, which is at most a_2 + a_3; else the joints would jump."""
     traced = ask("circle", arm=arm_data(ELBOW), q=ELBOW.home, normal="x", radius=0.35)
-    far = np.linalg.norm(np.array(traced["wanted"]) - (0, 0, 0.5), axis=1)
+    far = np.linalg.norm(np.array(traced["wantedPath"]) - (0, 0, 0.5), axis=1)
     end = len(traced["path"])
     assert far[:end].max() < 0.7 + 1e-3 < far[end]
     assert np.abs(np.diff(traced["path"], axis=0)).max() < 0.2

@@ -1,9 +1,9 @@
-// Elements from one line: h("button.quiet", { onclick }, "Home").
+// Make an HTML element from one line, as in h("button.quiet", { onclick }, "Home").
 
 export function h(name, attributes = {}, ...children) {
   const [tag, ...classes] = name.split(".");
   const element = document.createElement(tag);
-  if (tag === "button") element.type = "button"; // which sends no form
+  if (tag === "button") element.type = "button"; // so that it does not submit a form
   if (classes.length) element.className = classes.join(" ");
   for (const [key, value] of Object.entries(attributes)) {
     if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
@@ -22,27 +22,30 @@ export function svg(name, attributes = {}, ...children) {
 }
 
 /**
- * A slider between two values.
+ * Make a slider between two values.
  * @param {string} label
  * @param {number[]} bounds
  */
-export const slider = (label, [min, max], attributes = {}) =>
+export const makeRangeInput = (label, [min, max], attributes = {}) =>
   h("input", { type: "range", min, max, step: "any", "aria-label": label, ...attributes });
 
-// Write only what differs: most of what a moving arm shows stays the same from frame to frame.
-export function write(element, text) {
+// Set the text of an element if it differs. While an arm moves, most text stays the same.
+export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-export function attribute(element, name, value) {
+export function updateAttribute(element, name, value) {
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
-// A symbol with an index, as q₂.
-export const indexed = (letter, index) => [h("i", {}, letter), h("sub", {}, String(index))];
+// Make the nodes of a symbol with an index, such as q₂.
+export const makeIndexedSymbol = (letter, index) => [
+  h("i", {}, letter),
+  h("sub", {}, String(index)),
+];
 
-// Whether a text could be put on the clipboard, which some pages have no access to.
-export async function copied(text) {
+// Copy text to the clipboard. Returns false if the page has no access to it.
+export async function copyToClipboard(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;
@@ -51,19 +54,19 @@ export async function copied(text) {
   }
 }
 
-// A table that scrolls sideways where it is too wide, by keys too.
-export const scrolled = (label, table) =>
+// Wrap a table so that it can be scrolled sideways, also by keyboard.
+export const makeScrollRegion = (label, table) =>
   h("div.scroll", { tabindex: 0, role: "region", "aria-label": label }, table);
 
-export const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+export const prefersReducedMotion = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /**
- * A choice by its options' values and words.
+ * Make a drop-down list.
  * @param {string} label
- * @param {Record<string, string>} options
+ * @param {Record<string, string>} options text of each option by its value
  * @param {(value: string) => void} onchoice
  */
-export function select(label, options, onchoice) {
+export function makeSelect(label, options, onchoice) {
   const list = Object.entries(options).map(([value, text]) => h("option", { value }, text));
   return h("select", { "aria-label": label, onchange: (e) => onchoice(e.target.value) }, list);
 }

@@ -1,6 +1,6 @@
-// An arm taken by the hand: a link that turns its joint, a tip that the arm follows, an elbow that
-// swings while the tip stays. Everything here keeps the joints within their limits, and says what
-// stops them.
+// Joint values while the reader drags the arm: a link turns its own joint, the arm follows a
+// dragged tip, the elbow swings while the tip is pinned. All of them respect the joint limits and
+// report what stops them.
 
 import { jointRange } from "../../judge/geometry/arm.js";
 import {
@@ -15,34 +15,43 @@ import {
   scaled,
 } from "../../judge/geometry/kinematics.js";
 import { nullSpace, decomposeSingular } from "../../judge/geometry/linear.js";
-import { damped, inner, isThere, orBeside, poseError, reach } from "./motion.js";
+import {
+  solveDamped,
+  dotProduct,
+  isAtPose,
+  searchAround,
+  getPoseError,
+  solvePose,
+} from "./motion.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
-/** @typedef {(point: number[]) => number[]} Pixel from a point of the world to CSS pixels */
+/** @typedef {(point: number[]) => number[]} Pixel projects a point of the world to CSS pixels */
 
-const limitsOf = (arm) => movingRows(arm).map((i) => jointRange(arm.rows[i]));
-const clamped = (value, [lower, upper]) => Math.min(upper, Math.max(lower, value));
+const getJointRanges = (arm) => movingRows(arm).map((i) => jointRange(arm.rows[i]));
+const clamp = (value, [lower, upper]) => Math.min(upper, Math.max(lower, value));
 
-// A point of a link's frame in the world, and back.
-const inWorld = ({ x, y, z, o }, local) =>
+// Convert a point from a link's frame to the world.
+const toWorld = ({ x, y, z, o }, local) =>
   plus(o, plus(plus(scaled(local[0], x), scaled(local[1], y)), scaled(local[2], z)));
-export const inFrame = ({ x, y, z, o }, p) => [x, y, z].map((axis) => dot(axis, minus(p, o)));
+export const toFrame = ({ x, y, z, o }, p) => [x, y, z].map((axis) => dot(axis, minus(p, o)));
 
-const SOFT = 30; // px per rad: below it a link seen end-on hardly turns, instead of jumping
-const PIXEL_STEP = 1e-4; // rad or m, over which a pixel's motion is measured
+const PIXEL_DAMPING = 30; // px per rad; damping for a link seen end-on, which would otherwise jump
+const PIXEL_STEP = 1e-4; // rad or m, for the finite difference of a projected motion
 
-// How a point that moves with velocity v goes over the screen.
-function onScreen(pixel, p, v) {
+// Return the pixel of a point p and its rate on the screen when p moves with velocity v.
+function projectMotion(pixel, p, v) {
   const [a, b] = [pixel(p), pixel(plus(p, scaled(PIXEL_STEP, v)))];
   return { at: a, rate: [(b[0] - a[0]) / PIXEL_STEP, (b[1] - a[1]) / PIXEL_STEP] };
 }
 
 /**
- * Joint values after the point `local` of the frame that row `row` carries went towards the pointer
- * `to`, by one joint alone: the one with this index in q.
+ * Turn one joint so that a grabbed point follows the pointer.
  * @param {Arm} arm
  * @param {number[]} q
- * @param {{ row: number, local: number[], to: number[], joint: number, pixel: Pixel }} grab
+ * @param {{ row: number, local: number[], to: number[], joint: number, pixel: Pixel }} grab the
+ *   grabbed point `local` in the frame of `row`, the pointer's pixel `to`, and the index in q of
+ *   the joint that turns
+ * @returns {number[]} new joint values
  */
 export function dragLink(arm, q, { row, local, to, joint, pixel }) {
   const index = movingRows(arm)[joint];
@@ -51,71 +60,72 @@ export function dragLink(arm, q, { row, local, to, joint, pixel }) {
   const next = [...q];
   for (let round = 0; round < 4; round++) {
     const frames = linkFrames(arm, next);
-    const p = inWorld(frames[row + 1], local);
+    const p = toWorld(frames[row + 1], local);
     const { z, o } = frames[index];
-    const { at, rate } = onScreen(pixel, p, turns ? cross(z, minus(p, o)) : z);
-    const [step] = damped([rate], [inner(rate, [to[0] - at[0], to[1] - at[1]])], SOFT ** 2);
-    next[joint] += clamped(step, [-0.2, 0.2]);
+    const { at, rate } = projectMotion(pixel, p, turns ? cross(z, minus(p, o)) : z);
+    const [step] = solveDamped(
+      [rate],
+      [dotProduct(rate, [to[0] - at[0], to[1] - at[1]])],
+      PIXEL_DAMPING ** 2,
+    );
+    next[joint] += clamp(step, [-0.2, 0.2]);
   }
-  next[joint] = clamped(next[joint], [
-    Math.min(limits[0], q[joint]),
-    Math.max(limits[1], q[joint]),
-  ]);
+  next[joint] = clamp(next[joint], [Math.min(limits[0], q[joint]), Math.max(limits[1], q[joint])]);
   return next;
 }
 
-const TURN = 0.3; // m that a radian of the tool's direction counts for, where it is to be kept
+const LENGTH_PER_RADIAN = 0.3; // m; weight of one radian of the tool direction
 
-// Of a motion (v, ω) what a dragged tip is asked for.
-const task = (motion, turns) =>
-  turns ? motion.map((v, i) => (i < 3 ? v : TURN * v)) : motion.slice(0, 3);
+// Return the part of a motion (v, ω) that a dragged tip must match.
+const selectTaskRows = (motion, turns) =>
+  turns ? motion.map((v, i) => (i < 3 ? v : LENGTH_PER_RADIAN * v)) : motion.slice(0, 3);
 
-const MOST = 0.12; // rad or m that a joint moves in a frame
-const TO_REST = 1e-4; // how much each joint is drawn to where the drag began
+const MAX_FRAME_STEP = 0.12; // rad or m that a joint moves in one frame
+const REST_WEIGHT = 1e-4; // weight of the pull of the joints towards the start of the drag
 
 /**
- * One frame of a dragged tip: the joint values a little nearer to those that bring the tip to the
- * target, never past a limit, and near `rest`, where the drag began, so that the way back is the
- * way there. The cap on a frame's motion comes after the solution, since inside the loop it makes a
- * stretched arm tremble.
+ * Move the joints one frame closer to a dragged tip's target, within their limits.
+ * The joints are also pulled towards `rest`, so that dragging back returns them to where they were.
+ * The step is capped after solving: a cap inside the loop makes a stretched arm tremble.
  * @param {Arm} arm
  * @param {number[]} start
  * @param {import("./state.js").Frame} target
- * @param {number[]} rest
+ * @param {number[]} rest joint values at the start of the drag
+ * @returns {{ q: number[], arrived: boolean }}
  */
 export function dragTip(arm, start, target, rest, { turns = false } = {}) {
-  const open = limitsOf(arm).map(([lower, upper], k) => [
+  const open = getJointRanges(arm).map(([lower, upper], k) => [
     Math.min(lower, start[k]),
     Math.max(upper, start[k]),
   ]);
   const problem = { arm, target, rest, turns, limits: open };
-  let best = descend(problem, start);
-  if (isThere(best.q, start) && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3)
-    best = orBeside(best, best.q, (q) => descend(problem, q));
+  let best = minimizeError(problem, start);
+  if (isAtPose(best.q, start) && norm(minus(target.o, best.frames.at(-1).o)) > 2e-3)
+    best = searchAround(best, best.q, (q) => minimizeError(problem, q));
   const most = Math.max(1e-12, ...best.q.map((v, k) => Math.abs(v - start[k])));
-  const share = Math.min(1, MOST / most);
+  const share = Math.min(1, MAX_FRAME_STEP / most);
   return { q: start.map((v, k) => v + share * (best.q[k] - v)), arrived: share === 1 };
 }
 
-// By damped steps, of which each is taken only if it leads nearer.
-function descend({ arm, target, rest, turns, limits }, start) {
-  const errorOf = (frames) => task(poseError(frames.at(-1), target), turns);
+// Minimize the tip's error by damped steps; a step is accepted only if it reduces the cost.
+function minimizeError({ arm, target, rest, turns, limits }, start) {
+  const errorOf = (frames) => selectTaskRows(getPoseError(frames.at(-1), target), turns);
   const cost = (frames, q) =>
-    norm(errorOf(frames)) ** 2 + TO_REST * q.reduce((s, v, k) => s + (v - rest[k]) ** 2, 0);
-  let [q, lambda] = [start.map((v, k) => clamped(v, limits[k])), 1e-3];
+    norm(errorOf(frames)) ** 2 + REST_WEIGHT * q.reduce((s, v, k) => s + (v - rest[k]) ** 2, 0);
+  let [q, lambda] = [start.map((v, k) => clamp(v, limits[k])), 1e-3];
   let frames = linkFrames(arm, q);
   let least = cost(frames, q);
   for (let round = 0; round < 12; round++) {
     const error = errorOf(frames);
-    const J = jacobianColumns(arm, frames).map((c) => task(c, turns));
-    const pull = J.map((column, k) => inner(column, error) - TO_REST * (q[k] - rest[k]));
+    const J = jacobianColumns(arm, frames).map((c) => selectTaskRows(c, turns));
+    const pull = J.map((column, k) => dotProduct(column, error) - REST_WEIGHT * (q[k] - rest[k]));
     const free = [...q.keys()].filter(
       (k) => !(q[k] <= limits[k][0] && pull[k] < 0) && !(q[k] >= limits[k][1] && pull[k] > 0),
     );
     const [columns, pulls] = [J, pull].map((of) => free.map((k) => of[k]));
-    const step = damped(columns, pulls, TO_REST + lambda);
+    const step = solveDamped(columns, pulls, REST_WEIGHT + lambda);
     const next = [...q];
-    free.forEach((k, i) => (next[k] = clamped(q[k] + step[i], limits[k])));
+    free.forEach((k, i) => (next[k] = clamp(q[k] + step[i], limits[k])));
     const there = linkFrames(arm, next);
     const found = cost(there, next);
     if (found >= least) {
@@ -130,13 +140,14 @@ function descend({ arm, target, rest, turns, limits }, start) {
 }
 
 /**
- * What keeps the tip from the target: how far it is short of it (m), which joints stand at their
- * limits there, and whether the arm is stretched out or folded at a joint.
+ * Find what keeps the tip from its target.
  * @param {Arm} arm
  * @param {number[]} q
  * @param {number[]} target
+ * @returns {{ short: number, stops: string[] }} the remaining distance (m), and the reasons: joints
+ *   at their limits, a joint at which the arm is stretched or folded
  */
-export function whyStopped(arm, q, target) {
+export function findStopReasons(arm, q, target) {
   const frames = linkFrames(arm, q);
   const tip = frames.at(-1).o;
   const away = minus(target, tip);
@@ -155,7 +166,7 @@ export function whyStopped(arm, q, target) {
       (v <= limits[k][0] + 1e-6 && pull[k] < -1e-3) || (v >= limits[k][1] - 1e-6 && pull[k] > 1e-3),
   );
   stuck.forEach((is, k) => is && stops.push(`joint ${moving[k] + 1} at its limit`));
-  const bent = bentJoint(arm, q, frames);
+  const bent = findStraightJoint(arm, q, frames);
   const { values, vectors } = decomposeSingular(
     columns.filter((_, k) => !stuck[k]),
     3,
@@ -167,32 +178,36 @@ export function whyStopped(arm, q, target) {
   return { short, stops };
 }
 
-// share of the quickest direction's speed below which a direction counts as fading
-const NEAR = 0.1;
+// a direction fades if its speed is below this share of the fastest direction's speed
+const FADING_SHARE = 0.1;
 
 /**
- * The directions in which the tip hardly moves, or not at all, however fast the joints turn: { way,
- * share }, the share being its speed beside that in the quickest direction. With `turns` the tool
- * keeps its direction meanwhile.
+ * Find the directions in which the tip hardly moves, however fast the joints turn.
  * @param {number[][]} columns of the Jacobian
+ * @param {boolean} turns whether the tool must keep its direction meanwhile
+ * @returns {{ direction: number[], share: number }[]} each direction and its speed, as a share of
+ *   the fastest
  */
-export function fadingWays(columns, turns = false) {
+export function findFadingDirections(columns, turns = false) {
   const moves = turns
     ? nullSpace(columns.map((c) => c.slice(3))).map((rates) =>
         rates.reduce((sum, rate, k) => plus(sum, scaled(rate, columns[k])), [0, 0, 0]),
       )
     : columns.map((c) => c.slice(0, 3));
-  if (moves.length < 3) return []; // it never could go everywhere
+  // With fewer than three joints the tip never moves in every direction.
+  if (moves.length < 3) return [];
   const { values, vectors } = decomposeSingular(moves, 3);
   const shares = values.map((value) => value / values[0]);
-  return vectors.flatMap((way, i) => (shares[i] < NEAR ? [{ way, share: shares[i] }] : []));
+  return vectors.flatMap((direction, i) =>
+    shares[i] < FADING_SHARE ? [{ direction, share: shares[i] }] : [],
+  );
 }
 
-// How plainly a fading direction is shown: 0 where it begins to fade, 1 where it is gone.
-export const goneness = ({ share }) => 1 - share / NEAR;
+// Return how clearly a fading direction is drawn: 0 where it starts to fade, 1 where it is lost.
+export const getFadingStrength = ({ share }) => 1 - share / FADING_SHARE;
 
-// The joint at which the arm is stretched straight or folded flat, in words; null where it is bent.
-function bentJoint(arm, q, frames) {
+// Name the joint at which the arm is stretched straight or folded, or return null if there is none.
+function findStraightJoint(arm, q, frames) {
   const moving = movingRows(arm);
   const base = frames[moving[1] ?? 0].o;
   const far = (p) => norm(minus(linkFrames(arm, p).at(-1).o, base));
@@ -214,16 +229,15 @@ function bentJoint(arm, q, frames) {
 }
 
 /**
- * Joint values after the grabbed point of a link went towards the pointer while the tip stays where
- * `held` says: only through the null space. `free` says how many dimensions that has; 0 where the
- * held tip leaves no freedom.
+ * Move a grabbed link towards the pointer while the tip stays at a pose.
  * @param {Arm} arm
  * @param {number[]} q
  * @param {{ row: number, local: number[], to: number[], pixel: Pixel }} grab
- * @param {{ o: number[], x: number[], y: number[], z: number[] }} held
+ * @param {import("./state.js").Frame} pinnedPose pose at which the tip stays
+ * @returns {{ q: number[], free: number }} new joint values and the dimension of the null space
  */
-export function swingElbow(arm, q, grab, held, { turns = true } = {}) {
-  const limits = limitsOf(arm);
+export function swingElbow(arm, q, grab, pinnedPose, { turns = true } = {}) {
+  const limits = getJointRanges(arm);
   const within = (v, k) =>
     v >= Math.min(limits[k][0], q[k]) - 1e-9 && v <= Math.max(limits[k][1], q[k]) + 1e-9;
   let next = q;
@@ -233,34 +247,33 @@ export function swingElbow(arm, q, grab, held, { turns = true } = {}) {
     const still = nullSpace(jacobianColumns(arm, frames).map((c) => c.slice(0, turns ? 6 : 3)));
     free = still.length;
     if (!free) break;
-    const moved = added(next, stepWithin(arm, frames, still, grab));
-    const { q: there, error } = reach(arm, moved, held, { rows: turns ? 6 : 3 });
+    const moved = add(next, findElbowStep(arm, frames, still, grab));
+    const { q: there, error } = solvePose(arm, moved, pinnedPose, { rows: turns ? 6 : 3 });
     if (!there.every(within) || error > 1e-4) break;
     next = there;
   }
   return { q: next, free };
 }
 
-const added = (p, q) => p.map((v, k) => v + q[k]);
+const add = (p, q) => p.map((v, k) => v + q[k]);
 
-// The motion along the directions `still`, a short one, that takes the grabbed point nearest to
-// the pointer.
-function stepWithin(arm, frames, still, { row, local, to, pixel }) {
-  const p = inWorld(frames[row + 1], local);
+// Return the short step within the null space that moves the grabbed point closest to the pointer.
+function findElbowStep(arm, frames, still, { row, local, to, pixel }) {
+  const p = toWorld(frames[row + 1], local);
   const moving = movingRows(arm);
   const before = jacobianColumns(arm, frames, p).filter((_, k) => moving[k] <= row);
   const rates = still.map((direction) => {
     const v = before.reduce((sum, c, k) => plus(sum, scaled(direction[k], c)), [0, 0, 0]);
-    return onScreen(pixel, p, v);
+    return projectMotion(pixel, p, v);
   });
   const away = minus([...to, 0], [...rates[0].at, 0]).slice(0, 2);
   const columns = rates.map(({ rate }) => rate);
-  const step = damped(
+  const step = solveDamped(
     columns,
-    columns.map((rate) => inner(rate, away)),
-    SOFT ** 2,
+    columns.map((rate) => dotProduct(rate, away)),
+    PIXEL_DAMPING ** 2,
   );
-  const share = Math.min(1, MOST / Math.max(1e-12, ...step.map(Math.abs)));
+  const share = Math.min(1, MAX_FRAME_STEP / Math.max(1e-12, ...step.map(Math.abs)));
   return moving.map((_, k) =>
     still.reduce((sum, direction, i) => sum + share * step[i] * direction[k], 0),
   );

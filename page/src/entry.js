@@ -1,34 +1,35 @@
-// A field for one quantity: what is typed so far, and what is said of it.
+// Text fields for one quantity, with the message about what is typed so far.
 
 import { readEntry, unfinished } from "../../judge/reading/entry.js";
-import { attribute, h } from "./dom.js";
+import { updateAttribute, h } from "./dom.js";
 
-// Mark a field, and give what is wrong with it in words: none while its entry may still be
-// completed.
-export function marked(input, error, whole) {
-  const words = error && (whole || !unfinished(input.value)) ? error : "";
-  attribute(input, "aria-invalid", String(Boolean(words)));
-  return words;
+// Mark a field as invalid and return the message. While the reader types, an unfinished entry is no
+// error.
+export function markInvalid(input, error, whole) {
+  const message = error && (whole || !unfinished(input.value)) ? error : "";
+  updateAttribute(input, "aria-invalid", String(Boolean(message)));
+  return message;
 }
 
 /**
- * What stands in a field, and what to say of it; `whole` once the reader has left it.
+ * Read a field and mark it if it is invalid.
  * @param {HTMLInputElement} input
  * @param {Parameters<typeof readEntry>[1]} kind
- * @param {{ unit?: string, whole: boolean }} how
- * @returns {{ value?: number, words: string }} no value where it is none
+ * @param {{ unit?: string, whole: boolean }} options `whole` once the reader has left the field
+ * @returns {{ value?: number, message: string }} `value` is missing if the entry is invalid
  */
-export function entered(input, kind, { unit, whole }) {
+export function readField(input, kind, { unit, whole }) {
   const { value, error } = readEntry(input.value, kind, unit);
-  return { value, words: marked(input, error, whole) };
+  return { value, message: markInvalid(input, error, whole) };
 }
 
 /**
- * A field to type in: `typed` hears of every key, and when the reader has left it.
+ * Make a text field.
  * @param {string} label
- * @param {(input: HTMLInputElement, whole: boolean) => void} typed
+ * @param {(input: HTMLInputElement, whole: boolean) => void} typed called at every key, and with
+ *   `whole` once the reader has left the field
  */
-export const textField = (label, typed, attributes = {}) =>
+export const makeTextField = (label, typed, attributes = {}) =>
   h("input", {
     type: "text",
     spellcheck: "false",
@@ -39,7 +40,7 @@ export const textField = (label, typed, attributes = {}) =>
     ...attributes,
   });
 
-// Bring a field up to date, but for one that is being typed in.
-export function refill(input, text) {
+// Set the text of a field unless the reader is typing in it.
+export function refillField(input, text) {
   if (input.getRootNode().activeElement !== input && input.value !== text) input.value = text;
 }

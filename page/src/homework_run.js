@@ -1,6 +1,6 @@
-// The homework's circle on the wall, run as it is run there: by Euler's rule or a better one, by
-// the inverse or one of its stand-ins, with or without feedback, and with a mistake where one is
-// asked for. tests/test_explorer.py holds it against helpers.motion.
+// Simulate the homework's circle on the wall: by Euler's rule or a better one, with the inverse
+// Jacobian or a substitute, with or without feedback, and with a chosen mistake.
+// tests/test_explorer.py compares it with helpers.motion.
 
 import { makeChain, flatJacobian, joinHalves } from "../../judge/geometry/chains.js";
 import {
@@ -14,24 +14,24 @@ import {
 } from "../../judge/geometry/kinematics.js";
 import { gravityTorque, wrenchTorque } from "../../judge/geometry/kinematics.js";
 import { decomposeSingular } from "../../judge/geometry/linear.js";
-import { inner, onCircle, poseError, reachFrom } from "./motion.js";
-import { asked } from "./verdicts.js";
+import { dotProduct, getCirclePoint, getPoseError, solvePoseFromSingular } from "./motion.js";
+import { countTaskRows } from "./verdicts.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
 /**
- * @typedef {object} Run
+ * @typedef {object} Run settings of one simulation
  * @property {"euler" | "rk4" | "exact"} method
- * @property {"inverse" | "pseudo" | "damped"} rates
+ * @property {"inverse" | "pseudo" | "damped"} rates how joint rates are solved for
  * @property {number} steps
  * @property {number} seconds
  * @property {number} radius m
  * @property {"x" | "y"} normal of the wall
- * @property {number} gain 1/s, of the feedback
- * @property {number} cutoff share of the largest singular value below which the pseudo-inverse
- *   gives up
+ * @property {number} gain of the feedback, 1/s
+ * @property {number} cutoff the pseudo-inverse ignores singular values below this share of the
+ *   largest
  * @property {number} damping
- * @property {number} locked the joint, as its index in q, that stays; -1 for none
- * @property {"" | "angular" | "z_i" | "o_i" | "sign" | "next"} slip
+ * @property {number} locked index in q of the joint that stays still; -1 for none
+ * @property {"" | "angular" | "z_i" | "o_i" | "sign" | "next"} mistake the mistake to make
  */
 
 /** @type {Run} */
@@ -46,11 +46,11 @@ export const HOMEWORK = {
   cutoff: 1e-9,
   damping: 0.02,
   locked: 2,
-  slip: "",
+  mistake: "",
 };
 
-// The Jacobian's columns as a mistake makes them.
-function columnsOf(arm, q, frames, slip) {
+// Return the Jacobian's columns with the chosen mistake in them.
+function getMistakenColumns(arm, q, frames, mistake) {
   const c = makeChain(arm, q);
   const after = c.at.map((row) => row + 1);
   const made = (options) => flatJacobian(c, frames, options);
@@ -59,72 +59,77 @@ function columnsOf(arm, q, frames, slip) {
     z_i: () => made({ axis: after, origin: after }),
     o_i: () => made({ origin: after }),
   };
-  const J = mistaken[slip]?.() ?? made({});
+  const J = mistaken[mistake]?.() ?? made({});
   return q.map((_, k) => [0, 1, 2, 3, 4, 5].map((i) => J[i * c.dof + k]));
 }
 
-class Singular extends Error {}
+class SingularError extends Error {}
 
-const freeOf = (J, locked) => J.map((_, k) => k).filter((k) => k !== locked);
-const noInverse = (values) => values[Math.min(5, values.length - 1)] <= 1e-9 * values[0];
+const getFreeJoints = (J, locked) => J.map((_, k) => k).filter((k) => k !== locked);
+const hasNoInverse = (values) => values[Math.min(5, values.length - 1)] <= 1e-9 * values[0];
 
-// Whether the arm itself is singular there, whatever a mistake makes of its Jacobian.
-function isSingular(arm, q, locked) {
+// Return whether the arm itself is singular at q, without the mistake.
+function isArmSingular(arm, q, locked) {
   const J = jacobianColumns(arm, linkFrames(arm, q));
-  return noInverse(decomposeSingular(freeOf(J, locked).map((k) => J[k])).values);
+  return hasNoInverse(decomposeSingular(getFreeJoints(J, locked).map((k) => J[k])).values);
 }
 
-function jointRates(J, twist, { rates, cutoff, damping, locked }) {
-  const free = freeOf(J, locked);
+function solveJointRates(J, twist, { rates, cutoff, damping, locked }) {
+  const free = getFreeJoints(J, locked);
   const { values, vectors } = decomposeSingular(free.map((k) => J[k]));
-  const least = rates === "pseudo" ? cutoff * values[0] : 0;
-  if (rates === "inverse" && noInverse(values)) throw new Singular();
-  const found = J.map(() => 0);
+  const smallest = rates === "pseudo" ? cutoff * values[0] : 0;
+  if (rates === "inverse" && hasNoInverse(values)) throw new SingularError();
+  const solution = J.map(() => 0);
   values.forEach((value, i) => {
-    if (value <= least || value < 1e-14) return;
+    if (value <= smallest || value < 1e-14) return;
     const square = value ** 2 + (rates === "damped" ? damping ** 2 : 0);
-    const weight = inner(vectors[i], twist) / square;
-    for (const k of free) found[k] += weight * inner(J[k], vectors[i]);
+    const weight = dotProduct(vectors[i], twist) / square;
+    for (const k of free) solution[k] += weight * dotProduct(J[k], vectors[i]);
   });
-  return { found, least: values[Math.min(5, free.length - 1)] };
+  return { solution, smallestSigma: values[Math.min(5, free.length - 1)] };
 }
 
-const KEPT = 181; // poses that are shown
-const OFF = 1e-3; // m or rad from what is wanted, which then is out of reach
+const MAX_KEPT_POSES = 181; // poses that are stored and drawn
+const REACH_TOLERANCE = 1e-3; // m or rad; a pose that is missed by more is out of reach
 
-/** One run around the circle: where it has come to, and the worst on its way. */
-class Walk {
+/** One simulated run around the circle: its current joint values and its largest errors so far. */
+class CircleSimulation {
   /** @param {Arm} arm @param {number[]} start @param {Run} run */
   constructor(arm, start, run) {
     this.arm = arm;
     this.run = run;
     this.q = [...start];
     this.first = linkFrames(arm, start).at(-1);
-    this.every = Math.max(1, Math.ceil(run.steps / (KEPT - 1)));
+    this.every = Math.max(1, Math.ceil(run.steps / (MAX_KEPT_POSES - 1)));
     this.kept = { path: [start], errors: [0], at: [0] };
-    this.worst = { least: Infinity, largest: 0, fastest: 0, tilt: 0 };
+    this.worst = { smallestSigma: Infinity, largestError: 0, fastestRate: 0, largestTilt: 0 };
   }
 
-  // Joint rates at a share of the way, as the run finds them.
+  // Return the joint rates at a share of the circle.
   rates(share, q) {
     const { arm, run, first, worst } = this;
     const frames = linkFrames(arm, q);
-    const { o, v } = onCircle(first.o, run, share);
-    const error = run.gain ? poseError(frames.at(-1), { ...first, o }) : [0, 0, 0, 0, 0, 0];
+    const { o, v } = getCirclePoint(first.o, run, share);
+    const error = run.gain ? getPoseError(frames.at(-1), { ...first, o }) : [0, 0, 0, 0, 0, 0];
     const twist = [...v, 0, 0, 0].map((x, i) => x + run.gain * error[i]);
-    const { found, least } = jointRates(columnsOf(arm, q, frames, run.slip), twist, run);
-    worst.least = Math.min(worst.least, least);
-    return run.slip === "sign" ? found.map((x) => -x) : found;
+    const { solution, smallestSigma } = solveJointRates(
+      getMistakenColumns(arm, q, frames, run.mistake),
+      twist,
+      run,
+    );
+    worst.smallestSigma = Math.min(worst.smallestSigma, smallestSigma);
+    return run.mistake === "sign" ? solution.map((x) => -x) : solution;
   }
 
-  // The joints a step on; throws where the Jacobian has no inverse.
+  // Return the joint values after the next step. Throws SingularError if the Jacobian has no
+  // inverse.
   stepped(share, next) {
     const { arm, run, first, q, worst } = this;
-    const k1 = this.rates(run.slip === "next" ? next : share, q);
-    worst.fastest = Math.max(worst.fastest, ...k1.map(Math.abs));
+    const k1 = this.rates(run.mistake === "next" ? next : share, q);
+    worst.fastestRate = Math.max(worst.fastestRate, ...k1.map(Math.abs));
     if (run.method === "exact") {
-      const wanted = { ...first, o: onCircle(first.o, run, next).o };
-      return reachFrom(arm, q, wanted, { held: run.locked }).q;
+      const wanted = { ...first, o: getCirclePoint(first.o, run, next).o };
+      return solvePoseFromSingular(arm, q, wanted, { lockedJoint: run.locked }).q;
     }
     const h = run.seconds / run.steps;
     const moved = (k, by) => q.map((x, i) => x + by * k[i]);
@@ -136,66 +141,76 @@ class Walk {
     return q.map((x, i) => x + (h / 6) * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]));
   }
 
-  // Go step n; false where the run breaks there.
+  // Make step n. Returns false if the run ends there.
   go(n) {
     const { arm, run, first, worst, kept } = this;
     const next = (n + 1) / run.steps;
     try {
       this.q = this.stepped(n / run.steps, next);
-    } catch (fault) {
-      if (fault instanceof Singular) return false;
-      throw fault;
+    } catch (error) {
+      if (error instanceof SingularError) return false;
+      throw error;
     }
     const there = linkFrames(arm, this.q).at(-1);
-    const wanted = { ...first, o: onCircle(first.o, run, next).o };
-    const off = norm(minus(there.o, wanted.o));
+    const wanted = { ...first, o: getCirclePoint(first.o, run, next).o };
+    const distance = norm(minus(there.o, wanted.o));
     const tilt = Math.atan2(norm(cross(there.z, first.z)), dot(there.z, first.z));
-    worst.tilt = Math.max(worst.tilt, tilt);
-    worst.largest = Math.max(worst.largest, off);
-    const missed = norm(poseError(there, wanted).slice(0, asked(arm)));
-    if (run.method === "exact" && missed > OFF) return false; // beyond, joints would jump
+    worst.largestTilt = Math.max(worst.largestTilt, tilt);
+    worst.largestError = Math.max(worst.largestError, distance);
+    const missed = norm(getPoseError(there, wanted).slice(0, countTaskRows(arm)));
+    // Beyond this pose the joints would jump.
+    if (run.method === "exact" && missed > REACH_TOLERANCE) return false;
     if ((n + 1) % this.every === 0 || n + 1 === run.steps) {
       kept.path.push(this.q);
-      kept.errors.push(off);
+      kept.errors.push(distance);
       kept.at.push(next);
     }
-    return Number.isFinite(off);
+    return Number.isFinite(distance);
   }
 }
 
 /**
- * What comes of a run: joint values along it (at most 181 of them), how far the tip is off, turns
- * of the joints, the smallest singular value, the step at which the inverse did not exist, and
- * whether the arm is singular there.
+ * Simulate a run around the circle.
  * @param {Arm} arm
  * @param {number[]} start
- * @param {Partial<Run>} given
+ * @param {Partial<Run>} options fields that differ from HOMEWORK
+ * @returns joint values along the run (at most 181), the tip's errors, whole turns of the joints,
+ *   the smallest singular value, the step at which the run ended (null if it closed), and whether
+ *   the arm is singular there
  */
-export function runCircle(arm, start, given = {}) {
-  const run = { ...HOMEWORK, ...given };
-  // nothing is inverted: only singular values are asked for
+export function simulateCircle(arm, start, options = {}) {
+  const run = { ...HOMEWORK, ...options };
+  // the exact method inverts nothing; the pseudo-inverse only supplies the singular values
   if (run.method === "exact") run.rates = "pseudo";
-  const walk = new Walk(arm, start, run);
+  const simulation = new CircleSimulation(arm, start, run);
   let n = 0;
-  while (n < run.steps && walk.go(n)) n++;
+  while (n < run.steps && simulation.go(n)) n++;
   const turns = movingRows(arm).map((row) => (arm.rows[row].kind === "revolute" ? 2 * Math.PI : 0));
-  const wound = walk.q.map((x, i) => (turns[i] ? (x - start[i]) / turns[i] : 0));
-  const failed = n < run.steps ? n : null;
-  const stuck = failed !== null && isSingular(arm, walk.q, run.locked);
-  return { ...walk.kept, run, ...walk.worst, failed, stuck, wound };
+  const windings = simulation.q.map((x, i) => (turns[i] ? (x - start[i]) / turns[i] : 0));
+  const failedStep = n < run.steps ? n : null;
+  const isSingular = failedStep !== null && isArmSingular(arm, simulation.q, run.locked);
+  return { ...simulation.kept, run, ...simulation.worst, failedStep, isSingular, windings };
 }
 
-// Joint vectors along a circle below the tip, with all joints free and the tool's orientation held,
-// as far as the arm reaches, and where the tip should be all the way round.
+// Trace a circle below the tip as far as the arm reaches, with all joints free and the tool's
+// orientation kept. Returns joint values and the whole wanted circle.
 export function traceCircle(arm, start, circle = {}) {
   const { o } = linkFrames(arm, start).at(-1);
-  const { path } = runCircle(arm, start, { method: "exact", steps: 180, locked: -1, ...circle });
-  if (path.length === 1) path.push(start); // a path has two ends
-  return { path, wanted: Array.from({ length: 181 }, (_, k) => onCircle(o, circle, k / 180).o) };
+  const { path } = simulateCircle(arm, start, {
+    method: "exact",
+    steps: 180,
+    locked: -1,
+    ...circle,
+  });
+  if (path.length === 1) path.push(start); // a path needs two points
+  return {
+    path,
+    wantedPath: Array.from({ length: 181 }, (_, k) => getCirclePoint(o, circle, k / 180).o),
+  };
 }
 
-// Static torques along a path.
-export const torquesAlong = (arm, path, wrench) =>
+// Compute the static torques along a path.
+export const computeTorquesAlong = (arm, path, wrench) =>
   path.map((q) => {
     const frames = linkFrames(arm, q);
     const push = wrenchTorque(jacobianColumns(arm, frames), wrench);
@@ -206,7 +221,7 @@ const CHOICES = {
   method: ["euler", "rk4", "exact"],
   rates: ["inverse", "pseudo", "damped"],
   normal: ["x", "y"],
-  slip: ["", "angular", "z_i", "o_i", "sign", "next"],
+  mistake: ["", "angular", "z_i", "o_i", "sign", "next"],
 };
 export const BOUNDS = {
   steps: [10, 10000],
@@ -217,26 +232,32 @@ export const BOUNDS = {
   damping: [1e-3, 0.2],
   locked: [-1, 15],
 };
-const WHOLE = ["steps", "locked"];
-const KEYS = Object.keys(HOMEWORK);
+const INTEGER_FIELDS = ["steps", "locked"];
+const RUN_FIELDS = Object.keys(HOMEWORK);
 
-// A run in a link, and back; null where the text is none.
-export const runText = (run) => KEYS.map((key) => run[key]).join("_");
+// Format a run for a link.
+export const formatRun = (run) => RUN_FIELDS.map((key) => run[key]).join("_");
 
-/** @returns {Run | null} */
-export function runFrom(text) {
+/**
+ * Parse a run from a link; null if the text is not a run.
+ * @returns {Run | null}
+ */
+export function parseRun(text) {
   const parts = text.replace(/_([zo])_i$/, "_$1-i").split("_");
-  if (parts.length !== KEYS.length) return null;
-  const entries = KEYS.map((key, i) => [key, fieldOf(key, parts[i].replace("-i", "_i"))]);
+  if (parts.length !== RUN_FIELDS.length) return null;
+  const entries = RUN_FIELDS.map((key, i) => [
+    key,
+    parseRunField(key, parts[i].replace("-i", "_i")),
+  ]);
   return entries.some(([, value]) => value === null) ? null : Object.fromEntries(entries);
 }
 
-// A field of a run from a link's text, or null where it is none.
-function fieldOf(key, text) {
+// Parse one field of a run; null if its value is not allowed.
+function parseRunField(key, text) {
   const choices = CHOICES[key];
   if (choices) return choices.includes(text) ? text : null;
   const [low, high] = BOUNDS[key];
   const value = text.trim() ? Number(text) : NaN;
-  if (WHOLE.includes(key) && !Number.isInteger(value)) return null;
+  if (INTEGER_FIELDS.includes(key) && !Number.isInteger(value)) return null;
   return value >= low && value <= high ? value : null;
 }

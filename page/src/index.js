@@ -1,29 +1,29 @@
-// The ways in: a widget in a notebook that runs, and a stub in a page that does not.
+// Entry points of the bundle: widgets for a running notebook and `mount` for the stubs of a page.
 
 import { isJointVector, TYPED_ARM_NAME } from "../../judge/geometry/arm.js";
 import { linkFrames } from "../../judge/geometry/kinematics.js";
-import { keepLink } from "./link.js";
-import { asked } from "./verdicts.js";
+import { syncWithAddress } from "./link.js";
+import { countTaskRows } from "./verdicts.js";
 import { FIGURES } from "./more/kinds.js";
 import { buildPanel } from "./panel.js";
 import { inUse, loseContext } from "./renderer.js";
-import { startingState, Store } from "./state.js";
+import { makeInitialState, Store } from "./state.js";
 
-// For the tests.
+// Used by the tests.
 export { inUse, loseContext };
 
-// Ways that Python or a page gives, with the pose that they lead to.
-function waysFrom(arm, branches) {
+// Return a branch set for branches that Python or a page lists; their pose is that of the first.
+function makeBranchSet(arm, branches) {
   if (!branches) return null;
   const list = branches.filter(({ q }) => isJointVector(arm, q));
   const target = linkFrames(arm, list[0]?.q ?? arm.rows.map(() => 0)).at(-1);
-  return { list, families: [], held: -1, target, whole: asked(arm) === 6 };
+  return { list, families: [], lockedJoint: -1, target, hasOrientation: countTaskRows(arm) === 6 };
 }
 
 /** @returns {import("./state.js").State} */
-function initial(spec) {
+function makeStateFromSpec(spec) {
   const [arm] = spec.arms;
-  return startingState({
+  return makeInitialState({
     arm,
     reference: spec.reference ?? arm,
     q: spec.q,
@@ -32,49 +32,50 @@ function initial(spec) {
     view: spec.views[0],
     frames: spec.views[0] === "table" ? "all" : "ends",
     trace: spec.trace,
-    ways: waysFrom(arm, spec.branches),
+    branches: makeBranchSet(arm, spec.branches),
   });
 }
 
-// Bring a page's stub to life; the stub knows then its store and what takes it away.
+// Mount the explorer or figure that a stub describes. Mounting the same stub again has no effect.
 export function mount(stub) {
-  stub.explorer ??= brought(stub);
+  stub.explorer ??= bringToLife(stub);
   return stub.explorer;
 }
 
-function brought(stub) {
+function bringToLife(stub) {
   const { figure } = stub.dataset;
   const spec = JSON.parse(stub.querySelector("script").textContent);
   if (figure) return { dispose: FIGURES[figure](stub, spec) };
-  const store = new Store(initial(spec));
+  const store = new Store(makeStateFromSpec(spec));
   const makeLink = spec.link
-    ? (tell, signal) => keepLink(store, spec.arms, spec.views, tell, signal)
+    ? (notify, signal) => syncWithAddress(store, spec.arms, spec.views, notify, signal)
     : undefined;
   const dispose = buildPanel(stub, store, { ...spec, makeLink });
   return { store, dispose };
 }
 
-// What goes over to Python when it changes here, and back: the trait, how it is read from the
-// state, and the patch that it makes of a state.
+// Traits that are kept equal in Python and in the store: how each is read from the state, and the
+// state field that it belongs to.
 const TRAITS = {
   q: { from: (state) => state.q, field: "q" },
   wrench: { from: (state) => state.wrench, field: "wrench" },
   trace: { from: (state) => state.trace, field: "trace" },
-  branches: { from: (state) => state.ways?.list ?? null, field: "ways" },
+  branches: { from: (state) => state.branches?.list ?? null, field: "branches" },
   arm_name: { from: (state) => state.base.name, field: "arm" },
   rows: { from: (state) => (state.arm === state.base ? [] : state.arm.rows), field: "arm" },
 };
-const PACE = 50; // ms between two messages to the kernel
+const SEND_INTERVAL = 50; // ms between two messages to the kernel
 
-// The state that the model asks for; arm first, since the others are said of it.
-function asModel(model, state) {
+// Return the patch that makes the state agree with the model. The arm comes first because the other
+// fields depend on it.
+function makePatchFromModel(model, state) {
   const { arms } = model.get("_spec");
   const base = arms.find((arm) => arm.name === model.get("arm_name")) ?? state.base;
   const same = state.base.name === base.name;
   const rows = model.get("rows");
-  const arm = rows.length ? typedBy(rows, state.arm) : same ? state.base : base;
+  const arm = rows.length ? getTypedArm(rows, state.arm) : same ? state.base : base;
   const sent = model.get("branches");
-  const kept = sameJson(sent, state.ways?.list ?? null) && state.arm === arm;
+  const syncModel = isEqualJson(sent, state.branches?.list ?? null) && state.arm === arm;
   const trace = model.get("trace");
   return {
     arm,
@@ -82,19 +83,20 @@ function asModel(model, state) {
     reference: same ? state.reference : base,
     q: [...model.get("q")],
     wrench: [...model.get("wrench")],
-    trace: sameJson(trace, state.trace) ? state.trace : trace,
-    ways: kept ? state.ways : waysFrom(arm, sent),
+    trace: isEqualJson(trace, state.trace) ? state.trace : trace,
+    branches: syncModel ? state.branches : makeBranchSet(arm, sent),
   };
 }
 
-// The arm of rows that Python typed: the one that is shown, where they are its own.
-const typedBy = (rows, shown) =>
-  sameRows(rows, shown.rows) ? shown : { name: TYPED_ARM_NAME, home: [], rows };
+// Return the arm with rows typed in Python. If these are the rows of the shown arm, its limits and
+// masses are kept.
+const getTypedArm = (rows, shown) =>
+  isEqualRows(rows, shown.rows) ? shown : { name: TYPED_ARM_NAME, home: [], rows };
 
-const sameJson = (a, b) => JSON.stringify(a) === JSON.stringify(b);
-const sameRows = (a, b) => a === b || sameJson(a, b);
+const isEqualJson = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+const isEqualRows = (a, b) => a === b || isEqualJson(a, b);
 
-// One store for each model: all its views, in whichever cells, show the same.
+// Make a widget whose views, in whichever cells, share one store.
 export function widget() {
   let store = null;
 
@@ -103,12 +105,12 @@ export function widget() {
     const given = Object.fromEntries(
       ["q", "wrench", "trace", "branches"].map((name) => [name, model.get(name)]),
     );
-    store = new Store(initial({ ...spec, ...given }));
+    store = new Store(makeStateFromSpec({ ...spec, ...given }));
     return kept(model, store);
   }
 
   function render({ model, el }) {
-    const host = hostIn(el);
+    const host = appendHost(el);
     const dispose = buildPanel(host, store, model.get("_spec"));
     return () => {
       dispose();
@@ -118,14 +120,15 @@ export function widget() {
   return { initialize, render };
 }
 
-function hostIn(el) {
+function appendHost(el) {
   const host = document.createElement("div");
-  host.dataset.lmSuppressShortcuts = "true"; // keys typed here are no commands of JupyterLab's
+  // Keys typed here must not trigger JupyterLab's commands.
+  host.dataset.lmSuppressShortcuts = "true";
   el.append(host);
   return host;
 }
 
-// Keep a model and a store in step, until what is returned is called.
+// Keep a model and a store equal; returns a function that stops this.
 function kept(model, store) {
   const fields = new Set(Object.values(TRAITS).map(({ field }) => field));
   const abort = new AbortController();
@@ -135,22 +138,22 @@ function kept(model, store) {
     sending = true;
     for (const [trait, { from }] of Object.entries(TRAITS)) {
       const value = from(store.state);
-      if (!sameJson(model.get(trait), value)) model.set(trait, value);
+      if (!isEqualJson(model.get(trait), value)) model.set(trait, value);
     }
     sending = false;
     model.save_changes();
   };
   store.listen((changed, by) => {
     if (by !== "python" && [...changed].some((key) => fields.has(key)))
-      timer ??= setTimeout(send, PACE);
+      timer ??= setTimeout(send, SEND_INTERVAL);
   }, abort.signal);
-  // Python may set several traits one after the other: they are taken together once the last has
-  // come.
+  // Python may set several traits one after another. They are applied together once the last one
+  // has arrived.
   const hear = () => {
     if (sending) return;
     hearing ??= setTimeout(() => {
       hearing = null;
-      store.dispatch({ type: "set", ...asModel(model, store.state) }, "python");
+      store.dispatch({ type: "replaceState", ...makePatchFromModel(model, store.state) }, "python");
     });
   };
   const traits = Object.keys(TRAITS).map((trait) => `change:${trait}`);
@@ -163,10 +166,11 @@ function kept(model, store) {
   };
 }
 
-// A small figure as an object of a notebook, where a text cell's stub would stay what it is.
+// A small figure as the output of a notebook cell. JupyterLab runs no scripts in a text cell, so a
+// stub there would stay still.
 export const figureWidget = () => ({
   render({ model, el }) {
-    const host = hostIn(el);
+    const host = appendHost(el);
     const spec = model.get("_spec");
     const dispose = FIGURES[spec.figure](host, spec);
     return () => {

@@ -1,42 +1,43 @@
-// Long work, done beside the page: a worker for each job.
+// Long computations in a worker, one worker for each job.
 
 import { JOBS } from "./work.js";
 
-// Out of the bundle itself, so that a page from a file has one too.
-let address = "";
+// The worker's script is part of the bundle, because a page opened from a file may not load
+// another.
+let workerUrl = "";
 
-// Do a job, and tell its answer; returns what gives it up.
-function start(job, given, tell) {
-  const here = () => tell(JOBS[job](given)); // where a page allows no worker
+// Start a job; returns a function that cancels it.
+function startJob(job, input, onResult) {
+  const runHere = () => onResult(JOBS[job](input)); // fallback for pages that allow no worker
   try {
-    address ||= URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
-    const worker = new Worker(address);
-    worker.onerror = here;
+    workerUrl ||= URL.createObjectURL(new Blob([WORKER], { type: "text/javascript" }));
+    const worker = new Worker(workerUrl);
+    worker.onerror = runHere;
     worker.onmessage = ({ data }) => {
       worker.terminate();
-      tell(data);
+      onResult(data);
     };
-    worker.postMessage({ job, given });
+    worker.postMessage({ job, input });
     return () => worker.terminate();
   } catch {
-    here();
+    runHere();
     return () => {};
   }
 }
 
 /**
- * The answer to a job, later.
+ * Run a job in a worker.
  * @param {keyof typeof JOBS} job
- * @param {any} given plain data
+ * @param {any} input plain data
  * @returns {Promise<any>}
  */
-export const ask = (job, given) => new Promise((done) => start(job, given, done));
+export const runJob = (job, input) => new Promise((done) => startJob(job, input, done));
 
-// Ask for what only the last request counts: the ones before are given up.
-export function latest(job) {
+// Make a function that runs a job and cancels the previous one if it is still running.
+export function makeLatestJob(job) {
   let giveUp = () => {};
-  return (given, then) => {
+  return (input, then) => {
     giveUp();
-    giveUp = start(job, given, then);
+    giveUp = startJob(job, input, then);
   };
 }

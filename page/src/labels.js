@@ -1,9 +1,9 @@
-// Names of axes over a picture, moved apart where they would cover one another.
+// Names of axes over a picture, moved apart where they would overlap.
 
-import { attribute, h, write } from "./dom.js";
+import { updateAttribute, h, setText } from "./dom.js";
 
-const ROOM = [22, 15]; // px that a name takes
-const STEPS = [
+const LABEL_SIZE = [22, 15]; // px, width and height of a label
+const OFFSETS = [
   [0, 0],
   [0, -14],
   [0, 14],
@@ -17,15 +17,15 @@ const STEPS = [
   [0, 26],
 ];
 
-export class Labels {
+export class AxisLabels {
   constructor(host) {
     this.host = host;
     this.tags = [];
   }
 
   /**
-   * @param {{ tip: number[], letter: string, index: string }[]} tags the most important
-   *   first
+   * Set the labels to draw.
+   * @param {{ tip: number[], letter: string, index: string }[]} tags the most important first
    */
   set(tags) {
     this.tags = tags;
@@ -33,25 +33,25 @@ export class Labels {
       this.host.append(h("span", {}, h("i"), h("sub")));
     tags.forEach(({ letter, index }, i) => {
       const span = this.host.children[i];
-      attribute(span, "class", `axis-${letter}`);
-      write(span.children[0], letter);
-      write(span.children[1], index);
+      updateAttribute(span, "class", `axis-${letter}`);
+      setText(span.children[0], letter);
+      setText(span.children[1], index);
     });
   }
 
-  // Put each at its place, or beside it where another stands already; one that finds no room stays
-  // away.
+  // Place each label at its point, or next to it if another label is there. A label without room is
+  // hidden.
   place(pixel, width, height) {
     const taken = [];
     const placed = this.tags.map(({ tip, index }) => {
       const [x, y] = pixel(tip);
-      const room = [ROOM[0] + 4 * Math.max(0, index.length - 1), ROOM[1]];
+      const room = [LABEL_SIZE[0] + 4 * Math.max(0, index.length - 1), LABEL_SIZE[1]];
       const free = ([dx, dy]) =>
         taken.every(
           ([p, q, r]) => Math.abs(p - x - dx) > (room[0] + r) / 2 || Math.abs(q - y - dy) > room[1],
         );
       const inside = x > -20 && y > -20 && x < width + 20 && y < height + 20;
-      const step = inside && STEPS.find(free);
+      const step = inside && OFFSETS.find(free);
       if (!step) return null;
       const [left, top] = [x + step[0], y + step[1]];
       taken.push([left, top, room[0]]);

@@ -1,8 +1,8 @@
-// The picture's colours, by the theme of the page, and those of the ways to a pose.
+// Colours of the picture for the light and the dark theme, and colours of solution branches.
 
-export const LOOK = {
+export const PALETTES = {
   light: {
-    lit: "#E69F00",
+    highlight: "#E69F00",
     link: "#e9edf2",
     joint: "#34506b",
     grid: "#8793a3",
@@ -18,7 +18,7 @@ export const LOOK = {
     bad: "#c0392b",
   },
   dark: {
-    lit: "#F0B429",
+    highlight: "#F0B429",
     link: "#c3ccd8",
     joint: "#5f86ad",
     grid: "#93a1b5",
@@ -44,4 +44,4 @@ const BRANCH_COLOURS = [
   "#882255",
   "#7a8290",
 ];
-export const branchColour = (i) => BRANCH_COLOURS[i % BRANCH_COLOURS.length];
+export const getBranchColour = (i) => BRANCH_COLOURS[i % BRANCH_COLOURS.length];

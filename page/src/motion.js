@@ -14,14 +14,14 @@ import {
 } from "../../judge/geometry/kinematics.js";
 import { nullSpace, decomposeSingular, solveLinear } from "../../judge/geometry/linear.js";
 import { circlePath } from "../../judge/geometry/path.js";
-import { replaced } from "./text.js";
-import { asked } from "./verdicts.js";
+import { replaceAt } from "./text.js";
+import { countTaskRows } from "./verdicts.js";
 
 // How many joints are more than the pose (or, below six, the place) asks for.
-const spareJoints = (arm) => Math.max(0, movingRows(arm).length - asked(arm));
+const countSpareJoints = (arm) => Math.max(0, movingRows(arm).length - countTaskRows(arm));
 
 // The small motion (v, then ω) that is missing from a tip to a frame.
-export function poseError(tip, wanted) {
+export function getPoseError(tip, wanted) {
   const turn = ["x", "y", "z"].reduce(
     (sum, axis) => plus(sum, cross(tip[axis], wanted[axis])),
     [0, 0, 0],
@@ -29,44 +29,49 @@ export function poseError(tip, wanted) {
   return [...minus(wanted.o, tip.o), ...scaled(0.5, turn)];
 }
 
-export const inner = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
+export const dotProduct = (u, v) => u.reduce((sum, x, i) => sum + x * v[i], 0);
 
 // Levenberg and Marquardt's step x, for which |J x - e|² + damping |x|² is least, from the columns
 // of J and from Jᵀ e.
-export const damped = (columns, pull, damping) =>
+export const solveDamped = (columns, pull, damping) =>
   solveLinear(
-    columns.map((a, i) => columns.map((b, j) => inner(a, b) + (i === j ? damping : 0))),
+    columns.map((a, i) => columns.map((b, j) => dotProduct(a, b) + (i === j ? damping : 0))),
     pull,
   );
 
 // The joint vector that brings the tip to the frame `wanted`, or that many rows of it, by steps
 // damped by the error (Sugihara 2011); `held` is the index of a joint that must not move.
-export function reach(arm, start, wanted, { held = -1, rows = asked(arm), steps = 60 } = {}) {
+export function solvePose(
+  arm,
+  start,
+  wanted,
+  { lockedJoint = -1, rows = countTaskRows(arm), steps = 60 } = {},
+) {
   let q = [...start];
   for (let step = 0; ; step++) {
     const frames = linkFrames(arm, q);
-    const error = poseError(frames.at(-1), wanted).slice(0, rows);
+    const error = getPoseError(frames.at(-1), wanted).slice(0, rows);
     const size = norm(error);
     if (size < 1e-11 || step === steps || !q.length) return { q, error: size };
     const columns = jacobianColumns(arm, frames).map((c, i) =>
-      c.slice(0, rows).map((v) => (i === held ? 0 : v)),
+      c.slice(0, rows).map((v) => (i === lockedJoint ? 0 : v)),
     );
-    const pull = columns.map((c) => inner(c, error));
-    const move = damped(columns, pull, 0.02 * size * size + 1e-12);
+    const pull = columns.map((c) => dotProduct(c, error));
+    const move = solveDamped(columns, pull, 0.02 * size * size + 1e-12);
     const most = Math.max(1e-12, ...move.map(Math.abs));
     q = q.map((v, i) => v + move[i] * Math.min(1, 0.6 / most));
   }
 }
 
 // For the wall that faces each axis, the circle's plane and which way round it goes.
-const WALLS = { x: ["zy", 1], y: ["zx", -1], z: ["yx", 1] };
+const CIRCLE_PLANES = { x: ["zy", 1], y: ["zx", -1], z: ["yx", 1] };
 
 // Where the tip should be at a share of the way round a circle that begins at `top` and hangs below
 // it in the plane with this normal axis, and how fast it should go.
-export function onCircle(top, { normal = "x", radius = 0.1, seconds = 1 }, share) {
-  const [plane, way] = WALLS[normal];
+export function getCirclePoint(top, { normal = "x", radius = 0.1, seconds = 1 }, share) {
+  const [plane, sense] = CIRCLE_PLANES[normal];
   const centre = top.map((v, i) => v - ("xyz"[i] === plane[0] ? radius : 0));
-  const path = circlePath({ centre, radius, plane, period: way * seconds, steps: 1 });
+  const path = circlePath({ centre, radius, plane, period: sense * seconds, steps: 1 });
   const t = share * seconds;
   return { o: path.position(t), v: path.velocity(t) };
 }
@@ -75,11 +80,11 @@ const NUDGE = 0.05; // rad or m, out of a pose in which no small motion helps
 
 // What a search finds from a pose, `found`, or from a little beside it, joint by joint: a singular
 // pose holds it.
-export function orBeside(found, q, search) {
+export function searchAround(found, q, search) {
   let best = found;
   for (const k of q.keys()) {
-    for (const way of [NUDGE, -NUDGE]) {
-      const other = search(replaced(q, k, q[k] + way));
+    for (const nudge of [NUDGE, -NUDGE]) {
+      const other = search(replaceAt(q, k, q[k] + nudge));
       if (other.error < 0.98 * best.error) best = other;
     }
   }
@@ -87,26 +92,26 @@ export function orBeside(found, q, search) {
 }
 
 // `reach`, out of a singular pose too.
-export function reachFrom(arm, start, wanted, options) {
-  const search = (q) => reach(arm, q, wanted, options);
+export function solvePoseFromSingular(arm, start, wanted, options) {
+  const search = (q) => solvePose(arm, q, wanted, options);
   const found = search(start);
-  const stalled = found.error > 1e-6 && isThere(found.q, start);
-  return stalled ? orBeside(found, start, search) : found;
+  const stalled = found.error > 1e-6 && isAtPose(found.q, start);
+  return stalled ? searchAround(found, start, search) : found;
 }
 
 // The same numbers on every machine and at every visit.
-function dice(seed) {
+function makeRandomGenerator(seed) {
   return () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;
 }
 
-export function randomPose(arm, roll = Math.random) {
+export function drawRandomPose(arm, roll = Math.random) {
   return movingRows(arm).map((i) => {
     const [lower, upper] = jointRange(arm.rows[i]);
     return lower + (upper - lower) * roll();
   });
 }
 
-const MOST_WAYS = 16;
+const MAX_BRANCHES = 16;
 
 /**
  * Other joint vectors with the tip at the same pose, from many starts. Where the arm has a joint to
@@ -115,63 +120,70 @@ const MOST_WAYS = 16;
  * @param {import("../../judge/geometry/arm.js").Arm} arm
  * @param {number[]} q
  */
-export function otherWays(arm, q, tries = 300) {
+export function findBranches(arm, q, tries = 300) {
   const target = linkFrames(arm, q).at(-1);
-  const whole = asked(arm) === 6;
+  const hasOrientation = countTaskRows(arm) === 6;
   if (!isJointVector(arm, q) || !q.length)
-    return { list: [], families: [], held: -1, target, whole };
-  const held = spareJoints(arm) ? 2 : -1;
-  const roll = dice(1);
+    return { list: [], families: [], lockedJoint: -1, target, hasOrientation };
+  const lockedJoint = countSpareJoints(arm) ? 2 : -1;
+  const roll = makeRandomGenerator(1);
   const families = [];
   const found = [];
-  const take = (way) => {
-    if (families.some((family) => sameFamily(arm, family, way))) return;
-    if (found.some((other) => apart(arm, other, way) < 1e-3)) return;
-    const moving = freeJoints(arm, way, target, held);
-    found.push(way);
-    if (moving.length) families.push({ moving, q: way });
+  const take = (branch) => {
+    if (families.some((family) => isInFamily(arm, family, branch))) return;
+    if (found.some((other) => measureJointDistance(arm, other, branch) < 1e-3)) return;
+    const moving = findFreeJoints(arm, branch, target, lockedJoint);
+    found.push(branch);
+    if (moving.length) families.push({ moving, q: branch });
   };
-  take(turned(arm, q));
-  for (let n = 0; n < tries && found.length < MOST_WAYS; n++) {
-    const start = randomPose(arm, roll).map((v, i) => (i === held ? q[i] : v));
-    const { q: way, error } = reach(arm, start, target, { held });
-    if (error < 1e-9) take(turned(arm, way));
+  take(wrapAngles(arm, q));
+  for (let n = 0; n < tries && found.length < MAX_BRANCHES; n++) {
+    const start = drawRandomPose(arm, roll).map((v, i) => (i === lockedJoint ? q[i] : v));
+    const { q: branch, error } = solvePose(arm, start, target, { lockedJoint });
+    if (error < 1e-9) take(wrapAngles(arm, branch));
   }
-  return { list: found.map((way) => ({ q: way })), families, held, target, whole };
+  return {
+    list: found.map((branch) => ({ q: branch })),
+    families,
+    lockedJoint,
+    target,
+    hasOrientation,
+  };
 }
 
 // rad or m along the null space: small beside a turn, large beside what a double root gives way by
-const STEP = 0.1;
+const NULL_SPACE_STEP = 0.1;
 
 // The joints that can move from here while the tip stays: those of a null direction along which a
 // solution really lies.
-function freeJoints(arm, q, target, held = -1) {
-  const rows = asked(arm);
+function findFreeJoints(arm, q, target, lockedJoint = -1) {
+  const rows = countTaskRows(arm);
   const columns = jacobianColumns(arm, linkFrames(arm, q)).map((c, i) =>
-    c.slice(0, rows).map((v) => (i === held ? 0 : v)),
+    c.slice(0, rows).map((v) => (i === lockedJoint ? 0 : v)),
   );
   const { values } = decomposeSingular(columns, rows);
-  const free = movingRows(arm).length - (held < 0 ? 0 : 1);
+  const free = movingRows(arm).length - (lockedJoint < 0 ? 0 : 1);
   if (values.filter((v) => v > 1e-5 * values[0]).length >= Math.min(rows, free)) return [];
   const moving = new Set();
-  for (const direction of nullSpace(columns, held)) {
-    const start = q.map((v, i) => v + STEP * direction[i]);
-    const there = reach(arm, start, target, { held, steps: 200 });
-    if (there.error > 1e-9 || apart(arm, there.q, q) < 0.3 * STEP) continue;
+  for (const direction of nullSpace(columns, lockedJoint)) {
+    const start = q.map((v, i) => v + NULL_SPACE_STEP * direction[i]);
+    const there = solvePose(arm, start, target, { lockedJoint, steps: 200 });
+    if (there.error > 1e-9 || measureJointDistance(arm, there.q, q) < 0.3 * NULL_SPACE_STEP)
+      continue;
     there.q.forEach((v, i) => Math.abs(v - q[i]) > 1e-3 && moving.add(i));
   }
   return [...moving].sort((p, r) => p - r);
 }
 
 // Whether a way differs from a family's only in the joints that move along it.
-function sameFamily(arm, { moving, q }, way) {
-  const there = way.map((v, i) => (moving.includes(i) ? q[i] : v));
-  return apart(arm, q, there) < 1e-3;
+function isInFamily(arm, { moving, q }, branch) {
+  const there = branch.map((v, i) => (moving.includes(i) ? q[i] : v));
+  return measureJointDistance(arm, q, there) < 1e-3;
 }
 
 // Revolute joints brought to within half a turn, or into their limits where whole turns can do
 // that.
-function turned(arm, q) {
+function wrapAngles(arm, q) {
   return movingRows(arm).map((row, i) => {
     if (arm.rows[row].kind !== "revolute") return q[i];
     const [lower, upper] = jointRange(arm.rows[row]);
@@ -182,12 +194,12 @@ function turned(arm, q) {
   });
 }
 
-function apart(arm, p, q) {
+function measureJointDistance(arm, p, q) {
   const gap = (row, i) =>
     arm.rows[row].kind === "revolute" ? 2 * Math.sin((p[i] - q[i]) / 2) : p[i] - q[i];
   return Math.max(...movingRows(arm).map((row, i) => Math.abs(gap(row, i))));
 }
 
 // Whether an arm at q stands at a joint vector that may have been rounded.
-export const isThere = (way, q) =>
-  way.length === q.length && way.every((v, i) => Math.abs(v - q[i]) < 1e-4);
+export const isAtPose = (branch, q) =>
+  branch.length === q.length && branch.every((v, i) => Math.abs(v - q[i]) < 1e-4);

@@ -1,27 +1,27 @@
-// The instrument: picture, sliders, and the views in tabs below, inside a shadow root of its own.
+// The explorer: picture, sliders, and tabs of views below them, in a shadow root.
 
 import css from "./panel.css";
 import common from "./common.css";
-import { attribute, calm, h } from "./dom.js";
-import { makeHead } from "./panel/head.js";
+import { updateAttribute, prefersReducedMotion, h } from "./dom.js";
+import { makeHeader } from "./panel/head.js";
 import { makeSliders } from "./panel/sliders.js";
 import { makeStage } from "./panel/stage.js";
 import { makeTabs } from "./panel/tabs.js";
-import { makeSpeech } from "./speech.js";
-import { fixed } from "./text.js";
+import { makeAnnouncer } from "./speech.js";
+import { formatFixed } from "./text.js";
 import { watchTheme } from "./theme.js";
 
-const GLIDE = 450; // ms that the arm takes to another place
-// ms in which the numbers follow while the picture is dragged: nobody reads faster
-const READ = 100;
+const GLIDE_TIME = 450; // ms that the arm takes to glide to another pose
+// ms between updates of the numbers while the picture is dragged; nobody reads faster
+const UPDATE_INTERVAL = 100;
 
-// a change of these is worth a word
-const SAID = ["q", "arm", "wrench", "ways", "trace", "dragging"];
+// changes of these fields are announced to screen readers
+const ANNOUNCED_FIELDS = ["q", "arm", "wrench", "branches", "trace", "dragging"];
 
-let count = 0;
+let panelCount = 0;
 
 /**
- * Build the instrument into a host; returns what takes it away again.
+ * Build the explorer into a host; returns a function that removes it.
  * @param {HTMLElement} host
  * @param {import("./state.js").Store} store
  * @typedef {import("../../judge/geometry/arm.js").Arm} Arm
@@ -31,26 +31,26 @@ export function buildPanel(host, store, { views, arms, makeLink }) {
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const abort = new AbortController();
   const { signal } = abort;
-  const { region, say } = makeSpeech(root, signal);
+  const { region, announce } = makeAnnouncer(root, signal);
   const notice = makeNotice();
   const tools = {
-    id: `explorer-${++count}`,
-    goTo: glider(store, signal),
-    say,
+    id: `explorer-${++panelCount}`,
+    goTo: makeGlider(store, signal),
+    announce,
     signal,
-    tell: notice.tell,
-    point: (row) => store.dispatch({ type: "show", lit: row }),
+    notify: notice.notify,
+    point: (row) => store.dispatch({ type: "setFields", highlightedRow: row }),
   };
-  const link = makeLink?.(notice.tell, signal);
+  const link = makeLink?.(notice.notify, signal);
   const stage = makeStage(store, tools);
   const sliders = makeSliders(store, tools);
   const tabs = makeTabs(store, views, tools);
   const card = h("section.explorer");
-  const head = makeHead(store, { ...tools, arms, link, stage, card });
+  const head = makeHeader(store, { ...tools, arms, link, stage, card });
   const bench = h("div.bench", {}, stage.root, sliders.root);
   card.append(head.root, notice.root, bench, tabs.root, region);
   root.replaceChildren(h("style", {}, common, css), card);
-  keepShown(store, { card, head, stage, sliders, tabs }, { say, signal });
+  keepUpdated(store, { card, head, stage, sliders, tabs }, { announce, signal });
   return () => {
     abort.abort();
     stage.dispose();
@@ -59,18 +59,18 @@ export function buildPanel(host, store, { views, arms, makeLink }) {
   };
 }
 
-// What is to be said to every reader, above the picture.
+// Make the notice above the picture.
 function makeNotice() {
   const root = h("p.notice", { role: "status", hidden: true });
-  const tell = (words) => {
-    root.hidden = !words;
-    root.textContent = words;
+  const notify = (message) => {
+    root.hidden = !message;
+    root.textContent = message;
   };
-  return { root, tell };
+  return { root, notify };
 }
 
-// All that is shown follows the state: the picture at once, the numbers at a pace that can be read.
-function keepShown(store, { card, head, stage, sliders, tabs }, { say, signal }) {
+// Redraw the picture at every change, and update the numbers at a readable pace.
+function keepUpdated(store, { card, head, stage, sliders, tabs }, { announce, signal }) {
   let theme = "light";
   let timer = null;
   const draw = () => stage.draw(store.state, store.derived, theme);
@@ -79,7 +79,7 @@ function keepShown(store, { card, head, stage, sliders, tabs }, { say, signal })
     timer = null;
     const { state, derived } = store;
     const name = `Explorer of the ${state.arm.name}`.replace("the Your", "your");
-    attribute(card, "aria-label", name);
+    updateAttribute(card, "aria-label", name);
     for (const part of [head, stage, sliders, tabs]) part.update(state, derived);
   };
   signal.addEventListener("abort", () => clearTimeout(timer));
@@ -91,24 +91,25 @@ function keepShown(store, { card, head, stage, sliders, tabs }, { say, signal })
   store.listen((changed) => {
     draw();
     if (store.state.dragging && !changed.has("dragging")) {
-      timer ??= setTimeout(update, READ);
+      timer ??= setTimeout(update, UPDATE_INTERVAL);
       return;
     }
     update();
-    if (SAID.some((key) => changed.has(key)) && !store.state.playing)
-      say(() => summary(store, tabs));
+    if (ANNOUNCED_FIELDS.some((key) => changed.has(key)) && !store.state.playing)
+      announce(() => describeState(store, tabs));
   }, signal);
   update();
 }
 
-// Where the tip is, and what the open view says of it.
-function summary({ state, derived }, tabs) {
-  const [x, y, z] = derived.frames.at(-1).o.map((v) => fixed(v, 3).replace("−", "minus "));
+// Describe where the tip is, followed by the summary of the open view.
+function describeState({ state, derived }, tabs) {
+  const [x, y, z] = derived.frames.at(-1).o.map((v) => formatFixed(v, 3).replace("−", "minus "));
   return `Tip at x ${x}, y ${y}, z ${z} metres. ${tabs.summary(state, derived)}`.trim();
 }
 
-// Move to a joint vector at a pace the eye can follow, or at once where motion is unwelcome.
-function glider(store, signal) {
+// Return a function that glides to joint values, or jumps there if the reader prefers reduced
+// motion.
+function makeGlider(store, signal) {
   let moving = null;
   const stop = () => {
     if (moving) cancelAnimationFrame(moving);
@@ -124,12 +125,12 @@ function glider(store, signal) {
     const { q: from, arm } = store.state;
     const gesture = `glide ${performance.now()}`;
     const go = (to) => store.dispatch({ type: "glide", q: to, gesture }, "glide");
-    if (calm() || q.length !== from.length) return go(q);
+    if (prefersReducedMotion() || q.length !== from.length) return go(q);
     const start = performance.now();
     const step = (now) => {
       moving = null;
       if (store.state.arm !== arm) return;
-      const t = Math.min(1, Math.max(0, now - start) / GLIDE);
+      const t = Math.min(1, Math.max(0, now - start) / GLIDE_TIME);
       const ease = t * t * (3 - 2 * t);
       go(t === 1 ? q : from.map((v, i) => v + ease * (q[i] - v)));
       if (t < 1) moving = requestAnimationFrame(step);

@@ -1,22 +1,22 @@
-// A DH table out of what is on a clipboard, by the reader that judges tables too.
+// Read a DH table from the clipboard with the judge's table reader.
 
 import { findRowsFault } from "../../judge/geometry/arm.js";
 import { ownRows } from "../../judge/reading/table.js";
 import { ArmError } from "../../judge/sentences.js";
 
-// A table has them, an entry has none.
-const SEVERAL = /[\n\t;&|]|\]\s*,|,\s*\[|\d +[-\d]/;
+// Separators that occur in a table and not in a single entry.
+const TABLE_PATTERN = /[\n\t;&|]|\]\s*,|,\s*\[|\d +[-\d]/;
 
 /**
- * The rows that a text describes and what was guessed of them, or what is wrong with it, or null
- * where it is a single entry.
+ * Read a pasted table.
  * @param {string} text
- * @param {string} unit of bare angles
- * @returns {{ rows: any[], said: string[] } | { error: string } | null}
+ * @param {string} unit of angles without a unit
+ * @returns {{ rows: any[], said: string[] } | { error: string } | null} the rows and what was
+ *   guessed; null for a single entry
  */
-export function readTable(text, unit) {
+export function readPastedTable(text, unit) {
   try {
-    if (!SEVERAL.test(text.trim())) return null;
+    if (!TABLE_PATTERN.test(text.trim())) return null;
     const found = ownRows(text, unit);
     const fault = findRowsFault(found.rows);
     return fault ? { error: `${fault}.` } : found;

@@ -1,9 +1,9 @@
-// Which link of an arm is under a pixel.
+// Find which link of an arm is under a pixel.
 
 import { minus, plus, scaled } from "../../judge/geometry/kinematics.js";
 
-// The line of the links, each piece with the row that it belongs to.
-export const piecesOf = (arm, frames) =>
+// Return the centre line of the links as segments: along d and along a of each row.
+export const getLinkSegments = (arm, frames) =>
   arm.rows.flatMap((row, i) => {
     const [before, after] = [frames[i].o, frames[i + 1].o];
     const corner = minus(after, scaled(row.a, frames[i + 1].x));
@@ -14,25 +14,25 @@ export const piecesOf = (arm, frames) =>
   });
 
 /**
- * The place on the pieces nearest to a pixel: { row, point, gap }, or null. Of two that are equally
- * near, the first.
- * @param {{ row: number, from: number[], to: number[] }[]} pieces
+ * Find the segment nearest to a pixel. Of two that are equally near, the first is returned.
+ * @param {{ row: number, from: number[], to: number[] }[]} pieces segments with their rows
  * @param {number[]} pixel
- * @param {number} within pixels
+ * @param {number} within largest distance in pixels
  * @param {(point: number[]) => number[]} pixelOf
+ * @returns {{ row: number, point: number[], gap: number } | null}
  */
-export function nearest(pieces, pixel, within, pixelOf) {
+export function findNearestSegment(pieces, pixel, within, pixelOf) {
   let best = null;
   for (const { row, from, to } of pieces) {
-    const { share, gap } = foot(pixel, pixelOf(from), pixelOf(to));
+    const { share, gap } = projectOnSegment(pixel, pixelOf(from), pixelOf(to));
     if (gap > within || (best && gap >= best.gap - 0.5)) continue;
     best = { row, gap, point: plus(from, scaled(share, minus(to, from))) };
   }
   return best;
 }
 
-// Where on the line from a to b a pixel is nearest, and how near.
-function foot(pixel, a, b) {
+// Project a pixel on the segment from a to b: `share` along the segment, and `gap` in pixels.
+function projectOnSegment(pixel, a, b) {
   const [x, y] = pixel;
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const long = dx * dx + dy * dy;

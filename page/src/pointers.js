@@ -1,6 +1,6 @@
-// Pointers on the picture: a link turns its joint, the tip is followed, the ball of the force
-// pushes, and what is nothing of these turns the view. One solve for each frame that is drawn,
-// however many times the pointer moves.
+// Pointers on the picture: a dragged link turns its joint, the arm follows a dragged tip, the ball
+// at the tip sets the force, and any other drag turns the view. Each drawn frame solves once,
+// however often the pointer moves.
 
 import {
   cross,
@@ -10,22 +10,30 @@ import {
   minus,
   norm,
 } from "../../judge/geometry/kinematics.js";
-import { beforeDrawing, forget } from "./renderer.js";
-import { dragLink, dragTip, fadingWays, inFrame, swingElbow, whyStopped } from "./dragging.js";
+import { beforeDrawing, cancelStep } from "./renderer.js";
+import {
+  dragLink,
+  dragTip,
+  findFadingDirections,
+  toFrame,
+  swingElbow,
+  findStopReasons,
+} from "./dragging.js";
 
-const BALL = 22; // px around the ball of the force
-const HAND = { mouse: 11, touch: 20, pen: 16 }; // px around a link
-const CLICK = 4; // px that a click may move
+const FORCE_BALL_RADIUS = 22; // px
+const GRAB_RADIUS = { mouse: 11, touch: 20, pen: 16 }; // px, by type of pointer
+const CLICK_TOLERANCE = 4; // px that the pointer may move during a click
 
-let count = 0;
+let dragCount = 0;
 
 /**
+ * Let the reader grab the arm in a picture.
  * @param {import("./scene.js").ArmPicture} picture
  * @param {import("./state.js").Store} store
  * @param {{ grip: HTMLElement, goTo: (q: number[]) => void }} tools
  */
-export function makeGrabbable(picture, store, { grip, goTo }) {
-  const hand = new Hand(picture, store, goTo);
+export function enableGrabbing(picture, store, { grip, goTo }) {
+  const hand = new Grabber(picture, store, goTo);
   const { figure } = picture;
   const { canvas } = figure;
   const begins = (event) => hand.takes(event);
@@ -39,19 +47,19 @@ export function makeGrabbable(picture, store, { grip, goTo }) {
     figure.listen(target, "pointercancel", (event) => hand.release(event));
   }
   figure.listen(canvas, "pointerleave", () => hand.drag || hand.hover(null));
-  // A touch that takes hold of something drags it in every direction; the others may scroll the
-  // page.
+  // A touch on something that can be grabbed drags it in every direction; any other touch may
+  // scroll the page.
   const touched = (event) => {
     const [{ clientX, clientY }] = event.touches;
     if (event.touches.length === 1 && hand.under({ clientX, clientY, pointerType: "touch" }))
       event.preventDefault();
   };
   figure.listen(canvas, "touchstart", touched, { passive: false });
-  figure.signal.addEventListener("abort", () => forget(hand.step));
+  figure.signal.addEventListener("abort", () => cancelStep(hand.step));
 }
 
-/** What a pointer holds, and what one frame of its drag does. */
-class Hand {
+/** What the pointer has grabbed, and what one frame of the drag does. */
+class Grabber {
   constructor(picture, store, goTo) {
     this.picture = picture;
     this.figure = picture.figure;
@@ -69,32 +77,36 @@ class Hand {
     const { handle } = this.picture;
     if (!handle?.visible) return false;
     const [x, y] = this.figure.pixel(handle.position.toArray());
-    return Math.hypot(x - pixel[0], y - pixel[1]) < BALL;
+    return Math.hypot(x - pixel[0], y - pixel[1]) < FORCE_BALL_RADIUS;
   }
 
-  // What a pointer would take hold of.
+  // Return what the pointer would grab, or null.
   under(event) {
     const { picture, store } = this;
     const pixel = this.figure.place(event);
     const { state, derived } = store;
     if (this.ballAt(pixel)) return { kind: "force" };
-    const way = state.view === "branches" ? picture.wayAt(pixel) : null;
-    if (way !== null) return { kind: "way", way };
-    const hit = picture.linkAt(pixel, HAND[event.pointerType] ?? HAND.touch, picture.grips());
+    const branch = state.view === "branches" ? picture.findBranchAt(pixel) : null;
+    if (branch !== null) return { kind: "branch", branch };
+    const hit = picture.findLinkAt(
+      pixel,
+      GRAB_RADIUS[event.pointerType] ?? GRAB_RADIUS.touch,
+      picture.grips(),
+    );
     if (!hit) return null;
     const { frames } = derived;
-    const held = { row: hit.row, local: inFrame(frames[hit.row + 1], hit.point) };
+    const held = { row: hit.row, local: toFrame(frames[hit.row + 1], hit.point) };
     if (state.hold?.pinned) return { kind: "elbow", ...held };
-    const row = turnedBy(state.arm, frames, hit, 0.02 * picture.size);
-    return row === null ? null : { kind: "link", lit: row, ...held };
+    const row = findTurningRow(state.arm, frames, hit, 0.02 * picture.size);
+    return row === null ? null : { kind: "link", highlightedRow: row, ...held };
   }
 
   takes(event) {
     if (event.button) return;
     const what = this.under(event);
     this.down = [event.clientX, event.clientY, what];
-    if (!what || what.kind === "way") return;
-    event.stopImmediatePropagation(); // the view does not turn
+    if (!what || what.kind === "branch") return;
+    event.stopImmediatePropagation(); // keeps the view from turning
     this.begin(event, what);
   }
 
@@ -105,20 +117,22 @@ class Hand {
     this.drag = {
       ...what,
       id: event.pointerId,
-      at: event, // where the pointer is now
-      gesture: `drag ${++count}`,
+      at: event, // the latest pointer event
+      gesture: `drag ${++dragCount}`,
       rest: store.state.q,
       tip,
       point: tip.o,
     };
     if (what.kind === "tip") this.drag.from = figure.onFacingPlane(pixel, tip.o);
     event.target.setPointerCapture(event.pointerId);
-    const lit = what.lit === undefined ? {} : { lit: what.lit };
-    store.dispatch({ type: "show", dragging: true, ...lit });
+    const highlightedRow =
+      what.highlightedRow === undefined ? {} : { highlightedRow: what.highlightedRow };
+    store.dispatch({ type: "setFields", dragging: true, ...highlightedRow });
     figure.canvas.classList.add("held");
   }
 
-  // One frame of a drag; false where another frame is needed with the pointer at rest.
+  // Make one frame of the drag. Returns false if another frame is needed although the pointer
+  // rests.
   follow() {
     const { drag, store } = this;
     drag.to = this.figure.place(drag.at);
@@ -129,16 +143,16 @@ class Hand {
     const { picture, figure, store, drag } = this;
     const point = figure.onFacingPlane(drag.to, picture.handle.position.toArray());
     const wrench = point && [...picture.forceFrom(point), ...store.state.wrench.slice(3)];
-    if (wrench) store.dispatch({ type: "push", wrench, gesture: drag.gesture });
+    if (wrench) store.dispatch({ type: "setWrench", wrench, gesture: drag.gesture });
     return true;
   }
 
   link({ arm, q }) {
-    const { row, local, to, lit, gesture } = this.drag;
-    const joint = movingRows(arm).indexOf(lit);
+    const { row, local, to, highlightedRow, gesture } = this.drag;
+    const joint = movingRows(arm).indexOf(highlightedRow);
     const pixel = (p) => this.figure.pixel(p);
     const next = dragLink(arm, q, { row, local, to, joint, pixel });
-    this.store.dispatch({ type: "move", q: next, gesture });
+    this.store.dispatch({ type: "moveJoints", q: next, gesture });
     return true;
   }
 
@@ -146,7 +160,7 @@ class Hand {
     const { row, local, to, gesture } = this.drag;
     const grab = { row, local, to, pixel: (p) => this.figure.pixel(p) };
     const { q: next, free } = swingElbow(arm, q, grab, hold.pinned, { turns: hold.turns });
-    this.store.dispatch({ type: "move", q: next, hold: { ...hold, free }, gesture });
+    this.store.dispatch({ type: "moveJoints", q: next, hold: { ...hold, free }, gesture });
     return true;
   }
 
@@ -171,30 +185,32 @@ class Hand {
   hover(what) {
     const { store } = this;
     this.figure.canvas.style.cursor = what ? "pointer" : "grab";
-    const lit = what?.kind === "link" ? what.lit : null;
-    if (store.state.lit !== lit) store.dispatch({ type: "show", lit });
-    const highlighted = what?.kind === "way" ? what.way : null;
-    if (store.state.highlighted !== highlighted) store.dispatch({ type: "show", highlighted });
+    const highlightedRow = what?.kind === "link" ? what.highlightedRow : null;
+    if (store.state.highlightedRow !== highlightedRow)
+      store.dispatch({ type: "setFields", highlightedRow });
+    const highlightedBranch = what?.kind === "branch" ? what.branch : null;
+    if (store.state.highlightedBranch !== highlightedBranch)
+      store.dispatch({ type: "setFields", highlightedBranch });
   }
 
   release(event) {
     const { drag, down, store } = this;
     if (drag && event.pointerId !== drag.id) return;
-    const still = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < CLICK;
-    if (still && down[2]?.kind === "way") this.goTo(store.state.ways.list[down[2].way].q);
+    const still =
+      down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) < CLICK_TOLERANCE;
+    if (still && down[2]?.kind === "branch") this.goTo(store.state.branches.list[down[2].branch].q);
     if (drag) {
-      if (forget(this.step)) this.follow(); // the pointer's last motion counts too
+      if (cancelStep(this.step)) this.follow(); // include the pointer's last motion
       const hold = store.state.hold?.pinned ? store.state.hold : null;
-      store.dispatch({ type: "show", dragging: false, lit: null, hold });
+      store.dispatch({ type: "setFields", dragging: false, highlightedRow: null, hold });
     }
     [this.drag, this.down] = [null, null];
     this.figure.canvas.classList.remove("held");
   }
 }
 
-// The row of the joint that a grabbed point is turned by: the last one before it that moves it at
-// all.
-function turnedBy(arm, frames, { row, point }, least) {
+// Return the row of the joint that a grabbed point turns: the last one before it that moves it.
+function findTurningRow(arm, frames, { row, point }, least) {
   const moving = movingRows(arm).filter((index) => index <= row);
   const moves = (index) => {
     const { z, o } = frames[index];
@@ -204,22 +220,23 @@ function turnedBy(arm, frames, { row, point }, least) {
 }
 
 /**
- * One frame of a tip that follows a target; true where it has arrived, or is stopped.
+ * Move the tip one frame towards its target. Returns true once it has arrived or cannot move
+ * further.
  * @param {import("./state.js").Store} store
  */
-function followTip(store, { arm, q, keepTurn }, target, { rest, gesture }) {
-  const { q: next, arrived } = dragTip(arm, q, target, rest, { turns: keepTurn });
+function followTip(store, { arm, q, keepOrientation }, target, { rest, gesture }) {
+  const { q: next, arrived } = dragTip(arm, q, target, rest, { turns: keepOrientation });
   const still = next.every((v, i) => Math.abs(v - q[i]) < 1e-5);
   const done = arrived || still;
-  const why = done ? whyStopped(arm, next, target.o) : { stops: [], short: 0 };
-  const fading = fadingWays(jacobianColumns(arm, linkFrames(arm, next)), keepTurn);
+  const why = done ? findStopReasons(arm, next, target.o) : { stops: [], short: 0 };
+  const fading = findFadingDirections(jacobianColumns(arm, linkFrames(arm, next)), keepOrientation);
   const hold = { kind: "tip", target: target.o, moving: !done, fading, ...why };
-  store.dispatch({ type: "move", q: next, hold, gesture });
+  store.dispatch({ type: "moveJoints", q: next, hold, gesture });
   return done;
 }
 
 /**
- * Bring the tip to a point as a drag would, all the way, within limits.
+ * Move the tip to a point as far as the limits allow.
  * @param {import("./state.js").Store} store
  * @param {number[]} o
  */
@@ -238,17 +255,18 @@ const TIP_KEYS = {
   PageUp: [0, 0, -1],
   PageDown: [0, 0, 1],
 };
-const TIP_STEP = 0.01; // m; a tenth of it with Shift
+const TIP_STEP = 0.01; // m
 
 /**
- * Move the tip across the picture by a key, a tenth as far with Shift; whether the key was one.
+ * Move the tip across the picture by a key; Shift makes the step a tenth. Returns false for other
+ * keys.
  * @param {import("./scene.js").ArmPicture} picture
  * @param {import("./state.js").Store} store
  * @param {KeyboardEvent} event
  */
 export function moveTipByKey(picture, store, event) {
-  const way = TIP_KEYS[event.key];
-  if (!way) return false;
+  const direction = TIP_KEYS[event.key];
+  if (!direction) return false;
   event.preventDefault();
   event.stopPropagation();
   const step = TIP_STEP * (event.shiftKey ? 0.1 : 1);
@@ -256,7 +274,7 @@ export function moveTipByKey(picture, store, event) {
   const { o } = store.derived.frames.at(-1);
   moveTip(
     store,
-    o.map((v, i) => v + step * way.reduce((sum, share, k) => sum + share * axes[k][i], 0)),
+    o.map((v, i) => v + step * direction.reduce((sum, share, k) => sum + share * axes[k][i], 0)),
     "tip keys",
   );
   return true;

@@ -1,19 +1,20 @@
-// A slider on a rail that a thumb can swipe past: on a touch screen only a sideways motion moves
-// it, from where it stands; a mouse takes it as it is used to. The input keeps the keys and the
-// speech.
+// A slider that can be swiped past on a touch screen: only a sideways motion moves it, from its
+// current value. With a mouse it works like any slider. The input element handles keys and screen
+// readers.
 
 import { h } from "./dom.js";
 
-const SIDEWAYS = 6; // px before a touch counts as meant
+const SWIPE_THRESHOLD = 6; // px that a touch must move sideways before it moves the slider
 
-let drags = 0;
+let dragCount = 0;
 
 /**
+ * Make a slider with its rail.
  * @param {HTMLInputElement} input a range
- * @param {(value: number, gesture: string) => void} put hears of each value, and of which motion it
- *   is one
+ * @param {(value: number, gesture: string) => void} put called with each value and the name of the
+ *   gesture
  * @param {AbortSignal} signal
- * @param {HTMLElement[]} below
+ * @param {HTMLElement[]} below elements under the slider
  */
 export function makeRail(input, put, signal, ...below) {
   const rail = h("div.rail", {}, input, ...below);
@@ -23,9 +24,9 @@ export function makeRail(input, put, signal, ...below) {
   const span = () => Number(input.max) - Number(input.min);
   const length = () => Math.max(1, rail.clientWidth - 16);
   const to = (value) =>
-    put(Math.min(Number(input.max), Math.max(Number(input.min), value)), `drag ${drags}`);
+    put(Math.min(Number(input.max), Math.max(Number(input.min), value)), `drag ${dragCount}`);
   const begin = (event) => {
-    drags += 1;
+    dragCount += 1;
     Object.assign(drag, { on: true, x: event.clientX });
     rail.setPointerCapture(event.pointerId);
   };
@@ -38,19 +39,19 @@ export function makeRail(input, put, signal, ...below) {
     begin(event);
     const share = (event.clientX - rail.getBoundingClientRect().left - 8) / length();
     const thumb = (drag.from - Number(input.min)) / span();
-    if (Math.abs(share - thumb) * length() < 11) return; // the thumb itself was taken
+    if (Math.abs(share - thumb) * length() < 11) return; // the pointer is on the thumb itself
     drag.from = Number(input.min) + share * span();
     to(drag.from);
   });
   on(rail, "pointermove", (event) => {
     if (event.pointerId !== drag?.id) return;
-    if (!drag.on && Math.abs(event.clientX - drag.x) < SIDEWAYS) return;
+    if (!drag.on && Math.abs(event.clientX - drag.x) < SWIPE_THRESHOLD) return;
     if (!drag.on) begin(event);
     to(drag.from + (span() * (event.clientX - drag.x)) / length());
   });
   on(rail, "pointerup", () => (drag = null));
   on(rail, "pointercancel", () => {
-    if (drag?.on) to(drag.from); // the page took the touch
+    if (drag?.on) to(drag.from); // the browser took the touch for scrolling
     drag = null;
   });
   return rail;

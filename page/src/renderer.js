@@ -1,6 +1,6 @@
-// One renderer for all pictures of a page. Each figure is a 2D canvas into which the renderer's
-// picture is copied, so that twenty of them need one WebGL context, and a lost context leaves every
-// picture standing.
+// One WebGL renderer for all pictures of a page. Each figure is a 2D canvas that the rendered image
+// is copied to, so twenty figures need one WebGL context, and every figure keeps its image when the
+// context is lost.
 
 import {
   DirectionalLight,
@@ -15,76 +15,76 @@ import { Box3, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { isShared } from "./shapes.js";
 
-let shared = null;
-let frame = null;
+let sharedRenderer = null;
+let frameRequest = null;
 const figures = new Set();
 
-// Throws where the browser has no WebGL.
-function renderer() {
-  if (shared) return shared;
-  shared = new WebGLRenderer({
+// Return the renderer. Throws if the browser has no WebGL.
+function getRenderer() {
+  if (sharedRenderer) return sharedRenderer;
+  sharedRenderer = new WebGLRenderer({
     antialias: true,
     alpha: true,
     powerPreference: "low-power",
   });
-  shared.setPixelRatio(1); // the sizes below are device pixels
-  shared.setScissorTest(true);
-  shared.shadowMap.enabled = true;
-  shared.shadowMap.type = PCFShadowMap;
-  shared.domElement.addEventListener("webglcontextlost", () =>
+  sharedRenderer.setPixelRatio(1); // sizes below are in device pixels
+  sharedRenderer.setScissorTest(true);
+  sharedRenderer.shadowMap.enabled = true;
+  sharedRenderer.shadowMap.type = PCFShadowMap;
+  sharedRenderer.domElement.addEventListener("webglcontextlost", () =>
     figures.forEach((figure) => figure.onLost(true)),
   );
-  shared.domElement.addEventListener("webglcontextrestored", () => {
+  sharedRenderer.domElement.addEventListener("webglcontextrestored", () => {
     figures.forEach((figure) => {
       figure.onLost(false);
       figure.request();
     });
   });
-  return shared;
+  return sharedRenderer;
 }
 
-// For the tests: what the renderer holds on the graphics processor, the calls that drew the last
-// picture, figures.
+// Return the GPU memory in use, the draw calls of the last picture and the number of figures; for
+// tests.
 export const inUse = () => ({
-  ...shared?.info.memory,
-  calls: shared?.info.render.calls,
-  programs: shared?.info.programs?.length,
+  ...sharedRenderer?.info.memory,
+  calls: sharedRenderer?.info.render.calls,
+  programs: sharedRenderer?.info.programs?.length,
   figures: figures.size,
 });
 
-/** Take the context away, as a busy graphics processor may; for the tests. */
-export const loseContext = () => shared?.getContext().getExtension("WEBGL_lose_context");
+/** Lose the WebGL context, as a busy GPU may; for tests. */
+export const loseContext = () => sharedRenderer?.getContext().getExtension("WEBGL_lose_context");
 
-const steps = new Set();
+const pendingSteps = new Set();
 
 /**
- * Act once, right before the next pictures are drawn, so that a motion is seen in the frame in
- * which it was computed.
+ * Run a step once, right before the next pictures are drawn, so that a motion is drawn in the frame
+ * in which it was computed.
  * @param {() => void} act
  */
 export function beforeDrawing(act) {
-  steps.add(act);
-  frame ??= requestAnimationFrame(drawDirty);
+  pendingSteps.add(act);
+  frameRequest ??= requestAnimationFrame(drawDirty);
 }
 
-// Whether it was still to come, and no longer does.
-export const forget = (act) => steps.delete(act);
+// Cancel a pending step. Returns whether it was pending.
+export const cancelStep = (act) => pendingSteps.delete(act);
 
 function drawDirty() {
-  const now = [...steps];
-  steps.clear();
+  const now = [...pendingSteps];
+  pendingSteps.clear();
   try {
     now.forEach((act) => act());
-    if (!shared || shared.getContext().isContextLost()) return;
+    if (!sharedRenderer || sharedRenderer.getContext().isContextLost()) return;
     for (const figure of figures)
-      if (figure.dirty && figure.visible && figure.width) figure.draw(shared);
+      if (figure.dirty && figure.visible && figure.width) figure.draw(sharedRenderer);
   } finally {
-    frame = steps.size ? requestAnimationFrame(drawDirty) : null;
+    frameRequest = pendingSteps.size ? requestAnimationFrame(drawDirty) : null;
   }
 }
 
-// Pictures near the window are drawn, the others when they come near.
-const near =
+// Only pictures near the window are drawn; the others follow when they come near.
+const visibilityObserver =
   typeof IntersectionObserver === "undefined"
     ? null
     : new IntersectionObserver(
@@ -99,21 +99,20 @@ const near =
         { rootMargin: "200px" },
       );
 
-// Used again and again, so that a frame leaves nothing behind.
-const SPOT = new Vector3();
-const SIGHT = new Raycaster();
+// Reused in every frame, so that none is allocated.
+const scratchVector = new Vector3();
+const raycaster = new Raycaster();
 
-// Where the camera stands first, seen from the arm; the still picture's too.
-const VIEW = new Vector3(0.687, -0.639, 0.344);
+// Initial direction of the camera from the arm; the still picture uses the same.
+const INITIAL_VIEW = new Vector3(0.687, -0.639, 0.344);
 
 /**
- * A picture in 3D in a host element: scene, lights, a camera that can be turned, and pointers in
- * pixels. `onDraw(figure)` is called after each drawing, for labels. Throws where the browser has
- * no WebGL.
+ * A 3D picture in a host element: scene, lights, camera and pointer positions in pixels.
+ * `onDraw(figure)` is called after each drawing. Throws if the browser has no WebGL.
  */
 export class Figure {
   constructor(host, { onDraw, onLost = (_) => {} }) {
-    renderer();
+    getRenderer();
     this.host = host;
     this.size = 1;
     this.onDraw = onDraw;
@@ -122,9 +121,9 @@ export class Figure {
     this.visible = true;
     this.abort = new AbortController();
     this.points = null;
-    this.width = 0; // the host's size, kept: asking for it lays the page out
+    this.width = 0; // size of the host, stored because reading it forces a layout
     this.height = 0;
-    this.foot = () => 0; // how high (CSS pixels) the buttons at the picture's foot stand
+    this.foot = () => 0; // height in CSS pixels of the buttons at the bottom of the picture
     this.canvas = document.createElement("canvas");
     this.canvas.figure = this;
     this.context = this.canvas.getContext("2d");
@@ -134,15 +133,15 @@ export class Figure {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener("change", () => this.request());
-    // until the picture has the focus, so that a page scrolls past it
+    // Zooming waits until the picture has the focus, so that the page can scroll past it.
     this.controls.enableZoom = false;
     this.controls.enablePan = false;
-    this.canvas.style.touchAction = "pan-y"; // after OrbitControls, which writes "none"
+    this.canvas.style.touchAction = "pan-y"; // set after OrbitControls, which sets "none"
     this.listen(host, "focusin", () => (this.controls.enableZoom = true));
     this.listen(host, "focusout", () => (this.controls.enableZoom = false));
     this.lights();
     figures.add(this);
-    near?.observe(this.canvas);
+    visibilityObserver?.observe(this.canvas);
     this.resizes = new ResizeObserver(() => this.resize());
     this.resizes.observe(host);
   }
@@ -167,7 +166,7 @@ export class Figure {
     this.resetLights();
   }
 
-  // Lights and shadows for things of this size (m).
+  // Set lights and shadows for objects of a size (m).
   resetLights({ size = this.size, sky = 2.1, sun = 1.5 } = {}) {
     this.size = size;
     this.sky.intensity = sky;
@@ -187,7 +186,7 @@ export class Figure {
 
   request() {
     this.dirty = true;
-    frame ??= requestAnimationFrame(drawDirty);
+    frameRequest ??= requestAnimationFrame(drawDirty);
   }
 
   resize() {
@@ -203,12 +202,12 @@ export class Figure {
     this.camera.updateProjectionMatrix();
     if (this.points && !(Math.abs(this.fitted - this.camera.aspect) < 0.01)) this.fit(this.points);
     this.dirty = true;
-    // At once: a canvas of another size is blank.
-    if (shared && !shared.getContext().isContextLost()) this.draw(shared);
+    // Draw at once, because a resized canvas is blank.
+    if (sharedRenderer && !sharedRenderer.getContext().isContextLost()) this.draw(sharedRenderer);
     else this.request();
   }
 
-  // By the renderer, then from its own picture into this one, before another figure is drawn there.
+  // Render the scene and copy the image to this figure's canvas.
   draw(gl) {
     const { width, height } = this.canvas;
     const size = gl.getSize(new Vector2());
@@ -224,16 +223,16 @@ export class Figure {
     this.onDraw(this);
   }
 
-  // Stand where all these points are in view, above the buttons at the picture's foot.
+  // Move the camera until all points are in view, above the buttons at the bottom.
   fit(points) {
     this.points = points;
-    if (!this.height) return; // until it has a size
+    if (!this.height) return; // the host has no size yet
     const { camera, controls, size } = this;
     this.fitted = camera.aspect;
     const foot = Math.min(0.3, this.foot() / this.height);
     const held = points.map((p) => new Vector3(...p));
     new Box3().setFromPoints(held).getCenter(controls.target);
-    camera.position.copy(controls.target).addScaledVector(VIEW, 3 * size);
+    camera.position.copy(controls.target).addScaledVector(INITIAL_VIEW, 3 * size);
     Object.assign(camera, { near: size / 50, far: size * 40 });
     camera.updateProjectionMatrix();
     for (let step = 0; step < 4; step++) {
@@ -259,56 +258,56 @@ export class Figure {
     this.request();
   }
 
-  // Turn the camera by angles (rad) and bring it nearer by a factor.
+  // Turn the camera by angles (rad) and move it nearer by a factor.
   orbit(turn, tilt, nearer = 1) {
     this.controls.rotateLeft(-turn);
     this.controls.rotateUp(-tilt);
     this.controls.dollyIn(nearer);
   }
 
-  // A point of the world in CSS pixels from the picture's top left corner.
+  // Return the CSS pixels of a point, from the picture's top left corner.
   pixel(point) {
-    const p = SPOT.fromArray(point).project(this.camera);
+    const p = scratchVector.fromArray(point).project(this.camera);
     return [((p.x + 1) * this.width) / 2, ((1 - p.y) * this.height) / 2];
   }
 
-  // Where a pointer is, in the same pixels.
+  // Return the position of a pointer in the same pixels.
   place({ clientX, clientY }) {
     const box = this.canvas.getBoundingClientRect();
     return [clientX - box.left, clientY - box.top];
   }
 
-  // The point under a pixel on the plane through `through` that faces the camera.
+  // Return the point under a pixel on the plane through `through` that faces the camera.
   onFacingPlane([x, y], through) {
     const place = new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height);
-    SIGHT.setFromCamera(place, this.camera);
+    raycaster.setFromCamera(place, this.camera);
     const normal = this.camera.getWorldDirection(new Vector3());
     const plane = new Plane().setFromNormalAndCoplanarPoint(normal, new Vector3(...through));
-    return SIGHT.ray.intersectPlane(plane, new Vector3())?.toArray() ?? null;
+    return raycaster.ray.intersectPlane(plane, new Vector3())?.toArray() ?? null;
   }
 
   dispose() {
     this.abort.abort();
-    near?.unobserve(this.canvas);
+    visibilityObserver?.unobserve(this.canvas);
     this.resizes.disconnect();
     this.controls.dispose();
-    freed(this.scene);
+    removeAndDispose(this.scene);
     this.sun.dispose();
     this.sky.dispose();
     this.canvas.figure = null;
     this.canvas.remove();
     figures.delete(this);
-    if (figures.size || !shared) return;
-    cancelAnimationFrame(frame);
-    frame = null;
-    shared.dispose();
-    shared.forceContextLoss();
-    shared = null;
+    if (figures.size || !sharedRenderer) return;
+    cancelAnimationFrame(frameRequest);
+    frameRequest = null;
+    sharedRenderer.dispose();
+    sharedRenderer.forceContextLoss();
+    sharedRenderer = null;
   }
 }
 
-// Take an object out of its scene and give back what it alone holds on the graphics processor.
-export function freed(object) {
+// Remove an object from its scene and dispose its materials and geometries, except shared ones.
+export function removeAndDispose(object) {
   object.traverse((part) => {
     part.material?.dispose();
     if (part.isInstancedMesh) part.dispose();
@@ -317,4 +316,4 @@ export function freed(object) {
   object.removeFromParent();
 }
 
-export const emptied = (group) => [...group.children].forEach(freed);
+export const disposeChildren = (group) => [...group.children].forEach(removeAndDispose);

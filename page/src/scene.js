@@ -1,4 +1,4 @@
-// The explorer's picture: draws the state when it has changed.
+// The picture of the explorer; it redraws what changed in the state.
 
 import {
   Color,
@@ -10,7 +10,7 @@ import {
   Vector3,
 } from "three";
 import { isOutsideLimits, estimateReach } from "../../judge/geometry/arm.js";
-import { goneness } from "./dragging.js";
+import { getFadingStrength } from "./dragging.js";
 import {
   movingRows,
   linkFrames,
@@ -19,59 +19,61 @@ import {
   plus,
   scaled,
 } from "../../judge/geometry/kinematics.js";
-import { Labels } from "./labels.js";
-import { isThere } from "./motion.js";
-import { branchColour, LOOK } from "./look.js";
-import { nearest, piecesOf } from "./picking.js";
-import { emptied, Figure, freed } from "./renderer.js";
+import { AxisLabels } from "./labels.js";
+import { isAtPose } from "./motion.js";
+import { getBranchColour, PALETTES } from "./look.js";
+import { findNearestSegment, getLinkSegments } from "./picking.js";
+import { disposeChildren, Figure, removeAndDispose } from "./renderer.js";
 import {
-  along,
+  placeRod,
   ArmShape,
   Arrow,
-  ball,
+  makeBall,
   Ellipsoid,
   floor,
-  ghostMaterial,
-  rod,
-  square,
+  makeGhostMaterial,
+  makeRod,
+  makeSquare,
   Triads,
-  tube,
-  wall,
+  makeTube,
+  makeWall,
 } from "./shapes.js";
-import { leftBehind } from "./state.js";
+import { measureTipOffset } from "./state.js";
 
-const FORCE_HALF = 10; // N: drawn half as long as the longest arrow,
-const FORCE_LONGEST = 0.36; // which is this share of the arm
+const HALF_LENGTH_FORCE = 10; // N; a force of this size is drawn at half the largest length
+const MAX_ARROW_SHARE = 0.36; // largest length of the force arrow as a share of the arm's reach
 
 export class ArmPicture {
   constructor(host, labels, options = {}) {
     this.figure = new Figure(host, { onDraw: () => this.place(), onLost: options.onLost });
-    this.labels = new Labels(labels);
+    this.labels = new AxisLabels(labels);
     this.onPlace = options.onPlace ?? (() => {});
     /** @type {any} */
     this.world = null;
     this.arm = null;
     this.frames = null;
     /** @type {boolean[]} */
-    this.drawn = []; // which frames have their axes drawn
-    this.first = options.first ?? 0; // the number of the first of them
+    this.drawn = []; // whether the axes of each frame are drawn
+    this.first = options.first ?? 0; // number of the first frame
     this.shown = /** @type {any} */ ({});
   }
 
-  // Build everything that does not move with the joints.
+  // Build everything that does not depend on the joint values.
   build(arm, dark) {
-    const look = LOOK[dark ? "dark" : "light"];
-    if (this.world) freed(this.world);
+    const look = PALETTES[dark ? "dark" : "light"];
+    if (this.world) removeAndDispose(this.world);
     this.arm = arm;
     this.dark = dark;
     this.look = look;
     this.size = estimateReach(arm);
     this.shown = {};
-    this.tints = { lit: new Color(look.lit), bad: new Color(look.bad) };
-    this.body = bodyOf(arm, look);
-    this.axis = rod(new MeshBasicMaterial({ color: look.lit, transparent: true, opacity: 0.75 }));
+    this.tints = { highlight: new Color(look.highlight), bad: new Color(look.bad) };
+    this.body = makeBody(arm, look);
+    this.axis = makeRod(
+      new MeshBasicMaterial({ color: look.highlight, transparent: true, opacity: 0.75 }),
+    );
     this.triads = new Triads(dark, arm.rows.length + 1);
-    this.barrier = barrierOf(this.size, look);
+    this.barrier = makeBarrier(this.size, look);
     this.path = new Group();
     this.ghosts = new Group();
     this.reference = new Group();
@@ -79,7 +81,7 @@ export class ArmPicture {
     this.world.add(
       this.body,
       floor(this.size, look.grid, look.gridStrength),
-      shadeOf(this.size, look),
+      makeShadow(this.size, look),
       this.triads,
       this.axis,
       ...this.marks(look),
@@ -92,22 +94,22 @@ export class ArmPicture {
     this.figure.resetLights({ size: this.size, sky: look.sky, sun: look.sun });
   }
 
-  // What shows forces, directions and places.
+  // Make the objects that show forces, directions and points.
   marks(look) {
     const force = new MeshBasicMaterial({ color: look.force });
     const bad = new MeshBasicMaterial({ color: look.bad });
     this.ellipsoid = new Ellipsoid(look.ellipsoid);
     this.force = new Arrow(force);
-    this.handle = ball(force);
+    this.handle = makeBall(force);
     this.handle.scale.setScalar(0.022 * this.size);
-    this.spot = ball(bad);
+    this.spot = makeBall(bad);
     this.spot.scale.setScalar(0.014 * this.size);
     this.fading = new Group();
     for (let i = 0; i < 6; i++) this.fading.add(new Arrow(bad));
     return [this.ellipsoid, this.force, this.handle, this.spot, this.fading];
   }
 
-  // Bring the picture up to date with the state; only what changed is built anew.
+  // Update the picture to the state; only what changed is rebuilt.
   draw(state, derived, theme) {
     const dark = theme === "dark";
     const first = !this.body;
@@ -117,7 +119,7 @@ export class ArmPicture {
     this.frames = frames;
     this.body.pose(frames);
     this.tintJoints(state);
-    this.drawAxis(frames[state.lit]);
+    this.drawAxis(frames[state.highlightedRow]);
     this.drawFrames(frames, state.frames);
     this.ellipsoid.visible = state.view === "jacobian";
     if (this.ellipsoid.visible) {
@@ -135,21 +137,21 @@ export class ArmPicture {
     this.figure.request();
   }
 
-  tintJoints({ lit, q, arm }) {
+  tintJoints({ highlightedRow, q, arm }) {
     const past = movingRows(arm).filter((row, k) => isOutsideLimits(arm.rows[row], q[k]));
-    const tinted = [lit, ...past].join();
+    const tinted = [highlightedRow, ...past].join();
     if (this.shown.tinted === tinted) return;
     this.shown.tinted = tinted;
     this.body.tint((row) =>
-      row === lit ? this.tints.lit : past.includes(row) ? this.tints.bad : null,
+      row === highlightedRow ? this.tints.highlight : past.includes(row) ? this.tints.bad : null,
     );
   }
 
-  // The axis about or along which the joint under the reader's hand moves.
+  // Draw the axis of the joint under the pointer.
   drawAxis(frame) {
     const half = frame ? scaled(0.16 * this.size, frame.z) : [0, 0, 0];
     const [start, end] = frame ? [minus(frame.o, half), plus(frame.o, half)] : [half, half];
-    along(this.axis, start, end, 0.0025 * this.size);
+    placeRod(this.axis, start, end, 0.0025 * this.size);
   }
 
   drawFrames(frames, which) {
@@ -173,7 +175,9 @@ export class ArmPicture {
     const force = wrench.slice(0, 3);
     const shown = view === "torque";
     const size = norm(force);
-    const way = size ? scaled((FORCE_LONGEST * this.size) / (size + FORCE_HALF), force) : [0, 0, 0];
+    const way = size
+      ? scaled((MAX_ARROW_SHARE * this.size) / (size + HALF_LENGTH_FORCE), force)
+      : [0, 0, 0];
     this.force.point(minus(tip, way), way, 0.007 * this.size);
     this.force.visible &&= shown;
     this.handle.visible = shown;
@@ -183,84 +187,90 @@ export class ArmPicture {
     this.shown.force = shown;
   }
 
-  // The force whose arrow comes from a point.
+  // Return the force whose arrow starts at a point.
   forceFrom(point) {
     const way = minus(this.tip, point);
-    const length = Math.min(norm(way), FORCE_LONGEST * this.size * (100 / (100 + FORCE_HALF)));
+    const length = Math.min(
+      norm(way),
+      MAX_ARROW_SHARE * this.size * (100 / (100 + HALF_LENGTH_FORCE)),
+    );
     if (length < 0.015 * this.size) return [0, 0, 0];
-    const size = (FORCE_HALF * length) / (FORCE_LONGEST * this.size - length);
+    const size = (HALF_LENGTH_FORCE * length) / (MAX_ARROW_SHARE * this.size - length);
     return scaled(size / norm(way), way);
   }
 
   drawPath(state) {
     const { view, trace } = state;
     const path = ["trace", "torque", "homework"].includes(view) ? trace : null;
-    const paths = view === "homework" ? state.paths : null;
-    if (this.shown.path === path && this.shown.paths === paths) return;
-    Object.assign(this.shown, { path, paths });
-    emptied(this.path);
-    if (path || paths) this.path.add(...this.waysOfTip(state, path, paths));
+    const tipPaths = view === "homework" ? state.tipPaths : null;
+    if (this.shown.path === path && this.shown.tipPaths === tipPaths) return;
+    Object.assign(this.shown, { path, tipPaths });
+    disposeChildren(this.path);
+    if (path || tipPaths) this.path.add(...this.waysOfTip(state, path, tipPaths));
   }
 
-  // The way of the tip along a path, those of other runs in their colours, and their plane.
-  waysOfTip({ arm, wanted }, path, paths) {
+  // Make the tip's path, the paths of other runs in their colours, and the plane behind them.
+  waysOfTip({ arm, wantedPath }, path, tipPaths) {
     const { size, look } = this;
-    const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? paths[0]?.points ?? [];
-    const pieces = paths
-      ? paths.map((one) => tube(one.points, 0.003 * size, one.colour))
-      : [tube(points, 0.0035 * size, look.path)];
-    if (wanted?.length > path?.length) pieces.push(tube(wanted, 0.0018 * size, look.wanted));
-    const pane = paneOf(look.ghost, this.dark ? 0.16 : 0.1);
-    if (points.length > 2) pieces.push(wall(wanted ?? points, pane));
+    const points = path?.map((q) => linkFrames(arm, q).at(-1).o) ?? tipPaths[0]?.points ?? [];
+    const pieces = tipPaths
+      ? tipPaths.map((one) => makeTube(one.points, 0.003 * size, one.colour))
+      : [makeTube(points, 0.0035 * size, look.path)];
+    if (wantedPath?.length > path?.length)
+      pieces.push(makeTube(wantedPath, 0.0018 * size, look.wantedPath));
+    const pane = makePaneMaterial(look.ghost, this.dark ? 0.16 : 0.1);
+    if (points.length > 2) pieces.push(makeWall(wantedPath ?? points, pane));
     return pieces.filter(Boolean);
   }
 
-  // The other ways as thin arms of one colour each; the one under the hand is as thick as the arm.
+  // Draw the other branches as thin arms; the one under the pointer is as thick as the arm.
   drawGhosts(state, derived) {
-    const { view, ways, q, highlighted } = state;
-    const hidden = leftBehind(state, derived) && highlighted === null;
-    const shown = view === "branches" && !hidden ? ways : null;
-    if (this.shown.ways !== shown) this.ghostArms(state.arm, shown);
+    const { view, branches, q, highlightedBranch } = state;
+    const hidden = measureTipOffset(state, derived) && highlightedBranch === null;
+    const shown = view === "branches" && !hidden ? branches : null;
+    if (this.shown.branches !== shown) this.ghostArms(state.arm, shown);
     this.ghosts.children.forEach((/** @type {any} */ shape, way) => {
-      shape.visible = !isThere(shown.list[way].q, q);
-      shape.pose(shape.userData, way === highlighted ? 0.97 : 0.3);
+      shape.visible = !isAtPose(shown.list[way].q, q);
+      shape.pose(shape.userData, way === highlightedBranch ? 0.97 : 0.3);
     });
   }
 
-  ghostArms(arm, ways) {
-    emptied(this.ghosts);
-    (ways?.list ?? []).forEach(({ q }, i) => {
-      const material = new MeshStandardMaterial({ color: branchColour(i), roughness: 0.7 });
+  ghostArms(arm, branches) {
+    disposeChildren(this.ghosts);
+    (branches?.list ?? []).forEach(({ q }, i) => {
+      const material = new MeshStandardMaterial({ color: getBranchColour(i), roughness: 0.7 });
       const shape = new ArmShape(arm, { link: material, joint: material, ghost: true });
       shape.userData = linkFrames(arm, q);
       this.ghosts.add(shape);
     });
-    this.shown.ways = ways;
-    if (ways && !this.shown.fitted) this.fit();
-    this.shown.fitted = Boolean(ways);
+    this.shown.branches = branches;
+    if (branches && !this.shown.fitted) this.fit();
+    this.shown.fitted = Boolean(branches);
   }
 
   drawReference({ view, reference, q, arm }) {
     const differs = view === "table" && reference && reference !== arm;
     const shown = differs && movingRows(reference).length === q.length ? reference : null;
     if (this.shown.reference !== shown) {
-      emptied(this.reference);
+      disposeChildren(this.reference);
       this.shown.reference = shown;
       if (shown) {
-        const material = ghostMaterial(this.look.ghost, 0.26);
+        const material = makeGhostMaterial(this.look.ghost, 0.26);
         this.reference.add(new ArmShape(shown, { link: material, joint: material, ghost: true }));
       }
     }
     if (shown) /** @type {any} */ (this.reference.children[0]).pose(linkFrames(shown, q));
   }
 
-  // To and fro along each direction that a dragged tip is losing, the longer the more of it is
+  // Draw arrows both ways along each direction that a dragged tip is losing; they grow as it is
   // lost.
   drawFading(tip, fading) {
     this.fading.children.forEach((/** @type {any} */ arrow, i) => {
       const lost = fading[Math.floor(i / 2)];
       const side = i % 2 ? -this.size : this.size;
-      const way = lost ? scaled(side * (0.04 + 0.1 * goneness(lost)), lost.way) : [0, 0, 0];
+      const way = lost
+        ? scaled(side * (0.04 + 0.1 * getFadingStrength(lost)), lost.way)
+        : [0, 0, 0];
       arrow.point(lost ? plus(tip, scaled(0.03 * side, lost.way)) : tip, way, 0.004 * this.size);
     });
   }
@@ -279,20 +289,20 @@ export class ArmPicture {
     barrier.visible = short > 0.004 * this.size && !hold.moving;
     if (!barrier.visible) return;
     const way = new Vector3(...minus(hold.target, tip)).normalize();
-    along(barrier.way, tip, hold.target, 0.002 * this.size);
+    placeRod(barrier.way, tip, hold.target, 0.002 * this.size);
     barrier.spot.position.set(...hold.target);
     barrier.wallPart.position.set(...plus(tip, scaled(0.006 * this.size, way.toArray())));
     barrier.wallPart.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), way);
   }
 
-  // Stand where the whole arm is in view, with the tips of its frames.
+  // Fit the whole arm and the tips of its frames into the view.
   fit() {
     const reach = 0.13 * this.size;
     const ends = this.frames.flatMap(({ x, z, o }) => [
       o,
       ...[x, z].map((axis) => plus(o, scaled(reach, axis))),
     ]);
-    const ghosts = (this.shown.ways?.list ?? []).flatMap(({ q }) =>
+    const ghosts = (this.shown.branches?.list ?? []).flatMap(({ q }) =>
       linkFrames(this.arm, q).map((frame) => frame.o),
     );
     const seen = [this.handle, this.spot]
@@ -301,14 +311,14 @@ export class ArmPicture {
     this.figure.fit([...ends, ...ghosts, ...seen, [0, 0, 0], [0, 0, 0.3 * this.size]]);
   }
 
-  // The picture's axes in the world: right, up, and towards the eye.
+  // Return the camera's axes in the world: right, up, and towards the viewer.
   cameraAxes() {
     return [0, 1, 2].map((i) =>
       new Vector3().setFromMatrixColumn(this.figure.camera.matrixWorld, i).toArray(),
     );
   }
 
-  // Labels and handles, after each drawing.
+  // Place labels and handles after each drawing.
   place() {
     const { width, height } = this.figure;
     this.labels.host.hidden = false;
@@ -316,26 +326,26 @@ export class ArmPicture {
     if (this.frames) this.onPlace(this.figure.pixel(this.frames.at(-1).o));
   }
 
-  // What can be taken by the hand: the links, and the x axes of the frames drawn, each with the row
-  // that carries it.
+  // Return the segments that can be grabbed: the links, and the x axes of drawn frames with the row
+  // that carries each.
   grips() {
     const axes = this.frames.flatMap(({ o, x }, i) => {
       if (!this.drawn[i] || i === 0) return [];
       const [from, to] = [0.05, 0.1].map((share) => plus(o, scaled(share * this.size, x)));
       return [{ row: i - 1, from, to }];
     });
-    return [...axes, ...piecesOf(this.arm, this.frames)];
+    return [...axes, ...getLinkSegments(this.arm, this.frames)];
   }
 
-  // The place on the links nearest to a pixel, within `within` pixels, or null.
-  linkAt(pixel, within = 14, pieces = piecesOf(this.arm, this.frames)) {
-    return nearest(pieces, pixel, within, (point) => this.figure.pixel(point));
+  // Return the point on the links nearest to a pixel, or null if none is within the distance.
+  findLinkAt(pixel, within = 14, pieces = getLinkSegments(this.arm, this.frames)) {
+    return findNearestSegment(pieces, pixel, within, (point) => this.figure.pixel(point));
   }
 
-  // The ghost of another way under a pixel, by its number, or null.
-  wayAt(pixel) {
+  // Return the index of the ghost under a pixel, or null.
+  findBranchAt(pixel) {
     const gaps = this.ghosts.children.flatMap(({ visible, userData }, way) => {
-      const hit = visible && this.linkAt(pixel, 7, piecesOf(this.arm, userData));
+      const hit = visible && this.findLinkAt(pixel, 7, getLinkSegments(this.arm, userData));
       return hit ? [{ way, gap: hit.gap }] : [];
     });
     return gaps.sort((p, q) => p.gap - q.gap)[0]?.way ?? null;
@@ -343,37 +353,37 @@ export class ArmPicture {
 
   dispose() {
     this.labels.dispose();
-    if (this.world) freed(this.world);
+    if (this.world) removeAndDispose(this.world);
     this.figure.dispose();
   }
 }
 
-function bodyOf(arm, look) {
+function makeBody(arm, look) {
   const link = new MeshStandardMaterial({ color: look.link, roughness: 0.45, metalness: 0.02 });
-  // white: each joint has its colour
+  // white, because each joint sets its own colour
   const joint = new MeshStandardMaterial({ roughness: 0.4, metalness: 0.1 });
   return new ArmShape(arm, { link, joint, hue: new Color(look.joint) });
 }
 
-function shadeOf(size, look) {
-  const shade = square(4 * size, new ShadowMaterial({ opacity: look.shadow }));
+function makeShadow(size, look) {
+  const shade = makeSquare(4 * size, new ShadowMaterial({ opacity: look.shadow }));
   shade.receiveShadow = true;
   shade.position.z = -0.001 * size;
   return shade;
 }
 
-// What stands between a dragged tip and the pointer: a wall across the way, and the way that is
-// missing.
-function barrierOf(size, look) {
+// Make the barrier between a dragged tip and the pointer: a wall, and a rod along the missing
+// distance.
+function makeBarrier(size, look) {
   const group = /** @type {any} */ (new Group());
   const ink = new MeshBasicMaterial({ color: look.bad });
-  const wallPart = square(0.16 * size, paneOf(look.bad, 0.3));
-  const [way, spot] = [rod(ink), ball(ink)];
+  const wallPart = makeSquare(0.16 * size, makePaneMaterial(look.bad, 0.3));
+  const [way, spot] = [makeRod(ink), makeBall(ink)];
   spot.scale.setScalar(0.01 * size);
   Object.assign(group, { wallPart, way, spot, visible: false });
   group.add(wallPart, way, spot);
   return group;
 }
 
-const paneOf = (color, opacity) =>
+const makePaneMaterial = (color, opacity) =>
   new MeshBasicMaterial({ color, transparent: true, opacity, side: DoubleSide, depthWrite: false });

@@ -1,4 +1,4 @@
-// The solids of which the 3D view is made.
+// Solids that the 3D view is made of.
 
 import {
   Color,
@@ -27,12 +27,12 @@ import {
 import { estimateReach } from "../../judge/geometry/arm.js";
 import { cross, minus, norm, plus, scaled } from "../../judge/geometry/kinematics.js";
 
-const UP = new Vector3(0, 1, 0); // along which three.js builds its cylinders
+const UP = new Vector3(0, 1, 0); // the axis of three.js cylinders
 const ROD = new CylinderGeometry(1, 1, 1, 28, 1, true);
 const BARREL = new CylinderGeometry(1, 1, 1, 36);
 const BALL = new SphereGeometry(1, 28, 18);
 const BOX = new BoxGeometry(1, 1, 1);
-const POINT = new ConeGeometry(1, 1, 24);
+const CONE = new ConeGeometry(1, 1, 24);
 const SQUARE = new PlaneGeometry(1, 1);
 const RINGS = [
   ["x", 0],
@@ -45,59 +45,59 @@ const RING = new BufferGeometry().setFromPoints(
     (_, i) => new Vector3(Math.cos((i * Math.PI) / 32), Math.sin((i * Math.PI) / 32), 0),
   ),
 );
-const SHARED = new Set([ROD, BARREL, BALL, BOX, POINT, SQUARE, RING]);
+const SHARED = new Set([ROD, BARREL, BALL, BOX, CONE, SQUARE, RING]);
 
-// Whether a geometry belongs to all figures of the page, and so to none of them.
+// Return whether a geometry is shared by all figures; shared ones must not be disposed.
 export const isShared = (geometry) => SHARED.has(geometry);
 
-export const ball = (material) => new Mesh(BALL, material);
-export const rod = (material) => new Mesh(BARREL, material);
+export const makeBall = (material) => new Mesh(BALL, material);
+export const makeRod = (material) => new Mesh(BARREL, material);
 
-// A square of this size (m), facing z.
-export function square(size, material) {
+// Make a square of a size (m) that faces z.
+export function makeSquare(size, material) {
   const mesh = new Mesh(SQUARE, material);
   mesh.scale.setScalar(size);
   return mesh;
 }
 
-const vector = (v) => new Vector3().fromArray(v);
+const toVector = (v) => new Vector3().fromArray(v);
 
-const NOWHERE = [0, 0, 0];
+const ORIGIN = [0, 0, 0];
 const WHITE = new Color(1, 1, 1);
 
 /**
- * Solids of one shape and material that are drawn in one call, however many there are. Each takes
- * its place by its number; one without a size is not seen.
+ * Many solids of one shape and material, drawn in one call. Solids are placed by index; one of size
+ * 0 is invisible.
  */
-class Solids extends InstancedMesh {
+class InstancedSolids extends InstancedMesh {
   constructor(geometry, material, count) {
     super(geometry, material, count);
-    this.frustumCulled = false; // they move, and no sphere around them is kept up to date
+    this.frustumCulled = false; // the instances move, and their bounding sphere is not updated
     this.instanceMatrix.setUsage(DynamicDrawUsage);
     for (let i = 0; i < count; i++) this.hide(i);
   }
 
-  // The place of one: where its x, y and z axes lead to, and its middle.
+  // Place a solid by its scaled x, y and z axes and its middle.
   put(i, x, y, z, middle) {
     [x, y, z, middle].forEach((column, k) => this.instanceMatrix.array.set(column, 16 * i + 4 * k));
     this.instanceMatrix.array[16 * i + 15] = 1;
     this.instanceMatrix.needsUpdate = true;
   }
 
-  // Between two points; of what lies across the way, `side` leads towards x.
+  // Place a solid between two points. Its x axis points along `side` if that is given.
   between(i, start, end, radius, side = null) {
-    const way = minus(end, start);
-    const length = norm(way);
+    const direction = minus(end, start);
+    const length = norm(direction);
     const seen = length > 1e-6;
     if (!seen) return (this.hide(i), false);
-    const x = side ?? across(way, length);
+    const x = side ?? findPerpendicular(direction, length);
     const size = radius / norm(x);
     this.put(
       i,
       scaled(size, x),
-      way,
-      scaled(size / length, cross(x, way)),
-      plus(start, scaled(0.5, way)),
+      direction,
+      scaled(size / length, cross(x, direction)),
+      plus(start, scaled(0.5, direction)),
     );
     return true;
   }
@@ -107,7 +107,7 @@ class Solids extends InstancedMesh {
   }
 
   hide(i) {
-    this.ball(i, NOWHERE, 0);
+    this.ball(i, ORIGIN, 0);
   }
 
   /** @param {(i: number) => Color} pick */
@@ -117,26 +117,26 @@ class Solids extends InstancedMesh {
   }
 }
 
-// A vector across another one: away from the axis of the base along which that one leads least.
-function across(way, length) {
-  return cross(way, Math.abs(way[2]) < 0.7 * length ? [0, 0, 1] : [1, 0, 0]);
+// Return a vector perpendicular to `way`, from the base axis that is least parallel to it.
+function findPerpendicular(direction, length) {
+  return cross(direction, Math.abs(direction[2]) < 0.7 * length ? [0, 0, 1] : [1, 0, 0]);
 }
 
-// Put a rod of unit length between two points.
-export function along(mesh, start, end, radius) {
-  const way = vector(minus(end, start));
-  const length = way.length();
+// Place a rod of unit length between two points.
+export function placeRod(mesh, start, end, radius) {
+  const direction = toVector(minus(end, start));
+  const length = direction.length();
   mesh.visible = length > 1e-6;
   if (!mesh.visible) return;
-  mesh.position.copy(vector(start)).addScaledVector(way, 0.5);
-  mesh.quaternion.copy(new Quaternion().setFromUnitVectors(UP, way.divideScalar(length)));
+  mesh.position.copy(toVector(start)).addScaledVector(direction, 0.5);
+  mesh.quaternion.copy(new Quaternion().setFromUnitVectors(UP, direction.divideScalar(length)));
   mesh.scale.set(radius, length, radius);
 }
 
 /**
- * An arm as capsules along d and a of each row, with a barrel where a joint turns and a box where
- * it slides. `hue` is the colour of its joints where they are to be tinted one by one; their
- * material is white then.
+ * An arm: capsules along d and a of each row, a barrel at each revolute joint, a box at each
+ * prismatic one. If `hue` is given, joints have it as their colour and can be tinted one by one;
+ * their material must be white.
  */
 export class ArmShape extends Group {
   constructor(arm, { link, joint, ghost = false, hue = null }) {
@@ -147,14 +147,14 @@ export class ArmShape extends Group {
     this.hue = hue;
     const n = arm.rows.length;
     const add = (geometry, material, count) => {
-      const solids = new Solids(geometry, material, count);
+      const solids = new InstancedSolids(geometry, material, count);
       solids.castShadow = solids.receiveShadow = !ghost;
       this.add(solids);
       return solids;
     };
     this.rods = add(ROD, link, 2 * n);
     this.balls = add(BALL, link, 2 * n);
-    this.barrels = add(BARREL, joint, n + 1); // the last is the pedestal
+    this.barrels = add(BARREL, joint, n + 1); // the last barrel is the pedestal
     this.boxes = arm.rows.some((row) => row.kind === "prismatic") ? add(BOX, joint, n) : null;
     if (!ghost)
       this.barrels.between(
@@ -164,19 +164,20 @@ export class ArmShape extends Group {
         0.05 * this.size,
       );
     if (!hue) return;
-    // or shadows change programs midway
+    // Colours are set from the start; adding them later would compile another shadow program.
     for (const solids of [this.rods, this.balls]) solids.colour(() => WHITE);
     this.tint(() => null);
   }
 
-  // Joints in the colour that `pick` gives for their row, or in their own.
+  // Colour each joint with `pick(row)`, or with its own colour if that returns null.
   tint(pick) {
     const colour = (i) => pick(i) ?? this.hue;
     this.barrels.colour(colour);
     this.boxes?.colour(colour);
   }
 
-  // A ghost is thinner than the arm, and hides inside it where both are.
+  // Place the arm at frames. A ghost is slightly thinner, so that the arm hides it where both
+  // coincide.
   pose(frames, girth = this.ghost ? 0.97 : 1) {
     this.girth = girth * this.size;
     this.arm.rows.forEach((row, i) => {
@@ -203,7 +204,7 @@ export class ArmShape extends Group {
     else this.barrels.between(i, from, to, 1.28 * radius);
   }
 
-  // Links grow thinner towards the tip, and the last one is a pen.
+  // Links grow thinner towards the tip; the last one is a pen.
   radius(i) {
     const n = this.arm.rows.length;
     return this.girth * (i === n - 1 ? 0.008 : 0.021 - (0.008 * i) / n);
@@ -215,35 +216,40 @@ export class Arrow extends Group {
   constructor(material) {
     super();
     this.shaft = new Mesh(BARREL, material);
-    this.head = new Mesh(POINT, material);
+    this.head = new Mesh(CONE, material);
     this.add(this.shaft, this.head);
   }
 
-  point(start, way, thickness) {
-    const length = norm(way);
+  point(start, direction, thickness) {
+    const length = norm(direction);
     this.visible = length > 1e-9;
     if (!this.visible) return;
     const neck = Math.max(0, length - 5 * thickness);
-    along(this.shaft, start, plus(start, scaled(neck / length, way)), thickness);
-    along(this.head, plus(start, scaled(neck / length, way)), plus(start, way), 2.4 * thickness);
+    placeRod(this.shaft, start, plus(start, scaled(neck / length, direction)), thickness);
+    placeRod(
+      this.head,
+      plus(start, scaled(neck / length, direction)),
+      plus(start, direction),
+      2.4 * thickness,
+    );
   }
 }
 
 const AXES = { x: "#D55E00", y: "#009E73", z: "#0072B2" };
 const AXES_DARK = { x: "#F58A3C", y: "#3CC79B", z: "#5AB4EC" };
 
-// The three axes of each of some frames.
+// The three axes of several frames.
 export class Triads extends Group {
   constructor(dark, count) {
     super();
     const colours = Object.values(dark ? AXES_DARK : AXES).map((colour) => new Color(colour));
-    this.shafts = new Solids(BARREL, new MeshBasicMaterial(), 3 * count);
-    this.heads = new Solids(POINT, new MeshBasicMaterial(), 3 * count);
+    this.shafts = new InstancedSolids(BARREL, new MeshBasicMaterial(), 3 * count);
+    this.heads = new InstancedSolids(CONE, new MeshBasicMaterial(), 3 * count);
     for (const solids of [this.shafts, this.heads]) solids.colour((i) => colours[i % 3]);
     this.add(this.shafts, this.heads);
   }
 
-  /** @param {boolean[]} drawn which of the frames are */
+  /** @param {boolean[]} drawn whether each frame is drawn */
   pose(frames, length, drawn) {
     const thickness = 0.022 * length;
     frames.forEach((frame, i) =>
@@ -263,7 +269,7 @@ export class Triads extends Group {
   }
 }
 
-// How fast the tip can go which way with joint rates of unit length.
+// The tip's velocities for joint rates of unit length.
 export class Ellipsoid extends Group {
   constructor(colour) {
     super();
@@ -283,43 +289,44 @@ export class Ellipsoid extends Group {
     this.matrixAutoUpdate = false;
   }
 
-  // Half axes `scale` times the singular values, and never too thin to be seen.
+  // Set the half axes to `scale` times the singular values, but at least `least` so that they stay
+  // visible.
   pose(centre, { values, vectors }, scale, least) {
-    const columns = vectors.map((v, i) => vector(scaled(Math.max(scale * values[i], least), v)));
+    const columns = vectors.map((v, i) => toVector(scaled(Math.max(scale * values[i], least), v)));
     const [u, v, w] = columns;
-    this.matrix.makeBasis(u, v, w).premultiply(new Matrix4().makeTranslation(vector(centre)));
+    this.matrix.makeBasis(u, v, w).premultiply(new Matrix4().makeTranslation(toVector(centre)));
   }
 }
 
-// A line through points, thick enough to be seen.
-export function tube(points, radius, colour) {
+// Make a tube along points.
+export function makeTube(points, radius, colour) {
   const gap = 1e-7;
   const apart = points.filter((p, i) => i === 0 || norm(minus(p, points[i - 1])) > gap);
   if (apart.length < 2) return new Group();
-  const curve = new CatmullRomCurve3(apart.map(vector));
+  const curve = new CatmullRomCurve3(apart.map(toVector));
   return new Mesh(
     new TubeGeometry(curve, Math.min(400, apart.length * 2), radius, 8),
     new MeshBasicMaterial({ color: colour }),
   );
 }
 
-// A see-through square behind a flat path, or null where the path is not flat.
-export function wall(points, material) {
+// Make a transparent square behind a path, or null if the path is not flat.
+export function makeWall(points, material) {
   const n = points.length;
   const centre = scaled(1 / n, points.reduce(plus));
-  const [p, q] = [points[0], points[Math.floor(n / 4)]].map((v) => vector(minus(v, centre)));
+  const [p, q] = [points[0], points[Math.floor(n / 4)]].map((v) => toVector(minus(v, centre)));
   const normal = p.clone().cross(q).normalize();
   const size = Math.max(...points.map((v) => norm(minus(v, centre))));
-  const flat = points.every((v) => Math.abs(vector(minus(v, centre)).dot(normal)) < 0.02 * size);
+  const flat = points.every((v) => Math.abs(toVector(minus(v, centre)).dot(normal)) < 0.02 * size);
   if (!(size > 1e-6 && normal.length() > 0.5 && flat)) return null;
-  const mesh = square(3.4 * size, material);
-  mesh.position.copy(vector(centre));
+  const mesh = makeSquare(3.4 * size, material);
+  mesh.position.copy(toVector(centre));
   const up = Math.abs(normal.z) > 0.9 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
   mesh.quaternion.setFromRotationMatrix(new Matrix4().lookAt(normal, new Vector3(), up));
   return mesh;
 }
 
-// A floor of lines, a tenth of a metre or so apart, fading out.
+// Make a floor of grid lines that fade out towards the edge.
 export function floor(size, colour, strength) {
   const step = size > 1.2 ? 0.2 : size > 0.4 ? 0.1 : 0.05;
   const material = new ShaderMaterial({
@@ -347,10 +354,10 @@ export function floor(size, colour, strength) {
         gl_FragColor = vec4(colour, strength * line * smoothstep(1.0, 0.2, length(p) / size));
       }`,
   });
-  return square(2 * size, material);
+  return makeSquare(2 * size, material);
 }
 
-export function ghostMaterial(colour, opacity) {
+export function makeGhostMaterial(colour, opacity) {
   return new MeshStandardMaterial({
     color: colour,
     transparent: true,

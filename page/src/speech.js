@@ -1,34 +1,38 @@
-// What a screen reader hears of an explorer: one summary once all is still, the last one only,
-// while the explorer has the focus.
+// Announcements for screen readers: a summary once the explorer is still, only while it has the
+// focus.
 
 import { h } from "./dom.js";
 
-const STILL = 1000; // ms
-const HEARD = 400; // ms that a sentence stands, so that the same one can be said again
+const QUIET_TIME = 1000; // ms
+const CLEAR_DELAY = 400; // ms until the text is cleared, so that it can be announced again
 
 /**
- * @param {HTMLElement | ShadowRoot} root whose focus counts
+ * Make a live region.
+ * @param {HTMLElement | ShadowRoot} root announcements need the focus in here
  * @param {AbortSignal} signal
  */
-export function makeSpeech(root, signal) {
+export function makeAnnouncer(root, signal) {
   const region = h("p.hidden", { role: "status", "aria-live": "polite" });
   let timer = null;
   let emptier = null;
   const focused = () => /** @type {any} */ (root).activeElement !== null && document.hasFocus();
 
-  // Say the sentence that `words` gives when all has been still for a second.
-  function say(words, always = false) {
+  // Announce the sentence that `message` returns after a second without another announcement.
+  function announce(message, always = false) {
     clearTimeout(timer);
     timer = setTimeout(() => {
       if (!always && !focused()) return;
-      region.textContent = words();
+      region.textContent = message();
       clearTimeout(emptier);
-      emptier = setTimeout(() => (region.textContent = ""), HEARD + 60 * region.textContent.length);
-    }, STILL);
+      emptier = setTimeout(
+        () => (region.textContent = ""),
+        CLEAR_DELAY + 60 * region.textContent.length,
+      );
+    }, QUIET_TIME);
   }
   signal.addEventListener("abort", () => {
     clearTimeout(timer);
     clearTimeout(emptier);
   });
-  return { region, say };
+  return { region, announce };
 }

@@ -1,5 +1,5 @@
-// What the explorer shows now, what follows from it, and who wants to know. Every state is the
-// result of one transition, which drops what depends on what changed.
+// The explorer's state, the values derived from it, and the store that holds both. Every state
+// comes from one event, which also resets the fields that depend on what it changed.
 
 import {
   carryOverJoints,
@@ -19,144 +19,176 @@ import {
   wrenchTorque,
 } from "../../judge/geometry/kinematics.js";
 import { determinant, simplifyBasis, decomposeSingular } from "../../judge/geometry/linear.js";
-import { asked, rankOf } from "./verdicts.js";
+import { countTaskRows, countRank } from "./verdicts.js";
 
 /** @typedef {import("../../judge/geometry/arm.js").Arm} Arm */
-/** @typedef {{ x: number[], y: number[], z: number[], o: number[] }} Frame */
 /**
- * @typedef {object} Ways
- * @property {{ q: number[], label?: string }[]} list
- * @property {{ moving: number[], q: number[] }[]} families those of the list that stand for
- *   infinitely many
- * @property {number} held the joint, as its index in q, that was held; -1 for none
- * @property {Frame} target where they lead
- * @property {boolean} whole whether the tool's direction counts
+ * @typedef {object} Frame a coordinate frame: three unit axes and the origin, in base axes
+ * @property {number[]} x
+ * @property {number[]} y
+ * @property {number[]} z
+ * @property {number[]} o
+ */
+/**
+ * @typedef {object} Branch one solution of inverse kinematics
+ * @property {number[]} q
+ * @property {string} [label] its name, if Python gave one
+ */
+/**
+ * @typedef {object} BranchSet the solutions for one pose of the tip
+ * @property {Branch[]} list
+ * @property {{ moving: number[], q: number[] }[]} families members of the list that stand for
+ *   infinitely many solutions, with the indices in q of the joints that can move
+ * @property {number} lockedJoint index in q of the joint that was kept still; -1 for none
+ * @property {Frame} target the pose of the tip
+ * @property {boolean} hasOrientation false if only the position of the tip is solved for
+ */
+/**
+ * @typedef {object} Hold how the reader holds the tip: dragged towards a target, or pinned
+ * @property {"tip"} [kind] set while the tip is dragged
+ * @property {number[]} [target] point that a dragged tip follows
+ * @property {boolean} [moving] whether a dragged tip is still on its way
+ * @property {string[]} [stops] why a dragged tip cannot reach the target
+ * @property {number} [short] distance in m from a stopped tip to the target
+ * @property {{ direction: number[], share: number }[]} [fading] directions that are being lost
+ * @property {Frame} [pinned] pose at which the tip is pinned
+ * @property {boolean} [turns] whether a pinned tip keeps its orientation too
+ * @property {number} [free] dimension of the null space of a pinned tip
  */
 /**
  * @typedef {object} State
- * @property {Arm} arm the arm shown
- * @property {Arm} base the arm of the list that it is, or that its table began as
- * @property {Arm} reference the arm behind the table, as a ghost
+ * @property {Arm} arm
+ * @property {Arm} base the listed arm that `arm` is, or from which its table was edited
+ * @property {Arm} reference the arm drawn as a ghost behind an edited table
  * @property {number[]} q joint values, rad or m
- * @property {number[]} wrench force and moment on the tool, by the world, at the tip, base axes
- * @property {"deg" | "rad"} unit of the angles shown
- * @property {string} view the open tab
+ * @property {number[]} wrench force and moment of the world on the tool, at the tip, in base axes
+ * @property {"deg" | "rad"} unit of displayed angles
+ * @property {string} view name of the open tab
  * @property {"all" | "ends"} frames which frames are drawn
- * @property {{ normal: "x" | "y" | "z", radius: number }} circle that Play draws
- * @property {number[][] | null} trace joint vectors along a path
- * @property {number[][] | null} wanted the points that the tip was to go through, all the way round
- * @property {number} at the place along the trace, 0 to 1
- * @property {import("./homework_run.js").Run[]} runs of the homework's circle
- * @property {{ points: number[][], colour: string }[] | null} paths of the tip, drawn beside the
- *   trace
+ * @property {{ normal: "x" | "y" | "z", radius: number }} circle the circle that Play draws
+ * @property {number[][] | null} trace joint values along a path
+ * @property {number[][] | null} wantedPath points of the whole path that the tip should follow
+ * @property {number} progress position along the trace, 0 to 1
+ * @property {import("./homework_run.js").Run[]} runs simulated runs of the homework's circle
+ * @property {{ points: number[][], colour: string }[] | null} tipPaths paths of the tip in the runs
  * @property {boolean} playing
- * @property {Ways | null} ways
- * @property {number | null} highlighted the way under the reader's hand
- * @property {number | null} lit the row under the reader's hand
- * @property {boolean} dragging whether the picture is held by a pointer
- * @property {any} hold what is being dragged, and why it stops
- * @property {number[] | null} mark a point that a link asks the reader to compare the tip with
- * @property {boolean} keepTurn whether a dragged tip keeps its orientation
- * @property {object[]} past
- * @property {object[]} future
+ * @property {BranchSet | null} branches
+ * @property {number | null} highlightedBranch index of the branch under the pointer
+ * @property {number | null} highlightedRow row of the table under the pointer
+ * @property {boolean} dragging whether a pointer drags something in the picture
+ * @property {Hold | null} hold
+ * @property {number[] | null} mark point of a link to compare the tip with
+ * @property {boolean} keepOrientation whether a dragged tip keeps its orientation
+ * @property {object[]} past undo steps
+ * @property {object[]} future redo steps
  */
 
 export const EMPTY = {
   trace: null,
-  wanted: null,
-  paths: null,
-  at: 0,
+  wantedPath: null,
+  tipPaths: null,
+  progress: 0,
   playing: false,
-  ways: null,
-  highlighted: null,
-  lit: null,
+  branches: null,
+  highlightedBranch: null,
+  highlightedRow: null,
   hold: null,
   mark: null,
 };
-// What a field takes with it when it changes: those fields go back to EMPTY, unless the event sets
-// them.
-const ALONG = ["wanted", "at", "playing"];
-const DROPS = {
+// When one of these fields changes, the listed fields go back to EMPTY unless the event sets them.
+const PLAYBACK_FIELDS = ["wantedPath", "progress", "playing"];
+const DEPENDENT_FIELDS = {
   arm: Object.keys(EMPTY),
-  circle: ["trace", ...ALONG],
-  trace: ALONG,
-  ways: ["highlighted"],
-  view: ["playing", "highlighted", "lit"],
+  circle: ["trace", ...PLAYBACK_FIELDS],
+  trace: PLAYBACK_FIELDS,
+  branches: ["highlightedBranch"],
+  view: ["playing", "highlightedBranch", "highlightedRow"],
 };
 
-const KEPT = ["arm", "base", "reference", "q", "wrench"]; // what undo brings back
-const STEPS = 200; // that can be undone
+const UNDO_FIELDS = ["arm", "base", "reference", "q", "wrench"]; // the fields that undo restores
+const MAX_UNDO_STEPS = 200;
 
-// The patch that each kind of event makes; null where the event makes no sense in this state.
-const EVENTS = {
-  select: (state, { arm, q, reference = arm }) => selectArm(state, arm, q, reference),
-  edit: (state, { rows, q, rowBefore }) => editTable(state, rows, q, rowBefore),
-  move: (state, { q, hold = null }) =>
+// What each kind of event changes in the state. A handler returns null for an event that the state
+// does not allow.
+const EVENT_HANDLERS = {
+  selectArm: (state, { arm, q, reference = arm }) => selectArm(state, arm, q, reference),
+  editTable: (state, { rows, q, rowBefore }) => editTable(state, rows, q, rowBefore),
+  moveJoints: (state, { q, hold = null }) =>
     isJointVector(state.arm, q) ? { q, hold, playing: false } : null,
   glide: (state, { q }) => (isJointVector(state.arm, q) ? { q } : null),
-  play: (state, { at }) => along(state, at),
-  playing: (state, { on }) => (on && !state.trace ? null : { playing: on }),
-  push: (state, { wrench }) =>
+  seek: (state, { progress }) => moveAlongTrace(state, progress),
+  setPlaying: (state, { on }) => (on && !state.trace ? null : { playing: on }),
+  setWrench: (state, { wrench }) =>
     wrench.length === 6 && wrench.every(Number.isFinite) ? { wrench } : null,
-  circle: (state, { type: _, ...circle }) => ({ circle: { ...state.circle, ...circle } }),
-  traced: (state, { arm, circle, path, wanted }) =>
+  setCircle: (state, { type: _, ...circle }) => ({ circle: { ...state.circle, ...circle } }),
+  setTrace: (state, { arm, circle, path, wantedPath }) =>
     arm === state.arm && circle === state.circle
-      ? { trace: path, wanted, at: 0, q: path[0] }
+      ? { trace: path, wantedPath, progress: 0, q: path[0] }
       : null,
-  ways: (state, { arm, ways }) => (arm === state.arm ? { ways } : null),
-  show: (state, { type: _, ...patch }) => patch,
-  set: (state, { type: _, ...patch }) =>
+  setBranches: (state, { arm, branches }) => (arm === state.arm ? { branches } : null),
+  setFields: (state, { type: _, ...patch }) => patch,
+  replaceState: (state, { type: _, ...patch }) =>
     isJointVector(patch.arm ?? state.arm, patch.q ?? state.q) ? patch : null,
-  undo: (state) => travel(state, "past", "future"),
-  redo: (state) => travel(state, "future", "past"),
+  undo: (state) => stepThroughHistory(state, "past", "future"),
+  redo: (state) => stepThroughHistory(state, "future", "past"),
 };
 
 /**
- * The state after an event { type, … }. What the reader can undo is remembered; events with the
- * same `gesture` that follow one another are one step.
+ * Return the state after an event.
+ * An undo step is recorded for changes by the reader. Consecutive events with the same `gesture`
+ * share one step.
  * @param {State} state
- * @param {any} event
+ * @param {any} event its `type` is a key of EVENT_HANDLERS
  * @returns {State}
  */
-function transition(state, event) {
-  const patch = EVENTS[event.type](state, event);
+function reduceState(state, event) {
+  const patch = EVENT_HANDLERS[event.type](state, event);
   if (!patch) return state;
   const changed = Object.keys(patch).filter((key) => patch[key] !== state[key]);
   if (!changed.length) return state;
-  const dropped = changed.flatMap((key) => DROPS[key] ?? []).filter((key) => !(key in patch));
+  const dropped = changed
+    .flatMap((key) => DEPENDENT_FIELDS[key] ?? [])
+    .filter((key) => !(key in patch));
   const next = {
     ...state,
     ...Object.fromEntries(dropped.map((key) => [key, EMPTY[key]])),
     ...patch,
   };
-  return remembered(state, next, event);
+  return recordUndoStep(state, next, event);
 }
 
-function remembered(state, next, { type, gesture = null }) {
-  if (["undo", "redo", "play"].includes(type) || KEPT.every((key) => state[key] === next[key]))
+function recordUndoStep(state, next, { type, gesture = null }) {
+  if (
+    ["undo", "redo", "seek"].includes(type) ||
+    UNDO_FIELDS.every((key) => state[key] === next[key])
+  )
     return next;
   if (gesture !== null && state.past.at(-1)?.gesture === gesture) {
     next.future = [];
     return next;
   }
-  const step = { gesture, ...Object.fromEntries(KEPT.map((key) => [key, state[key]])) };
-  return { ...next, past: [...state.past, step].slice(-STEPS), future: [] };
+  const step = { gesture, ...Object.fromEntries(UNDO_FIELDS.map((key) => [key, state[key]])) };
+  return { ...next, past: [...state.past, step].slice(-MAX_UNDO_STEPS), future: [] };
 }
 
-function travel(state, from, to) {
+function stepThroughHistory(state, from, to) {
   const step = state[from].at(-1);
   if (!step) return null;
   const { gesture: _, ...kept } = step;
-  const here = { gesture: null, ...Object.fromEntries(KEPT.map((key) => [key, state[key]])) };
+  const here = {
+    gesture: null,
+    ...Object.fromEntries(UNDO_FIELDS.map((key) => [key, state[key]])),
+  };
   return { ...kept, playing: false, [from]: state[from].slice(0, -1), [to]: [...state[to], here] };
 }
 
-// Another arm of the list: where it stands first, and nothing that was said of the one before.
+// Select another arm of the list, at its home pose unless q is given.
 function selectArm(state, arm, q, reference) {
   return { arm, base: arm, reference, q: isJointVector(arm, q) ? q : homePose(arm) };
 }
 
-// The arm with other rows; joints keep their values by row.
+// Replace the rows of the arm. `rowBefore` maps each new row to its old index, so that joints keep
+// their values.
 function editTable(state, rows, q, rowBefore = (row) => row) {
   if (findRowsFault(rows)) return null;
   const { rows: before } = state.arm;
@@ -169,20 +201,20 @@ function editTable(state, rows, q, rowBefore = (row) => row) {
   };
 }
 
-function along({ trace, arm }, at) {
+function moveAlongTrace({ trace, arm }, progress) {
   if (!trace || !trace.every((q) => q.length === trace[0].length) || !isJointVector(arm, trace[0]))
     return null;
-  const k = Math.min(trace.length - 2, Math.floor(at * (trace.length - 1)));
-  const rest = at * (trace.length - 1) - k;
-  return { at, q: trace[k].map((v, i) => v + rest * (trace[k + 1][i] - v)) };
+  const k = Math.min(trace.length - 2, Math.floor(progress * (trace.length - 1)));
+  const rest = progress * (trace.length - 1) - k;
+  return { progress, q: trace[k].map((v, i) => v + rest * (trace[k + 1][i] - v)) };
 }
 
 /**
- * The state in which an explorer starts.
+ * Return the state of an explorer that has just been opened.
  * @param {Partial<State> & { arm: Arm, q: number[] }} given
  * @returns {State}
  */
-export const startingState = (given) => ({
+export const makeInitialState = (given) => ({
   base: given.arm,
   reference: given.arm,
   wrench: [0, 0, 0, 0, 0, 0],
@@ -190,7 +222,7 @@ export const startingState = (given) => ({
   view: "pose",
   frames: "ends",
   circle: { normal: "x", radius: 0.1 },
-  keepTurn: false,
+  keepOrientation: false,
   dragging: false,
   runs: [],
   past: [],
@@ -199,8 +231,7 @@ export const startingState = (given) => ({
   ...given,
 });
 
-// Everything that follows from an arm, a joint vector and a wrench, each computed when it is first
-// asked for.
+// Values that follow from an arm, joint values and a wrench. Each is computed at its first use.
 class Derived {
   #known = new Map();
 
@@ -221,14 +252,14 @@ class Derived {
   get columns() {
     return this.#once("columns", () => jacobianColumns(this.arm, this.frames));
   }
-  // The columns' first rows.
+  // Return the first `count` entries of each Jacobian column.
   rows(count) {
     return this.columns.map((column) => column.slice(0, count));
   }
-  // Singular values and left singular vectors of the rows that the arm is for: six, or v alone
-  // below six joints.
+  // Singular values and left singular vectors of the task rows: all six, or only v for an arm with
+  // fewer than six joints.
   get task() {
-    const rows = asked(this.arm);
+    const rows = countTaskRows(this.arm);
     return this.#once("task", () => decomposeSingular(this.rows(rows), rows));
   }
   get linear() {
@@ -238,16 +269,16 @@ class Derived {
     return this.task.values;
   }
   get rank() {
-    return rankOf(this.values);
+    return countRank(this.values);
   }
-  // The motions that no joint rates give, as plain as they can be said.
+  // Tip motions that no joint rates produce, in the basis with the most zeros.
   get lost() {
     return this.#once("lost", () =>
       simplifyBasis(this.task.vectors.slice(this.rank).map((v) => [...v, 0, 0, 0].slice(0, 6))),
     );
   }
   get determinant() {
-    const rows = asked(this.arm);
+    const rows = countTaskRows(this.arm);
     return this.#once("determinant", () => determinant(this.rows(rows)));
   }
   get manipulability() {
@@ -257,7 +288,7 @@ class Derived {
   get gravity() {
     return this.#once("gravity", () => gravityTorque(this.arm, this.frames));
   }
-  // Potential energy of the links, J.
+  // Potential energy of the links in J.
   get energy() {
     return potentialEnergy(this.arm, this.frames);
   }
@@ -269,13 +300,14 @@ class Derived {
   }
 }
 
-// How far the tip is from the pose that the ways lead to (m, rad), or null where it is there.
-export function leftBehind({ ways }, { frames }) {
-  if (!ways) return null;
+// Return the distance (m) and turn (rad) from the tip to the pose of the branches, or null if the
+// tip is there.
+export function measureTipOffset({ branches }, { frames }) {
+  if (!branches) return null;
   const { x, y, z, o } = frames.at(-1);
-  const far = norm(minus(o, ways.target.o));
-  const turned = ways.whole
-    ? Math.max(...Object.entries({ x, y, z }).map(([k, v]) => norm(minus(v, ways.target[k]))))
+  const far = norm(minus(o, branches.target.o));
+  const turned = branches.hasOrientation
+    ? Math.max(...Object.entries({ x, y, z }).map(([k, v]) => norm(minus(v, branches.target[k]))))
     : 0;
   return far > 5e-4 || turned > 2e-3 ? { far, turned } : null;
 }
@@ -289,10 +321,11 @@ export class Store {
     this.derived = new Derived(state.arm, state.q, state.wrench);
   }
 
-  // Let an event happen, and tell everyone which fields changed and who did it.
+  // Apply an event and tell every listener which fields changed and who caused it. Returns whether
+  // anything changed.
   dispatch(event, by = "reader") {
     const before = this.state;
-    const state = transition(before, event);
+    const state = reduceState(before, event);
     if (state === before) return false;
     const changed = new Set(Object.keys(state).filter((key) => state[key] !== before[key]));
     this.state = state;
@@ -303,7 +336,7 @@ export class Store {
     return true;
   }
 
-  // Hear of changes until the signal is aborted.
+  // Call `listener` after each change until the signal is aborted.
   listen(listener, signal) {
     this.#listeners.add(listener);
     signal?.addEventListener("abort", () => this.#listeners.delete(listener), { once: true });

@@ -1,5 +1,5 @@
-// A still picture of an arm, in lines: what stands in a page until its script has come, where the
-// browser has no WebGL, and on paper. In the ink of the page around it.
+// A still line drawing of an arm in the page's text colour. It is shown until the script has
+// loaded, if the browser has no WebGL, and on paper.
 
 import { estimateReach } from "../../judge/geometry/arm.js";
 import {
@@ -11,21 +11,22 @@ import {
   scaled,
 } from "../../judge/geometry/kinematics.js";
 import { svg } from "./dom.js";
-import { piecesOf } from "./picking.js";
+import { getLinkSegments } from "./picking.js";
 
-const [WIDE, HIGH] = [480, 320];
-const FILLED = 0.81; // of the picture, as in the live one
-// Seen from where the live picture's camera stands first.
+const [WIDTH, HEIGHT] = [480, 320];
+const FILLED_SHARE = 0.81; // share of the picture, as in the live one
+// Axes of the live picture's initial camera.
 const RIGHT = [0.6816, 0.7317, 0];
 const UP = [-0.2514, 0.2342, 0.9391];
 const AXES = { x: "#D55E00", y: "#009E73", z: "#0072B2" };
 
 /**
+ * Make the still picture.
  * @param {import("./state.js").State} state
  * @param {{ frames: any[] }} derived
- * @param {string} words that say what it shows
+ * @param {string} description description for screen readers
  */
-export function still({ arm, trace, frames: which }, { frames }, words) {
+export function makeStillPicture({ arm, trace, frames: which }, { frames }, description) {
   const size = estimateReach(arm);
   const drawn = frames.filter((_, i) => which === "all" || i === 0 || i === frames.length - 1);
   const axes = drawn.flatMap((frame) =>
@@ -34,24 +35,24 @@ export function still({ arm, trace, frames: which }, { frames }, words) {
       return { points: [frame.o, tip], width: 2.5, colour };
     }),
   );
-  const links = piecesOf(arm, frames).map(({ from, to }) => [from, to]);
+  const links = getLinkSegments(arm, frames).map(({ from, to }) => [from, to]);
   const barrels = movingRows(arm).map((row) => {
     const half = scaled(0.05 * size, frames[row].z);
     return [minus(frames[row].o, half), plus(frames[row].o, half)];
   });
   const path = trace?.map((q) => linkFrames(arm, q).at(-1).o) ?? [];
-  const place = viewOf([...links.flat(), ...axes.flatMap(({ points }) => points), ...path]);
+  const place = makeProjection([...links.flat(), ...axes.flatMap(({ points }) => points), ...path]);
   const lines = (list, width, colour = "currentColor", ends = "round") =>
-    list.map((points) => line(points.map(place), { width, colour, ends }));
+    list.map((points) => makePolyline(points.map(place), { width, colour, ends }));
   const group = (opacity, parts) => svg("g", { opacity }, ...parts);
   return svg(
     "svg",
     {
-      viewBox: `0 0 ${WIDE} ${HIGH}`,
-      width: WIDE,
+      viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+      width: WIDTH,
       class: "still",
       role: "img",
-      "aria-label": words,
+      "aria-label": description,
     },
     group(0.35, lines(links, 10)),
     group(0.75, lines(barrels, 12, "currentColor", "butt")),
@@ -60,21 +61,23 @@ export function still({ arm, trace, frames: which }, { frames }, words) {
   );
 }
 
-// The projection that fits points into the picture: from metres to whole pixels and tenths.
-function viewOf(points) {
+// Return a function that projects points from metres to the picture, so that all of them fit.
+function makeProjection(points) {
   const flat = (p) => [dot(RIGHT, p), -dot(UP, p)];
   const seen = points.map(flat);
   const ends = [0, 1].map((i) => {
     const values = seen.map((p) => p[i]);
     return [Math.min(...values), Math.max(...values)];
   });
-  const room = [WIDE, HIGH];
-  const scales = ends.map(([low, high], i) => (FILLED * room[i]) / Math.max(high - low, 1e-9));
+  const room = [WIDTH, HEIGHT];
+  const scales = ends.map(
+    ([low, high], i) => (FILLED_SHARE * room[i]) / Math.max(high - low, 1e-9),
+  );
   const scale = Math.min(...scales);
   return (p) => flat(p).map((v, i) => room[i] / 2 + scale * (v - (ends[i][0] + ends[i][1]) / 2));
 }
 
-function line(points, { width, colour, ends }) {
+function makePolyline(points, { width, colour, ends }) {
   const places = points.map((p) => p.map((v) => v.toFixed(1)).join(",")).join(" ");
   const how = {
     fill: "none",

@@ -1,10 +1,10 @@
-// Light or dark, as the page around is: the book's switch, JupyterLab's and VS Code's themes, else
-// the system's.
+// Light or dark theme of the surrounding page: the book's switch, JupyterLab's or VS Code's theme,
+// else the system's.
 
-const system =
+const darkPreference =
   typeof matchMedia === "undefined" ? null : matchMedia("(prefers-color-scheme: dark)");
 
-function themeNow() {
+function readTheme() {
   const { dataset } = document.documentElement;
   if (dataset.theme) return dataset.theme === "dark" ? "dark" : "light";
   const lab = document.body.dataset.jpThemeLight;
@@ -12,24 +12,24 @@ function themeNow() {
   const { classList } = document.body;
   if (classList.contains("vscode-dark") || classList.contains("vscode-high-contrast"))
     return "dark";
-  if (classList.contains("vscode-light") || !system?.matches) return "light";
+  if (classList.contains("vscode-light") || !darkPreference?.matches) return "light";
   return "dark";
 }
 
-// Call now, and again whenever the theme changes, until the signal is aborted.
-export function watchTheme(tell, signal) {
-  let before;
-  const look = () => {
-    const now = themeNow();
-    if (now !== before) tell((before = now));
+// Call `onChange` now and whenever the theme changes, until the signal is aborted.
+export function watchTheme(onChange, signal) {
+  let previous;
+  const check = () => {
+    const theme = readTheme();
+    if (theme !== previous) onChange((previous = theme));
   };
-  const observer = new MutationObserver(look);
+  const observer = new MutationObserver(check);
   observer.observe(document.documentElement, { attributes: true, attributeFilter: ["data-theme"] });
   observer.observe(document.body, {
     attributes: true,
     attributeFilter: ["class", "data-jp-theme-light"],
   });
-  system?.addEventListener("change", look, { signal });
+  darkPreference?.addEventListener("change", check, { signal });
   signal.addEventListener("abort", () => observer.disconnect());
-  look();
+  check();
 }

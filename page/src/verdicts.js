@@ -1,38 +1,43 @@
-// What the explorer claims in words: rank, ways, same arm or not. The tests hold each against
-// Python.
+// Statements of the explorer: rank, solution branches, whether two arms are the same.
+// tests/test_explorer.py compares each with Python.
 
 import { isOutsideLimits } from "../../judge/geometry/arm.js";
 import { isSameMachine } from "../../judge/geometry/axes.js";
 import { dot, movingRows, linkFrames, minus, norm } from "../../judge/geometry/kinematics.js";
-import { fixed, motionText } from "./text.js";
+import { formatFixed, describeMotion } from "./text.js";
 import { joinList, capitalize } from "../../judge/sentences.js";
 
-const RANK = 1e-6; // singular values below this share of the largest count as zero
+const RANK_TOLERANCE = 1e-6; // singular values below this share of the largest count as zero
 
-// How many rows of the Jacobian the arm is for: an arm with fewer than six joints is asked for the
-// place only.
-export const asked = (arm) => (movingRows(arm).length < 6 ? 3 : 6);
+// Return how many rows of the Jacobian the task has. With fewer than six joints only the position
+// counts.
+export const countTaskRows = (arm) => (movingRows(arm).length < 6 ? 3 : 6);
 
-// What its joints are found for.
-export const aim = (arm) => (asked(arm) < 6 ? "place" : "pose");
+// Return what the joints are solved for.
+export const describeTarget = (arm) => (countTaskRows(arm) < 6 ? "place" : "pose");
 
-export const rankOf = (values) => values.filter((value) => value > RANK * values[0]).length;
+export const countRank = (values) =>
+  values.filter((value) => value > RANK_TOLERANCE * values[0]).length;
 
-// The rank that the arm has where it is not singular, as far as its joints can give it.
-export const fullRank = (arm) => Math.min(asked(arm), movingRows(arm).length);
+// Return the rank of the arm at a regular pose.
+export const getFullRank = (arm) => Math.min(countTaskRows(arm), movingRows(arm).length);
 
 /**
+ * Describe the rank and, at a singular pose, the motions that are lost.
  * @param {{ arm: Arm, rank: number, lost: number[][] }} derived
  */
-export function rankVerdict({ arm, rank, lost }) {
-  const [full, rows] = [fullRank(arm), asked(arm)];
+export function describeRank({ arm, rank, lost }) {
+  const [full, rows] = [getFullRank(arm), countTaskRows(arm)];
   const singular = rank < full;
-  if (!singular) return { singular, text: reachOf(rank, full, movingRows(arm).length) };
-  return { singular, text: `Singular: rank ${rank} of ${full}. ${cannot(lost, full < rows)}` };
+  if (!singular) return { singular, text: describeReach(rank, full, movingRows(arm).length) };
+  return {
+    singular,
+    text: `Singular: rank ${rank} of ${full}. ${describeLostMotions(lost, full < rows)}`,
+  };
 }
 
-// Where a tip of this rank can go.
-function reachOf(rank, full, dof) {
+// Describe where a tip of this rank can move.
+function describeReach(rank, full, dof) {
   if (!dof) return "No joint moves this arm.";
   if (full === 6) return "Rank 6: the tip can move along and turn about every direction.";
   if (full < 3)
@@ -41,64 +46,70 @@ function reachOf(rank, full, dof) {
   return `Rank 3: the tip can move along every direction; ${turns}.`;
 }
 
-const strong = (direction) => direction.filter((v) => Math.abs(v) > 0.02).length;
+const countLargeEntries = (direction) => direction.filter((v) => Math.abs(v) > 0.02).length;
 
-function cannot(lost, never) {
+function describeLostMotions(lost, never) {
   if (!lost.length || never) return "";
-  const single = lost.filter((d) => strong(d) === 1).map(motionText);
-  const blends = lost.filter((d) => strong(d) > 1).map((d) => `make the motion ${motionText(d)}`);
+  const single = lost.filter((d) => countLargeEntries(d) === 1).map(describeMotion);
+  const blends = lost
+    .filter((d) => countLargeEntries(d) > 1)
+    .map((d) => `make the motion ${describeMotion(d)}`);
   return `Here the tip cannot ${joinList([...single, ...blends], "nor")}.`;
 }
 
-const COUNTS = "No One Two Three Four Five Six Seven Eight".split(" ");
-const counted = (n) => `${COUNTS[n] ?? n} ${n === 1 ? "way" : "ways"}`;
-const named = (arm, moving) => joinList(moving.map((k) => `joint ${movingRows(arm)[k] + 1}`));
+const NUMBER_WORDS = "No One Two Three Four Five Six Seven Eight".split(" ");
+const formatBranchCount = (n) => `${NUMBER_WORDS[n] ?? n} ${n === 1 ? "way" : "ways"}`;
+const listJoints = (arm, moving) => joinList(moving.map((k) => `joint ${movingRows(arm)[k] + 1}`));
 
 /**
- * How many ways there are, or that there are infinitely many and which joints are free.
+ * Describe how many branches there are, or which joints are free if there are infinitely many.
  * @param {import("../../judge/geometry/arm.js").Arm} arm
- * @param {{ list: object[], families: { moving: number[] }[], held: number, whole: boolean }} ways
+ * @param {{ list: object[], families: { moving: number[] }[], lockedJoint: number,
+ *   hasOrientation: boolean }} branchSet
  */
-export function waysVerdict(arm, { list, families = [], held = -1, whole = true }) {
-  const pose = whole ? "pose" : "place, whatever the tool’s direction";
+export function describeBranches(
+  arm,
+  { list, families = [], lockedJoint = -1, hasOrientation = true },
+) {
+  const pose = hasOrientation ? "pose" : "place, whatever the tool’s direction";
   const few = list.length - families.length;
   const fixedJoint =
-    held < 0
+    lockedJoint < 0
       ? ""
-      : ` with joint ${movingRows(arm)[held] + 1} held where it is; ` +
+      : ` with joint ${movingRows(arm)[lockedJoint] + 1} held where it is; ` +
         "free, it makes them infinitely many";
-  if (!families.length) return `${counted(list.length)} to this ${pose}${fixedJoint}.`;
+  if (!families.length) return `${formatBranchCount(list.length)} to this ${pose}${fixedJoint}.`;
   const free = families[0].moving;
   const how =
     free.length === 1
-      ? `${named(arm, free)} is free`
-      : `${named(arm, free)} are free to move together`;
+      ? `${listJoints(arm, free)} is free`
+      : `${listJoints(arm, free)} are free to move together`;
   const kinds = families.length > 1 ? `, in ${families.length} families` : "";
-  const rest = few ? ` and ${counted(few).toLowerCase()} more` : "";
-  const still = held < 0 ? "" : `, joint ${movingRows(arm)[held] + 1} held`;
+  const rest = few ? ` and ${formatBranchCount(few).toLowerCase()} more` : "";
+  const still = lockedJoint < 0 ? "" : `, joint ${movingRows(arm)[lockedJoint] + 1} held`;
   const shown = `one of each is shown${rest}${still}`;
   return `Infinitely many ways to this ${pose}: ${how}${kinds}; ${shown}.`;
 }
 
-// The joints of which something holds, by their rows in the table.
-export const jointNames = (arm, holds) =>
+// List the joints for which a condition holds, by their rows in the table.
+export const listJointsWhere = (arm, holds) =>
   movingRows(arm).flatMap((row, k) => (holds(row, k) ? [`joint ${row + 1}`] : []));
 
-// The joints that pass a limit on a path.
-export const pastLimits = (arm, path) =>
-  jointNames(arm, (row, k) => path.some((q) => isOutsideLimits(arm.rows[row], q[k])));
+// List the joints that pass a limit on a path.
+export const listJointsPastLimits = (arm, path) =>
+  listJointsWhere(arm, (row, k) => path.some((q) => isOutsideLimits(arm.rows[row], q[k])));
 
-// Why a dragged tip stops short of the pointer.
-export function stopVerdict({ stops = [], short = 0 }) {
+// Describe why a dragged tip stops short of the pointer.
+export function describeStop({ stops = [], short = 0 }) {
   if (short < 0.002) return "";
   const reason = stops.length ? joinList(stops) : "out of reach";
-  return `${capitalize(reason)}: ${fixed(1000 * short, 0)} mm short.`;
+  return `${capitalize(reason)}: ${formatFixed(1000 * short, 0)} mm short.`;
 }
 
-// What a dragged tip has to say: why it stops, or that it is about to.
-export function holdVerdict(hold) {
+// Describe what stops a dragged tip, or will stop it soon.
+export function describeHold(hold) {
   if (!hold?.target) return "";
-  const stopped = hold.moving ? "" : stopVerdict(hold);
+  const stopped = hold.moving ? "" : describeStop(hold);
   if (stopped || !hold.fading?.length) return stopped;
   const arrows = hold.fading.length > 1 ? "the arrows" : "the arrow";
   const gone = hold.fading.every(({ share }) => share < 1e-3);
@@ -107,18 +118,19 @@ export function holdVerdict(hold) {
     : `Nearly singular along ${arrows}.`;
 }
 
-const HOW_TO =
+const TABLE_HELP =
   "Type into any entry: 0.333, −90°, pi/2, or paste a whole table. " +
   "The arm follows, and the first one stays as a ghost.";
 
 /**
- * Whether a typed table is the arm behind it, and how far the tips are apart.
+ * Describe whether a typed table is the same arm as the reference, and how far their tips are
+ * apart.
  * @typedef {import("../../judge/geometry/arm.js").Arm} Arm
  * @param {{ arm: Arm, reference: Arm, q: number[] }} state
  * @param {{ frames: any[] }} derived
  */
-export function tableVerdict({ arm, reference, q }, { frames }) {
-  if (arm === reference) return HOW_TO;
+export function describeTable({ arm, reference, q }, { frames }) {
+  if (arm === reference) return TABLE_HELP;
   const counts = [arm, reference].map((one) => movingRows(one).length);
   if (counts[0] !== counts[1])
     return `Yours has ${counts[0]} joints, the ${reference.name} ${counts[1]}.`;
@@ -126,9 +138,9 @@ export function tableVerdict({ arm, reference, q }, { frames }) {
   const cosine = (dot(mine.x, first.x) + dot(mine.y, first.y) + dot(mine.z, first.z) - 1) / 2;
   const turn = (Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI;
   const far = 1000 * norm(minus(mine.o, first.o));
-  const apart = `${fixed(far, 1)} mm and ${fixed(turn, 1)}°`;
+  const apart = `${formatFixed(far, 1)} mm and ${formatFixed(turn, 1)}°`;
   const here = `at these joint values its tip is ${apart} away from the ghost’s`;
-  if (!same(arm, reference)) return `Another arm than the ${reference.name}: ${here}.`;
+  if (!isSameArm(arm, reference)) return `Another arm than the ${reference.name}: ${here}.`;
   if (far < 0.05 && turn < 0.05) return `The same arm as the ${reference.name}: ${here}.`;
   return (
     `The same arm as the ${reference.name}, ` +
@@ -137,10 +149,10 @@ export function tableVerdict({ arm, reference, q }, { frames }) {
   );
 }
 
-// Compared once for each pair of tables, not for each pose.
-let last = { arm: null, reference: null, is: false };
-function same(arm, reference) {
-  if (last.arm !== arm || last.reference !== reference)
-    last = { arm, reference, is: isSameMachine(arm.rows, reference.rows) };
-  return last.is;
+// The comparison depends only on the tables, so it is not repeated for each pose.
+let lastComparison = { arm: null, reference: null, is: false };
+function isSameArm(arm, reference) {
+  if (lastComparison.arm !== arm || lastComparison.reference !== reference)
+    lastComparison = { arm, reference, is: isSameMachine(arm.rows, reference.rows) };
+  return lastComparison.is;
 }

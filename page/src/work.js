@@ -1,10 +1,10 @@
-// The long work by name, for the worker and for a page that allows none.
+// Long computations by name, for the worker and for pages without one.
 
-import { otherWays } from "./motion.js";
-import { runCircle, traceCircle } from "./homework_run.js";
+import { findBranches } from "./motion.js";
+import { simulateCircle, traceCircle } from "./homework_run.js";
 
 export const JOBS = {
-  ways: ({ arm, q }) => otherWays(arm, q),
+  branches: ({ arm, q }) => findBranches(arm, q),
   circle: ({ arm, q, circle }) => traceCircle(arm, q, circle),
-  run: ({ arm, q, run }) => runCircle(arm, q, run),
+  run: ({ arm, q, run }) => simulateCircle(arm, q, run),
 };

@@ -1,5 +1,5 @@
-// The worker's end of jobs.js.
+// The worker's side of jobs.js.
 
 import { JOBS } from "./work.js";
 
-onmessage = ({ data: { job, given } }) => postMessage(JOBS[job](given));
+onmessage = ({ data: { job, input } }) => postMessage(JOBS[job](input));

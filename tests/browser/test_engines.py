@@ -91,7 +91,7 @@ def button(words):
 def test_the_first_page_plays(reader):
     reader.explorer(name="intro")
     reader.click(button("Play"))
-    reader.until(f"{STATE}.at > 0.01 && {STATE}.playing")
+    reader.until(f"{STATE}.progress > 0.01 && {STATE}.playing")
     assert reader.ask(
         f"Math.max(...{STATE}.q.map((v, k) => Math.abs(v - {STATE}.trace[0][k]))) > 0"
     )

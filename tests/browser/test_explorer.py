@@ -391,8 +391,8 @@ PLAYED_AND_PAUSED = f"""(button) => new Promise((done) => {{
         if (store.state.playing && moved() <= 0.05) return later(0, watch);
         window.requestAnimationFrame = own;
         button.click();
-        const {{ at }} = store.state;
-        later(3, () => done([at, store.state.at, most]));
+        const {{ progress }} = store.state;
+        later(3, () => done([progress, store.state.progress, most]));
     }};
     button.click();
     window.requestAnimationFrame = (act) => (asked++, own(act));
@@ -708,12 +708,12 @@ def test_nothing_grows_with_switches_keystrokes_and_views(visit):
         const { arms } = JSON.parse(spec);
         const round = async (times) => {
             for (let n = 0; n < times; n++) {
-                store.dispatch({ type: 'select', arm: arms[n % arms.length] });
+                store.dispatch({ type: 'selectArm', arm: arms[n % arms.length] });
                 const rows = store.state.arm.rows.map((row, k) => (k ? row : { ...row, a: 0.001 * (n + 1) }));
-                store.dispatch({ type: 'edit', rows });
+                store.dispatch({ type: 'editTable', rows });
                 await still();
             }
-            store.dispatch({ type: 'select', arm: arms[0] });
+            store.dispatch({ type: 'selectArm', arm: arms[0] });
             await still();
             return { ...ArmExplorer.inUse(), buffers };
         };

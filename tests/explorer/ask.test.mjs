@@ -2,15 +2,15 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { offerOf } from "../../page/src/check/form.js";
-import { armOf, EMPTY, fromFragment, startOf, toFragment } from "../../page/src/check/question.js";
+import { makeOffer } from "../../page/src/check/form.js";
+import { findArm, EMPTY, parseQuestionLink, makeStartingQuestion, formatQuestionLink } from "../../page/src/check/question.js";
 import { formatNumber } from "../../judge/sentences.js";
 
 const ARMS = ["PANDA", "ELBOW"];
 const asked = { ...EMPTY, arm: "ELBOW", q: "0.5, 0.7, -0.4", unit: "deg", frame: "2", answer: "[1 2;\n 3 4]" };
 
 test("a question survives its link", () => {
-  assert.deepEqual(fromFragment(toFragment(asked), ARMS), { question: asked, words: "" });
+  assert.deepEqual(parseQuestionLink(formatQuestionLink(asked), ARMS), { question: asked, words: "" });
 });
 
 for (const [fragment, words] of [
@@ -23,27 +23,27 @@ for (const [fragment, words] of [
   [`#ask=jacobian&arm=ELBOW&answer=${"1".repeat(13000)}`, /13\d{3} characters; 12000 are the most/],
 ]) {
   test(`a link is refused in words: ${words}`, () => {
-    const found = fromFragment(fragment, ARMS);
+    const found = parseQuestionLink(fragment, ARMS);
     assert.equal(found.question, null);
     assert.match(found.words, words);
   });
 }
 
 test("other fragments are none of its business", () => {
-  assert.deepEqual(fromFragment("#sec-check-table", ARMS), { question: null, words: "" });
-  assert.deepEqual(fromFragment("", ARMS), { question: null, words: "" });
+  assert.deepEqual(parseQuestionLink("#sec-check-table", ARMS), { question: null, words: "" });
+  assert.deepEqual(parseQuestionLink("", ARMS), { question: null, words: "" });
 });
 
 test("one's own table turns or slides by its variable", () => {
   const own = { ...EMPTY, arm: "own", table: "a, alpha, d, theta\n0, pi/2, 0.5, q1\n0.4, -90°, d2, 0" };
-  const { rows } = armOf(own, []);
+  const { rows } = findArm(own, []);
   assert.deepEqual(rows.map(({ kind }) => kind), ["revolute", "prismatic"]); // prettier-ignore
   assert.equal(rows[1].alpha, -Math.PI / 2);
-  assert.equal(armOf({ ...own, table: "0, 90, 0.5, q1 + 90", unit: "deg" }, []).rows[0].theta, Math.PI / 2);
+  assert.equal(findArm({ ...own, table: "0, 90, 0.5, q1 + 90", unit: "deg" }, []).rows[0].theta, Math.PI / 2);
   const headed = "theta d(mm) a alpha(deg)\nq1 500 0 90\nq2 0 400 0"; // as its heads say, in their units
-  assert.deepEqual(armOf({ ...own, table: headed }, []).rows.map(({ a, d }) => [a, d]), [[0, 0.5], [0.4, 0]]);
+  assert.deepEqual(findArm({ ...own, table: headed }, []).rows.map(({ a, d }) => [a, d]), [[0, 0.5], [0.4, 0]]);
   for (const table of ["", "1, 2, 3", "0, 0, l_1, q1", "0, 0, 1000, q1", "q1, 0.5, 0, pi/2\nq2, 0, 0.4, 0"]) {
-    assert.throws(() => armOf({ ...own, table }, []), /Type the table|entries|no value for|100 is the most|Are these the columns theta d a alpha/);
+    assert.throws(() => findArm({ ...own, table }, []), /Type the table|entries|no value for|100 is the most|Are these the columns theta d a alpha/);
   }
 });
 
@@ -69,22 +69,22 @@ for (const [advice, patch, key, value, words] of [
 ]) {
   test(`an advice names a field and sets it: ${words}`, () => {
     const question = { ...EMPTY, arm: "PANDA", ...patch };
-    const offer = offerOf({ field: advice[0], value: advice[1] }, question, LISTED);
+    const offer = makeOffer({ field: advice[0], value: advice[1] }, question, LISTED);
     assert.deepEqual(offer, { key, value, words });
-    assert.equal(offerOf({ field: advice[0], value: advice[1] }, { ...question, [key]: value }, LISTED)?.value === value, false);
+    assert.equal(makeOffer({ field: advice[0], value: advice[1] }, { ...question, [key]: value }, LISTED)?.value === value, false);
   });
 }
 
 test("an advice that nothing here can follow is no button", () => {
   const question = { ...EMPTY, arm: "PANDA" };
   for (const [field, value] of [["ownJoints", true], ["locked", 5], ["arm", "Nobody"]])
-    assert.equal(offerOf({ field, value }, question, LISTED), null);
+    assert.equal(makeOffer({ field, value }, question, LISTED), null);
 });
 
 test("without an example a question begins at the arm's home, in its unit", () => {
   const rows = [{ kind: "revolute" }, { kind: "prismatic" }];
   const pages = { arms: [{ key: "MINE", home: [Math.PI / 2, 0.5], rows }], examples: [{ ask: "pose", arm: "MINE", answer: "1" }] };
-  const begun = (given) => startOf({ ask: "jacobian", arm: "MINE", unit: "rad", ...given }, pages);
+  const begun = (given) => makeStartingQuestion({ ask: "jacobian", arm: "MINE", unit: "rad", ...given }, pages);
   assert.deepEqual([begun({}).q, begun({}).answer], ["π/2, 0.5", ""]);
   assert.equal(begun({ unit: "deg" }).q, "90, 0.5");
   assert.equal(begun({ ask: "pose" }).answer, "1");

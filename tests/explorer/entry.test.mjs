@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { number } from "../../judge/reading/formula.js";
 import { readEntry } from "../../judge/reading/entry.js";
 import { read } from "../../judge/reading/table.js";
-import { entryText } from "../../page/src/text.js";
+import { formatEntry } from "../../page/src/text.js";
 
 const { entries: ENTRIES } = JSON.parse(readFileSync(new URL("../cases.json", import.meta.url), "utf8"));
 const near = (found, wanted) => assert.ok(Math.abs(found - wanted) < 1e-12, `${found}`);
@@ -31,7 +31,7 @@ for (const { text, quantity, unit, value } of ENTRIES) {
 test("what is written in a field is read back the same", () => {
   for (const value of [0, Math.PI / 2, -Math.PI, (3 * Math.PI) / 4, -Math.PI / 12, 0.25, 1.234567])
     for (const unit of ["deg", "rad"])
-      assert.ok(Math.abs(readEntry(entryText(value, true, unit), "angle", unit).value - value) < 1e-6);
+      assert.ok(Math.abs(readEntry(formatEntry(value, true, unit), "angle", unit).value - value) < 1e-6);
 });
 
 test("a refusal names the unit that does not fit", () => {

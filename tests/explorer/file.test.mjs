@@ -2,17 +2,17 @@
 
 import assert from "node:assert/strict";
 import test from "node:test";
-import { textOfFile } from "../../page/src/check/file.js";
+import { readTextFile } from "../../page/src/check/file.js";
 
 const file = (bytes, name = "q.csv") => new File([bytes], name);
 test("text is read in each encoding that programs write", async () => {
   const text = "t;q1\r\n0,0;−0,5\r\n";
-  assert.equal(await textOfFile(file(text)), text);
-  assert.equal(await textOfFile(file(`\ufeff${text}`)), text);
+  assert.equal(await readTextFile(file(text)), text);
+  assert.equal(await readTextFile(file(`\ufeff${text}`)), text);
   const utf16 = Buffer.from(`\ufeff${text}`, "utf16le");
-  assert.equal(await textOfFile(file(utf16)), text);
-  assert.equal(await textOfFile(file(Buffer.from(utf16).swap16())), text);
-  assert.equal(await textOfFile(file(Buffer.from([0xb0, 0x20, 0x31]))), "° 1");
+  assert.equal(await readTextFile(file(utf16)), text);
+  assert.equal(await readTextFile(file(Buffer.from(utf16).swap16())), text);
+  assert.equal(await readTextFile(file(Buffer.from([0xb0, 0x20, 0x31]))), "° 1");
 });
 
 for (const [name, given, words] of [
@@ -20,5 +20,5 @@ for (const [name, given, words] of [
   ["nothing", file(" \n"), /is empty/],
   ["too much", { name: "a.csv", size: 5_000_001, arrayBuffer: null }, /5000001 bytes; 5000000 are the most/],
 ]) {
-  test(`${name} is refused in words`, () => assert.rejects(textOfFile(given), { message: words }));
+  test(`${name} is refused in words`, () => assert.rejects(readTextFile(given), { message: words }));
 }

@@ -2,22 +2,22 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fromFragment, toFragment } from "../../page/src/link.js";
+import { parseFragment, formatFragment } from "../../page/src/link.js";
 import { HOMEWORK } from "../../page/src/homework_run.js";
-import { startingState, Store } from "../../page/src/state.js";
+import { makeInitialState, Store } from "../../page/src/state.js";
 import { ARMS, PANDA } from "./arms.mjs";
 
 const VIEWS = ["table", "pose", "torque", "homework"];
-const read = (fragment) => fromFragment(fragment, ARMS, VIEWS);
+const read = (fragment) => parseFragment(fragment, ARMS, VIEWS);
 
 test("what is seen comes back by a link", () => {
-  const runs = [HOMEWORK, { ...HOMEWORK, method: "rk4", slip: "z_i", steps: 100, radius: 0.05, gain: 5 }];
+  const runs = [HOMEWORK, { ...HOMEWORK, method: "rk4", mistake: "z_i", steps: 100, radius: 0.05, gain: 5 }];
   const q = [0.1, 0.2, 0.3, 1.4, 0.5, 1.6, 0.7];
-  const store = new Store(startingState({ arm: PANDA, q, view: "homework", unit: "rad", frames: "all", runs }));
-  store.dispatch({ type: "edit", rows: PANDA.rows.map((r, i) => (i ? r : { ...r, d: 0.4 })) });
-  store.dispatch({ type: "show", mark: [0.1, -0.2, 0.3], wrench: [-5, 0, 0, 0, 0, 0.5] });
-  const { patch, words } = read(toFragment(store.state));
-  assert.equal(words, "");
+  const store = new Store(makeInitialState({ arm: PANDA, q, view: "homework", unit: "rad", frames: "all", runs }));
+  store.dispatch({ type: "editTable", rows: PANDA.rows.map((r, i) => (i ? r : { ...r, d: 0.4 })) });
+  store.dispatch({ type: "setFields", mark: [0.1, -0.2, 0.3], wrench: [-5, 0, 0, 0, 0, 0.5] });
+  const { patch, message } = read(formatFragment(store.state));
+  assert.equal(message, "");
   for (const key of ["q", "wrench", "view", "unit", "frames", "base", "mark", "runs"]) assert.deepEqual(patch[key], store.state[key], key);
   const shown = ({ name, rows }) => [name, rows.map((r) => r.d)];
   assert.deepEqual(shown(patch.arm), shown(store.state.arm));
@@ -41,8 +41,8 @@ const cases = {
 };
 for (const [name, fragment] of Object.entries(cases)) {
   test(`refused in words: ${name}`, () => {
-    const { patch, words } = read(fragment);
-    assert.match(words, /^Part of the link was left out: .+\.$/);
+    const { patch, message } = read(fragment);
+    assert.match(message, /^Part of the link was left out: .+\.$/);
     if (patch.arm) assert.ok(ARMS.includes(patch.arm), "the arm is one of the list");
     assert.equal(patch.wrench, undefined);
   });
@@ -52,11 +52,11 @@ test("a link refuses runs that are none", () => {
   const fine = "euler_inverse_1000_5_0.1_x_0_1e-9_0.02_2_";
   for (const bad of ["euler", fine.replace("1000", "1e9"), fine.replace("inverse", "constructor"), fine.replace("0.1_", "_"), Array(9).fill(fine).join(";")]) {
     const told = read(`#arm=Panda&view=homework&runs=${bad}`);
-    assert.match(told.words, /its runs are none/, bad);
+    assert.match(told.message, /its runs are none/, bad);
     assert.equal(told.patch.runs, undefined);
   }
 });
 
 test("a fragment of the page, and none, change nothing", () => {
-  for (const fragment of ["", "#the-instrument", "#fig-1"]) assert.deepEqual(read(fragment), { patch: {}, words: "" });
+  for (const fragment of ["", "#the-instrument", "#fig-1"]) assert.deepEqual(read(fragment), { patch: {}, message: "" });
 });

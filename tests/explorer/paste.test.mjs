@@ -2,22 +2,22 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { readTable } from "../../page/src/paste.js";
+import { readPastedTable } from "../../page/src/paste.js";
 
 test("without heads the columns are the table's, and bare angles in its unit", () => {
   for (const [unit, size] of [["rad", 1], ["deg", Math.PI / 180]]) {
-    const { rows } = readTable("0.2\t1.5\t0.3\tq1\n0.4\t0\td2\t1.5", unit);
+    const { rows } = readPastedTable("0.2\t1.5\t0.3\tq1\n0.4\t0\td2\t1.5", unit);
     const entries = rows.map(({ kind, a, alpha, d, theta }) => [kind, a, alpha / size, d, theta / size]);
     assert.deepEqual(entries, [["revolute", 0.2, 1.5, 0.3, 0], ["prismatic", 0.4, 0, 0, 1.5]]);
   }
-  const [{ a, d }] = readTable("0.5 30 1 -90", "deg").rows; // which another order fits as well
+  const [{ a, d }] = readPastedTable("0.5 30 1 -90", "deg").rows; // which another order fits as well
   assert.deepEqual([a, d], [0.5, 1]);
 });
 
 test("one entry is no table, and what is none is refused in words", () => {
-  assert.equal(readTable("0.333", "rad"), null);
-  assert.equal(readTable("−90°", "rad"), null);
+  assert.equal(readPastedTable("0.333", "rad"), null);
+  assert.equal(readPastedTable("−90°", "rad"), null);
   const endless = "0\t0\t1\tq1\n".repeat(17);
   for (const text of ["1\t2\t3", "0\tpi/2\t0.5\t0\n1\t2", "0\tpi/2\t0.5 +\t0", endless])
-    assert.match(readTable(text, "rad").error, /\w{3}/);
+    assert.match(readPastedTable(text, "rad").error, /\w{3}/);
 });

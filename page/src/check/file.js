@@ -1,30 +1,30 @@
-// A file of numbers that a reader drops on the page, as the text that a paste would be.
+// Read a dropped file of numbers as text, as if it were pasted.
 
 import { ArmError } from "../../../judge/sentences.js";
 
-const LARGEST = 5_000_000; // bytes
+const MAX_BYTES = 5_000_000;
 
-// What a button for files offers.
-export const ACCEPTED = ".csv,.tsv,.txt,.dat,.md,text/plain,text/csv";
+// File types offered by the file button.
+export const ACCEPTED_TYPES = ".csv,.tsv,.txt,.dat,.md,text/plain,text/csv";
 
 /**
- * The text of a file, of whatever encoding; an error in words where it is none.
+ * Read the text of a file in any common encoding. Throws ArmError if it is not text.
  * @param {{ name: string, size: number, arrayBuffer: () => Promise<ArrayBuffer> }} file
  */
-export async function textOfFile(file) {
+export async function readTextFile(file) {
   const refused = (why) => new ArmError(`The file ${file.name} ${why}.`);
-  if (file.size > LARGEST) throw refused(`has ${file.size} bytes; ${LARGEST} are the most`);
+  if (file.size > MAX_BYTES) throw refused(`has ${file.size} bytes; ${MAX_BYTES} are the most`);
   const bytes = await file.arrayBuffer();
-  const text = decoded(bytes);
+  const text = decodeText(bytes);
   if (text === null) throw refused("is no text; save it as CSV, by np.savetxt or writematrix");
   if (!text.trim()) throw refused("is empty");
   return text;
 }
 
-// UTF-16 where its mark stands first, else UTF-8, else Latin letters; null where no text has such
-// bytes.
+// Decode UTF-16 if a byte order mark says so, else UTF-8, else Windows-1252. Returns null for bytes
+// that no text contains.
 /** @param {ArrayBuffer} bytes */
-function decoded(bytes) {
+function decodeText(bytes) {
   const [first, second] = new Uint8Array(bytes, 0, Math.min(2, bytes.byteLength));
   const marked = { 0xfeff: "utf-16be", 0xfffe: "utf-16le" }[(first << 8) | second];
   const read = (encoding) => {

@@ -1,34 +1,35 @@
-// Files as answers, by a button and by drag and drop. They are read here and go nowhere.
+// Files as answers, chosen with a button or dropped. They are read in the page and sent nowhere.
 
-import { h, write } from "../dom.js";
-import { ACCEPTED, textOfFile } from "./file.js";
+import { h, setText } from "../dom.js";
+import { ACCEPTED_TYPES, readTextFile } from "./file.js";
 import { ArmError } from "../../../judge/sentences.js";
 
 /**
- * @param {import("./page.js").Asked} judge
- * @param {HTMLElement} stub where files can be dropped
+ * Add the file button and accept dropped files.
+ * @param {import("./page.js").AnswerCheck} judge
+ * @param {HTMLElement} stub element that accepts drops
  */
-export function addFiles(judge, stub) {
+export function addFileInput(judge, stub) {
   const { boxes } = judge.made;
   let held = "";
   const take = async (file) => {
     try {
-      held = await textOfFile(file);
+      held = await readTextFile(file);
     } catch (error) {
       if (!(error instanceof ArmError)) throw error;
       judge.say(error.message);
       return;
     }
     judge.say("");
-    write(words, `From ${file.name}, ${held.trim().split("\n").length} lines. `);
+    setText(words, `From ${file.name}, ${held.trim().split("\n").length} lines. `);
     judge.put({ answer: held });
   };
-  const { input, button } = makeButton(take);
+  const { input, button } = makeFileButton(take);
   const close = () => judge.put({ answer: "" });
   const words = h("span");
   const closing = h("button", { onclick: close }, "Close it");
   const name = h("p.file", { hidden: true }, words, closing);
-  takeDrops(stub, take);
+  acceptDrops(stub, take);
   boxes.answer.prepend(h("div.over", {}, boxes.answer.firstChild, input, button));
   boxes.answer.append(name);
   judge.follow(({ answer, ask }) => {
@@ -37,18 +38,18 @@ export function addFiles(judge, stub) {
   });
 }
 
-function makeButton(take) {
+function makeFileButton(take) {
   const onchange = () => {
     const [file] = input.files;
     if (file) take(file);
     input.value = "";
   };
-  const input = h("input", { type: "file", accept: ACCEPTED, hidden: true, onchange });
+  const input = h("input", { type: "file", accept: ACCEPTED_TYPES, hidden: true, onchange });
   const button = h("button", { onclick: () => input.click() }, "Open a file");
   return { input, button };
 }
 
-function takeDrops(stub, take) {
+function acceptDrops(stub, take) {
   stub.addEventListener("dragover", (event) => {
     if (![...event.dataTransfer.types].includes("Files")) return;
     event.preventDefault();

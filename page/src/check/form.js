@@ -1,24 +1,25 @@
-// The fields of a question: what each is called, and how it is filled in. What has a good default
-// is folded into one line that tells it.
+// The fields of a question: labels, hints and controls. Fields with a good default are folded into
+// one line that states their values.
 
 import { movingRows } from "../../../judge/geometry/kinematics.js";
-import { h, write } from "../dom.js";
-import { ASKED, CHOICES, OWN } from "./question.js";
-import { called } from "../text.js";
+import { h, setText } from "../dom.js";
+import { QUESTIONS, CHOICES, OWN_ARM } from "./question.js";
+import { getDisplayName } from "../text.js";
 import { joinList } from "../../../judge/sentences.js";
 
 /**
  * @typedef {object} Field
  * @property {string} label
- * @property {string} [hint] below it, or in it where it takes several lines
- * @property {string[][]} [choices] values and their words, where CHOICES has none; none yet where
- *   the arm decides
- * @property {number} [rows] of a field that takes several lines
- * @property {string} [told] how it is told in the line, before its value, where it is folded
- * @property {string} [name] in the list of what is guessed where it is empty
+ * @property {string} [hint] below the field, or inside it if it has several lines
+ * @property {string[][]} [choices] values and their labels, if CHOICES has none; empty if they
+ *   depend on the arm
+ * @property {number} [rows] of a field with several lines
+ * @property {string} [told] label in the folded line, before the value
+ * @property {string} [name] label in the folded line while the field is empty and its value is
+ *   guessed
  */
 
-const PLAIN = { spellcheck: "false", autocomplete: "off", autocapitalize: "off" };
+const NO_CORRECTION = { spellcheck: "false", autocomplete: "off", autocapitalize: "off" };
 /** @type {Record<string, Field>} */
 const FIELDS = {
   table: {
@@ -55,7 +56,7 @@ const FIELDS = {
   values: { label: "Your own symbols, as in “h = 0.333, l = 0.1”, in m and rad", told: "with" },
   answer: { label: "Your answer", rows: 7, hint: "" },
 };
-const HINTS = {
+const ANSWER_HINTS = {
   jacobian: "Numbers, or formulas in q_1, c_1, s_23, …\nfrom NumPy, MATLAB, LaTeX, a spreadsheet.",
   table: "A row for each link, with heads or without:\nMATLAB, LaTeX, Markdown, Link(…), cells.",
   branches: "A row for each answer, one value for each joint.",
@@ -63,38 +64,37 @@ const HINTS = {
   trace: "A row for each time, one value for each joint:\nCSV, MATLAB, NumPy, a spreadsheet.",
   torques: "One torque for each joint, in N m (N where it slides).",
 };
-const BEGINS = "Pose q at which the circle begins";
-const FOLDED = Object.keys(FIELDS).filter((key) => FIELDS[key].told);
+const CIRCLE_START_LABEL = "Pose q at which the circle begins";
+const FOLDED_FIELDS = Object.keys(FIELDS).filter((key) => FIELDS[key].told);
 
-const option = ([value, words]) => h("option", { value }, words);
+const makeOption = ([value, words]) => h("option", { value }, words);
 
 /** @param {Field} field @param {string} id */
-function control({ choices, rows, hint }, id, words) {
+function makeControl({ choices, rows, hint }, id, words) {
   const shared = { id, "aria-describedby": hint === undefined || rows ? undefined : `${id}-hint` };
   const list = choices ?? (words && Object.entries(words));
-  if (list) return h("select", shared, list.map(option));
+  if (list) return h("select", shared, list.map(makeOption));
   const placeholder = rows ? hint : undefined;
   return rows
-    ? h("textarea", { rows, wrap: "off", placeholder, ...PLAIN, ...shared })
-    : h("input", { ...PLAIN, ...shared });
+    ? h("textarea", { rows, wrap: "off", placeholder, ...NO_CORRECTION, ...shared })
+    : h("input", { ...NO_CORRECTION, ...shared });
 }
 
-function box({ label, hint, rows }, id, made) {
+function makeBox({ label, hint, rows }, id, made) {
   const below = hint === undefined || rows ? [] : [h("p.about", { id: `${id}-hint` }, hint)];
   return h("div.field", {}, h("label", { for: id }, label), made, ...below);
 }
 
 /**
- * The form of a judge: its controls and their boxes, both by field, and the line that tells what
- * is folded.
+ * Build the form: its controls and their boxes, both by field, and the folded line.
  * @param {string} id
  * @param {any[]} arms
- * @param {any} given what is not asked, since the page says it
+ * @param {any} given fields that the chapter fixes; they are not shown
  */
 export function buildForm(id, arms, given) {
-  const asks = Object.entries(ASKED).map(([key, { title }]) => [key, title]);
-  const whose = arms.map((arm) => [arm.key, called(arm.title)]);
-  const own = arms.length > 1 && given ? [] : [[OWN, "My own table"]];
+  const asks = Object.entries(QUESTIONS).map(([key, { title }]) => [key, title]);
+  const whose = arms.map((arm) => [arm.key, getDisplayName(arm.title)]);
+  const own = arms.length > 1 && given ? [] : [[OWN_ARM, "My own table"]];
   /** @type {Record<string, any>} */
   const all = {
     ask: { label: "Question", choices: asks },
@@ -103,15 +103,20 @@ export function buildForm(id, arms, given) {
   };
   const entries = Object.entries(all);
   const fields = Object.fromEntries(
-    entries.map(([key, one]) => [key, control(one, `${id}-${key}`, CHOICES[key])]),
+    entries.map(([key, one]) => [key, makeControl(one, `${id}-${key}`, CHOICES[key])]),
   );
   const boxes = Object.fromEntries(
-    entries.map(([key, one]) => [key, box(one, `${id}-${key}`, fields[key])]),
+    entries.map(([key, one]) => [key, makeBox(one, `${id}-${key}`, fields[key])]),
   );
-  for (const key of given ? hiddenBy(given, arms) : []) boxes[key]?.classList.add("given");
-  const asked = given ? titleOf(given, arms) : "";
+  for (const key of given ? listGivenFields(given, arms) : []) boxes[key]?.classList.add("given");
+  const asked = given ? describeQuestion(given, arms) : "";
   const told = h("summary");
-  const folded = h("details", {}, told, h("div.pairs", {}, ...FOLDED.map((key) => boxes[key])));
+  const folded = h(
+    "details",
+    {},
+    told,
+    h("div.pairs", {}, ...FOLDED_FIELDS.map((key) => boxes[key])),
+  );
   const form = h(
     "form",
     { "aria-label": `Check an answer${asked && `: ${asked}`}` },
@@ -124,44 +129,49 @@ export function buildForm(id, arms, given) {
   return { form, fields, boxes, told, folded };
 }
 
-// What a small judge need not ask, since the chapter says it.
-const hiddenBy = (given, arms) => [
+// List the fields that a chapter fixes.
+const listGivenFields = (given, arms) => [
   ...Object.keys(given),
   ...(arms.length < 2 ? ["arm"] : []),
   ...("q" in given ? ["unit"] : []),
 ];
 
-// What a chapter asks, in a line.
-function titleOf({ ask, q, wrench }, arms) {
+// Describe a chapter's question in one line.
+function describeQuestion({ ask, q, wrench }, arms) {
   const whose = arms.length === 1 ? `, ${arms[0].title}` : "";
-  return [`${ASKED[ask].title}${whose}`, q && `q = (${q})`, wrench && `wrench (${wrench})`]
+  return [`${QUESTIONS[ask].title}${whose}`, q && `q = (${q})`, wrench && `wrench (${wrench})`]
     .filter(Boolean)
     .join(", ");
 }
 
-// Show the fields that the question has, and what the arm says about them.
-export function adapt({ fields, boxes, told, folded }, question, arms) {
-  const asked = new Set(["ask", "arm", "answer", ...ASKED[question.ask].fields]);
-  if (question.arm === OWN) asked.add("table").add("unit");
+// Show the fields of the question, with the hints for its arm.
+export function adaptForm({ fields, boxes, told, folded }, question, arms) {
+  const asked = new Set(["ask", "arm", "answer", ...QUESTIONS[question.ask].fields]);
+  if (question.arm === OWN_ARM) asked.add("table").add("unit");
   for (const [key, one] of Object.entries(boxes)) one.hidden = !asked.has(key);
-  fields.answer.placeholder = HINTS[question.ask];
+  fields.answer.placeholder = ANSWER_HINTS[question.ask];
   const arm = arms.find(({ key }) => key === question.arm);
-  write(boxes.q.querySelector("label"), question.ask === "trace" ? BEGINS : FIELDS.q.label);
-  const hint = arm ? namesOf(arm) : "One value for each joint, in the table's order.";
-  write(boxes.q.querySelector(".about"), hint);
+  setText(
+    boxes.q.querySelector("label"),
+    question.ask === "trace" ? CIRCLE_START_LABEL : FIELDS.q.label,
+  );
+  const hint = arm ? listJointNames(arm) : "One value for each joint, in the table's order.";
+  setText(boxes.q.querySelector(".about"), hint);
   const frames = arm ? arm.rows.length : 16;
   if (fields.frame.options.length !== frames + 1) {
-    const all = Array.from({ length: frames + 1 }, (_, k) => option([String(k), frameName(k)]));
+    const all = Array.from({ length: frames + 1 }, (_, k) =>
+      makeOption([String(k), getFrameName(k)]),
+    );
     fields.frame.replaceChildren(...all);
     fields.frame.value = question.frame;
   }
-  const shown = FOLDED.filter((key) => asked.has(key));
+  const shown = FOLDED_FIELDS.filter((key) => asked.has(key));
   folded.hidden = !shown.length;
-  write(told, toldOf(shown, fields));
+  setText(told, describeFolded(shown, fields));
 }
 
-// What is taken for granted, in a line.
-function toldOf(keys, fields) {
+// Describe the folded fields in one line.
+function describeFolded(keys, fields) {
   const words = (key) => fields[key].selectedOptions?.[0]?.textContent ?? fields[key].value;
   const said = keys.filter((key) => fields[key].value);
   const guessed = keys.filter((key) => !fields[key].value && FIELDS[key].name);
@@ -171,19 +181,19 @@ function toldOf(keys, fields) {
   return `Taken: ${parts.join("; ")}`;
 }
 
-const frameName = (k) => (k ? `frame ${k}` : "the base");
+const getFrameName = (k) => (k ? `frame ${k}` : "the base");
 
-const namesOf = (arm) => {
+const listJointNames = (arm) => {
   const names = movingRows(arm).map((i) => `q_${i + 1}`);
   const slides = arm.rows.some(({ kind }) => kind === "prismatic");
   return `${names.join(", ")}${slides ? "; m where a joint slides" : ""}`;
 };
 
 /**
- * The field that an advice of the judge's sets, and to what.
+ * The field that an advice of the judge sets, and its new value.
  * @type {Record<string, (value: any, question: any, arms: any[]) => [string, string | undefined]>}
  */
-const SETS = {
+const FIELD_SETTERS = {
   angles: (value, { ask }) => [ask === "table" ? "angles" : "unit", value],
   angularFirst: (value) => ["first", value ? "omega" : "v"],
   frame: (value) => ["frame", String(value)],
@@ -195,19 +205,19 @@ const SETS = {
 };
 
 /**
- * What an advice sets here, in the words of its field; null where it sets nothing.
+ * Turn an advice of the judge into a button's text and action; null if it changes nothing here.
  * @param {import("../../../judge/advice.js").Advice} advice
  * @param {import("./question.js").Question} question
  */
-export function offerOf({ field, value }, question, arms) {
-  const [key, to] = SETS[field]?.(value, question, arms) ?? [];
-  const words = key && to !== question[key] && wordsOf(key, to, arms);
+export function makeOffer({ field, value }, question, arms) {
+  const [key, to] = FIELD_SETTERS[field]?.(value, question, arms) ?? [];
+  const words = key && to !== question[key] && describeSetting(key, to, arms);
   const label = key === "values" ? "Your own symbols" : (FIELDS[key]?.label ?? "Arm");
   return words ? { key, value: to, words: `${label}: ${words}` } : null;
 }
 
-function wordsOf(key, to, arms) {
+function describeSetting(key, to, arms) {
   if (key === "arm") return arms.find((one) => one.key === to)?.title;
-  if (key === "frame") return frameName(Number(to));
+  if (key === "frame") return getFrameName(Number(to));
   return CHOICES[key]?.[to] ?? `${to}…`;
 }

@@ -1,42 +1,43 @@
-// A report of what was asked, typed, read and said, to copy: a student may send it to whoever keeps
-// the book, and nothing is sent from here.
+// A copyable report of the question, the answer, its reading and the verdict. A student may send it
+// to whoever keeps the book; the page sends nothing.
 
 import { RIGHT } from "../../../judge/digits.js";
 import { formatVerdict } from "../../../judge/report.js";
-import { copied, h, write } from "../dom.js";
+import { copyToClipboard, h, setText } from "../dom.js";
 
-const COPIED = "Copied, as it stands here.";
-const CLOSED = "The clipboard is closed to this page: copy it from here.";
-const WHY = " If you think that this is mistaken, send it to whoever keeps this book.";
+const COPIED_NOTE = "Copied, as it stands here.";
+const NOT_COPIED_NOTE = "The clipboard is closed to this page: copy it from here.";
+const SEND_NOTE = " If you think that this is mistaken, send it to whoever keeps this book.";
 
 /**
- * Offer a report below every verdict on what a reader typed, but on a right answer.
- * @param {import("./page.js").Asked} judge
+ * Offer a report below every verdict on a typed answer that is not right.
+ * @param {import("./page.js").AnswerCheck} judge
  */
-export function addReport(judge) {
+export function addReportButton(judge) {
   const text = h("textarea", { rows: 8, readonly: true, "aria-label": "The report" });
   const said = h("p.about", { role: "status" });
   const onclick = async () => {
-    judge.again(); // what was typed a moment ago is in it too
-    text.value = reportOf(judge);
+    judge.again(); // include what was typed a moment ago
+    text.value = writeReport(judge);
     text.hidden = false;
-    const done = await copied(text.value);
+    const done = await copyToClipboard(text.value);
     if (!done) text.select();
-    write(said, `${done ? COPIED : CLOSED}${WHY}`);
+    setText(said, `${done ? COPIED_NOTE : NOT_COPIED_NOTE}${SEND_NOTE}`);
   };
   judge.parts.report.append(h("button", { onclick }, "Copy a report of this"), said, text);
   judge.follow(({ answer }, { report }) => {
     text.hidden = true;
-    write(said, "");
+    setText(said, "");
     const right = report && (report.mark ?? report.grade) === RIGHT;
     judge.parts.report.hidden = !answer.trim() || judge.isExample() || right;
   });
 }
 
-// The fields as the form calls them, the answer as typed, the cells as the page shows them.
-function reportOf({ made, parts, question, verdict, given }) {
+// Write the report: fields by their labels, the answer as typed, the cells as shown.
+function writeReport({ made, parts, question, verdict, given }) {
   const { boxes, fields } = made;
-  const hidden = ["answer", ...(given?.table ? ["table"] : [])]; // which is an exercise's solution
+  // an exercise's table is its solution
+  const hidden = ["answer", ...(given?.table ? ["table"] : [])];
   const asked = Object.keys(boxes).filter(
     (key) => fields[key].value && !boxes[key].hidden && !hidden.includes(key),
   );

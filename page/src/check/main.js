@@ -1,5 +1,5 @@
-// The judge: asked by Python, and in a page by the forms of its .arm-judge places
-// (book/assets/explorer-loader.js loads it there).
+// Entry point of the judge's bundle. Python calls `ask`; a page mounts a form in each of its
+// .arm-judge stubs (book/assets/explorer-loader.js loads the bundle there).
 
 import { mount } from "./page.js";
 

@@ -1,70 +1,76 @@
-// What is asked of the judge: its state in a link and back, and the verdict.
+// The question that the form asks: its fields, its link, and its verdict.
 
 import { findRowsFault, makeTypedArm } from "../../../judge/geometry/arm.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
-import { entryText, isAngle } from "../text.js";
+import { formatEntry, isAngle } from "../text.js";
 import { pose as poseOf } from "../../../judge/reading/numbers.js";
 import { ownRows } from "../../../judge/reading/table.js";
 import { ownValues } from "../../../judge/reading/values.js";
 import { ArmError, capitalize } from "../../../judge/sentences.js";
-import { jacobian, torques } from "./topics/jacobian.js";
-import { branches, pose, trace } from "./topics/motion.js";
-import { table } from "./topics/table.js";
+import { checkJacobian, checkTorques } from "./topics/jacobian.js";
+import { checkBranches, checkPose, checkTrace } from "./topics/motion.js";
+import { checkTable } from "./topics/table.js";
 
 /** @typedef {import("../../../judge/report.js").Verdict} Verdict */
 /** @typedef {import("../../../judge/geometry/arm.js").Arm} Arm */
 /**
- * The verdict on what is typed; throws ArmError.
+ * Judges an answer; throws ArmError if it cannot be judged.
  * @typedef {(question: Question, arm: Arm) => Verdict} Checker
  */
 
 /**
- * The kinds of questions: what each is called, the fields it has besides arm and answer, its
- * checker, and how many characters of an answer are judged, where they may be more than usual.
+ * The kinds of questions: title, fields besides arm and answer, checker, and the longest answer if
+ * it may be longer than usual.
  * @type {Record<string, { title: string, fields: string[], checker: Checker, longest?: number }>}
  */
-export const ASKED = {
+export const QUESTIONS = {
   jacobian: {
     title: "Jacobian at a pose",
     fields: ["q", "unit", "frame", "first", "values"],
-    checker: jacobian,
+    checker: checkJacobian,
   },
   torques: {
     title: "Joint torques at a pose",
     fields: ["q", "unit", "wrench"],
-    checker: torques,
+    checker: checkTorques,
   },
   table: {
     title: "Denavit-Hartenberg table",
     fields: ["columns", "lengths", "angles", "convention", "values"],
-    checker: table,
+    checker: checkTable,
   },
   branches: {
     title: "All joint angles for a target",
     fields: ["target", "unit"],
-    checker: branches,
+    checker: checkBranches,
   },
-  pose: { title: "Joint angles for one pose", fields: ["target", "unit"], checker: pose },
+  pose: { title: "Joint angles for one pose", fields: ["target", "unit"], checker: checkPose },
   trace: {
     title: "Joints along a circle",
     fields: ["q", "unit", "radius", "plane", "period", "steps", "pace"],
-    checker: trace,
+    checker: checkTrace,
     longest: 5_000_000,
   },
 };
 
-const LONGEST_LINK = 12_000; // characters of a fragment
-const LONGEST = { table: 2000, q: 500, wrench: 300, values: 500, answer: 8000, target: 1000 };
-const LONGEST_ANSWER = 30_000; // characters that are judged while typing
-const HEADS =
+const MAX_LINK_LENGTH = 12_000; // characters
+const MAX_FIELD_LENGTH = {
+  table: 2000,
+  q: 500,
+  wrench: 300,
+  values: 500,
+  answer: 8000,
+  target: 1000,
+};
+const MAX_ANSWER_LENGTH = 30_000; // characters
+const HEADER_ADVICE =
   "Write a row with the names of its columns first, such as a, alpha (deg), d (mm), theta";
-const ASKED_ABOUT = "the arm asked about"; // an arm that has no name
-export const OWN = "own"; // the arm whose table is typed
-const GUESSED = { "": "as it looks" };
+const UNNAMED_ARM = "the arm asked about"; // name of an arm that has none
+export const OWN_ARM = "own"; // key of the arm whose table is typed
+const GUESS_CHOICE = { "": "as it looks" };
 const UNITS = { rad: "rad", deg: "deg" };
 /**
- * The fields with few values, and the values' words; where the empty one is among them, what is not
- * said is guessed.
+ * Labels of the values of fields with few values. An empty value means that the judge guesses.
  * @type {Record<string, Record<string, string>>}
  */
 export const CHOICES = {
@@ -72,34 +78,33 @@ export const CHOICES = {
   first: { v: "v, then ω", omega: "ω, then v" },
   plane: { zy: "towards +y", yz: "towards −y", zx: "towards +x", xz: "towards −x" },
   pace: { even: "even", rest: "from rest to rest" },
-  lengths: { ...GUESSED, m: "m", cm: "cm", mm: "mm" },
-  angles: { ...GUESSED, ...UNITS },
-  convention: { ...GUESSED, standard: "standard", craig: "modified (Craig)" },
+  lengths: { ...GUESS_CHOICE, m: "m", cm: "cm", mm: "mm" },
+  angles: { ...GUESS_CHOICE, ...UNITS },
+  convention: { ...GUESS_CHOICE, standard: "standard", craig: "modified (Craig)" },
 };
 
 /**
  * @typedef {object} Question
- * @property {string} ask its key in ASKED
- * @property {string} arm its key in the page's list, or OWN
- * @property {string} table what was typed as a table, where the arm is one's own
+ * @property {string} ask key in QUESTIONS
+ * @property {string} arm key in the page's list, or OWN_ARM
+ * @property {string} table typed table of the reader's own arm
  * @property {string} q
- * @property {string} unit of q, and of bare angles in the table
- * @property {string} frame the number of the frame in whose axes the rows are
- * @property {string} first the half that stands first: "v" or "omega"
+ * @property {string} unit of q, and of angles without a unit in the table
+ * @property {string} frame number of the frame whose axes the rows refer to
+ * @property {string} first half of the Jacobian that comes first: "v" or "omega"
  * @property {string} wrench
- * @property {string} values of one's own symbols, as in "h = 0.3"
+ * @property {string} values of the reader's own symbols, as in "h = 0.3"
  * @property {string} answer
- * @property {string} columns of a table: their order, or empty where it is to be guessed; so the
- *   next three
+ * @property {string} columns order of a table's columns; empty to guess, as for the next three
  * @property {string} lengths
  * @property {string} angles
  * @property {string} convention
  * @property {string} target a point or a pose
- * @property {string} radius of the circle that hangs below the tip at q
- * @property {string} plane its base axes in their order
- * @property {string} period the duration of the run
- * @property {string} steps of the run; empty: as many as the answer has
- * @property {string} pace "even" or "rest", from rest to rest
+ * @property {string} radius of the circle below the tip at q
+ * @property {string} plane the circle's base axes in order
+ * @property {string} period duration of the circle in s
+ * @property {string} steps empty: as many as the answer has
+ * @property {string} pace "even" or "rest" (from rest to rest)
  */
 
 /** @type {Question} */
@@ -127,21 +132,21 @@ export const EMPTY = {
 };
 
 /**
- * What the page puts into the fields of a question: its example, or the arm's home and no answer.
+ * Return what the page fills in for a question: its example, or the arm's home and no answer.
  * @returns {Question}
  */
-export function startOf({ ask, arm, unit }, { arms, examples }) {
+export function makeStartingQuestion({ ask, arm, unit }, { arms, examples }) {
   const example = unit === EMPTY.unit && examples.find((one) => one.arm === arm && one.ask === ask);
   if (example) return { ...EMPTY, ...example };
   const own = arms.find(({ key }) => key === arm);
   const home = own
-    ? movingRows(own).map((row, k) => entryText(own.home[k], isAngle(own.rows[row]), unit))
+    ? movingRows(own).map((row, k) => formatEntry(own.home[k], isAngle(own.rows[row]), unit))
     : [];
   return { ...EMPTY, ask, arm, unit, q: home.join(", ") };
 }
 
 /** @param {Question} question */
-export function toFragment(question) {
+export function formatQuestionLink(question) {
   const fields = Object.entries(question).filter(
     ([key, text]) => text !== EMPTY[key] || key === "ask" || key === "arm",
   );
@@ -149,27 +154,28 @@ export function toFragment(question) {
 }
 
 /**
- * The question in a fragment, or null where there is none; what was refused, in words.
+ * Parse the question of a fragment.
  * @param {string} fragment
  * @param {string[]} arms keys
- * @returns {{ question: Question | null, words: string }}
+ * @returns {{ question: Question | null, words: string }} null if there is none, with a message if
+ *   the link was refused
  */
-export function fromFragment(fragment, arms) {
+export function parseQuestionLink(fragment, arms) {
   const text = fragment.replace(/^#/, "");
   if (!/^ask=/.test(text)) return { question: null, words: "" };
   const refused = (why) => ({ question: null, words: `The link could not be read: ${why}.` });
-  if (text.length > LONGEST_LINK) {
-    return refused(`it has ${text.length} characters; ${LONGEST_LINK} are the most`);
+  if (text.length > MAX_LINK_LENGTH) {
+    return refused(`it has ${text.length} characters; ${MAX_LINK_LENGTH} are the most`);
   }
   const fields = new URLSearchParams(text);
   const question = { ...EMPTY };
   for (const [key, value] of fields) {
     if (!Object.hasOwn(EMPTY, key)) return refused(`it has a field “${key.slice(0, 40)}”`);
-    if (value.length > (LONGEST[key] ?? 40)) return refused(`its ${key} is too long`);
+    if (value.length > (MAX_FIELD_LENGTH[key] ?? 40)) return refused(`its ${key} is too long`);
     question[key] = value;
   }
-  if (!Object.hasOwn(ASKED, question.ask)) return refused("it asks what is not judged here");
-  if (question.arm !== OWN && !arms.includes(question.arm)) {
+  if (!Object.hasOwn(QUESTIONS, question.ask)) return refused("it asks what is not judged here");
+  if (question.arm !== OWN_ARM && !arms.includes(question.arm)) {
     return refused(`there is no arm called “${question.arm}” here`);
   }
   const odd = Object.keys(CHOICES).find((key) => !Object.hasOwn(CHOICES[key], question[key]));
@@ -178,34 +184,36 @@ export function fromFragment(fragment, arms) {
   return { question, words: "" };
 }
 
-// The arm that is asked about; an error in words where it is none.
-export function armOf(question, arms) {
-  if (question.arm !== OWN) return arms.find(({ key }) => key === question.arm);
+// Return the arm of a question. Throws ArmError if its typed table cannot be read.
+export function findArm(question, arms) {
+  if (question.arm !== OWN_ARM) return arms.find(({ key }) => key === question.arm);
   if (!question.table.trim())
     throw new ArmError("Type the table of your arm: a row for each joint, a α d θ.");
-  const symbols = ASKED[question.ask].fields.includes("values") ? ownValues(question.values) : [];
+  const symbols = QUESTIONS[question.ask].fields.includes("values")
+    ? ownValues(question.values)
+    : [];
   const { rows, said, guessed } = ownRows(question.table, question.unit, symbols, "m");
-  if (guessed) throw new ArmError(`Are these the ${said[0]}? ${HEADS}.`);
+  if (guessed) throw new ArmError(`Are these the ${said[0]}? ${HEADER_ADVICE}.`);
   const fault = findRowsFault(rows);
   if (fault) throw new ArmError(`${fault}.`);
-  return { ...makeTypedArm(rows, { name: "", home: [], rows: [] }), name: ASKED_ABOUT };
+  return { ...makeTypedArm(rows, { name: "", home: [], rows: [] }), name: UNNAMED_ARM };
 }
 
 /**
- * The verdict on an answer, or why there is none yet.
+ * Judge an answer, or return why there is no verdict yet.
  * @param {Question} question
  * @typedef {import("../../../judge/advice.js").Advice} Advice
  * @returns {{ report?: Verdict, error?: string, advice?: Advice[], arm?: any, q?: number[] }}
  */
-export function judge(question, arms) {
+export function judgeQuestion(question, arms) {
   let arm, q;
   try {
-    arm = armOf(question, arms);
-    const asked = missing(question, arm);
+    arm = findArm(question, arms);
+    const asked = findMissingField(question, arm);
     if (asked) return { error: asked, arm };
-    q = posed(question) ? poseOf(question.q, arm, question.unit).values : undefined;
+    q = hasPose(question) ? poseOf(question.q, arm, question.unit).values : undefined;
     if (!question.answer.trim()) return { error: "Type or paste your answer.", arm, q };
-    const { checker, longest = LONGEST_ANSWER } = ASKED[question.ask];
+    const { checker, longest = MAX_ANSWER_LENGTH } = QUESTIONS[question.ask];
     if (question.answer.length > longest) {
       return { error: `The answer is longer than ${longest} characters.`, arm, q };
     }
@@ -217,8 +225,8 @@ export function judge(question, arms) {
   }
 }
 
-const posed = ({ ask }) => ASKED[ask].fields.includes("q");
-const missing = (question, arm) =>
-  posed(question) && !question.q.trim()
+const hasPose = ({ ask }) => QUESTIONS[ask].fields.includes("q");
+const findMissingField = (question, arm) =>
+  hasPose(question) && !question.q.trim()
     ? `Type the pose: ${movingRows(arm).length} joint values.`
     : null;

@@ -1,13 +1,14 @@
-// What can be done with a question: a link to it, an example, the pose in the explorer.
+// Buttons of a question: a link to it, an example, its pose in the explorer.
 
-import { copied, h } from "../dom.js";
-import { EMPTY, OWN, toFragment } from "./question.js";
+import { copyToClipboard, h } from "../dom.js";
+import { EMPTY, OWN_ARM, formatQuestionLink } from "./question.js";
 
 /**
- * @param {import("./page.js").Asked} judge
- * @param {string} book its address
+ * Add the buttons.
+ * @param {import("./page.js").AnswerCheck} judge
+ * @param {string} book address of the book
  */
-export function addTools(judge, book) {
+export function addToolButtons(judge, book) {
   const { parts, given } = judge;
   const whole = new URL("check_your_homework.html", book).href;
   const more = h("a", { href: whole }, "More room, and all options");
@@ -20,30 +21,30 @@ export function addTools(judge, book) {
     const ours = same.find((one) => one.arm === judge.question.arm);
     judge.begin({ ...EMPTY, ...(ours ?? same[0]) });
   });
-  // Of an exercise's own arm all of them would show the table, which is the solution.
+  // For an exercise's own arm these would show the table, which is the solution.
   if (!given?.table) parts.tools.append(example, link, given ? more : explorer);
 
   judge.follow((question, { arm, q }) => {
-    more.href = whole + toFragment(question);
+    more.href = whole + formatQuestionLink(question);
     example.hidden = !examples().length;
-    explorer.hidden = !arm || !q || question.arm === OWN || !arm.explorer;
+    explorer.hidden = !arm || !q || question.arm === OWN_ARM || !arm.explorer;
     if (!explorer.hidden)
-      explorer.href = new URL(`explorer.html#${poseOf(question, arm, q)}`, book).href;
+      explorer.href = new URL(`explorer.html#${getExplorerQuery(question, arm, q)}`, book).href;
   });
 }
 
 async function copyLink(judge, whole) {
   const { question, given } = judge;
-  const fragment = toFragment(question);
+  const fragment = formatQuestionLink(question);
   if (!given) history.replaceState(null, "", fragment);
-  const copying = await copied(given ? whole + fragment : location.href);
-  const there = given ? CLOSED : "The link stands in the address bar.";
+  const copying = await copyToClipboard(given ? whole + fragment : location.href);
+  const there = given ? NO_CLIPBOARD : "The link stands in the address bar.";
   judge.say(copying ? "The link is copied." : there);
 }
 
-const CLOSED = "The clipboard is closed to this page.";
+const NO_CLIPBOARD = "The clipboard is closed to this page.";
 
-const poseOf = ({ ask }, arm, q) =>
+const getExplorerQuery = ({ ask }, arm, q) =>
   new URLSearchParams({
     arm: arm.explorer,
     q: q.map((x) => Number(x.toFixed(6))).join(","),

@@ -1,7 +1,7 @@
-// The kinds of small figures. Each has one lever and one message.
+// The small figures; each has one control and one message.
 
-import { h, indexed, write } from "../dom.js";
-import { ask, latest } from "../jobs.js";
+import { h, makeIndexedSymbol, setText } from "../dom.js";
+import { runJob, makeLatestJob } from "../jobs.js";
 import {
   movingRows,
   linkFrames,
@@ -10,45 +10,51 @@ import {
   plus,
   scaled,
 } from "../../../judge/geometry/kinematics.js";
-import { freed } from "../renderer.js";
-import { branchColour } from "../look.js";
-import { Arrow, tube } from "../shapes.js";
-import { fixed } from "../text.js";
+import { removeAndDispose } from "../renderer.js";
+import { getBranchColour } from "../look.js";
+import { Arrow, makeTube } from "../shapes.js";
+import { formatFixed } from "../text.js";
 import { joinList } from "../../../judge/sentences.js";
-import { rankVerdict, waysVerdict } from "../verdicts.js";
-import { makeHeat } from "../views/jacobian.js";
+import { describeRank, describeBranches } from "../verdicts.js";
+import { makeHeatTable } from "../views/jacobian.js";
 import { makeMatrix } from "../views/pose.js";
-import { deg, makeLever, makeLive } from "./live.js";
-import { swing } from "./swing.js";
+import { formatWholeDegrees, makeLever, makeLive } from "./live.js";
+import { buildSwingFigure } from "./swing.js";
 
-const OF_A_ROW =
+const MATRIX_NOTE =
   "only the entries with its angle move; the last column goes round on a circle of radius a.";
-const mm = (p) => p.map((v) => fixed(1000 * v, 0)).join(", ");
+const formatPoint = (p) => p.map((v) => formatFixed(1000 * v, 0)).join(", ");
 
-// The arm in the hand: any link, or the tip.
-function hand(host, spec) {
-  const words = (state, { frames }) =>
-    `${spec.words ?? "Drag a link, or the tip."} The tip is at (${mm(frames.at(-1).o)}) mm.`;
-  return makeLive(host, spec, { state: { frames: spec.frames ?? "ends" }, words }).dispose;
+// An arm to drag, by any link or by the tip.
+function buildHandFigure(host, spec) {
+  const message = (state, { frames }) => {
+    const tip = `The tip is at (${formatPoint(frames.at(-1).o)}) mm.`;
+    return `${spec.words ?? "Drag a link, or the tip."} ${tip}`;
+  };
+  return makeLive(host, spec, { state: { frames: spec.frames ?? "ends" }, message }).dispose;
 }
 
-// One row of the table in its four motions: the frame before it goes over into its own.
-function row(host, spec) {
+// The four motions of one table row: they carry the frame before it to its own.
+function buildRowFigure(host, spec) {
   const number = spec.row ?? 1;
   let share = 4;
   const live = makeLive(host, spec, {
-    hold: false,
+    isGrabbable: false,
     first: number - 1,
     state: { frames: "all" },
-    words: ({ arm }) => motionsOf(arm.rows[0], share),
+    message: ({ arm }) => describeMotions(arm.rows[0], share),
   });
   const given = live.store.state.arm.rows[number - 1];
   const put = (v) => {
     share = v;
-    const rows = [partly(given, v, spec)];
-    live.store.dispatch({ type: "select", arm: { name: `Row ${number}`, home: [], rows }, q: [] });
+    const rows = [makePartialRow(given, v, spec)];
+    live.store.dispatch({
+      type: "selectArm",
+      arm: { name: `Row ${number}`, home: [], rows },
+      q: [],
+    });
   };
-  const text = (v) => `${fixed(v, 1)} of 4`;
+  const text = (v) => `${formatFixed(v, 1)} of 4`;
   const lever = makeLever("motions", [0, 4], 4, { put, text, signal: live.signal });
   live.card.querySelector(".side").prepend(lever.root);
   lever.move(4);
@@ -56,19 +62,19 @@ function row(host, spec) {
   return live.dispose;
 }
 
-function motionsOf({ theta, d, a, alpha }, share) {
-  const slid = [d, a].map((v) => `${fixed(1000 * v, 0)} mm`);
+function describeMotions({ theta, d, a, alpha }, share) {
+  const slid = [d, a].map((v) => `${formatFixed(1000 * v, 0)} mm`);
   const motions = [
-    `turn by θ about z (${deg(theta)})`,
+    `turn by θ about z (${formatWholeDegrees(theta)})`,
     `slide by d along z (${slid[0]})`,
     `slide by a along x (${slid[1]})`,
-    `turn by α about x (${deg(alpha)})`,
+    `turn by α about x (${formatWholeDegrees(alpha)})`,
   ].slice(0, Math.ceil(share));
   return motions.length ? `${motions.join(", then ")}.` : "The frame before the row.";
 }
 
-// A row of which so many of the four motions are made.
-function partly(row, count, { angle = 0.7 }) {
+// Return a row of which only the first `count` of the four motions are made.
+function makePartialRow(row, count, { angle = 0.7 }) {
   const part = (i) => Math.min(1, Math.max(0, count - i));
   const theta = row.theta + (row.kind === "revolute" ? angle : 0);
   const d = row.d + (row.kind === "prismatic" ? 0.3 : 0);
@@ -76,8 +82,8 @@ function partly(row, count, { angle = 0.7 }) {
   return { kind: "fixed", ...turns, d: part(1) * d, a: part(2) * row.a };
 }
 
-// A_i in numbers, while its joint turns.
-function matrix(host, spec) {
+// The matrix A_i while its joint turns.
+function buildMatrixFigure(host, spec) {
   const number = spec.row ?? 1;
   const shown = makeMatrix("A", `A ${number}`);
   const live = makeLive(
@@ -86,7 +92,7 @@ function matrix(host, spec) {
     {
       state: { frames: "all" },
       side: [h("div.scroll", {}, shown.root)],
-      words: () => `Turn joint ${number}: ${OF_A_ROW}`,
+      message: () => `Turn joint ${number}: ${MATRIX_NOTE}`,
     },
   );
   live.follow(({ arm, q }) => {
@@ -96,13 +102,13 @@ function matrix(host, spec) {
   return live.dispose;
 }
 
-// The Jacobian's columns: each is the tip's velocity when one joint turns alone.
-function columns(host, spec) {
+// The Jacobian's columns: each is the tip's velocity when one joint moves alone.
+function buildColumnsFigure(host, spec) {
   let chosen = movingRows(spec.arm)[(spec.column ?? 1) - 1]; // its row
-  const heat = makeHeat((row) => row !== null && choose(row));
+  const heat = makeHeatTable((row) => row !== null && choose(row));
   const live = makeLive(host, spec, {
     side: [heat.root],
-    words: ({ arm }) => {
+    message: ({ arm }) => {
       const moves = arm.rows[chosen].kind === "revolute" ? "turns about its axis" : "slides";
       const when = `when joint ${chosen + 1} ${moves} alone`;
       const column = movingRows(arm).indexOf(chosen) + 1;
@@ -112,45 +118,46 @@ function columns(host, spec) {
   const { store, picture } = live;
   const choose = (row) => {
     chosen = row;
-    store.dispatch({ type: "show", lit: row });
+    store.dispatch({ type: "setFields", highlightedRow: row });
     live.refresh();
   };
   const arrow = picture && new Arrow(picture.force.shaft.material);
   live.follow(({ arm }, derived) => {
-    heat.update({ arm, lit: chosen }, derived.columns);
+    heat.update({ arm, highlightedRow: chosen }, derived.columns);
     if (!arrow || !picture.world) return;
     if (arrow.parent !== picture.world) picture.world.add(arrow);
     const column = derived.columns[movingRows(arm).indexOf(chosen)];
-    const way = scaled(0.3, column.slice(0, 3));
-    arrow.point(derived.frames.at(-1).o, way, 0.008 * picture.size);
+    const velocity = scaled(0.3, column.slice(0, 3));
+    arrow.point(derived.frames.at(-1).o, velocity, 0.008 * picture.size);
   });
   choose(chosen);
   return live.dispose;
 }
 
-// How fast the tip can go which way, as the arm is moved.
-function ellipsoid(host, spec) {
-  const words = (state, derived) => {
-    const axes = derived.linear.values.map((v) => fixed(v, 2)).join(", ");
-    return `Half axes ${axes}. ${rankVerdict(derived).text}`;
+// The velocity ellipsoid of the tip as the arm moves.
+function buildEllipsoidFigure(host, spec) {
+  const message = (state, derived) => {
+    const axes = derived.linear.values.map((v) => formatFixed(v, 2)).join(", ");
+    return `Half axes ${axes}. ${describeRank(derived).text}`;
   };
-  return makeLive(host, spec, { state: { view: "jacobian" }, words }).dispose;
+  return makeLive(host, spec, { state: { view: "jacobian" }, message }).dispose;
 }
 
-// Torques that hold the arm, as bars that follow.
-function loads(host, spec) {
+// The torques that hold the arm, as bars.
+function buildLoadsFigure(host, spec) {
   const bars = h("div.bars");
   const live = makeLive(host, spec, {
     state: { view: spec.push ? "torque" : "pose", wrench: spec.wrench ?? [0, 0, 0, 0, 0, 0] },
     side: [bars],
-    words: ({ arm }, { torque }) => {
+    message: ({ arm }, { torque }) => {
       const sizes = torque.map(Math.abs);
       const worst = sizes.indexOf(Math.max(...sizes));
-      const most = `joint ${movingRows(arm)[worst] + 1}: ${fixed(torque[worst], 1)}\u00a0N\u00a0m`;
+      const value = `${formatFixed(torque[worst], 1)}\u00a0N\u00a0m`;
+      const most = `joint ${movingRows(arm)[worst] + 1}: ${value}`;
       return `${spec.words ?? "Move the arm."} The most is asked of ${most}.`;
     },
   });
-  const lines = movingRows(live.store.state.arm).map(torqueBar);
+  const lines = movingRows(live.store.state.arm).map(makeTorqueBar);
   bars.replaceChildren(...lines.map((one) => one.root));
   live.follow(({ arm }, { torque }) => {
     const most = Math.max(...movingRows(arm).map((index) => arm.rows[index].effort ?? 50));
@@ -159,34 +166,35 @@ function loads(host, spec) {
   return live.dispose;
 }
 
-function torqueBar(index) {
+function makeTorqueBar(index) {
   const [fill, value] = [h("span.fill"), h("span")];
-  const name = h("span", {}, indexed("τ", index + 1));
+  const name = h("span", {}, makeIndexedSymbol("τ", index + 1));
   const show = (torque, most) => {
     const share = Math.max(-1, Math.min(1, torque / most));
     const [left, width] = [50 + 50 * Math.min(0, share), 50 * Math.abs(share)];
     Object.assign(fill.style, { left: `${left}%`, width: `${width}%` });
-    write(value, `${fixed(torque, 1)} N m`);
+    setText(value, `${formatFixed(torque, 1)} N m`);
   };
   return { root: h("div.bar", {}, name, h("span.track", {}, fill), value), show };
 }
 
-// The circle on the wall for a radius: below a certain one the joints swing, above they wind.
-function winds(host, spec) {
+// The circle on the wall at several radii: below a certain radius the joints swing, above it they
+// wind.
+function buildWindingFigure(host, spec) {
   let [result, at, radius] = [null, 0, 0.1];
   const live = makeLive(host, spec, {
-    hold: false,
-    state: { view: "trace", lit: spec.lit ? spec.lit - 1 : null },
-    words: ({ arm }) => (result ? windingOf(arm, result, radius) : "Computing …"),
+    isGrabbable: false,
+    state: { view: "trace", highlightedRow: spec.lit ? spec.lit - 1 : null },
+    message: ({ arm }) => (result ? describeWinding(arm, result, radius) : "Computing …"),
   });
   const { store } = live;
   const start = store.state.q;
   const show = () => {
     const { path } = result;
     const k = Math.round(at * (path.length - 1));
-    store.dispatch({ type: "set", trace: path, q: path[k] });
+    store.dispatch({ type: "replaceState", trace: path, q: path[k] });
   };
-  const asked = latest("run");
+  const asked = makeLatestJob("run");
   const run = () =>
     asked(
       { arm: store.state.arm, q: start, run: { method: "exact", steps: 180, radius } },
@@ -200,40 +208,40 @@ function winds(host, spec) {
   const lever = (name, range, value, put, text) =>
     makeLever(name, range, value, { put, text, signal: live.signal }).root;
   const goTo = (v) => ((at = v), result && show());
-  const place = lever("round", [0, 1], 0, goTo, (v) => `${fixed(100 * v, 0)} %`);
+  const place = lever("round", [0, 1], 0, goTo, (v) => `${formatFixed(100 * v, 0)} %`);
   const resize = (v) => ((radius = v), run());
-  const size = lever("radius", [0.01, 0.1], radius, resize, (v) => `${fixed(100 * v, 1)} cm`);
+  const size = lever("radius", [0.01, 0.1], radius, resize, (v) => `${formatFixed(100 * v, 1)} cm`);
   live.card.querySelector(".side").prepend(...(spec.fixed ? [place] : [size, place]));
   run();
   return live.dispose;
 }
 
-function windingOf(arm, { failed, wound }, radius) {
-  const size = `Radius ${fixed(100 * radius, 1)} cm`;
-  if (failed !== null)
+function describeWinding(arm, { failedStep, windings }, radius) {
+  const size = `Radius ${formatFixed(100 * radius, 1)} cm`;
+  if (failedStep !== null)
     return `${size}: no run gets round; the arm would have to pass a singular pose.`;
   const round = movingRows(arm).flatMap((index, k) =>
-    Math.abs(wound[k]) > 0.9 ? [`joint ${index + 1}`] : [],
+    Math.abs(windings[k]) > 0.9 ? [`joint ${index + 1}`] : [],
   );
   const swing = "the joints swing and come back";
   return `${size}: ${round.length ? `${joinList(round)} wind once round` : swing}.`;
 }
 
-// Every way to the pose, to be clicked through.
-function ways(host, spec) {
+// The solution branches of a pose, one button for each.
+function buildBranchesFigure(host, spec) {
   const list = h("div.row", { role: "radiogroup", "aria-label": "Ways" });
   const live = makeLive(host, spec, {
     state: { view: "branches" },
     side: [list],
-    words: ({ arm, ways: found }) => (found ? waysVerdict(arm, found) : "Computing …"),
+    message: ({ arm, branches: found }) => (found ? describeBranches(arm, found) : "Computing …"),
   });
   const { store } = live;
   let gone = false;
-  ask("ways", { arm: store.state.arm, q: store.state.q }).then((found) => {
+  runJob("branches", { arm: store.state.arm, q: store.state.q }).then((found) => {
     if (gone) return;
-    store.dispatch({ type: "ways", arm: store.state.arm, ways: found });
+    store.dispatch({ type: "setBranches", arm: store.state.arm, branches: found });
     const button = ({ q }, i) => {
-      const style = `border-left: 6px solid ${branchColour(i)}`;
+      const style = `border-left: 6px solid ${getBranchColour(i)}`;
       const onclick = () => store.dispatch({ type: "glide", q });
       return h(
         "button",
@@ -244,7 +252,7 @@ function ways(host, spec) {
     list.replaceChildren(...found.list.map(button));
     live.refresh();
   });
-  live.follow(({ q, ways: found }) => {
+  live.follow(({ q, branches: found }) => {
     [...list.children].forEach((button, i) => {
       const here = found?.list[i]?.q.every((v, k) => Math.abs(v - q[k]) < 1e-3);
       button.setAttribute("aria-checked", String(Boolean(here)));
@@ -253,34 +261,36 @@ function ways(host, spec) {
   return () => ((gone = true), live.dispose());
 }
 
-// The elbow's two triangles: shoulder, elbow and tip; and the tip's place over the shoulder.
-function triangles(host, spec) {
-  const words = ({ arm, q }, { frames }) => {
+// The triangles of the elbow arm: shoulder, elbow and tip, and the tip's position above the
+// shoulder.
+function buildTrianglesFigure(host, spec) {
+  const message = ({ arm, q }, { frames }) => {
     const far = norm(minus(frames.at(-1).o, frames[1].o));
     const [a2, a3] = [arm.rows[1].a, arm.rows[2].a];
     const D = (far * far - a2 * a2 - a3 * a3) / (2 * a2 * a3);
-    const reached = `Shoulder to tip ${fixed(1000 * far, 0)} mm`;
-    return `${reached}, so D = ${fixed(D, 3)} and θ₃ = ${deg(q[2])}; its cosine is D.`;
+    const reached = `Shoulder to tip ${formatFixed(1000 * far, 0)} mm`;
+    const angle = formatWholeDegrees(q[2]);
+    return `${reached}, so D = ${formatFixed(D, 3)} and θ₃ = ${angle}; its cosine is D.`;
   };
-  const live = makeLive(host, spec, { words });
+  const live = makeLive(host, spec, { message });
   const { picture } = live;
   let drawn = [];
   live.follow((state, { frames }) => {
     if (!picture?.world) return;
-    drawn.forEach(freed);
-    drawn = sidesOf(frames.slice(1).map((frame) => frame.o))
+    drawn.forEach(removeAndDispose);
+    drawn = getTriangleSides(frames.slice(1).map((frame) => frame.o))
       .filter(([p, q]) => norm(minus(p, q)) > 1e-3)
       .map(([p, q, colour]) => {
         const middle = plus(scaled(0.5, p), scaled(0.5, q));
-        return tube([p, middle, q], 0.003 * picture.size, branchColour(colour));
+        return makeTube([p, middle, q], 0.003 * picture.size, getBranchColour(colour));
       });
     drawn.forEach((piece) => picture.world.add(piece));
   });
   return live.dispose;
 }
 
-// The triangles' sides, each with the number of its colour.
-function sidesOf([shoulder, elbow, tip]) {
+// Return the sides of the triangles, each with the index of its colour.
+function getTriangleSides([shoulder, elbow, tip]) {
   const below = [tip[0], tip[1], shoulder[2]];
   return [
     [shoulder, tip, 0],
@@ -292,18 +302,18 @@ function sidesOf([shoulder, elbow, tip]) {
 }
 
 /**
- * Each kind by its name: `kind(host, spec)` builds into the host and gives what takes it away.
+ * The figures by name: `build(host, spec)` builds one and returns a function that removes it.
  * @type {Record<string, (host: HTMLElement, spec: any) => () => void>}
  */
 export const FIGURES = {
-  columns,
-  ellipsoid,
-  hand,
-  loads,
-  matrix,
-  row,
-  swing,
-  triangles,
-  ways,
-  winds,
+  columns: buildColumnsFigure,
+  ellipsoid: buildEllipsoidFigure,
+  hand: buildHandFigure,
+  loads: buildLoadsFigure,
+  matrix: buildMatrixFigure,
+  row: buildRowFigure,
+  swing: buildSwingFigure,
+  triangles: buildTrianglesFigure,
+  ways: buildBranchesFigure,
+  winds: buildWindingFigure,
 };

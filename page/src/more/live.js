@@ -1,41 +1,43 @@
-// What every small figure is made of: a picture of an arm that can be held, words that follow, and
-// a few levers.
+// The parts of every small figure: a picture of an arm to drag, a message that follows it, and
+// levers.
 
 import css from "./figure.css";
 import common from "../common.css";
 import { homePose, jointRange } from "../../../judge/geometry/arm.js";
-import { attribute, h, indexed, slider, write } from "../dom.js";
+import { updateAttribute, h, makeIndexedSymbol, makeRangeInput, setText } from "../dom.js";
 import { makeStage } from "../panel/stage.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { makeRail } from "../rail.js";
-import { startingState, Store } from "../state.js";
-import { degrees, jointText, replaced, spokenJoint } from "../text.js";
+import { makeInitialState, Store } from "../state.js";
+import { formatDegrees, formatJointValue, replaceAt, formatSpokenValue } from "../text.js";
 import { watchTheme } from "../theme.js";
 
-export const deg = (v) => degrees(v, 0);
+export const formatWholeDegrees = (v) => formatDegrees(v, 0);
 
-let count = 0;
+let figureCount = 0;
 
 /**
+ * Make a small figure.
  * @param {HTMLElement} host
- * @param {any} spec options of the figure: arm, q, joints (numbers of those that get a lever)
- * @param {{ state?: object, hold?: boolean, words: (state: any, derived: any) => string, side?:
- *   HTMLElement[],
- *   first?: number }} made
+ * @param {any} spec options of the figure: arm, q, joints (the numbers of joints with a lever)
+ * @param {{ state?: object, isGrabbable?: boolean, message: (state: any, derived: any) => string,
+ *   side?: HTMLElement[], first?: number }} options the initial state, whether the arm can be
+ *   grabbed, the message, elements beside the picture, and the number of the first frame
  */
-export function makeLive(host, spec, { state = {}, hold = true, words, side = [], first = 0 }) {
+export function makeLive(host, spec, options) {
+  const { state = {}, isGrabbable = true, message, side = [], first = 0 } = options;
   const abort = new AbortController();
   const { signal } = abort;
   const { arm } = spec;
-  const store = new Store(startingState({ arm, q: spec.q ?? homePose(arm), ...state }));
+  const store = new Store(makeInitialState({ arm, q: spec.q ?? homePose(arm), ...state }));
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const stage = makeStage(store, {
-    ...{ signal, first, held: hold, bar: false, id: `figure-${++count}` },
+    ...{ signal, first, isGrabbable, hasTipBar: false, id: `figure-${++figureCount}` },
     goTo: (q) => store.dispatch({ type: "glide", q }),
   });
-  const said = h("p.words");
-  const levers = (spec.joints ?? []).map((number) => jointLever(store, number, signal));
-  const beside = h("div.side", {}, ...side, ...levers.map((one) => one.root), said);
+  const caption = h("p.words");
+  const levers = (spec.joints ?? []).map((number) => makeJointLever(store, number, signal));
+  const beside = h("div.side", {}, ...side, ...levers.map((lever) => lever.root), caption);
   const card = h("figure.live", {}, stage.root, beside);
   root.replaceChildren(h("style", {}, common, css), card);
 
@@ -43,8 +45,8 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   const listeners = [];
   function refresh() {
     const { state: now, derived } = store;
-    for (const one of levers) one.show(now);
-    write(said, words(now, derived));
+    for (const lever of levers) lever.show(now);
+    setText(caption, message(now, derived));
     stage.draw(now, derived, theme);
     stage.update(now);
     for (const listener of listeners) listener(now, derived);
@@ -61,36 +63,37 @@ export function makeLive(host, spec, { state = {}, hold = true, words, side = []
   return { store, picture, card, signal, refresh, follow, dispose };
 }
 
-// A lever for the joint of a row, by its number from 1.
-function jointLever(store, number, signal) {
+// Make a lever for the joint of a row, counted from 1.
+function makeJointLever(store, number, signal) {
   const { arm } = store.state;
   const k = movingRows(arm).indexOf(number - 1);
   const row = arm.rows[number - 1];
   const put = (value, gesture) =>
-    store.dispatch({ type: "move", q: replaced(store.state.q, k, value), gesture });
-  const input = slider(`Joint ${number}`, jointRange(row));
-  const { root, show } = leverOf(indexed("q", number), input, put, signal);
+    store.dispatch({ type: "moveJoints", q: replaceAt(store.state.q, k, value), gesture });
+  const input = makeRangeInput(`Joint ${number}`, jointRange(row));
+  const { root, show } = makeLeverParts(makeIndexedSymbol("q", number), input, put, signal);
   return {
     root,
-    show: ({ q, unit }) => show(q[k], jointText(row, q[k], unit), spokenJoint(row, q[k], unit)),
+    show: ({ q, unit }) =>
+      show(q[k], formatJointValue(row, q[k], unit), formatSpokenValue(row, q[k], unit)),
   };
 }
 
-// A lever for any number.
+// Make a lever for any number.
 export function makeLever(label, bounds, value, { put, text, signal }) {
-  const input = slider(label, bounds);
-  const { root, show } = leverOf(label, input, (v) => move(v), signal);
+  const input = makeRangeInput(label, bounds);
+  const { root, show } = makeLeverParts(label, input, (v) => move(v), signal);
   const move = (v) => (show(v, text(v)), put(v));
   show(value, text(value));
   return { root, move };
 }
 
-function leverOf(name, input, put, signal) {
+function makeLeverParts(name, input, put, signal) {
   const output = h("output");
   const show = (value, text, spoken = text) => {
     input.value = String(value);
-    attribute(input, "aria-valuetext", spoken);
-    write(output, text);
+    updateAttribute(input, "aria-valuetext", spoken);
+    setText(output, text);
   };
   return {
     root: h("div.lever", {}, h("span", {}, name), makeRail(input, put, signal), output),

@@ -1,22 +1,24 @@
-// The line above the picture: which arm, units, and what may be done with the whole instrument.
+// The bar above the picture: the arm, units, and buttons for the whole explorer.
 
 import { homePose } from "../../../judge/geometry/arm.js";
-import { attribute, h, write } from "../dom.js";
-import { randomPose } from "../motion.js";
-import { called } from "../text.js";
+import { updateAttribute, h, setText } from "../dom.js";
+import { drawRandomPose } from "../motion.js";
+import { getDisplayName } from "../text.js";
 
-export function makeHead(store, { arms, link, goTo, stage, card, say }) {
-  const name = arms.length > 1 ? makeChoice(store, arms, stage) : makeName();
-  const units = makeUnits(store);
-  const frames = makeFrames(store);
-  const steps = makeSteps(store);
+export function makeHeader(store, { arms, link, goTo, stage, card, announce }) {
+  const name = arms.length > 1 ? makeArmChoice(store, arms, stage) : makeArmName();
+  const units = makeUnitButtons(store);
+  const frames = makeFramesButton(store);
+  const steps = makeUndoButtons(store);
   const buttons = [
     frames.root,
-    button("Home", "Where this arm stands first", () => goTo(homePose(store.state.arm))),
-    button("Random", "Somewhere within its limits", () => goTo(randomPose(store.state.arm))),
-    makeFit(stage),
+    makeButton("Home", "Where this arm stands first", () => goTo(homePose(store.state.arm))),
+    makeButton("Random", "Somewhere within its limits", () =>
+      goTo(drawRandomPose(store.state.arm)),
+    ),
+    makeFitButton(stage),
     steps.root,
-    ...(link ? [makeCopy(link, say)] : []),
+    ...(link ? [makeCopyLinkButton(link, announce)] : []),
   ];
   card.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
@@ -32,19 +34,19 @@ export function makeHead(store, { arms, link, goTo, stage, card, say }) {
   };
 }
 
-const button = (text, title, onclick) => h("button", { title, onclick }, text);
-const press = (one, is) => attribute(one, "aria-pressed", String(is));
+const makeButton = (text, title, onclick) => h("button", { title, onclick }, text);
+const setPressed = (one, is) => updateAttribute(one, "aria-pressed", String(is));
 
-function makeName() {
+function makeArmName() {
   const root = h("span.name");
-  return { root, update: ({ arm }) => write(root, called(arm.name)) };
+  return { root, update: ({ arm }) => setText(root, getDisplayName(arm.name)) };
 }
 
-// The list of arms; one that was typed stands in it by its own name.
-function makeChoice(store, arms, stage) {
+// Make the list of arms; a typed arm is its last entry.
+function makeArmChoice(store, arms, stage) {
   const choose = (arm) => {
     if (!arm) return;
-    store.dispatch({ type: "select", arm });
+    store.dispatch({ type: "selectArm", arm });
     stage.fit();
   };
   const root = h("select.name", {
@@ -56,7 +58,7 @@ function makeChoice(store, arms, stage) {
     const own = arm === base ? null : arm.name;
     if (listed === own && root.options.length) return;
     listed = own;
-    const known = arms.map((one) => h("option", { value: one.name }, called(one.name)));
+    const known = arms.map((one) => h("option", { value: one.name }, getDisplayName(one.name)));
     root.replaceChildren(...known, ...(own ? [h("option", {}, own)] : []));
   }
   function update(state) {
@@ -68,27 +70,29 @@ function makeChoice(store, arms, stage) {
   return { root, update };
 }
 
-function makeUnits(store) {
+function makeUnitButtons(store) {
   const units = Object.entries({ deg: "degrees", rad: "radians" }).map(([unit, title]) => {
-    const onclick = () => store.dispatch({ type: "show", unit });
+    const onclick = () => store.dispatch({ type: "setFields", unit });
     return h("button", { title, "data-unit": unit, onclick }, unit);
   });
   return {
     root: h("span.pair", { role: "group", "aria-label": "Unit of angles" }, units),
-    update: ({ unit }) => units.forEach((one) => press(one, one.dataset.unit === unit)),
+    update: ({ unit }) => units.forEach((one) => setPressed(one, one.dataset.unit === unit)),
   };
 }
 
-function makeFrames(store) {
+function makeFramesButton(store) {
   const title = "Draw the frame of every link, or the first and the last only";
   const other = () => (store.state.frames === "all" ? "ends" : "all");
-  const root = button("Frames", title, () => store.dispatch({ type: "show", frames: other() }));
-  return { root, update: ({ frames }) => press(root, frames === "all") };
+  const root = makeButton("Frames", title, () =>
+    store.dispatch({ type: "setFields", frames: other() }),
+  );
+  return { root, update: ({ frames }) => setPressed(root, frames === "all") };
 }
 
-function makeSteps(store) {
-  const undo = button("↶", "Undo (Ctrl+Z)", () => store.dispatch({ type: "undo" }));
-  const redo = button("↷", "Redo (Ctrl+Shift+Z)", () => store.dispatch({ type: "redo" }));
+function makeUndoButtons(store) {
+  const undo = makeButton("↶", "Undo (Ctrl+Z)", () => store.dispatch({ type: "undo" }));
+  const redo = makeButton("↷", "Redo (Ctrl+Shift+Z)", () => store.dispatch({ type: "redo" }));
   undo.setAttribute("aria-label", "Undo");
   redo.setAttribute("aria-label", "Redo");
   return {
@@ -100,15 +104,15 @@ function makeSteps(store) {
   };
 }
 
-function makeFit(stage) {
-  const root = button("Fit", "The whole arm into the picture", () => stage.fit());
+function makeFitButton(stage) {
+  const root = makeButton("Fit", "The whole arm into the picture", () => stage.fit());
   root.className = "spare";
   return root;
 }
 
-const makeCopy = (link, say) =>
-  button("Copy link", "An address that opens this arm in this place", async ({ target }) => {
+const makeCopyLinkButton = (link, announce) =>
+  makeButton("Copy link", "An address that opens this arm in this place", async ({ target }) => {
     target.textContent = (await link.copy()) ? "Copied" : "In the address bar";
-    say(() => target.textContent);
+    announce(() => target.textContent);
     setTimeout(() => (target.textContent = "Copy link"), 1600);
   });

@@ -1,15 +1,15 @@
-// The picture with what one can do to it. Until it is drawn, where the browser has no WebGL, and on
-// paper there is a still one.
+// The picture and its controls. A still picture replaces it until it is drawn, without WebGL, and
+// on paper.
 
-import { attribute, h, write } from "../dom.js";
-import { makeGrabbable, moveTipByKey } from "../pointers.js";
-import { asked, holdVerdict } from "../verdicts.js";
+import { updateAttribute, h, setText } from "../dom.js";
+import { enableGrabbing, moveTipByKey } from "../pointers.js";
+import { countTaskRows, describeHold } from "../verdicts.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
 import { nullSpace } from "../../../judge/geometry/linear.js";
-import { reach } from "../motion.js";
+import { solvePose } from "../motion.js";
 import { ArmPicture } from "../scene.js";
-import { still } from "../still.js";
-import { jointText } from "../text.js";
+import { makeStillPicture } from "../still.js";
+import { formatJointValue } from "../text.js";
 
 const HELP =
   "Picture of the arm. Arrow keys turn the view, plus and minus bring it nearer and farther, " +
@@ -26,30 +26,33 @@ const VIEW_KEYS = {
   "=": [0, 0, 0.9],
   "-": [0, 0, 1.1],
 };
-const SWING = 0.06; // rad along the null space for one press
+const SWING_STEP = 0.06; // rad along the null space for one press
 
 /**
+ * Make the picture with its controls.
  * @param {import("../state.js").Store} store
- * @param {{ goTo: (q: number[]) => void, id: string, say?: Function, signal: AbortSignal,
- *   held?: boolean, bar?: boolean, first?: number }} tools whether the arm can be `held` by the
- *   hand, whether there is a `bar` for the tip, and the number of the `first` frame
+ * @param {{ goTo: (q: number[]) => void, id: string, announce?: Function, signal: AbortSignal,
+ *   isGrabbable?: boolean, hasTipBar?: boolean, first?: number }} tools `first` is the number
+ *   of the first frame; `hasTipBar` shows the buttons for the tip
  */
 export function makeStage(store, tools) {
-  const { goTo, id, say = () => {}, signal, held = true, bar = true, first = 0 } = tools;
-  const moved = (event) =>
-    picture && moveTipByKey(picture, store, event) && say(() => holdVerdict(store.state.hold));
-  const parts = partsOf(id, makeHoldBar(store, bar), moved);
+  const { goTo, id, announce = () => {}, signal } = tools;
+  const { isGrabbable = true, hasTipBar = true, first = 0 } = tools;
+  const handleKey = (event) => {
+    if (!picture || !moveTipByKey(picture, store, event)) return;
+    announce(() => describeHold(store.state.hold));
+  };
+  const parts = makeStageParts(id, makeTipBar(store, hasTipBar), handleKey);
   const { paper, grip, hold, why } = parts;
   const root = h("div.stage", { tabindex: 0, role: "application", "aria-label": HELP });
   root.append(...Object.values({ ...parts, hold: hold.root }));
-  const picture = pictureIn(root, parts, first);
-  if (picture && held) makeGrabbable(picture, store, { grip, goTo });
+  const picture = makePicture(root, parts, first);
+  if (picture && isGrabbable) enableGrabbing(picture, store, { grip, goTo });
   root.addEventListener("dblclick", () => picture?.fit());
   root.addEventListener("keydown", (event) => {
-    if (event.target === root && turnedView(picture, event.key)) event.preventDefault();
+    if (event.target === root && turnViewByKey(picture, event.key)) event.preventDefault();
   });
-  const drawStill = () =>
-    paper.replaceChildren(still(store.state, store.derived, stillWords(store.state)), h("slot"));
+  const drawStill = () => drawStillPicture(paper, store);
   drawStill();
   if (picture) addEventListener("beforeprint", drawStill, { signal });
   return {
@@ -61,18 +64,23 @@ export function makeStage(store, tools) {
     },
     update(state) {
       hold.update(state);
-      const pushed = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
-      grip.hidden = !held || !picture || !movingRows(state.arm).length || !pushed;
-      const words = holdVerdict(state.hold);
-      write(why, words);
-      why.hidden = !words;
+      // Without a force, the torque view's ball stands at the tip and needs the place.
+      const isTipFree = state.view !== "torque" || state.wrench.slice(0, 3).some(Boolean);
+      grip.hidden = !isGrabbable || !picture || !movingRows(state.arm).length || !isTipFree;
+      const message = describeHold(state.hold);
+      setText(why, message);
+      why.hidden = !message;
     },
     fit: () => picture?.fit(),
     dispose: () => picture?.dispose(),
   };
 }
 
-const partsOf = (id, hold, onkeydown) => ({
+function drawStillPicture(paper, { state, derived }) {
+  paper.replaceChildren(makeStillPicture(state, derived, describeStill(state)), h("slot"));
+}
+
+const makeStageParts = (id, hold, onkeydown) => ({
   paper: h("div.paper"),
   labels: h("div.labels", { "aria-hidden": "true", hidden: true }),
   grip: h("button.grip", {
@@ -87,15 +95,15 @@ const partsOf = (id, hold, onkeydown) => ({
   lost: h("p.lost", { hidden: true }, LOST),
 });
 
-function stillWords({ arm, q, unit }) {
+function describeStill({ arm, q, unit }) {
   const at = movingRows(arm).map(
-    (row, k) => `q_${row + 1} = ${jointText(arm.rows[row], q[k], unit)}`,
+    (row, k) => `q_${row + 1} = ${formatJointValue(arm.rows[row], q[k], unit)}`,
   );
   return `Still picture of the ${arm.name}${at.length ? ` at ${at.join(", ")}` : ""}.`;
 }
 
-// The live picture, or null where there is no WebGL.
-function pictureIn(root, { labels, grip, hold, lost }, first) {
+// Make the live picture, or return null if there is no WebGL.
+function makePicture(root, { labels, grip, hold, lost }, first) {
   try {
     const picture = new ArmPicture(root, labels, {
       first,
@@ -112,44 +120,44 @@ function pictureIn(root, { labels, grip, hold, lost }, first) {
     root.setAttribute("aria-label", "Picture of the arm");
     root.removeAttribute("tabindex");
     hold.root.hidden = true;
-    write(lost, FLAT);
+    setText(lost, FLAT);
     lost.hidden = !document.defaultView; // a page that is being built knows nothing of its browser
     return null;
   }
 }
 
-// Turn the view by a key; whether it was one.
-function turnedView(picture, key) {
+// Turn the view by a key. Returns false for other keys.
+function turnViewByKey(picture, key) {
   const view = VIEW_KEYS[key];
   if (key === "0") picture?.fit();
   else if (view) picture?.figure.orbit(...view);
   return key === "0" || Boolean(view);
 }
 
-// Below the picture: whether a dragged tip keeps its direction, and whether the tip is pinned so
-// that the elbow swings.
-function makeHoldBar(store, shown) {
+// Make the buttons below the picture: keep the direction of a dragged tip, and pin the tip so that
+// the elbow swings.
+function makeTipBar(store, shown) {
   const button = (text, title, onclick) => h("button", { title, onclick }, text);
   const keep = button("Keep direction", "A dragged tip keeps the direction of the tool too", () =>
-    store.dispatch({ type: "show", keepTurn: !store.state.keepTurn }),
+    store.dispatch({ type: "setFields", keepOrientation: !store.state.keepOrientation }),
   );
   const title = "Hold the tip where it is, and drag the elbow through what is left";
   const pin = button("Pin the tip", title, () => togglePin(store));
-  const swing = [-1, 1].map((way) => {
-    const label = `Swing ${way < 0 ? "one" : "the other"} way`;
-    const onclick = () => swingBy(store, way);
+  const swing = [-1, 1].map((sense) => {
+    const label = `Swing ${sense < 0 ? "one" : "the other"} way`;
+    const onclick = () => swingElbowBy(store, sense);
     const attributes = { "aria-label": label, onclick };
-    return h("button.swing", attributes, way < 0 ? "↺" : "↻");
+    return h("button.swing", attributes, sense < 0 ? "↺" : "↻");
   });
   const root = h("div.hold", { role: "group", "aria-label": "The tip" }, keep, pin, swing);
   root.hidden = !shown;
 
-  function update({ keepTurn, hold, arm }) {
+  function update({ keepOrientation, hold, arm }) {
     const pinned = Boolean(hold?.pinned);
-    attribute(keep, "aria-pressed", String(keepTurn));
-    keep.hidden = asked(arm) < 6;
-    attribute(pin, "aria-pressed", String(pinned));
-    write(pin, pinned ? pinWords(hold) : "Pin the tip");
+    updateAttribute(keep, "aria-pressed", String(keepOrientation));
+    keep.hidden = countTaskRows(arm) < 6;
+    updateAttribute(pin, "aria-pressed", String(pinned));
+    setText(pin, pinned ? describePin(hold) : "Pin the tip");
     swing.forEach((one) => (one.hidden = !pinned || !hold.free));
   }
   return { root, update };
@@ -157,28 +165,30 @@ function makeHoldBar(store, shown) {
 
 function togglePin(store) {
   const { state, derived } = store;
-  const turns = movingRows(state.arm).length > 6 || (state.keepTurn && asked(state.arm) === 6);
-  const pinned = { pinned: derived.frames.at(-1), turns, free: freedom(store, turns) };
-  store.dispatch({ type: "show", hold: state.hold?.pinned ? null : pinned });
+  const turns =
+    movingRows(state.arm).length > 6 || (state.keepOrientation && countTaskRows(state.arm) === 6);
+  const pinned = { pinned: derived.frames.at(-1), turns, free: countFreedom(store, turns) };
+  store.dispatch({ type: "setFields", hold: state.hold?.pinned ? null : pinned });
 }
 
-const pinWords = ({ free, turns }) => {
+const describePin = ({ free, turns }) => {
   const what = turns ? "place and direction" : "place";
   return free ? `Tip pinned (${what}): drag the elbow` : `Tip pinned (${what}): nothing is free`;
 };
 
-const stillColumns = ({ derived }, turns) => derived.columns.map((c) => c.slice(0, turns ? 6 : 3));
-const freedom = (store, turns) => nullSpace(stillColumns(store, turns)).length;
+const getPinnedColumns = ({ derived }, turns) =>
+  derived.columns.map((c) => c.slice(0, turns ? 6 : 3));
+const countFreedom = (store, turns) => nullSpace(getPinnedColumns(store, turns)).length;
 
-// A step through the null space, as a drag of the elbow makes it.
-function swingBy(store, way) {
+// Move one step through the null space, as dragging the elbow does.
+function swingElbowBy(store, sense) {
   const { arm, q, hold } = store.state;
   if (!hold?.pinned) return;
-  const [direction] = nullSpace(stillColumns(store, hold.turns));
+  const [direction] = nullSpace(getPinnedColumns(store, hold.turns));
   if (!direction) return;
   const [lead] = [...direction].sort((u, v) => Math.abs(v) - Math.abs(u));
-  const sign = way * Math.sign(lead);
-  const moved = q.map((v, k) => v + sign * SWING * direction[k]);
-  const there = reach(arm, moved, hold.pinned, { rows: hold.turns ? 6 : 3 });
-  store.dispatch({ type: "move", q: there.q, hold, gesture: "swing" });
+  const sign = sense * Math.sign(lead);
+  const moved = q.map((v, k) => v + sign * SWING_STEP * direction[k]);
+  const there = solvePose(arm, moved, hold.pinned, { rows: hold.turns ? 6 : 3 });
+  store.dispatch({ type: "moveJoints", q: there.q, hold, gesture: "swing" });
 }

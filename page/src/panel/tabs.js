@@ -1,4 +1,4 @@
-// The views, one at a time, under tabs that arrow keys walk along; a single view needs no tab.
+// The views under tabs; arrow keys move between tabs. A single view has no tab.
 
 import { h } from "../dom.js";
 import { VIEWS } from "../views/index.js";
@@ -6,18 +6,18 @@ import { VIEWS } from "../views/index.js";
 export function makeTabs(store, views, tools) {
   const made = new Map();
   const several = views.length > 1;
-  const tabs = views.map((name) => tabOf(name, tools.id));
+  const tabs = views.map((name) => makeTab(name, tools.id));
   tabs.forEach((tab, i) => {
     tab.addEventListener("click", () => open(i));
     tab.addEventListener("keydown", (event) => {
-      const next = walked(event.key, i, views.length);
+      const next = getTabAfterKey(event.key, i, views.length);
       if (next === null) return;
       event.preventDefault();
       open(next);
       tabs[next].focus();
     });
   });
-  const open = (i) => store.dispatch({ type: "show", view: views[i] });
+  const open = (i) => store.dispatch({ type: "setFields", view: views[i] });
   const role = several ? { role: "tabpanel" } : {};
   const panel = h("div.view", { id: `${tools.id}-panel`, ...role });
   const strip = several ? h("div.tabs", { role: "tablist", "aria-label": "Views" }, tabs) : [];
@@ -43,15 +43,15 @@ export function makeTabs(store, views, tools) {
   return { root: h("div.views", {}, strip, panel), update, summary, dispose };
 }
 
-const tabOf = (name, id) =>
+const makeTab = (name, id) =>
   h(
     "button",
     { role: "tab", id: `${id}-${name}`, "aria-controls": `${id}-panel` },
     VIEWS[name].title,
   );
 
-// The tab that a key leads to, or null for another key.
-function walked(key, i, count) {
+// Return the index of the tab that a key leads to, or null for other keys.
+function getTabAfterKey(key, i, count) {
   const to = { ArrowRight: i + 1, ArrowLeft: i - 1, Home: 0, End: count - 1 }[key];
   return to === undefined ? null : (to + count) % count;
 }

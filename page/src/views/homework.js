@@ -1,39 +1,44 @@
-// The homework's circle played, and its mistakes: any number of runs at once on the wall, each with
-// its own method.
+// The homework's circle played with its mistakes: any number of runs at once, each with its own
+// method.
 
-import { h, write } from "../dom.js";
-import { ask } from "../jobs.js";
+import { h, setText } from "../dom.js";
+import { runJob } from "../jobs.js";
 import { linkFrames } from "../../../judge/geometry/kinematics.js";
-import { branchColour } from "../look.js";
+import { getBranchColour } from "../look.js";
 import { makeFields } from "./homework_fields.js";
 import { makeWall } from "./homework_pictures.js";
-import { millimetres, named, said, startingRun } from "./homework_words.js";
+import {
+  formatMillimetres,
+  describeRun,
+  describeResult,
+  makeStartingRun,
+} from "./homework_words.js";
 import { makePlots } from "./plots.js";
 import { makeTransport } from "./transport.js";
 
 export const title = "Play the homework";
 
-const OTHERS =
+const OTHER_ARMS_NOTE =
   "The homework’s circle is drawn by the Panda and the UR10e: choose one of them above.";
 
-export const build = (store, tools) => new Homework(store, tools);
+export const build = (store, tools) => new HomeworkView(store, tools);
 
-/** The view: which run is chosen, where all begin, and what came of them. */
-class Homework {
+/** The view: the runs, which one is chosen, and their results. */
+class HomeworkView {
   /** @param {import("../state.js").Store} store */
-  constructor(store, { say, signal }) {
+  constructor(store, { announce, signal }) {
     this.store = store;
-    this.say = say;
+    this.announce = announce;
     this.signal = signal;
     this.chosen = 0;
-    this.start = store.state.q; // where the runs begin
+    this.start = store.state.q; // joint values at which the runs begin
     this.results = new Map(); // by arm, start and run
     this.shown = /** @type {any} */ ({});
     this.list = h("div.runs", { role: "radiogroup", "aria-label": "Runs" });
     this.verdict = h("p.verdict");
     this.wall = makeWall(() => this.drawWall());
     this.plots = makePlots(store);
-    this.transport = makeTransport(store, { signal, begin: () => this.show() });
+    this.transport = makeTransport(store, { signal, makeTrace: () => this.show() });
     this.fields = makeFields((patch) => this.edit(patch));
     this.root = this.laidOut();
   }
@@ -50,12 +55,12 @@ class Homework {
       this.wall.root,
       this.plots.root,
     );
-    this.others = h("p.words", {}, OTHERS);
+    this.others = h("p.words", {}, OTHER_ARMS_NOTE);
     return h("div.homework", {}, this.played, this.others);
   }
 
   put(runs) {
-    this.store.dispatch({ type: "show", runs });
+    this.store.dispatch({ type: "setFields", runs });
   }
 
   edit(patch) {
@@ -71,36 +76,36 @@ class Homework {
     return this.results.get(this.key(run));
   }
 
-  // Ask for the runs that are not known yet; each shows as it comes.
+  // Simulate the runs that have no result yet; each is shown when it is ready.
   async compute() {
     const { store, results, start } = this;
     const { arm, runs } = store.state;
     for (const run of runs.filter((one) => !results.has(this.key(one)))) {
       const id = this.key(run);
       results.set(id, null);
-      results.set(id, await ask("run", { arm, q: start, run }));
+      results.set(id, await runJob("run", { arm, q: start, run }));
       if (this.signal.aborted || store.state.arm !== arm) return;
       if (runs === store.state.runs) this.show();
     }
     this.show();
   }
 
-  // The chosen run becomes the trace that is played; the others are lines beside it.
+  // Make the chosen run the trace to play; the others are lines beside it.
   show() {
     const { store } = this;
     const { runs, arm, circle } = store.state;
     const known = runs.map((run) => this.resultOf(run));
     const way = ({ path }) => path.map((q) => linkFrames(arm, q).at(-1).o);
-    const paths = known.flatMap((result, i) =>
-      result ? [{ points: way(result), colour: branchColour(i) }] : [],
+    const tipPaths = known.flatMap((result, i) =>
+      result ? [{ points: way(result), colour: getBranchColour(i) }] : [],
     );
-    store.dispatch({ type: "show", paths });
+    store.dispatch({ type: "setFields", tipPaths });
     const path = known[this.chosen]?.path;
-    if (path?.length < 2) store.dispatch({ type: "show", trace: null });
+    if (path?.length < 2) store.dispatch({ type: "setFields", trace: null });
     else if (path && store.state.trace !== path)
-      store.dispatch({ type: "traced", arm, circle, path, wanted: null });
+      store.dispatch({ type: "setTrace", arm, circle, path, wantedPath: null });
     this.lay();
-    this.say(() => this.verdict.textContent);
+    this.announce(() => this.verdict.textContent);
   }
 
   lay() {
@@ -111,7 +116,7 @@ class Homework {
     this.list.hidden = runs.length < 2;
     this.list.replaceChildren(...runs.map((one, i) => this.line(one, i)));
     this.fields.update(run);
-    write(this.verdict, run ? said(this.resultOf(run), arm) : "");
+    setText(this.verdict, run ? describeResult(this.resultOf(run), arm) : "");
     if (run) this.drawWall();
   }
 
@@ -121,9 +126,9 @@ class Homework {
       "aria-checked": String(i === this.chosen),
       onclick: () => ((this.chosen = i), this.compute()),
     };
-    const colour = { style: `background:${branchColour(i)}`, "aria-hidden": "true" };
-    const words = `${named(run)}: ${outcome(this.resultOf(run))}`;
-    return h("button", attributes, h("span.swatch", colour), h("span", {}, words));
+    const colour = { style: `background:${getBranchColour(i)}`, "aria-hidden": "true" };
+    const message = `${describeRun(run)}: ${describeOutcome(this.resultOf(run))}`;
+    return h("button", attributes, h("span.swatch", colour), h("span", {}, message));
   }
 
   drawWall() {
@@ -139,9 +144,9 @@ class Homework {
       this.chosen = 0;
       this.results.clear();
       this.shown = { arm: state.arm };
-      // which comes back here
+      // the event calls update again
       if (!state.runs.length || !first)
-        return this.put([startingRun(state.arm, state.base) ?? []].flat());
+        return this.put([makeStartingRun(state.arm, state.base) ?? []].flat());
     }
     if (this.shown.runs !== state.runs) {
       this.shown.runs = state.runs;
@@ -158,8 +163,8 @@ class Homework {
   }
 }
 
-// What came of a run, in a word or two.
-function outcome(result) {
+// Describe the result of a run in a word or two.
+function describeOutcome(result) {
   if (!result) return "…";
-  return result.failed === null ? millimetres(result.largest) : "no inverse";
+  return result.failedStep === null ? formatMillimetres(result.largestError) : "no inverse";
 }

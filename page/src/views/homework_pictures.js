@@ -1,53 +1,56 @@
-// The wall with the homework's runs on it.
+// The wall with the homework's runs.
 
 import { linkFrames, minus } from "../../../judge/geometry/kinematics.js";
-import { h, slider, svg, write } from "../dom.js";
-import { onCircle } from "../motion.js";
-import { branchColour } from "../look.js";
-import { fixed } from "../text.js";
+import { h, makeRangeInput, svg, setText } from "../dom.js";
+import { getCirclePoint } from "../motion.js";
+import { getBranchColour } from "../look.js";
+import { formatFixed } from "../text.js";
 
-const WIDE = 260; // of the wall's picture
-const AROUND = Array.from({ length: 73 }, (_, k) => k / 72); // shares of the way round
+const WALL_SIZE = 260; // width and height of the picture
+const CIRCLE_SHARES = Array.from({ length: 73 }, (_, k) => k / 72);
 
-/** @param {() => void} changed called when the reader magnifies the errors */
+/**
+ * Make the wall.
+ * @param {() => void} changed called when the reader changes the magnification of errors
+ */
 export function makeWall(changed) {
   let magnify = 30;
   const words = { role: "img", "aria-label": "The wall with the runs on it" };
-  const wall = svg("svg", { viewBox: `0 0 ${WIDE} ${WIDE}`, ...words });
-  const zoom = slider("Magnify the errors", [0, 3], {
+  const wall = svg("svg", { viewBox: `0 0 ${WALL_SIZE} ${WALL_SIZE}`, ...words });
+  const zoom = makeRangeInput("Magnify the errors", [0, 3], {
     value: Math.log10(magnify),
     oninput: (e) => ((magnify = 10 ** Number(e.target.value)), changed()),
   });
   const zoomed = h("output");
   const caption = h("figcaption", {}, h("label", {}, "Errors magnified ", zoom, zoomed));
 
-  // `runs` with their results, null for one that has not come, of an arm from its start.
+  // Draw runs that begin at `start`; a run without a result has null.
   function draw(arm, start, runs) {
-    write(zoomed, `× ${fixed(magnify, magnify < 10 ? 1 : 0)}`);
+    setText(zoomed, `× ${formatFixed(magnify, magnify < 10 ? 1 : 0)}`);
     const top = linkFrames(arm, start).at(-1).o;
-    const largest = Math.max(...runs.map(({ run }) => run.radius));
-    const scale = WIDE / (2.6 * largest);
-    const lines = runs.map((one, i) => onWall(one, i, { arm, top, scale, magnify }));
+    const largestRadius = Math.max(...runs.map(({ run }) => run.radius));
+    const scale = WALL_SIZE / (2.6 * largestRadius);
+    const lines = runs.map((one, i) => drawRun(one, i, { arm, top, scale, magnify }));
     wall.replaceChildren(...lines.flat());
   }
   return { root: h("figure.wall", {}, wall, caption), draw };
 }
 
-// A run as it is seen from the arm: the circle that was asked for, and the run with its error made
-// larger.
-function onWall({ run, result }, i, { arm, top, scale, magnify }) {
+// Draw a run as seen from the arm: the wanted circle, and the run with its errors magnified.
+function drawRun({ run, result }, i, { arm, top, scale, magnify }) {
   const flat = (o) => {
     const d = minus(o, top);
     const across = run.normal === "x" ? d[1] : -d[0];
-    return `${(WIDE / 2 + scale * across).toFixed(1)},${(0.13 * WIDE - scale * d[2]).toFixed(1)}`;
+    const [x, y] = [WALL_SIZE / 2 + scale * across, 0.13 * WALL_SIZE - scale * d[2]];
+    return `${x.toFixed(1)},${y.toFixed(1)}`;
   };
-  const asked = AROUND.map((share) => flat(onCircle(top, run, share).o));
-  const circle = svg("polyline", { points: asked.join(" "), class: "asked" });
+  const wanted = CIRCLE_SHARES.map((share) => flat(getCirclePoint(top, run, share).o));
+  const circle = svg("polyline", { points: wanted.join(" "), class: "asked" });
   if (!result) return [circle];
   const points = result.path.map((q, k) => {
-    const should = onCircle(top, run, result.at[k]).o;
+    const should = getCirclePoint(top, run, result.at[k]).o;
     const is = linkFrames(arm, q).at(-1).o;
     return flat(should.map((v, axis) => v + magnify * (is[axis] - v)));
   });
-  return [circle, svg("polyline", { points: points.join(" "), stroke: branchColour(i) })];
+  return [circle, svg("polyline", { points: points.join(" "), stroke: getBranchColour(i) })];
 }

@@ -1,4 +1,4 @@
-// The views by name, in no order: an explorer says which it shows.
+// The views by name; an explorer lists which it shows and in which order.
 
 import * as branches from "./branches.js";
 import * as homework from "./homework.js";
@@ -9,8 +9,8 @@ import * as torque from "./torque.js";
 import * as trace from "./trace.js";
 
 /**
- * A view: `title` of its tab, and `build(store, tools)`, which gives its `root`, `update(state,
- * derived)`, and perhaps `summary(state, derived)`, a sentence for a screen reader.
+ * A view has a `title` for its tab and `build(store, tools)`, which returns `root`, `update(state,
+ * derived)` and optionally `summary(state, derived)`, a sentence for screen readers.
  */
 export const VIEWS = {
   table,

@@ -1,22 +1,21 @@
-// The Jacobian as a table of tinted numbers, and what it says: rank, lost directions, how well the
-// tip can move.
+// The Jacobian as a table of tinted numbers, with its rank, lost directions and manipulability.
 
-import { attribute, h, indexed, scrolled, write } from "../dom.js";
+import { updateAttribute, h, makeIndexedSymbol, makeScrollRegion, setText } from "../dom.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
-import { fixed, powered, sparse } from "../text.js";
-import { asked, fullRank, rankVerdict } from "../verdicts.js";
+import { formatFixed, formatScientific, formatSparse } from "../text.js";
+import { countTaskRows, getFullRank, describeRank } from "../verdicts.js";
 
 export const title = "Jacobian";
 
 /** @type {[string, string][]} */
-const ROWS = [..."vω"].flatMap((letter) => [..."xyz"].map((axis) => [letter, axis]));
+const ROW_SYMBOLS = [..."vω"].flatMap((letter) => [..."xyz"].map((axis) => [letter, axis]));
 
 const NOTE =
   "The ellipsoid at the tip holds every velocity that joint rates of unit length give it; " +
   "where it is flat, the tip cannot go.";
 
 export function build(_store, { point }) {
-  const heat = makeHeat(point);
+  const heat = makeHeatTable(point);
   const verdict = h("p.verdict");
   const facts = h("dl.facts");
   const note = h("p.words", {}, NOTE);
@@ -24,17 +23,17 @@ export function build(_store, { point }) {
 
   function update(state, derived) {
     heat.update(state, derived.columns);
-    const { singular, text } = rankVerdict(derived);
-    attribute(verdict, "class", singular ? "verdict warning" : "verdict");
-    write(verdict, text);
-    facts.replaceChildren(...factList(derived));
+    const { singular, text } = describeRank(derived);
+    updateAttribute(verdict, "class", singular ? "verdict warning" : "verdict");
+    setText(verdict, text);
+    facts.replaceChildren(...makeFacts(derived));
   }
-  return { root, update, summary: (_, derived) => rankVerdict(derived).text };
+  return { root, update, summary: (_, derived) => describeRank(derived).text };
 }
 
-// The matrix, each number tinted by its share of the largest of its kind; `point` hears of the row
-// whose column is pointed at.
-export function makeHeat(point) {
+// Make the matrix; each number is tinted by its share of the largest of its kind. `point(row)` is
+// called when the reader points at a column.
+export function makeHeatTable(point) {
   const head = h("tr");
   const body = h("tbody");
   const name = { "aria-label": "Jacobian of the tip: one column for each joint" };
@@ -44,55 +43,61 @@ export function makeHeat(point) {
   function lay(arm) {
     shown = arm;
     const moving = movingRows(arm);
-    buttons = moving.map((row) => h("button", pointed(row, point), indexed("q", row + 1)));
+    buttons = moving.map((row) =>
+      h("button", makePointHandlers(row, point), makeIndexedSymbol("q", row + 1)),
+    );
     const heads = buttons.map((button) => h("th", { scope: "col" }, button));
     head.replaceChildren(h("th", {}, h("span.hidden", {}, "row")), ...heads);
-    cells = ROWS.map(() => moving.map((row) => h("td", pointed(row, point))));
-    const line = (row, i) =>
-      h(i === 3 ? "tr.second" : "tr", {}, h("th", { scope: "row" }, indexed(...ROWS[i])), row);
-    body.replaceChildren(...cells.map(line));
+    cells = ROW_SYMBOLS.map(() => moving.map((row) => h("td", makePointHandlers(row, point))));
+    body.replaceChildren(...cells.map(makeMatrixRow));
   }
 
-  function update({ arm, lit }, columns) {
+  function update({ arm, highlightedRow }, columns) {
     if (shown !== arm) lay(arm);
-    const on = movingRows(arm).indexOf(lit);
-    buttons.forEach((button, k) => attribute(button, "aria-pressed", String(k === on)));
+    const on = movingRows(arm).indexOf(highlightedRow);
+    buttons.forEach((button, k) => updateAttribute(button, "aria-pressed", String(k === on)));
     const largest = [0, 3].map((from) =>
       Math.max(1e-9, ...columns.flatMap((c) => c.slice(from, from + 3).map(Math.abs))),
     );
-    const tint = (cell, value, most) => {
-      const share = Math.abs(value) / most;
-      write(cell, sparse(value, 3));
-      attribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
-      cell.style.setProperty("--share", share.toFixed(2));
-    };
     cells.forEach((row, i) =>
-      row.forEach((cell, j) => tint(cell, columns[j][i], largest[i < 3 ? 0 : 1])),
+      row.forEach((cell, j) => tintCell(cell, columns[j][i], largest[i < 3 ? 0 : 1])),
     );
   }
-  return { root: scrolled("Jacobian", table), update };
+  return { root: makeScrollRegion("Jacobian", table), update };
 }
 
-function pointed(row, point) {
+function makeMatrixRow(cells, i) {
+  const symbol = h("th", { scope: "row" }, makeIndexedSymbol(...ROW_SYMBOLS[i]));
+  return h(i === 3 ? "tr.second" : "tr", {}, symbol, cells);
+}
+
+function tintCell(cell, value, largest) {
+  const share = Math.abs(value) / largest;
+  setText(cell, formatSparse(value, 3));
+  updateAttribute(cell, "class", share < 5e-4 ? "nought" : value > 0 ? "plus" : "minus");
+  cell.style.setProperty("--share", share.toFixed(2));
+}
+
+function makePointHandlers(row, point) {
   const [on, off] = [() => point(row), () => point(null)];
   return { onpointerenter: on, onpointerleave: off, onfocus: on, onblur: off, onclick: on };
 }
 
-function factList(derived) {
+function makeFacts(derived) {
   const { arm, determinant, manipulability, values, linear } = derived;
   const small = (v) => {
     if (Math.abs(v) < 5e-7) return "0";
-    return Math.abs(v) < 1e-3 ? powered(v, 2) : fixed(v, 5);
+    return Math.abs(v) < 1e-3 ? formatScientific(v, 2) : formatFixed(v, 5);
   };
   const fact = (name, value) => [h("dt", {}, name), h("dd", {}, value)];
-  const three = asked(arm) === 3;
+  const three = countTaskRows(arm) === 3;
   const name = ["det ", h("i", {}, "J"), ...(three ? [h("sub", {}, "v")] : [])];
   const square = determinant === null ? [] : fact(name, small(determinant));
-  const least = fullRank(arm) ? fact("smallest σ", small(values[fullRank(arm) - 1])) : [];
+  const least = getFullRank(arm) ? fact("smallest σ", small(values[getFullRank(arm) - 1])) : [];
   return [
     ...square,
     ...fact("manipulability", small(manipulability)),
     ...least,
-    ...fact("half axes", linear.values.map((v) => fixed(v, 2)).join(", ")),
+    ...fact("half axes", linear.values.map((v) => formatFixed(v, 2)).join(", ")),
   ];
 }

@@ -1,12 +1,18 @@
-// The Denavit-Hartenberg table, to be typed in. A bad entry is said in words, and the last good arm
-// stays.
+// The Denavit-Hartenberg table to type in. A bad entry is explained, and the last valid arm stays.
 
 import { MAX_ROWS } from "../../../judge/geometry/arm.js";
-import { copied, h, indexed, scrolled, select, write } from "../dom.js";
-import { entered, textField } from "../entry.js";
-import { readTable } from "../paste.js";
-import { entryText, replaced, tableText } from "../text.js";
-import { tableVerdict } from "../verdicts.js";
+import {
+  copyToClipboard,
+  h,
+  makeIndexedSymbol,
+  makeScrollRegion,
+  makeSelect,
+  setText,
+} from "../dom.js";
+import { readField, makeTextField } from "../entry.js";
+import { readPastedTable } from "../paste.js";
+import { formatEntry, replaceAt, formatTable } from "../text.js";
+import { describeTable } from "../verdicts.js";
 
 export const title = "DH table";
 
@@ -17,62 +23,64 @@ const COLUMNS = [
   ["theta", "θ", true],
 ];
 const KINDS = { revolute: "turns", prismatic: "slides", fixed: "fixed" };
-const MOVING = { revolute: "theta", prismatic: "d" };
+const VARIABLE_COLUMN = { revolute: "theta", prismatic: "d" };
 const NEW_ROW = { kind: "revolute", a: 0.2, alpha: 0, d: 0, theta: 0 };
 
-export function build(store, { say }) {
+export function build(store, { announce }) {
   const error = h("p.error");
   const verdict = h("p.verdict");
   const change = (rows, rowBefore, gesture = null) =>
-    store.dispatch({ type: "edit", rows, rowBefore, gesture });
-  const complain = (words) => {
-    error.textContent = words ? `${words} The last good arm stays.` : "";
-    if (words) say(() => error.textContent);
+    store.dispatch({ type: "editTable", rows, rowBefore, gesture });
+  const complain = (message) => {
+    error.textContent = message ? `${message} The last good arm stays.` : "";
+    if (message) announce(() => error.textContent);
   };
-  const grid = makeGrid(store, { change, complain, say });
+  const grid = makeGrid(store, { change, complain, announce });
   const button = (text, onclick) => h("button", { onclick }, text);
   const add = button("Add a row", () => change([...store.state.arm.rows, NEW_ROW]));
   const back = button("Back to the first table", () => change(store.state.base.rows));
-  const row = h("div.row", {}, add, back, makeCopy(store, say));
+  const row = h("div.row", {}, add, back, makeCopyButton(store, announce));
   const root = h("div.dh", {}, grid.root, error, row, verdict);
   const update = (state, derived) => {
     grid.update(state);
     add.disabled = state.arm.rows.length >= MAX_ROWS;
-    write(verdict, tableVerdict(state, derived));
+    setText(verdict, describeTable(state, derived));
   };
   return { root, update, summary: () => error.textContent || verdict.textContent };
 }
 
-// The table for a spreadsheet, for MATLAB, and for every reader of tables here.
-function makeCopy(store, say) {
-  const words = "Copy the table";
-  const button = h("button.right", { onclick: copy }, words);
+// Make the button that copies the table for spreadsheets, MATLAB and this book's table readers.
+function makeCopyButton(store, announce) {
+  const message = "Copy the table";
+  const button = h("button.right", { onclick: copy }, message);
   async function copy() {
-    const text = tableText(store.state.arm);
-    const done = await copied(text);
+    const text = formatTable(store.state.arm);
+    const done = await copyToClipboard(text);
     if (!done) download(text, "table.tsv");
     button.textContent = done ? "Copied" : "Saved";
-    say(() => `The table is ${done ? "copied" : "saved"}.`, true);
-    setTimeout(() => (button.textContent = words), 1600);
+    announce(() => `The table is ${done ? "copied" : "saved"}.`, true);
+    setTimeout(() => (button.textContent = message), 1600);
   }
   return button;
 }
 
-// The table itself: a line of fields for each row, which are not laid anew while one is typed in.
-function makeGrid(store, { change, complain, say }) {
+// Make the table of text fields. Rows are not rebuilt while the reader types in one.
+function makeGrid(store, { change, complain, announce }) {
   const units = h("tr");
-  const body = h("tbody", { onpaste: (event) => pasted(event, store, { change, complain, say }) });
+  const body = h("tbody", {
+    onpaste: (event) => handlePaste(event, store, { change, complain, announce }),
+  });
   const name = { "aria-label": "Denavit-Hartenberg table, standard convention" };
   const table = h("table.entries", name, h("thead", {}, units), body);
   let shown = /** @type {any} */ ({});
 
   function typed(i, [key, letter, angle], input, whole) {
     const { unit, arm } = store.state;
-    const { value, words } = entered(input, angle ? "angle" : "length", { unit, whole });
-    complain(words && `Row ${i + 1}, ${letter} ${words}.`);
+    const { value, message } = readField(input, angle ? "angle" : "length", { unit, whole });
+    complain(message && `Row ${i + 1}, ${letter} ${message}.`);
     if (value === undefined) return;
-    change(replaced(arm.rows, i, { ...arm.rows[i], [key]: value }), undefined, `cell ${i} ${key}`);
-    if (whole) input.value = entryText(value, angle, unit);
+    change(replaceAt(arm.rows, i, { ...arm.rows[i], [key]: value }), undefined, `cell ${i} ${key}`);
+    if (whole) input.value = formatEntry(value, angle, unit);
   }
 
   function update({ arm, unit }) {
@@ -80,28 +88,28 @@ function makeGrid(store, { change, complain, say }) {
     const typing = body.contains(root.activeElement) && root.activeElement.matches("input");
     const reshaped = shown.rows?.length !== arm.rows.length || shown.unit !== unit;
     if (!reshaped && (shown.rows === arm.rows || typing)) return;
-    units.replaceChildren(...headsOf(unit));
-    body.replaceChildren(...arm.rows.map((_, i) => tableLine(i, arm, unit, { change, typed })));
+    units.replaceChildren(...makeColumnHeaders(unit));
+    body.replaceChildren(...arm.rows.map((_, i) => makeTableRow(i, arm, unit, { change, typed })));
     shown = { rows: arm.rows, unit };
   }
-  return { root: scrolled("Denavit-Hartenberg table", table), update };
+  return { root: makeScrollRegion("Denavit-Hartenberg table", table), update };
 }
 
-// A whole table from a spreadsheet, a matrix or a page, wherever in the table it is pasted.
-function pasted(event, store, { change, complain, say }) {
+// Replace the table by one pasted into any of its fields.
+function handlePaste(event, store, { change, complain, announce }) {
   const { currentTarget: body, target } = event;
   const text = event.clipboardData?.getData("text/plain") ?? "";
-  const table = readTable(text, store.state.unit);
+  const table = readPastedTable(text, store.state.unit);
   if (!table) return;
   event.preventDefault();
   complain("error" in table ? `What was pasted is not read: ${table.error}` : "");
   if ("error" in table) return;
   change(table.rows);
   body.querySelector(`[data-cell="${target.dataset.cell}"]`)?.focus({ preventScroll: true });
-  if (table.said.length) say(() => `Taken as ${table.said.join("; ")}`, true);
+  if (table.said.length) announce(() => `Taken as ${table.said.join("; ")}`, true);
 }
 
-const headsOf = (unit) => [
+const makeColumnHeaders = (unit) => [
   ...["row", "joint"].map((text) => h("th", { scope: "col" }, text)),
   ...COLUMNS.map(([, letter, turn]) => {
     const small = h("small", {}, turn ? ` (${unit === "deg" ? "°" : "rad"})` : " (m)");
@@ -110,10 +118,10 @@ const headsOf = (unit) => [
   h("th", {}, h("span.hidden", {}, "remove")),
 ];
 
-function tableLine(i, arm, unit, { change, typed }) {
+function makeTableRow(i, arm, unit, { change, typed }) {
   const row = arm.rows[i];
-  const chosen = (name) => change(replaced(arm.rows, i, newKind(row, name)));
-  const kind = select(`Row ${i + 1}, kind of joint`, KINDS, chosen);
+  const chosen = (name) => change(replaceAt(arm.rows, i, setJointKind(row, name)));
+  const kind = makeSelect(`Row ${i + 1}, kind of joint`, KINDS, chosen);
   kind.value = row.kind;
   const others = () => arm.rows.filter((_, k) => k !== i);
   const remove = h(
@@ -131,22 +139,22 @@ function tableLine(i, arm, unit, { change, typed }) {
     {},
     h("th", { scope: "row" }, String(i + 1)),
     h("td", {}, kind),
-    COLUMNS.map((column) => entryCell(i, column, row, { unit, typed })),
+    COLUMNS.map((column) => makeEntryCell(i, column, row, { unit, typed })),
     h("td", {}, remove),
   );
 }
 
-function entryCell(i, column, row, { unit, typed }) {
+function makeEntryCell(i, column, row, { unit, typed }) {
   const [key, letter, angle] = column;
-  const input = textField(`Row ${i + 1}, ${letter}`, (...now) => typed(i, column, ...now), {
-    value: entryText(row[key], angle, unit),
+  const input = makeTextField(`Row ${i + 1}, ${letter}`, (...now) => typed(i, column, ...now), {
+    value: formatEntry(row[key], angle, unit),
     "data-cell": `${i + 1}-${key}`,
   });
-  if (key !== MOVING[row.kind]) return h("td", {}, input);
-  return h("td.moves", {}, input, h("span", {}, "+ ", indexed("q", i + 1)));
+  if (key !== VARIABLE_COLUMN[row.kind]) return h("td", {}, input);
+  return h("td.moves", {}, input, h("span", {}, "+ ", makeIndexedSymbol("q", i + 1)));
 }
 
-const newKind = (row, kind) => ({
+const setJointKind = (row, kind) => ({
   ...row,
   kind,
   lower: null,

@@ -1,23 +1,22 @@
-// What holding still takes: gravity less what the world's push on the tool gives back, beside each
-// joint's limit.
+// Static torques: gravity minus the world's push on the tool, next to each joint's limit.
 
-import { attribute, h, indexed, scrolled, write } from "../dom.js";
-import { entered, refill, textField } from "../entry.js";
+import { updateAttribute, h, makeIndexedSymbol, makeScrollRegion, setText } from "../dom.js";
+import { readField, refillField, makeTextField } from "../entry.js";
 import { movingRows } from "../../../judge/geometry/kinematics.js";
-import { fixed, replaced, short } from "../text.js";
+import { formatFixed, replaceAt, formatShort } from "../text.js";
 import { joinList } from "../../../judge/sentences.js";
 
 export const title = "Static torque";
 
-const PARTS = ["F", "M"].flatMap((letter) =>
+const WRENCH_PARTS = ["F", "M"].flatMap((letter) =>
   ["x", "y", "z"].map((index) => [letter, index, letter === "F" ? "N" : "N m"]),
 );
 
-const HEADS = ["joint", "gravity", "−Jᵀ F", "torque", "share of the limit"];
+const COLUMN_HEADERS = ["joint", "gravity", "−Jᵀ F", "torque", "share of the limit"];
 
-export function build(store, { point, say }) {
-  const wrench = makeWrench(store, say);
-  const bars = makeBars(point);
+export function build(store, { point, announce }) {
+  const wrench = makeWrenchFields(store, announce);
+  const bars = makeTorqueTable(point);
   const verdict = h("p.verdict");
   const height = h("p.words");
   const root = h("div.torque", {}, wrench.root, wrench.error, bars.root, verdict, height);
@@ -27,67 +26,70 @@ export function build(store, { point, say }) {
     wrench.update(state.wrench);
     const over = bars.update(arm, derived);
     verdict.classList.toggle("warning", over.length > 0);
-    write(verdict, verdictText(arm, over, derived.gravity));
-    const energy = `${fixed(derived.energy, 1)} J here.`;
+    setText(verdict, describeTorques(arm, over, derived.gravity));
+    const energy = `${formatFixed(derived.energy, 1)} J here.`;
     const weighs = arm.rows.some((row) => row.body);
-    write(height, weighs ? `Gravity’s torques are the slopes of one energy, ${energy}` : "");
+    setText(height, weighs ? `Gravity’s torques are the slopes of one energy, ${energy}` : "");
   }
   return { root, update, summary: () => verdict.textContent };
 }
 
-// The wrench, to be typed in: the last good one stays.
-function makeWrench(store, say) {
+// Make the fields of the wrench; the last valid one stays.
+function makeWrenchFields(store, announce) {
   const error = h("p.error");
   const typed = (i, input, whole) => {
-    const { value, words } = entered(input, i < 3 ? "force" : "moment", { whole });
-    const [letter, index] = PARTS[i];
-    write(error, words && `${letter}${index} ${words}. The last good wrench stays.`);
-    if (words) say(() => error.textContent);
-    if (value !== undefined) push(replaced(store.state.wrench, i, value), `wrench ${i}`);
+    const { value, message } = readField(input, i < 3 ? "force" : "moment", { whole });
+    const [letter, index] = WRENCH_PARTS[i];
+    setText(error, message && `${letter}${index} ${message}. The last good wrench stays.`);
+    if (message) announce(() => error.textContent);
+    if (value !== undefined) push(replaceAt(store.state.wrench, i, value), `wrench ${i}`);
     if (!whole) return;
-    attribute(input, "aria-invalid", "false");
-    input.value = short(store.state.wrench[i], 2);
+    updateAttribute(input, "aria-invalid", "false");
+    input.value = formatShort(store.state.wrench[i], 2);
   };
-  const push = (wrench, gesture) => store.dispatch({ type: "push", wrench, gesture });
-  const inputs = PARTS.map(([letter, index, unit], i) =>
-    textField(`${letter} ${index}, ${unit}`, (...now) => typed(i, ...now)),
+  const push = (wrench, gesture) => store.dispatch({ type: "setWrench", wrench, gesture });
+  const inputs = WRENCH_PARTS.map(([letter, index, unit], i) =>
+    makeTextField(`${letter} ${index}, ${unit}`, (...now) => typed(i, ...now)),
   );
   const none = h("button", { onclick: () => push([0, 0, 0, 0, 0, 0]) }, "No load");
-  const labels = PARTS.map(([letter, index], i) =>
-    h("label", {}, h("span", {}, indexed(letter, index)), inputs[i]),
+  const labels = WRENCH_PARTS.map(([letter, index], i) =>
+    h("label", {}, h("span", {}, makeIndexedSymbol(letter, index)), inputs[i]),
   );
   const legend = h("legend", {}, "Wrench on the tool, by the world, at the tip (N, N m)");
-  const update = (wrench) => inputs.forEach((input, i) => refill(input, short(wrench[i], 2)));
+  const update = (wrench) =>
+    inputs.forEach((input, i) => refillField(input, formatShort(wrench[i], 2)));
   return { root: h("fieldset.wrench", {}, legend, labels, none), error, update };
 }
 
-// A line for each joint: its torque in parts, and as a bar beside the joint's limit.
-function makeBars(point) {
+// Make a row for each joint: its torque in parts, and a bar with the joint's limit.
+function makeTorqueTable(point) {
   const body = h("tbody");
-  const heads = HEADS.map((text) => h("th", { scope: "col" }, text));
+  const heads = COLUMN_HEADERS.map((text) => h("th", { scope: "col" }, text));
   const name = { "aria-label": "Static torque of each joint" };
   const table = h("table.bars", name, h("thead", {}, h("tr", {}, heads)), body);
   let [lines, shown] = [[], null];
 
-  // Returns the joints whose torque is beyond their limits.
+  // Returns the joints whose torque exceeds their limits.
   function update(arm, { gravity, push, torque }) {
     if (shown !== arm) {
       shown = arm;
-      lines = movingRows(arm).map((row) => barLine(row, point));
+      lines = movingRows(arm).map((row) => makeTorqueRow(row, point));
       body.replaceChildren(...lines.map(({ line }) => line));
     }
     const largest = Math.max(1e-9, ...torque.map(Math.abs));
     lines.forEach((line, i) => {
-      [gravity[i], -push[i], torque[i]].forEach((v, k) => write(line.cells[k], fixed(v, 2)));
-      showShare(line, arm.rows[line.row], torque[i], largest);
+      [gravity[i], -push[i], torque[i]].forEach((v, k) =>
+        setText(line.cells[k], formatFixed(v, 2)),
+      );
+      showLimitShare(line, arm.rows[line.row], torque[i], largest);
     });
     const over = lines.filter(({ line }) => line.classList.contains("over"));
     return over.map(({ row }) => `joint ${row + 1}`);
   }
-  return { root: scrolled("Torques", table), update };
+  return { root: makeScrollRegion("Torques", table), update };
 }
 
-function barLine(row, point) {
+function makeTorqueRow(row, point) {
   const cells = ["gravity", "push", "total"].map((name) => h(`td.${name}`));
   const fill = h("span.fill");
   const [part, limit] = [h("span"), h("span.limit")];
@@ -95,24 +97,24 @@ function barLine(row, point) {
   const line = h(
     "tr",
     { onpointerenter: () => point(row), onpointerleave: () => point(null) },
-    h("th", { scope: "row" }, indexed("τ", row + 1)),
+    h("th", { scope: "row" }, makeIndexedSymbol("τ", row + 1)),
     cells,
     h("td.bar", {}, track, h("span.share", {}, part, limit)),
   );
   return { row, cells, fill, part, limit, line };
 }
 
-function showShare({ fill, part, limit, line }, { effort, kind }, torque, largest) {
+function showLimitShare({ fill, part, limit, line }, { effort, kind }, torque, largest) {
   const unit = kind === "revolute" ? "N m" : "N";
   const share = torque / (effort ?? largest);
   fill.style.setProperty("--from", `${50 + 50 * Math.max(-1, Math.min(0, share))}%`);
   fill.style.setProperty("--width", `${50 * Math.min(1, Math.abs(share))}%`);
   line.classList.toggle("over", Boolean(effort) && Math.abs(share) > 1);
-  write(part, effort ? `${fixed(100 * Math.abs(share), 0)} %` : "");
-  write(limit, effort ? ` of ${effort} ${unit}` : unit);
+  setText(part, effort ? `${formatFixed(100 * Math.abs(share), 0)} %` : "");
+  setText(limit, effort ? ` of ${effort} ${unit}` : unit);
 }
 
-function verdictText(arm, over, gravity) {
+function describeTorques(arm, over, gravity) {
   if (over.length) return `Too much for ${joinList(over)}.`;
   if (!arm.rows.some((row) => row.body))
     return "No masses are known of this arm, so only the push on the tool shows.";

@@ -1,42 +1,44 @@
-// Play, pause and scrub along the state's trace; each frame takes the arm on, and the state says
-// when it stops.
+// Play, pause and scrub along the state's trace. Each frame moves the arm, and the state stops the
+// play.
 
-import { attribute, calm, h, slider, write } from "../dom.js";
+import { updateAttribute, prefersReducedMotion, h, makeRangeInput, setText } from "../dom.js";
 
-const SECONDS = 8; // for the whole path; twice that where motion is unwelcome
+const PLAY_TIME = 8; // s for the whole path; twice as long with reduced motion
 
 /**
+ * Make the play button and the scrubber.
  * @param {import("../state.js").Store} store
- * @param {{ signal: AbortSignal, begin: (then: () => void) => void }} tools `begin` makes a trace
- *   where there is none
+ * @param {{ signal: AbortSignal, makeTrace: (onReady: () => void) => void }} tools `makeTrace`
+ *   is called if there is no trace to play
  */
-export function makeTransport(store, { signal, begin }) {
-  const go = (on) => store.dispatch({ type: "playing", on });
-  const play = h("button.main", { onclick: () => toggle(store, go, begin) }, "Play");
-  const scrub = makeScrub((at) => (go(false), store.dispatch({ type: "play", at })));
+export function makeTransport(store, { signal, makeTrace }) {
+  const go = (on) => store.dispatch({ type: "setPlaying", on });
+  const play = h("button.main", { onclick: () => togglePlay(store, go, makeTrace) }, "Play");
+  const scrub = makeScrubber((progress) => (go(false), store.dispatch({ type: "seek", progress })));
   const place = h("output.place");
   const root = h("div.row.transport", {}, play, scrub, place);
   let timer = null;
-  let last = 0; // the time of the frame before, ms
+  let last = 0; // time of the previous frame, ms
   signal.addEventListener("abort", () => cancelAnimationFrame(timer));
 
   function tick(now) {
     timer = null;
-    const { playing, at } = store.state;
+    const { playing, progress } = store.state;
     if (!playing || !root.isConnected) return;
-    const pace = 1000 * SECONDS * (calm() ? 2 : 1);
-    const share = Math.min(1, at + Math.max(0, Math.min(100, now - last)) / pace);
+    const pace = 1000 * PLAY_TIME * (prefersReducedMotion() ? 2 : 1);
+    const share = Math.min(1, progress + Math.max(0, Math.min(100, now - last)) / pace);
     last = now;
-    // before the state changes: who hears of that would ask for a frame too
+    // The next frame is requested before the state changes, because a listener would request one
+    // too.
     timer = requestAnimationFrame(tick);
-    store.dispatch({ type: "play", at: share });
+    store.dispatch({ type: "seek", progress: share });
     if (share === 1) go(false);
   }
 
-  function update({ playing, trace, at }) {
-    write(play, playing ? "Pause" : "Play");
+  function update({ playing, trace, progress }) {
+    setText(play, playing ? "Pause" : "Play");
     scrub.disabled = !trace;
-    showPlace({ scrub, place }, at);
+    showProgress({ scrub, place }, progress);
     if (!playing || timer) return;
     last = performance.now();
     timer = requestAnimationFrame(tick);
@@ -44,23 +46,23 @@ export function makeTransport(store, { signal, begin }) {
   return { root, update };
 }
 
-function showPlace({ scrub, place }, at) {
-  scrub.value = String(Math.round(1000 * at));
-  scrub.style.setProperty("--high", `${(100 * at).toFixed(1)}%`);
-  attribute(scrub, "aria-valuetext", `${Math.round(100 * at)} percent`);
-  write(place, `${Math.round(100 * at)} %`);
+function showProgress({ scrub, place }, progress) {
+  scrub.value = String(Math.round(1000 * progress));
+  scrub.style.setProperty("--high", `${(100 * progress).toFixed(1)}%`);
+  updateAttribute(scrub, "aria-valuetext", `${Math.round(100 * progress)} percent`);
+  setText(place, `${Math.round(100 * progress)} %`);
 }
 
-function toggle(store, go, begin) {
-  const { trace, playing, at } = store.state;
+function togglePlay(store, go, makeTrace) {
+  const { trace, playing, progress } = store.state;
   if (playing) return go(false);
-  if (!trace) return begin(() => go(true));
-  if (at >= 1) store.dispatch({ type: "play", at: 0 });
+  if (!trace) return makeTrace(() => go(true));
+  if (progress >= 1) store.dispatch({ type: "seek", progress: 0 });
   return go(true);
 }
 
-const makeScrub = (put) =>
-  slider("Place along the path", [0, 1000], {
+const makeScrubber = (put) =>
+  makeRangeInput("Place along the path", [0, 1000], {
     step: 1,
     value: 0,
     oninput: (e) => put(e.target.value / 1000),

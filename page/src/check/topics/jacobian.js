@@ -1,4 +1,4 @@
-// Jacobians and torques.
+// Check Jacobians and joint torques.
 
 import { numbers, unnamed } from "../../../../judge/reading/numbers.js";
 import { compareJacobian } from "../../../../judge/topics/jacobian.js";
@@ -7,7 +7,7 @@ import { ArmError } from "../../../../judge/sentences.js";
 import { compareTorques } from "../../../../judge/topics/torques.js";
 
 /** @type {import("../question.js").Checker} */
-export function jacobian({ answer, q, unit, frame, first, values }, arm) {
+export function checkJacobian({ answer, q, unit, frame, first, values }, arm) {
   if (Number(frame) > arm.rows.length) {
     throw new ArmError(`frame is ${frame}; expected a whole number from 0 to ${arm.rows.length}`);
   }
@@ -16,10 +16,10 @@ export function jacobian({ answer, q, unit, frame, first, values }, arm) {
 }
 
 /** @type {import("../question.js").Checker} */
-export const torques = ({ answer, q, unit, wrench }, arm) =>
-  compareTorques(answer, arm, q, { angles: unit, wrench: wrenchOf(wrench) });
+export const checkTorques = ({ answer, q, unit, wrench }, arm) =>
+  compareTorques(answer, arm, q, { angles: unit, wrench: parseWrench(wrench) });
 
-function wrenchOf(text) {
+function parseWrench(text) {
   if (!text.trim()) return undefined;
   const { values } = numbers(unnamed(text), "the wrench");
   if (values.length !== 6) {

@@ -1,4 +1,4 @@
-// Joint angles, of one pose or all branches, and runs along a path.
+// Check joint angles, of one pose or all branches, and trajectories along a circle.
 
 import { cross, dot, movingRows } from "../../../../judge/geometry/kinematics.js";
 import { compareBranches } from "../../../../judge/topics/branches.js";
@@ -11,32 +11,28 @@ import { judgeTrace, readTrace } from "../../../../judge/topics/trace.js";
 
 /** @typedef {import("../question.js").Question} Question */
 
-// with fewer, a run that stays at the start would pass
-const [FEWEST_STEPS, MOST_STEPS] = [8, 20_000];
-// of the lengths of axes and their cosines: what a pose of two decimals is off
-const ROUNDED = 0.02;
-
-// One joint vector
+// with fewer steps, a trajectory that stays at the start would pass
+const [MIN_STEPS, MAX_STEPS] = [8, 20_000];
+// tolerance for axis lengths and cosines of a pose typed with two decimals
+const POSE_ROUNDING = 0.02;
 
 /** @type {import("../question.js").Checker} */
-export const pose = (question, arm) =>
-  comparePose(question.answer, arm, typedTarget(question), { angles: question.unit });
+export const checkPose = (question, arm) =>
+  comparePose(question.answer, arm, requireTarget(question), { angles: question.unit });
 
-function typedTarget({ target }) {
+function requireTarget({ target }) {
   if (!target.trim())
     throw new ArmError("Say where the tip should be: a point x, y, z in m, or a pose.");
   return target;
 }
 
-// All branches
-
 /** @type {import("../question.js").Checker} */
-export function branches(question, arm) {
-  const target = rowsOf(question, arm, formFor(arm));
+export function checkBranches(question, arm) {
+  const target = prepareTarget(question, arm, requireForm(arm));
   return compareBranches(question.answer, arm, target, { angles: question.unit });
 }
 
-function formFor(arm) {
+function requireForm(arm) {
   const form = findClosedForm(arm);
   if (form) return form;
   throw new ArmError(
@@ -45,21 +41,21 @@ function formFor(arm) {
   );
 }
 
-// The target as inverse kinematics take it: three coordinates, or the four rows of a pose.
+// Return the target for inverse kinematics: three coordinates, or the four rows of a pose.
 /** @param {Question} question @returns {any[]} */
-function rowsOf(question, arm, form) {
-  const { values, pose } = readTarget(typedTarget(question), arm, undefined, !needsPose(form));
-  if (needsPose(form)) return [...exact(values), [0, 0, 0, 1]];
+function prepareTarget(question, arm, form) {
+  const { values, pose } = readTarget(requireTarget(question), arm, undefined, !needsPose(form));
+  if (needsPose(form)) return [...orthonormalize(values), [0, 0, 0, 1]];
   return pose ? values.map((row) => row[3]) : values[0];
 }
 
-// A pose typed with a few decimals, its axes made perpendicular and of length 1 again: the nearest
-// rotation, by Newton's steps R <- (R + R^-T) / 2. What is farther off stays as it is, and is
-// refused.
-function exact(rows) {
+// Make the axes of a pose typed with few decimals perpendicular and of unit length: the nearest
+// rotation, by Newton's steps R <- (R + R^-T) / 2. A pose farther off is returned unchanged, and
+// refused later.
+function orthonormalize(rows) {
   const off = (u, v, wanted) => Math.abs(dot(u, v) - wanted);
   let R = rows.map((row) => row.slice(0, 3));
-  if (R.some((u, i) => R.some((v, j) => off(u, v, Number(i === j)) > ROUNDED))) return rows;
+  if (R.some((u, i) => R.some((v, j) => off(u, v, Number(i === j)) > POSE_ROUNDING))) return rows;
   for (let step = 0; step < 6; step++) {
     const [a, b, c] = R;
     const size = dot(a, cross(b, c));
@@ -69,22 +65,20 @@ function exact(rows) {
   return rows.map((row, i) => [...R[i], row[3]]);
 }
 
-// Runs
-
 /** @type {import("../question.js").Checker} */
-export function trace(question, arm) {
+export function checkTrace(question, arm) {
   const typed = readTrace(question.answer, arm);
-  const path = pathOf(question, arm, typed);
+  const path = makePath(question, arm, typed);
   return judgeTrace(typed, arm, path, { angles: question.unit });
 }
 
-function pathOf(question, arm, typed) {
-  const path = circleBelow(arm, asked(question, arm, typed));
+function makePath(question, arm, typed) {
+  const path = circleBelow(arm, readCircle(question, arm, typed));
   return question.pace === "rest" ? restToRest(path) : path;
 }
 
 /** @param {Question} question */
-function asked(question, arm, typed) {
+function readCircle(question, arm, typed) {
   const above = (key, what, unit) => {
     const { values } = numbers(question[key], what);
     if (values.length === 1 && values[0] > 0) return values[0];
@@ -92,9 +86,9 @@ function asked(question, arm, typed) {
   };
   const steps = question.steps.trim()
     ? above("steps", "the number of steps", "steps")
-    : guessed(typed, arm);
-  if (!Number.isInteger(steps) || steps < FEWEST_STEPS || steps > MOST_STEPS) {
-    const wanted = `a whole number from ${FEWEST_STEPS} to ${MOST_STEPS}`;
+    : guessSteps(typed, arm);
+  if (!Number.isInteger(steps) || steps < MIN_STEPS || steps > MAX_STEPS) {
+    const wanted = `a whole number from ${MIN_STEPS} to ${MAX_STEPS}`;
     throw new ArmError(`the number of steps is ${steps}; expected ${wanted}`);
   }
   return {
@@ -106,8 +100,8 @@ function asked(question, arm, typed) {
   };
 }
 
-// A row for each time: one more than there are steps.
-function guessed({ shape: [rows, width = 1] }, arm) {
+// Return the number of steps: one less than there are rows of times.
+function guessSteps({ shape: [rows, width = 1] }, arm) {
   const dof = movingRows(arm).length;
   const perJoint = width > dof + 1 && rows <= dof + 1;
   return Math.max(1, (perJoint ? width : rows) - 1);
