@@ -201,7 +201,10 @@ def test_errata_links_trace_as_described(opened):
     }
     assert runs[10][0]["failedStep"] == 0
     assert runs[10][1]["failedStep"] is None
-    off = {number: [round(1000 * run["largestError"], 3) for run in runs[number]] for number in (19, 21)}
+    off = {
+        number: [round(1000 * run["largestError"], 3) for run in runs[number]]
+        for number in (19, 21)
+    }
     assert off == {19: [0.127, 0.654], 21: [0.127, 1.145]}
     assert math.degrees(runs[19][1]["largestTilt"]) == pytest.approx(12.3, abs=0.05)
     assert all(opened[n]["patch"]["view"] == "homework" for n in (7, 10, 11, 19, 21))
